@@ -149,6 +149,8 @@ advise_note_best(struct answer *r, const struct advice_request *w,
 {
 	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
+	FREED char *rpm =
+	    answers_rpm(w->question->entry->site, best->speed, NAN);
 	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
@@ -158,13 +160,13 @@ advise_note_best(struct answer *r, const struct advice_request *w,
 	else
 		answer_note(r,
 		    best->repeat
-			? N_("a sample at %g m/s (a repeat) is expected to "
+			? N_("a sample at %g m/s%s (a repeat) is expected to "
 			     "narrow the %.0f %% band of %s at %g m/s most: "
 			     "from %.2g to %.2g%s, by %.0f %%")
-			: N_("a sample at %g m/s is expected to narrow the "
+			: N_("a sample at %g m/s%s is expected to narrow the "
 			     "%.0f %% band of %s at %g m/s most: from %.2g to "
 			     "%.2g%s, by %.0f %%"),
-		    best->speed, level, w->name, w->question->speed, width,
+		    best->speed, rpm, level, w->name, w->question->speed, width,
 		    best->width, w->unit, less);
 }
 
@@ -216,24 +218,31 @@ advise_answer(
 	struct answer *r = answers_new(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s", w->name,
 	    w->question->speed);
+	double rotor = entry->site->rotor;
+	answer_columns(r, "speed: sample at m/s");
+	if (rotor > 0)
+		answer_columns(r, "rpm");
 	answer_columns(r,
-	    "speed: sample at m/s, kind, width%s: band after%s, "
+	    "kind, width%s: band after%s, "
 	    "narrower_pct: narrower %%",
 	    w->q.kind == QUANTITY_SIZE                 ? "_mm"
 	    : strcmp(quantities_unit(&w->q), "%") == 0 ? "_points"
 						       : "",
 	    w->unit);
-	for (size_t i = 0; i < n; i++)
-		answer_cells(r, "%g %s %.3f %.0f", c[i].speed,
+	for (size_t i = 0; i < n; i++) {
+		answer_cells(r, "%g", c[i].speed);
+		if (rotor > 0)
+			answer_cells(r, "%.0f", units_rpm(c[i].speed, rotor));
+		answer_cells(r, "%s %.3f %.0f",
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
 		    100 * (1 - c[i].width / width));
+	}
 	struct fields *o = answer_fields(r);
 	fields_put(o, "quantity %s speed %g low %g high %g width %g", w->name,
 	    w->question->speed, ends[0], ends[1], width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
 	advise_note_best(r, w, &c[0], width);
-	answers_note_rpm(r, entry->site, c[0].speed, NAN, NAN);
 	note_feed(r, s, w);
 	return r;
 }

@@ -351,6 +351,12 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 		put_number(page, "rpm", "rpm", 0, NEEDED, units_rpm(v, rotor));
 	forecast_at(all->forecast, v);
 	put_figures(page, all);
+	struct trust light = light_at(s, entry, v, all->question->feed);
+	row->light = light.light;
+	light_worse(worst, light);
+	const char *name = tr(LIGHT_NAME[row->light]);
+	put_words(page, NULL, tr("trust"), NEEDED,
+	    xasprintf("%s%s", name, answers_extrapolates(entry, v) ? "?" : ""));
 	if (all->plant.circuit != NULL)
 		put_flow(page, all, v);
 	if (all->list.n > 0) {
@@ -359,12 +365,6 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 		row->share = wanted_certainty(&all->wanted);
 		put_limits(page, row);
 	}
-	struct trust light = light_at(s, entry, v, all->question->feed);
-	row->light = light.light;
-	light_worse(worst, light);
-	const char *name = tr(LIGHT_NAME[row->light]);
-	put_words(page, NULL, tr("trust"), NEEDED,
-	    xasprintf("%s%s", name, answers_extrapolates(entry, v) ? "?" : ""));
 	put_words(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
 }
@@ -382,6 +382,29 @@ page_free(struct page *page)
 		free(c->head);
 	}
 	free(page->column);
+}
+
+/* "hollow_lane (Hollow Lane Quarry): card of 2026-11-27": a site that has only
+ * the name of its file is known in the cabin by the first line of its sheet, up
+ * to a comma or a dash. */
+static void
+page_title(struct answer *r, const struct site *site, const char *today)
+{
+	const char *slash = strrchr(site->path, '/');
+	const char *file = slash != NULL ? slash + 1 : site->path;
+	bool of_file = strncmp(file, site->name, strlen(site->name)) == 0;
+	FREED char *label = session_site_label(site);
+	for (size_t i = 0; i < site->n_note && of_file; i++) {
+		if (site->note[i].value[0] != '\0')
+			continue;
+		FREED char *line = xstrdup(site->note[i].key);
+		char *dash = strstr(line, " - ");
+		if (dash != NULL)
+			*dash = '\0';
+		line[strcspn(line, ",")] = '\0';
+		answer_title(r, "%s (%s): card of %s", label, line, today);
+		return;
+	}
 }
 
 /* Leaves out what can be spared until a row is one line of 80; what that was,
@@ -456,12 +479,14 @@ note_flow(struct answer *r, const struct card_request *all)
 
 /* That no row is likely to meet the limits; where one is, the rows say so. */
 static void
-note_unmet(struct answer *r, const struct card_row *row, size_t n)
+note_unmet(struct answer *r, const struct site *site,
+    const struct card_row *row, size_t n)
 {
 	size_t best = 0;
 	for (size_t i = 1; i < n; i++)
 		if (row[i].share > row[best].share)
 			best = i;
+	FREED char *rpm = answers_rpm(site, row[best].speed, NAN);
 	FREED char *share = conditions_percent(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
@@ -469,8 +494,8 @@ note_unmet(struct answer *r, const struct card_row *row, size_t n)
 	else if (row[best].share < 0.5)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page is likely to meet the limits: the "
-		    "surest, %g m/s, does with %s probability",
-		    row[best].speed, share);
+		    "surest, %g m/s%s, does with %s probability",
+		    row[best].speed, rpm, share);
 }
 
 static void
@@ -480,9 +505,25 @@ note_limits(struct answer *r, const struct card_request *all,
 	FREED char *words = conditions_list_words(&all->list);
 	if (all->list.n > 0) {
 		answer_note(r, "limits: %s", words);
-		note_unmet(r, row, n);
+		note_unmet(r, all->question->entry->site, row, n);
 	}
 	conditions_note_source(r, &all->list);
+}
+
+/* "66.19, 71.84, 78 m/s (1290, 1400, 1520 rpm)"; the caller frees. */
+static char *
+measured_words(const struct site *site)
+{
+	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	char *words = xasprintf(tr("%s m/s"), speeds);
+	FREED char *rpm = xstrdup("");
+	for (size_t r = 0; r < site->n_run && site->rotor > 0; r++)
+		if (site->run[r].product.n > 0 && !site_run_repeats(site, r))
+			xlist(&rpm, ", ", "%.0f",
+			    units_rpm(site->run[r].speed, site->rotor));
+	if (rpm[0] != '\0')
+		xappend(&words, tr(" (%s rpm)"), rpm);
+	return words;
 }
 
 /* What the figures are, of which machine, found how, and who answers for
@@ -493,7 +534,7 @@ note_basis(struct answer *r, const struct session *s,
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
-	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	FREED char *speeds = measured_words(site);
 	FREED char *feed = feed_words(site, q->feed);
 	bool fines = false;
 	for (size_t i = 0; i < all->n; i++)
@@ -516,15 +557,15 @@ note_basis(struct answer *r, const struct session *s,
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
-	    breakage_of(&q->entry->params)->name, origin_words(q->entry),
+	    breakage_of(&q->entry->params)->source, origin_words(q->entry),
 	    outlook_words(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
 	answer_note(r,
-	    "green: confirmed by measurements at %s m/s; amber: from the model "
-	    "alone, or doubtful; red: do not rely on it; ?: beyond the "
-	    "measured speeds",
+	    "trust is in the figures, whether or not they meet limits; green: "
+	    "confirmed by measurements at %s; amber: from the model alone, or "
+	    "doubtful; red: do not rely on it; ?: beyond the measured speeds",
 	    speeds);
 }
 
@@ -564,6 +605,7 @@ card_answer(
 	FREED char *today = datetime_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
+	page_title(r, entry->site, today);
 	struct trust light = light_of_prediction(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
 	struct page page = {.rows = n};

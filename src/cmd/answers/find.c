@@ -224,18 +224,87 @@ speed_found(const struct find_request *goal, const struct speed_search *f)
 		   : speed_search_extreme(f, goal->kind == GOAL_MOST, false);
 }
 
-/* "66.2 to 68.9", an end of which may lie beyond the speeds searched; the
- * caller frees. */
+/* "66.2 to 68.9 m/s (1290 to 1343 rpm)", an end of which may lie beyond the
+ * speeds searched; the caller frees. */
 static char *
 range_words(const struct find_request *goal, const double range[2])
 {
-	char low[40], high[40];
-	snprintf(low, sizeof low, range[0] > 0 ? "%.2f" : tr("below %g"),
-	    range[0] > 0 ? range[0] : goal->wanted.from);
-	snprintf(high, sizeof high,
-	    isfinite(range[1]) ? "%.2f" : tr("above %g"),
-	    isfinite(range[1]) ? range[1] : goal->wanted.to);
-	return xasprintf(tr("%s to %s m/s"), low, high);
+	double rotor = goal->wanted.site->rotor;
+	bool below = !(range[0] > 0), above = !isfinite(range[1]);
+	double from = below ? goal->wanted.from : range[0],
+	       to = above ? goal->wanted.to : range[1];
+	FREED char *low = xasprintf(below ? tr("below %g") : "%.2f", from);
+	FREED char *high = xasprintf(above ? tr("above %g") : "%.2f", to);
+	char *words = xasprintf(tr("%s to %s m/s"), low, high);
+	if (!(rotor > 0))
+		return words;
+	FREED char *slow = xasprintf(
+	    below ? tr("below %.0f") : "%.0f", units_rpm(from, rotor));
+	FREED char *fast =
+	    xasprintf(above ? tr("above %.0f") : "%.0f", units_rpm(to, rotor));
+	xappend(&words, tr(" (%s to %s rpm)"), slow, fast);
+	return words;
+}
+
+/* The speed that gives the target with the feed of a run; 0 and INFINITY:
+ * beyond the speeds searched; NAN: the feed does not tell. */
+static double
+speed_with_feed(
+    const struct session *s, const struct find_request *goal, size_t run)
+{
+	const double close = 1e-6;
+	struct question own = *goal->question;
+	own.feed = run;
+	struct forecast *f = forecast_open(s, &own, &goal->target.quantity, 1);
+	double a = goal->wanted.from, b = goal->wanted.to;
+	forecast_at(f, a);
+	double slow = forecast_excess(f, 0, goal->target.least);
+	forecast_at(f, b);
+	double fast = forecast_excess(f, 0, goal->target.least);
+	bool rises = fast > slow, known = !isnan(slow) && !isnan(fast);
+	bool within = (slow >= 0) != (fast >= 0);
+	while (within && b - a > close) {
+		double v = (a + b) / 2;
+		forecast_at(f, v);
+		bool over = forecast_excess(f, 0, goal->target.least) >= 0;
+		*(over == rises ? &b : &a) = v;
+	}
+	forecast_close(f);
+	if (!known || within)
+		return known ? b : NAN;
+	return (slow >= 0) == rises ? 0 : INFINITY;
+}
+
+/* What the speed would be with each sampled feed in place of their mean, of
+ * what rises or falls with the speed throughout. */
+static void
+note_each_feed(struct answer *r, const struct session *s,
+    const struct find_request *goal, double found)
+{
+	const double tells = 0.05;
+	const struct question *q = goal->question;
+	const struct quantity *of = &goal->target.quantity;
+	double range[2] = {found, found};
+	const struct site *site = q->entry->site;
+	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	if (!site->individual_feeds || other || q->feed != SITE_MEAN_FEED ||
+	    fraction_screens(&of->fraction) ||
+	    (of->kind != QUANTITY_SIZE && of->kind != QUANTITY_PASSING))
+		return;
+	for (size_t run = 0; run < site->n_run; run++) {
+		double v = speed_with_feed(s, goal, run);
+		range[0] = fmin(range[0], v);
+		range[1] = fmax(range[1], v);
+	}
+	fields_put(answer_fields(r), "feeds_low %g feeds_high %g",
+	    find_within(range[0]), find_within(range[1]));
+	if (range[1] - range[0] < tells)
+		return;
+	FREED char *words = range_words(goal, range);
+	answer_note(r,
+	    "with each sampled feed instead of their mean the speed would be "
+	    "from %s",
+	    words);
 }
 
 /* The speed found with its range, and that in which a belt cut may show the
@@ -244,25 +313,26 @@ static void
 find_note_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
+	const struct site *site = goal->wanted.site;
+	FREED char *rpm = answers_rpm(site, f->found, NAN);
 	if (isnan(f->range[0])) {
-		answer_note(r, "%s at %.2f m/s", words, f->found);
+		answer_note(r, "%s at %.2f m/s%s", words, f->found, rpm);
 	} else {
 		FREED char *range = range_words(goal, f->range);
 		FREED char *cut = range_words(goal, f->cut);
 		answer_note(r,
-		    "%s at %.2f m/s (%.0f %% range: %s; a belt cut may show it "
-		    "from %s)",
-		    words, f->found, 100 * goal->wanted.level, range, cut);
+		    "%s at %.2f m/s%s; %.0f %% range: %s; a belt cut may show "
+		    "it from %s",
+		    words, f->found, rpm, 100 * goal->wanted.level, range, cut);
 	}
-	answers_note_rpm(
-	    r, goal->question->entry->site, f->found, f->range[0], f->range[1]);
 	if (!isnan(f->range[0]))
 		conditions_note_farther(r, &goal->wanted, !(f->range[0] > 0),
 		    !isfinite(f->range[1]));
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
+		FREED char *turns = answers_rpm(site, v, NAN);
 		if (v != f->found)
-			answer_note(r, "also at %.2f m/s%s", v,
+			answer_note(r, "also at %.2f m/s%s%s", v, turns,
 			    answers_extrapolates(goal->question->entry, v)
 				? tr(", extrapolated")
 				: "");
@@ -295,10 +365,10 @@ note_extreme(struct answer *r, const struct find_request *goal,
 	bool most = goal->kind == GOAL_MOST;
 	forecast_at(goal->wanted.forecast, v);
 	char *words = value_words(goal, goal->wanted.n);
-	answer_note(r, "%s at %.2f m/s: %s", most ? tr("largest") : tr("least"),
-	    v, words);
+	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	answer_note(r, "%s at %.2f m/s%s: %s",
+	    most ? tr("largest") : tr("least"), v, rpm, words);
 	free(words);
-	answers_note_rpm(r, goal->question->entry->site, v, NAN, NAN);
 	struct wanted_limit binds = {SIZE_MAX, false};
 	for (size_t k = 0; k < f->n_inside; k++) {
 		const struct speed_range *in = &f->inside[k];
@@ -333,8 +403,9 @@ note_sure(struct answer *r, const struct find_request *goal,
 	}
 	forecast_at(goal->wanted.forecast, v);
 	FREED char *words = value_words(goal, goal->wanted.n);
-	answer_note(
-	    r, "with %.0f %% certainty at %.2f m/s: %s", level, v, words);
+	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	answer_note(r, "with %.0f %% certainty at %.2f m/s%s: %s", level, v,
+	    rpm, words);
 }
 
 static void
@@ -374,11 +445,12 @@ note_others(struct answer *r, const struct find_request *goal,
 	if (isnan(certain))
 		return;
 	FREED char *words = conditions_percent(certain);
+	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
 	answer_note(r,
 	    goal->wanted.n > 1
-		? N_("at %.2f m/s these conditions hold with %s certainty")
-		: N_("at %.2f m/s this condition holds with %s certainty"),
-	    v, words);
+		? N_("at %.2f m/s%s these conditions hold with %s certainty")
+		: N_("at %.2f m/s%s this condition holds with %s certainty"),
+	    v, rpm, words);
 	if (goal->kind != GOAL_VALUE && certain < goal->wanted.level)
 		note_sure(r, goal, f);
 }
@@ -415,8 +487,9 @@ note_out_of_reach(
 }
 
 static void
-note_finding(struct answer *r, const struct find_request *goal,
-    const struct speed_search *f, const char *words)
+note_finding(struct answer *r, const struct session *s,
+    const struct find_request *goal, const struct speed_search *f,
+    const char *words)
 {
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
@@ -428,6 +501,8 @@ note_finding(struct answer *r, const struct find_request *goal,
 		find_note_speed(r, goal, f, words);
 	else
 		note_extreme(r, goal, f, v);
+	if (found && goal->kind == GOAL_VALUE)
+		note_each_feed(r, s, goal, v);
 	if (found && goal->wanted.n > 0)
 		note_others(r, goal, f, v);
 	conditions_note_source(r, &goal->others);
@@ -442,7 +517,7 @@ put_found(struct fields *o, const struct find_request *goal,
 	if (goal->wanted.n == 0)
 		return;
 	forecast_at(goal->wanted.forecast, isnan(v) ? f->best : v);
-	conditions_rows(NULL, o, &goal->wanted, f);
+	conditions_put(o, &goal->wanted, f);
 	fields_put(
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }
@@ -477,7 +552,7 @@ answer_goal(struct session *s, struct find_request *goal)
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speed for %s", words);
 	answers_speed_rows(r, entry, p, n);
-	note_finding(r, goal, f, words);
+	note_finding(r, s, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
 	bool fast =
@@ -504,18 +579,22 @@ note_window(struct answer *r, const struct find_request *goal,
     const struct grading *g, const struct speed_search *w)
 {
 	const struct speed_range *in = speed_search_around(w);
+	const struct site *site = g->conditions.site;
+	FREED char *best = answers_rpm(site, w->best, NAN);
 	if (in != NULL) {
-		FREED char *speeds = conditions_speeds_words(w);
+		FREED char *speeds =
+		    conditions_speeds_in_units(&g->conditions, w);
+		FREED char *table = answers_rpm(site, in->from, NAN);
 		answer_note(r,
-		    "meets the envelope at %s m/s, most surely at %.1f; table: "
-		    "%.1f m/s",
-		    speeds, w->best, in->from);
+		    "meets the envelope at %s, most surely at %.1f m/s%s; "
+		    "table: %.1f m/s%s",
+		    speeds, w->best, best, in->from, table);
 		return;
 	}
 	answer_note(r,
 	    "no speed from %g to %g m/s meets the envelope; the nearest is "
-	    "%.1f m/s",
-	    goal->wanted.from, goal->wanted.to, w->best);
+	    "%.1f m/s%s",
+	    goal->wanted.from, goal->wanted.to, w->best, best);
 	FREED char *missed = grading_missed(g);
 	answer_note(r, "%s", missed);
 }
@@ -541,12 +620,12 @@ answer_spec(struct session *s, const struct args *args,
 	grading_rows(r, &g, v);
 	note_window(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL) {
-		conditions_note_certain(r, w, g.conditions.level);
+		conditions_note_certain(r, &g.conditions, w);
 		answers_put_pair(
 		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
 	}
 	grading_notes(r, &g);
-	answers_show_basis_at(s, r, goal->question, v, false);
+	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

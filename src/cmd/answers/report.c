@@ -222,20 +222,21 @@ static void
 append_window(char **words, const struct report_request *ask)
 {
 	const struct speed_search *w = ask->found;
-	FREED char *speeds = conditions_speeds_words(w);
+	FREED char *speeds = conditions_speeds_in_units(&ask->wanted, w);
 	if (w->n_inside > 0)
-		xlist(words, "; ", tr("met at %s m/s"), speeds);
+		xlist(words, "; ", tr("met at %s"), speeds);
 	if (w->n_inside > 0)
 		return;
 	xlist(words, "; ",
 	    ask->list.n > 1 ? tr("no speed from %g to %g m/s meets all of them")
 			    : tr("no speed from %g to %g m/s meets it"),
 	    ask->wanted.from, ask->wanted.to);
-	if (isfinite(w->margin.passing))
-		xlist(words, "; ",
-		    tr("the nearest misses by %.*f points at %.1f m/s"),
-		    conditions_digits(100 * w->margin.passing),
-		    -100 * w->margin.passing, w->best);
+	if (!isfinite(w->margin.passing))
+		return;
+	forecast_at(ask->wanted.forecast, w->best);
+	FREED char *misses = conditions_distance(&ask->wanted, w->margin);
+	xlist(words, "; ", tr("the nearest misses by %s at %.1f m/s"), misses,
+	    w->best);
 }
 
 /* Whether the product at the report's speed is as it is wanted. */

@@ -39,6 +39,14 @@ sweep_across(struct answer *r, const struct entry *entry,
 		answer_columns(r, "passing_pct@%g: %g m/s%s", p[i].speed,
 		    p[i].speed, outside ? "*" : "");
 	}
+	if (entry->site->rotor > 0) {
+		answer_text(r, "rpm");
+		answer_set_missing(r, "");
+		answer_cells(r, "%.0f", NAN);
+		for (size_t i = 0; i < n; i++)
+			answer_cells(r, "%.0f",
+			    units_rpm(p[i].speed, entry->site->rotor));
+	}
 	for (size_t row = 0; row < p[0].product.n; row++) {
 		answer_text(r, "%g", units_mm(p[0].product.size[row]));
 		answer_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));

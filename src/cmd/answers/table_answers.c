@@ -306,10 +306,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "limits the speed below and above, and the best speed: the one at "
 	    "which they hold with the highest probability, preferably between "
 	    "the measured speeds; of speeds within 2 % of that probability, "
-	    "the one with the largest margin. Margins are passings, in points: "
-	    "of a P at the size that is its limit, of a fineness modulus per "
-	    "sieve. To compare limits on different sieves, margins are divided "
-	    "by the width of the band. Moduli and fractions rise and fall with "
+	    "the one with the largest margin, in widths of the band. The "
+	    "slowest measured speed from which on, up to the best, they hold "
+	    "with 95 % probability takes the least energy and wear. Programs "
+	    "get margins as passings, in points: of a P at the size that is "
+	    "its limit, of a fineness modulus per sieve. Moduli and fractions "
+	    "rise and fall with "
 	    "the speed, so there may be several windows. With the uncertainty "
 	    "band it says at which speeds all conditions hold together with 80 "
 	    "% certainty (set level). If no speed meets them all, the nearest "
@@ -348,7 +350,8 @@ const struct command TABLE_ANSWERS[] = {
 	.run = cmd_spec},
     {.name = "uncertainty",
 	.brief = "what makes the answer uncertain, and its draws",
-	.operands = {"[SPEED] [draws]", {"SPEED draws", "draws"}, 0, 2},
+	.operands = {"[SPEED] [draws|next]", {"SPEED draws next", "draws next"},
+	    0, 2},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_CHANGES |
 		 COMMAND_APPEARANCE | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({LAST_SPEED},

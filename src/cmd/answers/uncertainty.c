@@ -274,17 +274,19 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 		return;
 	double share = 1 - best.width / width;
 	FREED char *name = figure_name(of);
+	FREED char *rpm = answers_rpm(q->entry->site, best.speed, NAN);
 	answer_note(r,
 	    share < ADVISE_WORTH
-		? N_("what would help most: several samples, as at %.4g m/s; "
-		     "one narrows the band of %s by %.0f %% only")
+		? N_("what would help %s at %.4g m/s most: several samples, as "
+		     "at %.4g m/s%s; one narrows its band by %.0f %% only")
 	    : best.repeat
-		? N_("what would help most: another sample at %.4g m/s; it is "
-		     "expected to narrow the band of %s by %.0f %%")
-		: N_("what would help most: a sample at %.4g m/s; it is "
-		     "expected to narrow the band of %s by %.0f %%"),
-	    best.speed, name, 100 * fmax(share, 0));
-	answers_note_rpm(r, q->entry->site, best.speed, NAN, NAN);
+		? N_("what would help %s at %.4g m/s most: another sample at "
+		     "%.4g m/s%s; it is expected to narrow its band by %.0f "
+		     "%%; 'uncertainty next' is about other figures")
+		: N_("what would help %s at %.4g m/s most: a sample at %.4g "
+		     "m/s%s; it is expected to narrow its band by %.0f %%; "
+		     "'uncertainty next' is about other figures"),
+	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
@@ -382,9 +384,9 @@ apply_settings(struct session *s, const struct args *args)
 		s->set.noise = args->noise;
 }
 
-/* A speed, as of predict, and "draws", in any order. */
+/* A speed, as of predict, and "draws" or "next", in any order. */
 static bool
-take_words(const struct args *args, struct question *q, bool *draws,
+take_words(const struct args *args, struct question *q, bool *draws, bool *next,
     struct error *error)
 {
 	bool given = q->speed_given;
@@ -398,6 +400,8 @@ take_words(const struct args *args, struct question *q, bool *draws,
 			q->speed_given = true;
 		} else if (strcmp(word, "draws") == 0 && !*draws)
 			*draws = true;
+		else if (strcmp(word, "next") == 0)
+			*next = true;
 		else
 			return error_set(error, ERROR_USAGE,
 			    "uncertainty: expected a speed or draws, got '%s'\n"
@@ -413,9 +417,11 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
-	bool draws = false;
-	if (!take_words(args, q, &draws, error))
+	bool draws = false, next = false;
+	if (!take_words(args, q, &draws, &next, error))
 		return false;
+	if (next)
+		return cmd_advise(s, args, q, error);
 	question_as_last(s, args, q);
 	apply_settings(s, args);
 	if (!screened_check_covered(q, error))

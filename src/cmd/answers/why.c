@@ -237,36 +237,44 @@ say_reason(const struct subject *a, const struct trust *t, size_t i)
 		answer_note(a->answer, "  what to do: %s", tr(REMEDY[cause]));
 }
 
-/* The light, each reason with its number. */
+/* That there is nothing to worry about, before all that the answer rests on. */
 static void
-say_light(const struct subject *a)
+say_green(const struct subject *a, const struct trust *t)
 {
-	struct trust t = light_of_prediction(a->s, a->entry, &a->p);
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
-	if (t.n > 0)
-		answer_say(a->answer,
-		    t.light == LIGHT_RED ? ANSWER_WARNING : ANSWER_PLAIN,
-		    t.light == LIGHT_RED
-			? N_("Trust is red: do not rely on this answer")
-			: N_("Trust is amber"));
-	else if (t.remarks > 0)
+	if (t->n > 0)
+		return;
+	answer_note(a->answer,
+	    "Trust is green: nothing to worry about in the answer at %.4g m/s",
+	    a->p.speed);
+	if (t->remarks > 0)
 		answer_note(a->answer,
-		    "Trust is green: between the measured speeds the "
+		    "It lies between the measured speeds, where the "
 		    "measurements correct what the model misses; beyond them "
-		    "these are reasons for amber");
+		    "the remarks below are reasons for amber");
 	else if (e != NULL)
 		answer_note(a->answer,
-		    "Trust is green: the residuals look like sampling errors: "
-		    "RMSE %.2f points, %.1f times the usual size, errors of "
-		    "neighbouring sieves are not alike; %zu passings for %zu "
-		    "parameters",
+		    "The residuals look like sampling errors: RMSE %.2f "
+		    "points, %.1f times the usual size, errors of neighbouring "
+		    "sieves are not alike; %zu passings for %zu parameters",
 		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
-	for (size_t i = 0; i < t.n; i++)
-		say_reason(a, &t, i);
-	for (size_t i = 0; i < t.remarks; i++)
-		answer_note(a->answer, "  remark: %s", t.remark[i]);
-	light_put(answer_fields(a->answer), &t);
-	trust_free(&t);
+}
+
+/* The light that is not green, each reason with its number, and remarks. */
+static void
+say_light(const struct subject *a, const struct trust *t)
+{
+	if (t->n > 0)
+		answer_say(a->answer,
+		    t->light == LIGHT_RED ? ANSWER_WARNING : ANSWER_PLAIN,
+		    t->light == LIGHT_RED
+			? N_("Trust is red: do not rely on this answer")
+			: N_("Trust is amber"));
+	for (size_t i = 0; i < t->n; i++)
+		say_reason(a, t, i);
+	for (size_t i = 0; i < t->remarks; i++)
+		answer_note(a->answer, "  remark: %s", t->remark[i]);
+	light_put(answer_fields(a->answer), t);
 }
 
 static void
@@ -595,17 +603,20 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	    .feed = site_feed(entry->site, run),
 	    .p = forecast_whole_product(s, entry, v, run),
 	    .answer = answers_new(entry->site, "why", "why, at %.4g m/s", v)};
+	struct trust trust = light_of_prediction(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
+	say_green(&a, &trust);
 	say_breakage(&a);
 	say_how_much(&a);
 	say_response(&a);
 	say_fraction(&a);
 	say_trained(&a);
 	say_measured(&a);
-	say_light(&a);
+	say_light(&a, &trust);
 	say_fit(&a);
 	say_data(&a);
 	feed_note(a.answer, entry->site, run, NULL, 0);
+	trust_free(&trust);
 	prediction_free(&a.p);
 	return session_show_answer(s, a.answer);
 }

@@ -64,41 +64,46 @@ window_look(struct session *s, struct window_request *a, double from, double to)
 	forecast_at(a->wanted.forecast, a->w->best);
 }
 
-/* "passing 0.5 mm sets the lower end, 71.5, passing 0.063 mm the upper, 76.2
- * m/s"; one quantity may do both. */
+/* "passing 0.5 mm sets the lower end, 71.5 m/s, passing 0.063 mm the upper,
+ * 76.2 m/s"; one quantity may do both. */
 static void
 note_binding(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
+	const struct site *site = a->wanted.site;
+	FREED char *from = answers_rpm(site, in->from, NAN);
+	FREED char *to = answers_rpm(site, in->to, NAN);
+	FREED char *both = answers_rpm(site, in->from, in->to);
 	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		FREED char *q =
 		    quantities_words(&a->list.at[in->low.i].quantity);
 		if (in->high.i == in->low.i)
-			xappend(&words, tr("%s sets both ends: %.1f and %.1f"),
-			    q, in->from, in->to);
+			xappend(&words,
+			    tr("%s sets both ends: %.1f and %.1f m/s%s"), q,
+			    in->from, in->to, both);
 		else
-			xappend(&words, tr("%s sets the lower end, %.1f"), q,
-			    in->from);
+			xappend(&words, tr("%s sets the lower end, %.1f m/s%s"),
+			    q, in->from, from);
 	}
 	if (in->high.i != SIZE_MAX && in->high.i != in->low.i) {
 		FREED char *q =
 		    quantities_words(&a->list.at[in->high.i].quantity);
 		if (words[0] == '\0')
-			xappend(&words, tr("%s sets the upper end, %.1f"), q,
-			    in->to);
+			xappend(&words, tr("%s sets the upper end, %.1f m/s%s"),
+			    q, in->to, to);
 		else
-			xlist(
-			    &words, ", ", tr("%s the upper, %.1f"), q, in->to);
+			xlist(&words, ", ", tr("%s the upper, %.1f m/s%s"), q,
+			    in->to, to);
 	}
 	if (words[0] != '\0')
-		answer_note(r, "%s m/s", words);
+		answer_note(r, "%s", words);
 	else
 		answer_note(r, "no condition sets a limit from %g to %g m/s",
 		    a->wanted.from, a->wanted.to);
 }
 
-/* "1.2 points, 0.9 times the width of its band". */
+/* "1.2 points away, 0.9 times the width of its band". */
 static void
 note_margin(struct answer *r, const struct window_request *a)
 {
@@ -107,24 +112,25 @@ note_margin(struct answer *r, const struct window_request *a)
 	if (!isfinite(m->passing))
 		return;
 	FREED char *limit = conditions_limit(&a->list, m->limit);
+	FREED char *distance = conditions_distance(&a->wanted, *m);
 	if (isfinite(widths))
 		answer_note(r,
-		    "nearest limit there: %s, %.1f points away, %.1f times the "
-		    "width of the band",
-		    limit, 100 * m->passing, widths);
+		    "nearest limit there: %s, %s away, %.1f times the width of "
+		    "the band",
+		    limit, distance, widths);
 	else
-		answer_note(r, "nearest limit there: %s, %.1f points away",
-		    limit, 100 * m->passing);
+		answer_note(
+		    r, "nearest limit there: %s, %s away", limit, distance);
 }
 
 static void
 note_inside(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
-	FREED char *speeds = conditions_speeds_words(a->w);
+	FREED char *speeds = conditions_speeds_in_units(&a->wanted, a->w);
 	answer_note(r,
-	    a->list.n > 1 ? N_("the answer meets all conditions at %s m/s")
-			  : N_("the answer meets it at %s m/s"),
+	    a->list.n > 1 ? N_("the answer meets all conditions at %s")
+			  : N_("the answer meets it at %s"),
 	    speeds);
 	note_binding(r, a);
 	conditions_note_farther(r, &a->wanted,
@@ -139,6 +145,37 @@ note_inside(struct answer *r, const struct window_request *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
+/* Why it is the best, and the slowest that will do. */
+static void
+note_best(struct answer *r, const struct window_request *a)
+{
+	const struct speed_search *w = a->w;
+	const struct site *site = a->wanted.site;
+	FREED char *rpm = answers_rpm(site, w->best, NAN);
+	FREED char *slow = answers_rpm(site, w->safe, NAN);
+	FREED char *words = xasprintf(
+	    answers_extrapolates(a->q->entry, w->best)
+		? tr("best %.1f m/s%s, beyond the measured speeds, none of "
+		     "which will do")
+		: tr("best %.1f m/s%s of the measured range"),
+	    w->best, rpm);
+	if (isnan(w->best_certain))
+		xappend(&words, tr(": it is farthest from the limits"));
+	else {
+		FREED char *times = conditions_times(w->best_certain);
+		xappend(&words,
+		    a->list.n > 1 ? tr(": they hold most surely there, %s")
+				  : tr(": it holds most surely there, %s"),
+		    times);
+	}
+	if (w->safe < w->best)
+		xappend(&words,
+		    tr("; the slowest that is safe, 95 times in 100 or more: "
+		       "%.1f m/s%s, for less energy and wear"),
+		    w->safe, slow);
+	answer_note(r, "%s", words);
+}
+
 /* The best speed, and how sure it and those about it are. */
 static void
 note_certain_speeds(
@@ -146,21 +183,14 @@ note_certain_speeds(
 {
 	const struct speed_search *w = a->w;
 	bool drawn = !isnan(w->best_certain);
-	FREED char *best = conditions_percent(w->best_certain);
-	if (w->n_inside > 0 && drawn)
-		answer_note(
-		    r, "best %.1f m/s, with %s certainty", w->best, best);
-	else if (w->n_inside > 0)
-		answer_note(r, "best %.1f m/s", w->best);
-	if (w->n_inside > 0)
-		answers_note_rpm(
-		    r, a->q->entry->site, w->best, w->sure[0], w->sure[1]);
-	if (w->n_inside > 0)
+	if (w->n_inside > 0) {
+		note_best(r, a);
 		note_margin(r, a);
+	}
 	if (!drawn)
 		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
 	else
-		conditions_note_certain(r, w, a->wanted.level);
+		conditions_note_certain(r, &a->wanted, w);
 }
 
 static void
@@ -171,8 +201,8 @@ put_certain(struct fields *o, const struct window_request *a)
 		answers_put_pair(o, "certain", w->sure[0], w->sure[1]);
 	else
 		fields_number(o, "certain", NAN);
-	fields_put(o, "certainty_pct %g level %g", 100 * w->best_certain,
-	    100 * a->wanted.level);
+	fields_put(o, "certainty_pct %g level %g slowest_safe %g",
+	    100 * w->best_certain, 100 * a->wanted.level, w->safe);
 }
 
 static void
@@ -229,11 +259,13 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		window_look(s, &a, from, to);
+		FREED char *rpm = answers_rpm(entry->site, a.w->best, NAN);
 		struct answer *r =
-		    answers_new(entry->site, "window", "%s at %.1f m/s",
+		    answers_new(entry->site, "window", "%s at %.1f m/s%s",
 			a.list.n > 1 ? tr("conditions") : tr("the condition"),
-			a.w->best);
-		conditions_rows(r, answer_fields(r), &a.wanted, a.w);
+			a.w->best, rpm);
+		conditions_rows(r, &a.wanted, a.w);
+		conditions_put(answer_fields(r), &a.wanted, a.w);
 		if (a.w->n_inside > 0)
 			note_inside(r, &a);
 		else
@@ -244,7 +276,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_certain(answer_fields(r), &a);
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
-		answers_show_basis_at(s, r, q, a.w->best, false);
+		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
 		s->last_speed = a.w->best;
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);

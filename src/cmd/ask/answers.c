@@ -288,21 +288,15 @@ note_variant(struct answer *r, const struct entry *entry)
 		    units_mm(v->rotor));
 }
 
-void
-answers_note_rpm(struct answer *r, const struct site *site, double speed,
-    double low, double high)
+char *
+answers_rpm(const struct site *site, double low, double high)
 {
-	if (!(site->rotor > 0))
-		return;
-	if (isfinite(low) && isfinite(high))
-		answer_note(r,
-		    "that is %.0f rpm of the rotor of %g mm (%.0f "
-		    "to %.0f)",
-		    units_rpm(speed, site->rotor), units_mm(site->rotor),
-		    units_rpm(low, site->rotor), units_rpm(high, site->rotor));
-	else
-		answer_note(r, "that is %.0f rpm of the rotor of %g mm",
-		    units_rpm(speed, site->rotor), units_mm(site->rotor));
+	double rotor = site->rotor;
+	if (!(rotor > 0))
+		return xstrdup("");
+	return isnan(high) ? xasprintf(tr(" (%.0f rpm)"), units_rpm(low, rotor))
+			   : xasprintf(tr(" (%.0f to %.0f rpm)"),
+				 units_rpm(low, rotor), units_rpm(high, rotor));
 }
 
 /* A speed beyond those that were measured, where the light does not say so. */
@@ -444,7 +438,11 @@ void
 answers_speed_rows(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
-	answer_columns(r, "speed: m/s, energy_j_kg: J/kg, break_mm: break mm");
+	double rotor = entry->site->rotor;
+	answer_columns(r, "speed: m/s");
+	if (rotor > 0)
+		answer_columns(r, "rpm");
+	answer_columns(r, "energy_j_kg: J/kg, break_mm: break mm");
 	answers_size_columns(r);
 	double size = p[0].product.size[p[0].product.n - 1];
 	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
@@ -455,8 +453,10 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
-		answer_cells(r, round ? "%g %.0f" : "%.2f %.0f", p[i].speed,
-		    p[i].energy);
+		answer_cells(r, round ? "%g" : "%.2f", p[i].speed);
+		if (rotor > 0)
+			answer_cells(r, "%.0f", units_rpm(p[i].speed, rotor));
+		answer_cells(r, "%.0f", p[i].energy);
 		answers_size_cell(r, &p[i], ANSWERS_BREAK);
 		for (size_t k = 0; k < PSD_SIZES; k++)
 			answers_size_cell(r, &p[i], k);

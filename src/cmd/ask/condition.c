@@ -12,8 +12,10 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/trust_light.h"
 #include "io/sitefile/units.h"
 
 static const char DIGITS[] = "0123456789";
@@ -561,6 +563,38 @@ conditions_speeds_words(const struct speed_search *found)
 	return words;
 }
 
+const char *
+conditions_ends(const struct wanted *wanted, double from, double to)
+{
+	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
+	return slowest && fastest ? N_(", all speeds asked")
+	       : slowest          ? N_(", from the slowest asked")
+	       : fastest          ? N_(", up to the fastest asked")
+				  : "";
+}
+
+char *
+conditions_speeds_in_units(
+    const struct wanted *wanted, const struct speed_search *found)
+{
+	double rotor = wanted->site->rotor;
+	size_t n = found->n_inside;
+	const char *ends =
+	    n == 0 ? ""
+		   : tr(conditions_ends(wanted, found->inside[0].from,
+			 found->inside[n - 1].to));
+	FREED char *mps = conditions_speeds_words(found);
+	FREED char *rpm = xstrdup("");
+	for (size_t k = 0; k < n; k++) {
+		double from = units_rpm(found->inside[k].from, rotor),
+		       to = units_rpm(found->inside[k].to, rotor);
+		xlist(&rpm, tr(" and "),
+		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
+	}
+	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)%s"), mps, rpm, ends)
+			 : xasprintf(tr("%s m/s%s"), mps, ends);
+}
+
 double
 conditions_widths(const struct wanted *wanted, struct margin margin)
 {
@@ -569,52 +603,120 @@ conditions_widths(const struct wanted *wanted, struct margin margin)
 		   : NAN;
 }
 
-/* Of a condition a row, of an answer or for NULL of none, and fields. */
+/* How far the value at the forecast's speed is from the limit of a margin, in
+ * the unit of its quantity; negative where that is missed. */
+static double
+margin_shown(const struct wanted *wanted, struct margin margin)
+{
+	size_t i = margin.limit.i;
+	if (i == SIZE_MAX || quantities_unit(&wanted->at[i].quantity)[0] == '%')
+		return 100 * margin.passing;
+	const struct condition *c = &wanted->at[i];
+	double value = forecast_shown(wanted->forecast, i).value;
+	return margin.limit.most
+		   ? quantities_shown(&c->quantity, c->most) - value
+		   : value - quantities_shown(&c->quantity, c->least);
+}
+
+char *
+conditions_distance(const struct wanted *wanted, struct margin margin)
+{
+	const struct quantity *q = &wanted->at[margin.limit.i].quantity;
+	double points = fabs(100 * margin.passing);
+	double distance = fabs(margin_shown(wanted, margin));
+	int digits = quantities_decimals(q);
+	if (isnan(distance) || quantities_unit(q)[0] == '%')
+		return xasprintf(
+		    tr("%.*f points"), conditions_digits(points), points);
+	digits += distance < pow(10, -digits);
+	return xasprintf("%.*f%s", digits, distance, quantities_unit_suffix(q));
+}
+
 static void
-add_condition(struct answer *r, struct fields *o, const struct wanted *wanted,
+put_condition(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
 	const struct quantity *q = &wanted->at[i].quantity;
 	struct margin margin = wanted_margin(wanted, i);
 	struct figure f = forecast_shown(wanted->forecast, i);
-	const double limit[] = {quantities_shown(q, wanted->at[i].least),
-	    quantities_shown(q, wanted->at[i].most)};
-	const double points = 100 * margin.passing, *alone = found->alone[i];
-	const char *unit = quantities_unit(q);
-	int decimals = quantities_decimals(q);
-	FREED char *words = quantities_words(q), *key = quantities_key(q);
+	FREED char *key = quantities_key(q);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
 	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, unit, limit[0], limit[1], f.value, f.low, f.high, points,
-	    conditions_widths(wanted, margin), alone[0], alone[1]);
-	if (unit[0] != '\0')
-		xappend(&words, ", %s", unit);
-	if (r != NULL) {
+	    key, quantities_unit(q), quantities_shown(q, wanted->at[i].least),
+	    quantities_shown(q, wanted->at[i].most), f.value, f.low, f.high,
+	    100 * margin.passing, conditions_widths(wanted, margin),
+	    found->alone[i][0], found->alone[i][1]);
+}
+
+void
+conditions_put(struct fields *o, const struct wanted *wanted,
+    const struct speed_search *found)
+{
+	struct fields *list = fields_list(o, "conditions");
+	for (size_t i = 0; i < wanted->n; i++)
+		put_condition(fields_object(list, NULL), wanted, found, i);
+}
+
+/* The cells of the speeds at which condition i holds by itself: for people in
+ * rpm where the site states the rotor, as wide as in m/s. */
+static void
+add_speeds_alone(struct answer *r, const double speed[static 2], double rotor)
+{
+	if (rotor > 0)
+		answer_cells(r, "%.0f %.0f", units_rpm(speed[0], rotor),
+		    units_rpm(speed[1], rotor));
+	else
+		answer_cells(r, "%.1f %.1f", speed[0], speed[1]);
+}
+
+/* A row a condition: people see the margin in the quantity's unit, programs in
+ * points. */
+static void
+add_rows(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found, bool people)
+{
+	double rotor = people ? wanted->site->rotor : 0;
+	bool drawn = forecast_draws(wanted->forecast, 0) != NULL;
+	answer_columns(r, "quantity: condition on, min, max, value");
+	if (drawn)
+		answer_columns(r, "low, high");
+	answer_columns(r, rotor > 0
+			      ? N_("margin_pct: margin, holds_from: from rpm, "
+				   "holds_to: to rpm")
+			      : N_("margin_pct: margin, holds_from: from m/s, "
+				   "holds_to: to m/s"));
+	for (size_t i = 0; i < wanted->n; i++) {
+		const struct quantity *q = &wanted->at[i].quantity;
+		struct figure f = forecast_shown(wanted->forecast, i);
+		const char *unit = quantities_unit(q);
+		int digits = quantities_decimals(q);
+		FREED char *words = quantities_words(q);
+		FREED char *key = quantities_key(q);
+		if (unit[0] != '\0')
+			xappend(&words, ", %s", unit);
 		answer_name(r, key, words);
-		answer_cells(
-		    r, "%g %g %.*f", limit[0], limit[1], decimals, f.value);
-		if (forecast_draws(wanted->forecast, i) != NULL)
+		answer_cells(r, "%g %g %.*f",
+		    quantities_shown(q, wanted->at[i].least),
+		    quantities_shown(q, wanted->at[i].most), digits, f.value);
+		if (drawn)
 			answer_cells(
-			    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
-		answer_cells(r, "%.1f %.1f %.1f", points, alone[0], alone[1]);
+			    r, "%.*f %.*f", digits, f.low, digits, f.high);
+		struct margin margin = wanted_margin(wanted, i);
+		answer_cells(r, "%.*f", people ? digits : 1,
+		    people ? margin_shown(wanted, margin)
+			   : 100 * margin.passing);
+		add_speeds_alone(r, found->alone[i], rotor);
 	}
 }
 
 void
-conditions_rows(struct answer *r, struct fields *o, const struct wanted *wanted,
+conditions_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	struct fields *list = fields_list(o, "conditions");
-	if (r != NULL) {
-		answer_columns(r, "quantity: condition on, min, max, value");
-		if (forecast_draws(wanted->forecast, 0) != NULL)
-			answer_columns(r, "low, high");
-		answer_columns(r, "margin_pct: points, holds_from: from m/s, "
-				  "holds_to: to m/s");
-	}
-	for (size_t i = 0; i < wanted->n; i++)
-		add_condition(r, fields_object(list, NULL), wanted, found, i);
+	add_rows(r, wanted, found, true);
+	answer_fill_for_programs(r);
+	add_rows(r, wanted, found, false);
 }
 
 struct wanted
@@ -669,27 +771,73 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 {
 	const char *what =
 	    list->n > 1 ? tr("all conditions") : tr("the condition");
-	double misses = -100 * found->margin.passing;
-	if (!isfinite(misses)) {
+	if (!isfinite(found->margin.passing)) {
 		answer_note(r,
 		    "no speed from %g to %g m/s gives a value for every "
 		    "condition",
 		    wanted->from, wanted->to);
-	} else if (found->alike) {
+		return;
+	}
+	forecast_at(wanted->forecast, found->best);
+	FREED char *misses = conditions_distance(wanted, found->margin);
+	if (found->alike) {
 		FREED char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s: every speed misses "
-		    "%s alike, by %.*f points",
-		    wanted->from, wanted->to, what, words,
-		    conditions_digits(misses), misses);
+		    "%s alike, by %s",
+		    wanted->from, wanted->to, what, words, misses);
 	} else {
+		FREED char *rpm = answers_rpm(wanted->site, found->best, NAN);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
-		    "m/s, which misses by %.*f points",
-		    wanted->from, wanted->to, what, found->best,
-		    conditions_digits(misses), misses);
+		    "m/s%s, which misses by %s",
+		    wanted->from, wanted->to, what, found->best, rpm, misses);
 		note_ways(r, wanted, list, found);
 	}
+}
+
+/* The end of the range about the best speed that lies farthest beyond the
+ * measured speeds; NAN where none does. */
+static double
+farthest_end(const struct wanted *wanted, const struct speed_search *found)
+{
+	const struct speed_range *in = speed_search_around(found);
+	if (in == NULL)
+		return NAN;
+	double below = wanted->measured[0] - in->from,
+	       above = in->to - wanted->measured[1];
+	return fmax(below, above) <= 1e-9 ? NAN
+	       : above > below            ? in->to
+					  : in->from;
+}
+
+void
+conditions_show_basis(const struct session *s, struct answer *r,
+    const struct question *q, const struct wanted *wanted,
+    const struct speed_search *found, double speed)
+{
+	double end = farthest_end(wanted, found);
+	struct trust light = light_at(s, q->entry, speed, q->feed);
+	struct trust far = {0};
+	if (!isnan(end))
+		far = light_at(s, q->entry, end, q->feed);
+	if (far.light <= light.light) {
+		trust_free(&far);
+		answers_show_basis(s, r, q, speed, false, light);
+		return;
+	}
+	answers_note_basis(s, r, q, speed, NULL, &light);
+	const double at[] = {speed, end};
+	for (size_t k = 0; k < 2; k++) {
+		FREED char *words = light_words_at(s, q->entry, at[k], q->feed);
+		answer_say(r,
+		    k == 1 && far.light == LIGHT_RED ? ANSWER_WARNING
+						     : ANSWER_REMARK,
+		    "%s", words);
+	}
+	light_put(answer_fields(r), &far);
+	trust_free(&light);
+	trust_free(&far);
 }
 
 void
@@ -707,13 +855,17 @@ conditions_note_farther(
 }
 
 static void
-note_none_certain(struct answer *r, const struct speed_search *w, double level)
+note_none_certain(
+    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
 {
+	double level = wanted->level;
 	size_t most = 0;
 	for (size_t k = 0; k < w->n; k++)
-		if (w->certain[k] > w->certain[most])
+		if (w->n_inside > 0 ? w->speed[k] == w->best
+				    : w->certain[k] > w->certain[most])
 			most = k;
 	FREED char *highest = conditions_percent(w->certain[most]);
+	FREED char *rpm = answers_rpm(wanted->site, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty: it is "
@@ -721,21 +873,28 @@ note_none_certain(struct answer *r, const struct speed_search *w, double level)
 		    100 * level);
 	else
 		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; most at "
-		    "%.1f m/s, with %s",
-		    100 * level, w->speed[most], highest);
+		    w->n_inside > 0
+			? N_("at no speed does it hold with %.0f %% certainty; "
+			     "at the best, %.1f m/s%s, with %s")
+			: N_("at no speed does it hold with %.0f %% certainty; "
+			     "most at %.1f m/s%s, with %s"),
+		    100 * level, w->speed[most], rpm, highest);
 }
 
 void
-conditions_note_certain(
-    struct answer *r, const struct speed_search *found, double level)
+conditions_note_certain(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
 {
+	FREED char *rpm =
+	    answers_rpm(wanted->site, found->sure[0], found->sure[1]);
 	if (isfinite(found->sure[0]))
 		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s",
-		    100 * level, found->sure[0], found->sure[1]);
+		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s%s",
+		    100 * wanted->level, found->sure[0], found->sure[1], rpm,
+		    tr(conditions_ends(
+			wanted, found->sure[0], found->sure[1])));
 	else
-		note_none_certain(r, found, level);
+		note_none_certain(r, wanted, found);
 }
 
 char *
@@ -744,6 +903,14 @@ conditions_percent(double share)
 	return share > 0.99   ? xstrdup(tr("over 99 %"))
 	       : share < 0.01 ? xstrdup(tr("under 1 %"))
 			      : xasprintf("%.0f %%", 100 * share);
+}
+
+char *
+conditions_times(double share)
+{
+	return share > 0.99   ? xstrdup(tr("over 99 times in 100"))
+	       : share < 0.01 ? xstrdup(tr("less than once in 100"))
+			      : xasprintf(tr("%.0f times in 100"), 100 * share);
 }
 
 char *

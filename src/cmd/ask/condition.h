@@ -83,12 +83,14 @@ char *conditions_list_words(const struct condition_list *list);
 char *conditions_limit(
     const struct condition_list *list, struct wanted_limit limit);
 
-/* For each condition, adds a row to an answer, or NULL, and an object to the
- * list "conditions": the limits, the value at the forecast's speed with its
- * band, the margin, and the range of speeds where this condition holds by
- * itself. */
-void conditions_rows(struct answer *r, struct fields *o,
-    const struct wanted *wanted, const struct speed_search *found);
+/* For each condition, conditions_rows adds a row to an answer, conditions_put
+ * an object to the list "conditions": the limits, the value at the forecast's
+ * speed with its band, the margin, and the range of speeds where this condition
+ * holds by itself. */
+void conditions_rows(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found);
+void conditions_put(struct fields *o, const struct wanted *wanted,
+    const struct speed_search *found);
 
 /* Prepares a question's search over site_reach for the list's conditions and a
  * target, or NULL.  List and target must outlive the result; free its
@@ -96,12 +98,20 @@ void conditions_rows(struct answer *r, struct fields *o,
 struct wanted conditions_open(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target);
 
-/* Returns the speeds at which all conditions hold, in words: "69.0 to 77.9",
- * "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller frees it. */
+/* Return the speeds at which all conditions hold, in words: "69.0 to 77.9",
+ * "69.0 to 70.1 and 74.4", "74.42 to 74.47"; or with units, and in rpm if the
+ * site states the rotor: "67.7 to 73.6 m/s (1319 to 1434 rpm)".  The caller
+ * frees it. */
 char *conditions_speeds_words(const struct speed_search *found);
+char *conditions_speeds_in_units(
+    const struct wanted *wanted, const struct speed_search *found);
 
 /* Returns a margin in widths of the band, or NAN for a model alone. */
 double conditions_widths(const struct wanted *wanted, struct margin margin);
+
+/* Returns how far the value at the forecast's speed is from the limit of a
+ * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
+char *conditions_distance(const struct wanted *wanted, struct margin margin);
 
 /* Returns the words that find understands, "max 2/5", for words such as "most
  * 2/5"; NULL for others.  The caller frees it. */
@@ -111,15 +121,28 @@ char *conditions_extreme(const char *text);
  * than 0.0. */
 int conditions_digits(double points);
 
-/* If no speed meets all conditions, notes which of them prevent it. */
+/* If no speed meets all conditions, notes which of them prevent it.  Moves the
+ * forecast to the best speed. */
 void conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
 
 /* Notes the speeds at which the conditions hold with the certainty of a band,
  * or, without such speeds, where it is highest.  Call it only if there is a
  * band. */
-void conditions_note_certain(
-    struct answer *r, const struct speed_search *found, double level);
+void conditions_note_certain(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found);
+
+/* Returns ", up to the fastest asked" and the like, to be translated, for a
+ * range with an end that is only that of the search; else "". */
+const char *conditions_ends(
+    const struct wanted *wanted, double from, double to);
+
+/* As answers_show_basis, for an answer at a speed in a range of speeds: if the
+ * light is worse at an end of the range beyond the measured speeds, it is that
+ * of the answer, and both are said. */
+void conditions_show_basis(const struct session *s, struct answer *r,
+    const struct question *q, const struct wanted *wanted,
+    const struct speed_search *found, double speed);
 
 /* Notes which slower or faster speeds were not searched, and how to search
  * them. */
@@ -129,6 +152,9 @@ void conditions_note_farther(
 /* Returns "92 %", but "over 99 %" or "under 1 %" instead of 100 and 0, because
  * draws never prove certainty.  The caller frees it. */
 char *conditions_percent(double share);
+
+/* Returns "92 times in 100", "over 99 times in 100".  The caller frees it. */
+char *conditions_times(double share);
 
 /* Returns the probability that conditions are met, with a verdict: "over 99 %,
  * met", "47 %, as likely as not"; if share is NAN, "met" or "missed", according

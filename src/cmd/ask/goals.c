@@ -284,16 +284,38 @@ goals_best(const struct session *s, const struct goal *g, double speed)
 	return g->met[near];
 }
 
-/* "71.2", "65.0 to 70.1 and 73.0 to 75.6". */
+/* "70.8 to 78.0"; an end of the speeds searched is no limit of the product:
+ * "from 67.2 on".  at: "at" before two ends; unit: what follows a speed. */
 static char *
-met_speeds_words(const struct goal *g)
+range_words(const struct speed_search *found, double from, double to, bool at,
+    const char *unit)
 {
-	if (g->n_value == 0)
-		return conditions_speeds_words(g->found);
-	char *words = xstrdup("");
+	bool slowest = from <= found->speed[0],
+	     fastest = to >= found->speed[found->n - 1];
+	if (slowest && fastest)
+		return xstrdup(tr("at all speeds"));
+	return slowest   ? xasprintf(tr("up to %.1f%s"), to, unit)
+	       : fastest ? xasprintf(tr("from %.1f%s on"), from, unit)
+			 : xasprintf(at ? tr("at %.1f to %.1f%s")
+					: tr("%.1f to %.1f%s"),
+			       from, to, unit);
+}
+
+/* "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6"; "" where it is met nowhere. */
+static char *
+met_speeds_words(const struct goal *g, const char *unit)
+{
+	const double narrow = 0.09;
+	const struct speed_range *in = g->found->inside;
+	if (g->n_value == 0 && g->found->n_inside == 1 &&
+	    in->to - in->from > narrow)
+		return range_words(g->found, in->from, in->to, true, unit);
+	FREED char *words =
+	    g->n_value == 0 ? conditions_speeds_words(g->found) : xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
 		xlist(&words, tr(" and "), "%.1f", g->met[i]);
-	return words;
+	return words[0] == '\0' ? xstrdup("")
+				: xasprintf(tr("at %s%s"), words, unit);
 }
 
 /* Whether the one window is as sure as its band at all of its speeds. */
@@ -303,6 +325,26 @@ is_window_certain(const struct goal *g)
 	const struct speed_range *in = g->found->inside;
 	return g->n_value == 0 && g->found->n_inside == 1 &&
 	       in->from >= g->found->sure[0] && in->to <= g->found->sure[1];
+}
+
+/* "80 % certain 71.2 to 77.5", in full without the speeds where these are all
+ * at which it is met; "" of a single value, without a band, and where it is met
+ * nowhere. */
+static char *
+certain_words(
+    const struct session *s, const struct goal *g, enum goals_length length)
+{
+	double level = 100 * settings_level(&s->set);
+	const double *sure = g->found->sure;
+	if (g->n_value > 0 || g->found->n_inside == 0 ||
+	    isnan(g->found->best_certain))
+		return xstrdup("");
+	if (is_window_certain(g) && length < GOALS_PLAIN)
+		return xasprintf(tr("%.0f %% certain"), level);
+	if (!isfinite(sure[0]))
+		return xasprintf(tr("nowhere %.0f %% certain"), level);
+	FREED char *range = range_words(g->found, sure[0], sure[1], false, "");
+	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
 /* What of it lies beyond the speeds that were measured; "" where nothing
@@ -320,33 +362,32 @@ beyond_words(const struct entry *entry, const struct goal *g, double best)
 	return "";
 }
 
-/* Where it is met, with how far to trust that; the nearest speed where it is
- * not. */
+/* Where it is met, with how far to trust that, or in brief only where it is
+ * certain; the nearest speed where it is not met. */
 static char *
 outcome_words(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length < GOALS_PLAIN;
-	double best = goals_best(s, g, speed), level = settings_level(&s->set);
+	double best = goals_best(s, g, speed);
 	const char *beyond = beyond_words(entry, g, best);
-	char *words, *speeds = met_speeds_words(g);
-	if (speeds[0] == '\0')
-		words = isfinite(best)
-			    ? xasprintf(tr("at no speed, nearest %.1f"), best)
-			    : xstrdup(tr("at no speed"));
-	else
-		words = xasprintf(tr("at %s%s"), speeds, full ? " m/s" : "");
+	FREED char *certain = certain_words(s, g, length);
+	char *words = met_speeds_words(g, full ? " m/s" : "");
+	if (words[0] == '\0')
+		xappend(&words,
+		    isfinite(best) ? tr("at no speed, nearest %.1f")
+				   : tr("at no speed"),
+		    best);
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
-	free(speeds);
-	if (is_window_certain(g) && full)
-		xlist(&words, ", ", tr("%.0f %% certain"), 100 * level);
-	else if (g->n_value == 0 && full && isfinite(g->found->sure[0]))
-		xlist(&words, ", ", tr("%.0f %% certain %.1f to %.1f"),
-		    100 * level, g->found->sure[0], g->found->sure[1]);
+	bool told = length < GOALS_SHORT && certain[0] != '\0';
+	if (told && !full && isfinite(g->found->sure[0]))
+		words[0] = '\0';
+	if (told)
+		xlist(&words, ", ", "%s", certain);
 	if (beyond[0] != '\0')
 		xappend(
-		    &words, length < GOALS_SHORT ? ", %s" : " ?", tr(beyond));
+		    &words, length < GOALS_MARKED ? ", %s" : " ?", tr(beyond));
 	return words;
 }
 

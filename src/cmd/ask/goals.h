@@ -53,15 +53,17 @@ void goals_step(struct session *s, const struct entry *entry, struct goal *goal,
 double goals_best(
     const struct session *s, const struct goal *goal, double speed);
 
-/* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met at 65.0 to 75.6 m/s, 80 %
- * certain to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm";
- * GOALS_SPEEDS omits the goal, GOALS_PLAIN also the certainty, and GOALS_SHORT
- * marks extrapolation with "?".  During the search, the text says so; without a
- * goal, it is "".  The caller frees it. */
+/* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met up to 75.6 m/s, 80 %
+ * certain up to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm".
+ * GOALS_SPEEDS omits the goal; GOALS_PLAIN has only the speeds that are
+ * certain, as has GOALS_MARKED, which marks extrapolation with "?"; GOALS_SHORT
+ * has all speeds so.  During the search, the text says so; without a goal, it
+ * is "".  The caller frees it. */
 enum goals_length {
 	GOALS_FULL,
 	GOALS_SPEEDS,
 	GOALS_PLAIN,
+	GOALS_MARKED,
 	GOALS_SHORT,
 	GOALS_LENGTHS
 };

@@ -26,6 +26,9 @@ static const double NARROW = 1e-3;
 /* What chance leaves of a share of the draws. */
 static const double CHANCE = 0.02;
 
+/* Who runs a crusher slowly for less energy and wear wants to be as sure. */
+static const double SAFE = 0.95;
+
 static const struct wanted_limit NONE = {SIZE_MAX, false};
 
 /* margin [n][conditions]; of the target: over and value [n], in the draws and
@@ -46,7 +49,8 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 		asked[i] = at[i].quantity;
 	for (size_t i = 0; i < n_more; i++)
 		asked[n + i] = more[i];
-	struct wanted w = {.n = n,
+	struct wanted w = {.site = q->entry->site,
+	    .n = n,
 	    .at = at,
 	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
@@ -221,7 +225,7 @@ speed_search_new(const struct wanted *w)
 	struct speed_table *t = xcalloc(1, sizeof *t);
 	*s = (struct speed_search){.table = t, .found = NAN, .best = NAN};
 	s->range[0] = s->range[1] = s->cut[0] = s->cut[1] = NAN;
-	s->sure[0] = s->sure[1] = s->best_certain = NAN;
+	s->sure[0] = s->sure[1] = s->safe = s->best_certain = NAN;
 	s->low = s->high = NONE;
 	s->speed = tenths_between(w, &s->n);
 	s->certain = xdoubles(s->n);
@@ -541,6 +545,19 @@ find_certain_interval(struct speed_search *s, double level)
 	s->sure[1] = s->speed[high];
 }
 
+static void
+find_slowest_safe_speed(struct speed_search *s, const struct wanted *w)
+{
+	for (size_t k = s->n; k-- > 0;) {
+		if (s->speed[k] > s->best)
+			continue;
+		if (!is_measured(w, s->speed[k]) || !conditions_hold_at(s, k) ||
+		    !(s->certain[k] >= SAFE))
+			return;
+		s->safe = s->speed[k];
+	}
+}
+
 /* ---- the target's value */
 
 static double
@@ -672,6 +689,7 @@ finish_search(struct speed_search *s, const struct wanted *w)
 	find_intervals(s, w);
 	find_best_speed(s, w);
 	find_certain_interval(s, w->level);
+	find_slowest_safe_speed(s, w);
 	s->alone = xcalloc(w->n + 1, sizeof *s->alone);
 	for (size_t i = 0; i < w->n; i++)
 		find_interval_of_condition(s, i, s->alone[i]);

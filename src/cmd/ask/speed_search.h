@@ -18,9 +18,10 @@ struct condition {
  * concerns the next quantity: it is a value (both limits) to reach, or has no
  * limits if the largest or smallest value is sought.  from, to: range of
  * speeds, m/s; measured: the slowest and fastest of those that inform the
- * answer; level: of bands.  Unless stated otherwise, functions move the
- * forecast to other speeds. */
+ * answer; level: of bands; site: the one asked about.  Unless stated otherwise,
+ * functions move the forecast to other speeds. */
 struct wanted {
+	const struct site *site;
 	struct forecast *forecast;
 	size_t n;
 	const struct condition *at, *target;
@@ -77,8 +78,10 @@ struct speed_root {
  * best speed, or nearest to it, at which each condition holds by itself; NAN:
  * up to an end of the search.  sure: the speeds around the best, or else around
  * the most certain, at which the conditions hold with probability `level`; NAN
- * if there are none.  root [n_root]: slowest first.  found: the root nearest to
- * the measured speeds, preferably one at which the conditions hold; NAN: none.
+ * if there are none.  safe: the slowest measured speed from which on, up to the
+ * best, the conditions hold with 95 %; NAN if the best does not.  root
+ * [n_root]: slowest first.  found: the root nearest to the measured speeds,
+ * preferably one at which the conditions hold; NAN: none.
  * range: the middle `level` of the speeds at which the draws give the value;
  * cut: the same for the product that a belt cut would show.  0 and INFINITY:
  * below and above the search; NAN for a model alone. */
@@ -92,7 +95,7 @@ struct speed_search {
 	struct wanted_limit low, high;
 	bool alike;
 	double (*alone)[2];
-	double sure[2];
+	double sure[2], safe;
 	size_t n_root;
 	struct speed_root *root;
 	double found, range[2], cut[2];

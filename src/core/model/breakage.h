@@ -53,8 +53,9 @@ struct breaker {
 struct continuous;
 
 struct breakage {
-	const char *name;  /* as typed */
-	const char *brief; /* one line for help */
+	const char *name;   /* as typed */
+	const char *brief;  /* one line for help */
+	const char *source; /* for who knows no models by name */
 	size_t n;
 	const struct param_info *parameter; /* [n] */
 	/* The gauge: the number of leading parameters of which only the

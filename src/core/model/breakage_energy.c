@@ -75,6 +75,7 @@ KERNELS(energy);
 
 BREAKAGE_ROWS(ENERGY, "grunditz-energy",
     "the paper's, with finer progeny at higher energy (gamma)", 9,
+    .source = "Grunditz et al. 2021, finer progeny at higher energy",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
     .reference = E_REF, .strength = 4, SELECTION_MEMBERS,
     .prepare = energy_prepare, .finer = energy_finer, .density = energy_density,

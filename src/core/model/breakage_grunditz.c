@@ -285,11 +285,12 @@ static const struct param_info PARAMETERS[] = {
 KERNELS(grunditz);
 
 BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
-    .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .forms = true,
-    .reference = PARAMS_MOST, .strength = F_MAT, SELECTION_MEMBERS,
-    .prepare = grunditz_prepare, .finer = grunditz_finer, .density = density,
-    .breaks = grunditz_breaks, .product = product_by_moments,
-    .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
+    .source = "Grunditz et al. 2021", .parameter = PARAMETERS, .gauge = 4,
+    .gauge_name = "beta", .forms = true, .reference = PARAMS_MOST,
+    .strength = F_MAT, SELECTION_MEMBERS, .prepare = grunditz_prepare,
+    .finer = grunditz_finer, .density = density, .breaks = grunditz_breaks,
+    .product = product_by_moments, .appearance_text = grunditz_appearance_text,
+    .kernel = KERNEL_ROW(grunditz))
 
 #else /* LANES */
 

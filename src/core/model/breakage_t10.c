@@ -90,6 +90,7 @@ KERNELS(t10);
 
 BREAKAGE_ROWS(T10, "grunditz-t10",
     "grunditz-energy, with finer progeny as t10 has it too (kappa)", 10,
+    .source = "Grunditz et al. 2021, finer progeny by t10",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
     .strength = 4, SELECTION_MEMBERS, .prepare = prepare, .finer = finer,
     .density = density, .breaks = grunditz_breaks,

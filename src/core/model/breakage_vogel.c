@@ -104,7 +104,8 @@ static const struct param_info PARAMETERS[] = {
 KERNELS(vogel);
 
 BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
-    6, .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
+    6, .source = "Grunditz et al. 2021 with Vogel and Peukert",
+    .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
     SELECTION_MEMBERS, .prepare = prepare, .finer = finer,
     .at_size = fines_factor_with_slope, .density = density, .breaks = breaks,
     .appearance_text = appearance_text, .kernel = KERNEL_ROW(vogel))

@@ -181,7 +181,7 @@ track_draw(struct tui *t)
 /* A part of the heading at several lengths, the longest first; at: the one
  * shown; column: where. */
 enum { QUANTITY, GOAL, SPEED, SIGNS, PARTS };
-enum { LENGTHS = 5 };
+enum { LENGTHS = 6 };
 struct part {
 	size_t n, at;
 	char *text[LENGTHS];
@@ -228,14 +228,17 @@ say_speed(const struct tui *t, struct part *part)
 	const struct entry *entry = tui_current_entry(t);
 	double v = t->ui.tenths / 10.0;
 	double rotor = entry != NULL ? entry->site->rotor : 0;
-	char *words =
+	FREED char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
 	FREED char *turns =
 	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
 		      : xstrdup("");
 	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
 	track_say(part, xasprintf("%s%s", words, turns));
-	track_say(part, words);
+	if (rotor > 0)
+		track_say(part, xasprintf(tr("%.1f m/s%s"), v, turns));
+	else
+		track_say(part, xstrdup(words));
 	track_say(part, xasprintf("%.1f m/s", v));
 	track_say(part, xasprintf("%.1f", v));
 }
@@ -278,8 +281,8 @@ width_of_part(const struct part *part)
 static void
 fit_heading_parts(struct part part[static PARTS], int columns)
 {
-	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, SPEED,
-	    GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
+	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, GOAL,
+	    SPEED, GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;
