@@ -314,14 +314,14 @@ add_summary(
 	    session_speeds(entry->site, ", ", entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
 	FREED char *words = xasprintf(
-	    of_fit ? tr("%s fit: RMSE %.2f percentage points over %zu passings")
-		   : tr("%s: RMSE %.2f percentage points over %zu passings"),
-	    verdict, 100 * fit->rmse, fit->n_residual);
+	    of_fit ? tr("%s fit: misses its products by %.2f points on average")
+		   : tr("%s: misses its products by %.2f points on average"),
+	    verdict, 100 * fit->rmse);
 	if (isfinite(holdout))
 		xlist(&words, "; ",
 		    strchr(held, ',') != NULL
-			? tr("held-out %s m/s: up to %.2f")
-			: tr("held-out %s m/s: %.2f"),
+			? tr("at %s m/s, held out for the test, by up to %.2f")
+			: tr("at %s m/s, held out for the test, by %.2f"),
 		    held, 100 * holdout);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))

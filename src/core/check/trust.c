@@ -305,8 +305,8 @@ judge_data(struct trust *t, const struct evidence *e)
 	if (e->rmse > FIT_POOR)
 		trust_add(t, LIGHT_RED, TRUST_FIT,
 		    xasprintf(
-			tr("the fit is poor: RMSE %.1f points on the "
-			   "training products, where repeat samples agree "
+			tr("the fit is poor: it misses its products by %.1f "
+			   "points on average, where repeat samples agree "
 			   "within 0.5 to 1; check the data with 'check'"),
 			100 * e->rmse));
 	if (spare == 0)
@@ -450,17 +450,17 @@ judge_holdout(struct trust *t, const struct evidence *e)
 		return;
 	if (own > FIT_POOR)
 		trust_add(t, LIGHT_RED, TRUST_HOLDOUT,
-		    xasprintf(tr("at %g m/s, held out, the model errs by %.1f "
-				 "points (RMSE)"),
+		    xasprintf(tr("at %g m/s, held out, the model misses by "
+				 "%.1f points on average"),
 			v->speed, 100 * own));
 	else if (validation_loses_to_interpolation(v) &&
 		 own > 1.2 * line + 0.001)
 		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT,
 		    xasprintf(
-			tr("at %g m/s, held out, interpolating the "
-			   "training products is closer (%.2f points RMSE) "
-			   "than the model (%.2f)"),
-			v->speed, 100 * line, 100 * own));
+			tr("at %g m/s, held out, the model misses by %.2f "
+			   "points on average, a straight line through the "
+			   "products calibrated on by %.2f"),
+			v->speed, 100 * own, 100 * line));
 }
 
 static void
