@@ -13,6 +13,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
+#include "core/check/trust.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
@@ -180,6 +181,15 @@ add_warnings(struct answer *r, const struct entry *entry)
 		    far.speed, entry->site->run[far.run].repeat,
 		    100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
+	double own, mean;
+	if (trust_feeds_mislead(entry->site, fit, &own, &mean))
+		answer_say(r, ANSWER_REMARK,
+		    "the products do not follow the feeds sampled with them: "
+		    "with the feed of each the model misses by %.2f points on "
+		    "average, with the mean of all feeds by %.2f: samples of "
+		    "feed "
+		    "that were too small, or mixed up?",
+		    100 * own, 100 * mean);
 }
 
 static const char *
