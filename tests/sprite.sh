@@ -45,7 +45,7 @@ for screen in 12.7 $([ "$(often 0 1)" -eq 0 ] || echo 19.05); do
 	result $? "screen $screen: the fit is called poor, the light is red"
 	grep -q '^no uncertainty band: the fit is poor' "$dir/out"
 	result $? "screen $screen: two speeds of a poor fit give no band"
-	grep -q 'at 8.168 m/s: largest error' "$dir/out"
+	grep -q 'at 8.168 m/s: at worst' "$dir/out"
 	result $? "screen $screen: the middle speed is held out"
 	# Each speed asked for from the two others.
 	"$TIPSPEED" "$dir/sprite.csv" -c 'validate holdout=each' \

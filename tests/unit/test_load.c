@@ -258,13 +258,20 @@ a_coarser_sieve_is_assumed(void **state)
 	assert_non_null(strstr(desk->error.text, "got 96.7 % at 16 mm"));
 	assert_non_null(
 	    strstr(desk->error.hint, "load test-load.csv top=22.4"));
-	/* How coarse what most of it is nobody knows. */
+	/* How coarse it is where much is coarser nobody knows. */
 	static const char COARSE[] = "size_mm,feed,product@69\n16,60,80\n"
 				     "8,30,50\n4,12,25\n";
-	assert_true(load_with(desk, COARSE, "|31.5"));
-	assert_non_null(strstr(user.asked, "or n []"));
-	assert_non_null(strstr(user.asked, "got ''"));
-	assert_near(site_assumed_top(site_of(desk)), 31.5, 0);
+	assert_true(load_with(desk, COARSE, ""));
+	assert_non_null(strstr(user.asked,
+	    "passes 22.4 mm (or type 31.5 or more, as much is coarser) "
+	    "[Y/n]"));
+	assert_near(site_assumed_top(site_of(desk)), 22.4, 0);
+	assert_true(load_with(desk, COARSE, "45"));
+	assert_near(site_assumed_top(site_of(desk)), 45, 0);
+	assert_false(load_with(desk, COARSE, "n"));
+	assert_non_null(
+	    strstr(desk->error.hint, "(or 31.5 mm or more, as much is "
+				     "coarser): load test-load.csv top=22.4"));
 	assert_false(load_with(desk, SHORT, "n"));
 	assert_false(desk_say(desk, "load test-load.csv top=16"));
 	assert_non_null(strstr(desk->error.hint, "top=22.4"));

@@ -157,13 +157,13 @@ test_reasons(void **state)
 		enum light light;
 		const char *words;
 	} want[] = {
-	    {&poor, {.speed = 74}, LIGHT_RED, "RMSE 3.0 points"},
+	    {&poor, {.speed = 74}, LIGHT_RED, "by 3.0 points"},
 	    {&few, {.speed = 74}, LIGHT_RED, "7 passings cannot determine 7"},
 	    {&slow, {.speed = 68}, LIGHT_AMBER, "bounded from above (40 %"},
 	    {&slow, {.speed = 74}, LIGHT_GREEN, NULL},
 	    {&unsettled, {.speed = 74}, LIGHT_AMBER, "30 % of its width"},
 	    {&bent, {.speed = 74}, LIGHT_AMBER, "finer with energy"},
-	    {&lost, {.speed = 74}, LIGHT_AMBER, "0.40 points RMSE"},
+	    {&lost, {.speed = 74}, LIGHT_AMBER, "calibrated on by 0.40"},
 	    {&SOUND, {.speed = 74, .width = 0.08}, LIGHT_AMBER, "8 points"},
 	    {&SOUND, {.speed = 74, .width = 0.2}, LIGHT_RED, "20 points"},
 	    {&SOUND, {.speed = 74, .feed = 0.12}, LIGHT_AMBER, "12 points"},

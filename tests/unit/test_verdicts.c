@@ -100,10 +100,10 @@ the_panel_is_filled_by_height_and_width(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	expect(t, 24, 80, "|P80    5.24 mm");
 	expect(t, 24, 80, "|trust green");
-	expect(t, 24, 80, "|0/4    65.4 %");
+	expect(t, 24, 80, "|<4 mm  65.4 %");
 	expect_none(t, 24, 80, "5.21..5.28");
 	expect(t, 30, 100, "| P80    5.24 mm  5.21..5.28");
-	expect(t, 30, 100, "| 0/4    65.4 %   64.9..65.9");
+	expect(t, 30, 100, "| <4 mm  65.4 %   64.9..65.9");
 	expect(t, 50, 160, "|     4  31.3  65.4  -0.2  #");
 	expect(t, 50, 160, "fit 0.30, held out 0.4 points");
 	expect(t, 50, 160, "| 0.125   0.9   2.2  -0.1");
@@ -169,7 +169,7 @@ tonnes_are_those_of_the_feed_that_flow_was_told(void **state)
 	expect_none(t, 50, 160, "t/h");
 	press(t, ":flow tph=120\n\033");
 	expect(t, 50, 160, "| of 120 t/h");
-	expect(t, 50, 160, "| 0/2    40.6 t/h 40.2..41.1");
+	expect(t, 50, 160, "| <2 mm  40.6 t/h 40.2..41.1");
 	press(t, ":flow tph=120 recycle=8/11.2\n\033");
 	expect(t, 50, 160, " go back");
 	expect_none(t, 50, 160, "of 120 t/h");
@@ -224,7 +224,7 @@ rows_of_the_panel_can_be_touched(void **state)
 	assert_int_equal(t->ui.crosshair_passing, 80);
 	assert_float_equal(
 	    t->view.shown.product.size[t->ui.crosshair_sieve], 5.6e-3, 1e-9);
-	touch(t, "| 0/2");
+	touch(t, "| <2 mm");
 	assert_float_equal(
 	    t->view.shown.product.size[t->ui.crosshair_sieve], 2e-3, 1e-9);
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");

@@ -311,12 +311,12 @@ say_measured(const struct subject *a)
 		answer_note(a->answer,
 		    validation_loses_to_interpolation(&v)
 			? N_("The held-out product measured at %g m/s%s "
-			     "differs from the prediction by %.2f points "
-			     "(RMSE); interpolating the training products is "
-			     "closer")
+			     "differs from the prediction by %.2f points on "
+			     "average; a straight line through the products "
+			     "calibrated on is closer")
 			: N_("The held-out product measured at %g m/s%s "
-			     "differs from the prediction by %.2f points "
-			     "(RMSE)"),
+			     "differs from the prediction by %.2f points on "
+			     "average"),
 		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL]);
 	}
 }

@@ -14,6 +14,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
+#include "core/check/trust.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
@@ -181,6 +182,15 @@ add_warnings(struct answer *r, const struct entry *entry)
 		    far.speed, entry->site->run[far.run].repeat,
 		    100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
+	double own, mean;
+	if (trust_feeds_mislead(entry->site, fit, &own, &mean))
+		answer_say(r, ANSWER_REMARK,
+		    "the products do not follow the feeds sampled with them: "
+		    "with the feed of each the model misses by %.2f points on "
+		    "average, with the mean of all feeds by %.2f: samples of "
+		    "feed "
+		    "that were too small, or mixed up?",
+		    100 * own, 100 * mean);
 }
 
 static const char *
@@ -315,15 +325,15 @@ add_summary(
 	    session_speeds(entry->site, ", ", entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
 	FREED char *words = xasprintf(
-	    of_fit ? tr("%s fit: RMSE %.2f percentage points over %zu passings")
-		   : tr("%s: RMSE %.2f percentage points over %zu passings"),
-	    verdict, 100 * fit->rmse, fit->n_residual);
+	    of_fit ? tr("%s fit: misses its products by %.2f points on average")
+		   : tr("%s: misses its products by %.2f points on average"),
+	    verdict, 100 * fit->rmse);
 	if (isfinite(holdout))
 		xlist(&words, "; ",
 		    strchr(held, ',') != NULL
-			? tr("up to %.2f at %s m/s, held out as a test")
-			: tr("%.2f at %s m/s, held out as a test"),
-		    100 * holdout, held);
+			? tr("at %s m/s, held out as a test, by up to %.2f")
+			: tr("at %s m/s, held out as a test, by %.2f"),
+		    held, 100 * holdout);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
 		note_untested(r, entry);

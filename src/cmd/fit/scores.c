@@ -17,9 +17,9 @@
 const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_MODEL] = {"model", N_("model"), N_("the model")},
     [VALIDATE_CORRECTED] = {"corrected", N_("corrected"),
-	N_("the corrected answer")},
+	N_("the model corrected by the runs")},
     [VALIDATE_INTERPOLATION] = {"interpolation", N_("interpolated"),
-	N_("interpolation")},
+	N_("a straight line through the products calibrated on")},
     [VALIDATE_NEAREST] = {"nearest", N_("nearest"),
 	N_("the product at the nearest training speed")},
     [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed")}};
@@ -154,7 +154,7 @@ static void
 add_rmse(struct answer *r, const char *run, const double *rmse)
 {
 	answer_text(r, "%s", run);
-	answer_text(r, "RMSE points");
+	answer_text(r, "error, points");
 	answer_set_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
@@ -244,25 +244,31 @@ winner_of(const double rmse[static VALIDATE_WAYS])
 		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
 }
 
+/* Between the run and the slower training speed, where nothing was measured:
+ * in whole m/s if there are such. */
+static double
+speed_beside(const struct validation *v)
+{
+	double middle = (v->line[0] + v->speed) / 2, whole = round(middle);
+	return whole > v->line[0] && whole < v->speed ? whole : middle;
+}
+
 /* Warns if a null model predicts a run clearly better. */
 static void
 warn_worse(struct answer *r, const struct validation *v, const char *run)
 {
 	struct winner w = winner_of(v->rmse);
-	bool between =
-	    w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	if (!w.clearly)
 		return;
 	if (w.best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", v->nearest);
-	answer_say(r, ANSWER_WARNING,
-	    between ? N_("at %s model and corrected answer predict "
-			 "worse than %s: between the training speeds, "
-			 "prefer the interpolated products")
-		    : N_("at %s model and corrected answer predict "
-			 "worse than %s"),
-	    run, who);
+	FREED char *words =
+	    xasprintf(tr("at %s the model errs more than %s"), run, who);
+	if (w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v))
+		xappend(&words, tr(": 'predict %g interpolated=on' shows both"),
+		    speed_beside(v));
+	answer_say(r, ANSWER_WARNING, "%s", words);
 }
 
 /* Notes which way predicts best over all runs. */
@@ -276,49 +282,48 @@ note_winner(struct answer *r, const struct trials *c)
 	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
 	if (one && w.best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s", c->item[0].v.nearest);
+	FREED char *where = one ? xasprintf(tr("at %s m/s"), c->item[0].name)
+				: xstrdup(tr("in all"));
 	if (!w.worse)
 		answer_note(r,
-		    one && some ? N_("  %s predicts best of those with an "
-				     "answer on all sieves")
-		    : one       ? N_("  %s predicts best")
-		    : some ? N_("in all: %s predicts best of those with an "
-				"answer on all sieves")
-			   : N_("in all: %s predicts best"),
-		    who);
+		    some ? N_("%s: %s predicts best of those with an answer "
+			      "on all sieves")
+			 : N_("%s: %s predicts best"),
+		    where, who);
 	else if (!w.clearly)
 		answer_say(r, ANSWER_REMARK,
-		    one ? N_("  the model predicts no better than %s at this "
-			     "speed; the difference is too small to be seen "
-			     "above the sampling error")
-			: N_("in all: the model predicts no better than %s; "
-			     "the difference is too small to be seen above the "
-			     "sampling error"),
-		    who);
+		    "%s: the model predicts no better than %s; the difference "
+		    "is too small to be seen above the sampling error",
+		    where, who);
 	else if (!one)
 		answer_say(r, ANSWER_REMARK,
-		    "in all: model and corrected answer predict worse than %s",
-		    who);
+		    "in all: the model errs more than %s", who);
 }
 
 static void
-note_run(struct answer *r, const struct trials *c, size_t i)
+note_run(struct answer *r, const struct trials *c, size_t i, bool own_feed)
 {
 	const struct trial *item = &c->item[i];
 	const struct validation *v = &item->v;
 	FREED char *run = xasprintf("%g m/s%s", v->speed, item->run->repeat);
-	answer_note(r,
-	    "at %s: largest error %+.2f points at %g mm (model alone - "
-	    "measured)",
-	    run, 100 * v->worst_difference, units_mm(v->worst_sieve));
+	FREED char *words = xasprintf(
+	    v->worst_difference > 0
+		? tr("at %s%s: at worst the model lets %.2f points too many "
+		     "pass %g mm")
+		: tr("at %s%s: at worst the model lets %.2f points too few "
+		     "pass %g mm"),
+	    run, own_feed ? tr(", with the feed sampled there") : "",
+	    100 * fabs(v->worst_difference), units_mm(v->worst_sieve));
+	if (item->has_band)
+		xlist(&words, "; ",
+		    tr("%zu of %zu sieves lie in the %.0f %% band for a "
+		       "sample"),
+		    item->within, v->n_sieve, 100 * c->level);
+	answer_note(r, "%s", words);
 	warn_worse(r, v, run);
 	if (c->n == 1)
 		note_winner(r, c);
-	if (item->has_band)
-		answer_note(r,
-		    "  %zu of %zu measured passings lie in the %.0f %% band "
-		    "for a sample there",
-		    item->within, v->n_sieve, 100 * c->level);
-	else if (item->open)
+	if (item->open)
 		answer_say(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
 		    "how its error changes with the speed");
@@ -335,8 +340,8 @@ note_run(struct answer *r, const struct trials *c, size_t i)
 		    v->line[0], v->line[1]);
 	if (is_worst_far_off(v))
 		answer_say(r, ANSWER_REMARK,
-		    "  %g mm stands out (RMSE of the other sieves: %.2f "
-		    "points): check that cell",
+		    "  %g mm stands out (the other sieves: %.2f points on "
+		    "average): check that cell",
 		    units_mm(v->worst_sieve), 100 * rmse_of_others(v));
 	if (v->n_left_out > 0)
 		answer_say(r, ANSWER_REMARK,
@@ -360,7 +365,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	answer_fill_for_programs(r);
 	add_table(r, c, sieves, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_run(r, c, i);
+		note_run(r, c, i, site->individual_feeds);
 	if (c->n > 1)
 		note_winner(r, c);
 	if (c->n == 0)

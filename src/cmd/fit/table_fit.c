@@ -75,8 +75,10 @@ const struct command TABLE_FIT[] = {
 		"also compare sieve by sieve"},
 	    {TEXT(part), NULL, "",
 		"I/N: with all, every N-th site, as in 'calibrate all'"}),
-	.text = "Shows the root mean square error (RMSE), P20, P50 and P80 at "
-		"each held-out run, measured and predicted by the model and by "
+	.text = "Shows the error of the passings on average (their root mean "
+		"square, RMSE), P20, P50 and P80 at each held-out run, "
+		"measured and predicted by the model, by the model corrected "
+		"by the training runs, as 'predict' corrects it by all, and by "
 		"three methods that need no model: the training products "
 		"interpolated in speed squared (outside the training speeds, "
 		"on the line through the two nearest), the product at the "

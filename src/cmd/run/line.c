@@ -152,7 +152,7 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 	while (from < end && !s->quit) {
 		struct words words;
 		bool ok = words_split(line, from, place, &words, error);
-		speeds_join(&words, place.prompt);
+		speeds_join(s, &words, place.prompt);
 		conditions_join(&words, place.prompt);
 		if (ok && words.n > 0)
 			ok = run_words(s, &words, place, error);

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "base/tr.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/cut.h"
-#include "base/xalloc.h"
 #include "core/search/misfit.h"
 
 /* Returns the number of runs with a product to compare; *held_out: whether some
@@ -83,8 +83,8 @@ next_after_fit(const struct session *s, const struct entry *entry)
 		    NEXT_VALIDATE};
 	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
-		    N_("next: 'check' and 'why' show the reasons to doubt it; "
-		       "'predict' still answers"),
+		    N_("next: 'why' shows the reasons to doubt it, and what to "
+		       "do"),
 		    false, NEXT_ANSWER};
 	if (s->linear || s->hooks.run_screen == NULL)
 		return (struct next){NULL,
@@ -95,8 +95,7 @@ next_after_fit(const struct session *s, const struct entry *entry)
 	    origin_is_stored(entry->origin)
 		? N_("open full-screen mode? 'predict' also works here; 'add' "
 		     "takes new cuts")
-		: N_("open full-screen mode? 'predict' also works here; "
-		     "'remember' keeps the calibration for another day"),
+		: N_("open full-screen mode? 'remember' keeps the calibration"),
 	    false, NEXT_ANSWER};
 }
 
@@ -146,15 +145,30 @@ next_step(const struct session *s)
 			      : next_before_fit(s, entry);
 }
 
-/* Names the speeds held out, which otherwise validate's table shows.  Returns
- * whether they are several. */
-static bool
-note_held_out(const struct session *s, const struct entry *entry)
+/* Says at which speeds answers can be had. */
+static void
+note_speeds(const struct session *s, const struct entry *entry)
 {
-	FREED char *speeds =
-	    session_speeds(entry->site, ", ", entry->train, false);
-	session_note(s, "validated at %s m/s:", speeds);
-	return strchr(speeds, ',') != NULL;
+	double from, to;
+	if (!origin_reach(entry, &from, &to))
+		return;
+	session_note(s,
+	    from < to ? N_("now 'predict %g', or any speed from %g to %g m/s")
+		      : N_("now 'predict %g'"),
+	    answers_usual_speed(entry), from, to);
+}
+
+/* True if the answer before the newest has said this. */
+static bool
+was_said(const struct session *s, const char *text)
+{
+	if (s->n_answer < 2)
+		return false;
+	struct answer_view before = answer_view(s->answer[s->n_answer - 2]);
+	for (size_t i = 0; i < before.n_sentence; i++)
+		if (strcmp(before.sentence[i].text, text) == 0)
+			return true;
+	return false;
 }
 
 void
@@ -165,19 +179,20 @@ next_note_offered(const struct session *s)
 	const struct answer *a = s->answer[s->n_answer - 1];
 	struct answer_view view = answer_view(a);
 	bool check = strcmp(answer_command(a), "check") == 0;
-	bool validate = strcmp(answer_command(a), "validate") == 0;
-	/* load has reported what was read, calibrate's first sentence has the
-	 * residuals, and next_step suggests what to do. */
-	size_t from = check, to = view.n_sentence - !check;
-	/* Of one speed, which was just named, the first sentence says no more
-	 * than the next. */
-	if (validate && !note_held_out(s, &s->entry[s->current]))
-		from = 1;
-	for (size_t i = from; i < to; i++)
-		session_note(s, "%s", view.sentence[i].text);
-	if (check && view.n_row > 0)
+	/* load has reported what was read, next_step suggests what to do, and
+	 * check ends with a sentence about remarks that are not shown here. */
+	for (size_t i = check; i + 1 < view.n_sentence; i++)
+		if (!was_said(s, view.sentence[i].text))
+			session_note(s, "%s", view.sentence[i].text);
+	if (check)
 		session_note(s,
-		    tr_n("  %zu remark: 'check' shows it",
-			"  %zu remarks: 'check' shows them", view.n_row),
+		    view.n_row == 0
+			? tr("no faults found")
+			: tr_n("no faults found; %zu remark: 'check' shows it",
+			      "no faults found; %zu remarks: 'check' shows "
+			      "them",
+			      view.n_row),
 		    view.n_row);
+	else if (next_step(s).stage == NEXT_ANSWER)
+		note_speeds(s, &s->entry[s->current]);
 }

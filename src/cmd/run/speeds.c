@@ -4,6 +4,7 @@
 #include "cmd/run/speeds.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -186,8 +187,28 @@ list_part(const char *word, bool list)
 	return part;
 }
 
+/* Says how "69,74" was read, unless a product was measured at that speed. */
+static void
+note_decimal_comma(struct session *s, const struct words *words)
+{
+	unsigned whole, decimals;
+	int n = 0;
+	if (sscanf(words->text[1], "%3u,%3u%n", &whole, &decimals, &n) != 2 ||
+	    words->text[1][n] != '\0' || whole < 10 || decimals < 10)
+		return;
+	FREED char *number = list_part(words->text[1], false);
+	const struct site *site =
+	    s->n_entry > 0 ? session_entry(s)->site : NULL;
+	double speed;
+	if (site != NULL && text_typed_number(number, &speed) &&
+	    site_run_at(site, speed) < site->n_run)
+		return;
+	session_note(s, "read %s as %s m/s; two speeds: %s %u %u",
+	    words->text[1], number, words->text[0], whole, decimals);
+}
+
 void
-speeds_join(struct words *words, bool prompt)
+speeds_join(struct session *s, struct words *words, bool prompt)
 {
 	static char OPTION[] = "speeds=", NAME[] = "speeds";
 	char *const word[] = {OPTION};
@@ -207,6 +228,8 @@ speeds_join(struct words *words, bool prompt)
 	}
 	/* The parser handles a single word if the command has a bare option. */
 	bool alone = lister == command && command->bare == NULL;
+	if (n == 2 && !lists && (alone || lister != command))
+		note_decimal_comma(s, words);
 	if (n > 2 || lists || (n > 1 && alone))
 		words_join(words, 1, n - 1, joined);
 }

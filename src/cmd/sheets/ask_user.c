@@ -496,10 +496,21 @@ static const struct {
     {"decimal=", N_("decimal sign, point or comma"), false},
     {"sheet=", N_("which sheet is to be read"), true},
     {"range=", N_("which cells are to be read"), true},
-    {"dates=", "is it day or month first", false},
-    {"top=SIZE", N_("size in mm that all of the feed passes, or n"), false}};
-static const char PASSES[] =
-    N_("assume 100 %% passes %s mm, the next sieve up");
+    {"dates=", "is it day or month first", false}};
+
+/* Asks whether all of the feed passes a size; where that is doubtful, names
+ * the size after it. */
+static char *
+question_of_top(const char *size, double further)
+{
+	return further > 0
+		   ? xasprintf(tr("assume 100 %% passes %s mm (or type %g or "
+				  "more, as much is coarser)"),
+			 size, further)
+		   : xasprintf(
+			 tr("assume 100 %% passes %s mm, the next sieve up"),
+			 size);
+}
 
 /* Asks for the value of one option. */
 static bool
@@ -508,7 +519,7 @@ ask_option(struct session *s, const struct site_ask *ask,
 {
 	const char *value = strchr(ask->settle, '=') + 1;
 	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
-	FREED char *passes = xasprintf(tr(PASSES), value);
+	FREED char *passes = question_of_top(value, ask->further);
 	FREED char *tables =
 	    ask->first < ask->last
 		? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)

@@ -153,4 +153,11 @@ double trust_parameter_correlation(const struct posterior *p,
 /* Returns the largest difference between two feeds, passing 0..1. */
 double trust_feed_difference(const struct psd *a, const struct psd *b);
 
+/* Computes the RMSE of a fit over all products of a site that has a feed for
+ * each, passing 0..1: with these feeds, and with their mean for all.  Returns
+ * whether the mean is clearly better: then the products do not follow the
+ * differences of the feeds.  If false, *own and *mean may be unset. */
+bool trust_feeds_mislead(
+    const struct site *site, const struct fit *fit, double *own, double *mean);
+
 #endif

@@ -730,13 +730,14 @@ site_ask_top(
 		    sieve_name_series(name->text) != SIEVE_NONE;
 	double coarser = sieve_next_coarser(t->mm[at], astm);
 	bool alone = t->sheet->errors->n == 0;
-	/* Of much that is coarser nobody knows how coarse. */
 	bool much = c->pct[at] < 90;
+	double further = much ? sieve_next_coarser(coarser, astm) : 0;
 	char p[32];
-	char *settle =
-	    much ? xstrdup("top=SIZE") : xasprintf("top=%g", coarser);
+	char *settle = xasprintf("top=%g", coarser);
 	FREED char *passes =
-	    much ? xstrdup(tr("SIZE mm"))
+	    much ? xasprintf(tr("%g mm, the next sieve up (or %g mm or more, "
+				"as much is coarser)"),
+		       coarser, further)
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
 	FREED char *line = line_with_answers(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
@@ -745,10 +746,12 @@ site_ask_top(
 	    "add the coarser sieves; or assume that 100 %% passes %s%s: %s",
 	    site_column_pct(c, at, 100, p), t->mm[at], passes, hint_for_feed(q),
 	    line);
-	if (alone)
+	if (alone) {
 		ask->settle = settle;
-	else
+		ask->further = further;
+	} else {
 		free(settle);
+	}
 }
 
 void

@@ -39,7 +39,8 @@ struct site_request {
  * identified by their headings, which name samples, for samples=.  no_feed,
  * no_product: the files contain none.  tables: the entries are tables, not
  * columns, each with its title as head, its lines as values, and its cells as
- * box; first, last: the proposed ones, from 0. */
+ * box; first, last: the proposed ones, from 0.  further: the size in mm that
+ * all of a feed may pass instead of the one in settle, or 0. */
 struct site_ask {
 	size_t n;
 	struct site_ask_column {
@@ -50,6 +51,7 @@ struct site_ask {
 	} * column;
 	size_t first, last;
 	char *settle;
+	double further;
 	bool across, by_sample, tables, no_feed, no_product;
 };
 

@@ -217,7 +217,7 @@ static void
 draw_passings(struct tui *t, const struct area *area, int row, double all,
     const char *unit)
 {
-	static const char *const NAME[] = {"fines", "0/2", "0/4"};
+	static const char *const NAME[] = {"fines", "<2 mm", "<4 mm"};
 	const struct numbers *was = numbers_before(t);
 	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
