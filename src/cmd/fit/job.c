@@ -269,13 +269,16 @@ static void
 answer_fit(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
-	/* From now on answers are those of the fit, no longer of the search. */
-	s->job.fits = false;
+	bool fits = s->job.fits;
 	if (s->job.detail)
 		session_note(s, "  done in %.2f s", seconds);
-	session_show_answer(s, fit_answer(s, &s->entry[s->job.entry],
-				   calibration_bounds(s->job.calibration),
-				   seconds, s->job.detail));
+	/* Its answers are those of the fit, no longer of the search, which a
+	 * stopped job still is. */
+	s->job.fits = false;
+	struct answer *answer = fit_answer(s, &s->entry[s->job.entry],
+	    calibration_bounds(s->job.calibration), seconds, s->job.detail);
+	s->job.fits = fits;
+	session_show_answer(s, answer);
 }
 
 /* "alpha at bound; same data as ubbarp; poor". */
