@@ -224,17 +224,21 @@ stated_total(const struct column *c)
 static bool
 parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 {
-	bool percent = is_near(s->sum, 100, 5) && s->most <= 100.5;
+	/* Without the pan the finest part is missing from a sum of shares. */
+	double least = s->has_pan ? 0.95 : 0.8;
+	bool percent =
+	    s->sum >= 100 * least && s->sum <= 105 && s->most <= 100.5;
+	bool fraction = s->sum >= least && s->sum <= 1.05 && s->most <= 1.005;
 	*scale = OF_100;
 	if (is_near(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
 	else if (is_near(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
-	else if (!percent && (s->has_pan || !isnan(total)))
+	else if (!percent && !fraction && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
-	else { /* nearly 100, and neither 100 nor some mass */
+	else { /* nearly 100 or 1, and neither that nor some mass */
 		bool mass = s->most > 100.5 && !is_near(s->first, 100, 1);
-		*scale = mass ? OF_MASS : *scale;
+		*scale = mass ? OF_MASS : fraction ? OF_1 : *scale;
 		return false;
 	}
 	return true;
