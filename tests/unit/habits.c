@@ -18,7 +18,8 @@ static bool
 is_table(const struct plan *p)
 {
 	return p->shape == SHAPE_WIDE || p->shape == SHAPE_ACROSS ||
-	       p->shape == SHAPE_BESIDE || p->shape == SHAPE_BELOW;
+	       p->shape == SHAPE_BESIDE || p->shape == SHAPE_BELOW ||
+	       p->shape >= SHAPE_EACH_BESIDE;
 }
 
 static bool
@@ -114,7 +115,7 @@ thousands(struct plan *p, const char *sign)
 {
 	bool taken =
 	    (sign[0] == p->decimal && sign[1] == '\0') || p->thousands != NULL;
-	if (taken || !is_held(p))
+	if (taken || !is_held(p) || p->workbook)
 		return false;
 	p->thousands = sign;
 	return true;
@@ -178,7 +179,7 @@ gram_signs(struct plan *p)
 static bool
 gaps(struct plan *p, int which)
 {
-	if (p->gaps != 0 || p->shape >= SHAPE_LONG || p->paired)
+	if (p->gaps != 0 || !is_table(p) || p->paired)
 		return false;
 	p->gaps = which;
 	return true;
@@ -482,6 +483,12 @@ sizes_ranges(struct plan *p)
 }
 
 static bool
+sizes_below(struct plan *p)
+{
+	return is_passing(p) && !p->pan && is_table(p) && sizes(p, SIZE_BELOW);
+}
+
+static bool
 greek_micro(struct plan *p)
 {
 	return (p->sizes == SIZE_UM || p->sizes == SIZE_UM_BELOW_1) &&
@@ -565,6 +572,42 @@ cut_files_at(struct plan *p)
 }
 
 static bool
+workbook(struct plan *p)
+{
+	p->decimal = '.';
+	p->coding = UTF_8;
+	return on(&p->workbook);
+}
+
+/* A table for each sample. */
+static bool
+each(struct plan *p, enum shape wanted)
+{
+	if (!shape(p, wanted))
+		return false;
+	p->heads = HEADS_ABOVE;
+	return wanted != SHAPE_EACH_SHEET || workbook(p);
+}
+
+static bool
+each_beside(struct plan *p)
+{
+	return each(p, SHAPE_EACH_BESIDE);
+}
+
+static bool
+each_below(struct plan *p)
+{
+	return each(p, SHAPE_EACH_BELOW);
+}
+
+static bool
+each_sheet(struct plan *p)
+{
+	return each(p, SHAPE_EACH_SHEET);
+}
+
+static bool
 two_sites(struct plan *p)
 {
 	return p->shape != SHAPE_FILES && on(&p->two_sites);
@@ -574,7 +617,8 @@ two_sites(struct plan *p)
 static bool
 repeats(struct plan *p)
 {
-	return p->shape != SHAPE_PAIRS && !p->feed_only && on(&p->repeats);
+	return p->shape != SHAPE_PAIRS && p->shape != SHAPE_EACH_SHEET &&
+	       !p->feed_only && on(&p->repeats);
 }
 
 static bool
@@ -597,7 +641,7 @@ one_product(struct plan *p)
 static bool
 feed_only(struct plan *p)
 {
-	return p->shape < SHAPE_LONG && !p->two_sites && on(&p->feed_only);
+	return is_table(p) && !p->two_sites && on(&p->feed_only);
 }
 
 static bool
@@ -737,7 +781,7 @@ plain_heads(struct plan *p)
 static bool
 caption(struct plan *p)
 {
-	if (!is_table(p) || p->shape >= SHAPE_LONG || p->paired ||
+	if (!is_table(p) || p->heads == HEADS_ABOVE || p->paired ||
 	    p->quantity != p->feed_quantity)
 		return false;
 	p->plain_heads = true;
@@ -752,6 +796,19 @@ plain_held(struct plan *p)
 	    (p->quantity != HELD_G && p->quantity != HELD_PCT))
 		return false;
 	return on(&p->plain_heads);
+}
+
+/* A line a sample: the corner names the samples, nothing the sieves. */
+static bool
+sample_corner(struct plan *p)
+{
+	bool heads = p->heads == HEADS_ONE || p->heads == HEADS_SPEED_ROW;
+	bool fits = p->sizes == SIZE_MM || p->sizes == SIZE_BARE ||
+		    p->sizes == SIZE_IN_CELL || p->sizes == SIZE_BELOW;
+	if (p->shape != SHAPE_ACROSS || !heads || !fits)
+		return false;
+	p->sizes = p->sizes == SIZE_MM ? SIZE_BARE : p->sizes;
+	return on(&p->sample_corner);
 }
 
 static bool
@@ -831,7 +888,32 @@ person_row(struct plan *p)
 static bool
 date_row(struct plan *p)
 {
-	return p->shape == SHAPE_WIDE && on(&p->date_row);
+	return (p->shape == SHAPE_WIDE || p->shape == SHAPE_ACROSS) &&
+	       on(&p->date_row);
+}
+
+static bool
+count_row(struct plan *p)
+{
+	return p->shape == SHAPE_ACROSS && on(&p->count_row);
+}
+
+static bool
+remark_row(struct plan *p)
+{
+	return p->shape == SHAPE_ACROSS && on(&p->remark_row);
+}
+
+static bool
+other_rows(struct plan *p)
+{
+	return is_table(p) && on(&p->other_rows);
+}
+
+static bool
+lab_lines(struct plan *p)
+{
+	return on(&p->lab_lines);
 }
 
 static bool
@@ -899,11 +981,15 @@ const struct habit HABITS[] = {
     {"byte order mark", 0.1, byte_mark},
     {"CRLF", 0.3, crlf},
     {"CR", 0.03, cr},
-    {"sieves across", 0.07, across},
+    {"workbook", 0.1, workbook},
+    {"sieves across", 0.15, across},
     {"long table", 0.06, long_table},
     {"long table, feed beside product", 0.04, pairs},
     {"tables beside each other", 0.05, beside},
     {"tables below each other", 0.05, below},
+    {"a table for each sample, beside", 0.03, each_beside},
+    {"a table for each sample, below", 0.03, each_below},
+    {"a sheet for each sample", 0.03, each_sheet},
     {"a file for each cut", 0.03, cut_files},
     {"a file for each cut, @speed", 0.03, cut_files_at},
     {"two sites", 0.03, two_sites},
@@ -937,6 +1023,7 @@ const struct habit HABITS[] = {
     {"inches", 0.02, sizes_inches},
     {"sizes without a unit", 0.05, sizes_bare},
     {"classes of size", 0.04, sizes_ranges},
+    {"classes of what passes", 0.06, sizes_below},
     {"Greek micro", 0.4, greek_micro},
     {"names and mm of sieves", 0.25, two_sizes},
     {"finest first", 0.1, finest_first},
@@ -961,6 +1048,7 @@ const struct habit HABITS[] = {
     {"plain heads", 0.4, plain_heads},
     {"caption", 0.05, caption},
     {"plain heads above retained", 0.08, plain_held},
+    {"samples in the corner", 0.6, sample_corner},
     {"capitals", 0.08, upper},
     {"no accents", 0.1, no_accents},
     {"thousands by blank", 0.2, thousands_blank},
@@ -986,7 +1074,11 @@ const struct habit HABITS[] = {
     {"key-value lines", 0.2, header},
     {"remarks", 0.12, remarks},
     {"operator", 0.08, person_row},
-    {"row of dates", 0.03, date_row},
+    {"row of dates", 0.06, date_row},
+    {"row of counts", 0.3, count_row},
+    {"row of remarks", 0.15, remark_row},
+    {"moisture, P80 and the like", 0.08, other_rows},
+    {"lines of a laboratory", 0.08, lab_lines},
     {"fineness modulus", 0.05, fineness_row},
     {"row numbers", 0.04, row_numbers},
     {"column of remarks", 0.05, remark_column},
@@ -1028,6 +1120,10 @@ plan_new(uint64_t seed, int trap)
 	for (size_t i = 0; i < ARRAY_LEN(HABITS); i++)
 		if (chance(p, HABITS[i].often * (trap < 0 ? 1 : 0.3)))
 			p->used[i] = HABITS[i].take(p);
+	/* Traps change texts. */
+	p->workbook = p->workbook && trap < 0;
+	if (trap >= 0 && p->shape == SHAPE_EACH_SHEET)
+		p->shape = SHAPE_EACH_BELOW;
 	const struct trap *t = trap < 0 ? NULL : &TRAPS[trap];
 	p->trap = t != NULL ? t->name : NULL;
 	if (t != NULL && t->before != NULL)
@@ -1061,7 +1157,7 @@ plan_free(struct plan *plan)
 		return;
 	plan_free(plan->other);
 	for (size_t i = 0; i < plan->n_file; i++)
-		free(plan->file[i].bytes);
+		file_clear(&plan->file[i]);
 	free(plan);
 }
 

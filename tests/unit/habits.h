@@ -38,7 +38,11 @@ enum shape {
 	SHAPE_PAIRS,  /* a row for each speed and sieve, feed beside product */
 	SHAPE_BESIDE, /* feed and products in tables of their own */
 	SHAPE_BELOW,
-	SHAPE_FILES /* a file for each belt cut */
+	SHAPE_FILES, /* a file for each belt cut */
+	/* a table for each sample, its name above it */
+	SHAPE_EACH_BESIDE,
+	SHAPE_EACH_BELOW,
+	SHAPE_EACH_SHEET /* of a workbook */
 };
 
 enum heads {
@@ -46,7 +50,8 @@ enum heads {
 	HEADS_TWO,       /* role and speed above quantity and unit */
 	HEADS_THREE,     /* role, merged; speed; quantity and unit */
 	HEADS_SPEED_ROW, /* role and quantity above "tip speed (m/s)" */
-	HEADS_UNIT_ROW   /* units in a row of their own */
+	HEADS_UNIT_ROW,  /* units in a row of their own */
+	HEADS_ABOVE      /* role and speed above the sieves of one sample */
 };
 
 enum speeds {
@@ -72,7 +77,8 @@ enum sizes {
 	SIZE_NAMES,   /* No. 4; BS 7 mesh */
 	SIZE_NUMBERS, /* 8 below "Tyler mesh" */
 	SIZE_BARE,    /* 22.4 below "Sieve" */
-	SIZE_RANGES   /* 16 - 22.4, of what is retained */
+	SIZE_RANGES,  /* 16 - 22.4, of what is retained */
+	SIZE_BELOW    /* <16, of what passes */
 };
 
 enum coding { UTF_8, UTF_8_BOM, CP_1252, UTF_16LE, UTF_16BE };
@@ -111,7 +117,7 @@ struct curve {
 struct tongue {
 	const char *name;
 	bool comma;
-	const char *size[6], *feed[4], *product[4], *passing[4], *held[4],
+	const char *size[6], *feed[6], *product[6], *passing[4], *held[4],
 	    *sum[3], *pan[3], *total[3], *unit[3];
 	const char *sample, *speed, *rotor, *title, *site, *rock, *date,
 	    *person, *remark, *low, *high, *dry, *after_wash, *loss, *fineness,
@@ -148,7 +154,8 @@ struct plan {
 	    date_column, lab_column, person_row, date_row, repeats, individual,
 	    feed_only, one_product, at_files, micro_greek, two_sites, whole_pct,
 	    grams_whole, blank_column, apart, gram_signs, loose, broken_heads,
-	    plain_speed;
+	    plain_speed, workbook, sample_corner, count_row, other_rows,
+	    remark_row, lab_lines;
 	int gaps; /* 0 none, 1 empty, 2 "-", 3 "n/a", 4 "<0.1" */
 	int word; /* which of several words; they stay the same on a sheet */
 	double rotor_mm;
@@ -160,9 +167,12 @@ struct plan {
 	size_t n_file;
 	struct made_file {
 		char name[40];
-		char *bytes;
+		char *bytes; /* of a workbook: its cells, to be shown */
 		size_t n;
 		double at; /* speed given on the command line; 0: none */
+		size_t n_sheet; /* of a workbook; 0: a text */
+		struct grid *sheet[MOST_CURVES];
+		char *title[MOST_CURVES];
 	} file[MOST_FILES];
 	size_t size_column; /* of the first table, from 1; 0: not known */
 	size_t curve_column[MOST_CURVES];
@@ -191,6 +201,7 @@ char *plan_quantity(const struct plan *plan, enum written quantity);
 const char *quantity_word(const struct plan *plan, enum written quantity);
 const char *quantity_unit(const struct plan *plan, enum written quantity);
 char *plan_upper(const struct plan *plan, const char *text);
+char *plan_role(const struct plan *plan, bool feed);
 char *plan_number(const struct plan *plan, double value, int decimals);
 char *plan_short(const struct plan *plan, double value, int most);
 
@@ -207,6 +218,12 @@ struct grid *grid_turned(const struct grid *grid);
 size_t grid_columns(const struct grid *grid);
 void grid_free(struct grid *grid);
 void grid_write(struct plan *plan, struct grid *grid, const char *name);
+void file_clear(struct made_file *file);
+
+/* habits_book.c: adds a sheet to a workbook of the plan, and takes both; writes
+ * a workbook. */
+void sheets_add(struct plan *plan, struct grid *grid, char *title, bool more);
+void sheets_save(const struct made_file *file, const char *path);
 void plan_text(struct plan *plan, const char *name, const char *text);
 
 /* habits_head.c: the heads of a table's columns. */
@@ -230,6 +247,7 @@ struct column_plan {
 };
 char *head_size(const struct plan *plan);
 char *head_speed(const struct plan *plan, const struct curve *curve);
+char *head_sample(const struct plan *plan, const struct curve *curve);
 size_t head_rows(const struct plan *plan);
 void head_put(const struct plan *plan, const struct column_plan *column,
     const struct column_plan *before, struct grid *grid, size_t row, size_t at);

@@ -106,10 +106,26 @@ plan_text(struct plan *plan, const char *name, const char *text)
 	free(copy);
 }
 
-/* Adds a file to the plan and frees the grid. */
+void
+file_clear(struct made_file *file)
+{
+	for (size_t i = 0; i < file->n_sheet; i++) {
+		grid_free(file->sheet[i]);
+		free(file->title[i]);
+	}
+	free(file->bytes);
+	*file = (struct made_file){.bytes = NULL};
+}
+
+/* Adds a file to the plan, and takes the grid. */
 void
 grid_write(struct plan *plan, struct grid *grid, const char *name)
 {
+	if (plan->workbook) {
+		sheets_add(
+		    plan, grid, xstrndup(name, strcspn(name, ".")), false);
+		return;
+	}
 	char *text = NULL;
 	size_t n = 0, columns = grid_columns(grid);
 	FILE *out = open_memstream(&text, &n);

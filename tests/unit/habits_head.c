@@ -18,7 +18,13 @@ char *
 head_size(const struct plan *plan)
 {
 	static const char *const FORMS[] = {"%s (%s)", "%s [%s]", "%s, %s"};
-	char *word = plan_upper(plan, plan_word(plan, plan->tongue->size, 6));
+	static const char *const CORNERS[] = {
+	    "Sample", "Sample ID", "ID", "Description"};
+	bool english = plan->tongue == &TONGUES[0];
+	char *word = plan_upper(
+	    plan, !plan->sample_corner ? plan_word(plan, plan->tongue->size, 6)
+		  : english            ? plan_word(plan, CORNERS, 4)
+				       : plan->tongue->sample);
 	const char *unit = plan->sizes == SIZE_MM || plan->sizes == SIZE_RANGES
 			       ? "mm"
 			   : plan->sizes == SIZE_UM     ? micro(plan)
@@ -149,9 +155,7 @@ role_text(const struct plan *plan, const struct curve *curve)
 		free(word);
 		return text;
 	}
-	return plan_upper(plan,
-	    plan_word(plan,
-		curve->feed ? plan->tongue->feed : plan->tongue->product, 4));
+	return plan_role(plan, curve->feed);
 }
 
 /* The parts that are not empty, with blanks between; frees them. */
@@ -170,10 +174,18 @@ joined(char *a, char *b, char *c)
 	return text;
 }
 
+/* "Product 69 m/s". */
+char *
+head_sample(const struct plan *plan, const struct curve *curve)
+{
+	return joined(
+	    role_text(plan, curve), head_speed(plan, curve), xstrdup(""));
+}
+
 size_t
 head_rows(const struct plan *plan)
 {
-	static const size_t ROWS[] = {1, 2, 3, 2, 2};
+	static const size_t ROWS[] = {1, 2, 3, 2, 2, 2};
 	return ROWS[plan->heads];
 }
 
@@ -224,9 +236,7 @@ curve_heads(const struct plan *plan, const struct curve *curve,
 			plan, whole_head(plan, curve, quantity_text(plan, q))));
 		break;
 	case HEADS_TWO:
-		grid_put(grid, row, at,
-		    joined(role_text(plan, curve), head_speed(plan, curve),
-			xstrdup("")));
+		grid_put(grid, row, at, head_sample(plan, curve));
 		grid_put(grid, row + 1, at, xstrdup(unit));
 		break;
 	case HEADS_THREE:
@@ -252,6 +262,9 @@ curve_heads(const struct plan *plan, const struct curve *curve,
 			    : plan_upper(plan, quantity_word(plan, q))));
 		grid_put(grid, row + 1, at, xstrdup(quantity_unit(plan, q)));
 		break;
+	case HEADS_ABOVE:
+		grid_put(grid, row + 1, at, xstrdup(unit));
+		break;
 	}
 	free(unit);
 }
@@ -267,7 +280,8 @@ size_heads(const struct plan *plan, struct grid *grid, size_t row, size_t at)
 		return;
 	}
 	bool first = plan->heads == HEADS_SPEED_ROW ||
-		     plan->heads == HEADS_UNIT_ROW || plan->word % 2 == 0;
+		     plan->heads == HEADS_UNIT_ROW ||
+		     (plan->heads != HEADS_ABOVE && plan->word % 2 == 0);
 	grid_put(
 	    grid, first ? row : row + head_rows(plan) - 1, at, head_size(plan));
 	if (plan->heads != HEADS_SPEED_ROW)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "habits.h"
 
 /* "No. 4", "3/8 in", "BS 7 mesh", "Tyler 8 mesh". */
@@ -69,6 +70,13 @@ size_cell(const struct plan *plan, const struct curve *curve, size_t i)
 		return plan_short(plan, mm / 25.4, 4);
 	if (plan->sizes == SIZE_RANGES)
 		return size_range(plan, curve, i);
+	if (plan->sizes == SIZE_BELOW) {
+		number = plan_short(plan, mm, 3);
+		text =
+		    xasprintf("<%s%s", plan->word % 2 == 0 ? "" : " ", number);
+		free(number);
+		return text;
+	}
 	if (plan->sizes == SIZE_MM || plan->sizes == SIZE_BARE)
 		return plan->word % 7 == 3 ? plan_number(plan, mm, 3)
 					   : plan_short(plan, mm, 3);
@@ -147,12 +155,14 @@ add_column(struct plan *plan, struct column_plan *column, size_t *n,
 	    false);
 }
 
-/* Which curves a table has. */
-enum of { OF_ALL, OF_FEED, OF_PRODUCT };
+/* Which curves a table has; OF_ONE and more: the one of this number. */
+enum of { OF_ALL, OF_FEED, OF_PRODUCT, OF_ONE };
 
 static bool
 is_of(const struct plan *plan, size_t curve, enum of of)
 {
+	if (of >= OF_ONE)
+		return curve == (size_t)of - OF_ONE;
 	return of == OF_ALL || plan->curve[curve].feed == (of == OF_FEED);
 }
 
@@ -311,6 +321,61 @@ fineness_cell(const struct plan *plan, const struct curve *curve)
 	return plan_number(plan, 2 + 0.013 * curve->mass / 30, 2);
 }
 
+static char *
+date_cell(const struct plan *plan, const struct curve *curve)
+{
+	static const char *const DATES[] = {
+	    "2026-05-03", "14.9.2026", "14/09/2026"};
+	(void)curve;
+	return xstrdup(plan_word(plan, DATES, 3));
+}
+
+/* NULL of a curve in its other quantity. */
+static char *
+count_cell(const struct plan *plan, const struct curve *curve)
+{
+	for (size_t i = 0; i < plan->n_curve; i++)
+		if (&plan->curve[i] == curve)
+			return xasprintf("%zu", i + 1);
+	return NULL;
+}
+
+static char *
+remark_cell(const struct plan *plan, const struct curve *curve)
+{
+	(void)plan;
+	return curve->feed ? NULL : xstrdup(curve->speed < 70 ? "ok" : "wet");
+}
+
+/* Rows above the sieves: in lines of samples, columns before them. */
+static size_t
+rows_above(struct plan *plan, const struct column_plan *column, size_t n,
+    struct grid *grid, size_t row, size_t at)
+{
+	static const char *const COUNTS[] = {"No", "#", "Nr"};
+	if (plan->count_row)
+		foot_row(plan, column, n, grid, row++, at,
+		    plan_word(plan, COUNTS, 3), count_cell);
+	if (plan->date_row && plan->word % 2 == 0)
+		foot_row(plan, column, n, grid, row++, at, plan->tongue->date,
+		    date_cell);
+	return row;
+}
+
+/* What laboratories and crews write below a table. */
+static size_t
+other_rows(struct plan *plan, const struct column_plan *column, size_t n,
+    struct grid *grid, size_t row, size_t at)
+{
+	static const char *const NAMES[] = {"P80 mm", "D50", "Moisture %",
+	    "t/h", "Power kW", "% < 0.063", "Feed rate t/h", "FM"};
+	row += plan->shape != SHAPE_ACROSS && plan->word % 2;
+	for (size_t i = 0, most = 1 + pick(plan, 3); i < most; i++)
+		foot_row(plan, column, n, grid, row++, at,
+		    NAMES[pick(plan, ARRAY_LEN(NAMES))], fineness_cell);
+	return row;
+}
+
 static size_t
 feet(struct plan *plan, const struct column_plan *column, size_t n,
     struct grid *grid, size_t row, size_t at)
@@ -329,6 +394,11 @@ feet(struct plan *plan, const struct column_plan *column, size_t n,
 	if (plan->fineness)
 		foot_row(plan, column, n, grid, row++, at, t->fineness,
 		    fineness_cell);
+	if (plan->other_rows)
+		row = other_rows(plan, column, n, grid, row, at);
+	if (plan->remark_row)
+		foot_row(
+		    plan, column, n, grid, row++, at, t->remark, remark_cell);
 	return row;
 }
 
@@ -342,6 +412,9 @@ table_put(
 	size_t order[MOST_CURVES];
 	curve_order(plan, of, order);
 	const struct curve *first = &plan->curve[order[0]];
+	row = rows_above(plan, column, n, grid, row, at);
+	if (plan->heads == HEADS_ABOVE)
+		grid_put(grid, row, at, head_sample(plan, first));
 	for (size_t c = 0; c < n; c++) {
 		head_put(plan, &column[c], c > 0 ? &column[c - 1] : NULL, grid,
 		    row, at + c);
@@ -351,11 +424,9 @@ table_put(
 			plan->size_column = at + c + 1;
 	}
 	row += head_rows(plan);
-	if (plan->date_row)
-		grid_put(grid, row++, at, plan_upper(plan, plan->tongue->date));
-	for (size_t c = 1; plan->date_row && c < n; c++)
-		if (column[c].kind == COLUMN_CURVE)
-			grid_put(grid, row - 1, at + c, xstrdup("2026-05-03"));
+	if (plan->date_row && plan->word % 2 == 1)
+		foot_row(plan, column, n, grid, row++, at, plan->tongue->date,
+		    date_cell);
 	size_t rows = first->n + has_pan(plan, first);
 	for (size_t k = 0; k < rows; k++, row++)
 		for (size_t c = 0; c < n; c++) {
@@ -387,7 +458,15 @@ static size_t
 top_lines(struct plan *plan, struct grid *grid)
 {
 	const struct tongue *t = plan->tongue;
+	static const char *const LINES[] = {"Norrberga Krossar AB",
+	    "VSI test 2026", "Quarry: Hollow Lane", "Sieve analysis",
+	    "Particle size distribution", "Weighed by: L. Holm",
+	    "Machine: Barmac B7150", "Sampled 14.9.2026",
+	    "EN 933-1 wet sieving", "Rock: granite, density 2.68"};
 	size_t row = 0;
+	for (size_t i = 0; plan->lab_lines && i < 3; i++)
+		grid_put(grid, row++, 0,
+		    xstrdup(LINES[pick(plan, ARRAY_LEN(LINES))]));
 	if (plan->title)
 		grid_put(grid, row++, 0,
 		    xasprintf("%s, 3/5 2026, %s 17", t->title, t->sample));
@@ -466,6 +545,48 @@ make_apart(struct plan *plan, struct grid *grid, size_t row)
 	plan->size_column = 0;
 }
 
+/* A table for each sample, beside or below each other. */
+static void
+make_each(struct plan *plan, struct grid *grid, size_t row)
+{
+	size_t order[MOST_CURVES], n = curve_order(plan, OF_ALL, order);
+	size_t at = 0, gap = pick(plan, 2);
+	for (size_t i = 0; i < n; i++) {
+		size_t end = table_put(plan, OF_ONE + order[i], grid, row, at);
+		if (plan->shape == SHAPE_EACH_BELOW)
+			row = end + 1;
+		else
+			at = grid_columns(grid) + gap;
+		plan->curve_column[order[i]] = i + 1;
+	}
+	plan->size_column = 0;
+}
+
+/* A sheet of a workbook for each sample, with its name, in which some signs may
+ * not be. */
+static void
+make_sheets(struct plan *plan)
+{
+	enum { LONGEST = 28 };
+	size_t order[MOST_CURVES], n = curve_order(plan, OF_ALL, order);
+	for (size_t i = 0; i < n; i++) {
+		struct grid *grid = xcalloc(1, sizeof *grid);
+		size_t row = i == 0 ? top_lines(plan, grid) : 0;
+		char *title = head_sample(plan, &plan->curve[order[i]]);
+		table_put(plan, OF_ONE + order[i], grid, row, 0);
+		for (char *p = title; (p = strpbrk(p, "/@[]()")) != NULL;)
+			*p = ' ';
+		size_t cut = strlen(title);
+		while (cut > LONGEST || (title[cut] & 0xC0) == 0x80)
+			cut--;
+		title[cut] = '\0';
+		sheets_add(plan, grid, xstrdup(text_trim(title)), i > 0);
+		free(title);
+		plan->curve_column[order[i]] = i + 1;
+	}
+	plan->size_column = 0;
+}
+
 /* The order of the columns of a long table: n numbers below n, shuffled where
  * the habit says so. */
 static void
@@ -511,10 +632,7 @@ long_cell(const struct plan *plan, const struct curve *c, size_t column,
 {
 	switch (column) {
 	case LONG_SAMPLE:
-		return plan_upper(plan,
-		    plan_word(plan,
-			c->feed ? plan->tongue->feed : plan->tongue->product,
-			4));
+		return plan_role(plan, c->feed);
 	case LONG_RUN:
 		return xasprintf("%zu", run);
 	case LONG_SPEED:
@@ -602,7 +720,7 @@ pairs_heads(struct plan *plan, struct grid *grid, size_t row)
 		const struct tongue *t = plan->tongue;
 		char *quantity = plan_quantity(plan, plan->quantity);
 		const char *role =
-		    plan_word(plan, order[k] == 2 ? t->feed : t->product, 4);
+		    plan_word(plan, order[k] == 2 ? t->feed : t->product, 6);
 		grid_put(grid, row, k,
 		    order[k] == 0   ? long_head(plan, LONG_SPEED)
 		    : order[k] == 1 ? long_head(plan, LONG_SIZE)
@@ -621,11 +739,7 @@ make_files(struct plan *plan)
 		struct grid *grid = xcalloc(1, sizeof *grid);
 		size_t row = top_lines(plan, grid);
 		char *speed = head_speed(plan, curve);
-		char *role =
-		    plan_upper(plan, plan_word(plan,
-					 curve->feed ? plan->tongue->feed
-						     : plan->tongue->product,
-					 4));
+		char *role = plan_role(plan, curve->feed);
 		if (!plan->at_files || curve->feed)
 			row = key_value(
 			    plan, grid, row, plan->tongue->sample, role);
@@ -663,6 +777,10 @@ sheet_make(struct plan *plan)
 		make_files(plan);
 		return;
 	}
+	if (plan->shape == SHAPE_EACH_SHEET) {
+		make_sheets(plan);
+		return;
+	}
 	struct grid *grid = xcalloc(1, sizeof *grid);
 	size_t row = top_lines(plan, grid);
 	switch (plan->shape) {
@@ -676,6 +794,10 @@ sheet_make(struct plan *plan)
 	case SHAPE_BESIDE:
 	case SHAPE_BELOW:
 		make_apart(plan, grid, row);
+		break;
+	case SHAPE_EACH_BESIDE:
+	case SHAPE_EACH_BELOW:
+		make_each(plan, grid, row);
 		break;
 	default:
 		make_wide(plan, grid, row);

@@ -285,7 +285,7 @@ rpm_alone(struct plan *p)
 static void
 rpm_alone_make(struct plan *p)
 {
-	p->header = p->person_row = p->title = false;
+	p->header = p->person_row = p->title = p->lab_lines = false;
 	p->word |= 1; /* the rotor in one cell, "Rotor diameter (mm): 900" */
 	make_utf_8(p);
 	char *first =
@@ -452,7 +452,7 @@ product_alone_make(struct plan *p)
 	char *speed = head_speed(p, c);
 	grid_put(grid, 0, 0, head_size(p));
 	grid_put(grid, 0, 1,
-	    xasprintf("%s %s", plan_word(p, p->tongue->product, 4), speed));
+	    xasprintf("%s %s", plan_word(p, p->tongue->product, 6), speed));
 	for (size_t i = 0; i < c->n; i++) {
 		grid_put(grid, i + 1, 0, size_cell(p, c, i));
 		grid_put(grid, i + 1, 1, value_cell(p, c, i));

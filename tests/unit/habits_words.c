@@ -11,8 +11,10 @@
 const struct tongue TONGUES[7] = {
     {"en", false,
 	{"Sieve", "Sieve size", "Aperture", "Mesh size", "Size", "Opening"},
-	{"Feed", "Feed", "Crusher feed", "Feed sample"},
-	{"Product", "Product", "Crushed product", "Product sample"},
+	{"Feed", "Feed", "Crusher feed", "Feed sample", "VSI feed",
+	    "Feed to VSI"},
+	{"Product", "Product", "Crushed product", "Product sample",
+	    "VSI product", "Discharge"},
 	{"passing", "Passing", "cumulative passing", "finer"},
 	{"retained", "Retained", "retained on sieve", "mass retained"},
 	{"cumulative retained", "cum. retained", "Cum retained"},
@@ -26,8 +28,10 @@ const struct tongue TONGUES[7] = {
 	{"Sikt", "Maskvidd", "Siktstorlek", "Kornstorlek", "Sikt",
 	    "Fri "
 	    "maskvidd"},
-	{"Ingående", "Ingående material", "Inmatning", "Påmatning"},
-	{"Produkt", "Produkt", "Utgående", "Krossprodukt"},
+	{"Ingående", "Ingående material", "Inmatning", "Påmatning", "Matning",
+	    "Ingående"},
+	{"Produkt", "Produkt", "Utgående", "Krossprodukt", "Produkt",
+	    "Utgående"},
 	{"passerande", "Passerande", "passerande mängd", "passerar"},
 	{"siktrest", "Siktrest", "stannar på sikt", "kvar på sikt"},
 	{"ackumulerad siktrest", "ack. siktrest", "Ack siktrest"},
@@ -40,8 +44,10 @@ const struct tongue TONGUES[7] = {
     {"de", true,
 	{"Sieb", "Maschenweite", "Siebgröße", "Korngröße", "Siebweite",
 	    "Maschenweite"},
-	{"Aufgabe", "Aufgabegut", "Aufgabe", "Aufgabematerial"},
-	{"Produkt", "Produkt", "Austrag", "Brechprodukt"},
+	{"Aufgabe", "Aufgabegut", "Aufgabe", "Aufgabematerial", "Aufgabe",
+	    "Aufgabegut"},
+	{"Produkt", "Produkt", "Austrag", "Brechprodukt", "Fertiggut",
+	    "Austrag"},
 	{"Durchgang", "Siebdurchgang", "Summendurchgang", "Durchgang"},
 	{"Rückstand", "Siebrückstand", "Rückstand", "Masse Rückstand"},
 	{"Rückstand kumuliert", "Summenrückstand", "kum. Rückstand"},
@@ -54,8 +60,9 @@ const struct tongue TONGUES[7] = {
     {"fr", true,
 	{"Tamis", "Ouverture", "Maille", "Ouverture de maille", "Tamis",
 	    "Dimension"},
-	{"Alimentation", "Alimentation", "Entrée", "Alimentation"},
-	{"Produit", "Produit", "Sortie", "Produit broyé"},
+	{"Alimentation", "Alimentation", "Entrée", "Alimentation", "Entrée",
+	    "Alimentation"},
+	{"Produit", "Produit", "Sortie", "Produit broyé", "Produit", "Sortie"},
 	{"passant", "Passants", "Tamisat", "passants cumulés"},
 	{"refus", "Refus", "refus partiel", "masse des refus"},
 	{"refus cumulé", "Refus cumulés", "refus cumulé"},
@@ -67,8 +74,9 @@ const struct tongue TONGUES[7] = {
 	"Masse sèche après lavage M2", "Perte", "Module de finesse", "N° labo",
 	"fraction"},
     {"es", true, {"Tamiz", "Abertura", "Malla", "Tamaño", "Tamiz", "Abertura"},
-	{"Alimentación", "Alimentación", "Alimentación", "Entrada"},
-	{"Producto", "Producto", "Producto", "Salida"},
+	{"Alimentación", "Alimentación", "Alimentación", "Entrada",
+	    "Alimentación", "Entrada"},
+	{"Producto", "Producto", "Producto", "Salida", "Producto", "Salida"},
 	{"pasa", "Pasante", "que pasa", "pasante acumulado"},
 	{"retenido", "Retenido", "retenido parcial", "masa retenida"},
 	{"retenido acumulado", "Retenido acumulado", "ret. acumulado"},
@@ -80,8 +88,9 @@ const struct tongue TONGUES[7] = {
 	"Pérdida", "Módulo de finura", "N.º laboratorio", "fracción"},
     {"pt", true,
 	{"Peneira", "Abertura", "Malha", "Tamanho", "Peneira", "Abertura"},
-	{"Alimentação", "Alimentação", "Alimentação", "Entrada"},
-	{"Produto", "Produto", "Produto", "Saída"},
+	{"Alimentação", "Alimentação", "Alimentação", "Entrada", "Alimentação",
+	    "Entrada"},
+	{"Produto", "Produto", "Produto", "Saída", "Produto", "Saída"},
 	{"passante", "Passante", "que passa", "passante acumulado"},
 	{"retido", "Retido", "massa retida", "retida"},
 	{"retido acumulado", "Retida acumulada", "ret. acumulado"},
@@ -93,8 +102,8 @@ const struct tongue TONGUES[7] = {
 	"Módulo de finura", "N.º laboratório", "fração"},
     {"fi", true,
 	{"Seula", "Seulakoko", "Seulan aukko", "Raekoko", "Seula", "Aukko"},
-	{"Syöte", "Syöte", "Syötemateriaali", "Syöte"},
-	{"Tuote", "Tuote", "Murskattu tuote", "Tuote"},
+	{"Syöte", "Syöte", "Syötemateriaali", "Syöte", "Syöte", "Syöte"},
+	{"Tuote", "Tuote", "Murskattu tuote", "Tuote", "Tuote", "Tuote"},
 	{"läpäisy", "Läpäisy", "läpäisevä", "Läpäisyprosentti"},
 	{"seulalle jäänyt", "Seulalle jäänyt", "seulalle jäävä",
 	    "jäänyt seulalle"},
@@ -190,6 +199,15 @@ plan_upper(const struct plan *plan, const char *text)
 	}
 	*to = '\0';
 	return copy;
+}
+
+/* "Feed" or "Product" in one of the words of a language. */
+char *
+plan_role(const struct plan *plan, bool feed)
+{
+	return plan_upper(
+	    plan, plan_word(plan,
+		      feed ? plan->tongue->feed : plan->tongue->product, 6));
 }
 
 char *
