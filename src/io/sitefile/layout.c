@@ -130,15 +130,12 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 static struct nature
 guess_nature(const struct sheet *sheet, const struct cell *cell)
 {
-	const struct sieve_unit none = {0, SIEVE_NONE},
-				length = {1, SIEVE_NONE};
+	const struct sieve_unit length = {1, SIEVE_NONE};
 	struct nature n = {.kind = SIEVE_IS_NONE, .mm = NAN};
 	size_t unknown = 0;
 	if (cell->text[0] == '\0')
 		return n;
-	n.kind = sieve_size(sheet, *cell, none, &n.mm);
-	if (n.kind == SIEVE_IS_NONE)
-		n.kind = sieve_size(sheet, *cell, length, &n.mm);
+	n.kind = sieve_size(sheet, *cell, length, &n.mm);
 	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
 	n.means = lexicon_meanings(cell->text, &unknown);

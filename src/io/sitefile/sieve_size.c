@@ -14,26 +14,32 @@
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
 
-/* ASTM E11-20, Table 1, alternative and standard designation; coarsest first.
- * Openings are the standard's own, which are not the inches times 25.4. */
+/* ASTM E11-20, Table 1, alternative and standard designation, coarsest first:
+ * the number is of inches in the first N_INCHES.  Openings are the standard's
+ * own, which are not the inches times 25.4. */
+enum { N_INCHES = 23 };
 static const struct {
 	const char *name;
-	double mm;
-} SIEVES[] = {{"5 in", 125}, {"4.24 in", 106}, {"4 in", 100}, {"3 1/2 in", 90},
-    {"3 in", 75}, {"2 1/2 in", 63}, {"2.12 in", 53}, {"2 in", 50},
-    {"1 3/4 in", 45}, {"1 1/2 in", 37.5}, {"1 1/4 in", 31.5}, {"1.06 in", 26.5},
-    {"1 in", 25}, {"7/8 in", 22.4}, {"3/4 in", 19}, {"5/8 in", 16},
-    {"0.530 in", 13.2}, {"1/2 in", 12.5}, {"7/16 in", 11.2}, {"3/8 in", 9.5},
-    {"5/16 in", 8}, {"0.265 in", 6.7}, {"1/4 in", 6.3}, {"No. 3 1/2", 5.6},
-    {"No. 4", 4.75}, {"No. 5", 4}, {"No. 6", 3.35}, {"No. 7", 2.8},
-    {"No. 8", 2.36}, {"No. 10", 2}, {"No. 12", 1.7}, {"No. 14", 1.4},
-    {"No. 16", 1.18}, {"No. 18", 1}, {"No. 20", 0.85}, {"No. 25", 0.71},
-    {"No. 30", 0.6}, {"No. 35", 0.5}, {"No. 40", 0.425}, {"No. 45", 0.355},
-    {"No. 50", 0.3}, {"No. 60", 0.25}, {"No. 70", 0.212}, {"No. 80", 0.18},
-    {"No. 100", 0.15}, {"No. 120", 0.125}, {"No. 140", 0.106},
-    {"No. 170", 0.09}, {"No. 200", 0.075}, {"No. 230", 0.063},
-    {"No. 270", 0.053}, {"No. 325", 0.045}, {"No. 400", 0.038},
-    {"No. 450", 0.032}, {"No. 500", 0.025}, {"No. 635", 0.02}};
+	double number, mm;
+} ASTM[] = {{"5 in", 5, 125}, {"4.24 in", 4.24, 106}, {"4 in", 4, 100},
+    {"3 1/2 in", 3.5, 90}, {"3 in", 3, 75}, {"2 1/2 in", 2.5, 63},
+    {"2.12 in", 2.12, 53}, {"2 in", 2, 50}, {"1 3/4 in", 1.75, 45},
+    {"1 1/2 in", 1.5, 37.5}, {"1 1/4 in", 1.25, 31.5}, {"1.06 in", 1.06, 26.5},
+    {"1 in", 1, 25}, {"7/8 in", 0.875, 22.4}, {"3/4 in", 0.75, 19},
+    {"5/8 in", 0.625, 16}, {"0.530 in", 0.53, 13.2}, {"1/2 in", 0.5, 12.5},
+    {"7/16 in", 0.4375, 11.2}, {"3/8 in", 0.375, 9.5}, {"5/16 in", 0.3125, 8},
+    {"0.265 in", 0.265, 6.7}, {"1/4 in", 0.25, 6.3}, {"No. 3 1/2", 3.5, 5.6},
+    {"No. 4", 4, 4.75}, {"No. 5", 5, 4}, {"No. 6", 6, 3.35}, {"No. 7", 7, 2.8},
+    {"No. 8", 8, 2.36}, {"No. 10", 10, 2}, {"No. 12", 12, 1.7},
+    {"No. 14", 14, 1.4}, {"No. 16", 16, 1.18}, {"No. 18", 18, 1},
+    {"No. 20", 20, 0.85}, {"No. 25", 25, 0.71}, {"No. 30", 30, 0.6},
+    {"No. 35", 35, 0.5}, {"No. 40", 40, 0.425}, {"No. 45", 45, 0.355},
+    {"No. 50", 50, 0.3}, {"No. 60", 60, 0.25}, {"No. 70", 70, 0.212},
+    {"No. 80", 80, 0.18}, {"No. 100", 100, 0.15}, {"No. 120", 120, 0.125},
+    {"No. 140", 140, 0.106}, {"No. 170", 170, 0.09}, {"No. 200", 200, 0.075},
+    {"No. 230", 230, 0.063}, {"No. 270", 270, 0.053}, {"No. 325", 325, 0.045},
+    {"No. 400", 400, 0.038}, {"No. 450", 450, 0.032}, {"No. 500", 500, 0.025},
+    {"No. 635", 635, 0.02}};
 
 /* The mesh numbers of the Tyler standard screen scale, and of BS 410 up to its
  * edition of 1976, by the opening of ISO 565 nearest to theirs, as the
@@ -153,15 +159,27 @@ find_mesh(const struct mesh *mesh, size_t n, double number)
 	return NAN;
 }
 
-/* Decimal inches are the metric opening rounded: 0.0469 is 1.18 mm. */
 static double
-mm_of_inches(double inches)
+find_astm(enum sieve_series wanted, double number)
 {
-	double mm = 25.4 * inches, nearest = mm, off = 0.015 * mm;
-	for (size_t i = 0; i < ARRAY_LEN(SIEVES) + ARRAY_LEN(OTHERS); i++) {
-		double other = i < ARRAY_LEN(SIEVES)
-				   ? SIEVES[i].mm
-				   : OTHERS[i - ARRAY_LEN(SIEVES)];
+	bool inches = wanted == SIEVE_INCH;
+	size_t end = inches ? N_INCHES : ARRAY_LEN(ASTM);
+	for (size_t i = inches ? 0 : N_INCHES; i < end; i++)
+		if (fabs(ASTM[i].number - number) < 1e-9)
+			return ASTM[i].mm;
+	return NAN;
+}
+
+/* Returns the opening of a real sieve that is nearest to a size and differs
+ * from it by less than a share of it; NAN if there is none. */
+static double
+nearest_opening(double mm, double share)
+{
+	double nearest = NAN, off = share * mm;
+	for (size_t i = 0; i < ARRAY_LEN(ASTM) + ARRAY_LEN(OTHERS); i++) {
+		double other = i < ARRAY_LEN(ASTM)
+				   ? ASTM[i].mm
+				   : OTHERS[i - ARRAY_LEN(ASTM)];
 		if (fabs(other - mm) < off) {
 			off = fabs(other - mm);
 			nearest = other;
@@ -170,15 +188,12 @@ mm_of_inches(double inches)
 	return nearest;
 }
 
+/* Decimal inches are the metric opening rounded: 0.0469 is 1.18 mm. */
 static double
-find_astm(enum sieve_series wanted, double number)
+mm_of_inches(double inches)
 {
-	double value;
-	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
-		if (read_name(SIEVES[i].name, &value) == wanted &&
-		    fabs(value - number) < 1e-9)
-			return SIEVES[i].mm;
-	return NAN;
+	double mm = 25.4 * inches, nearest = nearest_opening(mm, 0.015);
+	return isnan(nearest) ? mm : nearest;
 }
 
 enum sieve_series
@@ -206,15 +221,14 @@ sieve_name_mm(const char *text, enum sieve_series head)
 			     ? SIEVE_INCH
 			     : head;
 	}
+	double inches = find_astm(SIEVE_INCH, value);
 	switch (series) {
 	case SIEVE_TYLER:
 		return find_mesh(TYLER, ARRAY_LEN(TYLER), value);
 	case SIEVE_BS:
 		return find_mesh(BS, ARRAY_LEN(BS), value);
 	case SIEVE_INCH:
-		return bare && isnan(find_astm(SIEVE_INCH, value))
-			   ? mm_of_inches(value)
-			   : find_astm(SIEVE_INCH, value);
+		return bare && isnan(inches) ? mm_of_inches(value) : inches;
 	case SIEVE_ASTM:
 		return find_astm(SIEVE_ASTM, value);
 	default:
@@ -225,13 +239,7 @@ sieve_name_mm(const char *text, enum sieve_series head)
 bool
 sieve_is_standard(double mm)
 {
-	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++)
-		if (fabs(SIEVES[i].mm - mm) < 0.01 * mm)
-			return true;
-	for (size_t i = 0; i < ARRAY_LEN(OTHERS); i++)
-		if (fabs(OTHERS[i] - mm) < 0.01 * mm)
-			return true;
-	return false;
+	return !isnan(nearest_opening(mm, 0.01));
 }
 
 double
@@ -251,21 +259,17 @@ sieve_next_coarser(double mm, bool astm)
 char *
 sieve_nearest_names(const char *text)
 {
-	double wanted, value;
-	enum sieve_series kind = read_name(text, &wanted);
-	size_t n = ARRAY_LEN(SIEVES), finer = 0;
-	for (; finer < n; finer++) {
-		enum sieve_series other = read_name(SIEVES[finer].name, &value);
-		if (other == SIEVE_ASTM &&
-		    (kind == SIEVE_INCH || value > wanted))
-			break;
-		if (other == SIEVE_INCH && kind == SIEVE_INCH && value < wanted)
-			break;
-	}
+	double wanted;
+	bool inches = read_name(text, &wanted) == SIEVE_INCH;
+	size_t finer = inches ? 0 : N_INCHES, end = ARRAY_LEN(ASTM);
+	while (finer < (inches ? N_INCHES : end) &&
+	       (inches ? ASTM[finer].number >= wanted
+		       : ASTM[finer].number <= wanted))
+		finer++;
 	char *list = xstrdup("");
-	for (size_t i = finer > 0 ? finer - 1 : 0; i < n && i <= finer; i++)
-		xlist(&list, " and ", tr("%s (%g mm)"), SIEVES[i].name,
-		    SIEVES[i].mm);
+	for (size_t i = finer > 0 ? finer - 1 : 0; i < end && i <= finer; i++)
+		xlist(
+		    &list, " and ", tr("%s (%g mm)"), ASTM[i].name, ASTM[i].mm);
 	return list;
 }
 
