@@ -599,8 +599,11 @@ void
 sheet_write_cell(const char *text, char separator, FILE *out)
 {
 	const char marks[] = {separator, '"', '\n', '\r', '\0'};
-	FREED char *cell =
-	    xasprintf("%s%s", text_is_formula(text) ? "'" : "", text);
-	FREED char *quoted = text_quoted(cell);
-	fputs(strpbrk(text, marks) != NULL ? quoted : cell, out);
+	const char *guard = text_is_formula(text) ? "'" : "";
+	if (strpbrk(text, marks) == NULL) {
+		fprintf(out, "%s%s", guard, text);
+		return;
+	}
+	FREED char *quoted = text_quoted(text);
+	fprintf(out, "\"%s%s", guard, quoted + 1);
 }
