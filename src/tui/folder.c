@@ -16,6 +16,7 @@
 #include "cmd/session/session.h"
 #include "io/cells/archive.h"
 #include "io/sitefile/results.h"
+#include "io/fs/file.h"
 #include "io/fs/shipped.h"
 #include "io/sitefile/site_read.h"
 #include "io/cells/textfile.h"
@@ -33,18 +34,6 @@ static bool
 is_script(const char *name)
 {
 	return text_ends(name, ".tip");
-}
-
-static bool
-folder_is_sheet(const char *name)
-{
-	static const char *const ENDS[] = {
-	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	FREED char *folded = text_fold(name);
-	size_t i = 0;
-	while (i < ARRAY_LEN(ENDS) && !text_ends(folded, ENDS[i]))
-		i++;
-	return i < ARRAY_LEN(ENDS);
 }
 
 static int
@@ -75,8 +64,9 @@ add_entry(struct folder *folder, const char *name)
 		return;
 	FREED char *path = xasprintf("%s%s", folder->path, name);
 	bool known = stat(path, &about) == 0;
-	FREED char *command =
-	    known && folder_is_sheet(name) ? results_command_in(path) : NULL;
+	FREED char *command = known && file_has_sheet_ending(name)
+				  ? results_command_in(path)
+				  : NULL;
 	if (known && S_ISDIR(about.st_mode)) {
 		folder_add(folder, FOLDER_BELOW, name);
 	} else if (command != NULL) {
@@ -89,7 +79,8 @@ add_entry(struct folder *folder, const char *name)
 		    xstrdup(tr("a saved session"));
 	} else if (known && S_ISREG(about.st_mode)) {
 		folder_add(folder,
-		    folder_is_sheet(name) ? FOLDER_SHEET : FOLDER_OTHER, name);
+		    file_has_sheet_ending(name) ? FOLDER_SHEET : FOLDER_OTHER,
+		    name);
 	}
 }
 

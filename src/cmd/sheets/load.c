@@ -368,13 +368,8 @@ load_run(struct session *s, struct load *l, bool skip, struct error *error)
 static bool
 load_is_sheet(const char *name)
 {
-	static const char *const ENDS[] = {
-	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	FREED char *folded = text_fold(name);
-	bool sheet = false;
-	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++)
-		sheet = sheet || text_ends(folded, ENDS[i]);
-	return sheet && name[0] != '.' && strchr(name, '"') == NULL;
+	return file_has_sheet_ending(name) && name[0] != '.' &&
+	       strchr(name, '"') == NULL;
 }
 
 static int

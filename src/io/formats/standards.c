@@ -16,6 +16,7 @@
 #include "io/cells/number.h"
 #include "io/cells/sheet.h"
 #include "io/cells/textfile.h"
+#include "io/fs/file.h"
 
 /* Made from the two files at build time: their rows without the remarks. */
 extern const char *const ENVELOPES_TEXT[], *const ENVELOPE_SCALARS_TEXT[];
@@ -337,13 +338,8 @@ bool
 standards_is_path(const char *word)
 {
 	static const char *const BEGIN[] = {"/", "./", "../", "~"};
-	static const char *const END[] = {
-	    ".csv", ".tsv", ".txt", ".xlsx", ".ods"};
 	for (size_t i = 0; i < ARRAY_LEN(BEGIN); i++)
 		if (strncmp(word, BEGIN[i], strlen(BEGIN[i])) == 0)
 			return true;
-	for (size_t i = 0; i < ARRAY_LEN(END); i++)
-		if (text_ends(word, END[i]))
-			return true;
-	return access(word, F_OK) == 0;
+	return file_has_sheet_ending(word) || access(word, F_OK) == 0;
 }

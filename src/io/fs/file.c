@@ -307,6 +307,18 @@ file_append(const char *path, enum file_rights rights, const char *bytes,
 }
 
 bool
+file_has_sheet_ending(const char *path)
+{
+	static const char *const ENDS[] = {
+	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
+	FREED char *folded = text_fold(path);
+	size_t i = 0;
+	while (i < ARRAY_LEN(ENDS) && !text_ends(folded, ENDS[i]))
+		i++;
+	return i < ARRAY_LEN(ENDS);
+}
+
+bool
 file_may_write(const char *path, struct error *error)
 {
 	struct stat about;

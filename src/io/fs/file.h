@@ -37,6 +37,9 @@ bool file_append(const char *path, enum file_rights rights, const char *bytes,
 /* Returns a path without its folders, borrowed. */
 const char *file_name(const char *path);
 
+/* True if a file's name ends as those of sheets do: .csv, .xlsx. */
+bool file_has_sheet_ending(const char *path);
+
 /* Returns false, with the error that writing would give, if path is a folder or
  * not writable.  Called before a long calibration. */
 bool file_may_write(const char *path, struct error *error);
