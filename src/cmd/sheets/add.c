@@ -86,7 +86,7 @@ add_read_time(const char *text, double day, double *time, struct error *error)
 		    "expected a date that can be read in one way, got '%s'\n"
 		    "write year, month, day: @2026-05-03T10:15",
 		    text);
-	return isnan(day) || day == floor(*time / 86400) * 86400 ||
+	return isnan(day) || day == datetime_midnight(*time) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected the day of date= after @, got %s\n"
 		   "leave one of the two out",

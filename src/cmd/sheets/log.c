@@ -34,7 +34,7 @@ static char *
 span_text(double from, double to)
 {
 	FREED char *a = datetime_text(from);
-	FREED char *b = floor(from / 86400) == floor(to / 86400)
+	FREED char *b = datetime_midnight(from) == datetime_midnight(to)
 			    ? datetime_clock(to)
 			    : datetime_text(to);
 	return xasprintf(tr("%s to %s"), a, b);

@@ -147,22 +147,20 @@ cell_format_date(double serial, bool from_1904, enum cell_format_kind kind,
 		return false;
 	double seconds = round(serial * DAY);
 	long day = (long)floor(seconds / DAY);
-	long s = (long)(seconds - (double)day * DAY);
-	long hours = s / 3600 + (kind == FORMAT_SPAN ? 24 * day : 0);
-	char *date = NULL, time[16] = "", second[8] = "";
+	bool midnight = seconds == datetime_midnight(seconds);
+	FREED char *clock = datetime_clock(seconds);
+	if (kind == FORMAT_SPAN) {
+		snprintf(text, 32, "%02ld%s", (long)seconds / 3600, clock + 2);
+		return true;
+	}
 	/* Before 1900-03-01 the calendar of 1900 is a day behind: it has a
 	 * leap day that never was. */
 	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
-	if (kind == FORMAT_DATE || (kind == FORMAT_TIME && day > 0))
-		date = datetime_day(day + epoch);
-	if (s % 60 != 0)
-		snprintf(second, sizeof second, ":%02d", (int)(s % 60));
-	if (date == NULL || s != 0)
-		snprintf(time, sizeof time, "%02d:%02d", (int)hours,
-		    (int)(s / 60 % 60));
-	snprintf(text, 32, "%s%s%s%s", date != NULL ? date : "",
-	    date != NULL && time[0] != '\0' ? "T" : "", time,
-	    time[0] != '\0' ? second : "");
-	free(date);
+	FREED char *date = kind == FORMAT_DATE || day > 0
+			       ? datetime_day(day + epoch)
+			       : xstrdup("");
+	bool both = date[0] != '\0' && !midnight;
+	snprintf(text, 32, "%s%s%s", date, both ? "T" : "",
+	    date[0] != '\0' && midnight ? "" : clock);
 	return true;
 }

@@ -245,11 +245,17 @@ datetime_seconds(const struct datetime *m, enum datetime_order order)
 	return (double)days_to(m->year, month, day) * DAY + m->seconds;
 }
 
+double
+datetime_midnight(double seconds)
+{
+	return floor(seconds / DAY) * DAY;
+}
+
 char *
 datetime_clock(double seconds)
 {
-	double day = floor(seconds / DAY), left = seconds - day * DAY;
-	int of_day = (int)left, s = of_day % 60;
+	int of_day = (int)(seconds - datetime_midnight(seconds));
+	int s = of_day % 60;
 	if (s > 0)
 		return xasprintf(
 		    "%02d:%02d:%02d", of_day / 3600, of_day / 60 % 60, s);

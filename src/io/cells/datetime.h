@@ -30,6 +30,9 @@ bool datetime_read(const char *text, struct datetime *m);
  * in the given order. */
 double datetime_seconds(const struct datetime *m, enum datetime_order order);
 
+/* Returns the midnight at which the day of a moment begins. */
+double datetime_midnight(double seconds);
+
 /* datetime_text returns "2026-05-03 10:15", datetime_clock "10:15"; both add
  * the seconds if not zero.  The caller frees the result. */
 char *datetime_text(double seconds);
