@@ -190,8 +190,8 @@ ask_user_with_words(const struct site_ask_column *c, const char *said,
 	bool bare = head->speed == 0 && head->rpm == 0 && head->n_number > 0;
 	char number[32];
 	if (!role && said[0] >= '0' && said[0] <= '9')
-		return xasprintf("product%s%s",
-		    head->speed > 0 || head->rpm > 0 ? " " : "@", said);
+		return xasprintf(
+		    "product%s%s", head_has_speed(head) ? " " : "@", said);
 	if (!role) {
 		char *text = xstrndup(c->guess, strcspn(c->guess, " "));
 		xappend(&text, " %s", said);
@@ -240,7 +240,7 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
 			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
 			 WORD_GRAMS | WORD_MASS;
-	bool speed = head.speed > 0 || head.rpm > 0 || head.n_number > 0;
+	bool speed = head_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
 	if (said[0] == '\0' && wants_speed(c))
 		snprintf(wrong, WRONG,

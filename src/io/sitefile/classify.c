@@ -58,8 +58,8 @@ merge_cell_above(
 	/* Of "Feed" above the next column, where this one has a speed of its
 	 * own, only the feed is meant. */
 	bool mean = !own && (said->means & WORD_MEAN) != 0;
-	bool feed = !own && (more->means & WORD_FEED) != 0 &&
-		    (said->speed > 0 || said->rpm > 0);
+	bool feed =
+	    !own && (more->means & WORD_FEED) != 0 && head_has_speed(said);
 	for (size_t i = feed ? 1 : 0; i < ARRAY_LEN(group); i++)
 		if ((said->means & group[i]) == 0)
 			said->means |= more->means & group[i];
@@ -70,7 +70,7 @@ merge_cell_above(
 	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
 		said->speed = more->speed;
 		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
-		if (more->speed > 0 || more->rpm > 0)
+		if (head_has_speed(more))
 			said->spread = !own;
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
@@ -104,16 +104,14 @@ apply_row_label(const struct cell *label, struct head *head)
 	bool sample = (row.means & WORD_SAMPLE) != 0 ||
 		      (head->unknown == 0 &&
 			  ((head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-			      head->speed > 0 || head->rpm > 0));
+			      head_has_speed(head)));
 	/* "ID" above "Feed" and "69 m/s" tells samples apart. */
 	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 && !sample &&
 	    (row.means & WORD_SPEED) == 0 && row.unit == SPEED_NO_UNIT) {
 		*head = (struct head){0};
 		return;
 	}
-	enum speed_unit unit = row.unit;
-	if (unit == SPEED_NO_UNIT && (row.means & WORD_RPM) != 0)
-		unit = SPEED_RPM;
+	enum speed_unit unit = head_speed_unit(&row);
 	bool speed = unit != SPEED_NO_UNIT || (row.means & WORD_SPEED) != 0;
 	/* "Speed (Hz)", "Belt speed m/s", "t/h": another quantity. */
 	bool other =
@@ -563,7 +561,7 @@ find_role(struct column *c, const struct surroundings *near)
 {
 	uint64_t role = c->said.means & ROLE_WORDS;
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
-	bool speed = c->said.speed > 0 || c->said.rpm > 0;
+	bool speed = head_has_speed(&c->said);
 	c->role = NO_ROLE;
 	if ((role & WORD_SD) != 0)
 		c->role = SD;
@@ -675,7 +673,7 @@ note_constant_speed(const struct column *c, struct surroundings *near)
 					WORD_PRODUCT;
 	bool about =
 	    (c->said.means & WORD_SPEED) != 0 || c->said.unit != SPEED_NO_UNIT;
-	if (!about || c->said.speed > 0 || c->said.rpm > 0 ||
+	if (!about || head_has_speed(&c->said) ||
 	    (c->said.means & COUNTED) != 0)
 		return;
 	double v = NAN;

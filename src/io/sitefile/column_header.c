@@ -66,6 +66,20 @@ other_unit_at(const char *text)
 	return false;
 }
 
+bool
+head_has_speed(const struct head *head)
+{
+	return head->speed > 0 || head->rpm > 0;
+}
+
+enum speed_unit
+head_speed_unit(const struct head *head)
+{
+	bool turns =
+	    head->unit == SPEED_NO_UNIT && (head->means & WORD_RPM) != 0;
+	return turns ? SPEED_RPM : head->unit;
+}
+
 double
 head_mps(double number, enum speed_unit unit, double rotor)
 {

@@ -34,6 +34,13 @@ struct head {
 /* Parses one cell of a heading. */
 struct head head_read(const char *text);
 
+/* True if a heading states a speed, in whatever unit. */
+bool head_has_speed(const struct head *head);
+
+/* Returns the unit of speed that a heading states, if only by a word for turns;
+ * SPEED_NO_UNIT if it states none. */
+enum speed_unit head_speed_unit(const struct head *head);
+
 /* Returns the text, folded by text_fold, without speeds and their units.  The
  * caller frees it. */
 char *head_without_speeds(const char *text);

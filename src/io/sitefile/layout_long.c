@@ -63,7 +63,7 @@ guess_use(const struct table *t, size_t c, const struct head *head)
 		return UNUSED;
 	if (!numeric)
 		return KEY;
-	bool speed = head->speed > 0 || head->rpm > 0;
+	bool speed = head_has_speed(head);
 	bool percent = (head->means & WORD_PERCENT) != 0;
 	if (!speed && !percent &&
 	    (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0))
@@ -273,9 +273,7 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 		if (l->use[c] != KEY || cell.value == AS_ABSENT)
 			continue;
 		bool number = number_of(cell, &v);
-		enum speed_unit unit = l->head[c].unit;
-		if (unit == SPEED_NO_UNIT && (l->head[c].means & WORD_RPM) != 0)
-			unit = SPEED_RPM;
+		enum speed_unit unit = head_speed_unit(&l->head[c]);
 		if (number && v == 0)
 			continue;
 		if (number && unit == SPEED_NO_UNIT &&

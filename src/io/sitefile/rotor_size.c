@@ -201,7 +201,7 @@ can_stand_alone(const char *text, const char *folded)
 		p += n > 0 ? n : 1;
 	}
 	return (head.means & (WORD_MACHINE | WORD_ROTOR)) != 0 ||
-	       head.speed > 0 || head.rpm > 0;
+	       head_has_speed(&head);
 }
 
 double

@@ -90,15 +90,13 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 {
 	struct head k = head_read(key.text), v = head_read(value.text);
 	double number;
-	enum speed_unit unit = k.unit;
-	if (unit == SPEED_NO_UNIT && (k.means & WORD_RPM) != 0)
-		unit = SPEED_RPM;
+	enum speed_unit unit = head_speed_unit(&k);
 	bool about = (k.means & WORD_SPEED) != 0 || k.unit != SPEED_NO_UNIT;
 	/* "Product 70 m/s" is the title of a table. */
-	about = about && !(k.speed > 0) && !(k.rpm > 0);
+	about = about && !head_has_speed(&k);
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
-	if (v.speed > 0 || v.rpm > 0) {
+	if (head_has_speed(&v)) {
 		speed->mps = v.speed > 0 ? v.speed : speed->mps;
 		speed->rpm = v.rpm > 0 ? v.rpm : speed->rpm;
 		return true;

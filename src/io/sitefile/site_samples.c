@@ -145,7 +145,7 @@ take_sample_text(struct column *c, const char *text)
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE};
 	struct head own = head_read(text), *said = &c->said;
-	bool speed = own.speed > 0 || own.rpm > 0;
+	bool speed = head_has_speed(&own);
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)

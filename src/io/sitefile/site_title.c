@@ -10,12 +10,6 @@
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_heading.h"
 
-static bool
-has_speed(const struct head *head)
-{
-	return head->speed > 0 || head->rpm > 0;
-}
-
 /* The line of a table's first heading, or of its first row. */
 static int
 top_line(const struct table *t)
@@ -81,7 +75,7 @@ static bool
 is_title(const struct head *head)
 {
 	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-	       has_speed(head);
+	       head_has_speed(head);
 }
 
 bool
@@ -171,7 +165,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
 			means = role != 0 ? role : means;
-			if (!title.several && has_speed(&title)) {
+			if (!title.several && head_has_speed(&title)) {
 				near->speed = title.speed;
 				near->rpm = title.rpm;
 			}
@@ -316,7 +310,7 @@ static bool
 has_product(const struct table *t, const struct column *c)
 {
 	struct head head = head_read(t->title);
-	bool speed = has_speed(&head) || c->speed > 0 || c->rpm > 0;
+	bool speed = head_has_speed(&head) || c->speed > 0 || c->rpm > 0;
 	return c->role == PRODUCT && !c->said.several && speed &&
 	       !head.several && !title_is_limit(t);
 }
