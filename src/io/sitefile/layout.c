@@ -234,31 +234,44 @@ size_below(const struct cell *cell)
 	return isdigit((unsigned char)size[0]) ? size : NULL;
 }
 
+/* The sizes below which material is, of a line or column: how many times
+ * another one comes, and the last. */
+struct sizes_below {
+	size_t n;
+	const char *last;
+};
+
+static void
+count_size_below(struct sizes_below *below, const char *size)
+{
+	below->n += below->last == NULL || strcmp(below->last, size) != 0;
+	below->last = size;
+}
+
 /* "< 16", "< 11.2", "< 8" in one line or column: the sieves of what passes
- * them; one alone is the pan. */
+ * them; one alone, or again and again in a long table, is the pan. */
 static void
 name_sizes_below(struct grid *g)
 {
 	enum { LEAST = 3 };
-	size_t *in_row = xcalloc(g->n_row + 1, sizeof *in_row);
-	size_t *in_col = xcalloc(g->n_col + 1, sizeof *in_col);
+	FREED struct sizes_below *row = xcalloc(g->n_row + 1, sizeof *row);
+	FREED struct sizes_below *col = xcalloc(g->n_col + 1, sizeof *col);
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			bool below =
-			    size_below(layout_cell_at(g, r, c)) != NULL;
-			in_row[r] += below;
-			in_col[c] += below;
+			char *size = size_below(layout_cell_at(g, r, c));
+			if (size == NULL)
+				continue;
+			count_size_below(&row[r], size);
+			count_size_below(&col[c], size);
 		}
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
 			struct cell *cell = layout_cell_at(g, r, c);
 			char *size = size_below(cell);
 			if (size != NULL &&
-			    (in_row[r] >= LEAST || in_col[c] >= LEAST))
+			    (row[r].n >= LEAST || col[c].n >= LEAST))
 				*cell = number_cell(g->sheet, *cell, size);
 		}
-	free(in_row);
-	free(in_col);
 }
 
 /* Shifts the headings of tables written by R, which does not head its column of

@@ -393,7 +393,8 @@ site_sieve_find(struct table *t, uint64_t told)
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
 	struct head said = head_read(head);
 	bool speeds =
-	    said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0;
+	    (said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0) &&
+	    (said.means & WORD_SIZE) == 0;
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
 	t->unit = sieve_unit_of(means);
 	bool lengths = t->unit.mm == 1 || t->unit.mm == 0;
