@@ -646,11 +646,11 @@ is_no_sample(const struct column *c, struct site *site)
 		    "number in each row");
 	} else if (filled == 0) {
 		leave_out(site, c, "it is empty");
-	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(site, c, "%s: it has words", head);
 	} else if ((means & WORD_LIMIT) != 0) {
 		leave_out(
 		    site, c, "%s: a limit, or calculated, or rejected", head);
+	} else if (words && (means & ROLE_WORDS) == 0) {
+		leave_out(site, c, "%s: it has words", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
 		leave_out(site, c, "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&

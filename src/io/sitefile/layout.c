@@ -819,6 +819,26 @@ fill_names(struct table *t)
 	}
 }
 
+/* Joins "Rotor tip speed" at the left of the last row of headings with "m/s" in
+ * the column beside it, if no sample is below. */
+static void
+join_unit_beside(
+    const struct grid *g, const struct place *p, size_t r, struct table *t)
+{
+	struct cell *label = &t->head[t->n_head - 1].cell[0];
+	size_t at = p->c + 1 < g->n_col ? index_at(g, r, p->c + 1) : 0;
+	if (at == 0 || g->used[at] || label->text[0] == '\0')
+		return;
+	const char *beside = layout_cell_at(g, r, p->c + 1)->text;
+	struct head unit = head_read(beside);
+	if (unit.unit == SPEED_NO_UNIT || head_has_speed(&unit) ||
+	    unit.n_number > 0)
+		return;
+	label->text =
+	    layout_own_text(t, xasprintf("%s %s", label->text, beside));
+	g->used[at] = true;
+}
+
 static void
 add_layout_table(const struct grid *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
@@ -843,6 +863,8 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 			    has_numbers(g, r, p->c, p->end);
 		if (!mass)
 			layout_add_row(g, r, col, n, &t.head, &t.n_head);
+		if (!mass)
+			join_unit_beside(g, p, r, &t);
 		t.titles += !mass && r < own;
 	}
 	for (size_t r = top; r < p->first; r++)
