@@ -819,24 +819,29 @@ fill_names(struct table *t)
 	}
 }
 
-/* Joins "Rotor tip speed" at the left of the last row of headings with "m/s" in
- * the column beside it, if no sample is below. */
+/* Joins what stands in row r before column end, but in none of the table's
+ * columns, with its last row of headings: "m/s" beside "Rotor tip speed", and the speed of the only sample,
+ * "Ekeby; belt cut; 73 m/s", above both. */
 static void
-join_unit_beside(
-    const struct grid *g, const struct place *p, size_t r, struct table *t)
+join_beside(const struct grid *g, const struct place *p, size_t r, size_t end,
+    bool above, struct table *t)
 {
-	struct cell *label = &t->head[t->n_head - 1].cell[0];
-	size_t at = p->c + 1 < g->n_col ? index_at(g, r, p->c + 1) : 0;
-	if (at == 0 || g->used[at] || label->text[0] == '\0')
-		return;
-	const char *beside = layout_cell_at(g, r, p->c + 1)->text;
-	struct head unit = head_read(beside);
-	if (unit.unit == SPEED_NO_UNIT || head_has_speed(&unit) ||
-	    unit.n_number > 0)
-		return;
-	label->text =
-	    layout_own_text(t, xasprintf("%s %s", label->text, beside));
-	g->used[at] = true;
+	struct row *head = &t->head[t->n_head - 1];
+	bool one = t->n_col == 2 && above;
+	for (size_t c = p->c + 1; c < end; c++) {
+		const char *text = layout_cell_at(g, r, c)->text;
+		struct head said = head_read(text);
+		bool speed = one && head_has_speed(&said) && !said.several;
+		bool unit = c == p->c + 1 && said.unit != SPEED_NO_UNIT &&
+			    !head_has_speed(&said) && said.n_number == 0 &&
+			    head->cell[0].text[0] != '\0';
+		if (g->used[index_at(g, r, c)] || (!speed && !unit))
+			continue;
+		struct cell *to = &head->cell[unit ? 0 : 1];
+		to->text =
+		    layout_own_text(t, xasprintf("%s %s", to->text, text));
+		g->used[index_at(g, r, c)] = true;
+	}
 }
 
 static void
@@ -864,7 +869,7 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 		if (!mass)
 			layout_add_row(g, r, col, n, &t.head, &t.n_head);
 		if (!mass)
-			join_unit_beside(g, p, r, &t);
+			join_beside(g, p, r, end, r < own, &t);
 		t.titles += !mass && r < own;
 	}
 	for (size_t r = top; r < p->first; r++)
