@@ -820,8 +820,8 @@ fill_names(struct table *t)
 }
 
 /* Joins what stands in row r before column end, but in none of the table's
- * columns, with its last row of headings: "m/s" beside "Rotor tip speed", and the speed of the only sample,
- * "Ekeby; belt cut; 73 m/s", above both. */
+ * columns, with its last row of headings: "m/s" beside "Rotor tip speed", and
+ * the speed of the only sample, "Ekeby; belt cut; 73 m/s", above both. */
 static void
 join_beside(const struct grid *g, const struct place *p, size_t r, size_t end,
     bool above, struct table *t)
