@@ -29,7 +29,7 @@ static const struct chart_series PREDICTED = {
 struct plot_request
 plots_request(enum plot_kind kind)
 {
-	enum { STRIP = 6 }; /* with its title */
+	enum { STRIP = 6 }; /* rows, with the title */
 	return (struct plot_request){.kind = kind,
 	    .feed = SITE_MEAN_FEED,
 	    .speed = NAN,
@@ -42,8 +42,9 @@ plots_request(enum plot_kind kind)
 	    .strip = STRIP};
 }
 
-/* The prediction for a run less its product, points, at the sieves that its
- * feed covers; a gap at the others, which the axis has too. */
+/* Adds the prediction for a run minus its product, in points, at the sieves
+ * that its feed covers.  The other sieves, which the axis shows too, have a
+ * gap. */
 static void
 add_residuals(struct chart *chart, const struct session *s,
     const struct entry *entry, size_t run, const struct params *params,
@@ -66,7 +67,8 @@ add_residuals(struct chart *chart, const struct session *s,
 	prediction_free(&p);
 }
 
-/* A round axis that holds all y of the chart and 0, with a guide at 0. */
+/* Returns an axis with round limits that holds 0 and all y of the chart, with a
+ * guide at 0. */
 static struct axis
 axis_with_zero(const struct chart *chart, const char *title)
 {
@@ -144,7 +146,8 @@ put_pairs(struct chart *chart, const struct session *s,
 	}
 }
 
-/* "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all has it. */
+/* Notes "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all
+ * does. */
 static void
 note_scores(struct chart *chart, const struct trials *pairs)
 {
@@ -209,7 +212,8 @@ parity_chart(
 
 enum { SAMPLES = 241 };
 
-/* Value i of SAMPLES between low and high, evenly on the log. */
+/* Returns value i of SAMPLES between low and high, evenly spaced on a log
+ * scale. */
 static double
 log_sample(double low, double high, size_t i)
 {
@@ -293,7 +297,7 @@ appearance_chart(
 	return chart;
 }
 
-/* Makes a chart in the theme that is set; *chart out, or NULL. */
+/* Makes a chart in the theme of the session; sets *chart to it, or to NULL. */
 static void
 make_themed(plot_make *make, struct session *s, const struct plot_request *as,
     struct chart **chart, struct error *error)
@@ -341,7 +345,7 @@ plots_chart(
 	return chart;
 }
 
-/* "82.1 %". */
+/* Returns "82.1 %". */
 static char *
 value_with_unit(const struct axis *axis, double value)
 {

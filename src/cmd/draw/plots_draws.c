@@ -14,7 +14,7 @@
 #include "core/posterior/identify.h"
 #include "core/posterior/profile.h"
 
-/* The draws of the site in use, or NULL with an error. */
+/* Returns the draws of the site in use, or NULL with an error. */
 static const struct posterior *
 draws_drawn(
     const struct session *s, const struct entry *entry, struct error *error)
@@ -30,7 +30,7 @@ draws_drawn(
 	return p;
 }
 
-/* The parameters that are not held fixed.  Returns how many. */
+/* Finds the parameters that are not held fixed and returns their number. */
 static size_t
 find_free(const struct posterior *p, size_t column[static PARAMS_MOST])
 {
@@ -41,7 +41,8 @@ find_free(const struct posterior *p, size_t column[static PARAMS_MOST])
 	return n;
 }
 
-/* A tick for each parameter, across from the left or up from the top. */
+/* Returns an axis with a tick for each parameter: from left to right or, if
+ * `up`, from the top down. */
 static struct axis
 names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
 {
@@ -56,7 +57,7 @@ names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
 	return axis;
 }
 
-/* Fields of one sign. */
+/* Adds the fields whose values have one sign. */
 static void
 add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
     size_t n, bool positive)
@@ -111,16 +112,17 @@ plots_draws_correlation(
 	return chart;
 }
 
-/* What a profile is of: the calibration's misfit and fit in its own model, or
- * in that of the draws where only that has the parameter. */
+/* What a profile needs: the misfit and the fit of the calibration in its own
+ * model.  If only the draws' model has the parameter, both are in that
+ * model. */
 struct profiled {
 	const struct history *h;
-	const struct posterior *p; /* or NULL */
+	const struct posterior *p; /* NULL without draws */
 	struct misfit *misfit;
 	struct params fit;
 	struct bounds bounds;
-	size_t j;   /* of the parameter in that model, */
-	size_t own; /* and among the draws */
+	size_t j;   /* index of the parameter in that model */
+	size_t own; /* its index among the draws */
 	const struct param_info *info;
 };
 
@@ -175,8 +177,9 @@ find_profiled(const struct session *s, const struct entry *entry,
 	return true;
 }
 
-/* What is worth showing of the bounds: the draws and the fit, and a quarter
- * more; without draws all. */
+/* Finds the part of the bounds that is worth showing: the range of the draws
+ * and the fit, and a quarter more on each side.  Without draws it is all of
+ * it. */
 static void
 find_reach(const struct profiled *a, const double *draw, double reach[static 2])
 {
@@ -196,8 +199,8 @@ find_reach(const struct profiled *a, const double *draw, double reach[static 2])
 	reach[1] = fmin(reach[1], high + more);
 }
 
-/* Values over the axis within the bounds, the fit's own in the place of the
- * nearest. */
+/* Spreads n values over the axis, within the bounds.  The fit's own value
+ * replaces the nearest one. */
 static void
 find_values(
     const struct chart *chart, const struct profiled *a, double *x, size_t n)
@@ -213,7 +216,8 @@ find_values(
 	}
 }
 
-/* Refitted misfits as a likelihood of errors of unknown size, E^(-n/2). */
+/* Draws the refitted misfits as a likelihood with errors of unknown size,
+ * E^(-n/2). */
 static void
 add_profile(struct chart *chart, const struct profiled *a)
 {

@@ -23,9 +23,9 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* The quantities drawn [n] with the limits on them.  moved: how far any
- * measured product, see moved_largest.  fraction: of quantities that name
- * none. */
+/* The quantities [n] that are drawn, and the limits on them.  moved: the
+ * largest distance by which a measured product is moved, see moved_largest.
+ * fraction: that of the quantities that name none. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct entry *entry;
@@ -37,8 +37,8 @@ struct drawn {
 	struct chart_series *line[MOST];
 };
 
-/* Sieves whose passings are well apart at a speed: those nearest to 80, 50 and
- * 20 %, and the finest one. */
+/* Chooses sieves whose passings are well apart at a speed: those nearest to 80,
+ * 50 and 20 %, and the finest one. */
 static void
 choose_response_sieves(struct session *s, struct drawn *d)
 {
@@ -66,8 +66,7 @@ choose_response_sieves(struct session *s, struct drawn *d)
 	prediction_free(&p);
 }
 
-/* One that is there already is not drawn twice.  False where there are too
- * many. */
+/* Adds a quantity unless it is there already.  False if there are too many. */
 static bool
 response_take(struct drawn *d, const struct quantity *q)
 {
@@ -89,7 +88,7 @@ error_too_many(struct error *error)
 	    MOST);
 }
 
-/* What is asked for, each covered by the feed. */
+/* Reads what is asked for and checks that the feed covers it. */
 static bool
 read_drawn(struct session *s, const char *of_words, const char *limits,
     struct drawn *d, struct error *error)
@@ -119,8 +118,8 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 	return ok;
 }
 
-/* The looks of a quantity: colours in turn, which no run has; lines that
- * differ without colour. */
+/* Returns the style of a quantity: colours in turn that no run has, and lines
+ * that differ even without colour. */
 static struct chart_series
 line_style(size_t i)
 {
@@ -160,7 +159,7 @@ add_measured(struct chart *chart, const struct session *s,
 	}
 }
 
-/* Level lines at the limits on a quantity. */
+/* Adds level lines at the limits on a quantity. */
 static void
 response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 {
@@ -184,7 +183,7 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 	}
 }
 
-/* A round axis that holds all of the chart. */
+/* Sets an axis with round limits that holds all of the chart. */
 static void
 set_y_axis(struct chart *chart)
 {
@@ -196,7 +195,7 @@ set_y_axis(struct chart *chart)
 	chart->y = axis;
 }
 
-/* The speeds that were measured. */
+/* Marks the range of the measured speeds. */
 static void
 add_reach(struct chart *chart, const struct entry *entry)
 {
@@ -213,7 +212,7 @@ add_reach(struct chart *chart, const struct entry *entry)
 	chart_add_rule(chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
 }
 
-/* Where all conditions hold, and the best speed. */
+/* Marks where all conditions hold, and the best speed. */
 static void
 add_window(
     struct chart *chart, const struct drawn *d, const struct speed_search *w)
@@ -248,7 +247,8 @@ note_window(struct chart *chart, double level, const struct speed_search *w)
 		    100 * level);
 }
 
-/* The chart of the quantities of one unit, or NULL where there are none. */
+/* Returns the chart of the quantities that have one unit, or NULL if there are
+ * none. */
 static struct chart *
 unit_chart(struct session *s, struct drawn *d, const char *unit)
 {
@@ -334,16 +334,17 @@ make_charts(struct session *s, struct drawn *d)
 		    100 * settings_level(&s->set));
 	else
 		chart_note(last, "%s", outlook_why_none(s, entry));
-	/* Lines reach where nothing was measured, which add_reach tells: the
-	 * light is that of the middle, where it is as good as it gets. */
+	/* The lines reach beyond the measured speeds, which add_reach marks.
+	 * This is the light of the middle speed, where it is at its best. */
 	FREED char *light =
 	    light_words_at(s, entry, site_middle(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	return first;
 }
 
-/* With bands, what was measured, the training speeds, limits and where all of
- * them hold; a chart for each unit, one below the other. */
+/* Draws the quantities with bands, what was measured, the training speeds, the
+ * limits, and where all of them hold.  Each unit has a chart of its own, one
+ * below the other. */
 struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)

@@ -24,8 +24,8 @@ candidates_at(
 	    &past->generation[at - 1], &best);
 }
 
-/* How far one sample's passing near 50 % is from another's, points; assumed
- * where nobody stated it. */
+/* Returns by how many points the passings near 50 % of two samples differ.
+ * Sets *assumed if `set noise` does not state it. */
 static double
 noise_at_middle(const struct session *s, bool *assumed)
 {
@@ -53,7 +53,7 @@ add_noise(struct chart *chart, const struct session *s)
 	}
 }
 
-/* The cells of a run: from, and how many. */
+/* Counts the cells of the run that begins at `from`. */
 static size_t
 cells_of_run(const struct candidates *c, size_t from)
 {
@@ -71,7 +71,7 @@ plots_search_style(const struct site *site, size_t run, size_t nth)
 	return look;
 }
 
-/* nth of `runs`, side by side. */
+/* Adds a run, which is number nth of `runs` side by side. */
 static void
 search_add_run(struct chart *chart, const struct candidates *c,
     const struct site *site, size_t from, size_t nth, size_t runs)
@@ -119,14 +119,14 @@ sieves_of(const struct candidates *c)
 	for (size_t k = 0; k < c->n; k++)
 		size[k] = c->cell[k].size;
 	struct axis axis = site_chart_sieves(size, c->n);
-	/* Room for what is drawn beside the last one. */
+	/* Leaves room for what is drawn beside the last sieve. */
 	axis.low /= margin;
 	axis.high *= margin;
 	return axis;
 }
 
-/* As far as the candidates reach, in steps of which a search that converges
- * takes few. */
+/* Returns an axis as far as the candidates reach.  Its limits are few, so that
+ * it changes seldom while a search converges. */
 static struct axis
 differences_of(const struct candidates *c)
 {
@@ -172,7 +172,8 @@ plots_search(
 	return chart;
 }
 
-/* Fixed over the whole search, and over most searches. */
+/* Returns an axis that is the same for the whole search and for most
+ * searches. */
 static struct axis
 search_points_axis(const struct search_shown *past)
 {
@@ -227,8 +228,8 @@ plots_search_convergence(
 	return chart;
 }
 
-/* What the calibration that the parameters are from knows of it now, once it
- * is over. */
+/* Sets span->drawn from the posterior of the calibration that found the
+ * parameters, once that is over. */
 static void
 add_drawn(struct session *s, const char *name, struct param_span *span)
 {
@@ -278,8 +279,9 @@ plots_search_span(struct session *s, const struct search_shown *past,
 	return span;
 }
 
-/* One row for each parameter, the first on top, half a row within the ends; not
- * quite half, lest rounding put two into one row of cells. */
+/* Gives each parameter a row, the first one on top, half a row from either end.
+ * It is slightly less than half, so that rounding does not put two into one row
+ * of cells. */
 static struct axis
 parameter_axis(const struct breakage *of)
 {
@@ -293,7 +295,8 @@ parameter_axis(const struct breakage *of)
 	return axis;
 }
 
-/* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
+/* Returns where a value lies within its bounds, %; NAN for a parameter held
+ * fixed. */
 static double
 share_of_bounds(const struct param_span *span, double value)
 {
@@ -313,7 +316,7 @@ plots_search_spread(
 	struct chart *chart = site_chart(past.site,
 	    axis_linear(tr("position between the bounds, %"), 0, 100),
 	    parameter_axis(of), "candidates of generation %zu", at + 1);
-	/* Two ends and a lift of the pen. */
+	/* Two ends, and a gap that lifts the pen. */
 	chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_SOLID, .ascii = '='},
@@ -342,8 +345,8 @@ plots_search_spread(
 	return chart;
 }
 
-/* "most candidates still miss 4 mm by 5.2 points at 69 m/s"; once half of them
- * agree on the break size, that. */
+/* Returns "most candidates still miss 4 mm by 5.2 points at 69 m/s", or a
+ * sentence on the break size once half of the candidates agree on it. */
 static char *
 search_words(
     const struct session *s, const struct search_shown *past, size_t generation)
