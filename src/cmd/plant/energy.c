@@ -16,17 +16,18 @@
 #include "io/fs/shipped.h"
 #include "io/sitefile/units.h"
 
-/* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of
- * the energies to it. */
+/* What a call asks about collision energies.  cut: J/kg.  E: that of the tip
+ * speed asked about.  scale: from the simulated energies to that speed. */
 struct energy_question {
 	const struct energies *e;
 	const struct spectrum *spectrum;
 	double cut, speed, E, scale;
-	const struct entry *entry; /* whose parameters find k; or NULL */
+	const struct entry *entry; /* site whose parameters give k, or NULL */
 };
 
-/* How Eq 3 of the entry sees a size: threshold E0_min / x^alpha, J/kg, and
- * strength f_mat x^alpha; without parameters the cut and 0. */
+/* Returns k of a size with Eq 3 and the entry's parameters: the threshold is
+ * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
+ * they are the cut and 0. */
 static double
 selection_of_entry(
     const struct energy_question *q, const struct spectrum_size *of, double x)
@@ -53,7 +54,7 @@ share_of_first_impacts(
 	return spectrum_above(of, q->cut, true).energy / all;
 }
 
-/* Their energy above the cut on average, over v^2/2. */
+/* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
 static double
 mean_energy_ratio(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
@@ -103,8 +104,8 @@ energy_add_rows(struct answer *r, const struct energy_question *q,
 	energy_add_row(r, q, whole, NAN);
 }
 
-/* The bins in use, for programs: energies at their middle, shares of the
- * impacts by mass. */
+/* Adds the bins that hold impacts, for programs: the mean energy of each, and
+ * its share of the impacts by mass. */
 static void
 energy_put_fields(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
@@ -137,7 +138,7 @@ energy_put_fields(struct answer *r, const struct energy_question *q,
 	answer_put_rows(r, "sizes");
 }
 
-/* How many of the impacts can be taken as independent. */
+/* Returns how many of the impacts can be taken as independent. */
 static double
 count_independent(const struct energies *e)
 {
@@ -147,7 +148,7 @@ count_independent(const struct energies *e)
 	return fmax(n, 1);
 }
 
-/* The other spectra beside this one, each scaled to its speed. */
+/* Compares the other spectra with this one, each scaled to its speed. */
 static void
 note_others(
     struct answer *r, const struct session *s, const struct energy_question *q)
@@ -159,8 +160,8 @@ note_others(
 		    fabs(other->speed - q->spectrum->speed) < 1e-9)
 			continue;
 		double d = spectrum_distance(q->spectrum, other, q->cut);
-		/* Kolmogorov and Smirnov's 95 %, of particles: the impacts
-		 * of one depend on each other. */
+		/* The 95 % limit of Kolmogorov and Smirnov for particles,
+		 * because the impacts of one particle depend on each other. */
 		double chance = 1.36 * sqrt(1 / count_independent(q->e) +
 					    1 / count_independent(o));
 		answer_note(r,
@@ -175,9 +176,9 @@ note_others(
 	}
 }
 
-/* Is one impact at v^2/2 a fair picture?  It is where what it needs holds
- * within a quarter: k about 1, most energy in the first impact, and that near
- * v^2/2. */
+/* Judges whether one impact at v^2/2 is a fair picture.  It is if three things
+ * hold within a quarter: k is about 1, the first impact has most of the energy,
+ * and that energy is near v^2/2. */
 static void
 energy_judge(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
@@ -210,7 +211,8 @@ energy_judge(struct answer *r, const struct energy_question *q,
 		    "this spectrum");
 }
 
-/* How the rock of a site, whose parameters Eq 3 takes, sees the impacts. */
+/* Notes how the rock of a site breaks under the impacts, by Eq 3 with its
+ * parameters. */
 static void
 note_site(struct answer *r, const struct energy_question *q)
 {
@@ -341,7 +343,7 @@ energy_load_file(
 		way.speed = args->speed;
 	double cut = args_given(args, &args->energy_cut) ? args->energy_cut
 							 : ENERGIES_CUT;
-	/* A file that is there comes before a shipped one of its name. */
+	/* A file at that path comes before a shipped one of that name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;

@@ -21,8 +21,8 @@
 /* Each fraction may need two screens and two stockpiles. */
 enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };
 
-/* The next part of a list with commas between, trimmed, which the caller frees;
- * NULL at its end. */
+/* Returns the next part of a list with commas, trimmed, or NULL at its end.
+ * The caller frees it. */
 static char *
 next_part(const char **at)
 {
@@ -35,7 +35,7 @@ next_part(const char **at)
 	return part;
 }
 
-/* Fractions as asked, their edges, m, coarsest first, without 0. */
+/* The fractions asked for, and their edges, m, coarsest first, without 0. */
 struct cuts {
 	size_t n, n_edge;
 	struct fraction fraction[FRACTIONS];
@@ -85,7 +85,7 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 	return ok;
 }
 
-/* "2/5", of 0 above the coarsest screen "+11.2". */
+/* Returns "2/5"; for a fraction without an upper size "+11.2". */
 static char *
 fraction_name(double fine, double coarse)
 {
@@ -95,7 +95,7 @@ fraction_name(double fine, double coarse)
 	return quantities_fraction_text(&f);
 }
 
-/* Whether a list has that name; taken: counts the names found. */
+/* True if a list has that name.  Adds 1 to *taken if so. */
 static bool
 plant_is_listed(const char *list, const char *name, size_t *taken)
 {
@@ -129,8 +129,8 @@ add_unit_with_inlet(
 	return unit;
 }
 
-/* A screen of the deck below `now`: its oversize has the fraction's name;
- * returns it, and leaves the undersize in `now`. */
+/* Adds the next screen of the deck.  Its feed is *now, which becomes its
+ * undersize; returns its oversize, which is named after the fraction. */
 static size_t
 add_screen(struct circuit *c, const struct args *args, double opening,
     const char *name, bool last, size_t *now)
@@ -147,7 +147,7 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 	return screen->out[0];
 }
 
-/* new + back -> crusher; returns the crusher. */
+/* Adds a crusher that the new feed enters, and returns it. */
 static struct unit *
 add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 {
@@ -162,8 +162,8 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 	return crusher;
 }
 
-/* The crusher and a deck of screens, whose oversize each is a fraction that
- * goes back or to a stockpile. */
+/* Builds the crusher and a deck of screens.  The oversize of each screen is a
+ * fraction, which goes back to the crusher or to a stockpile. */
 static bool
 build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
     struct error *error)
@@ -232,7 +232,8 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	    path, path);
 }
 
-/* Sizes in falling order without those that differ by rounding alone. */
+/* Drops sizes that differ from their neighbour by rounding alone; they are in
+ * falling order. */
 static size_t
 plant_drop_twins(double *size, size_t n)
 {
@@ -245,9 +246,9 @@ plant_drop_twins(double *size, size_t n)
 	return kept;
 }
 
-/* The classes: sizes of the site, between them, and of the screens.  Of feeds
- * with very many sieves only some of these, because the work grows with the
- * third power of their number. */
+/* Chooses the classes: the sizes of the site, sizes between them, and those of
+ * the screens.  If a feed has very many sieves, only some of them are taken,
+ * because the work grows with the third power of their number. */
 static void
 choose_class_sizes(const struct site *site, struct plant *p)
 {
@@ -272,7 +273,7 @@ choose_class_sizes(const struct site *site, struct plant *p)
 	psd_free(&sieves);
 }
 
-/* Screens finer than what is known of the feed. */
+/* Refuses screens that are finer than the finest sieve of the feed. */
 static bool
 check_screens(
     const struct site *site, const struct plant *p, struct error *error)
@@ -291,8 +292,8 @@ check_screens(
 	return true;
 }
 
-/* Gives every product of that name its price; priced [n_unit]: those that had
- * theirs from the same list. */
+/* Gives every product of that name its price.  priced [n_unit] marks those that
+ * already have one from the same list. */
 static bool
 set_price_of_product(struct circuit *c, const char *name, double price,
     bool *priced, struct error *error)
@@ -317,7 +318,7 @@ set_price_of_product(struct circuit *c, const char *name, double price,
 			    name);
 }
 
-/* "0/2:12" */
+/* Reads "0/2:12". */
 static bool
 read_price(
     struct circuit *c, const char *part, bool *priced, struct error *error)
@@ -361,7 +362,7 @@ add_reading(struct plant *p, struct reading reading)
 	p->reading[p->n_reading++] = reading;
 }
 
-/* "72:187:121", or "66:52:0" of an empty crusher. */
+/* Reads "72:187:121", or "66:52:0" for an empty crusher. */
 static bool
 read_reading(struct plant *p, const char *part, struct error *error)
 {
@@ -386,7 +387,8 @@ read_reading(struct plant *p, const char *part, struct error *error)
 	return true;
 }
 
-/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", as add writes it. */
+/* Reads "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", which add
+ * writes. */
 static void
 read_note(struct plant *p, const char *note)
 {
@@ -495,8 +497,8 @@ plant_speed(const struct unit *unit, double speed)
 	return unit->speed > 0 ? unit->speed : speed;
 }
 
-/* Power and earnings of a draw; a model alone has one product for all draws of
- * the power. */
+/* Adds the power and the earnings of a draw.  A model alone has a single
+ * product, which serves all draws of the power. */
 static void
 count_draw(const struct plant *p, struct plant_result *o, size_t d)
 {
@@ -546,7 +548,8 @@ plant_lines(const struct plant *p, const struct plant_result *o,
 	for (size_t i = 0; i < c->n_stream; i++)
 		if (o->flow.back[i])
 			line[n++] = (struct plant_line){c->stream[i], NULL, i};
-	/* Streams of the deck were made from coarse to fine. */
+	/* The streams of the deck were made from coarse to fine; they are
+	 * listed from fine to coarse. */
 	for (size_t i = 1; i < n && !p->from_file; i++)
 		for (size_t k = i; k > 0 && line[k - 1].stream < line[k].stream;
 		     k--) {
@@ -557,7 +560,6 @@ plant_lines(const struct plant *p, const struct plant_result *o,
 	return n;
 }
 
-/* "7.3e+03 t/h circulate after 1000 passes". */
 bool
 plant_not_steady(
     const struct plant *p, const struct plant_result *o, struct error *error)
