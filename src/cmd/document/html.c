@@ -9,8 +9,8 @@
 #include "config.h"
 #include "plot/picture.h"
 
-/* No sign that XML would take for its own.  Colours of the lights are safe for
- * red-green blindness. */
+/* Contains no character that XML would take as its own.  The colours of the
+ * lights can be told apart with red-green blindness. */
 static const char STYLE[] =
     "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;"
     "font-size:15px;line-height:1.4;color:#000;background:#fff;"
@@ -75,7 +75,7 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 	fputs(head ? "</th>" : "</td>", out);
 }
 
-/* The columns from `from` to before `to`, after the first one. */
+/* Puts a table of the first column and those from `from` to before `to`. */
 static void
 put_block(const struct answer_view *v, size_t from, size_t to, FILE *out)
 {
@@ -100,7 +100,7 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	}
 }
 
-/* top: its title is the document's. */
+/* top: the answer's title is that of the document and is left out. */
 static void
 html_put_answer(const struct answer *answer, bool top, FILE *out)
 {
