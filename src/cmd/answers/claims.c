@@ -17,7 +17,7 @@
 #include "core/model/breakage.h"
 
 /* The fits of the paper's model at loaded sites [n], their held-out runs, and
- * Table 3. */
+ * the rows of Table 3. */
 struct shown {
 	size_t n;
 	const struct entry **fit;
@@ -41,8 +41,8 @@ collect_fits(struct shown *c, const struct session *s)
 	}
 }
 
-/* The claim, whether these data bear it out, and the figures: for people in a
- * paragraph, for programs in a row. */
+/* Adds a claim, whether these data bear it out, and the figures: a paragraph
+ * for people, a row for programs.  Frees the figures. */
 static void
 add_claim(struct answer *r, const char *words, bool borne_out, char *figures)
 {
@@ -98,7 +98,8 @@ claim_sizes(struct answer *r, const struct shown *c)
 					     : tr("neither P20 nor P80"))));
 }
 
-/* A correlation further below 0 than chance brings once in 20 (t about 2). */
+/* True if a correlation is so far below 0 that chance alone reaches it once in
+ * 20 times (t is about 2). */
 static bool
 is_negative(double r, size_t n)
 {
@@ -132,7 +133,7 @@ claim_opposite(struct answer *r, const struct shown *c)
 		2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2)));
 }
 
-/* The row of Table 3 that is called as the site is, or NULL. */
+/* Returns the row of Table 3 that has the name of the site, or NULL. */
 static const struct stored *
 claims_table3_row(const struct shown *c, const struct entry *entry)
 {
@@ -140,7 +141,8 @@ claims_table3_row(const struct shown *c, const struct entry *entry)
 	return stored_find(&c->paper, name);
 }
 
-/* Of reconstructed sites the product at a speed is known: that of their row. */
+/* For a reconstructed site the product at any speed is known: that of its
+ * row. */
 static void
 claim_beyond(struct answer *r, const struct shown *c)
 {
@@ -207,7 +209,7 @@ claim_middle_speed(struct answer *r, const struct shown *c)
 			100 * sqrt(sum[1] / (double)n), wins, n));
 }
 
-/* D11. */
+/* See D11. */
 static void
 claim_resistance(struct answer *r, const struct shown *c)
 {

@@ -29,7 +29,8 @@ static const struct {
 	"E = sum of ((P_exp,high - P_sim,high)^2 - (P_exp,low - P_sim,low)^2)",
 	"E = sum of ((measured - simulated)^2 at both speeds) (D6)"}};
 
-/* What is worked out: the site, its parameters, and the two runs of Eq 5. */
+/* What the examples are worked out with: the site, its parameters, and the two
+ * runs of Eq 5. */
 struct worked {
 	const struct site *site;
 	const struct params *p;
@@ -37,7 +38,8 @@ struct worked {
 	size_t low, high;
 };
 
-/* Of Eq 3 the exponent without sign and floor, x in the unit it is given in. */
+/* Returns the exponent of Eq 3 without its sign and its floor at 0; x in
+ * whatever unit it is given in. */
 static double
 equations_exponent(const struct worked *w, double x, double speed)
 {
@@ -46,8 +48,8 @@ equations_exponent(const struct worked *w, double x, double speed)
 	       (pow(x, p->alpha) * speed * speed / 2 - p->e0_min);
 }
 
-/* Two sieves' middle on log size, m, where something breaks, or where nothing
- * does: the coarsest such class. */
+/* Returns the middle, on log size, of the coarsest size class in which
+ * something breaks or, if not `breaks`, in which nothing does, m. */
 static double
 class_midpoint(const struct worked *w, double speed, bool breaks)
 {
@@ -86,7 +88,7 @@ say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 	}
 }
 
-/* The share of the feed that breaks where x is in millimetres. */
+/* Returns the share of the feed that would break if x were in millimetres. */
 static double
 selected_in_mm(const struct worked *w, double speed)
 {
@@ -124,7 +126,8 @@ say_metres(struct answer *r, const struct worked *w)
 	    metres[0], speed[0], metres[1], speed[1], mm[0], mm[1]);
 }
 
-/* RMSE of parameters at one run, or for n_run at both, points. */
+/* Returns the RMSE of the parameters at one run or, if run is n_run, at both,
+ * in points. */
 static double
 rmse_points(const struct worked *w, struct model_settings settings,
     const struct params *p, size_t run)
@@ -138,7 +141,8 @@ rmse_points(const struct worked *w, struct model_settings settings,
 	return rmse;
 }
 
-/* The literal reading: whatever beta, each progeny class has the same share. */
+/* Says what the literal reading gives: each progeny class has the same share,
+ * whatever beta is. */
 static void
 say_parents(struct answer *r, const struct worked *w)
 {
@@ -171,8 +175,9 @@ say_parents(struct answer *r, const struct worked *w)
 	    most < 1e-9 ? 0 : most, off, used);
 }
 
-/* Of a grid over Table 2's bounds the parameters of the least printed Eq 5; the
- * first is the site's own. */
+/* Finds, in a grid over Table 2's bounds, the parameters with the smallest Eq 5
+ * as printed, and returns that value.  The search starts from the site's own
+ * parameters. */
 static double
 best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
     struct misfit *high, struct params *best)
@@ -225,8 +230,8 @@ say_minus(struct answer *r, const struct worked *w)
 	misfit_free(m[1]);
 }
 
-/* The slowest and the fastest run with a product; false where there are no two
- * of them. */
+/* Finds the slowest and the fastest run with a product.  False if there are not
+ * two of them. */
 static bool
 find_runs(struct worked *w)
 {
@@ -242,8 +247,8 @@ find_runs(struct worked *w)
 	       w->site->run[w->low].speed < w->site->run[w->high].speed;
 }
 
-/* With the numbers of the site in use, where it has parameters of the paper's
- * model. */
+/* Works the equations out for the site in use, if it has parameters of the
+ * paper's model. */
 static void
 equations_work_out(struct answer *r, const struct session *s)
 {

@@ -16,14 +16,14 @@
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
-/* Of more materials only so many are looked at, the nearest; a band of all of
- * 100,000 would be no other and take seconds. */
+/* The user's materials that are looked at are the nearest of this number. A
+ * band over 100,000 of them would hardly differ, and take seconds. */
 enum { MOST_OWN = 200 };
 
-/* What a guess is made from.  own: the user's materials, of which list has
- * MOST_OWN at most.  list: all materials, those of Table 3 from index
- * `table3` on; m [list.n]: the same for core; pick [n]: those taken; error:
- * that of guesses from so many. */
+/* What a guess is made from.  own: the number of the user's materials, of which
+ * the list has at most MOST_OWN.  list: all materials, with Table 3 from index
+ * `table3` on.  m [list.n]: the same for core.  pick [n]: those that are used.
+ * error: that of guesses from as many materials. */
 struct basis {
 	struct stored_list list;
 	struct guess_material *m, wanted;
@@ -77,7 +77,8 @@ basis_allocate(struct basis *b)
 		b->table3++;
 }
 
-/* As many of the nearest as told, else as leaving one site out finds best: of
+/* Picks as many of the nearest as the user says, otherwise the number for which
+ * leaving one site out gives the smallest error.  That number is found from
  * Table 3 alone, so that it is the same for everyone. */
 static void
 basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
@@ -95,7 +96,8 @@ basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
 	b->n = guess_nearest(b->m, n, &b->wanted, b->leave_out, most, b->pick);
 }
 
-/* Rock and top size as given, else the sheet's. */
+/* Takes the rock and the top size that are given, otherwise those of the site
+ * file. */
 static bool
 read_wanted_material(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
@@ -181,7 +183,7 @@ guess_table(const struct site *site, const struct guess *guess)
 	return r;
 }
 
-/* "2.81 (2.52..3.10)", in mm. */
+/* Returns "2.81 (2.52..3.10)", in mm. */
 static char *
 range_words(const struct guess_range *range, const char *none)
 {
@@ -214,7 +216,7 @@ note_sizes(struct answer *r, const struct guess *guess)
 		free(words[i]);
 }
 
-/* Names of the materials picked (or, with `left`, left out). */
+/* Lists the names of the materials that are picked or, if `left`, left out. */
 static char *
 material_names(const struct basis *b, bool left)
 {
@@ -227,7 +229,7 @@ material_names(const struct basis *b, bool left)
 	return list;
 }
 
-/* The materials by name, where they were chosen. */
+/* Names the materials that were chosen. */
 static void
 note_nearest(struct answer *r, const struct basis *b)
 {
@@ -249,7 +251,7 @@ note_nearest(struct answer *r, const struct basis *b)
 		    b->wanted.rock, same, b->n, picked);
 }
 
-/* It may be one more, or spelt wrongly. */
+/* The rock type may be a new one, or misspelt. */
 static void
 note_rock(struct answer *r, const struct basis *b)
 {
@@ -324,8 +326,8 @@ note_materials(struct answer *r, const struct basis *b)
 		    "left out because they are this site's own: %s", left);
 }
 
-/* A speed that one of the materials, or more, was not trained at; nothing is
- * said of those that do not tell theirs. */
+/* Warns if one or more of the materials were not trained at the speed.
+ * Materials that do not state their speeds do not count. */
 static void
 note_reach(struct answer *r, const struct basis *b, double speed)
 {
@@ -352,8 +354,8 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 		    units_speed_digits(speed), speed, slowest, fastest);
 }
 
-/* What such guesses are worth.  A band of few materials is too narrow, which is
- * no matter of luck: see struct guess. */
+/* Notes how far such guesses err.  The band of a few materials is too narrow,
+ * and not by chance: see struct guess. */
 static void
 note_error(struct answer *r, const struct basis *b)
 {
@@ -378,8 +380,9 @@ note_error(struct answer *r, const struct basis *b)
 		    100 * e->held);
 }
 
-/* Which material meets the site's one product best, beside the product of all:
- * its parameters can be taken, where a median of products has none. */
+/* Names the material that meets the site's only product best, besides the
+ * product of all materials.  That material has parameters to use, which a
+ * median of products has not. */
 static void
 guess_note_best(
     struct answer *r, const struct site *site, const struct basis *b)

@@ -14,7 +14,7 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* Rows of the two ends of a size's band. */
+/* Adds two rows, for the ends of a size's band. */
 static void
 size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 {
@@ -28,7 +28,7 @@ size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 	}
 }
 
-/* Sieves down, speeds across: for as many speeds as fit a screen. */
+/* Puts sieves down and speeds across, for as many speeds as fit a screen. */
 static void
 sweep_across(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
@@ -85,7 +85,7 @@ sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
 		answer_cells(r, "%.1f", units_pct(p->share));
 }
 
-/* One row a speed and sieve: for spreadsheets and programs. */
+/* Adds a row for each speed and sieve, for spreadsheets and programs. */
 static void
 sweep_long(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
@@ -103,7 +103,7 @@ sweep_long(struct answer *r, const struct entry *entry,
 	}
 }
 
-/* The answer of all predictions; outside: one of them lies outside the training
+/* Answers with all predictions.  outside: one of them lies outside the training
  * speeds. */
 static struct answer *
 sweep_answer(const struct session *s, const struct question *q,

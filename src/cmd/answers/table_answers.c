@@ -10,7 +10,8 @@
 	SPEED(speed), \
 	    "rotor tip speed; default: that last asked about, with its feed"
 
-/* A crusher with its screens, of flow and card, see plant_read. */
+/* The options of a crusher with its screens, which flow and card share; see
+ * plant_read. */
 #define FLOW_PARTS                                                        \
 	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
 	    "fractions of the product, mm"},                              \

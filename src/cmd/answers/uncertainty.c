@@ -24,9 +24,9 @@
 static const char *const PARTS[ENSEMBLE_PARTS] = {
     "parameters_pct", "answer_pct", "sample_pct"};
 
-/* Half of the width of each band, in points.  That of the answer may be the
- * narrower: what the runs show the model to leave out goes with its
- * parameters. */
+/* Adds half the width of each band, in points.  The band of the answer may be
+ * narrower than that of the parameters, because the discrepancy that the runs
+ * show is correlated with the parameters. */
 static void
 add_columns_of_band_parts(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
@@ -51,8 +51,8 @@ add_columns_of_band_parts(struct answer *r, const struct session *s,
 		forecast_close(of[part]);
 }
 
-/* What is shown unless told otherwise: what passes the sieves that are asked
- * for, or else the middle one, and sizes. */
+/* Returns the default quantities: the passings of the sieves that are asked
+ * about, otherwise that of the middle sieve, and the sizes. */
 static char *
 usual_quantities(const struct prediction *p, bool sieves)
 {
@@ -66,7 +66,7 @@ usual_quantities(const struct prediction *p, bool sieves)
 	return list;
 }
 
-/* A row, and an object for programs. */
+/* Adds a row, and an object for programs. */
 static void
 add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
     struct figure answer, struct figure sample)
@@ -84,7 +84,8 @@ add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
 	    sample.high);
 }
 
-/* A row a figure, with the range of the true value and that of a new sample. */
+/* Adds a row for each figure, with the range of the true value and that of a
+ * new sample. */
 static void
 add_figures(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
@@ -109,8 +110,8 @@ add_figures(struct answer *r, const struct session *s,
 	    chance);
 }
 
-/* Median and range of the hyperparameters beside their priors; in words where
- * these are asked for. */
+/* Adds the median and the range of each hyperparameter; also for people if
+ * `words`. */
 static void
 add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
     bool words)
@@ -137,7 +138,7 @@ add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
 	}
 }
 
-/* In how many draws the rock has two strengths, and which. */
+/* Notes in how many draws the rock has two strengths, and how they differ. */
 static void
 note_strengths(struct answer *r, const struct posterior *p, bool words)
 {
@@ -181,7 +182,7 @@ note_draws(struct answer *r, const struct posterior *p,
 		    POSTERIOR_DRAWS, 100 * e->halves);
 }
 
-/* A row a draw: what it was made of and what it answers. */
+/* Adds a row for each draw: its parameters and its answer. */
 static struct answer *
 draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
@@ -225,8 +226,8 @@ draws_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* The figure that the sentences are about: the first of those named, or without
- * of= the passing that predict's sentence is of. */
+/* Returns the figure that the sentences are about: the first one named or,
+ * without of=, the passing that predict's sentence is about. */
 static struct quantity
 main_figure(const struct question *q, const struct args *args,
     const struct prediction *at, const struct quantity *named)
@@ -238,7 +239,7 @@ main_figure(const struct question *q, const struct args *args,
 	    .fraction = q->fraction};
 }
 
-/* "0/2" for what passes 2 mm; the caller frees. */
+/* Returns "0/2" for what passes 2 mm.  The caller frees it. */
 static char *
 figure_name(const struct quantity *of)
 {
@@ -263,7 +264,7 @@ note_feeds(struct answer *r, const struct session *s, const struct question *q,
 		fields_put(answer_fields(r), "feeds_move_pct %g", shown);
 }
 
-/* The next sample, for a figure. */
+/* Notes which next sample would narrow the band of a figure most. */
 static void
 note_next(struct answer *r, const struct session *s, const struct question *q,
     const struct quantity *of)
@@ -290,8 +291,8 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
-/* What the band does not know: stated speeds are not the true ones.  sd: their
- * standard deviation, a share of them. */
+/* Notes what the band leaves out: the stated speeds are not exact.  sd: their
+ * standard deviation, as a share of them. */
 static void
 note_speeds(struct answer *r, const struct session *s, const struct question *q,
     const struct prediction *at, double sd)
@@ -326,7 +327,7 @@ note_speeds(struct answer *r, const struct session *s, const struct question *q,
 	    100 * sd, 100 * most);
 }
 
-/* people: the figures, unless detail= has them see what programs do. */
+/* Shows people the figures; with detail=, the table that programs get. */
 static struct answer *
 band_parts_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
@@ -374,7 +375,7 @@ band_parts_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* Settings that the options name are set first. */
+/* Sets the settings that the options name. */
 static void
 apply_settings(struct session *s, const struct args *args)
 {
@@ -384,7 +385,7 @@ apply_settings(struct session *s, const struct args *args)
 		s->set.noise = args->noise;
 }
 
-/* A speed, as of predict, and "draws" or "next", in any order. */
+/* Reads a speed, as in predict, and "draws" or "next", in any order. */
 static bool
 take_words(const struct args *args, struct question *q, bool *draws, bool *next,
     struct error *error)
