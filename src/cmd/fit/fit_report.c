@@ -339,7 +339,7 @@ add_summary(
 		note_untested(r, entry);
 }
 
-/* The parameters and the course of the search. */
+/* Returns the answer with the parameters and the course of the search. */
 static struct answer *
 detailed_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, const char *command)
@@ -438,7 +438,7 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 	    s, detailed_answer(s, entry, &entry->history->bounds, NAN, "show"));
 }
 
-/* Rows of a table that fit a screen together with its heading. */
+/* The rows of a table that fit on a screen together with its heading. */
 enum { ROWS = 18 };
 
 /* Returns the range of the middle 80 % of the candidates in per cent of the

@@ -343,8 +343,8 @@ static const struct job_type ONE_SITE = {next_fit_of_one, draw_fit,
 struct all_fits {
 	bool train_all;
 	struct part part;
-	size_t n, *index; /* sites of the part so far */
-	char *options;    /* that all parts must have */
+	size_t n, *index; /* the sites of the part so far */
+	char *options;    /* options that all parts must have */
 	struct answer *summary;
 };
 
@@ -471,7 +471,7 @@ session_step(struct session *s)
 		session_pause(s);
 }
 
-/* A task that runs in parallel with others. found: see job_type.follow. */
+/* A task that runs in parallel with others.  found: see job_type.follow. */
 struct running_task {
 	const struct session *s;
 	struct job_task task;

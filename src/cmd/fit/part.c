@@ -11,8 +11,8 @@
 #include "base/xalloc.h"
 #include "config.h"
 
-/* What engines tell a task of its place.  first: the number of the first task,
- * or NULL where that is 0; step likewise, 1. */
+/* The variables by which engines tell a task its place.  first: the number of
+ * the first task, or NULL if that is always 0.  step: NULL if always 1. */
 static const struct engine {
 	const char *number, *of, *first, *step;
 } ENGINES[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT",
@@ -116,7 +116,7 @@ part_add(struct answer *answer, const struct part_row *row)
 	    row->holdout_pct, row->remark);
 }
 
-/* Collision energies are many numbers: their digest. */
+/* Appends the collision energies as a digest, because they are many numbers. */
 static void
 add_impacts(char **words, const struct impacts *impacts)
 {
@@ -151,7 +151,8 @@ part_options(const struct session *s, const struct calibrate_options *o,
 	return words;
 }
 
-/* Of the names and numbers of all loaded sites, in their order. */
+/* Returns a digest of the names and the data of all loaded sites, in their
+ * order. */
 static uint64_t
 part_digest_of(const struct session *s)
 {

@@ -47,7 +47,7 @@ run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 	}
 }
 
-/* "null", "winner". */
+/* Puts the RMSE of the null models and the way that predicts best. */
 static void
 put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
@@ -200,10 +200,10 @@ add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 	}
 }
 
-/* A difference of RMSE, passing 0..1, that exceeds sampling errors. */
+/* A difference in RMSE, passing 0..1, that exceeds sampling errors. */
 static const double CLEARLY = 0.001;
 
-/* RMSE of all sieves but the worst, passing 0..1. */
+/* Returns the RMSE of all sieves but the worst, passing 0..1. */
 static double
 rmse_of_others(const struct validation *v)
 {
@@ -223,8 +223,8 @@ is_worst_far_off(const struct validation *v)
 	       worst > times * rmse_of_others(v);
 }
 
-/* The way that predicts best. worse: it is neither the model nor the
- * corrected answer; clearly: by more than sampling errors. */
+/* The way that predicts best.  worse: it is neither the model nor the corrected
+ * answer.  clearly: the difference exceeds sampling errors. */
 struct winner {
 	enum validate_way best;
 	bool worse, clearly;
@@ -381,7 +381,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	return r;
 }
 
-/* Bias, rms and R2 of a size. */
+/* Puts the bias, the RMS and the R2 of a size. */
 static void
 put_score(struct fields *o, size_t i, struct validate_score score)
 {
