@@ -12,10 +12,10 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* A correlation above RIDGE is a ridge, of which at most RIDGES are named. The
- * data fix a break size if its standard deviation is at most SHARP of it. The
- * threshold is open if in this share of the draws the break size is below all
- * sieves. */
+/* A correlation above RIDGE is a ridge, of which at most RIDGES are named.
+ * The data fix a break size if its standard deviation is at most SHARP of it.
+ * The threshold counts as open if more than OPEN of the draws have a break size
+ * that is below all sieves. */
 static const double RIDGE = 0.9, SHARP = 0.1, OPEN = 0.1;
 enum { RIDGES = 3 };
 
