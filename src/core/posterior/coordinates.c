@@ -9,8 +9,8 @@
 
 #include "core/numeric/elementary.h"
 
-/* A share 0..1 of all numbers x, about the normal distribution's, and -ln of
- * its derivative (Bowling and others 2009). */
+/* Maps a number x to a share 0..1, approximately by the normal distribution,
+ * and gives -ln of the derivative (Bowling and others 2009). */
 static const double LINEAR = 1.5976, CUBIC = 0.07056;
 
 static double
@@ -33,7 +33,7 @@ logistic(double x)
 	return 1 / (1 + el_exp(-x));
 }
 
-/* A share that is neither end, which would be infinitely far. */
+/* Keeps a share away from 0 and 1, whose coordinates would be infinite. */
 static double
 share_inside_ends(double share)
 {
@@ -41,7 +41,8 @@ share_inside_ends(double share)
 	return fmin(fmax(share, least), 1 - least);
 }
 
-/* The number of a share: Newton's steps on a cubic that rises everywhere. */
+/* Returns the coordinate of a share, by Newton's method on a cubic that rises
+ * everywhere. */
 static double
 coordinates_number_of(double share)
 {
@@ -88,8 +89,8 @@ coordinates_about(const struct params *fit, const struct bounds *bounds,
 	return c;
 }
 
-/* The reflection that exchanges the pole and the axis of the one held, of
- * [gauge] numbers in place. */
+/* Reflects [gauge] numbers in place, so that the pole and the axis of the held
+ * parameter change places. */
 static void
 coordinates_reflect_pole(const struct coordinates *c, double *w)
 {
@@ -103,7 +104,7 @@ coordinates_reflect_pole(const struct coordinates *c, double *w)
 		w[j] -= 2 * product / squares * normal[j];
 }
 
-/* Whether there are daughters: some of p(u) is above 0. */
+/* True if there are daughters, that is, if p(u) is above 0 anywhere. */
 static bool
 has_daughters(const struct coordinates *c, const double *gauge)
 {
@@ -120,7 +121,7 @@ has_daughters(const struct coordinates *c, const double *gauge)
 	return c->of->breaks(&b);
 }
 
-/* The gauge at x; returns its part of the prior. */
+/* Computes the gauge at x and returns its part of the prior. */
 static double
 gauge_from_coordinates(const struct coordinates *c, const double *x, double *at)
 {
@@ -151,8 +152,8 @@ coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
 	x[c->held] = 0;
 }
 
-/* What alpha may be where the break size is x*: from where e0_min lies on one
- * of its bounds to where on the other, and within its own. */
+/* Finds the range of alpha for a break size x*: alpha lies within its own
+ * bounds, and e0_min at either end within those of e0_min. */
 static void
 alpha_within(
     const struct coordinates *c, double log_break, double *low, double *high)
@@ -162,8 +163,8 @@ alpha_within(
 	*high = fmin(c->bounds.upper[alpha], c->least / log_break);
 }
 
-/* f_mat, e0_min and alpha at x; returns their part of the prior:
- *   d e0_min = alpha e0_min d ln x*  where alpha stays,
+/* Computes f_mat, e0_min and alpha at x and returns their part of the prior:
+ *   d e0_min = alpha e0_min d ln x*  at constant alpha,
  *   d ln x* = ln x* d ln(share of x). */
 static double
 coordinates_slope_at(const struct coordinates *c, const double *x, double *at)

@@ -13,10 +13,11 @@
 
 enum { TERMS = DISCREPANCY_TERMS, SIZES = COVARIANCE_SIZES };
 
-/* Of many cells only: size [n] is the number of each one's size, first
- * [blocks + 1] the first cell of each run.  Where a factor has what: at
- * [blocks] of E, one after the other; of the K that all processes share; of A;
- * and the slope, in the end. */
+/* The members from `many` on are for many cells only.  size [n]: the number of
+ * each cell's size.  first [blocks + 1]: the first cell of each run.  The rest
+ * are places in a factor: at [blocks] of the parts of E, one after the other;
+ * at_K of K, which all processes share; at_A of A; and at_slope of the
+ * slope. */
 struct covariance {
 	enum isa isa;
 	size_t n;
@@ -29,7 +30,7 @@ struct covariance {
 
 /* ---- The plan ---- */
 
-/* Gives each cell the number of its size.  False where there are too many. */
+/* Numbers the sizes of the cells.  False if there are too many. */
 static bool
 covariance_number_sizes(struct covariance *c)
 {
@@ -47,8 +48,8 @@ covariance_number_sizes(struct covariance *c)
 	return true;
 }
 
-/* Moves each cell's size to the nearest of SIZES, from the finest to the
- * coarsest. */
+/* Moves the size of each cell to the nearest of SIZES even steps from the
+ * finest to the coarsest. */
 static void
 move_sizes(struct cell *cell, size_t n)
 {
@@ -122,8 +123,8 @@ covariance_factor_size(const struct covariance *c)
 
 /* ---- The factor of many ---- */
 
-/* The covariances of pairs of sizes, [2][SIZES * (SIZES + 1) / 2]: those of a
- * process, and of the error that a run's cells share. */
+/* The covariances of pairs of sizes, SIZES * (SIZES + 1) / 2 of each kind:
+ * those of a process, and those of the error that the cells of a run share. */
 struct size_pairs {
 	double f[SIZES * (SIZES + 1) / 2], error[SIZES * (SIZES + 1) / 2];
 };
@@ -158,8 +159,8 @@ factor_block(const struct covariance *c, size_t b,
 	discrepancy_cholesky(c->isa, U, n);
 }
 
-/* Adds a run's part of B' E^-1 B to G, a square of the sizes for each pair of
- * terms, without the slope; work [largest * largest]. */
+/* Adds a run's part of B' E^-1 B to G, which has a square of the sizes for each
+ * pair of terms.  The slope is left out.  work [largest * largest]. */
 static void
 add_block(const struct covariance *c, size_t b, const double *U, double *G,
     double *work)
@@ -185,7 +186,7 @@ add_block(const struct covariance *c, size_t b, const double *U, double *G,
 		}
 }
 
-/* to = U G U', [n * n]; U: the upper half. */
+/* Computes to = U G U', [n * n]; U is an upper triangle. */
 static void
 multiply_between(
     const double *U, const double *G, size_t n, double *work, double *to)
@@ -204,7 +205,7 @@ multiply_between(
 		}
 }
 
-/* What the slope does to a process. */
+/* Returns the factor of a process: the slope, but 1 for the first one. */
 static double
 scale_of(const struct covariance *c, const double *factor, size_t term)
 {
@@ -258,8 +259,8 @@ factor_many(const struct covariance *c, const double log_hyper[static HYPERS],
 
 /* ---- Its use ---- */
 
-/* Adds B' d of a run to f, a number for each term and size, without the
- * slope; or B f to d. */
+/* add_gathered adds B' d of a run to f, which has a number for each term and
+ * size; add_spread adds B f to d.  Both leave out the slope. */
 static void
 add_gathered(const struct covariance *c, size_t b, const double *d, double *f)
 {
@@ -282,8 +283,9 @@ add_spread(const struct covariance *c, size_t b, const double *f, double *d)
 				f[j * c->sizes + c->size[i]];
 }
 
-/* L' f of each process with the slope, or L f, in place: in the order in which
- * nothing is overwritten that is still to be read. */
+/* times_upper computes L' f of each process with the slope, times_lower L f.
+ * Both work in place, in the order in which no number is overwritten before it
+ * has been read. */
 static void
 times_upper(const struct covariance *c, const double *factor, double *f)
 {
@@ -333,7 +335,7 @@ covariance_level(const struct covariance *c, const double *factor, double *d)
 	return level;
 }
 
-/* E^-1 d of a run. */
+/* Computes E^-1 d of a run in place. */
 static void
 solve_block(
     const struct covariance *c, const double *factor, size_t b, double *d)

@@ -9,8 +9,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* Found by counting, with bench/coverage: what bands hold and how far answers
- * err where plants follow the model and where they do not. */
+/* These priors were found by counting, with bench/coverage: how often the bands
+ * hold, and how far answers err, both for plants that follow the model and for
+ * others. */
 const struct hyper_info HYPER[HYPERS] = {
     {"discrepancy", "sigma_d", 0.004, 1.2, N_("what the model leaves out")},
     {"length", "l", 1, 0.4,
@@ -22,7 +23,7 @@ const struct hyper_info HYPER[HYPERS] = {
     {"independent", "sigma_i", 0.0035, 0.3, N_("error of a single passing")},
 };
 
-/* ln of the energy that t counts in. */
+/* The step in ln of the energy that t counts. */
 static const double STEP = 0.135;
 
 double
@@ -39,8 +40,9 @@ discrepancy_terms(double t, double slope, double term[static DISCREPANCY_TERMS])
 	term[2] = slope * (t * t - 1) * 0.3;
 }
 
-/* -ln of a t distribution with four degrees of freedom, but for a constant: a
- * sigma_i above its median may be as large as the data show it. */
+/* Returns -ln of a t distribution with four degrees of freedom, up to a
+ * constant.  Its long tail lets sigma_i rise above its median as far as the
+ * data require. */
 static double
 long_tail(double z)
 {
@@ -50,7 +52,7 @@ long_tail(double z)
 double
 discrepancy_minus_log_prior(const double log_hyper[static HYPERS], double noise)
 {
-	const double known = 0.05; /* spread of what is said to be known */
+	const double known = 0.05; /* spread of a stated noise */
 	double sum = 0;
 	for (size_t i = 0; i < HYPERS; i++) {
 		bool given = i == HYPER_OWN && noise > 0;
@@ -118,8 +120,8 @@ discrepancy_backward(const double *U, size_t n, double *z)
 	}
 }
 
-/* Of each cell the number of its size, cells with the same have the same; there
- * are as many as returned. */
+/* Numbers the sizes of the cells, equal sizes alike, and returns how many sizes
+ * there are. */
 static size_t
 discrepancy_number_sizes(const struct cell *cell, size_t n, int64_t *size)
 {
@@ -180,8 +182,8 @@ discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
 double
 discrepancy_level(enum isa isa, const double *U, size_t n, double *d)
 {
-	/* Logarithms of so many at once: their product is no less than
-	 * 0.0005^16, see DISCREPANCY_ROUNDING. */
+	/* Logarithms are taken of products of so many numbers.  No product is
+	 * below 0.0005^16, see DISCREPANCY_ROUNDING. */
 	enum { AT_ONCE = 16 };
 	double level = 0;
 	discrepancy_forward(isa, U, n, d);

@@ -18,19 +18,21 @@
 #include "core/model/product.h"
 #include "core/model/selection.h"
 
-/* The draws' parameters, and in a block behind them the fit's, whose exact
- * product tells what the search's scheme errs by. */
+/* Columns 0 to DRAWS - 1 hold the draws.  The block of columns from FIT on
+ * holds the fit: its exact product minus its product by the search's scheme is
+ * the error of that scheme. */
 enum {
 	DRAWS = POSTERIOR_DRAWS,
 	FIT = DRAWS,
 	ALL = FIT + KERNEL_LANES,
 	EVEN = 24,
 	BEYOND = 80,
-	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid */
+	SLOWEST = BEYOND, /* first of the grid's speeds that are pooled */
 	RISING = BEYOND + EVEN + 1 + POSTERIOR_RUNS + BEYOND
 };
 
-/* In a curve that does not fall a measured speed counts as so many others. */
+/* In isotonic regression a measured speed has the weight of this many
+ * others. */
 static const double HELD = 1000;
 
 struct ensemble {
@@ -40,32 +42,33 @@ struct ensemble {
 	struct model *exact;
 	double *theta[PARAMS_MOST];            /* [ALL] */
 	double softer[ALL], share_softer[ALL]; /* see struct kernel_out */
-	double *product, *misfit; /* [n * ALL], [ALL], of the scheme */
+	double *product, *misfit; /* [n * ALL], [ALL], by the scheme */
 	double *fit, *feed;       /* [n] */
 	size_t *knot;             /* [n]: between it and the next, */
-	double *share;            /* and how much it counts */
+	double *share;            /* and its weight there */
 	double *delta;            /* at the knots, [n_knot * DRAWS] */
-	/* [n + 1][DRAWS]: below the finest size is nothing. */
+	/* [n + 1][DRAWS]: nothing passes below the finest size. */
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
-	double at;    /* the speed of all that ensemble_at makes; 0: none */
-	/* The speeds of a grid, m/s; of those that are looked at, which are
-	 * number SLOWEST to `last`, what each counts, and where the measured
-	 * ones are among them. */
+	double at;    /* the speed of what ensemble_at made, or 0 */
+	/* The speeds of a grid, m/s.  Those numbered SLOWEST to `last` are
+	 * pooled; counts: the weight of each; measured: which of them were
+	 * measured. */
 	double speed[RISING], counts[RISING];
 	size_t last, measured[POSTERIOR_RUNS];
-	/* Answers at the speeds of the grid, which do not fall from one to the
-	 * next, and which of them are not as they were drawn, each
-	 * [n * DRAWS]; made for its speeds slowest to fastest, NULL for the
-	 * others. */
+	/* Answers at the speeds of the grid, which do not fall from one speed
+	 * to the next, and which of them differ from those drawn, each [n *
+	 * DRAWS].  They exist for the speeds slowest to fastest; the others are
+	 * NULL. */
 	double *rising[RISING];
 	bool *moved[RISING];
 	size_t slowest, fastest;
 	double more, bypass; /* k and bypass of another machine */
 };
 
-/* The same curve with a point at each of sizes [n], coarsest first, and more
- * between these: the kernel's classes end at the points of a feed. */
+/* Returns the same curve with points at each of sizes [n], coarsest first, and
+ * more between them, because the kernel's classes end at the points of a
+ * feed. */
 static struct psd
 refine_feed(const struct psd *feed, const double *size, size_t n)
 {
@@ -80,7 +83,8 @@ refine_feed(const struct psd *feed, const double *size, size_t n)
 	return curve;
 }
 
-/* Passings less 0 are differences from sieves at which nothing passes. */
+/* Makes a kernel whose differences are passings: the measured passings that it
+ * subtracts are 0. */
 static struct kernel *
 kernel_of(const struct posterior *p, const struct psd *smooth,
     const double *size, size_t n)
@@ -152,8 +156,8 @@ set_theta(struct ensemble *e)
 		    e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
-/* A fit mostly holds gamma and kappa at 0: without them its product is the
- * paper's, which takes a fraction of the time. */
+/* A fit mostly holds gamma and kappa at 0.  Without them its product is that of
+ * the paper's model, which takes a fraction of the time. */
 static void
 set_exact_model(struct ensemble *e, struct params fit)
 {
@@ -161,9 +165,9 @@ set_exact_model(struct ensemble *e, struct params fit)
 	model_use_params(e->exact, &p);
 }
 
-/* The speeds of the grid: even over those that are looked at, with the measured
- * ones among them, and 2 % apart beyond, down to a fifth of the slowest and up
- * to five times the fastest. */
+/* Lays the speeds of the grid: evenly over the range that is pooled, with the
+ * measured speeds among them, and 2 % apart beyond, down to a fifth of the
+ * slowest and up to five times the fastest. */
 static void
 ensemble_lay_grid(struct ensemble *e)
 {
@@ -272,13 +276,13 @@ ensemble_sizes(const struct ensemble *e)
 	return e->n;
 }
 
-/* Slower than this share of the slowest measured speed a draw's correction is
- * that at this speed, less as less of the coarsest size breaks by the draw's
- * own model: what nothing breaks needs none, and its trend over so far would be
- * no measurement's. */
+/* Below this share of the slowest measured speed, the correction of a draw
+ * stays as it is there, but shrinks in proportion to the selection of the
+ * coarsest size by the draw's own model.  Where nothing breaks no correction is
+ * needed, and no measurement supports its trend so far away. */
 static const double SLOW = 0.875;
 
-/* S of the coarsest size at speed v by a draw, whose rock may have two
+/* Returns S of the coarsest size at speed v by a draw, whose rock may have two
  * strengths. */
 static double
 selection_of_draw(
@@ -298,8 +302,8 @@ selection_of_draw(
 	return S;
 }
 
-/* How much of each draw's correction there is at speed v, 0..1, [DRAWS] out;
- * returns the speed whose it is. */
+/* Computes the share of each draw's correction that remains at speed v, 0..1,
+ * left [DRAWS] out.  Returns the speed at which that correction applies. */
 static double
 correction_left(const struct posterior *p, double v, double *left)
 {
@@ -316,9 +320,9 @@ correction_left(const struct posterior *p, double v, double *left)
 	return at;
 }
 
-/* The lack of fit (lack_of_fit.h) at tip speed v, m/s, and a knot: straight in
- * v^2 between measured speeds, beyond them as at the next; 0 before it is
- * found. */
+/* Returns the lack of fit (lack_of_fit.h) at tip speed v, m/s, and a knot:
+ * linear in v^2 between measured speeds, constant beyond them; 0 until it has
+ * been found. */
 static double
 ensemble_lack(const struct posterior *p, double v, size_t knot)
 {
@@ -334,7 +338,7 @@ ensemble_lack(const struct posterior *p, double v, size_t knot)
 	return (1 - t) * at[0] + t * at[p->n_knot];
 }
 
-/* What the model leaves out at speed v, at the knots of each draw. */
+/* Computes the discrepancy of each draw at speed v, at the knots. */
 static void
 fill_knots(struct ensemble *e, double v)
 {
@@ -368,7 +372,8 @@ ensemble_delta(const struct ensemble *e, size_t d, double *delta)
 	}
 }
 
-/* Row i of model and answer; that of the next finer size is made. */
+/* Fills row i of model and answer.  The row of the next finer size exists
+ * already. */
 static void
 ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
     double *restrict answer)
@@ -387,7 +392,7 @@ ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
 	}
 }
 
-/* Row i of the samples, likewise. */
+/* Fills row i of the samples in the same way. */
 static void
 fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
 {
@@ -402,7 +407,7 @@ fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
 	}
 }
 
-/* Computed lazily: few callers need it. */
+/* Makes the samples on request only: few callers need them. */
 static void
 make_samples(struct ensemble *e)
 {
@@ -413,7 +418,7 @@ make_samples(struct ensemble *e)
 	e->sampled = true;
 }
 
-/* What met the rotor, with what went by. */
+/* Adds what bypasses the rotor. */
 static void
 ensemble_add_bypass(struct ensemble *e)
 {
@@ -441,7 +446,8 @@ ensemble_draws_at(struct ensemble *e, double v)
 	e->sampled = false;
 }
 
-/* The grid's last speed but one that is made and not above v, or the first. */
+/* Returns the last speed of the grid that exists and is not above v, but not
+ * the fastest one; if there is none, the slowest. */
 static size_t
 grid_place(const struct ensemble *e, double v)
 {
@@ -474,7 +480,7 @@ ensemble_pool(double *value, double *weight, size_t *length, size_t n)
 	return blocks;
 }
 
-/* Values i of the speeds that are looked at become the nearest that do not
+/* Replaces values i at the pooled speeds by the nearest ones that do not
  * fall. */
 static void
 pool_adjacent_violators(struct ensemble *e, size_t i)
@@ -493,7 +499,7 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		}
 }
 
-/* The answers at speed k of the grid, as drawn. */
+/* Computes the answers at speed k of the grid, as drawn. */
 static void
 draw_grid(struct ensemble *e, size_t k)
 {
@@ -515,8 +521,8 @@ make_rising(struct ensemble *e)
 	e->fastest = e->last;
 }
 
-/* What is asked for beyond the speeds that are looked at changes nothing within
- * them: it is kept from falling by the next speed that is nearer to them. */
+/* Extends the grid to a speed beyond those that are pooled, which changes
+ * nothing within them: each added speed is limited by its neighbour. */
 static void
 extend_rising_grid(struct ensemble *e, double v)
 {
@@ -540,9 +546,10 @@ extend_rising_grid(struct ensemble *e, double v)
 	}
 }
 
-/* Faster is never coarser (D23): no passing of a draw falls with the speed.  At
- * the speeds of the grid it is the nearest curve that does not; between two of
- * which one was moved it is straight, else the draw as it is. */
+/* A higher speed never gives a coarser product (D23): no passing of a draw
+ * falls with the speed.  At the speeds of the grid the curve is the nearest
+ * that does not fall.  Between two of them it is a straight line if either was
+ * moved, otherwise the draw as it is. */
 static void
 keep_rising(struct ensemble *e, double v)
 {
@@ -562,7 +569,7 @@ keep_rising(struct ensemble *e, double v)
 	}
 }
 
-/* The answers as drawn, but that none falls with the speed. */
+/* Computes the answers as drawn, except that none falls with the speed. */
 static void
 rising_answers_at(struct ensemble *e, double v)
 {
@@ -573,7 +580,7 @@ rising_answers_at(struct ensemble *e, double v)
 	keep_rising(e, v);
 }
 
-/* Whether v lies between two measured speeds: number *k and the next. */
+/* True if v lies between two measured speeds: number *k and the next. */
 static bool
 ensemble_is_between(const struct posterior *p, double v, size_t *k)
 {
@@ -583,8 +590,8 @@ ensemble_is_between(const struct posterior *p, double v, size_t *k)
 	return false;
 }
 
-/* Whether a draw is straight between measured speeds: of draws next to one
- * another, which may be in order, as many as of all. */
+/* True if a draw is straight between measured speeds.  Neighbouring draws may
+ * resemble each other, so the straight ones are spread over all of them. */
 static bool
 ensemble_is_straight(const struct posterior *p, size_t draw)
 {
@@ -592,7 +599,7 @@ ensemble_is_straight(const struct posterior *p, size_t draw)
 	return (double)place + 0.5 < p->straight * DRAWS;
 }
 
-/* At a speed between two measured ones (D25, thin.h). */
+/* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
 ensemble_straighten(struct ensemble *e, double v, size_t k)
 {
@@ -652,9 +659,9 @@ ensemble_mean(const struct ensemble *e, double *passing)
 	}
 }
 
-/* The ends of the middle `level` of n values, which are put into order: means
- * of those about either end, the further off the less they count, as one alone
- * errs by chance. */
+/* Finds the ends of the middle `level` of n values, which it sorts.  Each end
+ * is an average over the values around it, with weights that fall with the
+ * distance, because a single value is subject to chance. */
 static void
 middle_interval(
     double *value, size_t n, double level, double *low, double *high)

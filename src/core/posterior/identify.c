@@ -14,7 +14,8 @@ enum { DRAWS = POSTERIOR_DRAWS };
 
 static const double DETERMINED = 0.1, POORLY = 0.5;
 
-/* Part of the range that counts as on a bound, and draws that make it one. */
+/* Values within this part of the range from a bound count as on it, and this
+ * share of the draws on a bound puts the parameter there. */
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void
@@ -36,7 +37,7 @@ bound_of_draws(const double *value, double lower, double upper)
 	return low >= MANY * DRAWS ? -1 : high >= MANY * DRAWS;
 }
 
-/* Puts the first n parameters of a draw, as a vector of length 1. */
+/* Returns the first n parameters of a draw as a vector of length 1. */
 static void
 draw_direction(const struct posterior *p, size_t d, size_t n, double *unit)
 {
@@ -47,8 +48,9 @@ draw_direction(const struct posterior *p, size_t d, size_t n, double *unit)
 		unit[j] = p->draw[d].params.at[j] / sqrt(squares);
 }
 
-/* How far the draws of n parameters, of which only the direction counts, lie
- * about their mean direction: the sine (RMS), over that of any directions. */
+/* Returns how far the draws scatter around their mean direction, for n
+ * parameters of which only the direction counts: the RMS of the sine, divided
+ * by that of random directions. */
 static double
 scatter_of_direction(const struct posterior *p, size_t n)
 {
@@ -85,7 +87,8 @@ identify_param(const struct posterior *p, size_t j)
 	bool moves =
 	    b->upper[j] > b->lower[j] && a.sd > 1e-9 * fmax(fabs(a.mean), 1e-9);
 	a.ratio = moves ? a.sd / a.prior : NAN;
-	/* One of them may be 1 in all draws: scaled so, not known. */
+	/* Scaling may make one of them 1 in all draws, which does not mean that
+	 * the data determine it. */
 	if (j < of->gauge) {
 		a.ratio = scatter_of_direction(p, of->gauge);
 		moves = a.ratio > 1e-9;

@@ -27,24 +27,27 @@
 #include "core/search/sensitivity.h"
 
 enum {
-	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws to a batch, */
-	BATCHES = 4,                  /* of which one is left, see thin.h */
+	CHAINS = POSTERIOR_DRAWS / 2, /* each gives two draws to a batch */
+	BATCHES = 4, /* the draws of one batch are kept, see thin.h */
 	DRAWS_EACH = 2 * BATCHES,
 	HALF = CHAINS / 2,
-	PART = 16, /* of a half, for one thread at a time */
+	PART = 16, /* chains of a half that a thread takes at a time */
 	RUNG = 6,  /* generations */
 	WARM_UP = 112,
 	KEPT = 176,
-	RECENT = 5,       /* generations that the guide goes by, until warm */
-	HYPER_EVERY = 6,  /* generations, one of the hyperparameters; half as
-			  * often until warm */
-	ALONG_EVERY = 10, /* one that goes along differences, once warm */
-	LEAP_EVERY = 10,  /* one that leaps from valley to valley */
+	RECENT = 5, /* generations that inform the guide during the warm-up */
+	/* One generation in so many moves the hyperparameters; half as often
+	 * during the warm-up. */
+	HYPER_EVERY = 6,
+	/* After the warm-up one in so many moves along differences. */
+	ALONG_EVERY = 10,
+	LEAP_EVERY = 10, /* one in so many leaps from valley to valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
-	NUMBERS = 64, /* random ones of a chain and generation */
-	LEAST = 8     /* passings taken of each of many runs; of few as many as
-		       * make one matrix: more tell little more */
+	NUMBERS = 64, /* random numbers of a chain in a generation */
+	/* So many passings of each run are enough where there are many runs,
+	 * as more would tell little; of few runs as many as fit one matrix. */
+	LEAST = 8
 };
 
 _Static_assert((int)COORDINATES <= (int)GUIDE_MOST, "room of the guide");
@@ -53,15 +56,15 @@ static const double FIRST_RUNG = 0.02, RISE = 1.25;
 
 enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 
-/* x: coordinates of the parameters (coordinates.h), from PARAMS_MOST on the
- * hyperparameters' logarithms, from STRENGTHS on those of the strengths.
- * likelihood, prior: -ln, but for constants. */
+/* x: the coordinates of the parameters (coordinates.h); from PARAMS_MOST on the
+ * logarithms of the hyperparameters; from STRENGTHS on the coordinates of the
+ * strengths.  likelihood, prior: -ln of them, up to constants. */
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior, hyper_prior;
 	double volume; /* see rescale_to_cells */
 	double more;   /* of a guided move, see guide_propose */
-	double *U, *d; /* covariance_factor, simulated - measured */
+	double *U, *d; /* covariance_factor; simulated - measured */
 };
 
 struct sampler {
@@ -70,7 +73,7 @@ struct sampler {
 	struct bounds bounds;
 	struct sensitivity sensitivity;
 	double rms;   /* of the fit's differences */
-	double noise; /* known, or 0 */
+	double noise; /* stated by the user, or 0 */
 	enum isa isa;
 	struct coordinates coordinates;
 	bool two; /* the rock may have two strengths */
@@ -78,39 +81,43 @@ struct sampler {
 	struct cell *cell;
 	double *measured; /* passings of the cells */
 	struct covariance *covariance;
-	double *scheme; /* what the kernel's differences err by, at the fit */
+	double *scheme; /* error of the kernel's differences at the fit */
 	struct kernel *kernel;
 	struct pool *pool;
 	uint64_t seed, generation;
-	double share; /* of the likelihood that counts */
+	double share; /* share of the likelihood that counts */
 	struct chain chain[CHAINS], trial[HALF];
-	size_t first; /* chain of the half that moves */
-	bool started; /* both halves */
+	size_t first; /* first chain of the half that moves */
+	bool started; /* both halves have started */
 	bool hyper;   /* the hyperparameters move, not the parameters */
-	bool guided;  /* by what the guides know */
-	/* Of chains of one strength and of two, and ln of how many are drawn
-	 * there; of all the hyperparameters. */
+	bool guided;  /* the guides propose the moves */
+	/* The guides of chains with one strength and with two, their factors,
+	 * and the factor for all hyperparameters; ln of the share of moves to
+	 * either kind. */
 	struct guide guide[2];
 	struct guide_part kind[2], hypers;
 	double log_share[2];
-	double told; /* generations that the guides go by */
-	/* Of the trials, in the order in which they are evaluated, first those
-	 * of two strengths: which they are, parameters, e0_min of the softer
-	 * rock and its share, and differences. */
+	double told; /* generations that inform the guides */
+	/* The trials in the order in which they are evaluated, those with two
+	 * strengths first: their indices, parameters, e0_min of the softer rock
+	 * and its share, and differences. */
 	size_t order[HALF];
 	double *theta[PARAMS_MOST], softer[HALF], share_softer[HALF];
 	double *difference, *misfit;
 	size_t accepted, tried;
 };
 
-/* Differences of a trial d [n_cell], as simulated - measured, become what they
- * are with the h of the cells (make_cells) in place of the trial's own, so that
- * one covariance serves all: what draws are corrected by (discrepancy_answer)
- * is what is judged here.  Returns ln of what that makes a volume smaller. */
+/* Rescales the differences of a trial d [n_cell], simulated - measured, from
+ * its own h to that of the cells (make_cells).  One covariance then serves all
+ * trials, and a trial is judged by the same measure that corrects a draw
+ * (discrepancy_answer).  Returns ln of the factor by which this shrinks a
+ * volume. */
 static double
 rescale_to_cells(const struct sampler *s, double *d)
 {
-	enum { AT_ONCE = 16 }; /* logarithms: their product is no overflow */
+	enum {
+		AT_ONCE = 16
+	}; /* logarithms at once: the product does not overflow */
 	const double floor = 0.05;
 	double level = 0, product = 1;
 	for (size_t k = 0; k < s->n_cell; k++) {
@@ -126,7 +133,7 @@ rescale_to_cells(const struct sampler *s, double *d)
 	return level + el_log(product);
 }
 
-/* The trial at a place of the order. */
+/* Evaluates the trial at a place of the order. */
 static void
 evaluate_trial(struct sampler *s, size_t place, double *work)
 {
@@ -155,7 +162,7 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 		trial->prior = INFINITY;
 }
 
-/* Differences of those from..to-1 in the order. */
+/* Computes the differences of the trials from..to-1 in the order. */
 static void
 find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
 {
@@ -217,7 +224,7 @@ posterior_evaluate(struct sampler *s)
 	pool_run(s->pool, HALF / PART, evaluate_part, s);
 }
 
-/* Where the chain goes of this index: along the difference of two of the other
+/* Proposes a move of chain i along the difference of two chains of the other
  * half. */
 static void
 posterior_propose(struct sampler *s, size_t i, struct rng_key key)
@@ -244,14 +251,15 @@ posterior_propose(struct sampler *s, size_t i, struct rng_key key)
 	coordinates_reflect(&s->coordinates, x);
 }
 
-/* 1 where the rock has two strengths, else 0. */
+/* Returns 1 if the rock has two strengths, otherwise 0. */
 static size_t
 strength_kind_of(const struct sampler *s, const double *x)
 {
 	return s->two && x[STRENGTHS] > 0;
 }
 
-/* ln of the density of what propose_guided draws from, but for a constant. */
+/* Returns ln of the density from which propose_guided draws, up to a
+ * constant. */
 static double
 guided_density(const struct sampler *s, const double *x)
 {
@@ -262,8 +270,9 @@ guided_density(const struct sampler *s, const double *x)
 	return kind == 0 ? sum + el_log(2) : sum;
 }
 
-/* Draws the coordinates of the strengths of a rock that has but one, of which
- * nothing is known, from their prior; returns as guide_propose. */
+/* Draws the coordinates of the strengths from their prior.  The rock has only
+ * one strength, so nothing is known of them.  Returns the same as
+ * guide_propose. */
 static double
 draw_strength(double *x, struct rng_key key, uint32_t at)
 {
@@ -276,10 +285,10 @@ draw_strength(double *x, struct rng_key key, uint32_t at)
 	return more;
 }
 
-/* Where the chain goes of this index: some coordinates are drawn anew.  Every
- * other time they are half of the parameters; else all, and whether the rock
- * has one strength or two: between these chains change hardly ever by small
- * steps, and either has a mean and a covariance of its own. */
+/* Proposes for chain i by drawing some coordinates anew.  In every other
+ * generation these are half of the parameters; in the others all of them, and
+ * whether the rock has one strength or two.  Small steps hardly ever change
+ * that, and each kind has its own mean and covariance. */
 static void
 propose_guided(struct sampler *s, size_t i, struct rng_key key)
 {
@@ -304,7 +313,7 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 		    guided_density(s, trial->x) - guided_density(s, now);
 }
 
-/* The coordinates that move, [COORDINATES] out. */
+/* Lists the coordinates that move, at [COORDINATES] out. */
 static size_t
 free_coordinates(const struct sampler *s, size_t *at)
 {
@@ -318,7 +327,8 @@ free_coordinates(const struct sampler *s, size_t *at)
 	return n;
 }
 
-/* Of few chains of a kind all tell more than they alone. */
+/* A kind with few chains is blended with all chains, which tell more than these
+ * few alone. */
 static void
 factor_guides(struct sampler *s)
 {
@@ -341,10 +351,10 @@ factor_guides(struct sampler *s)
 	}
 }
 
-/* Of each generation's moves, which they are.  Along differences alone chains
- * forget where they were after 100 to 400 generations; so most are guided.  The
- * warm-up keeps to differences for parameters: a cloud of chains has no shape
- * to go by while valleys are still being chosen. */
+/* Chooses the kind of move of a generation.  Along differences alone, chains
+ * forget where they were after 100 to 400 generations, so most moves are
+ * guided. During the warm-up parameters move along differences, because the
+ * cloud of chains has no useful shape while they are still choosing valleys. */
 static void
 choose_moves(struct sampler *s)
 {
@@ -394,7 +404,7 @@ accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 	chain_take_trial(now, trial, s->hyper);
 }
 
-/* On to the other half; true when both have had their turn. */
+/* Changes to the other half.  True if both have moved. */
 static bool
 posterior_other_half(struct sampler *s)
 {
@@ -402,7 +412,7 @@ posterior_other_half(struct sampler *s)
 	return s->first == 0;
 }
 
-/* Moves a half; true when that was a generation. */
+/* Moves a half.  True if that completes a generation. */
 static bool
 propose_for_half(struct sampler *s)
 {
@@ -419,8 +429,8 @@ propose_for_half(struct sampler *s)
 	return true;
 }
 
-/* Puts a chain somewhere about the fit, as far along each direction of the
- * sensitivities as the data leave open, more or less. */
+/* Puts a chain near the fit, at a random distance along each direction of the
+ * sensitivities, as far as the data leave that direction open. */
 static void
 start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 {
@@ -479,8 +489,8 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 	to->hyper_prior = from->hyper_prior;
 }
 
-/* Lets a larger share of the likelihood count, and draws the chains anew by how
- * much more probable that makes each. */
+/* Lets a larger share of the likelihood count, and resamples the chains by the
+ * probability that they gain. */
 static void
 temper_chains(struct sampler *s, double share)
 {
@@ -509,7 +519,7 @@ temper_chains(struct sampler *s, double share)
 		}
 }
 
-/* Sums over a part of the kept generations, by chain and coordinate. */
+/* Sums over the kept generations, by chain and coordinate. */
 struct sums {
 	double n, of[CHAINS][COORDINATES], squares[CHAINS][COORDINATES];
 };
@@ -526,7 +536,7 @@ sums_add_chains(struct sums *sums, const struct sampler *s)
 		}
 }
 
-/* Gelman and Rubin's R of a coordinate. */
+/* Returns Gelman and Rubin's R of a coordinate. */
 static double
 gelman_rubin(const struct sums *sums, size_t j)
 {
@@ -543,7 +553,8 @@ gelman_rubin(const struct sums *sums, size_t j)
 	return within > 1e-12 * fabs(mean) ? sqrt(1 + between / within) : 1;
 }
 
-/* Draws of the first and the second half, in standard deviations. */
+/* Returns the difference between the means of the two halves of the draws, in
+ * standard deviations. */
 static double
 halves_difference(const struct posterior *p, size_t j)
 {
@@ -572,8 +583,8 @@ find_convergence(
 		p->drift = fmax(p->drift, halves_difference(p, j));
 }
 
-/* The sizes of the cells and the ends of the feeds, and more where these lie
- * apart, so that processes are straight between them. */
+/* Puts knots at the sizes of the cells and the ends of the feeds, and more in
+ * wide gaps, so that a process is nearly linear between knots. */
 static void
 make_knots(
     struct posterior *p, const struct site *site, const struct sampler *s)
@@ -588,7 +599,8 @@ make_knots(
 		const struct psd *feed = &site->run[r].feed;
 		coarsest = fmax(coarsest, feed->size[0]);
 		finest = fmin(finest, feed->size[feed->n - 1]);
-		/* Of many runs the ends of all may be any number. */
+		/* With many runs the ends of their feeds would make too many
+		 * knots. */
 		if (s->n_cell > COVARIANCE_FEW)
 			continue;
 		at[n++] = el_log(feed->size[0]);
@@ -619,8 +631,8 @@ knot_at(const struct posterior *p, double log_size)
 	return k;
 }
 
-/* Random numbers of one draw: of two from the same chain one has the negative
- * ones of the other, so that their mean errs less. */
+/* The random numbers of a draw.  The two draws of a chain have opposite signs,
+ * so that the error of their mean is smaller. */
 struct noise {
 	enum isa isa;
 	struct rng_key key;
@@ -637,7 +649,7 @@ draw_normals(struct noise *noise, size_t n, double *z)
 		z[i] *= noise->sign;
 }
 
-/* A Gaussian process at the knots, whose covariance has the factor U'. */
+/* Draws a Gaussian process at the knots.  Its covariance is U' U. */
 static void
 draw_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
@@ -687,8 +699,8 @@ knot_pairs_clear(struct knot_pairs *k)
 	free(k->shared);
 }
 
-/* What the data of a made-up plant, with the processes as drawn from the prior
- * and errors alike, leave to be explained: d [n_cell] out. */
+/* Simulates the differences of an artificial plant, d [n_cell] out: the
+ * processes as drawn from the prior, and errors drawn likewise. */
 static void
 simulated_differences(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
@@ -713,9 +725,9 @@ simulated_differences(const struct sampler *s, const struct posterior *p,
 	free(work);
 }
 
-/* Brings processes from the prior to the data (Matheron's rule): adds what the
- * data say beyond those of the made-up plant.  pair: knot_pairs.f, as the sizes
- * of the cells are among the knots. */
+/* Conditions processes from the prior on the data (Matheron's rule): adds what
+ * the data show beyond those of the artificial plant.  pair: knot_pairs.f,
+ * because the sizes of the cells are among the knots. */
 static void
 condition_on_data(const struct sampler *s, const struct posterior *p,
     const struct chain *chain, const double *pair, double slope,
@@ -738,7 +750,7 @@ condition_on_data(const struct sampler *s, const struct posterior *p,
 	}
 }
 
-/* Draw number `at`. */
+/* Makes draw number `at`. */
 static void
 make_draw(const struct sampler *s, struct posterior *p,
     const struct chain *chain, struct noise noise, size_t at)
@@ -785,8 +797,9 @@ mean_energy(const struct misfit *m)
 	return sum / (double)m->n_run;
 }
 
-/* The fit and its bounds in the model with gamma that holds its own, if there
- * is one and Eq 1 is not taken in another form (D3). */
+/* Returns the fit, and changes its bounds, in the model with gamma that
+ * contains the fit's own model, if there is one and Eq 1 is not read in another
+ * form (D3). */
 static struct params
 posterior_widen(const struct params *p, double energy,
     struct model_settings *settings, struct bounds *bounds)
@@ -819,8 +832,8 @@ posterior_widen(const struct params *p, double energy,
 	return q;
 }
 
-/* h is taken between the measured passing and the fit's: either may be an
- * outlier. */
+/* h is taken at the middle between the measured passing and the fit's, because
+ * either may be an outlier. */
 static void
 make_cells(struct sampler *s, const struct misfit *m, const double *d)
 {
@@ -856,7 +869,8 @@ posterior_make_room(struct sampler *s)
 	}
 }
 
-/* What the kernel's differences at the fit err by: exact d less its own. */
+/* Computes the error of the kernel's differences at the fit: exact d minus the
+ * kernel's. */
 static void
 measure_scheme(struct sampler *s, const double *d)
 {
@@ -946,7 +960,8 @@ copy_with_feeds_as_curves(const struct site *site)
 	return copy;
 }
 
-/* Those of the runs that inform the draws, [n_run], which the caller frees. */
+/* Marks the runs that inform the draws, [n_run].  The caller frees the
+ * marks. */
 static bool *
 posterior_choose_runs(const struct site *site, const bool *use)
 {
@@ -981,7 +996,7 @@ free_processes(struct posterior *p)
 	free(p->error);
 }
 
-/* At a speed there may be repeats. */
+/* Lists the speeds of the runs, each once, because there may be repeats. */
 static void
 posterior_find_speeds(struct posterior *p, const struct misfit *m)
 {
@@ -1031,7 +1046,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	return run;
 }
 
-/* How many draws of each chain the generations so far make. */
+/* Returns how many draws each chain should have made by now. */
 static size_t
 draws_due(const struct sampler *s)
 {
