@@ -17,7 +17,8 @@ correction_column(const struct site *site, const struct mend *m)
 	return m->feed ? &run->feed : &run->product;
 }
 
-/* Index of the mend's sieve, or n: to what sheets write of sizes. */
+/* Returns the index of the mend's sieve, or n.  Sizes need to agree only to the
+ * digits that site files have. */
 static size_t
 correction_sieve_of(const struct psd *psd, double size)
 {
@@ -57,7 +58,7 @@ mend_find_column(
 	return false;
 }
 
-/* Percent to as many digits as were written. */
+/* Returns a passing in per cent, with as many digits as were written. */
 static char *
 correction_percent(double passing)
 {
@@ -136,8 +137,8 @@ correction_exchange(struct psd *a, struct psd *b)
 	*b = was;
 }
 
-/* Each passing goes to the next coarser sieve of the site, or finer one; where
- * there is none it is left out. */
+/* Moves each passing to the next coarser or finer sieve of the site.  If there
+ * is no such sieve, the passing is left out. */
 static void
 move_column(const struct site *site, struct run *run, struct psd *psd, bool up)
 {
@@ -187,7 +188,7 @@ forget_sd(struct run *run)
 	run->product_sd = NULL;
 }
 
-/* A shared feed stays that of all runs. */
+/* If all runs share the feed, all of them get the new one. */
 static void
 swap_feed(struct site *site, size_t at)
 {
@@ -213,7 +214,8 @@ correction_drop_run(struct site *site, size_t at)
 	memmove(run, run + 1, (site->n_run - at) * sizeof *run);
 }
 
-/* Sieves fall, passings do not rise, and all of a feed passes its coarsest. */
+/* True if sizes fall, passings do not rise, and all of a feed passes its
+ * coarsest sieve. */
 static bool
 correction_is_curve(const struct psd *psd, bool feed)
 {
@@ -236,8 +238,8 @@ is_site(const struct site *site)
 	return ok;
 }
 
-/* The first clause, which results show, says that there are mends; what they
- * are stands at the end. */
+/* The first clause, which results show, says that there are mends; the end
+ * lists them. */
 static void
 add_provenance(
     struct site *site, const struct site *from, const struct mend *mend)

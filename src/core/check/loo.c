@@ -14,9 +14,9 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 
-/* CLOSE: so many candidates are looked at closely.  SEARCHED: with more cells
- * in a block its hyperparameters stay at their priors' medians, as the search
- * would take seconds. */
+/* CLOSE: number of candidates that are examined closely.  SEARCHED: a block
+ * with more cells keeps its hyperparameters at the medians of their priors,
+ * because their search would take seconds. */
 enum { SMOOTHS = 5, CLOSE = 6, SEARCHED = 150, PRODUCTS = 0, FEEDS, BLOCKS };
 
 enum smooth {
@@ -27,40 +27,40 @@ enum smooth {
 	SMOOTH_OWN
 };
 
-/* Medians and spreads as of struct hyper_info, of ln(P / (1 - P)) but for the
- * last, which is the error of a passing. */
+/* Medians and spreads as in struct hyper_info.  They are about ln(P / (1 - P)),
+ * except the last, which is the error of a passing. */
 static const struct {
 	double median, spread;
 } SMOOTH[SMOOTHS] = {
     {0.5, 1}, {0.7, 0.4}, {0.1, 0.7}, {0.03, 0.7}, {0.0035, 0.3}};
 
-/* What a free cell may be off by, and what feeds are off by themselves, both as
- * passing; what no passing is trusted to more than. */
+/* The standard deviations of a cell that is free and of a feed's own error, and
+ * the least error of any passing. */
 static const double FREE = 0.3, FEED_OWN = 0.0035, ROUNDING = 0.0005;
 
-/* Above COARSE, or below the sieve that all passes, a curve ends at the screen
- * it was cut by, with a corner that no smooth curve has: sd of
- * ln(P / (1 - P)). */
+/* A curve ends with a corner at the screen that cut it, above COARSE or below
+ * the sieve that all passes.  No smooth curve has such a corner, so that its
+ * cell gets this additional standard deviation of ln(P / (1 - P)). */
 static const double COARSE = 0.8, CORNER = 0.6;
 
-/* Nearer to 0 or 1 a passing says nothing of how steep a curve is. */
+/* A passing nearer to 0 or 1 does not show how steep a curve is. */
 static const double END = 0.0005;
 
-/* Cells of the products, or of the feeds, which share hyperparameters.
- *   value   [n] differences from the fit, or ln(P / (1 - P)) less their mean
- *   slope   [n] change of value with the passing
- *   fixed   [n n] the part of the covariance that they do not change
+/* Cells of the products, or of the feeds, with common hyperparameters.
+ *   value   [n] differences from the fit, or ln(P / (1 - P))
+ *   slope   [n] change of the value with the passing
+ *   fixed   [n n] the part of the covariance without hyperparameters
  *   U       [n n] factor */
 struct block {
 	bool smooth;
-	size_t n, first; /* index of its first cell */
+	size_t n, first; /* first: index of its first cell */
 	struct cell *cell;
 	double *value, *slope, *fixed, *U, *work;
 	double hyper[HYPERS]; /* logarithms */
 	double level;         /* with the prior, at hyper */
 };
 
-/* of [n]: the cells, products first.  shift [n n]: row i has u of cell i. */
+/* of [n]: the cells, products first.  shift [n n]: row i is u of cell i. */
 struct leave_out {
 	const struct site *site;
 	size_t n;
@@ -122,7 +122,7 @@ prior_of(const struct block *b, double noise)
 	return sum;
 }
 
-/* Fills U with the covariance, of which only the upper half counts. */
+/* Fills U with the covariance, of which only the upper triangle counts. */
 static void
 fill_covariance(struct block *b)
 {
@@ -144,8 +144,8 @@ level_of(struct block *b, double noise)
 	return isfinite(level) ? level + prior_of(b, noise) : INFINITY;
 }
 
-/* The most probable hyperparameters, from where they are: a step up or down
- * each, and shorter ones when none helps. */
+/* Searches for the most probable hyperparameters from the present ones: a step
+ * up or down for each, and shorter steps when none helps. */
 static void
 loo_search(struct block *b, double noise)
 {
@@ -169,7 +169,7 @@ loo_search(struct block *b, double noise)
 	}
 }
 
-/* Lets (sign 1) the cell be what it likes, or holds it again (-1). */
+/* Frees the cell (sign 1), or holds it again (-1). */
 static void
 free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
 {
@@ -186,14 +186,15 @@ free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
 
 /* ---- The joint vector ---- */
 
-/* The error of a feed's passing that products answer to. */
+/* Returns the error of a feed's passing to which the products respond. */
 static double
 feed_error(const struct leave_out *l)
 {
 	return l->noise > 0 ? l->noise : FEED_OWN;
 }
 
-/* The factor of both blocks with what they share [n n], the caller's. */
+/* Returns the factor of both blocks with the covariance between them [n n]. The
+ * caller frees it. */
 static double *
 joint_factor(struct leave_out *l)
 {
@@ -207,9 +208,10 @@ joint_factor(struct leave_out *l)
 				U[(b->first + i) * l->n + b->first + j] =
 				    b->U[i * b->n + j];
 	}
-	/* The feed's own error is searched, what products answer to is not:
-	 * where it has become smaller they share less, or else no errors would
-	 * have that covariance. */
+	/* The feed's own error is searched, but the error to which the products
+	 * respond is not.  If the former becomes the smaller one, the
+	 * covariance between them shrinks with it; otherwise no set of errors
+	 * could have that covariance. */
 	double own = el_exp(f->hyper[SMOOTH_OWN]) / feed_error(l);
 	for (size_t i = 0; i < f->n; i++)
 		for (size_t j = 0; j < p->n; j++)
@@ -226,7 +228,7 @@ joint_factor(struct leave_out *l)
 	return U;
 }
 
-/* L^-1 y of the whole vector, which the caller frees. */
+/* Returns L^-1 y for the whole vector.  The caller frees it. */
 static double *
 joint_values(const struct leave_out *l, const double *U)
 {
@@ -238,7 +240,7 @@ joint_values(const struct leave_out *l, const double *U)
 	return y;
 }
 
-/* Puts z, and the shift's size as passing, of one cell. */
+/* Returns z of a cell, and computes the size of its shift as a passing. */
 static double
 shift_z(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
@@ -262,8 +264,8 @@ logit(double P)
 	return el_log(P / (1 - P));
 }
 
-/* Takes a cell's shift from its passing: where values are logarithms it is
- * straight in them. */
+/* Sets the expected passing of a cell by its shift.  If values are logarithms,
+ * the shift is linear in them. */
 static void
 shift_set_expected(
     const struct leave_out *l, struct leave_out_shift *s, double shift)
@@ -283,7 +285,7 @@ shift_set_expected(
 
 /* ---- The search for the worst ---- */
 
-/* The cells of the largest |z|, [CLOSE]; returns how many. */
+/* Finds the cells with the largest |z|, [CLOSE], and returns their number. */
 static size_t
 find_largest_z(struct leave_out *l, size_t *cell)
 {
@@ -320,7 +322,8 @@ level_at_best_hypers(struct leave_out *l)
 	return l->block[PRODUCTS].level + l->block[FEEDS].level;
 }
 
-/* The cell free, with the hyperparameters found so. */
+/* Returns the shift of a cell with the hyperparameters that are most probable
+ * while the cell is free. */
 static struct leave_out_shift
 shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 {
@@ -423,7 +426,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }
 
-/* Whether all of the curve passes the next coarser sieve. */
+/* True if all of the curve passes the next coarser sieve. */
 static bool
 is_at_the_screen(const struct leave_out *l, size_t cell)
 {
@@ -432,7 +435,7 @@ is_at_the_screen(const struct leave_out *l, size_t cell)
 	return of->sieve > 0 && curve->passing[of->sieve - 1] >= 1;
 }
 
-/* ln of the mean energy of the runs. */
+/* Returns ln of the mean energy of the runs. */
 static double
 mean_log_energy(const struct site *site)
 {
@@ -445,7 +448,7 @@ mean_log_energy(const struct site *site)
 	return n > 0 ? el_log(sum / n) : 0;
 }
 
-/* Cells of a block, with values and covariance of smooth curves. */
+/* Fills a block with cells, values and covariance of smooth curves. */
 static void
 block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 {
@@ -464,7 +467,7 @@ block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 	}
 	for (size_t k = 0; k < SMOOTHS; k++)
 		b->hyper[k] = el_log(SMOOTH[k].median);
-	/* Level, steepness, and how they change with the speed. */
+	/* The level, the steepness, and how both change with the speed. */
 	for (size_t i = 0; i < b->n; i++)
 		for (size_t j = 0; j < b->n; j++) {
 			const struct cell *x = &b->cell[i], *y = &b->cell[j];
@@ -480,9 +483,10 @@ block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 		}
 }
 
-/* What a parameter's bounds leave open, by the column J of its Jacobian, of so
- * many.  Where they would let a passing move by more than far it is as good as
- * free, and more would drown the errors in the last bits. */
+/* Adds the covariance that a parameter's bounds allow, by its column J of a
+ * Jacobian with n columns.  A parameter that may move a passing by more than
+ * `far` is as good as free, and a larger variance would drown the errors in
+ * rounding. */
 static void
 add_parameter(struct block *b, const double *J, size_t n, double wide)
 {
@@ -529,7 +533,7 @@ fill_differences(
 	free(use);
 }
 
-/* How the products of a run answer to a passing of its feed, per passing,
+/* Computes the change of a run's products per change of a passing of its feed,
  * gain [covered] out. */
 static void
 feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
@@ -554,9 +558,9 @@ feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
 	free(product[1]);
 }
 
-/* What products answer to a feed's cell by, in its shift: they are compared
- * with the product of the feed as the sheet has it, so that a feed too fine
- * makes them seem too coarse. */
+/* Puts the response of the products to a feed's cell into its shift.  They are
+ * compared with the product of the feed in the site file, so that a feed too
+ * fine makes them seem too coarse. */
 static void
 fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
 {
@@ -578,7 +582,8 @@ fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
 	free(gain);
 }
 
-/* The feeds' own errors, in the products and shared with the feeds. */
+/* Adds the feeds' own errors to the products, and their covariance with the
+ * feeds. */
 static void
 add_feed_errors(struct leave_out *l)
 {

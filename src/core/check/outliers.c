@@ -14,23 +14,25 @@
 #include "core/search/polish.h"
 #include "core/psd/psd.h"
 
-/* After a calibration a cell is told of from this surprise on, of a product and
- * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */
+/* After a calibration, a cell of a product or of a feed is reported if its
+ * surprise exceeds these and it is off by WORTH or more.  The limits were found
+ * by counting, with bench/doctor. */
 static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 4.5, WORTH = 0.02;
 
-/* A feed's cell is told of where its own curve has it off, too, by so many
- * standard deviations: a law that is wrong asks for a wrong feed. */
+/* A cell of a feed must also be off its own curve, by so many standard
+ * deviations, because a wrong model asks for a wrong feed. */
 static const double FEED_OFF = 3;
 
-/* Before one, a cell whose distance from the straight line, on log size,
- * between its neighbours is more than this from the mean distance of the other
- * runs on the same three sieves, or from 0 where there are none.  Of 19000
- * made-up sites at 50 to 90 m/s none has more than 0.13 in a product (where the
- * break size passes a sieve), 0.03 in a feed, and 0.15 in a curve alone. */
+/* Before a calibration, a cell is reported by its distance from the straight
+ * line, on log size, between its neighbours: if that differs by more than this
+ * from the mean distance in the other curves at the same three sieves, or from
+ * 0 if there are none.  Of 19000 synthetic sites at 50 to 90 m/s none exceeds
+ * 0.13 in a product (where the break size passes a sieve), 0.03 in a feed, and
+ * 0.15 in a curve alone. */
 static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 
-/* No more cells than this are told of at a time: of a bad sheet each changes
- * what is said of the others. */
+/* At most so many cells are reported at a time: in a bad site file each cell
+ * changes the verdict on the others. */
 enum { CELLS = 3 };
 
 static struct finding *
@@ -50,7 +52,8 @@ outliers_add(struct doctor *d, struct mend mend)
 
 /* ---- Columns ---- */
 
-/* How far curve a passes above b: mean at their common sieves, and the most. */
+/* Returns the mean by which curve a passes above b at their common sieves;
+ * *most: the largest. */
 static double
 mean_difference(const struct psd *a, const struct psd *b, double *most)
 {
@@ -75,7 +78,7 @@ is_coarser(const struct psd *product, const struct psd *feed)
 	return most > sampling && mean > on_the_whole;
 }
 
-/* Whether no product of the site is coarser than its feed. */
+/* True if no product of the site is coarser than its feed. */
 static bool
 all_finer(const struct site *site)
 {
@@ -111,8 +114,8 @@ find_swapped_feeds(struct doctor *d, const struct site *site)
 	}
 }
 
-/* Sum over neighbouring speeds of how much coarser, on the whole, the faster
- * product is. */
+/* Returns the sum, over neighbouring speeds, of how much coarser the faster
+ * product is on average. */
 static double
 speed_disorder(const struct site *site)
 {
@@ -130,8 +133,8 @@ speed_disorder(const struct site *site)
 	return sum;
 }
 
-/* Whether the slower product is the finer one on most of the sieves that tell
- * the two apart: one wrong cell, however large, does not make it so. */
+/* True if the slower product is the finer one on most of the sieves that
+ * distinguish the two.  A single wrong cell, however large, does not decide. */
 static bool
 is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 {
@@ -150,7 +153,7 @@ is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 static void
 find_exchanged(struct doctor *d, const struct site *site)
 {
-	/* What check calls a fault, on the whole. */
+	/* Above this, check reports a fault. */
 	const double much = 0.003, share = 0.2;
 	double before = speed_disorder(site), least = share * before;
 	struct mend best = {.kind = MEND_READ};
@@ -180,7 +183,7 @@ find_exchanged(struct doctor *d, const struct site *site)
 	f->off[1] = least;
 }
 
-/* Sums for a straight line in energy through the others' passings. */
+/* Sums for a straight line in energy through the passings of the others. */
 struct line {
 	double n, e, ee, p, ep;
 };
@@ -195,8 +198,9 @@ line_value_at(const struct line *l, double e)
 	return l->p / l->n + slope * (e - mean);
 }
 
-/* RMS distance of a run's product from the line through the other products,
- * NAN with less than two others: of two curves nobody knows which is wrong. */
+/* Returns the RMS distance of a run's product from the line through the other
+ * products; NAN with fewer than two others, because of two curves either may be
+ * wrong. */
 static double
 outliers_distance(const struct site *site, size_t at)
 {
@@ -226,7 +230,8 @@ outliers_distance(const struct site *site, size_t at)
 	return n > 2 ? sqrt(squares / n) : NAN;
 }
 
-/* The column that lies off the others and, moved by one sieve, on them. */
+/* Finds the column that is far from the others but close to them once it is
+ * moved by one sieve. */
 static void
 find_moved(struct doctor *d, const struct site *site)
 {
@@ -255,7 +260,7 @@ find_moved(struct doctor *d, const struct site *site)
 		memcpy(outliers_add(d, mend)->off, off, sizeof off);
 }
 
-/* How far off the run is that fits the others least, after a mend. */
+/* Returns, after a mend, the distance of the run that fits the others least. */
 static double
 roughness(const struct site *site, const struct mend *m)
 {
@@ -268,8 +273,8 @@ roughness(const struct site *site, const struct mend *m)
 	return most;
 }
 
-/* A column that was moved makes speeds seem exchanged too, and the other way:
- * of the two mends keeps the one that leaves the products more alike. */
+/* A moved column makes speeds seem exchanged, and the reverse.  Keeps the one
+ * of two mends that leaves the products more alike. */
 static void
 keep_smoother(struct doctor *d, const struct site *site)
 {
@@ -281,7 +286,8 @@ keep_smoother(struct doctor *d, const struct site *site)
 	d->n = 1;
 }
 
-/* A column in micrometres, taken for millimetres, or the other way. */
+/* Finds a column in micrometres that was taken for millimetres, or the
+ * reverse. */
 static void
 find_scaled(struct doctor *d, const struct site *site)
 {
@@ -333,8 +339,9 @@ distance_to(const struct finding *f, double passing)
 	return fabs(passing - f->expected);
 }
 
-/* Takes a reading of the cell that the others would expect: within three
- * standard deviations, nearer than what is there, and than what was taken. */
+/* Takes a reading as the mend of the cell if it is within three standard
+ * deviations of what the others expect, and nearer to it than the measured
+ * passing and any reading before. */
 static void
 consider_reading(struct finding *f, double passing)
 {
@@ -347,8 +354,8 @@ consider_reading(struct finding *f, double passing)
 	f->mend.value = passing;
 }
 
-/* The digits of a passing in percent, "691", and how many stand before the
- * point; 0 where it was worked out and not typed. */
+/* Finds the digits of a passing in per cent, "691", and how many are before the
+ * point.  Returns 0 if the passing was calculated and not typed. */
 static size_t
 outliers_digits_of(double passing, char digits[static 16], size_t *point)
 {
@@ -381,7 +388,7 @@ value_of(const char *digits, size_t point)
 	return round(value / place * 1e10) / 1e12;
 }
 
-/* Two neighbouring digits transposed, one typed twice, or the point moved. */
+/* Considers two transposed digits, a digit typed twice, and a shifted point. */
 static void
 consider_digit_errors(struct finding *f)
 {
@@ -405,7 +412,8 @@ consider_digit_errors(struct finding *f)
 	}
 }
 
-/* A cell's mend: the reading, where the site can be read with it, or none. */
+/* Adds a cell with its mend: the reading, if the site is valid with it,
+ * otherwise leaving the cell out. */
 static void
 outliers_add_cell(struct doctor *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
@@ -425,7 +433,7 @@ outliers_add_cell(struct doctor *d, const struct site *site,
 	site_free(other);
 }
 
-/* Which runs have passings to fit. */
+/* Marks the runs that have passings to fit. */
 static bool *
 runs_with_misfit(const struct site *site)
 {
@@ -435,8 +443,8 @@ runs_with_misfit(const struct site *site)
 	return use;
 }
 
-/* The fit went some way to meet a cell that is off: moves it to where it would
- * be without that cell. */
+/* A fit moves towards a cell that is off.  Refits the site without that
+ * cell. */
 static void
 move_refitted(struct posterior *p, const struct site *site, struct mend m)
 {
@@ -463,7 +471,7 @@ cell_passing(const struct site *site, const struct leave_out_cell *c)
 	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
 }
 
-/* How far a cell is off what the curves expect, whatever law they follow. */
+/* Returns how far a cell is off its curve, whatever the model. */
 static struct leave_out_shift
 shift_along_curves(
     const struct site *site, double noise, const struct leave_out_cell *cell)
@@ -480,8 +488,8 @@ shift_along_curves(
 	return s;
 }
 
-/* The next cell from a fit of its own, which moves; found [n]: those before it.
- * Returns false where none is worth telling of. */
+/* Finds the next cell, from a fit of its own, which moves.  found [n]: the
+ * cells before it.  False if none is worth reporting. */
 static bool
 find_next(struct doctor *d, const struct site *site, struct posterior *p,
     double noise, size_t *found, size_t n)
@@ -534,7 +542,7 @@ find_surprising(struct doctor *d, const struct site *site,
 	free(p);
 }
 
-/* The curves of the feeds, or the products, with their runs. */
+/* Lists the curves of the feeds, or of the products, and their runs. */
 static size_t
 outliers_gather(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
@@ -617,7 +625,7 @@ count_cells(const struct site *site)
 	return n;
 }
 
-/* Leaves out what cannot be done, as of a run that is the only one. */
+/* Drops mends that are impossible, such as dropping the only run. */
 static void
 drop_impossible(struct doctor *d, const struct site *site)
 {

@@ -18,10 +18,10 @@
 
 const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};
 
-/* What no passing is trusted to more than. */
+/* The least error of any passing. */
 static const double ROUNDING = 0.001;
 
-/* Signs that residuals are more than sampling errors.  One that is strong turns
+/* Signs that residuals are more than sampling errors.  One strong sign turns
  * the light amber, and so do two weak ones.  Found by counting, with
  * bench/coverage: TRUST in tipspeed-model(7) has the figures. */
 struct sign {
@@ -30,16 +30,18 @@ struct sign {
 static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
 			 MORE = {0.45, 0.6}, FINER = {2, 3};
 
-/* Where one speed was measured, this share of it counts as the span of
+/* If only one speed was measured, this share of it counts as the span of
  * several. */
 static const double SPAN_OF_ONE = 0.1;
 
-/* Mean width of a band, and a difference of feeds, passing. */
+/* Limits of the mean width of a band and of the difference between feeds,
+ * passing. */
 static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
 		    STRANGE_FEED = 0.3;
 
-/* Takes from the differences d what a small step of the parameters would: some
- * of the runs used may not have been trained on.  Returns how many steps. */
+/* Removes from the differences d what a small step of the parameters would,
+ * because some of the runs may not have been used for training.  Returns the
+ * number of steps. */
 static double
 remove_parameter_steps(struct misfit *m, const struct fit *fit,
     const struct bounds *bounds, double *d)
@@ -58,8 +60,8 @@ remove_parameter_steps(struct misfit *m, const struct fit *fit,
 	return (double)s.n;
 }
 
-/* Sum of squares over the sampling errors that the priors expect, and of the
- * products of neighbours. */
+/* Compares the residuals with the sampling errors that the priors expect: the
+ * sum of squares, and that of the products of neighbours. */
 static void
 weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
     double parameters, double noise)
@@ -88,7 +90,7 @@ weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
 		       : 0;
 }
 
-/* Of the feed above the break size the share that breaks at a speed. */
+/* Returns the share of the feed above the break size that breaks at a speed. */
 static double
 share_broken(const struct misfit *m, const struct params *p)
 {
@@ -135,7 +137,8 @@ trust_read_draws(struct evidence *e, const struct posterior *p,
 	e->sampling = trust_median(error);
 }
 
-/* At the slowest and the fastest speed measured and midway. */
+/* Returns the largest difference between the halves at the slowest and the
+ * fastest measured speed and midway. */
 static double
 halves_difference_of_products(const struct evidence *e,
     const struct posterior *p, const struct site *site, const double *sieve,
@@ -179,7 +182,7 @@ trust_find_speeds(struct evidence *e, const struct misfit *m)
 	}
 }
 
-/* Adds to passings [n] what a feed gives at speed v, times `share`. */
+/* Adds to passings [n] the product of a feed at speed v, times `share`. */
 static void
 add_weighted_product(double *passing, const struct psd *feed,
     const double *sieve, size_t n, const struct fit *fit, double v,
@@ -195,8 +198,8 @@ add_weighted_product(double *passing, const struct psd *feed,
 	free(product);
 }
 
-/* A run's product as the fit moves it to the site's mean feed (D19), at the
- * sieves that both feeds cover; psd_free. */
+/* Returns a run's product as the fit moves it to the site's mean feed (D19), at
+ * the sieves that both feeds cover.  The caller frees it with psd_free. */
 static struct psd
 product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
 {
@@ -392,7 +395,7 @@ judge_data(struct trust *t, const struct evidence *e)
 			100 * e->halves));
 }
 
-/* What the runs contradict, and what the fit says that no crusher does. */
+/* Judges what the runs contradict, and a fit that no crusher can have. */
 static void
 judge_contradictions(struct trust *t, const struct evidence *e)
 {
@@ -421,9 +424,9 @@ sign_strength(double value, struct sign sign)
 	return (value > sign.weak) + (value > sign.strong);
 }
 
-/* Whether the answer stands between measured speeds, of which there are enough
- * to show how the product changes there, and is corrected by them.  Then it
- * holds even where the model does not. */
+/* True if the answer lies between measured speeds, of which there are enough to
+ * show how the product changes there, and is corrected by them.  It then holds
+ * even if the model does not. */
 static bool
 is_measured_around(const struct evidence *e, const struct trust_question *q)
 {
@@ -432,7 +435,7 @@ is_measured_around(const struct evidence *e, const struct trust_question *q)
 	return q->corrected && e->speeds >= 3 && (q->speed == 0 || between);
 }
 
-/* Adds a reason that a pattern of the residuals gives, or a remark. */
+/* Adds the reason that a pattern in the residuals gives, or a remark. */
 static void
 add_pattern(struct trust *t, bool remark, char *text)
 {

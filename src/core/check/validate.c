@@ -12,15 +12,15 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 
-/* Whether a product may be interpolated from. */
+/* True if the product may be used for interpolation. */
 static bool
 counts(const struct site *site, const bool *train, size_t r)
 {
 	return train[r] && site->run[r].product.n > 0;
 }
 
-/* The training speed next to a speed and not above it, or above it; NAN where
- * there is none. */
+/* Returns the training speed next to a speed: at or below it or, if `above`,
+ * above it.  NAN if there is none. */
 static double
 validate_speed_after(
     const struct site *site, const bool *train, double speed, bool above)
@@ -34,7 +34,7 @@ validate_speed_after(
 	return next;
 }
 
-/* The training speed nearest to a speed, the slower of two. */
+/* Returns the training speed nearest to a speed, the slower one of two. */
 static double
 nearest_speed(const struct site *site, const bool *train, double speed)
 {
@@ -43,8 +43,8 @@ nearest_speed(const struct site *site, const bool *train, double speed)
 	return above - speed < speed - below || isnan(below) ? above : below;
 }
 
-/* The two training speeds that interpolation goes through; of one alone it is
- * the first, and NAN the second. */
+/* Finds the two training speeds that interpolation uses.  If there is only one,
+ * it is the first and the second is NAN. */
 static void
 validate_find_line(const struct site *site, const bool *train, double speed,
     double line[static 2])
@@ -65,8 +65,8 @@ validate_find_line(const struct site *site, const bool *train, double speed,
 	}
 }
 
-/* The passing of a run's product at a size; NAN where it was not sieved so
- * fine, and above its coarsest sieve, unless all of the feed passes there. */
+/* Returns the passing of a run's product at a size; NAN below its finest sieve,
+ * and above its coarsest one unless all of the feed passes there. */
 static double
 measured_passing(const struct run *run, double x)
 {
@@ -79,8 +79,8 @@ measured_passing(const struct run *run, double x)
 	return psd_passing(product, x);
 }
 
-/* Mean passing at a size of the training products of one speed; NAN where none
- * has it. */
+/* Returns the mean passing at a size of the training products at one speed; NAN
+ * if none has it. */
 static double
 mean_passing(const struct site *site, const bool *train, double speed, double x)
 {
@@ -143,7 +143,7 @@ validate_passing(const struct site *site, size_t run, const bool *train,
 	}
 }
 
-/* P20, P50, P80 of a curve where it is known. */
+/* Reads P20, P50 and P80 off the part of a curve that is known. */
 static void
 read_sizes(const struct psd *sieves, const double *passing, size_t n,
     double size[static PSD_SIZES])
@@ -161,7 +161,7 @@ read_sizes(const struct psd *sieves, const double *passing, size_t n,
 	psd_free(&known);
 }
 
-/* What a way predicts at the covered sieves. */
+/* Scores what a way predicts at the covered sieves. */
 static void
 score_way(struct validation *v, const struct site *site, enum validate_way way,
     const double *passing)
