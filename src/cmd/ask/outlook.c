@@ -295,7 +295,7 @@ outlook_ensemble(
 	struct psd sizes = predict_sizes(entry->site, feed);
 	*kept = (struct ensemble_of){p, entry->site, feed_run,
 	    ensemble_new(p, feed, sizes.size, sizes.n)};
-	ensemble_machine(kept->ensemble, outlook_settings(s, entry));
+	ensemble_set_machine(kept->ensemble, outlook_settings(s, entry));
 	psd_free(&sizes);
 	return kept->ensemble;
 }

@@ -46,7 +46,7 @@ find_bound(const struct session *s, const struct entry *entry,
 		    fit->on_bound[j]
 			? trust_parameter_correlation(
 			      outlook_posterior_for_comparison(s, entry), e,
-			      ensemble_sizes(e), name)
+			      ensemble_count_sizes(e), name)
 			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;

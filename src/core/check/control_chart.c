@@ -70,7 +70,7 @@ struct weighed {
 };
 
 static void
-control_chart_put_draws(const struct drift_cut *c, struct weighed *w)
+fill_values_of_draws(const struct drift_cut *c, struct weighed *w)
 {
 	double mean = 0;
 	for (size_t d = 0; d < c->n_draw; d++) {
@@ -131,20 +131,20 @@ control_chart_weights(
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
 	tilt_weights(c, tilt->weight);
-	control_chart_put_draws(c, level);
-	control_chart_put_draws(c, tilt);
+	fill_values_of_draws(c, level);
+	fill_values_of_draws(c, tilt);
 	double share = control_chart_covariance(c, level, tilt) /
 		       control_chart_covariance(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
-	control_chart_put_draws(c, tilt);
+	fill_values_of_draws(c, tilt);
 }
 
 /* Returns the factor, in the upper triangle, of the covariance of a component's
  * values [n * n]; w [n * DRIFT_COMPONENTS]. */
 static double *
-control_chart_factor(const struct drift_cut *cut, const struct weighed *w,
+factor_of_component(const struct drift_cut *cut, const struct weighed *w,
     size_t n, size_t component)
 {
 	double *U = xdoubles(n * n);
@@ -165,8 +165,7 @@ control_chart_factor(const struct drift_cut *cut, const struct weighed *w,
 /* Advances the charts of a component by its score, the n-th one.  Returns the
  * side on which it is beyond a limit, -1 or 1, or 0. */
 static int
-control_chart_update(
-    struct drift_chart *c, const struct drift_rule *r, size_t n)
+advance_charts(struct drift_chart *c, const struct drift_rule *r, size_t n)
 {
 	double share = r->lambda / (2 - r->lambda) *
 		       -expm1(2 * (double)n * log1p(-r->lambda));
@@ -182,7 +181,7 @@ control_chart_update(
 /* The level comes first, because a shift that differs between sizes also tilts
  * the curve. */
 static enum drift_state
-state_of(const int side[static DRIFT_COMPONENTS])
+drift_state_of_sides(const int side[static DRIFT_COMPONENTS])
 {
 	return side[DRIFT_LEVEL] < 0   ? DRIFT_COARSER
 	       : side[DRIFT_LEVEL] > 0 ? DRIFT_FINER
@@ -211,9 +210,9 @@ cusum_start(const struct drift_point *point, size_t i)
 }
 
 /* Returns how far value i is off, in standard deviations, given the first
- * `known` values.  U: see control_chart_factor. */
+ * `known` values.  U: see factor_of_component. */
 static double
-z_of_value(const double *U, size_t n, size_t i, size_t known, size_t k,
+z_given_earlier(const double *U, size_t n, size_t i, size_t known, size_t k,
     const struct drift_point *point)
 {
 	double expected = 0, variance = 0;
@@ -227,7 +226,8 @@ z_of_value(const double *U, size_t n, size_t i, size_t known, size_t k,
 /* Turns a value that is off by so many standard deviations into a normal score,
  * after `known` values with this sum of squares. */
 static double
-z_to_score(const struct drift_rule *r, double off, size_t known, double squares)
+normal_score(
+    const struct drift_rule *r, double off, size_t known, double squares)
 {
 	double freedom = r->cuts + (double)known;
 	double t = off / sqrt((r->cuts + squares) / freedom);
@@ -245,7 +245,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 	for (size_t i = 0; i < n; i++)
 		control_chart_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		U[k] = control_chart_factor(cut, w, n, k);
+		U[k] = factor_of_component(cut, w, n, k);
 	*since = n;
 	for (size_t i = 0; i < n; i++) {
 		int side[DRIFT_COMPONENTS];
@@ -264,15 +264,15 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			c->error =
 			    sqrt(control_chart_covariance(&cut[i], own, own) -
 				 truth);
-			c->off = z_of_value(U[k], n, i, known, k, point);
+			c->off = z_given_earlier(U[k], n, i, known, k, point);
 			double squares = 0;
 			for (size_t j = 0; j < known; j++)
 				squares += point[j].chart[k].off *
 					   point[j].chart[k].off;
-			c->score = z_to_score(rule, c->off, known, squares);
-			side[k] = control_chart_update(c, rule, i + 1);
+			c->score = normal_score(rule, c->off, known, squares);
+			side[k] = advance_charts(c, rule, i + 1);
 		}
-		point[i].state = state_of(side);
+		point[i].state = drift_state_of_sides(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
 			first = i;
 			*since = cusum_start(point, i);
@@ -303,8 +303,7 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 				size_t at = n * DRIFT_COMPONENTS + k;
 				chart[k].score = rng_normal(key, (uint32_t)at) +
 						 (k == DRIFT_LEVEL ? shift : 0);
-				if (control_chart_update(
-					&chart[k], rule, n + 1) != 0)
+				if (advance_charts(&chart[k], rule, n + 1) != 0)
 					signal = true;
 			}
 			n++;
@@ -330,11 +329,11 @@ follow_level(struct level *l, const struct drift_rule *r, double value)
 	double sum = l->variance + l->error * l->error;
 	double share = l->variance / sum;
 	l->chart.off = (value - l->mean) / sqrt(sum);
-	l->chart.score = z_to_score(r, l->chart.off, l->known, l->squares);
+	l->chart.score = normal_score(r, l->chart.off, l->known, l->squares);
 	l->mean += share * (value - l->mean);
 	l->variance *= 1 - share;
 	l->squares += l->chart.off * l->chart.off;
-	return control_chart_update(&l->chart, r, ++l->known) != 0;
+	return advance_charts(&l->chart, r, ++l->known) != 0;
 }
 
 /* Simulates `quiet` samples, then shifted ones.  Returns the number of the
@@ -342,8 +341,8 @@ follow_level(struct level *l, const struct drift_rule *r, double value)
  * before; LONGEST + 1 if it never does. */
 enum { LONGEST = 200 };
 static size_t
-signalled_after(const struct drift_rule *rule, struct level l, size_t quiet,
-    double shift, struct rng_key key)
+samples_until_signal(const struct drift_rule *rule, struct level l,
+    size_t quiet, double shift, struct rng_key key)
 {
 	double truth = sqrt(l.variance) * rng_normal(key, 0);
 	for (uint32_t at = 1; at <= quiet + LONGEST; at++) {
@@ -370,7 +369,7 @@ drift_detection_delay(const struct drift_rule *rule,
 	    .variance = last->truth * last->truth};
 	size_t after[LONGEST + 2] = {0}, all = 0, sum = 0, median = 1;
 	for (uint64_t q = 0; q < SEQUENCES; q++)
-		after[signalled_after(
+		after[samples_until_signal(
 		    rule, l, known, shift, rng_key(seed, q, USE))]++;
 	all = SEQUENCES - after[0];
 	while (median <= LONGEST && 2 * (sum + after[median]) <= all)

@@ -135,7 +135,7 @@ find_best_model(struct league_model *model, size_t n)
 
 /* True if all models that remain extend the one with the fewest parameters. */
 static bool
-is_one_law(const struct league_model *model, size_t n)
+do_all_extend_the_smallest(const struct league_model *model, size_t n)
 {
 	const struct league_model *least = NULL;
 	for (size_t i = 0; i < n; i++)
@@ -170,5 +170,5 @@ league_rank(struct league_model *model, size_t n_model,
 		agree = agree && !league_errs_more(cell, n, q, p) &&
 			!(best->aicc > m->aicc + FAR);
 	}
-	return agree && is_one_law(model, n_model);
+	return agree && do_all_extend_the_smallest(model, n_model);
 }

@@ -72,7 +72,7 @@ struct leave_out {
 };
 
 static const struct psd *
-loo_curve_of(const struct leave_out *l, const struct leave_out_cell *c)
+curve_of_cell(const struct leave_out *l, const struct leave_out_cell *c)
 {
 	const struct run *run = &l->site->run[c->run];
 	return c->feed ? &run->feed : &run->product;
@@ -90,14 +90,15 @@ block_covariance_of_curves(const struct block *b, double *K)
 		for (size_t j = 0; j <= i; j++) {
 			const struct cell *x = &b->cell[i], *y = &b->cell[j];
 			double apart = x->log_size - y->log_size;
-			double near = discrepancy_rho(apart, h[SMOOTH_LENGTH]);
+			double near =
+			    discrepancy_correlation(apart, h[SMOOTH_LENGTH]);
 			double k =
 			    h[SMOOTH_AMPLITUDE] * h[SMOOTH_AMPLITUDE] +
 			    h[SMOOTH_SPEED] * h[SMOOTH_SPEED] * x->t * y->t;
 			k *= near;
 			if (x->run == y->run)
 				k += h[SMOOTH_RUN] * h[SMOOTH_RUN] *
-				     discrepancy_rho(apart, 1);
+				     discrepancy_correlation(apart, 1);
 			double own = h[SMOOTH_OWN] * x->h * b->slope[i];
 			double least = ROUNDING * b->slope[i];
 			K[j * b->n + i] =
@@ -106,7 +107,7 @@ block_covariance_of_curves(const struct block *b, double *K)
 }
 
 static double
-prior_of(const struct block *b, double noise)
+block_minus_log_prior(const struct block *b, double noise)
 {
 	const double known = 0.05;
 	double sum = 0;
@@ -124,41 +125,44 @@ prior_of(const struct block *b, double noise)
 
 /* Fills U with the covariance, of which only the upper triangle counts. */
 static void
-fill_covariance(struct block *b)
+block_fill_covariance(struct block *b)
 {
 	if (b->smooth)
 		block_covariance_of_curves(b, b->U);
 	else
-		discrepancy_fill(ISA_BEST, b->cell, b->n, b->hyper, b->U);
+		discrepancy_fill_covariance(
+		    ISA_BEST, b->cell, b->n, b->hyper, b->U);
 	for (size_t i = 0; i < b->n * b->n; i++)
 		b->U[i] += b->fixed[i];
 }
 
 static double
-level_of(struct block *b, double noise)
+block_minus_log_posterior(struct block *b, double noise)
 {
-	fill_covariance(b);
+	block_fill_covariance(b);
 	discrepancy_cholesky(ISA_BEST, b->U, b->n);
 	memcpy(b->work, b->value, b->n * sizeof *b->work);
-	double level = discrepancy_level(ISA_BEST, b->U, b->n, b->work);
-	return isfinite(level) ? level + prior_of(b, noise) : INFINITY;
+	double level =
+	    discrepancy_minus_log_density(ISA_BEST, b->U, b->n, b->work);
+	return isfinite(level) ? level + block_minus_log_prior(b, noise)
+			       : INFINITY;
 }
 
 /* Searches for the most probable hyperparameters from the present ones: a step
  * up or down for each, and shorter steps when none helps. */
 static void
-loo_search(struct block *b, double noise)
+search_hyperparameters(struct block *b, double noise)
 {
 	const double last = 0.06;
 	size_t hypers = b->smooth ? SMOOTHS : HYPERS;
 	double step = 0.5;
-	b->level = level_of(b, noise);
+	b->level = block_minus_log_posterior(b, noise);
 	while (step > last && b->n > 0 && b->n <= SEARCHED) {
 		bool better = false;
 		for (size_t k = 0; k < 2 * hypers; k++) {
 			double was = b->hyper[k / 2];
 			b->hyper[k / 2] += k % 2 == 0 ? step : -step;
-			double level = level_of(b, noise);
+			double level = block_minus_log_posterior(b, noise);
 			if (level < b->level - 1e-3) {
 				b->level = level;
 				better = true;
@@ -202,7 +206,7 @@ joint_factor(struct leave_out *l)
 	const struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t k = 0; k < BLOCKS; k++) {
 		struct block *b = &l->block[k];
-		fill_covariance(b);
+		block_fill_covariance(b);
 		for (size_t i = 0; i < b->n; i++)
 			for (size_t j = i; j < b->n; j++)
 				U[(b->first + i) * l->n + b->first + j] =
@@ -230,7 +234,7 @@ joint_factor(struct leave_out *l)
 
 /* Returns L^-1 y for the whole vector.  The caller frees it. */
 static double *
-joint_values(const struct leave_out *l, const double *U)
+standardised_joint_values(const struct leave_out *l, const double *U)
 {
 	double *y = xdoubles(l->n);
 	for (size_t k = 0; k < BLOCKS; k++)
@@ -242,7 +246,7 @@ joint_values(const struct leave_out *l, const double *U)
 
 /* Returns z of a cell, and computes the size of its shift as a passing. */
 static double
-shift_z(const struct leave_out *l, const double *U, const double *y,
+z_of_cell(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
 {
 	double *u = xdoubles(l->n), dot = 0, squares = 0;
@@ -289,11 +293,11 @@ shift_set_expected(
 static size_t
 find_largest_z(struct leave_out *l, size_t *cell)
 {
-	double *U = joint_factor(l), *y = joint_values(l, U);
+	double *U = joint_factor(l), *y = standardised_joint_values(l, U);
 	double best[CLOSE] = {0}, shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
-		double z = fabs(shift_z(l, U, y, c, &shift, &sd));
+		double z = fabs(z_of_cell(l, U, y, c, &shift, &sd));
 		size_t at = n < CLOSE ? n : CLOSE;
 		if (l->dropped[c] || !isfinite(z))
 			continue;
@@ -315,10 +319,10 @@ find_largest_z(struct leave_out *l, size_t *cell)
 }
 
 static double
-level_at_best_hypers(struct leave_out *l)
+minus_log_posterior_at_best_hypers(struct leave_out *l)
 {
 	for (size_t k = 0; k < BLOCKS; k++)
-		loo_search(&l->block[k], l->noise);
+		search_hyperparameters(&l->block[k], l->noise);
 	return l->block[PRODUCTS].level + l->block[FEEDS].level;
 }
 
@@ -332,10 +336,10 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
 	free_or_hold_cell(l, cell, 1);
-	s.gain = level - level_at_best_hypers(l);
+	s.gain = level - minus_log_posterior_at_best_hypers(l);
 	free_or_hold_cell(l, cell, -1);
-	double *U = joint_factor(l), *y = joint_values(l, U);
-	s.z = shift_z(l, U, y, cell, &shift, &s.sd);
+	double *U = joint_factor(l), *y = standardised_joint_values(l, U);
+	s.z = z_of_cell(l, U, y, cell, &shift, &s.sd);
 	shift_set_expected(l, &s, shift);
 	free(U);
 	free(y);
@@ -347,7 +351,8 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 struct leave_out_shift
 leave_out_shift_of(struct leave_out *l, size_t cell)
 {
-	return shift_of_free_cell(l, cell, level_at_best_hypers(l));
+	return shift_of_free_cell(
+	    l, cell, minus_log_posterior_at_best_hypers(l));
 }
 
 struct leave_out_shift
@@ -355,7 +360,7 @@ leave_out_worst(struct leave_out *l)
 {
 	struct leave_out_shift worst = {.gain = -INFINITY};
 	size_t cell[CLOSE];
-	double level = level_at_best_hypers(l);
+	double level = minus_log_posterior_at_best_hypers(l);
 	size_t n = find_largest_z(l, cell);
 	for (size_t i = 0; i < n; i++) {
 		struct leave_out_shift s =
@@ -388,7 +393,7 @@ leave_out_cell(const struct leave_out *l, size_t i)
 /* ---- Making it ---- */
 
 static bool
-is_cell_off_the_ends(double P)
+is_neither_0_nor_100_percent(double P)
 {
 	return P > END && P < 1 - END;
 }
@@ -411,7 +416,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL
 				? i < covered
-				: is_cell_off_the_ends(psd->passing[i]))
+				: is_neither_0_nor_100_percent(psd->passing[i]))
 				loo_add_cell(l, false, r, i);
 	}
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
@@ -420,7 +425,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 		if (r > 0 && !site->individual_feeds)
 			break;
 		for (size_t i = 0; i < psd->n; i++)
-			if (is_cell_off_the_ends(psd->passing[i]))
+			if (is_neither_0_nor_100_percent(psd->passing[i]))
 				loo_add_cell(l, true, r, i);
 	}
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
@@ -431,7 +436,7 @@ static bool
 is_at_the_screen(const struct leave_out *l, size_t cell)
 {
 	const struct leave_out_cell *of = &l->of[cell];
-	const struct psd *curve = loo_curve_of(l, of);
+	const struct psd *curve = curve_of_cell(l, of);
 	return of->sieve > 0 && curve->passing[of->sieve - 1] >= 1;
 }
 
@@ -450,16 +455,16 @@ mean_log_energy(const struct site *site)
 
 /* Fills a block with cells, values and covariance of smooth curves. */
 static void
-block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
+block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 {
 	double middle = mean_log_energy(l->site);
 	for (size_t i = 0; i < b->n; i++) {
 		size_t c = b->first + i;
 		double P = l->passing[c], v = l->site->run[l->of[c].run].speed;
-		double x = loo_curve_of(l, &l->of[c])->size[l->of[c].sieve];
+		double x = curve_of_cell(l, &l->of[c])->size[l->of[c].sieve];
 		b->cell[i] = (struct cell){.run = l->of[c].run,
 		    .log_size = el_log(x),
-		    .t = feed ? 0 : discrepancy_time(v, middle),
+		    .t = feed ? 0 : discrepancy_t_of_speed(v, middle),
 		    .h = discrepancy_h(P)};
 		b->value[i] = logit(P);
 		b->slope[i] = 1 / (P * (1 - P));
@@ -488,7 +493,8 @@ block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
  * `far` is as good as free, and a larger variance would drown the errors in
  * rounding. */
 static void
-add_parameter(struct block *b, const double *J, size_t n, double wide)
+add_covariance_of_parameter(
+    struct block *b, const double *J, size_t n, double wide)
 {
 	const double far = 10;
 	double most = 0;
@@ -502,7 +508,7 @@ add_parameter(struct block *b, const double *J, size_t n, double wide)
 }
 
 static void
-fill_differences(
+block_of_residuals(
     struct leave_out *l, struct block *b, const struct posterior *p)
 {
 	bool *use = xcalloc(l->site->n_run, sizeof *use);
@@ -520,11 +526,11 @@ fill_differences(
 		b->slope[i] = l->shift[i * l->n + i] = 1;
 		b->cell[i] = (struct cell){.run = c->run,
 		    .log_size = el_log(run->product.size[c->sieve]),
-		    .t = discrepancy_time(run->speed, p->middle),
+		    .t = discrepancy_t_of_speed(run->speed, p->middle),
 		    .h = discrepancy_h(P - b->value[i] / 2)};
 	}
 	for (size_t j = 0; j < n; j++)
-		add_parameter(
+		add_covariance_of_parameter(
 		    b, J + j, n, (p->bounds.upper[j] - p->bounds.lower[j]) / 2);
 	for (size_t k = 0; k < HYPERS; k++)
 		b->hyper[k] = el_log(HYPER[k].median);
@@ -562,7 +568,8 @@ feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
  * compared with the product of the feed in the site file, so that a feed too
  * fine makes them seem too coarse. */
 static void
-fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
+fill_products_response_to_feed(
+    struct leave_out *l, size_t cell, const struct posterior *p)
 {
 	const struct leave_out_cell *of = &l->of[cell];
 	bool shared = !l->site->individual_feeds;
@@ -628,15 +635,15 @@ leave_out_new(
 	l->dropped = xcalloc(l->n + 1, sizeof *l->dropped);
 	for (size_t i = 0; i < l->n; i++)
 		l->passing[i] =
-		    loo_curve_of(l, &l->of[i])->passing[l->of[i].sieve];
-	block_fill_from_curves(l, &l->block[FEEDS], true);
+		    curve_of_cell(l, &l->of[i])->passing[l->of[i].sieve];
+	block_of_smooth_curves(l, &l->block[FEEDS], true);
 	if (posterior == NULL) {
-		block_fill_from_curves(l, &l->block[PRODUCTS], false);
+		block_of_smooth_curves(l, &l->block[PRODUCTS], false);
 		return l;
 	}
-	fill_differences(l, &l->block[PRODUCTS], posterior);
+	block_of_residuals(l, &l->block[PRODUCTS], posterior);
 	for (size_t c = l->block[FEEDS].first; c < l->n; c++)
-		fill_feed_shift(l, c, posterior);
+		fill_products_response_to_feed(l, c, posterior);
 	add_feed_errors(l);
 	return l;
 }

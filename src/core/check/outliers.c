@@ -151,7 +151,7 @@ is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 }
 
 static void
-find_exchanged(struct doctor *d, const struct site *site)
+find_exchanged_products(struct doctor *d, const struct site *site)
 {
 	/* Above this, check reports a fault. */
 	const double much = 0.003, share = 0.2;
@@ -202,7 +202,7 @@ line_value_at(const struct line *l, double e)
  * products; NAN with fewer than two others, because of two curves either may be
  * wrong. */
 static double
-outliers_distance(const struct site *site, size_t at)
+distance_from_other_products(const struct site *site, size_t at)
 {
 	const struct run *run = &site->run[at];
 	double squares = 0, n = 0;
@@ -233,7 +233,7 @@ outliers_distance(const struct site *site, size_t at)
 /* Finds the column that is far from the others but close to them once it is
  * moved by one sieve. */
 static void
-find_moved(struct doctor *d, const struct site *site)
+find_column_moved_by_a_sieve(struct doctor *d, const struct site *site)
 {
 	const double far = 0.05, share = 0.35;
 	double best = 1;
@@ -241,13 +241,14 @@ find_moved(struct doctor *d, const struct site *site)
 	double off[2] = {0, 0};
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
 		struct mend m = {.run = i / 2};
-		double before = outliers_distance(site, m.run);
+		double before = distance_from_other_products(site, m.run);
 		m.kind = i % 2 == 0 ? MEND_UP : MEND_DOWN;
 		if (!(before > far))
 			continue;
 		struct site *other = mend_site(site, &m, NULL);
-		double after =
-		    other != NULL ? outliers_distance(other, m.run) : NAN;
+		double after = other != NULL
+				   ? distance_from_other_products(other, m.run)
+				   : NAN;
 		site_free(other);
 		if (!(after < share * before) || after / before >= best)
 			continue;
@@ -262,13 +263,14 @@ find_moved(struct doctor *d, const struct site *site)
 
 /* Returns, after a mend, the distance of the run that fits the others least. */
 static double
-roughness(const struct site *site, const struct mend *m)
+largest_distance_after_mend(const struct site *site, const struct mend *m)
 {
 	struct site *other = mend_site(site, m, NULL);
 	double most = 0;
 	for (size_t r = 0; other != NULL && r < other->n_run; r++)
 		if (other->run[r].product.n > 0)
-			most = fmax(most, outliers_distance(other, r));
+			most =
+			    fmax(most, distance_from_other_products(other, r));
 	site_free(other);
 	return most;
 }
@@ -276,12 +278,13 @@ roughness(const struct site *site, const struct mend *m)
 /* A moved column makes speeds seem exchanged, and the reverse.  Keeps the one
  * of two mends that leaves the products more alike. */
 static void
-keep_smoother(struct doctor *d, const struct site *site)
+keep_mend_with_smoother_products(struct doctor *d, const struct site *site)
 {
 	if (d->n < 2)
 		return;
 	const struct finding *f = d->finding;
-	if (roughness(site, &f[1].mend) < roughness(site, &f[0].mend))
+	if (largest_distance_after_mend(site, &f[1].mend) <
+	    largest_distance_after_mend(site, &f[0].mend))
 		d->finding[0] = f[1];
 	d->n = 1;
 }
@@ -289,7 +292,7 @@ keep_smoother(struct doctor *d, const struct site *site)
 /* Finds a column in micrometres that was taken for millimetres, or the
  * reverse. */
 static void
-find_scaled(struct doctor *d, const struct site *site)
+find_column_in_wrong_unit(struct doctor *d, const struct site *site)
 {
 	const double apart = 100, factor = 1000, largest = 1;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -312,7 +315,7 @@ find_scaled(struct doctor *d, const struct site *site)
 }
 
 static void
-find_copies(struct doctor *d, const struct site *site)
+find_copied_products(struct doctor *d, const struct site *site)
 {
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++)
@@ -327,14 +330,14 @@ find_copies(struct doctor *d, const struct site *site)
 /* ---- Cells ---- */
 
 static const struct psd *
-outliers_curve_of(const struct site *site, const struct mend *m)
+curve_of_mend(const struct site *site, const struct mend *m)
 {
 	const struct run *run = &site->run[m->run];
 	return m->feed ? &run->feed : &run->product;
 }
 
 static double
-distance_to(const struct finding *f, double passing)
+distance_from_expected(const struct finding *f, double passing)
 {
 	return fabs(passing - f->expected);
 }
@@ -347,8 +350,9 @@ consider_reading(struct finding *f, double passing)
 {
 	double least = 0.001, near = 3 * f->sd + least;
 	bool taken = f->mend.kind == MEND_READ;
-	double so_far = taken ? distance_to(f, f->mend.value) : near;
-	if (distance_to(f, passing) >= so_far || passing < 0 || passing > 1)
+	double so_far = taken ? distance_from_expected(f, f->mend.value) : near;
+	if (distance_from_expected(f, passing) >= so_far || passing < 0 ||
+	    passing > 1)
 		return;
 	f->mend.kind = MEND_READ;
 	f->mend.value = passing;
@@ -357,7 +361,7 @@ consider_reading(struct finding *f, double passing)
 /* Finds the digits of a passing in per cent, "691", and how many are before the
  * point.  Returns 0 if the passing was calculated and not typed. */
 static size_t
-outliers_digits_of(double passing, char digits[static 16], size_t *point)
+digits_of_passing(double passing, char digits[static 16], size_t *point)
 {
 	double hundredths = passing * 1e4;
 	size_t n = 0;
@@ -378,7 +382,7 @@ outliers_digits_of(double passing, char digits[static 16], size_t *point)
 }
 
 static double
-value_of(const char *digits, size_t point)
+passing_of_digits(const char *digits, size_t point)
 {
 	double value = 0, place = 1;
 	for (size_t i = 0; digits[i] != '\0'; i++) {
@@ -393,18 +397,18 @@ static void
 consider_digit_errors(struct finding *f)
 {
 	char digits[16], other[16];
-	size_t point, n = outliers_digits_of(f->measured, digits, &point);
+	size_t point, n = digits_of_passing(f->measured, digits, &point);
 	for (size_t i = 0; i + 1 < n; i++) {
 		memcpy(other, digits, sizeof other);
 		other[i] = digits[i + 1];
 		other[i + 1] = digits[i];
 		if (digits[i] != digits[i + 1])
-			consider_reading(f, value_of(other, point));
+			consider_reading(f, passing_of_digits(other, point));
 		memmove(other + i, digits + i + 1, n - i);
 		memcpy(other, digits, i);
 		if (digits[i] == digits[i + 1])
 			consider_reading(
-			    f, value_of(other, point - (i < point)));
+			    f, passing_of_digits(other, point - (i < point)));
 	}
 	if (n > 0) {
 		consider_reading(f, round(f->measured * 1e13) / 1e12);
@@ -420,7 +424,7 @@ outliers_add_cell(struct doctor *d, const struct site *site,
 {
 	struct mend m = {
 	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
-	const struct psd *psd = outliers_curve_of(site, &m);
+	const struct psd *psd = curve_of_mend(site, &m);
 	m.size = psd->size[cell->sieve];
 	struct finding *f = outliers_add(d, m);
 	f->measured = psd->passing[cell->sieve];
@@ -446,7 +450,7 @@ runs_with_misfit(const struct site *site)
 /* A fit moves towards a cell that is off.  Refits the site without that
  * cell. */
 static void
-move_refitted(struct posterior *p, const struct site *site, struct mend m)
+refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 {
 	enum { MOST = 100 };
 	m.kind = MEND_OUT;
@@ -491,8 +495,8 @@ shift_along_curves(
 /* Finds the next cell, from a fit of its own, which moves.  found [n]: the
  * cells before it.  False if none is worth reporting. */
 static bool
-find_next(struct doctor *d, const struct site *site, struct posterior *p,
-    double noise, size_t *found, size_t n)
+find_next_surprising_cell(struct doctor *d, const struct site *site,
+    struct posterior *p, double noise, size_t *found, size_t n)
 {
 	struct leave_out *l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
@@ -515,8 +519,8 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 		FEED_OFF))
 		return true;
 	struct mend m = {.feed = c.feed, .run = c.run};
-	m.size = outliers_curve_of(site, &m)->size[c.sieve];
-	move_refitted(p, site, m);
+	m.size = curve_of_mend(site, &m)->size[c.sieve];
+	refit_without_cell(p, site, m);
 	l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
 		leave_out_drop(l, found[i]);
@@ -531,20 +535,21 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 }
 
 static void
-find_surprising(struct doctor *d, const struct site *site,
+find_surprising_cells(struct doctor *d, const struct site *site,
     const struct posterior *posterior, double noise)
 {
 	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the draws */
 	size_t found[CELLS], n = 0;
 	*p = *posterior;
-	while (n < CELLS && find_next(d, site, p, noise, found, n))
+	while (
+	    n < CELLS && find_next_surprising_cell(d, site, p, noise, found, n))
 		n++;
 	free(p);
 }
 
 /* Lists the curves of the feeds, or of the products, and their runs. */
 static size_t
-outliers_gather(
+gather_curves(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
 {
 	size_t n = 0;
@@ -560,7 +565,7 @@ outliers_gather(
 }
 
 static void
-add_bent(struct doctor *d, const struct site *site, double noise,
+add_bent_cell(struct doctor *d, const struct site *site, double noise,
     struct leave_out_cell cell)
 {
 	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
@@ -568,15 +573,16 @@ add_bent(struct doctor *d, const struct site *site, double noise,
 }
 
 static void
-find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
+find_most_bent_cell(
+    struct doctor *d, const struct site *site, bool feed, double noise)
 {
 	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	size_t *run = xcalloc(site->n_run, sizeof *run);
-	size_t n = outliers_gather(site, feed, curve, run);
+	size_t n = gather_curves(site, feed, curve, run);
 	struct psd_outlier o = psd_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
-		add_bent(d, site, noise,
+		add_bent_cell(d, site, noise,
 		    (struct leave_out_cell){feed, run[o.curve], o.sieve});
 	free(curve);
 	free(run);
@@ -585,7 +591,7 @@ find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
 /* ---- All ---- */
 
 static double
-rmse_of(const struct site *site, const struct posterior *p)
+rmse_of_fit(const struct site *site, const struct posterior *p)
 {
 	bool *use = runs_with_misfit(site), any = false;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -602,14 +608,14 @@ rmse_of(const struct site *site, const struct posterior *p)
 }
 
 static void
-outliers_measure(
+compute_rmse_with_mends(
     struct doctor *d, const struct site *site, const struct posterior *p)
 {
 	for (size_t i = 0; i < d->n && p != NULL; i++) {
 		struct finding *f = &d->finding[i];
 		struct site *other = mend_site(site, &f->mend, NULL);
-		f->rmse[0] = rmse_of(site, p);
-		f->rmse[1] = other != NULL ? rmse_of(other, p) : NAN;
+		f->rmse[0] = rmse_of_fit(site, p);
+		f->rmse[1] = other != NULL ? rmse_of_fit(other, p) : NAN;
 		site_free(other);
 	}
 }
@@ -644,28 +650,28 @@ outliers_find(
     const struct site *site, const struct posterior *posterior, double noise)
 {
 	struct doctor d = {0};
-	find_scaled(&d, site);
+	find_column_in_wrong_unit(&d, site);
 	if (d.n == 0)
 		find_swapped_feeds(&d, site);
 	if (d.n == 0) {
-		find_exchanged(&d, site);
-		find_moved(&d, site);
-		keep_smoother(&d, site);
+		find_exchanged_products(&d, site);
+		find_column_moved_by_a_sieve(&d, site);
+		keep_mend_with_smoother_products(&d, site);
 	}
 	bool columns = d.n > 0;
-	find_copies(&d, site);
+	find_copied_products(&d, site);
 	size_t cells = count_cells(site);
 	if (cells > DOCTOR_CELLS)
 		d.unseen = cells;
 	bool look = !columns && d.unseen == 0;
 	if (look && posterior != NULL)
-		find_surprising(&d, site, posterior, noise);
+		find_surprising_cells(&d, site, posterior, noise);
 	if (look && posterior == NULL) {
-		find_bent(&d, site, true, noise);
-		find_bent(&d, site, false, noise);
+		find_most_bent_cell(&d, site, true, noise);
+		find_most_bent_cell(&d, site, false, noise);
 	}
 	drop_impossible(&d, site);
-	outliers_measure(&d, site, posterior);
+	compute_rmse_with_mends(&d, site, posterior);
 	return d;
 }
 

@@ -92,7 +92,7 @@ weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
 
 /* Returns the share of the feed above the break size that breaks at a speed. */
 static double
-share_broken(const struct misfit *m, const struct params *p)
+broken_share_of_breakable(const struct misfit *m, const struct params *p)
 {
 	double x = params_break_size_by(p, &m->settings, m->run[0].speed);
 	double above =
@@ -140,7 +140,7 @@ trust_read_draws(struct evidence *e, const struct posterior *p,
 /* Returns the largest difference between the halves at the slowest and the
  * fastest measured speed and midway. */
 static double
-halves_difference_of_products(const struct evidence *e,
+largest_difference_between_halves(const struct evidence *e,
     const struct posterior *p, const struct site *site, const double *sieve,
     size_t n)
 {
@@ -149,15 +149,15 @@ halves_difference_of_products(const struct evidence *e,
 	double most = 0;
 	for (int i = 0; i <= 2; i++)
 		most = fmax(
-		    most, ensemble_halves(of,
+		    most, ensemble_halves_apart(of,
 			      e->slowest + i * (e->fastest - e->slowest) / 2));
 	ensemble_free(of);
 	return most;
 }
 
 static void
-find_holdout(struct evidence *e, const struct site *site, const bool *train,
-    const struct fit *fit)
+find_worst_holdout(struct evidence *e, const struct site *site,
+    const bool *train, const struct fit *fit)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (train[r] || misfit_covered(&site->run[r]) == 0)
@@ -305,7 +305,7 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	    .finer_sd = NAN,
 	    .unbounded = NAN,
 	    .halves = NAN,
-	    .breaks = share_broken(m, &fit->params)};
+	    .breaks = broken_share_of_breakable(m, &fit->params)};
 	double *d = xdoubles(m->n_residual);
 	size_t n;
 	double *sieve = site_sieves(site, &n);
@@ -313,14 +313,14 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	weigh_residuals(
 	    &e, m, d, remove_parameter_steps(m, fit, bounds, d), noise);
 	trust_find_speeds(&e, m);
-	find_holdout(&e, site, train, fit);
+	find_worst_holdout(&e, site, train, fit);
 	find_contradictions(&e, site, use, fit);
 	e.all_break = !isnan(params_value(&fit->params, "e0_min")) &&
 		      params_break_size_by(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
 		trust_read_draws(&e, posterior, fit, sieve[n - 1]);
-		e.halves = halves_difference_of_products(
+		e.halves = largest_difference_between_halves(
 		    &e, posterior, site, sieve, n);
 	}
 	free(sieve);

@@ -14,7 +14,7 @@
 static const double LINEAR = 1.5976, CUBIC = 0.07056;
 
 static double
-coordinates_share_of(double x)
+share_of_coordinate(double x)
 {
 	return 1 / (1 + el_exp(-x * (LINEAR + CUBIC * x * x)));
 }
@@ -44,7 +44,7 @@ share_inside_ends(double share)
 /* Returns the coordinate of a share, by Newton's method on a cubic that rises
  * everywhere. */
 static double
-coordinates_number_of(double share)
+coordinate_of_share(double share)
 {
 	share = share_inside_ends(share);
 	double rise = el_log(share / (1 - share)), x = rise / LINEAR;
@@ -155,7 +155,7 @@ coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
 /* Finds the range of alpha for a break size x*: alpha lies within its own
  * bounds, and e0_min at either end within those of e0_min. */
 static void
-alpha_within(
+range_of_alpha(
     const struct coordinates *c, double log_break, double *low, double *high)
 {
 	size_t alpha = c->of->strength + 2;
@@ -167,14 +167,14 @@ alpha_within(
  *   d e0_min = alpha e0_min d ln x*  at constant alpha,
  *   d ln x* = ln x* d ln(share of x). */
 static double
-coordinates_slope_at(const struct coordinates *c, const double *x, double *at)
+slope_from_coordinates(const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
-	double share = coordinates_share_of(x[f]),
+	double share = share_of_coordinate(x[f]),
 	       log_break = c->largest / share, low, high;
 	double hard = logistic(x[f + 1]);
-	alpha_within(c, log_break, &low, &high);
-	double alpha = low + (high - low) * coordinates_share_of(x[f + 2]);
+	range_of_alpha(c, log_break, &low, &high);
+	double alpha = low + (high - low) * share_of_coordinate(x[f + 2]);
 	double e0 = el_exp(c->middle + alpha * log_break);
 	at[f] = c->bounds.lower[f] +
 		(c->bounds.upper[f] - c->bounds.lower[f]) * hard;
@@ -197,27 +197,27 @@ coordinates_from_slope(const struct coordinates *c, const double *at, double *x)
 	double hard =
 	    share_inside_ends((at[f] - c->bounds.lower[f]) /
 			      (c->bounds.upper[f] - c->bounds.lower[f]));
-	x[f] = coordinates_number_of(c->largest / log_break);
-	alpha_within(c, c->largest / coordinates_share_of(x[f]), &low, &high);
+	x[f] = coordinate_of_share(c->largest / log_break);
+	range_of_alpha(c, c->largest / share_of_coordinate(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
-	x[f + 2] = coordinates_number_of((alpha - low) / (high - low));
+	x[f + 2] = coordinate_of_share((alpha - low) / (high - low));
 }
 
 static bool
-is_parameter(const struct coordinates *c, size_t j)
+is_coordinate_the_parameter(const struct coordinates *c, size_t j)
 {
 	size_t f = c->of->strength;
 	return j >= c->of->gauge && !(c->by_slope && j >= f && j <= f + 2);
 }
 
 double
-coordinates_params(const struct coordinates *c, const double *x, double *at)
+coordinates_to_params(const struct coordinates *c, const double *x, double *at)
 {
 	double sum = 0;
 	for (size_t j = 0; j < c->of->n; j++) {
 		const struct param_info *info = &c->of->parameter[j];
 		at[j] = x[j];
-		if (!is_parameter(c, j))
+		if (!is_coordinate_the_parameter(c, j))
 			continue;
 		double z =
 		    info->spread > 0 ? (x[j] - info->start) / info->spread : 0;
@@ -227,11 +227,12 @@ coordinates_params(const struct coordinates *c, const double *x, double *at)
 	}
 	if (c->of->gauge > 0)
 		sum += gauge_from_coordinates(c, x, at);
-	return c->by_slope ? sum + coordinates_slope_at(c, x, at) : sum;
+	return c->by_slope ? sum + slope_from_coordinates(c, x, at) : sum;
 }
 
 void
-coordinates_of(const struct coordinates *c, const double *at, double *x)
+coordinates_from_params(
+    const struct coordinates *c, const double *at, double *x)
 {
 	memcpy(x, at, c->of->n * sizeof *x);
 	if (c->of->gauge > 0)
@@ -241,11 +242,11 @@ coordinates_of(const struct coordinates *c, const double *at, double *x)
 }
 
 void
-coordinates_reflect(const struct coordinates *c, double *x)
+coordinates_reflect_at_bounds(const struct coordinates *c, double *x)
 {
 	for (size_t j = 0; j < c->of->n; j++) {
 		double lower = c->bounds.lower[j], upper = c->bounds.upper[j];
-		if (!is_parameter(c, j))
+		if (!is_coordinate_the_parameter(c, j))
 			continue;
 		if (x[j] < lower)
 			x[j] = 2 * lower - x[j];

@@ -86,7 +86,7 @@ refine_feed(const struct psd *feed, const double *size, size_t n)
 /* Makes a kernel whose differences are passings: the measured passings that it
  * subtracts are 0. */
 static struct kernel *
-kernel_of(const struct posterior *p, const struct psd *smooth,
+kernel_of_passings(const struct posterior *p, const struct psd *smooth,
     const double *size, size_t n)
 {
 	struct psd feed = refine_feed(smooth, size, n);
@@ -133,7 +133,7 @@ find_knots_of_sieves(struct ensemble *e, const double *size)
 }
 
 static void
-set_theta_column(struct ensemble *e, size_t column, const struct params *p,
+set_parameter_column(struct ensemble *e, size_t column, const struct params *p,
     const struct strengths *rock)
 {
 	size_t f = breakage_of(p)->strength;
@@ -146,13 +146,14 @@ set_theta_column(struct ensemble *e, size_t column, const struct params *p,
 }
 
 static void
-set_theta(struct ensemble *e)
+set_parameter_columns(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
 	for (size_t i = FIT; i < ALL; i++)
-		set_theta_column(e, i, &p->fit, &(struct strengths){0, 1, 1});
+		set_parameter_column(
+		    e, i, &p->fit, &(struct strengths){0, 1, 1});
 	for (size_t d = 0; d < DRAWS; d++)
-		set_theta_column(
+		set_parameter_column(
 		    e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
@@ -200,7 +201,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	struct ensemble *e = xcalloc(1, sizeof *e);
 	*e = (struct ensemble){.of = p,
 	    .n = n,
-	    .kernel = kernel_of(p, feed, size, n),
+	    .kernel = kernel_of_passings(p, feed, size, n),
 	    .exact = model_new(feed, size, n, p->settings),
 	    .product = xdoubles(n * ALL),
 	    .misfit = xdoubles(ALL),
@@ -211,7 +212,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	set_exact_model(e, p->fit);
 	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++)
 		e->theta[j] = xdoubles(ALL);
-	set_theta(e);
+	set_parameter_columns(e);
 	for (size_t i = 0; i < n; i++)
 		e->feed[i] = psd_passing(feed, size[i]);
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
@@ -223,7 +224,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 }
 
 static void
-forget_rising(struct ensemble *e)
+free_rising_grid(struct ensemble *e)
 {
 	for (size_t k = 0; k < RISING; k++) {
 		free(e->rising[k]);
@@ -234,7 +235,7 @@ forget_rising(struct ensemble *e)
 }
 
 void
-ensemble_machine(struct ensemble *e, struct model_settings settings)
+ensemble_set_machine(struct ensemble *e, struct model_settings settings)
 {
 	const struct params *fit = &e->of->fit;
 	size_t strength = breakage_of(fit)->strength;
@@ -242,10 +243,10 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	struct params p = *fit;
 	p.at[strength] *= e->more;
 	set_exact_model(e, p);
-	set_theta(e);
+	set_parameter_columns(e);
 	e->bypass = settings.bypass;
 	e->at = 0;
-	forget_rising(e);
+	free_rising_grid(e);
 }
 
 void
@@ -266,12 +267,12 @@ ensemble_free(struct ensemble *e)
 	free(e->knot);
 	free(e->share);
 	free(e->delta);
-	forget_rising(e);
+	free_rising_grid(e);
 	free(e);
 }
 
 size_t
-ensemble_sizes(const struct ensemble *e)
+ensemble_count_sizes(const struct ensemble *e)
 {
 	return e->n;
 }
@@ -285,7 +286,7 @@ static const double SLOW = 0.875;
 /* Returns S of the coarsest size at speed v by a draw, whose rock may have two
  * strengths. */
 static double
-selection_of_draw(
+selection_of_coarsest_size(
     const struct posterior *p, const struct posterior_draw *draw, double v)
 {
 	const struct strengths *rock = &draw->strengths;
@@ -305,17 +306,18 @@ selection_of_draw(
 /* Computes the share of each draw's correction that remains at speed v, 0..1,
  * left [DRAWS] out.  Returns the speed at which that correction applies. */
 static double
-correction_left(const struct posterior *p, double v, double *left)
+share_of_correction_left(const struct posterior *p, double v, double *left)
 {
 	double at = fmax(v, SLOW * p->speed[0]);
 	for (size_t d = 0; d < DRAWS; d++) {
 		left[d] = 1;
 		if (v == at)
 			continue;
-		double there = selection_of_draw(p, &p->draw[d], at);
-		left[d] = there > 0
-			      ? selection_of_draw(p, &p->draw[d], v) / there
-			      : 0;
+		double there = selection_of_coarsest_size(p, &p->draw[d], at);
+		left[d] =
+		    there > 0
+			? selection_of_coarsest_size(p, &p->draw[d], v) / there
+			: 0;
 	}
 	return at;
 }
@@ -324,7 +326,7 @@ correction_left(const struct posterior *p, double v, double *left)
  * linear in v^2 between measured speeds, constant beyond them; 0 until it has
  * been found. */
 static double
-ensemble_lack(const struct posterior *p, double v, size_t knot)
+lack_of_fit_at(const struct posterior *p, double v, size_t knot)
 {
 	if (p->lack == NULL)
 		return 0;
@@ -340,11 +342,11 @@ ensemble_lack(const struct posterior *p, double v, size_t knot)
 
 /* Computes the discrepancy of each draw at speed v, at the knots. */
 static void
-fill_knots(struct ensemble *e, double v)
+fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
 	const struct posterior *p = e->of;
-	double left[DRAWS], at = correction_left(p, v, left);
-	double t = discrepancy_time(at, p->middle);
+	double left[DRAWS], at = share_of_correction_left(p, v, left);
+	double t = discrepancy_t_of_speed(at, p->middle);
 	double factor[DISCREPANCY_TERMS][DRAWS];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double term[DISCREPANCY_TERMS];
@@ -353,7 +355,7 @@ fill_knots(struct ensemble *e, double v)
 			factor[j][d] = left[d] * term[j];
 	}
 	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS) {
-		double lack = ensemble_lack(p, at, i / DRAWS);
+		double lack = lack_of_fit_at(p, at, i / DRAWS);
 		for (size_t d = 0; d < DRAWS; d++) {
 			double sum = left[d] * lack;
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
@@ -364,7 +366,7 @@ fill_knots(struct ensemble *e, double v)
 }
 
 void
-ensemble_delta(const struct ensemble *e, size_t d, double *delta)
+ensemble_discrepancy(const struct ensemble *e, size_t d, double *delta)
 {
 	for (size_t i = 0; i < e->n; i++) {
 		const double *at = e->delta + e->knot[i] * DRAWS + d;
@@ -375,15 +377,15 @@ ensemble_delta(const struct ensemble *e, size_t d, double *delta)
 /* Fills row i of model and answer.  The row of the next finer size exists
  * already. */
 static void
-ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
-    double *restrict answer)
+fill_model_and_answer_row(const struct ensemble *e, size_t i,
+    double *restrict model, double *restrict answer)
 {
 	const double *P = e->product + i * ALL;
 	const double *delta = e->delta + e->knot[i] * DRAWS;
 	double share = e->share[i], rest = 1 - share;
 	double fit = e->fit[i], scheme = P[FIT], feed = e->feed[i];
 	for (size_t d = 0; d < DRAWS; d++) {
-		double p = discrepancy_within(P[d] + fit - scheme, feed);
+		double p = discrepancy_clamp(P[d] + fit - scheme, feed);
 		double more = share * delta[d] + rest * delta[d + DRAWS];
 		double finer = answer[d + DRAWS];
 		model[d] = p;
@@ -394,14 +396,14 @@ ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
 
 /* Fills row i of the samples in the same way. */
 static void
-fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
+fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 {
 	const double *answer = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
 	const double *error = e->of->error + e->knot[i] * DRAWS;
 	double share = e->share[i], rest = 1 - share;
 	for (size_t d = 0; d < DRAWS; d++) {
 		double err = share * error[d] + rest * error[d + DRAWS];
-		sample[d] = discrepancy_within(
+		sample[d] = discrepancy_clamp(
 		    answer[d] + discrepancy_h(answer[d]) * err,
 		    sample[d + DRAWS]);
 	}
@@ -414,7 +416,7 @@ make_samples(struct ensemble *e)
 	if (e->sampled)
 		return;
 	for (size_t i = e->n; i-- > 0;)
-		fill_samples(e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
+		fill_sample_row(e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
 	e->sampled = true;
 }
 
@@ -439,9 +441,10 @@ ensemble_draws_at(struct ensemble *e, double v)
 	const double *const *theta = (const double *const *)e->theta;
 	kernel_evaluate_part(e->kernel, theta, 0, ALL, 0, &out);
 	model_product(e->exact, v, e->fit);
-	fill_knots(e, v);
+	fill_discrepancy_at_knots(e, v);
 	for (size_t i = e->n; i-- > 0;)
-		ensemble_fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
+		fill_model_and_answer_row(e, i,
+		    e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 	e->sampled = false;
 }
@@ -449,7 +452,7 @@ ensemble_draws_at(struct ensemble *e, double v)
 /* Returns the last speed of the grid that exists and is not above v, but not
  * the fastest one; if there is none, the slowest. */
 static size_t
-grid_place(const struct ensemble *e, double v)
+index_on_grid(const struct ensemble *e, double v)
 {
 	size_t low = e->slowest, high = e->fastest;
 	while (low + 1 < high) {
@@ -460,7 +463,7 @@ grid_place(const struct ensemble *e, double v)
 }
 
 size_t
-ensemble_pool(double *value, double *weight, size_t *length, size_t n)
+ensemble_pool_falling(double *value, double *weight, size_t *length, size_t n)
 {
 	size_t blocks = 0;
 	for (size_t k = 0; k < n; k++) {
@@ -491,7 +494,7 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		mean[j] = e->rising[SLOWEST + j][i];
 		weight[j] = e->counts[SLOWEST + j];
 	}
-	size_t n = ensemble_pool(mean, weight, length, all);
+	size_t n = ensemble_pool_falling(mean, weight, length, all);
 	for (size_t block = 0; block < n; block++)
 		for (size_t j = 0; j < length[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
@@ -501,7 +504,7 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 
 /* Computes the answers at speed k of the grid, as drawn. */
 static void
-draw_grid(struct ensemble *e, size_t k)
+answers_at_grid_speed(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
 	ensemble_draws_at(e, e->speed[k]);
@@ -511,10 +514,10 @@ draw_grid(struct ensemble *e, size_t k)
 }
 
 static void
-make_rising(struct ensemble *e)
+make_rising_grid(struct ensemble *e)
 {
 	for (size_t k = SLOWEST; k <= e->last; k++)
-		draw_grid(e, k);
+		answers_at_grid_speed(e, k);
 	for (size_t i = 0; i < e->n * DRAWS; i++)
 		pool_adjacent_violators(e, i);
 	e->slowest = SLOWEST;
@@ -528,7 +531,7 @@ extend_rising_grid(struct ensemble *e, double v)
 {
 	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
-		draw_grid(e, k);
+		answers_at_grid_speed(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
 			double above = e->rising[k + 1][i];
 			e->moved[k][i] = e->rising[k][i] > above;
@@ -537,7 +540,7 @@ extend_rising_grid(struct ensemble *e, double v)
 	}
 	while (e->fastest + 1 < RISING && v > e->speed[e->fastest]) {
 		size_t k = ++e->fastest;
-		draw_grid(e, k);
+		answers_at_grid_speed(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
 			double below = e->rising[k - 1][i];
 			e->moved[k][i] = e->rising[k][i] < below;
@@ -551,9 +554,9 @@ extend_rising_grid(struct ensemble *e, double v)
  * that does not fall.  Between two of them it is a straight line if either was
  * moved, otherwise the draw as it is. */
 static void
-keep_rising(struct ensemble *e, double v)
+limit_answers_by_grid(struct ensemble *e, double v)
 {
-	size_t k = grid_place(e, v);
+	size_t k = index_on_grid(e, v);
 	const double *below = e->rising[k], *above = e->rising[k + 1];
 	double from = e->speed[k], to = e->speed[k + 1];
 	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
@@ -574,10 +577,10 @@ static void
 rising_answers_at(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
-		make_rising(e);
+		make_rising_grid(e);
 	extend_rising_grid(e, v);
 	ensemble_draws_at(e, v);
-	keep_rising(e, v);
+	limit_answers_by_grid(e, v);
 }
 
 /* True if v lies between two measured speeds: number *k and the next. */
@@ -713,7 +716,7 @@ ensemble_row_interval(struct ensemble *e, enum ensemble_part part, size_t row,
 }
 
 double
-ensemble_halves(struct ensemble *e, double v)
+ensemble_halves_apart(struct ensemble *e, double v)
 {
 	enum { HALF = DRAWS / 2 };
 	const double rounding = 0.001, level = 0.8;

@@ -16,7 +16,7 @@ guide_begin(struct guide *g, size_t size, const double *origin)
 }
 
 static void
-add_chain(
+add_chain_to_moments(
     const struct guide *g, const double *x, double weight, struct moments *sum)
 {
 	double off[GUIDE_MOST];
@@ -49,7 +49,7 @@ guide_add(struct guide *g, const double *const *x, size_t chains, double weight,
 	if (chains == 0)
 		return;
 	for (size_t c = 0; c < chains; c++)
-		add_chain(g, x[c], 1 / (double)chains, &sum);
+		add_chain_to_moments(g, x[c], 1 / (double)chains, &sum);
 	g->n += weight;
 	moments_blend(g, weight / g->n, &sum);
 }

@@ -27,7 +27,7 @@ draws_of_parameter(
 }
 
 static int
-bound_of_draws(const double *value, double lower, double upper)
+bound_where_draws_lie(const double *value, double lower, double upper)
 {
 	double edge = EDGE * (upper - lower), low = 0, high = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -39,7 +39,7 @@ bound_of_draws(const double *value, double lower, double upper)
 
 /* Returns the first n parameters of a draw as a vector of length 1. */
 static void
-draw_direction(const struct posterior *p, size_t d, size_t n, double *unit)
+direction_of_draw(const struct posterior *p, size_t d, size_t n, double *unit)
 {
 	double squares = 0;
 	for (size_t j = 0; j < n; j++)
@@ -56,7 +56,7 @@ scatter_of_direction(const struct posterior *p, size_t n)
 {
 	double mean[PARAMS_MOST] = {0}, unit[PARAMS_MOST], length = 0, sum = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
-		draw_direction(p, d, n, unit);
+		direction_of_draw(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			mean[j] += unit[j];
 	}
@@ -64,7 +64,7 @@ scatter_of_direction(const struct posterior *p, size_t n)
 		length += mean[j] * mean[j];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double along = 0;
-		draw_direction(p, d, n, unit);
+		direction_of_draw(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			along += unit[j] * mean[j] / sqrt(length);
 		sum += fmax(1 - along * along, 0) / DRAWS;
@@ -98,7 +98,7 @@ identify_param(const struct posterior *p, size_t j)
 		  : a.ratio < POORLY     ? IDENTIFY_POORLY
 					 : IDENTIFY_NOT;
 	a.bound = moves && j >= of->gauge
-		      ? bound_of_draws(value, b->lower[j], b->upper[j])
+		      ? bound_where_draws_lie(value, b->lower[j], b->upper[j])
 		      : 0;
 	return a;
 }

@@ -91,7 +91,7 @@ add_residuals_at_knots(const struct posterior *p, const struct misfit_run *run,
 }
 
 static size_t
-number_of_speed(const struct posterior *p, double v)
+index_of_speed(const struct posterior *p, double v)
 {
 	size_t k = 0;
 	while (p->speed[k] < v)
@@ -107,9 +107,9 @@ add_shares_of_residuals(struct posterior *p, const struct misfit *m,
 {
 	double repeats[POSTERIOR_RUNS] = {0};
 	for (size_t j = 0; j < m->n_run; j++)
-		repeats[number_of_speed(p, m->run[j].speed)]++;
+		repeats[index_of_speed(p, m->run[j].speed)]++;
 	for (size_t j = 0; j < m->n_run; r += m->run[j].n, h += m->run[j++].n) {
-		size_t k = number_of_speed(p, m->run[j].speed);
+		size_t k = index_of_speed(p, m->run[j].speed);
 		add_residuals_at_knots(p, &m->run[j], r, h,
 		    share[j] / repeats[k], p->lack + k * p->n_knot);
 	}

@@ -151,8 +151,8 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	trial->volume = s->hyper ? now->volume : rescale_to_cells(s, trial->d);
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
-	    trial->volume +
-	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
+	    trial->volume + covariance_minus_log_density(s->covariance,
+				s->hyper ? trial->U : now->U, work);
 	if (s->hyper)
 		trial->prior = now->prior;
 	trial->hyper_prior = s->hyper ? discrepancy_minus_log_prior(
@@ -173,7 +173,7 @@ find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
 }
 
 static void
-evaluate_part(void *data, size_t part, unsigned thread)
+evaluate_some_trials(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
 	size_t from = part * PART, to = from + PART;
@@ -194,13 +194,13 @@ strengths_of(const struct sampler *s, const double *x)
 
 /* Puts trial i into a place of the order. */
 static void
-posterior_line_up(
+place_trial_in_order(
     struct sampler *s, size_t i, struct strengths rock, size_t place)
 {
 	size_t e0 = s->of->strength + 1;
 	double at[PARAMS_MOST], *prior = &s->trial[i].prior;
 	const double *x = s->trial[i].x;
-	*prior = coordinates_params(&s->coordinates, x, at);
+	*prior = coordinates_to_params(&s->coordinates, x, at);
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		*prior += x[j] * x[j] / 2;
 	s->order[place] = i;
@@ -219,15 +219,16 @@ posterior_evaluate(struct sampler *s)
 		s->order[i] = i;
 	for (size_t i = 0; i < HALF && !s->hyper; i++) {
 		struct strengths rock = strengths_of(s, s->trial[i].x);
-		posterior_line_up(s, i, rock, rock.share > 0 ? two++ : --one);
+		place_trial_in_order(
+		    s, i, rock, rock.share > 0 ? two++ : --one);
 	}
-	pool_run(s->pool, HALF / PART, evaluate_part, s);
+	pool_run(s->pool, HALF / PART, evaluate_some_trials, s);
 }
 
 /* Proposes a move of chain i along the difference of two chains of the other
  * half. */
 static void
-posterior_propose(struct sampler *s, size_t i, struct rng_key key)
+propose_along_difference(struct sampler *s, size_t i, struct rng_key key)
 {
 	const struct chain *other = &s->chain[s->first == 0 ? HALF : 0];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS);
@@ -248,7 +249,7 @@ posterior_propose(struct sampler *s, size_t i, struct rng_key key)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
 	for (size_t j = STRENGTHS; j < STRENGTHS + strengths; j++)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
-	coordinates_reflect(&s->coordinates, x);
+	coordinates_reflect_at_bounds(&s->coordinates, x);
 }
 
 /* Returns 1 if the rock has two strengths, otherwise 0. */
@@ -274,7 +275,7 @@ guided_density(const struct sampler *s, const double *x)
  * one strength, so nothing is known of them.  Returns the same as
  * guide_propose. */
 static double
-draw_strength(double *x, struct rng_key key, uint32_t at)
+draw_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
 {
 	double more = 0;
 	for (size_t j = STRENGTHS; j < COORDINATES; j++) {
@@ -304,8 +305,8 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	trial->more = guide_propose(s->hyper ? &s->hypers : &s->kind[to],
 	    all ? 1 : half, now, trial->x, key, at + 1);
 	if (!s->hyper && s->two && to == 0)
-		trial->more +=
-		    draw_strength(trial->x, key, at + 1 + 2 * COORDINATES);
+		trial->more += draw_strengths_from_prior(
+		    trial->x, key, at + 1 + 2 * COORDINATES);
 	if (strength_kind_of(s, trial->x) != to)
 		trial->more = INFINITY;
 	else if (to != kind)
@@ -315,7 +316,7 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 
 /* Lists the coordinates that move, at [COORDINATES] out. */
 static size_t
-free_coordinates(const struct sampler *s, size_t *at)
+list_moving_coordinates(const struct sampler *s, size_t *at)
 {
 	size_t n = 0;
 	for (size_t j = 0; j < HYPERS && s->hyper; j++)
@@ -333,7 +334,7 @@ static void
 factor_guides(struct sampler *s)
 {
 	const double generations = 2, least = 0.05;
-	size_t at[COORDINATES], n = free_coordinates(s, at);
+	size_t at[COORDINATES], n = list_moving_coordinates(s, at);
 	struct guide all = s->guide[0];
 	guide_blend(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
@@ -356,7 +357,7 @@ factor_guides(struct sampler *s)
  * guided. During the warm-up parameters move along differences, because the
  * cloud of chains has no useful shape while they are still choosing valleys. */
 static void
-choose_moves(struct sampler *s)
+choose_kind_of_move(struct sampler *s)
 {
 	size_t every = s->generation < WARM_UP ? 2 * HYPER_EVERY : HYPER_EVERY;
 	s->hyper = s->generation % every == every - 1;
@@ -406,7 +407,7 @@ accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 
 /* Changes to the other half.  True if both have moved. */
 static bool
-posterior_other_half(struct sampler *s)
+switch_halves(struct sampler *s)
 {
 	s->first = HALF - s->first;
 	return s->first == 0;
@@ -414,16 +415,17 @@ posterior_other_half(struct sampler *s)
 
 /* Moves a half.  True if that completes a generation. */
 static bool
-propose_for_half(struct sampler *s)
+move_half(struct sampler *s)
 {
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
-	choose_moves(s);
+	choose_kind_of_move(s);
 	for (size_t i = 0; i < HALF; i++)
-		(s->guided ? propose_guided : posterior_propose)(s, i, key);
+		(s->guided ? propose_guided : propose_along_difference)(
+		    s, i, key);
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept_or_reject(s, i, key);
-	if (!posterior_other_half(s))
+	if (!switch_halves(s))
 		return false;
 	s->generation++;
 	return true;
@@ -447,7 +449,7 @@ start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 	for (size_t j = s->of->gauge; j < s->of->n; j++)
 		p.at[j] =
 		    fmin(fmax(p.at[j], s->bounds.lower[j]), s->bounds.upper[j]);
-	coordinates_of(&s->coordinates, p.at, c->x);
+	coordinates_from_params(&s->coordinates, p.at, c->x);
 	for (size_t h = 0; h < HYPERS; h++)
 		c->x[PARAMS_MOST + h] =
 		    el_log(HYPER[h].median) +
@@ -473,7 +475,7 @@ start_half(struct sampler *s)
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
 		chain_take_trial(&s->chain[s->first + i], &s->trial[i], false);
-	s->started = posterior_other_half(s);
+	s->started = switch_halves(s);
 }
 
 static void
@@ -525,7 +527,7 @@ struct sums {
 };
 
 static void
-sums_add_chains(struct sums *sums, const struct sampler *s)
+add_chains_to_sums(struct sums *sums, const struct sampler *s)
 {
 	sums->n++;
 	for (size_t i = 0; i < CHAINS; i++)
@@ -556,7 +558,7 @@ gelman_rubin(const struct sums *sums, size_t j)
 /* Returns the difference between the means of the two halves of the draws, in
  * standard deviations. */
 static double
-halves_difference(const struct posterior *p, size_t j)
+difference_of_halves(const struct posterior *p, size_t j)
 {
 	double sum[2] = {0}, squares = 0;
 	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
@@ -571,7 +573,7 @@ halves_difference(const struct posterior *p, size_t j)
 }
 
 static void
-find_convergence(
+measure_convergence(
     struct posterior *p, const struct sampler *s, const struct sums *sums)
 {
 	p->ratio = 1;
@@ -580,7 +582,7 @@ find_convergence(
 		if (j < s->of->n || j >= PARAMS_MOST)
 			p->ratio = fmax(p->ratio, gelman_rubin(sums, j));
 	for (size_t j = 0; j < s->of->n; j++)
-		p->drift = fmax(p->drift, halves_difference(p, j));
+		p->drift = fmax(p->drift, difference_of_halves(p, j));
 }
 
 /* Puts knots at the sizes of the cells and the ends of the feeds, and more in
@@ -623,7 +625,7 @@ make_knots(
 }
 
 static size_t
-knot_at(const struct posterior *p, double log_size)
+index_of_knot(const struct posterior *p, double log_size)
 {
 	size_t k = 0;
 	while (k + 1 < p->n_knot && p->knot[k] > log_size + 1e-6)
@@ -641,7 +643,7 @@ struct noise {
 };
 
 static void
-draw_normals(struct noise *noise, size_t n, double *z)
+random_normals(struct noise *noise, size_t n, double *z)
 {
 	discrepancy_normals(noise->isa, noise->key, noise->next, n, z);
 	noise->next += (uint32_t)n;
@@ -651,10 +653,10 @@ draw_normals(struct noise *noise, size_t n, double *z)
 
 /* Draws a Gaussian process at the knots.  Its covariance is U' U. */
 static void
-draw_process(
+random_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
-	draw_normals(noise, n, work);
+	random_normals(noise, n, work);
 	for (size_t i = 0; i < n; i++)
 		f[i] = 0;
 	for (size_t k = 0; k < n; k++)
@@ -709,12 +711,12 @@ simulated_differences(const struct sampler *s, const struct posterior *p,
 	size_t m = p->n_knot;
 	double *error = xdoubles(m), *work = xdoubles(m);
 	double term[DISCREPANCY_TERMS];
-	draw_normals(noise, s->n_cell, d);
+	random_normals(noise, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
-		size_t k = knot_at(p, c->log_size);
+		size_t k = index_of_knot(p, c->log_size);
 		if (i == 0 || c->run != s->cell[i - 1].run)
-			draw_process(shared, m, noise, error, work);
+			random_process(shared, m, noise, error, work);
 		double sum = error[k] + draw->hyper[HYPER_OWN] * d[i];
 		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
@@ -739,7 +741,7 @@ condition_on_data(const struct sampler *s, const struct posterior *p,
 	covariance_solve(s->covariance, chain->U, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
-		size_t at = knot_at(p, c->log_size);
+		size_t at = index_of_knot(p, c->log_size);
 		discrepancy_terms(c->t, slope, term);
 		for (size_t k = 0; k < p->n_knot; k++) {
 			double gain =
@@ -760,7 +762,7 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *room = xdoubles((DISCREPANCY_TERMS + 2) * m + s->n_cell);
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
-	coordinates_params(&s->coordinates, chain->x, draw->params.at);
+	coordinates_to_params(&s->coordinates, chain->x, draw->params.at);
 	params_scale_to_1(&draw->params);
 	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
@@ -770,9 +772,9 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *error = next, *work = error + m, *d = work + m;
 	struct knot_pairs pairs = knot_pairs_new(s->isa, p, draw->hyper);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		draw_process(pairs.wide, m, &noise, process[j], work);
-	draw_process(pairs.shared, m, &noise, error, work);
-	draw_normals(&noise, m, work);
+		random_process(pairs.wide, m, &noise, process[j], work);
+	random_process(pairs.shared, m, &noise, error, work);
+	random_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
 		error[k] += draw->hyper[HYPER_OWN] * work[k];
 	simulated_differences(s, p, draw, process, pairs.shared, &noise, d);
@@ -801,7 +803,7 @@ mean_energy(const struct misfit *m)
  * contains the fit's own model, if there is one and Eq 1 is not read in another
  * form (D3). */
 static struct params
-posterior_widen(const struct params *p, double energy,
+widen_to_model_with_gamma(const struct params *p, double energy,
     struct model_settings *settings, struct bounds *bounds)
 {
 	const struct breakage *own = breakage_of(p);
@@ -846,14 +848,14 @@ make_cells(struct sampler *s, const struct misfit *m, const double *d)
 			s->measured[k] = m->run[r].measured[i];
 			s->cell[k] = (struct cell){.run = r,
 			    .log_size = el_log(m->run[r].sieve[i]),
-			    .t = discrepancy_time(
+			    .t = discrepancy_t_of_speed(
 				m->run[r].speed, s->coordinates.middle),
 			    .h = discrepancy_h(P)};
 		}
 }
 
 static void
-posterior_make_room(struct sampler *s)
+allocate_sampler(struct sampler *s)
 {
 	size_t n = s->n_cell;
 	for (size_t j = 0; j < s->of->n; j++)
@@ -872,7 +874,7 @@ posterior_make_room(struct sampler *s)
 /* Computes the error of the kernel's differences at the fit: exact d minus the
  * kernel's. */
 static void
-measure_scheme(struct sampler *s, const double *d)
+measure_error_of_kernel(struct sampler *s, const double *d)
 {
 	struct kernel_out out = {
 	    .misfit = s->misfit, .difference = s->difference, .stride = HALF};
@@ -908,11 +910,11 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->pool = pool_new(o->threads);
 	make_cells(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
-	posterior_make_room(s);
-	coordinates_of(&s->coordinates, fit->at, origin);
+	allocate_sampler(s);
+	coordinates_from_params(&s->coordinates, fit->at, origin);
 	for (size_t kind = 0; kind < 2; kind++)
 		guide_begin(&s->guide[kind], COORDINATES, origin);
-	measure_scheme(s, d);
+	measure_error_of_kernel(s, d);
 	free(d);
 	return s;
 }
@@ -981,7 +983,7 @@ posterior_choose_runs(const struct site *site, const bool *use)
 }
 
 static void
-make_processes(struct posterior *p)
+allocate_processes(struct posterior *p)
 {
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
@@ -1021,7 +1023,8 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	bool *use = posterior_choose_runs(site, o->use);
 	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
-	p->fit = posterior_widen(fit, mean_energy(m), &p->settings, &bounds);
+	p->fit = widen_to_model_with_gamma(
+	    fit, mean_energy(m), &p->settings, &bounds);
 	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, use, NULL, false, p->settings);
@@ -1034,14 +1037,14 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	site_reach(site, &p->from, &p->to);
 	posterior_find_speeds(p, m);
 	make_knots(p, site, s);
-	make_processes(p);
+	allocate_processes(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
 	*run = (struct posterior_run){site, p, NULL,
 	    thin_new(measured, BATCHES), m, s, xcalloc(1, sizeof *run->sums)};
 	run->batch = xcalloc(BATCHES, sizeof *run->batch);
 	for (size_t b = 0; b < BATCHES; b++) {
 		run->batch[b] = *p;
-		make_processes(&run->batch[b]);
+		allocate_processes(&run->batch[b]);
 	}
 	return run;
 }
@@ -1054,7 +1057,7 @@ draws_due(const struct sampler *s)
 }
 
 static void
-draw_part(void *data, size_t part, unsigned thread)
+make_some_draws(void *data, size_t part, unsigned thread)
 {
 	struct posterior_run *run = data;
 	struct sampler *s = run->s;
@@ -1070,9 +1073,9 @@ draw_part(void *data, size_t part, unsigned thread)
 }
 
 static void
-draw_batch(struct posterior_run *run)
+make_draws_of_each_chain(struct posterior_run *run)
 {
-	pool_run(run->s->pool, CHAINS / PART, draw_part, run);
+	pool_run(run->s->pool, CHAINS / PART, make_some_draws, run);
 	size_t n = draws_due(run->s);
 	if (n % 2 == 0)
 		thin_add(run->thin, &run->batch[n / 2 - 1]);
@@ -1125,7 +1128,7 @@ posterior_step(struct posterior_run *run)
 		start_half(s);
 		return false;
 	}
-	if (!propose_for_half(s))
+	if (!move_half(s))
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		temper_chains(s, fmin(1, RISE * s->share));
@@ -1134,16 +1137,16 @@ posterior_step(struct posterior_run *run)
 		s->accepted = s->tried = 0;
 		return false;
 	}
-	sums_add_chains(run->sums, s);
+	add_chains_to_sums(run->sums, s);
 	if ((s->generation - WARM_UP) % (KEPT / DRAWS_EACH) == 0)
-		draw_batch(run);
+		make_draws_of_each_chain(run);
 	if (s->generation < WARM_UP + KEPT)
 		return false;
 	choose_draws(run);
 	lack_of_fit_find(run->p, run->m);
 	thin_straighten_draws(run->thin, run->p);
 	lack_of_fit_add_smooth(run->p, run->m);
-	find_convergence(run->p, s, run->sums);
+	measure_convergence(run->p, s, run->sums);
 	return true;
 }
 

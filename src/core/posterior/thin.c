@@ -147,7 +147,7 @@ keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 /* Sorts the first and the second half of the candidates, each from the coarsest
  * to the finest, so that neighbours are alike. */
 static void
-sort_into_halves(const double *by, size_t n, size_t *list)
+sort_each_half(const double *by, size_t n, size_t *list)
 {
 	size_t half = n / 2;
 	gsl_sort_index(list, by, 1, half);
@@ -158,7 +158,7 @@ sort_into_halves(const double *by, size_t n, size_t *list)
 
 /* Keeps answers from falling with the speed (D23), here over a few speeds. */
 static void
-keep_from_falling(struct thin *t)
+keep_answers_from_falling(struct thin *t)
 {
 	size_t size = t->n_sieve * t->n, length[SPEEDS];
 	double value[SPEEDS], weight[SPEEDS];
@@ -168,7 +168,8 @@ keep_from_falling(struct thin *t)
 			value[k] = to[k * size];
 			weight[k] = 1;
 		}
-		size_t blocks = ensemble_pool(value, weight, length, SPEEDS);
+		size_t blocks =
+		    ensemble_pool_falling(value, weight, length, SPEEDS);
 		for (size_t b = 0; b < blocks; b++)
 			for (size_t j = 0; j < length[b]; j++, to += size)
 				*to = value[b];
@@ -181,11 +182,11 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	size_t n = t->n, answers = SPEEDS * t->n_sieve;
 	size_t width = FEATURES * answers, *list = xcalloc(n, sizeof *list);
 	double *row = xdoubles(n * width + 1), *by = xdoubles(n);
-	keep_from_falling(t);
+	keep_answers_from_falling(t);
 	for (size_t k = 0; k < answers; k++)
 		add_features(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);
-	sort_into_halves(by, n, list);
+	sort_each_half(by, n, list);
 	for (; n > POSTERIOR_DRAWS; n /= 2)
 		keep_one_of_each_pair(row, width, list, n);
 	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);
@@ -204,9 +205,10 @@ static const double MOST = 0.75;
 
 /* Computes the means of model and answer at a speed, [n] each. */
 static void
-find_means(struct ensemble *e, double v, double *model, double *answer)
+find_mean_model_and_answer(
+    struct ensemble *e, double v, double *model, double *answer)
 {
-	size_t n = ensemble_sizes(e);
+	size_t n = ensemble_count_sizes(e);
 	ensemble_draws_at(e, v);
 	const double *M = ensemble_products(e, ENSEMBLE_MODEL);
 	ensemble_mean(e, answer);
@@ -230,7 +232,8 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 	double *model = xdoubles(4 * n), *answer = model + 2 * n;
 	for (size_t k = 0; k < p->n_speed; k++) {
 		size_t now = k % 2 * n, last = n - now;
-		find_means(e, p->speed[k], model + now, answer + now);
+		find_mean_model_and_answer(
+		    e, p->speed[k], model + now, answer + now);
 		for (size_t i = 0; i < n && k > 0; i++) {
 			double by = answer[now + i] - answer[last + i];
 			double told = model[now + i] - model[last + i];
