@@ -121,7 +121,7 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 {
 	enum { SCREEN = 79 };
 	if (!wrap || text_width(line) <= SCREEN) {
-		text_put(line, out);
+		text_print_escaped(line, out);
 		fputc('\n', out);
 	} else {
 		text_print_hanging(

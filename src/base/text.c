@@ -265,7 +265,7 @@ text_column_letters(int column, char buf[static 8])
 }
 
 bool
-text_ends(const char *s, const char *end)
+text_ends_with(const char *s, const char *end)
 {
 	size_t n = strlen(s), m = strlen(end);
 	return n > m && strcmp(s + n - m, end) == 0;
@@ -279,7 +279,7 @@ text_same(const char *a, const char *b)
 }
 
 bool
-text_has(const char *text, const char *word)
+text_contains_word(const char *text, const char *word)
 {
 	FREED char *folded = text_fold(text), *wanted = text_fold(word);
 	return strstr(folded, wanted) != NULL;
@@ -391,7 +391,7 @@ text_shared_prefix(const char *a, const char *b)
 }
 
 FILE *
-text_memory(char **text, size_t *n)
+text_open_memory(char **text, size_t *n)
 {
 	FILE *file = open_memstream(text, n);
 	if (file == NULL)
@@ -466,7 +466,7 @@ text_escaped(const char *s)
 }
 
 void
-text_put(const char *s, FILE *out)
+text_print_escaped(const char *s, FILE *out)
 {
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
@@ -579,7 +579,7 @@ text_wrapped(const char *text, int width)
 {
 	char *lines = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&lines, &n);
+	FILE *out = text_open_memory(&lines, &n);
 	text_wrap(text, 0, width, out);
 	fclose(out);
 	return lines;

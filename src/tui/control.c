@@ -331,7 +331,7 @@ control_begin(
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_keep_feed(t);
-	t->captured = text_memory(&t->captured_text, &t->captured_n);
+	t->captured = text_open_memory(&t->captured_text, &t->captured_n);
 	s->out = s->notes = t->captured;
 	read_page_and_quantity(t);
 	control_refresh(t);

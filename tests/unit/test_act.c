@@ -213,7 +213,8 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	assert_int_equal(t->view.pinned.site[0], '\0');
 }
 
-/* Else a pause would count as slow work, and what is taken up again as quick. */
+/* Else a pause would count as slow work, and what is taken up again as
+ * quick. */
 static void
 a_pause_is_no_part_of_the_search(void **state)
 {
@@ -518,7 +519,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	draw_all(t);
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(screen_frame(), 0, out);
 	fclose(out);
 	assert_non_null(strstr(text, "beta1 >"));
@@ -920,7 +921,7 @@ frame_text(void)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(screen_frame(), 0, out);
 	fclose(out);
 	while (n > 0 && text[n - 1] == '\n')
@@ -1470,7 +1471,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	type(t, "xbc");
 	frame_draw(t); /* what was measured is moved to the feed once */
 	FILE *said = s->out,
-	     *heard = s->out = s->notes = text_memory(&text, &n);
+	     *heard = s->out = s->notes = text_open_memory(&text, &n);
 	for (int i = 0; i < 30; i++) {
 		int before = t->ui.tenths;
 		press(t, i < 20 ? "L" : "H");

@@ -58,7 +58,7 @@ shows(const char *words)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(screen_frame(), 0, out);
 	fclose(out);
 	bool found = strstr(text, words) != NULL;

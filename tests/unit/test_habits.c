@@ -159,7 +159,7 @@ site_differs(const struct plan *plan, const struct site *site)
 	if (plan->trap != NULL && plan->n_curve == 0)
 		return xstrdup("there is no such site");
 	const struct curve *feed = &plan->curve[0];
-	size_t products = site_products(site);
+	size_t products = site_count_products(site);
 	if (products != n || site->n_run < 1)
 		return xasprintf("%zu runs, not %zu", products, n);
 	if (n == 0)

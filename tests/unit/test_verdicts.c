@@ -59,7 +59,7 @@ page(struct tui *t, int rows, int columns)
 	view_update(t);
 	frame_draw(t);
 	struct canvas *canvas = screen_end_offscreen(was);
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(canvas, 0, out);
 	fclose(out);
 	canvas_free(canvas);

@@ -70,7 +70,7 @@ advise_candidates(
 	FREED double *round = answers_speeds(s, site, &more);
 	struct advised *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (misfit_covered(&site->run[r]) > 0)
+		if (misfit_count_covered(&site->run[r]) > 0)
 			k = add_candidate(site, c, k, site->run[r].speed);
 	k = add_candidate(site, c, k, asked);
 	for (size_t i = 0; i < more; i++)

@@ -117,9 +117,10 @@ find_lines(struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
 	struct plant_result o = plant_solve_at(&all->plant, speed);
-	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
+	bool ok =
+	    !o.flow.open || plant_error_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
-	all->n_line = plant_lines(&all->plant, &o, all->line);
+	all->n_line = plant_list_lines(&all->plant, &o, all->line);
 	all->power = plant_power_words(&all->plant, &o);
 	flow_free(&o.flow);
 	return ok;

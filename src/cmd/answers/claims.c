@@ -217,7 +217,7 @@ claim_resistance(struct answer *r, const struct shown *c)
 	double sum = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		struct params p = c->fit[i]->params;
-		double speed = site_middle(c->fit[i]->site), share[2];
+		double speed = site_middle_speed(c->fit[i]->site), share[2];
 		for (size_t k = 0; k < 2; k++) {
 			struct prediction of = predict(c->fit[i]->site, &p,
 			    c->settings, speed, SITE_MEAN_FEED);

@@ -387,11 +387,11 @@ static void
 guess_note_best(
     struct answer *r, const struct site *site, const struct basis *b)
 {
-	if (site_products(site) != 1)
+	if (site_count_products(site) != 1)
 		return;
 	size_t run = 0, best = b->list.n;
 	double least = INFINITY;
-	while (misfit_covered(&site->run[run]) == 0)
+	while (misfit_count_covered(&site->run[run]) == 0)
 		if (++run == site->n_run)
 			return;
 	FREED bool *train = xcalloc(site->n_run, sizeof *train);

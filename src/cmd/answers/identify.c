@@ -43,7 +43,7 @@ identify_find_speeds(struct findings *f, const struct site *site)
 	f->speed = xdoubles(site->n_run);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		size_t n = misfit_covered(run);
+		size_t n = misfit_count_covered(run);
 		if (n == 0)
 			continue;
 		f->finest = fmin(f->finest, run->product.size[n - 1]);

@@ -80,7 +80,7 @@ note_feed_gaps(
 static void
 note_wide_gap(struct answer *r, const struct psd *feed)
 {
-	size_t i = psd_gap(feed);
+	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
 		answer_say(r, ANSWER_REMARK,
 		    "the feed has no sieve between %g and %g mm: passings and "

@@ -31,16 +31,17 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_title(r, "%s", label);
 	answer_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
-	answer_pair(r, "data", "%s", site->provenance);
-	answer_pair(r, "rock", "%s", site->rock);
+	answer_add_pair(r, "data", "%s", site->provenance);
+	answer_add_pair(r, "rock", "%s", site->rock);
 	if (site->top_size > 0)
-		answer_pair(r, "top size mm", "%g", units_mm(site->top_size));
+		answer_add_pair(
+		    r, "top size mm", "%g", units_mm(site->top_size));
 	else
-		answer_pair(r, "top size mm", "not stated");
-	answer_pair(r, "machine", "%s", site->machine);
-	answer_pair(r, "file", "%s", site->path);
-	answer_pair(r, "speeds m/s", "%s", speeds);
-	answer_pair(r, "feeds",
+		answer_add_pair(r, "top size mm", "not stated");
+	answer_add_pair(r, "machine", "%s", site->machine);
+	answer_add_pair(r, "file", "%s", site->path);
+	answer_add_pair(r, "speeds m/s", "%s", speeds);
+	answer_add_pair(r, "feeds",
 	    site->individual_feeds ? N_("one for each speed")
 				   : N_("one for all speeds"));
 	for (size_t i = 0; i < site->n_note; i++)
@@ -338,7 +339,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 			      : params_start(s->set.model.breakage);
 	struct breaker b;
 	breaker_set_params(&b, &p, &s->set.model);
-	breaker_set_speed(&b, site_middle(entry->site));
+	breaker_set_speed(&b, site_middle_speed(entry->site));
 	FREED double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);

@@ -306,7 +306,8 @@ say_measured(const struct subject *a)
 	for (size_t first = r; site->with[0] == '\0' && r < site->n_run &&
 			       site->run[r].speed == site->run[first].speed;
 	     r++) {
-		if (a->entry->train[r] || misfit_covered(&site->run[r]) == 0)
+		if (a->entry->train[r] ||
+		    misfit_count_covered(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
@@ -436,8 +437,8 @@ note_ways(struct answer *r, const struct balance *b)
 	/* If less breaks, the classes are those where it falls most. */
 	bool faster = b->p[1].speed > b->p[0].speed;
 	const struct ledger *low = faster ? a : z, *high = faster ? z : a;
-	size_t out = ledger_most(high->left, low->left, a->n);
-	size_t in = ledger_most(high->arrived, low->arrived, a->n);
+	size_t out = ledger_class_of_largest(high->left, low->left, a->n);
+	size_t in = ledger_class_of_largest(high->arrived, low->arrived, a->n);
 	FREED char *from = class_label(b->feed, out),
 		   *to = class_label(b->feed, in);
 	if (fabs(more) < 5e-4)

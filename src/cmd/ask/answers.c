@@ -57,7 +57,7 @@ answers_check_params(
 		    &s->set.model, entry->params.breakage, error);
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
-	    site_products(entry->site) > 0
+	    site_count_products(entry->site) > 0
 		? tr("run 'calibrate', or supply them with 'recall' or 'params "
 		     "set'")
 		: tr("run 'guess' for an estimate, or 'params use SITE' for "
@@ -108,7 +108,7 @@ double
 answers_usual_speed(const struct entry *entry)
 {
 	const double usual = 74;
-	double from, to, speed = 0, middle = site_middle(entry->site);
+	double from, to, speed = 0, middle = site_middle_speed(entry->site);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
 		if (!entry->train[r] && run->product.n > 0 &&

@@ -122,7 +122,7 @@ condition_read_limit(const char *text, const struct quantity *q, double *limit,
 {
 	char *copy = xstrdup(text), *word = text_trim(copy);
 	const char *unit = quantities_unit(q);
-	if (unit[0] != '\0' && text_ends(word, unit))
+	if (unit[0] != '\0' && text_ends_with(word, unit))
 		word[strlen(word) - strlen(unit)] = '\0';
 	word = text_trim(word);
 	double one = quantities_shown(q, 1);

@@ -22,7 +22,7 @@ runs_that_inform(
 	size_t n = h->site->n_run;
 	bool *use = xcalloc(n, sizeof *use), same = true;
 	for (size_t r = 0; r < n; r++) {
-		bool measured = misfit_covered(&h->site->run[r]) > 0;
+		bool measured = misfit_count_covered(&h->site->run[r]) > 0;
 		use[r] =
 		    h->train[r] || (correction == CORRECTION_ALL && measured);
 		same = same && use[r] == h->train[r];

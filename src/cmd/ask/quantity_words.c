@@ -30,7 +30,7 @@ read_size(const char *text, double *m)
 {
 	FREED char *word = xstrdup(text);
 	double mm = sieve_name_mm(text, SIEVE_NONE);
-	if (text_ends(word, "mm"))
+	if (text_ends_with(word, "mm"))
 		word[strlen(word) - 2] = '\0';
 	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&
 		  mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;

@@ -48,7 +48,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 	    origin_fit(entry) != NULL ? entry->origin->history : NULL;
 	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
-	if (misfit_covered(&site->run[run]) == 0)
+	if (misfit_count_covered(&site->run[run]) == 0)
 		return false;
 	for (size_t r = 0; h != NULL && r < h->site->n_run; r++)
 		if (cut_is_same(&h->site->run[r], &site->run[run])) {
@@ -114,7 +114,7 @@ find_cuts(struct routine *r, const struct entry *entry)
 static void
 put_sieves(struct routine_cut *c, const struct run *run)
 {
-	size_t n = misfit_covered(run), from = 0;
+	size_t n = misfit_count_covered(run), from = 0;
 	while (from + 1 < n &&
 	       !(psd_passing(&run->feed, run->product.size[from]) < 1))
 		from++;

@@ -56,7 +56,8 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
 	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))
-		w.measured[0] = w.measured[1] = site_middle(q->entry->site);
+		w.measured[0] = w.measured[1] =
+		    site_middle_speed(q->entry->site);
 	return w;
 }
 

@@ -62,7 +62,7 @@ largest_error(const struct session *s, const struct entry *entry)
 {
 	double most = NAN;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_covered(&entry->site->run[r]) == 0)
+		if (misfit_count_covered(&entry->site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->params, s->set.model, NULL);

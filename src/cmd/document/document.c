@@ -18,7 +18,7 @@ document_new(const char *made_by)
 	struct document *d = xcalloc(1, sizeof *d);
 	d->made_by = xstrdup(made_by);
 	d->titled_by = SIZE_MAX;
-	d->out = text_memory(&d->text, &d->n_text);
+	d->out = text_open_memory(&d->text, &d->n_text);
 	return d;
 }
 

@@ -165,7 +165,7 @@ char *
 document_html(const struct document *d, size_t *n)
 {
 	char *text = NULL;
-	FILE *out = text_memory(&text, n);
+	FILE *out = text_open_memory(&text, n);
 	fprintf(out,
 	    "<!DOCTYPE html>\n"
 	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"

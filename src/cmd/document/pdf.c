@@ -377,7 +377,7 @@ pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 /* Returns the height that has to fit on the page with a title: that of the
  * whole table, unless it is long. */
 static double
-kept_height(const struct press *p, const struct answer_view *v)
+height_kept_together(const struct press *p, const struct answer_view *v)
 {
 	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
 	double table =
@@ -393,7 +393,7 @@ pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 	struct pen_style about = letter_style(p, 8, false);
 	about.series = SERIES_FEED;
 	skip_down(p, 6);
-	pdf_make_room(p, kept_height(p, &v));
+	pdf_make_room(p, height_kept_together(p, &v));
 	if (v.title != NULL && !top)
 		put_words(p, v.title, &title);
 	if (v.provenance != NULL) {
@@ -432,7 +432,7 @@ put_heading(struct press *p, size_t i)
 	double kept = LEAST * p->layout.scale;
 	if (next != NULL) {
 		struct answer_view v = answer_view(next);
-		kept = kept_height(p, &v);
+		kept = height_kept_together(p, &v);
 	}
 	skip_down(p, 14);
 	pdf_make_room(p, OWN * p->layout.scale + kept);
@@ -478,7 +478,7 @@ make_pdf(const struct document *d, struct layout layout, size_t *n,
     struct outcome *outcome)
 {
 	char *bytes = NULL;
-	FILE *out = text_memory(&bytes, n);
+	FILE *out = text_open_memory(&bytes, n);
 	struct press p = {.document = d,
 	    .layout = layout,
 	    .width = layout.across ? LONG_SIDE : SHORT_SIDE,

@@ -248,7 +248,7 @@ chart_answer(const struct session *s, const struct chart *chart)
 /* Returns the size asked for, or one that leaves room for the prompt on the
  * screen. */
 static int
-size_of(double asked, int screen, int most, int elsewhere)
+size_asked_or_fitting(double asked, int screen, int most, int elsewhere)
 {
 	if (asked > 0)
 		return (int)asked;
@@ -270,16 +270,19 @@ print_chart(struct session *s, const struct args *args,
 {
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
 	const struct screen *screen = &s->screen;
-	int columns = size_of(args->width, screen->columns, WIDEST, WIDTH);
+	int columns =
+	    size_asked_or_fitting(args->width, screen->columns, WIDEST, WIDTH);
 	int strip = chart->below != NULL ? chart->below->strip : 0;
 	int most = HEIGHT + strip;
-	int rows = size_of(args->height, screen->rows - 2, most, most);
+	int rows =
+	    size_asked_or_fitting(args->height, screen->rows - 2, most, most);
 	/* If there are several charts, each is as high as a single one. */
 	for (const struct chart *c = next_chart(chart); c != NULL;
 	     c = next_chart(c))
 		rows += args->height > 0
 			    ? 0
-			    : size_of(0, screen->rows - 2, HEIGHT, HEIGHT);
+			    : size_asked_or_fitting(
+				  0, screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas =
 	    chart_draw(chart, columns, rows, charset, CHART_ALL);
 	canvas_print(canvas, screen->colours, s->out);
@@ -343,7 +346,7 @@ screen_answer(const struct canvas *canvas)
 	FREED char *text = NULL;
 	size_t n = 0;
 	struct answer *r = answer_new("screen");
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
 	answer_columns(r, "text");
@@ -475,7 +478,7 @@ say_axes(struct description *t)
 /* Returns "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" for a size distribution,
  * otherwise "". */
 static char *
-sizes_of(const struct description *t, const struct chart_series *s)
+p_sizes_words(const struct description *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
@@ -507,7 +510,7 @@ say_curve(struct description *t, const struct chart_series *s)
 		last -= step;
 	const char *x = axis_unit_suffix(&t->chart->x),
 		   *y = axis_unit_suffix(&t->chart->y);
-	FREED char *sizes = sizes_of(t, s);
+	FREED char *sizes = p_sizes_words(t, s);
 	if (first == last)
 		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
 		    s->y[first], y);
@@ -712,7 +715,7 @@ say_goal(struct description *t, struct session *s,
 		return;
 	const struct site *site = entry->site;
 	double speed =
-	    isnan(request->speed) ? site_middle(site) : request->speed;
+	    isnan(request->speed) ? site_middle_speed(site) : request->speed;
 	while (goals_need_search(s, &goal, request->feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, entry, &goal, request->feed);

@@ -60,7 +60,7 @@ add_residuals(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < product->n; i++) {
 		double predicted = psd_passing(&p.product, product->size[i]);
 		series->x[i] = units_mm(product->size[i]);
-		series->y[i] = i < misfit_covered(r)
+		series->y[i] = i < misfit_count_covered(r)
 				   ? 100 * (predicted - product->passing[i])
 				   : NAN;
 	}
@@ -89,22 +89,22 @@ residuals_chart(
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		compared += misfit_covered(&site->run[i]) > 0;
+		compared += misfit_count_covered(&site->run[i]) > 0;
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
-		    site_products(site) == 0
+		    site_count_products(site) == 0
 			? N_("%s has no measured product")
 			: N_("%s: no product sieve is in the "
 			     "range of the feed's sieves"),
 		    site->name);
 		return NULL;
 	}
-	double middle = site_middle(site);
+	double middle = site_middle_speed(site);
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    (struct axis){0}, "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS) ||
-		    misfit_covered(&site->run[i]) == 0)
+		    misfit_count_covered(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->entry->train[i]);
@@ -247,7 +247,7 @@ selection_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct site *site = q->entry->site;
-	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
+	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
 	struct params params;
 	if (!search_shown_params(s, q, &params, error))
 		return NULL;
@@ -280,7 +280,7 @@ appearance_chart(
 		return NULL;
 	}
 	const struct site *site = q->entry->site;
-	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
+	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
 	struct breaker b;
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
@@ -299,8 +299,8 @@ appearance_chart(
 
 /* Makes a chart in the theme of the session; sets *chart to it, or to NULL. */
 static void
-make_themed(plot_make *make, struct session *s, const struct plot_request *as,
-    struct chart **chart, struct error *error)
+make_chart_in_theme(plot_make *make, struct session *s,
+    const struct plot_request *as, struct chart **chart, struct error *error)
 {
 	*chart = make(s, as, error);
 	if (*chart != NULL)
@@ -341,7 +341,7 @@ plots_chart(
 	if (as.entry == NULL && s->n_entry > 0)
 		as.entry = &s->entry[at];
 	struct chart *chart = NULL;
-	make_themed(KINDS[as.kind].make, s, &as, &chart, error);
+	make_chart_in_theme(KINDS[as.kind].make, s, &as, &chart, error);
 	return chart;
 }
 

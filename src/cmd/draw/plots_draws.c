@@ -16,7 +16,7 @@
 
 /* Returns the draws of the site in use, or NULL with an error. */
 static const struct posterior *
-draws_drawn(
+posterior_or_error(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (!answers_check_params(s, entry, error))
@@ -32,7 +32,8 @@ draws_drawn(
 
 /* Finds the parameters that are not held fixed and returns their number. */
 static size_t
-find_free(const struct posterior *p, size_t column[static PARAMS_MOST])
+list_free_parameters(
+    const struct posterior *p, size_t column[static PARAMS_MOST])
 {
 	size_t n = 0;
 	for (size_t j = 0; j < BREAKAGES[p->settings.breakage]->n; j++)
@@ -91,10 +92,10 @@ plots_draws_correlation(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	size_t column[PARAMS_MOST];
-	const struct posterior *p = draws_drawn(s, q->entry, error);
+	const struct posterior *p = posterior_or_error(s, q->entry, error);
 	if (p == NULL)
 		return NULL;
-	size_t n = find_free(p, column);
+	size_t n = list_free_parameters(p, column);
 	if (n < 2) {
 		error_set(error, ERROR_USAGE,
 		    "correlation: expected two free parameters or more\n"
@@ -181,7 +182,8 @@ find_profiled(const struct session *s, const struct entry *entry,
  * and the fit, and a quarter more on each side.  Without draws it is all of
  * it. */
 static void
-find_reach(const struct profiled *a, const double *draw, double reach[static 2])
+find_range_to_show(
+    const struct profiled *a, const double *draw, double reach[static 2])
 {
 	reach[0] = a->bounds.lower[a->j];
 	reach[1] = a->bounds.upper[a->j];
@@ -202,7 +204,7 @@ find_reach(const struct profiled *a, const double *draw, double reach[static 2])
 /* Spreads n values over the axis, within the bounds.  The fit's own value
  * replaces the nearest one. */
 static void
-find_values(
+choose_values_on_axis(
     const struct chart *chart, const struct profiled *a, double *x, size_t n)
 {
 	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
@@ -223,7 +225,7 @@ add_profile(struct chart *chart, const struct profiled *a)
 {
 	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
-	find_values(chart, a, x, VALUES);
+	choose_values_on_axis(chart, a, x, VALUES);
 	profile_misfit(a->misfit, &a->fit, &a->bounds, a->j, x, VALUES, misfit);
 	for (size_t i = 0; i < VALUES; i++)
 		least = fmin(least, misfit[i]);
@@ -231,7 +233,7 @@ add_profile(struct chart *chart, const struct profiled *a)
 	    (struct chart_series){
 		.series = SERIES_KIND_1, .line = CHART_SOLID, .ascii = '='},
 	    VALUES, N_("misfit, others refitted"));
-	double half = (double)misfit_cells(a->misfit) / 2;
+	double half = (double)misfit_count_changeable(a->misfit) / 2;
 	near[0] = INFINITY;
 	near[1] = -INFINITY;
 	for (size_t i = 0; i < VALUES; i++) {
@@ -285,7 +287,7 @@ plots_draws_profile(
 		draw = draws;
 		draws[d] = a.p->draw[d].params.at[a.own];
 	}
-	find_reach(&a, draw, reach);
+	find_range_to_show(&a, draw, reach);
 	FREED char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
 	struct chart *chart =
 	    site_chart(q->entry->site, axis_linear(title, reach[0], reach[1]),

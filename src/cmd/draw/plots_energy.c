@@ -17,7 +17,7 @@ enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
 /* Fills in the impacts per particle, or the share of the impacts in %, for each
  * half octave. */
 static void
-energy_fill(struct chart_series *series, const struct spectrum *s,
+fill_energy_series(struct chart_series *series, const struct spectrum *s,
     const struct spectrum_size *whole, bool first)
 {
 	double all = spectrum_above(whole, 0, false).mass;
@@ -44,12 +44,13 @@ energy_add(
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	FREED char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
-	energy_fill(chart_add(chart, main ? look : site_chart_style(place),
-			POINTS, "%s%s", e->name, speed),
+	fill_energy_series(
+	    chart_add(chart, main ? look : site_chart_style(place), POINTS,
+		"%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)
-		energy_fill(chart_add(chart, of_first, POINTS,
-				"first above %g J/kg", e->cut),
+		fill_energy_series(chart_add(chart, of_first, POINTS,
+				       "first above %g J/kg", e->cut),
 		    s, whole, true);
 }
 

@@ -107,7 +107,8 @@ short_name_length(const struct chart_series *s)
  * less this", where "this" is the prediction.  It names the curves and not the
  * numbers; the measured speed may differ from that of the prediction. */
 static char *
-title_of(const struct chart_series *other, const struct chart_series *measured)
+title_of_strip(
+    const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
 	if (other != NULL)
@@ -141,7 +142,7 @@ add_strip(struct chart *chart, int rows)
 		}
 	}
 	free(strip->title);
-	strip->title = title_of(other, measured);
+	strip->title = title_of_strip(other, measured);
 	strip->strip = rows;
 	strip->y = difference_points_axis(strip);
 	if (strip->n > 0)
@@ -157,7 +158,7 @@ typedef double reading(
 /* Adds " feed 16.0 %" to a note; " predicted 33.1 % (31.6 to 34.5)" if the
  * curve has a band there; " feed -" if it has no value. */
 static void
-add_reading(char **note, const struct chart *chart,
+append_reading(char **note, const struct chart *chart,
     const struct chart_series *s, reading *read, double at,
     const struct figure *band)
 {
@@ -177,7 +178,7 @@ add_reading(char **note, const struct chart *chart,
 /* A pinned prediction has bands only at its sieves and of its P20, P50 and
  * P80. */
 static void
-read_pinned(const struct plot_request *q, const struct prediction *p,
+read_bands_of_pinned(const struct plot_request *q, const struct prediction *p,
     struct figure band[static 2])
 {
 	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
@@ -226,7 +227,7 @@ note_crosshair(struct chart *chart, const struct session *s,
 	if (!(q->words & CHART_NOTES))
 		return;
 	if (p != NULL && p == q->made)
-		read_pinned(q, p, band);
+		read_bands_of_pinned(q, p, band);
 	else if (p != NULL)
 		read_crosshair_bands(s, q, params, p, band);
 	FREED char *at = xasprintf(tr("at %g mm:"), x);
@@ -234,8 +235,8 @@ note_crosshair(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		add_reading(&at, chart, of, chart_y_at, x, &band[0]);
-		add_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
+		append_reading(&at, chart, of, chart_y_at, x, &band[0]);
+		append_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
@@ -247,7 +248,7 @@ note_crosshair(struct chart *chart, const struct session *s,
  * prediction, or NULL if it is no longer loaded.  Without notes the name of the
  * rule contains no numbers. */
 static void
-note_prediction(struct chart *chart, const struct session *s,
+mark_break_size(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct entry *whose,
     const struct prediction *p, const char *name, enum series series)
 {
@@ -339,7 +340,7 @@ struct second {
 /* own: the parameters of the site in use, or NULL.  speed: that of the first
  * prediction.  Fails if the site beside has no prediction. */
 static bool
-find_second(struct session *s, const struct plot_request *q,
+find_second_prediction(struct session *s, const struct plot_request *q,
     const struct params *own, double speed, struct second *second,
     struct error *error)
 {
@@ -373,7 +374,7 @@ find_second(struct session *s, const struct plot_request *q,
 }
 
 static void
-add_second(struct chart *chart, const struct session *s,
+add_second_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct second *second)
 {
 	bool beside = q->beside != NULL;
@@ -397,12 +398,12 @@ note_curves(struct chart *chart, struct session *s,
 	const struct entry *entry = q->entry;
 	struct chart_series **last = &chart->series[chart->n - 1];
 	if (one != NULL)
-		note_prediction(
+		mark_break_size(
 		    chart, s, q, entry, one, (*last)->name, SERIES_BREAK);
 	if (one != NULL && shade)
 		shade_prediction(chart, s, entry, one);
 	if (two->p != NULL)
-		note_prediction(chart, s, q, two->whose, two->p,
+		mark_break_size(chart, s, q, two->whose, two->p,
 		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
 }
 
@@ -449,7 +450,7 @@ add_measured(struct chart *chart, const struct session *s,
 
 /* Adds the fraction that the envelope in use is for, and the limits. */
 static void
-add_part(struct chart *chart, const struct session *s,
+add_fraction_in_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
 {
 	struct prediction part;
@@ -462,7 +463,7 @@ add_part(struct chart *chart, const struct session *s,
 
 /* The line is dashed if the prediction is extrapolated. */
 static void
-add_first(struct chart *chart, const struct session *s,
+add_first_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
 	struct chart_series look = PREDICTED;
@@ -493,14 +494,15 @@ find_predictions(struct session *s, const struct plot_request *q,
     struct psd_plot *p, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	*p = (struct psd_plot){
-	    .speed = isnan(q->speed) ? site_middle(entry->site) : q->speed};
+	*p = (struct psd_plot){.speed = isnan(q->speed)
+					    ? site_middle_speed(entry->site)
+					    : q->speed};
 	bool known = search_shown_params(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
 		return false;
 	}
-	if (!find_second(
+	if (!find_second_prediction(
 		s, q, known ? &p->params : NULL, p->speed, &p->two, error))
 		return false;
 	p->one = q->made;
@@ -523,10 +525,10 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	double moved = add_measured(
 	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
 	if (one != NULL && !fraction_screens(&q->fraction))
-		add_part(chart, s, entry, one);
-	add_second(chart, s, q, &p->two);
+		add_fraction_in_envelope(chart, s, entry, one);
+	add_second_prediction(chart, s, q, &p->two);
 	if (one != NULL)
-		add_first(chart, s, q, one);
+		add_first_prediction(chart, s, q, one);
 	site_chart_across_sieves(chart);
 	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
@@ -551,9 +553,9 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	FREED char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, (struct axis){0}, axis_percent(tr("passing, %")),
-		p.one != NULL             ? N_("product at %.*f m/s%s")
-		: site_products(site) > 0 ? N_("feed and products")
-					  : N_("feed"),
+		p.one != NULL                   ? N_("product at %.*f m/s%s")
+		: site_count_products(site) > 0 ? N_("feed and products")
+						: N_("feed"),
 		units_speed_digits(p.speed), p.speed, fraction);
 	fill_psd_chart(chart, s, q, &p);
 	prediction_free(&p.made);

@@ -46,7 +46,7 @@ choose_response_sieves(struct session *s, struct drawn *d)
 	struct question asked = question_of_whole_product(s, d->entry, d->feed);
 	asked.fraction = d->fraction;
 	struct prediction p =
-	    forecast_product(s, &asked, site_middle(d->entry->site));
+	    forecast_product(s, &asked, site_middle_speed(d->entry->site));
 	const struct psd *product = &p.product;
 	size_t first = 0;
 	while (first + 1 < product->n && product->passing[first] >= 1)
@@ -68,7 +68,7 @@ choose_response_sieves(struct session *s, struct drawn *d)
 
 /* Adds a quantity unless it is there already.  False if there are too many. */
 static bool
-response_take(struct drawn *d, const struct quantity *q)
+add_quantity_once(struct drawn *d, const struct quantity *q)
 {
 	for (size_t i = 0; i < d->n; i++)
 		if (quantity_same(&d->q[i], q))
@@ -109,9 +109,9 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = response_take(d, &of[i]) || error_too_many(error);
+		ok = add_quantity_once(d, &of[i]) || error_too_many(error);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
-		ok = response_take(d, &d->limits.at[i].quantity) ||
+		ok = add_quantity_once(d, &d->limits.at[i].quantity) ||
 		     error_too_many(error);
 	if (ok && d->n == 0)
 		choose_response_sieves(s, d);
@@ -139,7 +139,7 @@ add_measured(struct chart *chart, const struct session *s,
 	const struct quantity *q = &d->q[i];
 	struct chart_series look = site_chart_style(i);
 	look.line = CHART_MARKS;
-	if (site_products(site) == 0 || site->with[0] != '\0')
+	if (site_count_products(site) == 0 || site->with[0] != '\0')
 		return;
 	FREED char *name = quantities_words(q);
 	struct chart_series *points =
@@ -197,7 +197,7 @@ set_y_axis(struct chart *chart)
 
 /* Marks the range of the measured speeds. */
 static void
-add_reach(struct chart *chart, const struct entry *entry)
+mark_measured_speeds(struct chart *chart, const struct entry *entry)
 {
 	double slowest, fastest;
 	if (!origin_reach(entry, &slowest, &fastest))
@@ -281,7 +281,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 			add_measured(chart, s, d->entry, d, i);
 			response_add_limits(chart, d, i);
 		}
-	add_reach(chart, d->entry);
+	mark_measured_speeds(chart, d->entry);
 	return chart;
 }
 
@@ -334,10 +334,11 @@ make_charts(struct session *s, struct drawn *d)
 		    100 * settings_level(&s->set));
 	else
 		chart_note(last, "%s", outlook_why_none(s, entry));
-	/* The lines reach beyond the measured speeds, which add_reach marks.
-	 * This is the light of the middle speed, where it is at its best. */
+	/* The lines reach beyond the measured speeds, which
+	 * mark_measured_speeds marks. This is the light of the middle speed,
+	 * where it is at its best. */
 	FREED char *light =
-	    light_words_at(s, entry, site_middle(entry->site), d->feed);
+	    light_words_at(s, entry, site_middle_speed(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	return first;
 }

@@ -94,7 +94,7 @@ runs_add_run(struct chart *chart, const struct session *s,
 }
 
 static void
-add_further(struct chart *chart, const struct session *s,
+add_predicted_speeds(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct site *site = q->entry->site;
@@ -136,7 +136,7 @@ runs_add_all(struct chart *chart, const struct session *s,
 {
 	const struct entry *entry = entry_loaded(q->entry);
 	const struct site *site = entry->site;
-	double middle = site_middle(site);
+	double middle = site_middle_speed(site);
 	add_feeds(chart, site);
 	for (size_t i = 0; i < site->n_run; i++)
 		if (site_run_is_near(site, i, middle, SITE_CHART_RUNS))
@@ -148,7 +148,7 @@ runs_add_all(struct chart *chart, const struct session *s,
 	    site->individual_feeds
 		? N_("predicted: the model alone, each run from its own feed")
 		: N_("predicted: the model alone"));
-	add_further(chart, s, q, params);
+	add_predicted_speeds(chart, s, q, params);
 }
 
 /* Draws the paper's figure 7: each run's product as measured, solid, and as the
@@ -172,9 +172,9 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	FREED double *size = site_sieves(site, &n);
 	struct chart *chart = site_chart(site, site_chart_sieves(size, n),
 	    axis_percent(tr("passing, %")),
-	    site_products(site) == 0 ? N_("feed")
-	    : known                  ? N_("products measured and predicted")
-				     : N_("feed and products"));
+	    site_count_products(site) == 0 ? N_("feed")
+	    : known ? N_("products measured and predicted")
+		    : N_("feed and products"));
 	runs_add_all(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);

@@ -20,14 +20,14 @@ candidates_at(
 {
 	size_t at = generation > 0 ? generation : past->n;
 	struct params best = search_shown_best(past, generation);
-	return candidates_of(past->site, past->train, past->settings, s->isa,
-	    &past->generation[at - 1], &best);
+	return candidates_with_residuals(past->site, past->train,
+	    past->settings, s->isa, &past->generation[at - 1], &best);
 }
 
 /* Returns by how many points the passings near 50 % of two samples differ.
  * Sets *assumed if `set noise` does not state it. */
 static double
-noise_at_middle(const struct session *s, bool *assumed)
+noise_near_50_percent(const struct session *s, bool *assumed)
 {
 	*assumed = !(s->set.noise > 0);
 	return *assumed ? units_pct(HYPER[HYPER_OWN].median) : s->set.noise;
@@ -37,7 +37,7 @@ static void
 add_noise(struct chart *chart, const struct session *s)
 {
 	bool assumed;
-	double noise = noise_at_middle(s, &assumed);
+	double noise = noise_near_50_percent(s, &assumed);
 	struct chart_series *stripe = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
@@ -55,7 +55,7 @@ add_noise(struct chart *chart, const struct session *s)
 
 /* Counts the cells of the run that begins at `from`. */
 static size_t
-cells_of_run(const struct candidates *c, size_t from)
+count_cells_of_run(const struct candidates *c, size_t from)
 {
 	size_t n = 0;
 	while (from + n < c->n && c->cell[from + n].run == c->cell[from].run)
@@ -79,7 +79,7 @@ search_add_run(struct chart *chart, const struct candidates *c,
 	static const enum chart_line LINES[] = {
 	    CHART_LONG, CHART_SOLID, CHART_DOTTED};
 	static const char ASCII[] = "#|:";
-	size_t n = cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
+	size_t n = count_cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
 	const struct run *run = &site->run[c->cell[from].run];
 	struct chart_series look =
 	    plots_search_style(site, c->cell[from].run, nth);
@@ -112,7 +112,7 @@ search_add_run(struct chart *chart, const struct candidates *c,
 }
 
 static struct axis
-sieves_of(const struct candidates *c)
+axis_of_sieves(const struct candidates *c)
 {
 	const double margin = 1.1;
 	FREED double *size = xdoubles(c->n);
@@ -128,7 +128,7 @@ sieves_of(const struct candidates *c)
 /* Returns an axis as far as the candidates reach.  Its limits are few, so that
  * it changes seldom while a search converges. */
 static struct axis
-differences_of(const struct candidates *c)
+axis_of_differences(const struct candidates *c)
 {
 	static const double MOST[] = {1, 3, 10, 30, 100};
 	const double straight = 0.1;
@@ -156,15 +156,16 @@ plots_search(
 		return NULL;
 	struct candidates c = candidates_at(s, &past, q->generation);
 	struct chart *chart =
-	    site_chart(past.site, sieves_of(&c), differences_of(&c),
+	    site_chart(past.site, axis_of_sieves(&c), axis_of_differences(&c),
 		q->generation == 0 && past.polished
 		    ? N_("generation %zu of %zu, polished")
 		    : N_("generation %zu of %zu"),
 		at + 1, past.n);
 	add_noise(chart, s);
-	for (size_t k = 0; k < c.n; k += cells_of_run(&c, k))
+	for (size_t k = 0; k < c.n; k += count_cells_of_run(&c, k))
 		runs++;
-	for (size_t k = 0, nth = 0; k < c.n; k += cells_of_run(&c, k), nth++)
+	for (size_t k = 0, nth = 0; k < c.n;
+	     k += count_cells_of_run(&c, k), nth++)
 		search_add_run(chart, &c, past.site, k, nth, runs);
 	FREED char *words = plots_search_words(s, &past, q->generation);
 	chart_note(chart, "%s", words);
@@ -231,7 +232,7 @@ plots_search_convergence(
 /* Sets span->drawn from the posterior of the calibration that found the
  * parameters, once that is over. */
 static void
-add_drawn(struct session *s, const char *name, struct param_span *span)
+add_range_of_draws(struct session *s, const char *name, struct param_span *span)
 {
 	const struct entry *entry = session_entry(s);
 	bool over = !session_busy(s) && entry->has_fit &&
@@ -267,7 +268,7 @@ plots_search_span(struct session *s, const struct search_shown *past,
 	params_scale_to_1(&best);
 	span.best = best.at[j];
 	if (j < of->gauge && !span.fixed) {
-		candidates_spread(g, j, &span.p10, &span.p90);
+		candidates_middle_range(g, j, &span.p10, &span.p90);
 		span.lower = -1;
 		span.upper = 1;
 	} else
@@ -275,7 +276,7 @@ plots_search_span(struct session *s, const struct search_shown *past,
 		    !span.fixed && (span.best - span.lower < outer * range ||
 				       span.upper - span.best < outer * range);
 	if (generation == 0)
-		add_drawn(s, of->parameter[j].name, &span);
+		add_range_of_draws(s, of->parameter[j].name, &span);
 	return span;
 }
 
@@ -353,7 +354,7 @@ search_words(
 {
 	const double agreed = 1.1;
 	bool assumed;
-	double noise = noise_at_middle(s, &assumed);
+	double noise = noise_near_50_percent(s, &assumed);
 	struct candidates c = candidates_at(s, past, generation);
 	const struct candidates_cell *worst = candidates_worst(&c);
 	double miss = units_pct(fabs(worst->median));

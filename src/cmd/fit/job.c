@@ -106,7 +106,7 @@ job_mark(const struct site *site, bool all, bool *train)
 	if (!all)
 		return misfit_default_train(site, train);
 	for (size_t r = 0; r < site->n_run; r++)
-		n += train[r] = misfit_covered(&site->run[r]) > 0;
+		n += train[r] = misfit_count_covered(&site->run[r]) > 0;
 	return n;
 }
 
@@ -122,8 +122,9 @@ bool
 job_hold_out(const struct site *site, double *speed, bool *train)
 {
 	size_t next = 0;
-	while (next < site->n_run && (site->run[next].speed <= *speed ||
-					 misfit_covered(&site->run[next]) == 0))
+	while (next < site->n_run &&
+	       (site->run[next].speed <= *speed ||
+		   misfit_count_covered(&site->run[next]) == 0))
 		next++;
 	if (next == site->n_run)
 		return false;
@@ -727,7 +728,7 @@ check_training(const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		if (!train[r] || misfit_covered(run) > 0)
+		if (!train[r] || misfit_count_covered(run) > 0)
 			continue;
 		return error_set(error, ERROR_DATA,
 		    "%s: no product sieve at %g m/s is in the range of the "

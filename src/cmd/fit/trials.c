@@ -77,7 +77,7 @@ static double *
 trials_corrected(const struct run *run, const struct posterior *posterior,
     double level, size_t *within)
 {
-	size_t n = misfit_covered(run);
+	size_t n = misfit_count_covered(run);
 	*within = 0;
 	if (posterior == NULL)
 		return NULL;
@@ -124,7 +124,8 @@ void
 trials_add(struct trials *c, const struct predicted_by *by)
 {
 	for (size_t r = 0; r < by->site->n_run; r++)
-		if (!by->train[r] && misfit_covered(&by->site->run[r]) > 0)
+		if (!by->train[r] &&
+		    misfit_count_covered(&by->site->run[r]) > 0)
 			trials_compare(c, by, r);
 }
 

@@ -316,7 +316,7 @@ words_free(struct words *words)
 static void
 parse_cut_unit(char *text, const char *unit)
 {
-	if (unit[0] != '\0' && text_ends(text, unit))
+	if (unit[0] != '\0' && text_ends_with(text, unit))
 		text[strlen(text) - strlen(unit)] = '\0';
 }
 

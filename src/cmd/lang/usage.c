@@ -130,7 +130,7 @@ print_command_option(const struct command_option *o, FILE *out)
 	enum { MARGIN = 15 };
 	FREED char *words = command_option_words(o), *lines = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&lines, &n);
+	FILE *memory = text_open_memory(&lines, &n);
 	text_wrap(words, MARGIN, 78, memory);
 	fclose(memory);
 	fprintf(out, "  %-*s%s", MARGIN - 2, o->name, lines + MARGIN);

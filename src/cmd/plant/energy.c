@@ -29,7 +29,7 @@ struct energy_question {
  * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
  * they are the cut and 0. */
 static double
-selection_of_entry(
+k_of_selection(
     const struct energy_question *q, const struct spectrum_size *of, double x)
 {
 	double e0 = q->cut * q->scale, f = 0;
@@ -87,7 +87,7 @@ energy_add_row(struct answer *r, const struct energy_question *q,
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_energy_ratio(q, of, false),
 	    100 * share_of_first_impacts(q, of),
-	    selection_of_entry(q, of, of->size));
+	    k_of_selection(q, of, of->size));
 }
 
 static void
@@ -131,7 +131,7 @@ energy_put_fields(struct answer *r, const struct energy_question *q,
 	    100 * share_below(q, whole), q->scale * q->cut,
 	    spectrum_per_particle(q->spectrum, whole, q->cut),
 	    100 * share_of_first_impacts(q, whole),
-	    selection_of_entry(q, whole, whole->size));
+	    k_of_selection(q, whole, whole->size));
 	struct fields *list = fields_object(f, "spectrum");
 	fields_numbers(list, "j_kg", e, n, NULL);
 	fields_numbers(list, "mass_share", share, n, NULL);
@@ -150,7 +150,7 @@ count_independent(const struct energies *e)
 
 /* Compares the other spectra with this one, each scaled to its speed. */
 static void
-note_others(
+note_other_spectra(
     struct answer *r, const struct session *s, const struct energy_question *q)
 {
 	for (size_t i = 0; i < s->n_energies; i++) {
@@ -180,11 +180,11 @@ note_others(
  * hold within a quarter: k is about 1, the first impact has most of the energy,
  * and that energy is near v^2/2. */
 static void
-energy_judge(struct answer *r, const struct energy_question *q,
-    const struct spectrum_size *whole)
+note_whether_one_impact_is_fair(struct answer *r,
+    const struct energy_question *q, const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = selection_of_entry(q, whole, whole->size), ratio;
+	double k = k_of_selection(q, whole, whole->size), ratio;
 	double first = share_of_first_impacts(q, whole);
 	ratio = mean_energy_ratio(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
@@ -219,8 +219,7 @@ note_site(struct answer *r, const struct energy_question *q)
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k =
-		    of->size > 0 ? selection_of_entry(q, of, of->size) : NAN;
+		double k = of->size > 0 ? k_of_selection(q, of, of->size) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -302,8 +301,8 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_below(&q, whole), q.scale * q.cut);
-	note_others(r, s, &q);
-	energy_judge(r, &q, whole);
+	note_other_spectra(r, s, &q);
+	note_whether_one_impact_is_fair(r, &q, whole);
 	note_site(r, &q);
 	note_basis(r, &q);
 	energy_put_fields(r, &q, whole);

@@ -56,7 +56,7 @@ show_lines(
 	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
 	struct fields *list = fields_list(answer_fields(r), "fractions");
-	size_t n = plant_lines(p, o, line);
+	size_t n = plant_list_lines(p, o, line);
 	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
 	answer_columns(r, "name: %s, tph: t/h",
 	    p->from_file ? "product" : tr("fraction mm"));
@@ -138,7 +138,7 @@ note_crushers(
 			continue;
 		double all = flow_into_unit(&o->flow, unit),
 		       rotor = all * plant_rotor_share(p, unit), range[2];
-		double speed = plant_speed(unit, o->speed);
+		double speed = plant_speed_of_unit(unit, o->speed);
 		range_tph(p, o, unit, 0, range);
 		if (all > rotor)
 			answer_note(r,
@@ -200,7 +200,7 @@ note_power(
 	    "power_from %s readings %zu idle_kw %g euler_factor %g",
 	    o->kw, range[0], range[1], o->kw / t,
 	    p->power.n > 0 ? "readings" : "Q v2", p->power.n,
-	    plant_idle(p, o->speed, idle), factor);
+	    plant_idle_power(p, o->speed, idle), factor);
 	answers_put_pair(f, "idle_range_kw", idle[0], idle[1]);
 }
 
@@ -371,7 +371,7 @@ flow_note_best(const struct plant *p, const struct search *s,
 /* Returns the largest difference in passing, 0..1, between what enters a
  * crusher and the feed of the site. */
 static double
-feed_difference(const struct plant *p, const struct plant_result *o,
+difference_from_site_feed(const struct plant *p, const struct plant_result *o,
     const struct unit *unit)
 {
 	size_t n = p->n;
@@ -398,8 +398,8 @@ flow_trust(const struct plant *p, const struct plant_result *o)
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
 		struct trust t = light_at(p->s, entry,
-		    plant_speed(unit, o->speed), p->question->feed);
-		double off = feed_difference(p, o, unit);
+		    plant_speed_of_unit(unit, o->speed), p->question->feed);
+		double off = difference_from_site_feed(p, o, unit);
 		if (off > other)
 			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
 			    TRUST_FEED,
@@ -444,7 +444,7 @@ answer_flow(const struct plant *p, const struct plant_result *o)
 
 /* Adds the rest of the answer and shows it. */
 static bool
-flow_finish(
+finish_flow_answer(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct entry *entry = p->question->entry;
@@ -480,13 +480,13 @@ flow_show_best(
 	struct search search = flow_search_best(p, from, to);
 	struct plant_result usual = plant_solve_at(p, p->question->speed),
 			    best = plant_solve_at(p, search.speed[search.best]);
-	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
+	bool ok = !best.flow.open || plant_error_not_steady(p, &best, error);
 	if (ok) {
 		struct answer *r = answer_flow(p, &best);
 		flow_note_best(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain(p, &best, &usual, r);
-		flow_finish(p, &best, r);
+		finish_flow_answer(p, &best, r);
 	}
 	flow_free(&usual.flow);
 	flow_free(&best.flow);
@@ -498,9 +498,9 @@ static bool
 flow_show_at(const struct plant *p, double speed, struct error *error)
 {
 	struct plant_result o = plant_solve_at(p, speed);
-	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
+	bool ok = !o.flow.open || plant_error_not_steady(p, &o, error);
 	if (ok)
-		flow_finish(p, &o, answer_flow(p, &o));
+		finish_flow_answer(p, &o, answer_flow(p, &o));
 	flow_free(&o.flow);
 	return ok;
 }
@@ -517,7 +517,7 @@ add_products(struct chart *chart, const struct plant *p,
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
-	size_t n = plant_lines(p, o, line), products = 0;
+	size_t n = plant_list_lines(p, o, line), products = 0;
 	for (size_t i = 0; i < n; i++) {
 		if (line[i].unit == NULL)
 			continue;

@@ -43,7 +43,7 @@ struct cuts {
 };
 
 static bool
-plant_overlap(const struct fraction *a, const struct fraction *b)
+do_fractions_overlap(const struct fraction *a, const struct fraction *b)
 {
 	return a->fine < b->coarse && b->fine < a->coarse;
 }
@@ -57,7 +57,7 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 		struct fraction f = {0};
 		ok = quantities_fraction(part, &f, error);
 		for (size_t i = 0; ok && i < c->n; i++)
-			if (plant_overlap(&f, &c->fraction[i]))
+			if (do_fractions_overlap(&f, &c->fraction[i]))
 				ok = error_set(error, ERROR_USAGE,
 				    "fractions= has %s, which overlaps with "
 				    "another one\n"
@@ -110,7 +110,7 @@ plant_is_listed(const char *list, const char *name, size_t *taken)
 }
 
 static size_t
-count_parts(const char *list)
+count_list_parts(const char *list)
 {
 	size_t n = 0;
 	char *part;
@@ -184,7 +184,7 @@ build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
 		else
 			add_unit_with_inlet(c, UNIT_STOCKPILE, name, over);
 	}
-	if (taken == count_parts(p->back) && taken < UNIT_STREAMS)
+	if (taken == count_list_parts(p->back) && taken < UNIT_STREAMS)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected fractions of the list in recycle=, got '%s'\n"
@@ -235,7 +235,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 /* Drops sizes that differ from their neighbour by rounding alone; they are in
  * falling order. */
 static size_t
-plant_drop_twins(double *size, size_t n)
+drop_equal_sizes(double *size, size_t n)
 {
 	const double alike = 1e-9;
 	size_t kept = 0;
@@ -268,7 +268,7 @@ choose_class_sizes(const struct site *site, struct plant *p)
 		if (c->unit[u].kind == UNIT_SCREEN)
 			p->size[p->n++] =
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
-	p->n = plant_drop_twins(p->size, p->n);
+	p->n = drop_equal_sizes(p->size, p->n);
 	psd_free(&all);
 	psd_free(&sieves);
 }
@@ -390,14 +390,14 @@ read_reading(struct plant *p, const char *part, struct error *error)
 /* Reads "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", which add
  * writes. */
 static void
-read_note(struct plant *p, const char *note)
+read_reading_of_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
 	char *part;
 	for (const char *at = note; (part = next_part(&at)) != NULL; free(part))
 		for (size_t i = 0; i < 3; i++) {
-			if (!text_ends(part, UNITS[i]))
+			if (!text_ends_with(part, UNITS[i]))
 				continue;
 			double v;
 			part[strlen(part) - strlen(UNITS[i])] = '\0';
@@ -422,7 +422,7 @@ read_power(const struct args *args, const struct site *site, struct plant *p,
 	}
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, "cut") == 0)
-			read_note(p, site->note[i].value);
+			read_reading_of_note(p, site->note[i].value);
 	p->of_cuts = p->n_reading > 0;
 	return true;
 }
@@ -492,7 +492,7 @@ plant_rotor_share(const struct plant *p, const struct unit *unit)
 }
 
 double
-plant_speed(const struct unit *unit, double speed)
+plant_speed_of_unit(const struct unit *unit, double speed)
 {
 	return unit->speed > 0 ? unit->speed : speed;
 }
@@ -500,7 +500,7 @@ plant_speed(const struct unit *unit, double speed)
 /* Adds the power and the earnings of a draw.  A model alone has a single
  * product, which serves all draws of the power. */
 static void
-count_draw(const struct plant *p, struct plant_result *o, size_t d)
+add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 {
 	double kw = 0, money = 0;
 	size_t of = d % o->flow.draws;
@@ -508,9 +508,9 @@ count_draw(const struct plant *p, struct plant_result *o, size_t d)
 		const struct unit *unit = &p->circuit->unit[u];
 		double tph = flow_draw_into_unit(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw +=
-			    power_at(&p->power, d, plant_speed(unit, o->speed),
-				tph * plant_rotor_share(p, unit));
+			kw += power_at(&p->power, d,
+			    plant_speed_of_unit(unit, o->speed),
+			    tph * plant_rotor_share(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
 			money += tph * unit->price;
 	}
@@ -530,13 +530,13 @@ plant_solve_at(const struct plant *p, double speed)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
 	o.flow = circuit_flow(p->circuit, p->feed, p->size, p->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		count_draw(p, &o, d);
+		add_power_and_earnings(p, &o, d);
 	transfer_free(t);
 	return o;
 }
 
 size_t
-plant_lines(const struct plant *p, const struct plant_result *o,
+plant_list_lines(const struct plant *p, const struct plant_result *o,
     struct plant_line *line)
 {
 	const struct circuit *c = p->circuit;
@@ -561,7 +561,7 @@ plant_lines(const struct plant *p, const struct plant_result *o,
 }
 
 bool
-plant_not_steady(
+plant_error_not_steady(
     const struct plant *p, const struct plant_result *o, struct error *error)
 {
 	return error_set(error, ERROR_NUMERIC,
@@ -574,7 +574,7 @@ plant_not_steady(
 }
 
 double
-plant_idle(const struct plant *p, double speed, double range[static 2])
+plant_idle_power(const struct plant *p, double speed, double range[static 2])
 {
 	double draw[POWER_DRAWS], mean = 0;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
@@ -589,7 +589,7 @@ char *
 plant_power_words(const struct plant *p, const struct plant_result *o)
 {
 	const struct power *w = &p->power;
-	double range[2], idle = plant_idle(p, o->speed, range);
+	double range[2], idle = plant_idle_power(p, o->speed, range);
 	if (w->n == 0)
 		return xstrdup(tr("no motor readings: Q v2 alone, the power "
 				  "that brings the rock to the tip speed: a "

@@ -223,7 +223,7 @@ offer_shipped(struct work *w)
 	DIR *dir = other ? NULL : opendir(path);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
 		FREED char *name = xstrdup(e->d_name);
-		if (text_ends(name, END) &&
+		if (text_ends_with(name, END) &&
 		    strncmp(name, typed, strlen(typed)) == 0) {
 			name[strlen(name) - strlen(END)] = '\0';
 			complete_put(w, name, ' ');

@@ -233,11 +233,12 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct answer *r = answer_new("version");
 	answer_columns(r, "part, version");
-	answer_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
-	answer_pair(r, "gsl", "%s", GSL_VERSION);
-	answer_pair(r, "jansson", "%s", JANSSON_VERSION);
-	answer_pair(r, "pictures", "%s", picture_forms());
-	answer_pair(r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
+	answer_add_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
+	answer_add_pair(r, "gsl", "%s", GSL_VERSION);
+	answer_add_pair(r, "jansson", "%s", JANSSON_VERSION);
+	answer_add_pair(r, "pictures", "%s", picture_forms());
+	answer_add_pair(
+	    r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
 	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
 	return session_show_answer(s, r);
 }

@@ -19,7 +19,7 @@ count_runs(const struct entry *entry, bool *held_out)
 	size_t n = 0;
 	*held_out = false;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_covered(&entry->site->run[r]) == 0)
+		if (misfit_count_covered(&entry->site->run[r]) == 0)
 			continue;
 		n++;
 		*held_out = *held_out || !entry->train[r];

@@ -115,7 +115,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		fields_put(answer_fields(r), "text %s", text);
 		session_show_answer(s, r);
 	} else {
-		text_put(text, s->out);
+		text_print_escaped(text, s->out);
 		fputc('\n', s->out);
 	}
 	return true;
@@ -279,7 +279,7 @@ bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
 	FREED char *path = script_name(args->operand[0]);
-	return text_ends(path, ".tip")
+	return text_ends_with(path, ".tip")
 		   ? save_as(s, args, path, error)
 		   : error_set(error, ERROR_USAGE,
 			 "save: expected a name that ends in .tip, got "

@@ -39,7 +39,8 @@ turns_in(const struct command *command, char *word)
 	bool speed = i < OPTIONS
 			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
 			 : equals == NULL && takes_speeds(command);
-	bool number = *value >= '0' && *value <= '9' && text_ends(value, RPM) &&
+	bool number = *value >= '0' && *value <= '9' &&
+		      text_ends_with(value, RPM) &&
 		      value[strspn(value, "0123456789.,:rpm")] == '\0';
 	return speed && number ? value : NULL;
 }
@@ -178,7 +179,7 @@ static char *
 list_part(const char *word, bool list)
 {
 	size_t n = strlen(word);
-	if (text_ends(word, "m/s"))
+	if (text_ends_with(word, "m/s"))
 		n -= strlen("m/s");
 	char *part = xstrndup(word, n);
 	for (char *c = part; *c != '\0' && !list; c++)

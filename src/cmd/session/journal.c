@@ -319,7 +319,7 @@ put_provenance(FILE *out, const struct site *site)
 	FREED char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		*p = *p == '\\' ? ' ' : *p;
-	text_put(line, out);
+	text_print_escaped(line, out);
 	fputc('\n', out);
 }
 

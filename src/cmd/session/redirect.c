@@ -63,7 +63,8 @@ find_output(const struct command *command, const struct words *words)
 	bool draws = (command->flags & COMMAND_DRAWS) != 0;
 	const struct output *o = OUTPUTS;
 	for (; o->end != NULL; o++)
-		if (words->to != TO_PIPE && text_ends(words->target, o->end) &&
+		if (words->to != TO_PIPE &&
+		    text_ends_with(words->target, o->end) &&
 		    (o->kind != OUTPUT_PICTURE || draws))
 			break;
 	return o;
@@ -131,7 +132,7 @@ redirect_allowed(const struct command *command, const struct words *words,
 	if (words->to == TO_PIPE)
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
-		if (text_ends(target, OTHER_BOOKS[i]))
+		if (text_ends_with(target, OTHER_BOOKS[i]))
 			return error_no_such_workbook(command, words, error);
 	bool image = picture_form_of(target, &form);
 	enum output_kind kind = find_output(command, words)->kind;
@@ -198,7 +199,7 @@ redirect_open(struct session *s, const struct command *command,
 		free(r);
 		return NULL;
 	}
-	r->memory = text_memory(&r->text, &r->n);
+	r->memory = text_open_memory(&r->text, &r->n);
 	r->to = words->to;
 	r->target = xstrdup(words->target);
 	r->out = s->out;

@@ -233,7 +233,7 @@ note_check(struct session *s, size_t run)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	if (!entry->has_params || misfit_covered(&site->run[run]) == 0)
+	if (!entry->has_params || misfit_count_covered(&site->run[run]) == 0)
 		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare(s, entry, run);
 	FREED char *words = cut_words(&cut);

@@ -39,7 +39,7 @@ static struct coarser
 find_coarser(const struct run *run)
 {
 	struct coarser found = {0};
-	found.compared = misfit_covered(run);
+	found.compared = misfit_count_covered(run);
 	for (size_t i = 0; i < found.compared; i++) {
 		double x = run->product.size[i];
 		double by =
@@ -276,7 +276,7 @@ static void
 check_wide(struct answer *r, const struct entry *entry)
 {
 	const struct psd *feed = &entry->site->run[0].feed;
-	size_t i = psd_gap(feed);
+	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
 		finding(r, entry, false, "feed",
 		    "no sieve between %g and %g mm, where %.0f points of it "

@@ -97,7 +97,7 @@ load_add_file(struct load *l, const char *word, struct error *error)
 	double speed;
 	bool good = split_speed(word, &path, &speed, error);
 	load_add_path(l, path, speed);
-	if (!good || !text_ends(path, ".tip"))
+	if (!good || !text_ends_with(path, ".tip"))
 		return good;
 	return error_set(error, ERROR_USAGE,
 	    "expected a site file, got a script (%s)\n"
@@ -130,7 +130,7 @@ load_note_reading(const struct session *s, const struct site *site)
 static void
 note_loaded(struct session *s, const struct site *site)
 {
-	size_t n, products = site_products(site);
+	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
 	free(site_sieves(site, &n));
 	if (products > 0)

@@ -541,7 +541,7 @@ note_remembered(struct session *s, const struct entry *entry)
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds(site, ", ", NULL, false);
-	if (site_products(site) > 0)
+	if (site_count_products(site) > 0)
 		session_note(s,
 		    tr_n("%s: %zu run at %s m/s, %s",
 			"%s: %zu runs at %s m/s, %s", site->n_run),
@@ -617,7 +617,7 @@ has_name(const char *names, const char *name)
 {
 	FREED char *all = xasprintf(", %s,", names);
 	FREED char *one = xasprintf(", %s,", name);
-	return text_has(all, one);
+	return text_contains_word(all, one);
 }
 
 /* Adds a name to a list. */
@@ -957,17 +957,17 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	answer_title(r, "the store of materials");
 	answer_columns(r, "what, value");
-	answer_pair(r, "place", "%s", path);
+	answer_add_pair(r, "place", "%s", path);
 	if (strcmp(path, ":memory:") == 0)
-		answer_pair(r, "file", "none: kept until the session ends");
+		answer_add_pair(r, "file", "none: kept until the session ends");
 	else if (bytes < 0)
-		answer_pair(
+		answer_add_pair(
 		    r, "file", "none yet: the first 'remember' creates it");
 	else
-		answer_pair(r, "file", "%" PRId64 " bytes", bytes);
-	answer_pair(r, "schema", "%d", STORE_SCHEMA);
-	answer_pair(r, "own materials", "%zu", own);
-	answer_pair(r, "of Table 3", "%zu, read only", all.n);
+		answer_add_pair(r, "file", "%" PRId64 " bytes", bytes);
+	answer_add_pair(r, "schema", "%d", STORE_SCHEMA);
+	answer_add_pair(r, "own materials", "%zu", own);
+	answer_add_pair(r, "of Table 3", "%zu, read only", all.n);
 	answer_note(r, "run 'materials' to list them");
 	stored_list_free(&all);
 	return session_show_answer(s, r);

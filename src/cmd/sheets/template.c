@@ -122,7 +122,7 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	/* In workbooks numbers have no decimal sign. */
-	f = (struct form){',', text_memory(&text, &n)};
+	f = (struct form){',', text_open_memory(&text, &n)};
 	s->rows += put_sieve_form(&f, args);
 	fclose(f.sheet);
 	book_add_text(s->book, "template", text);

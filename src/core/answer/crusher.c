@@ -119,7 +119,7 @@ crusher_set_feed(
 
 /* Row by draw what the ensemble of a class has row by size. */
 static void
-transfer_fill_class(struct transfer *t, size_t class, const double *P)
+put_products_of_class(struct transfer *t, size_t class, const double *P)
 {
 	for (size_t d = 0; d < t->draws; d++) {
 		double *row = t->passing + (d * (t->n - 1) + class) * t->n;
@@ -190,7 +190,7 @@ crusher_at(struct crusher *c, double v)
 			continue;
 		}
 		ensemble_draws_at(c->ensemble[i], v);
-		transfer_fill_class(
+		put_products_of_class(
 		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
 	}
 	if (c->posterior != NULL && n > 1) {

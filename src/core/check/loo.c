@@ -412,7 +412,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 	const struct site *site = l->site;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = &site->run[r].product;
-		size_t covered = misfit_covered(&site->run[r]);
+		size_t covered = misfit_count_covered(&site->run[r]);
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL
 				? i < covered
@@ -513,7 +513,7 @@ block_of_residuals(
 {
 	bool *use = xcalloc(l->site->n_run, sizeof *use);
 	for (size_t r = 0; r < l->site->n_run; r++)
-		use[r] = misfit_covered(&l->site->run[r]) > 0;
+		use[r] = misfit_count_covered(&l->site->run[r]) > 0;
 	struct misfit *m = misfit_new(l->site, use, NULL, false, p->settings);
 	size_t n = m->of->n;
 	double *J = xdoubles(b->n * n);
@@ -546,7 +546,7 @@ feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
     double *gain)
 {
 	const double more = 1e-4;
-	size_t n = misfit_covered(run);
+	size_t n = misfit_count_covered(run);
 	double *product[2] = {xdoubles(n), xdoubles(n)};
 	for (size_t k = 0; k < 2; k++) {
 		struct psd feed = psd_copy(&run->feed);
@@ -581,7 +581,7 @@ fill_products_response_to_feed(
 			continue;
 		if (i == 0 || c->run != l->of[i - 1].run || gain == NULL) {
 			free(gain);
-			gain = xdoubles(misfit_covered(run));
+			gain = xdoubles(misfit_count_covered(run));
 			feed_sensitivity(run, of->sieve, p, gain);
 		}
 		u[i] = -gain[c->sieve];

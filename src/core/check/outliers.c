@@ -443,7 +443,7 @@ runs_with_misfit(const struct site *site)
 {
 	bool *use = xcalloc(site->n_run, sizeof *use);
 	for (size_t r = 0; r < site->n_run; r++)
-		use[r] = misfit_covered(&site->run[r]) > 0;
+		use[r] = misfit_count_covered(&site->run[r]) > 0;
 	return use;
 }
 

@@ -160,7 +160,7 @@ find_worst_holdout(struct evidence *e, const struct site *site,
     const bool *train, const struct fit *fit)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (train[r] || misfit_covered(&site->run[r]) == 0)
+		if (train[r] || misfit_count_covered(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(
 		    site, r, train, &fit->params, fit->settings, NULL);
@@ -206,7 +206,7 @@ product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
 	const struct run *run = &site->run[r];
 	const struct psd *mean = site_feed(site, SITE_MEAN_FEED);
 	struct psd p = psd_copy(&run->product);
-	p.n = misfit_covered(run);
+	p.n = misfit_count_covered(run);
 	while (p.n > 0 && !psd_covers(mean, p.size[p.n - 1]))
 		p.n--;
 	if (site->individual_feeds && p.n > 0) {
@@ -246,7 +246,7 @@ trust_feeds_mislead(
 	size_t cells = 0;
 	for (size_t r = 0; site->individual_feeds && r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		size_t n = misfit_covered(run);
+		size_t n = misfit_count_covered(run);
 		while (n > 0 && !psd_covers(all, run->product.size[n - 1]))
 			n--;
 		if (n == 0)

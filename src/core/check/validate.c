@@ -116,7 +116,7 @@ model_passing(const struct run *run, const struct params *p,
     struct model_settings settings, double *out)
 {
 	struct model *model = model_new(
-	    &run->feed, run->product.size, misfit_covered(run), settings);
+	    &run->feed, run->product.size, misfit_count_covered(run), settings);
 	model_use_params(model, p);
 	model_product(model, run->speed, out);
 	model_free(model);
@@ -133,7 +133,7 @@ validate_passing(const struct site *site, size_t run, const bool *train,
 		model_passing(at, p, settings, out);
 		return;
 	}
-	for (size_t i = 0; i < misfit_covered(at); i++) {
+	for (size_t i = 0; i < misfit_count_covered(at); i++) {
 		double x = at->product.size[i];
 		out[i] =
 		    way == VALIDATE_CORRECTED ? NAN
@@ -183,7 +183,7 @@ validate_passings(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     const double *corrected)
 {
-	size_t n = misfit_covered(&site->run[run]);
+	size_t n = misfit_count_covered(&site->run[run]);
 	double *passing = xdoubles(VALIDATE_WAYS * n);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		if (way == VALIDATE_CORRECTED && corrected != NULL)
@@ -200,7 +200,7 @@ validate_predicted(const struct site *site, size_t run, const bool *train,
     const double *passing)
 {
 	const struct run *at = &site->run[run];
-	size_t n = misfit_covered(at);
+	size_t n = misfit_count_covered(at);
 	assert(n > 0);
 	struct validation v = {.run = run,
 	    .speed = at->speed,

@@ -970,9 +970,9 @@ posterior_choose_runs(const struct site *site, const bool *use)
 	size_t n = 0, at = 0, next = 0;
 	bool *taken = xcalloc(site->n_run, sizeof *taken);
 	for (size_t r = 0; r < site->n_run; r++)
-		n += use[r] && misfit_covered(&site->run[r]) > 0;
+		n += use[r] && misfit_count_covered(&site->run[r]) > 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (!use[r] || misfit_covered(&site->run[r]) == 0)
+		if (!use[r] || misfit_count_covered(&site->run[r]) == 0)
 			continue;
 		taken[r] = n <= POSTERIOR_RUNS ||
 			   at == next * (n - 1) / (POSTERIOR_RUNS - 1);
@@ -1030,7 +1030,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	m = misfit_new(site, use, NULL, false, p->settings);
 	free(use);
 	size_t most = COVARIANCE_FEW / m->n_run;
-	misfit_thin(m, most < LEAST ? LEAST : most);
+	misfit_drop_sieves(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->coordinates.middle;

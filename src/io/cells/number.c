@@ -143,7 +143,7 @@ read_unit(const struct sheet *sheet, const char *text, double *value)
 			continue;
 		memcpy(copy, text, n - k);
 		copy[n - k] = '\0';
-		if (text_ends(copy, "\xC2\xA0"))
+		if (text_ends_with(copy, "\xC2\xA0"))
 			copy[n - k - 2] = '\0';
 		return number_read_text(sheet, text_trim(copy), value)
 			   ? UNITS[i].value

@@ -544,9 +544,10 @@ static bool
 is_remark(const struct row *row)
 {
 	const char *text = row->cell[0].text;
-	bool failed = strcmp(text, "#N/A") == 0 ||
-		      (strchr(text, ' ') == NULL &&
-			  (text_ends(text, "!") || text_ends(text, "?")));
+	bool failed =
+	    strcmp(text, "#N/A") == 0 ||
+	    (strchr(text, ' ') == NULL &&
+		(text_ends_with(text, "!") || text_ends_with(text, "?")));
 	return text[0] == '#' && !failed;
 }
 

@@ -108,7 +108,7 @@ begin_relations(void *data, const char *name, const char *const *attribute)
 	const char *type = xml_attribute(attribute, "Type");
 	const char *target = xml_attribute(attribute, "Target");
 	if (strcmp(name, "Relationship") != 0 || id == NULL || type == NULL ||
-	    target == NULL || !text_ends(type, "/worksheet"))
+	    target == NULL || !text_ends_with(type, "/worksheet"))
 		return;
 	for (size_t i = 0; i < b->n_tab; i++)
 		if (strcmp(b->tab[i].id, id) == 0 && b->tab[i].part == NULL)

@@ -163,7 +163,7 @@ xml_attribute(const char *const *attribute, const char *name)
 	for (; attribute[0] != NULL; attribute += 2) {
 		const char *found = attribute[0];
 		if (strcmp(found, name) == 0 ||
-		    (spaced && text_ends(found, name) &&
+		    (spaced && text_ends_with(found, name) &&
 			(name[0] == ' ' ||
 			    found[strlen(found) - strlen(name) - 1] == ':')))
 			return attribute[1];

@@ -235,7 +235,7 @@ answer_name(struct answer *a, const char *key, const char *head)
 }
 
 void
-answer_pair(struct answer *a, const char *name, const char *format, ...)
+answer_add_pair(struct answer *a, const char *name, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -327,7 +327,7 @@ number_json(double value)
 
 /* Returns the next value of fields_put, according to its conversion. */
 static json_t *
-converted_json(const char *conversion, va_list *ap)
+json_of_argument(const char *conversion, va_list *ap)
 {
 	switch (conversion[1]) {
 	case 's':
@@ -355,7 +355,7 @@ fields_put(struct fields *fields, const char *format, ...)
 	     word = strtok_r(NULL, " ", &save)) {
 		const char *key = word[0] != '%' ? word : NULL;
 		word = key != NULL ? strtok_r(NULL, " ", &save) : word;
-		put_value(fields, key, converted_json(word, &ap));
+		put_value(fields, key, json_of_argument(word, &ap));
 	}
 	free(copy);
 	va_end(ap);
@@ -671,7 +671,7 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
  * after the other columns.  A single column is not wrapped, as it may be
  * copied. */
 static struct form
-table_form(const struct table *t, int room)
+lay_out_table(const struct table *t, int room)
 {
 	enum { LEAST = 24 };
 	struct form f = {.indent = 2, .room = room, .gap = 2};
@@ -700,7 +700,7 @@ print_sentence(const char *text, int indent, int room, FILE *out)
 {
 	FREED char *lines = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&lines, &n);
+	FILE *memory = text_open_memory(&lines, &n);
 	text_wrap(text, indent, room, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
@@ -777,7 +777,7 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 {
 	FREED char *line = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&line, &n);
+	FILE *memory = text_open_memory(&line, &n);
 	answer_print_row(
 	    t, f, row - 1, row == 0, block, f->gap == 1 ? " " : "  ", memory);
 	fclose(memory);
@@ -876,7 +876,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = answer_rows_of(t), from = 1;
-	struct form f = table_form(t, a->room);
+	struct form f = lay_out_table(t, a->room);
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
@@ -939,7 +939,7 @@ as_markdown(const char *text)
 static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
-	struct form f = table_form(t, SCREEN);
+	struct form f = lay_out_table(t, SCREEN);
 	for (size_t row = 0; row <= answer_rows_of(t); row++) {
 		fputs("| ", out);
 		answer_print_row(t, &f, row - 1, row == 0,

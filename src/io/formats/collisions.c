@@ -140,7 +140,7 @@ next_field(const struct reading *r, char **s)
 
 /* Returns "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
 static char *
-plain_head(const char *head)
+head_as_identifier(const char *head)
 {
 	char *plain = text_fold(head);
 	size_t n = 0;
@@ -170,12 +170,12 @@ find_head(const char *plain)
 static enum column
 collisions_column_of(const char *head, double *scale)
 {
-	FREED char *plain = plain_head(head);
+	FREED char *plain = head_as_identifier(head);
 	enum column column = find_head(plain);
 	const char *unit = "";
 	*scale = column == COL_SIZE ? 1e-3 : 1;
 	for (size_t i = 0; column == COL_NONE && i < ARRAY_LEN(UNITS); i++) {
-		if (!text_ends(plain, UNITS[i].end))
+		if (!text_ends_with(plain, UNITS[i].end))
 			continue;
 		plain[strlen(plain) - strlen(UNITS[i].end)] = '\0';
 		column = find_head(plain);
@@ -234,7 +234,7 @@ has_energy(const struct reading *r)
 /* True if the columns yield energies; otherwise reports what is missing, and
  * how to name them. */
 static bool
-columns_do(struct reading *r)
+check_columns_give_energy(struct reading *r)
 {
 	if (has_energy(r))
 		return true;
@@ -276,7 +276,7 @@ take_numbers_of_row(struct reading *r)
 }
 
 static bool
-may_go_on(struct reading *r)
+report_rows_read_so_far(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -389,7 +389,7 @@ table_columns(struct reading *r, bool *is_row)
 		    : two ? "specific_energy,weight"
 			  : "specific_energy",
 		    ',');
-	return columns_do(r);
+	return check_columns_give_energy(r);
 }
 
 static bool
@@ -406,7 +406,8 @@ collisions_read_table(struct reading *r)
 		ok = take_numbers_of_row(r) && take_impact(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (take_numbers_of_row(r) && take_impact(r) && may_go_on(r));
+		     (take_numbers_of_row(r) && take_impact(r) &&
+			 report_rows_read_so_far(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];

@@ -38,7 +38,7 @@ read_limit_cell(struct sheet *sheet, const struct row *row, size_t at)
 }
 
 static struct spec *
-spec_of(const struct standards *all, const char *name)
+find_spec_by_name(const struct standards *all, const char *name)
 {
 	for (size_t i = 0; i < all->n; i++)
 		if (strcmp(all->spec[i]->name, name) == 0)
@@ -76,7 +76,7 @@ base_envelope(const struct standards *all, const char *name)
 	if (bracket == NULL)
 		return NULL;
 	FREED char *base = xstrndup(name, (size_t)(bracket - name));
-	return spec_of(all, base);
+	return find_spec_by_name(all, base);
 }
 
 static struct spec *
@@ -125,7 +125,7 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	FREED char *name =
 	    xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
 	double mm = read_limit_cell(sheet, row, SIZE);
-	struct spec *spec = spec_of(all, name);
+	struct spec *spec = find_spec_by_name(all, name);
 	if (spec == NULL)
 		spec = add_spec(
 		    all, standard, name, sheet_cell(row, CUT).text, source);
@@ -236,7 +236,7 @@ match_words(const char *name, const char *words)
  * a number of its standard, "C33", or all of its own name, "zone II"; but not
  * "ASTM" alone. */
 static bool
-names_plain(const struct spec *spec, const char *folded)
+do_words_mean_plain_variant(const struct spec *spec, const char *folded)
 {
 	return folded[strcspn(folded, "0123456789")] != '\0' ||
 	       match_words(folded, spec->name + strlen(spec->standard)) == 2;
@@ -264,7 +264,7 @@ keep_base_envelope(
 			    match[j] && standards_begins_with_name(
 					    all->spec[j]->name, name, length);
 		if (!match[i] || begin < n ||
-		    !names_plain(all->spec[i], folded))
+		    !do_words_mean_plain_variant(all->spec[i], folded))
 			continue;
 		memset(match, 0, all->n * sizeof *match);
 		match[i] = true;

@@ -172,7 +172,7 @@ site_save(const struct site *site, const char *path, size_t *rows,
 {
 	FREED char *text = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	*rows = site_write(site, memory);
 	fclose(memory);
 	return file_replace(path, FILE_SHARED, text, n, error);

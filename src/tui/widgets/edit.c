@@ -128,7 +128,7 @@ static void
 show_offers(struct edit *t, const struct completion *c)
 {
 	size_t n = 0;
-	FILE *out = text_memory(&t->offers, &n);
+	FILE *out = text_open_memory(&t->offers, &n);
 	for (size_t i = 0; i < c->n; i++)
 		fprintf(out, "%s%s%s", i > 0 ? "  " : "", c->candidate[i].text,
 		    c->candidate[i].append == '=' ? "=" : "");

@@ -85,7 +85,7 @@ list_row_matches(const struct tui *t, size_t i)
 		of->table->cell(t, i, c, cell, sizeof cell);
 		xappend(&text, " %s", cell);
 	}
-	return text_has(text, word->text);
+	return text_contains_word(text, word->text);
 }
 
 /* Returns the nearest row before or after i that matches, else i. */

@@ -603,8 +603,8 @@ draw_nothing(const struct tui *t)
 	if (t->layout.numbers.rows == 0)
 		screen_text(side, row++, 0, 0, "nothing predicted yet");
 	screen_text(side, row++, 0, 0,
-	    site_products(site) > 0 ? N_("Enter calibrates")
-				    : N_("no product: type :guess"));
+	    site_count_products(site) > 0 ? N_("Enter calibrates")
+					  : N_("no product: type :guess"));
 	row++;
 	if (!is_pinned(t)) {
 		FREED char *read = folder_site(site);
