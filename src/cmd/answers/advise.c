@@ -105,7 +105,7 @@ forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
 /* Sorts the candidates by the width of the band that each is expected to
  * leave. */
 static void
-advise_weigh(const struct session *s, const struct advice_request *w,
+sort_by_expected_width(const struct session *s, const struct advice_request *w,
     const double *answer, double width, struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
@@ -184,7 +184,7 @@ candidates_by_width(const struct session *s, const struct advice_request *w,
 		return NULL;
 	struct advised *c = advise_candidates(
 	    s, w->question->entry->site, w->question->speed, n);
-	advise_weigh(s, w, answer, width, c, *n);
+	sort_by_expected_width(s, w, answer, width, c, *n);
 	return c;
 }
 
@@ -251,7 +251,7 @@ advise_answer(
 
 /* Reads the quantity that is named, otherwise P80. */
 static bool
-take_quantity(
+read_quantity_or_p80(
     const struct args *args, struct advice_request *w, struct error *error)
 {
 	const char *of = args->of != NULL ? args->of : "P80";
@@ -301,7 +301,7 @@ cmd_advise(struct session *s, const struct args *args, struct question *q,
 {
 	question_as_last(s, args, q);
 	struct advice_request w = {.question = q};
-	bool ok = take_quantity(args, &w, error) && advise(s, &w, error);
+	bool ok = read_quantity_or_p80(args, &w, error) && advise(s, &w, error);
 	free(w.name);
 	return ok;
 }

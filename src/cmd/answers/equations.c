@@ -90,7 +90,7 @@ say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 
 /* Returns the share of the feed that would break if x were in millimetres. */
 static double
-selected_in_mm(const struct worked *w, double speed)
+broken_share_in_mm(const struct worked *w, double speed)
 {
 	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
 	double sum = 0;
@@ -104,7 +104,7 @@ selected_in_mm(const struct worked *w, double speed)
 }
 
 static void
-say_metres(struct answer *r, const struct worked *w)
+say_effect_of_millimetres(struct answer *r, const struct worked *w)
 {
 	double speed[2] = {w->site->run[w->low].speed,
 	    w->site->run[w->high].speed},
@@ -113,7 +113,7 @@ say_metres(struct answer *r, const struct worked *w)
 		struct prediction p = predict(
 		    w->site, w->p, w->settings, speed[i], SITE_MEAN_FEED);
 		metres[i] = 100 * p.selected;
-		mm[i] = 100 * selected_in_mm(w, speed[i]);
+		mm[i] = 100 * broken_share_in_mm(w, speed[i]);
 		prediction_free(&p);
 	}
 	fields_put(fields_object(answer_fields(r), "d2"),
@@ -144,7 +144,7 @@ rmse_points(const struct worked *w, struct model_settings settings,
 /* Says what the literal reading gives: each progeny class has the same share,
  * whatever beta is. */
 static void
-say_parents(struct answer *r, const struct worked *w)
+say_literal_appearance(struct answer *r, const struct worked *w)
 {
 	struct model_settings literal = w->settings;
 	struct params other = *w->p;
@@ -202,7 +202,7 @@ best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
 }
 
 static void
-say_minus(struct answer *r, const struct worked *w)
+say_printed_minus_of_eq5(struct answer *r, const struct worked *w)
 {
 	struct misfit *m[2];
 	for (size_t i = 0; i < 2; i++) {
@@ -266,9 +266,9 @@ equations_work_out(struct answer *r, const struct session *s)
 	say_sign_of_eq3(r, &w, answers_usual_speed(entry));
 	if (!find_runs(&w))
 		return;
-	say_metres(r, &w);
-	say_parents(r, &w);
-	say_minus(r, &w);
+	say_effect_of_millimetres(r, &w);
+	say_literal_appearance(r, &w);
+	say_printed_minus_of_eq5(r, &w);
 }
 
 bool

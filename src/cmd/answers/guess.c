@@ -253,7 +253,7 @@ note_nearest(struct answer *r, const struct basis *b)
 
 /* The rock type may be a new one, or misspelt. */
 static void
-note_rock(struct answer *r, const struct basis *b)
+note_unknown_rock(struct answer *r, const struct basis *b)
 {
 	bool known = b->wanted.rock[0] == '\0';
 	for (size_t i = 0; i < b->list.n && !known; i++)
@@ -309,7 +309,7 @@ note_materials(struct answer *r, const struct basis *b)
 		    "their progeny: each of its materials is taken with %d "
 		    "beta from coarse to fine",
 		    GUESS_LAWS);
-	note_rock(r, b);
+	note_unknown_rock(r, b);
 	note_choice(r, b);
 	if (b->table3 < b->own)
 		answer_say(r, ANSWER_REMARK,
@@ -329,7 +329,8 @@ note_materials(struct answer *r, const struct basis *b)
 /* Warns if one or more of the materials were not trained at the speed.
  * Materials that do not state their speeds do not count. */
 static void
-note_reach(struct answer *r, const struct basis *b, double speed)
+note_beyond_training_speeds(
+    struct answer *r, const struct basis *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
 	for (size_t i = 0; i < b->n; i++) {
@@ -384,7 +385,7 @@ note_error(struct answer *r, const struct basis *b)
  * product of all materials.  That material has parameters to use, which a
  * median of products has not. */
 static void
-guess_note_best(
+note_best_material(
     struct answer *r, const struct site *site, const struct basis *b)
 {
 	if (site_count_products(site) != 1)
@@ -422,8 +423,8 @@ give_guess(struct session *s, const struct site *site, const struct basis *b,
 	struct answer *r = guess_table(site, guess);
 	note_sizes(r, guess);
 	note_materials(r, b);
-	guess_note_best(r, site, b);
-	note_reach(r, b, guess->speed);
+	note_best_material(r, site, b);
+	note_beyond_training_speeds(r, b, guess->speed);
 	note_error(r, b);
 	put_guess(r, b, guess);
 	put_error(answer_fields(r), b);

@@ -226,7 +226,7 @@ prediction_answer(const struct session *s, const struct entry *entry,
 
 /* Notes how well parameters from elsewhere meet the only product of a site. */
 static void
-note_only_check(
+note_fit_of_only_cut(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	size_t run;
@@ -250,7 +250,7 @@ note_only_check(
  * feeds, while the answer equals the passing of the feed: breakage cannot bring
  * it any lower. */
 static void
-note_floor(
+note_sieves_at_feed(
     struct answer *r, const struct question *q, const struct prediction *p)
 {
 	const double shown = 5e-4;
@@ -394,8 +394,8 @@ predict_certainty_words(const struct session *s, const struct question *q,
 }
 
 static void
-note_sure(struct answer *r, const struct session *s, const struct question *q,
-    const struct prediction *p)
+note_certainty(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *p)
 {
 	FREED char *words = predict_certainty_words(s, q, p);
 	if (words != NULL)
@@ -431,7 +431,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	    prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, params, p);
-	note_sure(r, s, q, p);
+	note_certainty(r, s, q, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
@@ -441,7 +441,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
 		    r, params, site_feed(entry->site, p->feed_run), p);
-	note_floor(r, q, p);
+	note_sieves_at_feed(r, q, p);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == entry_loaded(entry))
@@ -457,7 +457,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 			: N_("no interpolation: %g m/s is not between measured "
 			     "runs"),
 		    p->speed);
-	note_only_check(r, s, entry);
+	note_fit_of_only_cut(r, s, entry);
 	struct question at = *q;
 	at.moved = largest_move_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
@@ -497,7 +497,7 @@ draw_curves(struct session *s, const struct question *q,
 /* Takes the parameters that predict a site; during its calibration, the best so
  * far. */
 static bool
-take_params(const struct session *s, const struct entry *entry,
+params_to_predict_with(const struct session *s, const struct entry *entry,
     struct params *params, struct error *error)
 {
 	*params = entry->params;
@@ -511,7 +511,7 @@ predict_step(struct session *s, const struct entry *entry, double speed,
     struct error *error)
 {
 	struct params params;
-	if (!take_params(s, entry, &params, error))
+	if (!params_to_predict_with(s, entry, &params, error))
 		return false;
 	struct question q = question_of_whole_product(s, entry, feed_run);
 	q.params = &params;
@@ -539,7 +539,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	if (!take_params(s, entry, &params, error) ||
+	if (!params_to_predict_with(s, entry, &params, error) ||
 	    !check_whole_product(args, &q->fraction, error) ||
 	    !screened_check_covered(q, error))
 		return false;

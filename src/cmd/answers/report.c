@@ -129,7 +129,7 @@ has_what_section_needs(
 /* Replaces the words in capitals by what is asked.  The caller frees the
  * text. */
 static char *
-fill_in_words(const char *words, const struct report_request *ask)
+replace_capitals(const char *words, const struct report_request *ask)
 {
 	char speed[32], *text = xstrdup("");
 	const struct {
@@ -174,10 +174,10 @@ put_sections(struct session *s, const struct report_request *ask)
 		const struct section *row = &SECTIONS[i];
 		if (!has_what_section_needs(s, ask, row->need))
 			continue;
-		FREED char *line = fill_in_words(row->line, ask);
+		FREED char *line = replace_capitals(row->line, ask);
 		if (row->heading != NULL) {
 			FREED char *heading =
-			    fill_in_words(tr(row->heading), ask);
+			    replace_capitals(tr(row->heading), ask);
 			document_say(
 			    s->document, DOCUMENT_HEADING, "%s", heading);
 		}
@@ -285,7 +285,7 @@ put_left_out_sections(struct session *s, const struct report_request *ask)
 		const struct section *row = &SECTIONS[i];
 		if (row->heading == NULL || !is_section_wanted(ask, row->need))
 			continue;
-		FREED char *heading = fill_in_words(tr(row->heading), ask);
+		FREED char *heading = replace_capitals(tr(row->heading), ask);
 		xlist(&list, "; ", "%s", heading);
 	}
 	document_say(s->document, DOCUMENT_WARNING,
@@ -358,7 +358,7 @@ options_words(const struct args *args, const void *const *option, size_t n)
 }
 
 static void
-take_words(const struct args *args, struct report_request *ask)
+read_parts_of_lines(const struct args *args, struct report_request *ask)
 {
 	const void *const cut[] = {
 	    &args->cut, &args->sharpness, &args->cut_size};
@@ -387,7 +387,7 @@ static bool
 read_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)
 {
-	take_words(args, ask);
+	read_parts_of_lines(args, ask);
 	if (!conditions_add_call(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;

@@ -53,7 +53,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 /* Returns the coarsest sieve of the curves below a size, m; 0 if there is
  * none. */
 static double
-next_sieve(const struct psd *const *curve, size_t n, double below)
+next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 {
 	double x = 0;
 	for (size_t i = 0; i < n; i++)
@@ -110,7 +110,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	if (n == 0)
 		answer_note(r, "the site file has a feed only");
 	answer_set_missing(r, "");
-	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
+	for (double x = INFINITY; (x = next_finer_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
 			answer_cells(

@@ -16,7 +16,8 @@
 
 /* Adds two rows, for the ends of a size's band. */
 static void
-size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
+add_rows_of_size_band(
+    struct answer *r, const struct prediction *p, size_t n, size_t size)
 {
 	static const char *const ENDS[] = {N_("  low"), N_("  high")};
 	for (size_t end = 0; end < 2; end++) {
@@ -30,7 +31,7 @@ size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 
 /* Puts sieves down and speeds across, for as many speeds as fit a screen. */
 static void
-sweep_across(struct answer *r, const struct entry *entry,
+add_speeds_across(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
@@ -68,7 +69,7 @@ sweep_across(struct answer *r, const struct entry *entry,
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
 		if (p[0].low != NULL && size != ANSWERS_BREAK)
-			size_band(r, p, n, size);
+			add_rows_of_size_band(r, p, n, size);
 	}
 }
 
@@ -87,7 +88,7 @@ sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
 
 /* Adds a row for each speed and sieve, for spreadsheets and programs. */
 static void
-sweep_long(struct answer *r, const struct entry *entry,
+add_row_for_speed_and_sieve(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
@@ -116,9 +117,9 @@ sweep_answer(const struct session *s, const struct question *q,
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? outlook_words(s, entry) : "");
-	(across ? sweep_across : answers_speed_rows)(r, entry, p, n);
+	(across ? add_speeds_across : answers_speed_rows)(r, entry, p, n);
 	answer_fill_for_programs(r);
-	sweep_long(r, entry, p, n);
+	add_row_for_speed_and_sieve(r, entry, p, n);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");

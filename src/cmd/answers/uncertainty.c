@@ -113,8 +113,8 @@ add_figures(struct answer *r, const struct session *s,
 /* Adds the median and the range of each hyperparameter; also for people if
  * `words`. */
 static void
-add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
-    bool words)
+add_hyperparameters(struct answer *r, const struct session *s,
+    const struct posterior *p, bool words)
 {
 	double value[POSTERIOR_DRAWS], range[2], median, unused;
 	struct fields *o = fields_object(answer_fields(r), "errors");
@@ -229,7 +229,7 @@ draws_answer(const struct session *s, const struct question *q,
 /* Returns the figure that the sentences are about: the first one named or,
  * without of=, the passing that predict's sentence is about. */
 static struct quantity
-main_figure(const struct question *q, const struct args *args,
+figure_of_sentences(const struct question *q, const struct args *args,
     const struct prediction *at, const struct quantity *named)
 {
 	if (args->of != NULL)
@@ -249,8 +249,8 @@ figure_name(const struct quantity *of)
 }
 
 static void
-note_feeds(struct answer *r, const struct session *s, const struct question *q,
-    const struct quantity *of, double speed)
+note_effect_of_feeds(struct answer *r, const struct session *s,
+    const struct question *q, const struct quantity *of, double speed)
 {
 	double most = predict_change_by_feeds(s, q, of, speed);
 	if (!(most > 0))
@@ -266,8 +266,8 @@ note_feeds(struct answer *r, const struct session *s, const struct question *q,
 
 /* Notes which next sample would narrow the band of a figure most. */
 static void
-note_next(struct answer *r, const struct session *s, const struct question *q,
-    const struct quantity *of)
+note_best_next_sample(struct answer *r, const struct session *s,
+    const struct question *q, const struct quantity *of)
 {
 	struct advised best;
 	double width;
@@ -294,8 +294,8 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 /* Notes what the band leaves out: the stated speeds are not exact.  sd: their
  * standard deviation, as a share of them. */
 static void
-note_speeds(struct answer *r, const struct session *s, const struct question *q,
-    const struct prediction *at, double sd)
+note_effect_of_speed_errors(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *at, double sd)
 {
 	const double step = 0.005;
 	double times = site_speed_error(q->entry->site, at->speed),
@@ -343,7 +343,7 @@ band_parts_answer(const struct session *s, const struct question *q,
 		question_feed(q), args->of != NULL, &n, error);
 	if (figures == NULL)
 		return NULL;
-	const struct quantity of = main_figure(q, args, at, figures);
+	const struct quantity of = figure_of_sentences(q, args, at, figures);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
 		   : N_("how sure, %.0f %% bands at %.*f m/s%s"),
@@ -365,12 +365,12 @@ band_parts_answer(const struct session *s, const struct question *q,
 	screened_put(answer_fields(r), at);
 	if (detail)
 		answer_note(r, "%s", outlook_words(s, entry));
-	add_hyper(r, s, p, detail);
+	add_hyperparameters(r, s, p, detail);
 	note_strengths(r, p, detail);
-	note_feeds(r, s, q, &of, at->speed);
-	note_speeds(r, s, q, at, args->speed_sd / 100);
+	note_effect_of_feeds(r, s, q, &of, at->speed);
+	note_effect_of_speed_errors(r, s, q, at, args->speed_sd / 100);
 	note_draws(r, p, outlook_evidence(s, entry), detail);
-	note_next(r, s, q, &of);
+	note_best_next_sample(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
 }
@@ -387,8 +387,8 @@ apply_settings(struct session *s, const struct args *args)
 
 /* Reads a speed, as in predict, and "draws" or "next", in any order. */
 static bool
-take_words(const struct args *args, struct question *q, bool *draws, bool *next,
-    struct error *error)
+read_speed_and_words(const struct args *args, struct question *q, bool *draws,
+    bool *next, struct error *error)
 {
 	bool given = q->speed_given;
 	for (size_t i = 0; i < args->n_operand; i++) {
@@ -419,7 +419,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	bool draws = false, next = false;
-	if (!take_words(args, q, &draws, &next, error))
+	if (!read_speed_and_words(args, q, &draws, &next, error))
 		return false;
 	if (next)
 		return cmd_advise(s, args, q, error);

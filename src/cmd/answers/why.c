@@ -107,7 +107,7 @@ say_how_much(const struct subject *a)
 
 /* Says if a change of speed by 1 m/s hardly matters. */
 static void
-say_response(const struct subject *a)
+say_if_speed_hardly_matters(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
@@ -362,7 +362,8 @@ class_label(const struct psd *feed, size_t i)
 /* Adds the cells after that of the class: the feed, three for each speed, and
  * the change. */
 static void
-row_cells(struct answer *r, const double feed, double at[2][3], double change)
+add_cells_of_class(
+    struct answer *r, const double feed, double at[2][3], double change)
 {
 	answer_cells(r, "%.1f", 100 * feed);
 	for (size_t k = 0; k < 2; k++)
@@ -403,11 +404,11 @@ add_rows_for_people(struct answer *r, const struct balance *b)
 			answer_text(r, "%g", units_mm(b->feed->size[i + 1]));
 		else
 			answer_text(r, "pan");
-		row_cells(r, b->of[0].feed[i], at, change);
+		add_cells_of_class(r, b->of[0].feed[i], at, change);
 	}
 	answer_text(r, "sum");
 	/* A sum of -0.0 is shown as 0.0. */
-	row_cells(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
+	add_cells_of_class(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
 }
 
 /* For programs: a row for each speed and class. */
@@ -430,7 +431,7 @@ add_rows_for_programs(struct answer *r, const struct balance *b)
 }
 
 static void
-note_ways(struct answer *r, const struct balance *b)
+note_where_mass_goes(struct answer *r, const struct balance *b)
 {
 	const struct ledger *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
@@ -540,7 +541,7 @@ why_give(struct balance *b)
 	add_rows_for_people(r, b);
 	answer_fill_for_programs(r);
 	add_rows_for_programs(r, b);
-	note_ways(r, b);
+	note_where_mass_goes(r, b);
 	note_correction(r, b);
 	for (size_t k = 0; k < 2; k++)
 		if (answers_extrapolates(entry, b->p[k].speed))
@@ -612,7 +613,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_green(&a, &trust);
 	say_breakage(&a);
 	say_how_much(&a);
-	say_response(&a);
+	say_if_speed_hardly_matters(&a);
 	say_fraction(&a);
 	say_trained(&a);
 	say_measured(&a);

@@ -194,7 +194,7 @@ note_certain_speeds(
 }
 
 static void
-put_certain(struct fields *o, const struct window_request *a)
+put_certain_speeds(struct fields *o, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	if (isfinite(w->sure[0]))
@@ -273,7 +273,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_window(answer_fields(r), &a,
 		    answers_extrapolates(entry, a.w->best));
 		note_certain_speeds(r, s, &a);
-		put_certain(answer_fields(r), &a);
+		put_certain_speeds(answer_fields(r), &a);
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);

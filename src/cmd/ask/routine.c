@@ -25,7 +25,7 @@ const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
 
 /* The date of "72 m/s, 2026-05-03 10:15, cut.csv", in words and seconds. */
 static void
-put_date(struct routine_cut *c, const char *note)
+set_date_of_note(struct routine_cut *c, const char *note)
 {
 	struct datetime m;
 	const char *at = note != NULL ? strstr(note, ", ") : NULL;
@@ -105,14 +105,14 @@ find_cuts(struct routine *r, const struct entry *entry)
 		r->training_only = r->training_only || seen;
 		c->run = i;
 		c->speed = site->run[i].speed;
-		put_date(c, cut_find_note(site, i));
+		set_date_of_note(c, cut_find_note(site, i));
 	}
 	sort_cuts(r, site);
 }
 
 /* The sieves that crushing can change, with what was measured. */
 static void
-put_sieves(struct routine_cut *c, const struct run *run)
+set_sieves_of_cut(struct routine_cut *c, const struct run *run)
 {
 	size_t n = misfit_count_covered(run), from = 0;
 	while (from + 1 < n &&
@@ -154,7 +154,7 @@ predict_alone(struct routine_cut *c, const struct psd *feed,
 }
 
 static double
-residual(const struct routine_cut *c, size_t i)
+measured_minus_predicted(const struct routine_cut *c, size_t i)
 {
 	return c->measured[i] - c->predicted[i];
 }
@@ -169,7 +169,7 @@ follow_cuts(struct routine *r)
 		struct routine_cut *c = &r->cut[j];
 		double *off = residuals[j] = xdoubles(c->n);
 		for (size_t i = 0; i < c->n; i++) {
-			off[i] = residual(c, i);
+			off[i] = measured_minus_predicted(c, i);
 			if (fabs(off[i]) > fabs(off[c->worst]))
 				c->worst = i;
 		}
@@ -202,7 +202,7 @@ find_side_of_cuts(struct routine *r)
 				const struct routine_cut *c = &r->cut[j];
 				if (fabs(c->size[k] / last->size[i] - 1) > 1e-6)
 					continue;
-				sum += residual(c, k);
+				sum += measured_minus_predicted(c, k);
 				n++;
 			}
 		double mean = sum / (double)n;
@@ -253,7 +253,7 @@ routine_follow(const struct session *s, const struct entry *entry,
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
 		const struct run *run = &entry->site->run[c->run];
-		put_sieves(c, run);
+		set_sieves_of_cut(c, run);
 		if (r->drawn)
 			predict_by_draws(c, &run->feed, p);
 		else

@@ -80,7 +80,8 @@ excess_of_side(const struct side *side, double over)
 
 /* The sides of condition i.  Returns how many. */
 static size_t
-sides_of(const struct wanted *w, size_t i, struct side side[static 2])
+limits_of_condition(
+    const struct wanted *w, size_t i, struct side side[static 2])
 {
 	const struct condition *of = &w->at[i];
 	bool share = quantities_unit(&of->quantity)[0] == '%';
@@ -143,7 +144,7 @@ margin_with(const struct wanted *w, size_t i, bool *held)
 {
 	struct side side[2];
 	struct margin least = {INFINITY, INFINITY, NONE};
-	size_t n = sides_of(w, i, side);
+	size_t n = limits_of_condition(w, i, side);
 	for (size_t k = 0; k < n; k++)
 		least = lesser_margin(least, margin_of_side(w, &side[k], held));
 	return least;
@@ -168,7 +169,8 @@ wanted_holds(const struct wanted *w, size_t i)
 	size_t first = i == SIZE_MAX ? 0 : i,
 	       end = i == SIZE_MAX ? w->n : i + 1;
 	for (i = first; i < end; i++)
-		for (size_t k = 0, n = sides_of(w, i, side); k < n; k++) {
+		for (size_t k = 0, n = limits_of_condition(w, i, side); k < n;
+		     k++) {
 			const struct side *of = &side[k];
 			double over =
 			    forecast_excess(w->forecast, of->i, of->limit);

@@ -190,7 +190,7 @@ judge_variant(struct trust *t, const struct session *s,
 
 /* Speeds of parameters that no calibration of this session found. */
 static struct evidence
-evidence_of_speeds(const struct entry *entry)
+evidence_of_speeds_alone(const struct entry *entry)
 {
 	struct evidence e = {.speeds = 2, .cells = 100};
 	if (!origin_reach(entry, &e.slowest, &e.fastest)) {
@@ -208,7 +208,7 @@ light_judge(const struct session *s, const struct entry *entry,
 	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
 	struct trust_question q = {
 	    .speed = p != NULL ? p->speed : 0, .corrected = !off};
-	struct evidence reach = evidence_of_speeds(entry);
+	struct evidence reach = evidence_of_speeds_alone(entry);
 	/* What was measured is judged as it was measured. */
 	const struct entry *own = entry_loaded(entry);
 	if (later)
@@ -318,7 +318,7 @@ light_show(struct answer *r, struct trust t)
 
 /* What needs no light; NULL: that decides. */
 static const char *
-plain_verdict(const struct fit *fit)
+verdict_without_light(const struct fit *fit)
 {
 	return fit->rmse > FIT_POOR      ? tr("poor")
 	       : fit_too_few(fit)        ? tr("too few data")
@@ -338,7 +338,7 @@ const char *
 light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	const char *plain = plain_verdict(&entry->fit);
+	const char *plain = verdict_without_light(&entry->fit);
 	return plain != NULL ? plain
 			     : light_name(light_of_prediction(s, entry, p));
 }
@@ -346,7 +346,7 @@ light_verdict(const struct session *s, const struct entry *entry,
 const char *
 light_verdict_undrawn(const struct session *s, const struct entry *entry)
 {
-	const char *plain = plain_verdict(&entry->fit);
+	const char *plain = verdict_without_light(&entry->fit);
 	struct evidence e = outlook_evidence_without_draws(s, entry);
 	/* No cut was added since. */
 	return plain != NULL

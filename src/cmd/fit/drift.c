@@ -15,7 +15,7 @@ static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
 /* Returns the CUSUM of the side that is nearer to its limit, with a sign. */
 static double
-larger_cusum(const struct drift_chart *c)
+cusum_nearest_its_limit(const struct drift_chart *c)
 {
 	return c->down > c->up ? -c->down : c->up;
 }
@@ -48,14 +48,14 @@ drift_add_rows(
 		if (charts)
 			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
-			    level->down, sign * larger_cusum(tilt));
+			    level->down, sign * cusum_nearest_its_limit(tilt));
 		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
 
 /* Returns "5 (2026-05-18)". */
 static char *
-drift_name_of(const struct routine *r, size_t cut)
+cut_name(const struct routine *r, size_t cut)
 {
 	const char *when = r->cut[cut].when;
 	return when[0] != '\0' ? xasprintf("%zu (%s)", cut + 1, when)
@@ -90,8 +90,8 @@ say_beginning(struct answer *a, const struct routine *r)
 {
 	if (r->point[r->n - 1].state == DRIFT_NONE)
 		return;
-	FREED char *since = drift_name_of(r, r->since),
-		   *first = drift_name_of(r, r->first);
+	FREED char *since = cut_name(r, r->since),
+		   *first = cut_name(r, r->first);
 	answer_note(a,
 	    "it began at about cut %s; by cut %s it was more than chance",
 	    since, first);
@@ -119,7 +119,7 @@ say_what_next(struct answer *a, const struct entry *entry,
 			     "next cut"));
 		return;
 	}
-	FREED char *since = drift_name_of(r, r->since);
+	FREED char *since = cut_name(r, r->since);
 	FREED char *speeds = speeds_words_from(r, r->since, &n);
 	answer_note(a,
 	    n > 1 ? N_("next: find the cause; if the change is to stay, "

@@ -137,7 +137,8 @@ say_flat(struct answer *r, const char *list, bool several, bool both)
  * each with its step, in a direction that the bounds allow.  If the steps
  * leave the bounds either way, the data say nothing about them. */
 static void
-add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
+note_poorly_determined(
+    struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
 	FREED char *list = xstrdup("");
 	size_t n = 0;
@@ -298,7 +299,7 @@ add_search(
 	note_lowest(r, fit);
 	note_edits(r, fit);
 	add_warnings(r, entry);
-	add_flat(r, fit, bounds);
+	note_poorly_determined(r, fit, bounds);
 }
 
 /* Notes what would test a fit without a held-out speed. */

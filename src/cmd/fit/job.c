@@ -193,7 +193,7 @@ options_words(const struct session *s, const struct fit *fit)
 
 /* Makes the job's result the fit of its site. */
 static void
-take_entry(struct session *s)
+take_fit_as_params(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_fit(s->job.calibration);
@@ -216,7 +216,7 @@ take_entry(struct session *s)
 /* Runs a step of the polished search with which a plain one is compared.
  * Returns true if it is complete or not wanted. */
 static bool
-seek_lowest(struct session *s)
+step_polished_search(struct session *s)
 {
 	struct job *job = &s->job;
 	struct calibrate_options options = job->options;
@@ -242,11 +242,11 @@ seek_lowest(struct session *s)
 static bool
 draw_fit(struct session *s)
 {
-	if (!s->job.taken && !seek_lowest(s))
+	if (!s->job.taken && !step_polished_search(s))
 		return false;
 	if (!s->job.taken)
-		take_entry(s);
-	return outlook_draw(s, &s->entry[s->job.entry]);
+		take_fit_as_params(s);
+	return outlook_draw_some_steps(s, &s->entry[s->job.entry]);
 }
 
 /* draw: judge the fit by its draws, too. */
@@ -255,7 +255,7 @@ job_take_fit(struct session *s, bool draw)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
-		take_entry(s);
+		take_fit_as_params(s);
 	/* `calibrate all` answers with a table of sites, which has none of
 	 * these fields. */
 	struct answer *answer = answer_new("calibrate");

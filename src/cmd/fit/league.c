@@ -243,7 +243,7 @@ verdict_free(struct verdict *v)
 /* Adds the cells of a site's runs that were held out.  Their sampling error is
  * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-add_cells(struct verdict *v, const struct site_models *g)
+add_held_out_cells(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error(g), h = 0;
@@ -295,7 +295,7 @@ add_site(struct verdict *v, const struct site_models *g, bool alone)
 	}
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 		add_passings(&v->null[way], v->n, &g->model[0].runs, way);
-	add_cells(v, g);
+	add_held_out_cells(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
@@ -381,7 +381,7 @@ verdict_word(const struct verdict *v, size_t m)
 /* Returns the share of a model in the answer between measured speeds, per
  * cent. */
 static double
-weight_of(const struct verdict *v, size_t m)
+weight_of_model(const struct verdict *v, size_t m)
 {
 	return isnan(v->straight)
 		   ? NAN
@@ -398,7 +398,7 @@ put_verdict(struct fields *o, const struct verdict *v)
 		    "parameters %zu cells %zu standing %s weight_pct %g",
 		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
 		    v->misfit[m], v->parameters[m], v->cells,
-		    verdict_word(v, m), weight_of(v, m));
+		    verdict_word(v, m), weight_of_model(v, m));
 	scores_put_null(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", name_of_row(v->best));
@@ -432,7 +432,7 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 		answer_cells(
 		    r, "%.2f %s", 100 * v->model[m].rmse, verdict_word(v, m));
 		if (weights)
-			answer_cells(r, "%.0f", weight_of(v, m));
+			answer_cells(r, "%.0f", weight_of_model(v, m));
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 		answer_cells(
@@ -582,8 +582,8 @@ note_weights(struct answer *r, const struct verdict *v)
 	answer_say(r, ANSWER_REMARK,
 	    "share: between two measured speeds the answer is %.0f %% %s, "
 	    "corrected, and %.0f %% the straight line; elsewhere it is all %s",
-	    weight_of(v, v->in_use), name_of_row(v->in_use), 100 * v->straight,
-	    name_of_row(v->in_use));
+	    weight_of_model(v, v->in_use), name_of_row(v->in_use),
+	    100 * v->straight, name_of_row(v->in_use));
 }
 
 static struct answer *

@@ -118,7 +118,7 @@ part_add(struct answer *answer, const struct part_row *row)
 
 /* Appends the collision energies as a digest, because they are many numbers. */
 static void
-add_impacts(char **words, const struct impacts *impacts)
+append_digest_of_impacts(char **words, const struct impacts *impacts)
 {
 	uint64_t digest = text_digest(
 	    UINT64_C(0xcbf29ce484222325), &impacts->number, sizeof(double));
@@ -144,7 +144,7 @@ part_options(const struct session *s, const struct calibrate_options *o,
 	    o->tolerance, o->stall, o->polish, o->plain, more, of->name,
 	    (int)m->method, (int)m->appearance, m->k, m->bypass, s->set.noise,
 	    (int)s->set.correction);
-	add_impacts(&words, &m->impacts);
+	append_digest_of_impacts(&words, &m->impacts);
 	for (size_t j = 0; j < of->n; j++)
 		xappend(&words, " %s=%.17g..%.17g", of->parameter[j].name,
 		    o->bounds.lower[j], o->bounds.upper[j]);

@@ -227,7 +227,7 @@ redirect_open(struct session *s, const struct command *command,
 /* Without a byte order mark Excel reads a file in the local character set and
  * garbles letters beyond ASCII. Only the beginning of a file gets one. */
 static void
-put_mark(struct redirect *r)
+add_byte_order_mark(struct redirect *r)
 {
 	struct stat about;
 	bool there = stat(r->target, &about) == 0;
@@ -244,7 +244,7 @@ put_mark(struct redirect *r)
 
 /* Returns "12 rows" for a table, "24 lines" for other text. */
 static char *
-extent_words(const struct redirect *r, size_t rows)
+size_of_output_words(const struct redirect *r, size_t rows)
 {
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
@@ -278,7 +278,7 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	FREED char *what = extent_words(r, s->rows);
+	FREED char *what = size_of_output_words(r, s->rows);
 	files_note_written(s, r->target);
 	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
 	    r->target, what);
@@ -411,7 +411,7 @@ redirect_close(
 		keep = ok = bind_document(r, error);
 	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
 		 s->set.semicolon && r->n > 0)
-		put_mark(r);
+		add_byte_order_mark(r);
 	if (keep && !whole)
 		ok = error_set(error, ERROR_SYSTEM,
 		    "the results for %s do not fit into memory", r->target);
