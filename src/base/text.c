@@ -93,7 +93,7 @@ text_whole(const char *s, uint64_t *value)
 }
 
 const char *
-text_exact(double value, char buf[static 32])
+text_exact_number(double value, char buf[static 32])
 {
 	for (int digits = 6; digits <= 17; digits++) {
 		snprintf(buf, 32, "%.*g", digits, value);
@@ -104,7 +104,7 @@ text_exact(double value, char buf[static 32])
 }
 
 const char *
-text_distinguishing(double value, double other, char buf[static 32])
+text_number_unlike(double value, double other, char buf[static 32])
 {
 	enum { SHORT = 7, LEAST = 4, MOST = 17 };
 	double apart = fabs(value - other) / 10;
@@ -272,7 +272,7 @@ text_ends_with(const char *s, const char *end)
 }
 
 bool
-text_same(const char *a, const char *b)
+text_same_folded(const char *a, const char *b)
 {
 	FREED char *fold_a = text_fold(a), *fold_b = text_fold(b);
 	return strcmp(fold_a, fold_b) == 0;
@@ -476,7 +476,7 @@ text_print_escaped(const char *s, FILE *out)
 }
 
 void
-text_put_xml(const char *s, FILE *out)
+text_print_xml(const char *s, FILE *out)
 {
 	FREED char *shown = text_escaped(s);
 	for (const char *p = shown; *p != '\0'; p++) {
@@ -505,7 +505,7 @@ text_width(const char *s)
 static const char MORE[] = " ..";
 
 char *
-text_fitted(const char *s, int columns)
+text_cut_to_width(const char *s, int columns)
 {
 	enum { LEAST = 2 };
 	const int more = (int)strlen(MORE);

@@ -104,7 +104,7 @@ static void
 put_fitted(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
-	char *fitted = text_fitted(text, l->canvas->columns - column);
+	char *fitted = text_cut_to_width(text, l->canvas->columns - column);
 	canvas_text(l->canvas, column, row, fitted, series, attribute);
 	free(fitted);
 }

@@ -54,7 +54,7 @@ add_claim(struct answer *r, const char *words, bool borne_out, char *figures)
 }
 
 static void
-claim_range(struct answer *r, const struct shown *c)
+claim_params_within_bounds(struct answer *r, const struct shown *c)
 {
 	size_t bound = 0;
 	double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {0};
@@ -79,7 +79,7 @@ claim_range(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_sizes(struct answer *r, const struct shown *c)
+claim_p50_differs_least(struct answer *r, const struct shown *c)
 {
 	double rms[PSD_SIZES];
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -108,7 +108,7 @@ is_negative(double r, size_t n)
 }
 
 static void
-claim_opposite(struct answer *r, const struct shown *c)
+claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 {
 	size_t most = c->n > c->paper.n ? c->n : c->paper.n;
 	double *x = xdoubles(most), *y = xdoubles(most), printed, fitted;
@@ -144,7 +144,7 @@ claims_table3_row(const struct shown *c, const struct entry *entry)
 /* For a reconstructed site the product at any speed is known: that of its
  * row. */
 static void
-claim_beyond(struct answer *r, const struct shown *c)
+claim_extrapolation(struct answer *r, const struct shown *c)
 {
 	static const double SPEED[] = {65, 85};
 	const double far = 1;
@@ -184,7 +184,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_middle_speed(struct answer *r, const struct shown *c)
+claim_middle_speed_verifies(struct answer *r, const struct shown *c)
 {
 	size_t wins = 0, n = 0;
 	double sum[2] = {0};
@@ -211,7 +211,7 @@ claim_middle_speed(struct answer *r, const struct shown *c)
 
 /* See D11. */
 static void
-claim_resistance(struct answer *r, const struct shown *c)
+claim_f_mat_resists(struct answer *r, const struct shown *c)
 {
 	size_t more = 0;
 	double sum = 0;
@@ -253,12 +253,12 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
 	answer_sites(r, "", about);
 	if (any) {
-		claim_range(r, &c);
-		claim_middle_speed(r, &c);
-		claim_sizes(r, &c);
-		claim_beyond(r, &c);
-		claim_opposite(r, &c);
-		claim_resistance(r, &c);
+		claim_params_within_bounds(r, &c);
+		claim_middle_speed_verifies(r, &c);
+		claim_p50_differs_least(r, &c);
+		claim_extrapolation(r, &c);
+		claim_f_mat_opposes_e0_min(r, &c);
+		claim_f_mat_resists(r, &c);
 	}
 	answer_put_rows(r, "claims");
 	fields_put(answer_fields(r), "what %s sites %zu", "claims", c.n);

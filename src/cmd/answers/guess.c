@@ -71,7 +71,7 @@ basis_allocate(struct basis *b)
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
 		    stored_settings(m), stored_is_table3(m)};
-		b->leave_out[i] = text_same(m->site, b->wanted.site);
+		b->leave_out[i] = text_same_folded(m->site, b->wanted.site);
 	}
 	while (!stored_is_table3(&b->list.item[b->table3]))
 		b->table3++;
@@ -235,8 +235,8 @@ note_nearest(struct answer *r, const struct basis *b)
 {
 	size_t same = 0;
 	for (size_t i = 0; i < b->n; i++)
-		same +=
-		    text_same(b->list.item[b->pick[i]].rock, b->wanted.rock);
+		same += text_same_folded(
+		    b->list.item[b->pick[i]].rock, b->wanted.rock);
 	FREED char *picked = material_names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
@@ -257,7 +257,7 @@ note_unknown_rock(struct answer *r, const struct basis *b)
 {
 	bool known = b->wanted.rock[0] == '\0';
 	for (size_t i = 0; i < b->list.n && !known; i++)
-		known = text_same(b->list.item[i].rock, b->wanted.rock);
+		known = text_same_folded(b->list.item[i].rock, b->wanted.rock);
 	if (!known)
 		answer_say(r, ANSWER_REMARK,
 		    "no material is of the rock type '%s': materials lists "

@@ -134,7 +134,7 @@ replace_capitals(const char *words, const struct report_request *ask)
 	char speed[32], *text = xstrdup("");
 	const struct {
 		const char *word, *value;
-	} with[] = {{"SPEED", text_exact(ask->speed, speed)},
+	} with[] = {{"SPEED", text_exact_number(ask->speed, speed)},
 	    {"SPEC", ask->spec}, {"CONDITIONS", ask->conditions},
 	    {"ENVELOPE", ask->envelope}, {"ASKED", ask->asked},
 	    {"CUT", ask->cut}, {"RATE", ask->rate}};
@@ -312,8 +312,8 @@ report_put_script(struct session *s, const struct report_request *ask)
 	journal_put(s, out);
 	FREED char *file = text_quoted(s->file);
 	fprintf(out, "report%s speed=%s%s%s%s%s > %s\n", ask->conditions,
-	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->asked,
-	    ask->cut, file);
+	    text_exact_number(ask->speed, number), ask->rate, ask->spec,
+	    ask->asked, ask->cut, file);
 }
 
 static void
@@ -377,9 +377,9 @@ read_parts_of_lines(const struct args *args, struct report_request *ask)
 	ask->cut = options_words(args, cut, ARRAY_LEN(cut));
 	ask->asked = options_words(args, asked, ARRAY_LEN(asked));
 	ask->tph = args->tph;
-	ask->rate = args->tph > 0
-			? xasprintf(" tph=%s", text_exact(args->tph, number))
-			: xstrdup("");
+	ask->rate = args->tph > 0 ? xasprintf(" tph=%s",
+					text_exact_number(args->tph, number))
+				  : xstrdup("");
 }
 
 /* Conditions that cannot be used are reported before anything is written. */

@@ -28,7 +28,7 @@ is_outside_band(const struct cut *c)
 /* The passings of a run's product at the sieves that crushing can change, [*n];
  * the caller frees. */
 static struct quantity *
-changed_sieves(const struct run *r, size_t *n)
+sieves_that_crushing_changes(const struct run *r, size_t *n)
 {
 	size_t covered = misfit_count_covered(r);
 	struct quantity *q = xcalloc(covered, sizeof *q);
@@ -48,7 +48,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	const struct run *r = &entry->site->run[run];
 	const struct question q = question_of_whole_product(s, entry, run);
 	struct cut c = {.level = q.level, .no_band = true};
-	FREED struct quantity *asked = changed_sieves(r, &c.n);
+	FREED struct quantity *asked = sieves_that_crushing_changes(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;
 	forecast_part_at(f, r->speed, ENSEMBLE_SAMPLE);

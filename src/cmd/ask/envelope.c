@@ -95,11 +95,11 @@ static const char CATEGORY[] = "FM category ";
 /* What the options say of screens; else the fraction that the envelope is
  * for. */
 static bool
-take_fraction(const struct args *args, const struct spec *spec,
+fraction_of_options(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
 {
 	const char *cut = args->cut;
-	bool off = cut != NULL && text_same(cut, "off");
+	bool off = cut != NULL && text_same_folded(cut, "off");
 	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
 	if (off)
 		*f = (struct fraction){0};
@@ -118,7 +118,7 @@ begins_with_text(const char *text, const char *start)
 
 /* The modulus of a standard's sieves where it is that of a sand. */
 static const struct modulus *
-modulus_of(const struct spec *spec)
+modulus_of_sand_standard(const struct spec *spec)
 {
 	const double sand = 0.006;
 	for (size_t i = 0; i < MODULI; i++)
@@ -169,7 +169,7 @@ add_modulus(struct grading_limits *l, const struct spec *spec,
     const struct standards *all)
 {
 	const struct standard_limit *fm = modulus_limit(all, spec->standard);
-	const struct modulus *m = modulus_of(spec);
+	const struct modulus *m = modulus_of_sand_standard(spec);
 	if (fm == NULL || m == NULL)
 		return;
 	l->modulus_unknown = !psd_covers(feed, m->mm[m->n - 1] / 1000);
@@ -227,7 +227,7 @@ value_of_quantity(const struct grading *g, size_t i)
 }
 
 static void
-ask_quantities(
+open_conditions(
     const struct session *s, const struct question *q, struct grading *g)
 {
 	const struct quantity more[] = {
@@ -245,7 +245,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
 	const struct psd *from = question_feed(q);
-	g->modulus = modulus_of(g->spec);
+	g->modulus = modulus_of_sand_standard(g->spec);
 	g->limits = grading_limits(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
 		free(g->limits.at);
@@ -254,7 +254,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 		    "sieves",
 		    g->spec->name);
 	}
-	ask_quantities(s, q, g);
+	open_conditions(s, q, g);
 	return true;
 }
 
@@ -264,7 +264,7 @@ grading_open(const struct session *s, const struct args *args,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec};
-	return take_fraction(args, spec, &g->fraction, error) &&
+	return fraction_of_options(args, spec, &g->fraction, error) &&
 	       open_forecast_of_limits(s, q, g, error);
 }
 

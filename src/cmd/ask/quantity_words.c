@@ -66,7 +66,8 @@ read_modulus(const char *name, struct quantity *q, struct error *error)
 {
 	q->kind = QUANTITY_MODULUS;
 	for (size_t i = 0; i < MODULI; i++)
-		if (name[0] == '\0' || text_same(name, MODULUS[i].name)) {
+		if (name[0] == '\0' ||
+		    text_same_folded(name, MODULUS[i].name)) {
 			q->modulus = &MODULUS[i];
 			return true;
 		}

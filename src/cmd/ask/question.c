@@ -244,7 +244,7 @@ read_fraction(const struct session *s, const struct args *args,
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
 			args->spec != NULL || s->spec != NULL;
 	if (command_option_index(args->command, "cut") == OPTIONS ||
-	    (args->cut != NULL && text_same(args->cut, "off")))
+	    (args->cut != NULL && text_same_folded(args->cut, "off")))
 		return true;
 	return quantities_option(args, &q->fraction, envelope, error);
 }

@@ -143,7 +143,7 @@ predict_by_draws(
 }
 
 static void
-predict_alone(struct routine_cut *c, const struct psd *feed,
+predict_by_model_alone(struct routine_cut *c, const struct psd *feed,
     const struct params *params, struct model_settings settings, double noise)
 {
 	struct model *model = model_new(feed, c->size, c->n, settings);
@@ -184,7 +184,7 @@ follow_cuts(struct routine *r)
 /* How many of the last cuts lie on one side, and where these differ most, of
  * sieves that the last one has. */
 static void
-find_side_of_cuts(struct routine *r)
+count_cuts_on_one_side(struct routine *r)
 {
 	const struct routine_cut *last = &r->cut[r->n - 1];
 	bool above = r->point[r->n - 1].chart[DRIFT_LEVEL].value > 0;
@@ -257,11 +257,11 @@ routine_follow(const struct session *s, const struct entry *entry,
 		if (r->drawn)
 			predict_by_draws(c, &run->feed, p);
 		else
-			predict_alone(c, &run->feed, &entry->params,
+			predict_by_model_alone(c, &run->feed, &entry->params,
 			    s->set.model, s->set.noise / 100);
 	}
 	follow_cuts(r);
-	find_side_of_cuts(r);
+	count_cuts_on_one_side(r);
 	return r;
 }
 

@@ -140,7 +140,7 @@ lesser_margin(struct margin least, struct margin m)
 }
 
 static struct margin
-margin_with(const struct wanted *w, size_t i, bool *held)
+margin_of_condition(const struct wanted *w, size_t i, bool *held)
 {
 	struct side side[2];
 	struct margin least = {INFINITY, INFINITY, NONE};
@@ -155,9 +155,9 @@ wanted_margin(const struct wanted *w, size_t i)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
-		return margin_with(w, i, NULL);
+		return margin_of_condition(w, i, NULL);
 	for (i = 0; i < w->n; i++)
-		least = lesser_margin(least, margin_with(w, i, NULL));
+		least = lesser_margin(least, margin_of_condition(w, i, NULL));
 	return least;
 }
 
@@ -188,7 +188,7 @@ share_of_draws(const struct wanted *w, struct margin *margin)
 	size_t n = 0;
 	memset(held, true, sizeof held);
 	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = margin_with(w, i, held);
+		struct margin m = margin_of_condition(w, i, held);
 		if (margin != NULL)
 			margin[i] = m;
 	}
@@ -433,7 +433,7 @@ struct eligible {
 };
 
 static bool
-is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
+may_be_best_step(const struct speed_search *s, const struct wanted *w, size_t k,
     const struct eligible *e)
 {
 	return (!e->inside || conditions_hold_at(s, k)) &&
@@ -454,13 +454,13 @@ best_step(const struct speed_search *s, const struct wanted *w)
 	double most = -INFINITY, largest = -INFINITY, off = INFINITY;
 	size_t best = SIZE_MAX;
 	for (size_t k = 0; k < s->n && e.inside; k++)
-		if (is_eligible(s, w, k, &e))
+		if (may_be_best_step(s, w, k, &e))
 			most = fmax(most, s->certain[k]);
 	e.sure = most - CHANCE;
 	for (size_t k = 0; k < s->n; k++) {
 		double rank = margin_rank(least_margin_at(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
-		if (!is_eligible(s, w, k, &e))
+		if (!may_be_best_step(s, w, k, &e))
 			continue;
 		bool alike = rank == largest || fabs(rank - largest) < EXACT;
 		if (alike ? from_middle >= off : rank < largest)

@@ -57,7 +57,7 @@ static void
 html_put(const char *before, const char *text, const char *after, FILE *out)
 {
 	fputs(before, out);
-	text_put_xml(text, out);
+	text_print_xml(text, out);
 	fputs(after, out);
 }
 
@@ -71,7 +71,7 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 	fprintf(out, "<%s%s%s>", head ? "th" : "td",
 	    head ? " scope=\"col\"" : "",
 	    document_is_number(v, column) ? " class=\"n\"" : "");
-	text_put_xml(text, out);
+	text_print_xml(text, out);
 	fputs(head ? "</th>" : "</td>", out);
 }
 

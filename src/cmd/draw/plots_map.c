@@ -48,7 +48,7 @@ map_add_rock(
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
-		if (text_same(m->rock, rock))
+		if (text_same_folded(m->rock, rock))
 			map_add_point(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
@@ -59,7 +59,7 @@ static bool
 is_first_of_rock(const struct stored_list *list, size_t at)
 {
 	for (size_t i = 0; i < at; i++)
-		if (text_same(list->item[i].rock, list->item[at].rock))
+		if (text_same_folded(list->item[i].rock, list->item[at].rock))
 			return false;
 	return true;
 }
@@ -123,7 +123,7 @@ sources_words(const struct session *s, size_t apart)
 	    apart > 1 ? xasprintf(tr("Table 3 of Grunditz et al. (2021) and "
 				     "the user's own fits, one shown of each "
 				     "%s"),
-			    text_exact((double)apart, number))
+			    text_exact_number((double)apart, number))
 		      : xstrdup(tr("Table 3 of Grunditz et al. (2021) and the "
 				   "user's own fits"));
 	for (size_t i = 0; i < s->n_entry; i++)

@@ -300,7 +300,7 @@ add_site(struct verdict *v, const struct site_models *g, bool alone)
 }
 
 static struct verdict
-verdict_of(const struct site_models *g, size_t n)
+verdict_on_sites(const struct site_models *g, size_t n)
 {
 	size_t models = g->n_model;
 	struct verdict v = {.n_model = models,
@@ -589,7 +589,7 @@ note_weights(struct answer *r, const struct verdict *v)
 static struct answer *
 answer_one_site(const struct session *s, const struct site_models *g)
 {
-	struct verdict v = verdict_of(g, 1);
+	struct verdict v = verdict_on_sites(g, 1);
 	find_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
@@ -628,8 +628,8 @@ answer_all(const struct session *s, const struct league *l)
 			  "can_tell: can tell, possible: also possible");
 	for (size_t i = 0; i <= l->n; i++) {
 		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
-		struct verdict v =
-		    g != NULL ? verdict_of(g, 1) : verdict_of(l->sites, l->n);
+		struct verdict v = g != NULL ? verdict_on_sites(g, 1)
+					     : verdict_on_sites(l->sites, l->n);
 		FREED char *open = v.none ? xstrdup("")
 					  : league_names_of(&v, LEAGUE_POSSIBLE,
 						LEAGUE_POSSIBLE);

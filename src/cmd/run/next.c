@@ -117,7 +117,7 @@ next_before_load(const struct session *s)
 /* True if several sites are loaded and none has parameters, so that it is not
  * clear which one is meant. */
 static bool
-all_are_new(const struct session *s)
+several_sites_without_params(const struct session *s)
 {
 	bool known = false;
 	for (size_t i = 0; i < s->n_entry; i++)
@@ -132,7 +132,7 @@ next_step(const struct session *s)
 		return next_before_load(s);
 	if (session_busy(s))
 		return (struct next){.stage = NEXT_LOAD};
-	if (all_are_new(s))
+	if (several_sites_without_params(s))
 		return (struct next){"check all; calibrate all; validate all",
 		    N_("check, calibrate and validate all of them now?"), false,
 		    NEXT_CHECK};

@@ -31,7 +31,7 @@ value_in_rpm(const struct command *command, char *word)
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
-	const struct command *of = command_meant(command, one, 1);
+	const struct command *of = command_meant_by_words(command, one, 1);
 	FREED char *name = equals != NULL
 			       ? xstrndup(word, (size_t)(equals - word))
 			       : xstrdup(of->bare != NULL ? of->bare : "");
@@ -216,7 +216,7 @@ speeds_join(struct session *s, struct words *words, bool prompt)
 	const struct command *command =
 	    words->n > 1 ? command_find_typed(words->text[0], prompt) : NULL;
 	const struct command *lister =
-	    command != NULL ? command_meant(command, word, 1) : NULL;
+	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
 		return;
 	bool lists = false, list;

@@ -82,13 +82,13 @@ files_note_read(struct session *s, const char *path)
 }
 
 size_t
-files_readings(const struct session *s)
+files_count_readings(const struct session *s)
 {
 	return s->files != NULL ? s->files->n_reading : 0;
 }
 
 const char *
-files_reading(const struct session *s, size_t i, uint64_t *digest)
+files_reading_at(const struct session *s, size_t i, uint64_t *digest)
 {
 	*digest = s->files->reading[i].digest;
 	return s->files->reading[i].path;

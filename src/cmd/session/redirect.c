@@ -310,7 +310,8 @@ add_about_sheet(struct session *s, const struct redirect *r)
 		FREED char *name = xasprintf(
 		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
 		book_add_about(r->book, name,
-		    text_exact(params_value(&entry->params, p->name), number));
+		    text_exact_number(
+			params_value(&entry->params, p->name), number));
 	}
 }
 

@@ -459,7 +459,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	fields_put(answer_fields(r), "ok %d", ok);
 	answer_note(r, "%s",
 	    !ok ? tr("there are faults")
-	    : answer_rows(r) == 0
+	    : answer_count_rows(r) == 0
 		? tr("no faults found")
 		: tr("no faults found; judge the remarks yourself"));
 	bool mends = answer_number(r, "mends.n") > 0;

@@ -133,7 +133,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct stored *row = &rows.item[i];
-		if (wanted != NULL && !text_same(wanted, row->site))
+		if (wanted != NULL && !text_same_folded(wanted, row->site))
 			continue;
 		session_add_site(s, synth_row(row, args));
 		made++;

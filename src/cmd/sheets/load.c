@@ -186,10 +186,11 @@ hint_add(const struct session *s, const struct load *l, struct error *error)
 	FREED char *line = xstrdup("add"),
 		   *options = journal_options(&l->request);
 	for (size_t i = 0; i < l->request.n; i++) {
-		FREED char *word = l->speed[i] > 0
-				       ? xasprintf("%s@%s", l->path[i],
-					     text_exact(l->speed[i], number))
-				       : xstrdup(l->path[i]);
+		FREED char *word =
+		    l->speed[i] > 0
+			? xasprintf("%s@%s", l->path[i],
+			      text_exact_number(l->speed[i], number))
+			: xstrdup(l->path[i]);
 		journal_append_word(&line, word);
 	}
 	if (site != NULL)
@@ -631,7 +632,7 @@ static void
 compare_name(void *data, const char *name)
 {
 	struct remembered_name *r = data;
-	r->found = r->found || text_same(name, r->name);
+	r->found = r->found || text_same_folded(name, r->name);
 }
 
 /* If a file does not exist but a material has that name, says so. */

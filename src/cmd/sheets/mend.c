@@ -62,11 +62,11 @@ mend_command_line(const struct site *site, const struct mend *m)
 	FREED char *with = mend_column(site, false, m->other);
 	char *call = xasprintf("mend %s", name), number[32];
 	if (m->kind == MEND_READ || m->kind == MEND_OUT)
-		xappend(
-		    &call, " sieve=%s", text_exact(units_mm(m->size), number));
+		xappend(&call, " sieve=%s",
+		    text_exact_number(units_mm(m->size), number));
 	if (m->kind == MEND_READ)
 		xappend(&call, " value=%s",
-		    text_exact(units_pct(m->value), number));
+		    text_exact_number(units_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
 	else if (m->kind == MEND_WITH)

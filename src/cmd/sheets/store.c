@@ -270,7 +270,8 @@ set_origin_fields(struct stored *m, const struct entry *entry)
 	bool own = o->from[0] == '\0';
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
-		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
+		xlist(
+		    &speeds, ",", "%s", text_exact_number(o->speed[i], number));
 	replace_trimmed(&m->train_mps, speeds);
 	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
 	replace_trimmed(&m->site_digest,
@@ -685,7 +686,7 @@ commands_to_bring_back(const struct stored *m)
 	char number[32];
 	for (size_t j = 0; j < of->n; j++)
 		xappend(&line, " %s=%s", of->parameter[j].name,
-		    text_exact(m->params.at[j], number));
+		    text_exact_number(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;
 }
@@ -779,7 +780,7 @@ enum { ALL, TABLE3, OWN };
 static bool
 store_is_wanted(const struct stored *m, const struct args *args)
 {
-	return (args->rock == NULL || text_same(m->rock, args->rock)) &&
+	return (args->rock == NULL || text_same_folded(m->rock, args->rock)) &&
 	       (!(args->top > 0) || has_top_size(m, args->top)) &&
 	       (args->origin == ALL ||
 		   (args->origin == TABLE3) == stored_is_table3(m));

@@ -45,7 +45,7 @@ static void
 template_put_number(const struct form *f, double value)
 {
 	char text[32];
-	text_exact(value, text);
+	text_exact_number(value, text);
 	char *point = strchr(text, '.');
 	if (f->separator == ';' && point != NULL)
 		*point = ',';

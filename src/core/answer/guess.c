@@ -32,7 +32,7 @@ same_numbers(const struct guess_material *a, const struct guess_material *b)
 static bool
 same_rock(const struct guess_material *a, const struct guess_material *b)
 {
-	return a->rock[0] != '\0' && text_same(a->rock, b->rock);
+	return a->rock[0] != '\0' && text_same_folded(a->rock, b->rock);
 }
 
 /* How far m lies from what is wanted among those of its rock. */
@@ -304,7 +304,7 @@ leave_out_own(
 	for (size_t j = 0; j < n; j++) {
 		bool same = same_numbers(&m[i], &m[j]);
 		first = first && !(same && j < i);
-		leave_out[j] = same || text_same(m[i].site, m[j].site);
+		leave_out[j] = same || text_same_folded(m[i].site, m[j].site);
 	}
 	return first;
 }

@@ -419,7 +419,7 @@ judge_contradictions(struct trust *t, const struct evidence *e)
 }
 
 static int
-sign_strength(double value, struct sign sign)
+weak_or_strong_sign(double value, struct sign sign)
 {
 	return (value > sign.weak) + (value > sign.strong);
 }
@@ -449,10 +449,10 @@ static void
 judge_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
-	int size = sign_strength(e->size, SIZE),
-	    alike = sign_strength(e->alike, ALIKE);
-	int more = sign_strength(e->more, MORE),
-	    drift = sign_strength(finer, FINER);
+	int size = weak_or_strong_sign(e->size, SIZE),
+	    alike = weak_or_strong_sign(e->alike, ALIKE);
+	int more = weak_or_strong_sign(e->more, MORE),
+	    drift = weak_or_strong_sign(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)

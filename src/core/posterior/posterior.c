@@ -188,7 +188,7 @@ evaluate_some_trials(void *data, size_t part, unsigned thread)
 static struct strengths
 strengths_of(const struct sampler *s, const double *x)
 {
-	return s->two ? strengths_at(x + STRENGTHS)
+	return s->two ? strengths_from_coordinates(x + STRENGTHS)
 		      : (struct strengths){0, 1, 1};
 }
 

@@ -41,7 +41,8 @@ xml_give_up(struct reading *r, const char *wrong)
 static void
 check_for_stop(struct reading *r)
 {
-	if (r->wrong == NULL && ++r->n % OFTEN == 0 && error_stopped(r->errors))
+	if (r->wrong == NULL && ++r->n % OFTEN == 0 &&
+	    error_should_stop(r->errors))
 		xml_give_up(r, tr("interrupted"));
 }
 

@@ -94,7 +94,7 @@ void answer_add_pair(struct answer *answer, const char *name,
 void answer_set_missing(struct answer *answer, const char *words);
 
 /* Returns the number of complete rows. */
-size_t answer_rows(const struct answer *answer);
+size_t answer_count_rows(const struct answer *answer);
 
 /* Adds a sentence below the table: a plain one about the result; a remark on
  * how to read it; or a warning not to rely on it, which people see first,

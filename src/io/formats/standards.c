@@ -203,7 +203,7 @@ static const char BETWEEN[] = " :;,()";
 /* Looks for a word of n letters in a folded name: 0 if it is not there, 1 if a
  * word of the name begins with it, 2 if it is one. */
 static int
-match_word(const char *name, const char *word, size_t n)
+score_word_match(const char *name, const char *word, size_t n)
 {
 	int best = 0;
 	for (const char *p = name + strspn(name, BETWEEN); *p != '\0';) {
@@ -216,15 +216,15 @@ match_word(const char *name, const char *word, size_t n)
 	return best;
 }
 
-/* Returns the least result of match_word over all words. */
+/* Returns the least result of score_word_match over all words. */
 static int
-match_words(const char *name, const char *words)
+score_words_match(const char *name, const char *words)
 {
 	FREED char *folded = text_fold(name), *all = text_fold(words);
 	int least = 2;
 	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
 		size_t n = strcspn(p, BETWEEN);
-		int in = match_word(folded, p, n);
+		int in = score_word_match(folded, p, n);
 		least = in < least ? in : least;
 		p += n;
 		p += strspn(p, BETWEEN);
@@ -239,7 +239,8 @@ static bool
 do_words_mean_plain_variant(const struct spec *spec, const char *folded)
 {
 	return folded[strcspn(folded, "0123456789")] != '\0' ||
-	       match_words(folded, spec->name + strlen(spec->standard)) == 2;
+	       score_words_match(folded, spec->name + strlen(spec->standard)) ==
+		   2;
 }
 
 /* True if a name is another one, of `length` letters, or continues it. */
@@ -280,7 +281,7 @@ standards_match(const struct standards *all, const char *words, bool *match)
 	size_t n = 0, full = 0;
 	FREED int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
-		in[i] = match_words(all->spec[i]->name, folded);
+		in[i] = score_words_match(all->spec[i]->name, folded);
 		full += in[i] == 2;
 	}
 	for (size_t i = 0; i < all->n; i++)

@@ -91,7 +91,7 @@ write_fit(const struct basis *b, FILE *out)
 		fprintf(out, "%s=", ITEMS[k].name);
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
-			    text_exact(
+			    text_exact_number(
 				basis_number_at(b, &ITEMS[k], i), number));
 		fputc(' ', out);
 	}

@@ -58,7 +58,7 @@ sql_exact(sqlite3_context *context, int n, sqlite3_value **value)
 	char number[32];
 	(void)n;
 	sqlite3_result_text(context,
-	    text_exact(sqlite3_value_double(value[0]), number), -1,
+	    text_exact_number(sqlite3_value_double(value[0]), number), -1,
 	    SQLITE_TRANSIENT);
 }
 
