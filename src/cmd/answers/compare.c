@@ -515,7 +515,9 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 				 !value_number(args->operand[i], "m/s", &v));
 	if (!sites && args->speed > 0)
 		return error_set(error, ERROR_USAGE,
-		    "compare: expected two speeds, or two sites and a speed");
+		    "compare: expected no speed= with two speeds\n"
+		    "write: compare 69 79, or two sites: compare tierp bro "
+		    "speed=74");
 	FREED struct quantity *q = NULL;
 	size_t n = 0;
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&

@@ -415,7 +415,9 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 	if (list->n == before)
 		return error_set(error, ERROR_DATA,
 		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves",
+		    "sieves\n"
+		    "use another envelope ('spec list' lists them), or a "
+		    "feed sieved that far",
 		    spec->name);
 	free(list->source);
 	list->source =

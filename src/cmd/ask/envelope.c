@@ -251,7 +251,9 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 		free(g->limits.at);
 		return error_set(error, ERROR_DATA,
 		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves",
+		    "sieves\n"
+		    "use another envelope ('spec list' lists them), or a "
+		    "feed sieved that far",
 		    g->spec->name);
 	}
 	open_conditions(s, q, g);

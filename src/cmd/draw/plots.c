@@ -93,9 +93,12 @@ residuals_chart(
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
 		    site_count_products(site) == 0
-			? N_("%s has no measured product")
-			: N_("%s: no product sieve is in the "
-			     "range of the feed's sieves"),
+			? N_("%s has no measured product\n"
+			     "'add' a belt cut, or load a site file with "
+			     "products")
+			: N_("%s: no product sieve is in the range of the "
+			     "feed's sieves\n"
+			     "sieve the feed as far down as the product"),
 		    site->name);
 		return NULL;
 	}

@@ -98,8 +98,10 @@ plots_draws_correlation(
 	size_t n = list_free_parameters(p, column);
 	if (n < 2) {
 		error_set(error, ERROR_USAGE,
-		    "correlation: expected two free parameters or more\n"
-		    "run 'bounds default' and 'calibrate'");
+		    "correlation: expected two free parameters or more, got "
+		    "%zu\n"
+		    "run 'bounds default' and 'calibrate'",
+		    n);
 		return NULL;
 	}
 	struct chart *chart = site_chart(q->entry->site,

@@ -199,9 +199,10 @@ join_stores(struct session *s, const struct parts *parts,
 		return true;
 	if (strcmp(parts->part[0].command, "calibrate") != 0)
 		return error_at(error, ERROR_DATA, path[0], 0, 0,
-		    "a store goes with the parts of 'calibrate all', got those "
-		    "of '%s all'\n"
-		    "collect the parts that remembered it",
+		    "expected the parts of 'calibrate all' with a store, got "
+		    "those of '%s all'\n"
+		    "leave out the store, or collect the parts of the "
+		    "programs that filled it",
 		    parts->part[0].command);
 	bool ok = fill_shelf(&shelf, path, n_path, error) &&
 		  put_materials(s, &shelf, parts, site, n, replace, error);

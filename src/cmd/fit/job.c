@@ -883,7 +883,9 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return true;
 	if (part.of == 0)
 		return error_set(error, ERROR_DATA,
-		    "no loaded site has a product to calibrate on");
+		    "no loaded site has a product to calibrate on\n"
+		    "load site files with products at two speeds, or 'add' "
+		    "belt cuts");
 	/* With more parts than sites, a part may be empty. */
 	show_all_fits(s, all_fits_new(s, train_all, part, &job.options));
 	return true;
@@ -938,8 +940,10 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		return false;
 	if (args->pause > 0 && args->pause <= s->job.step)
 		return error_set(error, ERROR_USAGE,
-		    "pause: expected a generation after %zu, which is done",
-		    s->job.step);
+		    "pause: expected a generation after %zu, which is done, "
+		    "got %zu\n"
+		    "write a later one, or leave out pause=",
+		    s->job.step, (size_t)args->pause);
 	take_bounds(s);
 	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)

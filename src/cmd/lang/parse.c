@@ -592,7 +592,10 @@ find_option_not_given(
 	if (i == OPTIONS)
 		error_unknown_option(args->command, name, error);
 	else if (args->value[i].given)
-		error_set(error, ERROR_USAGE, "%s is given twice", name);
+		error_set(error, ERROR_USAGE,
+		    "%s is given twice\n"
+		    "leave out one of the two",
+		    name);
 	else
 		return i;
 	return OPTIONS;

@@ -45,7 +45,7 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 	"Best instruction set that calibrations may use, for tests: baseline, "
 	"avx2 or avx512. The results are the same."},
     {"OMP_NUM_THREADS",
-	"Number of threads, where 'set threads' does not say it; default: the "
+	"Number of threads, unless 'set threads' states it; default: the "
 	"processors that tipspeed may run on. The results are the same."},
     {"SOURCE_DATE_EPOCH",
 	"Seconds since 1970: the date to use as today's, so that repeated "

@@ -228,8 +228,8 @@ note_site(struct answer *r, const struct energy_question *q)
 	answer_note(r,
 	    high < 0.1
 		? N_("with the parameters of %s k is from %.2f to %.2f, for "
-		     "sizes that one impact at v^2/2 can break: of these "
-		     "impacts hardly any passes the threshold")
+		     "sizes that one impact at v^2/2 can break: hardly any of "
+		     "these impacts passes the threshold")
 		: N_("with the parameters of %s k is from %.2f to %.2f, for "
 		     "sizes that one impact at v^2/2 can break"),
 	    q->entry->site->name, low, high);

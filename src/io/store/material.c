@@ -499,8 +499,9 @@ read_printed(const char *path, char *text, struct stored_list *list,
 	    i < sheet->n_row && material_read_row(sheet, &sheet->row[i], list))
 		i++;
 	if (i == 1 && sheet->n_fault == 0)
-		sheet_fault(
-		    sheet, (struct cell){0}, "no rows of materials found");
+		sheet_fault(sheet, (struct cell){0},
+		    "expected rows of materials, got none\n"
+		    "data/table3.csv shows their form");
 	bool good = sheet->n_fault == 0;
 	sheet_free(sheet);
 	free(text);

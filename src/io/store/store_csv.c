@@ -135,8 +135,10 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 			    "the name of a column of 'export'",
 			    "use the columns that 'export' writes");
 		else if (column[c].at != SIZE_MAX)
-			sheet_fault(
-			    sheet, cell, "duplicate column: %s", cell.text);
+			sheet_fault(sheet, cell,
+			    "duplicate column: %s\n"
+			    "remove one of the two",
+			    cell.text);
 		else
 			column[c].at = i;
 		other_model =
@@ -225,8 +227,10 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
 		struct cell cell =
 		    sheet_cell(&sheet->row[1 + name->at], column);
 		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
-			sheet_fault(
-			    sheet, cell, "duplicate name: %.60s", cell.text);
+			sheet_fault(sheet, cell,
+			    "duplicate name: %.60s\n"
+			    "leave out one of the rows, or rename it",
+			    cell.text);
 		else if (stored_index_find(&others, name->fold) != NULL)
 			sheet_fault(sheet, cell,
 			    "expected a new name, but the store already has "
