@@ -38,7 +38,7 @@ press(struct tui *t, const char *name)
 	assert_true(keys_code_of_name(name, &code));
 	keymap_key(t, code, code > 255);
 	t->clock++;
-	watch_pump(t);
+	watch_run_due_steps(t);
 	view_update(t);
 	frame_draw(t);
 }

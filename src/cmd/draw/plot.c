@@ -562,7 +562,7 @@ say_spread(struct description *t)
 
 /* Names the pairs with high values, each once. */
 static void
-say_fields(struct description *t)
+say_strong_correlations(struct description *t)
 {
 	const double worth_saying = 0.5;
 	const struct chart *c = t->chart;
@@ -688,7 +688,7 @@ say_chart(struct description *t)
 	}
 	say_axes(t);
 	if (chart->n > 0 && chart->series[0]->field != NULL)
-		say_fields(t);
+		say_strong_correlations(t);
 	else if (chart->y.names)
 		say_spread(t);
 	else if (has_bars(chart))

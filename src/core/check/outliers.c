@@ -91,7 +91,7 @@ all_finer(const struct site *site)
 }
 
 static void
-find_swapped_feeds(struct doctor *d, const struct site *site)
+find_feeds_swapped_with_products(struct doctor *d, const struct site *site)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -652,7 +652,7 @@ outliers_find(
 	struct doctor d = {0};
 	find_column_in_wrong_unit(&d, site);
 	if (d.n == 0)
-		find_swapped_feeds(&d, site);
+		find_feeds_swapped_with_products(&d, site);
 	if (d.n == 0) {
 		find_exchanged_products(&d, site);
 		find_column_moved_by_a_sieve(&d, site);

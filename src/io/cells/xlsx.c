@@ -155,7 +155,7 @@ append_string_text(void *data, const char *text, size_t n)
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
 static struct cell_format
-shown_of(const struct book *b, unsigned id)
+format_of_style(const struct book *b, unsigned id)
 {
 	for (size_t i = 0; i < b->n_code; i++)
 		if (b->code[i].id == id)
@@ -181,7 +181,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	if ((b->n_style & (b->n_style - 1)) == 0)
 		b->style =
 		    xrealloc(b->style, 2 * b->n_style + 1, sizeof *b->style);
-	b->style[b->n_style++] = shown_of(b, id);
+	b->style[b->n_style++] = format_of_style(b, id);
 }
 
 static void

@@ -125,7 +125,7 @@ head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
 }
 
 static bool
-of_mass(const struct column *c)
+is_in_mass(const struct column *c)
 {
 	return SITE_UNITS[c->unit].scale == OF_MASS;
 }
@@ -183,7 +183,7 @@ read_cells(struct column *c)
 {
 	struct table *t = c->table;
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
-	enum cell_value own = of_mass(c) ? AS_GRAMS : AS_PERCENT;
+	enum cell_value own = is_in_mass(c) ? AS_GRAMS : AS_PERCENT;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[c->at];
 		double v = 0;

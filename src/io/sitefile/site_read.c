@@ -349,7 +349,7 @@ fill_run_curves(const struct columns *t, const struct column *shared,
 }
 
 static int
-by_speed(const void *a, const void *b)
+compare_runs_by_speed(const void *a, const void *b)
 {
 	const struct run *r = a, *s = b;
 	return (r->speed > s->speed) - (r->speed < s->speed);
@@ -375,7 +375,7 @@ make_runs(struct site *site, const struct columns *t)
 	}
 	if (site->n_run == 0)
 		site->run[site->n_run++] = (struct run){.speed = 0};
-	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
+	qsort(site->run, site->n_run, sizeof *site->run, compare_runs_by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats(site, r) ? first : r;
 		fill_run_curves(t, shared, &site->run[r], r - first);

@@ -486,7 +486,7 @@ material_read_row(
 
 /* Consumes the text.  False after a fault, which is reported. */
 static bool
-read_printed(const char *path, char *text, struct stored_list *list,
+read_materials_in_text(const char *path, char *text, struct stored_list *list,
     struct error_list *errors)
 {
 	if (text == NULL)
@@ -512,7 +512,8 @@ bool
 stored_read_printed(
     const char *path, struct stored_list *list, struct error_list *errors)
 {
-	return read_printed(path, textfile_read(path, errors), list, errors);
+	return read_materials_in_text(
+	    path, textfile_read(path, errors), list, errors);
 }
 
 /* Names sites as a session does: a later one of the same name has its size, and
@@ -544,8 +545,8 @@ stored_table3(struct stored_list *list)
 {
 	struct stored_list rows = {0};
 	struct error_list none = {0};
-	bool good =
-	    read_printed("Table 3", textfile_lines(TABLE3_TEXT), &rows, &none);
+	bool good = read_materials_in_text(
+	    "Table 3", textfile_lines(TABLE3_TEXT), &rows, &none);
 	/* It is part of the program: the tests read all of it. */
 	assert(good);
 	(void)good;
