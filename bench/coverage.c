@@ -189,7 +189,7 @@ leave_out(const struct site *site, size_t out)
 	enum { N = POSTERIOR_DRAWS };
 	bool *use = xcalloc(site->n_run, sizeof *use);
 	const struct run *run = &site->run[out];
-	size_t n = misfit_covered(run), in = 0;
+	size_t n = misfit_count_covered(run), in = 0;
 	for (size_t r = 0; r < site->n_run; r++)
 		use[r] = r != out;
 	struct calibrate_options o = calibrate_options_default();
@@ -256,8 +256,9 @@ print_rms(double squares, const struct score *score)
 	printf("%6.2f", 100 * sqrt(squares / (double)score->cells));
 }
 
-/* How much the 80 % band holds of a law's plants at a speed, %, with the standard
- * error of plants: of one plant all passings may lie within it, or none. */
+/* How much the 80 % band holds of a law's plants at a speed, %, with the
+ * standard error of plants: of one plant all passings may lie within it, or
+ * none. */
 static void
 print_share(const struct task *task, size_t a, const struct score *sum)
 {
@@ -355,10 +356,10 @@ leave_each_out(const char *path)
 	return 0;
 }
 
-/* coverage [PLANTS [LAWS [FIRST [RUNS]]]]: LAWS by letters, "ac" the first and the
- * third; FIRST the number of the first plant, 1; RUNS
- * how many it is measured at, evenly from 66 to 84 m/s.  coverage FILE: each run of a
- * site from the others. */
+/* coverage [PLANTS [LAWS [FIRST [RUNS]]]]: LAWS by letters, "ac" the first and
+ * the third; FIRST the number of the first plant, 1; RUNS how many it is
+ * measured at, evenly from 66 to 84 m/s.  coverage FILE: each run of a site
+ * from the others. */
 int
 main(int argc, char **argv)
 {

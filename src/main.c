@@ -173,7 +173,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 	for (size_t i = 0, k; i < n; i = k) {
 		int status = 0;
 		struct error error = {0};
-		for (k = i; k < n && !text_ends(path[k], ".tip"); k++)
+		for (k = i; k < n && !text_ends_with(path[k], ".tip"); k++)
 			;
 		if (k == i) {
 			status = batch_file(s, path[k++]);

@@ -129,7 +129,8 @@ none "readline in cli, its history in the full screen's editor"
 grep -lE 'n?curses\.h' -r src | grep -vE '^src/(tui/|cli/(restore|terminal)\.)' >"$tmp"
 none "ncurses in tui, and where a terminal is asked or put right"
 
-# Words reach a terminal by reports, notes, errors, canvases and text_put, which
+# Words reach a terminal by reports, notes, errors, canvases and
+# text_print_escaped, which
 # show what it would act on; the files left out print their own words.
 awk 'FNR == 1 { all = "" }
 	{ all = all " " $0 }

@@ -23,7 +23,7 @@
 
 /* Sets a pointer to a function; ISO C cannot cast one. */
 static void
-allocator_find(void *function, const char *name)
+look_up_libc_function(void *function, const char *name)
 {
 	void *found = dlsym(RTLD_NEXT, name);
 	memcpy(function, &found, sizeof found);
@@ -34,7 +34,7 @@ malloc(size_t n)
 {
 	static void *(*next)(size_t);
 	if (next == NULL)
-		allocator_find(&next, "malloc");
+		look_up_libc_function(&next, "malloc");
 	void *p = next(n);
 	if (p == NULL)
 		xalloc_fail();
@@ -51,7 +51,7 @@ calloc(size_t n, size_t size)
 		return NULL;
 	if (next == NULL) {
 		finding = true;
-		allocator_find(&next, "calloc");
+		look_up_libc_function(&next, "calloc");
 		finding = false;
 	}
 	void *p = next(n, size);
@@ -65,7 +65,7 @@ realloc(void *p, size_t n)
 {
 	static void *(*next)(void *, size_t);
 	if (next == NULL)
-		allocator_find(&next, "realloc");
+		look_up_libc_function(&next, "realloc");
 	void *q = next(p, n);
 	/* realloc to no bytes is free. */
 	if (q == NULL && n > 0)
@@ -79,7 +79,7 @@ aligned_alloc(size_t line, size_t n)
 {
 	static void *(*next)(size_t, size_t);
 	if (next == NULL)
-		allocator_find(&next, "aligned_alloc");
+		look_up_libc_function(&next, "aligned_alloc");
 	void *p = next(line, n);
 	if (p == NULL)
 		xalloc_fail();

@@ -40,8 +40,8 @@ first_line(const char *format, char **copy)
 }
 
 bool
-error_say(struct error *e, enum error_kind kind, const char *file, int line,
-    int column, const char *format, va_list ap)
+error_set_formatted(struct error *e, enum error_kind kind, const char *file,
+    int line, int column, const char *format, va_list ap)
 {
 	if (e == NULL)
 		return false;
@@ -65,7 +65,7 @@ error_set(struct error *e, enum error_kind kind, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	error_say(e, kind, "", 0, 0, format, ap);
+	error_set_formatted(e, kind, "", 0, 0, format, ap);
 	va_end(ap);
 	return false;
 }
@@ -76,7 +76,7 @@ error_at(struct error *e, enum error_kind kind, const char *file, int line,
 {
 	va_list ap;
 	va_start(ap, format);
-	error_say(e, kind, file, line, column, format, ap);
+	error_set_formatted(e, kind, file, line, column, format, ap);
 	va_end(ap);
 	return false;
 }
@@ -106,7 +106,7 @@ error_add(struct error_list *list)
 }
 
 bool
-error_stopped(struct error_list *list)
+error_should_stop(struct error_list *list)
 {
 	if (list->stopped || list->stop == NULL || !list->stop())
 		return list->stopped;
@@ -121,7 +121,7 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 {
 	enum { SCREEN = 79 };
 	if (!wrap || text_width(line) <= SCREEN) {
-		text_put(line, out);
+		text_print_escaped(line, out);
 		fputc('\n', out);
 	} else {
 		text_print_hanging(

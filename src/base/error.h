@@ -58,8 +58,8 @@ bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
 bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
 
-bool error_say(struct error *e, enum error_kind kind, const char *file,
-    int line, int column, const char *format, va_list ap)
+bool error_set_formatted(struct error *e, enum error_kind kind,
+    const char *file, int line, int column, const char *format, va_list ap)
     __attribute__((format(printf, 6, 0)));
 
 /* Changes the position of an error already set. */
@@ -81,7 +81,7 @@ struct error *error_add(struct error_list *list);
 /* True if reading should end; each loop over the contents of a file calls it
  * now and then.  Once true it stays true, and the list contains a fault of kind
  * ERROR_STOPPED. */
-bool error_stopped(struct error_list *list);
+bool error_should_stop(struct error_list *list);
 
 /* Prints "file:line:column: text", or for a workbook "file, B5: text", and the
  * hint, if any, below it.  Wraps the hint, with a margin, but wraps the text,

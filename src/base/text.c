@@ -93,7 +93,7 @@ text_whole(const char *s, uint64_t *value)
 }
 
 const char *
-text_exact(double value, char buf[static 32])
+text_exact_number(double value, char buf[static 32])
 {
 	for (int digits = 6; digits <= 17; digits++) {
 		snprintf(buf, 32, "%.*g", digits, value);
@@ -104,7 +104,7 @@ text_exact(double value, char buf[static 32])
 }
 
 const char *
-text_distinguishing(double value, double other, char buf[static 32])
+text_number_unlike(double value, double other, char buf[static 32])
 {
 	enum { SHORT = 7, LEAST = 4, MOST = 17 };
 	double apart = fabs(value - other) / 10;
@@ -265,21 +265,21 @@ text_column_letters(int column, char buf[static 8])
 }
 
 bool
-text_ends(const char *s, const char *end)
+text_ends_with(const char *s, const char *end)
 {
 	size_t n = strlen(s), m = strlen(end);
 	return n > m && strcmp(s + n - m, end) == 0;
 }
 
 bool
-text_same(const char *a, const char *b)
+text_same_folded(const char *a, const char *b)
 {
 	FREED char *fold_a = text_fold(a), *fold_b = text_fold(b);
 	return strcmp(fold_a, fold_b) == 0;
 }
 
 bool
-text_has(const char *text, const char *word)
+text_contains_word(const char *text, const char *word)
 {
 	FREED char *folded = text_fold(text), *wanted = text_fold(word);
 	return strstr(folded, wanted) != NULL;
@@ -391,7 +391,7 @@ text_shared_prefix(const char *a, const char *b)
 }
 
 FILE *
-text_memory(char **text, size_t *n)
+text_open_memory(char **text, size_t *n)
 {
 	FILE *file = open_memstream(text, n);
 	if (file == NULL)
@@ -466,7 +466,7 @@ text_escaped(const char *s)
 }
 
 void
-text_put(const char *s, FILE *out)
+text_print_escaped(const char *s, FILE *out)
 {
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
@@ -476,7 +476,7 @@ text_put(const char *s, FILE *out)
 }
 
 void
-text_put_xml(const char *s, FILE *out)
+text_print_xml(const char *s, FILE *out)
 {
 	FREED char *shown = text_escaped(s);
 	for (const char *p = shown; *p != '\0'; p++) {
@@ -505,7 +505,7 @@ text_width(const char *s)
 static const char MORE[] = " ..";
 
 char *
-text_fitted(const char *s, int columns)
+text_cut_to_width(const char *s, int columns)
 {
 	enum { LEAST = 2 };
 	const int more = (int)strlen(MORE);
@@ -579,7 +579,7 @@ text_wrapped(const char *text, int width)
 {
 	char *lines = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&lines, &n);
+	FILE *out = text_open_memory(&lines, &n);
 	text_wrap(text, 0, width, out);
 	fclose(out);
 	return lines;

@@ -24,13 +24,12 @@ bool text_is_decimal_comma(const char *s, const char *at);
 bool text_whole(const char *s, uint64_t *value);
 
 /* Returns the shortest decimal form that reads back as the same double. */
-const char *text_exact(double value, char buf[static 32]);
+const char *text_exact_number(double value, char buf[static 32]);
 
 /* Returns a number for a message that compares it with another: unchanged if it
  * is short, like typed numbers; else with as few digits as distinguish the two,
  * but at least four. */
-const char *text_distinguishing(
-    double value, double other, char buf[static 32]);
+const char *text_number_unlike(double value, double other, char buf[static 32]);
 
 /* Removes spaces at both ends, in place; returns a pointer into s. */
 char *text_trim(char *s);
@@ -63,13 +62,13 @@ bool text_is_formula(const char *s);
 const char *text_column_letters(int column, char buf[static 8]);
 
 /* True if s ends with `end` and has something before it. */
-bool text_ends(const char *s, const char *end);
+bool text_ends_with(const char *s, const char *end);
 
 /* True if two words are the same, ignoring case and accents. */
-bool text_same(const char *a, const char *b);
+bool text_same_folded(const char *a, const char *b);
 
 /* True if the text contains the word, ignoring case and accents. */
-bool text_has(const char *text, const char *word);
+bool text_contains_word(const char *text, const char *word);
 
 /* Finds the index of a word in a list separated by spaces.  Returns false if it
  * is not in the list. */
@@ -100,19 +99,20 @@ int text_columns(uint32_t code);
  *
  * text_escape_next writes the character at *text as shown, advances *text, and
  * returns the character's columns.  text_escaped returns a whole text, which
- * the caller frees; text_put prints it; text_put_xml prints it with < > & as
- * entities, for the text of an element; text_width returns its columns. */
+ * the caller frees; text_print_escaped prints it; text_print_xml prints it with
+ * < > & as entities, for the text of an element; text_width returns its
+ * columns. */
 enum { TEXT_SHOWN = 12 };
 int text_escape_next(const char **text, char shown[static TEXT_SHOWN]);
 char *text_escaped(const char *s);
-void text_put(const char *s, FILE *out);
-void text_put_xml(const char *s, FILE *out);
+void text_print_escaped(const char *s, FILE *out);
+void text_print_xml(const char *s, FILE *out);
 int text_width(const char *s);
 
 /* Returns a text shortened to that many columns: whole words, and " .." for
  * the rest; if little would remain, its beginning and "..", but no part of a
  * number, which would be a different number.  The caller frees it. */
-char *text_fitted(const char *s, int columns);
+char *text_cut_to_width(const char *s, int columns);
 
 /* True if text_escaped changes nothing. */
 bool text_is_plain(const char *s);
@@ -140,7 +140,7 @@ enum text_line text_read_line(char **text, size_t *n, size_t *room, FILE *in);
 
 /* Opens a file in memory.  After it is flushed or closed, *text holds its *n
  * bytes, which the caller frees.  Lack of memory ends the program. */
-FILE *text_memory(char **text, size_t *n);
+FILE *text_open_memory(char **text, size_t *n);
 
 /* True if s[0..n) is well-formed UTF-8 without NUL. */
 bool text_is_utf8(const char *s, size_t n);

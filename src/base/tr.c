@@ -48,7 +48,7 @@ is_path_not_language(const char *language)
 /* glibc heeds LANGUAGE in all locales but C, whichever there are; musl has any
  * locale, and no LANGUAGE. */
 static void
-take_language(const char *language)
+set_language(const char *language)
 {
 	setenv("LANGUAGE", language, 1);
 	if (setlocale(LC_MESSAGES, language) == NULL &&
@@ -65,7 +65,7 @@ tr_begin(const char *language)
 	if (wanted != NULL && is_path_not_language(wanted))
 		unsetenv("LANGUAGE");
 	if (language != NULL)
-		take_language(language);
+		set_language(language);
 	else
 		setlocale(LC_MESSAGES, "");
 	bind_catalogues();
@@ -87,7 +87,7 @@ tr_n(const char *one, const char *several, unsigned long n)
 }
 
 bool
-tr_on(bool on)
+tr_switch(bool on)
 {
 	bool was = strcmp(textdomain(NULL), ON) == 0;
 	textdomain(on ? ON : OFF);
@@ -116,7 +116,7 @@ tr_n(const char *one, const char *several, unsigned long n)
 }
 
 bool
-tr_on(bool on)
+tr_switch(bool on)
 {
 	return on;
 }

@@ -22,6 +22,6 @@ const char *tr_n(const char *one, const char *several, unsigned long n)
 
 /* Turns translation on or off, because results for programs are always in
  * English.  Returns the previous setting. */
-bool tr_on(bool on);
+bool tr_switch(bool on);
 
 #endif

@@ -48,7 +48,7 @@ bool
 ask_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
-	text_put(question, stderr);
+	text_print_escaped(question, stderr);
 	fputs(yes ? " [Y/n] " : " [y/N] ", stderr);
 	int c = ask_line(NULL);
 	if (c == EOF)
@@ -63,7 +63,7 @@ print_table_of_questions(const struct inquiry *q, int columns)
 	text_wrap(q->about, 0, columns, stderr);
 	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
 		FREED char *line = inquiry_row(q, r, columns);
-		text_put(line, stderr);
+		text_print_escaped(line, stderr);
 		fputc('\n', stderr);
 	}
 	if (q->ask->n == 0)
@@ -103,7 +103,7 @@ ask_with(
 static char *
 read_plain(const char *text)
 {
-	text_put(text, stderr);
+	text_print_escaped(text, stderr);
 	char *line = xstrdup("");
 	if (ask_line(&line) != EOF && text_is_utf8(line, strlen(line)))
 		return line;

@@ -57,7 +57,7 @@ print_error(void *of, const struct error *e, const char *line, const char *name)
 static void
 print_interrupted(const char *name, int number)
 {
-	text_put(name, stderr);
+	text_print_escaped(name, stderr);
 	fprintf(stderr, tr(":%d: interrupted\n"), number);
 }
 
@@ -113,7 +113,7 @@ batch_line_quietly(struct session *s, const char *line, int number)
 	d.of = &q;
 	d.fail = print_after_said;
 	d.interrupted = NULL;
-	s->out = s->notes = q.to = text_memory(&q.said, &q.n);
+	s->out = s->notes = q.to = text_open_memory(&q.said, &q.n);
 	int status = driver_line(&d, line, ERROR_TYPED, number);
 	s->out = out;
 	s->notes = notes;

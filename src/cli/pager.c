@@ -86,7 +86,7 @@ void
 pager_open(struct pager *pager, struct session *s)
 {
 	*pager = (struct pager){.session = s, .out = s->out, .notes = s->notes};
-	s->out = pager->file = text_memory(&pager->text, &pager->n);
+	s->out = pager->file = text_open_memory(&pager->text, &pager->n);
 }
 
 void

@@ -214,7 +214,7 @@ axis_unit_suffix(const struct axis *axis)
 }
 
 double
-axis_share(const struct axis *axis, double value)
+axis_relative_position(const struct axis *axis, double value)
 {
 	double low = axis_transform(axis, axis->low);
 	double high = axis_transform(axis, axis->high);
@@ -226,7 +226,7 @@ axis_share(const struct axis *axis, double value)
 
 /* What lies on a border goes to the later part, a rounding of grace off. */
 int
-axis_place_of(double share, int n)
+axis_index_of_part(double share, int n)
 {
 	int i = (int)(share * n + 1e-9);
 	return i < n ? i : n - 1;
@@ -247,7 +247,7 @@ place_label(const struct axis_tick *tick, double share, int columns, int rows,
     char *taken, int *column, int *row)
 {
 	int length = (int)strlen(tick->label);
-	int middle = axis_place_of(share, columns);
+	int middle = axis_index_of_part(share, columns);
 	int from = middle - length / 2;
 	if (from + length > columns)
 		from = columns - length;
@@ -267,7 +267,7 @@ place_label(const struct axis_tick *tick, double share, int columns, int rows,
 }
 
 int
-axis_place(
+axis_place_labels(
     const struct axis *axis, int columns, int rows, int *column, int *row)
 {
 	enum { RANKS = 4 };
@@ -277,8 +277,8 @@ axis_place(
 		for (size_t i = 0; i < axis->n; i++) {
 			const struct axis_tick *t = &axis->tick[i];
 			if (t->rank == rank &&
-			    place_label(t, axis_share(axis, t->at), columns,
-				rows, taken, &column[i], &row[i]) &&
+			    place_label(t, axis_relative_position(axis, t->at),
+				columns, rows, taken, &column[i], &row[i]) &&
 			    row[i] + 1 > used)
 				used = row[i] + 1;
 		}

@@ -57,10 +57,10 @@ void axis_free(struct axis *axis);
 const char *axis_unit_suffix(const struct axis *axis);
 
 /* Returns the position of a value, 0 at low and 1 at high, clamped to these. */
-double axis_share(const struct axis *axis, double value);
+double axis_relative_position(const struct axis *axis, double value);
 
 /* Returns which of n equal parts contains that position. */
-int axis_place_of(double share, int n);
+int axis_index_of_part(double share, int n);
 
 enum { AXIS_DROPPED = -1 };
 
@@ -68,7 +68,7 @@ enum { AXIS_DROPPED = -1 };
  * rank, centred, with a space between labels, in at most `rows` rows.  column,
  * row [axis->n] out: the first column and the row of each label; row is
  * AXIS_DROPPED if there is no room.  Returns the number of rows used. */
-int axis_place(
+int axis_place_labels(
     const struct axis *axis, int columns, int rows, int *column, int *row);
 
 #endif

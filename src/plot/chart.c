@@ -98,7 +98,7 @@ chart_move_to_back(struct chart *chart)
 }
 
 struct chart_series *
-chart_add_finer(struct chart_series *series, size_t n)
+chart_add_finer_points(struct chart_series *series, size_t n)
 {
 	struct chart_series *finer = xcalloc(1, sizeof *finer);
 	*finer =
@@ -156,7 +156,7 @@ chart_note(struct chart *chart, const char *format, ...)
 
 /* b at the place of `at` between a0 and a1, a straight or by its logarithm. */
 static double
-chart_between(bool by_log, const double *a, const double *b, double at)
+interpolate_between(bool by_log, const double *a, const double *b, double at)
 {
 	if (a[0] == a[1])
 		return b[0];
@@ -179,7 +179,7 @@ chart_y_at(
 {
 	for (size_t i = 0; i + 1 < series->n; i++)
 		if (is_between_neighbours(series->x + i, x))
-			return chart_between(
+			return interpolate_between(
 			    chart->x.log, series->x + i, series->y + i, x);
 	return NAN;
 }
@@ -199,7 +199,8 @@ chart_x_at(
 			x[0] = log(x[0]);
 			x[1] = log(x[1]);
 		}
-		double at = chart_between(chart->y.log, series->y + i, x, y);
+		double at =
+		    interpolate_between(chart->y.log, series->y + i, x, y);
 		return by_log ? exp(at) : at;
 	}
 	return NAN;

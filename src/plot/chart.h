@@ -112,7 +112,8 @@ void chart_drop_band(struct chart_series *series);
 
 /* Adds n finer points to a series and returns them, with x and y to be filled
  * in. */
-struct chart_series *chart_add_finer(struct chart_series *series, size_t n);
+struct chart_series *chart_add_finer_points(
+    struct chart_series *series, size_t n);
 
 /* Adds a rule, unless x is outside the axis. */
 void chart_add_rule(struct chart *chart, enum series series, double x,

@@ -30,14 +30,15 @@ struct layout {
 static int
 column_of_x(const struct layout *l, double x, int parts)
 {
-	return axis_place_of(axis_share(&l->chart->x, x), l->width * parts);
+	return axis_index_of_part(
+	    axis_relative_position(&l->chart->x, x), l->width * parts);
 }
 
 static int
 row_of_y(const struct layout *l, double y, int parts)
 {
-	return axis_place_of(
-	    1 - axis_share(&l->chart->y, y), l->height * parts);
+	return axis_index_of_part(
+	    1 - axis_relative_position(&l->chart->y, y), l->height * parts);
 }
 
 /* The character of a rule across the plot. */
@@ -103,7 +104,7 @@ static void
 put_fitted(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
-	char *fitted = text_fitted(text, l->canvas->columns - column);
+	char *fitted = text_cut_to_width(text, l->canvas->columns - column);
 	canvas_text(l->canvas, column, row, fitted, series, attribute);
 	free(fitted);
 }
@@ -112,7 +113,7 @@ put_fitted(struct layout *l, int column, int row, const char *text,
  * canvas; from row on, or only counted where row is negative.  Returns the rows
  * they take. */
 static int
-flow_legend(struct layout *l, int row)
+lay_out_legend(struct layout *l, int row)
 {
 	enum { GAP = 3 };
 	const struct chart *c = l->chart;
@@ -164,9 +165,9 @@ draw_wrapped_text(
 }
 
 static int
-flow_notes(struct layout *l, int row)
+lay_out_legend_and_notes(struct layout *l, int row)
 {
-	int rows = l->words & CHART_LEGEND ? flow_legend(l, row) : 0;
+	int rows = l->words & CHART_LEGEND ? lay_out_legend(l, row) : 0;
 	size_t n = l->words & CHART_NOTES ? l->chart->n_note : 0;
 	for (size_t i = 0; i < n; i++)
 		rows += draw_wrapped_text(
@@ -176,7 +177,7 @@ flow_notes(struct layout *l, int row)
 
 /* Where the data are from. */
 static int
-flow_foot(struct layout *l, int row)
+lay_out_source(struct layout *l, int row)
 {
 	char *text = xasprintf(tr("data: %s"), l->chart->about);
 	int rows = draw_wrapped_text(l, row, text, CELL_DIM);
@@ -210,7 +211,7 @@ label_rows(const struct layout *l)
 	const struct axis *a = &l->chart->x;
 	int *column = xcalloc(a->n, sizeof *column);
 	int *row = xcalloc(a->n, sizeof *row);
-	int rows = axis_place(a, l->width, 2, column, row);
+	int rows = axis_place_labels(a, l->width, 2, column, row);
 	free(column);
 	free(row);
 	return rows;
@@ -243,11 +244,11 @@ draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
 	if (chart->strip > 0 || words & CHART_BARE)
 		return layout_strip(l);
 	int rows[PARTS] = {[Y_TITLE] = 1,
-	    [LEGEND] = flow_notes(&l, -1),
+	    [LEGEND] = lay_out_legend_and_notes(&l, -1),
 	    [SECOND] = label_rows(&l) - 1,
 	    [FOOT] = words & CHART_LEGEND &&
 			     (chart->below == NULL || chart->below->strip > 0)
-			 ? flow_foot(&l, -1)
+			 ? lay_out_source(&l, -1)
 			 : 0,
 	    [TITLE] = words & CHART_TITLE ? 1 : 0,
 	    [LABELS] = 1,
@@ -332,7 +333,7 @@ draw_chart_labels(struct layout *l)
 	int *column = xcalloc(a->n, sizeof *column);
 	int *row = xcalloc(a->n, sizeof *row);
 	if (l->labels >= 0)
-		axis_place(a, l->width, l->label_rows, column, row);
+		axis_place_labels(a, l->width, l->label_rows, column, row);
 	for (size_t i = 0; i < a->n && l->labels >= 0; i++)
 		if (row[i] != AXIS_DROPPED)
 			canvas_text(l->canvas, l->left + column[i],
@@ -387,9 +388,9 @@ draw_titles_and_axes(struct layout *l)
 	draw_chart_x_axis(l);
 	draw_chart_labels(l);
 	if (l->legend >= 0)
-		flow_notes(l, l->legend);
+		lay_out_legend_and_notes(l, l->legend);
 	if (l->foot >= 0)
-		flow_foot(l, l->foot);
+		lay_out_source(l, l->foot);
 }
 
 /* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
@@ -407,7 +408,7 @@ is_inked(enum chart_line line, enum charset charset, int step)
 }
 
 static void
-draw_put(struct layout *l, int column, int row, uint32_t code,
+put_code_in_plot(struct layout *l, int column, int row, uint32_t code,
     enum series series, unsigned attribute)
 {
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
@@ -434,7 +435,7 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 	uint32_t code = l->charset == CHARSET_ASCII
 			    ? (uint32_t)s->ascii
 			    : canvas_dots_code(l->charset, all);
-	draw_put(l, column, row, code, s->series, 0);
+	put_code_in_plot(l, column, row, code, s->series, 0);
 	*dots = (unsigned char)all;
 }
 
@@ -484,7 +485,7 @@ draw_chart_field(struct layout *l, const struct chart_series *s, size_t i)
 	int foot = row_of_y(l, s->y[i] - 0.5, 1);
 	for (int row = top; row < foot || row == top; row++)
 		for (int column = left; column < right; column++)
-			draw_put(l, column, row,
+			put_code_in_plot(l, column, row,
 			    l->charset == CHARSET_ASCII ? SHADES[shade]
 							: BLOCKS[shade],
 			    s->series, 0);
@@ -498,7 +499,7 @@ draw_chart_field(struct layout *l, const struct chart_series *s, size_t i)
 
 /* Of a point, with what it is drawn beside by. */
 static int
-draw_column_of(const struct layout *l, const struct chart_series *s, size_t i)
+column_of_point(const struct layout *l, const struct chart_series *s, size_t i)
 {
 	int column = column_of_x(l, s->x[i], 1) + s->beside;
 	int last = l->width - 1;
@@ -512,7 +513,7 @@ draw_small_mark(struct layout *l, const struct chart_series *s, size_t i)
 {
 	int down = canvas_cell_dots_down(l->charset), high = down / 2;
 	int row = row_of_y(l, s->y[i], down);
-	int top = row % down - high / 2, x = 2 * draw_column_of(l, s, i);
+	int top = row % down - high / 2, x = 2 * column_of_point(l, s, i);
 	top = top < 0 ? 0 : top > down - high ? down - high : top;
 	for (int k = 0; k < 2 * high; k++)
 		put_dot(l, s, x + k % 2, row - row % down + top + k / 2);
@@ -527,8 +528,9 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 	if (fine && l->chart->strip > 0)
 		draw_small_mark(l, s, i);
 	else
-		draw_put(l, draw_column_of(l, s, i), row_of_y(l, s->y[i], 1),
-		    draw_mark_code(s, l->charset), s->series,
+		put_code_in_plot(l, column_of_point(l, s, i),
+		    row_of_y(l, s->y[i], 1), draw_mark_code(s, l->charset),
+		    s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted ? CELL_REVERSE : 0));
 }
@@ -547,11 +549,11 @@ clear_around_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->lifted; i++)
 		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
-			int column = draw_column_of(l, s, i);
+			int column = column_of_point(l, s, i);
 			int row = row_of_y(l, s->y[i], 1);
 			if (has_dots(l, column, row) &&
 			    has_dots(l, column, row + 2 * by))
-				draw_put(
+				put_code_in_plot(
 				    l, column, row + by, ' ', SERIES_TEXT, 0);
 		}
 }
@@ -582,7 +584,7 @@ draw_chart_bars(struct layout *l, const struct chart_series *s)
 	int wide = s->line == CHART_LONG ? across : 1;
 	int step = s->line == CHART_DOTTED ? DOTTED : 1;
 	for (size_t i = 0; i < s->n; i++) {
-		int column = draw_column_of(l, s, i);
+		int column = column_of_point(l, s, i);
 		int foot = row_of_y(l, s->low[i], down);
 		int top = row_of_y(l, s->high[i], down);
 		for (int y = top; y <= foot; y += step)
@@ -622,11 +624,13 @@ static void
 fill_band(
     struct layout *l, int column, double low, double high, enum series tint)
 {
-	double top = l->height * (1 - axis_share(&l->chart->y, high));
-	double foot = l->height * (1 - axis_share(&l->chart->y, low));
+	double top =
+	    l->height * (1 - axis_relative_position(&l->chart->y, high));
+	double foot =
+	    l->height * (1 - axis_relative_position(&l->chart->y, low));
 	uint32_t shade = l->charset == CHARSET_ASCII ? ',' : 0x2591;
 	for (int row = (int)ceil(top); row + 1 <= foot; row++)
-		draw_put(l, column, row, shade, tint, CELL_DIM);
+		put_code_in_plot(l, column, row, shade, tint, CELL_DIM);
 }
 
 /* Behind the lines, and never thicker than it is: its edges in every second
@@ -673,7 +677,7 @@ draw_guides(struct layout *l)
 						  : 0x00B7;
 		for (int column = every / 2; column < l->width && t->guide;
 		     column += every)
-			draw_put(l, column, row_of_y(l, t->at, 1), code,
+			put_code_in_plot(l, column, row_of_y(l, t->at, 1), code,
 			    SERIES_TEXT, CELL_DIM);
 	}
 }
@@ -690,7 +694,7 @@ draw_rules(struct layout *l)
 		bool thin = r->series != SERIES_CROSSHAIR;
 		for (int row = 0; row < l->height;
 		     row += thin && l->height >= TALL ? 2 : 1)
-			draw_put(l, column, row,
+			put_code_in_plot(l, column, row,
 			    rule_code(r->series, l->charset), r->series, 0);
 	}
 }
@@ -715,7 +719,7 @@ draw_chart_name(struct layout *l, const struct chart_series *s, size_t i)
 	const char *label = s->whose[i].label;
 	if (label == NULL || !isfinite(s->y[i]))
 		return;
-	int wide = text_width(label), at = draw_column_of(l, s, i);
+	int wide = text_width(label), at = column_of_point(l, s, i);
 	int row = row_of_y(l, s->y[i], 1);
 	int right = at + 2, left = at - 1 - wide;
 	if (draw_is_blank(l, right, row, wide))
@@ -795,16 +799,18 @@ draw_find_line(const struct layout *l, int row, struct chart_found *f)
 		f->series = of;
 		f->point = 0;
 		for (size_t i = 1; i < of->n; i++)
-			if (fabs(axis_share(&l->chart->x, of->x[i]) -
-				 axis_share(&l->chart->x, f->x)) <
-			    fabs(axis_share(&l->chart->x, of->x[f->point]) -
-				 axis_share(&l->chart->x, f->x)))
+			if (fabs(
+				axis_relative_position(&l->chart->x, of->x[i]) -
+				axis_relative_position(&l->chart->x, f->x)) <
+			    fabs(axis_relative_position(
+				     &l->chart->x, of->x[f->point]) -
+				 axis_relative_position(&l->chart->x, f->x)))
 				f->point = i;
 	}
 }
 
 static bool
-draw_find_in(const struct layout *l, int column, int row, struct chart_found *f)
+find_in_plot(const struct layout *l, int column, int row, struct chart_found *f)
 {
 	*f = (struct chart_found){.chart = l->chart};
 	column -= l->left;
@@ -819,7 +825,7 @@ draw_find_in(const struct layout *l, int column, int row, struct chart_found *f)
 }
 
 static int
-charts_of(const struct chart *chart)
+count_charts(const struct chart *chart)
 {
 	int n = 0;
 	for (const struct chart *c = chart; c != NULL; c = c->below)
@@ -830,7 +836,7 @@ charts_of(const struct chart *chart)
 /* Rows of a chart and of the n below it share what is left, but a strip has its
  * own, or none where its chart would become too low. */
 static int
-draw_rows_of(const struct chart *chart, int left, int n)
+rows_of_chart(const struct chart *chart, int left, int n)
 {
 	enum { LEAST = 8 };
 	const struct chart *below = chart->below;
@@ -846,7 +852,7 @@ static struct canvas
 next_rows(const struct canvas *all, const struct chart *chart, int top, int n)
 {
 	return (struct canvas){.columns = all->columns,
-	    .rows = draw_rows_of(chart, all->rows - top, n),
+	    .rows = rows_of_chart(chart, all->rows - top, n),
 	    .cell = all->cell + top * all->columns};
 }
 
@@ -855,7 +861,7 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found)
 {
-	int n = charts_of(chart), top = 0;
+	int n = count_charts(chart), top = 0;
 	int left = y_label_columns(chart, canvas->columns, words);
 	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
 	     c = c->below) {
@@ -863,7 +869,7 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
 		struct layout l =
 		    draw_layout_make(c, &rows, left, charset, words);
 		if (row < top + rows.rows)
-			return draw_find_in(&l, column, row - top, found);
+			return find_in_plot(&l, column, row - top, found);
 		top += rows.rows;
 	}
 	return false;
@@ -874,7 +880,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words)
 {
 	struct canvas *all = canvas_new(columns, rows);
-	int n = charts_of(chart), top = 0,
+	int n = count_charts(chart), top = 0,
 	    left = y_label_columns(chart, columns, words);
 	all->theme = chart->theme;
 	/* Where there is no room for all the first ones are drawn. */

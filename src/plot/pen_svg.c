@@ -90,7 +90,7 @@ svg_text(struct pen *pen, double x, double y, const char *text,
 	if (style->upward)
 		fprintf(out, " transform=\"rotate(-90 %.2f %.2f)\"", x, y);
 	fputc('>', out);
-	text_put_xml(text, out);
+	text_print_xml(text, out);
 	fputs("</text>\n", out);
 }
 
@@ -138,9 +138,9 @@ pen_svg(double width, double height, const struct pen_paper *paper,
 	    "width=\"%gpt\" height=\"%gpt\" viewBox=\"0 0 %g %g\" "
 	    "font-family=\"%s\">\n<title>",
 	    width, height, width, height, paper->mono ? PEN_MONO : SANS);
-	text_put_xml(title, out);
+	text_print_xml(title, out);
 	fputs("</title>\n<desc>", out);
-	text_put_xml(about, out);
+	text_print_xml(about, out);
 	fputs("</desc>\n", out);
 	put_background(svg, width, height);
 	return &svg->pen;

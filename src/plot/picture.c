@@ -43,7 +43,7 @@ picture_form_of(const char *path, enum picture_form *form)
 	    [PICTURE_PDF] = ".pdf"};
 	for (size_t i = 0; i < ARRAY_LEN(ENDS); i++) {
 		*form = (enum picture_form)i;
-		if (text_ends(path, ENDS[i]))
+		if (text_ends_with(path, ENDS[i]))
 			return true;
 	}
 	return false;
@@ -89,13 +89,14 @@ pen_open(enum picture_form form, double width, double height,
 static double
 page_x(const struct page *p, double x)
 {
-	return LEFT + WIDTH * axis_share(&p->chart->x, x);
+	return LEFT + WIDTH * axis_relative_position(&p->chart->x, x);
 }
 
 static double
 page_y(const struct page *p, double y)
 {
-	return p->top + p->height * (1 - axis_share(&p->chart->y, y));
+	return p->top +
+	       p->height * (1 - axis_relative_position(&p->chart->y, y));
 }
 
 static void
@@ -120,7 +121,7 @@ picture_draw_x_axis(struct page *p)
 	int *column = xcalloc(a->n, sizeof *column);
 	int *row = xcalloc(a->n, sizeof *row);
 	double end[ROWS] = {0};
-	axis_place(a, WIDTH / COLUMN, ROWS, column, row);
+	axis_place_labels(a, WIDTH / COLUMN, ROWS, column, row);
 	for (size_t i = 0; i < a->n; i++) {
 		double x = page_x(p, a->tick[i].at);
 		double half = DIGIT * (double)strlen(a->tick[i].label) / 2;
@@ -463,7 +464,7 @@ foot_text(const struct chart *chart, const char *program)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	char *about = xasprintf("data: %s; drawn by %s", chart->about, program);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
@@ -686,7 +687,7 @@ picture_is_same(double a, double b)
 
 /* A level one that begins where the last one ends makes that longer. */
 static void
-picture_extend_bar(
+picture_add_or_join_bar(
     struct cells_page *s, int column, int row, const struct bar *bar)
 {
 	double left = MARGIN + CELL_WIDTH * column;
@@ -725,13 +726,14 @@ picture_draw_bars(
 				continue;
 			if (kind == GROUND) {
 				if (cell->attribute & CELL_REVERSE)
-					picture_extend_bar(
+					picture_add_or_join_bar(
 					    s, column, row, &whole);
 				continue;
 			}
 			size_t n = picture_shape_of(cell->code, &its, bar);
 			for (size_t i = 0; i < n && its == kind; i++)
-				picture_extend_bar(s, column, row, &bar[i]);
+				picture_add_or_join_bar(
+				    s, column, row, &bar[i]);
 		}
 	if (s->n > 0)
 		s->pen->bars(s->pen, s->x, s->y, s->n,
@@ -802,7 +804,7 @@ draw_text(struct cells_page *s, int row)
 
 /* The paper for cells, and its size, points. */
 static struct pen_paper
-paper_of_cells(const struct canvas *canvas, int depth, double size[2])
+paper_for_cells(const struct canvas *canvas, int depth, double size[2])
 {
 	bool light = canvas->theme == THEME_LIGHT;
 	struct pen_paper paper = {.colour = light ? 0xFFFFFF : 0x161B22,
@@ -849,7 +851,7 @@ picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
     const char *title, const char *about, FILE *out)
 {
 	double size[2];
-	struct pen_paper paper = paper_of_cells(canvas, depth, size);
+	struct pen_paper paper = paper_for_cells(canvas, depth, size);
 	struct pen *pen =
 	    pen_open(form, size[0], size[1], &paper, title, about, out);
 	draw_cells(canvas, depth, pen);

@@ -217,9 +217,9 @@ control_run_line(struct tui *t, const char *line)
 	if (differs_in_page_or_quantity(&was, &s->set) &&
 	    strcmp(line, "undo") != 0 && strcmp(line, "redo") != 0)
 		read_page_and_quantity(t);
-	tui_keep_feed(t);
+	tui_set_feed_from_answer(t);
 	if (strcmp(s->set.feed, was.feed) != 0)
-		tui_take_feed(t);
+		tui_set_feed_from_setting(t);
 	control_refresh(t);
 	if (session_busy(s) && !was_busy)
 		show_job_begun(t, line);
@@ -330,8 +330,8 @@ control_begin(
 	s->hooks.announce = control_draw_before_search;
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
-	tui_keep_feed(t);
-	t->captured = text_memory(&t->captured_text, &t->captured_n);
+	tui_set_feed_from_answer(t);
+	t->captured = text_open_memory(&t->captured_text, &t->captured_n);
 	s->out = s->notes = t->captured;
 	read_page_and_quantity(t);
 	control_refresh(t);

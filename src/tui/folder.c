@@ -33,7 +33,7 @@ enum { MOST_BYTES = 300 * 1000, UNPACKED_TIMES = 10 };
 static bool
 is_script(const char *name)
 {
-	return text_ends(name, ".tip");
+	return text_ends_with(name, ".tip");
 }
 
 static int
@@ -210,7 +210,7 @@ folder_path_of_item(const struct folder *folder, size_t item)
 		return xasprintf("%s%s/", path, folder->item[item].name);
 	if (strcmp(path, "/") == 0)
 		return xstrdup("/");
-	if (n == 0 || strcmp(path, "../") == 0 || text_ends(path, "/../"))
+	if (n == 0 || strcmp(path, "../") == 0 || text_ends_with(path, "/../"))
 		return xasprintf("%s../", path);
 	for (n--; n > 0 && path[n - 1] != '/';)
 		n--;
@@ -243,7 +243,7 @@ folder_print_line(FILE *out, const char *what, const char *text)
 static void
 folder_say_site(const struct site *site, FILE *out)
 {
-	size_t n, products = site_products(site);
+	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds(site, ", ", NULL, false);
 	FREED double *sieve = site_sieves(site, &n);
@@ -272,7 +272,7 @@ folder_site(const struct site *site)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	folder_say_site(site, out);
 	fclose(out);
 	return text;
@@ -358,7 +358,7 @@ folder_preview(const struct folder_item *item)
 	if (unpacked_bytes(item->path, (double)about.st_size) > MOST_BYTES)
 		return xstrdup(tr("large: not read for a preview; Enter loads "
 				  "it\n"));
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	print_sheet(item->path, out);
 	fclose(out);
 	return text;

@@ -170,7 +170,7 @@ ready_words(struct tui *t, int columns)
 	if (entry == NULL)
 		return xstrdup(tr("no site: o opens a sheet"));
 	if (!entry->has_params)
-		return xstrdup(site_products(entry->site) > 0
+		return xstrdup(site_count_products(entry->site) > 0
 				   ? tr("not calibrated: f calibrates")
 				   : tr("no product: type :guess"));
 	char *verdict =

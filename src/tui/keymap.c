@@ -79,7 +79,7 @@ act_run_speed(struct tui *t, const struct key *key)
 	const struct site *site = entry->site;
 	double speed = key->amount < 0   ? site->run[0].speed
 		       : key->amount > 0 ? site->run[site->n_run - 1].speed
-					 : site_middle(site);
+					 : site_middle_speed(site);
 	t->ui.tenths = slider_tenths(tui_range(t), speed);
 }
 

@@ -319,7 +319,7 @@ static bool
 keys_has_word(const struct key *k, const char *word)
 {
 	FREED char *line = help_line_of(k);
-	return text_has(line, word);
+	return text_contains_word(line, word);
 }
 
 /* Returns true if the brief list of a page has the key. */

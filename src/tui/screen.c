@@ -321,7 +321,7 @@ int
 screen_series(const struct area *area, int row, int column, enum series series,
     unsigned look, const char *text)
 {
-	FREED char *fitted = text_fitted(text, area->columns - column);
+	FREED char *fitted = text_cut_to_width(text, area->columns - column);
 	bool whole = strcmp(fitted, text) == 0;
 	int end = screen_part(area, row, column, series, look, fitted);
 	return whole || row < 0 || row >= area->rows ? end : area->columns;

@@ -68,9 +68,9 @@ void screen_resize(void);
 /* Begins a frame of the terminal's current size. */
 void screen_begin(int *rows, int *columns);
 
-/* Draws UTF-8 text from a cell of an area, shortened (text_fitted) if it would
- * cross the right edge; draws nothing below the last row.  Returns the column
- * after the text, within the area. */
+/* Draws UTF-8 text from a cell of an area, shortened (text_cut_to_width) if it
+ * would cross the right edge; draws nothing below the last row.  Returns the
+ * column after the text, within the area. */
 int screen_text(const struct area *area, int row, int column, unsigned look,
     const char *format, ...) __attribute__((format(printf, 5, 6)));
 

@@ -30,7 +30,7 @@ press_key(struct tui *t, int code, bool special)
 {
 	keymap_key(t, code, special);
 	t->clock++;
-	watch_pump(t);
+	watch_run_due_steps(t);
 	view_update(t);
 	if (!asks)
 		frame_draw(t);

@@ -172,7 +172,7 @@ run_loop(struct tui *t)
 		t->clock = session_clock();
 		take_keys(t);
 		signals_watch_keys(true);
-		watch_pump(t);
+		watch_run_due_steps(t);
 		signals_watch_keys(false);
 	}
 }

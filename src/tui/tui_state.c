@@ -94,17 +94,17 @@ tui_is_product_moved(const struct tui *t, size_t run)
 }
 
 void
-tui_keep_feed(struct tui *t)
+tui_set_feed_from_answer(struct tui *t)
 {
 	double feed = session_answer_number(t->session, "predict", "feed_mps");
 	if (isfinite(feed))
 		t->ui.feed = feed;
 	else
-		tui_take_feed(t);
+		tui_set_feed_from_setting(t);
 }
 
 void
-tui_take_feed(struct tui *t)
+tui_set_feed_from_setting(struct tui *t)
 {
 	double set;
 	t->ui.feed = text_number(t->session->set.feed, &set) ? set : 0;

@@ -356,11 +356,12 @@ struct slider_range tui_range(const struct tui *t);
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: that of the last
  * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
- * see tui_entry_asked_about.  tui_feed_curve returns its curve. */
+ * see tui_entry_asked_about.  tui_feed_curve returns its curve.  The others set
+ * it by the last prediction, or by `set feed`. */
 size_t tui_feed(const struct tui *t);
 const struct psd *tui_feed_curve(const struct tui *t);
-void tui_keep_feed(struct tui *t);
-void tui_take_feed(struct tui *t); /* from `set feed` */
+void tui_set_feed_from_answer(struct tui *t);
+void tui_set_feed_from_setting(struct tui *t);
 
 /* Returns the measured product of a run as shown with the prediction, see
  * moved_product. */

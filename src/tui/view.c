@@ -169,7 +169,7 @@ view_predict(struct tui *t)
 	}
 	if (!first && !keep)
 		t->message[0] = '\0';
-	tui_keep_feed(t);
+	tui_set_feed_from_answer(t);
 	t->view.of = view_key_now(t);
 	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }

@@ -152,7 +152,7 @@ generations_per_second(const struct tui *t)
 }
 
 void
-watch_pump(struct tui *t)
+watch_run_due_steps(struct tui *t)
 {
 	static const double FRAME = 0.02; /* s, at full pace */
 	struct session *s = t->session;

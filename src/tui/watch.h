@@ -6,7 +6,7 @@
 #include "tui/tui_state.h"
 
 /* Runs those steps of the calibration that are due. */
-void watch_pump(struct tui *t);
+void watch_run_due_steps(struct tui *t);
 
 /* watch_hold pauses or continues the calibration; watch_step runs one step of
  * it. */

@@ -306,7 +306,7 @@ put_large(const struct large *large, size_t n, const char *path)
 {
 	char *text = NULL;
 	size_t length = 0;
-	FILE *out = text_memory(&text, &length);
+	FILE *out = text_open_memory(&text, &length);
 	large->print(out, n);
 	fclose(out);
 	const struct part none = {NULL, NULL, 0};

@@ -213,7 +213,8 @@ text_wider_than_the_screen_is_read_to_its_end(void **state)
 	assert_int_equal(t->view.pinned.site[0], '\0');
 }
 
-/* Else a pause would count as slow work, and what is taken up again as quick. */
+/* Else a pause would count as slow work, and what is taken up again as
+ * quick. */
 static void
 a_pause_is_no_part_of_the_search(void **state)
 {
@@ -222,7 +223,7 @@ a_pause_is_no_part_of_the_search(void **state)
 	t->clock = 100;
 	type(t, "f");
 	t->clock = 103;
-	watch_pump(t);
+	watch_run_due_steps(t);
 	type(t, " ");
 	t->clock = 160;
 	assert_float_equal(tui_search_seconds(t), 3, 1e-9);
@@ -437,7 +438,7 @@ a_goal_may_be_set_while_a_first_search_runs(void **state)
 	type(t, ":load data/sites/tierp.csv\nt");
 	assert_false(t->line.active);
 	type(t, "f");
-	watch_pump(t);
+	watch_run_due_steps(t);
 	draw_all(t);
 	type(t, "tp80<5.2\n");
 	assert_string_equal(t->session->set.goal, "p80<5.2");
@@ -463,7 +464,7 @@ a_report_that_was_closed_is_shown_again(void **state)
 	assert_non_null(strstr(hints, "Esc stop"));
 	assert_null(strstr(hints, "generation"));
 	while (session_busy(t->session))
-		watch_pump(t);
+		watch_run_due_steps(t);
 	assert_non_null(t->viewer.text);
 	char *report = xstrdup(t->viewer.text);
 	type(t, "1l");
@@ -518,7 +519,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	draw_all(t);
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(screen_frame(), 0, out);
 	fclose(out);
 	assert_non_null(strstr(text, "beta1 >"));
@@ -783,7 +784,7 @@ a_point_makes_one_generation(void **state)
 	assert_int_equal(tui_search_shown(t).n, 3);
 	/* A search that waits is not pumped. */
 	t->clock = 1000;
-	watch_pump(t);
+	watch_run_due_steps(t);
 	assert_int_equal(tui_search_shown(t).n, 3);
 	while (session_busy(t->session))
 		type(t, ".");
@@ -842,7 +843,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	for (double clock = 0; tui_search_shown(t).n < 40; clock += 0.001) {
 		size_t before = tui_search_shown(t).n;
 		t->clock = t->due = clock;
-		watch_pump(t);
+		watch_run_due_steps(t);
 		assert_int_equal(tui_search_shown(t).n, before + 1);
 		slow = slow || t->due - clock > 0.2;
 		quick = quick || t->due - clock < 0.03;
@@ -920,7 +921,7 @@ frame_text(void)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(screen_frame(), 0, out);
 	fclose(out);
 	while (n > 0 && text[n - 1] == '\n')
@@ -1212,7 +1213,7 @@ what_is_left_is_found_again(void **state)
 	/* A search goes on when a goal is set, which is saved nevertheless. */
 	s->hooks.confirm = says_yes;
 	type(t, "fy");
-	watch_pump(t);
+	watch_run_due_steps(t);
 	assert_true(session_busy(s));
 	type(t, "tp80<5.3\n");
 	assert_true(session_busy(s));
@@ -1244,7 +1245,7 @@ go_through(struct tui *t, const char *at)
 			assert_true(t->view.current.size[2] != p80);
 			assert_non_null(t->view.shown.low);
 		}
-		watch_pump(t);
+		watch_run_due_steps(t);
 	}
 	assert_in_range(frames, 3, 100000);
 }
@@ -1291,7 +1292,7 @@ long_commands_leave_the_screen_live(void **state)
 		type(t, "\033");
 		assert_null(t->viewer.text);
 		type(t, LONG[i].line);
-		watch_pump(t);
+		watch_run_due_steps(t);
 		type(t, "\033");
 		assert_false(session_busy(s));
 		assert_non_null(strstr(t->message, LONG[i].stopped));
@@ -1318,7 +1319,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	keymap_held(t);
 	size_t drawing = 0;
 	while (session_busy(s)) {
-		watch_pump(t);
+		watch_run_due_steps(t);
 		if (!session_busy(s) ||
 		    calibration_status(s->job.calibration).state <
 			CALIBRATE_TOLERANCE)
@@ -1470,7 +1471,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	type(t, "xbc");
 	frame_draw(t); /* what was measured is moved to the feed once */
 	FILE *said = s->out,
-	     *heard = s->out = s->notes = text_memory(&text, &n);
+	     *heard = s->out = s->notes = text_open_memory(&text, &n);
 	for (int i = 0; i < 30; i++) {
 		int before = t->ui.tenths;
 		press(t, i < 20 ? "L" : "H");

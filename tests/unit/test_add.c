@@ -114,7 +114,7 @@ a_feed_alone_becomes_that_of_the_cuts(void **state)
 	say(desk, "add %s/cut.csv@70 %s/cut.csv@75", folder, folder);
 	const struct site *site = site_of(desk);
 	assert_int_equal(site->n_run, 2);
-	assert_int_equal(site_products(site), 2);
+	assert_int_equal(site_count_products(site), 2);
 	assert_near(site->run[0].speed, 70, 1e-9);
 	assert_int_equal(site->run[0].feed.n, 6);
 	free(feed);

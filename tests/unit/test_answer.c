@@ -20,7 +20,7 @@ prints(const struct answer *a, enum answer_format format, size_t rows,
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	assert_int_equal(ANSWER_FORMATS[format].print(a, false, memory), rows);
 	fclose(memory);
 	assert_string_equal(text, expected);

@@ -73,7 +73,7 @@ percentiles_are_those_of_the_candidates(void **state)
 	double *one = xdoubles(m->n_residual), *best = xdoubles(m->n_residual);
 	assert_int_equal(n, GENERATIONS);
 	for (size_t at = 0; at < n; at += 3) {
-		struct candidates c = candidates_of(
+		struct candidates c = candidates_with_residuals(
 		    s.site, s.train, settings, ISA_BEST, &g[at], &g[at].params);
 		assert_int_equal(c.n, m->n_residual);
 		assert_int_equal(g[at].n_kept, CALIBRATE_KEPT);
@@ -112,7 +112,7 @@ cells_are_of_the_training_runs(void **state)
 	struct searched s = search(1, POPULATION);
 	size_t n;
 	const struct calibrate_generation *g = calibration_history(s.c, &n);
-	struct candidates c = candidates_of(
+	struct candidates c = candidates_with_residuals(
 	    s.site, s.train, model_settings_default(), ISA_BEST, g, &g->params);
 	const struct candidates_cell *worst = candidates_worst(&c);
 	for (size_t k = 0; k < c.n; k++) {
@@ -136,13 +136,13 @@ beta_is_scaled_as_it_is_reported(void **state)
 	const struct calibrate_generation *g = calibration_history(s.c, &n) + 5;
 	double low, high, least = INFINITY, most = -INFINITY;
 	for (size_t j = 0; j < 4; j++) {
-		candidates_spread(g, j, &low, &high);
+		candidates_middle_range(g, j, &low, &high);
 		assert_true(low >= -1 && low <= high && high <= 1);
 		least = fmin(least, low);
 		most = fmax(most, high);
 	}
 	assert_true(most == 1 || least == -1);
-	candidates_spread(g, 4, &low, &high);
+	candidates_middle_range(g, 4, &low, &high);
 	size_t below = 0;
 	for (size_t i = 0; i < g->n_kept; i++)
 		below += (double)g->kept[4][i] < low;
@@ -159,7 +159,7 @@ a_small_population_keeps_what_it_has(void **state)
 	size_t n;
 	const struct calibrate_generation *g = calibration_history(s.c, &n);
 	assert_in_range(g[2].n_kept, 8, 15);
-	struct candidates c = candidates_of(s.site, s.train,
+	struct candidates c = candidates_with_residuals(s.site, s.train,
 	    model_settings_default(), ISA_BEST, &g[2], &g[2].params);
 	for (size_t k = 0; k < c.n; k++)
 		assert_true(c.cell[k].p10 <= c.cell[k].median &&

@@ -119,10 +119,10 @@ labels_go_by_rank_and_into_a_second_row(void **state)
 	(void)state;
 	struct axis a = axis_sieves("size, mm", SIEVES, N);
 	int column[N], row[N];
-	assert_int_equal(axis_place(&a, 200, 2, column, row), 1);
+	assert_int_equal(axis_place_labels(&a, 200, 2, column, row), 1);
 	for (size_t i = 0; i < a.n; i++)
 		assert_int_equal(row[i], 0);
-	assert_int_equal(axis_place(&a, 36, 2, column, row), 2);
+	assert_int_equal(axis_place_labels(&a, 36, 2, column, row), 2);
 	assert_int_equal(row[0], 0);
 	assert_int_equal(row[N - 1], 0);
 	for (size_t i = 0; i < a.n; i++)
@@ -246,17 +246,20 @@ a_symmetric_axis_magnifies_what_is_near_0(void **state)
 {
 	(void)state;
 	struct axis a = axis_symlog("x", 0.1, 100);
-	assert_true(fabs(axis_share(&a, 0) - (0.5)) < 1e-9);
-	assert_true(fabs(axis_share(&a, -100) - (0)) < 1e-9);
-	assert_true(fabs(axis_share(&a, 1e6) - (1)) < 1e-9);
-	double straight = axis_share(&a, 0.1) - 0.5;
-	assert_true(fabs(axis_share(&a, 0.05) - 0.5 - (straight / 2)) < 1e-9);
-	double decade = axis_share(&a, 1) - axis_share(&a, 0.1);
+	assert_true(fabs(axis_relative_position(&a, 0) - (0.5)) < 1e-9);
+	assert_true(fabs(axis_relative_position(&a, -100) - (0)) < 1e-9);
+	assert_true(fabs(axis_relative_position(&a, 1e6) - (1)) < 1e-9);
+	double straight = axis_relative_position(&a, 0.1) - 0.5;
+	assert_true(fabs(axis_relative_position(&a, 0.05) - 0.5 -
+			 (straight / 2)) < 1e-9);
+	double decade =
+	    axis_relative_position(&a, 1) - axis_relative_position(&a, 0.1);
 	assert_true(fabs(decade - (straight * log(10))) < 1e-9);
 	for (double x = 0.01; x < 100; x *= 1.3) {
-		assert_true(
-		    fabs(axis_share(&a, x) + axis_share(&a, -x) - (1)) < 1e-9);
-		assert_true(axis_share(&a, 1.3 * x) > axis_share(&a, x));
+		assert_true(fabs(axis_relative_position(&a, x) +
+				 axis_relative_position(&a, -x) - (1)) < 1e-9);
+		assert_true(axis_relative_position(&a, 1.3 * x) >
+			    axis_relative_position(&a, x));
 	}
 	for (size_t i = 0; i < a.n; i++)
 		assert_true(

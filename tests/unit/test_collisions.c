@@ -97,7 +97,7 @@ what_is_written_is_read_again(void **state)
 	assert_true(take(IMPACTS, way, &c, &errors));
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	collisions_write(&c, "a", out);
 	fclose(out);
 	assert_true(take(text, PLAIN, &again, &errors));
@@ -168,7 +168,7 @@ reading_can_be_stopped(void **state)
 	struct collisions_way way = PLAIN;
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	fputs("velocity\n", out);
 	for (int i = 0; i < MANY; i++)
 		fputs("20\n", out);

@@ -28,15 +28,15 @@ there_and_back(void **state)
 	struct coordinates c = some(&fit);
 	double x[PARAMS_MOST], at[PARAMS_MOST];
 	(void)state;
-	coordinates_of(&c, fit.at, x);
+	coordinates_from_params(&c, fit.at, x);
 	for (size_t j = 0; j < 4; j++)
 		assert_float_equal(x[j], 0, 1e-12);
 	x[0] = 0.3;
 	x[1] = -0.2;
 	x[3] = 0.1;
-	assert_true(isfinite(coordinates_params(&c, x, at)));
+	assert_true(isfinite(coordinates_to_params(&c, x, at)));
 	double y[PARAMS_MOST];
-	coordinates_of(&c, at, y);
+	coordinates_from_params(&c, at, y);
 	for (size_t j = 0; j < c.of->n; j++)
 		assert_float_equal(y[j], x[j], 1e-9);
 	for (size_t j = 4; j < c.of->n; j++)
@@ -67,9 +67,9 @@ log_volume(const struct coordinates *c, const double *x, const size_t move[3],
 		double y[PARAMS_MOST], a[PARAMS_MOST], b[PARAMS_MOST];
 		memcpy(y, x, sizeof y);
 		y[move[k]] = x[move[k]] - step;
-		coordinates_params(c, y, a);
+		coordinates_to_params(c, y, a);
 		y[move[k]] = x[move[k]] + step;
-		coordinates_params(c, y, b);
+		coordinates_to_params(c, y, b);
 		for (size_t j = 0; j < c->of->n; j++)
 			derivative[k][j] = (b[j] - a[j]) / (2 * step);
 	}
@@ -90,14 +90,14 @@ prior_is_uniform(void **state)
 	struct coordinates c = some(&fit);
 	double x[PARAMS_MOST] = {0}, y[PARAMS_MOST], at[PARAMS_MOST];
 	(void)state;
-	coordinates_of(&c, fit.at, x);
+	coordinates_from_params(&c, fit.at, x);
 	memcpy(y, x, sizeof y);
 	for (size_t k = 0; k < 3; k++) {
 		y[SLOPE[k]] += 0.4 - 0.3 * (double)k;
 		y[GAUGE[k]] += 0.2 + 0.1 * (double)k;
 	}
 	double less =
-	    coordinates_params(&c, x, at) - coordinates_params(&c, y, at);
+	    coordinates_to_params(&c, x, at) - coordinates_to_params(&c, y, at);
 	double larger =
 	    log_volume(&c, y, SLOPE, false) - log_volume(&c, x, SLOPE, false) +
 	    log_volume(&c, y, GAUGE, true) - log_volume(&c, x, GAUGE, true);
@@ -112,13 +112,13 @@ keeps_within_bounds(void **state)
 	struct coordinates c = some(&fit);
 	double x[PARAMS_MOST] = {0}, at[PARAMS_MOST];
 	(void)state;
-	coordinates_of(&c, fit.at, x);
+	coordinates_from_params(&c, fit.at, x);
 	for (int far = -4; far <= 4; far++)
 		for (size_t j = 4; j < 7; j++) {
 			double y[PARAMS_MOST];
 			memcpy(y, x, sizeof y);
 			y[j] = far;
-			assert_true(isfinite(coordinates_params(&c, y, at)));
+			assert_true(isfinite(coordinates_to_params(&c, y, at)));
 			for (size_t k = 4; k < 7; k++)
 				assert_true(at[k] >= c.bounds.lower[k] &&
 					    at[k] <= c.bounds.upper[k]);
@@ -136,12 +136,12 @@ wants_daughters(void **state)
 	(void)state;
 	memcpy(at, fit.at, sizeof at);
 	memcpy(at, none, sizeof none);
-	coordinates_of(&c, at, x);
-	assert_true(isinf(coordinates_params(&c, x, at)));
+	coordinates_from_params(&c, at, x);
+	assert_true(isinf(coordinates_to_params(&c, x, at)));
 	memcpy(at, fit.at, sizeof at);
 	at[0] = -0.2;
-	coordinates_of(&c, at, x);
-	assert_true(isfinite(coordinates_params(&c, x, at)));
+	coordinates_from_params(&c, at, x);
+	assert_true(isfinite(coordinates_to_params(&c, x, at)));
 }
 
 int

@@ -25,7 +25,7 @@ make_cells(size_t runs, double apart, struct cell *cell)
 			double P = draw_between(&draw, 0, 1);
 			cell[n++] = (struct cell){.run = r,
 			    .log_size = by - 4 - 0.69 * (double)i,
-			    .t = discrepancy_time(v, el_log(2750)),
+			    .t = discrepancy_t_of_speed(v, el_log(2750)),
 			    .h = i == 0 ? 0 : discrepancy_h(P)};
 		}
 	}
@@ -61,8 +61,8 @@ test_same(void **state)
 			    0.01 * cell[i].h * draw_between(&draw, -1, 1);
 		covariance_factor(c, hyper, factor);
 		discrepancy_factor(ISA_BEST, cell, n, hyper, U);
-		double level = covariance_level(c, factor, z);
-		double want = discrepancy_level(ISA_BEST, U, n, y);
+		double level = covariance_minus_log_density(c, factor, z);
+		double want = discrepancy_minus_log_density(ISA_BEST, U, n, y);
 		expect_near("level", level, want, 1e-4 + 1e-6 * fabs(want));
 		covariance_solve(c, factor, d);
 		discrepancy_forward(ISA_BEST, U, n, x);
@@ -124,7 +124,7 @@ test_sizes(void **state)
 	for (size_t h = 0; h < HYPERS; h++)
 		log_hyper[h] = el_log(HYPER[h].median);
 	covariance_factor(c, log_hyper, factor);
-	assert_true(isfinite(covariance_level(c, factor, d)));
+	assert_true(isfinite(covariance_minus_log_density(c, factor, d)));
 	covariance_free(c);
 	free(factor);
 }

@@ -38,7 +38,7 @@ press(struct tui *t, const char *name)
 	assert_true(keys_code_of_name(name, &code));
 	keymap_key(t, code, code > 255);
 	t->clock++;
-	watch_pump(t);
+	watch_run_due_steps(t);
 	view_update(t);
 	frame_draw(t);
 }
@@ -58,7 +58,7 @@ shows(const char *words)
 {
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(screen_frame(), 0, out);
 	fclose(out);
 	bool found = strstr(text, words) != NULL;

@@ -159,7 +159,7 @@ site_differs(const struct plan *plan, const struct site *site)
 	if (plan->trap != NULL && plan->n_curve == 0)
 		return xstrdup("there is no such site");
 	const struct curve *feed = &plan->curve[0];
-	size_t products = site_products(site);
+	size_t products = site_count_products(site);
 	if (products != n || site->n_run < 1)
 		return xasprintf("%zu runs, not %zu", products, n);
 	if (n == 0)
@@ -496,11 +496,11 @@ strict_sheet(struct plan *plan)
 		    plan->curve[c].feed ? "feed" : "product",
 		    plan->curve[c].speed > 0 ? "@" : "",
 		    plan->curve[c].speed > 0
-			? text_exact(plan->curve[c].speed, number)
+			? text_exact_number(plan->curve[c].speed, number)
 			: "");
 	}
 	for (size_t k = 0; k < n; k++) {
-		xappend(&text, "\n%s", text_exact(mm[k], number));
+		xappend(&text, "\n%s", text_exact_number(mm[k], number));
 		for (size_t c = 0; c < plan->n_curve; c++) {
 			const struct curve *curve = &plan->curve[c];
 			size_t i = 0;
@@ -508,7 +508,7 @@ strict_sheet(struct plan *plan)
 				i++;
 			xappend(&text, ",%s",
 			    i < curve->n && !isnan(curve->pct[i])
-				? text_exact(curve->pct[i], number)
+				? text_exact_number(curve->pct[i], number)
 				: "");
 		}
 	}

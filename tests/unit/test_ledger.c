@@ -117,8 +117,9 @@ a_faster_rotor_leaves_less_unbroken(void **state)
 	}
 	expect_near("changes", change, 0, 1e-9);
 	assert_true(fast.broken > slow.broken);
-	assert_int_equal(ledger_most(fast.feed, slow.feed, slow.n), 0);
-	size_t most = ledger_most(fast.left, slow.left, slow.n);
+	assert_int_equal(
+	    ledger_class_of_largest(fast.feed, slow.feed, slow.n), 0);
+	size_t most = ledger_class_of_largest(fast.left, slow.left, slow.n);
 	for (size_t i = 0; i < slow.n; i++)
 		assert_true(fast.left[i] - slow.left[i] <=
 			    fast.left[most] - slow.left[most]);

@@ -199,7 +199,7 @@ expect_B(const double beta[static 4])
 {
 	static double B[CELLS + 1];
 	naive_B(beta, B);
-	struct appearance a = appearance_of(beta);
+	struct appearance a = appearance_with_beta(beta);
 	assert_true((a.total > 0) == (B[0] > 0));
 	for (size_t i = 0; i <= CELLS && B[0] > 0; i += 97) {
 		double u = exp(-log(1024) / CELLS * (double)i);
@@ -227,7 +227,7 @@ B_rises_from_0_to_1(void **state)
 	struct draw draw = draw_start(25);
 	for (int k = 0; k < 400; k++) {
 		struct params p = made_any_params(&draw);
-		struct appearance a = appearance_of(p.beta);
+		struct appearance a = appearance_with_beta(p.beta);
 		double before = 0;
 		assert_true(passing(&a, 0.999 / 1024) == 0);
 		assert_true(passing(&a, 1) == 1);
@@ -258,8 +258,8 @@ only_the_direction_of_beta_matters(void **state)
 		for (size_t b = 0; b < 4; b++)
 			largest = fmax(largest, fabs(q.beta[b]));
 		assert_true(largest == 1);
-		struct appearance a = appearance_of(p.beta);
-		struct appearance b = appearance_of(q.beta);
+		struct appearance a = appearance_with_beta(p.beta);
+		struct appearance b = appearance_with_beta(q.beta);
 		for (double u = 1.0 / 1024; u < 1; u *= 1.3)
 			expect_near(
 			    "B(u)", passing(&a, u), passing(&b, u), 1e-11);
@@ -286,7 +286,7 @@ no_daughters_leaves_the_parent_whole(void **state)
 	    {-1, 1, 0, 0}, {-1, -2, -3, -4}, {NAN, 0, 0, 0}};
 	const double x[4] = {9e-3, 5e-3, 2e-3, 1e-3};
 	for (size_t i = 0; i < ARRAY_LEN(none); i++) {
-		struct appearance a = appearance_of(none[i]);
+		struct appearance a = appearance_with_beta(none[i]);
 		assert_true(a.total == 0 && a.n == 0);
 		assert_true(passing(&a, 0.999) == 0);
 		assert_true(passing(&a, 1) == 1);

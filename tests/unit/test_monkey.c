@@ -185,7 +185,7 @@ static void
 go_on(struct tui *t)
 {
 	t->clock += (double)below(3) * 0.3;
-	watch_pump(t);
+	watch_run_due_steps(t);
 	view_update(t);
 	frame_draw(t);
 	t->leave = t->session->quit = t->session->wants_tui = false;

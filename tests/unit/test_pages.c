@@ -35,7 +35,7 @@ stage_open(void **state)
 static void
 turn(struct tui *t)
 {
-	watch_pump(t);
+	watch_run_due_steps(t);
 	view_update(t);
 	frame_draw(t);
 }

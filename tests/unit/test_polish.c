@@ -269,7 +269,7 @@ sieves_that_the_feed_does_not_cover_are_left_out(void **state)
 	struct psd *product = &site->run[0].product;
 	size_t n = product->n;
 	product->size[n - 1] = 45e-6;
-	assert_int_equal(misfit_covered(&site->run[0]), n - 1);
+	assert_int_equal(misfit_count_covered(&site->run[0]), n - 1);
 	struct misfit *m =
 	    misfit_new(site, OUTER, NULL, false, model_settings_default());
 	assert_int_equal(m->n_residual, 2 * n - 1);

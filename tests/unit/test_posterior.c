@@ -471,20 +471,20 @@ test_machine(void **state)
 	memcpy(own, P, size * sizeof *own);
 	struct model_settings machine = p->settings;
 	machine.bypass = 0.25;
-	ensemble_machine(e, machine);
+	ensemble_set_machine(e, machine);
 	ensemble_at(e, 74);
 	for (size_t i = 0; i < size; i++)
 		expect_near("led past", P[i],
 		    0.75 * own[i] + 0.25 * feed->passing[i / N], 1e-12);
 	machine = p->settings;
 	machine.k *= 2;
-	ensemble_machine(e, machine);
+	ensemble_set_machine(e, machine);
 	ensemble_at(e, 74);
 	double finer = 0;
 	for (size_t i = 0; i < size; i++)
 		finer += P[i] - own[i];
 	assert_true(finer / (double)size > 1e-4);
-	ensemble_machine(e, p->settings);
+	ensemble_set_machine(e, p->settings);
 	ensemble_at(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
 	/* To where it is already, and back from what others left there. */
@@ -601,7 +601,8 @@ what_nothing_breaks_is_not_corrected(void **state)
 }
 
 /* What a draw is corrected by at a slow speed follows its own model: all of it
- * where that breaks all, none where it breaks nothing, whatever the fit does. */
+ * where that breaks all, none where it breaks nothing, whatever the fit
+ * does. */
 static void
 a_slow_correction_follows_the_draw(void **state)
 {
@@ -621,15 +622,15 @@ a_slow_correction_follows_the_draw(void **state)
 	double *before = xdoubles(feed->n), *delta = xdoubles(feed->n);
 	double most = 0;
 	ensemble_draws_at(e, held);
-	ensemble_delta(e, 0, before);
+	ensemble_discrepancy(e, 0, before);
 	ensemble_draws_at(e, slow);
-	ensemble_delta(e, 0, delta);
+	ensemble_discrepancy(e, 0, delta);
 	for (size_t i = 0; i < feed->n; i++) {
 		expect_near("held", delta[i], before[i], 1e-12);
 		most = fmax(most, fabs(delta[i]));
 	}
 	assert_true(most > 1e-4);
-	ensemble_delta(e, 1, delta);
+	ensemble_discrepancy(e, 1, delta);
 	for (size_t i = 0; i < feed->n; i++)
 		assert_true(delta[i] == 0);
 	free(before);
@@ -737,8 +738,8 @@ test_seeds(void **state)
 
 /* ---- Between measured speeds (D25) ---- */
 
-/* The answers at a speed, [n * POSTERIOR_DRAWS] out, with that share of straight
- * draws. */
+/* The answers at a speed, [n * POSTERIOR_DRAWS] out, with that share of
+ * straight draws. */
 static void
 answers_at(struct posterior *p, const struct site *site, double straight,
     double v, double *out)
@@ -801,8 +802,8 @@ test_straight(void **state)
 
 enum { NO_LAW_SIEVES = 10, NO_LAW_RUNS = 3 };
 
-/* Curves of Rosin and Rammler whose size falls with the speed, and from 72 m/s on
- * is another, and that have nothing to do with the feed. */
+/* Curves of Rosin and Rammler whose size falls with the speed, and from 72 m/s
+ * on is another, and that have nothing to do with the feed. */
 struct no_law {
 	double size, finer, spread, leap;
 };

@@ -31,14 +31,14 @@ static void
 the_widest_gap_counts_where_mass_lies_in_it(void **state)
 {
 	(void)state;
-	assert_int_equal(psd_gap(&CURVE), 5);
+	assert_int_equal(psd_sieve_above_widest_gap(&CURVE), 5);
 	struct psd upper = {6, SIZES, PASSINGS};
-	assert_int_equal(psd_gap(&upper), 6);
+	assert_int_equal(psd_sieve_above_widest_gap(&upper), 6);
 	double size[] = {5, 2, 0.7}, passing[] = {1, 0.9, 0.5};
 	struct psd gaps = {2, size, passing};
-	assert_int_equal(psd_gap(&gaps), 2);
+	assert_int_equal(psd_sieve_above_widest_gap(&gaps), 2);
 	gaps.n = 3;
-	assert_int_equal(psd_gap(&gaps), 1);
+	assert_int_equal(psd_sieve_above_widest_gap(&gaps), 1);
 }
 
 /* A power law at sieves two octaves apart: between them the curve comes closer

@@ -35,8 +35,8 @@ what_a_terminal_acts_on_is_shown(void **state)
 		    SHOWN[i][1] != NULL ? SHOWN[i][1] : SHOWN[i][0];
 		char *shown = text_escaped(SHOWN[i][0]), *put = NULL;
 		size_t n = 0;
-		FILE *out = text_memory(&put, &n);
-		text_put(SHOWN[i][0], out);
+		FILE *out = text_open_memory(&put, &n);
+		text_print_escaped(SHOWN[i][0], out);
 		fclose(out);
 		assert_string_equal(shown, wanted);
 		assert_string_equal(put, wanted);

@@ -272,7 +272,7 @@ a_feed_needs_no_product(void **state)
 	assert_int_equal(site->n_run, 1);
 	assert_true(site->run[0].speed == 0 && !site->individual_feeds);
 	assert_int_equal(site->run[0].feed.n, 2);
-	assert_int_equal(site_products(site), 0);
+	assert_int_equal(site_count_products(site), 0);
 	assert_true(reads_back(site));
 	site_free(site);
 	site = accept("size_mm,feed@79,feed@69\n8,100,100\n4,60,50\n");

@@ -23,12 +23,12 @@ a_straight_line_does_not_bend(void **state)
 	(void)state;
 	double size[4] = {8, 4, 2, 1}, passing[4] = {0.9, 0.6, 0.3, 0};
 	struct psd line = {4, size, passing};
-	expect_near("line", psd_bend(&line, 1), 0, 1e-12);
+	expect_near("line", psd_off_chord(&line, 1), 0, 1e-12);
 	passing[2] = 0.4;
-	expect_near("bend", psd_bend(&line, 2), 0.1, 1e-12);
-	expect_near("bend", psd_bend(&line, 1), -0.05, 1e-12);
-	assert_true(isnan(psd_bend(&line, 0)));
-	assert_true(isnan(psd_bend(&line, 3)));
+	expect_near("bend", psd_off_chord(&line, 2), 0.1, 1e-12);
+	expect_near("bend", psd_off_chord(&line, 1), -0.05, 1e-12);
+	assert_true(isnan(psd_off_chord(&line, 0)));
+	assert_true(isnan(psd_off_chord(&line, 3)));
 	const struct psd *alone = &line;
 	struct psd_outlier o = psd_outlier(&alone, 1);
 	assert_true(o.sieve == 2 && o.others == 0);

@@ -98,7 +98,7 @@ check_round_trip(void)
 		memcpy(&value, &bits, sizeof value);
 		if (!isfinite(value))
 			continue;
-		assert_true(text_number(text_exact(value, buf), &back));
+		assert_true(text_number(text_exact_number(value, buf), &back));
 		if (memcmp(&value, &back, sizeof value) != 0)
 			fail_msg("%.17g became %s", value, buf);
 	}
@@ -125,7 +125,7 @@ exact_is_as_short_as_can_be(void **state)
 	char buf[32];
 	for (size_t i = 0; i < ARRAY_LEN(exact); i++)
 		assert_string_equal(
-		    text_exact(exact[i].value, buf), exact[i].text);
+		    text_exact_number(exact[i].value, buf), exact[i].text);
 }
 
 /* What was typed stays; what was worked out has no more digits than it takes to
@@ -146,7 +146,7 @@ a_number_apart_from_another(void **state)
 	char buf[32];
 	for (size_t i = 0; i < ARRAY_LEN(pairs); i++)
 		assert_string_equal(
-		    text_distinguishing(pairs[i].value, pairs[i].other, buf),
+		    text_number_unlike(pairs[i].value, pairs[i].other, buf),
 		    pairs[i].text);
 }
 
@@ -173,14 +173,14 @@ check_names(void)
 		char *slug = text_slug(NAMES[i].name);
 		assert_string_equal(folded, NAMES[i].folded);
 		assert_string_equal(slug, NAMES[i].slug);
-		assert_true(text_same(NAMES[i].name, folded));
+		assert_true(text_same_folded(NAMES[i].name, folded));
 		free(folded);
 		free(slug);
 	}
-	assert_false(text_same("Umeå", "Ume"));
-	assert_true(text_has("Kvarnby, Malmö", "MALMO"));
-	assert_false(text_has("Malmö", "Malmoe"));
-	assert_false(text_same("Bro", "Bru"));
+	assert_false(text_same_folded("Umeå", "Ume"));
+	assert_true(text_contains_word("Kvarnby, Malmö", "MALMO"));
+	assert_false(text_contains_word("Malmö", "Malmoe"));
+	assert_false(text_same_folded("Bro", "Bru"));
 }
 
 static void
@@ -425,7 +425,8 @@ what_does_not_fit_is_cut_between_words(void **state)
 	    {"* 74.25", 6, ""}, {"P20 1.10  P50 2.85", 15, "P20 1.10 .."},
 	    {"ab\033[2J", 8, "ab\033.."}, {"ab\033[2J", 7, "ab.."}};
 	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
-		char *fitted = text_fitted(CASES[i].text, CASES[i].columns);
+		char *fitted =
+		    text_cut_to_width(CASES[i].text, CASES[i].columns);
 		assert_string_equal(fitted, CASES[i].fitted);
 		free(fitted);
 	}

@@ -287,7 +287,7 @@ repeats_train_together_and_are_averaged(void **state)
 	struct params p = made_params(&TABLE_3[TIERP]);
 	validate_passing(
 	    site, 2, slow, &p, model_settings_default(), VALIDATE_NEAREST, out);
-	for (size_t i = 0; i < misfit_covered(&run[2]); i++)
+	for (size_t i = 0; i < misfit_count_covered(&run[2]); i++)
 		expect_near("nearest", out[i],
 		    (psd_passing(&run[0].product, run[2].product.size[i]) +
 			psd_passing(&run[1].product, run[2].product.size[i])) /

@@ -59,7 +59,7 @@ page(struct tui *t, int rows, int columns)
 	view_update(t);
 	frame_draw(t);
 	struct canvas *canvas = screen_end_offscreen(was);
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	canvas_print(canvas, 0, out);
 	fclose(out);
 	canvas_free(canvas);
@@ -175,7 +175,7 @@ tonnes_are_those_of_the_feed_that_flow_was_told(void **state)
 	expect_none(t, 50, 160, "of 120 t/h");
 	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
 	for (; session_busy(t->session); t->clock++)
-		watch_pump(t);
+		watch_run_due_steps(t);
 	press(t, "1");
 	expect_none(t, 50, 160, "t/h");
 }

@@ -22,7 +22,8 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* What is asked, how it is called, and the unit of a width after a number. */
+/* What is asked: the question, the quantity, its name, and the unit that
+ * follows a width. */
 struct advice_request {
 	const struct question *question;
 	struct quantity q;
@@ -30,8 +31,8 @@ struct advice_request {
 	const char *unit;
 };
 
-/* The draws of the answer, as people see them, [POSTERIOR_DRAWS] out.  False
- * where one lies outside the sieves. */
+/* Puts the draws of the answer into value [POSTERIOR_DRAWS], in the units that
+ * people see.  False if one lies outside the sieves. */
 static bool
 answer_draws(
     const struct session *s, const struct advice_request *w, double *value)
@@ -59,8 +60,8 @@ add_candidate(const struct site *site, struct advised *c, size_t n, double v)
 	return n + 1;
 }
 
-/* A repeat at each measured speed, the speed asked for and round ones; [*n],
- * which the caller frees. */
+/* Returns the speeds to consider: a repeat at each measured speed, the speed
+ * asked about and round ones.  *n: how many; the caller frees them. */
 static struct advised *
 advise_candidates(
     const struct session *s, const struct site *site, double asked, size_t *n)
@@ -69,7 +70,7 @@ advise_candidates(
 	FREED double *round = answers_speeds(s, site, &more);
 	struct advised *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (misfit_covered(&site->run[r]) > 0)
+		if (misfit_count_covered(&site->run[r]) > 0)
 			k = add_candidate(site, c, k, site->run[r].speed);
 	k = add_candidate(site, c, k, asked);
 	for (size_t i = 0; i < more; i++)
@@ -86,8 +87,8 @@ compare_width(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* Of samples at the sieves of the site's products that the feed covers, [*n]
- * quantities. */
+/* Returns a forecast of samples at the sieves of the site's products that the
+ * feed covers; *n: how many sieves. */
 static struct forecast *
 forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
 {
@@ -101,9 +102,10 @@ forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
 	return forecast_open(s, q, asked, *n);
 }
 
-/* Sorts the candidates by what they leave of a width. */
+/* Sorts the candidates by the width of the band that each is expected to
+ * leave. */
 static void
-advise_weigh(const struct session *s, const struct advice_request *w,
+sort_by_expected_width(const struct session *s, const struct advice_request *w,
     const double *answer, double width, struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
@@ -122,8 +124,8 @@ advise_weigh(const struct session *s, const struct advice_request *w,
 	qsort(c, n, sizeof *c, compare_width);
 }
 
-/* Where each run has a feed of its own the product is as uncertain as the
- * feed. */
+/* Warns if each run has a feed of its own, because the product is then as
+ * uncertain as the feed. */
 static void
 note_feed(
     struct answer *r, const struct session *s, const struct advice_request *w)
@@ -170,8 +172,8 @@ advise_note_best(struct answer *r, const struct advice_request *w,
 		    best->width, w->unit, less);
 }
 
-/* The candidates, best first, [*n], which the caller frees, and the band now;
- * NULL where there is none to narrow. */
+/* Returns the candidates, best first, and the band as it is now; *n: how many.
+ * Returns NULL if there is no band to narrow.  The caller frees them. */
 static struct advised *
 candidates_by_width(const struct session *s, const struct advice_request *w,
     double *answer, double ends[2], size_t *n)
@@ -182,7 +184,7 @@ candidates_by_width(const struct session *s, const struct advice_request *w,
 		return NULL;
 	struct advised *c = advise_candidates(
 	    s, w->question->entry->site, w->question->speed, n);
-	advise_weigh(s, w, answer, width, c, *n);
+	sort_by_expected_width(s, w, answer, width, c, *n);
 	return c;
 }
 
@@ -203,7 +205,7 @@ advise_best(const struct session *s, const struct question *q,
 	return true;
 }
 
-/* NULL where there is no band to narrow. */
+/* Returns NULL if there is no band to narrow. */
 static struct answer *
 advise_answer(
     const struct session *s, const struct advice_request *w, double *answer)
@@ -247,9 +249,9 @@ advise_answer(
 	return r;
 }
 
-/* The quantity that is named, P80 without. */
+/* Reads the quantity that is named, otherwise P80. */
 static bool
-take_quantity(
+read_quantity_or_p80(
     const struct args *args, struct advice_request *w, struct error *error)
 {
 	const char *of = args->of != NULL ? args->of : "P80";
@@ -299,7 +301,7 @@ cmd_advise(struct session *s, const struct args *args, struct question *q,
 {
 	question_as_last(s, args, q);
 	struct advice_request w = {.question = q};
-	bool ok = take_quantity(args, &w, error) && advise(s, &w, error);
+	bool ok = read_quantity_or_p80(args, &w, error) && advise(s, &w, error);
 	free(w.name);
 	return ok;
 }

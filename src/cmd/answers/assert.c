@@ -21,7 +21,8 @@ const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
     {"extrapolated", "predict", "extrapolated"},
     {"inside", "spec find", "inside"}};
 
-/* A name, or any field as COMMAND.FIELD.  False where the word is neither. */
+/* Finds the value of a name, or of any field written as COMMAND.FIELD.  False
+ * if the word is neither. */
 static bool
 assert_look_up(const struct session *s, const char *word, double *value)
 {
@@ -75,7 +76,8 @@ assert_side(const struct session *s, const char *word, double *value,
 		   word);
 }
 
-/* 1 or 0; -1 where there is no such operator. */
+/* Returns 1 if the comparison holds, 0 if not, and -1 if there is no such
+ * operator. */
 static int
 assert_holds(const char *op, double a, double b, double within)
 {
@@ -88,7 +90,7 @@ assert_holds(const char *op, double a, double b, double within)
 	return -1;
 }
 
-/* "FILE is DIGEST": nothing in it has changed. */
+/* Checks "FILE is DIGEST": that the file has not changed. */
 static bool
 file_has_digest(const struct session *s, const char *path, const char *wanted,
     struct error *error)

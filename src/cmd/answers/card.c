@@ -22,8 +22,8 @@
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
-/* What is asked at every speed: P20, P50 and P80, then the user's figures, of
- * which the first is at `first`; limits, and tonnes. */
+/* What is answered at every speed: P20, P50 and P80, then the user's figures,
+ * the first of which is at `first`; whether the limits are met; and tonnes. */
 struct card_request {
 	const struct question *question;
 	size_t n, first;
@@ -31,7 +31,7 @@ struct card_request {
 	struct forecast *forecast;
 	struct condition_list list; /* limits of the product, or none */
 	struct wanted wanted;
-	struct plant plant; /* circuit NULL: none is asked about */
+	struct plant plant; /* circuit NULL: no flow was asked for */
 	size_t n_line;
 	struct plant_line *line;
 	char *power;
@@ -59,8 +59,8 @@ add_list(struct card_request *all, const char *text, const struct psd *feed,
 	return q != NULL;
 }
 
-/* Of the site's own sieves: what passes 2 mm or the one nearest to it, and the
- * fines, or else what passes the finest. */
+/* Adds two passings: of the site's sieve nearest to 2 mm, and the fines or, if
+ * the feed does not cover them, of the finest sieve. */
 static bool
 add_usual_passings(
     struct card_request *all, const struct psd *feed, struct error *error)
@@ -92,7 +92,7 @@ card_request_free(struct card_request *all)
 	forecast_close(all->forecast);
 }
 
-/* Tonnes are wanted where there is a feed or a circuit. */
+/* Reads the plant if the new feed or a circuit is given. */
 static bool
 read_flow(struct session *s, struct card_request *all, const struct args *args,
     struct error *error)
@@ -110,23 +110,24 @@ read_flow(struct session *s, struct card_request *all, const struct args *args,
 	return true;
 }
 
-/* What the products of the plant are called is known when it was worked out
- * once. */
+/* Solves the circuit once, because only that gives the names of the
+ * products. */
 static bool
 find_lines(struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
 	struct plant_result o = plant_solve_at(&all->plant, speed);
-	bool ok = !o.flow.open || plant_not_steady(&all->plant, &o, error);
+	bool ok =
+	    !o.flow.open || plant_error_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
-	all->n_line = plant_lines(&all->plant, &o, all->line);
+	all->n_line = plant_list_lines(&all->plant, &o, all->line);
 	all->power = plant_power_words(&all->plant, &o);
 	flow_free(&o.flow);
 	return ok;
 }
 
-/* The limits of the goal that is set, where the line has none; a goal that is a
- * value is for find. */
+/* Takes the limits of the session's goal if the line has none.  A goal that is
+ * a value is left to find. */
 static bool
 take_goal(struct session *s, struct card_request *all, struct error *error)
 {
@@ -170,17 +171,17 @@ struct card_row {
 	enum light light;
 };
 
-/* A column of the card.  key: NULL where people alone see it; head: NULL where
- * programs alone do, or there was no room.  word [rows]: NULL of a number.
- * spare: the larger, the sooner it is left out where there is no room. */
+/* A column of the card.  key: NULL if only people see it.  head: NULL if only
+ * programs see it, or if there was no room.  word [rows]: NULL for a number.
+ * spare: the larger it is, the sooner the column is left out. */
 struct card_column {
 	char *key, *head, **word;
 	double *number;
 	int decimals, spare, wide;
 };
 
-/* Columns [n], filled row by row, from left to right.  ranged: there is a range
- * of a figure. */
+/* Columns [n] that are filled row by row, from left to right.  ranged: one
+ * figure has its range beside it. */
 struct page {
 	size_t n, rows, row, next;
 	struct card_column *column;
@@ -196,8 +197,8 @@ copy_or_null(const char *text)
 	return text != NULL ? xstrdup(text) : NULL;
 }
 
-/* The next cell of the row, whose column the first row begins.  Takes the word,
- * NULL of a number. */
+/* Puts the next cell of the row; in the first row it adds the column.  Takes
+ * ownership of the word, which is NULL for a number. */
 static void
 put_cell(struct page *page, const char *key, const char *head, int decimals,
     int spare, double number, char *word)
@@ -236,8 +237,8 @@ put_words(
 	put_cell(page, key, head, AS_NEEDED, spare, NAN, word);
 }
 
-/* "<2 mm": as short as a page for a wall wants it.  What all figures are of is
- * said below. */
+/* Returns "<2 mm", which is short enough for a page on a wall.  A note below
+ * names the fraction that all figures are about. */
 static char *
 page_head(const struct card_request *all, const struct quantity *q)
 {
@@ -255,8 +256,8 @@ page_head(const struct card_request *all, const struct quantity *q)
 	return words;
 }
 
-/* The figure whose range a page has room for: the first that has a limit, or
- * the first that was asked for. */
+/* Returns the one figure whose range a page has room for: the first that has a
+ * limit, otherwise the first that was asked for. */
 static size_t
 ranged_figure(const struct card_request *all)
 {
@@ -268,7 +269,7 @@ ranged_figure(const struct card_request *all)
 	return all->first;
 }
 
-/* Where the feed does not tell a size at this speed nothing stands. */
+/* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
 put_figures(struct page *page, const struct card_request *all)
 {
@@ -298,7 +299,7 @@ put_figures(struct page *page, const struct card_request *all)
 	put_number(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
 }
 
-/* Tonnes of the plant's lines, NAN where it does not become steady. */
+/* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
 static void
 put_flow(struct page *page, const struct card_request *all, double speed)
 {
@@ -323,7 +324,7 @@ put_flow(struct page *page, const struct card_request *all, double speed)
 	flow_free(&o.flow);
 }
 
-/* For programs, met is what is the more likely. */
+/* Programs are told "met" if that is the more likely. */
 static void
 put_limits(struct page *page, const struct card_row *row)
 {
@@ -337,7 +338,8 @@ put_limits(struct page *page, const struct card_row *row)
 	    drawn ? conditions_percent(row->share) : xstrdup("-"));
 }
 
-/* What one speed gives; people see "amber?" beyond the measured speeds. */
+/* Puts the answer at one speed.  Beyond the measured speeds people see
+ * "amber?". */
 static void
 put_row(struct page *page, struct session *s, const struct card_request *all,
     struct card_row *row, struct trust *worst)
@@ -384,9 +386,9 @@ page_free(struct page *page)
 	free(page->column);
 }
 
-/* "hollow_lane (Hollow Lane Quarry): card of 2026-11-27": a site that has only
- * the name of its file is known in the cabin by the first line of its sheet, up
- * to a comma or a dash. */
+/* Titles the card "hollow_lane (Hollow Lane Quarry): card of 2026-11-27".  A
+ * site that has only the name of its file is known in the cabin by the first
+ * line of its sheet, up to a comma or a dash. */
 static void
 page_title(struct answer *r, const struct site *site, const char *today)
 {
@@ -407,9 +409,9 @@ page_title(struct answer *r, const struct site *site, const char *today)
 	}
 }
 
-/* Leaves out what can be spared until a row is one line of 80; what that was,
- * or "", which the caller frees.  Where it is not enough the table is wider: it
- * stays one. */
+/* Leaves out columns that can be spared until a row fits into 80 characters. If
+ * that is not enough, the table becomes wider rather than two.  Returns the
+ * headings of the columns left out, or ""; the caller frees them. */
 static char *
 page_drop_to_fit(struct page *page, struct answer *r)
 {
@@ -438,7 +440,7 @@ page_drop_to_fit(struct page *page, struct answer *r)
 	}
 }
 
-/* A line a speed, for people or for programs. */
+/* Adds a line for each speed, for people or for programs. */
 static void
 add_page(struct answer *r, const struct page *page, bool people)
 {
@@ -477,7 +479,7 @@ note_flow(struct answer *r, const struct card_request *all)
 		    "without what comes back; tonnes include it");
 }
 
-/* That no row is likely to meet the limits; where one is, the rows say so. */
+/* Warns if no row is likely to meet the limits.  Otherwise the rows show it. */
 static void
 note_unmet(struct answer *r, const struct site *site,
     const struct card_row *row, size_t n)
@@ -510,7 +512,8 @@ note_limits(struct answer *r, const struct card_request *all,
 	conditions_note_source(r, &all->list);
 }
 
-/* "66.19, 71.84, 78 m/s (1290, 1400, 1520 rpm)"; the caller frees. */
+/* Returns "66.19, 71.84, 78 m/s (1290, 1400, 1520 rpm)".  The caller frees
+ * it. */
 static char *
 measured_words(const struct site *site)
 {
@@ -526,8 +529,7 @@ measured_words(const struct site *site)
 	return words;
 }
 
-/* What the figures are, of which machine, found how, and who answers for
- * them. */
+/* Notes what the figures mean, the machine, and how they were found. */
 static void
 note_basis(struct answer *r, const struct session *s,
     const struct card_request *all, const char *dropped, bool range)
@@ -569,8 +571,8 @@ note_basis(struct answer *r, const struct session *s,
 	    speeds);
 }
 
-/* The lights stand in the rows.  Where none of them is green the least bad says
- * why, of measured speeds first; programs are given the worst. */
+/* The rows show the lights.  If none is green, the best of them states its
+ * reasons, preferably at a measured speed.  Programs are given the worst. */
 static void
 note_light(struct answer *r, const struct session *s, const struct question *q,
     const struct card_row *row, size_t n, struct trust *worst)

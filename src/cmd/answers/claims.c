@@ -17,7 +17,7 @@
 #include "core/model/breakage.h"
 
 /* The fits of the paper's model at loaded sites [n], their held-out runs, and
- * Table 3. */
+ * the rows of Table 3. */
 struct shown {
 	size_t n;
 	const struct entry **fit;
@@ -41,8 +41,8 @@ collect_fits(struct shown *c, const struct session *s)
 	}
 }
 
-/* The claim, whether these data bear it out, and the figures: for people in a
- * paragraph, for programs in a row. */
+/* Adds a claim, whether these data bear it out, and the figures: a paragraph
+ * for people, a row for programs.  Frees the figures. */
 static void
 add_claim(struct answer *r, const char *words, bool borne_out, char *figures)
 {
@@ -54,7 +54,7 @@ add_claim(struct answer *r, const char *words, bool borne_out, char *figures)
 }
 
 static void
-claim_range(struct answer *r, const struct shown *c)
+claim_params_within_bounds(struct answer *r, const struct shown *c)
 {
 	size_t bound = 0;
 	double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {0};
@@ -79,7 +79,7 @@ claim_range(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_sizes(struct answer *r, const struct shown *c)
+claim_p50_differs_least(struct answer *r, const struct shown *c)
 {
 	double rms[PSD_SIZES];
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -98,7 +98,8 @@ claim_sizes(struct answer *r, const struct shown *c)
 					     : tr("neither P20 nor P80"))));
 }
 
-/* A correlation further below 0 than chance brings once in 20 (t about 2). */
+/* True if a correlation is so far below 0 that chance alone reaches it once in
+ * 20 times (t is about 2). */
 static bool
 is_negative(double r, size_t n)
 {
@@ -107,7 +108,7 @@ is_negative(double r, size_t n)
 }
 
 static void
-claim_opposite(struct answer *r, const struct shown *c)
+claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 {
 	size_t most = c->n > c->paper.n ? c->n : c->paper.n;
 	double *x = xdoubles(most), *y = xdoubles(most), printed, fitted;
@@ -132,7 +133,7 @@ claim_opposite(struct answer *r, const struct shown *c)
 		2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2)));
 }
 
-/* The row of Table 3 that is called as the site is, or NULL. */
+/* Returns the row of Table 3 that has the name of the site, or NULL. */
 static const struct stored *
 claims_table3_row(const struct shown *c, const struct entry *entry)
 {
@@ -140,9 +141,10 @@ claims_table3_row(const struct shown *c, const struct entry *entry)
 	return stored_find(&c->paper, name);
 }
 
-/* Of reconstructed sites the product at a speed is known: that of their row. */
+/* For a reconstructed site the product at any speed is known: that of its
+ * row. */
 static void
-claim_beyond(struct answer *r, const struct shown *c)
+claim_extrapolation(struct answer *r, const struct shown *c)
 {
 	static const double SPEED[] = {65, 85};
 	const double far = 1;
@@ -182,7 +184,7 @@ claim_beyond(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_middle_speed(struct answer *r, const struct shown *c)
+claim_middle_speed_verifies(struct answer *r, const struct shown *c)
 {
 	size_t wins = 0, n = 0;
 	double sum[2] = {0};
@@ -207,15 +209,15 @@ claim_middle_speed(struct answer *r, const struct shown *c)
 			100 * sqrt(sum[1] / (double)n), wins, n));
 }
 
-/* D11. */
+/* See D11. */
 static void
-claim_resistance(struct answer *r, const struct shown *c)
+claim_f_mat_resists(struct answer *r, const struct shown *c)
 {
 	size_t more = 0;
 	double sum = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		struct params p = c->fit[i]->params;
-		double speed = site_middle(c->fit[i]->site), share[2];
+		double speed = site_middle_speed(c->fit[i]->site), share[2];
 		for (size_t k = 0; k < 2; k++) {
 			struct prediction of = predict(c->fit[i]->site, &p,
 			    c->settings, speed, SITE_MEAN_FEED);
@@ -251,12 +253,12 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
 	answer_sites(r, "", about);
 	if (any) {
-		claim_range(r, &c);
-		claim_middle_speed(r, &c);
-		claim_sizes(r, &c);
-		claim_beyond(r, &c);
-		claim_opposite(r, &c);
-		claim_resistance(r, &c);
+		claim_params_within_bounds(r, &c);
+		claim_middle_speed_verifies(r, &c);
+		claim_p50_differs_least(r, &c);
+		claim_extrapolation(r, &c);
+		claim_f_mat_opposes_e0_min(r, &c);
+		claim_f_mat_resists(r, &c);
 	}
 	answer_put_rows(r, "claims");
 	fields_put(answer_fields(r), "what %s sites %zu", "claims", c.n);

@@ -24,7 +24,8 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* One of the two, with its name for people; what is pinned is borrowed. */
+/* One of the two products, and its name for people.  A pinned prediction stays
+ * with the session. */
 struct side {
 	const struct entry *entry;
 	struct question q;
@@ -41,7 +42,7 @@ are_two_sites(const struct side side[2])
 	return entry_loaded(side[0].entry) != entry_loaded(side[1].entry);
 }
 
-/* Passing at a size, NAN where the side's sieves do not tell it. */
+/* Returns the passing at a size, NAN if the side's sieves do not cover it. */
 static double
 passing_at(const struct side *side, double x)
 {
@@ -49,8 +50,8 @@ passing_at(const struct side *side, double x)
 	return psd_covers(p, x) ? psd_passing(p, x) : NAN;
 }
 
-/* Sieves of both, coarsest first; of one that is pinned those are left out that
- * the other was not asked for.  The caller frees. */
+/* Returns the sieves of both, coarsest first.  If one is pinned, only the
+ * sieves of the other count.  The caller frees them. */
 static double *
 all_sieves(const struct side side[2], size_t *n)
 {
@@ -67,8 +68,8 @@ all_sieves(const struct side side[2], size_t *n)
 	return x;
 }
 
-/* What both are asked for, the passings of sieves [n] and the sizes, at the
- * speed of each; NULL of what is pinned. */
+/* Forecasts the passings of sieves [n] and the sizes at the side's speed.
+ * Returns NULL for a pinned prediction. */
 static struct forecast *
 side_forecast(
     const struct session *s, const struct side *side, const double *x, size_t n)
@@ -86,7 +87,7 @@ side_forecast(
 	return f;
 }
 
-/* Cells for the two ends of b - a. */
+/* Adds the cells with the two ends of b - a. */
 static void
 difference_cells(
     struct answer *r, struct forecast *const f[2], size_t i, bool size)
@@ -132,8 +133,8 @@ comparison_rows(struct answer *r, const struct side side[2],
 	}
 }
 
-/* The least and the most of the differences that each of the feeds that were
- * sampled makes between the speeds; false where the answer has one feed. */
+/* Finds the smallest and the largest difference between the speeds that any of
+ * the sampled feeds gives.  False if the answer is for one feed only. */
 static bool
 feeds_difference(const struct session *s, const struct side side[2],
     const struct quantity *q, double range[static 2])
@@ -154,7 +155,7 @@ feeds_difference(const struct session *s, const struct side side[2],
 	return range[0] <= range[1];
 }
 
-/* A difference as it is shown, rounded, never -0. */
+/* Returns a difference as it is shown: rounded, and never -0. */
 static double
 shown_difference(const struct quantity *q, double value)
 {
@@ -162,7 +163,7 @@ shown_difference(const struct quantity *q, double value)
 	return round(steps * quantities_shown(q, value)) / steps + 0.0;
 }
 
-/* Which of the two has more, and whether the feeds change that. */
+/* Says which of the two has more, and whether the feeds change that. */
 static void
 note_difference(struct answer *r, const struct session *s,
     const struct side side[2], const struct quantity *q, struct figure more)
@@ -196,8 +197,8 @@ note_difference(struct answer *r, const struct session *s,
 		    shown_difference(q, range[1]), unit);
 }
 
-/* A row, an object for programs and a sentence for each of the figures that
- * were named [n]. */
+/* Adds, for each of the figures that were named [n], a row, an object for
+ * programs and a sentence. */
 static void
 compare_figures(struct answer *r, const struct session *s,
     const struct side side[2], const struct quantity *q, size_t n)
@@ -257,7 +258,7 @@ put_side(struct fields *o, const char *key, const struct side *side,
 	origin_put(one, side->entry);
 }
 
-/* The provenance of both: once where they have the same. */
+/* Returns the provenance of both, once if it is the same. */
 static char *
 provenance_of_both(const struct side side[2])
 {
@@ -273,7 +274,8 @@ provenance_of_both(const struct side side[2])
 	return both;
 }
 
-/* What limits either side. */
+/* Notes what breaks on each side, and warns of speeds outside the training
+ * speeds. */
 static void
 comparison_notes(struct answer *r, const struct side side[2])
 {
@@ -285,7 +287,8 @@ comparison_notes(struct answer *r, const struct side side[2])
 			    "%s is outside the training speeds", side[i].head);
 }
 
-/* What both rest on, once where it is the same; one light for the two. */
+/* Shows what both answers rest on, once if it is the same, and one light for
+ * the two. */
 static void
 show_basis(const struct session *s, struct answer *r, const struct side side[2])
 {
@@ -305,8 +308,8 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 	light_show(r, light);
 }
 
-/* What is pinned stays as it was, so that nothing is known of how its draws go
- * with others. */
+/* A pinned prediction stays as it was.  Its draws are therefore not paired with
+ * those of the other side, and the difference has no band. */
 static bool
 take_pinned(struct session *s, const struct args *args, struct side *side,
     struct error *error)
@@ -339,9 +342,9 @@ is_pinned(const struct args *args, size_t i)
 	return strcmp(args->operand[i], PIN) == 0;
 }
 
-/* Side i: a loaded site at the speed of the option, with a feed of its own; or
- * the site in use at a speed, with one feed for both speeds, but beside what is
- * pinned with that of predict. */
+/* Reads side i: a loaded site at the speed of the option, with a feed of its
+ * own; or the site in use at a speed.  Two speeds share one feed.  Beside a
+ * pinned prediction the feed is chosen as predict does. */
 static bool
 take_side(struct session *s, const struct args *args, bool sites, size_t i,
     struct side *side, struct error *error)
@@ -374,7 +377,7 @@ take_side(struct session *s, const struct args *args, bool sites, size_t i,
 	return true;
 }
 
-/* What stands over the columns: what the two differ in. */
+/* Names the columns by what the two sides differ in. */
 static void
 set_column_headings(bool sites, struct side side[2])
 {
@@ -391,7 +394,7 @@ set_column_headings(bool sites, struct side side[2])
 	}
 }
 
-/* The heading of two sites. */
+/* Sets the title of an answer about two sites. */
 static void
 set_title(struct answer *r, const struct side side[2], const char *passing,
     const char *fraction)
@@ -412,7 +415,7 @@ set_title(struct answer *r, const struct side side[2], const char *passing,
 	answer_sites(r, both, data);
 }
 
-/* The sieves, sizes and break sizes of both. */
+/* Adds the sieves, sizes and break sizes of both. */
 static void
 compare_curves(struct answer *r, const struct session *s,
     const struct side side[2], const double *x, size_t n)
@@ -432,7 +435,7 @@ compare_curves(struct answer *r, const struct session *s,
 		forecast_close(f[i]);
 }
 
-/* q [n_q]: the figures that are shown; NULL: the curves. */
+/* q [n_q]: the figures that are shown; NULL shows the curves. */
 static struct answer *
 comparison(const struct session *s, const struct side side[2],
     const struct quantity *q, size_t n_q)
@@ -461,8 +464,8 @@ comparison(const struct session *s, const struct side side[2],
 	return r;
 }
 
-/* Both curves as a picture, the second as the one that is looked at; what is
- * pinned never is. */
+/* Draws both curves as an image, with the second as the main one, unless that
+ * is pinned. */
 static bool
 draw_both(struct session *s, const struct side side[2], struct error *error)
 {
@@ -482,7 +485,8 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	return chart != NULL && plot_write_image(s, chart, error);
 }
 
-/* The figures of of=, NULL without; *q is the caller's to free. */
+/* Reads the figures of of=; leaves *q NULL if there are none.  The caller frees
+ * it. */
 static bool
 take_figures(const struct args *args, const struct side side[2],
     struct quantity **q, size_t *n, struct error *error)
@@ -511,7 +515,9 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 				 !value_number(args->operand[i], "m/s", &v));
 	if (!sites && args->speed > 0)
 		return error_set(error, ERROR_USAGE,
-		    "compare: expected two speeds, or two sites and a speed");
+		    "compare: expected no speed= with two speeds\n"
+		    "write: compare 69 79, or two sites: compare tierp bro "
+		    "speed=74");
 	FREED struct quantity *q = NULL;
 	size_t n = 0;
 	bool ok = take_side(s, args, sites, 0, &side[0], error) &&

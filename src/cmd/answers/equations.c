@@ -29,7 +29,8 @@ static const struct {
 	"E = sum of ((P_exp,high - P_sim,high)^2 - (P_exp,low - P_sim,low)^2)",
 	"E = sum of ((measured - simulated)^2 at both speeds) (D6)"}};
 
-/* What is worked out: the site, its parameters, and the two runs of Eq 5. */
+/* What the examples are worked out with: the site, its parameters, and the two
+ * runs of Eq 5. */
 struct worked {
 	const struct site *site;
 	const struct params *p;
@@ -37,7 +38,8 @@ struct worked {
 	size_t low, high;
 };
 
-/* Of Eq 3 the exponent without sign and floor, x in the unit it is given in. */
+/* Returns the exponent of Eq 3 without its sign and its floor at 0; x in
+ * whatever unit it is given in. */
 static double
 equations_exponent(const struct worked *w, double x, double speed)
 {
@@ -46,8 +48,8 @@ equations_exponent(const struct worked *w, double x, double speed)
 	       (pow(x, p->alpha) * speed * speed / 2 - p->e0_min);
 }
 
-/* Two sieves' middle on log size, m, where something breaks, or where nothing
- * does: the coarsest such class. */
+/* Returns the middle, on log size, of the coarsest size class in which
+ * something breaks or, if not `breaks`, in which nothing does, m. */
 static double
 class_midpoint(const struct worked *w, double speed, bool breaks)
 {
@@ -86,9 +88,9 @@ say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 	}
 }
 
-/* The share of the feed that breaks where x is in millimetres. */
+/* Returns the share of the feed that would break if x were in millimetres. */
 static double
-selected_in_mm(const struct worked *w, double speed)
+broken_share_in_mm(const struct worked *w, double speed)
 {
 	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
 	double sum = 0;
@@ -102,7 +104,7 @@ selected_in_mm(const struct worked *w, double speed)
 }
 
 static void
-say_metres(struct answer *r, const struct worked *w)
+say_effect_of_millimetres(struct answer *r, const struct worked *w)
 {
 	double speed[2] = {w->site->run[w->low].speed,
 	    w->site->run[w->high].speed},
@@ -111,7 +113,7 @@ say_metres(struct answer *r, const struct worked *w)
 		struct prediction p = predict(
 		    w->site, w->p, w->settings, speed[i], SITE_MEAN_FEED);
 		metres[i] = 100 * p.selected;
-		mm[i] = 100 * selected_in_mm(w, speed[i]);
+		mm[i] = 100 * broken_share_in_mm(w, speed[i]);
 		prediction_free(&p);
 	}
 	fields_put(fields_object(answer_fields(r), "d2"),
@@ -124,7 +126,8 @@ say_metres(struct answer *r, const struct worked *w)
 	    metres[0], speed[0], metres[1], speed[1], mm[0], mm[1]);
 }
 
-/* RMSE of parameters at one run, or for n_run at both, points. */
+/* Returns the RMSE of the parameters at one run or, if run is n_run, at both,
+ * in points. */
 static double
 rmse_points(const struct worked *w, struct model_settings settings,
     const struct params *p, size_t run)
@@ -138,9 +141,10 @@ rmse_points(const struct worked *w, struct model_settings settings,
 	return rmse;
 }
 
-/* The literal reading: whatever beta, each progeny class has the same share. */
+/* Says what the literal reading gives: each progeny class has the same share,
+ * whatever beta is. */
 static void
-say_parents(struct answer *r, const struct worked *w)
+say_literal_appearance(struct answer *r, const struct worked *w)
 {
 	struct model_settings literal = w->settings;
 	struct params other = *w->p;
@@ -171,8 +175,9 @@ say_parents(struct answer *r, const struct worked *w)
 	    most < 1e-9 ? 0 : most, off, used);
 }
 
-/* Of a grid over Table 2's bounds the parameters of the least printed Eq 5; the
- * first is the site's own. */
+/* Finds, in a grid over Table 2's bounds, the parameters with the smallest Eq 5
+ * as printed, and returns that value.  The search starts from the site's own
+ * parameters. */
 static double
 best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
     struct misfit *high, struct params *best)
@@ -197,7 +202,7 @@ best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
 }
 
 static void
-say_minus(struct answer *r, const struct worked *w)
+say_printed_minus_of_eq5(struct answer *r, const struct worked *w)
 {
 	struct misfit *m[2];
 	for (size_t i = 0; i < 2; i++) {
@@ -225,8 +230,8 @@ say_minus(struct answer *r, const struct worked *w)
 	misfit_free(m[1]);
 }
 
-/* The slowest and the fastest run with a product; false where there are no two
- * of them. */
+/* Finds the slowest and the fastest run with a product.  False if there are not
+ * two of them. */
 static bool
 find_runs(struct worked *w)
 {
@@ -242,8 +247,8 @@ find_runs(struct worked *w)
 	       w->site->run[w->low].speed < w->site->run[w->high].speed;
 }
 
-/* With the numbers of the site in use, where it has parameters of the paper's
- * model. */
+/* Works the equations out for the site in use, if it has parameters of the
+ * paper's model. */
 static void
 equations_work_out(struct answer *r, const struct session *s)
 {
@@ -261,9 +266,9 @@ equations_work_out(struct answer *r, const struct session *s)
 	say_sign_of_eq3(r, &w, answers_usual_speed(entry));
 	if (!find_runs(&w))
 		return;
-	say_metres(r, &w);
-	say_parents(r, &w);
-	say_minus(r, &w);
+	say_effect_of_millimetres(r, &w);
+	say_literal_appearance(r, &w);
+	say_printed_minus_of_eq5(r, &w);
 }
 
 bool

@@ -9,11 +9,12 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
 
-/* What is shown unless told otherwise, as far as the feed tells. */
+/* The figures that are shown by default, as far as the feed covers them. */
 #define USUAL "P10,P20,P50,P80,P90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
 
-/* A row, and an object of the list or for NULL none; model: with the model
- * alone, for programs; people have not the room. */
+/* Adds a row for people and, unless list is NULL, an object.  model: also add
+ * the figure by the model alone, for programs, because people have no room for
+ * it. */
 static void
 add_figure(struct answer *r, struct fields *list, struct forecast *all,
     size_t i, const struct quantity *q, double speed, bool model)

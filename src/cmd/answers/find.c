@@ -18,16 +18,16 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* What is wanted: one value of a quantity, or the most or the least of it, and
- * the conditions that have to hold besides; on which feed, and between which
- * speeds.  n: how many goals were named. */
+/* What is wanted: a value of a quantity, or its maximum or minimum, and other
+ * conditions that have to hold; on which feed, and between which speeds. n: the
+ * number of goals that were named. */
 struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
-	struct condition target; /* both limits the value */
+	struct condition target; /* both limits are the value */
 	struct condition_list others;
 	const struct question *question;
-	struct wanted wanted; /* the others; then the target */
+	struct wanted wanted; /* the others, then the target */
 };
 
 static void
@@ -37,7 +37,7 @@ add_target(struct find_request *goal, struct quantity q, double value)
 	goal->target = (struct condition){q, value, value};
 }
 
-/* The goals of the options p20, p50, p80, passing and at. */
+/* Reads the goals of the options p20, p50, p80, passing and at. */
 static void
 read_options(const struct args *args, const struct fraction *fraction,
     struct find_request *goal)
@@ -80,7 +80,7 @@ read_operand(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Conditions alone are a window's; or else something is to be most. */
+/* Refuses conditions alone, which belong to window, and proposes a maximum. */
 static bool
 no_goal(const struct args *args, const struct find_request *goal,
     struct error *error)
@@ -104,7 +104,7 @@ no_goal(const struct args *args, const struct find_request *goal,
 	return false;
 }
 
-/* Exactly one goal is given, with what belongs to it. */
+/* Checks that there is exactly one goal, and all that belongs to it. */
 static bool
 check_goal(const struct args *args, const struct find_request *goal,
     struct error *error)
@@ -146,7 +146,7 @@ read_goal(struct session *s, const struct args *args, struct find_request *goal,
 	return conditions_add_option(s, args, q, &goal->others, error);
 }
 
-/* The target's, as people see it. */
+/* Returns a value of the target in the unit that people see. */
 static double
 shown_value(const struct find_request *goal, double value)
 {
@@ -161,7 +161,7 @@ find_value_at(const struct find_request *goal, double v)
 	return forecast_shown(f, goal->wanted.n).value;
 }
 
-/* "P80 5 mm", "40 % passing 2 mm", "the most passing 2 mm". */
+/* Returns "P80 5 mm", "40 % passing 2 mm" or "the largest passing 2 mm". */
 static char *
 goal_words(const struct find_request *goal)
 {
@@ -215,7 +215,7 @@ put_goal(struct fields *o, const struct find_request *goal, double speed,
 	    find_within(f->cut[0]), find_within(f->cut[1]));
 }
 
-/* The speed of what was found, NAN: none. */
+/* Returns the speed that was found, or NAN. */
 static double
 speed_found(const struct find_request *goal, const struct speed_search *f)
 {
@@ -224,8 +224,8 @@ speed_found(const struct find_request *goal, const struct speed_search *f)
 		   : speed_search_extreme(f, goal->kind == GOAL_MOST, false);
 }
 
-/* "66.2 to 68.9 m/s (1290 to 1343 rpm)", an end of which may lie beyond the
- * speeds searched; the caller frees. */
+/* Returns "66.2 to 68.9 m/s (1290 to 1343 rpm)"; an end may lie beyond the
+ * speeds searched.  The caller frees the words. */
 static char *
 range_words(const struct find_request *goal, const double range[2])
 {
@@ -307,8 +307,8 @@ note_each_feed(struct answer *r, const struct session *s,
 	    words);
 }
 
-/* The speed found with its range, and that in which a belt cut may show the
- * value. */
+/* Notes the speed found with its range, and the range in which a belt cut may
+ * show the value. */
 static void
 find_note_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
@@ -339,8 +339,8 @@ find_note_speed(struct answer *r, const struct find_request *goal,
 	}
 }
 
-/* "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed the forecast is at; the
- * caller frees. */
+/* Returns "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed of the forecast.
+ * The caller frees the words. */
 static char *
 value_words(const struct find_request *goal, size_t i)
 {
@@ -355,8 +355,8 @@ value_words(const struct find_request *goal, size_t i)
 	    quantities_unit_suffix(q), band);
 }
 
-/* The largest value, and what keeps it from being larger: a limit that is
- * missed a tenth further on, or the end of what was searched. */
+/* Notes the extreme value and what keeps it from going further: a limit that
+ * would be missed, or the end of the speeds searched. */
 static void
 note_extreme(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
@@ -387,8 +387,8 @@ note_extreme(struct answer *r, const struct find_request *goal,
 	}
 }
 
-/* The best with the probability of bands, which at a limit that binds is a half
- * only. */
+/* Notes the best speed at which the conditions hold with the probability of the
+ * bands.  At the speed of a binding limit that probability is only a half. */
 static void
 note_sure(struct answer *r, const struct find_request *goal,
     const struct speed_search *f)
@@ -432,7 +432,8 @@ note_other_condition(
 		note_missed(r, words, missed, value);
 }
 
-/* Each other condition at the speed found, and how sure all of them are. */
+/* Notes whether each other condition holds at the speed found, and with what
+ * certainty all of them do. */
 static void
 note_others(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
@@ -455,7 +456,7 @@ note_others(struct answer *r, const struct find_request *goal,
 		note_sure(r, goal, f);
 }
 
-/* Why there is no such speed: what the two ends give. */
+/* Says why there is no such speed, with the values at both ends. */
 static void
 note_out_of_reach(
     struct answer *r, const struct find_request *goal, const char *words)
@@ -522,8 +523,8 @@ put_found(struct fields *o, const struct find_request *goal,
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }
 
-/* Whether a value is missed by less at the fast end of the speeds searched than
- * at the slow one. */
+/* True if the value is missed by less at the fast end of the speeds searched
+ * than at the slow end. */
 static bool
 is_nearer_fast_end(const struct find_request *goal)
 {
@@ -533,7 +534,8 @@ is_nearer_fast_end(const struct find_request *goal)
 	       fabs(find_value_at(goal, goal->wanted.from) - wanted);
 }
 
-/* The product at the speed found; without one those at the two ends. */
+/* Answers with the product at the speed found or, if there is none, with those
+ * at both ends. */
 static void
 answer_goal(struct session *s, struct find_request *goal)
 {
@@ -573,7 +575,8 @@ answer_goal(struct session *s, struct find_request *goal)
 	speed_search_free(f);
 }
 
-/* Where none meets it: what is missed at the nearest speed. */
+/* Notes the speeds that meet the envelope; if none does, what the nearest
+ * misses. */
 static void
 note_window(struct answer *r, const struct find_request *goal,
     const struct grading *g, const struct speed_search *w)

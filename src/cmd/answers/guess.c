@@ -16,14 +16,14 @@
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
-/* Of more materials only so many are looked at, the nearest; a band of all of
- * 100,000 would be no other and take seconds. */
+/* The user's materials that are looked at are the nearest of this number. A
+ * band over 100,000 of them would hardly differ, and take seconds. */
 enum { MOST_OWN = 200 };
 
-/* What a guess is made from.  own: the user's materials, of which list has
- * MOST_OWN at most.  list: all materials, those of Table 3 from index
- * `table3` on; m [list.n]: the same for core; pick [n]: those taken; error:
- * that of guesses from so many. */
+/* What a guess is made from.  own: the number of the user's materials, of which
+ * the list has at most MOST_OWN.  list: all materials, with Table 3 from index
+ * `table3` on.  m [list.n]: the same for core.  pick [n]: those that are used.
+ * error: that of guesses from as many materials. */
 struct basis {
 	struct stored_list list;
 	struct guess_material *m, wanted;
@@ -71,13 +71,14 @@ basis_allocate(struct basis *b)
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
 		    stored_settings(m), stored_is_table3(m)};
-		b->leave_out[i] = text_same(m->site, b->wanted.site);
+		b->leave_out[i] = text_same_folded(m->site, b->wanted.site);
 	}
 	while (!stored_is_table3(&b->list.item[b->table3]))
 		b->table3++;
 }
 
-/* As many of the nearest as told, else as leaving one site out finds best: of
+/* Picks as many of the nearest as the user says, otherwise the number for which
+ * leaving one site out gives the smallest error.  That number is found from
  * Table 3 alone, so that it is the same for everyone. */
 static void
 basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
@@ -95,7 +96,8 @@ basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
 	b->n = guess_nearest(b->m, n, &b->wanted, b->leave_out, most, b->pick);
 }
 
-/* Rock and top size as given, else the sheet's. */
+/* Takes the rock and the top size that are given, otherwise those of the site
+ * file. */
 static bool
 read_wanted_material(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
@@ -181,7 +183,7 @@ guess_table(const struct site *site, const struct guess *guess)
 	return r;
 }
 
-/* "2.81 (2.52..3.10)", in mm. */
+/* Returns "2.81 (2.52..3.10)", in mm. */
 static char *
 range_words(const struct guess_range *range, const char *none)
 {
@@ -214,7 +216,7 @@ note_sizes(struct answer *r, const struct guess *guess)
 		free(words[i]);
 }
 
-/* Names of the materials picked (or, with `left`, left out). */
+/* Lists the names of the materials that are picked or, if `left`, left out. */
 static char *
 material_names(const struct basis *b, bool left)
 {
@@ -227,14 +229,14 @@ material_names(const struct basis *b, bool left)
 	return list;
 }
 
-/* The materials by name, where they were chosen. */
+/* Names the materials that were chosen. */
 static void
 note_nearest(struct answer *r, const struct basis *b)
 {
 	size_t same = 0;
 	for (size_t i = 0; i < b->n; i++)
-		same +=
-		    text_same(b->list.item[b->pick[i]].rock, b->wanted.rock);
+		same += text_same_folded(
+		    b->list.item[b->pick[i]].rock, b->wanted.rock);
 	FREED char *picked = material_names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
@@ -249,13 +251,13 @@ note_nearest(struct answer *r, const struct basis *b)
 		    b->wanted.rock, same, b->n, picked);
 }
 
-/* It may be one more, or spelt wrongly. */
+/* The rock type may be a new one, or misspelt. */
 static void
-note_rock(struct answer *r, const struct basis *b)
+note_unknown_rock(struct answer *r, const struct basis *b)
 {
 	bool known = b->wanted.rock[0] == '\0';
 	for (size_t i = 0; i < b->list.n && !known; i++)
-		known = text_same(b->list.item[i].rock, b->wanted.rock);
+		known = text_same_folded(b->list.item[i].rock, b->wanted.rock);
 	if (!known)
 		answer_say(r, ANSWER_REMARK,
 		    "no material is of the rock type '%s': materials lists "
@@ -307,7 +309,7 @@ note_materials(struct answer *r, const struct basis *b)
 		    "their progeny: each of its materials is taken with %d "
 		    "beta from coarse to fine",
 		    GUESS_LAWS);
-	note_rock(r, b);
+	note_unknown_rock(r, b);
 	note_choice(r, b);
 	if (b->table3 < b->own)
 		answer_say(r, ANSWER_REMARK,
@@ -324,10 +326,11 @@ note_materials(struct answer *r, const struct basis *b)
 		    "left out because they are this site's own: %s", left);
 }
 
-/* A speed that one of the materials, or more, was not trained at; nothing is
- * said of those that do not tell theirs. */
+/* Warns if one or more of the materials were not trained at the speed.
+ * Materials that do not state their speeds do not count. */
 static void
-note_reach(struct answer *r, const struct basis *b, double speed)
+note_beyond_training_speeds(
+    struct answer *r, const struct basis *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
 	for (size_t i = 0; i < b->n; i++) {
@@ -352,8 +355,8 @@ note_reach(struct answer *r, const struct basis *b, double speed)
 		    units_speed_digits(speed), speed, slowest, fastest);
 }
 
-/* What such guesses are worth.  A band of few materials is too narrow, which is
- * no matter of luck: see struct guess. */
+/* Notes how far such guesses err.  The band of a few materials is too narrow,
+ * and not by chance: see struct guess. */
 static void
 note_error(struct answer *r, const struct basis *b)
 {
@@ -378,17 +381,18 @@ note_error(struct answer *r, const struct basis *b)
 		    100 * e->held);
 }
 
-/* Which material meets the site's one product best, beside the product of all:
- * its parameters can be taken, where a median of products has none. */
+/* Names the material that meets the site's only product best, besides the
+ * product of all materials.  That material has parameters to use, which a
+ * median of products has not. */
 static void
-guess_note_best(
+note_best_material(
     struct answer *r, const struct site *site, const struct basis *b)
 {
-	if (site_products(site) != 1)
+	if (site_count_products(site) != 1)
 		return;
 	size_t run = 0, best = b->list.n;
 	double least = INFINITY;
-	while (misfit_covered(&site->run[run]) == 0)
+	while (misfit_count_covered(&site->run[run]) == 0)
 		if (++run == site->n_run)
 			return;
 	FREED bool *train = xcalloc(site->n_run, sizeof *train);
@@ -419,8 +423,8 @@ give_guess(struct session *s, const struct site *site, const struct basis *b,
 	struct answer *r = guess_table(site, guess);
 	note_sizes(r, guess);
 	note_materials(r, b);
-	guess_note_best(r, site, b);
-	note_reach(r, b, guess->speed);
+	note_best_material(r, site, b);
+	note_beyond_training_speeds(r, b, guess->speed);
 	note_error(r, b);
 	put_guess(r, b, guess);
 	put_error(answer_fields(r), b);

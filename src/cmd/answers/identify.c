@@ -12,9 +12,10 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* Correlation that makes a ridge; how many of them are told; a break size is
- * fixed where its standard deviation is below such a share of it, and open
- * where so many draws have one that no sieve shows. */
+/* A correlation above RIDGE is a ridge, of which at most RIDGES are named.
+ * The data fix a break size if its standard deviation is at most SHARP of it.
+ * The threshold counts as open if more than OPEN of the draws have a break size
+ * that is below all sieves. */
 static const double RIDGE = 0.9, SHARP = 0.1, OPEN = 0.1;
 enum { RIDGES = 3 };
 
@@ -23,8 +24,8 @@ static const char *const GRADES[] = {[IDENTIFY_FIXED] = N_("fixed"),
     [IDENTIFY_POORLY] = N_("poorly"),
     [IDENTIFY_NOT] = N_("cannot be told")};
 
-/* What is told: the parameters [of->n] of the draws' model, the break sizes at
- * the measured speeds [n_speed], the finest sieve that is compared, m. */
+/* What was found: the parameters [of->n] of the draws' model, the break sizes
+ * at the measured speeds [n_speed], and the finest sieve compared, m. */
 struct findings {
 	const struct posterior *p;
 	const struct breakage *of;
@@ -42,7 +43,7 @@ identify_find_speeds(struct findings *f, const struct site *site)
 	f->speed = xdoubles(site->n_run);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		size_t n = misfit_covered(run);
+		size_t n = misfit_count_covered(run);
 		if (n == 0)
 			continue;
 		f->finest = fmin(f->finest, run->product.size[n - 1]);
@@ -102,8 +103,8 @@ identify_add_rows(struct answer *r, const struct findings *f)
 	}
 }
 
-/* Pairs of parameters by their correlation, the strongest first; [n] out, of
- * RIDGES at most.  Returns how many there are. */
+/* Finds the most correlated pairs of parameters, strongest first, at most
+ * RIDGES of them.  Returns their number. */
 static size_t
 find_ridges(const struct findings *f, size_t pair[RIDGES][2])
 {
@@ -166,8 +167,9 @@ say_open(struct answer *r, const struct findings *f)
 		    100 * f->at[0].below);
 }
 
-/* "5.72 +- 0.06, 4.31 +- 0.05 mm" at the speeds of a grade, which are listed
- * too; NULL where there is none.  The caller frees. */
+/* Returns "5.72 +- 0.06, 4.31 +- 0.05 mm" for the speeds where the break size
+ * is sharp, or where it is not, and appends these speeds to *speeds.  Returns
+ * "" if there are none.  The caller frees the text. */
 static char *
 break_sizes_text(const struct findings *f, bool sharp, char **speeds)
 {
@@ -221,7 +223,7 @@ add_names(char **text, const struct findings *f, enum identify_grade grade)
 		    names);
 }
 
-/* The one sentence.  The caller frees. */
+/* Sums up all findings in one sentence.  The caller frees it. */
 static char *
 identify_sentence(const struct findings *f)
 {

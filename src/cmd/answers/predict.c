@@ -23,7 +23,7 @@
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
 
-/* Which sizes break at this speed, in a sentence. */
+/* Says in a sentence which sizes break at this speed. */
 static void
 note_breakage(struct answer *r, const struct params *params,
     const struct psd *feed, const struct prediction *p)
@@ -60,7 +60,7 @@ note_breakage(struct answer *r, const struct params *params,
 		    1000 * p->break_size, 100 * p->selected);
 }
 
-/* Sieves that the feed was not sieved on. */
+/* Names the sieves that the feed was not sieved on. */
 static void
 note_feed_gaps(
     struct answer *r, const struct site *site, const struct prediction *p)
@@ -80,7 +80,7 @@ note_feed_gaps(
 static void
 note_wide_gap(struct answer *r, const struct psd *feed)
 {
-	size_t i = psd_gap(feed);
+	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
 		answer_say(r, ANSWER_REMARK,
 		    "the feed has no sieve between %g and %g mm: passings and "
@@ -88,9 +88,9 @@ note_wide_gap(struct answer *r, const struct psd *feed)
 		    units_mm(feed->size[i]), units_mm(feed->size[i + 1]));
 }
 
-/* Measured products, moved to the feed, interpolated in speed squared at each
- * sieve, [n]; NULL where no measured runs lie on both sides of the speed, or
- * were measured with another feed or machine. */
+/* Returns the measured products, moved to the feed and interpolated in speed
+ * squared at each sieve [n].  NULL unless measured runs with this feed and
+ * machine lie on both sides of the speed. */
 static double *
 interpolate_measured(const struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)
@@ -117,9 +117,8 @@ interpolate_measured(const struct session *s, const struct entry *entry,
 	return passing;
 }
 
-/* What was measured at a speed: all repeats.  Returns how many runs have a
- * product there, from run [*first] on; with another feed or machine none
- * has. */
+/* Returns how many runs have a product at a speed, repeats included, and sets
+ * *first to the first of them.  With another feed or machine there are none. */
 static size_t
 predict_measured_at(
     const struct site *site, double speed, const struct run **first)
@@ -133,8 +132,8 @@ predict_measured_at(
 	return n;
 }
 
-/* The measured products of runs [n] there, of the feed and the fraction that
- * are asked for; the caller frees all. */
+/* Returns the measured products of the runs [n] for the feed and the fraction
+ * asked about.  The caller frees them. */
 static struct psd *
 measured_parts(const struct session *s, const struct entry *entry,
     const struct params *params, const struct run *run, size_t n,
@@ -149,8 +148,9 @@ measured_parts(const struct session *s, const struct entry *entry,
 	return part;
 }
 
-/* A row a sieve; between: NULL for none; model: with it and the speed in
- * columns of their own, for files, or NULL; alone: with the model alone. */
+/* Adds a row for each sieve.  between: the interpolated products, or NULL.
+ * model: NULL, or the model for a column of its own, beside one for the speed,
+ * as files want them.  alone: adds the passings by the model alone. */
 static void
 predict_add_rows(struct answer *r, const struct session *s,
     const struct entry *entry, const struct params *params,
@@ -214,7 +214,8 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	struct answer *r =
 	    answers_new(entry->site, "predict", "product at %.*f m/s%s%s%s",
 		units_speed_digits(p->speed), p->speed, more, fraction, band);
-	/* One who hears a table wants a sieve's numbers in a line. */
+	/* In a table that is read aloud, the numbers of a sieve belong in one
+	 * line. */
 	if (!s->linear)
 		answer_set_across(r);
 	predict_add_rows(r, s, entry, params, p, between, NULL, detail);
@@ -223,10 +224,9 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	return r;
 }
 
-/* The one product of a site whose parameters are from elsewhere says how far
- * they hold. */
+/* Notes how well parameters from elsewhere meet the only product of a site. */
 static void
-note_only_check(
+note_fit_of_only_cut(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	size_t run;
@@ -246,11 +246,11 @@ note_only_check(
 	    100 * cut.rms, cut.n);
 }
 
-/* Sieves at which the products measured have less than their feeds by more than
- * is shown, while the answer stands at the feed's passing: nothing that breaks
- * the rock can bring it lower. */
+/* Names the sieves at which measured products pass clearly less than their
+ * feeds, while the answer equals the passing of the feed: breakage cannot bring
+ * it any lower. */
 static void
-note_floor(
+note_sieves_at_feed(
     struct answer *r, const struct question *q, const struct prediction *p)
 {
 	const double shown = 5e-4;
@@ -276,7 +276,7 @@ note_floor(
 		    list);
 }
 
-/* Whether what corrects the model is worth a word. */
+/* True if it is worth saying what corrects the model. */
 static bool
 is_correction_worth_saying(const struct session *s, const struct entry *entry)
 {
@@ -284,7 +284,8 @@ is_correction_worth_saying(const struct session *s, const struct entry *entry)
 	       !entry->has_fit;
 }
 
-/* Feeds that move the answer by less than it shows are not worth a word. */
+/* A change by the feeds that is smaller than the last digit shown is not
+ * mentioned. */
 static const double FEEDS_TOLD = 0.0005;
 
 char *
@@ -348,8 +349,8 @@ predict_change_by_feeds(const struct session *s, const struct question *q,
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
 }
 
-/* Adds what passes with each sampled feed in place of their mean, where that
- * changes it by enough to tell. */
+/* Adds the range of the passing over the sampled feeds, used one at a time
+ * instead of their mean, if that makes a difference. */
 static void
 add_each_feed(const struct session *s, const struct question *q,
     const struct quantity *passing, double speed, char **words)
@@ -393,21 +394,21 @@ predict_certainty_words(const struct session *s, const struct question *q,
 }
 
 static void
-note_sure(struct answer *r, const struct session *s, const struct question *q,
-    const struct prediction *p)
+note_certainty(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *p)
 {
 	FREED char *words = predict_certainty_words(s, q, p);
 	if (words != NULL)
 		answer_note(r, "%s", words);
 }
 
-/* The largest move of what was measured and stands beside the answer, passing
- * 0..1; 0 where it is not worth a word. */
+/* Returns how far the measured products that stand beside the answer were
+ * moved, the largest distance, passing 0..1; 0 if that does not show. */
 static double
 largest_move_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
-	const double SHOWN = 5e-4; /* what changes a tenth of a point */
+	const double SHOWN = 5e-4; /* changes a tenth of a point */
 	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
@@ -417,8 +418,7 @@ largest_move_to_feed(const struct session *s, const struct question *q,
 	return most > SHOWN ? most : 0;
 }
 
-/* The answer with what is to be said of it; wanted: with the interpolated
- * products. */
+/* Builds the answer with all notes.  wanted: with interpolated products. */
 static struct answer *
 prediction_with_notes(const struct session *s, const struct question *q,
     const struct prediction *p, const struct params *params, bool wanted,
@@ -431,7 +431,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	    prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, params, p);
-	note_sure(r, s, q, p);
+	note_certainty(r, s, q, p);
 	screened_note(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
@@ -441,7 +441,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breakage(
 		    r, params, site_feed(entry->site, p->feed_run), p);
-	note_floor(r, q, p);
+	note_sieves_at_feed(r, q, p);
 	note_feed_gaps(r, entry->site, p);
 	note_wide_gap(r, site_feed(entry->site, p->feed_run));
 	if (session_fitting(s) == entry_loaded(entry))
@@ -457,7 +457,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 			: N_("no interpolation: %g m/s is not between measured "
 			     "runs"),
 		    p->speed);
-	note_only_check(r, s, entry);
+	note_fit_of_only_cut(r, s, entry);
 	struct question at = *q;
 	at.moved = largest_move_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
@@ -465,8 +465,8 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* The psd plot of the prediction: with its band as a picture where one is
- * wanted, else in plain text wherever it goes. */
+/* Draws the psd plot of the prediction: with its band if an image is wanted,
+ * otherwise as plain text. */
 static bool
 draw_curves(struct session *s, const struct question *q,
     const struct prediction *p, struct error *error)
@@ -494,10 +494,10 @@ draw_curves(struct session *s, const struct question *q,
 	return true;
 }
 
-/* What a site is predicted with; while it is being calibrated, the best so
+/* Takes the parameters that predict a site; during its calibration, the best so
  * far. */
 static bool
-take_params(const struct session *s, const struct entry *entry,
+params_to_predict_with(const struct session *s, const struct entry *entry,
     struct params *params, struct error *error)
 {
 	*params = entry->params;
@@ -511,7 +511,7 @@ predict_step(struct session *s, const struct entry *entry, double speed,
     struct error *error)
 {
 	struct params params;
-	if (!take_params(s, entry, &params, error))
+	if (!params_to_predict_with(s, entry, &params, error))
 		return false;
 	struct question q = question_of_whole_product(s, entry, feed_run);
 	q.params = &params;
@@ -521,7 +521,7 @@ predict_step(struct session *s, const struct entry *entry, double speed,
 	return true;
 }
 
-/* Interpolated products are those of the whole product. */
+/* Refuses interpolated= for a fraction, because it shows the whole product. */
 static bool
 check_whole_product(const struct args *args, const struct fraction *fraction,
     struct error *error)
@@ -539,7 +539,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	if (!take_params(s, entry, &params, error) ||
+	if (!params_to_predict_with(s, entry, &params, error) ||
 	    !check_whole_product(args, &q->fraction, error) ||
 	    !screened_check_covered(q, error))
 		return false;

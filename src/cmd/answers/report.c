@@ -23,25 +23,26 @@
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
-/* What a section needs of the session; without parameters it is said to be
- * missing, what else is absent goes without saying. */
+/* What a section needs.  If only parameters are missing, the report says so;
+ * sections that lack something else are left out silently. */
 enum need {
 	NEED_SITE,
 	NEED_PARAMS,
 	NEED_FIT,     /* a calibration of this session */
 	NEED_NONE,    /* no parameters */
 	NEED_SEVERAL, /* several sites with parameters */
-	NEED_CUTS,    /* added after the calibration */
+	NEED_CUTS,    /* cuts added after the calibration */
 	NEED_SPEC,    /* an envelope in use */
 	NEED_CONDITIONS,
 	NEED_TPH
 };
 
-/* What is asked: a speed, m/s; the new feed, t/h, 0 where it is not given; and
- * as a line has them behind a blank, "" where there are none: the conditions,
- * each in quotes, the envelope, as an operand and as an option, what else the
- * question has, what is screened, and the new feed.  list: the conditions, the
- * envelope's too; wanted, found: where they hold, of a site with parameters. */
+/* What is asked: a speed, m/s, and the new feed, t/h, or 0.  The texts are
+ * parts of a command line that begin with a space, or "": the conditions in
+ * quotes, the envelope as an operand and as an option, other options of the
+ * question, those of the fraction, and the new feed.  list: all conditions,
+ * with those of the envelope.  wanted, found: where they hold, if the site has
+ * parameters. */
 struct report_request {
 	double speed, tph;
 	char *conditions, *envelope, *spec, *asked, *cut, *rate;
@@ -51,8 +52,8 @@ struct report_request {
 	struct speed_search *found;
 };
 
-/* Headings, and the commands below each; NULL: below the heading before.
- * SPEED and the words behind a command stand for what is asked. */
+/* Headings, and a command below each; a NULL heading continues the section
+ * before. The words in capitals are replaced by what is asked. */
 static const struct section {
 	const char *heading, *line;
 	enum need need;
@@ -87,7 +88,7 @@ static const struct section {
     {NULL, "plot parity", NEED_SEVERAL},
 };
 
-/* Whether a section is wanted as soon as there are parameters. */
+/* True if parameters are all that the section may lack. */
 static bool
 is_section_wanted(const struct report_request *ask, enum need need)
 {
@@ -125,14 +126,15 @@ has_what_section_needs(
 	}
 }
 
-/* The words with what is asked; the caller frees. */
+/* Replaces the words in capitals by what is asked.  The caller frees the
+ * text. */
 static char *
-fill_in_words(const char *words, const struct report_request *ask)
+replace_capitals(const char *words, const struct report_request *ask)
 {
 	char speed[32], *text = xstrdup("");
 	const struct {
 		const char *word, *value;
-	} with[] = {{"SPEED", text_exact(ask->speed, speed)},
+	} with[] = {{"SPEED", text_exact_number(ask->speed, speed)},
 	    {"SPEC", ask->spec}, {"CONDITIONS", ask->conditions},
 	    {"ENVELOPE", ask->envelope}, {"ASKED", ask->asked},
 	    {"CUT", ask->cut}, {"RATE", ask->rate}};
@@ -151,8 +153,8 @@ fill_in_words(const char *words, const struct report_request *ask)
 	return text;
 }
 
-/* Runs a line, whose answer then stands in the document; else why not.  A check
- * that says no has answered. */
+/* Runs a line and puts its answer into the document, or the reason why it
+ * failed.  A check that finds a fault counts as an answer. */
 static void
 run_line(struct session *s, const char *line)
 {
@@ -172,10 +174,10 @@ put_sections(struct session *s, const struct report_request *ask)
 		const struct section *row = &SECTIONS[i];
 		if (!has_what_section_needs(s, ask, row->need))
 			continue;
-		FREED char *line = fill_in_words(row->line, ask);
+		FREED char *line = replace_capitals(row->line, ask);
 		if (row->heading != NULL) {
 			FREED char *heading =
-			    fill_in_words(tr(row->heading), ask);
+			    replace_capitals(tr(row->heading), ask);
 			document_say(
 			    s->document, DOCUMENT_HEADING, "%s", heading);
 		}
@@ -183,7 +185,7 @@ put_sections(struct session *s, const struct report_request *ask)
 	}
 }
 
-/* What the data are, where they were not measured as a warning. */
+/* States the provenance of the data, as a warning if they were not measured. */
 static void
 put_data(struct document *d, const struct site *site)
 {
@@ -217,7 +219,7 @@ put_light(struct session *s, const struct report_request *ask)
 	trust_free(&t);
 }
 
-/* "; met from 73.04 to 76.18 m/s", or the nearest miss. */
+/* Appends "; met at 73.04 to 76.18 m/s", or the nearest miss. */
 static void
 append_window(char **words, const struct report_request *ask)
 {
@@ -239,7 +241,7 @@ append_window(char **words, const struct report_request *ask)
 	    w->best);
 }
 
-/* Whether the product at the report's speed is as it is wanted. */
+/* Says whether the product at the report's speed meets the conditions. */
 static void
 put_conditions(struct session *s, const struct report_request *ask)
 {
@@ -259,7 +261,7 @@ put_conditions(struct session *s, const struct report_request *ask)
 	    "%s.", words);
 }
 
-/* What is asked for first: the answer, and how sure it is. */
+/* Puts the answer itself first, and how certain it is. */
 static void
 report_put_answer(struct session *s, const struct report_request *ask)
 {
@@ -274,7 +276,7 @@ report_put_answer(struct session *s, const struct report_request *ask)
 	prediction_free(&p);
 }
 
-/* Instead of the light. */
+/* Without parameters this list of sections stands in place of the light. */
 static void
 put_left_out_sections(struct session *s, const struct report_request *ask)
 {
@@ -283,7 +285,7 @@ put_left_out_sections(struct session *s, const struct report_request *ask)
 		const struct section *row = &SECTIONS[i];
 		if (row->heading == NULL || !is_section_wanted(ask, row->need))
 			continue;
-		FREED char *heading = fill_in_words(tr(row->heading), ask);
+		FREED char *heading = replace_capitals(tr(row->heading), ask);
 		xlist(&list, "; ", "%s", heading);
 	}
 	document_say(s->document, DOCUMENT_WARNING,
@@ -310,8 +312,8 @@ report_put_script(struct session *s, const struct report_request *ask)
 	journal_put(s, out);
 	FREED char *file = text_quoted(s->file);
 	fprintf(out, "report%s speed=%s%s%s%s%s > %s\n", ask->conditions,
-	    text_exact(ask->speed, number), ask->rate, ask->spec, ask->asked,
-	    ask->cut, file);
+	    text_exact_number(ask->speed, number), ask->rate, ask->spec,
+	    ask->asked, ask->cut, file);
 }
 
 static void
@@ -333,7 +335,7 @@ write_report(struct session *s, const struct report_request *ask)
 	report_put_script(s, ask);
 }
 
-/* Adds " name\"words\"". */
+/* Appends a space, the name, and the words in quotes. */
 static void
 add_quoted(char **text, const char *name, const char *words)
 {
@@ -341,7 +343,8 @@ add_quoted(char **text, const char *name, const char *words)
 	xappend(text, " %s%s", name, quoted);
 }
 
-/* " cut=\"0/4\"", of those that are given; the caller frees. */
+/* Returns " cut=\"0/4\"" and the like for the options that are given.  The
+ * caller frees the words. */
 static char *
 options_words(const struct args *args, const void *const *option, size_t n)
 {
@@ -355,7 +358,7 @@ options_words(const struct args *args, const void *const *option, size_t n)
 }
 
 static void
-take_words(const struct args *args, struct report_request *ask)
+read_parts_of_lines(const struct args *args, struct report_request *ask)
 {
 	const void *const cut[] = {
 	    &args->cut, &args->sharpness, &args->cut_size};
@@ -374,17 +377,17 @@ take_words(const struct args *args, struct report_request *ask)
 	ask->cut = options_words(args, cut, ARRAY_LEN(cut));
 	ask->asked = options_words(args, asked, ARRAY_LEN(asked));
 	ask->tph = args->tph;
-	ask->rate = args->tph > 0
-			? xasprintf(" tph=%s", text_exact(args->tph, number))
-			: xstrdup("");
+	ask->rate = args->tph > 0 ? xasprintf(" tph=%s",
+					text_exact_number(args->tph, number))
+				  : xstrdup("");
 }
 
-/* What could not be used is said before anything is written. */
+/* Conditions that cannot be used are reported before anything is written. */
 static bool
 read_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)
 {
-	take_words(args, ask);
+	read_parts_of_lines(args, ask);
 	if (!conditions_add_call(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;
@@ -423,7 +426,8 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 	question_as_last(s, args, q);
 	bool ok = read_report_request(s, args, &ask, error);
 	if (ok) {
-		/* What was answered before is still what assert asks. */
+		/* The answers from before the report stay available to
+		 * assert. */
 		struct answer **kept = s->answer;
 		size_t n_kept = s->n_answer;
 		s->answer = NULL;

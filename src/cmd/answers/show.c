@@ -31,16 +31,17 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_title(r, "%s", label);
 	answer_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
-	answer_pair(r, "data", "%s", site->provenance);
-	answer_pair(r, "rock", "%s", site->rock);
+	answer_add_pair(r, "data", "%s", site->provenance);
+	answer_add_pair(r, "rock", "%s", site->rock);
 	if (site->top_size > 0)
-		answer_pair(r, "top size mm", "%g", units_mm(site->top_size));
+		answer_add_pair(
+		    r, "top size mm", "%g", units_mm(site->top_size));
 	else
-		answer_pair(r, "top size mm", "not stated");
-	answer_pair(r, "machine", "%s", site->machine);
-	answer_pair(r, "file", "%s", site->path);
-	answer_pair(r, "speeds m/s", "%s", speeds);
-	answer_pair(r, "feeds",
+		answer_add_pair(r, "top size mm", "not stated");
+	answer_add_pair(r, "machine", "%s", site->machine);
+	answer_add_pair(r, "file", "%s", site->path);
+	answer_add_pair(r, "speeds m/s", "%s", speeds);
+	answer_add_pair(r, "feeds",
 	    site->individual_feeds ? N_("one for each speed")
 				   : N_("one for all speeds"));
 	for (size_t i = 0; i < site->n_note; i++)
@@ -49,9 +50,10 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* The largest sieve of the curves below a size, m; 0 when there is none. */
+/* Returns the coarsest sieve of the curves below a size, m; 0 if there is
+ * none. */
 static double
-next_sieve(const struct psd *const *curve, size_t n, double below)
+next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 {
 	double x = 0;
 	for (size_t i = 0; i < n; i++)
@@ -71,8 +73,8 @@ show_add_curve(struct answer *r, const struct run *run, bool feed)
 	answer_column(r, name, head);
 }
 
-/* Columns feed@69, or the one feed of all runs, or product@69; their curves go
- * to curve [n_run].  Returns how many. */
+/* Adds the columns feed@69, or the one feed of all runs, or product@69.  Sets
+ * curve [n_run] to their curves and returns their number. */
 static size_t
 add_columns(struct answer *r, const struct site *site, bool feed,
     const struct psd **curve)
@@ -92,7 +94,7 @@ add_columns(struct answer *r, const struct site *site, bool feed,
 	return n;
 }
 
-/* show feed and show product. */
+/* Runs show feed and show product. */
 static bool
 show_curves(struct session *s, const struct args *args, struct error *error)
 {
@@ -108,7 +110,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	if (n == 0)
 		answer_note(r, "the site file has a feed only");
 	answer_set_missing(r, "");
-	for (double x = INFINITY; (x = next_sieve(curve, n, x)) > 0;) {
+	for (double x = INFINITY; (x = next_finer_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
 			answer_cells(
@@ -117,7 +119,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* The equations with the numbers of this site in them. */
+/* Notes the equations with the numbers of this site. */
 static void
 note_equations(struct answer *r, const struct params *p, double k)
 {
@@ -175,7 +177,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* For people a row a model, for programs one for each parameter. */
+/* People see a row for each model, programs one for each parameter. */
 static bool
 show_models(struct session *s, const struct args *args, struct error *error)
 {
@@ -202,7 +204,7 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* A row for each class of the feed. */
+/* Adds a row for each class of the feed. */
 static void
 selection_rows(struct answer *r, const struct psd *feed, const double *S)
 {
@@ -257,7 +259,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 	       question_run(s, args, answer_selection, error);
 }
 
-/* A class is called by the sieve it lies on. */
+/* Returns the name of a class, which is that of the sieve it lies on. */
 static const char *
 class_heading(const struct psd *feed, size_t i, char buf[static 32])
 {
@@ -267,7 +269,8 @@ class_heading(const struct psd *feed, size_t i, char buf[static 32])
 	return buf;
 }
 
-/* Parents across and progeny down; a: as appearance_matrix has it. */
+/* Puts parents across and progeny down.  a: laid out as in
+ * appearance_matrix. */
 static void
 add_matrix_rows_across(
     struct answer *r, const struct psd *feed, const double *a)
@@ -285,7 +288,7 @@ add_matrix_rows_across(
 	}
 }
 
-/* A row for each parent and progeny: for spreadsheets. */
+/* Adds a row for each pair of parent and progeny, for spreadsheets. */
 static void
 add_matrix_rows_long(
     struct answer *r, const struct psd *feed, const double *x, const double *a)
@@ -298,7 +301,7 @@ add_matrix_rows_long(
 			    units_mm(x[j]), 100 * a[j * feed->n + i]);
 }
 
-/* B(u) at u = 1/2, 1/4 and so on to 1/1024. */
+/* Notes B(u) at u = 1/2, 1/4 and so on. */
 static void
 note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 {
@@ -336,7 +339,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 			      : params_start(s->set.model.breakage);
 	struct breaker b;
 	breaker_set_params(&b, &p, &s->set.model);
-	breaker_set_speed(&b, site_middle(entry->site));
+	breaker_set_speed(&b, site_middle_speed(entry->site));
 	FREED double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
@@ -358,7 +361,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* What can be shown; the first is shown when nothing is named. */
+/* What can be shown; the first is shown if nothing is named. */
 static const struct {
 	const char *name;
 	bool at_site;

@@ -14,8 +14,8 @@
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
-/* The operands from one on as one text: names have blanks.  NULL where there
- * are none; else the caller frees. */
+/* Joins the operands from `from` on into one text, because names contain
+ * spaces.  Returns NULL if there are none; otherwise the caller frees it. */
 static char *
 join_operands(const struct args *args, size_t from)
 {
@@ -60,7 +60,8 @@ stop_using_spec(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* "2.4 to 4", "up to 45 %; maximum passing one and retained on next". */
+/* Returns "2.4 to 4" or "up to 45 %; maximum passing one and retained on
+ * next". */
 static char *
 limit_words(const struct standard_limit *l)
 {
@@ -106,7 +107,7 @@ list_limits(struct session *s, const struct standards *all)
 	return session_show_answer(s, r);
 }
 
-/* One envelope, sieve by sieve. */
+/* Lists the limits of one envelope, sieve by sieve. */
 static bool
 list_limits_of_spec(struct session *s, const struct spec *spec)
 {
@@ -170,7 +171,7 @@ list_specs(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* What is wrong, in a line. */
+/* Notes what misses the envelope, and with what probability it is met. */
 static void
 note_verdict(struct answer *r, const struct grading *g, double v)
 {
@@ -187,7 +188,8 @@ note_verdict(struct answer *r, const struct grading *g, double v)
 		    100 * certain);
 }
 
-/* The product at a speed beside the envelope named, or the one in use. */
+/* Compares the product at a speed with the envelope named, or with the one in
+ * use. */
 static bool
 spec_compare(struct session *s, const struct args *args, struct question *q,
     struct error *error)

@@ -14,9 +14,10 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* Rows of the two ends of a size's band. */
+/* Adds two rows, for the ends of a size's band. */
 static void
-size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
+add_rows_of_size_band(
+    struct answer *r, const struct prediction *p, size_t n, size_t size)
 {
 	static const char *const ENDS[] = {N_("  low"), N_("  high")};
 	for (size_t end = 0; end < 2; end++) {
@@ -28,9 +29,9 @@ size_band(struct answer *r, const struct prediction *p, size_t n, size_t size)
 	}
 }
 
-/* Sieves down, speeds across: for as many speeds as fit a screen. */
+/* Puts sieves down and speeds across, for as many speeds as fit a screen. */
 static void
-sweep_across(struct answer *r, const struct entry *entry,
+add_speeds_across(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
@@ -68,7 +69,7 @@ sweep_across(struct answer *r, const struct entry *entry,
 		for (size_t i = 0; i < n; i++)
 			answers_size_cell(r, &p[i], size);
 		if (p[0].low != NULL && size != ANSWERS_BREAK)
-			size_band(r, p, n, size);
+			add_rows_of_size_band(r, p, n, size);
 	}
 }
 
@@ -85,9 +86,9 @@ sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
 		answer_cells(r, "%.1f", units_pct(p->share));
 }
 
-/* One row a speed and sieve: for spreadsheets and programs. */
+/* Adds a row for each speed and sieve, for spreadsheets and programs. */
 static void
-sweep_long(struct answer *r, const struct entry *entry,
+add_row_for_speed_and_sieve(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
@@ -103,7 +104,7 @@ sweep_long(struct answer *r, const struct entry *entry,
 	}
 }
 
-/* The answer of all predictions; outside: one of them lies outside the training
+/* Answers with all predictions.  outside: one of them lies outside the training
  * speeds. */
 static struct answer *
 sweep_answer(const struct session *s, const struct question *q,
@@ -116,9 +117,9 @@ sweep_answer(const struct session *s, const struct question *q,
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? outlook_words(s, entry) : "");
-	(across ? sweep_across : answers_speed_rows)(r, entry, p, n);
+	(across ? add_speeds_across : answers_speed_rows)(r, entry, p, n);
 	answer_fill_for_programs(r);
-	sweep_long(r, entry, p, n);
+	add_row_for_speed_and_sieve(r, entry, p, n);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");

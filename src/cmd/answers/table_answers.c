@@ -10,7 +10,8 @@
 	SPEED(speed), \
 	    "rotor tip speed; default: that last asked about, with its feed"
 
-/* A crusher with its screens, of flow and card, see plant_read. */
+/* The options of a crusher with its screens, which flow and card share; see
+ * plant_read. */
 #define FLOW_PARTS                                                        \
 	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
 	    "fractions of the product, mm"},                              \
@@ -124,15 +125,15 @@ const struct command TABLE_ANSWERS[] = {
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "One row for each speed, in m/s and, where the site states the "
-	    "rotor's diameter, in rpm: P20, P50 and P80, the figures "
-	    "that are named with the range of one of them, tonnes of fractions "
-	    "and the light; with conditions, as window has them, or spec=, or "
-	    "else the limits of the goal that is set, how certain it is that "
-	    "they are met. Below it: the date, the feed, the machine, the "
-	    "model, and whether each speed rests on measurements or on the "
-	    "model alone. Columns that do not fit into 80 characters are left "
-	    "out, with a note; csv and json have all of them. 'card > "
-	    "card.pdf' is a page to be pinned up.",
+	    "rotor's diameter, in rpm: P20, P50 and P80, the figures that are "
+	    "named, the range of one of them, tonnes of fractions, and the "
+	    "light. With the conditions of window, spec= or a goal that is "
+	    "set, it also has how certain it is that they are met. Below it: "
+	    "the date, the feed, the machine, the model, and whether each "
+	    "speed rests on measurements or on the model alone. Columns that "
+	    "do not fit into 80 characters are left out, with a note; csv and "
+	    "json have all of them. 'card > card.pdf' is a page to be pinned "
+	    "up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card 65..85:5 0/2 fines tph=120 fractions=0/2,2/5,5/8\n"
 		   "card 66..81:5 passing 2 >= 33",
@@ -170,9 +171,10 @@ const struct command TABLE_ANSWERS[] = {
 	    {FEED(feed), "m/s", 1, SITE_FASTEST, NULL, "",
 		"take the feed sampled at this speed, or the mean"}),
 	.text = "Keeps the product that is predicted now for the site in use "
-		"at a speed, even if the site is calibrated again: full-screen "
-		"mode shows it beside the prediction, and plot psd and "
-		"describe psd do with beside=pinned. 'pin off' unpins it.",
+		"at a speed, even if the site is calibrated again: "
+		"full-screen mode shows it beside the prediction, and so do "
+		"plot psd and describe psd with beside=pinned. 'pin off' "
+		"unpins it.",
 	.example = "load data/sites/tierp.csv\ncalibrate\npin speed=69\n"
 		   "describe psd speed=74 beside=pinned",
 	.run = cmd_pin},
@@ -412,21 +414,22 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_NEEDS_SITE,
-	.text = "Calibrates each breakage model, with and without a bypass, on "
-		"the training runs, and shows for each the misfit, how many "
-		"parameters were free, AICc (lower is better) and the RMSE at "
-		"the held-out runs, beside predictions that need no model. If "
-		"no run is held out, each speed is held out in turn if there "
-		"are three or more. The best model has the smallest error "
-		"there; among models within 0.1 points, or if no run is held "
-		"out, the lowest AICc; a model that interpolation beats is not "
-		"called best, and if even the best misses these runs by more "
-		"than 2 points and than sampling explains, none describes the "
-		"rock. Reports which models the data rule out, whether "
-		"they can tell the models apart, and how much each contributes "
-		"to the answer between measured speeds; see COMPARING MODELS "
-		"in tipspeed-model(7). The fit in use stays. 'league all' does "
-		"it for all loaded sites and adds up the results.",
+	.text = "Calibrates each breakage model, with and without a bypass, "
+		"on the training runs, and shows for each the misfit, how "
+		"many parameters were free, AICc (lower is better) and the "
+		"RMSE at the held-out runs, beside predictions that need no "
+		"model. If no run is held out, each speed is held out in turn "
+		"if there are three or more. The best model has the smallest "
+		"error there; among models within 0.1 points, or if no run is "
+		"held out, the lowest AICc; a model that interpolation beats "
+		"is not called best. If even the best misses these runs by "
+		"more than 2 points, and by more than sampling explains, no "
+		"model describes the rock. Reports which models the data rule "
+		"out, whether they can tell the models apart, and how much "
+		"each contributes to the answer between measured speeds; see "
+		"COMPARING MODELS in tipspeed-model(7). The fit in use stays. "
+		"'league all' does it for all loaded sites and adds up the "
+		"results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
     {.name = "identify",
@@ -435,12 +438,13 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE,
 	.text = "Reads off the draws of the uncertainty which parameters the "
 		"data determine: the standard deviation of the draws in per "
-		"cent of that before the data (below 10: determined, below 50: "
-		"poorly determined, else not), the break size at each measured "
-		"speed, the parameters that are at a bound or compensate for "
-		"each other, and whether the data bound the threshold only "
-		"from above. Ends in one sentence. plot correlation and plot "
-		"profile draw it; see IDENTIFIABILITY in tipspeed-model(7).",
+		"cent of that of the prior (below 10: determined, below 50: "
+		"poorly determined, else not), the break size at each "
+		"measured speed, the parameters that are at a bound or "
+		"compensate for each other, and whether the data bound the "
+		"threshold only from above. Ends in one sentence. plot "
+		"correlation and plot profile draw it; see IDENTIFIABILITY in "
+		"tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty params",
 	.run = cmd_identify},
     {.name = "why",

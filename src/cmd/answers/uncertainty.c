@@ -24,9 +24,9 @@
 static const char *const PARTS[ENSEMBLE_PARTS] = {
     "parameters_pct", "answer_pct", "sample_pct"};
 
-/* Half of the width of each band, in points.  That of the answer may be the
- * narrower: what the runs show the model to leave out goes with its
- * parameters. */
+/* Adds half the width of each band, in points.  The band of the answer may be
+ * narrower than that of the parameters, because the discrepancy that the runs
+ * show is correlated with the parameters. */
 static void
 add_columns_of_band_parts(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
@@ -51,8 +51,8 @@ add_columns_of_band_parts(struct answer *r, const struct session *s,
 		forecast_close(of[part]);
 }
 
-/* What is shown unless told otherwise: what passes the sieves that are asked
- * for, or else the middle one, and sizes. */
+/* Returns the default quantities: the passings of the sieves that are asked
+ * about, otherwise that of the middle sieve, and the sizes. */
 static char *
 usual_quantities(const struct prediction *p, bool sieves)
 {
@@ -66,7 +66,7 @@ usual_quantities(const struct prediction *p, bool sieves)
 	return list;
 }
 
-/* A row, and an object for programs. */
+/* Adds a row, and an object for programs. */
 static void
 add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
     struct figure answer, struct figure sample)
@@ -84,7 +84,8 @@ add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
 	    sample.high);
 }
 
-/* A row a figure, with the range of the true value and that of a new sample. */
+/* Adds a row for each figure, with the range of the true value and that of a
+ * new sample. */
 static void
 add_figures(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
@@ -109,11 +110,11 @@ add_figures(struct answer *r, const struct session *s,
 	    chance);
 }
 
-/* Median and range of the hyperparameters beside their priors; in words where
- * these are asked for. */
+/* Adds the median and the range of each hyperparameter; also for people if
+ * `words`. */
 static void
-add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
-    bool words)
+add_hyperparameters(struct answer *r, const struct session *s,
+    const struct posterior *p, bool words)
 {
 	double value[POSTERIOR_DRAWS], range[2], median, unused;
 	struct fields *o = fields_object(answer_fields(r), "errors");
@@ -137,7 +138,7 @@ add_hyper(struct answer *r, const struct session *s, const struct posterior *p,
 	}
 }
 
-/* In how many draws the rock has two strengths, and which. */
+/* Notes in how many draws the rock has two strengths, and how they differ. */
 static void
 note_strengths(struct answer *r, const struct posterior *p, bool words)
 {
@@ -181,7 +182,7 @@ note_draws(struct answer *r, const struct posterior *p,
 		    POSTERIOR_DRAWS, 100 * e->halves);
 }
 
-/* A row a draw: what it was made of and what it answers. */
+/* Adds a row for each draw: its parameters and its answer. */
 static struct answer *
 draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
@@ -225,10 +226,10 @@ draws_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* The figure that the sentences are about: the first of those named, or without
- * of= the passing that predict's sentence is of. */
+/* Returns the figure that the sentences are about: the first one named or,
+ * without of=, the passing that predict's sentence is about. */
 static struct quantity
-main_figure(const struct question *q, const struct args *args,
+figure_of_sentences(const struct question *q, const struct args *args,
     const struct prediction *at, const struct quantity *named)
 {
 	if (args->of != NULL)
@@ -238,7 +239,7 @@ main_figure(const struct question *q, const struct args *args,
 	    .fraction = q->fraction};
 }
 
-/* "0/2" for what passes 2 mm; the caller frees. */
+/* Returns "0/2" for what passes 2 mm.  The caller frees it. */
 static char *
 figure_name(const struct quantity *of)
 {
@@ -248,8 +249,8 @@ figure_name(const struct quantity *of)
 }
 
 static void
-note_feeds(struct answer *r, const struct session *s, const struct question *q,
-    const struct quantity *of, double speed)
+note_effect_of_feeds(struct answer *r, const struct session *s,
+    const struct question *q, const struct quantity *of, double speed)
 {
 	double most = predict_change_by_feeds(s, q, of, speed);
 	if (!(most > 0))
@@ -263,10 +264,10 @@ note_feeds(struct answer *r, const struct session *s, const struct question *q,
 		fields_put(answer_fields(r), "feeds_move_pct %g", shown);
 }
 
-/* The next sample, for a figure. */
+/* Notes which next sample would narrow the band of a figure most. */
 static void
-note_next(struct answer *r, const struct session *s, const struct question *q,
-    const struct quantity *of)
+note_best_next_sample(struct answer *r, const struct session *s,
+    const struct question *q, const struct quantity *of)
 {
 	struct advised best;
 	double width;
@@ -290,11 +291,11 @@ note_next(struct answer *r, const struct session *s, const struct question *q,
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
-/* What the band does not know: stated speeds are not the true ones.  sd: their
- * standard deviation, a share of them. */
+/* Notes what the band leaves out: the stated speeds are not exact.  sd: their
+ * standard deviation, as a share of them. */
 static void
-note_speeds(struct answer *r, const struct session *s, const struct question *q,
-    const struct prediction *at, double sd)
+note_effect_of_speed_errors(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *at, double sd)
 {
 	const double step = 0.005;
 	double times = site_speed_error(q->entry->site, at->speed),
@@ -326,7 +327,7 @@ note_speeds(struct answer *r, const struct session *s, const struct question *q,
 	    100 * sd, 100 * most);
 }
 
-/* people: the figures, unless detail= has them see what programs do. */
+/* Shows people the figures; with detail=, the table that programs get. */
 static struct answer *
 band_parts_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
@@ -342,7 +343,7 @@ band_parts_answer(const struct session *s, const struct question *q,
 		question_feed(q), args->of != NULL, &n, error);
 	if (figures == NULL)
 		return NULL;
-	const struct quantity of = main_figure(q, args, at, figures);
+	const struct quantity of = figure_of_sentences(q, args, at, figures);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
 		   : N_("how sure, %.0f %% bands at %.*f m/s%s"),
@@ -364,17 +365,17 @@ band_parts_answer(const struct session *s, const struct question *q,
 	screened_put(answer_fields(r), at);
 	if (detail)
 		answer_note(r, "%s", outlook_words(s, entry));
-	add_hyper(r, s, p, detail);
+	add_hyperparameters(r, s, p, detail);
 	note_strengths(r, p, detail);
-	note_feeds(r, s, q, &of, at->speed);
-	note_speeds(r, s, q, at, args->speed_sd / 100);
+	note_effect_of_feeds(r, s, q, &of, at->speed);
+	note_effect_of_speed_errors(r, s, q, at, args->speed_sd / 100);
 	note_draws(r, p, outlook_evidence(s, entry), detail);
-	note_next(r, s, q, &of);
+	note_best_next_sample(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
 }
 
-/* Settings that the options name are set first. */
+/* Sets the settings that the options name. */
 static void
 apply_settings(struct session *s, const struct args *args)
 {
@@ -384,10 +385,10 @@ apply_settings(struct session *s, const struct args *args)
 		s->set.noise = args->noise;
 }
 
-/* A speed, as of predict, and "draws" or "next", in any order. */
+/* Reads a speed, as in predict, and "draws" or "next", in any order. */
 static bool
-take_words(const struct args *args, struct question *q, bool *draws, bool *next,
-    struct error *error)
+read_speed_and_words(const struct args *args, struct question *q, bool *draws,
+    bool *next, struct error *error)
 {
 	bool given = q->speed_given;
 	for (size_t i = 0; i < args->n_operand; i++) {
@@ -418,7 +419,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	bool draws = false, next = false;
-	if (!take_words(args, q, &draws, &next, error))
+	if (!read_speed_and_words(args, q, &draws, &next, error))
 		return false;
 	if (next)
 		return cmd_advise(s, args, q, error);

@@ -24,13 +24,13 @@
 #include "core/answer/mass_balance.h"
 #include "io/sitefile/units.h"
 
-/* Where a number begins to be worth a sentence. */
-static const double FEW = 0.05;         /* of the feed above the break size */
-static const double MOST_BREAKS = 0.85; /* of what could break */
-static const double SAMPLING = 0.01;    /* passing that sampling tells apart */
-static const double STILL = 0.001; /* passing that a speed of 1 m/s moves */
+/* Limits from which a number is worth a sentence. */
+static const double FEW = 0.05; /* share of the feed above the break size */
+static const double MOST_BREAKS = 0.85; /* share of what could break */
+static const double SAMPLING = 0.01; /* passing that sampling can tell apart */
+static const double STILL = 0.001;   /* passing that 1 m/s changes */
 
-/* What is explained: the site at a speed. */
+/* What is explained: the answer for a site at a speed. */
 struct subject {
 	struct session *s;
 	const struct question *q;
@@ -40,7 +40,7 @@ struct subject {
 	struct answer *answer;
 };
 
-/* Share of the feed above the break size, 0..1. */
+/* Returns the share of the feed above the break size, 0..1. */
 static double
 breakable_share(const struct subject *a)
 {
@@ -105,9 +105,9 @@ say_how_much(const struct subject *a)
 		    100 * moved);
 }
 
-/* What a change of speed by 1 m/s either way does. */
+/* Says if a change of speed by 1 m/s hardly matters. */
 static void
-say_response(const struct subject *a)
+say_if_speed_hardly_matters(const struct subject *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
@@ -128,8 +128,8 @@ say_response(const struct subject *a)
 		    "a class, and then jumps");
 }
 
-/* The fraction that is asked about: how much it is, and what a faster rotor
- * does to it. */
+/* Says how much of the product is in the fraction asked about, and what a
+ * faster rotor does to it. */
 static void
 say_fraction(const struct subject *a)
 {
@@ -199,8 +199,7 @@ say_parameters(const struct subject *a, const struct fit *fit)
 		    flat);
 }
 
-/* What the user can do about reasons of a kind; NULL where these say it
- * themselves. */
+/* What the user can do about each cause; NULL if the reason says it itself. */
 static const char *const REMEDY[] = {
     [TRUST_PATTERN] =
 	N_("look at 'check' and 'plot residuals' for a sample that is off; if "
@@ -223,7 +222,8 @@ static const char *const REMEDY[] = {
 			"speeds or more"),
 };
 
-/* Reason i, and after the last of its kind what to do about it. */
+/* Gives reason i and, after the last reason with its cause, what to do about
+ * it. */
 static void
 say_reason(const struct subject *a, const struct trust *t, size_t i)
 {
@@ -237,7 +237,8 @@ say_reason(const struct subject *a, const struct trust *t, size_t i)
 		answer_note(a->answer, "  what to do: %s", tr(REMEDY[cause]));
 }
 
-/* That there is nothing to worry about, before all that the answer rests on. */
+/* Says that there is nothing to worry about, before all that the answer rests
+ * on. */
 static void
 say_green(const struct subject *a, const struct trust *t)
 {
@@ -295,7 +296,8 @@ say_fit(const struct subject *a)
 	say_parameters(a, fit);
 }
 
-/* A measured product at this very speed that was not trained on. */
+/* Compares with a measured product at exactly this speed that was not used for
+ * training. */
 static void
 say_measured(const struct subject *a)
 {
@@ -304,7 +306,8 @@ say_measured(const struct subject *a)
 	for (size_t first = r; site->with[0] == '\0' && r < site->n_run &&
 			       site->run[r].speed == site->run[first].speed;
 	     r++) {
-		if (a->entry->train[r] || misfit_covered(&site->run[r]) == 0)
+		if (a->entry->train[r] ||
+		    misfit_count_covered(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
@@ -321,7 +324,7 @@ say_measured(const struct subject *a)
 	}
 }
 
-/* As the sheet says itself. */
+/* Says what the site file states about its data. */
 static void
 say_data(const struct subject *a)
 {
@@ -348,7 +351,7 @@ struct balance {
 	struct ledger of[2];
 };
 
-/* "8/11.2", "0/0.063"; of class i. */
+/* Returns "8/11.2" or "0/0.063" for class i. */
 static char *
 class_label(const struct psd *feed, size_t i)
 {
@@ -356,9 +359,11 @@ class_label(const struct psd *feed, size_t i)
 	return xasprintf("%g/%g", finer, units_mm(feed->size[i]));
 }
 
-/* The cells behind the class's: three for each speed. */
+/* Adds the cells after that of the class: the feed, three for each speed, and
+ * the change. */
 static void
-row_cells(struct answer *r, const double feed, double at[2][3], double change)
+add_cells_of_class(
+    struct answer *r, const double feed, double at[2][3], double change)
 {
 	answer_cells(r, "%.1f", 100 * feed);
 	for (size_t k = 0; k < 2; k++)
@@ -368,7 +373,7 @@ row_cells(struct answer *r, const double feed, double at[2][3], double change)
 }
 
 /* For people: what stays in a class, broken or not, what leaves it and what
- * comes, so that each row adds up to the feed's and the product's. */
+ * comes in, so that each row adds up to the feed and to the product. */
 static void
 add_rows_for_people(struct answer *r, const struct balance *b)
 {
@@ -399,14 +404,14 @@ add_rows_for_people(struct answer *r, const struct balance *b)
 			answer_text(r, "%g", units_mm(b->feed->size[i + 1]));
 		else
 			answer_text(r, "pan");
-		row_cells(r, b->of[0].feed[i], at, change);
+		add_cells_of_class(r, b->of[0].feed[i], at, change);
 	}
 	answer_text(r, "sum");
-	/* Not to be shown as -0.0. */
-	row_cells(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
+	/* A sum of -0.0 is shown as 0.0. */
+	add_cells_of_class(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
 }
 
-/* For programs: a row a speed and class. */
+/* For programs: a row for each speed and class. */
 static void
 add_rows_for_programs(struct answer *r, const struct balance *b)
 {
@@ -426,15 +431,15 @@ add_rows_for_programs(struct answer *r, const struct balance *b)
 }
 
 static void
-note_ways(struct answer *r, const struct balance *b)
+note_where_mass_goes(struct answer *r, const struct balance *b)
 {
 	const struct ledger *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
-	/* Of what breaks less the largest fall. */
+	/* If less breaks, the classes are those where it falls most. */
 	bool faster = b->p[1].speed > b->p[0].speed;
 	const struct ledger *low = faster ? a : z, *high = faster ? z : a;
-	size_t out = ledger_most(high->left, low->left, a->n);
-	size_t in = ledger_most(high->arrived, low->arrived, a->n);
+	size_t out = ledger_class_of_largest(high->left, low->left, a->n);
+	size_t in = ledger_class_of_largest(high->arrived, low->arrived, a->n);
 	FREED char *from = class_label(b->feed, out),
 		   *to = class_label(b->feed, in);
 	if (fabs(more) < 5e-4)
@@ -457,8 +462,8 @@ note_ways(struct answer *r, const struct balance *b)
 	fields_put(answer_fields(r), "broken_change_pct %g", 100 * more);
 }
 
-/* By how much the answer's change differs from the model's: the largest, and
- * where. */
+/* Returns the largest difference between the answer's change and the model's,
+ * and sets *sieve to where it is. */
 static double
 corrected_change(const struct balance *b, double *sieve)
 {
@@ -536,7 +541,7 @@ why_give(struct balance *b)
 	add_rows_for_people(r, b);
 	answer_fill_for_programs(r);
 	add_rows_for_programs(r, b);
-	note_ways(r, b);
+	note_where_mass_goes(r, b);
 	note_correction(r, b);
 	for (size_t k = 0; k < 2; k++)
 		if (answers_extrapolates(entry, b->p[k].speed))
@@ -551,7 +556,7 @@ why_give(struct balance *b)
 	session_show_answer(b->s, r);
 }
 
-/* Answers `why 69 79`: the second speed is the operand. */
+/* Answers `why 69 79`, whose second speed is an operand. */
 static bool
 balance_answer(struct session *s, const struct args *args,
     const struct question *q, struct error *error)
@@ -608,7 +613,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_green(&a, &trust);
 	say_breakage(&a);
 	say_how_much(&a);
-	say_response(&a);
+	say_if_speed_hardly_matters(&a);
 	say_fraction(&a);
 	say_trained(&a);
 	say_measured(&a);

@@ -24,7 +24,7 @@ struct window_request {
 	struct speed_search *w;
 };
 
-/* Those of the goal that is set, where none are given. */
+/* Takes the conditions of the session's goal if none are given. */
 static bool
 take_goal(struct session *s, struct window_request *a, struct error *error)
 {
@@ -64,8 +64,8 @@ window_look(struct session *s, struct window_request *a, double from, double to)
 	forecast_at(a->wanted.forecast, a->w->best);
 }
 
-/* "passing 0.5 mm sets the lower end, 71.5 m/s, passing 0.063 mm the upper,
- * 76.2 m/s"; one quantity may do both. */
+/* Notes "passing 0.5 mm sets the lower end, 71.5 m/s, passing 0.063 mm the
+ * upper, 76.2 m/s".  One quantity may set both. */
 static void
 note_binding(struct answer *r, const struct window_request *a)
 {
@@ -103,7 +103,7 @@ note_binding(struct answer *r, const struct window_request *a)
 		    a->wanted.from, a->wanted.to);
 }
 
-/* "1.2 points away, 0.9 times the width of its band". */
+/* Notes "1.2 points away, 0.9 times the width of its band". */
 static void
 note_margin(struct answer *r, const struct window_request *a)
 {
@@ -145,7 +145,7 @@ note_inside(struct answer *r, const struct window_request *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
-/* Why it is the best, and the slowest that will do. */
+/* Notes why the speed is the best, and the slowest that is safe. */
 static void
 note_best(struct answer *r, const struct window_request *a)
 {
@@ -176,7 +176,7 @@ note_best(struct answer *r, const struct window_request *a)
 	answer_note(r, "%s", words);
 }
 
-/* The best speed, and how sure it and those about it are. */
+/* Notes the best speed, and how certain it and the speeds around it are. */
 static void
 note_certain_speeds(
     struct answer *r, const struct session *s, const struct window_request *a)
@@ -194,7 +194,7 @@ note_certain_speeds(
 }
 
 static void
-put_certain(struct fields *o, const struct window_request *a)
+put_certain_speeds(struct fields *o, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	if (isfinite(w->sure[0]))
@@ -237,7 +237,7 @@ put_window(struct fields *o, const struct window_request *a, bool outside)
 	put_limits(o, a);
 }
 
-/* The same as a picture. */
+/* Notes the plot that shows the same. */
 static void
 note_picture(struct answer *r, const struct args *args)
 {
@@ -273,7 +273,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_window(answer_fields(r), &a,
 		    answers_extrapolates(entry, a.w->best));
 		note_certain_speeds(r, s, &a);
-		put_certain(answer_fields(r), &a);
+		put_certain_speeds(answer_fields(r), &a);
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);

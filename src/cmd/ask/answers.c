@@ -57,7 +57,7 @@ answers_check_params(
 		    &s->set.model, entry->params.breakage, error);
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
-	    site_products(entry->site) > 0
+	    site_count_products(entry->site) > 0
 		? tr("run 'calibrate', or supply them with 'recall' or 'params "
 		     "set'")
 		: tr("run 'guess' for an estimate, or 'params use SITE' for "
@@ -108,7 +108,7 @@ double
 answers_usual_speed(const struct entry *entry)
 {
 	const double usual = 74;
-	double from, to, speed = 0, middle = site_middle(entry->site);
+	double from, to, speed = 0, middle = site_middle_speed(entry->site);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
 		if (!entry->train[r] && run->product.n > 0 &&
@@ -196,7 +196,8 @@ answers_size_columns(struct answer *r)
  * unit; where there is a range, followed by " (2.75 to 2.90)", whose lower end
  * may lie below the finest sieve. */
 static void
-add_size(char **list, const struct psd *psd, size_t i, const double *range)
+append_size_with_range(
+    char **list, const struct psd *psd, size_t i, const double *range)
 {
 	double x = psd_size(psd, PSD_PASSING[i]);
 	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
@@ -220,13 +221,14 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 {
 	FREED char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		add_size(&sizes, &p->curve, i, p->range[i]);
+		append_size_with_range(&sizes, &p->curve, i, p->range[i]);
 	answer_note(r, "%s", sizes);
 }
 
 /* Which model it is, where that is not the paper's. */
 static void
-note_model(const struct session *s, struct answer *r, const struct entry *entry)
+note_model_unless_papers(
+    const struct session *s, struct answer *r, const struct entry *entry)
 {
 	size_t own = entry->params.breakage, set = s->set.model.breakage;
 	if (!entry->has_params)
@@ -275,7 +277,7 @@ note_other_feed(struct answer *r, const struct entry *entry)
 
 /* What is to be said of another feed or machine beside title and light. */
 static void
-note_variant(struct answer *r, const struct entry *entry)
+note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 {
 	const struct variant *v = entry->variant;
 	if (v == NULL)
@@ -301,8 +303,8 @@ answers_rpm(const struct site *site, double low, double high)
 
 /* A speed beyond those that were measured, where the light does not say so. */
 static void
-note_beyond(struct answer *r, const struct entry *entry, double speed,
-    const struct trust *light)
+warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
+    double speed, const struct trust *light)
 {
 	double slowest, fastest;
 	if ((light->n > 0 && light->reason[0].cause == TRUST_BEYOND) ||
@@ -319,12 +321,12 @@ answers_note_basis(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light)
 {
-	note_beyond(r, q->entry, speed, light);
+	warn_beyond_measured_speeds(r, q->entry, speed, light);
 	origin_note(r, q->entry);
 	feed_note(r, q->entry->site, q->feed, whose, q->moved);
 	feed_note_assumed(r, q->entry->site, whose);
-	note_variant(r, q->entry);
-	note_model(s, r, q->entry);
+	note_other_feed_or_machine(r, q->entry);
+	note_model_unless_papers(s, r, q->entry);
 }
 
 void
@@ -355,7 +357,7 @@ answers_show_basis_of_fit(const struct session *s, struct answer *r,
 		outlook_note_low_high(r, s, entry, false);
 	origin_note(r, entry);
 	feed_note_assumed(r, entry->site, NULL);
-	note_model(s, r, entry);
+	note_model_unless_papers(s, r, entry);
 	struct trust trust = light_of_prediction(s, entry, NULL);
 	enum light light = trust.light;
 	light_show(r, trust);

@@ -31,7 +31,7 @@ blended_add(struct session *s, const char *file, double share,
 
 /* 0: made up, 1: not stated, 2: measured. */
 static int
-rank_source(const struct site *sheet)
+rank_of_source(const struct site *sheet)
 {
 	const char *kind = site_data_kind(sheet->provenance);
 	return site_data_made_up(sheet->provenance) ? 0
@@ -50,10 +50,10 @@ source_clauses(const struct blended *b)
 		for (size_t i = 0; i < b->n; i++) {
 			const struct site *sheet = b->part[i].sheet;
 			FREED char *one = site_source(sheet, "not stated");
-			if (rank_source(sheet) == rank &&
+			if (rank_of_source(sheet) == rank &&
 			    strstr(list, one) == NULL)
 				xlist(&list, ", ", "%s", one);
-			any = any || rank_source(sheet) != 1;
+			any = any || rank_of_source(sheet) != 1;
 		}
 	if (!any)
 		list[0] = '\0';
@@ -69,8 +69,8 @@ rock_names(const struct blended *b)
 		const char *rock = b->part[i].sheet->rock;
 		bool known = rock[0] == '\0';
 		for (size_t k = 0; k < i; k++)
-			known =
-			    known || text_same(b->part[k].sheet->rock, rock);
+			known = known ||
+				text_same_folded(b->part[k].sheet->rock, rock);
 		if (!known)
 			xlist(&list, tr(" and "), "%s", rock);
 	}
@@ -98,7 +98,7 @@ blended_mix(struct blended *b)
 
 /* The feed of one sheet as it is. */
 static bool
-read_one(
+read_feed_of_sheet(
     struct session *s, const char *file, struct blended *b, struct error *error)
 {
 	if (!blended_add(s, file, 1, b, error))
@@ -114,8 +114,8 @@ read_one(
 }
 
 static bool
-add_term(struct session *s, const char *at, size_t length, double share,
-    struct blended *b, struct error *error)
+add_sheet_with_share(struct session *s, const char *at, size_t length,
+    double share, struct blended *b, struct error *error)
 {
 	FREED char *file = xstrndup(at, length);
 	bool ok = length > 0 && share > 0 && share <= 1;
@@ -142,10 +142,10 @@ blended_read(
 	*b = (struct blended){.text = xstrdup(text)};
 	value_feed(text, &length, &share);
 	if (isnan(share))
-		return read_one(s, text, b, error);
+		return read_feed_of_sheet(s, text, b, error);
 	for (const char *at = text, *next; at != NULL; at = next) {
 		next = value_feed(at, &length, &share);
-		if (!add_term(s, at, length, share, b, error))
+		if (!add_sheet_with_share(s, at, length, share, b, error))
 			return false;
 		sum += share;
 	}

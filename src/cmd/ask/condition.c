@@ -91,7 +91,7 @@ conditions_expected(const char *text, struct error *error)
 
 /* What a limit may be: "0 to 100 %". */
 static bool
-conditions_beyond(const char *text, const struct quantity *q, double most,
+conditions_error_beyond(const char *text, const struct quantity *q, double most,
     struct error *error)
 {
 	const char *unit = quantities_unit(q);
@@ -122,7 +122,7 @@ condition_read_limit(const char *text, const struct quantity *q, double *limit,
 {
 	char *copy = xstrdup(text), *word = text_trim(copy);
 	const char *unit = quantities_unit(q);
-	if (unit[0] != '\0' && text_ends(word, unit))
+	if (unit[0] != '\0' && text_ends_with(word, unit))
 		word[strlen(word) - strlen(unit)] = '\0';
 	word = text_trim(word);
 	double one = quantities_shown(q, 1);
@@ -131,7 +131,7 @@ condition_read_limit(const char *text, const struct quantity *q, double *limit,
 				       : INFINITY;
 	bool ok = text_number(word, limit) || no_number(word, q, error);
 	if (ok && (*limit < 0 || *limit > most))
-		ok = conditions_beyond(word, q, most, error);
+		ok = conditions_error_beyond(word, q, most, error);
 	*limit /= one;
 	free(copy);
 	return ok;
@@ -206,7 +206,7 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 
 /* The same with a sign for the words that stand for one; the caller frees. */
 static char *
-with_sign(const char *text)
+replace_words_by_sign(const char *text)
 {
 	static const struct {
 		const char *words;
@@ -310,7 +310,7 @@ bool
 conditions_read(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
-	FREED char *with = with_sign(text);
+	FREED char *with = replace_words_by_sign(text);
 	bool ok = true;
 	for (char *at = with; ok && *at != '\0'; at++) {
 		if (!is_decimal_comma(with, at))
@@ -333,7 +333,7 @@ conditions_may_be_whole(const char *text)
 	if (of != NULL)
 		return quantities_read(
 		    of, &(struct partition){0, 1}, &q, &none);
-	char *with = with_sign(text);
+	char *with = replace_words_by_sign(text);
 	size_t sign = strcspn(with, "<>=");
 	bool ends = with[sign] != '\0' && strpbrk(with + sign, DIGITS) != NULL;
 	struct condition c;
@@ -415,7 +415,9 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 	if (list->n == before)
 		return error_set(error, ERROR_DATA,
 		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves",
+		    "sieves\n"
+		    "use another envelope ('spec list' lists them), or a "
+		    "feed sieved that far",
 		    spec->name);
 	free(list->source);
 	list->source =

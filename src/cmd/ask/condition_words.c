@@ -43,8 +43,9 @@ conditions_first_word(const struct command *command, const struct words *words)
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
 		return 1;
-	return takes && words->n > 3 && text_same(words->text[1], "goal") ? 2
-									  : 0;
+	return takes && words->n > 3 && text_same_folded(words->text[1], "goal")
+		   ? 2
+		   : 0;
 }
 
 /* Joins the words that go on with the condition at word i.  The goal that is

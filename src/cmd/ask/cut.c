@@ -28,9 +28,9 @@ is_outside_band(const struct cut *c)
 /* The passings of a run's product at the sieves that crushing can change, [*n];
  * the caller frees. */
 static struct quantity *
-changed_sieves(const struct run *r, size_t *n)
+sieves_that_crushing_changes(const struct run *r, size_t *n)
 {
-	size_t covered = misfit_covered(r);
+	size_t covered = misfit_count_covered(r);
 	struct quantity *q = xcalloc(covered, sizeof *q);
 	*n = 0;
 	for (size_t i = 0; i < covered; i++)
@@ -48,7 +48,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	const struct run *r = &entry->site->run[run];
 	const struct question q = question_of_whole_product(s, entry, run);
 	struct cut c = {.level = q.level, .no_band = true};
-	FREED struct quantity *asked = changed_sieves(r, &c.n);
+	FREED struct quantity *asked = sieves_that_crushing_changes(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;
 	forecast_part_at(f, r->speed, ENSEMBLE_SAMPLE);
@@ -142,7 +142,7 @@ cut_compare_later(const struct session *s, const struct entry *entry)
 	if (h->later.site == site)
 		return h->later;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (misfit_covered(&site->run[r]) == 0 ||
+		if (misfit_count_covered(&site->run[r]) == 0 ||
 		    was_in_calibration(h->site, &site->run[r]))
 			continue;
 		struct cut c = cut_compare(s, entry, r);
@@ -162,9 +162,9 @@ cut_is_only_check(const struct entry *entry, size_t *run)
 {
 	const struct site *site = entry->site;
 	if (!entry->has_params || !origin_is_other(entry) ||
-	    site_products(site) != 1)
+	    site_count_products(site) != 1)
 		return false;
 	for (*run = 0; site->run[*run].product.n == 0;)
 		++*run;
-	return misfit_covered(&site->run[*run]) > 0;
+	return misfit_count_covered(&site->run[*run]) > 0;
 }

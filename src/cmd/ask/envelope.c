@@ -35,7 +35,7 @@ grading_find_spec(const struct session *s, const char *name)
 }
 
 static const struct spec *
-shipped(struct session *s, const char *words, struct error *error)
+shipped_envelope(struct session *s, const char *words, struct error *error)
 {
 	struct standards *all = standards_shipped();
 	const struct spec *found = standards_find(all, words, error);
@@ -80,7 +80,7 @@ grading_spec(struct session *s, const char *words, struct error *error)
 	if (words != NULL)
 		return standards_is_path(words)
 			   ? read_spec_file(s, words, error)
-			   : shipped(s, words, error);
+			   : shipped_envelope(s, words, error);
 	if (s->spec == NULL)
 		error_set(error, ERROR_USAGE,
 		    "no grading envelope is chosen\n"
@@ -95,11 +95,11 @@ static const char CATEGORY[] = "FM category ";
 /* What the options say of screens; else the fraction that the envelope is
  * for. */
 static bool
-take_fraction(const struct args *args, const struct spec *spec,
+fraction_of_options(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
 {
 	const char *cut = args->cut;
-	bool off = cut != NULL && text_same(cut, "off");
+	bool off = cut != NULL && text_same_folded(cut, "off");
 	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
 	if (off)
 		*f = (struct fraction){0};
@@ -118,7 +118,7 @@ begins_with_text(const char *text, const char *start)
 
 /* The modulus of a standard's sieves where it is that of a sand. */
 static const struct modulus *
-modulus_of(const struct spec *spec)
+modulus_of_sand_standard(const struct spec *spec)
 {
 	const double sand = 0.006;
 	for (size_t i = 0; i < MODULI; i++)
@@ -132,8 +132,8 @@ modulus_of(const struct spec *spec)
 /* The first limit of a standard on what begins so, or the one after another;
  * NULL at the end. */
 static const struct standard_limit *
-next_limit(const struct standards *all, const char *standard, const char *item,
-    const struct standard_limit *after)
+next_limit_on_item(const struct standards *all, const char *standard,
+    const char *item, const struct standard_limit *after)
 {
 	for (size_t i = after != NULL ? (size_t)(after - all->limit) + 1 : 0;
 	     i < all->n_limit; i++)
@@ -149,7 +149,7 @@ static const struct standard_limit *
 modulus_limit(const struct standards *all, const char *standard)
 {
 	const struct standard_limit *l = NULL;
-	while ((l = next_limit(all, standard, "FM ", l)) != NULL)
+	while ((l = next_limit_on_item(all, standard, "FM ", l)) != NULL)
 		if (!begins_with_text(l->item, CATEGORY) && !isnan(l->least))
 			return l;
 	return NULL;
@@ -159,7 +159,8 @@ modulus_limit(const struct standards *all, const char *standard)
 static const struct standard_limit *
 step_limit(const struct standards *all, const char *standard)
 {
-	return next_limit(all, standard, "between two consecutive", NULL);
+	return next_limit_on_item(
+	    all, standard, "between two consecutive", NULL);
 }
 
 static void
@@ -168,7 +169,7 @@ add_modulus(struct grading_limits *l, const struct spec *spec,
     const struct standards *all)
 {
 	const struct standard_limit *fm = modulus_limit(all, spec->standard);
-	const struct modulus *m = modulus_of(spec);
+	const struct modulus *m = modulus_of_sand_standard(spec);
 	if (fm == NULL || m == NULL)
 		return;
 	l->modulus_unknown = !psd_covers(feed, m->mm[m->n - 1] / 1000);
@@ -220,13 +221,13 @@ grading_limits(const struct spec *spec, const struct fraction *fraction,
 }
 
 static double
-grading_value(const struct grading *g, size_t i)
+value_of_quantity(const struct grading *g, size_t i)
 {
 	return forecast_figure(g->conditions.forecast, i).value;
 }
 
 static void
-ask_quantities(
+open_conditions(
     const struct session *s, const struct question *q, struct grading *g)
 {
 	const struct quantity more[] = {
@@ -244,16 +245,18 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
 	const struct psd *from = question_feed(q);
-	g->modulus = modulus_of(g->spec);
+	g->modulus = modulus_of_sand_standard(g->spec);
 	g->limits = grading_limits(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
 		free(g->limits.at);
 		return error_set(error, ERROR_DATA,
 		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves",
+		    "sieves\n"
+		    "use another envelope ('spec list' lists them), or a "
+		    "feed sieved that far",
 		    g->spec->name);
 	}
-	ask_quantities(s, q, g);
+	open_conditions(s, q, g);
 	return true;
 }
 
@@ -263,7 +266,7 @@ grading_open(const struct session *s, const struct args *args,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec};
-	return take_fraction(args, spec, &g->fraction, error) &&
+	return fraction_of_options(args, spec, &g->fraction, error) &&
 	       open_forecast_of_limits(s, q, g, error);
 }
 
@@ -340,7 +343,7 @@ missed_words(const struct grading *g, size_t i)
 	const double near = 0.005;
 	struct wanted_limit limit = wanted_margin(&g->conditions, i).limit;
 	double most = quantities_shown(&q, limit.most ? c->most : c->least);
-	double is = quantities_shown(&q, grading_value(g, i));
+	double is = quantities_shown(&q, value_of_quantity(g, i));
 	const char *unit = quantities_unit_suffix(&q);
 	q.fraction = (struct fraction){0};
 	FREED char *name = quantities_words(&q);
@@ -426,8 +429,10 @@ modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
 	const struct standard_limit *own = modulus_limit(all, spec->standard);
 	FREED char *in = xstrdup("");
 	const struct standard_limit *l = NULL;
-	bool categories = next_limit(all, spec->standard, CATEGORY, l) != NULL;
-	while ((l = next_limit(all, spec->standard, CATEGORY, l)) != NULL)
+	bool categories =
+	    next_limit_on_item(all, spec->standard, CATEGORY, l) != NULL;
+	while (
+	    (l = next_limit_on_item(all, spec->standard, CATEGORY, l)) != NULL)
 		if (fm >= l->least && fm <= l->most)
 			xlist(&in, tr(" and "), "%s",
 			    l->item + sizeof CATEGORY - 1);
@@ -476,7 +481,8 @@ largest_step(const struct grading *g, size_t *at)
 {
 	double most = 0;
 	for (size_t i = 0; i + 1 < g->limits.n_sieve; i++) {
-		double step = grading_value(g, i) - grading_value(g, i + 1);
+		double step =
+		    value_of_quantity(g, i) - value_of_quantity(g, i + 1);
 		if (step <= most)
 			continue;
 		most = step;
@@ -522,7 +528,7 @@ note_steps(
 
 /* Tolerances are about a grading that somebody has declared. */
 static void
-note_tolerances(
+note_tolerances_unchecked(
     struct answer *r, const struct spec *spec, const struct standards *all)
 {
 	size_t n = 0;
@@ -544,7 +550,7 @@ grading_notes(struct answer *r, const struct grading *g)
 	note_modulus(r, g, all);
 	note_steps(r, g, all);
 	if (fraction_screens(&g->fraction)) {
-		double share = 100 * grading_value(g, g->limits.n);
+		double share = 100 * value_of_quantity(g, g->limits.n);
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0
@@ -559,7 +565,7 @@ grading_notes(struct answer *r, const struct grading *g)
 		    "not checked: %g mm and below, finer than the feed's "
 		    "finest sieve",
 		    units_mm(spec->size[g->limits.n_sieve]));
-	note_tolerances(r, spec, all);
+	note_tolerances_unchecked(r, spec, all);
 	if (spec->source[0] != '\0')
 		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
 	standards_free(all);

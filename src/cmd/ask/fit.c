@@ -25,7 +25,7 @@ fit_holdout_rmse(const struct entry *entry)
 	double largest = NAN;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] || misfit_covered(run) == 0)
+		if (entry->train[r] || misfit_count_covered(run) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->fit.params, entry->fit.settings, NULL);
@@ -45,7 +45,7 @@ fit_outlier(const struct entry *entry)
 	struct validation farthest = {.worst_difference = 0};
 	for (size_t r = 0; entry->has_fit && r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
-		if (misfit_covered(run) == 0)
+		if (misfit_count_covered(run) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->fit.params, entry->fit.settings, NULL);

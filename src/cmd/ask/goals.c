@@ -46,7 +46,7 @@ goals_is_condition(const char *text)
 }
 
 static bool
-is_value(const struct condition *c)
+is_single_value(const struct condition *c)
 {
 	return c->least == c->most;
 }
@@ -64,9 +64,9 @@ read_spec(struct session *s, const char *name, const struct psd *feed,
 		      conditions_add_spec(spec, &WHOLE, feed, list, error));
 	for (; ok && i < list->n; i++) {
 		struct condition *c = &list->at[i];
-		if (is_value(c) && c->least > 0)
+		if (is_single_value(c) && c->least > 0)
 			c->most = NAN;
-		else if (is_value(c))
+		else if (is_single_value(c))
 			c->least = NAN;
 	}
 	free(list->source);
@@ -76,8 +76,8 @@ read_spec(struct session *s, const char *name, const struct psd *feed,
 
 /* Adds one to the list, on that feed. */
 static bool
-read_one(struct session *s, const char *text, const struct psd *feed,
-    struct condition_list *list, struct error *error)
+read_condition_or_envelope(struct session *s, const char *text,
+    const struct psd *feed, struct condition_list *list, struct error *error)
 {
 	struct condition c;
 	if (!goals_is_condition(text))
@@ -97,7 +97,7 @@ put_value_last(
 	size_t at = 0;
 	*n_value = 0;
 	for (size_t i = 0; i < list->n; i++)
-		if (is_value(&list->at[i])) {
+		if (is_single_value(&list->at[i])) {
 			at = i;
 			++*n_value;
 		}
@@ -121,8 +121,8 @@ goals_read(struct session *s, const char *text, const struct psd *feed,
 	for (const char *at = text; *at != '\0';) {
 		size_t length = conditions_length(at);
 		char *copy = xstrndup(at, length), *word = text_trim(copy);
-		bool ok =
-		    word[0] == '\0' || read_one(s, word, feed, list, error);
+		bool ok = word[0] == '\0' || read_condition_or_envelope(
+						 s, word, feed, list, error);
 		free(copy);
 		if (!ok)
 			return false;
@@ -190,7 +190,7 @@ missed_condition_words(const struct condition *c, double value, bool most)
 	while (strcmp(number, edge) == 0 && digits < 9);
 	char *words = xasprintf(
 	    "%s %s%s%s", name, number, unit[0] != '\0' ? " " : "", unit);
-	if (!is_value(c))
+	if (!is_single_value(c))
 		xappend(&words, " (%s %s)", most ? tr("max") : tr("min"), edge);
 	free(name);
 	return words;

@@ -67,8 +67,8 @@ forecast_of_passings(const struct session *s, const struct question *q,
 
 /* Passings stay between 0 and 1, and fall with the size. */
 static void
-move_run(struct moved *m, const struct session *s, const struct entry *entry,
-    size_t run)
+move_product_to_feed(struct moved *m, const struct session *s,
+    const struct entry *entry, size_t run)
 {
 	const struct run *r = &entry->site->run[run];
 	struct psd *product = &m->product[run];
@@ -142,7 +142,7 @@ moved_product(const struct session *s, const struct entry *entry,
 		return measured;
 	struct moved *m = moved_cache_for(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
-		move_run(m, s, entry, run);
+		move_product_to_feed(m, s, entry, run);
 	return &m->product[run];
 }
 

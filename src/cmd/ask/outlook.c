@@ -22,7 +22,7 @@ runs_that_inform(
 	size_t n = h->site->n_run;
 	bool *use = xcalloc(n, sizeof *use), same = true;
 	for (size_t r = 0; r < n; r++) {
-		bool measured = misfit_covered(&h->site->run[r]) > 0;
+		bool measured = misfit_count_covered(&h->site->run[r]) > 0;
 		use[r] =
 		    h->train[r] || (correction == CORRECTION_ALL && measured);
 		same = same && use[r] == h->train[r];
@@ -34,7 +34,7 @@ runs_that_inform(
 /* Whether there is something to draw from, of a calibration that came to its
  * end. */
 static bool
-has_draws(const struct entry *entry)
+can_draw(const struct entry *entry)
 {
 	const struct fit *fit = origin_fit(entry);
 	return fit != NULL && !fit_too_few(fit) &&
@@ -44,8 +44,8 @@ has_draws(const struct entry *entry)
 /* Begins to draw for a place of the history, or goes on: until all is drawn,
  * or `stop` says that somebody waits.  steps: at most so many, 0: all. */
 static void
-draw_steps(const struct session *s, const struct entry *entry, const bool *use,
-    size_t place, size_t steps)
+draw_some_steps(const struct session *s, const struct entry *entry,
+    const bool *use, size_t place, size_t steps)
 {
 	struct history *h = entry->origin->history;
 	const struct fit *fit = origin_fit(entry);
@@ -81,7 +81,7 @@ draw_steps(const struct session *s, const struct entry *entry, const bool *use,
 
 /* The draws; NULL while they are not complete. */
 static const struct posterior *
-complete_draws(const struct session *s, const struct entry *entry,
+draws_if_complete(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
 	struct history *h = entry->origin->history;
@@ -90,14 +90,14 @@ complete_draws(const struct session *s, const struct entry *entry,
 	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
 		history_draw_again(h, s->set.noise, s->set.draw_seed);
 	if (h->posterior[place] == NULL)
-		draw_steps(s, entry, use, place, steps);
+		draw_some_steps(s, entry, use, place, steps);
 	return h->posterior[place];
 }
 
 struct posterior *
 outlook_begin_draws(const struct session *s, const struct entry *entry)
 {
-	if (!has_draws(entry) || outlook_correction(s, entry) == CORRECTION_OFF)
+	if (!can_draw(entry) || outlook_correction(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->history;
 	const struct fit *fit = origin_fit(entry);
@@ -115,8 +115,8 @@ const struct posterior *
 outlook_posterior(const struct session *s, const struct entry *entry,
     enum correction correction)
 {
-	return has_draws(entry) ? complete_draws(s, entry, correction, 0)
-				: NULL;
+	return can_draw(entry) ? draws_if_complete(s, entry, correction, 0)
+			       : NULL;
 }
 
 enum correction
@@ -136,11 +136,11 @@ informing_correction(const struct session *s, const struct entry *entry)
 }
 
 bool
-outlook_draw(const struct session *s, const struct entry *entry)
+outlook_draw_some_steps(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
-	return !has_draws(entry) ||
-	       complete_draws(
+	return !can_draw(entry) ||
+	       draws_if_complete(
 		   s, entry, informing_correction(s, entry), STEPS) != NULL;
 }
 
@@ -295,7 +295,7 @@ outlook_ensemble(
 	struct psd sizes = predict_sizes(entry->site, feed);
 	*kept = (struct ensemble_of){p, entry->site, feed_run,
 	    ensemble_new(p, feed, sizes.size, sizes.n)};
-	ensemble_machine(kept->ensemble, outlook_settings(s, entry));
+	ensemble_set_machine(kept->ensemble, outlook_settings(s, entry));
 	psd_free(&sizes);
 	return kept->ensemble;
 }

@@ -31,7 +31,8 @@ struct posterior *outlook_begin_draws(
 
 /* Draws a part of the posterior that outlook_posterior_for_comparison returns.
  * Returns true if all of it is drawn or there is nothing to draw from. */
-bool outlook_draw(const struct session *s, const struct entry *entry);
+bool outlook_draw_some_steps(
+    const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of the runs set to inform answers, or that of the
  * training runs if answers are the model alone. */

@@ -30,7 +30,7 @@ read_size(const char *text, double *m)
 {
 	FREED char *word = xstrdup(text);
 	double mm = sieve_name_mm(text, SIEVE_NONE);
-	if (text_ends(word, "mm"))
+	if (text_ends_with(word, "mm"))
 		word[strlen(word) - 2] = '\0';
 	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&
 		  mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
@@ -66,7 +66,8 @@ read_modulus(const char *name, struct quantity *q, struct error *error)
 {
 	q->kind = QUANTITY_MODULUS;
 	for (size_t i = 0; i < MODULI; i++)
-		if (name[0] == '\0' || text_same(name, MODULUS[i].name)) {
+		if (name[0] == '\0' ||
+		    text_same_folded(name, MODULUS[i].name)) {
 			q->modulus = &MODULUS[i];
 			return true;
 		}
@@ -79,7 +80,7 @@ read_modulus(const char *name, struct quantity *q, struct error *error)
 /* What follows a word at the start, without the blanks between; NULL where
  * the text begins with another word. */
 static const char *
-after(const char *text, const char *word)
+text_after_word(const char *text, const char *word)
 {
 	size_t n = strlen(word);
 	if (strncasecmp(text, word, n) != 0)
@@ -96,18 +97,18 @@ read_kind(const char *text, struct quantity *q, struct error *error)
 		q->kind = QUANTITY_PASSING;
 		q->x = QUANTITIES_FINES;
 		q->letter = 'f';
-	} else if ((rest = after(text, "passing")) != NULL) {
+	} else if ((rest = text_after_word(text, "passing")) != NULL) {
 		q->kind = QUANTITY_PASSING;
 		if (!read_size(rest, &q->x))
 			return quantities_expected(text, error);
-	} else if ((rest = after(text, "fm")) != NULL) {
+	} else if ((rest = text_after_word(text, "fm")) != NULL) {
 		return read_modulus(rest, q, error);
 	} else if (strcasecmp(text, "cu") == 0) {
 		q->kind = QUANTITY_UNIFORMITY;
 	} else if (strcasecmp(text, "cc") == 0) {
 		q->kind = QUANTITY_CURVATURE;
 	} else if (strchr(text, '/') != NULL) {
-		rest = after(text, "share");
+		rest = text_after_word(text, "share");
 		q->kind = QUANTITY_SHARE;
 		return quantities_fraction(
 		    rest != NULL ? rest : text, &q->fraction, error);
@@ -241,7 +242,7 @@ quantities_fraction_text(const struct fraction *fraction)
 
 /* How each kind is written: for people, as a key, as it is typed, and the unit
  * behind a number.  %s: what tells it from others of its kind, see
- * kind_name. */
+ * name_in_kind. */
 static const struct {
 	const char *words, *key, *typed, *unit;
 } KINDS[] = {
@@ -258,7 +259,7 @@ static const struct {
 /* The size, percentage, fraction or standard of a quantity; for people or, with
  * key, for programs.  The caller frees. */
 static char *
-kind_name(const struct quantity *q, bool key)
+name_in_kind(const struct quantity *q, bool key)
 {
 	char letter[] = {q->letter != 0 ? q->letter : 'P', '\0'};
 	switch (q->kind) {
@@ -280,7 +281,7 @@ static char *
 fill_in_name(const char *form, const struct quantity *q, bool key)
 {
 	const char *at = strstr(form, "%s");
-	FREED char *name = kind_name(q, key);
+	FREED char *name = name_in_kind(q, key);
 	return at == NULL ? xstrdup(form)
 			  : xasprintf("%.*s%s%s", (int)(at - form), form, name,
 				at + strlen("%s"));

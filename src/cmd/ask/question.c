@@ -166,7 +166,7 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 /* What the option feed names, or the setting does where it is not given; NULL
  * of a command that has no such option. */
 static const char *
-feed_asked(
+feed_option_or_setting(
     const struct session *s, const struct args *args, struct value *value)
 {
 	size_t i = command_option_index(args->command, "feed");
@@ -187,7 +187,7 @@ read_feed(struct session *s, const struct args *args, struct named *r,
     struct error *error)
 {
 	struct value feed;
-	const char *text = feed_asked(s, args, &feed);
+	const char *text = feed_option_or_setting(s, args, &feed);
 	size_t i = command_option_index(args->command, "feed");
 	if (text == NULL ||
 	    !value_is_file(command_option_at(args->command, i), &feed))
@@ -225,11 +225,12 @@ read_sieves(const struct args *args, const struct site *site, struct named *r,
 
 /* The run of the site whose feed is named by its speed. */
 static bool
-choose_feed(const struct session *s, const struct args *args,
+choose_sampled_feed(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	struct value feed;
-	if (feed_asked(s, args, &feed) == NULL || !(feed.number > 0))
+	if (feed_option_or_setting(s, args, &feed) == NULL ||
+	    !(feed.number > 0))
 		return true;
 	return feed_find_sampled(q->entry->site, feed.number, &q->feed, error);
 }
@@ -243,14 +244,14 @@ read_fraction(const struct session *s, const struct args *args,
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
 			args->spec != NULL || s->spec != NULL;
 	if (command_option_index(args->command, "cut") == OPTIONS ||
-	    (args->cut != NULL && text_same(args->cut, "off")))
+	    (args->cut != NULL && text_same_folded(args->cut, "off")))
 		return true;
 	return quantities_option(args, &q->fraction, envelope, error);
 }
 
 /* The question, of what was read for it or for another one. */
 static bool
-question_fill_in(const struct session *s, const struct entry *loaded,
+make_question(const struct session *s, const struct entry *loaded,
     const struct args *args, const struct named *r, struct question *q,
     struct error *error)
 {
@@ -263,7 +264,7 @@ question_fill_in(const struct session *s, const struct entry *loaded,
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
 	}
-	return choose_feed(s, args, q, error) &&
+	return choose_sampled_feed(s, args, q, error) &&
 	       read_fraction(s, args, q, error);
 }
 
@@ -281,7 +282,7 @@ question_read_for(struct session *s, const struct entry *loaded,
 	return read_speed(args, loaded->site, r, error) &&
 	       read_feed(s, args, r, error) &&
 	       read_sieves(args, loaded->site, r, error) &&
-	       question_fill_in(s, loaded, args, r, q, error);
+	       make_question(s, loaded, args, r, q, error);
 }
 
 bool
@@ -290,7 +291,7 @@ question_read_like(struct session *s, const struct entry *loaded,
     struct error *error)
 {
 	*q = (struct question){.entry = loaded};
-	return question_fill_in(s, loaded, args, like->named, q, error);
+	return make_question(s, loaded, args, like->named, q, error);
 }
 
 bool

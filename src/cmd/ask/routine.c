@@ -25,7 +25,7 @@ const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
 
 /* The date of "72 m/s, 2026-05-03 10:15, cut.csv", in words and seconds. */
 static void
-put_date(struct routine_cut *c, const char *note)
+set_date_of_note(struct routine_cut *c, const char *note)
 {
 	struct datetime m;
 	const char *at = note != NULL ? strstr(note, ", ") : NULL;
@@ -48,7 +48,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 	    origin_fit(entry) != NULL ? entry->origin->history : NULL;
 	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
-	if (misfit_covered(&site->run[run]) == 0)
+	if (misfit_count_covered(&site->run[run]) == 0)
 		return false;
 	for (size_t r = 0; h != NULL && r < h->site->n_run; r++)
 		if (cut_is_same(&h->site->run[r], &site->run[run])) {
@@ -105,16 +105,16 @@ find_cuts(struct routine *r, const struct entry *entry)
 		r->training_only = r->training_only || seen;
 		c->run = i;
 		c->speed = site->run[i].speed;
-		put_date(c, cut_find_note(site, i));
+		set_date_of_note(c, cut_find_note(site, i));
 	}
 	sort_cuts(r, site);
 }
 
 /* The sieves that crushing can change, with what was measured. */
 static void
-put_sieves(struct routine_cut *c, const struct run *run)
+set_sieves_of_cut(struct routine_cut *c, const struct run *run)
 {
-	size_t n = misfit_covered(run), from = 0;
+	size_t n = misfit_count_covered(run), from = 0;
 	while (from + 1 < n &&
 	       !(psd_passing(&run->feed, run->product.size[from]) < 1))
 		from++;
@@ -143,7 +143,7 @@ predict_by_draws(
 }
 
 static void
-predict_alone(struct routine_cut *c, const struct psd *feed,
+predict_by_model_alone(struct routine_cut *c, const struct psd *feed,
     const struct params *params, struct model_settings settings, double noise)
 {
 	struct model *model = model_new(feed, c->size, c->n, settings);
@@ -154,7 +154,7 @@ predict_alone(struct routine_cut *c, const struct psd *feed,
 }
 
 static double
-residual(const struct routine_cut *c, size_t i)
+measured_minus_predicted(const struct routine_cut *c, size_t i)
 {
 	return c->measured[i] - c->predicted[i];
 }
@@ -169,7 +169,7 @@ follow_cuts(struct routine *r)
 		struct routine_cut *c = &r->cut[j];
 		double *off = residuals[j] = xdoubles(c->n);
 		for (size_t i = 0; i < c->n; i++) {
-			off[i] = residual(c, i);
+			off[i] = measured_minus_predicted(c, i);
 			if (fabs(off[i]) > fabs(off[c->worst]))
 				c->worst = i;
 		}
@@ -184,7 +184,7 @@ follow_cuts(struct routine *r)
 /* How many of the last cuts lie on one side, and where these differ most, of
  * sieves that the last one has. */
 static void
-find_side_of_cuts(struct routine *r)
+count_cuts_on_one_side(struct routine *r)
 {
 	const struct routine_cut *last = &r->cut[r->n - 1];
 	bool above = r->point[r->n - 1].chart[DRIFT_LEVEL].value > 0;
@@ -202,7 +202,7 @@ find_side_of_cuts(struct routine *r)
 				const struct routine_cut *c = &r->cut[j];
 				if (fabs(c->size[k] / last->size[i] - 1) > 1e-6)
 					continue;
-				sum += residual(c, k);
+				sum += measured_minus_predicted(c, k);
 				n++;
 			}
 		double mean = sum / (double)n;
@@ -253,15 +253,15 @@ routine_follow(const struct session *s, const struct entry *entry,
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
 		const struct run *run = &entry->site->run[c->run];
-		put_sieves(c, run);
+		set_sieves_of_cut(c, run);
 		if (r->drawn)
 			predict_by_draws(c, &run->feed, p);
 		else
-			predict_alone(c, &run->feed, &entry->params,
+			predict_by_model_alone(c, &run->feed, &entry->params,
 			    s->set.model, s->set.noise / 100);
 	}
 	follow_cuts(r);
-	find_side_of_cuts(r);
+	count_cuts_on_one_side(r);
 	return r;
 }
 

@@ -56,7 +56,8 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
 	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))
-		w.measured[0] = w.measured[1] = site_middle(q->entry->site);
+		w.measured[0] = w.measured[1] =
+		    site_middle_speed(q->entry->site);
 	return w;
 }
 
@@ -79,7 +80,8 @@ excess_of_side(const struct side *side, double over)
 
 /* The sides of condition i.  Returns how many. */
 static size_t
-sides_of(const struct wanted *w, size_t i, struct side side[static 2])
+limits_of_condition(
+    const struct wanted *w, size_t i, struct side side[static 2])
 {
 	const struct condition *of = &w->at[i];
 	bool share = quantities_unit(&of->quantity)[0] == '%';
@@ -138,11 +140,11 @@ lesser_margin(struct margin least, struct margin m)
 }
 
 static struct margin
-margin_with(const struct wanted *w, size_t i, bool *held)
+margin_of_condition(const struct wanted *w, size_t i, bool *held)
 {
 	struct side side[2];
 	struct margin least = {INFINITY, INFINITY, NONE};
-	size_t n = sides_of(w, i, side);
+	size_t n = limits_of_condition(w, i, side);
 	for (size_t k = 0; k < n; k++)
 		least = lesser_margin(least, margin_of_side(w, &side[k], held));
 	return least;
@@ -153,9 +155,9 @@ wanted_margin(const struct wanted *w, size_t i)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
-		return margin_with(w, i, NULL);
+		return margin_of_condition(w, i, NULL);
 	for (i = 0; i < w->n; i++)
-		least = lesser_margin(least, margin_with(w, i, NULL));
+		least = lesser_margin(least, margin_of_condition(w, i, NULL));
 	return least;
 }
 
@@ -167,7 +169,8 @@ wanted_holds(const struct wanted *w, size_t i)
 	size_t first = i == SIZE_MAX ? 0 : i,
 	       end = i == SIZE_MAX ? w->n : i + 1;
 	for (i = first; i < end; i++)
-		for (size_t k = 0, n = sides_of(w, i, side); k < n; k++) {
+		for (size_t k = 0, n = limits_of_condition(w, i, side); k < n;
+		     k++) {
 			const struct side *of = &side[k];
 			double over =
 			    forecast_excess(w->forecast, of->i, of->limit);
@@ -185,7 +188,7 @@ share_of_draws(const struct wanted *w, struct margin *margin)
 	size_t n = 0;
 	memset(held, true, sizeof held);
 	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = margin_with(w, i, held);
+		struct margin m = margin_of_condition(w, i, held);
 		if (margin != NULL)
 			margin[i] = m;
 	}
@@ -430,7 +433,7 @@ struct eligible {
 };
 
 static bool
-is_eligible(const struct speed_search *s, const struct wanted *w, size_t k,
+may_be_best_step(const struct speed_search *s, const struct wanted *w, size_t k,
     const struct eligible *e)
 {
 	return (!e->inside || conditions_hold_at(s, k)) &&
@@ -451,13 +454,13 @@ best_step(const struct speed_search *s, const struct wanted *w)
 	double most = -INFINITY, largest = -INFINITY, off = INFINITY;
 	size_t best = SIZE_MAX;
 	for (size_t k = 0; k < s->n && e.inside; k++)
-		if (is_eligible(s, w, k, &e))
+		if (may_be_best_step(s, w, k, &e))
 			most = fmax(most, s->certain[k]);
 	e.sure = most - CHANCE;
 	for (size_t k = 0; k < s->n; k++) {
 		double rank = margin_rank(least_margin_at(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
-		if (!is_eligible(s, w, k, &e))
+		if (!may_be_best_step(s, w, k, &e))
 			continue;
 		bool alike = rank == largest || fabs(rank - largest) < EXACT;
 		if (alike ? from_middle >= off : rank < largest)

@@ -32,8 +32,9 @@ mean_width(const struct prediction *p)
 
 /* The parameter on a bound that holds the answer back most. */
 static void
-find_bound(const struct session *s, const struct entry *entry,
-    const struct prediction *p, struct trust_question *q)
+find_bound_that_limits_answer(const struct session *s,
+    const struct entry *entry, const struct prediction *p,
+    struct trust_question *q)
 {
 	const struct fit *fit = origin_fit(entry);
 	struct ensemble *e = outlook_ensemble(s, entry, p->feed_run);
@@ -46,7 +47,7 @@ find_bound(const struct session *s, const struct entry *entry,
 		    fit->on_bound[j]
 			? trust_parameter_correlation(
 			      outlook_posterior_for_comparison(s, entry), e,
-			      ensemble_sizes(e), name)
+			      ensemble_count_sizes(e), name)
 			: 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
@@ -62,7 +63,7 @@ largest_error(const struct session *s, const struct entry *entry)
 {
 	double most = NAN;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_covered(&entry->site->run[r]) == 0)
+		if (misfit_count_covered(&entry->site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->params, s->set.model, NULL);
@@ -129,7 +130,8 @@ judge_calibration(
  * Where they drift somebody should look at the crusher before a calibration
  * takes them up. */
 static void
-judge_later(struct trust *t, const struct session *s, const struct entry *entry)
+judge_cuts_added_later(
+    struct trust *t, const struct session *s, const struct entry *entry)
 {
 	struct later later = cut_compare_later(s, entry);
 	char *alarm = routine_alarm(s, entry);
@@ -157,7 +159,7 @@ judge_variant(struct trust *t, const struct session *s,
 	const struct variant *v = entry->variant;
 	const char *rock = v->own->site->rock;
 	if (v->feed && v->rock[0] != '\0' && rock[0] != '\0' &&
-	    !text_same(v->rock, rock))
+	    !text_same_folded(v->rock, rock))
 		trust_add(t, LIGHT_RED, TRUST_FEED,
 		    xasprintf(
 			tr("the feed is %s and the site's rock is %s: no "
@@ -190,7 +192,7 @@ judge_variant(struct trust *t, const struct session *s,
 
 /* Speeds of parameters that no calibration of this session found. */
 static struct evidence
-evidence_of_speeds(const struct entry *entry)
+evidence_of_speeds_alone(const struct entry *entry)
 {
 	struct evidence e = {.speeds = 2, .cells = 100};
 	if (!origin_reach(entry, &e.slowest, &e.fastest)) {
@@ -208,11 +210,11 @@ light_judge(const struct session *s, const struct entry *entry,
 	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
 	struct trust_question q = {
 	    .speed = p != NULL ? p->speed : 0, .corrected = !off};
-	struct evidence reach = evidence_of_speeds(entry);
+	struct evidence reach = evidence_of_speeds_alone(entry);
 	/* What was measured is judged as it was measured. */
 	const struct entry *own = entry_loaded(entry);
 	if (later)
-		judge_later(&t, s, own);
+		judge_cuts_added_later(&t, s, own);
 	if (entry->variant != NULL)
 		judge_variant(&t, s, entry, e);
 	if (p != NULL)
@@ -221,7 +223,7 @@ light_judge(const struct session *s, const struct entry *entry,
 	    entry->variant->feed)
 		q.feed = outlook_feed_difference(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
-		find_bound(s, entry, p, &q);
+		find_bound_that_limits_answer(s, entry, p, &q);
 	if (!entry->has_fit)
 		judge_origin(&t, s, own);
 	if (e != NULL)
@@ -318,7 +320,7 @@ light_show(struct answer *r, struct trust t)
 
 /* What needs no light; NULL: that decides. */
 static const char *
-plain_verdict(const struct fit *fit)
+verdict_without_light(const struct fit *fit)
 {
 	return fit->rmse > FIT_POOR      ? tr("poor")
 	       : fit_too_few(fit)        ? tr("too few data")
@@ -327,7 +329,7 @@ plain_verdict(const struct fit *fit)
 }
 
 static const char *
-light_name(struct trust t)
+good_or_doubtful(struct trust t)
 {
 	bool good = t.light == LIGHT_GREEN;
 	trust_free(&t);
@@ -338,18 +340,19 @@ const char *
 light_verdict(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	const char *plain = plain_verdict(&entry->fit);
-	return plain != NULL ? plain
-			     : light_name(light_of_prediction(s, entry, p));
+	const char *plain = verdict_without_light(&entry->fit);
+	return plain != NULL
+		   ? plain
+		   : good_or_doubtful(light_of_prediction(s, entry, p));
 }
 
 const char *
 light_verdict_undrawn(const struct session *s, const struct entry *entry)
 {
-	const char *plain = plain_verdict(&entry->fit);
+	const char *plain = verdict_without_light(&entry->fit);
 	struct evidence e = outlook_evidence_without_draws(s, entry);
 	/* No cut was added since. */
 	return plain != NULL
 		   ? plain
-		   : light_name(light_judge(s, entry, NULL, &e, false));
+		   : good_or_doubtful(light_judge(s, entry, NULL, &e, false));
 }

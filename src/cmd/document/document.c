@@ -18,7 +18,7 @@ document_new(const char *made_by)
 	struct document *d = xcalloc(1, sizeof *d);
 	d->made_by = xstrdup(made_by);
 	d->titled_by = SIZE_MAX;
-	d->out = text_memory(&d->text, &d->n_text);
+	d->out = text_open_memory(&d->text, &d->n_text);
 	return d;
 }
 
@@ -49,8 +49,8 @@ document_append(struct document *d, struct document_part part)
 	d->part[d->n++] = part;
 }
 
-/* What was printed stands before what comes now.  Empty lines at both ends are
- * there for a terminal. */
+/* Makes a part of what was printed since the last part, which it precedes.
+ * Empty lines at both ends are left out: they are for a terminal. */
 static void
 document_take_text(struct document *d)
 {
@@ -158,7 +158,7 @@ document_extent_words(const struct document *d)
 	return text;
 }
 
-/* Of the longest word. */
+/* Returns the width of the longest word. */
 static int
 word_width(const char *text)
 {
@@ -173,7 +173,8 @@ word_width(const char *text)
 	return most;
 }
 
-/* Heads are broken, and sentences in a table. */
+/* Returns the width of a column, of which headings are broken between words,
+ * and sentences too. */
 static int
 column_width(const struct answer_view *v, size_t column)
 {

@@ -9,8 +9,8 @@
 #include "config.h"
 #include "plot/picture.h"
 
-/* No sign that XML would take for its own.  Colours of the lights are safe for
- * red-green blindness. */
+/* Contains no character that XML would take as its own.  The colours of the
+ * lights can be told apart with red-green blindness. */
 static const char STYLE[] =
     "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;"
     "font-size:15px;line-height:1.4;color:#000;background:#fff;"
@@ -57,7 +57,7 @@ static void
 html_put(const char *before, const char *text, const char *after, FILE *out)
 {
 	fputs(before, out);
-	text_put_xml(text, out);
+	text_print_xml(text, out);
 	fputs(after, out);
 }
 
@@ -71,11 +71,11 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 	fprintf(out, "<%s%s%s>", head ? "th" : "td",
 	    head ? " scope=\"col\"" : "",
 	    document_is_number(v, column) ? " class=\"n\"" : "");
-	text_put_xml(text, out);
+	text_print_xml(text, out);
 	fputs(head ? "</th>" : "</td>", out);
 }
 
-/* The columns from `from` to before `to`, after the first one. */
+/* Puts a table of the first column and those from `from` to before `to`. */
 static void
 put_block(const struct answer_view *v, size_t from, size_t to, FILE *out)
 {
@@ -100,7 +100,7 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	}
 }
 
-/* top: its title is the document's. */
+/* top: the answer's title is that of the document and is left out. */
 static void
 html_put_answer(const struct answer *answer, bool top, FILE *out)
 {
@@ -165,7 +165,7 @@ char *
 document_html(const struct document *d, size_t *n)
 {
 	char *text = NULL;
-	FILE *out = text_memory(&text, n);
+	FILE *out = text_open_memory(&text, n);
 	fprintf(out,
 	    "<!DOCTYPE html>\n"
 	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"

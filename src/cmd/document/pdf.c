@@ -13,20 +13,21 @@
 #include "config.h"
 #include "plot/picture.h"
 
-/* Points.  LINE: of a line to the size of its letters. */
+/* Lengths in points.  LINE: height of a line divided by the size of its
+ * letters. */
 static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
 		    FOOT = 26, LINE = 1.3, GAP = 9;
 
-/* How a page is laid out; pages: how many there are, 0 where that is not known
- * yet. */
+/* How pages are laid out.  scale: of letters and distances.  across: the long
+ * side is horizontal.  pages: how many there are, 0 while that is unknown. */
 struct layout {
 	double scale;
 	bool across;
 	size_t pages;
 };
 
-/* What came of it; shrunk: a table has smaller letters than its layout has,
- * because it is too wide for them. */
+/* What a layout leads to.  shrunk: the letters of some table are smaller than
+ * in the layout, because it is too wide for the page. */
 struct outcome {
 	size_t pages;
 	bool shrunk;
@@ -37,7 +38,7 @@ struct press {
 	struct layout layout;
 	struct pen *pen;
 	double width, height; /* of the page */
-	double y;             /* below what is there */
+	double y;             /* where the next part begins */
 	size_t page;
 	bool shrunk; /* see outcome */
 };
@@ -54,7 +55,7 @@ inner_width(const struct press *p)
 	return p->width - 2 * MARGIN;
 }
 
-/* From the margin to an end. */
+/* Draws a line from the margin to an end. */
 static void
 pdf_draw_line(struct press *p, double end, double y, double width)
 {
@@ -85,7 +86,8 @@ next_page(struct press *p)
 	p->y = MARGIN;
 }
 
-/* Room for what is so high; true where that began a page. */
+/* Begins a new page unless a part of that height fits on this one.  True if it
+ * did. */
 static bool
 pdf_make_room(struct press *p, double height)
 {
@@ -102,8 +104,8 @@ skip_down(struct press *p, double points)
 		p->y += points * p->layout.scale;
 }
 
-/* How many bytes of a text make its next line: whole words, or as much of a
- * word as fits. */
+/* Returns the number of bytes of a text that make its next line: whole words
+ * or, if not even one fits, part of a word. */
 static size_t
 line_length(struct press *p, const char *text, double width,
     const struct pen_style *style)
@@ -124,7 +126,7 @@ line_length(struct press *p, const char *text, double width,
 	return strlen(text);
 }
 
-/* A text as lines of at most a width. */
+/* A text broken into lines. */
 struct lines {
 	size_t n;
 	char **line;
@@ -158,7 +160,7 @@ lines_free(struct lines *lines)
 	free(lines->line);
 }
 
-/* A paragraph. */
+/* Puts a paragraph. */
 static void
 put_words(struct press *p, const char *text, const struct pen_style *style)
 {
@@ -173,7 +175,7 @@ put_words(struct press *p, const char *text, const struct pen_style *style)
 	lines_free(&lines);
 }
 
-/* A word in a frame, so that it is seen without its colour. */
+/* Puts a word in a frame, so that it is seen without its colour. */
 static void
 put_light(struct press *p, const struct document_part *part)
 {
@@ -216,8 +218,8 @@ put_lines(struct press *p, const char *text)
 	}
 }
 
-/* Columns of a table that stand side by side, `column` [n], so wide each, with
- * letters of a size. */
+/* Some columns of a table, `column` [n], side by side, with their widths and
+ * the size of the letters. */
 struct grid {
 	const struct answer_view *view;
 	size_t n, *column;
@@ -236,8 +238,8 @@ word_width(struct press *p, const char *text, const struct pen_style *style)
 	return most;
 }
 
-/* As wide as its numbers and the words of its head; a text is broken where the
- * page has not that much.  Returns how wide all are. */
+/* Makes columns as wide as their numbers and the words of their headings.
+ * Texts wider than `most` are broken.  Returns the total width. */
 static double
 pdf_measure(struct press *p, struct grid *g, double most)
 {
@@ -259,7 +261,8 @@ pdf_measure(struct press *p, struct grid *g, double most)
 	return sum;
 }
 
-/* Finds the widths: texts are broken first, then letters are smaller. */
+/* Finds widths that fit the page: breaks texts first, then makes letters
+ * smaller. */
 static void
 fit_column_widths(struct press *p, struct grid *g)
 {
@@ -275,7 +278,7 @@ fit_column_widths(struct press *p, struct grid *g)
 	}
 }
 
-/* A row, 0 the heads. */
+/* Puts a row; row 0 has the headings. */
 static void
 pdf_put_row(struct press *p, const struct grid *g, size_t row)
 {
@@ -297,7 +300,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 		p->y += line;
 		for (size_t i = 0; i < g->n; i++) {
 			bool right = document_is_number(g->view, g->column[i]);
-			/* Heads stand at the foot of their row. */
+			/* Headings stand at the foot of their row. */
 			size_t from = row == 0 ? most - cell[i].n : 0;
 			style.anchor = right ? PEN_END : PEN_START;
 			if (k >= from && k - from < cell[i].n)
@@ -321,7 +324,7 @@ end_of_rule(const struct press *p, const struct grid *g)
 	return x;
 }
 
-/* The head again on every page. */
+/* Puts the rows, with the headings again on every page. */
 static void
 put_grid(struct press *p, struct grid *g)
 {
@@ -371,9 +374,10 @@ pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 		}
 }
 
-/* What stays with the title on its page: a table, unless it is long. */
+/* Returns the height that has to fit on the page with a title: that of the
+ * whole table, unless it is long. */
 static double
-kept_height(const struct press *p, const struct answer_view *v)
+height_kept_together(const struct press *p, const struct answer_view *v)
 {
 	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
 	double table =
@@ -389,7 +393,7 @@ pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 	struct pen_style about = letter_style(p, 8, false);
 	about.series = SERIES_FEED;
 	skip_down(p, 6);
-	pdf_make_room(p, kept_height(p, &v));
+	pdf_make_room(p, height_kept_together(p, &v));
 	if (v.title != NULL && !top)
 		put_words(p, v.title, &title);
 	if (v.provenance != NULL) {
@@ -416,7 +420,8 @@ put_picture(struct press *p, const struct chart *chart)
 	p->y += height;
 }
 
-/* With what comes next, so that it is not the last on its page. */
+/* Puts a heading on the page of what comes next, so that it is not the last on
+ * its page. */
 static void
 put_heading(struct press *p, size_t i)
 {
@@ -427,7 +432,7 @@ put_heading(struct press *p, size_t i)
 	double kept = LEAST * p->layout.scale;
 	if (next != NULL) {
 		struct answer_view v = answer_view(next);
-		kept = kept_height(p, &v);
+		kept = height_kept_together(p, &v);
 	}
 	skip_down(p, 14);
 	pdf_make_room(p, OWN * p->layout.scale + kept);
@@ -466,13 +471,14 @@ pdf_put_part(struct press *p, size_t i)
 	}
 }
 
-/* Lays it all out.  NULL where that fails. */
+/* Lays all parts out and returns the bytes of the file, or NULL if that
+ * fails. */
 static char *
 make_pdf(const struct document *d, struct layout layout, size_t *n,
     struct outcome *outcome)
 {
 	char *bytes = NULL;
-	FILE *out = text_memory(&bytes, n);
+	FILE *out = text_open_memory(&bytes, n);
 	struct press p = {.document = d,
 	    .layout = layout,
 	    .width = layout.across ? LONG_SIDE : SHORT_SIDE,
@@ -507,8 +513,8 @@ try_layout(const struct document *d, struct layout layout)
 	return outcome;
 }
 
-/* The largest scale at which it is one page, upright or across, with tables
- * that have letters as large as all else. */
+/* Returns the largest scale at which all fits on one page, upright or across,
+ * without shrinking a table. */
 static struct layout
 largest_one_page_layout(const struct document *d)
 {

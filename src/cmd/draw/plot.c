@@ -23,7 +23,8 @@
 #include "plot/picture.h"
 #include "io/sitefile/units.h"
 
-/* What it is of, and what is shown beside: loaded sites, or what is pinned. */
+/* Reads which site or pinned prediction is plotted, and which is shown beside
+ * it. */
 static bool
 read_sites(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
@@ -67,14 +68,15 @@ read_request(const struct session *s, const struct args *args,
 	return read_sites(s, args, request, error);
 }
 
-/* What a call asks for: of its site, and of the one beside. */
+/* The chart that a call asks for, and the questions about its site and about
+ * the site beside it. */
 struct plot_questions {
 	struct plot_request request;
 	struct question q, second;
 };
 
-/* plots_chart tells of what is not loaded.  The speed of a feed names one of
- * the first site alone. */
+/* Leaves the error about a site that is not loaded to plots_chart.  A speed
+ * given as feed= names a sample of the first site only. */
 static bool
 read_questions(struct session *s, const struct args *args,
     struct plot_questions *a, struct error *error)
@@ -105,9 +107,9 @@ read_questions(struct session *s, const struct args *args,
 	return true;
 }
 
-/* The chart that the call asks for, by its kind and the options that plot and
- * describe have in common; see plots_chart.  plot_questions_free, also where it
- * is NULL. */
+/* Makes the chart that the call asks for, from its kind and the options that
+ * plot and describe share; see plots_chart.  The caller frees the questions
+ * with plot_questions_free, even if the chart is NULL. */
 static struct chart *
 asked_chart(struct session *s, const struct args *args,
     struct plot_questions *a, struct error *error)
@@ -126,7 +128,7 @@ plot_questions_free(struct session *s, struct plot_questions *a)
 	question_free(s, &a->second);
 }
 
-/* "passing_pct" of "passing, %".  The caller frees. */
+/* Returns "passing_pct" for "passing, %".  The caller frees it. */
 static char *
 json_key_of_axis(const struct axis *axis)
 {
@@ -143,8 +145,8 @@ json_key_of_axis(const struct axis *axis)
 	return key;
 }
 
-/* Of points of several sites, or of a line that belongs to all of them, a row
- * says whose each is. */
+/* If points belong to several sites, or to a line that is common to all sites,
+ * each row names its site. */
 static void
 add_owner_of_point(
     struct answer *r, const struct chart_series *series, size_t i)
@@ -163,7 +165,8 @@ tick_label_at(const struct axis *axis, double at)
 	return axis->tick[i].label;
 }
 
-/* Of fields the names beside and below, and the value. */
+/* Adds a row for each field of a matrix: the names of its row and column, and
+ * its value. */
 static void
 add_fields(struct answer *r, const struct chart *chart)
 {
@@ -179,7 +182,8 @@ add_fields(struct answer *r, const struct chart *chart)
 		}
 }
 
-/* A row a point; of: what is up, or NULL. */
+/* Adds a row for each point.  of: the quantity on the vertical axis, or
+ * NULL. */
 static void
 add_points(struct answer *r, const struct chart_series *p, bool several,
     const char *of)
@@ -198,7 +202,8 @@ add_points(struct answer *r, const struct chart_series *p, bool several,
 	}
 }
 
-/* The chart below one, but not a strip, whose numbers follow from the rest. */
+/* Returns the chart below one.  A strip does not count, because its numbers
+ * follow from the others. */
 static const struct chart *
 next_chart(const struct chart *chart)
 {
@@ -206,7 +211,7 @@ next_chart(const struct chart *chart)
 	return below != NULL && below->strip > 0 ? NULL : below;
 }
 
-/* The numbers of a chart: one row a point. */
+/* Returns the numbers of a chart, one row for each point. */
 static struct answer *
 chart_answer(const struct session *s, const struct chart *chart)
 {
@@ -240,16 +245,17 @@ chart_answer(const struct session *s, const struct chart *chart)
 	return r;
 }
 
-/* The size asked for, or one that fits the screen with the prompt. */
+/* Returns the size asked for, or one that leaves room for the prompt on the
+ * screen. */
 static int
-size_of(double asked, int screen, int most, int elsewhere)
+size_asked_or_fitting(double asked, int screen, int most, int elsewhere)
 {
 	if (asked > 0)
 		return (int)asked;
 	return screen <= 0 ? elsewhere : screen < most ? screen : most;
 }
 
-/* As charset= says; auto is 0. */
+/* Returns the character set that charset= chooses; 0 is auto. */
 static enum charset
 charset_asked(const struct args *args, bool drawing)
 {
@@ -264,16 +270,19 @@ print_chart(struct session *s, const struct args *args,
 {
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
 	const struct screen *screen = &s->screen;
-	int columns = size_of(args->width, screen->columns, WIDEST, WIDTH);
+	int columns =
+	    size_asked_or_fitting(args->width, screen->columns, WIDEST, WIDTH);
 	int strip = chart->below != NULL ? chart->below->strip : 0;
 	int most = HEIGHT + strip;
-	int rows = size_of(args->height, screen->rows - 2, most, most);
-	/* Where there are several each is as high as one alone. */
+	int rows =
+	    size_asked_or_fitting(args->height, screen->rows - 2, most, most);
+	/* If there are several charts, each is as high as a single one. */
 	for (const struct chart *c = next_chart(chart); c != NULL;
 	     c = next_chart(c))
 		rows += args->height > 0
 			    ? 0
-			    : size_of(0, screen->rows - 2, HEIGHT, HEIGHT);
+			    : size_asked_or_fitting(
+				  0, screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas =
 	    chart_draw(chart, columns, rows, charset, CHART_ALL);
 	canvas_print(canvas, screen->colours, s->out);
@@ -330,14 +339,14 @@ screen_request(const struct session *s, const struct args *args, bool picture)
 					 : s->screen.colours};
 }
 
-/* The rows of a screen, for who reads them by a program. */
+/* Returns the rows of the screen for a program that reads them. */
 static struct answer *
 screen_answer(const struct canvas *canvas)
 {
 	FREED char *text = NULL;
 	size_t n = 0;
 	struct answer *r = answer_new("screen");
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	canvas_print(canvas, 0, memory);
 	fclose(memory);
 	answer_columns(r, "text");
@@ -375,8 +384,8 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	       error_cannot_draw(s, error);
 }
 
-/* One row for a screen reader: a sign drawn again and again is left out, and so
- * is a row without anything else. */
+/* Prints one row for a screen reader.  Leaves out a sign that is drawn again
+ * and again, and with it a row that contains nothing else. */
 static void
 print_row_for_reader(const struct canvas_cell *cell, int columns, FILE *out)
 {
@@ -400,7 +409,7 @@ print_row_for_reader(const struct canvas_cell *cell, int columns, FILE *out)
 	free(text);
 }
 
-/* All that it shows, row by row, then its plot. */
+/* Prints all that the screen shows, row by row, and then describes its plot. */
 static bool
 say_screen(struct session *s, const struct canvas *canvas, const char *picture,
     struct error *error)
@@ -441,7 +450,7 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* A chart being told. */
+/* A description that is being written. */
 struct description {
 	const struct chart *chart;
 	struct answer *answer;
@@ -466,9 +475,10 @@ say_axes(struct description *t)
 	}
 }
 
-/* "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" of a size distribution, or "". */
+/* Returns "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" for a size distribution,
+ * otherwise "". */
 static char *
-sizes_of(const struct description *t, const struct chart_series *s)
+p_sizes_words(const struct description *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
@@ -483,7 +493,8 @@ sizes_of(const struct description *t, const struct chart_series *s)
 	return text;
 }
 
-/* Where a curve begins and ends, from the left; flat ends are left out. */
+/* Says where a curve begins and ends, from left to right; flat ends are left
+ * out. */
 static void
 say_curve(struct description *t, const struct chart_series *s)
 {
@@ -499,7 +510,7 @@ say_curve(struct description *t, const struct chart_series *s)
 		last -= step;
 	const char *x = axis_unit_suffix(&t->chart->x),
 		   *y = axis_unit_suffix(&t->chart->y);
-	FREED char *sizes = sizes_of(t, s);
+	FREED char *sizes = p_sizes_words(t, s);
 	if (first == last)
 		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
 		    s->y[first], y);
@@ -510,7 +521,7 @@ say_curve(struct description *t, const struct chart_series *s)
 		    x, sizes);
 }
 
-/* Points of a map or of a comparison; all of them where they are few. */
+/* Names the points of a map or of a comparison; all of them if they are few. */
 static void
 say_points(struct description *t, const struct chart_series *s)
 {
@@ -530,7 +541,8 @@ say_points(struct description *t, const struct chart_series *s)
 	    s->name, s->n, text);
 }
 
-/* The three points of a parameter in the spread: its ends, and the best. */
+/* Names the three points of a parameter in the spread: its two ends and the
+ * best. */
 static void
 say_spread(struct description *t)
 {
@@ -548,9 +560,9 @@ say_spread(struct description *t)
 	}
 }
 
-/* The pairs that stand out, each once. */
+/* Names the pairs with high values, each once. */
 static void
-say_fields(struct description *t)
+say_strong_correlations(struct description *t)
 {
 	const double worth_saying = 0.5;
 	const struct chart *c = t->chart;
@@ -573,7 +585,8 @@ say_fields(struct description *t)
 	    c->x.n, worth_saying);
 }
 
-/* Where the last curve, which lies on top, is furthest from another. */
+/* Says where the last curve, which lies on top, is furthest from another
+ * one. */
 static void
 say_difference(struct description *t, const struct chart_series *other)
 {
@@ -612,7 +625,7 @@ say_series(struct description *t)
 			say_difference(t, c->series[i]);
 }
 
-/* Of each difference where it is largest. */
+/* Says where each difference is largest. */
 static void
 say_strip(struct description *t)
 {
@@ -639,8 +652,8 @@ has_bars(const struct chart *chart)
 	return any;
 }
 
-/* Of each run the sieve at which the candidates lie furthest apart, and that
- * which the best misses by most. */
+/* Names for each run the sieve at which the candidates lie furthest apart, and
+ * the sieve that the best candidate misses by most. */
 static void
 say_bars(struct description *t)
 {
@@ -675,7 +688,7 @@ say_chart(struct description *t)
 	}
 	say_axes(t);
 	if (chart->n > 0 && chart->series[0]->field != NULL)
-		say_fields(t);
+		say_strong_correlations(t);
 	else if (chart->y.names)
 		say_spread(t);
 	else if (has_bars(chart))
@@ -689,7 +702,8 @@ say_chart(struct description *t)
 		answer_note(t->answer, "%s", chart->note[i]);
 }
 
-/* Where the goal that is set is met, on the feed that the curves have. */
+/* Says at which speeds the goal of the session is met, on the feed of the
+ * curves. */
 static void
 say_goal(struct description *t, struct session *s,
     const struct plot_request *request)
@@ -701,7 +715,7 @@ say_goal(struct description *t, struct session *s,
 		return;
 	const struct site *site = entry->site;
 	double speed =
-	    isnan(request->speed) ? site_middle(site) : request->speed;
+	    isnan(request->speed) ? site_middle_speed(site) : request->speed;
 	while (goals_need_search(s, &goal, request->feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step(s, entry, &goal, request->feed);

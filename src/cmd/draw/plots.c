@@ -29,7 +29,7 @@ static const struct chart_series PREDICTED = {
 struct plot_request
 plots_request(enum plot_kind kind)
 {
-	enum { STRIP = 6 }; /* with its title */
+	enum { STRIP = 6 }; /* rows, with the title */
 	return (struct plot_request){.kind = kind,
 	    .feed = SITE_MEAN_FEED,
 	    .speed = NAN,
@@ -42,8 +42,9 @@ plots_request(enum plot_kind kind)
 	    .strip = STRIP};
 }
 
-/* The prediction for a run less its product, points, at the sieves that its
- * feed covers; a gap at the others, which the axis has too. */
+/* Adds the prediction for a run minus its product, in points, at the sieves
+ * that its feed covers.  The other sieves, which the axis shows too, have a
+ * gap. */
 static void
 add_residuals(struct chart *chart, const struct session *s,
     const struct entry *entry, size_t run, const struct params *params,
@@ -59,14 +60,15 @@ add_residuals(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < product->n; i++) {
 		double predicted = psd_passing(&p.product, product->size[i]);
 		series->x[i] = units_mm(product->size[i]);
-		series->y[i] = i < misfit_covered(r)
+		series->y[i] = i < misfit_count_covered(r)
 				   ? 100 * (predicted - product->passing[i])
 				   : NAN;
 	}
 	prediction_free(&p);
 }
 
-/* A round axis that holds all y of the chart and 0, with a guide at 0. */
+/* Returns an axis with round limits that holds 0 and all y of the chart, with a
+ * guide at 0. */
 static struct axis
 axis_with_zero(const struct chart *chart, const char *title)
 {
@@ -87,22 +89,25 @@ residuals_chart(
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		compared += misfit_covered(&site->run[i]) > 0;
+		compared += misfit_count_covered(&site->run[i]) > 0;
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
-		    site_products(site) == 0
-			? N_("%s has no measured product")
-			: N_("%s: no product sieve is in the "
-			     "range of the feed's sieves"),
+		    site_count_products(site) == 0
+			? N_("%s has no measured product\n"
+			     "'add' a belt cut, or load a site file with "
+			     "products")
+			: N_("%s: no product sieve is in the range of the "
+			     "feed's sieves\n"
+			     "sieve the feed as far down as the product"),
 		    site->name);
 		return NULL;
 	}
-	double middle = site_middle(site);
+	double middle = site_middle_speed(site);
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    (struct axis){0}, "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
 		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS) ||
-		    misfit_covered(&site->run[i]) == 0)
+		    misfit_count_covered(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->entry->train[i]);
@@ -144,7 +149,8 @@ put_pairs(struct chart *chart, const struct session *s,
 	}
 }
 
-/* "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all has it. */
+/* Notes "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all
+ * does. */
 static void
 note_scores(struct chart *chart, const struct trials *pairs)
 {
@@ -209,7 +215,8 @@ parity_chart(
 
 enum { SAMPLES = 241 };
 
-/* Value i of SAMPLES between low and high, evenly on the log. */
+/* Returns value i of SAMPLES between low and high, evenly spaced on a log
+ * scale. */
 static double
 log_sample(double low, double high, size_t i)
 {
@@ -243,7 +250,7 @@ selection_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct site *site = q->entry->site;
-	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
+	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
 	struct params params;
 	if (!search_shown_params(s, q, &params, error))
 		return NULL;
@@ -276,7 +283,7 @@ appearance_chart(
 		return NULL;
 	}
 	const struct site *site = q->entry->site;
-	double speed = isnan(q->speed) ? site_middle(site) : q->speed;
+	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
 	struct breaker b;
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
@@ -293,10 +300,10 @@ appearance_chart(
 	return chart;
 }
 
-/* Makes a chart in the theme that is set; *chart out, or NULL. */
+/* Makes a chart in the theme of the session; sets *chart to it, or to NULL. */
 static void
-make_themed(plot_make *make, struct session *s, const struct plot_request *as,
-    struct chart **chart, struct error *error)
+make_chart_in_theme(plot_make *make, struct session *s,
+    const struct plot_request *as, struct chart **chart, struct error *error)
 {
 	*chart = make(s, as, error);
 	if (*chart != NULL)
@@ -337,11 +344,11 @@ plots_chart(
 	if (as.entry == NULL && s->n_entry > 0)
 		as.entry = &s->entry[at];
 	struct chart *chart = NULL;
-	make_themed(KINDS[as.kind].make, s, &as, &chart, error);
+	make_chart_in_theme(KINDS[as.kind].make, s, &as, &chart, error);
 	return chart;
 }
 
-/* "82.1 %". */
+/* Returns "82.1 %". */
 static char *
 value_with_unit(const struct axis *axis, double value)
 {

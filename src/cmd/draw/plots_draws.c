@@ -14,9 +14,9 @@
 #include "core/posterior/identify.h"
 #include "core/posterior/profile.h"
 
-/* The draws of the site in use, or NULL with an error. */
+/* Returns the draws of the site in use, or NULL with an error. */
 static const struct posterior *
-draws_drawn(
+posterior_or_error(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (!answers_check_params(s, entry, error))
@@ -30,9 +30,10 @@ draws_drawn(
 	return p;
 }
 
-/* The parameters that are not held fixed.  Returns how many. */
+/* Finds the parameters that are not held fixed and returns their number. */
 static size_t
-find_free(const struct posterior *p, size_t column[static PARAMS_MOST])
+list_free_parameters(
+    const struct posterior *p, size_t column[static PARAMS_MOST])
 {
 	size_t n = 0;
 	for (size_t j = 0; j < BREAKAGES[p->settings.breakage]->n; j++)
@@ -41,7 +42,8 @@ find_free(const struct posterior *p, size_t column[static PARAMS_MOST])
 	return n;
 }
 
-/* A tick for each parameter, across from the left or up from the top. */
+/* Returns an axis with a tick for each parameter: from left to right or, if
+ * `up`, from the top down. */
 static struct axis
 names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
 {
@@ -56,7 +58,7 @@ names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
 	return axis;
 }
 
-/* Fields of one sign. */
+/* Adds the fields whose values have one sign. */
 static void
 add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
     size_t n, bool positive)
@@ -90,14 +92,16 @@ plots_draws_correlation(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	size_t column[PARAMS_MOST];
-	const struct posterior *p = draws_drawn(s, q->entry, error);
+	const struct posterior *p = posterior_or_error(s, q->entry, error);
 	if (p == NULL)
 		return NULL;
-	size_t n = find_free(p, column);
+	size_t n = list_free_parameters(p, column);
 	if (n < 2) {
 		error_set(error, ERROR_USAGE,
-		    "correlation: expected two free parameters or more\n"
-		    "run 'bounds default' and 'calibrate'");
+		    "correlation: expected two free parameters or more, got "
+		    "%zu\n"
+		    "run 'bounds default' and 'calibrate'",
+		    n);
 		return NULL;
 	}
 	struct chart *chart = site_chart(q->entry->site,
@@ -111,16 +115,17 @@ plots_draws_correlation(
 	return chart;
 }
 
-/* What a profile is of: the calibration's misfit and fit in its own model, or
- * in that of the draws where only that has the parameter. */
+/* What a profile needs: the misfit and the fit of the calibration in its own
+ * model.  If only the draws' model has the parameter, both are in that
+ * model. */
 struct profiled {
 	const struct history *h;
-	const struct posterior *p; /* or NULL */
+	const struct posterior *p; /* NULL without draws */
 	struct misfit *misfit;
 	struct params fit;
 	struct bounds bounds;
-	size_t j;   /* of the parameter in that model, */
-	size_t own; /* and among the draws */
+	size_t j;   /* index of the parameter in that model */
+	size_t own; /* its index among the draws */
 	const struct param_info *info;
 };
 
@@ -175,10 +180,12 @@ find_profiled(const struct session *s, const struct entry *entry,
 	return true;
 }
 
-/* What is worth showing of the bounds: the draws and the fit, and a quarter
- * more; without draws all. */
+/* Finds the part of the bounds that is worth showing: the range of the draws
+ * and the fit, and a quarter more on each side.  Without draws it is all of
+ * it. */
 static void
-find_reach(const struct profiled *a, const double *draw, double reach[static 2])
+find_range_to_show(
+    const struct profiled *a, const double *draw, double reach[static 2])
 {
 	reach[0] = a->bounds.lower[a->j];
 	reach[1] = a->bounds.upper[a->j];
@@ -196,10 +203,10 @@ find_reach(const struct profiled *a, const double *draw, double reach[static 2])
 	reach[1] = fmin(reach[1], high + more);
 }
 
-/* Values over the axis within the bounds, the fit's own in the place of the
- * nearest. */
+/* Spreads n values over the axis, within the bounds.  The fit's own value
+ * replaces the nearest one. */
 static void
-find_values(
+choose_values_on_axis(
     const struct chart *chart, const struct profiled *a, double *x, size_t n)
 {
 	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
@@ -213,13 +220,14 @@ find_values(
 	}
 }
 
-/* Refitted misfits as a likelihood of errors of unknown size, E^(-n/2). */
+/* Draws the refitted misfits as a likelihood with errors of unknown size,
+ * E^(-n/2). */
 static void
 add_profile(struct chart *chart, const struct profiled *a)
 {
 	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
-	find_values(chart, a, x, VALUES);
+	choose_values_on_axis(chart, a, x, VALUES);
 	profile_misfit(a->misfit, &a->fit, &a->bounds, a->j, x, VALUES, misfit);
 	for (size_t i = 0; i < VALUES; i++)
 		least = fmin(least, misfit[i]);
@@ -227,7 +235,7 @@ add_profile(struct chart *chart, const struct profiled *a)
 	    (struct chart_series){
 		.series = SERIES_KIND_1, .line = CHART_SOLID, .ascii = '='},
 	    VALUES, N_("misfit, others refitted"));
-	double half = (double)misfit_cells(a->misfit) / 2;
+	double half = (double)misfit_count_changeable(a->misfit) / 2;
 	near[0] = INFINITY;
 	near[1] = -INFINITY;
 	for (size_t i = 0; i < VALUES; i++) {
@@ -281,7 +289,7 @@ plots_draws_profile(
 		draw = draws;
 		draws[d] = a.p->draw[d].params.at[a.own];
 	}
-	find_reach(&a, draw, reach);
+	find_range_to_show(&a, draw, reach);
 	FREED char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
 	struct chart *chart =
 	    site_chart(q->entry->site, axis_linear(title, reach[0], reach[1]),

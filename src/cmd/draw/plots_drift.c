@@ -11,8 +11,8 @@
 #include "cmd/ask/routine.h"
 #include "cmd/draw/site_chart.h"
 
-/* Charts are drawn as shares of their limits, so that one picture holds them
- * all: what stands beyond 1 or -1 signals. */
+/* Control charts are drawn as shares of their limits, so that one plot holds
+ * them all: a point beyond 1 or -1 is a signal. */
 enum shown { SHOWN_SINGLE, SHOWN_EWMA, SHOWN_UP, SHOWN_DOWN, SHOWN_TILT };
 
 static const struct {
@@ -76,7 +76,7 @@ drift_say(struct chart *chart, const struct routine *r)
 	chart_note(chart, "%s", words);
 }
 
-/* The control charts of the site in use, as `drift` has them. */
+/* Draws the control charts of the site in use, the same as those of `drift`. */
 struct chart *
 plots_drift(
     struct session *s, const struct plot_request *q, struct error *error)

@@ -11,12 +11,13 @@
 #include "cmd/draw/site_chart.h"
 #include "core/model/breakage.h"
 
-/* Bins drawn as one: half an octave. */
+/* This many bins are drawn as one, which spans half an octave. */
 enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
 
-/* Impacts a particle, or share of the impacts in %, in each half octave. */
+/* Fills in the impacts per particle, or the share of the impacts in %, for each
+ * half octave. */
 static void
-energy_fill(struct chart_series *series, const struct spectrum *s,
+fill_energy_series(struct chart_series *series, const struct spectrum *s,
     const struct spectrum_size *whole, bool first)
 {
 	double all = spectrum_above(whole, 0, false).mass;
@@ -43,17 +44,18 @@ energy_add(
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	FREED char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
-	energy_fill(chart_add(chart, main ? look : site_chart_style(place),
-			POINTS, "%s%s", e->name, speed),
+	fill_energy_series(
+	    chart_add(chart, main ? look : site_chart_style(place), POINTS,
+		"%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)
-		energy_fill(chart_add(chart, of_first, POINTS,
-				"first above %g J/kg", e->cut),
+		fill_energy_series(chart_add(chart, of_first, POINTS,
+				       "first above %g J/kg", e->cut),
 		    s, whole, true);
 }
 
-/* How often particles are hit at which energy: those in use, the first impact
- * of each apart, and all others that were loaded. */
+/* Draws how often particles are hit, by energy: the energies in use, with the
+ * first impact of each particle apart, and all others that were loaded. */
 struct chart *
 plots_energy(
     struct session *s, const struct plot_request *q, struct error *error)

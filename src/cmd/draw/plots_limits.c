@@ -33,7 +33,8 @@ plots_limits_words(const struct session *s)
 					   : xstrdup("");
 }
 
-/* One of the two limits, where there are any that the axis has. */
+/* Adds the lower or the upper limits that lie within the axis, if there are
+ * any. */
 static void
 limits_add_limits(struct chart *chart, const struct spec *spec, bool least)
 {
@@ -83,7 +84,7 @@ plots_limits_fraction(const struct session *s, const struct entry *entry,
 	struct fraction fraction = fraction_of(s->spec);
 	if (!fraction_screens(&fraction))
 		return false;
-	/* With the cut's own sizes, so that the curve ends there. */
+	/* The sizes of the cut are included, so that the curve ends there. */
 	const double cut[] = {fraction.fine, fraction.coarse};
 	const struct psd *feed = site_feed(entry->site, whole->feed_run);
 	const struct psd *sieves = &whole->product;
@@ -95,8 +96,9 @@ plots_limits_fraction(const struct session *s, const struct entry *entry,
 		    cut[i] < sieves->size[0])
 			all.size[all.n++] = cut[i];
 	all.n = psd_sort(all.size, all.n, 0);
-	/* As it is drawn the curve of the whole tells enough; a response of its
-	 * own would take longer than all else in a step of the slider. */
+	/* The curve of the whole product is exact enough for a drawing.  A
+	 * response of the fraction's own would take longer than the rest of a
+	 * step of the slider. */
 	struct psd curve = screened_measured(&whole->curve, &fraction);
 	for (size_t i = 0; i < all.n; i++)
 		all.passing[i] = psd_passing(&curve, all.size[i]);

@@ -12,10 +12,10 @@
 #include "cmd/draw/site_chart.h"
 #include "core/model/breakage.h"
 
-/* So many have their names written beside them, where there is room. */
+/* Up to this many materials have their names beside them, if there is room. */
 enum { NAMED = 60 };
 
-/* Where a material stands; each string is taken. */
+/* Adds the point of a material; takes ownership of the strings. */
 static void
 map_add_point(struct chart_series *series, const struct params *p, char *name,
     char *label, char *about)
@@ -37,7 +37,7 @@ map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
 	return series;
 }
 
-/* Materials of one rock, in a series of their own. */
+/* Adds the materials of one rock as a series of their own. */
 static void
 map_add_rock(
     struct chart *chart, const struct stored_list *list, const char *rock)
@@ -48,18 +48,18 @@ map_add_rock(
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
-		if (text_same(m->rock, rock))
+		if (text_same_folded(m->rock, rock))
 			map_add_point(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
 }
 
-/* The first of its rock in the list. */
+/* True for the first material of its rock in the list. */
 static bool
 is_first_of_rock(const struct stored_list *list, size_t at)
 {
 	for (size_t i = 0; i < at; i++)
-		if (text_same(list->item[i].rock, list->item[at].rock))
+		if (text_same_folded(list->item[i].rock, list->item[at].rock))
 			return false;
 	return true;
 }
@@ -74,8 +74,8 @@ at_bound(const struct entry *entry)
 	return any;
 }
 
-/* Loaded sites that have parameters, of which none is at its bound or some
- * are. */
+/* Adds the loaded sites that have parameters: those with a parameter at its
+ * bound, or those without. */
 static void
 map_add_loaded_sites(struct chart *chart, const struct session *s, bool bound)
 {
@@ -96,7 +96,8 @@ map_add_loaded_sites(struct chart *chart, const struct session *s, bool bound)
 	}
 }
 
-/* Of a large store as many as a chart can show: every so many-th. */
+/* Lists the materials of the store.  Of a large store it takes only every so
+ * many-th, as many as a chart can show. */
 static bool
 list_stored_sample(const struct session *s, struct stored_list *list,
     size_t *apart, struct error *error)
@@ -112,7 +113,8 @@ list_stored_sample(const struct session *s, struct stored_list *list,
 	return ok;
 }
 
-/* Where the data are from: of loaded sites as they say.  The caller frees. */
+/* Says where the data are from; loaded sites state it themselves.  The caller
+ * frees the words. */
 static char *
 sources_words(const struct session *s, size_t apart)
 {
@@ -121,7 +123,7 @@ sources_words(const struct session *s, size_t apart)
 	    apart > 1 ? xasprintf(tr("Table 3 of Grunditz et al. (2021) and "
 				     "the user's own fits, one shown of each "
 				     "%s"),
-			    text_exact((double)apart, number))
+			    text_exact_number((double)apart, number))
 		      : xstrdup(tr("Table 3 of Grunditz et al. (2021) and the "
 				   "user's own fits"));
 	for (size_t i = 0; i < s->n_entry; i++)
@@ -133,9 +135,9 @@ sources_words(const struct session *s, size_t apart)
 	return about;
 }
 
-/* The paper's figure 10: f_mat and e0_min of the materials of the store and of
- * Table 3, by rock, and of all loaded sites that have parameters; of these a
- * fit that has one at its bound is marked. */
+/* Draws the paper's figure 10: f_mat and e0_min of the materials of the store
+ * and of Table 3, by rock, and of all loaded sites that have parameters.  A fit
+ * with a parameter at its bound is marked. */
 struct chart *
 plots_map(struct session *s, const struct plot_request *q, struct error *error)
 {

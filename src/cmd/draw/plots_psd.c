@@ -34,8 +34,8 @@ static const struct chart_series OTHER = {.series = SERIES_OTHER,
 static const struct chart_series PART = {
     .series = SERIES_PREDICTED, .line = CHART_LONG, .ascii = '@'};
 
-/* The least limit that holds a value: a few, so that the scale stands still
- * while the slider moves. */
+/* Returns the smallest limit that holds a value.  There are only a few limits,
+ * so that the scale does not change while the slider moves. */
 static double
 axis_limit(double value)
 {
@@ -55,7 +55,7 @@ add_tick(struct axis *axis, double at)
 	axis->tick[axis->n - 1].guide = at == 0;
 }
 
-/* As far below 0 as above, so that 0 stays where it is. */
+/* Reaches as far below 0 as above, so that 0 does not move. */
 static struct axis
 difference_points_axis(const struct chart *chart)
 {
@@ -69,7 +69,8 @@ difference_points_axis(const struct chart *chart)
 	return axis;
 }
 
-/* At the points of a curve what it is more than another, where both are. */
+/* Adds the difference of two curves at each point of the first, where the other
+ * has a value. */
 static void
 add_difference_of_curves(struct chart *strip, const struct chart *chart,
     const struct chart_series *a, const struct chart_series *b,
@@ -94,7 +95,7 @@ axis_copy(const struct axis *from)
 	return axis;
 }
 
-/* "measured 74 m/s" of "measured 74 m/s (2)". */
+/* Returns the length of "measured 74 m/s" in "measured 74 m/s (2)". */
 static int
 short_name_length(const struct chart_series *s)
 {
@@ -102,10 +103,12 @@ short_name_length(const struct chart_series *s)
 	       (s->name[strcspn(s->name, ",(")] == '(');
 }
 
-/* What is shown, whatever the numbers: "points; line: this less pin; marks:
- * measured 74 m/s less this", the prediction, which may be of another speed. */
+/* Returns a title such as "points; line: this less pin; marks: measured 74 m/s
+ * less this", where "this" is the prediction.  It names the curves and not the
+ * numbers; the measured speed may differ from that of the prediction. */
 static char *
-title_of(const struct chart_series *other, const struct chart_series *measured)
+title_of_strip(
+    const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
 	if (other != NULL)
@@ -119,8 +122,8 @@ title_of(const struct chart_series *other, const struct chart_series *measured)
 }
 
 /* Adds a strip of differences below a chart whose last series is the
- * prediction: the prediction minus the second one, and minus what was measured
- * nearest to its speed.  Adds nothing where there is neither. */
+ * prediction: the prediction minus the second prediction, and minus what was
+ * measured nearest to its speed.  Adds nothing if neither exists. */
 static void
 add_strip(struct chart *chart, int rows)
 {
@@ -139,7 +142,7 @@ add_strip(struct chart *chart, int rows)
 		}
 	}
 	free(strip->title);
-	strip->title = title_of(other, measured);
+	strip->title = title_of_strip(other, measured);
 	strip->strip = rows;
 	strip->y = difference_points_axis(strip);
 	if (strip->n > 0)
@@ -148,14 +151,14 @@ add_strip(struct chart *chart, int rows)
 		chart_free(strip);
 }
 
-/* What is read at a place: chart_y_at at a size, chart_x_at at a passing. */
+/* Reads a curve: chart_y_at at a size, chart_x_at at a passing. */
 typedef double reading(
     const struct chart *, const struct chart_series *, double);
 
-/* Adds " feed 16.0 %" to a note, or " predicted 33.1 % (31.6 to 34.5)" of what
- * has a band there, or " feed -". */
+/* Adds " feed 16.0 %" to a note; " predicted 33.1 % (31.6 to 34.5)" if the
+ * curve has a band there; " feed -" if it has no value. */
 static void
-add_reading(char **note, const struct chart *chart,
+append_reading(char **note, const struct chart *chart,
     const struct chart_series *s, reading *read, double at,
     const struct figure *band)
 {
@@ -172,9 +175,10 @@ add_reading(char **note, const struct chart *chart,
 		    band->high);
 }
 
-/* What is pinned has bands at its sieves and of its sizes, and no others. */
+/* A pinned prediction has bands only at its sieves and of its P20, P50 and
+ * P80. */
 static void
-read_pinned(const struct plot_request *q, const struct prediction *p,
+read_bands_of_pinned(const struct plot_request *q, const struct prediction *p,
     struct figure band[static 2])
 {
 	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
@@ -187,7 +191,7 @@ read_pinned(const struct plot_request *q, const struct prediction *p,
 			    NAN, 1000 * p->range[k][0], 1000 * p->range[k][1]};
 }
 
-/* The band of a passing, %, and of a size, mm. */
+/* Computes the band of the passing, %, and that of the size, mm. */
 static void
 read_crosshair_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
@@ -209,9 +213,9 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
 	forecast_close(f);
 }
 
-/* A rule, and where there are notes "at 2 mm: feed 16.0 %, measured 69 m/s
- * 29.0 %", and of each curve the size that the level passes; p: the prediction
- * that has a band, of these parameters, or NULL. */
+/* Adds a rule.  If the chart has notes, also "at 2 mm: feed 16.0 %, measured 69
+ * m/s 29.0 %", and for each curve the size that `level` % pass.  p: the
+ * prediction by these parameters, which has a band, or NULL. */
 static void
 note_crosshair(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params,
@@ -223,7 +227,7 @@ note_crosshair(struct chart *chart, const struct session *s,
 	if (!(q->words & CHART_NOTES))
 		return;
 	if (p != NULL && p == q->made)
-		read_pinned(q, p, band);
+		read_bands_of_pinned(q, p, band);
 	else if (p != NULL)
 		read_crosshair_bands(s, q, params, p, band);
 	FREED char *at = xasprintf(tr("at %g mm:"), x);
@@ -231,8 +235,8 @@ note_crosshair(struct chart *chart, const struct session *s,
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		add_reading(&at, chart, of, chart_y_at, x, &band[0]);
-		add_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
+		append_reading(&at, chart, of, chart_y_at, x, &band[0]);
+		append_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
@@ -240,11 +244,11 @@ note_crosshair(struct chart *chart, const struct session *s,
 	chart_note(chart, "%s", sizes);
 }
 
-/* A rule at the break size and a note; whose: the site it is of, or NULL where
- * that is no longer loaded.  The name of a rule tells no numbers where there
- * are no notes. */
+/* Adds a rule at the break size, and a note.  whose: the site of the
+ * prediction, or NULL if it is no longer loaded.  Without notes the name of the
+ * rule contains no numbers. */
 static void
-note_prediction(struct chart *chart, const struct session *s,
+mark_break_size(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct entry *whose,
     const struct prediction *p, const char *name, enum series series)
 {
@@ -278,8 +282,8 @@ note_prediction(struct chart *chart, const struct session *s,
 	    chart, "%s%s", origin_is_other(whose) ? tr("warning: ") : "", from);
 }
 
-/* The shade of a prediction with the site's own parameters, whose series is the
- * chart's last. */
+/* Shades the band of a prediction by the site's own parameters, which is the
+ * last series of the chart. */
 static void
 shade_prediction(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *p)
@@ -305,7 +309,7 @@ shade_prediction(struct chart *chart, const struct session *s,
 		    100 * settings_level(&s->set));
 }
 
-/* The passings of a product that is read off its prediction's curve. */
+/* Adds a product, whose passings are read off the curve of its prediction. */
 static void
 add_product(struct chart *chart, const struct prediction *p, char *name,
     struct chart_series look)
@@ -325,18 +329,18 @@ make_prediction(const struct session *s, const struct plot_request *q,
 	return forecast_product(s, &question, speed);
 }
 
-/* A second prediction beside the first, and the site it is of; p NULL: there is
- * none; made: where it is none that was kept. */
+/* A second prediction beside the first, and its site.  p is NULL if there is
+ * none; `made` holds it unless it was pinned. */
 struct second {
 	const struct prediction *p;
-	const struct entry *whose; /* NULL: no longer loaded */
+	const struct entry *whose; /* NULL if no longer loaded */
 	struct prediction made;
 };
 
-/* own: parameters of the site in use, or NULL; speed: that of the first.  False
- * with an error where the site beside has no prediction. */
+/* own: the parameters of the site in use, or NULL.  speed: that of the first
+ * prediction.  Fails if the site beside has no prediction. */
 static bool
-find_second(struct session *s, const struct plot_request *q,
+find_second_prediction(struct session *s, const struct plot_request *q,
     const struct params *own, double speed, struct second *second,
     struct error *error)
 {
@@ -370,7 +374,7 @@ find_second(struct session *s, const struct plot_request *q,
 }
 
 static void
-add_second(struct chart *chart, const struct session *s,
+add_second_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct second *second)
 {
 	bool beside = q->beside != NULL;
@@ -385,7 +389,7 @@ add_second(struct chart *chart, const struct session *s,
 		    OTHER);
 }
 
-/* What is to be said of the two, whose curves are the chart's last. */
+/* Adds the notes about the two curves, which are the last of the chart. */
 static void
 note_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
@@ -394,16 +398,16 @@ note_curves(struct chart *chart, struct session *s,
 	const struct entry *entry = q->entry;
 	struct chart_series **last = &chart->series[chart->n - 1];
 	if (one != NULL)
-		note_prediction(
+		mark_break_size(
 		    chart, s, q, entry, one, (*last)->name, SERIES_BREAK);
 	if (one != NULL && shade)
 		shade_prediction(chart, s, entry, one);
 	if (two->p != NULL)
-		note_prediction(chart, s, q, two->whose, two->p,
+		mark_break_size(chart, s, q, two->whose, two->p,
 		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
 }
 
-/* Named by its run where it is that of one of several. */
+/* Names the feed by its run if the site has several. */
 static void
 add_feed(struct chart *chart, const struct site *site, size_t run)
 {
@@ -414,9 +418,9 @@ add_feed(struct chart *chart, const struct site *site, size_t run)
 		: xstrdup(tr("feed")));
 }
 
-/* What was measured, or the fraction of it that is drawn.  Nothing where
- * another feed or machine is asked about.  Returns how far any of it is moved,
- * see moved_largest. */
+/* Adds what was measured, or the fraction of it that is drawn.  Adds nothing if
+ * the question is about another feed or machine.  Returns the largest distance
+ * by which any of it is moved, see moved_largest. */
 static double
 add_measured(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params, double speed)
@@ -444,9 +448,9 @@ add_measured(struct chart *chart, const struct session *s,
 	return moved;
 }
 
-/* The fraction that an envelope in use is for, with its limits. */
+/* Adds the fraction that the envelope in use is for, and the limits. */
 static void
-add_part(struct chart *chart, const struct session *s,
+add_fraction_in_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
 {
 	struct prediction part;
@@ -457,9 +461,9 @@ add_part(struct chart *chart, const struct session *s,
 	prediction_free(&part);
 }
 
-/* Dashed where it is extrapolated. */
+/* The line is dashed if the prediction is extrapolated. */
 static void
-add_first(struct chart *chart, const struct session *s,
+add_first_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
 	struct chart_series look = PREDICTED;
@@ -472,9 +476,9 @@ add_first(struct chart *chart, const struct session *s,
 	    look);
 }
 
-/* A plot of one speed.  one: the first prediction, with these parameters, or
- * NULL, where `unknown` says what is missing; made: where it is none that was
- * made before. */
+/* What a plot at one speed shows.  one: the first prediction, by these
+ * parameters, or NULL; then `unknown` says what is missing.  made: holds it
+ * unless it was made before. */
 struct psd_plot {
 	double speed;
 	struct params params;
@@ -484,20 +488,21 @@ struct psd_plot {
 	struct second two;
 };
 
-/* What was measured is worth a look before there are parameters. */
+/* Without parameters the measured curves are still worth a look. */
 static bool
 find_predictions(struct session *s, const struct plot_request *q,
     struct psd_plot *p, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	*p = (struct psd_plot){
-	    .speed = isnan(q->speed) ? site_middle(entry->site) : q->speed};
+	*p = (struct psd_plot){.speed = isnan(q->speed)
+					    ? site_middle_speed(entry->site)
+					    : q->speed};
 	bool known = search_shown_params(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
 		return false;
 	}
-	if (!find_second(
+	if (!find_second_prediction(
 		s, q, known ? &p->params : NULL, p->speed, &p->two, error))
 		return false;
 	p->one = q->made;
@@ -509,7 +514,7 @@ find_predictions(struct session *s, const struct plot_request *q,
 	return true;
 }
 
-/* All curves, and what is said of them. */
+/* Adds all curves and the notes about them. */
 static void
 fill_psd_chart(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct psd_plot *p)
@@ -520,10 +525,10 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	double moved = add_measured(
 	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
 	if (one != NULL && !fraction_screens(&q->fraction))
-		add_part(chart, s, entry, one);
-	add_second(chart, s, q, &p->two);
+		add_fraction_in_envelope(chart, s, entry, one);
+	add_second_prediction(chart, s, q, &p->two);
 	if (one != NULL)
-		add_first(chart, s, q, one);
+		add_first_prediction(chart, s, q, one);
 	site_chart_across_sieves(chart);
 	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
 	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
@@ -548,9 +553,9 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	FREED char *fraction = screened_title(&q->fraction);
 	struct chart *chart =
 	    site_chart(site, (struct axis){0}, axis_percent(tr("passing, %")),
-		p.one != NULL             ? N_("product at %.*f m/s%s")
-		: site_products(site) > 0 ? N_("feed and products")
-					  : N_("feed"),
+		p.one != NULL                   ? N_("product at %.*f m/s%s")
+		: site_count_products(site) > 0 ? N_("feed and products")
+						: N_("feed"),
 		units_speed_digits(p.speed), p.speed, fraction);
 	fill_psd_chart(chart, s, q, &p);
 	prediction_free(&p.made);

@@ -23,9 +23,9 @@
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
-/* The quantities drawn [n] with the limits on them.  moved: how far any
- * measured product, see moved_largest.  fraction: of quantities that name
- * none. */
+/* The quantities [n] that are drawn, and the limits on them.  moved: the
+ * largest distance by which a measured product is moved, see moved_largest.
+ * fraction: that of the quantities that name none. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct entry *entry;
@@ -37,8 +37,8 @@ struct drawn {
 	struct chart_series *line[MOST];
 };
 
-/* Sieves whose passings are well apart at a speed: those nearest to 80, 50 and
- * 20 %, and the finest one. */
+/* Chooses sieves whose passings are well apart at a speed: those nearest to 80,
+ * 50 and 20 %, and the finest one. */
 static void
 choose_response_sieves(struct session *s, struct drawn *d)
 {
@@ -46,7 +46,7 @@ choose_response_sieves(struct session *s, struct drawn *d)
 	struct question asked = question_of_whole_product(s, d->entry, d->feed);
 	asked.fraction = d->fraction;
 	struct prediction p =
-	    forecast_product(s, &asked, site_middle(d->entry->site));
+	    forecast_product(s, &asked, site_middle_speed(d->entry->site));
 	const struct psd *product = &p.product;
 	size_t first = 0;
 	while (first + 1 < product->n && product->passing[first] >= 1)
@@ -66,10 +66,9 @@ choose_response_sieves(struct session *s, struct drawn *d)
 	prediction_free(&p);
 }
 
-/* One that is there already is not drawn twice.  False where there are too
- * many. */
+/* Adds a quantity unless it is there already.  False if there are too many. */
 static bool
-response_take(struct drawn *d, const struct quantity *q)
+add_quantity_once(struct drawn *d, const struct quantity *q)
 {
 	for (size_t i = 0; i < d->n; i++)
 		if (quantity_same(&d->q[i], q))
@@ -89,7 +88,7 @@ error_too_many(struct error *error)
 	    MOST);
 }
 
-/* What is asked for, each covered by the feed. */
+/* Reads what is asked for and checks that the feed covers it. */
 static bool
 read_drawn(struct session *s, const char *of_words, const char *limits,
     struct drawn *d, struct error *error)
@@ -110,17 +109,17 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = response_take(d, &of[i]) || error_too_many(error);
+		ok = add_quantity_once(d, &of[i]) || error_too_many(error);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
-		ok = response_take(d, &d->limits.at[i].quantity) ||
+		ok = add_quantity_once(d, &d->limits.at[i].quantity) ||
 		     error_too_many(error);
 	if (ok && d->n == 0)
 		choose_response_sieves(s, d);
 	return ok;
 }
 
-/* The looks of a quantity: colours in turn, which no run has; lines that
- * differ without colour. */
+/* Returns the style of a quantity: colours in turn that no run has, and lines
+ * that differ even without colour. */
 static struct chart_series
 line_style(size_t i)
 {
@@ -140,7 +139,7 @@ add_measured(struct chart *chart, const struct session *s,
 	const struct quantity *q = &d->q[i];
 	struct chart_series look = site_chart_style(i);
 	look.line = CHART_MARKS;
-	if (site_products(site) == 0 || site->with[0] != '\0')
+	if (site_count_products(site) == 0 || site->with[0] != '\0')
 		return;
 	FREED char *name = quantities_words(q);
 	struct chart_series *points =
@@ -160,7 +159,7 @@ add_measured(struct chart *chart, const struct session *s,
 	}
 }
 
-/* Level lines at the limits on a quantity. */
+/* Adds level lines at the limits on a quantity. */
 static void
 response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 {
@@ -184,7 +183,7 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 	}
 }
 
-/* A round axis that holds all of the chart. */
+/* Sets an axis with round limits that holds all of the chart. */
 static void
 set_y_axis(struct chart *chart)
 {
@@ -196,9 +195,9 @@ set_y_axis(struct chart *chart)
 	chart->y = axis;
 }
 
-/* The speeds that were measured. */
+/* Marks the range of the measured speeds. */
 static void
-add_reach(struct chart *chart, const struct entry *entry)
+mark_measured_speeds(struct chart *chart, const struct entry *entry)
 {
 	double slowest, fastest;
 	if (!origin_reach(entry, &slowest, &fastest))
@@ -213,7 +212,7 @@ add_reach(struct chart *chart, const struct entry *entry)
 	chart_add_rule(chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
 }
 
-/* Where all conditions hold, and the best speed. */
+/* Marks where all conditions hold, and the best speed. */
 static void
 add_window(
     struct chart *chart, const struct drawn *d, const struct speed_search *w)
@@ -248,7 +247,8 @@ note_window(struct chart *chart, double level, const struct speed_search *w)
 		    100 * level);
 }
 
-/* The chart of the quantities of one unit, or NULL where there are none. */
+/* Returns the chart of the quantities that have one unit, or NULL if there are
+ * none. */
 static struct chart *
 unit_chart(struct session *s, struct drawn *d, const char *unit)
 {
@@ -281,7 +281,7 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 			add_measured(chart, s, d->entry, d, i);
 			response_add_limits(chart, d, i);
 		}
-	add_reach(chart, d->entry);
+	mark_measured_speeds(chart, d->entry);
 	return chart;
 }
 
@@ -334,16 +334,18 @@ make_charts(struct session *s, struct drawn *d)
 		    100 * settings_level(&s->set));
 	else
 		chart_note(last, "%s", outlook_why_none(s, entry));
-	/* Lines reach where nothing was measured, which add_reach tells: the
-	 * light is that of the middle, where it is as good as it gets. */
+	/* The lines reach beyond the measured speeds, which
+	 * mark_measured_speeds marks. This is the light of the middle speed,
+	 * where it is at its best. */
 	FREED char *light =
-	    light_words_at(s, entry, site_middle(entry->site), d->feed);
+	    light_words_at(s, entry, site_middle_speed(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	return first;
 }
 
-/* With bands, what was measured, the training speeds, limits and where all of
- * them hold; a chart for each unit, one below the other. */
+/* Draws the quantities with bands, what was measured, the training speeds, the
+ * limits, and where all of them hold.  Each unit has a chart of its own, one
+ * below the other. */
 struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)

@@ -13,11 +13,11 @@
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
 
-/* Without colour a further speed is told by its mark, which no run has. */
+/* Without colour, a predicted speed is known by its mark, which no run has. */
 static const char MARKS[] = "#@%$szNH";
 enum { FURTHER = sizeof MARKS - 1 };
 
-/* Whether the run's feed is that of an earlier one. */
+/* True if an earlier run has the same feed. */
 static bool
 has_drawn_feed(const struct site *site, size_t run)
 {
@@ -27,7 +27,7 @@ has_drawn_feed(const struct site *site, size_t run)
 	return false;
 }
 
-/* The feeds, each once, in grey. */
+/* Adds the feeds in grey, each once. */
 static void
 add_feeds(struct chart *chart, const struct site *site)
 {
@@ -52,7 +52,8 @@ add_feeds(struct chart *chart, const struct site *site)
 	}
 }
 
-/* The model alone, which is what a held-out run tests. */
+/* Adds what the model alone predicts, because that is what a held-out run
+ * tests. */
 static void
 runs_add_predicted(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
@@ -65,8 +66,8 @@ runs_add_predicted(struct chart *chart, const struct session *s,
 	prediction_free(&p);
 }
 
-/* Its product, and what is predicted for it, unless that is what was for the
- * run before. */
+/* Adds the product of a run and its prediction, unless the prediction equals
+ * that for the run before. */
 static void
 runs_add_run(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, size_t run)
@@ -93,7 +94,7 @@ runs_add_run(struct chart *chart, const struct session *s,
 }
 
 static void
-add_further(struct chart *chart, const struct session *s,
+add_predicted_speeds(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct site *site = q->entry->site;
@@ -128,14 +129,14 @@ runs_refuse(const struct plot_request *q, struct error *error)
 	return false;
 }
 
-/* All of them on one axis; params: or NULL. */
+/* Adds all runs on one axis.  params may be NULL. */
 static void
 runs_add_all(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct entry *entry = entry_loaded(q->entry);
 	const struct site *site = entry->site;
-	double middle = site_middle(site);
+	double middle = site_middle_speed(site);
 	add_feeds(chart, site);
 	for (size_t i = 0; i < site->n_run; i++)
 		if (site_run_is_near(site, i, middle, SITE_CHART_RUNS))
@@ -147,13 +148,13 @@ runs_add_all(struct chart *chart, const struct session *s,
 	    site->individual_feeds
 		? N_("predicted: the model alone, each run from its own feed")
 		: N_("predicted: the model alone"));
-	add_further(chart, s, q, params);
+	add_predicted_speeds(chart, s, q, params);
 }
 
-/* The paper's figure 7: each run's product as measured, solid, and as the model
- * alone predicts it from the run's own feed, dashed; with `speeds` its figure
- * 9, predictions at speeds that were not measured, from the feed that is asked
- * about.  Without parameters what was measured alone. */
+/* Draws the paper's figure 7: each run's product as measured, solid, and as the
+ * model alone predicts it from the run's own feed, dashed.  With `speeds` it is
+ * figure 9: predictions at speeds that were not measured, from the feed of the
+ * question.  Without parameters only what was measured is drawn. */
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
@@ -171,9 +172,9 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	FREED double *size = site_sieves(site, &n);
 	struct chart *chart = site_chart(site, site_chart_sieves(size, n),
 	    axis_percent(tr("passing, %")),
-	    site_products(site) == 0 ? N_("feed")
-	    : known                  ? N_("products measured and predicted")
-				     : N_("feed and products"));
+	    site_count_products(site) == 0 ? N_("feed")
+	    : known ? N_("products measured and predicted")
+		    : N_("feed and products"));
 	runs_add_all(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);

@@ -20,14 +20,14 @@ candidates_at(
 {
 	size_t at = generation > 0 ? generation : past->n;
 	struct params best = search_shown_best(past, generation);
-	return candidates_of(past->site, past->train, past->settings, s->isa,
-	    &past->generation[at - 1], &best);
+	return candidates_with_residuals(past->site, past->train,
+	    past->settings, s->isa, &past->generation[at - 1], &best);
 }
 
-/* How far one sample's passing near 50 % is from another's, points; assumed
- * where nobody stated it. */
+/* Returns by how many points the passings near 50 % of two samples differ.
+ * Sets *assumed if `set noise` does not state it. */
 static double
-noise_at_middle(const struct session *s, bool *assumed)
+noise_near_50_percent(const struct session *s, bool *assumed)
 {
 	*assumed = !(s->set.noise > 0);
 	return *assumed ? units_pct(HYPER[HYPER_OWN].median) : s->set.noise;
@@ -37,7 +37,7 @@ static void
 add_noise(struct chart *chart, const struct session *s)
 {
 	bool assumed;
-	double noise = noise_at_middle(s, &assumed);
+	double noise = noise_near_50_percent(s, &assumed);
 	struct chart_series *stripe = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
@@ -53,9 +53,9 @@ add_noise(struct chart *chart, const struct session *s)
 	}
 }
 
-/* The cells of a run: from, and how many. */
+/* Counts the cells of the run that begins at `from`. */
 static size_t
-cells_of_run(const struct candidates *c, size_t from)
+count_cells_of_run(const struct candidates *c, size_t from)
 {
 	size_t n = 0;
 	while (from + n < c->n && c->cell[from + n].run == c->cell[from].run)
@@ -71,7 +71,7 @@ plots_search_style(const struct site *site, size_t run, size_t nth)
 	return look;
 }
 
-/* nth of `runs`, side by side. */
+/* Adds a run, which is number nth of `runs` side by side. */
 static void
 search_add_run(struct chart *chart, const struct candidates *c,
     const struct site *site, size_t from, size_t nth, size_t runs)
@@ -79,7 +79,7 @@ search_add_run(struct chart *chart, const struct candidates *c,
 	static const enum chart_line LINES[] = {
 	    CHART_LONG, CHART_SOLID, CHART_DOTTED};
 	static const char ASCII[] = "#|:";
-	size_t n = cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
+	size_t n = count_cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
 	const struct run *run = &site->run[c->cell[from].run];
 	struct chart_series look =
 	    plots_search_style(site, c->cell[from].run, nth);
@@ -112,23 +112,23 @@ search_add_run(struct chart *chart, const struct candidates *c,
 }
 
 static struct axis
-sieves_of(const struct candidates *c)
+axis_of_sieves(const struct candidates *c)
 {
 	const double margin = 1.1;
 	FREED double *size = xdoubles(c->n);
 	for (size_t k = 0; k < c->n; k++)
 		size[k] = c->cell[k].size;
 	struct axis axis = site_chart_sieves(size, c->n);
-	/* Room for what is drawn beside the last one. */
+	/* Leaves room for what is drawn beside the last sieve. */
 	axis.low /= margin;
 	axis.high *= margin;
 	return axis;
 }
 
-/* As far as the candidates reach, in steps of which a search that converges
- * takes few. */
+/* Returns an axis as far as the candidates reach.  Its limits are few, so that
+ * it changes seldom while a search converges. */
 static struct axis
-differences_of(const struct candidates *c)
+axis_of_differences(const struct candidates *c)
 {
 	static const double MOST[] = {1, 3, 10, 30, 100};
 	const double straight = 0.1;
@@ -156,15 +156,16 @@ plots_search(
 		return NULL;
 	struct candidates c = candidates_at(s, &past, q->generation);
 	struct chart *chart =
-	    site_chart(past.site, sieves_of(&c), differences_of(&c),
+	    site_chart(past.site, axis_of_sieves(&c), axis_of_differences(&c),
 		q->generation == 0 && past.polished
 		    ? N_("generation %zu of %zu, polished")
 		    : N_("generation %zu of %zu"),
 		at + 1, past.n);
 	add_noise(chart, s);
-	for (size_t k = 0; k < c.n; k += cells_of_run(&c, k))
+	for (size_t k = 0; k < c.n; k += count_cells_of_run(&c, k))
 		runs++;
-	for (size_t k = 0, nth = 0; k < c.n; k += cells_of_run(&c, k), nth++)
+	for (size_t k = 0, nth = 0; k < c.n;
+	     k += count_cells_of_run(&c, k), nth++)
 		search_add_run(chart, &c, past.site, k, nth, runs);
 	FREED char *words = plots_search_words(s, &past, q->generation);
 	chart_note(chart, "%s", words);
@@ -172,7 +173,8 @@ plots_search(
 	return chart;
 }
 
-/* Fixed over the whole search, and over most searches. */
+/* Returns an axis that is the same for the whole search and for most
+ * searches. */
 static struct axis
 search_points_axis(const struct search_shown *past)
 {
@@ -227,10 +229,10 @@ plots_search_convergence(
 	return chart;
 }
 
-/* What the calibration that the parameters are from knows of it now, once it
- * is over. */
+/* Sets span->drawn from the posterior of the calibration that found the
+ * parameters, once that is over. */
 static void
-add_drawn(struct session *s, const char *name, struct param_span *span)
+add_range_of_draws(struct session *s, const char *name, struct param_span *span)
 {
 	const struct entry *entry = session_entry(s);
 	bool over = !session_busy(s) && entry->has_fit &&
@@ -266,7 +268,7 @@ plots_search_span(struct session *s, const struct search_shown *past,
 	params_scale_to_1(&best);
 	span.best = best.at[j];
 	if (j < of->gauge && !span.fixed) {
-		candidates_spread(g, j, &span.p10, &span.p90);
+		candidates_middle_range(g, j, &span.p10, &span.p90);
 		span.lower = -1;
 		span.upper = 1;
 	} else
@@ -274,12 +276,13 @@ plots_search_span(struct session *s, const struct search_shown *past,
 		    !span.fixed && (span.best - span.lower < outer * range ||
 				       span.upper - span.best < outer * range);
 	if (generation == 0)
-		add_drawn(s, of->parameter[j].name, &span);
+		add_range_of_draws(s, of->parameter[j].name, &span);
 	return span;
 }
 
-/* One row for each parameter, the first on top, half a row within the ends; not
- * quite half, lest rounding put two into one row of cells. */
+/* Gives each parameter a row, the first one on top, half a row from either end.
+ * It is slightly less than half, so that rounding does not put two into one row
+ * of cells. */
 static struct axis
 parameter_axis(const struct breakage *of)
 {
@@ -293,7 +296,8 @@ parameter_axis(const struct breakage *of)
 	return axis;
 }
 
-/* Where a value lies within its bounds, %; NAN of a parameter held fixed. */
+/* Returns where a value lies within its bounds, %; NAN for a parameter held
+ * fixed. */
 static double
 share_of_bounds(const struct param_span *span, double value)
 {
@@ -313,7 +317,7 @@ plots_search_spread(
 	struct chart *chart = site_chart(past.site,
 	    axis_linear(tr("position between the bounds, %"), 0, 100),
 	    parameter_axis(of), "candidates of generation %zu", at + 1);
-	/* Two ends and a lift of the pen. */
+	/* Two ends, and a gap that lifts the pen. */
 	chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_SOLID, .ascii = '='},
@@ -342,15 +346,15 @@ plots_search_spread(
 	return chart;
 }
 
-/* "most candidates still miss 4 mm by 5.2 points at 69 m/s"; once half of them
- * agree on the break size, that. */
+/* Returns "most candidates still miss 4 mm by 5.2 points at 69 m/s", or a
+ * sentence on the break size once half of the candidates agree on it. */
 static char *
 search_words(
     const struct session *s, const struct search_shown *past, size_t generation)
 {
 	const double agreed = 1.1;
 	bool assumed;
-	double noise = noise_at_middle(s, &assumed);
+	double noise = noise_near_50_percent(s, &assumed);
 	struct candidates c = candidates_at(s, past, generation);
 	const struct candidates_cell *worst = candidates_worst(&c);
 	double miss = units_pct(fabs(worst->median));

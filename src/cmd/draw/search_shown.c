@@ -16,7 +16,7 @@ search_shown_is_running(const struct session *s, const struct entry *entry)
 }
 
 static void
-take_running(struct search_shown *past, const struct session *s,
+take_running_search(struct search_shown *past, const struct session *s,
     const struct entry *entry)
 {
 	const struct job *job = &s->job;
@@ -39,7 +39,7 @@ search_shown(const struct session *s, const struct entry *entry)
 	struct search_shown past = {0};
 	const struct history *h = entry->history;
 	if (search_shown_is_running(s, entry)) {
-		take_running(&past, s, entry);
+		take_running_search(&past, s, entry);
 	} else if (h != NULL) {
 		past = (struct search_shown){h->n, h->generation, &h->bounds,
 		    h->site, h->train, h->fit.settings, h->weight,

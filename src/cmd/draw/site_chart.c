@@ -53,7 +53,7 @@ site_chart_add_psd(struct chart *chart, struct chart_series look,
 	s->psd = true;
 	put_points(s, psd);
 	if (finer != NULL)
-		put_points(chart_add_finer(s, finer->n), finer);
+		put_points(chart_add_finer_points(s, finer->n), finer);
 	free(name);
 }
 

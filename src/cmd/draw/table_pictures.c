@@ -26,7 +26,7 @@
 	    {TEXT(param), "PARAMETER", "",                                 \
 		"profile: the parameter; default e0_min"},                 \
 	    {NUMBER(at), "mm", 1e-6, 1e4, NULL, "",                        \
-		"psd: line at this size, its passings"},                   \
+		"psd: line at this size, with passings"},                  \
 	{                                                                  \
 		NUMBER(level), "%", 0, 100, NULL, "50",                    \
 		    "psd with at=: sizes at this passing"                  \
@@ -44,7 +44,7 @@ const struct command TABLE_PICTURES[] = {
 	    {NUMBER(height), "rows", 1, 1000, NULL, "",
 		"default: that of the screen, at most 24"},
 	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
-		"drawn with"}),
+		"characters"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =
@@ -54,14 +54,12 @@ const struct command TABLE_PICTURES[] = {
 	    "search; convergence: their best and median; spread: where they "
 	    "lie within the bounds; residuals: predicted minus measured; "
 	    "selection: what share breaks (Eq 3); appearance: into what sizes "
-	    "(Eq 1); map: "
-	    "materials of the store, and the loaded sites; sweep: products at "
-	    "several speeds; response: quantities against the tip speed; "
-	    "profile: what the data say about a parameter; correlation: about "
-	    "all; drift: control charts; energy: "
-	    "collision energies. > FILE.svg, "
-	    ".png or .pdf draws a publication figure; .csv and .json get the "
-	    "numbers, .txt the text.",
+	    "(Eq 1); map: materials of the store, and the loaded sites; "
+	    "sweep: products at several speeds; response: quantities against "
+	    "the tip speed; profile: what the data say about a parameter; "
+	    "correlation: about pairs; drift: control charts; energy: "
+	    "collision energies. > FILE.svg, .png or .pdf draws a publication "
+	    "figure; .csv and .json get the numbers, .txt the text.",
 	.more =
 	    "runs predicts each from its own feed, with speeds= also at speeds "
 	    "that were not measured; parity has the held-out speeds of all "
@@ -114,7 +112,7 @@ const struct command TABLE_PICTURES[] = {
 	    {CHOICE(page), SETTINGS_PAGES, "",
 		"the page to show; default: the open page, else predict"},
 	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
-		"drawn with"},
+		"characters"},
 	    {CHOICE(colours), "auto 256 16 8 0", "auto",
 		"number of colours; auto: those of the terminal, 256 in an "
 		"image"},

@@ -12,7 +12,8 @@
 #include "cmd/lang/table.h"
 #include "io/formats/shards.h"
 
-/* Rows in the order of all sites, and within one as they were written. */
+/* Orders rows as all sites are ordered, and those of one site as they were
+ * written. */
 static int
 compare_index(const void *a, const void *b)
 {
@@ -23,7 +24,7 @@ compare_index(const void *a, const void *b)
 	return (p > q) - (p < q);
 }
 
-/* The rows of all parts, [n], in order; the caller frees. */
+/* Returns the rows of all parts, [n], in order.  The caller frees them. */
 static const struct part_site **
 sort_rows(const struct parts *parts, size_t *n)
 {
@@ -72,7 +73,7 @@ join_validated(const struct parts *parts, const struct part_site *const *site,
 	return r;
 }
 
-/* What the stores have; path, used: of each material. */
+/* The contents of all stores.  path, used: one for each material. */
 struct shelf {
 	struct stored_list list;
 	struct stored_index index;
@@ -94,7 +95,7 @@ read_store(const char *path, struct shelf *shelf, struct error *error)
 	return ok;
 }
 
-/* Each name is in one of the stores only. */
+/* Reads all stores and checks that no name is in two of them. */
 static bool
 fill_shelf(
     struct shelf *shelf, const char *const *path, size_t n, struct error *error)
@@ -125,8 +126,8 @@ clear_shelf(struct shelf *shelf)
 	free(shelf->used);
 }
 
-/* The material of a site: of this very calibration, which its misfit tells to
- * the last bit. */
+/* Returns the material of a site.  It must come from the very same calibration,
+ * which its misfit shows to the last bit. */
 static const struct stored *
 collect_material_of(const struct shelf *shelf, const struct part_site *site,
     const char *version, struct error *error)
@@ -157,7 +158,8 @@ collect_material_of(const struct shelf *shelf, const struct part_site *site,
 	return NULL;
 }
 
-/* Puts the materials of the sites, in their order; there are no others. */
+/* Stores the materials of the sites, in their order.  Fails if one belongs to
+ * no site. */
 static bool
 put_materials(struct session *s, const struct shelf *shelf,
     const struct parts *parts, const struct part_site *const *site, size_t n,
@@ -197,9 +199,10 @@ join_stores(struct session *s, const struct parts *parts,
 		return true;
 	if (strcmp(parts->part[0].command, "calibrate") != 0)
 		return error_at(error, ERROR_DATA, path[0], 0, 0,
-		    "a store goes with the parts of 'calibrate all', got those "
-		    "of '%s all'\n"
-		    "collect the parts that remembered it",
+		    "expected the parts of 'calibrate all' with a store, got "
+		    "those of '%s all'\n"
+		    "leave out the store, or collect the parts of the "
+		    "programs that filled it",
 		    parts->part[0].command);
 	bool ok = fill_shelf(&shelf, path, n_path, error) &&
 		  put_materials(s, &shelf, parts, site, n, replace, error);

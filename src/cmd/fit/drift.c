@@ -11,17 +11,17 @@
 #include "cmd/lang/table.h"
 #include "io/sitefile/units.h"
 
-static const uint64_t SEED = 1; /* of the simulated run lengths */
+static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
-/* What the CUSUM of the side that is nearer to its limit says. */
+/* Returns the CUSUM of the side that is nearer to its limit, with a sign. */
 static double
-larger_cusum(const struct drift_chart *c)
+cusum_nearest_its_limit(const struct drift_chart *c)
 {
 	return c->down > c->up ? -c->down : c->up;
 }
 
-/* charts: with the numbers that decide.  Programs get what is measured less
- * predicted; people, as of all other comparisons, the answer less measured. */
+/* charts: with the numbers that decide.  Programs get measured minus predicted;
+ * people get predicted minus measured, as in all other comparisons. */
 static void
 drift_add_rows(
     struct answer *a, const struct routine *r, bool charts, bool programs)
@@ -48,21 +48,22 @@ drift_add_rows(
 		if (charts)
 			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
-			    level->down, sign * larger_cusum(tilt));
+			    level->down, sign * cusum_nearest_its_limit(tilt));
 		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
 
-/* "5 (2026-05-18)". */
+/* Returns "5 (2026-05-18)". */
 static char *
-drift_name_of(const struct routine *r, size_t cut)
+cut_name(const struct routine *r, size_t cut)
 {
 	const char *when = r->cut[cut].when;
 	return when[0] != '\0' ? xasprintf("%zu (%s)", cut + 1, when)
 			       : xasprintf("%zu", cut + 1);
 }
 
-/* The speeds of cuts from one on: "72,76".  *n out: how many differ. */
+/* Returns the speeds of the cuts from `from` on: "72,76".  *n: how many
+ * differ. */
 static char *
 speeds_words_from(const struct routine *r, size_t from, size_t *n)
 {
@@ -80,23 +81,23 @@ speeds_words_from(const struct routine *r, size_t from, size_t *n)
 	return list;
 }
 
-/* Cuts that tell little of a drift, and for how many nobody waits. */
+/* Fewer cuts than FEW show little of a drift, and nobody waits for LATE. */
 enum { FEW = 5, LATE = 50 };
 
-/* When it began, if the last cut is beyond a limit. */
+/* Says when it began, if the last cut is beyond a limit. */
 static void
 say_beginning(struct answer *a, const struct routine *r)
 {
 	if (r->point[r->n - 1].state == DRIFT_NONE)
 		return;
-	FREED char *since = drift_name_of(r, r->since),
-		   *first = drift_name_of(r, r->first);
+	FREED char *since = cut_name(r, r->since),
+		   *first = cut_name(r, r->first);
 	answer_note(a,
 	    "it began at about cut %s; by cut %s it was more than chance",
 	    since, first);
 }
 
-/* What to do now: when to calibrate anew, and with what. */
+/* Says when to calibrate again, and with what. */
 static void
 say_what_next(struct answer *a, const struct entry *entry,
     const struct routine *r, const struct later *later)
@@ -118,7 +119,7 @@ say_what_next(struct answer *a, const struct entry *entry,
 			     "next cut"));
 		return;
 	}
-	FREED char *since = drift_name_of(r, r->since);
+	FREED char *since = cut_name(r, r->since);
 	FREED char *speeds = speeds_words_from(r, r->since, &n);
 	answer_note(a,
 	    n > 1 ? N_("next: find the cause; if the change is to stay, "
@@ -132,7 +133,7 @@ say_what_next(struct answer *a, const struct entry *entry,
 	    speeds, since);
 }
 
-/* What the limits are, and how often they are passed by chance. */
+/* States the limits, and how often chance alone crosses them. */
 static void
 say_limits(struct answer *a, const struct routine *r, bool detail)
 {

@@ -137,7 +137,8 @@ say_flat(struct answer *r, const char *list, bool several, bool both)
  * each with its step, in a direction that the bounds allow.  If the steps
  * leave the bounds either way, the data say nothing about them. */
 static void
-add_flat(struct answer *r, const struct fit *fit, const struct bounds *bounds)
+note_poorly_determined(
+    struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
 	FREED char *list = xstrdup("");
 	size_t n = 0;
@@ -298,7 +299,7 @@ add_search(
 	note_lowest(r, fit);
 	note_edits(r, fit);
 	add_warnings(r, entry);
-	add_flat(r, fit, bounds);
+	note_poorly_determined(r, fit, bounds);
 }
 
 /* Notes what would test a fit without a held-out speed. */
@@ -339,7 +340,7 @@ add_summary(
 		note_untested(r, entry);
 }
 
-/* The parameters and the course of the search. */
+/* Returns the answer with the parameters and the course of the search. */
 static struct answer *
 detailed_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, const char *command)
@@ -438,7 +439,7 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 	    s, detailed_answer(s, entry, &entry->history->bounds, NAN, "show"));
 }
 
-/* Rows of a table that fit a screen together with its heading. */
+/* The rows of a table that fit on a screen together with its heading. */
 enum { ROWS = 18 };
 
 /* Returns the range of the middle 80 % of the candidates in per cent of the

@@ -106,7 +106,7 @@ job_mark(const struct site *site, bool all, bool *train)
 	if (!all)
 		return misfit_default_train(site, train);
 	for (size_t r = 0; r < site->n_run; r++)
-		n += train[r] = misfit_covered(&site->run[r]) > 0;
+		n += train[r] = misfit_count_covered(&site->run[r]) > 0;
 	return n;
 }
 
@@ -122,8 +122,9 @@ bool
 job_hold_out(const struct site *site, double *speed, bool *train)
 {
 	size_t next = 0;
-	while (next < site->n_run && (site->run[next].speed <= *speed ||
-					 misfit_covered(&site->run[next]) == 0))
+	while (next < site->n_run &&
+	       (site->run[next].speed <= *speed ||
+		   misfit_count_covered(&site->run[next]) == 0))
 		next++;
 	if (next == site->n_run)
 		return false;
@@ -192,7 +193,7 @@ options_words(const struct session *s, const struct fit *fit)
 
 /* Makes the job's result the fit of its site. */
 static void
-take_entry(struct session *s)
+take_fit_as_params(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_fit(s->job.calibration);
@@ -215,7 +216,7 @@ take_entry(struct session *s)
 /* Runs a step of the polished search with which a plain one is compared.
  * Returns true if it is complete or not wanted. */
 static bool
-seek_lowest(struct session *s)
+step_polished_search(struct session *s)
 {
 	struct job *job = &s->job;
 	struct calibrate_options options = job->options;
@@ -241,11 +242,11 @@ seek_lowest(struct session *s)
 static bool
 draw_fit(struct session *s)
 {
-	if (!s->job.taken && !seek_lowest(s))
+	if (!s->job.taken && !step_polished_search(s))
 		return false;
 	if (!s->job.taken)
-		take_entry(s);
-	return outlook_draw(s, &s->entry[s->job.entry]);
+		take_fit_as_params(s);
+	return outlook_draw_some_steps(s, &s->entry[s->job.entry]);
 }
 
 /* draw: judge the fit by its draws, too. */
@@ -254,7 +255,7 @@ job_take_fit(struct session *s, bool draw)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
-		take_entry(s);
+		take_fit_as_params(s);
 	/* `calibrate all` answers with a table of sites, which has none of
 	 * these fields. */
 	struct answer *answer = answer_new("calibrate");
@@ -343,8 +344,8 @@ static const struct job_type ONE_SITE = {next_fit_of_one, draw_fit,
 struct all_fits {
 	bool train_all;
 	struct part part;
-	size_t n, *index; /* sites of the part so far */
-	char *options;    /* that all parts must have */
+	size_t n, *index; /* the sites of the part so far */
+	char *options;    /* options that all parts must have */
 	struct answer *summary;
 };
 
@@ -471,7 +472,7 @@ session_step(struct session *s)
 		session_pause(s);
 }
 
-/* A task that runs in parallel with others. found: see job_type.follow. */
+/* A task that runs in parallel with others.  found: see job_type.follow. */
 struct running_task {
 	const struct session *s;
 	struct job_task task;
@@ -727,7 +728,7 @@ check_training(const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		if (!train[r] || misfit_covered(run) > 0)
+		if (!train[r] || misfit_count_covered(run) > 0)
 			continue;
 		return error_set(error, ERROR_DATA,
 		    "%s: no product sieve at %g m/s is in the range of the "
@@ -882,7 +883,9 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return true;
 	if (part.of == 0)
 		return error_set(error, ERROR_DATA,
-		    "no loaded site has a product to calibrate on");
+		    "no loaded site has a product to calibrate on\n"
+		    "load site files with products at two speeds, or 'add' "
+		    "belt cuts");
 	/* With more parts than sites, a part may be empty. */
 	show_all_fits(s, all_fits_new(s, train_all, part, &job.options));
 	return true;
@@ -937,8 +940,10 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		return false;
 	if (args->pause > 0 && args->pause <= s->job.step)
 		return error_set(error, ERROR_USAGE,
-		    "pause: expected a generation after %zu, which is done",
-		    s->job.step);
+		    "pause: expected a generation after %zu, which is done, "
+		    "got %zu\n"
+		    "write a later one, or leave out pause=",
+		    s->job.step, (size_t)args->pause);
 	take_bounds(s);
 	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)

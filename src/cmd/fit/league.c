@@ -16,8 +16,9 @@
 #include "core/check/league.h"
 #include "core/check/validate.h"
 
-/* The rows of a league: every breakage model and, where collision energies are
- * set, the paper's with these (D15), the last. */
+/* Returns the breakage model of a row.  The rows are all models and, if
+ * collision energies are set, as the last one the paper's model with them
+ * (D15). */
 static size_t
 breakage_of_row(size_t row)
 {
@@ -31,8 +32,9 @@ name_of_row(size_t row)
 				      : "grunditz+energies";
 }
 
-/* A model at a site.  fit, parameters, aicc: of the site's training runs; last:
- * of the present task, where a larger model begins; runs: those held out. */
+/* A model at a site.  fit, parameters, aicc: on the site's training runs. last:
+ * the fit of the present task, where a larger model starts.  runs: the held-out
+ * runs. */
 struct tried_model {
 	struct fit fit, last;
 	size_t parameters;
@@ -40,7 +42,7 @@ struct tried_model {
 	struct trials runs;
 };
 
-/* A site with its models; each: each speed was held out in turn. */
+/* A site with its models.  each: every speed was held out in turn. */
 struct site_models {
 	const struct site *site;
 	size_t entry;
@@ -49,8 +51,8 @@ struct site_models {
 	struct tried_model *model; /* [n_model] */
 };
 
-/* at, end: the site that is worked on and the one to stop before; speed: held
- * out in turn, 0: none yet; model: of the present task. */
+/* at, end: the present site and the one to stop before.  speed: held out in
+ * turn, 0 before the first.  model: that of the present task. */
 struct league {
 	bool all;
 	size_t n, at, end, model, n_model;
@@ -185,9 +187,9 @@ take_task(struct session *s)
 				 .rmse = t->last.rmse});
 }
 
-/* The sampling error of a passing at a site: as large as the model that
- * explains the training runs best leaves it, 0.1 points at least, 0.5 where
- * none can say. */
+/* Returns the sampling error of a passing at a site: the residual error of the
+ * model that explains the training runs best, but at least 0.1 points; 0.5
+ * points if no model has runs enough. */
 static double
 sampling_error(const struct site_models *g)
 {
@@ -203,13 +205,13 @@ sampling_error(const struct site_models *g)
 	return isfinite(variance) ? fmax(sqrt(variance), least) : unknown;
 }
 
-/* What is said of one site, or of several together: models
- * [n_model], whose misfits, parameters and AICc are added up; the runs
- * held out of all, and what the null models err there.  simplest: of those that
- * remain, the one that the others extend, where they can be told.  winner: the
- * null model that errs least where that is less than the best model errs, by
- * more than sampling explains; else VALIDATE_MODEL.  none: even the best model
- * misses the runs held out, so that none remains. */
+/* The verdict on one site, or on several together: models [n_model] with their
+ * misfits, parameters and AICc added up, the held-out runs of all sites, and
+ * the errors of the null models.  simplest: of the models that remain, the one
+ * that the others extend, if there is one.  winner: the null model with the
+ * smallest error, if the best model errs by more than that and sampling errors
+ * do not explain it; otherwise VALIDATE_MODEL. none: no model remains, because
+ * even the best misses the held-out runs. */
 struct verdict {
 	size_t n, n_run, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
@@ -219,7 +221,7 @@ struct verdict {
 	bool can_tell, ranked, none;
 	enum validate_way winner;
 	/* The share of the straight line in the answer between measured speeds,
-	 * 0..1, of which the model in use has the rest; NAN: no draws. */
+	 * 0..1; the model in use has the rest.  NAN without draws. */
 	size_t in_use;
 	double straight;
 };
@@ -241,7 +243,7 @@ verdict_free(struct verdict *v)
 /* Adds the cells of a site's runs that were held out.  Their sampling error is
  * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-add_cells(struct verdict *v, const struct site_models *g)
+add_held_out_cells(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error(g), h = 0;
@@ -263,7 +265,7 @@ add_cells(struct verdict *v, const struct site_models *g)
 		    sd * discrepancy_h(v->cell[i].measured) / sqrt(h);
 }
 
-/* Adds what a way predicts at the cells of runs to passing [n]. */
+/* Appends what a way predicts at the cells of the runs to passing [n]. */
 static void
 add_passings(double **passing, size_t n, const struct trials *runs,
     enum validate_way way)
@@ -277,7 +279,7 @@ add_passings(double **passing, size_t n, const struct trials *runs,
 	}
 }
 
-/* Adds a site.  Its AICc count where all models have one. */
+/* Adds a site.  Its AICc count if all models have one. */
 static void
 add_site(struct verdict *v, const struct site_models *g, bool alone)
 {
@@ -293,12 +295,12 @@ add_site(struct verdict *v, const struct site_models *g, bool alone)
 	}
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 		add_passings(&v->null[way], v->n, &g->model[0].runs, way);
-	add_cells(v, g);
+	add_held_out_cells(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
 static struct verdict
-verdict_of(const struct site_models *g, size_t n)
+verdict_on_sites(const struct site_models *g, size_t n)
 {
 	size_t models = g->n_model;
 	struct verdict v = {.n_model = models,
@@ -343,8 +345,8 @@ static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
     [LEAGUE_OUT_AICC] = N_("out: AICc"),
     [LEAGUE_OUT_ERROR] = N_("out: hold-out")};
 
-/* Returns the null model with the smallest error, if that is smaller than
- * the best model's; else VALIDATE_MODEL. */
+/* Returns the null model with the smallest error, if that is smaller than the
+ * best model's; otherwise VALIDATE_MODEL. */
 static enum validate_way
 baseline_ahead(const struct verdict *v)
 {
@@ -379,7 +381,7 @@ verdict_word(const struct verdict *v, size_t m)
 /* Returns the share of a model in the answer between measured speeds, per
  * cent. */
 static double
-weight_of(const struct verdict *v, size_t m)
+weight_of_model(const struct verdict *v, size_t m)
 {
 	return isnan(v->straight)
 		   ? NAN
@@ -396,7 +398,7 @@ put_verdict(struct fields *o, const struct verdict *v)
 		    "parameters %zu cells %zu standing %s weight_pct %g",
 		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
 		    v->misfit[m], v->parameters[m], v->cells,
-		    verdict_word(v, m), weight_of(v, m));
+		    verdict_word(v, m), weight_of_model(v, m));
 	scores_put_null(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", name_of_row(v->best));
@@ -409,8 +411,8 @@ put_verdict(struct fields *o, const struct verdict *v)
 		fields_put(o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
-/* Adds the models, then the null models. programs: with how far AICc is
- * above the best's, for which people have no room. */
+/* Adds the models, then the null models.  programs: with the difference in AICc
+ * from the best model, for which people have no room. */
 static void
 league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 {
@@ -430,7 +432,7 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 		answer_cells(
 		    r, "%.2f %s", 100 * v->model[m].rmse, verdict_word(v, m));
 		if (weights)
-			answer_cells(r, "%.0f", weight_of(v, m));
+			answer_cells(r, "%.0f", weight_of_model(v, m));
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 		answer_cells(
@@ -445,7 +447,7 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 	}
 }
 
-/* "grunditz, vogel": those of the standings from..to but one. */
+/* Returns "grunditz, vogel": the models whose standing is within from..to. */
 static char *
 league_names_of(
     const struct verdict *v, enum league_standing from, enum league_standing to)
@@ -571,7 +573,7 @@ find_weights(
 	v->straight = p->straight;
 }
 
-/* The weights in words. */
+/* Notes the weights. */
 static void
 note_weights(struct answer *r, const struct verdict *v)
 {
@@ -580,14 +582,14 @@ note_weights(struct answer *r, const struct verdict *v)
 	answer_say(r, ANSWER_REMARK,
 	    "share: between two measured speeds the answer is %.0f %% %s, "
 	    "corrected, and %.0f %% the straight line; elsewhere it is all %s",
-	    weight_of(v, v->in_use), name_of_row(v->in_use), 100 * v->straight,
-	    name_of_row(v->in_use));
+	    weight_of_model(v, v->in_use), name_of_row(v->in_use),
+	    100 * v->straight, name_of_row(v->in_use));
 }
 
 static struct answer *
 answer_one_site(const struct session *s, const struct site_models *g)
 {
-	struct verdict v = verdict_of(g, 1);
+	struct verdict v = verdict_on_sites(g, 1);
 	find_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
@@ -626,8 +628,8 @@ answer_all(const struct session *s, const struct league *l)
 			  "can_tell: can tell, possible: also possible");
 	for (size_t i = 0; i <= l->n; i++) {
 		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
-		struct verdict v =
-		    g != NULL ? verdict_of(g, 1) : verdict_of(l->sites, l->n);
+		struct verdict v = g != NULL ? verdict_on_sites(g, 1)
+					     : verdict_on_sites(l->sites, l->n);
 		FREED char *open = v.none ? xstrdup("")
 					  : league_names_of(&v, LEAGUE_POSSIBLE,
 						LEAGUE_POSSIBLE);

@@ -66,7 +66,7 @@ model_take_params(struct session *s, struct entry *entry,
 	entry->origin = origin;
 }
 
-/* False for a parameter that another model has. */
+/* Refuses a parameter that only other models have. */
 static bool
 check_named(
     const struct args *args, const struct breakage *of, struct error *error)
@@ -86,8 +86,9 @@ check_named(
 	return true;
 }
 
-/* Parameters not named keep their value; where there is none yet, they have
- * their start or must be named. */
+/* Sets the parameters that are named.  The others keep their value or, if the
+ * site has none yet, get their starting value; those without one must be
+ * named. */
 static bool
 set_params(struct session *s, const struct args *args, struct error *error)
 {
@@ -119,7 +120,8 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* The loaded site that the second operand names, with parameters. */
+/* Returns the loaded site that the second operand names, if it has
+ * parameters. */
 static const struct entry *
 find_other_site(struct session *s, const struct args *args, struct error *error)
 {
@@ -159,7 +161,8 @@ use_params(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* The parameters of the site in use and of another, both scaled. */
+/* Compares the parameters of the site in use with those of another, both
+ * scaled. */
 static bool
 diff_params(struct session *s, const struct args *args, struct error *error)
 {
@@ -196,7 +199,7 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* Only set takes values, only diff and use take a site. */
+/* Only set takes values; only diff and use take a site. */
 static const struct {
 	const char *verb;
 	bool values;
@@ -253,7 +256,7 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* "a..b", or one number, which holds the parameter fixed. */
+/* Reads "a..b", or one number, which holds the parameter fixed. */
 static bool
 read_range(const char *word, double *lower, double *upper)
 {

@@ -11,8 +11,8 @@
 #include "base/xalloc.h"
 #include "config.h"
 
-/* What engines tell a task of its place.  first: the number of the first task,
- * or NULL where that is 0; step likewise, 1. */
+/* The variables by which engines tell a task its place.  first: the number of
+ * the first task, or NULL if that is always 0.  step: NULL if always 1. */
 static const struct engine {
 	const char *number, *of, *first, *step;
 } ENGINES[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT",
@@ -116,9 +116,9 @@ part_add(struct answer *answer, const struct part_row *row)
 	    row->holdout_pct, row->remark);
 }
 
-/* Collision energies are many numbers: their digest. */
+/* Appends the collision energies as a digest, because they are many numbers. */
 static void
-add_impacts(char **words, const struct impacts *impacts)
+append_digest_of_impacts(char **words, const struct impacts *impacts)
 {
 	uint64_t digest = text_digest(
 	    UINT64_C(0xcbf29ce484222325), &impacts->number, sizeof(double));
@@ -144,14 +144,15 @@ part_options(const struct session *s, const struct calibrate_options *o,
 	    o->tolerance, o->stall, o->polish, o->plain, more, of->name,
 	    (int)m->method, (int)m->appearance, m->k, m->bypass, s->set.noise,
 	    (int)s->set.correction);
-	add_impacts(&words, &m->impacts);
+	append_digest_of_impacts(&words, &m->impacts);
 	for (size_t j = 0; j < of->n; j++)
 		xappend(&words, " %s=%.17g..%.17g", of->parameter[j].name,
 		    o->bounds.lower[j], o->bounds.upper[j]);
 	return words;
 }
 
-/* Of the names and numbers of all loaded sites, in their order. */
+/* Returns a digest of the names and the data of all loaded sites, in their
+ * order. */
 static uint64_t
 part_digest_of(const struct session *s)
 {

@@ -47,9 +47,9 @@ run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 	}
 }
 
-/* "null", "winner". */
+/* Puts the RMSE of the null models and the way that predicts best. */
 static void
-put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
+put_null_and_winner(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
 	scores_put_null(o, rmse);
 	fields_put(o, "winner %s", SCORES_WAYS[validate_winner(rmse)].key);
@@ -98,7 +98,7 @@ put_run(struct fields *o, const struct trial *item)
 	if (item->has_band)
 		fields_number(o, "within", (double)item->within);
 	put_sizes(o, v);
-	put_null(o, v->rmse);
+	put_null_and_winner(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
 	    validation_loses_to_interpolation(v), v->nearest);
 	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
@@ -120,7 +120,7 @@ put_all(struct fields *o, const struct trials *c)
 	o = fields_object(o, "overall");
 	fields_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
 	fields_number(o, "corrected_rmse_pct", 100 * rmse[VALIDATE_CORRECTED]);
-	put_null(o, rmse);
+	put_null_and_winner(o, rmse);
 }
 
 /* Begins a row with the run; exact: with its speed before it. */
@@ -200,10 +200,10 @@ add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 	}
 }
 
-/* A difference of RMSE, passing 0..1, that exceeds sampling errors. */
+/* A difference in RMSE, passing 0..1, that exceeds sampling errors. */
 static const double CLEARLY = 0.001;
 
-/* RMSE of all sieves but the worst, passing 0..1. */
+/* Returns the RMSE of all sieves but the worst, passing 0..1. */
 static double
 rmse_of_others(const struct validation *v)
 {
@@ -223,15 +223,15 @@ is_worst_far_off(const struct validation *v)
 	       worst > times * rmse_of_others(v);
 }
 
-/* The way that predicts best. worse: it is neither the model nor the
- * corrected answer; clearly: by more than sampling errors. */
+/* The way that predicts best.  worse: it is neither the model nor the corrected
+ * answer.  clearly: the difference exceeds sampling errors. */
 struct winner {
 	enum validate_way best;
 	bool worse, clearly;
 };
 
 static struct winner
-winner_of(const double rmse[static VALIDATE_WAYS])
+best_way(const double rmse[static VALIDATE_WAYS])
 {
 	enum validate_way best = validate_winner(rmse);
 	double corrected = rmse[VALIDATE_CORRECTED];
@@ -257,7 +257,7 @@ speed_beside(const struct validation *v)
 static void
 warn_worse(struct answer *r, const struct validation *v, const char *run)
 {
-	struct winner w = winner_of(v->rmse);
+	struct winner w = best_way(v->rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	if (!w.clearly)
 		return;
@@ -277,7 +277,7 @@ note_winner(struct answer *r, const struct trials *c)
 {
 	double rmse[VALIDATE_WAYS];
 	run_rmse(c, rmse);
-	struct winner w = winner_of(rmse);
+	struct winner w = best_way(rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
 	if (one && w.best == VALIDATE_NEAREST)
@@ -381,7 +381,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	return r;
 }
 
-/* Bias, rms and R2 of a size. */
+/* Puts the bias, the RMS and the R2 of a size. */
 static void
 put_score(struct fields *o, size_t i, struct validate_score score)
 {

@@ -70,14 +70,14 @@ trials_score(const struct trials *c, enum validate_way way, size_t i)
 	return validate_score(v, c->n, way, i);
 }
 
-/* The draws' answer at the run's covered sieves, and how many of its passings
- * lie in their band for one more sample; NULL and 0 without draws.  The caller
- * frees. */
+/* Returns the answer of the draws at the run's covered sieves.  *within: how
+ * many of its passings lie in the band for one more sample.  Without draws,
+ * NULL and 0.  The caller frees the passings. */
 static double *
 trials_corrected(const struct run *run, const struct posterior *posterior,
     double level, size_t *within)
 {
-	size_t n = misfit_covered(run);
+	size_t n = misfit_count_covered(run);
 	*within = 0;
 	if (posterior == NULL)
 		return NULL;
@@ -90,7 +90,7 @@ trials_corrected(const struct run *run, const struct posterior *posterior,
 		double P = run->product.passing[i], low, high;
 		ensemble_row_interval(
 		    e, ENSEMBLE_SAMPLE, i, level, &low, &high);
-		/* To the 0.01 % that sheets are rounded to. */
+		/* Site files are rounded to 0.01 %. */
 		*within += P >= low - 1e-4 && P <= high + 1e-4;
 	}
 	ensemble_free(e);
@@ -124,7 +124,8 @@ void
 trials_add(struct trials *c, const struct predicted_by *by)
 {
 	for (size_t r = 0; r < by->site->n_run; r++)
-		if (!by->train[r] && misfit_covered(&by->site->run[r]) > 0)
+		if (!by->train[r] &&
+		    misfit_count_covered(&by->site->run[r]) > 0)
 			trials_compare(c, by, r);
 }
 

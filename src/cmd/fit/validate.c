@@ -18,12 +18,12 @@
 #include "cmd/fit/scores.h"
 #include "cmd/lang/table.h"
 
-/* The state of one `validate`.  at, end, speed: for holdout=each, the site
- * under way, the site to stop before, and the speed left out last. */
+/* The state of one `validate`.  at, end, speed: for holdout=each, the present
+ * site, the site to stop before, and the speed held out last. */
 struct validating {
 	bool all, sieves;
 	struct part part;
-	char *options; /* that all parts must have */
+	char *options; /* options that all parts must have */
 	struct trials runs;
 	size_t at, end;
 	double speed;
@@ -112,7 +112,7 @@ fail_late(struct session *s, struct failed *failed, size_t n)
 struct beside {
 	const struct session *s;
 	size_t entry;
-	bool done; /* false: somebody waits */
+	bool done; /* false if the user stopped it */
 	struct trials found;
 };
 

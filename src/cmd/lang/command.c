@@ -81,7 +81,8 @@ takes_option_word(const struct command *command, const char *word)
 }
 
 const struct command *
-command_meant(const struct command *command, char *const *word, size_t n)
+command_meant_by_words(
+    const struct command *command, char *const *word, size_t n)
 {
 	const struct command *found = command;
 	size_t most = 0;

@@ -160,7 +160,7 @@ struct command_operands {
 /* name: one word, under which answers are kept.  alias: a second name, or NULL;
  * a two-word alias ("store list") is the name shown to people.  others:
  * commands that are meant instead if a line has an option that only they have,
- * or a range of speeds ("predict 65..85"), see command_meant.  bare:
+ * or a range of speeds ("predict 65..85"), see command_meant_by_words.  bare:
  * the option that a bare word sets ("predict 74"), or NULL.  text: sentences
  * for help and manual.  more: further sentences for the manual, or NULL.
  * example: lines of a script that runs in a folder with the project's data/. */
@@ -205,7 +205,7 @@ const char *command_title(const struct command *command);
 const char *command_other_name(const struct command *command);
 
 /* Returns the command, or one of its `others` if the words call for that. */
-const struct command *command_meant(
+const struct command *command_meant_by_words(
     const struct command *command, char *const *word, size_t n);
 
 /* Returns the command with that full name or alias, or NULL. */

@@ -302,7 +302,7 @@ manual_text(const char *text, FILE *out)
 }
 
 static void
-print_meanings(const struct usage_word *word, FILE *out)
+print_meanings_for_translators(const struct usage_word *word, FILE *out)
 {
 	for (; word->name != NULL; word++)
 		manual_text(word->meaning, out);
@@ -320,7 +320,7 @@ manual_texts(FILE *out)
 		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++)
 			manual_text(o->brief, out);
 	}
-	print_meanings(USAGE_ENVIRONMENT, out);
-	print_meanings(USAGE_STATUS, out);
-	print_meanings(USAGE_TRUST, out);
+	print_meanings_for_translators(USAGE_ENVIRONMENT, out);
+	print_meanings_for_translators(USAGE_STATUS, out);
+	print_meanings_for_translators(USAGE_TRUST, out);
 }

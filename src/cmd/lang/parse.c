@@ -73,7 +73,7 @@ read_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 }
 
 static bool
-open_quote(struct place place, int column, struct error *error)
+error_open_quote(struct place place, int column, struct error *error)
 {
 	return error_at(error, ERROR_USAGE, place.file, place.line, column,
 	    "a quote (\") is not closed\n"
@@ -109,7 +109,7 @@ read_redirection_file(const char *line, size_t *at, struct place place,
 	*at = parse_skip_blanks(line, *at + (append ? 2 : 1));
 	int column = parse_column_of(line, words, *at);
 	if (!read_word_of_line(line, at, false, &words->target))
-		return open_quote(place, column, error);
+		return error_open_quote(place, column, error);
 	if (words->target[0] == '\0')
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column,
@@ -218,7 +218,7 @@ add_word(const char *line, size_t *at, struct place place, bool verbatim,
 	size_t i = words->n++;
 	words->column[i] = column;
 	if (!read_word_of_line(line, at, verbatim, &words->text[i]))
-		return open_quote(place, column, error);
+		return error_open_quote(place, column, error);
 	if (i == 1)
 		join_name(words);
 	const struct command *command =
@@ -316,7 +316,7 @@ words_free(struct words *words)
 static void
 parse_cut_unit(char *text, const char *unit)
 {
-	if (unit[0] != '\0' && text_ends(text, unit))
+	if (unit[0] != '\0' && text_ends_with(text, unit))
 		text[strlen(text) - strlen(unit)] = '\0';
 }
 
@@ -493,7 +493,7 @@ read_list_of_numbers(const struct command_option *option, const char *word,
 }
 
 static bool
-error_wrong_whole(
+error_expected_whole_number(
     const struct command_option *option, const char *word, struct error *error)
 {
 	FREED char *limits = command_limits(option);
@@ -551,7 +551,7 @@ value_read(const struct command_option *option, const char *word,
 		    (double)value->whole >= option->least &&
 		    (double)value->whole <= option->most)
 			return true;
-		return error_wrong_whole(option, word, error);
+		return error_expected_whole_number(option, word, error);
 	case VALUE_CHOICE:
 		if (text_find_word(
 			option_choices(option), word, &value->choice))
@@ -592,7 +592,10 @@ find_option_not_given(
 	if (i == OPTIONS)
 		error_unknown_option(args->command, name, error);
 	else if (args->value[i].given)
-		error_set(error, ERROR_USAGE, "%s is given twice", name);
+		error_set(error, ERROR_USAGE,
+		    "%s is given twice\n"
+		    "leave out one of the two",
+		    name);
 	else
 		return i;
 	return OPTIONS;
@@ -659,7 +662,7 @@ read_option_as_pair(
 
 /* Stores a value in the member of its option, see rows.h. */
 static void
-put_value(const struct command_option *o, const struct value *value,
+store_value_in_member(const struct command_option *o, const struct value *value,
     struct args *args)
 {
 	void *member = (char *)args + o->offset;
@@ -684,7 +687,7 @@ put_value(const struct command_option *o, const struct value *value,
 /* Reads the fallbacks of options not given, and stores all values in their
  * members.  Settings and parameters are stored by cmd_set and cmd_params. */
 static bool
-take_values(struct args *args, struct error *error)
+store_values_in_members(struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
 	const struct command_option *o;
@@ -696,7 +699,7 @@ take_values(struct args *args, struct error *error)
 			ok = value_read(o, o->fallback, value, error);
 		if (o->offset > 0 && (command->flags & COMMAND_SETTINGS) == 0 &&
 		    value->text != NULL)
-			put_value(o, value, args);
+			store_value_in_member(o, value, args);
 	}
 	return ok;
 }
@@ -748,8 +751,8 @@ check_operands(const struct args *args, struct error *error)
 
 /* Replaces the hint for "speed = 74", "speed =74" and "speed= 74". */
 static void
-hint_blanks(const struct command *command, const struct words *words,
-    struct error *error)
+hint_spaces_around_equals(const struct command *command,
+    const struct words *words, struct error *error)
 {
 	for (size_t i = 2; i < words->n; i++) {
 		const char *name = words->text[i - 1], *word = words->text[i];
@@ -811,7 +814,8 @@ read_arguments(const struct words *words, struct args *args, int *column,
 	*column = args->n_operand > command->operands.most
 		      ? args->column[command->operands.most]
 		      : words->column[0];
-	return check_operands(args, error) && take_values(args, error);
+	return check_operands(args, error) &&
+	       store_values_in_members(args, error);
 }
 
 const struct command *
@@ -825,11 +829,11 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	if (command == NULL) {
 		error_unknown_name(words->text[0], place.prompt, error);
 	} else {
-		args->command =
-		    command_meant(command, words->text + 1, words->n - 1);
+		args->command = command_meant_by_words(
+		    command, words->text + 1, words->n - 1);
 		if (read_arguments(words, args, &column, error))
 			return args->command;
-		hint_blanks(args->command, words, error);
+		hint_spaces_around_equals(args->command, words, error);
 	}
 	error_set_place(error, place.file, place.line, column);
 	return NULL;

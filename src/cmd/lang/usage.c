@@ -45,7 +45,7 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 	"Best instruction set that calibrations may use, for tests: baseline, "
 	"avx2 or avx512. The results are the same."},
     {"OMP_NUM_THREADS",
-	"Number of threads, where 'set threads' does not say it; default: the "
+	"Number of threads, unless 'set threads' states it; default: the "
 	"processors that tipspeed may run on. The results are the same."},
     {"SOURCE_DATE_EPOCH",
 	"Seconds since 1970: the date to use as today's, so that repeated "
@@ -130,7 +130,7 @@ print_command_option(const struct command_option *o, FILE *out)
 	enum { MARGIN = 15 };
 	FREED char *words = command_option_words(o), *lines = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&lines, &n);
+	FILE *memory = text_open_memory(&lines, &n);
 	text_wrap(words, MARGIN, 78, memory);
 	fclose(memory);
 	fprintf(out, "  %-*s%s", MARGIN - 2, o->name, lines + MARGIN);

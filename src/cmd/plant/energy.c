@@ -16,19 +16,20 @@
 #include "io/fs/shipped.h"
 #include "io/sitefile/units.h"
 
-/* What is asked of energies.  cut J/kg; E of the speed asked about; scale: of
- * the energies to it. */
+/* What a call asks about collision energies.  cut: J/kg.  E: that of the tip
+ * speed asked about.  scale: from the simulated energies to that speed. */
 struct energy_question {
 	const struct energies *e;
 	const struct spectrum *spectrum;
 	double cut, speed, E, scale;
-	const struct entry *entry; /* whose parameters find k; or NULL */
+	const struct entry *entry; /* site whose parameters give k, or NULL */
 };
 
-/* How Eq 3 of the entry sees a size: threshold E0_min / x^alpha, J/kg, and
- * strength f_mat x^alpha; without parameters the cut and 0. */
+/* Returns k of a size with Eq 3 and the entry's parameters: the threshold is
+ * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
+ * they are the cut and 0. */
 static double
-selection_of_entry(
+k_of_selection(
     const struct energy_question *q, const struct spectrum_size *of, double x)
 {
 	double e0 = q->cut * q->scale, f = 0;
@@ -53,7 +54,7 @@ share_of_first_impacts(
 	return spectrum_above(of, q->cut, true).energy / all;
 }
 
-/* Their energy above the cut on average, over v^2/2. */
+/* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
 static double
 mean_energy_ratio(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
@@ -86,7 +87,7 @@ energy_add_row(struct answer *r, const struct energy_question *q,
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_energy_ratio(q, of, false),
 	    100 * share_of_first_impacts(q, of),
-	    selection_of_entry(q, of, of->size));
+	    k_of_selection(q, of, of->size));
 }
 
 static void
@@ -103,8 +104,8 @@ energy_add_rows(struct answer *r, const struct energy_question *q,
 	energy_add_row(r, q, whole, NAN);
 }
 
-/* The bins in use, for programs: energies at their middle, shares of the
- * impacts by mass. */
+/* Adds the bins that hold impacts, for programs: the mean energy of each, and
+ * its share of the impacts by mass. */
 static void
 energy_put_fields(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
@@ -130,14 +131,14 @@ energy_put_fields(struct answer *r, const struct energy_question *q,
 	    100 * share_below(q, whole), q->scale * q->cut,
 	    spectrum_per_particle(q->spectrum, whole, q->cut),
 	    100 * share_of_first_impacts(q, whole),
-	    selection_of_entry(q, whole, whole->size));
+	    k_of_selection(q, whole, whole->size));
 	struct fields *list = fields_object(f, "spectrum");
 	fields_numbers(list, "j_kg", e, n, NULL);
 	fields_numbers(list, "mass_share", share, n, NULL);
 	answer_put_rows(r, "sizes");
 }
 
-/* How many of the impacts can be taken as independent. */
+/* Returns how many of the impacts can be taken as independent. */
 static double
 count_independent(const struct energies *e)
 {
@@ -147,9 +148,9 @@ count_independent(const struct energies *e)
 	return fmax(n, 1);
 }
 
-/* The other spectra beside this one, each scaled to its speed. */
+/* Compares the other spectra with this one, each scaled to its speed. */
 static void
-note_others(
+note_other_spectra(
     struct answer *r, const struct session *s, const struct energy_question *q)
 {
 	for (size_t i = 0; i < s->n_energies; i++) {
@@ -159,8 +160,8 @@ note_others(
 		    fabs(other->speed - q->spectrum->speed) < 1e-9)
 			continue;
 		double d = spectrum_distance(q->spectrum, other, q->cut);
-		/* Kolmogorov and Smirnov's 95 %, of particles: the impacts
-		 * of one depend on each other. */
+		/* The 95 % limit of Kolmogorov and Smirnov for particles,
+		 * because the impacts of one particle depend on each other. */
 		double chance = 1.36 * sqrt(1 / count_independent(q->e) +
 					    1 / count_independent(o));
 		answer_note(r,
@@ -175,15 +176,15 @@ note_others(
 	}
 }
 
-/* Is one impact at v^2/2 a fair picture?  It is where what it needs holds
- * within a quarter: k about 1, most energy in the first impact, and that near
- * v^2/2. */
+/* Judges whether one impact at v^2/2 is a fair picture.  It is if three things
+ * hold within a quarter: k is about 1, the first impact has most of the energy,
+ * and that energy is near v^2/2. */
 static void
-energy_judge(struct answer *r, const struct energy_question *q,
-    const struct spectrum_size *whole)
+note_whether_one_impact_is_fair(struct answer *r,
+    const struct energy_question *q, const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = selection_of_entry(q, whole, whole->size), ratio;
+	double k = k_of_selection(q, whole, whole->size), ratio;
 	double first = share_of_first_impacts(q, whole);
 	ratio = mean_energy_ratio(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
@@ -210,15 +211,15 @@ energy_judge(struct answer *r, const struct energy_question *q,
 		    "this spectrum");
 }
 
-/* How the rock of a site, whose parameters Eq 3 takes, sees the impacts. */
+/* Notes how the rock of a site breaks under the impacts, by Eq 3 with its
+ * parameters. */
 static void
 note_site(struct answer *r, const struct energy_question *q)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k =
-		    of->size > 0 ? selection_of_entry(q, of, of->size) : NAN;
+		double k = of->size > 0 ? k_of_selection(q, of, of->size) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -227,8 +228,8 @@ note_site(struct answer *r, const struct energy_question *q)
 	answer_note(r,
 	    high < 0.1
 		? N_("with the parameters of %s k is from %.2f to %.2f, for "
-		     "sizes that one impact at v^2/2 can break: of these "
-		     "impacts hardly any passes the threshold")
+		     "sizes that one impact at v^2/2 can break: hardly any of "
+		     "these impacts passes the threshold")
 		: N_("with the parameters of %s k is from %.2f to %.2f, for "
 		     "sizes that one impact at v^2/2 can break"),
 	    q->entry->site->name, low, high);
@@ -300,8 +301,8 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_below(&q, whole), q.scale * q.cut);
-	note_others(r, s, &q);
-	energy_judge(r, &q, whole);
+	note_other_spectra(r, s, &q);
+	note_whether_one_impact_is_fair(r, &q, whole);
 	note_site(r, &q);
 	note_basis(r, &q);
 	energy_put_fields(r, &q, whole);
@@ -341,7 +342,7 @@ energy_load_file(
 		way.speed = args->speed;
 	double cut = args_given(args, &args->energy_cut) ? args->energy_cut
 							 : ENERGIES_CUT;
-	/* A file that is there comes before a shipped one of its name. */
+	/* A file at that path comes before a shipped one of that name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;

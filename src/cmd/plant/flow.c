@@ -21,8 +21,8 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* The middle of values of draws, widened to hold the answer; NAN of a model
- * alone. */
+/* Finds the middle share of the draws, widened to hold the answer; NAN if there
+ * is a model alone. */
 static void
 flow_range_of(const struct plant *p, const struct plant_result *o,
     const double *draw, double answer, double range[static 2])
@@ -33,7 +33,7 @@ flow_range_of(const struct plant *p, const struct plant_result *o,
 		    draw, p->question->level, answer, range);
 }
 
-/* Of what goes into a unit, or for NULL in a stream. */
+/* Finds the range of t/h that enter a unit or, if that is NULL, of a stream. */
 static void
 range_tph(const struct plant *p, const struct plant_result *o,
     const struct unit *unit, size_t stream, double range[static 2])
@@ -56,7 +56,7 @@ show_lines(
 	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
 	struct fields *list = fields_list(answer_fields(r), "fractions");
-	size_t n = plant_lines(p, o, line);
+	size_t n = plant_list_lines(p, o, line);
 	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
 	answer_columns(r, "name: %s, tph: t/h",
 	    p->from_file ? "product" : tr("fraction mm"));
@@ -89,7 +89,7 @@ show_lines(
 	}
 }
 
-/* All streams, for programs. */
+/* Adds all streams, for programs. */
 static void
 put_streams(
     const struct plant *p, const struct plant_result *o, struct fields *all)
@@ -105,7 +105,7 @@ put_streams(
 	}
 }
 
-/* The circulating load and the mass balance. */
+/* Notes the circulating load and the mass balance. */
 static void
 note_balance(
     const struct plant *p, const struct plant_result *o, struct answer *r)
@@ -126,7 +126,7 @@ note_balance(
 	answers_put_pair(f, "circulating_range_tph", range[0], range[1]);
 }
 
-/* Rotor and cascade of each crusher. */
+/* Notes the rotor and the cascade of each crusher. */
 static void
 note_crushers(
     const struct plant *p, const struct plant_result *o, struct answer *r)
@@ -138,7 +138,7 @@ note_crushers(
 			continue;
 		double all = flow_into_unit(&o->flow, unit),
 		       rotor = all * plant_rotor_share(p, unit), range[2];
-		double speed = plant_speed(unit, o->speed);
+		double speed = plant_speed_of_unit(unit, o->speed);
 		range_tph(p, o, unit, 0, range);
 		if (all > rotor)
 			answer_note(r,
@@ -160,7 +160,7 @@ note_crushers(
 	}
 }
 
-/* Readings that no crusher can have had. */
+/* Warns of readings that no crusher can have. */
 static void
 warn_power(const struct plant *p, struct answer *r)
 {
@@ -200,11 +200,11 @@ note_power(
 	    "power_from %s readings %zu idle_kw %g euler_factor %g",
 	    o->kw, range[0], range[1], o->kw / t,
 	    p->power.n > 0 ? "readings" : "Q v2", p->power.n,
-	    plant_idle(p, o->speed, idle), factor);
+	    plant_idle_power(p, o->speed, idle), factor);
 	answers_put_pair(f, "idle_range_kw", idle[0], idle[1]);
 }
 
-/* Earnings, which a product without a price adds nothing to. */
+/* Notes the earnings; a product without a price adds nothing to them. */
 static void
 note_money(
     const struct plant *p, const struct plant_result *o, struct answer *r)
@@ -236,8 +236,8 @@ note_money(
 	    o->money, range[0], range[1]);
 }
 
-/* The speeds that were looked at, m/s, what they earn, NAN where the circuit
- * has no steady state, and in each draw. */
+/* The speeds tried, m/s, and what each earns, on average and in each draw; NAN
+ * if the circuit has no steady state. */
 enum { COARSE = 20, FINE = 10, LOOKED_AT = COARSE + 1 + FINE };
 struct search {
 	size_t n, best;
@@ -259,7 +259,8 @@ flow_search_try(struct search *search, const struct plant *p, double speed)
 		search->best = i;
 }
 
-/* Over all speeds, then in tenths of a step about the best. */
+/* Tries speeds over the whole range, then in tenths of a step around the
+ * best. */
 static struct search
 flow_search_best(const struct plant *p, double from, double to)
 {
@@ -279,7 +280,7 @@ flow_search_best(const struct plant *p, double from, double to)
 	return s;
 }
 
-/* Where the draws have their best. */
+/* Finds the range of the speeds at which the draws earn most. */
 static void
 best_range(const struct plant *p, const struct search *s, size_t draws,
     double range[static 2])
@@ -300,8 +301,8 @@ best_range(const struct plant *p, const struct search *s, size_t draws,
 	    best, p->question->level, s->speed[s->best], range);
 }
 
-/* What the best speed gains over the usual one, and whether that is more than
- * what is not known. */
+/* Notes what the best speed gains over the usual one, and whether the gain
+ * exceeds its uncertainty. */
 static void
 note_gain(const struct plant *p, const struct plant_result *best,
     const struct plant_result *usual, struct answer *r)
@@ -367,10 +368,10 @@ flow_note_best(const struct plant *p, const struct search *s,
 	    answer_fields(r), "best_speed_range", range[0], range[1]);
 }
 
-/* How far what goes into a crusher differs from the feed of the site, passing
- * 0..1. */
+/* Returns the largest difference in passing, 0..1, between what enters a
+ * crusher and the feed of the site. */
 static double
-feed_difference(const struct plant *p, const struct plant_result *o,
+difference_from_site_feed(const struct plant *p, const struct plant_result *o,
     const struct unit *unit)
 {
 	size_t n = p->n;
@@ -384,8 +385,8 @@ feed_difference(const struct plant *p, const struct plant_result *o,
 	return most;
 }
 
-/* The light of each crusher's speed; a feed that what comes back has changed is
- * judged as another feed would be. */
+/* Returns the worst light of the crushers at their speeds.  A feed that
+ * recycled material has changed is judged like any other feed. */
 static struct trust
 flow_trust(const struct plant *p, const struct plant_result *o)
 {
@@ -397,8 +398,8 @@ flow_trust(const struct plant *p, const struct plant_result *o)
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
 		struct trust t = light_at(p->s, entry,
-		    plant_speed(unit, o->speed), p->question->feed);
-		double off = feed_difference(p, o, unit);
+		    plant_speed_of_unit(unit, o->speed), p->question->feed);
+		double off = difference_from_site_feed(p, o, unit);
 		if (off > other)
 			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
 			    TRUST_FEED,
@@ -441,9 +442,9 @@ answer_flow(const struct plant *p, const struct plant_result *o)
 	return r;
 }
 
-/* The rest of the answer, which it gives. */
+/* Adds the rest of the answer and shows it. */
 static bool
-flow_finish(
+finish_flow_answer(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct entry *entry = p->question->entry;
@@ -479,13 +480,13 @@ flow_show_best(
 	struct search search = flow_search_best(p, from, to);
 	struct plant_result usual = plant_solve_at(p, p->question->speed),
 			    best = plant_solve_at(p, search.speed[search.best]);
-	bool ok = !best.flow.open || plant_not_steady(p, &best, error);
+	bool ok = !best.flow.open || plant_error_not_steady(p, &best, error);
 	if (ok) {
 		struct answer *r = answer_flow(p, &best);
 		flow_note_best(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain(p, &best, &usual, r);
-		flow_finish(p, &best, r);
+		finish_flow_answer(p, &best, r);
 	}
 	flow_free(&usual.flow);
 	flow_free(&best.flow);
@@ -497,18 +498,18 @@ static bool
 flow_show_at(const struct plant *p, double speed, struct error *error)
 {
 	struct plant_result o = plant_solve_at(p, speed);
-	bool ok = !o.flow.open || plant_not_steady(p, &o, error);
+	bool ok = !o.flow.open || plant_error_not_steady(p, &o, error);
 	if (ok)
-		flow_finish(p, &o, answer_flow(p, &o));
+		finish_flow_answer(p, &o, answer_flow(p, &o));
 	flow_free(&o.flow);
 	return ok;
 }
 
-/* Each point solves the circuit for all draws. */
+/* There are few points, because each solves the circuit for all draws. */
 enum { POINTS = 21 };
 
-/* The products, in the order of the table; circuits have the same at all
- * speeds.  Returns how many. */
+/* Adds a series for each product, in the order of the table, which is the same
+ * at all speeds.  Returns their number. */
 static size_t
 add_products(struct chart *chart, const struct plant *p,
     const struct plant_result *o, const struct unit **unit)
@@ -516,7 +517,7 @@ add_products(struct chart *chart, const struct plant *p,
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
-	size_t n = plant_lines(p, o, line), products = 0;
+	size_t n = plant_list_lines(p, o, line), products = 0;
 	for (size_t i = 0; i < n; i++) {
 		if (line[i].unit == NULL)
 			continue;
@@ -540,8 +541,9 @@ tph_of_product(const struct plant *p, const struct plant_result *o,
 	    flow_into_unit(&o->flow, unit), range[0], range[1]};
 }
 
-/* A line with its band for each product, t/h, at speeds from..to, m/s; a gap
- * where the circuit has no steady state.  chart_free. */
+/* Draws a line with its band for each product, t/h, at speeds from..to, m/s,
+ * with a gap where the circuit has no steady state.  The caller frees it with
+ * chart_free. */
 static struct chart *
 flow_chart(const struct plant *p, double from, double to)
 {
@@ -568,7 +570,7 @@ flow_chart(const struct plant *p, double from, double to)
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty",
 		    100 * p->question->level);
-	/* That of the middle speed: further out it is as good at most. */
+	/* The light at the middle speed; further out it is no better. */
 	FREED char *light = light_words_at(
 	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);

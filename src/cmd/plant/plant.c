@@ -21,8 +21,8 @@
 /* Each fraction may need two screens and two stockpiles. */
 enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };
 
-/* The next part of a list with commas between, trimmed, which the caller frees;
- * NULL at its end. */
+/* Returns the next part of a list with commas, trimmed, or NULL at its end.
+ * The caller frees it. */
 static char *
 next_part(const char **at)
 {
@@ -35,7 +35,7 @@ next_part(const char **at)
 	return part;
 }
 
-/* Fractions as asked, their edges, m, coarsest first, without 0. */
+/* The fractions asked for, and their edges, m, coarsest first, without 0. */
 struct cuts {
 	size_t n, n_edge;
 	struct fraction fraction[FRACTIONS];
@@ -43,7 +43,7 @@ struct cuts {
 };
 
 static bool
-plant_overlap(const struct fraction *a, const struct fraction *b)
+do_fractions_overlap(const struct fraction *a, const struct fraction *b)
 {
 	return a->fine < b->coarse && b->fine < a->coarse;
 }
@@ -57,7 +57,7 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 		struct fraction f = {0};
 		ok = quantities_fraction(part, &f, error);
 		for (size_t i = 0; ok && i < c->n; i++)
-			if (plant_overlap(&f, &c->fraction[i]))
+			if (do_fractions_overlap(&f, &c->fraction[i]))
 				ok = error_set(error, ERROR_USAGE,
 				    "fractions= has %s, which overlaps with "
 				    "another one\n"
@@ -85,7 +85,7 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 	return ok;
 }
 
-/* "2/5", of 0 above the coarsest screen "+11.2". */
+/* Returns "2/5"; for a fraction without an upper size "+11.2". */
 static char *
 fraction_name(double fine, double coarse)
 {
@@ -95,7 +95,7 @@ fraction_name(double fine, double coarse)
 	return quantities_fraction_text(&f);
 }
 
-/* Whether a list has that name; taken: counts the names found. */
+/* True if a list has that name.  Adds 1 to *taken if so. */
 static bool
 plant_is_listed(const char *list, const char *name, size_t *taken)
 {
@@ -110,7 +110,7 @@ plant_is_listed(const char *list, const char *name, size_t *taken)
 }
 
 static size_t
-count_parts(const char *list)
+count_list_parts(const char *list)
 {
 	size_t n = 0;
 	char *part;
@@ -129,8 +129,8 @@ add_unit_with_inlet(
 	return unit;
 }
 
-/* A screen of the deck below `now`: its oversize has the fraction's name;
- * returns it, and leaves the undersize in `now`. */
+/* Adds the next screen of the deck.  Its feed is *now, which becomes its
+ * undersize; returns its oversize, which is named after the fraction. */
 static size_t
 add_screen(struct circuit *c, const struct args *args, double opening,
     const char *name, bool last, size_t *now)
@@ -147,7 +147,7 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 	return screen->out[0];
 }
 
-/* new + back -> crusher; returns the crusher. */
+/* Adds a crusher that the new feed enters, and returns it. */
 static struct unit *
 add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 {
@@ -162,8 +162,8 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 	return crusher;
 }
 
-/* The crusher and a deck of screens, whose oversize each is a fraction that
- * goes back or to a stockpile. */
+/* Builds the crusher and a deck of screens.  The oversize of each screen is a
+ * fraction, which goes back to the crusher or to a stockpile. */
 static bool
 build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
     struct error *error)
@@ -184,7 +184,7 @@ build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
 		else
 			add_unit_with_inlet(c, UNIT_STOCKPILE, name, over);
 	}
-	if (taken == count_parts(p->back) && taken < UNIT_STREAMS)
+	if (taken == count_list_parts(p->back) && taken < UNIT_STREAMS)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected fractions of the list in recycle=, got '%s'\n"
@@ -232,9 +232,10 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	    path, path);
 }
 
-/* Sizes in falling order without those that differ by rounding alone. */
+/* Drops sizes that differ from their neighbour by rounding alone; they are in
+ * falling order. */
 static size_t
-plant_drop_twins(double *size, size_t n)
+drop_equal_sizes(double *size, size_t n)
 {
 	const double alike = 1e-9;
 	size_t kept = 0;
@@ -245,9 +246,9 @@ plant_drop_twins(double *size, size_t n)
 	return kept;
 }
 
-/* The classes: sizes of the site, between them, and of the screens.  Of feeds
- * with very many sieves only some of these, because the work grows with the
- * third power of their number. */
+/* Chooses the classes: the sizes of the site, sizes between them, and those of
+ * the screens.  If a feed has very many sieves, only some of them are taken,
+ * because the work grows with the third power of their number. */
 static void
 choose_class_sizes(const struct site *site, struct plant *p)
 {
@@ -267,12 +268,12 @@ choose_class_sizes(const struct site *site, struct plant *p)
 		if (c->unit[u].kind == UNIT_SCREEN)
 			p->size[p->n++] =
 			    c->unit[u].opening * c->unit[u].partition.cut_size;
-	p->n = plant_drop_twins(p->size, p->n);
+	p->n = drop_equal_sizes(p->size, p->n);
 	psd_free(&all);
 	psd_free(&sieves);
 }
 
-/* Screens finer than what is known of the feed. */
+/* Refuses screens that are finer than the finest sieve of the feed. */
 static bool
 check_screens(
     const struct site *site, const struct plant *p, struct error *error)
@@ -291,8 +292,8 @@ check_screens(
 	return true;
 }
 
-/* Gives every product of that name its price; priced [n_unit]: those that had
- * theirs from the same list. */
+/* Gives every product of that name its price.  priced [n_unit] marks those that
+ * already have one from the same list. */
 static bool
 set_price_of_product(struct circuit *c, const char *name, double price,
     bool *priced, struct error *error)
@@ -317,7 +318,7 @@ set_price_of_product(struct circuit *c, const char *name, double price,
 			    name);
 }
 
-/* "0/2:12" */
+/* Reads "0/2:12". */
 static bool
 read_price(
     struct circuit *c, const char *part, bool *priced, struct error *error)
@@ -361,7 +362,7 @@ add_reading(struct plant *p, struct reading reading)
 	p->reading[p->n_reading++] = reading;
 }
 
-/* "72:187:121", or "66:52:0" of an empty crusher. */
+/* Reads "72:187:121", or "66:52:0" for an empty crusher. */
 static bool
 read_reading(struct plant *p, const char *part, struct error *error)
 {
@@ -386,16 +387,17 @@ read_reading(struct plant *p, const char *part, struct error *error)
 	return true;
 }
 
-/* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", as add writes it. */
+/* Reads "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", which add
+ * writes. */
 static void
-read_note(struct plant *p, const char *note)
+read_reading_of_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
 	char *part;
 	for (const char *at = note; (part = next_part(&at)) != NULL; free(part))
 		for (size_t i = 0; i < 3; i++) {
-			if (!text_ends(part, UNITS[i]))
+			if (!text_ends_with(part, UNITS[i]))
 				continue;
 			double v;
 			part[strlen(part) - strlen(UNITS[i])] = '\0';
@@ -420,7 +422,7 @@ read_power(const struct args *args, const struct site *site, struct plant *p,
 	}
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, "cut") == 0)
-			read_note(p, site->note[i].value);
+			read_reading_of_note(p, site->note[i].value);
 	p->of_cuts = p->n_reading > 0;
 	return true;
 }
@@ -490,15 +492,15 @@ plant_rotor_share(const struct plant *p, const struct unit *unit)
 }
 
 double
-plant_speed(const struct unit *unit, double speed)
+plant_speed_of_unit(const struct unit *unit, double speed)
 {
 	return unit->speed > 0 ? unit->speed : speed;
 }
 
-/* Power and earnings of a draw; a model alone has one product for all draws of
- * the power. */
+/* Adds the power and the earnings of a draw.  A model alone has a single
+ * product, which serves all draws of the power. */
 static void
-count_draw(const struct plant *p, struct plant_result *o, size_t d)
+add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 {
 	double kw = 0, money = 0;
 	size_t of = d % o->flow.draws;
@@ -506,9 +508,9 @@ count_draw(const struct plant *p, struct plant_result *o, size_t d)
 		const struct unit *unit = &p->circuit->unit[u];
 		double tph = flow_draw_into_unit(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw +=
-			    power_at(&p->power, d, plant_speed(unit, o->speed),
-				tph * plant_rotor_share(p, unit));
+			kw += power_at(&p->power, d,
+			    plant_speed_of_unit(unit, o->speed),
+			    tph * plant_rotor_share(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
 			money += tph * unit->price;
 	}
@@ -528,13 +530,13 @@ plant_solve_at(const struct plant *p, double speed)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
 	o.flow = circuit_flow(p->circuit, p->feed, p->size, p->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		count_draw(p, &o, d);
+		add_power_and_earnings(p, &o, d);
 	transfer_free(t);
 	return o;
 }
 
 size_t
-plant_lines(const struct plant *p, const struct plant_result *o,
+plant_list_lines(const struct plant *p, const struct plant_result *o,
     struct plant_line *line)
 {
 	const struct circuit *c = p->circuit;
@@ -546,7 +548,8 @@ plant_lines(const struct plant *p, const struct plant_result *o,
 	for (size_t i = 0; i < c->n_stream; i++)
 		if (o->flow.back[i])
 			line[n++] = (struct plant_line){c->stream[i], NULL, i};
-	/* Streams of the deck were made from coarse to fine. */
+	/* The streams of the deck were made from coarse to fine; they are
+	 * listed from fine to coarse. */
 	for (size_t i = 1; i < n && !p->from_file; i++)
 		for (size_t k = i; k > 0 && line[k - 1].stream < line[k].stream;
 		     k--) {
@@ -557,9 +560,8 @@ plant_lines(const struct plant *p, const struct plant_result *o,
 	return n;
 }
 
-/* "7.3e+03 t/h circulate after 1000 passes". */
 bool
-plant_not_steady(
+plant_error_not_steady(
     const struct plant *p, const struct plant_result *o, struct error *error)
 {
 	return error_set(error, ERROR_NUMERIC,
@@ -572,7 +574,7 @@ plant_not_steady(
 }
 
 double
-plant_idle(const struct plant *p, double speed, double range[static 2])
+plant_idle_power(const struct plant *p, double speed, double range[static 2])
 {
 	double draw[POWER_DRAWS], mean = 0;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
@@ -587,7 +589,7 @@ char *
 plant_power_words(const struct plant *p, const struct plant_result *o)
 {
 	const struct power *w = &p->power;
-	double range[2], idle = plant_idle(p, o->speed, range);
+	double range[2], idle = plant_idle_power(p, o->speed, range);
 	if (w->n == 0)
 		return xstrdup(tr("no motor readings: Q v2 alone, the power "
 				  "that brings the rock to the tip speed: a "

@@ -47,9 +47,9 @@ struct plant_result {
 };
 
 /* plant_rotor_share returns the share of a crusher's feed that meets the rotor;
- * plant_speed its speed. */
+ * plant_speed_of_unit its speed. */
 double plant_rotor_share(const struct plant *p, const struct unit *unit);
-double plant_speed(const struct unit *unit, double speed);
+double plant_speed_of_unit(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
 struct plant_result plant_solve_at(const struct plant *p, double speed);
@@ -63,16 +63,17 @@ struct plant_line {
 
 /* Lists products and returned streams, [n_stream + n_unit] out, from fine to
  * coarse, or for a circuit from a file in its order.  Returns their number. */
-size_t plant_lines(const struct plant *p, const struct plant_result *o,
+size_t plant_list_lines(const struct plant *p, const struct plant_result *o,
     struct plant_line *line);
 
 /* Sets the error for an outcome that did not become steady.  Returns false. */
-bool plant_not_steady(
+bool plant_error_not_steady(
     const struct plant *p, const struct plant_result *o, struct error *error);
 
 /* Returns the power of the empty crusher at a speed, kW, estimated from the
  * readings, and its band. */
-double plant_idle(const struct plant *p, double speed, double range[static 2]);
+double plant_idle_power(
+    const struct plant *p, double speed, double range[static 2]);
 
 /* Returns the basis of the power estimate, in words.  The caller frees it. */
 char *plant_power_words(const struct plant *p, const struct plant_result *o);

@@ -223,7 +223,7 @@ offer_shipped(struct work *w)
 	DIR *dir = other ? NULL : opendir(path);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
 		FREED char *name = xstrdup(e->d_name);
-		if (text_ends(name, END) &&
+		if (text_ends_with(name, END) &&
 		    strncmp(name, typed, strlen(typed)) == 0) {
 			name[strlen(name) - strlen(END)] = '\0';
 			complete_put(w, name, ' ');
@@ -389,7 +389,7 @@ offer_after_words(struct work *w, const struct words *words, struct place place,
 /* Finds where the last command of a line, and its last word, begin.  Returns
  * false in a comment. */
 static bool
-find_word(const char *line, size_t *command, size_t *word)
+find_last_word(const char *line, size_t *command, size_t *word)
 {
 	bool quoted = false, inside = false;
 	size_t i = 0;
@@ -415,21 +415,22 @@ find_word(const char *line, size_t *command, size_t *word)
 }
 
 static int
-by_text(const void *a, const void *b)
+compare_candidates(const void *a, const void *b)
 {
 	const struct candidate *p = a, *q = b;
 	return strcmp(p->text, q->text);
 }
 
 static void
-sort(struct completion *c)
+sort_candidates(struct completion *c)
 {
 	size_t kept = 0;
 	if (c->n > 1)
-		qsort(c->candidate, c->n, sizeof *c->candidate, by_text);
+		qsort(c->candidate, c->n, sizeof *c->candidate,
+		    compare_candidates);
 	for (size_t i = 0; i < c->n; i++)
-		if (kept > 0 &&
-		    by_text(&c->candidate[kept - 1], &c->candidate[i]) == 0)
+		if (kept > 0 && compare_candidates(&c->candidate[kept - 1],
+				    &c->candidate[i]) == 0)
 			free(c->candidate[i].text);
 		else
 			c->candidate[kept++] = c->candidate[i];
@@ -441,7 +442,7 @@ static void
 complete_end(struct work *w, const char *line)
 {
 	size_t from;
-	if (!find_word(line, &from, &w->result->start))
+	if (!find_last_word(line, &from, &w->result->start))
 		return;
 	size_t start = w->result->start;
 	w->typed = text_unquoted(line + start, strlen(line + start));
@@ -461,7 +462,7 @@ complete_end(struct work *w, const char *line)
 	}
 	words_free(&words);
 	free(w->typed);
-	sort(w->result);
+	sort_candidates(w->result);
 }
 
 struct completion *

@@ -62,7 +62,7 @@ is_group(const char *name)
 
 /* text: NULL has no word. */
 static bool
-info_holds(const char *text, const char *folded)
+folded_text_contains(const char *text, const char *folded)
 {
 	FREED char *here = text_fold(text != NULL ? text : "");
 	return strstr(here, folded) != NULL;
@@ -77,18 +77,18 @@ help_has_word(const struct command *c, const char *folded)
 	    c->name, c->brief, c->text, c->more, c->operands.usage, c->alias};
 	bool found = false;
 	for (size_t i = 0; i < ARRAY_LEN(text); i++)
-		found = found || info_holds(text[i], folded);
+		found = found || folded_text_contains(text[i], folded);
 	const struct command_option *o;
 	for (size_t i = 0; !found && (o = command_option_at(c, i)) != NULL; i++)
-		found = info_holds(o->name, folded) ||
-			info_holds(o->brief, folded) ||
-			info_holds(option_choices(o), folded);
+		found = folded_text_contains(o->name, folded) ||
+			folded_text_contains(o->brief, folded) ||
+			folded_text_contains(option_choices(o), folded);
 	return found;
 }
 
 /* Lists the commands whose help contains a word.  Returns their number. */
 static size_t
-list_telling(const struct session *s, const char *word)
+list_commands_with_word(const struct session *s, const char *word)
 {
 	FREED char *folded = text_fold(word);
 	size_t found = 0;
@@ -161,7 +161,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		usage_list(name, out);
 	else
 		return (!example && command_nearest(name) == NULL &&
-			   list_telling(s, name) > 0) ||
+			   list_commands_with_word(s, name) > 0) ||
 		       error_unknown_command(name, error);
 	return true;
 }
@@ -169,7 +169,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_apropos(struct session *s, const struct args *args, struct error *error)
 {
-	if (list_telling(s, args->operand[0]) > 0)
+	if (list_commands_with_word(s, args->operand[0]) > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "nothing in the help mentions '%s'\n"
@@ -233,11 +233,12 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	struct answer *r = answer_new("version");
 	answer_columns(r, "part, version");
-	answer_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
-	answer_pair(r, "gsl", "%s", GSL_VERSION);
-	answer_pair(r, "jansson", "%s", JANSSON_VERSION);
-	answer_pair(r, "pictures", "%s", picture_forms());
-	answer_pair(r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
+	answer_add_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
+	answer_add_pair(r, "gsl", "%s", GSL_VERSION);
+	answer_add_pair(r, "jansson", "%s", JANSSON_VERSION);
+	answer_add_pair(r, "pictures", "%s", picture_forms());
+	answer_add_pair(
+	    r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
 	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
 	return session_show_answer(s, r);
 }

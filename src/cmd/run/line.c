@@ -81,7 +81,7 @@ session_free(struct session *s)
 
 /* True if a word, or its part before @, names an existing file. */
 static bool
-is_there(const char *word)
+names_existing_file(const char *word)
 {
 	const char *at = strrchr(word, '@');
 	FREED char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
@@ -101,11 +101,11 @@ join_file_name(struct words *words, const struct command *command)
 		n++;
 	FREED char *whole = xstrdup("");
 	for (size_t i = 1; i < n; i++) {
-		if (is_there(words->text[i]))
+		if (names_existing_file(words->text[i]))
 			return;
 		xlist(&whole, " ", "%s", words->text[i]);
 	}
-	if (n > 2 && is_there(whole))
+	if (n > 2 && names_existing_file(whole))
 		words_join(words, 1, n - 1, whole);
 }
 

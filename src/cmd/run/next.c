@@ -19,7 +19,7 @@ count_runs(const struct entry *entry, bool *held_out)
 	size_t n = 0;
 	*held_out = false;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_covered(&entry->site->run[r]) == 0)
+		if (misfit_count_covered(&entry->site->run[r]) == 0)
 			continue;
 		n++;
 		*held_out = *held_out || !entry->train[r];
@@ -117,7 +117,7 @@ next_before_load(const struct session *s)
 /* True if several sites are loaded and none has parameters, so that it is not
  * clear which one is meant. */
 static bool
-all_are_new(const struct session *s)
+several_sites_without_params(const struct session *s)
 {
 	bool known = false;
 	for (size_t i = 0; i < s->n_entry; i++)
@@ -132,7 +132,7 @@ next_step(const struct session *s)
 		return next_before_load(s);
 	if (session_busy(s))
 		return (struct next){.stage = NEXT_LOAD};
-	if (all_are_new(s))
+	if (several_sites_without_params(s))
 		return (struct next){"check all; calibrate all; validate all",
 		    N_("check, calibrate and validate all of them now?"), false,
 		    NEXT_CHECK};

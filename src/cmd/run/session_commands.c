@@ -115,7 +115,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		fields_put(answer_fields(r), "text %s", text);
 		session_show_answer(s, r);
 	} else {
-		text_put(text, s->out);
+		text_print_escaped(text, s->out);
 		fputc('\n', s->out);
 	}
 	return true;
@@ -236,7 +236,7 @@ cmd_seed(struct session *s, const struct args *args, struct error *error)
 }
 
 static void
-manage_put_script(const void *data, FILE *out)
+print_script_with_heading(const void *data, FILE *out)
 {
 	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
 	    PACKAGE_VERSION);
@@ -246,8 +246,8 @@ manage_put_script(const void *data, FILE *out)
 /* A file to which this session was saved is replaced without asking; the file
  * that it was restored from only with replace=on. */
 static bool
-may_save(const struct session *s, const struct args *args, const char *path,
-    struct error *error)
+may_replace_script(const struct session *s, const struct args *args,
+    const char *path, struct error *error)
 {
 	bool saved;
 	const char *holder = files_session_script(s, &saved);
@@ -261,9 +261,10 @@ static bool
 save_as(struct session *s, const struct args *args, const char *path,
     struct error *error)
 {
-	if (!may_save(s, args, path, error) ||
+	if (!may_replace_script(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
-	    !file_replace_by(path, FILE_SHARED, manage_put_script, s, error))
+	    !file_replace_by(
+		path, FILE_SHARED, print_script_with_heading, s, error))
 		return false;
 	files_set_session_script(s, path, true);
 	s->invocation->saved = true;
@@ -279,7 +280,7 @@ bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
 	FREED char *path = script_name(args->operand[0]);
-	return text_ends(path, ".tip")
+	return text_ends_with(path, ".tip")
 		   ? save_as(s, args, path, error)
 		   : error_set(error, ERROR_USAGE,
 			 "save: expected a name that ends in .tip, got "

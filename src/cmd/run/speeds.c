@@ -26,12 +26,12 @@ takes_speeds(const struct command *command)
 /* Returns the value in a word, after "from=" or from its beginning, if it is a
  * number, list or range in rpm for an option in m/s; else NULL. */
 static const char *
-turns_in(const struct command *command, char *word)
+value_in_rpm(const struct command *command, char *word)
 {
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
-	const struct command *of = command_meant(command, one, 1);
+	const struct command *of = command_meant_by_words(command, one, 1);
 	FREED char *name = equals != NULL
 			       ? xstrndup(word, (size_t)(equals - word))
 			       : xstrdup(of->bare != NULL ? of->bare : "");
@@ -39,7 +39,8 @@ turns_in(const struct command *command, char *word)
 	bool speed = i < OPTIONS
 			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
 			 : equals == NULL && takes_speeds(command);
-	bool number = *value >= '0' && *value <= '9' && text_ends(value, RPM) &&
+	bool number = *value >= '0' && *value <= '9' &&
+		      text_ends_with(value, RPM) &&
 		      value[strspn(value, "0123456789.,:rpm")] == '\0';
 	return speed && number ? value : NULL;
 }
@@ -47,7 +48,7 @@ turns_in(const struct command *command, char *word)
 /* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
  * it. */
 static double
-diameter_of(struct session *s, const struct words *words)
+diameter_of_rotor(struct session *s, const struct words *words)
 {
 	static const char OPTION[] = "rotor_mm=";
 	double mm;
@@ -62,7 +63,7 @@ diameter_of(struct session *s, const struct words *words)
  * not be round steps in m/s.  Returns other text unchanged.  The caller frees
  * it. */
 static char *
-steps_of(const char *turns)
+list_steps_of_rpm(const char *turns)
 {
 	enum { MOST = 200 };
 	const char *dots = strstr(turns, "..");
@@ -81,7 +82,7 @@ steps_of(const char *turns)
 /* Converts each number in the text from rpm to m/s and removes the units.  The
  * caller frees the result. */
 static char *
-speeds_of(const char *turns, double diameter)
+convert_rpm_to_mps(const char *turns, double diameter)
 {
 	char *text = xstrdup("");
 	while (*turns != '\0') {
@@ -106,11 +107,11 @@ speeds_of(const char *turns, double diameter)
 
 /* Returns the number of words in rpm. */
 static size_t
-turns_count(const struct command *command, const struct words *words)
+count_words_in_rpm(const struct command *command, const struct words *words)
 {
 	size_t n = 0;
 	for (size_t i = 1; i < words->n; i++)
-		n += turns_in(command, words->text[i]) != NULL;
+		n += value_in_rpm(command, words->text[i]) != NULL;
 	return n;
 }
 
@@ -120,13 +121,13 @@ speeds_from_rpm(struct session *s, struct words *words, struct place place,
 {
 	const struct command *command =
 	    command_find_typed(words->text[0], place.prompt);
-	size_t n = command != NULL ? turns_count(command, words) : 0;
-	double diameter = n > 0 ? diameter_of(s, words) : 0;
+	size_t n = command != NULL ? count_words_in_rpm(command, words) : 0;
+	double diameter = n > 0 ? diameter_of_rotor(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
 	for (size_t i = 1; i < words->n && n > 0; i++) {
 		char *word = words->text[i];
-		const char *turns = turns_in(command, word);
+		const char *turns = value_in_rpm(command, word);
 		if (turns == NULL)
 			continue;
 		bool option =
@@ -143,8 +144,8 @@ speeds_from_rpm(struct session *s, struct words *words, struct place place,
 			    "command has it, or a line rotor_mm to the site "
 			    "file",
 			    session_entry(s)->site->name);
-		FREED char *steps = steps_of(turns);
-		FREED char *speeds = speeds_of(steps, diameter);
+		FREED char *steps = list_steps_of_rpm(turns);
+		FREED char *speeds = convert_rpm_to_mps(steps, diameter);
 		FREED char *now =
 		    option ? xasprintf("rpm=%.*s",
 				 (int)strspn(turns, "0123456789."), turns)
@@ -178,7 +179,7 @@ static char *
 list_part(const char *word, bool list)
 {
 	size_t n = strlen(word);
-	if (text_ends(word, "m/s"))
+	if (text_ends_with(word, "m/s"))
 		n -= strlen("m/s");
 	char *part = xstrndup(word, n);
 	for (char *c = part; *c != '\0' && !list; c++)
@@ -215,7 +216,7 @@ speeds_join(struct session *s, struct words *words, bool prompt)
 	const struct command *command =
 	    words->n > 1 ? command_find_typed(words->text[0], prompt) : NULL;
 	const struct command *lister =
-	    command != NULL ? command_meant(command, word, 1) : NULL;
+	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
 		return;
 	bool lists = false, list;

@@ -83,7 +83,7 @@ bool
 energies_use_file(struct session *s, const char *path, struct error *error)
 {
 	const struct energies *found = NULL;
-	if (text_same(path, "off")) {
+	if (text_same_folded(path, "off")) {
 		s->set.energy = NULL;
 		s->set.model.impacts = (struct impacts){.n = 0};
 		return true;

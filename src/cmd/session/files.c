@@ -29,7 +29,7 @@ struct files {
 };
 
 static struct files *
-files_of(struct session *s)
+files_or_new(struct session *s)
 {
 	if (s->files == NULL)
 		s->files = xcalloc(1, sizeof *s->files);
@@ -39,7 +39,7 @@ files_of(struct session *s)
 static void
 note_file(struct session *s, const char *path, bool written)
 {
-	struct files *f = files_of(s);
+	struct files *f = files_or_new(s);
 	uint64_t digest = text_digest(TEXT_DIGEST_START, path, strlen(path));
 	for (size_t i = 0; i < f->n; i++)
 		if (f->known[i].digest == digest &&
@@ -82,13 +82,13 @@ files_note_read(struct session *s, const char *path)
 }
 
 size_t
-files_readings(const struct session *s)
+files_count_readings(const struct session *s)
 {
 	return s->files != NULL ? s->files->n_reading : 0;
 }
 
 const char *
-files_reading(const struct session *s, size_t i, uint64_t *digest)
+files_reading_at(const struct session *s, size_t i, uint64_t *digest)
 {
 	*digest = s->files->reading[i].digest;
 	return s->files->reading[i].path;
@@ -103,7 +103,7 @@ files_note_written(struct session *s, const char *path)
 void
 files_set_session_script(struct session *s, const char *path, bool saved)
 {
-	struct files *f = files_of(s);
+	struct files *f = files_or_new(s);
 	char *holder = xstrdup(path);
 	free(f->holder);
 	f->holder = holder;

@@ -43,10 +43,12 @@ bool files_may_replace(
  * read. */
 bool files_digest(const char *path, uint64_t *digest);
 
-/* files_readings returns how many times files with known digests were read;
- * files_reading returns the path of reading i, and the digest at that time. */
-size_t files_readings(const struct session *s);
-const char *files_reading(const struct session *s, size_t i, uint64_t *digest);
+/* files_count_readings returns how many times files with known digests were
+ * read; files_reading_at returns the path of reading i, and the digest at that
+ * time. */
+size_t files_count_readings(const struct session *s);
+const char *files_reading_at(
+    const struct session *s, size_t i, uint64_t *digest);
 
 void files_free(struct files *files);
 

@@ -84,7 +84,7 @@ invocation_begin(struct session *s, const struct args *args,
 	t->line = journal_line(args, words);
 	t->state = journal_place(s).state;
 	t->steps = undo_depth(s);
-	t->readings = files_readings(s);
+	t->readings = files_count_readings(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
 	s->invocation = t;
@@ -132,11 +132,11 @@ static void
 record_files(struct session *s, const struct invocation *t, const char *latest)
 {
 	uint64_t digest;
-	size_t n = files_readings(s);
+	size_t n = files_count_readings(s);
 	if (command_option_index(t->command, "digest") < OPTIONS)
 		return;
 	for (size_t i = t->readings; i < n; i++) {
-		const char *path = files_reading(s, i, &digest);
+		const char *path = files_reading_at(s, i, &digest);
 		journal_check(
 		    s, i == t->readings ? latest : NULL, path, digest);
 	}

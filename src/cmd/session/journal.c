@@ -152,7 +152,7 @@ journal_append_word(char **line, const char *word)
 
 /* Appends the path made absolute; links are not resolved. */
 static void
-add_rooted(char **word, const char *path)
+append_absolute_path(char **word, const char *path)
 {
 	char folder[4096];
 	bool rooted = path[0] == '/' || getcwd(folder, sizeof folder) == NULL;
@@ -164,7 +164,7 @@ add_rooted(char **word, const char *path)
 /* Appends a path, as option `key` if not NULL; for a blend of feeds, each
  * path. */
 static void
-put_path(char **line, const char *key, const char *path)
+append_path_of_option(char **line, const char *key, const char *path)
 {
 	FREED char *whole = key != NULL ? xasprintf("%s=", key) : xstrdup("");
 	for (const char *at = path, *next; at != NULL; at = next) {
@@ -172,7 +172,7 @@ put_path(char **line, const char *key, const char *path)
 		double share;
 		next = value_feed(at, &length, &share);
 		FREED char *one = xstrndup(at, length);
-		add_rooted(&whole, one);
+		append_absolute_path(&whole, one);
 		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
 		xappend(&whole, "%.*s", (int)(rest - length), at + length);
 	}
@@ -185,7 +185,7 @@ journal_check(
 {
 	struct journal *j = s->journal;
 	char *line = xstrdup("assert");
-	put_path(&line, NULL, path);
+	append_path_of_option(&line, NULL, path);
 	xappend(&line, " is %016" PRIx64, digest);
 	drop_latest(j, latest);
 	bool known = false;
@@ -256,7 +256,8 @@ journal_line(const struct args *args, const struct words *words)
 					    (o->kind == VALUE_SPEC &&
 						standards_is_path(value));
 		if (path)
-			put_path(&line, value != word ? o->name : NULL, value);
+			append_path_of_option(
+			    &line, value != word ? o->name : NULL, value);
 		else
 			journal_append_word(&line, word);
 	}
@@ -269,11 +270,12 @@ journal_load(
 {
 	char *line = xstrdup("load"), number[32];
 	for (size_t i = 0; i < n; i++) {
-		FREED char *word = speed != NULL && speed[i] > 0
-				       ? xasprintf("%s@%s", path[i],
-					     text_exact(speed[i], number))
-				       : xstrdup(path[i]);
-		put_path(&line, NULL, word);
+		FREED char *word =
+		    speed != NULL && speed[i] > 0
+			? xasprintf("%s@%s", path[i],
+			      text_exact_number(speed[i], number))
+			: xstrdup(path[i]);
+		append_path_of_option(&line, NULL, word);
 	}
 	xappend(&line, " digest=%016" PRIx64, digest);
 	return line;
@@ -297,7 +299,7 @@ journal_options(const struct site_request *q)
 	if (q->rotor > 0)
 		xappend(&text, " rotor_mm=%.15g", 1000 * q->rotor);
 	if (q->top > 0)
-		xappend(&text, " top=%s", text_exact(q->top, number));
+		xappend(&text, " top=%s", text_exact_number(q->top, number));
 	return text;
 }
 
@@ -319,7 +321,7 @@ put_provenance(FILE *out, const struct site *site)
 	FREED char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		*p = *p == '\\' ? ' ' : *p;
-	text_put(line, out);
+	text_print_escaped(line, out);
 	fputc('\n', out);
 }
 

@@ -63,7 +63,8 @@ find_output(const struct command *command, const struct words *words)
 	bool draws = (command->flags & COMMAND_DRAWS) != 0;
 	const struct output *o = OUTPUTS;
 	for (; o->end != NULL; o++)
-		if (words->to != TO_PIPE && text_ends(words->target, o->end) &&
+		if (words->to != TO_PIPE &&
+		    text_ends_with(words->target, o->end) &&
 		    (o->kind != OUTPUT_PICTURE || draws))
 			break;
 	return o;
@@ -131,7 +132,7 @@ redirect_allowed(const struct command *command, const struct words *words,
 	if (words->to == TO_PIPE)
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
-		if (text_ends(target, OTHER_BOOKS[i]))
+		if (text_ends_with(target, OTHER_BOOKS[i]))
 			return error_no_such_workbook(command, words, error);
 	bool image = picture_form_of(target, &form);
 	enum output_kind kind = find_output(command, words)->kind;
@@ -198,7 +199,7 @@ redirect_open(struct session *s, const struct command *command,
 		free(r);
 		return NULL;
 	}
-	r->memory = text_memory(&r->text, &r->n);
+	r->memory = text_open_memory(&r->text, &r->n);
 	r->to = words->to;
 	r->target = xstrdup(words->target);
 	r->out = s->out;
@@ -226,7 +227,7 @@ redirect_open(struct session *s, const struct command *command,
 /* Without a byte order mark Excel reads a file in the local character set and
  * garbles letters beyond ASCII. Only the beginning of a file gets one. */
 static void
-put_mark(struct redirect *r)
+add_byte_order_mark(struct redirect *r)
 {
 	struct stat about;
 	bool there = stat(r->target, &about) == 0;
@@ -243,7 +244,7 @@ put_mark(struct redirect *r)
 
 /* Returns "12 rows" for a table, "24 lines" for other text. */
 static char *
-extent_words(const struct redirect *r, size_t rows)
+size_of_output_words(const struct redirect *r, size_t rows)
 {
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
@@ -277,7 +278,7 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	FREED char *what = extent_words(r, s->rows);
+	FREED char *what = size_of_output_words(r, s->rows);
 	files_note_written(s, r->target);
 	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
 	    r->target, what);
@@ -309,7 +310,8 @@ add_about_sheet(struct session *s, const struct redirect *r)
 		FREED char *name = xasprintf(
 		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
 		book_add_about(r->book, name,
-		    text_exact(params_value(&entry->params, p->name), number));
+		    text_exact_number(
+			params_value(&entry->params, p->name), number));
 	}
 }
 
@@ -410,7 +412,7 @@ redirect_close(
 		keep = ok = bind_document(r, error);
 	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
 		 s->set.semicolon && r->n > 0)
-		put_mark(r);
+		add_byte_order_mark(r);
 	if (keep && !whole)
 		ok = error_set(error, ERROR_SYSTEM,
 		    "the results for %s do not fit into memory", r->target);

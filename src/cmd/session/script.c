@@ -146,7 +146,7 @@ script_too_long(const char *name, int line, struct error *error)
 /* Returns the next line with its continuations; NULL at the end or on an
  * error. */
 static char *
-join(struct script *script, int *first, struct error *error)
+read_joined_line(struct script *script, int *first, struct error *error)
 {
 	char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
@@ -184,8 +184,9 @@ script_line(struct session *s, struct place *place, struct error *error)
 {
 	struct script *script = s->script;
 	*place = (struct place){.file = script->name};
-	char *line =
-	    script->in != NULL ? join(script, &place->line, error) : NULL;
+	char *line = script->in != NULL
+			 ? read_joined_line(script, &place->line, error)
+			 : NULL;
 	if (line == NULL && error->kind == ERROR_NONE)
 		script_close(s, s->scripts - 1);
 	else if (line != NULL)

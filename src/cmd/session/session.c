@@ -46,12 +46,12 @@ print_exact(struct session *s, const struct answer_form *form,
 {
 	char *text = NULL, *save = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	size_t rows = form->print(answer, s->set.semicolon, memory);
 	fclose(memory);
 	for (char *line = strtok_r(text, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save)) {
-		text_put(line, s->out);
+		text_print_escaped(line, s->out);
 		fputc('\n', s->out);
 	}
 	free(text);
@@ -124,7 +124,7 @@ session_show_answer(struct session *s, struct answer *answer)
 void
 session_set_language(const struct session *s)
 {
-	tr_on(!ANSWER_FORMATS[s->set.format].exact);
+	tr_switch(!ANSWER_FORMATS[s->set.format].exact);
 }
 
 void

@@ -15,7 +15,7 @@
 #include "io/sitefile/units.h"
 
 static uint64_t
-sites_digest_of(const char *text)
+digest_of_text(const char *text)
 {
 	return text_digest(TEXT_DIGEST_START, text, strlen(text));
 }
@@ -56,7 +56,7 @@ new_key(struct session *s, const struct site *site)
 {
 	char *slug = name_slug(site->name), *key = xstrdup(slug);
 	bool shared = false;
-	uint64_t name = sites_digest_of(slug);
+	uint64_t name = digest_of_text(slug);
 	size_t n = strlen(slug);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		struct entry *other = &s->entry[i];
@@ -107,7 +107,7 @@ lookup_keys_of(const struct site *site)
 	struct stat file;
 	FREED char *slug = name_slug(site->name);
 	struct lookup_keys lookup = {
-	    sites_digest_of(slug), sites_digest_of(site->path), 0};
+	    digest_of_text(slug), digest_of_text(site->path), 0};
 	if (stat(site->path, &file) == 0)
 		lookup.file = digest_of_file(&file);
 	return lookup;
@@ -142,7 +142,7 @@ find_site_of_file(const struct session *s, const struct site *site)
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
 	struct lookup_keys own = {
-	    0, sites_digest_of(site->path), digest_of_file(&file)};
+	    0, digest_of_text(site->path), digest_of_file(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
 		if ((s->entry[i].lookup.path == own.path ||
 			s->entry[i].lookup.file == own.file) &&

@@ -60,7 +60,7 @@ snapshot_free(struct snapshot *snapshot)
 
 /* Restores the session and discards the answers kept. */
 static void
-snapshot_put(struct session *s, const struct snapshot *snapshot)
+restore_snapshot(struct session *s, const struct snapshot *snapshot)
 {
 	entries_free(s->entry, s->n_entry);
 	s->entry = copy_entries(snapshot->entry, snapshot->n_entry);
@@ -133,7 +133,7 @@ step_free(struct step *step)
 }
 
 static void
-cut_steps(struct undo *undo, size_t n)
+drop_steps_after(struct undo *undo, size_t n)
 {
 	while (undo->n > n)
 		step_free(&undo->step[--undo->n]);
@@ -148,7 +148,7 @@ undo_new(void)
 void
 undo_free(struct undo *undo)
 {
-	cut_steps(undo, 0);
+	drop_steps_after(undo, 0);
 	free(undo);
 }
 
@@ -163,7 +163,7 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
     size_t floor, const char *label)
 {
 	struct undo *undo = s->undo;
-	cut_steps(undo, depth < undo->done ? depth : undo->done);
+	drop_steps_after(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
 		/* A script that draws many screens can fill both halves. */
@@ -186,7 +186,7 @@ undo_back(struct session *s)
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
 	step->tail = journal_cut_after(s, step->before->mark);
-	snapshot_put(s, step->before);
+	restore_snapshot(s, step->before);
 	return step->label;
 }
 
@@ -198,7 +198,7 @@ undo_forth(struct session *s)
 	struct step *step = &s->undo->step[s->undo->done++];
 	step->before->mark = journal_place(s);
 	journal_paste(s, &step->tail);
-	snapshot_put(s, step->after);
+	restore_snapshot(s, step->after);
 	snapshot_free(step->after);
 	step->after = NULL;
 	return step->label;

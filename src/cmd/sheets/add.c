@@ -107,8 +107,9 @@ add_speed_at(const char *word)
 /* Looks up the time of "cut.csv@2026-05-03T10:15" in the log:
  * "cut.csv@64.2". */
 static bool
-add_look_up(struct session *s, const struct args *args, const char *word,
-    double day, double rotor, struct cut_origin *o, struct error *error)
+look_up_time_in_log(struct session *s, const struct args *args,
+    const char *word, double day, double rotor, struct cut_origin *o,
+    struct error *error)
 {
 	const char *at = add_speed_at(word);
 	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
@@ -136,7 +137,7 @@ add_look_up(struct session *s, const struct args *args, const char *word,
 /* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv": what a site keeps about
  * a cut.  The fit of power to speed and feed rate reads it again. */
 static char *
-cut_note(double speed, const struct cut_origin *o)
+words_for_note_of_cut(double speed, const struct cut_origin *o)
 {
 	char *text = xasprintf("%g m/s", speed);
 	if (o != NULL && o->when[0] != '\0')
@@ -157,7 +158,7 @@ note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
 {
 	const char *said = cut_find_note(cuts, run);
 	if (said == NULL || (o != NULL && o->when[0] != '\0'))
-		return cut_note(cuts->run[run].speed, o);
+		return words_for_note_of_cut(cuts->run[run].speed, o);
 	bool named = o == NULL || strstr(said, o->file) != NULL;
 	return xasprintf(
 	    "%s%s%s", said, named ? "" : ", ", named ? "" : o->file);
@@ -229,11 +230,11 @@ enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 
 /* Compares a new cut with the prediction and reports the result. */
 static enum verdict
-note_check(struct session *s, size_t run)
+report_check_of_cut(struct session *s, size_t run)
 {
 	const struct entry *entry = session_entry(s);
 	const struct site *site = entry->site;
-	if (!entry->has_params || misfit_covered(&site->run[run]) == 0)
+	if (!entry->has_params || misfit_count_covered(&site->run[run]) == 0)
 		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare(s, entry, run);
 	FREED char *words = cut_words(&cut);
@@ -252,7 +253,7 @@ note_check(struct session *s, size_t run)
 /* Compares each new run, or counts them if there are many; from: see
  * site_with_cuts.  Returns the worst verdict. */
 static enum verdict
-note_checks(
+report_checks_of_cuts(
     struct session *s, const struct site *old, const size_t *from, size_t n)
 {
 	enum { FEW = 3 };
@@ -264,7 +265,7 @@ note_checks(
 		    (from[r] != SIZE_MAX && old->run[from[r]].product.n > 0))
 			continue;
 		if (n <= FEW) {
-			one = note_check(s, r);
+			one = report_check_of_cut(s, r);
 			worst = one > worst ? one : worst;
 		} else if (entry->has_params) {
 			compared++;
@@ -291,7 +292,7 @@ note_products(struct session *s)
 
 /* Suggests what to do after n cuts have been compared. */
 static void
-note_next(struct session *s, enum verdict worst, size_t n)
+suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
 {
 	const struct entry *entry = session_entry(s);
 	bool many = n > 1 && entry->has_fit;
@@ -363,7 +364,7 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	char number[32];
 	if (site_assumed_top(cuts) > site_assumed_top(old))
 		site_add_note(&site->note, &site->n_note, SITE_ASSUMED_TOP,
-		    text_exact(site_assumed_top(cuts), number));
+		    text_exact_number(site_assumed_top(cuts), number));
 	if (!is_expected(site, args->digest, s, error)) {
 		site_free(site);
 		return false;
@@ -376,8 +377,8 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	session_replace_site(s, site, from);
 	check_warn_coarser(s, site);
 	note_products(s);
-	enum verdict worst = note_checks(s, old, from, cuts->n_run);
-	note_next(s, worst, cuts->n_run);
+	enum verdict worst = report_checks_of_cuts(s, old, from, cuts->n_run);
+	suggest_what_to_do_next(s, worst, cuts->n_run);
 	return true;
 }
 
@@ -392,8 +393,8 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
-		good = add_look_up(s, args, args->operand[i], day, rotor,
-		    &all.file[all.n++], error);
+		good = look_up_time_in_log(s, args, args->operand[i], day,
+		    rotor, &all.file[all.n++], error);
 		word[i] = all.file[i].word;
 	}
 	struct site *cuts =

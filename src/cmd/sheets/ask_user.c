@@ -148,7 +148,7 @@ guess_with_role(const struct site_ask_column *c, const char *role)
 /* Returns the role in the guess.  A column guessed to be the sieves is a
  * product if the user says that it is not. */
 static char *
-offered_role(const struct site_ask_column *c)
+role_guessed(const struct site_ask_column *c)
 {
 	return ask_user_is_sieve(c)
 		   ? xstrdup("product")
@@ -172,10 +172,10 @@ guess_with_speed(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
-	FREED char *role = offered_role(c);
+	FREED char *role = role_guessed(c);
 	bool feed = strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL;
 	FREED char *said = xasprintf(rpm ? "%s %s rpm" : "%s@%s",
-	    feed ? "product" : role, text_exact(v, number));
+	    feed ? "product" : role, text_exact_number(v, number));
 	return guess_with_role(c, said);
 }
 
@@ -201,7 +201,7 @@ ask_user_with_words(const struct site_ask_column *c, const char *said,
 		return xstrdup(said);
 	if (bare && (means & WORD_PRODUCT) != 0) {
 		FREED char *product = xasprintf(
-		    "product@%s", text_exact(head->number[0], number));
+		    "product@%s", text_exact_number(head->number[0], number));
 		return guess_with_role(c, product);
 	}
 	return guess_with_role(c, said);
@@ -386,8 +386,8 @@ read_top_answer(
 static bool
 read_decimal_answer(const char *said, struct inquired *into, char *wrong)
 {
-	bool comma = strcmp(said, ",") == 0 || text_same(said, "comma");
-	bool point = strcmp(said, ".") == 0 || text_same(said, "point");
+	bool comma = strcmp(said, ",") == 0 || text_same_folded(said, "comma");
+	bool point = strcmp(said, ".") == 0 || text_same_folded(said, "point");
 	into->decimal = comma ? ',' : '.';
 	if (!comma && !point)
 		snprintf(wrong, WRONG,

@@ -39,7 +39,7 @@ static struct coarser
 find_coarser(const struct run *run)
 {
 	struct coarser found = {0};
-	found.compared = misfit_covered(run);
+	found.compared = misfit_count_covered(run);
 	for (size_t i = 0; i < found.compared; i++) {
 		double x = run->product.size[i];
 		double by =
@@ -133,7 +133,7 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
-runs_words(const struct run *a, const struct run *b)
+two_runs_words(const struct run *a, const struct run *b)
 {
 	return xasprintf(
 	    "%g%s, %g%s m/s", a->speed, a->repeat, b->speed, b->repeat);
@@ -141,7 +141,7 @@ runs_words(const struct run *a, const struct run *b)
 
 /* Reports columns entered twice: no two samples have the same numbers. */
 static void
-check_copies(struct answer *r, const struct entry *entry)
+report_columns_entered_twice(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	for (size_t i = 1; i < site->n_run; i++)
@@ -149,7 +149,7 @@ check_copies(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k], *b = &site->run[i];
 			if (!psd_same(&a->product, &b->product))
 				continue;
-			FREED char *where = runs_words(a, b);
+			FREED char *where = two_runs_words(a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
@@ -174,7 +174,7 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 				fall = rise;
 			if (fall.most <= far)
 				continue;
-			FREED char *where = runs_words(a, b);
+			FREED char *where = two_runs_words(a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
@@ -186,15 +186,15 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 /* Reports passings that fall from a slower to a faster run by more than
  * sampling explains: a fault, unless their feeds may differ that much. */
 static bool
-check_pair(struct answer *r, const struct entry *entry, const struct run *slow,
-    const struct run *fast)
+check_order_of_pair(struct answer *r, const struct entry *entry,
+    const struct run *slow, const struct run *fast)
 {
 	const struct site *site = entry->site;
 	struct order fall = trust_order(&slow->product, &fast->product);
 	bool fault = !site->individual_feeds && trust_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
-	FREED char *where = runs_words(slow, fast);
+	FREED char *where = two_runs_words(slow, fast);
 	const char *why =
 	    site->individual_feeds ? tr("its feed may have been coarser")
 	    : fault ? tr("were speeds swapped or digits transposed?")
@@ -218,7 +218,7 @@ check_site_order(struct answer *r, const struct entry *entry)
 			first = i;
 		}
 		for (size_t k = slow; k < first; k++)
-			ok = check_pair(
+			ok = check_order_of_pair(
 				 r, entry, &site->run[k], &site->run[i]) &&
 			     ok;
 	}
@@ -255,8 +255,8 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 /* Appends the feeds of a site, or its products, to the n curves, with the run
  * of each (NULL: of all). Returns the new number. */
 static size_t
-check_gather(const struct site *site, bool feed, const struct psd **curve,
-    const struct run **run, size_t n)
+gather_curves_of_entry(const struct site *site, bool feed,
+    const struct psd **curve, const struct run **run, size_t n)
 {
 	for (size_t i = 0; i < site->n_run; i++) {
 		const struct run *its = &site->run[i];
@@ -273,10 +273,10 @@ check_gather(const struct site *site, bool feed, const struct psd **curve,
 /* Reports sieves of the feed so far apart that much of the curve between them
  * is assumed to be straight. */
 static void
-check_wide(struct answer *r, const struct entry *entry)
+report_wide_gap_of_feed(struct answer *r, const struct entry *entry)
 {
 	const struct psd *feed = &entry->site->run[0].feed;
-	size_t i = psd_gap(feed);
+	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
 		finding(r, entry, false, "feed",
 		    "no sieve between %g and %g mm, where %.0f points of it "
@@ -296,8 +296,8 @@ check_gaps(struct answer *r, const struct entry *entry)
 	FREED const struct psd **curve =
 	    xcalloc(2 * site->n_run, sizeof(*curve));
 	FREED const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
-	size_t feeds = check_gather(site, true, curve, run, 0);
-	size_t n = check_gather(site, false, curve, run, feeds);
+	size_t feeds = gather_curves_of_entry(site, true, curve, run, 0);
+	size_t n = gather_curves_of_entry(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
 		double x = find_gap(curve, n, i);
 		if (x > 0)
@@ -354,7 +354,7 @@ check_fit(struct answer *r, const struct entry *entry)
 
 /* Reports other loaded sites with the same numbers. */
 static void
-check_twins(struct session *s, struct answer *r, size_t index)
+report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -369,7 +369,8 @@ check_twins(struct session *s, struct answer *r, size_t index)
 
 /* Reports what was read and what was left out. */
 static void
-check_counts(struct answer *r, struct fields *read, const struct entry *entry)
+report_what_was_read(
+    struct answer *r, struct fields *read, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	size_t n, columns = site->individual_feeds ? site->n_run : 1;
@@ -401,14 +402,14 @@ check_site(
 {
 	const struct entry *entry = &s->entry[index];
 	bool ok = true;
-	check_counts(r, read, entry);
+	report_what_was_read(r, read, entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		ok = check_run(r, entry, &entry->site->run[i]) && ok;
 	ok = check_site_order(r, entry) && ok;
 	check_site_repeats(r, entry);
-	check_copies(r, entry);
+	report_columns_entered_twice(r, entry);
 	check_gaps(r, entry);
-	check_wide(r, entry);
+	report_wide_gap_of_feed(r, entry);
 	struct doctor d = mend_find_faults(s, entry);
 	check_cells(r, entry, &d);
 	if (d.unseen > 0)
@@ -419,7 +420,7 @@ check_site(
 		    d.unseen, DOCTOR_CELLS);
 	if (!mend_is_calibrated(s, entry))
 		check_fit(r, entry);
-	check_twins(s, r, index);
+	report_sites_with_same_data(s, r, index);
 	if (index == s->current)
 		mend_put(r, entry, &d);
 	outliers_free(&d);
@@ -458,7 +459,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	fields_put(answer_fields(r), "ok %d", ok);
 	answer_note(r, "%s",
 	    !ok ? tr("there are faults")
-	    : answer_rows(r) == 0
+	    : answer_count_rows(r) == 0
 		? tr("no faults found")
 		: tr("no faults found; judge the remarks yourself"));
 	bool mends = answer_number(r, "mends.n") > 0;

@@ -119,7 +119,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 1; i < args->speeds.n; i++)
 		if (speed[i] <= speed[i - 1])
 			return error_set(error, ERROR_USAGE,
-			    "expected speeds from slow to fast, each once");
+			    "expected speeds from slow to fast, each once, "
+			    "got %g after %g\n"
+			    "write: speeds=69,74,79",
+			    speed[i], speed[i - 1]);
 	struct error_list errors = {.stop = s->hooks.stop};
 	bool built_in = strcmp(args->operand[0], "table3") == 0;
 	if (!built_in)
@@ -133,7 +136,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct stored *row = &rows.item[i];
-		if (wanted != NULL && !text_same(wanted, row->site))
+		if (wanted != NULL && !text_same_folded(wanted, row->site))
 			continue;
 		session_add_site(s, synth_row(row, args));
 		made++;

@@ -97,7 +97,7 @@ load_add_file(struct load *l, const char *word, struct error *error)
 	double speed;
 	bool good = split_speed(word, &path, &speed, error);
 	load_add_path(l, path, speed);
-	if (!good || !text_ends(path, ".tip"))
+	if (!good || !text_ends_with(path, ".tip"))
 		return good;
 	return error_set(error, ERROR_USAGE,
 	    "expected a site file, got a script (%s)\n"
@@ -130,7 +130,7 @@ load_note_reading(const struct session *s, const struct site *site)
 static void
 note_loaded(struct session *s, const struct site *site)
 {
-	size_t n, products = site_products(site);
+	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
 	free(site_sieves(site, &n));
 	if (products > 0)
@@ -186,10 +186,11 @@ hint_add(const struct session *s, const struct load *l, struct error *error)
 	FREED char *line = xstrdup("add"),
 		   *options = journal_options(&l->request);
 	for (size_t i = 0; i < l->request.n; i++) {
-		FREED char *word = l->speed[i] > 0
-				       ? xasprintf("%s@%s", l->path[i],
-					     text_exact(l->speed[i], number))
-				       : xstrdup(l->path[i]);
+		FREED char *word =
+		    l->speed[i] > 0
+			? xasprintf("%s@%s", l->path[i],
+			      text_exact_number(l->speed[i], number))
+			: xstrdup(l->path[i]);
 		journal_append_word(&line, word);
 	}
 	if (site != NULL)
@@ -631,7 +632,7 @@ static void
 compare_name(void *data, const char *name)
 {
 	struct remembered_name *r = data;
-	r->found = r->found || text_same(name, r->name);
+	r->found = r->found || text_same_folded(name, r->name);
 }
 
 /* If a file does not exist but a material has that name, says so. */

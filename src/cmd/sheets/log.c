@@ -269,23 +269,23 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	FREED char *to = datetime_text(log->time[log->n - 1]);
 	answer_title(r, "the plant's log");
 	answer_columns(r, "what, value");
-	answer_pair(r, "file", "%s", log->path);
-	answer_pair(r, "rows", "%zu", log->n);
-	answer_pair(r, "from", "%s", from);
-	answer_pair(r, "to", "%s", to);
-	answer_pair(r, "seconds between rows", "%g", log->apart);
+	answer_add_pair(r, "file", "%s", log->path);
+	answer_add_pair(r, "rows", "%zu", log->n);
+	answer_add_pair(r, "from", "%s", from);
+	answer_add_pair(r, "to", "%s", to);
+	answer_add_pair(r, "seconds between rows", "%g", log->apart);
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
 		FREED char *range = range_text(all.least[k], all.most[k]);
-		answer_pair(
+		answer_add_pair(
 		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
 	}
-	answer_pair(r, "read", "%s", log->read_as);
+	answer_add_pair(r, "read", "%s", log->read_as);
 	if (has_gap(log)) {
 		FREED char *gap =
 		    span_text(log->gap_from, log->gap_from + log->gap);
-		answer_pair(r, "longest gap", "%s", gap);
+		answer_add_pair(r, "longest gap", "%s", gap);
 	}
 	return session_show_answer(s, r);
 }

@@ -62,11 +62,11 @@ mend_command_line(const struct site *site, const struct mend *m)
 	FREED char *with = mend_column(site, false, m->other);
 	char *call = xasprintf("mend %s", name), number[32];
 	if (m->kind == MEND_READ || m->kind == MEND_OUT)
-		xappend(
-		    &call, " sieve=%s", text_exact(units_mm(m->size), number));
+		xappend(&call, " sieve=%s",
+		    text_exact_number(units_mm(m->size), number));
 	if (m->kind == MEND_READ)
 		xappend(&call, " value=%s",
-		    text_exact(units_pct(m->value), number));
+		    text_exact_number(units_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
 	else if (m->kind == MEND_WITH)
@@ -222,7 +222,7 @@ options_given(const struct args *args)
 }
 
 static bool
-take_kind(const struct args *args, struct mend *mend)
+read_kind_of_mend(const struct args *args, struct mend *mend)
 {
 	static const enum mend_kind DO[] = {
 	    MEND_OUT, MEND_SWAP, MEND_UP, MEND_DOWN, MEND_DROP};
@@ -260,14 +260,14 @@ error_no_column(const struct site *site, const char *name, struct error *error)
 }
 
 static bool
-mend_find_told(const struct site *site, const struct args *args,
+read_mend_of_call(const struct site *site, const struct args *args,
     struct mend *mend, struct error *error)
 {
 	const char *name = args->operand[0], *with = args->with;
 	bool feed = false;
 	if (!mend_find_column(site, name, &mend->feed, &mend->run))
 		return error_no_column(site, name, error);
-	if (options_given(args) != 1 || !take_kind(args, mend))
+	if (options_given(args) != 1 || !read_kind_of_mend(args, mend))
 		return error_set(error, ERROR_USAGE,
 		    "expected what to do with %s\n"
 		    "use sieve=MM value=PERCENT, sieve=MM do=out, do=up, "
@@ -305,7 +305,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	const char *word = args->operand[0];
 	bool found = is_number(word)
 			 ? find_numbered(s, word, &mend, error)
-			 : mend_find_told(entry->site, args, &mend, error);
+			 : read_mend_of_call(entry->site, args, &mend, error);
 	struct site *site = found ? mend_site(entry->site, &mend, error) : NULL;
 	if (site == NULL)
 		return false;

@@ -270,7 +270,8 @@ set_origin_fields(struct stored *m, const struct entry *entry)
 	bool own = o->from[0] == '\0';
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
-		xlist(&speeds, ",", "%s", text_exact(o->speed[i], number));
+		xlist(
+		    &speeds, ",", "%s", text_exact_number(o->speed[i], number));
 	replace_trimmed(&m->train_mps, speeds);
 	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
 	replace_trimmed(&m->site_digest,
@@ -541,7 +542,7 @@ note_remembered(struct session *s, const struct entry *entry)
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds(site, ", ", NULL, false);
-	if (site_products(site) > 0)
+	if (site_count_products(site) > 0)
 		session_note(s,
 		    tr_n("%s: %zu run at %s m/s, %s",
 			"%s: %zu runs at %s m/s, %s", site->n_run),
@@ -617,7 +618,7 @@ has_name(const char *names, const char *name)
 {
 	FREED char *all = xasprintf(", %s,", names);
 	FREED char *one = xasprintf(", %s,", name);
-	return text_has(all, one);
+	return text_contains_word(all, one);
 }
 
 /* Adds a name to a list. */
@@ -685,7 +686,7 @@ commands_to_bring_back(const struct stored *m)
 	char number[32];
 	for (size_t j = 0; j < of->n; j++)
 		xappend(&line, " %s=%s", of->parameter[j].name,
-		    text_exact(m->params.at[j], number));
+		    text_exact_number(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;
 }
@@ -779,7 +780,7 @@ enum { ALL, TABLE3, OWN };
 static bool
 store_is_wanted(const struct stored *m, const struct args *args)
 {
-	return (args->rock == NULL || text_same(m->rock, args->rock)) &&
+	return (args->rock == NULL || text_same_folded(m->rock, args->rock)) &&
 	       (!(args->top > 0) || has_top_size(m, args->top)) &&
 	       (args->origin == ALL ||
 		   (args->origin == TABLE3) == stored_is_table3(m));
@@ -957,17 +958,17 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	answer_title(r, "the store of materials");
 	answer_columns(r, "what, value");
-	answer_pair(r, "place", "%s", path);
+	answer_add_pair(r, "place", "%s", path);
 	if (strcmp(path, ":memory:") == 0)
-		answer_pair(r, "file", "none: kept until the session ends");
+		answer_add_pair(r, "file", "none: kept until the session ends");
 	else if (bytes < 0)
-		answer_pair(
+		answer_add_pair(
 		    r, "file", "none yet: the first 'remember' creates it");
 	else
-		answer_pair(r, "file", "%" PRId64 " bytes", bytes);
-	answer_pair(r, "schema", "%d", STORE_SCHEMA);
-	answer_pair(r, "own materials", "%zu", own);
-	answer_pair(r, "of Table 3", "%zu, read only", all.n);
+		answer_add_pair(r, "file", "%" PRId64 " bytes", bytes);
+	answer_add_pair(r, "schema", "%d", STORE_SCHEMA);
+	answer_add_pair(r, "own materials", "%zu", own);
+	answer_add_pair(r, "of Table 3", "%zu, read only", all.n);
 	answer_note(r, "run 'materials' to list them");
 	stored_list_free(&all);
 	return session_show_answer(s, r);

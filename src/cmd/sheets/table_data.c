@@ -52,15 +52,16 @@ const struct command TABLE_DATA[] = {
 		"fault with its place; a site that is loaded again replaces "
 		"the earlier one. Quote a name with spaces.",
 	.more =
-	    "It says how sure it is of each column. If sieves are in columns, "
-	    "columns= has the numbers of lines. Results written by tipspeed "
-	    "are not read as sheets. A file is loaded rather than a site of "
-	    "the program with the same name. If a sheet is refused, the sites "
-	    "already loaded stay, and the other files are loaded: the refused "
-	    "ones are listed at the end, where a script then stops unless "
-	    "skip=on. With as=log the files are a plant's log for 'add': rows "
-	    "with date and time, and columns headed rpm or m/s, kW and t/h; "
-	    "its columns= are named time, rpm, m/s, kW, t/h.",
+	    "The report says how sure the reading of each column is. If a "
+	    "sheet has its sieves in columns, columns= takes the numbers of "
+	    "lines. Results written by tipspeed are not read as sheets. A "
+	    "file is loaded rather than a site of the program with the same "
+	    "name. If a sheet is refused, the sites already loaded stay, and "
+	    "the other files are loaded: the refused ones are listed at the "
+	    "end, where a script then stops unless skip=on. With as=log the "
+	    "files are a plant's log for 'add': rows with date and time, and "
+	    "columns headed rpm or m/s, kW and t/h; its columns= are named "
+	    "time, rpm, m/s, kW, t/h.",
 	.example = "load data/sites/tierp.csv\n"
 		   "load data/sites/bro.csv columns=\"1=sieve mm, 2=feed, "
 		   "3=product@69\"\nshow",
@@ -240,11 +241,12 @@ const struct command TABLE_DATA[] = {
 	    "'energy load FILE' reads a table of impacts by its column "
 	    "headings, a list of energies (J/kg) or velocities (m/s), perhaps "
 	    "with weights, or a binned spectrum (low, high and weight); "
-	    "dem/merge makes a table of a LIGGGHTS dump of contacts. Without "
-	    "operands, shows impacts per particle, energies above the cut, the "
-	    "share of the first impact and the k with which Eq 3 would break "
-	    "as much. 'energy write FILE' writes the spectrum. 'set energy "
-	    "FILE' makes the model use it instead of one impact at v^2/2.",
+	    "dem/merge makes such a table from a LIGGGHTS dump of contacts. "
+	    "Without operands, shows impacts per particle, energies above the "
+	    "cut, the share of the first impact and the k with which Eq 3 "
+	    "would break as much. 'energy write FILE' writes the spectrum. "
+	    "'set energy FILE' makes the model use it instead of one impact "
+	    "at v^2/2.",
 	.example = "energy load data/energy/vsi-69.csv\nenergy cut=100",
 	.run = cmd_energy},
     {.name = "template",

@@ -45,7 +45,7 @@ static void
 template_put_number(const struct form *f, double value)
 {
 	char text[32];
-	text_exact(value, text);
+	text_exact_number(value, text);
 	char *point = strchr(text, '.');
 	if (f->separator == ';' && point != NULL)
 		*point = ',';
@@ -122,7 +122,7 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	/* In workbooks numbers have no decimal sign. */
-	f = (struct form){',', text_memory(&text, &n)};
+	f = (struct form){',', text_open_memory(&text, &n)};
 	s->rows += put_sieve_form(&f, args);
 	fclose(f.sheet);
 	book_add_text(s->book, "template", text);

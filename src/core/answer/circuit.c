@@ -101,7 +101,7 @@ struct walk {
 
 /* As deep as there are units. */
 static void
-walk_from(struct walk *w, size_t u)
+order_units_from(struct walk *w, size_t u)
 {
 	const struct unit *unit = &w->c->unit[u];
 	w->state[u] = WALK_UNDER_WAY;
@@ -112,7 +112,7 @@ walk_from(struct walk *w, size_t u)
 		if (w->state[next] == WALK_UNDER_WAY)
 			w->back[unit->out[i]] = true;
 		else if (w->state[next] == WALK_NEW)
-			walk_from(w, next);
+			order_units_from(w, next);
 	}
 	w->state[u] = WALK_DONE;
 	w->order[--w->first] = u;
@@ -120,12 +120,12 @@ walk_from(struct walk *w, size_t u)
 
 /* back [n_stream] out. */
 static struct walk
-walk_all(const struct circuit *c, bool *back)
+order_units(const struct circuit *c, bool *back)
 {
 	struct walk w = {.c = c, .first = c->n_unit, .back = back};
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_FEED)
-			walk_from(&w, u);
+			order_units_from(&w, u);
 	return w;
 }
 
@@ -133,7 +133,7 @@ size_t
 circuit_unfed(const struct circuit *c)
 {
 	bool *back = xcalloc(c->n_stream + 1, sizeof *back);
-	struct walk w = walk_all(c, back);
+	struct walk w = order_units(c, back);
 	size_t u = 0;
 	while (u < c->n_unit && w.state[u] != WALK_NEW)
 		u++;
@@ -178,7 +178,7 @@ struct solving {
 };
 
 static double
-circuit_total(const double *mass, size_t n)
+sum_of_masses(const double *mass, size_t n)
 {
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
@@ -188,7 +188,7 @@ circuit_total(const double *mass, size_t n)
 
 /* Replaces a stream; returns what it changed by. */
 static double
-circuit_put(struct solving *s, size_t stream, const double *mass,
+replace_stream(struct solving *s, size_t stream, const double *mass,
     const double *share, double of)
 {
 	double *to = s->mass + stream * s->classes, change = 0;
@@ -202,24 +202,25 @@ circuit_put(struct solving *s, size_t stream, const double *mass,
 
 /* All out of a screen is from the same numbers, so that nothing is lost. */
 static double
-put_screen(struct solving *s, const struct unit *unit, size_t u)
+separate_by_screen(struct solving *s, const struct unit *unit, size_t u)
 {
 	const double *over = s->over + u * s->classes;
-	double change = circuit_put(s, unit->out[0], s->in, over, 1);
+	double change = replace_stream(s, unit->out[0], s->in, over, 1);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] = s->in[i] - s->in[i] * over[i];
-	return change + circuit_put(s, unit->out[1], s->out, NULL, 1);
+	return change + replace_stream(s, unit->out[1], s->out, NULL, 1);
 }
 
 static double
-put_crusher(struct solving *s, const struct unit *unit, size_t u, size_t draw)
+pass_through_crusher(
+    struct solving *s, const struct unit *unit, size_t u, size_t draw)
 {
 	for (size_t i = 0; i < s->classes; i++)
 		s->rotor[i] = s->in[i] * (1 - unit->cascade);
 	transfer_product(s->transfer[u], draw, s->rotor, s->out);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] += s->in[i] * unit->cascade;
-	return circuit_put(s, unit->out[0], s->out, NULL, 1);
+	return replace_stream(s, unit->out[0], s->out, NULL, 1);
 }
 
 /* Works one unit out; returns how much streams that close loops changed. */
@@ -234,14 +235,15 @@ run_unit(struct solving *s, size_t u, size_t draw)
 			s->in[i] += s->mass[unit->in[k] * s->classes + i];
 	switch (unit->kind) {
 	case UNIT_FEED:
-		return circuit_put(s, unit->out[0], s->feed, NULL, s->c->tph);
+		return replace_stream(
+		    s, unit->out[0], s->feed, NULL, s->c->tph);
 	case UNIT_CRUSHER:
-		return put_crusher(s, unit, u, draw);
+		return pass_through_crusher(s, unit, u, draw);
 	case UNIT_SCREEN:
-		return put_screen(s, unit, u);
+		return separate_by_screen(s, unit, u);
 	case UNIT_SPLIT:
 		for (size_t k = 0; k < unit->n_out; k++)
-			change += circuit_put(
+			change += replace_stream(
 			    s, unit->out[k], s->in, NULL, unit->share[k]);
 		return change;
 	case UNIT_STOCKPILE:
@@ -285,7 +287,7 @@ flow_add_draw(
 	       *tph = flow->tph_draw + draw * flow->n_stream;
 	for (size_t i = 0; i < flow->n_stream; i++) {
 		size_t to = circuit_destination(s->c, i);
-		tph[i] = circuit_total(s->mass + i * n, n);
+		tph[i] = sum_of_masses(s->mass + i * n, n);
 		flow->tph[i] += tph[i] / (double)flow->draws;
 		if (flow->back[i])
 			flow->circulating_draw[draw] += tph[i];
@@ -310,7 +312,7 @@ solving_new(const struct circuit *c, const double *feed, const double *size,
 	struct solving s = {.c = c,
 	    .feed = feed,
 	    .classes = classes,
-	    .walk = walk_all(c, back),
+	    .walk = order_units(c, back),
 	    .over = xdoubles(c->n_unit * classes),
 	    .mass = xdoubles(c->n_stream * classes),
 	    .in = xdoubles(classes),

@@ -61,7 +61,7 @@ crusher_new(const double *size, size_t n, const struct params *p,
 		if (posterior != NULL) {
 			c->ensemble[i] =
 			    ensemble_new(posterior, &feed, size, n);
-			ensemble_machine(c->ensemble[i], settings);
+			ensemble_set_machine(c->ensemble[i], settings);
 			continue;
 		}
 		c->model[i] = model_new(&feed, size, n, settings);
@@ -109,7 +109,7 @@ crusher_set_feed(
 	n = c->n_sieve;
 	if (c->posterior != NULL) {
 		c->whole_draws = ensemble_new(c->posterior, feed, sieve, n);
-		ensemble_machine(c->whole_draws, c->settings);
+		ensemble_set_machine(c->whole_draws, c->settings);
 	} else {
 		c->whole = model_new(feed, sieve, n, c->settings);
 		model_use_params(c->whole, &c->params);
@@ -119,7 +119,7 @@ crusher_set_feed(
 
 /* Row by draw what the ensemble of a class has row by size. */
 static void
-transfer_fill_class(struct transfer *t, size_t class, const double *P)
+put_products_of_class(struct transfer *t, size_t class, const double *P)
 {
 	for (size_t d = 0; d < t->draws; d++) {
 		double *row = t->passing + (d * (t->n - 1) + class) * t->n;
@@ -190,13 +190,14 @@ crusher_at(struct crusher *c, double v)
 			continue;
 		}
 		ensemble_draws_at(c->ensemble[i], v);
-		transfer_fill_class(
+		put_products_of_class(
 		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
 	}
 	if (c->posterior != NULL && n > 1) {
 		t->delta = xdoubles(DRAWS * n);
 		for (size_t d = 0; d < DRAWS; d++)
-			ensemble_delta(c->ensemble[0], d, t->delta + d * n);
+			ensemble_discrepancy(
+			    c->ensemble[0], d, t->delta + d * n);
 	}
 	if (c->feed != NULL)
 		transfer_match_prediction(c, t, v);

@@ -32,7 +32,7 @@ same_numbers(const struct guess_material *a, const struct guess_material *b)
 static bool
 same_rock(const struct guess_material *a, const struct guess_material *b)
 {
-	return a->rock[0] != '\0' && text_same(a->rock, b->rock);
+	return a->rock[0] != '\0' && text_same_folded(a->rock, b->rock);
 }
 
 /* How far m lies from what is wanted among those of its rock. */
@@ -94,7 +94,7 @@ guess_nearest(const struct guess_material *m, size_t n,
 /* The value at that place, 1 for the first, among v [n], rising; between two,
  * straight, and where one has no end it is that. */
 static double
-guess_value_at(const double *v, size_t n, double place)
+value_at_place(const double *v, size_t n, double place)
 {
 	double at = fmin(fmax(place - 1, 0), (double)(n - 1));
 	size_t i = (size_t)at;
@@ -104,13 +104,13 @@ guess_value_at(const double *v, size_t n, double place)
 
 /* Sorts v, which has no NAN. */
 static struct guess_range
-guess_range_of(double *v, size_t n)
+range_of_values(double *v, size_t n)
 {
 	double places = (double)n + 1;
 	gsl_sort(v, 1, n);
-	return (struct guess_range){guess_value_at(v, n, 0.5 * places),
-	    guess_value_at(v, n, 0.1 * places),
-	    guess_value_at(v, n, 0.9 * places)};
+	return (struct guess_range){value_at_place(v, n, 0.5 * places),
+	    value_at_place(v, n, 0.1 * places),
+	    value_at_place(v, n, 0.9 * places)};
 }
 
 /* A size that lies outside the sieves is finer than they are, as some sieve
@@ -124,7 +124,7 @@ range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
 		v[i] = psd_size(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
-	struct guess_range range = guess_range_of(v, n);
+	struct guess_range range = range_of_values(v, n);
 	free(v);
 	range.middle = psd_size(median, passing);
 	range.low = isfinite(range.low) ? range.low : NAN;
@@ -141,7 +141,7 @@ median_curve(const struct prediction *p, size_t n)
 	for (size_t s = 0; s < median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].curve.passing[s];
-		median.passing[s] = guess_range_of(v, n).middle;
+		median.passing[s] = range_of_values(v, n).middle;
 	}
 	free(v);
 	return median;
@@ -159,19 +159,19 @@ median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 	for (size_t s = 0; s < guess->median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].product.passing[s];
-		struct guess_range range = guess_range_of(v, n);
+		struct guess_range range = range_of_values(v, n);
 		guess->median.passing[s] = range.middle;
 		guess->low.passing[s] = range.low;
 		guess->high.passing[s] = range.high;
 	}
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
-	guess->break_size = guess_range_of(v, n);
+	guess->break_size = range_of_values(v, n);
 	free(v);
 }
 
 static struct guess
-guess_from(const struct prediction *p, size_t n, double v)
+guess_from_products(const struct prediction *p, size_t n, double v)
 {
 	struct guess guess = {.speed = v};
 	median_and_range(&guess, p, n);
@@ -211,7 +211,7 @@ guess_product(const struct site *site, size_t feed_run,
 			memcpy(params.beta, LAWS[i % laws], sizeof params.beta);
 		p[i] = predict(site, &params, of->settings, v, feed_run);
 	}
-	struct guess guess = guess_from(p, all, v);
+	struct guess guess = guess_from_products(p, all, v);
 	for (size_t i = 0; i < all; i++)
 		prediction_free(&p[i]);
 	free(p);
@@ -270,13 +270,14 @@ pairs_free(struct pairs *pairs)
 }
 
 static struct trial
-guess_one(const struct pairs *pairs, const size_t *pick, size_t n, size_t truth)
+guess_left_out_site(
+    const struct pairs *pairs, const size_t *pick, size_t n, size_t truth)
 {
 	const struct prediction *row = &pairs->p[truth * pairs->n];
 	struct prediction *picked = xcalloc(n, sizeof *picked), p = row[truth];
 	for (size_t i = 0; i < n; i++)
 		picked[i] = row[pick[i]];
-	struct guess g = guess_from(picked, n, pairs->v);
+	struct guess g = guess_from_products(picked, n, pairs->v);
 	free(picked);
 	const double *P = p.product.passing;
 	struct trial trial = {
@@ -303,7 +304,7 @@ leave_out_own(
 	for (size_t j = 0; j < n; j++) {
 		bool same = same_numbers(&m[i], &m[j]);
 		first = first && !(same && j < i);
-		leave_out[j] = same || text_same(m[i].site, m[j].site);
+		leave_out[j] = same || text_same_folded(m[i].site, m[j].site);
 	}
 	return first;
 }
@@ -324,7 +325,8 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 		    guess_nearest(m, n, &m[i], leave_out, nearest, pick);
 		if (picked == 0)
 			continue;
-		struct trial trial = guess_one(pairs, pick, picked, i);
+		struct trial trial =
+		    guess_left_out_site(pairs, pick, picked, i);
 		cells += trial.cells;
 		held += trial.held;
 		if (trial.error > out.worst) {
@@ -335,8 +337,8 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 		error[out.n++] = trial.error;
 	}
 	if (out.n > 0) {
-		out.median = guess_range_of(error, out.n).middle;
-		out.feed = guess_range_of(feed, out.n).middle;
+		out.median = range_of_values(error, out.n).middle;
+		out.feed = range_of_values(feed, out.n).middle;
 		out.held = cells > 0 ? (double)held / (double)cells : NAN;
 	}
 	free(leave_out);

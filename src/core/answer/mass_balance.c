@@ -12,7 +12,7 @@
 
 /* Where the class alone goes: product [n] out, its share in each class. */
 static void
-class_product(const struct psd *feed, const struct params *p,
+product_of_class(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v, size_t class, double *product)
 {
 	struct psd one = psd_copy(feed);
@@ -58,7 +58,7 @@ ledger_new(const struct psd *feed, const struct params *p,
 	for (size_t i = 0; i < n; i++) {
 		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
 		l.feed[i] = feed->passing[i] - finer;
-		class_product(feed, p, settings, v, i, product);
+		product_of_class(feed, p, settings, v, i, product);
 		mass_balance_add_class(&l, i, S[i], product);
 	}
 	for (size_t i = 0; i < n; i++)
@@ -80,7 +80,7 @@ ledger_free(struct ledger *l)
 }
 
 size_t
-ledger_most(const double *a, const double *b, size_t n)
+ledger_class_of_largest(const double *a, const double *b, size_t n)
 {
 	size_t most = 0;
 	for (size_t i = 1; i < n; i++) {

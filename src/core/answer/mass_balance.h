@@ -28,6 +28,6 @@ struct ledger ledger_new(const struct psd *feed, const struct params *p,
 void ledger_free(struct ledger *ledger);
 
 /* Returns the index of the largest of a [n], or of a - b if b is not NULL. */
-size_t ledger_most(const double *a, const double *b, size_t n);
+size_t ledger_class_of_largest(const double *a, const double *b, size_t n);
 
 #endif

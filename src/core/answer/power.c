@@ -49,7 +49,8 @@ fit_idle(struct trial *t, const struct power *p, const struct reading *reading)
 
 /* The factors that are tried: from 1 to that of a reading without idle. */
 static void
-factor_range(struct power *p, const struct reading *reading, double range[2])
+range_of_factors(
+    struct power *p, const struct reading *reading, double range[2])
 {
 	double top = 0;
 	for (size_t i = 0; i < p->n; i++) {
@@ -69,7 +70,7 @@ factor_range(struct power *p, const struct reading *reading, double range[2])
 /* weight [TRIED] out: what the readings leave of each trial, over all that its
  * idle can be, in shares. */
 static void
-trial_weights(const struct power *p, struct trial *t, double *weight)
+weights_of_trials(const struct power *p, struct trial *t, double *weight)
 {
 	double least = INFINITY, sum = 0;
 	for (size_t k = 0; k < TRIED; k++)
@@ -106,11 +107,11 @@ power_put_draws(struct power *p, const struct trial *t, const double *weight)
 }
 
 static void
-fit_draws(struct power *p, const struct reading *reading)
+fit_draws_of_power(struct power *p, const struct reading *reading)
 {
 	struct trial t[TRIED];
 	double range[2], weight[TRIED];
-	factor_range(p, reading, range);
+	range_of_factors(p, reading, range);
 	for (size_t k = 0; k < TRIED; k++) {
 		double e = (double)(k / FACTORS) / (EXPONENTS - 1),
 		       f = ((double)(k % FACTORS) + 0.5) / FACTORS;
@@ -118,7 +119,7 @@ fit_draws(struct power *p, const struct reading *reading)
 		t[k].factor = range[0] + f * (range[1] - range[0]);
 		fit_idle(&t[k], p, reading);
 	}
-	trial_weights(p, t, weight);
+	weights_of_trials(p, t, weight);
 	power_put_draws(p, t, weight);
 }
 
@@ -127,7 +128,7 @@ power_fit(const struct reading *reading, size_t n)
 {
 	struct power p = {.n = n, .least = true};
 	if (n > 0)
-		fit_draws(&p, reading);
+		fit_draws_of_power(&p, reading);
 	else
 		for (size_t d = 0; d < POWER_DRAWS; d++)
 			p.draw[d].factor = 1;

@@ -61,7 +61,7 @@ all_sizes(const struct psd *feed, const double *size, size_t *n,
 
 /* Where the sizes of the product lie among the sieves. */
 static void
-response_place(struct response *r, const double *sieve, size_t n)
+locate_product_sizes(struct response *r, const double *sieve, size_t n)
 {
 	for (size_t k = 0, i = 0; k < r->product.n; k++) {
 		double x = r->product.size[k];
@@ -78,7 +78,7 @@ response_place(struct response *r, const double *sieve, size_t n)
 
 /* A curve at all sizes from passings at the sieves, which stand `apart`. */
 static void
-read_between(
+interpolate_curve(
     const struct response *r, const double *P, size_t apart, struct psd *curve)
 {
 	if (curve->n == r->n_sieve) {
@@ -97,7 +97,7 @@ read_between(
 /* The place of a passing of the whole product among the sizes; n for others,
  * which are read off a curve. */
 static size_t
-find_row(const struct quantity *q, const double *size, size_t n)
+row_of_passing(const struct quantity *q, const double *size, size_t n)
 {
 	size_t k = 0;
 	if (q->kind != QUANTITY_PASSING || fraction_screens(&q->fraction))
@@ -136,12 +136,12 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	model_use_params(r->model, p);
 	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
-	response_place(r, size, n_sieve);
+	locate_product_sizes(r, size, n_sieve);
 	r->curve = psd_copy(&r->product);
 	r->alone = psd_copy(&r->product);
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
-		r->row[i] = find_row(&asked[i], all, n);
+		r->row[i] = row_of_passing(&asked[i], all, n);
 		if (!fraction_screens(&asked[i].fraction))
 			continue;
 		r->kept[i] = xdoubles(n);
@@ -190,10 +190,10 @@ quantity_of_curve(struct response *r, size_t i, const struct psd *curve)
 
 /* The curve of draw d. */
 static void
-draw_curve(const struct response *r, size_t d, struct psd *curve)
+curve_of_draw(const struct response *r, size_t d, struct psd *curve)
 {
 	const double *P = ensemble_products(r->ensemble, r->of) + d;
-	read_between(r, P, DRAWS, curve);
+	interpolate_curve(r, P, DRAWS, curve);
 }
 
 /* The same of one size, for all draws. */
@@ -212,27 +212,27 @@ response_take_row(const struct response *r, size_t k, double *draw)
 
 /* The curve of the model alone. */
 static const struct psd *
-model_curve(struct response *r)
+curve_of_model(struct response *r)
 {
 	if (r->alone_speed != r->speed) {
 		model_product(r->model, r->speed, r->sieve);
-		read_between(r, r->sieve, 1, &r->alone);
+		interpolate_curve(r, r->sieve, 1, &r->alone);
 		r->alone_speed = r->speed;
 	}
 	return &r->alone;
 }
 
 static void
-answer_at(struct response *r, double v)
+compute_answer_at(struct response *r, double v)
 {
 	r->speed = v;
 	if (r->ensemble == NULL) {
-		memcpy(r->product.passing, model_curve(r)->passing,
+		memcpy(r->product.passing, curve_of_model(r)->passing,
 		    r->product.n * sizeof *r->product.passing);
 	} else {
 		ensemble_at(r->ensemble, v);
 		ensemble_mean(r->ensemble, r->sieve);
-		read_between(r, r->sieve, 1, &r->product);
+		interpolate_curve(r, r->sieve, 1, &r->product);
 	}
 	for (size_t i = 0; i < r->n; i++)
 		r->value[i] = quantity_of_curve(r, i, &r->product);
@@ -251,7 +251,7 @@ response_read_draws(struct response *r)
 			curves = true;
 	}
 	for (size_t d = 0; d < DRAWS && curves; d++) {
-		draw_curve(r, d, &r->curve);
+		curve_of_draw(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
 			if (r->row[i] >= r->product.n)
 				r->draw[i][d] =
@@ -265,7 +265,7 @@ response_at(
 {
 	r->ensemble = e;
 	r->of = of;
-	answer_at(r, v);
+	compute_answer_at(r, v);
 	if (e != NULL)
 		response_read_draws(r);
 }
@@ -285,7 +285,7 @@ response_value(const struct response *r, size_t i)
 double
 response_model(struct response *r, size_t i)
 {
-	return quantity_of_curve(r, i, model_curve(r));
+	return quantity_of_curve(r, i, curve_of_model(r));
 }
 
 double
@@ -359,7 +359,7 @@ response_excess_draws(struct response *r, size_t i, double limit,
 {
 	for (size_t d = 0; d < DRAWS; d++) {
 		if (quantity_excess_reads_curve(&r->asked[i]))
-			draw_curve(r, d, &r->curve);
+			curve_of_draw(r, d, &r->curve);
 		over[d] =
 		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);
 	}

@@ -13,12 +13,12 @@
 #include "core/numeric/elementary.h"
 #include "core/numeric/rng.h"
 
-/* Half a standard deviation is half of the shift that the CUSUM is best at
- * (Page); 0.2 and 3 are what textbooks have for the EWMA. */
+/* A CUSUM with k = 0.5 is best at shifts of one standard deviation (Page). For
+ * the EWMA, 0.2 and 3 are the values of textbooks. */
 const struct drift_rule DRIFT_RULE = {
     .k = 0.5, .h = 5, .lambda = 0.2, .width = 3, .cuts = 2};
 
-/* Sheets have a tenth of a point or less. */
+/* Site files are written to a tenth of a point or less. */
 static const double ROUNDING = 0.0005;
 
 void
@@ -63,14 +63,14 @@ control_chart_dot(const double *a, const double *b, size_t n)
 	return sum;
 }
 
-/* One component of one sample: what it weighs each sieve by, and what the draws
- * then say of it, less their mean. */
+/* A component of a sample: the weight of each sieve, and the values that the
+ * draws give it, minus their mean. */
 struct weighed {
 	double *weight, *draw;
 };
 
 static void
-control_chart_put_draws(const struct drift_cut *c, struct weighed *w)
+fill_values_of_draws(const struct drift_cut *c, struct weighed *w)
 {
 	double mean = 0;
 	for (size_t d = 0; d < c->n_draw; d++) {
@@ -90,7 +90,7 @@ shared_covariance(const struct weighed *a, const struct weighed *b, size_t n)
 	return n > 0 ? control_chart_dot(a->draw, b->draw, n) / (double)n : 0;
 }
 
-/* Of two components of one sample. */
+/* Returns the covariance of two components of a sample. */
 static double
 control_chart_covariance(
     const struct drift_cut *c, const struct weighed *a, const struct weighed *b)
@@ -102,8 +102,8 @@ control_chart_covariance(
 	return sum;
 }
 
-/* The slope of the line of least squares, times the range of ln size; 0 of a
- * single sieve. */
+/* Computes the weights that give the slope of the regression line, times the
+ * range of ln size; 0 for a single sieve. */
 static void
 tilt_weights(const struct drift_cut *c, double *weight)
 {
@@ -131,20 +131,20 @@ control_chart_weights(
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
 	tilt_weights(c, tilt->weight);
-	control_chart_put_draws(c, level);
-	control_chart_put_draws(c, tilt);
+	fill_values_of_draws(c, level);
+	fill_values_of_draws(c, tilt);
 	double share = control_chart_covariance(c, level, tilt) /
 		       control_chart_covariance(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
-	control_chart_put_draws(c, tilt);
+	fill_values_of_draws(c, tilt);
 }
 
-/* The upper half of the covariance of a component's values [n * n], and its
- * factor; w [n * DRIFT_COMPONENTS]. */
+/* Returns the factor, in the upper triangle, of the covariance of a component's
+ * values [n * n]; w [n * DRIFT_COMPONENTS]. */
 static double *
-control_chart_factor(const struct drift_cut *cut, const struct weighed *w,
+factor_of_component(const struct drift_cut *cut, const struct weighed *w,
     size_t n, size_t component)
 {
 	double *U = xdoubles(n * n);
@@ -155,18 +155,17 @@ control_chart_factor(const struct drift_cut *cut, const struct weighed *w,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
 		double own = control_chart_covariance(&cut[i], a, a);
-		/* What has no weight is 0, of any variance. */
+		/* Without weights the value is 0, whatever its variance. */
 		U[i * n + i] = own > 0 ? own : 1;
 	}
 	discrepancy_cholesky(ISA_BEST, U, n);
 	return U;
 }
 
-/* Moves the charts of a component on by its score, the n-th.  Returns -1, 0 or
- * 1: where it stands beyond a limit. */
+/* Advances the charts of a component by its score, the n-th one.  Returns the
+ * side on which it is beyond a limit, -1 or 1, or 0. */
 static int
-control_chart_update(
-    struct drift_chart *c, const struct drift_rule *r, size_t n)
+advance_charts(struct drift_chart *c, const struct drift_rule *r, size_t n)
 {
 	double share = r->lambda / (2 - r->lambda) *
 		       -expm1(2 * (double)n * log1p(-r->lambda));
@@ -179,9 +178,10 @@ control_chart_update(
 	return above ? 1 : below ? -1 : 0;
 }
 
-/* The level first: a tilt comes with it where sizes move unlike. */
+/* The level comes first, because a shift that differs between sizes also tilts
+ * the curve. */
 static enum drift_state
-state_of(const int side[static DRIFT_COMPONENTS])
+drift_state_of_sides(const int side[static DRIFT_COMPONENTS])
 {
 	return side[DRIFT_LEVEL] < 0   ? DRIFT_COARSER
 	       : side[DRIFT_LEVEL] > 0 ? DRIFT_FINER
@@ -190,7 +190,8 @@ state_of(const int side[static DRIFT_COMPONENTS])
 				       : DRIFT_NONE;
 }
 
-/* Where the CUSUM that signals after sample i last stood at 0, and one more. */
+/* Returns the sample after the last one at which the CUSUM that signals at
+ * sample i was 0. */
 static size_t
 cusum_start(const struct drift_point *point, size_t i)
 {
@@ -208,10 +209,10 @@ cusum_start(const struct drift_point *point, size_t i)
 	return since;
 }
 
-/* How far value i is off, given the first `known`, of which that is there; U:
- * factor(). */
+/* Returns how far value i is off, in standard deviations, given the first
+ * `known` values.  U: see factor_of_component. */
 static double
-z_of_value(const double *U, size_t n, size_t i, size_t known, size_t k,
+z_given_earlier(const double *U, size_t n, size_t i, size_t known, size_t k,
     const struct drift_point *point)
 {
 	double expected = 0, variance = 0;
@@ -222,10 +223,11 @@ z_of_value(const double *U, size_t n, size_t i, size_t known, size_t k,
 	return (point[i].chart[k].value - expected) / sqrt(variance);
 }
 
-/* The score of what is off by so much, after `known` that were off by so many
- * squares. */
+/* Turns a value that is off by so many standard deviations into a normal score,
+ * after `known` values with this sum of squares. */
 static double
-z_to_score(const struct drift_rule *r, double off, size_t known, double squares)
+normal_score(
+    const struct drift_rule *r, double off, size_t known, double squares)
 {
 	double freedom = r->cuts + (double)known;
 	double t = off / sqrt((r->cuts + squares) / freedom);
@@ -243,7 +245,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 	for (size_t i = 0; i < n; i++)
 		control_chart_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		U[k] = control_chart_factor(cut, w, n, k);
+		U[k] = factor_of_component(cut, w, n, k);
 	*since = n;
 	for (size_t i = 0; i < n; i++) {
 		int side[DRIFT_COMPONENTS];
@@ -262,15 +264,15 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			c->error =
 			    sqrt(control_chart_covariance(&cut[i], own, own) -
 				 truth);
-			c->off = z_of_value(U[k], n, i, known, k, point);
+			c->off = z_given_earlier(U[k], n, i, known, k, point);
 			double squares = 0;
 			for (size_t j = 0; j < known; j++)
 				squares += point[j].chart[k].off *
 					   point[j].chart[k].off;
-			c->score = z_to_score(rule, c->off, known, squares);
-			side[k] = control_chart_update(c, rule, i + 1);
+			c->score = normal_score(rule, c->off, known, squares);
+			side[k] = advance_charts(c, rule, i + 1);
 		}
-		point[i].state = state_of(side);
+		point[i].state = drift_state_of_sides(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
 			first = i;
 			*since = cusum_start(point, i);
@@ -301,8 +303,7 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 				size_t at = n * DRIFT_COMPONENTS + k;
 				chart[k].score = rng_normal(key, (uint32_t)at) +
 						 (k == DRIFT_LEVEL ? shift : 0);
-				if (control_chart_update(
-					&chart[k], rule, n + 1) != 0)
+				if (advance_charts(&chart[k], rule, n + 1) != 0)
 					signal = true;
 			}
 			n++;
@@ -312,35 +313,36 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 	return sum / SEQUENCES;
 }
 
-/* A level that is followed where truth and error have these standard
- * deviations, the latter as the posterior has it and as it is: what the draws
- * say of the truth narrows with each sample (mean, variance). */
+/* A level that is followed.  error, actual: the standard deviation of a
+ * sample's error, by the posterior and in truth.  mean, variance: what is known
+ * of the true level, which narrows with each sample. */
 struct level {
 	double error, actual, mean, variance, squares;
 	size_t known;
 	struct drift_chart chart;
 };
 
-/* Takes a sample; whether the chart signals. */
+/* Takes a sample.  True if the chart signals. */
 static bool
 follow_level(struct level *l, const struct drift_rule *r, double value)
 {
 	double sum = l->variance + l->error * l->error;
 	double share = l->variance / sum;
 	l->chart.off = (value - l->mean) / sqrt(sum);
-	l->chart.score = z_to_score(r, l->chart.off, l->known, l->squares);
+	l->chart.score = normal_score(r, l->chart.off, l->known, l->squares);
 	l->mean += share * (value - l->mean);
 	l->variance *= 1 - share;
 	l->squares += l->chart.off * l->chart.off;
-	return control_chart_update(&l->chart, r, ++l->known) != 0;
+	return advance_charts(&l->chart, r, ++l->known) != 0;
 }
 
-/* A sequence: `quiet` samples, then such that are moved; the place of its first
- * signal among these, from 1; 0: before them, LONGEST + 1: none. */
+/* Simulates `quiet` samples, then shifted ones.  Returns the number of the
+ * shifted sample at which the chart first signals, from 1; 0 if it signalled
+ * before; LONGEST + 1 if it never does. */
 enum { LONGEST = 200 };
 static size_t
-signalled_after(const struct drift_rule *rule, struct level l, size_t quiet,
-    double shift, struct rng_key key)
+samples_until_signal(const struct drift_rule *rule, struct level l,
+    size_t quiet, double shift, struct rng_key key)
 {
 	double truth = sqrt(l.variance) * rng_normal(key, 0);
 	for (uint32_t at = 1; at <= quiet + LONGEST; at++) {
@@ -367,7 +369,7 @@ drift_detection_delay(const struct drift_rule *rule,
 	    .variance = last->truth * last->truth};
 	size_t after[LONGEST + 2] = {0}, all = 0, sum = 0, median = 1;
 	for (uint64_t q = 0; q < SEQUENCES; q++)
-		after[signalled_after(
+		after[samples_until_signal(
 		    rule, l, known, shift, rng_key(seed, q, USE))]++;
 	all = SEQUENCES - after[0];
 	while (median <= LONGEST && 2 * (sum + after[median]) <= all)

@@ -17,9 +17,10 @@ correction_column(const struct site *site, const struct mend *m)
 	return m->feed ? &run->feed : &run->product;
 }
 
-/* Index of the mend's sieve, or n: to what sheets write of sizes. */
+/* Returns the index of the mend's sieve, or n.  Sizes need to agree only to the
+ * digits that site files have. */
 static size_t
-correction_sieve_of(const struct psd *psd, double size)
+index_of_mended_sieve(const struct psd *psd, double size)
 {
 	size_t i = 0;
 	while (i < psd->n && fabs(psd->size[i] / size - 1) > 1e-6)
@@ -57,7 +58,7 @@ mend_find_column(
 	return false;
 }
 
-/* Percent to as many digits as were written. */
+/* Returns a passing in per cent, with as many digits as were written. */
 static char *
 correction_percent(double passing)
 {
@@ -68,7 +69,7 @@ static char *
 words_of_cell(const struct site *site, const struct mend *m, const char *name)
 {
 	const struct psd *psd = correction_column(site, m);
-	size_t i = correction_sieve_of(psd, m->size);
+	size_t i = index_of_mended_sieve(psd, m->size);
 	char *was = correction_percent(i < psd->n ? psd->passing[i] : NAN);
 	char *now = correction_percent(m->value);
 	char *words =
@@ -129,15 +130,15 @@ drop_cell(struct run *run, struct psd *psd, size_t i)
 }
 
 static void
-correction_exchange(struct psd *a, struct psd *b)
+exchange_curves(struct psd *a, struct psd *b)
 {
 	struct psd was = *a;
 	*a = *b;
 	*b = was;
 }
 
-/* Each passing goes to the next coarser sieve of the site, or finer one; where
- * there is none it is left out. */
+/* Moves each passing to the next coarser or finer sieve of the site.  If there
+ * is no such sieve, the passing is left out. */
 static void
 move_column(const struct site *site, struct run *run, struct psd *psd, bool up)
 {
@@ -156,10 +157,11 @@ move_column(const struct site *site, struct run *run, struct psd *psd, bool up)
 }
 
 static void
-change_column(const struct site *from, struct run *run, const struct mend *m)
+apply_mend_to_column(
+    const struct site *from, struct run *run, const struct mend *m)
 {
 	struct psd *psd = m->feed ? &run->feed : &run->product;
-	size_t i = correction_sieve_of(psd, m->size);
+	size_t i = index_of_mended_sieve(psd, m->size);
 	switch (m->kind) {
 	case MEND_READ:
 		psd->passing[i] = m->value;
@@ -181,19 +183,19 @@ change_column(const struct site *from, struct run *run, const struct mend *m)
 }
 
 static void
-forget_sd(struct run *run)
+drop_standard_deviations(struct run *run)
 {
 	free(run->product_sd);
 	run->product_sd = NULL;
 }
 
-/* A shared feed stays that of all runs. */
+/* If all runs share the feed, all of them get the new one. */
 static void
-swap_feed(struct site *site, size_t at)
+swap_feed_with_product(struct site *site, size_t at)
 {
 	struct run *run = &site->run[at];
-	correction_exchange(&run->feed, &run->product);
-	forget_sd(run);
+	exchange_curves(&run->feed, &run->product);
+	drop_standard_deviations(run);
 	for (size_t r = 0; r < site->n_run && !site->individual_feeds; r++) {
 		if (r == at)
 			continue;
@@ -213,9 +215,10 @@ correction_drop_run(struct site *site, size_t at)
 	memmove(run, run + 1, (site->n_run - at) * sizeof *run);
 }
 
-/* Sieves fall, passings do not rise, and all of a feed passes its coarsest. */
+/* True if sizes fall, passings do not rise, and all of a feed passes its
+ * coarsest sieve. */
 static bool
-correction_is_curve(const struct psd *psd, bool feed)
+is_valid_curve(const struct psd *psd, bool feed)
 {
 	bool ok = psd->n >= 2 && (!feed || psd->passing[0] == 1);
 	for (size_t i = 0; i < psd->n; i++)
@@ -226,18 +229,18 @@ correction_is_curve(const struct psd *psd, bool feed)
 }
 
 static bool
-is_site(const struct site *site)
+has_valid_curves(const struct site *site)
 {
 	bool ok = site->n_run > 0;
 	for (size_t r = 0; r < site->n_run; r++)
-		ok = ok && correction_is_curve(&site->run[r].feed, true) &&
+		ok = ok && is_valid_curve(&site->run[r].feed, true) &&
 		     (site->run[r].product.n == 0 ||
-			 correction_is_curve(&site->run[r].product, false));
+			 is_valid_curve(&site->run[r].product, false));
 	return ok;
 }
 
-/* The first clause, which results show, says that there are mends; what they
- * are stands at the end. */
+/* The first clause, which results show, says that there are mends; the end
+ * lists them. */
 static void
 add_provenance(
     struct site *site, const struct site *from, const struct mend *mend)
@@ -257,22 +260,22 @@ add_provenance(
 }
 
 static void
-change(struct site *site, const struct site *from, const struct mend *m)
+apply_mend(struct site *site, const struct site *from, const struct mend *m)
 {
 	bool all = m->feed && !site->individual_feeds;
 	if (m->kind == MEND_SWAP) {
-		swap_feed(site, m->run);
+		swap_feed_with_product(site, m->run);
 	} else if (m->kind == MEND_WITH) {
-		correction_exchange(
+		exchange_curves(
 		    &site->run[m->run].product, &site->run[m->other].product);
-		forget_sd(&site->run[m->run]);
-		forget_sd(&site->run[m->other]);
+		drop_standard_deviations(&site->run[m->run]);
+		drop_standard_deviations(&site->run[m->other]);
 	} else if (m->kind == MEND_DROP) {
 		correction_drop_run(site, m->run);
 	} else {
 		for (size_t r = 0; r < site->n_run; r++)
 			if (all || r == m->run)
-				change_column(from, &site->run[r], m);
+				apply_mend_to_column(from, &site->run[r], m);
 	}
 }
 
@@ -281,7 +284,7 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 {
 	const struct psd *psd = correction_column(from, mend);
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
-	if (cell && correction_sieve_of(psd, mend->size) == psd->n) {
+	if (cell && index_of_mended_sieve(psd, mend->size) == psd->n) {
 		error_set(error, ERROR_USAGE,
 		    "the column has no sieve of %g mm\nuse one of its sieves: "
 		    "see 'show product', 'show feed'",
@@ -289,8 +292,8 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 		return NULL;
 	}
 	struct site *site = site_copy(from);
-	change(site, from, mend);
-	if (is_site(site)) {
+	apply_mend(site, from, mend);
+	if (has_valid_curves(site)) {
 		add_provenance(site, from, mend);
 		site_update_mean_feed(site);
 		return site;

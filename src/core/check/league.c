@@ -9,11 +9,12 @@
 #include "core/model/breakage.h"
 #include "core/posterior/discrepancy.h"
 
-/* AICc that rules a model out; standard errors that do, where RMSE differs by
- * so much, 0..1: less is of no use to anybody, be it ever so certain. */
+/* A model is ruled out if its AICc is larger by FAR, or if it errs more by
+ * ERRORS standard errors and its RMSE is larger by LEAST, 0..1.  A smaller
+ * difference is of no use, however certain it is. */
 static const double FAR = 10, ERRORS = 2, LEAST = 0.001;
 
-/* RMSE that differs by less is the same. */
+/* A smaller difference in RMSE does not count. */
 static const double ROUNDING = 1e-5;
 
 double
@@ -35,7 +36,7 @@ league_count_fitted(const struct fit *fit, const struct bounds *bounds)
 	return fit->parameters - scale;
 }
 
-/* The cell after those of the same run. */
+/* Returns the end of the cells that belong to the run of cell `from`. */
 static size_t
 league_run_end(const struct league_cell *cell, size_t n, size_t from)
 {
@@ -59,8 +60,8 @@ league_rmse(const struct league_cell *cell, size_t n, const double *predicted)
 	return runs > 0 ? sqrt(sum / runs) : NAN;
 }
 
-/* (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m), in which an error of m counts
- * -2 (a - b) times. */
+/* The difference is (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m); an error of
+ * m therefore counts -2 (a - b) times. */
 struct league_pair
 league_compare(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
@@ -104,7 +105,7 @@ league_misses(const struct league_cell *cell, size_t n, const double *predicted)
 	       error > ERRORS * fmin(sqrt(variance), FIT_POOR);
 }
 
-/* By AICc, of those that have none by what they err at runs held out. */
+/* Compares by AICc; two models without it by their RMSE at held-out runs. */
 static bool
 is_better(const struct league_model *a, const struct league_model *b)
 {
@@ -114,8 +115,8 @@ is_better(const struct league_model *a, const struct league_model *b)
 	return a->aicc < b->aicc;
 }
 
-/* Of the models that err least at the runs held out, alike to LEAST, the one
- * that comes first by AICc; of all where no run was held out. */
+/* Returns the best model by AICc among those whose RMSE at held-out runs is
+ * within LEAST of the smallest.  Without held-out runs all models compete. */
 static struct league_model *
 find_best_model(struct league_model *model, size_t n)
 {
@@ -132,9 +133,9 @@ find_best_model(struct league_model *model, size_t n)
 	return best;
 }
 
-/* Whether all models that remain extend the one with the fewest parameters. */
+/* True if all models that remain extend the one with the fewest parameters. */
 static bool
-is_one_law(const struct league_model *model, size_t n)
+do_all_extend_the_smallest(const struct league_model *model, size_t n)
 {
 	const struct league_model *least = NULL;
 	for (size_t i = 0; i < n; i++)
@@ -169,5 +170,5 @@ league_rank(struct league_model *model, size_t n_model,
 		agree = agree && !league_errs_more(cell, n, q, p) &&
 			!(best->aicc > m->aicc + FAR);
 	}
-	return agree && is_one_law(model, n_model);
+	return agree && do_all_extend_the_smallest(model, n_model);
 }

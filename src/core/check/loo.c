@@ -14,9 +14,9 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 
-/* CLOSE: so many candidates are looked at closely.  SEARCHED: with more cells
- * in a block its hyperparameters stay at their priors' medians, as the search
- * would take seconds. */
+/* CLOSE: number of candidates that are examined closely.  SEARCHED: a block
+ * with more cells keeps its hyperparameters at the medians of their priors,
+ * because their search would take seconds. */
 enum { SMOOTHS = 5, CLOSE = 6, SEARCHED = 150, PRODUCTS = 0, FEEDS, BLOCKS };
 
 enum smooth {
@@ -27,40 +27,40 @@ enum smooth {
 	SMOOTH_OWN
 };
 
-/* Medians and spreads as of struct hyper_info, of ln(P / (1 - P)) but for the
- * last, which is the error of a passing. */
+/* Medians and spreads as in struct hyper_info.  They are about ln(P / (1 - P)),
+ * except the last, which is the error of a passing. */
 static const struct {
 	double median, spread;
 } SMOOTH[SMOOTHS] = {
     {0.5, 1}, {0.7, 0.4}, {0.1, 0.7}, {0.03, 0.7}, {0.0035, 0.3}};
 
-/* What a free cell may be off by, and what feeds are off by themselves, both as
- * passing; what no passing is trusted to more than. */
+/* The standard deviations of a cell that is free and of a feed's own error, and
+ * the least error of any passing. */
 static const double FREE = 0.3, FEED_OWN = 0.0035, ROUNDING = 0.0005;
 
-/* Above COARSE, or below the sieve that all passes, a curve ends at the screen
- * it was cut by, with a corner that no smooth curve has: sd of
- * ln(P / (1 - P)). */
+/* A curve ends with a corner at the screen that cut it, above COARSE or below
+ * the sieve that all passes.  No smooth curve has such a corner, so that its
+ * cell gets this additional standard deviation of ln(P / (1 - P)). */
 static const double COARSE = 0.8, CORNER = 0.6;
 
-/* Nearer to 0 or 1 a passing says nothing of how steep a curve is. */
+/* A passing nearer to 0 or 1 does not show how steep a curve is. */
 static const double END = 0.0005;
 
-/* Cells of the products, or of the feeds, which share hyperparameters.
- *   value   [n] differences from the fit, or ln(P / (1 - P)) less their mean
- *   slope   [n] change of value with the passing
- *   fixed   [n n] the part of the covariance that they do not change
+/* Cells of the products, or of the feeds, with common hyperparameters.
+ *   value   [n] differences from the fit, or ln(P / (1 - P))
+ *   slope   [n] change of the value with the passing
+ *   fixed   [n n] the part of the covariance without hyperparameters
  *   U       [n n] factor */
 struct block {
 	bool smooth;
-	size_t n, first; /* index of its first cell */
+	size_t n, first; /* first: index of its first cell */
 	struct cell *cell;
 	double *value, *slope, *fixed, *U, *work;
 	double hyper[HYPERS]; /* logarithms */
 	double level;         /* with the prior, at hyper */
 };
 
-/* of [n]: the cells, products first.  shift [n n]: row i has u of cell i. */
+/* of [n]: the cells, products first.  shift [n n]: row i is u of cell i. */
 struct leave_out {
 	const struct site *site;
 	size_t n;
@@ -72,7 +72,7 @@ struct leave_out {
 };
 
 static const struct psd *
-loo_curve_of(const struct leave_out *l, const struct leave_out_cell *c)
+curve_of_cell(const struct leave_out *l, const struct leave_out_cell *c)
 {
 	const struct run *run = &l->site->run[c->run];
 	return c->feed ? &run->feed : &run->product;
@@ -90,14 +90,15 @@ block_covariance_of_curves(const struct block *b, double *K)
 		for (size_t j = 0; j <= i; j++) {
 			const struct cell *x = &b->cell[i], *y = &b->cell[j];
 			double apart = x->log_size - y->log_size;
-			double near = discrepancy_rho(apart, h[SMOOTH_LENGTH]);
+			double near =
+			    discrepancy_correlation(apart, h[SMOOTH_LENGTH]);
 			double k =
 			    h[SMOOTH_AMPLITUDE] * h[SMOOTH_AMPLITUDE] +
 			    h[SMOOTH_SPEED] * h[SMOOTH_SPEED] * x->t * y->t;
 			k *= near;
 			if (x->run == y->run)
 				k += h[SMOOTH_RUN] * h[SMOOTH_RUN] *
-				     discrepancy_rho(apart, 1);
+				     discrepancy_correlation(apart, 1);
 			double own = h[SMOOTH_OWN] * x->h * b->slope[i];
 			double least = ROUNDING * b->slope[i];
 			K[j * b->n + i] =
@@ -106,7 +107,7 @@ block_covariance_of_curves(const struct block *b, double *K)
 }
 
 static double
-prior_of(const struct block *b, double noise)
+block_minus_log_prior(const struct block *b, double noise)
 {
 	const double known = 0.05;
 	double sum = 0;
@@ -122,43 +123,46 @@ prior_of(const struct block *b, double noise)
 	return sum;
 }
 
-/* Fills U with the covariance, of which only the upper half counts. */
+/* Fills U with the covariance, of which only the upper triangle counts. */
 static void
-fill_covariance(struct block *b)
+block_fill_covariance(struct block *b)
 {
 	if (b->smooth)
 		block_covariance_of_curves(b, b->U);
 	else
-		discrepancy_fill(ISA_BEST, b->cell, b->n, b->hyper, b->U);
+		discrepancy_fill_covariance(
+		    ISA_BEST, b->cell, b->n, b->hyper, b->U);
 	for (size_t i = 0; i < b->n * b->n; i++)
 		b->U[i] += b->fixed[i];
 }
 
 static double
-level_of(struct block *b, double noise)
+block_minus_log_posterior(struct block *b, double noise)
 {
-	fill_covariance(b);
+	block_fill_covariance(b);
 	discrepancy_cholesky(ISA_BEST, b->U, b->n);
 	memcpy(b->work, b->value, b->n * sizeof *b->work);
-	double level = discrepancy_level(ISA_BEST, b->U, b->n, b->work);
-	return isfinite(level) ? level + prior_of(b, noise) : INFINITY;
+	double level =
+	    discrepancy_minus_log_density(ISA_BEST, b->U, b->n, b->work);
+	return isfinite(level) ? level + block_minus_log_prior(b, noise)
+			       : INFINITY;
 }
 
-/* The most probable hyperparameters, from where they are: a step up or down
- * each, and shorter ones when none helps. */
+/* Searches for the most probable hyperparameters from the present ones: a step
+ * up or down for each, and shorter steps when none helps. */
 static void
-loo_search(struct block *b, double noise)
+search_hyperparameters(struct block *b, double noise)
 {
 	const double last = 0.06;
 	size_t hypers = b->smooth ? SMOOTHS : HYPERS;
 	double step = 0.5;
-	b->level = level_of(b, noise);
+	b->level = block_minus_log_posterior(b, noise);
 	while (step > last && b->n > 0 && b->n <= SEARCHED) {
 		bool better = false;
 		for (size_t k = 0; k < 2 * hypers; k++) {
 			double was = b->hyper[k / 2];
 			b->hyper[k / 2] += k % 2 == 0 ? step : -step;
-			double level = level_of(b, noise);
+			double level = block_minus_log_posterior(b, noise);
 			if (level < b->level - 1e-3) {
 				b->level = level;
 				better = true;
@@ -169,7 +173,7 @@ loo_search(struct block *b, double noise)
 	}
 }
 
-/* Lets (sign 1) the cell be what it likes, or holds it again (-1). */
+/* Frees the cell (sign 1), or holds it again (-1). */
 static void
 free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
 {
@@ -186,14 +190,15 @@ free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
 
 /* ---- The joint vector ---- */
 
-/* The error of a feed's passing that products answer to. */
+/* Returns the error of a feed's passing to which the products respond. */
 static double
 feed_error(const struct leave_out *l)
 {
 	return l->noise > 0 ? l->noise : FEED_OWN;
 }
 
-/* The factor of both blocks with what they share [n n], the caller's. */
+/* Returns the factor of both blocks with the covariance between them [n n]. The
+ * caller frees it. */
 static double *
 joint_factor(struct leave_out *l)
 {
@@ -201,15 +206,16 @@ joint_factor(struct leave_out *l)
 	const struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t k = 0; k < BLOCKS; k++) {
 		struct block *b = &l->block[k];
-		fill_covariance(b);
+		block_fill_covariance(b);
 		for (size_t i = 0; i < b->n; i++)
 			for (size_t j = i; j < b->n; j++)
 				U[(b->first + i) * l->n + b->first + j] =
 				    b->U[i * b->n + j];
 	}
-	/* The feed's own error is searched, what products answer to is not:
-	 * where it has become smaller they share less, or else no errors would
-	 * have that covariance. */
+	/* The feed's own error is searched, but the error to which the products
+	 * respond is not.  If the former becomes the smaller one, the
+	 * covariance between them shrinks with it; otherwise no set of errors
+	 * could have that covariance. */
 	double own = el_exp(f->hyper[SMOOTH_OWN]) / feed_error(l);
 	for (size_t i = 0; i < f->n; i++)
 		for (size_t j = 0; j < p->n; j++)
@@ -226,9 +232,9 @@ joint_factor(struct leave_out *l)
 	return U;
 }
 
-/* L^-1 y of the whole vector, which the caller frees. */
+/* Returns L^-1 y for the whole vector.  The caller frees it. */
 static double *
-joint_values(const struct leave_out *l, const double *U)
+standardised_joint_values(const struct leave_out *l, const double *U)
 {
 	double *y = xdoubles(l->n);
 	for (size_t k = 0; k < BLOCKS; k++)
@@ -238,9 +244,9 @@ joint_values(const struct leave_out *l, const double *U)
 	return y;
 }
 
-/* Puts z, and the shift's size as passing, of one cell. */
+/* Returns z of a cell, and computes the size of its shift as a passing. */
 static double
-shift_z(const struct leave_out *l, const double *U, const double *y,
+z_of_cell(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
 {
 	double *u = xdoubles(l->n), dot = 0, squares = 0;
@@ -262,8 +268,8 @@ logit(double P)
 	return el_log(P / (1 - P));
 }
 
-/* Takes a cell's shift from its passing: where values are logarithms it is
- * straight in them. */
+/* Sets the expected passing of a cell by its shift.  If values are logarithms,
+ * the shift is linear in them. */
 static void
 shift_set_expected(
     const struct leave_out *l, struct leave_out_shift *s, double shift)
@@ -283,15 +289,15 @@ shift_set_expected(
 
 /* ---- The search for the worst ---- */
 
-/* The cells of the largest |z|, [CLOSE]; returns how many. */
+/* Finds the cells with the largest |z|, [CLOSE], and returns their number. */
 static size_t
 find_largest_z(struct leave_out *l, size_t *cell)
 {
-	double *U = joint_factor(l), *y = joint_values(l, U);
+	double *U = joint_factor(l), *y = standardised_joint_values(l, U);
 	double best[CLOSE] = {0}, shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
-		double z = fabs(shift_z(l, U, y, c, &shift, &sd));
+		double z = fabs(z_of_cell(l, U, y, c, &shift, &sd));
 		size_t at = n < CLOSE ? n : CLOSE;
 		if (l->dropped[c] || !isfinite(z))
 			continue;
@@ -313,14 +319,15 @@ find_largest_z(struct leave_out *l, size_t *cell)
 }
 
 static double
-level_at_best_hypers(struct leave_out *l)
+minus_log_posterior_at_best_hypers(struct leave_out *l)
 {
 	for (size_t k = 0; k < BLOCKS; k++)
-		loo_search(&l->block[k], l->noise);
+		search_hyperparameters(&l->block[k], l->noise);
 	return l->block[PRODUCTS].level + l->block[FEEDS].level;
 }
 
-/* The cell free, with the hyperparameters found so. */
+/* Returns the shift of a cell with the hyperparameters that are most probable
+ * while the cell is free. */
 static struct leave_out_shift
 shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 {
@@ -329,10 +336,10 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
 	free_or_hold_cell(l, cell, 1);
-	s.gain = level - level_at_best_hypers(l);
+	s.gain = level - minus_log_posterior_at_best_hypers(l);
 	free_or_hold_cell(l, cell, -1);
-	double *U = joint_factor(l), *y = joint_values(l, U);
-	s.z = shift_z(l, U, y, cell, &shift, &s.sd);
+	double *U = joint_factor(l), *y = standardised_joint_values(l, U);
+	s.z = z_of_cell(l, U, y, cell, &shift, &s.sd);
 	shift_set_expected(l, &s, shift);
 	free(U);
 	free(y);
@@ -344,7 +351,8 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 struct leave_out_shift
 leave_out_shift_of(struct leave_out *l, size_t cell)
 {
-	return shift_of_free_cell(l, cell, level_at_best_hypers(l));
+	return shift_of_free_cell(
+	    l, cell, minus_log_posterior_at_best_hypers(l));
 }
 
 struct leave_out_shift
@@ -352,7 +360,7 @@ leave_out_worst(struct leave_out *l)
 {
 	struct leave_out_shift worst = {.gain = -INFINITY};
 	size_t cell[CLOSE];
-	double level = level_at_best_hypers(l);
+	double level = minus_log_posterior_at_best_hypers(l);
 	size_t n = find_largest_z(l, cell);
 	for (size_t i = 0; i < n; i++) {
 		struct leave_out_shift s =
@@ -385,7 +393,7 @@ leave_out_cell(const struct leave_out *l, size_t i)
 /* ---- Making it ---- */
 
 static bool
-is_cell_off_the_ends(double P)
+is_neither_0_nor_100_percent(double P)
 {
 	return P > END && P < 1 - END;
 }
@@ -404,11 +412,11 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 	const struct site *site = l->site;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = &site->run[r].product;
-		size_t covered = misfit_covered(&site->run[r]);
+		size_t covered = misfit_count_covered(&site->run[r]);
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL
 				? i < covered
-				: is_cell_off_the_ends(psd->passing[i]))
+				: is_neither_0_nor_100_percent(psd->passing[i]))
 				loo_add_cell(l, false, r, i);
 	}
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
@@ -417,22 +425,22 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 		if (r > 0 && !site->individual_feeds)
 			break;
 		for (size_t i = 0; i < psd->n; i++)
-			if (is_cell_off_the_ends(psd->passing[i]))
+			if (is_neither_0_nor_100_percent(psd->passing[i]))
 				loo_add_cell(l, true, r, i);
 	}
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }
 
-/* Whether all of the curve passes the next coarser sieve. */
+/* True if all of the curve passes the next coarser sieve. */
 static bool
 is_at_the_screen(const struct leave_out *l, size_t cell)
 {
 	const struct leave_out_cell *of = &l->of[cell];
-	const struct psd *curve = loo_curve_of(l, of);
+	const struct psd *curve = curve_of_cell(l, of);
 	return of->sieve > 0 && curve->passing[of->sieve - 1] >= 1;
 }
 
-/* ln of the mean energy of the runs. */
+/* Returns ln of the mean energy of the runs. */
 static double
 mean_log_energy(const struct site *site)
 {
@@ -445,18 +453,18 @@ mean_log_energy(const struct site *site)
 	return n > 0 ? el_log(sum / n) : 0;
 }
 
-/* Cells of a block, with values and covariance of smooth curves. */
+/* Fills a block with cells, values and covariance of smooth curves. */
 static void
-block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
+block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 {
 	double middle = mean_log_energy(l->site);
 	for (size_t i = 0; i < b->n; i++) {
 		size_t c = b->first + i;
 		double P = l->passing[c], v = l->site->run[l->of[c].run].speed;
-		double x = loo_curve_of(l, &l->of[c])->size[l->of[c].sieve];
+		double x = curve_of_cell(l, &l->of[c])->size[l->of[c].sieve];
 		b->cell[i] = (struct cell){.run = l->of[c].run,
 		    .log_size = el_log(x),
-		    .t = feed ? 0 : discrepancy_time(v, middle),
+		    .t = feed ? 0 : discrepancy_t_of_speed(v, middle),
 		    .h = discrepancy_h(P)};
 		b->value[i] = logit(P);
 		b->slope[i] = 1 / (P * (1 - P));
@@ -464,7 +472,7 @@ block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 	}
 	for (size_t k = 0; k < SMOOTHS; k++)
 		b->hyper[k] = el_log(SMOOTH[k].median);
-	/* Level, steepness, and how they change with the speed. */
+	/* The level, the steepness, and how both change with the speed. */
 	for (size_t i = 0; i < b->n; i++)
 		for (size_t j = 0; j < b->n; j++) {
 			const struct cell *x = &b->cell[i], *y = &b->cell[j];
@@ -480,11 +488,13 @@ block_fill_from_curves(struct leave_out *l, struct block *b, bool feed)
 		}
 }
 
-/* What a parameter's bounds leave open, by the column J of its Jacobian, of so
- * many.  Where they would let a passing move by more than far it is as good as
- * free, and more would drown the errors in the last bits. */
+/* Adds the covariance that a parameter's bounds allow, by its column J of a
+ * Jacobian with n columns.  A parameter that may move a passing by more than
+ * `far` is as good as free, and a larger variance would drown the errors in
+ * rounding. */
 static void
-add_parameter(struct block *b, const double *J, size_t n, double wide)
+add_covariance_of_parameter(
+    struct block *b, const double *J, size_t n, double wide)
 {
 	const double far = 10;
 	double most = 0;
@@ -498,12 +508,12 @@ add_parameter(struct block *b, const double *J, size_t n, double wide)
 }
 
 static void
-fill_differences(
+block_of_residuals(
     struct leave_out *l, struct block *b, const struct posterior *p)
 {
 	bool *use = xcalloc(l->site->n_run, sizeof *use);
 	for (size_t r = 0; r < l->site->n_run; r++)
-		use[r] = misfit_covered(&l->site->run[r]) > 0;
+		use[r] = misfit_count_covered(&l->site->run[r]) > 0;
 	struct misfit *m = misfit_new(l->site, use, NULL, false, p->settings);
 	size_t n = m->of->n;
 	double *J = xdoubles(b->n * n);
@@ -516,11 +526,11 @@ fill_differences(
 		b->slope[i] = l->shift[i * l->n + i] = 1;
 		b->cell[i] = (struct cell){.run = c->run,
 		    .log_size = el_log(run->product.size[c->sieve]),
-		    .t = discrepancy_time(run->speed, p->middle),
+		    .t = discrepancy_t_of_speed(run->speed, p->middle),
 		    .h = discrepancy_h(P - b->value[i] / 2)};
 	}
 	for (size_t j = 0; j < n; j++)
-		add_parameter(
+		add_covariance_of_parameter(
 		    b, J + j, n, (p->bounds.upper[j] - p->bounds.lower[j]) / 2);
 	for (size_t k = 0; k < HYPERS; k++)
 		b->hyper[k] = el_log(HYPER[k].median);
@@ -529,14 +539,14 @@ fill_differences(
 	free(use);
 }
 
-/* How the products of a run answer to a passing of its feed, per passing,
+/* Computes the change of a run's products per change of a passing of its feed,
  * gain [covered] out. */
 static void
 feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
     double *gain)
 {
 	const double more = 1e-4;
-	size_t n = misfit_covered(run);
+	size_t n = misfit_count_covered(run);
 	double *product[2] = {xdoubles(n), xdoubles(n)};
 	for (size_t k = 0; k < 2; k++) {
 		struct psd feed = psd_copy(&run->feed);
@@ -554,11 +564,12 @@ feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
 	free(product[1]);
 }
 
-/* What products answer to a feed's cell by, in its shift: they are compared
- * with the product of the feed as the sheet has it, so that a feed too fine
- * makes them seem too coarse. */
+/* Puts the response of the products to a feed's cell into its shift.  They are
+ * compared with the product of the feed in the site file, so that a feed too
+ * fine makes them seem too coarse. */
 static void
-fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
+fill_products_response_to_feed(
+    struct leave_out *l, size_t cell, const struct posterior *p)
 {
 	const struct leave_out_cell *of = &l->of[cell];
 	bool shared = !l->site->individual_feeds;
@@ -570,7 +581,7 @@ fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
 			continue;
 		if (i == 0 || c->run != l->of[i - 1].run || gain == NULL) {
 			free(gain);
-			gain = xdoubles(misfit_covered(run));
+			gain = xdoubles(misfit_count_covered(run));
 			feed_sensitivity(run, of->sieve, p, gain);
 		}
 		u[i] = -gain[c->sieve];
@@ -578,7 +589,8 @@ fill_feed_shift(struct leave_out *l, size_t cell, const struct posterior *p)
 	free(gain);
 }
 
-/* The feeds' own errors, in the products and shared with the feeds. */
+/* Adds the feeds' own errors to the products, and their covariance with the
+ * feeds. */
 static void
 add_feed_errors(struct leave_out *l)
 {
@@ -623,15 +635,15 @@ leave_out_new(
 	l->dropped = xcalloc(l->n + 1, sizeof *l->dropped);
 	for (size_t i = 0; i < l->n; i++)
 		l->passing[i] =
-		    loo_curve_of(l, &l->of[i])->passing[l->of[i].sieve];
-	block_fill_from_curves(l, &l->block[FEEDS], true);
+		    curve_of_cell(l, &l->of[i])->passing[l->of[i].sieve];
+	block_of_smooth_curves(l, &l->block[FEEDS], true);
 	if (posterior == NULL) {
-		block_fill_from_curves(l, &l->block[PRODUCTS], false);
+		block_of_smooth_curves(l, &l->block[PRODUCTS], false);
 		return l;
 	}
-	fill_differences(l, &l->block[PRODUCTS], posterior);
+	block_of_residuals(l, &l->block[PRODUCTS], posterior);
 	for (size_t c = l->block[FEEDS].first; c < l->n; c++)
-		fill_feed_shift(l, c, posterior);
+		fill_products_response_to_feed(l, c, posterior);
 	add_feed_errors(l);
 	return l;
 }

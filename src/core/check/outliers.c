@@ -14,23 +14,25 @@
 #include "core/search/polish.h"
 #include "core/psd/psd.h"
 
-/* After a calibration a cell is told of from this surprise on, of a product and
- * of a feed, where it is off by WORTH at least.  Counted with bench/doctor. */
+/* After a calibration, a cell of a product or of a feed is reported if its
+ * surprise exceeds these and it is off by WORTH or more.  The limits were found
+ * by counting, with bench/doctor. */
 static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 4.5, WORTH = 0.02;
 
-/* A feed's cell is told of where its own curve has it off, too, by so many
- * standard deviations: a law that is wrong asks for a wrong feed. */
+/* A cell of a feed must also be off its own curve, by so many standard
+ * deviations, because a wrong model asks for a wrong feed. */
 static const double FEED_OFF = 3;
 
-/* Before one, a cell whose distance from the straight line, on log size,
- * between its neighbours is more than this from the mean distance of the other
- * runs on the same three sieves, or from 0 where there are none.  Of 19000
- * made-up sites at 50 to 90 m/s none has more than 0.13 in a product (where the
- * break size passes a sieve), 0.03 in a feed, and 0.15 in a curve alone. */
+/* Before a calibration, a cell is reported by its distance from the straight
+ * line, on log size, between its neighbours: if that differs by more than this
+ * from the mean distance in the other curves at the same three sieves, or from
+ * 0 if there are none.  Of 19000 synthetic sites at 50 to 90 m/s none exceeds
+ * 0.13 in a product (where the break size passes a sieve), 0.03 in a feed, and
+ * 0.15 in a curve alone. */
 static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 
-/* No more cells than this are told of at a time: of a bad sheet each changes
- * what is said of the others. */
+/* At most so many cells are reported at a time: in a bad site file each cell
+ * changes the verdict on the others. */
 enum { CELLS = 3 };
 
 static struct finding *
@@ -50,7 +52,8 @@ outliers_add(struct doctor *d, struct mend mend)
 
 /* ---- Columns ---- */
 
-/* How far curve a passes above b: mean at their common sieves, and the most. */
+/* Returns the mean by which curve a passes above b at their common sieves;
+ * *most: the largest. */
 static double
 mean_difference(const struct psd *a, const struct psd *b, double *most)
 {
@@ -75,7 +78,7 @@ is_coarser(const struct psd *product, const struct psd *feed)
 	return most > sampling && mean > on_the_whole;
 }
 
-/* Whether no product of the site is coarser than its feed. */
+/* True if no product of the site is coarser than its feed. */
 static bool
 all_finer(const struct site *site)
 {
@@ -88,7 +91,7 @@ all_finer(const struct site *site)
 }
 
 static void
-find_swapped_feeds(struct doctor *d, const struct site *site)
+find_feeds_swapped_with_products(struct doctor *d, const struct site *site)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -111,8 +114,8 @@ find_swapped_feeds(struct doctor *d, const struct site *site)
 	}
 }
 
-/* Sum over neighbouring speeds of how much coarser, on the whole, the faster
- * product is. */
+/* Returns the sum, over neighbouring speeds, of how much coarser the faster
+ * product is on average. */
 static double
 speed_disorder(const struct site *site)
 {
@@ -130,8 +133,8 @@ speed_disorder(const struct site *site)
 	return sum;
 }
 
-/* Whether the slower product is the finer one on most of the sieves that tell
- * the two apart: one wrong cell, however large, does not make it so. */
+/* True if the slower product is the finer one on most of the sieves that
+ * distinguish the two.  A single wrong cell, however large, does not decide. */
 static bool
 is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 {
@@ -148,9 +151,9 @@ is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 }
 
 static void
-find_exchanged(struct doctor *d, const struct site *site)
+find_exchanged_products(struct doctor *d, const struct site *site)
 {
-	/* What check calls a fault, on the whole. */
+	/* Above this, check reports a fault. */
 	const double much = 0.003, share = 0.2;
 	double before = speed_disorder(site), least = share * before;
 	struct mend best = {.kind = MEND_READ};
@@ -180,7 +183,7 @@ find_exchanged(struct doctor *d, const struct site *site)
 	f->off[1] = least;
 }
 
-/* Sums for a straight line in energy through the others' passings. */
+/* Sums for a straight line in energy through the passings of the others. */
 struct line {
 	double n, e, ee, p, ep;
 };
@@ -195,10 +198,11 @@ line_value_at(const struct line *l, double e)
 	return l->p / l->n + slope * (e - mean);
 }
 
-/* RMS distance of a run's product from the line through the other products,
- * NAN with less than two others: of two curves nobody knows which is wrong. */
+/* Returns the RMS distance of a run's product from the line through the other
+ * products; NAN with fewer than two others, because of two curves either may be
+ * wrong. */
 static double
-outliers_distance(const struct site *site, size_t at)
+distance_from_other_products(const struct site *site, size_t at)
 {
 	const struct run *run = &site->run[at];
 	double squares = 0, n = 0;
@@ -226,9 +230,10 @@ outliers_distance(const struct site *site, size_t at)
 	return n > 2 ? sqrt(squares / n) : NAN;
 }
 
-/* The column that lies off the others and, moved by one sieve, on them. */
+/* Finds the column that is far from the others but close to them once it is
+ * moved by one sieve. */
 static void
-find_moved(struct doctor *d, const struct site *site)
+find_column_moved_by_a_sieve(struct doctor *d, const struct site *site)
 {
 	const double far = 0.05, share = 0.35;
 	double best = 1;
@@ -236,13 +241,14 @@ find_moved(struct doctor *d, const struct site *site)
 	double off[2] = {0, 0};
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
 		struct mend m = {.run = i / 2};
-		double before = outliers_distance(site, m.run);
+		double before = distance_from_other_products(site, m.run);
 		m.kind = i % 2 == 0 ? MEND_UP : MEND_DOWN;
 		if (!(before > far))
 			continue;
 		struct site *other = mend_site(site, &m, NULL);
-		double after =
-		    other != NULL ? outliers_distance(other, m.run) : NAN;
+		double after = other != NULL
+				   ? distance_from_other_products(other, m.run)
+				   : NAN;
 		site_free(other);
 		if (!(after < share * before) || after / before >= best)
 			continue;
@@ -255,35 +261,38 @@ find_moved(struct doctor *d, const struct site *site)
 		memcpy(outliers_add(d, mend)->off, off, sizeof off);
 }
 
-/* How far off the run is that fits the others least, after a mend. */
+/* Returns, after a mend, the distance of the run that fits the others least. */
 static double
-roughness(const struct site *site, const struct mend *m)
+largest_distance_after_mend(const struct site *site, const struct mend *m)
 {
 	struct site *other = mend_site(site, m, NULL);
 	double most = 0;
 	for (size_t r = 0; other != NULL && r < other->n_run; r++)
 		if (other->run[r].product.n > 0)
-			most = fmax(most, outliers_distance(other, r));
+			most =
+			    fmax(most, distance_from_other_products(other, r));
 	site_free(other);
 	return most;
 }
 
-/* A column that was moved makes speeds seem exchanged too, and the other way:
- * of the two mends keeps the one that leaves the products more alike. */
+/* A moved column makes speeds seem exchanged, and the reverse.  Keeps the one
+ * of two mends that leaves the products more alike. */
 static void
-keep_smoother(struct doctor *d, const struct site *site)
+keep_mend_with_smoother_products(struct doctor *d, const struct site *site)
 {
 	if (d->n < 2)
 		return;
 	const struct finding *f = d->finding;
-	if (roughness(site, &f[1].mend) < roughness(site, &f[0].mend))
+	if (largest_distance_after_mend(site, &f[1].mend) <
+	    largest_distance_after_mend(site, &f[0].mend))
 		d->finding[0] = f[1];
 	d->n = 1;
 }
 
-/* A column in micrometres, taken for millimetres, or the other way. */
+/* Finds a column in micrometres that was taken for millimetres, or the
+ * reverse. */
 static void
-find_scaled(struct doctor *d, const struct site *site)
+find_column_in_wrong_unit(struct doctor *d, const struct site *site)
 {
 	const double apart = 100, factor = 1000, largest = 1;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -306,7 +315,7 @@ find_scaled(struct doctor *d, const struct site *site)
 }
 
 static void
-find_copies(struct doctor *d, const struct site *site)
+find_copied_products(struct doctor *d, const struct site *site)
 {
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++)
@@ -321,36 +330,38 @@ find_copies(struct doctor *d, const struct site *site)
 /* ---- Cells ---- */
 
 static const struct psd *
-outliers_curve_of(const struct site *site, const struct mend *m)
+curve_of_mend(const struct site *site, const struct mend *m)
 {
 	const struct run *run = &site->run[m->run];
 	return m->feed ? &run->feed : &run->product;
 }
 
 static double
-distance_to(const struct finding *f, double passing)
+distance_from_expected(const struct finding *f, double passing)
 {
 	return fabs(passing - f->expected);
 }
 
-/* Takes a reading of the cell that the others would expect: within three
- * standard deviations, nearer than what is there, and than what was taken. */
+/* Takes a reading as the mend of the cell if it is within three standard
+ * deviations of what the others expect, and nearer to it than the measured
+ * passing and any reading before. */
 static void
 consider_reading(struct finding *f, double passing)
 {
 	double least = 0.001, near = 3 * f->sd + least;
 	bool taken = f->mend.kind == MEND_READ;
-	double so_far = taken ? distance_to(f, f->mend.value) : near;
-	if (distance_to(f, passing) >= so_far || passing < 0 || passing > 1)
+	double so_far = taken ? distance_from_expected(f, f->mend.value) : near;
+	if (distance_from_expected(f, passing) >= so_far || passing < 0 ||
+	    passing > 1)
 		return;
 	f->mend.kind = MEND_READ;
 	f->mend.value = passing;
 }
 
-/* The digits of a passing in percent, "691", and how many stand before the
- * point; 0 where it was worked out and not typed. */
+/* Finds the digits of a passing in per cent, "691", and how many are before the
+ * point.  Returns 0 if the passing was calculated and not typed. */
 static size_t
-outliers_digits_of(double passing, char digits[static 16], size_t *point)
+digits_of_passing(double passing, char digits[static 16], size_t *point)
 {
 	double hundredths = passing * 1e4;
 	size_t n = 0;
@@ -371,7 +382,7 @@ outliers_digits_of(double passing, char digits[static 16], size_t *point)
 }
 
 static double
-value_of(const char *digits, size_t point)
+passing_of_digits(const char *digits, size_t point)
 {
 	double value = 0, place = 1;
 	for (size_t i = 0; digits[i] != '\0'; i++) {
@@ -381,23 +392,23 @@ value_of(const char *digits, size_t point)
 	return round(value / place * 1e10) / 1e12;
 }
 
-/* Two neighbouring digits transposed, one typed twice, or the point moved. */
+/* Considers two transposed digits, a digit typed twice, and a shifted point. */
 static void
 consider_digit_errors(struct finding *f)
 {
 	char digits[16], other[16];
-	size_t point, n = outliers_digits_of(f->measured, digits, &point);
+	size_t point, n = digits_of_passing(f->measured, digits, &point);
 	for (size_t i = 0; i + 1 < n; i++) {
 		memcpy(other, digits, sizeof other);
 		other[i] = digits[i + 1];
 		other[i + 1] = digits[i];
 		if (digits[i] != digits[i + 1])
-			consider_reading(f, value_of(other, point));
+			consider_reading(f, passing_of_digits(other, point));
 		memmove(other + i, digits + i + 1, n - i);
 		memcpy(other, digits, i);
 		if (digits[i] == digits[i + 1])
 			consider_reading(
-			    f, value_of(other, point - (i < point)));
+			    f, passing_of_digits(other, point - (i < point)));
 	}
 	if (n > 0) {
 		consider_reading(f, round(f->measured * 1e13) / 1e12);
@@ -405,14 +416,15 @@ consider_digit_errors(struct finding *f)
 	}
 }
 
-/* A cell's mend: the reading, where the site can be read with it, or none. */
+/* Adds a cell with its mend: the reading, if the site is valid with it,
+ * otherwise leaving the cell out. */
 static void
 outliers_add_cell(struct doctor *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
 {
 	struct mend m = {
 	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
-	const struct psd *psd = outliers_curve_of(site, &m);
+	const struct psd *psd = curve_of_mend(site, &m);
 	m.size = psd->size[cell->sieve];
 	struct finding *f = outliers_add(d, m);
 	f->measured = psd->passing[cell->sieve];
@@ -425,20 +437,20 @@ outliers_add_cell(struct doctor *d, const struct site *site,
 	site_free(other);
 }
 
-/* Which runs have passings to fit. */
+/* Marks the runs that have passings to fit. */
 static bool *
 runs_with_misfit(const struct site *site)
 {
 	bool *use = xcalloc(site->n_run, sizeof *use);
 	for (size_t r = 0; r < site->n_run; r++)
-		use[r] = misfit_covered(&site->run[r]) > 0;
+		use[r] = misfit_count_covered(&site->run[r]) > 0;
 	return use;
 }
 
-/* The fit went some way to meet a cell that is off: moves it to where it would
- * be without that cell. */
+/* A fit moves towards a cell that is off.  Refits the site without that
+ * cell. */
 static void
-move_refitted(struct posterior *p, const struct site *site, struct mend m)
+refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 {
 	enum { MOST = 100 };
 	m.kind = MEND_OUT;
@@ -463,7 +475,7 @@ cell_passing(const struct site *site, const struct leave_out_cell *c)
 	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
 }
 
-/* How far a cell is off what the curves expect, whatever law they follow. */
+/* Returns how far a cell is off its curve, whatever the model. */
 static struct leave_out_shift
 shift_along_curves(
     const struct site *site, double noise, const struct leave_out_cell *cell)
@@ -480,11 +492,11 @@ shift_along_curves(
 	return s;
 }
 
-/* The next cell from a fit of its own, which moves; found [n]: those before it.
- * Returns false where none is worth telling of. */
+/* Finds the next cell, from a fit of its own, which moves.  found [n]: the
+ * cells before it.  False if none is worth reporting. */
 static bool
-find_next(struct doctor *d, const struct site *site, struct posterior *p,
-    double noise, size_t *found, size_t n)
+find_next_surprising_cell(struct doctor *d, const struct site *site,
+    struct posterior *p, double noise, size_t *found, size_t n)
 {
 	struct leave_out *l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
@@ -507,8 +519,8 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 		FEED_OFF))
 		return true;
 	struct mend m = {.feed = c.feed, .run = c.run};
-	m.size = outliers_curve_of(site, &m)->size[c.sieve];
-	move_refitted(p, site, m);
+	m.size = curve_of_mend(site, &m)->size[c.sieve];
+	refit_without_cell(p, site, m);
 	l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
 		leave_out_drop(l, found[i]);
@@ -523,20 +535,21 @@ find_next(struct doctor *d, const struct site *site, struct posterior *p,
 }
 
 static void
-find_surprising(struct doctor *d, const struct site *site,
+find_surprising_cells(struct doctor *d, const struct site *site,
     const struct posterior *posterior, double noise)
 {
 	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the draws */
 	size_t found[CELLS], n = 0;
 	*p = *posterior;
-	while (n < CELLS && find_next(d, site, p, noise, found, n))
+	while (
+	    n < CELLS && find_next_surprising_cell(d, site, p, noise, found, n))
 		n++;
 	free(p);
 }
 
-/* The curves of the feeds, or the products, with their runs. */
+/* Lists the curves of the feeds, or of the products, and their runs. */
 static size_t
-outliers_gather(
+gather_curves(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
 {
 	size_t n = 0;
@@ -552,7 +565,7 @@ outliers_gather(
 }
 
 static void
-add_bent(struct doctor *d, const struct site *site, double noise,
+add_bent_cell(struct doctor *d, const struct site *site, double noise,
     struct leave_out_cell cell)
 {
 	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
@@ -560,15 +573,16 @@ add_bent(struct doctor *d, const struct site *site, double noise,
 }
 
 static void
-find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
+find_most_bent_cell(
+    struct doctor *d, const struct site *site, bool feed, double noise)
 {
 	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	size_t *run = xcalloc(site->n_run, sizeof *run);
-	size_t n = outliers_gather(site, feed, curve, run);
+	size_t n = gather_curves(site, feed, curve, run);
 	struct psd_outlier o = psd_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
-		add_bent(d, site, noise,
+		add_bent_cell(d, site, noise,
 		    (struct leave_out_cell){feed, run[o.curve], o.sieve});
 	free(curve);
 	free(run);
@@ -577,7 +591,7 @@ find_bent(struct doctor *d, const struct site *site, bool feed, double noise)
 /* ---- All ---- */
 
 static double
-rmse_of(const struct site *site, const struct posterior *p)
+rmse_of_fit(const struct site *site, const struct posterior *p)
 {
 	bool *use = runs_with_misfit(site), any = false;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -594,14 +608,14 @@ rmse_of(const struct site *site, const struct posterior *p)
 }
 
 static void
-outliers_measure(
+compute_rmse_with_mends(
     struct doctor *d, const struct site *site, const struct posterior *p)
 {
 	for (size_t i = 0; i < d->n && p != NULL; i++) {
 		struct finding *f = &d->finding[i];
 		struct site *other = mend_site(site, &f->mend, NULL);
-		f->rmse[0] = rmse_of(site, p);
-		f->rmse[1] = other != NULL ? rmse_of(other, p) : NAN;
+		f->rmse[0] = rmse_of_fit(site, p);
+		f->rmse[1] = other != NULL ? rmse_of_fit(other, p) : NAN;
 		site_free(other);
 	}
 }
@@ -617,7 +631,7 @@ count_cells(const struct site *site)
 	return n;
 }
 
-/* Leaves out what cannot be done, as of a run that is the only one. */
+/* Drops mends that are impossible, such as dropping the only run. */
 static void
 drop_impossible(struct doctor *d, const struct site *site)
 {
@@ -636,28 +650,28 @@ outliers_find(
     const struct site *site, const struct posterior *posterior, double noise)
 {
 	struct doctor d = {0};
-	find_scaled(&d, site);
+	find_column_in_wrong_unit(&d, site);
 	if (d.n == 0)
-		find_swapped_feeds(&d, site);
+		find_feeds_swapped_with_products(&d, site);
 	if (d.n == 0) {
-		find_exchanged(&d, site);
-		find_moved(&d, site);
-		keep_smoother(&d, site);
+		find_exchanged_products(&d, site);
+		find_column_moved_by_a_sieve(&d, site);
+		keep_mend_with_smoother_products(&d, site);
 	}
 	bool columns = d.n > 0;
-	find_copies(&d, site);
+	find_copied_products(&d, site);
 	size_t cells = count_cells(site);
 	if (cells > DOCTOR_CELLS)
 		d.unseen = cells;
 	bool look = !columns && d.unseen == 0;
 	if (look && posterior != NULL)
-		find_surprising(&d, site, posterior, noise);
+		find_surprising_cells(&d, site, posterior, noise);
 	if (look && posterior == NULL) {
-		find_bent(&d, site, true, noise);
-		find_bent(&d, site, false, noise);
+		find_most_bent_cell(&d, site, true, noise);
+		find_most_bent_cell(&d, site, false, noise);
 	}
 	drop_impossible(&d, site);
-	outliers_measure(&d, site, posterior);
+	compute_rmse_with_mends(&d, site, posterior);
 	return d;
 }
 

@@ -18,10 +18,10 @@
 
 const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};
 
-/* What no passing is trusted to more than. */
+/* The least error of any passing. */
 static const double ROUNDING = 0.001;
 
-/* Signs that residuals are more than sampling errors.  One that is strong turns
+/* Signs that residuals are more than sampling errors.  One strong sign turns
  * the light amber, and so do two weak ones.  Found by counting, with
  * bench/coverage: TRUST in tipspeed-model(7) has the figures. */
 struct sign {
@@ -30,16 +30,18 @@ struct sign {
 static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
 			 MORE = {0.45, 0.6}, FINER = {2, 3};
 
-/* Where one speed was measured, this share of it counts as the span of
+/* If only one speed was measured, this share of it counts as the span of
  * several. */
 static const double SPAN_OF_ONE = 0.1;
 
-/* Mean width of a band, and a difference of feeds, passing. */
+/* Limits of the mean width of a band and of the difference between feeds,
+ * passing. */
 static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
 		    STRANGE_FEED = 0.3;
 
-/* Takes from the differences d what a small step of the parameters would: some
- * of the runs used may not have been trained on.  Returns how many steps. */
+/* Removes from the differences d what a small step of the parameters would,
+ * because some of the runs may not have been used for training.  Returns the
+ * number of steps. */
 static double
 remove_parameter_steps(struct misfit *m, const struct fit *fit,
     const struct bounds *bounds, double *d)
@@ -58,8 +60,8 @@ remove_parameter_steps(struct misfit *m, const struct fit *fit,
 	return (double)s.n;
 }
 
-/* Sum of squares over the sampling errors that the priors expect, and of the
- * products of neighbours. */
+/* Compares the residuals with the sampling errors that the priors expect: the
+ * sum of squares, and that of the products of neighbours. */
 static void
 weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
     double parameters, double noise)
@@ -88,9 +90,9 @@ weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
 		       : 0;
 }
 
-/* Of the feed above the break size the share that breaks at a speed. */
+/* Returns the share of the feed above the break size that breaks at a speed. */
 static double
-share_broken(const struct misfit *m, const struct params *p)
+broken_share_of_breakable(const struct misfit *m, const struct params *p)
 {
 	double x = params_break_size_by(p, &m->settings, m->run[0].speed);
 	double above =
@@ -135,9 +137,10 @@ trust_read_draws(struct evidence *e, const struct posterior *p,
 	e->sampling = trust_median(error);
 }
 
-/* At the slowest and the fastest speed measured and midway. */
+/* Returns the largest difference between the halves at the slowest and the
+ * fastest measured speed and midway. */
 static double
-halves_difference_of_products(const struct evidence *e,
+largest_difference_between_halves(const struct evidence *e,
     const struct posterior *p, const struct site *site, const double *sieve,
     size_t n)
 {
@@ -146,18 +149,18 @@ halves_difference_of_products(const struct evidence *e,
 	double most = 0;
 	for (int i = 0; i <= 2; i++)
 		most = fmax(
-		    most, ensemble_halves(of,
+		    most, ensemble_halves_apart(of,
 			      e->slowest + i * (e->fastest - e->slowest) / 2));
 	ensemble_free(of);
 	return most;
 }
 
 static void
-find_holdout(struct evidence *e, const struct site *site, const bool *train,
-    const struct fit *fit)
+find_worst_holdout(struct evidence *e, const struct site *site,
+    const bool *train, const struct fit *fit)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (train[r] || misfit_covered(&site->run[r]) == 0)
+		if (train[r] || misfit_count_covered(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(
 		    site, r, train, &fit->params, fit->settings, NULL);
@@ -179,7 +182,7 @@ trust_find_speeds(struct evidence *e, const struct misfit *m)
 	}
 }
 
-/* Adds to passings [n] what a feed gives at speed v, times `share`. */
+/* Adds to passings [n] the product of a feed at speed v, times `share`. */
 static void
 add_weighted_product(double *passing, const struct psd *feed,
     const double *sieve, size_t n, const struct fit *fit, double v,
@@ -195,15 +198,15 @@ add_weighted_product(double *passing, const struct psd *feed,
 	free(product);
 }
 
-/* A run's product as the fit moves it to the site's mean feed (D19), at the
- * sieves that both feeds cover; psd_free. */
+/* Returns a run's product as the fit moves it to the site's mean feed (D19), at
+ * the sieves that both feeds cover.  The caller frees it with psd_free. */
 static struct psd
 product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
 {
 	const struct run *run = &site->run[r];
 	const struct psd *mean = site_feed(site, SITE_MEAN_FEED);
 	struct psd p = psd_copy(&run->product);
-	p.n = misfit_covered(run);
+	p.n = misfit_count_covered(run);
 	while (p.n > 0 && !psd_covers(mean, p.size[p.n - 1]))
 		p.n--;
 	if (site->individual_feeds && p.n > 0) {
@@ -243,7 +246,7 @@ trust_feeds_mislead(
 	size_t cells = 0;
 	for (size_t r = 0; site->individual_feeds && r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		size_t n = misfit_covered(run);
+		size_t n = misfit_count_covered(run);
 		while (n > 0 && !psd_covers(all, run->product.size[n - 1]))
 			n--;
 		if (n == 0)
@@ -302,7 +305,7 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	    .finer_sd = NAN,
 	    .unbounded = NAN,
 	    .halves = NAN,
-	    .breaks = share_broken(m, &fit->params)};
+	    .breaks = broken_share_of_breakable(m, &fit->params)};
 	double *d = xdoubles(m->n_residual);
 	size_t n;
 	double *sieve = site_sieves(site, &n);
@@ -310,14 +313,14 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	weigh_residuals(
 	    &e, m, d, remove_parameter_steps(m, fit, bounds, d), noise);
 	trust_find_speeds(&e, m);
-	find_holdout(&e, site, train, fit);
+	find_worst_holdout(&e, site, train, fit);
 	find_contradictions(&e, site, use, fit);
 	e.all_break = !isnan(params_value(&fit->params, "e0_min")) &&
 		      params_break_size_by(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
 		trust_read_draws(&e, posterior, fit, sieve[n - 1]);
-		e.halves = halves_difference_of_products(
+		e.halves = largest_difference_between_halves(
 		    &e, posterior, site, sieve, n);
 	}
 	free(sieve);
@@ -392,7 +395,7 @@ judge_data(struct trust *t, const struct evidence *e)
 			100 * e->halves));
 }
 
-/* What the runs contradict, and what the fit says that no crusher does. */
+/* Judges what the runs contradict, and a fit that no crusher can have. */
 static void
 judge_contradictions(struct trust *t, const struct evidence *e)
 {
@@ -416,14 +419,14 @@ judge_contradictions(struct trust *t, const struct evidence *e)
 }
 
 static int
-sign_strength(double value, struct sign sign)
+weak_or_strong_sign(double value, struct sign sign)
 {
 	return (value > sign.weak) + (value > sign.strong);
 }
 
-/* Whether the answer stands between measured speeds, of which there are enough
- * to show how the product changes there, and is corrected by them.  Then it
- * holds even where the model does not. */
+/* True if the answer lies between measured speeds, of which there are enough to
+ * show how the product changes there, and is corrected by them.  It then holds
+ * even if the model does not. */
 static bool
 is_measured_around(const struct evidence *e, const struct trust_question *q)
 {
@@ -432,7 +435,7 @@ is_measured_around(const struct evidence *e, const struct trust_question *q)
 	return q->corrected && e->speeds >= 3 && (q->speed == 0 || between);
 }
 
-/* Adds a reason that a pattern of the residuals gives, or a remark. */
+/* Adds the reason that a pattern in the residuals gives, or a remark. */
 static void
 add_pattern(struct trust *t, bool remark, char *text)
 {
@@ -446,10 +449,10 @@ static void
 judge_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
-	int size = sign_strength(e->size, SIZE),
-	    alike = sign_strength(e->alike, ALIKE);
-	int more = sign_strength(e->more, MORE),
-	    drift = sign_strength(finer, FINER);
+	int size = weak_or_strong_sign(e->size, SIZE),
+	    alike = weak_or_strong_sign(e->alike, ALIKE);
+	int more = weak_or_strong_sign(e->more, MORE),
+	    drift = weak_or_strong_sign(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)

@@ -15,8 +15,9 @@
 enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
 extern const char *const LIGHT_NAME[3];
 
-/* The largest difference between the two halves of the draws (ensemble_halves),
- * in widths of the band, at which they count as converged. */
+/* The largest difference between the two halves of the draws
+ * (ensemble_halves_apart), in widths of the band, at which they count as
+ * converged. */
 #define DRAWS_SETTLED 0.25
 
 /* A fit with a larger RMSE (passing, 0..1) on the training runs is called poor:
@@ -65,7 +66,7 @@ struct evidence {
 	 * the same way.  NAN in a model without them. */
 	double finer, finer_sd;
 	double unbounded; /* share of the draws with no threshold */
-	double halves;    /* ensemble_halves, the worst of three speeds */
+	double halves;    /* ensemble_halves_apart, the worst of three speeds */
 	double breaks;    /* share of the feed above the break size that breaks,
 			   * at the slowest speed */
 	bool all_break;   /* at that speed even the size of the finest sieve

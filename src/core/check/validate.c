@@ -12,51 +12,51 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 
-/* Whether a product may be interpolated from. */
+/* True if the product may be used for interpolation. */
 static bool
-counts(const struct site *site, const bool *train, size_t r)
+is_training_product(const struct site *site, const bool *train, size_t r)
 {
 	return train[r] && site->run[r].product.n > 0;
 }
 
-/* The training speed next to a speed and not above it, or above it; NAN where
- * there is none. */
+/* Returns the training speed next to a speed: at or below it or, if `above`,
+ * above it.  NAN if there is none. */
 static double
-validate_speed_after(
+next_training_speed(
     const struct site *site, const bool *train, double speed, bool above)
 {
 	double next = NAN;
 	for (size_t r = 0; r < site->n_run; r++) {
 		double v = site->run[r].speed;
-		if (counts(site, train, r) && (v > speed) == above)
+		if (is_training_product(site, train, r) && (v > speed) == above)
 			next = above ? fmin(next, v) : fmax(next, v);
 	}
 	return next;
 }
 
-/* The training speed nearest to a speed, the slower of two. */
+/* Returns the training speed nearest to a speed, the slower one of two. */
 static double
 nearest_speed(const struct site *site, const bool *train, double speed)
 {
-	double below = validate_speed_after(site, train, speed, false);
-	double above = validate_speed_after(site, train, speed, true);
+	double below = next_training_speed(site, train, speed, false);
+	double above = next_training_speed(site, train, speed, true);
 	return above - speed < speed - below || isnan(below) ? above : below;
 }
 
-/* The two training speeds that interpolation goes through; of one alone it is
- * the first, and NAN the second. */
+/* Finds the two training speeds that interpolation uses.  If there is only one,
+ * it is the first and the second is NAN. */
 static void
-validate_find_line(const struct site *site, const bool *train, double speed,
-    double line[static 2])
+find_speeds_to_interpolate(const struct site *site, const bool *train,
+    double speed, double line[static 2])
 {
-	line[0] = validate_speed_after(site, train, speed, false);
-	line[1] = validate_speed_after(site, train, speed, true);
+	line[0] = next_training_speed(site, train, speed, false);
+	line[1] = next_training_speed(site, train, speed, true);
 	if (isnan(line[0])) {
 		line[0] = line[1];
-		line[1] = validate_speed_after(site, train, line[0], true);
+		line[1] = next_training_speed(site, train, line[0], true);
 	} else if (isnan(line[1])) {
 		line[1] = line[0];
-		line[0] = validate_speed_after(
+		line[0] = next_training_speed(
 		    site, train, nextafter(line[1], 0), false);
 	}
 	if (isnan(line[0])) {
@@ -65,8 +65,8 @@ validate_find_line(const struct site *site, const bool *train, double speed,
 	}
 }
 
-/* The passing of a run's product at a size; NAN where it was not sieved so
- * fine, and above its coarsest sieve, unless all of the feed passes there. */
+/* Returns the passing of a run's product at a size; NAN below its finest sieve,
+ * and above its coarsest one unless all of the feed passes there. */
 static double
 measured_passing(const struct run *run, double x)
 {
@@ -79,14 +79,15 @@ measured_passing(const struct run *run, double x)
 	return psd_passing(product, x);
 }
 
-/* Mean passing at a size of the training products of one speed; NAN where none
- * has it. */
+/* Returns the mean passing at a size of the training products at one speed; NAN
+ * if none has it. */
 static double
 mean_passing(const struct site *site, const bool *train, double speed, double x)
 {
 	double sum = 0, n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (site->run[r].speed != speed || !counts(site, train, r))
+		if (site->run[r].speed != speed ||
+		    !is_training_product(site, train, r))
 			continue;
 		double passing = measured_passing(&site->run[r], x);
 		if (isnan(passing))
@@ -102,7 +103,7 @@ validate_interpolation(
     const struct site *site, const bool *train, double speed, double x)
 {
 	double line[2];
-	validate_find_line(site, train, speed, line);
+	find_speeds_to_interpolate(site, train, speed, line);
 	double a = mean_passing(site, train, line[0], x);
 	double b = mean_passing(site, train, line[1], x);
 	double E_a = energy_specific(line[0]), E_b = energy_specific(line[1]);
@@ -115,7 +116,7 @@ model_passing(const struct run *run, const struct params *p,
     struct model_settings settings, double *out)
 {
 	struct model *model = model_new(
-	    &run->feed, run->product.size, misfit_covered(run), settings);
+	    &run->feed, run->product.size, misfit_count_covered(run), settings);
 	model_use_params(model, p);
 	model_product(model, run->speed, out);
 	model_free(model);
@@ -132,7 +133,7 @@ validate_passing(const struct site *site, size_t run, const bool *train,
 		model_passing(at, p, settings, out);
 		return;
 	}
-	for (size_t i = 0; i < misfit_covered(at); i++) {
+	for (size_t i = 0; i < misfit_count_covered(at); i++) {
 		double x = at->product.size[i];
 		out[i] =
 		    way == VALIDATE_CORRECTED ? NAN
@@ -143,9 +144,9 @@ validate_passing(const struct site *site, size_t run, const bool *train,
 	}
 }
 
-/* P20, P50, P80 of a curve where it is known. */
+/* Reads P20, P50 and P80 off the part of a curve that is known. */
 static void
-read_sizes(const struct psd *sieves, const double *passing, size_t n,
+read_p_sizes(const struct psd *sieves, const double *passing, size_t n,
     double size[static PSD_SIZES])
 {
 	struct psd known = psd_new(n);
@@ -161,7 +162,7 @@ read_sizes(const struct psd *sieves, const double *passing, size_t n,
 	psd_free(&known);
 }
 
-/* What a way predicts at the covered sieves. */
+/* Scores what a way predicts at the covered sieves. */
 static void
 score_way(struct validation *v, const struct site *site, enum validate_way way,
     const double *passing)
@@ -169,7 +170,7 @@ score_way(struct validation *v, const struct site *site, enum validate_way way,
 	const struct psd *product = &site->run[v->run].product;
 	size_t worst = 0, n = v->n_sieve;
 	v->rmse[way] = psd_rms(passing, product->passing, n, &worst);
-	read_sizes(product, passing, n, v->size[way]);
+	read_p_sizes(product, passing, n, v->size[way]);
 	if (way != VALIDATE_MODEL)
 		return;
 	v->misfit = v->rmse[way] * v->rmse[way] * (double)n;
@@ -182,7 +183,7 @@ validate_passings(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     const double *corrected)
 {
-	size_t n = misfit_covered(&site->run[run]);
+	size_t n = misfit_count_covered(&site->run[run]);
 	double *passing = xdoubles(VALIDATE_WAYS * n);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		if (way == VALIDATE_CORRECTED && corrected != NULL)
@@ -199,7 +200,7 @@ validate_predicted(const struct site *site, size_t run, const bool *train,
     const double *passing)
 {
 	const struct run *at = &site->run[run];
-	size_t n = misfit_covered(at);
+	size_t n = misfit_count_covered(at);
 	assert(n > 0);
 	struct validation v = {.run = run,
 	    .speed = at->speed,
@@ -207,7 +208,7 @@ validate_predicted(const struct site *site, size_t run, const bool *train,
 	    .n_sieve = n,
 	    .n_left_out = at->product.n - n,
 	    .nearest = nearest_speed(site, train, at->speed)};
-	validate_find_line(site, train, at->speed, v.line);
+	find_speeds_to_interpolate(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)

@@ -49,7 +49,7 @@ struct validation validate_run(const struct site *site, size_t run,
     const double *corrected);
 
 /* Computes the passings, 0..1, that one way predicts for the run at its covered
- * sieves, out [misfit_covered]; NAN where it has no answer, as always for
+ * sieves, out [misfit_count_covered]; NAN where it has no answer, as always for
  * VALIDATE_CORRECTED, which needs draws. */
 void validate_passing(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,

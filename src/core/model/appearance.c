@@ -111,7 +111,7 @@ cumulate_parts(struct appearance *a)
 }
 
 struct appearance
-appearance_of(const double beta[static 4])
+appearance_with_beta(const double beta[static 4])
 {
 	struct appearance a = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
 	double edge[5];

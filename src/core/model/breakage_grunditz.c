@@ -22,7 +22,8 @@ grunditz_prepare(struct breaker *b)
 	struct params scaled = b->p;
 	params_scale_to_1(&scaled);
 	static_assert(sizeof(struct appearance) <= sizeof b->own, "room");
-	*(struct appearance *)(void *)b->own = appearance_of(scaled.beta);
+	*(struct appearance *)(void *)b->own =
+	    appearance_with_beta(scaled.beta);
 }
 
 const struct appearance *
@@ -133,13 +134,15 @@ add_panel_moments(const struct continuous *c, const struct panel *panel,
 }
 
 static void
-add_S(const struct continuous *c, const struct panel *panel, void *data)
+add_moments_of_S(
+    const struct continuous *c, const struct panel *panel, void *data)
 {
 	add_panel_moments(c, panel, 1, data);
 }
 
 static void
-add_shapes(const struct continuous *c, const struct panel *panel, void *data)
+add_moments_with_derivatives(
+    const struct continuous *c, const struct panel *panel, void *data)
 {
 	add_panel_moments(c, panel, SHAPES, data);
 }
@@ -149,9 +152,10 @@ add_stretch(const struct continuous *c, double a, double b, double density,
     size_t n_shape, struct moments *sum)
 {
 	if (n_shape > 1)
-		continuous_stretch(c, a, b, density, add_shapes, sum);
+		continuous_stretch(
+		    c, a, b, density, add_moments_with_derivatives, sum);
 	else
-		continuous_stretch(c, a, b, density, add_S, sum);
+		continuous_stretch(c, a, b, density, add_moments_of_S, sum);
 }
 
 static void
@@ -190,9 +194,9 @@ moments_above(const struct continuous *c, double t, size_t n_shape)
  * where N_b = base_b on the stretch, plus the primitive of u^b if inside a
  * piece of p. */
 static void
-add_parts(double log_s, size_t n_shape, const struct moments *from,
-    const struct moments *to, const double base[static 4], bool inside,
-    double Q[SHAPES][4])
+add_stretch_between_tables(double log_s, size_t n_shape,
+    const struct moments *from, const struct moments *to,
+    const double base[static 4], bool inside, double Q[SHAPES][4])
 {
 	double s = el_exp(log_s), scale[4] = {0, s, s * s / 2, s * s * s / 3};
 	for (size_t i = 0; i < n_shape; i++) {
@@ -220,13 +224,16 @@ broken_parts(const struct continuous *c, double log_s, size_t n_shape,
 	struct moments outer = {0}, inner;
 	for (size_t i = 0; i < a->n; i++) {
 		inner = moments_above(c, log_s - a->log_lower[i], n_shape);
-		add_parts(log_s, n_shape, &inner, &outer, full, false, Q);
+		add_stretch_between_tables(
+		    log_s, n_shape, &inner, &outer, full, false, Q);
 		outer = moments_above(c, log_s - a->log_upper[i], n_shape);
-		add_parts(log_s, n_shape, &outer, &inner, a->base[i], true, Q);
+		add_stretch_between_tables(
+		    log_s, n_shape, &outer, &inner, a->base[i], true, Q);
 		full = a->full[i];
 	}
 	inner = moments_above(c, log_s, n_shape);
-	add_parts(log_s, n_shape, &inner, &outer, full, false, Q);
+	add_stretch_between_tables(
+	    log_s, n_shape, &inner, &outer, full, false, Q);
 }
 
 static double

@@ -214,7 +214,7 @@ interpolation_nodes(
 /* What is broken to below a sieve, but for the factor of its size; row
  * [model's n]: its derivatives are added, or NULL. */
 static double
-broken_below(const struct continuous *c, double log_s, double *row)
+mass_broken_below_sieve(const struct continuous *c, double log_s, double *row)
 {
 	size_t n = c->b.model->n;
 	double sum = 0, weight[4];
@@ -240,11 +240,12 @@ broken_below(const struct continuous *c, double log_s, double *row)
 
 /* And with that factor. */
 static double
-broken_to(const struct continuous *c, double log_s, double *row)
+mass_broken_below_with_factor(
+    const struct continuous *c, double log_s, double *row)
 {
 	const struct breaker *b = &c->b;
 	double d[PARAMS_MOST] = {0};
-	double below = broken_below(c, log_s, row);
+	double below = mass_broken_below_sieve(c, log_s, row);
 	if (b->model->at_size == NULL)
 		return below;
 	double factor = b->model->at_size(b, log_s, row != NULL ? d : NULL);
@@ -273,7 +274,8 @@ continuous_product(
 		passing[i] = c->feed_passing[i];
 		if (c->log_sieve[i] >= c->edge[0] || !breaks)
 			continue;
-		passing[i] += broken_to(c, c->log_sieve[i], row);
+		passing[i] +=
+		    mass_broken_below_with_factor(c, c->log_sieve[i], row);
 		passing[i] = passing[i] < 1 ? passing[i] : 1;
 	}
 }

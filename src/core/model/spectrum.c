@@ -21,7 +21,7 @@ static const double ROOT[BINS_PER_OCTAVE] = {1, 1.0442737824274138,
     1.8340080864093424, 1.9152065613971474};
 
 static double
-octaves(double ratio)
+log_2(double ratio)
 {
 	return el_log(ratio) / el_log(2);
 }
@@ -53,11 +53,11 @@ spectrum_edge(size_t bin)
 }
 
 static size_t
-bin_of(double energy)
+bin_of_energy(double energy)
 {
 	if (!(energy > spectrum_edge(0)))
 		return 0;
-	double at = (octaves(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
+	double at = (log_2(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
 	if (!(at < SPECTRUM_BINS))
 		return SPECTRUM_BINS - 1;
 	size_t bin = (size_t)fmax(at, 0);
@@ -74,7 +74,7 @@ rounded_size(double size)
 {
 	if (!isnormal(size))
 		return 0;
-	long steps = lround(SIZES_PER_OCTAVE * octaves(size));
+	long steps = lround(SIZES_PER_OCTAVE * log_2(size));
 	long octave = (steps >= 0 ? steps : steps - (SIZES_PER_OCTAVE - 1)) /
 		      SIZES_PER_OCTAVE;
 	long step = steps - octave * SIZES_PER_OCTAVE;
@@ -83,7 +83,7 @@ rounded_size(double size)
 }
 
 static struct spectrum_size *
-of_size(struct spectrum *s, double size)
+spectrum_of_size(struct spectrum *s, double size)
 {
 	double rounded = rounded_size(size);
 	size_t i = 0;
@@ -109,8 +109,8 @@ void
 spectrum_add_impact(
     struct spectrum *s, double size, double mass, double energy, bool first)
 {
-	struct spectrum_size *of = of_size(s, size);
-	size_t bin = bin_of(energy);
+	struct spectrum_size *of = spectrum_of_size(s, size);
+	size_t bin = bin_of_energy(energy);
 	spectrum_add(&of->all[bin], mass, mass * energy);
 	if (first)
 		spectrum_add(&of->first[bin], mass, mass * energy);
@@ -119,15 +119,15 @@ spectrum_add_impact(
 void
 spectrum_add_first(struct spectrum *s, double size, double mass, double energy)
 {
-	struct spectrum_size *of = of_size(s, size);
-	spectrum_add(&of->first[bin_of(energy)], mass, mass * energy);
+	struct spectrum_size *of = spectrum_of_size(s, size);
+	spectrum_add(&of->first[bin_of_energy(energy)], mass, mass * energy);
 }
 
 void
 spectrum_add_particles(
     struct spectrum *s, double size, double number, double mass)
 {
-	struct spectrum_size *of = of_size(s, size);
+	struct spectrum_size *of = spectrum_of_size(s, size);
 	of->particles += number;
 	of->mass += mass;
 }
@@ -155,11 +155,11 @@ spectrum_above(const struct spectrum_size *s, double cut, bool first)
 {
 	const struct spectrum_bin *bin = first ? s->first : s->all;
 	struct spectrum_bin sum = {0, 0};
-	size_t at = cut > 0 ? bin_of(cut) : 0;
+	size_t at = cut > 0 ? bin_of_energy(cut) : 0;
 	for (size_t b = SPECTRUM_BINS; b-- > at;) {
 		double part = 1;
 		if (b == at && cut > spectrum_edge(at))
-			part = octaves(spectrum_edge(at + 1) / cut) *
+			part = log_2(spectrum_edge(at + 1) / cut) *
 			       BINS_PER_OCTAVE;
 		part = fmax(part, 0);
 		spectrum_add(&sum, part * bin[b].mass, part * bin[b].energy);
@@ -193,11 +193,12 @@ spectrum_impacts(const struct spectrum *s, double cut)
 	double E = s->speed * s->speed / 2, done = 0;
 	double number = spectrum_per_particle(s, whole, cut);
 	to.number = isfinite(number) ? number : 1;
-	for (size_t b = bin_of(cut); b < SPECTRUM_BINS && above.mass > 0; b++) {
+	for (size_t b = bin_of_energy(cut); b < SPECTRUM_BINS && above.mass > 0;
+	     b++) {
 		const struct spectrum_bin *bin = &whole->all[b];
 		double edge = spectrum_edge(b + 1);
 		bool cuts = cut > spectrum_edge(b) && cut < edge;
-		double part = cuts ? octaves(edge / cut) * BINS_PER_OCTAVE : 1;
+		double part = cuts ? log_2(edge / cut) * BINS_PER_OCTAVE : 1;
 		spectrum_add(&node, part * bin->mass, part * bin->energy);
 		done += part * bin->energy;
 		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;

@@ -9,7 +9,7 @@
 static const double SPREAD = 0.4;
 
 struct strengths
-strengths_at(const double x[static STRENGTHS_COORDINATES])
+strengths_from_coordinates(const double x[static STRENGTHS_COORDINATES])
 {
 	if (!(x[0] > 0))
 		return (struct strengths){0, 1, 1};

@@ -25,6 +25,7 @@ strengths_softer(const struct strengths *rock)
  * negative, as in half of all cases, there is one strength.  The second is the
  * logit of the share. */
 enum { STRENGTHS_COORDINATES = 2 };
-struct strengths strengths_at(const double x[static STRENGTHS_COORDINATES]);
+struct strengths strengths_from_coordinates(
+    const double x[static STRENGTHS_COORDINATES]);
 
 #endif

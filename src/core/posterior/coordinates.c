@@ -9,12 +9,12 @@
 
 #include "core/numeric/elementary.h"
 
-/* A share 0..1 of all numbers x, about the normal distribution's, and -ln of
- * its derivative (Bowling and others 2009). */
+/* Maps a number x to a share 0..1, approximately by the normal distribution,
+ * and gives -ln of the derivative (Bowling and others 2009). */
 static const double LINEAR = 1.5976, CUBIC = 0.07056;
 
 static double
-coordinates_share_of(double x)
+share_of_coordinate(double x)
 {
 	return 1 / (1 + el_exp(-x * (LINEAR + CUBIC * x * x)));
 }
@@ -33,7 +33,7 @@ logistic(double x)
 	return 1 / (1 + el_exp(-x));
 }
 
-/* A share that is neither end, which would be infinitely far. */
+/* Keeps a share away from 0 and 1, whose coordinates would be infinite. */
 static double
 share_inside_ends(double share)
 {
@@ -41,9 +41,10 @@ share_inside_ends(double share)
 	return fmin(fmax(share, least), 1 - least);
 }
 
-/* The number of a share: Newton's steps on a cubic that rises everywhere. */
+/* Returns the coordinate of a share, by Newton's method on a cubic that rises
+ * everywhere. */
 static double
-coordinates_number_of(double share)
+coordinate_of_share(double share)
 {
 	share = share_inside_ends(share);
 	double rise = el_log(share / (1 - share)), x = rise / LINEAR;
@@ -88,8 +89,8 @@ coordinates_about(const struct params *fit, const struct bounds *bounds,
 	return c;
 }
 
-/* The reflection that exchanges the pole and the axis of the one held, of
- * [gauge] numbers in place. */
+/* Reflects [gauge] numbers in place, so that the pole and the axis of the held
+ * parameter change places. */
 static void
 coordinates_reflect_pole(const struct coordinates *c, double *w)
 {
@@ -103,7 +104,7 @@ coordinates_reflect_pole(const struct coordinates *c, double *w)
 		w[j] -= 2 * product / squares * normal[j];
 }
 
-/* Whether there are daughters: some of p(u) is above 0. */
+/* True if there are daughters, that is, if p(u) is above 0 anywhere. */
 static bool
 has_daughters(const struct coordinates *c, const double *gauge)
 {
@@ -120,7 +121,7 @@ has_daughters(const struct coordinates *c, const double *gauge)
 	return c->of->breaks(&b);
 }
 
-/* The gauge at x; returns its part of the prior. */
+/* Computes the gauge at x and returns its part of the prior. */
 static double
 gauge_from_coordinates(const struct coordinates *c, const double *x, double *at)
 {
@@ -151,10 +152,10 @@ coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
 	x[c->held] = 0;
 }
 
-/* What alpha may be where the break size is x*: from where e0_min lies on one
- * of its bounds to where on the other, and within its own. */
+/* Finds the range of alpha for a break size x*: alpha lies within its own
+ * bounds, and e0_min at either end within those of e0_min. */
 static void
-alpha_within(
+range_of_alpha(
     const struct coordinates *c, double log_break, double *low, double *high)
 {
 	size_t alpha = c->of->strength + 2;
@@ -162,18 +163,18 @@ alpha_within(
 	*high = fmin(c->bounds.upper[alpha], c->least / log_break);
 }
 
-/* f_mat, e0_min and alpha at x; returns their part of the prior:
- *   d e0_min = alpha e0_min d ln x*  where alpha stays,
+/* Computes f_mat, e0_min and alpha at x and returns their part of the prior:
+ *   d e0_min = alpha e0_min d ln x*  at constant alpha,
  *   d ln x* = ln x* d ln(share of x). */
 static double
-coordinates_slope_at(const struct coordinates *c, const double *x, double *at)
+slope_from_coordinates(const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
-	double share = coordinates_share_of(x[f]),
+	double share = share_of_coordinate(x[f]),
 	       log_break = c->largest / share, low, high;
 	double hard = logistic(x[f + 1]);
-	alpha_within(c, log_break, &low, &high);
-	double alpha = low + (high - low) * coordinates_share_of(x[f + 2]);
+	range_of_alpha(c, log_break, &low, &high);
+	double alpha = low + (high - low) * share_of_coordinate(x[f + 2]);
 	double e0 = el_exp(c->middle + alpha * log_break);
 	at[f] = c->bounds.lower[f] +
 		(c->bounds.upper[f] - c->bounds.lower[f]) * hard;
@@ -196,27 +197,27 @@ coordinates_from_slope(const struct coordinates *c, const double *at, double *x)
 	double hard =
 	    share_inside_ends((at[f] - c->bounds.lower[f]) /
 			      (c->bounds.upper[f] - c->bounds.lower[f]));
-	x[f] = coordinates_number_of(c->largest / log_break);
-	alpha_within(c, c->largest / coordinates_share_of(x[f]), &low, &high);
+	x[f] = coordinate_of_share(c->largest / log_break);
+	range_of_alpha(c, c->largest / share_of_coordinate(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
-	x[f + 2] = coordinates_number_of((alpha - low) / (high - low));
+	x[f + 2] = coordinate_of_share((alpha - low) / (high - low));
 }
 
 static bool
-is_parameter(const struct coordinates *c, size_t j)
+is_coordinate_the_parameter(const struct coordinates *c, size_t j)
 {
 	size_t f = c->of->strength;
 	return j >= c->of->gauge && !(c->by_slope && j >= f && j <= f + 2);
 }
 
 double
-coordinates_params(const struct coordinates *c, const double *x, double *at)
+coordinates_to_params(const struct coordinates *c, const double *x, double *at)
 {
 	double sum = 0;
 	for (size_t j = 0; j < c->of->n; j++) {
 		const struct param_info *info = &c->of->parameter[j];
 		at[j] = x[j];
-		if (!is_parameter(c, j))
+		if (!is_coordinate_the_parameter(c, j))
 			continue;
 		double z =
 		    info->spread > 0 ? (x[j] - info->start) / info->spread : 0;
@@ -226,11 +227,12 @@ coordinates_params(const struct coordinates *c, const double *x, double *at)
 	}
 	if (c->of->gauge > 0)
 		sum += gauge_from_coordinates(c, x, at);
-	return c->by_slope ? sum + coordinates_slope_at(c, x, at) : sum;
+	return c->by_slope ? sum + slope_from_coordinates(c, x, at) : sum;
 }
 
 void
-coordinates_of(const struct coordinates *c, const double *at, double *x)
+coordinates_from_params(
+    const struct coordinates *c, const double *at, double *x)
 {
 	memcpy(x, at, c->of->n * sizeof *x);
 	if (c->of->gauge > 0)
@@ -240,11 +242,11 @@ coordinates_of(const struct coordinates *c, const double *at, double *x)
 }
 
 void
-coordinates_reflect(const struct coordinates *c, double *x)
+coordinates_reflect_at_bounds(const struct coordinates *c, double *x)
 {
 	for (size_t j = 0; j < c->of->n; j++) {
 		double lower = c->bounds.lower[j], upper = c->bounds.upper[j];
-		if (!is_parameter(c, j))
+		if (!is_coordinate_the_parameter(c, j))
 			continue;
 		if (x[j] < lower)
 			x[j] = 2 * lower - x[j];

@@ -44,14 +44,15 @@ struct coordinates coordinates_about(const struct params *fit,
  * prior density in x, up to a constant: uniform between the bounds, normal if
  * the model's table gives a spread, and equal for all directions of the gauge
  * on the fit's side that have progeny.  INFINITY elsewhere. */
-double coordinates_params(
+double coordinates_to_params(
     const struct coordinates *c, const double *x, double *at);
 
 /* Computes the coordinates of parameters.  A value on a bound is moved slightly
  * inside. */
-void coordinates_of(const struct coordinates *c, const double *at, double *x);
+void coordinates_from_params(
+    const struct coordinates *c, const double *at, double *x);
 
 /* Reflects coordinates that are parameters at their bounds. */
-void coordinates_reflect(const struct coordinates *c, double *x);
+void coordinates_reflect_at_bounds(const struct coordinates *c, double *x);
 
 #endif

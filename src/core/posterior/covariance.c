@@ -13,10 +13,11 @@
 
 enum { TERMS = DISCREPANCY_TERMS, SIZES = COVARIANCE_SIZES };
 
-/* Of many cells only: size [n] is the number of each one's size, first
- * [blocks + 1] the first cell of each run.  Where a factor has what: at
- * [blocks] of E, one after the other; of the K that all processes share; of A;
- * and the slope, in the end. */
+/* The members from `many` on are for many cells only.  size [n]: the number of
+ * each cell's size.  first [blocks + 1]: the first cell of each run.  The rest
+ * are places in a factor: at [blocks] of the parts of E, one after the other;
+ * at_K of K, which all processes share; at_A of A; and at_slope of the
+ * slope. */
 struct covariance {
 	enum isa isa;
 	size_t n;
@@ -29,7 +30,7 @@ struct covariance {
 
 /* ---- The plan ---- */
 
-/* Gives each cell the number of its size.  False where there are too many. */
+/* Numbers the sizes of the cells.  False if there are too many. */
 static bool
 covariance_number_sizes(struct covariance *c)
 {
@@ -47,10 +48,10 @@ covariance_number_sizes(struct covariance *c)
 	return true;
 }
 
-/* Moves each cell's size to the nearest of SIZES, from the finest to the
- * coarsest. */
+/* Moves the size of each cell to the nearest of SIZES even steps from the
+ * finest to the coarsest. */
 static void
-move_sizes(struct cell *cell, size_t n)
+move_sizes_to_grid(struct cell *cell, size_t n)
 {
 	double least = INFINITY, most = -INFINITY;
 	for (size_t i = 0; i < n; i++) {
@@ -94,7 +95,7 @@ covariance_new(enum isa isa, struct cell *cell, size_t n)
 		return c;
 	c->size = xcalloc(n, sizeof *c->size);
 	if (!covariance_number_sizes(c)) {
-		move_sizes(cell, n);
+		move_sizes_to_grid(cell, n);
 		memcpy(c->cell, cell, n * sizeof *cell);
 		covariance_number_sizes(c);
 	}
@@ -122,8 +123,8 @@ covariance_factor_size(const struct covariance *c)
 
 /* ---- The factor of many ---- */
 
-/* The covariances of pairs of sizes, [2][SIZES * (SIZES + 1) / 2]: those of a
- * process, and of the error that a run's cells share. */
+/* The covariances of pairs of sizes, SIZES * (SIZES + 1) / 2 of each kind:
+ * those of a process, and those of the error that the cells of a run share. */
 struct size_pairs {
 	double f[SIZES * (SIZES + 1) / 2], error[SIZES * (SIZES + 1) / 2];
 };
@@ -158,11 +159,11 @@ factor_block(const struct covariance *c, size_t b,
 	discrepancy_cholesky(c->isa, U, n);
 }
 
-/* Adds a run's part of B' E^-1 B to G, a square of the sizes for each pair of
- * terms, without the slope; work [largest * largest]. */
+/* Adds a run's part of B' E^-1 B to G, which has a square of the sizes for each
+ * pair of terms.  The slope is left out.  work [largest * largest]. */
 static void
-add_block(const struct covariance *c, size_t b, const double *U, double *G,
-    double *work)
+add_run_to_coupling(const struct covariance *c, size_t b, const double *U,
+    double *G, double *work)
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first, S = c->sizes;
 	double term[TERMS];
@@ -185,7 +186,7 @@ add_block(const struct covariance *c, size_t b, const double *U, double *G,
 		}
 }
 
-/* to = U G U', [n * n]; U: the upper half. */
+/* Computes to = U G U', [n * n]; U is an upper triangle. */
 static void
 multiply_between(
     const double *U, const double *G, size_t n, double *work, double *to)
@@ -204,9 +205,10 @@ multiply_between(
 		}
 }
 
-/* What the slope does to a process. */
+/* Returns the factor of a process: the slope, but 1 for the first one. */
 static double
-scale_of(const struct covariance *c, const double *factor, size_t term)
+slope_factor_of_process(
+    const struct covariance *c, const double *factor, size_t term)
 {
 	return term == 0 ? 1 : factor[c->at_slope];
 }
@@ -219,8 +221,8 @@ factor_coupling(const struct covariance *c, const double *G, double *factor)
 	double *work = xdoubles(2 * S * S), *part = work + S * S;
 	for (size_t j = 0; j < TERMS; j++)
 		for (size_t k = j; k < TERMS; k++, G += S * S) {
-			double scale =
-			    scale_of(c, factor, j) * scale_of(c, factor, k);
+			double scale = slope_factor_of_process(c, factor, j) *
+				       slope_factor_of_process(c, factor, k);
 			multiply_between(factor + c->at_K, G, S, work, part);
 			for (size_t i = 0; i < S * S; i++)
 				A[(j * S + i / S) * m + k * S + i % S] =
@@ -249,7 +251,7 @@ factor_many(const struct covariance *c, const double log_hyper[static HYPERS],
 	for (size_t b = 0; b < c->blocks; b++) {
 		double *U = factor + c->at[b];
 		factor_block(c, b, &pairs, hyper[HYPER_OWN], U);
-		add_block(c, b, U, G, work);
+		add_run_to_coupling(c, b, U, G, work);
 	}
 	factor_coupling(c, G, factor);
 	free(G);
@@ -258,10 +260,12 @@ factor_many(const struct covariance *c, const double log_hyper[static HYPERS],
 
 /* ---- Its use ---- */
 
-/* Adds B' d of a run to f, a number for each term and size, without the
- * slope; or B f to d. */
+/* add_cells_to_processes adds B' d of a run to f, which has a number for each
+ * term and size; add_processes_to_cells adds B f to d.  Both leave out the
+ * slope. */
 static void
-add_gathered(const struct covariance *c, size_t b, const double *d, double *f)
+add_cells_to_processes(
+    const struct covariance *c, size_t b, const double *d, double *f)
 {
 	double term[TERMS];
 	discrepancy_terms(c->cell[c->first[b]].t, 1, term);
@@ -272,7 +276,8 @@ add_gathered(const struct covariance *c, size_t b, const double *d, double *f)
 }
 
 static void
-add_spread(const struct covariance *c, size_t b, const double *f, double *d)
+add_processes_to_cells(
+    const struct covariance *c, size_t b, const double *f, double *d)
 {
 	double term[TERMS];
 	discrepancy_terms(c->cell[c->first[b]].t, 1, term);
@@ -282,10 +287,12 @@ add_spread(const struct covariance *c, size_t b, const double *f, double *d)
 				f[j * c->sizes + c->size[i]];
 }
 
-/* L' f of each process with the slope, or L f, in place: in the order in which
- * nothing is overwritten that is still to be read. */
+/* multiply_processes_by_upper computes L' f of each process with the slope,
+ * multiply_processes_by_lower L f. Both work in place, in the order in which no
+ * number is overwritten before it has been read. */
 static void
-times_upper(const struct covariance *c, const double *factor, double *f)
+multiply_processes_by_upper(
+    const struct covariance *c, const double *factor, double *f)
 {
 	const double *K = factor + c->at_K;
 	size_t S = c->sizes;
@@ -294,12 +301,13 @@ times_upper(const struct covariance *c, const double *factor, double *f)
 			double sum = 0;
 			for (size_t k = i; k < S; k++)
 				sum += K[i * S + k] * f[k];
-			f[i] = scale_of(c, factor, j) * sum;
+			f[i] = slope_factor_of_process(c, factor, j) * sum;
 		}
 }
 
 static void
-times_lower(const struct covariance *c, const double *factor, double *f)
+multiply_processes_by_lower(
+    const struct covariance *c, const double *factor, double *f)
 {
 	const double *K = factor + c->at_K;
 	size_t S = c->sizes;
@@ -308,32 +316,33 @@ times_lower(const struct covariance *c, const double *factor, double *f)
 			double sum = 0;
 			for (size_t k = 0; k <= i; k++)
 				sum += K[k * S + i] * f[k];
-			f[i] = scale_of(c, factor, j) * sum;
+			f[i] = slope_factor_of_process(c, factor, j) * sum;
 		}
 }
 
 double
-covariance_level(const struct covariance *c, const double *factor, double *d)
+covariance_minus_log_density(
+    const struct covariance *c, const double *factor, double *d)
 {
 	if (!c->many)
-		return discrepancy_level(c->isa, factor, c->n, d);
+		return discrepancy_minus_log_density(c->isa, factor, c->n, d);
 	double f[TERMS * SIZES] = {0}, level = 0;
 	size_t m = TERMS * c->sizes;
 	for (size_t b = 0; b < c->blocks; b++) {
 		size_t first = c->first[b], n = c->first[b + 1] - first;
 		const double *U = factor + c->at[b];
-		level += discrepancy_level(c->isa, U, n, d + first);
+		level += discrepancy_minus_log_density(c->isa, U, n, d + first);
 		discrepancy_backward(U, n, d + first);
-		add_gathered(c, b, d, f);
+		add_cells_to_processes(c, b, d, f);
 	}
-	times_upper(c, factor, f);
-	level += discrepancy_level(c->isa, factor + c->at_A, m, f);
+	multiply_processes_by_upper(c, factor, f);
+	level += discrepancy_minus_log_density(c->isa, factor + c->at_A, m, f);
 	for (size_t i = 0; i < m; i++)
 		level -= f[i] * f[i];
 	return level;
 }
 
-/* E^-1 d of a run. */
+/* Computes E^-1 d of a run in place. */
 static void
 solve_block(
     const struct covariance *c, const double *factor, size_t b, double *d)
@@ -352,14 +361,14 @@ solve_many(const struct covariance *c, const double *factor, double *d)
 	size_t m = TERMS * c->sizes;
 	for (size_t b = 0; b < c->blocks; b++) {
 		solve_block(c, factor, b, d);
-		add_gathered(c, b, d, f);
+		add_cells_to_processes(c, b, d, f);
 	}
-	times_upper(c, factor, f);
+	multiply_processes_by_upper(c, factor, f);
 	discrepancy_forward(c->isa, A, m, f);
 	discrepancy_backward(A, m, f);
-	times_lower(c, factor, f);
+	multiply_processes_by_lower(c, factor, f);
 	for (size_t b = 0; b < c->blocks; b++) {
-		add_spread(c, b, f, less);
+		add_processes_to_cells(c, b, f, less);
 		solve_block(c, factor, b, less);
 	}
 	for (size_t i = 0; i < c->n; i++)

@@ -37,7 +37,7 @@ void covariance_factor(const struct covariance *covariance,
 
 /* Returns -ln of the probability of the differences d [n], up to a constant; d
  * is overwritten. */
-double covariance_level(
+double covariance_minus_log_density(
     const struct covariance *covariance, const double *factor, double *d);
 
 /* Computes C^-1 d in place. */

@@ -9,8 +9,9 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* Found by counting, with bench/coverage: what bands hold and how far answers
- * err where plants follow the model and where they do not. */
+/* These priors were found by counting, with bench/coverage: how often the bands
+ * hold, and how far answers err, both for plants that follow the model and for
+ * others. */
 const struct hyper_info HYPER[HYPERS] = {
     {"discrepancy", "sigma_d", 0.004, 1.2, N_("what the model leaves out")},
     {"length", "l", 1, 0.4,
@@ -22,11 +23,11 @@ const struct hyper_info HYPER[HYPERS] = {
     {"independent", "sigma_i", 0.0035, 0.3, N_("error of a single passing")},
 };
 
-/* ln of the energy that t counts in. */
+/* The step in ln of the energy that t counts. */
 static const double STEP = 0.135;
 
 double
-discrepancy_time(double v, double middle)
+discrepancy_t_of_speed(double v, double middle)
 {
 	return (2 * el_log(v) - el_log(2) - middle) / STEP;
 }
@@ -39,10 +40,11 @@ discrepancy_terms(double t, double slope, double term[static DISCREPANCY_TERMS])
 	term[2] = slope * (t * t - 1) * 0.3;
 }
 
-/* -ln of a t distribution with four degrees of freedom, but for a constant: a
- * sigma_i above its median may be as large as the data show it. */
+/* Returns -ln of a t distribution with four degrees of freedom, up to a
+ * constant.  Its long tail lets sigma_i rise above its median as far as the
+ * data require. */
 static double
-long_tail(double z)
+minus_log_t4(double z)
 {
 	return 2.5 * el_log(1 + z * z / 4);
 }
@@ -50,21 +52,21 @@ long_tail(double z)
 double
 discrepancy_minus_log_prior(const double log_hyper[static HYPERS], double noise)
 {
-	const double known = 0.05; /* spread of what is said to be known */
+	const double known = 0.05; /* spread of a stated noise */
 	double sum = 0;
 	for (size_t i = 0; i < HYPERS; i++) {
 		bool given = i == HYPER_OWN && noise > 0;
 		double median = given ? noise : HYPER[i].median;
 		double z = (log_hyper[i] - el_log(median)) /
 			   (given ? known : HYPER[i].spread);
-		sum += i == HYPER_OWN && !given && z > 0 ? long_tail(z)
+		sum += i == HYPER_OWN && !given && z > 0 ? minus_log_t4(z)
 							 : z * z / 2;
 	}
 	return sum;
 }
 
 static const struct triangle *
-triangle_of(enum isa isa)
+triangle_for_isa(enum isa isa)
 {
 	static const struct triangle *const TRIANGLES[] = {
 	    &TRIANGLE_BASE, &TRIANGLE_AVX2, &TRIANGLE_AVX512};
@@ -75,14 +77,14 @@ void
 discrepancy_pairs(enum isa isa, size_t n, const double hyper[static HYPERS],
     double *f, double *error)
 {
-	triangle_of(isa)->pairs(n, hyper, f, error);
+	triangle_for_isa(isa)->pairs(n, hyper, f, error);
 }
 
 void
 discrepancy_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z)
 {
-	triangle_of(isa)->normals(key, next, n, z);
+	triangle_for_isa(isa)->normals(key, next, n, z);
 }
 
 void
@@ -99,13 +101,13 @@ discrepancy_factor_pairs(enum isa isa, const double *pair, size_t n, double *U)
 void
 discrepancy_cholesky(enum isa isa, double *U, size_t n)
 {
-	triangle_of(isa)->cholesky(U, n);
+	triangle_for_isa(isa)->cholesky(U, n);
 }
 
 void
 discrepancy_forward(enum isa isa, const double *U, size_t n, double *d)
 {
-	triangle_of(isa)->forward(U, n, d);
+	triangle_for_isa(isa)->forward(U, n, d);
 }
 
 void
@@ -118,8 +120,8 @@ discrepancy_backward(const double *U, size_t n, double *z)
 	}
 }
 
-/* Of each cell the number of its size, cells with the same have the same; there
- * are as many as returned. */
+/* Numbers the sizes of the cells, equal sizes alike, and returns how many sizes
+ * there are. */
 static size_t
 discrepancy_number_sizes(const struct cell *cell, size_t n, int64_t *size)
 {
@@ -134,7 +136,7 @@ discrepancy_number_sizes(const struct cell *cell, size_t n, int64_t *size)
 }
 
 void
-discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
+discrepancy_fill_covariance(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U)
 {
 	double hyper[HYPERS], term[DISCREPANCY_TERMS];
@@ -164,7 +166,7 @@ discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
 		for (size_t k = 0; k < DISCREPANCY_TERMS; k++)
 			c.term[k][i] = term[k];
 	}
-	triangle_of(isa)->covariance(&c, hyper, U);
+	triangle_for_isa(isa)->covariance(&c, hyper, U);
 	free(column);
 	free(number);
 }
@@ -173,15 +175,16 @@ void
 discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U)
 {
-	discrepancy_fill(isa, cell, n, log_hyper, U);
+	discrepancy_fill_covariance(isa, cell, n, log_hyper, U);
 	discrepancy_cholesky(isa, U, n);
 }
 
 double
-discrepancy_level(enum isa isa, const double *U, size_t n, double *d)
+discrepancy_minus_log_density(
+    enum isa isa, const double *U, size_t n, double *d)
 {
-	/* Logarithms of so many at once: their product is no less than
-	 * 0.0005^16, see DISCREPANCY_ROUNDING. */
+	/* Logarithms are taken of products of so many numbers.  No product is
+	 * below 0.0005^16, see DISCREPANCY_ROUNDING. */
 	enum { AT_ONCE = 16 };
 	double level = 0;
 	discrepancy_forward(isa, U, n, d);

@@ -45,7 +45,7 @@ struct hyper_info {
 extern const struct hyper_info HYPER[HYPERS];
 
 /* Returns t for a tip speed, m/s; middle: ln of the mean energy, J/kg. */
-double discrepancy_time(double v, double middle);
+double discrepancy_t_of_speed(double v, double middle);
 
 /* Computes the factors of f_0, f_1 and f_2 at t. */
 enum { DISCREPANCY_TERMS = 3 };
@@ -63,7 +63,7 @@ discrepancy_h(double P)
 
 /* Returns P limited to at least `least` and at most 1. */
 static inline double
-discrepancy_within(double P, double least)
+discrepancy_clamp(double P, double least)
 {
 	P = P > least ? P : least;
 	return P < 1 ? P : 1;
@@ -79,7 +79,7 @@ discrepancy_answer(double P, double delta, double least)
 {
 	double h = discrepancy_h(P), square = delta * delta;
 	double more = square * (1 - 2 * P) + delta * sqrt(square + h * h);
-	return discrepancy_within(P + more / (1 + square), least);
+	return discrepancy_clamp(P + more / (1 + square), least);
 }
 
 /* Returns -ln of the prior density of the hyperparameters' logarithms, up to a
@@ -89,7 +89,7 @@ double discrepancy_minus_log_prior(
 
 /* Returns rho(z, l), see above. */
 static inline double
-discrepancy_rho(double apart, double length)
+discrepancy_correlation(double apart, double length)
 {
 	double z = apart / length;
 	return z * z > 80 ? 0 : el_exp(-z * z / 2);
@@ -106,15 +106,18 @@ static inline double
 discrepancy_covariance(double apart, const double hyper[static HYPERS])
 {
 	double wide = hyper[HYPER_DELTA], narrow = hyper[HYPER_NARROW];
-	return wide * wide * discrepancy_rho(apart, hyper[HYPER_LENGTH]) +
-	       narrow * narrow * discrepancy_rho(apart, DISCREPANCY_NARROW);
+	return wide * wide *
+		   discrepancy_correlation(apart, hyper[HYPER_LENGTH]) +
+	       narrow * narrow *
+		   discrepancy_correlation(apart, DISCREPANCY_NARROW);
 }
 
 static inline double
 discrepancy_shared(double apart, const double hyper[static HYPERS])
 {
 	double shared = hyper[HYPER_SHARED];
-	return shared * shared * discrepancy_rho(apart, hyper[HYPER_LENGTH]);
+	return shared * shared *
+	       discrepancy_correlation(apart, hyper[HYPER_LENGTH]);
 }
 
 /* discrepancy_pairs computes both covariances for n pairs of sizes.  f [n] in:
@@ -158,14 +161,15 @@ void discrepancy_backward(const double *U, size_t n, double *z);
 
 /* Compute the upper half of the covariance of the differences between n
  * measured passings and the model, U [n * n], and its factor. */
-void discrepancy_fill(enum isa isa, const struct cell *cell, size_t n,
-    const double log_hyper[static HYPERS], double *U);
+void discrepancy_fill_covariance(enum isa isa, const struct cell *cell,
+    size_t n, const double log_hyper[static HYPERS], double *U);
 void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U);
 
 /* Returns -ln of the probability of the differences d [n], up to a constant; d
  * is replaced with L^-1 d. */
-double discrepancy_level(enum isa isa, const double *U, size_t n, double *d);
+double discrepancy_minus_log_density(
+    enum isa isa, const double *U, size_t n, double *d);
 
 /* ---- For discrepancy.c: compiled for each instruction set ---- */
 

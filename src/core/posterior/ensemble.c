@@ -18,19 +18,21 @@
 #include "core/model/product.h"
 #include "core/model/selection.h"
 
-/* The draws' parameters, and in a block behind them the fit's, whose exact
- * product tells what the search's scheme errs by. */
+/* Columns 0 to DRAWS - 1 hold the draws.  The block of columns from FIT on
+ * holds the fit: its exact product minus its product by the search's scheme is
+ * the error of that scheme. */
 enum {
 	DRAWS = POSTERIOR_DRAWS,
 	FIT = DRAWS,
 	ALL = FIT + KERNEL_LANES,
 	EVEN = 24,
 	BEYOND = 80,
-	SLOWEST = BEYOND, /* that is looked at, of the speeds of the grid */
+	SLOWEST = BEYOND, /* first of the grid's speeds that are pooled */
 	RISING = BEYOND + EVEN + 1 + POSTERIOR_RUNS + BEYOND
 };
 
-/* In a curve that does not fall a measured speed counts as so many others. */
+/* In isotonic regression a measured speed has the weight of this many
+ * others. */
 static const double HELD = 1000;
 
 struct ensemble {
@@ -40,32 +42,33 @@ struct ensemble {
 	struct model *exact;
 	double *theta[PARAMS_MOST];            /* [ALL] */
 	double softer[ALL], share_softer[ALL]; /* see struct kernel_out */
-	double *product, *misfit; /* [n * ALL], [ALL], of the scheme */
+	double *product, *misfit; /* [n * ALL], [ALL], by the scheme */
 	double *fit, *feed;       /* [n] */
 	size_t *knot;             /* [n]: between it and the next, */
-	double *share;            /* and how much it counts */
+	double *share;            /* and its weight there */
 	double *delta;            /* at the knots, [n_knot * DRAWS] */
-	/* [n + 1][DRAWS]: below the finest size is nothing. */
+	/* [n + 1][DRAWS]: nothing passes below the finest size. */
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
-	double at;    /* the speed of all that ensemble_at makes; 0: none */
-	/* The speeds of a grid, m/s; of those that are looked at, which are
-	 * number SLOWEST to `last`, what each counts, and where the measured
-	 * ones are among them. */
+	double at;    /* the speed of what ensemble_at made, or 0 */
+	/* The speeds of a grid, m/s.  Those numbered SLOWEST to `last` are
+	 * pooled; counts: the weight of each; measured: which of them were
+	 * measured. */
 	double speed[RISING], counts[RISING];
 	size_t last, measured[POSTERIOR_RUNS];
-	/* Answers at the speeds of the grid, which do not fall from one to the
-	 * next, and which of them are not as they were drawn, each
-	 * [n * DRAWS]; made for its speeds slowest to fastest, NULL for the
-	 * others. */
+	/* Answers at the speeds of the grid, which do not fall from one speed
+	 * to the next, and which of them differ from those drawn, each [n *
+	 * DRAWS].  They exist for the speeds slowest to fastest; the others are
+	 * NULL. */
 	double *rising[RISING];
 	bool *moved[RISING];
 	size_t slowest, fastest;
 	double more, bypass; /* k and bypass of another machine */
 };
 
-/* The same curve with a point at each of sizes [n], coarsest first, and more
- * between these: the kernel's classes end at the points of a feed. */
+/* Returns the same curve with points at each of sizes [n], coarsest first, and
+ * more between them, because the kernel's classes end at the points of a
+ * feed. */
 static struct psd
 refine_feed(const struct psd *feed, const double *size, size_t n)
 {
@@ -80,9 +83,10 @@ refine_feed(const struct psd *feed, const double *size, size_t n)
 	return curve;
 }
 
-/* Passings less 0 are differences from sieves at which nothing passes. */
+/* Makes a kernel whose differences are passings: the measured passings that it
+ * subtracts are 0. */
 static struct kernel *
-kernel_of(const struct posterior *p, const struct psd *smooth,
+kernel_of_passings(const struct posterior *p, const struct psd *smooth,
     const double *size, size_t n)
 {
 	struct psd feed = refine_feed(smooth, size, n);
@@ -129,7 +133,7 @@ find_knots_of_sieves(struct ensemble *e, const double *size)
 }
 
 static void
-set_theta_column(struct ensemble *e, size_t column, const struct params *p,
+set_parameter_column(struct ensemble *e, size_t column, const struct params *p,
     const struct strengths *rock)
 {
 	size_t f = breakage_of(p)->strength;
@@ -142,18 +146,19 @@ set_theta_column(struct ensemble *e, size_t column, const struct params *p,
 }
 
 static void
-set_theta(struct ensemble *e)
+set_parameter_columns(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
 	for (size_t i = FIT; i < ALL; i++)
-		set_theta_column(e, i, &p->fit, &(struct strengths){0, 1, 1});
+		set_parameter_column(
+		    e, i, &p->fit, &(struct strengths){0, 1, 1});
 	for (size_t d = 0; d < DRAWS; d++)
-		set_theta_column(
+		set_parameter_column(
 		    e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
-/* A fit mostly holds gamma and kappa at 0: without them its product is the
- * paper's, which takes a fraction of the time. */
+/* A fit mostly holds gamma and kappa at 0.  Without them its product is that of
+ * the paper's model, which takes a fraction of the time. */
 static void
 set_exact_model(struct ensemble *e, struct params fit)
 {
@@ -161,9 +166,9 @@ set_exact_model(struct ensemble *e, struct params fit)
 	model_use_params(e->exact, &p);
 }
 
-/* The speeds of the grid: even over those that are looked at, with the measured
- * ones among them, and 2 % apart beyond, down to a fifth of the slowest and up
- * to five times the fastest. */
+/* Lays the speeds of the grid: evenly over the range that is pooled, with the
+ * measured speeds among them, and 2 % apart beyond, down to a fifth of the
+ * slowest and up to five times the fastest. */
 static void
 ensemble_lay_grid(struct ensemble *e)
 {
@@ -196,7 +201,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	struct ensemble *e = xcalloc(1, sizeof *e);
 	*e = (struct ensemble){.of = p,
 	    .n = n,
-	    .kernel = kernel_of(p, feed, size, n),
+	    .kernel = kernel_of_passings(p, feed, size, n),
 	    .exact = model_new(feed, size, n, p->settings),
 	    .product = xdoubles(n * ALL),
 	    .misfit = xdoubles(ALL),
@@ -207,7 +212,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 	set_exact_model(e, p->fit);
 	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++)
 		e->theta[j] = xdoubles(ALL);
-	set_theta(e);
+	set_parameter_columns(e);
 	for (size_t i = 0; i < n; i++)
 		e->feed[i] = psd_passing(feed, size[i]);
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
@@ -219,7 +224,7 @@ ensemble_new(const struct posterior *p, const struct psd *measured,
 }
 
 static void
-forget_rising(struct ensemble *e)
+free_rising_grid(struct ensemble *e)
 {
 	for (size_t k = 0; k < RISING; k++) {
 		free(e->rising[k]);
@@ -230,7 +235,7 @@ forget_rising(struct ensemble *e)
 }
 
 void
-ensemble_machine(struct ensemble *e, struct model_settings settings)
+ensemble_set_machine(struct ensemble *e, struct model_settings settings)
 {
 	const struct params *fit = &e->of->fit;
 	size_t strength = breakage_of(fit)->strength;
@@ -238,10 +243,10 @@ ensemble_machine(struct ensemble *e, struct model_settings settings)
 	struct params p = *fit;
 	p.at[strength] *= e->more;
 	set_exact_model(e, p);
-	set_theta(e);
+	set_parameter_columns(e);
 	e->bypass = settings.bypass;
 	e->at = 0;
-	forget_rising(e);
+	free_rising_grid(e);
 }
 
 void
@@ -262,26 +267,26 @@ ensemble_free(struct ensemble *e)
 	free(e->knot);
 	free(e->share);
 	free(e->delta);
-	forget_rising(e);
+	free_rising_grid(e);
 	free(e);
 }
 
 size_t
-ensemble_sizes(const struct ensemble *e)
+ensemble_count_sizes(const struct ensemble *e)
 {
 	return e->n;
 }
 
-/* Slower than this share of the slowest measured speed a draw's correction is
- * that at this speed, less as less of the coarsest size breaks by the draw's
- * own model: what nothing breaks needs none, and its trend over so far would be
- * no measurement's. */
+/* Below this share of the slowest measured speed, the correction of a draw
+ * stays as it is there, but shrinks in proportion to the selection of the
+ * coarsest size by the draw's own model.  Where nothing breaks no correction is
+ * needed, and no measurement supports its trend so far away. */
 static const double SLOW = 0.875;
 
-/* S of the coarsest size at speed v by a draw, whose rock may have two
+/* Returns S of the coarsest size at speed v by a draw, whose rock may have two
  * strengths. */
 static double
-selection_of_draw(
+selection_of_coarsest_size(
     const struct posterior *p, const struct posterior_draw *draw, double v)
 {
 	const struct strengths *rock = &draw->strengths;
@@ -298,29 +303,30 @@ selection_of_draw(
 	return S;
 }
 
-/* How much of each draw's correction there is at speed v, 0..1, [DRAWS] out;
- * returns the speed whose it is. */
+/* Computes the share of each draw's correction that remains at speed v, 0..1,
+ * left [DRAWS] out.  Returns the speed at which that correction applies. */
 static double
-correction_left(const struct posterior *p, double v, double *left)
+share_of_correction_left(const struct posterior *p, double v, double *left)
 {
 	double at = fmax(v, SLOW * p->speed[0]);
 	for (size_t d = 0; d < DRAWS; d++) {
 		left[d] = 1;
 		if (v == at)
 			continue;
-		double there = selection_of_draw(p, &p->draw[d], at);
-		left[d] = there > 0
-			      ? selection_of_draw(p, &p->draw[d], v) / there
-			      : 0;
+		double there = selection_of_coarsest_size(p, &p->draw[d], at);
+		left[d] =
+		    there > 0
+			? selection_of_coarsest_size(p, &p->draw[d], v) / there
+			: 0;
 	}
 	return at;
 }
 
-/* The lack of fit (lack_of_fit.h) at tip speed v, m/s, and a knot: straight in
- * v^2 between measured speeds, beyond them as at the next; 0 before it is
- * found. */
+/* Returns the lack of fit (lack_of_fit.h) at tip speed v, m/s, and a knot:
+ * linear in v^2 between measured speeds, constant beyond them; 0 until it has
+ * been found. */
 static double
-ensemble_lack(const struct posterior *p, double v, size_t knot)
+lack_of_fit_at(const struct posterior *p, double v, size_t knot)
 {
 	if (p->lack == NULL)
 		return 0;
@@ -334,13 +340,13 @@ ensemble_lack(const struct posterior *p, double v, size_t knot)
 	return (1 - t) * at[0] + t * at[p->n_knot];
 }
 
-/* What the model leaves out at speed v, at the knots of each draw. */
+/* Computes the discrepancy of each draw at speed v, at the knots. */
 static void
-fill_knots(struct ensemble *e, double v)
+fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
 	const struct posterior *p = e->of;
-	double left[DRAWS], at = correction_left(p, v, left);
-	double t = discrepancy_time(at, p->middle);
+	double left[DRAWS], at = share_of_correction_left(p, v, left);
+	double t = discrepancy_t_of_speed(at, p->middle);
 	double factor[DISCREPANCY_TERMS][DRAWS];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double term[DISCREPANCY_TERMS];
@@ -349,7 +355,7 @@ fill_knots(struct ensemble *e, double v)
 			factor[j][d] = left[d] * term[j];
 	}
 	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS) {
-		double lack = ensemble_lack(p, at, i / DRAWS);
+		double lack = lack_of_fit_at(p, at, i / DRAWS);
 		for (size_t d = 0; d < DRAWS; d++) {
 			double sum = left[d] * lack;
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
@@ -360,7 +366,7 @@ fill_knots(struct ensemble *e, double v)
 }
 
 void
-ensemble_delta(const struct ensemble *e, size_t d, double *delta)
+ensemble_discrepancy(const struct ensemble *e, size_t d, double *delta)
 {
 	for (size_t i = 0; i < e->n; i++) {
 		const double *at = e->delta + e->knot[i] * DRAWS + d;
@@ -368,17 +374,18 @@ ensemble_delta(const struct ensemble *e, size_t d, double *delta)
 	}
 }
 
-/* Row i of model and answer; that of the next finer size is made. */
+/* Fills row i of model and answer.  The row of the next finer size exists
+ * already. */
 static void
-ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
-    double *restrict answer)
+fill_model_and_answer_row(const struct ensemble *e, size_t i,
+    double *restrict model, double *restrict answer)
 {
 	const double *P = e->product + i * ALL;
 	const double *delta = e->delta + e->knot[i] * DRAWS;
 	double share = e->share[i], rest = 1 - share;
 	double fit = e->fit[i], scheme = P[FIT], feed = e->feed[i];
 	for (size_t d = 0; d < DRAWS; d++) {
-		double p = discrepancy_within(P[d] + fit - scheme, feed);
+		double p = discrepancy_clamp(P[d] + fit - scheme, feed);
 		double more = share * delta[d] + rest * delta[d + DRAWS];
 		double finer = answer[d + DRAWS];
 		model[d] = p;
@@ -387,33 +394,33 @@ ensemble_fill_row(const struct ensemble *e, size_t i, double *restrict model,
 	}
 }
 
-/* Row i of the samples, likewise. */
+/* Fills row i of the samples in the same way. */
 static void
-fill_samples(const struct ensemble *e, size_t i, double *restrict sample)
+fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 {
 	const double *answer = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
 	const double *error = e->of->error + e->knot[i] * DRAWS;
 	double share = e->share[i], rest = 1 - share;
 	for (size_t d = 0; d < DRAWS; d++) {
 		double err = share * error[d] + rest * error[d + DRAWS];
-		sample[d] = discrepancy_within(
+		sample[d] = discrepancy_clamp(
 		    answer[d] + discrepancy_h(answer[d]) * err,
 		    sample[d + DRAWS]);
 	}
 }
 
-/* Computed lazily: few callers need it. */
+/* Makes the samples on request only: few callers need them. */
 static void
 make_samples(struct ensemble *e)
 {
 	if (e->sampled)
 		return;
 	for (size_t i = e->n; i-- > 0;)
-		fill_samples(e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
+		fill_sample_row(e, i, e->part[ENSEMBLE_SAMPLE] + i * DRAWS);
 	e->sampled = true;
 }
 
-/* What met the rotor, with what went by. */
+/* Adds what bypasses the rotor. */
 static void
 ensemble_add_bypass(struct ensemble *e)
 {
@@ -434,16 +441,18 @@ ensemble_draws_at(struct ensemble *e, double v)
 	const double *const *theta = (const double *const *)e->theta;
 	kernel_evaluate_part(e->kernel, theta, 0, ALL, 0, &out);
 	model_product(e->exact, v, e->fit);
-	fill_knots(e, v);
+	fill_discrepancy_at_knots(e, v);
 	for (size_t i = e->n; i-- > 0;)
-		ensemble_fill_row(e, i, e->part[ENSEMBLE_MODEL] + i * DRAWS,
+		fill_model_and_answer_row(e, i,
+		    e->part[ENSEMBLE_MODEL] + i * DRAWS,
 		    e->part[ENSEMBLE_ANSWER] + i * DRAWS);
 	e->sampled = false;
 }
 
-/* The grid's last speed but one that is made and not above v, or the first. */
+/* Returns the last speed of the grid that exists and is not above v, but not
+ * the fastest one; if there is none, the slowest. */
 static size_t
-grid_place(const struct ensemble *e, double v)
+index_on_grid(const struct ensemble *e, double v)
 {
 	size_t low = e->slowest, high = e->fastest;
 	while (low + 1 < high) {
@@ -454,7 +463,7 @@ grid_place(const struct ensemble *e, double v)
 }
 
 size_t
-ensemble_pool(double *value, double *weight, size_t *length, size_t n)
+ensemble_pool_falling(double *value, double *weight, size_t *length, size_t n)
 {
 	size_t blocks = 0;
 	for (size_t k = 0; k < n; k++) {
@@ -474,7 +483,7 @@ ensemble_pool(double *value, double *weight, size_t *length, size_t n)
 	return blocks;
 }
 
-/* Values i of the speeds that are looked at become the nearest that do not
+/* Replaces values i at the pooled speeds by the nearest ones that do not
  * fall. */
 static void
 pool_adjacent_violators(struct ensemble *e, size_t i)
@@ -485,7 +494,7 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		mean[j] = e->rising[SLOWEST + j][i];
 		weight[j] = e->counts[SLOWEST + j];
 	}
-	size_t n = ensemble_pool(mean, weight, length, all);
+	size_t n = ensemble_pool_falling(mean, weight, length, all);
 	for (size_t block = 0; block < n; block++)
 		for (size_t j = 0; j < length[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
@@ -493,9 +502,9 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		}
 }
 
-/* The answers at speed k of the grid, as drawn. */
+/* Computes the answers at speed k of the grid, as drawn. */
 static void
-draw_grid(struct ensemble *e, size_t k)
+answers_at_grid_speed(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
 	ensemble_draws_at(e, e->speed[k]);
@@ -505,24 +514,24 @@ draw_grid(struct ensemble *e, size_t k)
 }
 
 static void
-make_rising(struct ensemble *e)
+make_rising_grid(struct ensemble *e)
 {
 	for (size_t k = SLOWEST; k <= e->last; k++)
-		draw_grid(e, k);
+		answers_at_grid_speed(e, k);
 	for (size_t i = 0; i < e->n * DRAWS; i++)
 		pool_adjacent_violators(e, i);
 	e->slowest = SLOWEST;
 	e->fastest = e->last;
 }
 
-/* What is asked for beyond the speeds that are looked at changes nothing within
- * them: it is kept from falling by the next speed that is nearer to them. */
+/* Extends the grid to a speed beyond those that are pooled, which changes
+ * nothing within them: each added speed is limited by its neighbour. */
 static void
 extend_rising_grid(struct ensemble *e, double v)
 {
 	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
-		draw_grid(e, k);
+		answers_at_grid_speed(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
 			double above = e->rising[k + 1][i];
 			e->moved[k][i] = e->rising[k][i] > above;
@@ -531,7 +540,7 @@ extend_rising_grid(struct ensemble *e, double v)
 	}
 	while (e->fastest + 1 < RISING && v > e->speed[e->fastest]) {
 		size_t k = ++e->fastest;
-		draw_grid(e, k);
+		answers_at_grid_speed(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
 			double below = e->rising[k - 1][i];
 			e->moved[k][i] = e->rising[k][i] < below;
@@ -540,13 +549,14 @@ extend_rising_grid(struct ensemble *e, double v)
 	}
 }
 
-/* Faster is never coarser (D23): no passing of a draw falls with the speed.  At
- * the speeds of the grid it is the nearest curve that does not; between two of
- * which one was moved it is straight, else the draw as it is. */
+/* A higher speed never gives a coarser product (D23): no passing of a draw
+ * falls with the speed.  At the speeds of the grid the curve is the nearest
+ * that does not fall.  Between two of them it is a straight line if either was
+ * moved, otherwise the draw as it is. */
 static void
-keep_rising(struct ensemble *e, double v)
+limit_answers_by_grid(struct ensemble *e, double v)
 {
-	size_t k = grid_place(e, v);
+	size_t k = index_on_grid(e, v);
 	const double *below = e->rising[k], *above = e->rising[k + 1];
 	double from = e->speed[k], to = e->speed[k + 1];
 	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
@@ -562,18 +572,18 @@ keep_rising(struct ensemble *e, double v)
 	}
 }
 
-/* The answers as drawn, but that none falls with the speed. */
+/* Computes the answers as drawn, except that none falls with the speed. */
 static void
 rising_answers_at(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
-		make_rising(e);
+		make_rising_grid(e);
 	extend_rising_grid(e, v);
 	ensemble_draws_at(e, v);
-	keep_rising(e, v);
+	limit_answers_by_grid(e, v);
 }
 
-/* Whether v lies between two measured speeds: number *k and the next. */
+/* True if v lies between two measured speeds: number *k and the next. */
 static bool
 ensemble_is_between(const struct posterior *p, double v, size_t *k)
 {
@@ -583,8 +593,8 @@ ensemble_is_between(const struct posterior *p, double v, size_t *k)
 	return false;
 }
 
-/* Whether a draw is straight between measured speeds: of draws next to one
- * another, which may be in order, as many as of all. */
+/* True if a draw is straight between measured speeds.  Neighbouring draws may
+ * resemble each other, so the straight ones are spread over all of them. */
 static bool
 ensemble_is_straight(const struct posterior *p, size_t draw)
 {
@@ -592,7 +602,7 @@ ensemble_is_straight(const struct posterior *p, size_t draw)
 	return (double)place + 0.5 < p->straight * DRAWS;
 }
 
-/* At a speed between two measured ones (D25, thin.h). */
+/* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
 ensemble_straighten(struct ensemble *e, double v, size_t k)
 {
@@ -652,9 +662,9 @@ ensemble_mean(const struct ensemble *e, double *passing)
 	}
 }
 
-/* The ends of the middle `level` of n values, which are put into order: means
- * of those about either end, the further off the less they count, as one alone
- * errs by chance. */
+/* Finds the ends of the middle `level` of n values, which it sorts.  Each end
+ * is an average over the values around it, with weights that fall with the
+ * distance, because a single value is subject to chance. */
 static void
 middle_interval(
     double *value, size_t n, double level, double *low, double *high)
@@ -706,7 +716,7 @@ ensemble_row_interval(struct ensemble *e, enum ensemble_part part, size_t row,
 }
 
 double
-ensemble_halves(struct ensemble *e, double v)
+ensemble_halves_apart(struct ensemble *e, double v)
 {
 	enum { HALF = DRAWS / 2 };
 	const double rounding = 0.001, level = 0.8;

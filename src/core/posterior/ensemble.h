@@ -18,7 +18,7 @@ void ensemble_free(struct ensemble *e);
 
 /* Sets a machine other than the measured one: settings with the posterior's
  * method, a bypass, and another k, which scales f_mat in every draw. */
-void ensemble_machine(struct ensemble *e, struct model_settings settings);
+void ensemble_set_machine(struct ensemble *e, struct model_settings settings);
 
 /* The parts of an ensemble: products of the model alone, which differ only in
  * their parameters; products with the discrepancy, whose mean is the answer;
@@ -32,7 +32,7 @@ enum ensemble_part {
 };
 
 /* Returns the number of the ensemble's sizes. */
-size_t ensemble_sizes(const struct ensemble *e);
+size_t ensemble_count_sizes(const struct ensemble *e);
 
 /* Moves to tip speed v, m/s; does nothing if that is the speed already. */
 void ensemble_at(struct ensemble *e, double v);
@@ -49,7 +49,7 @@ const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
 /* Computes the discrepancy over h of a draw at the ensemble's speed and sizes,
  * [n] out; see discrepancy_answer. */
-void ensemble_delta(const struct ensemble *e, size_t draw, double *delta);
+void ensemble_discrepancy(const struct ensemble *e, size_t draw, double *delta);
 
 /* Returns the ensemble's posterior. */
 const struct posterior *ensemble_posterior(const struct ensemble *e);
@@ -75,7 +75,7 @@ void ensemble_interval_with_answer(
  * bands, whichever is larger, divided by the width of the band.  It is the root
  * mean square over the sizes at which the band is wider than the rounding in
  * sheets. */
-double ensemble_halves(struct ensemble *e, double v);
+double ensemble_halves_apart(struct ensemble *e, double v);
 
 /* Pools neighbouring values [n] into blocks whose means, by weights [n], do not
  * fall from one block to the next: the nearest such sequence in the
@@ -83,6 +83,7 @@ double ensemble_halves(struct ensemble *e, double v);
  * blocks.  value, weight, length [n]: out, the mean, weight and number of
  * values of each block.
  */
-size_t ensemble_pool(double *value, double *weight, size_t *length, size_t n);
+size_t ensemble_pool_falling(
+    double *value, double *weight, size_t *length, size_t n);
 
 #endif

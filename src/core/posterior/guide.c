@@ -16,7 +16,7 @@ guide_begin(struct guide *g, size_t size, const double *origin)
 }
 
 static void
-add_chain(
+add_chain_to_moments(
     const struct guide *g, const double *x, double weight, struct moments *sum)
 {
 	double off[GUIDE_MOST];
@@ -28,7 +28,7 @@ add_chain(
 	}
 }
 
-/* Goes a part of the way to other moments. */
+/* Moves the moments a part of the way to others. */
 static void
 moments_blend(struct guide *g, double part, const struct moments *to)
 {
@@ -49,7 +49,7 @@ guide_add(struct guide *g, const double *const *x, size_t chains, double weight,
 	if (chains == 0)
 		return;
 	for (size_t c = 0; c < chains; c++)
-		add_chain(g, x[c], 1 / (double)chains, &sum);
+		add_chain_to_moments(g, x[c], 1 / (double)chains, &sum);
 	g->n += weight;
 	moments_blend(g, weight / g->n, &sum);
 }
@@ -65,7 +65,7 @@ void
 guide_factor_part(
     const struct guide *g, const size_t *at, size_t n, struct guide_part *part)
 {
-	const double more = 1.0005; /* variance: ridges are narrow */
+	const double more = 1.0005; /* of the variance: ridges are narrow */
 	part->n = 0;
 	for (size_t k = 0; k < n; k++) {
 		size_t i = at[k];
@@ -89,7 +89,7 @@ guide_factor_part(
 		}
 }
 
-/* x seen along L. */
+/* Computes the standardised x: L z = x - mean. */
 static void
 guide_standardise(const struct guide_part *part, const double *x, double *z)
 {

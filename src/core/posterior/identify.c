@@ -14,7 +14,8 @@ enum { DRAWS = POSTERIOR_DRAWS };
 
 static const double DETERMINED = 0.1, POORLY = 0.5;
 
-/* Part of the range that counts as on a bound, and draws that make it one. */
+/* Values within this part of the range from a bound count as on it, and this
+ * share of the draws on a bound puts the parameter there. */
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void
@@ -26,7 +27,7 @@ draws_of_parameter(
 }
 
 static int
-bound_of_draws(const double *value, double lower, double upper)
+bound_where_draws_lie(const double *value, double lower, double upper)
 {
 	double edge = EDGE * (upper - lower), low = 0, high = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -36,9 +37,9 @@ bound_of_draws(const double *value, double lower, double upper)
 	return low >= MANY * DRAWS ? -1 : high >= MANY * DRAWS;
 }
 
-/* Puts the first n parameters of a draw, as a vector of length 1. */
+/* Returns the first n parameters of a draw as a vector of length 1. */
 static void
-draw_direction(const struct posterior *p, size_t d, size_t n, double *unit)
+direction_of_draw(const struct posterior *p, size_t d, size_t n, double *unit)
 {
 	double squares = 0;
 	for (size_t j = 0; j < n; j++)
@@ -47,14 +48,15 @@ draw_direction(const struct posterior *p, size_t d, size_t n, double *unit)
 		unit[j] = p->draw[d].params.at[j] / sqrt(squares);
 }
 
-/* How far the draws of n parameters, of which only the direction counts, lie
- * about their mean direction: the sine (RMS), over that of any directions. */
+/* Returns how far the draws scatter around their mean direction, for n
+ * parameters of which only the direction counts: the RMS of the sine, divided
+ * by that of random directions. */
 static double
 scatter_of_direction(const struct posterior *p, size_t n)
 {
 	double mean[PARAMS_MOST] = {0}, unit[PARAMS_MOST], length = 0, sum = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
-		draw_direction(p, d, n, unit);
+		direction_of_draw(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			mean[j] += unit[j];
 	}
@@ -62,7 +64,7 @@ scatter_of_direction(const struct posterior *p, size_t n)
 		length += mean[j] * mean[j];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double along = 0;
-		draw_direction(p, d, n, unit);
+		direction_of_draw(p, d, n, unit);
 		for (size_t j = 0; j < n; j++)
 			along += unit[j] * mean[j] / sqrt(length);
 		sum += fmax(1 - along * along, 0) / DRAWS;
@@ -85,7 +87,8 @@ identify_param(const struct posterior *p, size_t j)
 	bool moves =
 	    b->upper[j] > b->lower[j] && a.sd > 1e-9 * fmax(fabs(a.mean), 1e-9);
 	a.ratio = moves ? a.sd / a.prior : NAN;
-	/* One of them may be 1 in all draws: scaled so, not known. */
+	/* Scaling may make one of them 1 in all draws, which does not mean that
+	 * the data determine it. */
 	if (j < of->gauge) {
 		a.ratio = scatter_of_direction(p, of->gauge);
 		moves = a.ratio > 1e-9;
@@ -95,7 +98,7 @@ identify_param(const struct posterior *p, size_t j)
 		  : a.ratio < POORLY     ? IDENTIFY_POORLY
 					 : IDENTIFY_NOT;
 	a.bound = moves && j >= of->gauge
-		      ? bound_of_draws(value, b->lower[j], b->upper[j])
+		      ? bound_where_draws_lie(value, b->lower[j], b->upper[j])
 		      : 0;
 	return a;
 }

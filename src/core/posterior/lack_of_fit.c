@@ -10,8 +10,8 @@
 #include "core/numeric/elementary.h"
 #include "core/posterior/ensemble.h"
 
-/* What the mean answer leaves at a run, r [n] out, and its h, midway between
- * answer and measurement (discrepancy.h). */
+/* Computes the residuals of the mean answer at a run, r [n] out, and h at the
+ * middle between answer and measurement (discrepancy.h). */
 static void
 find_residuals(const struct posterior *p, const struct misfit_run *run,
     double *r, double *h)
@@ -26,7 +26,8 @@ find_residuals(const struct posterior *p, const struct misfit_run *run,
 	ensemble_free(e);
 }
 
-/* Standard deviation of the errors that a sample shares along its curve. */
+/* Returns the standard deviation of the errors that a sample shares along its
+ * curve. */
 static double
 shared_error(const struct posterior *p, const struct misfit *m)
 {
@@ -38,7 +39,8 @@ shared_error(const struct posterior *p, const struct misfit *m)
 	return sum;
 }
 
-/* The share of residuals r [n] that is the product's own. */
+/* Returns the share of residuals r [n] that belongs to the product and not to
+ * the sample. */
 static double
 product_error_share(const double *r, const double *h, size_t n, double shared)
 {
@@ -52,9 +54,9 @@ product_error_share(const double *r, const double *h, size_t n, double shared)
 	return squares > 0 ? fmin(fmax(along / squares, 0), 1) : 0;
 }
 
-/* The share of residuals r [m->n_residual] that is smooth along the curves:
- * once the smooth answer is taken off, neighbours have half of the rest in
- * common, and none of what errs independently. */
+/* Returns the share of residuals r [m->n_residual] that is smooth along the
+ * curves.  Independent errors have no product with their neighbours; of what
+ * the smooth answer leaves out, neighbours have half in common. */
 static double
 smooth_share(const struct misfit *m, const double *r)
 {
@@ -67,13 +69,14 @@ smooth_share(const struct misfit *m, const double *r)
 	return squares > 0 ? fmin(fmax(2 * along / squares, 0), 1) : 0;
 }
 
-/* Adds a run's residuals, over h, times `share` to those at the knots: straight
- * in ln size between its sieves, held beyond them. */
+/* Adds a run's residuals, divided by h and times `share`, to those at the
+ * knots: linear in ln size between its sieves, constant beyond them. */
 static void
 add_residuals_at_knots(const struct posterior *p, const struct misfit_run *run,
     const double *r, const double *h, double share, double *lack)
 {
-	const double least = 0.05; /* of h: next to nothing or all passes */
+	/* h is near 0 where almost nothing or almost all passes. */
+	const double least = 0.05;
 	for (size_t k = 0, i = 0; k < p->n_knot; k++) {
 		while (i + 1 < run->n && p->knot[k] < el_log(run->sieve[i]))
 			i++;
@@ -88,7 +91,7 @@ add_residuals_at_knots(const struct posterior *p, const struct misfit_run *run,
 }
 
 static size_t
-number_of_speed(const struct posterior *p, double v)
+index_of_speed(const struct posterior *p, double v)
 {
 	size_t k = 0;
 	while (p->speed[k] < v)
@@ -96,24 +99,24 @@ number_of_speed(const struct posterior *p, double v)
 	return k;
 }
 
-/* Adds the residuals of all runs r, over h, each [m->n_residual], times the
- * share of its run [m->n_run], with the mean of repeats. */
+/* Adds the residuals r of all runs, divided by h, each [m->n_residual], times
+ * the share of their run [m->n_run].  Repeats are averaged. */
 static void
 add_shares_of_residuals(struct posterior *p, const struct misfit *m,
     const double *r, const double *h, const double *share)
 {
 	double repeats[POSTERIOR_RUNS] = {0};
 	for (size_t j = 0; j < m->n_run; j++)
-		repeats[number_of_speed(p, m->run[j].speed)]++;
+		repeats[index_of_speed(p, m->run[j].speed)]++;
 	for (size_t j = 0; j < m->n_run; r += m->run[j].n, h += m->run[j++].n) {
-		size_t k = number_of_speed(p, m->run[j].speed);
+		size_t k = index_of_speed(p, m->run[j].speed);
 		add_residuals_at_knots(p, &m->run[j], r, h,
 		    share[j] / repeats[k], p->lack + k * p->n_knot);
 	}
 }
 
-/* What the mean answer leaves at all runs, and its h behind it, [2 *
- * m->n_residual], which the caller frees. */
+/* Returns the residuals of the mean answer at all runs, followed by their h, [2
+ * * m->n_residual].  The caller frees them. */
 static double *
 residuals_of_runs(const struct posterior *p, const struct misfit *m)
 {
@@ -142,7 +145,7 @@ lack_of_fit_find(struct posterior *p, const struct misfit *m)
 void
 lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m)
 {
-	const double usual = 0.1, most = 0.75; /* of D25's share */
+	const double usual = 0.1, most = 0.75; /* of the share q of D25 */
 	double law = fmin(1, (most - p->straight) / (most - usual));
 	if (p->n_speed < 2 || law == 1)
 		return;

@@ -27,24 +27,27 @@
 #include "core/search/sensitivity.h"
 
 enum {
-	CHAINS = POSTERIOR_DRAWS / 2, /* which give two draws to a batch, */
-	BATCHES = 4,                  /* of which one is left, see thin.h */
+	CHAINS = POSTERIOR_DRAWS / 2, /* each gives two draws to a batch */
+	BATCHES = 4, /* the draws of one batch are kept, see thin.h */
 	DRAWS_EACH = 2 * BATCHES,
 	HALF = CHAINS / 2,
-	PART = 16, /* of a half, for one thread at a time */
+	PART = 16, /* chains of a half that a thread takes at a time */
 	RUNG = 6,  /* generations */
 	WARM_UP = 112,
 	KEPT = 176,
-	RECENT = 5,       /* generations that the guide goes by, until warm */
-	HYPER_EVERY = 6,  /* generations, one of the hyperparameters; half as
-			  * often until warm */
-	ALONG_EVERY = 10, /* one that goes along differences, once warm */
-	LEAP_EVERY = 10,  /* one that leaps from valley to valley */
+	RECENT = 5, /* generations that inform the guide during the warm-up */
+	/* One generation in so many moves the hyperparameters; half as often
+	 * during the warm-up. */
+	HYPER_EVERY = 6,
+	/* After the warm-up one in so many moves along differences. */
+	ALONG_EVERY = 10,
+	LEAP_EVERY = 10, /* one in so many leaps from valley to valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
-	NUMBERS = 64, /* random ones of a chain and generation */
-	LEAST = 8     /* passings taken of each of many runs; of few as many as
-		       * make one matrix: more tell little more */
+	NUMBERS = 64, /* random numbers of a chain in a generation */
+	/* So many passings of each run are enough where there are many runs,
+	 * as more would tell little; of few runs as many as fit one matrix. */
+	LEAST = 8
 };
 
 _Static_assert((int)COORDINATES <= (int)GUIDE_MOST, "room of the guide");
@@ -53,15 +56,15 @@ static const double FIRST_RUNG = 0.02, RISE = 1.25;
 
 enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 
-/* x: coordinates of the parameters (coordinates.h), from PARAMS_MOST on the
- * hyperparameters' logarithms, from STRENGTHS on those of the strengths.
- * likelihood, prior: -ln, but for constants. */
+/* x: the coordinates of the parameters (coordinates.h); from PARAMS_MOST on the
+ * logarithms of the hyperparameters; from STRENGTHS on the coordinates of the
+ * strengths.  likelihood, prior: -ln of them, up to constants. */
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior, hyper_prior;
 	double volume; /* see rescale_to_cells */
 	double more;   /* of a guided move, see guide_propose */
-	double *U, *d; /* covariance_factor, simulated - measured */
+	double *U, *d; /* covariance_factor; simulated - measured */
 };
 
 struct sampler {
@@ -70,7 +73,7 @@ struct sampler {
 	struct bounds bounds;
 	struct sensitivity sensitivity;
 	double rms;   /* of the fit's differences */
-	double noise; /* known, or 0 */
+	double noise; /* stated by the user, or 0 */
 	enum isa isa;
 	struct coordinates coordinates;
 	bool two; /* the rock may have two strengths */
@@ -78,39 +81,43 @@ struct sampler {
 	struct cell *cell;
 	double *measured; /* passings of the cells */
 	struct covariance *covariance;
-	double *scheme; /* what the kernel's differences err by, at the fit */
+	double *scheme; /* error of the kernel's differences at the fit */
 	struct kernel *kernel;
 	struct pool *pool;
 	uint64_t seed, generation;
-	double share; /* of the likelihood that counts */
+	double share; /* share of the likelihood that counts */
 	struct chain chain[CHAINS], trial[HALF];
-	size_t first; /* chain of the half that moves */
-	bool started; /* both halves */
+	size_t first; /* first chain of the half that moves */
+	bool started; /* both halves have started */
 	bool hyper;   /* the hyperparameters move, not the parameters */
-	bool guided;  /* by what the guides know */
-	/* Of chains of one strength and of two, and ln of how many are drawn
-	 * there; of all the hyperparameters. */
+	bool guided;  /* the guides propose the moves */
+	/* The guides of chains with one strength and with two, their factors,
+	 * and the factor for all hyperparameters; ln of the share of moves to
+	 * either kind. */
 	struct guide guide[2];
 	struct guide_part kind[2], hypers;
 	double log_share[2];
-	double told; /* generations that the guides go by */
-	/* Of the trials, in the order in which they are evaluated, first those
-	 * of two strengths: which they are, parameters, e0_min of the softer
-	 * rock and its share, and differences. */
+	double told; /* generations that inform the guides */
+	/* The trials in the order in which they are evaluated, those with two
+	 * strengths first: their indices, parameters, e0_min of the softer rock
+	 * and its share, and differences. */
 	size_t order[HALF];
 	double *theta[PARAMS_MOST], softer[HALF], share_softer[HALF];
 	double *difference, *misfit;
 	size_t accepted, tried;
 };
 
-/* Differences of a trial d [n_cell], as simulated - measured, become what they
- * are with the h of the cells (make_cells) in place of the trial's own, so that
- * one covariance serves all: what draws are corrected by (discrepancy_answer)
- * is what is judged here.  Returns ln of what that makes a volume smaller. */
+/* Rescales the differences of a trial d [n_cell], simulated - measured, from
+ * its own h to that of the cells (make_cells).  One covariance then serves all
+ * trials, and a trial is judged by the same measure that corrects a draw
+ * (discrepancy_answer).  Returns ln of the factor by which this shrinks a
+ * volume. */
 static double
 rescale_to_cells(const struct sampler *s, double *d)
 {
-	enum { AT_ONCE = 16 }; /* logarithms: their product is no overflow */
+	enum {
+		AT_ONCE = 16
+	}; /* logarithms at once: the product does not overflow */
 	const double floor = 0.05;
 	double level = 0, product = 1;
 	for (size_t k = 0; k < s->n_cell; k++) {
@@ -126,7 +133,7 @@ rescale_to_cells(const struct sampler *s, double *d)
 	return level + el_log(product);
 }
 
-/* The trial at a place of the order. */
+/* Evaluates the trial at a place of the order. */
 static void
 evaluate_trial(struct sampler *s, size_t place, double *work)
 {
@@ -144,8 +151,8 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 	trial->volume = s->hyper ? now->volume : rescale_to_cells(s, trial->d);
 	memcpy(work, trial->d, n * sizeof *work);
 	trial->likelihood =
-	    trial->volume +
-	    covariance_level(s->covariance, s->hyper ? trial->U : now->U, work);
+	    trial->volume + covariance_minus_log_density(s->covariance,
+				s->hyper ? trial->U : now->U, work);
 	if (s->hyper)
 		trial->prior = now->prior;
 	trial->hyper_prior = s->hyper ? discrepancy_minus_log_prior(
@@ -155,7 +162,7 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 		trial->prior = INFINITY;
 }
 
-/* Differences of those from..to-1 in the order. */
+/* Computes the differences of the trials from..to-1 in the order. */
 static void
 find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
 {
@@ -166,7 +173,7 @@ find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
 }
 
 static void
-evaluate_part(void *data, size_t part, unsigned thread)
+evaluate_some_trials(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
 	size_t from = part * PART, to = from + PART;
@@ -181,19 +188,19 @@ evaluate_part(void *data, size_t part, unsigned thread)
 static struct strengths
 strengths_of(const struct sampler *s, const double *x)
 {
-	return s->two ? strengths_at(x + STRENGTHS)
+	return s->two ? strengths_from_coordinates(x + STRENGTHS)
 		      : (struct strengths){0, 1, 1};
 }
 
 /* Puts trial i into a place of the order. */
 static void
-posterior_line_up(
+place_trial_in_order(
     struct sampler *s, size_t i, struct strengths rock, size_t place)
 {
 	size_t e0 = s->of->strength + 1;
 	double at[PARAMS_MOST], *prior = &s->trial[i].prior;
 	const double *x = s->trial[i].x;
-	*prior = coordinates_params(&s->coordinates, x, at);
+	*prior = coordinates_to_params(&s->coordinates, x, at);
 	for (size_t j = STRENGTHS; j < COORDINATES; j++)
 		*prior += x[j] * x[j] / 2;
 	s->order[place] = i;
@@ -212,15 +219,16 @@ posterior_evaluate(struct sampler *s)
 		s->order[i] = i;
 	for (size_t i = 0; i < HALF && !s->hyper; i++) {
 		struct strengths rock = strengths_of(s, s->trial[i].x);
-		posterior_line_up(s, i, rock, rock.share > 0 ? two++ : --one);
+		place_trial_in_order(
+		    s, i, rock, rock.share > 0 ? two++ : --one);
 	}
-	pool_run(s->pool, HALF / PART, evaluate_part, s);
+	pool_run(s->pool, HALF / PART, evaluate_some_trials, s);
 }
 
-/* Where the chain goes of this index: along the difference of two of the other
+/* Proposes a move of chain i along the difference of two chains of the other
  * half. */
 static void
-posterior_propose(struct sampler *s, size_t i, struct rng_key key)
+propose_along_difference(struct sampler *s, size_t i, struct rng_key key)
 {
 	const struct chain *other = &s->chain[s->first == 0 ? HALF : 0];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS);
@@ -241,17 +249,18 @@ posterior_propose(struct sampler *s, size_t i, struct rng_key key)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
 	for (size_t j = STRENGTHS; j < STRENGTHS + strengths; j++)
 		x[j] += length * (other[a].x[j] - other[b].x[j]);
-	coordinates_reflect(&s->coordinates, x);
+	coordinates_reflect_at_bounds(&s->coordinates, x);
 }
 
-/* 1 where the rock has two strengths, else 0. */
+/* Returns 1 if the rock has two strengths, otherwise 0. */
 static size_t
 strength_kind_of(const struct sampler *s, const double *x)
 {
 	return s->two && x[STRENGTHS] > 0;
 }
 
-/* ln of the density of what propose_guided draws from, but for a constant. */
+/* Returns ln of the density from which propose_guided draws, up to a
+ * constant. */
 static double
 guided_density(const struct sampler *s, const double *x)
 {
@@ -262,10 +271,11 @@ guided_density(const struct sampler *s, const double *x)
 	return kind == 0 ? sum + el_log(2) : sum;
 }
 
-/* Draws the coordinates of the strengths of a rock that has but one, of which
- * nothing is known, from their prior; returns as guide_propose. */
+/* Draws the coordinates of the strengths from their prior.  The rock has only
+ * one strength, so nothing is known of them.  Returns the same as
+ * guide_propose. */
 static double
-draw_strength(double *x, struct rng_key key, uint32_t at)
+draw_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
 {
 	double more = 0;
 	for (size_t j = STRENGTHS; j < COORDINATES; j++) {
@@ -276,10 +286,10 @@ draw_strength(double *x, struct rng_key key, uint32_t at)
 	return more;
 }
 
-/* Where the chain goes of this index: some coordinates are drawn anew.  Every
- * other time they are half of the parameters; else all, and whether the rock
- * has one strength or two: between these chains change hardly ever by small
- * steps, and either has a mean and a covariance of its own. */
+/* Proposes for chain i by drawing some coordinates anew.  In every other
+ * generation these are half of the parameters; in the others all of them, and
+ * whether the rock has one strength or two.  Small steps hardly ever change
+ * that, and each kind has its own mean and covariance. */
 static void
 propose_guided(struct sampler *s, size_t i, struct rng_key key)
 {
@@ -295,8 +305,8 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	trial->more = guide_propose(s->hyper ? &s->hypers : &s->kind[to],
 	    all ? 1 : half, now, trial->x, key, at + 1);
 	if (!s->hyper && s->two && to == 0)
-		trial->more +=
-		    draw_strength(trial->x, key, at + 1 + 2 * COORDINATES);
+		trial->more += draw_strengths_from_prior(
+		    trial->x, key, at + 1 + 2 * COORDINATES);
 	if (strength_kind_of(s, trial->x) != to)
 		trial->more = INFINITY;
 	else if (to != kind)
@@ -304,9 +314,9 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 		    guided_density(s, trial->x) - guided_density(s, now);
 }
 
-/* The coordinates that move, [COORDINATES] out. */
+/* Lists the coordinates that move, at [COORDINATES] out. */
 static size_t
-free_coordinates(const struct sampler *s, size_t *at)
+list_moving_coordinates(const struct sampler *s, size_t *at)
 {
 	size_t n = 0;
 	for (size_t j = 0; j < HYPERS && s->hyper; j++)
@@ -318,12 +328,13 @@ free_coordinates(const struct sampler *s, size_t *at)
 	return n;
 }
 
-/* Of few chains of a kind all tell more than they alone. */
+/* A kind with few chains is blended with all chains, which tell more than these
+ * few alone. */
 static void
 factor_guides(struct sampler *s)
 {
 	const double generations = 2, least = 0.05;
-	size_t at[COORDINATES], n = free_coordinates(s, at);
+	size_t at[COORDINATES], n = list_moving_coordinates(s, at);
 	struct guide all = s->guide[0];
 	guide_blend(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
@@ -341,12 +352,12 @@ factor_guides(struct sampler *s)
 	}
 }
 
-/* Of each generation's moves, which they are.  Along differences alone chains
- * forget where they were after 100 to 400 generations; so most are guided.  The
- * warm-up keeps to differences for parameters: a cloud of chains has no shape
- * to go by while valleys are still being chosen. */
+/* Chooses the kind of move of a generation.  Along differences alone, chains
+ * forget where they were after 100 to 400 generations, so most moves are
+ * guided. During the warm-up parameters move along differences, because the
+ * cloud of chains has no useful shape while they are still choosing valleys. */
 static void
-choose_moves(struct sampler *s)
+choose_kind_of_move(struct sampler *s)
 {
 	size_t every = s->generation < WARM_UP ? 2 * HYPER_EVERY : HYPER_EVERY;
 	s->hyper = s->generation % every == every - 1;
@@ -394,33 +405,34 @@ accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 	chain_take_trial(now, trial, s->hyper);
 }
 
-/* On to the other half; true when both have had their turn. */
+/* Changes to the other half.  True if both have moved. */
 static bool
-posterior_other_half(struct sampler *s)
+switch_halves(struct sampler *s)
 {
 	s->first = HALF - s->first;
 	return s->first == 0;
 }
 
-/* Moves a half; true when that was a generation. */
+/* Moves a half.  True if that completes a generation. */
 static bool
-propose_for_half(struct sampler *s)
+move_half(struct sampler *s)
 {
 	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
-	choose_moves(s);
+	choose_kind_of_move(s);
 	for (size_t i = 0; i < HALF; i++)
-		(s->guided ? propose_guided : posterior_propose)(s, i, key);
+		(s->guided ? propose_guided : propose_along_difference)(
+		    s, i, key);
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept_or_reject(s, i, key);
-	if (!posterior_other_half(s))
+	if (!switch_halves(s))
 		return false;
 	s->generation++;
 	return true;
 }
 
-/* Puts a chain somewhere about the fit, as far along each direction of the
- * sensitivities as the data leave open, more or less. */
+/* Puts a chain near the fit, at a random distance along each direction of the
+ * sensitivities, as far as the data leave that direction open. */
 static void
 start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 {
@@ -437,7 +449,7 @@ start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 	for (size_t j = s->of->gauge; j < s->of->n; j++)
 		p.at[j] =
 		    fmin(fmax(p.at[j], s->bounds.lower[j]), s->bounds.upper[j]);
-	coordinates_of(&s->coordinates, p.at, c->x);
+	coordinates_from_params(&s->coordinates, p.at, c->x);
 	for (size_t h = 0; h < HYPERS; h++)
 		c->x[PARAMS_MOST + h] =
 		    el_log(HYPER[h].median) +
@@ -463,7 +475,7 @@ start_half(struct sampler *s)
 	posterior_evaluate(s);
 	for (size_t i = 0; i < HALF; i++)
 		chain_take_trial(&s->chain[s->first + i], &s->trial[i], false);
-	s->started = posterior_other_half(s);
+	s->started = switch_halves(s);
 }
 
 static void
@@ -479,8 +491,8 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 	to->hyper_prior = from->hyper_prior;
 }
 
-/* Lets a larger share of the likelihood count, and draws the chains anew by how
- * much more probable that makes each. */
+/* Lets a larger share of the likelihood count, and resamples the chains by the
+ * probability that they gain. */
 static void
 temper_chains(struct sampler *s, double share)
 {
@@ -509,13 +521,13 @@ temper_chains(struct sampler *s, double share)
 		}
 }
 
-/* Sums over a part of the kept generations, by chain and coordinate. */
+/* Sums over the kept generations, by chain and coordinate. */
 struct sums {
 	double n, of[CHAINS][COORDINATES], squares[CHAINS][COORDINATES];
 };
 
 static void
-sums_add_chains(struct sums *sums, const struct sampler *s)
+add_chains_to_sums(struct sums *sums, const struct sampler *s)
 {
 	sums->n++;
 	for (size_t i = 0; i < CHAINS; i++)
@@ -526,7 +538,7 @@ sums_add_chains(struct sums *sums, const struct sampler *s)
 		}
 }
 
-/* Gelman and Rubin's R of a coordinate. */
+/* Returns Gelman and Rubin's R of a coordinate. */
 static double
 gelman_rubin(const struct sums *sums, size_t j)
 {
@@ -543,9 +555,10 @@ gelman_rubin(const struct sums *sums, size_t j)
 	return within > 1e-12 * fabs(mean) ? sqrt(1 + between / within) : 1;
 }
 
-/* Draws of the first and the second half, in standard deviations. */
+/* Returns the difference between the means of the two halves of the draws, in
+ * standard deviations. */
 static double
-halves_difference(const struct posterior *p, size_t j)
+difference_of_halves(const struct posterior *p, size_t j)
 {
 	double sum[2] = {0}, squares = 0;
 	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
@@ -560,7 +573,7 @@ halves_difference(const struct posterior *p, size_t j)
 }
 
 static void
-find_convergence(
+measure_convergence(
     struct posterior *p, const struct sampler *s, const struct sums *sums)
 {
 	p->ratio = 1;
@@ -569,11 +582,11 @@ find_convergence(
 		if (j < s->of->n || j >= PARAMS_MOST)
 			p->ratio = fmax(p->ratio, gelman_rubin(sums, j));
 	for (size_t j = 0; j < s->of->n; j++)
-		p->drift = fmax(p->drift, halves_difference(p, j));
+		p->drift = fmax(p->drift, difference_of_halves(p, j));
 }
 
-/* The sizes of the cells and the ends of the feeds, and more where these lie
- * apart, so that processes are straight between them. */
+/* Puts knots at the sizes of the cells and the ends of the feeds, and more in
+ * wide gaps, so that a process is nearly linear between knots. */
 static void
 make_knots(
     struct posterior *p, const struct site *site, const struct sampler *s)
@@ -588,7 +601,8 @@ make_knots(
 		const struct psd *feed = &site->run[r].feed;
 		coarsest = fmax(coarsest, feed->size[0]);
 		finest = fmin(finest, feed->size[feed->n - 1]);
-		/* Of many runs the ends of all may be any number. */
+		/* With many runs the ends of their feeds would make too many
+		 * knots. */
 		if (s->n_cell > COVARIANCE_FEW)
 			continue;
 		at[n++] = el_log(feed->size[0]);
@@ -611,7 +625,7 @@ make_knots(
 }
 
 static size_t
-knot_at(const struct posterior *p, double log_size)
+index_of_knot(const struct posterior *p, double log_size)
 {
 	size_t k = 0;
 	while (k + 1 < p->n_knot && p->knot[k] > log_size + 1e-6)
@@ -619,8 +633,8 @@ knot_at(const struct posterior *p, double log_size)
 	return k;
 }
 
-/* Random numbers of one draw: of two from the same chain one has the negative
- * ones of the other, so that their mean errs less. */
+/* The random numbers of a draw.  The two draws of a chain have opposite signs,
+ * so that the error of their mean is smaller. */
 struct noise {
 	enum isa isa;
 	struct rng_key key;
@@ -629,7 +643,7 @@ struct noise {
 };
 
 static void
-draw_normals(struct noise *noise, size_t n, double *z)
+random_normals(struct noise *noise, size_t n, double *z)
 {
 	discrepancy_normals(noise->isa, noise->key, noise->next, n, z);
 	noise->next += (uint32_t)n;
@@ -637,12 +651,12 @@ draw_normals(struct noise *noise, size_t n, double *z)
 		z[i] *= noise->sign;
 }
 
-/* A Gaussian process at the knots, whose covariance has the factor U'. */
+/* Draws a Gaussian process at the knots.  Its covariance is U' U. */
 static void
-draw_process(
+random_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
-	draw_normals(noise, n, work);
+	random_normals(noise, n, work);
 	for (size_t i = 0; i < n; i++)
 		f[i] = 0;
 	for (size_t k = 0; k < n; k++)
@@ -687,8 +701,8 @@ knot_pairs_clear(struct knot_pairs *k)
 	free(k->shared);
 }
 
-/* What the data of a made-up plant, with the processes as drawn from the prior
- * and errors alike, leave to be explained: d [n_cell] out. */
+/* Simulates the differences of an artificial plant, d [n_cell] out: the
+ * processes as drawn from the prior, and errors drawn likewise. */
 static void
 simulated_differences(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
@@ -697,12 +711,12 @@ simulated_differences(const struct sampler *s, const struct posterior *p,
 	size_t m = p->n_knot;
 	double *error = xdoubles(m), *work = xdoubles(m);
 	double term[DISCREPANCY_TERMS];
-	draw_normals(noise, s->n_cell, d);
+	random_normals(noise, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
-		size_t k = knot_at(p, c->log_size);
+		size_t k = index_of_knot(p, c->log_size);
 		if (i == 0 || c->run != s->cell[i - 1].run)
-			draw_process(shared, m, noise, error, work);
+			random_process(shared, m, noise, error, work);
 		double sum = error[k] + draw->hyper[HYPER_OWN] * d[i];
 		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
@@ -713,9 +727,9 @@ simulated_differences(const struct sampler *s, const struct posterior *p,
 	free(work);
 }
 
-/* Brings processes from the prior to the data (Matheron's rule): adds what the
- * data say beyond those of the made-up plant.  pair: knot_pairs.f, as the sizes
- * of the cells are among the knots. */
+/* Conditions processes from the prior on the data (Matheron's rule): adds what
+ * the data show beyond those of the artificial plant.  pair: knot_pairs.f,
+ * because the sizes of the cells are among the knots. */
 static void
 condition_on_data(const struct sampler *s, const struct posterior *p,
     const struct chain *chain, const double *pair, double slope,
@@ -727,7 +741,7 @@ condition_on_data(const struct sampler *s, const struct posterior *p,
 	covariance_solve(s->covariance, chain->U, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
-		size_t at = knot_at(p, c->log_size);
+		size_t at = index_of_knot(p, c->log_size);
 		discrepancy_terms(c->t, slope, term);
 		for (size_t k = 0; k < p->n_knot; k++) {
 			double gain =
@@ -738,7 +752,7 @@ condition_on_data(const struct sampler *s, const struct posterior *p,
 	}
 }
 
-/* Draw number `at`. */
+/* Makes draw number `at`. */
 static void
 make_draw(const struct sampler *s, struct posterior *p,
     const struct chain *chain, struct noise noise, size_t at)
@@ -748,7 +762,7 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *room = xdoubles((DISCREPANCY_TERMS + 2) * m + s->n_cell);
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
-	coordinates_params(&s->coordinates, chain->x, draw->params.at);
+	coordinates_to_params(&s->coordinates, chain->x, draw->params.at);
 	params_scale_to_1(&draw->params);
 	draw->strengths = strengths_of(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
@@ -758,9 +772,9 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *error = next, *work = error + m, *d = work + m;
 	struct knot_pairs pairs = knot_pairs_new(s->isa, p, draw->hyper);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		draw_process(pairs.wide, m, &noise, process[j], work);
-	draw_process(pairs.shared, m, &noise, error, work);
-	draw_normals(&noise, m, work);
+		random_process(pairs.wide, m, &noise, process[j], work);
+	random_process(pairs.shared, m, &noise, error, work);
+	random_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
 		error[k] += draw->hyper[HYPER_OWN] * work[k];
 	simulated_differences(s, p, draw, process, pairs.shared, &noise, d);
@@ -785,10 +799,11 @@ mean_energy(const struct misfit *m)
 	return sum / (double)m->n_run;
 }
 
-/* The fit and its bounds in the model with gamma that holds its own, if there
- * is one and Eq 1 is not taken in another form (D3). */
+/* Returns the fit, and changes its bounds, in the model with gamma that
+ * contains the fit's own model, if there is one and Eq 1 is not read in another
+ * form (D3). */
 static struct params
-posterior_widen(const struct params *p, double energy,
+widen_to_model_with_gamma(const struct params *p, double energy,
     struct model_settings *settings, struct bounds *bounds)
 {
 	const struct breakage *own = breakage_of(p);
@@ -819,8 +834,8 @@ posterior_widen(const struct params *p, double energy,
 	return q;
 }
 
-/* h is taken between the measured passing and the fit's: either may be an
- * outlier. */
+/* h is taken at the middle between the measured passing and the fit's, because
+ * either may be an outlier. */
 static void
 make_cells(struct sampler *s, const struct misfit *m, const double *d)
 {
@@ -833,14 +848,14 @@ make_cells(struct sampler *s, const struct misfit *m, const double *d)
 			s->measured[k] = m->run[r].measured[i];
 			s->cell[k] = (struct cell){.run = r,
 			    .log_size = el_log(m->run[r].sieve[i]),
-			    .t = discrepancy_time(
+			    .t = discrepancy_t_of_speed(
 				m->run[r].speed, s->coordinates.middle),
 			    .h = discrepancy_h(P)};
 		}
 }
 
 static void
-posterior_make_room(struct sampler *s)
+allocate_sampler(struct sampler *s)
 {
 	size_t n = s->n_cell;
 	for (size_t j = 0; j < s->of->n; j++)
@@ -856,9 +871,10 @@ posterior_make_room(struct sampler *s)
 	}
 }
 
-/* What the kernel's differences at the fit err by: exact d less its own. */
+/* Computes the error of the kernel's differences at the fit: exact d minus the
+ * kernel's. */
 static void
-measure_scheme(struct sampler *s, const double *d)
+measure_error_of_kernel(struct sampler *s, const double *d)
 {
 	struct kernel_out out = {
 	    .misfit = s->misfit, .difference = s->difference, .stride = HALF};
@@ -894,11 +910,11 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->pool = pool_new(o->threads);
 	make_cells(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
-	posterior_make_room(s);
-	coordinates_of(&s->coordinates, fit->at, origin);
+	allocate_sampler(s);
+	coordinates_from_params(&s->coordinates, fit->at, origin);
 	for (size_t kind = 0; kind < 2; kind++)
 		guide_begin(&s->guide[kind], COORDINATES, origin);
-	measure_scheme(s, d);
+	measure_error_of_kernel(s, d);
 	free(d);
 	return s;
 }
@@ -946,16 +962,17 @@ copy_with_feeds_as_curves(const struct site *site)
 	return copy;
 }
 
-/* Those of the runs that inform the draws, [n_run], which the caller frees. */
+/* Marks the runs that inform the draws, [n_run].  The caller frees the
+ * marks. */
 static bool *
 posterior_choose_runs(const struct site *site, const bool *use)
 {
 	size_t n = 0, at = 0, next = 0;
 	bool *taken = xcalloc(site->n_run, sizeof *taken);
 	for (size_t r = 0; r < site->n_run; r++)
-		n += use[r] && misfit_covered(&site->run[r]) > 0;
+		n += use[r] && misfit_count_covered(&site->run[r]) > 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (!use[r] || misfit_covered(&site->run[r]) == 0)
+		if (!use[r] || misfit_count_covered(&site->run[r]) == 0)
 			continue;
 		taken[r] = n <= POSTERIOR_RUNS ||
 			   at == next * (n - 1) / (POSTERIOR_RUNS - 1);
@@ -966,7 +983,7 @@ posterior_choose_runs(const struct site *site, const bool *use)
 }
 
 static void
-make_processes(struct posterior *p)
+allocate_processes(struct posterior *p)
 {
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
@@ -981,7 +998,7 @@ free_processes(struct posterior *p)
 	free(p->error);
 }
 
-/* At a speed there may be repeats. */
+/* Lists the speeds of the runs, each once, because there may be repeats. */
 static void
 posterior_find_speeds(struct posterior *p, const struct misfit *m)
 {
@@ -1006,32 +1023,33 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	bool *use = posterior_choose_runs(site, o->use);
 	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
-	p->fit = posterior_widen(fit, mean_energy(m), &p->settings, &bounds);
+	p->fit = widen_to_model_with_gamma(
+	    fit, mean_energy(m), &p->settings, &bounds);
 	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, use, NULL, false, p->settings);
 	free(use);
 	size_t most = COVARIANCE_FEW / m->n_run;
-	misfit_thin(m, most < LEAST ? LEAST : most);
+	misfit_drop_sieves(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->coordinates.middle;
 	site_reach(site, &p->from, &p->to);
 	posterior_find_speeds(p, m);
 	make_knots(p, site, s);
-	make_processes(p);
+	allocate_processes(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
 	*run = (struct posterior_run){site, p, NULL,
 	    thin_new(measured, BATCHES), m, s, xcalloc(1, sizeof *run->sums)};
 	run->batch = xcalloc(BATCHES, sizeof *run->batch);
 	for (size_t b = 0; b < BATCHES; b++) {
 		run->batch[b] = *p;
-		make_processes(&run->batch[b]);
+		allocate_processes(&run->batch[b]);
 	}
 	return run;
 }
 
-/* How many draws of each chain the generations so far make. */
+/* Returns how many draws each chain should have made by now. */
 static size_t
 draws_due(const struct sampler *s)
 {
@@ -1039,7 +1057,7 @@ draws_due(const struct sampler *s)
 }
 
 static void
-draw_part(void *data, size_t part, unsigned thread)
+make_some_draws(void *data, size_t part, unsigned thread)
 {
 	struct posterior_run *run = data;
 	struct sampler *s = run->s;
@@ -1055,9 +1073,9 @@ draw_part(void *data, size_t part, unsigned thread)
 }
 
 static void
-draw_batch(struct posterior_run *run)
+make_draws_of_each_chain(struct posterior_run *run)
 {
-	pool_run(run->s->pool, CHAINS / PART, draw_part, run);
+	pool_run(run->s->pool, CHAINS / PART, make_some_draws, run);
 	size_t n = draws_due(run->s);
 	if (n % 2 == 0)
 		thin_add(run->thin, &run->batch[n / 2 - 1]);
@@ -1110,7 +1128,7 @@ posterior_step(struct posterior_run *run)
 		start_half(s);
 		return false;
 	}
-	if (!propose_for_half(s))
+	if (!move_half(s))
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		temper_chains(s, fmin(1, RISE * s->share));
@@ -1119,16 +1137,16 @@ posterior_step(struct posterior_run *run)
 		s->accepted = s->tried = 0;
 		return false;
 	}
-	sums_add_chains(run->sums, s);
+	add_chains_to_sums(run->sums, s);
 	if ((s->generation - WARM_UP) % (KEPT / DRAWS_EACH) == 0)
-		draw_batch(run);
+		make_draws_of_each_chain(run);
 	if (s->generation < WARM_UP + KEPT)
 		return false;
 	choose_draws(run);
 	lack_of_fit_find(run->p, run->m);
 	thin_straighten_draws(run->thin, run->p);
 	lack_of_fit_add_smooth(run->p, run->m);
-	find_convergence(run->p, s, run->sums);
+	measure_convergence(run->p, s, run->sums);
 	return true;
 }
 

@@ -8,10 +8,11 @@
 
 #include "core/search/polish.h"
 
-/* Steps of one polish: its start is a neighbour's end. */
+/* Steps of one polish.  It starts where that of its neighbour ended. */
 enum { STEPS = 60 };
 
-/* One of the gauge at its size, the others within it. */
+/* Fixes the largest parameter of the gauge, and keeps the others within its
+ * size. */
 static void
 bounds_fix_gauge(struct bounds *b, const struct params *p)
 {

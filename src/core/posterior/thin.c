@@ -13,8 +13,8 @@
 #include "base/xalloc.h"
 #include "core/posterior/ensemble.h"
 
-/* Of each answer three features: itself, and on which side it is of either end
- * of the band, see feature. */
+/* An answer has three features: its value, and on which side of each end of the
+ * band it is, see add_features. */
 enum { SPEEDS = 5, SIEVES = 16, FEATURES = 3 };
 
 struct thin {
@@ -75,7 +75,8 @@ thin_add(struct thin *t, const struct posterior *batch)
 	t->added += POSTERIOR_DRAWS;
 }
 
-/* On which side of an end, -1 to 1, where it counts how near. */
+/* Returns on which side of an end a value is, from -1 to 1; near the end it
+ * changes gradually. */
 static double
 side_of_end(double off)
 {
@@ -83,12 +84,12 @@ side_of_end(double off)
 }
 
 /* Adds the features of an answer to the rows [n][width] of the candidates, and
- * to `by` what they are sorted by. */
+ * the answer itself to `by`, by which they are sorted. */
 static void
 add_features(
     const double *answer, size_t n, double *row, size_t width, double *by)
 {
-	const double end = 1.28; /* standard deviations: of 80 % */
+	const double end = 1.28; /* standard deviations, for a band of 80 % */
 	double mean = 0, squares = 0;
 	for (size_t i = 0; i < n; i++)
 		mean += answer[i] / (double)n;
@@ -104,8 +105,9 @@ add_features(
 	}
 }
 
-/* Which of a pair brings the sums [width] of the features of those left nearer
- * to those of the others, 1 for the first or -1; *sign: which it was, or 0. */
+/* Chooses the one of a pair that brings the sums [width] of the features of
+ * those kept nearer to those of the others: 1 is the first, -1 the second.
+ * *sign holds the earlier choice, or 0.  True if the choice changed. */
 static bool
 choose_of_pair(const double *one, const double *two, size_t width, double *sum,
     double *sign)
@@ -122,7 +124,7 @@ choose_of_pair(const double *one, const double *two, size_t width, double *sum,
 	return *sign != was;
 }
 
-/* Leaves one of each pair; each chooses by turns, until none chooses anew. */
+/* Keeps one of each pair.  The pairs choose in turn until no choice changes. */
 static void
 keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 {
@@ -142,10 +144,10 @@ keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 	free(sum);
 }
 
-/* The first and the second half of the candidates, each from the coarsest to
- * the finest, so that pairs are alike. */
+/* Sorts the first and the second half of the candidates, each from the coarsest
+ * to the finest, so that neighbours are alike. */
 static void
-sort_into_halves(const double *by, size_t n, size_t *list)
+sort_each_half(const double *by, size_t n, size_t *list)
 {
 	size_t half = n / 2;
 	gsl_sort_index(list, by, 1, half);
@@ -154,9 +156,9 @@ sort_into_halves(const double *by, size_t n, size_t *list)
 		list[i] += half;
 }
 
-/* As answers are kept from falling with the speed (D23), over few speeds. */
+/* Keeps answers from falling with the speed (D23), here over a few speeds. */
 static void
-keep_from_falling(struct thin *t)
+keep_answers_from_falling(struct thin *t)
 {
 	size_t size = t->n_sieve * t->n, length[SPEEDS];
 	double value[SPEEDS], weight[SPEEDS];
@@ -166,7 +168,8 @@ keep_from_falling(struct thin *t)
 			value[k] = to[k * size];
 			weight[k] = 1;
 		}
-		size_t blocks = ensemble_pool(value, weight, length, SPEEDS);
+		size_t blocks =
+		    ensemble_pool_falling(value, weight, length, SPEEDS);
 		for (size_t b = 0; b < blocks; b++)
 			for (size_t j = 0; j < length[b]; j++, to += size)
 				*to = value[b];
@@ -179,11 +182,11 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	size_t n = t->n, answers = SPEEDS * t->n_sieve;
 	size_t width = FEATURES * answers, *list = xcalloc(n, sizeof *list);
 	double *row = xdoubles(n * width + 1), *by = xdoubles(n);
-	keep_from_falling(t);
+	keep_answers_from_falling(t);
 	for (size_t k = 0; k < answers; k++)
 		add_features(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);
-	sort_into_halves(by, n, list);
+	sort_each_half(by, n, list);
 	for (; n > POSTERIOR_DRAWS; n /= 2)
 		keep_one_of_each_pair(row, width, list, n);
 	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);
@@ -192,18 +195,20 @@ thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	free(by);
 }
 
-/* How far the straight line is taken to be off between measured speeds, as a
- * share of what the speed changes (doc/decisions/straight-answers.md). */
+/* The error assumed for the straight line between measured speeds, as a share
+ * of the change between them (doc/decisions/straight-answers.md). */
 static const double LINE = 0.15;
 
-/* The largest share: some draws stay, so that a band of 80 % has both ways. */
+/* The largest share.  Some draws always stay as drawn, so that a band of 80 %
+ * covers both ways. */
 static const double MOST = 0.75;
 
-/* The means of model and answer at a speed, [n] each. */
+/* Computes the means of model and answer at a speed, [n] each. */
 static void
-find_means(struct ensemble *e, double v, double *model, double *answer)
+find_mean_model_and_answer(
+    struct ensemble *e, double v, double *model, double *answer)
 {
-	size_t n = ensemble_sizes(e);
+	size_t n = ensemble_count_sizes(e);
 	ensemble_draws_at(e, v);
 	const double *M = ensemble_products(e, ENSEMBLE_MODEL);
 	ensemble_mean(e, answer);
@@ -227,7 +232,8 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 	double *model = xdoubles(4 * n), *answer = model + 2 * n;
 	for (size_t k = 0; k < p->n_speed; k++) {
 		size_t now = k % 2 * n, last = n - now;
-		find_means(e, p->speed[k], model + now, answer + now);
+		find_mean_model_and_answer(
+		    e, p->speed[k], model + now, answer + now);
 		for (size_t i = 0; i < n && k > 0; i++) {
 			double by = answer[now + i] - answer[last + i];
 			double told = model[now + i] - model[last + i];

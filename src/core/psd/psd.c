@@ -91,7 +91,8 @@ psd_slope_at(const double *x, const double *P, size_t n, size_t i)
 /* The smooth curve at a size between sieves i and i + 1, of which `at` is ln.
  * Source: Steffen, Astronomy and Astrophysics 239 (1990) 443. */
 static double
-psd_between(const double *x, const double *P, size_t n, size_t i, double at)
+smooth_passing_between(
+    const double *x, const double *P, size_t n, size_t i, double at)
 {
 	double h = x[i] - x[i + 1], d = at - x[i + 1];
 	double s = chord_slope(x, P, i);
@@ -126,7 +127,7 @@ psd_curve(const struct psd *psd)
 			double at = x[i] + share * (x[i + 1] - x[i]);
 			curve.size[curve.n] = el_exp(at);
 			curve.passing[curve.n++] =
-			    psd_between(x, psd->passing, n, i, at);
+			    smooth_passing_between(x, psd->passing, n, i, at);
 		}
 	}
 	free(x);
@@ -193,7 +194,7 @@ psd_size(const struct psd *psd, double passing)
 }
 
 size_t
-psd_gap(const struct psd *psd)
+psd_sieve_above_widest_gap(const struct psd *psd)
 {
 	const double factor = 2.5, least = 0.05;
 	size_t widest = psd->n;
@@ -219,7 +220,7 @@ psd_covers(const struct psd *psd, double x)
 }
 
 static int
-falling(const void *a, const void *b)
+compare_falling(const void *a, const void *b)
 {
 	double x = *(const double *)a, y = *(const double *)b;
 	return (x < y) - (x > y);
@@ -229,7 +230,7 @@ size_t
 psd_sort(double *x, size_t n, double apart)
 {
 	size_t kept = 0;
-	qsort(x, n, sizeof *x, falling);
+	qsort(x, n, sizeof *x, compare_falling);
 	for (size_t i = 0; i < n; i++)
 		if (kept == 0 || x[kept - 1] - x[i] > apart)
 			x[kept++] = x[i];
@@ -252,7 +253,7 @@ psd_rms(const double *a, const double *b, size_t n, size_t *worst)
 }
 
 double
-psd_bend(const struct psd *psd, size_t i)
+psd_off_chord(const struct psd *psd, size_t i)
 {
 	if (i == 0 || i + 1 >= psd->n)
 		return NAN;
@@ -264,13 +265,13 @@ psd_bend(const struct psd *psd, size_t i)
 /* The bend of a curve at sieve i of another; NAN where it has not the same
  * three sieves side by side. */
 static double
-bend_of_other(const struct psd *curve, const struct psd *of, size_t i)
+bend_of_other_curve(const struct psd *curve, const struct psd *of, size_t i)
 {
 	for (size_t j = 1; j + 1 < curve->n; j++)
 		if (curve->size[j - 1] == of->size[i - 1] &&
 		    curve->size[j] == of->size[i] &&
 		    curve->size[j + 1] == of->size[i + 1])
-			return psd_bend(curve, j);
+			return psd_off_chord(curve, j);
 	return NAN;
 }
 
@@ -282,13 +283,13 @@ compare_bend(const struct psd *const *curve, size_t n, size_t c, size_t i)
 	double sum = 0;
 	for (size_t o = 0; o < n; o++) {
 		double bend =
-		    o == c ? NAN : bend_of_other(curve[o], curve[c], i);
+		    o == c ? NAN : bend_of_other_curve(curve[o], curve[c], i);
 		if (isnan(bend))
 			continue;
 		out.others++;
 		sum += bend;
 	}
-	out.off = psd_bend(curve[c], i);
+	out.off = psd_off_chord(curve[c], i);
 	if (out.others > 0)
 		out.off -= sum / (double)out.others;
 	return out;
@@ -302,7 +303,7 @@ psd_outlier(const struct psd *const *curve, size_t n)
 	for (size_t c = 0; c < n; c++)
 		for (size_t i = 1; i + 1 < curve[c]->n; i++) {
 			struct psd_outlier o = compare_bend(curve, n, c, i);
-			double own = fabs(psd_bend(curve[c], i));
+			double own = fabs(psd_off_chord(curve[c], i));
 			double more = fabs(o.off) - fabs(worst.off);
 			if (more < -1e-9 || (more < 1e-9 && own <= bend))
 				continue;

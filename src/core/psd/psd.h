@@ -60,7 +60,7 @@ extern const char *const PSD_NAME[PSD_SIZES], *const PSD_KEY[PSD_SIZES];
 /* Returns the sieve above the widest gap: the next sieve is finer by a factor
  * of more than 2.5, and more than 5 points of passing lie between them.
  * Returns n if there is no such gap. */
-size_t psd_gap(const struct psd *psd);
+size_t psd_sieve_above_widest_gap(const struct psd *psd);
 
 /* True if the passing at x is known: x is within the sieves or above them, or
  * below a finest sieve that passes nothing. */
@@ -76,7 +76,7 @@ double psd_rms(const double *a, const double *b, size_t n, size_t *worst);
 
 /* Returns the passing at sieve i minus that interpolated linearly in log size
  * between its two neighbours: -1..1, or NAN at the two ends. */
-double psd_bend(const struct psd *psd, size_t i);
+double psd_off_chord(const struct psd *psd, size_t i);
 
 /* The most unusual point of n curves: where one curve bends least like the
  * others at the same three sieves.  A correct curve may bend by 10 points or

@@ -78,7 +78,7 @@ quantity_read(const struct quantity *q, const struct psd *curve, double share)
 
 /* What is missing at a size that a share should not pass. */
 static double
-passing_missing_at(const struct psd *curve, double share, double size)
+share_not_passed_at(const struct psd *curve, double share, double size)
 {
 	bool known = size > 0 && psd_covers(curve, size);
 	return known ? share - psd_passing(curve, size) : NAN;
@@ -96,12 +96,12 @@ quantity_excess(const struct quantity *q, double limit, double value,
 	case QUANTITY_MODULUS:
 		return (value - limit) / (double)q->modulus->n;
 	case QUANTITY_SIZE:
-		return passing_missing_at(curve, q->x, limit);
+		return share_not_passed_at(curve, q->x, limit);
 	case QUANTITY_UNIFORMITY:
-		return passing_missing_at(
+		return share_not_passed_at(
 		    curve, 0.6, limit * psd_size(curve, 0.1));
 	case QUANTITY_CURVATURE:
-		return passing_missing_at(curve, 0.3,
+		return share_not_passed_at(curve, 0.3,
 		    sqrt(limit * psd_size(curve, 0.6) * psd_size(curve, 0.1)));
 	}
 	return NAN;

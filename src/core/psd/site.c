@@ -199,7 +199,7 @@ site_drop_run(struct site *site, size_t r, size_t *from)
 /* Both in the first clause, which is what people are shown, and what nobody
  * measured first. */
 static char *
-provenance_with(const struct site *site, const char *of)
+provenance_of_site_and_feed(const struct site *site, const char *of)
 {
 	const char *own = site->provenance;
 	bool worse = site_data_made_up(of) && !site_data_made_up(own);
@@ -225,7 +225,7 @@ site_with_feed(const struct site *site, const struct psd *feed,
 {
 	struct site *to = site_copy(site);
 	free(to->provenance);
-	to->provenance = provenance_with(site, of);
+	to->provenance = provenance_of_site_and_feed(site, of);
 	replace_text(&to->feed_from, from);
 	to->run = xrealloc(to->run, to->n_run + 1, sizeof *to->run);
 	to->run[to->n_run++] =
@@ -357,7 +357,7 @@ site_sieves(const struct site *site, size_t *n)
 }
 
 size_t
-site_products(const struct site *site)
+site_count_products(const struct site *site)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -457,7 +457,7 @@ static const char *const MADE_UP[] = {
     N_("reconstructed"), N_("synthetic"), N_("made up"), N_("simulated")};
 
 double
-site_middle(const struct site *site)
+site_middle_speed(const struct site *site)
 {
 	const double usual = 74;
 	size_t other = site_run_at(site, SITE_OTHER_FEED);

@@ -116,7 +116,7 @@ void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
 /* Returns the number of runs with a product. */
-size_t site_products(const struct site *site);
+size_t site_count_products(const struct site *site);
 
 /* Returns the index of the run at the given speed (to 0.001 m/s), the first of
  * repeats, or n_run if there is none. */
@@ -150,7 +150,7 @@ void site_reach(const struct site *site, double *from, double *to);
 
 /* Returns the middle of the speeds measured, m/s, or 74 if there is only a
  * feed. */
-double site_middle(const struct site *site);
+double site_middle_speed(const struct site *site);
 
 /* Returns the kind of data with that provenance: "reconstructed", "synthetic",
  * "made up" or "simulated" if it begins with that; "not stated" if it is that

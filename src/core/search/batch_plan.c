@@ -38,7 +38,7 @@ collect_edges(const struct misfit *m, double *edge)
 }
 
 static void
-plan_classes(struct plan *plan, const double *edge, size_t n)
+plan_integration_classes(struct plan *plan, const double *edge, size_t n)
 {
 	size_t room = 0;
 	for (size_t e = 0; e + 1 < n; e++)
@@ -166,7 +166,7 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 		room += m->run[r].feed.n;
 	plan->one_feed = true;
 	double *edge = xdoubles(room);
-	plan_classes(plan, edge, collect_edges(m, edge));
+	plan_integration_classes(plan, edge, collect_edges(m, edge));
 	free(edge);
 	plan_nodes(plan);
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -188,7 +188,7 @@ plan_continuous(struct plan *plan, const struct misfit *m)
 }
 
 static void
-plan_class_run(struct plan_run *run, const struct misfit_run *from,
+plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
     enum appearance_form form, size_t first)
 {
 	const struct psd *feed = &from->feed;
@@ -231,11 +231,11 @@ plan_class_run(struct plan_run *run, const struct misfit_run *from,
 }
 
 static void
-plan_class_runs(struct plan *plan, const struct misfit *m)
+plan_runs_by_classes(struct plan *plan, const struct misfit *m)
 {
 	size_t widest = 0, cell = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
-		plan_class_run(
+		plan_run_by_classes(
 		    &plan->run[r], &m->run[r], m->settings.appearance, cell);
 		cell += m->run[r].n;
 		if (plan->run[r].n_size > widest)
@@ -288,7 +288,7 @@ plan_make(struct plan *plan, const struct misfit *m)
 		plan_set_speed(plan, r, m->run[r].speed);
 	plan_order(plan, m);
 	if (plan->method == METHOD_CLASSES)
-		plan_class_runs(plan, m);
+		plan_runs_by_classes(plan, m);
 	else
 		plan_continuous(plan, m);
 }

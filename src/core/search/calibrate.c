@@ -260,7 +260,7 @@ polished_batches(const struct calibration *c)
 
 /* The best candidate of the search so far. */
 static struct params
-calibrate_search_best(const struct calibration *c)
+best_of_search(const struct calibration *c)
 {
 	struct params p = {.breakage = c->options.settings.breakage};
 	memcpy(p.at, ga_best(c->ga), c->misfit->of->n * sizeof *p.at);
@@ -318,7 +318,7 @@ end_phase(struct calibration *c)
 static void
 end_search(struct calibration *c, enum calibrate_state why)
 {
-	struct params found = calibrate_search_best(c);
+	struct params found = best_of_search(c);
 	double misfit = misfit_at(c->misfit, &found);
 	c->stop = why;
 	if (!(c->best_misfit < misfit)) {
@@ -341,9 +341,8 @@ record_generation(struct calibration *c, const struct ga_status *s)
 		    xrealloc(c->history, c->history_room, sizeof *c->history);
 	}
 	struct calibrate_generation *g = &c->history[c->n_history++];
-	*g = (struct calibrate_generation){.best = s->best,
-	    .median = s->median,
-	    .params = calibrate_search_best(c)};
+	*g = (struct calibrate_generation){
+	    .best = s->best, .median = s->median, .params = best_of_search(c)};
 	const double *const *told = ga_told(c->ga);
 	size_t elite = c->elite, n = c->options.population - elite;
 	g->n_kept = n < CALIBRATE_KEPT ? n : CALIBRATE_KEPT;
@@ -377,7 +376,7 @@ evaluate_generation_part(void *data, size_t part, unsigned thread)
 }
 
 static void
-generation(struct calibration *c)
+run_generation(struct calibration *c)
 {
 	const struct calibrate_options *o = &c->options;
 	size_t parts = (o->population + KERNEL_PART - 1) / KERNEL_PART;
@@ -433,7 +432,7 @@ perturb_best(const struct calibration *c, size_t number)
  * the others evenly between their bounds, on a log scale if these are above
  * 0. */
 static double
-calibrate_held_value(const struct calibration *c, size_t j, size_t number)
+value_to_hold_at(const struct calibration *c, size_t j, size_t number)
 {
 	static const double SHARE[PLACES] = {
 	    -1, -0.1, -0.01, 0, 0.001, 0.003, 0.03, 0.3};
@@ -452,7 +451,7 @@ calibrate_held_value(const struct calibration *c, size_t j, size_t number)
  * feed, nor the narrow valleys of little ultra-fines (beta1 just above 0).
  * False when there are no more. */
 static bool
-calibrate_perturb_held(
+perturb_with_one_held(
     const struct calibration *c, size_t number, struct worker *w)
 {
 	size_t j = 0, gauge = c->misfit->of->gauge;
@@ -465,7 +464,7 @@ calibrate_perturb_held(
 			break;
 	if (j == c->misfit->of->n)
 		return false;
-	w->p.at[j] = calibrate_held_value(c, j, number % PLACES);
+	w->p.at[j] = value_to_hold_at(c, j, number % PLACES);
 	w->first.lower[j] = w->first.upper[j] = w->p.at[j];
 	return true;
 }
@@ -493,7 +492,7 @@ keep_if_better(struct calibration *c, const struct worker *w, bool perturbing)
  * valleys, which take more perturbations, and the descent along them is
  * slow. */
 static bool
-is_noisy(const struct calibration *c)
+has_much_noise(const struct calibration *c)
 {
 	return c->best_misfit > misfit_of_feed(c->misfit) / 2;
 }
@@ -501,7 +500,7 @@ is_noisy(const struct calibration *c)
 static size_t
 most_fruitless_perturbations(const struct calibration *c)
 {
-	return is_noisy(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS;
+	return has_much_noise(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS;
 }
 
 static void
@@ -514,7 +513,7 @@ polish_one(void *data, size_t i, unsigned thread)
 	struct polish_rival best = {c->best_misfit, INFINITY};
 	int before = 0;
 	if (perturbing)
-		best.gains = is_noisy(c) ? GAINS_IN_NOISE : GAINS;
+		best.gains = has_much_noise(c) ? GAINS_IN_NOISE : GAINS;
 	w->result.stopped = false;
 	if (w->holds) {
 		w->result =
@@ -540,8 +539,8 @@ polish_batch(struct calibration *c)
 	double before = c->best_misfit;
 	for (size_t i = 0; i < n; i++) {
 		struct worker *w = &c->worker[i];
-		w->holds = perturbing &&
-			   calibrate_perturb_held(c, c->fruitless + i, w);
+		w->holds =
+		    perturbing && perturb_with_one_held(c, c->fruitless + i, w);
 		if (!perturbing)
 			w->p = c->start[c->done + i];
 		else if (!w->holds)
@@ -564,7 +563,7 @@ calibration_step(struct calibration *c)
 {
 	atomic_store(&c->stopped, false);
 	if (c->state == CALIBRATE_SEARCHING)
-		generation(c);
+		run_generation(c);
 	else if (c->state == CALIBRATE_POLISHING)
 		polish_batch(c);
 	return c->state;
@@ -598,10 +597,10 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 
 /* The best so far: of a first phase, where the search has found none better. */
 static struct params
-best_of(const struct calibration *c, double searched)
+best_so_far(const struct calibration *c, double searched)
 {
 	bool search = c->state == CALIBRATE_SEARCHING;
-	return search && !(c->best_misfit < searched) ? calibrate_search_best(c)
+	return search && !(c->best_misfit < searched) ? best_of_search(c)
 						      : c->best;
 }
 
@@ -622,7 +621,7 @@ calibration_status(const struct calibration *c)
 	    .starts = c->n_start,
 	    .trials = c->fruitless,
 	    .trials_most = most_fruitless_perturbations(c),
-	    .params = best_of(c, s.best)};
+	    .params = best_so_far(c, s.best)};
 	/* Other bounds, and nothing evaluated within them yet. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_at(c->misfit, &status.params);
@@ -651,12 +650,12 @@ struct fit
 calibration_fit(struct calibration *c)
 {
 	struct ga_status s = ga_status(c->ga);
-	struct params p = best_of(c, s.best);
+	struct params p = best_so_far(c, s.best);
 	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
 	    .rmse = misfit_rmse(c->misfit, &p),
 	    .feed_misfit = misfit_of_feed(c->misfit),
 	    .n_residual = c->misfit->n_residual,
-	    .cells = misfit_cells(c->misfit),
+	    .cells = misfit_count_changeable(c->misfit),
 	    .stop =
 		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
 	    .generations = s.generation,

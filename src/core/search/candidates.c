@@ -23,7 +23,7 @@ percentile(const double *sorted, size_t n, double share)
 }
 
 static struct params
-kept_candidate(const struct calibrate_generation *g, size_t i)
+params_of_kept_candidate(const struct calibrate_generation *g, size_t i)
 {
 	struct params p = {.breakage = g->params.breakage};
 	for (size_t j = 0; j < breakage_of(&p)->n; j++)
@@ -56,13 +56,13 @@ candidates_evaluate(const struct misfit *m, enum isa isa,
 }
 
 static void
-take_break_sizes(
+find_break_sizes_of_candidates(
     struct candidates *c, const struct calibrate_generation *g, double speed)
 {
 	double size[MOST] = {0};
 	c->speed = speed;
 	for (size_t i = 0; i < g->n_kept; i++) {
-		struct params p = kept_candidate(g, i);
+		struct params p = params_of_kept_candidate(g, i);
 		size[i] = params_break_size(&p, speed);
 	}
 	gsl_sort(size, 1, g->n_kept);
@@ -72,7 +72,7 @@ take_break_sizes(
 }
 
 struct candidates
-candidates_of(const struct site *site, const bool *train,
+candidates_with_residuals(const struct site *site, const bool *train,
     struct model_settings settings, enum isa isa,
     const struct calibrate_generation *g, const struct params *best)
 {
@@ -97,7 +97,7 @@ candidates_of(const struct site *site, const bool *train,
 				.p90 = percentile(d, g->n_kept, 0.9),
 				.best = of_best[k]};
 		}
-	take_break_sizes(&c, g, m->run[0].speed);
+	find_break_sizes_of_candidates(&c, g, m->run[0].speed);
 	free(difference);
 	free(of_best);
 	misfit_free(m);
@@ -122,12 +122,12 @@ candidates_worst(const struct candidates *c)
 }
 
 void
-candidates_spread(
+candidates_middle_range(
     const struct calibrate_generation *g, size_t j, double *p10, double *p90)
 {
 	double value[MOST] = {0};
 	for (size_t i = 0; i < g->n_kept; i++) {
-		struct params p = kept_candidate(g, i);
+		struct params p = params_of_kept_candidate(g, i);
 		params_scale_to_1(&p);
 		value[i] = p.at[j];
 	}

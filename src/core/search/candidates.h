@@ -28,8 +28,8 @@ struct candidates {
  * and not during the search.  settings, train [n_run]: of the search.  best is
  * evaluated with the accurate product, the others with the search's scheme.
  * The caller frees the result with candidates_clear. */
-struct candidates candidates_of(const struct site *site, const bool *train,
-    struct model_settings settings, enum isa isa,
+struct candidates candidates_with_residuals(const struct site *site,
+    const bool *train, struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);
 
@@ -40,7 +40,7 @@ const struct candidates_cell *candidates_worst(const struct candidates *c);
 /* Computes the range of a parameter over the middle 80 % of the candidates, as
  * reported: a parameter of the gauge is divided by the largest in its candidate
  * (D4). */
-void candidates_spread(const struct calibrate_generation *generation, size_t j,
-    double *p10, double *p90);
+void candidates_middle_range(const struct calibrate_generation *generation,
+    size_t j, double *p10, double *p90);
 
 #endif

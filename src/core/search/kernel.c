@@ -53,7 +53,7 @@ struct queue {
 
 /* Fills the last block up with its last candidate. */
 static void
-fill_block(struct queue *q)
+pad_last_block(struct queue *q)
 {
 	for (; q->n % KERNEL_LANES != 0; q->n++)
 		q->index[q->n] = q->index[q->n - 1];
@@ -63,7 +63,7 @@ fill_block(struct queue *q)
  * block whose lanes break the same sizes skips the rest at once.  The order
  * changes no bit of any misfit. */
 static void
-kernel_line_up(const struct kernel *kernel, const double *const *theta,
+queue_by_break_size(const struct kernel *kernel, const double *const *theta,
     size_t from, size_t to, struct queue *q)
 {
 	uint16_t bin[KERNEL_PART];
@@ -81,11 +81,11 @@ kernel_line_up(const struct kernel *kernel, const double *const *theta,
 		order[place[bin[i]]++] = (uint32_t)(from + i);
 	memcpy(q->index, order, stiff * sizeof *order);
 	q->n = stiff;
-	fill_block(q);
+	pad_last_block(q);
 	memcpy(q->index + q->n, order + stiff, (n - stiff) * sizeof *order);
 	q->n_stiff = q->n;
 	q->n += n - stiff;
-	fill_block(q);
+	pad_last_block(q);
 }
 
 void
@@ -94,7 +94,7 @@ kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
 {
 	struct queue q;
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
-	kernel_line_up(kernel, theta, from, to, &q);
+	queue_by_break_size(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
 		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_stiff,
 		    kernel->scratch[thread], out);

@@ -73,7 +73,7 @@ static const struct gauss GAUSS_3 = {3,
 /* S is 0 below the size of log_e0 and 1 above that of log_full, where the
  * exponent reaches FULL. */
 static inline void
-set_strength(struct block *b, lanes e0)
+set_threshold(struct block *b, lanes e0)
 {
 	double full = FULL;
 	if (b->impacts != NULL && b->impacts->number < 1)
@@ -93,7 +93,7 @@ load(const struct lane_model *m, struct block *b, const struct plan *plan,
 	b->alpha = lanes_gather(theta[m->strength + 2], index);
 	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
 	b->impacts = plan->impacts.n > 0 ? &plan->impacts : NULL;
-	set_strength(b, lanes_gather(theta[m->strength + 1], index));
+	set_threshold(b, lanes_gather(theta[m->strength + 1], index));
 	b->two = false;
 	if (b->out->softer != NULL) {
 		b->softer = lanes_gather(b->out->softer, index);
@@ -221,7 +221,7 @@ split_share(const struct block *b, const struct plan *plan, size_t c,
 /* Computes the shares of class c in every run.  any: some lane breaks some of
  * it; all: every lane breaks all of it in every run. */
 static inline void
-one_class(const struct block *b, const struct plan *plan, size_t c,
+shares_of_class(const struct block *b, const struct plan *plan, size_t c,
     const struct gauss *g, const struct room *room, bool *any, bool *all)
 {
 	double lower = plan->lower[c], upper = plan->upper[c];
@@ -276,7 +276,7 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	size_t c = 0;
 	for (room->n_full = 0; c < plan->n_class; c++) {
 		bool full = all;
-		one_class(b, plan, c, g, room, &any, &all);
+		shares_of_class(b, plan, c, g, room, &any, &all);
 		if (!any)
 			break;
 		all = all && full;
@@ -295,7 +295,7 @@ mix_softer(const struct block *b, const struct plan *plan,
 	struct room other = *room;
 	size_t n = plan->n_class;
 	other.share += plan->n_run * n;
-	set_strength(&soft, b->softer);
+	set_threshold(&soft, b->softer);
 	shares(&soft, plan, g, &other);
 	for (size_t r = 0; r < plan->n_run; r++)
 		for (size_t c = room->n_full; c < other.n_active; c++) {

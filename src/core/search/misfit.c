@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 
 size_t
-misfit_covered(const struct run *run)
+misfit_count_covered(const struct run *run)
 {
 	size_t n = 0;
 	while (
@@ -46,7 +46,7 @@ misfit_fill_run(
 	to->run_weight = run_weight;
 	to->by_sd = by_sd && run->product_sd != NULL;
 	to->feed = run->feed;
-	to->n = misfit_covered(run);
+	to->n = misfit_count_covered(run);
 	to->sieve = xdoubles(to->n);
 	to->measured = xdoubles(to->n);
 	to->weight = xdoubles(to->n);
@@ -86,7 +86,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 }
 
 void
-misfit_thin(struct misfit *m, size_t most)
+misfit_drop_sieves(struct misfit *m, size_t most)
 {
 	m->n_residual = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -109,7 +109,7 @@ misfit_thin(struct misfit *m, size_t most)
 }
 
 size_t
-misfit_cells(const struct misfit *m)
+misfit_count_changeable(const struct misfit *m)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < m->n_run; r++)
@@ -146,7 +146,7 @@ misfit_stopped(const struct misfit *m)
 /* Differences of run r, weighted or not, d [its n]; returns their squares'
  * sum. */
 static double
-run_differences(struct misfit *m, size_t r, const struct params *p,
+differences_of_run(struct misfit *m, size_t r, const struct params *p,
     bool weighted, double *d)
 {
 	const struct misfit_run *run = &m->run[r];
@@ -166,7 +166,7 @@ misfit_at(struct misfit *m, const struct params *p)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += run_differences(m, r, p, true, m->passing);
+		sum += differences_of_run(m, r, p, true, m->passing);
 	return isfinite(sum) ? sum : INFINITY;
 }
 
@@ -175,7 +175,7 @@ misfit_differences(struct misfit *m, const struct params *p, double *d)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
-		sum += run_differences(m, r, p, true, d);
+		sum += differences_of_run(m, r, p, true, d);
 		d += m->run[r].n;
 	}
 	return isfinite(sum) ? sum : INFINITY;
@@ -186,7 +186,7 @@ misfit_rmse(struct misfit *m, const struct params *p)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += run_differences(m, r, p, false, m->passing);
+		sum += differences_of_run(m, r, p, false, m->passing);
 	return sqrt(sum / (double)(m->n_residual > 0 ? m->n_residual : 1));
 }
 

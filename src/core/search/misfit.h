@@ -50,11 +50,11 @@ void misfit_free(struct misfit *m);
 
 /* Keeps at most `most` sieves of each run, evenly spread and including the
  * coarsest and the finest; most >= 2. */
-void misfit_thin(struct misfit *m, size_t most);
+void misfit_drop_sieves(struct misfit *m, size_t most);
 
 /* Returns how many of the n_residual passings crushing can change: on a sieve
  * that all of the feed passes, all of the product passes for any parameters. */
-size_t misfit_cells(const struct misfit *m);
+size_t misfit_count_changeable(const struct misfit *m);
 
 /* True if computations on the misfit should end because the user is waiting.
  * They then discard unfinished work, which may be repeated later.
@@ -80,7 +80,7 @@ double misfit_rmse(struct misfit *m, const struct params *p);
 
 /* Returns the number of sieves of the run's product that its feed covers; only
  * the finest can be uncovered, so these are the first. */
-size_t misfit_covered(const struct run *run);
+size_t misfit_count_covered(const struct run *run);
 
 /* Marks the default training set: all repeats at the slowest and the fastest
  * speed with a product.  Returns the number of runs marked. */

@@ -151,7 +151,7 @@ damped_triangle(
 
 /* The step of all parameters whose free ones x solve R x = z [n_free]. */
 static void
-polish_solve(const struct polish *s, const size_t *column, size_t n_free,
+step_from_triangle(const struct polish *s, const size_t *column, size_t n_free,
     const double *z, double step[PARAMS_MOST])
 {
 	double x[PARAMS_MOST];
@@ -174,7 +174,7 @@ damped_step(struct polish *s, const size_t *column, size_t n_free,
 	damped_triangle(s, column, n_free, damping);
 	for (size_t c = 0; c < n_free; c++)
 		z[c] = s->A[c][n_free];
-	polish_solve(s, column, n_free, z, step);
+	step_from_triangle(s, column, n_free, z, step);
 }
 
 static struct params
@@ -192,7 +192,7 @@ params_after_step(const struct params *p, const double step[PARAMS_MOST],
 
 /* Whether a bound lies in the way of the step. */
 static bool
-polish_is_cut(const struct params *p, const double step[PARAMS_MOST],
+is_step_cut_by_bound(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds)
 {
 	for (size_t j = 0; j < breakage_of(p)->n; j++)
@@ -218,7 +218,7 @@ struct descent {
 /* Every PATIENCE evaluations: whether so far above the rival's misfit more of
  * such gains are of no use. */
 static bool
-is_hopeless(double before, double now, const struct polish_rival *rival)
+cannot_reach_rival(double before, double now, const struct polish_rival *rival)
 {
 	if (rival == NULL)
 		return false;
@@ -228,7 +228,7 @@ is_hopeless(double before, double now, const struct polish_rival *rival)
 }
 
 static bool
-has_ended(const struct descent *d)
+descent_has_ended(const struct descent *d)
 {
 	return d->result.converged || d->result.stopped || d->given_up ||
 	       d->result.evaluations >= d->most;
@@ -236,7 +236,7 @@ has_ended(const struct descent *d)
 
 /* For what is at rest: above the rival it need not be known how surely. */
 static bool
-is_beaten(const struct descent *d)
+is_rival_better(const struct descent *d)
 {
 	return d->rival != NULL && !(d->result.misfit < d->rival->misfit);
 }
@@ -248,7 +248,7 @@ evaluate_trial_step(struct descent *d, const struct params *q)
 	struct polish *s = d->s;
 	d->result.stopped = d->result.stopped || misfit_stopped(s->misfit);
 	if (d->result.evaluations % PATIENCE == 0) {
-		d->given_up = d->given_up || is_hopeless(d->before,
+		d->given_up = d->given_up || cannot_reach_rival(d->before,
 						 d->result.misfit, d->rival);
 		d->before = d->result.misfit;
 	}
@@ -258,7 +258,7 @@ evaluate_trial_step(struct descent *d, const struct params *q)
 
 /* Goes on from q, tried last. */
 static void
-polish_take(struct descent *d, const struct params *q, double trial)
+continue_from_trial(struct descent *d, const struct params *q, double trial)
 {
 	struct polish *s = d->s;
 	double *r = s->r, *J = s->J;
@@ -282,8 +282,8 @@ descend_damped(struct descent *d, int evaluations)
 	const double least_damping = 1e-14, most_damping = 1e12;
 	double damping = 1e-2, grow = 2, step[PARAMS_MOST];
 	size_t column[PARAMS_MOST];
-	while (!has_ended(d) && d->small < 3 && damping <= most_damping &&
-	       d->result.evaluations < evaluations) {
+	while (!descent_has_ended(d) && d->small < 3 &&
+	       damping <= most_damping && d->result.evaluations < evaluations) {
 		size_t n_free =
 		    free_columns(d->s, d->bounds, d->p, true, column);
 		d->result.converged = n_free == 0;
@@ -293,7 +293,7 @@ descend_damped(struct descent *d, int evaluations)
 		struct params q = params_after_step(d->p, step, d->bounds);
 		double trial = evaluate_trial_step(d, &q);
 		if (trial < d->result.misfit) {
-			polish_take(d, &q, trial);
+			continue_from_trial(d, &q, trial);
 			damping = fmax(damping / 5, least_damping);
 			grow = 2;
 		} else {
@@ -364,13 +364,13 @@ move_along(struct descent *d, const struct secant *q, struct move *m)
 		slope += way[c] * q->g[c];
 	}
 	m->rest = -slope <= NO_GAIN * d->result.misfit;
-	for (int i = 0; i < 30 && !m->rest && !has_ended(d); i++) {
+	for (int i = 0; i < 30 && !m->rest && !descent_has_ended(d); i++) {
 		double there = 0;
 		for (size_t c = 0; c < q->n; c++)
 			m->z[c] = t * way[c];
-		polish_solve(d->s, q->column, q->n, m->z, step);
+		step_from_triangle(d->s, q->column, q->n, m->z, step);
 		struct params p = params_after_step(d->p, step, d->bounds);
-		m->cut = polish_is_cut(d->p, step, d->bounds);
+		m->cut = is_step_cut_by_bound(d->p, step, d->bounds);
 		double trial = evaluate_trial_step(d, &p);
 		gradient(d->s, q, d->s->r_try, d->s->J_try, m->g);
 		for (size_t c = 0; c < q->n; c++)
@@ -380,7 +380,7 @@ move_along(struct descent *d, const struct secant *q, struct move *m)
 		} else if (!m->cut && there < 0.9 * slope) {
 			low = t;
 		} else {
-			polish_take(d, &p, trial);
+			continue_from_trial(d, &p, trial);
 			return true;
 		}
 		t = isinf(high) ? 2 * low : (low + high) / 2;
@@ -414,8 +414,8 @@ descend_by_secants(struct descent *d, struct secant *q)
 	}
 	bool idle = from - d->result.misfit <= AT_REST * from && !m.cut;
 	d->given_up = d->given_up || (idle && steep > STEEP * from) ||
-		      (m.rest && is_beaten(d));
-	return idle && !has_ended(d);
+		      (m.rest && is_rival_better(d));
+	return idle && !descent_has_ended(d);
 }
 
 /* Parameters on a bound stay there until the others are at rest; only then does
@@ -424,7 +424,7 @@ static void
 descend_to_rest(struct descent *d)
 {
 	bool let_go = false;
-	while (!has_ended(d)) {
+	while (!descent_has_ended(d)) {
 		struct secant q = {0};
 		q.n = free_columns(d->s, d->bounds, d->p, let_go, q.column);
 		bool rest = descend_by_secants(d, &q);
@@ -444,7 +444,7 @@ polish_run(struct polish *s, const struct bounds *bounds, int most,
 	d.given_up = !isfinite(d.result.misfit);
 	update_scale(s);
 	descend_damped(&d, DAMPED);
-	d.given_up = d.given_up || (d.small >= 3 && is_beaten(&d));
+	d.given_up = d.given_up || (d.small >= 3 && is_rival_better(&d));
 	descend_to_rest(&d);
 	return d.result;
 }

@@ -39,8 +39,8 @@ find_movable(struct sensitivity *s, const struct params *p,
 
 /* J [rows * width] */
 static void
-decompose(struct sensitivity *s, const double *J, size_t width, size_t rows,
-    double *basis)
+decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
+    size_t rows, double *basis)
 {
 	size_t n = s->n;
 	double *A = xdoubles(n * rows), V[PARAMS_MOST * PARAMS_MOST];
@@ -71,7 +71,7 @@ sensitivity_of(struct misfit *m, const struct params *p,
 	for (size_t i = 0; basis != NULL && i < rows * PARAMS_MOST; i++)
 		basis[i] = 0;
 	if (s.n > 0)
-		decompose(&s, J, width, rows, basis);
+		decompose_jacobian(&s, J, width, rows, basis);
 	free(r);
 	free(J);
 	return s;

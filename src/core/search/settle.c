@@ -33,7 +33,7 @@ struct newton {
 
 /* Puts what is on a bound but for rounding there. */
 static void
-bring_to_bounds(const struct bounds *b, struct params *p)
+snap_to_bounds(const struct bounds *b, struct params *p)
 {
 	for (size_t j = 0; j < breakage_of(p)->n; j++) {
 		double near = ON_BOUND * (b->upper[j] - b->lower[j]);
@@ -47,7 +47,7 @@ bring_to_bounds(const struct bounds *b, struct params *p)
 /* All move but those on a bound and, as only the direction of the gauge counts,
  * the largest of it. */
 static void
-settle_find_columns(struct newton *w, const struct params *p)
+list_moving_columns(struct newton *w, const struct params *p)
 {
 	const struct breakage *of = breakage_of(p);
 	size_t largest = 0;
@@ -125,7 +125,7 @@ find_curvature(struct newton *w, const struct params *p)
 /* Makes of H its Cholesky factor, below and on the diagonal.  False where it
  * has none, as where a direction is open. */
 static bool
-settle_factor(struct newton *w)
+factor_curvature(struct newton *w)
 {
 	const double open = 1e-13; /* of what stands on the diagonal */
 	for (size_t c = 0; c < w->n; c++) {
@@ -144,7 +144,7 @@ settle_factor(struct newton *w)
 
 /* x = H^-1 x. */
 static void
-settle_solve(const struct newton *w, double *x)
+solve_with_curvature(const struct newton *w, double *x)
 {
 	for (size_t c = 0; c < w->n; c++) {
 		for (size_t k = 0; k < c; k++)
@@ -165,11 +165,11 @@ newton_descend(struct newton *w, struct params *p)
 	double g[PARAMS_MOST], before = INFINITY;
 	double misfit = find_gradient(w, p, g);
 	find_curvature(w, p);
-	if (!isfinite(misfit) || !settle_factor(w))
+	if (!isfinite(misfit) || !factor_curvature(w))
 		return false;
 	for (int i = 0; i < STEPS; i++) {
 		double most = 0;
-		settle_solve(w, g);
+		solve_with_curvature(w, g);
 		for (size_t c = 0; c < w->n; c++) {
 			size_t j = w->column[c];
 			p->at[j] -= g[c] * w->range[j];
@@ -214,8 +214,8 @@ settle_to_same_bits(
 	w.J = w.r_beside + rows;
 	w.J_beside = w.J + rows * width;
 	struct params near = *p;
-	bring_to_bounds(bounds, &near);
-	settle_find_columns(&w, &near);
+	snap_to_bounds(bounds, &near);
+	list_moving_columns(&w, &near);
 	bool found = w.n > 0 && rows >= w.n && newton_descend(&w, &near);
 	struct params q = round_params(&w, &near);
 	found = found && newton_descend(&w, &q) &&

@@ -165,7 +165,7 @@ grid_put_number(
 	char text[32];
 	where.kind = CELL_NUMBER;
 	where.number = strcmp(unit, "%") == 0 ? grid_percent(value) : value;
-	where.text = xasprintf("%s%s%s", text_exact(where.number, text),
+	where.text = xasprintf("%s%s%s", text_exact_number(where.number, text),
 	    unit[0] != '\0' ? " " : "", unit);
 	return grid_put(g, where);
 }

@@ -143,7 +143,7 @@ read_unit(const struct sheet *sheet, const char *text, double *value)
 			continue;
 		memcpy(copy, text, n - k);
 		copy[n - k] = '\0';
-		if (text_ends(copy, "\xC2\xA0"))
+		if (text_ends_with(copy, "\xC2\xA0"))
 			copy[n - k - 2] = '\0';
 		return number_read_text(sheet, text_trim(copy), value)
 			   ? UNITS[i].value
@@ -189,8 +189,8 @@ find_value(const struct sheet *sheet, struct cell *cell)
 void
 number_find(struct sheet *sheet)
 {
-	for (size_t r = 0; r < sheet->n_row && !error_stopped(sheet->errors);
-	     r++)
+	for (size_t r = 0;
+	     r < sheet->n_row && !error_should_stop(sheet->errors); r++)
 		for (size_t i = 0; i < sheet->row[r].n_all; i++)
 			find_value(sheet, &sheet->row[r].cell[i]);
 }
@@ -201,8 +201,8 @@ number_decide(struct sheet *sheet)
 	size_t points = 0, commas = 0;
 	char first = '\0';
 	sheet->open = (struct cell){0};
-	for (size_t r = 0; r < sheet->n_row && !error_stopped(sheet->errors);
-	     r++)
+	for (size_t r = 0;
+	     r < sheet->n_row && !error_should_stop(sheet->errors); r++)
 		for (size_t i = 0; i < sheet->row[r].n; i++) {
 			struct cell cell = sheet->row[r].cell[i];
 			char sign = cell.kind == CELL_TEXT

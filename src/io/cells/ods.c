@@ -318,7 +318,7 @@ put_repeated_row(struct reading *r)
 	size_t most = r->rows < MOST_REPEATS ? r->rows : MOST_REPEATS;
 	for (size_t line = 0;
 	     line < most && r->n_kept > 0 && r->visible &&
-	     r->grid->too_big == NULL && !error_stopped(r->grid->errors);
+	     r->grid->too_big == NULL && !error_should_stop(r->grid->errors);
 	     line++) {
 		size_t n = 0;
 		for (size_t i = 0; i < r->n_kept; i++)

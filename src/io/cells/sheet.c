@@ -56,7 +56,8 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	    sheet->name[0] != '\0'
 		? xasprintf(tr("%s, sheet %s"), sheet->path, sheet->name)
 		: xstrdup(sheet->path);
-	error_say(&e, ERROR_DATA, file, where.line, where.column, format, ap);
+	error_set_formatted(
+	    &e, ERROR_DATA, file, where.line, where.column, format, ap);
 	e.in_grid = sheet->name[0] != '\0';
 	va_end(ap);
 	*insert_fault(sheet, &e) = e;
@@ -357,7 +358,7 @@ line_length(char *text, int *ends)
 static void
 split_text(struct sheet *sheet, char *text)
 {
-	for (int number = 1; *text != '\0' && !error_stopped(sheet->errors);
+	for (int number = 1; *text != '\0' && !error_should_stop(sheet->errors);
 	     number++) {
 		int ends;
 		size_t n = line_length(text, &ends);
@@ -414,7 +415,7 @@ find_separator(const char *text, struct error_list *errors)
 			continue;
 		if (*p == '#')
 			continue;
-		if (error_stopped(errors))
+		if (error_should_stop(errors))
 			break;
 		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
@@ -544,9 +545,10 @@ static bool
 is_remark(const struct row *row)
 {
 	const char *text = row->cell[0].text;
-	bool failed = strcmp(text, "#N/A") == 0 ||
-		      (strchr(text, ' ') == NULL &&
-			  (text_ends(text, "!") || text_ends(text, "?")));
+	bool failed =
+	    strcmp(text, "#N/A") == 0 ||
+	    (strchr(text, ' ') == NULL &&
+		(text_ends_with(text, "!") || text_ends_with(text, "?")));
 	return text[0] == '#' && !failed;
 }
 

@@ -27,11 +27,11 @@ enum cell_value {
 };
 
 /* text: without spaces at the ends, never NULL; for CELL_NUMBER, the number as
- * text_exact writes it, then the unit shown in the cell: "97.5 %", "69 m/s";
- * for CELL_DATE, "2026-05-03T10:15", "2026-05-03" or "10:15".  column: position
- * of the first character, from 1, in characters, not bytes; in a workbook, 1 is
- * A.  number: 97.5 for a cell shown as 97.5 %; NAN if the cell has no
- * number. */
+ * text_exact_number writes it, then the unit shown in the cell: "97.5 %", "69
+ * m/s"; for CELL_DATE, "2026-05-03T10:15", "2026-05-03" or "10:15".  column:
+ * position of the first character, from 1, in characters, not bytes; in a
+ * workbook, 1 is A.  number: 97.5 for a cell shown as 97.5 %; NAN if the cell
+ * has no number. */
 struct cell {
 	char *text;
 	int line, column;

@@ -108,7 +108,7 @@ begin_relations(void *data, const char *name, const char *const *attribute)
 	const char *type = xml_attribute(attribute, "Type");
 	const char *target = xml_attribute(attribute, "Target");
 	if (strcmp(name, "Relationship") != 0 || id == NULL || type == NULL ||
-	    target == NULL || !text_ends(type, "/worksheet"))
+	    target == NULL || !text_ends_with(type, "/worksheet"))
 		return;
 	for (size_t i = 0; i < b->n_tab; i++)
 		if (strcmp(b->tab[i].id, id) == 0 && b->tab[i].part == NULL)
@@ -155,7 +155,7 @@ append_string_text(void *data, const char *text, size_t n)
 
 /* xl/styles.xml: <numFmt numFmtId formatCode>, then <cellXfs><xf numFmtId>. */
 static struct cell_format
-shown_of(const struct book *b, unsigned id)
+format_of_style(const struct book *b, unsigned id)
 {
 	for (size_t i = 0; i < b->n_code; i++)
 		if (b->code[i].id == id)
@@ -181,7 +181,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	if ((b->n_style & (b->n_style - 1)) == 0)
 		b->style =
 		    xrealloc(b->style, 2 * b->n_style + 1, sizeof *b->style);
-	b->style[b->n_style++] = shown_of(b, id);
+	b->style[b->n_style++] = format_of_style(b, id);
 }
 
 static void

@@ -41,7 +41,8 @@ xml_give_up(struct reading *r, const char *wrong)
 static void
 check_for_stop(struct reading *r)
 {
-	if (r->wrong == NULL && ++r->n % OFTEN == 0 && error_stopped(r->errors))
+	if (r->wrong == NULL && ++r->n % OFTEN == 0 &&
+	    error_should_stop(r->errors))
 		xml_give_up(r, tr("interrupted"));
 }
 
@@ -163,7 +164,7 @@ xml_attribute(const char *const *attribute, const char *name)
 	for (; attribute[0] != NULL; attribute += 2) {
 		const char *found = attribute[0];
 		if (strcmp(found, name) == 0 ||
-		    (spaced && text_ends(found, name) &&
+		    (spaced && text_ends_with(found, name) &&
 			(name[0] == ' ' ||
 			    found[strlen(found) - strlen(name) - 1] == ':')))
 			return attribute[1];

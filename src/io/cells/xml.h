@@ -22,7 +22,7 @@ struct xml_events {
  * which the caller frees: the document is not well-formed, nests elements more
  * than 100 deep, has more than 1000 attributes on an element or a namespace of
  * more than 200 letters, or has a document type, whose entities could expand
- * beyond the document; or error_stopped(errors) is true. */
+ * beyond the document; or error_should_stop(errors) is true. */
 char *xml_read(const char *bytes, size_t n, const struct xml_events *events,
     void *data, struct error_list *errors);
 

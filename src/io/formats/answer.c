@@ -235,7 +235,7 @@ answer_name(struct answer *a, const char *key, const char *head)
 }
 
 void
-answer_pair(struct answer *a, const char *name, const char *format, ...)
+answer_add_pair(struct answer *a, const char *name, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -252,15 +252,15 @@ answer_set_missing(struct answer *a, const char *words)
 }
 
 static size_t
-answer_rows_of(const struct table *t)
+count_table_rows(const struct table *t)
 {
 	return t->n_column > 0 ? t->n_cell / t->n_column : 0;
 }
 
 size_t
-answer_rows(const struct answer *a)
+answer_count_rows(const struct answer *a)
 {
-	return answer_rows_of(a->filled);
+	return count_table_rows(a->filled);
 }
 
 /* Takes ownership of the text. */
@@ -327,7 +327,7 @@ number_json(double value)
 
 /* Returns the next value of fields_put, according to its conversion. */
 static json_t *
-converted_json(const char *conversion, va_list *ap)
+json_of_argument(const char *conversion, va_list *ap)
 {
 	switch (conversion[1]) {
 	case 's':
@@ -355,7 +355,7 @@ fields_put(struct fields *fields, const char *format, ...)
 	     word = strtok_r(NULL, " ", &save)) {
 		const char *key = word[0] != '%' ? word : NULL;
 		word = key != NULL ? strtok_r(NULL, " ", &save) : word;
-		put_value(fields, key, converted_json(word, &ap));
+		put_value(fields, key, json_of_argument(word, &ap));
 	}
 	free(copy);
 	va_end(ap);
@@ -403,7 +403,7 @@ static void
 answer_add_rows(struct fields *fields, const char *key, const struct table *t)
 {
 	struct fields *list = fields_list(fields, key);
-	for (size_t row = 0; row < answer_rows_of(t); row++) {
+	for (size_t row = 0; row < count_table_rows(t); row++) {
 		struct fields *object = fields_object(list, NULL);
 		for (size_t c = 0; c < t->n_column; c++)
 			add_cell_field(
@@ -440,17 +440,17 @@ answer_has_fields(const struct answer *a)
 /* Finds the number at a path; the contents of a list count under its own
  * name. */
 static void
-answer_look_up(const json_t *in, const char *path, double *value)
+find_number_at_path(const json_t *in, const char *path, double *value)
 {
 	size_t n = strcspn(path, ".");
 	for (size_t i = 0; i < json_array_size(in); i++)
-		answer_look_up(json_array_get(in, i), path, value);
+		find_number_at_path(json_array_get(in, i), path, value);
 	if (json_is_object(in)) {
 		FREED char *key = xstrndup(path, n),
 			   *hidden = xasprintf(".%s", key);
 		const json_t *item = json_object_get(in, key);
 		item = item != NULL ? item : json_object_get(in, hidden);
-		answer_look_up(item, path + n + (path[n] == '.'), value);
+		find_number_at_path(item, path + n + (path[n] == '.'), value);
 	} else if (*path == '\0' && json_is_boolean(in)) {
 		*value = fmax(*value, json_is_true(in));
 	} else if (*path == '\0' && json_is_number(in)) {
@@ -466,7 +466,7 @@ answer_number(const struct answer *a, const char *path)
 		value = 0;
 	for (size_t i = 0; i < a->n_sentence && !isnan(value); i++)
 		value += a->sentence[i].grade == ANSWER_WARNING;
-	answer_look_up(a->fields, path, &value);
+	find_number_at_path(a->fields, path, &value);
 	return value;
 }
 
@@ -485,7 +485,7 @@ answer_view(const struct answer *a)
 	    .site = a->site,
 	    .provenance = a->provenance,
 	    .n_column = t->n_column,
-	    .n_row = answer_rows_of(t),
+	    .n_row = count_table_rows(t),
 	    .n_sentence = a->n_sentence,
 	    .head = t->head,
 	    .cell = t->cell,
@@ -513,7 +513,7 @@ static void
 print_csv_number(double value, char separator, FILE *out)
 {
 	char text[32];
-	text_exact(value, text);
+	text_exact_number(value, text);
 	char *point = strchr(text, '.');
 	if (separator == ';' && point != NULL)
 		*point = ',';
@@ -550,7 +550,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	const char separator = semicolon ? ';' : ',';
 	const struct table *t = table_for_programs(a);
 	bool told = is_sentences_only(a);
-	size_t rows = told ? a->n_sentence : answer_rows_of(t);
+	size_t rows = told ? a->n_sentence : count_table_rows(t);
 	if (t->n_column == 0 && !told)
 		return 0;
 	fputs(tr("command"), out);
@@ -626,7 +626,7 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
 	json_decref(o);
-	return answer_rows_of(t);
+	return count_table_rows(t);
 }
 
 /* How a table is set, found once for all rows: width and number [n_column].
@@ -642,7 +642,7 @@ struct form {
 static bool
 is_number_column(const struct table *t, size_t column)
 {
-	for (size_t row = 0; row < answer_rows_of(t); row++)
+	for (size_t row = 0; row < count_table_rows(t); row++)
 		if (t->cell[row * t->n_column + column].is_text)
 			return false;
 	return true;
@@ -652,7 +652,7 @@ static int
 column_width(const struct table *t, size_t column)
 {
 	int width = text_width(t->head[column]);
-	for (size_t row = 0; row < answer_rows_of(t); row++) {
+	for (size_t row = 0; row < count_table_rows(t); row++) {
 		int w = text_width(t->cell[row * t->n_column + column].text);
 		width = w > width ? w : width;
 	}
@@ -671,7 +671,7 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
  * after the other columns.  A single column is not wrapped, as it may be
  * copied. */
 static struct form
-table_form(const struct table *t, int room)
+lay_out_table(const struct table *t, int room)
 {
 	enum { LEAST = 24 };
 	struct form f = {.indent = 2, .room = room, .gap = 2};
@@ -700,7 +700,7 @@ print_sentence(const char *text, int indent, int room, FILE *out)
 {
 	FREED char *lines = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&lines, &n);
+	FILE *memory = text_open_memory(&lines, &n);
 	text_wrap(text, indent, room, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
@@ -777,7 +777,7 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 {
 	FREED char *line = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&line, &n);
+	FILE *memory = text_open_memory(&line, &n);
 	answer_print_row(
 	    t, f, row - 1, row == 0, block, f->gap == 1 ? " " : "  ", memory);
 	fclose(memory);
@@ -845,7 +845,7 @@ answer_transpose(struct answer *a)
 {
 	struct table from = a->table[0];
 	a->table[0] = (struct table){0};
-	size_t rows = answer_rows_of(&from);
+	size_t rows = count_table_rows(&from);
 	answer_column(a, from.key[0], from.head[0]);
 	for (size_t row = 0; row < rows; row++)
 		answer_column(
@@ -868,15 +868,15 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	(void)semicolon;
 	struct answer *a = answer_escaped(answer);
 	const struct table *t = &a->table[0];
-	bool turned = a->across && answer_rows_of(t) > t->n_column;
+	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
 		answer_transpose(a);
 	if (a->title != NULL)
 		fprintf(out, "%s\n", a->title);
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
-	size_t rows = answer_rows_of(t), from = 1;
-	struct form f = table_form(t, a->room);
+	size_t rows = count_table_rows(t), from = 1;
+	struct form f = lay_out_table(t, a->room);
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
@@ -898,7 +898,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 /* True if markdown or HTML could take the character for markup.  An underscore
  * within a word such as f_mat is none. */
 static bool
-is_markup(const char *text, const char *p)
+is_markup_character(const char *text, const char *p)
 {
 	if (*p == '_')
 		return p == text || !isalnum((unsigned char)p[-1]) ||
@@ -929,7 +929,7 @@ as_markdown(const char *text)
 			end = stpcpy(end, entity);
 			continue;
 		}
-		if (is_markup(shown, p))
+		if (is_markup_character(shown, p))
 			*end++ = '\\';
 		*end++ = *p;
 	}
@@ -939,8 +939,8 @@ as_markdown(const char *text)
 static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
-	struct form f = table_form(t, SCREEN);
-	for (size_t row = 0; row <= answer_rows_of(t); row++) {
+	struct form f = lay_out_table(t, SCREEN);
+	for (size_t row = 0; row <= count_table_rows(t); row++) {
 		fputs("| ", out);
 		answer_print_row(t, &f, row - 1, row == 0,
 		    (struct block){1, t->n_column}, " | ", out);
@@ -969,7 +969,7 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 	for (size_t i = 0; i < a->n_sentence; i++)
 		fprintf(out, "\n%s\n", a->sentence[i].text);
 	fputc('\n', out);
-	size_t rows = answer_rows_of(t);
+	size_t rows = count_table_rows(t);
 	answer_free(a);
 	return rows;
 }

@@ -87,14 +87,14 @@ void answer_text(struct answer *answer, const char *format, ...)
 void answer_name(struct answer *answer, const char *key, const char *head);
 
 /* Adds a row with a name and a text, for a table with two columns. */
-void answer_pair(struct answer *answer, const char *name, const char *format,
-    ...) __attribute__((format(printf, 3, 4)));
+void answer_add_pair(struct answer *answer, const char *name,
+    const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Sets what to show for the next NAN cells ("below 0.063 mm"); default "-". */
 void answer_set_missing(struct answer *answer, const char *words);
 
 /* Returns the number of complete rows. */
-size_t answer_rows(const struct answer *answer);
+size_t answer_count_rows(const struct answer *answer);
 
 /* Adds a sentence below the table: a plain one about the result; a remark on
  * how to read it; or a warning not to rely on it, which people see first,

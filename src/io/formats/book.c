@@ -179,7 +179,7 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 	bool fixed = cell->decimals >= 0 && cell->decimals < DECIMALS;
 	/* 93.6 as in csv, and not 93.59999999999999. */
 	if (!cell->is_text && isfinite(value))
-		text_number(text_exact(value, text), &value);
+		text_number(text_exact_number(value, text), &value);
 	if (book_is_sieve(head, cell, &value) ||
 	    (!cell->is_text && isfinite(value)))
 		worksheet_write_number(p->sheet, p->row, column, value,

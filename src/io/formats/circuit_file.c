@@ -293,13 +293,13 @@ read_unit_row(struct reading_circuit *r, const struct row *row)
 	    struct reading_circuit *, struct unit *, const struct row *) = {
 	    read_feed, read_crusher, read_screen, read_split, read_stockpile};
 	struct cell word = row->cell[0];
-	if (text_same(word.text, "circuit")) {
+	if (text_same_folded(word.text, "circuit")) {
 		free(r->circuit->name);
 		r->circuit->name = xstrdup(sheet_cell(row, 1).text);
 		return;
 	}
 	for (size_t k = 0; k < UNIT_KINDS; k++) {
-		if (!text_same(word.text, WORDS[k]))
+		if (!text_same_folded(word.text, WORDS[k]))
 			continue;
 		struct unit *unit =
 		    circuit_unit(r->circuit, (enum unit_kind)k, "");
@@ -361,7 +361,7 @@ check_feeds(struct reading_circuit *r)
 
 /* Checks the paths, if all streams have a source and a destination. */
 static void
-check_ways(struct reading_circuit *r)
+check_paths_through_circuit(struct reading_circuit *r)
 {
 	const struct circuit *c = r->circuit;
 	size_t unfed = circuit_unfed(c), trapped = circuit_trapped(c);
@@ -388,7 +388,7 @@ read_circuit_sheet(struct reading_circuit *r)
 	if (r->sheet->n_fault == 0)
 		check_streams(r);
 	if (r->sheet->n_fault == 0)
-		check_ways(r);
+		check_paths_through_circuit(r);
 }
 
 struct circuit *

@@ -140,7 +140,7 @@ next_field(const struct reading *r, char **s)
 
 /* Returns "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
 static char *
-plain_head(const char *head)
+head_as_identifier(const char *head)
 {
 	char *plain = text_fold(head);
 	size_t n = 0;
@@ -170,12 +170,12 @@ find_head(const char *plain)
 static enum column
 collisions_column_of(const char *head, double *scale)
 {
-	FREED char *plain = plain_head(head);
+	FREED char *plain = head_as_identifier(head);
 	enum column column = find_head(plain);
 	const char *unit = "";
 	*scale = column == COL_SIZE ? 1e-3 : 1;
 	for (size_t i = 0; column == COL_NONE && i < ARRAY_LEN(UNITS); i++) {
-		if (!text_ends(plain, UNITS[i].end))
+		if (!text_ends_with(plain, UNITS[i].end))
 			continue;
 		plain[strlen(plain) - strlen(UNITS[i].end)] = '\0';
 		column = find_head(plain);
@@ -197,7 +197,7 @@ collisions_column_of(const char *head, double *scale)
 }
 
 static void
-take_column(struct reading *r, const char *head)
+add_column_with_heading(struct reading *r, const char *head)
 {
 	double scale = 1;
 	enum column column = collisions_column_of(head, &scale);
@@ -219,7 +219,7 @@ take_column_names(struct reading *r, const char *heads, char separator)
 	r->n = 0;
 	memset(r->has, 0, sizeof r->has);
 	while ((head = next_field(r, &rest)) != NULL)
-		take_column(r, head);
+		add_column_with_heading(r, head);
 	r->separator = was;
 }
 
@@ -234,7 +234,7 @@ has_energy(const struct reading *r)
 /* True if the columns yield energies; otherwise reports what is missing, and
  * how to name them. */
 static bool
-columns_do(struct reading *r)
+check_columns_give_energy(struct reading *r)
 {
 	if (has_energy(r))
 		return true;
@@ -251,7 +251,7 @@ columns_do(struct reading *r)
 
 /* Reads the numbers of a row.  False with a fault if a field is none. */
 static bool
-take_numbers_of_row(struct reading *r)
+read_numbers_of_row(struct reading *r)
 {
 	char *rest = r->line;
 	for (size_t i = 0; i < r->n; i++) {
@@ -276,7 +276,7 @@ take_numbers_of_row(struct reading *r)
 }
 
 static bool
-may_go_on(struct reading *r)
+report_rows_read_so_far(struct reading *r)
 {
 	const uint64_t often = 1 << 17;
 	if (r->way->progress == NULL || r->to->rows % often != 0 ||
@@ -304,7 +304,7 @@ row_energy(const struct reading *r)
 }
 
 static bool
-take_impact(struct reading *r)
+add_impact_of_row(struct reading *r)
 {
 	struct spectrum *s = r->to->spectrum;
 	const double *v = r->value;
@@ -334,7 +334,7 @@ take_impact(struct reading *r)
 /* Reads a line "speed_m_s,69" or "provenance,.." above the headings.  False if
  * it is none. */
 static bool
-take_note(struct reading *r)
+read_line_above_headings(struct reading *r)
 {
 	FREED char *copy = xstrdup(r->line);
 	char *rest = copy;
@@ -389,7 +389,7 @@ table_columns(struct reading *r, bool *is_row)
 		    : two ? "specific_energy,weight"
 			  : "specific_energy",
 		    ',');
-	return columns_do(r);
+	return check_columns_give_energy(r);
 }
 
 static bool
@@ -397,16 +397,17 @@ collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
 	r->separator = separator_of(r->line);
-	while (take_note(r))
+	while (read_line_above_headings(r))
 		if (!next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file whole?");
 	ok = table_columns(r, &is_row);
 	if (ok && is_row)
-		ok = take_numbers_of_row(r) && take_impact(r);
+		ok = read_numbers_of_row(r) && add_impact_of_row(r);
 	while (ok && next_line(r))
 		ok = r->length == 0 ||
-		     (take_numbers_of_row(r) && take_impact(r) && may_go_on(r));
+		     (read_numbers_of_row(r) && add_impact_of_row(r) &&
+			 report_rows_read_so_far(r));
 	if (r->told > 0)
 		r->to->impacts = r->told;
 	r->to->spectrum->counted = r->has[COL_PARTICLES];
@@ -496,7 +497,8 @@ collisions_write(const struct collisions *c, const char *name, FILE *out)
 	fprintf(out, "spectrum,\"%s\"\nimpacts,%llu\n", name,
 	    (unsigned long long)c->impacts);
 	if (isfinite(s->speed))
-		fprintf(out, "speed_m_s,%s\n", text_exact(s->speed, text));
+		fprintf(
+		    out, "speed_m_s,%s\n", text_exact_number(s->speed, text));
 	fprintf(out, "provenance,\"%s\"\n", c->about);
 	fputs("size_mm,particles,particles_kg,low_j_kg,high_j_kg,impacts_kg,"
 	      "impacts_j,first_kg,first_j\n",

@@ -99,7 +99,7 @@ plant_log_kind_of(const char *text, const struct head *head)
 }
 
 static bool
-moment_at(
+read_date_or_time_at(
     const struct reading *r, size_t row, size_t column, struct datetime *m)
 {
 	struct cell cell = sheet_cell(&r->sheet->row[row], column);
@@ -117,7 +117,7 @@ find_times(struct reading *r)
 	n = n < LOOKED_AT ? n : LOOKED_AT;
 	for (size_t i = 0; i < n; i++)
 		for (size_t c = 0; c < r->sheet->row[i].n; c++)
-			if (moment_at(r, i, c, &m)) {
+			if (read_date_or_time_at(r, i, c, &m)) {
 				r->n_column =
 				    c + 1 > r->n_column ? c + 1 : r->n_column;
 				dates[c] += m.has_date;
@@ -128,10 +128,11 @@ find_times(struct reading *r)
 		r->clock = clocks[c] > clocks[r->clock] ? c : r->clock;
 	}
 	for (r->first = 0; r->first < n; r->first++)
-		if (moment_at(r, r->first, r->date, &m) && m.has_date)
+		if (read_date_or_time_at(r, r->first, r->date, &m) &&
+		    m.has_date)
 			break;
 	for (size_t i = r->first; i < n; i++) {
-		full += moment_at(r, i, r->date, &m) && m.has_time;
+		full += read_date_or_time_at(r, i, r->date, &m) && m.has_time;
 		r->n_column = r->sheet->row[i].n > r->n_column
 				  ? r->sheet->row[i].n
 				  : r->n_column;
@@ -300,8 +301,8 @@ find_order(struct reading *r, bool *open)
 	struct cell other = {.text = NULL}, undecided = {.text = NULL};
 	r->order = r->request->order;
 	for (size_t i = r->first;
-	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
-		if (!moment_at(r, i, r->date, &m) || m.plain)
+	     i < r->sheet->n_row && !error_should_stop(r->errors); i++) {
+		if (!read_date_or_time_at(r, i, r->date, &m) || m.plain)
 			continue;
 		if (m.order == DATETIME_OPEN)
 			undecided = sheet_cell(&r->sheet->row[i], r->date);
@@ -363,13 +364,14 @@ static void
 plant_log_read_rows(struct reading *r)
 {
 	for (size_t i = r->first;
-	     i < r->sheet->n_row && !error_stopped(r->errors); i++) {
+	     i < r->sheet->n_row && !error_should_stop(r->errors); i++) {
 		struct datetime day, clock = {.has_time = false};
-		bool good = moment_at(r, i, r->date, &day) && day.has_date;
+		bool good =
+		    read_date_or_time_at(r, i, r->date, &day) && day.has_date;
 		double time =
 		    good ? datetime_seconds(&day, r->order) : (double)NAN;
 		if (good && r->clock != r->date) {
-			good = moment_at(r, i, r->clock, &clock);
+			good = read_date_or_time_at(r, i, r->clock, &clock);
 			time += clock.seconds;
 		} else {
 			good = good && day.has_time;
@@ -392,7 +394,7 @@ static bool
 check_numbers(struct reading *r)
 {
 	for (size_t i = r->first;
-	     i < r->sheet->n_row && !error_stopped(r->errors); i++)
+	     i < r->sheet->n_row && !error_should_stop(r->errors); i++)
 		for (size_t c = 0; c < r->n_column; c++) {
 			struct cell cell = sheet_cell(&r->sheet->row[i], c);
 			if (r->kind[c] < LOG_COLUMNS &&
@@ -450,7 +452,8 @@ plant_log_read_file(struct reading *r, const char *path, bool *open)
 	size_t taken = 0;
 	for (size_t i = 0; i < source.n && good; i++) {
 		const char *wanted = r->request->sheet;
-		if (wanted != NULL && !text_same(source.sheet[i]->name, wanted))
+		if (wanted != NULL &&
+		    !text_same_folded(source.sheet[i]->name, wanted))
 			continue;
 		if (wanted == NULL && source.n > 1 &&
 		    source.sheet[i]->n_row < 2)

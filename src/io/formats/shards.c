@@ -44,7 +44,7 @@ shards_number_of(
 }
 
 static bool
-shards_take_site(json_t *row, const json_t *index, const struct kind *kind,
+read_site_of_part(json_t *row, const json_t *index, const struct kind *kind,
     struct part_site *site)
 {
 	const char *name, *text;
@@ -75,7 +75,7 @@ shards_kind_of(const char *command)
 }
 
 static bool
-take_part(json_t *o, const char *path, struct part_file *part)
+read_part_of_json(json_t *o, const char *path, struct part_file *part)
 {
 	const char *command, *sites, *version, *options;
 	json_int_t number, of, loaded, left_out = 0, each = 0;
@@ -105,7 +105,7 @@ take_part(json_t *o, const char *path, struct part_file *part)
 	part->site = xcalloc(json_array_size(rows) + 1, sizeof *part->site);
 	for (size_t i = 0; i < json_array_size(rows); i++) {
 		struct part_site *site = &part->site[part->n++];
-		if (!shards_take_site(json_array_get(rows, i),
+		if (!read_site_of_part(json_array_get(rows, i),
 			json_array_get(index, i), kind, site) ||
 		    site->index >= part->loaded ||
 		    site->index % part->of != part->number - 1)
@@ -129,7 +129,7 @@ parts_read(const char *path, struct parts *parts, struct error *error)
 	       (o = json_loadf(in, JSON_DISABLE_EOF_CHECK, &about)) != NULL) {
 		parts->part =
 		    xrealloc(parts->part, parts->n + 1, sizeof *parts->part);
-		good = take_part(o, path, &parts->part[parts->n++]);
+		good = read_part_of_json(o, path, &parts->part[parts->n++]);
 		json_decref(o);
 	}
 	/* After the last there is nothing but its end of line. */

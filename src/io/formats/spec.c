@@ -46,10 +46,10 @@ static bool
 spec_read_key(
     struct spec *spec, struct sheet *sheet, struct cell key, struct cell value)
 {
-	char **text = text_same(key.text, "spec")     ? &spec->name
-		      : text_same(key.text, "source") ? &spec->source
-						      : NULL;
-	if (text_same(key.text, "cut")) {
+	char **text = text_same_folded(key.text, "spec")     ? &spec->name
+		      : text_same_folded(key.text, "source") ? &spec->source
+							     : NULL;
+	if (text_same_folded(key.text, "cut")) {
 		read_cut(spec, sheet, value);
 		return true;
 	}
@@ -100,8 +100,8 @@ spec_read_heads(const struct table *t, size_t at[static 2])
 	at[0] = at[1] = 0;
 	for (size_t i = 1; i < t->n_col; i++) {
 		struct cell head = t->head[t->n_head - 1].cell[i];
-		bool is_max = text_same(head.text, HEADS[1]);
-		if ((is_max || text_same(head.text, HEADS[0])) &&
+		bool is_max = text_same_folded(head.text, HEADS[1]);
+		if ((is_max || text_same_folded(head.text, HEADS[0])) &&
 		    at[is_max] == 0)
 			at[is_max] = i;
 		else if (head.text[0] != '\0')
@@ -151,7 +151,7 @@ check_limits_fall(
 			    "check this row and the one above: a limit cannot "
 			    "rise on a finer sieve",
 			    HEADS[at_most], 100 * last, 100 * limit[i],
-			    text_exact(t->mm[i], size));
+			    text_exact_number(t->mm[i], size));
 		last = limit[i];
 	}
 }

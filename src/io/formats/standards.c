@@ -38,7 +38,7 @@ read_limit_cell(struct sheet *sheet, const struct row *row, size_t at)
 }
 
 static struct spec *
-spec_of(const struct standards *all, const char *name)
+find_spec_by_name(const struct standards *all, const char *name)
 {
 	for (size_t i = 0; i < all->n; i++)
 		if (strcmp(all->spec[i]->name, name) == 0)
@@ -76,7 +76,7 @@ base_envelope(const struct standards *all, const char *name)
 	if (bracket == NULL)
 		return NULL;
 	FREED char *base = xstrndup(name, (size_t)(bracket - name));
-	return spec_of(all, base);
+	return find_spec_by_name(all, base);
 }
 
 static struct spec *
@@ -125,7 +125,7 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	FREED char *name =
 	    xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
 	double mm = read_limit_cell(sheet, row, SIZE);
-	struct spec *spec = spec_of(all, name);
+	struct spec *spec = find_spec_by_name(all, name);
 	if (spec == NULL)
 		spec = add_spec(
 		    all, standard, name, sheet_cell(row, CUT).text, source);
@@ -203,7 +203,7 @@ static const char BETWEEN[] = " :;,()";
 /* Looks for a word of n letters in a folded name: 0 if it is not there, 1 if a
  * word of the name begins with it, 2 if it is one. */
 static int
-match_word(const char *name, const char *word, size_t n)
+score_word_match(const char *name, const char *word, size_t n)
 {
 	int best = 0;
 	for (const char *p = name + strspn(name, BETWEEN); *p != '\0';) {
@@ -216,15 +216,15 @@ match_word(const char *name, const char *word, size_t n)
 	return best;
 }
 
-/* Returns the least result of match_word over all words. */
+/* Returns the least result of score_word_match over all words. */
 static int
-match_words(const char *name, const char *words)
+score_words_match(const char *name, const char *words)
 {
 	FREED char *folded = text_fold(name), *all = text_fold(words);
 	int least = 2;
 	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
 		size_t n = strcspn(p, BETWEEN);
-		int in = match_word(folded, p, n);
+		int in = score_word_match(folded, p, n);
 		least = in < least ? in : least;
 		p += n;
 		p += strspn(p, BETWEEN);
@@ -236,10 +236,11 @@ match_words(const char *name, const char *words)
  * a number of its standard, "C33", or all of its own name, "zone II"; but not
  * "ASTM" alone. */
 static bool
-names_plain(const struct spec *spec, const char *folded)
+do_words_mean_plain_variant(const struct spec *spec, const char *folded)
 {
 	return folded[strcspn(folded, "0123456789")] != '\0' ||
-	       match_words(folded, spec->name + strlen(spec->standard)) == 2;
+	       score_words_match(folded, spec->name + strlen(spec->standard)) ==
+		   2;
 }
 
 /* True if a name is another one, of `length` letters, or continues it. */
@@ -264,7 +265,7 @@ keep_base_envelope(
 			    match[j] && standards_begins_with_name(
 					    all->spec[j]->name, name, length);
 		if (!match[i] || begin < n ||
-		    !names_plain(all->spec[i], folded))
+		    !do_words_mean_plain_variant(all->spec[i], folded))
 			continue;
 		memset(match, 0, all->n * sizeof *match);
 		match[i] = true;
@@ -280,7 +281,7 @@ standards_match(const struct standards *all, const char *words, bool *match)
 	size_t n = 0, full = 0;
 	FREED int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
-		in[i] = match_words(all->spec[i]->name, folded);
+		in[i] = score_words_match(all->spec[i]->name, folded);
 		full += in[i] == 2;
 	}
 	for (size_t i = 0; i < all->n; i++)

@@ -111,7 +111,7 @@ autosave_left(size_t *n)
 	*n = 0;
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
 		if (strncmp(e->d_name, "session-", 8) != 0 ||
-		    !text_ends(e->d_name, ".tip"))
+		    !text_ends_with(e->d_name, ".tip"))
 			continue;
 		struct autosave_left one = {
 		    .path = xasprintf("%s%s", folder, e->d_name)};

@@ -121,7 +121,7 @@ static bool
 is_left_over(const char *name)
 {
 	return strncmp(name, PREFIX, sizeof PREFIX - 1) == 0 &&
-	       text_ends(name, SUFFIX);
+	       text_ends_with(name, SUFFIX);
 }
 
 /* Removes files left in the folder by writers that were killed. */
@@ -193,8 +193,8 @@ copy_owner_and_mode(int fd, const struct stat *old)
 
 /* old: of the existing file, or NULL.  False with errno. */
 static bool
-file_put_file(const char *path, const struct stat *old, enum file_rights rights,
-    const char *bytes, size_t n)
+write_and_rename(const char *path, const struct stat *old,
+    enum file_rights rights, const char *bytes, size_t n)
 {
 	char *folder = folder_of(path), *name = NULL;
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
@@ -222,7 +222,7 @@ file_put_file(const char *path, const struct stat *old, enum file_rights rights,
 
 /* False, with errno, if the path cannot be a file. */
 static bool
-file_look(const char *path, struct stat *about, bool *there)
+stat_unless_folder(const char *path, struct stat *about, bool *there)
 {
 	*there = stat(path, about) == 0;
 	if (*there && S_ISDIR(about->st_mode))
@@ -236,7 +236,7 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 {
 	struct stat about;
 	bool there;
-	if (!file_look(path, &about, &there))
+	if (!stat_unless_folder(path, &about, &there))
 		return cannot_write(path, errno, error);
 	if (there && !S_ISREG(about.st_mode))
 		return file_append(path, rights, bytes, n, error);
@@ -248,7 +248,7 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
 	bool good =
-	    file_put_file(target, there ? &about : NULL, rights, bytes, n);
+	    write_and_rename(target, there ? &about : NULL, rights, bytes, n);
 	int reason = errno;
 	sigprocmask(SIG_SETMASK, &before, NULL);
 	return good || cannot_write(path, reason, error);
@@ -261,7 +261,7 @@ file_replace_by(const char *path, enum file_rights rights,
 {
 	FREED char *text = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	write(data, memory);
 	return fclose(memory) == 0 ? file_replace(path, rights, text, n, error)
 				   : cannot_write(path, ENOMEM, error);
@@ -313,7 +313,7 @@ file_has_sheet_ending(const char *path)
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
 	FREED char *folded = text_fold(path);
 	size_t i = 0;
-	while (i < ARRAY_LEN(ENDS) && !text_ends(folded, ENDS[i]))
+	while (i < ARRAY_LEN(ENDS) && !text_ends_with(folded, ENDS[i]))
 		i++;
 	return i < ARRAY_LEN(ENDS);
 }
@@ -323,7 +323,7 @@ file_may_write(const char *path, struct error *error)
 {
 	struct stat about;
 	bool there;
-	if (!file_look(path, &about, &there))
+	if (!stat_unless_folder(path, &about, &there))
 		return cannot_write(path, errno, error);
 	FREED char *target = behind_links(path), *folder = folder_of(target);
 	bool ok =

@@ -748,7 +748,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 	struct error_list *errors = t->sheet->errors;
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0;
-	for (; n + 1 < t->n_col && !error_stopped(errors); n++) {
+	for (; n + 1 < t->n_col && !error_should_stop(errors); n++) {
 		column[n] = column_from_heads(t, n + 1);
 		note_constant_speed(&column[n], &around);
 		around.counted =
@@ -758,7 +758,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 		refuse_tare(column, n);
 	all->column =
 	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
-	for (size_t i = 0; i < n && !error_stopped(errors); i++) {
+	for (size_t i = 0; i < n && !error_should_stop(errors); i++) {
 		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
@@ -779,7 +779,8 @@ classify_columns(struct table *t, const struct surroundings *near,
 static bool
 is_stopped(const struct columns *all)
 {
-	return all->n > 0 && error_stopped(all->column[0].table->sheet->errors);
+	return all->n > 0 &&
+	       error_should_stop(all->column[0].table->sheet->errors);
 }
 
 static void
@@ -826,7 +827,7 @@ static bool
 is_called_alike(const struct column *a, const struct column *b)
 {
 	FREED char *one = name_in_head(a), *other = name_in_head(b);
-	return text_same(one, other);
+	return text_same_folded(one, other);
 }
 
 /* True if two columns are one sample in two quantities, at least one of which
@@ -1104,7 +1105,7 @@ classify_column_text(const struct column *c)
 	char *text = xstrdup(role);
 	bool wants = c->role != FEED;
 	if (c->speed > 0)
-		xappend(&text, "@%s", text_exact(c->speed, speed));
+		xappend(&text, "@%s", text_exact_number(c->speed, speed));
 	else if (wants)
 		xappend(&text, "@SPEED");
 	const char *suffix = SITE_UNITS[c->unit].suffix;

@@ -108,7 +108,7 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 	/* "n.d." is no diameter. */
 	if (cell->kind != CELL_TEXT || cell->value == AS_ABSENT ||
 	    strpbrk(cell->text, "0123456789") != NULL ||
-	    text_same(cell->text, "top_size_mm"))
+	    text_same_folded(cell->text, "top_size_mm"))
 		return false;
 	uint64_t means = n->means;
 	uint64_t units =
@@ -150,7 +150,7 @@ guess_nature(const struct sheet *sheet, const struct cell *cell)
 static void
 find_natures(struct grid *g)
 {
-	for (size_t r = 0; r < g->n_row && !error_stopped(g->sheet->errors);
+	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++)
 			*nature_at(g, r, c) =
@@ -162,7 +162,7 @@ layout_find_numbers(struct grid *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
-	for (size_t r = 0; r < g->n_row && !error_stopped(g->sheet->errors);
+	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
@@ -500,7 +500,7 @@ static size_t
 find_headed(const struct grid *g, struct place *place)
 {
 	size_t n = 0;
-	for (size_t r = 0; r < g->n_row && !error_stopped(g->sheet->errors);
+	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++) {
 			if (!is_sieve_head(g, r, c))
@@ -565,7 +565,8 @@ find_headless_table(const struct grid *g, struct place *place)
 	size_t found = 0;
 	for (size_t c = 0; c < g->n_col; c++) {
 		for (size_t r = 0;
-		     r < g->n_row && !error_stopped(g->sheet->errors); r++) {
+		     r < g->n_row && !error_should_stop(g->sheet->errors);
+		     r++) {
 			struct place p = {
 			    c, g->n_row, r, 0, g->n_col, 0, false};
 			double mm, last = NAN;
@@ -647,7 +648,8 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 	size_t n = 0;
 	for (size_t c = 0; c + 1 < g->n_col; c++)
 		for (size_t r = 0;
-		     r < g->n_row && !error_stopped(g->sheet->errors); r++) {
+		     r < g->n_row && !error_should_stop(g->sheet->errors);
+		     r++) {
 			bool sizes, phi;
 			size_t first = r;
 			size_t end = ordered_end(g, r, c, &sizes, &phi);
@@ -677,7 +679,7 @@ layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 {
 	size_t n = 0;
 	for (size_t r = 0;
-	     r < g->n_row && n < most && !error_stopped(g->sheet->errors);
+	     r < g->n_row && n < most && !error_should_stop(g->sheet->errors);
 	     r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};

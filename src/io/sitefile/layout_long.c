@@ -433,7 +433,7 @@ layout_widen(struct table *t, uint64_t told)
 	l.sample = xcalloc(n, sizeof *l.sample);
 	l.lead = xcalloc(n, sizeof *l.lead);
 	l.mark = xcalloc(n, sizeof *l.mark);
-	for (size_t c = 0; c < t->n_col && !error_stopped(t->sheet->errors);
+	for (size_t c = 0; c < t->n_col && !error_should_stop(t->sheet->errors);
 	     c++) {
 		FREED char *text = layout_head_text(t, c);
 		l.head[c] = head_read(text);

@@ -499,7 +499,7 @@ list_tables(const struct tables *s, struct site_ask *ask)
 
 /* Returns the second of several tables with a feed each, or NULL. */
 static const struct table *
-second_feed(const struct columns *all)
+table_with_second_feed(const struct columns *all)
 {
 	const struct table *first = NULL;
 	for (size_t i = 0; i < all->n; i++) {
@@ -678,7 +678,7 @@ site_ask_open(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask)
 {
-	const struct table *second = second_feed(all);
+	const struct table *second = table_with_second_feed(all);
 	for (size_t i = 0; i < n_table && second == NULL; i++)
 		if (table[i] == open->other)
 			second = table[i];

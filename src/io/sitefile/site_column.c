@@ -103,7 +103,7 @@ site_column_pct(
 {
 	double v = c->pct[row];
 	if (SITE_UNITS[c->unit].kind == PASSING)
-		return text_distinguishing(v, other, buf);
+		return text_number_unlike(v, other, buf);
 	for (int digits = 1; digits <= 9; digits++) {
 		snprintf(buf, 32, "%.*f", digits, v);
 		if (fabs(strtod(buf, NULL) - other) > 0 || v == other)
@@ -118,14 +118,14 @@ head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
 {
 	char speed[32] = "";
 	if (c->speed > 0)
-		text_exact(c->speed, speed);
+		text_exact_number(c->speed, speed);
 	snprintf(buf, 64, "%s%s%s%s", SITE_ROLES[c->role], suffix,
 	    c->speed > 0 ? "@" : "", speed);
 	return buf;
 }
 
 static bool
-of_mass(const struct column *c)
+is_in_mass(const struct column *c)
 {
 	return SITE_UNITS[c->unit].scale == OF_MASS;
 }
@@ -183,7 +183,7 @@ read_cells(struct column *c)
 {
 	struct table *t = c->table;
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
-	enum cell_value own = of_mass(c) ? AS_GRAMS : AS_PERCENT;
+	enum cell_value own = is_in_mass(c) ? AS_GRAMS : AS_PERCENT;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[c->at];
 		double v = 0;
@@ -436,8 +436,8 @@ check_rise(struct column *c)
 			    "rise on a finer sieve",
 			    site_column_pct(c, last, c->pct[i], p),
 			    site_column_pct(c, i, c->pct[last], q),
-			    text_distinguishing(t->mm[i], t->mm[last], mm),
-			    text_distinguishing(t->mm[last], t->mm[i], other));
+			    text_number_unlike(t->mm[i], t->mm[last], mm),
+			    text_number_unlike(t->mm[last], t->mm[i], other));
 		last = i;
 	}
 }

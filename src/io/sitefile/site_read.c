@@ -67,7 +67,7 @@ fault_no_table(struct sheet *sheet)
 	struct cell found =
 	    sheet->n_row > 0 ? sheet->row[0].cell[0] : sheet_cell(&none, 0);
 	for (size_t i = sheet->n_row;
-	     i-- > 0 && !error_stopped(sheet->errors);) {
+	     i-- > 0 && !error_should_stop(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
 		if (number_of(cell, &v) ||
@@ -197,9 +197,8 @@ check_twin(const struct columns *all, const struct column *twin)
 			    "say which is to be read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
 			    twin->twin,
-			    text_distinguishing(c->pct[i], twin->pct[i], one),
-			    text_distinguishing(
-				twin->pct[i], c->pct[i], other));
+			    text_number_unlike(c->pct[i], twin->pct[i], one),
+			    text_number_unlike(twin->pct[i], c->pct[i], other));
 			return;
 		}
 	}
@@ -279,7 +278,8 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 			r->all.column[i].top = top;
 	xlist(&r->site->assumed, "; ",
 	    tr("100 %% passes %s mm, as %s %% passes %g mm"),
-	    text_exact(top, mm), site_column_pct(c, at, 100, p), t->mm[at]);
+	    text_exact_number(top, mm), site_column_pct(c, at, 100, p),
+	    t->mm[at]);
 	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
 }
 
@@ -287,12 +287,12 @@ static void
 read_columns(struct reading *r)
 {
 	struct columns *all = &r->all;
-	for (size_t i = 0; i < all->n && !error_stopped(r->errors); i++) {
+	for (size_t i = 0; i < all->n && !error_should_stop(r->errors); i++) {
 		struct column *c = &all->column[i];
 		site_column_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
-	for (size_t i = 0; i < all->n && !error_stopped(r->errors); i++) {
+	for (size_t i = 0; i < all->n && !error_should_stop(r->errors); i++) {
 		if (all->column[i].twin > 0)
 			check_twin(all, &all->column[i]);
 		if (all->column[i].role == PRODUCT)
@@ -349,7 +349,7 @@ fill_run_curves(const struct columns *t, const struct column *shared,
 }
 
 static int
-by_speed(const void *a, const void *b)
+compare_runs_by_speed(const void *a, const void *b)
 {
 	const struct run *r = a, *s = b;
 	return (r->speed > s->speed) - (r->speed < s->speed);
@@ -375,7 +375,7 @@ make_runs(struct site *site, const struct columns *t)
 	}
 	if (site->n_run == 0)
 		site->run[site->n_run++] = (struct run){.speed = 0};
-	qsort(site->run, site->n_run, sizeof *site->run, by_speed);
+	qsort(site->run, site->n_run, sizeof *site->run, compare_runs_by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats(site, r) ? first : r;
 		fill_run_curves(t, shared, &site->run[r], r - first);
@@ -647,10 +647,12 @@ read_site_file(struct reading *r, size_t file)
 	FREED char *names = xstrdup("");
 	if (source->note[0] != '\0')
 		xlist(&r->site->remark, "; ", "%s", source->note);
-	for (size_t i = 0; i < source->n && !error_stopped(r->errors); i++) {
+	for (size_t i = 0; i < source->n && !error_should_stop(r->errors);
+	     i++) {
 		struct sheet *sheet = source->sheet[i];
 		xlist(&names, ", ", "%s", sheet->name);
-		if (q->sheet != NULL && !text_same(sheet->name, q->sheet))
+		if (q->sheet != NULL &&
+		    !text_same_folded(sheet->name, q->sheet))
 			continue;
 		if (q->decimal != '\0')
 			number_decimal(sheet, q->decimal);
@@ -709,7 +711,7 @@ read_pages(struct reading *r)
 		site_heading_read(page->layout, page->sheet, r->site, &told);
 		take_rotor(r, &rotor);
 		for (size_t b = 0;
-		     b < page->layout->n && !error_stopped(r->errors); b++)
+		     b < page->layout->n && !error_should_stop(r->errors); b++)
 			read_site_table(r, page, &page->layout->table[b], told);
 	}
 }
@@ -873,7 +875,7 @@ static bool
 read_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
-		if (!read_site_file(r, i) || error_stopped(r->errors))
+		if (!read_site_file(r, i) || error_should_stop(r->errors))
 			return false;
 	return has_tables(r);
 }

@@ -113,9 +113,9 @@ static bool
 is_name_of_column(
     const struct table *t, size_t c, const char *label, const char *name)
 {
-	bool same = text_same(label, name);
+	bool same = text_same_folded(label, name);
 	for (size_t r = 0; r < t->n_head && !same && t->name == NULL; r++)
-		same = text_same(t->head[r].cell[c].text, name);
+		same = text_same_folded(t->head[r].cell[c].text, name);
 	return same;
 }
 

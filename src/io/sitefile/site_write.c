@@ -58,9 +58,9 @@ write_heading(const struct site *site, FILE *out)
 {
 	char top[32] = "", rotor[32] = "";
 	if (site->top_size > 0)
-		text_exact(units_mm(site->top_size), top);
+		text_exact_number(units_mm(site->top_size), top);
 	if (site->rotor > 0)
-		text_exact(units_mm(site->rotor), rotor);
+		text_exact_number(units_mm(site->rotor), rotor);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
 	    {"machine", site->machine}, {"rotor_mm", rotor},
@@ -126,7 +126,7 @@ static void
 write_row(struct curve *curve, size_t n, double mm, FILE *out)
 {
 	char number[32];
-	fputs(text_exact(mm, number), out);
+	fputs(text_exact_number(mm, number), out);
 	for (size_t i = 0; i < n; i++) {
 		struct curve *c = &curve[i];
 		fputc(',', out);
@@ -135,9 +135,9 @@ write_row(struct curve *curve, size_t n, double mm, FILE *out)
 			if (units_mm(c->psd->size[c->next]) < mm)
 				break;
 			if (!used)
-				fputs(
-				    text_exact(as_written(c, c->value[c->next]),
-					number),
+				fputs(text_exact_number(
+					  as_written(c, c->value[c->next]),
+					  number),
 				    out);
 			used = true;
 		}
@@ -157,7 +157,7 @@ site_write(const struct site *site, FILE *out)
 		const struct curve *c = &curve[i];
 		fprintf(out, ",%s%s%s%s", c->role, c->small ? "_fraction" : "",
 		    c->speed > 0 ? "@" : "",
-		    c->speed > 0 ? text_exact(c->speed, number) : "");
+		    c->speed > 0 ? text_exact_number(c->speed, number) : "");
 	}
 	fputc('\n', out);
 	size_t rows = 0;
@@ -172,7 +172,7 @@ site_save(const struct site *site, const char *path, size_t *rows,
 {
 	FREED char *text = NULL;
 	size_t n = 0;
-	FILE *memory = text_memory(&text, &n);
+	FILE *memory = text_open_memory(&text, &n);
 	*rows = site_write(site, memory);
 	fclose(memory);
 	return file_replace(path, FILE_SHARED, text, n, error);

@@ -91,7 +91,7 @@ write_fit(const struct basis *b, FILE *out)
 		fprintf(out, "%s=", ITEMS[k].name);
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
-			    text_exact(
+			    text_exact_number(
 				basis_number_at(b, &ITEMS[k], i), number));
 		fputc(' ', out);
 	}
@@ -132,7 +132,7 @@ basis_written(const struct basis *b)
 {
 	FREED char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	write_fit(b, out);
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
 		const char *said = *provenance_field(b->then, &TAKEN[k]);
@@ -238,7 +238,8 @@ take_train(struct basis *b, const char *train)
 		if (strlen(train) < 2 * (site->n_run - r) - 1)
 			return false;
 		b->train[r] = train[2 * r] == '1';
-		any = any || (b->train[r] && misfit_covered(&site->run[r]) > 0);
+		any = any ||
+		      (b->train[r] && misfit_count_covered(&site->run[r]) > 0);
 	}
 	return any;
 }

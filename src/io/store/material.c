@@ -136,7 +136,7 @@ const struct stored *
 stored_find(const struct stored_list *list, const char *name)
 {
 	for (size_t i = 0; i < list->n; i++)
-		if (text_same(list->item[i].name, name))
+		if (text_same_folded(list->item[i].name, name))
 			return &list->item[i];
 	return NULL;
 }
@@ -195,7 +195,7 @@ params_written(const struct params *p)
 	char *text = xstrdup(""), number[32];
 	for (size_t j = 0; j < count_params(p); j++)
 		xlist(&text, " ", "%s=%s", breakage_of(p)->parameter[j].name,
-		    text_exact(p->at[j], number));
+		    text_exact_number(p->at[j], number));
 	return text;
 }
 
@@ -245,9 +245,10 @@ stored_written(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_TEXT)
 		return xstrdup(*stored_text(m, f));
 	if (f->kind == FIELD_NUMBER)
-		return xstrdup(isfinite(*stored_number(m, f))
-				   ? text_exact(*stored_number(m, f), number)
-				   : "");
+		return xstrdup(
+		    isfinite(*stored_number(m, f))
+			? text_exact_number(*stored_number(m, f), number)
+			: "");
 	int64_t whole = *stored_integer(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
@@ -265,8 +266,9 @@ stored_each_field(const struct stored *m, stored_take *take, void *data)
 		}
 		for (size_t j = 0; j < count_params(p); j++)
 			take(data, breakage_of(p)->parameter[j].name,
-			    isfinite(p->at[j]) ? text_exact(p->at[j], number)
-					       : "");
+			    isfinite(p->at[j])
+				? text_exact_number(p->at[j], number)
+				: "");
 	}
 }
 
@@ -484,7 +486,7 @@ material_read_row(
 
 /* Consumes the text.  False after a fault, which is reported. */
 static bool
-read_printed(const char *path, char *text, struct stored_list *list,
+read_materials_in_text(const char *path, char *text, struct stored_list *list,
     struct error_list *errors)
 {
 	if (text == NULL)
@@ -497,8 +499,9 @@ read_printed(const char *path, char *text, struct stored_list *list,
 	    i < sheet->n_row && material_read_row(sheet, &sheet->row[i], list))
 		i++;
 	if (i == 1 && sheet->n_fault == 0)
-		sheet_fault(
-		    sheet, (struct cell){0}, "no rows of materials found");
+		sheet_fault(sheet, (struct cell){0},
+		    "expected rows of materials, got none\n"
+		    "data/table3.csv shows their form");
 	bool good = sheet->n_fault == 0;
 	sheet_free(sheet);
 	free(text);
@@ -509,7 +512,8 @@ bool
 stored_read_printed(
     const char *path, struct stored_list *list, struct error_list *errors)
 {
-	return read_printed(path, textfile_read(path, errors), list, errors);
+	return read_materials_in_text(
+	    path, textfile_read(path, errors), list, errors);
 }
 
 /* Names sites as a session does: a later one of the same name has its size, and
@@ -522,8 +526,9 @@ table3_name(
 	FREED char *slug = text_slug(row->site);
 	bool shared = false;
 	for (size_t j = 0; j < rows->n; j++)
-		shared = shared ||
-			 (j != i && text_same(rows->item[j].site, row->site));
+		shared =
+		    shared ||
+		    (j != i && text_same_folded(rows->item[j].site, row->site));
 	FREED char *stem =
 	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
 		   : xasprintf("%s%s", TABLE3, slug);
@@ -540,8 +545,8 @@ stored_table3(struct stored_list *list)
 {
 	struct stored_list rows = {0};
 	struct error_list none = {0};
-	bool good =
-	    read_printed("Table 3", textfile_lines(TABLE3_TEXT), &rows, &none);
+	bool good = read_materials_in_text(
+	    "Table 3", textfile_lines(TABLE3_TEXT), &rows, &none);
 	/* It is part of the program: the tests read all of it. */
 	assert(good);
 	(void)good;

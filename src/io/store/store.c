@@ -58,7 +58,7 @@ sql_exact(sqlite3_context *context, int n, sqlite3_value **value)
 	char number[32];
 	(void)n;
 	sqlite3_result_text(context,
-	    text_exact(sqlite3_value_double(value[0]), number), -1,
+	    text_exact_number(sqlite3_value_double(value[0]), number), -1,
 	    SQLITE_TRANSIENT);
 }
 
@@ -75,7 +75,7 @@ folded(sqlite3_context *context, int n, sqlite3_value **value)
 /* Returns a name, possibly of another user, as it can be read and typed:
  * escaped and shortened. */
 static char *
-shown_name(const char *name)
+name_as_typed(const char *name)
 {
 	enum { MOST = 60 };
 	char *label = text_escaped(name);
@@ -88,14 +88,14 @@ shown_name(const char *name)
 	return label;
 }
 
-/* shown(name): as shown_name. */
+/* shown(name): as name_as_typed. */
 static void
 sql_shown(sqlite3_context *context, int n, sqlite3_value **value)
 {
 	const char *text = (const char *)sqlite3_value_text(value[0]);
 	(void)n;
 	sqlite3_result_text(
-	    context, shown_name(text != NULL ? text : ""), -1, free);
+	    context, name_as_typed(text != NULL ? text : ""), -1, free);
 }
 
 /* The kind of error, its words and the next step, by SQLite's result code. */
@@ -130,7 +130,7 @@ static const struct problem {
 /* Sets the error for the latest failure of db, which may be NULL.  Returns
  * false. */
 static bool
-fail_as_sqlite(sqlite3 *db, const char *path, struct error *error)
+set_error_of_sqlite(sqlite3 *db, const char *path, struct error *error)
 {
 	int code = db != NULL ? sqlite3_errcode(db) & 0xFF : SQLITE_NOMEM;
 	int reason = db != NULL ? sqlite3_system_errno(db) : 0;
@@ -155,7 +155,7 @@ static bool
 run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
 {
 	return sqlite3_exec(db, sql, NULL, NULL, NULL) == SQLITE_OK ||
-	       fail_as_sqlite(db, path, error);
+	       set_error_of_sqlite(db, path, error);
 }
 
 /* Returns the first value of the first row as text, which the caller frees;
@@ -198,7 +198,7 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 		if (done)
 			return true;
 		if (!busy || waited >= WAIT_MS)
-			return fail_as_sqlite(db, path, error);
+			return set_error_of_sqlite(db, path, error);
 		nanosleep(&pause, NULL);
 	}
 }
@@ -210,7 +210,7 @@ run_steps(sqlite3 *db, const char *path, struct error *error)
 {
 	long version = query_integer(db, "PRAGMA user_version");
 	if (version < 0)
-		return fail_as_sqlite(db, path, error);
+		return set_error_of_sqlite(db, path, error);
 	for (long i = version; i < STORE_SCHEMA; i++)
 		if (!run_sql(db, path, SCHEMA_STEPS[i], error))
 			return false;
@@ -249,7 +249,7 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 	FREED char *found = query_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
-		fail_as_sqlite(db, path, error);
+		set_error_of_sqlite(db, path, error);
 	else if (!ok)
 		error_at(error, ERROR_DATA, path, 0, 0,
 		    "the store is damaged: %.200s\n"
@@ -278,10 +278,10 @@ check_database(
     sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
-		return fail_as_sqlite(db, path, error);
+		return set_error_of_sqlite(db, path, error);
 	long tables = query_integer(db, "SELECT count(*) FROM sqlite_master");
 	if (tables < 0)
-		return fail_as_sqlite(db, path, error);
+		return set_error_of_sqlite(db, path, error);
 	long application = query_integer(db, "PRAGMA application_id");
 	*version = query_integer(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
@@ -363,7 +363,7 @@ store_create_or_migrate(
 /* Opens and checks the file; for reading, also in a folder without write
  * access. */
 static sqlite3 *
-open_to(
+open_checked(
     const char *path, bool make, long *version, bool *ok, struct error *error)
 {
 	sqlite3 *db = connect(path, make), *closed = NULL;
@@ -396,7 +396,7 @@ open_database(const char *path, bool make, sqlite3 **db, struct error *error)
 		    "use another with --store=PATH");
 	if (!make && access(path, F_OK) != 0)
 		return true;
-	sqlite3 *opened = open_to(path, make, &version, &ok, error);
+	sqlite3 *opened = open_checked(path, make, &version, &ok, error);
 	ok = ok && store_create_or_migrate(opened, path, make, version, error);
 	if (ok && (make || version > 0))
 		*db = opened;
@@ -506,7 +506,7 @@ close_unless_memory(struct store *store, sqlite3 *db)
 /* "SELECT fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)": the
  * fields follow fold and digest. */
 static char *
-columns(const char *before, bool marks, const char *after)
+sql_listing_fields(const char *before, bool marks, const char *after)
 {
 	char *sql = xstrdup(before);
 	for (size_t i = 0; i < FIELD_COUNT; i++)
@@ -537,7 +537,7 @@ check_fields(const struct stored *m, struct error *error)
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
-	FREED char *label = shown_name(m->name),
+	FREED char *label = name_as_typed(m->name),
 		   *wanted = stored_expected_text(m, f),
 		   *found = stored_value_text(m, f);
 	error_set(error, ERROR_DATA,
@@ -554,7 +554,7 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
 {
 	FREED char *of_name = text_fold(m->name), *of_row = digest_text(m);
-	FREED char *label = shown_name(m->name);
+	FREED char *label = name_as_typed(m->name);
 	bool good = check_fields(m, error);
 	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
 		good = error_set(error, ERROR_DATA,
@@ -655,10 +655,12 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 {
 	FREED char *where = where_clause(q),
 		   *after = xasprintf("%s ORDER BY fold", where);
-	FREED char *sql = columns("SELECT fold, digest", false, after);
+	FREED char *sql =
+	    sql_listing_fields("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || fail_as_sqlite(db, store->path, error);
+	bool ok =
+	    code == SQLITE_OK || set_error_of_sqlite(db, store->path, error);
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
 		struct stored m;
@@ -667,7 +669,7 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 			stored_list_add(list, m);
 	}
 	if (ok && code != SQLITE_DONE)
-		ok = fail_as_sqlite(db, store->path, error);
+		ok = set_error_of_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
@@ -699,7 +701,7 @@ store_count(struct store *store, size_t *n, struct error *error)
 		return false;
 	long found =
 	    db != NULL ? query_integer(db, "SELECT count(*) FROM material") : 0;
-	bool ok = found >= 0 || fail_as_sqlite(db, store->path, error);
+	bool ok = found >= 0 || set_error_of_sqlite(db, store->path, error);
 	*n = ok ? (size_t)found : 0;
 	close_unless_memory(store, db);
 	return ok;
@@ -708,8 +710,9 @@ store_count(struct store *store, size_t *n, struct error *error)
 /* Calls take for the first column of each row of a query, whose ?1 is a folded
  * beginning, ?2 past all that begin so, and ?3 how many rows to take. */
 static bool
-each_text(struct store *store, const char *sql, const char *fold, size_t most,
-    void (*take)(void *data, const char *text), void *data, struct error *error)
+call_for_each_text(struct store *store, const char *sql, const char *fold,
+    size_t most, void (*take)(void *data, const char *text), void *data,
+    struct error *error)
 {
 	sqlite3 *db;
 	sqlite3_stmt *stmt = NULL;
@@ -727,7 +730,8 @@ each_text(struct store *store, const char *sql, const char *fold, size_t most,
 	}
 	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
 		take(data, column_text(stmt, 0));
-	bool ok = code == SQLITE_DONE || fail_as_sqlite(db, store->path, error);
+	bool ok =
+	    code == SQLITE_DONE || set_error_of_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	close_unless_memory(store, db);
 	return ok;
@@ -740,7 +744,7 @@ store_each_name(struct store *store, enum store_word what,
 	static const char *const SQL[] = {
 	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
 	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
-	return each_text(store, SQL[what], "", 0, take, data, error);
+	return call_for_each_text(store, SQL[what], "", 0, take, data, error);
 }
 
 bool
@@ -753,7 +757,7 @@ store_names_beginning(struct store *store, const char *beginning, size_t most,
 	    "FROM matching ORDER BY fold LIMIT ?3) OR fold = (SELECT max(fold) "
 	    "FROM matching) ORDER BY fold";
 	FREED char *fold = text_fold(beginning);
-	return each_text(store, SQL, fold, most, take, data, error);
+	return call_for_each_text(store, SQL, fold, most, take, data, error);
 }
 
 /* Binds a material to a row; unknown values stay NULL. */
@@ -789,7 +793,7 @@ store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
-		return fail_as_sqlite(db, store->path, error);
+		return set_error_of_sqlite(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
 	    "add replace=on to the line",
@@ -801,14 +805,15 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
     size_t n, bool replace, struct error *error)
 {
 	FREED char *head =
-	    columns(replace ? "INSERT OR REPLACE INTO material "
-			      "(fold, digest"
-			    : "INSERT INTO material (fold, digest",
+	    sql_listing_fields(replace ? "INSERT OR REPLACE INTO material "
+					 "(fold, digest"
+				       : "INSERT INTO material (fold, digest",
 		false, ") VALUES (?, ?");
-	FREED char *sql = columns(head, true, ")");
+	FREED char *sql = sql_listing_fields(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || fail_as_sqlite(db, store->path, error);
+	bool ok =
+	    code == SQLITE_OK || set_error_of_sqlite(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
 		ok = check_fields(&item[i], error) &&
 		     store_put_row(store, db, stmt, &item[i], error);
@@ -856,7 +861,7 @@ forget_row(
 		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
 		bind_text(stmt, 1, fold);
 		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-			  fail_as_sqlite(db, store->path, error);
+			  set_error_of_sqlite(db, store->path, error);
 		sqlite3_finalize(stmt);
 		if (!ok || sqlite3_changes(db) > 0)
 			return ok;

@@ -72,7 +72,7 @@ column_written(const struct column *c, const struct stored *m)
 	if (c->field != NULL)
 		return stored_written(m, c->field);
 	double value = params_value(&m->params, c->param->name);
-	return xstrdup(isfinite(value) ? text_exact(value, number) : "");
+	return xstrdup(isfinite(value) ? text_exact_number(value, number) : "");
 }
 
 static void
@@ -127,15 +127,18 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 	for (size_t i = 0; i < head->n; i++) {
 		struct cell cell = head->cell[i];
 		size_t c = 0;
-		while (c < n && !text_same(cell.text, column_name(&column[c])))
+		while (c < n &&
+		       !text_same_folded(cell.text, column_name(&column[c])))
 			c++;
 		if (c == n)
 			sheet_fault_expected(sheet, cell,
 			    "the name of a column of 'export'",
 			    "use the columns that 'export' writes");
 		else if (column[c].at != SIZE_MAX)
-			sheet_fault(
-			    sheet, cell, "duplicate column: %s", cell.text);
+			sheet_fault(sheet, cell,
+			    "duplicate column: %s\n"
+			    "remove one of the two",
+			    cell.text);
 		else
 			column[c].at = i;
 		other_model =
@@ -224,8 +227,10 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
 		struct cell cell =
 		    sheet_cell(&sheet->row[1 + name->at], column);
 		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
-			sheet_fault(
-			    sheet, cell, "duplicate name: %.60s", cell.text);
+			sheet_fault(sheet, cell,
+			    "duplicate name: %.60s\n"
+			    "leave out one of the rows, or rename it",
+			    cell.text);
 		else if (stored_index_find(&others, name->fold) != NULL)
 			sheet_fault(sheet, cell,
 			    "expected a new name, but the store already has "
@@ -288,8 +293,8 @@ store_csv_read(const char *path, const struct stored_list *there,
 			sheet->n_row),
 		    sheet->n_row);
 	bool head = sheet->n_fault == 0;
-	for (size_t i = 1; head && i < sheet->n_row && !error_stopped(errors);
-	     i++)
+	for (size_t i = 1;
+	     head && i < sheet->n_row && !error_should_stop(errors); i++)
 		store_csv_read_row(sheet, &sheet->row[i], column, n, list);
 	if (head && !errors->stopped)
 		check_names(sheet, column[0].at, there, list);

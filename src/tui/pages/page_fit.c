@@ -71,7 +71,7 @@ fit_draw_legend(const struct tui *t)
 	char text[64], best[32];
 	for (size_t r = 0; r < past.site->n_run; r++) {
 		const struct run *run = &past.site->run[r];
-		if (!past.train[r] || misfit_covered(run) == 0)
+		if (!past.train[r] || misfit_count_covered(run) == 0)
 			continue;
 		struct chart_series look =
 		    plots_search_style(past.site, r, nth);

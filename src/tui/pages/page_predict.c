@@ -83,7 +83,7 @@ act_numbers(struct tui *t, const struct key *key)
 		return;
 	}
 	if (!tui_current_entry(t)->has_params &&
-	    site_products(tui_current_entry(t)->site) > 0 &&
+	    site_count_products(tui_current_entry(t)->site) > 0 &&
 	    !session_busy(t->session)) {
 		act_fit(t, key);
 		return;
@@ -199,7 +199,7 @@ predict_hints(const struct tui *t)
 	if (undone)
 		return "<-/->  U  ?  q  f  :  t  x  e  u";
 	if (t->view.current.site[0] == '\0' && !session_busy(t->session))
-		return site_products(tui_current_entry(t)->site) > 0
+		return site_count_products(tui_current_entry(t)->site) > 0
 			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')

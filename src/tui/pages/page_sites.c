@@ -117,7 +117,7 @@ runs_text(const struct entry *e, char *text, size_t n)
 		at += more > 0 ? (size_t)more : 0;
 	}
 	if (at > MOST)
-		snprintf(text, n, tr("%zu runs"), site_products(e->site));
+		snprintf(text, n, tr("%zu runs"), site_count_products(e->site));
 	if (text[0] == '\0')
 		snprintf(text, n, tr("feed only"));
 }
@@ -141,8 +141,8 @@ progress_text(const struct tui *t, size_t i, char *text, size_t n)
 	const struct session *s = t->session;
 	const struct job *job = &s->job;
 	if (session_fitting(s) == NULL || i < job->entry ||
-	    (i > job->entry &&
-		(job->type->alone || site_products(s->entry[i].site) == 0)))
+	    (i > job->entry && (job->type->alone ||
+				   site_count_products(s->entry[i].site) == 0)))
 		return false;
 	struct calibrate_status st = calibration_status(job->calibration);
 	if (i > job->entry)
@@ -180,7 +180,7 @@ sites_number_of(
 		return e->site->top_size > 0 ? units_mm(e->site->top_size)
 					     : NAN;
 	case RUNS:
-		return (double)site_products(e->site);
+		return (double)site_count_products(e->site);
 	case RMS:
 		return e->has_fit ? 100 * e->fit.rmse : NAN;
 	case HOLDOUT:

@@ -63,7 +63,7 @@ edit_end(struct edit *t)
 }
 
 static void
-insert(struct edit *t, unsigned code)
+insert_at_cursor(struct edit *t, unsigned code)
 {
 	char letter[5];
 	canvas_utf8(code, letter);
@@ -128,7 +128,7 @@ static void
 show_offers(struct edit *t, const struct completion *c)
 {
 	size_t n = 0;
-	FILE *out = text_memory(&t->offers, &n);
+	FILE *out = text_open_memory(&t->offers, &n);
 	for (size_t i = 0; i < c->n; i++)
 		fprintf(out, "%s%s%s", i > 0 ? "  " : "", c->candidate[i].text,
 		    c->candidate[i].append == '=' ? "=" : "");
@@ -143,7 +143,7 @@ complete_word(struct edit *t, const struct session *s)
 		replace_before_cursor(t, c->start, c->candidate[0].text,
 		    shared_candidate_bytes(c));
 	if (c->n == 1 && c->candidate[0].append != '\0')
-		insert(t, (unsigned char)c->candidate[0].append);
+		insert_at_cursor(t, (unsigned char)c->candidate[0].append);
 	t->start = c->start;
 	if (c->n > 1)
 		show_offers(t, c);
@@ -152,7 +152,7 @@ complete_word(struct edit *t, const struct session *s)
 
 /* Handles keys that have a name. */
 static void
-edit(struct edit *t, int code)
+handle_named_key(struct edit *t, int code)
 {
 	if (code == KEY_LEFT)
 		t->at = edit_before(t, t->at);
@@ -225,7 +225,7 @@ edit_key(struct edit *t, const struct session *s, int code, bool special)
 	if (!special && (code == '\n' || code == '\r'))
 		return EDIT_DONE;
 	if (special || key != 0)
-		edit(t, key);
+		handle_named_key(t, key);
 	else if (code == '\t')
 		complete_word(t, s);
 	else if (code == CONTROL('U'))
@@ -237,7 +237,7 @@ edit_key(struct edit *t, const struct session *s, int code, bool special)
 	else if (code >= ' ') {
 		if (t->fresh > 0)
 			t->text[t->n = t->at = t->fresh] = '\0';
-		insert(t, (unsigned)code);
+		insert_at_cursor(t, (unsigned)code);
 	}
 	t->fresh = 0;
 	t->from = code == '\t' && t->n == n ? next : 0;
@@ -255,7 +255,7 @@ edit_take_offer(struct edit *t, size_t n)
 		    (offer[length - 1] == '=' || offer[length - 1] == '/');
 	replace_before_cursor(t, t->start, offer, length);
 	if (!open)
-		insert(t, ' ');
+		insert_at_cursor(t, ' ');
 	free(t->offers);
 	t->offers = NULL;
 }
@@ -269,6 +269,6 @@ edit_letter(struct edit *t, int code, bool special, size_t most)
 	if (back)
 		replace_before_cursor(t, edit_before(t, t->at), "", 0);
 	else if (t->n < most)
-		insert(t, (unsigned)code);
+		insert_at_cursor(t, (unsigned)code);
 	return true;
 }

@@ -81,7 +81,7 @@ file_picker_run(struct tui *t, const char *line, bool estimates)
 	if (!control_run(t, line) || tui_current_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
-	size_t products = site_products(entry->site);
+	size_t products = site_count_products(entry->site);
 	FREED char *label = session_site_label(entry->site);
 	if (estimates || products == 0)
 		type_guess(t);

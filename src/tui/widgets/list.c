@@ -56,7 +56,7 @@ list_at(const struct tui *t)
 }
 
 static void
-list_go(struct tui *t, size_t i)
+move_cursor_to_row(struct tui *t, size_t i)
 {
 	if (list_state(t)->at == list_id(t, i))
 		return;
@@ -85,7 +85,7 @@ list_row_matches(const struct tui *t, size_t i)
 		of->table->cell(t, i, c, cell, sizeof cell);
 		xappend(&text, " %s", cell);
 	}
-	return text_has(text, word->text);
+	return text_contains_word(text, word->text);
 }
 
 /* Returns the nearest row before or after i that matches, else i. */
@@ -111,7 +111,7 @@ rows_count(const struct tui *t)
 /* Moves the cursor to a matching row, there, after or before.  Returns false if
  * there is none. */
 static bool
-list_settle(struct tui *t)
+move_cursor_to_match(struct tui *t)
 {
 	if (list_total(t) == 0)
 		return false;
@@ -120,14 +120,14 @@ list_settle(struct tui *t)
 		at = list_next(t, at, 1);
 	if (!list_row_matches(t, at))
 		at = list_next(t, at, -1);
-	list_go(t, at);
+	move_cursor_to_row(t, at);
 	return list_row_matches(t, at);
 }
 
 static void
 list_move(struct tui *t, int by)
 {
-	if (!list_settle(t))
+	if (!move_cursor_to_match(t))
 		return;
 	size_t at = list_at(t);
 	for (int left = abs(by); left > 0; left--) {
@@ -136,7 +136,7 @@ list_move(struct tui *t, int by)
 			break;
 		at = next;
 	}
-	list_go(t, at);
+	move_cursor_to_row(t, at);
 }
 
 /* Returns the first row to draw, so that the one under the cursor is among
@@ -177,7 +177,7 @@ touch_row(struct tui *t, const struct touched *touched)
 	if (list_total(t) <= touched->item)
 		return;
 	bool again = list_at(t) == touched->item;
-	list_go(t, touched->item);
+	move_cursor_to_row(t, touched->item);
 	if (again)
 		list_open_row(t);
 }
@@ -193,7 +193,7 @@ rows_draw(
     struct tui *t, const struct area *area, row_drawer *draw, const void *of)
 {
 	int row = 0;
-	bool any = list_settle(t);
+	bool any = move_cursor_to_match(t);
 	size_t i = any ? list_first(t, area->rows) : 0, next = i;
 	for (; any && row < area->rows; row++) {
 		const struct area line = area_row(area, row);
@@ -426,7 +426,7 @@ rows_letter(struct tui *t, int code, bool special)
 	}
 	if (!edit_letter(list_word(t), code, special, VIEWER_WORD))
 		return false;
-	list_settle(t);
+	move_cursor_to_match(t);
 	return true;
 }
 

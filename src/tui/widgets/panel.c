@@ -137,7 +137,7 @@ panel_draw_speed(struct tui *t, const struct area *area)
 
 /* Puts the crosshair where the curve passes so much. */
 static void
-touch_size(struct tui *t, const struct touched *touched)
+click_on_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	t->ui.crosshair_passing = (int)lround(100 * PSD_PASSING[touched->item]);
@@ -161,7 +161,7 @@ draw_p_sizes(struct tui *t, const struct area *area)
 		if (was != NULL)
 			draw_change(
 			    area, i, t->view.current.size[i], was->size[i], 2);
-		hits_add(&t->hits, HIT_PRESS, area_row(area, i), touch_size,
+		hits_add(&t->hits, HIT_PRESS, area_row(area, i), click_on_size,
 		    (size_t)i);
 	}
 }
@@ -603,8 +603,8 @@ draw_nothing(const struct tui *t)
 	if (t->layout.numbers.rows == 0)
 		screen_text(side, row++, 0, 0, "nothing predicted yet");
 	screen_text(side, row++, 0, 0,
-	    site_products(site) > 0 ? N_("Enter calibrates")
-				    : N_("no product: type :guess"));
+	    site_count_products(site) > 0 ? N_("Enter calibrates")
+					  : N_("no product: type :guess"));
 	row++;
 	if (!is_pinned(t)) {
 		FREED char *read = folder_site(site);

@@ -80,7 +80,7 @@ readout_rows(const struct tui *t)
 	if (!t->ui.crosshair ||
 	    t->ui.crosshair_sieve >= t->view.shown.product.n)
 		return 0;
-	return OTHERS + (int)site_products(tui_current_entry(t)->site) +
+	return OTHERS + (int)site_count_products(tui_current_entry(t)->site) +
 	       (t->ui.band && t->view.shown.low != NULL ? BAND : 0) +
 	       (t->view.pinned.site[0] != '\0');
 }

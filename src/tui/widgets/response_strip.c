@@ -331,7 +331,8 @@ static int
 response_strip_row_of(
     const struct axis *axis, const struct area *area, double value)
 {
-	return axis_place_of(1 - axis_share(axis, value), area->rows);
+	return axis_index_of_part(
+	    1 - axis_relative_position(axis, value), area->rows);
 }
 
 /* Draws a number of at most four characters, because one that is cut would be

@@ -377,7 +377,7 @@ search_side_draw(struct tui *t)
 		return;
 	}
 	const struct entry *entry = tui_current_entry(t);
-	bool can = entry == NULL || site_products(entry->site) > 0;
+	bool can = entry == NULL || site_count_products(entry->site) > 0;
 	bool before = entry != NULL && entry->has_fit;
 	screen_text(side, 0, 0, 0, "%s",
 	    before ? tr("its search was not kept: f starts a new one")

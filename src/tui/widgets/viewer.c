@@ -73,7 +73,7 @@ list_keys(struct tui *t)
 	struct edit word = t->viewer.word;
 	char *text = NULL;
 	size_t n = 0;
-	FILE *out = text_memory(&text, &n);
+	FILE *out = text_open_memory(&text, &n);
 	keys_list(t->ui.page, word.text, out);
 	fclose(out);
 	viewer_text(t, text);
@@ -108,7 +108,7 @@ viewer_message(struct tui *t)
 static bool
 viewer_has_word(const struct viewer *v, int line)
 {
-	return text_has(v->line[line], v->word.text);
+	return text_contains_word(v->line[line], v->word.text);
 }
 
 /* Returns how many lines before that one contain the word. */
