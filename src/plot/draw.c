@@ -530,7 +530,7 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 		draw_put(l, draw_column_of(l, s, i), row_of_y(l, s->y[i], 1),
 		    draw_mark_code(s, l->charset), s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
-			(s->lifted ? CELL_REVERSE : 0));
+			(s->lifted && !fine ? CELL_REVERSE : 0));
 }
 
 static bool
