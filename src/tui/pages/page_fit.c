@@ -89,9 +89,9 @@ fit_draw_legend(const struct tui *t)
 		column =
 		    screen_series(area, 0, column, SERIES_PREDICTED, 0, best);
 	}
-	const char *noise = ascii ? tr(", noise") : tr("\u2591 noise");
+	const char *noise = ascii ? tr(", noise") : tr("\u2508 noise");
 	if (column + text_width(noise) <= area->columns)
-		screen_series(area, 0, column, SERIES_TEXT, 0, noise);
+		screen_series(area, 0, column, SERIES_FEED, 0, noise);
 }
 
 static void
