@@ -275,12 +275,13 @@ draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
 	return l;
 }
 
+/* Puts a part of an axis, faint so that the data are seen first. */
 static void
 put_code(struct layout *l, int column, int row, uint32_t code)
 {
 	if (column >= 0)
 		*canvas_at(l->canvas, column, row) =
-		    (struct canvas_cell){code, SERIES_TEXT, 0};
+		    (struct canvas_cell){code, SERIES_TEXT, CELL_DIM};
 }
 
 /* The line left of the plot, with ticks; labels that would touch are left
