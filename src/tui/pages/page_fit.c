@@ -133,9 +133,10 @@ fit_hints(const struct tui *t)
 			       : N_("Space  Esc stop  ?  q  :");
 	return busy && t->held ? N_("Space continue  .  ?  q  s  Down Enter  v")
 	       : busy          ? "Space  .  ?  q  s  +/-  v"
-	       : tui_search_shown(t).n > 0
-		   ? N_("<-/-> generation  f fit again  ?  q  Down Enter  v")
-		   : "f  ?  q  +/-  :";
+	       : tui_search_shown(t).n > 0 ? N_("<-/-> generation  1 predict  "
+						"f again  ?  q  Down Enter  "
+						"v")
+					   : "f  ?  q  +/-  :";
 }
 
 static void
