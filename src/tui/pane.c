@@ -238,9 +238,8 @@ pane_touch_hints(struct tui *t, int row, int column, const char *hints)
 	}
 }
 
-/* In dim hints the keys are bold. */
 void
-pane_hints(struct tui *t, unsigned look, const char *hints)
+pane_hints(struct tui *t, const char *hints)
 {
 	const struct area *area = &t->layout.hints;
 	int column = 0;
@@ -251,12 +250,9 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 		int end = column + text_width(hint);
 		if (column > 0 && end > area->columns)
 			return;
-		if (column > 0)
-			screen_text(area, 0, column - 2, look, "  ");
-		screen_text(area, 0, column, look, "%s", hint);
-		if (look == LOOK_DIM)
-			screen_text(area, 0, column, LOOK_BOLD, "%.*s",
-			    length_of_keys(hint), hint);
+		screen_text(area, 0, column, LOOK_DIM, "%s", hint);
+		screen_text(area, 0, column, LOOK_BOLD, "%.*s",
+		    length_of_keys(hint), hint);
 		touch_hint(t, area->row, area->column + column, hint);
 		column = end;
 	}
