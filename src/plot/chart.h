@@ -38,14 +38,15 @@ struct chart_field {
  * plot/marks.h.  x, y [n]: in the axes' units; a NAN in y interrupts the line.
  * low, high [n]: a shaded band behind all lines, or both NULL.  ascii: the
  * character for the line if only ASCII is available.  mark: an ASCII character
- * at each point; 0: none.  bars: low..high is drawn as a bar at each point, not
- * as a band, and y is not drawn; with CHART_LONG the bar is heavy.  beside:
- * draw it that many cells to the right of x.  lifted: marks are set off from
- * bars, in reverse, with a gap on either side.  named: show the labels of
- * points if there is room.  whose, field [n]: may be NULL.  finer: a closer set
- * of points of the same curve for chart_x_at to read, owned, or NULL.
- * compared: its difference from the last series is drawn below.  psd: it is a
- * size distribution, off which P20, P50 and P80 are read. */
+ * at each point; 0: none.  bars: low..high is drawn as a bar at each point,
+ * not as a band, and y is not drawn; with CHART_LONG the bar is heavy.
+ * beside: draw it that many cells to the right of x.  lifted: marks are set
+ * off from bars by a gap on either side and, unless fine, in reverse.  named:
+ * show the labels of points if there is room.  whose, field [n]: may be NULL.
+ * finer: a closer set of points of the same curve for chart_x_at to read,
+ * owned, or NULL.  compared: its difference from the last series is drawn
+ * below.  psd: it is a size distribution, off which P20, P50 and P80 are
+ * read. */
 struct chart_series {
 	char *name;
 	enum series series;

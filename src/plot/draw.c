@@ -276,12 +276,13 @@ draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
 	return l;
 }
 
+/* Puts a part of an axis, faint so that the data are seen first. */
 static void
 put_code(struct layout *l, int column, int row, uint32_t code)
 {
 	if (column >= 0)
 		*canvas_at(l->canvas, column, row) =
-		    (struct canvas_cell){code, SERIES_TEXT, 0};
+		    (struct canvas_cell){code, SERIES_TEXT, CELL_DIM};
 }
 
 /* The line left of the plot, with ticks; labels that would touch are left
@@ -532,7 +533,7 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 		    row_of_y(l, s->y[i], 1), draw_mark_code(s, l->charset),
 		    s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
-			(s->lifted ? CELL_REVERSE : 0));
+			(s->lifted && !fine ? CELL_REVERSE : 0));
 }
 
 static bool
@@ -633,28 +634,48 @@ fill_band(
 		put_code_in_plot(l, column, row, shade, tint, CELL_DIM);
 }
 
-/* Behind the lines, and never thicker than it is: its edges in every second
- * dot, and the cells between them. */
+/* Sets every second dot of the edges of a band, and every fourth between
+ * them. */
+static void
+stipple_band(struct layout *l, int x, double low, double high, enum series tint)
+{
+	enum { EVERY = 2, APART = 4 };
+	const struct chart_series look = {.series = tint};
+	int down = canvas_cell_dots_down(CHARSET_BRAILLE),
+	    top = row_of_y(l, high, down), foot = row_of_y(l, low, down);
+	for (int y = top; y <= foot && x % EVERY == 0; y++)
+		if (y == top || y == foot || (y + x) % APART == 0)
+			put_dot(l, &look, x, y);
+}
+
+/* Makes what is drawn of bands faint; lines then have their cells to
+ * themselves. */
+static void
+dim_bands(struct layout *l)
+{
+	for (int i = 0; i < l->width * l->height; i++)
+		if (l->dots[i] != 0)
+			canvas_at(l->canvas, l->left + i % l->width,
+			    l->top + i / l->width)
+			    ->attribute = CELL_DIM;
+	memset(l->dots, 0, (size_t)(l->width * l->height));
+}
+
 static void
 draw_chart_band(struct layout *l, const struct chart_series *s)
 {
-	enum { EVERY = 2 };
-	const struct chart_series edge = {.series = s->series};
 	int across = canvas_cell_dots_across(l->charset),
 	    parts = l->width * across;
-	int down = canvas_cell_dots_down(l->charset);
 	for (int i = 0; i < parts && s->low != NULL; i++) {
 		double x = x_of_part(l, i, parts);
 		double low = band_edge_at(l, s, s->low, x);
 		double high = band_edge_at(l, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
-		if (i % across == 0)
-			fill_band(l, i / across, low, high, edge.series);
-		if (down == 1 || i % EVERY != 0)
-			continue;
-		put_dot(l, &edge, i, row_of_y(l, high, down));
-		put_dot(l, &edge, i, row_of_y(l, low, down));
+		if (l->charset == CHARSET_BRAILLE)
+			stipple_band(l, i, low, high, s->series);
+		else if (i % across == 0)
+			fill_band(l, i / across, low, high, s->series);
 	}
 }
 
@@ -747,6 +768,7 @@ draw_chart_data(struct layout *l)
 	for (size_t i = 0; i < c->n; i++)
 		if (!c->series[i]->bars)
 			draw_chart_band(l, c->series[i]);
+	dim_bands(l);
 	draw_guides(l);
 	draw_rules(l);
 	for (size_t i = 0; i < c->n; i++)

@@ -294,7 +294,7 @@ frame_draw_hints(struct tui *t)
 	    page->hints != NULL ? page->hints : page->hints_now(t);
 	FREED char *hints =
 	    typing != NULL ? xstrdup(typing) : keys_bar(tr(keys), t->ui.page);
-	pane_hints(t, LOOK_DIM, hints);
+	pane_hints(t, hints);
 }
 
 /* A speed being typed. */

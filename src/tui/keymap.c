@@ -86,7 +86,6 @@ act_run_speed(struct tui *t, const struct key *key)
 void
 act_speed(struct tui *t, const struct key *key)
 {
-	t->message[0] = '\0';
 	edit_letter(&t->speed, key->code, false, SPEED_LETTERS);
 }
 
@@ -101,7 +100,6 @@ act_page(struct tui *t, const struct key *key)
 static void
 keymap_propose(struct tui *t, const char *line, char *name)
 {
-	t->message[0] = '\0';
 	edit_propose(&t->line, line, name);
 	free(name);
 }
@@ -306,7 +304,6 @@ act_band(struct tui *t, const struct key *key)
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
 	t->ui.band = !t->ui.band;
-	t->message[0] = '\0';
 	if (!t->ui.band || t->view.current.site[0] == '\0')
 		return;
 	bool known = t->view.shown.low != NULL;
@@ -350,7 +347,6 @@ act_back(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool predict = t->ui.page == PAGE_PREDICT;
-	t->message[0] = '\0';
 	if (t->pending_key != NULL) {
 		t->pending_key = NULL;
 		return;
@@ -678,6 +674,10 @@ keymap_key(struct tui *t, int code, bool special)
 		run_key_action(t, key);
 		return;
 	}
+	/* A message stands until the next key, but for that which closes a text
+	 * and leaves one. */
+	if (mode >= FILTER)
+		t->message[0] = '\0';
 	while (MODES[mode] != NULL && !MODES[mode](t, code, special))
 		mode = next_mode(t, mode + 1);
 }

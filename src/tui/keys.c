@@ -49,7 +49,7 @@ const struct key KEYS[] = {
 	"goal, its plot", "goal"},
     {'T', "T", ON_PREDICT, act_goal_view, 0,
 	"the goal at full height, with its conditions; again: back", NULL,
-	"goal plot"},
+	"plot"},
     {'n', "n", ON_ALL | AT_SPEED, act_goal_speed, 1,
 	"to the next speed at which the goal begins or ends, or the next run",
 	"its limits, or runs", "limits"},

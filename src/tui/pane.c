@@ -195,21 +195,36 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 	pane_plot(t, request, &plot);
 }
 
-/* Adds the keys that a hint begins with, "Up/Down": a click on a key presses
- * it, and if there is only one, so does a click on its words. */
+/* Returns the bytes of the keys that a hint begins with: "n p", "Up/Down". */
+static int
+length_of_keys(const char *hint)
+{
+	size_t n = strcspn(hint, " ");
+	while (hint[n] == ' ') {
+		size_t next = strcspn(hint + n + 1, " ");
+		FREED char *name = xstrndup(hint + n + 1, next);
+		int code;
+		if (!keys_code_of_name(name, &code))
+			break;
+		n += 1 + next;
+	}
+	return (int)n;
+}
+
+/* Adds the keys that a hint begins with: a click on a key presses it, and if
+ * there is only one, so does a click on its words. */
 static void
 touch_hint(struct tui *t, int row, int column, const char *hint)
 {
-	size_t word = strcspn(hint, " ");
-	for (size_t from = 0, end; from < word; from = end + 1) {
-		end = from + keys_name_length(hint + from);
-		FREED char *name = xstrndup(hint + from, end - from);
-		bool only = from == 0 && end == word;
-		int code, width = (int)(only ? strlen(hint) : end - from);
+	int keys = length_of_keys(hint);
+	for (int from = 0, end; from < keys; from = end + 1) {
+		end = from + (int)keys_name_length(hint + from);
+		FREED char *name = xstrndup(hint + from, (size_t)(end - from));
+		bool only = from == 0 && end == keys;
+		int code, width = only ? (int)strlen(hint) : end - from;
 		if (keys_code_of_name(name, &code))
 			hits_add_key(&t->hits,
-			    (struct area){row, column + (int)from, 1, width},
-			    code);
+			    (struct area){row, column + from, 1, width}, code);
 	}
 }
 
@@ -223,9 +238,8 @@ pane_touch_hints(struct tui *t, int row, int column, const char *hints)
 	}
 }
 
-/* In dim hints the key, their first word, is bold. */
 void
-pane_hints(struct tui *t, unsigned look, const char *hints)
+pane_hints(struct tui *t, const char *hints)
 {
 	const struct area *area = &t->layout.hints;
 	int column = 0;
@@ -236,12 +250,9 @@ pane_hints(struct tui *t, unsigned look, const char *hints)
 		int end = column + text_width(hint);
 		if (column > 0 && end > area->columns)
 			return;
-		if (column > 0)
-			screen_text(area, 0, column - 2, look, "  ");
-		screen_text(area, 0, column, look, "%s", hint);
-		if (look == LOOK_DIM)
-			screen_text(area, 0, column, LOOK_BOLD, "%.*s",
-			    (int)strcspn(hint, " "), hint);
+		screen_text(area, 0, column, LOOK_DIM, "%s", hint);
+		screen_text(area, 0, column, LOOK_BOLD, "%.*s",
+		    length_of_keys(hint), hint);
 		touch_hint(t, area->row, area->column + column, hint);
 		column = end;
 	}

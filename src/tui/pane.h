@@ -85,8 +85,9 @@ struct area pane_list_area(const struct tui *t);
 
 /* pane_hints draws the row of hints, which are separated by two spaces, without
  * any hint that does not fit.  Each begins with the name of its key, or of two:
- * "Up/Down site"; pane_touch_hints lets a click on a name press that key. */
-void pane_hints(struct tui *t, unsigned look, const char *hints);
+ * "Up/Down site", in bold; pane_touch_hints lets a click on a name press that
+ * key. */
+void pane_hints(struct tui *t, const char *hints);
 void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
 
 /* Draws a line being typed, after its prompt, scrolled to show the cursor.

@@ -292,15 +292,9 @@ static void
 screen_put_cell(
     int row, int column, uint32_t code, unsigned look, enum series series)
 {
-	enum { LIGHT_SHADE = 0x2591, MIDDLE_DOT = 0xB7 };
 	if (row < 0 || row >= display.rows || column < 0 ||
 	    column >= display.columns)
 		return;
-	/* With few colours nothing is dim, and the shade would outshine the
-	 * text. */
-	if (code == LIGHT_SHADE && series == SERIES_TEXT && display.depth > 0 &&
-	    display.depth < 256)
-		code = MIDDLE_DOT;
 	*canvas_at(display.frame, column, row) = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)look};
 }

@@ -75,7 +75,7 @@ watch_finish(struct tui *t, bool alone)
 		tui_say(t, false,
 		    t->ui.page == PAGE_FIT
 			? N_("calibrated: %s, RMSE %.2f points, %zu "
-			     "generations; Left, Right: show them")
+			     "generations; 1 shows the prediction")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations"),
 		    light_verdict(t->session, entry, NULL),

@@ -467,10 +467,12 @@ a_report_that_was_closed_is_shown_again(void **state)
 		watch_run_due_steps(t);
 	assert_non_null(t->viewer.text);
 	char *report = xstrdup(t->viewer.text);
-	type(t, "1l");
+	type(t, "1");
 	draw_all(t);
 	assert_null(t->viewer.text);
 	assert_string_equal(t->message, "validate: done, V shows it again");
+	type(t, "l");
+	assert_string_equal(t->message, "");
 	type(t, "?\033V");
 	assert_string_equal(t->viewer.text, report);
 	free(report);

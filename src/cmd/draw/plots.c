@@ -127,7 +127,7 @@ put_pairs(struct chart *chart, const struct session *s,
 	struct chart_series *equal = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
-	    2, N_("as measured (1:1)"));
+	    2, N_("as measured"));
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
 	for (size_t i = 0; i < PSD_SIZES; i++) {

@@ -63,14 +63,6 @@ count_cells_of_run(const struct candidates *c, size_t from)
 	return n;
 }
 
-struct chart_series
-plots_search_style(const struct site *site, size_t run, size_t nth)
-{
-	struct chart_series look = site_chart_style(nth);
-	look.series = site_chart_run_style(site, run, false).series;
-	return look;
-}
-
 /* Adds a run, which is number nth of `runs` side by side. */
 static void
 search_add_run(struct chart *chart, const struct candidates *c,
@@ -82,7 +74,7 @@ search_add_run(struct chart *chart, const struct candidates *c,
 	size_t n = count_cells_of_run(c, from), kind = nth % ARRAY_LEN(LINES);
 	const struct run *run = &site->run[c->cell[from].run];
 	struct chart_series look =
-	    plots_search_style(site, c->cell[from].run, nth);
+	    site_chart_run_style(site, c->cell[from].run, false);
 	look.beside = (int)nth - (int)(runs - 1) / 2;
 	char mark = look.mark;
 	look.mark = 0;

@@ -9,10 +9,6 @@
 
 plot_make plots_search, plots_search_convergence, plots_search_spread;
 
-/* Returns the style of the nth fitted run, which has a colour of its own. */
-struct chart_series plots_search_style(
-    const struct site *site, size_t run, size_t nth);
-
 /* Parameter j, as reported, between its bounds; those in the gauge are between
  * -1 and 1, whatever their bounds (D4).  p10, p90: of the candidates; drawn:
  * the middle 80 % of the draws, NAN without draws.  near: within 5 % of a

@@ -238,9 +238,8 @@ has_prediction(const struct tui *t, const struct area *area)
 	       area->columns >= SIEVES + t->view.sheet.width + PREDICTED;
 }
 
-/* Rows below the cells: for the words about the cell under the cursor, and on a
- * tall screen for the source of the data. */
-enum { SAID = 3, SOURCE = 7 };
+/* Rows below the cells, for the words about the cell under the cursor. */
+enum { SAID = 3 };
 
 static struct room
 cells_that_fit(const struct tui *t, const struct area *area)
@@ -456,7 +455,8 @@ draw_source(const struct tui *t, const struct area *area, int row)
 		    site->left_out[i].key, site->left_out[i].value);
 }
 
-/* Draws the residuals if the table leaves room.  Returns true if it does. */
+/* Draws the residuals beside the table if that leaves room.  Returns true if it
+ * does. */
 static bool
 draw_residuals(struct tui *t, int behind)
 {
@@ -464,7 +464,6 @@ draw_residuals(struct tui *t, int behind)
 	struct area area = pane_list_area(t);
 	area.column = behind + GAP;
 	area.columns -= behind + GAP;
-	area.rows -= SOURCE + SAID;
 	if (area.columns > MOST)
 		area.columns = MOST;
 	if (area.columns < LEAST || area.rows < TALL ||
@@ -478,7 +477,7 @@ draw_residuals(struct tui *t, int behind)
 static void
 data_draw(struct tui *t)
 {
-	const struct area area = pane_list_area(t);
+	struct area area = pane_list_area(t);
 	struct sheet *h = &t->view.sheet;
 	/* A command that is running may have changed the site. */
 	if (!has_cells(t)) {
@@ -492,11 +491,11 @@ data_draw(struct tui *t)
 	    t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
 	int behind = draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
-	int row = (int)shown + 1, foot = area.rows - SOURCE - SAID;
-	bool plot = draw_residuals(t, behind);
+	int row = (int)shown + 1;
+	if (draw_residuals(t, behind))
+		area.columns = behind;
 	if (area.rows <= 2 * SAID)
 		return;
-	row = plot && foot > row ? foot : row;
 	/* With a blank row, if that takes none away. */
 	row = draw_cell_words(t, &area, row + (row + SAID < area.rows));
 	draw_source(t, &area, row + (row + SAID < area.rows));

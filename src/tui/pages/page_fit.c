@@ -10,7 +10,9 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/draw/plots_search.h"
+#include "cmd/draw/site_chart.h"
 #include "core/search/misfit.h"
+#include "plot/draw.h"
 #include "tui/acts.h"
 #include "tui/screen.h"
 #include "tui/widgets/search_side.h"
@@ -74,11 +76,12 @@ fit_draw_legend(const struct tui *t)
 		if (!past.train[r] || misfit_count_covered(run) == 0)
 			continue;
 		struct chart_series look =
-		    plots_search_style(past.site, r, nth);
+		    site_chart_run_style(past.site, r, false);
+		FREED char *mark = chart_sample(&look, screen_charset());
 		size_t kind = nth++ % ARRAY_LEN(BARS);
 		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
 		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);
-		snprintf(best, sizeof best, tr("%c best  "), look.mark);
+		snprintf(best, sizeof best, tr("%s best  "), mark);
 		if (column + text_width(text) + text_width(best) >
 		    area->columns)
 			return;
@@ -86,9 +89,9 @@ fit_draw_legend(const struct tui *t)
 		column =
 		    screen_series(area, 0, column, SERIES_PREDICTED, 0, best);
 	}
-	const char *noise = ascii ? tr(", noise") : tr("\u2591 noise");
+	const char *noise = ascii ? tr(", noise") : tr("\u2508 noise");
 	if (column + text_width(noise) <= area->columns)
-		screen_series(area, 0, column, SERIES_TEXT, 0, noise);
+		screen_series(area, 0, column, SERIES_FEED, 0, noise);
 }
 
 static void
@@ -130,9 +133,10 @@ fit_hints(const struct tui *t)
 			       : N_("Space  Esc stop  ?  q  :");
 	return busy && t->held ? N_("Space continue  .  ?  q  s  Down Enter  v")
 	       : busy          ? "Space  .  ?  q  s  +/-  v"
-	       : tui_search_shown(t).n > 0
-		   ? N_("<-/-> generation  f fit again  ?  q  Down Enter  v")
-		   : "f  ?  q  +/-  :";
+	       : tui_search_shown(t).n > 0 ? N_("<-/-> generation  1 predict  "
+						"f again  ?  q  Down Enter  "
+						"v")
+					   : "f  ?  q  +/-  :";
 }
 
 static void

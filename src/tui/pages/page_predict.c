@@ -204,12 +204,12 @@ predict_hints(const struct tui *t)
 			   : N_(":  ?  q  o  1-5 pages");
 	if (t->view.pinned.site[0] != '\0')
 		return goals_is_set(t->session)
-			   ? N_("<-/->  n p  N  T  ?  Enter  q  e  x unpin  :  "
+			   ? N_("<-/->  n p  N  T  x unpin  ?  Enter  q  e  :  "
 				"t")
 			   : N_("<-/->  t  ?  Enter  q  f  x unpin  e  :  c  "
 				"u");
 	return goals_is_set(t->session)
-		   ? "<-/->  n p  N  T  ?  Enter  q  x  e  :  t"
+		   ? "<-/->  n p  N  T  x  ?  Enter  q  e  :  t"
 		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
 }
 

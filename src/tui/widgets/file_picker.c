@@ -317,11 +317,11 @@ picker_draw(struct tui *t)
 		file_picker_draw_message(t);
 		return;
 	}
-	pane_hints(t, LOOK_REVERSE,
-	    t->picker.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
-	    : shipped
-		? N_("Esc back  Enter opens it  Up/Down  letters narrow the "
-		     "list")
-		: N_("Esc back  Enter opens it  Up/Down  Left folder above  "
-		     "letters narrow the list"));
+	pane_hints(
+	    t, t->picker.word.n > 0 ? N_("Esc all  Enter opens it  Up/Down")
+	       : shipped
+		   ? N_("Esc back  Enter opens it  Up/Down  letters narrow the "
+			"list")
+		   : N_("Esc back  Enter opens it  Up/Down  Left folder above  "
+			"letters narrow the list"));
 }

@@ -127,7 +127,6 @@ act_goal_view(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool opens = !goal_is_viewed(t);
-	t->message[0] = '\0';
 	t->ui.goal_view = opens;
 	t->ui.goal_view = goal_is_viewed(t);
 	/* The first step reads the conditions. */
@@ -157,7 +156,6 @@ act_goal(struct tui *t, const struct key *key)
 	FREED char *line = goals_is_set(t->session)
 			       ? xstrdup(t->session->set.goal)
 			       : xasprintf("%s=", words);
-	t->message[0] = '\0';
 	if (!goals_is_set(t->session))
 		tui_say(t, false,
 		    "such as p80=5.4, or passing 2 = 32..36, fines<3; Tab has "

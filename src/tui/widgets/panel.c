@@ -505,7 +505,8 @@ draw_light(struct tui *t, const struct area *area)
 			light->n),
 		    light->n);
 	else if (light->n > 0)
-		xappend(&words, tr(", %zu, see :why"), light->n);
+		xappend(&words, tr_n(", see :why", ", :why has %zu", light->n),
+		    light->n);
 	FREED char *row =
 	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
 	screen_series(

@@ -48,14 +48,13 @@ draw_reading(const struct tui *t, const struct area *area, int row,
 	screen_text(area, row, 15, look, "%9s", size);
 }
 
-/* Draws the band of the passing and, if there is room, of the size.  Returns
- * the row after it. */
-static int
+/* Draws the band of the passing and, if there is room, of the size. */
+static void
 readout_draw_band(const struct tui *t, const struct area *area, int row)
 {
 	const struct prediction *p = &t->view.shown;
 	if (!t->ui.band || p->low == NULL)
-		return row;
+		return;
 	screen_text(area, row++, 0, 0, "band %5.1f .. %.1f %%",
 	    100 * p->low[t->ui.crosshair_sieve],
 	    100 * p->high[t->ui.crosshair_sieve]);
@@ -67,10 +66,9 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	forecast_at(f, p->speed);
 	struct figure at = forecast_figure(f, 0);
 	if (row < area->rows && isfinite(at.low) && isfinite(at.high))
-		screen_text(area, row++, 0, 0, "     %5.2f .. %.2f mm",
+		screen_text(area, row, 0, 0, "     %5.2f .. %.2f mm",
 		    1000 * at.low, 1000 * at.high);
 	forecast_close(f);
-	return row;
 }
 
 int

@@ -335,25 +335,14 @@ response_strip_row_of(
 	    1 - axis_relative_position(axis, value), area->rows);
 }
 
-/* Draws a number of at most four characters, because one that is cut would be
- * another.  Returns true if it was drawn. */
-static bool
-draw_label(const struct tui *t, int row, unsigned look, double value)
-{
-	char text[32];
-	int width = snprintf(text, sizeof text, "%.6g", value);
-	if (width <= 4)
-		screen_text(&t->layout.strip, row, width < 4 ? 3 - width : 0,
-		    look, "%s", text);
-	return width <= 4;
-}
-
 /* Returns the smallest step of 1, 2 or 5 times a power of ten at which each
- * value has a row, or nearly. */
+ * value has a row, or nearly; two rows where there are many. */
 static double
 response_strip_round_step(const struct axis *axis, int rows)
 {
+	enum { MANY = 8 };
 	static const double ROUND[] = {1, 2, 5, 10, 20, 50};
+	rows = rows < MANY ? rows : rows / 2;
 	double span = axis->high - axis->low;
 	double ten = pow(10, floor(log10(span / rows)));
 	size_t i = 0;
@@ -362,11 +351,29 @@ response_strip_round_step(const struct axis *axis, int rows)
 	return ROUND[i] * ten;
 }
 
+/* Draws a number of at most four characters, because one that is cut would be
+ * another, with the decimals of the others or what more it has.  Returns true
+ * if it was drawn. */
+static bool
+draw_label(
+    const struct tui *t, int row, unsigned look, double value, double step)
+{
+	char text[32];
+	int decimals = step < 1 ? (int)ceil(-log10(step)) : 0;
+	int width = snprintf(text, sizeof text, "%.*f", decimals, value);
+	if (fabs(value - atof(text)) > 1e-6 * fabs(value))
+		width = snprintf(text, sizeof text, "%.6g", value);
+	if (width <= 4)
+		screen_text(&t->layout.strip, row, width < 4 ? 3 - width : 0,
+		    look, "%s", text);
+	return width <= 4;
+}
+
 /* Draws the name of a limit; one that is off the scale stands at the edge
  * nearest to it. */
 static void
-response_strip_draw_limit(
-    struct tui *t, const struct axis *axis, const struct limit *limit)
+response_strip_draw_limit(struct tui *t, const struct axis *axis,
+    const struct limit *limit, double step)
 {
 	static const char *const ARROWS[][2] = {
 	    {"v", "^"}, {"\u25BC", "\u25B2"}};
@@ -380,7 +387,7 @@ response_strip_draw_limit(
 				    limit->name, limit->value);
 	int wide = text_width(name) < 4 ? 4 : text_width(name);
 	if (on)
-		draw_label(t, row, LOOK_BOLD, limit->value);
+		draw_label(t, row, LOOK_BOLD, limit->value, step);
 	screen_series(
 	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
 	hits_add_key(
@@ -397,6 +404,7 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 	size_t n = take_limits(t, limit);
 	FREED bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
 	const struct limit *below = NULL, *above = NULL;
+	double step = response_strip_round_step(axis, area->rows);
 	for (size_t i = 0; i < n; i++) {
 		const struct limit *l = &limit[i];
 		int row = response_strip_row_of(axis, area, l->value);
@@ -409,21 +417,20 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 				    ? l
 				    : above;
 		} else if (!taken[row]) {
-			response_strip_draw_limit(t, axis, l);
+			response_strip_draw_limit(t, axis, l, step);
 			taken[row] = true;
 		}
 	}
 	if (below != NULL && !taken[area->rows - 1])
-		response_strip_draw_limit(t, axis, below);
+		response_strip_draw_limit(t, axis, below, step);
 	if (above != NULL && !taken[0])
-		response_strip_draw_limit(t, axis, above);
-	double step = response_strip_round_step(axis, area->rows);
+		response_strip_draw_limit(t, axis, above, step);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
 		int row = response_strip_row_of(axis, area, v);
 		if (!taken[row])
-			taken[row] = draw_label(
-			    t, row, LOOK_PLAIN, fabs(v) < step / 2 ? 0 : v);
+			taken[row] = draw_label(t, row, LOOK_PLAIN,
+			    fabs(v) < step / 2 ? 0 : v, step);
 	}
 }
 

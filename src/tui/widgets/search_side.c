@@ -306,11 +306,9 @@ draw_words(const struct tui *t, const struct search_shown *past)
 static void
 draw_convergence(struct tui *t, int row)
 {
-	enum { MOST = 20 };
 	struct area below = t->layout.side;
 	below.row += row;
 	below.rows -= row;
-	below.rows = below.rows > MOST ? MOST : below.rows;
 	struct plot_request request = plots_request(PLOT_CONVERGENCE);
 	request.words = 0;
 	request.generation = t->ui.generation;

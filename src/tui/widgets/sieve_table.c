@@ -82,9 +82,11 @@ full_bar_points(const struct tui *t, const struct psd *other)
 	return FULL[at];
 }
 
-/* Draws a bar in eighths, halves or whole cells, as the characters allow. */
+/* Draws a bar in eighths, halves or whole cells, as the characters allow, in
+ * the colour of what is compared with. */
 static void
-sieve_table_draw_bar(const struct area *area, int row, double share)
+sieve_table_draw_bar(
+    const struct area *area, int row, enum series series, double share)
 {
 	static const char *const EIGHTH[] = {"", "\u258f", "\u258e", "\u258d",
 	    "\u258c", "\u258b", "\u258a", "\u2589"};
@@ -95,10 +97,10 @@ sieve_table_draw_bar(const struct area *area, int row, double share)
 	    cells = area->columns - BAR,
 	    n = (int)lround(fmin(fabs(share), 1) * cells * parts);
 	for (int c = 0; c < n / parts; c++)
-		screen_text(area, row, BAR + c, 0, "%s",
+		screen_series(area, row, BAR + c, series, 0,
 		    charset == CHARSET_ASCII ? "#" : "\u2588");
-	screen_text(
-	    area, row, BAR + n / parts, 0, "%s", EIGHTH[n % parts * 8 / parts]);
+	screen_series(area, row, BAR + n / parts, series, 0,
+	    EIGHTH[n % parts * 8 / parts]);
 }
 
 /* Puts the crosshair on that sieve. */
@@ -199,6 +201,7 @@ sieve_table_draw(struct tui *t, const struct area *area)
 		double off = difference_from_compared(t, other, i);
 		draw_sieve(t, area, (int)r + 1, i, off);
 		if (area->columns >= BAR + BAR_CELLS && !isnan(off))
-			sieve_table_draw_bar(area, (int)r + 1, off / full);
+			sieve_table_draw_bar(
+			    area, (int)r + 1, series, off / full);
 	}
 }

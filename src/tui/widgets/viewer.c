@@ -413,7 +413,7 @@ draw_what_enter_does(struct tui *t)
 	FREED char *words = xasprintf(tr("Enter: %s"), tr(key->what));
 	bool room = text_width(words) <= t->layout.hints.columns;
 	if (room)
-		pane_hints(t, LOOK_REVERSE, words);
+		pane_hints(t, words);
 	return room;
 }
 
@@ -429,8 +429,7 @@ viewer_draw_hints(struct tui *t)
 		aside ? tr("Right more right  ") : "",
 		v->keys ? tr("Esc back  / find a word  Enter run it")
 			: tr("Esc back  / search"));
-	pane_hints(
-	    t, LOOK_REVERSE, t->running_line != NULL ? tr("Esc stops") : hints);
+	pane_hints(t, t->running_line != NULL ? tr("Esc stops") : hints);
 }
 
 void
