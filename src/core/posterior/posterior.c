@@ -31,8 +31,9 @@ enum {
 	BATCHES = 4, /* the draws of one batch are kept, see thin.h */
 	DRAWS_EACH = 2 * BATCHES,
 	HALF = CHAINS / 2,
-	PART = 16, /* chains of a half that a thread takes at a time */
-	RUNG = 6,  /* generations */
+	PART =
+	    16,   /* chains of a half that a thread takes at a time, at least */
+	RUNG = 6, /* generations */
 	WARM_UP = 112,
 	KEPT = 176,
 	RECENT = 5, /* generations that inform the guide during the warm-up */
@@ -88,6 +89,7 @@ struct sampler {
 	double share; /* share of the likelihood that counts */
 	struct chain chain[CHAINS], trial[HALF];
 	size_t first; /* first chain of the half that moves */
+	size_t part;  /* trials for one thread at a time */
 	bool started; /* both halves have started */
 	bool hyper;   /* the hyperparameters move, not the parameters */
 	bool guided;  /* the guides propose the moves */
@@ -176,7 +178,7 @@ static void
 evaluate_some_trials(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
-	size_t from = part * PART, to = from + PART;
+	size_t from = part * s->part, to = from + s->part;
 	double *work = xdoubles(s->n_cell);
 	if (!s->hyper)
 		find_differences(s, from, to, thread);
@@ -222,7 +224,7 @@ posterior_evaluate(struct sampler *s)
 		place_trial_in_order(
 		    s, i, rock, rock.share > 0 ? two++ : --one);
 	}
-	pool_run(s->pool, HALF / PART, evaluate_some_trials, s);
+	pool_run(s->pool, HALF / s->part, evaluate_some_trials, s);
 }
 
 /* Proposes a move of chain i along the difference of two chains of the other
@@ -887,6 +889,17 @@ measure_error_of_kernel(struct sampler *s, const double *d)
 		s->scheme[k] = d[k] - s->difference[k * HALF];
 }
 
+/* As many trials at once as leave no thread idle: the kernel finds more that
+ * are alike among more. */
+static size_t
+trials_at_once(unsigned threads)
+{
+	size_t part = HALF;
+	while (part > PART && part * threads > HALF)
+		part /= 2;
+	return part;
+}
+
 static struct sampler *
 sampler_new(struct misfit *m, const struct params *fit,
     const struct bounds *bounds, const struct posterior_options *o)
@@ -908,6 +921,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->rms = fmax(sqrt(squares / (double)m->n_residual), 0.001);
 	s->kernel = kernel_new(m, o->isa, o->threads);
 	s->pool = pool_new(o->threads);
+	s->part = trials_at_once(o->threads);
 	make_cells(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
 	allocate_sampler(s);
