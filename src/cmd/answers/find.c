@@ -483,7 +483,7 @@ note_out_of_reach(
 		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
 		    low, unit, c->from, high, unit, c->to);
 	if (falls)
-		conditions_note_farther(r, c, finer, !finer);
+		conditions_note_none_farther(r, c, finer, !finer);
 }
 
 static void

@@ -756,7 +756,7 @@ note_ways(struct answer *r, const struct wanted *wanted,
 			   : N_("limiting at higher speeds: %s"),
 		    words);
 	}
-	conditions_note_farther(r, wanted, at[0], at[1]);
+	conditions_note_none_farther(r, wanted, at[0], at[1]);
 }
 
 int
@@ -840,18 +840,47 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	trust_free(&far);
 }
 
+/* Whether an end of the speeds searched is farther from the measured ones than
+ * an answer can be relied on. */
+static bool
+is_too_slow(const struct wanted *wanted)
+{
+	return wanted->from < wanted->measured[0] - wanted->reach;
+}
+
+static bool
+is_too_fast(const struct wanted *wanted)
+{
+	return wanted->to > wanted->measured[1] + wanted->reach;
+}
+
 void
 conditions_note_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	const double more = 15;
-	if (slower && wanted->from > 1)
+	if (slower && wanted->from > 1 && !is_too_slow(wanted))
 		answer_note(r,
 		    "slower than %g m/s was not searched: add from=%g",
 		    wanted->from, fmax(1, wanted->from - more));
-	if (faster && wanted->to < SITE_FASTEST)
+	if (faster && wanted->to < SITE_FASTEST && !is_too_fast(wanted))
 		answer_note(r, "faster than %g m/s was not searched: add to=%g",
 		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
+}
+
+void
+conditions_note_none_farther(
+    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+{
+	bool all_measured = wanted->from <= wanted->measured[0] &&
+			    wanted->to >= wanted->measured[1];
+	if (all_measured && ((slower && is_too_slow(wanted)) ||
+				(faster && is_too_fast(wanted))))
+		answer_note(r,
+		    "no speed near the measured ones does it, and farther from "
+		    "them no answer can be relied on");
+	else
+		conditions_note_farther(r, wanted, slower, faster);
 }
 
 static void
