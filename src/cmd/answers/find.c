@@ -553,6 +553,22 @@ show_basis(struct session *s, struct answer *r, const struct find_request *goal,
 	light_show_at(r, found ? 0 : s->last_speed, light);
 }
 
+/* Without a speed found the title says so, lest the rows be taken for it. */
+static struct answer *
+find_answer(const struct find_request *goal, bool found, const char *words)
+{
+	const struct site *site = goal->question->entry->site;
+	if (found)
+		return answers_new(site, "find", "the speed for %s", words);
+	if (goal->kind == GOAL_VALUE)
+		return answers_new(site, "find",
+		    "no speed gives %s; at the ends searched", words);
+	return answers_new(site, "find",
+	    goal->others.n > 1
+		? N_("no speed meets the conditions; at the ends searched")
+		: N_("no speed meets the condition; at the ends searched"));
+}
+
 /* The product at the speed found; without one those at the two ends. */
 static void
 answer_goal(struct session *s, struct find_request *goal)
@@ -569,8 +585,7 @@ answer_goal(struct session *s, struct find_request *goal)
 		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
 	session_forget_answers(s);
 	FREED char *words = goal_words(goal);
-	struct answer *r =
-	    answers_new(entry->site, "find", "the speed for %s", words);
+	struct answer *r = find_answer(goal, found, words);
 	answers_speed_rows(r, entry, p, n);
 	note_finding(r, s, goal, f, words);
 	if (found)
