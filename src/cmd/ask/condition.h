@@ -144,9 +144,9 @@ void conditions_show_basis(const struct session *s, struct answer *r,
     const struct question *q, const struct wanted *wanted,
     const struct speed_search *found, double speed);
 
-/* conditions_note_farther notes which slower or faster speeds were not searched,
- * and how to search them, unless no answer there can be relied on;
- * conditions_note_none_farther, where no speed was found, says that instead. */
+/* conditions_note_farther notes which slower or faster speeds were not
+ * searched, and how to search them, unless no answer there can be relied on;
+ * conditions_note_none_farther, where no speed was found, says that. */
 void conditions_note_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);
 void conditions_note_none_farther(
