@@ -59,8 +59,8 @@ void question_usual_speeds(
  * by any command or on the screen, and saves it with the call. */
 void question_take_last_speed(struct session *s, struct question *q);
 
-/* The same without saving it, and the feed of the last prediction for the current site, if
- * any. */
+/* The same without saving it, and the feed of the last prediction for the
+ * current site, if any. */
 void question_as_last(
     const struct session *s, const struct args *args, struct question *q);
 
