@@ -29,6 +29,7 @@ struct card_request {
 	size_t n, first;
 	struct quantity *q;
 	struct forecast *forecast;
+	struct forecast *cut; /* of the ranged figure, in a new belt cut */
 	struct condition_list list; /* limits of the product, or none */
 	struct wanted wanted;
 	struct plant plant; /* circuit NULL: no flow was asked for */
@@ -90,6 +91,7 @@ card_request_free(struct card_request *all)
 	conditions_free(&all->list);
 	forecast_close(all->wanted.forecast);
 	forecast_close(all->forecast);
+	forecast_close(all->cut);
 }
 
 /* Reads the plant if the new feed or a circuit is given. */
@@ -141,6 +143,19 @@ take_goal(struct session *s, struct card_request *all, struct error *error)
 	return ok;
 }
 
+/* The figure whose range a page has room for: the first that has a limit, or
+ * the first that was asked for. */
+static size_t
+ranged_figure(const struct card_request *all)
+{
+	for (size_t c = 0; c < all->list.n; c++)
+		for (size_t i = 0; i < all->n; i++)
+			if (quantity_same(
+				&all->q[i], &all->list.at[c].quantity))
+				return i;
+	return all->first;
+}
+
 static bool
 card_request_read(struct session *s, struct card_request *all,
     const struct args *args, double slowest, struct error *error)
@@ -158,6 +173,8 @@ card_request_read(struct session *s, struct card_request *all,
 	if (!ok)
 		return false;
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
+	all->cut =
+	    forecast_open(s, all->question, &all->q[ranged_figure(all)], 1);
 	if (all->list.n > 0)
 		all->wanted =
 		    conditions_open(s, all->question, &all->list, NULL);
@@ -181,11 +198,13 @@ struct card_column {
 };
 
 /* Columns [n] that are filled row by row, from left to right.  ranged: one
- * figure has its range beside it. */
+ * figure has its range beside it; cut: how far at most the range of a new belt
+ * cut reaches from that figure. */
 struct page {
 	size_t n, rows, row, next;
 	struct card_column *column;
 	bool ranged;
+	double cut;
 };
 
 enum { AS_NEEDED = -1 };
@@ -256,22 +275,9 @@ page_head(const struct card_request *all, const struct quantity *q)
 	return words;
 }
 
-/* Returns the one figure whose range a page has room for: the first that has a
- * limit, otherwise the first that was asked for. */
-static size_t
-ranged_figure(const struct card_request *all)
-{
-	for (size_t c = 0; c < all->list.n; c++)
-		for (size_t i = 0; i < all->n; i++)
-			if (quantity_same(
-				&all->q[i], &all->list.at[c].quantity))
-				return i;
-	return all->first;
-}
-
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
-put_figures(struct page *page, const struct card_request *all)
+put_figures(struct page *page, const struct card_request *all, double speed)
 {
 	enum { P20, P50, P80, SIZES };
 	static const int SPARE[SIZES] = {
@@ -297,6 +303,12 @@ put_figures(struct page *page, const struct card_request *all)
 	struct figure p80 = forecast_shown(all->forecast, P80);
 	put_number(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
 	put_number(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
+	if (!page->ranged)
+		return;
+	forecast_part_at(all->cut, speed, ENSEMBLE_SAMPLE);
+	struct figure cut = forecast_shown(all->cut, 0);
+	page->cut =
+	    fmax(page->cut, fmax(cut.high - cut.value, cut.value - cut.low));
 }
 
 /* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
@@ -352,7 +364,7 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 	if (rotor > 0)
 		put_number(page, "rpm", "rpm", 0, NEEDED, units_rpm(v, rotor));
 	forecast_at(all->forecast, v);
-	put_figures(page, all);
+	put_figures(page, all, v);
 	struct trust light = light_at(s, entry, v, all->question->feed);
 	row->light = light.light;
 	light_worse(worst, light);
@@ -529,14 +541,63 @@ measured_words(const struct site *site)
 	return words;
 }
 
+/* Notes what the range is of, and that a belt cut may lie outside it. */
+static void
+note_range(struct answer *r, const struct card_request *all, double cut)
+{
+	const struct quantity *of = &all->q[ranged_figure(all)];
+	double level = 100 * all->question->level;
+	int digits = quantities_decimals(of);
+	double step = pow(10, -digits);
+	answer_note(r,
+	    "%.0f %% range: of the figure at its left; the true value lies in "
+	    "it with %.0f %% probability",
+	    level, level);
+	if (isfinite(cut))
+		answer_note(r,
+		    "a new belt cut may show up to %.*f%s more or less than "
+		    "that figure, in %.0f %% of all cuts",
+		    digits, step * ceil(cut / step),
+		    quantities_difference_suffix(of), level);
+}
+
+/* Notes what the words under trust mean, of those that occur. */
+static void
+note_trust_words(struct answer *r, const struct question *q,
+    const struct card_row *row, size_t n)
+{
+	bool occurs[] = {
+	    [LIGHT_GREEN] = false, [LIGHT_AMBER] = false, [LIGHT_RED] = false};
+	bool beyond = false;
+	for (size_t i = 0; i < n; i++) {
+		occurs[row[i].light] = true;
+		beyond = beyond || answers_extrapolates(q->entry, row[i].speed);
+	}
+	FREED char *speeds = measured_words(q->entry->site);
+	FREED char *words = xasprintf(
+	    occurs[LIGHT_GREEN] ? tr("green: confirmed by measurements at %s")
+				: tr("measured at %s"),
+	    speeds);
+	if (occurs[LIGHT_AMBER])
+		xappend(
+		    &words, tr("; amber: from the model alone, or doubtful"));
+	if (occurs[LIGHT_RED])
+		xappend(&words, tr("; red: do not rely on it"));
+	if (beyond)
+		xappend(&words, tr("; ?: beyond the measured speeds"));
+	answer_note(r,
+	    "trust is in the figures, whether or not they meet limits; %s",
+	    words);
+}
+
 /* Notes what the figures mean, the machine, and how they were found. */
 static void
 note_basis(struct answer *r, const struct session *s,
-    const struct card_request *all, const char *dropped, bool range)
+    const struct card_request *all, const char *dropped,
+    const struct page *page, const struct card_row *row)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
-	FREED char *speeds = measured_words(site);
 	FREED char *feed = feed_words(site, q->feed);
 	bool fines = false;
 	for (size_t i = 0; i < all->n; i++)
@@ -551,11 +612,8 @@ note_basis(struct answer *r, const struct session *s,
 	}
 	if (dropped[0] != '\0')
 		answer_note(r, "left out, as there is no room: %s", dropped);
-	if (range)
-		answer_note(r,
-		    "%.0f %% range: of the figure at its left; the true value "
-		    "lies in it with %.0f %% probability",
-		    100 * q->level, 100 * q->level);
+	if (page->ranged)
+		note_range(r, all, page->cut);
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
@@ -564,11 +622,7 @@ note_basis(struct answer *r, const struct session *s,
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
-	answer_note(r,
-	    "trust is in the figures, whether or not they meet limits; green: "
-	    "confirmed by measurements at %s; amber: from the model alone, or "
-	    "doubtful; red: do not rely on it; ?: beyond the measured speeds",
-	    speeds);
+	note_trust_words(r, q, row, page->rows);
 }
 
 /* The rows show the lights.  If none is green, the best of them states its
@@ -623,7 +677,7 @@ card_answer(
 	    entry->site->machine, breakage_of(&entry->params)->name);
 	note_limits(r, all, row, n);
 	note_flow(r, all);
-	note_basis(r, s, all, dropped, page.ranged);
+	note_basis(r, s, all, dropped, &page, row);
 	note_light(r, s, all->question, row, n, &light);
 	page_free(&page);
 	return r;

@@ -58,6 +58,7 @@ cmd_figures(struct session *s, const struct args *args,
     struct question *question, struct error *error)
 {
 	const struct entry *entry = question->entry;
+	question_take_last_speed(s, question);
 	double v = question->speed;
 	size_t n;
 	FREED struct quantity *q = quantities_asked(

@@ -484,7 +484,7 @@ note_out_of_reach(
 		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
 		    low, unit, c->from, high, unit, c->to);
 	if (falls)
-		conditions_note_farther(r, c, finer, !finer);
+		conditions_note_none_farther(r, c, finer, !finer);
 }
 
 static void
@@ -523,15 +523,51 @@ put_found(struct fields *o, const struct find_request *goal,
 	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
 }
 
-/* True if the value is missed by less at the fast end of the speeds searched
- * than at the slow end. */
-static bool
-is_nearer_fast_end(const struct find_request *goal)
+/* Returns, where nothing was found, the speed that comes nearest: the one that
+ * misses the conditions by least or, for a value, one end of those searched. */
+static double
+nearest_speed(const struct find_request *goal, const struct speed_search *f)
 {
+	const struct wanted *w = &goal->wanted;
 	double wanted =
 	    quantities_shown(&goal->target.quantity, goal->target.least);
-	return fabs(find_value_at(goal, goal->wanted.to) - wanted) <
-	       fabs(find_value_at(goal, goal->wanted.from) - wanted);
+	if (goal->kind != GOAL_VALUE)
+		return f->best;
+	return fabs(find_value_at(goal, w->to) - wanted) <
+		       fabs(find_value_at(goal, w->from) - wanted)
+		   ? w->to
+		   : w->from;
+}
+
+/* The light of the speed found, or that of the nearest one, which is named: the
+ * speed that 'why' explains. */
+static void
+show_basis(struct session *s, struct answer *r, const struct find_request *goal,
+    const struct speed_search *f)
+{
+	const struct question *q = goal->question;
+	double v = speed_found(goal, f);
+	bool found = !isnan(v);
+	s->last_speed = found ? v : nearest_speed(goal, f);
+	struct trust light = light_at(s, q->entry, s->last_speed, q->feed);
+	answers_note_basis(s, r, q, found ? v : 0, NULL, &light);
+	light_show_at(r, found ? 0 : s->last_speed, light);
+}
+
+/* Without a speed found the title says so, lest the rows be taken for it. */
+static struct answer *
+find_answer(const struct find_request *goal, bool found, const char *words)
+{
+	const struct site *site = goal->question->entry->site;
+	if (found)
+		return answers_new(site, "find", "the speed for %s", words);
+	if (goal->kind == GOAL_VALUE)
+		return answers_new(site, "find",
+		    "no speed gives %s; at the ends searched", words);
+	return answers_new(site, "find",
+	    goal->others.n > 1
+		? N_("no speed meets the conditions; at the ends searched")
+		: N_("no speed meets the condition; at the ends searched"));
 }
 
 /* Answers with the product at the speed found or, if there is none, with those
@@ -551,20 +587,12 @@ answer_goal(struct session *s, struct find_request *goal)
 		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
 	session_forget_answers(s);
 	FREED char *words = goal_words(goal);
-	struct answer *r =
-	    answers_new(entry->site, "find", "the speed for %s", words);
+	struct answer *r = find_answer(goal, found, words);
 	answers_speed_rows(r, entry, p, n);
 	note_finding(r, s, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	bool fast =
-	    !found && goal->kind == GOAL_VALUE && is_nearer_fast_end(goal);
-	if (found)
-		s->last_speed = v;
-	answers_show_basis(s, r, q, found ? v : 0, false,
-	    goal->kind == GOAL_VALUE
-		? light_of_prediction(s, entry, &p[fast ? 1 : 0])
-		: light_worst(s, entry, p, n));
+	show_basis(s, r, goal, f);
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
@@ -629,6 +657,7 @@ answer_spec(struct session *s, const struct args *args,
 	}
 	grading_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
+	s->last_speed = v;
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

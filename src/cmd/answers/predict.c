@@ -539,6 +539,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
+	question_take_last_speed(s, q);
 	if (!params_to_predict_with(s, entry, &params, error) ||
 	    !check_whole_product(args, &q->fraction, error) ||
 	    !screened_check_covered(q, error))

@@ -6,6 +6,11 @@
 #define USUAL_SPEED \
 	SPEED(speed), "rotor tip speed; default: a held-out speed, else 74"
 
+#define LAST_OR_USUAL_SPEED                                            \
+	SPEED(speed),                                                  \
+	    "rotor tip speed; default: that last asked about, else a " \
+	    "held-out speed, else 74"
+
 #define LAST_SPEED    \
 	SPEED(speed), \
 	    "rotor tip speed; default: that last asked about, with its feed"
@@ -35,7 +40,7 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_KEEPS_LAST | COMMAND_DRAWS |
 		 COMMAND_DURING_SEARCH | COMMAND_DAILY | COMMAND_QUANTITIES,
 	.bare = "speed",
-	.option = OPTION_LIST({USUAL_SPEED},
+	.option = OPTION_LIST({LAST_OR_USUAL_SPEED},
 	    {OFF_ON(curve), "off", "draw feed, measured and predicted as text"},
 	    {OFF_ON(interpolated), "off",
 		"add the measured products interpolated at this speed"},
@@ -182,10 +187,10 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "sizes, moduli and shares of a product",
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
 	.bare = "speed",
-	.option = OPTION_LIST(
-	    {USUAL_SPEED}, {TEXT(of), NULL, "",
-			       "figures, with commas between: P80, passing 2, "
-			       "fm EN, 0/4, P50 of 0/4"}),
+	.option = OPTION_LIST({LAST_OR_USUAL_SPEED},
+	    {TEXT(of), NULL, "",
+		"figures, with commas between: P80, passing 2, "
+		"fm EN, 0/4, P50 of 0/4"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =

@@ -184,7 +184,7 @@ say_trained(const struct subject *a)
 }
 
 static void
-say_parameters(const struct subject *a, const struct fit *fit)
+say_parameters(const struct subject *a, const struct fit *fit, bool green)
 {
 	FREED char *flat = xstrdup("");
 	const struct breakage *of = breakage_of(&fit->params);
@@ -193,9 +193,15 @@ say_parameters(const struct subject *a, const struct fit *fit)
 			xlist(&flat, tr(" and "), "%s", of->parameter[j].name);
 	if (flat[0] != '\0')
 		answer_note(a->answer,
-		    "The data do not determine %s well: very different values, "
-		    "changed together, raise the misfit by only 10 %%; rely on "
-		    "the curves, not on these values",
+		    green
+			? N_("The data do not determine %s well: very "
+			     "different values, changed together, raise the "
+			     "misfit by only 10 %%; that is of no consequence "
+			     "to this answer")
+			: N_("The data do not determine %s well: very "
+			     "different values, changed together, raise the "
+			     "misfit by only 10 %%; rely on the curves, not "
+			     "on these values"),
 		    flat);
 }
 
@@ -279,7 +285,7 @@ say_light(const struct subject *a, const struct trust *t)
 }
 
 static void
-say_fit(const struct subject *a)
+say_fit(const struct subject *a, bool green)
 {
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
@@ -293,7 +299,7 @@ say_fit(const struct subject *a)
 		    own ? "" : ")");
 		return;
 	}
-	say_parameters(a, fit);
+	say_parameters(a, fit, green);
 }
 
 /* Compares with a measured product at exactly this speed that was not used for
@@ -618,7 +624,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_trained(&a);
 	say_measured(&a);
 	say_light(&a, &trust);
-	say_fit(&a);
+	say_fit(&a, trust.light == LIGHT_GREEN);
 	say_data(&a);
 	feed_note(a.answer, entry->site, run, NULL, 0);
 	trust_free(&trust);

@@ -248,6 +248,22 @@ note_picture(struct answer *r, const struct args *args)
 		answer_note(r, "picture: plot response limits=\"%s\"", limits);
 }
 
+static struct answer *
+window_answer(const struct window_request *a)
+{
+	const struct site *site = a->wanted.site;
+	double v = a->w->best;
+	bool several = a->list.n > 1;
+	FREED char *rpm = answers_rpm(site, v, NAN);
+	if (a->w->n_inside > 0)
+		return answers_new(site, "window", "%s at %.1f m/s%s",
+		    several ? tr("conditions") : tr("the condition"), v, rpm);
+	return answers_new(site, "window",
+	    several ? N_("no speed meets the conditions; at %.1f m/s%s")
+		    : N_("no speed meets the condition; at %.1f m/s%s"),
+	    v, rpm);
+}
+
 bool
 cmd_window(struct session *s, const struct args *args, struct question *q,
     struct error *error)
@@ -259,11 +275,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		  read_conditions(s, args, &a, error);
 	if (ok) {
 		window_look(s, &a, from, to);
-		FREED char *rpm = answers_rpm(entry->site, a.w->best, NAN);
-		struct answer *r =
-		    answers_new(entry->site, "window", "%s at %.1f m/s%s",
-			a.list.n > 1 ? tr("conditions") : tr("the condition"),
-			a.w->best, rpm);
+		struct answer *r = window_answer(&a);
 		conditions_rows(r, &a.wanted, a.w);
 		conditions_put(answer_fields(r), &a.wanted, a.w);
 		if (a.w->n_inside > 0)

@@ -204,6 +204,24 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 	return false;
 }
 
+/* "passing 2 mm = 58" of "58 % passes 2 mm", as answers say it; NULL of other
+ * words.  The caller frees. */
+static char *
+with_limit_last(const char *text)
+{
+	static const char *const VERBS[] = {"passing ", "passes "};
+	size_t n = strspn(text, "0123456789.,");
+	const char *rest = text + n + strspn(text + n, " %");
+	for (size_t i = 0; n > 0 && i < ARRAY_LEN(VERBS); i++) {
+		size_t verb = strlen(VERBS[i]);
+		if (strncasecmp(rest, VERBS[i], verb) == 0 &&
+		    strpbrk(rest, "<>=") == NULL)
+			return xasprintf(
+			    "passing %s = %.*s", rest + verb, (int)n, text);
+	}
+	return NULL;
+}
+
 /* The same with a sign for the words that stand for one; the caller frees. */
 static char *
 replace_words_by_sign(const char *text)
@@ -213,6 +231,9 @@ replace_words_by_sign(const char *text)
 		char sign;
 	} WORDS[] = {
 	    {" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
+	char *turned = with_limit_last(text);
+	if (turned != NULL)
+		return turned;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
 		const char *at = strstr(text, WORDS[i].words);
 		if (at != NULL)
@@ -220,18 +241,6 @@ replace_words_by_sign(const char *text)
 			    WORDS[i].sign, at + strlen(WORDS[i].words));
 	}
 	return xstrdup(text);
-}
-
-/* "passing 2 45" of "45 % passing 2"; NULL of other words.  The caller frees.
- */
-static char *
-move_limit_last(const char *text)
-{
-	size_t n = strspn(text, "0123456789.");
-	const char *rest = text + n + strspn(text + n, " %");
-	return n > 0 && strncasecmp(rest, "passing ", 8) == 0
-		   ? xasprintf("%s %.*s", rest, (int)n, text)
-		   : NULL;
 }
 
 /* A quantity and its limit with a blank between them; *name is the quantity. */
@@ -262,11 +271,8 @@ error_without_sign(
 {
 	struct condition c;
 	char *name, *passing = xasprintf("passing %s", text);
-	FREED char *turned = move_limit_last(text);
-	bool found =
-	    split_blank(text, fraction, &name, &c) ||
-	    split_blank(passing, fraction, &name, &c) ||
-	    (turned != NULL && split_blank(turned, fraction, &name, &c));
+	bool found = split_blank(text, fraction, &name, &c) ||
+		     split_blank(passing, fraction, &name, &c);
 	free(passing);
 	if (!found)
 		return conditions_expected(text, error);
@@ -758,7 +764,7 @@ note_ways(struct answer *r, const struct wanted *wanted,
 			   : N_("limiting at higher speeds: %s"),
 		    words);
 	}
-	conditions_note_farther(r, wanted, at[0], at[1]);
+	conditions_note_none_farther(r, wanted, at[0], at[1]);
 }
 
 int
@@ -842,18 +848,47 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	trust_free(&far);
 }
 
+/* Whether an end of the speeds searched is farther from the measured ones than
+ * an answer can be relied on. */
+static bool
+is_too_slow(const struct wanted *wanted)
+{
+	return wanted->from < wanted->measured[0] - wanted->reach;
+}
+
+static bool
+is_too_fast(const struct wanted *wanted)
+{
+	return wanted->to > wanted->measured[1] + wanted->reach;
+}
+
 void
 conditions_note_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	const double more = 15;
-	if (slower && wanted->from > 1)
+	if (slower && wanted->from > 1 && !is_too_slow(wanted))
 		answer_note(r,
 		    "slower than %g m/s was not searched: add from=%g",
 		    wanted->from, fmax(1, wanted->from - more));
-	if (faster && wanted->to < SITE_FASTEST)
+	if (faster && wanted->to < SITE_FASTEST && !is_too_fast(wanted))
 		answer_note(r, "faster than %g m/s was not searched: add to=%g",
 		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
+}
+
+void
+conditions_note_none_farther(
+    struct answer *r, const struct wanted *wanted, bool slower, bool faster)
+{
+	bool all_measured = wanted->from <= wanted->measured[0] &&
+			    wanted->to >= wanted->measured[1];
+	if (all_measured && ((slower && is_too_slow(wanted)) ||
+				(faster && is_too_fast(wanted))))
+		answer_note(r,
+		    "no speed near the measured ones does it, and farther from "
+		    "them no answer can be relied on");
+	else
+		conditions_note_farther(r, wanted, slower, faster);
 }
 
 static void

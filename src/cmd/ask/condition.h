@@ -144,9 +144,12 @@ void conditions_show_basis(const struct session *s, struct answer *r,
     const struct question *q, const struct wanted *wanted,
     const struct speed_search *found, double speed);
 
-/* Notes which slower or faster speeds were not searched, and how to search
- * them. */
+/* conditions_note_farther notes which slower or faster speeds were not
+ * searched, and how to search them, unless no answer there can be relied on;
+ * conditions_note_none_farther, where no speed was found, says that. */
 void conditions_note_farther(
+    struct answer *r, const struct wanted *wanted, bool slower, bool faster);
+void conditions_note_none_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);
 
 /* Returns "92 %", but "over 99 %" or "under 1 %" instead of 100 and 0, because

@@ -14,6 +14,7 @@
 #include "cmd/ask/moved.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/parse.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/undo.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
@@ -406,6 +407,15 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 			at[q->n_at++] = s->last_speed;
 	}
 	q->at = q->named->usual = at;
+}
+
+void
+question_take_last_speed(struct session *s, struct question *q)
+{
+	if (q->speed_given || !(s->last_speed > 0))
+		return;
+	q->speed = s->last_speed;
+	invocation_add_options(s, " speed=%.12g", q->speed);
 }
 
 void

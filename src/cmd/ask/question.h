@@ -56,8 +56,11 @@ void question_usual_speeds(
     const struct session *s, struct question *q, bool each);
 
 /* If the call names no speed, sets the question to the speed last asked about
- * by any command and the feed of the last prediction for the current site, if
- * any. */
+ * by any command or on the screen, and saves it with the call. */
+void question_take_last_speed(struct session *s, struct question *q);
+
+/* The same without saving it, and the feed of the last prediction for the
+ * current site, if any. */
 void question_as_last(
     const struct session *s, const struct args *args, struct question *q);
 

@@ -10,6 +10,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/ask/quantity_words.h"
+#include "core/check/trust.h"
 #include "core/posterior/ensemble.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
@@ -55,9 +56,11 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
-	if (!origin_reach(q->entry, &w.measured[0], &w.measured[1]))
+	bool known = origin_reach(q->entry, &w.measured[0], &w.measured[1]);
+	if (!known)
 		w.measured[0] = w.measured[1] =
 		    site_middle_speed(q->entry->site);
+	w.reach = known ? trust_reach(w.measured[0], w.measured[1]) : INFINITY;
 	return w;
 }
 

@@ -18,14 +18,15 @@ struct condition {
  * concerns the next quantity: it is a value (both limits) to reach, or has no
  * limits if the largest or smallest value is sought.  from, to: range of
  * speeds, m/s; measured: the slowest and fastest of those that inform the
- * answer; level: of bands; site: the one asked about.  Unless stated otherwise,
- * functions move the forecast to other speeds. */
+ * answer; reach: how far beyond them an answer can be relied on (trust_reach),
+ * INFINITY if they are not known; level: of bands; site: the one asked about.
+ * Unless stated otherwise, functions move the forecast to other speeds. */
 struct wanted {
 	const struct site *site;
 	struct forecast *forecast;
 	size_t n;
 	const struct condition *at, *target;
-	double from, to, measured[2], level;
+	double from, to, measured[2], reach, level;
 };
 
 /* Returns conditions [n] of a question, followed by more quantities [n_more],

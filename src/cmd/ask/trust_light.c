@@ -307,15 +307,25 @@ light_put(struct fields *o, const struct trust *t)
 }
 
 void
-light_show(struct answer *r, struct trust t)
+light_show_at(struct answer *r, double speed, struct trust t)
 {
 	static const enum answer_grade GRADE[] = {
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
 	FREED char *words = light_words(&t);
-	answer_say(r, GRADE[t.light], "trust: %s%s", words,
-	    t.n > 0 ? tr(" ('why' explains)") : "");
+	const char *why = t.n > 0 ? tr(" ('why' explains)") : "";
+	if (speed > 0)
+		answer_say(r, GRADE[t.light], "trust at %g m/s: %s%s", speed,
+		    words, why);
+	else
+		answer_say(r, GRADE[t.light], "trust: %s%s", words, why);
 	light_put(answer_fields(r), &t);
 	trust_free(&t);
+}
+
+void
+light_show(struct answer *r, struct trust t)
+{
+	light_show_at(r, 0, t);
 }
 
 /* What needs no light; NULL: that decides. */

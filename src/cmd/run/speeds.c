@@ -208,6 +208,20 @@ note_decimal_comma(struct session *s, const struct words *words)
 	    words->text[1], number, words->text[0], whole, decimals);
 }
 
+/* Makes "68..78" of "68 to 78" at the beginning. */
+static void
+join_range(struct words *words)
+{
+	bool list;
+	if (words->n < 4 || !text_same_folded(words->text[2], "to") ||
+	    !is_typed_speed(words->text[1], &list) || list ||
+	    !is_typed_speed(words->text[3], &list))
+		return;
+	FREED char *from = list_part(words->text[1], false);
+	FREED char *range = xasprintf("%s..%s", from, words->text[3]);
+	words_join(words, 1, 3, range);
+}
+
 void
 speeds_join(struct session *s, struct words *words, bool prompt)
 {
@@ -219,6 +233,7 @@ speeds_join(struct session *s, struct words *words, bool prompt)
 	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
 		return;
+	join_range(words);
 	bool lists = false, list;
 	size_t n = 1;
 	FREED char *joined = xstrdup(OPTION);

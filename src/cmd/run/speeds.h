@@ -15,8 +15,8 @@ bool speeds_from_rpm(struct session *s, struct words *words, struct place place,
     struct error *error);
 
 /* Makes "speeds=69,74,79" of several speeds behind a command that has a list
- * of them, or stands for one that has: "predict 69 74 79", "card 70 75".  Notes
- * that "69,74" is read as one speed. */
+ * of them, or stands for one that has: "predict 69 74 79", "card 70 75", "card
+ * 68 to 78".  Notes that "69,74" is read as one speed. */
 void speeds_join(struct session *s, struct words *words, bool prompt);
 
 #endif

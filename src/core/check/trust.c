@@ -527,16 +527,22 @@ judge_slow(struct trust *t, const struct evidence *e)
 			e->slowest, 100 * e->breaks));
 }
 
+double
+trust_reach(double slowest, double fastest)
+{
+	double span = fastest - slowest;
+	return span > 0 ? span : SPAN_OF_ONE * slowest;
+}
+
 static void
 judge_speed(struct trust *t, const struct evidence *e, double v)
 {
 	bool slow = v<e->slowest - 1e-9, fast = v> e->fastest + 1e-9;
 	double end = slow ? e->slowest : e->fastest;
-	double span = e->fastest - e->slowest, beyond = fabs(v - end);
+	double span = trust_reach(e->slowest, e->fastest);
+	double beyond = fabs(v - end);
 	if (!slow && !fast)
 		return;
-	if (!(span > 0))
-		span = SPAN_OF_ONE * e->slowest;
 	if (beyond > span + 1e-9)
 		trust_add(t, LIGHT_RED, TRUST_BEYOND,
 		    xasprintf(tr("%.1f m/s beyond the measured speeds, which "

@@ -137,6 +137,10 @@ struct trust {
 	} reason[TRUST_REASONS];
 };
 
+/* Returns how far beyond the slowest and the fastest measured speed, m/s, an
+ * answer is not red for that alone. */
+double trust_reach(double slowest, double fastest);
+
 /* Adds a reason and takes ownership of the text. */
 void trust_add(
     struct trust *t, enum light light, enum trust_cause cause, char *text);

@@ -210,7 +210,7 @@ predict_hints(const struct tui *t)
 				"u");
 	return goals_is_set(t->session)
 		   ? "<-/->  n p  N  T  x  ?  Enter  q  e  :  t"
-		   : "<-/->  t  ?  Enter  q  f  x  e  :  c  u";
+		   : "<-/->  =72  t  ?  Enter  q  f  x  e  :  c  u";
 }
 
 /* Its rows are the ways to open a site, or the conditions of the goal. */
