@@ -459,8 +459,10 @@ go_to_typed_speed(struct tui *t, const char *text)
 {
 	const struct entry *entry = tui_current_entry(t);
 	double rotor = entry != NULL ? entry->site->rotor : 0, v = NAN;
-	bool turns = strstr(text, "rpm") != NULL;
-	bool read = value_number(text, turns ? "rpm" : "m/s", &v);
+	bool said = strstr(text, "rpm") != NULL;
+	bool read = value_number(text, said ? "rpm" : "m/s", &v);
+	/* No tip speed is as high as turns are. */
+	bool turns = said || v > SITE_FASTEST;
 	double speed = turns ? head_mps(v, SPEED_RPM, rotor) : v;
 	if (!read)
 		tui_say(t, true, "expected a speed as 72.5 or 1450 rpm, got %s",
@@ -470,9 +472,7 @@ go_to_typed_speed(struct tui *t, const char *text)
 		    "the rotor's diameter is not known: type m/s, or state it "
 		    "in the sheet as rotor_mm");
 	else if (speed < 1 || speed > SITE_FASTEST)
-		tui_say(t, true,
-		    "expected a speed from 1 to %d m/s, got %s; turns are "
-		    "typed as =1450 rpm",
+		tui_say(t, true, "expected a speed from 1 to %d m/s, got %s",
 		    SITE_FASTEST, text);
 	else if (slider_has(tui_range(t), speed))
 		t->ui.tenths = slider_tenths(tui_range(t), speed);

@@ -116,12 +116,15 @@ a_speed_is_typed_with_its_unit(void **state)
 	type(t, "=72,5 m/s\n");
 	assert_int_equal(t->ui.tenths, 725);
 	type(t, "=1500\n");
-	assert_non_null(strstr(t->message, "turns are typed as ="));
+	assert_int_equal(t->ui.tenths, 707);
+	type(t, "=99999\n");
+	assert_non_null(strstr(t->message, "expected a speed from 1"));
+	assert_int_equal(t->ui.tenths, 707);
 	type(t, "=64.9\n");
 	assert_non_null(strstr(t->message, ":set slider 64..85"));
 	type(t, "=7.2.\n");
 	assert_non_null(strstr(t->message, "expected a speed"));
-	assert_int_equal(t->ui.tenths, 725);
+	assert_int_equal(t->ui.tenths, 707);
 }
 
 /* Speeds of crushers are from 60 to 99 m/s: no page may take their digits. */

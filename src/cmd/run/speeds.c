@@ -10,9 +10,10 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "core/psd/site.h"
 #include "io/sitefile/column_header.h"
 
-static const char RPM[] = "rpm";
+static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
 
 /* True if the operands of a command are speeds. */
 static bool
@@ -21,6 +22,29 @@ takes_speeds(const struct command *command)
 	const char *usage = command->operands.usage;
 	return usage != NULL && strstr(usage, "SPEED") != NULL &&
 	       (command->flags & COMMAND_FILES) == 0;
+}
+
+/* True if a word is "rpm=1500..1700:50", or "rpm=1500" for a command that has
+ * no option rpm=: the speeds of the command. */
+static bool
+is_list_of_turns(const struct command *of, const char *word)
+{
+	return strncmp(word, RPM_IS, strlen(RPM_IS)) == 0 &&
+	       (command_option_index(of, RPM) == OPTIONS ||
+		   strstr(word, "..") != NULL || strchr(word, ',') != NULL);
+}
+
+/* True of a number, list or range in rpm: it says so, or begins with a number
+ * that no tip speed reaches. */
+static bool
+is_in_turns(const char *value)
+{
+	enum { MOST_TURNS = 20000 };
+	double first = strtod(value, NULL);
+	return *value >= '0' && *value <= '9' &&
+	       value[strspn(value, "0123456789.,:rpm")] == '\0' &&
+	       (text_ends_with(value, RPM) ||
+		   (first > SITE_FASTEST && first <= MOST_TURNS));
 }
 
 /* Returns the value in a word, after "from=" or from its beginning, if it is a
@@ -32,17 +56,14 @@ value_in_rpm(const struct command *command, char *word)
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
 	const struct command *of = command_meant_by_words(command, one, 1);
-	FREED char *name = equals != NULL
-			       ? xstrndup(word, (size_t)(equals - word))
-			       : xstrdup(of->bare != NULL ? of->bare : "");
+	bool bare = equals == NULL || is_list_of_turns(of, word);
+	FREED char *name = !bare ? xstrndup(word, (size_t)(equals - word))
+				 : xstrdup(of->bare != NULL ? of->bare : "");
 	size_t i = command_option_index(of, name);
 	bool speed = i < OPTIONS
 			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
-			 : equals == NULL && takes_speeds(command);
-	bool number = *value >= '0' && *value <= '9' &&
-		      text_ends_with(value, RPM) &&
-		      value[strspn(value, "0123456789.,:rpm")] == '\0';
-	return speed && number ? value : NULL;
+			 : bare && takes_speeds(command);
+	return speed && is_in_turns(value) ? value : NULL;
 }
 
 /* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
@@ -115,6 +136,27 @@ count_words_in_rpm(const struct command *command, const struct words *words)
 	return n;
 }
 
+/* Says what to type where turns are given and the rotor is not known. */
+static bool
+say_no_rotor(struct session *s, const struct words *words, struct place place,
+    size_t i, struct error *error)
+{
+	static char ROTOR[] = "rotor_mm";
+	const struct command *command =
+	    command_find_typed(words->text[0], place.prompt);
+	FREED char *line = xstrdup("");
+	for (size_t k = 0; k < words->n; k++)
+		xlist(&line, " ", "%s", words->text[k]);
+	bool has = command_option_index(command, ROTOR) < OPTIONS;
+	error_at(error, ERROR_USAGE, place.file, place.line, words->column[i],
+	    "expected the rotor's diameter with rpm, which %s does not state",
+	    session_entry(s)->site->name);
+	return has ? error_hint(error, "write: %s rotor_mm=DIAMETER", line)
+		   : error_hint(error,
+			 "write: load FILE rotor_mm=DIAMETER, or a line "
+			 "rotor_mm in the site file");
+}
+
 bool
 speeds_from_rpm(struct session *s, struct words *words, struct place place,
     struct error *error)
@@ -130,26 +172,21 @@ speeds_from_rpm(struct session *s, struct words *words, struct place place,
 		const char *turns = value_in_rpm(command, word);
 		if (turns == NULL)
 			continue;
-		bool option =
-		    n == 1 && turns == word &&
-		    !(diameter > 0 && takes_speeds(command)) &&
-		    command_option_index(command, RPM) < OPTIONS &&
-		    strspn(turns, "0123456789.") + strlen(RPM) == strlen(turns);
+		bool bare = turns == word || is_list_of_turns(command, word);
+		bool option = n == 1 && bare && !takes_speeds(command) &&
+			      command_option_index(command, RPM) < OPTIONS &&
+			      (turns[strspn(turns, "0123456789.")] == '\0' ||
+				  strspn(turns, "0123456789.") + strlen(RPM) ==
+				      strlen(turns)) &&
+			      strstr(turns, "..") == NULL;
 		if (!option && !(diameter > 0))
-			return error_at(error, ERROR_USAGE, place.file,
-			    place.line, words->column[i],
-			    "expected the rotor's diameter with rpm, which %s "
-			    "does not state\n"
-			    "add rotor_mm=DIAMETER to the line, where the "
-			    "command has it, or a line rotor_mm to the site "
-			    "file",
-			    session_entry(s)->site->name);
+			return say_no_rotor(s, words, place, i, error);
 		FREED char *steps = list_steps_of_rpm(turns);
 		FREED char *speeds = convert_rpm_to_mps(steps, diameter);
 		FREED char *now =
 		    option ? xasprintf("rpm=%.*s",
 				 (int)strspn(turns, "0123456789."), turns)
-		    : turns == word && strchr(steps, ',') != NULL
+		    : bare && (strchr(steps, ',') != NULL || turns != word)
 			? xasprintf("speeds=%s", speeds)
 			: xasprintf(
 			      "%.*s%s", (int)(turns - word), word, speeds);
