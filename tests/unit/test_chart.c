@@ -502,9 +502,9 @@ static void
 a_band_is_no_thicker_than_it_is(void **state)
 {
 	(void)state;
-	assert_in_range(banded(CHARSET_BRAILLE, 10, 0) -
-			    banded(CHARSET_BRAILLE, 1, 0),
-	    78, 1000);
+	assert_in_range(
+	    banded(CHARSET_BRAILLE, 10, 0) - banded(CHARSET_BRAILLE, 1, 0), 78,
+	    1000);
 	assert_in_range(banded(CHARSET_QUADRANTS, 10, 0x2591), 78, 1000);
 	assert_in_range(banded(CHARSET_ASCII, 10, ','), 78, 1000);
 	for (size_t i = 0; i < 3; i++) {

@@ -999,6 +999,23 @@ list_heading(const struct grid *g, struct layout *layout)
 	}
 }
 
+/* Sets the line after which lines may be about a table alone. */
+static void
+find_line_before(const struct layout *layout, struct table *t)
+{
+	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
+	for (size_t b = 0; b < layout->n; b++) {
+		const struct table *other = &layout->table[b];
+		const struct row *end = other->n_foot > 0
+					    ? &other->foot[other->n_foot - 1]
+					    : &other->row[other->n_row - 1];
+		if (end->line < top && end->line > t->after)
+			t->after = end->line;
+	}
+	for (size_t i = 0; i < layout->n_heading && t->after > 0; i++)
+		t->after += layout->heading[i]->line == t->after + 1;
+}
+
 static void
 rows_free(struct row *row, size_t n)
 {
@@ -1099,6 +1116,8 @@ layout_new(struct sheet *sheet, struct layout_range range)
 	take_tables(
 	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
 	list_heading(turned ? &t : &g, layout);
+	for (size_t b = 0; b < layout->n; b++)
+		find_line_before(layout, &layout->table[b]);
 	layout_grid_clear(&t);
 	layout_grid_clear(&g);
 	return layout;

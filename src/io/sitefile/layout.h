@@ -10,7 +10,9 @@
  * the top; row: from the first to the last sieve or pan; foot: the rows
  * immediately below.  number [n_col]: the number of each column in the sheet,
  * from 1, or of each line, if across.  titles: the number of head rows, from
- * the top, above the heading of the sieves.  text [n_text]: headings made for a
+ * the top, above the heading of the sieves.  after: the last line of the tables
+ * above, with the remarks that follow them without a blank line, or 0.  text
+ * [n_text]: headings made for a
  * long table; name [n_col]: the names of the samples in a long table, or NULL.
  *
  * site_title.h sets title, the single-cell lines immediately above the table,
@@ -28,6 +30,7 @@ struct table {
 	bool unsure; /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
 	size_t left, end;
+	int after;
 	struct row *head, *row, *foot;
 	size_t *number;
 	size_t n_text;

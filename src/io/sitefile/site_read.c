@@ -710,6 +710,8 @@ read_pages(struct reading *r)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
 		take_rotor(r, &rotor);
+		if (title_speeds_differ(page->layout))
+			told = (struct heading_speed){0};
 		for (size_t b = 0;
 		     b < page->layout->n && !error_should_stop(r->errors); b++)
 			read_site_table(r, page, &page->layout->table[b], told);

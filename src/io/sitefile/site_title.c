@@ -27,33 +27,11 @@ has_one_cell(const struct row *row)
 	return filled == 1;
 }
 
-/* Returns the last line of the tables above a table, with the remarks that
- * follow them without a blank line; 0 if it is the first. */
-static int
-line_before(const struct layout *layout, const struct table *t)
-{
-	int last = 0;
-	for (size_t b = 0; b < layout->n; b++) {
-		const struct table *other = &layout->table[b];
-		const struct row *end = other->n_foot > 0
-					    ? &other->foot[other->n_foot - 1]
-					    : &other->row[other->n_row - 1];
-		if (end->line < top_line(t) && end->line > last)
-			last = end->line;
-	}
-	for (size_t i = 0; i < layout->n_heading && last > 0; i++)
-		if (layout->heading[i]->line == last + 1)
-			last++;
-	return last;
-}
-
 /* True for a line above a table and below those before it. */
 static bool
-stands_above(
-    const struct layout *layout, const struct table *t, const struct row *row)
+stands_above(const struct table *t, const struct row *row)
 {
-	return !t->across && row->line < top_line(t) &&
-	       row->line > line_before(layout, t);
+	return !t->across && row->line < top_line(t) && row->line > t->after;
 }
 
 /* Whether cell c of a line may head a table: within three lines above it, over
@@ -61,13 +39,12 @@ stands_above(
  * above, such as "Product, 67 m/s" over the date of a sample; and no key with
  * its value. */
 static bool
-can_head_table(const struct layout *layout, const struct table *t,
-    const struct row *row, size_t c)
+can_head_table(const struct table *t, const struct row *row, size_t c)
 {
 	bool near = row->line < top_line(t) && row->line >= top_line(t) - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 	return lexicon_key(row->cell[0].text) == N_KEY &&
-	       (near || (has_one_cell(row) && stands_above(layout, t, row)));
+	       (near || (has_one_cell(row) && stands_above(t, row)));
 }
 
 /* True if the words state which sample a table has. */
@@ -84,13 +61,14 @@ title_heads_any(const struct layout *layout, const struct row *row)
 	struct heading_speed speed;
 	for (size_t b = 0; b < layout->n; b++) {
 		const struct table *t = &layout->table[b];
-		if (stands_above(layout, t, row) &&
+		if (stands_above(t, row) &&
 		    site_heading_line_speed(t->sheet, row, &speed))
 			return true;
 		for (size_t c = 0; c < row->n; c++) {
+			if (!can_head_table(t, row, c))
+				continue;
 			struct head title = head_read(row->cell[c].text);
-			if (can_head_table(layout, t, row, c) &&
-			    is_title(&title))
+			if (is_title(&title))
 				return true;
 		}
 	}
@@ -118,28 +96,21 @@ take_key_speed(const struct layout *layout, const struct table *t,
 {
 	bool found = false;
 	for (size_t i = 0; i < layout->n_heading; i++)
-		if (stands_above(layout, t, layout->heading[i]))
+		if (stands_above(t, layout->heading[i]))
 			found = site_heading_line_speed(
 				    t->sheet, layout->heading[i], speed) ||
 				found;
 	return found;
 }
 
-/* Sets the speed of one table among several of a sheet where lines above each
- * state it; those above the first are not about the others then. */
-static void
-take_own_speed(const struct layout *layout, const struct table *t,
-    struct surroundings *near)
+bool
+title_speeds_differ(const struct layout *layout)
 {
-	struct heading_speed own = {0}, other = {0};
-	bool any = false;
+	struct heading_speed speed;
 	for (size_t b = 1; b < layout->n; b++)
-		any = take_key_speed(layout, &layout->table[b], &other) || any;
-	if (!any)
-		return;
-	take_key_speed(layout, t, &own);
-	near->speed = own.mps;
-	near->rpm = own.rpm;
+		if (take_key_speed(layout, &layout->table[b], &speed))
+			return true;
+	return false;
 }
 
 uint64_t
@@ -148,7 +119,11 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 {
 	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
 	struct head name = head_read(t->sheet->name);
-	take_own_speed(layout, t, near);
+	struct heading_speed own = {0};
+	if (take_key_speed(layout, t, &own)) {
+		near->speed = own.mps;
+		near->rpm = own.rpm;
+	}
 	if (!(near->speed > 0)) {
 		near->speed = name.speed;
 		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
@@ -156,7 +131,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
-			if (!can_head_table(layout, t, row, c))
+			if (!can_head_table(t, row, c))
 				continue;
 			struct head title = head_read(row->cell[c].text);
 			note_title(t, row, row->cell[c].text, &title);

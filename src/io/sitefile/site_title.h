@@ -9,6 +9,10 @@
  * speed. */
 bool title_heads_any(const struct layout *layout, const struct row *row);
 
+/* True if a line above a further table of a sheet states its speed with a key:
+ * lines above the first are then about the first alone. */
+bool title_speeds_differ(const struct layout *layout);
+
 /* Returns the meanings of the words around a table (its title, the name of its
  * sheet or of the file at path) that distinguish feed from product.  near: its
  * speed and rpm are set if the title states them. */
