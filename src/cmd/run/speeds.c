@@ -27,24 +27,33 @@ takes_speeds(const struct command *command)
 /* True if a word is "rpm=1500..1700:50", or "rpm=1500" for a command that has
  * no option rpm=: the speeds of the command. */
 static bool
-is_list_of_turns(const struct command *of, const char *word)
+is_list_in_rpm(const struct command *of, const char *word)
 {
 	return strncmp(word, RPM_IS, strlen(RPM_IS)) == 0 &&
 	       (command_option_index(of, RPM) == OPTIONS ||
 		   strstr(word, "..") != NULL || strchr(word, ',') != NULL);
 }
 
-/* True of a number, list or range in rpm: it says so, or begins with a number
+/* True for a number, list or range that ends with rpm, or begins with a number
  * that no tip speed reaches. */
 static bool
-is_in_turns(const char *value)
+is_in_rpm(const char *value)
 {
-	enum { MOST_TURNS = 20000 };
+	enum { MOST_RPM = 20000 };
 	double first = strtod(value, NULL);
 	return *value >= '0' && *value <= '9' &&
 	       value[strspn(value, "0123456789.,:rpm")] == '\0' &&
 	       (text_ends_with(value, RPM) ||
-		   (first > SITE_FASTEST && first <= MOST_TURNS));
+		   (first > SITE_FASTEST && first <= MOST_RPM));
+}
+
+/* True for "1500" and "1500rpm". */
+static bool
+is_one_number(const char *value)
+{
+	char *end;
+	strtod(value, &end);
+	return *end == '\0' || strcmp(end, RPM) == 0;
 }
 
 /* Returns the value in a word, after "from=" or from its beginning, if it is a
@@ -56,14 +65,14 @@ value_in_rpm(const struct command *command, char *word)
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
 	const struct command *of = command_meant_by_words(command, one, 1);
-	bool bare = equals == NULL || is_list_of_turns(of, word);
+	bool bare = equals == NULL || is_list_in_rpm(of, word);
 	FREED char *name = !bare ? xstrndup(word, (size_t)(equals - word))
 				 : xstrdup(of->bare != NULL ? of->bare : "");
 	size_t i = command_option_index(of, name);
 	bool speed = i < OPTIONS
 			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
 			 : bare && takes_speeds(command);
-	return speed && is_in_turns(value) ? value : NULL;
+	return speed && is_in_rpm(value) ? value : NULL;
 }
 
 /* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
@@ -136,7 +145,7 @@ count_words_in_rpm(const struct command *command, const struct words *words)
 	return n;
 }
 
-/* Says what to type where turns are given and the rotor is not known. */
+/* Says what to type where speeds are in rpm and the rotor is not known. */
 static bool
 say_no_rotor(struct session *s, const struct words *words, struct place place,
     size_t i, struct error *error)
@@ -172,13 +181,10 @@ speeds_from_rpm(struct session *s, struct words *words, struct place place,
 		const char *turns = value_in_rpm(command, word);
 		if (turns == NULL)
 			continue;
-		bool bare = turns == word || is_list_of_turns(command, word);
+		bool bare = turns == word || is_list_in_rpm(command, word);
 		bool option = n == 1 && bare && !takes_speeds(command) &&
 			      command_option_index(command, RPM) < OPTIONS &&
-			      (turns[strspn(turns, "0123456789.")] == '\0' ||
-				  strspn(turns, "0123456789.") + strlen(RPM) ==
-				      strlen(turns)) &&
-			      strstr(turns, "..") == NULL;
+			      is_one_number(turns);
 		if (!option && !(diameter > 0))
 			return say_no_rotor(s, words, place, i, error);
 		FREED char *steps = list_steps_of_rpm(turns);
