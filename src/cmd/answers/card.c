@@ -586,7 +586,8 @@ note_trust_words(struct answer *r, const struct question *q,
 	if (beyond)
 		xappend(&words, tr("; ?: beyond the measured speeds"));
 	answer_note(r,
-	    "trust is in the figures, whether or not they meet limits; %s",
+	    "trust says how far to rely on the figures, not whether they meet "
+	    "limits; %s",
 	    words);
 }
 

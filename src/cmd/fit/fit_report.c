@@ -188,9 +188,8 @@ add_warnings(struct answer *r, const struct entry *entry)
 		answer_say(r, ANSWER_REMARK,
 		    "the products do not follow the feeds sampled with them: "
 		    "with the feed of each the model misses by %.2f points on "
-		    "average, with the mean of all feeds by %.2f: samples of "
-		    "feed "
-		    "that were too small, or mixed up?",
+		    "average, with the mean of all feeds by %.2f; were samples "
+		    "of the feed too small, or mixed up?",
 		    100 * own, 100 * mean);
 }
 

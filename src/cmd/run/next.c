@@ -93,9 +93,10 @@ next_after_fit(const struct session *s, const struct entry *entry)
 		    false, NEXT_ANSWER};
 	return (struct next){"tui",
 	    origin_is_stored(entry->origin)
-		? N_("open full-screen mode? 'predict' also works here; 'add' "
-		     "takes new cuts")
-		: N_("open full-screen mode? 'remember' keeps the calibration"),
+		? N_("'predict' answers here, 'add' takes new cuts; open "
+		     "full-screen mode?")
+		: N_("'remember' keeps the calibration; open full-screen "
+		     "mode?"),
 	    false, NEXT_ANSWER};
 }
 
