@@ -173,9 +173,11 @@ draw_break(struct tui *t, const struct area *area)
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
-	/* The band is of the draws, and may not include the value of the
-	 * fit. */
-	if (area->columns >= WIDE)
+	/* The band is of the draws: one that does not include the value of the
+	 * fit would be taken for an error. */
+	double mm = t->view.current.break_mm;
+	bool within = 1000 * range[0] <= mm && mm <= 1000 * range[1];
+	if (area->columns >= WIDE && within)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (was != NULL)
 		draw_change(
