@@ -66,7 +66,8 @@ draw_change(
 }
 
 /* Draws a band: "5.29..5.44" on a wide panel, else half its width after the
- * number, "5.36\u00b10.08", with that unit; nothing without a band. */
+ * number, "5.36\u00b10.08" or "5.36+-0.08", with that unit; nothing without a
+ * band. */
 static void
 draw_range(const struct area *area, int row, double low, double high,
     int digits, const char *unit)
@@ -75,9 +76,11 @@ draw_range(const struct area *area, int row, double low, double high,
 	if (!isfinite(low) || !isfinite(high))
 		return;
 	if (area->columns < WIDE) {
-		if (screen_charset() != CHARSET_ASCII && high < long_number)
-			screen_text(area, row, UNIT - 1, LOOK_DIM,
-			    "\u00b1%.*f%s", digits, (high - low) / 2, unit);
+		bool ascii = screen_charset() == CHARSET_ASCII;
+		if (high < long_number)
+			screen_text(area, row, UNIT - 1, LOOK_DIM, "%s%.*f%s",
+			    ascii ? "+-" : "\u00b1", digits, (high - low) / 2,
+			    unit + (ascii && unit[0] == ' '));
 		return;
 	}
 	screen_text(area, row, BAND, LOOK_DIM, "%.*f..%.*f",
