@@ -209,7 +209,7 @@ bool session_busy(const struct session *s);
  * NULL. */
 const struct entry *session_fitting(const struct session *s);
 
-/* Returns the time on a monotonic clock, s. */
+/* Returns the time on a monotonic clock, in seconds. */
 double session_clock(void);
 
 /* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */
