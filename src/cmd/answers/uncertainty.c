@@ -175,9 +175,8 @@ note_draws(struct answer *r, const struct posterior *p,
 	if (words || !settled)
 		answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
 		    settled
-			? N_("%d draws: their two halves differ by %.0f %% of "
-			     "the "
-			     "band's width")
+			? N_("%d draws: the first half and the second differ "
+			     "by %.0f %% of the band's width")
 			: N_("%d draws that have not settled: their two halves "
 			     "differ by %.0f %% of the band's width"),
 		    POSTERIOR_DRAWS, 100 * e->halves);

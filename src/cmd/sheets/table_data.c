@@ -67,7 +67,7 @@ const struct command TABLE_DATA[] = {
 		   "3=product@69\"\nshow",
 	.run = cmd_load},
     {.name = "add",
-	.brief = "add belt cuts of later days to the site in use",
+	.brief = "add belt cuts taken on later days to the site in use",
 	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_FILES |
 		 COMMAND_DAILY,
