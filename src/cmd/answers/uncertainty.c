@@ -234,9 +234,9 @@ figure_of_sentences(const struct question *q, const struct args *args,
 {
 	if (args->of != NULL)
 		return named[0];
-	return (struct quantity){.kind = QUANTITY_PASSING,
-	    .x = at->product.size[answers_usual_sieve(&at->product)],
-	    .fraction = q->fraction};
+	struct quantity of = answers_usual_passing(&at->product);
+	of.fraction = q->fraction;
+	return of;
 }
 
 /* Returns "0/2" for what passes 2 mm.  The caller frees it. */
