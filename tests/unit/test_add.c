@@ -150,8 +150,8 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	entry = session_entry(desk->session);
 	assert_true(entry->has_fit);
 	assert_memory_equal(&before, &entry->params, sizeof before);
-	assert_noted(desk, "the prediction meets the cut at 72 m/s");
-	assert_noted(desk, "of 11 sieves within the 80 % band");
+	assert_noted(desk, "as expected: 33.0 % passes 2 mm at 72 m/s, predicted 33.");
+	assert_noted(desk, "of 11 sieves are within the range for a belt cut");
 	struct cut cut = cut_compare(desk->session, entry, 1);
 	assert_int_equal(cut.n, 11);
 	assert_true(cut.rms < 0.01 && cut.rms > 0);
@@ -160,6 +160,18 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	assert_int_equal(later.n, 1);
 	assert_near(later.speed, 72, 1e-9);
 	assert_false(later.missed);
+	assert_noted(desk, "next: 'calibrate' takes it into the answers");
+	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
+	entry = session_entry(desk->session);
+	assert_true(cut_compare_later(desk->session, entry).twice);
+	assert_noted(desk, "next: 'undo', unless two samples");
+	desk_expect(desk, "undo");
+	entry = session_entry(desk->session);
+	assert_false(cut_compare_later(desk->session, entry).twice);
+	desk_expect(desk, "add data/cuts/tierp-72.csv@90");
+	assert_noted(desk, "it lies outside the training speeds, 69 to 79");
+	desk_expect(desk, "undo");
+	entry = session_entry(desk->session);
 	/* New runs are held out until calibrate takes them. */
 	assert_true(entry->train[0] && !entry->train[1] && entry->train[3]);
 	desk_expect(desk, "calibrate train=all seed=1");
@@ -178,7 +190,7 @@ a_cut_that_is_missed_turns_the_light(void **state)
 	desk_expect(desk, "load data/sites/tierp.csv");
 	desk_expect(desk, "calibrate seed=1");
 	say(desk, "add %s@74.5", off);
-	assert_noted(desk, "warning: the prediction misses the cut at 74.5");
+	assert_noted(desk, "warning: not as expected: 25.0 % passes 2 mm");
 	assert_noted(desk, "if they are right, 'calibrate train=all'");
 	fflush(desk->out_file);
 	size_t n = desk->n_out;

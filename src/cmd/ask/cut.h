@@ -28,12 +28,15 @@ bool cut_is_same(const struct run *a, const struct run *b);
  * last runs at that speed, in the same order. */
 const char *cut_find_note(const struct site *site, size_t run);
 
-/* Returns "0.8 points (RMS of 12 sieves; largest +1.9 at 4 mm, answer -
- * measured), 11 of 12 sieves within the 80 % band".  The caller frees it. */
+/* Returns "11 of 12 sieves are within the range for a belt cut; 0.8 points off
+ * (RMS), most at 4 mm, where the answer is 1.9 above the cut".  The caller
+ * frees it. */
 char *cut_words(const struct cut *cut);
 
 /* Returns the number of runs with a product that were added to the site after
- * its parameters were calibrated, and the run with the largest misfit. */
+ * its parameters were calibrated, and of these the run that the prediction
+ * misses by most or, if it misses none, the one with the largest misfit.
+ * twice: one of them is the same as another run. */
 struct later cut_compare_later(
     const struct session *s, const struct entry *entry);
 

@@ -9,6 +9,10 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/asked.h"
+#include "cmd/ask/forecast.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
@@ -198,7 +202,7 @@ warn_of_cuts_loaded(
 				session_note(s,
 				    "  warning: these numbers are identical to "
 				    "the product at %g m/s%s: was the cut "
-				    "added before? 'undo' removes the new one",
+				    "added before?",
 				    cut->speed, site->run[r].repeat);
 		}
 		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
@@ -228,6 +232,29 @@ warn_of_cuts_loaded(
 /* How well the prediction meets the new cuts, from best to worst. */
 enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 
+/* Returns "33.0 % passes 2 mm at 72 m/s, predicted 33.4 (32.6 to 34.1 for a
+ * belt cut)".  The caller frees it. */
+static char *
+measured_and_predicted(
+    const struct session *s, const struct entry *entry, size_t run)
+{
+	const struct run *cut = &entry->site->run[run];
+	const struct quantity of = answers_usual_passing(&cut->product);
+	const struct question q = question_of_whole_product(s, entry, run);
+	struct forecast *f = forecast_open(s, &q, &of, 1);
+	forecast_part_at(f, cut->speed, ENSEMBLE_SAMPLE);
+	struct figure at = forecast_shown(f, 0);
+	FREED char *measured =
+	    quantities_statement(&of, psd_at_sieve(&cut->product, of.x));
+	char *words = xasprintf(tr("%s at %g m/s%s, predicted %.1f"), measured,
+	    cut->speed, cut->repeat, at.value);
+	if (isfinite(at.low))
+		xappend(&words, tr(" (%.1f to %.1f for a belt cut)"), at.low,
+		    at.high);
+	forecast_close(f);
+	return words;
+}
+
 /* Compares a new cut with the prediction and reports the result. */
 static enum verdict
 report_check_of_cut(struct session *s, size_t run)
@@ -237,16 +264,26 @@ report_check_of_cut(struct session *s, size_t run)
 	if (!entry->has_params || misfit_count_covered(&site->run[run]) == 0)
 		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare(s, entry, run);
+	FREED char *both = measured_and_predicted(s, entry, run);
 	FREED char *words = cut_words(&cut);
+	double from, to;
+	if (answers_extrapolates(entry, site->run[run].speed) &&
+	    origin_reach(entry, &from, &to)) {
+		FREED char *reach = answers_reach_words(entry, from, to);
+		xlist(&words, "; ",
+		    tr("it lies outside the %s, where the answer rests on the "
+		       "model"),
+		    reach);
+	}
+	/* Fewer inside than chance and shared errors make likely. */
+	bool nearly = !cut.no_band && 4 * cut.inside < 3 * cut.n;
 	session_note(s,
-	    cut.off ? N_("  the cut at %g m/s%s differs from the prediction, "
-			 "but by no more than carefully taken samples differ "
-			 "from one another: %s")
-	    : cut.missed
-		? N_("  warning: the prediction misses the cut at %g m/s%s: "
-		     "%s")
-		: N_("  the prediction meets the cut at %g m/s%s: %s"),
-	    site->run[run].speed, site->run[run].repeat, words);
+	    cut.off ? N_("  not quite as expected, but no further off than "
+			 "carefully taken samples differ: %s; %s")
+	    : cut.missed ? N_("  warning: not as expected: %s; %s")
+	    : nearly     ? N_("  nearly as expected: %s; %s")
+			 : N_("  as expected: %s; %s"),
+	    both, words);
 	return cut.off ? CUTS_OFF : cut.missed ? CUTS_MISSED : CUTS_MET;
 }
 
@@ -274,11 +311,14 @@ report_checks_of_cuts(
 	}
 	if (compared == 0)
 		return worst;
-	session_note(s,
-	    missed > 0
-		? N_("  warning: the prediction misses %zu of the %zu cuts")
-		: N_("  the prediction misses %zu of the %zu cuts"),
-	    missed, compared);
+	if (missed > 0)
+		session_note(s,
+		    tr_n("  warning: %zu of the %zu cuts is not as expected",
+			"  warning: %zu of the %zu cuts are not as expected",
+			missed),
+		    missed, compared);
+	else
+		session_note(s, "  all %zu cuts are as expected", compared);
 	return missed > 0 ? CUTS_MISSED : CUTS_MET;
 }
 
@@ -290,24 +330,36 @@ note_products(struct session *s)
 	session_note(s, "  %s has products at %s m/s", entry->key, speeds);
 }
 
-/* Suggests what to do after n cuts have been compared. */
+/* Suggests what to do after n cuts have been compared: of a calibrated site, as
+ * next_step does, after all cuts since its calibration. */
 static void
 suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	bool many = n > 1 && entry->has_fit;
+	struct later later = cut_compare_later(s, entry);
+	if (later.n > 0) {
+		worst = later.missed ? CUTS_MISSED
+			: later.off  ? CUTS_OFF
+				     : CUTS_MET;
+		n = later.n;
+	}
+	if (later.twice) {
+		session_note(
+		    s, "  next: 'undo', unless two samples came out the same");
+		return;
+	}
 	session_note(
 	    s, !entry->has_params ? N_("  next: 'calibrate'")
-	       : worst == CUTS_MISSED && many
+	       : worst == CUTS_MISSED && n > 1 && entry->has_fit
 		   ? N_("  next: 'drift' follows the cuts one by one")
 	       : worst == CUTS_MISSED
 		   ? N_("  next: check how the cut and its feed were taken; if "
 			"they are right, 'calibrate train=all'")
 	       : worst == CUTS_OFF
 		   ? N_("  next: take one more cut before anything is changed")
-		   : N_("  next: nothing needs to be done; answers stay as "
-			"they were until 'calibrate' takes new cuts into "
-			"account"));
+	       : !entry->has_fit ? N_("  next: nothing needs to be done")
+	       : n > 1 ? N_("  next: 'calibrate' takes them into the answers")
+		       : N_("  next: 'calibrate' takes it into the answers"));
 }
 
 static bool
