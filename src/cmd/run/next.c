@@ -80,8 +80,8 @@ next_after_fit(const struct session *s, const struct entry *entry)
 	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
 	    isnan(session_answer_number(s, "validate", "sites")))
 		return (struct next){"validate",
-		    N_("validate: test it at the speeds held out?"), true,
-		    NEXT_VALIDATE};
+		    N_("validate: compare it with what was kept as a check?"),
+		    true, NEXT_VALIDATE};
 	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
 		    N_("next: 'why' shows the reasons to doubt it, and what to "
