@@ -309,6 +309,10 @@ routine_state_words(const struct routine *r)
 	    [DRIFT_STEEPER] = N_("look at feed, loss of fines and how cuts are "
 				 "taken")};
 	enum drift_state state = r->point[r->n - 1].state;
+	if (state == DRIFT_NONE && r->n < ROUTINE_FEW && r->first == r->n)
+		return xstrdup(tr("no sign of a drift: what was measured "
+				  "differs from what was predicted by no more "
+				  "than samples do"));
 	if (state == DRIFT_NONE)
 		return r->first < r->n
 			   ? xasprintf(
