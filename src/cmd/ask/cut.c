@@ -115,7 +115,7 @@ is_note_of_cut(const struct site_note *note, double speed)
 	       fabs(said - speed) < 1e-3;
 }
 
-const char *
+const struct site_note *
 cut_find_note(const struct site *site, size_t run)
 {
 	double speed = site->run[run].speed;
@@ -125,8 +125,49 @@ cut_find_note(const struct site *site, size_t run)
 			 site->run[r].product.n > 0;
 	for (size_t i = site->n_note; i-- > 0;)
 		if (is_note_of_cut(&site->note[i], speed) && after-- == 0)
-			return site->note[i].value;
+			return &site->note[i];
 	return NULL;
+}
+
+/* True if the key of a line says that its value is a date. */
+static bool
+is_key_of_date(const char *key)
+{
+	static const char *const WORDS[] = {"date", "datum", "dato", "fecha",
+	    "data", "sampled", "provtag", "probenahme"};
+	FREED char *folded = text_fold(key);
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		if (strstr(folded, WORDS[i]) != NULL)
+			return true;
+	return false;
+}
+
+bool
+cut_read_date(const struct site_note *note, struct datetime *m)
+{
+	bool cut = strcmp(note->key, "cut") == 0;
+	const char *at = cut ? strstr(note->value, ", ") : note->value;
+	if (at == NULL || (!cut && !is_key_of_date(note->key)))
+		return false;
+	at += cut ? strlen(", ") : 0;
+	FREED char *text = xstrndup(at, cut ? strcspn(at, ",") : strlen(at));
+	return datetime_read(text, m) && m->has_date;
+}
+
+enum datetime_order
+cut_date_order(const struct site *site)
+{
+	enum datetime_order order = DATETIME_OPEN;
+	struct datetime m;
+	for (size_t i = 0; i < site->n_note; i++) {
+		if (!cut_read_date(&site->note[i], &m) || m.plain ||
+		    m.order == DATETIME_OPEN)
+			continue;
+		if (order != DATETIME_OPEN && order != m.order)
+			return DATETIME_OPEN;
+		order = m.order;
+	}
+	return order;
 }
 
 /* Returns how many runs of a site have this product at this speed. */

@@ -14,6 +14,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
+#include "cmd/sheets/cut_day.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/invocation.h"
@@ -44,32 +45,54 @@ origins_clear(struct origins *o)
 	free(o->file);
 }
 
-/* Reads a date; false if it can be read in two ways. */
+/* Returns the moment as one word of the command: "2026-11-05T10:15". */
+static char *
+as_word(const struct datetime *m, enum datetime_order order)
+{
+	char *text = cut_day_text(m, order);
+	for (char *p = text; p != NULL && *p != '\0'; p++)
+		if (*p == ' ')
+			*p = 'T';
+	return text;
+}
+
+/* Sets an error if the order leaves open which day is meant.  before: what
+ * stands before the date in the call. */
 static bool
-add_read_date(const char *date, double *day, struct error *error)
+is_one_day(const struct datetime *m, const char *text, const char *before,
+    enum datetime_order order, struct error *error)
+{
+	FREED char *day = as_word(m, DATETIME_DAY_FIRST);
+	FREED char *month = as_word(m, DATETIME_MONTH_FIRST);
+	return !isnan(datetime_seconds(m, order)) ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a date that can be read in one way, got '%s'\n"
+		   "write year, month, day: %s%s or %s%s",
+		   text, before, day, before, month);
+}
+
+/* Reads a date; order: of one such as 5/11/2026. */
+static bool
+add_read_date(const char *date, enum datetime_order order, double *day,
+    struct error *error)
 {
 	struct datetime m;
 	*day = NAN;
 	if (date == NULL)
 		return true;
-	bool good = datetime_read(date, &m) && m.has_date;
-	*day = good ? datetime_seconds(&m, DATETIME_OPEN) - m.seconds
-		    : (double)NAN;
-	if (!good || isnan(*day))
+	if (!datetime_read(date, &m) || !m.has_date)
 		return error_set(error, ERROR_USAGE,
-		    good
-			? N_("expected a date that can be read in one way, got "
-			     "'%s'\n"
-			     "write year, month, day: date=2026-05-03")
-			: N_("expected a date such as 2026-05-03, got '%s'\n"
-			     "write year, month, day: date=2026-05-03"),
+		    "expected a date such as 2026-05-03, got '%s'\n"
+		    "write year, month, day: date=2026-05-03",
 		    date);
-	return true;
+	*day = datetime_seconds(&m, order) - m.seconds;
+	return is_one_day(&m, date, "date=", order, error);
 }
 
 /* Reads the time after @, on the day of date= if it states none. */
 static bool
-add_read_time(const char *text, double day, double *time, struct error *error)
+add_read_time(const char *text, enum datetime_order order, double day,
+    double *time, struct error *error)
 {
 	struct datetime m;
 	if (!datetime_read(text, &m) || !m.has_time)
@@ -83,13 +106,9 @@ add_read_time(const char *text, double day, double *time, struct error *error)
 		    "expected a day for the time %s, got none\n"
 		    "write: date=2026-05-03, or @2026-05-03T%s",
 		    text, text);
-	*time =
-	    m.has_date ? datetime_seconds(&m, DATETIME_OPEN) : day + m.seconds;
-	if (isnan(*time))
-		return error_set(error, ERROR_USAGE,
-		    "expected a date that can be read in one way, got '%s'\n"
-		    "write year, month, day: @2026-05-03T10:15",
-		    text);
+	*time = m.has_date ? datetime_seconds(&m, order) : day + m.seconds;
+	if (m.has_date && !is_one_day(&m, text, "@", order, error))
+		return false;
 	return isnan(day) || day == datetime_midnight(*time) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected the day of date= after @, got %s\n"
@@ -128,7 +147,8 @@ look_up_time_in_log(struct session *s, const struct args *args,
 	if (at == NULL || head_read(at).speed > 0)
 		return true;
 	double window = 60 * args->window;
-	if (!add_read_time(at + 1, day, &time, error) ||
+	if (!add_read_time(at + 1, cut_date_order(session_entry(s)->site), day,
+		&time, error) ||
 	    !log_at(s, time, window / 2, rotor, &o->logged, error))
 		return false;
 	free(o->word);
@@ -155,17 +175,79 @@ words_for_note_of_cut(double speed, const struct cut_origin *o)
 	return text;
 }
 
+/* Returns a note with its date, if that is an open one, as year, month, day. */
+static char *
+note_in_one_way(const struct site_note *note, enum datetime_order order)
+{
+	struct datetime m;
+	if (!cut_read_date(note, &m) || m.plain || m.order != DATETIME_OPEN)
+		return xstrdup(note->value);
+	FREED char *day = cut_day_text(&m, order);
+	const char *at = strstr(note->value, ", ") + strlen(", ");
+	return day == NULL ? xstrdup(note->value)
+			   : xasprintf("%.*s%s%s", (int)(at - note->value),
+				 note->value, day, at + strcspn(at, ","));
+}
+
 /* The note of a run.  A sheet may state in its header when its cuts were taken:
  * then that, with the file. */
 static char *
-note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
+note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
+    enum datetime_order order)
 {
-	const char *said = cut_find_note(cuts, run);
+	const struct site_note *said = cut_find_note(cuts, run);
 	if (said == NULL || (o != NULL && o->when[0] != '\0'))
 		return words_for_note_of_cut(cuts->run[run].speed, o);
-	bool named = o == NULL || strstr(said, o->file) != NULL;
+	FREED char *words = note_in_one_way(said, order);
+	bool named = o == NULL || strstr(words, o->file) != NULL;
 	return xasprintf(
-	    "%s%s%s", said, named ? "" : ", ", named ? "" : o->file);
+	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
+}
+
+/* Takes the date of the sheet's header for a file that has no other. */
+static void
+take_date_of_header(
+    const struct site *cuts, enum datetime_order order, struct origins *all)
+{
+	struct datetime m;
+	const char *said = cut_day_of_header(cuts);
+	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
+	    !datetime_read(said, &m))
+		return;
+	char *day = cut_day_text(&m, order);
+	if (day == NULL)
+		return;
+	free(all->file[0].when);
+	all->file[0].when = day;
+}
+
+/* Says how the first date was read that leaves open which number is the day, or
+ * that it was not. */
+static void
+note_open_date(struct session *s, const struct site *cuts,
+    const struct cut_day *how, const struct origins *all)
+{
+	struct datetime m;
+	size_t i = 0;
+	while (i < cuts->n_note && (!cut_read_date(&cuts->note[i], &m) ||
+				       m.plain || m.order != DATETIME_OPEN))
+		i++;
+	if (i == cuts->n_note)
+		return;
+	FREED char *day = cut_day_text(&m, DATETIME_DAY_FIRST);
+	FREED char *month = cut_day_text(&m, DATETIME_MONTH_FIRST);
+	FREED char *said = xasprintf("%02d/%02d/%d", m.day, m.month, m.year);
+	if (how->order == DATETIME_OPEN)
+		session_note(s,
+		    "  warning: the date %s can be %s or %s, so the cut has "
+		    "none: 'undo', then add it with date=%s",
+		    said, day, month, day);
+	else
+		session_note(s, "  the date %s is read as %s, %s", said,
+		    how->order == DATETIME_DAY_FIRST ? day : month, how->why);
+	if (how->now && cuts->n_run == 1 && all->n == 1)
+		invocation_add_options(s, " date=%s",
+		    how->order == DATETIME_DAY_FIRST ? day : month);
 }
 
 /* Returns the file that a cut is from: the only one, or the one with its
@@ -383,23 +465,23 @@ is_expected(const struct site *site, const char *digest, struct session *s,
 /* In the order of the sheet, which drift follows for cuts without a date. */
 static void
 note_cuts(struct session *s, struct site *site, const struct site *cuts,
-    const struct origins *all)
+    const struct origins *all, enum datetime_order order)
 {
-	FREED size_t *order = xcalloc(cuts->n_run + 1, sizeof *order);
+	FREED size_t *place = xcalloc(cuts->n_run + 1, sizeof *place);
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		size_t i = k;
 		for (; i > 0; i--) {
-			size_t before = order[i - 1];
+			size_t before = place[i - 1];
 			if (cuts->run[before].place <= cuts->run[k].place)
 				break;
-			order[i] = before;
+			place[i] = before;
 		}
-		order[i] = k;
+		place[i] = k;
 	}
 	for (size_t k = 0; k < cuts->n_run; k++) {
-		double v = cuts->run[order[k]].speed;
+		double v = cuts->run[place[k]].speed;
 		FREED char *note =
-		    note_of_run(cuts, order[k], add_origin_of(all, v));
+		    note_of_run(cuts, place[k], add_origin_of(all, v), order);
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 	}
@@ -408,9 +490,10 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 /* Replaces the current site with a copy that has the cuts. */
 static bool
 add_cuts(struct session *s, const struct args *args, const struct site *cuts,
-    const struct origins *all, struct error *error)
+    struct origins *all, struct error *error)
 {
 	const struct site *old = session_entry(s)->site;
+	const struct cut_day how = cut_day_order(cuts, old);
 	FREED size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
 	struct site *site = site_with_cuts(old, cuts, from);
 	char number[32];
@@ -423,7 +506,10 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	}
 	if (!(site->rotor > 0))
 		site->rotor = args->rotor_mm / 1000;
-	note_cuts(s, site, cuts, all);
+	take_date_of_header(cuts, how.order, all);
+	note_cuts(s, site, cuts, all, how.order);
+	if (args->date == NULL)
+		note_open_date(s, cuts, &how, all);
 	load_note_reading(s, cuts);
 	warn_of_cuts_loaded(s, old, cuts);
 	session_replace_site(s, site, from);
@@ -441,7 +527,8 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
-	bool good = add_read_date(args->date, &day, error);
+	bool good = add_read_date(
+	    args->date, cut_date_order(session_entry(s)->site), &day, error);
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
