@@ -333,8 +333,8 @@ add_summary(
 	if (isfinite(holdout))
 		xlist(&words, "; ",
 		    strchr(held, ',') != NULL
-			? tr("at %s m/s, held out as a test, by up to %.2f")
-			: tr("at %s m/s, held out as a test, by %.2f"),
+			? tr("at %s m/s, kept as a check, by up to %.2f")
+			: tr("at %s m/s, kept as a check, by %.2f"),
 		    held, 100 * holdout);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
@@ -405,7 +405,11 @@ note_moved_answer(
 	double value = value_at(s, entry, &was->of, was->speed);
 	FREED char *words = quantities_statement(&was->of, value);
 	if (isfinite(value) && isfinite(was->value))
-		answer_note(r, "at %.*f m/s %s; before this calibration %.*f",
+		answer_note(r,
+		    outlook_correction(s, entry) == CORRECTION_ALL
+			? N_("at %.*f m/s %s, with all measured runs; before "
+			     "this calibration %.*f")
+			: N_("at %.*f m/s %s; before this calibration %.*f"),
 		    units_speed_digits(was->speed), was->speed, words,
 		    quantities_decimals(&was->of),
 		    quantities_shown(&was->of, was->value));

@@ -40,7 +40,7 @@ struct history {
 		const struct site *site; /* NULL: not compared yet */
 		size_t n;
 		double rms, speed;
-		bool missed, off;
+		bool missed, off, twice;
 	} later;
 	struct alarm {
 		const struct site *site; /* NULL: not charted yet */
