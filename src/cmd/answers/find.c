@@ -16,6 +16,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/answer/predict.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 /* What is wanted: a value of a quantity, or its maximum or minimum, and other
@@ -239,9 +240,9 @@ range_words(const struct find_request *goal, const double range[2])
 	if (!(rotor > 0))
 		return words;
 	FREED char *slow = xasprintf(
-	    below ? tr("below %.0f") : "%.0f", units_rpm(from, rotor));
-	FREED char *fast =
-	    xasprintf(above ? tr("above %.0f") : "%.0f", units_rpm(to, rotor));
+	    below ? tr("below %.0f") : "%.0f", rotor_speed_rpm(from, rotor));
+	FREED char *fast = xasprintf(
+	    above ? tr("above %.0f") : "%.0f", rotor_speed_rpm(to, rotor));
 	xappend(&words, tr(" (%s to %s rpm)"), slow, fast);
 	return words;
 }
@@ -314,7 +315,7 @@ find_note_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	const struct site *site = goal->wanted.site;
-	FREED char *rpm = answers_rpm(site, f->found, NAN);
+	FREED char *rpm = rotor_speed_words(site->rotor, f->found, NAN);
 	if (isnan(f->range[0])) {
 		answer_note(r, "%s at %.2f m/s%s", words, f->found, rpm);
 	} else {
@@ -330,7 +331,7 @@ find_note_speed(struct answer *r, const struct find_request *goal,
 		    !isfinite(f->range[1]));
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
-		FREED char *turns = answers_rpm(site, v, NAN);
+		FREED char *turns = rotor_speed_words(site->rotor, v, NAN);
 		if (v != f->found)
 			answer_note(r, "also at %.2f m/s%s%s", v, turns,
 			    answers_extrapolates(goal->question->entry, v)
@@ -365,7 +366,7 @@ note_extreme(struct answer *r, const struct find_request *goal,
 	bool most = goal->kind == GOAL_MOST;
 	forecast_at(goal->wanted.forecast, v);
 	char *words = value_words(goal, goal->wanted.n);
-	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "%s at %.2f m/s%s: %s",
 	    most ? tr("largest") : tr("least"), v, rpm, words);
 	free(words);
@@ -403,7 +404,7 @@ note_sure(struct answer *r, const struct find_request *goal,
 	}
 	forecast_at(goal->wanted.forecast, v);
 	FREED char *words = value_words(goal, goal->wanted.n);
-	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "with %.0f %% certainty at %.2f m/s%s: %s", level, v,
 	    rpm, words);
 }
@@ -446,7 +447,7 @@ note_others(struct answer *r, const struct find_request *goal,
 	if (isnan(certain))
 		return;
 	FREED char *words = conditions_percent(certain);
-	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
 	answer_note(r,
 	    goal->wanted.n > 1
 		? N_("at %.2f m/s%s these conditions hold with %s certainty")
@@ -611,11 +612,12 @@ note_window(struct answer *r, const struct find_request *goal,
 {
 	const struct speed_range *in = speed_search_around(w);
 	const struct site *site = g->conditions.site;
-	FREED char *best = answers_rpm(site, w->best, NAN);
+	FREED char *best = rotor_speed_words(site->rotor, w->best, NAN);
 	if (in != NULL) {
 		FREED char *speeds =
 		    conditions_speeds_in_units(&g->conditions, w);
-		FREED char *table = answers_rpm(site, in->from, NAN);
+		FREED char *table =
+		    rotor_speed_words(site->rotor, in->from, NAN);
 		answer_note(r,
 		    "meets the envelope at %s, most surely at %.1f m/s%s; "
 		    "table: %.1f m/s%s",

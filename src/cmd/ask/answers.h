@@ -94,11 +94,6 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 char *answers_reach_words(
     const struct entry *entry, double slowest, double fastest);
 
-/* Returns " (1376 rpm)" or, for a range of speeds in m/s, " (1329 to 1425
- * rpm)", to follow a speed in a sentence; "" unless the site states the rotor.
- * high: NAN for one speed.  The caller frees it. */
-char *answers_rpm(const struct site *site, double low, double high);
-
 /* Appends the basis of the answer, after everything else: for an answer with a
  * band, which runs correct it and what low and high mean; then the source of
  * the parameters, the feed, the model, and the light, which it frees.  speed:
