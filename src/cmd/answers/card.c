@@ -526,23 +526,6 @@ note_limits(struct answer *r, const struct card_request *all,
 	conditions_note_source(r, &all->list);
 }
 
-/* Returns "66.19, 71.84, 78 m/s (1290, 1400, 1520 rpm)".  The caller frees
- * it. */
-static char *
-measured_words(const struct site *site)
-{
-	FREED char *speeds = session_speeds(site, ", ", NULL, true);
-	char *words = xasprintf(tr("%s m/s"), speeds);
-	FREED char *rpm = xstrdup("");
-	for (size_t r = 0; r < site->n_run && site->rotor > 0; r++)
-		if (site->run[r].product.n > 0 && !site_run_repeats(site, r))
-			xlist(&rpm, ", ", "%.0f",
-			    rotor_speed_rpm(site->run[r].speed, site->rotor));
-	if (rpm[0] != '\0')
-		xappend(&words, tr(" (%s rpm)"), rpm);
-	return words;
-}
-
 /* Notes what the range is of, and that a belt cut may lie outside it. */
 static void
 note_range(struct answer *r, const struct card_request *all, double cut)
@@ -575,11 +558,14 @@ note_trust_words(struct answer *r, const struct question *q,
 		occurs[row[i].light] = true;
 		beyond = beyond || answers_extrapolates(q->entry, row[i].speed);
 	}
-	FREED char *speeds = measured_words(q->entry->site);
-	FREED char *words = xasprintf(
-	    occurs[LIGHT_GREEN] ? tr("green: confirmed by measurements at %s")
-				: tr("measured at %s"),
-	    speeds);
+	const struct site *site = q->entry->site;
+	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	FREED char *rpm = session_rpm(site, NULL, true);
+	FREED char *words =
+	    xasprintf(occurs[LIGHT_GREEN]
+			  ? tr("green: confirmed by measurements at %s m/s%s")
+			  : tr("measured at %s m/s%s"),
+		speeds, rpm);
 	if (occurs[LIGHT_AMBER])
 		xappend(
 		    &words, tr("; amber: from the model alone, or doubtful"));

@@ -16,6 +16,7 @@
 #include "cmd/ask/feed.h"
 #include "cmd/ask/quantity_words.h"
 #include "core/psd/rotor_speed.h"
+#include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
 const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
@@ -246,14 +247,17 @@ note_model_unless_papers(
 char *
 answers_reach_words(const struct entry *entry, double slowest, double fastest)
 {
-	bool trained = origin_trained(entry);
-	if (slowest < fastest)
-		return xasprintf(trained ? tr("training speeds, %g to %g m/s")
-					 : tr("measured speeds, %g to %g m/s"),
-		    slowest, fastest);
-	return xasprintf(trained ? tr("one training speed, %g m/s")
-				 : tr("one measured speed, %g m/s"),
-	    slowest);
+	bool trained = origin_trained(entry), several = slowest < fastest;
+	FREED char *rpm = rotor_speed_words(
+	    site_run_rotor(entry->site), slowest, several ? fastest : NAN);
+	if (several)
+		return xasprintf(trained
+				     ? tr("training speeds, %g to %g m/s%s")
+				     : tr("measured speeds, %g to %g m/s%s"),
+		    slowest, fastest, rpm);
+	return xasprintf(trained ? tr("one training speed, %g m/s%s")
+				 : tr("one measured speed, %g m/s%s"),
+	    slowest, rpm);
 }
 
 /* What the other feed's sheet does not tell. */
@@ -291,6 +295,15 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 		    units_mm(v->rotor));
 }
 
+char *
+answers_typed_speed(const struct site *site, double speed)
+{
+	double rotor = site->rotor;
+	double rpm = rotor > 0 ? round(rotor_speed_rpm(speed, rotor)) : 0;
+	bool same = fabs(head_mps(rpm, SPEED_RPM, rotor) - speed) < 1e-6;
+	return same ? xasprintf("%g rpm", rpm) : xasprintf("%g", speed);
+}
+
 /* A speed beyond those that were measured, where the light does not say so. */
 static void
 warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
@@ -302,8 +315,9 @@ warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
 	    !answers_extrapolates(entry, speed))
 		return;
 	FREED char *speeds = answers_reach_words(entry, slowest, fastest);
-	answer_say(r, ANSWER_WARNING, "%.*f m/s is outside the %s",
-	    units_speed_digits(speed), speed, speeds);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, speed, NAN);
+	answer_say(r, ANSWER_WARNING, "%.*f m/s%s is outside the %s",
+	    units_speed_digits(speed), speed, rpm, speeds);
 }
 
 void

@@ -94,6 +94,10 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 char *answers_reach_words(
     const struct entry *entry, double slowest, double fastest);
 
+/* Returns a speed as a line to type has it: "75.16", or "1450 rpm" if the site
+ * states the rotor and that is this speed.  The caller frees it. */
+char *answers_typed_speed(const struct site *site, double speed);
+
 /* Appends the basis of the answer, after everything else: for an answer with a
  * band, which runs correct it and what low and high mean; then the source of
  * the parameters, the feed, the model, and the light, which it frees.  speed:

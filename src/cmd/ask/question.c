@@ -35,8 +35,6 @@ join_with_words(const struct scenario *w)
 	char *words = xstrdup("");
 	if (w->feed != NULL)
 		xlist(&words, ", ", "%s", w->feed->words);
-	if (w->rpm > 0)
-		xlist(&words, ", ", tr("%g rpm"), w->rpm);
 	if (w->rotor > 0)
 		xlist(&words, ", ", tr("rotor %g mm"), units_mm(w->rotor));
 	if (w->bypass > 0)
@@ -56,6 +54,10 @@ site_as_asked(const struct site *own, const struct scenario *w)
 		      : site_copy(own);
 	free(site->with);
 	site->with = join_with_words(w);
+	if (w->rotor > 0) {
+		site->run_rotor = own->rotor;
+		site->rotor = w->rotor;
+	}
 	site->n_shown = w->n_sieve;
 	site->shown = xdoubles(w->n_sieve);
 	for (size_t i = 0; i < w->n_sieve; i++)
@@ -69,7 +71,7 @@ question_make(const struct session *s, const struct entry *loaded,
 {
 	bool feed = w->feed != NULL;
 	double rotor = measured_rotor(loaded);
-	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
+	bool machine = w->rotor > 0 || w->bypass > 0 || w->k > 0;
 	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
 	    w->correction == s->set.correction)
@@ -140,9 +142,9 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 {
 	struct scenario *w = &r->scenario;
 	w->rotor = args->rotor_mm / 1000;
-	w->rpm = args->rpm;
+	double rpm = args->rpm;
 	r->speed = args->speed;
-	if (!(w->rpm > 0))
+	if (!(rpm > 0))
 		return true;
 	double diameter = w->rotor > 0 ? w->rotor : site->rotor;
 	const char *name = args->command->name;
@@ -155,13 +157,13 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 		    "not state\n"
 		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
 		    "the site file",
-		    name, site->name, name, w->rpm);
-	r->speed = head_mps(w->rpm, SPEED_RPM, diameter);
+		    name, site->name, name, rpm);
+	r->speed = head_mps(rpm, SPEED_RPM, diameter);
 	return (r->speed >= 1 && r->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
 		   "rpm with a rotor of %g mm)",
-		   name, SITE_FASTEST, r->speed, w->rpm, units_mm(diameter));
+		   name, SITE_FASTEST, r->speed, rpm, units_mm(diameter));
 }
 
 /* What the option feed names, or the setting does where it is not given; NULL

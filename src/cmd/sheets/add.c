@@ -16,6 +16,7 @@
 #include "cmd/sheets/load.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
@@ -238,15 +239,17 @@ report_check_of_cut(struct session *s, size_t run)
 		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare(s, entry, run);
 	FREED char *words = cut_words(&cut);
+	FREED char *rpm =
+	    rotor_speed_words(site->rotor, site->run[run].speed, NAN);
 	session_note(s,
-	    cut.off ? N_("  the cut at %g m/s%s differs from the prediction, "
+	    cut.off ? N_("  the cut at %g m/s%s%s differs from the prediction, "
 			 "but by no more than carefully taken samples differ "
 			 "from one another: %s")
 	    : cut.missed
-		? N_("  warning: the prediction misses the cut at %g m/s%s: "
+		? N_("  warning: the prediction misses the cut at %g m/s%s%s: "
 		     "%s")
-		: N_("  the prediction meets the cut at %g m/s%s: %s"),
-	    site->run[run].speed, site->run[run].repeat, words);
+		: N_("  the prediction meets the cut at %g m/s%s%s: %s"),
+	    site->run[run].speed, site->run[run].repeat, rpm, words);
 	return cut.off ? CUTS_OFF : cut.missed ? CUTS_MISSED : CUTS_MET;
 }
 
@@ -287,7 +290,9 @@ note_products(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	FREED char *speeds = session_speeds(entry->site, ", ", NULL, true);
-	session_note(s, "  %s has products at %s m/s", entry->key, speeds);
+	FREED char *rpm = session_rpm(entry->site, NULL, true);
+	session_note(
+	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
 
 /* Suggests what to do after n cuts have been compared. */
