@@ -46,6 +46,11 @@ double answers_share_finer(
  * middle, else 74 m/s, or the middle if 74 is beyond site_reach. */
 double answers_usual_speed(const struct entry *entry);
 
+/* Returns round rpm from one speed to another, as m/s [*n], at most `most`;
+ * NULL unless the site's sheet is in rpm.  The caller frees it. */
+double *answers_round_rpm(
+    const struct site *site, double from, double to, size_t most, size_t *n);
+
 /* Returns at most seven round speeds over site_reach.  The caller frees it. */
 double *answers_speeds(
     const struct session *s, const struct site *site, size_t *n);

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort_double.h>
+
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -388,6 +390,52 @@ question_of_feed_setting(struct session *s)
 	return q->entry;
 }
 
+/* Returns the speeds from `from` to `to` by 1 m/s, or in round rpm of a sheet
+ * in rpm [*n]. */
+static double *
+every_round_speed(const struct site *site, double from, double to, size_t *n)
+{
+	enum { MOST_RPM = 20 };
+	double *at = answers_round_rpm(site, from, to, MOST_RPM, n);
+	if (at != NULL)
+		return at;
+	*n = (size_t)floor(to - from) + 1;
+	at = xdoubles(*n);
+	for (size_t i = 0; i < *n; i++)
+		at[i] = from + (double)i;
+	return at;
+}
+
+/* Returns these speeds, those measured and the last one asked about [*n]. */
+static double *
+speeds_of_card(
+    const struct site *site, double from, double to, double last, size_t *n)
+{
+	const double same = 0.1;
+	size_t n_round, n_own = 0;
+	FREED double *round = every_round_speed(site, from, to, &n_round);
+	double *at = xdoubles(n_round + site->n_run + 1);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].product.n > 0 && site->run[r].speed >= from &&
+		    site->run[r].speed <= to && !site_run_repeats(site, r))
+			at[n_own++] = site->run[r].speed;
+	*n = n_own;
+	for (size_t i = 0; i < n_round; i++) {
+		bool near = false;
+		for (size_t k = 0; k < n_own; k++)
+			near = near || fabs(at[k] - round[i]) < same;
+		if (!near)
+			at[(*n)++] = round[i];
+	}
+	bool there = !(last > from) || !(last < to);
+	for (size_t i = 0; i < *n; i++)
+		there = there || fabs(at[i] - last) < 1e-9;
+	if (!there)
+		at[(*n)++] = last;
+	gsl_sort(at, 1, *n);
+	return at;
+}
+
 void
 question_usual_speeds(const struct session *s, struct question *q, bool each)
 {
@@ -400,15 +448,8 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 		return;
 	}
 	settings_reach(&s->set, site, &from, &to);
-	size_t whole = (size_t)floor(to - from) + 1;
-	double *at = xdoubles(whole + 1);
-	for (size_t i = 0; i < whole; i++) {
-		double v = from + (double)i;
-		at[q->n_at++] = v;
-		if (s->last_speed > v && s->last_speed < v + 1 && i + 1 < whole)
-			at[q->n_at++] = s->last_speed;
-	}
-	q->at = q->named->usual = at;
+	q->at = q->named->usual =
+	    speeds_of_card(site, from, to, s->last_speed, &q->n_at);
 }
 
 void
