@@ -80,7 +80,7 @@ act_run_speed(struct tui *t, const struct key *key)
 	double speed = key->amount < 0   ? site->run[0].speed
 		       : key->amount > 0 ? site->run[site->n_run - 1].speed
 					 : site_middle_speed(site);
-	t->ui.tenths = slider_tenths(tui_range(t), speed);
+	tui_go_to(t, speed);
 }
 
 void
@@ -475,7 +475,7 @@ go_to_typed_speed(struct tui *t, const char *text)
 		tui_say(t, true, "expected a speed from 1 to %d m/s, got %s",
 		    SITE_FASTEST, text);
 	else if (slider_has(tui_range(t), speed))
-		t->ui.tenths = slider_tenths(tui_range(t), speed);
+		tui_go_to(t, speed);
 	else
 		control_say_off_slider(t, speed);
 }

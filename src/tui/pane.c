@@ -109,8 +109,7 @@ pane_draw_runs(
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
 		if (site_run_repeats(site, r) ||
-		    !site_run_is_near(
-			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
+		    !site_run_is_near(site, r, tui_speed(t), SITE_CHART_RUNS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, r, held_out);
@@ -148,7 +147,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		column = pane_draw_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
 	else if (!runs && t->view.current.site[0] != '\0') {
-		bool dashed = answers_extrapolates(entry, t->ui.tenths / 10.0);
+		bool dashed = answers_extrapolates(entry, tui_speed(t));
 		const char *line = ascii ? "#" : "\u2500";
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);

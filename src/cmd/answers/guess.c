@@ -12,6 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
@@ -168,9 +169,10 @@ put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
 static struct answer *
 guess_table(const struct site *site, const struct guess *guess)
 {
+	FREED char *rpm = rotor_speed_words(site->rotor, guess->speed, NAN);
 	struct answer *r = answers_new(site, "guess",
-	    "estimated product at %.*f m/s, not calibrated",
-	    units_speed_digits(guess->speed), guess->speed);
+	    "estimated product at %.*f m/s%s, not calibrated",
+	    units_speed_digits(guess->speed), guess->speed, rpm);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
 			  "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)

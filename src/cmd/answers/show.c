@@ -17,6 +17,7 @@
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 static bool
@@ -41,6 +42,9 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "machine", "%s", site->machine);
 	answer_add_pair(r, "file", "%s", site->path);
 	answer_add_pair(r, "speeds m/s", "%s", speeds);
+	FREED char *rpm = session_rpm_list(site, " ", NULL, true);
+	if (rpm[0] != '\0')
+		answer_add_pair(r, "speeds rpm", "%s", rpm);
 	answer_add_pair(r, "feeds",
 	    site->individual_feeds ? N_("one for each speed")
 				   : N_("one for all speeds"));
@@ -233,8 +237,9 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 	(void)args;
 	(void)error;
 	predict_selection(feed, &entry->params, s->set.model, q->speed, S);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, q->speed, NAN);
 	struct answer *r = answers_new(entry->site, "show",
-	    "selection function at %g m/s (Eq 3)", q->speed);
+	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
 	selection_rows(r, feed, S);
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r),

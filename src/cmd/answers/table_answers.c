@@ -119,8 +119,9 @@ const struct command TABLE_ANSWERS[] = {
 		 COMMAND_CONDITIONS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
-		"rotor tip speeds; default 65..85 by 1 and the speed last "
-		"asked about, extended or moved to cover the runs"},
+		"rotor tip speeds; default 65..85 by 1, or round rpm of a "
+		"sheet in rpm, extended or moved to cover the runs, and the "
+		"speeds measured and last asked about"},
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
@@ -131,8 +132,9 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "One row for each speed, in m/s and, where the site states the "
 	    "rotor's diameter, in rpm: P20, P50 and P80, the figures that are "
-	    "named, the range of one of them, tonnes of fractions, and the "
-	    "light. With the conditions of window, spec= or a goal that is "
+	    "named, the range of one of them and what was measured of it, "
+	    "tonnes of fractions, and the light. With the conditions of "
+	    "window, spec= or a goal that is "
 	    "set, it also has how certain it is that they are met. Below it: "
 	    "the date, the feed, the machine, the model, and whether each "
 	    "speed rests on measurements or on the model alone. Columns that "

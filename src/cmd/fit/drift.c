@@ -9,6 +9,7 @@
 #include "cmd/ask/cut.h"
 #include "cmd/ask/routine.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 static const uint64_t SEED = 1; /* seed of the simulated run lengths */
@@ -103,11 +104,13 @@ say_what_next(struct answer *a, const struct entry *entry,
     const struct routine *r, const struct later *later)
 {
 	size_t n;
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, later->speed, NAN);
 	if (r->point[r->n - 1].state == DRIFT_NONE && later->missed) {
 		answer_note(a,
-		    "next: check how the cut at %g m/s and its feed were "
+		    "next: check how the cut at %g m/s%s and its feed were "
 		    "taken; if they are right, 'calibrate train=all'",
-		    later->speed);
+		    later->speed, rpm);
 		return;
 	}
 	if (r->point[r->n - 1].state == DRIFT_NONE) {

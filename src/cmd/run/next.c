@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "base/tr.h"
+#include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/cut.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
 /* Returns the number of runs with a product to compare; *held_out: whether some
@@ -154,10 +156,13 @@ note_speeds(const struct session *s, const struct entry *entry)
 	double from, to;
 	if (!origin_reach(entry, &from, &to))
 		return;
+	FREED char *usual =
+	    answers_typed_speed(entry->site, answers_usual_speed(entry));
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, from, to);
 	session_note(s,
-	    from < to ? N_("now 'predict %g', or any speed from %g to %g m/s")
-		      : N_("now 'predict %g'"),
-	    answers_usual_speed(entry), from, to);
+	    from < to ? N_("now 'predict %s', or any speed from %g to %g m/s%s")
+		      : N_("now 'predict %s'"),
+	    usual, from, to, rpm);
 }
 
 /* True if the answer before the newest has said this. */

@@ -221,4 +221,11 @@ char *session_site_label(const struct site *site);
 char *session_speeds(const struct site *site, const char *between,
     const bool *mark, bool marked);
 
+/* Returns these speeds in rpm, "1569, 1796", or as session_rpm to follow m/s in
+ * a sentence, " (1569, 1796 rpm)"; "" unless the site states the rotor.  The
+ * caller frees it. */
+char *session_rpm_list(const struct site *site, const char *between,
+    const bool *mark, bool marked);
+char *session_rpm(const struct site *site, const bool *mark, bool marked);
+
 #endif

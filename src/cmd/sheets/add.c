@@ -21,6 +21,7 @@
 #include "cmd/sheets/load.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
@@ -328,8 +329,10 @@ measured_and_predicted(
 	struct figure at = forecast_shown(f, 0);
 	FREED char *measured =
 	    quantities_statement(&of, psd_at_sieve(&cut->product, of.x));
-	char *words = xasprintf(tr("%s at %g m/s%s, predicted %.1f"), measured,
-	    cut->speed, cut->repeat, at.value);
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, cut->speed, NAN);
+	char *words = xasprintf(tr("%s at %g m/s%s%s, predicted %.1f"),
+	    measured, cut->speed, cut->repeat, rpm, at.value);
 	if (isfinite(at.low))
 		xappend(&words, tr(" (%.1f to %.1f for a belt cut)"), at.low,
 		    at.high);
@@ -409,7 +412,9 @@ note_products(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	FREED char *speeds = session_speeds(entry->site, ", ", NULL, true);
-	session_note(s, "  %s has products at %s m/s", entry->key, speeds);
+	FREED char *rpm = session_rpm(entry->site, NULL, true);
+	session_note(
+	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
 
 /* Suggests what to do after n cuts have been compared: of a calibrated site, as

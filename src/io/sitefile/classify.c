@@ -535,9 +535,6 @@ find_speed(struct column *c, const struct surroundings *near)
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
 		c->speed = head_mps(c->rpm, SPEED_RPM, near->rotor);
-		if (c->speed > 0)
-			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
-			    c->rpm, 1000 * near->rotor, c->speed);
 	} else if (bare_speed(said) > 0 && said->unknown == 0) {
 		c->speed = bare_speed(said);
 		/* A speed that spreads over the feed may not be the feed's. */

@@ -696,6 +696,29 @@ take_rotor(struct reading *r, const struct heading_rotor *said)
 	    said->line);
 }
 
+/* Says once for all columns which speeds in rpm were read as which in m/s. */
+static void
+note_rpm(struct reading *r)
+{
+	double rotor =
+	    r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
+	FREED char *rpm = xstrdup(""), *mps = xstrdup("");
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		bool told = !(c->rpm > 0) || !(c->speed > 0);
+		for (size_t k = 0; k < i; k++)
+			told = told || r->all.column[k].rpm == c->rpm;
+		if (told)
+			continue;
+		xlist(&rpm, ", ", "%g", c->rpm);
+		xlist(&mps, ", ", "%g", c->speed);
+	}
+	if (rpm[0] != '\0')
+		xlist(&r->site->remark, "; ",
+		    tr("%s rpm of a rotor of %g mm read as %s m/s"), rpm,
+		    1000 * rotor, mps);
+}
+
 static void
 read_pages(struct reading *r)
 {
@@ -844,6 +867,7 @@ finish_site(struct reading *r)
 		free(r->site->name);
 		r->site->name = site_heading_name(q->path[0]);
 	}
+	note_rpm(r);
 	make_runs(r->site, &r->all);
 	note_left_out(r);
 	note_sieve_names(r);

@@ -42,14 +42,14 @@ goal_pending(const struct tui *t)
 double
 goal_best(const struct tui *t)
 {
-	return goals_best(t->session, &t->view.goal, t->ui.tenths / 10.0);
+	return goals_best(t->session, &t->view.goal, tui_speed(t));
 }
 
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
 	return goals_words(t->session, tui_entry_asked_about(t), &t->view.goal,
-	    t->ui.tenths / 10.0, length);
+	    tui_speed(t), length);
 }
 
 size_t

@@ -114,7 +114,7 @@ static void
 draw_chance(const struct tui *t, const struct area *area)
 {
 	const struct goal *g = &t->view.goal;
-	double speed = t->ui.tenths / 10.0;
+	double speed = tui_speed(t);
 	bool all = true;
 	for (size_t i = 0; i < g->list.n; i++)
 		all = all && holds_now(t, &g->list.at[i]);

@@ -226,7 +226,7 @@ static void
 say_speed(const struct tui *t, struct part *part)
 {
 	const struct entry *entry = tui_current_entry(t);
-	double v = t->ui.tenths / 10.0;
+	double v = tui_speed(t);
 	double rotor = entry != NULL ? entry->site->rotor : 0;
 	FREED char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
@@ -393,7 +393,7 @@ move_to_best(struct tui *t)
 					     : N_("no goal yet: t sets one"));
 		return;
 	}
-	t->ui.tenths = slider_tenths(tui_range(t), best);
+	tui_go_to(t, best);
 	t->keep_message = true;
 	FREED char *chance =
 	    conditions_chance(g->found->best_certain, g->missed == NULL);
