@@ -459,7 +459,7 @@ response_strip_draw_marks(
 		screen_series(area, response_strip_row_of(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
-		    screen_charset() == CHARSET_ASCII ? "O" : "\u25CE");
+		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
 }
 
 /* Says why there is no curve; nothing while it is being computed. */
