@@ -109,16 +109,18 @@ draw_command(struct tui *t, const struct area *area)
 	return 0;
 }
 
-/* Draws the message.  If it is too long for its row, it continues in the row of
- * hints or, without one, begins in the row of the command.  Returns true if it
- * covers the hints. */
+/* Draws the message.  If it is too long for its row, it begins in the row of
+ * the last command; while that has no row of its own or a line is being typed
+ * there, it continues in the row of hints.  Returns true if it covers the
+ * hints. */
 static bool
 frame_draw_message(const struct tui *t, const struct area *row)
 {
 	struct area area = *row;
 	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
-	     hints = wide && t->layout.hints.rows > 0;
+	     above = row == &t->layout.status && !t->line.active,
+	     hints = wide && !above && t->layout.hints.rows > 0;
 	if (wide)
 		area.rows = layout_message_rows(&t->layout);
 	if (area.rows == 2 && !hints)
