@@ -304,14 +304,16 @@ static void
 frame_draw_speed(struct tui *t, const struct area *note)
 {
 	bool narrow = note->columns < 24;
-	int at =
-	    screen_text(note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"),
-		t->speed.text + (t->speed.text[0] == '='));
-	bool unit = strpbrk(t->speed.text, "rpms") != NULL;
+	const char *typed = t->speed.text + (t->speed.text[0] == '=');
+	/* No tip speed is as high as turns are. */
+	const char *unit = strpbrk(typed, "rpms") != NULL ? ""
+			   : atof(typed) > SITE_FASTEST   ? " rpm"
+							  : " m/s";
+	int at = screen_text(
+	    note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"), typed);
 	screen_text(note, 0, at, LOOK_BOLD,
-	    unit     ? N_("_ (Enter)")
-	    : narrow ? N_("_ m/s, Enter")
-		     : N_("_ m/s (Enter)"));
+	    narrow && unit[0] != '\0' ? N_("_%s, Enter") : N_("_%s (Enter)"),
+	    unit);
 	t->cursor = (struct cursor){note->row, at};
 }
 

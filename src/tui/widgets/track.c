@@ -395,17 +395,21 @@ move_to_best(struct tui *t)
 	}
 	t->ui.tenths = slider_tenths(tui_range(t), best);
 	t->keep_message = true;
-	FREED char *chance =
-	    conditions_chance(g->found->best_certain, g->missed == NULL);
 	if (g->missed != NULL)
 		tui_say(t, false,
 		    "no speed meets the goal, %.1f m/s is nearest: %s", best,
 		    g->missed);
 	else if (g->n_value > 0)
 		tui_say(t, false, "the goal is met at %.1f m/s", best);
-	else
-		tui_say(t, false, "best speed of the goal: %.1f m/s (%s)", best,
-		    chance);
+	else if (isnan(g->found->best_certain))
+		tui_say(t, false, "best speed of the goal: %.1f m/s", best);
+	else {
+		FREED char *percent =
+		    conditions_percent(g->found->best_certain);
+		tui_say(t, false,
+		    "best speed of the goal: %.1f m/s (chance %s)", best,
+		    percent);
+	}
 }
 
 static bool
