@@ -466,8 +466,10 @@ frame_draw(struct tui *t)
 	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
 	int list_rows = page->list_rows != NULL ? page->list_rows(t) : 0;
 	bool beside = list_rows == 0;
-	const struct layout_ask ask = {beside ? side_columns(page, columns) : 0,
-	    beside && page->differences, page->strip, list_rows};
+	bool site = tui_current_entry(t) != NULL;
+	const struct layout_ask ask = {
+	    beside && site ? side_columns(page, columns) : 0,
+	    beside && page->differences, site && page->strip, !site, list_rows};
 	t->layout = viewing || list ? layout_text(rows, columns)
 				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
@@ -475,8 +477,9 @@ frame_draw(struct tui *t)
 	t->shows = page;
 	add_wheel(t, viewing);
 	draw_header(t);
-	t->cursor = (struct cursor){t->layout.track.row, 0};
-	if (t->layout.track.rows > 0)
+	t->cursor = (struct cursor){
+	    site ? t->layout.track.row : t->layout.command.row, 0};
+	if (t->layout.track.rows > 0 && site)
 		track_draw(t);
 	if (viewing)
 		viewer_draw(t);

@@ -466,11 +466,8 @@ response_strip_draw_marks(
 static void
 response_strip_draw_none(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
 	const struct area *area = &t->layout.strip;
 	const char *why = "";
-	if (entry == NULL)
-		return;
 	if (session_busy(t->session))
 		why = tr("known when the calibration ends");
 	else if (!has_curve(t))
