@@ -210,6 +210,7 @@ close_goal_field(struct tui *t)
 {
 	edit_end(&t->line);
 	t->goal_field = false;
+	t->message[0] = '\0';
 }
 
 /* Returns the line that sets the goal, or clears it; NULL if nothing changes.

@@ -20,7 +20,7 @@ enum column { CONDITION, NOW, HOLDS, SPEEDS, COLUMNS };
 static const struct list_column COLUMN[COLUMNS] = {
     [CONDITION] = {N_("condition"), 12, 0},
     [NOW] = {N_("now"), 6, 1, .right = true},
-    [HOLDS] = {N_("met"), 5, 2},
+    [HOLDS] = {N_("limits"), 6, 2},
     [SPEEDS] = {N_("by itself at"), 12, 3}};
 
 /* Returns the value of a condition at the slider's speed, in its own unit. */
@@ -109,22 +109,22 @@ goal_view_rows(const struct tui *t)
 	return !goal_is_viewed(t) ? 0 : rows < MOST ? rows : MOST;
 }
 
-/* Says how well the goal is met at the slider's speed. */
+/* Says how likely the goal is to be met at the slider's speed. */
 static void
 draw_chance(const struct tui *t, const struct area *area)
 {
 	const struct goal *g = &t->view.goal;
 	double speed = tui_speed(t);
-	bool all = true;
-	for (size_t i = 0; i < g->list.n; i++)
-		all = all && holds_now(t, &g->list.at[i]);
 	if (!are_speeds_known(t) || g->n_value > 0)
 		return;
-	FREED char *chance = conditions_chance(goal_certain_at(t, speed), all);
+	double certain = goal_certain_at(t, speed);
+	if (isnan(certain))
+		return;
+	FREED char *percent = conditions_percent(certain);
 	screen_text(area, 0, 0, LOOK_BOLD,
-	    g->list.n > 1 ? N_("all conditions at %.1f m/s: %s")
-			  : N_("the condition at %.1f m/s: %s"),
-	    speed, chance);
+	    g->list.n > 1 ? N_("all met at %.1f m/s: chance %s")
+			  : N_("met at %.1f m/s: chance %s"),
+	    speed, percent);
 }
 
 void
