@@ -195,8 +195,8 @@ const struct command TABLE_DATA[] = {
 	    "equations: Eqs 1 to 5 as printed and as used, and what the "
 	    "printed forms would give at the site; claims: what the paper "
 	    "concludes, compared with the calibrated sites; search: the "
-	    "generations of the last calibration, as history; store: where "
-	    "remembered materials are kept; log: what the plant's log has.",
+	    "generations of the last calibration; store: where remembered "
+	    "materials are kept; log: what the plant's log has.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "show model\nshow selection speed=79",
