@@ -277,7 +277,8 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 		if (r->all.column[i].below > 0)
 			r->all.column[i].top = top;
 	xlist(&r->site->assumed, "; ",
-	    tr("100 %% passes %s mm, as %s %% passes %g mm"),
+	    tr("all of the feed passes %s mm (%s %% passes its coarsest sieve, "
+	       "%g mm)"),
 	    text_exact_number(top, mm), site_column_pct(c, at, 100, p),
 	    t->mm[at]);
 	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
