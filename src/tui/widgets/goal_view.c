@@ -9,6 +9,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
 #include "tui/screen.h"
@@ -62,16 +63,24 @@ speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 		return;
 	}
 	const double *alone = g->found->alone[i];
+	const struct site *site = tui_current_entry(t)->site;
+	double low = isfinite(alone[0]) ? alone[0] : alone[1];
+	double high =
+	    isfinite(alone[0]) && isfinite(alone[1]) ? alone[1] : (double)NAN;
+	FREED char *rpm =
+	    isfinite(low) ? answers_rpm(site, low, high) : xstrdup("");
 	if (isfinite(alone[0]) && isfinite(alone[1]))
-		snprintf(text, n, tr("%.1f to %.1f m/s"), alone[0], alone[1]);
+		snprintf(
+		    text, n, tr("%.1f to %.1f m/s%s"), alone[0], alone[1], rpm);
 	else if (isfinite(alone[0]))
-		snprintf(text, n, tr("from %.1f m/s"), alone[0]);
+		snprintf(text, n, tr("from %.1f m/s%s"), alone[0], rpm);
 	else if (isfinite(alone[1]))
-		snprintf(text, n, tr("up to %.1f m/s"), alone[1]);
+		snprintf(text, n, tr("up to %.1f m/s%s"), alone[1], rpm);
+	else if (holds_now(t, &g->list.at[i]))
+		snprintf(text, n, tr("all (%g to %g)"), g->found->speed[0],
+		    g->found->speed[g->found->n - 1]);
 	else
-		snprintf(text, n,
-		    holds_now(t, &g->list.at[i]) ? tr("all speeds")
-						 : tr("no speed"));
+		snprintf(text, n, "%s", tr("no speed"));
 }
 
 static void
@@ -121,10 +130,11 @@ draw_chance(const struct tui *t, const struct area *area)
 	if (!are_speeds_known(t) || g->n_value > 0)
 		return;
 	FREED char *chance = conditions_chance(goal_certain_at(t, speed), all);
+	FREED char *rpm = answers_rpm(tui_current_entry(t)->site, speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
-	    g->list.n > 1 ? N_("all conditions at %.1f m/s: %s")
-			  : N_("the condition at %.1f m/s: %s"),
-	    speed, chance);
+	    g->list.n > 1 ? N_("all conditions at %.1f m/s%s: %s")
+			  : N_("the condition at %.1f m/s%s: %s"),
+	    speed, rpm, chance);
 }
 
 void

@@ -397,15 +397,16 @@ move_to_best(struct tui *t)
 	t->keep_message = true;
 	FREED char *chance =
 	    conditions_chance(g->found->best_certain, g->missed == NULL);
+	FREED char *rpm = answers_rpm(tui_current_entry(t)->site, best, NAN);
 	if (g->missed != NULL)
 		tui_say(t, false,
-		    "no speed meets the goal, %.1f m/s is nearest: %s", best,
-		    g->missed);
+		    "no speed meets the goal, %.1f m/s%s is nearest: %s", best,
+		    rpm, g->missed);
 	else if (g->n_value > 0)
-		tui_say(t, false, "the goal is met at %.1f m/s", best);
+		tui_say(t, false, "the goal is met at %.1f m/s%s", best, rpm);
 	else
-		tui_say(t, false, "best speed of the goal: %.1f m/s (%s)", best,
-		    chance);
+		tui_say(t, false, "best speed of the goal: %.1f m/s%s (%s)",
+		    best, rpm, chance);
 }
 
 static bool
