@@ -111,8 +111,8 @@ next_before_load(const struct session *s)
 	return (struct next){NULL,
 	    remembered
 		? N_("load your own sheet: load plant.xlsx; or bring back a "
-		     "site that was remembered: 'materials origin=own' lists "
-		     "them, 'recall NAME' takes one")
+		     "site that was remembered: 'recall', which lists them "
+		     "where there are several")
 		: N_("load your own sheet: load plant.xlsx; an empty one to "
 		     "fill in: template > my.csv"),
 	    false, NEXT_LOAD};

@@ -73,7 +73,8 @@ const struct command TABLE_DATA[] = {
 		 COMMAND_DAILY,
 	.option = OPTION_LIST(SHEET_OPTIONS,
 	    {TEXT(date), NULL, "",
-		"day of the cuts, such as 2026-05-03; not set from the clock"},
+		"day of the cuts, such as 2026-05-03; default: that stated "
+		"above their table; not set from the clock"},
 	    {NUMBER(window), "min", 0.1, 600, NULL, "10",
 		"minutes of the log, half before the time and half after it"},
 	    {TEXT(digest), NULL, "",

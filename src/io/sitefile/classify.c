@@ -589,6 +589,11 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 	FREED char *where =
 	    xasprintf(c->table->across ? tr("line %zu") : tr("column %zu"),
 		c->table->number[c->at]);
+	/* Tables one below the other repeat their columns. */
+	for (size_t i = 0; i < site->n_left_out; i++)
+		if (strcmp(site->left_out[i].key, where) == 0 &&
+		    strcmp(site->left_out[i].value, what) == 0)
+			return;
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 

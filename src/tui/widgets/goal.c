@@ -62,8 +62,12 @@ goal_limits(const struct tui *t, double *speed, size_t most)
 	for (size_t i = 0; i < g->n_met && n < most; i++)
 		speed[n++] = g->met[i];
 	for (size_t i = 0; i < g->found->n_inside && n + 2 <= most; i++) {
-		speed[n++] = g->found->inside[i].from;
-		speed[n++] = g->found->inside[i].to;
+		const struct speed_range *in = &g->found->inside[i];
+		/* Where the search ends is no limit of the goal. */
+		if (in->from > g->found->speed[0])
+			speed[n++] = in->from;
+		if (in->to < g->found->speed[g->found->n - 1])
+			speed[n++] = in->to;
 	}
 	if (n == 0 && most > 0)
 		speed[n++] = goal_best(t);

@@ -9,8 +9,10 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
+#include "core/psd/rotor_speed.h"
 #include "tui/screen.h"
 #include "tui/widgets/goal.h"
 #include "tui/widgets/list.h"
@@ -62,16 +64,25 @@ speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 		return;
 	}
 	const double *alone = g->found->alone[i];
+	const struct site *site = tui_current_entry(t)->site;
+	double low = isfinite(alone[0]) ? alone[0] : alone[1];
+	double high =
+	    isfinite(alone[0]) && isfinite(alone[1]) ? alone[1] : (double)NAN;
+	FREED char *rpm = isfinite(low)
+			      ? rotor_speed_words(site->rotor, low, high)
+			      : xstrdup("");
 	if (isfinite(alone[0]) && isfinite(alone[1]))
-		snprintf(text, n, tr("%.1f to %.1f m/s"), alone[0], alone[1]);
+		snprintf(
+		    text, n, tr("%.1f to %.1f m/s%s"), alone[0], alone[1], rpm);
 	else if (isfinite(alone[0]))
-		snprintf(text, n, tr("from %.1f m/s"), alone[0]);
+		snprintf(text, n, tr("from %.1f m/s%s"), alone[0], rpm);
 	else if (isfinite(alone[1]))
-		snprintf(text, n, tr("up to %.1f m/s"), alone[1]);
+		snprintf(text, n, tr("up to %.1f m/s%s"), alone[1], rpm);
+	else if (holds_now(t, &g->list.at[i]))
+		snprintf(text, n, tr("all (%g to %g)"), g->found->speed[0],
+		    g->found->speed[g->found->n - 1]);
 	else
-		snprintf(text, n,
-		    holds_now(t, &g->list.at[i]) ? tr("all speeds")
-						 : tr("no speed"));
+		snprintf(text, n, "%s", tr("no speed"));
 }
 
 static void
@@ -121,10 +132,12 @@ draw_chance(const struct tui *t, const struct area *area)
 	if (isnan(certain))
 		return;
 	FREED char *percent = conditions_percent(certain);
+	FREED char *rpm =
+	    rotor_speed_words(tui_current_entry(t)->site->rotor, speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
-	    g->list.n > 1 ? N_("all met at %.1f m/s: chance %s")
-			  : N_("met at %.1f m/s: chance %s"),
-	    speed, percent);
+	    g->list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
+			  : N_("met at %.1f m/s%s: chance %s"),
+	    speed, rpm, percent);
 }
 
 void

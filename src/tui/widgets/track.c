@@ -381,19 +381,22 @@ move_to_best(struct tui *t)
 	}
 	tui_go_to(t, best);
 	t->keep_message = true;
+	FREED char *rpm =
+	    rotor_speed_words(tui_current_entry(t)->site->rotor, best, NAN);
 	if (g->missed != NULL)
 		tui_say(t, false,
-		    "no speed meets the goal, %.1f m/s is nearest: %s", best,
-		    g->missed);
+		    "no speed meets the goal, %.1f m/s%s is nearest: %s", best,
+		    rpm, g->missed);
 	else if (g->n_value > 0)
-		tui_say(t, false, "the goal is met at %.1f m/s", best);
+		tui_say(t, false, "the goal is met at %.1f m/s%s", best, rpm);
 	else if (isnan(g->found->best_certain))
-		tui_say(t, false, "best speed of the goal: %.1f m/s", best);
+		tui_say(
+		    t, false, "best speed of the goal: %.1f m/s%s", best, rpm);
 	else {
 		FREED char *percent =
 		    conditions_percent(g->found->best_certain);
 		tui_say(t, false,
-		    "best speed of the goal: %.1f m/s (chance %s)", best,
+		    "best speed of the goal: %.1f m/s%s (chance %s)", best, rpm,
 		    percent);
 	}
 }
