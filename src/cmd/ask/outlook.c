@@ -283,8 +283,9 @@ outlook_ensemble(
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
+	size_t other = site_run_at(entry->site, SITE_OTHER_FEED);
 	/* A feed that all runs share is the same whichever it is asked of. */
-	if (!entry->site->individual_feeds)
+	if (!entry->site->individual_feeds && other == entry->site->n_run)
 		feed_run = 0;
 	struct ensemble_of *kept = &h->kept[feed_run < entry->site->n_run];
 	if (kept->ensemble != NULL && kept->posterior == p &&
