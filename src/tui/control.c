@@ -301,8 +301,8 @@ first_slider_tenths(const struct tui *t)
 {
 	const struct entry *e = tui_current_entry(t);
 	struct slider_range range = tui_range(t);
-	if (slider_has(range, t->session->last_speed))
-		return slider_tenths(range, t->session->last_speed);
+	if (slider_has(range, t->session->last_asked.speed))
+		return slider_tenths(range, t->session->last_asked.speed);
 	return e != NULL ? slider_tenths(range, answers_usual_speed(e)) : 740;
 }
 

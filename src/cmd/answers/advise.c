@@ -19,8 +19,8 @@
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
 #include "core/answer/advise.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
-#include "io/sitefile/units.h"
 
 /* What is asked: the question, the quantity, its name, and the unit that
  * follows a width. */
@@ -151,8 +151,8 @@ advise_note_best(struct answer *r, const struct advice_request *w,
 {
 	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
-	FREED char *rpm =
-	    answers_rpm(w->question->entry->site, best->speed, NAN);
+	FREED char *rpm = rotor_speed_words(
+	    w->question->entry->site->rotor, best->speed, NAN);
 	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
@@ -234,7 +234,8 @@ advise_answer(
 	for (size_t i = 0; i < n; i++) {
 		answer_cells(r, "%g", c[i].speed);
 		if (rotor > 0)
-			answer_cells(r, "%.0f", units_rpm(c[i].speed, rotor));
+			answer_cells(
+			    r, "%.0f", rotor_speed_rpm(c[i].speed, rotor));
 		answer_cells(r, "%s %.3f %.0f",
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
 		    100 * (1 - c[i].width / width));

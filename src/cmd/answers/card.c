@@ -19,6 +19,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
@@ -362,7 +363,8 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 	put_number(page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
 	put_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
 	if (rotor > 0)
-		put_number(page, "rpm", "rpm", 0, NEEDED, units_rpm(v, rotor));
+		put_number(
+		    page, "rpm", "rpm", 0, NEEDED, rotor_speed_rpm(v, rotor));
 	forecast_at(all->forecast, v);
 	put_figures(page, all, v);
 	struct trust light = light_at(s, entry, v, all->question->feed);
@@ -500,7 +502,7 @@ note_unmet(struct answer *r, const struct site *site,
 	for (size_t i = 1; i < n; i++)
 		if (row[i].share > row[best].share)
 			best = i;
-	FREED char *rpm = answers_rpm(site, row[best].speed, NAN);
+	FREED char *rpm = rotor_speed_words(site->rotor, row[best].speed, NAN);
 	FREED char *share = conditions_percent(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
@@ -535,7 +537,7 @@ measured_words(const struct site *site)
 	for (size_t r = 0; r < site->n_run && site->rotor > 0; r++)
 		if (site->run[r].product.n > 0 && !site_run_repeats(site, r))
 			xlist(&rpm, ", ", "%.0f",
-			    units_rpm(site->run[r].speed, site->rotor));
+			    rotor_speed_rpm(site->run[r].speed, site->rotor));
 	if (rpm[0] != '\0')
 		xappend(&words, tr(" (%s rpm)"), rpm);
 	return words;

@@ -16,6 +16,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/answer/predict.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 /* What is wanted: a value of a quantity, or its maximum or minimum, and other
@@ -239,9 +240,9 @@ range_words(const struct find_request *goal, const double range[2])
 	if (!(rotor > 0))
 		return words;
 	FREED char *slow = xasprintf(
-	    below ? tr("below %.0f") : "%.0f", units_rpm(from, rotor));
-	FREED char *fast =
-	    xasprintf(above ? tr("above %.0f") : "%.0f", units_rpm(to, rotor));
+	    below ? tr("below %.0f") : "%.0f", rotor_speed_rpm(from, rotor));
+	FREED char *fast = xasprintf(
+	    above ? tr("above %.0f") : "%.0f", rotor_speed_rpm(to, rotor));
 	xappend(&words, tr(" (%s to %s rpm)"), slow, fast);
 	return words;
 }
@@ -314,7 +315,7 @@ find_note_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	const struct site *site = goal->wanted.site;
-	FREED char *rpm = answers_rpm(site, f->found, NAN);
+	FREED char *rpm = rotor_speed_words(site->rotor, f->found, NAN);
 	if (isnan(f->range[0])) {
 		answer_note(r, "%s at %.2f m/s%s", words, f->found, rpm);
 	} else {
@@ -330,7 +331,7 @@ find_note_speed(struct answer *r, const struct find_request *goal,
 		    !isfinite(f->range[1]));
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
-		FREED char *turns = answers_rpm(site, v, NAN);
+		FREED char *turns = rotor_speed_words(site->rotor, v, NAN);
 		if (v != f->found)
 			answer_note(r, "also at %.2f m/s%s%s", v, turns,
 			    answers_extrapolates(goal->question->entry, v)
@@ -365,7 +366,7 @@ note_extreme(struct answer *r, const struct find_request *goal,
 	bool most = goal->kind == GOAL_MOST;
 	forecast_at(goal->wanted.forecast, v);
 	char *words = value_words(goal, goal->wanted.n);
-	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "%s at %.2f m/s%s: %s",
 	    most ? tr("largest") : tr("least"), v, rpm, words);
 	free(words);
@@ -403,7 +404,7 @@ note_sure(struct answer *r, const struct find_request *goal,
 	}
 	forecast_at(goal->wanted.forecast, v);
 	FREED char *words = value_words(goal, goal->wanted.n);
-	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "with %.0f %% certainty at %.2f m/s%s: %s", level, v,
 	    rpm, words);
 }
@@ -446,7 +447,7 @@ note_others(struct answer *r, const struct find_request *goal,
 	if (isnan(certain))
 		return;
 	FREED char *words = conditions_percent(certain);
-	FREED char *rpm = answers_rpm(goal->wanted.site, v, NAN);
+	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
 	answer_note(r,
 	    goal->wanted.n > 1
 		? N_("at %.2f m/s%s these conditions hold with %s certainty")
@@ -540,18 +541,19 @@ nearest_speed(const struct find_request *goal, const struct speed_search *f)
 }
 
 /* The light of the speed found, or that of the nearest one, which is named: the
- * speed that 'why' explains. */
-static void
+ * speed that 'why' explains, which is returned. */
+static double
 show_basis(struct session *s, struct answer *r, const struct find_request *goal,
     const struct speed_search *f)
 {
 	const struct question *q = goal->question;
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
-	s->last_speed = found ? v : nearest_speed(goal, f);
-	struct trust light = light_at(s, q->entry, s->last_speed, q->feed);
+	double shown = found ? v : nearest_speed(goal, f);
+	struct trust light = light_at(s, q->entry, shown, q->feed);
 	answers_note_basis(s, r, q, found ? v : 0, NULL, &light);
-	light_show_at(r, found ? 0 : s->last_speed, light);
+	light_show_at(r, found ? 0 : shown, light);
+	return shown;
 }
 
 /* Without a speed found the title says so, lest the rows be taken for it. */
@@ -592,12 +594,13 @@ answer_goal(struct session *s, struct find_request *goal)
 	note_finding(r, s, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	show_basis(s, r, goal, f);
+	double shown = show_basis(s, r, goal, f);
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
 		answers_keep_prediction(s, entry, &entry->params, &p[0]);
+	asked_keep(s, shown, &goal->target.quantity);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	speed_search_free(f);
@@ -611,11 +614,12 @@ note_window(struct answer *r, const struct find_request *goal,
 {
 	const struct speed_range *in = speed_search_around(w);
 	const struct site *site = g->conditions.site;
-	FREED char *best = answers_rpm(site, w->best, NAN);
+	FREED char *best = rotor_speed_words(site->rotor, w->best, NAN);
 	if (in != NULL) {
 		FREED char *speeds =
 		    conditions_speeds_in_units(&g->conditions, w);
-		FREED char *table = answers_rpm(site, in->from, NAN);
+		FREED char *table =
+		    rotor_speed_words(site->rotor, in->from, NAN);
 		answer_note(r,
 		    "meets the envelope at %s, most surely at %.1f m/s%s; "
 		    "table: %.1f m/s%s",
@@ -657,7 +661,7 @@ answer_spec(struct session *s, const struct args *args,
 	}
 	grading_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
-	s->last_speed = v;
+	asked_keep(s, v, NULL);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

@@ -12,6 +12,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "core/answer/predict.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 /* Adds two rows, for the ends of a size's band. */
@@ -46,7 +47,7 @@ add_speeds_across(struct answer *r, const struct entry *entry,
 		answer_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
 			answer_cells(r, "%.0f",
-			    units_rpm(p[i].speed, entry->site->rotor));
+			    rotor_speed_rpm(p[i].speed, entry->site->rotor));
 	}
 	for (size_t row = 0; row < p[0].product.n; row++) {
 		answer_text(r, "%g", units_mm(p[0].product.size[row]));

@@ -204,7 +204,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
 	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
 	    "takes that screened fraction. Figures that the sieves do not "
-	    "reach are left out, or missing.",
+	    "reach are left out, or missing. A sentence says "
+	    "between which values a new belt cut may show those that are "
+	    "named.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
 	.answer = cmd_figures},

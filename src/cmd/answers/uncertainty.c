@@ -19,6 +19,7 @@
 #include "cmd/lang/parse.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/ensemble.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 static const char *const PARTS[ENSEMBLE_PARTS] = {
@@ -234,9 +235,9 @@ figure_of_sentences(const struct question *q, const struct args *args,
 {
 	if (args->of != NULL)
 		return named[0];
-	return (struct quantity){.kind = QUANTITY_PASSING,
-	    .x = at->product.size[answers_usual_sieve(&at->product)],
-	    .fraction = q->fraction};
+	struct quantity of = answers_usual_passing(&at->product);
+	of.fraction = q->fraction;
+	return of;
 }
 
 /* Returns "0/2" for what passes 2 mm.  The caller frees it. */
@@ -275,7 +276,8 @@ note_best_next_sample(struct answer *r, const struct session *s,
 		return;
 	double share = 1 - best.width / width;
 	FREED char *name = figure_name(of);
-	FREED char *rpm = answers_rpm(q->entry->site, best.speed, NAN);
+	FREED char *rpm =
+	    rotor_speed_words(q->entry->site->rotor, best.speed, NAN);
 	answer_note(r,
 	    share < ADVISE_WORTH
 		? N_("what would help %s at %.4g m/s most: several samples, as "

@@ -15,6 +15,7 @@
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 
 /* What was asked, and what was found. */
 struct window_request {
@@ -71,9 +72,9 @@ note_binding(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
 	const struct site *site = a->wanted.site;
-	FREED char *from = answers_rpm(site, in->from, NAN);
-	FREED char *to = answers_rpm(site, in->to, NAN);
-	FREED char *both = answers_rpm(site, in->from, in->to);
+	FREED char *from = rotor_speed_words(site->rotor, in->from, NAN);
+	FREED char *to = rotor_speed_words(site->rotor, in->to, NAN);
+	FREED char *both = rotor_speed_words(site->rotor, in->from, in->to);
 	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		FREED char *q =
@@ -151,8 +152,8 @@ note_best(struct answer *r, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	const struct site *site = a->wanted.site;
-	FREED char *rpm = answers_rpm(site, w->best, NAN);
-	FREED char *slow = answers_rpm(site, w->safe, NAN);
+	FREED char *rpm = rotor_speed_words(site->rotor, w->best, NAN);
+	FREED char *slow = rotor_speed_words(site->rotor, w->safe, NAN);
 	FREED char *words = xasprintf(
 	    answers_extrapolates(a->q->entry, w->best)
 		? tr("best %.1f m/s%s, beyond the measured speeds, none of "
@@ -254,7 +255,7 @@ window_answer(const struct window_request *a)
 	const struct site *site = a->wanted.site;
 	double v = a->w->best;
 	bool several = a->list.n > 1;
-	FREED char *rpm = answers_rpm(site, v, NAN);
+	FREED char *rpm = rotor_speed_words(site->rotor, v, NAN);
 	if (a->w->n_inside > 0)
 		return answers_new(site, "window", "%s at %.1f m/s%s",
 		    several ? tr("conditions") : tr("the condition"), v, rpm);
@@ -289,7 +290,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
-		s->last_speed = a.w->best;
+		asked_keep(s, a.w->best, &a.list.at[0].quantity);
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

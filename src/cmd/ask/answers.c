@@ -15,6 +15,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/quantity_words.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
@@ -135,6 +136,13 @@ answers_usual_sieve(const struct psd *product)
 	return middle;
 }
 
+struct quantity
+answers_usual_passing(const struct psd *product)
+{
+	return (struct quantity){.kind = QUANTITY_PASSING,
+	    .x = product->size[answers_usual_sieve(product)]};
+}
+
 double *
 answers_speeds(const struct session *s, const struct site *site, size_t *n)
 {
@@ -158,7 +166,7 @@ answers_keep_prediction(struct session *s, const struct entry *entry,
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep_answer(s, answer);
-	s->last_speed = p->speed;
+	asked_keep(s, p->speed, NULL);
 }
 
 static char *
@@ -288,17 +296,6 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 		answer_say(r, ANSWER_REMARK,
 		    "measured rotor not stated; %g mm assumed",
 		    units_mm(v->rotor));
-}
-
-char *
-answers_rpm(const struct site *site, double low, double high)
-{
-	double rotor = site->rotor;
-	if (!(rotor > 0))
-		return xstrdup("");
-	return isnan(high) ? xasprintf(tr(" (%.0f rpm)"), units_rpm(low, rotor))
-			   : xasprintf(tr(" (%.0f to %.0f rpm)"),
-				 units_rpm(low, rotor), units_rpm(high, rotor));
 }
 
 /* A speed beyond those that were measured, where the light does not say so. */
@@ -457,7 +454,8 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
 		answer_cells(r, round ? "%g" : "%.2f", p[i].speed);
 		if (rotor > 0)
-			answer_cells(r, "%.0f", units_rpm(p[i].speed, rotor));
+			answer_cells(
+			    r, "%.0f", rotor_speed_rpm(p[i].speed, rotor));
 		answer_cells(r, "%.0f", p[i].energy);
 		answers_size_cell(r, &p[i], ANSWERS_BREAK);
 		for (size_t k = 0; k < PSD_SIZES; k++)

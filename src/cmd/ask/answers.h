@@ -54,6 +54,9 @@ double *answers_speeds(
  * sieve with the passing closest to 50 %. */
 size_t answers_usual_sieve(const struct psd *product);
 
+/* Returns the passing of that sieve as a quantity of the whole product. */
+struct quantity answers_usual_passing(const struct psd *product);
+
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p);
@@ -93,11 +96,6 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
  * caller frees it. */
 char *answers_reach_words(
     const struct entry *entry, double slowest, double fastest);
-
-/* Returns " (1376 rpm)" or, for a range of speeds in m/s, " (1329 to 1425
- * rpm)", to follow a speed in a sentence; "" unless the site states the rotor.
- * high: NAN for one speed.  The caller frees it. */
-char *answers_rpm(const struct site *site, double low, double high);
 
 /* Appends the basis of the answer, after everything else: for an answer with a
  * band, which runs correct it and what low and high mean; then the source of

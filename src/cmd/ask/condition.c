@@ -16,6 +16,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 static const char DIGITS[] = "0123456789";
@@ -594,8 +595,8 @@ conditions_speeds_in_units(
 	FREED char *mps = conditions_speeds_words(found);
 	FREED char *rpm = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
-		double from = units_rpm(found->inside[k].from, rotor),
-		       to = units_rpm(found->inside[k].to, rotor);
+		double from = rotor_speed_rpm(found->inside[k].from, rotor),
+		       to = rotor_speed_rpm(found->inside[k].to, rotor);
 		xlist(&rpm, tr(" and "),
 		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
 	}
@@ -672,8 +673,8 @@ static void
 add_speeds_alone(struct answer *r, const double speed[static 2], double rotor)
 {
 	if (rotor > 0)
-		answer_cells(r, "%.0f %.0f", units_rpm(speed[0], rotor),
-		    units_rpm(speed[1], rotor));
+		answer_cells(r, "%.0f %.0f", rotor_speed_rpm(speed[0], rotor),
+		    rotor_speed_rpm(speed[1], rotor));
 	else
 		answer_cells(r, "%.1f %.1f", speed[0], speed[1]);
 }
@@ -795,7 +796,8 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		    "%s alike, by %s",
 		    wanted->from, wanted->to, what, words, misses);
 	} else {
-		FREED char *rpm = answers_rpm(wanted->site, found->best, NAN);
+		FREED char *rpm =
+		    rotor_speed_words(wanted->site->rotor, found->best, NAN);
 		answer_note(r,
 		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
 		    "m/s%s, which misses by %s",
@@ -902,7 +904,8 @@ note_none_certain(
 				    : w->certain[k] > w->certain[most])
 			most = k;
 	FREED char *highest = conditions_percent(w->certain[most]);
-	FREED char *rpm = answers_rpm(wanted->site, w->speed[most], NAN);
+	FREED char *rpm =
+	    rotor_speed_words(wanted->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty: it is "
@@ -922,8 +925,8 @@ void
 conditions_note_certain(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	FREED char *rpm =
-	    answers_rpm(wanted->site, found->sure[0], found->sure[1]);
+	FREED char *rpm = rotor_speed_words(
+	    wanted->site->rotor, found->sure[0], found->sure[1]);
 	if (isfinite(found->sure[0]))
 		answer_note(r,
 		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s%s",

@@ -10,8 +10,8 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "core/psd/rotor_speed.h"
 #include "io/cells/number.h"
-#include "io/sitefile/units.h"
 #include "io/sitefile/lexicon.h"
 
 /* Longer ones before those that they begin with. */
@@ -92,7 +92,7 @@ head_mps(double number, enum speed_unit unit, double rotor)
 		return number * 0.3048;
 	case SPEED_RPM:
 		/* To a hundredth: rpm are known to one in a thousand. */
-		return round(100 * units_mps(number, rotor)) / 100;
+		return round(100 * rotor_speed_mps(number, rotor)) / 100;
 	default:
 		return number;
 	}

@@ -1,4 +1,4 @@
-/* Conversions between SI and the units shown to users: mm, per cent, rpm.
+/* Conversions between SI and the units shown to users: mm and per cent.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_UNITS_H
 #define TIPSPEED_IO_SITEFILE_UNITS_H
@@ -24,20 +24,6 @@ static inline double
 units_pct(double passing)
 {
 	return isfinite(passing) ? round(passing * 1e14) / 1e12 : passing;
-}
-
-/* units_rpm converts a tip speed in m/s to rpm for a rotor diameter in m;
- * units_mps converts back.  (C11 has no pi.) */
-static inline double
-units_rpm(double v, double rotor)
-{
-	return 60 * v / (3.14159265358979323846 * rotor);
-}
-
-static inline double
-units_mps(double rpm, double rotor)
-{
-	return 3.14159265358979323846 * rotor * rpm / 60;
 }
 
 /* Returns the number of decimals with which to show a speed in m/s: two if the

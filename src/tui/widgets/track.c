@@ -13,7 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/quantity_words.h"
 #include "core/model/breakage.h"
-#include "io/sitefile/units.h"
+#include "core/psd/rotor_speed.h"
 #include "tui/acts.h"
 #include "tui/widgets/goal.h"
 #include "tui/screen.h"
@@ -231,7 +231,7 @@ say_speed(const struct tui *t, struct part *part)
 	FREED char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
 	FREED char *turns =
-	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), units_rpm(v, rotor))
+	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), rotor_speed_rpm(v, rotor))
 		      : xstrdup("");
 	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
 	track_say(part, xasprintf("%s%s", words, turns));

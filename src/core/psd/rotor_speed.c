@@ -1,0 +1,19 @@
+/* Rotor speeds in words.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "core/psd/rotor_speed.h"
+
+#include <math.h>
+
+#include "base/tr.h"
+#include "base/xalloc.h"
+
+char *
+rotor_speed_words(double diameter, double low, double high)
+{
+	if (!(diameter > 0))
+		return xstrdup("");
+	double slow = rotor_speed_rpm(low, diameter);
+	return isnan(high) ? xasprintf(tr(" (%.0f rpm)"), slow)
+			   : xasprintf(tr(" (%.0f to %.0f rpm)"), slow,
+				 rotor_speed_rpm(high, diameter));
+}

@@ -1,0 +1,26 @@
+/* Rotor speeds in rpm, and the tip speeds that they are: v = pi D n / 60.
+ * diameter: of the rotor, m; 0 if it is not stated.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_PSD_ROTOR_SPEED_H
+#define TIPSPEED_CORE_PSD_ROTOR_SPEED_H
+
+/* Converts a tip speed, m/s, to rpm.  (C11 has no pi.) */
+static inline double
+rotor_speed_rpm(double v, double diameter)
+{
+	return 60 * v / (3.14159265358979323846 * diameter);
+}
+
+/* Converts rpm to a tip speed, m/s. */
+static inline double
+rotor_speed_mps(double rpm, double diameter)
+{
+	return 3.14159265358979323846 * diameter * rpm / 60;
+}
+
+/* Returns " (1376 rpm)" or, for a range of tip speeds, " (1329 to 1425 rpm)",
+ * to follow m/s in a sentence; "" without a diameter.  high: NAN for one speed.
+ * The caller frees it. */
+char *rotor_speed_words(double diameter, double low, double high);
+
+#endif
