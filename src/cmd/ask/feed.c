@@ -41,7 +41,8 @@ sampled_speeds(const struct site *site)
 {
 	char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].speed > 0 && !site_run_repeats(site, r))
+		if (site->run[r].speed > 0 && !site_run_repeats(site, r) &&
+		    !(site->run[r].feed_speed > 0))
 			xlist(&speeds, ", ", "%g", site->run[r].speed);
 	return speeds;
 }
@@ -53,6 +54,9 @@ feed_words(const struct site *site, size_t run)
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other)
 		return NULL;
+	if (run < site->n_run && site->run[run].feed_speed > 0)
+		return xasprintf(
+		    tr("sampled at %g m/s%s"), site->run[run].feed_speed, "");
 	if (run < site->n_run)
 		return xasprintf(tr("sampled at %g m/s%s"),
 		    site->run[run].speed, site->run[run].repeat);
