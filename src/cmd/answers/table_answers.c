@@ -227,7 +227,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "Conditions are those of window: the condition with = and a single "
 	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
 	    "the speed that gives the largest or smallest value; other "
-	    "conditions are checked at that speed, or limit it. Of the two "
+	    "conditions are checked at that speed, or limit it; without any "
+	    "they are those of 'set goal'. Of the two "
 	    "ranges of a speed the first is for the true product, the second "
 	    "for what a belt cut may show.",
 	.more =
