@@ -451,6 +451,22 @@ all_give_the_same(void **state)
 	}
 }
 
+/* A sheet's feed is taken where all runs of the site share one, too. */
+static void
+feed_of_a_sheet_gives_the_same(void **state)
+{
+	struct desk *desk = *state;
+	struct draw draw = draw_start(31);
+	struct question own = {.v = 72, .with = ""},
+			other = {
+			    .v = 72, .with = " feed=data/sites/sunderbyn.csv@69"};
+	desk_expect(desk, "load data/sites/borlange.csv; "
+			  "calibrate population=200; set format csv");
+	ask_all(desk, &own, &draw);
+	ask_all(desk, &other, &draw);
+	assert_true(fabs(other.size[1] - own.size[1]) > 0.02);
+}
+
 /* Whether the range of a kind that find stated has a speed. */
 static bool
 range_has(const struct session *s, const char *kind, double v)
@@ -511,6 +527,8 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test_setup_teardown(
 		all_give_the_same, desk_open, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		feed_of_a_sheet_gives_the_same, desk_open, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		find_holds_what_was_measured, desk_open, desk_close),
 	};

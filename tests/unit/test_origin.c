@@ -222,6 +222,32 @@ another_feed_leaves_the_session_as_it_was(void **state)
 	assert_true(session_answer_number(s, "predict", "p50_mm") == own);
 }
 
+static bool
+at_once(void)
+{
+	return true;
+}
+
+/* Who judges an answer keeps the evidence while another part of the judgement
+ * brings the draws to their end, which were stopped before. */
+static void
+evidence_stays_where_it_is(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(
+	    desk, "load data/sites/tierp.csv; calibrate population=200");
+	struct entry *entry = &s->entry[0];
+	struct history *h = entry->origin->history;
+	history_draw_again(h, s->set.noise, s->set.draw_seed);
+	h->stop = at_once;
+	const struct evidence *e = outlook_evidence(s, entry);
+	assert_true(isnan(e->discrepancy));
+	h->stop = NULL;
+	assert_ptr_equal(outlook_evidence(s, entry), e);
+	assert_true(isfinite(e->discrepancy));
+}
+
 int
 main(void)
 {
@@ -237,6 +263,7 @@ main(void)
 	    at_desk(another_feed_leaves_the_session_as_it_was),
 	    at_desk(undo_and_redo_carry_the_origin),
 	    at_desk(a_fit_of_few_cells_is_not_judged),
+	    at_desk(evidence_stays_where_it_is),
 	};
 	chdir_to_source();
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -141,12 +141,14 @@ test_reasons(void **state)
 {
 	(void)state;
 	struct evidence poor = SOUND, few = SOUND, slow = SOUND,
-			unsettled = SOUND, lost = SOUND, bent = SOUND;
+			unsettled = SOUND, lost = SOUND, bent = SOUND,
+			one = SOUND;
 	poor.rmse = 0.03;
 	few.cells = 7;
 	slow.unbounded = 0.4;
 	unsettled.halves = 0.3;
 	bent.finer = 0.5;
+	one.fastest = one.slowest;
 	lost.holdout = (struct validation){.n_sieve = 9,
 	    .holdout = true,
 	    .speed = 74,
@@ -173,6 +175,8 @@ test_reasons(void **state)
 	    {&SOUND, {.speed = 68.9}, LIGHT_AMBER, "0.1 m/s beyond"},
 	    {&SOUND, {.speed = 59}, LIGHT_AMBER, "10.0 m/s beyond"},
 	    {&SOUND, {.speed = 58.9}, LIGHT_RED, "which span 10.0"},
+	    {&one, {.speed = 75.9}, LIGHT_AMBER, "6.9 m/s from the one speed"},
+	    {&one, {.speed = 76}, LIGHT_RED, "7.0 m/s from the one speed"},
 	    {&SOUND, {.speed = 69}, LIGHT_GREEN, NULL},
 	    {&SOUND, {.speed = 74}, LIGHT_GREEN, NULL},
 	};

@@ -343,18 +343,16 @@ is_pinned(const struct args *args, size_t i)
 	return strcmp(args->operand[i], PIN) == 0;
 }
 
-/* Reads side i: a loaded site at the speed of the option, with a feed of its
- * own; or the site in use at a speed.  Two speeds share one feed.  Beside a
- * pinned prediction the feed is chosen as predict does. */
+/* Reads side i: a loaded site at speed v, with a feed of its own; or the site
+ * in use at a speed.  Two speeds share one feed.  Beside a pinned prediction
+ * the feed is chosen as predict does. */
 static bool
-take_side(struct session *s, const struct args *args, bool sites, size_t i,
-    struct side *side, struct error *error)
+take_side(struct session *s, const struct args *args, bool sites, double v,
+    size_t i, struct side *side, struct error *error)
 {
 	const char *word = args->operand[i];
 	if (is_pinned(args, i))
 		return take_pinned(s, args, side, error);
-	double v = args->speed > 0 ? args->speed
-				   : answers_usual_speed(session_entry(s));
 	size_t at = s->current;
 	if (sites && !session_find_site(s, word, &at, error))
 		return false;
@@ -512,7 +510,7 @@ bool
 cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
 	struct side side[2] = {{0}};
-	double v;
+	double v, speed = args->speed;
 	bool sites = false;
 	for (size_t i = 0; i < 2; i++)
 		sites =
@@ -523,10 +521,13 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		    "compare: expected no speed= with two speeds\n"
 		    "write: compare 69 79, or two sites: compare tierp bro "
 		    "speed=74");
+	if (sites && !(speed > 0))
+		speed = question_last_speed(
+		    s, answers_usual_speed(session_entry(s)));
 	FREED struct quantity *q = NULL;
 	size_t n = 0;
-	bool ok = take_side(s, args, sites, 0, &side[0], error) &&
-		  take_side(s, args, sites, 1, &side[1], error) &&
+	bool ok = take_side(s, args, sites, speed, 0, &side[0], error) &&
+		  take_side(s, args, sites, speed, 1, &side[1], error) &&
 		  take_figures(args, side, &q, &n, error);
 	if (ok && plot_writes_image(s)) {
 		ok = draw_both(s, side, error);

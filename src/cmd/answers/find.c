@@ -12,6 +12,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/condition.h"
 #include "cmd/ask/envelope.h"
+#include "cmd/ask/goals.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
@@ -128,6 +129,29 @@ check_goal(const struct args *args, const struct find_request *goal,
 	    "6\"' or 'find spec=NAME'");
 }
 
+/* Takes the goal of the session, of which one condition is a single value. */
+static bool
+take_goal_set(struct session *s, struct find_request *goal, struct error *error)
+{
+	struct condition_list all = {0};
+	size_t n_value = 0;
+	bool ok = goals_read(s, s->set.goal, question_feed(goal->question),
+	    &all, &n_value, error);
+	if (ok && n_value == 0)
+		ok = error_set(error, ERROR_USAGE,
+		    "the goal %s has no single value\n"
+		    "for the speeds at which it is met write: window",
+		    s->set.goal);
+	if (ok) {
+		const struct condition *last = &all.at[all.n - 1];
+		add_target(goal, last->quantity, last->least);
+		for (size_t i = 0; i + 1 < all.n; i++)
+			conditions_add(&goal->others, all.at[i]);
+	}
+	conditions_free(&all);
+	return ok;
+}
+
 static bool
 read_goal(struct session *s, const struct args *args, struct find_request *goal,
     struct error *error)
@@ -138,6 +162,9 @@ read_goal(struct session *s, const struct args *args, struct find_request *goal,
 	for (size_t i = 0; i < args->n_operand; i++)
 		if (!read_operand(args->operand[i], fraction, goal, error))
 			return conditions_set_error_place(args, i, error);
+	bool named = goal->n > 0 || args->n_operand > 0;
+	if (!named && goals_is_set(s) && !take_goal_set(s, goal, error))
+		return false;
 	if (!check_goal(args, goal, error) ||
 	    !conditions_check_covered(&goal->target, feed, error))
 		return false;

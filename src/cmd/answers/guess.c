@@ -13,6 +13,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
+#include "cmd/ask/question.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
@@ -439,6 +440,7 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 {
 	const struct site *site = q->entry->site;
 	struct basis b = {.n = 0};
+	question_take_last_speed(s, q);
 	bool ok = read_wanted_material(site, args, &b.wanted, error) &&
 		  basis_from_material(&b, s->store, error);
 	if (ok) {

@@ -196,6 +196,7 @@ spec_compare(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
+	question_take_last_speed(s, q);
 	double v = q->speed;
 	struct grading g;
 	FREED char *words = join_operands(args, 0);

@@ -3,14 +3,6 @@
 #include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
 
-#define USUAL_SPEED \
-	SPEED(speed), "rotor tip speed; default: a held-out speed, else 74"
-
-#define LAST_OR_USUAL_SPEED                                            \
-	SPEED(speed),                                                  \
-	    "rotor tip speed; default: that last asked about, else a " \
-	    "held-out speed, else 74"
-
 #define LAST_SPEED    \
 	SPEED(speed), \
 	    "rotor tip speed; default: that last asked about, with its feed"
@@ -76,7 +68,7 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "mix feeds by mass, and predict the product",
 	.operands = {"FILE=PART FILE=PART..", {"FILE"}, 2, 20},
 	.flags = COMMAND_FILES,
-	.option = OPTION_LIST({USUAL_SPEED},
+	.option = OPTION_LIST({LAST_OR_USUAL_SPEED},
 	    {PATH(out),
 		"write the blended feed as a sheet, for load and feed="},
 	    {OFF_ON(replace), "off", "overwrite an existing sheet"}),
@@ -152,7 +144,8 @@ const struct command TABLE_ANSWERS[] = {
 	.flags = COMMAND_NEEDS_SITE | COMMAND_DRAWS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {SPEED(speed),
-		"speed for two sites; default: a held-out speed, else 74"},
+		"speed for two sites; default: that last asked about, else a "
+		"held-out speed, else 74"},
 	    {TEXT(of), NULL, "",
 		"figures, see figures; default: the curves and sizes"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
@@ -236,7 +229,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "Conditions are those of window: the condition with = and a single "
 	    "number is the target, \"max passing 2\" or \"min P80\" asks for "
 	    "the speed that gives the largest or smallest value; other "
-	    "conditions are checked at that speed, or limit it. Of the two "
+	    "conditions are checked at that speed, or limit it; without any "
+	    "they are those of 'set goal'. Of the two "
 	    "ranges of a speed the first is for the true product, the second "
 	    "for what a belt cut may show.",
 	.more =
@@ -336,7 +330,7 @@ const struct command TABLE_ANSWERS[] = {
 	.operands = {"[use NAME|list [NAME|limits]|off|NAME|FILE]",
 	    {"use list off SPEC FILE", "SPEC FILE", ""}, 0, 12},
 	.flags = COMMAND_CHANGES | COMMAND_SPEC,
-	.option = OPTION_LIST({USUAL_SPEED}),
+	.option = OPTION_LIST({LAST_OR_USUAL_SPEED}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_CUT,
 	    SHARED_SCREENS},
 	.text =

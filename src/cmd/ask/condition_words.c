@@ -48,20 +48,21 @@ conditions_first_word(const struct command *command, const struct words *words)
 		   : 0;
 }
 
-/* Joins the words that go on with the condition at word i.  The goal that is
- * set is one word, with commas between conditions. */
+/* Joins the words that go on with the condition at word i, unless it is quoted.
+ * The goal that is set is one word, with commas between conditions, which may
+ * be quoted one by one. */
 static void
 join_from(const struct command *command, struct words *words, size_t i)
 {
 	FREED char *joined = xstrdup(words->text[i]);
 	size_t begin = 0, n = 1;
-	if (strchr(joined, ' ') != NULL || is_option(command, joined))
+	bool set = (command->flags & COMMAND_SETTINGS) != 0;
+	if ((strchr(joined, ' ') != NULL && !set) || is_option(command, joined))
 		return;
 	for (; i + n < words->n; n++) {
 		const char *word = words->text[i + n];
 		bool on = goes_on(command, joined + begin, word);
-		if (!on && ((command->flags & COMMAND_SETTINGS) == 0 ||
-			       is_option(command, word)))
+		if (!on && (!set || is_option(command, word)))
 			break;
 		if (!on)
 			begin = strlen(joined) + strlen(", ");

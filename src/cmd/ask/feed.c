@@ -42,7 +42,8 @@ sampled_speeds(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].speed > 0 && !site_run_repeats(site, r))
+		if (site->run[r].speed > 0 && !site_run_repeats(site, r) &&
+		    !(site->run[r].feed_speed > 0))
 			xlist(&speeds, ", ", diameter > 0 ? "%.0f" : "%g",
 			    diameter > 0
 				? rotor_speed_rpm(site->run[r].speed, diameter)
@@ -51,12 +52,10 @@ sampled_speeds(const struct site *site, double diameter)
 }
 
 static char *
-sampled_words(const struct site *site, const struct run *run)
+sampled_words(const struct site *site, double speed, const char *repeat)
 {
-	FREED char *rpm =
-	    rotor_speed_words(site_run_rotor(site), run->speed, NAN);
-	return xasprintf(
-	    tr("sampled at %g m/s%s%s"), run->speed, run->repeat, rpm);
+	FREED char *rpm = rotor_speed_words(site_run_rotor(site), speed, NAN);
+	return xasprintf(tr("sampled at %g m/s%s%s"), speed, repeat, rpm);
 }
 
 char *
@@ -66,8 +65,11 @@ feed_words(const struct site *site, size_t run)
 	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other)
 		return NULL;
+	if (run < site->n_run && site->run[run].feed_speed > 0)
+		return sampled_words(site, site->run[run].feed_speed, "");
 	if (run < site->n_run)
-		return sampled_words(site, &site->run[run]);
+		return sampled_words(
+		    site, site->run[run].speed, site->run[run].repeat);
 	most = site_feeds_differ(site, &sieve);
 	if (!(most > 0))
 		return NULL;

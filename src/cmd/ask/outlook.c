@@ -162,14 +162,15 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	FREED bool *use =
 	    runs_that_inform(h, informing_correction(s, entry), &place);
 	struct evidence **e = &h->evidence[place];
-	/* They may have been stopped before. */
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
-	if (*e == NULL || (p != NULL && isnan((*e)->discrepancy))) {
-		free(*e);
+	bool first = *e == NULL;
+	if (first)
 		*e = xcalloc(1, sizeof **e);
+	/* Draws that were stopped may be complete by now.  Those who judge by
+	 * the evidence have its address. */
+	if (first || (p != NULL && isnan((*e)->discrepancy)))
 		**e = trust_gather_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
-	}
 	return *e;
 }
 
@@ -283,8 +284,9 @@ outlook_ensemble(
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
+	size_t other = site_run_at(entry->site, SITE_OTHER_FEED);
 	/* A feed that all runs share is the same whichever it is asked of. */
-	if (!entry->site->individual_feeds)
+	if (!entry->site->individual_feeds && other == entry->site->n_run)
 		feed_run = 0;
 	struct ensemble_of *kept = &h->kept[feed_run < entry->site->n_run];
 	if (kept->ensemble != NULL && kept->posterior == p &&

@@ -452,13 +452,21 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 	    speeds_of_card(site, from, to, s->last_asked.speed, &q->n_at);
 }
 
+double
+question_last_speed(struct session *s, double usual)
+{
+	double last = s->last_asked.speed;
+	if (!(last > 0))
+		return usual;
+	invocation_add_options(s, " speed=%.12g", last);
+	return last;
+}
+
 void
 question_take_last_speed(struct session *s, struct question *q)
 {
-	if (q->speed_given || !(s->last_asked.speed > 0))
-		return;
-	q->speed = s->last_asked.speed;
-	invocation_add_options(s, " speed=%.12g", q->speed);
+	if (!q->speed_given)
+		q->speed = question_last_speed(s, q->speed);
 }
 
 void

@@ -55,8 +55,11 @@ void question_free_kept(struct session *s);
 void question_usual_speeds(
     const struct session *s, struct question *q, bool each);
 
-/* If the call names no speed, sets the question to the speed last asked about
- * by any command or on the screen, and saves it with the call. */
+/* Returns the speed last asked about by any command or on the screen, which it
+ * saves with the call; if there is none, the usual one. */
+double question_last_speed(struct session *s, double usual);
+
+/* If the call names no speed, sets the question to that one. */
 void question_take_last_speed(struct session *s, struct question *q);
 
 /* The same without saving it, and the feed of the last prediction for the

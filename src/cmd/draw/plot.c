@@ -96,7 +96,11 @@ read_questions(struct session *s, const struct args *args,
 	r->speeds = a->q.at;
 	if (!screened_check_covered(&a->q, error))
 		return false;
-	if (a->q.speed_given && r->made == NULL)
+	bool one_speed = r->kind == PLOT_PSD || r->kind == PLOT_SELECTION ||
+			 r->kind == PLOT_APPEARANCE;
+	if (one_speed && r->made == NULL)
+		question_take_last_speed(s, &a->q);
+	if ((one_speed || a->q.speed_given) && r->made == NULL)
 		r->speed = a->q.speed;
 	if (r->beside == NULL ||
 	    !session_find_site(s, r->beside, &beside, &none))

@@ -6,7 +6,7 @@
 #include "cmd/draw/plot_request.h"
 
 #define WHAT_OPTIONS                                                       \
-	{SPEED(speed), "tip speed; default: the middle of the runs"},      \
+	{SPEED(speed), "tip speed; default: that last asked about"},       \
 	    {SPEED(other), "another speed for comparison"},                \
 	    {SPEED(other_feed),                                            \
 		"psd: the feed of other= is that of this speed"},          \

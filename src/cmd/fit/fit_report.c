@@ -312,12 +312,14 @@ add_search(
 static void
 note_untested(struct answer *r, const struct entry *entry)
 {
-	answer_note(
-	    r, site_count_speeds(entry->site, entry->train) > 2
-		   ? N_("no speed was held out: 'validate holdout=each' "
-			"tests the model")
-		   : N_("no speed was held out: measure a third speed to "
-			"test the model"));
+	size_t speeds = site_count_speeds(entry->site, entry->train);
+	answer_note(r,
+	    speeds > 2    ? N_("no speed was held out: 'validate holdout=each' "
+				  "tests the model")
+	    : speeds == 2 ? N_("no speed was held out: measure a third speed "
+			       "to test the model")
+			  : N_("no speed was held out: measure two more speeds "
+			       "to test the model"));
 }
 
 /* Sums up the quality of the fit, and what tests it. */

@@ -335,9 +335,10 @@ note_interpolation(struct answer *r, const struct trial *item)
 }
 
 static void
-note_run(struct answer *r, const struct trials *c, size_t i, bool own_feed)
+note_run(struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
 	const struct trial *item = &c->item[i];
+	bool sampled = own_feeds && !(item->run->feed_speed > 0);
 	const struct validation *v = &item->v;
 	FREED char *rpm = rotor_speed_words(item->rotor, v->speed, NAN);
 	FREED char *run =
@@ -348,7 +349,7 @@ note_run(struct answer *r, const struct trials *c, size_t i, bool own_feed)
 		     "pass %g mm")
 		: tr("at %s%s: at worst the model lets %.2f points too few "
 		     "pass %g mm"),
-	    run, own_feed ? tr(", with the feed sampled there") : "",
+	    run, sampled ? tr(", with the feed sampled there") : "",
 	    100 * fabs(v->worst_difference), units_mm(v->worst_sieve));
 	if (item->has_band)
 		xlist(&words, "; ",

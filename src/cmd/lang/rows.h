@@ -50,6 +50,11 @@
 
 /* Open is brief. */
 #define SPEED(member) NUMBER(member), "m/s", 1, SITE_FASTEST, NULL, ""
+/* The speed of a question about one speed, see question_take_last_speed. */
+#define LAST_OR_USUAL_SPEED                                            \
+	SPEED(speed),                                                  \
+	    "rotor tip speed; default: that last asked about, else a " \
+	    "held-out speed, else 74"
 #define PATH(member) \
 	ROW(#member, member, const char *, VALUE_FILE), "", 0, 0, NULL, ""
 #define SPEC(member) \

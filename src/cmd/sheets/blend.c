@@ -168,7 +168,8 @@ blend_give(struct session *s, const struct args *args, const struct blended *b)
 	struct question q;
 	question_make(s, session_entry(s), &scenario, &q);
 	q.speed = args->speed > 0 ? args->speed
-				  : answers_usual_speed(session_entry(s));
+				  : question_last_speed(s,
+					answers_usual_speed(session_entry(s)));
 	answer_blended_product(s, &q, b);
 	question_free(s, &q);
 }

@@ -107,8 +107,7 @@ const struct command TABLE_STORE[] = {
 	    {TEXT(rock), NULL, "", "rock type; default: that of the site file"},
 	    {NUMBER(top), "mm", 0.1, 1000, NULL, "",
 		"top size; default: that of the site file"},
-	    {SPEED(speed),
-		"rotor tip speed; default: a held-out speed, else 74"},
+	    {LAST_OR_USUAL_SPEED},
 	    {WHOLE(nearest), "", 1, 100, NULL, "",
 		"number of nearest materials to estimate from; default: the "
 		"number that errs least when one site is left out"}),

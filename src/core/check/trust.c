@@ -550,10 +550,20 @@ judge_speed(struct trust *t, const struct evidence *e, double v, double rotor)
 	double end = slow ? e->slowest : e->fastest;
 	double span = trust_reach(e->slowest, e->fastest);
 	double beyond = fabs(v - end);
+	bool far = beyond > span + 1e-9;
 	if (!slow && !fast)
 		return;
 	FREED char *rpm = rotor_speed_words(rotor, beyond, NAN);
-	if (beyond > span + 1e-9)
+	if (e->slowest == e->fastest)
+		trust_add(t, far ? LIGHT_RED : LIGHT_AMBER, TRUST_BEYOND,
+		    xasprintf(
+			far ? tr("%.1f m/s%s from the one speed that was "
+				 "measured: too far for an answer to rely on")
+			    : tr("%.1f m/s%s from the one speed that was "
+				 "measured: there the answer rests on the "
+				 "model, not on measurements"),
+			beyond, rpm));
+	else if (far)
 		trust_add(t, LIGHT_RED, TRUST_BEYOND,
 		    xasprintf(tr("%.1f m/s%s beyond the measured speeds, which "
 				 "span %.1f: too far for an answer to rely on"),

@@ -272,16 +272,20 @@ site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		struct run run = run_copy(&cuts->run[k]);
 		size_t at = site_run_at(to, run.speed);
-		const struct psd *feed =
-		    &site->run[site_run_nearest(site, run.speed)].feed;
+		const struct run *fed =
+		    &site->run[site_run_nearest(site, run.speed)];
 		if (at < to->n_run && to->run[at].product.n == 0)
-			feed = &to->run[at].feed;
+			fed = &to->run[at];
+		const struct psd *feed = &fed->feed;
 		bool own = run.feed.n > 0;
 		to->individual_feeds =
 		    to->individual_feeds || (own && !same_psd(&run.feed, feed));
 		if (!own) {
 			psd_free(&run.feed);
 			run.feed = psd_copy(feed);
+			run.feed_speed = fed->feed_speed;
+			if (!(fed->feed_speed > 0) && fed->speed != run.speed)
+				run.feed_speed = fed->speed;
 		}
 		insert_run(to, run, from);
 	}
@@ -300,7 +304,8 @@ sampled_feeds(const struct site *site, size_t *n)
 	const struct psd **feed = xcalloc(site->n_run, sizeof *feed);
 	*n = 0;
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].speed >= 0 && site->run[r].feed.n > 0)
+		if (site->run[r].speed >= 0 && site->run[r].feed.n > 0 &&
+		    !(site->run[r].feed_speed > 0))
 			feed[(*n)++] = &site->run[r].feed;
 	return feed;
 }
