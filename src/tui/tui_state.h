@@ -298,7 +298,7 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} again;        /* key to read next */
+	} put_back;     /* key that input_key returns next */
 	FILE *captured; /* output of commands */
 	char *captured_text;
 	size_t captured_n;

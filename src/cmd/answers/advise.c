@@ -227,7 +227,7 @@ advise_answer(
 	answer_columns(r,
 	    "kind, width%s: band after%s, "
 	    "narrower_pct: narrower %%",
-	    w->q.kind == QUANTITY_SIZE                 ? "_mm"
+	    quantities_is_size(&w->q)                  ? "_mm"
 	    : strcmp(quantities_unit(&w->q), "%") == 0 ? "_points"
 						       : "",
 	    w->unit);

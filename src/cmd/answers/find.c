@@ -491,7 +491,7 @@ note_out_of_reach(
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
-	bool size = q->kind == QUANTITY_SIZE;
+	bool size = quantities_is_size(q);
 	bool falls = (size || q->kind == QUANTITY_PASSING) &&
 		     !fraction_screens(&q->fraction);
 	double high = find_value_at(goal, c->to),

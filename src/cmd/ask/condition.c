@@ -462,7 +462,7 @@ conditions_check_covered(
 	bool ok = quantities_covered(&c->quantity, feed, error);
 	for (size_t i = 0; i < 2 && ok; i++) {
 		struct quantity at = {.kind = QUANTITY_PASSING, .x = limit[i]};
-		if (c->quantity.kind == QUANTITY_SIZE && !isnan(limit[i]))
+		if (quantities_is_size(&c->quantity) && !isnan(limit[i]))
 			ok = quantities_covered(&at, feed, error);
 	}
 	return ok;

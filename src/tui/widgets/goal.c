@@ -173,18 +173,15 @@ act_goal(struct tui *t, const struct key *key)
 static void
 complete_goal(struct edit *y)
 {
-	static const char *const NAMES[] = {"p80=", "p50=", "p20=", "passing ",
-	    "fines<", "0/2>=", "fm EN=", "cu<", "cc<"};
 	char *text = xstrdup(y->text), *comma = strrchr(text, ',');
 	char *word = comma != NULL ? comma + 1 : text, *offers = xstrdup("");
 	word += strspn(word, " ");
 	char *first = NULL;
 	struct standards *standards = standards_shipped();
-	for (size_t i = 0; i < ARRAY_LEN(NAMES) + standards->n; i++) {
-		const char *name =
-		    i < ARRAY_LEN(NAMES)
-			? NAMES[i]
-			: standards->spec[i - ARRAY_LEN(NAMES)]->name;
+	for (size_t i = 0, spec = 0; spec < standards->n; i++) {
+		const char *name = quantities_offer(i);
+		if (name == NULL)
+			name = standards->spec[spec++]->name;
 		if (strncasecmp(name, word, strlen(word)) != 0)
 			continue;
 		xlist(&offers, "  ", "%s", name);
