@@ -1098,7 +1098,7 @@ the_goal_fills_the_page(void **state)
 	type(t, "]");
 	draw_all(t);
 	screen = shown(t);
-	assert_non_null(strstr(screen, "OUT"));
+	assert_non_null(strstr(screen, " NO"));
 	assert_non_null(strstr(screen, "at 79.0 m/s: "));
 	free(screen);
 	t->ui.list[PAGE_PREDICT].at = 0;

@@ -22,7 +22,7 @@ enum column { CONDITION, NOW, HOLDS, SPEEDS, COLUMNS };
 static const struct list_column COLUMN[COLUMNS] = {
     [CONDITION] = {N_("condition"), 12, 0},
     [NOW] = {N_("now"), 6, 1, .right = true},
-    [HOLDS] = {N_("limits"), 6, 2},
+    [HOLDS] = {N_("met"), 5, 2},
     [SPEEDS] = {N_("by itself at"), 12, 3}};
 
 /* Returns the value of a condition at the slider's speed, in its own unit. */
@@ -99,8 +99,8 @@ goal_view_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 		bool range = c->least != c->most;
 		snprintf(text, n, "%s",
 		    !range            ? ""
-		    : holds_now(t, c) ? tr(" in")
-				      : tr("OUT"));
+		    : holds_now(t, c) ? tr("yes")
+				      : tr(" NO"));
 	} else if (isnan(value)) {
 		snprintf(text, n, "-");
 	} else {
