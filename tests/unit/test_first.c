@@ -187,6 +187,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 		frame_draw(t);
 		assert_false(shows(":load"));
 	}
+	press(t, "5");
 	assert_false(shows("Enter use it"));
 	assert_true(shows("o open a sheet"));
 	press(t, "o");
