@@ -9,10 +9,10 @@
 
 enum { TABLE = PLANT_TABLE, CLASSES = 300 };
 
-const char *const LAW_NAME[LAWS] = {"Eqs 1-3", "finer with energy",
-    "strongly finer, energies spread", "shared errors", "bypass", "feed drift",
-    "t10", "two strengths", "few sieves", "five runs", "two runs",
-    "individual feeds", "scatter of 2 points", "no law"};
+const char *const LAW_NAME[LAWS] = {"Eqs 1 to 3", "finer by energy",
+    "finer and spread", "shared errors", "bypass", "feed drifts", "t10",
+    "two strengths", "six sieves", "five runs", "two runs", "individual feeds",
+    "scatter of 2 points", "no law"};
 
 struct dice {
 	struct rng_key key;

@@ -41,10 +41,10 @@ made_up(const struct stored_list *paper, size_t number)
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
 			stored_set_text(
-			    &m, &FIELDS[f], stored_text(of, &FIELDS[f]));
+			    &m, &FIELDS[f], *stored_text(of, &FIELDS[f]));
 		else if (FIELDS[f].kind == FIELD_NUMBER)
-			stored_set_number(
-			    &m, &FIELDS[f], stored_number(of, &FIELDS[f]));
+			*stored_number(&m, &FIELDS[f]) =
+			    *stored_number(of, &FIELDS[f]);
 	m.params = of->params;
 	for (size_t j = 4; j < 7; j++)
 		m.params.at[j] *= 0.9 + 0.2 * rng_uniform(key, (uint32_t)j);

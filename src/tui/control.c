@@ -300,8 +300,8 @@ first_slider_speed(const struct tui *t)
 {
 	const double usual = 74;
 	const struct entry *e = tui_current_entry(t);
-	if (slider_has(tui_range(t), t->session->last_speed))
-		return t->session->last_speed;
+	if (slider_has(tui_range(t), t->session->last_asked.speed))
+		return t->session->last_asked.speed;
 	return e != NULL ? answers_usual_speed(e) : usual;
 }
 

@@ -192,8 +192,8 @@ note_difference(struct answer *r, const struct session *s,
 	bool differ = low < 0 || high > 0;
 	if (differ && feeds_difference(s, side, q, range))
 		answer_note(r,
-		    "with each of the feeds that were sampled the difference "
-		    "in %s is between %+.*f and %+.*f%s",
+		    "with the feeds that were sampled, the difference in %s "
+		    "ranges from %+.*f to %+.*f%s",
 		    words, digits, shown_difference(q, range[0]), digits,
 		    shown_difference(q, range[1]), unit);
 }

@@ -1,8 +1,11 @@
 /* figures: single numbers of a product: sizes, moduli, shares of fractions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
 #include <stdlib.h>
 
+#include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/answers/predict.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
@@ -54,6 +57,42 @@ figure_rows(struct answer *r, struct fields *list, struct forecast *all,
 		add_figure(r, list, all, i, &q[i], speed, model);
 }
 
+/* Says how sure the one quantity asked about is.  Returns false without a
+ * band. */
+static bool
+note_certainty(struct answer *r, const struct session *s,
+    const struct question *question, const struct quantity *q)
+{
+	FREED char *words =
+	    predict_certainty_words(s, question, q, question->speed);
+	if (words != NULL)
+		answer_note(r, "%s", words);
+	return words != NULL;
+}
+
+/* Says between which values a new belt cut may show each of several. */
+static void
+note_new_cut(struct answer *r, const struct session *s,
+    const struct question *question, const struct quantity *q, size_t n)
+{
+	struct forecast *f = forecast_open(s, question, q, n);
+	FREED char *list = xstrdup("");
+	FREED char *chance = predict_chance_words(question->level);
+	forecast_part_at(f, question->speed, ENSEMBLE_SAMPLE);
+	for (size_t i = 0; i < n; i++) {
+		struct figure sample = forecast_shown(f, i);
+		int decimals = quantities_decimals(&q[i]);
+		FREED char *words = quantities_words(&q[i]);
+		if (isfinite(sample.low) && isfinite(sample.high))
+			xlist(&list, ", ", tr("%s %.*f to %.*f%s"), words,
+			    decimals, sample.low, decimals, sample.high,
+			    quantities_unit_suffix(&q[i]));
+	}
+	forecast_close(f);
+	if (list[0] != '\0')
+		answer_note(r, "a new belt cut, %s: %s", chance, list);
+}
+
 bool
 cmd_figures(struct session *s, const struct args *args,
     struct question *question, struct error *error)
@@ -61,15 +100,15 @@ cmd_figures(struct session *s, const struct args *args,
 	const struct entry *entry = question->entry;
 	question_take_last_speed(s, question);
 	double v = question->speed;
+	bool named = args->of != NULL;
 	size_t n;
-	FREED struct quantity *q = quantities_asked(
-	    args->of != NULL ? args->of : USUAL, &question->fraction,
-	    question_feed(question), args->of != NULL, &n, error);
+	FREED struct quantity *q = quantities_asked(named ? args->of : USUAL,
+	    &question->fraction, question_feed(question), named, &n, error);
 	if (q == NULL)
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);
 	forecast_at(all, v);
-	s->last_speed = v;
+	asked_keep(s, v, named ? &q[0] : NULL);
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
 	struct answer *r = answers_new(entry->site, "figures",
@@ -80,6 +119,10 @@ cmd_figures(struct session *s, const struct args *args,
 	    r, fields_list(answer_fields(r), "figures"), all, q, n, v, false);
 	answer_fill_for_programs(r);
 	figure_rows(r, NULL, all, q, n, v, true);
+	if (named && n > 1)
+		note_new_cut(r, s, question, q, n);
+	else if (named && note_certainty(r, s, question, q))
+		band = predict_correction_is_worth_saying(s, entry);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	return session_show_answer(s, r);

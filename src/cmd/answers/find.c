@@ -543,18 +543,19 @@ nearest_speed(const struct find_request *goal, const struct speed_search *f)
 }
 
 /* The light of the speed found, or that of the nearest one, which is named: the
- * speed that 'why' explains. */
-static void
+ * speed that 'why' explains, which is returned. */
+static double
 show_basis(struct session *s, struct answer *r, const struct find_request *goal,
     const struct speed_search *f)
 {
 	const struct question *q = goal->question;
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
-	s->last_speed = found ? v : nearest_speed(goal, f);
-	struct trust light = light_at(s, q->entry, s->last_speed, q->feed);
+	double shown = found ? v : nearest_speed(goal, f);
+	struct trust light = light_at(s, q->entry, shown, q->feed);
 	answers_note_basis(s, r, q, found ? v : 0, NULL, &light);
-	light_show_at(r, q->entry->site, found ? 0 : s->last_speed, light);
+	light_show_at(r, q->entry->site, found ? 0 : shown, light);
+	return shown;
 }
 
 /* Without a speed found the title says so, lest the rows be taken for it. */
@@ -595,12 +596,13 @@ answer_goal(struct session *s, struct find_request *goal)
 	note_finding(r, s, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	show_basis(s, r, goal, f);
+	double shown = show_basis(s, r, goal, f);
 	put_found(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
 		answers_keep_prediction(s, entry, &entry->params, &p[0]);
+	asked_keep(s, shown, &goal->target.quantity);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	speed_search_free(f);
@@ -663,7 +665,7 @@ answer_spec(struct session *s, const struct args *args,
 	}
 	grading_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
-	s->last_speed = v;
+	asked_keep(s, v, NULL);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

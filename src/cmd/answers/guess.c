@@ -300,11 +300,11 @@ note_materials(struct answer *r, const struct basis *b)
 		    b->n);
 	else
 		answer_say(r, ANSWER_REMARK,
-		    open ? N_("estimated from another quarry, not calibrated: "
-			      "from one material, so the band does not cover "
-			      "rock of another strength")
-			 : N_("estimated from another quarry, not calibrated: "
-			      "from one material, so without a band"));
+		    open ? N_("estimated from one material of another quarry, "
+			      "not calibrated: the band does not cover rock of "
+			      "another strength")
+			 : N_("estimated from one material of another quarry, "
+			      "not calibrated: there is no band"));
 	if (open)
 		answer_say(r, ANSWER_REMARK,
 		    "Table 3 prints no beta, and rocks differ in the sizes of "
@@ -315,8 +315,8 @@ note_materials(struct answer *r, const struct basis *b)
 	note_choice(r, b);
 	if (b->table3 < b->own)
 		answer_say(r, ANSWER_REMARK,
-		    "of your own %zu materials the %zu nearest by rock and top "
-		    "size were looked at",
+		    "of your own %zu materials the %zu nearest in rock and top "
+		    "size were used",
 		    b->own, b->table3);
 	if (!measured)
 		answer_say(r, ANSWER_WARNING,

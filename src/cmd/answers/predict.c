@@ -9,6 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/cut.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
 #include "cmd/draw/plot.h"
 #include "cmd/draw/plots.h"
@@ -281,17 +282,13 @@ note_sieves_at_feed(
 		    list);
 }
 
-/* True if it is worth saying what corrects the model. */
-static bool
-is_correction_worth_saying(const struct session *s, const struct entry *entry)
+bool
+predict_correction_is_worth_saying(
+    const struct session *s, const struct entry *entry)
 {
 	return outlook_correction(s, entry) != CORRECTION_ALL ||
 	       !entry->has_fit;
 }
-
-/* A change by the feeds that is smaller than the last digit shown is not
- * mentioned. */
-static const double FEEDS_TOLD = 0.0005;
 
 char *
 predict_chance_words(double level)
@@ -354,49 +351,51 @@ predict_change_by_feeds(const struct session *s, const struct question *q,
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
 }
 
-/* Adds the range of the passing over the sampled feeds, used one at a time
- * instead of their mean, if that makes a difference. */
+/* Adds the range of the quantity over the sampled feeds, used one at a time
+ * instead of their mean, if the last digit shown can tell them from it. */
 static void
 add_each_feed(const struct session *s, const struct question *q,
-    const struct quantity *passing, double speed, char **words)
+    const struct quantity *of, double speed, double value, char **words)
 {
+	int decimals = quantities_decimals(of);
 	double range[2];
-	if (!predict_feeds_range(s, q, passing, speed, range))
+	if (!predict_feeds_range(s, q, of, speed, range))
 		return;
-	double value = value_at(s, q, passing, speed);
-	if (fmax(value - range[0], range[1] - value) < FEEDS_TOLD)
+	double most = fmax(value - range[0], range[1] - value);
+	if (!(quantities_shown(of, most) >= 0.5 * pow(10, -decimals)))
 		return;
 	xappend(words,
-	    tr("; with each sampled feed instead of their mean from %.1f to "
-	       "%.1f"),
-	    units_pct(range[0]), units_pct(range[1]));
+	    tr("; with each sampled feed instead of their mean from %.*f to "
+	       "%.*f"),
+	    decimals, quantities_shown(of, range[0]), decimals,
+	    quantities_shown(of, range[1]));
 }
 
 char *
 predict_certainty_words(const struct session *s, const struct question *q,
-    const struct prediction *p)
+    const struct quantity *of, double speed)
 {
-	size_t i = answers_usual_sieve(&p->product);
-	const struct quantity passing = {
-	    .kind = QUANTITY_PASSING, .x = p->product.size[i]};
-	if (p->low == NULL || fraction_screens(&p->fraction))
+	int decimals = quantities_decimals(of);
+	struct forecast *f = forecast_open(s, q, of, 1);
+	forecast_at(f, speed);
+	struct figure answer = forecast_shown(f, 0);
+	double value = forecast_figure(f, 0).value;
+	forecast_part_at(f, speed, ENSEMBLE_SAMPLE);
+	struct figure sample = forecast_shown(f, 0);
+	forecast_close(f);
+	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
 		return NULL;
 	FREED char *chance = predict_chance_words(q->level);
-	FREED char *rpm =
-	    rotor_speed_words(q->entry->site->rotor, p->speed, NAN);
-	struct forecast *f = forecast_open(s, q, &passing, 1);
-	forecast_part_at(f, p->speed, ENSEMBLE_SAMPLE);
-	struct figure sample = forecast_figure(f, 0);
+	FREED char *said = quantities_statement(of, value);
+	FREED char *rpm = rotor_speed_words(q->entry->site->rotor, speed, NAN);
 	char *words = xasprintf(
-	    tr("at %.*f m/s%s %.1f %% passes %g mm: %s between %.1f and "
-	       "%.1f; a new belt cut between %.1f and %.1f"),
-	    units_speed_digits(p->speed), p->speed, rpm,
-	    units_pct(sample.value), units_mm(passing.x), chance,
-	    units_pct(p->low[i]), units_pct(p->high[i]), units_pct(sample.low),
-	    units_pct(sample.high));
+	    tr("at %.*f m/s%s %s: %s between %.*f and %.*f; a new belt cut "
+	       "between %.*f and %.*f"),
+	    units_speed_digits(speed), speed, rpm, said, chance, decimals,
+	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
+	    sample.high);
 	if (q->feed == SITE_MEAN_FEED)
-		add_each_feed(s, q, &passing, p->speed, &words);
-	forecast_close(f);
+		add_each_feed(s, q, of, speed, value, &words);
 	return words;
 }
 
@@ -404,7 +403,10 @@ static void
 note_certainty(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
 {
-	FREED char *words = predict_certainty_words(s, q, p);
+	const struct quantity of = answers_usual_passing(&p->product);
+	if (p->low == NULL || fraction_screens(&p->fraction))
+		return;
+	FREED char *words = predict_certainty_words(s, q, &of, p->speed);
 	if (words != NULL)
 		answer_note(r, "%s", words);
 }
@@ -468,7 +470,8 @@ prediction_with_notes(const struct session *s, const struct question *q,
 	struct question at = *q;
 	at.moved = largest_move_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
-	    p->low != NULL && (detail || is_correction_worth_saying(s, entry)));
+	    p->low != NULL &&
+		(detail || predict_correction_is_worth_saying(s, entry)));
 	return r;
 }
 
@@ -554,7 +557,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct question at = *q;
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
-	s->last_speed = p.speed;
+	asked_keep(s, p.speed, NULL);
 	if (!args->band)
 		prediction_drop_band(&p);
 	struct answer *r = prediction_with_notes(

@@ -38,9 +38,14 @@ double predict_change_by_feeds(const struct session *s,
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */
 char *predict_chance_words(double level);
 
-/* Returns a sentence on the certainty of the answer at one passing (D22), or
- * NULL for a screened fraction or without draws.  The caller frees it. */
+/* Returns a sentence on the certainty of the answer for a quantity at a speed,
+ * m/s, and on what a new belt cut may show (D22), or NULL without draws or
+ * where the curve does not reach.  The caller frees it. */
 char *predict_certainty_words(const struct session *s, const struct question *q,
-    const struct prediction *p);
+    const struct quantity *of, double speed);
+
+/* True if it is worth saying what corrects the model. */
+bool predict_correction_is_worth_saying(
+    const struct session *s, const struct entry *entry);
 
 #endif

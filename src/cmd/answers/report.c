@@ -278,7 +278,8 @@ report_put_answer(struct session *s, const struct report_request *ask)
 		return;
 	struct prediction p =
 	    forecast_whole_product(s, q->entry, ask->speed, q->feed);
-	FREED char *sure = predict_certainty_words(s, q, &p);
+	const struct quantity of = answers_usual_passing(&p.product);
+	FREED char *sure = predict_certainty_words(s, q, &of, ask->speed);
 	if (sure != NULL)
 		document_say(s->document, DOCUMENT_WORDS, "%s.", sure);
 	prediction_free(&p);

@@ -112,7 +112,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	answer_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
-		answer_note(r, "the site file has a feed only");
+		answer_note(r, "the site file has only a feed");
 	answer_set_missing(r, "");
 	for (double x = INFINITY; (x = next_finer_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));

@@ -17,20 +17,20 @@
 
 /* The options of a crusher with its screens, which flow and card share; see
  * plant_read. */
-#define FLOW_PARTS                                                        \
-	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
-	    "fractions of the product, mm"},                              \
-	    {TEXT(recycle), NULL, "",                                     \
-		"fractions that go back to the crusher"},                 \
-	    {PATH(circuit), "file of a circuit, instead of fractions"},   \
-	    {TEXT(power), NULL, "",                                       \
-		"readings of the motor, m/s:kW:t/h with commas between; " \
-		"default: "                                               \
-		"those of belt cuts"},                                    \
-	    {TEXT(prices), NULL, "",                                      \
-		"price per t of each product, such as 0/2:12,2/5:9"},     \
-	{                                                                 \
-		NUMBER(kwh), "", 0, 1e6, NULL, "0", "price per kWh"       \
+#define FLOW_PARTS                                                          \
+	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                       \
+	    "fractions of the product, mm"},                                \
+	    {TEXT(recycle), NULL, "",                                       \
+		"fractions that go back to the crusher"},                   \
+	    {PATH(circuit), "circuit file, instead of fractions"},          \
+	    {TEXT(power), NULL, "",                                         \
+		"motor power readings as m/s:kW:t/h, separated by commas; " \
+		"default: "                                                 \
+		"those of belt cuts"},                                      \
+	    {TEXT(prices), NULL, "",                                        \
+		"price per t of each product, such as 0/2:12,2/5:9"},       \
+	{                                                                   \
+		NUMBER(kwh), "", 0, 1e6, NULL, "0", "price per kWh"         \
 	}
 
 const struct command TABLE_ANSWERS[] = {
@@ -206,7 +206,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
 	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
 	    "takes that screened fraction. Figures that the sieves do not "
-	    "reach are left out, or missing.",
+	    "reach are left out, or missing. A sentence says "
+	    "between which values a new belt cut may show those that are "
+	    "named.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
 	.answer = cmd_figures},
@@ -277,12 +279,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "screens, splits and stockpiles from a file, see "
 	    "tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the tonnes of "
 	    "the products against the speed, from=..to=.",
-	.more =
-	    "Material coarser or finer than all fractions, or between them, is "
-	    "also listed, and the error of the mass balance is shown with the "
-	    "circulating load. In the power, c is at least 1 (Euler); readings "
-	    "of the empty crusher (0 t/h) at two speeds give its idle power. "
-	    "tipspeed-circuit(5) also says what is left out.",
+	.more = "Material coarser or finer than all fractions, or between "
+		"them, is also listed, and the error of the mass balance is "
+		"shown with the circulating load. In the formula for power, c "
+		"is at least 1 (Euler's turbine equation); readings of the "
+		"empty crusher (0 t/h) at two speeds give its idle power. "
+		"tipspeed-circuit(5) also says what is left out.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "flow tph=120 recycle=8/11.2\n"
 		   "flow tph=120 recycle=8/11.2 "
@@ -421,22 +423,22 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_NEEDS_SITE,
-	.text = "Calibrates each breakage model, with and without a bypass, "
-		"on the training runs, and shows for each the misfit, how "
-		"many parameters were free, AICc (lower is better) and the "
-		"RMSE at the held-out runs, beside predictions that need no "
-		"model. If no run is held out, each speed is held out in turn "
-		"if there are three or more. The best model has the smallest "
-		"error there; among models within 0.1 points, or if no run is "
-		"held out, the lowest AICc; a model that interpolation beats "
-		"is not called best. If even the best misses these runs by "
-		"more than 2 points, and by more than sampling explains, no "
-		"model describes the rock. Reports which models the data rule "
-		"out, whether they can tell the models apart, and how much "
-		"each contributes to the answer between measured speeds; see "
-		"COMPARING MODELS in tipspeed-model(7). The fit in use stays. "
-		"'league all' does it for all loaded sites and adds up the "
-		"results.",
+	.text =
+	    "Calibrates each breakage model, with and without a bypass, on the "
+	    "training runs, and shows for each the misfit, how many parameters "
+	    "were free, AICc (lower is better) and the RMSE at the held-out "
+	    "runs, beside predictions that need no model. If no run is held "
+	    "out and there are three or more speeds, each is held out in turn. "
+	    "The best model has the smallest error there; among models within "
+	    "0.1 points, or if no run is held out, the lowest AICc; a model "
+	    "that interpolation beats is not called best. If even the best "
+	    "misses these runs by more than 2 points, and by more than "
+	    "sampling explains, no model describes the rock. Reports which "
+	    "models the data rule out, whether they can tell the models apart, "
+	    "and how much each contributes to the answer between measured "
+	    "speeds; see COMPARING MODELS in tipspeed-model(7). The fit in use "
+	    "stays. 'league all' does it for all loaded sites and adds up the "
+	    "results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
     {.name = "identify",

@@ -175,9 +175,8 @@ note_draws(struct answer *r, const struct posterior *p,
 	if (words || !settled)
 		answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
 		    settled
-			? N_("%d draws: their two halves differ by %.0f %% of "
-			     "the "
-			     "band's width")
+			? N_("%d draws: the first half and the second differ "
+			     "by %.0f %% of the band's width")
 			: N_("%d draws that have not settled: their two halves "
 			     "differ by %.0f %% of the band's width"),
 		    POSTERIOR_DRAWS, 100 * e->halves);
@@ -237,9 +236,9 @@ figure_of_sentences(const struct question *q, const struct args *args,
 {
 	if (args->of != NULL)
 		return named[0];
-	return (struct quantity){.kind = QUANTITY_PASSING,
-	    .x = at->product.size[answers_usual_sieve(&at->product)],
-	    .fraction = q->fraction};
+	struct quantity of = answers_usual_passing(&at->product);
+	of.fraction = q->fraction;
+	return of;
 }
 
 /* Returns "0/2" for what passes 2 mm.  The caller frees it. */

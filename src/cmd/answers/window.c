@@ -290,7 +290,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_picture(r, args);
 		conditions_note_source(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
-		s->last_speed = a.w->best;
+		asked_keep(s, a.w->best, &a.list.at[0].quantity);
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

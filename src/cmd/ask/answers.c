@@ -137,6 +137,13 @@ answers_usual_sieve(const struct psd *product)
 	return middle;
 }
 
+struct quantity
+answers_usual_passing(const struct psd *product)
+{
+	return (struct quantity){.kind = QUANTITY_PASSING,
+	    .x = product->size[answers_usual_sieve(product)]};
+}
+
 char *
 answers_typed_speed(const struct site *site, double speed)
 {
@@ -211,7 +218,7 @@ answers_keep_prediction(struct session *s, const struct entry *entry,
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep_answer(s, answer);
-	s->last_speed = p->speed;
+	asked_keep(s, p->speed, NULL);
 }
 
 static char *

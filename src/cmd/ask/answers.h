@@ -59,6 +59,9 @@ double *answers_speeds(
  * sieve with the passing closest to 50 %. */
 size_t answers_usual_sieve(const struct psd *product);
 
+/* Returns the passing of that sieve as a quantity of the whole product. */
+struct quantity answers_usual_passing(const struct psd *product);
+
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p);

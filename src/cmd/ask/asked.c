@@ -1,4 +1,4 @@
-/* Makes the simplest question about an entry.
+/* Makes the simplest question about an entry; keeps what was last asked about.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/asked.h"
 
@@ -8,4 +8,14 @@ question_of_whole_product(
 {
 	return (struct question){
 	    .entry = entry, .feed = feed, .level = settings_level(&s->set)};
+}
+
+void
+asked_keep(struct session *s, double speed, const struct quantity *of)
+{
+	s->last_asked = (struct last_asked){.speed = speed};
+	if (of == NULL || of->kind == QUANTITY_STEP)
+		return;
+	s->last_asked.named = true;
+	s->last_asked.of = *of;
 }

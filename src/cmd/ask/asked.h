@@ -37,4 +37,8 @@ struct question {
 struct question question_of_whole_product(
     const struct session *s, const struct entry *entry, size_t feed);
 
+/* Keeps what was asked about.  of: the quantity that was named, or NULL.  A
+ * step between sieves, which borrows these, is not kept. */
+void asked_keep(struct session *s, double speed, const struct quantity *of);
+
 #endif

@@ -342,7 +342,7 @@ certain_words(
 	if (is_window_certain(g) && length < GOALS_PLAIN)
 		return xasprintf(tr("%.0f %% certain"), level);
 	if (!isfinite(sure[0]))
-		return xasprintf(tr("nowhere %.0f %% certain"), level);
+		return xasprintf(tr("no speed is %.0f %% certain"), level);
 	FREED char *range = range_words(g->found, sure[0], sure[1], false, "");
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }

@@ -10,10 +10,10 @@
  * prevents the search, or NULL.  found: the search for the ranges, with a
  * single value as its target; NULL if not begun or prevented.
  *
- * Known after the search: met [n_met]: the speeds that give the single value
- * and keep within the ranges; nearest: the speed that misses it least; missed:
- * the obstacle if no speed meets the goal, or NULL; binds: the condition that
- * limits the window, or is missed most. */
+ * Set by the search: met [n_met] are the speeds that give the single value
+ * within the ranges; nearest is the speed that comes closest to it; missed says
+ * what stands in the way if no speed meets the goal, or is NULL; binds is the
+ * condition that limits the window or, without a window, is missed most. */
 struct goal {
 	struct condition_list list;
 	size_t n_value;

@@ -314,6 +314,18 @@ quantities_words(const struct quantity *q)
 }
 
 char *
+quantities_statement(const struct quantity *q, double value)
+{
+	double shown = quantities_shown(q, value);
+	if (q->kind == QUANTITY_PASSING && !fraction_screens(&q->fraction))
+		return xasprintf(
+		    tr("%.1f %% passes %g mm"), shown, units_mm(q->x));
+	FREED char *words = quantities_words(q);
+	return xasprintf(tr("%s is %.*f%s"), words, quantities_decimals(q),
+	    shown, quantities_unit_suffix(q));
+}
+
+char *
 quantities_as_typed(const struct quantity *q)
 {
 	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;

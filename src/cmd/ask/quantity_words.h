@@ -46,6 +46,10 @@ struct quantity *quantities_asked(const char *text, const struct fraction *cut,
 char *quantities_words(const struct quantity *q);
 char *quantities_key(const struct quantity *q);
 
+/* Returns "33.9 % passes 2 mm" or "P80 is 5.24 mm"; value: in its own unit.
+ * The caller frees it. */
+char *quantities_statement(const struct quantity *q, double value);
+
 /* Returns the quantity as typed: "p80", "passing 2 mm".  The caller frees
  * it. */
 char *quantities_as_typed(const struct quantity *q);

@@ -316,7 +316,7 @@ question_run(struct session *s, const struct args *args, command_answer *answer,
 		  question_read(s, args, &q, error) &&
 		  answer(s, args, &q, error);
 	if (ok && q.speed_given)
-		s->last_speed = q.speed;
+		s->last_asked.speed = q.speed;
 	question_free(s, &q);
 	return ok;
 }
@@ -449,15 +449,15 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 	}
 	settings_reach(&s->set, site, &from, &to);
 	q->at = q->named->usual =
-	    speeds_of_card(site, from, to, s->last_speed, &q->n_at);
+	    speeds_of_card(site, from, to, s->last_asked.speed, &q->n_at);
 }
 
 void
 question_take_last_speed(struct session *s, struct question *q)
 {
-	if (q->speed_given || !(s->last_speed > 0))
+	if (q->speed_given || !(s->last_asked.speed > 0))
 		return;
-	q->speed = s->last_speed;
+	q->speed = s->last_asked.speed;
 	invocation_add_options(s, " speed=%.12g", q->speed);
 }
 
@@ -468,9 +468,9 @@ question_as_last(
 	double last = session_answer_number(s, "predict", "speed");
 	double fed = session_answer_number(s, "predict", "feed_mps");
 	const struct site *site = q->entry->site;
-	if (q->speed_given || (isnan(last) && !(s->last_speed > 0)))
+	if (q->speed_given || (isnan(last) && !(s->last_asked.speed > 0)))
 		return;
-	q->speed = s->last_speed > 0 ? s->last_speed : last;
+	q->speed = s->last_asked.speed > 0 ? s->last_asked.speed : last;
 	if (args->feed == NULL && !q->variant.feed && isfinite(fed) &&
 	    site_run_at(site, fed) < site->n_run)
 		q->feed = site_run_at(site, fed);

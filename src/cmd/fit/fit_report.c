@@ -8,9 +8,11 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/forecast.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
@@ -337,8 +339,8 @@ add_summary(
 	if (isfinite(holdout))
 		xlist(&words, "; ",
 		    strchr(held, ',') != NULL
-			? tr("at %s m/s%s, held out as a test, by up to %.2f")
-			: tr("at %s m/s%s, held out as a test, by %.2f"),
+			? tr("at %s m/s%s, kept as a check, by up to %.2f")
+			: tr("at %s m/s%s, kept as a check, by %.2f"),
 		    held, rpm, 100 * holdout);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
@@ -364,19 +366,37 @@ detailed_answer(const struct session *s, const struct entry *entry,
 	return r;
 }
 
+/* Returns the value of a quantity at a speed, m/s, with the mean feed. */
+static double
+value_at(const struct session *s, const struct entry *entry,
+    const struct quantity *of, double speed)
+{
+	const struct question q =
+	    question_of_whole_product(s, entry, SITE_MEAN_FEED);
+	struct forecast *f = forecast_open(s, &q, of, 1);
+	forecast_at(f, speed);
+	double value = forecast_figure(f, 0).value;
+	forecast_close(f);
+	return value;
+}
+
 struct former
 fit_former_answer(const struct session *s, const struct entry *entry)
 {
-	double speed =
-	    s->last_speed > 0 ? s->last_speed : answers_usual_speed(entry);
+	const struct last_asked *asked = &s->last_asked;
 	bool mean = s->set.feed[0] == '\0' || strcmp(s->set.feed, "mean") == 0;
 	if (!entry->has_fit || !mean || session_busy(s))
 		return (struct former){0};
-	struct prediction p =
-	    forecast_whole_product(s, entry, speed, SITE_MEAN_FEED);
-	size_t i = answers_usual_sieve(&p.product);
-	struct former former = {speed, p.product.size[i], p.product.passing[i]};
-	prediction_free(&p);
+	double speed =
+	    asked->speed > 0 ? asked->speed : answers_usual_speed(entry);
+	struct former former = {.speed = speed, .of = asked->of};
+	if (!asked->named) {
+		struct prediction p =
+		    forecast_whole_product(s, entry, speed, SITE_MEAN_FEED);
+		former.of = answers_usual_passing(&p.product);
+		prediction_free(&p);
+	}
+	former.value = value_at(s, entry, &former.of, speed);
 	return former;
 }
 
@@ -388,16 +408,19 @@ note_moved_answer(
 	const struct former *was = &s->job.former;
 	if (!(was->speed > 0))
 		return;
-	struct prediction p =
-	    forecast_whole_product(s, entry, was->speed, SITE_MEAN_FEED);
+	double value = value_at(s, entry, &was->of, was->speed);
+	FREED char *words = quantities_statement(&was->of, value);
 	FREED char *rpm =
 	    rotor_speed_words(entry->site->rotor, was->speed, NAN);
-	answer_note(r,
-	    "at %.*f m/s%s %.1f %% passes %g mm; before this calibration %.1f",
-	    units_speed_digits(was->speed), was->speed, rpm,
-	    units_pct(psd_at_sieve(&p.product, was->size)), units_mm(was->size),
-	    units_pct(was->passing));
-	prediction_free(&p);
+	if (isfinite(value) && isfinite(was->value))
+		answer_note(r,
+		    outlook_correction(s, entry) == CORRECTION_ALL
+			? N_("at %.*f m/s%s %s, with all measured runs; before "
+			     "this calibration %.*f")
+			: N_("at %.*f m/s%s %s; before this calibration %.*f"),
+		    units_speed_digits(was->speed), was->speed, rpm, words,
+		    quantities_decimals(&was->of),
+		    quantities_shown(&was->of, was->value));
 }
 
 struct answer *

@@ -12,9 +12,9 @@
 struct answer *fit_answer(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail);
 
-/* Returns the passing of predict's first sentence at the speed last asked about
- * or, if there was none, at the usual one of the site; all 0 if the entry is
- * not calibrated or answers are about another feed. */
+/* Returns the answer to what was last asked about: by default, the passing of
+ * predict's first sentence at the usual speed of the site.  All 0 if the entry
+ * is not calibrated or answers are about another feed. */
 struct former fit_former_answer(
     const struct session *s, const struct entry *entry);
 

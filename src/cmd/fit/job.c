@@ -35,8 +35,8 @@ note_job_begun(struct session *s)
 	FREED char *words = xasprintf(
 	    holdout[0] == '\0' ? tr("calibrating %s on %s m/s%s")
 	    : rpm[0] == '\0'
-		? tr("calibrating %s on %s m/s%s (held out as a test: %s)")
-		: tr("calibrating %s on %s m/s%s; held out as a test: %s "
+		? tr("calibrating %s on %s m/s%s (kept as a check: %s)")
+		: tr("calibrating %s on %s m/s%s; kept as a check: %s "
 		     "m/s%s"),
 	    entry->site->name, train, rpm, holdout, held_rpm);
 	if (model > 0)

@@ -382,7 +382,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	double rmse[VALIDATE_WAYS];
 	struct answer *r = answers_new(site, "validate", "%s",
 	    c->each ? tr("each speed held out, the others calibrated on")
-		    : tr("speeds held out as a test, measured and predicted"));
+		    : tr("speeds kept as a check, measured and predicted"));
 	add_table(r, c, sieves, false);
 	if (c->n > 1) {
 		run_rmse(c, rmse);

@@ -353,16 +353,17 @@ flow_note_best(const struct plant *p, const struct search *s,
 		open += isnan(s->money[i]) ? 1 : 0;
 	if (isfinite(range[0]))
 		answer_note(r,
-		    end ? N_("best speed %.1f m/s%s (%.1f to %.1f) of %g to "
-			     "%g m/s, at the end of these")
-			: N_("best speed %.1f m/s%s (%.1f to %.1f) of %g to "
-			     "%g m/s"),
+		    end ? N_("best speed %.1f m/s%s (%.1f to %.1f), at the end "
+			     "of the range from %g to %g m/s")
+			: N_("best speed %.1f m/s%s (%.1f to %.1f) in the "
+			     "range from %g to %g m/s"),
 		    v, rpm, range[0], range[1], s->from, s->to);
 	else
 		answer_note(r,
-		    end ? N_("best speed %.1f m/s%s, no band, of %g to %g m/s, "
-			     "at the end of these")
-			: N_("best speed %.1f m/s%s, no band, of %g to %g m/s"),
+		    end ? N_("best speed %.1f m/s%s (no band), at the end of "
+			     "the range from %g to %g m/s")
+			: N_("best speed %.1f m/s%s (no band) in the range "
+			     "from %g to %g m/s"),
 		    v, rpm, s->from, s->to);
 	if (open > 0)
 		answer_say(r, ANSWER_REMARK,

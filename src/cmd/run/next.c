@@ -66,23 +66,24 @@ next_after_fit(const struct session *s, const struct entry *entry)
 	bool held_out;
 	count_runs(entry, &held_out);
 	struct later later = cut_compare_later(s, entry);
-	if (later.missed && later.n > 1)
+	if (later.missed && later.n > 1 && !later.twice)
 		return (struct next){"drift",
 		    N_("follow the new cuts one by one?"), false,
 		    NEXT_CALIBRATE};
 	/* `add` has already suggested what to check. */
-	if (later.missed || later.off)
+	if (later.missed || later.off || later.twice)
 		return (struct next){.stage = NEXT_CALIBRATE};
 	if (later.n > 0)
 		return (struct next){"calibrate",
-		    N_("calibrate with the cuts that are new?"), true,
-		    NEXT_CALIBRATE};
+		    later.n > 1 ? N_("calibrate again, with the new cuts?")
+				: N_("calibrate again, with the new cut?"),
+		    true, NEXT_CALIBRATE};
 	if (held_out && !origin_is_stored(entry->origin) &&
 	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
 	    isnan(session_answer_number(s, "validate", "sites")))
 		return (struct next){"validate",
-		    N_("validate: test it at the speeds held out?"), true,
-		    NEXT_VALIDATE};
+		    N_("validate: compare it with what was kept as a check?"),
+		    true, NEXT_VALIDATE};
 	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
 		    N_("next: 'why' shows the reasons to doubt it, and what to "

@@ -48,7 +48,7 @@ reset_session(struct session *s, const struct settings *choices)
 	s->pin = NULL;
 	s->energy = NULL;
 	s->n_entry = s->current = 0;
-	s->last_speed = 0;
+	s->last_asked = (struct last_asked){0};
 	s->set = *choices;
 	session_forget_answers(s);
 	journal_restart(s);

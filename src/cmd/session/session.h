@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "cmd/session/loaded.h"
 #include "cmd/session/settings.h"
+#include "core/psd/quantity.h"
 #include "io/store/store.h"
 
 struct canvas;
@@ -72,11 +73,20 @@ struct job {
 	double *run_weight; /* [n_run] of the site, or NULL */
 	struct params given;
 	double before; /* misfit of the site's former parameters, or INFINITY */
-	/* The former calibration's passing of a size, m, at a speed, m/s; 0:
-	 * there was none. */
+	/* The former calibration's answer: a quantity's value at a speed, m/s;
+	 * 0: there was none. */
 	struct former {
-		double speed, size, passing;
+		double speed, value;
+		struct quantity of;
 	} former;
+};
+
+/* What was last asked about: a speed, m/s, or 0 before the first question, and
+ * a quantity, if one was named. */
+struct last_asked {
+	double speed;
+	bool named;
+	struct quantity of;
 };
 
 /* The terminal on which results are printed.  columns: 0 if not a terminal;
@@ -127,10 +137,10 @@ struct session {
 	struct plant_log **logs; /* all so far */
 	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
-	struct spec **specs;       /* all so far */
-	double last_speed;         /* speed last asked about, or 0 */
-	struct moved *moved;       /* see moved.h */
-	struct blended *fed;       /* feed from the sheets in `set feed`, see
+	struct spec **specs;          /* all so far */
+	struct last_asked last_asked; /* see asked_keep */
+	struct moved *moved;          /* see moved.h */
+	struct blended *fed;          /* feed from the sheets in `set feed`, see
 			      * blended.h, or NULL */
 	struct standing *standing; /* see question_of_feed_setting; or NULL */
 	const struct pin *pin;     /* see pin.h, or NULL */
@@ -199,7 +209,7 @@ bool session_busy(const struct session *s);
  * NULL. */
 const struct entry *session_fitting(const struct session *s);
 
-/* Returns the time on a monotonic clock, s. */
+/* Returns the time on a monotonic clock, in seconds. */
 double session_clock(void);
 
 /* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */

@@ -128,7 +128,7 @@ sites_insert(struct session *s, struct site *site, size_t place)
 	if (s->job.calibration != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
-	s->last_speed = 0;
+	s->last_asked = (struct last_asked){0};
 	session_keep_site(s, site);
 }
 

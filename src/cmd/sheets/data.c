@@ -63,7 +63,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 		return false;
 	if (s->current != before) {
 		session_forget_answers(s);
-		s->last_speed = 0;
+		s->last_asked = (struct last_asked){0};
 	}
 	return true;
 }

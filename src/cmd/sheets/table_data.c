@@ -67,7 +67,7 @@ const struct command TABLE_DATA[] = {
 		   "3=product@69\"\nshow",
 	.run = cmd_load},
     {.name = "add",
-	.brief = "add belt cuts of later days to the site in use",
+	.brief = "add belt cuts taken on later days to the site in use",
 	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_FILES |
 		 COMMAND_DAILY,
@@ -83,7 +83,9 @@ const struct command TABLE_DATA[] = {
 		"site in use as one more run: at the speed after @, or at that "
 		"of the sheet. After 'load LOG as=log' it may be a time, as in "
 		"cut.csv@2026-05-03T10:15: the speed is then the median of the "
-		"log around it, and its power and feed rate are noted. A cut "
+		"log around it, and its power and feed rate are noted. A date "
+		"above the table of a sheet is taken too; of 5/11/2026 other "
+		"dates show which number is the day. A cut "
 		"has the site's feed unless its sheet has one. The parameters "
 		"stay, and the cut is compared at once with what they predict; "
 		"'calibrate train=all' also includes the cut. The site's own "

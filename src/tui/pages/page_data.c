@@ -384,8 +384,9 @@ state_words(const struct tui *t)
 	if (h->doctor.n == 0)
 		return xasprintf(
 		    tr("no doubtful cell (%s); :check has the rest"),
-		    h->calibrated ? tr("by all passings and the fit")
-				  : tr("by the curves alone: not calibrated"));
+		    h->calibrated
+			? tr("judged by all passings and the fit")
+			: tr("judged by the curves alone: not calibrated"));
 	return xasprintf(
 	    tr("%zu doubtful, marked !: the key ! goes to the next, "
 	       "Enter mends it, u undoes that"),

@@ -66,7 +66,8 @@ draw_change(
 }
 
 /* Draws a band: "5.29..5.44" on a wide panel, else half its width after the
- * number, "5.36\u00b10.08", with that unit; nothing without a band. */
+ * number, "5.36\u00b10.08" or "5.36+-0.08", with that unit; nothing without a
+ * band. */
 static void
 draw_range(const struct area *area, int row, double low, double high,
     int digits, const char *unit)
@@ -75,9 +76,11 @@ draw_range(const struct area *area, int row, double low, double high,
 	if (!isfinite(low) || !isfinite(high))
 		return;
 	if (area->columns < WIDE) {
-		if (screen_charset() != CHARSET_ASCII && high < long_number)
-			screen_text(area, row, UNIT - 1, LOOK_DIM,
-			    "\u00b1%.*f%s", digits, (high - low) / 2, unit);
+		bool ascii = screen_charset() == CHARSET_ASCII;
+		if (high < long_number)
+			screen_text(area, row, UNIT - 1, LOOK_DIM, "%s%.*f%s",
+			    ascii ? "+-" : "\u00b1", digits, (high - low) / 2,
+			    unit + (ascii && unit[0] == ' '));
 		return;
 	}
 	screen_text(area, row, BAND, LOOK_DIM, "%.*f..%.*f",
@@ -173,9 +176,11 @@ draw_break(struct tui *t, const struct area *area)
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
-	/* The band is of the draws, and may not include the value of the
-	 * fit. */
-	if (area->columns >= WIDE)
+	/* The band is of the draws: one that does not include the value of the
+	 * fit would be taken for an error. */
+	double mm = t->view.current.break_mm;
+	bool within = 1000 * range[0] <= mm && mm <= 1000 * range[1];
+	if (area->columns >= WIDE && within)
 		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (was != NULL)
 		draw_change(
@@ -284,7 +289,7 @@ draw_tonnes(struct tui *t, const struct area *area)
 	double back, tph = flow_tph(t, &back);
 	if (back > 0) {
 		screen_text(area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
-		screen_text(area, 1, 0, LOOK_DIM, "at this speed: :flow");
+		screen_text(area, 1, 0, LOOK_DIM, "for this speed type :flow");
 		return;
 	}
 	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", tph);
