@@ -431,9 +431,8 @@ answer_flow(const struct plant *p, const struct plant_result *o)
 						      : "circuit of a file")
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, o->speed, NAN);
 	struct answer *r = answers_new(entry->site, "flow",
-	    "%g t/h at %.4g m/s%s%s%s", p->circuit->tph, o->speed, rpm,
+	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put(answer_fields(r),

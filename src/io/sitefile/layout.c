@@ -351,12 +351,28 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 	return n > 2 && step > 1;
 }
 
+/* True for the unit of a value, "Rotor diameter | 990 | mm": the last of three
+ * cells, the only ones of their line. */
+static bool
+is_unit_of_value(const struct grid *g, size_t r, size_t c)
+{
+	double v;
+	size_t filled = 0;
+	for (size_t k = 0; k < g->n_col; k++)
+		filled += is_filled(g, r, k) ? 1 : 0;
+	return filled == 3 && c >= 2 && c < g->n_col &&
+	       nature_at(g, r, c)->head && is_filled(g, r, c - 2) &&
+	       !nature_at(g, r, c - 2)->head &&
+	       number_of(*layout_cell_at(g, r, c - 1), &v);
+}
+
 static bool
 is_sieve_head(const struct grid *g, size_t r, size_t c)
 {
 	const struct nature *n = nature_at(g, r, c);
 	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
-	return n->head && (!number || has_numbers_of_sieves(g, r, c));
+	return n->head && !is_unit_of_value(g, r, c) &&
+	       (!number || has_numbers_of_sieves(g, r, c));
 }
 
 /* True if a heading states phi, whose letter also means a diameter, above
@@ -738,6 +754,8 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 		return false;
 	if (!is_filled(g, r, p->c))
 		return true;
+	if (filled == 2 && is_unit_of_value(g, r, p->c + 2))
+		return false;
 	const char *key = layout_cell_at(g, r, p->c)->text;
 	if (lexicon_key(key) != N_KEY)
 		return false;
