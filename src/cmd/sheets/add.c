@@ -363,8 +363,7 @@ report_check_of_cut(struct session *s, size_t run)
 	/* Fewer inside than chance and shared errors make likely. */
 	bool nearly = !cut.no_band && 4 * cut.inside < 3 * cut.n;
 	session_note(s,
-	    cut.off ? N_("  not quite as expected, but no further off than "
-			 "carefully taken samples differ: %s; %s")
+	    cut.off      ? N_("  not quite as expected: %s; %s")
 	    : cut.missed ? N_("  warning: not as expected: %s; %s")
 	    : nearly     ? N_("  nearly as expected: %s; %s")
 			 : N_("  as expected: %s; %s"),
