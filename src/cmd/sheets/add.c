@@ -205,13 +205,17 @@ note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
 	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
 }
 
-/* Takes the date of the sheet's header for a file that has no other. */
+/* Takes the date of the sheet's header for a file that states none with its
+ * cuts. */
 static void
 take_date_of_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
 {
 	struct datetime m;
 	const char *said = cut_day_of_header(cuts);
+	for (size_t i = 0; i < cuts->n_note; i++)
+		if (strcmp(cuts->note[i].key, "cut") == 0)
+			return;
 	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
 	    !datetime_read(said, &m))
 		return;
