@@ -14,15 +14,25 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
+/* A careful sample repeats to this, passing. */
+static const double CAREFUL = 0.01;
+
 /* Errors go along a curve together, so that half of the sieves outside alone
- * may be chance; a point is what a careful sample repeats to. */
+ * may be chance. */
 static bool
 is_outside_band(const struct cut *c)
 {
-	const double careful = 0.01;
 	return c->n > 0 &&
 	       (c->no_band ? c->rms > FIT_POOR
-			   : 2 * c->inside < c->n && c->rms > careful);
+			   : 2 * c->inside < c->n && c->rms > CAREFUL);
+}
+
+static bool
+is_partly_outside_band(const struct cut *c)
+{
+	return !c->no_band &&
+	       (2 * c->inside < c->n ||
+		   (4 * c->inside < 3 * c->n && c->rms > CAREFUL));
 }
 
 /* The passings of a run's product at the sieves that crushing can change, [*n];
@@ -67,7 +77,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
 	c.missed = is_outside_band(&c);
-	c.off = !c.missed && !c.no_band && 2 * c.inside < c.n;
+	c.off = !c.missed && is_partly_outside_band(&c);
 	forecast_close(f);
 	return c;
 }

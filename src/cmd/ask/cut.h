@@ -10,7 +10,8 @@
  * predicted - measured, and the largest of these with its sieve, m.  inside:
  * sieves within the band of one more sample; no_band: there is no band; level:
  * that of the band, 0..1.  missed: the prediction fails; off: most sieves are
- * outside the band, but no further than careful samples differ. */
+ * outside the band, but no further than careful samples differ, or some are,
+ * and further. */
 struct cut {
 	size_t n, inside;
 	bool no_band, missed, off;

@@ -6,6 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/cut.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
@@ -36,14 +37,29 @@ feed_speed(const struct site *site, size_t run)
 		   : NAN;
 }
 
-/* "69, 74, 79": each speed once, in rpm of a rotor unless its diameter is 0. */
+/* True if a run is a cut that was added without a feed and has a copy of that
+ * of another run. */
+static bool
+has_feed_of_another(const struct site *site, size_t run)
+{
+	if (cut_find_note(site, run) == NULL)
+		return false;
+	for (size_t r = 0; r < site->n_run; r++)
+		if (r != run && cut_find_note(site, r) == NULL &&
+		    psd_same(&site->run[r].feed, &site->run[run].feed))
+			return true;
+	return false;
+}
+
+/* "69, 74, 79": each speed once at which a feed was sampled, in rpm of a rotor
+ * unless its diameter is 0. */
 static char *
 sampled_speeds(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].speed > 0 && !site_run_repeats(site, r) &&
-		    !(site->run[r].feed_speed > 0))
+		    !has_feed_of_another(site, r))
 			xlist(&speeds, ", ", diameter > 0 ? "%.0f" : "%g",
 			    diameter > 0
 				? rotor_speed_rpm(site->run[r].speed, diameter)

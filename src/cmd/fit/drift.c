@@ -241,8 +241,12 @@ say_basis_of_charts(struct answer *a, const struct routine *r)
 		    "they were added; 'add FILE date=2026-05-03' gives one");
 	if (r->training_only)
 		answer_say(a, ANSWER_REMARK,
-		    "some of these cuts were known to the calibration: all are "
-		    "compared with what the other runs alone predict");
+		    r->n == 1
+			? N_("this cut was known to the calibration: it is "
+			     "compared with what the other runs alone predict")
+			: N_("some of these cuts were known to the "
+			     "calibration: all are compared with what the "
+			     "other runs alone predict"));
 }
 
 static void

@@ -205,13 +205,17 @@ note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
 	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
 }
 
-/* Takes the date of the sheet's header for a file that has no other. */
+/* Takes the date of the sheet's header for a file that states none with its
+ * cuts. */
 static void
 take_date_of_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
 {
 	struct datetime m;
 	const char *said = cut_day_of_header(cuts);
+	for (size_t i = 0; i < cuts->n_note; i++)
+		if (strcmp(cuts->note[i].key, "cut") == 0)
+			return;
 	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
 	    !datetime_read(said, &m))
 		return;
@@ -363,8 +367,7 @@ report_check_of_cut(struct session *s, size_t run)
 	/* Fewer inside than chance and shared errors make likely. */
 	bool nearly = !cut.no_band && 4 * cut.inside < 3 * cut.n;
 	session_note(s,
-	    cut.off ? N_("  not quite as expected, but no further off than "
-			 "carefully taken samples differ: %s; %s")
+	    cut.off      ? N_("  not quite as expected: %s; %s")
 	    : cut.missed ? N_("  warning: not as expected: %s; %s")
 	    : nearly     ? N_("  nearly as expected: %s; %s")
 			 : N_("  as expected: %s; %s"),

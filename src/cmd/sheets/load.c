@@ -54,7 +54,7 @@ split_speed(const char *word, char **path, double *speed, struct error *error)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected a tip speed in m/s after @, got '%s'\n"
-	    "for instance: load feed.csv cut1.csv@70 cut2.csv@75",
+	    "write the speed of the sample there: cut1.csv@70",
 	    word);
 }
 
