@@ -205,15 +205,17 @@ note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
 	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
 }
 
-/* Takes the date of the sheet's header for a file that has no other. */
+/* Takes the date of the sheet's header for a file that has no other; of several
+ * cuts each may have its own, above its table. */
 static void
 take_date_of_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
 {
 	struct datetime m;
 	const char *said = cut_day_of_header(cuts);
+	bool own = cuts->n_run > 1 && cut_find_note(cuts, 0) != NULL;
 	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
-	    !datetime_read(said, &m))
+	    own || !datetime_read(said, &m))
 		return;
 	char *day = cut_day_text(&m, order);
 	if (day == NULL)
