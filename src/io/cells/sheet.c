@@ -132,6 +132,15 @@ sheet_skip_blanks(struct cursor *c, char separator)
 		step_character(c);
 }
 
+/* Whether a text is within quotes after its ith character, as it was before
+ * that: a quote outside quotes behind a digit is the inches of 3/4". */
+static bool
+is_quoted_after(const char *text, size_t i, bool before)
+{
+	bool inches = !before && i > 0 && isdigit((unsigned char)text[i - 1]);
+	return text[i] == '"' && !inches ? !before : before;
+}
+
 /* Moves from the opening quote to after the closing one.  False if it is
  * missing. */
 static bool
@@ -149,12 +158,13 @@ skip_quoted(struct cursor *c)
 	return true;
 }
 
-/* Moves to the separator or the end of the line.  A misplaced quote is a
- * fault. */
+/* Moves to the separator or the end of the line.  A misplaced quote is a fault,
+ * but for the inches of 3/4". */
 static bool
 skip_cell(struct sheet *sheet, struct cursor *c, int line)
 {
 	struct cell start = {.line = line, .column = c->column};
+	const char *first = c->p;
 	bool quoted = *c->p == '"';
 	if (quoted && !skip_quoted(c))
 		return sheet_fault(sheet, start,
@@ -163,7 +173,8 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 		    "\"\"");
 	sheet_skip_blanks(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
-		if (quoted || *c->p == '"') {
+		size_t at = (size_t)(c->p - first);
+		if (quoted || is_quoted_after(first, at, false)) {
 			start.column = c->column;
 			return sheet_fault(sheet, start,
 			    "%s\n"
@@ -181,7 +192,9 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 static void
 sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 {
-	FREED char *text = text_unquoted(from->p, (size_t)(end - from->p));
+	size_t n = (size_t)(end - from->p);
+	FREED char *text =
+	    *from->p == '"' ? text_unquoted(from->p, n) : xstrndup(from->p, n);
 	const char *said = text_trim(text);
 	said += said[0] == '\'' && text_is_formula(said);
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
@@ -342,7 +355,7 @@ line_length(char *text, int *ends)
 		if (end && !open)
 			break;
 		lines += end;
-		open = open != (text[n] == '"');
+		open = is_quoted_after(text, n, open);
 	}
 	*ends = 0;
 	if (open || lines == MOST_LINES || n == first)
@@ -395,7 +408,7 @@ has_sign(const char *line, char sign)
 	bool quoted = false;
 	size_t n = strcspn(line, "\r\n");
 	for (size_t i = 0; i < n; i++) {
-		quoted = quoted != (line[i] == '"');
+		quoted = is_quoted_after(line, i, quoted);
 		if (line[i] == sign && !quoted)
 			return true;
 	}

@@ -1,5 +1,5 @@
 /* Looks words up in one table: English, Swedish, German, French, Spanish,
- * Portuguese, Finnish and some Norwegian, without accents.
+ * Portuguese, Finnish, Polish and some Norwegian, without accents.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/lexicon.h"
 
@@ -24,6 +24,7 @@ static const struct {
 	"pamatning padrag matning fore aufgabe aufgabegut "
 	"aufgabematerial zulauf beschickung vorher alimentation entree avant "
 	"alimentacion entrada antes alimentacao syote syotto ennen pagang "
+	"nadawa nadawy "
 	"tilgang"},
     {WORD_PRODUCT,
 	"product products prod produkt produkte produkter krossprodukt "
@@ -31,7 +32,7 @@ static const struct {
 	"efter "
 	"austrag brechgut endprodukt nachher produit produits sortie apres "
 	"concasse broye producto productos salida triturado despues produto "
-	"produtos saida britado depois tuote tuotteen murske jalkeen"},
+	"produtos produktu saida britado depois tuote tuotteen murske jalkeen"},
     {WORD_SD, "sd stdev stddev std standardavvikelse standardabweichung "
 	      "keskihajonta desviacion desvio"},
     {WORD_PASSES,
@@ -39,28 +40,30 @@ static const struct {
 	"passerande passerar passerad genomgang genomfall durchgang "
 	"siebdurchgang durchgange siebdurchgange tamisat tamisats passant "
 	"passants pasa pasan pasante pasantes passante passantes passa "
-	"lapaisy lapaisee lapaiseva lapaissyt gjennomgang gennemfald"},
+	"przechodzi przechodzace przesiew lapaisy lapaisee lapaiseva lapaissyt "
+	"gjennomgang gennemfald"},
     {WORD_STAYS,
 	"retained retaining ret oversize siktrest kvar stannat stannar "
 	"ruckstand siebruckstand ruckstande siebruckstande refus retenu "
 	"retenido retenidos retenida retido retida retidos jaanyt jaannos "
-	"seulajaannos seulalle rest coarser"},
+	"pozostalosc pozostaje odsiew seulajaannos seulalle rest coarser"},
     {WORD_SUMS,
 	"cum cumul cumulative cumulated accumulated ack ackumulerad "
 	"ackumulerat kum kumulativ kumuliert kumulierte kumulierter cumule "
 	"cumules cumulee cumulees acum acumulado acumulada acumulados "
-	"acumuladas kumulatiivinen kumulatiivisesti summen kertyma"},
+	"acumuladas skumulowana skumulowany skumulowane kumulatiivinen "
+	"kumulatiivisesti summen kertyma"},
     {WORD_SHARE,
-	"fraction fractions andel anteil anteile fraccion fracao osuus"},
+	"fraction fractions udzial andel anteil anteile fraccion fracao osuus"},
     {WORD_PERCENT,
 	"% pct percent percents percentage perc procent procentuell prozent "
-	"pourcent pourcentage porcentaje porciento ciento porcentagem "
+	"procenty pourcent pourcentage porcentaje porciento ciento porcentagem "
 	"prosentti prosenttia prosent"},
     {WORD_GRAMS, "g gr grm gms gram grams gramme grammes gramm gramos gramas "
 		 "grammaa kg kilo kilogram kilograms"},
     {WORD_MASS,
 	"mass masses weight weights vikt massa masse massen poids peso pesos "
-	"paino gewicht"},
+	"paino gewicht masa masy waga"},
     {WORD_SIZE,
 	"size sizes sieve sieves sievesize aperture apertures opening "
 	"openings screen screens particle grain diameter sikt siktar "
@@ -73,7 +76,8 @@ static const struct {
 	"tamano "
 	"tamanho "
 	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
-	"silmakoko aukko aukkokoko dimension maskevidde kornstorrelse sikte d "
+	"sito sita sit oczko oczka otwor silmakoko aukko aukkokoko dimension "
+	"maskevidde kornstorrelse sikte d "
 	"luz"},
     {WORD_SIZE | WORD_MESH, "mesh meshes"},
     {WORD_TYLER, "tyler"},
@@ -89,11 +93,12 @@ static const struct {
     {WORD_SPEED,
 	"speed velocity tip tipspeed hastighet periferihastighet "
 	"rotorhastighet geschwindigkeit umfangsgeschwindigkeit vitesse "
-	"velocidad velocidade nopeus kehanopeus"},
+	"predkosc velocidad velocidade nopeus kehanopeus"},
     {WORD_SPEED | WORD_RPM, "rpm varvtal drehzahl upm umin pyorimisnopeus "
-			    "kierrosluku omdrejningstal"
+			    "obroty obrotow kierrosluku omdrejningstal"
 			    " turtall"},
-    {WORD_ROTOR, "rotor rotorn rotors roottori roottorin"},
+    {WORD_ROTOR,
+	"rotor rotorn rotors wirnik wirnika rotora roottori roottorin"},
     {WORD_ROTOR | WORD_SIZE,
 	"rotordiameter rotordurchmesser rotordiam rotorhalkaisija"},
     {WORD_LIMIT,
@@ -104,37 +109,40 @@ static const struct {
     {WORD_OTHER,
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
-	"observacion observacoes observacao obs huom huomautus lab labor labno "
+	"uwaga uwagi wykonal operator observacion observacoes observacao obs "
+	"huom huomautus lab labor labno "
 	"labnr laboratory id time "
 	"tid operator klockan "
 	"moisture fukt fukthalt feuchte humidite humedad umidade kosteus "
 	"temperature temperatur operateur bediener uhrzeit heure hora "
 	"initials sampler sampled signature"},
-    {WORD_OTHER | WORD_DATE, "date datum dato fecha data pvm paivamaara"},
-    {WORD_MEAN, "mean average avg mw moy ka median gj medel medelvarde snitt "
-		"mittel mittelwert moyenne "
-		"media medio promedio keskiarvo gjennomsnitt gemiddelde"},
+    {WORD_OTHER | WORD_DATE, "date datum dato fecha data dnia pvm paivamaara"},
+    {WORD_MEAN,
+	"mean average avg mw moy ka median gj medel medelvarde snitt "
+	"mittel mittelwert moyenne "
+	"srednia media medio promedio keskiarvo gjennomsnitt gemiddelde"},
     {WORD_SAMPLE,
 	"sample samples prov provet provnr probe proben cut belt beltcut "
 	"run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
-	"amostra ensaio nayte koe bandprov band repeat rep"},
+	"probka proba amostra ensaio nayte koe bandprov band repeat rep"},
     {WORD_SAMPLE | WORD_NUMBER,
 	"no nr n num nummer number numero # n\xC2\xB0 n\xC2\xBA"},
     {WORD_PAN,
 	"pan bottom receiver rest botten panna bottenpanna trag bunn boden "
 	"siebboden schale "
-	"auffangschale pfanne fond fondo fundo charola bandeja cazuela pohja "
+	"denko auffangschale pfanne fond fondo fundo charola bandeja cazuela "
+	"pohja "
 	"bund "
 	"receptor receptaculo recipiente panela"},
     {WORD_TOTAL,
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
-	"soma totale yhteensa"},
+	"razem soma totale yhteensa"},
     {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
 
     {WORD_LOSS,
 	"loss losses forlust siktforlust verlust siebverlust perte pertes "
-	"perdida perdidas perda perdas havio havikki difference"},
+	"strata straty perdida perdidas perda perdas havio havikki difference"},
     {WORD_WASHED, "washed washing wash tvatt tvattforlust tvattat abschlammbar "
 		  "abschlammbare abgeschlammt lavage lave lavado lavagem pesu "
 		  "pesty pesun waschen "

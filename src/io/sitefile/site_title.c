@@ -17,14 +17,36 @@ top_line(const struct table *t)
 	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
 }
 
-/* True if a row has one filled cell, which may be a title. */
+/* True if the words state which sample a table has. */
 static bool
-has_one_cell(const struct row *row)
+is_title(const struct head *head)
+{
+	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
+	       head_has_speed(head);
+}
+
+/* True for the value of "Sample; Feed", the two cells of a line. */
+static bool
+is_named_sample(const struct row *row, size_t c)
+{
+	size_t first = 0, unknown;
+	while (first < c && row->cell[first].text[0] == '\0')
+		first++;
+	uint64_t means = lexicon_meanings(row->cell[first].text, &unknown);
+	struct head value = head_read(row->cell[c].text);
+	return first < c && (means & ~WORD_NUMBER) == WORD_SAMPLE &&
+	       unknown == 0 && is_title(&value);
+}
+
+/* True if cell c may be a title: the only one of its line, or the sample that
+ * the line names. */
+static bool
+is_alone(const struct row *row, size_t c)
 {
 	size_t filled = 0;
 	for (size_t i = 0; i < row->n; i++)
 		filled += (size_t)(row->cell[i].text[0] != '\0');
-	return filled == 1;
+	return filled == 1 || (filled == 2 && is_named_sample(row, c));
 }
 
 /* True for a line above a table and below those before it. */
@@ -44,15 +66,7 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 	bool near = row->line < top_line(t) && row->line >= top_line(t) - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 	return lexicon_key(row->cell[0].text) == N_KEY &&
-	       (near || (has_one_cell(row) && stands_above(t, row)));
-}
-
-/* True if the words state which sample a table has. */
-static bool
-is_title(const struct head *head)
-{
-	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-	       head_has_speed(head);
+	       (near || (is_alone(row, c) && stands_above(t, row)));
 }
 
 bool
@@ -94,12 +108,13 @@ title_day(const struct layout *layout, const struct table *t)
 	return day;
 }
 
-/* Adds a line above a table to its title if it has no other cell. */
+/* Adds a line above a table to its title if it is alone. */
 static void
-note_title(struct table *t, const struct row *row, const char *text,
-    const struct head *title)
+note_title(
+    struct table *t, const struct row *row, size_t c, const struct head *title)
 {
-	if (!has_one_cell(row) || text[0] == '\0')
+	const char *text = row->cell[c].text;
+	if (!is_alone(row, c) || text[0] == '\0')
 		return;
 	xlist(&t->title, "\n", "%s", text);
 	t->strange =
@@ -153,7 +168,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 			if (!can_head_table(t, row, c))
 				continue;
 			struct head title = head_read(row->cell[c].text);
-			note_title(t, row, row->cell[c].text, &title);
+			note_title(t, row, c, &title);
 			if (!is_title(&title))
 				continue;
 			uint64_t role =
