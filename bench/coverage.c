@@ -357,7 +357,7 @@ leave_each_out(const char *path)
 }
 
 /* coverage [PLANTS [LAWS [FIRST [RUNS]]]]: LAWS by letters, "ac" the first and
- * the third; FIRST the number of the first plant, 1; RUNS how many it is
+ * the third, from "o" on those that no prior was chosen on; FIRST the number of the first plant, 1; RUNS how many it is
  * measured at, evenly from 66 to 84 m/s.  coverage FILE: each run of a site
  * from the others. */
 int
@@ -373,8 +373,9 @@ main(int argc, char **argv)
 	printf("%-32s%33s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",
 	    "90 % holds", "width", "answer", "model", "line", "drift",
 	    "green amber red, error of green");
-	for (size_t law = 0; law < LAWS; law++)
-		if (argc < 3 || strchr(argv[2], (int)('a' + law)) != NULL)
+	for (size_t law = 0; law < ALL_LAWS; law++)
+		if (argc < 3 ? law < LAWS
+			     : strchr(argv[2], (int)('a' + law)) != NULL)
 			try_law(law, plants, first, runs, pool, sum);
 	pool_free(pool);
 	return holds(sum) ? 0 : 1;

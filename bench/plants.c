@@ -9,10 +9,12 @@
 
 enum { TABLE = PLANT_TABLE, CLASSES = 300 };
 
-const char *const LAW_NAME[LAWS] = {"Eqs 1 to 3", "finer by energy",
+const char *const LAW_NAME[ALL_LAWS] = {"Eqs 1 to 3", "finer by energy",
     "finer and spread", "shared errors", "bypass", "feed drifts", "t10",
     "two strengths", "six sieves", "five runs", "two runs", "individual feeds",
-    "scatter of 2 points", "no law"};
+    "scatter of 2 points", "no law", "Weibull", "logistic", "parent's size",
+    "attrition", "second mode", "slower than the tip", "bent",
+    "three times bent"};
 
 struct dice {
 	struct rng_key key;
@@ -67,6 +69,13 @@ finer(const struct plant *p, double u, double x, double E)
 		double n = fmax(1 / u, 1 + 1e-9);
 		return 1 - pow(1 - t10, pow(9 / (n - 1), 0.75));
 	}
+	if (p->law == PARENT)
+		return pow(cubic_B(p, u), pow(x / p->top, p->other));
+	if (p->law == TWO_MODES) {
+		double fines = p->other * E / p->e_ref;
+		return (1 - fines) * cubic_B(p, u) +
+		       fines * fmin(pow(20 * u, 0.8), 1);
+	}
 	if (p->law == FINER || p->law == STRONG)
 		return u >= 1 ? 1 : pow(u, 0.7 * pow(E / p->e_ref, -p->gamma));
 	return cubic_B(p, u);
@@ -78,11 +87,33 @@ breaks(const struct plant *p, double x, double E)
 	double y = pow(x, p->alpha) * E, part[2];
 	if (p->law == T10)
 		return 1;
+	if (p->law == WEIBULL)
+		return 1 - exp(-pow(y / (1.5 * p->e0), p->other));
+	if (p->law == LOGISTIC)
+		return 1 / (1 + pow(y / (1.5 * p->e0), -p->other));
 	for (size_t i = 0; i < 2; i++) {
 		double e0 = p->e0 * (i == 0 ? 1 : p->hard);
 		part[i] = y > e0 ? 1 - exp(-p->f_mat * (y - e0)) : 0;
 	}
 	return p->share * part[0] + (1 - p->share) * part[1];
+}
+
+/* The specific energy of rock at tip speed v, J/kg. */
+static double
+energy(const struct plant *p, double v)
+{
+	double hit = p->law == SLOWER ? v - p->other : v, E = hit * hit / 2;
+	if (p->law == BENT || p->law == BENT_MORE)
+		E *= exp(p->other * pow(log(E / p->e_ref), 2));
+	return E;
+}
+
+/* What attrition takes off a particle of size x that does not break, and is
+ * finer than s. */
+static double
+worn(const struct plant *p, double s, double x)
+{
+	return p->other * fmin(sqrt(10 * s / x), 1);
 }
 
 /* A feed with an exponent, and by so much more at the plant's sieves, straight
@@ -125,7 +156,7 @@ product(const struct plant *p, const struct feed *feed, double v, double s)
 	if (p->law == NO_LAW)
 		return no_law(p, feed, v, s);
 	static const double SPREAD[5] = {0.55, 0.8, 1, 1.2, 1.45};
-	double E = v * v / 2, P = feed_passing(p, feed, s);
+	double E = energy(p, v), P = feed_passing(p, feed, s);
 	size_t spread = p->law == STRONG ? 5 : 1;
 	double top = log(2 * p->top), width = (top - log(s)) / CLASSES;
 	for (size_t c = 0; c < CLASSES; c++) {
@@ -136,8 +167,11 @@ product(const struct plant *p, const struct feed *feed, double v, double s)
 		    feed_passing(p, feed, a) - feed_passing(p, feed, b);
 		for (size_t i = 0; i < spread; i++) {
 			double e = spread > 1 ? E * SPREAD[i] : E;
-			P += mass * breaks(p, x, e) * finer(p, s / x, x, e) /
+			double broken = breaks(p, x, e);
+			P += mass * broken * finer(p, s / x, x, e) /
 			     (double)spread;
+			if (p->law == ATTRITION)
+				P += mass * (1 - broken) * worn(p, s, x);
 		}
 	}
 	return (1 - p->bypass) * P + p->bypass * feed_passing(p, feed, s);
@@ -230,6 +264,20 @@ plant_of(enum law law, uint64_t number)
 		p.finer = uniform(&d, 0.3, 1.2);
 		p.spread = uniform(&d, 0.7, 1.3);
 	}
+	if (law == WEIBULL)
+		p.other = uniform(&d, 2, 4);
+	if (law == LOGISTIC)
+		p.other = uniform(&d, 3, 6);
+	if (law == PARENT)
+		p.other = uniform(&d, -0.4, 0.4);
+	if (law == ATTRITION)
+		p.other = uniform(&d, 0.01, 0.04);
+	if (law == TWO_MODES)
+		p.other = uniform(&d, 0.05, 0.15);
+	if (law == SLOWER)
+		p.other = 8;
+	if (law == BENT || law == BENT_MORE)
+		p.other = law == BENT ? 0.5 : 1.5;
 	p.n_sieve = law == FEW ? ARRAY_LEN(FEW_SIEVES) : ARRAY_LEN(SIEVES);
 	for (size_t i = 0; i < p.n_sieve; i++)
 		p.sieve[i] = p.top * (law == FEW ? FEW_SIEVES[i] : SIEVES[i]);

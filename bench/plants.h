@@ -26,10 +26,19 @@ enum law {
 	INDIVIDUAL,
 	SCATTER,
 	NO_LAW,
-	LAWS
+	LAWS, /* and those on which no prior was chosen: */
+	WEIBULL = LAWS,
+	LOGISTIC,
+	PARENT,
+	ATTRITION,
+	TWO_MODES,
+	SLOWER,
+	BENT,
+	BENT_MORE,
+	ALL_LAWS
 };
 
-extern const char *const LAW_NAME[LAWS];
+extern const char *const LAW_NAME[ALL_LAWS];
 
 struct plant {
 	enum law law;
@@ -37,8 +46,9 @@ struct plant {
 	double B[PLANT_TABLE]; /* over ln u, of the cubic */
 	double f_mat, e0, alpha, gamma, e_ref, bypass, share, hard;
 	double x63, finer, spread; /* of a curve of no law, see plants.c */
-	double own, shared;        /* errors, passing */
-	double feed_own;           /* of the feed as the sheet has it */
+	double other;       /* what a law from WEIBULL on has of its own */
+	double own, shared; /* errors, passing */
+	double feed_own;    /* of the feed as the sheet has it */
 	size_t n_sieve, n_run;
 	double sieve[PLANT_SIEVES], speed[PLANT_RUNS]; /* m, m/s */
 	double run_n[PLANT_RUNS]; /* feed_n of what met the rotor in a run */

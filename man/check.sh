@@ -14,6 +14,8 @@
 #                       session at a prompt with what it shows, see session.exp.
 #                       RENEW=1 (make renew) writes what is shown now into PAGE.
 #   .\" needs TOOL      on the line before .Bd: left out where there is no TOOL.
+# Displays between ".ig" and ".." are not printed: they hold by assert what the
+# prose above them says.
 # Commands run in a folder of the page's own that holds a link to SRCDIR/data,
 # with the binary on PATH as tipspeed; what they write to standard error is not
 # looked at.  Output is TAP, the plan last.  Exit status 0: all examples did

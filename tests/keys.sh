@@ -152,16 +152,13 @@ diff wanted paths >differences
 result $? "the keys of all commands are those of the list"
 remark differences
 
-# Commands without an answer in JSON; all others are in the list.
-none=" load add use drop synth template write collect continue accept report recall
-	export import undo redo save restore reset source timing assert help apropos man pin
-	tui quit "
+# A command whose own example answers in JSON is in the list.
 sed -n 's/^    {\.name = "\([a-z]*\)",$/\1/p' "$root"/src/cmd/*/table_*.c >commands
 while read -r name; do
-	case $none in
-	*[[:space:]]$name[[:space:]]*) ;;
-	*) grep -q "^$name:" "$list" || echo "$name" ;;
-	esac
+	grep -q "^$name:" "$list" && continue
+	"$TIPSPEED" -c "help $name example" >example.tip
+	"$TIPSPEED" --store=:memory: --format=json -f example.tip 2>/dev/null |
+		grep -q "^{\"command\":\"$name\"" && echo "$name"
 done <commands >left_out
 [ -s commands ] && [ ! -s left_out ]
 result $? "each command that answers is in the list"

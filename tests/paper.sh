@@ -81,6 +81,9 @@ result ${#wrong} "the tables are whole"
 rms=$(grep -o '"p50":{"n":2,[^}]*' json.txt | sed -n '1s/.*"rms_pct":\([0-9.]*\).*/\1/p')
 grep -q "$(printf 'P50 %.2f %%' "$rms")" json.txt
 result $? "claims are worked out: P50 of two sites is that of validate all"
+"$TIPSPEED" -c 'load tierp' -c calibrate -c 'show claims' 2>/dev/null >out.txt
+grep -q 'rows of Table 3; chance' out.txt && ! grep -q nan out.txt
+result $? "one fit has no correlation"
 "$TIPSPEED" -c 'load tierp' -c 'show claims' >out.txt 2>err.txt
 [ $? = 2 ] && grep -q "run 'calibrate all'" err.txt
 result $? "without a fit there are none"

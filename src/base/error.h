@@ -16,8 +16,8 @@ enum error_kind {
 	ERROR_DATA = 3,    /* a file whose contents are wrong */
 	ERROR_NUMERIC = 4, /* a computation without a result */
 	ERROR_SYSTEM = 5,  /* a file or resource the system refused */
-	/* The user interrupted it.  130 is the status after INT; after another
-	 * signal, the driver returns that signal's status. */
+	/* The user interrupted it. 130: after SIGINT; after another signal
+	 * the driver returns that signal's own status. */
 	ERROR_STOPPED = 130
 };
 

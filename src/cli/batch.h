@@ -22,8 +22,8 @@ void batch_user_types(struct session *s);
  * an error, prints it and continues. */
 int batch_typed(struct session *s);
 
-/* Runs a typed line with its jobs and prints any error.  pager: holds back its
- * results at a prompt, or NULL. */
+/* Runs a typed line with its jobs and prints any error. pager: at a prompt,
+ * collects the results of the line to show them in a pager; else NULL. */
 int batch_line(
     struct session *s, const char *line, int number, struct pager *pager);
 

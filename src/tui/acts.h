@@ -4,16 +4,19 @@
 #ifndef TIPSPEED_TUI_ACTS_H
 #define TIPSPEED_TUI_ACTS_H
 
+/* Where a page has to be known besides: HACKING.md, To add. */
 enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
 
 /* Keys without a name in curses. */
 enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 
-/* Where a key acts: bits of 1 << page.  For a key that acts on all pages, the
- * same bits, shifted, name the pages that list it first.  AT_SPEED: it concerns
- * the slider's speed, which first becomes the speed last asked about.  CHANGES:
- * it changes results, see viewer.c.  RUNS_COMMAND: its hint is the name of the
- * command that it runs. */
+/* Where a key acts: bits of 1 << page, which need a name here only for a page
+ * with keys of its own.  For a key that acts on all pages, the same bits,
+ * shifted, name the pages that list it first.  AT_SPEED: it acts at the
+ * slider's speed; if n, p or N still waits for the speeds of the goal
+ * (act_goal_speed), the slider goes there first.  CHANGES: it changes results,
+ * see viewer.c.  RUNS_COMMAND: its hint is the name of the command that it
+ * runs. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,

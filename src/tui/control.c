@@ -176,13 +176,12 @@ control_follow_speed(struct tui *t, const char *line, bool ok)
 	bool asks =
 	    ran == command_find("predict") || ran == command_find("find");
 	if (slider_has(range, said))
-		t->ui.tenths = slider_tenths(range, said);
+		tui_go_to(t, said);
 	else if (isfinite(said) && ok && asks)
 		control_say_off_slider(t, said);
 	if (tui_current_entry(t) != NULL &&
 	    !slider_has(range, t->ui.tenths / 10.0))
-		t->ui.tenths = slider_tenths(
-		    range, answers_usual_speed(tui_current_entry(t)));
+		tui_go_to(t, answers_usual_speed(tui_current_entry(t)));
 }
 
 static bool
@@ -296,14 +295,14 @@ control_draw_before_search(const char *what)
 
 /* Returns the speed last asked about or, if the slider cannot show it, the
  * usual speed of the site. */
-static int
-first_slider_tenths(const struct tui *t)
+static double
+first_slider_speed(const struct tui *t)
 {
+	const double usual = 74;
 	const struct entry *e = tui_current_entry(t);
-	struct slider_range range = tui_range(t);
-	if (slider_has(range, t->session->last_asked.speed))
-		return slider_tenths(range, t->session->last_asked.speed);
-	return e != NULL ? slider_tenths(range, answers_usual_speed(e)) : 740;
+	if (slider_has(tui_range(t), t->session->last_asked.speed))
+		return t->session->last_asked.speed;
+	return e != NULL ? answers_usual_speed(e) : usual;
 }
 
 void
@@ -321,7 +320,7 @@ control_begin(
 	    .view.holdout = NAN,
 	    .before = {s->out, s->notes, s->hooks, s->prompt, s->typed_depth,
 		s->screen}};
-	t->ui.tenths = first_slider_tenths(t);
+	tui_go_to(t, first_slider_speed(t));
 	s->hooks.confirm = control_confirm;
 	s->hooks.ask = control_question;
 	s->prompt = true;

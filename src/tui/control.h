@@ -13,7 +13,7 @@ void control_begin(
     struct tui *t, struct session *s, const struct tui_callbacks *callbacks);
 void control_end(struct tui *t);
 
-/* Returns the open full screen, or NULL. */
+/* Returns the full screen if it is open, or else NULL. */
 struct tui *control_screen(void);
 
 /* Runs a line composed by a key and shows it.  On failure, returns false with a

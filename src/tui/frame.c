@@ -109,16 +109,18 @@ draw_command(struct tui *t, const struct area *area)
 	return 0;
 }
 
-/* Draws the message.  If it is too long for its row, it continues in the row of
- * hints or, without one, begins in the row of the command.  Returns true if it
- * covers the hints. */
+/* Draws the message.  If it is too long for its row, it begins in the row of
+ * the last command; while that has no row of its own or a line is being typed
+ * there, it continues in the row of hints.  Returns true if it covers the
+ * hints. */
 static bool
 frame_draw_message(const struct tui *t, const struct area *row)
 {
 	struct area area = *row;
 	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
 	bool wide = text_width(text) > area.columns,
-	     hints = wide && t->layout.hints.rows > 0;
+	     above = row == &t->layout.status && !t->line.active,
+	     hints = wide && !above && t->layout.hints.rows > 0;
 	if (wide)
 		area.rows = layout_message_rows(&t->layout);
 	if (area.rows == 2 && !hints)
@@ -302,14 +304,16 @@ static void
 frame_draw_speed(struct tui *t, const struct area *note)
 {
 	bool narrow = note->columns < 24;
-	int at =
-	    screen_text(note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"),
-		t->speed.text + (t->speed.text[0] == '='));
-	bool unit = strpbrk(t->speed.text, "rpms") != NULL;
+	const char *typed = t->speed.text + (t->speed.text[0] == '=');
+	/* No tip speed is as high as turns are. */
+	const char *unit = strpbrk(typed, "rpms") != NULL ? ""
+			   : atof(typed) > SITE_FASTEST   ? " rpm"
+							  : " m/s";
+	int at = screen_text(
+	    note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"), typed);
 	screen_text(note, 0, at, LOOK_BOLD,
-	    unit     ? N_("_ (Enter)")
-	    : narrow ? N_("_ m/s, Enter")
-		     : N_("_ m/s (Enter)"));
+	    narrow && unit[0] != '\0' ? N_("_%s, Enter") : N_("_%s (Enter)"),
+	    unit);
 	t->cursor = (struct cursor){note->row, at};
 }
 
@@ -462,8 +466,10 @@ frame_draw(struct tui *t)
 	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
 	int list_rows = page->list_rows != NULL ? page->list_rows(t) : 0;
 	bool beside = list_rows == 0;
-	const struct layout_ask ask = {beside ? side_columns(page, columns) : 0,
-	    beside && page->differences, page->strip, list_rows};
+	bool site = tui_current_entry(t) != NULL;
+	const struct layout_ask ask = {
+	    beside && site ? side_columns(page, columns) : 0,
+	    beside && page->differences, site && page->strip, !site, list_rows};
 	t->layout = viewing || list ? layout_text(rows, columns)
 				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
@@ -471,8 +477,9 @@ frame_draw(struct tui *t)
 	t->shows = page;
 	add_wheel(t, viewing);
 	draw_header(t);
-	t->cursor = (struct cursor){t->layout.track.row, 0};
-	if (t->layout.track.rows > 0)
+	t->cursor = (struct cursor){
+	    site ? t->layout.track.row : t->layout.command.row, 0};
+	if (t->layout.track.rows > 0 && site)
 		track_draw(t);
 	if (viewing)
 		viewer_draw(t);

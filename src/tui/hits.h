@@ -68,8 +68,8 @@ void hits_add_key(struct hits *hits, struct area area, int code);
 void hits_add_with_key(struct hits *hits, struct area area, mouse_action *way,
     size_t item, int code);
 
-/* Passes a mouse action at a cell to the areas there, and a resulting key to
- * `key`.  Returns false if none handled it. */
+/* Passes a mouse action at a cell to the areas that contain it; a key that
+ * an area stands for goes to `key`.  Returns false if none handled it. */
 bool hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
     int column, void (*key)(struct tui *t, int code, bool special));
 

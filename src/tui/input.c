@@ -116,10 +116,10 @@ bool
 input_key(struct tui *t, int *code, bool *special)
 {
 	wint_t c = 0;
-	if (t->again.is) {
-		t->again.is = false;
-		*code = t->again.code;
-		*special = t->again.special;
+	if (t->put_back.is) {
+		t->put_back.is = false;
+		*code = t->put_back.code;
+		*special = t->put_back.special;
 		return true;
 	}
 	while (signals_pending() == 0) {

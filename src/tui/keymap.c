@@ -80,7 +80,7 @@ act_run_speed(struct tui *t, const struct key *key)
 	double speed = key->amount < 0   ? site->run[0].speed
 		       : key->amount > 0 ? site->run[site->n_run - 1].speed
 					 : site_middle_speed(site);
-	t->ui.tenths = slider_tenths(tui_range(t), speed);
+	tui_go_to(t, speed);
 }
 
 void
@@ -475,7 +475,7 @@ go_to_typed_speed(struct tui *t, const char *text)
 		tui_say(t, true, "expected a speed from 1 to %d m/s, got %s",
 		    SITE_FASTEST, text);
 	else if (slider_has(tui_range(t), speed))
-		t->ui.tenths = slider_tenths(tui_range(t), speed);
+		tui_go_to(t, speed);
 	else
 		control_say_off_slider(t, speed);
 }
@@ -541,18 +541,19 @@ take_mouse(struct tui *t,
 		hits_release(&t->hits);
 }
 
+/* The next input_key returns this key. */
 static void
-read_key_next(struct tui *t, int code, bool special)
+put_key_back(struct tui *t, int code, bool special)
 {
-	t->again.is = true;
-	t->again.code = code;
-	t->again.special = special;
+	t->put_back.is = true;
+	t->put_back.code = code;
+	t->put_back.special = special;
 }
 
 static void
 touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	hits_mouse(t, &t->hits, kind, row, column, read_key_next);
+	hits_mouse(t, &t->hits, kind, row, column, put_key_back);
 }
 
 void
@@ -643,17 +644,25 @@ keymap_held(struct tui *t)
 	run_key_action(t, word_take_held(t));
 }
 
+/* Runs the held key, which may ask a question, such as whether to calibrate
+ * again.  The question reads the next key, and that is this one.  Returns true
+ * if it was read. */
+static bool
+held_key_reads(struct tui *t, int code, bool special)
+{
+	put_key_back(t, code, special);
+	keymap_held(t);
+	bool read = !t->put_back.is;
+	t->put_back.is = false;
+	return read;
+}
+
 void
 keymap_key(struct tui *t, int code, bool special)
 {
-	if (word_opens_line(t, code, special))
+	if (word_opens_line(t, code, special) ||
+	    held_key_reads(t, code, special))
 		return;
-	/* If the held key asks a question, this one answers it. */
-	read_key_next(t, code, special);
-	keymap_held(t);
-	if (!t->again.is)
-		return;
-	t->again.is = false;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;
 		special = false;

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/keys.h"
 
+#include <assert.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,7 +80,7 @@ const struct key KEYS[] = {
     {'\n', "Enter", ON_PREDICT, act_numbers, 0,
 	"all numbers, also those of what is pinned; first it calibrates",
 	"all numbers", "numbers"},
-    {'\n', "Enter", ON_PARITY | ON_SITES, act_choose, 0,
+    {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), act_choose, 0,
 	"open the chosen row: use a site", "use the site", "use it"},
     {'\n', "Enter", ON_DATA, act_mend, 0,
 	"mend the doubtful cell; u takes it back", "mend the cell", "mends"},
@@ -188,13 +189,20 @@ keys_find(int code, enum page page)
 	return NULL;
 }
 
+static const struct key *
+key_of_page(enum page page)
+{
+	const struct key *k = KEYS;
+	while (k->code != 0 && (k->act != act_page || k->amount != (int)page))
+		k++;
+	assert(k->code != 0);
+	return k;
+}
+
 int
 keys_code_of_page(enum page page)
 {
-	const struct key *k = KEYS;
-	while (k->act != act_page || k->amount != (int)page)
-		k++;
-	return k->code;
+	return key_of_page(page)->code;
 }
 
 bool
@@ -269,16 +277,17 @@ keys_bar(const char *hints, enum page page)
 	return bar;
 }
 
-/* Returns in words the only page on which a key acts; "" if there are more. */
-static const char *
-only_on_page_words(const struct key *k)
+/* Returns what the key does, and " (page Fit)" if that is the only page on
+ * which it acts.  The caller frees. */
+static char *
+what_and_where(const struct key *k)
 {
 	unsigned pages = k->where & ON_ALL;
-	return pages == ON_FIT       ? N_(" (page Fit)")
-	       : pages == ON_PREDICT ? N_(" (page Predict)")
-	       : pages == ON_SITES   ? N_(" (page Sites)")
-	       : pages == ON_DATA    ? N_(" (page Data)")
-				     : "";
+	char *words = xstrdup(tr(k->what));
+	for (enum page page = 0; page < PAGES; page++)
+		if (pages == 1U << page)
+			xappend(&words, " (%s)", tr(key_of_page(page)->what));
+	return words;
 }
 
 /* Returns true if a key belongs to a page: it acts there but not on all pages,
@@ -311,8 +320,8 @@ brief_line(const struct key *k)
 static char *
 help_line_of(const struct key *k)
 {
-	return xasprintf(
-	    "  %-15s %s%s", k->name, tr(k->what), tr(only_on_page_words(k)));
+	FREED char *words = what_and_where(k);
+	return xasprintf("  %-15s %s", k->name, words);
 }
 
 static bool
@@ -385,9 +394,9 @@ keys_manual(FILE *out)
 	fputs(".Bl -tag -width Shift-Right\n", out);
 	for (const struct key *k = KEYS; k->code != 0; k++) {
 		/* A single character might be one that mdoc interprets. */
-		fprintf(out, ".It %s%s\n%s%s.\n",
-		    k->name[1] == '\0' ? "\\&" : "", k->name, k->what,
-		    only_on_page_words(k));
+		FREED char *words = what_and_where(k);
+		fprintf(out, ".It %s%s\n%s.\n", k->name[1] == '\0' ? "\\&" : "",
+		    k->name, words);
 		if (k->where & RUNS_COMMAND)
 			fprintf(out, "Runs\n.Ic %s .\n", k->hint);
 	}

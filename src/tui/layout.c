@@ -105,6 +105,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 {
 	struct layout l = {.wall = -1, .body = {0, 0, rows, columns}};
 	struct area *left = &l.body;
+	bool track = !ask.no_site || rows < FOR_COMMAND;
 	if (rows >= FOR_HEADER) {
 		l.header = (struct area){0, 0, 1, columns};
 		left->row++;
@@ -114,7 +115,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		int least;
 		struct area *area;
 	} bottom[] = {{FOR_HINTS, &l.hints}, {FOR_STATUS, &l.status},
-	    {FOR_COMMAND, &l.command}, {1, &l.track}};
+	    {FOR_COMMAND, &l.command}, {track ? 1 : rows + 1, &l.track}};
 	for (size_t i = 0; i < ARRAY_LEN(bottom); i++)
 		if (rows >= bottom[i].least)
 			*bottom[i].area = take_bottom_row(left);
@@ -123,11 +124,11 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		take_tall_strip(&l, ask.list_rows);
 	else if (ask.strip && rows >= FOR_STRIP)
 		l.strip = layout_take_rows(left, rows, FOR_STRIP, EVERY);
-	if (rows >= FOR_CAPTION)
+	if (rows >= FOR_CAPTION && !ask.no_site)
 		l.caption = take_bottom_row(left);
 	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
 		    columns - ask.side_columns > PLOT_COLUMNS;
-	if (rows >= FOR_NUMBERS && !side)
+	if (rows >= FOR_NUMBERS && !ask.no_site && !side)
 		l.numbers = take_bottom_row(left);
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS &&
 	    ask.list_rows == 0)

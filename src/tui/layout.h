@@ -8,10 +8,12 @@
 /* What a page needs besides its body: columns of a side panel, or 0; the strip
  * of differences below the plot; the response strip above the track.
  * list_rows: 0, or the rows of a list to which the body is reduced, for a strip
- * at full height with a row of certainty. */
+ * at full height with a row of certainty; no_site: there is nothing at any
+ * speed, so neither numbers, caption nor track, but the row of the track where
+ * it is the only one for messages. */
 struct layout_ask {
 	int side_columns;
-	bool differences, strip;
+	bool differences, strip, no_site;
 	int list_rows;
 };
 

@@ -97,20 +97,19 @@ pane_draw_limits(const struct tui *t, int column, bool ascii)
 	free(words);
 }
 
-/* Names the mark of each run, whether any is moved to the feed, and how many
- * runs are not drawn. */
+/* Names the mark of each run, and how many runs are not drawn.  moved: out,
+ * whether any is moved to the feed. */
 static int
-pane_draw_runs(
-    const struct tui *t, int column, const struct entry *entry, bool may)
+pane_draw_runs(const struct tui *t, int column, bool *moved)
 {
+	const struct entry *entry = tui_current_entry(t);
 	const struct site *site = entry->site;
 	char text[64];
-	bool moved = false;
+	*moved = false;
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
 		if (site_run_repeats(site, r) ||
-		    !site_run_is_near(
-			site, r, t->ui.tenths / 10.0, SITE_CHART_RUNS))
+		    !site_run_is_near(site, r, tui_speed(t), SITE_CHART_RUNS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, r, held_out);
@@ -119,16 +118,30 @@ pane_draw_runs(
 		    site->run[r].speed, held_out ? tr(" held out") : "");
 		column =
 		    pane_draw_name(t, column, look.series, LOOK_BOLD, text);
-		moved = moved || (may && tui_is_product_moved(t, r));
+		*moved = *moved || tui_is_product_moved(t, r);
 	}
-	if (moved)
-		column = pane_draw_name(t, column, SERIES_TEXT, 0, tr("moved"));
 	if (site_chart_speeds_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
 		    site_chart_speeds_left_out(site));
 		column = pane_draw_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
+}
+
+/* Names the feed, and that measured products are moved to it, if there is room
+ * for that. */
+static int
+pane_draw_feed(
+    const struct tui *t, int column, const char *line, bool own, bool moved)
+{
+	FREED char *which = own ? xasprintf(" %g", t->ui.feed) : xstrdup("");
+	FREED char *feed = xasprintf(tr("%s feed%s"), line, which);
+	FREED char *words = xasprintf(tr("moved to %s"), feed);
+	int after = column;
+	if (moved)
+		after = pane_draw_name(t, column, SERIES_FEED, 0, words);
+	return after > column ? after
+			      : pane_draw_name(t, column, SERIES_FEED, 0, feed);
 }
 
 /* Draws a legend of one row, as that of the plot itself would leave it little
@@ -148,7 +161,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		column = pane_draw_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
 	else if (!runs && t->view.current.site[0] != '\0') {
-		bool dashed = answers_extrapolates(entry, t->ui.tenths / 10.0);
+		bool dashed = answers_extrapolates(entry, tui_speed(t));
 		const char *line = ascii ? "#" : "\u2500";
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);
@@ -161,21 +174,21 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	if (request->kept != NULL)
 		column = pane_draw_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
-	column = pane_draw_runs(t, column, entry, !runs);
-	sample[0] = '\0';
-	if (site->individual_feeds && t->ui.feed > 0 && !runs)
-		snprintf(sample, sizeof sample, " %g", t->ui.feed);
-	snprintf(text, sizeof text, tr("%s feed%s"),
+	bool moved, own = site->individual_feeds && t->ui.feed > 0 && !runs;
+	column = pane_draw_runs(t, column, &moved);
+	column = pane_draw_feed(t, column,
 	    ascii  ? "."
 	    : runs ? "\u2500"
 		   : "\u2508",
-	    sample);
-	column = pane_draw_name(t, column, SERIES_FEED, 0, text);
+	    own, moved && !runs);
 	if (runs || t->view.current.site[0] == '\0')
 		return;
-	column = pane_draw_name(t, column, SERIES_BREAK, 0,
+	int after = pane_draw_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));
-	pane_draw_limits(t, column, ascii);
+	if (after == column)
+		after = pane_draw_name(t, column, SERIES_BREAK, 0,
+		    ascii ? tr(": break") : tr("\u250A break"));
+	pane_draw_limits(t, after, ascii);
 }
 
 void

@@ -78,7 +78,8 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
 int screen_series(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* As screen_series, for a text that continues beyond the edge. */
+/* As screen_series, for the visible part of a text that continues beyond the
+ * edge. */
 int screen_part(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 

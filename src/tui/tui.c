@@ -45,7 +45,7 @@ seconds_to_wait(const struct tui *t)
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
 		left = fmin(left, fmin(strip_seconds_to_wait(t), word_wait(t)));
-	return left > 0 && !t->again.is ? left : 0;
+	return left > 0 && !t->put_back.is ? left : 0;
 }
 
 /* A child process is stopped with us, as the shell waits for both. */

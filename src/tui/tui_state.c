@@ -51,6 +51,28 @@ tui_range(const struct tui *t)
 	return slider_range(from, to);
 }
 
+void
+tui_go_to(struct tui *t, double speed)
+{
+	t->ui.tenths = slider_tenths(tui_range(t), speed);
+	t->ui.told = round(100 * speed) / 100;
+}
+
+double
+tui_speed(const struct tui *t)
+{
+	const struct entry *entry = tui_current_entry(t);
+	const struct site *site = entry != NULL ? entry->site : NULL;
+	if (site == NULL || !(site->rotor > 0))
+		return t->ui.tenths / 10.0;
+	if (lround(10 * t->ui.told) == t->ui.tenths)
+		return t->ui.told;
+	for (size_t r = 0; r < site->n_run; r++)
+		if (lround(10 * site->run[r].speed) == t->ui.tenths)
+			return site->run[r].speed;
+	return t->ui.tenths / 10.0;
+}
+
 size_t
 tui_feed(const struct tui *t)
 {
@@ -114,16 +136,17 @@ char *
 tui_options_at_slider(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
-	double speed = t->ui.tenths / 10.0;
+	double speed = tui_speed(t);
+	bool tenth = speed == t->ui.tenths / 10.0;
+	FREED char *at = xasprintf(tenth ? "speed=%.1f" : "speed=%g", speed);
 	/* A sheet that is set, but cannot be read. */
 	bool mean = !(t->ui.feed > 0) && tui_entry_asked_about(t) == entry &&
 		    t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||
 	    !(t->ui.feed > 0))
-		return xasprintf(
-		    mean ? "speed=%.1f feed=mean" : "speed=%.1f", speed);
-	return xasprintf("speed=%.1f feed=%g", speed, t->ui.feed);
+		return xasprintf("%s%s", at, mean ? " feed=mean" : "");
+	return xasprintf("%s feed=%g", at, t->ui.feed);
 }
 
 char *

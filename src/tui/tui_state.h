@@ -154,6 +154,7 @@ struct tui_callbacks {
 struct ui {
 	enum page page;
 	int tenths;  /* slider position */
+	double told; /* m/s: the speed that it was last told to go to */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
 	/* Page Predict has plot runs; the goal at full height. */
@@ -186,11 +187,11 @@ struct basis {
 };
 
 /* Everything on which a prediction depends.  basis: number of its basis;
- * generation: in a running search, which has its own parameters; tenths 0: no
- * prediction. */
+ * generation: in a running search, which has its own parameters; speed: m/s; 0:
+ * no prediction. */
 struct view_key {
 	size_t basis, feed, generation;
-	int tenths;
+	double speed;
 };
 
 /* The quantity above the track at n speeds, m/s, from the slowest of the slider
@@ -225,7 +226,7 @@ struct view {
 	struct site_row *row; /* [n_row] for the page Sites, as sorted, owned */
 	size_t n_row;
 	int site_width[LIST_COLUMNS]; /* width of each column's texts */
-	int rows_at; /* slider position for these rows; 0: out of date */
+	double rows_at; /* speed of these rows, m/s; 0: out of date */
 };
 
 /* A letter that may begin a word, see word.h.  held: its key, which has not
@@ -297,7 +298,7 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} again;        /* key to read next */
+	} put_back;     /* key that input_key returns next */
 	FILE *captured; /* output of commands */
 	char *captured_text;
 	size_t captured_n;
@@ -352,6 +353,12 @@ const char *tui_why_none(const struct tui *t);
 
 /* Returns the range of the slider for the site. */
 struct slider_range tui_range(const struct tui *t);
+
+/* tui_go_to moves the slider to a speed, m/s.  tui_speed returns that at which
+ * it is: to a tenth of a m/s, but where the rotor is known the speed that it
+ * was told or that was measured in this tenth, which may be whole rpm. */
+void tui_go_to(struct tui *t, double speed);
+double tui_speed(const struct tui *t);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed returns its run: that of the last

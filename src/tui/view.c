@@ -80,7 +80,7 @@ update_basis(struct tui *t)
 	    settings_same(&b->set, set))
 		return;
 	if (entry == NULL || b->site != entry->site)
-		t->view.of.tenths = 0;
+		t->view.of.speed = 0;
 	origin_drop(b->origin);
 	*b = (struct basis){.set = *set};
 	if (entry != NULL) {
@@ -125,7 +125,7 @@ view_key_now(const struct tui *t)
 	    .generation =
 		searching ? calibration_status(s->job.calibration).generation
 			  : 0,
-	    .tenths = t->ui.tenths};
+	    .speed = tui_speed(t)};
 }
 
 void
@@ -140,8 +140,8 @@ view_predict(struct tui *t)
 		return;
 	struct view_key was = t->view.of, key = view_key_now(t);
 	bool forming = key.generation > 0;
-	bool moved = was.tenths != key.tenths || was.feed != key.feed;
-	bool other = was.tenths == 0 || was.generation != key.generation,
+	bool moved = was.speed != key.speed || was.feed != key.feed;
+	bool other = was.speed == 0 || was.generation != key.generation,
 	     first = other || !moved;
 	if ((!entry->has_params && !forming) ||
 	    (!other && !moved && was.basis == key.basis))
@@ -159,7 +159,7 @@ view_predict(struct tui *t)
 	FREED char *line = xasprintf("predict %s", where);
 	struct error error = {0};
 	free_shown_prediction(t);
-	if (!predict_step(s, tui_entry_asked_about(t), t->ui.tenths / 10.0,
+	if (!predict_step(s, tui_entry_asked_about(t), tui_speed(t),
 		tui_feed(t), line, &t->view.shown, &error))
 		captured_show_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !keep) || t->command == NULL) {
@@ -188,7 +188,7 @@ view_predict_unrecorded(struct tui *t)
 	struct question q =
 	    question_of_whole_product(s, tui_entry_asked_about(t), tui_feed(t));
 	q.params = &params;
-	t->view.shown = forecast_product(s, &q, t->ui.tenths / 10.0);
+	t->view.shown = forecast_product(s, &q, tui_speed(t));
 	t->view.current = view_numbers_of(entry->key, &t->view.shown);
 }
 

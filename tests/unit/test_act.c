@@ -113,8 +113,18 @@ a_speed_is_typed_with_its_unit(void **state)
 	session_entry(t->session)->site->rotor = 0.9;
 	type(t, "=1500 rpm\n");
 	assert_int_equal(t->ui.tenths, 707);
+	/* Rpm come back as typed, and so do those that were measured. */
+	assert_true(fabs(tui_speed(t) - 70.69) < 1e-9);
+	type(t, "=1501\n");
+	assert_int_equal(t->ui.tenths, 707);
+	assert_true(fabs(tui_speed(t) - 70.73) < 1e-9);
 	type(t, "=72,5 m/s\n");
 	assert_int_equal(t->ui.tenths, 725);
+	session_entry(t->session)->site->run[0].speed = 72.46;
+	type(t, "=72,6 m/s\n");
+	t->ui.tenths = 725;
+	assert_true(fabs(tui_speed(t) - 72.46) < 1e-9);
+	session_entry(t->session)->site->run[0].speed = 69;
 	type(t, "=1500\n");
 	assert_int_equal(t->ui.tenths, 707);
 	type(t, "=99999\n");
@@ -1083,7 +1093,7 @@ the_goal_fills_the_page(void **state)
 	char *screen = shown(t);
 	assert_non_null(strstr(screen, "70.8 to 78.0 m/s"));
 	assert_non_null(
-	    strstr(screen, "all conditions at 74.0 m/s: over 99 %"));
+	    strstr(screen, "all met at 74.0 m/s: chance over 99 %"));
 	free(screen);
 	type(t, "]");
 	draw_all(t);

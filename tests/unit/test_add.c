@@ -150,8 +150,9 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	entry = session_entry(desk->session);
 	assert_true(entry->has_fit);
 	assert_memory_equal(&before, &entry->params, sizeof before);
-	assert_noted(desk, "the prediction meets the cut at 72 m/s");
-	assert_noted(desk, "of 11 sieves within the 80 % band");
+	assert_noted(
+	    desk, "as expected: 33.0 % passes 2 mm at 72 m/s, predicted 33.");
+	assert_noted(desk, "of 11 sieves are within the range for a belt cut");
 	struct cut cut = cut_compare(desk->session, entry, 1);
 	assert_int_equal(cut.n, 11);
 	assert_true(cut.rms < 0.01 && cut.rms > 0);
@@ -160,6 +161,18 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	assert_int_equal(later.n, 1);
 	assert_near(later.speed, 72, 1e-9);
 	assert_false(later.missed);
+	assert_noted(desk, "next: 'calibrate' takes it into the answers");
+	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
+	entry = session_entry(desk->session);
+	assert_true(cut_compare_later(desk->session, entry).twice);
+	assert_noted(desk, "next: 'undo', unless two samples");
+	desk_expect(desk, "undo");
+	entry = session_entry(desk->session);
+	assert_false(cut_compare_later(desk->session, entry).twice);
+	desk_expect(desk, "add data/cuts/tierp-72.csv@90");
+	assert_noted(desk, "it lies outside the training speeds, 69 to 79");
+	desk_expect(desk, "undo");
+	entry = session_entry(desk->session);
 	/* New runs are held out until calibrate takes them. */
 	assert_true(entry->train[0] && !entry->train[1] && entry->train[3]);
 	desk_expect(desk, "calibrate train=all seed=1");
@@ -178,7 +191,7 @@ a_cut_that_is_missed_turns_the_light(void **state)
 	desk_expect(desk, "load data/sites/tierp.csv");
 	desk_expect(desk, "calibrate seed=1");
 	say(desk, "add %s@74.5", off);
-	assert_noted(desk, "warning: the prediction misses the cut at 74.5");
+	assert_noted(desk, "warning: not as expected: 25.0 % passes 2 mm");
 	assert_noted(desk, "if they are right, 'calibrate train=all'");
 	fflush(desk->out_file);
 	size_t n = desk->n_out;
@@ -575,6 +588,68 @@ remove_files(void **state)
 	return 0;
 }
 
+/* Adds a cut at a speed from a sheet that states a date above its table. */
+static void
+add_dated(struct desk *desk, const char *date, double speed)
+{
+	char *text = xasprintf("Date,%s\n%s", date, CUT);
+	char *path = file("dated.csv", text);
+	say(desk, "add %s@%g", path, speed);
+	free(text);
+	free(path);
+}
+
+static void
+the_date_of_a_sheet_is_taken(void **state)
+{
+	struct desk *desk = *state;
+	fresh(desk);
+	add_dated(desk, "2026-05-04", 70);
+	assert_noted(desk, "added a cut: 70 m/s, 2026-05-04, dated.csv");
+	add_dated(desk, "14 May 2026", 71);
+	assert_noted(desk, "added a cut: 71 m/s, 2026-05-14, dated.csv");
+	char *path =
+	    file("note.csv", "provenance,lab\ncut,\"74 m/s, 2026-05-09\"\n"
+			     "size_mm,product@74\n16,100\n8,90\n4,66\n");
+	say(desk, "add %s", path);
+	assert_noted(desk, "added a cut: 74 m/s, 2026-05-09, note.csv");
+	free(path);
+}
+
+/* Never in silence, and never by chance. */
+static void
+a_date_of_two_readings_is_settled_or_said(void **state)
+{
+	struct desk *desk = *state;
+	setenv("SOURCE_DATE_EPOCH", "1795737600", 1); /* 2026-11-27 */
+	fresh(desk);
+	add_dated(desk, "05/11/2026", 70);
+	assert_noted(desk, "added a cut: 70 m/s, dated.csv");
+	assert_noted(
+	    desk, "can be 2026-11-05 or 2026-05-11, so the cut has none");
+	add_dated(desk, "12/11/2026", 71);
+	assert_noted(desk, "added a cut: 71 m/s, 2026-11-12, dated.csv");
+	assert_noted(desk, "as the other way round it is still to come");
+	assert_false(desk_say(desk, "add cut.csv@72 date=05/11/2026"));
+	assert_non_null(
+	    strstr(desk->error.hint, "date=2026-11-05 or date=2026-05-11"));
+	char *two =
+	    file("two.csv", "provenance,lab\ncut,\"72 m/s, 10/4/2026\"\n"
+			    "cut,\"73 m/s, 10/25/2026\"\n"
+			    "size_mm,product@72,product@73\n"
+			    "16,100,100\n8,90,91\n4,66,67\n");
+	say(desk, "add %s", two);
+	assert_noted(desk, "added a cut: 72 m/s, 2026-10-04, two.csv");
+	assert_noted(desk, "read as 2026-10-04, as its other dates show");
+	add_dated(desk, "05/11/2026", 75);
+	assert_noted(desk, "added a cut: 75 m/s, 2026-05-11, dated.csv");
+	assert_noted(desk, "as the dates of earlier cuts show");
+	say(desk, "add %s/cut.csv@76 date=05/11/2026", folder);
+	assert_noted(desk, "added a cut: 76 m/s, 2026-05-11, cut.csv");
+	unsetenv("SOURCE_DATE_EPOCH");
+	free(two);
+}
+
 #define AT_DESK(f) cmocka_unit_test_setup_teardown(f, desk_open, desk_close)
 
 int
@@ -598,6 +673,8 @@ main(void)
 	    cmocka_unit_test(dates_of_one_order_settle_the_others),
 	    AT_DESK(a_log_gives_the_speed_of_a_cut),
 	    AT_DESK(somebody_is_asked_once),
+	    AT_DESK(the_date_of_a_sheet_is_taken),
+	    AT_DESK(a_date_of_two_readings_is_settled_or_said),
 	};
 	return cmocka_run_group_tests(tests, make_files, remove_files);
 }

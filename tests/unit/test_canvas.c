@@ -95,7 +95,7 @@ no_depth_no_escapes(void **state)
 	canvas_text(c, 0, 0, "meas", SERIES_MEASURED_1, CELL_DIM);
 	expect(c, 8, "\033[0;1;34mmeas\033[0m text\n");
 	expect(c, 16, "\033[0;94mmeas\033[0m text\n");
-	expect(c, 256, "\033[0;2;38;5;26mmeas\033[0m text\n");
+	expect(c, 256, "\033[0;2;38;5;32mmeas\033[0m text\n");
 	c->theme = THEME_DARK; /* nothing is faint */
 	expect(c, 256, "\033[0;38;5;111mmeas\033[0m text\n");
 	canvas_free(c);

@@ -111,21 +111,78 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 	standards_free(all);
 }
 
-static void
-a_quantity_is_typed_as_it_is_read(void **state)
+/* Offer n as a whole quantity: "p80" of "p80=", "passing 2 mm" of "passing ".
+ * The caller frees it. */
+static char *
+offered(size_t n)
 {
-	static const char *const TYPED[] = {"p80", "passing 2 mm", "fines",
-	    "0/2", "fm EN", "cu", "cc", "p50 of 0/4", "passing 0.5 mm of 0/4"};
+	char *text = xstrdup(quantities_offer(n));
+	text[strcspn(text, "<>=")] = '\0';
+	if (text[strlen(text) - 1] == ' ')
+		xappend(&text, "2 mm");
+	return text;
+}
+
+static struct quantity
+read_as_typed(const char *text)
+{
+	struct quantity q;
 	struct error error = {0};
+	if (!quantities_read(text, &WHOLE.partition, &q, &error))
+		fail_msg("%s: %s", text, error.text);
+	FREED char *typed = quantities_as_typed(&q);
+	assert_string_equal(typed, text);
+	return q;
+}
+
+static void
+every_kind_is_offered_and_typed_as_it_is_read(void **state)
+{
+	static const char IN_KEYS[] =
+	    "abcdefghijklmnopqrstuvwxyz_0123456789.EN";
+	bool seen[QUANTITY_STEP] = {false};
 	(void)state;
-	for (size_t i = 0; i < ARRAY_LEN(TYPED); i++) {
-		struct quantity q;
-		assert_true(
-		    quantities_read(TYPED[i], &WHOLE.partition, &q, &error));
-		char *typed = quantities_as_typed(&q);
-		assert_string_equal(typed, TYPED[i]);
-		free(typed);
+	for (size_t n = 0; quantities_offer(n) != NULL; n++) {
+		FREED char *text = offered(n);
+		struct quantity q = read_as_typed(text);
+		seen[q.kind] = true;
+		assert_true(quantities_begins(quantities_offer(n)));
+		assert_true(goals_is_condition(text));
+		FREED char *key = quantities_key(&q);
+		assert_int_equal(strspn(key, IN_KEYS), strlen(key));
+		FREED char *of = xasprintf("%s of 0/4", text);
+		if (q.kind != QUANTITY_SHARE)
+			read_as_typed(of);
+		for (size_t i = 0; i < n; i++) {
+			FREED char *before = offered(i);
+			struct quantity other = read_as_typed(before);
+			assert_false(quantity_same(&q, &other));
+		}
 	}
+	for (size_t kind = 0; kind < QUANTITY_STEP; kind++)
+		assert_true(seen[kind]);
+}
+
+/* As often as there are kinds, not in the same words: P80, passing 2. */
+static void
+what_is_no_quantity_is_answered_with_every_kind(void **state)
+{
+	struct quantity q;
+	struct error error = {0};
+	bool named[QUANTITY_STEP] = {false};
+	(void)state;
+	assert_false(quantities_read("much", &WHOLE.partition, &q, &error));
+	for (char *at = strchr(error.hint, ':'), *end; at != NULL; at = end) {
+		at += strspn(at, ":;, ");
+		end = strpbrk(at, ",;");
+		FREED char *one =
+		    end != NULL ? xstrndup(at, (size_t)(end - at)) : NULL;
+		if (one != NULL &&
+		    quantities_read(one, &WHOLE.partition, &q, NULL))
+			named[q.kind] = true;
+	}
+	for (size_t kind = 0; kind < QUANTITY_STEP; kind++)
+		assert_true(named[kind]);
 }
 
 int
@@ -135,7 +192,8 @@ main(void)
 	    cmocka_unit_test(a_condition_says_the_same_in_other_words),
 	    cmocka_unit_test(what_to_write_is_said),
 	    cmocka_unit_test(a_comma_between_conditions_is_no_decimal_one),
-	    cmocka_unit_test(a_quantity_is_typed_as_it_is_read),
+	    cmocka_unit_test(every_kind_is_offered_and_typed_as_it_is_read),
+	    cmocka_unit_test(what_is_no_quantity_is_answered_with_every_kind),
 	    cmocka_unit_test(
 		a_quantity_is_no_envelope_and_no_envelope_a_quantity),
 	};

@@ -242,9 +242,8 @@ a_coarser_sieve_is_assumed(void **state)
 	static const char *const YES[] = {"", "y", "perhaps|Yes"};
 	for (size_t i = 0; i < ARRAY_LEN(YES); i++) {
 		assert_true(load_with(desk, SHORT, YES[i]));
-		assert_non_null(
-		    strstr(user.asked, "assume 100 % passes 22.4 mm, the next "
-				       "sieve up [Y/n]"));
+		assert_non_null(strstr(user.asked, "take 22.4 mm, the next "
+						   "sieve up [Y/n]"));
 		const struct psd *feed = &site_of(desk)->run[0].feed;
 		assert_near(feed->size[0], 22.4e-3, 1e-12);
 		assert_near(feed->passing[0], 1, 0);
@@ -255,7 +254,8 @@ a_coarser_sieve_is_assumed(void **state)
 	assert_true(load_with(desk, SHORT, "31.5"));
 	assert_near(site_assumed_top(site_of(desk)), 31.5, 0);
 	assert_false(load_with(desk, SHORT, "n"));
-	assert_non_null(strstr(desk->error.text, "got 96.7 % at 16 mm"));
+	assert_non_null(
+	    strstr(desk->error.text, "16 mm, passes 96.7 % of the"));
 	assert_non_null(
 	    strstr(desk->error.hint, "load test-load.csv top=22.4"));
 	/* How coarse it is where much is coarser nobody knows. */
@@ -263,8 +263,8 @@ a_coarser_sieve_is_assumed(void **state)
 				     "8,30,50\n4,12,25\n";
 	assert_true(load_with(desk, COARSE, ""));
 	assert_non_null(strstr(user.asked,
-	    "passes 22.4 mm (or type 31.5 or more, as much is coarser) "
-	    "[Y/n]"));
+	    "take 22.4 mm, the next sieve up (or type 31.5 or more, as much "
+	    "is coarser) [Y/n]"));
 	assert_near(site_assumed_top(site_of(desk)), 22.4, 0);
 	assert_true(load_with(desk, COARSE, "45"));
 	assert_near(site_assumed_top(site_of(desk)), 45, 0);

@@ -82,7 +82,8 @@ resize(struct stage *stage, int rows, int columns)
 	frame_draw(&stage->t);
 }
 
-/* Each has its number, a key, and a word by which it is saved. */
+/* Each has a key, which the list of keys has with its name, and is saved by that
+ * name. */
 static void
 every_page_is_opened_and_saved(void **state)
 {
@@ -93,11 +94,14 @@ every_page_is_opened_and_saved(void **state)
 		words += p[0] == ' ' || p[1] == '\0';
 	assert_int_equal(words, PAGES);
 	for (enum page page = PAGES; page-- > 0;) {
-		char *word = text_fold(PAGE_OPS[page]->name);
+		assert_non_null(PAGE_OPS[page]);
+		FREED char *word = text_fold(PAGE_OPS[page]->name);
 		assert_true(text_find_word(SETTINGS_PAGES, word, &at));
-		free(word);
 		assert_int_equal(at, page);
-		keymap_key(t, '1' + (int)page, false);
+		int code = keys_code_of_page(page);
+		FREED char *what = xasprintf("page %s", PAGE_OPS[page]->name);
+		assert_string_equal(keys_find(code, PAGE_PREDICT)->what, what);
+		keymap_key(t, code, false);
 		turn(t);
 		assert_int_equal(t->ui.page, page);
 		control_set_looks(t);

@@ -382,7 +382,7 @@ differences_have_a_strip(void **state)
 	assert_non_null(c->below);
 	assert_int_equal(c->below->n, 1);
 	assert_string_equal(
-	    c->below->title, "points; marks: measured 74 m/s less this");
+	    c->below->title, "points; marks: measured 74 m/s less predicted");
 	chart_free(c);
 	q.other_speed = 70;
 	c = chart_of(desk, &q);

@@ -32,7 +32,7 @@ static const struct {
     {TOP "8,100,100,100\n#5,60,80,90\n4,60,80,90\n", 4, 1,
 	"duplicate sieve: 4 is already in line 3", "remove one"},
     {TOP "99999,100,100,100\n4,60,80,90\n", 2, 1, "1e4 mm", "unit"},
-    {TOP "22.4,99.5,100,100\n4,60,80,90\n", 2, 6, "99.5 % at 22.4 mm",
+    {TOP "22.4,99.5,100,100\n4,60,80,90\n", 2, 6, "22.4 mm, passes 99.5 %",
 	"top=31.5"},
     {TOP "90,99.5,100,100\n4,60,80,90\n", 2, 4, "99.5 % at 90 mm", "top=125"},
     {"size_mm,product@69,product@79\n8,100,100\n4,80,90\n", 1, 1, "feed",

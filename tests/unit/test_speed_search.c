@@ -25,7 +25,7 @@ any_quantity(struct draw *draw)
 {
 	static const double SIZE[] = {8e-3, 5.6e-3, 2.3e-3, 1e-3, 0.5e-3};
 	struct quantity q = {
-	    .kind = (enum quantity_kind)draw_between(draw, 0, 6)};
+	    .kind = (enum quantity_kind)draw_between(draw, 0, QUANTITY_STEP)};
 	q.x = q.kind == QUANTITY_SIZE ? draw_between(draw, 0.2, 0.9)
 				      : SIZE[(int)draw_between(draw, 0, 5)];
 	q.modulus = &MODULUS[(int)draw_between(draw, 0, MODULI)];

@@ -366,9 +366,9 @@ static int asked_row, asked_column;
 static void
 note(struct tui *t, int code, bool special)
 {
-	t->again.is = true;
-	t->again.code = code;
-	t->again.special = special;
+	t->put_back.is = true;
+	t->put_back.code = code;
+	t->put_back.special = special;
 }
 
 static bool
@@ -377,14 +377,14 @@ point(struct tui *t, int *code, bool *special)
 	frame_draw(t);
 	/* Of what lies below the question nothing answers. */
 	hits_mouse(t, &t->hits, HIT_PRESS, 0, 99, note);
-	assert_false(t->again.is);
+	assert_false(t->put_back.is);
 	const struct cursor *end = &t->cursor;
 	hits_mouse(t, &t->hits, HIT_PRESS, end->row + asked_row,
 	    end->column + asked_column, note);
-	assert_true(t->again.is);
-	t->again.is = false;
-	*code = t->again.code;
-	*special = t->again.special;
+	assert_true(t->put_back.is);
+	t->put_back.is = false;
+	*code = t->put_back.code;
+	*special = t->put_back.special;
 	return true;
 }
 

@@ -216,18 +216,18 @@ advise_answer(
 	FREED struct advised *c = candidates_by_width(s, w, answer, ends, &n);
 	if (c == NULL)
 		return NULL;
-	double width = ends[1] - ends[0];
+	double width = ends[1] - ends[0], rotor = entry->site->rotor;
+	FREED char *rpm = rotor_speed_words(rotor, w->question->speed, NAN);
 	struct answer *r = answers_new(entry->site, "advise",
-	    "what to sample next, for %s at %g m/s", w->name,
-	    w->question->speed);
-	double rotor = entry->site->rotor;
+	    "what to sample next, for %s at %g m/s%s", w->name,
+	    w->question->speed, rpm);
 	answer_columns(r, "speed: sample at m/s");
 	if (rotor > 0)
 		answer_columns(r, "rpm");
 	answer_columns(r,
 	    "kind, width%s: band after%s, "
 	    "narrower_pct: narrower %%",
-	    w->q.kind == QUANTITY_SIZE                 ? "_mm"
+	    quantities_is_size(&w->q)                  ? "_mm"
 	    : strcmp(quantities_unit(&w->q), "%") == 0 ? "_points"
 						       : "",
 	    w->unit);

@@ -15,9 +15,11 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/goals.h"
+#include "cmd/ask/moved.h"
 #include "cmd/plant/plant.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/question.h"
+#include "cmd/ask/screened.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 #include "io/cells/datetime.h"
@@ -191,25 +193,27 @@ struct card_row {
 
 /* A column of the card.  key: NULL if only people see it.  head: NULL if only
  * programs see it, or if there was no room.  word [rows]: NULL for a number.
- * spare: the larger it is, the sooner the column is left out. */
+ * spare: the larger it is, the sooner the column is dropped, left out. */
 struct card_column {
 	char *key, *head, **word;
 	double *number;
 	int decimals, spare, wide;
+	bool dropped;
 };
 
 /* Columns [n] that are filled row by row, from left to right.  ranged: one
  * figure has its range beside it; cut: how far at most the range of a new belt
- * cut reaches from that figure. */
+ * cut reaches from that figure.  measured: that figure of the samples is shown;
+ * moved: by how much at most they were moved to the feed, 0..1 (moved.h). */
 struct page {
 	size_t n, rows, row, next;
 	struct card_column *column;
-	bool ranged;
-	double cut;
+	bool ranged, measured;
+	double cut, moved;
 };
 
 enum { AS_NEEDED = -1 };
-enum { NEEDED, FIGURE, MEDIAN, RANGE, FINE };
+enum { NEEDED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
 
 static char *
 copy_or_null(const char *text)
@@ -230,7 +234,7 @@ put_cell(struct page *page, const char *key, const char *head, int decimals,
 		page->column[i] = (struct card_column){copy_or_null(key),
 		    copy_or_null(head), xcalloc(page->rows, sizeof(char *)),
 		    xdoubles(page->rows), decimals, spare,
-		    head != NULL ? text_width(head) : 0};
+		    head != NULL ? text_width(head) : 0, false};
 	}
 	struct card_column *c = &page->column[i];
 	FREED char *shown = word != NULL ? xstrdup(word)
@@ -276,9 +280,48 @@ page_head(const struct card_request *all, const struct quantity *q)
 	return words;
 }
 
+/* Returns what was measured of a quantity at a speed, the mean of repeats,
+ * moved to the feed of the card; NAN if nothing was, or with another feed or
+ * machine.  Raises *moved to by how much. */
+static double
+measured_at(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double *moved)
+{
+	const struct site *site = q->entry->site;
+	const struct params *params = &q->entry->params;
+	double sum = 0;
+	size_t n = 0;
+	for (size_t r = site_run_at(site, speed);
+	     site->with[0] == '\0' && r < site->n_run &&
+	     site->run[r].speed - speed < 1e-3;
+	     r++) {
+		if (site->run[r].product.n == 0)
+			continue;
+		double value = screened_value(
+		    moved_product(s, q->entry, params, r, q->feed), of);
+		if (isnan(value))
+			continue;
+		sum += value;
+		n++;
+		*moved = fmax(
+		    *moved, moved_largest(s, q->entry, params, r, q->feed));
+	}
+	return n > 0 ? quantities_shown(of, sum / (double)n) : NAN;
+}
+
+static void
+put_measured(struct page *page, const struct session *s,
+    const struct card_request *all, double speed)
+{
+	const struct quantity *of = &all->q[ranged_figure(all)];
+	put_number(page, NULL, tr("measured"), quantities_decimals(of), SAMPLE,
+	    measured_at(s, all->question, of, speed, &page->moved));
+}
+
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
-put_figures(struct page *page, const struct card_request *all, double speed)
+put_figures(struct page *page, const struct session *s,
+    const struct card_request *all, double speed)
 {
 	enum { P20, P50, P80, SIZES };
 	static const int SPARE[SIZES] = {
@@ -300,6 +343,8 @@ put_figures(struct page *page, const struct card_request *all, double speed)
 			put_words(page, NULL, range, RANGE,
 			    xasprintf(
 				"%.*f..%.*f", digits, f.low, digits, f.high));
+		if (i == ranged && page->measured)
+			put_measured(page, s, all, speed);
 	}
 	struct figure p80 = forecast_shown(all->forecast, P80);
 	put_number(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
@@ -366,7 +411,7 @@ put_row(struct page *page, struct session *s, const struct card_request *all,
 		put_number(
 		    page, "rpm", "rpm", 0, NEEDED, rotor_speed_rpm(v, rotor));
 	forecast_at(all->forecast, v);
-	put_figures(page, all, v);
+	put_figures(page, s, all, v);
 	struct trust light = light_at(s, entry, v, all->question->feed);
 	row->light = light.light;
 	light_worse(worst, light);
@@ -402,7 +447,8 @@ page_free(struct page *page)
 
 /* Titles the card "hollow_lane (Hollow Lane Quarry): card of 2026-11-27".  A
  * site that has only the name of its file is known in the cabin by the first
- * line of its sheet, up to a comma or a dash. */
+ * line of its sheet, up to a comma or a dash; its other cells, and other lines
+ * of two cells, such as "Date, 12 May", are no name. */
 static void
 page_title(struct answer *r, const struct site *site, const char *today)
 {
@@ -411,7 +457,8 @@ page_title(struct answer *r, const struct site *site, const char *today)
 	bool of_file = strncmp(file, site->name, strlen(site->name)) == 0;
 	FREED char *label = session_site_label(site);
 	for (size_t i = 0; i < site->n_note && of_file; i++) {
-		if (site->note[i].value[0] != '\0')
+		bool title = i == 0 && strchr(site->note[i].key, ' ') != NULL;
+		if (site->note[i].value[0] != '\0' && !title)
 			continue;
 		FREED char *line = xstrdup(site->note[i].key);
 		char *dash = strstr(line, " - ");
@@ -423,35 +470,59 @@ page_title(struct answer *r, const struct site *site, const char *today)
 	}
 }
 
-/* Leaves out columns that can be spared until a row fits into 80 characters. If
- * that is not enough, the table becomes wider rather than two.  Returns the
- * headings of the columns left out, or ""; the caller frees them. */
+/* Returns the width of the columns that are shown.  *most: out, the one of
+ * these that can be spared soonest. */
+static int
+page_width(const struct page *page, struct card_column **most)
+{
+	enum { GAP = 2 };
+	int wide = 0;
+	*most = NULL;
+	for (size_t i = 0; i < page->n; i++) {
+		struct card_column *c = &page->column[i];
+		if (c->head == NULL || c->dropped)
+			continue;
+		wide += GAP + c->wide;
+		*most = *most == NULL || c->spare > (*most)->spare ? c : *most;
+	}
+	return wide;
+}
+
+/* Leaves out columns that can be spared until a row fits into 80 characters,
+ * and takes back those for which there is room after all.  If that is not
+ * enough, the table becomes wider rather than two.  Returns the headings of the
+ * columns left out, or ""; the caller frees them. */
 static char *
 page_drop_to_fit(struct page *page, struct answer *r)
 {
-	enum { ROOM = 79, GAP = 2 };
-	char *dropped = xstrdup("");
-	for (;;) {
-		int wide = 0;
-		struct card_column *most = &page->column[0];
+	enum { ROOM = 79 };
+	struct card_column *most;
+	int wide = page_width(page, &most);
+	for (; wide > ROOM && most->spare != NEEDED;
+	     wide = page_width(page, &most))
+		most->dropped = true;
+	for (int spare = FIGURE; spare <= FINE; spare++)
 		for (size_t i = 0; i < page->n; i++) {
 			struct card_column *c = &page->column[i];
-			if (c->head == NULL)
+			if (!c->dropped || c->spare != spare)
 				continue;
-			wide += GAP + c->wide;
-			most = c->spare > most->spare ? c : most;
+			c->dropped = false;
+			c->dropped = page_width(page, &most) > ROOM;
 		}
-		if (wide <= ROOM)
-			return dropped;
-		if (most->spare == NEEDED) {
-			answer_set_width(r, wide + 1);
-			return dropped;
-		}
-		page->ranged = page->ranged && most->spare != RANGE;
-		xlist(&dropped, ", ", "%s", most->head);
-		free(most->head);
-		most->head = NULL;
+	if (wide > ROOM)
+		answer_set_width(r, wide + 1);
+	char *dropped = xstrdup("");
+	for (size_t i = 0; i < page->n; i++) {
+		struct card_column *c = &page->column[i];
+		if (!c->dropped)
+			continue;
+		page->ranged = page->ranged && c->spare != RANGE;
+		page->measured = page->measured && c->spare != SAMPLE;
+		xlist(&dropped, ", ", "%s", c->head);
+		free(c->head);
+		c->head = NULL;
 	}
+	return dropped;
 }
 
 /* Adds a line for each speed, for people or for programs. */
@@ -526,23 +597,6 @@ note_limits(struct answer *r, const struct card_request *all,
 	conditions_note_source(r, &all->list);
 }
 
-/* Returns "66.19, 71.84, 78 m/s (1290, 1400, 1520 rpm)".  The caller frees
- * it. */
-static char *
-measured_words(const struct site *site)
-{
-	FREED char *speeds = session_speeds(site, ", ", NULL, true);
-	char *words = xasprintf(tr("%s m/s"), speeds);
-	FREED char *rpm = xstrdup("");
-	for (size_t r = 0; r < site->n_run && site->rotor > 0; r++)
-		if (site->run[r].product.n > 0 && !site_run_repeats(site, r))
-			xlist(&rpm, ", ", "%.0f",
-			    rotor_speed_rpm(site->run[r].speed, site->rotor));
-	if (rpm[0] != '\0')
-		xappend(&words, tr(" (%s rpm)"), rpm);
-	return words;
-}
-
 /* Notes what the range is of, and that a belt cut may lie outside it. */
 static void
 note_range(struct answer *r, const struct card_request *all, double cut)
@@ -575,11 +629,14 @@ note_trust_words(struct answer *r, const struct question *q,
 		occurs[row[i].light] = true;
 		beyond = beyond || answers_extrapolates(q->entry, row[i].speed);
 	}
-	FREED char *speeds = measured_words(q->entry->site);
-	FREED char *words = xasprintf(
-	    occurs[LIGHT_GREEN] ? tr("green: confirmed by measurements at %s")
-				: tr("measured at %s"),
-	    speeds);
+	const struct site *site = q->entry->site;
+	FREED char *speeds = session_speeds(site, ", ", NULL, true);
+	FREED char *rpm = session_rpm(site, NULL, true);
+	FREED char *words =
+	    xasprintf(occurs[LIGHT_GREEN]
+			  ? tr("green: confirmed by measurements at %s m/s%s")
+			  : tr("measured at %s m/s%s"),
+		speeds, rpm);
 	if (occurs[LIGHT_AMBER])
 		xappend(
 		    &words, tr("; amber: from the model alone, or doubtful"));
@@ -617,6 +674,11 @@ note_basis(struct answer *r, const struct session *s,
 		answer_note(r, "left out, as there is no room: %s", dropped);
 	if (page->ranged)
 		note_range(r, all, page->cut);
+	if (page->measured) {
+		FREED char *of = quantities_words(&all->q[ranged_figure(all)]);
+		answer_note(
+		    r, "measured: %s of the sample taken at that speed", of);
+	}
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
@@ -660,6 +722,7 @@ static struct answer *
 card_answer(
     struct session *s, struct card_request *all, const double *speed, size_t n)
 {
+	const double SHOWN = 5e-4; /* changes a tenth of a point */
 	const struct entry *entry = all->question->entry;
 	FREED char *today = datetime_today();
 	struct answer *r =
@@ -668,6 +731,11 @@ card_answer(
 	struct trust light = light_of_prediction(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
 	struct page page = {.rows = n};
+	for (size_t i = 0; i < n; i++)
+		page.measured =
+		    page.measured ||
+		    !isnan(measured_at(s, all->question,
+			&all->q[ranged_figure(all)], speed[i], &page.moved));
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
 		put_row(&page, s, all, &row[i], &light);
@@ -681,7 +749,9 @@ card_answer(
 	note_limits(r, all, row, n);
 	note_flow(r, all);
 	note_basis(r, s, all, dropped, &page, row);
-	note_light(r, s, all->question, row, n, &light);
+	struct question q = *all->question;
+	q.moved = page.measured && page.moved > SHOWN ? page.moved : 0;
+	note_light(r, s, &q, row, n, &light);
 	page_free(&page);
 	return r;
 }

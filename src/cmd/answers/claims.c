@@ -124,12 +124,14 @@ claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 	fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
 	free(x);
 	free(y);
+	FREED char *fits =
+	    c->n > 2 ? xasprintf(tr(", %+.2f over the %zu fits"), fitted, c->n)
+		     : xstrdup("");
 	add_claim(r, N_("high f_mat goes with low e0_min, and the reverse"),
 	    is_negative(printed, c->paper.n),
-	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3, "
-			 "%+.2f over the %zu fits; chance alone is beyond "
-			 "%.2f once in 20"),
-		printed, c->paper.n, fitted, c->n,
+	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3%s; "
+			 "chance alone is beyond %.2f once in 20"),
+		printed, c->paper.n, fits,
 		2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2)));
 }
 

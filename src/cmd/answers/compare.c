@@ -22,6 +22,7 @@
 #include "cmd/ask/screened.h"
 #include "cmd/ask/feed.h"
 #include "core/answer/predict.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 /* One of the two products, and its name for people.  A pinned prediction stays
@@ -30,7 +31,7 @@ struct side {
 	const struct entry *entry;
 	struct question q;
 	struct prediction p;
-	char *head;
+	char *head, *words;
 	bool pinned;
 };
 
@@ -178,7 +179,7 @@ note_difference(struct answer *r, const struct session *s,
 		answer_note(r,
 		    low > 0 ? N_("%s is higher at %s, %s by %.*f to %.*f%s")
 			    : N_("%s is lower at %s, %s by %.*f to %.*f%s"),
-		    words, side[1].head, chance, digits,
+		    words, side[1].words, chance, digits,
 		    fmin(fabs(low), fabs(high)), digits,
 		    fmax(fabs(low), fabs(high)), unit);
 	else if (low < 0 || high > 0)
@@ -191,8 +192,8 @@ note_difference(struct answer *r, const struct session *s,
 	bool differ = low < 0 || high > 0;
 	if (differ && feeds_difference(s, side, q, range))
 		answer_note(r,
-		    "with each of the feeds that were sampled the difference "
-		    "in %s is between %+.*f and %+.*f%s",
+		    "with the feeds that were sampled, the difference in %s "
+		    "ranges from %+.*f to %+.*f%s",
 		    words, digits, shown_difference(q, range[0]), digits,
 		    shown_difference(q, range[1]), unit);
 }
@@ -284,7 +285,7 @@ comparison_notes(struct answer *r, const struct side side[2])
 	for (size_t i = 0; i < 2; i++)
 		if (answers_extrapolates(side[i].entry, side[i].p.speed))
 			answer_say(r, ANSWER_WARNING,
-			    "%s is outside the training speeds", side[i].head);
+			    "%s is outside the training speeds", side[i].words);
 }
 
 /* Shows what both answers rest on, once if it is the same, and one light for
@@ -299,7 +300,7 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q = question_of_whole_product(
 		    s, side[i].entry, side[i].p.feed_run);
-		const char *whose = feeds ? side[i].head : NULL;
+		const char *whose = feeds ? side[i].words : NULL;
 		if (i == 0 || two)
 			answers_note_basis(s, r, &q, 0, whose, &light);
 		else if (feeds)
@@ -389,6 +390,10 @@ set_column_headings(bool sites, struct side side[2])
 		side[i].head = sites && !side[i].pinned ? xstrdup(key)
 			       : two ? xasprintf("%s %s", key, speed)
 				     : xstrdup(speed);
+		bool names_speed = !sites || side[i].pinned;
+		FREED char *rpm = rotor_speed_words(
+		    names_speed ? side[i].entry->site->rotor : 0, v, NAN);
+		side[i].words = xasprintf("%s%s", side[i].head, rpm);
 	}
 }
 
@@ -401,7 +406,7 @@ set_title(struct answer *r, const struct side side[2], const char *passing,
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
 	FREED char *data = provenance_of_both(side);
 	if (side[0].p.speed != side[1].p.speed)
-		answer_title(r, "%s and %s%s%s", side[0].head, side[1].head,
+		answer_title(r, "%s and %s%s%s", side[0].words, side[1].words,
 		    passing, fraction);
 	else if (a->with[0] != '\0')
 		answer_title(r, "%s and %s, with %s, at %g m/s%s%s", a->name,
@@ -446,7 +451,7 @@ comparison(const struct session *s, const struct side side[2],
 	    are_two_sites(side)
 		? answer_new("compare")
 		: answers_new(side[0].entry->site, "compare", "%s and %s%s%s",
-		      side[0].head, side[1].head, passing, fraction);
+		      side[0].words, side[1].words, passing, fraction);
 	if (are_two_sites(side))
 		set_title(r, side, passing, fraction);
 	if (q != NULL) {
@@ -535,6 +540,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 			prediction_free(&side[i].p);
 		question_free(s, &side[i].q);
 		free(side[i].head);
+		free(side[i].words);
 	}
 	return ok;
 }

@@ -11,6 +11,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 
 /* The figures that are shown by default, as far as the feed covers them. */
 #define USUAL "P10,P20,P50,P80,P90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
@@ -109,8 +110,9 @@ cmd_figures(struct session *s, const struct args *args,
 	forecast_at(all, v);
 	asked_keep(s, v, named ? &q[0] : NULL);
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
-	struct answer *r = answers_new(
-	    entry->site, "figures", "figures of the product at %g m/s", v);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
+	struct answer *r = answers_new(entry->site, "figures",
+	    "figures of the product at %g m/s%s", v, rpm);
 	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
 	    answers_extrapolates(entry, v));
 	figure_rows(

@@ -491,22 +491,24 @@ note_out_of_reach(
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
-	bool size = q->kind == QUANTITY_SIZE;
+	bool size = quantities_is_size(q);
 	bool falls = (size || q->kind == QUANTITY_PASSING) &&
 		     !fraction_screens(&q->fraction);
 	double high = find_value_at(goal, c->to),
 	       low = find_value_at(goal, c->from);
 	double over = forecast_excess(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
+	FREED char *rpm = rotor_speed_words(c->site->rotor, c->from, c->to);
 	if (falls)
 		answer_note(r,
-		    "no speed from %g to %g m/s gives %s: the product is still "
-		    "%s at %g m/s",
-		    c->from, c->to, words, finer ? tr("finer") : tr("coarser"),
+		    "no speed from %g to %g m/s%s gives %s: the product is "
+		    "still %s at %g m/s",
+		    c->from, c->to, rpm, words,
+		    finer ? tr("finer") : tr("coarser"),
 		    finer ? c->from : c->to);
 	else
-		answer_note(r, "no speed from %g to %g m/s gives %s", c->from,
-		    c->to, words);
+		answer_note(r, "no speed from %g to %g m/s%s gives %s", c->from,
+		    c->to, rpm, words);
 	const char *unit = quantities_unit_suffix(q);
 	if (isfinite(low) && isfinite(high))
 		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
@@ -579,7 +581,7 @@ show_basis(struct session *s, struct answer *r, const struct find_request *goal,
 	double shown = found ? v : nearest_speed(goal, f);
 	struct trust light = light_at(s, q->entry, shown, q->feed);
 	answers_note_basis(s, r, q, found ? v : 0, NULL, &light);
-	light_show_at(r, found ? 0 : shown, light);
+	light_show_at(r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
 
@@ -653,10 +655,12 @@ note_window(struct answer *r, const struct find_request *goal,
 		    speeds, w->best, best, in->from, table);
 		return;
 	}
+	FREED char *range =
+	    rotor_speed_words(site->rotor, goal->wanted.from, goal->wanted.to);
 	answer_note(r,
-	    "no speed from %g to %g m/s meets the envelope; the nearest is "
+	    "no speed from %g to %g m/s%s meets the envelope; the nearest is "
 	    "%.1f m/s%s",
-	    goal->wanted.from, goal->wanted.to, w->best, best);
+	    goal->wanted.from, goal->wanted.to, range, w->best, best);
 	FREED char *missed = grading_missed(g);
 	answer_note(r, "%s", missed);
 }

@@ -12,6 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/fit.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "cmd/ask/question.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
@@ -169,9 +170,10 @@ put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
 static struct answer *
 guess_table(const struct site *site, const struct guess *guess)
 {
+	FREED char *rpm = rotor_speed_words(site->rotor, guess->speed, NAN);
 	struct answer *r = answers_new(site, "guess",
-	    "estimated product at %.*f m/s, not calibrated",
-	    units_speed_digits(guess->speed), guess->speed);
+	    "estimated product at %.*f m/s%s, not calibrated",
+	    units_speed_digits(guess->speed), guess->speed, rpm);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
 			  "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)
@@ -299,11 +301,11 @@ note_materials(struct answer *r, const struct basis *b)
 		    b->n);
 	else
 		answer_say(r, ANSWER_REMARK,
-		    open ? N_("estimated from another quarry, not calibrated: "
-			      "from one material, so the band does not cover "
-			      "rock of another strength")
-			 : N_("estimated from another quarry, not calibrated: "
-			      "from one material, so without a band"));
+		    open ? N_("estimated from one material of another quarry, "
+			      "not calibrated: the band does not cover rock of "
+			      "another strength")
+			 : N_("estimated from one material of another quarry, "
+			      "not calibrated: there is no band"));
 	if (open)
 		answer_say(r, ANSWER_REMARK,
 		    "Table 3 prints no beta, and rocks differ in the sizes of "
@@ -314,8 +316,8 @@ note_materials(struct answer *r, const struct basis *b)
 	note_choice(r, b);
 	if (b->table3 < b->own)
 		answer_say(r, ANSWER_REMARK,
-		    "of your own %zu materials the %zu nearest by rock and top "
-		    "size were looked at",
+		    "of your own %zu materials the %zu nearest in rock and top "
+		    "size were used",
 		    b->own, b->table3);
 	if (!measured)
 		answer_say(r, ANSWER_WARNING,

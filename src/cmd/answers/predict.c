@@ -22,6 +22,7 @@
 #include "cmd/ask/moved.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 /* Says in a sentence which sizes break at this speed. */
@@ -212,9 +213,10 @@ prediction_answer(const struct session *s, const struct entry *entry,
 	    !detail && p->low != NULL
 		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
 		: xstrdup("");
-	struct answer *r =
-	    answers_new(entry->site, "predict", "product at %.*f m/s%s%s%s",
-		units_speed_digits(p->speed), p->speed, more, fraction, band);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, p->speed, NAN);
+	struct answer *r = answers_new(entry->site, "predict",
+	    "product at %.*f m/s%s%s%s%s", units_speed_digits(p->speed),
+	    p->speed, rpm, more, fraction, band);
 	/* In a table that is read aloud, the numbers of a sieve belong in one
 	 * line. */
 	if (!s->linear)
@@ -236,12 +238,15 @@ note_fit_of_only_cut(
 		return;
 	struct cut cut = cut_compare(s, entry, run);
 	FREED char *words = cut_words(&cut);
+	FREED char *rpm = rotor_speed_words(
+	    entry->site->rotor, entry->site->run[run].speed, NAN);
 	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
-	    cut.missed ? N_("the prediction misses the cut at %g m/s, the one "
-			    "product of this site: %s")
-		       : N_("the prediction meets the cut at %g m/s, the one "
-			    "product of this site: %s"),
-	    entry->site->run[run].speed, words);
+	    cut.missed
+		? N_("the prediction misses the cut at %g m/s%s, the one "
+		     "product of this site: %s")
+		: N_("the prediction meets the cut at %g m/s%s, the one "
+		     "product of this site: %s"),
+	    entry->site->run[run].speed, rpm, words);
 	fields_put(fields_object(answer_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
 	    100 * cut.rms, cut.n);
@@ -382,10 +387,11 @@ predict_certainty_words(const struct session *s, const struct question *q,
 		return NULL;
 	FREED char *chance = predict_chance_words(q->level);
 	FREED char *said = quantities_statement(of, value);
+	FREED char *rpm = rotor_speed_words(q->entry->site->rotor, speed, NAN);
 	char *words = xasprintf(
-	    tr("at %.*f m/s %s: %s between %.*f and %.*f; a new belt cut "
+	    tr("at %.*f m/s%s %s: %s between %.*f and %.*f; a new belt cut "
 	       "between %.*f and %.*f"),
-	    units_speed_digits(speed), speed, said, chance, decimals,
+	    units_speed_digits(speed), speed, rpm, said, chance, decimals,
 	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
 	    sample.high);
 	if (q->feed == SITE_MEAN_FEED)

@@ -20,6 +20,7 @@
 #include "cmd/run/line.h"
 #include "cmd/lang/table.h"
 #include "config.h"
+#include "core/psd/rotor_speed.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
@@ -205,13 +206,16 @@ put_light(struct session *s, const struct report_request *ask)
 {
 	const struct entry *entry = ask->q->entry;
 	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
-	FREED char *words = xasprintf(
-	    tr("Trust: %s. %s the answer at %.*f m/s%s"),
-	    tr(LIGHT_NAME[t.light]),
-	    t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
-	    : t.light == LIGHT_RED ? tr("Do not rely on")
-				   : tr("Take care with"),
-	    units_speed_digits(ask->speed), ask->speed, t.n == 0 ? "." : ":");
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, ask->speed, NAN);
+	FREED char *words =
+	    xasprintf(tr("Trust: %s. %s the answer at %.*f m/s%s%s"),
+		tr(LIGHT_NAME[t.light]),
+		t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
+		: t.light == LIGHT_RED ? tr("Do not rely on")
+				       : tr("Take care with"),
+		units_speed_digits(ask->speed), ask->speed, rpm,
+		t.n == 0 ? "." : ":");
 	document_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
 		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
@@ -237,8 +241,10 @@ append_window(char **words, const struct report_request *ask)
 		return;
 	forecast_at(ask->wanted.forecast, w->best);
 	FREED char *misses = conditions_distance(&ask->wanted, w->margin);
-	xlist(words, "; ", tr("the nearest misses by %s at %.1f m/s"), misses,
-	    w->best);
+	FREED char *rpm =
+	    rotor_speed_words(ask->q->entry->site->rotor, w->best, NAN);
+	xlist(words, "; ", tr("the nearest misses by %s at %.1f m/s%s"), misses,
+	    w->best, rpm);
 }
 
 /* Says whether the product at the report's speed meets the conditions. */
@@ -252,8 +258,10 @@ put_conditions(struct session *s, const struct report_request *ask)
 	double share = wanted_certainty(&ask->wanted);
 	FREED char *list = conditions_list_words(&ask->list);
 	FREED char *chance = conditions_chance(share, met);
-	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s %s"),
-	    list, units_speed_digits(ask->speed), ask->speed, chance);
+	FREED char *rpm =
+	    rotor_speed_words(ask->q->entry->site->rotor, ask->speed, NAN);
+	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s%s %s"),
+	    list, units_speed_digits(ask->speed), ask->speed, rpm, chance);
 	append_window(&words, ask);
 	document_say(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS

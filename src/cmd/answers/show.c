@@ -17,6 +17,7 @@
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 static bool
@@ -41,6 +42,9 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "machine", "%s", site->machine);
 	answer_add_pair(r, "file", "%s", site->path);
 	answer_add_pair(r, "speeds m/s", "%s", speeds);
+	FREED char *rpm = session_rpm_list(site, " ", NULL, true);
+	if (rpm[0] != '\0')
+		answer_add_pair(r, "speeds rpm", "%s", rpm);
 	answer_add_pair(r, "feeds",
 	    site->individual_feeds ? N_("one for each speed")
 				   : N_("one for all speeds"));
@@ -108,7 +112,7 @@ show_curves(struct session *s, const struct args *args, struct error *error)
 	answer_columns(r, "sieve_mm: sieve mm");
 	size_t n = add_columns(r, site, feed, curve);
 	if (n == 0)
-		answer_note(r, "the site file has a feed only");
+		answer_note(r, "the site file has only a feed");
 	answer_set_missing(r, "");
 	for (double x = INFINITY; (x = next_finer_sieve(curve, n, x)) > 0;) {
 		answer_cells(r, "%g", units_mm(x));
@@ -233,8 +237,9 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 	(void)args;
 	(void)error;
 	predict_selection(feed, &entry->params, s->set.model, q->speed, S);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, q->speed, NAN);
 	struct answer *r = answers_new(entry->site, "show",
-	    "selection function at %g m/s (Eq 3)", q->speed);
+	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
 	selection_rows(r, feed, S);
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r),

@@ -11,6 +11,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/formats/standards.h"
 #include "io/sitefile/units.h"
 
@@ -204,8 +205,9 @@ spec_compare(struct session *s, const struct args *args, struct question *q,
 	    !grading_open(s, args, spec, q, &g, error))
 		return false;
 	FREED char *name = grading_words(&g);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
 	struct answer *r =
-	    answers_new(entry->site, "spec", "%s at %g m/s", name, v);
+	    answers_new(entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
 	grading_rows(r, &g, v);
 	note_verdict(r, &g, v);
 	grading_notes(r, &g);

@@ -9,20 +9,20 @@
 
 /* The options of a crusher with its screens, which flow and card share; see
  * plant_read. */
-#define FLOW_PARTS                                                        \
-	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                     \
-	    "fractions of the product, mm"},                              \
-	    {TEXT(recycle), NULL, "",                                     \
-		"fractions that go back to the crusher"},                 \
-	    {PATH(circuit), "file of a circuit, instead of fractions"},   \
-	    {TEXT(power), NULL, "",                                       \
-		"readings of the motor, m/s:kW:t/h with commas between; " \
-		"default: "                                               \
-		"those of belt cuts"},                                    \
-	    {TEXT(prices), NULL, "",                                      \
-		"price per t of each product, such as 0/2:12,2/5:9"},     \
-	{                                                                 \
-		NUMBER(kwh), "", 0, 1e6, NULL, "0", "price per kWh"       \
+#define FLOW_PARTS                                                          \
+	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                       \
+	    "fractions of the product, mm"},                                \
+	    {TEXT(recycle), NULL, "",                                       \
+		"fractions that go back to the crusher"},                   \
+	    {PATH(circuit), "circuit file, instead of fractions"},          \
+	    {TEXT(power), NULL, "",                                         \
+		"motor power readings as m/s:kW:t/h, separated by commas; " \
+		"default: "                                                 \
+		"those of belt cuts"},                                      \
+	    {TEXT(prices), NULL, "",                                        \
+		"price per t of each product, such as 0/2:12,2/5:9"},       \
+	{                                                                   \
+		NUMBER(kwh), "", 0, 1e6, NULL, "0", "price per kWh"         \
 	}
 
 const struct command TABLE_ANSWERS[] = {
@@ -111,8 +111,9 @@ const struct command TABLE_ANSWERS[] = {
 		 COMMAND_CONDITIONS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
-		"rotor tip speeds; default 65..85 by 1 and the speed last "
-		"asked about, extended or moved to cover the runs"},
+		"rotor tip speeds; default 65..85 by 1, or round rpm of a "
+		"sheet in rpm, extended or moved to cover the runs, and the "
+		"speeds measured and last asked about"},
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
@@ -123,8 +124,9 @@ const struct command TABLE_ANSWERS[] = {
 	.text =
 	    "One row for each speed, in m/s and, where the site states the "
 	    "rotor's diameter, in rpm: P20, P50 and P80, the figures that are "
-	    "named, the range of one of them, tonnes of fractions, and the "
-	    "light. With the conditions of window, spec= or a goal that is "
+	    "named, the range of one of them and what was measured of it, "
+	    "tonnes of fractions, and the light. With the conditions of "
+	    "window, spec= or a goal that is "
 	    "set, it also has how certain it is that they are met. Below it: "
 	    "the date, the feed, the machine, the model, and whether each "
 	    "speed rests on measurements or on the model alone. Columns that "
@@ -271,12 +273,12 @@ const struct command TABLE_ANSWERS[] = {
 	    "screens, splits and stockpiles from a file, see "
 	    "tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the tonnes of "
 	    "the products against the speed, from=..to=.",
-	.more =
-	    "Material coarser or finer than all fractions, or between them, is "
-	    "also listed, and the error of the mass balance is shown with the "
-	    "circulating load. In the power, c is at least 1 (Euler); readings "
-	    "of the empty crusher (0 t/h) at two speeds give its idle power. "
-	    "tipspeed-circuit(5) also says what is left out.",
+	.more = "Material coarser or finer than all fractions, or between "
+		"them, is also listed, and the error of the mass balance is "
+		"shown with the circulating load. In the formula for power, c "
+		"is at least 1 (Euler's turbine equation); readings of the "
+		"empty crusher (0 t/h) at two speeds give its idle power. "
+		"tipspeed-circuit(5) also says what is left out.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "flow tph=120 recycle=8/11.2\n"
 		   "flow tph=120 recycle=8/11.2 "
@@ -381,12 +383,13 @@ const struct command TABLE_ANSWERS[] = {
 	    "lies and the one in which a new belt cut is expected; if several "
 	    "runs have a feed sample, how far the product moves with the feed; "
 	    "what errors of the stated tip speeds add; and which further "
-	    "sample would help most, as advise finds it. detail=on shows half "
-	    "the width of the band sieve by sieve: of the model alone, which "
-	    "is what its parameters leave open; of the answer, with what the "
-	    "model leaves out, which is the band of predict; and of one more "
-	    "sample with its error. Below it are the sizes of these errors as "
-	    "the data show them. level= and noise= are settings, kept for the "
+	    "sample would help most, as 'uncertainty next' finds it. detail=on "
+	    "shows half the width of the band sieve by sieve: of the model "
+	    "alone, which is what its parameters leave open; of the answer, "
+	    "with what the model leaves out, which is the band of predict; and "
+	    "of one more sample with its error. Below it are the sizes of "
+	    "these errors as the data show them. level= and noise= are "
+	    "settings, kept for the "
 	    "commands that follow. 'uncertainty draws > FILE.csv' writes the "
 	    "draws: parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
@@ -415,22 +418,22 @@ const struct command TABLE_ANSWERS[] = {
 	.brief = "compare all breakage models on the site's runs",
 	.operands = {"[all]", {"all"}, 0, 1},
 	.flags = COMMAND_NEEDS_SITE,
-	.text = "Calibrates each breakage model, with and without a bypass, "
-		"on the training runs, and shows for each the misfit, how "
-		"many parameters were free, AICc (lower is better) and the "
-		"RMSE at the held-out runs, beside predictions that need no "
-		"model. If no run is held out, each speed is held out in turn "
-		"if there are three or more. The best model has the smallest "
-		"error there; among models within 0.1 points, or if no run is "
-		"held out, the lowest AICc; a model that interpolation beats "
-		"is not called best. If even the best misses these runs by "
-		"more than 2 points, and by more than sampling explains, no "
-		"model describes the rock. Reports which models the data rule "
-		"out, whether they can tell the models apart, and how much "
-		"each contributes to the answer between measured speeds; see "
-		"COMPARING MODELS in tipspeed-model(7). The fit in use stays. "
-		"'league all' does it for all loaded sites and adds up the "
-		"results.",
+	.text =
+	    "Calibrates each breakage model, with and without a bypass, on the "
+	    "training runs, and shows for each the misfit, how many parameters "
+	    "were free, AICc (lower is better) and the RMSE at the held-out "
+	    "runs, beside predictions that need no model. If no run is held "
+	    "out and there are three or more speeds, each is held out in turn. "
+	    "The best model has the smallest error there; among models within "
+	    "0.1 points, or if no run is held out, the lowest AICc; a model "
+	    "that interpolation beats is not called best. If even the best "
+	    "misses these runs by more than 2 points, and by more than "
+	    "sampling explains, no model describes the rock. Reports which "
+	    "models the data rule out, whether they can tell the models apart, "
+	    "and how much each contributes to the answer between measured "
+	    "speeds; see COMPARING MODELS in tipspeed-model(7). The fit in use "
+	    "stays. 'league all' does it for all loaded sites and adds up the "
+	    "results.",
 	.example = "load data/sites/tierp.csv\nleague",
 	.run = cmd_league},
     {.name = "identify",

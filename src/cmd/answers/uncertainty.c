@@ -175,9 +175,8 @@ note_draws(struct answer *r, const struct posterior *p,
 	if (words || !settled)
 		answer_say(r, settled ? ANSWER_REMARK : ANSWER_WARNING,
 		    settled
-			? N_("%d draws: their two halves differ by %.0f %% of "
-			     "the "
-			     "band's width")
+			? N_("%d draws: the first half and the second differ "
+			     "by %.0f %% of the band's width")
 			: N_("%d draws that have not settled: their two halves "
 			     "differ by %.0f %% of the band's width"),
 		    POSTERIOR_DRAWS, 100 * e->halves);
@@ -193,9 +192,11 @@ draws_answer(const struct session *s, const struct question *q,
 	forecast_at(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	FREED char *fraction = screened_title(&at->fraction);
+	FREED char *rpm =
+	    rotor_speed_words(q->entry->site->rotor, at->speed, NAN);
 	struct answer *r =
-	    answers_new(q->entry->site, "uncertainty", "draws at %.*f m/s%s",
-		units_speed_digits(at->speed), at->speed, fraction);
+	    answers_new(q->entry->site, "uncertainty", "draws at %.*f m/s%s%s",
+		units_speed_digits(at->speed), at->speed, rpm, fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -345,11 +346,14 @@ band_parts_answer(const struct session *s, const struct question *q,
 		question_feed(q), args->of != NULL, &n, error);
 	if (figures == NULL)
 		return NULL;
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, at->speed, NAN);
 	const struct quantity of = figure_of_sentences(q, args, at, figures);
 	struct answer *r = answers_new(entry->site, "uncertainty",
-	    detail ? N_("half width of the %.0f %% band at %.*f m/s%s, points")
-		   : N_("how sure, %.0f %% bands at %.*f m/s%s"),
-	    100 * q->level, units_speed_digits(at->speed), at->speed, fraction);
+	    detail
+		? N_("half width of the %.0f %% band at %.*f m/s%s%s, points")
+		: N_("how sure, %.0f %% bands at %.*f m/s%s%s"),
+	    100 * q->level, units_speed_digits(at->speed), at->speed, rpm,
+	    fraction);
 	if (detail && !s->linear)
 		answer_set_across(r);
 	if (!detail) {

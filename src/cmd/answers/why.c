@@ -19,6 +19,7 @@
 #include "cmd/ask/feed.h"
 #include "cmd/lang/parse.h"
 #include "core/model/breakage.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "core/check/validate.h"
 #include "core/answer/mass_balance.h"
@@ -53,30 +54,33 @@ say_breakage(const struct subject *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
+	FREED char *rpm =
+	    rotor_speed_words(a->entry->site->rotor, p->speed, NAN);
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
 		    "nothing breaks and the feed is unchanged");
 	else if (p->break_size >= a->feed->size[0])
 		answer_note(a->answer,
-		    "At %.4g m/s only particles of %.3g mm or more break, and "
-		    "the feed has none above %g mm: the feed is unchanged",
-		    p->speed, 1000 * p->break_size, units_mm(a->feed->size[0]));
+		    "At %.4g m/s%s only particles of %.3g mm or more break, "
+		    "and the feed has none above %g mm: the feed is unchanged",
+		    p->speed, rpm, 1000 * p->break_size,
+		    units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(a->answer,
 		    "With %s every size can break; %.0f %% of the feed does at "
-		    "%.4g m/s",
+		    "%.4g m/s%s",
 		    params_value(&a->entry->params, "e0_min") <= 0
 			? "e0_min = 0"
 			: tr("so low an alpha"),
-		    100 * does, p->speed);
+		    100 * does, p->speed, rpm);
 	else
 		answer_note(a->answer,
-		    "At %.4g m/s an impact has %.0f J/kg, which breaks "
-		    "particles "
-		    "of %.3g mm or more; %.0f %% of the feed is that coarse, "
+		    "At %.4g m/s%s an impact has %.0f J/kg, which breaks "
+		    "particles of %.3g mm or more; %.0f %% of the feed is that "
+		    "coarse, "
 		    "and %.0f %% of the feed breaks",
-		    p->speed, p->energy, 1000 * p->break_size, 100 * can,
+		    p->speed, rpm, p->energy, 1000 * p->break_size, 100 * can,
 		    100 * does);
 }
 
@@ -167,20 +171,22 @@ say_trained(const struct subject *a)
 		return;
 	}
 	FREED char *speeds = answers_reach_words(entry, slow, fast);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
 	if (!answers_extrapolates(entry, v)) {
-		answer_note(a->answer, "%.4g m/s is within the %s", v, speeds);
+		answer_note(
+		    a->answer, "%.4g m/s%s is within the %s", v, rpm, speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
 	double more = energy_specific(v) / energy_specific(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
-	    more > 0 ? N_("%.4g m/s is outside the %s: an impact has %.1f %% "
+	    more > 0 ? N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "more energy than at %g m/s, and no measurement "
 			  "shows the effect")
-		     : N_("%.4g m/s is outside the %s: an impact has %.1f %% "
+		     : N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "less energy than at %g m/s, and no measurement "
 			  "shows the effect"),
-	    v, speeds, 100 * fabs(more), near);
+	    v, rpm, speeds, 100 * fabs(more), near);
 }
 
 static void
@@ -251,9 +257,12 @@ say_green(const struct subject *a, const struct trust *t)
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
 	if (t->n > 0)
 		return;
+	FREED char *rpm =
+	    rotor_speed_words(a->entry->site->rotor, a->p.speed, NAN);
 	answer_note(a->answer,
-	    "Trust is green: nothing to worry about in the answer at %.4g m/s",
-	    a->p.speed);
+	    "Trust is green: nothing to worry about in the answer at %.4g "
+	    "m/s%s",
+	    a->p.speed, rpm);
 	if (t->remarks > 0)
 		answer_note(a->answer,
 		    "It lies between the measured speeds, where the "
@@ -317,16 +326,18 @@ say_measured(const struct subject *a)
 			continue;
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
+		FREED char *rpm = rotor_speed_words(site->rotor, v.speed, NAN);
 		answer_note(a->answer,
 		    validation_loses_to_interpolation(&v)
-			? N_("The held-out product measured at %g m/s%s "
+			? N_("The held-out product measured at %g m/s%s%s "
 			     "differs from the prediction by %.2f points on "
 			     "average; a straight line through the products "
 			     "calibrated on is closer")
-			: N_("The held-out product measured at %g m/s%s "
+			: N_("The held-out product measured at %g m/s%s%s "
 			     "differs from the prediction by %.2f points on "
 			     "average"),
-		    v.speed, site->run[r].repeat, 100 * v.rmse[VALIDATE_MODEL]);
+		    v.speed, site->run[r].repeat, rpm,
+		    100 * v.rmse[VALIDATE_MODEL]);
 	}
 }
 
@@ -448,22 +459,24 @@ note_where_mass_goes(struct answer *r, const struct balance *b)
 	size_t in = ledger_class_of_largest(high->arrived, low->arrived, a->n);
 	FREED char *from = class_label(b->feed, out),
 		   *to = class_label(b->feed, in);
+	FREED char *rpm = rotor_speed_words(
+	    b->entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
-		    "From %g to %g m/s no more and no less of the feed breaks: "
-		    "%.1f %%",
-		    b->p[0].speed, b->p[1].speed, 100 * a->broken);
+		    "From %g to %g m/s%s no more and no less of the feed "
+		    "breaks: %.1f %%",
+		    b->p[0].speed, b->p[1].speed, rpm, 100 * a->broken);
 	else
 		answer_note(r,
 		    more > 0
-			? N_("From %g to %g m/s %.1f points more of the feed "
+			? N_("From %g to %g m/s%s %.1f points more of the feed "
 			     "break (%.1f %%, then %.1f %%); most of it "
 			     "leaves %s mm, and most arrives in %s mm")
-			: N_("From %g to %g m/s %.1f points less of the feed "
+			: N_("From %g to %g m/s%s %.1f points less of the feed "
 			     "break (%.1f %%, then %.1f %%); most of what no "
 			     "longer breaks stays in %s mm, and most is "
 			     "missing in %s mm"),
-		    b->p[0].speed, b->p[1].speed, 100 * fabs(more),
+		    b->p[0].speed, b->p[1].speed, rpm, 100 * fabs(more),
 		    100 * a->broken, 100 * z->broken, from, to);
 	fields_put(answer_fields(r), "broken_change_pct %g", 100 * more);
 }
@@ -542,18 +555,23 @@ static void
 why_give(struct balance *b)
 {
 	const struct entry *entry = b->entry;
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	struct answer *r = answers_new(entry->site, "why",
-	    "where the mass goes, %g and %g m/s", b->p[0].speed, b->p[1].speed);
+	    "where the mass goes, %g and %g m/s%s", b->p[0].speed,
+	    b->p[1].speed, rpm);
 	add_rows_for_people(r, b);
 	answer_fill_for_programs(r);
 	add_rows_for_programs(r, b);
 	note_where_mass_goes(r, b);
 	note_correction(r, b);
-	for (size_t k = 0; k < 2; k++)
-		if (answers_extrapolates(entry, b->p[k].speed))
+	for (size_t k = 0; k < 2; k++) {
+		double v = b->p[k].speed;
+		FREED char *own = rotor_speed_words(entry->site->rotor, v, NAN);
+		if (answers_extrapolates(entry, v))
 			answer_say(r, ANSWER_WARNING,
-			    "%g m/s is outside the training speeds",
-			    b->p[k].speed);
+			    "%g m/s%s is outside the training speeds", v, own);
+	}
 	answer_note(r, "picture: plot psd speed=%g other=%g", b->p[0].speed,
 	    b->p[1].speed);
 	put_balance(answer_fields(r), b);
@@ -608,12 +626,14 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	size_t run = q->feed;
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
 	struct subject a = {.s = s,
 	    .q = q,
 	    .entry = entry,
 	    .feed = site_feed(entry->site, run),
 	    .p = forecast_whole_product(s, entry, v, run),
-	    .answer = answers_new(entry->site, "why", "why, at %.4g m/s", v)};
+	    .answer =
+		answers_new(entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
 	struct trust trust = light_of_prediction(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_green(&a, &trust);

@@ -16,6 +16,7 @@
 #include "cmd/ask/feed.h"
 #include "cmd/ask/quantity_words.h"
 #include "core/psd/rotor_speed.h"
+#include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
 const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
@@ -143,14 +144,65 @@ answers_usual_passing(const struct psd *product)
 	    .x = product->size[answers_usual_sieve(product)]};
 }
 
+char *
+answers_typed_speed(const struct site *site, double speed)
+{
+	double rotor = site->rotor;
+	double rpm = rotor > 0 ? round(rotor_speed_rpm(speed, rotor)) : 0;
+	bool same = fabs(head_mps(rpm, SPEED_RPM, rotor) - speed) < 1e-6;
+	return same ? xasprintf("%g rpm", rpm) : xasprintf("%g", speed);
+}
+
+/* True if the sheet is in rpm: its speeds are whole rpm of its rotor, and not
+ * all of them tenths of a m/s. */
+static bool
+is_sheet_in_rpm(const struct site *site)
+{
+	bool tenths = true;
+	for (size_t r = 0; r < site->n_run; r++) {
+		double v = site->run[r].speed;
+		FREED char *typed = answers_typed_speed(site, v);
+		if (v > 0 && strstr(typed, "rpm") == NULL)
+			return false;
+		tenths = tenths && fabs(10 * v - round(10 * v)) < 1e-6;
+	}
+	return site->rotor > 0 && !tenths;
+}
+
+double *
+answers_round_rpm(
+    const struct site *site, double from, double to, size_t most, size_t *n)
+{
+	static const double STEPS[] = {5, 10, 20, 25, 50, 100, 200, 500};
+	double rotor = site->rotor;
+	if (!is_sheet_in_rpm(site))
+		return NULL;
+	double slow = rotor_speed_rpm(from, rotor),
+	       fast = rotor_speed_rpm(to, rotor), *speed = xdoubles(most);
+	size_t i = 0;
+	while (i + 1 < ARRAY_LEN(STEPS) &&
+	       (fast - slow) / STEPS[i] >= (double)most)
+		i++;
+	double first = ceil(slow / STEPS[i]);
+	for (*n = 0; *n < most && (first + (double)*n) * STEPS[i] <= fast;
+	     (*n)++)
+		speed[*n] =
+		    head_mps((first + (double)*n) * STEPS[i], SPEED_RPM, rotor);
+	return speed;
+}
+
 double *
 answers_speeds(const struct session *s, const struct site *site, size_t *n)
 {
 	enum { MOST = 7 };
 	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
-	double from, to, *speed = xdoubles(MOST);
+	double from, to;
 	settings_reach(&s->set, site, &from, &to);
+	double *speed = answers_round_rpm(site, from, to, MOST, n);
 	size_t i = 0;
+	if (speed != NULL)
+		return speed;
+	speed = xdoubles(MOST);
 	while (i + 1 < ARRAY_LEN(STEPS) && (to - from) / STEPS[i] >= MOST)
 		i++;
 	double step = STEPS[i], first = ceil(from / step);
@@ -253,14 +305,17 @@ note_model_unless_papers(
 char *
 answers_reach_words(const struct entry *entry, double slowest, double fastest)
 {
-	bool trained = origin_trained(entry);
-	if (slowest < fastest)
-		return xasprintf(trained ? tr("training speeds, %g to %g m/s")
-					 : tr("measured speeds, %g to %g m/s"),
-		    slowest, fastest);
-	return xasprintf(trained ? tr("one training speed, %g m/s")
-				 : tr("one measured speed, %g m/s"),
-	    slowest);
+	bool trained = origin_trained(entry), several = slowest < fastest;
+	FREED char *rpm = rotor_speed_words(
+	    site_run_rotor(entry->site), slowest, several ? fastest : NAN);
+	if (several)
+		return xasprintf(trained
+				     ? tr("training speeds, %g to %g m/s%s")
+				     : tr("measured speeds, %g to %g m/s%s"),
+		    slowest, fastest, rpm);
+	return xasprintf(trained ? tr("one training speed, %g m/s%s")
+				 : tr("one measured speed, %g m/s%s"),
+	    slowest, rpm);
 }
 
 /* What the other feed's sheet does not tell. */
@@ -309,8 +364,9 @@ warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
 	    !answers_extrapolates(entry, speed))
 		return;
 	FREED char *speeds = answers_reach_words(entry, slowest, fastest);
-	answer_say(r, ANSWER_WARNING, "%.*f m/s is outside the %s",
-	    units_speed_digits(speed), speed, speeds);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, speed, NAN);
+	answer_say(r, ANSWER_WARNING, "%.*f m/s%s is outside the %s",
+	    units_speed_digits(speed), speed, rpm, speeds);
 }
 
 void

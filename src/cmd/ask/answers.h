@@ -46,6 +46,11 @@ double answers_share_finer(
  * middle, else 74 m/s, or the middle if 74 is beyond site_reach. */
 double answers_usual_speed(const struct entry *entry);
 
+/* Returns round rpm from one speed to another, as m/s [*n], at most `most`;
+ * NULL unless the site's sheet is in rpm.  The caller frees it. */
+double *answers_round_rpm(
+    const struct site *site, double from, double to, size_t most, size_t *n);
+
 /* Returns at most seven round speeds over site_reach.  The caller frees it. */
 double *answers_speeds(
     const struct session *s, const struct site *site, size_t *n);
@@ -96,6 +101,10 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
  * caller frees it. */
 char *answers_reach_words(
     const struct entry *entry, double slowest, double fastest);
+
+/* Returns a speed as a line to type has it: "75.16", or "1450 rpm" if the site
+ * states the rotor and that is this speed.  The caller frees it. */
+char *answers_typed_speed(const struct site *site, double speed);
 
 /* Appends the basis of the answer, after everything else: for an answer with a
  * band, which runs correct it and what low and high mean; then the source of

@@ -462,7 +462,7 @@ conditions_check_covered(
 	bool ok = quantities_covered(&c->quantity, feed, error);
 	for (size_t i = 0; i < 2 && ok; i++) {
 		struct quantity at = {.kind = QUANTITY_PASSING, .x = limit[i]};
-		if (c->quantity.kind == QUANTITY_SIZE && !isnan(limit[i]))
+		if (quantities_is_size(&c->quantity) && !isnan(limit[i]))
 			ok = quantities_covered(&at, feed, error);
 	}
 	return ok;
@@ -780,11 +780,13 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 {
 	const char *what =
 	    list->n > 1 ? tr("all conditions") : tr("the condition");
+	FREED char *range =
+	    rotor_speed_words(wanted->site->rotor, wanted->from, wanted->to);
 	if (!isfinite(found->margin.passing)) {
 		answer_note(r,
-		    "no speed from %g to %g m/s gives a value for every "
+		    "no speed from %g to %g m/s%s gives a value for every "
 		    "condition",
-		    wanted->from, wanted->to);
+		    wanted->from, wanted->to, range);
 		return;
 	}
 	forecast_at(wanted->forecast, found->best);
@@ -792,16 +794,17 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 	if (found->alike) {
 		FREED char *words = conditions_limit(list, found->margin.limit);
 		answer_note(r,
-		    "no speed from %g to %g m/s meets %s: every speed misses "
+		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s alike, by %s",
-		    wanted->from, wanted->to, what, words, misses);
+		    wanted->from, wanted->to, range, what, words, misses);
 	} else {
 		FREED char *rpm =
 		    rotor_speed_words(wanted->site->rotor, found->best, NAN);
 		answer_note(r,
-		    "no speed from %g to %g m/s meets %s; the nearest is %.1f "
-		    "m/s%s, which misses by %s",
-		    wanted->from, wanted->to, what, found->best, rpm, misses);
+		    "no speed from %g to %g m/s%s meets %s; the nearest is "
+		    "%.1f m/s%s, which misses by %s",
+		    wanted->from, wanted->to, range, what, found->best, rpm,
+		    misses);
 		note_ways(r, wanted, list, found);
 	}
 }

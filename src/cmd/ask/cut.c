@@ -75,18 +75,26 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 char *
 cut_words(const struct cut *c)
 {
-	char *words = xasprintf(
-	    c->no_band ? tr("%.1f points (RMS of %zu sieves; largest %+.1f at "
-			    "%g mm, model alone - measured)")
-		       : tr("%.1f points (RMS of %zu sieves; largest %+.1f at "
-			    "%g mm, answer - measured)"),
-	    100 * c->rms, c->n, 100 * c->worst, units_mm(c->worst_sieve));
-	if (!c->no_band)
-		xlist(&words, ", ",
-		    tr("%zu of %zu sieves within the %.0f %% band of one more "
-		       "sample"),
-		    c->inside, c->n, 100 * c->level);
-	return words;
+	const double off = 100 * c->rms, worst = 100 * fabs(c->worst),
+		     mm = units_mm(c->worst_sieve);
+	if (c->no_band)
+		return xasprintf(
+		    c->worst > 0
+			? tr("%.1f points off (RMS of %zu sieves), most at %g "
+			     "mm, where the model alone is %.1f above the cut")
+			: tr("%.1f points off (RMS of %zu sieves), most at %g "
+			     "mm, where the model alone is %.1f below the "
+			     "cut"),
+		    off, c->n, mm, worst);
+	return xasprintf(
+	    c->worst > 0
+		? tr("%zu of %zu sieves are within the range for a belt cut; "
+		     "%.1f points off (RMS), most at %g mm, where the answer "
+		     "is %.1f above the cut")
+		: tr("%zu of %zu sieves are within the range for a belt cut; "
+		     "%.1f points off (RMS), most at %g mm, where the answer "
+		     "is %.1f below the cut"),
+	    c->inside, c->n, off, mm, worst);
 }
 
 bool
@@ -107,7 +115,7 @@ is_note_of_cut(const struct site_note *note, double speed)
 	       fabs(said - speed) < 1e-3;
 }
 
-const char *
+const struct site_note *
 cut_find_note(const struct site *site, size_t run)
 {
 	double speed = site->run[run].speed;
@@ -117,18 +125,59 @@ cut_find_note(const struct site *site, size_t run)
 			 site->run[r].product.n > 0;
 	for (size_t i = site->n_note; i-- > 0;)
 		if (is_note_of_cut(&site->note[i], speed) && after-- == 0)
-			return site->note[i].value;
+			return &site->note[i];
 	return NULL;
 }
 
-/* Whether the calibration knew that product. */
+/* True if the key of a line says that its value is a date. */
 static bool
-was_in_calibration(const struct site *then, const struct run *run)
+is_key_of_date(const char *key)
 {
-	for (size_t r = 0; r < then->n_run; r++)
-		if (cut_is_same(&then->run[r], run))
+	static const char *const WORDS[] = {"date", "datum", "dato", "fecha",
+	    "data", "sampled", "provtag", "probenahme"};
+	FREED char *folded = text_fold(key);
+	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
+		if (strstr(folded, WORDS[i]) != NULL)
 			return true;
 	return false;
+}
+
+bool
+cut_read_date(const struct site_note *note, struct datetime *m)
+{
+	bool cut = strcmp(note->key, "cut") == 0;
+	const char *at = cut ? strstr(note->value, ", ") : note->value;
+	if (at == NULL || (!cut && !is_key_of_date(note->key)))
+		return false;
+	at += cut ? strlen(", ") : 0;
+	FREED char *text = xstrndup(at, cut ? strcspn(at, ",") : strlen(at));
+	return datetime_read(text, m) && m->has_date;
+}
+
+enum datetime_order
+cut_date_order(const struct site *site)
+{
+	enum datetime_order order = DATETIME_OPEN;
+	struct datetime m;
+	for (size_t i = 0; i < site->n_note; i++) {
+		if (!cut_read_date(&site->note[i], &m) || m.plain ||
+		    m.order == DATETIME_OPEN)
+			continue;
+		if (order != DATETIME_OPEN && order != m.order)
+			return DATETIME_OPEN;
+		order = m.order;
+	}
+	return order;
+}
+
+/* Returns how many runs of a site have this product at this speed. */
+static size_t
+count_same(const struct site *site, const struct run *run)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++)
+		n += cut_is_same(&site->run[r], run);
+	return n;
 }
 
 struct later
@@ -142,16 +191,23 @@ cut_compare_later(const struct session *s, const struct entry *entry)
 	if (h->later.site == site)
 		return h->later;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (misfit_count_covered(&site->run[r]) == 0 ||
-		    was_in_calibration(h->site, &site->run[r]))
+		const struct run *run = &site->run[r];
+		if (misfit_count_covered(run) == 0)
+			continue;
+		size_t known = count_same(h->site, run);
+		later.twice = later.twice ||
+			      count_same(site, run) > (known > 0 ? known : 1);
+		if (known > 0)
 			continue;
 		struct cut c = cut_compare(s, entry, r);
-		if (later.n++ > 0 && !(c.rms > later.rms))
+		bool worse =
+		    c.missed == later.missed ? c.rms > later.rms : c.missed;
+		if (later.n++ > 0 && !worse)
 			continue;
 		later.rms = c.rms;
 		later.missed = c.missed;
 		later.off = c.off;
-		later.speed = site->run[r].speed;
+		later.speed = run->speed;
 	}
 	h->later = later;
 	return later;

@@ -6,6 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 size_t
@@ -35,16 +36,26 @@ feed_speed(const struct site *site, size_t run)
 		   : NAN;
 }
 
-/* "69, 74, 79": each speed once. */
+/* "69, 74, 79": each speed once, in rpm of a rotor unless its diameter is 0. */
 static char *
-sampled_speeds(const struct site *site)
+sampled_speeds(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].speed > 0 && !site_run_repeats(site, r) &&
 		    !(site->run[r].feed_speed > 0))
-			xlist(&speeds, ", ", "%g", site->run[r].speed);
+			xlist(&speeds, ", ", diameter > 0 ? "%.0f" : "%g",
+			    diameter > 0
+				? rotor_speed_rpm(site->run[r].speed, diameter)
+				: site->run[r].speed);
 	return speeds;
+}
+
+static char *
+sampled_words(const struct site *site, double speed, const char *repeat)
+{
+	FREED char *rpm = rotor_speed_words(site_run_rotor(site), speed, NAN);
+	return xasprintf(tr("sampled at %g m/s%s%s"), speed, repeat, rpm);
 }
 
 char *
@@ -55,18 +66,21 @@ feed_words(const struct site *site, size_t run)
 	if (!site->individual_feeds || other)
 		return NULL;
 	if (run < site->n_run && site->run[run].feed_speed > 0)
-		return xasprintf(
-		    tr("sampled at %g m/s%s"), site->run[run].feed_speed, "");
+		return sampled_words(site, site->run[run].feed_speed, "");
 	if (run < site->n_run)
-		return xasprintf(tr("sampled at %g m/s%s"),
-		    site->run[run].speed, site->run[run].repeat);
+		return sampled_words(
+		    site, site->run[run].speed, site->run[run].repeat);
 	most = site_feeds_differ(site, &sieve);
 	if (!(most > 0))
 		return NULL;
-	FREED char *speeds = sampled_speeds(site);
-	return xasprintf(tr("mean of those sampled at %s m/s, which "
+	FREED char *speeds = sampled_speeds(site, 0);
+	double rotor = site_run_rotor(site);
+	FREED char *list = sampled_speeds(site, rotor);
+	FREED char *rpm =
+	    rotor > 0 ? xasprintf(tr(" (%s rpm)"), list) : xstrdup("");
+	return xasprintf(tr("mean of those sampled at %s m/s%s, which "
 			    "differ by up to %.1f points at %g mm"),
-	    speeds, 100 * most, units_mm(sieve));
+	    speeds, rpm, 100 * most, units_mm(sieve));
 }
 
 void

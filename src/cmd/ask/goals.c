@@ -14,6 +14,7 @@
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/asked.h"
+#include "core/psd/rotor_speed.h"
 
 static const struct fraction WHOLE = {.partition = {0, 1}};
 
@@ -285,15 +286,21 @@ goals_best(const struct session *s, const struct goal *g, double speed)
 }
 
 /* "70.8 to 78.0"; an end of the speeds searched is no limit of the product:
- * "from 67.2 on".  at: "at" before two ends; unit: what follows a speed. */
+ * "from 67.2 on".  at: "at" before two ends; site: with units, and in rpm if it
+ * states the rotor; NULL: without. */
 static char *
 range_words(const struct speed_search *found, double from, double to, bool at,
-    const char *unit)
+    const struct site *site)
 {
 	bool slowest = from <= found->speed[0],
 	     fastest = to >= found->speed[found->n - 1];
 	if (slowest && fastest)
 		return xstrdup(tr("at all speeds"));
+	FREED char *rpm =
+	    site != NULL ? rotor_speed_words(site->rotor, slowest ? to : from,
+			       slowest || fastest ? (double)NAN : to)
+			 : xstrdup("");
+	FREED char *unit = xasprintf("%s%s", site != NULL ? " m/s" : "", rpm);
 	return slowest   ? xasprintf(tr("up to %.1f%s"), to, unit)
 	       : fastest ? xasprintf(tr("from %.1f%s on"), from, unit)
 			 : xasprintf(at ? tr("at %.1f to %.1f%s")
@@ -303,19 +310,23 @@ range_words(const struct speed_search *found, double from, double to, bool at,
 
 /* "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6"; "" where it is met nowhere. */
 static char *
-met_speeds_words(const struct goal *g, const char *unit)
+met_speeds_words(const struct goal *g, const struct site *site)
 {
 	const double narrow = 0.09;
 	const struct speed_range *in = g->found->inside;
 	if (g->n_value == 0 && g->found->n_inside == 1 &&
 	    in->to - in->from > narrow)
-		return range_words(g->found, in->from, in->to, true, unit);
+		return range_words(g->found, in->from, in->to, true, site);
 	FREED char *words =
 	    g->n_value == 0 ? conditions_speeds_words(g->found) : xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
 		xlist(&words, tr(" and "), "%.1f", g->met[i]);
+	FREED char *rpm = site != NULL && g->n_met == 1
+			      ? rotor_speed_words(site->rotor, g->met[0], NAN)
+			      : xstrdup("");
 	return words[0] == '\0' ? xstrdup("")
-				: xasprintf(tr("at %s%s"), words, unit);
+				: xasprintf(tr("at %s%s%s"), words,
+				      site != NULL ? " m/s" : "", rpm);
 }
 
 /* Whether the one window is as sure as its band at all of its speeds. */
@@ -342,8 +353,9 @@ certain_words(
 	if (is_window_certain(g) && length < GOALS_PLAIN)
 		return xasprintf(tr("%.0f %% certain"), level);
 	if (!isfinite(sure[0]))
-		return xasprintf(tr("nowhere %.0f %% certain"), level);
-	FREED char *range = range_words(g->found, sure[0], sure[1], false, "");
+		return xasprintf(tr("no speed is %.0f %% certain"), level);
+	FREED char *range =
+	    range_words(g->found, sure[0], sure[1], false, NULL);
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
@@ -372,7 +384,7 @@ outcome_words(const struct session *s, const struct entry *entry,
 	double best = goals_best(s, g, speed);
 	const char *beyond = beyond_words(entry, g, best);
 	FREED char *certain = certain_words(s, g, length);
-	char *words = met_speeds_words(g, full ? " m/s" : "");
+	char *words = met_speeds_words(g, full ? entry->site : NULL);
 	if (words[0] == '\0')
 		xappend(&words,
 		    isfinite(best) ? tr("at no speed, nearest %.1f")
@@ -385,9 +397,8 @@ outcome_words(const struct session *s, const struct entry *entry,
 		words[0] = '\0';
 	if (told)
 		xlist(&words, ", ", "%s", certain);
-	if (beyond[0] != '\0')
-		xappend(
-		    &words, length < GOALS_MARKED ? ", %s" : " ?", tr(beyond));
+	if (beyond[0] != '\0' && length < GOALS_UNMARKED)
+		xappend(&words, ", %s", tr(beyond));
 	return words;
 }
 

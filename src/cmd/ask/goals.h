@@ -10,10 +10,10 @@
  * prevents the search, or NULL.  found: the search for the ranges, with a
  * single value as its target; NULL if not begun or prevented.
  *
- * Known after the search: met [n_met]: the speeds that give the single value
- * and keep within the ranges; nearest: the speed that misses it least; missed:
- * the obstacle if no speed meets the goal, or NULL; binds: the condition that
- * limits the window, or is missed most. */
+ * Set by the search: met [n_met] are the speeds that give the single value
+ * within the ranges; nearest is the speed that comes closest to it; missed says
+ * what stands in the way if no speed meets the goal, or is NULL; binds is the
+ * condition that limits the window or, without a window, is missed most. */
 struct goal {
 	struct condition_list list;
 	size_t n_value;
@@ -56,14 +56,14 @@ double goals_best(
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met up to 75.6 m/s, 80 %
  * certain up to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm".
  * GOALS_SPEEDS omits the goal; GOALS_PLAIN has only the speeds that are
- * certain, as has GOALS_MARKED, which marks extrapolation with "?"; GOALS_SHORT
+ * certain; GOALS_UNMARKED leaves extrapolation to the track, and GOALS_SHORT
  * has all speeds so.  During the search, the text says so; without a goal, it
  * is "".  The caller frees it. */
 enum goals_length {
 	GOALS_FULL,
 	GOALS_SPEEDS,
 	GOALS_PLAIN,
-	GOALS_MARKED,
+	GOALS_UNMARKED,
 	GOALS_SHORT,
 	GOALS_LENGTHS
 };

@@ -12,6 +12,7 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 void
@@ -59,11 +60,13 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 	    .p = forecast_product(s, &whole, q->speed)};
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, q->speed, NAN);
 	session_note(s,
-	    forming ? N_("pinned %s at %.*f m/s, from the running calibration: "
-			 "save leaves it out")
-		    : N_("pinned %s at %.*f m/s"),
-	    pin->key, units_speed_digits(q->speed), q->speed);
+	    forming
+		? N_("pinned %s at %.*f m/s%s, from the running calibration: "
+		     "save leaves it out")
+		: N_("pinned %s at %.*f m/s%s"),
+	    pin->key, units_speed_digits(q->speed), q->speed, rpm);
 	return true;
 }
 

@@ -61,67 +61,146 @@ quantities_fraction(
 	return true;
 }
 
+/* The readers of KINDS.  text: all that was typed, for the error; rest: what
+ * follows the kind's word. */
 static bool
-read_modulus(const char *name, struct quantity *q, struct error *error)
+read_passing(
+    const char *text, const char *rest, struct quantity *q, struct error *error)
 {
-	q->kind = QUANTITY_MODULUS;
+	return read_size(rest, &q->x) || quantities_expected(text, error);
+}
+
+/* P80 or D80. */
+static bool
+read_percentage(
+    const char *text, const char *rest, struct quantity *q, struct error *error)
+{
+	double percent;
+	if (strchr("PpDd", rest[0]) == NULL ||
+	    !text_number(rest + (rest[0] != '\0'), &percent) || percent <= 0 ||
+	    percent >= 100)
+		return quantities_expected(text, error);
+	q->letter = strchr("Dd", rest[0]) != NULL ? 'D' : 0;
+	q->x = percent / 100;
+	return true;
+}
+
+static bool
+read_share(
+    const char *text, const char *rest, struct quantity *q, struct error *error)
+{
+	if (strchr(rest, '/') == NULL)
+		return quantities_expected(text, error);
+	return quantities_fraction(rest, &q->fraction, error);
+}
+
+static bool
+read_modulus(
+    const char *text, const char *rest, struct quantity *q, struct error *error)
+{
+	(void)text;
 	for (size_t i = 0; i < MODULI; i++)
-		if (name[0] == '\0' ||
-		    text_same_folded(name, MODULUS[i].name)) {
+		if (rest[0] == '\0' ||
+		    text_same_folded(rest, MODULUS[i].name)) {
 			q->modulus = &MODULUS[i];
 			return true;
 		}
 	return error_set(error, ERROR_USAGE,
 	    "expected the standard of a fineness modulus, got '%s'\n"
 	    "write fm EN, fm ASTM, fm IS, fm DIN or fm GB",
-	    name);
+	    rest);
 }
 
-/* What follows a word at the start, without the blanks between; NULL where
- * the text begins with another word. */
-static const char *
-text_after_word(const char *text, const char *word)
+static bool
+read_no_more(
+    const char *text, const char *rest, struct quantity *q, struct error *error)
 {
-	size_t n = strlen(word);
-	if (strncasecmp(text, word, n) != 0)
+	(void)q;
+	return rest[0] == '\0' || quantities_expected(text, error);
+}
+
+/* How each kind is written: for people, as a key, as it is typed, and the unit
+ * behind a number.  %s: what tells it from others of its kind, see
+ * name_in_kind.  word: what it begins with where it is typed; read: reads the
+ * rest; NULL: it cannot be typed.  offers: what completion of a goal offers. */
+enum { OFFERS = 3 };
+static const struct {
+	const char *words, *key, *typed, *unit, *word;
+	bool (*read)(const char *text, const char *rest, struct quantity *q,
+	    struct error *error);
+	const char *offers[OFFERS];
+} KINDS[] = {
+    [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm", NULL, read_percentage,
+	{"p80=", "p50=", "p20="}},
+    [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
+	" %", "passing", read_passing, {"passing ", "fines<"}},
+    [QUANTITY_SHARE] = {"%s", "share", "%s", " %", "share", read_share,
+	{"0/2>="}},
+    [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", "",
+	"fm", read_modulus, {"fm EN="}},
+    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu",
+	read_no_more, {"cu<"}},
+    [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", "", "cc",
+	read_no_more, {"cc<"}},
+    [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %", NULL,
+	NULL, {NULL}},
+};
+
+const char *
+quantities_offer(size_t n)
+{
+	for (size_t kind = 0; kind < ARRAY_LEN(KINDS); kind++)
+		for (size_t i = 0; i < OFFERS; i++)
+			if (KINDS[kind].offers[i] != NULL && n-- == 0)
+				return KINDS[kind].offers[i];
+	return NULL;
+}
+
+/* What follows a kind's word, without the blanks between; NULL where the text
+ * does not begin with it.  A word that nothing is to follow stands alone. */
+static const char *
+text_after_word(const char *text, enum quantity_kind kind)
+{
+	const char *word = KINDS[kind].word;
+	size_t n = word != NULL ? strlen(word) : 0;
+	bool alone = strstr(KINDS[kind].typed, "%s") == NULL;
+	if (n == 0 || strncasecmp(text, word, n) != 0 ||
+	    (alone && text[n] != '\0'))
 		return NULL;
 	return text + n + strspn(text + n, " _-");
+}
+
+/* The kind with the longest word at the beginning of a text.  Without any, "/"
+ * makes it a fraction, and all else can only be a P80. */
+static enum quantity_kind
+kind_of_text(const char *text, const char **rest)
+{
+	enum quantity_kind kind =
+	    strchr(text, '/') != NULL ? QUANTITY_SHARE : QUANTITY_SIZE;
+	*rest = text;
+	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
+		const char *after =
+		    text_after_word(text, (enum quantity_kind)i);
+		if (after != NULL && after > *rest) {
+			kind = (enum quantity_kind)i;
+			*rest = after;
+		}
+	}
+	return kind;
 }
 
 static bool
 read_kind(const char *text, struct quantity *q, struct error *error)
 {
 	const char *rest;
-	double percent;
+	q->kind = kind_of_text(text, &rest);
 	if (strcasecmp(text, "fines") == 0) {
 		q->kind = QUANTITY_PASSING;
 		q->x = QUANTITIES_FINES;
 		q->letter = 'f';
-	} else if ((rest = text_after_word(text, "passing")) != NULL) {
-		q->kind = QUANTITY_PASSING;
-		if (!read_size(rest, &q->x))
-			return quantities_expected(text, error);
-	} else if ((rest = text_after_word(text, "fm")) != NULL) {
-		return read_modulus(rest, q, error);
-	} else if (strcasecmp(text, "cu") == 0) {
-		q->kind = QUANTITY_UNIFORMITY;
-	} else if (strcasecmp(text, "cc") == 0) {
-		q->kind = QUANTITY_CURVATURE;
-	} else if (strchr(text, '/') != NULL) {
-		rest = text_after_word(text, "share");
-		q->kind = QUANTITY_SHARE;
-		return quantities_fraction(
-		    rest != NULL ? rest : text, &q->fraction, error);
-	} else if (strchr("PpDd", text[0]) != NULL &&
-		   text_number(text + (text[0] != '\0'), &percent) &&
-		   percent > 0 && percent < 100) {
-		q->kind = QUANTITY_SIZE;
-		q->letter = strchr("Dd", text[0]) != NULL ? 'D' : 0;
-		q->x = percent / 100;
-	} else {
-		return quantities_expected(text, error);
+		return true;
 	}
-	return true;
+	return KINDS[q->kind].read(text, rest, q, error);
 }
 
 bool
@@ -152,9 +231,14 @@ quantities_begins(const char *text)
 	struct quantity q;
 	struct error error = {0};
 	FREED char *word = xstrndup(text, strcspn(text, " \t<>="));
-	return strcasecmp(word, "passing") == 0 ||
-	       strcasecmp(word, "share") == 0 ||
-	       quantities_read(word, &SHARP, &q, &error);
+	size_t n = strlen(word);
+	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
+		const char *first = KINDS[i].word;
+		if (first != NULL && strcspn(first, " ") == n &&
+		    strncasecmp(first, word, n) == 0)
+			return true;
+	}
+	return quantities_read(word, &SHARP, &q, &error);
 }
 
 struct quantity *
@@ -240,51 +324,42 @@ quantities_fraction_text(const struct fraction *fraction)
 	    "%g/%g", units_mm(fraction->fine), units_mm(fraction->coarse));
 }
 
-/* How each kind is written: for people, as a key, as it is typed, and the unit
- * behind a number.  %s: what tells it from others of its kind, see
- * name_in_kind. */
-static const struct {
-	const char *words, *key, *typed, *unit;
-} KINDS[] = {
-    [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
-	" %"},
-    [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm"},
-    [QUANTITY_SHARE] = {"%s", "share", "%s", " %"},
-    [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", ""},
-    [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", ""},
-    [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", ""},
-    [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %"},
-};
+enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
 
-/* The size, percentage, fraction or standard of a quantity; for people or, with
- * key, for programs.  The caller frees. */
+/* The size, percentage, fraction or standard of a quantity.  The caller
+ * frees. */
 static char *
-name_in_kind(const struct quantity *q, bool key)
+name_in_kind(const struct quantity *q, enum form form)
 {
 	char letter[] = {q->letter != 0 ? q->letter : 'P', '\0'};
 	switch (q->kind) {
 	case QUANTITY_PASSING:
 		return xasprintf("%g", units_mm(q->x));
 	case QUANTITY_SIZE:
-		return xasprintf("%s%g", key ? "" : letter, units_pct(q->x));
+		return xasprintf(
+		    "%s%g", form == FOR_PEOPLE ? letter : "", units_pct(q->x));
 	case QUANTITY_SHARE:
 		return quantities_fraction_text(&q->fraction);
 	case QUANTITY_MODULUS:
-		return xstrdup(key ? q->modulus->name : q->modulus->standard);
-	default:
-		return xstrdup("");
+		return xstrdup(form == FOR_PEOPLE ? q->modulus->standard
+						  : q->modulus->name);
+	case QUANTITY_UNIFORMITY:
+	case QUANTITY_CURVATURE:
+	case QUANTITY_STEP:
+		break;
 	}
+	return xstrdup("");
 }
 
-/* A form of KINDS with the name in it.  The caller frees. */
+/* Words of KINDS with the name in them.  The caller frees. */
 static char *
-fill_in_name(const char *form, const struct quantity *q, bool key)
+fill_in_name(const char *words, const struct quantity *q, enum form form)
 {
-	const char *at = strstr(form, "%s");
-	FREED char *name = name_in_kind(q, key);
-	return at == NULL ? xstrdup(form)
-			  : xasprintf("%.*s%s%s", (int)(at - form), form, name,
-				at + strlen("%s"));
+	const char *at = strstr(words, "%s");
+	FREED char *name = name_in_kind(q, form);
+	return at == NULL ? xstrdup(words)
+			  : xasprintf("%.*s%s%s", (int)(at - words), words,
+				name, at + strlen("%s"));
 }
 
 /* " of 0/4" behind the words of what is not of the whole product. */
@@ -309,7 +384,7 @@ quantities_words(const struct quantity *q)
 {
 	return with_fraction(
 	    is_fines(q) ? xstrdup(tr("fines"))
-			: fill_in_name(tr(KINDS[q->kind].words), q, false),
+			: fill_in_name(tr(KINDS[q->kind].words), q, FOR_PEOPLE),
 	    q);
 }
 
@@ -329,13 +404,13 @@ char *
 quantities_as_typed(const struct quantity *q)
 {
 	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
-	return with_fraction(fill_in_name(typed, q, true), q);
+	return with_fraction(fill_in_name(typed, q, AS_TYPED), q);
 }
 
 char *
 quantities_key(const struct quantity *q)
 {
-	char *key = fill_in_name(KINDS[q->kind].key, q, true);
+	char *key = fill_in_name(KINDS[q->kind].key, q, AS_KEY);
 	const char *unit = quantities_unit(q);
 	if (fraction_screens(&q->fraction))
 		xappend(&key, "_%g_%g", units_mm(q->fraction.fine),
@@ -372,6 +447,12 @@ quantities_unit(const struct quantity *q)
 {
 	const char *after = quantities_unit_suffix(q);
 	return after[0] == ' ' ? after + 1 : after;
+}
+
+bool
+quantities_is_size(const struct quantity *q)
+{
+	return strcmp(quantities_unit(q), "mm") == 0;
 }
 
 double

@@ -17,6 +17,10 @@ bool quantities_read(const char *text, const struct partition *partition,
 /* True if the first word of a text is a quantity, or begins one. */
 bool quantities_begins(const char *text);
 
+/* Returns offer n of those that complete a goal, "p80=", "passing ": some of
+ * each kind that can be typed; NULL after the last. */
+const char *quantities_offer(size_t n);
+
 /* Parses a list of quantities separated by commas.  The caller frees it.
  * Returns NULL with an error if one is not a quantity. */
 struct quantity *quantities_list(const char *text,
@@ -62,12 +66,13 @@ char *quantities_band(double low, double high, int decimals);
 
 /* quantities_unit_suffix returns the unit as written after a number, " mm", "
  * %" or ""; quantities_difference_suffix that of the difference of two values,
- * " points" of percentages; quantities_unit omits the space; quantities_shown
- * returns a value in that unit, and quantities_decimals the number of decimals
- * to show. */
+ * " points" of percentages; quantities_unit omits the space; quantities_is_size
+ * is true if it is mm; quantities_shown returns a value in that unit, and
+ * quantities_decimals the number of decimals to show. */
 const char *quantities_unit_suffix(const struct quantity *q);
 const char *quantities_difference_suffix(const struct quantity *q);
 const char *quantities_unit(const struct quantity *q);
+bool quantities_is_size(const struct quantity *q);
 double quantities_shown(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);
 

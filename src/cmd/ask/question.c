@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort_double.h>
+
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -35,8 +37,6 @@ join_with_words(const struct scenario *w)
 	char *words = xstrdup("");
 	if (w->feed != NULL)
 		xlist(&words, ", ", "%s", w->feed->words);
-	if (w->rpm > 0)
-		xlist(&words, ", ", tr("%g rpm"), w->rpm);
 	if (w->rotor > 0)
 		xlist(&words, ", ", tr("rotor %g mm"), units_mm(w->rotor));
 	if (w->bypass > 0)
@@ -56,6 +56,10 @@ site_as_asked(const struct site *own, const struct scenario *w)
 		      : site_copy(own);
 	free(site->with);
 	site->with = join_with_words(w);
+	if (w->rotor > 0) {
+		site->run_rotor = own->rotor;
+		site->rotor = w->rotor;
+	}
 	site->n_shown = w->n_sieve;
 	site->shown = xdoubles(w->n_sieve);
 	for (size_t i = 0; i < w->n_sieve; i++)
@@ -69,7 +73,7 @@ question_make(const struct session *s, const struct entry *loaded,
 {
 	bool feed = w->feed != NULL;
 	double rotor = measured_rotor(loaded);
-	bool machine = w->rotor > 0 || w->rpm > 0 || w->bypass > 0 || w->k > 0;
+	bool machine = w->rotor > 0 || w->bypass > 0 || w->k > 0;
 	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
 	    w->correction == s->set.correction)
@@ -140,9 +144,9 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 {
 	struct scenario *w = &r->scenario;
 	w->rotor = args->rotor_mm / 1000;
-	w->rpm = args->rpm;
+	double rpm = args->rpm;
 	r->speed = args->speed;
-	if (!(w->rpm > 0))
+	if (!(rpm > 0))
 		return true;
 	double diameter = w->rotor > 0 ? w->rotor : site->rotor;
 	const char *name = args->command->name;
@@ -155,13 +159,13 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 		    "not state\n"
 		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
 		    "the site file",
-		    name, site->name, name, w->rpm);
-	r->speed = head_mps(w->rpm, SPEED_RPM, diameter);
+		    name, site->name, name, rpm);
+	r->speed = head_mps(rpm, SPEED_RPM, diameter);
 	return (r->speed >= 1 && r->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
 		   "rpm with a rotor of %g mm)",
-		   name, SITE_FASTEST, r->speed, w->rpm, units_mm(diameter));
+		   name, SITE_FASTEST, r->speed, rpm, units_mm(diameter));
 }
 
 /* What the option feed names, or the setting does where it is not given; NULL
@@ -386,6 +390,52 @@ question_of_feed_setting(struct session *s)
 	return q->entry;
 }
 
+/* Returns the speeds from `from` to `to` by 1 m/s, or in round rpm of a sheet
+ * in rpm [*n]. */
+static double *
+every_round_speed(const struct site *site, double from, double to, size_t *n)
+{
+	enum { MOST_RPM = 20 };
+	double *at = answers_round_rpm(site, from, to, MOST_RPM, n);
+	if (at != NULL)
+		return at;
+	*n = (size_t)floor(to - from) + 1;
+	at = xdoubles(*n);
+	for (size_t i = 0; i < *n; i++)
+		at[i] = from + (double)i;
+	return at;
+}
+
+/* Returns these speeds, those measured and the last one asked about [*n]. */
+static double *
+speeds_of_card(
+    const struct site *site, double from, double to, double last, size_t *n)
+{
+	const double same = 0.1;
+	size_t n_round, n_own = 0;
+	FREED double *round = every_round_speed(site, from, to, &n_round);
+	double *at = xdoubles(n_round + site->n_run + 1);
+	for (size_t r = 0; r < site->n_run; r++)
+		if (site->run[r].product.n > 0 && site->run[r].speed >= from &&
+		    site->run[r].speed <= to && !site_run_repeats(site, r))
+			at[n_own++] = site->run[r].speed;
+	*n = n_own;
+	for (size_t i = 0; i < n_round; i++) {
+		bool near = false;
+		for (size_t k = 0; k < n_own; k++)
+			near = near || fabs(at[k] - round[i]) < same;
+		if (!near)
+			at[(*n)++] = round[i];
+	}
+	bool there = !(last > from) || !(last < to);
+	for (size_t i = 0; i < *n; i++)
+		there = there || fabs(at[i] - last) < 1e-9;
+	if (!there)
+		at[(*n)++] = last;
+	gsl_sort(at, 1, *n);
+	return at;
+}
+
 void
 question_usual_speeds(const struct session *s, struct question *q, bool each)
 {
@@ -398,16 +448,8 @@ question_usual_speeds(const struct session *s, struct question *q, bool each)
 		return;
 	}
 	settings_reach(&s->set, site, &from, &to);
-	size_t whole = (size_t)floor(to - from) + 1;
-	double *at = xdoubles(whole + 1);
-	for (size_t i = 0; i < whole; i++) {
-		double v = from + (double)i;
-		at[q->n_at++] = v;
-		if (s->last_asked.speed > v && s->last_asked.speed < v + 1 &&
-		    i + 1 < whole)
-			at[q->n_at++] = s->last_asked.speed;
-	}
-	q->at = q->named->usual = at;
+	q->at = q->named->usual =
+	    speeds_of_card(site, from, to, s->last_asked.speed, &q->n_at);
 }
 
 double

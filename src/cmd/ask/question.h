@@ -9,11 +9,11 @@
 #include "cmd/session/session.h"
 
 /* Differences of the question from the loaded site.  feed: NULL for the site's
- * own; rotor: m; 0: not given; rpm: 0: not given; bypass: 0..1; k: 0: as set.
+ * own; rotor: m; 0: not given; bypass: 0..1; k: 0: as set.
  * sieve [n_sieve]: sieves to show, m, coarsest first. */
 struct scenario {
 	const struct blended *feed;
-	double rotor, rpm, bypass, k;
+	double rotor, bypass, k;
 	enum correction correction;
 	size_t n_sieve;
 	const double *sieve;

@@ -23,18 +23,18 @@ const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
     [DRIFT_FLATTER] = N_("flatter"),
     [DRIFT_STEEPER] = N_("steeper")};
 
-/* The date of "72 m/s, 2026-05-03 10:15, cut.csv", in words and seconds. */
+/* The date of a cut, in words and seconds.  order: of one such as 5/11/2026. */
 static void
-set_date_of_note(struct routine_cut *c, const char *note)
+set_date_of_cut(struct routine_cut *c, const struct site_note *note,
+    enum datetime_order order)
 {
 	struct datetime m;
-	const char *at = note != NULL ? strstr(note, ", ") : NULL;
-	size_t n = at != NULL ? strcspn(at + 2, ",") : 0;
-	FREED char *text = xstrndup(at != NULL ? at + 2 : "", n);
 	c->time = NAN;
-	if (datetime_read(text, &m) && m.has_date)
-		c->time = datetime_seconds(&m, DATETIME_OPEN);
-	c->when = xstrdup(isnan(c->time) ? "" : text);
+	if (note != NULL && cut_read_date(note, &m))
+		c->time = datetime_seconds(&m, order);
+	c->when = isnan(c->time) ? xstrdup("") : datetime_text(c->time);
+	if (!isnan(c->time) && !m.has_time)
+		c->when[strcspn(c->when, " ")] = '\0';
 }
 
 /* Whether a run is a cut to be followed.  One that the calibration had seen is
@@ -62,11 +62,8 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 static size_t
 routine_place_of(const struct site *site, const struct routine_cut *c)
 {
-	const char *note = cut_find_note(site, c->run);
-	size_t i = 0;
-	while (i < site->n_note && site->note[i].value != note)
-		i++;
-	return i;
+	const struct site_note *note = cut_find_note(site, c->run);
+	return note != NULL ? (size_t)(note - site->note) : site->n_note;
 }
 
 /* Few and nearly in order. */
@@ -96,6 +93,7 @@ static void
 find_cuts(struct routine *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
+	enum datetime_order order = cut_date_order(site);
 	r->cut = xcalloc(site->n_run + 1, sizeof *r->cut);
 	for (size_t i = 0; i < site->n_run; i++) {
 		bool seen;
@@ -105,7 +103,7 @@ find_cuts(struct routine *r, const struct entry *entry)
 		r->training_only = r->training_only || seen;
 		c->run = i;
 		c->speed = site->run[i].speed;
-		set_date_of_note(c, cut_find_note(site, i));
+		set_date_of_cut(c, cut_find_note(site, i), order);
 	}
 	sort_cuts(r, site);
 }
@@ -309,6 +307,10 @@ routine_state_words(const struct routine *r)
 	    [DRIFT_STEEPER] = N_("look at feed, loss of fines and how cuts are "
 				 "taken")};
 	enum drift_state state = r->point[r->n - 1].state;
+	if (state == DRIFT_NONE && r->n < ROUTINE_FEW && r->first == r->n)
+		return xstrdup(tr("no sign of a drift: what was measured "
+				  "differs from what was predicted by no more "
+				  "than samples do"));
 	if (state == DRIFT_NONE)
 		return r->first < r->n
 			   ? xasprintf(

@@ -33,6 +33,9 @@ struct routine {
 	double worst, by;
 };
 
+/* A slow drift shows only over this many cuts or more. */
+enum { ROUTINE_FEW = 5 };
+
 /* Charts the cuts of an entry.  Returns NULL with an error if there are no cuts
  * or no basis for limits. */
 struct routine *routine_follow(const struct session *s,

@@ -406,7 +406,8 @@ find_intervals(struct speed_search *s, const struct wanted *w)
 		}
 		while (last + 1 < s->n && conditions_hold_at(s, last + 1))
 			last++;
-		/* Before the first step there is none. */
+		/* Before the first step and after the last no limit is
+		 * missed: k - 1 wraps round to a step that there is not. */
 		add_interval(s, s->speed[k], s->speed[last], k - 1, last + 1);
 		k = last;
 	}

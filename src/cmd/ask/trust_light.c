@@ -14,6 +14,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/routine.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
@@ -136,6 +137,8 @@ judge_cuts_added_later(
 	struct later later = cut_compare_later(s, entry);
 	char *alarm = routine_alarm(s, entry);
 	bool drifts = alarm != NULL;
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, later.speed, NAN);
 	if (drifts)
 		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT, alarm);
 	if (later.missed)
@@ -143,12 +146,12 @@ judge_cuts_added_later(
 		    TRUST_HOLDOUT,
 		    xasprintf(
 			drifts
-			    ? tr("the cut at %g m/s, added after the "
+			    ? tr("the cut at %g m/s%s, added after the "
 				 "calibration, is missed by %.1f points (RMS)")
-			    : tr("the cut at %g m/s, added after the "
+			    : tr("the cut at %g m/s%s, added after the "
 				 "calibration, is missed by %.1f points "
 				 "(RMS): calibrate again with train=all"),
-			later.speed, 100 * later.rms));
+			later.speed, rpm, 100 * later.rms));
 }
 
 /* What is asked about that nobody measured.  evidence: of the fit, or NULL. */
@@ -208,8 +211,9 @@ light_judge(const struct session *s, const struct entry *entry,
 {
 	struct trust t = {0};
 	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
-	struct trust_question q = {
-	    .speed = p != NULL ? p->speed : 0, .corrected = !off};
+	struct trust_question q = {.speed = p != NULL ? p->speed : 0,
+	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
+	    .corrected = !off};
 	struct evidence reach = evidence_of_speeds_alone(entry);
 	/* What was measured is judged as it was measured. */
 	const struct entry *own = entry_loaded(entry);
@@ -292,7 +296,8 @@ light_words_at(const struct session *s, const struct entry *entry, double speed,
 {
 	struct trust t = light_at(s, entry, speed, feed);
 	FREED char *words = light_words(&t);
-	char *said = xasprintf(tr("trust at %g m/s: %s"), speed, words);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, speed, NAN);
+	char *said = xasprintf(tr("trust at %g m/s%s: %s"), speed, rpm, words);
 	trust_free(&t);
 	return said;
 }
@@ -307,15 +312,18 @@ light_put(struct fields *o, const struct trust *t)
 }
 
 void
-light_show_at(struct answer *r, double speed, struct trust t)
+light_show_at(
+    struct answer *r, const struct site *site, double speed, struct trust t)
 {
 	static const enum answer_grade GRADE[] = {
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
 	FREED char *words = light_words(&t);
 	const char *why = t.n > 0 ? tr(" ('why' explains)") : "";
+	FREED char *rpm =
+	    rotor_speed_words(speed > 0 ? site->rotor : 0, speed, NAN);
 	if (speed > 0)
-		answer_say(r, GRADE[t.light], "trust at %g m/s: %s%s", speed,
-		    words, why);
+		answer_say(r, GRADE[t.light], "trust at %g m/s%s: %s%s", speed,
+		    rpm, words, why);
 	else
 		answer_say(r, GRADE[t.light], "trust: %s%s", words, why);
 	light_put(answer_fields(r), &t);
@@ -325,7 +333,7 @@ light_show_at(struct answer *r, double speed, struct trust t)
 void
 light_show(struct answer *r, struct trust t)
 {
-	light_show_at(r, 0, t);
+	light_show_at(r, NULL, 0, t);
 }
 
 /* What needs no light; NULL: that decides. */

@@ -33,7 +33,8 @@ void light_put(struct fields *o, const struct trust *t);
  * as a warning if it is red; light_show_at names the speed it is of, for an
  * answer that is not that speed's product.  They free the light. */
 void light_show(struct answer *r, struct trust t);
-void light_show_at(struct answer *r, double speed, struct trust t);
+void light_show_at(
+    struct answer *r, const struct site *site, double speed, struct trust t);
 
 /* Returns the verdict on the fit behind an answer p, or on the fit alone for
  * NULL: "poor", "too few data", "nothing breaks", "good" if the light is green,

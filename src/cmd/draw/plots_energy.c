@@ -50,7 +50,7 @@ energy_add(
 	    s, whole, false);
 	if (main && s->ordered)
 		fill_energy_series(chart_add(chart, of_first, POINTS,
-				       "first above %g J/kg", e->cut),
+				       "first impact above %g J/kg", e->cut),
 		    s, whole, true);
 }
 

@@ -103,20 +103,22 @@ short_name_length(const struct chart_series *s)
 	       (s->name[strcspn(s->name, ",(")] == '(');
 }
 
-/* Returns a title such as "points; line: this less pin; marks: measured 74 m/s
- * less this", where "this" is the prediction.  It names the curves and not the
- * numbers; the measured speed may differ from that of the prediction. */
+/* Returns a title such as "points; line: predicted less pin; marks: measured 74
+ * m/s less it".  It names the curves and not the numbers; the measured speed
+ * may differ from that of the prediction. */
 static char *
 title_of_strip(
     const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
 	if (other != NULL)
-		xlist(&title, "; ", tr("line: this less %s"),
+		xlist(&title, "; ", tr("line: predicted less %s"),
 		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
 							: tr("the other"));
 	if (measured != NULL)
-		xlist(&title, "; ", tr("marks: %.*s less this"),
+		xlist(&title, "; ",
+		    other != NULL ? tr("marks: %.*s less it")
+				  : tr("marks: %.*s less predicted"),
 		    short_name_length(measured), measured->name);
 	return title;
 }

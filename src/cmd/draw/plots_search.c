@@ -333,8 +333,9 @@ plots_search_spread(
 		best->x[j] = share_of_bounds(&span, span.best);
 		best->y[j] = row;
 	}
-	chart_note(chart, "of beta only the ratios matter: each is divided by "
-			  "the largest of its candidate, from -1 to 1");
+	chart_note(chart,
+	    "only the ratios of beta matter: the values of each candidate are "
+	    "divided by the largest of them, from -1 to 1");
 	return chart;
 }
 

@@ -9,6 +9,7 @@
 #include "cmd/ask/cut.h"
 #include "cmd/ask/routine.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 static const uint64_t SEED = 1; /* seed of the simulated run lengths */
@@ -81,8 +82,8 @@ speeds_words_from(const struct routine *r, size_t from, size_t *n)
 	return list;
 }
 
-/* Fewer cuts than FEW show little of a drift, and nobody waits for LATE. */
-enum { FEW = 5, LATE = 50 };
+/* Nobody waits for more cuts than this. */
+enum { LATE = 50 };
 
 /* Says when it began, if the last cut is beyond a limit. */
 static void
@@ -103,16 +104,24 @@ say_what_next(struct answer *a, const struct entry *entry,
     const struct routine *r, const struct later *later)
 {
 	size_t n;
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, later->speed, NAN);
 	if (r->point[r->n - 1].state == DRIFT_NONE && later->missed) {
 		answer_note(a,
-		    "next: check how the cut at %g m/s and its feed were "
+		    "next: check how the cut at %g m/s%s and its feed were "
 		    "taken; if they are right, 'calibrate train=all'",
-		    later->speed);
+		    later->speed, rpm);
 		return;
 	}
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
+		bool take = later->n > 0 && !later->off && !later->twice;
 		answer_note(a,
-		    entry->has_fit
+		    take ? N_("next: 'calibrate' takes the cuts since the last "
+			      "calibration into the answers; 'remember' keeps "
+			      "them")
+		    : later->off ? N_("next: take one more cut before anything "
+				      "is changed")
+		    : entry->has_fit
 			? N_("next: nothing needs to be done; 'remember' keeps "
 			     "these cuts, and 'add' takes the next one")
 			: N_("next: nothing needs to be done; 'add' takes the "
@@ -131,6 +140,57 @@ say_what_next(struct answer *a, const struct entry *entry,
 		       "'template speeds=%s > new.csv' has the columns for "
 		       "them and for the cuts from %s on"),
 	    speeds, since);
+}
+
+/* Returns the smallest shift of the mean of the sieves, passing, in steps of
+ * half a point, that the next cut alone shows in half of all cases; NAN if none
+ * up to MOST does. */
+static double
+sudden_change(const struct routine *r)
+{
+	const double STEP = 0.005, MOST = 0.1;
+	size_t known = r->since < r->n ? r->since : r->n;
+	for (double shift = STEP; shift < MOST; shift += STEP)
+		if (drift_detection_delay(
+			&r->rule, r->point, r->n, known, shift, SEED) <= 1)
+			return shift;
+	return NAN;
+}
+
+/* Says what a few cuts can show. */
+static void
+say_few(struct answer *a, const struct routine *r)
+{
+	double sudden = sudden_change(r);
+	FREED char *words =
+	    xasprintf(tr_n("%zu cut so far: a slow drift needs %d or more to "
+			   "show",
+			  "%zu cuts so far: a slow drift needs %d or more to "
+			  "show",
+			  r->n),
+		r->n, ROUTINE_FEW);
+	if (isfinite(sudden))
+		xlist(&words, "; ",
+		    tr("the next cut would mostly show a sudden change, by "
+		       "%.1f "
+		       "points or more (mean of the sieves)"),
+		    100 * sudden);
+	answer_note(a, "%s", words);
+}
+
+static void
+say_how_soon_found(struct answer *a, double shift, double found)
+{
+	if (found <= LATE)
+		answer_note(a,
+		    "a drift by %.1f points (mean of the sieves) is found "
+		    "within %g cuts in half of all cases",
+		    100 * shift, found);
+	else
+		answer_note(a,
+		    "a drift by %.1f points (mean of the sieves) is mostly not "
+		    "found: cuts differ from one another by more",
+		    100 * shift);
 }
 
 /* States the limits, and how often chance alone crosses them. */
@@ -155,23 +215,14 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 		    "about %.0f "
 		    "cuts",
 		    r->rule.h, about);
-	else
+	else if (r->n >= ROUTINE_FEW)
 		answer_note(a,
 		    "one cut in about %.0f is called a drift by mistake",
 		    about);
-	if (found <= LATE)
-		answer_note(a,
-		    "a drift by %.1f points (mean of the sieves) is found "
-		    "within %g cuts in half of all cases",
-		    100 * shift, found);
-	else
-		answer_note(a,
-		    "a drift by %.1f points (mean of the sieves) is mostly not "
-		    "found: cuts differ from one another by more",
-		    100 * shift);
-	if (r->n < FEW)
-		answer_note(
-		    a, "fewer than %d cuts show only a large drift", FEW);
+	if (detail || r->n >= ROUTINE_FEW)
+		say_how_soon_found(a, shift, found);
+	if (r->n < ROUTINE_FEW)
+		say_few(a, r);
 	fields_put(answer_fields(a), "false_signal_every %g found_after %g",
 	    quiet, isfinite(found) ? found : (double)NAN);
 }
@@ -210,6 +261,21 @@ drift_put_fields(struct answer *a, const struct routine *r)
 	    units_mm(r->worst), 100 * r->by, r->drawn ? "posterior" : "noise");
 }
 
+/* A cut that is missed is no drift, but not in order either. */
+static void
+say_state(struct answer *a, const struct routine *r, const struct later *later)
+{
+	bool drifts = r->point[r->n - 1].state != DRIFT_NONE;
+	FREED char *words = routine_state_words(r);
+	if (!drifts && later->missed)
+		answer_say(a, ANSWER_WARNING,
+		    "no drift, but the cut at %g m/s is not as expected",
+		    later->speed);
+	else
+		answer_say(
+		    a, drifts ? ANSWER_WARNING : ANSWER_PLAIN, "%s", words);
+}
+
 bool
 cmd_drift(struct session *s, const struct args *args, struct error *error)
 {
@@ -230,12 +296,8 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	answer_fill_for_programs(a);
 	drift_add_rows(a, r, true, true);
 	drift_put_fields(a, r);
-	FREED char *words = routine_state_words(r);
-	answer_say(a,
-	    r->point[r->n - 1].state == DRIFT_NONE ? ANSWER_PLAIN
-						   : ANSWER_WARNING,
-	    "%s", words);
 	struct later later = cut_compare_later(s, entry);
+	say_state(a, r, &later);
 	say_beginning(a, r);
 	say_limits(a, r, args->detail);
 	say_basis_of_charts(a, r);

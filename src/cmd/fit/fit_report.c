@@ -18,6 +18,7 @@
 #include "core/model/breakage.h"
 #include "core/check/trust.h"
 #include "core/check/validate.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 /* Puts the training speeds, or the other speeds. */
@@ -71,6 +72,8 @@ explain_nothing_breaks(struct answer *r, const struct entry *entry)
 	    &entry->fit.params, &entry->fit.settings, fastest->speed);
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, fastest->speed, NAN);
 	answer_say(r, ANSWER_WARNING,
 	    "nothing breaks: the products do not differ measurably from the "
 	    "feed (RMSE of the unchanged feed %.2f points, of the fit %.2f), "
@@ -78,10 +81,11 @@ explain_nothing_breaks(struct answer *r, const struct entry *entry)
 	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
 	    100 * entry->fit.rmse);
 	answer_say(r, ANSWER_REMARK,
-	    "only particles coarser than the break size break; at %g m/s that "
+	    "only particles coarser than the break size break; at %g m/s%s "
+	    "that "
 	    "is %.3g mm or more, and %.1f %% of the feed is coarser: measure "
 	    "with a coarser feed or a higher speed",
-	    fastest->speed, units_mm(x), 100 * coarser);
+	    fastest->speed, rpm, units_mm(x), 100 * coarser);
 }
 
 /* Returns the range of a parameter: that of its bounds, or 2 in the gauge,
@@ -178,11 +182,12 @@ add_warnings(struct answer *r, const struct entry *entry)
 	    fit_breaks_nothing(fit))
 		explain_nothing_breaks(r, entry);
 	struct validation far = fit_outlier(entry);
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, far.speed, NAN);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
-		    "the product at %g m/s%s differs by %.1f points from the "
+		    "the product at %g m/s%s%s differs by %.1f points from the "
 		    "fit at %g mm: run 'check'",
-		    far.speed, entry->site->run[far.run].repeat,
+		    far.speed, entry->site->run[far.run].repeat, rpm,
 		    100 * fabs(far.worst_difference),
 		    units_mm(far.worst_sieve));
 	double own, mean;
@@ -327,6 +332,7 @@ add_summary(
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	FREED char *held =
 	    session_speeds(entry->site, ", ", entry->train, false);
+	FREED char *rpm = session_rpm(entry->site, entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
 	FREED char *words = xasprintf(
 	    of_fit ? tr("%s fit: misses its products by %.2f points on average")
@@ -335,9 +341,9 @@ add_summary(
 	if (isfinite(holdout))
 		xlist(&words, "; ",
 		    strchr(held, ',') != NULL
-			? tr("at %s m/s, held out as a test, by up to %.2f")
-			: tr("at %s m/s, held out as a test, by %.2f"),
-		    held, 100 * holdout);
+			? tr("at %s m/s%s, kept as a check, by up to %.2f")
+			: tr("at %s m/s%s, kept as a check, by %.2f"),
+		    held, rpm, 100 * holdout);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
 		note_untested(r, entry);
@@ -406,9 +412,15 @@ note_moved_answer(
 		return;
 	double value = value_at(s, entry, &was->of, was->speed);
 	FREED char *words = quantities_statement(&was->of, value);
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, was->speed, NAN);
 	if (isfinite(value) && isfinite(was->value))
-		answer_note(r, "at %.*f m/s %s; before this calibration %.*f",
-		    units_speed_digits(was->speed), was->speed, words,
+		answer_note(r,
+		    outlook_correction(s, entry) == CORRECTION_ALL
+			? N_("at %.*f m/s%s %s, with all measured runs; before "
+			     "this calibration %.*f")
+			: N_("at %.*f m/s%s %s; before this calibration %.*f"),
+		    units_speed_digits(was->speed), was->speed, rpm, words,
 		    quantities_decimals(&was->of),
 		    quantities_shown(&was->of, was->value));
 }
@@ -423,8 +435,11 @@ fit_answer(const struct session *s, const struct entry *entry,
 	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
 	FREED char *speeds =
 	    session_speeds(entry->site, ", ", entry->train, true);
+	FREED char *rpm = session_rpm(entry->site, entry->train, true);
+	FREED char *next =
+	    answers_typed_speed(entry->site, answers_usual_speed(entry));
 	struct answer *r = answers_new(
-	    entry->site, "calibrate", "calibrated on %s m/s", speeds);
+	    entry->site, "calibrate", "calibrated on %s m/s%s", speeds, rpm);
 	answer_fill_for_programs(r);
 	add_params(r, s, fit, u, bounds);
 	add_summary(r, s, entry);
@@ -438,9 +453,9 @@ fit_answer(const struct session *s, const struct entry *entry,
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else
 		answer_note(r,
-		    "next: 'predict %g', or any speed; 'show fit' "
+		    "next: 'predict %s', or any speed; 'show fit' "
 		    "has the parameters",
-		    answers_usual_speed(entry));
+		    next);
 	fit_put_bands(answer_fields(r), s, u, &fit->params);
 	return r;
 }

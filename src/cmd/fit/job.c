@@ -30,11 +30,15 @@ note_job_begun(struct session *s)
 	    session_speeds(entry->site, ", ", s->job.train, true);
 	FREED char *holdout =
 	    session_speeds(entry->site, ", ", s->job.train, false);
+	FREED char *rpm = session_rpm(entry->site, s->job.train, true);
+	FREED char *held_rpm = session_rpm(entry->site, s->job.train, false);
 	FREED char *words = xasprintf(
-	    holdout[0] != '\0'
-		? tr("calibrating %s on %s m/s (held out as a test: %s)")
-		: tr("calibrating %s on %s m/s%s"),
-	    entry->site->name, train, holdout);
+	    holdout[0] == '\0' ? tr("calibrating %s on %s m/s%s")
+	    : rpm[0] == '\0'
+		? tr("calibrating %s on %s m/s%s (kept as a check: %s)")
+		: tr("calibrating %s on %s m/s%s; kept as a check: %s "
+		     "m/s%s"),
+	    entry->site->name, train, rpm, holdout, held_rpm);
 	if (model > 0)
 		xlist(&words, ", ", tr("model %s"), BREAKAGES[model]->name);
 	session_note(s, "%s", words);

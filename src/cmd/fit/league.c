@@ -482,10 +482,10 @@ say_verdict(struct answer *r, const struct verdict *v)
 			       "no hold-out error");
 	else if (open[0] != '\0')
 		answer_note(r,
-		    tr_n("the data cannot tell the models apart: beside %s, %s "
-			 "remains possible",
-			"the data cannot tell the models apart: beside %s, %s "
-			"remain possible",
+		    tr_n("the data cannot tell the models apart: besides %s, "
+			 "%s is also possible",
+			"the data cannot tell the models apart: besides %s, %s "
+			"are also possible",
 			strchr(open, ',') != NULL ? 2 : 1),
 		    best, open);
 	if (out[0] != '\0' && !v->none &&

@@ -12,6 +12,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/fit/job.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
@@ -123,13 +124,17 @@ put_all(struct fields *o, const struct trials *c)
 	put_null_and_winner(o, rmse);
 }
 
-/* Begins a row with the run; exact: with its speed before it. */
+/* Begins a row with the run; exact: with its speed before it, otherwise with
+ * its rpm after it if the rotor is known. */
 static void
 scores_begin_row(struct answer *r, const struct trial *item, bool exact)
 {
 	if (exact)
 		answer_cells(r, "%g", item->v.speed);
 	answer_text(r, "%s", item->name);
+	if (!exact && item->rotor > 0)
+		answer_cells(
+		    r, "%.0f", rotor_speed_rpm(item->v.speed, item->rotor));
 }
 
 static void
@@ -151,9 +156,8 @@ scores_add_sieves(struct answer *r, const struct trial *item, bool exact)
 }
 
 static void
-add_rmse(struct answer *r, const char *run, const double *rmse)
+add_rmse(struct answer *r, const double *rmse)
 {
-	answer_text(r, "%s", run);
 	answer_text(r, "error, points");
 	answer_set_missing(r, "-");
 	answer_cells(r, "%.2f", NAN);
@@ -182,7 +186,9 @@ static void
 add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 {
 	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
-	answer_columns(r, !exact   ? N_("speed: m/s, of: ")
+	bool rpm = !exact && c->n > 0 && c->item[0].rotor > 0;
+	answer_columns(r, rpm      ? N_("speed: m/s, rpm, of: ")
+			  : !exact ? N_("speed: m/s, of: ")
 			  : sieves ? N_("speed, run, sieve_mm")
 				   : N_("speed, run, size"));
 	answer_columns(r, "measured%s: measured", unit);
@@ -193,8 +199,10 @@ add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 		const struct trial *item = &c->item[i];
 		if (sieves)
 			scores_add_sieves(r, item, exact);
-		if (!exact)
-			add_rmse(r, item->name, item->v.rmse);
+		if (!exact) {
+			scores_begin_row(r, item, exact);
+			add_rmse(r, item->v.rmse);
+		}
 		if (!exact || !sieves)
 			add_sizes(r, item, exact);
 	}
@@ -255,14 +263,16 @@ speed_beside(const struct validation *v)
 
 /* Warns if a null model predicts a run clearly better. */
 static void
-warn_worse(struct answer *r, const struct validation *v, const char *run)
+warn_worse(struct answer *r, const struct trial *item, const char *run)
 {
+	const struct validation *v = &item->v;
 	struct winner w = best_way(v->rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	if (!w.clearly)
 		return;
+	FREED char *near = rotor_speed_words(item->rotor, v->nearest, NAN);
 	if (w.best == VALIDATE_NEAREST)
-		xappend(&who, ", %g m/s", v->nearest);
+		xappend(&who, ", %g m/s%s", v->nearest, near);
 	FREED char *words =
 	    xasprintf(tr("at %s the model errs more than %s"), run, who);
 	if (w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v))
@@ -280,9 +290,13 @@ note_winner(struct answer *r, const struct trials *c)
 	struct winner w = best_way(rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
+	const struct trial *first = &c->item[0];
+	FREED char *rpm = rotor_speed_words(first->rotor, first->v.speed, NAN);
+	FREED char *near =
+	    rotor_speed_words(first->rotor, first->v.nearest, NAN);
 	if (one && w.best == VALIDATE_NEAREST)
-		xappend(&who, ", %g m/s", c->item[0].v.nearest);
-	FREED char *where = one ? xasprintf(tr("at %s m/s"), c->item[0].name)
+		xappend(&who, ", %g m/s%s", first->v.nearest, near);
+	FREED char *where = one ? xasprintf(tr("at %s m/s%s"), first->name, rpm)
 				: xstrdup(tr("in all"));
 	if (!w.worse)
 		answer_note(r,
@@ -300,13 +314,35 @@ note_winner(struct answer *r, const struct trials *c)
 		    "in all: the model errs more than %s", who);
 }
 
+/* Notes why nothing was interpolated, or that it was beyond the runs. */
+static void
+note_interpolation(struct answer *r, const struct trial *item)
+{
+	const struct validation *v = &item->v;
+	FREED char *line =
+	    rotor_speed_words(item->rotor, v->line[0], v->line[1]);
+	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
+		answer_say(r, ANSWER_REMARK,
+		    isnan(v->line[1])
+			? N_("  no interpolation: there is one training speed")
+			: N_("  no interpolation: a training product lacks "
+			     "some of these sieves"));
+	else if (validation_extrapolates(v))
+		answer_say(r, ANSWER_REMARK,
+		    "  interpolation extrapolates here: the line through %g "
+		    "and %g m/s%s",
+		    v->line[0], v->line[1], line);
+}
+
 static void
 note_run(struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
 	const struct trial *item = &c->item[i];
 	bool sampled = own_feeds && !(item->run->feed_speed > 0);
 	const struct validation *v = &item->v;
-	FREED char *run = xasprintf("%g m/s%s", v->speed, item->run->repeat);
+	FREED char *rpm = rotor_speed_words(item->rotor, v->speed, NAN);
+	FREED char *run =
+	    xasprintf("%g m/s%s%s", v->speed, item->run->repeat, rpm);
 	FREED char *words = xasprintf(
 	    v->worst_difference > 0
 		? tr("at %s%s: at worst the model lets %.2f points too many "
@@ -321,24 +357,14 @@ note_run(struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 		       "sample"),
 		    item->within, v->n_sieve, 100 * c->level);
 	answer_note(r, "%s", words);
-	warn_worse(r, v, run);
+	warn_worse(r, item, run);
 	if (c->n == 1)
 		note_winner(r, c);
 	if (item->open)
 		answer_say(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
 		    "how its error changes with the speed");
-	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
-		answer_say(r, ANSWER_REMARK,
-		    isnan(v->line[1])
-			? N_("  no interpolation: there is one training speed")
-			: N_("  no interpolation: a training product lacks "
-			     "some of these sieves"));
-	else if (validation_extrapolates(v))
-		answer_say(r, ANSWER_REMARK,
-		    "  interpolation extrapolates here: the line through %g "
-		    "and %g m/s",
-		    v->line[0], v->line[1]);
+	note_interpolation(r, item);
 	if (is_worst_far_off(v))
 		answer_say(r, ANSWER_REMARK,
 		    "  %g mm stands out (the other sieves: %.2f points on "
@@ -357,11 +383,15 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	double rmse[VALIDATE_WAYS];
 	struct answer *r = answers_new(site, "validate", "%s",
 	    c->each ? tr("each speed held out, the others calibrated on")
-		    : tr("speeds held out as a test, measured and predicted"));
+		    : tr("speeds kept as a check, measured and predicted"));
 	add_table(r, c, sieves, false);
 	if (c->n > 1) {
 		run_rmse(c, rmse);
-		add_rmse(r, "all", rmse);
+		answer_text(r, "all");
+		answer_set_missing(r, "");
+		if (site->rotor > 0)
+			answer_cells(r, "%.0f", NAN);
+		add_rmse(r, rmse);
 	}
 	answer_fill_for_programs(r);
 	add_table(r, c, sieves, true);

@@ -73,7 +73,7 @@ const struct command TABLE_MODEL[] = {
 	.flags = COMMAND_CHANGES,
 	.text = "Without operands, shows the lower and upper bounds. A single "
 		"VALUE holds the parameter fixed. The defaults are those of "
-		"the paper's Table 2, for its model.",
+		"Table 2 in the paper, for the paper's model.",
 	.example = "params bounds f_mat 1.2\nparams bounds alpha 0.8..1\n"
 		   "params bounds",
 	.run = cmd_bounds},
@@ -87,11 +87,11 @@ const struct command TABLE_MODEL[] = {
 		"default, is its limit for fine size classes.",
 	.more = "The model is used for later calibrations; 'show models' lists "
 		"the models. continuous does not depend on the choice of "
-		"sieves. Another model brings its own search bounds; existing "
-		"parameters of a site keep their model. Appearance functions "
-		"other than ratio work only with classes. The themes dark and "
-		"light have high contrast. Another draw_seed shows how much "
-		"answers and bands depend on chance.",
+		"sieves. Choosing another model also sets its search bounds; "
+		"parameters that a site already has keep their model. "
+		"Appearance functions other than ratio work only with classes. "
+		"The themes dark and light have high contrast. Another "
+		"draw_seed shows how much answers and bands depend on chance.",
 	.example = "set method classes\nset",
 	.run = cmd_set},
     {.name = "seed",

@@ -106,6 +106,7 @@ trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
 	    .key = xstrdup(by->key),
 	    .source = site_source(site, "provenance not stated"),
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
+	    .rotor = by->site->rotor,
 	    .run = run,
 	    .open = trust_without_band(
 		by->rmse, site_count_speeds(site, by->train))};

@@ -9,9 +9,9 @@
 
 /* A run both measured and predicted.  entry: index of its site among all loaded
  * sites; key: of the site; source: of its data; name: "74 (2)"; passing: see
- * validate_passings; within: number of its passings in the band for one more
- * sample, used only when one site is validated.  Runs read from a part have no
- * name, run or passing. */
+ * validate_passings; rotor: diameter, m; 0: not stated; within: number of its
+ * passings in the band for one more sample, used only when one site is
+ * validated.  Runs read from a part have no name, run, passing or rotor. */
 struct trial {
 	size_t entry;
 	char *key, *source, *name;
@@ -19,6 +19,7 @@ struct trial {
 	double *passing;
 	bool has_band, open; /* open: see trust_without_band */
 	size_t within;
+	double rotor;
 	struct validation v;
 };
 

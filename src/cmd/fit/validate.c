@@ -17,6 +17,7 @@
 #include "cmd/fit/part.h"
 #include "cmd/fit/scores.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 
 /* The state of one `validate`.  at, end, speed: for holdout=each, the present
  * site, the site to stop before, and the speed held out last. */
@@ -56,12 +57,14 @@ tell_compared(const struct session *s, const struct trials *found)
 		const struct trial *item = &found->item[i];
 		const double *rmse = item->v.rmse;
 		bool drawn = !isnan(rmse[VALIDATE_CORRECTED]);
+		FREED char *rpm =
+		    rotor_speed_words(item->rotor, item->v.speed, NAN);
 		session_note(s,
-		    drawn ? N_("  %s at %s m/s: RMSE %.2f points, "
+		    drawn ? N_("  %s at %s m/s%s: RMSE %.2f points, "
 			       "corrected %.2f")
-			  : N_("  %s at %s m/s: RMSE %.2f points (%.2f "
+			  : N_("  %s at %s m/s%s: RMSE %.2f points (%.2f "
 			       "interpolated)"),
-		    item->key, item->name, 100 * rmse[VALIDATE_MODEL],
+		    item->key, item->name, rpm, 100 * rmse[VALIDATE_MODEL],
 		    100 * rmse[drawn ? VALIDATE_CORRECTED
 				     : VALIDATE_INTERPOLATION]);
 	}
@@ -333,8 +336,10 @@ static char *
 at_speed(const struct session *s)
 {
 	const struct validating *c = s->job.of;
-	return xasprintf(tr("validate: %s without %g m/s"),
-	    s->entry[s->job.entry].key, c->speed);
+	const struct entry *entry = &s->entry[s->job.entry];
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, c->speed, NAN);
+	return xasprintf(
+	    tr("validate: %s without %g m/s%s"), entry->key, c->speed, rpm);
 }
 
 static void

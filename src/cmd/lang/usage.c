@@ -38,7 +38,7 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
 	     "with dumb, and on the Linux console, plots are drawn in ASCII."},
     {"COLORTERM",
 	"If truecolor or 24bit, plots have 256 colours, whatever TERM is."},
-    {"TIPSPEED_PAGER", "Program that shows results taller than the screen; if "
+    {"TIPSPEED_PAGER", "Program that shows results longer than the screen; if "
 		       "empty, none is used."},
     {"PAGER", "The same, if TIPSPEED_PAGER is not set."},
     {"TIPSPEED_ISA",

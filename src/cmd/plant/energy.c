@@ -199,12 +199,13 @@ note_whether_one_impact_is_fair(struct answer *r,
 	    once && hard && single
 		? N_("one impact at v^2/2 is a fair picture here: k is near 1 "
 		     "and the first impact has most of the energy")
-	    : once ? N_("one impact at v^2/2 is fair for the sum alone here: k "
-			"is near 1, but the energy is spread over impacts that "
-			"are weaker than v^2/2")
-		   : N_("one impact at v^2/2 is not a fair picture here: the "
-			"impacts break as k impacts at v^2/2 would, and k is "
-			"not near 1; a calibrated f_mat compensates for k"));
+	    : once
+		? N_("one impact at v^2/2 is fair for the sum alone here: k "
+		     "is near 1, but the energy is spread over impacts that "
+		     "are weaker than v^2/2")
+		: N_("one impact at v^2/2 is a poor approximation here: the "
+		     "impacts break as much as k impacts at v^2/2 would, and k "
+		     "is not near 1; a calibrated f_mat makes up for it"));
 	if (!q->spectrum->counted)
 		answer_say(r, ANSWER_REMARK,
 		    "particles were not counted: k is that of one impact from "

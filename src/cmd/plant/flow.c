@@ -17,6 +17,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/draw/site_chart.h"
 #include "core/posterior/ensemble.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
@@ -140,19 +141,22 @@ note_crushers(
 		       rotor = all * plant_rotor_share(p, unit), range[2];
 		double speed = plant_speed_of_unit(unit, o->speed);
 		range_tph(p, o, unit, 0, range);
+		FREED char *rpm = rotor_speed_words(
+		    p->question->entry->site->rotor, speed, NAN);
 		if (all > rotor)
 			answer_note(r,
-			    "crusher at %.4g m/s: %.1f t/h, of which %.1f t/h "
+			    "crusher at %.4g m/s%s: %.1f t/h, of which %.1f "
+			    "t/h "
 			    "through the rotor and %.1f t/h past it (%s)",
-			    speed, all, rotor, all - rotor,
+			    speed, rpm, all, rotor, all - rotor,
 			    !(unit->cascade > 0) ? tr("fitted bypass")
 			    : p->bypass > 0 ? tr("cascade and fitted bypass")
 					    : tr("cascade"));
 		else
 			answer_note(r,
-			    "crusher at %.4g m/s: %.1f t/h, all through the "
+			    "crusher at %.4g m/s%s: %.1f t/h, all through the "
 			    "rotor",
-			    speed, all);
+			    speed, rpm, all);
 		fields_put(fields_object(list, NULL),
 		    "speed %g tph %g low_tph %g high_tph %g rotor_tph %g "
 		    "cascade_tph %g",
@@ -342,22 +346,25 @@ flow_note_best(const struct plant *p, const struct search *s,
 	double range[2], v = s->speed[s->best];
 	size_t open = 0;
 	bool end = v <= s->from || v >= s->to;
+	FREED char *rpm =
+	    rotor_speed_words(p->question->entry->site->rotor, v, NAN);
 	best_range(p, s, best->flow.draws, range);
 	for (size_t i = 0; i < s->n; i++)
 		open += isnan(s->money[i]) ? 1 : 0;
 	if (isfinite(range[0]))
 		answer_note(r,
-		    end ? N_("best speed %.1f m/s (%.1f to %.1f) of %g to %g "
-			     "m/s, at the end of these")
-			: N_("best speed %.1f m/s (%.1f to %.1f) of %g to %g "
-			     "m/s"),
-		    v, range[0], range[1], s->from, s->to);
+		    end ? N_("best speed %.1f m/s%s (%.1f to %.1f), at the end "
+			     "of the range from %g to %g m/s")
+			: N_("best speed %.1f m/s%s (%.1f to %.1f) in the "
+			     "range from %g to %g m/s"),
+		    v, rpm, range[0], range[1], s->from, s->to);
 	else
 		answer_note(r,
-		    end ? N_("best speed %.1f m/s, no band, of %g to %g m/s, "
-			     "at the end of these")
-			: N_("best speed %.1f m/s, no band, of %g to %g m/s"),
-		    v, s->from, s->to);
+		    end ? N_("best speed %.1f m/s%s (no band), at the end of "
+			     "the range from %g to %g m/s")
+			: N_("best speed %.1f m/s%s (no band) in the range "
+			     "from %g to %g m/s"),
+		    v, rpm, s->from, s->to);
 	if (open > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "at %zu of %zu speeds there is no steady state", open,
@@ -424,8 +431,9 @@ answer_flow(const struct plant *p, const struct plant_result *o)
 						      : "circuit of a file")
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, o->speed, NAN);
 	struct answer *r = answers_new(entry->site, "flow",
-	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
+	    "%g t/h at %.4g m/s%s%s%s", p->circuit->tph, o->speed, rpm,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
 	fields_put(answer_fields(r),

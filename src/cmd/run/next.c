@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "base/tr.h"
+#include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/cut.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
 /* Returns the number of runs with a product to compare; *held_out: whether some
@@ -64,23 +66,24 @@ next_after_fit(const struct session *s, const struct entry *entry)
 	bool held_out;
 	count_runs(entry, &held_out);
 	struct later later = cut_compare_later(s, entry);
-	if (later.missed && later.n > 1)
+	if (later.missed && later.n > 1 && !later.twice)
 		return (struct next){"drift",
 		    N_("follow the new cuts one by one?"), false,
 		    NEXT_CALIBRATE};
 	/* `add` has already suggested what to check. */
-	if (later.missed || later.off)
+	if (later.missed || later.off || later.twice)
 		return (struct next){.stage = NEXT_CALIBRATE};
 	if (later.n > 0)
 		return (struct next){"calibrate",
-		    N_("calibrate with the cuts that are new?"), true,
-		    NEXT_CALIBRATE};
+		    later.n > 1 ? N_("calibrate again, with the new cuts?")
+				: N_("calibrate again, with the new cut?"),
+		    true, NEXT_CALIBRATE};
 	if (held_out && !origin_is_stored(entry->origin) &&
 	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
 	    isnan(session_answer_number(s, "validate", "sites")))
 		return (struct next){"validate",
-		    N_("validate: test it at the speeds held out?"), true,
-		    NEXT_VALIDATE};
+		    N_("validate: compare it with what was kept as a check?"),
+		    true, NEXT_VALIDATE};
 	if (session_answer_number(s, "validate calibrate", "warnings") > 0)
 		return (struct next){NULL,
 		    N_("next: 'why' shows the reasons to doubt it, and what to "
@@ -108,8 +111,8 @@ next_before_load(const struct session *s)
 	return (struct next){NULL,
 	    remembered
 		? N_("load your own sheet: load plant.xlsx; or bring back a "
-		     "site that was remembered: 'materials origin=own' lists "
-		     "them, 'recall NAME' takes one")
+		     "site that was remembered: 'recall', which lists them "
+		     "where there are several")
 		: N_("load your own sheet: load plant.xlsx; an empty one to "
 		     "fill in: template > my.csv"),
 	    false, NEXT_LOAD};
@@ -153,10 +156,13 @@ note_speeds(const struct session *s, const struct entry *entry)
 	double from, to;
 	if (!origin_reach(entry, &from, &to))
 		return;
+	FREED char *usual =
+	    answers_typed_speed(entry->site, answers_usual_speed(entry));
+	FREED char *rpm = rotor_speed_words(entry->site->rotor, from, to);
 	session_note(s,
-	    from < to ? N_("now 'predict %g', or any speed from %g to %g m/s")
-		      : N_("now 'predict %g'"),
-	    answers_usual_speed(entry), from, to);
+	    from < to ? N_("now 'predict %s', or any speed from %g to %g m/s%s")
+		      : N_("now 'predict %s'"),
+	    usual, from, to, rpm);
 }
 
 /* True if the answer before the newest has said this. */

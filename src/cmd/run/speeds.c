@@ -247,7 +247,7 @@ note_decimal_comma(struct session *s, const struct words *words)
 	if (site != NULL && text_typed_number(number, &speed) &&
 	    site_run_at(site, speed) < site->n_run)
 		return;
-	session_note(s, "read %s as %s m/s; two speeds: %s %u %u",
+	session_note(s, "read %s as %s m/s; for two speeds type: %s %u %u",
 	    words->text[1], number, words->text[0], whole, decimals);
 }
 

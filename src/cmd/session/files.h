@@ -35,7 +35,8 @@ bool files_may_overwrite(const struct session *s, const struct args *args,
     const char *path, struct error *error);
 
 /* Asks the user before replacing a file that the session did not write.
- * Returns false with an error if the user declines.  Scripts are not asked. */
+ * Returns false with an error if the user declines.  Nothing is asked in a
+ * script. */
 bool files_may_replace(
     struct session *s, const char *path, struct error *error);
 

@@ -14,13 +14,13 @@
 #include "cmd/session/settings.h"
 #include "io/store/material.h"
 
-/* The results of a calibration: the fit; its generations [n] and search bounds;
- * its site and training runs [n_run].  Computed on first use: the posterior and
- * the evidence, indexed by the runs that inform them (enum correction), and the
- * products of the feed last asked about.  later: the runs added to the site
- * since, and that with the largest misfit; alarm: the state of their charts
- * (control_chart.h).  Shared by the entries, snapshots and origins that refer
- * to it. */
+/* The results of a calibration: the fit, the generations [n] and bounds of
+ * the search, and the site and training runs [n_run] that were fitted.
+ * Computed on first use: the posterior and the evidence, indexed by the runs
+ * that inform them (enum correction), and the products of the feed last
+ * asked about. later: the runs added to the site since, and that with the
+ * largest misfit; alarm: the state of their charts (control_chart.h).
+ * Shared by the entries, snapshots and origins that refer to it. */
 struct history {
 	size_t holders, n;
 	struct fit fit;
@@ -40,7 +40,7 @@ struct history {
 		const struct site *site; /* NULL: not compared yet */
 		size_t n;
 		double rms, speed;
-		bool missed, off;
+		bool missed, off, twice;
 	} later;
 	struct alarm {
 		const struct site *site; /* NULL: not charted yet */

@@ -13,6 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/document/document.h"
+#include "core/psd/rotor_speed.h"
 #include "io/formats/book.h"
 #include "io/sitefile/units.h"
 
@@ -209,4 +210,25 @@ session_speeds(
 			xappend(&list, tr(" (%zu runs)"), n);
 	}
 	return list;
+}
+
+char *
+session_rpm_list(
+    const struct site *site, const char *between, const bool *mark, bool marked)
+{
+	char *rpm = xstrdup("");
+	double rotor = site_run_rotor(site);
+	for (size_t r = 0; r < site->n_run && rotor > 0; r++)
+		if (site->run[r].product.n > 0 && !site_run_repeats(site, r) &&
+		    (mark == NULL || mark[r] == marked))
+			xlist(&rpm, between, "%.0f",
+			    rotor_speed_rpm(site->run[r].speed, rotor));
+	return rpm;
+}
+
+char *
+session_rpm(const struct site *site, const bool *mark, bool marked)
+{
+	FREED char *rpm = session_rpm_list(site, ", ", mark, marked);
+	return rpm[0] != '\0' ? xasprintf(tr(" (%s rpm)"), rpm) : xstrdup("");
 }

@@ -209,7 +209,7 @@ bool session_busy(const struct session *s);
  * NULL. */
 const struct entry *session_fitting(const struct session *s);
 
-/* Returns the time on a monotonic clock, s. */
+/* Returns the time on a monotonic clock, in seconds. */
 double session_clock(void);
 
 /* Returns the label of a site for people: "Tierp, Granite, 11.2 mm". */
@@ -220,5 +220,12 @@ char *session_site_label(const struct site *site);
  * The caller frees it. */
 char *session_speeds(const struct site *site, const char *between,
     const bool *mark, bool marked);
+
+/* Returns these speeds in rpm, "1569, 1796", or as session_rpm to follow m/s in
+ * a sentence, " (1569, 1796 rpm)"; "" unless the site states the rotor.  The
+ * caller frees it. */
+char *session_rpm_list(const struct site *site, const char *between,
+    const bool *mark, bool marked);
+char *session_rpm(const struct site *site, const bool *mark, bool marked);
 
 #endif

@@ -9,13 +9,19 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
+#include "cmd/ask/asked.h"
+#include "cmd/ask/forecast.h"
+#include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
+#include "cmd/sheets/cut_day.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/invocation.h"
 #include "cmd/sheets/load.h"
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
+#include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
@@ -40,32 +46,54 @@ origins_clear(struct origins *o)
 	free(o->file);
 }
 
-/* Reads a date; false if it can be read in two ways. */
+/* Returns the moment as one word of the command: "2026-11-05T10:15". */
+static char *
+as_word(const struct datetime *m, enum datetime_order order)
+{
+	char *text = cut_day_text(m, order);
+	for (char *p = text; p != NULL && *p != '\0'; p++)
+		if (*p == ' ')
+			*p = 'T';
+	return text;
+}
+
+/* Sets an error if the order leaves open which day is meant.  before: what
+ * stands before the date in the call. */
 static bool
-add_read_date(const char *date, double *day, struct error *error)
+is_one_day(const struct datetime *m, const char *text, const char *before,
+    enum datetime_order order, struct error *error)
+{
+	FREED char *day = as_word(m, DATETIME_DAY_FIRST);
+	FREED char *month = as_word(m, DATETIME_MONTH_FIRST);
+	return !isnan(datetime_seconds(m, order)) ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a date that can be read in one way, got '%s'\n"
+		   "write year, month, day: %s%s or %s%s",
+		   text, before, day, before, month);
+}
+
+/* Reads a date; order: of one such as 5/11/2026. */
+static bool
+add_read_date(const char *date, enum datetime_order order, double *day,
+    struct error *error)
 {
 	struct datetime m;
 	*day = NAN;
 	if (date == NULL)
 		return true;
-	bool good = datetime_read(date, &m) && m.has_date;
-	*day = good ? datetime_seconds(&m, DATETIME_OPEN) - m.seconds
-		    : (double)NAN;
-	if (!good || isnan(*day))
+	if (!datetime_read(date, &m) || !m.has_date)
 		return error_set(error, ERROR_USAGE,
-		    good
-			? N_("expected a date that can be read in one way, got "
-			     "'%s'\n"
-			     "write year, month, day: date=2026-05-03")
-			: N_("expected a date such as 2026-05-03, got '%s'\n"
-			     "write year, month, day: date=2026-05-03"),
+		    "expected a date such as 2026-05-03, got '%s'\n"
+		    "write year, month, day: date=2026-05-03",
 		    date);
-	return true;
+	*day = datetime_seconds(&m, order) - m.seconds;
+	return is_one_day(&m, date, "date=", order, error);
 }
 
 /* Reads the time after @, on the day of date= if it states none. */
 static bool
-add_read_time(const char *text, double day, double *time, struct error *error)
+add_read_time(const char *text, enum datetime_order order, double day,
+    double *time, struct error *error)
 {
 	struct datetime m;
 	if (!datetime_read(text, &m) || !m.has_time)
@@ -79,13 +107,9 @@ add_read_time(const char *text, double day, double *time, struct error *error)
 		    "expected a day for the time %s, got none\n"
 		    "write: date=2026-05-03, or @2026-05-03T%s",
 		    text, text);
-	*time =
-	    m.has_date ? datetime_seconds(&m, DATETIME_OPEN) : day + m.seconds;
-	if (isnan(*time))
-		return error_set(error, ERROR_USAGE,
-		    "expected a date that can be read in one way, got '%s'\n"
-		    "write year, month, day: @2026-05-03T10:15",
-		    text);
+	*time = m.has_date ? datetime_seconds(&m, order) : day + m.seconds;
+	if (m.has_date && !is_one_day(&m, text, "@", order, error))
+		return false;
 	return isnan(day) || day == datetime_midnight(*time) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected the day of date= after @, got %s\n"
@@ -124,7 +148,8 @@ look_up_time_in_log(struct session *s, const struct args *args,
 	if (at == NULL || head_read(at).speed > 0)
 		return true;
 	double window = 60 * args->window;
-	if (!add_read_time(at + 1, day, &time, error) ||
+	if (!add_read_time(at + 1, cut_date_order(session_entry(s)->site), day,
+		&time, error) ||
 	    !log_at(s, time, window / 2, rotor, &o->logged, error))
 		return false;
 	free(o->word);
@@ -151,17 +176,79 @@ words_for_note_of_cut(double speed, const struct cut_origin *o)
 	return text;
 }
 
+/* Returns a note with its date, if that is an open one, as year, month, day. */
+static char *
+note_in_one_way(const struct site_note *note, enum datetime_order order)
+{
+	struct datetime m;
+	if (!cut_read_date(note, &m) || m.plain || m.order != DATETIME_OPEN)
+		return xstrdup(note->value);
+	FREED char *day = cut_day_text(&m, order);
+	const char *at = strstr(note->value, ", ") + strlen(", ");
+	return day == NULL ? xstrdup(note->value)
+			   : xasprintf("%.*s%s%s", (int)(at - note->value),
+				 note->value, day, at + strcspn(at, ","));
+}
+
 /* The note of a run.  A sheet may state in its header when its cuts were taken:
  * then that, with the file. */
 static char *
-note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o)
+note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
+    enum datetime_order order)
 {
-	const char *said = cut_find_note(cuts, run);
+	const struct site_note *said = cut_find_note(cuts, run);
 	if (said == NULL || (o != NULL && o->when[0] != '\0'))
 		return words_for_note_of_cut(cuts->run[run].speed, o);
-	bool named = o == NULL || strstr(said, o->file) != NULL;
+	FREED char *words = note_in_one_way(said, order);
+	bool named = o == NULL || strstr(words, o->file) != NULL;
 	return xasprintf(
-	    "%s%s%s", said, named ? "" : ", ", named ? "" : o->file);
+	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
+}
+
+/* Takes the date of the sheet's header for a file that has no other. */
+static void
+take_date_of_header(
+    const struct site *cuts, enum datetime_order order, struct origins *all)
+{
+	struct datetime m;
+	const char *said = cut_day_of_header(cuts);
+	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
+	    !datetime_read(said, &m))
+		return;
+	char *day = cut_day_text(&m, order);
+	if (day == NULL)
+		return;
+	free(all->file[0].when);
+	all->file[0].when = day;
+}
+
+/* Says how the first date was read that leaves open which number is the day, or
+ * that it was not. */
+static void
+note_open_date(struct session *s, const struct site *cuts,
+    const struct cut_day *how, const struct origins *all)
+{
+	struct datetime m;
+	size_t i = 0;
+	while (i < cuts->n_note && (!cut_read_date(&cuts->note[i], &m) ||
+				       m.plain || m.order != DATETIME_OPEN))
+		i++;
+	if (i == cuts->n_note)
+		return;
+	FREED char *day = cut_day_text(&m, DATETIME_DAY_FIRST);
+	FREED char *month = cut_day_text(&m, DATETIME_MONTH_FIRST);
+	FREED char *said = xasprintf("%02d/%02d/%d", m.day, m.month, m.year);
+	if (how->order == DATETIME_OPEN)
+		session_note(s,
+		    "  warning: the date %s can be %s or %s, so the cut has "
+		    "none: 'undo', then add it with date=%s",
+		    said, day, month, day);
+	else
+		session_note(s, "  the date %s is read as %s, %s", said,
+		    how->order == DATETIME_DAY_FIRST ? day : month, how->why);
+	if (how->now && cuts->n_run == 1 && all->n == 1)
+		invocation_add_options(s, " date=%s",
+		    how->order == DATETIME_DAY_FIRST ? day : month);
 }
 
 /* Returns the file that a cut is from: the only one, or the one with its
@@ -198,7 +285,7 @@ warn_of_cuts_loaded(
 				session_note(s,
 				    "  warning: these numbers are identical to "
 				    "the product at %g m/s%s: was the cut "
-				    "added before? 'undo' removes the new one",
+				    "added before?",
 				    cut->speed, site->run[r].repeat);
 		}
 		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
@@ -228,6 +315,31 @@ warn_of_cuts_loaded(
 /* How well the prediction meets the new cuts, from best to worst. */
 enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 
+/* Returns "33.0 % passes 2 mm at 72 m/s, predicted 33.4 (32.6 to 34.1 for a
+ * belt cut)".  The caller frees it. */
+static char *
+measured_and_predicted(
+    const struct session *s, const struct entry *entry, size_t run)
+{
+	const struct run *cut = &entry->site->run[run];
+	const struct quantity of = answers_usual_passing(&cut->product);
+	const struct question q = question_of_whole_product(s, entry, run);
+	struct forecast *f = forecast_open(s, &q, &of, 1);
+	forecast_part_at(f, cut->speed, ENSEMBLE_SAMPLE);
+	struct figure at = forecast_shown(f, 0);
+	FREED char *measured =
+	    quantities_statement(&of, psd_at_sieve(&cut->product, of.x));
+	FREED char *rpm =
+	    rotor_speed_words(entry->site->rotor, cut->speed, NAN);
+	char *words = xasprintf(tr("%s at %g m/s%s%s, predicted %.1f"),
+	    measured, cut->speed, cut->repeat, rpm, at.value);
+	if (isfinite(at.low))
+		xappend(&words, tr(" (%.1f to %.1f for a belt cut)"), at.low,
+		    at.high);
+	forecast_close(f);
+	return words;
+}
+
 /* Compares a new cut with the prediction and reports the result. */
 static enum verdict
 report_check_of_cut(struct session *s, size_t run)
@@ -237,16 +349,26 @@ report_check_of_cut(struct session *s, size_t run)
 	if (!entry->has_params || misfit_count_covered(&site->run[run]) == 0)
 		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare(s, entry, run);
+	FREED char *both = measured_and_predicted(s, entry, run);
 	FREED char *words = cut_words(&cut);
+	double from, to;
+	if (answers_extrapolates(entry, site->run[run].speed) &&
+	    origin_reach(entry, &from, &to)) {
+		FREED char *reach = answers_reach_words(entry, from, to);
+		xlist(&words, "; ",
+		    tr("it lies outside the %s, where the answer rests on the "
+		       "model"),
+		    reach);
+	}
+	/* Fewer inside than chance and shared errors make likely. */
+	bool nearly = !cut.no_band && 4 * cut.inside < 3 * cut.n;
 	session_note(s,
-	    cut.off ? N_("  the cut at %g m/s%s differs from the prediction, "
-			 "but by no more than carefully taken samples differ "
-			 "from one another: %s")
-	    : cut.missed
-		? N_("  warning: the prediction misses the cut at %g m/s%s: "
-		     "%s")
-		: N_("  the prediction meets the cut at %g m/s%s: %s"),
-	    site->run[run].speed, site->run[run].repeat, words);
+	    cut.off ? N_("  not quite as expected, but no further off than "
+			 "carefully taken samples differ: %s; %s")
+	    : cut.missed ? N_("  warning: not as expected: %s; %s")
+	    : nearly     ? N_("  nearly as expected: %s; %s")
+			 : N_("  as expected: %s; %s"),
+	    both, words);
 	return cut.off ? CUTS_OFF : cut.missed ? CUTS_MISSED : CUTS_MET;
 }
 
@@ -274,11 +396,14 @@ report_checks_of_cuts(
 	}
 	if (compared == 0)
 		return worst;
-	session_note(s,
-	    missed > 0
-		? N_("  warning: the prediction misses %zu of the %zu cuts")
-		: N_("  the prediction misses %zu of the %zu cuts"),
-	    missed, compared);
+	if (missed > 0)
+		session_note(s,
+		    tr_n("  warning: %zu of the %zu cuts is not as expected",
+			"  warning: %zu of the %zu cuts are not as expected",
+			missed),
+		    missed, compared);
+	else
+		session_note(s, "  all %zu cuts are as expected", compared);
 	return missed > 0 ? CUTS_MISSED : CUTS_MET;
 }
 
@@ -287,27 +412,41 @@ note_products(struct session *s)
 {
 	const struct entry *entry = session_entry(s);
 	FREED char *speeds = session_speeds(entry->site, ", ", NULL, true);
-	session_note(s, "  %s has products at %s m/s", entry->key, speeds);
+	FREED char *rpm = session_rpm(entry->site, NULL, true);
+	session_note(
+	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
 
-/* Suggests what to do after n cuts have been compared. */
+/* Suggests what to do after n cuts have been compared: of a calibrated site, as
+ * next_step does, after all cuts since its calibration. */
 static void
 suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
 {
 	const struct entry *entry = session_entry(s);
-	bool many = n > 1 && entry->has_fit;
+	struct later later = cut_compare_later(s, entry);
+	if (later.n > 0) {
+		worst = later.missed ? CUTS_MISSED
+			: later.off  ? CUTS_OFF
+				     : CUTS_MET;
+		n = later.n;
+	}
+	if (later.twice) {
+		session_note(
+		    s, "  next: 'undo', unless two samples came out the same");
+		return;
+	}
 	session_note(
 	    s, !entry->has_params ? N_("  next: 'calibrate'")
-	       : worst == CUTS_MISSED && many
+	       : worst == CUTS_MISSED && n > 1 && entry->has_fit
 		   ? N_("  next: 'drift' follows the cuts one by one")
 	       : worst == CUTS_MISSED
 		   ? N_("  next: check how the cut and its feed were taken; if "
 			"they are right, 'calibrate train=all'")
 	       : worst == CUTS_OFF
 		   ? N_("  next: take one more cut before anything is changed")
-		   : N_("  next: nothing needs to be done; answers stay as "
-			"they were until 'calibrate' takes new cuts into "
-			"account"));
+	       : !entry->has_fit ? N_("  next: nothing needs to be done")
+	       : n > 1 ? N_("  next: 'calibrate' takes them into the answers")
+		       : N_("  next: 'calibrate' takes it into the answers"));
 }
 
 static bool
@@ -331,23 +470,23 @@ is_expected(const struct site *site, const char *digest, struct session *s,
 /* In the order of the sheet, which drift follows for cuts without a date. */
 static void
 note_cuts(struct session *s, struct site *site, const struct site *cuts,
-    const struct origins *all)
+    const struct origins *all, enum datetime_order order)
 {
-	FREED size_t *order = xcalloc(cuts->n_run + 1, sizeof *order);
+	FREED size_t *place = xcalloc(cuts->n_run + 1, sizeof *place);
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		size_t i = k;
 		for (; i > 0; i--) {
-			size_t before = order[i - 1];
+			size_t before = place[i - 1];
 			if (cuts->run[before].place <= cuts->run[k].place)
 				break;
-			order[i] = before;
+			place[i] = before;
 		}
-		order[i] = k;
+		place[i] = k;
 	}
 	for (size_t k = 0; k < cuts->n_run; k++) {
-		double v = cuts->run[order[k]].speed;
+		double v = cuts->run[place[k]].speed;
 		FREED char *note =
-		    note_of_run(cuts, order[k], add_origin_of(all, v));
+		    note_of_run(cuts, place[k], add_origin_of(all, v), order);
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 	}
@@ -356,9 +495,10 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 /* Replaces the current site with a copy that has the cuts. */
 static bool
 add_cuts(struct session *s, const struct args *args, const struct site *cuts,
-    const struct origins *all, struct error *error)
+    struct origins *all, struct error *error)
 {
 	const struct site *old = session_entry(s)->site;
+	const struct cut_day how = cut_day_order(cuts, old);
 	FREED size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
 	struct site *site = site_with_cuts(old, cuts, from);
 	char number[32];
@@ -371,7 +511,10 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 	}
 	if (!(site->rotor > 0))
 		site->rotor = args->rotor_mm / 1000;
-	note_cuts(s, site, cuts, all);
+	take_date_of_header(cuts, how.order, all);
+	note_cuts(s, site, cuts, all, how.order);
+	if (args->date == NULL)
+		note_open_date(s, cuts, &how, all);
 	load_note_reading(s, cuts);
 	warn_of_cuts_loaded(s, old, cuts);
 	session_replace_site(s, site, from);
@@ -389,7 +532,8 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
-	bool good = add_read_date(args->date, &day, error);
+	bool good = add_read_date(
+	    args->date, cut_date_order(session_entry(s)->site), &day, error);
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {

@@ -504,12 +504,11 @@ static char *
 question_of_top(const char *size, double further)
 {
 	return further > 0
-		   ? xasprintf(tr("assume 100 %% passes %s mm (or type %g or "
-				  "more, as much is coarser)"),
+		   ? xasprintf(
+			 tr("take %s mm, the next sieve up (or type %g or "
+			    "more, as much is coarser)"),
 			 size, further)
-		   : xasprintf(
-			 tr("assume 100 %% passes %s mm, the next sieve up"),
-			 size);
+		   : xasprintf(tr("take %s mm, the next sieve up"), size);
 }
 
 /* Asks for the value of one option. */

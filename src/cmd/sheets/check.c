@@ -14,6 +14,7 @@
 #include "cmd/sheets/mend.h"
 #include "cmd/lang/table.h"
 #include "core/check/trust.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
@@ -61,13 +62,15 @@ check_warn_coarser(struct session *s, const struct site *site)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		struct coarser c = find_coarser(&site->run[r]);
+		FREED char *rpm =
+		    rotor_speed_words(site->rotor, site->run[r].speed, NAN);
 		if (c.sieves > 0)
 			session_note(s,
-			    "  at %g m/s%s the product is coarser than the "
+			    "  at %g m/s%s%s the product is coarser than the "
 			    "feed on %zu of %zu sieves, by up to %.2f points "
 			    "at %g mm: run 'check'",
-			    site->run[r].speed, site->run[r].repeat, c.sieves,
-			    c.compared, 100 * c.most, units_mm(c.at));
+			    site->run[r].speed, site->run[r].repeat, rpm,
+			    c.sieves, c.compared, 100 * c.most, units_mm(c.at));
 	}
 }
 

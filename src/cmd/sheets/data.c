@@ -68,7 +68,8 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 	return true;
 }
 
-/* Fills in the names, and states that nothing was measured. */
+/* Fills in the names, and states that nothing was measured and that the middle
+ * speed is an assumption (D8). */
 static void
 describe_synth(struct site *site, const struct stored *m,
     const struct synth *synth, const char *source)

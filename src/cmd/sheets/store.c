@@ -79,6 +79,40 @@ has_digest(const struct site *site, const struct stored *m)
 	return strtoull(m->site_digest, NULL, 16) == site->digest;
 }
 
+/* Returns "3 runs at 69 to 79 m/s", "a feed, no product". */
+static char *
+words_for_runs(const struct site *site)
+{
+	size_t n = site_count_products(site);
+	double low = INFINITY, high = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (site->run[r].product.n == 0)
+			continue;
+		low = fmin(low, site->run[r].speed);
+		high = fmax(high, site->run[r].speed);
+	}
+	if (n == 0)
+		return xstrdup(tr("a feed, no product"));
+	return low < high ? xasprintf(tr_n("%zu run at %g to %g m/s",
+					  "%zu runs at %g to %g m/s", n),
+				n, low, high)
+			  : xasprintf(tr_n("%zu run at %g m/s",
+					  "%zu runs at %g m/s", n),
+				n, low);
+}
+
+/* Returns what a material keeps: its runs, or parameters alone. */
+static char *
+words_for_stored(const struct stored *m)
+{
+	struct basis b;
+	bool runs = basis_from_material(m, &b, NULL);
+	char *words = runs ? words_for_runs(b.now != NULL ? b.now : b.then)
+			   : xstrdup(tr("parameters"));
+	basis_clear(&b);
+	return words;
+}
+
 /* Makes the entry as the calibration had left it. */
 static void
 give_calibration_back(struct entry *entry, const struct basis *b,
@@ -334,6 +368,33 @@ check_can_be_remembered(
 		   "note: expected one line without control characters");
 }
 
+static bool
+asks_user(const struct session *s)
+{
+	return s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
+}
+
+/* Notes other materials with the same runs, as after a sheet was renamed. */
+static void
+note_same_runs(struct session *s, struct answer *r, const struct stored *m)
+{
+	struct stored_list list = {0};
+	store_list(s->store, &list, NULL);
+	for (size_t i = 0; i < list.n && m->site_digest[0] != '\0'; i++) {
+		const struct stored *other = &list.item[i];
+		if (strcmp(other->name, m->name) == 0 ||
+		    strcmp(other->site_digest, m->site_digest) != 0)
+			continue;
+		FREED char *line = xstrdup("forget");
+		journal_append_word(&line, other->name);
+		answer_note(r,
+		    "the store also has these runs as %s, remembered on %s: "
+		    "'%s' removes that",
+		    other->name, other->date, line);
+	}
+	stored_list_free(&list);
+}
+
 /* Shows what was stored, which confirms that it is on disk. */
 static void
 give_remembered(struct session *s, const struct stored *item, size_t n)
@@ -363,6 +424,8 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 		FREED char *line = xstrdup("recall");
 		journal_append_word(&line, item->name);
 		answer_note(r, "'%s' brings it back on any day", line);
+		if (asks_user(s))
+			note_same_runs(s, r, item);
 	}
 	if (s->set.goal[0] != '\0')
 		answer_note(r,
@@ -431,6 +494,27 @@ find_free_name(struct session *s, const char *name)
 	return other;
 }
 
+/* Returns what would replace a material with the runs of a site `old`, or with
+ * parameters alone if it is NULL. */
+static char *
+words_for_new(const struct entry *entry, const struct site *old)
+{
+	FREED char *runs = words_for_runs(entry->site);
+	if (!entry->has_fit)
+		return xstrdup(tr("these parameters"));
+	if (old == NULL)
+		return xstrdup(runs);
+	bool grown = has_runs(entry->site, old);
+	bool same = text_same_folded(entry->site->name, old->name);
+	size_t more = grown ? entry->site->n_run - old->n_run : 0;
+	return more > 0 ? xasprintf(tr_n("these runs and %zu more",
+					"these runs and %zu more", more),
+			      more)
+	       : grown  ? xstrdup(tr("the same runs, calibrated again"))
+	       : same   ? xasprintf(tr("other numbers, %s"), runs)
+			: xasprintf("%s, %s", entry->site->name, runs);
+}
+
 /* Asks whether to replace a material.  If it is an earlier state of the entry,
  * with the same settings and no run that the entry lacks, nothing is lost, and
  * Return means yes. */
@@ -444,17 +528,12 @@ ask_replace_one(struct session *s, const struct entry *entry,
 	bool earlier =
 	    runs && entry->has_fit && has_runs(entry->site, site) &&
 	    model_settings_same(&b.fit.settings, &entry->fit.settings);
-	size_t n = runs ? site->n_run : 0, n_new = entry->site->n_run;
-	FREED char *old = runs ? xasprintf(tr_n("%zu run", "%zu runs", n), n)
-			       : xstrdup(tr("parameters"));
-	FREED char *new =
-	    entry->has_fit
-		? xasprintf(
-		      tr_n("this %zu run", "these %zu runs", n_new), n_new)
-		: xstrdup(tr("these parameters"));
+	FREED char *old = words_for_stored(m);
+	FREED char *new = words_for_new(entry, runs ? site : NULL);
 	FREED char *question =
-	    xasprintf(tr("replace %s (%s, remembered %s) by %s?"), m->name, old,
-		m->date, new);
+	    xasprintf(tr("the store has %s: %s, remembered on %s; replace it "
+			 "by %s?"),
+		m->name, old, m->date, new);
 	basis_clear(&b);
 	if (s->hooks.confirm(s, question, earlier))
 		return true;
@@ -462,8 +541,8 @@ ask_replace_one(struct session *s, const struct entry *entry,
 	FREED char *line = xstrdup("remember");
 	journal_append_word(&line, free_name);
 	return error_set(error, ERROR_USAGE,
-	    "nothing was remembered now: the store still has %s with %s, "
-	    "remembered %s\n"
+	    "nothing was remembered now: the store still has %s, %s, "
+	    "remembered on %s\n"
 	    "to keep both: %s",
 	    m->name, old, m->date, line);
 }
@@ -474,7 +553,7 @@ static bool
 ask_replace(struct session *s, const struct stored_list *list, bool *replace,
     struct error *error)
 {
-	bool asks = s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
+	bool asks = asks_user(s);
 	struct stored_list own = {0};
 	for (size_t i = 0; asks && i < list->n && own.n == 0; i++)
 		store_has_own(s, list->item[i].name, &own);
@@ -528,11 +607,55 @@ note_parameters(
 	    store_origin_of(m));
 	const struct origin *o = entry->origin;
 	FREED char *details = origin_details(o);
+	bool same = o->found && o->digest == entry->site->digest;
+	bool place = !same && m->basis[0] != '\0' &&
+		     text_same_folded(m->site, entry->site->name);
 	session_note(s,
-	    o->found && o->digest == entry->site->digest
-		? N_("  calibrated on the same data as this site (%s)")
-		: N_("  not calibrated on this site (%s)"),
+	    same    ? N_("  calibrated on the same data as this site (%s)")
+	    : place ? N_("  not calibrated on the runs of this sheet (%s)")
+		    : N_("  not calibrated on this site (%s)"),
 	    details);
+	if (!place || entry->site->path[0] == '\0')
+		return;
+	FREED char *line = xasprintf("drop %s; recall", entry->key);
+	journal_append_word(&line, m->name);
+	xappend(&line, "; add");
+	journal_append_word(&line, entry->site->path);
+	session_note(s,
+	    "  'calibrate' fits this sheet alone; to compare it with what was "
+	    "remembered: %s",
+	    line);
+}
+
+/* Lists what came back with a site besides its products: feeds, training runs,
+ * cuts added, and what was assumed.  How the sheet's columns were read that day
+ * would name other runs. */
+static void
+note_runs_remembered(struct session *s, const struct entry *entry)
+{
+	const struct site *site = entry->site;
+	const char *last = "";
+	size_t sieves, cuts = 0;
+	free(site_sieves(site, &sieves));
+	FREED char *train = session_speeds(site, ", ", entry->train, true);
+	session_note(s,
+	    site->individual_feeds
+		? N_("  a feed for each run, %zu sieves; calibrated on %s m/s")
+		: N_("  one feed for all runs, %zu sieves; calibrated on %s "
+		     "m/s"),
+	    sieves, train);
+	for (size_t i = 0; i < site->n_note; i++)
+		if (strcmp(site->note[i].key, "cut") == 0) {
+			last = site->note[i].value;
+			cuts++;
+		}
+	if (cuts > 0)
+		session_note(s,
+		    tr_n("  %zu cut added since: %s",
+			"  %zu cuts added since, the last: %s", cuts),
+		    cuts, last);
+	if (site->assumed[0] != '\0')
+		session_note(s, "  likely, not stated: %s", site->assumed);
 }
 
 /* Notes a site that is as it was when it was remembered. */
@@ -550,7 +673,7 @@ note_remembered(struct session *s, const struct entry *entry)
 	else
 		session_note(s, "%s: a feed, no product, %s", label,
 		    origin_words(entry));
-	load_note_reading(s, site);
+	note_runs_remembered(s, entry);
 }
 
 /* Notes what was recalled, and settings that differ from those of its
@@ -621,38 +744,69 @@ has_name(const char *names, const char *name)
 	return text_contains_word(all, one);
 }
 
-/* Adds a name to a list. */
-static void
-store_add_name(void *data, const char *name)
+/* Returns the materials for an error: "pit (3 runs at 69 to 79 m/s,
+ * 2026-11-24); ..". */
+static char *
+words_for_list(const struct stored_list *list)
 {
-	xlist(data, ", ", "%s", name);
+	enum { MOST = 6 };
+	char *words = xstrdup("");
+	for (size_t i = 0; i < list->n && i < MOST; i++) {
+		FREED char *runs = words_for_stored(&list->item[i]);
+		xlist(&words, "; ", "%s (%s, %s)", list->item[i].name, runs,
+		    list->item[i].date);
+	}
+	if (list->n > MOST)
+		xlist(&words, "; ", tr("%zu more"), list->n - MOST);
+	return words;
 }
 
-/* Returns the name for recall without one: the current site's, or the only one
- * stored.  The caller frees it.  On failure, returns NULL with an error that
- * lists the names. */
+/* Returns the material with the runs of the site in use, whatever it is called,
+ * or with its name; NULL if there is none. */
+static const struct stored *
+find_of_site(const struct session *s, const struct stored_list *list)
+{
+	const struct stored *named = NULL, *same = NULL;
+	if (s->n_entry == 0)
+		return NULL;
+	const struct entry *entry = &s->entry[s->current];
+	for (size_t i = 0; i < list->n; i++) {
+		const struct stored *m = &list->item[i];
+		bool is_named = text_same_folded(m->name, entry->key);
+		if (has_digest(entry->site, m) && (same == NULL || is_named))
+			same = m;
+		named = is_named ? m : named;
+	}
+	return same != NULL ? same : named;
+}
+
+/* Returns the name for recall without one: the only one stored, or that of the
+ * site in use.  The caller frees it.  On failure, returns NULL with an error
+ * that lists what there is. */
 static char *
 find_only_name(struct session *s, struct error *error)
 {
-	FREED char *names = xstrdup("");
-	const char *key = s->n_entry > 0 ? session_entry(s)->key : "";
-	if (!store_each_name(
-		s->store, STORE_NAMES, store_add_name, &names, error))
+	struct stored_list list = {0};
+	char *name = NULL;
+	if (!store_list(s->store, &list, error))
 		return NULL;
-	if (names[0] != '\0' && strchr(names, ',') == NULL)
-		return xstrdup(names);
-	if (key[0] != '\0' && has_name(names, key))
-		return xstrdup(key);
-	if (names[0] != '\0')
+	const struct stored *m =
+	    list.n == 1 ? &list.item[0] : find_of_site(s, &list);
+	if (m != NULL) {
+		name = xstrdup(m->name);
+	} else if (list.n > 0) {
+		FREED char *words = words_for_list(&list);
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"
-		    "for instance: recall %.*s",
-		    names, (int)strcspn(names, ","), names);
-	else
+		    "for instance: recall %s",
+		    words, list.item[0].name);
+	} else {
 		error_set(error, ERROR_USAGE,
 		    "recall: expected a name, and nothing was remembered yet\n"
 		    "'store list' has the materials of Table 3");
-	return NULL;
+	}
+	stored_list_free(&list);
+	return name;
 }
 
 bool

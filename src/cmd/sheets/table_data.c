@@ -67,13 +67,14 @@ const struct command TABLE_DATA[] = {
 		   "3=product@69\"\nshow",
 	.run = cmd_load},
     {.name = "add",
-	.brief = "add belt cuts of later days to the site in use",
+	.brief = "add belt cuts taken on later days to the site in use",
 	.operands = {"FILE@SPEED...", {"FILE"}, 1, OPERANDS - 1},
 	.flags = COMMAND_NEEDS_SITE | COMMAND_CHANGES | COMMAND_FILES |
 		 COMMAND_DAILY,
 	.option = OPTION_LIST(SHEET_OPTIONS,
 	    {TEXT(date), NULL, "",
-		"day of the cuts, such as 2026-05-03; not set from the clock"},
+		"day of the cuts, such as 2026-05-03; default: that stated "
+		"above their table; not set from the clock"},
 	    {NUMBER(window), "min", 0.1, 600, NULL, "10",
 		"minutes of the log, half before the time and half after it"},
 	    {TEXT(digest), NULL, "",
@@ -83,7 +84,9 @@ const struct command TABLE_DATA[] = {
 		"site in use as one more run: at the speed after @, or at that "
 		"of the sheet. After 'load LOG as=log' it may be a time, as in "
 		"cut.csv@2026-05-03T10:15: the speed is then the median of the "
-		"log around it, and its power and feed rate are noted. A cut "
+		"log around it, and its power and feed rate are noted. A date "
+		"above the table of a sheet is taken too; of 5/11/2026 other "
+		"dates show which number is the day. A cut "
 		"has the site's feed unless its sheet has one. The parameters "
 		"stay, and the cut is compared at once with what they predict; "
 		"'calibrate train=all' also includes the cut. The site's own "
@@ -193,8 +196,8 @@ const struct command TABLE_DATA[] = {
 	    "equations: Eqs 1 to 5 as printed and as used, and what the "
 	    "printed forms would give at the site; claims: what the paper "
 	    "concludes, compared with the calibrated sites; search: the "
-	    "generations of the last calibration, as history; store: where "
-	    "remembered materials are kept; log: what the plant's log has.",
+	    "generations of the last calibration; store: where remembered "
+	    "materials are kept; log: what the plant's log has.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "show model\nshow selection speed=79",

@@ -89,8 +89,8 @@ const struct command TABLE_STORE[] = {
 	.brief = "read materials from a CSV file",
 	.operands = {"FILE", {"FILE"}, 1, 1},
 	.flags = COMMAND_FILES | COMMAND_UNSAVED,
-	.option = OPTION_LIST(
-	    {OFF_ON(replace), "off", "replace materials of the same names"}),
+	.option = OPTION_LIST({OFF_ON(replace), "off",
+	    "replace materials that have the same names"}),
 	.text = "Reads what 'export' wrote, or a spreadsheet made from it. "
 		"Every fault is reported with its place, and if there is one, "
 		"nothing is imported. Names that are already in the store are "

@@ -369,11 +369,11 @@ void
 response_band(
     const struct response *r, size_t i, double level, double range[static 2])
 {
-	bool answer = r->of == ENSEMBLE_ANSWER;
+	double to_hold = r->of == ENSEMBLE_ANSWER ? r->value[i] : NAN;
 	range[0] = range[1] = NAN;
 	if (r->draw[i] != NULL)
 		ensemble_interval_with_answer(
-		    r->draw[i], level, answer ? r->value[i] : NAN, range);
+		    r->draw[i], level, to_hold, range);
 }
 
 struct psd

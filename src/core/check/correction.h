@@ -10,7 +10,7 @@
 #include "core/psd/site.h"
 
 enum mend_kind {
-	MEND_READ,  /* a passing is read as `value` */
+	MEND_READ,  /* a passing is replaced by `value` */
 	MEND_OUT,   /* a passing is left out */
 	MEND_SWAP,  /* a product and its feed are swapped */
 	MEND_UP,    /* a column moves up to the next coarser sieve */

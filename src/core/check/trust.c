@@ -13,6 +13,7 @@
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
 #include "core/model/product.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "core/search/sensitivity.h"
 
@@ -345,8 +346,9 @@ trust_add(struct trust *t, enum light light, enum trust_cause cause, char *text)
 }
 
 static void
-judge_data(struct trust *t, const struct evidence *e)
+judge_data(struct trust *t, const struct evidence *e, double rotor)
 {
+	FREED char *rpm = rotor_speed_words(rotor, e->slowest, NAN);
 	size_t spare =
 	    e->cells - (e->cells < e->parameters ? e->cells : e->parameters);
 	if (e->rmse > FIT_POOR)
@@ -382,9 +384,9 @@ judge_data(struct trust *t, const struct evidence *e)
 	if (e->speeds == 1)
 		trust_add(t, LIGHT_AMBER, TRUST_DATA,
 		    xasprintf(
-			tr("one speed, %g m/s, was measured: nothing shows "
+			tr("one speed, %g m/s%s, was measured: nothing shows "
 			   "what the speed does; add a cut at another"),
-			e->slowest));
+			e->slowest, rpm));
 	if (e->halves > DRAWS_SETTLED)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
@@ -397,25 +399,29 @@ judge_data(struct trust *t, const struct evidence *e)
 
 /* Judges what the runs contradict, and a fit that no crusher can have. */
 static void
-judge_contradictions(struct trust *t, const struct evidence *e)
+judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 {
+	FREED char *fast = rotor_speed_words(rotor, e->against.fast, NAN);
+	FREED char *slow = rotor_speed_words(rotor, e->against.slow, NAN);
+	FREED char *slowest = rotor_speed_words(rotor, e->slowest, NAN);
 	if (e->against.order.most > 0)
 		trust_add(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf(
-			tr("the run at %g m/s is coarser than that at %g, "
+			tr("the run at %g m/s%s is coarser than that at %g%s, "
 			   "by %.1f points at %g mm: exchanged, or another "
 			   "feed? run 'check'"),
-			e->against.fast, e->against.slow,
+			e->against.fast, fast, e->against.slow, slow,
 			100 * e->against.order.most,
 			1e3 * e->against.order.at));
 	if (e->all_break)
 		trust_add(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
 			tr("the fit has no break size: in it particles of "
-			   "every size break at %g m/s, so it cannot tell what "
+			   "every size break at %g m/s%s, so it cannot tell "
+			   "what "
 			   "a slower rotor leaves whole; add a run at a lower "
 			   "speed"),
-			e->slowest));
+			e->slowest, slowest));
 }
 
 static int
@@ -488,43 +494,46 @@ judge_pattern(struct trust *t, const struct evidence *e, bool remark)
 }
 
 static void
-judge_holdout(struct trust *t, const struct evidence *e)
+judge_holdout(struct trust *t, const struct evidence *e, double rotor)
 {
 	const struct validation *v = &e->holdout;
+	FREED char *rpm = rotor_speed_words(rotor, v->speed, NAN);
 	double own = v->rmse[VALIDATE_MODEL];
 	double line = v->rmse[VALIDATE_INTERPOLATION];
 	if (v->n_sieve == 0)
 		return;
 	if (own > FIT_POOR)
 		trust_add(t, LIGHT_RED, TRUST_HOLDOUT,
-		    xasprintf(tr("at %g m/s, held out, the model misses by "
+		    xasprintf(tr("at %g m/s%s, held out, the model misses by "
 				 "%.1f points on average"),
-			v->speed, 100 * own));
+			v->speed, rpm, 100 * own));
 	else if (validation_loses_to_interpolation(v) &&
 		 own > 1.2 * line + 0.001)
 		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT,
 		    xasprintf(
-			tr("at %g m/s, held out, the model misses by %.2f "
+			tr("at %g m/s%s, held out, the model misses by %.2f "
 			   "points on average, a straight line through the "
 			   "products calibrated on by %.2f"),
-			v->speed, 100 * own, 100 * line));
+			v->speed, rpm, 100 * own, 100 * line));
 }
 
 static void
-judge_slow(struct trust *t, const struct evidence *e)
+judge_slow(struct trust *t, const struct evidence *e, double rotor)
 {
+	FREED char *rpm = rotor_speed_words(rotor, e->slowest, NAN);
 	if (e->unbounded > 0.05)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
 		    xasprintf(tr("the threshold is only bounded from above "
 				 "(%.0f %% of the draws have none): below %g "
-				 "m/s far less of the feed may break"),
-			100 * e->unbounded, e->slowest));
+				 "m/s%s far less of the feed may break"),
+			100 * e->unbounded, e->slowest, rpm));
 	else if (e->breaks > 0.995)
 		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
-		    xasprintf(tr("already at %g m/s %.0f %% of what is coarse "
-				 "enough breaks: f_mat is only bounded from "
-				 "below, and at lower speeds less may break"),
-			e->slowest, 100 * e->breaks));
+		    xasprintf(tr("already at %g m/s%s %.0f %% of what is "
+				 "coarse enough breaks: f_mat is only bounded "
+				 "from below, and at lower speeds less may "
+				 "break"),
+			e->slowest, rpm, 100 * e->breaks));
 }
 
 double
@@ -535,7 +544,7 @@ trust_reach(double slowest, double fastest)
 }
 
 static void
-judge_speed(struct trust *t, const struct evidence *e, double v)
+judge_speed(struct trust *t, const struct evidence *e, double v, double rotor)
 {
 	bool slow = v<e->slowest - 1e-9, fast = v> e->fastest + 1e-9;
 	double end = slow ? e->slowest : e->fastest;
@@ -544,28 +553,29 @@ judge_speed(struct trust *t, const struct evidence *e, double v)
 	bool far = beyond > span + 1e-9;
 	if (!slow && !fast)
 		return;
+	FREED char *rpm = rotor_speed_words(rotor, beyond, NAN);
 	if (e->slowest == e->fastest)
 		trust_add(t, far ? LIGHT_RED : LIGHT_AMBER, TRUST_BEYOND,
 		    xasprintf(
-			far ? tr("%.1f m/s from the one speed that was "
+			far ? tr("%.1f m/s%s from the one speed that was "
 				 "measured: too far for an answer to rely on")
-			    : tr("%.1f m/s from the one speed that was "
+			    : tr("%.1f m/s%s from the one speed that was "
 				 "measured: there the answer rests on the "
 				 "model, not on measurements"),
-			beyond));
+			beyond, rpm));
 	else if (far)
 		trust_add(t, LIGHT_RED, TRUST_BEYOND,
-		    xasprintf(tr("%.1f m/s beyond the measured speeds, which "
+		    xasprintf(tr("%.1f m/s%s beyond the measured speeds, which "
 				 "span %.1f: too far for an answer to rely on"),
-			beyond, span));
+			beyond, rpm, span));
 	else
 		trust_add(t, LIGHT_AMBER, TRUST_BEYOND,
 		    xasprintf(
-			tr("%.1f m/s beyond the measured speeds: there the "
+			tr("%.1f m/s%s beyond the measured speeds: there the "
 			   "answer rests on the model, not on measurements"),
-			beyond));
+			beyond, rpm));
 	if (slow)
-		judge_slow(t, e);
+		judge_slow(t, e, rotor);
 }
 
 static void
@@ -597,12 +607,12 @@ void
 trust_judge(
     struct trust *t, const struct evidence *e, const struct trust_question *q)
 {
-	judge_data(t, e);
-	judge_contradictions(t, e);
-	judge_holdout(t, e);
+	judge_data(t, e, q->rotor);
+	judge_contradictions(t, e, q->rotor);
+	judge_holdout(t, e, q->rotor);
 	/* An answer shows its first reason. */
 	if (q->speed > 0)
-		judge_speed(t, e, q->speed);
+		judge_speed(t, e, q->speed, q->rotor);
 	judge_pattern(t, e, is_measured_around(e, q));
 	judge_question(t, q);
 }

@@ -92,6 +92,8 @@ struct evidence trust_gather_evidence(const struct site *site,
 /* The question.  All but speed may be 0 or NAN. */
 struct trust_question {
 	double speed; /* m/s; 0: the question is about the fit */
+	double rotor; /* diameter, m, of runs and question; 0: unknown, or they
+		       * differ, and reasons do not say speeds in rpm */
 	/* True if the measured runs correct the answer; false if it is the
 	 * model's alone. */
 	bool corrected;

@@ -96,7 +96,7 @@ static const struct param_info PARAMETERS[] = {
     {"q_slope", "s/m", -0.05, 0.05, -10, 10, 0,
 	N_("appearance: change of its exponent with the speed"), 0},
     {"q_0", "-", 0, 5, -1000, 1000, NAN,
-	N_("appearance: its exponent at speed 0"), 0},
+	N_("appearance function: its exponent at speed 0"), 0},
     {"y_fine", "mm", 0, 0.5, 0, 1000, 0,
 	N_("appearance: size at which the fines fall off"), 0},
     SELECTION_PARAMETERS, BYPASS_PARAMETER};

@@ -53,7 +53,7 @@ void model_jacobian(
 bool model_breaks(struct model *model, double v);
 
 /* Returns the mass fraction of the feed that is selected for breakage at v,
- * 0..1, without the share that bypasses the rotor. */
+ * 0..1, not counting the share that bypasses the rotor. */
 double model_selected(struct model *model, double v);
 
 #endif

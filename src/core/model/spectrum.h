@@ -80,8 +80,8 @@ struct impacts spectrum_impacts(const struct spectrum *s, double cut);
  * x^alpha and f (kg/J) the strength f_mat x^alpha:
  *   k = -n ln(sum of w_j exp(-f (r_j E - e0))) / (f (E - e0))
  * If f is 0, the limit is n sum of w_j (r_j E - e0) / (E - e0).  The sums are
- * over all bins of `of`, not over nodes.  NAN if E <= e0 or nothing is above
- * e0. */
+ * over all bins of `of`, not over nodes.  NAN if E <= e0 or if no
+ * impact has an energy above e0. */
 double spectrum_k(const struct spectrum *s, const struct spectrum_size *of,
     double E, double e0, double f);
 

@@ -702,6 +702,7 @@ ensemble_interval_with_answer(
 	double value[DRAWS];
 	memcpy(value, draw, sizeof value);
 	ensemble_interval(value, level, &range[0], &range[1]);
+	/* Of a number and NAN, fmin and fmax return the number. */
 	range[0] = fmin(range[0], answer);
 	range[1] = fmax(range[1], answer);
 }

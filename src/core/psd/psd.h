@@ -37,7 +37,7 @@ struct psd psd_curve(const struct psd *psd);
 /* Returns a curve at the sizes [n], m, coarsest first, and at further sizes
  * between neighbours more than a tenth apart (a seventh, below a tenth of the
  * coarsest): close enough for the break sizes and corners of a product.
- * Passings are 0.  Free with psd_free. */
+ * All passings are set to 0.  Free with psd_free. */
 struct psd psd_refined(const double *size, size_t n);
 
 /* True if both are identical to the last bit and not empty. */

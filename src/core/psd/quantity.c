@@ -110,24 +110,42 @@ quantity_excess(const struct quantity *q, double limit, double value,
 bool
 quantity_excess_reads_curve(const struct quantity *q)
 {
-	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
-	       q->kind == QUANTITY_CURVATURE;
+	switch (q->kind) {
+	case QUANTITY_SIZE:
+	case QUANTITY_UNIFORMITY:
+	case QUANTITY_CURVATURE:
+		return true;
+	case QUANTITY_PASSING:
+	case QUANTITY_SHARE:
+	case QUANTITY_MODULUS:
+	case QUANTITY_STEP:
+		break;
+	}
+	return false;
 }
 
 size_t
 quantity_points(const struct quantity *q, double size[static QUANTITY_POINTS])
 {
 	size_t n = 0;
-	if (q->kind == QUANTITY_PASSING)
+	switch (q->kind) {
+	case QUANTITY_PASSING:
 		size[n++] = q->x;
-	if (q->kind == QUANTITY_MODULUS)
-		while (n < q->modulus->n) {
+		break;
+	case QUANTITY_MODULUS:
+		for (; n < q->modulus->n; n++)
 			size[n] = q->modulus->mm[n] / 1000;
-			n++;
-		}
-	if (q->kind == QUANTITY_STEP)
+		break;
+	case QUANTITY_STEP:
 		for (; n < q->n_sieve && n < STEP_SIEVES; n++)
 			size[n] = q->sieve[n];
+		break;
+	case QUANTITY_SIZE:
+	case QUANTITY_SHARE:
+	case QUANTITY_UNIFORMITY:
+	case QUANTITY_CURVATURE:
+		break;
+	}
 	if (q->fraction.fine > 0)
 		size[n++] = q->fraction.fine;
 	if (q->fraction.coarse > 0)

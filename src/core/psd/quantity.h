@@ -22,9 +22,12 @@ struct modulus {
 };
 extern const struct modulus MODULUS[MODULI];
 
+/* In the order in which they are offered.  A new kind has cases in quantity.c
+ * and a row of KINDS in cmd/ask/quantity_words.c; the compiler and
+ * tests/unit/test_conditions.c report what is missing. */
 enum quantity_kind {
-	QUANTITY_PASSING,    /* at size x, m; 0..1 */
 	QUANTITY_SIZE,       /* size, m, that the share x passes: P80, D80 */
+	QUANTITY_PASSING,    /* at size x, m; 0..1 */
 	QUANTITY_SHARE,      /* share of the product in the fraction; 0..1 */
 	QUANTITY_MODULUS,    /* fineness modulus */
 	QUANTITY_UNIFORMITY, /* D60 / D10 */

@@ -97,6 +97,7 @@ site_copy(const struct site *from)
 	replace_text(&to->path, from->path);
 	to->top_size = from->top_size;
 	to->rotor = from->rotor;
+	to->run_rotor = from->run_rotor;
 	to->individual_feeds = from->individual_feeds;
 	to->digest = from->digest;
 	to->mean_feed = psd_copy(&from->mean_feed);
@@ -510,4 +511,10 @@ site_speed_error(const struct site *site, double v)
 		}
 	double off = (v * v - mean) * (v * v - mean);
 	return sqrt(1 + 1 / n + (off > 0 ? off / squares : 0));
+}
+
+double
+site_run_rotor(const struct site *site)
+{
+	return site->run_rotor > 0 ? site->run_rotor : site->rotor;
 }

@@ -61,8 +61,10 @@ struct site {
 	char *read_as, *assumed, *remark;
 	/* In a copy made for a question, the differences from what was sampled.
 	 * feed_from: the source of the feed; with: all differences in words,
-	 * "feed b.csv, cascade 10 %"; else "". */
+	 * "feed b.csv, cascade 10 %"; else "".  run_rotor: diameter, m, of the
+	 * rotor of the runs, if rotor is another that was asked about. */
 	char *feed_from, *with;
+	double run_rotor;
 	/* In such a copy: sieves to show, m, coarsest first; if n_shown is 0,
 	 * the site's own. */
 	size_t n_shown;
@@ -91,6 +93,10 @@ struct site *site_with_feed(const struct site *site, const struct psd *feed,
  * each run of the copy its index in the site, or SIZE_MAX. */
 struct site *site_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
+
+/* Returns the diameter of the rotor that the runs were made with, m; 0 if it is
+ * not stated. */
+double site_run_rotor(const struct site *site);
 
 /* Returns the digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);

@@ -535,9 +535,6 @@ find_speed(struct column *c, const struct surroundings *near)
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
 		c->speed = head_mps(c->rpm, SPEED_RPM, near->rotor);
-		if (c->speed > 0)
-			assume(c, "%g rpm of a rotor of %g mm as %g m/s",
-			    c->rpm, 1000 * near->rotor, c->speed);
 	} else if (bare_speed(said) > 0 && said->unknown == 0) {
 		c->speed = bare_speed(said);
 		/* A speed that spreads over the feed may not be the feed's. */
@@ -592,6 +589,11 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 	FREED char *where =
 	    xasprintf(c->table->across ? tr("line %zu") : tr("column %zu"),
 		c->table->number[c->at]);
+	/* Tables one below the other repeat their columns. */
+	for (size_t i = 0; i < site->n_left_out; i++)
+		if (strcmp(site->left_out[i].key, where) == 0 &&
+		    strcmp(site->left_out[i].value, what) == 0)
+			return;
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 

@@ -738,7 +738,12 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 		return false;
 	if (!is_filled(g, r, p->c))
 		return true;
-	if (lexicon_key(layout_cell_at(g, r, p->c)->text) != N_KEY)
+	const char *key = layout_cell_at(g, r, p->c)->text;
+	if (lexicon_key(key) != N_KEY)
+		return false;
+	/* A line that `add` writes: cut, "72 m/s, 2026-05-04". */
+	if (strcmp(key, "cut") == 0 && filled == 1 &&
+	    strstr(layout_cell_at(g, r, p->c + 1)->text, ", ") != NULL)
 		return false;
 	struct head first = head_read(layout_cell_at(g, r, p->c)->text);
 	bool of_columns =

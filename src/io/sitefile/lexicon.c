@@ -104,12 +104,13 @@ static const struct {
     {WORD_OTHER,
 	"remark remarks note notes comment comments anm anmarkning "
 	"anmarkningar bemerkung bemerkungen remarque remarques observaciones "
-	"observacion observacoes observacao obs huom huomautus date datum "
-	"fecha data pvm paivamaara lab labor labno labnr laboratory id time "
+	"observacion observacoes observacao obs huom huomautus lab labor labno "
+	"labnr laboratory id time "
 	"tid operator klockan "
 	"moisture fukt fukthalt feuchte humidite humedad umidade kosteus "
 	"temperature temperatur operateur bediener uhrzeit heure hora "
 	"initials sampler sampled signature"},
+    {WORD_OTHER | WORD_DATE, "date datum dato fecha data pvm paivamaara"},
     {WORD_MEAN, "mean average avg mw moy ka median gj medel medelvarde snitt "
 		"mittel mittelwert moyenne "
 		"media medio promedio keskiarvo gjennomsnitt gemiddelde"},

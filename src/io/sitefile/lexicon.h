@@ -42,6 +42,7 @@
 #define WORD_MEAN (UINT64_C(1) << 31) /* of several samples */
 #define WORD_PHI (UINT64_C(1) << 33)
 #define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
+#define WORD_DATE (UINT64_C(1) << 35)
 
 /* Returns the meanings of one word, n bytes folded by text_fold, or 0 if
  * unknown. */

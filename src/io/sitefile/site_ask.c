@@ -741,10 +741,10 @@ site_ask_top(
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
 	FREED char *line = line_with_answers(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
-	    "expected 100 %% passing on the coarsest feed sieve, got %s %% at "
-	    "%g mm\n"
-	    "add the coarser sieves; or assume that 100 %% passes %s%s: %s",
-	    site_column_pct(c, at, 100, p), t->mm[at], passes, hint_for_feed(q),
+	    "the coarsest sieve, %g mm, passes %s %% of the feed, as is usual: "
+	    "which size does all of it pass?\n"
+	    "take %s%s: %s",
+	    t->mm[at], site_column_pct(c, at, 100, p), passes, hint_for_feed(q),
 	    line);
 	if (alone) {
 		ask->settle = settle;

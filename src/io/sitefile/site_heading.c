@@ -16,6 +16,7 @@
 #include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/lexicon.h"
+#include "io/cells/datetime.h"
 #include "io/cells/number.h"
 
 static const char *const NAMES[N_KEY] = {
@@ -173,6 +174,41 @@ site_heading_line_speed(const struct sheet *sheet, const struct row *row,
 		n = 2;
 	return n > 1 && lexicon_key(key.text) == N_KEY &&
 	       site_heading_take_speed(sheet, key, value, speed);
+}
+
+/* True for "Date", "Sample date:". */
+static bool
+is_key_of_day(const char *key)
+{
+	size_t unknown;
+	uint64_t means = lexicon_meanings(key, &unknown);
+	return (means & WORD_DATE) != 0 && unknown == 0;
+}
+
+char *
+site_heading_line_day(const struct row *row)
+{
+	struct cell key = {0}, value, third;
+	struct datetime m;
+	char *day = NULL;
+	for (size_t at = 0, n; day == NULL && at < row->n;) {
+		FREED char *left = NULL, *right = NULL;
+		n = next_pair(row, &at, &key, &value, &third);
+		if (n == 0)
+			break;
+		if (n == 1 && split_colon(&key, &value, &left, &right))
+			n = 2;
+		double seconds = n > 1 && is_key_of_day(key.text) &&
+					 datetime_read(value.text, &m) &&
+					 m.has_date
+				     ? datetime_seconds(&m, DATETIME_OPEN)
+				     : (double)NAN;
+		if (isnan(seconds))
+			continue;
+		day = datetime_text(seconds);
+		day[strcspn(day, " ")] = '\0';
+	}
+	return day;
 }
 
 /* True for "rock Granite", which lacks a separator. */

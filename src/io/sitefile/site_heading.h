@@ -20,6 +20,11 @@ void site_heading_read(const struct layout *layout, struct sheet *sheet,
 bool site_heading_line_speed(const struct sheet *sheet, const struct row *row,
     struct heading_speed *speed);
 
+/* Returns the day that a line states with a key, "Date; 2026-05-03", as
+ * "2026-05-03"; NULL if it states none that can be read in one way.  The caller
+ * frees it. */
+char *site_heading_line_day(const struct row *row);
+
 /* The rotor's diameter, mm, stated in lines outside the tables, and the first
  * of these; -1: they differ; 0: not stated. */
 struct heading_rotor {

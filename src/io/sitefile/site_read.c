@@ -277,7 +277,8 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 		if (r->all.column[i].below > 0)
 			r->all.column[i].top = top;
 	xlist(&r->site->assumed, "; ",
-	    tr("100 %% passes %s mm, as %s %% passes %g mm"),
+	    tr("all of the feed passes %s mm (%s %% passes its coarsest sieve, "
+	       "%g mm)"),
 	    text_exact_number(top, mm), site_column_pct(c, at, 100, p),
 	    t->mm[at]);
 	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
@@ -463,24 +464,111 @@ states_rotor(const struct site *site, const char *text)
 	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
 }
 
+/* Returns "feed" or "product@64, product@72", the samples of a table. */
+static char *
+samples_of_table(const struct columns *all, const struct table *t)
+{
+	char *list = xstrdup("");
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		FREED char *words = classify_column_text(c);
+		words[strcspn(words, " ")] = '\0';
+		xlist(&list, ", ", "%s", words);
+	}
+	return list;
+}
+
+/* Returns the filled cells of a line: "Date 2026-11-12". */
+static char *
+words_of_line(const struct row *row)
+{
+	char *words = xstrdup("");
+	for (size_t c = 0; c < row->n; c++)
+		if (row->cell[c].text[0] != '\0')
+			xlist(&words, " ", "%s", row->cell[c].text);
+	return words;
+}
+
+/* Adds the words of the nth of several lines, of which only a few are shown. */
+static void
+add_words_of_line(char **list, const struct row *row, size_t n)
+{
+	enum { FEW = 4 };
+	FREED char *words = words_of_line(row);
+	int shown = sheet_cut_length(words);
+	if (n < FEW)
+		xlist(list, ", ", "%.*s%s", shown, words,
+		    words[shown] != '\0' ? "..." : "");
+	else if (n == FEW)
+		xappend(list, ", ...");
+}
+
+/* Returns the last table that ends above a line, or NULL. */
+static const struct table *
+table_above(const struct layout *layout, const struct row *row)
+{
+	const struct table *found = NULL;
+	for (size_t b = 0; b < layout->n; b++) {
+		const struct table *t = &layout->table[b];
+		if (t->row[t->n_row - 1].line < row->line)
+			found = t;
+	}
+	return found;
+}
+
+/* True if a line was read: the heading of the first table, the title of one,
+ * the day of a cut, or the rotor's diameter. */
+static bool
+is_line_read(
+    const struct reading *r, const struct layout *layout, const struct row *row)
+{
+	FREED char *words = words_of_line(row);
+	bool cut = r->request->parts && title_table_below(layout, row) != NULL;
+	FREED char *day = cut ? site_heading_line_day(row) : NULL;
+	return day != NULL || row->line <= layout->table[0].row[0].line ||
+	       states_rotor(r->site, words) || title_heads_any(layout, row);
+}
+
+/* Notes lines that were not read, from the ith on, with the table that they
+ * stand above or else below.  Returns the number of lines. */
+static size_t
+leave_out_lines(struct reading *r, const struct layout *layout, size_t i)
+{
+	const struct row *first = layout->heading[i];
+	const struct table *below = title_table_below(layout, first);
+	const struct table *above = table_above(layout, first);
+	FREED char *words = xstrdup("");
+	size_t n = 0;
+	do
+		add_words_of_line(&words, layout->heading[i + n], n);
+	while (++n + i < layout->n_heading &&
+	       title_table_below(layout, layout->heading[i + n]) == below &&
+	       table_above(layout, layout->heading[i + n]) == above &&
+	       !is_line_read(r, layout, layout->heading[i + n]));
+	FREED char *samples =
+	    samples_of_table(&r->all, below != NULL ? below : above);
+	if (samples[0] == '\0' || layout->n == 1)
+		leave_out(
+		    r->site, first->line, "remark below the table: %s", words);
+	else
+		leave_out(r->site, first->line,
+		    below != NULL ? N_("above the table of %s: %s")
+				  : N_("below the table of %s: %s"),
+		    samples, words);
+	return n;
+}
+
 static void
 leave_out_foot(struct reading *r, const struct page *page)
 {
-	int first = page->layout->table[0].row[0].line;
+	const struct layout *layout = page->layout;
 	leave_out_sums(r, page);
-	for (size_t i = 0; i < page->layout->n_heading; i++) {
-		const struct row *row = page->layout->heading[i];
-		size_t c = 0;
-		while (row->cell[c].text[0] == '\0')
-			c++;
-		const char *text = row->cell[c].text;
-		bool rotor = states_rotor(r->site, text);
-		if (row->line > first && !rotor &&
-		    !title_heads_any(page->layout, row))
-			leave_out(r->site, row->line,
-			    "remark below the table: %.*s",
-			    sheet_cut_length(text), text);
-	}
+	for (size_t i = 0, n; i < layout->n_heading; i += n)
+		n = is_line_read(r, layout, layout->heading[i])
+			? 1
+			: leave_out_lines(r, layout, i);
 }
 
 /* Notes what is in the table or below it and was not read.  A line that begins
@@ -515,12 +603,15 @@ note_left_out(struct reading *r)
 	leave_out_empty_cells(r);
 }
 
-/* Lists the sieves that have names: "#4 = 4.75, No. 8 = 2.36". */
+/* Lists the sieves that have names: "#4 = 4.75, No. 8 = 2.36".  Tables of the
+ * same sieves, one below the other, name them once. */
 static void
 note_sieve_names(struct reading *r)
 {
+	FREED char *before = xstrdup("");
 	for (size_t k = 0; k < r->n_table; k++) {
 		const struct table *t = r->table[k];
+		FREED char *named = xstrdup("");
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
@@ -528,9 +619,12 @@ note_sieve_names(struct reading *r)
 			if (t->mm[i] > 0 &&
 			    (sieve_name_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
-				xlist(&r->site->named, ", ", "%s = %g", text,
-				    t->mm[i]);
+				xlist(&named, ", ", "%s = %g", text, t->mm[i]);
 		}
+		if (named[0] != '\0' && strcmp(named, before) != 0)
+			xlist(&r->site->named, ", ", "%s", named);
+		free(before);
+		before = xstrdup(named);
 	}
 }
 
@@ -696,6 +790,29 @@ take_rotor(struct reading *r, const struct heading_rotor *said)
 	    said->line);
 }
 
+/* Says once for all columns which speeds in rpm were read as which in m/s. */
+static void
+note_rpm(struct reading *r)
+{
+	double rotor =
+	    r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
+	FREED char *rpm = xstrdup(""), *mps = xstrdup("");
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		bool told = !(c->rpm > 0) || !(c->speed > 0);
+		for (size_t k = 0; k < i; k++)
+			told = told || r->all.column[k].rpm == c->rpm;
+		if (told)
+			continue;
+		xlist(&rpm, ", ", "%g", c->rpm);
+		xlist(&mps, ", ", "%g", c->speed);
+	}
+	if (rpm[0] != '\0')
+		xlist(&r->site->remark, "; ",
+		    tr("%s rpm of a rotor of %g mm read as %s m/s"), rpm,
+		    1000 * rotor, mps);
+}
+
 static void
 read_pages(struct reading *r)
 {
@@ -834,6 +951,25 @@ count_faults(const struct reading *r)
 	return r->errors->n + r->errors->more;
 }
 
+/* Notes the day of each cut whose sheet states it above its table. */
+static void
+note_days_of_cuts(struct reading *r)
+{
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		size_t p = 0;
+		if (c->role != PRODUCT || c->twin > 0)
+			continue;
+		while (r->page[p].sheet != c->table->sheet)
+			p++;
+		FREED char *day = title_day(r->page[p].layout, c->table);
+		if (day == NULL)
+			continue;
+		FREED char *note = xasprintf("%g m/s, %s", c->speed, day);
+		site_add_note(&r->site->note, &r->site->n_note, "cut", note);
+	}
+}
+
 static struct site *
 finish_site(struct reading *r)
 {
@@ -844,7 +980,10 @@ finish_site(struct reading *r)
 		free(r->site->name);
 		r->site->name = site_heading_name(q->path[0]);
 	}
+	note_rpm(r);
 	make_runs(r->site, &r->all);
+	if (q->parts)
+		note_days_of_cuts(r);
 	note_left_out(r);
 	note_sieve_names(r);
 	site_describe(r->table, r->n_table, &r->all, r->site);

@@ -75,6 +75,25 @@ title_heads_any(const struct layout *layout, const struct row *row)
 	return false;
 }
 
+const struct table *
+title_table_below(const struct layout *layout, const struct row *row)
+{
+	for (size_t b = 0; b < layout->n; b++)
+		if (stands_above(&layout->table[b], row))
+			return &layout->table[b];
+	return NULL;
+}
+
+char *
+title_day(const struct layout *layout, const struct table *t)
+{
+	char *day = NULL;
+	for (size_t i = 0; i < layout->n_heading && day == NULL; i++)
+		if (stands_above(t, layout->heading[i]))
+			day = site_heading_line_day(layout->heading[i]);
+	return day;
+}
+
 /* Adds a line above a table to its title if it has no other cell. */
 static void
 note_title(struct table *t, const struct row *row, const char *text,

@@ -9,6 +9,15 @@
  * speed. */
 bool title_heads_any(const struct layout *layout, const struct row *row);
 
+/* Returns the table that a line stands above, below those before it; NULL if
+ * there is none. */
+const struct table *title_table_below(
+    const struct layout *layout, const struct row *row);
+
+/* Returns the day, "2026-05-03", stated in a line above a table and below those
+ * before it, or NULL.  The caller frees it. */
+char *title_day(const struct layout *layout, const struct table *t);
+
 /* True if a line above a further table of a sheet states its speed with a key:
  * lines above the first are then about the first alone. */
 bool title_speeds_differ(const struct layout *layout);

@@ -32,7 +32,7 @@ bool store_is(const char *path);
  * ":memory:". */
 int64_t store_bytes(const struct store *store);
 
-/* STORE_SCHEMA: the schema of a file after it has been opened.
+/* STORE_SCHEMA: the schema to which a store is brought when it is opened.
  * SCHEMA_APPLICATION: PRAGMA application_id of a store, "tips" in ASCII. */
 enum { STORE_SCHEMA = 4, SCHEMA_APPLICATION = 0x74697073 };
 

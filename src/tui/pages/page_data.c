@@ -384,8 +384,9 @@ state_words(const struct tui *t)
 	if (h->doctor.n == 0)
 		return xasprintf(
 		    tr("no doubtful cell (%s); :check has the rest"),
-		    h->calibrated ? tr("by all passings and the fit")
-				  : tr("by the curves alone: not calibrated"));
+		    h->calibrated
+			? tr("judged by all passings and the fit")
+			: tr("judged by the curves alone: not calibrated"));
 	return xasprintf(
 	    tr("%zu doubtful, marked !: the key ! goes to the next, "
 	       "Enter mends it, u undoes that"),
@@ -430,8 +431,8 @@ draw_cell_words(const struct tui *t, const struct area *area, int row)
 }
 
 /* Draws the source of the data and how the reader took it, as far as there is
- * room. */
-static void
+ * room.  Returns the row after it. */
+static int
 draw_source(const struct tui *t, const struct area *area, int row)
 {
 	const struct site *site = t->view.sheet.site;
@@ -453,25 +454,38 @@ draw_source(const struct tui *t, const struct area *area, int row)
 	for (size_t i = 0; i < site->n_left_out && row < area->rows; i++)
 		screen_text(area, row++, 0, 0, "not read, %s: %s",
 		    site->left_out[i].key, site->left_out[i].value);
+	return row;
 }
 
-/* Draws the residuals beside the table if that leaves room.  Returns true if it
- * does. */
+/* Draws the residuals or, before a calibration, the curves, if there is room.
+ * Returns true if there is. */
 static bool
-draw_residuals(struct tui *t, int behind)
+draw_plot(struct tui *t, struct area area)
 {
-	enum { GAP = 2, LEAST = 50, MOST = 120, TALL = 14 };
-	struct area area = pane_list_area(t);
-	area.column = behind + GAP;
-	area.columns -= behind + GAP;
-	if (area.columns > MOST)
-		area.columns = MOST;
-	if (area.columns < LEAST || area.rows < TALL ||
-	    !tui_current_entry(t)->has_params)
+	enum { LEAST = 50, MOST = 120, LOW = 14, HIGH = 30 };
+	const bool fitted = tui_current_entry(t)->has_params;
+	struct plot_request request =
+	    plots_request(fitted ? PLOT_RESIDUALS : PLOT_PSD);
+	if (area.columns < LEAST || area.rows < LOW)
 		return false;
-	struct plot_request request = plots_request(PLOT_RESIDUALS);
+	area.columns = area.columns > MOST ? MOST : area.columns;
+	area.rows = !fitted && area.rows > HIGH ? HIGH : area.rows;
+	request.words = fitted ? request.words : CHART_TITLE | CHART_LEGEND;
+	request.strip = 0;
 	pane_plot(t, &request, &area);
 	return true;
+}
+
+/* Returns what is left of an area beside its first columns, or below its first
+ * rows. */
+static struct area
+data_rest_of(struct area area, int columns, int rows)
+{
+	area.column += columns;
+	area.columns -= columns;
+	area.row += rows;
+	area.rows -= rows;
+	return area;
 }
 
 static void
@@ -489,16 +503,20 @@ data_draw(struct tui *t)
 	    first_to_show(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
 	t->ui.cell.left = first_to_show(
 	    t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
+	enum { GAP = 2 };
 	int behind = draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1;
-	if (draw_residuals(t, behind))
+	bool beside = draw_plot(t, data_rest_of(area, behind + GAP, 0));
+	if (beside)
 		area.columns = behind;
 	if (area.rows <= 2 * SAID)
 		return;
 	/* With a blank row, if that takes none away. */
 	row = draw_cell_words(t, &area, row + (row + SAID < area.rows));
-	draw_source(t, &area, row + (row + SAID < area.rows));
+	row = draw_source(t, &area, row + (row + SAID < area.rows));
+	if (!beside)
+		draw_plot(t, data_rest_of(area, 0, row + 1));
 }
 
 /* ---- Keys ---- */
@@ -564,8 +582,17 @@ data_move(struct tui *t, const struct key *key)
 	return true;
 }
 
+static const char *
+data_hints(const struct tui *t)
+{
+	const struct sheet *h = &t->view.sheet;
+	return h->looked && h->doctor.n == 0
+		   ? N_("<-/-> column  Up/Down  ?  q  1-5 pages  :")
+		   : N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :");
+}
+
 const struct page_ops page_data = {.name = N_("Data"),
-    .hints = N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :"),
+    .hints_now = data_hints,
     .update = data_update,
     .draw = data_draw,
     .move = data_move};

@@ -111,7 +111,7 @@ fit_draw(struct tui *t)
 	struct plot_request request =
 	    plots_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
-	request.speed = t->ui.tenths / 10.0;
+	request.speed = tui_speed(t);
 	request.feed = tui_feed(t);
 	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->layout.plot.rows < TALL;

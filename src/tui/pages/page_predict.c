@@ -49,10 +49,10 @@ predict_draw(struct tui *t)
 		return;
 	}
 	request.words = 0;
-	request.speed = t->ui.tenths / 10.0;
+	request.speed = tui_speed(t);
 	request.feed = tui_feed(t);
 	request.band = t->ui.band;
-	if (p->product.n > 0 && t->view.of.tenths == t->ui.tenths)
+	if (p->product.n > 0 && t->view.of.speed == request.speed)
 		request.made = p;
 	request.level = t->ui.crosshair_passing;
 	if (t->view.pinned.site[0] != '\0') {

@@ -65,7 +65,7 @@ sites_row_at(struct site_row *row, const struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *e = &s->entry[row->entry];
-	double speed = t->ui.tenths / 10.0;
+	double speed = tui_speed(t);
 	struct error error = {0};
 	row->p50 = NAN;
 	row->beyond = false;
@@ -330,7 +330,7 @@ sites_update(struct tui *t)
 {
 	const struct session *s = t->session;
 	bool other = t->view.rows_at == 0 || t->view.n_row != s->n_entry;
-	if (!other && t->view.rows_at == t->ui.tenths)
+	if (!other && t->view.rows_at == tui_speed(t))
 		return;
 	if (other) {
 		free(t->view.row);
@@ -345,7 +345,7 @@ sites_update(struct tui *t)
 		table_measure(t, &TABLE, t->view.n_row, t->view.site_width);
 	if (other || t->ui.sort == P50 + 1)
 		sites_sort_rows(t);
-	t->view.rows_at = t->ui.tenths;
+	t->view.rows_at = tui_speed(t);
 }
 
 /* ---- On the screen ---- */
@@ -359,12 +359,11 @@ describe_site(const struct tui *t, char *text[static ABOUT])
 {
 	const struct entry *e = &t->session->entry[t->ui.list[PAGE_SITES].at];
 	const struct breakage *of = breakage_of(&e->params);
-	bool beyond =
-	    e->has_params && answers_extrapolates(e, t->ui.tenths / 10.0);
+	bool beyond = e->has_params && answers_extrapolates(e, tui_speed(t));
 	text[0] = beyond
 		      ? xasprintf(tr("? extrapolated: %.1f m/s is outside the "
 				     "speeds measured"),
-			    t->ui.tenths / 10.0)
+			    tui_speed(t))
 		      : xstrdup("");
 	text[1] = xstrdup("");
 	for (size_t j = 0; e->has_params && j < of->n; j++)
@@ -393,7 +392,7 @@ draw_preview(struct tui *t, struct area area)
 						  : &t->session->entry[at];
 	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
 	request.strip = 0;
-	request.speed = t->ui.tenths / 10.0;
+	request.speed = tui_speed(t);
 	pane_plot(t, &request, &area);
 }
 

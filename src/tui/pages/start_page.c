@@ -19,7 +19,7 @@ static const struct {
 		   "speeds or more, "
 		   "from Excel, LibreOffice or CSV. The list shows how each "
 		   "file would be "
-		   "read. Later: o."),
+		   "read. The key o opens it later."),
 		PICK_FILES},
     {N_("Go on with a saved session"),
 	N_("Brings back what the key w saved in a file that ends in .tip: "

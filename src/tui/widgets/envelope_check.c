@@ -9,13 +9,13 @@
 #include "base/xalloc.h"
 #include "core/answer/response.h"
 
-/* revision, feed: what it was opened for; open: it could be; tenths: where it
- * is. */
+/* revision, feed: what it was opened for; open: it could be; speed: where it
+ * is, m/s. */
 struct envelope_check {
 	struct grading grading;
 	bool open;
 	size_t revision, feed;
-	int tenths;
+	double speed;
 };
 
 static bool
@@ -60,10 +60,10 @@ envelope_check_update(struct tui *t)
 		l->open = grading_open_in_use(t->session,
 		    tui_entry_asked_about(t), l->feed, &l->grading, &error);
 	}
-	if (l->open && l->tenths != t->ui.tenths)
+	if (l->open && l->speed != tui_speed(t))
 		forecast_at(
 		    l->grading.conditions.forecast, t->view.shown.speed);
-	l->tenths = t->ui.tenths;
+	l->speed = tui_speed(t);
 }
 
 const struct grading *
@@ -71,6 +71,6 @@ envelope_check_now(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	bool now = envelope_check_is_wanted(t) && is_check_current(t) &&
-		   l->open && l->tenths == t->ui.tenths;
+		   l->open && l->speed == tui_speed(t);
 	return now ? &l->grading : NULL;
 }

@@ -6,9 +6,9 @@
 #include "cmd/ask/envelope.h"
 #include "tui/tui_state.h"
 
-/* Updates the check for the slider and the session.  Keeps what does not depend
- * on the speed; a step of the slider then only reads the curve of its
- * prediction, without draws. */
+/* Brings the check up to date with the speed of the slider and with the
+ * session.  Keeps what does not depend on the speed; a step of the slider
+ * then only reads the curve of its prediction, without draws. */
 void envelope_check_update(struct tui *t);
 void envelope_check_free(struct tui *t);
 

@@ -8,8 +8,8 @@
 /* Opens a list of files; with --safe, only shows a message. */
 void picker_open(struct tui *t, enum picker_list list);
 
-/* Handles a key.  Returns false if the list was closed and the key is for what
- * was below it. */
+/* Handles a key.  Returns false if the list was closed and the key is to be
+ * handled by what it covered. */
 bool picker_key(struct tui *t, int code, bool special);
 
 /* Draws the list with its hints. */

@@ -42,14 +42,14 @@ goal_pending(const struct tui *t)
 double
 goal_best(const struct tui *t)
 {
-	return goals_best(t->session, &t->view.goal, t->ui.tenths / 10.0);
+	return goals_best(t->session, &t->view.goal, tui_speed(t));
 }
 
 char *
 goal_words(const struct tui *t, enum goals_length length)
 {
 	return goals_words(t->session, tui_entry_asked_about(t), &t->view.goal,
-	    t->ui.tenths / 10.0, length);
+	    tui_speed(t), length);
 }
 
 size_t
@@ -62,8 +62,12 @@ goal_limits(const struct tui *t, double *speed, size_t most)
 	for (size_t i = 0; i < g->n_met && n < most; i++)
 		speed[n++] = g->met[i];
 	for (size_t i = 0; i < g->found->n_inside && n + 2 <= most; i++) {
-		speed[n++] = g->found->inside[i].from;
-		speed[n++] = g->found->inside[i].to;
+		const struct speed_range *in = &g->found->inside[i];
+		/* Where the search ends is no limit of the goal. */
+		if (in->from > g->found->speed[0])
+			speed[n++] = in->from;
+		if (in->to < g->found->speed[g->found->n - 1])
+			speed[n++] = in->to;
 	}
 	if (n == 0 && most > 0)
 		speed[n++] = goal_best(t);
@@ -169,18 +173,15 @@ act_goal(struct tui *t, const struct key *key)
 static void
 complete_goal(struct edit *y)
 {
-	static const char *const NAMES[] = {"p80=", "p50=", "p20=", "passing ",
-	    "fines<", "0/2>=", "fm EN=", "cu<", "cc<"};
 	char *text = xstrdup(y->text), *comma = strrchr(text, ',');
 	char *word = comma != NULL ? comma + 1 : text, *offers = xstrdup("");
 	word += strspn(word, " ");
 	char *first = NULL;
 	struct standards *standards = standards_shipped();
-	for (size_t i = 0; i < ARRAY_LEN(NAMES) + standards->n; i++) {
-		const char *name =
-		    i < ARRAY_LEN(NAMES)
-			? NAMES[i]
-			: standards->spec[i - ARRAY_LEN(NAMES)]->name;
+	for (size_t i = 0, spec = 0; spec < standards->n; i++) {
+		const char *name = quantities_offer(i);
+		if (name == NULL)
+			name = standards->spec[spec++]->name;
 		if (strncasecmp(name, word, strlen(word)) != 0)
 			continue;
 		xlist(&offers, "  ", "%s", name);
@@ -210,6 +211,7 @@ close_goal_field(struct tui *t)
 {
 	edit_end(&t->line);
 	t->goal_field = false;
+	t->message[0] = '\0';
 }
 
 /* Returns the line that sets the goal, or clears it; NULL if nothing changes.

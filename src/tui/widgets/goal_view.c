@@ -9,8 +9,10 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
+#include "core/psd/rotor_speed.h"
 #include "tui/screen.h"
 #include "tui/widgets/goal.h"
 #include "tui/widgets/list.h"
@@ -20,7 +22,7 @@ enum column { CONDITION, NOW, HOLDS, SPEEDS, COLUMNS };
 static const struct list_column COLUMN[COLUMNS] = {
     [CONDITION] = {N_("condition"), 12, 0},
     [NOW] = {N_("now"), 6, 1, .right = true},
-    [HOLDS] = {N_("met"), 5, 2},
+    [HOLDS] = {N_("limits"), 6, 2},
     [SPEEDS] = {N_("by itself at"), 12, 3}};
 
 /* Returns the value of a condition at the slider's speed, in its own unit. */
@@ -62,16 +64,25 @@ speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 		return;
 	}
 	const double *alone = g->found->alone[i];
+	const struct site *site = tui_current_entry(t)->site;
+	double low = isfinite(alone[0]) ? alone[0] : alone[1];
+	double high =
+	    isfinite(alone[0]) && isfinite(alone[1]) ? alone[1] : (double)NAN;
+	FREED char *rpm = isfinite(low)
+			      ? rotor_speed_words(site->rotor, low, high)
+			      : xstrdup("");
 	if (isfinite(alone[0]) && isfinite(alone[1]))
-		snprintf(text, n, tr("%.1f to %.1f m/s"), alone[0], alone[1]);
+		snprintf(
+		    text, n, tr("%.1f to %.1f m/s%s"), alone[0], alone[1], rpm);
 	else if (isfinite(alone[0]))
-		snprintf(text, n, tr("from %.1f m/s"), alone[0]);
+		snprintf(text, n, tr("from %.1f m/s%s"), alone[0], rpm);
 	else if (isfinite(alone[1]))
-		snprintf(text, n, tr("up to %.1f m/s"), alone[1]);
+		snprintf(text, n, tr("up to %.1f m/s%s"), alone[1], rpm);
+	else if (holds_now(t, &g->list.at[i]))
+		snprintf(text, n, tr("all (%g to %g)"), g->found->speed[0],
+		    g->found->speed[g->found->n - 1]);
 	else
-		snprintf(text, n,
-		    holds_now(t, &g->list.at[i]) ? tr("all speeds")
-						 : tr("no speed"));
+		snprintf(text, n, "%s", tr("no speed"));
 }
 
 static void
@@ -109,22 +120,24 @@ goal_view_rows(const struct tui *t)
 	return !goal_is_viewed(t) ? 0 : rows < MOST ? rows : MOST;
 }
 
-/* Says how well the goal is met at the slider's speed. */
+/* Says how likely the goal is to be met at the slider's speed. */
 static void
 draw_chance(const struct tui *t, const struct area *area)
 {
 	const struct goal *g = &t->view.goal;
-	double speed = t->ui.tenths / 10.0;
-	bool all = true;
-	for (size_t i = 0; i < g->list.n; i++)
-		all = all && holds_now(t, &g->list.at[i]);
+	double speed = tui_speed(t);
 	if (!are_speeds_known(t) || g->n_value > 0)
 		return;
-	FREED char *chance = conditions_chance(goal_certain_at(t, speed), all);
+	double certain = goal_certain_at(t, speed);
+	if (isnan(certain))
+		return;
+	FREED char *percent = conditions_percent(certain);
+	FREED char *rpm =
+	    rotor_speed_words(tui_current_entry(t)->site->rotor, speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
-	    g->list.n > 1 ? N_("all conditions at %.1f m/s: %s")
-			  : N_("the condition at %.1f m/s: %s"),
-	    speed, chance);
+	    g->list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
+			  : N_("met at %.1f m/s%s: chance %s"),
+	    speed, rpm, percent);
 }
 
 void

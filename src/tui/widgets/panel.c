@@ -289,7 +289,7 @@ draw_tonnes(struct tui *t, const struct area *area)
 	double back, tph = flow_tph(t, &back);
 	if (back > 0) {
 		screen_text(area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
-		screen_text(area, 1, 0, LOOK_DIM, "at this speed: :flow");
+		screen_text(area, 1, 0, LOOK_DIM, "for this speed type :flow");
 		return;
 	}
 	screen_text(area, 0, 0, LOOK_DIM, "of %.6g t/h", tph);

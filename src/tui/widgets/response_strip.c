@@ -459,18 +459,15 @@ response_strip_draw_marks(
 		screen_series(area, response_strip_row_of(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
-		    screen_charset() == CHARSET_ASCII ? "O" : "\u25CE");
+		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
 }
 
 /* Says why there is no curve; nothing while it is being computed. */
 static void
 response_strip_draw_none(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
 	const struct area *area = &t->layout.strip;
 	const char *why = "";
-	if (entry == NULL)
-		return;
 	if (session_busy(t->session))
 		why = tr("known when the calibration ends");
 	else if (!has_curve(t))

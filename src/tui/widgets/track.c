@@ -139,14 +139,9 @@ make_cells(const struct tui *t, const struct area *track,
 	const struct entry *entry = tui_current_entry(t);
 	struct slider_range range = tui_range(t);
 	struct slider_mark mark[MOST_MARKS];
-	size_t n = entry != NULL ? take_marks(entry, range, mark) : 0;
-	int at = slider_draw(cell, track->columns, range, t->ui.tenths, mark, n,
-	    kept, entry != NULL ? tr("extrapolated") : "");
-	/* Without a site nothing is beyond anything. */
-	for (int c = 0; c < track->columns && entry == NULL; c++)
-		if (cell[c].sign == 'x')
-			cell[c].sign = '-';
-	return at;
+	size_t n = take_marks(entry, range, mark);
+	return slider_draw(cell, track->columns, range, t->ui.tenths, mark, n,
+	    kept, tr("extrapolated"));
 }
 
 void
@@ -199,10 +194,6 @@ static void
 say_quantity(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
-	if (tui_current_entry(t) == NULL) {
-		track_say(part, xstrdup(""));
-		return;
-	}
 	FREED char *words = quantities_words(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->layout.strip.rows > 0 && !goals_is_set(t->session))
@@ -225,9 +216,8 @@ say_goal(const struct tui *t, struct part *part)
 static void
 say_speed(const struct tui *t, struct part *part)
 {
-	const struct entry *entry = tui_current_entry(t);
-	double v = t->ui.tenths / 10.0;
-	double rotor = entry != NULL ? entry->site->rotor : 0;
+	double v = tui_speed(t);
+	double rotor = tui_current_entry(t)->site->rotor;
 	FREED char *words =
 	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
 	FREED char *turns =
@@ -248,10 +238,6 @@ static void
 say_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
-	if (tui_current_entry(t) == NULL) {
-		track_say(part, xstrdup(""));
-		return;
-	}
 	enum { REASONS = 34 };
 	/* A wide panel says so in its light. */
 	bool beyond =
@@ -393,19 +379,26 @@ move_to_best(struct tui *t)
 					     : N_("no goal yet: t sets one"));
 		return;
 	}
-	t->ui.tenths = slider_tenths(tui_range(t), best);
+	tui_go_to(t, best);
 	t->keep_message = true;
-	FREED char *chance =
-	    conditions_chance(g->found->best_certain, g->missed == NULL);
+	FREED char *rpm =
+	    rotor_speed_words(tui_current_entry(t)->site->rotor, best, NAN);
 	if (g->missed != NULL)
 		tui_say(t, false,
-		    "no speed meets the goal, %.1f m/s is nearest: %s", best,
-		    g->missed);
+		    "no speed meets the goal, %.1f m/s%s is nearest: %s", best,
+		    rpm, g->missed);
 	else if (g->n_value > 0)
-		tui_say(t, false, "the goal is met at %.1f m/s", best);
-	else
-		tui_say(t, false, "best speed of the goal: %.1f m/s (%s)", best,
-		    chance);
+		tui_say(t, false, "the goal is met at %.1f m/s%s", best, rpm);
+	else if (isnan(g->found->best_certain))
+		tui_say(
+		    t, false, "best speed of the goal: %.1f m/s%s", best, rpm);
+	else {
+		FREED char *percent =
+		    conditions_percent(g->found->best_certain);
+		tui_say(t, false,
+		    "best speed of the goal: %.1f m/s%s (chance %s)", best, rpm,
+		    percent);
+	}
 }
 
 static bool
