@@ -279,8 +279,7 @@ advise(struct session *s, struct advice_request *w, struct error *error)
 	const struct entry *entry = w->question->entry;
 	if (outlook_posterior_for_answers(s, entry, &entry->params) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    outlook_why_none(s, entry),
-		    tr("advise needs an answer with a band: run 'calibrate'"));
+		    outlook_why_none(s, entry), outlook_how_to_band(s, entry));
 	if (!answer_draws(s, w, answer))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"

@@ -437,9 +437,7 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    outlook_why_none(s, entry),
-		    origin_fit(entry) == NULL ? tr("run 'calibrate' first")
-					      : tr("'set' shows the settings"));
+		    outlook_why_none(s, entry), outlook_how_to_band(s, entry));
 	}
 	struct answer *r =
 	    draws

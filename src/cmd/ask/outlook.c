@@ -329,6 +329,17 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 			"settings");
 }
 
+const char *
+outlook_how_to_band(const struct session *s, const struct entry *entry)
+{
+	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
+	return origin_fit(entry) == NULL ? tr("run 'calibrate' first")
+	       : off && s->set.correction != CORRECTION_OFF
+		   ? tr("leave out correction=off")
+	       : off ? tr("write: set correction all")
+		     : tr("'set' shows the settings");
+}
+
 /* Whether there are more runs to inform the answers than draws take. */
 static bool
 has_too_many_runs(const struct session *s, const struct entry *entry)

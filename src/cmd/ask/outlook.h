@@ -87,6 +87,10 @@ struct crusher *outlook_crusher(const struct session *s,
 const char *outlook_why_none(
     const struct session *s, const struct entry *entry);
 
+/* Returns what to do for answers with a band, as a hint. */
+const char *outlook_how_to_band(
+    const struct session *s, const struct entry *entry);
+
 /* Returns which runs inform the answer, in words for a heading or a title:
  * "model corrected by all measured runs", "model corrected by the training
  * runs" or "the model alone". */
