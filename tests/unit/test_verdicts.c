@@ -98,9 +98,9 @@ static void
 the_panel_is_filled_by_height_and_width(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
-	expect(t, 24, 80, "|P80    5.24 mm");
+	expect(t, 24, 80, "|P80    5.24+-0.03");
 	expect(t, 24, 80, "|trust green");
-	expect(t, 24, 80, "|<4 mm  65.4 %");
+	expect(t, 24, 80, "|<4 mm  65.4+-0.5%");
 	expect_none(t, 24, 80, "5.21..5.28");
 	expect(t, 30, 100, "| P80    5.24 mm  5.21..5.28");
 	expect(t, 30, 100, "| <4 mm  65.4 %   64.9..65.9");
