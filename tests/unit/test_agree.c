@@ -458,8 +458,8 @@ feed_of_a_sheet_gives_the_same(void **state)
 	struct desk *desk = *state;
 	struct draw draw = draw_start(31);
 	struct question own = {.v = 72, .with = ""},
-			other = {
-			    .v = 72, .with = " feed=data/sites/sunderbyn.csv@69"};
+			other = {.v = 72,
+			    .with = " feed=data/sites/sunderbyn.csv@69"};
 	desk_expect(desk, "load data/sites/borlange.csv; "
 			  "calibrate population=200; set format csv");
 	ask_all(desk, &own, &draw);
