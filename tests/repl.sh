@@ -15,6 +15,7 @@ cp data/sites/bro.csv 'two words.csv'
 sed 's/66.19/39.19/' data/sites/tierp.csv >slips.csv
 printf '%s\n' 'site,Odd' 'provenance,made up' 'size_mm,feed,product@69,product@79' \
 	16,100,100,100 8,60,50.5,75 4,30,28,50 2,12,20,30 >faults.csv
+{ sed '/^provenance/d' data/sites/tierp.csv; printf '\nRemark,ok\n'; } >foot.csv
 mkdir bin
 printf '#!/bin/sh\necho "MAN $*"\n' >bin/man
 chmod +x bin/man

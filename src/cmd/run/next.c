@@ -178,6 +178,22 @@ was_said(const struct session *s, const char *text)
 	return false;
 }
 
+/* Returns how many of the remarks of check, about the site in use or all, load
+ * has not told. */
+static size_t
+count_new_remarks(const struct session *s, const struct answer *check)
+{
+	bool all = answer_number(check, "read.n") > 1;
+	size_t n = answer_view(check).n_row, told = 0;
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct site *site = s->entry[i].site;
+		if (all || i == s->current)
+			told += site->n_left_out +
+				(size_t)(site_assumed_top(site) > 0);
+	}
+	return n > told ? n - told : 0;
+}
+
 void
 next_note_offered(const struct session *s)
 {
@@ -191,15 +207,16 @@ next_note_offered(const struct session *s)
 	for (size_t i = check; i + 1 < view.n_sentence; i++)
 		if (!was_said(s, view.sentence[i].text))
 			session_note(s, "%s", view.sentence[i].text);
+	size_t n = check ? count_new_remarks(s, a) : 0;
 	if (check)
 		session_note(s,
-		    view.n_row == 0
+		    n == 0
 			? tr("no faults found")
 			: tr_n("no faults found; %zu remark: 'check' shows it",
 			      "no faults found; %zu remarks: 'check' shows "
 			      "them",
-			      view.n_row),
-		    view.n_row);
+			      n),
+		    n);
 	else if (next_step(s).stage == NEXT_ANSWER)
 		note_speeds(s, &s->entry[s->current]);
 }

@@ -436,57 +436,92 @@ refuse_small(struct column *c, const struct shape *s)
 	    tr(unit->words), c->table->number[c->at]);
 }
 
+/* Lets the title say what the numbers of a column are whose headings do not.
+ * False if the numbers are clearly something else. */
+static bool
+take_unit_of_title(struct column *c, const struct shape *s, double total)
+{
+	uint64_t title = c->table->basis;
+	enum unit_kind kind;
+	enum unit_scale scale;
+	c->said.means |= title;
+	bool sure = guess_kind(s, total, &kind, &scale);
+	return !sure || (kind == PASSING) == ((title & WORD_PASSES) != 0);
+}
+
+/* Guesses the quantity of a column whose headings state none, with their unit,
+ * if any.  title: that of the table says it. */
+static void
+find_unit_by_numbers(
+    struct column *c, const struct shape *s, double total, bool title)
+{
+	uint64_t kinds = c->said.means & KIND_WORDS;
+	uint64_t scales = c->said.means & SCALE_WORDS;
+	enum unit_kind kind;
+	enum unit_scale scale;
+	bool sure = guess_kind(s, total, &kind, &scale);
+	if (kinds == WORD_SUMS && kind == RETAINED)
+		sure = false;
+	if (scales != 0) {
+		enum unit_scale told_scale = scale;
+		sure = choose_scale(c, s, kind, total, &told_scale) && sure;
+		scale = told_scale;
+	}
+	c->unit = site_unit_find(kind, scale);
+	if (!title && (kind != PASSING || scale != OF_100 || scales == 0))
+		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
+	c->open =
+	    c->open || !sure || (has_classes(c->table) && kind != RETAINED);
+}
+
+/* Takes the quantity that the headings state. */
+static void
+find_unit_by_words(
+    struct column *c, const struct shape *s, double total, bool told)
+{
+	uint64_t kinds = c->said.means & KIND_WORDS;
+	enum unit_scale scale = OF_100;
+	bool sure = true;
+	enum unit_kind kind = (kinds & WORD_PASSES) != 0 ? PASSING
+			      : (kinds & WORD_SUMS) != 0 ? CUMULATIVE
+							 : RETAINED;
+	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
+	if (kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
+		sure = choose_kind_of_rising(c, s, total, &kind);
+	sure = choose_scale(c, s, kind, total, &scale) && sure;
+	sure = sure && !both && (told || is_possible_kind(s, kind));
+	if ((c->said.means & SCALE_WORDS) == 0)
+		assume(c, "as %s",
+		    tr(SITE_UNITS[site_unit_find(kind, scale)].words));
+	if (kind == RETAINED && scale == OF_100 && s->falls > 0 &&
+	    s->rises == 0 && s->sum > 102)
+		sure = false;
+	c->unit = site_unit_find(kind, scale);
+	c->open =
+	    c->open || !sure || (has_classes(c->table) && kind != RETAINED);
+}
+
 static void
 find_unit(struct column *c, bool told)
 {
 	struct shape s = shape_of_column(c);
-	uint64_t kinds = c->said.means & KIND_WORDS;
-	uint64_t scales = c->said.means & SCALE_WORDS;
 	double total = stated_total(c);
-	enum unit_kind kind = PASSING;
-	enum unit_scale scale = OF_100;
-	bool sure = true;
 	if (c->role == SD || s.n == 0)
 		return;
-	bool classes = has_classes(c->table);
-	if (!classes && is_defined(c, &s, told, &c->unit)) {
+	if (!has_classes(c->table) && is_defined(c, &s, told, &c->unit)) {
 		if (told)
 			refuse_small(c, &s);
 		return;
 	}
 	c->unit = 0;
-	if ((kinds & (WORD_PASSES | WORD_STAYS)) == 0) {
-		sure = guess_kind(&s, total, &kind, &scale);
-		if (kinds == WORD_SUMS && kind == RETAINED)
-			sure = false;
-		if (scales != 0) {
-			enum unit_scale told_scale = scale;
-			sure = choose_scale(c, &s, kind, total, &told_scale) &&
-			       sure;
-			scale = told_scale;
-		}
-		c->unit = site_unit_find(kind, scale);
-		if (kind != PASSING || scale != OF_100 || scales == 0)
-			assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
-		c->open = c->open || !sure || (classes && kind != RETAINED);
-		return;
-	}
-	kind = (kinds & WORD_PASSES) != 0 ? PASSING
-	       : (kinds & WORD_SUMS) != 0 ? CUMULATIVE
-					  : RETAINED;
-	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
-	if (kind == RETAINED && s.falls == 0 && s.rises > 1 && !told)
-		sure = choose_kind_of_rising(c, &s, total, &kind);
-	sure = choose_scale(c, &s, kind, total, &scale) && sure;
-	sure = sure && !both && (told || is_possible_kind(&s, kind));
-	if (scales == 0)
-		assume(c, "as %s",
-		    tr(SITE_UNITS[site_unit_find(kind, scale)].words));
-	if (kind == RETAINED && scale == OF_100 && s.falls > 0 &&
-	    s.rises == 0 && s.sum > 102)
-		sure = false;
-	c->unit = site_unit_find(kind, scale);
-	c->open = c->open || !sure || (classes && kind != RETAINED);
+	bool title = !told && c->table->basis != 0 &&
+		     (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
+	if (title)
+		c->open = !take_unit_of_title(c, &s, total) || c->open;
+	if ((c->said.means & (WORD_PASSES | WORD_STAYS)) == 0)
+		find_unit_by_numbers(c, &s, total, title);
+	else
+		find_unit_by_words(c, &s, total, told);
 }
 
 /* Returns the only number without a unit that can be a tip speed in m/s: 63.6,

@@ -17,7 +17,8 @@
  *
  * site_title.h sets title, the single-cell lines immediately above the table,
  * in the order of the sheet, and strange, true if their words may mean another
- * machine or day.
+ * machine or day; basis, what their words say of all its numbers, such as
+ * WORD_PASSES | WORD_PERCENT, or 0 if they do not say it in one way.
  *
  * site_sieve.h sets mm [n_row], sieve sizes (0: pan; NAN: fault), from the
  * unit, and sorts the rows, coarsest first.  finest_first: the order on the
@@ -35,6 +36,7 @@ struct table {
 	size_t *number;
 	size_t n_text;
 	char **text, **name, *title;
+	uint64_t basis;
 	struct sieve_unit unit;
 	double *mm;
 };

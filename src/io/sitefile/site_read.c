@@ -970,6 +970,31 @@ note_days_of_cuts(struct reading *r)
 	}
 }
 
+/* If nothing says where the data are from, but one day is stated outside the
+ * tables, that is their provenance. */
+static void
+take_day_for_provenance(struct reading *r)
+{
+	FREED char *found = NULL;
+	bool differ = false;
+	for (size_t p = 0; p < r->n_page; p++) {
+		const struct layout *layout = r->page[p].layout;
+		for (size_t i = 0; i < layout->n_heading; i++) {
+			char *day = site_heading_line_day(layout->heading[i]);
+			differ = differ || (day != NULL && found != NULL &&
+					       strcmp(day, found) != 0);
+			if (found == NULL)
+				found = day;
+			else
+				free(day);
+		}
+	}
+	if (found == NULL || differ || r->site->provenance[0] != '\0')
+		return;
+	free(r->site->provenance);
+	r->site->provenance = xasprintf(tr("sheet of %s"), found);
+}
+
 static struct site *
 finish_site(struct reading *r)
 {
@@ -984,6 +1009,8 @@ finish_site(struct reading *r)
 	make_runs(r->site, &r->all);
 	if (q->parts)
 		note_days_of_cuts(r);
+	else
+		take_day_for_provenance(r);
 	note_left_out(r);
 	note_sieve_names(r);
 	site_describe(r->table, r->n_table, &r->all, r->site);

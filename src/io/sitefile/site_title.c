@@ -147,6 +147,49 @@ title_speeds_differ(const struct layout *layout)
 	return false;
 }
 
+/* What titles may say of all numbers below them. */
+static const uint64_t BASIS_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS |
+				    WORD_PERCENT | WORD_GRAMS | WORD_SHARE |
+				    WORD_MASS;
+
+/* True if the words are one basis: "% passing", "percent retained", "masses in
+ * g". */
+static bool
+is_basis(uint64_t means)
+{
+	bool passes = (means & WORD_PASSES) != 0;
+	bool stays = (means & WORD_STAYS) != 0;
+	uint64_t unit = means & (WORD_PERCENT | WORD_GRAMS | WORD_SHARE);
+	if (unit == WORD_PERCENT)
+		return passes != stays;
+	return unit == WORD_GRAMS && !passes &&
+	       (stays || (means & WORD_MASS) != 0);
+}
+
+/* Sets the basis that the titles of a table state.  One with a number, "mass of
+ * sample 2000 g", "36 % passing", is not about all of them, but may contradict
+ * another. */
+static void
+take_basis(struct table *t)
+{
+	static const uint64_t ELSE = WORD_LIMIT | WORD_MEAN | WORD_SD |
+				     WORD_LOSS | WORD_WEIGHED | WORD_TOTAL |
+				     WORD_PAN;
+	uint64_t all = 0;
+	bool stated = false;
+	for (const char *p = t->title; *p != '\0';) {
+		size_t n = strcspn(p, "\n");
+		FREED char *line = xstrndup(p, n);
+		FREED char *bare = head_without_speeds(line);
+		uint64_t means = lexicon_meanings(line, NULL);
+		all |= means & BASIS_WORDS;
+		stated = stated || (is_basis(means) && (means & ELSE) == 0 &&
+				       strpbrk(bare, "0123456789") == NULL);
+		p += n + (size_t)(p[n] == '\n');
+	}
+	t->basis = stated && is_basis(all) ? all : 0;
+}
+
 uint64_t
 title_context(const struct layout *layout, struct table *t, const char *path,
     struct surroundings *near)
@@ -181,6 +224,7 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 			break;
 		}
 	}
+	take_basis(t);
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
 		FREED char *stem = site_heading_name(path);
 		means |= lexicon_meanings(stem, NULL);
