@@ -251,10 +251,10 @@ say_basis_of_charts(struct answer *a, const struct routine *r)
 		answer_say(a, ANSWER_REMARK,
 		    r->n == 1
 			? N_("this cut was known to the calibration: it is "
-			     "compared with what the other runs alone predict")
+			     "compared with the answer of the other runs")
 			: N_("some of these cuts were known to the "
-			     "calibration: all are compared with what the "
-			     "other runs alone predict"));
+			     "calibration: all are compared with the answer "
+			     "of the other runs"));
 }
 
 static void
