@@ -609,11 +609,12 @@ note_range(struct answer *r, const struct card_request *all, double cut)
 	    "%.0f %% range: of the figure at its left; the true value lies in "
 	    "it with %.0f %% probability",
 	    level, level);
+	FREED char *words = quantities_words(of);
 	if (isfinite(cut))
 		answer_note(r,
-		    "a new belt cut may show up to %.*f%s more or less than "
-		    "that figure, in %.0f %% of all cuts",
-		    digits, step * ceil(cut / step),
+		    "%s: a new belt cut may show up to %.*f%s more or less "
+		    "than that figure, in %.0f %% of all cuts",
+		    words, digits, step * ceil(cut / step),
 		    quantities_difference_suffix(of), level);
 }
 

@@ -399,6 +399,21 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	return words;
 }
 
+/* Adds, for a user who types, the line that asks for the next sieve, because
+ * the rows of the table have no range for a belt cut. */
+static void
+add_other_sieve(const struct session *s, const struct question *q,
+    const struct prediction *p, char **words)
+{
+	size_t said = answers_usual_sieve(&p->product);
+	size_t other = said > 0 ? said - 1 : said + 1;
+	if (!s->prompt || s->scripts > s->typed_depth || other >= p->product.n)
+		return;
+	FREED char *speed = answers_typed_speed(q->entry->site, p->speed);
+	xappend(words, tr("; another sieve: predict %s passing %g"), speed,
+	    units_mm(p->product.size[other]));
+}
+
 static void
 note_certainty(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
@@ -407,8 +422,10 @@ note_certainty(struct answer *r, const struct session *s,
 	if (p->low == NULL || fraction_screens(&p->fraction))
 		return;
 	FREED char *words = predict_certainty_words(s, q, &of, p->speed);
-	if (words != NULL)
-		answer_note(r, "%s", words);
+	if (words == NULL)
+		return;
+	add_other_sieve(s, q, p, &words);
+	answer_note(r, "%s", words);
 }
 
 /* Returns how far the measured products that stand beside the answer were

@@ -157,11 +157,14 @@ sudden_change(const struct routine *r)
 	return NAN;
 }
 
-/* Says what a few cuts can show. */
+/* Says what a few cuts can show.  Of fewer than MEASURES cuts the smallest
+ * change depends mostly on whether the calibration has seen them. */
 static void
 say_few(struct answer *a, const struct routine *r)
 {
-	double sudden = sudden_change(r);
+	enum { MEASURES = 3 };
+	bool measures = r->n >= MEASURES;
+	double sudden = measures ? sudden_change(r) : (double)NAN;
 	FREED char *words =
 	    xasprintf(tr_n("%zu cut so far: a slow drift needs %d or more to "
 			   "show",
@@ -169,6 +172,11 @@ say_few(struct answer *a, const struct routine *r)
 			  "show",
 			  r->n),
 		r->n, ROUTINE_FEW);
+	if (!measures)
+		xlist(&words, "; ",
+		    tr("with fewer than %d only a large sudden change shows; "
+		       "with %d, 'drift' says how large"),
+		    MEASURES, MEASURES);
 	if (isfinite(sudden))
 		xlist(&words, "; ",
 		    tr("the next cut would mostly show a sudden change, by "
@@ -243,10 +251,10 @@ say_basis_of_charts(struct answer *a, const struct routine *r)
 		answer_say(a, ANSWER_REMARK,
 		    r->n == 1
 			? N_("this cut was known to the calibration: it is "
-			     "compared with what the other runs alone predict")
+			     "compared with the answer of the other runs")
 			: N_("some of these cuts were known to the "
-			     "calibration: all are compared with what the "
-			     "other runs alone predict"));
+			     "calibration: all are compared with the answer "
+			     "of the other runs"));
 }
 
 static void

@@ -414,12 +414,17 @@ note_moved_answer(
 	FREED char *words = quantities_statement(&was->of, value);
 	FREED char *rpm =
 	    rotor_speed_words(entry->site->rotor, was->speed, NAN);
+	bool all = outlook_correction(s, entry) == CORRECTION_ALL;
+	bool checks = all && isfinite(fit_holdout_rmse(entry));
 	if (isfinite(value) && isfinite(was->value))
 		answer_note(r,
-		    outlook_correction(s, entry) == CORRECTION_ALL
-			? N_("at %.*f m/s%s %s, with all measured runs; before "
-			     "this calibration %.*f")
-			: N_("at %.*f m/s%s %s; before this calibration %.*f"),
+		    checks ? N_("at %.*f m/s%s %s, corrected by all measured "
+				"runs, those kept as a check too; before this "
+				"calibration %.*f")
+		    : all  ? N_("at %.*f m/s%s %s, with all measured runs; "
+				 "before this calibration %.*f")
+			   : N_("at %.*f m/s%s %s; before this calibration "
+				 "%.*f"),
 		    units_speed_digits(was->speed), was->speed, rpm, words,
 		    quantities_decimals(&was->of),
 		    quantities_shown(&was->of, was->value));

@@ -334,6 +334,29 @@ note_interpolation(struct answer *r, const struct trial *item)
 		    v->line[0], v->line[1], line);
 }
 
+/* Returns at which sieve the corrected answer, or without one the model, errs
+ * most. */
+static char *
+worst_sieve_words(const struct trial *item, const char *run, bool sampled)
+{
+	const struct validation *v = &item->v;
+	const struct psd *product = &item->run->product;
+	bool corrected = isfinite(v->rmse[VALIDATE_CORRECTED]);
+	const double *passing = trials_passing(
+	    item, corrected ? VALIDATE_CORRECTED : VALIDATE_MODEL);
+	size_t worst = 0;
+	psd_rms(passing, product->passing, v->n_sieve, &worst);
+	double off = passing[worst] - product->passing[worst];
+	const char *who = corrected ? tr("the answer of the other runs")
+				    : tr("the model alone");
+	return xasprintf(off > 0 ? tr("at %s%s: at worst %s lets %.2f points "
+				      "too many pass %g mm")
+				 : tr("at %s%s: at worst %s lets %.2f points "
+				      "too few pass %g mm"),
+	    run, sampled ? tr(", with the feed sampled there") : "", who,
+	    100 * fabs(off), units_mm(product->size[worst]));
+}
+
 static void
 note_run(struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
@@ -343,14 +366,7 @@ note_run(struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 	FREED char *rpm = rotor_speed_words(item->rotor, v->speed, NAN);
 	FREED char *run =
 	    xasprintf("%g m/s%s%s", v->speed, item->run->repeat, rpm);
-	FREED char *words = xasprintf(
-	    v->worst_difference > 0
-		? tr("at %s%s: at worst the model lets %.2f points too many "
-		     "pass %g mm")
-		: tr("at %s%s: at worst the model lets %.2f points too few "
-		     "pass %g mm"),
-	    run, sampled ? tr(", with the feed sampled there") : "",
-	    100 * fabs(v->worst_difference), units_mm(v->worst_sieve));
+	FREED char *words = worst_sieve_words(item, run, sampled);
 	if (item->has_band)
 		xlist(&words, "; ",
 		    tr("%zu of %zu sieves lie in the %.0f %% band for a "

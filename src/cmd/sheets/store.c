@@ -14,6 +14,7 @@
 #include "cmd/session/files.h"
 #include "cmd/session/journal.h"
 #include "cmd/ask/fit.h"
+#include "cmd/ask/outlook.h"
 #include "cmd/fit/params.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/invocation.h"
@@ -627,6 +628,16 @@ note_parameters(
 	    line);
 }
 
+/* True if the calibration knew all runs of the site, and all correct its
+ * answers. */
+static bool
+cuts_are_in_answers(const struct session *s, const struct entry *entry)
+{
+	return entry->history != NULL &&
+	       entry->history->site->digest == entry->site->digest &&
+	       outlook_correction(s, entry) == CORRECTION_ALL;
+}
+
 /* Lists what came back with a site besides its products: feeds, training runs,
  * cuts added, and what was assumed.  How the sheet's columns were read that day
  * would name other runs. */
@@ -651,8 +662,13 @@ note_runs_remembered(struct session *s, const struct entry *entry)
 		}
 	if (cuts > 0)
 		session_note(s,
-		    tr_n("  %zu cut added since: %s",
-			"  %zu cuts added since, the last: %s", cuts),
+		    cuts_are_in_answers(s, entry)
+			? tr_n("  %zu cut added, and in the answers: %s",
+			      "  %zu cuts added, and in the answers; the "
+			      "last: %s",
+			      cuts)
+			: tr_n("  %zu cut added since: %s",
+			      "  %zu cuts added since, the last: %s", cuts),
 		    cuts, last);
 	if (site->assumed[0] != '\0')
 		session_note(s, "  likely, not stated: %s", site->assumed);
