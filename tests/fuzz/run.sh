@@ -34,7 +34,7 @@ trap 'rm -rf "$TMPDIR"' EXIT
 printf '%s\n' $FUZZ_READERS | xargs -P "$jobs" -I READER sh -c '
 	mkdir -p new/$1
 	TIPSPEED_FUZZ=$1 tests/fuzz/fuzz -max_total_time="$FUZZ_SECONDS" \
-		-max_len=65536 -timeout=2 -rss_limit_mb=1024 -close_fd_mask=3 \
+		-max_len=65536 -timeout=10 -rss_limit_mb=1024 -close_fd_mask=3 \
 		-print_final_stats=1 -artifact_prefix=found/$1- \
 		new/$1 "$corpus/$1" >$1.log 2>&1 </dev/null
 	status=$?
