@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds tests/fuzz/fuzz by clang in the folder fuzz, and lets each reader run for
 # FUZZ_SECONDS, several side by side: all of them, or those named in FUZZ_READERS.
-# A file of up to 64 kB that takes longer than 2 s is a finding, too.  What is found
+# A file of up to 64 kB that takes longer than 10 s is a finding, too.  What is found
 # stays in fuzz/new (files that reach new code) and fuzz/found
 # (crashes, leaks, hangs).  Fails where something was found.
 # SPDX-License-Identifier: GPL-3.0-or-later
