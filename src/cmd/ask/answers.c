@@ -153,10 +153,8 @@ answers_typed_speed(const struct site *site, double speed)
 	return same ? xasprintf("%g rpm", rpm) : xasprintf("%g", speed);
 }
 
-/* True if the sheet is in rpm: its speeds are whole rpm of its rotor, and not
- * all of them tenths of a m/s. */
-static bool
-is_sheet_in_rpm(const struct site *site)
+bool
+answers_is_sheet_in_rpm(const struct site *site)
 {
 	bool tenths = true;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -169,13 +167,25 @@ is_sheet_in_rpm(const struct site *site)
 	return site->rotor > 0 && !tenths;
 }
 
+char *
+answers_speed_range_words(
+    const struct site *site, double from, double to, bool brief)
+{
+	bool in_rpm = answers_is_sheet_in_rpm(site);
+	double low = in_rpm ? round(rotor_speed_rpm(from, site->rotor)) : from,
+	       high = in_rpm ? round(rotor_speed_rpm(to, site->rotor)) : to;
+	const char *unit = in_rpm ? tr("rpm") : "m/s";
+	return brief ? xasprintf("%g..%g %s", low, high, unit)
+		     : xasprintf(tr("%g to %g %s"), low, high, unit);
+}
+
 double *
 answers_round_rpm(
     const struct site *site, double from, double to, size_t most, size_t *n)
 {
 	static const double STEPS[] = {5, 10, 20, 25, 50, 100, 200, 500};
 	double rotor = site->rotor;
-	if (!is_sheet_in_rpm(site))
+	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
 	double slow = rotor_speed_rpm(from, rotor),
 	       fast = rotor_speed_rpm(to, rotor), *speed = xdoubles(most);

@@ -374,6 +374,25 @@ beyond_words(const struct entry *entry, const struct goal *g, double best)
 	return "";
 }
 
+/* That none of the speeds searched meets it, which others may, and the nearest
+ * of them; in brief without that one. */
+static char *
+met_nowhere_words(const struct site *site, const struct goal *g, double best,
+    enum goals_length length)
+{
+	bool in_rpm = answers_is_sheet_in_rpm(site);
+	double from = g->found->speed[0], to = g->found->speed[g->found->n - 1];
+	FREED char *range =
+	    answers_speed_range_words(site, from, to, length == GOALS_SHORT);
+	if (length == GOALS_SHORT)
+		return xasprintf(tr("at no speed %s"), range);
+	char *words = xasprintf(tr("at no speed from %s"), range);
+	if (isfinite(best))
+		xappend(&words, tr(", nearest %.*f"), in_rpm ? 0 : 1,
+		    in_rpm ? rotor_speed_rpm(best, site->rotor) : best);
+	return words;
+}
+
 /* Where it is met, with how far to trust that, or in brief only where it is
  * certain; the nearest speed where it is not met. */
 static char *
@@ -385,11 +404,10 @@ outcome_words(const struct session *s, const struct entry *entry,
 	const char *beyond = beyond_words(entry, g, best);
 	FREED char *certain = certain_words(s, g, length);
 	char *words = met_speeds_words(g, full ? entry->site : NULL);
-	if (words[0] == '\0')
-		xappend(&words,
-		    isfinite(best) ? tr("at no speed, nearest %.1f")
-				   : tr("at no speed"),
-		    best);
+	if (words[0] == '\0') {
+		free(words);
+		words = met_nowhere_words(entry->site, g, best, length);
+	}
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
 	bool told = length < GOALS_SHORT && certain[0] != '\0';

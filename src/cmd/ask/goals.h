@@ -54,7 +54,8 @@ double goals_best(
     const struct session *s, const struct goal *goal, double speed);
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met up to 75.6 m/s, 80 %
- * certain up to 75.3", "goal p80=3: met at no speed, nearest 85.0: P80 4.8 mm".
+ * certain up to 75.3", "goal p80=3: met at no speed from 65 to 85 m/s, nearest
+ * 85.0: P80 4.8 mm".
  * GOALS_SPEEDS omits the goal; GOALS_PLAIN has only the speeds that are
  * certain; GOALS_UNMARKED leaves extrapolation to the track, and GOALS_SHORT
  * has all speeds so.  During the search, the text says so; without a goal, it

@@ -78,11 +78,13 @@ speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 		snprintf(text, n, tr("from %.1f m/s%s"), alone[0], rpm);
 	else if (isfinite(alone[1]))
 		snprintf(text, n, tr("up to %.1f m/s%s"), alone[1], rpm);
-	else if (holds_now(t, &g->list.at[i]))
-		snprintf(text, n, tr("all (%g to %g)"), g->found->speed[0],
-		    g->found->speed[g->found->n - 1]);
-	else
-		snprintf(text, n, "%s", tr("no speed"));
+	else {
+		FREED char *range = answers_speed_range_words(site,
+		    g->found->speed[0], g->found->speed[g->found->n - 1], true);
+		snprintf(text, n,
+		    holds_now(t, &g->list.at[i]) ? tr("all %s") : tr("none %s"),
+		    range);
+	}
 }
 
 static void

@@ -212,7 +212,8 @@ say_goal(const struct tui *t, struct part *part)
 	part->look = LOOK_BOLD;
 }
 
-/* The rotor tip speed, as energy and rotor speed too. */
+/* The rotor tip speed, as energy and rotor speed too; in brief as the sheet
+ * has it. */
 static void
 say_speed(const struct tui *t, struct part *part)
 {
@@ -229,8 +230,12 @@ say_speed(const struct tui *t, struct part *part)
 		track_say(part, xasprintf(tr("%.1f m/s%s"), v, turns));
 	else
 		track_say(part, xstrdup(words));
-	track_say(part, xasprintf("%.1f m/s", v));
-	track_say(part, xasprintf("%.1f", v));
+	FREED char *brief =
+	    answers_is_sheet_in_rpm(tui_current_entry(t)->site)
+		? xasprintf(tr("%.0f rpm"), rotor_speed_rpm(v, rotor))
+		: xasprintf("%.1f m/s", v);
+	track_say(part, xstrdup(brief));
+	track_say(part, xstrndup(brief, strcspn(brief, " ")));
 }
 
 /* What the signs mean.  Beyond the measured speeds, that is not left out. */
@@ -366,6 +371,19 @@ move_to_limit(struct tui *t, int by)
 	t->ui.tenths = best;
 }
 
+/* Says that no speed searched meets the goal, and which is nearest. */
+static void
+say_nearest(struct tui *t, double best, const char *rpm)
+{
+	const struct speed_search *found = t->view.goal.found;
+	FREED char *range =
+	    answers_speed_range_words(tui_current_entry(t)->site,
+		found->speed[0], found->speed[found->n - 1], false);
+	tui_say(t, false,
+	    "no speed from %s meets the goal, %.1f m/s%s is nearest: %s", range,
+	    best, rpm, t->view.goal.missed);
+}
+
 /* Moves the slider to the best speed of the goal, and says how well that is met
  * there. */
 static void
@@ -384,9 +402,7 @@ move_to_best(struct tui *t)
 	FREED char *rpm =
 	    rotor_speed_words(tui_current_entry(t)->site->rotor, best, NAN);
 	if (g->missed != NULL)
-		tui_say(t, false,
-		    "no speed meets the goal, %.1f m/s%s is nearest: %s", best,
-		    rpm, g->missed);
+		say_nearest(t, best, rpm);
 	else if (g->n_value > 0)
 		tui_say(t, false, "the goal is met at %.1f m/s%s", best, rpm);
 	else if (isnan(g->found->best_certain))
