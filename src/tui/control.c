@@ -18,6 +18,7 @@
 #include "cmd/run/line.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
+#include "core/psd/rotor_speed.h"
 #include "tui/widgets/response_strip.h"
 #include "tui/widgets/dialog.h"
 #include "cli/driver.h"
@@ -160,9 +161,12 @@ void
 control_say_off_slider(struct tui *t, double speed)
 {
 	struct slider_range range = tui_range(t);
+	const struct entry *entry = tui_current_entry(t);
+	FREED char *rpm = rotor_speed_words(
+	    entry != NULL ? entry->site->rotor : 0, speed, NAN);
 	tui_say(t, true,
-	    "%.1f m/s is off the slider: type :set slider %.0f..%.0f", speed,
-	    fmin(floor(speed), range.least / 10.0),
+	    "%.1f m/s%s is off the slider: type :set slider %.0f..%.0f", speed,
+	    rpm, fmin(floor(speed), range.least / 10.0),
 	    fmax(ceil(speed), range.most / 10.0));
 }
 
