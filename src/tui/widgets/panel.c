@@ -14,6 +14,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/draw/plots_limits.h"
 #include "cmd/ask/quantity_words.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pane.h"
@@ -120,17 +121,25 @@ is_changed(const struct numbers *now, const struct numbers *was)
 	return changed;
 }
 
+/* As the sheet has them; in m/s if what is pinned is of another rotor. */
 static void
 panel_draw_speed(struct tui *t, const struct area *area)
 {
 	const struct numbers *now = &t->view.current, *was = numbers_before(t);
+	const struct site *site = tui_current_entry(t)->site;
+	bool other = is_pinned(t) && strcmp(was->site, now->site) != 0,
+	     in_rpm = !other && answers_is_sheet_in_rpm(site);
+	double part = in_rpm ? rotor_speed_rpm(1, site->rotor) : 1;
+	int decimals = in_rpm ? 0 : 1;
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, "%.1f m/s", now->speed);
+	screen_text(area, 0, 0, LOOK_BOLD, in_rpm ? N_("%.0f rpm") : "%.1f m/s",
+	    now->speed * part);
 	if (is_pinned(t))
-		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.1f",
-		    t->view.pinned.speed);
+		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.*f", decimals,
+		    was->speed * part);
 	else if (was != NULL && was->speed != now->speed)
-		screen_text(area, 0, FROM, LOOK_DIM, "since %.1f", was->speed);
+		screen_text(area, 0, FROM, LOOK_DIM, "vs %.*f", decimals,
+		    was->speed * part);
 	else if (was != NULL && is_changed(now, was))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)

@@ -11,8 +11,10 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/ask/pin.h"
+#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -44,11 +46,14 @@ find_compared_product(
 	}
 	if (nearest == NULL)
 		return NULL;
+	bool in_rpm = answers_is_sheet_in_rpm(site);
+	double rpm = in_rpm ? rotor_speed_rpm(nearest->speed, site->rotor) : 0;
 	snprintf(name, 40,
 	    fabs(nearest->speed - t->view.current.speed) < 0.05
 		? tr("vs %g measured")
-		: tr("vs %g m/s"),
-	    nearest->speed);
+	    : in_rpm ? tr("vs %g rpm")
+		     : tr("vs %g m/s"),
+	    in_rpm ? round(rpm) : nearest->speed);
 	size_t run = (size_t)(nearest - site->run);
 	*series = site_chart_run_style(site, run, false).series;
 	return tui_measured_product(t, run);
@@ -177,6 +182,28 @@ sieve_table_rows(const struct tui *t)
 	return 1 + (int)t->view.shown.product.n;
 }
 
+/* Draws "sieve  feed   now vs 74"; for a longer name "now" is moved, and the
+ * name shortened to its speed at last. */
+static void
+draw_heading(const struct area *area, enum series series, char *name)
+{
+	enum { FEED_END = 11 };
+	const char *now = tr("now");
+	const int room = area->columns - FEED_END - text_width(now) - 2;
+	char *vs = name, *last = strrchr(name, ' ');
+	if (text_width(name) > area->columns - COMPARED && last != NULL &&
+	    strchr(name, ' ') != last)
+		*last = '\0';
+	if (text_width(name) > room && strchr(name, ' ') != NULL)
+		vs = strchr(name, ' ') + 1;
+	int column = area->columns - text_width(vs);
+	column = column < COMPARED ? column : COMPARED;
+	const char *feed = tr("sieve  feed");
+	int gap = column - 1 - text_width(now) - text_width(feed);
+	screen_text(area, 0, 0, LOOK_DIM, "%s%*s%s", feed, gap, "", now);
+	screen_series(area, 0, column, series, 0, vs);
+}
+
 void
 sieve_table_draw(struct tui *t, const struct area *area)
 {
@@ -185,16 +212,7 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	enum series series = SERIES_TEXT;
 	const struct psd *other = find_compared_product(t, name, &series);
 	double full = full_bar_points(t, other);
-	/* The name is shortened to "vs 74" or "73.5" if it is too long. */
-	const int room = area->columns - COMPARED;
-	char *vs = name, *last = strrchr(name, ' ');
-	if (text_width(name) > room && last != NULL &&
-	    strchr(name, ' ') != last)
-		*last = '\0';
-	if (text_width(name) > room && strchr(name, ' ') != NULL)
-		vs = strchr(name, ' ') + 1;
-	screen_text(area, 0, 0, LOOK_DIM, "sieve  feed   now");
-	screen_series(area, 0, COMPARED, series, 0, vs);
+	draw_heading(area, series, name);
 	size_t wanted, at = row_for_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
 		size_t i = r == at ? wanted : sieve_table_sieve_of(t, r, rows);
