@@ -157,6 +157,7 @@ struct ui {
 	double told; /* m/s: the speed that it was last told to go to */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
+	bool quantity_of_goal;    /* it goes with what binds of the goal */
 	/* Page Predict has plot runs; the goal at full height. */
 	bool crosshair, band, runs, goal_view;
 	size_t crosshair_sieve; /* a sieve of the prediction */

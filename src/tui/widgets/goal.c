@@ -122,6 +122,7 @@ goal_show_chosen(struct tui *t)
 	const struct quantity *q =
 	    &list->at[at < list->n ? at : list->n - 1].quantity;
 	/* A list of sieves is freed with the goal. */
+	t->ui.quantity_of_goal = false;
 	if (q->sieve == NULL)
 		t->ui.quantity = *q;
 }
@@ -248,6 +249,7 @@ take_quantity(struct tui *t, const char *text)
 	bool ok = quantities_read(copy, &SHARP, &q, &error);
 	if (ok && quantities_covered(&q, tui_feed_curve(t), &error)) {
 		t->ui.quantity = q;
+		t->ui.quantity_of_goal = false;
 		close_goal_field(t);
 		if (goals_is_set(t->session))
 			tui_say(t, false,
@@ -260,12 +262,26 @@ take_quantity(struct tui *t, const char *text)
 	return ok;
 }
 
-/* Returns the quantity to show for conditions: that of the last; for an
- * envelope, that of a sieve in the middle until it is known which one binds. */
+/* Returns the quantity to show for conditions until it is known which one
+ * binds: that of the last; for an envelope, that of a sieve in the middle. */
 static struct quantity
 quantity_to_show(const struct condition_list *list)
 {
 	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
+}
+
+/* Shows the quantity that binds, once that is known, unless the user chose
+ * another. */
+static void
+show_what_binds(struct tui *t)
+{
+	const struct goal *g = &t->view.goal;
+	if (!goal_known(t) || !t->ui.quantity_of_goal)
+		return;
+	const struct quantity *binds = &g->list.at[g->binds].quantity;
+	/* A list of sieves is freed with the goal. */
+	if (binds->sieve == NULL)
+		t->ui.quantity = *binds;
 }
 
 void
@@ -274,14 +290,8 @@ goal_step(struct tui *t)
 	struct goal *g = &t->view.goal;
 	bool pending = goal_pending(t);
 	goals_step(t->session, tui_entry_asked_about(t), g, tui_feed(t));
-	if (!pending || !goal_known(t) ||
-	    goals_is_condition(t->session->set.goal))
-		return;
-	struct quantity first = quantity_to_show(&g->list);
-	const struct quantity *binds = &g->list.at[g->binds].quantity;
-	/* A list of sieves is freed with the goal. */
-	if (quantity_same(&t->ui.quantity, &first) && binds->sieve == NULL)
-		t->ui.quantity = *binds;
+	if (pending)
+		show_what_binds(t);
 }
 
 /* Reads the field on Enter.  What cannot be read stays, to be corrected. */
@@ -302,7 +312,10 @@ read_goal_field(struct tui *t)
 		       &n_value, &error)) {
 		if (list.n > 0)
 			t->ui.quantity = quantity_to_show(&list);
+		t->ui.quantity_of_goal = true;
 		line = goal_command_line(t, text);
+		if (line == NULL)
+			show_what_binds(t);
 	} else {
 		tui_say(t, true, "%s%s%s", error.text,
 		    error.hint[0] != '\0' ? ": " : "", error.hint);

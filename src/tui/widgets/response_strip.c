@@ -63,6 +63,7 @@ act_quantity(struct tui *t, const struct key *key)
 	while (!quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
 	       !quantities_covered(&all[at], tui_feed_curve(t), &error));
 	t->ui.quantity = all[at];
+	t->ui.quantity_of_goal = false;
 }
 
 /* Returns true if there is a curve to compute; a running search would have
