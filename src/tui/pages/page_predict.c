@@ -103,13 +103,19 @@ act_runs(struct tui *t, const struct key *key)
 	t->ui.goal_view = false;
 }
 
+/* The first Up or Down turns the crosshair on, with which the panel reads the
+ * curves at the sieve. */
 static bool
 predict_move(struct tui *t, const struct key *key)
 {
 	/* Both the sieves and the key go from coarse to fine. */
 	size_t n = t->view.shown.product.n;
-	if (!t->ui.crosshair || goal_is_viewed(t) || key->act != act_list)
+	if (goal_is_viewed(t) || key->act != act_list || n == 0)
 		return false;
+	if (!t->ui.crosshair) {
+		act_crosshair(t, key);
+		return true;
+	}
 	t->ui.crosshair_sieve =
 	    (size_t)pane_clamp_row((int)t->ui.crosshair_sieve, key->amount, n);
 	return true;
