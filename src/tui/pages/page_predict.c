@@ -8,6 +8,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
@@ -216,6 +217,8 @@ predict_hints(const struct tui *t)
 				"u");
 	return goals_is_set(t->session)
 		   ? "<-/->  n p  N  T  x  ?  Enter  q  e  :  t"
+	       : answers_is_sheet_in_rpm(tui_current_entry(t)->site)
+		   ? "<-/->  =1450  t  ?  Enter  q  f  x  e  :  c  u"
 		   : "<-/->  =72  t  ?  Enter  q  f  x  e  :  c  u";
 }
 
