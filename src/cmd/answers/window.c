@@ -75,6 +75,8 @@ note_binding(struct answer *r, const struct window_request *a)
 	FREED char *from = rotor_speed_words(site->rotor, in->from, NAN);
 	FREED char *to = rotor_speed_words(site->rotor, in->to, NAN);
 	FREED char *both = rotor_speed_words(site->rotor, in->from, in->to);
+	FREED char *asked =
+	    rotor_speed_words(site->rotor, a->wanted.from, a->wanted.to);
 	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		FREED char *q =
@@ -100,8 +102,8 @@ note_binding(struct answer *r, const struct window_request *a)
 	if (words[0] != '\0')
 		answer_note(r, "%s", words);
 	else
-		answer_note(r, "no condition sets a limit from %g to %g m/s",
-		    a->wanted.from, a->wanted.to);
+		answer_note(r, "no condition sets a limit from %g to %g m/s%s",
+		    a->wanted.from, a->wanted.to, asked);
 }
 
 /* Notes "1.2 points away, 0.9 times the width of its band". */

@@ -153,10 +153,8 @@ answers_typed_speed(const struct site *site, double speed)
 	return same ? xasprintf("%g rpm", rpm) : xasprintf("%g", speed);
 }
 
-/* True if the sheet is in rpm: its speeds are whole rpm of its rotor, and not
- * all of them tenths of a m/s. */
-static bool
-is_sheet_in_rpm(const struct site *site)
+bool
+answers_is_sheet_in_rpm(const struct site *site)
 {
 	bool tenths = true;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -175,7 +173,7 @@ answers_round_rpm(
 {
 	static const double STEPS[] = {5, 10, 20, 25, 50, 100, 200, 500};
 	double rotor = site->rotor;
-	if (!is_sheet_in_rpm(site))
+	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
 	double slow = rotor_speed_rpm(from, rotor),
 	       fast = rotor_speed_rpm(to, rotor), *speed = xdoubles(most);

@@ -46,6 +46,10 @@ double answers_share_finer(
  * middle, else 74 m/s, or the middle if 74 is beyond site_reach. */
 double answers_usual_speed(const struct entry *entry);
 
+/* True if the sheet is in rpm: its speeds are whole rpm of its rotor, and not
+ * all of them tenths of a m/s. */
+bool answers_is_sheet_in_rpm(const struct site *site);
+
 /* Returns round rpm from one speed to another, as m/s [*n], at most `most`;
  * NULL unless the site's sheet is in rpm.  The caller frees it. */
 double *answers_round_rpm(

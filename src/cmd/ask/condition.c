@@ -867,18 +867,36 @@ is_too_fast(const struct wanted *wanted)
 	return wanted->to > wanted->measured[1] + wanted->reach;
 }
 
+/* Returns an end of a search as a line to type has it: "100" or, for a sheet in
+ * rpm, tens of them within that speed, "2010 rpm".  The caller frees it. */
+static char *
+typed_end(const struct site *site, double speed, bool fastest)
+{
+	if (!answers_is_sheet_in_rpm(site))
+		return xasprintf("%g", speed);
+	double tens = rotor_speed_rpm(speed, site->rotor) / 10;
+	return xasprintf("%g rpm", 10 * (fastest ? floor(tens) : ceil(tens)));
+}
+
 void
 conditions_note_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	const double more = 15;
+	const struct site *site = wanted->site;
+	FREED char *slow = rotor_speed_words(site->rotor, wanted->from, NAN);
+	FREED char *fast = rotor_speed_words(site->rotor, wanted->to, NAN);
+	FREED char *from = typed_end(site, fmax(1, wanted->from - more), false);
+	FREED char *to =
+	    typed_end(site, fmin(SITE_FASTEST, wanted->to + more), true);
 	if (slower && wanted->from > 1 && !is_too_slow(wanted))
 		answer_note(r,
-		    "slower than %g m/s was not searched: add from=%g",
-		    wanted->from, fmax(1, wanted->from - more));
+		    "slower than %g m/s%s was not searched: add from=%s",
+		    wanted->from, slow, from);
 	if (faster && wanted->to < SITE_FASTEST && !is_too_fast(wanted))
-		answer_note(r, "faster than %g m/s was not searched: add to=%g",
-		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
+		answer_note(r,
+		    "faster than %g m/s%s was not searched: add to=%s",
+		    wanted->to, fast, to);
 }
 
 void
