@@ -774,6 +774,37 @@ conditions_digits(double points)
 	return fabs(points) < 0.1 ? 2 : 1;
 }
 
+/* Notes what the nearest measured speed misses by, where the nearest of all
+ * lies beyond those measured, perhaps only where the search ends.  Leaves the
+ * forecast at the best speed. */
+static void
+note_nearest_measured(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
+{
+	const struct site *site = wanted->site;
+	double near = NAN, slowest = INFINITY, fastest = -INFINITY;
+	for (size_t i = 0; i < site->n_run; i++) {
+		double v = site->run[i].speed;
+		slowest = fmin(slowest, v);
+		fastest = fmax(fastest, v);
+		if (!(fabs(v - found->best) >= fabs(near - found->best)))
+			near = v;
+	}
+	if (!isfinite(wanted->reach) || !(near > 0) ||
+	    (found->best > slowest - 0.05 && found->best < fastest + 0.05))
+		return;
+	forecast_at(wanted->forecast, near);
+	struct margin margin = wanted_margin(wanted, SIZE_MAX);
+	FREED char *rpm = rotor_speed_words(site->rotor, near, NAN);
+	if (isfinite(margin.passing)) {
+		FREED char *misses = conditions_distance(wanted, margin);
+		answer_note(r,
+		    "the nearest measured speed, %.*f m/s%s, misses by %s",
+		    units_speed_digits(near), near, rpm, misses);
+	}
+	forecast_at(wanted->forecast, found->best);
+}
+
 void
 conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
@@ -805,6 +836,7 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		    "%.1f m/s%s, which misses by %s",
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
+		note_nearest_measured(r, wanted, found);
 		note_ways(r, wanted, list, found);
 	}
 }
@@ -929,8 +961,8 @@ note_none_certain(
 	    rotor_speed_words(wanted->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty: it is "
-		    "under 1 %% at all speeds",
+		    "at no speed does it hold with %.0f %% certainty; the "
+		    "certainty is under 1 %% at every speed",
 		    100 * level);
 	else
 		answer_note(r,
