@@ -280,6 +280,18 @@ page_head(const struct card_request *all, const struct quantity *q)
 	return words;
 }
 
+/* Returns the heading of the range, which names its figure, lest it be taken
+ * for that of P80, unless the name is much wider than the range. */
+static char *
+range_head(const struct card_request *all)
+{
+	enum { WIDE = 9 };
+	FREED char *head = page_head(all, &all->q[ranged_figure(all)]);
+	return text_width(head) <= WIDE
+		   ? xasprintf(tr("%s band"), head)
+		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
+}
+
 /* Returns what was measured of a quantity at a speed, the mean of repeats,
  * moved to the feed of the card; NAN if nothing was, or with another feed or
  * machine.  Raises *moved to by how much. */
@@ -335,8 +347,7 @@ put_figures(struct page *page, const struct session *s,
 		struct figure f = forecast_shown(all->forecast, i);
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_key(q), *head = page_head(all, q);
-		FREED char *range =
-		    xasprintf(tr("%.0f %% range"), 100 * all->question->level);
+		FREED char *range = range_head(all);
 		put_number(page, key, head, digits,
 		    i < SIZES ? SPARE[i] : FIGURE, f.value);
 		if (i == ranged && page->ranged)
@@ -605,10 +616,11 @@ note_range(struct answer *r, const struct card_request *all, double cut)
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
+	FREED char *head = range_head(all);
 	answer_note(r,
-	    "%.0f %% range: of the figure at its left; the true value lies in "
-	    "it with %.0f %% probability",
-	    level, level);
+	    "%s: of the figure at its left; the true value lies in it with "
+	    "%.0f %% probability",
+	    head, level);
 	FREED char *words = quantities_words(of);
 	if (isfinite(cut))
 		answer_note(r,
