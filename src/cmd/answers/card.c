@@ -34,6 +34,7 @@ struct card_request {
 	struct forecast *forecast;
 	struct forecast *cut; /* of the ranged figure, in a new belt cut */
 	struct condition_list list; /* limits of the product, or none */
+	bool of_goal; /* the limits are those of the session's goal */
 	struct wanted wanted;
 	struct plant plant; /* circuit NULL: no flow was asked for */
 	size_t n_line;
@@ -143,6 +144,7 @@ take_goal(struct session *s, struct card_request *all, struct error *error)
 	    &all->list, &n_value, error);
 	if (n_value > 0)
 		conditions_free(&all->list);
+	all->of_goal = ok && n_value == 0;
 	return ok;
 }
 
@@ -602,7 +604,11 @@ note_limits(struct answer *r, const struct card_request *all,
 {
 	FREED char *words = conditions_list_words(&all->list);
 	if (all->list.n > 0) {
-		answer_note(r, "limits: %s", words);
+		answer_note(r,
+		    all->of_goal ? N_("limits: %s, the goal that is set; 'set "
+				      "goal none' leaves them out")
+				 : N_("limits: %s"),
+		    words);
 		note_unmet(r, all->question->entry->site, row, n);
 	}
 	conditions_note_source(r, &all->list);
@@ -778,6 +784,10 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
 	bool ok = card_request_read(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
+	if (ok && s->document != NULL && all.of_goal)
+		session_note(s,
+		    "the card has the limits of the goal that is set; 'set "
+		    "goal none' leaves them out");
 	if (ok)
 		session_show_answer(s, card_answer(s, &all, q->at, q->n_at));
 	card_request_free(&all);
