@@ -34,6 +34,7 @@ struct card_request {
 	struct forecast *forecast;
 	struct forecast *cut; /* of the ranged figure, in a new belt cut */
 	struct condition_list list; /* limits of the product, or none */
+	bool of_goal; /* the limits are those of the session's goal */
 	struct wanted wanted;
 	struct plant plant; /* circuit NULL: no flow was asked for */
 	size_t n_line;
@@ -143,6 +144,7 @@ take_goal(struct session *s, struct card_request *all, struct error *error)
 	    &all->list, &n_value, error);
 	if (n_value > 0)
 		conditions_free(&all->list);
+	all->of_goal = ok && n_value == 0;
 	return ok;
 }
 
@@ -280,6 +282,18 @@ page_head(const struct card_request *all, const struct quantity *q)
 	return words;
 }
 
+/* Returns the heading of the range, which names its figure, lest it be taken
+ * for that of P80, unless the name is much wider than the range. */
+static char *
+range_head(const struct card_request *all)
+{
+	enum { WIDE = 9 };
+	FREED char *head = page_head(all, &all->q[ranged_figure(all)]);
+	return text_width(head) <= WIDE
+		   ? xasprintf(tr("%s band"), head)
+		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
+}
+
 /* Returns what was measured of a quantity at a speed, the mean of repeats,
  * moved to the feed of the card; NAN if nothing was, or with another feed or
  * machine.  Raises *moved to by how much. */
@@ -335,8 +349,7 @@ put_figures(struct page *page, const struct session *s,
 		struct figure f = forecast_shown(all->forecast, i);
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_key(q), *head = page_head(all, q);
-		FREED char *range =
-		    xasprintf(tr("%.0f %% range"), 100 * all->question->level);
+		FREED char *range = range_head(all);
 		put_number(page, key, head, digits,
 		    i < SIZES ? SPARE[i] : FIGURE, f.value);
 		if (i == ranged && page->ranged)
@@ -591,7 +604,11 @@ note_limits(struct answer *r, const struct card_request *all,
 {
 	FREED char *words = conditions_list_words(&all->list);
 	if (all->list.n > 0) {
-		answer_note(r, "limits: %s", words);
+		answer_note(r,
+		    all->of_goal ? N_("limits: %s, the goal that is set; 'set "
+				      "goal none' leaves them out")
+				 : N_("limits: %s"),
+		    words);
 		note_unmet(r, all->question->entry->site, row, n);
 	}
 	conditions_note_source(r, &all->list);
@@ -605,10 +622,11 @@ note_range(struct answer *r, const struct card_request *all, double cut)
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
+	FREED char *head = range_head(all);
 	answer_note(r,
-	    "%.0f %% range: of the figure at its left; the true value lies in "
-	    "it with %.0f %% probability",
-	    level, level);
+	    "%s: of the figure at its left; the true value lies in it with "
+	    "%.0f %% probability",
+	    head, level);
 	FREED char *words = quantities_words(of);
 	if (isfinite(cut))
 		answer_note(r,
@@ -766,6 +784,10 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
 	bool ok = card_request_read(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
+	if (ok && s->document != NULL && all.of_goal)
+		session_note(s,
+		    "the card has the limits of the goal that is set; 'set "
+		    "goal none' leaves them out");
 	if (ok)
 		session_show_answer(s, card_answer(s, &all, q->at, q->n_at));
 	card_request_free(&all);

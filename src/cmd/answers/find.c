@@ -498,21 +498,25 @@ note_out_of_reach(
 	       low = find_value_at(goal, c->from);
 	double over = forecast_excess(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
-	FREED char *rpm = rotor_speed_words(c->site->rotor, c->from, c->to);
+	double rotor = c->site->rotor;
+	FREED char *rpm = rotor_speed_words(rotor, c->from, c->to);
+	FREED char *slow = rotor_speed_words(rotor, c->from, NAN);
+	FREED char *fast = rotor_speed_words(rotor, c->to, NAN);
 	if (falls)
 		answer_note(r,
 		    "no speed from %g to %g m/s%s gives %s: the product is "
-		    "still %s at %g m/s",
+		    "still %s at %g m/s%s",
 		    c->from, c->to, rpm, words,
 		    finer ? tr("finer") : tr("coarser"),
-		    finer ? c->from : c->to);
+		    finer ? c->from : c->to, finer ? slow : fast);
 	else
 		answer_note(r, "no speed from %g to %g m/s%s gives %s", c->from,
 		    c->to, rpm, words);
 	const char *unit = quantities_unit_suffix(q);
 	if (isfinite(low) && isfinite(high))
-		answer_note(r, "it is %.2f%s at %g m/s and %.2f%s at %g m/s",
-		    low, unit, c->from, high, unit, c->to);
+		answer_note(r,
+		    "it is %.2f%s at %g m/s%s and %.2f%s at %g m/s%s", low,
+		    unit, c->from, slow, high, unit, c->to, fast);
 	if (falls)
 		conditions_note_none_farther(r, c, finer, !finer);
 }

@@ -75,6 +75,8 @@ note_binding(struct answer *r, const struct window_request *a)
 	FREED char *from = rotor_speed_words(site->rotor, in->from, NAN);
 	FREED char *to = rotor_speed_words(site->rotor, in->to, NAN);
 	FREED char *both = rotor_speed_words(site->rotor, in->from, in->to);
+	FREED char *asked =
+	    rotor_speed_words(site->rotor, a->wanted.from, a->wanted.to);
 	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		FREED char *q =
@@ -100,8 +102,8 @@ note_binding(struct answer *r, const struct window_request *a)
 	if (words[0] != '\0')
 		answer_note(r, "%s", words);
 	else
-		answer_note(r, "no condition sets a limit from %g to %g m/s",
-		    a->wanted.from, a->wanted.to);
+		answer_note(r, "no condition sets a limit from %g to %g m/s%s",
+		    a->wanted.from, a->wanted.to, asked);
 }
 
 /* Notes "1.2 points away, 0.9 times the width of its band". */
@@ -124,15 +126,39 @@ note_margin(struct answer *r, const struct window_request *a)
 		    r, "nearest limit there: %s, %s away", limit, distance);
 }
 
+/* Whether the conditions hold somewhere, but at none of the site's runs. */
+static bool
+is_beyond_all_measured(const struct window_request *a)
+{
+	const struct site *site = a->wanted.site;
+	const struct speed_search *w = a->w;
+	for (size_t i = 0; i < site->n_run; i++)
+		for (size_t k = 0; k < w->n_inside; k++)
+			if (site->run[i].speed >= w->inside[k].from &&
+			    site->run[i].speed <= w->inside[k].to)
+				return false;
+	return isfinite(a->wanted.reach) &&
+	       answers_extrapolates(a->q->entry, w->best);
+}
+
 static void
 note_inside(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_around(a->w);
 	FREED char *speeds = conditions_speeds_in_units(&a->wanted, a->w);
-	answer_note(r,
-	    a->list.n > 1 ? N_("the answer meets all conditions at %s")
-			  : N_("the answer meets it at %s"),
-	    speeds);
+	bool several = a->list.n > 1;
+	if (is_beyond_all_measured(a))
+		answer_note(r,
+		    several ? N_("no measured speed will do: by the model all "
+				 "conditions hold at %s")
+			    : N_("no measured speed will do: by the model it "
+				 "holds at %s"),
+		    speeds);
+	else
+		answer_note(r,
+		    several ? N_("the answer meets all conditions at %s")
+			    : N_("the answer meets it at %s"),
+		    speeds);
 	note_binding(r, a);
 	conditions_note_farther(r, &a->wanted,
 	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
@@ -154,12 +180,11 @@ note_best(struct answer *r, const struct window_request *a)
 	const struct site *site = a->wanted.site;
 	FREED char *rpm = rotor_speed_words(site->rotor, w->best, NAN);
 	FREED char *slow = rotor_speed_words(site->rotor, w->safe, NAN);
-	FREED char *words = xasprintf(
-	    answers_extrapolates(a->q->entry, w->best)
-		? tr("best %.1f m/s%s, beyond the measured speeds, none of "
-		     "which will do")
-		: tr("best %.1f m/s%s of the measured range"),
-	    w->best, rpm);
+	FREED char *words =
+	    xasprintf(answers_extrapolates(a->q->entry, w->best)
+			  ? tr("best %.1f m/s%s, beyond the measured speeds")
+			  : tr("best %.1f m/s%s of the measured range"),
+		w->best, rpm);
 	if (isnan(w->best_certain))
 		xappend(&words, tr(": it is farthest from the limits"));
 	else {

@@ -774,6 +774,37 @@ conditions_digits(double points)
 	return fabs(points) < 0.1 ? 2 : 1;
 }
 
+/* Notes what the nearest measured speed misses by, where the nearest of all
+ * lies beyond those measured, perhaps only where the search ends.  Leaves the
+ * forecast at the best speed. */
+static void
+note_nearest_measured(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
+{
+	const struct site *site = wanted->site;
+	double near = NAN, slowest = INFINITY, fastest = -INFINITY;
+	for (size_t i = 0; i < site->n_run; i++) {
+		double v = site->run[i].speed;
+		slowest = fmin(slowest, v);
+		fastest = fmax(fastest, v);
+		if (!(fabs(v - found->best) >= fabs(near - found->best)))
+			near = v;
+	}
+	if (!isfinite(wanted->reach) || !(near > 0) ||
+	    (found->best > slowest - 0.05 && found->best < fastest + 0.05))
+		return;
+	forecast_at(wanted->forecast, near);
+	struct margin margin = wanted_margin(wanted, SIZE_MAX);
+	FREED char *rpm = rotor_speed_words(site->rotor, near, NAN);
+	if (isfinite(margin.passing)) {
+		FREED char *misses = conditions_distance(wanted, margin);
+		answer_note(r,
+		    "the nearest measured speed, %.*f m/s%s, misses by %s",
+		    units_speed_digits(near), near, rpm, misses);
+	}
+	forecast_at(wanted->forecast, found->best);
+}
+
 void
 conditions_note_missed(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
@@ -805,6 +836,7 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		    "%.1f m/s%s, which misses by %s",
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
+		note_nearest_measured(r, wanted, found);
 		note_ways(r, wanted, list, found);
 	}
 }
@@ -867,18 +899,36 @@ is_too_fast(const struct wanted *wanted)
 	return wanted->to > wanted->measured[1] + wanted->reach;
 }
 
+/* Returns an end of a search as a line to type has it: "100" or, for a sheet in
+ * rpm, tens of them within that speed, "2010 rpm".  The caller frees it. */
+static char *
+typed_end(const struct site *site, double speed, bool fastest)
+{
+	if (!answers_is_sheet_in_rpm(site))
+		return xasprintf("%g", speed);
+	double tens = rotor_speed_rpm(speed, site->rotor) / 10;
+	return xasprintf("%g rpm", 10 * (fastest ? floor(tens) : ceil(tens)));
+}
+
 void
 conditions_note_farther(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	const double more = 15;
+	const struct site *site = wanted->site;
+	FREED char *slow = rotor_speed_words(site->rotor, wanted->from, NAN);
+	FREED char *fast = rotor_speed_words(site->rotor, wanted->to, NAN);
+	FREED char *from = typed_end(site, fmax(1, wanted->from - more), false);
+	FREED char *to =
+	    typed_end(site, fmin(SITE_FASTEST, wanted->to + more), true);
 	if (slower && wanted->from > 1 && !is_too_slow(wanted))
 		answer_note(r,
-		    "slower than %g m/s was not searched: add from=%g",
-		    wanted->from, fmax(1, wanted->from - more));
+		    "slower than %g m/s%s was not searched: add from=%s",
+		    wanted->from, slow, from);
 	if (faster && wanted->to < SITE_FASTEST && !is_too_fast(wanted))
-		answer_note(r, "faster than %g m/s was not searched: add to=%g",
-		    wanted->to, fmin(SITE_FASTEST, wanted->to + more));
+		answer_note(r,
+		    "faster than %g m/s%s was not searched: add to=%s",
+		    wanted->to, fast, to);
 }
 
 void
@@ -911,8 +961,8 @@ note_none_certain(
 	    rotor_speed_words(wanted->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty: it is "
-		    "under 1 %% at all speeds",
+		    "at no speed does it hold with %.0f %% certainty; the "
+		    "certainty is under 1 %% at every speed",
 		    100 * level);
 	else
 		answer_note(r,
