@@ -79,7 +79,8 @@ bench_kernel(const struct measure_sites *sites)
 	    site->name, m->n_run, m->n_residual, HERD, REPEATS,
 	    1e3 * LEAST_SECONDS, 100 * HERD_NEAR);
 	printf("%-12s%8s%14s%14s\n", "set", "threads", "near", "whole bounds");
-	for (enum isa isa = ISA_BASE; isa <= isa_is_usable(ISA_BEST); isa++) {
+	for (enum isa isa = ISA_BASE; isa <= isa_usable_or_best(ISA_BEST);
+	     isa++) {
 		kernel_row(m, isa, 1, &near, &wide);
 		if (measure_threads() >= 2)
 			kernel_row(m, isa, 2, &near, &wide);
@@ -111,7 +112,7 @@ drive(const struct site *site, const struct calibrate_options *full)
 	o.isa = full->isa;
 	struct ga *ga =
 	    ga_new(&o, m->of->n, full->bounds.lower, full->bounds.upper);
-	double *told = xdoubles(o.population);
+	double *told = xcalloc_doubles(o.population);
 	struct parts parts = {.kernel = 0};
 	for (size_t g = 0; g < full->generations; g++) {
 		const double *const *gene = ga_ask(ga);
@@ -121,7 +122,7 @@ drive(const struct site *site, const struct calibrate_options *full)
 		ga_tell(ga, told);
 	}
 	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
-		parts.best.at[j] = ga_best(ga)[j];
+		parts.best.at[j] = ga_best_genes(ga)[j];
 	params_scale_to_1(&parts.best);
 	free(told);
 	ga_free(ga);
@@ -250,9 +251,9 @@ trial_run(const struct site *site, uint64_t seed)
 		state = calibration_step(c);
 		clock += measure_now() - start;
 		struct params p = calibration_status(c).params;
-		trial_note(&t, clock, misfit_at(m, &p));
+		trial_note(&t, clock, misfit_of_params(m, &p));
 	}
-	t.fit = calibration_fit(c);
+	t.fit = calibration_best_fit(c);
 	calibration_free(c);
 	misfit_free(m);
 	return t;
@@ -325,7 +326,7 @@ static void
 bench_sites(const struct measure_sites *sites)
 {
 	size_t n = sites->n, missed = 0;
-	double *seconds = xdoubles(n), *reached = xdoubles(n);
+	double *seconds = xcalloc_doubles(n), *reached = xcalloc_doubles(n);
 	double worst = 0, spread = 0;
 	printf(
 	    "\n3. Ordinary calibration, %u threads, %d seeds a site; "

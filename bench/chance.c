@@ -62,24 +62,26 @@ struct answers {
 static struct answers
 ask(const struct site *site, const struct fit *fit, const struct posterior *p)
 {
-	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
 	const struct fraction whole = {0};
-	struct psd sizes = predict_sizes(site, feed);
+	struct psd sizes = predict_table_sizes(site, feed);
 	size_t n;
-	struct quantity *asked = predict_quantities(site, feed, &whole, &n);
+	struct quantity *asked =
+	    predict_table_quantities(site, feed, &whole, &n);
 	struct response *r = response_new(
 	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
 	struct ensemble *e = ensemble_new(p, feed, sizes.size, sizes.n);
 	struct answers a = {.n = 0};
 	for (size_t i = 0; i < 3; i++)
-		a.of[i] = xdoubles(SPEEDS * n);
+		a.of[i] = xcalloc_doubles(SPEEDS * n);
 	for (size_t k = 0; k < SPEEDS; k++) {
-		response_at(r, e, ENSEMBLE_ANSWER,
+		response_set_speed(r, e, ENSEMBLE_ANSWER,
 		    SLOWEST + (FASTEST - SLOWEST) * (double)k / (SPEEDS - 1));
 		for (size_t i = 0; i < n; i++, a.n++) {
 			double range[2];
-			response_band(r, i, LEVEL_PCT / 100.0, range);
-			a.of[0][a.n] = response_value(r, i);
+			response_band_of_quantity(
+			    r, i, LEVEL_PCT / 100.0, range);
+			a.of[0][a.n] = response_value_of_quantity(r, i);
 			a.of[1][a.n] = range[0];
 			a.of[2][a.n] = range[1];
 		}
@@ -159,7 +161,7 @@ try_site(const struct site *site, size_t seeds, struct ranges sum[static 2])
 	struct ranges own[2] = {{0}};
 	char stem[64];
 	double seconds = 0;
-	misfit_default_train(site, train);
+	misfit_mark_default_training(site, train);
 	for (size_t r = 0; r < site->n_run; r++)
 		use[r] = true;
 	struct calibrate_options o = calibrate_options_default();

@@ -36,14 +36,15 @@ weigh(const struct asking *a, struct ensemble *e, struct band *band)
 {
 	double answer[N];
 	size_t n = a->plant.n_sieve;
-	ensemble_at(e, a->speed);
+	ensemble_set_speed(e, a->speed);
 	memcpy(answer, ensemble_products(e, ENSEMBLE_ANSWER) + a->sieve * N,
 	    sizeof answer);
 	for (size_t i = 0; i < SAMPLES; i++) {
-		ensemble_at(e, SAMPLE[i]);
+		ensemble_set_speed(e, SAMPLE[i]);
 		const double *sample = ensemble_products(e, ENSEMBLE_SAMPLE);
 		band->said[i] =
-		    band->width * sqrt(1 - advise_share(answer, sample, n));
+		    band->width *
+		    sqrt(1 - advise_variance_share_removed(answer, sample, n));
 	}
 }
 
@@ -51,7 +52,7 @@ static struct band
 band_of(const struct asking *a, const struct site *site)
 {
 	const struct plant *p = &a->plant;
-	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
 	double asked[PLANT_SIEVES], mean[PLANT_SIEVES], low, high;
 	struct fit fit;
 	struct posterior *posterior = counts_calibrate(site, a->number, &fit);
@@ -59,8 +60,8 @@ band_of(const struct asking *a, const struct site *site)
 	    ensemble_new(posterior, feed, p->sieve, p->n_sieve);
 	for (size_t i = 0; i < p->n_sieve; i++)
 		asked[i] = psd_passing(feed, p->sieve[i]);
-	ensemble_at(e, a->speed);
-	ensemble_mean(e, mean);
+	ensemble_set_speed(e, a->speed);
+	ensemble_mean_answer(e, mean);
 	ensemble_row_interval(e, ENSEMBLE_ANSWER, a->sieve, 0.8, &low, &high);
 	struct band band = {.width = high - low,
 	    .off = mean[a->sieve] -
@@ -87,7 +88,7 @@ sheet_with(const struct asking *a, double v)
 	more.speed[more.n_run++] = v;
 	struct site *site = plant_site(&more, a->number);
 	qsort(site->run, site->n_run, sizeof *site->run, slower_first);
-	site_update_mean_feed(site);
+	site_update_digest_and_mean_feed(site);
 	return site;
 }
 

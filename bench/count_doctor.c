@@ -48,7 +48,7 @@ struct outcome {
 static struct wrong
 make_wrong(struct site *site, uint64_t number, double off, bool feed)
 {
-	struct rng_key key = rng_key(number, feed, 80);
+	struct rng_key key = rng_make_key(number, feed, 80);
 	struct wrong w = {.feed = feed};
 	for (uint32_t at = 0; at < 3000; at += 3) {
 		w.run = (size_t)(rng_uniform(key, at) * (double)site->n_run);
@@ -69,7 +69,7 @@ make_wrong(struct site *site, uint64_t number, double off, bool feed)
 				(feed ? site->run[r].feed
 				      : site->run[r].product)
 				    .passing[w.sieve] = P;
-		site_update_mean_feed(site);
+		site_update_digest_and_mean_feed(site);
 		return w;
 	}
 	return (struct wrong){0};
@@ -84,7 +84,7 @@ static void
 look(const struct site *site, const struct posterior *posterior,
     const struct wrong *w, bool *found, bool *other)
 {
-	struct doctor d = outliers_find(site, posterior, 0);
+	struct outlier_findings d = outliers_find(site, posterior, 0);
 	for (size_t i = 0; i < d.n; i++) {
 		const struct mend *m = &d.finding[i].mend;
 		const struct run *run = &site->run[w->run];

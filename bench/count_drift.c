@@ -57,15 +57,15 @@ view_of(const struct errors *errors, uint64_t number)
 	    ensemble_new(posterior, feed, p->sieve + v.from, v.n);
 	for (size_t k = 0; k < SPEEDS; k++) {
 		size_t cells = v.n * POSTERIOR_DRAWS;
-		v.predicted[k] = xdoubles(v.n);
-		v.truth[k] = xdoubles(cells);
-		v.error[k] = xdoubles(v.n * v.n);
-		ensemble_at(e, SPEED[k]);
-		ensemble_mean(e, v.predicted[k]);
+		v.predicted[k] = xcalloc_doubles(v.n);
+		v.truth[k] = xcalloc_doubles(cells);
+		v.error[k] = xcalloc_doubles(v.n * v.n);
+		ensemble_set_speed(e, SPEED[k]);
+		ensemble_mean_answer(e, v.predicted[k]);
 		memcpy(v.truth[k], ensemble_products(e, ENSEMBLE_ANSWER),
 		    cells * sizeof(double));
-		drift_error(posterior, p->sieve + v.from, v.predicted[k], v.n,
-		    v.error[k]);
+		drift_covariance_of_errors(posterior, p->sieve + v.from,
+		    v.predicted[k], v.n, v.error[k]);
 	}
 	ensemble_free(e);
 	posterior_free(posterior);
@@ -97,7 +97,7 @@ first_signal(const struct view *v, uint64_t number, size_t n, size_t from,
 	struct site *site = plant_site(&cuts, number);
 	struct drift_cut *cut = xcalloc(n, sizeof *cut);
 	struct drift_point *point = xcalloc(n, sizeof *point);
-	double *residual = xdoubles(n * v->n);
+	double *residual = xcalloc_doubles(n * v->n);
 	size_t since;
 	for (size_t j = 0; j < n; j++) {
 		size_t k = j % SPEEDS;
@@ -161,7 +161,7 @@ count_plant(const struct errors *errors, uint64_t number, struct charts *c)
 bool
 count_drift(size_t n)
 {
-	double said = drift_run_length(&DRIFT_RULE, 0, 1);
+	double said = drift_mean_run_length(&DRIFT_RULE, 0, 1);
 	bool ok = true;
 	printf("without drift, said: once in %.0f cuts; 0.5 and 1 point finer "
 	       "after %d cuts: signalled after, said\n%-22s %4s %s\n",

@@ -72,7 +72,7 @@ rock_of(enum fragments law, const struct stored *row, uint64_t number)
 	p.f_mat = row->params.f_mat;
 	p.e0 = row->params.e0_min;
 	p.alpha = row->params.alpha;
-	put_fragments(&p, law, rng_key(number, law, 91));
+	put_fragments(&p, law, rng_make_key(number, law, 91));
 	return p;
 }
 
@@ -123,9 +123,9 @@ bool
 count_guess(size_t n)
 {
 	bool ok = true;
-	double *error = xdoubles(n);
+	double *error = xcalloc_doubles(n);
 	struct stored_list list = {0}, *table = &list;
-	stored_table3(table);
+	stored_add_table3(table);
 	printf("%-22s %s\n", "fragments",
 	    "  held %    RMSE, median   at one "
 	    "law, held %");
@@ -136,7 +136,8 @@ count_guess(size_t n)
 			struct plant p = rock_of(
 			    (enum fragments)l, &table->item[row], 4000 + i);
 			struct site *site = plant_site(&p, 4000 + i);
-			double v = 65 + 20 * rng_uniform(rng_key(i, l, 92), 0),
+			double v = 65 +
+				   20 * rng_uniform(rng_make_key(i, l, 92), 0),
 			       held = held_of(
 				   &p, site, table, row, v, true, &error[i]);
 			sum[0] += held / (double)n;

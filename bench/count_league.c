@@ -43,10 +43,10 @@ static double
 error_of(const struct plant *p, const struct site *site, size_t model)
 {
 	double squares = 0, cells = 0, asked[PLANT_SIEVES], P[PLANT_SIEVES];
-	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
 	bool train[PLANT_RUNS] = {false};
 	struct calibrate_options o = calibrate_options_default();
-	misfit_default_train(site, train);
+	misfit_mark_default_training(site, train);
 	o.train = train;
 	o.settings.breakage = (unsigned)model;
 	o.bounds = bounds_default(model);
@@ -90,7 +90,7 @@ standing_of(const char *text, const char *model)
 static size_t
 first_of(const char *text)
 {
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < breakage_count_models(); m++) {
 		FREED char *key =
 		    xasprintf("\"best\":\"%s\"", BREAKAGES[m]->name);
 		if (strstr(text, key) != NULL)
@@ -108,7 +108,7 @@ count_plant(size_t i, struct score *score)
 	struct site *site = plant_site(&p, number);
 	struct counts_talk *talk = counts_talk(site_copy(site));
 	const char *text = counts_say(talk, "league");
-	size_t first = first_of(text), models = breakage_count();
+	size_t first = first_of(text), models = breakage_count_models();
 	double error[MODELS_MOST], best = INFINITY;
 	for (size_t m = 0; m < models && m < MODELS_MOST; m++) {
 		error[m] = error_of(&p, site, m);

@@ -38,14 +38,14 @@ value_of(enum what what, const struct params *p,
 	switch (what) {
 	case BREAK_69:
 	case BREAK_79:
-		return params_break_size_by(
+		return params_break_size_by_impacts(
 		    p, settings, what == BREAK_69 ? 69 : 79);
 	case FINE:
 		return finer(p, 0.1);
 	case HALF:
 		return finer(p, 0.5);
 	default:
-		return params_value(p, NAMES[what]);
+		return params_value_by_name(p, NAMES[what]);
 	}
 }
 
@@ -92,7 +92,7 @@ count_plant(enum law law, uint64_t number, struct held held[WHATS])
 		for (size_t d = 0; d < DRAWS; d++)
 			draw[d] = value_of(w, &posterior->draw[d].params,
 			    &posterior->settings);
-		ensemble_interval(draw, 0.8, &low, &high);
+		ensemble_middle_interval(draw, 0.8, &low, &high);
 		bool in = truth >= low && truth <= high;
 		held[w].in += in;
 		held[w].outside += found < low || found > high;

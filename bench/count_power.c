@@ -38,7 +38,7 @@ static double
 taken(const struct machine *m, const double at[2])
 {
 	return m->idle * pow(at[0] / 72, m->exponent) +
-	       m->factor * power_kinetic(at[0], at[1]);
+	       m->factor * power_to_accelerate_rock(at[0], at[1]);
 }
 
 /* A constant idle and a factor by least squares, none where it would be below
@@ -48,7 +48,7 @@ constant_idle(const struct reading *r, size_t n, const double at[2])
 {
 	double x = 0, y = 0, xx = 0, xy = 0, all = (double)n;
 	for (size_t i = 0; i < n; i++) {
-		double t = power_kinetic(r[i].speed, r[i].tph);
+		double t = power_to_accelerate_rock(r[i].speed, r[i].tph);
 		x += t / all;
 		y += r[i].kw / all;
 		xx += t * t / all;
@@ -59,7 +59,7 @@ constant_idle(const struct reading *r, size_t n, const double at[2])
 		slope = xy / xx;
 		idle = 0;
 	}
-	return idle + slope * power_kinetic(at[0], at[1]);
+	return idle + slope * power_to_accelerate_rock(at[0], at[1]);
 }
 
 struct sums {
@@ -70,7 +70,7 @@ struct sums {
 static void
 count_machine(const struct plan *plan, uint64_t number, struct sums sums[2])
 {
-	struct rng_key key = rng_key(number, 0, 90);
+	struct rng_key key = rng_make_key(number, 0, 90);
 	struct machine m = {20 + 60 * rng_uniform(key, 0),
 	    0.5 + 2.5 * rng_uniform(key, 1), 1 + 0.5 * rng_uniform(key, 2)};
 	struct reading r[READINGS];
@@ -84,7 +84,8 @@ count_machine(const struct plan *plan, uint64_t number, struct sums sums[2])
 		double draw[POWER_DRAWS], mean = 0, range[2];
 		double truth = taken(&m, ASKED[q]);
 		for (size_t d = 0; d < POWER_DRAWS; d++) {
-			draw[d] = power_at(&p, d, ASKED[q][0], ASKED[q][1]);
+			draw[d] =
+			    size_to_alpha_at(&p, d, ASKED[q][0], ASKED[q][1]);
 			mean += draw[d] / POWER_DRAWS;
 		}
 		ensemble_interval_with_answer(draw, 0.8, mean, range);

@@ -22,8 +22,8 @@ struct held {
 static void
 means_at(struct ensemble *e, double v, double *mean)
 {
-	ensemble_at(e, v);
-	ensemble_mean(e, mean);
+	ensemble_set_speed(e, v);
+	ensemble_mean_answer(e, mean);
 }
 
 /* v as it is stated, where it is v (1 + off). */
@@ -37,7 +37,7 @@ ask(const struct plant *p, const struct site *site, struct ensemble *e,
 	means_at(e, v * (1 - step), mean[1]);
 	means_at(e, v * (1 + step), mean[2]);
 	means_at(e, v, mean[0]);
-	double times = 1.2816 * site_speed_error(site, v) * sd;
+	double times = 1.2816 * site_effect_of_speed_errors(site, v) * sd;
 	for (size_t i = 0; i < p->n_sieve; i++) {
 		double P =
 		    plant_product(p, p->feed_n, v * (1 + off), p->sieve[i]);
@@ -64,13 +64,13 @@ static void
 count_plant(uint64_t number, double sd, struct held held[ASKED])
 {
 	struct plant p = plant_of(RIGHT, number), runs = p;
-	struct rng_key key = rng_key(number, 0, 93);
+	struct rng_key key = rng_make_key(number, 0, 93);
 	for (size_t r = 0; r < p.n_run; r++)
 		runs.speed[r] *= 1 + sd * rng_normal(key, (uint32_t)r);
 	struct site *site = plant_site(&runs, number);
 	for (size_t r = 0; r < p.n_run; r++)
 		site->run[r].speed = p.speed[r];
-	site_update_mean_feed(site);
+	site_update_digest_and_mean_feed(site);
 	struct fit fit;
 	struct posterior *posterior = counts_calibrate(site, number, &fit);
 	struct ensemble *e =

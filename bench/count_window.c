@@ -51,8 +51,8 @@ sieve_for(const struct conditions *c, struct rng_key key, uint32_t at)
 static bool
 conditions_make(struct conditions *c, const struct site *site, uint64_t number)
 {
-	struct rng_key key = rng_key(number, c->plant->law, 94);
-	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
+	struct rng_key key = rng_make_key(number, c->plant->law, 94);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
 	for (size_t i = 0; i < c->plant->n_sieve; i++)
 		c->asked[i] = psd_passing(feed, c->plant->sieve[i]);
 	double speed[2];

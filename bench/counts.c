@@ -120,12 +120,13 @@ counts_say(struct counts_talk *t, const char *line)
 	struct error error = {0};
 	size_t next = 0;
 	rewind(t->out);
-	if (!session_line(t->session, line, 0, "counts", 1, &next, &error)) {
+	if (!session_run_line(
+		t->session, line, 0, "counts", 1, &next, &error)) {
 		error_print(&error, stderr);
 		exit(1);
 	}
-	while (session_busy(t->session))
-		session_step(t->session);
+	while (session_is_calibrating(t->session))
+		session_step_job(t->session);
 	fputc('\0', t->out);
 	fflush(t->out);
 	return t->text;
@@ -147,7 +148,7 @@ counts_fit(const struct site *site, const struct calibrate_options *options)
 	struct calibration *c = calibration_new(site, options);
 	while (calibration_step(c) <= CALIBRATE_POLISHING)
 		;
-	struct fit fit = calibration_fit(c);
+	struct fit fit = calibration_best_fit(c);
 	calibration_free(c);
 	return fit;
 }

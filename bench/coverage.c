@@ -42,7 +42,7 @@ static bool
 is_within(double P, double *draw, double level, double *low, double *high)
 {
 	const double slack = 1e-4;
-	ensemble_interval(draw, level, low, high);
+	ensemble_middle_interval(draw, level, low, high);
 	return P >= *low - slack && P <= *high + slack;
 }
 
@@ -66,14 +66,14 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
     struct ensemble *view, double v, struct score *score)
 {
 	enum { N = POSTERIOR_DRAWS };
-	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
 	double asked[PLANT_SIEVES];
 	size_t n = p->n_sieve;
-	double *answer = xdoubles(n * N), *alone = xdoubles(n);
+	double *answer = xcalloc_doubles(n * N), *alone = xcalloc_doubles(n);
 	struct model *model = model_new(feed, p->sieve, n, fit->settings);
 	model_use_params(model, &fit->params);
 	model_product(model, v, alone);
-	ensemble_at(view, v);
+	ensemble_set_speed(view, v);
 	memcpy(answer, ensemble_products(view, ENSEMBLE_ANSWER),
 	    n * N * sizeof *answer);
 	for (size_t i = 0; i < n; i++)
@@ -108,7 +108,7 @@ light_at(const struct evidence *e, double v, const struct score *score)
 	    .corrected = true,
 	    .width = score->width / (double)score->cells};
 	struct trust t = {0};
-	trust_judge(&t, e, &q);
+	trust_judge_answer(&t, e, &q);
 	enum light light = t.light;
 	trust_free(&t);
 	return light;
@@ -156,7 +156,7 @@ one_plant(void *data, size_t piece, unsigned thread)
 	struct calibration *c = calibration_new(site, &o);
 	while (calibration_step(c) <= CALIBRATE_POLISHING)
 		;
-	struct fit fit = calibration_fit(c);
+	struct fit fit = calibration_best_fit(c);
 	calibration_free(c);
 	double began = measure_now();
 	struct posterior *posterior = posterior_new(site, &fit.params,
@@ -168,8 +168,8 @@ one_plant(void *data, size_t piece, unsigned thread)
 		.isa = ISA_BEST});
 	task->seconds[piece] = measure_now() - began;
 	task->convergence[piece] = posterior->drift;
-	struct ensemble *view = ensemble_new(
-	    posterior, site_feed(site, SITE_MEAN_FEED), p.sieve, p.n_sieve);
+	struct ensemble *view = ensemble_new(posterior,
+	    site_feed_of_run(site, SITE_MEAN_FEED), p.sieve, p.n_sieve);
 	struct evidence evidence = trust_gather_evidence(
 	    site, use, use, &fit, &o.bounds, posterior, 0);
 	for (size_t a = 0; a < ASKED; a++) {
@@ -189,7 +189,7 @@ leave_out(const struct site *site, size_t out)
 	enum { N = POSTERIOR_DRAWS };
 	bool *use = xcalloc(site->n_run, sizeof *use);
 	const struct run *run = &site->run[out];
-	size_t n = misfit_count_covered(run), in = 0;
+	size_t n = misfit_count_covered_sieves(run), in = 0;
 	for (size_t r = 0; r < site->n_run; r++)
 		use[r] = r != out;
 	struct calibrate_options o = calibrate_options_default();
@@ -197,7 +197,7 @@ leave_out(const struct site *site, size_t out)
 	struct calibration *c = calibration_new(site, &o);
 	while (calibration_step(c) <= CALIBRATE_POLISHING)
 		;
-	struct fit fit = calibration_fit(c);
+	struct fit fit = calibration_best_fit(c);
 	calibration_free(c);
 	struct posterior *posterior = posterior_new(site, &fit.params,
 	    &(struct posterior_options){.use = use,
@@ -208,8 +208,8 @@ leave_out(const struct site *site, size_t out)
 		.isa = ISA_BEST});
 	struct ensemble *view =
 	    ensemble_new(posterior, &run->feed, run->product.size, n);
-	double *answer = xdoubles(n * N), width = 0, error = 0;
-	ensemble_at(view, run->speed);
+	double *answer = xcalloc_doubles(n * N), width = 0, error = 0;
+	ensemble_set_speed(view, run->speed);
 	memcpy(answer, ensemble_products(view, ENSEMBLE_ANSWER),
 	    n * N * sizeof *answer);
 	for (size_t i = 0; i < n; i++) {
@@ -311,8 +311,8 @@ try_law(size_t law, size_t plants, size_t first, size_t runs, struct pool *pool,
 	    .runs = runs,
 	    .law = law,
 	    .score = xcalloc(plants * ASKED, sizeof *task.score),
-	    .convergence = xdoubles(plants),
-	    .seconds = xdoubles(plants)};
+	    .convergence = xcalloc_doubles(plants),
+	    .seconds = xcalloc_doubles(plants)};
 	struct score own[ASKED] = {{0}};
 	pool_run(pool, plants, one_plant, &task);
 	add_scores(&task, own);

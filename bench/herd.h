@@ -29,9 +29,9 @@ herd_in(const double *lower, const double *upper)
 {
 	struct herd h;
 	for (size_t j = 0; j < PARAM_COUNT; j++) {
-		struct rng_key key = rng_key(1, 0, j);
+		struct rng_key key = rng_make_key(1, 0, j);
 		double width = upper[j] - lower[j];
-		h.gene[j] = xdoubles(HERD + KERNEL_LANES);
+		h.gene[j] = xcalloc_doubles(HERD + KERNEL_LANES);
 		for (uint32_t i = 0; i < HERD; i++)
 			h.gene[j][i] = lower[j] + width * rng_uniform(key, i);
 	}

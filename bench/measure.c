@@ -74,8 +74,8 @@ measure_print_machine(void)
 	printf("%-17s%s\n", "date", date);
 	print_proc("processor", "/proc/cpuinfo", "model name");
 	printf("%-17s%u\n", "cores", measure_threads());
-	printf(
-	    "%-17s%s\n", "instruction set", isa_name(isa_is_usable(ISA_BEST)));
+	printf("%-17s%s\n", "instruction set",
+	    isa_name(isa_usable_or_best(ISA_BEST)));
 	printf("%-17s%s\n", "compiler", __VERSION__);
 	print_proc("load at start", "/proc/loadavg", "");
 }
@@ -193,7 +193,7 @@ struct misfit *
 measure_misfit(const struct site *site, bool all_runs)
 {
 	bool *train = xcalloc(site->n_run, sizeof *train);
-	misfit_default_train(site, train);
+	misfit_mark_default_training(site, train);
 	for (size_t r = 0; r < site->n_run && all_runs; r++)
 		train[r] = true;
 	struct misfit *m =
@@ -224,7 +224,7 @@ measure_calibrate(const struct site *site,
 	while (calibration_step(c) <= CALIBRATE_POLISHING)
 		;
 	double took = measure_now() - start;
-	*fit = calibration_fit(c);
+	*fit = calibration_best_fit(c);
 	calibration_free(c);
 	return took;
 }

@@ -54,7 +54,7 @@ class Misfit
 		falling(sieves);
 		edges.insert(edges.end(), sieves.begin(), sieves.end());
 		falling(edges);
-		make_points(split(edges));
+		make_quadrature_points(split(edges));
 		for (double s : sieves)
 			if (s < edges[0])
 				add_sieve(s);
@@ -132,7 +132,7 @@ class Misfit
 		return end;
 	}
 
-	void make_points(const std::vector<double> &end)
+	void make_quadrature_points(const std::vector<double> &end)
 	{
 		for (std::size_t c = 0; c < CLASSES; c++) {
 			double middle = (end[c] + end[c + 1]) / 2;

@@ -224,7 +224,7 @@ plant_of(enum law law, uint64_t number)
 	    0.09, 0.045, 0.0223, 0.0112, 0.0056};
 	static const double FEW_SIEVES[] = {2, 1, 0.5, 0.18, 0.045, 0.0112};
 	static const double TIPS[6] = {69, 74, 79, 66, 82, 0};
-	struct dice d = {rng_key(number, law, 77), 0};
+	struct dice d = {rng_make_key(number, law, 77), 0};
 	struct plant p = {.law = law,
 	    .top = uniform(&d, 0.008, 0.022),
 	    .feed_n = uniform(&d, 0.6, 1.3),
@@ -289,7 +289,7 @@ plant_of(enum law law, uint64_t number)
 		static const double MORE[5] = {66, 69, 74, 79, 82};
 		memcpy(p.speed, MORE, sizeof MORE);
 	}
-	struct dice feeds = {rng_key(number, law, 80), 0};
+	struct dice feeds = {rng_make_key(number, law, 80), 0};
 	for (size_t r = 0; r < PLANT_RUNS; r++)
 		p.run_n[r] = law == INDIVIDUAL
 				 ? p.feed_n * (1 + 0.06 * normal(&feeds))
@@ -331,8 +331,8 @@ struct site *
 plant_site(const struct plant *p, uint64_t number)
 {
 	struct site *site = site_new(p->n_run);
-	struct dice d = {rng_key(number, p->law, 78), 0};
-	struct dice other = {rng_key(number, p->law, 79), 0};
+	struct dice d = {rng_make_key(number, p->law, 78), 0};
+	struct dice other = {rng_make_key(number, p->law, 79), 0};
 	double feed[PLANT_SIEVES];
 	site->top_size = p->top;
 	for (size_t i = 0; i < p->n_sieve; i++)
@@ -362,6 +362,6 @@ plant_site(const struct plant *p, uint64_t number)
 			memcpy(
 			    run->feed.passing, feed, p->n_sieve * sizeof *feed);
 	}
-	site_update_mean_feed(site);
+	site_update_digest_and_mean_feed(site);
 	return site;
 }

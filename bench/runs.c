@@ -57,7 +57,7 @@ calibrate(const struct site *site, const bool *train, double *step)
 	struct calibration *c = calibration_new(site, &o);
 	while (calibration_step(c) <= CALIBRATE_POLISHING)
 		lap(&from, step);
-	struct fit fit = calibration_fit(c);
+	struct fit fit = calibration_best_fit(c);
 	calibration_free(c);
 	return fit;
 }
@@ -90,7 +90,7 @@ print_row(size_t runs, bool all)
 	struct site *site = plant_site(&plant, 1);
 	for (size_t r = 0; r < runs; r++)
 		use[r] = true;
-	misfit_default_train(site, train);
+	misfit_mark_default_training(site, train);
 	printf("%5zu  %-5s", runs, all ? "all" : "ends");
 	lap(&begun, &whole);
 	struct fit fit = calibrate(site, all ? use : train, &step[0]);
@@ -101,7 +101,7 @@ print_row(size_t runs, bool all)
 	struct bounds bounds = bounds_default(0);
 	trust_gather_evidence(site, train, use, &fit, &bounds, p, 0);
 	printf("%10.2f", lap(&begun, &whole));
-	struct doctor d = outliers_find(site, p, 0);
+	struct outlier_findings d = outliers_find(site, p, 0);
 	printf("%10.2f%7ld\n", lap(&begun, &whole), most_memory());
 	fflush(stdout);
 	outliers_free(&d);

@@ -36,15 +36,15 @@ static struct stored
 made_up(const struct stored_list *paper, size_t number)
 {
 	const struct stored *of = &paper->item[number % paper->n];
-	struct rng_key key = rng_key(1, number, 90);
+	struct rng_key key = rng_make_key(1, number, 90);
 	struct stored m = stored_empty();
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
-			stored_set_text(
-			    &m, &FIELDS[f], *stored_text(of, &FIELDS[f]));
+			stored_set_text(&m, &FIELDS[f],
+			    *stored_text_of_field(of, &FIELDS[f]));
 		else if (FIELDS[f].kind == FIELD_NUMBER)
-			*stored_number(&m, &FIELDS[f]) =
-			    *stored_number(of, &FIELDS[f]);
+			*stored_number_of_field(&m, &FIELDS[f]) =
+			    *stored_number_of_field(of, &FIELDS[f]);
 	m.params = of->params;
 	for (size_t j = 4; j < 7; j++)
 		m.params.at[j] *= 0.9 + 0.2 * rng_uniform(key, (uint32_t)j);
@@ -62,12 +62,13 @@ fill(struct store *store, size_t n)
 {
 	struct error error = {0};
 	struct stored_list paper = {0};
-	stored_table3(&paper);
+	stored_add_table3(&paper);
 	for (size_t from = 0; from < n; from += AT_ONCE) {
 		struct stored_list list = {0};
 		for (size_t i = from; i < n && i < from + AT_ONCE; i++)
 			stored_list_add(&list, made_up(&paper, i));
-		if (!store_put(store, list.item, list.n, true, &error)) {
+		if (!store_put_materials(
+			store, list.item, list.n, true, &error)) {
 			error_print(&error, stderr);
 			exit(1);
 		}
@@ -81,7 +82,7 @@ run(struct session *s, const char *line)
 {
 	struct error error = {0};
 	size_t next = 0;
-	if (!session_line(s, line, 0, "bench", 1, &next, &error)) {
+	if (!session_run_line(s, line, 0, "bench", 1, &next, &error)) {
 		error_print(&error, stderr);
 		exit(1);
 	}
@@ -103,7 +104,7 @@ print_completion(const struct session *s)
 	clock_t before = clock();
 	for (int k = 0; k < TIMES; k++) {
 		double from = session_clock();
-		completion_free(complete(s, LINE, strlen(LINE)));
+		completion_free(complete_at_cursor(s, LINE, strlen(LINE)));
 		ms[k] = 1000 * (session_clock() - from);
 	}
 	double middle = measure_median(ms, TIMES);

@@ -79,7 +79,7 @@ main_take_option(
 	case USAGE_FORMAT:
 		return take_format(value, &in->format, error);
 	case USAGE_SEED:
-		return (text_whole(value, &in->seed) &&
+		return (text_parse_whole_number(value, &in->seed) &&
 			   in->seed <= INT64_MAX) ||
 		       error_set(error, ERROR_USAGE,
 			   "expected --seed with a whole number below 2^63, "
@@ -96,7 +96,7 @@ main_take_option(
 		in->safe = true;
 		return true;
 	case USAGE_COLOR:
-		return terminal_colour_word(value, &in->color) ||
+		return terminal_parse_colour(value, &in->color) ||
 		       error_set(error, ERROR_USAGE,
 			   "expected --color auto, always or never, got '%s'",
 			   value);
@@ -176,7 +176,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 		for (k = i; k < n && !text_ends_with(path[k], ".tip"); k++)
 			;
 		if (k == i) {
-			status = batch_file(s, path[k++]);
+			status = batch_run_file(s, path[k++]);
 		} else if (!load_files(s, k - i, (const char *const *)path + i,
 			       NULL, &error)) {
 			if (error.kind == ERROR_SYSTEM &&
@@ -200,10 +200,10 @@ run_actions(struct session *s, const struct command_line *in)
 		const struct action *a = &in->action[i];
 		if (a->kind == 'f')
 			status = strcmp(a->value, "-") == 0
-				     ? batch_stream(s, stdin, "stdin")
-				     : batch_file(s, a->value);
+				     ? batch_run_stream(s, stdin, "stdin")
+				     : batch_run_file(s, a->value);
 		else
-			status = batch_text(s, a->value, "-c", ++commands);
+			status = batch_run_text(s, a->value, "-c", ++commands);
 	}
 	return status;
 }
@@ -228,8 +228,8 @@ main_run(
 	if (prompt)
 		return repl_run(s);
 	if (isatty(STDIN_FILENO))
-		return batch_typed(s);
-	return batch_stream(s, stdin, "stdin");
+		return batch_run_typed_lines(s);
+	return batch_run_stream(s, stdin, "stdin");
 }
 
 /* A full disk or a closed pipe must not look like success. */
@@ -274,14 +274,14 @@ main(int argc, char **argv)
 	if (!understood)
 		error_print(&error, stderr);
 	if (understood && in.reset_tty) {
-		restore_reset();
+		restore_reset_terminal();
 		status = 0;
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
 		session_set_language(s);
 		s->set.seed = in.seed;
-		s->isa = isa_named(getenv("TIPSPEED_ISA"));
+		s->isa = isa_from_name(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;
 		store_free(s->store);
 		/* Nor may a script of others touch the user's materials. */
@@ -289,13 +289,14 @@ main(int argc, char **argv)
 		s->store = store_new(none ? ":memory:" : in.store);
 		terminal_set_colour(in.color);
 		s->screen = terminal_describe();
-		s->hooks.draw_screen = script_draw;
-		s->hooks.run_screen = in.linear ? repl_for_screen : tui_run;
+		s->hooks.draw_screen = script_draw_screen;
+		s->hooks.run_screen =
+		    in.linear ? repl_run_instead_of_screen : tui_run;
 		signals_catch();
-		s->hooks.stop = signals_stop_wanted;
+		s->hooks.stop = signals_is_stop_wanted;
 		s->linear = in.linear;
 		if (in.help)
-			usage_print(stdout);
+			usage_print_help(stdout);
 		if (in.version)
 			printf("tipspeed %s\n", PACKAGE_VERSION);
 		status =
@@ -305,6 +306,6 @@ main(int argc, char **argv)
 	free(in.action);
 	/* What could not be read because of a signal ended by that. */
 	if (status != 0 && signals_pending() != 0)
-		status = signals_status();
+		status = signals_exit_status();
 	return close_output(status);
 }

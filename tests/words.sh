@@ -146,7 +146,7 @@ section ENVIRONMENT | sed -n 's/^\.It Ev \([A-Z_]*\)$/\1/p' >in_manual
 same "variables: --help and manual" all in_manual
 {
 	find "$srcdir/src" -name '*.c' -exec cat {} + | tr -s '\n\t ' '   ' |
-		grep -oE '(getenv|xdg_path)\( ?"[A-Z_]+"' |
+		grep -oE '(getenv|xdg_user_file_path)\( ?"[A-Z_]+"' |
 		sed 's/.*"\(.*\)"/\1/' | sort -u
 	grep -oE 'setenv\("[A-Z]+' "$srcdir"/src/base/tr.c | sed 's/.*"//'
 	cat "$srcdir"/src/*.c "$srcdir"/src/base/tr.c |

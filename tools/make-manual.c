@@ -14,17 +14,18 @@
 static void
 print_texts(FILE *out)
 {
-	manual_texts(out);
-	keys_print_texts(manual_text, out);
+	manual_print_texts_for_xgettext(out);
+	keys_print_texts(manual_print_text_for_xgettext, out);
 }
 
 static const struct {
 	const char *name;
 	void (*print)(FILE *out);
-} PARTS[] = {{"commands", manual_commands}, {"environment", manual_environment},
-    {"status", manual_status}, {"trust", manual_trust},
-    {"models", manual_models}, {"bash", manual_bash}, {"keys", keys_manual},
-    {"texts", print_texts}};
+} PARTS[] = {{"commands", manual_print_commands},
+    {"environment", manual_print_environment},
+    {"status", manual_print_exit_status}, {"trust", manual_print_trust_lights},
+    {"models", manual_print_models}, {"bash", manual_print_bash_completion},
+    {"keys", keys_print_manual}, {"texts", print_texts}};
 
 int
 main(int argc, char **argv)

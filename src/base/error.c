@@ -34,7 +34,7 @@ error_prefix_place(struct error *e, const char *file, int line, int column)
 /* A copy of the text before the hint, kept in *copy.  The compiler checks what
  * it is given as it would the whole format. */
 __attribute__((format_arg(1))) static const char *
-first_line(const char *format, char **copy)
+copy_first_line(const char *format, char **copy)
 {
 	return *copy = xstrndup(format, strcspn(format, "\n"));
 }
@@ -49,7 +49,7 @@ error_set_formatted(struct error *e, enum error_kind kind, const char *file,
 	va_copy(again, ap);
 	format = tr(format);
 	FREED char *first = NULL,
-		   *text = xvasprintf(first_line(format, &first), ap);
+		   *text = xvasprintf(copy_first_line(format, &first), ap);
 	FREED char *all = xvasprintf(format, again);
 	const char *rest = all + strlen(text);
 	va_end(again);
@@ -117,10 +117,10 @@ error_should_stop(struct error_list *list)
 
 /* Lines that fit stay as they are, spaces and all: they may quote somebody. */
 static void
-print_line(char *line, bool wrap, int margin, FILE *out)
+print_error_line(char *line, bool wrap, int margin, FILE *out)
 {
 	enum { SCREEN = 79 };
-	if (!wrap || text_width(line) <= SCREEN) {
+	if (!wrap || text_width_in_columns(line) <= SCREEN) {
 		text_print_escaped(line, out);
 		fputc('\n', out);
 	} else {
@@ -132,7 +132,7 @@ print_line(char *line, bool wrap, int margin, FILE *out)
 
 /* "14:9:" after a file's name, or "B5:". */
 static void
-place_text(const struct error *e, char place[static 32])
+error_place_text(const struct error *e, char place[static 32])
 {
 	char letters[8];
 	if (e->line > 0 && e->in_grid)
@@ -147,17 +147,18 @@ error_print(const struct error *e, FILE *out)
 {
 	char place[32] = "";
 	if (strcmp(e->file, ERROR_TYPED) == 0) {
-		print_line(xstrdup(e->text), isatty(fileno(out)) != 0, 4, out);
+		print_error_line(
+		    xstrdup(e->text), isatty(fileno(out)) != 0, 4, out);
 		error_print_hint(e, out);
 		return;
 	}
-	place_text(e, place);
+	error_place_text(e, place);
 	bool known = e->file[0] != '\0' || e->line > 0;
 	const char *sign = e->file[0] == '\0'               ? ""
 			   : e->in_grid && place[0] != '\0' ? ","
 							    : ":";
-	print_line(xasprintf("%s%s%s%s %s", e->file, sign, place,
-		       known ? "" : "tipspeed:", e->text),
+	print_error_line(xasprintf("%s%s%s%s %s", e->file, sign, place,
+			     known ? "" : "tipspeed:", e->text),
 	    isatty(fileno(out)) != 0, 4, out);
 	error_print_hint(e, out);
 }
@@ -166,5 +167,6 @@ void
 error_print_hint(const struct error *e, FILE *out)
 {
 	if (e->hint[0] != '\0')
-		print_line(xasprintf(tr("  hint: %s"), e->hint), true, 8, out);
+		print_error_line(
+		    xasprintf(tr("  hint: %s"), e->hint), true, 8, out);
 }

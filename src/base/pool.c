@@ -81,7 +81,7 @@ sleep_until_work(struct pool *pool)
 }
 
 static void *
-pool_work(void *argument)
+run_pool_thread(void *argument)
 {
 	const struct worker *worker = argument;
 	struct pool *pool = worker->pool;
@@ -110,7 +110,7 @@ wake_all(struct pool *pool)
 /* Signals are for the thread that knows what to do about them, and holds them
  * back while it writes a file; a fault is where it happens. */
 static void
-hold_signals(sigset_t *before)
+block_signals(sigset_t *before)
 {
 	static const int FAULTS[] = {
 	    SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP};
@@ -132,11 +132,11 @@ pool_new(unsigned threads)
 	pool->thread = xcalloc(threads, sizeof *pool->thread);
 	pool->worker = xcalloc(threads, sizeof *pool->worker);
 	pool->threads = 1;
-	hold_signals(&before);
+	block_signals(&before);
 	while (pool->threads < threads) {
 		unsigned i = pool->threads;
 		pool->worker[i] = (struct worker){pool, i};
-		if (pthread_create(&pool->thread[i], NULL, pool_work,
+		if (pthread_create(&pool->thread[i], NULL, run_pool_thread,
 			&pool->worker[i]) != 0)
 			break;
 		pool->threads++;

@@ -36,7 +36,7 @@ to_lower(char c)
 /* strtod is safe here: the program sets LC_CTYPE only, so the decimal sign is
  * always a point.  Its extras (hex, inf, nan) are refused before the call. */
 bool
-text_number(const char *s, double *value)
+text_parse_number(const char *s, double *value)
 {
 	while (*s == ' ' || *s == '\t')
 		s++;
@@ -68,18 +68,18 @@ text_is_decimal_comma(const char *s, const char *at)
 }
 
 bool
-text_typed_number(const char *s, double *value)
+text_parse_typed_number(const char *s, double *value)
 {
 	const char *comma = strchr(s, ',');
 	if (comma == NULL || !text_is_decimal_comma(s, comma))
-		return text_number(s, value);
+		return text_parse_number(s, value);
 	FREED char *copy = xstrdup(s);
 	copy[comma - s] = '.';
-	return text_number(copy, value);
+	return text_parse_number(copy, value);
 }
 
 bool
-text_whole(const char *s, uint64_t *value)
+text_parse_whole_number(const char *s, uint64_t *value)
 {
 	if (!is_digit(*s))
 		return false;
@@ -93,7 +93,7 @@ text_whole(const char *s, uint64_t *value)
 }
 
 const char *
-text_exact_number(double value, char buf[static 32])
+text_shortest_exact_number(double value, char buf[static 32])
 {
 	for (int digits = 6; digits <= 17; digits++) {
 		snprintf(buf, 32, "%.*g", digits, value);
@@ -104,7 +104,7 @@ text_exact_number(double value, char buf[static 32])
 }
 
 const char *
-text_number_unlike(double value, double other, char buf[static 32])
+text_number_to_tell_apart(double value, double other, char buf[static 32])
 {
 	enum { SHORT = 7, LEAST = 4, MOST = 17 };
 	double apart = fabs(value - other) / 10;
@@ -134,7 +134,7 @@ static const char LATIN1[] = "aaaaaaaceeeeiiiidnooooo*ouuuuyts"
 			     "aaaaaaaceeeeiiiidnooooo*ouuuuyty";
 
 char *
-text_fold(const char *s)
+text_fold_case_and_accents(const char *s)
 {
 	char *folded = xcalloc(strlen(s) + 1, 1);
 	size_t n = 0;
@@ -196,7 +196,7 @@ letter_bytes(const char *p)
 char *
 text_slug(const char *s)
 {
-	char *slug = text_fold(s);
+	char *slug = text_fold_case_and_accents(s);
 	size_t n = 0, take;
 	for (const char *p = slug; *p != '\0'; p += take > 0 ? take : 1) {
 		take = letter_bytes(p);
@@ -212,17 +212,17 @@ text_slug(const char *s)
 }
 
 bool
-text_is_formula(const char *s)
+text_may_be_formula(const char *s)
 {
 	double value;
 	const char *sign = s + strspn(s, "'");
 	if (*sign == '\0' || strchr("=+-@\t\r\n", *sign) == NULL)
 		return false;
-	return sign != s || (s[1] != '\0' && !text_number(s, &value));
+	return sign != s || (s[1] != '\0' && !text_parse_number(s, &value));
 }
 
 char *
-text_unquoted(const char *text, size_t n)
+text_without_quotes(const char *text, size_t n)
 {
 	char *word = xcalloc(n + 1, 1);
 	bool quoted = false;
@@ -240,7 +240,7 @@ text_unquoted(const char *text, size_t n)
 }
 
 char *
-text_quoted(const char *s)
+text_in_quotes(const char *s)
 {
 	char *quoted = xcalloc(2 * strlen(s) + 3, 1), *to = quoted;
 	*to++ = '"';
@@ -274,14 +274,16 @@ text_ends_with(const char *s, const char *end)
 bool
 text_same_folded(const char *a, const char *b)
 {
-	FREED char *fold_a = text_fold(a), *fold_b = text_fold(b);
+	FREED char *fold_a = text_fold_case_and_accents(a),
+		   *fold_b = text_fold_case_and_accents(b);
 	return strcmp(fold_a, fold_b) == 0;
 }
 
 bool
 text_contains_word(const char *text, const char *word)
 {
-	FREED char *folded = text_fold(text), *wanted = text_fold(word);
+	FREED char *folded = text_fold_case_and_accents(text),
+		   *wanted = text_fold_case_and_accents(word);
 	return strstr(folded, wanted) != NULL;
 }
 
@@ -307,7 +309,7 @@ least_of_three(size_t a, size_t b, size_t c)
 }
 
 size_t
-text_distance(const char *a, const char *b)
+text_edit_distance(const char *a, const char *b)
 {
 	enum { LONGEST = 40 };
 	size_t n = strlen(a), m = strlen(b);
@@ -420,7 +422,7 @@ text_read_line(char **text, size_t *n, size_t *room, FILE *in)
 }
 
 uint64_t
-text_digest(uint64_t h, const void *bytes, size_t n)
+text_fnv1a_digest(uint64_t h, const void *bytes, size_t n)
 {
 	const unsigned char *b = bytes;
 	for (size_t i = 0; i < n; i++)
@@ -429,7 +431,7 @@ text_digest(uint64_t h, const void *bytes, size_t n)
 }
 
 int
-text_columns(uint32_t code)
+text_columns_of_character(uint32_t code)
 {
 	int columns = code < 0x80 ? 1 : wcwidth((wchar_t)code);
 	return columns < 0 ? 1 : columns;
@@ -449,7 +451,7 @@ text_escape_next(const char **text, char shown[static TEXT_SHOWN])
 		    code > 0xFFFF ? "\\U%08x" : "\\u%04x", (unsigned)code);
 	memcpy(shown, from, (size_t)n);
 	shown[n] = '\0';
-	return text_columns(code);
+	return text_columns_of_character(code);
 }
 
 char *
@@ -492,7 +494,7 @@ text_print_xml(const char *s, FILE *out)
 }
 
 int
-text_width(const char *s)
+text_width_in_columns(const char *s)
 {
 	int width = 0;
 	char shown[TEXT_SHOWN];
@@ -551,7 +553,7 @@ text_print_hanging(
 	char *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
-		int wide = text_width(word);
+		int wide = text_width_in_columns(word);
 		if (column > 0 && column + 1 + wide > width) {
 			fputc('\n', out);
 			column = 0;

@@ -10,26 +10,27 @@
 
 /* Parses all of s as a decimal number with a point ("11.2", "1e-3"), whatever
  * the locale.  Spaces around it are allowed; hex, "inf" and "nan" are not. */
-bool text_number(const char *s, double *value);
+bool text_parse_number(const char *s, double *value);
 
-/* As text_number, but also accepts a decimal comma, "11,2".  A comma before
- * three digits may separate thousands, "1,640", and is rejected, except in
- * "0,063". */
-bool text_typed_number(const char *s, double *value);
+/* As text_parse_number, but also accepts a decimal comma, "11,2".  A comma
+ * before three digits may separate thousands, "1,640", and is rejected, except
+ * in "0,063". */
+bool text_parse_typed_number(const char *s, double *value);
 
 /* True if the character at `at` in s can only be a decimal comma. */
 bool text_is_decimal_comma(const char *s, const char *at);
 
 /* Parses all of s as a whole number from 0 to 2^64-1. */
-bool text_whole(const char *s, uint64_t *value);
+bool text_parse_whole_number(const char *s, uint64_t *value);
 
 /* Returns the shortest decimal form that reads back as the same double. */
-const char *text_exact_number(double value, char buf[static 32]);
+const char *text_shortest_exact_number(double value, char buf[static 32]);
 
 /* Returns a number for a message that compares it with another: unchanged if it
  * is short, like typed numbers; else with as few digits as distinguish the two,
  * but at least four. */
-const char *text_number_unlike(double value, double other, char buf[static 32]);
+const char *text_number_to_tell_apart(
+    double value, double other, char buf[static 32]);
 
 /* Removes spaces at both ends, in place; returns a pointer into s. */
 char *text_trim(char *s);
@@ -37,26 +38,26 @@ char *text_trim(char *s);
 /* Returns a copy in lower case without the accents of Latin letters: "Borlänge"
  * becomes "borlange", however its dots are encoded.  Other bytes are unchanged.
  * The caller frees it. */
-char *text_fold(const char *s);
+char *text_fold_case_and_accents(const char *s);
 
-/* As text_fold, but with every run of characters other than letters of any
- * script, digits, dots and underscores replaced with one '-'; empty if nothing
- * else remains. */
+/* As text_fold_case_and_accents, but with every run of characters other than
+ * letters of any script, digits, dots and underscores replaced with one '-';
+ * empty if nothing else remains. */
 char *text_slug(const char *s);
 
 /* Returns n bytes without the quotes (") in them; two quotes within quotes
  * become one.  The caller frees it. */
-char *text_unquoted(const char *s, size_t n);
+char *text_without_quotes(const char *s, size_t n);
 
 /* Returns a text in quotes ("), with each quote in it doubled.  The caller
  * frees it. */
-char *text_quoted(const char *s);
+char *text_in_quotes(const char *s);
 
 /* True if a spreadsheet may mistake a cell for a formula: it begins with one of
  * = + - @ and is neither a number nor a single sign.  Such text is written to
  * sheets after an apostrophe, which the reader removes; text that begins with
  * apostrophes before such a character gets one more. */
-bool text_is_formula(const char *s);
+bool text_may_be_formula(const char *s);
 
 /* Writes the letters of a spreadsheet's column, counted from 1: "AB". */
 const char *text_column_letters(int column, char buf[static 8]);
@@ -76,7 +77,7 @@ bool text_find_word(const char *list, const char *word, size_t *index);
 
 /* Returns the number of single-letter edits between a and b
  * (Damerau-Levenshtein). */
-size_t text_distance(const char *a, const char *b);
+size_t text_edit_distance(const char *a, const char *b);
 
 /* Returns the code point at *text, or U+FFFD for a byte that is not UTF-8, and
  * advances *text.  Must not be called at the end of a text. */
@@ -88,7 +89,7 @@ size_t text_shared_prefix(const char *a, const char *b);
 
 /* Returns the width of a character on a terminal, in columns: 1 if the locale
  * does not know it, 0 for combining marks. */
-int text_columns(uint32_t code);
+int text_columns_of_character(uint32_t code);
 
 /* Text may come from other people: a name, a sheet, a store.  Characters that a
  * terminal would interpret (controls of both kinds), that reverse other text or
@@ -100,14 +101,14 @@ int text_columns(uint32_t code);
  * text_escape_next writes the character at *text as shown, advances *text, and
  * returns the character's columns.  text_escaped returns a whole text, which
  * the caller frees; text_print_escaped prints it; text_print_xml prints it with
- * < > & as entities, for the text of an element; text_width returns its
- * columns. */
+ * < > & as entities, for the text of an element; text_width_in_columns returns
+ * its columns. */
 enum { TEXT_SHOWN = 12 };
 int text_escape_next(const char **text, char shown[static TEXT_SHOWN]);
 char *text_escaped(const char *s);
 void text_print_escaped(const char *s, FILE *out);
 void text_print_xml(const char *s, FILE *out);
-int text_width(const char *s);
+int text_width_in_columns(const char *s);
 
 /* Returns a text shortened to that many columns: whole words, and " .." for
  * the rest; if little would remain, its beginning and "..", but no part of a
@@ -148,7 +149,7 @@ bool text_is_utf8(const char *s, size_t n);
 /* Returns the FNV-1a digest, 64 bits, of n bytes, continued from h; start with
  * TEXT_DIGEST_START.  It detects accidental changes; it does not protect
  * against malice. */
-uint64_t text_digest(uint64_t h, const void *bytes, size_t n);
+uint64_t text_fnv1a_digest(uint64_t h, const void *bytes, size_t n);
 #define TEXT_DIGEST_START UINT64_C(0xcbf29ce484222325)
 
 #endif

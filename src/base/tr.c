@@ -21,7 +21,7 @@ static const char ON[] = PACKAGE, OFF[] = PACKAGE "-c";
 
 /* DIR/sv/LC_MESSAGES/tipspeed.mo */
 static void
-bind_catalogues(void)
+bind_message_catalogues(void)
 {
 	static const char BESIDE[] = "/locale";
 	char path[PATH_MAX];
@@ -48,7 +48,7 @@ is_path_not_language(const char *language)
 /* glibc heeds LANGUAGE in all locales but C, whichever there are; musl has any
  * locale, and no LANGUAGE. */
 static void
-set_language(const char *language)
+set_message_language(const char *language)
 {
 	setenv("LANGUAGE", language, 1);
 	if (setlocale(LC_MESSAGES, language) == NULL &&
@@ -65,10 +65,10 @@ tr_begin(const char *language)
 	if (wanted != NULL && is_path_not_language(wanted))
 		unsetenv("LANGUAGE");
 	if (language != NULL)
-		set_language(language);
+		set_message_language(language);
 	else
 		setlocale(LC_MESSAGES, "");
-	bind_catalogues();
+	bind_message_catalogues();
 	/* The head of a catalogue is under the empty text. */
 	return language == NULL || strcmp(language, "en") == 0 ||
 	       strcmp(language, "C") == 0 || gettext("")[0] != '\0';

@@ -90,7 +90,7 @@ xasprintf(const char *format, ...)
 
 /* Takes what is added. */
 static void
-xalloc_add(char **text, const char *separator, char *more)
+append_separated(char **text, const char *separator, char *more)
 {
 	size_t n = strlen(*text), gap = strlen(separator), m = strlen(more);
 	*text = xrealloc(*text, n + gap + m + 1, 1);
@@ -104,22 +104,22 @@ xappend(char **text, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	xalloc_add(text, "", xvasprintf(format, ap));
+	append_separated(text, "", xvasprintf(format, ap));
 	va_end(ap);
 }
 
 void
-xlist(char **list, const char *separator, const char *format, ...)
+xappend_to_list(char **list, const char *separator, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	xalloc_add(
+	append_separated(
 	    list, *list[0] != '\0' ? separator : "", xvasprintf(format, ap));
 	va_end(ap);
 }
 
 double *
-xdoubles(size_t n)
+xcalloc_doubles(size_t n)
 {
 	enum { LINE = 64 };
 	if (n > SIZE_MAX / sizeof(double) - LINE)

@@ -30,12 +30,12 @@ void xfree_at(void *pointer);
  * separator first if the list is not empty. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void xlist(char **list, const char *separator, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+void xappend_to_list(char **list, const char *separator, const char *format,
+    ...) __attribute__((format(printf, 3, 4)));
 
 /* Returns zeroed doubles at an address that is a multiple of 64 bytes, for the
  * kernels. */
-double *xdoubles(size_t n);
+double *xcalloc_doubles(size_t n);
 
 /* Ends the program because memory has run out; called for libraries that report
  * it. */

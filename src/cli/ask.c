@@ -20,7 +20,7 @@
  * that came just before would be recorded, and the read would still wait.  ^Z
  * works all the time. */
 int
-ask_line(char **line)
+ask_wait_for_line(char **line)
 {
 	static const int ENDS[] = {SIGINT, SIGTERM, SIGHUP};
 	sigset_t held, was;
@@ -31,7 +31,7 @@ ask_line(char **line)
 		sigaddset(&held, ENDS[i]);
 	sigprocmask(SIG_BLOCK, &held, &was);
 	while (c != '\n' && signals_pending() == 0) {
-		if (!signals_wait_with(&was, INFINITY))
+		if (!signals_wait_with_mask(&was, INFINITY))
 			continue;
 		ssize_t got = read(STDIN_FILENO, &c, 1);
 		if (got == 0 || (got < 0 && errno != EINTR))
@@ -50,7 +50,7 @@ ask_confirm(struct session *s, const char *question, bool yes)
 	(void)s;
 	text_print_escaped(question, stderr);
 	fputs(yes ? " [Y/n] " : " [y/N] ", stderr);
-	int c = ask_line(NULL);
+	int c = ask_wait_for_line(NULL);
 	if (c == EOF)
 		fputc('\n', stderr);
 	return c == 'y' || c == 'Y' || (yes && c == '\n');
@@ -58,11 +58,11 @@ ask_confirm(struct session *s, const char *question, bool yes)
 
 /* Prints what stands above the questions about a table. */
 static void
-print_table_of_questions(const struct inquiry *q, int columns)
+print_table_above_questions(const struct inquiry *q, int columns)
 {
 	text_wrap(q->about, 0, columns, stderr);
 	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
-		FREED char *line = inquiry_row(q, r, columns);
+		FREED char *line = inquiry_row_text(q, r, columns);
 		text_print_escaped(line, stderr);
 		fputc('\n', stderr);
 	}
@@ -80,7 +80,7 @@ print_table_of_questions(const struct inquiry *q, int columns)
 /* On standard error, because the notes of the session wait for the end of the
  * command. */
 char *
-ask_with(
+ask_with_reader(
     struct session *s, const struct inquiry *q, char *(*read)(const char *text))
 {
 	int rows, columns;
@@ -90,7 +90,7 @@ ask_with(
 	if (q->wrong[0] != '\0')
 		text_wrap(q->wrong, 0, columns, stderr);
 	if (q->first)
-		print_table_of_questions(q, columns);
+		print_table_above_questions(q, columns);
 	fflush(stderr);
 	bool offers = q->offered[0] != '\0';
 	FREED char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
@@ -101,11 +101,11 @@ ask_with(
 }
 
 static char *
-read_plain(const char *text)
+prompt_for_line(const char *text)
 {
 	text_print_escaped(text, stderr);
 	char *line = xstrdup("");
-	if (ask_line(&line) != EOF && text_is_utf8(line, strlen(line)))
+	if (ask_wait_for_line(&line) != EOF && text_is_utf8(line, strlen(line)))
 		return line;
 	free(line);
 	fputc('\n', stderr);
@@ -115,5 +115,5 @@ read_plain(const char *text)
 char *
 ask_question(struct session *s, const struct inquiry *q)
 {
-	return ask_with(s, q, read_plain);
+	return ask_with_reader(s, q, prompt_for_line);
 }

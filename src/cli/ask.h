@@ -9,14 +9,14 @@
  * terminal resized meanwhile.  Returns the first character, or EOF at the end
  * of input or on a signal.  If line is not NULL, appends the line without its
  * end to *line. */
-int ask_line(char **line);
+int ask_wait_for_line(char **line);
 
 /* Ask at the prompt, for session->hooks.confirm and .question.  read: prompts
  * with a text and returns the line without its end, which the caller frees, or
  * NULL at the end of input or on a signal. */
 bool ask_confirm(struct session *s, const char *question, bool yes);
 char *ask_question(struct session *s, const struct inquiry *inquiry);
-char *ask_with(struct session *s, const struct inquiry *inquiry,
+char *ask_with_reader(struct session *s, const struct inquiry *inquiry,
     char *(*read)(const char *text));
 
 #endif

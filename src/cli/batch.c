@@ -62,21 +62,22 @@ print_interrupted(const char *name, int number)
 }
 
 static struct driver
-plain_driver(struct session *s)
+make_plain_driver(struct session *s)
 {
 	return (struct driver){.session = s,
 	    .fail = print_error,
 	    .interrupted = print_interrupted,
-	    .work = progress_run};
+	    .work = progress_run_job};
 }
 
 int
-batch_line(struct session *s, const char *line, int number, struct pager *pager)
+batch_run_line(
+    struct session *s, const char *line, int number, struct pager *pager)
 {
-	struct driver d = plain_driver(s);
+	struct driver d = make_plain_driver(s);
 	d.pager = pager;
 	d.interrupted = pager != NULL ? NULL : print_interrupted;
-	return driver_line(&d, line, ERROR_TYPED, number);
+	return driver_run_line(&d, line, ERROR_TYPED, number);
 }
 
 /* The output of a line, printed before its error and only if it fails. */
@@ -97,7 +98,7 @@ print_captured_messages(struct quiet *q)
 }
 
 static void
-print_after_said(
+print_messages_and_error(
     void *of, const struct error *e, const char *line, const char *name)
 {
 	print_captured_messages(of);
@@ -105,16 +106,16 @@ print_after_said(
 }
 
 int
-batch_line_quietly(struct session *s, const char *line, int number)
+batch_run_line_quietly(struct session *s, const char *line, int number)
 {
 	struct quiet q = {.shown = false};
-	struct driver d = plain_driver(s);
+	struct driver d = make_plain_driver(s);
 	FILE *out = s->out, *notes = s->notes;
 	d.of = &q;
-	d.fail = print_after_said;
+	d.fail = print_messages_and_error;
 	d.interrupted = NULL;
 	s->out = s->notes = q.to = text_open_memory(&q.said, &q.n);
-	int status = driver_line(&d, line, ERROR_TYPED, number);
+	int status = driver_run_line(&d, line, ERROR_TYPED, number);
 	s->out = out;
 	s->notes = notes;
 	if (status != 0)
@@ -127,12 +128,12 @@ batch_line_quietly(struct session *s, const char *line, int number)
 static int
 run_scripts(struct session *s, size_t depth)
 {
-	const struct driver d = plain_driver(s);
-	return driver_scripts(&d, depth);
+	const struct driver d = make_plain_driver(s);
+	return driver_run_scripts(&d, depth);
 }
 
 int
-batch_stream(struct session *s, FILE *in, const char *name)
+batch_run_stream(struct session *s, FILE *in, const char *name)
 {
 	size_t depth = s->scripts;
 	script_open_stream(s, in, name);
@@ -140,7 +141,7 @@ batch_stream(struct session *s, FILE *in, const char *name)
 }
 
 int
-batch_text(struct session *s, const char *text, const char *name, int line)
+batch_run_text(struct session *s, const char *text, const char *name, int line)
 {
 	size_t depth = s->scripts;
 	script_open_text(s, text, name, line);
@@ -148,7 +149,7 @@ batch_text(struct session *s, const char *text, const char *name, int line)
 }
 
 int
-batch_file(struct session *s, const char *path)
+batch_run_file(struct session *s, const char *path)
 {
 	size_t depth = s->scripts;
 	struct error error = {0};
@@ -159,7 +160,7 @@ batch_file(struct session *s, const char *path)
 }
 
 void
-batch_user_types(struct session *s)
+batch_begin_interactive(struct session *s)
 {
 	FREED char *offer = autosave_begin(s);
 	if (offer != NULL)
@@ -173,22 +174,22 @@ batch_user_types(struct session *s)
 /* On standard error, because standard output is no terminal here: otherwise
  * readline would prompt. */
 static void
-print_prompt(struct session *s, bool goes_on)
+print_prompt(struct session *s, bool is_condition_continued)
 {
-	const char *key = s->n_entry > 0 ? session_entry(s)->key : "";
+	const char *key = s->n_entry > 0 ? session_current_entry(s)->key : "";
 	fprintf(stderr, "%s> ",
-	    goes_on          ? ""
-	    : key[0] != '\0' ? key
-			     : "tipspeed");
+	    is_condition_continued ? ""
+	    : key[0] != '\0'       ? key
+				   : "tipspeed");
 }
 
 int
-batch_typed(struct session *s)
+batch_run_typed_lines(struct session *s)
 {
 	FREED char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
 	struct error error = {0};
-	batch_user_types(s);
+	batch_begin_interactive(s);
 	for (int number = 1; !s->quit; signals_forget_interrupt()) {
 		print_prompt(s, from > 0);
 		enum text_line got = text_read_line(&line, &n, &room, stdin);
@@ -197,7 +198,7 @@ batch_typed(struct session *s)
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {
-			script_too_long(ERROR_TYPED, number, &error);
+			script_set_error_too_long(ERROR_TYPED, number, &error);
 			error_print(&error, stderr);
 		}
 		if (got != TEXT_LINE && signals_pending() != SIGINT)
@@ -206,9 +207,10 @@ batch_typed(struct session *s)
 		if (got == TEXT_END)
 			clearerr(stdin);
 		if (got == TEXT_LINE && !more)
-			batch_line(s, line, number++, NULL);
-		if (signals_is_ending())
+			batch_run_line(s, line, number++, NULL);
+		if (signals_is_end_wanted())
 			break;
 	}
-	return signals_is_ending() ? signals_status() : (int)error.kind;
+	return signals_is_end_wanted() ? signals_exit_status()
+				       : (int)error.kind;
 }

@@ -10,25 +10,26 @@
 
 /* Run a script.  Return the exit status: 0, or that of the first error, which
  * ends the script and is printed to stderr with its line and a caret. */
-int batch_text(struct session *s, const char *text, const char *name, int line);
-int batch_stream(struct session *s, FILE *in, const char *name);
-int batch_file(struct session *s, const char *path);
+int batch_run_text(
+    struct session *s, const char *text, const char *name, int line);
+int batch_run_stream(struct session *s, FILE *in, const char *name);
+int batch_run_file(struct session *s, const char *path);
 
 /* Tells the session that a user now types the lines: starts autosaving and
  * announces the last autosaved session. */
-void batch_user_types(struct session *s);
+void batch_begin_interactive(struct session *s);
 
 /* Reads and runs lines typed at a terminal while results go elsewhere.  After
  * an error, prints it and continues. */
-int batch_typed(struct session *s);
+int batch_run_typed_lines(struct session *s);
 
 /* Runs a typed line with its jobs and prints any error. pager: at a prompt,
  * collects the results of the line to show them in a pager; else NULL. */
-int batch_line(
+int batch_run_line(
     struct session *s, const char *line, int number, struct pager *pager);
 
-/* As batch_line, but the output is shown only if the line fails or is
+/* As batch_run_line, but the output is shown only if the line fails or is
  * interrupted. */
-int batch_line_quietly(struct session *s, const char *line, int number);
+int batch_run_line_quietly(struct session *s, const char *line, int number);
 
 #endif

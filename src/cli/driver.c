@@ -15,7 +15,7 @@
 /* Ends the commands that a line has started, after an error or an interruption;
  * the latter keeps the results so far. */
 static void
-driver_give_up(
+end_started_commands(
     const struct driver *d, int status, const char *line, const char *name)
 {
 	struct error error = {.kind = (enum error_kind)status};
@@ -26,52 +26,52 @@ driver_give_up(
 
 /* Stops the line after a signal, with the results so far. */
 static int
-driver_interrupt(
+stop_line_on_signal(
     const struct driver *d, const char *line, const char *name, int number)
 {
-	pager_hold(d->pager);
-	session_pause(d->session);
-	driver_give_up(d, 0, line, name);
-	pager_show(d->pager);
+	pager_hold_notes(d->pager);
+	session_pause_job(d->session);
+	end_started_commands(d, 0, line, name);
+	pager_show_new_output(d->pager);
 	if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return signals_status();
+	return signals_exit_status();
 }
 
 /* Reports that a command did nothing: it failed, or a signal came first. */
 static int
-driver_fail(const struct driver *d, const struct error *e, const char *line,
-    const char *name, int number)
+report_failed_command(const struct driver *d, const struct error *e,
+    const char *line, const char *name, int number)
 {
 	if (e->kind != ERROR_STOPPED)
 		d->fail(d->of, e, line, name);
 	else if (d->interrupted != NULL)
 		d->interrupted(name, number);
-	return signals_pending() != 0 ? signals_status() : (int)e->kind;
+	return signals_pending() != 0 ? signals_exit_status() : (int)e->kind;
 }
 
 /* Runs to its end what the commands so far have started. */
 static int
-driver_finish_work(const struct driver *d, size_t depth, const char *line,
+run_started_jobs(const struct driver *d, size_t depth, const char *line,
     const char *name, int number)
 {
 	struct session *s = d->session;
 	if (!d->work(s))
-		return driver_interrupt(d, line, name, number);
-	pager_show(d->pager);
-	int status = driver_scripts(d, depth);
+		return stop_line_on_signal(d, line, name, number);
+	pager_show_new_output(d->pager);
+	int status = driver_run_scripts(d, depth);
 	if (status == 0 && s->wants_tui && s->hooks.run_screen != NULL) {
 		s->wants_tui = false;
 		status = s->hooks.run_screen(s);
 	}
 	if (status != 0 || s->quit)
-		driver_give_up(d, status, line, name);
-	pager_show(d->pager);
+		end_started_commands(d, status, line, name);
+	pager_show_new_output(d->pager);
 	return status;
 }
 
 int
-driver_line(
+driver_run_line(
     const struct driver *d, const char *line, const char *name, int number)
 {
 	struct session *s = d->session;
@@ -79,23 +79,25 @@ driver_line(
 	int status = 0;
 	do {
 		struct error error = {0};
-		pager_hold(d->pager);
-		bool ok = session_line(s, line, at, name, number, &at, &error);
-		pager_show(d->pager);
+		pager_hold_notes(d->pager);
+		bool ok =
+		    session_run_line(s, line, at, name, number, &at, &error);
+		pager_show_new_output(d->pager);
 		if (!ok) {
 			fflush(s->out);
-			return driver_fail(d, &error, line, name, number);
+			return report_failed_command(
+			    d, &error, line, name, number);
 		}
-		if (d->watches && number == 0 && session_busy(s) &&
+		if (d->watches && number == 0 && session_is_calibrating(s) &&
 		    s->scripts == depth && line[at] == '\0')
 			return 0;
-		status = driver_finish_work(d, depth, line, name, number);
+		status = run_started_jobs(d, depth, line, name, number);
 	} while (status == 0 && at > 0 && !s->quit);
 	return status;
 }
 
 int
-driver_scripts(const struct driver *d, size_t depth)
+driver_run_scripts(const struct driver *d, size_t depth)
 {
 	struct session *s = d->session;
 	int status = 0;
@@ -103,16 +105,17 @@ driver_scripts(const struct driver *d, size_t depth)
 	       signals_pending() == 0) {
 		struct error error = {0};
 		struct place place;
-		FREED char *line = script_line(s, &place, &error);
+		FREED char *line = script_read_line(s, &place, &error);
 		if (line != NULL && d->begins != NULL)
 			d->begins(d->of, line);
 		if (line != NULL && signals_pending() == 0)
-			status = driver_line(d, line, place.file, place.line);
+			status =
+			    driver_run_line(d, line, place.file, place.line);
 		else if (error.kind != ERROR_NONE)
 			d->fail(d->of, &error, "", "");
 		if (line == NULL)
 			status = (int)error.kind;
 	}
-	script_close(s, depth);
-	return signals_pending() != 0 ? signals_status() : status;
+	script_close_to_depth(s, depth);
+	return signals_pending() != 0 ? signals_exit_status() : status;
 }

@@ -29,10 +29,10 @@ struct driver {
 /* Runs one line to its end.  name, number: its position in messages; number 0
  * for a line typed on the full screen.  Returns 0, the status of the first
  * error, after reporting it, or that of a signal. */
-int driver_line(
+int driver_run_line(
     const struct driver *d, const char *line, const char *name, int number);
 
 /* Runs all open scripts to their ends, except the outermost `depth`. */
-int driver_scripts(const struct driver *d, size_t depth);
+int driver_run_scripts(const struct driver *d, size_t depth);
 
 #endif

@@ -20,7 +20,7 @@ static char *path; /* NULL: it is not kept */
 static bool opened;
 
 static void
-history_give_up(const char *why)
+stop_saving_history(const char *why)
 {
 	fprintf(stderr, tr("the history cannot be saved: %s\n"), why);
 	free(path);
@@ -31,9 +31,9 @@ static void
 append_to_history(const char *bytes)
 {
 	struct error error = {0};
-	if (path != NULL &&
-	    !file_append(path, FILE_PRIVATE, bytes, strlen(bytes), &error))
-		history_give_up(error.text);
+	if (path != NULL && !file_append_bytes(path, FILE_PRIVATE, bytes,
+				strlen(bytes), &error))
+		stop_saving_history(error.text);
 }
 
 void
@@ -44,18 +44,18 @@ typed_history_open(bool with_file)
 	stifle_history(MOST);
 	if (!with_file)
 		return;
-	path = xdg_path("XDG_STATE_HOME", ".local/state", "history");
+	path = xdg_user_file_path("XDG_STATE_HOME", ".local/state", "history");
 	if (path == NULL) {
-		history_give_up(tr("HOME is not set"));
+		stop_saving_history(tr("HOME is not set"));
 		return;
 	}
-	free(xdg_make_folders(path));
+	free(xdg_make_parent_folders(path));
 	read_history(path);
 	append_to_history("");
 }
 
 void
-typed_add(const char *line)
+typed_history_add(const char *line)
 {
 	HIST_ENTRY *last = history_length > 0
 			       ? history_get(history_base + history_length - 1)
@@ -69,7 +69,7 @@ typed_add(const char *line)
 }
 
 void
-typed_close(void)
+typed_history_close(void)
 {
 	free(path);
 	path = NULL;
@@ -77,7 +77,7 @@ typed_close(void)
 }
 
 bool
-typed_is_open(void)
+typed_history_is_open(void)
 {
 	return opened;
 }

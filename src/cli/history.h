@@ -12,11 +12,11 @@ void typed_history_open(bool with_file);
 /* Adds a line, in memory and at the end of the file.  Called before the line is
  * run, so that it is kept however the program ends.  Lines of simultaneous
  * sessions are in the order in which they were typed. */
-void typed_add(const char *line);
+void typed_history_add(const char *line);
 
-void typed_close(void);
+void typed_history_close(void);
 
 /* True if the history is open. */
-bool typed_is_open(void);
+bool typed_history_is_open(void);
 
 #endif

@@ -24,7 +24,7 @@ static struct {
 } search;
 
 static void
-replace_line(const char *line, int point)
+replace_edited_line(const char *line, int point)
 {
 	rl_begin_undo_group();
 	rl_delete_text(0, rl_end);
@@ -46,7 +46,7 @@ history_search_begin(void)
 
 /* Whether a line of the history is wanted; what stands there already is not. */
 static bool
-history_search_is_wanted(const char *line, bool anywhere)
+is_searched_line(const char *line, bool anywhere)
 {
 	const char *found = strstr(line, search.wanted);
 	return found != NULL && (anywhere || found == line) &&
@@ -71,7 +71,7 @@ static const struct {
 };
 
 static bool
-history_search_is_continued(void)
+is_search_continued(void)
 {
 	size_t i = 0;
 	while (i < ARRAY_LEN(SEARCHES) && SEARCHES[i].ours != rl_last_func)
@@ -82,23 +82,22 @@ history_search_is_continued(void)
 /* Goes to the next line that begins with what is wanted, or has it anywhere;
  * on: to a newer one. */
 static int
-history_search_go(bool on, bool anywhere)
+go_to_next_match(bool on, bool anywhere)
 {
-	if (!history_search_is_continued())
+	if (!is_search_continued())
 		history_search_begin();
 	int step = on ? 1 : -1, place = search.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
 		const HIST_ENTRY *entry = history_get(history_base + place);
-		if (entry == NULL ||
-		    !history_search_is_wanted(entry->line, anywhere))
+		if (entry == NULL || !is_searched_line(entry->line, anywhere))
 			continue;
 		search.place = place;
-		replace_line(entry->line, (int)strlen(search.wanted));
+		replace_edited_line(entry->line, (int)strlen(search.wanted));
 		return 0;
 	}
 	if (on && search.place < history_length) {
 		search.place = history_length;
-		replace_line(search.typed, (int)strlen(search.wanted));
+		replace_edited_line(search.typed, (int)strlen(search.wanted));
 		return 0;
 	}
 	rl_ding();
@@ -109,32 +108,32 @@ static int
 search_prefix_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(false, false);
+	return go_to_next_match(false, false);
 }
 
 static int
 search_prefix_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(true, false);
+	return go_to_next_match(true, false);
 }
 
 static int
 search_anywhere_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(false, true);
+	return go_to_next_match(false, true);
 }
 
 static int
 search_anywhere_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return history_search_go(true, true);
+	return go_to_next_match(true, true);
 }
 
 void
-history_search_define(void)
+history_search_name_functions(void)
 {
 	/* The first function of a name is the one that settings get. */
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++)
@@ -153,7 +152,7 @@ replace_bindings_in(Keymap map, size_t i)
 }
 
 void
-history_search_bind(void)
+history_search_bind_keys(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++) {
 		replace_bindings_in(emacs_standard_keymap, i);

@@ -13,7 +13,7 @@
  * pages that are not generated, beside its folder; NULL if there is none or a
  * shell could not be given its path.  The caller frees it. */
 static char *
-page_beside_program(const char *page)
+manpage_beside_program(const char *page)
 {
 	static const char *const FOLDERS[] = {"man", "../man"};
 	char self[PATH_MAX];
@@ -36,7 +36,7 @@ page_beside_program(const char *page)
 
 /* Returns true if the shell runs the command and it succeeds. */
 static bool
-run_shell(char *command)
+run_shell_command(char *command)
 {
 	bool ok = system(command) == 0;
 	free(command);
@@ -46,15 +46,16 @@ run_shell(char *command)
 bool
 manpage_show(const char *page)
 {
-	char *beside = page_beside_program(page);
+	char *beside = manpage_beside_program(page);
 	if (beside != NULL) {
-		bool shown = run_shell(xasprintf("man -l '%s'", beside));
+		bool shown =
+		    run_shell_command(xasprintf("man -l '%s'", beside));
 		free(beside);
 		return shown;
 	}
 	int name = (int)strcspn(page, ".");
 	const char *section = page + name + 1;
-	return run_shell(xasprintf(
+	return run_shell_command(xasprintf(
 		   "man -w %s %.*s >/dev/null 2>&1", section, name, page)) &&
-	       run_shell(xasprintf("man %s %.*s", section, name, page));
+	       run_shell_command(xasprintf("man %s %.*s", section, name, page));
 }

@@ -19,7 +19,7 @@ enum { NO_PROGRAM = 127 };
 
 /* Returns the rows of a text with long lines folded. */
 static int
-count_rows(const char *text, int columns)
+count_folded_rows(const char *text, int columns)
 {
 	int rows = 0;
 	FREED char *copy = xstrdup(text);
@@ -27,7 +27,7 @@ count_rows(const char *text, int columns)
 		end = line + strcspn(line, "\n");
 		if (*end == '\n')
 			*end++ = '\0';
-		int width = text_width(line);
+		int width = text_width_in_columns(line);
 		rows += width > 0 ? (width + columns - 1) / columns : 1;
 	}
 	return rows;
@@ -83,21 +83,21 @@ run_pager(const char *command, const char *text)
 }
 
 void
-pager_open(struct pager *pager, struct session *s)
+pager_begin_capture(struct pager *pager, struct session *s)
 {
 	*pager = (struct pager){.session = s, .out = s->out, .notes = s->notes};
 	s->out = pager->file = text_open_memory(&pager->text, &pager->n);
 }
 
 void
-pager_hold(struct pager *pager)
+pager_hold_notes(struct pager *pager)
 {
 	if (pager != NULL && isatty(STDERR_FILENO))
 		pager->session->notes = pager->file;
 }
 
 void
-pager_show(struct pager *pager)
+pager_show_new_output(struct pager *pager)
 {
 	if (pager == NULL)
 		return;
@@ -114,15 +114,15 @@ pager_show(struct pager *pager)
 		     pager->session->scripts <= pager->session->typed_depth &&
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
-	bool tall =
-	    paged && !signals_is_ending() && count_rows(text, columns) >= rows;
+	bool tall = paged && !signals_is_end_wanted() &&
+		    count_folded_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);
 	fflush(stdout);
 }
 
 void
-pager_close(struct pager *pager)
+pager_end_capture(struct pager *pager)
 {
 	pager->session->out = pager->out;
 	fclose(pager->file);

@@ -17,17 +17,17 @@ struct pager {
 	size_t n, shown;
 };
 
-void pager_open(struct pager *pager, struct session *s);
+void pager_begin_capture(struct pager *pager, struct session *s);
 
 /* Also holds back notes, so that they appear with their results.  Does nothing
  * for NULL. */
-void pager_hold(struct pager *pager);
+void pager_hold_notes(struct pager *pager);
 
 /* Shows the new output on standard output, in a pager if it is tall, and lets
  * notes through again. */
-void pager_show(struct pager *pager);
+void pager_show_new_output(struct pager *pager);
 
 /* Gives the session back its streams. */
-void pager_close(struct pager *pager);
+void pager_end_capture(struct pager *pager);
 
 #endif

@@ -26,7 +26,7 @@ struct progress {
 static int on_screen, rows_above;
 
 static void
-clear_line(void)
+clear_progress_line(void)
 {
 	if (rows_above > 0)
 		fprintf(stderr, "\r\033[%dA\033[J", rows_above);
@@ -38,7 +38,7 @@ clear_line(void)
 }
 
 static void
-progress_line(const struct session *s, struct progress *p,
+print_progress_line(const struct session *s, struct progress *p,
     const struct calibrate_status *st)
 {
 	double now = session_clock();
@@ -54,7 +54,7 @@ progress_line(const struct session *s, struct progress *p,
 		    "  calibrating: generation %zu of at most %zu, misfit "
 		    "%.4g",
 		    st->generation, s->job.options.generations, st->best);
-	int rows, columns, width = text_width(text);
+	int rows, columns, width = text_width_in_columns(text);
 	terminal_size(&rows, &columns);
 	int room = columns > 12 ? columns - 3 : 9; /* with the echo of ^C */
 	if (width > room)
@@ -66,7 +66,7 @@ progress_line(const struct session *s, struct progress *p,
 }
 
 static void
-progress_row(
+print_progress_row(
     struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	const double soon = 2; /* s */
@@ -92,13 +92,13 @@ can_watch_search(const struct session *s, const struct progress *p)
 /* Draws all runs and what the best candidate predicts for them, over the plot
  * of the last generation. */
 static void
-draw_watched(
+draw_watched_search(
     struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	enum { WIDEST = 100, HIGHEST = 22, LEAST = 8 };
 	int rows, columns;
 	struct error error = {0};
-	struct plot_request request = plots_request(PLOT_RUNS);
+	struct plot_request request = plots_default_request(PLOT_RUNS);
 	terminal_size(&rows, &columns);
 	rows = rows - 2 < HIGHEST ? rows - 2 : HIGHEST;
 	if (st->generation == p->row || rows < LEAST)
@@ -107,11 +107,11 @@ draw_watched(
 	request.site = s->entry[s->job.entry].key;
 	request.words = CHART_TITLE | CHART_LEGEND;
 	request.charset = s->screen.drawing ? CHARSET_BRAILLE : CHARSET_ASCII;
-	struct canvas *canvas = plots_draw(s, &request,
+	struct canvas *canvas = plots_draw_canvas(s, &request,
 	    columns - 1 < WIDEST ? columns - 1 : WIDEST, rows, &error);
 	if (canvas == NULL)
 		return;
-	clear_line();
+	clear_progress_line();
 	canvas_print(canvas, s->screen.colours, stderr);
 	canvas_free(canvas);
 	rows_above = rows;
@@ -121,7 +121,7 @@ draw_watched(
 /* Slows the first generations down, or the search would be over before it is
  * seen. */
 static void
-slow_down_watched(const struct session *s)
+slow_down_watched_search(const struct session *s)
 {
 	enum { MOMENT_MS = 40 };
 	const double long_s = 4;
@@ -130,37 +130,37 @@ slow_down_watched(const struct session *s)
 }
 
 static void
-progress_watch(
+show_watched_search(
     struct session *s, struct progress *p, const struct calibrate_status *st)
 {
 	size_t before = p->row;
 	if (st->state == CALIBRATE_SEARCHING)
-		draw_watched(s, p, st);
-	progress_line(s, p, st);
+		draw_watched_search(s, p, st);
+	print_progress_line(s, p, st);
 	if (p->row != before)
-		slow_down_watched(s);
+		slow_down_watched_search(s);
 }
 
 static void
 print_progress(struct session *s, struct progress *p)
 {
-	if (!session_busy(s) || s->notes == NULL)
+	if (!session_is_calibrating(s) || s->notes == NULL)
 		return;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (can_watch_search(s, p))
-		progress_watch(s, p, &st);
+		show_watched_search(s, p, &st);
 	else if (p->terminal)
-		progress_line(s, p, &st);
+		print_progress_line(s, p, &st);
 	else
-		progress_row(s, p, &st);
+		print_progress_row(s, p, &st);
 }
 
 /* Answers SIGUSR1. */
 static void
-progress_answer(const struct session *s)
+print_report_on_signal(const struct session *s)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
-	clear_line();
+	clear_progress_line();
 	fprintf(stderr,
 	    st.state == CALIBRATE_POLISHING
 		? tr("%s: generation %zu of %zu, best %.4g, median %.4g, %.1f "
@@ -173,18 +173,18 @@ progress_answer(const struct session *s)
 }
 
 bool
-progress_run(struct session *s)
+progress_run_job(struct session *s)
 {
 	struct progress p = {
 	    .terminal = isatty(STDERR_FILENO) != 0, .shown = session_clock()};
 	signals_take_report_wanted();
-	s->hooks.clear_progress = p.terminal ? clear_line : NULL;
-	while (session_busy(s) && signals_pending() == 0) {
-		session_run_tasks(s);
-		if (session_busy(s) && signals_take_report_wanted())
-			progress_answer(s);
+	s->hooks.clear_progress = p.terminal ? clear_progress_line : NULL;
+	while (session_is_calibrating(s) && signals_pending() == 0) {
+		session_run_parallel_tasks(s);
+		if (session_is_calibrating(s) && signals_take_report_wanted())
+			print_report_on_signal(s);
 		print_progress(s, &p);
 	}
-	clear_line();
+	clear_progress_line();
 	return signals_pending() == 0;
 }

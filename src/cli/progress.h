@@ -6,7 +6,7 @@
 #include "cmd/session/session.h"
 
 /* Runs the job to its end.  On a signal, returns false with the job unchanged,
- * for session_pause. */
-bool progress_run(struct session *s);
+ * for session_pause_job. */
+bool progress_run_job(struct session *s);
 
 #endif

@@ -33,9 +33,9 @@
 #include "cli/history_search.h"
 
 /* What readline calls has no argument to pass this by.  before: the lines of a
- * command that goes on, joined; given: bytes that key_at_end made up; offer:
- * what Return alone does now; stage: of what was said of the next step last,
- * for which site and fit; declined: it was, and an empty line offers it
+ * command that goes on, joined; given: bytes that key_that_ends_input made up;
+ * offer: what Return alone does now; stage: of what was said of the next step
+ * last, for which site and fit; declined: it was, and an empty line offers it
  * anew. */
 static struct {
 	struct session *session;
@@ -50,7 +50,7 @@ static struct {
 
 /* Returns how many bytes all candidates begin with. */
 static size_t
-shared_bytes(char **text, size_t n)
+shared_prefix_bytes(char **text, size_t n)
 {
 	size_t shared = strlen(text[0]);
 	for (size_t i = 1; i < n; i++) {
@@ -84,7 +84,7 @@ on_complete(const char *text, int start, int end)
 	size_t before = strlen(prompt.before), n = 0;
 	FREED char *line = xasprintf("%s%s", prompt.before, rl_line_buffer);
 	struct completion *c =
-	    complete(prompt.session, line, before + (size_t)end);
+	    complete_at_cursor(prompt.session, line, before + (size_t)end);
 	char **matches = xcalloc(c->n + 2, sizeof *matches);
 	for (size_t i = 0; i < c->n; i++) {
 		char *word = fit_candidate_to_word(&c->candidate[i], line,
@@ -96,7 +96,8 @@ on_complete(const char *text, int start, int end)
 	rl_completion_append_character =
 	    n == 1 && c->candidate[0].append == ' ' ? ' ' : '\0';
 	if (n > 0)
-		matches[0] = xstrndup(matches[1], shared_bytes(matches + 1, n));
+		matches[0] =
+		    xstrndup(matches[1], shared_prefix_bytes(matches + 1, n));
 	if (n == 1) {
 		free(matches[1]);
 		matches[1] = NULL;
@@ -147,7 +148,7 @@ set_readline_size(const char *text)
 /* Breaks the prompt anew for the number of columns; a search has a prompt of
  * its own. */
 static void
-fit_prompt(void)
+wrap_prompt_to_columns(void)
 {
 	if (RL_ISSTATE(RL_STATE_ISEARCH | RL_STATE_NSEARCH))
 		return;
@@ -157,12 +158,12 @@ fit_prompt(void)
 
 /* Handles ^Z, the return from it, and a change of size. */
 static void
-answer_signals(void)
+handle_terminal_signals(void)
 {
 	int news = signals_take_events();
 	if (news & SIGNALS_STOP) {
 		rl_deprep_terminal();
-		signals_suspend();
+		signals_suspend_program();
 		news |= signals_take_events() | SIGNALS_WAKE;
 	}
 	if (news & SIGNALS_WAKE) {
@@ -174,7 +175,7 @@ answer_signals(void)
 	if (news & (SIGNALS_WAKE | SIGNALS_SIZE)) {
 		rl_clear_visible_line();
 		set_readline_size(rl_prompt);
-		fit_prompt();
+		wrap_prompt_to_columns();
 		rl_forced_update_display();
 	}
 }
@@ -184,15 +185,15 @@ static bool
 wait_for_key(void)
 {
 	while (signals_pending() == 0) {
-		if (signals_wait(INFINITY))
+		if (signals_wait_for_input(INFINITY))
 			return true;
-		answer_signals();
+		handle_terminal_signals();
 	}
 	return false;
 }
 
 static bool
-pastes_in_brackets(void)
+is_bracketed_paste_on(void)
 {
 	return strcmp(rl_variable_value("enable-bracketed-paste"), "on") == 0;
 }
@@ -202,7 +203,7 @@ pastes_in_brackets(void)
  * the end of a paste first, which must not end otherwise (readline 8.2 then
  * reads past its text). */
 static int
-key_at_end(void)
+key_that_ends_input(void)
 {
 	static const char END[] = "\033[201~";
 	if (!RL_ISSTATE(RL_STATE_READCMD))
@@ -228,16 +229,16 @@ on_getc(FILE *in)
 	while (wait_for_key()) {
 		ssize_t got = -1;
 		errno = EINTR;
-		signals_release();
+		signals_unblock();
 		if (signals_pending() == 0)
 			got = read(fileno(in), &c, 1);
-		signals_hold();
+		signals_block();
 		if (got == 1)
 			return c;
 		if (got == 0 || errno != EINTR)
 			break;
 	}
-	return key_at_end();
+	return key_that_ends_input();
 }
 
 /* Returns a typed line, which the caller frees; NULL at the end of input or on
@@ -247,35 +248,35 @@ static char *
 read_line(const char *text)
 {
 	struct sigaction was[3];
-	signals_hold();
+	signals_block();
 	signals_take_terminal(was);
 	prompt.given = 0;
 	set_readline_size(text);
-	restore_prompt(pastes_in_brackets() ? "\033[?2004l\r\n" : "\n");
+	restore_arm_prompt(is_bracketed_paste_on() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
-	restore_done();
+	restore_disarm();
 	/* readline ends the line itself, but only where it turns bracketed
 	 * paste off. */
-	if (line == NULL && !pastes_in_brackets())
+	if (line == NULL && !is_bracketed_paste_on())
 		fputc('\n', rl_outstream);
 	signals_give_terminal(was);
-	signals_release();
+	signals_unblock();
 	return line;
 }
 
 static void
-run_line(struct session *s, const char *line, int number)
+run_line_with_pager(struct session *s, const char *line, int number)
 {
 	struct pager pager;
-	typed_add(line);
-	pager_open(&pager, s);
-	batch_line(s, line, number, &pager);
-	pager_close(&pager);
+	typed_history_add(line);
+	pager_begin_capture(&pager, s);
+	batch_run_line(s, line, number, &pager);
+	pager_end_capture(&pager);
 }
 
 /* Runs what was typed up to Return: one line, or several that were pasted. */
 static void
-take_lines(struct session *s, char *typed, int *number)
+run_pasted_lines(struct session *s, char *typed, int *number)
 {
 	if (!text_is_utf8(typed, strlen(typed))) {
 		fputs(
@@ -292,7 +293,7 @@ take_lines(struct session *s, char *typed, int *number)
 		free(prompt.before);
 		prompt.before = xstrdup(more ? joined : "");
 		if (!more)
-			run_line(s, joined, (*number)++);
+			run_line_with_pager(s, joined, (*number)++);
 		if (signals_pending() != 0)
 			break;
 	}
@@ -330,18 +331,18 @@ run_offered_commands(struct session *s, int *number)
 {
 	const char *line = prompt.offer.line;
 	if (!prompt.offer.brief) {
-		run_line(s, line, (*number)++);
+		run_line_with_pager(s, line, (*number)++);
 		return;
 	}
-	typed_add(line);
+	typed_history_add(line);
 	session_note(s, "  %s", line);
 	int status = 0;
-	while (status == 0 && *line != '\0' && !signals_is_ending()) {
+	while (status == 0 && *line != '\0' && !signals_is_end_wanted()) {
 		size_t n = strcspn(line, ";");
 		FREED char *command = xstrndup(line, n);
-		status = batch_line_quietly(s, command, *number);
+		status = batch_run_line_quietly(s, command, *number);
 		if (status == 0)
-			next_note_offered(s);
+			next_note_results(s);
 		line += n + strspn(line + n, "; ");
 	}
 	++*number;
@@ -349,7 +350,7 @@ run_offered_commands(struct session *s, int *number)
 
 /* Returns true if a line answers the offer instead of being a command. */
 static bool
-answers_offer(struct session *s, const char *typed, int *number)
+handle_answer_to_offer(struct session *s, const char *typed, int *number)
 {
 	static const char YES[] = "y yes", NO[] = "n no";
 	size_t which;
@@ -372,7 +373,7 @@ answers_offer(struct session *s, const char *typed, int *number)
 
 /* Does what ^L does for a word that shells have, if the terminal can. */
 static bool
-clears_screen(const char *typed)
+clear_screen_if_asked(const char *typed)
 {
 	FREED char *word = xstrdup(typed);
 	const char *clear = rl_get_termcap("cl");
@@ -386,7 +387,7 @@ clears_screen(const char *typed)
 /* --safe: no settings file, and no key for a function that reads one, lists
  * users or runs a shell. */
 static void
-confine_readline(void)
+restrict_readline(void)
 {
 	static const char *const OUT[] = {"re-read-init-file", "tilde-expand",
 	    "vi-tilde-expand", "execute-named-command",
@@ -417,11 +418,11 @@ set_up_readline(struct session *s)
 	rl_completer_quote_characters = "";
 	if (s->safe)
 		setenv("INPUTRC", "/dev/null", 1);
-	history_search_define();
+	history_search_name_functions();
 	rl_initialize();
-	history_search_bind();
+	history_search_bind_keys();
 	if (s->safe)
-		confine_readline();
+		restrict_readline();
 	/* Text is UTF-8 in every locale: its bytes are no meta keys. */
 	rl_variable_bind("input-meta", "on");
 	rl_variable_bind("output-meta", "on");
@@ -437,10 +438,11 @@ repl_greet(struct session *s)
 	       "quit exits\n"),
 	    PACKAGE_VERSION);
 	s->hooks.show_page = manpage_show;
-	FREED char *path =
-	    s->safe ? NULL : xdg_path("XDG_CONFIG_HOME", ".config", "init.tip");
+	FREED char *path = s->safe ? NULL
+				   : xdg_user_file_path("XDG_CONFIG_HOME",
+					 ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
-		batch_file(s, path);
+		batch_run_file(s, path);
 	signals_forget_interrupt();
 	/* Questions about files on the command line are asked too. */
 	s->hooks.ask = ask_question;
@@ -468,9 +470,9 @@ read_line_of_answer(const char *text)
 }
 
 static char *
-repl_question(struct session *s, const struct inquiry *q)
+repl_ask_question(struct session *s, const struct inquiry *q)
 {
-	return ask_with(s, q, read_line_of_answer);
+	return ask_with_reader(s, q, read_line_of_answer);
 }
 
 int
@@ -478,18 +480,18 @@ repl_run(struct session *s)
 {
 	int number = 1;
 	set_up_readline(s);
-	batch_user_types(s);
-	s->hooks.ask = repl_question;
-	while (!s->quit && !signals_is_ending()) {
+	batch_begin_interactive(s);
+	s->hooks.ask = repl_ask_question;
+	while (!s->quit && !signals_is_end_wanted()) {
 		if (prompt.before[0] == '\0')
 			print_next_step(s);
 		FREED char *text = prompt_text(s);
 		char *typed = read_line(text);
 		s->screen = terminal_describe();
 		if (typed != NULL) {
-			if (!clears_screen(typed) &&
-			    !answers_offer(s, typed, &number))
-				take_lines(s, typed, &number);
+			if (!clear_screen_if_asked(typed) &&
+			    !handle_answer_to_offer(s, typed, &number))
+				run_pasted_lines(s, typed, &number);
 			free(typed);
 		} else if (signals_pending() == 0) {
 			break;
@@ -498,13 +500,13 @@ repl_run(struct session *s)
 			prompt.before[0] = '\0';
 		signals_forget_interrupt();
 	}
-	typed_close();
+	typed_history_close();
 	free(prompt.before);
-	return signals_status();
+	return signals_exit_status();
 }
 
 int
-repl_for_screen(struct session *s)
+repl_run_instead_of_screen(struct session *s)
 {
 	if (!s->prompt)
 		return repl_run(s);

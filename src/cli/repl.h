@@ -16,6 +16,6 @@ int repl_run(struct session *s);
 
 /* As repl_run, but called instead of the full screen with --linear.  Does
  * nothing at the prompt. */
-int repl_for_screen(struct session *s);
+int repl_run_instead_of_screen(struct session *s);
 
 #endif

@@ -51,7 +51,7 @@ restore_terminal(void)
 }
 
 static void
-on_fault(int signal)
+on_fatal_signal(int signal)
 {
 	restore_terminal();
 	struct sigaction usual = {.sa_handler = SIG_DFL};
@@ -74,7 +74,7 @@ on_exit_early(void)
 }
 
 void
-restore_keep_settings(void)
+restore_record_settings(void)
 {
 	terminal.known = tcgetattr(STDIN_FILENO, &terminal.usual) == 0;
 }
@@ -96,14 +96,14 @@ add_restore_bytes(const char *text)
 }
 
 static void
-catch_faults(void)
+catch_fatal_signals(void)
 {
 	static bool asked;
 	stack_t stack = {
 	    .ss_sp = terminal.stack, .ss_size = sizeof terminal.stack};
 	sigaltstack(&stack, NULL);
 	struct sigaction action = {
-	    .sa_handler = on_fault, .sa_flags = (int)SA_ONSTACK};
+	    .sa_handler = on_fatal_signal, .sa_flags = (int)SA_ONSTACK};
 	sigemptyset(&action.sa_mask);
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++) {
 		sigaction(FAULTS[i], &action, &terminal.was[i]);
@@ -117,7 +117,7 @@ catch_faults(void)
 }
 
 void
-restore_screen(void)
+restore_arm_screen(void)
 {
 	terminal.n = 0;
 	terminal.full = true;
@@ -134,21 +134,21 @@ restore_screen(void)
 	else
 		add_restore_bytes(tparm(tigetstr("cup"), LINES - 1, 0));
 	add_restore_bytes("\r\n");
-	catch_faults();
+	catch_fatal_signals();
 }
 
 void
-restore_prompt(const char *bytes)
+restore_arm_prompt(const char *bytes)
 {
-	restore_keep_settings();
+	restore_record_settings();
 	terminal.n = 0;
 	terminal.full = false;
 	add_restore_bytes(bytes);
-	catch_faults();
+	catch_fatal_signals();
 }
 
 void
-restore_done(void)
+restore_disarm(void)
 {
 	terminal.open = 0;
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)
@@ -156,7 +156,7 @@ restore_done(void)
 }
 
 void
-restore_reset(void)
+restore_reset_terminal(void)
 {
 	static const char bytes[] =
 	    MOUSE_OFF "\033[?1l\033>\033[?2004l\033[0m\033[?25h\033[?1049l\r";

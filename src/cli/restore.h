@@ -4,23 +4,23 @@
 #define TIPSPEED_CLI_RESTORE_H
 
 /* Records the terminal's settings before the screen is opened. */
-void restore_keep_settings(void);
+void restore_record_settings(void);
 
 /* Prepares the bytes that restore the terminal, from what ncurses knows about
  * it.  From now on, these are written if a fault, a failed assertion, an
  * uncaught signal (SEGV, ABRT, QUIT, ..) or lack of memory ends the program.
  * SIGTERM, SIGHUP and SIGINT end it in the usual way. */
-void restore_screen(void);
+void restore_arm_screen(void);
 
-/* As restore_screen, but restores the terminal's current settings, while
+/* As restore_arm_screen, but restores the terminal's current settings, while
  * readline controls it.  bytes: written as well. */
-void restore_prompt(const char *bytes);
+void restore_arm_prompt(const char *bytes);
 
 /* Ends the need to restore the terminal: called when the screen has been closed
  * or the prompt has its line. */
-void restore_done(void);
+void restore_disarm(void);
 
 /* Restores a terminal after a program was killed; for --reset-tty. */
-void restore_reset(void);
+void restore_reset_terminal(void);
 
 #endif

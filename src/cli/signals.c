@@ -15,7 +15,7 @@ static volatile sig_atomic_t noted, asked, watching, stopped, woken, resized;
 static sigset_t let_in;
 
 static void
-on_signal(int signal)
+on_ending_signal(int signal)
 {
 	if (noted == 0 || noted == SIGINT)
 		noted = signal;
@@ -28,7 +28,7 @@ on_report_wanted(int signal)
 }
 
 static void
-on_file_size(int signal)
+on_file_size_limit(int signal)
 {
 	(void)signal;
 }
@@ -36,14 +36,14 @@ on_file_size(int signal)
 void
 signals_catch(void)
 {
-	struct sigaction action = {.sa_handler = on_signal};
+	struct sigaction action = {.sa_handler = on_ending_signal};
 	sigemptyset(&action.sa_mask);
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
 	sigaction(SIGHUP, &action, NULL);
 	/* A write then fails as on a full disk.  Shells that are started get
 	 * the default action, which they would not with SIG_IGN. */
-	action.sa_handler = on_file_size;
+	action.sa_handler = on_file_size_limit;
 	sigaction(SIGXFSZ, &action, NULL);
 	action.sa_handler = on_report_wanted;
 	action.sa_flags = SA_RESTART;
@@ -51,7 +51,7 @@ signals_catch(void)
 }
 
 static void
-on_terminal(int signal)
+on_terminal_signal(int signal)
 {
 	*(signal == SIGTSTP     ? &stopped
 	    : signal == SIGCONT ? &woken
@@ -59,7 +59,7 @@ on_terminal(int signal)
 }
 
 void
-signals_hold(void)
+signals_block(void)
 {
 	static const int ANSWERED[] = {
 	    SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCONT, SIGWINCH};
@@ -71,13 +71,13 @@ signals_hold(void)
 }
 
 void
-signals_release(void)
+signals_unblock(void)
 {
 	sigprocmask(SIG_SETMASK, &let_in, NULL);
 }
 
 bool
-signals_wait_with(const sigset_t *mask, double seconds)
+signals_wait_with_mask(const sigset_t *mask, double seconds)
 {
 	struct timespec time = {0};
 	bool ends = isfinite(seconds);
@@ -94,15 +94,15 @@ signals_wait_with(const sigset_t *mask, double seconds)
 
 /* Signals that came earlier end the wait at once. */
 bool
-signals_wait(double seconds)
+signals_wait_for_input(double seconds)
 {
 	if (noted != 0 || stopped || woken || resized)
 		return false;
-	return signals_wait_with(&let_in, seconds);
+	return signals_wait_with_mask(&let_in, seconds);
 }
 
 void
-signals_deliver(void)
+signals_deliver_blocked(void)
 {
 	sigset_t held;
 	sigprocmask(SIG_SETMASK, &let_in, &held);
@@ -110,10 +110,10 @@ signals_deliver(void)
 }
 
 void
-signals_note_stop(bool note)
+signals_record_stop(bool note)
 {
 	struct sigaction now,
-	    action = {.sa_handler = note ? on_terminal : SIG_DFL};
+	    action = {.sa_handler = note ? on_terminal_signal : SIG_DFL};
 	sigaction(SIGTSTP, NULL, &now);
 	if (now.sa_handler != SIG_IGN)
 		sigaction(SIGTSTP, &action, NULL);
@@ -122,11 +122,11 @@ signals_note_stop(bool note)
 void
 signals_take_terminal(struct sigaction was[static 3])
 {
-	struct sigaction action = {.sa_handler = on_terminal};
+	struct sigaction action = {.sa_handler = on_terminal_signal};
 	sigaction(SIGTSTP, NULL, &was[0]);
 	sigaction(SIGCONT, &action, &was[1]);
 	sigaction(SIGWINCH, &action, &was[2]);
-	signals_note_stop(true);
+	signals_record_stop(true);
 }
 
 void
@@ -147,12 +147,12 @@ signals_take_events(void)
 }
 
 void
-signals_suspend(void)
+signals_suspend_program(void)
 {
 	struct sigaction was, usual = {.sa_handler = SIG_DFL};
 	sigaction(SIGTSTP, &usual, &was);
 	raise(SIGTSTP);
-	signals_deliver();
+	signals_deliver_blocked();
 	sigaction(SIGTSTP, &was, NULL);
 }
 
@@ -163,7 +163,7 @@ signals_pending(void)
 }
 
 bool
-signals_is_ending(void)
+signals_is_end_wanted(void)
 {
 	return noted != 0 && noted != SIGINT;
 }
@@ -177,7 +177,7 @@ signals_forget_interrupt(void)
 }
 
 int
-signals_status(void)
+signals_exit_status(void)
 {
 	return noted != 0 ? 128 + noted : 0;
 }
@@ -197,7 +197,7 @@ signals_watch_keys(bool keys)
 }
 
 bool
-signals_stop_wanted(void)
+signals_is_stop_wanted(void)
 {
 	sigset_t held;
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};

@@ -10,20 +10,20 @@
  * calibration print a line about its progress. */
 void signals_catch(void);
 
-/* signals_hold blocks the signals handled at a terminal, so they arrive only
- * where a loop waits; signals_release unblocks them. */
-void signals_hold(void);
-void signals_release(void);
+/* signals_block blocks the signals handled at a terminal, so they arrive only
+ * where a loop waits; signals_unblock unblocks them. */
+void signals_block(void);
+void signals_unblock(void);
 
 /* Waits for input.  Returns false on a signal or after that many seconds
  * (INFINITY: never). */
-bool signals_wait(double seconds);
+bool signals_wait_for_input(double seconds);
 
-/* As signals_wait, with the signal mask to use while waiting. */
-bool signals_wait_with(const sigset_t *mask, double seconds);
+/* As signals_wait_for_input, with the signal mask to use while waiting. */
+bool signals_wait_with_mask(const sigset_t *mask, double seconds);
 
 /* Lets held signals arrive now. */
-void signals_deliver(void);
+void signals_deliver_blocked(void);
 
 /* Between take and give, ^Z, a continue and a resize are recorded;
  * signals_take_events returns those since the last call, as these bits. */
@@ -34,31 +34,31 @@ int signals_take_events(void);
 
 /* note: between take and give, record ^Z; otherwise it stops the program with
  * its child processes. */
-void signals_note_stop(bool note);
+void signals_record_stop(bool note);
 
 /* Stops the program, as ^Z does by default, and returns when it continues.  The
  * caller restores the terminal. */
-void signals_suspend(void);
+void signals_suspend_program(void);
 
 /* Returns the recorded signal, or 0; others take precedence over SIGINT. */
 int signals_pending(void);
 
 /* True if the terminal or the system has asked the program to end. */
-bool signals_is_ending(void);
+bool signals_is_end_wanted(void);
 
 /* Clears a SIGINT that has been handled. */
 void signals_forget_interrupt(void);
 
 /* Returns the exit status that shells give a program ended by the recorded
  * signal, or 0. */
-int signals_status(void);
+int signals_exit_status(void);
 
 /* True if SIGUSR1 has arrived since the last call. */
 bool signals_take_report_wanted(void);
 
 /* For hooks.stop, from any thread: true if a signal has arrived or is blocked
  * or, after signals_watch_keys(true), a key was pressed. */
-bool signals_stop_wanted(void);
+bool signals_is_stop_wanted(void);
 void signals_watch_keys(bool keys);
 
 #endif

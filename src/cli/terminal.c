@@ -16,7 +16,7 @@
 static enum colour chosen = COLOUR_AUTO;
 
 bool
-terminal_colour_word(const char *word, enum colour *colour)
+terminal_parse_colour(const char *word, enum colour *colour)
 {
 	size_t i;
 	bool known = text_find_word("auto always never", word, &i);
@@ -44,7 +44,7 @@ terminal_has_colour(void)
 	const char *own = getenv("TIPSPEED_COLOR"), *no = getenv("NO_COLOR");
 	enum colour asked = chosen;
 	if (asked == COLOUR_AUTO && own != NULL)
-		terminal_colour_word(own, &asked);
+		terminal_parse_colour(own, &asked);
 	if (asked != COLOUR_AUTO)
 		return asked == COLOUR_ALWAYS;
 	if (no != NULL && no[0] != '\0')
@@ -88,7 +88,7 @@ terminal_is_utf8(void)
 /* The console has fonts of at most 512 characters, without braille or
  * quadrants; a serial terminal has ASCII alone. */
 bool
-terminal_can_draw(void)
+terminal_has_line_drawing(void)
 {
 	static const char *const PLAIN[] = {"linux", "vt", "ansi", "cons"};
 	if (terminal_is_dumb())
@@ -109,6 +109,6 @@ terminal_describe(void)
 	terminal_size(&screen.rows, &screen.columns);
 	screen.colours =
 	    terminal_has_colour() && term != NULL ? colour_depth(term) : 0;
-	screen.drawing = terminal_can_draw();
+	screen.drawing = terminal_has_line_drawing();
 	return screen;
 }

@@ -10,7 +10,7 @@
 enum colour { COLOUR_AUTO, COLOUR_ALWAYS, COLOUR_NEVER };
 
 /* Parses "auto", "always" or "never". */
-bool terminal_colour_word(const char *word, enum colour *colour);
+bool terminal_parse_colour(const char *word, enum colour *colour);
 
 /* Sets the value of --color. */
 void terminal_set_colour(enum colour asked);
@@ -29,7 +29,7 @@ bool terminal_is_dumb(void);
 /* True if the locale uses UTF-8; if the terminal has braille and box-drawing
  * characters. */
 bool terminal_is_utf8(void);
-bool terminal_can_draw(void);
+bool terminal_has_line_drawing(void);
 
 /* Returns the size of the terminal on standard error, or 24 by 80 if
  * unknown. */

@@ -36,7 +36,7 @@ axis_is_between(double size)
 }
 
 void
-axis_add(struct axis *axis, double at, const char *label, int rank)
+axis_add_tick(struct axis *axis, double at, const char *label, int rank)
 {
 	axis->tick = xrealloc(axis->tick, axis->n + 1, sizeof *axis->tick);
 	struct axis_tick *t = &axis->tick[axis->n++];
@@ -49,7 +49,7 @@ axis_add_number(struct axis *axis, double at, int rank)
 {
 	char label[24];
 	snprintf(label, sizeof label, "%g", at);
-	axis_add(axis, at, label, rank);
+	axis_add_tick(axis, at, label, rank);
 }
 
 static int
@@ -70,7 +70,7 @@ has_tick(const struct axis *axis, double at)
 }
 
 struct axis
-axis_sieves(const char *title, const double *size, size_t n)
+axis_new_sieves(const char *title, const double *size, size_t n)
 {
 	struct axis a = {.title = xstrdup(title), .log = true};
 	for (size_t i = 0; i < n; i++)
@@ -89,7 +89,7 @@ axis_sieves(const char *title, const double *size, size_t n)
 }
 
 struct axis
-axis_percent(const char *title)
+axis_new_percent(const char *title)
 {
 	static const double TICKS[] = {0, 20, 50, 80, 100};
 	struct axis a = {.title = xstrdup(title), .high = 100};
@@ -111,7 +111,7 @@ axis_round_step(double range)
 }
 
 struct axis
-axis_linear(const char *title, double low, double high)
+axis_new_linear(const char *title, double low, double high)
 {
 	struct axis a = {.title = xstrdup(title)};
 	if (!(high > low)) {
@@ -140,7 +140,7 @@ round_step_at(int i)
 }
 
 struct axis
-axis_log(const char *title, double low, double high)
+axis_new_log(const char *title, double low, double high)
 {
 	struct axis a = {.title = xstrdup(title), .log = true};
 	int first = 3 * (int)floor(log10(low));
@@ -160,13 +160,13 @@ axis_log(const char *title, double low, double high)
 }
 
 struct axis
-axis_symlog(const char *title, double straight, double most)
+axis_new_symlog(const char *title, double straight, double most)
 {
 	struct axis a = {.title = xstrdup(title),
 	    .straight = straight,
 	    .low = -most,
 	    .high = most};
-	axis_add(&a, 0, "0", 0);
+	axis_add_tick(&a, 0, "0", 0);
 	a.tick[0].guide = true;
 	for (double decade = straight; decade <= most * 1.001; decade *= 10)
 		for (int i = 0; i < 2; i++) {
@@ -176,10 +176,10 @@ axis_symlog(const char *title, double straight, double most)
 			if (at > most * 1.001)
 				break;
 			snprintf(label, sizeof label, "%+g", at);
-			axis_add(&a, at, label,
+			axis_add_tick(&a, at, label,
 			    axis_is_same_size(at, most) ? 0 : rank);
 			snprintf(label, sizeof label, "%+g", -at);
-			axis_add(&a, -at, label,
+			axis_add_tick(&a, -at, label,
 			    axis_is_same_size(at, most) ? 0 : rank);
 		}
 	return a;
@@ -195,7 +195,7 @@ axis_free(struct axis *axis)
 /* Its distance on the axis.  On a symmetric one slopes meet where the straight
  * part ends. */
 static double
-axis_transform(const struct axis *axis, double value)
+axis_scaled_value(const struct axis *axis, double value)
 {
 	double part = value / axis->straight;
 	if (axis->log)
@@ -216,17 +216,17 @@ axis_unit_suffix(const struct axis *axis)
 double
 axis_relative_position(const struct axis *axis, double value)
 {
-	double low = axis_transform(axis, axis->low);
-	double high = axis_transform(axis, axis->high);
+	double low = axis_scaled_value(axis, axis->low);
+	double high = axis_scaled_value(axis, axis->high);
 	if (axis->log && !(value > 0))
 		return 0;
-	double t = (axis_transform(axis, value) - low) / (high - low);
+	double t = (axis_scaled_value(axis, value) - low) / (high - low);
 	return fmin(fmax(t, 0), 1);
 }
 
 /* What lies on a border goes to the later part, a rounding of grace off. */
 int
-axis_index_of_part(double share, int n)
+axis_index_of_share(double share, int n)
 {
 	int i = (int)(share * n + 1e-9);
 	return i < n ? i : n - 1;
@@ -234,7 +234,7 @@ axis_index_of_part(double share, int n)
 
 /* A row's cells from `from` on, with a space around them, are free. */
 static bool
-axis_has_room(const char *taken, int columns, int from, int length)
+is_row_free_for_label(const char *taken, int columns, int from, int length)
 {
 	for (int i = from - 1; i <= from + length; i++)
 		if (i >= 0 && i < columns && taken[i])
@@ -247,7 +247,7 @@ place_label(const struct axis_tick *tick, double share, int columns, int rows,
     char *taken, int *column, int *row)
 {
 	int length = (int)strlen(tick->label);
-	int middle = axis_index_of_part(share, columns);
+	int middle = axis_index_of_share(share, columns);
 	int from = middle - length / 2;
 	if (from + length > columns)
 		from = columns - length;
@@ -255,7 +255,7 @@ place_label(const struct axis_tick *tick, double share, int columns, int rows,
 		from = 0;
 	for (int r = 0; r < rows && length <= columns; r++) {
 		char *cells = taken + (size_t)r * (size_t)columns;
-		if (!axis_has_room(cells, columns, from, length))
+		if (!is_row_free_for_label(cells, columns, from, length))
 			continue;
 		memset(cells + from, 1, (size_t)length);
 		*column = from;

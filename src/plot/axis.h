@@ -31,25 +31,25 @@ struct axis {
  * the doubling series (0.063, 0.125 .. 16), then 5.6, 11.2 and the like, then
  * all others.  There should be two different sizes; a single one becomes a
  * range around it. */
-struct axis axis_sieves(const char *title, const double *size, size_t n);
+struct axis axis_new_sieves(const char *title, const double *size, size_t n);
 
 /* Returns an axis from 0 to 100 %, with guides at 20, 50 and 80 for reading
  * P20, P50 and P80. */
-struct axis axis_percent(const char *title);
+struct axis axis_new_percent(const char *title);
 
 /* Returns an axis with round numbers that covers low to high, which may be
  * equal. */
-struct axis axis_linear(const char *title, double low, double high);
+struct axis axis_new_linear(const char *title, double low, double high);
 
-/* As axis_linear, but a log axis in 1-2-5 steps; low > 0. */
-struct axis axis_log(const char *title, double low, double high);
+/* As axis_new_linear, but a log axis in 1-2-5 steps; low > 0. */
+struct axis axis_new_log(const char *title, double low, double high);
 
 /* Returns an axis from -most to +most on a symmetric log scale, with ticks in
  * 1-3-10 steps and a guide at 0; most > straight > 0. */
-struct axis axis_symlog(const char *title, double straight, double most);
+struct axis axis_new_symlog(const char *title, double straight, double most);
 
 /* Adds a tick. */
-void axis_add(struct axis *axis, double at, const char *label, int rank);
+void axis_add_tick(struct axis *axis, double at, const char *label, int rank);
 
 void axis_free(struct axis *axis);
 
@@ -60,7 +60,7 @@ const char *axis_unit_suffix(const struct axis *axis);
 double axis_relative_position(const struct axis *axis, double value);
 
 /* Returns which of n equal parts contains that position. */
-int axis_index_of_part(double share, int n);
+int axis_index_of_share(double share, int n);
 
 enum { AXIS_DROPPED = -1 };
 

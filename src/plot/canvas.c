@@ -32,7 +32,7 @@ canvas_free(struct canvas *canvas)
 }
 
 struct canvas_cell *
-canvas_at(struct canvas *canvas, int column, int row)
+canvas_cell_at(struct canvas *canvas, int column, int row)
 {
 	assert(column >= 0 && column < canvas->columns);
 	assert(row >= 0 && row < canvas->rows);
@@ -53,14 +53,14 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 	char *shown = text_escaped(text);
 	for (const char *p = shown; *p != '\0';) {
 		cell.code = text_next_code_point(&p);
-		int width = text_columns(cell.code);
+		int width = text_columns_of_character(cell.code);
 		if (column + width > end)
 			break;
 		if (column >= 0 && width > 0)
-			*canvas_at(canvas, column, row) = cell;
+			*canvas_cell_at(canvas, column, row) = cell;
 		cell.code = 0;
 		if (column >= 0 && width == 2)
-			*canvas_at(canvas, column + 1, row) = cell;
+			*canvas_cell_at(canvas, column + 1, row) = cell;
 		column += width;
 	}
 	free(shown);
@@ -107,7 +107,7 @@ print_style(const struct canvas *canvas, const struct canvas_cell *cell,
 }
 
 const char *
-canvas_utf8(uint32_t code, char text[static 5])
+canvas_encode_utf8(uint32_t code, char text[static 5])
 {
 	static const unsigned LEAD[] = {0, 0xC0, 0xE0, 0xF0};
 	int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
@@ -137,7 +137,7 @@ canvas_print_row(const struct canvas *canvas, int row, int depth, FILE *out)
 			style = cell[i];
 		}
 		if (cell[i].code != 0)
-			fputs(canvas_utf8(cell[i].code, text), out);
+			fputs(canvas_encode_utf8(cell[i].code, text), out);
 	}
 	if (style.series != plain.series || style.attribute != plain.attribute)
 		fputs("\033[0m", out);

@@ -33,7 +33,7 @@ struct canvas *canvas_new(int columns, int rows);
 void canvas_free(struct canvas *canvas);
 
 /* Returns a cell; asserts that it is on the canvas. */
-struct canvas_cell *canvas_at(struct canvas *canvas, int column, int row);
+struct canvas_cell *canvas_cell_at(struct canvas *canvas, int column, int row);
 
 /* Writes text, as shown by text_escape_next (base/text.h), from a cell to the
  * right, clipped at the edges of the canvas. */
@@ -46,7 +46,7 @@ int canvas_text_within(struct canvas *canvas, int column, int row, int end,
     const char *text, enum series series, unsigned attribute);
 
 /* Writes a code point as UTF-8 to text and returns text. */
-const char *canvas_utf8(uint32_t code, char text[static 5]);
+const char *canvas_encode_utf8(uint32_t code, char text[static 5]);
 
 /* True if a cell is drawn faint: it is dim, there are 256 colours, and the
  * theme is not a high-contrast one. */

@@ -79,8 +79,8 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	s->name = xvasprintf(tr(name), ap);
 	va_end(ap);
 	s->n = n;
-	s->x = xdoubles(n);
-	s->y = xdoubles(n);
+	s->x = xcalloc_doubles(n);
+	s->y = xcalloc_doubles(n);
 	s->low = s->high = NULL;
 	s->whose = NULL;
 	s->field = NULL;
@@ -89,7 +89,7 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 }
 
 void
-chart_move_to_back(struct chart *chart)
+chart_move_last_series_to_back(struct chart *chart)
 {
 	struct chart_series *last = chart->series[chart->n - 1];
 	memmove(chart->series + 1, chart->series,
@@ -101,8 +101,8 @@ struct chart_series *
 chart_add_finer_points(struct chart_series *series, size_t n)
 {
 	struct chart_series *finer = xcalloc(1, sizeof *finer);
-	*finer =
-	    (struct chart_series){.n = n, .x = xdoubles(n), .y = xdoubles(n)};
+	*finer = (struct chart_series){
+	    .n = n, .x = xcalloc_doubles(n), .y = xcalloc_doubles(n)};
 	series->finer = finer;
 	return finer;
 }
@@ -116,8 +116,8 @@ chart_add_point_sites(struct chart_series *series)
 void
 chart_add_band(struct chart_series *series)
 {
-	series->low = xdoubles(series->n);
-	series->high = xdoubles(series->n);
+	series->low = xcalloc_doubles(series->n);
+	series->high = xcalloc_doubles(series->n);
 }
 
 void
@@ -156,7 +156,8 @@ chart_note(struct chart *chart, const char *format, ...)
 
 /* b at the place of `at` between a0 and a1, a straight or by its logarithm. */
 static double
-interpolate_between(bool by_log, const double *a, const double *b, double at)
+interpolate_between_points(
+    bool by_log, const double *a, const double *b, double at)
 {
 	if (a[0] == a[1])
 		return b[0];
@@ -179,7 +180,7 @@ chart_y_at(
 {
 	for (size_t i = 0; i + 1 < series->n; i++)
 		if (is_between_neighbours(series->x + i, x))
-			return interpolate_between(
+			return interpolate_between_points(
 			    chart->x.log, series->x + i, series->y + i, x);
 	return NAN;
 }
@@ -199,31 +200,31 @@ chart_x_at(
 			x[0] = log(x[0]);
 			x[1] = log(x[1]);
 		}
-		double at =
-		    interpolate_between(chart->y.log, series->y + i, x, y);
+		double at = interpolate_between_points(
+		    chart->y.log, series->y + i, x, y);
 		return by_log ? exp(at) : at;
 	}
 	return NAN;
 }
 
 static void
-extent_include(double extent[2], double low, double high)
+extend_to_include(double extent[2], double low, double high)
 {
 	extent[0] = fmin(extent[0], low);
 	extent[1] = fmax(extent[1], high);
 }
 
 struct chart_extent
-chart_extent(const struct chart *chart)
+chart_find_extent(const struct chart *chart)
 {
 	struct chart_extent e = {{INFINITY, -INFINITY}, {INFINITY, -INFINITY}};
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *s = chart->series[i];
 		for (size_t k = 0; k < s->n; k++) {
-			extent_include(e.x, s->x[k], s->x[k]);
-			extent_include(e.y, s->y[k], s->y[k]);
+			extend_to_include(e.x, s->x[k], s->x[k]);
+			extend_to_include(e.y, s->y[k], s->y[k]);
 			if (s->low != NULL)
-				extent_include(e.y, s->low[k], s->high[k]);
+				extend_to_include(e.y, s->low[k], s->high[k]);
 		}
 	}
 	return e;

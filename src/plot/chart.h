@@ -100,7 +100,7 @@ struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
 /* Moves the last series to the front, so that all others are drawn on top. */
-void chart_move_to_back(struct chart *chart);
+void chart_move_last_series_to_back(struct chart *chart);
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
  * will own. */
@@ -136,7 +136,7 @@ double chart_x_at(
 struct chart_extent {
 	double x[2], y[2];
 };
-struct chart_extent chart_extent(const struct chart *chart);
+struct chart_extent chart_find_extent(const struct chart *chart);
 
 /* Sets *on and *off to the number of dots in each dash of a line and in each
  * gap; off is 0 for a solid line. */

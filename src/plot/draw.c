@@ -21,7 +21,7 @@ struct layout {
 	enum charset charset;
 	unsigned words;
 	int left, top, width, height;
-	int title, y_title, axis, labels, label_rows, legend, foot;
+	int title, y_title, axis, labels, rows_of_x_labels, legend, foot;
 	unsigned char *dots;
 };
 
@@ -30,20 +30,20 @@ struct layout {
 static int
 column_of_x(const struct layout *l, double x, int parts)
 {
-	return axis_index_of_part(
+	return axis_index_of_share(
 	    axis_relative_position(&l->chart->x, x), l->width * parts);
 }
 
 static int
 row_of_y(const struct layout *l, double y, int parts)
 {
-	return axis_index_of_part(
+	return axis_index_of_share(
 	    1 - axis_relative_position(&l->chart->y, y), l->height * parts);
 }
 
 /* The character of a rule across the plot. */
 static uint32_t
-rule_code(enum series series, enum charset charset)
+vertical_line_code(enum series series, enum charset charset)
 {
 	bool ascii = charset == CHARSET_ASCII;
 	switch (series) {
@@ -60,14 +60,14 @@ rule_code(enum series series, enum charset charset)
 static uint32_t
 draw_mark_code(const struct chart_series *s, enum charset charset)
 {
-	const struct mark *mark = mark_of(s->mark);
+	const struct mark *mark = mark_of_character(s->mark);
 	return s->fine && mark != NULL && charset != CHARSET_ASCII
 		   ? mark->sign
 		   : (uint32_t)s->mark;
 }
 
 char *
-chart_sample(const struct chart_series *series, enum charset charset)
+chart_legend_sample(const struct chart_series *series, enum charset charset)
 {
 	static const char *const LINES[] = {[CHART_MARKS] = "",
 	    [CHART_SOLID] = "\u2500",
@@ -80,7 +80,7 @@ chart_sample(const struct chart_series *series, enum charset charset)
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
 	if (series->mark != '\0')
-		canvas_utf8(draw_mark_code(series, charset), mark);
+		canvas_encode_utf8(draw_mark_code(series, charset), mark);
 	/* A heavy line would be no dashes; a bar is heavy. */
 	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
 		return xasprintf(
@@ -93,7 +93,7 @@ chart_sample(const struct chart_series *series, enum charset charset)
 static char *
 legend_text(const struct chart_series *series, enum charset charset)
 {
-	char *sample = chart_sample(series, charset);
+	char *sample = chart_legend_sample(series, charset);
 	char *text = xasprintf("%s %s", sample, series->name);
 	free(sample);
 	return text;
@@ -101,7 +101,7 @@ legend_text(const struct chart_series *series, enum charset charset)
 
 /* As canvas_text; of what the edge would cut as much as can be read. */
 static void
-put_fitted(struct layout *l, int column, int row, const char *text,
+put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
 	char *fitted = text_cut_to_width(text, l->canvas->columns - column);
@@ -126,7 +126,7 @@ lay_out_legend(struct layout *l, int row)
 		char *text = rule != NULL
 				 ? xasprintf("  %s", rule->name)
 				 : legend_text(c->series[i], l->charset);
-		int wide = text_width(text);
+		int wide = text_width_in_columns(text);
 		if (rule == NULL && c->series[i]->name[0] == '\0') {
 			free(text);
 			continue;
@@ -136,10 +136,12 @@ lay_out_legend(struct layout *l, int row)
 			rows++;
 		}
 		if (row >= 0)
-			put_fitted(l, column, row + rows - 1, text, series, 0);
+			put_text_cut_to_width(
+			    l, column, row + rows - 1, text, series, 0);
 		if (row >= 0 && rule != NULL && column < l->canvas->columns)
-			*canvas_at(l->canvas, column, row + rows - 1) =
-			    (struct canvas_cell){rule_code(series, l->charset),
+			*canvas_cell_at(l->canvas, column, row + rows - 1) =
+			    (struct canvas_cell){
+				vertical_line_code(series, l->charset),
 				(unsigned char)series, 0};
 		column += wide + GAP;
 		free(text);
@@ -196,7 +198,7 @@ y_label_columns(const struct chart *chart, int columns, unsigned words)
 	for (const struct chart *c = chart; c != NULL; c = c->below) {
 		wide = c->strip > 0 && wide < STRIP ? STRIP : wide;
 		for (size_t i = 0; i < c->y.n; i++) {
-			int label = text_width(c->y.tick[i].label);
+			int label = text_width_in_columns(c->y.tick[i].label);
 			wide = label > wide ? label : wide;
 		}
 	}
@@ -206,7 +208,7 @@ y_label_columns(const struct chart *chart, int columns, unsigned words)
 
 /* Rows that the labels of the x axis want, 1 or 2. */
 static int
-label_rows(const struct layout *l)
+rows_of_x_labels(const struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
 	int *column = xcalloc(a->n, sizeof *column);
@@ -219,7 +221,7 @@ label_rows(const struct layout *l)
 
 /* A strip has its title alone, bare data not even that. */
 static struct layout
-layout_strip(struct layout l)
+lay_out_strip(struct layout l)
 {
 	bool bare = l.words & CHART_BARE;
 	l.title = l.canvas->rows > 1 && !bare ? 0 : -1;
@@ -242,10 +244,10 @@ draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
 	l.left = left;
 	l.width = canvas->columns - l.left;
 	if (chart->strip > 0 || words & CHART_BARE)
-		return layout_strip(l);
+		return lay_out_strip(l);
 	int rows[PARTS] = {[Y_TITLE] = 1,
 	    [LEGEND] = lay_out_legend_and_notes(&l, -1),
-	    [SECOND] = label_rows(&l) - 1,
+	    [SECOND] = rows_of_x_labels(&l) - 1,
 	    [FOOT] = words & CHART_LEGEND &&
 			     (chart->below == NULL || chart->below->strip > 0)
 			 ? lay_out_source(&l, -1)
@@ -268,9 +270,9 @@ draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
 	int at = l.top + l.height;
 	l.axis = rows[AXIS] > 0 ? at : -1;
 	at += rows[AXIS];
-	l.label_rows = rows[LABELS] + rows[SECOND];
+	l.rows_of_x_labels = rows[LABELS] + rows[SECOND];
 	l.labels = rows[LABELS] > 0 ? at : -1;
-	at += l.label_rows;
+	at += l.rows_of_x_labels;
 	l.legend = rows[LEGEND] > 0 ? at : -1;
 	l.foot = rows[FOOT] > 0 ? at + rows[LEGEND] : -1;
 	return l;
@@ -278,10 +280,10 @@ draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
 
 /* Puts a part of an axis, faint so that the data are seen first. */
 static void
-put_code(struct layout *l, int column, int row, uint32_t code)
+put_axis_code(struct layout *l, int column, int row, uint32_t code)
 {
 	if (column >= 0)
-		*canvas_at(l->canvas, column, row) =
+		*canvas_cell_at(l->canvas, column, row) =
 		    (struct canvas_cell){code, SERIES_TEXT, CELL_DIM};
 }
 
@@ -295,19 +297,20 @@ draw_chart_y_axis(struct layout *l)
 	bool ascii = l->charset == CHARSET_ASCII;
 	char *taken = xcalloc((size_t)l->height, 1);
 	for (int row = 0; row < l->height; row++)
-		put_code(l, l->left - 1, l->top + row, ascii ? '|' : 0x2502);
+		put_axis_code(
+		    l, l->left - 1, l->top + row, ascii ? '|' : 0x2502);
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
 			const struct axis_tick *t = &a->tick[i];
 			int row = row_of_y(l, t->at, 1);
-			put_code(
+			put_axis_code(
 			    l, l->left - 1, l->top + row, ascii ? '+' : 0x2524);
 			if (t->rank != rank || taken[row])
 				continue;
 			taken[row] = 1;
 			canvas_text(l->canvas,
-			    l->left - 1 - text_width(t->label), l->top + row,
-			    t->label, SERIES_TEXT, 0);
+			    l->left - 1 - text_width_in_columns(t->label),
+			    l->top + row, t->label, SERIES_TEXT, 0);
 		}
 	free(taken);
 }
@@ -319,12 +322,13 @@ draw_chart_x_axis(struct layout *l)
 	bool ascii = l->charset == CHARSET_ASCII;
 	if (l->axis < 0)
 		return;
-	put_code(l, l->left - 1, l->axis, ascii ? '+' : 0x2514);
+	put_axis_code(l, l->left - 1, l->axis, ascii ? '+' : 0x2514);
 	for (int column = 0; column < l->width; column++)
-		put_code(l, l->left + column, l->axis, ascii ? '-' : 0x2500);
+		put_axis_code(
+		    l, l->left + column, l->axis, ascii ? '-' : 0x2500);
 	for (size_t i = 0; i < a->n; i++)
-		put_code(l, l->left + column_of_x(l, a->tick[i].at, 1), l->axis,
-		    ascii ? '+' : 0x252C);
+		put_axis_code(l, l->left + column_of_x(l, a->tick[i].at, 1),
+		    l->axis, ascii ? '+' : 0x252C);
 }
 
 static void
@@ -334,7 +338,8 @@ draw_chart_labels(struct layout *l)
 	int *column = xcalloc(a->n, sizeof *column);
 	int *row = xcalloc(a->n, sizeof *row);
 	if (l->labels >= 0)
-		axis_place_labels(a, l->width, l->label_rows, column, row);
+		axis_place_labels(
+		    a, l->width, l->rows_of_x_labels, column, row);
 	for (size_t i = 0; i < a->n && l->labels >= 0; i++)
 		if (row[i] != AXIS_DROPPED)
 			canvas_text(l->canvas, l->left + column[i],
@@ -350,11 +355,11 @@ static char *
 short_title(const char *title, int columns)
 {
 	const char *rest = strstr(title, ": ");
-	if (text_width(title) <= columns || rest == NULL)
+	if (text_width_in_columns(title) <= columns || rest == NULL)
 		return xstrdup(title);
 	char *named =
 	    xasprintf("%.*s%s", (int)strcspn(title, ",:"), title, rest);
-	if (text_width(named) <= columns)
+	if (text_width_in_columns(named) <= columns)
 		return named;
 	free(named);
 	return xstrdup(rest + 2);
@@ -369,11 +374,11 @@ draw_titles(struct layout *l)
 	char *title =
 	    c->strip > 0 ? xstrdup(c->title) : short_title(c->title, columns);
 	if (l->title >= 0)
-		put_fitted(l, 0, l->title, title, SERIES_TEXT,
+		put_text_cut_to_width(l, 0, l->title, title, SERIES_TEXT,
 		    c->strip > 0 ? CELL_DIM : CELL_BOLD);
 	if (l->y_title >= 0)
-		put_fitted(l, 0, l->y_title,
-		    text_width(axes) <= columns ? axes : c->y.title,
+		put_text_cut_to_width(l, 0, l->y_title,
+		    text_width_in_columns(axes) <= columns ? axes : c->y.title,
 		    SERIES_TEXT, 0);
 	free(title);
 	free(axes);
@@ -397,7 +402,7 @@ draw_titles_and_axes(struct layout *l)
 /* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
  * and the character tells most. */
 static bool
-is_inked(enum chart_line line, enum charset charset, int step)
+is_drawn_at_step(enum chart_line line, enum charset charset, int step)
 {
 	int on, off;
 	chart_dash_lengths(line, &on, &off);
@@ -415,7 +420,7 @@ put_code_in_plot(struct layout *l, int column, int row, uint32_t code,
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
 		return;
 	struct canvas_cell *cell =
-	    canvas_at(l->canvas, l->left + column, l->top + row);
+	    canvas_cell_at(l->canvas, l->left + column, l->top + row);
 	*cell = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)attribute};
 	l->dots[row * l->width + column] = 0;
@@ -454,7 +459,7 @@ draw_segment(struct layout *l, const struct chart_series *s, size_t i)
 	for (int k = 0; k <= n; k++) {
 		double t = n > 0 ? (double)k / n : 0;
 		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
-		if (is_inked(s->line, l->charset, step))
+		if (is_drawn_at_step(s->line, l->charset, step))
 			put_dot(l, s, x0 + (int)lround(t * dx),
 			    y0 + (int)lround(t * dy));
 	}
@@ -470,7 +475,7 @@ draw_chart_line(struct layout *l, const struct chart_series *s)
 
 /* The shade of a field by its value, and the label where it has room. */
 static void
-draw_chart_field(struct layout *l, const struct chart_series *s, size_t i)
+draw_shaded_cell(struct layout *l, const struct chart_series *s, size_t i)
 {
 	static const uint32_t SHADES[] = {' ', '.', ':', '#'},
 			      BLOCKS[] = {' ', 0x2591, 0x2592, 0x2593};
@@ -490,7 +495,7 @@ draw_chart_field(struct layout *l, const struct chart_series *s, size_t i)
 			    l->charset == CHARSET_ASCII ? SHADES[shade]
 							: BLOCKS[shade],
 			    s->series, 0);
-	int room = right - left - 2, wide = text_width(label);
+	int room = right - left - 2, wide = text_width_in_columns(label);
 	if (wide <= room)
 		canvas_text(l->canvas,
 		    l->left + left + (right - left - wide) / 2,
@@ -562,7 +567,7 @@ clear_around_marks(struct layout *l, const struct chart_series *s)
 static bool
 is_hollow(const struct chart_series *s)
 {
-	const struct mark *mark = s->fine ? mark_of(s->mark) : NULL;
+	const struct mark *mark = s->fine ? mark_of_character(s->mark) : NULL;
 	return mark != NULL && mark->hollow;
 }
 
@@ -570,7 +575,7 @@ static void
 draw_chart_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
-		draw_chart_field(l, s, i);
+		draw_shaded_cell(l, s, i);
 	for (size_t i = 0; i < s->n && s->mark != 0 && s->field == NULL; i++)
 		draw_chart_mark(l, s, i);
 }
@@ -651,11 +656,11 @@ stipple_band(struct layout *l, int x, double low, double high, enum series tint)
 /* Makes what is drawn of bands faint; lines then have their cells to
  * themselves. */
 static void
-dim_bands(struct layout *l)
+make_bands_faint(struct layout *l)
 {
 	for (int i = 0; i < l->width * l->height; i++)
 		if (l->dots[i] != 0)
-			canvas_at(l->canvas, l->left + i % l->width,
+			canvas_cell_at(l->canvas, l->left + i % l->width,
 			    l->top + i / l->width)
 			    ->attribute = CELL_DIM;
 	memset(l->dots, 0, (size_t)(l->width * l->height));
@@ -706,7 +711,7 @@ draw_guides(struct layout *l)
 /* A break size moves with the slider: in every second row of a tall plot it is
  * seen as well, and half as much is written. */
 static void
-draw_rules(struct layout *l)
+draw_vertical_lines(struct layout *l)
 {
 	enum { TALL = 12 };
 	for (size_t i = 0; i < l->chart->n_rule; i++) {
@@ -716,19 +721,20 @@ draw_rules(struct layout *l)
 		for (int row = 0; row < l->height;
 		     row += thin && l->height >= TALL ? 2 : 1)
 			put_code_in_plot(l, column, row,
-			    rule_code(r->series, l->charset), r->series, 0);
+			    vertical_line_code(r->series, l->charset),
+			    r->series, 0);
 	}
 }
 
 /* Whether cells of a row, and one on either side, are among the data and hold
  * nothing yet. */
 static bool
-draw_is_blank(struct layout *l, int column, int row, int wide)
+is_blank_around(struct layout *l, int column, int row, int wide)
 {
 	for (int c = column - 1; c <= column + wide; c++)
 		if (c < 0 || c >= l->width ||
-		    canvas_at(l->canvas, l->left + c, l->top + row)->code !=
-			' ')
+		    canvas_cell_at(l->canvas, l->left + c, l->top + row)
+			    ->code != ' ')
 			return false;
 	return true;
 }
@@ -740,13 +746,13 @@ draw_chart_name(struct layout *l, const struct chart_series *s, size_t i)
 	const char *label = s->whose[i].label;
 	if (label == NULL || !isfinite(s->y[i]))
 		return;
-	int wide = text_width(label), at = column_of_point(l, s, i);
+	int wide = text_width_in_columns(label), at = column_of_point(l, s, i);
 	int row = row_of_y(l, s->y[i], 1);
 	int right = at + 2, left = at - 1 - wide;
-	if (draw_is_blank(l, right, row, wide))
+	if (is_blank_around(l, right, row, wide))
 		canvas_text(l->canvas, l->left + right, l->top + row, label,
 		    s->series, 0);
-	else if (draw_is_blank(l, left, row, wide))
+	else if (is_blank_around(l, left, row, wide))
 		canvas_text(l->canvas, l->left + left, l->top + row, label,
 		    s->series, 0);
 }
@@ -768,9 +774,9 @@ draw_chart_data(struct layout *l)
 	for (size_t i = 0; i < c->n; i++)
 		if (!c->series[i]->bars)
 			draw_chart_band(l, c->series[i]);
-	dim_bands(l);
+	make_bands_faint(l);
 	draw_guides(l);
-	draw_rules(l);
+	draw_vertical_lines(l);
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
 			draw_chart_bars(l, c->series[i]);
@@ -788,7 +794,8 @@ draw_chart_data(struct layout *l)
 
 /* The mark nearest to a cell of the data, among those next to it. */
 static void
-find_mark(const struct layout *l, int column, int row, struct chart_found *f)
+find_nearest_mark(
+    const struct layout *l, int column, int row, struct chart_found *f)
 {
 	int best = 4; /* more than of any neighbour */
 	for (size_t s = 0; s < l->chart->n; s++) {
@@ -841,7 +848,7 @@ find_in_plot(const struct layout *l, int column, int row, struct chart_found *f)
 		return false;
 	f->x = draw_value_at(&l->chart->x, column, l->width);
 	f->y = draw_value_at(&l->chart->y, l->height - 1 - row, l->height);
-	find_mark(l, column, row, f);
+	find_nearest_mark(l, column, row, f);
 	draw_find_line(l, row, f);
 	return true;
 }
@@ -871,7 +878,8 @@ rows_of_chart(const struct chart *chart, int left, int n)
 
 /* The next chart's rows of a canvas, which share its cells. */
 static struct canvas
-next_rows(const struct canvas *all, const struct chart *chart, int top, int n)
+canvas_of_next_chart(
+    const struct canvas *all, const struct chart *chart, int top, int n)
 {
 	return (struct canvas){.columns = all->columns,
 	    .rows = rows_of_chart(chart, all->rows - top, n),
@@ -879,7 +887,7 @@ next_rows(const struct canvas *all, const struct chart *chart, int top, int n)
 }
 
 bool
-chart_find(const struct chart *chart, const struct canvas *canvas,
+chart_find_at_cell(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found)
 {
@@ -887,7 +895,7 @@ chart_find(const struct chart *chart, const struct canvas *canvas,
 	int left = y_label_columns(chart, canvas->columns, words);
 	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
 	     c = c->below) {
-		struct canvas rows = next_rows(canvas, c, top, n--);
+		struct canvas rows = canvas_of_next_chart(canvas, c, top, n--);
 		struct layout l =
 		    draw_layout_make(c, &rows, left, charset, words);
 		if (row < top + rows.rows)
@@ -908,7 +916,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		struct canvas own = next_rows(all, c, top, n--);
+		struct canvas own = canvas_of_next_chart(all, c, top, n--);
 		struct layout l =
 		    draw_layout_make(c, &own, left, charset, words);
 		draw_titles_and_axes(&l);

@@ -34,12 +34,13 @@ struct chart_found {
 };
 
 /* Finds the content of a cell.  Returns false for a cell outside the data. */
-bool chart_find(const struct chart *chart, const struct canvas *canvas,
+bool chart_find_at_cell(const struct chart *chart, const struct canvas *canvas,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 
 /* Returns the sample of a series for a legend: its line and mark.  The caller
  * frees it. */
-char *chart_sample(const struct chart_series *series, enum charset charset);
+char *chart_legend_sample(
+    const struct chart_series *series, enum charset charset);
 
 #endif

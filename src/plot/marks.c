@@ -15,7 +15,7 @@ static const struct mark MARKS[] = {{'+', 0x25CF, 16, 0, false},
 enum { ALL = sizeof MARKS / sizeof MARKS[0], EACH = ALL / 2 };
 
 const struct mark *
-mark_of(char code)
+mark_of_character(char code)
 {
 	for (size_t i = 0; i < ALL; i++)
 		if (MARKS[i].code == code)
@@ -24,7 +24,7 @@ mark_of(char code)
 }
 
 char
-mark_code(unsigned i, bool hollow)
+mark_character(unsigned i, bool hollow)
 {
 	return MARKS[i % EACH + (hollow ? EACH : 0)].code;
 }

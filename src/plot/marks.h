@@ -17,9 +17,9 @@ struct mark {
 };
 
 /* Returns the mark of a character, or NULL. */
-const struct mark *mark_of(char code);
+const struct mark *mark_of_character(char code);
 
 /* Returns character i of the full or hollow marks, which repeat cyclically. */
-char mark_code(unsigned i, bool hollow);
+char mark_character(unsigned i, bool hollow);
 
 #endif

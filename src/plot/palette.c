@@ -47,7 +47,7 @@ palette_colour(enum series series, int depth, enum theme theme)
 }
 
 unsigned
-palette_rgb(int colour)
+palette_colour_to_rgb(int colour)
 {
 	enum { CUBE = 16, GREYS = 232 };
 	static const unsigned FIRST[CUBE] = {0x000000, 0xCD3131, 0x0DBC79,
@@ -64,9 +64,9 @@ palette_rgb(int colour)
 }
 
 unsigned
-palette_print_rgb(enum series series, enum theme theme)
+palette_series_rgb_on_white(enum series series, enum theme theme)
 {
 	int colour = palette_colour(
 	    series, 256, theme == THEME_NORMAL ? THEME_NORMAL : THEME_LIGHT);
-	return colour < 0 ? 0x000000 : palette_rgb(colour);
+	return colour < 0 ? 0x000000 : palette_colour_to_rgb(colour);
 }

@@ -40,10 +40,10 @@ enum theme { THEME_NORMAL, THEME_DARK, THEME_LIGHT, THEMES };
 int palette_colour(enum series series, int depth, enum theme theme);
 
 /* Returns 0xRRGGBB for a colour number, as in xterm. */
-unsigned palette_rgb(int colour);
+unsigned palette_colour_to_rgb(int colour);
 
 /* Returns 0xRRGGBB for a series on white paper: its colour at depth 256 or, for
  * high contrast, that of THEME_LIGHT. */
-unsigned palette_print_rgb(enum series series, enum theme theme);
+unsigned palette_series_rgb_on_white(enum series series, enum theme theme);
 
 #endif

@@ -76,11 +76,11 @@ struct pen {
 };
 
 /* Makes a pen for a page.  title and about go into the file's metadata; the
- * paper is copied.  other: pen_cairo makes a PDF, not a PNG; pen_svg makes an
- * SVG for an HTML page, not for a file of its own. */
+ * paper is copied.  other: pen_new_cairo makes a PDF, not a PNG; pen_new_svg
+ * makes an SVG for an HTML page, not for a file of its own. */
 typedef struct pen *pen_maker(double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     bool other, FILE *out);
-pen_maker pen_svg, pen_cairo;
+pen_maker pen_new_svg, pen_new_cairo;
 
 #endif

@@ -22,7 +22,7 @@ struct picture {
 };
 
 static cairo_status_t
-put_bytes(void *out, const unsigned char *bytes, unsigned n)
+write_cairo_bytes(void *out, const unsigned char *bytes, unsigned n)
 {
 	return fwrite(bytes, 1, n, out) == n ? CAIRO_STATUS_SUCCESS
 					     : CAIRO_STATUS_WRITE_ERROR;
@@ -36,7 +36,7 @@ set_colour(cairo_t *c, unsigned rgb, double opacity)
 }
 
 static void
-cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
+cairo_pen_draw_path(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_stroke *stroke)
 {
 	const struct picture *p = (struct picture *)pen;
@@ -63,7 +63,7 @@ cairo_pen_path(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
-cairo_pen_bars(struct pen *pen, const double *x, const double *y, size_t n,
+cairo_pen_draw_bars(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_bar *bar)
 {
 	const struct picture *p = (struct picture *)pen;
@@ -93,7 +93,7 @@ set_font(const struct picture *p, const struct pen_style *style)
 }
 
 static double
-cairo_pen_width(
+cairo_pen_measure_text(
     struct pen *pen, const char *words, const struct pen_style *style)
 {
 	const struct picture *p = (struct picture *)pen;
@@ -106,13 +106,13 @@ cairo_pen_width(
 }
 
 static void
-cairo_pen_next(struct pen *pen)
+cairo_pen_begin_page(struct pen *pen)
 {
 	cairo_show_page(((struct picture *)pen)->cairo);
 }
 
 static void
-cairo_pen_place(struct pen *pen, double x, double y, double scale)
+cairo_pen_set_origin(struct pen *pen, double x, double y, double scale)
 {
 	cairo_t *c = ((struct picture *)pen)->cairo;
 	cairo_identity_matrix(c);
@@ -121,7 +121,7 @@ cairo_pen_place(struct pen *pen, double x, double y, double scale)
 }
 
 static void
-cairo_pen_text(struct pen *pen, double x, double y, const char *words,
+cairo_pen_draw_text(struct pen *pen, double x, double y, const char *words,
     const struct pen_style *style)
 {
 	const struct picture *p = (struct picture *)pen;
@@ -166,7 +166,7 @@ cairo_pen_close(struct pen *pen)
 		cairo_surface_finish(p->surface);
 	else
 		written = cairo_surface_write_to_png_stream(
-		    p->surface, put_bytes, p->out);
+		    p->surface, write_cairo_bytes, p->out);
 	ok = ok && written == CAIRO_STATUS_SUCCESS &&
 	     cairo_surface_status(p->surface) == CAIRO_STATUS_SUCCESS;
 	cairo_destroy(p->cairo);
@@ -176,23 +176,23 @@ cairo_pen_close(struct pen *pen)
 }
 
 struct pen *
-pen_cairo(double width, double height, const struct pen_paper *paper,
+pen_new_cairo(double width, double height, const struct pen_paper *paper,
     const char *title, const char *about, bool pdf, FILE *out)
 {
 	struct picture *p = xcalloc(1, sizeof *p);
-	p->pen = (struct pen){.path = cairo_pen_path,
-	    .bars = cairo_pen_bars,
-	    .text = cairo_pen_text,
+	p->pen = (struct pen){.path = cairo_pen_draw_path,
+	    .bars = cairo_pen_draw_bars,
+	    .text = cairo_pen_draw_text,
 	    .close = cairo_pen_close,
-	    .width = cairo_pen_width,
-	    .next = cairo_pen_next,
-	    .place = cairo_pen_place};
+	    .width = cairo_pen_measure_text,
+	    .next = cairo_pen_begin_page,
+	    .place = cairo_pen_set_origin};
 	p->paper = *paper;
 	p->pdf = pdf;
 	p->out = out;
 	if (pdf) {
 		p->surface = cairo_pdf_surface_create_for_stream(
-		    put_bytes, out, width, height);
+		    write_cairo_bytes, out, width, height);
 		set_pdf_metadata(p->surface, CAIRO_PDF_METADATA_TITLE, title);
 		set_pdf_metadata(p->surface, CAIRO_PDF_METADATA_SUBJECT, about);
 		/* The hour would make the same chart another file. */

@@ -16,7 +16,7 @@ struct svg {
 static const char SANS[] = "Helvetica, Arial, sans-serif";
 
 static void
-svg_path(struct pen *pen, const double *x, const double *y, size_t n,
+svg_draw_path(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_stroke *stroke)
 {
 	const struct svg *svg = (struct svg *)pen;
@@ -45,7 +45,7 @@ svg_path(struct pen *pen, const double *x, const double *y, size_t n,
 
 /* Lengths that are none are left out as far as SVG lets one. */
 static void
-svg_bars(struct pen *pen, const double *x, const double *y, size_t n,
+svg_draw_bars(struct pen *pen, const double *x, const double *y, size_t n,
     const struct pen_bar *bar)
 {
 	const struct svg *svg = (struct svg *)pen;
@@ -68,7 +68,7 @@ svg_bars(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
-svg_text(struct pen *pen, double x, double y, const char *text,
+svg_draw_text(struct pen *pen, double x, double y, const char *text,
     const struct pen_style *style)
 {
 	static const char *const ANCHORS[] = {"start", "middle", "end"};
@@ -121,13 +121,13 @@ put_background(const struct svg *svg, double width, double height)
 }
 
 struct pen *
-pen_svg(double width, double height, const struct pen_paper *paper,
+pen_new_svg(double width, double height, const struct pen_paper *paper,
     const char *title, const char *about, bool other, FILE *out)
 {
 	struct svg *svg = xcalloc(1, sizeof *svg);
-	svg->pen = (struct pen){.path = svg_path,
-	    .bars = svg_bars,
-	    .text = svg_text,
+	svg->pen = (struct pen){.path = svg_draw_path,
+	    .bars = svg_draw_bars,
+	    .text = svg_draw_text,
 	    .close = svg_close};
 	svg->paper = *paper;
 	svg->out = out;

@@ -36,7 +36,7 @@ struct page {
 };
 
 bool
-picture_form_of(const char *path, enum picture_form *form)
+picture_form_of_file_name(const char *path, enum picture_form *form)
 {
 	static const char *const ENDS[] = {[PICTURE_SVG] = ".svg",
 	    [PICTURE_PNG] = ".png",
@@ -54,18 +54,19 @@ white_paper(enum theme theme)
 {
 	struct pen_paper paper = {.colour = 0xFFFFFF};
 	for (int i = 0; i < SERIES_COUNT; i++)
-		paper.ink[i] = palette_print_rgb((enum series)i, theme);
+		paper.ink[i] =
+		    palette_series_rgb_on_white((enum series)i, theme);
 	return paper;
 }
 
 bool
-picture_can(enum picture_form form)
+picture_can_draw_form(enum picture_form form)
 {
 	return HAVE_CAIRO || form == PICTURE_SVG || form == PICTURE_INLINE;
 }
 
 const char *
-picture_forms(void)
+picture_list_forms(void)
 {
 	return HAVE_CAIRO ? "svg, png, pdf" : "svg (built without cairo)";
 }
@@ -78,11 +79,11 @@ pen_open(enum picture_form form, double width, double height,
 {
 #if HAVE_CAIRO
 	if (form == PICTURE_PNG || form == PICTURE_PDF)
-		return pen_cairo(width, height, paper, title, about,
+		return pen_new_cairo(width, height, paper, title, about,
 		    form == PICTURE_PDF, out);
 #endif
 	assert(form == PICTURE_SVG || form == PICTURE_INLINE);
-	return pen_svg(
+	return pen_new_svg(
 	    width, height, paper, title, about, form == PICTURE_INLINE, out);
 }
 
@@ -141,7 +142,7 @@ picture_draw_x_axis(struct page *p)
 
 /* A label at y is not to touch one of those placed. */
 static bool
-picture_is_free(const double *placed, size_t n, double y)
+is_label_place_free(const double *placed, size_t n, double y)
 {
 	for (size_t i = 0; i < n; i++)
 		if (fabs(placed[i] - y) < 10)
@@ -154,7 +155,7 @@ picture_draw_y_axis(struct page *p)
 {
 	enum { RANKS = 3, LABEL = 8 };
 	const struct axis *a = &p->chart->y;
-	double *placed = xdoubles(a->n);
+	double *placed = xcalloc_doubles(a->n);
 	size_t n = 0;
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
@@ -165,7 +166,7 @@ picture_draw_y_axis(struct page *p)
 			draw_rule(p, LEFT - 4, y, LEFT, y, THIN);
 			if (t->guide)
 				draw_rule(p, LEFT, y, LEFT + WIDTH, y, GUIDE);
-			if (!picture_is_free(placed, n, y))
+			if (!is_label_place_free(placed, n, y))
 				continue;
 			placed[n++] = y;
 			p->pen->text(p->pen, LEFT - 6, y + 3, t->label,
@@ -200,7 +201,7 @@ static void
 picture_draw_mark(
     struct page *p, const struct chart_series *s, double x, double y)
 {
-	const struct mark *fine = s->fine ? mark_of(s->mark) : NULL;
+	const struct mark *fine = s->fine ? mark_of_character(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
 		    : s->mark == 'v' || s->mark == '^' ? 3
 		    : s->mark == '#'                   ? 4
@@ -226,7 +227,7 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 {
 	if (s->low == NULL)
 		return;
-	double *x = xdoubles(2 * s->n), *y = xdoubles(2 * s->n);
+	double *x = xcalloc_doubles(2 * s->n), *y = xcalloc_doubles(2 * s->n);
 	for (size_t i = 0; i < s->n; i++) {
 		size_t back = 2 * s->n - 1 - i;
 		x[i] = x[back] = page_x(p, s->x[i]);
@@ -240,7 +241,7 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 }
 
 static double
-picture_offset_beside(const struct chart_series *s)
+offset_of_series_beside(const struct chart_series *s)
 {
 	enum { CELL = 4 };
 	return CELL * s->beside;
@@ -259,7 +260,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 {
 	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
-		double x = page_x(p, s->x[i]) + picture_offset_beside(s);
+		double x = page_x(p, s->x[i]) + offset_of_series_beside(s);
 		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
 		    stroke);
 	}
@@ -269,7 +270,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 static void
 picture_draw_line(struct page *p, const struct chart_series *s)
 {
-	double *x = xdoubles(s->n), *y = xdoubles(s->n);
+	double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
 	struct pen_stroke stroke = {s->series, s->line, 1.2, PEN_OPEN};
 	size_t n = 0;
 	for (size_t i = 0; i <= s->n && s->line != CHART_MARKS; i++) {
@@ -298,7 +299,7 @@ rule_stroke(const struct chart_rule *rule)
 
 /* A square whose area is the value, none for NAN, and the label. */
 static void
-picture_draw_field(struct page *p, const struct chart_series *s, size_t i)
+draw_area_square(struct page *p, const struct chart_series *s, size_t i)
 {
 	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
 	double width = page_x(p, s->x[i] + 0.5) - page_x(p, s->x[i] - 0.5);
@@ -338,7 +339,7 @@ is_free_on_page(const struct page *p, const struct taken *taken, struct box box)
 }
 
 static void
-picture_reserve(struct taken *taken, struct box box)
+reserve_box(struct taken *taken, struct box box)
 {
 	taken->box = xrealloc(taken->box, taken->n + 1, sizeof *taken->box);
 	taken->box[taken->n++] = box;
@@ -353,7 +354,7 @@ picture_draw_name(
 	const double letter = 4.2;
 	const char *label = s->whose[i].label;
 	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
-	double wide = letter * text_width(label);
+	double wide = letter * text_width_in_columns(label);
 	const double left[] = {
 	    x + APART, x - APART - wide, x - wide / 2, x - wide / 2};
 	const double foot[] = {
@@ -363,7 +364,7 @@ picture_draw_name(
 		    left[k], foot[k] - LETTERS_HIGH, left[k] + wide, foot[k]};
 		if (!is_free_on_page(p, taken, box))
 			continue;
-		picture_reserve(taken, box);
+		reserve_box(taken, box);
 		p->pen->text(p->pen, left[k], foot[k], label,
 		    &(struct pen_style){
 			.size = LETTERS_HIGH, .series = s->series});
@@ -382,7 +383,7 @@ picture_draw_names(struct page *p)
 			double x = page_x(p, c->series[i]->x[j]),
 			       y = page_y(p, c->series[i]->y[j]);
 			if (c->series[i]->mark != 0)
-				picture_reserve(
+				reserve_box(
 				    &taken, (struct box){x - half, y - half,
 						x + half, y + half});
 		}
@@ -424,11 +425,11 @@ picture_draw_data(struct page *p)
 		for (size_t j = 0; j < c->series[i]->n; j++) {
 			const struct chart_series *s = c->series[i];
 			if (s->field != NULL)
-				picture_draw_field(p, s, j);
+				draw_area_square(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
 				picture_draw_mark(p, s,
 				    page_x(p, s->x[j]) +
-					picture_offset_beside(s),
+					offset_of_series_beside(s),
 				    page_y(p, s->y[j]));
 		}
 	if (picture_has_names(c))
@@ -553,8 +554,8 @@ picture_write(const struct chart *chart, enum picture_form form,
 }
 
 struct pen *
-picture_pages(double width, double height, const char *title, const char *about,
-    FILE *out)
+picture_new_pdf_pages(double width, double height, const char *title,
+    const char *about, FILE *out)
 {
 	const struct pen_paper paper = white_paper(THEME_NORMAL);
 	return HAVE_CAIRO ? pen_open(PICTURE_PDF, width, height, &paper, title,
@@ -610,7 +611,7 @@ static const struct shape {
 
 /* Quarters of a cell that are full: top left, top right, and below them. */
 static unsigned
-filled_quarters(uint32_t code)
+quarters_of_block_character(uint32_t code)
 {
 	static const struct {
 		uint32_t code;
@@ -627,7 +628,8 @@ filled_quarters(uint32_t code)
 
 /* The shape of a character; n is 0 for one that is text. */
 static size_t
-picture_shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
+shape_of_block_character(
+    uint32_t code, enum kind *kind, struct bar bar[static BARS])
 {
 	/* Dots 1 to 8 of braille: column, row. */
 	static const unsigned char DOTS[BARS][2] = {
@@ -647,7 +649,7 @@ picture_shape_of(uint32_t code, enum kind *kind, struct bar bar[static BARS])
 				    DOTS[i][0], DOTS[i][1]};
 		return n;
 	}
-	unsigned set = filled_quarters(code);
+	unsigned set = quarters_of_block_character(code);
 	*kind = BLOCK;
 	for (unsigned i = 0; i < 4; i++)
 		if (set >> i & 1) {
@@ -730,7 +732,8 @@ picture_draw_bars(
 					    s, column, row, &whole);
 				continue;
 			}
-			size_t n = picture_shape_of(cell->code, &its, bar);
+			size_t n =
+			    shape_of_block_character(cell->code, &its, bar);
 			for (size_t i = 0; i < n && its == kind; i++)
 				picture_add_or_join_bar(
 				    s, column, row, &bar[i]);
@@ -748,7 +751,7 @@ is_text(const struct canvas_cell *cell)
 	enum kind kind;
 	struct bar bar[BARS];
 	return cell->code > ' ' && cell->code != 0x2800 &&
-	       picture_shape_of(cell->code, &kind, bar) == 0;
+	       shape_of_block_character(cell->code, &kind, bar) == 0;
 }
 
 static bool
@@ -760,7 +763,7 @@ is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
-picture_run_end(const struct cells_page *s, int from, int row)
+end_of_alike_cells(const struct cells_page *s, int from, int row)
 {
 	const struct canvas_cell *cell = picture_cell_at(s, 0, row);
 	int end = from + 1;
@@ -785,11 +788,11 @@ draw_text(struct cells_page *s, int row)
 		end = c + 1;
 		if (!is_text(cell))
 			continue;
-		end = picture_run_end(s, c, row);
+		end = end_of_alike_cells(s, c, row);
 		for (int i = 0; i < end - c; i++)
 			if (cell[i].code != 0)
-				at =
-				    stpcpy(at, canvas_utf8(cell[i].code, code));
+				at = stpcpy(
+				    at, canvas_encode_utf8(cell[i].code, code));
 		s->pen->text(s->pen, MARGIN + CELL_WIDTH * c,
 		    MARGIN + CELL_HEIGHT * row + BASE_LINE, text,
 		    &(struct pen_style){.size = LETTERS,
@@ -814,7 +817,7 @@ paper_for_cells(const struct canvas *canvas, int depth, double size[2])
 	for (int i = 0; i < SERIES_COUNT; i++) {
 		int colour =
 		    palette_colour((enum series)i, depth, canvas->theme);
-		paper.ink[i] = colour >= 0 ? palette_rgb(colour)
+		paper.ink[i] = colour >= 0 ? palette_colour_to_rgb(colour)
 			       : light     ? 0x000000
 					   : 0xDFE3E8;
 	}
@@ -830,8 +833,8 @@ draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
 	struct cells_page s = {.canvas = canvas,
 	    .pen = pen,
 	    .depth = depth,
-	    .x = xdoubles(2 * BARS * n),
-	    .y = xdoubles(2 * BARS * n)};
+	    .x = xcalloc_doubles(2 * BARS * n),
+	    .y = xcalloc_doubles(2 * BARS * n)};
 	bool has[SERIES_COUNT] = {false};
 	for (size_t i = 0; i < n; i++)
 		has[canvas->cell[i].series] = true;
@@ -847,8 +850,8 @@ draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
 }
 
 bool
-picture_cells(const struct canvas *canvas, int depth, enum picture_form form,
-    const char *title, const char *about, FILE *out)
+picture_write_screen(const struct canvas *canvas, int depth,
+    enum picture_form form, const char *title, const char *about, FILE *out)
 {
 	double size[2];
 	struct pen_paper paper = paper_for_cells(canvas, depth, size);

@@ -16,14 +16,14 @@ enum picture_form { PICTURE_SVG, PICTURE_PNG, PICTURE_PDF, PICTURE_INLINE };
 
 /* Determines the form from the extension of a file (".svg").  Returns false for
  * other extensions. */
-bool picture_form_of(const char *path, enum picture_form *form);
+bool picture_form_of_file_name(const char *path, enum picture_form *form);
 
 /* True if this program can draw the form.  PNG and PDF need cairo, without
  * which it may have been built. */
-bool picture_can(enum picture_form form);
+bool picture_can_draw_form(enum picture_form form);
 
 /* Returns the forms that this program can draw, in words. */
-const char *picture_forms(void);
+const char *picture_list_forms(void);
 
 /* Writes the chart with axes, legend and notes and, at its foot, the source of
  * the data and the program ("tipspeed 0.1.0").  Ticks, marks and dashes are
@@ -31,12 +31,12 @@ const char *picture_forms(void);
 bool picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out);
 
-/* For callers that lay out the pages of a PDF, in points.  picture_pages
+/* For callers that lay out the pages of a PDF, in points. picture_new_pdf_pages
  * returns a pen, or NULL if this program was built without cairo.
  * picture_height returns the height of a chart PICTURE_WIDTH wide.
  * picture_draw draws the chart from the pen's place. */
-struct pen *picture_pages(double width, double height, const char *title,
-    const char *about, FILE *out);
+struct pen *picture_new_pdf_pages(double width, double height,
+    const char *title, const char *about, FILE *out);
 double picture_height(const struct chart *chart, const char *program);
 void picture_draw(
     const struct chart *chart, const char *program, struct pen *pen);
@@ -45,7 +45,7 @@ void picture_draw(
  * blocks are drawn as shapes, so they join in any font.  depth: number of
  * colours, 0, 8, 16 or 256.  title, about: the file's metadata.  Returns false
  * if it cannot be drawn or written. */
-bool picture_cells(const struct canvas *canvas, int depth,
+bool picture_write_screen(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out);
 
 #endif

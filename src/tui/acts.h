@@ -14,9 +14,9 @@ enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
  * with keys of its own.  For a key that acts on all pages, the same bits,
  * shifted, name the pages that list it first.  AT_SPEED: it acts at the
  * slider's speed; if n, p or N still waits for the speeds of the goal
- * (act_goal_speed), the slider goes there first.  CHANGES: it changes results,
- * see viewer.c.  RUNS_COMMAND: its hint is the name of the command that it
- * runs. */
+ * (act_go_to_goal_speed), the slider goes there first.  CHANGES: it changes
+ * results, see viewer.c.  RUNS_COMMAND: its hint is the name of the command
+ * that it runs. */
 enum {
 	ON_PREDICT = 1 << PAGE_PREDICT,
 	ON_FIT = 1 << PAGE_FIT,
@@ -55,31 +55,32 @@ enum { TO_LEAST = -1, TO_MOST = 1 };
 
 /* Move within the page, or else the slider: by the amount, to an end; up and
  * down. */
-key_action act_move, act_ends, act_list;
+key_action act_move, act_ends, act_move_in_list;
 
 /* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
  * fastest); to the next limit of the goal or, without a goal, the next run, or
  * by an amount of 0 to the best speed of the goal.  The last waits until these
  * speeds are known. */
-key_action act_speed, act_run_speed, act_goal_speed;
+key_action act_type_speed, act_go_to_run_speed, act_go_to_goal_speed;
 
-key_action act_page, act_back, act_choose, act_filter;
+key_action act_page, act_back, act_open_row, act_filter;
 
 /* Lines: run the key's command or describe; open the command line, empty, with
  * `save` or with a command to export. */
-key_action act_command, act_describe, act_type, act_save, act_export;
+key_action act_run_hint_command, act_describe, act_type_command, act_save,
+    act_export;
 
 /* The calibration. */
 key_action act_fit, act_pause, act_stop, act_pace;
 
 /* Change what is predicted and shown.  act_goal opens a field that starts with
  * the quantity above the track, act_goal_view shows the goal at full height. */
-key_action act_correct, act_band, act_pin, act_crosshair, act_crosshair_passing,
-    act_quantity, act_goal, act_goal_view;
+key_action act_next_correction, act_band, act_pin, act_crosshair,
+    act_crosshair_passing, act_next_quantity, act_goal, act_goal_view;
 
 /* For single pages. */
 key_action act_runs, act_numbers, act_next_plot, act_next_generation,
-    act_bounds, act_mend, act_next_doubtful, act_sort;
+    act_bounds, act_mend, act_next_doubtful_cell, act_sort;
 
 key_action act_files, act_last_text, act_help, act_mouse, act_redraw,
     act_suspend, act_leave;

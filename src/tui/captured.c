@@ -44,7 +44,7 @@ captured_show(struct tui *t)
 		n--;
 	char *text = xstrndup(t->captured_text, n);
 	if (strchr(text, '\n') != NULL) {
-		viewer_text(t, text);
+		viewer_show_text(t, text);
 		return;
 	}
 	if (n > 0)

@@ -24,13 +24,13 @@
 
 /* Draws a picture of the screen as it stands, without stopping a search. */
 static void
-draw_screen(struct tui *t, const char *line)
+run_screen_command(struct tui *t, const char *line)
 {
 	struct error error = {0};
 	size_t next;
 	captured_clear(t);
-	bool ok =
-	    session_line(t->session, line, 0, ERROR_TYPED, 0, &next, &error);
+	bool ok = session_run_line(
+	    t->session, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(t->command);
 	t->command = xstrdup(line);
 	t->failed = !ok;
@@ -43,7 +43,7 @@ draw_screen(struct tui *t, const char *line)
 
 /* Waits for Return, so that the output of a shell command can be read. */
 static void
-await_return(void)
+wait_for_return_key(void)
 {
 	fputs(tr("\n"
 		 "[Return: back]"),
@@ -51,7 +51,7 @@ await_return(void)
 	fflush(stdout);
 	/* ^C has ended the shell command. */
 	signals_forget_interrupt();
-	ask_line(NULL);
+	ask_wait_for_line(NULL);
 	/* Whoever leaves the screen finds a line of their own. */
 	fputs("\n", stdout);
 }
@@ -59,7 +59,7 @@ await_return(void)
 /* Returns the feed that a line names, as typed, or NULL.  The caller frees
  * it. */
 static char *
-feed_typed(const char *line)
+feed_named_in_line(const char *line)
 {
 	const char *feed = strstr(line, " feed=");
 	if (feed == NULL)
@@ -81,9 +81,9 @@ is_shown_by_page_predict(const char *line)
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++)
 		if (strstr(line, MORE[i]) != NULL)
 			return false;
-	FREED char *feed = feed_typed(line);
+	FREED char *feed = feed_named_in_line(line);
 	double speed;
-	return feed == NULL || value_number(feed, "m/s", &speed);
+	return feed == NULL || value_parse_number(feed, "m/s", &speed);
 }
 
 /* What a line does to a running search: nothing, which is also the effect of
@@ -94,7 +94,7 @@ static enum job_effect
 effect_on_job(
     const struct tui *t, const char *line, const struct command *command)
 {
-	if (!session_busy(t->session))
+	if (!session_is_calibrating(t->session))
 		return JOB_GOES_ON;
 	if (command == NULL)
 		return strchr(line, ';') == NULL ? JOB_GOES_ON : JOB_STOPS;
@@ -108,9 +108,9 @@ effect_on_job(
 /* Returns true for a question about the site that is being calibrated: its
  * parameters are not found yet. */
 static bool
-asks_before_fit(const struct tui *t, const struct command *command)
+is_question_during_fit(const struct tui *t, const struct command *command)
 {
-	const struct entry *fitting = session_fitting(t->session);
+	const struct entry *fitting = session_entry_being_fitted(t->session);
 	return fitting != NULL && fitting == tui_current_entry(t) &&
 	       command != NULL && command->answer != NULL &&
 	       (command->flags & COMMAND_NEEDS_PARAMS) &&
@@ -120,7 +120,7 @@ asks_before_fit(const struct tui *t, const struct command *command)
 /* Continues a search within bounds that a line edited; one that was stopped
  * says so. */
 static void
-continue_within_bounds(struct tui *t, bool edited)
+resume_search_within_bounds(struct tui *t, bool edited)
 {
 	bool on = t->session->job.paused;
 	if (control_run(t, on ? "continue" : "calibrate") && on && edited)
@@ -140,9 +140,9 @@ append_to_message(struct tui *t, const char *more)
 
 /* Says that the pages keep their feed, below an answer for another. */
 static void
-tell_feed(struct tui *t, const char *line)
+say_that_pages_keep_feed(struct tui *t, const char *line)
 {
-	FREED char *feed = feed_typed(line);
+	FREED char *feed = feed_named_in_line(line);
 	if (feed != NULL && strchr(line, '>') == NULL &&
 	    strcmp(feed, t->session->set.feed) != 0)
 		tui_say(t, false,
@@ -165,55 +165,55 @@ show_result_message(struct tui *t, const char *line, bool ok, bool began)
 		captured_show(t);
 	if (ok && !moved_only &&
 	    control_find_command(line) == command_find("predict"))
-		tell_feed(t, line);
+		say_that_pages_keep_feed(t, line);
 }
 
 static void
-run_typed(struct tui *t, const char *line)
+run_typed_line(struct tui *t, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
 	struct session *s = t->session;
 	const struct bounds before = s->set.bounds;
-	const bool was_busy = session_busy(s);
+	const bool was_busy = session_is_calibrating(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
 	const struct command *command = control_find_command(line);
 	enum job_effect effect = effect_on_job(t, line, command);
 	if (command == command_find("screen")) {
-		draw_screen(t, line);
+		run_screen_command(t, line);
 		return;
 	}
 	if (effect != JOB_GOES_ON)
-		stopped = watch_pause(t);
+		stopped = watch_stop_fit(t);
 	bool paused = s->job.paused;
 	if (command == command_find("save"))
-		control_set_looks(t);
+		control_store_page_settings(t);
 	/* Only a shell command may write past the session's streams. */
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
 		t->callbacks->leave(t);
 	bool ok = control_run(t, line);
 	if (aside) {
-		await_return();
+		wait_for_return_key();
 		t->callbacks->come_back(t);
 	}
 	bool edited = memcmp(&before, &s->set.bounds, sizeof before) != 0;
 	if (searching && (effect == JOB_TAKES_BOUNDS || edited) &&
-	    !session_busy(s)) {
-		continue_within_bounds(t, edited);
+	    !session_is_calibrating(s)) {
+		resume_search_within_bounds(t, edited);
 		return;
 	}
 	if (ok && edited)
 		tui_say(t, false, "f calibrates within these bounds");
 	bool beside = was_busy && effect == JOB_GOES_ON;
-	show_result_message(t, line, ok, session_busy(s) && !beside);
+	show_result_message(t, line, ok, session_is_calibrating(s) && !beside);
 	/* The slider may have been meant. */
 	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "
 			  "undone)"));
-	else if (effect == JOB_STOPS && !session_busy(s) &&
+	else if (effect == JOB_STOPS && !session_is_calibrating(s) &&
 		 s->job.paused == paused)
 		append_to_message(t, stopped);
 }
@@ -221,7 +221,7 @@ run_typed(struct tui *t, const char *line)
 /* Returns true if a command answers for one speed; not if it draws, shows data
  * or changes something. */
 static bool
-answers_for_one_speed(const struct command *command)
+is_command_for_one_speed(const struct command *command)
 {
 	const char *group = command_group(command);
 	return command_option_index(command, "speed") < OPTIONS &&
@@ -232,15 +232,15 @@ answers_for_one_speed(const struct command *command)
 /* Returns true if a line has a speed among its operands, as in "compare pinned
  * 72". */
 static bool
-names_speed(const struct command *asked, const char *rest)
+has_speed_operand(const struct command *asked, const char *rest)
 {
 	bool named = false;
 	char *copy = xstrndup(rest, strcspn(rest, ">|")), *save = NULL;
 	double v;
 	for (char *word = strtok_r(copy, " \t", &save); word != NULL;
 	     word = strtok_r(NULL, " \t", &save))
-		named |= value_number(word, "m/s", &v) ||
-			 value_number(word, "rpm", &v);
+		named |= value_parse_number(word, "m/s", &v) ||
+			 value_parse_number(word, "rpm", &v);
 	free(copy);
 	return named && asked->operands.usage != NULL &&
 	       strstr(asked->operands.usage, "SPEED") != NULL;
@@ -249,22 +249,23 @@ names_speed(const struct command *asked, const char *rest)
 /* Returns a typed line with the slider's speed and feed (tui_options_at_slider)
  * added, if it asks about one speed and names none.  The caller frees it. */
 static char *
-line_at_slider(const char *line, const char *where)
+line_with_slider_speed(const char *line, const char *where)
 {
 	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
 	const char *word = line + from, *rest = word + n;
 	rest += strspn(rest, " \t");
 	char *name = xstrndup(word, n);
-	const struct command *asked = command_find_typed(name, true);
+	const struct command *asked = command_find_abbreviated(name, true);
 	free(name);
-	if (asked == NULL || !answers_for_one_speed(asked))
+	if (asked == NULL || !is_command_for_one_speed(asked))
 		return xstrdup(line);
 	/* A speed may also stand alone. */
 	bool bare = asked->bare == NULL || strcmp(asked->bare, "speed") == 0;
-	bool said =
-	    strchr(line, ';') != NULL || strstr(line, "speed=") != NULL ||
-	    strstr(line, "rpm=") != NULL ||
-	    (bare && *rest >= '0' && *rest <= '9') || names_speed(asked, rest);
+	bool said = strchr(line, ';') != NULL ||
+		    strstr(line, "speed=") != NULL ||
+		    strstr(line, "rpm=") != NULL ||
+		    (bare && *rest >= '0' && *rest <= '9') ||
+		    has_speed_operand(asked, rest);
 	bool own = strstr(line, "feed=") != NULL ||
 		   command_option_index(asked, "feed") == OPTIONS;
 	size_t length = own ? strcspn(where, " ") : strlen(where);
@@ -278,17 +279,17 @@ void
 cmdline_run(struct tui *t, const char *line)
 {
 	FREED char *where = tui_options_at_slider(t);
-	FREED char *meant = line_at_slider(line, where);
+	FREED char *meant = line_with_slider_speed(line, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
-		typed_add(line);
+		typed_history_add(line);
 	const struct command *command = control_find_command(meant);
-	if (asks_before_fit(t, command))
+	if (is_question_during_fit(t, command))
 		tui_say(t, false,
 		    "%s answers when the calibration ends; s stops it and "
 		    "keeps the best",
 		    command->name);
 	else
-		run_typed(t, meant);
+		run_typed_line(t, meant);
 	t->keep_message = t->message[0] != '\0';
-	viewer_message(t);
+	viewer_show_long_message(t);
 }

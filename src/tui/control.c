@@ -39,12 +39,12 @@ static struct tui *open;
 /* Runs a job to its end and draws its progress.  Signals are held on the
  * screen, and let in between two steps. */
 static bool
-control_work(struct session *s)
+run_job_to_end(struct session *s)
 {
-	while (session_busy(s) && signals_pending() == 0) {
-		session_step(s);
+	while (session_is_calibrating(s) && signals_pending() == 0) {
+		session_step_job(s);
 		script_progress_draw(open);
-		signals_deliver();
+		signals_deliver_blocked();
 	}
 	return signals_pending() == 0;
 }
@@ -55,9 +55,9 @@ control_work(struct session *s)
 static bool
 control_is_stop_wanted(void)
 {
-	if (open != NULL && !session_busy(open->session))
+	if (open != NULL && !session_is_calibrating(open->session))
 		script_progress_draw(open);
-	return signals_stop_wanted();
+	return signals_is_stop_wanted();
 }
 
 const struct command *
@@ -73,7 +73,7 @@ control_find_command(const char *line)
 	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
 	const struct command *command = command_find(both);
 	if (command == NULL)
-		command = command_find_typed(word, true);
+		command = command_find_abbreviated(word, true);
 	return command;
 }
 
@@ -93,12 +93,13 @@ control_refresh(struct tui *t)
 
 /* Takes the page and the quantity from the settings. */
 static void
-read_page_and_quantity(struct tui *t)
+apply_page_settings(struct tui *t)
 {
 	static const struct partition SHARP = {0, 1};
 	const struct settings *set = &t->session->set;
 	struct error error = {0};
-	if (!quantities_read(set->quantity, &SHARP, &t->ui.quantity, &error))
+	if (!quantities_parse_one(
+		set->quantity, &SHARP, &t->ui.quantity, &error))
 		t->ui.quantity = strip_default_quantity();
 	t->ui.page = (enum page)set->page;
 	tui_clear_hits(t);
@@ -106,28 +107,28 @@ read_page_and_quantity(struct tui *t)
 
 /* Returns the page as a value of `set page`.  The caller frees it. */
 static char *
-page_text(enum page page)
+page_setting_text(enum page page)
 {
 	const struct settings set = {.page = page};
 	const struct command_option *row = SETTINGS;
 	while (strcmp(row->name, "page") != 0)
 		row++;
-	return settings_text(row, &set);
+	return settings_value_text(row, &set);
 }
 
 void
-control_set_looks(struct tui *t)
+control_store_page_settings(struct tui *t)
 {
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
-	FREED char *page = page_text(t->ui.page);
-	FREED char *quantity = quantities_as_typed(&t->ui.quantity);
+	FREED char *page = page_setting_text(t->ui.page);
+	FREED char *quantity = quantities_input_text(&t->ui.quantity);
 	FREED char *line =
 	    xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_clear(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
-		session_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
+		session_run_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 }
 
 /* Returns true if the page or the quantity is another. */
@@ -158,11 +159,11 @@ show_job_begun(struct tui *t, const char *line)
 }
 
 void
-control_say_off_slider(struct tui *t, double speed)
+control_say_speed_off_slider(struct tui *t, double speed)
 {
-	struct slider_range range = tui_range(t);
+	struct slider_range range = tui_slider_range(t);
 	const struct entry *entry = tui_current_entry(t);
-	FREED char *rpm = rotor_speed_words(
+	FREED char *rpm = rotor_speed_rpm_text(
 	    entry != NULL ? entry->site->rotor : 0, speed, NAN);
 	tui_say(t, true,
 	    "%.1f m/s%s is off the slider: type :set slider %.0f..%.0f", speed,
@@ -171,21 +172,22 @@ control_say_off_slider(struct tui *t, double speed)
 }
 
 static void
-control_follow_speed(struct tui *t, const char *line, bool ok)
+move_slider_to_answer(struct tui *t, const char *line, bool ok)
 {
-	struct slider_range range = tui_range(t);
+	struct slider_range range = tui_slider_range(t);
 	double said =
 	    session_answer_number(t->session, "predict find", "speed");
 	const struct command *ran = control_find_command(line);
 	bool asks =
 	    ran == command_find("predict") || ran == command_find("find");
-	if (slider_has(range, said))
-		tui_go_to(t, said);
+	if (slider_has_speed(range, said))
+		tui_move_slider_to(t, said);
 	else if (isfinite(said) && ok && asks)
-		control_say_off_slider(t, said);
+		control_say_speed_off_slider(t, said);
 	if (tui_current_entry(t) != NULL &&
-	    !slider_has(range, t->ui.tenths / 10.0))
-		tui_go_to(t, answers_usual_speed(tui_current_entry(t)));
+	    !slider_has_speed(range, t->ui.tenths / 10.0))
+		tui_move_slider_to(
+		    t, answers_default_speed(tui_current_entry(t)));
 }
 
 static bool
@@ -193,7 +195,7 @@ control_run_line(struct tui *t, const char *line)
 {
 	struct session *s = t->session;
 	const struct settings was = s->set;
-	bool was_busy = session_busy(s);
+	bool was_busy = session_is_calibrating(s);
 	char site[sizeof t->view.current.site] = "";
 	if (tui_current_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_current_entry(t)->key);
@@ -201,16 +203,16 @@ control_run_line(struct tui *t, const char *line)
 	const struct driver d = {.session = s,
 	    .of = t,
 	    .fail = captured_show_error,
-	    .begins = script_progress_begins,
-	    .work = control_work,
+	    .begins = script_progress_start_line,
+	    .work = run_job_to_end,
 	    .watches = true};
-	script_progress_typed(t, line);
+	script_progress_start_typed(t, line);
 	/* A signal is no error: what was found before it stays. */
-	bool ok = driver_line(&d, line, ERROR_TYPED, 0) == 0 ||
+	bool ok = driver_run_line(&d, line, ERROR_TYPED, 0) == 0 ||
 		  signals_pending() != 0;
 	script_progress_end(
 	    t, control_find_command(line) == command_find("restore"), ok);
-	control_follow_speed(t, line, ok);
+	move_slider_to_answer(t, line, ok);
 	bool other = tui_current_entry(t) != NULL &&
 		     strcmp(site, tui_current_entry(t)->key);
 	if (other) {
@@ -219,12 +221,12 @@ control_run_line(struct tui *t, const char *line)
 	}
 	if (differs_in_page_or_quantity(&was, &s->set) &&
 	    strcmp(line, "undo") != 0 && strcmp(line, "redo") != 0)
-		read_page_and_quantity(t);
+		apply_page_settings(t);
 	tui_set_feed_from_answer(t);
 	if (strcmp(s->set.feed, was.feed) != 0)
 		tui_set_feed_from_setting(t);
 	control_refresh(t);
-	if (session_busy(s) && !was_busy)
+	if (session_is_calibrating(s) && !was_busy)
 		show_job_begun(t, line);
 	return ok;
 }
@@ -238,12 +240,12 @@ control_run(struct tui *t, const char *line)
 	bool ok = control_run_line(t, line);
 	t->failed = !ok;
 	if (!ok)
-		viewer_message(t);
+		viewer_show_long_message(t);
 	return ok;
 }
 
 struct tui *
-control_screen(void)
+control_current_screen(void)
 {
 	return open;
 }
@@ -279,7 +281,7 @@ control_confirm(struct session *s, const char *question, bool yes)
 }
 
 static char *
-control_question(struct session *s, const struct inquiry *q)
+control_ask_question(struct session *s, const struct inquiry *q)
 {
 	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }
@@ -287,10 +289,10 @@ control_question(struct session *s, const struct inquiry *q)
 /* For hooks.announce: draws page Fit before the draws are computed with which a
  * search ends. */
 static void
-control_draw_before_search(const char *what)
+announce_posterior_draws(const char *what)
 {
 	if (open->callbacks->show == NULL || open->ui.page != PAGE_FIT ||
-	    !session_busy(open->session) || open->computing != NULL)
+	    !session_is_calibrating(open->session) || open->computing != NULL)
 		return;
 	open->computing = what;
 	open->callbacks->show(open);
@@ -304,13 +306,13 @@ first_slider_speed(const struct tui *t)
 {
 	const double usual = 74;
 	const struct entry *e = tui_current_entry(t);
-	if (slider_has(tui_range(t), t->session->last_asked.speed))
+	if (slider_has_speed(tui_slider_range(t), t->session->last_asked.speed))
 		return t->session->last_asked.speed;
-	return e != NULL ? answers_usual_speed(e) : usual;
+	return e != NULL ? answers_default_speed(e) : usual;
 }
 
 void
-control_begin(
+control_open_screen(
     struct tui *t, struct session *s, const struct tui_callbacks *callbacks)
 {
 	*t = (struct tui){.session = s,
@@ -320,34 +322,34 @@ control_begin(
 		.pace = PACE_AUTO,
 		.picture = PLOT_SEARCH,
 		.crosshair_passing = 50},
-	    .mouse = screen_mouse(true),
+	    .mouse = screen_set_mouse(true),
 	    .view.holdout = NAN,
 	    .before = {s->out, s->notes, s->hooks, s->prompt, s->typed_depth,
 		s->screen}};
-	tui_go_to(t, first_slider_speed(t));
+	tui_move_slider_to(t, first_slider_speed(t));
 	s->hooks.confirm = control_confirm;
-	s->hooks.ask = control_question;
+	s->hooks.ask = control_ask_question;
 	s->prompt = true;
 	s->typed_depth = s->scripts;
 	s->hooks.show_page = NULL;
-	s->hooks.announce = control_draw_before_search;
+	s->hooks.announce = announce_posterior_draws;
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_set_feed_from_answer(t);
 	t->captured = text_open_memory(&t->captured_text, &t->captured_n);
 	s->out = s->notes = t->captured;
-	read_page_and_quantity(t);
+	apply_page_settings(t);
 	control_refresh(t);
 	open = t;
 }
 
 void
-control_end(struct tui *t)
+control_close_screen(struct tui *t)
 {
 	struct session *s = t->session;
 	struct error error = {0};
 	if (!t->aside)
-		control_set_looks(t);
+		control_store_page_settings(t);
 	open = NULL;
 	s->out = t->before.out;
 	s->notes = t->before.notes;
@@ -355,8 +357,8 @@ control_end(struct tui *t)
 	s->prompt = t->before.prompt;
 	s->typed_depth = t->before.typed_at;
 	s->screen = t->before.screen;
-	if (session_busy(s)) {
-		session_pause(s);
+	if (session_is_calibrating(s)) {
+		session_pause_job(s);
 		session_end_finished_commands(s, true, &error);
 	}
 	free_state(t);

@@ -6,15 +6,15 @@
 #include "tui/tui_state.h"
 #include "tui/view.h"
 
-/* control_begin opens a full screen on a session.  control_end closes it,
- * pauses a running calibration, and restores the session's streams and
- * hooks. */
-void control_begin(
+/* control_open_screen opens a full screen on a session.  control_close_screen
+ * closes it, pauses a running calibration, and restores the session's streams
+ * and hooks. */
+void control_open_screen(
     struct tui *t, struct session *s, const struct tui_callbacks *callbacks);
-void control_end(struct tui *t);
+void control_close_screen(struct tui *t);
 
 /* Returns the full screen if it is open, or else NULL. */
-struct tui *control_screen(void);
+struct tui *control_current_screen(void);
 
 /* Runs a line composed by a key and shows it.  On failure, returns false with a
  * message. */
@@ -30,10 +30,10 @@ void control_refresh(struct tui *t);
 const struct command *control_find_command(const char *line);
 
 /* Stores the page and the quantity shown as settings, for save and restore. */
-void control_set_looks(struct tui *t);
+void control_store_page_settings(struct tui *t);
 
 /* Says that a speed, m/s, is outside the slider's range, and how to extend
  * that. */
-void control_say_off_slider(struct tui *t, double speed);
+void control_say_speed_off_slider(struct tui *t, double speed);
 
 #endif

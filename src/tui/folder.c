@@ -37,7 +37,7 @@ is_script(const char *name)
 }
 
 static int
-folder_compare(const void *a, const void *b)
+compare_folder_items(const void *a, const void *b)
 {
 	const struct folder_item *x = a, *y = b;
 	return x->kind != y->kind ? (x->kind > y->kind) - (x->kind < y->kind)
@@ -45,7 +45,7 @@ folder_compare(const void *a, const void *b)
 }
 
 static void
-folder_add(struct folder *folder, enum folder_kind kind, const char *name)
+folder_add_item(struct folder *folder, enum folder_kind kind, const char *name)
 {
 	folder->item =
 	    xrealloc(folder->item, folder->n + 1, sizeof *folder->item);
@@ -57,7 +57,7 @@ folder_add(struct folder *folder, enum folder_kind kind, const char *name)
 /* Adds an entry of a folder.  A name with a quote could not be typed, and
  * reading a pipe would wait. */
 static void
-add_entry(struct folder *folder, const char *name)
+add_directory_entry(struct folder *folder, const char *name)
 {
 	struct stat about;
 	if (name[0] == '.' || strchr(name, '"') != NULL)
@@ -65,20 +65,20 @@ add_entry(struct folder *folder, const char *name)
 	FREED char *path = xasprintf("%s%s", folder->path, name);
 	bool known = stat(path, &about) == 0;
 	FREED char *command = known && file_has_sheet_ending(name)
-				  ? results_command_in(path)
+				  ? results_command_in_file(path)
 				  : NULL;
 	if (known && S_ISDIR(about.st_mode)) {
-		folder_add(folder, FOLDER_BELOW, name);
+		folder_add_item(folder, FOLDER_BELOW, name);
 	} else if (command != NULL) {
-		folder_add(folder, FOLDER_RESULTS, name);
+		folder_add_item(folder, FOLDER_RESULTS, name);
 		folder->item[folder->n - 1].about =
 		    xasprintf(tr("results of %s"), command);
 	} else if (known && S_ISREG(about.st_mode) && is_script(name)) {
-		folder_add(folder, FOLDER_SESSION, name);
+		folder_add_item(folder, FOLDER_SESSION, name);
 		folder->item[folder->n - 1].about =
 		    xstrdup(tr("a saved session"));
 	} else if (known && S_ISREG(about.st_mode)) {
-		folder_add(folder,
+		folder_add_item(folder,
 		    file_has_sheet_ending(name) ? FOLDER_SHEET : FOLDER_OTHER,
 		    name);
 	}
@@ -91,26 +91,27 @@ folder_list(struct folder *folder, const char *path)
 	DIR *dir = opendir(path[0] != '\0' ? path : ".");
 	if (dir == NULL)
 		folder->why = strerror(errno);
-	folder_add(folder, FOLDER_ABOVE, "..");
+	folder_add_item(folder, FOLDER_ABOVE, "..");
 	if (dir == NULL)
 		return;
 	for (struct dirent *e; !folder->more && (e = readdir(dir)) != NULL;) {
-		add_entry(folder, e->d_name);
+		add_directory_entry(folder, e->d_name);
 		folder->more = folder->n >= MOST_ITEMS;
 	}
 	closedir(dir);
-	qsort(folder->item, folder->n, sizeof *folder->item, folder_compare);
+	qsort(folder->item, folder->n, sizeof *folder->item,
+	    compare_folder_items);
 }
 
 /* Returns "Granite, 11.2 mm, 69 74 79 m/s", or NULL if it is no site. */
 static char *
-about_site(const char *path)
+site_file_summary(const char *path)
 {
 	struct error_list errors = {0};
 	struct site *site = site_read(path, &errors);
 	if (site == NULL)
 		return NULL;
-	FREED char *speeds = session_speeds(site, " ", NULL, false);
+	FREED char *speeds = session_speeds_text(site, " ", NULL, false);
 	char *about = xasprintf("%-16s %5.4g mm  %s m/s", site->rock,
 	    units_mm(site->top_size), speeds);
 	site_free(site);
@@ -118,7 +119,7 @@ about_site(const char *path)
 }
 
 static void
-item_clear(struct folder_item *item)
+folder_item_free(struct folder_item *item)
 {
 	free(item->name);
 	free(item->path);
@@ -127,7 +128,7 @@ item_clear(struct folder_item *item)
 }
 
 void
-folder_keep_kind(struct folder *folder, enum folder_kind kind)
+folder_filter_by_kind(struct folder *folder, enum folder_kind kind)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
@@ -136,7 +137,7 @@ folder_keep_kind(struct folder *folder, enum folder_kind kind)
 		    item->kind == FOLDER_BELOW)
 			folder->item[n++] = *item;
 		else
-			item_clear(item);
+			folder_item_free(item);
 	}
 	folder->n = n;
 }
@@ -147,7 +148,7 @@ static void
 add_synthetic_sites(struct folder *folder)
 {
 	struct stored_list paper = {0};
-	stored_table3(&paper);
+	stored_add_table3(&paper);
 	for (size_t i = 0; i < paper.n; i++) {
 		const struct stored *row = &paper.item[i];
 		FREED char *slug = text_slug(row->site);
@@ -156,7 +157,7 @@ add_synthetic_sites(struct folder *folder)
 		for (size_t k = 0; k < folder->n && !again; k++)
 			again = strcmp(folder->item[k].name, name) == 0;
 		if (!again) {
-			folder_add(folder, FOLDER_SHEET, name);
+			folder_add_item(folder, FOLDER_SHEET, name);
 			struct folder_item *item = &folder->item[folder->n - 1];
 			item->about = xasprintf(
 			    "%-16s %5.4g mm", row->rock, row->top_size_mm);
@@ -173,18 +174,18 @@ add_synthetic_sites(struct folder *folder)
 void
 folder_list_shipped(struct folder *folder)
 {
-	char *path = shipped_folder();
+	char *path = shipped_sites_folder();
 	folder_list(folder, path);
 	free(path);
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
 		if (item->kind == FOLDER_SHEET)
-			item->about = about_site(item->path);
+			item->about = site_file_summary(item->path);
 		if (item->kind == FOLDER_SHEET && item->about != NULL)
 			folder->item[n++] = *item;
 		else
-			item_clear(item);
+			folder_item_free(item);
 	}
 	folder->n = n;
 	if (n == 0)
@@ -195,14 +196,14 @@ void
 folder_free(struct folder *folder)
 {
 	for (size_t i = 0; i < folder->n; i++)
-		item_clear(&folder->item[i]);
+		folder_item_free(&folder->item[i]);
 	free(folder->item);
 	free(folder->path);
 	*folder = (struct folder){0};
 }
 
 char *
-folder_path_of_item(const struct folder *folder, size_t item)
+folder_target_of_item(const struct folder *folder, size_t item)
 {
 	const char *path = folder->path;
 	size_t n = strlen(path);
@@ -220,7 +221,7 @@ folder_path_of_item(const struct folder *folder, size_t item)
 /* A name with = alone would be taken for an option, and one with @ for a
  * speed. */
 char *
-folder_command(const struct folder_item *item, bool anew)
+folder_open_command(const struct folder_item *item, bool anew)
 {
 	if (item->made != NULL)
 		return xstrdup(item->made);
@@ -234,19 +235,19 @@ folder_command(const struct folder_item *item, bool anew)
 }
 
 static void
-folder_print_line(FILE *out, const char *what, const char *text)
+print_unless_empty(FILE *out, const char *what, const char *text)
 {
 	if (text[0] != '\0')
 		fprintf(out, "%s%s\n", what, text);
 }
 
 static void
-folder_say_site(const struct site *site, FILE *out)
+print_site_summary(const struct site *site, FILE *out)
 {
 	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds(site, ", ", NULL, false);
-	FREED double *sieve = site_sieves(site, &n);
+	FREED char *speeds = session_speeds_text(site, ", ", NULL, false);
+	FREED double *sieve = site_all_sieves(site, &n);
 	fprintf(out, "%s\n", label);
 	if (products > 0)
 		fprintf(out,
@@ -258,22 +259,22 @@ folder_say_site(const struct site *site, FILE *out)
 	if (n > 0)
 		fprintf(out, tr("%zu sieves, %g to %g mm\n"), n,
 		    units_mm(sieve[n - 1]), units_mm(sieve[0]));
-	folder_print_line(out, tr("read: "), site->read_as);
-	folder_print_line(out, tr("likely, not stated: "), site->assumed);
-	folder_print_line(out, "", site->remark);
+	print_unless_empty(out, tr("read: "), site->read_as);
+	print_unless_empty(out, tr("likely, not stated: "), site->assumed);
+	print_unless_empty(out, "", site->remark);
 	for (size_t i = 0; i < site->n_left_out; i++)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
-	folder_print_line(out, tr("data: "), site->provenance);
+	print_unless_empty(out, tr("data: "), site->provenance);
 }
 
 char *
-folder_site(const struct site *site)
+folder_describe_site(const struct site *site)
 {
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	folder_say_site(site, out);
+	print_site_summary(site, out);
 	fclose(out);
 	return text;
 }
@@ -290,7 +291,7 @@ print_faults(
 		if (e->line > 0)
 			fprintf(out, tr("line %zu: "), (size_t)e->line);
 		fprintf(out, "%s\n", e->text);
-		folder_print_line(out, "", e->hint);
+		print_unless_empty(out, "", e->hint);
 	}
 	if (errors->n > MOST)
 		fprintf(out, tr("and %zu more\n"), errors->n - MOST);
@@ -301,16 +302,16 @@ print_faults(
 }
 
 static void
-print_sheet(const char *path, FILE *out)
+print_sheet_preview(const char *path, FILE *out)
 {
 	const double any = 0;
 	const struct site_request request = {
 	    .n = 1, .path = &path, .speed = &any};
 	struct error_list errors = {0};
 	struct site_ask ask = {0};
-	struct site *site = site_read_as(&request, &errors, &ask);
+	struct site *site = site_read_request(&request, &errors, &ask);
 	if (site != NULL)
-		folder_say_site(site, out);
+		print_site_summary(site, out);
 	else
 		print_faults(&errors, &ask, out);
 	site_ask_clear(&ask);
@@ -319,18 +320,18 @@ print_sheet(const char *path, FILE *out)
 
 /* Returns the bytes to read, unpacked if it is an archive. */
 static double
-unpacked_bytes(const char *path, double bytes)
+unpacked_size_of_file(const char *path, double bytes)
 {
 	size_t n = 0;
 	char *wrong = NULL;
 	struct error_list errors = {0};
 	if (bytes > MOST_BYTES)
 		return bytes;
-	FREED char *content = textfile_bytes(path, &n, &errors);
+	FREED char *content = textfile_read_bytes(path, &n, &errors);
 	struct archive *archive =
 	    content != NULL ? archive_open(content, n, &wrong) : NULL;
 	if (archive != NULL)
-		bytes = archive_unpacked(archive) / UNPACKED_TIMES;
+		bytes = archive_unpacked_bytes(archive) / UNPACKED_TIMES;
 	archive_close(archive);
 	free(wrong);
 	return bytes;
@@ -355,11 +356,12 @@ folder_preview(const struct folder_item *item)
 		return xasprintf("%s\n", strerror(errno));
 	if (about.st_size == 0)
 		return xstrdup(tr("an empty file\n"));
-	if (unpacked_bytes(item->path, (double)about.st_size) > MOST_BYTES)
+	if (unpacked_size_of_file(item->path, (double)about.st_size) >
+	    MOST_BYTES)
 		return xstrdup(tr("large: not read for a preview; Enter loads "
 				  "it\n"));
 	FILE *out = text_open_memory(&text, &n);
-	print_sheet(item->path, out);
+	print_sheet_preview(item->path, out);
 	fclose(out);
 	return text;
 }

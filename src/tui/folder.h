@@ -45,20 +45,20 @@ void folder_list(struct folder *folder, const char *path);
 void folder_list_shipped(struct folder *folder);
 
 /* Keeps only folders and items of that kind. */
-void folder_keep_kind(struct folder *folder, enum folder_kind kind);
+void folder_filter_by_kind(struct folder *folder, enum folder_kind kind);
 
 void folder_free(struct folder *folder);
 
 /* Returns the folder to which an item leads: "sub/", or ".." from "sub".  The
  * caller frees it. */
-char *folder_path_of_item(const struct folder *folder, size_t item);
+char *folder_target_of_item(const struct folder *folder, size_t item);
 
 /* Returns the command that opens an item other than a folder.  anew: a session
  * replaces the current one.  The caller frees it. */
-char *folder_command(const struct folder_item *item, bool anew);
+char *folder_open_command(const struct folder_item *item, bool anew);
 
 /* Describes a site as read, in lines.  The caller frees the text. */
-char *folder_site(const struct site *site);
+char *folder_describe_site(const struct site *site);
 
 /* Returns what load would print about a file, in lines, or what it would ask.
  * Does not read a file if that could take long.  The caller frees the text. */

@@ -50,11 +50,13 @@ draw_header(struct tui *t)
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
 	FREED char *label =
-	    entry != NULL ? session_site_label(tui_entry_asked_about(t)->site)
+	    entry != NULL
+		? session_site_label(tui_entry_for_prediction(t)->site)
 	    : left.columns < 18 ? xstrdup(tr("no site"))
 				: xstrdup(tr("no site is loaded"));
-	bool room = text_width(label) + 11 <= left.columns,
-	     fits = text_width(label) < left.columns || entry == NULL;
+	bool room = text_width_in_columns(label) + 11 <= left.columns,
+	     fits =
+		 text_width_in_columns(label) < left.columns || entry == NULL;
 	screen_text(&left, 0, 0, LOOK_BOLD, "%s%s",
 	    room ? tr("tipspeed  ") : "", fits ? label : entry->site->name);
 	column = column < 0 ? 0 : column;
@@ -63,20 +65,21 @@ draw_header(struct tui *t)
 		column = screen_text(area, 0, column,
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
 		    tab_text(t, p, area->columns, text));
-		hits_add_key(&t->hits, area_cells(area, 0, from, column - from),
+		hits_add_key(&t->hits,
+		    area_part_of_row(area, 0, from, column - from),
 		    keys_code_of_page((enum page)p));
 		column++;
 	}
 	if (help == 0)
 		return;
 	screen_text(area, 0, column, LOOK_DIM, " ? help");
-	hits_add_key(&t->hits, area_cells(area, 0, column, help), '?');
+	hits_add_key(&t->hits, area_part_of_row(area, 0, column, help), '?');
 }
 
 /* Moves the cursor to where the line is clicked. item: offset of the first byte
  * shown. */
 static void
-touch_line(struct tui *t, const struct touched *touched)
+on_click_line(struct tui *t, const struct touched *touched)
 {
 	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
@@ -88,13 +91,13 @@ touch_line(struct tui *t, const struct touched *touched)
 /* Draws the line being typed, or the last command.  Returns the column of the
  * cursor. */
 static int
-draw_command(struct tui *t, const struct area *area)
+draw_command_line(struct tui *t, const struct area *area)
 {
 	if (t->line.active) {
 		size_t from;
-		int at = pane_typed(
+		int at = pane_draw_typed_line(
 		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
-		hits_add(&t->hits, HIT_PRESS, *area, touch_line, from);
+		hits_add(&t->hits, HIT_PRESS, *area, on_click_line, from);
 		return at;
 	}
 	hits_add_key(&t->hits, *area, ':');
@@ -118,21 +121,21 @@ frame_draw_message(const struct tui *t, const struct area *row)
 {
 	struct area area = *row;
 	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
-	bool wide = text_width(text) > area.columns,
+	bool wide = text_width_in_columns(text) > area.columns,
 	     above = row == &t->layout.status && !t->line.active,
 	     hints = wide && !above && t->layout.hints.rows > 0;
 	if (wide)
 		area.rows = layout_message_rows(&t->layout);
 	if (area.rows == 2 && !hints)
 		area.row--;
-	screen_clear(&area);
-	screen_words(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
+	screen_clear_area(&area);
+	screen_draw_wrapped(&area, 0, t->bad ? LOOK_BOLD : LOOK_PLAIN, text);
 	return hints;
 }
 
 /* Draws the state of a search or another job. */
 static int
-draw_work(const struct tui *t, const struct area *area)
+draw_job_state(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	if (!s->job.fits) {
@@ -153,19 +156,19 @@ draw_work(const struct tui *t, const struct area *area)
 
 /* Draws what to do next; if there is little room, without the reason. */
 static int
-draw_ready(const struct area *area, const char *words)
+draw_what_to_do_next(const struct area *area, const char *words)
 {
 	const char *ready = tr("READY  "), *act = strstr(words, ": ");
-	int room = area->columns - text_width(words);
+	int room = area->columns - text_width_in_columns(words);
 	return screen_text(area, 0, 0, 0, "%s%s",
-	    room >= text_width(ready) ? ready : "",
+	    room >= text_width_in_columns(ready) ? ready : "",
 	    room < 0 && act != NULL ? act + 2 : words);
 }
 
 /* Returns how good the parameters of the site are, or what to do first.  The
  * caller frees it. */
 static char *
-ready_words(struct tui *t, int columns)
+site_status_text(struct tui *t, int columns)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
@@ -175,57 +178,58 @@ ready_words(struct tui *t, int columns)
 		return xstrdup(site_count_products(entry->site) > 0
 				   ? tr("not calibrated: f calibrates")
 				   : tr("no product: type :guess"));
-	char *verdict =
-	    panel_words(t, columns - text_width(tr("READY  ")), columns);
+	char *verdict = panel_trust_text(
+	    t, columns - text_width_in_columns(tr("READY  ")), columns);
 	if (verdict[0] != '\0')
 		return verdict;
 	free(verdict);
 	return entry->has_fit
 		   ? xasprintf("%s%s",
-			 fit_too_few(&entry->fit) ? "" : tr("fit "),
-			 light_verdict(s, entry, NULL))
-		   : xasprintf(tr("parameters %s"), origin_words(entry));
+			 fit_has_too_few_data(&entry->fit) ? "" : tr("fit "),
+			 light_verdict_on_fit(s, entry, NULL))
+		   : xasprintf(tr("parameters %s"), origin_source_text(entry));
 }
 
 /* Draws these words or, during a search, its state: the words would then be
  * computed for each frame. */
 static void
-draw_state(struct tui *t, const struct area *area)
+draw_status_row(struct tui *t, const struct area *area)
 {
-	FREED char *words =
-	    session_busy(t->session) ? NULL : ready_words(t, area->columns);
-	int column =
-	    words == NULL ? draw_work(t, area) : draw_ready(area, words);
+	FREED char *words = session_is_calibrating(t->session)
+				? NULL
+				: site_status_text(t, area->columns);
+	int column = words == NULL ? draw_job_state(t, area)
+				   : draw_what_to_do_next(area, words);
 	char right[64];
 	snprintf(right, sizeof right,
 	    t->mouse ? tr("mouse on  %s  %d colours")
 		     : tr("mouse off  %s  %d colours"),
 	    screen_charset() == CHARSET_ASCII ? tr("ascii") : tr("utf8"),
-	    screen_depth());
+	    screen_colour_count());
 	int from = area->columns - (int)strlen(right) - 1;
 	if (from > column + 2)
 		screen_text(area, 0, from, LOOK_DIM, "%s", right);
 }
 
 static void
-take_touched_completion(struct tui *t, const struct touched *touched)
+on_click_completion(struct tui *t, const struct touched *touched)
 {
-	edit_take_offer(&t->line, touched->item);
+	edit_use_completion(&t->line, touched->item);
 }
 
 /* Draws the completions of a word, and ".." if there are more, which Tab
  * shows. */
 static void
-draw_offers(struct tui *t, const struct area *area)
+draw_completions(struct tui *t, const struct area *area)
 {
 	struct edit *y = &t->line;
 	enum { MORE = 3 };
 	int column = 0;
 	size_t i = y->from, n;
-	const char *offer = edit_offer(y, i, &n);
-	for (; offer != NULL; offer = edit_offer(y, ++i, &n)) {
+	const char *offer = edit_completion_at(y, i, &n);
+	for (; offer != NULL; offer = edit_completion_at(y, ++i, &n)) {
 		char *text = xstrndup(offer, n);
-		int width = text_width(text), from = column,
+		int width = text_width_in_columns(text), from = column,
 		    room = area->columns - from - MORE;
 		if (width > room && from > 0) {
 			free(text);
@@ -233,8 +237,8 @@ draw_offers(struct tui *t, const struct area *area)
 		}
 		column = screen_text(area, 0, from, 0, "%s", text);
 		hits_add(&t->hits, HIT_PRESS,
-		    area_cells(area, 0, from, column - from),
-		    take_touched_completion, i);
+		    area_part_of_row(area, 0, from, column - from),
+		    on_click_completion, i);
 		column += 2;
 		free(text);
 	}
@@ -248,9 +252,9 @@ draw_offers(struct tui *t, const struct area *area)
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
-	FREED char *found = xasprintf(
-	    tr("%zu of %zu"), rows_count(t), pages_open(t)->list->n(t));
-	int at = pane_word(
+	FREED char *found = xasprintf(tr("%zu of %zu"), rows_count_matching(t),
+	    pages_current(t)->list->n(t));
+	int at = pane_draw_search_word(
 	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
 	if (t->filter.active && area->rows > 0)
 		t->cursor = (struct cursor){area->row, at};
@@ -260,12 +264,12 @@ static bool
 is_filter_shown(const struct tui *t)
 {
 	return (t->filter.active || t->filter.n > 0) &&
-	       pages_open(t)->list != NULL;
+	       pages_current(t)->list != NULL;
 }
 
 /* Returns the hints for what is being typed, or NULL. */
 static const char *
-hints_of_typing(const struct tui *t)
+hints_while_typing(const struct tui *t)
 {
 	const struct edit *line = &t->line;
 	if (!line->active)
@@ -286,22 +290,23 @@ hints_of_typing(const struct tui *t)
 static void
 frame_draw_hints(struct tui *t)
 {
-	const struct page_ops *page = pages_open(t);
-	const char *typing = hints_of_typing(t);
+	const struct page_ops *page = pages_current(t);
+	const char *typing = hints_while_typing(t);
 	if (typing == NULL && is_filter_shown(t)) {
 		draw_filter(t, &t->layout.hints);
 		return;
 	}
 	const char *keys =
 	    page->hints != NULL ? page->hints : page->hints_now(t);
-	FREED char *hints =
-	    typing != NULL ? xstrdup(typing) : keys_bar(tr(keys), t->ui.page);
+	FREED char *hints = typing != NULL
+				? xstrdup(typing)
+				: keys_hint_row(tr(keys), t->ui.page);
 	pane_hints(t, hints);
 }
 
 /* A speed being typed. */
 static void
-frame_draw_speed(struct tui *t, const struct area *note)
+draw_typed_speed(struct tui *t, const struct area *note)
 {
 	bool narrow = note->columns < 24;
 	const char *typed = t->speed.text + (t->speed.text[0] == '=');
@@ -321,36 +326,36 @@ frame_draw_speed(struct tui *t, const struct area *note)
  * row of its own and matters more; on the smallest screens only while a job
  * runs. */
 static bool
-is_state_shown(const struct tui *t)
+is_status_in_command_row(const struct tui *t)
 {
 	const struct layout *l = &t->layout;
 	return l->status.rows == 0 &&
-	       (l->hints.rows > 0 || session_busy(t->session));
+	       (l->hints.rows > 0 || session_is_calibrating(t->session));
 }
 
 /* Draws what belongs in the row of messages.  Returns true if it covers the
  * hints. */
 static bool
-draw_note(struct tui *t, const struct area *note)
+draw_message_row(struct tui *t, const struct area *note)
 {
 	const struct layout *l = &t->layout;
 	if (t->speed.text[0] != '\0') {
-		frame_draw_speed(t, note);
+		draw_typed_speed(t, note);
 	} else if (t->line.active && t->line.offers != NULL) {
-		draw_offers(t, note);
+		draw_completions(t, note);
 	} else if (is_filter_shown(t) && l->hints.rows == 0) {
-		screen_clear(note);
+		screen_clear_area(note);
 		draw_filter(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
 		return frame_draw_message(t, note);
-	} else if (note == &l->status || is_state_shown(t)) {
-		draw_state(t, note);
+	} else if (note == &l->status || is_status_in_command_row(t)) {
+		draw_status_row(t, note);
 	}
 	return false;
 }
 
 static void
-draw_lower(struct tui *t)
+draw_bottom_rows(struct tui *t)
 {
 	struct layout *l = &t->layout;
 	const struct area *note = l->status.rows > 0    ? &l->status
@@ -358,15 +363,15 @@ draw_lower(struct tui *t)
 							: &l->track;
 	const struct area *line = l->command.rows > 0 ? &l->command : &l->track;
 	bool typing = t->line.active;
-	bool taken = line == note &&
-		     (t->message[0] || t->speed.text[0] || is_state_shown(t));
+	bool taken = line == note && (t->message[0] || t->speed.text[0] ||
+					 is_status_in_command_row(t));
 	/* While a line is typed, a click elsewhere does nothing. */
 	if (typing)
 		hits_clear(&t->hits);
 	if (typing || (l->command.rows > 0 && !taken)) {
 		if (typing && line == &l->track)
-			screen_clear(line);
-		int at = draw_command(t, line);
+			screen_clear_area(line);
+		int at = draw_command_line(t, line);
 		if (typing)
 			t->cursor = (struct cursor){line->row, at};
 	}
@@ -374,8 +379,8 @@ draw_lower(struct tui *t)
 	 * hints. */
 	bool offers = t->line.offers != NULL && l->hints.rows > 0;
 	if (note == line && typing && offers)
-		draw_offers(t, &l->hints);
-	else if ((note == line && typing) || !draw_note(t, note))
+		draw_completions(t, &l->hints);
+	else if ((note == line && typing) || !draw_message_row(t, note))
 		frame_draw_hints(t);
 }
 
@@ -387,51 +392,52 @@ draw_question(struct tui *t, int rows, int columns)
 		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};
-	screen_clear(&area);
-	screen_words(&area, 0, LOOK_BOLD, asks);
+	screen_clear_area(&area);
+	screen_draw_wrapped(&area, 0, LOOK_BOLD, asks);
 	text[strlen(text) - 1] = '\0';
 	const char *last = strrchr(text, '\n');
-	int end = text_width(last != NULL ? last + 1 : text);
+	int end = text_width_in_columns(last != NULL ? last + 1 : text);
 	t->cursor = (struct cursor){rows - 1, end};
 	/* It ends with "y/n"; the mouse has no other answer. */
 	hits_clear(&t->hits);
-	hits_add_key(
-	    &t->hits, area_cells(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
-	hits_add_key(&t->hits, area_cells(&area, n - 1, end - 1, 2), 'n');
+	hits_add_key(&t->hits,
+	    area_part_of_row(&area, n - 1, end < 4 ? 0 : end - 4, 2), 'y');
+	hits_add_key(&t->hits, area_part_of_row(&area, n - 1, end - 1, 2), 'n');
 }
 
 static void
 frame_draw_page(struct tui *t)
 {
-	const struct page_ops *page = pages_open(t);
+	const struct page_ops *page = pages_current(t);
 	const struct area *caption = &t->layout.caption;
 	if (caption->rows > 0 &&
 	    (page->caption == NULL || !page->caption(t, caption)))
 		track_draw_heading(t);
 	if (page->strip)
 		strip_draw(t);
-	panel_row(t);
+	panel_draw_number_row(t);
 	page->draw(t);
-	draw_lower(t);
+	draw_bottom_rows(t);
 }
 
 /* The wheel moves the slider over the track, the curve above it and the
  * plot. */
 static void
-frame_touch_wheel(struct tui *t, const struct touched *touched)
+on_wheel_move_slider(struct tui *t, const struct touched *touched)
 {
-	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths - touched->by);
+	t->ui.tenths =
+	    slider_clamp(tui_slider_range(t), t->ui.tenths - touched->by);
 }
 
 /* The wheel scrolls text. */
 static void
-touch_text(struct tui *t, const struct touched *touched)
+on_wheel_scroll_text(struct tui *t, const struct touched *touched)
 {
 	viewer_scroll(t, touched->by);
 }
 
 static int
-side_columns(const struct page_ops *page, int columns)
+side_panel_columns(const struct page_ops *page, int columns)
 {
 	enum { MIDDLE = 100, WIDE = 120 };
 	if (columns >= WIDE)
@@ -442,40 +448,40 @@ side_columns(const struct page_ops *page, int columns)
 
 /* Adds the areas of the wheel; what is drawn later lies on top of them. */
 static void
-add_wheel(struct tui *t, bool viewing)
+add_wheel_areas(struct tui *t, bool viewing)
 {
 	const struct layout *l = &t->layout;
 	struct hits *hits = &t->hits;
 	const struct area over[] = {l->plot, l->legend, l->differences,
 	    l->numbers, l->caption, l->strip, l->certainty, l->track};
 	if (viewing)
-		hits_add(hits, HIT_WHEEL, l->body, touch_text, 0);
+		hits_add(hits, HIT_WHEEL, l->body, on_wheel_scroll_text, 0);
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
-		hits_add(hits, HIT_WHEEL, over[i], frame_touch_wheel, 0);
+		hits_add(hits, HIT_WHEEL, over[i], on_wheel_move_slider, 0);
 	if (!viewing && list_has_rows(t))
-		rows_wheel(t, l->body);
+		rows_add_wheel_area(t, l->body);
 }
 
 void
 frame_draw(struct tui *t)
 {
 	int rows, columns;
-	screen_theme(t->session->set.theme);
-	screen_begin(&rows, &columns);
-	const struct page_ops *page = pages_open(t);
+	screen_set_theme(t->session->set.theme);
+	screen_begin_frame(&rows, &columns);
+	const struct page_ops *page = pages_current(t);
 	bool viewing = t->viewer.text != NULL, list = t->picker.on && !viewing;
 	int list_rows = page->list_rows != NULL ? page->list_rows(t) : 0;
 	bool beside = list_rows == 0;
 	bool site = tui_current_entry(t) != NULL;
 	const struct layout_ask ask = {
-	    beside && site ? side_columns(page, columns) : 0,
+	    beside && site ? side_panel_columns(page, columns) : 0,
 	    beside && page->differences, site && page->strip, !site, list_rows};
-	t->layout = viewing || list ? layout_text(rows, columns)
+	t->layout = viewing || list ? layout_make_for_text(rows, columns)
 				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
 	t->n_drawn = 0;
 	t->shows = page;
-	add_wheel(t, viewing);
+	add_wheel_areas(t, viewing);
 	draw_header(t);
 	t->cursor = (struct cursor){
 	    site ? t->layout.track.row : t->layout.command.row, 0};
@@ -491,5 +497,5 @@ frame_draw(struct tui *t)
 		draw_question(t, rows, columns);
 	if (t->inquiry != NULL)
 		dialog_draw(t, rows, columns);
-	screen_show(t->cursor.row, t->cursor.column);
+	screen_show_frame(t->cursor.row, t->cursor.column);
 }

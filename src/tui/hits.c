@@ -60,8 +60,8 @@ call_hit_handler(struct tui *t, const struct hit *touch, enum hit_kind kind,
 }
 
 bool
-hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
-    int column, void (*key)(struct tui *t, int code, bool special))
+hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
+    int row, int column, void (*key)(struct tui *t, int code, bool special))
 {
 	struct hit pressed = hits->pressed;
 	if (kind == HIT_DRAG) {
@@ -73,7 +73,7 @@ hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
 		/* What it does may draw, and so change the list. */
 		struct hit touch = hits->at[i];
 		if (!(touch.kinds & kind) ||
-		    !area_has(&touch.area, row, column))
+		    !area_has_cell(&touch.area, row, column))
 			continue;
 		call_hit_handler(t, &touch, kind, row, column);
 		if (touch.code != 0)
@@ -86,16 +86,16 @@ hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
 }
 
 const struct hit *
-hits_at(const struct hits *hits, int row, int column)
+hits_find_at(const struct hits *hits, int row, int column)
 {
 	for (size_t i = hits->n; i-- > 0;)
-		if (area_has(&hits->at[i].area, row, column))
+		if (area_has_cell(&hits->at[i].area, row, column))
 			return &hits->at[i];
 	return NULL;
 }
 
 void
-hits_release(struct hits *hits)
+hits_end_drag(struct hits *hits)
 {
 	hits->pressed = (struct hit){0};
 }

@@ -70,13 +70,13 @@ void hits_add_with_key(struct hits *hits, struct area area, mouse_action *way,
 
 /* Passes a mouse action at a cell to the areas that contain it; a key that
  * an area stands for goes to `key`.  Returns false if none handled it. */
-bool hits_mouse(struct tui *t, struct hits *hits, enum hit_kind kind, int row,
-    int column, void (*key)(struct tui *t, int code, bool special));
+bool hits_dispatch_mouse(struct tui *t, struct hits *hits, enum hit_kind kind,
+    int row, int column, void (*key)(struct tui *t, int code, bool special));
 
 /* Returns the topmost area that contains the cell, or NULL. */
-const struct hit *hits_at(const struct hits *hits, int row, int column);
+const struct hit *hits_find_at(const struct hits *hits, int row, int column);
 
 /* Ends a drag: the button was released. */
-void hits_release(struct hits *hits);
+void hits_end_drag(struct hits *hits);
 
 #endif

@@ -18,7 +18,7 @@
 enum { MOST = 2000 };
 
 static void
-input_add_pasted(struct tui *t, int code)
+type_pasted_character(struct tui *t, int code)
 {
 	struct paste *p = &t->paste;
 	bool ends = code == '\n' || code == '\r';
@@ -29,15 +29,15 @@ input_add_pasted(struct tui *t, int code)
 	if (code < ' ' || (code >= 127 && code < 160))
 		return;
 	if (p->taken == 0 && !p->ended && code != ' ')
-		keymap_open_line(t);
+		keymap_open_command_line(t);
 	if (code == ':' && t->line.active && t->line.n == 0)
 		return;
-	if (p->ended || p->taken >= MOST || !keymap_types(t, code)) {
+	if (p->ended || p->taken >= MOST || !keymap_is_typed_as_text(t, code)) {
 		p->left = p->left || code != ' ';
 		return;
 	}
 	p->taken++;
-	keymap_key(t, code, false);
+	keymap_handle_key(t, code, false);
 }
 
 void
@@ -55,7 +55,7 @@ input_end_paste(struct tui *t)
 }
 
 bool
-input_paste(struct tui *t, int code, bool special)
+input_handle_paste(struct tui *t, int code, bool special)
 {
 	if (special && code == SCREEN_PASTE)
 		t->paste = (struct paste){.on = true};
@@ -64,7 +64,7 @@ input_paste(struct tui *t, int code, bool special)
 	else if (special && code == SCREEN_PASTED)
 		input_end_paste(t);
 	else if (!special)
-		input_add_pasted(t, code);
+		type_pasted_character(t, code);
 	return true;
 }
 
@@ -73,9 +73,9 @@ input_paste(struct tui *t, int code, bool special)
 static int
 read_key(wint_t *code)
 {
-	signals_release();
+	signals_unblock();
 	int got = get_wch(code);
-	signals_hold();
+	signals_block();
 	return got;
 }
 
@@ -83,7 +83,7 @@ read_key(wint_t *code)
  * characters would be taken for keys.  Returns true if there was one: unlike a
  * typed Esc, its Esc comes with other characters. */
 static bool
-pass_over_sequence(void)
+skip_escape_sequence(void)
 {
 	wint_t code = 0;
 	int got = read_key(&code);
@@ -106,14 +106,14 @@ pass_over_sequence(void)
 /* Returns true if there is more to read, because get_wch also fails on bytes
  * that are no character. */
 static bool
-is_more_to_read(void)
+is_input_waiting(void)
 {
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
 	return poll(&in, 1, 0) > 0 && in.revents == POLLIN;
 }
 
 bool
-input_key(struct tui *t, int *code, bool *special)
+input_next_key(struct tui *t, int *code, bool *special)
 {
 	wint_t c = 0;
 	if (t->put_back.is) {
@@ -124,16 +124,16 @@ input_key(struct tui *t, int *code, bool *special)
 	}
 	while (signals_pending() == 0) {
 		int got = read_key(&c);
-		if (got == ERR && !is_more_to_read())
+		if (got == ERR && !is_input_waiting())
 			return false;
 		if (got == ERR || (got == KEY_CODE_YES && c == KEY_RESIZE))
 			continue;
 		if (!t->paste.on && got == OK && c == ESCAPE &&
-		    pass_over_sequence())
+		    skip_escape_sequence())
 			continue;
 		*code = (int)c;
 		*special = got == KEY_CODE_YES;
-		if (!input_paste(t, *code, *special))
+		if (!input_handle_paste(t, *code, *special))
 			return true;
 		t->pasted = session_clock();
 	}

@@ -10,12 +10,12 @@
 /* Reads the next key, if there is one.  Handles pasted text, with signals
  * unblocked, because it may be long.  code: from ncurses if special, else a
  * character. */
-bool input_key(struct tui *t, int *code, bool *special);
+bool input_next_key(struct tui *t, int *code, bool *special);
 
 /* Handles pasted text, which terminals enclose in marks: it is typed into the
  * open line and never run.  Returns true for a mark and for text between marks,
  * which are then handled. */
-bool input_paste(struct tui *t, int code, bool special);
+bool input_handle_paste(struct tui *t, int code, bool special);
 
 /* Ends pasted text, even if its end mark never arrives. */
 void input_end_paste(struct tui *t);

@@ -36,41 +36,42 @@
  * above the track, the slider comes before the list.  Returns false if neither
  * did. */
 static bool
-page_moves(struct tui *t, const struct key *key)
+move_within_page(struct tui *t, const struct key *key)
 {
-	const struct page_ops *page = pages_open(t);
-	bool slides = page->strip && key->act != act_list;
+	const struct page_ops *page = pages_current(t);
+	bool slides = page->strip && key->act != act_move_in_list;
 	return (page->move != NULL && (page->move)(t, key)) ||
-	       (!slides && rows_move(t, key));
+	       (!slides && rows_handle_move_key(t, key));
 }
 
 void
 act_move(struct tui *t, const struct key *key)
 {
-	if (page_moves(t, key))
+	if (move_within_page(t, key))
 		return;
 	t->pending_key = NULL;
-	t->ui.tenths = slider_clamp(tui_range(t), t->ui.tenths + key->amount);
+	t->ui.tenths =
+	    slider_clamp(tui_slider_range(t), t->ui.tenths + key->amount);
 }
 
 void
 act_ends(struct tui *t, const struct key *key)
 {
-	const struct slider_range range = tui_range(t);
-	if (page_moves(t, key))
+	const struct slider_range range = tui_slider_range(t);
+	if (move_within_page(t, key))
 		return;
 	t->pending_key = NULL;
 	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
 }
 
 void
-act_list(struct tui *t, const struct key *key)
+act_move_in_list(struct tui *t, const struct key *key)
 {
-	page_moves(t, key);
+	move_within_page(t, key);
 }
 
 void
-act_run_speed(struct tui *t, const struct key *key)
+act_go_to_run_speed(struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_current_entry(t);
 	t->pending_key = NULL;
@@ -80,32 +81,32 @@ act_run_speed(struct tui *t, const struct key *key)
 	double speed = key->amount < 0   ? site->run[0].speed
 		       : key->amount > 0 ? site->run[site->n_run - 1].speed
 					 : site_middle_speed(site);
-	tui_go_to(t, speed);
+	tui_move_slider_to(t, speed);
 }
 
 void
-act_speed(struct tui *t, const struct key *key)
+act_type_speed(struct tui *t, const struct key *key)
 {
-	edit_letter(&t->speed, key->code, false, SPEED_LETTERS);
+	edit_type_letter(&t->speed, key->code, false, SPEED_LETTERS);
 }
 
 void
 act_page(struct tui *t, const struct key *key)
 {
-	pages_go(t, (enum page)key->amount);
+	pages_go_to(t, (enum page)key->amount);
 }
 
 /* Opens the command line with a command and the name of a file, which it frees,
  * proposed after it. */
 static void
-keymap_propose(struct tui *t, const char *line, char *name)
+propose_file_name(struct tui *t, const char *line, char *name)
 {
-	edit_propose(&t->line, line, name);
+	edit_begin_with_proposal(&t->line, line, name);
 	free(name);
 }
 
 static char *
-file_name_of_site(const struct tui *t)
+default_file_name(const struct tui *t)
 {
 	return text_slug(tui_current_entry(t) != NULL
 			     ? tui_current_entry(t)->key
@@ -121,17 +122,17 @@ act_save(struct tui *t, const struct key *key)
 	bool saved;
 	const char *holder = files_session_script(t->session, &saved);
 	if (holder != NULL) {
-		keymap_propose(t, "save ",
+		propose_file_name(t, "save ",
 		    xasprintf("\"%s\"%s", holder, saved ? "" : " replace=on"));
 		return;
 	}
-	char *slug = file_name_of_site(t), *name = xasprintf("%s.tip", slug);
+	char *slug = default_file_name(t), *name = xasprintf("%s.tip", slug);
 	for (int i = 2; access(name, F_OK) == 0; i++) {
 		free(name);
 		name = xasprintf("%s-%d.tip", slug, i);
 	}
 	free(slug);
-	keymap_propose(t, "save ", name);
+	propose_file_name(t, "save ", name);
 }
 
 /* "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal sign. */
@@ -141,17 +142,18 @@ act_export(struct tui *t, const struct key *key)
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
 	if (entry == NULL || !entry->has_params) {
-		tui_say(t, true, "%s", tui_why_none(t));
+		tui_say(t, true, "%s", tui_why_no_prediction(t));
 		return;
 	}
-	FREED char *line = tui_command_of_page(t), *slug = file_name_of_site(t);
+	FREED char *line = tui_command_at_slider(t),
+		   *slug = default_file_name(t);
 	xappend(&line, " > ");
-	keymap_propose(
+	propose_file_name(
 	    t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
 }
 
 void
-act_type(struct tui *t, const struct key *key)
+act_type_command(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->message[0] = '\0';
@@ -159,7 +161,7 @@ act_type(struct tui *t, const struct key *key)
 }
 
 void
-act_command(struct tui *t, const struct key *key)
+act_run_hint_command(struct tui *t, const struct key *key)
 {
 	cmdline_run(t, key->hint);
 }
@@ -167,15 +169,15 @@ act_command(struct tui *t, const struct key *key)
 void
 act_describe(struct tui *t, const struct key *key)
 {
-	char *(*words)(const struct tui *) = pages_open(t)->words;
-	FREED char *of = words != NULL ? words(t) : pane_curves_words(t);
+	char *(*words)(const struct tui *) = pages_current(t)->words;
+	FREED char *of = words != NULL ? words(t) : pane_curves_plot_name(t);
 	FREED char *line = xasprintf("%s %s", key->hint, of);
 	cmdline_run(t, line);
 }
 
 /* Sets the next choice of the runs that correct the answer. */
 void
-act_correct(struct tui *t, const struct key *key)
+act_next_correction(struct tui *t, const struct key *key)
 {
 	(void)key;
 	static const char *const SAID[] = {
@@ -215,9 +217,9 @@ confirm_replace_params(struct tui *t)
 }
 
 static void
-calibrate(struct tui *t, const char *line)
+restart_calibration(struct tui *t, const char *line)
 {
-	watch_pause(t);
+	watch_stop_fit(t);
 	control_run(t, line);
 }
 
@@ -231,8 +233,8 @@ act_fit(struct tui *t, const struct key *key)
 	}
 	if (!confirm_replace_params(t))
 		return;
-	pages_go(t, PAGE_FIT);
-	calibrate(t, "calibrate");
+	pages_go_to(t, PAGE_FIT);
+	restart_calibration(t, "calibrate");
 }
 
 /* Pauses or continues the calibration, also one that was stopped. */
@@ -241,12 +243,12 @@ act_pause(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct session *s = t->session;
-	if (session_busy(s)) {
-		watch_hold(t, !t->held);
+	if (session_is_calibrating(s)) {
+		watch_set_fit_paused(t, !t->held);
 		tui_say(t, false,
 		    t->held ? N_("paused: Space continues") : N_("continuing"));
 	} else if (s->job.calibration != NULL) {
-		calibrate(t, "continue");
+		restart_calibration(t, "continue");
 	} else {
 		tui_say(t, false, "no calibration is running: f starts one");
 	}
@@ -256,7 +258,7 @@ void
 act_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
-	t->ui.pace = pane_clamp_row(from, key->amount, PACE_COUNT);
+	t->ui.pace = pane_clamp_index(from, key->amount, PACE_COUNT);
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,
@@ -279,7 +281,7 @@ act_pin(struct tui *t, const struct key *key)
 	FREED char *where = tui_options_at_slider(t),
 		   *line = xasprintf("pin %s", where);
 	if (was.site[0] == '\0' && t->view.current.site[0] == '\0')
-		tui_say(t, true, "%s", tui_why_none(t));
+		tui_say(t, true, "%s", tui_why_no_prediction(t));
 	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
 		; /* it has said why */
 	else if (was.site[0] != '\0')
@@ -289,7 +291,7 @@ act_pin(struct tui *t, const struct key *key)
 		    was.site, was.speed);
 	else
 		tui_say(t, false,
-		    session_busy(t->session)
+		    session_is_calibrating(t->session)
 			? N_("pinned %s at %.1f m/s: go to another speed or "
 			     "site; e exports both; from a running search, so "
 			     "it is not saved")
@@ -311,18 +313,18 @@ act_band(struct tui *t, const struct key *key)
 		tui_say(t, false, "band on; where thin, the line hides it");
 	else
 		tui_say(t, false,
-		    entry->has_fit && fit_too_few(&entry->fit)
+		    entry->has_fit && fit_has_too_few_data(&entry->fit)
 			? "%s"
 			: N_("%s; f calibrates"),
-		    outlook_why_none(t->session, entry));
+		    outlook_why_no_band(t->session, entry));
 }
 
 void
 act_stop(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (session_busy(t->session))
-		watch_pause(t);
+	if (session_is_calibrating(t->session))
+		watch_stop_fit(t);
 	else
 		tui_say(t, false, "no calibration to stop: q quits");
 }
@@ -331,9 +333,9 @@ void
 act_mouse(struct tui *t, const struct key *key)
 {
 	(void)key;
-	bool on = !t->mouse && screen_mouse(true);
+	bool on = !t->mouse && screen_set_mouse(true);
 	if (t->mouse)
-		screen_mouse(false);
+		screen_set_mouse(false);
 	tui_say(t, false,
 	    on         ? N_("mouse on: Shift and drag selects text")
 	    : t->mouse ? N_("mouse off: drag selects text, M turns it on")
@@ -351,10 +353,10 @@ act_back(struct tui *t, const struct key *key)
 		t->pending_key = NULL;
 		return;
 	}
-	if (rows_forget(t))
+	if (rows_clear_filter(t))
 		return;
-	if (session_busy(t->session) && !t->session->job.fits)
-		watch_pause(t);
+	if (session_is_calibrating(t->session) && !t->session->job.fits)
+		watch_stop_fit(t);
 	else if (goal_is_viewed(t))
 		t->ui.goal_view = false;
 	else if (predict && t->ui.crosshair)
@@ -362,7 +364,7 @@ act_back(struct tui *t, const struct key *key)
 	else if (predict && t->ui.runs)
 		t->ui.runs = false;
 	else if (!predict)
-		pages_go(t, PAGE_PREDICT);
+		pages_go_to(t, PAGE_PREDICT);
 	else
 		tui_say(t, false, "there is nothing to go back to: q quits");
 }
@@ -408,19 +410,19 @@ run_key_action(struct tui *t, const struct key *key)
 }
 
 static bool
-goal_line_key(struct tui *t, int code, bool special)
+handle_goal_field_key(struct tui *t, int code, bool special)
 {
-	FREED char *line = goal_key(t, code, special);
+	FREED char *line = goal_handle_key(t, code, special);
 	if (line != NULL)
 		control_run(t, line);
 	return true;
 }
 
 static bool
-line_key(struct tui *t, int code, bool special)
+handle_command_line_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->line;
-	enum edit_result result = edit_key(y, t->session, code, special);
+	enum edit_result result = edit_handle_key(y, t->session, code, special);
 	if (result == EDIT_ON)
 		return true;
 	edit_end(y);
@@ -432,10 +434,10 @@ line_key(struct tui *t, int code, bool special)
 /* Passes a key to the text on the screen.  In the list of keys, Enter runs the
  * chosen one. */
 static bool
-text_key(struct tui *t, int code, bool special)
+handle_viewer_key(struct tui *t, int code, bool special)
 {
 	const struct key *run = NULL;
-	bool took = viewer_key(t, code, special, &run);
+	bool took = viewer_handle_key(t, code, special, &run);
 	if (took)
 		run_key_action(t, run);
 	return took;
@@ -460,10 +462,10 @@ go_to_typed_speed(struct tui *t, const char *text)
 	const struct entry *entry = tui_current_entry(t);
 	double rotor = entry != NULL ? entry->site->rotor : 0, v = NAN;
 	bool said = strstr(text, "rpm") != NULL;
-	bool read = value_number(text, said ? "rpm" : "m/s", &v);
+	bool read = value_parse_number(text, said ? "rpm" : "m/s", &v);
 	/* No tip speed is as high as turns are. */
 	bool turns = said || v > SITE_FASTEST;
-	double speed = turns ? head_mps(v, SPEED_RPM, rotor) : v;
+	double speed = turns ? head_speed_to_mps(v, SPEED_RPM, rotor) : v;
 	if (!read)
 		tui_say(t, true, "expected a speed as 72.5 or 1450 rpm, got %s",
 		    text);
@@ -474,16 +476,16 @@ go_to_typed_speed(struct tui *t, const char *text)
 	else if (speed < 1 || speed > SITE_FASTEST)
 		tui_say(t, true, "expected a speed from 1 to %d m/s, got %s",
 		    SITE_FASTEST, text);
-	else if (slider_has(tui_range(t), speed))
-		tui_go_to(t, speed);
+	else if (slider_has_speed(tui_slider_range(t), speed))
+		tui_move_slider_to(t, speed);
 	else
-		control_say_off_slider(t, speed);
+		control_say_speed_off_slider(t, speed);
 }
 
 /* Returns true if a digit begins a speed: it does unless it opens a page, so
  * that speeds from 50 to 59 m/s need the =. */
 static bool
-begins_speed(const struct tui *t, int code)
+is_speed_start(const struct tui *t, int code)
 {
 	return code >= '0' && code <= '9' &&
 	       keys_find(code, t->ui.page) == NULL;
@@ -491,16 +493,16 @@ begins_speed(const struct tui *t, int code)
 
 /* Handles a key of a typed speed, which = or a digit begins. */
 static bool
-speed_key(struct tui *t, int code, bool special)
+handle_typed_speed_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->speed;
 	bool back = code == DELETE || code == '\b';
-	if (y->n == 0 && !begins_speed(t, code))
+	if (y->n == 0 && !is_speed_start(t, code))
 		return false;
 	if (code == ',')
 		code = '.';
 	if (back || (!special && is_speed_letter(y, code)))
-		return edit_letter(y, code, special, SPEED_LETTERS);
+		return edit_type_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		const char *text = y->text + (y->text[0] == '=');
 		if (*text != '\0')
@@ -513,18 +515,18 @@ speed_key(struct tui *t, int code, bool special)
 /* A click ends the typing of a speed, except on its own hints.  While a line is
  * typed, only its own areas are there to be clicked. */
 static void
-handle_mouse_key(struct tui *t, enum hit_kind kind, int row, int column)
+handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	const struct hit *at = hits_at(&t->hits, row, column);
+	const struct hit *at = hits_find_at(&t->hits, row, column);
 	bool own = at != NULL && (at->code == '\n' || at->code == ESCAPE);
 	if (kind == HIT_PRESS && !own)
 		edit_begin(&t->speed, "");
-	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
+	hits_dispatch_mouse(t, &t->hits, kind, row, column, keymap_handle_key);
 }
 
 /* Translates a mouse event of ncurses. */
 static void
-take_mouse(struct tui *t,
+translate_mouse_event(struct tui *t,
     void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))
 {
 	MEVENT e;
@@ -538,10 +540,10 @@ take_mouse(struct tui *t,
 	else if (e.bstate & REPORT_MOUSE_POSITION)
 		touched(t, HIT_DRAG, e.y, e.x);
 	if (e.bstate & (BUTTON1_RELEASED | BUTTON1_CLICKED))
-		hits_release(&t->hits);
+		hits_end_drag(&t->hits);
 }
 
-/* The next input_key returns this key. */
+/* The next input_next_key returns this key. */
 static void
 put_key_back(struct tui *t, int code, bool special)
 {
@@ -551,22 +553,22 @@ put_key_back(struct tui *t, int code, bool special)
 }
 
 static void
-touch_answer(struct tui *t, enum hit_kind kind, int row, int column)
+on_mouse_in_question(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	hits_mouse(t, &t->hits, kind, row, column, put_key_back);
+	hits_dispatch_mouse(t, &t->hits, kind, row, column, put_key_back);
 }
 
 void
-keymap_pointed(struct tui *t)
+keymap_handle_answer_mouse(struct tui *t)
 {
-	take_mouse(t, touch_answer);
+	translate_mouse_event(t, on_mouse_in_question);
 }
 
 static bool
-page_key(struct tui *t, int code, bool special)
+handle_page_key(struct tui *t, int code, bool special)
 {
 	const struct key *key = keys_find(code, t->ui.page);
-	if (word_begins(t, code, special, key))
+	if (word_delay_key(t, code, special, key))
 		return true;
 	run_key_action(t, key);
 	if (key == NULL && code > ' ' && code < DELETE)
@@ -575,9 +577,9 @@ page_key(struct tui *t, int code, bool special)
 }
 
 static bool
-answer_key(struct tui *t, int code, bool special)
+handle_answer_key(struct tui *t, int code, bool special)
 {
-	dialog_key(t, code, special);
+	dialog_handle_key(t, code, special);
 	return true;
 }
 
@@ -585,18 +587,18 @@ answer_key(struct tui *t, int code, bool special)
  * leaves to the next.  Yes and no are read elsewhere. */
 enum mode { ANSWER, QUESTION, GOAL, LINE, TEXT, FILES, FILTER, SPEED, PAGE };
 static bool (*const MODES[])(struct tui *t, int code, bool special) = {
-    [ANSWER] = answer_key,
+    [ANSWER] = handle_answer_key,
     [QUESTION] = NULL,
-    [GOAL] = goal_line_key,
-    [LINE] = line_key,
-    [TEXT] = text_key,
-    [FILES] = picker_key,
-    [FILTER] = rows_letter,
-    [SPEED] = speed_key,
-    [PAGE] = page_key};
+    [GOAL] = handle_goal_field_key,
+    [LINE] = handle_command_line_key,
+    [TEXT] = handle_viewer_key,
+    [FILES] = picker_handle_key,
+    [FILTER] = rows_handle_filter_key,
+    [SPEED] = handle_typed_speed_key,
+    [PAGE] = handle_page_key};
 
 static enum mode
-next_mode(const struct tui *t, enum mode from)
+first_open_mode_from(const struct tui *t, enum mode from)
 {
 	const bool open[] = {[ANSWER] = t->inquiry != NULL,
 	    [QUESTION] = t->question != NULL,
@@ -613,9 +615,9 @@ next_mode(const struct tui *t, enum mode from)
 }
 
 bool
-keymap_types(const struct tui *t, int code)
+keymap_is_typed_as_text(const struct tui *t, int code)
 {
-	switch (next_mode(t, ANSWER)) {
+	switch (first_open_mode_from(t, ANSWER)) {
 	case ANSWER:
 	case GOAL:
 	case LINE:
@@ -632,36 +634,36 @@ keymap_types(const struct tui *t, int code)
 }
 
 void
-keymap_open_line(struct tui *t)
+keymap_open_command_line(struct tui *t)
 {
-	if (next_mode(t, ANSWER) == SPEED && t->speed.n == 0)
-		act_type(t, NULL);
+	if (first_open_mode_from(t, ANSWER) == SPEED && t->speed.n == 0)
+		act_type_command(t, NULL);
 }
 
 void
-keymap_held(struct tui *t)
+keymap_run_delayed_key(struct tui *t)
 {
-	run_key_action(t, word_take_held(t));
+	run_key_action(t, word_take_delayed_key(t));
 }
 
 /* Runs the held key, which may ask a question, such as whether to calibrate
  * again.  The question reads the next key, and that is this one.  Returns true
  * if it was read. */
 static bool
-held_key_reads(struct tui *t, int code, bool special)
+is_read_by_delayed_key(struct tui *t, int code, bool special)
 {
 	put_key_back(t, code, special);
-	keymap_held(t);
+	keymap_run_delayed_key(t);
 	bool read = !t->put_back.is;
 	t->put_back.is = false;
 	return read;
 }
 
 void
-keymap_key(struct tui *t, int code, bool special)
+keymap_handle_key(struct tui *t, int code, bool special)
 {
-	if (word_opens_line(t, code, special) ||
-	    held_key_reads(t, code, special))
+	if (word_begin_command_line(t, code, special) ||
+	    is_read_by_delayed_key(t, code, special))
 		return;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;
@@ -669,13 +671,13 @@ keymap_key(struct tui *t, int code, bool special)
 	}
 	/* A character beyond ASCII is no key, though its code may equal that of
 	 * one. */
-	enum mode mode = next_mode(t, ANSWER);
+	enum mode mode = first_open_mode_from(t, ANSWER);
 	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
 	    mode != LINE)
 		return;
 	const struct key *key = keys_find(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {
-		take_mouse(t, handle_mouse_key);
+		translate_mouse_event(t, handle_mouse_action);
 		return;
 	}
 	if (key != NULL &&
@@ -688,5 +690,5 @@ keymap_key(struct tui *t, int code, bool special)
 	if (mode >= FILTER)
 		t->message[0] = '\0';
 	while (MODES[mode] != NULL && !MODES[mode](t, code, special))
-		mode = next_mode(t, mode + 1);
+		mode = first_open_mode_from(t, mode + 1);
 }

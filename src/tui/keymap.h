@@ -7,19 +7,19 @@
 
 /* Handles one key.  code: from ncurses; special: a named key, not a character.
  * The mouse is a special key, whose event ncurses holds. */
-void keymap_key(struct tui *t, int code, bool special);
+void keymap_handle_key(struct tui *t, int code, bool special);
 
 /* True if a character would now be typed as text. */
-bool keymap_types(const struct tui *t, int code);
+bool keymap_is_typed_as_text(const struct tui *t, int code);
 
 /* Opens the command line, if a page has the focus. */
-void keymap_open_line(struct tui *t);
+void keymap_open_command_line(struct tui *t);
 
 /* Acts on the held key, see word.h. */
-void keymap_held(struct tui *t);
+void keymap_run_delayed_key(struct tui *t);
 
 /* Handles the mouse event that ncurses holds while the program waits for an
  * answer: a key that it acts as is read next. */
-void keymap_pointed(struct tui *t);
+void keymap_handle_answer_mouse(struct tui *t);
 
 #endif

@@ -37,13 +37,13 @@ const struct key KEYS[] = {
 	NULL},
     {KEY_END, "End, G", ON_ALL | FIRST_ON_PREDICT, act_ends, TO_MOST,
 	"to the fast end of the track; to the last of a list", NULL, NULL},
-    {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_speed, 0,
+    {'=', "=", ON_ALL | FIRST_ON_PREDICT, act_type_speed, 0,
 	"type a speed: =72.5 Enter", "a speed: =72.5 Enter", NULL},
-    {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_run_speed, -1,
+    {'[', "[", ON_ALL | FIRST_ON_PREDICT, act_go_to_run_speed, -1,
 	"to the slowest run", "slowest, fastest, middle", NULL},
-    {']', "]", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 1,
+    {']', "]", ON_ALL | FIRST_ON_PREDICT, act_go_to_run_speed, 1,
 	"to the fastest run", NULL, NULL},
-    {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_run_speed, 0,
+    {'m', "m", ON_ALL | FIRST_ON_PREDICT, act_go_to_run_speed, 0,
 	"to the middle of the runs", NULL, NULL},
     {'t', "t", ON_ALL, act_goal, 0,
 	"set a goal: p80=5.4, passing 2 = 40..50, an envelope; or none",
@@ -51,25 +51,25 @@ const struct key KEYS[] = {
     {'T', "T", ON_PREDICT, act_goal_view, 0,
 	"the goal at full height, with its conditions; again: back", NULL,
 	"plot"},
-    {'n', "n", ON_ALL | AT_SPEED, act_goal_speed, 1,
+    {'n', "n", ON_ALL | AT_SPEED, act_go_to_goal_speed, 1,
 	"to the next speed at which the goal begins or ends, or the next run",
 	"its limits, or runs", "limits"},
-    {'p', "p", ON_ALL | AT_SPEED, act_goal_speed, -1, "to the one before", NULL,
-	NULL},
-    {'N', "N", ON_ALL | AT_SPEED, act_goal_speed, 0,
+    {'p', "p", ON_ALL | AT_SPEED, act_go_to_goal_speed, -1, "to the one before",
+	NULL, NULL},
+    {'N', "N", ON_ALL | AT_SPEED, act_go_to_goal_speed, 0,
 	"to the best speed of the goal", "its best speed", "best"},
-    {'y', "y", ON_PREDICT, act_quantity, 1,
+    {'y', "y", ON_PREDICT, act_next_quantity, 1,
 	"next quantity above the track: P80, P50 ..", "other quantity", NULL},
-    {'Y', "Y", ON_PREDICT, act_quantity, -1, "the one before", NULL, NULL},
+    {'Y', "Y", ON_PREDICT, act_next_quantity, -1, "the one before", NULL, NULL},
     {'1', "1", ON_ALL, act_page, PAGE_PREDICT, "page Predict", "pages", NULL},
     {'2', "2", ON_ALL, act_page, PAGE_FIT, "page Fit", NULL, NULL},
     {'3', "3", ON_ALL, act_page, PAGE_DATA, "page Data", NULL, NULL},
     {'4', "4", ON_ALL, act_page, PAGE_PARITY, "page Parity", NULL, NULL},
     {'5', "5", ON_ALL, act_page, PAGE_SITES, "page Sites", NULL, NULL},
-    {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_list, -1,
+    {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_move_in_list, -1,
 	"up in a list; crosshair to a coarser sieve", "a row, the sieve read",
 	"sieve"},
-    {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_list, 1,
+    {KEY_DOWN, "Down, j", ON_ALL | FIRST_ON_LISTS, act_move_in_list, 1,
 	"down in a list; crosshair to a finer sieve", NULL, NULL},
     {'\n', "Enter", ON_FIT, act_bounds, 0,
 	"type bounds of the parameter Up and Down choose",
@@ -80,11 +80,11 @@ const struct key KEYS[] = {
     {'\n', "Enter", ON_PREDICT, act_numbers, 0,
 	"all numbers, also those of what is pinned; first it calibrates",
 	"all numbers", "numbers"},
-    {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), act_choose, 0,
+    {'\n', "Enter", ON_ALL & ~(ON_PREDICT | ON_FIT | ON_DATA), act_open_row, 0,
 	"open the chosen row: use a site", "use the site", "use it"},
     {'\n', "Enter", ON_DATA, act_mend, 0,
 	"mend the doubtful cell; u takes it back", "mend the cell", "mends"},
-    {'!', "!", ON_DATA, act_next_doubtful, 0,
+    {'!', "!", ON_DATA, act_next_doubtful_cell, 0,
 	"to the next doubtful cell of the sheet", "next doubtful cell",
 	"next doubtful"},
     {'o', "o", ON_SITES, act_sort, 1,
@@ -108,7 +108,7 @@ const struct key KEYS[] = {
 	NULL},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_band, 0,
 	"uncertainty band on or off, if known", "band", NULL},
-    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_correct, 0,
+    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_next_correction, 0,
 	"runs that correct the answer: all, the training runs, none",
 	"runs that correct it", NULL},
     {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_pin, 0,
@@ -138,13 +138,13 @@ const struct key KEYS[] = {
     {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0,
 	"export the prediction, a pinned one too: .xlsx, .csv, .svg", "export",
 	NULL},
-    {':', ":", ON_ALL | AT_SPEED, act_type, 0,
+    {':', ":", ON_ALL | AT_SPEED, act_type_command, 0,
 	"a command: find, spec, bounds ..; Tab completes, Up repeats",
 	"command", NULL},
-    {'u', "u", ON_ALL | CHANGES | RUNS_COMMAND, act_command, 0,
+    {'u', "u", ON_ALL | CHANGES | RUNS_COMMAND, act_run_hint_command, 0,
 	"undo the last change", "undo, redo", "undo"},
-    {'U', "U", ON_ALL | CHANGES | RUNS_COMMAND, act_command, 0, "redo it", NULL,
-	"redo"},
+    {'U', "U", ON_ALL | CHANGES | RUNS_COMMAND, act_run_hint_command, 0,
+	"redo it", NULL, "redo"},
     {'w', "w", ON_ALL | AT_SPEED, act_save, 0,
 	"save the session as a script, under the name that is proposed",
 	"save the session", NULL},
@@ -162,7 +162,7 @@ const struct key KEYS[] = {
 
 /* Returns true if the names of a row, "Left, h", include this one. */
 static bool
-has_name(const char *names, const char *name)
+has_key_name(const char *names, const char *name)
 {
 	size_t n = strlen(name);
 	while (names != NULL) {
@@ -184,13 +184,13 @@ keys_find(int code, enum page page)
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if ((k->where & (1U << page)) &&
 		    (k->code == code ||
-			(letter[0] > ' ' && has_name(k->name, letter))))
+			(letter[0] > ' ' && has_key_name(k->name, letter))))
 			return k;
 	return NULL;
 }
 
 static const struct key *
-key_of_page(enum page page)
+key_that_opens_page(enum page page)
 {
 	const struct key *k = KEYS;
 	while (k->code != 0 && (k->act != act_page || k->amount != (int)page))
@@ -202,7 +202,7 @@ key_of_page(enum page page)
 int
 keys_code_of_page(enum page page)
 {
-	return key_of_page(page)->code;
+	return key_that_opens_page(page)->code;
 }
 
 bool
@@ -218,7 +218,7 @@ keys_code_of_name(const char *name, int *code)
 	if (name[0] != '\0' && name[1] == '\0')
 		return *code > ' ' && *code < 127;
 	for (const struct key *k = KEYS; k->code != 0; k++)
-		if (has_name(k->name, name)) {
+		if (has_key_name(k->name, name)) {
 			*code = k->code;
 			return true;
 		}
@@ -233,12 +233,12 @@ keys_code_of_name(const char *name, int *code)
 /* Returns what the keys of a hint do, in the words of the first key that has
  * any; "" if the hint has more than keys: "Down Enter", "1-5 pages". */
 static const char *
-words_of_hint(const char *hint, enum page page)
+what_keys_of_hint_do(const char *hint, enum page page)
 {
 	const char *words = "";
 	for (size_t n; *hint != '\0'; hint += n + (hint[n] != '\0')) {
 		int code;
-		n = keys_name_length(hint);
+		n = keys_first_name_length(hint);
 		FREED char *name = xstrndup(hint, n);
 		if (!keys_code_of_name(name, &code))
 			return "";
@@ -250,7 +250,7 @@ words_of_hint(const char *hint, enum page page)
 }
 
 size_t
-keys_name_length(const char *names)
+keys_first_name_length(const char *names)
 {
 	/* "/" is a key, too. */
 	return names[0] == '\0' ? 0 : 1 + strcspn(names + 1, "/ ");
@@ -266,13 +266,14 @@ keys_next_hint(const char **hints)
 }
 
 char *
-keys_bar(const char *hints, enum page page)
+keys_hint_row(const char *hints, enum page page)
 {
 	char *bar = xstrdup("");
 	while (*hints != '\0') {
 		FREED char *hint = keys_next_hint(&hints);
-		const char *words = words_of_hint(hint, page);
-		xlist(&bar, "  ", "%s%s%s", hint, words[0] ? " " : "", words);
+		const char *words = what_keys_of_hint_do(hint, page);
+		xappend_to_list(
+		    &bar, "  ", "%s%s%s", hint, words[0] ? " " : "", words);
 	}
 	return bar;
 }
@@ -280,13 +281,14 @@ keys_bar(const char *hints, enum page page)
 /* Returns what the key does, and " (page Fit)" if that is the only page on
  * which it acts.  The caller frees. */
 static char *
-what_and_where(const struct key *k)
+key_description(const struct key *k)
 {
 	unsigned pages = k->where & ON_ALL;
 	char *words = xstrdup(tr(k->what));
 	for (enum page page = 0; page < PAGES; page++)
 		if (pages == 1U << page)
-			xappend(&words, " (%s)", tr(key_of_page(page)->what));
+			xappend(&words, " (%s)",
+			    tr(key_that_opens_page(page)->what));
 	return words;
 }
 
@@ -304,7 +306,7 @@ is_key_of_page(const struct key *k, enum page page)
 /* Returns "  Up Down       a row": a key, with those that go with it as far as
  * there is room. */
 static char *
-brief_line(const struct key *k)
+brief_help_line(const struct key *k)
 {
 	enum { ROOM = 13 };
 	FREED char *names = xstrndup(k->name, strcspn(k->name, ","));
@@ -318,22 +320,22 @@ brief_line(const struct key *k)
 }
 
 static char *
-help_line_of(const struct key *k)
+full_help_line(const struct key *k)
 {
-	FREED char *words = what_and_where(k);
+	FREED char *words = key_description(k);
 	return xasprintf("  %-15s %s", k->name, words);
 }
 
 static bool
-keys_has_word(const struct key *k, const char *word)
+has_word_in_help_line(const struct key *k, const char *word)
 {
-	FREED char *line = help_line_of(k);
+	FREED char *line = full_help_line(k);
 	return text_contains_word(line, word);
 }
 
 /* Returns true if the brief list of a page has the key. */
 static bool
-keys_is_listed(const struct key *k, enum page page)
+is_in_brief_list(const struct key *k, enum page page)
 {
 	return k->brief != NULL && k->where & (1U << page);
 }
@@ -341,27 +343,27 @@ keys_is_listed(const struct key *k, enum page page)
 /* Lists keys, those of the page first: all of the page, or those whose line
  * contains the word.  Returns their number. */
 static size_t
-keys_list_keys(enum page page, const char *word,
+find_listed_keys(enum page page, const char *word,
     const struct key *line[static ARRAY_LEN(KEYS)])
 {
 	size_t n = 0;
 	for (int own = 1; own >= 0; own--)
 		for (const struct key *k = KEYS; k->code != 0; k++)
 			if (is_key_of_page(k, page) == own &&
-			    (word[0] != '\0' ? keys_has_word(k, word)
-					     : keys_is_listed(k, page)))
+			    (word[0] != '\0' ? has_word_in_help_line(k, word)
+					     : is_in_brief_list(k, page)))
 				line[n++] = k;
 	return n;
 }
 
 void
-keys_list(enum page page, const char *word, FILE *out)
+keys_print_list(enum page page, const char *word, FILE *out)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	size_t n = keys_list_keys(page, word, line);
+	size_t n = find_listed_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
-		FREED char *text = word[0] == '\0' ? brief_line(line[i])
-						   : help_line_of(line[i]);
+		FREED char *text = word[0] == '\0' ? brief_help_line(line[i])
+						   : full_help_line(line[i]);
 		fprintf(out, "%s\n", text);
 	}
 	if (n == 0)
@@ -378,23 +380,23 @@ const struct key *
 keys_listed_at(enum page page, const char *word, size_t n)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	return n < keys_list_keys(page, word, line) ? line[n] : NULL;
+	return n < find_listed_keys(page, word, line) ? line[n] : NULL;
 }
 
 size_t
-keys_count(enum page page, const char *word)
+keys_count_listed(enum page page, const char *word)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
-	return keys_list_keys(page, word, line);
+	return find_listed_keys(page, word, line);
 }
 
 void
-keys_manual(FILE *out)
+keys_print_manual(FILE *out)
 {
 	fputs(".Bl -tag -width Shift-Right\n", out);
 	for (const struct key *k = KEYS; k->code != 0; k++) {
 		/* A single character might be one that mdoc interprets. */
-		FREED char *words = what_and_where(k);
+		FREED char *words = key_description(k);
 		fprintf(out, ".It %s%s\n%s.\n", k->name[1] == '\0' ? "\\&" : "",
 		    k->name, words);
 		if (k->where & RUNS_COMMAND)

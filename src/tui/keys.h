@@ -25,7 +25,7 @@ int keys_code_of_page(enum page page);
 bool keys_code_of_name(const char *name, int *code);
 
 /* Returns the length of the first of names with / or a blank between them. */
-size_t keys_name_length(const char *names);
+size_t keys_first_name_length(const char *names);
 
 /* Returns the next of hints with two blanks between them, and moves on behind
  * it.  The caller frees. */
@@ -34,18 +34,18 @@ char *keys_next_hint(const char **hints);
 /* Makes the row of hints from names of keys, two blanks between them:
  * "<-/->  n p  Enter use it"; those without words get those of their row.  The
  * caller frees. */
-char *keys_bar(const char *hints, enum page page);
+char *keys_hint_row(const char *hints, enum page page);
 
-/* For the ? page: keys_list prints a line for each key whose line contains the
- * word, ignoring case, the page's own keys first; if the word is "", it prints
- * all keys of the page, in brief.  keys_listed_at returns the key of line n, or
- * NULL; keys_count returns the number of lines. */
-void keys_list(enum page page, const char *word, FILE *out);
+/* For the ? page: keys_print_list prints a line for each key whose line
+ * contains the word, ignoring case, the page's own keys first; if the word is
+ * "", it prints all keys of the page, in brief.  keys_listed_at returns the key
+ * of line n, or NULL; keys_count_listed returns the number of lines. */
+void keys_print_list(enum page page, const char *word, FILE *out);
 const struct key *keys_listed_at(enum page page, const char *word, size_t n);
-size_t keys_count(enum page page, const char *word);
+size_t keys_count_listed(enum page page, const char *word);
 
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
-void keys_manual(FILE *out);
+void keys_print_manual(FILE *out);
 
 /* Calls print on the text that describes each key, for translators. */
 void keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out);

@@ -7,14 +7,14 @@
 #include "base/xalloc.h"
 
 bool
-area_has(const struct area *a, int row, int column)
+area_has_cell(const struct area *a, int row, int column)
 {
 	return row >= a->row && row < a->row + a->rows && column >= a->column &&
 	       column < a->column + a->columns;
 }
 
 struct area
-area_cells(const struct area *area, int row, int column, int columns)
+area_part_of_row(const struct area *area, int row, int column, int columns)
 {
 	return (struct area){
 	    area->row + row, area->column + column, 1, columns};
@@ -23,7 +23,7 @@ area_cells(const struct area *area, int row, int column, int columns)
 struct area
 area_row(const struct area *area, int row)
 {
-	return area_cells(area, row, 0, area->columns);
+	return area_part_of_row(area, row, 0, area->columns);
 }
 
 /* Takes the last row of what is left. */
@@ -58,7 +58,7 @@ enum { FOR_GAP = 100 };
 /* Takes three rows from the bottom of what is left, and one more for each
  * `every` rows that the screen has beyond `least`. */
 static struct area
-layout_take_rows(struct area *left, int rows, int least, int every)
+take_bottom_rows(struct area *left, int rows, int least, int every)
 {
 	struct area area = *left;
 	area.rows = 3 + (rows - least) / every;
@@ -123,7 +123,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 	if (ask.strip && ask.list_rows > 0 && rows >= FOR_TALL_STRIP)
 		take_tall_strip(&l, ask.list_rows);
 	else if (ask.strip && rows >= FOR_STRIP)
-		l.strip = layout_take_rows(left, rows, FOR_STRIP, EVERY);
+		l.strip = take_bottom_rows(left, rows, FOR_STRIP, EVERY);
 	if (rows >= FOR_CAPTION && !ask.no_site)
 		l.caption = take_bottom_row(left);
 	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
@@ -135,7 +135,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 		l.legend = take_bottom_row(left);
 	split_body(&l, rows, ask.side_columns);
 	if (ask.differences && rows >= FOR_DIFFERENCES) {
-		l.differences = layout_take_rows(
+		l.differences = take_bottom_rows(
 		    &l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);
 		l.differences.row = l.plot.row + l.plot.rows;
 	}
@@ -143,7 +143,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 }
 
 struct layout
-layout_text(int rows, int columns)
+layout_make_for_text(int rows, int columns)
 {
 	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
 	struct layout l = {.body = {0, 0, rows, columns}};
@@ -158,7 +158,7 @@ layout_text(int rows, int columns)
 }
 
 struct area
-layout_track(const struct layout *l)
+layout_track_area(const struct layout *l)
 {
 	struct area track = l->track;
 	bool ends = track.columns >= 30;

@@ -40,20 +40,20 @@ struct layout layout_make(int rows, int columns, struct layout_ask ask);
 
 /* Places text on the whole screen: between header and hints, if there is room
  * for these. */
-struct layout layout_text(int rows, int columns);
+struct layout layout_make_for_text(int rows, int columns);
 
 /* Returns the area of the slider's track, without its ends. */
-struct area layout_track(const struct layout *l);
+struct area layout_track_area(const struct layout *l);
 
 /* Returns the maximum number of rows for a message. */
 int layout_message_rows(const struct layout *l);
 
 /* True if a cell is in the area. */
-bool area_has(const struct area *area, int row, int column);
+bool area_has_cell(const struct area *area, int row, int column);
 
 /* Return a row of an area, or some columns of a row. */
 struct area area_row(const struct area *area, int row);
-struct area area_cells(
+struct area area_part_of_row(
     const struct area *area, int row, int column, int columns);
 
 #endif

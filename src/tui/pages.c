@@ -11,13 +11,13 @@ const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
     [PAGE_SITES] = &page_sites};
 
 const struct page_ops *
-pages_open(const struct tui *t)
+pages_current(const struct tui *t)
 {
 	return PAGE_OPS[t->ui.page];
 }
 
 void
-pages_go(struct tui *t, enum page page)
+pages_go_to(struct tui *t, enum page page)
 {
 	if (t->ui.page != page) {
 		t->filter = (struct edit){0};
@@ -33,6 +33,6 @@ pages_update(struct tui *t)
 	if (t->picker.on)
 		t->picker.rows->update(t);
 	strip_update(t);
-	if (pages_open(t)->update != NULL)
-		pages_open(t)->update(t);
+	if (pages_current(t)->update != NULL)
+		pages_current(t)->update(t);
 }

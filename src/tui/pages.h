@@ -7,9 +7,9 @@
 
 extern const struct page_ops *const PAGE_OPS[PAGES];
 
-/* pages_open returns the open page; pages_go opens a page. */
-const struct page_ops *pages_open(const struct tui *t);
-void pages_go(struct tui *t, enum page page);
+/* pages_current returns the open page; pages_go_to opens a page. */
+const struct page_ops *pages_current(const struct tui *t);
+void pages_go_to(struct tui *t, enum page page);
 
 /* Calls `update` of the open page, see page_ops; does nothing if it has
  * none. */

@@ -25,14 +25,14 @@ pane_list_area(const struct tui *t)
 
 /* A click on a plot says what is drawn there, and may do more on its page. */
 static void
-touch_plot(struct tui *t, const struct touched *touched)
+on_click_plot(struct tui *t, const struct touched *touched)
 {
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)
 		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
-	request->entry = tui_entry_asked_about(t);
-	if (!plots_find_at(t->session, request, touched->area.columns,
+	request->entry = tui_entry_for_prediction(t);
+	if (!plots_find_at_cell(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
@@ -45,7 +45,7 @@ touch_plot(struct tui *t, const struct touched *touched)
 }
 
 void
-pane_plot(
+pane_draw_plot(
     struct tui *t, const struct plot_request *request, const struct area *area)
 {
 	struct error error = {0};
@@ -54,53 +54,55 @@ pane_plot(
 		return;
 	r.charset = screen_charset();
 	if (r.entry == NULL)
-		r.entry = tui_entry_asked_about(t);
-	struct canvas *canvas =
-	    plots_draw(t->session, &r, area->columns, area->rows, &error);
+		r.entry = tui_entry_for_prediction(t);
+	struct canvas *canvas = plots_draw_canvas(
+	    t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
-		screen_canvas(area, canvas);
+		screen_draw_canvas(area, canvas);
 		canvas_free(canvas);
 		if (request->entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
-		hits_add(&t->hits, HIT_SLIDE, *area, touch_plot, t->n_drawn++);
+		hits_add(
+		    &t->hits, HIT_SLIDE, *area, on_click_plot, t->n_drawn++);
 		return;
 	}
-	int row = screen_words(area, area->rows / 3, LOOK_BOLD, error.text);
-	screen_words(area, row, 0, error.hint);
+	int row =
+	    screen_draw_wrapped(area, area->rows / 3, LOOK_BOLD, error.text);
+	screen_draw_wrapped(area, row, 0, error.hint);
 }
 
 /* Draws the name of a curve after those to its left, if there is room for all
  * of it.  Returns the column after it. */
 static int
-pane_draw_name(const struct tui *t, int column, enum series series,
+draw_legend_name(const struct tui *t, int column, enum series series,
     unsigned look, const char *text)
 {
 	const struct area *area = &t->layout.legend;
 	int from = column > 0 ? column + 2 : 0;
-	if (from + text_width(text) > area->columns)
+	if (from + text_width_in_columns(text) > area->columns)
 		return column;
-	return screen_series(area, 0, from, series, look, text);
+	return screen_draw_series_text(area, 0, from, series, look, text);
 }
 
 /* Names the limits of the envelope in use and its fraction. */
 static void
-pane_draw_limits(const struct tui *t, int column, bool ascii)
+draw_legend_limits(const struct tui *t, int column, bool ascii)
 {
-	char text[40], *words = plots_limits_words(t->session);
+	char text[40], *words = plots_envelope_fraction_text(t->session);
 	snprintf(text, sizeof text, "%s %s", ascii ? "@" : "\u2501", words);
 	if (t->session->spec != NULL)
-		column =
-		    pane_draw_name(t, column, SERIES_TEXT, 0, tr("T L limits"));
+		column = draw_legend_name(
+		    t, column, SERIES_TEXT, 0, tr("T L limits"));
 	if (words[0] != '\0')
-		pane_draw_name(t, column, SERIES_PREDICTED, 0, text);
+		draw_legend_name(t, column, SERIES_PREDICTED, 0, text);
 	free(words);
 }
 
 /* Names the mark of each run, and how many runs are not drawn.  moved: out,
  * whether any is moved to the feed. */
 static int
-pane_draw_runs(const struct tui *t, int column, bool *moved)
+draw_legend_runs(const struct tui *t, int column, bool *moved)
 {
 	const struct entry *entry = tui_current_entry(t);
 	const struct site *site = entry->site;
@@ -108,22 +110,24 @@ pane_draw_runs(const struct tui *t, int column, bool *moved)
 	*moved = false;
 	for (size_t r = 0; r < site->n_run; r++) {
 		bool held_out = !entry->train[r];
-		if (site_run_repeats(site, r) ||
-		    !site_run_is_near(site, r, tui_speed(t), SITE_CHART_RUNS))
+		if (site_run_repeats_speed(site, r) ||
+		    !site_run_is_near_speed(
+			site, r, tui_slider_speed(t), SITE_CHART_RUNS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, r, held_out);
-		FREED char *sample = chart_sample(&look, screen_charset());
+		FREED char *sample =
+		    chart_legend_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    site->run[r].speed, held_out ? tr(" held out") : "");
 		column =
-		    pane_draw_name(t, column, look.series, LOOK_BOLD, text);
+		    draw_legend_name(t, column, look.series, LOOK_BOLD, text);
 		*moved = *moved || tui_is_product_moved(t, r);
 	}
-	if (site_chart_speeds_left_out(site) > 0) {
+	if (site_chart_count_speeds_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
-		    site_chart_speeds_left_out(site));
-		column = pane_draw_name(t, column, SERIES_TEXT, 0, text);
+		    site_chart_count_speeds_left_out(site));
+		column = draw_legend_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
 }
@@ -131,7 +135,7 @@ pane_draw_runs(const struct tui *t, int column, bool *moved)
 /* Names the feed, and that measured products are moved to it, if there is room
  * for that. */
 static int
-pane_draw_feed(
+draw_legend_feed(
     const struct tui *t, int column, const char *line, bool own, bool moved)
 {
 	FREED char *which = own ? xasprintf(" %g", t->ui.feed) : xstrdup("");
@@ -139,9 +143,10 @@ pane_draw_feed(
 	FREED char *words = xasprintf(tr("moved to %s"), feed);
 	int after = column;
 	if (moved)
-		after = pane_draw_name(t, column, SERIES_FEED, 0, words);
-	return after > column ? after
-			      : pane_draw_name(t, column, SERIES_FEED, 0, feed);
+		after = draw_legend_name(t, column, SERIES_FEED, 0, words);
+	return after > column
+		   ? after
+		   : draw_legend_name(t, column, SERIES_FEED, 0, feed);
 }
 
 /* Draws a legend of one row, as that of the plot itself would leave it little
@@ -158,41 +163,42 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	const struct site *site = entry->site;
 	bool runs = request->kind == PLOT_RUNS;
 	if (runs && entry->has_params)
-		column = pane_draw_name(t, column, SERIES_TEXT, 0,
+		column = draw_legend_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
 	else if (!runs && t->view.current.site[0] != '\0') {
-		bool dashed = answers_extrapolates(entry, tui_speed(t));
+		bool dashed =
+		    answers_is_speed_extrapolated(entry, tui_slider_speed(t));
 		const char *line = ascii ? "#" : "\u2500";
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
-		    outlook_short_words(
-			t->session, tui_entry_asked_about(t), &t->view.shown));
-		column = pane_draw_name(
+		    outlook_legend_suffix(t->session,
+			tui_entry_for_prediction(t), &t->view.shown));
+		column = draw_legend_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
 	if (request->kept != NULL)
-		column = pane_draw_name(t, column, SERIES_OTHER, 0,
+		column = draw_legend_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	bool moved, own = site->individual_feeds && t->ui.feed > 0 && !runs;
-	column = pane_draw_runs(t, column, &moved);
-	column = pane_draw_feed(t, column,
+	column = draw_legend_runs(t, column, &moved);
+	column = draw_legend_feed(t, column,
 	    ascii  ? "."
 	    : runs ? "\u2500"
 		   : "\u2508",
 	    own, moved && !runs);
 	if (runs || t->view.current.site[0] == '\0')
 		return;
-	int after = pane_draw_name(t, column, SERIES_BREAK, 0,
+	int after = draw_legend_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));
 	if (after == column)
-		after = pane_draw_name(t, column, SERIES_BREAK, 0,
+		after = draw_legend_name(t, column, SERIES_BREAK, 0,
 		    ascii ? tr(": break") : tr("\u250A break"));
-	pane_draw_limits(t, after, ascii);
+	draw_legend_limits(t, after, ascii);
 }
 
 void
-pane_curves(struct tui *t, struct plot_request *request, bool notes)
+pane_draw_curves(struct tui *t, struct plot_request *request, bool notes)
 {
 	enum { TALL = 20 };
 	struct area plot = t->layout.plot;
@@ -205,12 +211,12 @@ pane_curves(struct tui *t, struct plot_request *request, bool notes)
 		plot.rows += t->layout.legend.rows;
 	} else if (t->layout.legend.rows > 0)
 		pane_draw_legend(t, request);
-	pane_plot(t, request, &plot);
+	pane_draw_plot(t, request, &plot);
 }
 
 /* Returns the bytes of the keys that a hint begins with: "n p", "Up/Down". */
 static int
-length_of_keys(const char *hint)
+length_of_hint_keys(const char *hint)
 {
 	size_t n = strcspn(hint, " ");
 	while (hint[n] == ' ') {
@@ -227,11 +233,11 @@ length_of_keys(const char *hint)
 /* Adds the keys that a hint begins with: a click on a key presses it, and if
  * there is only one, so does a click on its words. */
 static void
-touch_hint(struct tui *t, int row, int column, const char *hint)
+add_hint_click_areas(struct tui *t, int row, int column, const char *hint)
 {
-	int keys = length_of_keys(hint);
+	int keys = length_of_hint_keys(hint);
 	for (int from = 0, end; from < keys; from = end + 1) {
-		end = from + (int)keys_name_length(hint + from);
+		end = from + (int)keys_first_name_length(hint + from);
 		FREED char *name = xstrndup(hint + from, (size_t)(end - from));
 		bool only = from == 0 && end == keys;
 		int code, width = only ? (int)strlen(hint) : end - from;
@@ -242,12 +248,12 @@ touch_hint(struct tui *t, int row, int column, const char *hint)
 }
 
 void
-pane_touch_hints(struct tui *t, int row, int column, const char *hints)
+pane_add_hint_clicks(struct tui *t, int row, int column, const char *hints)
 {
 	while (*hints != '\0') {
 		FREED char *hint = keys_next_hint(&hints);
-		touch_hint(t, row, column, hint);
-		column += text_width(hint) + 2;
+		add_hint_click_areas(t, row, column, hint);
+		column += text_width_in_columns(hint) + 2;
 	}
 }
 
@@ -260,50 +266,51 @@ pane_hints(struct tui *t, const char *hints)
 		return;
 	for (hints = tr(hints); *hints != '\0'; column += 2) {
 		FREED char *hint = keys_next_hint(&hints);
-		int end = column + text_width(hint);
+		int end = column + text_width_in_columns(hint);
 		if (column > 0 && end > area->columns)
 			return;
 		screen_text(area, 0, column, LOOK_DIM, "%s", hint);
 		screen_text(area, 0, column, LOOK_BOLD, "%.*s",
-		    length_of_keys(hint), hint);
-		touch_hint(t, area->row, area->column + column, hint);
+		    length_of_hint_keys(hint), hint);
+		add_hint_click_areas(t, area->row, area->column + column, hint);
 		column = end;
 	}
 }
 
 int
-pane_typed(const struct area *area, const char *prompt,
+pane_draw_typed_line(const struct area *area, const char *prompt,
     const struct edit *typing, size_t *from)
 {
 	char *till = xstrndup(typing->text, typing->at), left[TEXT_SHOWN];
-	int before = text_width(till), width = text_width(prompt);
+	int before = text_width_in_columns(till),
+	    width = text_width_in_columns(prompt);
 	const char *shown = typing->text;
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
 		before -= text_escape_next(&shown, left);
 	screen_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
-	screen_part(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
+	screen_draw_clipped_text(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
 	*from = (size_t)(shown - typing->text);
 	return width + before;
 }
 
 int
-pane_word(struct tui *t, const struct area *area, const char *word,
+pane_draw_search_word(struct tui *t, const struct area *area, const char *word,
     const char *found, const char *keys)
 {
 	int at = screen_text(area, 0, 0, LOOK_BOLD, "/%s", word);
 	if (found == NULL)
 		return at;
 	int column = screen_text(area, 0, at + 2, 0, "%s", found) + 2;
-	if (column + text_width(keys) <= area->columns) {
+	if (column + text_width_in_columns(keys) <= area->columns) {
 		screen_text(area, 0, column, LOOK_DIM, "%s", keys);
-		pane_touch_hints(t, area->row, area->column + column, keys);
+		pane_add_hint_clicks(t, area->row, area->column + column, keys);
 	}
 	return at;
 }
 
 char *
-pane_curves_words(const struct tui *t)
+pane_curves_plot_name(const struct tui *t)
 {
 	char *where = tui_options_at_slider(t),
 	     *words = xasprintf("psd %s", where);
@@ -312,20 +319,20 @@ pane_curves_words(const struct tui *t)
 }
 
 int
-pane_lines(const struct area *area, int row, const char *text)
+pane_draw_lines(const struct area *area, int row, const char *text)
 {
 	for (unsigned look = LOOK_BOLD; *text != '\0' && row < area->rows;
 	     look = LOOK_PLAIN) {
 		size_t n = strcspn(text, "\n");
 		FREED char *line = xstrndup(text, n);
-		row = screen_words(area, row, look, line);
+		row = screen_draw_wrapped(area, row, look, line);
 		text += n + (text[n] == '\n');
 	}
 	return row;
 }
 
 int
-pane_clamp_row(int at, int by, size_t n)
+pane_clamp_index(int at, int by, size_t n)
 {
 	int to = at + by;
 	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;

@@ -26,7 +26,7 @@ struct page_list {
  * Operations that a page does not need are NULL. */
 struct page_ops {
 	const char *name;  /* in the heading */
-	const char *hints; /* its keys, see keys_bar; or NULL: */
+	const char *hints; /* its keys, see keys_hint_row; or NULL: */
 	const char *(*hints_now)(const struct tui *t);
 	/* Columns of its side panel: by default; from 100 screen columns; from
 	 * 120.  0: no change. */
@@ -50,8 +50,8 @@ struct page_ops {
 	/* Its list, for keys and the mouse. */
 	const struct page_list *list;
 
-	/* Handles act_move, act_ends and act_list on the page.  If it returns
-	 * false, they act on its list, or else on the slider. */
+	/* Handles act_move, act_ends and act_move_in_list on the page.  If it
+	 * returns false, they act on its list, or else on the slider. */
 	bool (*move)(struct tui *t, const struct key *key);
 
 	/* Handles a click on its plot of that kind, at these values of the
@@ -69,15 +69,15 @@ extern const struct page_ops page_predict, page_fit, page_data, page_parity,
 /* Draws a plot in an area, or says why there is none.  A click on it says what
  * is there (see point in page_ops), unless the request names an entry; by
  * default it is of the current site. */
-void pane_plot(
+void pane_draw_plot(
     struct tui *t, const struct plot_request *request, const struct area *area);
 
 /* Draws curves in the plot area, with a legend below if there is room.  notes:
  * they show what the side panel does not. */
-void pane_curves(struct tui *t, struct plot_request *request, bool notes);
+void pane_draw_curves(struct tui *t, struct plot_request *request, bool notes);
 
 /* Returns the name of the curves for `describe`.  The caller frees it. */
-char *pane_curves_words(const struct tui *t);
+char *pane_curves_plot_name(const struct tui *t);
 
 /* Returns the body including the row of the legend, which a list does not
  * need. */
@@ -85,27 +85,28 @@ struct area pane_list_area(const struct tui *t);
 
 /* pane_hints draws the row of hints, which are separated by two spaces, without
  * any hint that does not fit.  Each begins with the name of its key, or of two:
- * "Up/Down site", in bold; pane_touch_hints lets a click on a name press that
- * key. */
+ * "Up/Down site", in bold; pane_add_hint_clicks lets a click on a name press
+ * that key. */
 void pane_hints(struct tui *t, const char *hints);
-void pane_touch_hints(struct tui *t, int row, int column, const char *hints);
+void pane_add_hint_clicks(
+    struct tui *t, int row, int column, const char *hints);
 
 /* Draws a line being typed, after its prompt, scrolled to show the cursor.
  * Returns the cursor's column.  from: out, offset of the first byte shown. */
-int pane_typed(const struct area *area, const char *prompt,
+int pane_draw_typed_line(const struct area *area, const char *prompt,
     const struct edit *typing, size_t *from);
 
 /* Draws a word being searched for, after "/", with the number found, or NULL,
  * and, if there is room, the keys of the search.  Returns the cursor's
  * column. */
-int pane_word(struct tui *t, const struct area *area, const char *word,
-    const char *found, const char *keys);
+int pane_draw_search_word(struct tui *t, const struct area *area,
+    const char *word, const char *found, const char *keys);
 
 /* Draws lines of text from a row down, the first in bold.  Returns the row
  * after them. */
-int pane_lines(const struct area *area, int row, const char *text);
+int pane_draw_lines(const struct area *area, int row, const char *text);
 
 /* Returns an index in a list of n, moved by `by` and clamped. */
-int pane_clamp_row(int at, int by, size_t n);
+int pane_clamp_index(int at, int by, size_t n);
 
 #endif

@@ -33,7 +33,7 @@ static struct display {
 } display;
 
 static void
-forget_shown(void)
+forget_shown_frame(void)
 {
 	canvas_free(display.shown);
 	display.shown = NULL;
@@ -44,7 +44,7 @@ forget_shown(void)
 static void
 set_colours(bool colour)
 {
-	forget_shown();
+	forget_shown_frame();
 	display.depth = 0;
 	memset(display.pair, 0, sizeof display.pair);
 	if (!colour || !has_colors() || start_color() != OK)
@@ -66,7 +66,7 @@ set_colours(bool colour)
 }
 
 static void
-set_modes(void)
+set_terminal_modes(void)
 {
 	raw();
 	noecho();
@@ -90,7 +90,7 @@ set_modes(void)
 
 /* Has the terminal mark pasted text, if it ignores unknown modes. */
 static void
-mark_pastes(bool on)
+set_bracketed_paste(bool on)
 {
 	const char *cup = tigetstr("cup");
 	if (cup == NULL || strncmp(cup, "\033[", 2) != 0)
@@ -100,7 +100,7 @@ mark_pastes(bool on)
 }
 
 void
-screen_theme(enum theme theme)
+screen_set_theme(enum theme theme)
 {
 	bool other = theme != display.theme;
 	display.theme = theme;
@@ -121,12 +121,13 @@ screen_open(bool colour)
 		delscreen(display.screen);
 		return false;
 	}
-	restore_screen();
+	restore_arm_screen();
 	display.utf8 = terminal_is_utf8();
-	display.charset = terminal_can_draw() ? CHARSET_BRAILLE : CHARSET_ASCII;
-	set_modes();
+	display.charset =
+	    terminal_has_line_drawing() ? CHARSET_BRAILLE : CHARSET_ASCII;
+	set_terminal_modes();
 	set_colours(colour);
-	mark_pastes(true);
+	set_bracketed_paste(true);
 	return true;
 }
 
@@ -135,8 +136,8 @@ screen_open(bool colour)
 static void
 end_curses(void)
 {
-	screen_mouse(false);
-	mark_pastes(false);
+	screen_set_mouse(false);
+	set_bracketed_paste(false);
 	move(LINES - 1, 0);
 	clrtoeol();
 	refresh();
@@ -149,7 +150,7 @@ screen_close(void)
 	end_curses();
 	delscreen(display.screen);
 	canvas_free(display.frame);
-	forget_shown();
+	forget_shown_frame();
 	display = (struct display){0};
 }
 
@@ -176,13 +177,13 @@ screen_end_offscreen(struct display *was)
 }
 
 const struct canvas *
-screen_frame(void)
+screen_last_frame(void)
 {
 	return display.frame;
 }
 
 void
-screen_only_text(bool on)
+screen_set_text_only(bool on)
 {
 	display.only_text = on;
 }
@@ -201,7 +202,7 @@ screen_charset(void)
 }
 
 int
-screen_depth(void)
+screen_colour_count(void)
 {
 	return display.depth;
 }
@@ -209,7 +210,7 @@ screen_depth(void)
 /* Returns true if the terminal reports the mouse.  The Linux console says so,
  * but its mouse is that of gpm, which does not report in this way. */
 static bool
-has_mouse_keys(void)
+has_mouse_reports(void)
 {
 	if (strncmp(termname(), "linux", 5) == 0)
 		return false;
@@ -219,11 +220,11 @@ has_mouse_keys(void)
 
 /* ncurses asks for clicks only: 1002 reports motion while a button is held. */
 bool
-screen_mouse(bool on)
+screen_set_mouse(bool on)
 {
 	if (display.screen == NULL)
 		return true;
-	if (on && !has_mouse_keys())
+	if (on && !has_mouse_reports())
 		return false;
 	if (on)
 		mousemask(ALL_MOUSE_EVENTS | REPORT_MOUSE_POSITION, NULL);
@@ -254,9 +255,9 @@ screen_resume_curses(void)
 	bool mouse = display.mouse;
 	screen_resize();
 	refresh();
-	mark_pastes(true);
+	set_bracketed_paste(true);
 	if (mouse)
-		screen_mouse(true);
+		screen_set_mouse(true);
 }
 
 void
@@ -265,7 +266,7 @@ screen_resize(void)
 	struct winsize size = {0};
 	if (display.screen == NULL)
 		return;
-	forget_shown();
+	forget_shown_frame();
 	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
 	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
@@ -274,14 +275,14 @@ screen_resize(void)
 }
 
 void
-screen_begin(int *rows, int *columns)
+screen_begin_frame(int *rows, int *columns)
 {
 	if (display.screen != NULL)
 		getmaxyx(stdscr, display.rows, display.columns);
 	if (display.shown != NULL &&
 	    (display.shown->rows != display.rows ||
 		display.shown->columns != display.columns))
-		forget_shown();
+		forget_shown_frame();
 	canvas_free(display.frame);
 	display.frame = canvas_new(display.columns, display.rows);
 	display.frame->theme = display.theme;
@@ -295,13 +296,13 @@ screen_put_cell(
 	if (row < 0 || row >= display.rows || column < 0 ||
 	    column >= display.columns)
 		return;
-	*canvas_at(display.frame, column, row) = (struct canvas_cell){
+	*canvas_cell_at(display.frame, column, row) = (struct canvas_cell){
 	    code, (unsigned char)series, (unsigned char)look};
 }
 
 int
-screen_part(const struct area *area, int row, int column, enum series series,
-    unsigned look, const char *text)
+screen_draw_clipped_text(const struct area *area, int row, int column,
+    enum series series, unsigned look, const char *text)
 {
 	if (row < 0 || row >= area->rows || column < 0)
 		return column;
@@ -312,12 +313,13 @@ screen_part(const struct area *area, int row, int column, enum series series,
 }
 
 int
-screen_series(const struct area *area, int row, int column, enum series series,
-    unsigned look, const char *text)
+screen_draw_series_text(const struct area *area, int row, int column,
+    enum series series, unsigned look, const char *text)
 {
 	FREED char *fitted = text_cut_to_width(text, area->columns - column);
 	bool whole = strcmp(fitted, text) == 0;
-	int end = screen_part(area, row, column, series, look, fitted);
+	int end =
+	    screen_draw_clipped_text(area, row, column, series, look, fitted);
 	return whole || row < 0 || row >= area->rows ? end : area->columns;
 }
 
@@ -330,23 +332,26 @@ screen_text(const struct area *area, int row, int column, unsigned look,
 	va_start(ap, format);
 	vsnprintf(text, sizeof text, tr(format), ap);
 	va_end(ap);
-	return screen_series(area, row, column, SERIES_TEXT, look, text);
+	return screen_draw_series_text(
+	    area, row, column, SERIES_TEXT, look, text);
 }
 
 int
-screen_words_within(const struct area *area, int row, int rows, unsigned look,
-    const char *text, const char *more)
+screen_draw_wrapped_rows(const struct area *area, int row, int rows,
+    unsigned look, const char *text, const char *more)
 {
 	char *wrapped = text_wrapped(text, area->columns), *save = NULL;
 	for (char *line = strtok_r(wrapped, "\n", &save);
 	     line != NULL && rows > 0; line = strtok_r(NULL, "\n", &save)) {
 		bool cut = --rows == 0 && *save != '\0';
-		FREED char *part = text_wrapped(
-		    line, area->columns - (cut ? text_width(more) : 0));
+		FREED char *part = text_wrapped(line,
+		    area->columns - (cut ? text_width_in_columns(more) : 0));
 		part[strcspn(part, "\n")] = '\0';
-		int end = screen_series(area, row, 0, SERIES_TEXT, look, part);
+		int end = screen_draw_series_text(
+		    area, row, 0, SERIES_TEXT, look, part);
 		if (cut)
-			screen_series(area, row, end, SERIES_TEXT, look, more);
+			screen_draw_series_text(
+			    area, row, end, SERIES_TEXT, look, more);
 		row++;
 	}
 	free(wrapped);
@@ -354,21 +359,22 @@ screen_words_within(const struct area *area, int row, int rows, unsigned look,
 }
 
 int
-screen_words(const struct area *area, int row, unsigned look, const char *text)
+screen_draw_wrapped(
+    const struct area *area, int row, unsigned look, const char *text)
 {
-	return screen_words_within(
+	return screen_draw_wrapped_rows(
 	    area, row, area->rows - row, look, text, " ..");
 }
 
 void
-screen_clear(const struct area *area)
+screen_clear_area(const struct area *area)
 {
 	for (int row = 0; row < area->rows; row++)
 		screen_text(area, row, 0, 0, "%*s", area->columns, "");
 }
 
 void
-screen_rule(const struct area *area)
+screen_draw_rule(const struct area *area)
 {
 	bool lines = display.charset != CHARSET_ASCII;
 	for (int c = 0;
@@ -378,7 +384,7 @@ screen_rule(const struct area *area)
 }
 
 void
-screen_vertical_rule(int row, int column, int rows)
+screen_draw_vertical_rule(int row, int column, int rows)
 {
 	bool lines = display.charset != CHARSET_ASCII;
 	for (int r = 0; r < rows && !display.only_text; r++)
@@ -387,7 +393,7 @@ screen_vertical_rule(int row, int column, int rows)
 }
 
 void
-screen_canvas(const struct area *area, const struct canvas *canvas)
+screen_draw_canvas(const struct area *area, const struct canvas *canvas)
 {
 	if (display.only_text)
 		return;
@@ -419,7 +425,8 @@ curses_attributes(const struct canvas_cell *cell)
 static wchar_t
 letter_without_accent(uint32_t code)
 {
-	char letter[5], *folded = text_fold(canvas_utf8(code, letter));
+	char letter[5], *folded = text_fold_case_and_accents(
+			    canvas_encode_utf8(code, letter));
 	char bare = folded[0] > 0 && folded[1] == '\0' ? folded[0] : '?';
 	bool capital = code >= 0xC0 && code < 0xDF && bare >= 'a';
 	free(folded);
@@ -427,7 +434,7 @@ letter_without_accent(uint32_t code)
 }
 
 static void
-show_cell(int row, int column, const struct canvas_cell *from)
+add_cell_to_curses(int row, int column, const struct canvas_cell *from)
 {
 	wchar_t text[2] = {(wchar_t)from->code, 0};
 	short pair = display.pair[from->series];
@@ -439,7 +446,7 @@ show_cell(int row, int column, const struct canvas_cell *from)
 }
 
 static bool
-screen_is_same(const struct canvas_cell *a, const struct canvas_cell *b)
+are_cells_same(const struct canvas_cell *a, const struct canvas_cell *b)
 {
 	return a->code == b->code && a->series == b->series &&
 	       a->attribute == b->attribute;
@@ -448,20 +455,22 @@ screen_is_same(const struct canvas_cell *a, const struct canvas_cell *b)
 /* Passes a cell to ncurses; the right half of a wide letter comes with the
  * left. */
 static void
-screen_put(int row, int column)
+update_curses_cell(int row, int column)
 {
 	static const struct canvas_cell BLANK = {' ', SERIES_TEXT, LOOK_PLAIN};
-	const struct canvas_cell *at = canvas_at(display.frame, column, row);
-	if (at->code == 0 && column > 0 && text_columns(at[-1].code) == 2)
+	const struct canvas_cell *at =
+	    canvas_cell_at(display.frame, column, row);
+	if (at->code == 0 && column > 0 &&
+	    text_columns_of_character(at[-1].code) == 2)
 		return;
 	bool blank = at->code == 0 ||
 		     (at->code == ' ' && !(at->attribute & CELL_REVERSE));
-	show_cell(row, column, blank ? &BLANK : at);
+	add_cell_to_curses(row, column, blank ? &BLANK : at);
 }
 
 /* Only the cells that have changed are passed to ncurses. */
 void
-screen_show(int row, int column)
+screen_show_frame(int row, int column)
 {
 	if (display.screen == NULL)
 		return;
@@ -472,15 +481,15 @@ screen_show(int row, int column)
 		for (int c = 0; c < display.columns; c++) {
 			int i = r * display.columns + c;
 			if (was == NULL ||
-			    !screen_is_same(
+			    !are_cells_same(
 				&display.frame->cell[i], &was->cell[i]))
-				screen_put(r, c);
+				update_curses_cell(r, c);
 		}
 	move(row < display.rows ? row : display.rows - 1,
 	    column < display.columns ? column : display.columns - 1);
 	wnoutrefresh(stdscr);
 	doupdate();
-	forget_shown();
+	forget_shown_frame();
 	display.shown = display.frame;
 	display.frame = NULL;
 }

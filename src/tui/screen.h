@@ -36,10 +36,10 @@ struct canvas *screen_end_offscreen(struct display *was);
 
 /* Omits canvases, rules and walls from offscreen frames, for a screen
  * reader. */
-void screen_only_text(bool on);
+void screen_set_text_only(bool on);
 
 /* Returns the last frame, which the screen owns, or NULL. */
-const struct canvas *screen_frame(void);
+const struct canvas *screen_last_frame(void);
 
 /* Returns the size of the last frame. */
 void screen_size(int *rows, int *columns);
@@ -48,14 +48,14 @@ void screen_size(int *rows, int *columns);
 enum charset screen_charset(void);
 
 /* Returns the number of colours in use, or 0. */
-int screen_depth(void);
+int screen_colour_count(void);
 
 /* Sets the colours from the next frame on. */
-void screen_theme(enum theme theme);
+void screen_set_theme(enum theme theme);
 
 /* Turns mouse reports on or off.  Returns false if the terminal has no
  * mouse. */
-bool screen_mouse(bool on);
+bool screen_set_mouse(bool on);
 
 /* screen_suspend_curses leaves the terminal to another program;
  * screen_resume_curses takes it back. */
@@ -66,7 +66,7 @@ void screen_resume_curses(void);
 void screen_resize(void);
 
 /* Begins a frame of the terminal's current size. */
-void screen_begin(int *rows, int *columns);
+void screen_begin_frame(int *rows, int *columns);
 
 /* Draws UTF-8 text from a cell of an area, shortened (text_cut_to_width) if it
  * would cross the right edge; draws nothing below the last row.  Returns the
@@ -75,36 +75,36 @@ int screen_text(const struct area *area, int row, int column, unsigned look,
     const char *format, ...) __attribute__((format(printf, 5, 6)));
 
 /* As screen_text, in the colour of a series. */
-int screen_series(const struct area *area, int row, int column,
+int screen_draw_series_text(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
-/* As screen_series, for the visible part of a text that continues beyond the
- * edge. */
-int screen_part(const struct area *area, int row, int column,
+/* As screen_draw_series_text, for the visible part of a text that continues
+ * beyond the edge. */
+int screen_draw_clipped_text(const struct area *area, int row, int column,
     enum series series, unsigned look, const char *text);
 
 /* Draws text in as many rows of the area as needed, broken at spaces; the rest,
  * if any, becomes " ..".  Returns the row after it. */
-int screen_words(
+int screen_draw_wrapped(
     const struct area *area, int row, unsigned look, const char *text);
 
-/* As screen_words, in at most `rows` rows; text that is cut ends in `more`,
- * such as " ..". */
-int screen_words_within(const struct area *area, int row, int rows,
+/* As screen_draw_wrapped, in at most `rows` rows; text that is cut ends in
+ * `more`, such as " ..". */
+int screen_draw_wrapped_rows(const struct area *area, int row, int rows,
     unsigned look, const char *text, const char *more);
 
 /* Clears the area. */
-void screen_clear(const struct area *area);
+void screen_clear_area(const struct area *area);
 
 /* Draw a line along the area's row or down a column. */
-void screen_rule(const struct area *area);
-void screen_vertical_rule(int row, int column, int rows);
+void screen_draw_rule(const struct area *area);
+void screen_draw_vertical_rule(int row, int column, int rows);
 
 /* Draws a canvas at the top left of an area, which must be at least as
  * large. */
-void screen_canvas(const struct area *area, const struct canvas *canvas);
+void screen_draw_canvas(const struct area *area, const struct canvas *canvas);
 
 /* Ends the frame, with the cursor at that cell, and sends the changes. */
-void screen_show(int row, int column);
+void screen_show_frame(int row, int column);
 
 #endif

@@ -17,16 +17,16 @@
 /* Returns "4 of 15: validate", with the state of its search.  The caller frees
  * it. */
 static char *
-running_words(const struct tui *t)
+running_line_text(const struct tui *t)
 {
 	const struct session *s = t->session;
 	char *words = xasprintf("%s  %s", tr("WORKING"), t->running_line);
-	if (session_busy(s) && !s->job.fits) {
+	if (session_is_calibrating(s) && !s->job.fits) {
 		FREED char *at = s->job.type->task_words(s);
 		xappend(&words, "\n%s", at);
 	}
-	if (session_busy(s)) {
-		xlist(&words, "\n", tr("generation %zu of %zu"),
+	if (session_is_calibrating(s)) {
+		xappend_to_list(&words, "\n", tr("generation %zu of %zu"),
 		    calibration_status(s->job.calibration).generation,
 		    s->job.options.generations);
 	}
@@ -36,7 +36,7 @@ running_words(const struct tui *t)
 /* During a script, no page can be drawn, because each command may change what
  * it shows. */
 static void
-script_progress_draw_lines(struct tui *t, bool begins)
+draw_progress_if_due(struct tui *t, bool begins)
 {
 	/* s; what is over by then is not shown */
 	const double often = 0.1, patience = t->of_script ? often : 0.3;
@@ -45,19 +45,19 @@ script_progress_draw_lines(struct tui *t, bool begins)
 	    now - t->ran_from < patience ||
 	    (!begins && now - t->drawn_at < often) || t->away)
 		return;
-	viewer_text(t, running_words(t));
+	viewer_show_text(t, running_line_text(t));
 	t->callbacks->show(t);
 	viewer_close(t);
 	t->drawn_at = now;
 	if (t->callbacks->stopped(t)) {
 		t->stopping = true;
 		raise(SIGINT);
-		signals_deliver();
+		signals_deliver_blocked();
 	}
 }
 
 void
-script_progress_typed(struct tui *t, const char *line)
+script_progress_start_typed(struct tui *t, const char *line)
 {
 	t->ran_from = session_clock();
 	free(t->running_line);
@@ -66,10 +66,10 @@ script_progress_typed(struct tui *t, const char *line)
 }
 
 void
-script_progress_begins(void *of, const char *line)
+script_progress_start_line(void *of, const char *line)
 {
 	struct tui *t = of;
-	struct script_place at = script_place(t->session);
+	struct script_place at = script_position(t->session);
 	if (!t->of_script)
 		t->ran_from = session_clock();
 	t->of_script = true;
@@ -77,13 +77,13 @@ script_progress_begins(void *of, const char *line)
 	t->running_line =
 	    at.of > 0 ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
 		      : xstrdup(line);
-	script_progress_draw_lines(t, true);
+	draw_progress_if_due(t, true);
 }
 
 void
 script_progress_draw(struct tui *t)
 {
-	script_progress_draw_lines(t, false);
+	draw_progress_if_due(t, false);
 }
 
 void

@@ -6,13 +6,13 @@
 #include "tui/tui_state.h"
 
 /* Notes that a typed line starts running. */
-void script_progress_typed(struct tui *t, const char *line);
+void script_progress_start_typed(struct tui *t, const char *line);
 
 /* See `begins` in struct driver; of: a struct tui *.  Shows the line, then
  * checks for Esc again. */
-void script_progress_begins(void *of, const char *line);
+void script_progress_start_line(void *of, const char *line);
 
-/* As script_progress_begins, but during a line, whenever its progress
+/* As script_progress_start_line, but during a line, whenever its progress
  * changes. */
 void script_progress_draw(struct tui *t);
 

@@ -28,9 +28,9 @@ static bool asks;     /* a question stands on the picture */
 static void
 press_key(struct tui *t, int code, bool special)
 {
-	keymap_key(t, code, special);
+	keymap_handle_key(t, code, special);
 	t->clock++;
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	view_update(t);
 	if (!asks)
 		frame_draw(t);
@@ -39,7 +39,7 @@ press_key(struct tui *t, int code, bool special)
 /* Answers with the next key; without one, the picture is that of the
  * question. */
 static bool
-script_terminal_answer(struct tui *t, int *code, bool *special)
+answer_with_next_key(struct tui *t, int *code, bool *special)
 {
 	*special = false;
 	frame_draw(t);
@@ -60,21 +60,20 @@ script_terminal_answer(struct tui *t, int *code, bool *special)
 	return true;
 }
 
-const struct tui_callbacks SCRIPT_CALLBACKS = {
-    .answer = script_terminal_answer};
+const struct tui_callbacks SCRIPT_CALLBACKS = {.answer = answer_with_next_key};
 
 /* Returns true for a word that is typed: a speed, or into a line. */
 static bool
 is_typed_word(const struct tui *t, const char *word)
 {
-	return keymap_types(t, (unsigned char)word[0]) ||
+	return keymap_is_typed_as_text(t, (unsigned char)word[0]) ||
 	       word[strspn(word, "0123456789.")] == '\0';
 }
 
 /* Removes "*5" from the end of a word and returns how often the key is
  * pressed. */
 static long
-read_repeat_count(char *word)
+parse_repeat_count(char *word)
 {
 	char *sign = strrchr(word, '*'), *end;
 	if (sign == NULL || sign == word || sign[1] < '0' || sign[1] > '9')
@@ -88,7 +87,7 @@ read_repeat_count(char *word)
 
 /* Counts the keys, because each draws a frame and may need a prediction. */
 static bool
-count_keys(const char *word, long n, long *pressed, struct error *error)
+count_pressed_keys(const char *word, long n, long *pressed, struct error *error)
 {
 	enum { MOST = 9999 };
 	if (n <= MOST - *pressed) {
@@ -102,17 +101,19 @@ count_keys(const char *word, long n, long *pressed, struct error *error)
 }
 
 static bool
-press_word(struct tui *t, char *word, long *pressed, struct error *error)
+press_keys_of_word(
+    struct tui *t, char *word, long *pressed, struct error *error)
 {
 	int code;
-	long n = is_typed_word(t, word) ? 1 : read_repeat_count(word);
+	long n = is_typed_word(t, word) ? 1 : parse_repeat_count(word);
 	if (strcmp(word, "^Z") == 0) {
 		error_set(error, ERROR_USAGE,
 		    "^Z needs a shell, and there is none here");
 		return error_hint(error, "leave it out");
 	}
 	bool key = keys_code_of_name(word, &code);
-	if (!count_keys(word, key ? n : text_width(word), pressed, error))
+	if (!count_pressed_keys(
+		word, key ? n : text_width_in_columns(word), pressed, error))
 		return false;
 	if (key) {
 		for (; n > 0 && !t->leave && signals_pending() == 0; n--)
@@ -132,7 +133,7 @@ press_word(struct tui *t, char *word, long *pressed, struct error *error)
 }
 
 static bool
-press_all(struct tui *t, const char *keys, struct error *error)
+press_all_keys(struct tui *t, const char *keys, struct error *error)
 {
 	FREED char *copy = xstrdup(keys);
 	bool ok = true;
@@ -141,7 +142,7 @@ press_all(struct tui *t, const char *keys, struct error *error)
 	for (char *word = strtok_r(copy, " ", &keys_left);
 	     ok && word != NULL && !t->leave && !t->session->quit;
 	     word = strtok_r(NULL, " ", &keys_left)) {
-		ok = press_word(t, word, &pressed, error);
+		ok = press_keys_of_word(t, word, &pressed, error);
 		if (ok && signals_pending() != 0)
 			ok = error_set(error, ERROR_SYSTEM,
 			    "interrupted at the key '%s'", word);
@@ -152,18 +153,18 @@ press_all(struct tui *t, const char *keys, struct error *error)
 
 /* Returns what `describe` calls the plot of the page, or NULL. */
 static char *
-plot_kind_words(const struct tui *t)
+plot_name_of_page(const struct tui *t)
 {
-	char *(*words)(const struct tui *) = pages_open(t)->words;
+	char *(*words)(const struct tui *) = pages_current(t)->words;
 	return t->n_drawn == 0 ? NULL
 	       : words != NULL ? words(t)
-			       : pane_curves_words(t);
+			       : pane_curves_plot_name(t);
 }
 
 /* Draws the open screen and leaves it as it was.  During a script, what it
  * showed may be gone. */
 static bool
-draw_open(struct screen_request *request, struct error *error)
+draw_open_screen(struct screen_request *request, struct error *error)
 {
 	if (request->keys[0] != '\0') {
 		error_set(error, ERROR_USAGE,
@@ -171,7 +172,7 @@ draw_open(struct screen_request *request, struct error *error)
 		return error_hint(
 		    error, "press the keys here, then type :screen");
 	}
-	struct tui *t = control_screen();
+	struct tui *t = control_current_screen();
 	const struct tui was = *t;
 	const bool stale = t->running_line != NULL;
 	t->aside = true;
@@ -181,7 +182,7 @@ draw_open(struct screen_request *request, struct error *error)
 		view_predict_unrecorded(t);
 	}
 	if (request->page > 0)
-		pages_go(t, (enum page)(request->page - 1));
+		pages_go_to(t, (enum page)(request->page - 1));
 	pages_update(t);
 	frame_draw(t);
 	tui_clear_hits(t);
@@ -196,10 +197,11 @@ draw_open(struct screen_request *request, struct error *error)
 }
 
 static bool
-draw_new(struct session *s, struct screen_request *request, struct error *error)
+draw_new_screen(
+    struct session *s, struct screen_request *request, struct error *error)
 {
 	struct tui t;
-	control_begin(&t, s, &SCRIPT_CALLBACKS);
+	control_open_screen(&t, s, &SCRIPT_CALLBACKS);
 	view_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
@@ -208,22 +210,22 @@ draw_new(struct session *s, struct screen_request *request, struct error *error)
 		pages_update(&t);
 		frame_draw(&t);
 	}
-	bool ok = press_all(&t, request->keys, error);
+	bool ok = press_all_keys(&t, request->keys, error);
 	if (ok && request->words && t.viewer.text == NULL)
-		request->picture = plot_kind_words(&t);
+		request->picture = plot_name_of_page(&t);
 	/* While the output is still captured: what an ending search says is no
 	 * part of the picture. */
-	watch_pause(&t);
-	control_end(&t);
+	watch_stop_fit(&t);
+	control_close_screen(&t);
 	return ok;
 }
 
 struct canvas *
-script_draw(
+script_draw_screen(
     struct session *s, struct screen_request *request, struct error *error)
 {
 	struct screen_request r = *request;
-	bool open = control_screen() != NULL;
+	bool open = control_current_screen() != NULL;
 	int rows = 30, columns = 100;
 	if (open)
 		screen_size(&rows, &columns);
@@ -232,11 +234,12 @@ script_draw(
 	if (open && !r.charset_asked)
 		r.charset = screen_charset();
 	if (open && !r.colours_asked)
-		r.colours = screen_depth();
+		r.colours = screen_colour_count();
 	struct display *was =
 	    screen_begin_offscreen(r.rows, r.columns, r.charset, r.colours);
-	screen_only_text(r.words);
-	bool ok = open ? draw_open(&r, error) : draw_new(s, &r, error);
+	screen_set_text_only(r.words);
+	bool ok =
+	    open ? draw_open_screen(&r, error) : draw_new_screen(s, &r, error);
 	struct canvas *canvas = screen_end_offscreen(was);
 	request->picture = r.picture;
 	if (ok)

@@ -13,7 +13,7 @@ extern const struct tui_callbacks SCRIPT_CALLBACKS;
 /* Draws the picture of a request, see struct screen_request.  If no screen is
  * open, opens one on the session, presses the keys, and closes it.  Returns
  * NULL with an error if a key's name is unknown or on a signal. */
-struct canvas *script_draw(
+struct canvas *script_draw_screen(
     struct session *s, struct screen_request *request, struct error *error);
 
 #endif

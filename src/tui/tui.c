@@ -39,12 +39,13 @@ seconds_to_wait(const struct tui *t)
 {
 	double left = t->paste.on ? PASTE_PAUSE : INFINITY;
 	bool asks = t->question != NULL || t->inquiry != NULL;
-	if (!asks && session_busy(t->session) && !t->held)
+	if (!asks && session_is_calibrating(t->session) && !t->held)
 		left = t->ui.pace == PACE_FULL
 			   ? 0
 			   : fmin(left, t->due - session_clock());
 	if (!asks)
-		left = fmin(left, fmin(strip_seconds_to_wait(t), word_wait(t)));
+		left = fmin(
+		    left, fmin(strip_seconds_to_wait(t), word_delay_left_s(t)));
 	return left > 0 && !t->put_back.is ? left : 0;
 }
 
@@ -54,15 +55,15 @@ leave_screen(struct tui *t)
 {
 	t->away = true;
 	screen_suspend_curses();
-	signals_note_stop(false);
-	signals_release();
+	signals_record_stop(false);
+	signals_unblock();
 }
 
 static void
 return_to_screen(struct tui *t)
 {
-	signals_hold();
-	signals_note_stop(true);
+	signals_block();
+	signals_record_stop(true);
 	signals_forget_interrupt();
 	screen_resume_curses();
 	t->away = false;
@@ -73,7 +74,7 @@ suspend_program(struct tui *t)
 {
 	double left = session_clock();
 	screen_suspend_curses();
-	signals_suspend();
+	signals_suspend_program();
 	signals_forget_interrupt();
 	screen_resume_curses();
 	t->started += session_clock() - left;
@@ -82,17 +83,17 @@ suspend_program(struct tui *t)
 /* Handles all that was typed and dragged, so that only the newest speed is
  * predicted. */
 static void
-take_keys(struct tui *t)
+handle_typed_keys(struct tui *t)
 {
 	int code;
 	bool special;
 	while (!t->leave && !t->session->quit && signals_pending() == 0 &&
-	       input_key(t, &code, &special)) {
-		keymap_key(t, code, special);
-		signals_deliver();
+	       input_next_key(t, &code, &special)) {
+		keymap_handle_key(t, code, special);
+		signals_deliver_blocked();
 	}
-	if (word_wait(t) <= 0)
-		keymap_held(t);
+	if (word_delay_left_s(t) <= 0)
+		keymap_run_delayed_key(t);
 	/* The end of the paste never came: what is typed is keys again. */
 	if (t->paste.on && session_clock() - t->pasted >= PASTE_PAUSE)
 		input_end_paste(t);
@@ -101,14 +102,14 @@ take_keys(struct tui *t)
 /* A terminal that was closed under the program without a hang-up: reading it
  * would go round for ever. */
 static void
-check_terminal_is_there(void)
+end_if_terminal_is_gone(void)
 {
 	struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
 	if (poll(&in, 1, 0) <= 0 || !(in.revents & (POLLHUP | POLLERR)))
 		return;
 	/* pselect lets no signal in while there is something to read. */
 	raise(SIGHUP);
-	signals_deliver();
+	signals_deliver_blocked();
 }
 
 /* Draws a frame and waits until something happens. */
@@ -117,8 +118,8 @@ draw_and_wait(struct tui *t)
 {
 	frame_draw(t);
 	signals_watch_keys(false);
-	signals_wait(seconds_to_wait(t));
-	check_terminal_is_there();
+	signals_wait_for_input(seconds_to_wait(t));
+	end_if_terminal_is_gone();
 	int news = signals_take_events();
 	if (news & SIGNALS_STOP) {
 		suspend_program(t);
@@ -135,9 +136,9 @@ wait_for_answer_key(struct tui *t, int *code, bool *special)
 	bool done = false;
 	while (!done && signals_pending() == 0) {
 		draw_and_wait(t);
-		done = input_key(t, code, special);
+		done = input_next_key(t, code, special);
 		if (done && *special && *code == KEY_MOUSE) {
-			keymap_pointed(t);
+			keymap_handle_answer_mouse(t);
 			done = false;
 		} else if (done && !*special && *code == SUSPEND) {
 			done = false;
@@ -154,8 +155,8 @@ is_stop_key_pressed(struct tui *t)
 {
 	int code;
 	bool special, stops = false;
-	signals_deliver();
-	while (input_key(t, &code, &special))
+	signals_deliver_blocked();
+	while (input_next_key(t, &code, &special))
 		stops = stops ||
 			(!special && (code == ESCAPE || code == INTERRUPT));
 	return stops;
@@ -170,9 +171,9 @@ run_loop(struct tui *t)
 		view_update(t);
 		draw_and_wait(t);
 		t->clock = session_clock();
-		take_keys(t);
+		handle_typed_keys(t);
 		signals_watch_keys(true);
-		watch_run_due_steps(t);
+		watch_run_due_fit_steps(t);
 		signals_watch_keys(false);
 	}
 }
@@ -181,9 +182,9 @@ run_loop(struct tui *t)
 static bool
 show_page(const char *page)
 {
-	leave_screen(control_screen());
+	leave_screen(control_current_screen());
 	bool shown = manpage_show(page);
-	return_to_screen(control_screen());
+	return_to_screen(control_current_screen());
 	return shown;
 }
 
@@ -194,34 +195,34 @@ tui_run(struct session *s)
 	    frame_draw, leave_screen, return_to_screen, is_stop_key_pressed};
 	struct sigaction was[3];
 	struct tui t;
-	bool history = typed_is_open();
+	bool history = typed_history_is_open();
 	/* If the history cannot be kept, that is printed before ncurses
 	 * starts. */
 	if (!history)
 		typed_history_open(!s->safe);
-	restore_keep_settings();
-	signals_hold();
+	restore_record_settings();
+	signals_block();
 	signals_take_terminal(was);
 	bool opened = screen_open(terminal_has_colour());
 	if (opened) {
-		control_begin(&t, s, &ON_TERMINAL);
+		control_open_screen(&t, s, &ON_TERMINAL);
 		s->hooks.show_page = show_page;
 		FREED char *offer = autosave_begin(s);
 		if (offer != NULL)
 			tui_say(&t, false, "%s", offer);
 		run_loop(&t);
-		control_end(&t);
+		control_close_screen(&t);
 		screen_close();
-		restore_done();
+		restore_disarm();
 	}
 	signals_give_terminal(was);
-	signals_release();
+	signals_unblock();
 	if (!history)
-		typed_close();
+		typed_history_close();
 	if (!opened) {
 		session_note(s, "this terminal cannot show full-screen mode: "
 				"check TERM, or use 'predict' without it");
 		return ERROR_SYSTEM;
 	}
-	return signals_status();
+	return signals_exit_status();
 }

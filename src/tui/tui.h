@@ -7,7 +7,7 @@
 
 /* Runs the full screen until the user quits.  If the terminal cannot show it,
  * prints a note and returns.  Returns the exit status: 0, or that of a signal,
- * see signals_status. */
+ * see signals_exit_status. */
 int tui_run(struct session *s);
 
 #endif

@@ -27,14 +27,14 @@ tui_current_entry(const struct tui *t)
 }
 
 const struct entry *
-tui_entry_asked_about(const struct tui *t)
+tui_entry_for_prediction(const struct tui *t)
 {
 	return t->ui.feed > 0 ? tui_current_entry(t)
-			      : question_of_feed_setting(t->session);
+			      : question_site_with_feed_setting(t->session);
 }
 
 const char *
-tui_why_none(const struct tui *t)
+tui_why_no_prediction(const struct tui *t)
 {
 	return tui_current_entry(t) == NULL
 		   ? TUI_NO_SITE
@@ -42,24 +42,24 @@ tui_why_none(const struct tui *t)
 }
 
 struct slider_range
-tui_range(const struct tui *t)
+tui_slider_range(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	double from, to;
-	settings_reach(
+	settings_speed_range(
 	    &t->session->set, entry != NULL ? entry->site : NULL, &from, &to);
 	return slider_range(from, to);
 }
 
 void
-tui_go_to(struct tui *t, double speed)
+tui_move_slider_to(struct tui *t, double speed)
 {
-	t->ui.tenths = slider_tenths(tui_range(t), speed);
+	t->ui.tenths = slider_tenths(tui_slider_range(t), speed);
 	t->ui.told = round(100 * speed) / 100;
 }
 
 double
-tui_speed(const struct tui *t)
+tui_slider_speed(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	const struct site *site = entry != NULL ? entry->site : NULL;
@@ -74,17 +74,19 @@ tui_speed(const struct tui *t)
 }
 
 size_t
-tui_feed(const struct tui *t)
+tui_feed_run(const struct tui *t)
 {
-	const struct entry *entry = tui_entry_asked_about(t);
-	return entry != NULL ? feed_sampled_at(entry->site, t->ui.feed)
-			     : SITE_MEAN_FEED;
+	const struct entry *entry = tui_entry_for_prediction(t);
+	return entry != NULL
+		   ? feed_run_at_speed_or_mean(entry->site, t->ui.feed)
+		   : SITE_MEAN_FEED;
 }
 
 const struct psd *
 tui_feed_curve(const struct tui *t)
 {
-	return site_feed(tui_entry_asked_about(t)->site, tui_feed(t));
+	return site_feed_of_run(
+	    tui_entry_for_prediction(t)->site, tui_feed_run(t));
 }
 
 /* What measured products are moved by: the parameters of the prediction beside
@@ -92,9 +94,10 @@ tui_feed_curve(const struct tui *t)
 static const struct params *
 moving_params(const struct tui *t, struct params *room)
 {
-	const struct entry *entry = tui_entry_asked_about(t);
+	const struct entry *entry = tui_entry_for_prediction(t);
 	*room = entry->params;
-	return answers_best_so_far(t->session, entry, room) || entry->has_params
+	return answers_best_params_so_far(t->session, entry, room) ||
+		       entry->has_params
 		   ? room
 		   : NULL;
 }
@@ -103,16 +106,18 @@ const struct psd *
 tui_measured_product(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_product(t->session, tui_entry_asked_about(t),
-	    moving_params(t, &room), run, tui_feed(t));
+	return moved_product_adjusted_to_feed(t->session,
+	    tui_entry_for_prediction(t), moving_params(t, &room), run,
+	    tui_feed_run(t));
 }
 
 bool
 tui_is_product_moved(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_largest(t->session, tui_entry_asked_about(t),
-		   moving_params(t, &room), run, tui_feed(t)) > MOVED_TOLD;
+	return moved_largest_feed_adjustment(t->session,
+		   tui_entry_for_prediction(t), moving_params(t, &room), run,
+		   tui_feed_run(t)) > MOVED_TOLD;
 }
 
 void
@@ -129,18 +134,18 @@ void
 tui_set_feed_from_setting(struct tui *t)
 {
 	double set;
-	t->ui.feed = text_number(t->session->set.feed, &set) ? set : 0;
+	t->ui.feed = text_parse_number(t->session->set.feed, &set) ? set : 0;
 }
 
 char *
 tui_options_at_slider(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
-	double speed = tui_speed(t);
+	double speed = tui_slider_speed(t);
 	bool tenth = speed == t->ui.tenths / 10.0;
 	FREED char *at = xasprintf(tenth ? "speed=%.1f" : "speed=%g", speed);
 	/* A sheet that is set, but cannot be read. */
-	bool mean = !(t->ui.feed > 0) && tui_entry_asked_about(t) == entry &&
+	bool mean = !(t->ui.feed > 0) && tui_entry_for_prediction(t) == entry &&
 		    t->session->set.feed[0] != '\0' &&
 		    strcmp(t->session->set.feed, "mean") != 0;
 	if (entry == NULL || mean || !entry->site->individual_feeds ||
@@ -150,7 +155,7 @@ tui_options_at_slider(const struct tui *t)
 }
 
 char *
-tui_command_of_page(const struct tui *t)
+tui_command_at_slider(const struct tui *t)
 {
 	FREED char *where = tui_options_at_slider(t);
 	return t->view.pinned.site[0] != '\0'
@@ -162,7 +167,7 @@ struct search_shown
 tui_search_shown(const struct tui *t)
 {
 	return tui_current_entry(t) != NULL
-		   ? search_shown(t->session, tui_current_entry(t))
+		   ? search_shown_of_site(t->session, tui_current_entry(t))
 		   : (struct search_shown){0};
 }
 
@@ -188,7 +193,7 @@ tui_show_generation(struct tui *t, size_t step)
 }
 
 size_t
-tui_generation(const struct tui *t)
+tui_generation_without_polish(const struct tui *t)
 {
 	size_t n = tui_search_shown(t).n, step = tui_generation_shown(t);
 	return step < n ? step : n;
@@ -204,7 +209,7 @@ void
 tui_clear_hits(struct tui *t)
 {
 	hits_clear(&t->hits);
-	hits_release(&t->hits);
+	hits_end_drag(&t->hits);
 	t->n_drawn = 0;
 }
 

@@ -78,7 +78,7 @@ struct sheet {
 	int digits, width;
 	bool looked, calibrated;
 	double misfit; /* of the calibration behind the findings */
-	struct doctor doctor;
+	struct outlier_findings doctor;
 };
 
 /* The held-out runs of all sites on the page Parity, compared site by site.
@@ -299,7 +299,7 @@ struct tui {
 	struct {
 		bool is, special;
 		int code;
-	} put_back;     /* key that input_key returns next */
+	} put_back;     /* key that input_next_key returns next */
 	FILE *captured; /* output of commands */
 	char *captured_text;
 	size_t captured_n;
@@ -335,7 +335,7 @@ size_t tui_generation_shown(const struct tui *t);
 void tui_show_generation(struct tui *t, size_t step);
 
 /* Returns the generation shown, 1..n; during the polish, the last. */
-size_t tui_generation(const struct tui *t);
+size_t tui_generation_without_polish(const struct tui *t);
 
 /* Returns how long the current search has run, s, without pauses. */
 double tui_search_seconds(const struct tui *t);
@@ -345,34 +345,35 @@ const struct entry *tui_current_entry(const struct tui *t);
 
 /* Returns the current site as used for the slider's predictions, or NULL: with
  * the feed from the sheet in `set feed`, unless a run's feed is used. */
-const struct entry *tui_entry_asked_about(const struct tui *t);
+const struct entry *tui_entry_for_prediction(const struct tui *t);
 
-/* The first step if no site is loaded; tui_why_none returns why there is no
- * prediction. */
+/* The first step if no site is loaded; tui_why_no_prediction returns why there
+ * is no prediction. */
 #define TUI_NO_SITE N_("no site is loaded: o opens a sheet")
-const char *tui_why_none(const struct tui *t);
+const char *tui_why_no_prediction(const struct tui *t);
 
 /* Returns the range of the slider for the site. */
-struct slider_range tui_range(const struct tui *t);
+struct slider_range tui_slider_range(const struct tui *t);
 
-/* tui_go_to moves the slider to a speed, m/s.  tui_speed returns that at which
- * it is: to a tenth of a m/s, but where the rotor is known the speed that it
- * was told or that was measured in this tenth, which may be whole rpm. */
-void tui_go_to(struct tui *t, double speed);
-double tui_speed(const struct tui *t);
+/* tui_move_slider_to moves the slider to a speed, m/s.  tui_slider_speed
+ * returns that at which it is: to a tenth of a m/s, but where the rotor is
+ * known the speed that it was told or that was measured in this tenth, which
+ * may be whole rpm. */
+void tui_move_slider_to(struct tui *t, double speed);
+double tui_slider_speed(const struct tui *t);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
- * the speed changes them.  tui_feed returns its run: that of the last
+ * the speed changes them.  tui_feed_run returns its run: that of the last
  * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
- * see tui_entry_asked_about.  tui_feed_curve returns its curve.  The others set
- * it by the last prediction, or by `set feed`. */
-size_t tui_feed(const struct tui *t);
+ * see tui_entry_for_prediction.  tui_feed_curve returns its curve.  The others
+ * set it by the last prediction, or by `set feed`. */
+size_t tui_feed_run(const struct tui *t);
 const struct psd *tui_feed_curve(const struct tui *t);
 void tui_set_feed_from_answer(struct tui *t);
 void tui_set_feed_from_setting(struct tui *t);
 
 /* Returns the measured product of a run as shown with the prediction, see
- * moved_product. */
+ * moved_product_adjusted_to_feed. */
 const struct psd *tui_measured_product(const struct tui *t, size_t run);
 
 /* True if the product was moved far enough that the page must say so. */
@@ -384,7 +385,7 @@ char *tui_options_at_slider(const struct tui *t);
 
 /* Returns the command for everything shown at the slider's speed: predict, or
  * compare with the pinned prediction.  The caller frees it. */
-char *tui_command_of_page(const struct tui *t);
+char *tui_command_at_slider(const struct tui *t);
 
 /* Ignores clicks until the next frame, because the frame shown is out of
  * date. */

@@ -24,18 +24,18 @@ static const double PAUSE = 0.7;
 
 /* Returns the numbers of a prediction for the site with that key. */
 static struct numbers
-view_numbers_of(const char *key, const struct prediction *p)
+numbers_of_prediction(const char *key, const struct prediction *p)
 {
 	struct numbers n = {.speed = p->speed};
 	if (p->product.n == 0)
 		return n;
 	snprintf(n.site, sizeof n.site, "%s", key);
 	for (size_t i = 0; i < 3; i++)
-		n.size[i] = answers_size(p, i);
-	n.break_mm = answers_size(p, ANSWERS_BREAK);
+		n.size[i] = answers_product_size_mm(p, i);
+	n.break_mm = answers_product_size_mm(p, ANSWERS_BREAK);
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
 		n.passing[i] =
-		    psd_covers(&p->product, NUMBERS_SIEVE[i])
+		    psd_covers_size(&p->product, NUMBERS_SIEVE[i])
 			? 100 * psd_passing(&p->product, NUMBERS_SIEVE[i])
 			: NAN;
 	return n;
@@ -46,7 +46,7 @@ static void
 copy_pinned_numbers(struct tui *t)
 {
 	const struct pin *pin = t->session->pin;
-	t->view.pinned = pin != NULL ? view_numbers_of(pin->key, &pin->p)
+	t->view.pinned = pin != NULL ? numbers_of_prediction(pin->key, &pin->p)
 				     : (struct numbers){0};
 }
 
@@ -69,7 +69,7 @@ forget_prediction(struct tui *t)
 /* Notes the basis and, if it is another one, discards what was computed for the
  * last. */
 static void
-update_basis(struct tui *t)
+discard_if_basis_changed(struct tui *t)
 {
 	struct basis *b = &t->view.basis;
 	const struct entry *entry = tui_current_entry(t);
@@ -77,11 +77,11 @@ update_basis(struct tui *t)
 	if (entry != NULL && b->site == entry->site &&
 	    b->origin == entry->origin &&
 	    memcmp(&b->params, &entry->params, sizeof b->params) == 0 &&
-	    settings_same(&b->set, set))
+	    settings_are_equal(&b->set, set))
 		return;
 	if (entry == NULL || b->site != entry->site)
 		t->view.of.speed = 0;
-	origin_drop(b->origin);
+	origin_release(b->origin);
 	*b = (struct basis){.set = *set};
 	if (entry != NULL) {
 		b->site = entry->site;
@@ -91,7 +91,7 @@ update_basis(struct tui *t)
 	if (b->origin != NULL)
 		b->origin->holders++;
 	t->view.n_basis++;
-	goals_clear(&t->view.goal);
+	goals_discard_results(&t->view.goal);
 	t->pending_key = NULL;
 }
 
@@ -104,8 +104,8 @@ view_mark_changed(struct tui *t)
 	t->view.rows_at = 0;
 	t->view.n_row = 0;
 	tui_forget_parity(&t->view.parity);
-	update_basis(t);
-	if (entry != NULL && entry == session_fitting(t->session))
+	discard_if_basis_changed(t);
+	if (entry != NULL && entry == session_entry_being_fitted(t->session))
 		t->pending_key = NULL;
 	copy_pinned_numbers(t);
 	if (isnan(session_answer_number(t->session, "predict", "speed")))
@@ -116,16 +116,17 @@ view_mark_changed(struct tui *t)
 }
 
 static struct view_key
-view_key_now(const struct tui *t)
+make_prediction_key(const struct tui *t)
 {
 	const struct session *s = t->session;
-	bool searching = session_busy(s) && s->job.entry == s->current;
+	bool searching =
+	    session_is_calibrating(s) && s->job.entry == s->current;
 	return (struct view_key){.basis = t->view.n_basis,
-	    .feed = tui_feed(t),
+	    .feed = tui_feed_run(t),
 	    .generation =
 		searching ? calibration_status(s->job.calibration).generation
 			  : 0,
-	    .speed = tui_speed(t)};
+	    .speed = tui_slider_speed(t)};
 }
 
 void
@@ -138,7 +139,7 @@ view_predict(struct tui *t)
 	t->keep_message = false;
 	if (entry == NULL)
 		return;
-	struct view_key was = t->view.of, key = view_key_now(t);
+	struct view_key was = t->view.of, key = make_prediction_key(t);
 	bool forming = key.generation > 0;
 	bool moved = was.speed != key.speed || was.feed != key.feed;
 	bool other = was.speed == 0 || was.generation != key.generation,
@@ -159,8 +160,9 @@ view_predict(struct tui *t)
 	FREED char *line = xasprintf("predict %s", where);
 	struct error error = {0};
 	free_shown_prediction(t);
-	if (!predict_step(s, tui_entry_asked_about(t), tui_speed(t),
-		tui_feed(t), line, &t->view.shown, &error))
+	if (!predict_for_slider(s, tui_entry_for_prediction(t),
+		tui_slider_speed(t), tui_feed_run(t), line, &t->view.shown,
+		&error))
 		captured_show_error(t, &error, line, ERROR_TYPED);
 	if ((!first && !keep) || t->command == NULL) {
 		free(t->command);
@@ -170,8 +172,8 @@ view_predict(struct tui *t)
 	if (!first && !keep)
 		t->message[0] = '\0';
 	tui_set_feed_from_answer(t);
-	t->view.of = view_key_now(t);
-	t->view.current = view_numbers_of(entry->key, &t->view.shown);
+	t->view.of = make_prediction_key(t);
+	t->view.current = numbers_of_prediction(entry->key, &t->view.shown);
 }
 
 void
@@ -183,13 +185,14 @@ view_predict_unrecorded(struct tui *t)
 	if (entry == NULL)
 		return;
 	struct params params = entry->params;
-	if (!answers_best_so_far(s, entry, &params) && !entry->has_params)
+	if (!answers_best_params_so_far(s, entry, &params) &&
+	    !entry->has_params)
 		return;
-	struct question q =
-	    question_of_whole_product(s, tui_entry_asked_about(t), tui_feed(t));
+	struct question q = question_of_whole_product(
+	    s, tui_entry_for_prediction(t), tui_feed_run(t));
 	q.params = &params;
-	t->view.shown = forecast_product(s, &q, tui_speed(t));
-	t->view.current = view_numbers_of(entry->key, &t->view.shown);
+	t->view.shown = forecast_product(s, &q, tui_slider_speed(t));
+	t->view.current = numbers_of_prediction(entry->key, &t->view.shown);
 }
 
 void
@@ -204,9 +207,9 @@ view_free(struct tui *t)
 {
 	prediction_free(&t->view.shown);
 	trust_free(&t->view.light);
-	origin_drop(t->view.basis.origin);
+	origin_release(t->view.basis.origin);
 	free(t->view.row);
-	goals_clear(&t->view.goal);
+	goals_discard_results(&t->view.goal);
 	tui_forget_sheet(&t->view.sheet);
 	tui_forget_parity(&t->view.parity);
 	envelope_check_free(t);

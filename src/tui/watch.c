@@ -32,15 +32,15 @@ static const struct {
 	   "and stay; :accept takes the stopped ones")}};
 
 const char *
-watch_pause(struct tui *t)
+watch_stop_fit(struct tui *t)
 {
 	struct session *s = t->session;
-	if (!session_busy(s))
+	if (!session_is_calibrating(s))
 		return "";
 	struct error error = {0};
 	bool alone = s->job.type->alone;
 	const char *useless = s->job.type->useless;
-	enum stopped stopped = session_pause(s);
+	enum stopped stopped = session_pause_job(s);
 	session_end_finished_commands(s, true, &error);
 	t->ran = tui_search_seconds(t);
 	t->held = false;
@@ -57,7 +57,7 @@ watch_pause(struct tui *t)
 
 /* Reports the end of a calibration, or of the last of several. */
 static void
-watch_finish(struct tui *t, bool alone)
+report_fit_end(struct tui *t, bool alone)
 {
 	struct error error = {0};
 	if (!session_end_finished_commands(t->session, true, &error))
@@ -78,17 +78,17 @@ watch_finish(struct tui *t, bool alone)
 			     "generations; 1 shows the prediction")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations"),
-		    light_verdict(t->session, entry, NULL),
+		    light_verdict_on_fit(t->session, entry, NULL),
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
 /* Ends a job and shows its result. */
 static void
-finish_tasks(struct tui *t, const struct job_type *type)
+show_job_result(struct tui *t, const struct job_type *type)
 {
 	struct error error = {0};
 	if (type->task_words == NULL) {
-		watch_finish(t, type->alone);
+		report_fit_end(t, type->alone);
 		return;
 	}
 	t->held = false;
@@ -107,13 +107,13 @@ finish_tasks(struct tui *t, const struct job_type *type)
 static bool
 is_sampling_posterior(const struct session *s)
 {
-	return session_busy(s) &&
+	return session_is_calibrating(s) &&
 	       calibration_status(s->job.calibration).state >=
 		   CALIBRATE_TOLERANCE;
 }
 
 void
-watch_hold(struct tui *t, bool hold)
+watch_set_fit_paused(struct tui *t, bool hold)
 {
 	if (hold == t->held)
 		return;
@@ -123,16 +123,17 @@ watch_hold(struct tui *t, bool hold)
 }
 
 void
-watch_step(struct tui *t)
+watch_run_fit_step(struct tui *t)
 {
-	if (!session_busy(t->session))
+	if (!session_is_calibrating(t->session))
 		return;
 	const struct job_type *type = t->session->job.type;
 	do
-		session_step(t->session);
-	while (session_busy(t->session) && is_sampling_posterior(t->session));
-	if (!session_busy(t->session))
-		finish_tasks(t, type);
+		session_step_job(t->session);
+	while (session_is_calibrating(t->session) &&
+	       is_sampling_posterior(t->session));
+	if (!session_is_calibrating(t->session))
+		show_job_result(t, type);
 }
 
 /* Returns the generations per second: fewer after one that gained much. */
@@ -152,11 +153,11 @@ generations_per_second(const struct tui *t)
 }
 
 void
-watch_run_due_steps(struct tui *t)
+watch_run_due_fit_steps(struct tui *t)
 {
 	static const double FRAME = 0.02; /* s, at full pace */
 	struct session *s = t->session;
-	if (!session_busy(s) || t->held)
+	if (!session_is_calibrating(s) || t->held)
 		return;
 	double began = session_clock();
 	/* The generations of several calibrations in turn are not watched. */
@@ -170,16 +171,16 @@ watch_run_due_steps(struct tui *t)
 		/* The output of a task is no part of the result. */
 		if (type->task_words != NULL)
 			captured_clear(t);
-		session_step(s);
-	} while (session_busy(s) && signals_pending() == 0 &&
+		session_step_job(s);
+	} while (session_is_calibrating(s) && signals_pending() == 0 &&
 		 entry == s->job.entry &&
 		 (pace == PACE_FULL || is_sampling_posterior(s)) &&
-		 (t->aside || (!signals_stop_wanted() &&
+		 (t->aside || (!signals_is_stop_wanted() &&
 				  session_clock() - began < FRAME)));
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / generations_per_second(t);
-	if (!session_busy(s))
-		finish_tasks(t, type);
+	if (!session_is_calibrating(s))
+		show_job_result(t, type);
 	else if (type->task_words == NULL && entry != s->job.entry)
 		control_refresh(t);
 }

@@ -6,15 +6,15 @@
 #include "tui/tui_state.h"
 
 /* Runs those steps of the calibration that are due. */
-void watch_run_due_steps(struct tui *t);
+void watch_run_due_fit_steps(struct tui *t);
 
-/* watch_hold pauses or continues the calibration; watch_step runs one step of
- * it. */
-void watch_hold(struct tui *t, bool hold);
-void watch_step(struct tui *t);
+/* watch_set_fit_paused pauses or continues the calibration; watch_run_fit_step
+ * runs one step of it. */
+void watch_set_fit_paused(struct tui *t, bool hold);
+void watch_run_fit_step(struct tui *t);
 
-/* Stops the running calibration (session_pause) and shows the outcome.  Returns
- * it in words to append to another message, or "" if none ran. */
-const char *watch_pause(struct tui *t);
+/* Stops the running calibration (session_pause_job) and shows the outcome.
+ * Returns it in words to append to another message, or "" if none ran. */
+const char *watch_stop_fit(struct tui *t);
 
 #endif

@@ -14,25 +14,25 @@
 static const double GAP = 0.25;
 
 static bool
-word_is_letter(int code, bool special)
+is_lower_case_letter(int code, bool special)
 {
 	return !special && code >= 'a' && code <= 'z';
 }
 
 static bool
-begins_command(const char *letters)
+is_start_of_command(const char *letters)
 {
-	FREED char *names = command_candidates(letters);
+	FREED char *names = command_names_beginning_with(letters);
 	return names[0] != '\0';
 }
 
 bool
-word_opens_line(struct tui *t, int code, bool special)
+word_begin_command_line(struct tui *t, int code, bool special)
 {
 	struct word *w = &t->word;
 	const char both[] = {w->letter, (char)code, '\0'};
-	if (w->letter == '\0' || !word_is_letter(code, special) ||
-	    t->clock - w->at > GAP || !begins_command(both))
+	if (w->letter == '\0' || !is_lower_case_letter(code, special) ||
+	    t->clock - w->at > GAP || !is_start_of_command(both))
 		return false;
 	t->ui = w->was;
 	*w = (struct word){0};
@@ -42,27 +42,27 @@ word_opens_line(struct tui *t, int code, bool special)
 }
 
 bool
-word_begins(struct tui *t, int code, bool special, const struct key *key)
+word_delay_key(struct tui *t, int code, bool special, const struct key *key)
 {
 	struct word *w = &t->word;
 	*w = (struct word){0};
-	if (t->aside || !word_is_letter(code, special))
+	if (t->aside || !is_lower_case_letter(code, special))
 		return false;
 	bool moves = key == NULL || key->act == act_move ||
-		     key->act == act_ends || key->act == act_list;
+		     key->act == act_ends || key->act == act_move_in_list;
 	*w = (struct word){(char)code, t->clock, moves ? NULL : key, t->ui};
 	return !moves;
 }
 
 double
-word_wait(const struct tui *t)
+word_delay_left_s(const struct tui *t)
 {
 	return t->word.held != NULL ? fmax(0, t->word.at + GAP - t->clock)
 				    : INFINITY;
 }
 
 const struct key *
-word_take_held(struct tui *t)
+word_take_delayed_key(struct tui *t)
 {
 	const struct key *held = t->word.held;
 	t->word = (struct word){0};

@@ -151,7 +151,7 @@ read_table3(const char *path)
 {
 	struct error_list errors = {0};
 	struct stored_list list = {0};
-	bool ok = stored_read_printed(path, &list, &errors);
+	bool ok = stored_read_table3_file(path, &list, &errors);
 	stored_list_free(&list);
 	return ok;
 }
@@ -160,7 +160,7 @@ static bool
 read_spec(const char *path)
 {
 	struct error_list errors = {0};
-	struct spec *spec = spec_read(path, &errors);
+	struct spec *spec = spec_read_file(path, &errors);
 	spec_free(spec);
 	return spec != NULL;
 }
@@ -193,7 +193,8 @@ read_log(const char *path)
 	bool open;
 	struct plant_log *log = plant_log_read(&q, &errors, &open);
 	if (log != NULL)
-		plant_log_window(log, log->time[0], log->time[log->n - 1]);
+		plant_log_summarise_window(
+		    log, log->time[0], log->time[log->n - 1]);
 	bool good = log != NULL;
 	plant_log_free(log);
 	return good;
@@ -204,7 +205,7 @@ read_materials(const char *path)
 {
 	struct error_list errors = {0};
 	struct stored_list list = {0};
-	bool ok = store_csv_read(path, NULL, &list, &errors);
+	bool ok = store_csv_read_file(path, NULL, &list, &errors);
 	stored_list_free(&list);
 	return ok;
 }
@@ -217,11 +218,11 @@ run_line(struct session *s, const char *line, struct place place, int *steps)
 	size_t at = 0;
 	bool ok;
 	do {
-		ok = session_line(
+		ok = session_run_line(
 		    s, line, at, place.file, place.line, &at, &error);
-		while (session_busy(s) && (*steps)-- > 0)
-			session_step(s);
-		session_pause(s);
+		while (session_is_calibrating(s) && (*steps)-- > 0)
+			session_step_job(s);
+		session_pause_job(s);
 		s->wants_tui = false;
 	} while (ok && at > 0 && !s->quit);
 	return session_end_finished_commands(s, ok, &error);
@@ -242,7 +243,7 @@ run_script(const char *path, bool prompt)
 	s->set.threads = 1;
 	session_add_site(s, small_site());
 	while (!s->quit && s->script != NULL &&
-	       (line = script_line(s, &place, &error)) != NULL) {
+	       (line = script_read_line(s, &place, &error)) != NULL) {
 		ok = run_line(s, line, place, &steps) && ok;
 		free(line);
 	}
@@ -269,10 +270,10 @@ read_store(const char *path)
 	struct store *store = store_new(path);
 	struct stored_list list = {0};
 	struct error error = {0};
-	bool ok = store_list(store, &list, &error);
+	bool ok = store_list_materials(store, &list, &error);
 	if (ok && list.n > 0)
-		ok = store_put(store, list.item, 1, true, &error) &&
-		     store_forget(store, list.item[0].name, &error);
+		ok = store_put_materials(store, list.item, 1, true, &error) &&
+		     store_remove_material(store, list.item[0].name, &error);
 	stored_list_free(&list);
 	store_free(store);
 	return ok;

@@ -58,11 +58,11 @@ desk_say(struct desk *desk, const char *line)
 	size_t next = 0;
 	desk->error = (struct error){0};
 	do {
-		if (!session_line(desk->session, line, next, "script.tip", 12,
+		if (!session_run_line(desk->session, line, next, "script.tip", 12,
 			&next, &desk->error))
 			return false;
-		while (session_busy(desk->session))
-			session_step(desk->session);
+		while (session_is_calibrating(desk->session))
+			session_step_job(desk->session);
 	} while (next > 0);
 	fflush(desk->out_file);
 	fflush(desk->notes_file);

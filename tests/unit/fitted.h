@@ -24,7 +24,7 @@ fitted_by(struct calibration *c)
 {
 	while (calibration_step(c) < CALIBRATE_TOLERANCE)
 		;
-	struct fit fit = calibration_fit(c);
+	struct fit fit = calibration_best_fit(c);
 	calibration_free(c);
 	return fit;
 }

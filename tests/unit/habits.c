@@ -1166,9 +1166,9 @@ plan_habits(const struct plan *plan)
 {
 	char *list = xstrdup("");
 	if (plan->trap != NULL)
-		xlist(&list, ", ", "TRAP %s", plan->trap);
+		xappend_to_list(&list, ", ", "TRAP %s", plan->trap);
 	for (size_t i = 0; i < ARRAY_LEN(HABITS); i++)
 		if (plan->used[i])
-			xlist(&list, ", ", "%s", HABITS[i].name);
+			xappend_to_list(&list, ", ", "%s", HABITS[i].name);
 	return list;
 }

@@ -21,7 +21,7 @@ herd_new(size_t n)
 {
 	struct herd herd = {.n = n};
 	for (size_t j = 0; j < PARAMS_MOST; j++)
-		herd.gene[j] = xdoubles(n + 64);
+		herd.gene[j] = xcalloc_doubles(n + 64);
 	return herd;
 }
 
@@ -36,7 +36,7 @@ static inline void
 herd_put(struct herd *herd, size_t i, const struct params *p)
 {
 	herd->breakage = p->breakage;
-	for (size_t j = 0; j < breakage_of(p)->n; j++)
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++)
 		herd->gene[j][i] = p->at[j];
 }
 
@@ -44,7 +44,7 @@ static inline struct params
 herd_get(const struct herd *herd, size_t i)
 {
 	struct params p = {.breakage = herd->breakage};
-	for (size_t j = 0; j < breakage_of(&p)->n; j++)
+	for (size_t j = 0; j < breakage_model_of_params(&p)->n; j++)
 		p.at[j] = herd->gene[j][i];
 	return p;
 }

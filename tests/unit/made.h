@@ -52,7 +52,7 @@ enum { TIERP = 8 };
 static inline struct params
 made_params(const struct table_row *row)
 {
-	struct params p = params_start(0);
+	struct params p = params_start_values(0);
 	p.f_mat = row->f_mat;
 	p.e0_min = row->e0_min;
 	p.alpha = row->alpha;
@@ -77,7 +77,7 @@ struct draw {
 static inline struct draw
 draw_start(uint64_t seed)
 {
-	return (struct draw){rng_key(seed, 0, 0), 0};
+	return (struct draw){rng_make_key(seed, 0, 0), 0};
 }
 
 static inline double

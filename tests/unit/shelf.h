@@ -121,8 +121,8 @@ static inline void
 expect_same(const struct stored *a, const struct stored *b)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *p = stored_written(a, &FIELDS[i]);
-		char *q = stored_written(b, &FIELDS[i]);
+		char *p = stored_field_to_text(a, &FIELDS[i]);
+		char *q = stored_field_to_text(b, &FIELDS[i]);
 		assert_string_equal(p, q);
 		free(p);
 		free(q);
@@ -134,7 +134,7 @@ expect_same(const struct stored *a, const struct stored *b)
 static inline void
 put(struct shelf *shelf, struct stored m)
 {
-	if (!store_put(shelf->store, &m, 1, false, &shelf->error))
+	if (!store_put_materials(shelf->store, &m, 1, false, &shelf->error))
 		fail_msg("%s: %s", m.name, shelf->error.text);
 	stored_free(&m);
 }
@@ -143,7 +143,7 @@ static inline struct stored_list
 list(struct shelf *shelf)
 {
 	struct stored_list all = {0};
-	if (!store_list(shelf->store, &all, &shelf->error))
+	if (!store_list_materials(shelf->store, &all, &shelf->error))
 		fail_msg("%s", shelf->error.text);
 	return all;
 }

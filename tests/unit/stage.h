@@ -31,7 +31,7 @@ stage_new(
 	if (line != NULL)
 		desk_expect(stage->desk, line);
 	stage->was = screen_begin_offscreen(rows, columns, charset, depth);
-	control_begin(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
+	control_open_screen(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 	return stage;
 }
 
@@ -40,7 +40,7 @@ stage_close(void **state)
 {
 	struct stage *stage = *state;
 	void *desk = stage->desk;
-	control_end(&stage->t);
+	control_close_screen(&stage->t);
 	canvas_free(screen_end_offscreen(stage->was));
 	free(stage);
 	return desk_close(&desk);

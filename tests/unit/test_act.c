@@ -37,7 +37,7 @@ static void
 type(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		keymap_key(t, (int)text_next_code_point(&text), false);
+		keymap_handle_key(t, (int)text_next_code_point(&text), false);
 }
 
 /* Answers a key that asks before it replaces something. */
@@ -90,13 +90,13 @@ the_keypad_has_an_enter(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
-	keymap_key(t, KEY_ENTER, true);
+	keymap_handle_key(t, KEY_ENTER, true);
 	assert_int_equal(t->ui.tenths, 723);
 	type(t, "?/up by 5");
-	keymap_key(t, KEY_ENTER, true);
+	keymap_handle_key(t, KEY_ENTER, true);
 	assert_int_equal(t->ui.tenths, 773);
 	type(t, ":set k 1");
-	keymap_key(t, KEY_ENTER, true);
+	keymap_handle_key(t, KEY_ENTER, true);
 	assert_false(t->line.active);
 	assert_string_equal(t->command, "set k 1");
 }
@@ -110,21 +110,21 @@ a_speed_is_typed_with_its_unit(void **state)
 	control_refresh(t);
 	type(t, "=1500 rpm\n");
 	assert_non_null(strstr(t->message, "diameter is not known"));
-	session_entry(t->session)->site->rotor = 0.9;
+	session_current_entry(t->session)->site->rotor = 0.9;
 	type(t, "=1500 rpm\n");
 	assert_int_equal(t->ui.tenths, 707);
 	/* Rpm come back as typed, and so do those that were measured. */
-	assert_true(fabs(tui_speed(t) - 70.69) < 1e-9);
+	assert_true(fabs(tui_slider_speed(t) - 70.69) < 1e-9);
 	type(t, "=1501\n");
 	assert_int_equal(t->ui.tenths, 707);
-	assert_true(fabs(tui_speed(t) - 70.73) < 1e-9);
+	assert_true(fabs(tui_slider_speed(t) - 70.73) < 1e-9);
 	type(t, "=72,5 m/s\n");
 	assert_int_equal(t->ui.tenths, 725);
-	session_entry(t->session)->site->run[0].speed = 72.46;
+	session_current_entry(t->session)->site->run[0].speed = 72.46;
 	type(t, "=72,6 m/s\n");
 	t->ui.tenths = 725;
-	assert_true(fabs(tui_speed(t) - 72.46) < 1e-9);
-	session_entry(t->session)->site->run[0].speed = 69;
+	assert_true(fabs(tui_slider_speed(t) - 72.46) < 1e-9);
+	session_current_entry(t->session)->site->run[0].speed = 69;
 	type(t, "=1500\n");
 	assert_int_equal(t->ui.tenths, 707);
 	type(t, "=99999\n");
@@ -173,7 +173,7 @@ press(struct tui *t, const char *name)
 {
 	int code = 0;
 	assert_true(keys_code_of_name(name, &code));
-	keymap_key(t, code, code > 255);
+	keymap_handle_key(t, code, code > 255);
 }
 
 /* Enter would do what cannot be seen. */
@@ -236,7 +236,7 @@ a_pause_is_no_part_of_the_search(void **state)
 	t->clock = 100;
 	type(t, "f");
 	t->clock = 103;
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	type(t, " ");
 	t->clock = 160;
 	assert_float_equal(tui_search_seconds(t), 3, 1e-9);
@@ -246,7 +246,7 @@ a_pause_is_no_part_of_the_search(void **state)
 	type(t, "s");
 	t->clock = 200;
 	type(t, " ");
-	assert_true(session_busy(t->session));
+	assert_true(session_is_calibrating(t->session));
 	t->clock = 202;
 	assert_float_equal(tui_search_seconds(t), 6, 1e-9);
 	t->session->hooks.confirm = says_yes;
@@ -263,28 +263,29 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	size_t n = tui_search_shown(t).n;
 	int tenths = t->ui.tenths;
 	press(t, "Home");
-	assert_int_equal(tui_generation(t), 1);
+	assert_int_equal(tui_generation_without_polish(t), 1);
 	press(t, "L");
-	assert_int_equal(tui_generation(t), 11);
+	assert_int_equal(tui_generation_without_polish(t), 11);
 	press(t, "PgUp");
-	assert_int_equal(tui_generation(t), n < 61 ? n : 61);
+	assert_int_equal(tui_generation_without_polish(t), n < 61 ? n : 61);
 	press(t, "End");
-	assert_int_equal(tui_generation(t), n);
+	assert_int_equal(tui_generation_without_polish(t), n);
 	press(t, "H");
 	/* The polish is a step of its own behind the last. */
 	assert_int_equal(tui_count_generations(t), n + 1);
-	assert_int_equal(tui_generation(t), n - 9);
+	assert_int_equal(tui_generation_without_polish(t), n - 9);
 	assert_int_equal(t->ui.tenths, tenths);
 	type(t, "1");
 	press(t, "Home");
-	assert_int_equal(tui_generation(t), n - 9);
-	assert_int_equal(t->ui.tenths, tui_range(t).least);
+	assert_int_equal(tui_generation_without_polish(t), n - 9);
+	assert_int_equal(t->ui.tenths, tui_slider_range(t).least);
 }
 
 static bool
 mouse(struct tui *t, enum hit_kind kind, int row, int column)
 {
-	return hits_mouse(t, &t->hits, kind, row, column, keymap_key);
+	return hits_dispatch_mouse(
+	    t, &t->hits, kind, row, column, keymap_handle_key);
 }
 
 /* Works out all that is drawn and draws it, as the loop does. */
@@ -307,11 +308,11 @@ a_goal_outlives_its_site(void **state)
 	draw_all(t);
 	type(t, "tp80=5.4\n");
 	draw_all(t);
-	assert_true(goal_known(t));
+	assert_true(goal_is_known(t));
 	type(t, ":drop tierp\n");
 	draw_all(t);
 	assert_string_equal(t->session->set.goal, "p80=5.4");
-	assert_false(goal_known(t));
+	assert_false(goal_is_known(t));
 	type(t, ":load data/sites/tierp.csv\n");
 	draw_all(t);
 }
@@ -346,27 +347,28 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
 	assert_string_equal(t->command, "set goal \"p80=5.2\"");
-	assert_false(goal_known(t));
-	char *words = goal_words(t, GOALS_FULL);
+	assert_false(goal_is_known(t));
+	char *words = goal_text(t, GOALS_FULL);
 	assert_string_equal(words, "goal p80=5.2: being worked out");
 	free(words);
-	words = goal_words(t, GOALS_SHORT);
+	words = goal_text(t, GOALS_SHORT);
 	assert_string_equal(words, "goal");
 	free(words);
 	draw_all(t);
-	assert_true(goal_known(t));
-	double best = goal_best(t);
+	assert_true(goal_is_known(t));
+	double best = goal_best_speed(t);
 	type(t, "N");
-	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), best));
+	assert_int_equal(
+	    t->ui.tenths, slider_tenths(tui_slider_range(t), best));
 	view_predict(t);
 	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
 	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
-	words = goal_words(t, GOALS_SHORT);
+	words = goal_text(t, GOALS_SHORT);
 	assert_string_equal(words, "goal at 75.6");
 	free(words);
-	words = goal_words(t, GOALS_FULL);
+	words = goal_text(t, GOALS_FULL);
 	assert_string_equal(words, "goal p80=5.2: met at 75.6 m/s");
 	free(words);
 }
@@ -400,17 +402,17 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	pages_update(t);
 	assert_true(strip_seconds_to_wait(t) <= 0);
 	view_predict(t);
-	int best = slider_tenths(tui_range(t), goal_best(t));
+	int best = slider_tenths(tui_slider_range(t), goal_best_speed(t));
 	assert_int_not_equal(best, 741);
 	assert_int_equal(t->ui.tenths, best);
 	assert_non_null(strstr(t->message, "best speed of the goal"));
 	/* Before that it is worked out for who will not wait. */
 	type(t, ":set level 90\n");
-	assert_false(goal_known(t));
+	assert_false(goal_is_known(t));
 	t->ui.tenths = 741;
 	t->aside = false;
 	type(t, "Nx");
-	keymap_held(t);
+	keymap_run_delayed_key(t);
 	t->aside = true;
 	assert_int_equal(lround(10 * t->view.pinned.speed), best);
 }
@@ -432,12 +434,12 @@ a_goal_stays_known_until_something_else_is_asked(void **state)
 	draw_all(t);
 	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
 		type(t, SAME[i]);
-		if (!goal_known(t))
+		if (!goal_is_known(t))
 			fail_msg("forgotten by %s", SAME[i]);
 	}
 	for (size_t i = 0; i < ARRAY_LEN(OTHER); i++) {
 		type(t, OTHER[i]);
-		if (goal_known(t))
+		if (goal_is_known(t))
 			fail_msg("still known after %s", OTHER[i]);
 		draw_all(t);
 	}
@@ -451,11 +453,11 @@ a_goal_may_be_set_while_a_first_search_runs(void **state)
 	type(t, ":load data/sites/tierp.csv\nt");
 	assert_false(t->line.active);
 	type(t, "f");
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	draw_all(t);
 	type(t, "tp80<5.2\n");
 	assert_string_equal(t->session->set.goal, "p80<5.2");
-	assert_true(session_busy(t->session));
+	assert_true(session_is_calibrating(t->session));
 	type(t, "N");
 	assert_null(t->pending_key);
 }
@@ -472,12 +474,12 @@ a_report_that_was_closed_is_shown_again(void **state)
 	type(t, "V");
 	assert_null(t->viewer.text);
 	type(t, "2:validate holdout=each\n");
-	assert_true(session_busy(t->session));
-	FREED char *hints = keys_bar(page_fit.hints_now(t), PAGE_FIT);
+	assert_true(session_is_calibrating(t->session));
+	FREED char *hints = keys_hint_row(page_fit.hints_now(t), PAGE_FIT);
 	assert_non_null(strstr(hints, "Esc stop"));
 	assert_null(strstr(hints, "generation"));
-	while (session_busy(t->session))
-		watch_run_due_steps(t);
+	while (session_is_calibrating(t->session))
+		watch_run_due_fit_steps(t);
 	assert_non_null(t->viewer.text);
 	char *report = xstrdup(t->viewer.text);
 	type(t, "1");
@@ -535,13 +537,13 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	canvas_print(screen_frame(), 0, out);
+	canvas_print(screen_last_frame(), 0, out);
 	fclose(out);
 	assert_non_null(strstr(text, "beta1 >"));
 	assert_null(strstr(text, "beta2 >"));
 	struct search_shown past = tui_search_shown(t);
 	struct param_span span =
-	    plots_search_span(t->session, &past, 0, ALPHA - 1);
+	    plots_search_param_span(t->session, &past, 0, ALPHA - 1);
 	assert_true(span.near && !span.at_bound);
 	const char *alpha = strstr(text, "alpha ");
 	assert_non_null(alpha);
@@ -564,24 +566,28 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	control_refresh(t);
 	type(t, "tpassing 2 = 33..35, p80 > 5\n");
 	draw_all(t);
-	assert_int_equal(goal_limits(t, limit, 8), 2);
+	assert_int_equal(goal_limit_speeds(t, limit, 8), 2);
 	desk_expect(stage->desk, "window \"passing 2 = 33..35\" \"p80 > 5\"");
 	const struct session *s = t->session;
 	assert_float_equal(
-	    session_answer_number(s, "window", "best"), goal_best(t), 0);
+	    session_answer_number(s, "window", "best"), goal_best_speed(t), 0);
 	assert_int_equal(t->view.goal.found->n_inside, 1);
 	t->ui.tenths = 650;
 	type(t, "n");
-	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[0]));
+	assert_int_equal(
+	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[0]));
 	type(t, "n");
-	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[1]));
+	assert_int_equal(
+	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[1]));
 	type(t, "n");
-	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[1]));
+	assert_int_equal(
+	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[1]));
 	type(t, "p");
-	assert_int_equal(t->ui.tenths, slider_tenths(tui_range(t), limit[0]));
+	assert_int_equal(
+	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[0]));
 	bool certain;
-	assert_true(goal_holds(t, limit[0], limit[1], &certain));
-	assert_false(goal_holds(t, 80, 85, &certain));
+	assert_true(goal_is_met_between(t, limit[0], limit[1], &certain));
+	assert_false(goal_is_met_between(t, 80, 85, &certain));
 	/* Nothing is wanted any more: runs are where they go. */
 	type(t, "t\025\n");
 	assert_string_equal(t->session->set.goal, "");
@@ -634,7 +640,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_string_equal(t->line.text, "fines<");
 	type(t, "6\n");
 	draw_all(t);
-	assert_true(goal_known(t));
+	assert_true(goal_is_known(t));
 	type(t, "t\025EN 12620 0/4\n");
 	draw_all(t);
 	assert_true(t->view.goal.list.n > 1);
@@ -650,8 +656,8 @@ an_envelope_shows_what_binds(void **state)
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	control_refresh(t);
 	type(t, "t\025EN 12620 0/4\n");
-	while (goal_pending(t))
-		goal_step(t);
+	while (goal_is_pending(t))
+		goal_compute_step(t);
 	const struct goal *g = &t->view.goal;
 	assert_true(g->n_value == 0 && g->found->n_inside == 1);
 	assert_true(
@@ -679,10 +685,10 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	/* A press there is one on the track. */
 	draw_all(t);
 	struct area above = t->layout.strip;
-	assert_true(
-	    mouse(t, HIT_PRESS, above.row, layout_track(&t->layout).column));
-	assert_int_equal(t->ui.tenths, tui_range(t).least);
-	hits_release(&t->hits);
+	assert_true(mouse(
+	    t, HIT_PRESS, above.row, layout_track_area(&t->layout).column));
+	assert_int_equal(t->ui.tenths, tui_slider_range(t).least);
+	hits_end_drag(&t->hits);
 }
 
 /* As set, a run's feed is the slider's too, and it can be taken back. */
@@ -728,7 +734,8 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		assert_true(session_answer_number(t->session, "predict",
 				"p50_mm") == 1000 * t->view.shown.p50);
 		struct prediction p = forecast_whole_product(t->session,
-		    tui_entry_asked_about(t), strip->speed[0], SITE_MEAN_FEED);
+		    tui_entry_for_prediction(t), strip->speed[0],
+		    SITE_MEAN_FEED);
 		assert_true(fabs(strip->value[0][0] - 1000 * p.p80) < 1e-9);
 		prediction_free(&p);
 		desk_expect(
@@ -739,11 +746,11 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	draw_all(t);
 	desk_expect(stage->desk, "find p50=2.66");
 	assert_true(fabs(session_answer_number(t->session, "find", "speed") -
-			 goal_best(t)) < 1e-9);
+			 goal_best_speed(t)) < 1e-9);
 	type(t, ":set feed mean\n");
 	draw_all(t);
 	assert_true(t->view.shown.p50 != mean);
-	assert_ptr_equal(tui_entry_asked_about(t), tui_current_entry(t));
+	assert_ptr_equal(tui_entry_for_prediction(t), tui_current_entry(t));
 }
 
 /* Not only from the next step of the slider on. */
@@ -777,7 +784,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	for (size_t i = 0; i < strip->n; i++) {
 		const double *value = strip->value[i];
 		struct question q = question_of_whole_product(
-		    t->session, tui_current_entry(t), tui_feed(t));
+		    t->session, tui_current_entry(t), tui_feed_run(t));
 		struct prediction p =
 		    forecast_product(t->session, &q, strip->speed[i]);
 		assert_true(fabs(value[0] - 1000 * p.p80) < 1e-9);
@@ -799,9 +806,9 @@ a_point_makes_one_generation(void **state)
 	assert_int_equal(tui_search_shown(t).n, 3);
 	/* A search that waits is not pumped. */
 	t->clock = 1000;
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	assert_int_equal(tui_search_shown(t).n, 3);
-	while (session_busy(t->session))
+	while (session_is_calibrating(t->session))
 		type(t, ".");
 	assert_true(tui_current_entry(t)->has_fit);
 	size_t steps = tui_count_generations(t);
@@ -858,7 +865,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	for (double clock = 0; tui_search_shown(t).n < 40; clock += 0.001) {
 		size_t before = tui_search_shown(t).n;
 		t->clock = t->due = clock;
-		watch_run_due_steps(t);
+		watch_run_due_fit_steps(t);
 		assert_int_equal(tui_search_shown(t).n, before + 1);
 		slow = slow || t->due - clock > 0.2;
 		quick = quick || t->due - clock < 0.03;
@@ -884,12 +891,12 @@ the_mouse_drags_the_scrubber_to_its_ends(void **state)
 	assert_true(n > 1 && s.rows == 1);
 	assert_false(mouse(t, HIT_DRAG, s.row, column));
 	assert_true(mouse(t, HIT_PRESS, s.row, column));
-	assert_in_range(tui_generation(t), 2, n - 1);
+	assert_in_range(tui_generation_without_polish(t), 2, n - 1);
 	assert_true(mouse(t, HIT_DRAG, 0, 0));
-	assert_int_equal(tui_generation(t), 1);
+	assert_int_equal(tui_generation_without_polish(t), 1);
 	assert_true(mouse(t, HIT_DRAG, 0, 90));
-	assert_int_equal(tui_generation(t), n);
-	hits_release(&t->hits);
+	assert_int_equal(tui_generation_without_polish(t), n);
+	hits_end_drag(&t->hits);
 	assert_false(mouse(t, HIT_DRAG, 0, 0));
 	assert_true(mouse(t, HIT_PRESS, t->layout.header.row, 79));
 	assert_true(t->viewer.keys);
@@ -937,7 +944,7 @@ frame_text(void)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	canvas_print(screen_frame(), 0, out);
+	canvas_print(screen_last_frame(), 0, out);
 	fclose(out);
 	while (n > 0 && text[n - 1] == '\n')
 		text[--n] = '\0';
@@ -968,7 +975,7 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 		snprintf(head, sizeof head, "%.*s",
 		    length < 4 ? (int)length : 4, line);
 		char *word = text_trim(head);
-		if (row < from || row >= to || !text_number(word, &value))
+		if (row < from || row >= to || !text_parse_number(word, &value))
 			continue;
 		if (n++ > 1)
 			assert_true(fabs(last - value - step) < 1e-6);
@@ -988,19 +995,19 @@ so_many_keys_are_pressed_and_no_more(void **state)
 	struct error error = {0};
 	static const char *const MANY[] = {
 	    "Right*10000", "Left*9000 Right*1000", "Up*99999999999999999999"};
-	control_end(&stage->t);
+	control_close_screen(&stage->t);
 	for (size_t i = 0; i < ARRAY_LEN(MANY); i++) {
 		request.keys = MANY[i];
 		assert_null(
-		    script_draw(stage->desk->session, &request, &error));
+		    script_draw_screen(stage->desk->session, &request, &error));
 		assert_non_null(strstr(error.text, "at most 9999 keys"));
 	}
 	request.keys = "Left*9000 Right*999";
 	struct canvas *canvas =
-	    script_draw(stage->desk->session, &request, &error);
+	    script_draw_screen(stage->desk->session, &request, &error);
 	assert_non_null(canvas);
 	canvas_free(canvas);
-	control_begin(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
+	control_open_screen(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 }
 
 static void
@@ -1008,7 +1015,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	stage->desk->session->hooks.draw_screen = script_draw;
+	stage->desk->session->hooks.draw_screen = script_draw_screen;
 	canvas_free(screen_end_offscreen(stage->was));
 	stage->was = screen_begin_offscreen(50, 170, CHARSET_ASCII, 0);
 	desk_expect(stage->desk,
@@ -1021,7 +1028,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	t->aside = false;
 	t->view.moved = -1e9;
 	type(t, "tp80=5..5.3\n");
-	for (size_t part = 0; goal_pending(t); part++) {
+	for (size_t part = 0; goal_is_pending(t); part++) {
 		if (part % often(16, 1) == 0) {
 			type(t, ":screen\n");
 			assert_non_null(t->viewer.text);
@@ -1029,11 +1036,11 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 		}
 		draw_all(t);
 	}
-	assert_true(goal_known(t));
+	assert_true(goal_is_known(t));
 	t->aside = true;
 	type(t, ":spec use EN 12620 0/4\n");
 	for (enum page page = 0; page < PAGES; page++) {
-		keymap_key(t, '1' + (int)page, false);
+		keymap_handle_key(t, '1' + (int)page, false);
 		type(t, ":screen\n:screen width=150 height=48\n\033");
 		t->message[0] = '\0';
 		draw_all(t);
@@ -1065,7 +1072,7 @@ shown(struct tui *t)
 	free(t->command);
 	t->command = NULL;
 	frame_draw(t);
-	canvas_print(screen_frame(), 0, memory);
+	canvas_print(screen_last_frame(), 0, memory);
 	fclose(memory);
 	char *copy = xstrdup(text);
 	free(text);
@@ -1106,7 +1113,8 @@ the_goal_fills_the_page(void **state)
 	control_refresh(t);
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.063e-3, 1e-9);
-	rows_move(t, &(struct key){.act = act_list, .amount = 1});
+	rows_handle_move_key(
+	    t, &(struct key){.act = act_move_in_list, .amount = 1});
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.8, 1e-9);
 	screen = shown(t);
@@ -1129,13 +1137,13 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	struct session *other = ((struct desk *)desk)->session;
 	const struct numbers pin = t->view.pinned;
 	enum page page = t->ui.page;
-	control_end(t);
-	control_begin(t, other, &SCRIPT_CALLBACKS);
+	control_close_screen(t);
+	control_open_screen(t, other, &SCRIPT_CALLBACKS);
 	char *line = xasprintf(":source %s\n", file);
 	type(t, line);
 	free(line);
-	control_end(t);
-	control_begin(t, other, &SCRIPT_CALLBACKS);
+	control_close_screen(t);
+	control_open_screen(t, other, &SCRIPT_CALLBACKS);
 	char *is = shown(t);
 	assert_int_equal(t->ui.page, page);
 	assert_float_equal(t->ui.quantity.x, 0.2, 1e-12);
@@ -1144,7 +1152,7 @@ shows_in_another(struct tui *t, const char *file, const char *was)
 	assert_memory_equal(t->view.pinned.size, pin.size, sizeof pin.size);
 	assert_string_equal(is, was);
 	free(is);
-	control_end(t);
+	control_close_screen(t);
 	desk_close(&desk);
 }
 
@@ -1178,7 +1186,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 		char *was = shown(t);
 		/* In a new session, and then in the screen that is open. */
 		shows_in_another(t, file, was);
-		control_begin(t, stage->desk->session, &SCRIPT_CALLBACKS);
+		control_open_screen(t, stage->desk->session, &SCRIPT_CALLBACKS);
 		type(t, ":reset\n");
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
 		assert_string_equal(t->session->set.goal, "");
@@ -1210,9 +1218,9 @@ what_is_left_is_found_again(void **state)
 	view_predict(t);
 	type(t, "xtp80<5.2\ny4");
 	t->aside = false; /* as where somebody looks */
-	control_end(t);
+	control_close_screen(t);
 	assert_string_equal(s->set.goal, "p80<5.2");
-	control_begin(t, s, &SCRIPT_CALLBACKS);
+	control_open_screen(t, s, &SCRIPT_CALLBACKS);
 	assert_int_equal(t->ui.page, PAGE_PARITY);
 	assert_float_equal(t->ui.quantity.x, 0.5, 1e-12);
 	assert_true(t->view.pinned.speed == 74);
@@ -1228,15 +1236,15 @@ what_is_left_is_found_again(void **state)
 	/* A search goes on when a goal is set, which is saved nevertheless. */
 	s->hooks.confirm = says_yes;
 	type(t, "fy");
-	watch_run_due_steps(t);
-	assert_true(session_busy(s));
+	watch_run_due_fit_steps(t);
+	assert_true(session_is_calibrating(s));
 	type(t, "tp80<5.3\n");
-	assert_true(session_busy(s));
-	watch_pause(t);
+	assert_true(session_is_calibrating(s));
+	watch_stop_fit(t);
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = open_memstream(&text, &n);
-	journal_put(s, memory);
+	journal_write_script(s, memory);
 	fclose(memory);
 	assert_non_null(strstr(text, "set goal p80<5.3\n"));
 	free(text);
@@ -1247,7 +1255,7 @@ static void
 go_through(struct tui *t, const char *at)
 {
 	size_t frames = 0;
-	for (; session_busy(t->session); frames++) {
+	for (; session_is_calibrating(t->session); frames++) {
 		if (frames == 1) {
 			char *frame = shown(t);
 			assert_non_null(strstr(frame, at));
@@ -1260,7 +1268,7 @@ go_through(struct tui *t, const char *at)
 			assert_true(t->view.current.size[2] != p80);
 			assert_non_null(t->view.shown.low);
 		}
-		watch_run_due_steps(t);
+		watch_run_due_fit_steps(t);
 	}
 	assert_in_range(frames, 3, 100000);
 }
@@ -1297,7 +1305,7 @@ long_commands_leave_the_screen_live(void **state)
 		draw_all(t);
 		t->aside = false; /* as where somebody looks */
 		type(t, LONG[i].line);
-		assert_true(session_busy(s));
+		assert_true(session_is_calibrating(s));
 		go_through(t, LONG[i].at);
 		assert_non_null(t->viewer.text);
 		assert_null(strstr(t->viewer.text, "calibrating G"));
@@ -1307,9 +1315,9 @@ long_commands_leave_the_screen_live(void **state)
 		type(t, "\033");
 		assert_null(t->viewer.text);
 		type(t, LONG[i].line);
-		watch_run_due_steps(t);
+		watch_run_due_fit_steps(t);
 		type(t, "\033");
-		assert_false(session_busy(s));
+		assert_false(session_is_calibrating(s));
 		assert_non_null(strstr(t->message, LONG[i].stopped));
 		assert_true(tui_current_entry(t)->has_fit);
 		t->aside = true;
@@ -1331,11 +1339,11 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	t->aside = false; /* as where somebody looks */
 	t->ui.pace = PACE_FULL;
 	type(t, "f");
-	keymap_held(t);
+	keymap_run_delayed_key(t);
 	size_t drawing = 0;
-	while (session_busy(s)) {
-		watch_run_due_steps(t);
-		if (!session_busy(s) ||
+	while (session_is_calibrating(s)) {
+		watch_run_due_fit_steps(t);
+		if (!session_is_calibrating(s) ||
 		    calibration_status(s->job.calibration).state <
 			CALIBRATE_TOLERANCE)
 			continue;
@@ -1501,7 +1509,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	fflush(heard);
 	assert_int_equal(n, 0);
 	assert_string_equal(t->command, "predict speed=75.0");
-	journal_put(s, heard);
+	journal_write_script(s, heard);
 	fflush(heard);
 	assert_non_null(strstr(text, "\npredict speed=75.0\n"));
 	assert_null(strstr(text, "speed=75.1"));
@@ -1558,8 +1566,9 @@ a_size_is_one_number_everywhere(void **state)
 		t->ui.tenths = 10 * v;
 		draw_all(t);
 		double p50 = t->view.current.size[1];
-		apart = fmax(apart,
-		    fabs(p50 - 1000 * psd_size(&t->view.shown.product, 0.5)));
+		apart = fmax(
+		    apart, fabs(p50 - 1000 * psd_size_at_passing(
+						 &t->view.shown.product, 0.5)));
 		type(t, "d");
 		assert_non_null(t->viewer.text);
 		char *told = on_one_line(t->viewer.text), *at = told;
@@ -1589,7 +1598,8 @@ a_size_is_one_number_everywhere(void **state)
 static bool
 has_hint(const struct tui *t, const char *hint)
 {
-	FREED char *hints = keys_bar(pages_open(t)->hints_now(t), t->ui.page);
+	FREED char *hints =
+	    keys_hint_row(pages_current(t)->hints_now(t), t->ui.page);
 	return strstr(hints, hint) != NULL;
 }
 
@@ -1662,20 +1672,20 @@ a_line_stops_no_search_unsaid(void **state)
 	    ":bounds\n\033", ":predict 75 \n", ":show\n\033"};
 	for (size_t i = 0; i < ARRAY_LEN(BESIDE); i++) {
 		type(t, BESIDE[i]);
-		assert_true(session_busy(s) && !t->held);
+		assert_true(session_is_calibrating(s) && !t->held);
 		assert_int_equal(tui_search_shown(t).n, 2);
 	}
 	type(t, ":version\n");
 	assert_non_null(t->viewer.text);
 	type(t, "\033:set k 1\n");
-	assert_false(session_busy(s));
+	assert_false(session_is_calibrating(s));
 	assert_non_null(strstr(t->message, "was stopped"));
 	assert_non_null(strstr(t->message, ":accept"));
 	assert_true(tui_current_entry(t)->fit.misfit == best);
 	type(t, " ");
-	assert_true(session_busy(s));
+	assert_true(session_is_calibrating(s));
 	type(t, ":window passing 2 = 32..36\n");
-	assert_true(session_busy(s));
+	assert_true(session_is_calibrating(s));
 	assert_non_null(strstr(t->message, "when the calibration ends"));
 	type(t, ":accept\n\033");
 	assert_true(tui_current_entry(t)->fit.misfit > best);
@@ -1701,7 +1711,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	 * use is only looked at. */
 	t->ui.list[PAGE_SITES].at = s->current;
 	type(t, "f..55\n");
-	assert_true(session_busy(s) && t->ui.page == PAGE_PREDICT);
+	assert_true(session_is_calibrating(s) && t->ui.page == PAGE_PREDICT);
 	t->ui.list[PAGE_SITES].at = 0;
 	static const char *const WAYS[] = {"s", "\003", "55\n", "5\n", "f\003",
 	    ":use bro\n", ":find p80=5\n\033", ":sweep\n\033",
@@ -1710,11 +1720,12 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	    ":calibrate all pause=2\n"};
 	for (size_t i = 0; i < ARRAY_LEN(WAYS); i++) {
 		type(t, "1f..");
-		assert_true(session_busy(s));
+		assert_true(session_is_calibrating(s));
 		type(t, WAYS[i]);
-		for (int step = 0; step < 9 && session_busy(s); step++)
-			watch_step(t);
-		if (session_busy(s))
+		for (int step = 0; step < 9 && session_is_calibrating(s);
+		     step++)
+			watch_run_fit_step(t);
+		if (session_is_calibrating(s))
 			type(t, "s");
 		type(t, ":use tierp\n");
 		draw_all(t);
@@ -1723,10 +1734,10 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	}
 	/* The last way is to quit, or a signal. */
 	type(t, "1f..");
-	control_end(t);
-	assert_false(session_busy(s));
-	assert_true(session_entry(s)->fit.misfit == best);
-	control_begin(t, s, &SCRIPT_CALLBACKS);
+	control_close_screen(t);
+	assert_false(session_is_calibrating(s));
+	assert_true(session_current_entry(s)->fit.misfit == best);
+	control_open_screen(t, s, &SCRIPT_CALLBACKS);
 }
 
 static volatile sig_atomic_t stops;
@@ -1787,7 +1798,7 @@ a_word_begins_a_line(void **state)
 		t->clock += 5;
 		for (const char *c = WORDS[i]; *c != '\0'; c++) {
 			t->clock += 0.15;
-			keymap_key(t, *c, false);
+			keymap_handle_key(t, *c, false);
 		}
 		assert_string_equal(t->line.text, WORDS[i]);
 		assert_true(t->line.active);
@@ -1812,10 +1823,10 @@ single_letters_are_keys(void **state)
 	t->clock += 0.5;
 	type(t, "c");
 	assert_false(t->ui.crosshair);
-	assert_true(word_wait(t) > 0.2);
+	assert_true(word_delay_left_s(t) > 0.2);
 	t->clock += 0.5;
-	assert_true(word_wait(t) == 0);
-	keymap_held(t);
+	assert_true(word_delay_left_s(t) == 0);
+	keymap_run_delayed_key(t);
 	assert_true(t->ui.crosshair);
 	t->clock += 0.5;
 	type(t, "a");
@@ -1834,7 +1845,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
 	assert_string_equal(t->message, "not calibrated: the parameters stay");
-	assert_false(session_busy(t->session));
+	assert_false(session_is_calibrating(t->session));
 	assert_ptr_equal(t->session->entry[0].origin, origin);
 	type(t, "a");
 	assert_int_equal(t->session->set.correction, CORRECTION_TRAIN);
@@ -1847,12 +1858,12 @@ f_asks_before_it_replaces_parameters(void **state)
 static void
 paste(struct tui *t, const char *text)
 {
-	input_paste(t, SCREEN_PASTE, true);
+	input_handle_paste(t, SCREEN_PASTE, true);
 	while (*text != '\0')
-		assert_true(
-		    input_paste(t, (int)text_next_code_point(&text), false));
-	input_paste(t, SCREEN_PASTED, true);
-	assert_false(input_paste(t, 'q', false));
+		assert_true(input_handle_paste(
+		    t, (int)text_next_code_point(&text), false));
+	input_handle_paste(t, SCREEN_PASTED, true);
+	assert_false(input_handle_paste(t, 'q', false));
 }
 
 static void
@@ -1865,8 +1876,8 @@ what_is_pasted_is_no_keys(void **state)
 	assert_non_null(strstr(t->message, "only part of the pasted text"));
 	type(t, "\033");
 	/* Keys with a name, as a hostile text may have them. */
-	input_paste(t, SCREEN_PASTE, true);
-	assert_true(input_paste(t, KEY_PPAGE, true));
+	input_handle_paste(t, SCREEN_PASTE, true);
+	assert_true(input_handle_paste(t, KEY_PPAGE, true));
 	input_end_paste(t);
 	assert_int_equal(t->ui.tenths, 740);
 }
@@ -1900,9 +1911,9 @@ ten_megabytes_are_pasted(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	for (int open = 0; open < 3; open++) {
 		type(t, open == 0 ? ":" : open == 1 ? "\033?/" : "\033\0337");
-		input_paste(t, SCREEN_PASTE, true);
+		input_handle_paste(t, SCREEN_PASTE, true);
 		for (int i = 0; i < 10000000; i++)
-			input_paste(t, '5', false);
+			input_handle_paste(t, '5', false);
 		input_end_paste(t);
 	}
 	assert_string_equal(t->speed.text, "755555555555");
@@ -1918,8 +1929,8 @@ a_question_is_answered_by_y_alone(void **state)
 	/* It stands on the frame that was drawn. */
 	struct canvas *frame =
 	    screen_end_offscreen(((struct stage *)*state)->was);
-	assert_int_equal(canvas_at(frame, 0, 23)->code, 's');
-	assert_int_equal(canvas_at(frame, 12, 23)->code, 'n');
+	assert_int_equal(canvas_cell_at(frame, 0, 23)->code, 's');
+	assert_int_equal(canvas_cell_at(frame, 12, 23)->code, 'n');
 	canvas_free(frame);
 	((struct stage *)*state)->was =
 	    screen_begin_offscreen(5, 20, CHARSET_ASCII, 0);

@@ -50,7 +50,7 @@ assert_near(double is, double wanted, double tolerance)
 static const struct site *
 site_of(struct desk *desk)
 {
-	return session_entry(desk->session)->site;
+	return session_current_entry(desk->session)->site;
 }
 
 static void
@@ -97,7 +97,7 @@ cuts_stand_in_order_of_speed(void **state)
 	assert_false(site->individual_feeds);
 	assert_int_equal(site->digest, site_digest(site));
 	/* The slowest and the fastest are trained on. */
-	const bool *train = session_entry(desk->session)->train;
+	const bool *train = session_current_entry(desk->session)->train;
 	assert_true(train[0] && !train[1] && !train[2] && train[3]);
 	assert_string_equal(site->note[0].key, "cut");
 	assert_string_equal(site->note[0].value, "79 m/s, 2026-05-03, cut.csv");
@@ -143,42 +143,42 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	desk_expect(desk, "reset");
 	desk_expect(desk, "load data/sites/tierp.csv");
 	desk_expect(desk, "calibrate seed=1");
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	struct params before = entry->params;
-	assert_int_equal(cut_compare_later(desk->session, entry).n, 0);
+	assert_int_equal(cut_compare_runs_since_fit(desk->session, entry).n, 0);
 	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
-	entry = session_entry(desk->session);
+	entry = session_current_entry(desk->session);
 	assert_true(entry->has_fit);
 	assert_memory_equal(&before, &entry->params, sizeof before);
 	assert_noted(
 	    desk, "as expected: 33.0 % passes 2 mm at 72 m/s, predicted 33.");
 	assert_noted(desk, "of 11 sieves are within the range for a belt cut");
-	struct cut cut = cut_compare(desk->session, entry, 1);
+	struct cut cut = cut_compare_with_prediction(desk->session, entry, 1);
 	assert_int_equal(cut.n, 11);
 	assert_true(cut.rms < 0.01 && cut.rms > 0);
 	assert_false(cut.missed);
-	struct later later = cut_compare_later(desk->session, entry);
+	struct later later = cut_compare_runs_since_fit(desk->session, entry);
 	assert_int_equal(later.n, 1);
 	assert_near(later.speed, 72, 1e-9);
 	assert_false(later.missed);
 	assert_noted(desk, "next: 'calibrate' takes it into the answers");
 	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
-	entry = session_entry(desk->session);
-	assert_true(cut_compare_later(desk->session, entry).twice);
+	entry = session_current_entry(desk->session);
+	assert_true(cut_compare_runs_since_fit(desk->session, entry).twice);
 	assert_noted(desk, "next: 'undo', unless two samples");
 	desk_expect(desk, "undo");
-	entry = session_entry(desk->session);
-	assert_false(cut_compare_later(desk->session, entry).twice);
+	entry = session_current_entry(desk->session);
+	assert_false(cut_compare_runs_since_fit(desk->session, entry).twice);
 	desk_expect(desk, "add data/cuts/tierp-72.csv@90");
 	assert_noted(desk, "it lies outside the training speeds, 69 to 79");
 	desk_expect(desk, "undo");
-	entry = session_entry(desk->session);
+	entry = session_current_entry(desk->session);
 	/* New runs are held out until calibrate takes them. */
 	assert_true(entry->train[0] && !entry->train[1] && entry->train[3]);
 	desk_expect(desk, "calibrate train=all seed=1");
-	entry = session_entry(desk->session);
+	entry = session_current_entry(desk->session);
 	assert_true(entry->train[1]);
-	assert_int_equal(cut_compare_later(desk->session, entry).n, 0);
+	assert_int_equal(cut_compare_runs_since_fit(desk->session, entry).n, 0);
 }
 
 static void
@@ -356,20 +356,21 @@ dates_are_read_in_one_way_or_not_at_all(void **state)
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(CASE); i++) {
 		struct datetime m;
-		if (!datetime_read(CASE[i].text, &m))
+		if (!datetime_parse(CASE[i].text, &m))
 			fail_msg("%s is not read", CASE[i].text);
-		FREED char *a =
-		    datetime_text(datetime_seconds(&m, DATETIME_DAY_FIRST));
-		FREED char *b =
-		    datetime_text(datetime_seconds(&m, DATETIME_MONTH_FIRST));
+		FREED char *a = datetime_to_text(
+		    datetime_seconds_since_1970(&m, DATETIME_DAY_FIRST));
+		FREED char *b = datetime_to_text(
+		    datetime_seconds_since_1970(&m, DATETIME_MONTH_FIRST));
 		assert_string_equal(a, CASE[i].day_first);
 		assert_string_equal(b, CASE[i].month_first);
 		bool open = strcmp(a, b) != 0;
-		assert_true(open == isnan(datetime_seconds(&m, DATETIME_OPEN)));
+		assert_true(open == isnan(datetime_seconds_since_1970(
+					&m, DATETIME_OPEN)));
 	}
 	for (size_t i = 0; i < ARRAY_LEN(NONE); i++) {
 		struct datetime m;
-		if (datetime_read(NONE[i], &m))
+		if (datetime_parse(NONE[i], &m))
 			fail_msg("%s is read", NONE[i]);
 	}
 }
@@ -426,8 +427,8 @@ logs_of_several_programs_say_the_same(void **state)
 {
 	(void)state;
 	struct datetime m;
-	assert_true(datetime_read("2026-05-03 10:01", &m));
-	double at = datetime_seconds(&m, DATETIME_OPEN);
+	assert_true(datetime_parse("2026-05-03 10:01", &m));
+	double at = datetime_seconds_since_1970(&m, DATETIME_OPEN);
 	for (size_t i = 0; i < ARRAY_LEN(LOGS); i++) {
 		struct error e;
 		struct plant_log *log = read_log(LOGS[i].text, LOGS[i].columns,
@@ -437,12 +438,13 @@ logs_of_several_programs_say_the_same(void **state)
 		assert_int_equal(log->n, 3);
 		assert_near(log->time[1], at, 1e-6);
 		assert_near(log->apart, 60, 1e-6);
-		struct log_window w = plant_log_window(log, at - 30, at + 30);
+		struct log_window w =
+		    plant_log_summarise_window(log, at - 30, at + 30);
 		assert_int_equal(w.n, 1);
 		assert_near(w.median[LOG_RPM], 1360, 1e-9);
 		assert_near(w.median[LOG_POWER], 187.5, 1e-9);
 		assert_near(w.median[LOG_RATE], 121, 1e-9);
-		w = plant_log_window(log, at - 60, at + 60);
+		w = plant_log_summarise_window(log, at - 60, at + 60);
 		assert_int_equal(w.n, 3);
 		assert_near(w.least[LOG_RPM], 1350, 1e-9);
 		assert_near(w.most[LOG_RPM], 1370, 1e-9);
@@ -490,8 +492,9 @@ dates_of_one_order_settle_the_others(void **state)
 	    "time,kW 1,kW 2\n12/3/2026 23:59,90,95\n13/3/2026 0:00,91,96\n",
 	    "1=time,2=kW,3=kW", 0, DATETIME_OPEN, &e);
 	assert_non_null(log);
-	assert_true(datetime_read("2026-03-12 23:59", &m));
-	assert_near(log->time[0], datetime_seconds(&m, DATETIME_OPEN), 1e-6);
+	assert_true(datetime_parse("2026-03-12 23:59", &m));
+	assert_near(
+	    log->time[0], datetime_seconds_since_1970(&m, DATETIME_OPEN), 1e-6);
 	/* Two motors of one rotor add up. */
 	assert_near(log->value[LOG_POWER][0], 185, 1e-9);
 	plant_log_free(log);

@@ -12,7 +12,7 @@ enum { N = POSTERIOR_DRAWS, ROWS = 12 };
 static double
 normal(uint32_t at)
 {
-	return rng_normal(rng_key(5, 1, 9), at);
+	return rng_normal(rng_make_key(5, 1, 9), at);
 }
 
 /* Draws of an answer, and of passings that hold a share of it with noise. */
@@ -37,13 +37,14 @@ test_share(void **state)
 	double answer[N], sample[ROWS * N];
 	fill(1, answer, sample);
 	/* Signal 0.05, 0.07, 0.09 over noise of 0.01: 1 - 1 / 156. */
-	assert_true(fabs(advise_share(answer, sample, ROWS) - 0.9936) < 0.004);
+	assert_true(fabs(advise_variance_share_removed(answer, sample, ROWS) -
+			 0.9936) < 0.004);
 	fill(0.1, answer, sample);
 	/* 1 - 1 / 2.55 at best. */
-	double some = advise_share(answer, sample, ROWS);
+	double some = advise_variance_share_removed(answer, sample, ROWS);
 	assert_true(some > 0.45 && some < 0.7);
 	fill(0, answer, sample);
-	assert_true(advise_share(answer, sample, ROWS) < 0.05);
+	assert_true(advise_variance_share_removed(answer, sample, ROWS) < 0.05);
 }
 
 /* As many sieves as you like of pure noise explain nothing. */
@@ -58,7 +59,7 @@ test_noise(void **state)
 		answer[d] = normal(d);
 	for (uint32_t i = 0; i < MANY * N; i++)
 		sample[i] = normal(N + i);
-	assert_true(advise_share(answer, sample, MANY) < 0.05);
+	assert_true(advise_variance_share_removed(answer, sample, MANY) < 0.05);
 }
 
 /* An answer that is the same in all draws, and rows that never change. */
@@ -69,13 +70,14 @@ test_constant(void **state)
 	double answer[N], sample[ROWS * N] = {0};
 	for (uint32_t d = 0; d < N; d++)
 		answer[d] = 2;
-	assert_true(advise_share(answer, sample, ROWS) == 0);
+	assert_true(advise_variance_share_removed(answer, sample, ROWS) == 0);
 	for (uint32_t d = 0; d < N; d++)
 		answer[d] = normal(d);
-	assert_true(advise_share(answer, sample, ROWS) == 0);
+	assert_true(advise_variance_share_removed(answer, sample, ROWS) == 0);
 	for (uint32_t d = 0; d < N; d++)
 		sample[d] = answer[d];
-	assert_true(advise_share(answer, sample, ROWS) > 0.999);
+	assert_true(
+	    advise_variance_share_removed(answer, sample, ROWS) > 0.999);
 }
 
 int

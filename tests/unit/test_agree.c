@@ -124,12 +124,13 @@ ask_predict(struct desk *desk, struct question *q)
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		q->size[i] =
 		    session_answer_number(desk->session, "predict", SIZE[i]);
-	const struct site *site = session_entry(desk->session)->site;
-	q->product = predict_sizes(site, site_feed(site, SITE_MEAN_FEED));
+	const struct site *site = session_current_entry(desk->session)->site;
+	q->product =
+	    predict_table_sizes(site, site_feed_of_run(site, SITE_MEAN_FEED));
 	size_t n = q->product.n;
-	q->low = xdoubles(n);
-	q->high = xdoubles(n);
-	q->model = xdoubles(n);
+	q->low = xcalloc_doubles(n);
+	q->high = xcalloc_doubles(n);
+	q->model = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
 		double mm = 1000 * q->product.size[i];
 		q->product.passing[i] =
@@ -339,10 +340,10 @@ static void
 ask_plot_sweep(struct desk *desk, const struct question *q)
 {
 	struct error error = {0};
-	struct plot_request request = plots_request(PLOT_SWEEP);
+	struct plot_request request = plots_default_request(PLOT_SWEEP);
 	request.speeds = &q->v;
 	request.n_speed = 1;
-	struct chart *chart = plots_chart(desk->session, &request, &error);
+	struct chart *chart = plots_make_chart(desk->session, &request, &error);
 	const struct chart_series *line = predicted(chart);
 	for (size_t k = 0; k < line->n; k++)
 		same(q, "plot sweep", "passing", line->y[k],
@@ -357,19 +358,19 @@ ask_plots(struct desk *desk, const struct question *q, size_t i)
 {
 	struct session *s = desk->session;
 	struct error error = {0};
-	struct plot_request request = plots_request(PLOT_PSD);
+	struct plot_request request = plots_default_request(PLOT_PSD);
 	request.speed = q->v;
-	struct chart *chart = plots_chart(s, &request, &error);
+	struct chart *chart = plots_make_chart(s, &request, &error);
 	const struct chart_series *line = predicted(chart);
 	for (size_t k = 0; k < line->n; k++)
 		same(q, "plot psd", "passing", line->y[k],
 		    100 * psd_passing(&q->product, line->x[k] / 1000) / 100);
 	chart_free(chart);
-	request = plots_request(PLOT_RESPONSE);
+	request = plots_default_request(PLOT_RESPONSE);
 	char of[60];
 	snprintf(of, sizeof of, "passing %g,P50", 1000 * q->product.size[i]);
 	request.of = of;
-	chart = plots_chart(s, &request, &error);
+	chart = plots_make_chart(s, &request, &error);
 	const double want[] = {q->product.passing[i], q->size[1]};
 	const struct chart *at = chart;
 	for (size_t c = 0; c < 2; c++, at = at->below)
@@ -380,8 +381,8 @@ ask_plots(struct desk *desk, const struct question *q, size_t i)
 	chart_free(chart);
 	ask_plot_sweep(desk, q);
 	struct prediction p;
-	assert_true(predict_step(
-	    s, session_entry(s), q->v, SITE_MEAN_FEED, "predict", &p, &error));
+	assert_true(predict_for_slider(s, session_current_entry(s), q->v,
+	    SITE_MEAN_FEED, "predict", &p, &error));
 	for (size_t k = 0; k < p.product.n; k++)
 		same(q, "a step of the slider", "passing",
 		    100 * p.product.passing[k], q->product.passing[k]);
@@ -494,7 +495,7 @@ find_holds_what_was_measured(void **state)
 	assert_int_equal(glob("data/sites/*.csv", 0, NULL, &found), 0);
 	for (size_t f = 0; f < found.gl_pathc; f++) {
 		ask(desk, "load %s", found.gl_pathv[f]);
-		const struct site *site = session_entry(s)->site;
+		const struct site *site = session_current_entry(s)->site;
 		if (f % every >= PSD_SIZES * site->n_run)
 			continue;
 		ask(desk, "calibrate population=200");
@@ -503,7 +504,8 @@ find_holds_what_was_measured(void **state)
 			const struct run *run = &site->run[k / PSD_SIZES];
 			double P = PSD_PASSING[k % PSD_SIZES];
 			ask(desk, "find p%g=%.10g feed=%g", 100 * P,
-			    1000 * psd_size(&run->product, P), run->speed);
+			    1000 * psd_size_at_passing(&run->product, P),
+			    run->speed);
 			tried++;
 			if (isnan(session_answer_number(s, "find", "speed")))
 				continue;

@@ -32,10 +32,10 @@ two_sieves(void)
 {
 	struct answer *a = answer_new("try");
 	answer_title(a, "a try");
-	answer_site(a, "Bro", "measured; in May");
+	answer_set_site(a, "Bro", "measured; in May");
 	answer_columns(a, "sieve_mm: sieve mm, passing_pct: passing %%");
-	answer_cells(a, "%g %.1f", 4.0, 31.25);
-	answer_cells(a, "%g %.1f", 2.0, NAN);
+	answer_add_cells(a, "%g %.1f", 4.0, 31.25);
+	answer_add_cells(a, "%g %.1f", 2.0, NAN);
 	answer_note(a, "P50 %.2f mm", 5.5);
 	return a;
 }
@@ -68,16 +68,16 @@ fields_keep_their_order_and_kinds(void **state)
 	fields_put(o, "speed %g outside %d .poor %g n %zu name %s none %g",
 	    74.0, true, 1.0, (size_t)3, "x\"y", NAN);
 	answer_put_columns(a, "passing_pct");
-	struct fields *runs = fields_list(o, "runs");
+	struct fields *runs = fields_add_list(o, "runs");
 	fields_put(runs, "%g %g", 69.0, 79.0);
-	fields_put(fields_object(o, "params"), "f_mat %g", 2.5);
+	fields_put(fields_add_object(o, "params"), "f_mat %g", 2.5);
 	prints(a, ANSWER_JSON, 2,
 	    "{\"command\":\"try\",\"site\":\"Bro\",\"speed\":74.0,"
 	    "\"outside\":true,\"n\":3,\"name\":\"x\\\"y\",\"none\":null,"
 	    "\"passing_pct\":[31.25,null],\"runs\":[69.0,79.0],"
 	    "\"params\":{\"f_mat\":2.5},\"provenance\":\"measured; in May\"}"
 	    "\n");
-	assert_true(answer_number(a, "poor") == 1);
+	assert_true(answer_find_number(a, "poor") == 1);
 	answer_free(a);
 }
 
@@ -89,19 +89,20 @@ fields_are_found_by_their_paths(void **state)
 	assert_false(answer_has_fields(a));
 	struct fields *o = answer_fields(a);
 	fields_put(o, "ok %d verdict %s n %zu", true, "good", (size_t)7);
-	struct fields *list = fields_list(o, "holdout");
-	fields_put(fields_object(list, NULL), "rmse_pct %g", 0.25);
-	fields_put(fields_object(list, NULL), "rmse_pct %g", 0.75);
-	fields_put(fields_object(list, NULL), "rmse_pct %g", NAN);
-	fields_put(fields_object(fields_object(o, "a"), "b"), "c %g", -2.0);
+	struct fields *list = fields_add_list(o, "holdout");
+	fields_put(fields_add_object(list, NULL), "rmse_pct %g", 0.25);
+	fields_put(fields_add_object(list, NULL), "rmse_pct %g", 0.75);
+	fields_put(fields_add_object(list, NULL), "rmse_pct %g", NAN);
+	fields_put(
+	    fields_add_object(fields_add_object(o, "a"), "b"), "c %g", -2.0);
 	assert_true(answer_has_fields(a));
-	assert_true(answer_number(a, "ok") == 1);
-	assert_true(answer_number(a, "n") == 7);
-	assert_true(answer_number(a, "holdout.rmse_pct") == 0.75);
-	assert_true(answer_number(a, "a.b.c") == -2);
-	assert_true(isnan(answer_number(a, "a.b")));
-	assert_true(isnan(answer_number(a, "verdict")));
-	assert_true(isnan(answer_number(a, "o")));
+	assert_true(answer_find_number(a, "ok") == 1);
+	assert_true(answer_find_number(a, "n") == 7);
+	assert_true(answer_find_number(a, "holdout.rmse_pct") == 0.75);
+	assert_true(answer_find_number(a, "a.b.c") == -2);
+	assert_true(isnan(answer_find_number(a, "a.b")));
+	assert_true(isnan(answer_find_number(a, "verdict")));
+	assert_true(isnan(answer_find_number(a, "o")));
 	answer_free(a);
 }
 
@@ -131,11 +132,11 @@ programs_may_have_a_table_of_their_own(void **state)
 	struct answer *a = answer_new("try");
 	answer_columns(a, "what, at");
 	answer_name(a, "p50_mm", "P50 mm");
-	answer_cells(a, "%g", 3.0);
+	answer_add_cells(a, "%g", 3.0);
 	prints(a, ANSWER_CSV, 1, "command,what,at\ntry,p50_mm,3\n");
-	answer_fill_for_programs(a);
+	answer_begin_table_for_programs(a);
 	answer_columns(a, "x");
-	answer_cells(a, "%g %g", 1.0, 2.0);
+	answer_add_cells(a, "%g %g", 1.0, 2.0);
 	prints(a, ANSWER_TABLE, 1, "  what    at\n  P50 mm   3\n");
 	prints(a, ANSWER_CSV, 2, "command,x\ntry,1\ntry,2\n");
 	answer_free(a);
@@ -146,11 +147,11 @@ warnings_are_counted(void **state)
 {
 	(void)state;
 	struct answer *a = answer_new("try");
-	assert_true(isnan(answer_number(a, "warnings")));
+	assert_true(isnan(answer_find_number(a, "warnings")));
 	answer_say(a, ANSWER_REMARK, "the feed is that of %g m/s", 74.0);
-	assert_true(answer_number(a, "warnings") == 0);
+	assert_true(answer_find_number(a, "warnings") == 0);
 	answer_say(a, ANSWER_WARNING, "extrapolated");
-	assert_true(answer_number(a, "warnings") == 1);
+	assert_true(answer_find_number(a, "warnings") == 1);
 	answer_free(a);
 }
 
@@ -161,10 +162,10 @@ differences_have_a_sign(void **state)
 	(void)state;
 	struct answer *a = answer_new("try");
 	answer_columns(a, "difference");
-	answer_cells(a, "%+.1f %+.1f", 1.25, -1.25);
-	answer_cells(a, "%+.1f %+.1f", 0.01, -0.01);
+	answer_add_cells(a, "%+.1f %+.1f", 1.25, -1.25);
+	answer_add_cells(a, "%+.1f %+.1f", 0.01, -0.01);
 	answer_set_missing(a, "");
-	answer_cells(a, "%+.1f %.1f", NAN, -0.01);
+	answer_add_cells(a, "%+.1f %.1f", NAN, -0.01);
 	prints(a, ANSWER_CSV, 6,
 	    "command,difference\ntry,1.25\ntry,-1.25\n"
 	    "try,0.01\ntry,-0.01\ntry,\ntry,-0.01\n");

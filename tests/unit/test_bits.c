@@ -38,10 +38,10 @@ add(uint64_t digest, const double *x, size_t n)
 		/* Little endian, and one NAN and one 0. */
 		uint64_t bits = isnan(x[i]) ? 1
 				: x[i] == 0 ? 0
-					    : el_to_bits(x[i]);
+					    : el_bits_of_double(x[i]);
 		for (unsigned k = 0; k < 64; k += 8) {
 			unsigned char byte = (unsigned char)(bits >> k);
-			digest = text_digest(digest, &byte, 1);
+			digest = text_fnv1a_digest(digest, &byte, 1);
 		}
 	}
 	return digest;
@@ -71,16 +71,17 @@ digest_of(const struct site *site, const struct fit *fit,
     const struct posterior *posterior)
 {
 	struct fraction whole = {0};
-	const struct psd *feed = site_feed(site, SITE_MEAN_FEED);
-	struct psd sizes = predict_sizes(site, feed);
+	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
+	struct psd sizes = predict_table_sizes(site, feed);
 	size_t n;
-	struct quantity *asked = predict_quantities(site, feed, &whole, &n);
+	struct quantity *asked =
+	    predict_table_quantities(site, feed, &whole, &n);
 	struct response *r = response_new(
 	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
 	struct ensemble *e = ensemble_new(posterior, feed, sizes.size, sizes.n);
 	uint64_t digest = TEXT_DIGEST_START;
 	for (size_t i = 0; i < ARRAY_LEN(SPEED); i++) {
-		response_at(r, e, ENSEMBLE_ANSWER, SPEED[i]);
+		response_set_speed(r, e, ENSEMBLE_ANSWER, SPEED[i]);
 		digest = add_table(digest, site, r);
 	}
 	free(asked);
@@ -104,7 +105,7 @@ write_line(FILE *to, const struct site *site, const char *name,
 {
 	struct calibrate_options options = quick_options(1);
 	bool *use = xcalloc(site->n_run, sizeof *use);
-	options.isa = isa_named(getenv("TIPSPEED_ISA"));
+	options.isa = isa_from_name(getenv("TIPSPEED_ISA"));
 	options.settings = settings;
 	options.bounds = bounds_default(settings.breakage);
 	for (size_t r = 0; r < site->n_run; r++)
@@ -132,7 +133,7 @@ impacts_of(const char *path)
 	struct error_list errors = {0};
 	struct collisions c;
 	assert_true(collisions_read(path, &way, &c, &errors));
-	struct impacts impacts = spectrum_impacts(c.spectrum, 10);
+	struct impacts impacts = spectrum_reduce_to_impacts(c.spectrum, 10);
 	collisions_clear(&c);
 	return impacts;
 }
@@ -142,7 +143,7 @@ static void
 write_others(FILE *to, const struct site *site, const char *name)
 {
 	struct model_settings settings = model_settings_default();
-	for (size_t i = 1; i < breakage_count(); i++) {
+	for (size_t i = 1; i < breakage_count_models(); i++) {
 		if (!is_case(i))
 			continue;
 		char *with = xasprintf(",%s", BREAKAGES[i]->name);

@@ -53,7 +53,7 @@ a_blend_is_a_feed(void **state)
 			    blend.passing[i] <= blend.passing[i - 1] + 1e-15);
 			for (size_t j = 0; j < 3; j++)
 				assert_true(
-				    psd_covers(&feed[j], blend.size[i]));
+				    psd_covers_size(&feed[j], blend.size[i]));
 		}
 		psd_free(&blend);
 		for (size_t i = 0; i < 3; i++)
@@ -106,7 +106,7 @@ another_machine(void **state)
 	for (size_t k = 0; k < 4; k++) {
 		struct model *m =
 		    model_new(feed, feed->size, feed->n, settings[k]);
-		product[k] = xdoubles(feed->n);
+		product[k] = xcalloc_doubles(feed->n);
 		model_use_params(m, k < 3 ? &p : &strong);
 		model_product(m, 77, product[k]);
 		model_free(m);
@@ -133,18 +133,20 @@ the_mean_of_feeds(void **state)
 	double pass_b[] = {1, 0.7, 0.4, 0.1, 0};
 	struct psd a = {3, size_a, pass_a}, b = {5, size_b, pass_b};
 	const struct psd *const feed[] = {&a, &b, &b};
-	struct psd mean = blend_mean(feed, 3);
+	struct psd mean = blend_mean_of_feeds(feed, 3);
 	double want[] = {1, 0.6, 0.3, 0.3 * 0.1 / 0.4, 0}, sieve;
 	assert_int_equal(mean.n, 5);
 	for (size_t i = 0; i < 5; i++) {
 		expect_near("sieve", mean.size[i], size_b[i], 0);
 		expect_near("passing", mean.passing[i], want[i], 1e-12);
 	}
-	expect_near("spread", blend_spread(feed, 3, &sieve), 0.2, 1e-12);
+	expect_near(
+	    "spread", blend_largest_difference(feed, 3, &sieve), 0.2, 1e-12);
 	psd_free(&mean);
-	mean = blend_mean(&feed[1], 2);
+	mean = blend_mean_of_feeds(&feed[1], 2);
 	assert_true(psd_same(&mean, &b));
-	expect_near("none", blend_spread(&feed[1], 2, &sieve), 0, 0);
+	expect_near(
+	    "none", blend_largest_difference(&feed[1], 2, &sieve), 0, 0);
 	psd_free(&mean);
 }
 
@@ -162,13 +164,13 @@ the_mean_is_a_feed(void **state)
 			feed[i] = made_any_feed(&draw);
 			all[i] = &feed[i];
 		}
-		struct psd mean = blend_mean(all, 3);
+		struct psd mean = blend_mean_of_feeds(all, 3);
 		for (size_t i = 0; i < mean.n; i++) {
 			double x = mean.size[i], least = 1, most = 0;
 			bool known = true;
 			for (size_t j = 0; j < 3; j++) {
 				double P = psd_passing(all[j], x);
-				known = known && psd_covers(all[j], x);
+				known = known && psd_covers_size(all[j], x);
 				least = fmin(least, P);
 				most = fmax(most, P);
 			}

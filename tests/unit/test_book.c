@@ -12,12 +12,12 @@ static struct answer *
 new_answer(void)
 {
 	struct answer *a = answer_new("predict");
-	answer_site(a, "Tierp", "made up; in a test");
+	answer_set_site(a, "Tierp", "made up; in a test");
 	answer_title(a, "=Tierp, %s", "74 m/s");
 	answer_columns(a, "sieve_mm: sieve mm, passing_pct: product %%, note");
-	answer_cells(a, "%g %.1f %s", 22.4, 100.0, "=1+1");
-	answer_cells(a, "%g %.1f %s", 4.0, 65.72341, "-");
-	answer_cells(a, "%g %.1f %s", 0.063, (double)NAN, "b");
+	answer_add_cells(a, "%g %.1f %s", 22.4, 100.0, "=1+1");
+	answer_add_cells(a, "%g %.1f %s", 4.0, 65.72341, "-");
+	answer_add_cells(a, "%g %.1f %s", 0.063, (double)NAN, "b");
 	answer_note(a, "plain");
 	answer_say(a, ANSWER_WARNING, "do not");
 	return a;
@@ -30,14 +30,14 @@ new_bytes(size_t *n)
 	struct answer *a = new_answer();
 	struct book *b = book_new(&error);
 	assert_non_null(b);
-	assert_int_equal(book_sheets(b), 0);
-	assert_int_equal(book_add(b, a), 3);
-	assert_int_equal(book_add(b, a), 3);
-	assert_int_equal(book_sheets(b), 2);
+	assert_int_equal(book_count_sheets(b), 0);
+	assert_int_equal(book_add_answer(b, a), 3);
+	assert_int_equal(book_add_answer(b, a), 3);
+	assert_int_equal(book_count_sheets(b), 2);
 	assert_true(book_has_site(b));
-	book_add_about(b, "command", "predict 74");
+	book_add_about_line(b, "command", "predict 74");
 	answer_free(a);
-	char *bytes = book_finish(b, n, &error);
+	char *bytes = book_finish_to_bytes(b, n, &error);
 	assert_non_null(bytes);
 	return bytes;
 }
@@ -59,7 +59,7 @@ results_are_read_back(void **state)
 	struct source source;
 	struct error_list errors = {0};
 	char *bytes = new_bytes(&n);
-	assert_true(source_read(put_sheet(bytes, n), &errors, &source));
+	assert_true(source_read_file(put_sheet(bytes, n), &errors, &source));
 	free(bytes);
 	assert_int_equal(source.n, 3);
 	const struct sheet *sheet = source.sheet[0];
@@ -136,11 +136,11 @@ text_becomes_cells(void **state)
 	size_t n;
 	book_add_text(b, "template",
 	    "\"# a, b\"\nsite,\nsize_mm,feed,product@69\n8,100,\n");
-	char *bytes = book_finish(b, &n, &error);
+	char *bytes = book_finish_to_bytes(b, &n, &error);
 	assert_non_null(bytes);
 	struct source source;
 	struct error_list errors = {0};
-	assert_true(source_read(put_sheet(bytes, n), &errors, &source));
+	assert_true(source_read_file(put_sheet(bytes, n), &errors, &source));
 	free(bytes);
 	const struct sheet *sheet = source.sheet[0];
 	assert_int_equal(sheet->n_comment, 1);

@@ -26,7 +26,7 @@ settings_of(size_t breakage, enum method method)
 static double
 value(const struct params *p, const char *name)
 {
-	double x = params_value(p, name);
+	double x = params_value_by_name(p, name);
 	return isnan(x) ? 0 : x;
 }
 
@@ -34,7 +34,7 @@ value(const struct params *p, const char *name)
 static struct params
 near(size_t breakage, struct draw *draw)
 {
-	struct params p = params_start(breakage);
+	struct params p = params_start_values(breakage);
 	static const struct {
 		const char *name;
 		double low, high;
@@ -45,12 +45,12 @@ near(size_t breakage, struct draw *draw)
 	    {"bypass", 0, 0.3}};
 	for (size_t i = 0; i < ARRAY_LEN(RANGE); i++) {
 		double x = draw_between(draw, RANGE[i].low, RANGE[i].high);
-		size_t j =
-		    breakage_parameter(BREAKAGES[breakage], RANGE[i].name);
+		size_t j = breakage_parameter_index(
+		    BREAKAGES[breakage], RANGE[i].name);
 		if (j < BREAKAGES[breakage]->n)
 			p.at[j] = x;
 	}
-	size_t kappa = breakage_parameter(BREAKAGES[breakage], "kappa");
+	size_t kappa = breakage_parameter_index(BREAKAGES[breakage], "kappa");
 	if (kappa < BREAKAGES[breakage]->n)
 		p.at[kappa] = draw_between(draw, -0.5, 1);
 	return p;
@@ -71,7 +71,7 @@ static double cubic_B[NAIVE_CELLS + 1];
 static double
 plain_B(const struct params *p, double v, double y, double x)
 {
-	if (!isnan(params_value(p, "q_0"))) {
+	if (!isnan(params_value_by_name(p, "q_0"))) {
 		double q = value(p, "q_slope") * v + value(p, "q_0");
 		double to = 1e-3 * fmax(value(p, "y_fine"), 1e-9);
 		return pow(y / x, q) * 0.5 * (1 + tanh((y - to) / to));
@@ -88,17 +88,20 @@ static double
 plain_density(const struct params *p, double v, double y, double x)
 {
 	const double h = 1e-4;
-	if (isnan(params_value(p, "q_0")) && isnan(params_value(p, "gamma")))
+	if (isnan(params_value_by_name(p, "q_0")) &&
+	    isnan(params_value_by_name(p, "gamma")))
 		return naive_density(p, y / x);
 	if (value(p, "kappa") != 0) {
 		struct params q = *p;
 		double r =
 		    pow(v * v / 2 / value(p, "e_ref"), value(p, "kappa"));
-		q.at[breakage_parameter(BREAKAGES[p->breakage], "kappa")] = 0;
+		q.at[breakage_parameter_index(
+		    BREAKAGES[p->breakage], "kappa")] = 0;
 		return r * plain_density(&q, v, y, x) *
 		       pow(fmax(1 - plain_B(&q, v, y, x), 0.01), r - 1);
 	}
-	if (!isnan(params_value(p, "q_0")) || (y < x * 0.9999 && y > x / 1023))
+	if (!isnan(params_value_by_name(p, "q_0")) ||
+	    (y < x * 0.9999 && y > x / 1023))
 		return (plain_B(p, v, y * exp(h), x) -
 			   plain_B(p, v, y * exp(-h), x)) /
 		       (2 * h);
@@ -111,7 +114,7 @@ plain_continuous(
     const struct psd *feed, const struct params *p, double v, double *passing)
 {
 	enum { CELLS = 3000 };
-	if (isnan(params_value(p, "q_0")))
+	if (isnan(params_value_by_name(p, "q_0")))
 		naive_daughters(p, cubic_B);
 	for (size_t s = 0; s < feed->n; s++)
 		passing[s] = feed->passing[s];
@@ -135,7 +138,7 @@ plain_classes(
 {
 	size_t n = feed->n;
 	double x[SIEVES], mass[SIEVES] = {0};
-	if (isnan(params_value(p, "q_0")))
+	if (isnan(params_value_by_name(p, "q_0")))
 		naive_daughters(p, cubic_B);
 	for (size_t i = 0; i < n; i++)
 		x[i] = i + 1 < n ? sqrt(feed->size[i] * feed->size[i + 1])
@@ -162,7 +165,7 @@ products_are_those_of_the_formulas(void **state)
 	(void)state;
 	struct draw draw = draw_start(71);
 	double want[SIEVES], got[SIEVES];
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < breakage_count_models(); m++)
 		for (int k = 0; k < 16; k++) {
 			struct psd feed = made_any_feed(&draw);
 			struct params p = near(m, &draw);
@@ -177,8 +180,9 @@ products_are_those_of_the_formulas(void **state)
 			else
 				plain_continuous(&feed, &p, v, want);
 			/* B of grunditz-t10 may be vertical at u = 1. */
-			double least =
-			    isnan(params_value(&p, "kappa")) ? 1e-5 : 5e-5;
+			double least = isnan(params_value_by_name(&p, "kappa"))
+					   ? 1e-5
+					   : 5e-5;
 			for (size_t i = 0; i < feed.n; i++)
 				expect_near(BREAKAGES[m]->name, got[i], want[i],
 				    k % 2 == 1 ? 2e-4 : least);
@@ -216,8 +220,9 @@ check_jacobian(size_t m, int k, struct draw *draw)
 			    BREAKAGES[m]->name, BREAKAGES[m]->parameter[j].name,
 			    k);
 			/* B of grunditz-t10 may be vertical at u = 1. */
-			double least =
-			    isnan(params_value(&p, "kappa")) ? 2e-4 : 1e-3;
+			double least = isnan(params_value_by_name(&p, "kappa"))
+					   ? 2e-4
+					   : 1e-3;
 			expect_near(name, J[i * n + j], slope,
 			    least * (1 + fabs(slope)));
 		}
@@ -231,7 +236,7 @@ derivatives_match_differences(void **state)
 {
 	(void)state;
 	struct draw draw = draw_start(72);
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < breakage_count_models(); m++)
 		for (int k = 0; k < 20; k++)
 			check_jacobian(m, k, &draw);
 }
@@ -262,7 +267,7 @@ check_kernel(size_t m, enum method method, struct draw *draw)
 	for (size_t i = 0; i < N; i++) {
 		struct params p = herd_get(&herd, i);
 		expect_near(BREAKAGES[m]->name, sqrt(misfit[i]) / cells,
-		    sqrt(misfit_at(one, &p)) / cells, 1.5e-3);
+		    sqrt(misfit_of_params(one, &p)) / cells, 1.5e-3);
 	}
 	herd_free(&herd);
 	misfit_free(one);
@@ -275,7 +280,7 @@ the_search_sees_the_same_misfit(void **state)
 {
 	(void)state;
 	struct draw draw = draw_start(73);
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < breakage_count_models(); m++) {
 		check_kernel(m, METHOD_CONTINUOUS, &draw);
 		check_kernel(m, METHOD_CLASSES, &draw);
 	}
@@ -289,24 +294,25 @@ extensions_at_zero_change_nothing(void **state)
 	struct draw draw = draw_start(74);
 	struct psd feed = made_any_feed(&draw);
 	double want[SIEVES], got[SIEVES];
-	for (size_t m = 1; m < breakage_count(); m++) {
+	for (size_t m = 1; m < breakage_count_models(); m++) {
 		struct params q = near(m, &draw), p = q;
 		const char *plus = strchr(BREAKAGES[m]->name, '+');
 		p.breakage = 0;
-		if (plus == NULL && isnan(params_value(&q, "gamma")))
+		if (plus == NULL && isnan(params_value_by_name(&q, "gamma")))
 			continue;
 		if (plus != NULL) {
 			char name[32];
 			snprintf(name, sizeof name, "%.*s",
 			    (int)(plus - BREAKAGES[m]->name),
 			    BREAKAGES[m]->name);
-			p.breakage = breakage_find(name);
-			assert_true(p.breakage < breakage_count());
+			p.breakage = breakage_find_by_name(name);
+			assert_true(p.breakage < breakage_count_models());
 			q.at[BREAKAGES[m]->n - 1] = 0;
 		} else {
-			q.at[breakage_parameter(BREAKAGES[m], "gamma")] = 0;
+			q.at[breakage_parameter_index(BREAKAGES[m], "gamma")] =
+			    0;
 			size_t kappa =
-			    breakage_parameter(BREAKAGES[m], "kappa");
+			    breakage_parameter_index(BREAKAGES[m], "kappa");
 			if (kappa < BREAKAGES[m]->n)
 				q.at[kappa] = 0;
 		}
@@ -327,8 +333,10 @@ extensions_at_zero_change_nothing(void **state)
 }
 
 /* Of the specific energies of the three speeds. */
-#define MEAN \
-	((energy_specific(69) + energy_specific(74) + energy_specific(79)) / 3)
+#define MEAN                                                            \
+	((energy_specific_at_speed(69) + energy_specific_at_speed(74) + \
+	     energy_specific_at_speed(79)) /                            \
+	    3)
 
 static void
 search_of(size_t m, const struct params *truth)
@@ -362,18 +370,18 @@ each_model_finds_its_own_products(void **state)
 	(void)state;
 	struct draw draw = draw_start(75);
 	bool all = often(0, 1) > 0;
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < breakage_count_models(); m++) {
 		struct params truth = near(m, &draw);
 		/* One with a bypass for all, as they differ in the law. */
 		if (strstr(BREAKAGES[m]->name, "+bypass") != NULL && !all &&
 		    strncmp(BREAKAGES[m]->name, "grunditz+", 9) != 0)
 			continue;
-		size_t gamma = breakage_parameter(BREAKAGES[m], "gamma");
+		size_t gamma = breakage_parameter_index(BREAKAGES[m], "gamma");
 		if (gamma < BREAKAGES[m]->n) {
 			truth.at[gamma] = 0.4;
 			truth.at[BREAKAGES[m]->reference] = MEAN;
 		}
-		size_t kappa = breakage_parameter(BREAKAGES[m], "kappa");
+		size_t kappa = breakage_parameter_index(BREAKAGES[m], "kappa");
 		if (kappa < BREAKAGES[m]->n)
 			truth.at[kappa] = 0.3;
 		search_of(m, &truth);
@@ -404,10 +412,10 @@ a_larger_model_fits_no_worse(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 9);
 	for (size_t i = 0; i < pairs; i++)
 		for (uint64_t seed = 1; seed <= often(1, 2); seed++) {
-			double small =
-			    misfit_of(site, breakage_find(PAIR[i][0]), seed);
-			double large =
-			    misfit_of(site, breakage_find(PAIR[i][1]), seed);
+			double small = misfit_of(
+			    site, breakage_find_by_name(PAIR[i][0]), seed);
+			double large = misfit_of(
+			    site, breakage_find_by_name(PAIR[i][1]), seed);
 			if (!(large <= small * (1 + 1e-6)))
 				fail_msg("%s, seed %d: %g, %s %g", PAIR[i][1],
 				    (int)seed, large, PAIR[i][0], small);
@@ -420,26 +428,27 @@ static void
 rows_are_whole(void **state)
 {
 	(void)state;
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < breakage_count_models(); m++) {
 		const struct breakage *of = BREAKAGES[m];
-		assert_true(breakage_find(of->name) == m);
+		assert_true(breakage_find_by_name(of->name) == m);
 		assert_true(of->n <= PARAMS_MOST && of->gauge <= of->n);
 		assert_true(of->gauge == 0 || of->gauge_name != NULL);
 		for (size_t j = 0; j < of->n; j++) {
 			const struct param_info *p = &of->parameter[j];
-			assert_true(breakage_parameter(of, p->name) == j);
+			assert_true(breakage_parameter_index(of, p->name) == j);
 			assert_true(p->least <= p->lower || j == of->reference);
 			assert_true(p->lower <= p->upper);
 			assert_true(p->upper <= p->most);
 		}
-		struct params p = params_start(m);
+		struct params p = params_start_values(m);
 		char *S = of->selection_text(&p, 1);
 		char *B = of->appearance_text(&p);
 		assert_true(strlen(S) > 10 && strlen(B) > 10);
 		free(S);
 		free(B);
 	}
-	assert_true(breakage_find("no such model") == breakage_count());
+	assert_true(
+	    breakage_find_by_name("no such model") == breakage_count_models());
 }
 
 int

@@ -47,8 +47,8 @@ curves_are_recovered_at_the_speed_held_out(void **state)
 			double found[20], exact[20];
 			made_product(&site->run[1], &fit.params, found);
 			made_product(&site->run[1], &truth, exact);
-			double rms =
-			    psd_rms(found, exact, site->run[1].product.n, NULL);
+			double rms = psd_rms_difference(
+			    found, exact, site->run[1].product.n, NULL);
 			if (!(rms <= NOISE))
 				fail_msg("%s, seed %d: off by %.3f points",
 				    row->site, (int)seed, 100 * rms);
@@ -82,7 +82,7 @@ any_seed_ends_at_the_same_parameters(void **state)
 	(void)state;
 	static const bool ALL[3] = {true, true, true};
 	struct site *site = made_site(&TABLE_3[TIERP], NOISE, 3);
-	size_t models = often(1, breakage_count());
+	size_t models = often(1, breakage_count_models());
 	for (unsigned model = 0; model < models; model++) {
 		struct fit first = {0};
 		for (uint64_t seed = 1; seed <= often(2, 5); seed++) {
@@ -187,11 +187,11 @@ a_stopped_search_keeps_its_best(void **state)
 		assert_true(s.best <= before && s.best <= s.median);
 		before = s.best;
 	}
-	struct fit stopped = calibration_fit(c);
+	struct fit stopped = calibration_best_fit(c);
 	struct params best = calibration_status(c).params;
 	assert_int_equal(stopped.stop, CALIBRATE_STOPPED);
 	assert_memory_equal(&stopped.params, &best, sizeof best);
-	struct fit again = calibration_fit(c);
+	struct fit again = calibration_best_fit(c);
 	expect_same_fit(&stopped, &again);
 	calibration_free(c);
 	site_free(site);
@@ -207,9 +207,9 @@ expect_no_rise(const struct site *site, uint64_t seed)
 	struct calibration *c = calibration_new(site, &o);
 	while (calibration_step(c) == CALIBRATE_SEARCHING)
 		;
-	double before = calibration_fit(c).misfit;
+	double before = calibration_best_fit(c).misfit;
 	while (calibration_step(c) == CALIBRATE_POLISHING) {
-		double now = calibration_fit(c).misfit;
+		double now = calibration_best_fit(c).misfit;
 		if (!(now <= before * (1 + 1e-9)))
 			fail_msg("seed %d: misfit from %g to %g", (int)seed,
 			    before, now);
@@ -343,7 +343,7 @@ weights_of_runs_and_sieves_count(void **state)
 	expect_near("no sd", none.misfit, plain.misfit, 1e-9 * plain.misfit);
 	for (size_t r = 0; r < 3; r++) {
 		size_t n = site->run[r].product.n;
-		site->run[r].product_sd = xdoubles(n);
+		site->run[r].product_sd = xcalloc_doubles(n);
 		for (size_t i = 0; i < n; i++)
 			site->run[r].product_sd[i] = 0.005;
 	}
@@ -364,7 +364,7 @@ classes_are_calibrated_too(void **state)
 	struct fit fit = fitted(site, &o);
 	const bool ends[3] = {true, false, true};
 	struct misfit *m = misfit_new(site, ends, NULL, false, o.settings);
-	double misfit = misfit_at(m, &fit.params);
+	double misfit = misfit_of_params(m, &fit.params);
 	expect_near("misfit", fit.misfit, misfit, 1e-9 * misfit);
 	assert_int_equal(fit.settings.method, METHOD_CLASSES);
 	assert_true(fit.misfit < 0.02 * fit.feed_misfit);
@@ -404,7 +404,7 @@ a_step_that_is_stopped_is_made_anew(void **state)
 		idle[was == CALIBRATE_POLISHING] += step == before;
 		before = step;
 	}
-	struct fit fit = calibration_fit(c);
+	struct fit fit = calibration_best_fit(c);
 	assert_true(idle[0] > 5 && idle[1] > 5);
 	assert_memory_equal(&fit.params, &whole.params, sizeof fit.params);
 	assert_int_equal(fit.evaluations, whole.evaluations);
@@ -425,14 +425,14 @@ near_a_bound_is_not_on_it(void **state)
 	    {0.995, false}, {0.005, false}, {5e-7, true}, {0, true}};
 	struct bounds b = bounds_default(0);
 	struct params p = {.beta = {1000, 0, 0, 0}, .f_mat = 1};
-	assert_false(sensitivity_on_bound(&b, &p, 0));
+	assert_false(sensitivity_is_on_bound(&b, &p, 0));
 	for (size_t i = 0; i < ARRAY_LEN(AT); i++) {
 		p.alpha = AT[i].alpha;
 		assert_int_equal(
-		    sensitivity_on_bound(&b, &p, PARAM_ALPHA), AT[i].on);
+		    sensitivity_is_on_bound(&b, &p, PARAM_ALPHA), AT[i].on);
 	}
 	b.lower[PARAM_ALPHA] = b.upper[PARAM_ALPHA] = p.alpha;
-	assert_false(sensitivity_on_bound(&b, &p, PARAM_ALPHA));
+	assert_false(sensitivity_is_on_bound(&b, &p, PARAM_ALPHA));
 }
 
 int

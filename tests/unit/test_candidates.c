@@ -22,7 +22,7 @@ search(size_t generations, size_t population)
 	struct searched s = {.site = made_site(&TABLE_3[TIERP_ROW], 0.005, 4)};
 	struct calibrate_options o = calibrate_options_default();
 	o.population = population;
-	misfit_default_train(s.site, s.train);
+	misfit_mark_default_training(s.site, s.train);
 	s.c = calibration_new(s.site, &o);
 	for (size_t i = 0; i < generations; i++)
 		calibration_step(s.c);
@@ -69,8 +69,9 @@ percentiles_are_those_of_the_candidates(void **state)
 	const struct calibrate_generation *g = calibration_history(s.c, &n);
 	struct model_settings settings = model_settings_default();
 	struct misfit *m = misfit_new(s.site, s.train, NULL, false, settings);
-	double *d = xdoubles(m->n_residual * CALIBRATE_KEPT);
-	double *one = xdoubles(m->n_residual), *best = xdoubles(m->n_residual);
+	double *d = xcalloc_doubles(m->n_residual * CALIBRATE_KEPT);
+	double *one = xcalloc_doubles(m->n_residual),
+	       *best = xcalloc_doubles(m->n_residual);
 	assert_int_equal(n, GENERATIONS);
 	for (size_t at = 0; at < n; at += 3) {
 		struct candidates c = candidates_with_residuals(
@@ -79,11 +80,11 @@ percentiles_are_those_of_the_candidates(void **state)
 		assert_int_equal(g[at].n_kept, CALIBRATE_KEPT);
 		for (size_t i = 0; i < CALIBRATE_KEPT; i++) {
 			struct params p = candidate(&g[at], i);
-			misfit_differences(m, &p, one);
+			misfit_weighted_differences(m, &p, one);
 			for (size_t k = 0; k < c.n; k++)
 				d[k * CALIBRATE_KEPT + i] = one[k];
 		}
-		misfit_differences(m, &g[at].params, best);
+		misfit_weighted_differences(m, &g[at].params, best);
 		for (size_t k = 0; k < c.n; k++) {
 			double *own = d + k * CALIBRATE_KEPT;
 			qsort(own, CALIBRATE_KEPT, sizeof *own, compare);
@@ -114,7 +115,7 @@ cells_are_of_the_training_runs(void **state)
 	const struct calibrate_generation *g = calibration_history(s.c, &n);
 	struct candidates c = candidates_with_residuals(
 	    s.site, s.train, model_settings_default(), ISA_BEST, g, &g->params);
-	const struct candidates_cell *worst = candidates_worst(&c);
+	const struct candidates_cell *worst = candidates_worst_cell(&c);
 	for (size_t k = 0; k < c.n; k++) {
 		assert_true(s.train[c.cell[k].run]);
 		assert_true(fabs(c.cell[k].median) <= fabs(worst->median));
@@ -136,13 +137,13 @@ beta_is_scaled_as_it_is_reported(void **state)
 	const struct calibrate_generation *g = calibration_history(s.c, &n) + 5;
 	double low, high, least = INFINITY, most = -INFINITY;
 	for (size_t j = 0; j < 4; j++) {
-		candidates_middle_range(g, j, &low, &high);
+		candidates_middle_range_of_param(g, j, &low, &high);
 		assert_true(low >= -1 && low <= high && high <= 1);
 		least = fmin(least, low);
 		most = fmax(most, high);
 	}
 	assert_true(most == 1 || least == -1);
-	candidates_middle_range(g, 4, &low, &high);
+	candidates_middle_range_of_param(g, 4, &low, &high);
 	size_t below = 0;
 	for (size_t i = 0; i < g->n_kept; i++)
 		below += (double)g->kept[4][i] < low;

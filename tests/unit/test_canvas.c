@@ -51,8 +51,8 @@ every_length_of_utf8_comes_back(void **state)
 	(void)state;
 	struct canvas *c = canvas_new(6, 1);
 	canvas_text(c, 0, 0, "aö\u2588\U0001D465", SERIES_TEXT, 0);
-	assert_int_equal(canvas_at(c, 1, 0)->code, 0xF6);
-	assert_int_equal(canvas_at(c, 2, 0)->code, 0x2588);
+	assert_int_equal(canvas_cell_at(c, 1, 0)->code, 0xF6);
+	assert_int_equal(canvas_cell_at(c, 2, 0)->code, 0x2588);
 	expect(c, 0, "aö\u2588\U0001D465\n");
 	canvas_free(c);
 }
@@ -75,7 +75,7 @@ wide_characters_take_two_cells_or_none(void **state)
 		skip();
 	struct canvas *c = canvas_new(4, 1);
 	canvas_text(c, 0, 0, "a\u77F3b\u77F3", SERIES_TEXT, 0);
-	assert_int_equal(canvas_at(c, 2, 0)->code, 0);
+	assert_int_equal(canvas_cell_at(c, 2, 0)->code, 0);
 	expect(c, 0, "a\u77F3b\n");
 	canvas_free(c);
 }

@@ -19,7 +19,7 @@ drawn(struct canvas *canvas, int depth)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = open_memstream(&text, &n);
-	assert_true(picture_cells(
+	assert_true(picture_write_screen(
 	    canvas, depth, PICTURE_SVG, "a <title>", "about & so on", out));
 	fclose(out);
 	canvas_free(canvas);

@@ -23,8 +23,9 @@ static const enum charset CHARSETS[] = {
 static struct chart *
 empty(void)
 {
-	return chart_new("title", "made up", axis_sieves("size, mm", SIEVES, N),
-	    axis_percent("passing, %"));
+	return chart_new("title", "made up",
+	    axis_new_sieves("size, mm", SIEVES, N),
+	    axis_new_percent("passing, %"));
 }
 
 /* One curve of the sheet. */
@@ -84,7 +85,7 @@ axis_row(struct canvas *canvas)
 	for (int r = 0; r < canvas->rows; r++) {
 		int n = 0;
 		for (int c = 0; c < canvas->columns; c++)
-			n += canvas_at(canvas, c, r)->code == '+';
+			n += canvas_cell_at(canvas, c, r)->code == '+';
 		if (n > most) {
 			most = n;
 			row = r;
@@ -106,7 +107,7 @@ every_sieve_has_a_tick_where_it_belongs(void **state)
 			double t = log(SIEVES[i] / 0.063) / log(22.4 / 0.063);
 			int n = columns - left;
 			int at = left + (t < 1 ? (int)(t * n + 1e-9) : n - 1);
-			assert_int_equal(canvas_at(c, at, row)->code, '+');
+			assert_int_equal(canvas_cell_at(c, at, row)->code, '+');
 		}
 		canvas_free(c);
 	}
@@ -117,7 +118,7 @@ static void
 labels_go_by_rank_and_into_a_second_row(void **state)
 {
 	(void)state;
-	struct axis a = axis_sieves("size, mm", SIEVES, N);
+	struct axis a = axis_new_sieves("size, mm", SIEVES, N);
 	int column[N], row[N];
 	assert_int_equal(axis_place_labels(&a, 200, 2, column, row), 1);
 	for (size_t i = 0; i < a.n; i++)
@@ -143,13 +144,13 @@ round_axes_cover_what_they_are_asked(void **state)
 	static const double ends[][2] = {
 	    {0, 1}, {-0.9, 0.8}, {1, 400}, {3, 3}, {0, 0}, {14.8, 29.2}};
 	for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
-		struct axis a = axis_linear("x", ends[i][0], ends[i][1]);
+		struct axis a = axis_new_linear("x", ends[i][0], ends[i][1]);
 		assert_true(a.low <= ends[i][0] && a.high >= ends[i][1]);
 		assert_in_range(a.n, 2, 9);
 		axis_free(&a);
 		double low = 0.01 + fabs(ends[i][0]);
 		double high = low + fabs(ends[i][1]);
-		a = axis_log("x", low, high);
+		a = axis_new_log("x", low, high);
 		assert_true(a.low <= low && a.high >= high * (1 - 1e-9));
 		assert_true(a.n >= 2 && a.low < a.high);
 		axis_free(&a);
@@ -163,7 +164,7 @@ label_row(struct canvas *c, const char *label)
 	for (int row = 0; row < c->rows; row++) {
 		char text[5] = "";
 		for (int i = 0; i < 4; i++)
-			text[i] = (char)canvas_at(c, i, row)->code;
+			text[i] = (char)canvas_cell_at(c, i, row)->code;
 		text[strcspn(text, "|+")] = '\0';
 		if (strcmp(text + strspn(text, " "), label) == 0)
 			return row;
@@ -183,7 +184,7 @@ a_label_stands_where_its_value_is(void **state)
 	for (int rows = 5; rows <= 40; rows++) {
 		struct canvas *c =
 		    chart_draw(chart, 60, rows, CHARSET_ASCII, 0);
-		int top = canvas_at(c, 0, 0)->code == 'p', seen = 0;
+		int top = canvas_cell_at(c, 0, 0)->code == 'p', seen = 0;
 		int height = axis_row(c) > top ? axis_row(c) - top : rows - top;
 		for (size_t i = 0; i < sizeof TICKS / sizeof TICKS[0]; i++) {
 			char label[24];
@@ -220,9 +221,10 @@ a_mark_has_the_one_cell_of_its_value(void **state)
 			s->y[0] = y;
 			struct canvas *c =
 			    chart_draw(chart, 60, rows, CHARSET_BRAILLE, 0);
-			int top = canvas_at(c, 0, 0)->code == 'p', foot = rows;
-			while (canvas_at(c, 3, foot - 1)->code != 0x2502 &&
-			       canvas_at(c, 3, foot - 1)->code != 0x2524)
+			int top = canvas_cell_at(c, 0, 0)->code == 'p',
+			    foot = rows;
+			while (canvas_cell_at(c, 3, foot - 1)->code != 0x2502 &&
+			       canvas_cell_at(c, 3, foot - 1)->code != 0x2524)
 				foot--;
 			int want = (int)((100 - y) / 100 * (foot - top)), n = 0;
 			for (int i = 0; i < c->columns * c->rows; i++) {
@@ -245,7 +247,7 @@ static void
 a_symmetric_axis_magnifies_what_is_near_0(void **state)
 {
 	(void)state;
-	struct axis a = axis_symlog("x", 0.1, 100);
+	struct axis a = axis_new_symlog("x", 0.1, 100);
 	assert_true(fabs(axis_relative_position(&a, 0) - (0.5)) < 1e-9);
 	assert_true(fabs(axis_relative_position(&a, -100) - (0)) < 1e-9);
 	assert_true(fabs(axis_relative_position(&a, 1e6) - (1)) < 1e-9);
@@ -329,18 +331,19 @@ a_lifted_mark_stands_out_of_its_bar(void **state)
 		for (int row = 1; row + 1 < c->rows; row++)
 			for (int column = 5; column < c->columns; column++) {
 				const struct canvas_cell *at =
-				    canvas_at(c, column, row);
+				    canvas_cell_at(c, column, row);
 				if (at->code != 'v')
 					continue;
 				n++;
 				assert_true(at->attribute & CELL_REVERSE);
 				for (int by = -1; by <= 1; by += 2) {
 					assert_int_equal(
-					    canvas_at(c, column, row + by)
+					    canvas_cell_at(c, column, row + by)
 						->code,
 					    ' ');
 					assert_int_equal(
-					    canvas_at(c, column, row + 2 * by)
+					    canvas_cell_at(
+						c, column, row + 2 * by)
 						->series,
 					    SERIES_MEASURED_1);
 				}
@@ -365,7 +368,8 @@ a_rising_curve_rises_in_every_charset(void **state)
 		for (int x = 0; x < c->columns; x++) {
 			int top = c->rows;
 			for (int y = c->rows - 1; y >= 0; y--)
-				if (canvas_at(c, x, y)->series == look.series)
+				if (canvas_cell_at(c, x, y)->series ==
+				    look.series)
 					top = y;
 			if (top == c->rows)
 				continue;
@@ -393,7 +397,7 @@ points_outside_stay_off_the_axes(void **state)
 	for (int x = 0; x < c->columns; x++)
 		for (int y = row; y < c->rows; y++)
 			assert_int_equal(
-			    canvas_at(c, x, y)->series, SERIES_TEXT);
+			    canvas_cell_at(c, x, y)->series, SERIES_TEXT);
 	canvas_free(c);
 	chart_free(chart);
 }
@@ -530,9 +534,11 @@ a_strip_lies_below_its_chart(void **state)
 		    chart_draw(chart, 60, rows, CHARSET_ASCII, 0);
 		bool there = rows >= 12;
 		assert_int_equal(
-		    canvas_at(c, 0, there ? rows - 4 : 0)->code == 's', there);
-		assert_int_equal(canvas_at(c, 4, rows - 1)->code == '|' ||
-				     canvas_at(c, 4, rows - 1)->code == '+',
+		    canvas_cell_at(c, 0, there ? rows - 4 : 0)->code == 's',
+		    there);
+		assert_int_equal(
+		    canvas_cell_at(c, 4, rows - 1)->code == '|' ||
+			canvas_cell_at(c, 4, rows - 1)->code == '+',
 		    there);
 		canvas_free(c);
 	}
@@ -599,7 +605,7 @@ bare_data_have_all_cells(void **state)
 {
 	(void)state;
 	struct axis x = {.title = strdup("a"), .low = 0.5, .high = 4.5},
-		    y = axis_linear("b", 0, 2);
+		    y = axis_new_linear("b", 0, 2);
 	struct chart *chart = chart_new("title", "made up", x, y);
 	struct chart_series *s = chart_add(chart, SOLID, 4, "curve");
 	for (size_t i = 0; i < 4; i++) {

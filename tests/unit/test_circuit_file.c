@@ -37,27 +37,27 @@ a_circuit_is_what_its_lines_say(void **state)
 		assert_true(c->tph == 120.5);
 		assert_int_equal(c->n_stream, 6);
 		assert_int_equal(c->n_unit, 6);
-		const struct unit *made =
-		    &c->unit[circuit_source(c, circuit_stream(c, "back"))];
+		const struct unit *made = &c->unit[circuit_source_of_stream(
+		    c, circuit_find_or_add_stream(c, "back"))];
 		assert_int_equal(made->kind, UNIT_SPLIT);
 		assert_true(fabs(made->share[0] - 0.305) < 1e-15 &&
 			    fabs(made->share[1] - 0.695) < 1e-15);
-		made =
-		    &c->unit[circuit_destination(c, circuit_stream(c, "back"))];
+		made = &c->unit[circuit_destination_of_stream(
+		    c, circuit_find_or_add_stream(c, "back"))];
 		assert_true(made->kind == UNIT_CRUSHER && made->n_in == 2);
 		assert_true(made->cascade == 0.075 && made->speed == 70);
-		made =
-		    &c->unit[circuit_destination(c, circuit_stream(c, "out"))];
+		made = &c->unit[circuit_destination_of_stream(
+		    c, circuit_find_or_add_stream(c, "out"))];
 		assert_true(made->kind == UNIT_SCREEN &&
 			    made->opening == 0.008 &&
 			    made->partition.sharpness == 6 &&
 			    made->partition.cut_size == 0.95);
-		made =
-		    &c->unit[circuit_destination(c, circuit_stream(c, "sold"))];
+		made = &c->unit[circuit_destination_of_stream(
+		    c, circuit_find_or_add_stream(c, "sold"))];
 		assert_true(made->price == -2.5);
 		assert_string_equal(made->name, "8/11");
-		made = &c->unit[circuit_destination(
-		    c, circuit_stream(c, "under"))];
+		made = &c->unit[circuit_destination_of_stream(
+		    c, circuit_find_or_add_stream(c, "under"))];
 		assert_true(isnan(made->price));
 		assert_string_equal(made->name, "under");
 		circuit_free(c);

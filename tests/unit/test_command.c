@@ -141,13 +141,14 @@ names_may_be_cut_short_at_a_prompt(void **state)
 	    {"q", "quit"}};
 	for (size_t i = 0; i < ARRAY_LEN(called); i++)
 		assert_string_equal(
-		    command_find_typed(called[i][0], true)->name, called[i][1]);
+		    command_find_abbreviated(called[i][0], true)->name,
+		    called[i][1]);
 	static const char *const none[] = {"", "s", "se", "predicts", "x"};
 	for (size_t i = 0; i < ARRAY_LEN(none); i++)
-		assert_null(command_find_typed(none[i], true));
-	assert_null(command_find_typed("pred", false));
-	assert_null(command_find_typed("PREDICT", false));
-	char *names = command_candidates("SE");
+		assert_null(command_find_abbreviated(none[i], true));
+	assert_null(command_find_abbreviated("pred", false));
+	assert_null(command_find_abbreviated("PREDICT", false));
+	char *names = command_names_beginning_with("SE");
 	assert_string_equal(names, "set, seed");
 	free(names);
 }

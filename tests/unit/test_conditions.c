@@ -37,7 +37,8 @@ a_condition_says_the_same_in_other_words(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
 		struct condition c;
 		struct error error = {0};
-		bool ok = conditions_read(CASES[i].text, &WHOLE, &c, &error);
+		bool ok =
+		    conditions_parse_one(CASES[i].text, &WHOLE, &c, &error);
 		bool any = !isnan(CASES[i].least) || !isnan(CASES[i].most);
 		assert_int_equal(ok, any);
 		const double got[] = {c.least, c.most},
@@ -46,9 +47,9 @@ a_condition_says_the_same_in_other_words(void **state)
 			if (isnan(want[k]))
 				assert_true(isnan(got[k]));
 			else
-				assert_true(
-				    fabs(quantities_shown(&c.quantity, got[k]) -
-					 want[k]) < 1e-9);
+				assert_true(fabs(quantities_value_in_shown_unit(
+						     &c.quantity, got[k]) -
+						 want[k]) < 1e-9);
 	}
 }
 
@@ -67,8 +68,8 @@ what_to_write_is_said(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(CASES); i++) {
 		struct condition_list list = {0};
 		struct error error = {0};
-		assert_false(
-		    conditions_read_list(CASES[i].text, &WHOLE, &list, &error));
+		assert_false(conditions_parse_list(
+		    CASES[i].text, &WHOLE, &list, &error));
 		assert_string_equal(error.hint, CASES[i].hint);
 		conditions_free(&list);
 	}
@@ -80,12 +81,12 @@ a_comma_between_conditions_is_no_decimal_one(void **state)
 	(void)state;
 	struct condition_list list = {0};
 	struct error error = {0};
-	assert_true(conditions_read_list(
+	assert_true(conditions_parse_list(
 	    "P80=6,0/2>=30,passing 2=40..50; cu<7", &WHOLE, &list, &error));
 	assert_int_equal(list.n, 4);
 	conditions_free(&list);
 	list = (struct condition_list){0};
-	assert_true(conditions_read_list(
+	assert_true(conditions_parse_list(
 	    "P80=6,5,passing 0,063 = 40,5..42, cu<7", &WHOLE, &list, &error));
 	assert_int_equal(list.n, 3);
 	assert_float_equal(list.at[0].least, 6.5e-3, 1e-12);
@@ -99,7 +100,7 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 	static const char *const QUANTITIES[] = {"P80", "p80 6.5", "D10 1",
 	    "passing 2 mm between 38 and 42", "passing", "fines 6", "fm EN 2.7",
 	    "cu 5", "0/2 30", "share 0/2 30"};
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	(void)state;
 	assert_true(all->n > 10);
 	for (size_t i = 0; i < all->n; i++)
@@ -116,7 +117,7 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 static char *
 offered(size_t n)
 {
-	char *text = xstrdup(quantities_offer(n));
+	char *text = xstrdup(quantities_completion(n));
 	text[strcspn(text, "<>=")] = '\0';
 	if (text[strlen(text) - 1] == ' ')
 		xappend(&text, "2 mm");
@@ -128,9 +129,9 @@ read_as_typed(const char *text)
 {
 	struct quantity q;
 	struct error error = {0};
-	if (!quantities_read(text, &WHOLE.partition, &q, &error))
+	if (!quantities_parse_one(text, &WHOLE.partition, &q, &error))
 		fail_msg("%s: %s", text, error.text);
-	FREED char *typed = quantities_as_typed(&q);
+	FREED char *typed = quantities_input_text(&q);
 	assert_string_equal(typed, text);
 	return q;
 }
@@ -142,13 +143,14 @@ every_kind_is_offered_and_typed_as_it_is_read(void **state)
 	    "abcdefghijklmnopqrstuvwxyz_0123456789.EN";
 	bool seen[QUANTITY_STEP] = {false};
 	(void)state;
-	for (size_t n = 0; quantities_offer(n) != NULL; n++) {
+	for (size_t n = 0; quantities_completion(n) != NULL; n++) {
 		FREED char *text = offered(n);
 		struct quantity q = read_as_typed(text);
 		seen[q.kind] = true;
-		assert_true(quantities_begins(quantities_offer(n)));
+		assert_true(
+		    quantities_is_beginning_of_text(quantities_completion(n)));
 		assert_true(goals_is_condition(text));
-		FREED char *key = quantities_key(&q);
+		FREED char *key = quantities_field_name(&q);
 		assert_int_equal(strspn(key, IN_KEYS), strlen(key));
 		FREED char *of = xasprintf("%s of 0/4", text);
 		if (q.kind != QUANTITY_SHARE)
@@ -171,14 +173,15 @@ what_is_no_quantity_is_answered_with_every_kind(void **state)
 	struct error error = {0};
 	bool named[QUANTITY_STEP] = {false};
 	(void)state;
-	assert_false(quantities_read("much", &WHOLE.partition, &q, &error));
+	assert_false(
+	    quantities_parse_one("much", &WHOLE.partition, &q, &error));
 	for (char *at = strchr(error.hint, ':'), *end; at != NULL; at = end) {
 		at += strspn(at, ":;, ");
 		end = strpbrk(at, ",;");
 		FREED char *one =
 		    end != NULL ? xstrndup(at, (size_t)(end - at)) : NULL;
 		if (one != NULL &&
-		    quantities_read(one, &WHOLE.partition, &q, NULL))
+		    quantities_parse_one(one, &WHOLE.partition, &q, NULL))
 			named[q.kind] = true;
 	}
 	for (size_t kind = 0; kind < QUANTITY_STEP; kind++)

@@ -13,11 +13,11 @@ some(struct params *fit)
 {
 	struct bounds bounds = bounds_default(0);
 	struct model_settings settings = model_settings_default();
-	*fit = params_start(0);
+	*fit = params_start_values(0);
 	const double at[] = {0.1, 0.9, -1, 0.4, 0.3, 17, 0.93};
 	for (size_t j = 0; j < ARRAY_LEN(at); j++)
 		fit->at[j] = at[j];
-	return coordinates_about(fit, &bounds, &settings, log(2700));
+	return coordinates_new_about_fit(fit, &bounds, &settings, log(2700));
 }
 
 /* Of the gauge only the direction comes back. */

@@ -25,8 +25,8 @@ make_cells(size_t runs, double apart, struct cell *cell)
 			double P = draw_between(&draw, 0, 1);
 			cell[n++] = (struct cell){.run = r,
 			    .log_size = by - 4 - 0.69 * (double)i,
-			    .t = discrepancy_t_of_speed(v, el_log(2750)),
-			    .h = i == 0 ? 0 : discrepancy_h(P)};
+			    .t = discrepancy_speed_to_t(v, el_log(2750)),
+			    .h = i == 0 ? 0 : discrepancy_scale_at_passing(P)};
 		}
 	}
 	return n;
@@ -48,11 +48,11 @@ test_same(void **state)
 	(void)state;
 	struct cell cell[MOST];
 	size_t n = make_cells(20, 0, cell);
-	double *U = xdoubles(n * n), *d = xdoubles(4 * n);
+	double *U = xcalloc_doubles(n * n), *d = xcalloc_doubles(4 * n);
 	double *x = d + n, *y = x + n, *z = y + n;
 	struct draw draw = draw_start(1);
 	struct covariance *c = covariance_new(ISA_BEST, cell, n);
-	double *factor = xdoubles(covariance_factor_size(c));
+	double *factor = xcalloc_doubles(covariance_factor_size(c));
 	for (size_t k = 0; k < 50; k++) {
 		double hyper[HYPERS];
 		make_hyper(&draw, hyper);
@@ -60,13 +60,13 @@ test_same(void **state)
 			d[i] = x[i] = y[i] = z[i] =
 			    0.01 * cell[i].h * draw_between(&draw, -1, 1);
 		covariance_factor(c, hyper, factor);
-		discrepancy_factor(ISA_BEST, cell, n, hyper, U);
+		discrepancy_factor_covariance(ISA_BEST, cell, n, hyper, U);
 		double level = covariance_minus_log_density(c, factor, z);
 		double want = discrepancy_minus_log_density(ISA_BEST, U, n, y);
 		expect_near("level", level, want, 1e-4 + 1e-6 * fabs(want));
 		covariance_solve(c, factor, d);
-		discrepancy_forward(ISA_BEST, U, n, x);
-		discrepancy_backward(U, n, x);
+		discrepancy_solve_lower(ISA_BEST, U, n, x);
+		discrepancy_solve_upper(U, n, x);
 		double most = 0;
 		for (size_t i = 0; i < n; i++)
 			most = fmax(most, fabs(x[i]));
@@ -120,7 +120,7 @@ test_sizes(void **state)
 		d[i] = 0.01 * cell[i].h;
 	}
 	assert_in_range(sizes, SIEVES, COVARIANCE_SIZES);
-	double *factor = xdoubles(covariance_factor_size(c));
+	double *factor = xcalloc_doubles(covariance_factor_size(c));
 	for (size_t h = 0; h < HYPERS; h++)
 		log_hyper[h] = el_log(HYPER[h].median);
 	covariance_factor(c, log_hyper, factor);

@@ -16,7 +16,7 @@ static struct site *
 site_of(uint64_t seed)
 {
 	static const double SPEED[] = {69, 74, 79};
-	struct rng_key key = rng_key(seed, 0, 5);
+	struct rng_key key = rng_make_key(seed, 0, 5);
 	struct synth synth = {.top_size = 0.008 + 0.008 * rng_uniform(key, 0),
 	    .params = {.beta = {0.2, 1, -1, 0.5},
 		.f_mat = 0.8 + rng_uniform(key, 1),
@@ -62,7 +62,7 @@ a_wrong_cell_is_named(void **state)
 	for (uint64_t seed = 1; seed <= SITES; seed++) {
 		struct site *site = site_of(seed);
 		struct posterior *p = posterior_of(site);
-		struct doctor d = outliers_find(site, p, 0);
+		struct outlier_findings d = outliers_find(site, p, 0);
 		alarms += d.n > 0;
 		outliers_free(&d);
 		posterior_free(p);
@@ -95,7 +95,7 @@ a_law_that_is_wrong_accuses_no_cell(void **state)
 	(void)state;
 	for (uint64_t seed = 1; seed <= SITES; seed++) {
 		struct site *site = site_of(seed);
-		struct rng_key key = rng_key(seed, 0, 6);
+		struct rng_key key = rng_make_key(seed, 0, 6);
 		for (size_t r = 0; r < 3; r++) {
 			struct psd *psd = &site->run[r].product;
 			double size = SHARE[r] * site->top_size;
@@ -111,7 +111,7 @@ a_law_that_is_wrong_accuses_no_cell(void **state)
 			}
 		}
 		struct posterior *p = posterior_of(site);
-		struct doctor d = outliers_find(site, p, 0);
+		struct outlier_findings d = outliers_find(site, p, 0);
 		assert_int_equal(d.n, 0);
 		outliers_free(&d);
 		posterior_free(p);
@@ -134,7 +134,7 @@ wide_bounds_leave_numbers(void **state)
 			p->bounds.upper[j] = -p->bounds.lower[j];
 		}
 		struct leave_out *l = leave_out_new(site, p, 0);
-		for (size_t c = 0; c < leave_out_cells(l); c++) {
+		for (size_t c = 0; c < leave_out_count_cells(l); c++) {
 			struct leave_out_shift s = leave_out_shift_of(l, c);
 			assert_true(isfinite(s.z) && isfinite(s.gain));
 			assert_true(s.sd > 0 && isfinite(s.sd));
@@ -180,7 +180,7 @@ transposed_digits_are_read(void **state)
 		if (i + 1 < psd->n) {
 			psd->passing[i] = wrong;
 			struct posterior *p = posterior_of(site);
-			struct doctor d = outliers_find(site, p, 0);
+			struct outlier_findings d = outliers_find(site, p, 0);
 			assert_int_equal(d.n, 1);
 			assert_int_equal(d.finding[0].mend.kind, MEND_READ);
 			assert_true(
@@ -226,7 +226,7 @@ columns_are_put_right(void **state)
 			for (size_t i = 0; i < was.n; i++)
 				was.size[i] *= 1000;
 		}
-		struct doctor d = outliers_find(site, NULL, 0);
+		struct outlier_findings d = outliers_find(site, NULL, 0);
 		assert_int_equal(d.n, 1);
 		assert_int_equal(d.finding[0].mend.kind, KIND[kind]);
 		struct site *mended = mend_site(site, &d.finding[0].mend, NULL);
@@ -240,7 +240,7 @@ columns_are_put_right(void **state)
 				assert_true(
 				    fabs(p->size[i] / q->size[i] - 1) < 1e-9);
 			}
-		struct doctor none = outliers_find(mended, NULL, 0);
+		struct outlier_findings none = outliers_find(mended, NULL, 0);
 		assert_int_equal(none.n, 0);
 		assert_non_null(strstr(mended->provenance, "; mended: "));
 		outliers_free(&none);
@@ -309,7 +309,8 @@ a_large_slip_is_no_exchange(void **state)
 		if (i + 1 < psd->n) {
 			tried++;
 			psd->passing[i] -= 0.2;
-			struct doctor d = outliers_find(site, NULL, 0);
+			struct outlier_findings d =
+			    outliers_find(site, NULL, 0);
 			assert_int_equal(d.n, 1);
 			assert_true(d.finding[0].mend.kind != MEND_WITH);
 			assert_int_equal(d.finding[0].mend.run, 1);
@@ -333,7 +334,7 @@ little_is_looked_at_too(void **state)
 		site_free(site);
 		site = less;
 	}
-	struct doctor d = outliers_find(site, NULL, 0);
+	struct outlier_findings d = outliers_find(site, NULL, 0);
 	assert_int_equal(d.n, 0);
 	outliers_free(&d);
 	site->run[0].product.n = 0;
@@ -365,7 +366,7 @@ too_many_are_not_looked_at(void **state)
 	struct run *run = site->run;
 	psd_free(&run[1].product);
 	run[1].product = psd_copy(&run[0].product);
-	struct doctor d = outliers_find(site, NULL, 0);
+	struct outlier_findings d = outliers_find(site, NULL, 0);
 	assert_in_range(d.unseen, DOCTOR_CELLS + 1, RUNS * 20);
 	assert_int_equal(d.n, 1);
 	assert_int_equal(d.finding[0].mend.kind, MEND_DROP);

@@ -57,10 +57,10 @@ read_page(struct document *d)
 	struct found f = {.words = xstrdup("")};
 	size_t n;
 	struct error_list errors = {0};
-	assert_true(document_end(d));
-	char *page = document_html(d, &n);
+	assert_true(document_finish(d));
+	char *page = document_to_html(d, &n);
 	assert_int_equal(strncmp(page, TYPE, strlen(TYPE)), 0);
-	char *wrong = xml_read(
+	char *wrong = xml_parse_document(
 	    page + strlen(TYPE), n - strlen(TYPE), &events, &f, &errors);
 	if (wrong != NULL)
 		fail_msg("%s", wrong);
@@ -76,14 +76,14 @@ table(size_t rows, size_t columns, const char *words)
 {
 	struct answer *a = answer_new("sweep");
 	answer_title(a, "%s", words);
-	answer_site(a, words, words);
+	answer_set_site(a, words, words);
 	for (size_t c = 0; c + 1 < columns; c++)
 		answer_columns(a, "column%zu", c);
 	answer_column(a, "words", words);
 	for (size_t i = 0; i < rows * (columns - 1); i++) {
-		answer_cells(a, "%.2f", (double)i);
+		answer_add_cells(a, "%.2f", (double)i);
 		if (i % (columns - 1) == columns - 2)
-			answer_cells(a, "%s", words);
+			answer_add_cells(a, "%s", words);
 	}
 	answer_say(a, ANSWER_WARNING, "%s", words);
 	answer_note(a, "%s", words);
@@ -95,7 +95,7 @@ with_table(size_t rows, size_t columns, const char *words)
 {
 	struct document *d = document_new("tipspeed: test");
 	struct answer *a = table(rows, columns, words);
-	assert_int_equal(document_answer(d, a), rows);
+	assert_int_equal(document_add_answer(d, a), rows);
 	answer_free(a);
 	return d;
 }
@@ -103,7 +103,8 @@ with_table(size_t rows, size_t columns, const char *words)
 static struct chart *
 chart(const char *words)
 {
-	struct axis x = axis_linear("x", 0, 1), y = axis_linear("y", 0, 1);
+	struct axis x = axis_new_linear("x", 0, 1),
+		    y = axis_new_linear("y", 0, 1);
 	struct chart *c = chart_new(words, words, x, y);
 	chart_add(
 	    c, (struct chart_series){.line = CHART_SOLID}, 2, "%s", words);
@@ -118,8 +119,8 @@ words_of_others_are_words(void **state)
 	document_say(d, DOCUMENT_HEADING, "%s", HOSTILE);
 	document_say(d, DOCUMENT_WORDS, "%s", HOSTILE);
 	document_say(d, DOCUMENT_WARNING, "%s", HOSTILE);
-	document_light(d, LIGHT_RED, HOSTILE);
-	document_picture(d, chart(HOSTILE));
+	document_add_trust_light(d, LIGHT_RED, HOSTILE);
+	document_add_chart(d, chart(HOSTILE));
 	fprintf(d->out, "%s\n", HOSTILE);
 	struct found f = read_page(d);
 	assert_int_equal(f.tables, 1);
@@ -141,14 +142,14 @@ parts_keep_their_order(void **state)
 	fputs("three\n", d->out);
 	fputs("four\n\n", d->out);
 	document_say(d, DOCUMENT_WORDS, "five");
-	assert_true(document_end(d));
+	assert_true(document_finish(d));
 	assert_int_equal(d->n, 4);
 	assert_string_equal(d->part[0].text, "one");
 	assert_string_equal(d->part[2].text, "three\nfour");
 	assert_string_equal(d->title, "tipspeed: test");
 	document_free(d);
 	d = document_new("tipspeed: test");
-	assert_false(document_end(d));
+	assert_false(document_finish(d));
 	document_free(d);
 }
 
@@ -171,9 +172,9 @@ static size_t
 pages_of(struct document *d)
 {
 	size_t n, pages, m, again;
-	assert_true(document_end(d));
-	char *file = document_pdf(d, &n, &pages);
-	char *other = document_pdf(d, &m, &again);
+	assert_true(document_finish(d));
+	char *file = document_to_pdf(d, &n, &pages);
+	char *other = document_to_pdf(d, &m, &again);
 	assert_non_null(file);
 	assert_int_equal(strncmp(file, "%PDF-", 5), 0);
 	assert_int_equal(n, m);
@@ -189,7 +190,7 @@ paper_has_room(void **state)
 {
 	(void)state;
 	char *word = xcalloc(6001, 1);
-	if (!picture_can(PICTURE_PDF))
+	if (!picture_can_draw_form(PICTURE_PDF))
 		skip();
 	memset(word, 'm', 6000);
 	assert_int_equal(pages_of(with_table(12, 5, "rock")), 1);
@@ -209,7 +210,7 @@ a_report_leaves_the_session_alone(void **state)
 	desk_expect(desk, "load data/sites/tierp.csv");
 	desk_expect(desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	desk_expect(desk, "predict 70");
-	size_t depth = undo_depth(s), lines = journal_place(s).n;
+	size_t depth = undo_count_steps(s), lines = journal_current_place(s).n;
 	char folder[] = "/tmp/tipspeed-XXXXXX";
 	assert_non_null(mkdtemp(folder));
 	char *file = xasprintf("%s/a.html", folder);
@@ -220,8 +221,8 @@ a_report_leaves_the_session_alone(void **state)
 	free(file);
 	assert_null(s->document);
 	assert_null(s->file);
-	assert_int_equal(undo_depth(s), depth);
-	assert_int_equal(journal_place(s).n, lines);
+	assert_int_equal(undo_count_steps(s), depth);
+	assert_int_equal(journal_current_place(s).n, lines);
 	assert_true(session_answer_number(s, "predict", "speed") == 70);
 	assert_false(desk_say(desk, "report"));
 	assert_non_null(strstr(desk->error.hint, "report > report.html"));

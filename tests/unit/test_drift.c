@@ -16,17 +16,17 @@ run_lengths_are_those_of_the_textbook(void **state)
 {
 	(void)state;
 	struct drift_rule r = {0.5, 5, 0.2, INFINITY, 2};
-	expect_near("h 5", drift_run_length(&r, 0, 1), 465.0 / 2, 18);
-	expect_near("shift 1", drift_run_length(&r, 1, 1), 10.4, 0.4);
-	expect_near("shift 2", drift_run_length(&r, 2, 1), 4.01, 0.1);
+	expect_near("h 5", drift_mean_run_length(&r, 0, 1), 465.0 / 2, 18);
+	expect_near("shift 1", drift_mean_run_length(&r, 1, 1), 10.4, 0.4);
+	expect_near("shift 2", drift_mean_run_length(&r, 2, 1), 4.01, 0.1);
 	r.h = 4;
-	expect_near("h 4", drift_run_length(&r, 0, 1), 168.0 / 2, 6);
+	expect_near("h 4", drift_mean_run_length(&r, 0, 1), 168.0 / 2, 6);
 	/* Lucas and Saccucci 1990: 500 with limits that stay; the exact ones
 	 * are narrower at first. */
 	struct drift_rule e = {0.5, INFINITY, 0.2, 2.962, 2};
-	double own = drift_run_length(&e, 0, 1);
+	double own = drift_mean_run_length(&e, 0, 1);
 	assert_true(own > 225 && own < 275);
-	assert_true(drift_run_length(&e, 0, 1) == own);
+	assert_true(drift_mean_run_length(&e, 0, 1) == own);
 }
 
 enum { SIEVES = 6, DRAWS = 256, LONG = 30 };
@@ -44,7 +44,8 @@ static void
 make(struct made_up *m, uint64_t seed, double offset, size_t from, double shift)
 {
 	const double sd = 0.01;
-	struct rng_key key = rng_key(seed, 0, 1), own = rng_key(0, 0, 2);
+	struct rng_key key = rng_make_key(seed, 0, 1),
+		       own = rng_make_key(0, 0, 2);
 	*m = (struct made_up){.error = {0}};
 	for (size_t i = 0; i < SIEVES; i++) {
 		m->error[i * SIEVES + i] = sd * sd;
@@ -74,7 +75,7 @@ an_unknown_truth_is_no_drift(void **state)
 	enum { MANY = 400 };
 	static struct made_up m;
 	struct drift_point point[LONG];
-	struct rng_key key = rng_key(7, 0, 3);
+	struct rng_key key = rng_make_key(7, 0, 3);
 	double square = 0, next = 0;
 	size_t since, signals = 0, naive = 0;
 	for (uint64_t q = 0; q < MANY; q++) {
@@ -100,7 +101,7 @@ an_unknown_truth_is_no_drift(void **state)
 	expect_near("correlation", next / (MANY * (LONG - 1)), 0, 0.03);
 	/* One in 150 to 200 samples: of 30, 14 % or so; fewer while the size
 	 * of the errors is being learnt. */
-	double length = drift_run_length(&DRIFT_RULE, 0, 1);
+	double length = drift_mean_run_length(&DRIFT_RULE, 0, 1);
 	double expected = MANY * -expm1(-LONG / length);
 	assert_true(length > 130 && length < 220);
 	assert_true((double)signals < expected + 3 * sqrt(expected));
@@ -117,9 +118,9 @@ the_size_of_errors_is_learnt(void **state)
 	enum { MANY = 400 };
 	static struct made_up m;
 	struct drift_point point[LONG];
-	struct rng_key key = rng_key(7, 0, 3);
+	struct rng_key key = rng_make_key(7, 0, 3);
 	double expected =
-	    MANY * -expm1(-LONG / drift_run_length(&DRIFT_RULE, 0, 1));
+	    MANY * -expm1(-LONG / drift_mean_run_length(&DRIFT_RULE, 0, 1));
 	for (double larger = 0.6; larger < 2.5; larger += 0.6) {
 		size_t since, signals = 0;
 		for (uint64_t q = 0; q < MANY; q++) {
@@ -147,7 +148,7 @@ steps_are_signalled_as_said(void **state)
 	enum { MANY = 300, QUIET = 12 };
 	static struct made_up m;
 	struct drift_point point[LONG];
-	struct rng_key key = rng_key(9, 0, 3);
+	struct rng_key key = rng_make_key(9, 0, 3);
 	size_t since, by = 0, before = 0, all = 0;
 	for (uint64_t q = 0; q < MANY; q++) {
 		make(&m, q, rng_normal(key, (uint32_t)q), QUIET, 0.008);
@@ -223,15 +224,16 @@ plant(void)
 	p.size = p.feed->size + 1;
 	p.ensemble = ensemble_new(p.posterior, p.feed, p.size, p.n);
 	for (size_t v = 0; v < 3; v++) {
-		ensemble_at(p.ensemble, 69 + 4 * (double)v);
-		p.truth[v] = xdoubles(p.n * POSTERIOR_DRAWS);
-		p.mean[v] = xdoubles(p.n);
-		p.error[v] = xdoubles(p.n * p.n);
+		ensemble_set_speed(p.ensemble, 69 + 4 * (double)v);
+		p.truth[v] = xcalloc_doubles(p.n * POSTERIOR_DRAWS);
+		p.mean[v] = xcalloc_doubles(p.n);
+		p.error[v] = xcalloc_doubles(p.n * p.n);
 		memcpy(p.truth[v],
 		    ensemble_products(p.ensemble, ENSEMBLE_ANSWER),
 		    p.n * POSTERIOR_DRAWS * sizeof(double));
-		ensemble_mean(p.ensemble, p.mean[v]);
-		drift_error(p.posterior, p.size, p.mean[v], p.n, p.error[v]);
+		ensemble_mean_answer(p.ensemble, p.mean[v]);
+		drift_covariance_of_errors(
+		    p.posterior, p.size, p.mean[v], p.n, p.error[v]);
 	}
 	return p;
 }
@@ -242,21 +244,22 @@ plant(void)
 static size_t
 first_signal(const struct plant *p, size_t n, uint64_t q)
 {
-	struct rng_key key = rng_key(11, q, 5);
+	struct rng_key key = rng_make_key(11, q, 5);
 	struct drift_cut *cut = xcalloc(n, sizeof *cut);
 	struct drift_point *point = xcalloc(n, sizeof *point);
-	double *residual = xdoubles(n * p->n);
-	size_t d = rng_bits(key, 0) % POSTERIOR_DRAWS, since;
+	double *residual = xcalloc_doubles(n * p->n);
+	size_t d = rng_random_bits(key, 0) % POSTERIOR_DRAWS, since;
 	for (size_t j = 0; j < n; j++) {
 		size_t v = j % 3;
-		struct rng_key own = rng_key(13 + q, j, 6);
+		struct rng_key own = rng_make_key(13 + q, j, 6);
 		const double *hyper = p->posterior->draw[d].hyper;
-		double *U = xdoubles(p->n * p->n), *z = xdoubles(p->n);
+		double *U = xcalloc_doubles(p->n * p->n),
+		       *z = xcalloc_doubles(p->n);
 		for (size_t a = 0; a < p->n; a++) {
 			z[a] = rng_normal(own, (uint32_t)a);
 			for (size_t b = 0; b <= a; b++)
 				U[b * p->n + a] =
-				    discrepancy_shared(
+				    discrepancy_shared_covariance(
 					log(p->size[a] / p->size[b]), hyper) +
 				    (a == b ? hyper[HYPER_OWN] *
 						  hyper[HYPER_OWN]
@@ -269,7 +272,8 @@ first_signal(const struct plant *p, size_t n, uint64_t q)
 				e += U[b * p->n + a] * z[b];
 			residual[j * p->n + a] =
 			    p->truth[v][a * POSTERIOR_DRAWS + d] +
-			    discrepancy_h(p->mean[v][a]) * e - p->mean[v][a];
+			    discrepancy_scale_at_passing(p->mean[v][a]) * e -
+			    p->mean[v][a];
 		}
 		cut[j] = (struct drift_cut){p->n, p->size, residual + j * p->n,
 		    POSTERIOR_DRAWS, p->truth[v], p->error[v]};
@@ -293,7 +297,7 @@ false_signals_are_as_rare_as_stated(void **state)
 	size_t signals = 0;
 	for (uint64_t q = 0; q < MANY; q++)
 		signals += first_signal(&p, CUTS, q) < CUTS;
-	double length = drift_run_length(&DRIFT_RULE, 0, 1);
+	double length = drift_mean_run_length(&DRIFT_RULE, 0, 1);
 	double expected = MANY * -expm1(-CUTS / length);
 	print_message("false signals in %d sequences of %d: %zu, stated %.0f\n",
 	    MANY, CUTS, signals, expected);

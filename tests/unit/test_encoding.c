@@ -57,7 +57,7 @@ letters_and_their_accents_are_one(void **state)
 	    {"O\u0308sjo\u0308", "Ösjö"}, {"\u212B", "Å"}, {"µ", "µ"},
 	    {"plain", "plain"}, {"\u0301", "\u0301"}};
 	for (size_t i = 0; i < ARRAY_LEN(pairs); i++) {
-		char *composed = encoding_compose(pairs[i][0]);
+		char *composed = encoding_to_nfc(pairs[i][0]);
 		assert_string_equal(composed, pairs[i][1]);
 		free(composed);
 	}
@@ -68,7 +68,7 @@ letters_and_their_accents_are_one(void **state)
 	for (size_t i = 0; i < N; i++)
 		memcpy(
 		    many + 1 + 2 * i, i % 2 == 0 ? "\xCC\x81" : "\xCC\xA3", 2);
-	char *same = encoding_compose(many);
+	char *same = encoding_to_nfc(many);
 	assert_string_equal(same, many);
 	free(same);
 	free(many);
@@ -88,7 +88,7 @@ a_guess_is_noted(void **state)
 		struct source source;
 		const char *path =
 		    put_sheet(texts[i].text, strlen(texts[i].text));
-		assert_true(source_read(path, &errors, &source));
+		assert_true(source_read_file(path, &errors, &source));
 		assert_int_equal(source.note[0] != '\0', texts[i].noted);
 		assert_true(!texts[i].noted ||
 			    strstr(source.note, "Windows-1252") != NULL);

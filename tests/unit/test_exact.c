@@ -56,7 +56,7 @@ made_plant(enum kind kind, struct draw *d)
 	double speed[RUNS_MOST];
 	struct synth synth = {.speed = speed, .n_speed = runs};
 	synth.top_size = draw_log(d, 8e-3, 22e-3);
-	synth.params = params_start(0);
+	synth.params = params_start_values(0);
 	synth.params.f_mat = draw_log(d, 0.2, 2.5);
 	synth.params.e0_min = draw_between(d, 12, 29);
 	synth.params.alpha = draw_between(d, 0.82, 0.98);
@@ -83,8 +83,8 @@ static bool
 breaks(const struct site *site)
 {
 	const struct run *run = &site->run[site->n_run - 1];
-	return psd_rms(run->feed.passing, run->product.passing, run->product.n,
-		   NULL) > 0.02;
+	return psd_rms_difference(run->feed.passing, run->product.passing,
+		   run->product.n, NULL) > 0.02;
 }
 
 static struct site *
@@ -122,10 +122,10 @@ apart(const struct site *site, const struct fit *a, const struct fit *b)
 {
 	double most = 0;
 	for (double v = 65; v <= 85; v += 10) {
-		struct prediction p =
-		    predict(site, &a->params, a->settings, v, 0);
-		struct prediction q =
-		    predict(site, &b->params, b->settings, v, 0);
+		struct prediction p = predict_with_model_alone(
+		    site, &a->params, a->settings, v, 0);
+		struct prediction q = predict_with_model_alone(
+		    site, &b->params, b->settings, v, 0);
 		for (size_t i = 0; i < p.product.n; i++)
 			most = fmax(most,
 			    fabs(p.product.passing[i] - q.product.passing[i]));

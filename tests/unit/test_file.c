@@ -43,7 +43,8 @@ static void
 put(const char *path, const char *text)
 {
 	struct error error = {0};
-	if (!file_replace(path, FILE_SHARED, text, strlen(text), &error))
+	if (!file_replace_contents(
+		path, FILE_SHARED, text, strlen(text), &error))
 		fail_msg("%s", error.text);
 }
 
@@ -73,8 +74,8 @@ a_new_file_has_the_rights_that_the_user_gives(void **state)
 	struct error error = {0};
 	mode_t before = umask(027);
 	put("shared", "x");
-	assert_true(file_replace("own", FILE_PRIVATE, "x", 1, &error));
-	assert_true(file_append("added", FILE_PRIVATE, "x", 1, &error));
+	assert_true(file_replace_contents("own", FILE_PRIVATE, "x", 1, &error));
+	assert_true(file_append_bytes("added", FILE_PRIVATE, "x", 1, &error));
 	umask(before);
 	assert_int_equal(rights("shared"), 0640);
 	assert_int_equal(rights("own"), 0600);
@@ -153,17 +154,19 @@ what_is_no_file_is_written_to_or_refused(void **state)
 	(void)state;
 	struct error error = {0};
 	put("/dev/null", "gone");
-	assert_false(file_replace(".", FILE_SHARED, "x", 1, &error));
+	assert_false(file_replace_contents(".", FILE_SHARED, "x", 1, &error));
 	assert_int_equal(error.kind, ERROR_SYSTEM);
 	assert_non_null(strstr(error.text, "Is a directory"));
-	assert_false(file_may_write(".", NULL));
-	assert_false(file_append(".", FILE_SHARED, "x", 1, NULL));
-	assert_false(file_replace("none/x", FILE_SHARED, "x", 1, &error));
+	assert_false(file_check_writable(".", NULL));
+	assert_false(file_append_bytes(".", FILE_SHARED, "x", 1, NULL));
+	assert_false(
+	    file_replace_contents("none/x", FILE_SHARED, "x", 1, &error));
 	assert_non_null(strstr(error.text, "none/x: No such file"));
-	assert_false(file_may_write("none/x", NULL));
-	assert_true(file_may_write("x", NULL));
+	assert_false(file_check_writable("none/x", NULL));
+	assert_true(file_check_writable("x", NULL));
 	assert_int_equal(symlink("round", "round"), 0);
-	assert_false(file_replace("round", FILE_SHARED, "x", 1, &error));
+	assert_false(
+	    file_replace_contents("round", FILE_SHARED, "x", 1, &error));
 	unlink("round");
 }
 
@@ -182,8 +185,10 @@ a_full_disk_takes_nothing_away(void **state)
 	signal(SIGXFSZ, SIG_IGN);
 	setrlimit(RLIMIT_FSIZE, &tight);
 	struct error replaced = {0}, added = {0};
-	bool ok = file_replace("x", FILE_SHARED, much, sizeof much, &replaced);
-	bool more = file_append("x", FILE_SHARED, much, sizeof much, &added);
+	bool ok = file_replace_contents(
+	    "x", FILE_SHARED, much, sizeof much, &replaced);
+	bool more =
+	    file_append_bytes("x", FILE_SHARED, much, sizeof much, &added);
 	setrlimit(RLIMIT_FSIZE, &before);
 	signal(SIGXFSZ, SIG_DFL);
 	assert_false(ok);
@@ -199,8 +204,8 @@ what_is_added_follows_what_was_there(void **state)
 {
 	(void)state;
 	struct error error = {0};
-	assert_true(file_append("x", FILE_SHARED, "one\n", 4, &error));
-	assert_true(file_append("x", FILE_SHARED, "two\n", 4, &error));
+	assert_true(file_append_bytes("x", FILE_SHARED, "one\n", 4, &error));
+	assert_true(file_append_bytes("x", FILE_SHARED, "two\n", 4, &error));
 	assert_true(holds("x", "one\ntwo\n"));
 	unlink("x");
 }
@@ -221,7 +226,7 @@ no_signal_leaves_a_file_behind(void **state)
 			for (size_t s = 0; s < ARRAY_LEN(SIGNALS); s++)
 				signal(SIGNALS[s], SIG_DFL);
 			for (;;)
-				file_replace(
+				file_replace_contents(
 				    "x", FILE_SHARED, much, sizeof much, NULL);
 		}
 		struct stat about;

@@ -36,9 +36,9 @@ press(struct tui *t, const char *name)
 {
 	int code = 0;
 	assert_true(keys_code_of_name(name, &code));
-	keymap_key(t, code, code > 255);
+	keymap_handle_key(t, code, code > 255);
 	t->clock++;
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	view_update(t);
 	frame_draw(t);
 }
@@ -59,7 +59,7 @@ shows(const char *words)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	canvas_print(screen_frame(), 0, out);
+	canvas_print(screen_last_frame(), 0, out);
 	fclose(out);
 	bool found = strstr(text, words) != NULL;
 	free(text);
@@ -118,7 +118,8 @@ a_saved_session_is_restored(void **state)
 	press(t, "Enter");
 	choose(t, "paper.tip");
 	assert_int_equal(folder->item[t->picker.list.at].kind, FOLDER_SESSION);
-	char *line = folder_command(&folder->item[t->picker.list.at], true);
+	char *line =
+	    folder_open_command(&folder->item[t->picker.list.at], true);
 	assert_string_equal(line, "restore \"data/sessions/paper.tip\"");
 	free(line);
 	press(t, "Esc");
@@ -182,7 +183,7 @@ without_a_site_all_keys_lead_to_a_sheet(void **state)
 	}
 	t->message[0] = '\0';
 	for (enum page page = PAGE_FIT; page < PAGES; page++) {
-		keymap_key(t, keys_code_of_page(page), false);
+		keymap_handle_key(t, keys_code_of_page(page), false);
 		view_update(t);
 		frame_draw(t);
 		assert_false(shows(":load"));
@@ -224,7 +225,7 @@ enter_calibrates_what_was_read(void **state)
 	assert_true(shows("Enter calibrates"));
 	assert_true(shows("3 runs: 69, 74, 79 m/s"));
 	press(t, "Enter");
-	assert_true(session_busy(t->session));
+	assert_true(session_is_calibrating(t->session));
 	assert_int_equal(t->ui.page, PAGE_FIT);
 }
 
@@ -239,9 +240,9 @@ letters_narrow_the_list(void **state)
 	type(t, "limestone");
 	assert_true(t->picker.on);
 	assert_true(shows("what has 'limestone'"));
-	assert_in_range(rows_count(t), 1, all - 1);
+	assert_in_range(rows_count_matching(t), 1, all - 1);
 	press(t, "Esc");
-	assert_int_equal(rows_count(t), all);
+	assert_int_equal(rows_count_matching(t), all);
 	type(t, "tierz");
 	assert_true(shows("nothing here has 'tierz'"));
 	assert_string_equal(t->picker.word.text, "tier");
@@ -252,7 +253,7 @@ letters_narrow_the_list(void **state)
 	type(t, "data");
 	press(t, "Enter");
 	type(t, "sit");
-	assert_int_equal(rows_count(t), 1);
+	assert_int_equal(rows_count_matching(t), 1);
 	press(t, "Left");
 	assert_string_equal(t->picker.folder.path, "");
 	assert_int_equal(t->picker.word.n, 0);
@@ -339,13 +340,14 @@ the_mouse_chooses_and_opens(void **state)
 	const struct layout *l = &t->layout;
 	press(t, "o");
 	int row = l->body.row + 2;
-	hits_mouse(t, &t->hits, HIT_PRESS, row, 3, keymap_key);
+	hits_dispatch_mouse(t, &t->hits, HIT_PRESS, row, 3, keymap_handle_key);
 	assert_int_equal(t->picker.list.at, 1);
 	frame_draw(t);
-	hits_mouse(t, &t->hits, HIT_DOWN, row, 3, keymap_key);
+	hits_dispatch_mouse(t, &t->hits, HIT_DOWN, row, 3, keymap_handle_key);
 	assert_int_equal(t->picker.list.at, 2);
 	frame_draw(t);
-	hits_mouse(t, &t->hits, HIT_PRESS, row + 1, 3, keymap_key);
+	hits_dispatch_mouse(
+	    t, &t->hits, HIT_PRESS, row + 1, 3, keymap_handle_key);
 	assert_string_not_equal(t->picker.folder.path, "");
 }
 
@@ -420,8 +422,8 @@ strange_files_are_looked_at_without_being_read(void **state)
 	char *big = folder_preview(&list.item[0]);
 	char *empty = folder_preview(&list.item[1]);
 	char *command =
-	    folder_command(&(struct folder_item){.name = (char *)"a=b.csv",
-			       .path = (char *)"a=b.csv"},
+	    folder_open_command(&(struct folder_item){.name = (char *)"a=b.csv",
+				    .path = (char *)"a=b.csv"},
 		false);
 	static const char *const NAMES[] = {"pipe.csv", "link.csv", "empty.csv",
 	    ".hidden.csv", "a\"b.csv", "big.csv", "a.csv"};

@@ -18,7 +18,7 @@ still(const double *size, size_t n)
 	p.f_mat = 0;
 	struct crusher *c =
 	    crusher_new(size, n, &p, model_settings_default(), NULL);
-	struct transfer *t = crusher_at(c, 74);
+	struct transfer *t = crusher_transfer_at_speed(c, 74);
 	crusher_free(c);
 	return t;
 }
@@ -35,40 +35,41 @@ a_circuit_without_a_loop_is_what_a_pencil_says(void **state)
 	/* Not in the order of the flow. */
 	static const char *const PILES[] = {"c", "a", "d"};
 	for (size_t i = 0; i < 3; i++) {
-		struct unit *pile = circuit_unit(c, UNIT_STOCKPILE, PILES[i]);
+		struct unit *pile =
+		    circuit_add_unit(c, UNIT_STOCKPILE, PILES[i]);
 		pile->n_in = 1;
-		pile->in[0] = circuit_stream(c, PILES[i]);
+		pile->in[0] = circuit_find_or_add_stream(c, PILES[i]);
 	}
-	struct unit *screen = circuit_unit(c, UNIT_SCREEN, "");
+	struct unit *screen = circuit_add_unit(c, UNIT_SCREEN, "");
 	screen->opening = 0.004;
 	screen->n_in = 1;
-	screen->in[0] = circuit_stream(c, "b");
+	screen->in[0] = circuit_find_or_add_stream(c, "b");
 	screen->n_out = 2;
-	screen->out[0] = circuit_stream(c, "c");
-	screen->out[1] = circuit_stream(c, "d");
-	struct unit *split = circuit_unit(c, UNIT_SPLIT, "");
+	screen->out[0] = circuit_find_or_add_stream(c, "c");
+	screen->out[1] = circuit_find_or_add_stream(c, "d");
+	struct unit *split = circuit_add_unit(c, UNIT_SPLIT, "");
 	split->n_in = 1;
-	split->in[0] = circuit_stream(c, "new");
+	split->in[0] = circuit_find_or_add_stream(c, "new");
 	split->n_out = 2;
-	split->out[0] = circuit_stream(c, "a");
-	split->out[1] = circuit_stream(c, "b");
+	split->out[0] = circuit_find_or_add_stream(c, "a");
+	split->out[1] = circuit_find_or_add_stream(c, "b");
 	split->share[0] = 0.6;
 	split->share[1] = 0.4;
-	struct unit *new = circuit_unit(c, UNIT_FEED, "");
+	struct unit *new = circuit_add_unit(c, UNIT_FEED, "");
 	new->n_out = 1;
-	new->out[0] = circuit_stream(c, "new");
+	new->out[0] = circuit_find_or_add_stream(c, "new");
 	c->tph = 100;
-	assert_int_equal(circuit_unfed(c), c->n_unit);
-	assert_int_equal(circuit_trapped(c), c->n_stream);
-	struct flow f = circuit_flow(c, feed, size, 3, NULL);
+	assert_int_equal(circuit_find_unfed_unit(c), c->n_unit);
+	assert_int_equal(circuit_find_trapped_stream(c), c->n_stream);
+	struct flow f = circuit_compute_flow(c, feed, size, 3, NULL);
 	static const struct {
 		const char *name;
 		double tph;
 	} BY_HAND[] = {{"a", 60}, {"b", 40}, {"c", 20}, {"d", 20}};
 	for (size_t i = 0; i < ARRAY_LEN(BY_HAND); i++)
 		expect_near(BY_HAND[i].name,
-		    f.tph[circuit_stream(c, BY_HAND[i].name)], BY_HAND[i].tph,
-		    1e-12);
+		    f.tph[circuit_find_or_add_stream(c, BY_HAND[i].name)],
+		    BY_HAND[i].tph, 1e-12);
 	expect_near("balance", f.balance, 0, 1e-9);
 	assert_true(f.circulating == 0 && !f.open);
 	flow_free(&f);
@@ -80,19 +81,20 @@ static struct circuit *
 loop(double r)
 {
 	struct circuit *c = circuit_new();
-	size_t new = circuit_stream(c, "new"), back = circuit_stream(c, "back"),
-	       out = circuit_stream(c, "crushed"),
-	       product = circuit_stream(c, "product");
-	struct unit *u = circuit_unit(c, UNIT_FEED, "");
+	size_t new = circuit_find_or_add_stream(c, "new"),
+	       back = circuit_find_or_add_stream(c, "back"),
+	       out = circuit_find_or_add_stream(c, "crushed"),
+	       product = circuit_find_or_add_stream(c, "product");
+	struct unit *u = circuit_add_unit(c, UNIT_FEED, "");
 	u->n_out = 1;
 	u->out[0] = new;
-	u = circuit_unit(c, UNIT_CRUSHER, "");
+	u = circuit_add_unit(c, UNIT_CRUSHER, "");
 	u->n_in = 2;
 	u->in[0] = new;
 	u->in[1] = back;
 	u->n_out = 1;
 	u->out[0] = out;
-	u = circuit_unit(c, UNIT_SPLIT, "");
+	u = circuit_add_unit(c, UNIT_SPLIT, "");
 	u->n_in = 1;
 	u->in[0] = out;
 	u->n_out = 2;
@@ -100,7 +102,7 @@ loop(double r)
 	u->out[1] = product;
 	u->share[0] = r;
 	u->share[1] = 1 - r;
-	u = circuit_unit(c, UNIT_STOCKPILE, "");
+	u = circuit_add_unit(c, UNIT_STOCKPILE, "");
 	u->n_in = 1;
 	u->in[0] = product;
 	c->tph = 120;
@@ -118,10 +120,10 @@ a_loop_is_a_geometric_series(void **state)
 	struct transfer *t = still(size, 2);
 	struct transfer *const of[4] = {NULL, t, NULL, NULL};
 	struct circuit *c = loop(0.3);
-	struct flow f = circuit_flow(c, feed, size, 2, of);
+	struct flow f = circuit_compute_flow(c, feed, size, 2, of);
 	expect_near("circulates", f.circulating, 120 * 0.3 / 0.7, 1e-9);
 	expect_near(
-	    "crusher", flow_into_unit(&f, &c->unit[1]), 120 / 0.7, 1e-9);
+	    "crusher", flow_tph_into_unit(&f, &c->unit[1]), 120 / 0.7, 1e-9);
 	expect_near("product", f.tph[3], 120, 1e-9);
 	expect_near("balance", f.balance, 0, 1e-9);
 	assert_true(f.back[1] && !f.back[0] && !f.back[2] && !f.open);
@@ -140,14 +142,14 @@ a_loop_that_hardly_empties_is_left_open(void **state)
 	struct transfer *t = still(size, 2);
 	struct transfer *const of[4] = {NULL, t, NULL, NULL};
 	struct circuit *c = loop(0.97);
-	struct flow f = circuit_flow(c, feed, size, 2, of);
+	struct flow f = circuit_compute_flow(c, feed, size, 2, of);
 	assert_false(f.open);
 	expect_near("97 %", f.circulating, 120 * 0.97 / 0.03, 1e-7);
 	expect_near("its balance", f.balance, 0, 1e-9);
 	flow_free(&f);
 	circuit_free(c);
 	c = loop(0.99);
-	f = circuit_flow(c, feed, size, 2, of);
+	f = circuit_compute_flow(c, feed, size, 2, of);
 	assert_true(f.open);
 	flow_free(&f);
 	circuit_free(c);
@@ -176,12 +178,12 @@ oversize_that_breaks_by_half_circulates_once(void **state)
 	p.e0_min = 0;
 	struct crusher *crusher =
 	    crusher_new(size, 3, &p, model_settings_default(), NULL);
-	struct transfer *t = crusher_at(crusher, 85);
+	struct transfer *t = crusher_transfer_at_speed(crusher, 85);
 	struct transfer *const of[4] = {NULL, t, NULL, NULL};
 	double product[3];
 	transfer_product(t, 0, feed, product);
 	double stays = product[0];
-	struct flow f = circuit_flow(c, feed, size, 3, of);
+	struct flow f = circuit_compute_flow(c, feed, size, 3, of);
 	/* With `stays` of it left by the rotor, (1 + stays) / 2 goes back. */
 	double r = (1 + stays) / 2;
 	expect_near("circulates", f.circulating, 100 * r / (1 - r), 1e-7);
@@ -198,12 +200,15 @@ what_is_not_fed_and_what_never_leaves_is_found(void **state)
 	(void)state;
 	struct circuit *c = loop(0.5);
 	/* A ring of its own that nothing feeds, and nothing leaves. */
-	struct unit *u = circuit_unit(c, UNIT_CRUSHER, "");
+	struct unit *u = circuit_add_unit(c, UNIT_CRUSHER, "");
 	u->n_in = u->n_out = 1;
-	u->in[0] = u->out[0] = circuit_stream(c, "ring");
-	assert_int_equal(circuit_unfed(c), 4);
-	assert_int_equal(circuit_trapped(c), circuit_stream(c, "ring"));
-	assert_int_equal(circuit_source(c, circuit_stream(c, "ring")), 4);
+	u->in[0] = u->out[0] = circuit_find_or_add_stream(c, "ring");
+	assert_int_equal(circuit_find_unfed_unit(c), 4);
+	assert_int_equal(circuit_find_trapped_stream(c),
+	    circuit_find_or_add_stream(c, "ring"));
+	assert_int_equal(
+	    circuit_source_of_stream(c, circuit_find_or_add_stream(c, "ring")),
+	    4);
 	circuit_free(c);
 }
 
@@ -216,16 +221,17 @@ classes_add_up_to_the_product_of_the_feed(void **state)
 	for (size_t row = 0; row < 19; row++) {
 		struct site *site = made_site(&TABLE_3[row], 0, 1);
 		const struct psd *feed = &site->run[0].feed;
-		struct psd sizes = predict_sizes(site, feed);
+		struct psd sizes = predict_table_sizes(site, feed);
 		struct params p = made_params(&TABLE_3[row]);
 		struct crusher *c = crusher_new(
 		    sizes.size, sizes.n, &p, model_settings_default(), NULL);
-		struct transfer *t = crusher_at(c, 74);
-		struct prediction whole =
-		    predict(site, &p, model_settings_default(), 74, 0);
-		double *in = xdoubles(sizes.n), *out = xdoubles(sizes.n);
+		struct transfer *t = crusher_transfer_at_speed(c, 74);
+		struct prediction whole = predict_with_model_alone(
+		    site, &p, model_settings_default(), 74, 0);
+		double *in = xcalloc_doubles(sizes.n),
+		       *out = xcalloc_doubles(sizes.n);
 		double below = 0;
-		crusher_classes(c, feed, in);
+		crusher_class_masses_of_feed(c, feed, in);
 		transfer_product(t, 0, in, out);
 		for (size_t i = sizes.n; i-- > 0;) {
 			below += out[i];
@@ -259,7 +265,7 @@ expect_products(struct transfer *t, const double *in, const struct psd *sizes,
     const struct psd *sieves, const double *P)
 {
 	enum { D = POSTERIOR_DRAWS };
-	double *out = xdoubles(sizes->n);
+	double *out = xcalloc_doubles(sizes->n);
 	for (size_t d = 0; d < D; d++) {
 		double below = 0;
 		transfer_product(t, d, in, out);
@@ -285,25 +291,25 @@ each_draw_is_its_own_and_balances(void **state)
 	const struct psd *feed = &site->run[0].feed;
 	struct fit fit;
 	struct posterior *posterior = posterior_of(site, &fit);
-	struct psd sieves = predict_sizes(site, feed);
-	struct psd sizes = psd_refined(sieves.size, sieves.n);
+	struct psd sieves = predict_table_sizes(site, feed);
+	struct psd sizes = psd_new_with_sizes_between(sieves.size, sieves.n);
 	size_t n = sizes.n;
 	struct ensemble *e =
 	    ensemble_new(posterior, feed, sieves.size, sieves.n);
 	struct crusher *crusher =
 	    crusher_new(sizes.size, n, &fit.params, fit.settings, posterior);
 	crusher_set_feed(crusher, feed, sieves.size, sieves.n);
-	struct transfer *t = crusher_at(crusher, 72);
+	struct transfer *t = crusher_transfer_at_speed(crusher, 72);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
-	double *in = xdoubles(n);
-	ensemble_at(e, 72);
-	crusher_classes(crusher, feed, in);
+	double *in = xcalloc_doubles(n);
+	ensemble_set_speed(e, 72);
+	crusher_class_masses_of_feed(crusher, feed, in);
 	expect_products(t, in, &sizes, &sieves, P);
 	struct circuit *c = loop(0.5);
 	c->unit[2].kind = UNIT_SCREEN;
 	c->unit[2].opening = 0.008;
 	struct transfer *const of[4] = {NULL, t, NULL, NULL};
-	struct flow f = circuit_flow(c, in, sizes.size, n, of);
+	struct flow f = circuit_compute_flow(c, in, sizes.size, n, of);
 	double mean = 0;
 	for (size_t d = 0; d < D; d++) {
 		mean += f.tph_draw[d * f.n_stream + 1] / D;
@@ -330,11 +336,12 @@ static void
 throwing_takes_what_euler_says(void **state)
 {
 	(void)state;
-	expect_near("thrown", power_kinetic(72, 120), 172.8, 1e-12);
+	expect_near("thrown", power_to_accelerate_rock(72, 120), 172.8, 1e-12);
 	struct power none = power_fit(NULL, 0);
 	assert_true(none.least);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		expect_near("none", power_at(&none, d, 72, 120), 172.8, 1e-12);
+		expect_near(
+		    "none", size_to_alpha_at(&none, d, 72, 120), 172.8, 1e-12);
 }
 
 /* The mean and the least and most of the draws. */
@@ -345,7 +352,7 @@ power_mean(const struct power *p, double v, double tph, double range[2])
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
-		double kw = power_at(p, d, v, tph);
+		double kw = size_to_alpha_at(p, d, v, tph);
 		sum += kw / POWER_DRAWS;
 		range[0] = fmin(range[0], kw);
 		range[1] = fmax(range[1], kw);
@@ -364,11 +371,11 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	double empty[2], loaded[2], one[2], idle = 60 * pow(60 / 72.0, 2.6);
 	for (size_t i = 0; i < 4; i++)
 		r[i].kw = 60 * pow(r[i].speed / 72, 2.6) +
-			  1.2 * power_kinetic(r[i].speed, r[i].tph);
+			  1.2 * power_to_accelerate_rock(r[i].speed, r[i].tph);
 	struct power all = power_fit(r, 4), two = power_fit(r, 2),
 		     first = power_fit(r, 1);
 	expect_near("empty", power_mean(&all, 60, 0, empty), idle, 1.5);
-	double want = idle + 1.2 * power_kinetic(60, 120);
+	double want = idle + 1.2 * power_to_accelerate_rock(60, 120);
 	expect_near("all", power_mean(&all, 60, 120, loaded), want, 4);
 	assert_true(loaded[0] < want && want < loaded[1]);
 	power_mean(&two, 60, 0, empty);
@@ -376,8 +383,8 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	power_mean(&first, 60, 60, one);
 	assert_true(one[1] - one[0] > 10);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		assert_true(
-		    power_at(&first, d, 60, 100) >= power_kinetic(60, 100));
+		assert_true(size_to_alpha_at(&first, d, 60, 100) >=
+			    power_to_accelerate_rock(60, 100));
 }
 
 /* Readings that contradict Euler, each other or themselves give numbers. */

@@ -47,7 +47,8 @@ nearest(struct table *t, const char *rock, double top_mm, size_t most)
 {
 	struct guess_material wanted = {
 	    .site = "", .rock = rock, .top_size = top_mm / 1000};
-	return guess_nearest(t->m, N, &wanted, t->leave_out, most, t->pick);
+	return guess_find_nearest_materials(
+	    t->m, N, &wanted, t->leave_out, most, t->pick);
 }
 
 static void
@@ -100,8 +101,8 @@ one_material_gives_its_own_product(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 9);
 	assert_int_equal(nearest(t, "Porphyry", 10, 1), 1);
 	struct guess guess = guess_product(site, 1, t->m, t->pick, 1, 74);
-	struct prediction p =
-	    predict(site, &t->m[KIRUNA].params, t->m[KIRUNA].settings, 74, 1);
+	struct prediction p = predict_with_model_alone(
+	    site, &t->m[KIRUNA].params, t->m[KIRUNA].settings, 74, 1);
 	assert_int_equal(guess.median.n, p.product.n);
 	for (size_t i = 0; i < p.product.n; i++) {
 		assert_true(guess.median.size[i] == p.product.size[i]);
@@ -133,8 +134,9 @@ the_median_lies_within_the_spread(void **state)
 		struct guess g = guess_product(site, 0, t->m, t->pick, n, 70);
 		struct prediction p[5];
 		for (size_t i = 0; i < n; i++)
-			p[i] = predict(site, &t->m[t->pick[i]].params,
-			    model_settings_default(), 70, 0);
+			p[i] = predict_with_model_alone(site,
+			    &t->m[t->pick[i]].params, model_settings_default(),
+			    70, 0);
 		for (size_t s = 0; s < g.median.n; s++) {
 			double v[5];
 			for (size_t i = 0; i < n; i++)
@@ -187,8 +189,8 @@ an_open_beta_is_in_the_band(void **state)
 	for (size_t q = 0; q < 2; q++) {
 		struct params params = made_params(&TABLE_3[TIERP]);
 		memcpy(params.beta, q == 0 ? fine : coarse, sizeof fine);
-		struct prediction p =
-		    predict(site, &params, model_settings_default(), 74, 0);
+		struct prediction p = predict_with_model_alone(
+		    site, &params, model_settings_default(), 74, 0);
 		size_t held[2] = {0};
 		for (size_t open = 0; open < 2; open++) {
 			for (size_t i = 0; i < N; i++)
@@ -223,12 +225,12 @@ leaving_one_out_errs_by_the_difference(void **state)
 	    .n_speed = 1,
 	    .speed = &speed};
 	struct site *site = synth_site(&synth);
-	struct prediction a =
-	    predict(site, &two[0].params, two[0].settings, speed, 0);
-	struct prediction b =
-	    predict(site, &two[1].params, two[1].settings, speed, 0);
-	double want =
-	    psd_rms(a.product.passing, b.product.passing, a.product.n, NULL);
+	struct prediction a = predict_with_model_alone(
+	    site, &two[0].params, two[0].settings, speed, 0);
+	struct prediction b = predict_with_model_alone(
+	    site, &two[1].params, two[1].settings, speed, 0);
+	double want = psd_rms_difference(
+	    a.product.passing, b.product.passing, a.product.n, NULL);
 	assert_true(want > 0.01);
 	assert_int_equal(e.n, 2);
 	expect_near("median", e.median, want, 1e-12);
@@ -278,7 +280,7 @@ static void
 the_nearest_are_used_where_that_helps(void **state)
 {
 	struct table *t = *state;
-	struct guess_choice c = guess_choose(t->m, N, 74);
+	struct guess_choice c = guess_choose_nearest_count(t->m, N, 74);
 	assert_false(c.helps);
 	assert_int_equal(c.all.nearest, N);
 	assert_true(c.few.nearest < N);
@@ -290,7 +292,7 @@ the_nearest_are_used_where_that_helps(void **state)
 		t->m[i].params.e0_min = (soft ? 14 : 24) + 0.01 * (double)i;
 		t->m[i].params.alpha = 0.95;
 	}
-	c = guess_choose(t->m, N, 74);
+	c = guess_choose_nearest_count(t->m, N, 74);
 	assert_true(c.helps && c.few.nearest < 10);
 	assert_true(c.few.median < 0.2 * c.all.median);
 }

@@ -297,7 +297,7 @@ proposed(const char *hint)
 }
 
 static void
-settle_to_same_bits(const struct plan *plan, const char *line,
+settle_at_stationary_point(const struct plan *plan, const char *line,
     const struct error *question, struct outcome *o)
 {
 	struct error error = *question;
@@ -360,7 +360,7 @@ try_plan(const struct plan *plan, const char *path, bool shown)
 		    : asks(&error) ? ASKED
 				   : REFUSED;
 	if (o.verdict == ASKED)
-		settle_to_same_bits(plan, line, &error, &o);
+		settle_at_stationary_point(plan, line, &error, &o);
 	if (o.verdict == WRONG || shown)
 		show(plan, line, &o);
 	if (plan->other != NULL)
@@ -495,12 +495,13 @@ strict_sheet(struct plan *plan)
 		xappend(&text, ",%s%s%s",
 		    plan->curve[c].feed ? "feed" : "product",
 		    plan->curve[c].speed > 0 ? "@" : "",
-		    plan->curve[c].speed > 0
-			? text_exact_number(plan->curve[c].speed, number)
-			: "");
+		    plan->curve[c].speed > 0 ? text_shortest_exact_number(
+						   plan->curve[c].speed, number)
+					     : "");
 	}
 	for (size_t k = 0; k < n; k++) {
-		xappend(&text, "\n%s", text_exact_number(mm[k], number));
+		xappend(
+		    &text, "\n%s", text_shortest_exact_number(mm[k], number));
 		for (size_t c = 0; c < plan->n_curve; c++) {
 			const struct curve *curve = &plan->curve[c];
 			size_t i = 0;
@@ -508,7 +509,8 @@ strict_sheet(struct plan *plan)
 				i++;
 			xappend(&text, ",%s",
 			    i < curve->n && !isnan(curve->pct[i])
-				? text_exact_number(curve->pct[i], number)
+				? text_shortest_exact_number(
+				      curve->pct[i], number)
 				: "");
 		}
 	}

@@ -18,10 +18,11 @@ made_up(double spread)
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
 		struct params *q = &p.draw[d].params;
 		double t = ((double)d + 0.5) / POSTERIOR_DRAWS;
-		*q = params_start(1);
+		*q = params_start_values(1);
 		q->at[BETA2] = 1;
 		q->at[ALPHA] = 0.9 + spread * (2 * t - 1);
-		q->at[E0_MIN] = energy_specific(74) * pow(0.005, q->at[ALPHA]);
+		q->at[E0_MIN] =
+		    energy_specific_at_speed(74) * pow(0.005, q->at[ALPHA]);
 		q->at[F_MAT] = 0.001 + 2.999 * fmod(89 * t, 1);
 	}
 	return p;
@@ -32,8 +33,8 @@ shares_of_the_prior_grade_parameters(void **state)
 {
 	(void)state;
 	struct posterior p = made_up(0.04);
-	struct identify_param alpha = identify_param(&p, ALPHA);
-	struct identify_param f_mat = identify_param(&p, F_MAT);
+	struct identify_param alpha = identify_summarise_param(&p, ALPHA);
+	struct identify_param f_mat = identify_summarise_param(&p, F_MAT);
 	expect_near("mean", alpha.mean, 0.9, 1e-9);
 	expect_near("sd", alpha.sd, 0.08 / sqrt(12), 1e-4);
 	expect_near("prior", alpha.prior, 1 / sqrt(12), 1e-12);
@@ -41,11 +42,14 @@ shares_of_the_prior_grade_parameters(void **state)
 	assert_int_equal(alpha.grade, IDENTIFY_DETERMINED);
 	expect_near("f_mat", f_mat.ratio, 1, 0.02);
 	assert_int_equal(f_mat.grade, IDENTIFY_NOT);
-	assert_int_equal(identify_param(&p, BETA2).grade, IDENTIFY_FIXED);
-	assert_int_equal(identify_param(&p, GAMMA).grade, IDENTIFY_FIXED);
-	assert_true(identify_param(&p, GAMMA).prior == 0.4);
+	assert_int_equal(
+	    identify_summarise_param(&p, BETA2).grade, IDENTIFY_FIXED);
+	assert_int_equal(
+	    identify_summarise_param(&p, GAMMA).grade, IDENTIFY_FIXED);
+	assert_true(identify_summarise_param(&p, GAMMA).prior == 0.4);
 	p = made_up(0.1);
-	assert_int_equal(identify_param(&p, ALPHA).grade, IDENTIFY_POORLY);
+	assert_int_equal(
+	    identify_summarise_param(&p, ALPHA).grade, IDENTIFY_POORLY);
 }
 
 /* beta2 is 1 in all draws because it is scaled so; the direction is known no
@@ -58,14 +62,16 @@ a_scaled_beta_is_not_determined(void **state)
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		p.draw[d].params.at[BETA2 + 1] = -1 + (double)d / 128;
 	for (size_t j = 0; j < 4; j++) {
-		struct identify_param beta = identify_param(&p, j);
+		struct identify_param beta = identify_summarise_param(&p, j);
 		assert_int_equal(beta.grade, IDENTIFY_POORLY);
-		assert_true(beta.ratio == identify_param(&p, 0).ratio);
+		assert_true(
+		    beta.ratio == identify_summarise_param(&p, 0).ratio);
 		assert_true(beta.ratio < 1);
 	}
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		p.draw[d].params.at[BETA2 + 1] = -0.9 + (double)d / 12800;
-	assert_int_equal(identify_param(&p, BETA2).grade, IDENTIFY_DETERMINED);
+	assert_int_equal(
+	    identify_summarise_param(&p, BETA2).grade, IDENTIFY_DETERMINED);
 }
 
 /* alpha from 0.8 to 1: a tenth of the draws lies within 0.02 of its bound, of
@@ -75,15 +81,15 @@ many_draws_at_a_bound_are_told(void **state)
 {
 	(void)state;
 	struct posterior p = made_up(0.1);
-	assert_int_equal(identify_param(&p, ALPHA).bound, 0);
+	assert_int_equal(identify_summarise_param(&p, ALPHA).bound, 0);
 	p.bounds.upper[ALPHA] = 0.84;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		p.draw[d].params.at[ALPHA] =
 		    fmin(p.draw[d].params.at[ALPHA], 0.84);
-	assert_int_equal(identify_param(&p, ALPHA).bound, 1);
+	assert_int_equal(identify_summarise_param(&p, ALPHA).bound, 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		p.draw[d].params.at[E0_MIN] *= (double)(d % 2);
-	assert_int_equal(identify_param(&p, E0_MIN).bound, -1);
+	assert_int_equal(identify_summarise_param(&p, E0_MIN).bound, -1);
 }
 
 static void
@@ -91,16 +97,16 @@ a_ridge_is_a_correlation(void **state)
 {
 	(void)state;
 	struct posterior p = made_up(0.1);
-	struct identify_pair pair = identify_pair(&p, E0_MIN, ALPHA);
+	struct identify_pair pair = identify_correlate_pair(&p, E0_MIN, ALPHA);
 	/* e0_min is a bent function of alpha: of the ranks it is straight. */
 	expect_near("rank", pair.rank, -1, 1e-9);
 	assert_true(pair.linear < -0.95 && pair.linear > -1 + 1e-6);
-	assert_true(identify_strongest(pair) == pair.rank);
-	assert_true(
-	    fabs(identify_strongest(identify_pair(&p, F_MAT, ALPHA))) < 0.2);
-	assert_true(isnan(identify_pair(&p, GAMMA, ALPHA).linear));
+	assert_true(identify_stronger_correlation(pair) == pair.rank);
+	assert_true(fabs(identify_stronger_correlation(
+			identify_correlate_pair(&p, F_MAT, ALPHA))) < 0.2);
+	assert_true(isnan(identify_correlate_pair(&p, GAMMA, ALPHA).linear));
 	struct identify_pair other = {-0.9, 0.5};
-	assert_true(identify_strongest(other) == -0.9);
+	assert_true(identify_stronger_correlation(other) == -0.9);
 }
 
 static void
@@ -108,16 +114,17 @@ break_sizes_are_those_of_the_draws(void **state)
 {
 	(void)state;
 	struct posterior p = made_up(0.1);
-	struct identify_break at = identify_break(&p, 74, 0.004);
+	struct identify_break at = identify_break_size(&p, 74, 0.004);
 	expect_near("mean", at.mean, 0.005, 1e-12);
 	assert_true(at.sd < 1e-9 && at.below == 0);
-	at = identify_break(&p, 85, 0.00375);
+	at = identify_break_size(&p, 85, 0.00375);
 	assert_true(at.mean < 0.005 && at.sd > 1e-6);
 	assert_true(at.low < at.mean && at.mean < at.high);
 	assert_true(at.below > 0 && at.below < 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d += 4)
 		p.draw[d].params.at[E0_MIN] = 0;
-	expect_near("below", identify_break(&p, 74, 0.004).below, 0.25, 1e-12);
+	expect_near(
+	    "below", identify_break_size(&p, 74, 0.004).below, 0.25, 1e-12);
 }
 
 int

@@ -23,16 +23,16 @@ start(struct desk *desk, const char *line)
 {
 	size_t next = 0;
 	desk->error = (struct error){0};
-	assert_true(session_line(
+	assert_true(session_run_line(
 	    desk->session, line, 0, "script.tip", 1, &next, &desk->error));
-	assert_true(session_busy(desk->session));
+	assert_true(session_is_calibrating(desk->session));
 }
 
 static void
 steps(struct desk *desk, int n)
 {
-	while (n-- > 0 && session_busy(desk->session))
-		session_step(desk->session);
+	while (n-- > 0 && session_is_calibrating(desk->session))
+		session_step_job(desk->session);
 }
 
 static void
@@ -50,7 +50,7 @@ static struct fit
 whole(struct desk *desk)
 {
 	assert_true(desk_say(desk, SEARCH));
-	return session_entry(desk->session)->fit;
+	return session_current_entry(desk->session)->fit;
 }
 
 static int
@@ -72,13 +72,13 @@ a_stopped_calibration_goes_on_to_the_same_bits(void **state)
 		desk_expect(desk, "undo");
 		start(desk, SEARCH);
 		steps(desk, at[i]);
-		session_pause(desk->session);
-		assert_false(session_busy(desk->session));
-		struct fit half = session_entry(desk->session)->fit;
+		session_pause_job(desk->session);
+		assert_false(session_is_calibrating(desk->session));
+		struct fit half = session_current_entry(desk->session)->fit;
 		assert_int_equal(half.stop, CALIBRATE_STOPPED);
 		assert_true(half.misfit >= want.misfit);
 		assert_true(desk_say(desk, "continue"));
-		expect_same(&session_entry(desk->session)->fit, &want);
+		expect_same(&session_current_entry(desk->session)->fit, &want);
 	}
 }
 
@@ -99,7 +99,7 @@ static void
 run_weights_pull_the_fit_to_a_run(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	double rmse[2];
 	static const char *const lines[] = {
 	    "calibrate seed=1 run_weights=100,1",
@@ -119,7 +119,7 @@ run_weights_pull_the_fit_to_a_run(void **state)
 static double
 rmse_at(struct desk *desk, size_t run)
 {
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	return validate_run(entry->site, run, entry->train, &entry->params,
 	    model_settings_default(), NULL)
 	    .rmse[VALIDATE_MODEL];
@@ -139,15 +139,17 @@ each_speed_is_predicted_from_the_others(void **state)
 		largest = fmax(largest, rmse_at(desk, run));
 		sum += pow(rmse_at(desk, run), 2);
 	}
-	struct params before = session_entry(s)->params;
+	struct params before = session_current_entry(s)->params;
 	assert_true(desk_say(desk, "validate holdout=each"));
-	assert_memory_equal(&session_entry(s)->params, &before, sizeof before);
+	assert_memory_equal(
+	    &session_current_entry(s)->params, &before, sizeof before);
 	assert_true(session_answer_number(s, "validate", "holdout.rmse_pct") ==
 		    100 * largest);
 	assert_true(
 	    fabs(session_answer_number(s, "validate", "overall.rmse_pct") -
 		 100 * sqrt(sum / 3)) < 1e-12);
-	assert_true(session_entry(s)->train[0] && session_entry(s)->train[1]);
+	assert_true(session_current_entry(s)->train[0] &&
+		    session_current_entry(s)->train[1]);
 	assert_null(s->job.calibration);
 }
 
@@ -159,12 +161,13 @@ a_validation_needs_three_speeds_and_no_fit(void **state)
 	desk_expect(desk, HELD);
 	start(desk, "validate holdout=each");
 	steps(desk, 5);
-	session_pause(s);
-	assert_false(session_busy(s) || session_entry(s)->has_params);
+	session_pause_job(s);
+	assert_false(
+	    session_is_calibrating(s) || session_current_entry(s)->has_params);
 	assert_null(s->job.calibration);
 	assert_false(desk_say(desk, "continue"));
 	assert_true(desk_say(desk, "validate holdout=each"));
-	assert_false(session_entry(s)->has_params);
+	assert_false(session_current_entry(s)->has_params);
 	assert_true(
 	    desk_say(desk, "synth data/table3.csv site=Bro speeds=69,79"));
 	assert_false(desk_say(desk, "validate holdout=each"));
@@ -182,10 +185,10 @@ a_paused_calibration_can_be_accepted(void **state)
 	struct desk *desk = *state;
 	start(desk, SEARCH);
 	steps(desk, 5);
-	session_pause(desk->session);
-	struct fit half = session_entry(desk->session)->fit;
+	session_pause_job(desk->session);
+	struct fit half = session_current_entry(desk->session)->fit;
 	assert_true(desk_say(desk, "accept"));
-	expect_same(&session_entry(desk->session)->fit, &half);
+	expect_same(&session_current_entry(desk->session)->fit, &half);
 	assert_false(desk_say(desk, "continue"));
 	assert_non_null(strstr(desk->error.text, "no calibration"));
 	assert_false(desk_say(desk, "accept"));
@@ -196,8 +199,8 @@ a_pause_before_the_first_generation_keeps_nothing(void **state)
 {
 	struct desk *desk = *state;
 	start(desk, SEARCH);
-	session_pause(desk->session);
-	assert_false(session_entry(desk->session)->has_fit);
+	session_pause_job(desk->session);
+	assert_false(session_current_entry(desk->session)->has_fit);
 	assert_false(desk_say(desk, "continue"));
 }
 
@@ -208,7 +211,7 @@ a_new_calibration_replaces_a_paused_one(void **state)
 	struct fit want = whole(desk);
 	start(desk, "calibrate seed=8 population=600");
 	steps(desk, 5);
-	session_pause(desk->session);
+	session_pause_job(desk->session);
 	struct fit got = whole(desk);
 	expect_same(&got, &want);
 }
@@ -238,7 +241,7 @@ the_paper_preset_is_another_search_without_polish(void **state)
 	assert_true(desk_say(desk, "calibrate preset=paper seed=3 "
 				   "population=600 generations=40 "
 				   "tolerance=0 stall=0"));
-	const struct fit *plain = &session_entry(desk->session)->fit;
+	const struct fit *plain = &session_current_entry(desk->session)->fit;
 	assert_int_equal(plain->evaluations, 600 * 40);
 	assert_true(plain->misfit > best.misfit);
 }
@@ -253,7 +256,7 @@ the_paper_preset_says_what_it_leaves(void **state)
 	assert_true(desk_say(desk, "bounds alpha 0.5"));
 	assert_true(desk_say(desk, "calibrate preset=paper seed=3 "
 				   "population=600 generations=120"));
-	const struct fit *fit = &session_entry(desk->session)->fit;
+	const struct fit *fit = &session_current_entry(desk->session)->fit;
 	assert_int_equal(fit->generations, 120);
 	assert_int_equal(fit->stop, CALIBRATE_GENERATIONS);
 	assert_true(fit->params.at[PARAM_ALPHA] != 0.5);
@@ -276,7 +279,7 @@ a_flat_direction_raises_the_misfit_by_a_tenth(void **state)
 {
 	struct desk *desk = *state;
 	assert_true(desk_say(desk, "calibrate seed=1"));
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	struct misfit *m = misfit_new(
 	    entry->site, entry->train, NULL, false, model_settings_default());
 	/* 0.2 of the way is 0.04 of the rise, to second order; the mean of both
@@ -289,7 +292,7 @@ a_flat_direction_raises_the_misfit_by_a_tenth(void **state)
 				   (j < PARAM_F_MAT
 					   ? 2
 					   : PARAMS[j].upper - PARAMS[j].lower);
-		rise += (misfit_at(m, &p) / entry->fit.misfit - 1) / 2;
+		rise += (misfit_of_params(m, &p) / entry->fit.misfit - 1) / 2;
 	}
 	if (!(fabs(rise - 0.004) < 0.0004))
 		fail_msg("the misfit rises by %g of itself", rise);
@@ -301,12 +304,12 @@ static void
 standard_deviations_weigh_when_asked_for(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	assert_false(desk_say(desk, "calibrate weights=sd"));
 	assert_non_null(strstr(desk->error.text, "has none at 69 m/s"));
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		struct run *run = &entry->site->run[r];
-		run->product_sd = xdoubles(run->product.n);
+		run->product_sd = xcalloc_doubles(run->product.n);
 		for (size_t i = 0; i < run->product.n; i++)
 			run->product_sd[i] = 0.004 + 0.001 * (double)i;
 	}
@@ -316,7 +319,7 @@ standard_deviations_weigh_when_asked_for(void **state)
 		assert_true(desk_say(desk, lines[i]));
 		struct misfit *m = misfit_new(entry->site, entry->train, NULL,
 		    i == 1, model_settings_default());
-		double misfit = misfit_at(m, &entry->fit.params);
+		double misfit = misfit_of_params(m, &entry->fit.params);
 		assert_true(fabs(entry->fit.misfit / misfit - 1) < 1e-6);
 		misfit_free(m);
 	}
@@ -326,14 +329,14 @@ static void
 edited_bounds_are_told(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	whole(desk);
 	assert_null(strstr(entry->options, "edited"));
 	desk_expect(desk, "undo");
-	entry = session_entry(desk->session);
+	entry = session_current_entry(desk->session);
 	start(desk, SEARCH);
 	steps(desk, 5);
-	session_pause(desk->session);
+	session_pause_job(desk->session);
 	desk_expect(desk, "bounds f_mat 0.5..0.6; continue pause=9; "
 			  "bounds f_mat 0.5..0.7; continue pause=12");
 	assert_true(entry->fit.params.f_mat <= 0.7);
@@ -351,12 +354,12 @@ bounds_come_too_late_for_what_has_ended(void **state)
 	start(desk, "calibrate population=600");
 	while (
 	    calibration_status(s->job.calibration).state < CALIBRATE_TOLERANCE)
-		session_step(s);
-	assert_true(session_busy(s));
-	assert_int_equal(session_pause(s), STOPPED_TAKEN);
-	struct fit want = session_entry(s)->fit;
+		session_step_job(s);
+	assert_true(session_is_calibrating(s));
+	assert_int_equal(session_pause_job(s), STOPPED_TAKEN);
+	struct fit want = session_current_entry(s)->fit;
 	desk_expect(desk, "bounds e0_min 0..9; continue");
-	expect_same(&session_entry(s)->fit, &want);
+	expect_same(&session_current_entry(s)->fit, &want);
 	assert_non_null(strstr(desk->notes, "begins within the edited"));
 }
 
@@ -384,30 +387,30 @@ a_stop_leaves_a_better_fit_until_it_is_accepted(void **state)
 	assert_non_null(strstr(notes, worse));
 	assert_non_null(strstr(notes, "'accept' takes the stopped ones"));
 	assert_int_equal(desk->n_out, printed);
-	expect_same(&session_entry(desk->session)->fit, &want);
+	expect_same(&session_current_entry(desk->session)->fit, &want);
 	desk_expect(desk, "accept");
-	entry = session_entry(desk->session);
+	entry = session_current_entry(desk->session);
 	assert_int_equal(entry->fit.stop, CALIBRATE_STOPPED);
 	assert_int_equal(entry->fit.generations, 2);
 	assert_true(entry->fit.misfit > want.misfit);
 	assert_true(desk->n_out > printed);
 	desk_expect(desk, "undo");
-	expect_same(&session_entry(desk->session)->fit, &want);
+	expect_same(&session_current_entry(desk->session)->fit, &want);
 	/* One that goes on to its end was asked for. */
 	notes = noted(desk, "calibrate population=64 seed=3 generations=3 "
 			    "polish=off pause=2; continue");
 	assert_non_null(strstr(notes, worse));
-	entry = session_entry(desk->session);
+	entry = session_current_entry(desk->session);
 	assert_int_equal(entry->fit.stop, CALIBRATE_GENERATIONS);
 	assert_true(entry->fit.misfit > want.misfit);
 	desk_expect(desk, "undo");
-	expect_same(&session_entry(desk->session)->fit, &want);
+	expect_same(&session_current_entry(desk->session)->fit, &want);
 	/* Without one the stopped best is better than nothing. */
 	desk_expect(desk, "undo");
 	notes = noted(desk, line);
 	assert_null(strstr(notes, worse));
 	assert_non_null(strstr(notes, "undo or calibrate again"));
-	assert_true(session_entry(desk->session)->has_fit);
+	assert_true(session_current_entry(desk->session)->has_fit);
 }
 
 /* Better by what the calibration goes by, wherever the parameters are from. */
@@ -420,24 +423,24 @@ what_is_better_is_said_by_the_job(void **state)
 	desk_expect(desk, "params set f_mat=0.9 e0_min=20 alpha=0.5");
 	assert_null(
 	    strstr(noted(desk, "calibrate population=64 pause=5"), worse));
-	assert_true(session_entry(desk->session)->has_fit);
+	assert_true(session_current_entry(desk->session)->has_fit);
 	/* The fit of all runs, on the ends; of another model. */
 	desk_expect(desk, "calibrate population=600 train=all");
-	struct fit want = session_entry(desk->session)->fit;
+	struct fit want = session_current_entry(desk->session)->fit;
 	assert_non_null(
 	    strstr(noted(desk, "calibrate population=64 pause=1"), worse));
-	expect_same(&session_entry(desk->session)->fit, &want);
+	expect_same(&session_current_entry(desk->session)->fit, &want);
 	assert_non_null(strstr(noted(desk, "set model vogel; calibrate "
 					   "population=64 pause=1"),
 	    worse));
-	expect_same(&session_entry(desk->session)->fit, &want);
+	expect_same(&session_current_entry(desk->session)->fit, &want);
 	assert_true(s->job.paused && s->job.held_back);
 	/* With as many impacts that fit is nothing worth. */
 	assert_null(strstr(noted(desk, "set model grunditz; set k 5; calibrate "
 				       "population=600 pause=8"),
 	    worse));
 	assert_int_equal(
-	    session_entry(desk->session)->fit.stop, CALIBRATE_STOPPED);
+	    session_current_entry(desk->session)->fit.stop, CALIBRATE_STOPPED);
 }
 
 /* Sites that were done are; the one under way keeps what is better. */
@@ -451,14 +454,14 @@ all_that_are_stopped_keep_a_better_fit(void **state)
 	struct fit first = s->entry[0].fit, second = s->entry[1].fit;
 	start(desk, "calibrate all population=64 generations=3 polish=off");
 	while (s->job.entry == 0)
-		session_step(s);
+		session_step_job(s);
 	steps(desk, 2);
-	assert_int_equal(session_pause(s), STOPPED_WORSE);
+	assert_int_equal(session_pause_job(s), STOPPED_WORSE);
 	fflush(desk->notes_file);
 	assert_non_null(strstr(desk->notes, "bro: stopped at generation 2"));
 	assert_true(s->entry[0].fit.misfit > first.misfit);
 	expect_same(&s->entry[1].fit, &second);
-	assert_false(session_busy(s));
+	assert_false(session_is_calibrating(s));
 	assert_null(s->job.calibration);
 }
 
@@ -484,7 +487,8 @@ a_step_is_named_that_the_bounds_allow(void **state)
 		const char *step = strstr(desk->out + before, "e0_min by ");
 		if (step == NULL)
 			continue;
-		const struct fit *fit = &session_entry(desk->session)->fit;
+		const struct fit *fit =
+		    &session_current_entry(desk->session)->fit;
 		double by = strtod(step + strlen("e0_min by "), NULL);
 		double x = fit->params.e0_min, room = 0.06 * fabs(by);
 		bool both = strstr(step, "reverse") != NULL;
@@ -509,8 +513,8 @@ the_generations_stay_with_their_site(void **state)
 	desk_expect(desk, "load data/sites/bro.csv; bounds alpha 0.5..1; "
 			  "calibrate population=64 generations=7 stall=0 "
 			  "tolerance=0; bounds default");
-	const struct history *h = session_entry(s)->history;
-	assert_false(session_busy(s));
+	const struct history *h = session_current_entry(s)->history;
+	assert_false(session_is_calibrating(s));
 	assert_int_equal(h->n, 7);
 	assert_true(h->bounds.lower[PARAM_ALPHA] == 0.5);
 	for (size_t i = 1; i < h->n; i++)
@@ -518,9 +522,9 @@ the_generations_stay_with_their_site(void **state)
 	assert_null(s->entry[0].history);
 	desk_expect(desk, "params set f_mat=1; history; calibrate "
 			  "population=64 generations=3; history");
-	assert_int_equal(session_entry(s)->history->n, 3);
+	assert_int_equal(session_current_entry(s)->history->n, 3);
 	desk_expect(desk, "undo; history");
-	assert_int_equal(session_entry(s)->history->n, 7);
+	assert_int_equal(session_current_entry(s)->history->n, 7);
 	s->current = 0;
 	assert_false(desk_say(desk, "history"));
 	assert_non_null(strstr(desk->error.text, "not been calibrated"));
@@ -536,17 +540,17 @@ a_league_leaves_the_fit_alone(void **state)
 	struct fit want = whole(desk);
 	start(desk, "league");
 	steps(desk, 70);
-	assert_true(session_busy(s));
-	session_pause(s);
-	assert_false(session_busy(s));
+	assert_true(session_is_calibrating(s));
+	session_pause_job(s);
+	assert_false(session_is_calibrating(s));
 	assert_null(s->job.calibration);
 	fflush(desk->notes_file);
 	assert_non_null(
 	    strstr(desk->notes, "stopped before all models were calibrated"));
 	assert_true(isnan(session_answer_number(s, "league", "can_tell")));
-	expect_same(&session_entry(s)->fit, &want);
+	expect_same(&session_current_entry(s)->fit, &want);
 	assert_true(desk_say(desk, "league"));
-	expect_same(&session_entry(s)->fit, &want);
+	expect_same(&session_current_entry(s)->fit, &want);
 	assert_true(session_answer_number(s, "league", "can_tell") == 1);
 	assert_false(desk_say(desk, "continue"));
 }

@@ -66,12 +66,12 @@ say(struct desk *desk, const char *line)
 	bool ok = desk_say(desk, line);
 	while (ok && s->script != NULL) {
 		struct place place;
-		char *next = script_line(s, &place, &desk->error);
+		char *next = script_read_line(s, &place, &desk->error);
 		ok = next != NULL ? desk_say(desk, next)
 				  : desk->error.kind == ERROR_NONE;
 		free(next);
 	}
-	script_close(s, 0);
+	script_close_to_depth(s, 0);
 	return session_end_finished_commands(s, ok, &desk->error);
 }
 
@@ -168,7 +168,7 @@ the_slider_costs_no_writing(void **state)
 	assert_true(say(desk, "predict 78"));
 	/* But the last one is there in the end. */
 	leave(desk);
-	struct autosave_left *file = autosave_left(&n);
+	struct autosave_left *file = autosave_list_left_files(&n);
 	assert_int_equal(n, 1);
 	char *text = xasprintf("grep -q '^predict 78$' %s", file[0].path);
 	assert_int_equal(system(text), 0);
@@ -293,7 +293,7 @@ two_at_a_time_keep_what_each_has(void **state)
 	free(offer);
 	leave(three);
 	leave(one);
-	struct autosave_left *file = autosave_left(&n);
+	struct autosave_left *file = autosave_list_left_files(&n);
 	assert_int_equal(n, 2);
 	*state = one = sit_down(NULL);
 	assert_true(say(one, "set format csv; restore"));

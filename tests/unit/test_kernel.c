@@ -117,7 +117,7 @@ misfit_near_the_truth_is_close_to_the_accurate_one(void **state)
 		struct site *site = made_site(&TABLE_3[row], 0.005, row);
 		size_t n = site->run[2].product.n;
 		double misfit[N], weights = 4.25 * (double)n;
-		site->run[2].product_sd = xdoubles(n);
+		site->run[2].product_sd = xcalloc_doubles(n);
 		for (size_t i = 0; i < n; i++) {
 			double sd = 0.5 + 0.1 * (double)i;
 			site->run[2].product_sd[i] = sd;
@@ -135,7 +135,8 @@ misfit_near_the_truth_is_close_to_the_accurate_one(void **state)
 		for (size_t i = 0; i < N; i++) {
 			struct params p = herd_get(&herd, i);
 			expect_near("root of the misfit", sqrt(misfit[i]),
-			    sqrt(misfit_at(m, &p)), 7e-4 * sqrt(weights));
+			    sqrt(misfit_of_params(m, &p)),
+			    7e-4 * sqrt(weights));
 		}
 		herd_free(&herd);
 		misfit_free(m);
@@ -156,7 +157,7 @@ classes_agree_to_1e_12(void **state)
 		herd_evaluate(m, ISA_BEST, 1, &herd, misfit);
 		for (size_t i = 0; i < N; i++) {
 			struct params p = herd_get(&herd, i);
-			double want = misfit_at(m, &p);
+			double want = misfit_of_params(m, &p);
 			expect_near("misfit", misfit[i], want, 1e-12 * want);
 		}
 		herd_free(&herd);
@@ -185,7 +186,7 @@ classes_agree_on_other_sieves_and_weights(void **state)
 	herd_evaluate(m, ISA_BEST, 1, &herd, misfit);
 	for (size_t i = 0; i < N; i++) {
 		struct params p = herd_get(&herd, i);
-		double want = misfit_at(m, &p);
+		double want = misfit_of_params(m, &p);
 		expect_near("misfit", misfit[i], want, 1e-12 * want);
 	}
 	herd_free(&herd);
@@ -334,13 +335,13 @@ a_forced_set_is_lowered_to_the_processor(void **state)
 	static const char *const names[] = {"baseline", "avx2", "avx512"};
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
 	struct misfit *m = misfit_of(site, model_settings_default());
-	enum isa best = isa_is_usable(ISA_BEST);
+	enum isa best = isa_usable_or_best(ISA_BEST);
 	assert_true(best < ISA_BEST);
 	for (int isa = ISA_BASE; isa <= ISA_BEST; isa++) {
 		struct kernel *kernel = kernel_new(m, (enum isa)isa, 1);
 		int want = isa < (int)best ? isa : (int)best;
 		assert_string_equal(
-		    isa_name(isa_is_usable((enum isa)isa)), names[want]);
+		    isa_name(isa_usable_or_best((enum isa)isa)), names[want]);
 		kernel_free(kernel);
 	}
 	misfit_free(m);
@@ -360,8 +361,9 @@ check_strengths(const struct misfit *m)
 	struct kernel *kernel = kernel_new(m, ISA_BEST, 1);
 	const double *const *theta = (const double *const *)herd.gene;
 	double misfit[STRIDE], softer[STRIDE], share[STRIDE];
-	double *hard = xdoubles(n * STRIDE), *soft = xdoubles(n * STRIDE);
-	double *both = xdoubles(n * STRIDE);
+	double *hard = xcalloc_doubles(n * STRIDE),
+	       *soft = xcalloc_doubles(n * STRIDE);
+	double *both = xcalloc_doubles(n * STRIDE);
 	struct kernel_out out = {misfit, hard, STRIDE, NULL, NULL};
 	kernel_evaluate_part(kernel, theta, 0, N, 0, &out);
 	for (size_t i = 0; i < N; i++) {

@@ -60,7 +60,7 @@ the_list_has_every_name(void **state)
 	size_t n = 0;
 	FILE *out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_list(PAGE_FIT, "", out);
+	keys_print_list(PAGE_FIT, "", out);
 	fclose(out);
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->brief != NULL && (k->where & (1U << PAGE_FIT)) != 0)
@@ -68,7 +68,7 @@ the_list_has_every_name(void **state)
 	/* Each key is found by what it does, on any page. */
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->name != NULL)
-			assert_true(keys_count(PAGE_FIT, k->what) > 0);
+			assert_true(keys_count_listed(PAGE_FIT, k->what) > 0);
 	/* Two columns of it are on a screen of 80. */
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 40);
@@ -78,7 +78,7 @@ the_list_has_every_name(void **state)
 	assert_null(keys_listed_at(PAGE_FIT, "no such word", 0));
 	out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_list(PAGE_FIT, "grading", out);
+	keys_print_list(PAGE_FIT, "grading", out);
 	fclose(out);
 	assert_non_null(strstr(text, "no key for 'grading'"));
 	assert_non_null(strstr(text, ":apropos grading"));
@@ -97,7 +97,8 @@ the_keys_of_the_open_page_come_first(void **state)
 	} OF[] = {{PAGE_PREDICT, 'c', 'q', 'v'}, {PAGE_FIT, 'v', 'q', 'r'},
 	    {PAGE_SITES, '/', 'q', 'v'}};
 	for (size_t i = 0; i < sizeof OF / sizeof OF[0]; i++) {
-		size_t n = keys_count(OF[i].page, ""), first = n, other = n;
+		size_t n = keys_count_listed(OF[i].page, ""), first = n,
+		       other = n;
 		for (size_t k = 0; k < n; k++) {
 			int code = keys_listed_at(OF[i].page, "", k)->code;
 			first = code == OF[i].first ? k : first;

@@ -124,14 +124,14 @@ text_has_the_room_at_any_size(void **state)
 {
 	(void)state;
 	for (int rows = 1; rows <= 100; rows++) {
-		struct layout l = layout_text(rows, 80);
+		struct layout l = layout_make_for_text(rows, 80);
 		int taken = l.header.rows + l.hints.rows;
 		assert_int_equal(l.body.rows + taken, rows);
 		assert_int_equal(l.body.row, l.header.rows);
 		assert_true(l.body.rows >= 1 && taken <= 2);
 		assert_true(l.hints.rows == 0 || l.hints.row == rows - 1);
 	}
-	assert_int_equal(layout_text(24, 80).body.rows, 22);
+	assert_int_equal(layout_make_for_text(24, 80).body.rows, 22);
 }
 
 int

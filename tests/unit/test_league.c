@@ -29,10 +29,11 @@ rmse_is_the_mean_of_runs(void **state)
 	struct league_cell cell[] = {{0, -5, 0.5, 0.01}, {0, -6, 0.4, 0.01},
 	    {0, -7, 0.3, 0.01}, {1, -5, 0.5, 0.01}};
 	double p[] = {0.52, 0.42, 0.32, 0.54};
-	expect_near("RMSE", league_rmse(cell, 4, p), sqrt(0.001), 1e-12);
+	expect_near(
+	    "RMSE", league_rmse_over_runs(cell, 4, p), sqrt(0.001), 1e-12);
 	p[1] = NAN;
-	assert_true(isnan(league_rmse(cell, 4, p)));
-	assert_true(isnan(league_rmse(cell, 0, p)));
+	assert_true(isnan(league_rmse_over_runs(cell, 4, p)));
+	assert_true(isnan(league_rmse_over_runs(cell, 0, p)));
 }
 
 /* The standard error of the difference is what made-up errors give it: shared
@@ -55,16 +56,16 @@ the_error_of_a_difference_is_that_of_made_up_samples(void **state)
 		a[i] = 0.5 + 0.01 * (double)(i % 3);
 		b[i] = 0.5;
 	}
-	struct league_pair want = league_compare(cell, N, a, b);
+	struct league_pair want = league_compare_errors(cell, N, a, b);
 	for (size_t t = 0; t < TIMES; t++) {
-		struct rng_key key = rng_key(5, t, 1);
+		struct rng_key key = rng_make_key(5, t, 1);
 		for (size_t i = 0; i < N; i++)
 			cell[i].measured =
 			    0.5 +
 			    0.01 * sqrt(own) * rng_normal(key, (uint32_t)i) +
 			    0.01 * sqrt(1 - own) *
 				rng_normal(key, (uint32_t)(N + i / 10));
-		double d = league_compare(cell, N, a, b).difference;
+		double d = league_compare_errors(cell, N, a, b).difference;
 		sum += d / TIMES;
 		squares += d * d / TIMES;
 	}
@@ -83,10 +84,11 @@ a_model_misses_what_no_sampling_explains(void **state)
 		    {0, -5, 0.5, noise}, {0, -6, 0.4, noise}};
 		double far[] = {0.56, 0.34}, some[] = {0.53, 0.37};
 		double near[] = {0.515, 0.385};
-		assert_true(league_misses(cell, 2, far));
-		assert_true(league_misses(cell, 2, some) == (noise < 0.015));
-		assert_false(league_misses(cell, 2, near));
-		assert_false(league_misses(cell, 0, far));
+		assert_true(league_misses_held_out_runs(cell, 2, far));
+		assert_true(league_misses_held_out_runs(cell, 2, some) ==
+			    (noise < 0.015));
+		assert_false(league_misses_held_out_runs(cell, 2, near));
+		assert_false(league_misses_held_out_runs(cell, 0, far));
 	}
 }
 
@@ -105,20 +107,20 @@ extensions_of_the_best_are_no_rivals(void **state)
 	size_t grunditz = 0, energy = 1, vogel = 2;
 	struct league_model m[] = {entrant(grunditz, -200, NAN),
 	    entrant(energy, -195, NAN), entrant(vogel, -180, NAN)};
-	assert_true(league_rank(m, 3, NULL, 0));
+	assert_true(league_rank_models(m, 3, NULL, 0));
 	assert_int_equal(m[0].standing, LEAGUE_BEST);
 	assert_int_equal(m[1].standing, LEAGUE_POSSIBLE);
 	assert_int_equal(m[2].standing, LEAGUE_OUT_AICC);
 	m[2].aicc = -191;
-	assert_false(league_rank(m, 3, NULL, 0));
+	assert_false(league_rank_models(m, 3, NULL, 0));
 	/* The larger is better, but not by enough: still one law. */
 	m[1].aicc = -205;
 	m[2].aicc = -180;
-	assert_true(league_rank(m, 3, NULL, 0));
+	assert_true(league_rank_models(m, 3, NULL, 0));
 	assert_int_equal(m[1].standing, LEAGUE_BEST);
 	/* None has one: nothing is told. */
 	m[0].aicc = m[1].aicc = m[2].aicc = NAN;
-	assert_false(league_rank(m, 3, NULL, 0));
+	assert_false(league_rank_models(m, 3, NULL, 0));
 }
 
 /* The runs held out overrule AICc, and where both are certain and disagree
@@ -140,16 +142,16 @@ runs_held_out_count_more(void **state)
 	    entrant(0, -200, 0.03), entrant(2, -205, 0.001)};
 	m[0].predicted = bad;
 	m[1].predicted = good;
-	assert_true(league_rank(m, 2, cell, N));
+	assert_true(league_rank_models(m, 2, cell, N));
 	assert_int_equal(m[0].standing, LEAGUE_OUT_ERROR);
 	m[0].aicc = -220;
-	assert_false(league_rank(m, 2, cell, N));
+	assert_false(league_rank_models(m, 2, cell, N));
 	assert_int_equal(m[0].standing, LEAGUE_OUT_ERROR);
 	assert_int_equal(m[1].standing, LEAGUE_BEST);
 	/* Alike to 0.1 points, and AICc decides. */
 	m[0].rmse = m[1].rmse + 0.0009;
 	m[0].predicted = good;
-	league_rank(m, 2, cell, N);
+	league_rank_models(m, 2, cell, N);
 	assert_int_equal(m[0].standing, LEAGUE_BEST);
 	assert_true(league_errs_more(cell, N, bad, good));
 	assert_false(league_errs_more(cell, N, good, bad));
@@ -168,10 +170,10 @@ models_extend_each_other(void **state)
 	assert_false(breakage_extends(0, 0));
 	assert_false(breakage_extends(2, 0));
 	struct params p = made_params(&TABLE_3[TIERP]);
-	struct params q = breakage_widened(&p, 4);
-	assert_true(params_value(&q, "alpha") == p.alpha);
-	assert_true(params_value(&q, "gamma") == 0);
-	assert_true(params_value(&q, "bypass") == 0);
+	struct params q = breakage_widen_params(&p, 4);
+	assert_true(params_value_by_name(&q, "alpha") == p.alpha);
+	assert_true(params_value_by_name(&q, "gamma") == 0);
+	assert_true(params_value_by_name(&q, "bypass") == 0);
 }
 
 static void
@@ -180,18 +182,22 @@ what_changes_nothing_is_left_out(void **state)
 	(void)state;
 	struct params p = made_params(&TABLE_3[TIERP]);
 	struct params wide =
-	    breakage_widened(&p, breakage_find("grunditz-t10"));
-	wide.at[breakage_parameter(breakage_of(&wide), "e_ref")] = 2700;
-	struct params q = breakage_narrowed(&wide);
+	    breakage_widen_params(&p, breakage_find_by_name("grunditz-t10"));
+	wide.at[breakage_parameter_index(
+	    breakage_model_of_params(&wide), "e_ref")] = 2700;
+	struct params q = breakage_narrow_params(&wide);
 	assert_int_equal(q.breakage, p.breakage);
-	assert_memory_equal(q.at, p.at, breakage_of(&p)->n * sizeof *q.at);
-	wide.at[breakage_parameter(breakage_of(&wide), "gamma")] = 0.1;
-	q = breakage_narrowed(&wide);
-	assert_int_equal(q.breakage, breakage_find("grunditz-energy"));
-	assert_true(params_value(&q, "gamma") == 0.1);
-	assert_true(params_value(&q, "e_ref") == 2700);
-	wide.at[breakage_parameter(breakage_of(&wide), "kappa")] = 0.1;
-	assert_int_equal(breakage_narrowed(&wide).breakage, wide.breakage);
+	assert_memory_equal(
+	    q.at, p.at, breakage_model_of_params(&p)->n * sizeof *q.at);
+	wide.at[breakage_parameter_index(
+	    breakage_model_of_params(&wide), "gamma")] = 0.1;
+	q = breakage_narrow_params(&wide);
+	assert_int_equal(q.breakage, breakage_find_by_name("grunditz-energy"));
+	assert_true(params_value_by_name(&q, "gamma") == 0.1);
+	assert_true(params_value_by_name(&q, "e_ref") == 2700);
+	wide.at[breakage_parameter_index(
+	    breakage_model_of_params(&wide), "kappa")] = 0.1;
+	assert_int_equal(breakage_narrow_params(&wide).breakage, wide.breakage);
 }
 
 static struct fit

@@ -16,7 +16,7 @@ sum_of(const double *value, size_t n)
 
 /* Class by class and in all, to arithmetic; nothing is below 0. */
 static void
-expect_closed(const struct ledger *l)
+expect_closed(const struct mass_balance *l)
 {
 	for (size_t i = 0; i < l->n; i++) {
 		double stays = l->unbroken[i] + l->within[i];
@@ -38,19 +38,19 @@ static void
 expect_product(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v, double error)
 {
-	struct ledger l = ledger_new(feed, p, settings, v);
+	struct mass_balance l = mass_balance_new(feed, p, settings, v);
 	double passing[32], finer = 0;
 	struct model *model = model_new(feed, feed->size, feed->n, settings);
 	model_use_params(model, p);
 	model_product(model, v, passing);
-	expect_near("broken", l.broken, model_selected(model, v), error);
+	expect_near("broken", l.broken, model_share_selected(model, v), error);
 	model_free(model);
 	expect_closed(&l);
 	for (size_t i = feed->n; i-- > 0;) {
 		finer += l.product[i];
 		expect_near("passing", finer, passing[i], error);
 	}
-	ledger_free(&l);
+	mass_balance_free(&l);
 }
 
 static void
@@ -80,14 +80,15 @@ a_case_by_hand(void **state)
 	(void)state;
 	double size[] = {16e-3, 8e-3, 4e-3, 2e-3}, passing[] = {1, 0, 0, 0};
 	struct psd feed = {4, size, passing};
-	struct params p = params_start(0);
+	struct params p = params_start_values(0);
 	p.beta[0] = 0;
 	p.beta[1] = 1;
 	p.beta[2] = p.beta[3] = 0;
 	p.f_mat = 1000;
 	p.e0_min = 0;
 	p.alpha = 0;
-	struct ledger l = ledger_new(&feed, &p, model_settings_default(), 70);
+	struct mass_balance l =
+	    mass_balance_new(&feed, &p, model_settings_default(), 70);
 	/* dB / d ln u = u: finer than y of what is spread evenly over ln x from
 	 * 8 to 16 mm are y (1/8 - 1/16) / ln 2. */
 	double below_8 = 8 * (1 / 8.0 - 1 / 16.0) / log(2);
@@ -98,7 +99,7 @@ a_case_by_hand(void **state)
 	expect_near("2 to 4 mm", l.arrived[2], below_8 / 4, 1e-3);
 	expect_near("pan", l.arrived[3], below_8 / 4, 1e-3);
 	expect_closed(&l);
-	ledger_free(&l);
+	mass_balance_free(&l);
 }
 
 static void
@@ -108,8 +109,10 @@ a_faster_rotor_leaves_less_unbroken(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
 	struct params p = made_params(&TABLE_3[TIERP]);
 	const struct psd *feed = &site->run[0].feed;
-	struct ledger slow = ledger_new(feed, &p, model_settings_default(), 69);
-	struct ledger fast = ledger_new(feed, &p, model_settings_default(), 79);
+	struct mass_balance slow =
+	    mass_balance_new(feed, &p, model_settings_default(), 69);
+	struct mass_balance fast =
+	    mass_balance_new(feed, &p, model_settings_default(), 79);
 	double change = 0;
 	for (size_t i = 0; i < slow.n; i++) {
 		assert_true(fast.unbroken[i] <= slow.unbroken[i] + 1e-12);
@@ -118,13 +121,14 @@ a_faster_rotor_leaves_less_unbroken(void **state)
 	expect_near("changes", change, 0, 1e-9);
 	assert_true(fast.broken > slow.broken);
 	assert_int_equal(
-	    ledger_class_of_largest(fast.feed, slow.feed, slow.n), 0);
-	size_t most = ledger_class_of_largest(fast.left, slow.left, slow.n);
+	    mass_balance_class_of_largest(fast.feed, slow.feed, slow.n), 0);
+	size_t most =
+	    mass_balance_class_of_largest(fast.left, slow.left, slow.n);
 	for (size_t i = 0; i < slow.n; i++)
 		assert_true(fast.left[i] - slow.left[i] <=
 			    fast.left[most] - slow.left[most]);
-	ledger_free(&slow);
-	ledger_free(&fast);
+	mass_balance_free(&slow);
+	mass_balance_free(&fast);
 	site_free(site);
 }
 

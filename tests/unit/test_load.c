@@ -80,7 +80,7 @@ assert_near(double value, double wanted, double by)
 static const struct site *
 site_of(struct desk *desk)
 {
-	return session_entry(desk->session)->site;
+	return session_current_entry(desk->session)->site;
 }
 
 static void
@@ -248,11 +248,11 @@ a_coarser_sieve_is_assumed(void **state)
 		assert_near(feed->size[0], 22.4e-3, 1e-12);
 		assert_near(feed->passing[0], 1, 0);
 		assert_near(feed->size[1], 16e-3, 1e-12);
-		assert_near(site_assumed_top(site_of(desk)), 22.4, 0);
+		assert_near(site_assumed_top_size(site_of(desk)), 22.4, 0);
 	}
 	assert_non_null(strstr(user.asked, "got 'perhaps'"));
 	assert_true(load_with(desk, SHORT, "31.5"));
-	assert_near(site_assumed_top(site_of(desk)), 31.5, 0);
+	assert_near(site_assumed_top_size(site_of(desk)), 31.5, 0);
 	assert_false(load_with(desk, SHORT, "n"));
 	assert_non_null(
 	    strstr(desk->error.text, "16 mm, passes 96.7 % of the"));
@@ -265,9 +265,9 @@ a_coarser_sieve_is_assumed(void **state)
 	assert_non_null(strstr(user.asked,
 	    "take 22.4 mm, the next sieve up (or type 31.5 or more, as much "
 	    "is coarser) [Y/n]"));
-	assert_near(site_assumed_top(site_of(desk)), 22.4, 0);
+	assert_near(site_assumed_top_size(site_of(desk)), 22.4, 0);
 	assert_true(load_with(desk, COARSE, "45"));
-	assert_near(site_assumed_top(site_of(desk)), 45, 0);
+	assert_near(site_assumed_top_size(site_of(desk)), 45, 0);
 	assert_false(load_with(desk, COARSE, "n"));
 	assert_non_null(
 	    strstr(desk->error.hint, "(or 31.5 mm or more, as much is "
@@ -368,15 +368,15 @@ rows_fit(void **state)
 	for (int columns = 38; columns <= 110; columns++) {
 		size_t at = 0;
 		for (size_t row = 0; row <= ask.n; row++) {
-			char *line = inquiry_row(&q, row, columns);
-			assert_true(text_width(line) <= columns);
+			char *line = inquiry_row_text(&q, row, columns);
+			assert_true(text_width_in_columns(line) <= columns);
 			if (row == 2)
 				at = strncmp(line, "? ", 2) == 0 ? 1 : 0;
 			free(line);
 		}
 		assert_int_equal(at, 1);
 	}
-	char *line = inquiry_row(&q, 2, 110);
+	char *line = inquiry_row_text(&q, 2, 110);
 	assert_non_null(strstr(line, "prov nummer ett  100 75,0 55,25 42,125  "
 				     "product@SPEED retained_cum_pct"));
 	free(line);

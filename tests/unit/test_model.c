@@ -15,12 +15,14 @@ static void
 energy_is_half_v_squared(void **state)
 {
 	(void)state;
-	assert_true(energy_specific(74) == 2738);
-	assert_true(energy_specific(0) == 0);
+	assert_true(energy_specific_at_speed(74) == 2738);
+	assert_true(energy_specific_at_speed(0) == 0);
 	/* D10: 85 m/s is 15.8 % above 79 m/s, 65 is 11.3 % below 69. */
-	expect_near("85 over 79", energy_specific(85) / energy_specific(79),
-	    1.158, 5e-4);
-	expect_near("65 over 69", energy_specific(65) / energy_specific(69),
+	expect_near("85 over 79",
+	    energy_specific_at_speed(85) / energy_specific_at_speed(79), 1.158,
+	    5e-4);
+	expect_near("65 over 69",
+	    energy_specific_at_speed(65) / energy_specific_at_speed(69),
 	    1 - 0.113, 5e-4);
 }
 
@@ -61,7 +63,7 @@ break_sizes_at_the_edges(void **state)
 static double
 selected(const struct params *p, double k, double E, double x)
 {
-	return selection(p->at + PARAM_F_MAT, k, E, el_log(x), NULL);
+	return selection_at_size(p->at + PARAM_F_MAT, k, E, el_log(x), NULL);
 }
 
 static void
@@ -89,7 +91,7 @@ nothing_is_selected_below_the_break_size(void **state)
 	for (size_t row = 0; row < ARRAY_LEN(TABLE_3); row++)
 		for (size_t i = 0; i < ARRAY_LEN(SPEEDS); i++) {
 			struct params p = made_params(&TABLE_3[row]);
-			double E = energy_specific(SPEEDS[i]);
+			double E = energy_specific_at_speed(SPEEDS[i]);
 			double x = params_break_size(&p, SPEEDS[i]);
 			assert_true(selected(&p, 1, E, x * (1 - 1e-9)) == 0);
 			assert_true(selected(&p, 1, E, x * (1 + 1e-9)) > 0);
@@ -188,7 +190,7 @@ passing(const struct appearance *a, double u)
 	double parts[4], sum = 0;
 	if (u >= 1)
 		return 1;
-	appearance_parts(a, log(u), parts);
+	appearance_integrals_up_to(a, log(u), parts);
 	for (size_t i = 0; i < 4; i++)
 		sum += a->beta[i] * parts[i];
 	return a->total > 0 ? sum / a->total : 0;
@@ -275,7 +277,7 @@ matrix_of(const double beta[4], enum appearance_form form, const double *x,
 	struct model_settings settings = model_settings_default();
 	breaker_set_params(&b, &p, &settings);
 	breaker_set_speed(&b, 74);
-	classes_matrix(&b, form, x, n, m);
+	classes_appearance_matrix(&b, form, x, n, m);
 }
 
 static void
@@ -360,7 +362,7 @@ the_table_of_parameters_is_whole(void **state)
 	for (size_t i = 0; i < PARAM_COUNT; i++) {
 		p.at[i] = 10.0 + (double)i;
 		assert_int_equal(
-		    breakage_parameter(BREAKAGES[0], PARAMS[i].name), i);
+		    breakage_parameter_index(BREAKAGES[0], PARAMS[i].name), i);
 		assert_true(b.lower[i] == PARAMS[i].lower);
 		assert_true(b.upper[i] == PARAMS[i].upper);
 	}
@@ -368,7 +370,7 @@ the_table_of_parameters_is_whole(void **state)
 		assert_true(p.at[i] == 10.0 + (double)i);
 	assert_true(p.f_mat == 14 && p.e0_min == 15 && p.alpha == 16);
 	assert_int_equal(
-	    breakage_parameter(BREAKAGES[0], "beta5"), PARAM_COUNT);
+	    breakage_parameter_index(BREAKAGES[0], "beta5"), PARAM_COUNT);
 	struct params none = {0};
 	params_scale_to_1(&none);
 	assert_true(none.beta[0] == 0 && none.beta[3] == 0);

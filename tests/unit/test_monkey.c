@@ -126,11 +126,12 @@ static const struct tui_callbacks WAYS = {.answer = answer};
 static void
 paste(struct tui *t)
 {
-	input_paste(t, SCREEN_PASTE, true);
+	input_handle_paste(t, SCREEN_PASTE, true);
 	for (size_t n = below(300); n > 0; n--)
-		input_paste(t, (int)below(below(2) ? 127 : 0x3000), false);
+		input_handle_paste(
+		    t, (int)below(below(2) ? 127 : 0x3000), false);
 	if (below(4) > 0)
-		input_paste(t, SCREEN_PASTED, true);
+		input_handle_paste(t, SCREEN_PASTED, true);
 	else
 		input_end_paste(t);
 }
@@ -139,16 +140,16 @@ static void
 type_text(struct tui *t, const char *text)
 {
 	while (*text != '\0')
-		keymap_key(t, (int)text_next_code_point(&text), false);
+		keymap_handle_key(t, (int)text_next_code_point(&text), false);
 }
 
 static void
 type_line(struct tui *t)
 {
-	keymap_key(t, 27, false);
-	keymap_key(t, ':', false);
+	keymap_handle_key(t, 27, false);
+	keymap_handle_key(t, ':', false);
 	type_text(t, TYPED[below(ARRAY_LEN(TYPED))]);
-	keymap_key(t, below(5) > 0 ? '\n' : '\t', false);
+	keymap_handle_key(t, below(5) > 0 ? '\n' : '\t', false);
 }
 
 /* Something is set and at once drawn beside: what both states know of it is
@@ -160,7 +161,7 @@ type_more(struct tui *t)
 	if (below(2) == 0) {
 		type_text(t, SPEEDS[below(ARRAY_LEN(SPEEDS))]);
 	} else {
-		keymap_key(t, 't', false);
+		keymap_handle_key(t, 't', false);
 		type_text(t, GOALS[below(ARRAY_LEN(GOALS))]);
 	}
 	for (size_t n = below(4); n > 0; n--)
@@ -175,9 +176,9 @@ use_mouse(struct tui *t)
 	enum hit_kind kind = (enum hit_kind)(1U << below(4));
 	int row = (int)below((size_t)rows + 2) - 1,
 	    column = (int)below((size_t)columns + 2) - 1;
-	hits_mouse(t, &t->hits, kind, row, column, keymap_key);
+	hits_dispatch_mouse(t, &t->hits, kind, row, column, keymap_handle_key);
 	if (below(3) == 0)
-		hits_release(&t->hits);
+		hits_end_drag(&t->hits);
 }
 
 /* All that the loop does between two keys. */
@@ -185,7 +186,7 @@ static void
 go_on(struct tui *t)
 {
 	t->clock += (double)below(3) * 0.3;
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	view_update(t);
 	frame_draw(t);
 	t->leave = t->session->quit = t->session->wants_tui = false;
@@ -208,7 +209,7 @@ one_step(struct tui *t)
 	else if (what < 10)
 		use_mouse(t);
 	else
-		keymap_key(t, code, code > 255);
+		keymap_handle_key(t, code, code > 255);
 }
 
 /* Some hundred steps on a session of its own. */
@@ -226,11 +227,11 @@ walk(uint64_t seed)
 	if (below(4) > 0)
 		desk_expect(desk, "load data/sites/bro.csv "
 				  "data/sites/ossjo.csv data/sites/tierp.csv");
-	desk->session->hooks.draw_screen = script_draw;
+	desk->session->hooks.draw_screen = script_draw_screen;
 	/* From here on no file is written and no shell run. */
 	desk->session->safe = true;
 	before = screen_begin_offscreen(rows, columns, CHARSET_BRAILLE, 256);
-	control_begin(&t, desk->session, &WAYS);
+	control_open_screen(&t, desk->session, &WAYS);
 	/* On a terminal what takes long is worked out part by part. */
 	t.aside = below(2) == 0;
 	frame_draw(&t);
@@ -243,15 +244,15 @@ walk(uint64_t seed)
 	/* It still answers: from wherever it is, back, and on. */
 	input_end_paste(&t);
 	for (int i = 0; i < 12; i++)
-		keymap_key(&t, 27, false);
+		keymap_handle_key(&t, 27, false);
 	go_on(&t);
 	assert_false(t.line.active || t.filter.active || t.ui.crosshair);
 	assert_null(t.viewer.text);
 	assert_int_equal(t.ui.page, PAGE_PREDICT);
-	keymap_key(&t, 'q', false);
-	keymap_held(&t);
+	keymap_handle_key(&t, 'q', false);
+	keymap_run_delayed_key(&t);
 	assert_true(t.leave);
-	control_end(&t);
+	control_close_screen(&t);
 	canvas_free(screen_end_offscreen(before));
 	desk_close(&open);
 }

@@ -42,17 +42,18 @@ why_takes_the_sheet_at_its_word(void **state)
 	desk_expect(desk, "load data/sites/tierp.csv; "
 			  "params set f_mat=2 e0_min=16 alpha=1");
 	assert_true(says(desk, "why", "not measured at a plant: recon"));
-	char *own = session_entry(s)->site->provenance;
-	session_entry(s)->site->provenance = xstrdup("belt cuts of 3 May; wet");
+	char *own = session_current_entry(s)->site->provenance;
+	session_current_entry(s)->site->provenance =
+	    xstrdup("belt cuts of 3 May; wet");
 	assert_true(says(desk, "why",
 	    "The site file states the provenance of its data: belt cuts of "
 	    "3 May."));
 	assert_true(says(desk, "sites", "measured"));
-	session_entry(s)->site->provenance[0] = '\0';
+	session_current_entry(s)->site->provenance[0] = '\0';
 	assert_true(
 	    says(desk, "why", "does not state where its data are from"));
-	free(session_entry(s)->site->provenance);
-	session_entry(s)->site->provenance = own;
+	free(session_current_entry(s)->site->provenance);
+	session_current_entry(s)->site->provenance = own;
 }
 
 static void
@@ -79,18 +80,19 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	use_of_another(desk);
-	const struct entry *tierp = &s->entry[0], *bro = session_entry(s);
+	const struct entry *tierp = &s->entry[0],
+			   *bro = session_current_entry(s);
 	assert_string_equal(bro->origin->from, "tierp");
 	assert_int_equal(bro->origin->n_speed, 2);
 	assert_true(bro->origin->speed[1] == 79);
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
-	assert_true(answers_extrapolates(bro, 80));
-	assert_false(answers_extrapolates(bro, 70));
+	assert_true(answers_is_speed_extrapolated(bro, 80));
+	assert_false(answers_is_speed_extrapolated(bro, 70));
 	assert_ptr_equal(outlook_posterior_for_comparison(s, bro),
 	    outlook_posterior_for_comparison(s, tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
-	assert_string_equal(session_entry(s)->origin->from, "tierp");
+	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
 	assert_true(says(desk, "predict 90",
 	    "parameters from tierp (trained at 69 and 79 m/s; reconstructed, "
 	    "not"));
@@ -107,9 +109,9 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 	for (int i = 0; i < 4; i++) {
 		desk_expect(desk, i % 2 == 0 ? "use tierp; predict 74"
 					     : "use bro; predict 74");
-		const struct entry *entry = session_entry(s);
+		const struct entry *entry = session_current_entry(s);
 		struct prediction p = forecast_whole_product(
-		    s, entry, 74, site_run_nearest(entry->site, 74));
+		    s, entry, 74, site_run_nearest_speed(entry->site, 74));
 		assert_non_null(p.low);
 		if (i < 2)
 			low[i][0] = p.low[4];
@@ -127,7 +129,7 @@ each_feed_has_its_own_band(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	desk_expect(desk, "synth data/table3.csv site=Umea seed=3; calibrate");
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	for (size_t feed = 0; feed < entry->site->n_run; feed++) {
 		struct prediction p =
 		    forecast_whole_product(s, entry, 74, feed);
@@ -145,20 +147,25 @@ undo_and_redo_carry_the_origin(void **state)
 	struct session *s = desk->session;
 	use_of_another(desk);
 	desk_expect(desk, "params set f_mat=1");
-	assert_string_equal(session_entry(s)->origin->words, "set by hand");
-	assert_null(outlook_posterior_for_comparison(s, session_entry(s)));
+	assert_string_equal(
+	    session_current_entry(s)->origin->words, "set by hand");
+	assert_null(
+	    outlook_posterior_for_comparison(s, session_current_entry(s)));
 	desk_expect(desk, "undo");
-	assert_string_equal(session_entry(s)->origin->from, "tierp");
-	assert_non_null(outlook_posterior_for_comparison(s, session_entry(s)));
+	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
+	assert_non_null(
+	    outlook_posterior_for_comparison(s, session_current_entry(s)));
 	desk_expect(desk, "undo");
-	assert_null(session_entry(s)->origin);
+	assert_null(session_current_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
-	assert_string_equal(session_entry(s)->origin->from, "tierp");
+	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
 	/* Equal numbers of other origin are a change. */
 	desk_expect(desk, "recall ubbarp; recall gasgruvan");
-	assert_string_equal(session_entry(s)->origin->from, "table3/gasgruvan");
+	assert_string_equal(
+	    session_current_entry(s)->origin->from, "table3/gasgruvan");
 	desk_expect(desk, "undo");
-	assert_string_equal(session_entry(s)->origin->from, "table3/ubbarp");
+	assert_string_equal(
+	    session_current_entry(s)->origin->from, "table3/ubbarp");
 }
 
 static void
@@ -168,7 +175,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	struct session *s = desk->session;
 	desk_expect(desk, "load data/sites/tierp.csv; "
 			  "calibrate population=200 train=69");
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
 	assert_non_null(outlook_posterior_for_comparison(s, entry));
@@ -182,10 +189,11 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		assert_int_equal(entry->fit.n_residual, n + 1);
 		assert_int_equal(entry->fit.cells, n);
 		assert_int_equal(outlook_posterior_for_comparison(
-				     s, session_entry(s)) != NULL,
+				     s, session_current_entry(s)) != NULL,
 		    n > 7);
 	}
-	assert_string_equal(light_verdict(s, entry, NULL), "too few data");
+	assert_string_equal(
+	    light_verdict_on_fit(s, entry, NULL), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));
 	assert_int_equal(desk->error.kind, ERROR_CHECK);
 	desk_expect(desk, "bounds alpha 0.9; "
@@ -239,7 +247,7 @@ evidence_stays_where_it_is(void **state)
 	    desk, "load data/sites/tierp.csv; calibrate population=200");
 	struct entry *entry = &s->entry[0];
 	struct history *h = entry->origin->history;
-	history_draw_again(h, s->set.noise, s->set.draw_seed);
+	history_discard_draws(h, s->set.noise, s->set.draw_seed);
 	h->stop = at_once;
 	const struct evidence *e = outlook_evidence(s, entry);
 	assert_true(isnan(e->discrepancy));

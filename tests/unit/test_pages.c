@@ -35,7 +35,7 @@ stage_open(void **state)
 static void
 turn(struct tui *t)
 {
-	watch_run_due_steps(t);
+	watch_run_due_fit_steps(t);
 	view_update(t);
 	frame_draw(t);
 }
@@ -49,7 +49,7 @@ press(struct tui *t, const char *names)
 	     name = strtok_r(NULL, " ", &left)) {
 		int code = 0;
 		assert_true(keys_code_of_name(name, &code));
-		keymap_key(t, code, code > 255);
+		keymap_handle_key(t, code, code > 255);
 		view_update(t);
 		frame_draw(t);
 	}
@@ -66,7 +66,7 @@ row_of(struct stage *stage, int row)
 	screen_size(&rows, &columns);
 	struct canvas *frame = screen_end_offscreen(stage->was);
 	for (int i = 0; i < columns; i++)
-		text[i] = (char)canvas_at(frame, i, row)->code;
+		text[i] = (char)canvas_cell_at(frame, i, row)->code;
 	text[columns] = '\0';
 	canvas_free(frame);
 	stage->was = screen_begin_offscreen(rows, columns, CHARSET_ASCII, 0);
@@ -95,16 +95,17 @@ every_page_is_opened_and_saved(void **state)
 	assert_int_equal(words, PAGES);
 	for (enum page page = PAGES; page-- > 0;) {
 		assert_non_null(PAGE_OPS[page]);
-		FREED char *word = text_fold(PAGE_OPS[page]->name);
+		FREED char *word =
+		    text_fold_case_and_accents(PAGE_OPS[page]->name);
 		assert_true(text_find_word(SETTINGS_PAGES, word, &at));
 		assert_int_equal(at, page);
 		int code = keys_code_of_page(page);
 		FREED char *what = xasprintf("page %s", PAGE_OPS[page]->name);
 		assert_string_equal(keys_find(code, PAGE_PREDICT)->what, what);
-		keymap_key(t, code, false);
+		keymap_handle_key(t, code, false);
 		turn(t);
 		assert_int_equal(t->ui.page, page);
-		control_set_looks(t);
+		control_store_page_settings(t);
 		assert_int_equal(t->session->set.page, page);
 		assert_false(t->bad);
 	}
@@ -119,11 +120,11 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	struct tui *t = &stage->t;
 	const struct session *s = t->session;
 	cmdline_run(t, "calibrate all");
-	assert_true(session_busy(s));
+	assert_true(session_is_calibrating(s));
 	turn(t);
 	assert_int_equal(t->ui.page, PAGE_SITES);
 	assert_true(s->entry[0].has_fit);
-	assert_true(session_busy(s));
+	assert_true(session_is_calibrating(s));
 	assert_int_equal(s->job.entry, 1);
 	assert_non_null(strstr(row_of(stage, 2), "green"));
 	assert_non_null(strstr(row_of(stage, 3), "gen 0 "));
@@ -135,11 +136,11 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	press(t, "Space");
 	/* One does not open another meanwhile. */
 	press(t, "Enter");
-	assert_true(session_busy(s));
+	assert_true(session_is_calibrating(s));
 	turn(t);
 	assert_true(s->entry[1].has_fit);
 	press(t, "s");
-	assert_false(session_busy(s));
+	assert_false(session_is_calibrating(s));
 	assert_false(s->entry[2].has_fit);
 	assert_non_null(strstr(t->message, "keep their fits"));
 	press(t, "u");
@@ -154,7 +155,7 @@ what_it_ends_with_is_what_calibrate_all_says(void **state)
 	cmdline_run(t, "calibrate all");
 	for (int i = 0; i < 3; i++)
 		turn(t);
-	assert_false(session_busy(t->session));
+	assert_false(session_is_calibrating(t->session));
 	assert_non_null(strstr(t->message, "all sites are calibrated"));
 	struct fit found[3];
 	for (int i = 0; i < 3; i++)
@@ -180,7 +181,8 @@ sites_are_sorted_by_a_key_or_a_click(void **state)
 	assert_non_null(strstr(row_of(stage, 2), "tierp"));
 	const char *head = row_of(stage, 1);
 	int rock = (int)(strstr(head, "rock") - head);
-	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, 1, rock, keymap_key));
+	assert_true(hits_dispatch_mouse(
+	    t, &t->hits, HIT_PRESS, 1, rock, keymap_handle_key));
 	assert_non_null(strstr(row_of(stage, 1), "rock^"));
 	assert_non_null(strstr(row_of(stage, 4), "Porphyry"));
 	/* Down goes down on the screen. */
@@ -297,12 +299,12 @@ parity_has_the_statistics_of_validate(void **state)
 	const char *key = s->entry[t->view.parity.runs.item[chosen].entry].key;
 	press(t, "/");
 	for (; *key != '\0'; key++)
-		keymap_key(t, *key, false);
+		keymap_handle_key(t, *key, false);
 	press(t, "Enter");
-	assert_int_equal(rows_count(t), 1);
+	assert_int_equal(rows_count_matching(t), 1);
 	assert_int_equal(t->ui.list[PAGE_PARITY].at, chosen);
 	press(t, "Esc");
-	assert_int_equal(rows_count(t), 3);
+	assert_int_equal(rows_count_matching(t), 3);
 	/* A step of the slider compares nothing. */
 	const struct trial *was = t->view.parity.runs.item;
 	press(t, "= 7 2 Enter");

@@ -98,7 +98,7 @@ enum { LINES_N = sizeof LINES / sizeof LINES[0] };
 static unsigned
 rgb_of(size_t i, enum theme theme)
 {
-	return palette_rgb(palette_colour(LINES[i], 256, theme));
+	return palette_colour_to_rgb(palette_colour(LINES[i], 256, theme));
 }
 
 static void
@@ -149,12 +149,14 @@ paper_and_screen_have_the_same_colours(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < LINES_N; i++)
-		assert_int_equal(palette_print_rgb(LINES[i], THEME_NORMAL),
+		assert_int_equal(
+		    palette_series_rgb_on_white(LINES[i], THEME_NORMAL),
 		    rgb_of(i, THEME_NORMAL));
-	assert_int_equal(palette_rgb(231), 0xFFFFFF);
-	assert_int_equal(palette_rgb(243), 0x767676);
-	assert_int_equal(palette_rgb(202), 0xFF5F00);
-	assert_int_equal(palette_print_rgb(SERIES_TEXT, THEME_DARK), 0);
+	assert_int_equal(palette_colour_to_rgb(231), 0xFFFFFF);
+	assert_int_equal(palette_colour_to_rgb(243), 0x767676);
+	assert_int_equal(palette_colour_to_rgb(202), 0xFF5F00);
+	assert_int_equal(
+	    palette_series_rgb_on_white(SERIES_TEXT, THEME_DARK), 0);
 }
 
 /* With few colours those of the text's are told by their shape. */
@@ -185,8 +187,9 @@ few_colours_on_white_are_dark(void **state)
 		for (int i = 0; i < SERIES_COUNT; i++) {
 			int a =
 			    palette_colour((enum series)i, depth, THEME_LIGHT);
-			assert_true(a == -1 || contrast(palette_rgb(a), LIGHT) >
-						   ANY_GROUND);
+			assert_true(a == -1 ||
+				    contrast(palette_colour_to_rgb(a), LIGHT) >
+					ANY_GROUND);
 		}
 }
 

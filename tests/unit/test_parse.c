@@ -309,15 +309,15 @@ values_are_members_of_the_call(void **state)
 	struct call *call = call_accept("calibrate seed=0 train=69,79 "
 					"weights=sd polish=off part=1/2");
 	const struct args *args = &call->args;
-	assert_true(args->seed == 0 && args_given(args, &args->seed));
-	assert_true(args->stall == 20 && !args_given(args, &args->stall));
+	assert_true(args->seed == 0 && args_is_given(args, &args->seed));
+	assert_true(args->stall == 20 && !args_is_given(args, &args->stall));
 	assert_true(args->tolerance == 0.05);
 	assert_int_equal(args->train.n, 2);
 	assert_true(args->train.at[1] == 79);
 	assert_int_equal(args->weights, 1);
 	assert_false(args->polish || args->detail);
 	assert_string_equal(args->part, "1/2");
-	assert_true(args->tph == 0 && !args_given(args, &args->tph));
+	assert_true(args->tph == 0 && !args_is_given(args, &args->tph));
 	call_free(call);
 	call = call_accept("calibrate detail=on");
 	assert_true(call->args.polish && call->args.detail);

@@ -34,7 +34,8 @@ static struct chart *
 chart_of(struct desk *desk, const struct plot_request *request)
 {
 	desk->error = (struct error){0};
-	struct chart *chart = plots_chart(desk->session, request, &desk->error);
+	struct chart *chart =
+	    plots_make_chart(desk->session, request, &desk->error);
 	if (chart == NULL)
 		fail_msg("%s", desk->error.text);
 	return chart;
@@ -49,13 +50,13 @@ every_kind_fits_every_size(void **state)
 	for (int kind = 0; kind < KINDS; kind++)
 		for (size_t i = 0; i < 12; i++) {
 			struct plot_request q =
-			    plots_request((enum plot_kind)kind);
+			    plots_default_request((enum plot_kind)kind);
 			const int *size = sizes[i % 4];
 			q.charset = (enum charset)(i / 4);
 			q.other_speed = 60;
 			q.crosshair_mm = 3;
 			q.band = true;
-			struct canvas *c = plots_draw(
+			struct canvas *c = plots_draw_canvas(
 			    desk->session, &q, size[0], size[1], &desk->error);
 			assert_non_null(c);
 			assert_int_equal(c->columns, size[0]);
@@ -89,7 +90,8 @@ no_two_series_look_alike(void **state)
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
 	for (int kind = 0; kind < KINDS; kind++) {
-		struct plot_request q = plots_request((enum plot_kind)kind);
+		struct plot_request q =
+		    plots_default_request((enum plot_kind)kind);
 		q.other_speed = 80;
 		struct chart *c = chart_of(desk, &q);
 		assert_true(c->n > 0);
@@ -113,14 +115,14 @@ colours_of_runs_are_of_runs_alone(void **state)
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
 	for (size_t k = 0; k < ARRAY_LEN(NO_RUN); k++) {
-		struct plot_request q = plots_request(NO_RUN[k]);
+		struct plot_request q = plots_default_request(NO_RUN[k]);
 		struct chart *c = chart_of(desk, &q);
 		for (size_t i = 0; i < c->n; i++)
 			assert_false(is_of_a_run(c->series[i]->series));
 		chart_free(c);
 	}
 	for (size_t k = 0; k < ARRAY_LEN(RUNS); k++) {
-		struct plot_request q = plots_request(RUNS[k]);
+		struct plot_request q = plots_default_request(RUNS[k]);
 		struct chart *c = chart_of(desk, &q);
 		size_t n = 0;
 		for (size_t i = 0; i < c->n; i++) {
@@ -148,8 +150,8 @@ static void
 every_sieve_of_the_sheet_is_a_tick(void **state)
 {
 	struct desk *desk = *state;
-	const struct site *site = session_entry(desk->session)->site;
-	struct plot_request q = plots_request(PLOT_PSD);
+	const struct site *site = session_current_entry(desk->session)->site;
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	struct chart *c = chart_of(desk, &q);
 	const struct psd *psd = &site->run[0].product;
 	assert_int_equal(c->x.n, psd->n);
@@ -166,23 +168,24 @@ a_running_search_shows_its_best_so_far(void **state)
 	struct session *s = desk->session;
 	size_t next = 0;
 	desk_expect(desk, PARAMS_SET);
-	assert_true(session_line(s, SEARCH, 0, "t", 1, &next, &desk->error));
+	assert_true(
+	    session_run_line(s, SEARCH, 0, "t", 1, &next, &desk->error));
 	for (int i = 0; i < 5; i++)
-		session_step(s);
-	struct plot_request q = plots_request(PLOT_CONVERGENCE);
+		session_step_job(s);
+	struct plot_request q = plots_default_request(PLOT_CONVERGENCE);
 	struct chart *c = chart_of(desk, &q);
 	assert_int_equal(c->series[0]->n, 5);
 	chart_free(c);
 	struct params p, best = calibration_status(s->job.calibration).params;
-	q = plots_request(PLOT_PSD);
-	q.entry = session_entry(s);
+	q = plots_default_request(PLOT_PSD);
+	q.entry = session_current_entry(s);
 	assert_true(search_shown_params(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
-	while (session_busy(s))
-		session_step(s);
+	while (session_is_calibrating(s))
+		session_step_job(s);
 	assert_true(session_end_finished_commands(s, true, &desk->error));
 	assert_true(search_shown_params(s, &q, &p, &desk->error));
-	assert_memory_equal(&p, &session_entry(s)->params, sizeof p);
+	assert_memory_equal(&p, &session_current_entry(s)->params, sizeof p);
 }
 
 static void
@@ -190,10 +193,10 @@ a_generation_shows_its_own_best(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
-	const struct history *h = session_entry(desk->session)->history;
-	struct plot_request q = plots_request(PLOT_PSD);
+	const struct history *h = session_current_entry(desk->session)->history;
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	struct params p = {0};
-	q.entry = session_entry(desk->session);
+	q.entry = session_current_entry(desk->session);
 	q.generation = 7;
 	assert_true(search_shown_params(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
@@ -207,7 +210,7 @@ a_generation_shows_its_own_best(void **state)
 	    PLOT_PSD, PLOT_CONVERGENCE, PLOT_SPREAD, PLOT_SEARCH};
 	for (size_t i = 0; i < ARRAY_LEN(KNOWING); i++) {
 		q.kind = KNOWING[i];
-		assert_null(plots_chart(desk->session, &q, &desk->error));
+		assert_null(plots_make_chart(desk->session, &q, &desk->error));
 	}
 }
 
@@ -216,7 +219,7 @@ what_is_extrapolated_is_dashed(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, PARAMS_SET);
-	struct plot_request q = plots_request(PLOT_PSD);
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	for (int k = 0; k < 2; k++) {
 		q.speed = k == 0 ? 74 : 84;
 		struct chart *c = chart_of(desk, &q);
@@ -240,10 +243,10 @@ a_search_is_shown_on_a_scale_that_it_fills(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	const struct history *h = entry->history;
-	struct plot_request q = plots_request(PLOT_SEARCH),
-			    r = plots_request(PLOT_CONVERGENCE);
+	struct plot_request q = plots_default_request(PLOT_SEARCH),
+			    r = plots_default_request(PLOT_CONVERGENCE);
 	size_t trained = 0;
 	for (size_t i = 0; i < entry->site->n_run; i++)
 		trained += entry->train[i];
@@ -285,7 +288,7 @@ static void
 a_band_holds_the_prediction_of_a_fit(void **state)
 {
 	struct desk *desk = *state;
-	struct plot_request q = plots_request(PLOT_PSD);
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	q.band = true;
 	desk_expect(desk, PARAMS_SET);
 	struct chart *c = chart_of(desk, &q);
@@ -306,12 +309,12 @@ a_second_site_has_a_curve_of_its_own(void **state)
 {
 	struct desk *desk = *state;
 	struct session *s = desk->session;
-	struct plot_request q = plots_request(PLOT_PSD);
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	q.speed = 74;
 	q.other_speed = 70;
 	q.beside = "tierp";
 	desk_expect(desk, PARAMS_SET);
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	struct prediction kept =
 	    forecast_whole_product(s, entry, 70, SITE_MEAN_FEED);
 	desk_expect(desk, "load data/sites/bro.csv");
@@ -333,7 +336,7 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	desk_expect(desk, "drop tierp");
 	chart_free(chart_of(desk, &q));
 	q.kept = NULL;
-	assert_null(plots_chart(s, &q, &desk->error));
+	assert_null(plots_make_chart(s, &q, &desk->error));
 	prediction_free(&kept);
 }
 
@@ -346,12 +349,12 @@ a_second_prediction_has_its_own_feed(void **state)
 	struct session *s = desk->session;
 	static const double FEEDS[] = {0, 69};
 	desk_expect(desk, PARAMS_SET);
-	struct plot_request q = plots_request(PLOT_PSD);
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	q.speed = 79;
 	q.other_speed = 74;
 	for (size_t i = 0; i < 2; i++) {
-		const struct entry *entry = session_entry(s);
-		size_t feed = feed_sampled_at(entry->site, FEEDS[i]);
+		const struct entry *entry = session_current_entry(s);
+		size_t feed = feed_run_at_speed_or_mean(entry->site, FEEDS[i]);
 		struct prediction want =
 		    forecast_whole_product(s, entry, 74, feed);
 		q.other_feed = FEEDS[i];
@@ -376,7 +379,7 @@ differences_have_a_strip(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, PARAMS_SET);
-	struct plot_request q = plots_request(PLOT_PSD);
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	q.speed = 74.3;
 	struct chart *c = chart_of(desk, &q);
 	assert_non_null(c->below);
@@ -435,7 +438,7 @@ all_runs_are_drawn(void **state)
 	free(load);
 	unlink(path);
 	desk_expect(desk, PARAMS_SET);
-	struct plot_request q = plots_request(PLOT_PSD);
+	struct plot_request q = plots_default_request(PLOT_PSD);
 	q.speed = 61;
 	struct chart *c = chart_of(desk, &q);
 	size_t marks = 0;
@@ -455,9 +458,11 @@ what_is_missing_is_said(void **state)
 {
 	struct desk *desk = *state;
 	for (int kind = PLOT_PARITY; kind < KINDS; kind++) {
-		struct plot_request q = plots_request((enum plot_kind)kind);
+		struct plot_request q =
+		    plots_default_request((enum plot_kind)kind);
 		desk->error = (struct error){0};
-		struct chart *c = plots_chart(desk->session, &q, &desk->error);
+		struct chart *c =
+		    plots_make_chart(desk->session, &q, &desk->error);
 		assert_int_equal(c != NULL, kind == PLOT_MAP);
 		if (c == NULL)
 			assert_true(desk->error.text[0] != '\0' &&
@@ -522,9 +527,9 @@ runs_are_drawn_with_their_own_feeds(void **state)
 	static const double FURTHER[] = {65, 85};
 	struct desk *desk = *state;
 	desk_expect(desk, SEARCH);
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	const struct site *site = entry->site;
-	struct plot_request q = plots_request(PLOT_RUNS);
+	struct plot_request q = plots_default_request(PLOT_RUNS);
 	q.n_speed = ARRAY_LEN(FURTHER);
 	q.speeds = FURTHER;
 	struct chart *c = chart_of(desk, &q);
@@ -532,8 +537,8 @@ runs_are_drawn_with_their_own_feeds(void **state)
 		const struct chart_series *m = series_of(c, NAMES[r][0]);
 		const struct chart_series *p = series_of(c, NAMES[r][1]);
 		const struct run *run = &site->run[r];
-		struct prediction of = predict(site, &entry->params,
-		    desk->session->set.model, run->speed, r);
+		struct prediction of = predict_with_model_alone(site,
+		    &entry->params, desk->session->set.model, run->speed, r);
 		assert_int_equal(m->line, CHART_SOLID);
 		assert_int_equal(p->line, CHART_DASHED);
 		for (size_t i = 0; i < m->n; i++)
@@ -563,7 +568,7 @@ the_map_has_all_loaded_sites(void **state)
 	desk_expect(desk, "use tierp");
 	desk_expect(desk, "bounds f_mat 0.001..0.1");
 	desk_expect(desk, SEARCH);
-	struct plot_request q = plots_request(PLOT_MAP);
+	struct plot_request q = plots_default_request(PLOT_MAP);
 	struct chart *c = chart_of(desk, &q);
 	const struct chart_series *gneiss = series_of(c, "Gneiss"),
 				  *free = series_of(c, "loaded sites"),
@@ -588,7 +593,7 @@ parity_says_how_good_it_is(void **state)
 	struct desk *desk = *state;
 	desk_expect(desk, "load data/sites/umea.csv");
 	desk_expect(desk, "calibrate all seed=3 population=60 generations=30");
-	struct plot_request q = plots_request(PLOT_PARITY);
+	struct plot_request q = plots_default_request(PLOT_PARITY);
 	struct chart *c = chart_of(desk, &q);
 	desk_expect(desk, "validate all");
 	assert_int_equal(c->n_note, 3);

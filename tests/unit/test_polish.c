@@ -35,7 +35,7 @@ polish_goes_to_the_bottom_of_an_exact_valley(void **state)
 		    site, OUTER, NULL, false, model_settings_default());
 		struct polish *polish = polish_new(m);
 		struct bounds bounds = bounds_default(0);
-		double before = misfit_at(m, &p);
+		double before = misfit_of_params(m, &p);
 		struct polish_result r =
 		    polish_run(polish, &bounds, 300, NULL, &p);
 		if (!(r.misfit < 1e-20))
@@ -72,11 +72,11 @@ polish_is_never_worse_and_keeps_to_the_bounds(void **state)
 		p.alpha = fmax(p.alpha, 0.5);
 		p.e0_min = fmin(p.e0_min, 25);
 		b.lower[held] = b.upper[held] = p.at[held];
-		double before = misfit_at(m, &p);
+		double before = misfit_of_params(m, &p);
 		struct polish_result r = polish_run(polish, &b, 30, NULL, &p);
 		assert_true(r.misfit <= before);
-		expect_near(
-		    "misfit", r.misfit, misfit_at(m, &p), 1e-12 * before);
+		expect_near("misfit", r.misfit, misfit_of_params(m, &p),
+		    1e-12 * before);
 		assert_true(r.evaluations <= 30);
 		for (size_t j = 0; j < PARAM_COUNT; j++)
 			assert_true(
@@ -145,8 +145,9 @@ settling_ends_at_the_same_bits(void **state)
 				q.at[j] *= held ? 1 : 1 + by;
 			}
 			params_scale_to_1(&q);
-			assert_true(settle_to_same_bits(m, &b, &q));
-			assert_true(misfit_at(m, &q) <= r.misfit * (1 + 1e-12));
+			assert_true(settle_at_stationary_point(m, &b, &q));
+			assert_true(
+			    misfit_of_params(m, &q) <= r.misfit * (1 + 1e-12));
 			assert_true(q.alpha == 0.9 || k == 0);
 			if (i == 0)
 				first = q;
@@ -174,7 +175,7 @@ what_is_open_is_not_settled(void **state)
 		site->run[2].product.n = k == 0 ? 3 : site->run[2].product.n;
 		struct misfit *m = misfit_new(
 		    site, OUTER, NULL, false, model_settings_default());
-		assert_false(settle_to_same_bits(m, &b, &p));
+		assert_false(settle_at_stationary_point(m, &b, &p));
 		assert_memory_equal(&p, &before, sizeof p);
 		misfit_free(m);
 		site_free(site);
@@ -190,7 +191,7 @@ misfit_is_a_sum_of_weighted_squares(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
 	struct params p = made_params(&TABLE_3[TIERP]);
 	struct run *slow = &site->run[0];
-	slow->product_sd = xdoubles(slow->product.n);
+	slow->product_sd = xcalloc_doubles(slow->product.n);
 	for (size_t i = 0; i < slow->product.n; i++)
 		slow->product_sd[i] = 0.01 + 0.001 * (double)i;
 	double plain = 0, by_sd = 0, of_feed = 0, n = 0, passing[20];
@@ -210,13 +211,14 @@ misfit_is_a_sum_of_weighted_squares(void **state)
 	}
 	struct model_settings settings = model_settings_default();
 	struct misfit *m = misfit_new(site, train, NULL, false, settings);
-	expect_near("misfit", misfit_at(m, &p), plain, 1e-4 * plain);
+	expect_near("misfit", misfit_of_params(m, &p), plain, 1e-4 * plain);
 	expect_near("rmse", misfit_rmse(m, &p), sqrt(plain / n), 1e-6);
 	assert_int_equal(m->n_residual, n);
 	misfit_free(m);
 	m = misfit_new(site, train, weight, true, settings);
-	expect_near("by sd", misfit_at(m, &p), by_sd, 1e-4 * by_sd);
-	expect_near("of feed", misfit_of_feed(m), of_feed, 1e-9 * of_feed);
+	expect_near("by sd", misfit_of_params(m, &p), by_sd, 1e-4 * by_sd);
+	expect_near(
+	    "of feed", misfit_of_feed_as_product(m), of_feed, 1e-9 * of_feed);
 	expect_near("rmse", misfit_rmse(m, &p), sqrt(plain / n), 1e-6);
 	misfit_free(m);
 	site_free(site);
@@ -231,7 +233,7 @@ residuals_and_their_derivatives_make_the_misfit(void **state)
 	struct misfit *m =
 	    misfit_new(site, OUTER, NULL, false, model_settings_default());
 	size_t n = m->n_residual;
-	double *r = xdoubles(n), *J = xdoubles(n * PARAM_COUNT);
+	double *r = xcalloc_doubles(n), *J = xcalloc_doubles(n * PARAM_COUNT);
 	for (int k = 0; k < 20; k++) {
 		struct params p = made_params(&TABLE_3[TIERP]);
 		p.beta[0] = draw_between(&draw, 0, 1);
@@ -240,15 +242,15 @@ residuals_and_their_derivatives_make_the_misfit(void **state)
 		for (size_t i = 0; i < n; i++)
 			sum += r[i] * r[i];
 		expect_near("squares", sum, misfit, 1e-14);
-		expect_near("misfit", misfit_at(m, &p), misfit, 1e-14);
+		expect_near("misfit", misfit_of_params(m, &p), misfit, 1e-14);
 		for (size_t j = 0; j < PARAM_COUNT; j++) {
 			double at = p.at[j], h = 1e-5, slope = 0;
 			for (size_t i = 0; i < n; i++)
 				slope += 2 * r[i] * J[i * PARAM_COUNT + j];
 			p.at[j] = at + h;
-			double up = misfit_at(m, &p);
+			double up = misfit_of_params(m, &p);
 			p.at[j] = at - h;
-			double down = misfit_at(m, &p);
+			double down = misfit_of_params(m, &p);
 			p.at[j] = at;
 			expect_near(PARAMS[j].name, slope,
 			    (up - down) / (2 * h), 1e-6 + 1e-5 * fabs(slope));
@@ -269,22 +271,22 @@ sieves_that_the_feed_does_not_cover_are_left_out(void **state)
 	struct psd *product = &site->run[0].product;
 	size_t n = product->n;
 	product->size[n - 1] = 45e-6;
-	assert_int_equal(misfit_count_covered(&site->run[0]), n - 1);
+	assert_int_equal(misfit_count_covered_sieves(&site->run[0]), n - 1);
 	struct misfit *m =
 	    misfit_new(site, OUTER, NULL, false, model_settings_default());
 	assert_int_equal(m->n_residual, 2 * n - 1);
 	misfit_free(m);
 	bool train[3];
-	assert_int_equal(misfit_default_train(site, train), 2);
+	assert_int_equal(misfit_mark_default_training(site, train), 2);
 	assert_true(train[0] && !train[1] && train[2]);
 	site->run[2].product.n = 0;
-	assert_int_equal(misfit_default_train(site, train), 2);
+	assert_int_equal(misfit_mark_default_training(site, train), 2);
 	assert_true(train[0] && train[1] && !train[2]);
 	site->run[0].product.n = 0;
-	assert_int_equal(misfit_default_train(site, train), 1);
+	assert_int_equal(misfit_mark_default_training(site, train), 1);
 	assert_true(train[1]);
 	site->run[1].product.n = 0;
-	assert_int_equal(misfit_default_train(site, train), 0);
+	assert_int_equal(misfit_mark_default_training(site, train), 0);
 	site_free(site);
 }
 

@@ -81,7 +81,7 @@ test_bounds(void **state)
 	b->lower[6] = b->upper[6] = k.fit.params.alpha;
 	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
-	size_t gamma = breakage_parameter(of, "gamma");
+	size_t gamma = breakage_parameter_index(of, "gamma");
 	double least = 1e9, most = -1e9;
 	assert_true(gamma < of->n);
 	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
@@ -104,13 +104,14 @@ exact_product(const struct params *p, const struct strengths *rock,
     struct model_settings settings, const struct psd *feed,
     const struct psd *at, double v, double *out)
 {
-	double by[2] = {rock->softer, rock->harder}, *part = xdoubles(at->n);
+	double by[2] = {rock->softer, rock->harder},
+	       *part = xcalloc_doubles(at->n);
 	struct model *model = model_new(feed, at->size, at->n, settings);
 	memset(out, 0, at->n * sizeof *out);
 	for (size_t k = 0; k < 2; k++) {
 		struct params q = *p;
 		double share = k == 0 ? 1 - rock->share : rock->share;
-		q.at[breakage_of(p)->strength + 1] *= by[k];
+		q.at[breakage_model_of_params(p)->strength + 1] *= by[k];
 		model_use_params(model, &q);
 		model_product(model, v, part);
 		for (size_t i = 0; i < at->n; i++)
@@ -125,7 +126,7 @@ static void
 mixed_product(const struct posterior *p, size_t d, const struct psd *feed,
     double v, double *out)
 {
-	struct psd curve = psd_curve(feed);
+	struct psd curve = psd_smooth_curve(feed);
 	exact_product(&p->draw[d].params, &p->draw[d].strengths, p->settings,
 	    &curve, feed, v, out);
 	psd_free(&curve);
@@ -162,14 +163,15 @@ add_errors(
 {
 	const struct psd *feed = &k->site->run[1].feed;
 	const struct strengths one = {0, 1, 1};
-	double *truth = xdoubles(feed->n), *fit = xdoubles(feed->n);
-	double *mean = xdoubles(feed->n);
+	double *truth = xcalloc_doubles(feed->n),
+	       *fit = xcalloc_doubles(feed->n);
+	double *mean = xcalloc_doubles(feed->n);
 	exact_product(
 	    &k->truth, &TWO_STRENGTHS, k->fit.settings, feed, feed, v, truth);
 	exact_product(
 	    &k->fit.params, &one, k->fit.settings, feed, feed, v, fit);
-	ensemble_at(e, v);
-	ensemble_mean(e, mean);
+	ensemble_set_speed(e, v);
+	ensemble_mean_answer(e, mean);
 	for (size_t i = 0; i < feed->n; i++) {
 		error[0] += pow(mean[i] - truth[i], 2);
 		error[1] += pow(fit[i] - truth[i], 2);
@@ -220,8 +222,8 @@ test_parts(void **state)
 	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 	const struct psd *feed = &k.site->run[1].feed;
 	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
-	double *model = xdoubles(feed->n);
-	ensemble_at(e, 74);
+	double *model = xcalloc_doubles(feed->n);
+	ensemble_set_speed(e, 74);
 	for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS; part++) {
 		const double *P = ensemble_products(e, part);
 		for (size_t i = 0; i < feed->n * N; i++) {
@@ -237,15 +239,15 @@ test_parts(void **state)
 	p->straight = 0;
 	ensemble_free(e);
 	e = ensemble_new(p, feed, feed->size, feed->n);
-	ensemble_at(e, 77);
+	ensemble_set_speed(e, 77);
 	const double *a = ensemble_products(e, ENSEMBLE_MODEL);
 	const double *b = ensemble_products(e, ENSEMBLE_SAMPLE);
 	/* Where fragments get coarser with energy the model falls with the
 	 * speed, which the answer does not (D23). */
 	for (size_t i = 0; i < feed->n * N; i++) {
 		const struct params *draw = &p->draw[i % N].params;
-		if (params_value(draw, "gamma") >= 0 &&
-		    params_value(draw, "kappa") >= 0)
+		if (params_value_by_name(draw, "gamma") >= 0 &&
+		    params_value_by_name(draw, "kappa") >= 0)
 			assert_float_equal(a[i], b[i], 1e-12);
 	}
 	/* Draws' products, by the exact way: the scheme errs by less than 0.05
@@ -295,16 +297,16 @@ count(const struct known *k, struct ensemble *e, size_t *in, size_t *all)
 {
 	enum { N = POSTERIOR_DRAWS };
 	const struct run *run = &k->site->run[1];
-	double row[N], low, high, *truth = xdoubles(run->feed.n);
+	double row[N], low, high, *truth = xcalloc_doubles(run->feed.n);
 	struct model *model = model_new(
 	    &run->feed, run->feed.size, run->feed.n, model_settings_default());
 	model_use_params(model, &k->truth);
 	model_product(model, 74, truth);
-	ensemble_at(e, 74);
+	ensemble_set_speed(e, 74);
 	for (size_t i = 0; i < run->feed.n; i++) {
 		memcpy(row, ensemble_products(e, ENSEMBLE_ANSWER) + i * N,
 		    sizeof row);
-		ensemble_interval(row, 0.8, &low, &high);
+		ensemble_middle_interval(row, 0.8, &low, &high);
 		if (truth[i] < 0.002 || run->feed.passing[i] >= 1)
 			continue;
 		*in += truth[i] >= low && truth[i] <= high;
@@ -385,11 +387,12 @@ test_many_runs(void **state)
 	struct run *run = &site->run[MANY / 2];
 	size_t n = run->product.n, held = 0;
 	struct ensemble *e = ensemble_new(p, &run->feed, run->product.size, n);
-	double *truth = xdoubles(n), *answer = xdoubles(n), low, high;
+	double *truth = xcalloc_doubles(n), *answer = xcalloc_doubles(n), low,
+	       high;
 	struct params params = made_params(&TABLE_3[TIERP]);
 	made_product(run, &params, truth);
-	ensemble_at(e, run->speed);
-	ensemble_mean(e, answer);
+	ensemble_set_speed(e, run->speed);
+	ensemble_mean_answer(e, answer);
 	for (size_t i = 0; i < n; i++) {
 		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.9, &low, &high);
 		expect_near("answer", answer[i], truth[i], 0.004);
@@ -465,35 +468,35 @@ test_machine(void **state)
 	const struct psd *feed = &k.site->run[1].feed;
 	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
 	size_t size = feed->n * N;
-	double *own = xdoubles(size);
-	ensemble_at(e, 74);
+	double *own = xcalloc_doubles(size);
+	ensemble_set_speed(e, 74);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 	memcpy(own, P, size * sizeof *own);
 	struct model_settings machine = p->settings;
 	machine.bypass = 0.25;
 	ensemble_set_machine(e, machine);
-	ensemble_at(e, 74);
+	ensemble_set_speed(e, 74);
 	for (size_t i = 0; i < size; i++)
 		expect_near("led past", P[i],
 		    0.75 * own[i] + 0.25 * feed->passing[i / N], 1e-12);
 	machine = p->settings;
 	machine.k *= 2;
 	ensemble_set_machine(e, machine);
-	ensemble_at(e, 74);
+	ensemble_set_speed(e, 74);
 	double finer = 0;
 	for (size_t i = 0; i < size; i++)
 		finer += P[i] - own[i];
 	assert_true(finer / (double)size > 1e-4);
 	ensemble_set_machine(e, p->settings);
-	ensemble_at(e, 74);
+	ensemble_set_speed(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
 	/* To where it is already, and back from what others left there. */
-	ensemble_at(e, 74);
+	ensemble_set_speed(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
-	ensemble_draws_at(e, 60);
-	ensemble_at(e, 74);
+	ensemble_set_speed_as_drawn(e, 60);
+	ensemble_set_speed(e, 74);
 	assert_memory_equal(P, own, size * sizeof *own);
-	ensemble_at(e, 80);
+	ensemble_set_speed(e, 80);
 	assert_memory_not_equal(P, own, size * sizeof *own);
 	free(own);
 	ensemble_free(e);
@@ -508,7 +511,7 @@ static void
 candidates_at(struct ensemble *const *e, size_t i, double v, double *answer)
 {
 	for (size_t b = 0; b < BATCHES; b++) {
-		ensemble_at(e[b], v);
+		ensemble_set_speed(e[b], v);
 		memcpy(answer + b * POSTERIOR_DRAWS,
 		    ensemble_products(e[b], ENSEMBLE_ANSWER) +
 			i * POSTERIOR_DRAWS,
@@ -552,9 +555,9 @@ draws_that_are_left_keep_the_ends(void **state)
 		k.options.seed = b + 1;
 		p[b] = posterior_of(&k, 1, ISA_BEST);
 		e[b] = ensemble_new(p[b], feed, feed->size, feed->n);
-		thin_add(thin, p[b]);
+		thin_add_batch(thin, p[b]);
 	}
-	thin_choose(thin, chosen);
+	thin_choose_draws(thin, chosen);
 	for (double v = 67.5; v < 85; v += 5)
 		for (size_t i = 2; i + 1 < feed->n; i++, n += 2) {
 			candidates_at(e, i, v, answer);
@@ -579,11 +582,12 @@ what_nothing_breaks_is_not_corrected(void **state)
 	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 	const struct psd *feed = &k.site->run[0].feed;
 	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
-	double *mean = xdoubles(feed->n), *slower = xdoubles(feed->n);
+	double *mean = xcalloc_doubles(feed->n),
+	       *slower = xcalloc_doubles(feed->n);
 	memcpy(slower, feed->passing, feed->n * sizeof *slower);
 	for (double v = 1; v <= 69; v += 0.5) {
-		ensemble_at(e, v);
-		ensemble_mean(e, mean);
+		ensemble_set_speed(e, v);
+		ensemble_mean_answer(e, mean);
 		for (size_t i = 0; i < feed->n; i++) {
 			assert_true(mean[i] >= slower[i] - 2e-5);
 			slower[i] = mean[i];
@@ -616,21 +620,22 @@ a_slow_correction_follows_the_draw(void **state)
 	all->params.f_mat = 3;
 	all->params.e0_min = 0;
 	all->params.alpha = 0.1;
-	none->params.e0_min =
-	    energy_specific(40) * pow(feed->size[0], none->params.alpha);
+	none->params.e0_min = energy_specific_at_speed(40) *
+			      pow(feed->size[0], none->params.alpha);
 	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
-	double *before = xdoubles(feed->n), *delta = xdoubles(feed->n);
+	double *before = xcalloc_doubles(feed->n),
+	       *delta = xcalloc_doubles(feed->n);
 	double most = 0;
-	ensemble_draws_at(e, held);
-	ensemble_discrepancy(e, 0, before);
-	ensemble_draws_at(e, slow);
-	ensemble_discrepancy(e, 0, delta);
+	ensemble_set_speed_as_drawn(e, held);
+	ensemble_discrepancy_of_draw(e, 0, before);
+	ensemble_set_speed_as_drawn(e, slow);
+	ensemble_discrepancy_of_draw(e, 0, delta);
 	for (size_t i = 0; i < feed->n; i++) {
 		expect_near("held", delta[i], before[i], 1e-12);
 		most = fmax(most, fabs(delta[i]));
 	}
 	assert_true(most > 1e-4);
-	ensemble_discrepancy(e, 1, delta);
+	ensemble_discrepancy_of_draw(e, 1, delta);
 	for (size_t i = 0; i < feed->n; i++)
 		assert_true(delta[i] == 0);
 	free(before);
@@ -652,9 +657,9 @@ faster_is_never_coarser(void **state)
 	const struct psd *feed = &k.site->run[0].feed;
 	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
 	size_t n = feed->n * N;
-	double *slower = xdoubles(n), most = 0;
+	double *slower = xcalloc_doubles(n), most = 0;
 	for (double v = 60; v <= 90; v += 0.13) {
-		ensemble_at(e, v);
+		ensemble_set_speed(e, v);
 		const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 		for (size_t i = 0; i < n; i++) {
 			most = fmax(most, slower[i] - P[i]);
@@ -676,9 +681,9 @@ answers_of(const struct known *k, size_t n, double speed)
 	struct posterior *p = posterior_of(k, 1, ISA_BEST);
 	const struct psd *feed = &k->site->run[0].feed;
 	struct ensemble *e = ensemble_new(p, feed, feed->size, n);
-	double *answer = xdoubles(3 * n);
-	ensemble_at(e, speed);
-	ensemble_mean(e, answer);
+	double *answer = xcalloc_doubles(3 * n);
+	ensemble_set_speed(e, speed);
+	ensemble_mean_answer(e, answer);
 	for (size_t i = 0; i < n; i++)
 		ensemble_row_interval(e, ENSEMBLE_ANSWER, i, 0.8,
 		    &answer[n + i], &answer[2 * n + i]);
@@ -748,7 +753,7 @@ answers_at(struct posterior *p, const struct site *site, double straight,
 	size_t n = run->product.n;
 	p->straight = straight;
 	struct ensemble *e = ensemble_new(p, &run->feed, run->product.size, n);
-	ensemble_at(e, v);
+	ensemble_set_speed(e, v);
 	memcpy(out, ensemble_products(e, ENSEMBLE_ANSWER),
 	    n * POSTERIOR_DRAWS * sizeof *out);
 	ensemble_free(e);
@@ -765,7 +770,7 @@ test_straight(void **state)
 	struct known k = known(TIERP, 0.005, 3);
 	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
 	size_t n = k.site->run[0].product.n * N, straight = 0, first = 0;
-	double *room = xdoubles(4 * n), *below = room, *above = room + n,
+	double *room = xcalloc_doubles(4 * n), *below = room, *above = room + n,
 	       *drawn = room + 2 * n, *mixed = room + 3 * n;
 	static const double STAY[] = {60, 69, 79, 85};
 	assert_int_equal(p->n_speed, 2);
@@ -835,12 +840,12 @@ no_law_site(const struct no_law *law, const double speed[static NO_LAW_RUNS],
 			run->feed.size[i] = run->product.size[i] = s;
 			run->feed.passing[i] = fmin(pow(s / 0.0224, 3), 1);
 			P += 0.005 * 2 * sqrt(P * (1 - P)) *
-			     rng_normal(rng_key(seed, r, 7), (uint32_t)i);
+			     rng_normal(rng_make_key(seed, r, 7), (uint32_t)i);
 			before = fmin(fmax(P, run->feed.passing[i]), before);
 			run->product.passing[i] = before;
 		}
 	}
-	site_update_mean_feed(site);
+	site_update_digest_and_mean_feed(site);
 	return site;
 }
 
@@ -853,8 +858,8 @@ add_no_law(const struct no_law *law, const struct site *site,
 	double answer[NO_LAW_SIEVES], v = (a->speed + b->speed) / 2;
 	double t = (v * v - a->speed * a->speed) /
 		   (b->speed * b->speed - a->speed * a->speed);
-	ensemble_at(e, v);
-	ensemble_mean(e, answer);
+	ensemble_set_speed(e, v);
+	ensemble_mean_answer(e, answer);
 	for (size_t i = 1; i < NO_LAW_SIEVES; i++) {
 		double P = no_law_passing(law, v, a->product.size[i]);
 		double line =
@@ -906,8 +911,8 @@ missed_at_runs(
 	    p, &site->run[0].feed, site->run[0].product.size, NO_LAW_SIEVES);
 	for (size_t r = 0; r < NO_LAW_RUNS; r++) {
 		const struct run *run = &site->run[r];
-		ensemble_at(e, run->speed);
-		ensemble_mean(e, answer);
+		ensemble_set_speed(e, run->speed);
+		ensemble_mean_answer(e, answer);
 		for (size_t i = 1; use[r] && i < NO_LAW_SIEVES; i++, n++)
 			squares += pow(answer[i] - run->product.passing[i], 2);
 	}

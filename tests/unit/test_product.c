@@ -169,7 +169,7 @@ faster_is_never_coarser_and_keeps_the_mass(void **state)
 			double v = 1 + 10.3 * (double)i;
 			expect_product(&feed, model, v, error, passing[i % 2],
 			    passing[(i + 1) % 2]);
-			double selected = model_selected(model, v);
+			double selected = model_share_selected(model, v);
 			assert_true(selected >= before - 1e-12);
 			assert_true(selected <= 1 + 1e-12);
 			before = selected;
@@ -334,7 +334,7 @@ where_nothing_breaks_the_product_is_the_feed(void **state)
 		double passing[SIEVES];
 		struct model *model = model_of(&feed, &p, settings);
 		model_product(model, k % 5 == 4 ? 0 : 74, passing);
-		assert_true(model_breaks(model, 74) == (k % 5 != 0));
+		assert_true(model_breaks_feed(model, 74) == (k % 5 != 0));
 		for (size_t i = 0; i < feed.n; i++)
 			expect_near(
 			    "passing", passing[i], feed.passing[i], 1e-15);

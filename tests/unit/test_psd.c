@@ -51,11 +51,12 @@ a_curve_is_smooth_where_sieves_lie_far_apart(void **state)
 	struct psd psd = {5, size, passing};
 	for (size_t i = 0; i < 5; i++)
 		passing[i] = sqrt(size[i] / size[0]);
-	struct psd curve = psd_curve(&psd);
+	struct psd curve = psd_smooth_curve(&psd);
 	double worst = 0, straight = 0;
 	assert_int_equal(curve.n, 1 + 2 + 4 + 4 + 1);
 	for (size_t i = 0; i < 5; i++)
-		assert_true(psd_at_sieve(&curve, size[i]) == passing[i]);
+		assert_true(
+		    psd_passing_at_sieve(&curve, size[i]) == passing[i]);
 	for (size_t i = 0; i < curve.n; i++) {
 		double x = curve.size[i], want = sqrt(x / size[0]);
 		assert_true(
@@ -67,11 +68,11 @@ a_curve_is_smooth_where_sieves_lie_far_apart(void **state)
 	assert_true(straight > 0.03 && worst < 0.008);
 	psd_free(&curve);
 	psd.n = 2;
-	curve = psd_curve(&psd);
+	curve = psd_smooth_curve(&psd);
 	assert_true(psd_same(&psd, &curve));
 	psd_free(&curve);
 	struct psd upper = {4, SIZES, PASSINGS};
-	curve = psd_curve(&upper);
+	curve = psd_smooth_curve(&upper);
 	assert_true(psd_same(&upper, &curve));
 	psd_free(&curve);
 }
@@ -93,25 +94,27 @@ static void
 sizes_are_read_straight_on_log_size(void **state)
 {
 	(void)state;
-	expect_near("P90", psd_size(&CURVE, 0.9), 11.2e-3, 1e-17);
-	expect_near("P75", psd_size(&CURVE, 0.75), sqrt(11.2 * 8) / 1e3, 1e-16);
-	expect_near("P60", psd_size(&CURVE, 0.6), 8e-3, 1e-17);
-	expect_near("P5", psd_size(&CURVE, 0.05), 63e-6, 1e-18);
-	assert_true(psd_passing(&CURVE, psd_size(&CURVE, 0.3)) == 0.3);
-	assert_true(psd_passing(&CURVE, psd_size(&CURVE, 1)) == 1);
+	expect_near("P90", psd_size_at_passing(&CURVE, 0.9), 11.2e-3, 1e-17);
+	expect_near("P75", psd_size_at_passing(&CURVE, 0.75),
+	    sqrt(11.2 * 8) / 1e3, 1e-16);
+	expect_near("P60", psd_size_at_passing(&CURVE, 0.6), 8e-3, 1e-17);
+	expect_near("P5", psd_size_at_passing(&CURVE, 0.05), 63e-6, 1e-18);
+	assert_true(
+	    psd_passing(&CURVE, psd_size_at_passing(&CURVE, 0.3)) == 0.3);
+	assert_true(psd_passing(&CURVE, psd_size_at_passing(&CURVE, 1)) == 1);
 }
 
 static void
 sizes_outside_the_sieves_are_not_known(void **state)
 {
 	(void)state;
-	assert_true(isnan(psd_size(&CURVE, 0.049)));
-	assert_true(isnan(psd_size(&CURVE, 1.001)));
+	assert_true(isnan(psd_size_at_passing(&CURVE, 0.049)));
+	assert_true(isnan(psd_size_at_passing(&CURVE, 1.001)));
 	struct psd coarse = {3, SIZES + 2, PASSINGS + 2},
 		   none = {0, NULL, NULL};
-	assert_true(isnan(psd_size(&coarse, 0.901)));
-	expect_near("P90", psd_size(&coarse, 0.9), 11.2e-3, 1e-16);
-	assert_true(isnan(psd_size(&none, 0.5)));
+	assert_true(isnan(psd_size_at_passing(&coarse, 0.901)));
+	expect_near("P90", psd_size_at_passing(&coarse, 0.9), 11.2e-3, 1e-16);
+	assert_true(isnan(psd_size_at_passing(&none, 0.5)));
 }
 
 /* A single sieve knows one size: its own. */
@@ -121,9 +124,9 @@ one_sieve_knows_its_own_size(void **state)
 	(void)state;
 	double size = 4e-3, passing = 0.6;
 	struct psd one = {1, &size, &passing};
-	assert_true(isnan(psd_size(&one, 0.5)));
-	assert_true(isnan(psd_size(&one, 0.7)));
-	assert_true(psd_size(&one, 0.6) == 4e-3);
+	assert_true(isnan(psd_size_at_passing(&one, 0.5)));
+	assert_true(isnan(psd_size_at_passing(&one, 0.7)));
+	assert_true(psd_size_at_passing(&one, 0.6) == 4e-3);
 }
 
 static void
@@ -135,7 +138,7 @@ passing_to_size_to_passing_comes_back(void **state)
 		struct psd psd = made_any_feed(&draw);
 		for (int i = 0; i < 20; i++) {
 			double p = draw_between(&draw, 0, 1);
-			double x = psd_size(&psd, p);
+			double x = psd_size_at_passing(&psd, p);
 			if (p < psd.passing[psd.n - 1])
 				assert_true(isnan(x));
 			else
@@ -169,13 +172,13 @@ a_feed_covers_its_sieves_and_what_passes_nothing(void **state)
 	(void)state;
 	double passing[] = {1, 1, 0.9, 0.6, 0.3, 0.3, 0};
 	struct psd ends_at_0 = {7, SIZES, passing}, none = {0, NULL, NULL};
-	assert_true(psd_covers(&CURVE, 1));
-	assert_true(psd_covers(&CURVE, 2e-3));
-	assert_true(psd_covers(&CURVE, 63e-6));
-	assert_false(psd_covers(&CURVE, 62e-6));
-	assert_true(psd_covers(&ends_at_0, 62e-6));
-	assert_true(psd_covers(&ends_at_0, 1e-9));
-	assert_false(psd_covers(&none, 1e-3));
+	assert_true(psd_covers_size(&CURVE, 1));
+	assert_true(psd_covers_size(&CURVE, 2e-3));
+	assert_true(psd_covers_size(&CURVE, 63e-6));
+	assert_false(psd_covers_size(&CURVE, 62e-6));
+	assert_true(psd_covers_size(&ends_at_0, 62e-6));
+	assert_true(psd_covers_size(&ends_at_0, 1e-9));
+	assert_false(psd_covers_size(&none, 1e-3));
 }
 
 static void
@@ -202,10 +205,12 @@ rms_and_the_worst_sieve(void **state)
 	(void)state;
 	const double a[] = {1, 0.5, 0.2, 0.1}, b[] = {1, 0.4, 0.4, 0.1};
 	size_t worst = 99;
-	expect_near("rms", psd_rms(a, b, 4, &worst), sqrt(0.05 / 4), 1e-16);
+	expect_near(
+	    "rms", psd_rms_difference(a, b, 4, &worst), sqrt(0.05 / 4), 1e-16);
 	assert_int_equal(worst, 2);
-	expect_near("rms", psd_rms(a, b, 2, NULL), sqrt(0.01 / 2), 1e-16);
-	assert_true(isnan(psd_rms(a, b, 0, NULL)));
+	expect_near(
+	    "rms", psd_rms_difference(a, b, 2, NULL), sqrt(0.01 / 2), 1e-16);
+	assert_true(isnan(psd_rms_difference(a, b, 0, NULL)));
 }
 
 /* Largest error relative to the C library's value, in units of 2^-52 of it. */

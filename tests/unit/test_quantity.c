@@ -27,7 +27,7 @@ read_one(enum quantity_kind kind, double x, const struct modulus *m)
 {
 	struct psd psd = sand();
 	struct quantity q = {.kind = kind, .x = x, .modulus = m};
-	double value = quantity_read(&q, &psd, 0.3);
+	double value = quantity_read_off_curve(&q, &psd, 0.3);
 	psd_free(&psd);
 	return value;
 }
@@ -61,9 +61,10 @@ the_largest_step_is_between_neighbours_of_the_list(void **state)
 	struct quantity q = {
 	    .kind = QUANTITY_STEP, .n_sieve = 4, .sieve = SIEVE};
 	double point[QUANTITY_POINTS];
-	expect_near("step", quantity_read(&q, &psd, 1), 0.4, 1e-12);
-	expect_near("over", quantity_excess(&q, 0.45, 0.4, &psd), -0.05, 1e-12);
-	assert_int_equal(quantity_points(&q, point), 4);
+	expect_near("step", quantity_read_off_curve(&q, &psd, 1), 0.4, 1e-12);
+	expect_near("over", quantity_excess_over_limit(&q, 0.45, 0.4, &psd),
+	    -0.05, 1e-12);
+	assert_int_equal(quantity_sizes_needed(&q, point), 4);
 	psd_free(&psd);
 }
 
@@ -81,7 +82,8 @@ the_chinese_modulus_leaves_out_gravel(void **state)
 		psd.passing[i] = PASSING[i];
 	}
 	struct quantity q = {.kind = QUANTITY_MODULUS, .modulus = gb};
-	expect_near("FM GB", quantity_read(&q, &psd, 1), 2.35 / 0.7, 1e-12);
+	expect_near(
+	    "FM GB", quantity_read_off_curve(&q, &psd, 1), 2.35 / 0.7, 1e-12);
 	psd_free(&psd);
 }
 
@@ -92,9 +94,9 @@ an_ideal_screen_cuts_the_curve(void **state)
 	struct psd psd = sand(), part = sand();
 	struct fraction f = {0.5e-3, 4e-3, PARTITION_IDEAL};
 	double kept[8];
-	fraction_classes(&f, psd.size, psd.n, kept);
-	expect_near(
-	    "share", screening_part(&psd, kept, &part), 0.8 - 0.2, 1e-12);
+	fraction_kept_of_classes(&f, psd.size, psd.n, kept);
+	expect_near("share", screening_screen_product(&psd, kept, &part),
+	    0.8 - 0.2, 1e-12);
 	expect_near("4", part.passing[1], 1, 1e-12);
 	expect_near("2", part.passing[2], (0.6 - 0.2) / 0.6, 1e-12);
 	expect_near("0.5", part.passing[4], 0, 1e-12);
@@ -110,11 +112,12 @@ a_real_screen_keeps_the_mass(void **state)
 	(void)state;
 	struct psd psd = sand(), part = sand();
 	struct partition p = {5, 0.9};
-	expect_near("d50", partition_oversize(&p, 4e-3, 3.6e-3), 0.5, 1e-12);
-	expect_near("0", partition_oversize(&p, 4e-3, 1e-9), 0, 1e-6);
+	expect_near(
+	    "d50", partition_share_to_oversize(&p, 4e-3, 3.6e-3), 0.5, 1e-12);
+	expect_near("0", partition_share_to_oversize(&p, 4e-3, 1e-9), 0, 1e-6);
 	double before = 0, sum = 0;
 	for (double d = 1e-4; d < 0.1; d *= 1.1) {
-		double now = partition_oversize(&p, 4e-3, d);
+		double now = partition_share_to_oversize(&p, 4e-3, d);
 		assert_true(now >= before && now <= 1);
 		before = now;
 	}
@@ -123,11 +126,11 @@ a_real_screen_keeps_the_mass(void **state)
 		/* 0/0.5 and what stays on 4 pass the other screen too. */
 		struct fraction f = {AT[i], i < 2 ? AT[i + 1] : 0, p};
 		double kept[8], other[8];
-		fraction_classes(&f, psd.size, psd.n, kept);
-		partition_classes(&p, 4e-3, psd.size, psd.n, other);
+		fraction_kept_of_classes(&f, psd.size, psd.n, kept);
+		partition_oversize_of_classes(&p, 4e-3, psd.size, psd.n, other);
 		for (size_t k = 0; k < 8 && i == 0; k++)
 			kept[k] *= 1 - other[k];
-		sum += screening_part(&psd, kept, &part);
+		sum += screening_screen_product(&psd, kept, &part);
 	}
 	expect_near("sum", sum, 1, 1e-12);
 	psd_free(&psd);
@@ -169,10 +172,10 @@ size_of_draws(
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
 		for (size_t i = 0; i < curve.n; i++)
 			curve.passing[i] = P[i * POSTERIOR_DRAWS + d];
-		size[d] = psd_size(&curve, 0.8);
+		size[d] = psd_size_at_passing(&curve, 0.8);
 	}
-	ensemble_mean(e, curve.passing);
-	double mean = psd_size(&curve, 0.8);
+	ensemble_mean_answer(e, curve.passing);
+	double mean = psd_size_at_passing(&curve, 0.8);
 	ensemble_interval_with_answer(size, 0.8, mean, range);
 	psd_free(&curve);
 	return mean;
@@ -188,33 +191,37 @@ a_response_is_what_is_predicted(void **state)
 	const struct fraction whole = {0};
 	struct known k = known();
 	const struct psd *feed = &k.site->run[0].feed;
-	struct psd sizes = predict_sizes(k.site, feed);
+	struct psd sizes = predict_table_sizes(k.site, feed);
 	struct ensemble *e =
 	    ensemble_new(k.posterior, feed, sizes.size, sizes.n);
 	size_t n;
-	struct quantity *all = predict_quantities(k.site, feed, &whole, &n);
+	struct quantity *all =
+	    predict_table_quantities(k.site, feed, &whole, &n);
 	struct response *table = response_new(
 	    feed, sizes.size, sizes.n, all, n, &k.fit.params, k.fit.settings);
-	response_at(table, e, ENSEMBLE_ANSWER, 72);
+	response_set_speed(table, e, ENSEMBLE_ANSWER, 72);
 	struct prediction p = predict_table(k.site, 0, &whole, table, 0.8);
 	struct response *r = response_new(feed, sizes.size, sizes.n, ASK, ASKED,
 	    &k.fit.params, k.fit.settings);
-	response_at(r, e, ENSEMBLE_ANSWER, 72);
+	response_set_speed(r, e, ENSEMBLE_ANSWER, 72);
 	double range[2], ends[2];
-	response_band(r, 1, 0.8, range);
-	expect_near("P80", response_value(r, 1), p.p80, 1e-12);
+	response_band_of_quantity(r, 1, 0.8, range);
+	expect_near("P80", response_value_of_quantity(r, 1), p.p80, 1e-12);
 	expect_near("low", range[0], p.range[2][0], 1e-12);
 	expect_near("high", range[1], p.range[2][1], 1e-12);
 	expect_near("of draws", p.p80, size_of_draws(e, &sizes, ends), 1e-12);
 	expect_near("their low", p.range[2][0], ends[0], 1e-12);
 	expect_near("their high", p.range[2][1], ends[1], 1e-12);
-	expect_near(
-	    "2 mm", response_value(r, 0), psd_at_sieve(&p.product, 2e-3), 1e-9);
-	expect_near("2 mm of 0/4", response_value(r, 3),
-	    response_value(r, 0) / response_value(r, 2), 1e-12);
+	expect_near("2 mm", response_value_of_quantity(r, 0),
+	    psd_passing_at_sieve(&p.product, 2e-3), 1e-9);
+	expect_near("2 mm of 0/4", response_value_of_quantity(r, 3),
+	    response_value_of_quantity(r, 0) / response_value_of_quantity(r, 2),
+	    1e-12);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		expect_near("draw", response_draws(r, 3)[d],
-		    response_draws(r, 0)[d] / response_draws(r, 2)[d], 1e-12);
+		expect_near("draw", response_draws_of_quantity(r, 3)[d],
+		    response_draws_of_quantity(r, 0)[d] /
+			response_draws_of_quantity(r, 2)[d],
+		    1e-12);
 	response_free(r);
 	response_free(table);
 	free(all);
@@ -238,8 +245,8 @@ selection_sums_to_what_breaks(void **state)
 			struct model_settings settings =
 			    model_settings_default();
 			settings.method = (enum method)method;
-			double *S = xdoubles(feed->n), sum = 0;
-			predict_selection(feed, &p, settings, 77, S);
+			double *S = xcalloc_doubles(feed->n), sum = 0;
+			predict_selection_of_classes(feed, &p, settings, 77, S);
 			for (size_t i = 0; i < feed->n; i++) {
 				double finer =
 				    i + 1 < feed->n ? feed->passing[i + 1] : 0;
@@ -247,7 +254,7 @@ selection_sums_to_what_breaks(void **state)
 				assert_true(S[i] >= 0 && S[i] <= 1);
 			}
 			struct prediction all =
-			    predict(site, &p, settings, 77, 1);
+			    predict_with_model_alone(site, &p, settings, 77, 1);
 			expect_near("selected", sum, all.selected, 1e-7);
 			prediction_free(&all);
 			free(S);

@@ -10,7 +10,7 @@ random_numbers_are_uniform(void **state)
 	(void)state;
 	enum { N = 20000, BINS = 20 };
 	for (uint64_t seed = 0; seed < 8; seed++) {
-		struct rng_key key = rng_key(seed, seed * 3, 5);
+		struct rng_key key = rng_make_key(seed, seed * 3, 5);
 		double sum = 0, squares = 0, lag = 0, before = 0.5;
 		size_t bin[BINS] = {0};
 		for (uint32_t i = 0; i < N; i++) {
@@ -51,15 +51,17 @@ no_two_streams_are_equal(void **state)
 		for (uint64_t generation = 0; generation < N; generation++)
 			for (uint64_t use = 0; use < N; use++) {
 				struct rng_key key =
-				    rng_key(seed, generation, use);
-				first[n++] = (uint64_t)rng_bits(key, 0) << 32 |
-					     rng_bits(key, 1);
+				    rng_make_key(seed, generation, use);
+				first[n++] = (uint64_t)rng_random_bits(key, 0)
+						 << 32 |
+					     rng_random_bits(key, 1);
 			}
 	qsort(first, n, sizeof *first, rising);
 	for (size_t i = 1; i < n; i++)
 		assert_true(first[i] != first[i - 1]);
-	struct rng_key key = rng_key(1, 2, 3);
-	assert_true(rng_bits(key, 7) == rng_bits(rng_key(1, 2, 3), 7));
+	struct rng_key key = rng_make_key(1, 2, 3);
+	assert_true(rng_random_bits(key, 7) ==
+		    rng_random_bits(rng_make_key(1, 2, 3), 7));
 }
 
 int

@@ -60,7 +60,7 @@ ga_of(
 static void
 generation(struct ga *ga, size_t n, double (*f)(const double *))
 {
-	double *misfit = xdoubles(n);
+	double *misfit = xcalloc_doubles(n);
 	const double *const *gene = ga_ask(ga);
 	for (size_t i = 0; i < n; i++) {
 		double x[GENES];
@@ -235,7 +235,8 @@ genes_mutate_as_often_as_asked(void **state)
 		for (size_t i = 1; i < N; i++) {
 			size_t parent = 0;
 			while (parent < N &&
-			       ga_told(ga)[g][parent] != ga_ask(ga)[g][i])
+			       ga_genes_of_last_generation(ga)[g][parent] !=
+				   ga_ask(ga)[g][i])
 				parent++;
 			mutated += parent == N;
 		}
@@ -255,7 +256,7 @@ the_best_never_rises_and_is_what_was_told(void **state)
 		struct ga_status s = ga_status(ga);
 		assert_true(s.best <= before);
 		assert_true(s.best <= s.median && s.median <= s.worst);
-		assert_true(rosenbrock(ga_best(ga)) == s.best);
+		assert_true(rosenbrock(ga_best_genes(ga)) == s.best);
 		assert_int_equal(s.generation, k);
 		assert_int_equal(s.evaluations, k * N);
 		assert_int_equal(s.infinite, 0);
@@ -325,13 +326,14 @@ infinite_misfits_are_counted_and_survived(void **state)
 	struct ga_status s = ga_status(ga);
 	assert_int_equal(s.infinite, 5 * N);
 	assert_true(isinf(s.best) && isinf(s.median) && isinf(s.worst));
-	assert_true(ga_best(ga)[0] >= -2 && ga_best(ga)[0] <= 2);
+	assert_true(ga_best_genes(ga)[0] >= -2 && ga_best_genes(ga)[0] <= 2);
 	for (int k = 0; k < 40; k++)
 		generation(ga, N, sphere);
 	double best = ga_status(ga).best;
 	assert_true(best < 1);
 	generation(ga, N, infinite); /* what was told before still counts */
-	assert_true(ga_status(ga).best == best && sphere(ga_best(ga)) == best);
+	assert_true(
+	    ga_status(ga).best == best && sphere(ga_best_genes(ga)) == best);
 	assert_int_equal(ga_status(ga).infinite, 6 * N);
 	ga_free(ga);
 }
@@ -346,12 +348,12 @@ leaders_and_spread_are_those_of_the_generation(void **state)
 	struct ga *ga = ga_of(N, 7, LOWER, UPPER);
 	for (int k = 0; k < 5; k++)
 		generation(ga, N, rosenbrock);
-	ga_leaders(ga, N, index);
+	ga_list_best(ga, N, index);
 	double before = -1, at[N];
 	for (size_t i = 0; i < N; i++) {
 		double x[GENES];
 		for (size_t g = 0; g < GENES; g++)
-			x[g] = ga_told(ga)[g][index[i]];
+			x[g] = ga_genes_of_last_generation(ga)[g][index[i]];
 		assert_true(rosenbrock(x) >= before);
 		before = rosenbrock(x);
 		at[i] = 0;
@@ -360,12 +362,12 @@ leaders_and_spread_are_those_of_the_generation(void **state)
 		at[index[i]]++;
 	for (size_t g = 0; g < GENES; g++) {
 		size_t below = 0, above = 0;
-		ga_spread(ga, g, &p10, &p90);
+		ga_quantiles_of_gene(ga, g, &p10, &p90);
 		for (size_t i = 0; i < N; i++)
 			assert_true(at[i] == 1);
 		for (size_t i = ELITE; i < N; i++) {
-			below += ga_told(ga)[g][i] < p10;
-			above += ga_told(ga)[g][i] > p90;
+			below += ga_genes_of_last_generation(ga)[g][i] < p10;
+			above += ga_genes_of_last_generation(ga)[g][i] > p90;
 		}
 		/* A tenth of the others at either end. */
 		assert_true(p10 <= p90 && below <= 8 && above <= 8);

@@ -308,7 +308,7 @@ a_session_survives_errors(void **state)
 	assert_true(desk->session->set.model.k == 2);
 	assert_true(desk->session->set.bounds.lower[PARAM_ALPHA] == 0.5);
 	assert_int_equal(desk->session->n_entry, 1);
-	assert_false(session_entry(desk->session)->has_params);
+	assert_false(session_current_entry(desk->session)->has_params);
 	desk_expect(desk, "set k 1; bounds default; "
 			  "params set f_mat=2.18 e0_min=16.74 alpha=0.96; "
 			  "predict 74 detail=on; validate");
@@ -324,21 +324,22 @@ a_calibration_is_a_job_in_the_midst_of_a_line(void **state)
 			   "seed 9";
 	size_t next = 0;
 	add(desk, TIERP);
-	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
-	assert_true(session_busy(s) && s->set.seed == 1);
+	assert_true(session_run_line(s, line, 0, "x", 1, &next, &desk->error));
+	assert_true(session_is_calibrating(s) && s->set.seed == 1);
 	assert_string_equal(line + next, " seed 9");
-	while (session_busy(s))
-		session_step(s);
-	const struct entry *entry = session_entry(s);
+	while (session_is_calibrating(s))
+		session_step_job(s);
+	const struct entry *entry = session_current_entry(s);
 	assert_true(entry->has_fit && entry->has_params);
 	assert_int_equal(entry->fit.seed, 5);
 	assert_memory_equal(
 	    &entry->fit.params, &entry->params, sizeof entry->params);
-	assert_true(session_line(s, line, next, "x", 1, &next, &desk->error));
+	assert_true(
+	    session_run_line(s, line, next, "x", 1, &next, &desk->error));
 	assert_true(s->set.seed == 9 && next == 0);
 	desk_expect(desk, "predict 74; params set f_mat=1");
-	assert_false(session_entry(s)->has_fit);
-	assert_true(session_entry(s)->params.f_mat == 1);
+	assert_false(session_current_entry(s)->has_fit);
+	assert_true(session_current_entry(s)->params.f_mat == 1);
 }
 
 static void
@@ -349,18 +350,18 @@ a_stopped_job_is_kept_or_dropped(void **state)
 	size_t next;
 	add(desk, TIERP);
 	for (int keep = 0; keep < 2; keep++) {
-		assert_true(session_line(s, "calibrate population=64", 0, "x",
-		    1, &next, &desk->error));
-		session_step(s);
-		session_step(s);
+		assert_true(session_run_line(s, "calibrate population=64", 0,
+		    "x", 1, &next, &desk->error));
+		session_step_job(s);
+		session_step_job(s);
 		if (keep == 1)
-			session_pause(s);
+			session_pause_job(s);
 		else
-			session_stop(s);
-		assert_false(session_busy(s));
-		assert_true(session_entry(s)->has_fit == (keep == 1));
+			session_abort_job(s);
+		assert_false(session_is_calibrating(s));
+		assert_true(session_current_entry(s)->has_fit == (keep == 1));
 	}
-	const struct fit *fit = &session_entry(s)->fit;
+	const struct fit *fit = &session_current_entry(s)->fit;
 	assert_int_equal(fit->stop, CALIBRATE_STOPPED);
 	assert_int_equal(fit->generations, 2);
 }
@@ -396,9 +397,11 @@ parameters_without_set_are_not_passed_over(void **state)
 	add(desk, TIERP);
 	desk_expect(desk, "params set f_mat=1 e0_min=10 alpha=1");
 	bool ok = desk_say(desk, "params f_mat=2");
-	assert_true(!ok || session_entry(desk->session)->params.f_mat == 2);
+	assert_true(
+	    !ok || session_current_entry(desk->session)->params.f_mat == 2);
 	ok = desk_say(desk, "params list f_mat=2");
-	assert_true(!ok || session_entry(desk->session)->params.f_mat == 2);
+	assert_true(
+	    !ok || session_current_entry(desk->session)->params.f_mat == 2);
 }
 
 static void
@@ -421,7 +424,7 @@ every_command_has_the_same_limits_of_a_parameter(void **state)
 	struct desk *desk = *state;
 	static const double beyond[] = {-1.001, 0, 1, 1.001};
 	add(desk, TIERP);
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < breakage_count_models(); m++) {
 		const struct breakage *of = BREAKAGES[m];
 		char *first = xasprintf("set model %s; params set", of->name);
 		for (size_t j = 0; j < of->n; j++)

@@ -29,7 +29,8 @@ static struct stored_list
 own(struct desk *desk)
 {
 	struct stored_list list = {0};
-	assert_true(store_list(desk->session->store, &list, &desk->error));
+	assert_true(
+	    store_list_materials(desk->session->store, &list, &desk->error));
 	return list;
 }
 
@@ -40,7 +41,7 @@ a_fit_is_remembered_with_its_origin(void **state)
 	desk_expect(desk, "bounds alpha 0.5..0.9");
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "remember pit date=2026-11-21 note=\"wet feed\"");
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	struct stored_list list = own(desk);
 	assert_int_equal(list.n, 1);
 	const struct stored *m = &list.item[0];
@@ -66,13 +67,14 @@ a_store_that_fails_costs_nothing(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	desk_expect(desk, CALIBRATE);
-	struct params before = session_entry(s)->params;
+	struct params before = session_current_entry(s)->params;
 	store_free(s->store);
 	s->store = store_new("/no/such/folder/s.db");
 	assert_false(desk_say(desk, "remember pit"));
 	assert_int_equal(desk->error.kind, ERROR_SYSTEM);
-	assert_true(session_entry(s)->has_fit);
-	assert_memory_equal(&session_entry(s)->params, &before, sizeof before);
+	assert_true(session_current_entry(s)->has_fit);
+	assert_memory_equal(
+	    &session_current_entry(s)->params, &before, sizeof before);
 	store_free(s->store);
 	s->store = store_new(":memory:");
 	desk_expect(desk, "remember pit");
@@ -85,11 +87,11 @@ static void
 what_is_recalled_is_no_fit(void **state)
 {
 	struct desk *desk = *state;
-	const struct entry *entry = session_entry(desk->session);
+	const struct entry *entry = session_current_entry(desk->session);
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "recall Kiruna");
 	assert_true(entry->has_params && !entry->has_fit);
-	assert_true(origin_is_stored(entry->origin));
+	assert_true(origin_is_from_store(entry->origin));
 	assert_string_equal(entry->origin->from, "table3/kiruna");
 	assert_true(entry->params.f_mat == 0.39);
 	desk_expect(desk, "params");
@@ -98,11 +100,11 @@ what_is_recalled_is_no_fit(void **state)
 	assert_int_equal(desk->error.kind, ERROR_USAGE);
 	/* Whatever else sets the parameters takes the origin away. */
 	desk_expect(desk, "params set alpha=0.9");
-	assert_false(origin_is_stored(entry->origin));
+	assert_false(origin_is_from_store(entry->origin));
 	desk_expect(desk, "remember mine; recall mine");
 	assert_string_equal(entry->origin->from, "mine");
 	desk_expect(desk, CALIBRATE);
-	assert_false(origin_is_stored(entry->origin));
+	assert_false(origin_is_from_store(entry->origin));
 	assert_true(entry->has_fit);
 }
 
@@ -299,7 +301,8 @@ runs_that_cannot_be_are_refused(void **state)
 			size_t at = x % strlen(good);
 			bad[at] = "0-9.,=\\ne@"[(x >> 8) % 10];
 		}
-		assert_true(store_put(store, list.item, 1, true, &desk->error));
+		assert_true(store_put_materials(
+		    store, list.item, 1, true, &desk->error));
 		if (!desk_say(desk, "recall pit")) {
 			assert_int_equal(desk->error.kind, ERROR_DATA);
 			refused++;

@@ -58,7 +58,7 @@ a_numbered_sieve_is_never_a_comment(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(SHEETS); i++) {
 		struct site *site = accept(SHEETS[i]);
 		size_t n;
-		double *size = site_sieves(site, &n);
+		double *size = site_all_sieves(site, &n);
 		assert_int_equal(n, ARRAY_LEN(mm));
 		for (size_t k = 0; k < n; k++)
 			assert_true(fabs(1000 * size[k] - mm[k]) < 1e-12);

@@ -299,10 +299,11 @@ repeats_are_runs_of_their_own(void **state)
 		assert_int_equal(run->product.n, r == 1 ? 2 : 3);
 		assert_string_equal(run->repeat, repeat[r]);
 		assert_int_equal(run->product_sd != NULL, r > 2);
-		assert_int_equal(site_run_repeats(site, r), r == 1 || r == 4);
+		assert_int_equal(
+		    site_run_repeats_speed(site, r), r == 1 || r == 4);
 	}
-	assert_int_equal(site_run_at(site, 79), 3);
-	assert_int_equal(site_run_nearest(site, 80), 3);
+	assert_int_equal(site_run_at_speed(site, 79), 3);
+	assert_int_equal(site_run_nearest_speed(site, 80), 3);
 	site_free(site);
 }
 

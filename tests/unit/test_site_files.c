@@ -302,16 +302,16 @@ own_results_are_no_sheet(void **state)
 		    .columns =
 			i == 2 ? "2=sieve mm, 3=feed, 4=product@74" : NULL};
 		struct error_list errors = {0};
-		assert_null(site_read_as(&request, &errors, NULL));
+		assert_null(site_read_request(&request, &errors, NULL));
 		assert_string_equal(errors.item[0].text,
 		    "expected a site file, got results of tipspeed's own "
 		    "(plot)");
-		char *command = results_command_in(path);
+		char *command = results_command_in_file(path);
 		assert_string_equal(command, "plot");
 		free(command);
 	}
 	const char *path = put_sheet(GOOD, strlen(GOOD));
-	assert_null(results_command_in(path));
+	assert_null(results_command_in_file(path));
 }
 
 int

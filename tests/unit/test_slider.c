@@ -22,7 +22,7 @@ static struct slider_range
 range_of(const struct site *site)
 {
 	double from, to;
-	site_reach(site, &from, &to);
+	site_default_speed_range(site, &from, &to);
 	return slider_range(from, to);
 }
 
@@ -33,7 +33,8 @@ draw(char *text, int width, struct slider_range range, int tenths,
     const char *beyond)
 {
 	struct slider_cell cell[401];
-	int at = slider_draw(cell, width, range, tenths, mark, n, kept, beyond);
+	int at = slider_fill_cells(
+	    cell, width, range, tenths, mark, n, kept, beyond);
 	for (int c = 0; c < width; c++)
 		text[c] = cell[c].sign;
 	text[width] = '\0';
@@ -58,7 +59,8 @@ a_column_and_its_value_agree(void **state)
 	(void)state;
 	enum { WIDTH = SLIDER_MOST - SLIDER_LEAST + 1 };
 	for (int c = 0; c < WIDTH; c++) {
-		assert_int_equal(slider_at(ALL, c, WIDTH), SLIDER_LEAST + c);
+		assert_int_equal(
+		    slider_value_at_column(ALL, c, WIDTH), SLIDER_LEAST + c);
 		assert_int_equal(
 		    slider_column(ALL, SLIDER_LEAST + c, WIDTH), c);
 	}
@@ -66,12 +68,13 @@ a_column_and_its_value_agree(void **state)
 		for (int c = 0; c < width; c++)
 			if (width <= WIDTH)
 				assert_int_equal(
-				    slider_column(
-					ALL, slider_at(ALL, c, width), width),
+				    slider_column(ALL,
+					slider_value_at_column(ALL, c, width),
+					width),
 				    c);
-	assert_int_equal(slider_at(ALL, -5, 40), SLIDER_LEAST);
-	assert_int_equal(slider_at(ALL, 900, 40), SLIDER_MOST);
-	assert_int_equal(slider_at(ALL, 3, 1), SLIDER_LEAST);
+	assert_int_equal(slider_value_at_column(ALL, -5, 40), SLIDER_LEAST);
+	assert_int_equal(slider_value_at_column(ALL, 900, 40), SLIDER_MOST);
+	assert_int_equal(slider_value_at_column(ALL, 3, 1), SLIDER_LEAST);
 }
 
 static void
@@ -109,8 +112,8 @@ the_range_holds_the_runs_of_the_site(void **state)
 	assert_int_equal(range.least, 620);
 	assert_int_equal(range.most, 880);
 	assert_int_equal(slider_tenths(range, 62.4), 624);
-	assert_true(slider_has(range, 62.4));
-	assert_false(slider_has(range, 61.9));
+	assert_true(slider_has_speed(range, 62.4));
+	assert_false(slider_has_speed(range, 61.9));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
 	char text[64];
 	draw(text, 27, range, 740, marks, 2, NULL, "");

@@ -14,7 +14,7 @@ outlier_of(const struct site *site)
 	const struct psd *curve[RUNS];
 	for (size_t r = 0; r < RUNS; r++)
 		curve[r] = &site->run[r].product;
-	return psd_outlier(curve, RUNS);
+	return psd_find_outlier(curve, RUNS);
 }
 
 static void
@@ -23,18 +23,18 @@ a_straight_line_does_not_bend(void **state)
 	(void)state;
 	double size[4] = {8, 4, 2, 1}, passing[4] = {0.9, 0.6, 0.3, 0};
 	struct psd line = {4, size, passing};
-	expect_near("line", psd_off_chord(&line, 1), 0, 1e-12);
+	expect_near("line", psd_deviation_from_chord(&line, 1), 0, 1e-12);
 	passing[2] = 0.4;
-	expect_near("bend", psd_off_chord(&line, 2), 0.1, 1e-12);
-	expect_near("bend", psd_off_chord(&line, 1), -0.05, 1e-12);
-	assert_true(isnan(psd_off_chord(&line, 0)));
-	assert_true(isnan(psd_off_chord(&line, 3)));
+	expect_near("bend", psd_deviation_from_chord(&line, 2), 0.1, 1e-12);
+	expect_near("bend", psd_deviation_from_chord(&line, 1), -0.05, 1e-12);
+	assert_true(isnan(psd_deviation_from_chord(&line, 0)));
+	assert_true(isnan(psd_deviation_from_chord(&line, 3)));
 	const struct psd *alone = &line;
-	struct psd_outlier o = psd_outlier(&alone, 1);
+	struct psd_outlier o = psd_find_outlier(&alone, 1);
 	assert_true(o.sieve == 2 && o.others == 0);
 	expect_near("off", o.off, 0.1, 1e-12);
 	line.n = 2;
-	assert_true(psd_outlier(&alone, 1).off == 0);
+	assert_true(psd_find_outlier(&alone, 1).off == 0);
 }
 
 static void
@@ -100,9 +100,9 @@ only_the_same_sieves_are_compared(void **state)
 	double p[4] = {0.9, 0.6, 0.5, 0}, q[4] = {0.9, 0.8, 0.3, 0};
 	struct psd one = {4, a, p}, two = {4, b, q};
 	const struct psd *curve[2] = {&one, &two};
-	assert_int_equal(psd_outlier(curve, 2).others, 0);
+	assert_int_equal(psd_find_outlier(curve, 2).others, 0);
 	two.size = a;
-	assert_int_equal(psd_outlier(curve, 2).others, 1);
+	assert_int_equal(psd_find_outlier(curve, 2).others, 1);
 }
 
 int

@@ -10,7 +10,7 @@ static struct spec *
 read_spec(const char *text, struct error_list *errors)
 {
 	*errors = (struct error_list){0};
-	return spec_read(put_sheet(text, strlen(text)), errors);
+	return spec_read_file(put_sheet(text, strlen(text)), errors);
 }
 
 static void
@@ -113,7 +113,7 @@ a_file_that_is_not_there_is_the_systems(void **state)
 {
 	(void)state;
 	struct error_list errors = {0};
-	assert_null(spec_read("/nonexistent/spec.csv", &errors));
+	assert_null(spec_read_file("/nonexistent/spec.csv", &errors));
 	assert_int_equal(errors.item[0].kind, ERROR_SYSTEM);
 }
 

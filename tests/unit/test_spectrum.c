@@ -52,16 +52,20 @@ counts_what_was_put_in(void **state)
 	spectrum_add_impact(s, 0.008, 2, 5000, true);
 	spectrum_add_impact(s, 0.008, 2, 5, false);
 	spectrum_add_impact(s, 0.008, 2, 40, true);
-	struct spectrum_size *all = spectrum_whole(s);
-	expect_near("impacts", spectrum_per_particle(s, all, 0), 1.5, 1e-12);
-	expect_near("above", spectrum_per_particle(s, all, 10), 1, 1e-12);
+	struct spectrum_size *all = spectrum_merge_sizes(s);
 	expect_near(
-	    "energy", spectrum_above(all, 10, false).energy, 10080, 1e-9);
+	    "impacts", spectrum_impacts_per_particle(s, all, 0), 1.5, 1e-12);
+	expect_near(
+	    "above", spectrum_impacts_per_particle(s, all, 10), 1, 1e-12);
+	expect_near("energy", spectrum_impacts_above(all, 10, false).energy,
+	    10080, 1e-9);
 	/* Of the hardest alone: half a particle each at v^2/2. */
-	expect_near("k", spectrum_k(s, all, 5000, 1000, 0), 0.5, 1e-12);
-	expect_near("k, strong", spectrum_k(s, all, 5000, 1000, 1e-3),
+	expect_near(
+	    "k", spectrum_equivalent_k(s, all, 5000, 1000, 0), 0.5, 1e-12);
+	expect_near("k, strong",
+	    spectrum_equivalent_k(s, all, 5000, 1000, 1e-3),
 	    -1.5 * log((2 + exp(-4.0)) / 3) / 4, 1e-9);
-	assert_true(isnan(spectrum_k(s, all, 5000, 6000, 0)));
+	assert_true(isnan(spectrum_equivalent_k(s, all, 5000, 6000, 0)));
 	free(all);
 	spectrum_free(s);
 }
@@ -74,13 +78,14 @@ a_single_impact_at_tip_speed_is_the_paper(void **state)
 	struct impacts paper = once(1, 1), twice = once(1, 2);
 	for (double t = log(1e-3); t < log(0.02); t += 0.1) {
 		double d[3] = {0}, e[3] = {0};
-		double S = selection(q, 1, 2738, t, d);
-		expect_near(
-		    "S", selection_by(&paper, q, 1, 2738, t, e), S, 1e-14);
+		double S = selection_at_size(q, 1, 2738, t, d);
+		expect_near("S", selection_by_impacts(&paper, q, 1, 2738, t, e),
+		    S, 1e-14);
 		for (size_t i = 0; i < 3; i++)
 			expect_near("dS", e[i], d[i], 1e-9 * fabs(d[i]));
-		expect_near("S of two", selection_by(&twice, q, 1, 2738, t, e),
-		    selection(q, 2, 2738, t, d), 1e-13);
+		expect_near("S of two",
+		    selection_by_impacts(&twice, q, 1, 2738, t, e),
+		    selection_at_size(q, 2, 2738, t, d), 1e-13);
 	}
 }
 
@@ -90,7 +95,7 @@ every_impact(
     const struct spectrum *s, const double q[3], double E, double log_x)
 {
 	double e0 = q[1] / exp(q[2] * log_x), f = q[0] * exp(q[2] * log_x);
-	double k = spectrum_k(s, s->size[0], E, e0, f);
+	double k = spectrum_equivalent_k(s, s->size[0], E, e0, f);
 	return isfinite(k) ? -expm1(-f * k * (E - e0)) : NAN;
 }
 
@@ -100,16 +105,17 @@ twelve_groups_stand_for_all_impacts(void **state)
 	(void)state;
 	const double q[3] = {0.44, 11.8, 1}, cut = 10;
 	struct spectrum *s = made_spectrum(3, 2000, 5), *above = spectrum_new();
-	struct impacts impacts = spectrum_impacts(s, cut);
+	struct impacts impacts = spectrum_reduce_to_impacts(s, cut);
 	double energy = 0, worst = 0, E = 74 * 74 / 2.0;
-	struct spectrum_bin all = spectrum_above(s->size[0], cut, false);
+	struct spectrum_bin all =
+	    spectrum_impacts_above(s->size[0], cut, false);
 	for (size_t j = 0; j < impacts.n; j++)
 		energy += impacts.share[j] * impacts.ratio[j];
 	assert_int_equal(impacts.n, IMPACTS_MOST);
 	expect_near("mean energy", energy * E, all.energy / all.mass, 1e-6 * E);
 	for (double t = log(2e-3); t < log(0.02); t += 0.05) {
 		double want = every_impact(s, q, E, t);
-		double S = selection_by(&impacts, q, 1, E, t, NULL);
+		double S = selection_by_impacts(&impacts, q, 1, E, t, NULL);
 		if (isfinite(want))
 			worst = fmax(worst, fabs(S - want));
 	}
@@ -147,7 +153,8 @@ the_product_is_that_of_a_fine_sum(void **state)
 {
 	(void)state;
 	struct spectrum *spectrum = made_spectrum(5, 500, 4);
-	struct model_settings settings = with(spectrum_impacts(spectrum, 10));
+	struct model_settings settings =
+	    with(spectrum_reduce_to_impacts(spectrum, 10));
 	for (size_t row = 0; row < 19; row += 3) {
 		struct params p = made_params(&TABLE_3[row]);
 		struct site *site = made_site(&TABLE_3[row], 0, 1);
@@ -172,7 +179,8 @@ its_derivatives_are_those_of_differences(void **state)
 {
 	(void)state;
 	struct spectrum *spectrum = made_spectrum(6, 500, 4);
-	struct model_settings settings = with(spectrum_impacts(spectrum, 10));
+	struct model_settings settings =
+	    with(spectrum_reduce_to_impacts(spectrum, 10));
 	struct params p = made_params(&TABLE_3[TIERP]);
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
 	const struct psd *feed = &site->run[1].feed;
@@ -210,7 +218,7 @@ the_search_sees_the_same_product(void **state)
 	const bool train[3] = {true, true, true};
 	for (int classes = 0; classes < 2; classes++) {
 		struct model_settings settings =
-		    with(spectrum_impacts(spectrum, 10));
+		    with(spectrum_reduce_to_impacts(spectrum, 10));
 		settings.method = classes ? METHOD_CLASSES : METHOD_CONTINUOUS;
 		struct params p = made_params(&TABLE_3[TIERP]);
 		struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
@@ -251,9 +259,9 @@ scaled_spectra_of_two_speeds_are_one(void **state)
 			spectrum_add_impact(b, 0.008, 0.001,
 			    4 * draw_log(&draw, 1, j == 0 ? 2738 : 1000),
 			    j == 0);
-	expect_near("same", spectrum_distance(a, b, 10), 0, 1e-3);
+	expect_near("same", spectrum_ks_distance(a, b, 10), 0, 1e-3);
 	spectrum_add_impact(b, 0.008, 3, 4 * 2000, false);
-	assert_true(spectrum_distance(a, b, 10) > 0.2);
+	assert_true(spectrum_ks_distance(a, b, 10) > 0.2);
 	spectrum_free(a);
 	spectrum_free(b);
 }

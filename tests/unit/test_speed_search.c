@@ -43,8 +43,8 @@ any_quantity(struct draw *draw)
 static double
 value_at(const struct asked *a, size_t i, double v)
 {
-	forecast_at(a->w.forecast, v);
-	return forecast_figure(a->w.forecast, i).value;
+	forecast_set_speed(a->w.forecast, v);
+	return forecast_value_with_band(a->w.forecast, i).value;
 }
 
 /* narrow: limits so close that they are often met between two tenths only. */
@@ -56,7 +56,7 @@ ask(struct asked *a, const struct session *s, struct draw *draw, bool narrow)
 	for (size_t i = 0; i < CONDITIONS; i++)
 		a->at[i] = (struct condition){any_quantity(draw), NAN, NAN};
 	a->list = (struct condition_list){.n = CONDITIONS, .at = a->at};
-	a->w = conditions_open(s, &a->q, &a->list, NULL);
+	a->w = conditions_open_search(s, &a->q, &a->list, NULL);
 	for (size_t i = 0; i < CONDITIONS; i++) {
 		double v = draw_between(draw, 66, 84), one = value_at(a, i, v);
 		double two = value_at(
@@ -136,7 +136,7 @@ width_of(const struct asked *a, size_t i, double limit)
 {
 	double over[POSTERIOR_DRAWS];
 	size_t cut = (size_t)floor(0.1 * POSTERIOR_DRAWS + 0.5);
-	forecast_excess_draws(a->w.forecast, i, limit, over);
+	forecast_excess_of_draws(a->w.forecast, i, limit, over);
 	gsl_sort(over, 1, POSTERIOR_DRAWS);
 	return fmax(over[POSTERIOR_DRAWS - 1 - cut] - over[cut], 1e-3);
 }
@@ -147,7 +147,7 @@ check_certain(const struct asked *a, const struct speed_search *s)
 {
 	for (size_t k = 0; k < s->n; k += 7) {
 		size_t held = 0;
-		forecast_at(a->w.forecast, s->speed[k]);
+		forecast_set_speed(a->w.forecast, s->speed[k]);
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
 			bool all = true;
 			for (size_t i = 0; i < CONDITIONS; i++)
@@ -160,13 +160,13 @@ check_certain(const struct asked *a, const struct speed_search *s)
 		expect_near("certainty", s->certain[k],
 		    (double)held / POSTERIOR_DRAWS, 1.5 / POSTERIOR_DRAWS);
 	}
-	forecast_at(a->w.forecast, s->best);
-	struct margin m = wanted_margin(&a->w, SIZE_MAX);
+	forecast_set_speed(a->w.forecast, s->best);
+	struct margin m = wanted_margin_of_condition(&a->w, SIZE_MAX);
 	size_t i = m.limit.i;
 	if (i < CONDITIONS && a->at[i].quantity.kind == QUANTITY_PASSING &&
 	    isfinite(m.passing) && m.passing > 0) {
 		double limit = m.limit.most ? a->at[i].most : a->at[i].least;
-		double value = forecast_figure(a->w.forecast, i).value;
+		double value = forecast_value_with_band(a->w.forecast, i).value;
 		expect_near("passing", m.passing, fabs(value - limit), 1e-12);
 		expect_near(
 		    "widths", m.widths * width_of(a, i, limit), m.passing, 0.1);
@@ -297,11 +297,12 @@ a_speed_is_found_again_from_its_value(void **state)
 		struct condition target = {
 		    {.kind = QUANTITY_SIZE, .x = 0.3 + 0.06 * (double)n}, NAN,
 		    NAN};
-		a.w = conditions_open(desk->session, &a.q, &a.list, &target);
-		forecast_at(a.w.forecast, v);
+		a.w = conditions_open_search(
+		    desk->session, &a.q, &a.list, &target);
+		forecast_set_speed(a.w.forecast, v);
 		target.least = target.most =
-		    forecast_figure(a.w.forecast, CONDITIONS).value;
-		struct speed_search *s = speed_search_all(&a.w);
+		    forecast_value_with_band(a.w.forecast, CONDITIONS).value;
+		struct speed_search *s = speed_search_run(&a.w);
 		for (size_t i = 0; i < s->n_root; i++) {
 			double at = s->root[i].speed;
 			nearest = fmin(nearest, fabs(at - v));
@@ -313,7 +314,8 @@ a_speed_is_found_again_from_its_value(void **state)
 		assert_true(s->range[0] < v && v < s->range[1]);
 		assert_true(s->cut[0] <= s->range[0] + 0.2);
 		assert_true(s->cut[1] >= s->range[1] - 0.2);
-		double largest = speed_search_extreme(s, n % 2 == 0, false);
+		double largest =
+		    speed_search_speed_of_extreme(s, n % 2 == 0, false);
 		double sign = n % 2 == 0 ? 1 : -1, most = -INFINITY;
 		for (size_t k = 0; k < s->n; k++)
 			if (is_inside(s, s->speed[k]))

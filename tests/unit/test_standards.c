@@ -11,7 +11,7 @@ static void
 all_are_there_and_in_order(void **state)
 {
 	(void)state;
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	size_t rows = 0;
 	assert_int_equal(all->n, 25);
 	assert_int_equal(all->n_limit, 24);
@@ -34,7 +34,7 @@ static void
 a_name_in_brackets_goes_on_from_the_one_before(void **state)
 {
 	(void)state;
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	struct error error = {0};
 	const struct spec *base = standards_find(all, "astm c33", &error);
 	assert_non_null(base);
@@ -64,7 +64,7 @@ names_are_found_by_their_words(void **state)
 	    {"EN 0/4", "EN 12620 GF85 0/4"}, {"gng", "EN 12620 GNG90 0/8"},
 	    {"mortar", "BS 1200:1976 mortar sand"},
 	    {"crushed gravel", "NO Hb 018 crushed gravel 0/32 road base"}};
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	for (size_t i = 0; i < ARRAY_LEN(FOUND); i++) {
 		struct error error = {0};
 		const struct spec *s =
@@ -80,7 +80,7 @@ static void
 what_is_none_or_several_says_so(void **state)
 {
 	(void)state;
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	struct error error = {0};
 	assert_null(standards_find(all, "BS 882", &error));
 	assert_string_equal(error.text, "'BS 882' matches 5 envelopes");
@@ -101,9 +101,9 @@ paths_are_no_names(void **state)
 	static const char *const PATHS[] = {
 	    "plant.csv", "./plant", "/etc/plant", "../plant", "x.ods"};
 	for (size_t i = 0; i < ARRAY_LEN(PATHS); i++)
-		assert_true(standards_is_path(PATHS[i]));
-	assert_false(standards_is_path("EN 12620 GF85 0/4"));
-	assert_false(standards_is_path("ASTM C33"));
+		assert_true(standards_is_file_path(PATHS[i]));
+	assert_false(standards_is_file_path("EN 12620 GF85 0/4"));
+	assert_false(standards_is_file_path("ASTM C33"));
 }
 
 int

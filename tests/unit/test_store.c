@@ -10,7 +10,7 @@ static void
 expect_refusal(struct shelf *shelf, enum error_kind kind, const char *words)
 {
 	struct stored_list all = {0};
-	assert_false(store_list(shelf->store, &all, &shelf->error));
+	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
 	stored_list_free(&all);
 	assert_int_equal(shelf->error.kind, kind);
 	assert_string_equal(shelf->error.file, shelf->path);
@@ -18,7 +18,8 @@ expect_refusal(struct shelf *shelf, enum error_kind kind, const char *words)
 	if (strstr(shelf->error.text, words) == NULL)
 		fail_msg("%s: no %s", shelf->error.text, words);
 	struct stored m = sparse("late");
-	assert_false(store_put(shelf->store, &m, 1, true, &shelf->error));
+	assert_false(
+	    store_put_materials(shelf->store, &m, 1, true, &shelf->error));
 	assert_int_equal(shelf->error.kind, kind);
 	stored_free(&m);
 }
@@ -55,7 +56,7 @@ to_read_makes_no_file(void **state)
 {
 	struct shelf *shelf = *state;
 	expect_names(shelf, "");
-	assert_false(store_forget(shelf->store, "x", &shelf->error));
+	assert_false(store_remove_material(shelf->store, "x", &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_USAGE);
 	assert_int_not_equal(access(shelf->path, F_OK), 0);
 }
@@ -66,15 +67,19 @@ a_name_is_taken_once(void **state)
 	struct shelf *shelf = *state;
 	put(shelf, full("Gävle"));
 	struct stored two[2] = {sparse("new"), sparse("GAVLE")};
-	assert_false(store_put(shelf->store, two, 2, false, &shelf->error));
+	assert_false(
+	    store_put_materials(shelf->store, two, 2, false, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_USAGE);
 	assert_non_null(strstr(shelf->error.text, "'GAVLE'"));
 	/* All or nothing. */
 	expect_names(shelf, "Gävle");
-	assert_true(store_put(shelf->store, two, 2, true, &shelf->error));
+	assert_true(
+	    store_put_materials(shelf->store, two, 2, true, &shelf->error));
 	expect_names(shelf, "GAVLE new");
-	assert_true(store_forget(shelf->store, "gävle", &shelf->error));
-	assert_false(store_forget(shelf->store, "gävle", &shelf->error));
+	assert_true(
+	    store_remove_material(shelf->store, "gävle", &shelf->error));
+	assert_false(
+	    store_remove_material(shelf->store, "gävle", &shelf->error));
 	expect_names(shelf, "new");
 	stored_free(&two[0]);
 	stored_free(&two[1]);
@@ -185,8 +190,8 @@ a_store_without_runs_is_brought_up_to_date(void **state)
 	assert_string_equal(all.item[2].name, "Tierp, May");
 	assert_string_equal(all.item[2].date, "2026-05-03");
 	assert_string_equal(all.item[2].basis, "");
-	assert_true(
-	    params_value(&all.item[2].params, "beta3") == -0.8797051575992627);
+	assert_true(params_value_by_name(&all.item[2].params, "beta3") ==
+		    -0.8797051575992627);
 	stored_list_free(&all);
 	free(sql);
 	free(path);
@@ -200,7 +205,7 @@ a_failed_migration_changes_nothing(void **state)
 	make_schema_1(shelf);
 	meddle(shelf, "ALTER TABLE material ADD COLUMN train_mps REAL");
 	struct stored_list all = {0};
-	assert_false(store_list(shelf->store, &all, &shelf->error));
+	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
 	sqlite3 *db = NULL;
 	sqlite3_stmt *stmt = NULL;
@@ -258,9 +263,9 @@ a_damaged_file_is_refused(void **state)
 	assert_int_equal(stat(shelf->path, &about), 0);
 	char noise[3000];
 	for (size_t i = 0; i < sizeof noise; i++)
-		noise[i] =
-		    (char)(int)(rng_uniform(rng_key(7, 0, 0), (uint32_t)i) *
-				255);
+		noise[i] = (char)(int)(rng_uniform(
+					   rng_make_key(7, 0, 0), (uint32_t)i) *
+				       255);
 	write_file(shelf->path, about.st_size / 2, noise, sizeof noise);
 	expect_refusal(shelf, ERROR_DATA, "damaged");
 	assert_int_equal(truncate(shelf->path, about.st_size / 3), 0);
@@ -277,11 +282,11 @@ a_changed_number_is_noticed(void **state)
 	meddle(shelf, "UPDATE material SET params = replace(params, 'f_mat=2', "
 		      "'f_mat=1') WHERE name = 'b'");
 	struct stored_list all = {0};
-	assert_false(store_list(shelf->store, &all, &shelf->error));
+	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
 	stored_list_free(&all);
 	assert_int_equal(shelf->error.kind, ERROR_DATA);
 	assert_non_null(strstr(shelf->error.text, "'b'"));
-	assert_true(store_forget(shelf->store, "b", &shelf->error));
+	assert_true(store_remove_material(shelf->store, "b", &shelf->error));
 	expect_names(shelf, "a");
 }
 
@@ -303,7 +308,7 @@ static void
 expect_forged(struct shelf *shelf, const char *words, const char *name)
 {
 	struct stored_list all = {0};
-	assert_false(store_list(shelf->store, &all, &shelf->error));
+	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
 	stored_list_free(&all);
 	assert_int_equal(shelf->error.kind, ERROR_DATA);
 	assert_string_equal(shelf->error.file, shelf->path);
@@ -312,7 +317,7 @@ expect_forged(struct shelf *shelf, const char *words, const char *name)
 	    strstr(shelf->error.hint, hint) == NULL)
 		fail_msg("%s\n%s", shelf->error.text, shelf->error.hint);
 	free(hint);
-	assert_true(store_forget(shelf->store, name, &shelf->error));
+	assert_true(store_remove_material(shelf->store, name, &shelf->error));
 	expect_names(shelf, "a");
 }
 
@@ -363,7 +368,8 @@ a_name_that_is_none_can_be_forgotten_as_it_is_shown(void **state)
 	put(shelf, full("a"));
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
 		struct stored m = full(NAMES[i][0]);
-		char *fold = text_fold(m.name), set[400] = "fold = CAST(x'";
+		char *fold = text_fold_case_and_accents(m.name),
+		     set[400] = "fold = CAST(x'";
 		for (const char *p = fold; *p != '\0'; p++)
 			snprintf(set + strlen(set), 3, "%02x",
 			    (unsigned)(unsigned char)*p);
@@ -391,7 +397,8 @@ what_cannot_be_read_back_is_not_put(void **state)
 	struct stored m = full("b");
 	put(shelf, full("a"));
 	m.params.alpha = 500;
-	assert_false(store_put(shelf->store, &m, 1, false, &shelf->error));
+	assert_false(
+	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
 	assert_non_null(strstr(shelf->error.text, "0 to 100 for alpha"));
 	expect_names(shelf, "a");
 	stored_free(&m);
@@ -406,14 +413,16 @@ a_locked_store_is_waited_for_and_then_told(void **state)
 	sqlite3_open(shelf->path, &db);
 	sqlite3_exec(db, "BEGIN IMMEDIATE", NULL, NULL, NULL);
 	struct stored m = full("b");
-	assert_false(store_put(shelf->store, &m, 1, false, &shelf->error));
+	assert_false(
+	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
 	assert_non_null(strstr(shelf->error.text, "another program"));
 	/* To read, nobody waits. */
 	expect_names(shelf, "a");
 	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	sqlite3_close(db);
-	assert_true(store_put(shelf->store, &m, 1, false, &shelf->error));
+	assert_true(
+	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
 	stored_free(&m);
 	expect_names(shelf, "a b");
 }

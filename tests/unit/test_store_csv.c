@@ -13,14 +13,14 @@ export_and_import_go_round(void **state)
 	put(shelf, full("b"));
 	put(shelf, sparse("a"));
 	struct stored_list all = list(shelf), again = {0};
-	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
+	assert_true(store_csv_write_file(&all, shelf->csv, &shelf->error));
 	char *first = contents(shelf->csv);
-	if (!store_csv_read(shelf->csv, NULL, &again, &errors))
+	if (!store_csv_read_file(shelf->csv, NULL, &again, &errors))
 		fail_msg("%s", errors.item[0].text);
 	assert_int_equal(again.n, 2);
 	expect_same(&all.item[0], &again.item[0]);
 	expect_same(&all.item[1], &again.item[1]);
-	assert_true(store_csv_save(&again, shelf->csv, &shelf->error));
+	assert_true(store_csv_write_file(&again, shelf->csv, &shelf->error));
 	char *second = contents(shelf->csv);
 	assert_string_equal(first, second);
 	free(first);
@@ -46,8 +46,8 @@ a_large_export_is_imported(void **state)
 			put_text(&m, "note", note);
 		stored_list_add(&all, m);
 	}
-	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
-	if (!store_csv_read(shelf->csv, NULL, &again, &errors))
+	assert_true(store_csv_write_file(&all, shelf->csv, &shelf->error));
+	if (!store_csv_read_file(shelf->csv, NULL, &again, &errors))
 		fail_msg("%s", errors.item[0].text);
 	assert_int_equal(again.n, MANY);
 	expect_same(&all.item[0], &again.item[0]);
@@ -66,14 +66,14 @@ expect_fault(struct shelf *shelf, const char *old, const char *new, int line,
 	struct error_list errors = {0};
 	bool there = strstr(words, "the store already has") != NULL;
 	stored_list_add(&all, sparse("a"));
-	assert_true(store_csv_save(&all, shelf->csv, &shelf->error));
+	assert_true(store_csv_write_file(&all, shelf->csv, &shelf->error));
 	char *text = contents(shelf->csv), *at = strstr(text, old);
 	assert_non_null(at);
 	*at = '\0';
 	char *changed = xasprintf("%s%s%s", text, new, at + strlen(old));
 	write_file(shelf->csv, 0, changed, strlen(changed));
-	assert_false(
-	    store_csv_read(shelf->csv, there ? &all : NULL, &read, &errors));
+	assert_false(store_csv_read_file(
+	    shelf->csv, there ? &all : NULL, &read, &errors));
 	const struct error *e = &errors.item[0];
 	if (e->line != line || e->column != column || errors.n == 0 ||
 	    strstr(e->text, words) == NULL)
@@ -115,7 +115,7 @@ table_3_is_in_the_program(void **state)
 {
 	(void)state;
 	struct stored_list all = {0};
-	stored_table3(&all);
+	stored_add_table3(&all);
 	assert_int_equal(all.n, 19);
 	for (size_t i = 0; i < all.n; i++) {
 		struct params p = made_params(&TABLE_3[i]);
@@ -139,9 +139,9 @@ dates_are_days_of_the_calendar(void **state)
 	    "1900-02-29", "2026-00-10", "2026-13-01", "2026-1-01", "26-11-21",
 	    "2026-11-21 ", "2026/11/21", "2026-11-00", "+026-11-21"};
 	for (size_t i = 0; i < ARRAY_LEN(good); i++)
-		assert_true(datetime_is_day(good[i]));
+		assert_true(datetime_is_iso_date(good[i]));
 	for (size_t i = 0; i < ARRAY_LEN(bad); i++)
-		assert_false(datetime_is_day(bad[i]));
+		assert_false(datetime_is_iso_date(bad[i]));
 }
 
 int

@@ -9,7 +9,7 @@ enum { MOST = 12 };
 static void
 fill(double *A, size_t n, uint64_t seed)
 {
-	struct rng_key key = rng_key(seed, 0, 0);
+	struct rng_key key = rng_make_key(seed, 0, 0);
 	for (size_t i = 0; i < n; i++)
 		A[i] = rng_normal(key, (uint32_t)i);
 }

@@ -48,7 +48,7 @@ check_numbers(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(NUMBERS); i++) {
 		double v = -7;
-		bool is = text_number(NUMBERS[i].text, &v);
+		bool is = text_parse_number(NUMBERS[i].text, &v);
 		if (is != !isnan(NUMBERS[i].value))
 			fail_msg("'%s' %s read", NUMBERS[i].text,
 			    is ? "was" : "was not");
@@ -80,7 +80,7 @@ whole_numbers_go_to_2_to_the_64(void **state)
 	    {"0x10", false, 0}};
 	for (size_t i = 0; i < ARRAY_LEN(whole); i++) {
 		uint64_t v = 99;
-		if (text_whole(whole[i].text, &v) != whole[i].is)
+		if (text_parse_whole_number(whole[i].text, &v) != whole[i].is)
 			fail_msg("'%s'", whole[i].text);
 		assert_true(!whole[i].is || v == whole[i].value);
 	}
@@ -89,16 +89,17 @@ whole_numbers_go_to_2_to_the_64(void **state)
 static void
 check_round_trip(void)
 {
-	struct rng_key key = rng_key(1, 2, 3);
+	struct rng_key key = rng_make_key(1, 2, 3);
 	char buf[32];
 	for (uint32_t i = 0; i < 4000; i++) {
-		uint64_t bits = (uint64_t)rng_bits(key, 2 * i) << 32 |
-				rng_bits(key, 2 * i + 1);
+		uint64_t bits = (uint64_t)rng_random_bits(key, 2 * i) << 32 |
+				rng_random_bits(key, 2 * i + 1);
 		double value, back;
 		memcpy(&value, &bits, sizeof value);
 		if (!isfinite(value))
 			continue;
-		assert_true(text_number(text_exact_number(value, buf), &back));
+		assert_true(text_parse_number(
+		    text_shortest_exact_number(value, buf), &back));
 		if (memcmp(&value, &back, sizeof value) != 0)
 			fail_msg("%.17g became %s", value, buf);
 	}
@@ -125,7 +126,8 @@ exact_is_as_short_as_can_be(void **state)
 	char buf[32];
 	for (size_t i = 0; i < ARRAY_LEN(exact); i++)
 		assert_string_equal(
-		    text_exact_number(exact[i].value, buf), exact[i].text);
+		    text_shortest_exact_number(exact[i].value, buf),
+		    exact[i].text);
 }
 
 /* What was typed stays; what was worked out has no more digits than it takes to
@@ -145,8 +147,8 @@ a_number_apart_from_another(void **state)
 	    {1e-6, 0, "1e-06"}, {1.0 / 3, 1.0 / 3, "0.3333333333333333"}};
 	char buf[32];
 	for (size_t i = 0; i < ARRAY_LEN(pairs); i++)
-		assert_string_equal(
-		    text_number_unlike(pairs[i].value, pairs[i].other, buf),
+		assert_string_equal(text_number_to_tell_apart(
+					pairs[i].value, pairs[i].other, buf),
 		    pairs[i].text);
 }
 
@@ -169,7 +171,7 @@ static void
 check_names(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
-		char *folded = text_fold(NAMES[i].name);
+		char *folded = text_fold_case_and_accents(NAMES[i].name);
 		char *slug = text_slug(NAMES[i].name);
 		assert_string_equal(folded, NAMES[i].folded);
 		assert_string_equal(slug, NAMES[i].slug);
@@ -218,8 +220,8 @@ quotes_come_and_go(void **state)
 	    {"\"", "\"\"\"\""}};
 	(void)state;
 	for (size_t i = 0; i < ARRAY_LEN(PAIRS); i++) {
-		char *quoted = text_quoted(PAIRS[i][0]);
-		char *back = text_unquoted(quoted, strlen(quoted));
+		char *quoted = text_in_quotes(PAIRS[i][0]);
+		char *back = text_without_quotes(quoted, strlen(quoted));
 		assert_string_equal(quoted, PAIRS[i][1]);
 		assert_string_equal(back, PAIRS[i][0]);
 		free(quoted);
@@ -239,9 +241,10 @@ distance_counts_edits(void **state)
 	    {"predict", "prediict", 1}, {"predict", "pradict", 1},
 	    {"ab", "ba", 1}, {"kitten", "sitting", 3}, {"use", "load", 4}};
 	for (size_t i = 0; i < ARRAY_LEN(pairs); i++) {
-		size_t there = text_distance(pairs[i].a, pairs[i].b);
+		size_t there = text_edit_distance(pairs[i].a, pairs[i].b);
 		assert_int_equal(there, pairs[i].edits);
-		assert_int_equal(text_distance(pairs[i].b, pairs[i].a), there);
+		assert_int_equal(
+		    text_edit_distance(pairs[i].b, pairs[i].a), there);
 	}
 }
 
@@ -250,7 +253,7 @@ a_long_word_is_no_edits_from_itself(void **state)
 {
 	(void)state;
 	const char *word = "a-word-that-is-longer-than-any-command-of-this";
-	assert_int_equal(text_distance(word, word), 0);
+	assert_int_equal(text_edit_distance(word, word), 0);
 }
 
 static void
@@ -264,7 +267,8 @@ width_counts_characters(void **state)
 	    {"\xF0\x9F\xAA\xA8", 1}, {"a\xFFz", 6}, {"\xC3", 4},
 	    {"\xE2\x82", 8}, {"\x1B[m", 6}, {"\u202Etip", 9}};
 	for (size_t i = 0; i < ARRAY_LEN(width); i++)
-		assert_int_equal(text_width(width[i].text), width[i].width);
+		assert_int_equal(
+		    text_width_in_columns(width[i].text), width[i].width);
 }
 
 /* As the canvas sets them: tables and prompts would not line up else. */
@@ -274,8 +278,8 @@ width_is_that_of_the_terminal(void **state)
 	(void)state;
 	if (setlocale(LC_CTYPE, "C.UTF-8") == NULL)
 		skip();
-	assert_int_equal(text_width("\u77F3\u5C71"), 4);
-	assert_int_equal(text_width("Ga\u0308vle"), 5);
+	assert_int_equal(text_width_in_columns("\u77F3\u5C71"), 4);
+	assert_int_equal(text_width_in_columns("Ga\u0308vle"), 5);
 	setlocale(LC_CTYPE, "C");
 }
 
@@ -345,12 +349,13 @@ digest_is_fnv_1a(void **state)
 {
 	(void)state;
 	uint64_t h = TEXT_DIGEST_START;
-	assert_true(text_digest(h, "", 0) == h);
-	assert_true(text_digest(h, "a", 1) == UINT64_C(0xaf63dc4c8601ec8c));
+	assert_true(text_fnv1a_digest(h, "", 0) == h);
 	assert_true(
-	    text_digest(h, "foobar", 6) == UINT64_C(0x85944171f73967e8));
-	assert_true(text_digest(text_digest(h, "foo", 3), "bar", 3) ==
-		    UINT64_C(0x85944171f73967e8));
+	    text_fnv1a_digest(h, "a", 1) == UINT64_C(0xaf63dc4c8601ec8c));
+	assert_true(
+	    text_fnv1a_digest(h, "foobar", 6) == UINT64_C(0x85944171f73967e8));
+	assert_true(text_fnv1a_digest(text_fnv1a_digest(h, "foo", 3), "bar",
+			3) == UINT64_C(0x85944171f73967e8));
 }
 
 static void

@@ -22,7 +22,7 @@
 enum { ROWS = 30, COLUMNS = 100 };
 
 static void
-settle_to_same_bits(struct stage *stage)
+settle_at_stationary_point(struct stage *stage)
 {
 	struct tui *t = &stage->t;
 	t->clock++;
@@ -37,7 +37,7 @@ stage_open(void **state)
 	    "load data/sites/tierp.csv data/sites/bro.csv "
 	    "data/sites/ossjo.csv; use tierp; calibrate population=200; "
 	    "predict speed=74");
-	settle_to_same_bits(stage);
+	settle_at_stationary_point(stage);
 	*state = stage;
 	return 0;
 }
@@ -55,10 +55,10 @@ press(struct stage *stage, const char *names)
 		do {
 			if (!named)
 				code = (int)text_next_code_point(&rest);
-			keymap_key(&stage->t, code, code > 255);
+			keymap_handle_key(&stage->t, code, code > 255);
 			stage->keys++;
 		} while (!named && *rest != '\0');
-		settle_to_same_bits(stage);
+		settle_at_stationary_point(stage);
 	}
 	free(copy);
 }
@@ -72,10 +72,11 @@ find_text(struct stage *stage, const char *text, int *row, int *column)
 	for (int r = 0; r < frame->rows; r++) {
 		char *line = xstrdup(""), code[5];
 		for (int c = 0; c < frame->columns; c++) {
-			uint32_t at = canvas_at(frame, c, r)->code;
+			uint32_t at = canvas_cell_at(frame, c, r)->code;
 			/* One letter a cell, so that offsets are columns. */
 			xappend(&line, "%s",
-			    at > 0 && at < 128 ? canvas_utf8(at, code) : "~");
+			    at > 0 && at < 128 ? canvas_encode_utf8(at, code)
+					       : "~");
 		}
 		for (char *p = strstr(line, text); p != NULL;
 		     p = strstr(p + 1, text)) {
@@ -96,9 +97,10 @@ static bool
 mouse(struct stage *stage, enum hit_kind kind, int row, int column)
 {
 	struct tui *t = &stage->t;
-	bool took = hits_mouse(t, &t->hits, kind, row, column, keymap_key);
-	hits_release(&t->hits);
-	settle_to_same_bits(stage);
+	bool took = hits_dispatch_mouse(
+	    t, &t->hits, kind, row, column, keymap_handle_key);
+	hits_end_drag(&t->hits);
+	settle_at_stationary_point(stage);
 	return took;
 }
 
@@ -119,8 +121,8 @@ hints_are_their_keys(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	for (int page = PAGE_PREDICT; page < PAGES; page++) {
-		pages_go(t, (enum page)page);
-		settle_to_same_bits(stage);
+		pages_go_to(t, (enum page)page);
+		settle_at_stationary_point(stage);
 		size_t keys = 0;
 		for (size_t i = 0; i < t->hits.n; i++) {
 			const struct hit *at = &t->hits.at[i];
@@ -132,8 +134,8 @@ hints_are_their_keys(void **state)
 		}
 		assert_in_range(keys, 3, 20);
 	}
-	pages_go(t, PAGE_PREDICT);
-	settle_to_same_bits(stage);
+	pages_go_to(t, PAGE_PREDICT);
+	settle_at_stationary_point(stage);
 	click(stage, "? keys");
 	assert_true(t->viewer.keys);
 	click(stage, "^L");
@@ -322,7 +324,7 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	assert_true(t->ui.crosshair);
 	press(stage, "? f");
 	assert_null(t->viewer.text);
-	assert_false(session_busy(t->session));
+	assert_false(session_is_calibrating(t->session));
 	assert_non_null(strstr(t->message, "f again"));
 	press(stage, "? q");
 	assert_true(t->viewer.text == NULL && !t->leave);
@@ -376,10 +378,10 @@ point(struct tui *t, int *code, bool *special)
 {
 	frame_draw(t);
 	/* Of what lies below the question nothing answers. */
-	hits_mouse(t, &t->hits, HIT_PRESS, 0, 99, note);
+	hits_dispatch_mouse(t, &t->hits, HIT_PRESS, 0, 99, note);
 	assert_false(t->put_back.is);
 	const struct cursor *end = &t->cursor;
-	hits_mouse(t, &t->hits, HIT_PRESS, end->row + asked_row,
+	hits_dispatch_mouse(t, &t->hits, HIT_PRESS, end->row + asked_row,
 	    end->column + asked_column, note);
 	assert_true(t->put_back.is);
 	t->put_back.is = false;

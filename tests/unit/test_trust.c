@@ -23,7 +23,7 @@ known(struct site *site)
 {
 	struct known k = {.site = site, .use = {true, true, true}};
 	struct calibrate_options o = quick_options(1);
-	misfit_default_train(site, k.train);
+	misfit_mark_default_training(site, k.train);
 	k.fit = fitted(site, &o);
 	struct posterior *posterior = drawn(site, &k.fit, &o, k.use);
 	k.e = trust_gather_evidence(
@@ -36,7 +36,7 @@ static struct trust
 asked(const struct evidence *e, struct trust_question q)
 {
 	struct trust t = {0};
-	trust_judge(&t, e, &q);
+	trust_judge_answer(&t, e, &q);
 	return t;
 }
 
@@ -123,7 +123,7 @@ test_sense(void **state)
 	sizeless.all_break = true;
 	exchanged.against.slow = 69;
 	exchanged.against.fast = 74;
-	exchanged.against.order = (struct order){0.06, 0.004, 0.03};
+	exchanged.against.order = (struct passing_order){0.06, 0.004, 0.03};
 	struct trust t = asked(&sizeless, (struct trust_question){.speed = 74});
 	assert_int_equal(t.light, LIGHT_AMBER);
 	assert_true(names(&t, "no break size"));

@@ -42,10 +42,10 @@ every_change_is_undone_and_done_again(void **state)
 	    "drop gavle/4", "drop tierp", "reset"};
 	for (size_t i = 0; i < ARRAY_LEN(lines); i++) {
 		struct snapshot *before = snapshot_take(s);
-		size_t depth = undo_depth(s);
+		size_t depth = undo_count_steps(s);
 		desk_expect(desk, lines[i]);
 		struct snapshot *after = snapshot_take(s);
-		if (undo_depth(s) != depth + 1)
+		if (undo_count_steps(s) != depth + 1)
 			fail_msg("%s made no step", lines[i]);
 		desk_expect(desk, "undo");
 		assert_non_null(strstr(desk->notes, lines[i]));
@@ -55,13 +55,13 @@ every_change_is_undone_and_done_again(void **state)
 		if (!is_as(s, after))
 			fail_msg("%s was not done again", lines[i]);
 	}
-	while (undo_depth(s) > 0)
+	while (undo_count_steps(s) > 0)
 		desk_expect(desk, "undo");
 	assert_int_equal(s->n_entry, 0);
 	while (desk_say(desk, "redo"))
 		;
 	assert_string_equal(desk->error.text, "nothing to redo");
-	assert_int_equal(undo_depth(s), ARRAY_LEN(lines) + 1);
+	assert_int_equal(undo_count_steps(s), ARRAY_LEN(lines) + 1);
 }
 
 static void
@@ -69,12 +69,12 @@ what_changes_nothing_makes_no_step(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, "params set f_mat=2 e0_min=16 alpha=1");
-	size_t depth = undo_depth(desk->session);
+	size_t depth = undo_count_steps(desk->session);
 	desk_expect(desk, "predict 74; sweep 70..75; show; sites; set; seed; "
 			  "params; bounds; use tierp; seed 1; echo a; check");
 	assert_false(desk_say(desk, "bounds alpha 3..1"));
 	assert_false(desk_say(desk, "use nobody"));
-	assert_int_equal(undo_depth(desk->session), depth);
+	assert_int_equal(undo_count_steps(desk->session), depth);
 }
 
 static void
@@ -123,7 +123,7 @@ static void
 expect_setting(const struct desk *desk, const struct command_option *row,
     const char *want, const char *after)
 {
-	char *text = settings_text(row, &desk->session->set);
+	char *text = settings_value_text(row, &desk->session->set);
 	if (strcmp(text, want) != 0)
 		fail_msg("%s is %s after %s", row->name, text, after);
 	free(text);
@@ -155,7 +155,7 @@ every_setting_is_set_undone_and_reset(void **state)
 	desk_expect(desk, "version");
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
 		const struct command_option *o = r;
-		char *first = settings_text(r, desk->session->initial);
+		char *first = settings_value_text(r, desk->session->initial);
 		char *other = other_value(o);
 		char *line = xasprintf("set %s %s", o->name, other);
 		assert_string_not_equal(first, other);
@@ -193,13 +193,13 @@ undo_gives_back_the_former_fit(void **state)
 {
 	struct desk *desk = *state;
 	desk_expect(desk, "calibrate seed=1 population=64 generations=3");
-	struct fit first = session_entry(desk->session)->fit;
+	struct fit first = session_current_entry(desk->session)->fit;
 	desk_expect(desk, "calibrate seed=2 population=64 generations=3");
-	assert_false(
-	    snapshot_same_fit(&session_entry(desk->session)->fit, &first));
+	assert_false(snapshot_is_same_fit(
+	    &session_current_entry(desk->session)->fit, &first));
 	desk_expect(desk, "undo");
-	assert_true(
-	    snapshot_same_fit(&session_entry(desk->session)->fit, &first));
+	assert_true(snapshot_is_same_fit(
+	    &session_current_entry(desk->session)->fit, &first));
 	assert_non_null(strstr(desk->notes, "undone: calibrate seed=2"));
 }
 
@@ -210,19 +210,19 @@ a_continued_fit_is_one_step(void **state)
 {
 	struct desk *desk = *state;
 	struct session *s = desk->session;
-	size_t depth = undo_depth(s);
+	size_t depth = undo_count_steps(s);
 	desk_expect(desk, "calibrate population=64 generations=30 pause=3; "
 			  "continue pause=5; predict 74; continue");
-	size_t done = session_entry(s)->fit.generations;
-	assert_int_equal(undo_depth(s), depth + 1);
+	size_t done = session_current_entry(s)->fit.generations;
+	assert_int_equal(undo_count_steps(s), depth + 1);
 	desk_expect(desk, "undo");
 	assert_non_null(strstr(desk->notes, "undone: calibrate"));
-	assert_false(session_entry(s)->has_fit);
+	assert_false(session_current_entry(s)->has_fit);
 	desk_expect(desk, "redo");
-	assert_int_equal(session_entry(s)->fit.generations, done);
+	assert_int_equal(session_current_entry(s)->fit.generations, done);
 	desk_expect(desk, "undo; calibrate population=64 pause=3; "
 			  "bounds alpha 0.8..1; continue pause=5");
-	assert_int_equal(undo_depth(s), depth + 3);
+	assert_int_equal(undo_count_steps(s), depth + 3);
 }
 
 /* It goes on only where its site and the fit it left are still there. */
@@ -233,7 +233,8 @@ undo_lets_go_of_a_stopped_calibration(void **state)
 	desk_expect(desk, "calibrate population=64 generations=9 pause=3; "
 			  "seed 3; use bro; undo; undo; continue; undo; seed");
 	assert_false(desk_say(desk, "continue"));
-	assert_int_equal(session_entry(desk->session)->fit.generations, 3);
+	assert_int_equal(
+	    session_current_entry(desk->session)->fit.generations, 3);
 	static const char *const gone[] = {
 	    "undo; undo", "drop tierp", "load data/sites/tierp.csv", "reset"};
 	for (size_t i = 0; i < ARRAY_LEN(gone); i++) {
@@ -255,18 +256,20 @@ undo_ends_a_running_calibration(void **state)
 	const char *line = "calibrate population=64 generations=9";
 	size_t next;
 	desk_expect(desk, "seed 3");
-	size_t depth = undo_depth(s), lines = journal_place(s).n;
-	assert_true(session_line(s, line, 0, "x", 1, &next, &desk->error));
-	session_step(s);
-	assert_true(session_line(s, "seed", 0, "x", 1, &next, &desk->error));
-	assert_true(session_line(s, "undo", 0, "x", 1, &next, &desk->error));
-	assert_false(session_busy(s));
+	size_t depth = undo_count_steps(s), lines = journal_current_place(s).n;
+	assert_true(session_run_line(s, line, 0, "x", 1, &next, &desk->error));
+	session_step_job(s);
+	assert_true(
+	    session_run_line(s, "seed", 0, "x", 1, &next, &desk->error));
+	assert_true(
+	    session_run_line(s, "undo", 0, "x", 1, &next, &desk->error));
+	assert_false(session_is_calibrating(s));
 	assert_int_equal(s->set.seed, 1);
-	assert_false(session_entry(s)->has_fit);
+	assert_false(session_current_entry(s)->has_fit);
 	assert_true(session_end_finished_commands(s, true, &desk->error));
-	assert_int_equal(undo_depth(s), depth - 1);
+	assert_int_equal(undo_count_steps(s), depth - 1);
 	/* What was asked since "seed 3" went with it. */
-	assert_int_equal(journal_place(s).n, lines - 1);
+	assert_int_equal(journal_current_place(s).n, lines - 1);
 }
 
 static void
@@ -287,13 +290,13 @@ steps_within_lines_that_make_none_push_out_the_oldest(void **state)
 	enum { MANY = 1000 };
 	size_t deepest = 0;
 	for (int i = 0; i < MANY; i++) {
-		size_t depth = undo_depth(s);
-		undo_push(s, snapshot_take(s), depth, depth, "pin");
+		size_t depth = undo_count_steps(s);
+		undo_push_step(s, snapshot_take(s), depth, depth, "pin");
 		deepest = depth > deepest ? depth : deepest;
 	}
-	assert_int_equal(undo_depth(s), deepest);
-	while (undo_depth(s) > 1)
-		assert_string_equal(undo_back(s), "pin");
+	assert_int_equal(undo_count_steps(s), deepest);
+	while (undo_count_steps(s) > 1)
+		assert_string_equal(undo_last_step(s), "pin");
 }
 
 int

@@ -121,7 +121,7 @@ any_number_changes_the_digest(void **state)
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], 0.005, 3);
 	struct run *run = &site->run[1];
-	run->product_sd = xdoubles(run->product.n);
+	run->product_sd = xcalloc_doubles(run->product.n);
 	double *numbers[] = {&run->speed, &run->feed.size[3],
 	    &run->feed.passing[5], &run->product.size[2],
 	    &run->product.passing[4], &run->product_sd[1]};
@@ -143,14 +143,14 @@ runs_are_found_by_speed(void **state)
 {
 	(void)state;
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 3);
-	assert_int_equal(site_run_at(site, 74), 1);
-	assert_int_equal(site_run_at(site, 74.0005), 1);
-	assert_int_equal(site_run_at(site, 74.1), 3);
-	assert_int_equal(site_run_nearest(site, 10), 0);
-	assert_int_equal(site_run_nearest(site, 71.5), 0);
-	assert_int_equal(site_run_nearest(site, 71.6), 1);
-	assert_int_equal(site_run_nearest(site, 76.5), 1);
-	assert_int_equal(site_run_nearest(site, 90), 2);
+	assert_int_equal(site_run_at_speed(site, 74), 1);
+	assert_int_equal(site_run_at_speed(site, 74.0005), 1);
+	assert_int_equal(site_run_at_speed(site, 74.1), 3);
+	assert_int_equal(site_run_nearest_speed(site, 10), 0);
+	assert_int_equal(site_run_nearest_speed(site, 71.5), 0);
+	assert_int_equal(site_run_nearest_speed(site, 71.6), 1);
+	assert_int_equal(site_run_nearest_speed(site, 76.5), 1);
+	assert_int_equal(site_run_nearest_speed(site, 90), 2);
 	site_free(site);
 }
 
@@ -165,7 +165,7 @@ a_prediction_is_on_all_sieves_the_feed_covers(void **state)
 	product->size[3] = 6.3e-3;
 	product->size[product->n - 1] = 45e-6;
 	struct prediction a =
-	    predict(site, &p, model_settings_default(), 77, 1);
+	    predict_with_model_alone(site, &p, model_settings_default(), 77, 1);
 	assert_int_equal(a.product.n, site->run[1].feed.n + 1);
 	assert_true(keeps_rules(&a.product));
 	assert_true(keeps_rules(&a.feed));
@@ -179,7 +179,7 @@ a_prediction_is_on_all_sieves_the_feed_covers(void **state)
 		    1e-14);
 	}
 	/* The size is read straight between the sheet's sieves (D20). */
-	expect_near("P50", a.p50, psd_size(&a.product, 0.5), 1e-15);
+	expect_near("P50", a.p50, psd_size_at_passing(&a.product, 0.5), 1e-15);
 	assert_true(a.p20 < a.p50 && a.p50 < a.p80);
 	assert_true(a.break_size == x && a.energy == 77 * 77 / 2.0);
 	assert_true(a.selected > 0.2);
@@ -187,7 +187,7 @@ a_prediction_is_on_all_sieves_the_feed_covers(void **state)
 	assert_false(a.no_daughters);
 	prediction_free(&a);
 	p.beta[1] = p.beta[3] = -1;
-	a = predict(site, &p, model_settings_default(), 77, 1);
+	a = predict_with_model_alone(site, &p, model_settings_default(), 77, 1);
 	assert_true(a.no_daughters);
 	assert_memory_equal(
 	    a.product.passing, a.feed.passing, a.feed.n * sizeof(double));
@@ -202,12 +202,12 @@ speeds_outside_the_training_runs_extrapolate(void **state)
 	struct site *site = made_site(&TABLE_3[TIERP], 0, 3);
 	const bool outer[3] = {true, false, true};
 	const bool slow[3] = {true, true, false};
-	assert_false(predict_extrapolates(site, outer, 74));
-	assert_false(predict_extrapolates(site, outer, 69));
-	assert_false(predict_extrapolates(site, outer, 79));
-	assert_true(predict_extrapolates(site, outer, 79.1));
-	assert_true(predict_extrapolates(site, outer, 68.9));
-	assert_true(predict_extrapolates(site, slow, 75));
+	assert_false(predict_is_extrapolation(site, outer, 74));
+	assert_false(predict_is_extrapolation(site, outer, 69));
+	assert_false(predict_is_extrapolation(site, outer, 79));
+	assert_true(predict_is_extrapolation(site, outer, 79.1));
+	assert_true(predict_is_extrapolation(site, outer, 68.9));
+	assert_true(predict_is_extrapolation(site, slow, 75));
 	site_free(site);
 }
 
@@ -238,18 +238,18 @@ interpolation_is_straight_in_v_squared(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(rows); i++)
 		for (double x = 70e-6; x < 0.03; x *= 1.7)
 			expect_near("passing",
-			    validate_interpolation(
+			    validate_interpolated_passing(
 				site, rows[i].train, rows[i].v, x),
 			    naive_between(&site->run[rows[i].a],
 				&site->run[rows[i].b], rows[i].v, x),
 			    1e-13);
 	const bool one[3] = {true, false, false};
-	assert_true(isnan(validate_interpolation(site, one, 74, 4e-3)));
-	assert_true(
-	    isnan(validate_interpolation(site, rows[0].train, 74, 50e-6)));
+	assert_true(isnan(validate_interpolated_passing(site, one, 74, 4e-3)));
+	assert_true(isnan(
+	    validate_interpolated_passing(site, rows[0].train, 74, 50e-6)));
 	site->run[2].product.n = 0;
-	assert_true(
-	    isnan(validate_interpolation(site, rows[0].train, 74, 4e-3)));
+	assert_true(isnan(
+	    validate_interpolated_passing(site, rows[0].train, 74, 4e-3)));
 	site_free(site);
 }
 
@@ -272,7 +272,7 @@ repeats_train_together_and_are_averaged(void **state)
 	const bool slow[3] = {true, true, false};
 	bool train[3];
 	double out[20], a = run[0].speed, b = run[2].speed, v = 72;
-	assert_int_equal(misfit_default_train(site, train), 3);
+	assert_int_equal(misfit_mark_default_training(site, train), 3);
 	assert_true(train[0] && train[1] && train[2]);
 	for (double x = 70e-6; x < 0.03; x *= 1.7) {
 		double mean = (psd_passing(&run[0].product, x) +
@@ -280,14 +280,15 @@ repeats_train_together_and_are_averaged(void **state)
 			      2;
 		double t = (v * v - a * a) / (b * b - a * a);
 		expect_near("passing",
-		    validate_interpolation(site, train, v, x),
+		    validate_interpolated_passing(site, train, v, x),
 		    mean + t * (psd_passing(&run[2].product, x) - mean), 1e-13);
-		assert_true(isnan(validate_interpolation(site, slow, v, x)));
+		assert_true(
+		    isnan(validate_interpolated_passing(site, slow, v, x)));
 	}
 	struct params p = made_params(&TABLE_3[TIERP]);
-	validate_passing(
+	validate_predict_by_way(
 	    site, 2, slow, &p, model_settings_default(), VALIDATE_NEAREST, out);
-	for (size_t i = 0; i < misfit_count_covered(&run[2]); i++)
+	for (size_t i = 0; i < misfit_count_covered_sieves(&run[2]); i++)
 		expect_near("nearest", out[i],
 		    (psd_passing(&run[0].product, run[2].product.size[i]) +
 			psd_passing(&run[1].product, run[2].product.size[i])) /
@@ -319,12 +320,14 @@ null_models_say_which_speeds_they_take(void **state)
 			    v.line[1] == rows[i].line[1]);
 		assert_true(v.nearest == rows[i].nearest);
 		assert_true(validation_extrapolates(&v) == rows[i].beyond);
-		size_t at = site_run_at(site, v.nearest);
+		size_t at = site_run_at_speed(site, v.nearest);
 		for (size_t k = 0; k < v.n_sieve; k++)
 			out[k] = naive_passing(
 			    &site->run[at].product, run->product.size[k]);
 		expect_near("nearest", v.rmse[VALIDATE_NEAREST],
-		    psd_rms(out, run->product.passing, v.n_sieve, NULL), 1e-12);
+		    psd_rms_difference(
+			out, run->product.passing, v.n_sieve, NULL),
+		    1e-12);
 	}
 	const bool one[3] = {true, false, false};
 	struct validation v =
@@ -343,14 +346,14 @@ the_smallest_rmse_wins(void **state)
 	struct validation v = {.holdout = true};
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		v.rmse[way] = 0.01;
-	assert_int_equal(validate_winner(v.rmse), VALIDATE_MODEL);
+	assert_int_equal(validate_best_way(v.rmse), VALIDATE_MODEL);
 	for (enum validate_way way = VALIDATE_WAYS; way-- > 0;) {
 		v.rmse[way] -= 0.001 * (double)(VALIDATE_WAYS - way);
-		assert_int_equal(validate_winner(v.rmse), way);
+		assert_int_equal(validate_best_way(v.rmse), way);
 	}
 	v.rmse[VALIDATE_MODEL] = 0.02;
 	v.rmse[VALIDATE_CORRECTED] = v.rmse[VALIDATE_INTERPOLATION] = NAN;
-	assert_int_equal(validate_winner(v.rmse), VALIDATE_NEAREST);
+	assert_int_equal(validate_best_way(v.rmse), VALIDATE_NEAREST);
 	assert_false(validation_loses_to_interpolation(&v));
 }
 
@@ -368,15 +371,16 @@ scores_are_of_relative_errors(void **state)
 		v[k].size[VALIDATE_FEED][1] = predicted[k];
 		list[k] = &v[k];
 	}
-	struct validate_score s = validate_score(list, 5, VALIDATE_FEED, 1);
+	struct validate_score s =
+	    validate_score_at_size(list, 5, VALIDATE_FEED, 1);
 	assert_int_equal(s.n, 3);
 	expect_near("bias", s.bias, 0, 1e-15);
 	expect_near("rms", s.rms, sqrt(0.02 / 3), 1e-15);
 	expect_near("R2", s.r2, 1 - 0.05 / (14.0 / 3), 1e-14);
-	s = validate_score(list, 1, VALIDATE_FEED, 1);
+	s = validate_score_at_size(list, 1, VALIDATE_FEED, 1);
 	expect_near("bias", s.bias, 0.1, 1e-15);
 	assert_true(isnan(s.r2));
-	s = validate_score(list, 0, VALIDATE_FEED, 1);
+	s = validate_score_at_size(list, 0, VALIDATE_FEED, 1);
 	assert_true(s.n == 0 && isnan(s.bias) && isnan(s.rms) && isnan(s.r2));
 }
 
@@ -438,9 +442,9 @@ validation_compares_p20_p50_and_p80(void **state)
 	for (size_t i = 0; i < 3; i++) {
 		double passing = 0.2 + 0.3 * (double)i;
 		expect_near("measured", v.measured[i],
-		    psd_size(&site->run[1].product, passing), 1e-12);
+		    psd_size_at_passing(&site->run[1].product, passing), 1e-12);
 		expect_near("predicted", v.size[VALIDATE_MODEL][i],
-		    psd_size(&found, passing), 1e-12);
+		    psd_size_at_passing(&found, passing), 1e-12);
 	}
 	psd_free(&found);
 	site_free(site);

@@ -31,7 +31,7 @@ stage_open(void **state)
 	stage->desk = desk;
 	desk_expect(stage->desk, TIERP_CALIBRATED "; predict speed=74");
 	struct display *was = screen_begin_offscreen(24, 80, CHARSET_ASCII, 0);
-	control_begin(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
+	control_open_screen(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 	canvas_free(screen_end_offscreen(was));
 	view_predict(&stage->t);
 	*state = stage;
@@ -43,7 +43,7 @@ stage_close(void **state)
 {
 	struct stage *stage = *state;
 	void *desk = stage->desk;
-	control_end(&stage->t);
+	control_close_screen(&stage->t);
 	free(stage);
 	return desk_close(&desk);
 }
@@ -88,7 +88,7 @@ static void
 press(struct tui *t, const char *keys)
 {
 	while (*keys != '\0')
-		keymap_key(t, (int)text_next_code_point(&keys), false);
+		keymap_handle_key(t, (int)text_next_code_point(&keys), false);
 	view_update(t);
 }
 
@@ -132,25 +132,28 @@ a_verdict_is_that_of_the_envelope(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	size_t in_all = 0, all = 0;
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
-	t->ui.tenths = tui_range(t).least;
-	for (; t->ui.tenths <= tui_range(t).most; t->ui.tenths++) {
+	t->ui.tenths = tui_slider_range(t).least;
+	for (; t->ui.tenths <= tui_slider_range(t).most; t->ui.tenths++) {
 		view_update(t);
-		const struct grading *g = envelope_check_now(t);
+		const struct grading *g = envelope_check_at_slider(t);
 		assert_non_null(g);
 		struct grading own;
 		struct error error = {0};
-		assert_true(grading_open_in_use(t->session,
-		    tui_current_entry(t), tui_feed(t), &own, &error));
+		assert_true(grading_open_chosen_envelope(t->session,
+		    tui_current_entry(t), tui_feed_run(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
-		forecast_at(own.conditions.forecast, t->ui.tenths / 10.0);
+		forecast_set_speed(
+		    own.conditions.forecast, t->ui.tenths / 10.0);
 		for (size_t i = 0; i < g->limits.n; i++, all++) {
-			bool in = wanted_holds(&g->conditions, i);
-			assert_int_equal(in, wanted_holds(&own.conditions, i));
+			bool in = wanted_are_conditions_met(&g->conditions, i);
+			assert_int_equal(
+			    in, wanted_are_conditions_met(&own.conditions, i));
 			in_all += in;
 		}
 		assert_float_equal(
-		    forecast_figure(g->conditions.forecast, 3).value,
-		    forecast_figure(own.conditions.forecast, 3).value, 0);
+		    forecast_value_with_band(g->conditions.forecast, 3).value,
+		    forecast_value_with_band(own.conditions.forecast, 3).value,
+		    0);
 		grading_close(&own);
 	}
 	assert_in_range(in_all, 1, all - 1);
@@ -159,7 +162,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");
 	press(t, ":spec off\n");
-	assert_null(envelope_check_now(t));
+	assert_null(envelope_check_at_slider(t));
 }
 
 static void
@@ -174,8 +177,8 @@ tonnes_are_those_of_the_feed_that_flow_was_told(void **state)
 	expect(t, 50, 160, " go back");
 	expect_none(t, 50, 160, "of 120 t/h");
 	press(t, ":load data/sites/bro.csv\n\033:calibrate\n\033");
-	for (; session_busy(t->session); t->clock++)
-		watch_run_due_steps(t);
+	for (; session_is_calibrating(t->session); t->clock++)
+		watch_run_due_fit_steps(t);
 	press(t, "1");
 	expect_none(t, 50, 160, "t/h");
 }
@@ -188,7 +191,7 @@ row_of(struct canvas *canvas, const char *words)
 		char line[101] = "";
 		for (int column = 0; column < 100; column++)
 			line[column] =
-			    (char)canvas_at(canvas, column, row)->code;
+			    (char)canvas_cell_at(canvas, column, row)->code;
 		if (strstr(line, words) != NULL)
 			return row;
 	}
@@ -206,9 +209,9 @@ touch(struct tui *t, const char *words)
 	int row = row_of(canvas, words);
 	canvas_free(canvas);
 	was = screen_begin_offscreen(30, 100, CHARSET_ASCII, 0);
-	assert_true(hits_mouse(t, &t->hits, HIT_PRESS, row,
-	    t->layout.side.column + 1, keymap_key));
-	hits_release(&t->hits);
+	assert_true(hits_dispatch_mouse(t, &t->hits, HIT_PRESS, row,
+	    t->layout.side.column + 1, keymap_handle_key));
+	hits_end_drag(&t->hits);
 	canvas_free(screen_end_offscreen(was));
 }
 

@@ -53,7 +53,7 @@ expect(const struct part *part, const char *cells, const char *note)
 	struct error_list errors = {0};
 	struct source source;
 	put_parts(part);
-	bool good = source_read(BOOK, &errors, &source);
+	bool good = source_read_file(BOOK, &errors, &source);
 	for (size_t i = 0; i < errors.n; i++)
 		error_print(&errors.item[i], stderr);
 	assert_true(good);
@@ -71,7 +71,7 @@ refuse(const struct part *part, const char *wrong)
 	struct error_list errors = {0};
 	struct source source;
 	put_parts(part);
-	assert_false(source_read(BOOK, &errors, &source));
+	assert_false(source_read_file(BOOK, &errors, &source));
 	source_free(&source);
 	assert_int_equal(errors.n, 1);
 	const struct error *e = &errors.item[0];
@@ -152,14 +152,14 @@ numbers_are_what_their_formats_show(void **state)
 	struct source source;
 	put_parts(PARTS(
 	    XLSX_WORKBOOK(""), XLSX_RELATIONS(""), STYLES, XLSX_SHEET(ROW)));
-	assert_true(source_read(BOOK, &errors, &source));
+	assert_true(source_read_file(BOOK, &errors, &source));
 	double v = 0;
 	struct sheet *sheet = source.sheet[0];
-	assert_true(number_of(sheet->row[0].cell[0], &v));
+	assert_true(number_value_of_cell(sheet->row[0].cell[0], &v));
 	assert_true(v == 97.5);
-	assert_true(number_of(sheet->row[0].cell[4], &v));
+	assert_true(number_value_of_cell(sheet->row[0].cell[4], &v));
 	assert_true(v == 69);
-	assert_false(number_of(sheet->row[0].cell[2], &v));
+	assert_false(number_value_of_cell(sheet->row[0].cell[2], &v));
 	source_free(&source);
 }
 
@@ -191,6 +191,12 @@ formats_are_told_apart(void **state)
 			fail_msg("%s: %d '%s'", codes[i].code, shown.kind,
 			    shown.unit);
 	}
+}
+
+static void
+serials_become_dates(void **state)
+{
+	(void)state;
 	static const struct {
 		double serial;
 		bool from_1904;
@@ -208,12 +214,13 @@ formats_are_told_apart(void **state)
 	    {1.5, false, FORMAT_SPAN, "36:00"}};
 	char text[32];
 	for (size_t i = 0; i < ARRAY_LEN(dates); i++) {
-		assert_true(cell_format_date(
+		assert_true(cell_format_serial_to_text(
 		    dates[i].serial, dates[i].from_1904, dates[i].kind, text));
 		assert_string_equal(text, dates[i].text);
 	}
-	assert_false(cell_format_date(-1, false, FORMAT_DATE, text));
-	assert_false(cell_format_date(2958466, false, FORMAT_DATE, text));
+	assert_false(cell_format_serial_to_text(-1, false, FORMAT_DATE, text));
+	assert_false(
+	    cell_format_serial_to_text(2958466, false, FORMAT_DATE, text));
 }
 
 static void
@@ -311,10 +318,10 @@ remarks_are_rows_that_begin_with_a_cross(void **state)
 	    "May: A2=#N/A B2=#x 1# wet, see log! 3#4", "");
 	struct error_list errors = {0};
 	struct source source;
-	assert_true(source_read(BOOK, &errors, &source));
+	assert_true(source_read_file(BOOK, &errors, &source));
 	struct sheet *sheet = source.sheet[0];
-	sheet_uncomment(sheet, 1);
-	sheet_uncomment(sheet, 0);
+	sheet_turn_comment_into_row(sheet, 1);
+	sheet_turn_comment_into_row(sheet, 0);
 	char *found = said(&source);
 	assert_string_equal(
 	    found, "May: A1=# wet, see log! B1=x A2=#N/A B2=#x A3=#4");
@@ -497,7 +504,7 @@ every_prefix_and_change_is_read_or_refused(void **state)
 		fwrite(bytes, 1, i < n ? i : n, out);
 		fclose(out);
 		bytes[at] = was;
-		bool good = source_read(BOOK, &errors, &source);
+		bool good = source_read_file(BOOK, &errors, &source);
 		assert_int_equal(errors.n, good ? 0 : 1);
 		assert_true(good || errors.item[0].kind == ERROR_DATA);
 		source_free(&source);
@@ -511,6 +518,7 @@ main(void)
 	    cmocka_unit_test(cells_of_excel_are_read),
 	    cmocka_unit_test(numbers_are_what_their_formats_show),
 	    cmocka_unit_test(formats_are_told_apart),
+	    cmocka_unit_test(serials_become_dates),
 	    cmocka_unit_test(hidden_and_unsolved_things_are_told),
 	    cmocka_unit_test(cells_of_libreoffice_are_read),
 	    cmocka_unit_test(remarks_are_rows_that_begin_with_a_cross),

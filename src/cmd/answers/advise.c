@@ -34,14 +34,15 @@ struct advice_request {
 /* Puts the draws of the answer into value [POSTERIOR_DRAWS], in the units that
  * people see.  False if one lies outside the sieves. */
 static bool
-answer_draws(
+fill_draws_of_quantity(
     const struct session *s, const struct advice_request *w, double *value)
 {
 	struct forecast *f = forecast_open(s, w->question, &w->q, 1);
 	bool known = true;
-	forecast_at(f, w->question->speed);
+	forecast_set_speed(f, w->question->speed);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
-		value[d] = quantities_shown(&w->q, forecast_draws(f, 0)[d]);
+		value[d] = quantities_value_in_shown_unit(
+		    &w->q, forecast_draws(f, 0)[d]);
 		known = known && isfinite(value[d]);
 	}
 	forecast_close(f);
@@ -49,12 +50,13 @@ answer_draws(
 }
 
 static size_t
-add_candidate(const struct site *site, struct advised *c, size_t n, double v)
+add_candidate_speed(
+    const struct site *site, struct advised *c, size_t n, double v)
 {
 	for (size_t i = 0; i < n; i++)
 		if (fabs(c[i].speed - v) < 0.5)
 			return n;
-	size_t r = site_run_at(site, v);
+	size_t r = site_run_at_speed(site, v);
 	c[n] = (struct advised){.speed = v,
 	    .repeat = r < site->n_run && site->run[r].product.n > 0};
 	return n + 1;
@@ -63,24 +65,24 @@ add_candidate(const struct site *site, struct advised *c, size_t n, double v)
 /* Returns the speeds to consider: a repeat at each measured speed, the speed
  * asked about and round ones.  *n: how many; the caller frees them. */
 static struct advised *
-advise_candidates(
+list_candidate_speeds(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
-	FREED double *round = answers_speeds(s, site, &more);
+	FREED double *round = answers_list_round_speeds(s, site, &more);
 	struct advised *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (misfit_count_covered(&site->run[r]) > 0)
-			k = add_candidate(site, c, k, site->run[r].speed);
-	k = add_candidate(site, c, k, asked);
+		if (misfit_count_covered_sieves(&site->run[r]) > 0)
+			k = add_candidate_speed(site, c, k, site->run[r].speed);
+	k = add_candidate_speed(site, c, k, asked);
 	for (size_t i = 0; i < more; i++)
-		k = add_candidate(site, c, k, round[i]);
+		k = add_candidate_speed(site, c, k, round[i]);
 	*n = k;
 	return c;
 }
 
 static int
-compare_width(const void *a, const void *b)
+compare_band_widths(const void *a, const void *b)
 {
 	double x = ((const struct advised *)a)->width;
 	double y = ((const struct advised *)b)->width;
@@ -90,10 +92,11 @@ compare_width(const void *a, const void *b)
 /* Returns a forecast of samples at the sieves of the site's products that the
  * feed covers; *n: how many sieves. */
 static struct forecast *
-forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
+open_sample_forecast(
+    const struct session *s, const struct question *q, size_t *n)
 {
-	FREED double *sieve = site_sieves(q->entry->site, n);
-	while (*n > 0 && !psd_covers(question_feed(q), sieve[*n - 1]))
+	FREED double *sieve = site_all_sieves(q->entry->site, n);
+	while (*n > 0 && !psd_covers_size(question_feed(q), sieve[*n - 1]))
 		(*n)--;
 	FREED struct quantity *asked = xcalloc(*n, sizeof *asked);
 	for (size_t i = 0; i < *n; i++)
@@ -105,37 +108,39 @@ forecast_of_sample(const struct session *s, const struct question *q, size_t *n)
 /* Sorts the candidates by the width of the band that each is expected to
  * leave. */
 static void
-sort_by_expected_width(const struct session *s, const struct advice_request *w,
-    const double *answer, double width, struct advised *c, size_t n)
+sort_by_expected_band_width(const struct session *s,
+    const struct advice_request *w, const double *answer, double width,
+    struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
-	struct forecast *f = forecast_of_sample(s, w->question, &sieves);
-	FREED double *sample = xdoubles(sieves * N);
+	struct forecast *f = open_sample_forecast(s, w->question, &sieves);
+	FREED double *sample = xcalloc_doubles(sieves * N);
 	for (size_t i = 0; i < n; i++) {
-		forecast_part_at(f, c[i].speed, ENSEMBLE_SAMPLE);
+		forecast_set_speed_and_draws(f, c[i].speed, ENSEMBLE_SAMPLE);
 		for (size_t k = 0; k < sieves; k++)
 			memcpy(sample + k * N, forecast_draws(f, k),
 			    N * sizeof *sample);
-		double share = advise_share(answer, sample, sieves);
+		double share =
+		    advise_variance_share_removed(answer, sample, sieves);
 		c[i].width = width * sqrt(1 - share);
 	}
 	forecast_close(f);
-	qsort(c, n, sizeof *c, compare_width);
+	qsort(c, n, sizeof *c, compare_band_widths);
 }
 
 /* Warns if each run has a feed of its own, because the product is then as
  * uncertain as the feed. */
 static void
-note_feed(
+note_range_over_sampled_feeds(
     struct answer *r, const struct session *s, const struct advice_request *w)
 {
 	double range[2];
-	if (!predict_feeds_range(
+	if (!predict_range_over_feeds(
 		s, w->question, &w->q, w->question->speed, range))
 		return;
-	double low = quantities_shown(&w->q, range[0]),
-	       high = quantities_shown(&w->q, range[1]);
+	double low = quantities_value_in_shown_unit(&w->q, range[0]),
+	       high = quantities_value_in_shown_unit(&w->q, range[1]);
 	if (!(high > low))
 		return;
 	answer_say(r, ANSWER_REMARK,
@@ -146,12 +151,12 @@ note_feed(
 }
 
 static void
-advise_note_best(struct answer *r, const struct advice_request *w,
+note_best_sample_speed(struct answer *r, const struct advice_request *w,
     const struct advised *best, double width)
 {
 	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
-	FREED char *rpm = rotor_speed_words(
+	FREED char *rpm = rotor_speed_rpm_text(
 	    w->question->entry->site->rotor, best->speed, NAN);
 	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
@@ -175,29 +180,30 @@ advise_note_best(struct answer *r, const struct advice_request *w,
 /* Returns the candidates, best first, and the band as it is now; *n: how many.
  * Returns NULL if there is no band to narrow.  The caller frees them. */
 static struct advised *
-candidates_by_width(const struct session *s, const struct advice_request *w,
+rank_candidate_speeds(const struct session *s, const struct advice_request *w,
     double *answer, double ends[2], size_t *n)
 {
 	ensemble_interval_with_answer(answer, w->question->level, NAN, ends);
 	double width = ends[1] - ends[0];
 	if (!(width > 0))
 		return NULL;
-	struct advised *c = advise_candidates(
+	struct advised *c = list_candidate_speeds(
 	    s, w->question->entry->site, w->question->speed, n);
-	sort_by_expected_width(s, w, answer, width, c, *n);
+	sort_by_expected_band_width(s, w, answer, width, c, *n);
 	return c;
 }
 
 bool
-advise_best(const struct session *s, const struct question *q,
+advise_best_sample(const struct session *s, const struct question *q,
     const struct quantity *of, struct advised *best, double *width)
 {
 	const struct advice_request w = {.question = q, .q = *of};
 	double answer[POSTERIOR_DRAWS], ends[2];
 	size_t n;
-	if (!answer_draws(s, &w, answer))
+	if (!fill_draws_of_quantity(s, &w, answer))
 		return false;
-	FREED struct advised *c = candidates_by_width(s, &w, answer, ends, &n);
+	FREED struct advised *c =
+	    rank_candidate_speeds(s, &w, answer, ends, &n);
 	if (c == NULL)
 		return false;
 	*best = c[0];
@@ -207,17 +213,17 @@ advise_best(const struct session *s, const struct question *q,
 
 /* Returns NULL if there is no band to narrow. */
 static struct answer *
-advise_answer(
+build_advice_answer(
     const struct session *s, const struct advice_request *w, double *answer)
 {
 	const struct entry *entry = w->question->entry;
 	size_t n;
 	double ends[2];
-	FREED struct advised *c = candidates_by_width(s, w, answer, ends, &n);
+	FREED struct advised *c = rank_candidate_speeds(s, w, answer, ends, &n);
 	if (c == NULL)
 		return NULL;
 	double width = ends[1] - ends[0], rotor = entry->site->rotor;
-	FREED char *rpm = rotor_speed_words(rotor, w->question->speed, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, w->question->speed, NAN);
 	struct answer *r = answers_new(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s%s", w->name,
 	    w->question->speed, rpm);
@@ -232,11 +238,11 @@ advise_answer(
 						       : "",
 	    w->unit);
 	for (size_t i = 0; i < n; i++) {
-		answer_cells(r, "%g", c[i].speed);
+		answer_add_cells(r, "%g", c[i].speed);
 		if (rotor > 0)
-			answer_cells(
-			    r, "%.0f", rotor_speed_rpm(c[i].speed, rotor));
-		answer_cells(r, "%s %.3f %.0f",
+			answer_add_cells(
+			    r, "%.0f", rotor_speed_to_rpm(c[i].speed, rotor));
+		answer_add_cells(r, "%s %.3f %.0f",
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
 		    100 * (1 - c[i].width / width));
 	}
@@ -245,20 +251,21 @@ advise_answer(
 	    w->question->speed, ends[0], ends[1], width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
-	advise_note_best(r, w, &c[0], width);
-	note_feed(r, s, w);
+	note_best_sample_speed(r, w, &c[0], width);
+	note_range_over_sampled_feeds(r, s, w);
 	return r;
 }
 
 /* Reads the quantity that is named, otherwise P80. */
 static bool
-read_quantity_or_p80(
+parse_quantity_or_p80(
     const struct args *args, struct advice_request *w, struct error *error)
 {
 	const char *of = args->of != NULL ? args->of : "P80";
 	size_t n;
-	FREED struct quantity *q = quantities_asked(of, &w->question->fraction,
-	    question_feed(w->question), true, &n, error);
+	FREED struct quantity *q =
+	    quantities_parse_list_for_feed(of, &w->question->fraction,
+		question_feed(w->question), true, &n, error);
 	if (q == NULL)
 		return false;
 	if (n > 1)
@@ -267,25 +274,27 @@ read_quantity_or_p80(
 		    "write 'advise p80' or 'advise passing 2'",
 		    of);
 	w->q = q[0];
-	w->name = quantities_words(&w->q);
+	w->name = quantities_name(&w->q);
 	w->unit = quantities_difference_suffix(&w->q);
 	return true;
 }
 
 static bool
-advise(struct session *s, struct advice_request *w, struct error *error)
+show_sampling_advice(
+    struct session *s, struct advice_request *w, struct error *error)
 {
 	double answer[POSTERIOR_DRAWS];
 	const struct entry *entry = w->question->entry;
 	if (outlook_posterior_for_answers(s, entry, &entry->params) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    outlook_why_none(s, entry), outlook_how_to_band(s, entry));
-	if (!answer_draws(s, w, answer))
+		    outlook_why_no_band(s, entry),
+		    outlook_how_to_band(s, entry));
+	if (!fill_draws_of_quantity(s, w, answer))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",
 		    w->name, w->question->speed);
-	struct answer *r = advise_answer(s, w, answer);
+	struct answer *r = build_advice_answer(s, w, answer);
 	if (r == NULL)
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s is the same in all draws: no sample can "
@@ -299,9 +308,10 @@ bool
 cmd_advise(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	question_as_last(s, args, q);
+	question_use_last_speed_and_feed(s, args, q);
 	struct advice_request w = {.question = q};
-	bool ok = read_quantity_or_p80(args, &w, error) && advise(s, &w, error);
+	bool ok = parse_quantity_or_p80(args, &w, error) &&
+		  show_sampling_advice(s, &w, error);
 	free(w.name);
 	return ok;
 }

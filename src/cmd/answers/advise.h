@@ -18,7 +18,7 @@ struct advised {
 
 /* Finds the best sample for a quantity of a question at its speed, and the
  * current width of the band.  Returns false if there is no band. */
-bool advise_best(const struct session *s, const struct question *q,
+bool advise_best_sample(const struct session *s, const struct question *q,
     const struct quantity *of, struct advised *best, double *width);
 
 #endif

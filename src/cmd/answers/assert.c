@@ -24,7 +24,7 @@ const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED] = {
 /* Finds the value of a name, or of any field written as COMMAND.FIELD.  False
  * if the word is neither. */
 static bool
-assert_look_up(const struct session *s, const char *word, double *value)
+find_asserted_value(const struct session *s, const char *word, double *value)
 {
 	const char *point = strchr(word, '.');
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++) {
@@ -45,12 +45,12 @@ assert_look_up(const struct session *s, const char *word, double *value)
 }
 
 static bool
-assert_side(const struct session *s, const char *word, double *value,
+evaluate_assert_side(const struct session *s, const char *word, double *value,
     struct error *error)
 {
-	if (text_number(word, value))
+	if (text_parse_number(word, value))
 		return true;
-	if (!assert_look_up(s, word, value))
+	if (!find_asserted_value(s, word, value))
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected a number or a name, got '%s'\n"
 		    "use one of p20 p50 p80 break speed extrapolated inside "
@@ -123,13 +123,13 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 	bool has_within = args->n_operand > 3;
 	if (has_within &&
 	    (args->n_operand != 5 || strcmp(word[3], "within") != 0 ||
-		!text_number(word[4], &within) || within < 0))
+		!text_parse_number(word[4], &within) || within < 0))
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected 'within NUMBER' after the comparison");
 	if (strcmp(word[1], "is") == 0)
 		return file_has_digest(s, word[0], word[2], error);
-	if (!assert_side(s, word[0], &a, error) ||
-	    !assert_side(s, word[2], &b, error))
+	if (!evaluate_assert_side(s, word[0], &a, error) ||
+	    !evaluate_assert_side(s, word[2], &b, error))
 		return false;
 	int result = assert_holds(word[1], a, b, within);
 	if (result < 0)

@@ -44,13 +44,13 @@ struct card_request {
 
 /* Adds the quantities of a text that are not in the list yet. */
 static bool
-add_list(struct card_request *all, const char *text, const struct psd *feed,
-    struct error *error)
+add_listed_quantities(struct card_request *all, const char *text,
+    const struct psd *feed, struct error *error)
 {
 	const struct fraction *fraction = &all->question->fraction;
 	size_t n;
-	FREED struct quantity *q =
-	    quantities_asked(text, fraction, feed, true, &n, error);
+	FREED struct quantity *q = quantities_parse_list_for_feed(
+	    text, fraction, feed, true, &n, error);
 	for (size_t i = 0; q != NULL && i < n; i++) {
 		size_t at = 0;
 		while (at < all->n && !quantity_same(&all->q[at], &q[i]))
@@ -78,11 +78,11 @@ add_usual_passings(
 	FREED char *middle =
 	    xasprintf("passing %.12g", units_mm(feed->size[near]));
 	FREED char *finest =
-	    psd_covers(feed, 6.3e-5)
+	    psd_covers_size(feed, 6.3e-5)
 		? xstrdup("fines")
 		: xasprintf("passing %.12g", units_mm(feed->size[feed->n - 1]));
 	FREED char *both = xasprintf("%s,%s", middle, finest);
-	return add_list(all, both, feed, error);
+	return add_listed_quantities(all, both, feed, error);
 }
 
 static void
@@ -100,34 +100,35 @@ card_request_free(struct card_request *all)
 
 /* Reads the plant if the new feed or a circuit is given. */
 static bool
-read_flow(struct session *s, struct card_request *all, const struct args *args,
-    struct error *error)
+parse_plant_if_asked(struct session *s, struct card_request *all,
+    const struct args *args, struct error *error)
 {
 	const void *const with_feed[] = {&args->fractions, &args->recycle,
 	    &args->power, &args->prices, &args->kwh};
 	if (args->tph > 0 || args->circuit != NULL)
-		return plant_read(s, args, all->question, &all->plant, error);
+		return plant_parse_options(
+		    s, args, all->question, &all->plant, error);
 	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
-		if (args_given(args, with_feed[i]))
+		if (args_is_given(args, with_feed[i]))
 			return error_set(error, ERROR_USAGE,
 			    "expected tph= with %s=\n"
 			    "add the new feed, as tph=120",
-			    args_name(args, with_feed[i]));
+			    args_option_name(args, with_feed[i]));
 	return true;
 }
 
 /* Solves the circuit once, because only that gives the names of the
  * products. */
 static bool
-find_lines(struct card_request *all, double speed, struct error *error)
+find_stream_names(struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
 	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool ok =
-	    !o.flow.open || plant_error_not_steady(&all->plant, &o, error);
+	    !o.flow.open || plant_set_error_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
-	all->n_line = plant_list_lines(&all->plant, &o, all->line);
-	all->power = plant_power_words(&all->plant, &o);
+	all->n_line = plant_list_streams(&all->plant, &o, all->line);
+	all->power = plant_power_basis_text(&all->plant, &o);
 	flow_free(&o.flow);
 	return ok;
 }
@@ -135,12 +136,13 @@ find_lines(struct card_request *all, double speed, struct error *error)
 /* Takes the limits of the session's goal if the line has none.  A goal that is
  * a value is left to find. */
 static bool
-take_goal(struct session *s, struct card_request *all, struct error *error)
+take_session_goal_limits(
+    struct session *s, struct card_request *all, struct error *error)
 {
 	size_t n_value = 0;
 	if (all->list.n > 0 || !goals_is_set(s))
 		return true;
-	bool ok = goals_read(s, s->set.goal, question_feed(all->question),
+	bool ok = goals_parse(s, s->set.goal, question_feed(all->question),
 	    &all->list, &n_value, error);
 	if (n_value > 0)
 		conditions_free(&all->list);
@@ -151,7 +153,7 @@ take_goal(struct session *s, struct card_request *all, struct error *error)
 /* The figure whose range a page has room for: the first that has a limit, or
  * the first that was asked for. */
 static size_t
-ranged_figure(const struct card_request *all)
+index_of_figure_with_range(const struct card_request *all)
 {
 	for (size_t c = 0; c < all->list.n; c++)
 		for (size_t i = 0; i < all->n; i++)
@@ -162,28 +164,30 @@ ranged_figure(const struct card_request *all)
 }
 
 static bool
-card_request_read(struct session *s, struct card_request *all,
+parse_card_request(struct session *s, struct card_request *all,
     const struct args *args, double slowest, struct error *error)
 {
 	const struct entry *entry = all->question->entry;
 	size_t run = all->question->feed;
-	const struct psd *feed = site_feed(entry->site, run);
-	bool ok =
-	    add_list(all, ANSWERS_SIZE_LIST, feed, error) &&
-	    (args_given(args, &args->of)
-		    ? add_list(all, args->of, feed, error)
-		    : add_usual_passings(all, feed, error)) &&
-	    conditions_add_call(s, args, all->question, &all->list, error) &&
-	    take_goal(s, all, error) && read_flow(s, all, args, error);
+	const struct psd *feed = site_feed_of_run(entry->site, run);
+	bool ok = add_listed_quantities(all, ANSWERS_SIZE_LIST, feed, error) &&
+		  (args_is_given(args, &args->of)
+			  ? add_listed_quantities(all, args->of, feed, error)
+			  : add_usual_passings(all, feed, error)) &&
+		  conditions_add_from_args(
+		      s, args, all->question, &all->list, error) &&
+		  take_session_goal_limits(s, all, error) &&
+		  parse_plant_if_asked(s, all, args, error);
 	if (!ok)
 		return false;
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
-	all->cut =
-	    forecast_open(s, all->question, &all->q[ranged_figure(all)], 1);
+	all->cut = forecast_open(
+	    s, all->question, &all->q[index_of_figure_with_range(all)], 1);
 	if (all->list.n > 0)
 		all->wanted =
-		    conditions_open(s, all->question, &all->list, NULL);
-	return all->plant.circuit == NULL || find_lines(all, slowest, error);
+		    conditions_open_search(s, all->question, &all->list, NULL);
+	return all->plant.circuit == NULL ||
+	       find_stream_names(all, slowest, error);
 }
 
 /* What a row is judged by. */
@@ -226,8 +230,8 @@ copy_or_null(const char *text)
 /* Puts the next cell of the row; in the first row it adds the column.  Takes
  * ownership of the word, which is NULL for a number. */
 static void
-put_cell(struct page *page, const char *key, const char *head, int decimals,
-    int spare, double number, char *word)
+put_card_cell(struct page *page, const char *key, const char *head,
+    int decimals, int spare, double number, char *word)
 {
 	size_t i = page->next++;
 	if (i == page->n) {
@@ -235,38 +239,39 @@ put_cell(struct page *page, const char *key, const char *head, int decimals,
 		    xrealloc(page->column, ++page->n, sizeof *page->column);
 		page->column[i] = (struct card_column){copy_or_null(key),
 		    copy_or_null(head), xcalloc(page->rows, sizeof(char *)),
-		    xdoubles(page->rows), decimals, spare,
-		    head != NULL ? text_width(head) : 0, false};
+		    xcalloc_doubles(page->rows), decimals, spare,
+		    head != NULL ? text_width_in_columns(head) : 0, false};
 	}
 	struct card_column *c = &page->column[i];
 	FREED char *shown = word != NULL ? xstrdup(word)
 			    : decimals < 0
 				? xasprintf("%g", number)
 				: xasprintf("%.*f", decimals, number);
-	int wide = text_width(shown);
+	int wide = text_width_in_columns(shown);
 	c->wide = wide > c->wide ? wide : c->wide;
 	c->number[page->row] = number;
 	c->word[page->row] = word;
 }
 
 static void
-put_number(struct page *page, const char *key, const char *head, int decimals,
-    int spare, double number)
+put_number_cell(struct page *page, const char *key, const char *head,
+    int decimals, int spare, double number)
 {
-	put_cell(page, key, head, decimals, spare, number, NULL);
+	put_card_cell(page, key, head, decimals, spare, number, NULL);
 }
 
 static void
-put_words(
+put_text_cell(
     struct page *page, const char *key, const char *head, int spare, char *word)
 {
-	put_cell(page, key, head, AS_NEEDED, spare, NAN, word);
+	put_card_cell(page, key, head, AS_NEEDED, spare, NAN, word);
 }
 
 /* Returns "<2 mm", which is short enough for a page on a wall.  A note below
  * names the fraction that all figures are about. */
 static char *
-page_head(const struct card_request *all, const struct quantity *q)
+card_heading_of_quantity(
+    const struct card_request *all, const struct quantity *q)
 {
 	struct quantity own = *q;
 	const struct fraction *cut = &all->question->fraction;
@@ -274,9 +279,9 @@ page_head(const struct card_request *all, const struct quantity *q)
 	    cut->coarse == own.fraction.coarse)
 		own.fraction = (struct fraction){0};
 	if (q->kind == QUANTITY_PASSING && q->letter == 0 &&
-	    !fraction_screens(&own.fraction))
+	    !fraction_is_screened(&own.fraction))
 		return xasprintf("<%g mm", units_mm(q->x));
-	char *words = quantities_words(&own);
+	char *words = quantities_name(&own);
 	if (q->kind == QUANTITY_SHARE)
 		xappend(&words, " %%");
 	return words;
@@ -288,8 +293,9 @@ static char *
 range_head(const struct card_request *all)
 {
 	enum { WIDE = 9 };
-	FREED char *head = page_head(all, &all->q[ranged_figure(all)]);
-	return text_width(head) <= WIDE
+	FREED char *head = card_heading_of_quantity(
+	    all, &all->q[index_of_figure_with_range(all)]);
+	return text_width_in_columns(head) <= WIDE
 		   ? xasprintf(tr("%s band"), head)
 		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
 }
@@ -298,81 +304,89 @@ range_head(const struct card_request *all)
  * moved to the feed of the card; NAN if nothing was, or with another feed or
  * machine.  Raises *moved to by how much. */
 static double
-measured_at(const struct session *s, const struct question *q,
+measured_quantity_at_speed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *moved)
 {
 	const struct site *site = q->entry->site;
 	const struct params *params = &q->entry->params;
 	double sum = 0;
 	size_t n = 0;
-	for (size_t r = site_run_at(site, speed);
+	for (size_t r = site_run_at_speed(site, speed);
 	     site->with[0] == '\0' && r < site->n_run &&
 	     site->run[r].speed - speed < 1e-3;
 	     r++) {
 		if (site->run[r].product.n == 0)
 			continue;
-		double value = screened_value(
-		    moved_product(s, q->entry, params, r, q->feed), of);
+		double value = screened_quantity_of_product(
+		    moved_product_adjusted_to_feed(
+			s, q->entry, params, r, q->feed),
+		    of);
 		if (isnan(value))
 			continue;
 		sum += value;
 		n++;
-		*moved = fmax(
-		    *moved, moved_largest(s, q->entry, params, r, q->feed));
+		*moved = fmax(*moved, moved_largest_feed_adjustment(
+					  s, q->entry, params, r, q->feed));
 	}
-	return n > 0 ? quantities_shown(of, sum / (double)n) : NAN;
+	return n > 0 ? quantities_value_in_shown_unit(of, sum / (double)n)
+		     : NAN;
 }
 
 static void
-put_measured(struct page *page, const struct session *s,
+put_measured_cell(struct page *page, const struct session *s,
     const struct card_request *all, double speed)
 {
-	const struct quantity *of = &all->q[ranged_figure(all)];
-	put_number(page, NULL, tr("measured"), quantities_decimals(of), SAMPLE,
-	    measured_at(s, all->question, of, speed, &page->moved));
+	const struct quantity *of = &all->q[index_of_figure_with_range(all)];
+	put_number_cell(page, NULL, tr("measured"), quantities_decimals(of),
+	    SAMPLE,
+	    measured_quantity_at_speed(
+		s, all->question, of, speed, &page->moved));
 }
 
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
-put_figures(struct page *page, const struct session *s,
+put_figure_cells(struct page *page, const struct session *s,
     const struct card_request *all, double speed)
 {
 	enum { P20, P50, P80, SIZES };
 	static const int SPARE[SIZES] = {
 	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
-	size_t ranged = ranged_figure(all);
+	size_t ranged = index_of_figure_with_range(all);
 	if (page->row == 0)
-		page->ranged =
-		    !isnan(forecast_shown(all->forecast, ranged).low);
+		page->ranged = !isnan(
+		    forecast_value_in_shown_unit(all->forecast, ranged).low);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct quantity *q = &all->q[i];
-		struct figure f = forecast_shown(all->forecast, i);
+		struct figure f =
+		    forecast_value_in_shown_unit(all->forecast, i);
 		int digits = quantities_decimals(q);
-		FREED char *key = quantities_key(q), *head = page_head(all, q);
+		FREED char *key = quantities_field_name(q),
+			   *head = card_heading_of_quantity(all, q);
 		FREED char *range = range_head(all);
-		put_number(page, key, head, digits,
+		put_number_cell(page, key, head, digits,
 		    i < SIZES ? SPARE[i] : FIGURE, f.value);
 		if (i == ranged && page->ranged)
-			put_words(page, NULL, range, RANGE,
+			put_text_cell(page, NULL, range, RANGE,
 			    xasprintf(
 				"%.*f..%.*f", digits, f.low, digits, f.high));
 		if (i == ranged && page->measured)
-			put_measured(page, s, all, speed);
+			put_measured_cell(page, s, all, speed);
 	}
-	struct figure p80 = forecast_shown(all->forecast, P80);
-	put_number(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
-	put_number(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
+	struct figure p80 = forecast_value_in_shown_unit(all->forecast, P80);
+	put_number_cell(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
+	put_number_cell(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
 	if (!page->ranged)
 		return;
-	forecast_part_at(all->cut, speed, ENSEMBLE_SAMPLE);
-	struct figure cut = forecast_shown(all->cut, 0);
+	forecast_set_speed_and_draws(all->cut, speed, ENSEMBLE_SAMPLE);
+	struct figure cut = forecast_value_in_shown_unit(all->cut, 0);
 	page->cut =
 	    fmax(page->cut, fmax(cut.high - cut.value, cut.value - cut.low));
 }
 
 /* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
 static void
-put_flow(struct page *page, const struct card_request *all, double speed)
+put_tonnage_cells(
+    struct page *page, const struct card_request *all, double speed)
 {
 	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool open = o.flow.open;
@@ -380,66 +394,68 @@ put_flow(struct page *page, const struct card_request *all, double speed)
 		const struct plant_line *line = &all->line[i];
 		bool back = line->unit == NULL;
 		double tph = back ? o.flow.tph[line->stream]
-				  : flow_into_unit(&o.flow, line->unit);
+				  : flow_tph_into_unit(&o.flow, line->unit);
 		FREED char *key =
 		    xasprintf("%s_%s", back ? "back_tph" : "tph", line->name);
 		FREED char *head =
 		    xasprintf(back ? tr("%s back") : "%s", line->name);
-		put_number(page, key, head, 1, NEEDED, open ? NAN : tph);
+		put_number_cell(page, key, head, 1, NEEDED, open ? NAN : tph);
 	}
-	put_number(page, "kwh_per_t", "kWh/t", 2, FIGURE,
+	put_number_cell(page, "kwh_per_t", "kWh/t", 2, FIGURE,
 	    open ? NAN : o.kw / all->plant.circuit->tph);
 	if (all->plant.priced)
-		put_number(page, "earnings", tr("earned/h"), 0, NEEDED,
+		put_number_cell(page, "earnings", tr("earned/h"), 0, NEEDED,
 		    open ? NAN : o.money);
 	flow_free(&o.flow);
 }
 
 /* Programs are told "met" if that is the more likely. */
 static void
-put_limits(struct page *page, const struct card_row *row)
+put_limits_met_cells(struct page *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
 	bool met = drawn ? row->share >= 0.5 : row->holds;
-	put_words(page, NULL, tr("limits met"), NEEDED,
-	    conditions_chance(row->share, row->holds));
-	put_words(page, "limits", NULL, NEEDED,
+	put_text_cell(page, NULL, tr("limits met"), NEEDED,
+	    conditions_describe_probability(row->share, row->holds));
+	put_text_cell(page, "limits", NULL, NEEDED,
 	    xstrdup(met ? tr("met") : tr("missed")));
-	put_words(page, "certain", NULL, NEEDED,
-	    drawn ? conditions_percent(row->share) : xstrdup("-"));
+	put_text_cell(page, "certain", NULL, NEEDED,
+	    drawn ? conditions_probability_percent(row->share) : xstrdup("-"));
 }
 
 /* Puts the answer at one speed.  Beyond the measured speeds people see
  * "amber?". */
 static void
-put_row(struct page *page, struct session *s, const struct card_request *all,
-    struct card_row *row, struct trust *worst)
+put_card_row(struct page *page, struct session *s,
+    const struct card_request *all, struct card_row *row, struct trust *worst)
 {
 	const struct entry *entry = all->question->entry;
 	double v = row->speed, rotor = entry->site->rotor;
 	page->next = 0;
-	put_number(page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
-	put_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
+	put_number_cell(
+	    page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
+	put_number_cell(page, "speed", NULL, AS_NEEDED, NEEDED, v);
 	if (rotor > 0)
-		put_number(
-		    page, "rpm", "rpm", 0, NEEDED, rotor_speed_rpm(v, rotor));
-	forecast_at(all->forecast, v);
-	put_figures(page, s, all, v);
-	struct trust light = light_at(s, entry, v, all->question->feed);
+		put_number_cell(page, "rpm", "rpm", 0, NEEDED,
+		    rotor_speed_to_rpm(v, rotor));
+	forecast_set_speed(all->forecast, v);
+	put_figure_cells(page, s, all, v);
+	struct trust light = light_at_speed(s, entry, v, all->question->feed);
 	row->light = light.light;
-	light_worse(worst, light);
+	light_keep_worse(worst, light);
 	const char *name = tr(LIGHT_NAME[row->light]);
-	put_words(page, NULL, tr("trust"), NEEDED,
-	    xasprintf("%s%s", name, answers_extrapolates(entry, v) ? "?" : ""));
+	put_text_cell(page, NULL, tr("trust"), NEEDED,
+	    xasprintf("%s%s", name,
+		answers_is_speed_extrapolated(entry, v) ? "?" : ""));
 	if (all->plant.circuit != NULL)
-		put_flow(page, all, v);
+		put_tonnage_cells(page, all, v);
 	if (all->list.n > 0) {
-		forecast_at(all->wanted.forecast, v);
-		row->holds = wanted_holds(&all->wanted, SIZE_MAX);
-		row->share = wanted_certainty(&all->wanted);
-		put_limits(page, row);
+		forecast_set_speed(all->wanted.forecast, v);
+		row->holds = wanted_are_conditions_met(&all->wanted, SIZE_MAX);
+		row->share = wanted_probability_met(&all->wanted);
+		put_limits_met_cells(page, row);
 	}
-	put_words(page, "light", NULL, NEEDED, xstrdup(name));
+	put_text_cell(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
 }
 
@@ -463,7 +479,7 @@ page_free(struct page *page)
  * line of its sheet, up to a comma or a dash; its other cells, and other lines
  * of two cells, such as "Date, 12 May", are no name. */
 static void
-page_title(struct answer *r, const struct site *site, const char *today)
+set_card_title(struct answer *r, const struct site *site, const char *today)
 {
 	const char *slash = strrchr(site->path, '/');
 	const char *file = slash != NULL ? slash + 1 : site->path;
@@ -486,7 +502,7 @@ page_title(struct answer *r, const struct site *site, const char *today)
 /* Returns the width of the columns that are shown.  *most: out, the one of
  * these that can be spared soonest. */
 static int
-page_width(const struct page *page, struct card_column **most)
+width_of_shown_columns(const struct page *page, struct card_column **most)
 {
 	enum { GAP = 2 };
 	int wide = 0;
@@ -506,13 +522,13 @@ page_width(const struct page *page, struct card_column **most)
  * enough, the table becomes wider rather than two.  Returns the headings of the
  * columns left out, or ""; the caller frees them. */
 static char *
-page_drop_to_fit(struct page *page, struct answer *r)
+drop_columns_to_fit(struct page *page, struct answer *r)
 {
 	enum { ROOM = 79 };
 	struct card_column *most;
-	int wide = page_width(page, &most);
+	int wide = width_of_shown_columns(page, &most);
 	for (; wide > ROOM && most->spare != NEEDED;
-	     wide = page_width(page, &most))
+	     wide = width_of_shown_columns(page, &most))
 		most->dropped = true;
 	for (int spare = FIGURE; spare <= FINE; spare++)
 		for (size_t i = 0; i < page->n; i++) {
@@ -520,7 +536,7 @@ page_drop_to_fit(struct page *page, struct answer *r)
 			if (!c->dropped || c->spare != spare)
 				continue;
 			c->dropped = false;
-			c->dropped = page_width(page, &most) > ROOM;
+			c->dropped = width_of_shown_columns(page, &most) > ROOM;
 		}
 	if (wide > ROOM)
 		answer_set_width(r, wide + 1);
@@ -531,7 +547,7 @@ page_drop_to_fit(struct page *page, struct answer *r)
 			continue;
 		page->ranged = page->ranged && c->spare != RANGE;
 		page->measured = page->measured && c->spare != SAMPLE;
-		xlist(&dropped, ", ", "%s", c->head);
+		xappend_to_list(&dropped, ", ", "%s", c->head);
 		free(c->head);
 		c->head = NULL;
 	}
@@ -540,7 +556,7 @@ page_drop_to_fit(struct page *page, struct answer *r)
 
 /* Adds a line for each speed, for people or for programs. */
 static void
-add_page(struct answer *r, const struct page *page, bool people)
+add_card_rows(struct answer *r, const struct page *page, bool people)
 {
 	const struct card_column *end = page->column + page->n, *c;
 	for (c = page->column; c < end; c++)
@@ -554,12 +570,12 @@ add_page(struct answer *r, const struct page *page, bool people)
 			else if (c->word[k] != NULL)
 				answer_text(r, "%s", c->word[k]);
 			else
-				answer_cells(
+				answer_add_cells(
 				    r, "%.*f", c->decimals, c->number[k]);
 }
 
 static void
-note_flow(struct answer *r, const struct card_request *all)
+note_plant_and_power(struct answer *r, const struct card_request *all)
 {
 	if (all->plant.circuit == NULL)
 		return;
@@ -579,15 +595,16 @@ note_flow(struct answer *r, const struct card_request *all)
 
 /* Warns if no row is likely to meet the limits.  Otherwise the rows show it. */
 static void
-note_unmet(struct answer *r, const struct site *site,
+note_unmet_limits(struct answer *r, const struct site *site,
     const struct card_row *row, size_t n)
 {
 	size_t best = 0;
 	for (size_t i = 1; i < n; i++)
 		if (row[i].share > row[best].share)
 			best = i;
-	FREED char *rpm = rotor_speed_words(site->rotor, row[best].speed, NAN);
-	FREED char *share = conditions_percent(row[best].share);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(site->rotor, row[best].speed, NAN);
+	FREED char *share = conditions_probability_percent(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page meets the limits");
@@ -602,23 +619,24 @@ static void
 note_limits(struct answer *r, const struct card_request *all,
     const struct card_row *row, size_t n)
 {
-	FREED char *words = conditions_list_words(&all->list);
+	FREED char *words = conditions_describe_list(&all->list);
 	if (all->list.n > 0) {
 		answer_note(r,
 		    all->of_goal ? N_("limits: %s, the goal that is set; 'set "
 				      "goal none' leaves them out")
 				 : N_("limits: %s"),
 		    words);
-		note_unmet(r, all->question->entry->site, row, n);
+		note_unmet_limits(r, all->question->entry->site, row, n);
 	}
-	conditions_note_source(r, &all->list);
+	conditions_note_source_of_limits(r, &all->list);
 }
 
 /* Notes what the range is of, and that a belt cut may lie outside it. */
 static void
-note_range(struct answer *r, const struct card_request *all, double cut)
+note_meaning_of_range(
+    struct answer *r, const struct card_request *all, double cut)
 {
-	const struct quantity *of = &all->q[ranged_figure(all)];
+	const struct quantity *of = &all->q[index_of_figure_with_range(all)];
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
@@ -627,7 +645,7 @@ note_range(struct answer *r, const struct card_request *all, double cut)
 	    "%s: of the figure at its left; the true value lies in it with "
 	    "%.0f %% probability",
 	    head, level);
-	FREED char *words = quantities_words(of);
+	FREED char *words = quantities_name(of);
 	if (isfinite(cut))
 		answer_note(r,
 		    "%s: a new belt cut may show up to %.*f%s more or less "
@@ -638,7 +656,7 @@ note_range(struct answer *r, const struct card_request *all, double cut)
 
 /* Notes what the words under trust mean, of those that occur. */
 static void
-note_trust_words(struct answer *r, const struct question *q,
+note_meaning_of_trust_words(struct answer *r, const struct question *q,
     const struct card_row *row, size_t n)
 {
 	bool occurs[] = {
@@ -646,11 +664,12 @@ note_trust_words(struct answer *r, const struct question *q,
 	bool beyond = false;
 	for (size_t i = 0; i < n; i++) {
 		occurs[row[i].light] = true;
-		beyond = beyond || answers_extrapolates(q->entry, row[i].speed);
+		beyond = beyond ||
+			 answers_is_speed_extrapolated(q->entry, row[i].speed);
 	}
 	const struct site *site = q->entry->site;
-	FREED char *speeds = session_speeds(site, ", ", NULL, true);
-	FREED char *rpm = session_rpm(site, NULL, true);
+	FREED char *speeds = session_speeds_text(site, ", ", NULL, true);
+	FREED char *rpm = session_rpm_in_brackets(site, NULL, true);
 	FREED char *words =
 	    xasprintf(occurs[LIGHT_GREEN]
 			  ? tr("green: confirmed by measurements at %s m/s%s")
@@ -671,13 +690,13 @@ note_trust_words(struct answer *r, const struct question *q,
 
 /* Notes what the figures mean, the machine, and how they were found. */
 static void
-note_basis(struct answer *r, const struct session *s,
+note_basis_of_card(struct answer *r, const struct session *s,
     const struct card_request *all, const char *dropped,
     const struct page *page, const struct card_row *row)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
-	FREED char *feed = feed_words(site, q->feed);
+	FREED char *feed = feed_describe(site, q->feed);
 	bool fines = false;
 	for (size_t i = 0; i < all->n; i++)
 		fines = fines || (all->q[i].kind == QUANTITY_PASSING &&
@@ -685,60 +704,64 @@ note_basis(struct answer *r, const struct session *s,
 	answer_note(r, "P20, P50, P80 in mm, passing in %%%s%s",
 	    fines ? tr(", fines under 0.063 mm") : "",
 	    all->plant.circuit != NULL ? tr(", fractions in t/h") : "");
-	if (fraction_screens(&q->fraction)) {
+	if (fraction_is_screened(&q->fraction)) {
 		FREED char *cut = quantities_fraction_text(&q->fraction);
 		answer_note(r, "all of these of the fraction %s", cut);
 	}
 	if (dropped[0] != '\0')
 		answer_note(r, "left out, as there is no room: %s", dropped);
 	if (page->ranged)
-		note_range(r, all, page->cut);
+		note_meaning_of_range(r, all, page->cut);
 	if (page->measured) {
-		FREED char *of = quantities_words(&all->q[ranged_figure(all)]);
+		FREED char *of =
+		    quantities_name(&all->q[index_of_figure_with_range(all)]);
 		answer_note(
 		    r, "measured: %s of the sample taken at that speed", of);
 	}
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
-	    breakage_of(&q->entry->params)->source, origin_words(q->entry),
-	    outlook_words(s, q->entry));
+	    breakage_model_of_params(&q->entry->params)->source,
+	    origin_source_text(q->entry),
+	    outlook_describe_correction(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->with[0] != '\0' ? site->with : tr("as sampled"));
-	note_trust_words(r, q, row, page->rows);
+	note_meaning_of_trust_words(r, q, row, page->rows);
 }
 
 /* The rows show the lights.  If none is green, the best of them states its
  * reasons, preferably at a measured speed.  Programs are given the worst. */
 static void
-note_light(struct answer *r, const struct session *s, const struct question *q,
-    const struct card_row *row, size_t n, struct trust *worst)
+note_best_trust_light(struct answer *r, const struct session *s,
+    const struct question *q, const struct card_row *row, size_t n,
+    struct trust *worst)
 {
 	size_t best = 0;
 	for (size_t i = 1; i < n; i++) {
-		bool within = !answers_extrapolates(q->entry, row[i].speed);
+		bool within =
+		    !answers_is_speed_extrapolated(q->entry, row[i].speed);
 		bool better = row[i].light < row[best].light;
-		if (better ||
-		    (row[i].light == row[best].light && within &&
-			answers_extrapolates(q->entry, row[best].speed)))
+		if (better || (row[i].light == row[best].light && within &&
+				  answers_is_speed_extrapolated(
+				      q->entry, row[best].speed)))
 			best = i;
 	}
 	answers_note_basis(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
-		FREED char *said =
-		    light_words_at(s, q->entry, row[best].speed, q->feed);
+		FREED char *said = light_describe_at_speed(
+		    s, q->entry, row[best].speed, q->feed);
 		answer_say(r,
 		    row[best].light == LIGHT_RED ? ANSWER_WARNING
 						 : ANSWER_REMARK,
 		    "%s", said);
 	}
-	light_put(answer_fields(r), worst);
+	light_put_fields(answer_fields(r), worst);
 	trust_free(worst);
 }
 
 static struct answer *
-card_answer(
+build_card_answer(
     struct session *s, struct card_request *all, const double *speed, size_t n)
 {
 	const double SHOWN = 5e-4; /* changes a tenth of a point */
@@ -746,31 +769,33 @@ card_answer(
 	FREED char *today = datetime_today();
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
-	page_title(r, entry->site, today);
-	struct trust light = light_of_prediction(s, entry, NULL);
+	set_card_title(r, entry->site, today);
+	struct trust light = light_of_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
 	struct page page = {.rows = n};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
 		    page.measured ||
-		    !isnan(measured_at(s, all->question,
-			&all->q[ranged_figure(all)], speed[i], &page.moved));
+		    !isnan(measured_quantity_at_speed(s, all->question,
+			&all->q[index_of_figure_with_range(all)], speed[i],
+			&page.moved));
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
-		put_row(&page, s, all, &row[i], &light);
+		put_card_row(&page, s, all, &row[i], &light);
 	}
-	FREED char *dropped = page_drop_to_fit(&page, r);
-	add_page(r, &page, true);
-	answer_fill_for_programs(r);
-	add_page(r, &page, false);
+	FREED char *dropped = drop_columns_to_fit(&page, r);
+	add_card_rows(r, &page, true);
+	answer_begin_table_for_programs(r);
+	add_card_rows(r, &page, false);
 	fields_put(answer_fields(r), "date %s machine %s model %s", today,
-	    entry->site->machine, breakage_of(&entry->params)->name);
+	    entry->site->machine,
+	    breakage_model_of_params(&entry->params)->name);
 	note_limits(r, all, row, n);
-	note_flow(r, all);
-	note_basis(r, s, all, dropped, &page, row);
+	note_plant_and_power(r, all);
+	note_basis_of_card(r, s, all, dropped, &page, row);
 	struct question q = *all->question;
 	q.moved = page.measured && page.moved > SHOWN ? page.moved : 0;
-	note_light(r, s, &q, row, n, &light);
+	note_best_trust_light(r, s, &q, row, n, &light);
 	page_free(&page);
 	return r;
 }
@@ -780,8 +805,8 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct card_request all = {.question = q};
-	question_usual_speeds(s, q, true);
-	bool ok = card_request_read(s, &all, args, q->at[q->n_at - 1], error);
+	question_use_default_speeds(s, q, true);
+	bool ok = parse_card_request(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)
 		s->document->one_page = true;
 	if (ok && s->document != NULL && all.of_goal)
@@ -789,7 +814,8 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
 		    "the card has the limits of the goal that is set; 'set "
 		    "goal none' leaves them out");
 	if (ok)
-		session_show_answer(s, card_answer(s, &all, q->at, q->n_at));
+		session_show_answer(
+		    s, build_card_answer(s, &all, q->at, q->n_at));
 	card_request_free(&all);
 	return ok;
 }

@@ -27,34 +27,36 @@ struct shown {
 };
 
 static void
-collect_fits(struct shown *c, const struct session *s)
+collect_fitted_sites(struct shown *c, const struct session *s)
 {
 	c->settings = s->set.model;
-	stored_table3(&c->paper);
+	stored_add_table3(&c->paper);
 	c->fit = xcalloc(s->n_entry + 1, sizeof(*c->fit));
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *e = &s->entry[i];
 		if (!e->has_fit || e->params.breakage != 0)
 			continue;
 		c->fit[c->n++] = e;
-		trials_add_entry(&c->runs, s, i, NULL);
+		trials_add_held_out_of_entry(&c->runs, s, i, NULL);
 	}
 }
 
 /* Adds a claim, whether these data bear it out, and the figures: a paragraph
  * for people, a row for programs.  Frees the figures. */
 static void
-add_claim(struct answer *r, const char *words, bool borne_out, char *figures)
+add_claim_verdict(
+    struct answer *r, const char *words, bool borne_out, char *figures)
 {
 	answer_note(r,
 	    borne_out ? N_("borne out: %s. %s") : N_("NOT borne out: %s. %s"),
 	    tr(words), figures);
-	answer_cells(r, "%s %s %s", words, borne_out ? "yes" : "no", figures);
+	answer_add_cells(
+	    r, "%s %s %s", words, borne_out ? "yes" : "no", figures);
 	free(figures);
 }
 
 static void
-claim_params_within_bounds(struct answer *r, const struct shown *c)
+check_claim_params_within_bounds(struct answer *r, const struct shown *c)
 {
 	size_t bound = 0;
 	double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {0};
@@ -68,7 +70,7 @@ claim_params_within_bounds(struct answer *r, const struct shown *c)
 		}
 		bound += any;
 	}
-	add_claim(r, N_("properties converge within the range of rock"),
+	add_claim_verdict(r, N_("properties converge within the range of rock"),
 	    bound == 0,
 	    xasprintf(
 		tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f to "
@@ -79,17 +81,18 @@ claim_params_within_bounds(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_p50_differs_least(struct answer *r, const struct shown *c)
+check_claim_p50_differs_least(struct answer *r, const struct shown *c)
 {
 	double rms[PSD_SIZES];
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		rms[i] = 100 * trials_score(&c->runs, VALIDATE_MODEL, i).rms;
-	add_claim(r, N_("P50 differs least"),
+		rms[i] =
+		    100 * trials_score_at_size(&c->runs, VALIDATE_MODEL, i).rms;
+	add_claim_verdict(r, N_("P50 differs least"),
 	    rms[1] < rms[0] && rms[1] < rms[2],
 	    xasprintf(tr("relative RMS of P20 %.2f %%, P50 %.2f %%, P80 %.2f "
 			 "%% over %zu held-out runs"),
 		rms[0], rms[1], rms[2], c->runs.n));
-	add_claim(r, N_("the tails lie further off"),
+	add_claim_verdict(r, N_("the tails lie further off"),
 	    rms[0] > rms[1] && rms[2] > rms[1],
 	    xasprintf(rms[0] > rms[1]
 			  ? (rms[2] > rms[1] ? tr("both, P20 and P80")
@@ -101,25 +104,26 @@ claim_p50_differs_least(struct answer *r, const struct shown *c)
 /* True if a correlation is so far below 0 that chance alone reaches it once in
  * 20 times (t is about 2). */
 static bool
-is_negative(double r, size_t n)
+is_correlation_negative(double r, size_t n)
 {
 	const double t = 2.1;
 	return n > 2 && r < -t / sqrt(t * t + (double)n - 2);
 }
 
 static void
-claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
+check_claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 {
 	size_t most = c->n > c->paper.n ? c->n : c->paper.n;
-	double *x = xdoubles(most), *y = xdoubles(most), printed, fitted;
+	double *x = xcalloc_doubles(most), *y = xcalloc_doubles(most), printed,
+	       fitted;
 	for (size_t i = 0; i < c->paper.n; i++) {
-		x[i] = params_value(&c->paper.item[i].params, "f_mat");
-		y[i] = params_value(&c->paper.item[i].params, "e0_min");
+		x[i] = params_value_by_name(&c->paper.item[i].params, "f_mat");
+		y[i] = params_value_by_name(&c->paper.item[i].params, "e0_min");
 	}
 	printed = gsl_stats_correlation(x, 1, y, 1, c->paper.n);
 	for (size_t i = 0; i < c->n; i++) {
-		x[i] = params_value(&c->fit[i]->params, "f_mat");
-		y[i] = params_value(&c->fit[i]->params, "e0_min");
+		x[i] = params_value_by_name(&c->fit[i]->params, "f_mat");
+		y[i] = params_value_by_name(&c->fit[i]->params, "e0_min");
 	}
 	fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
 	free(x);
@@ -127,8 +131,9 @@ claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 	FREED char *fits =
 	    c->n > 2 ? xasprintf(tr(", %+.2f over the %zu fits"), fitted, c->n)
 		     : xstrdup("");
-	add_claim(r, N_("high f_mat goes with low e0_min, and the reverse"),
-	    is_negative(printed, c->paper.n),
+	add_claim_verdict(r,
+	    N_("high f_mat goes with low e0_min, and the reverse"),
+	    is_correlation_negative(printed, c->paper.n),
 	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3%s; "
 			 "chance alone is beyond %.2f once in 20"),
 		printed, c->paper.n, fits,
@@ -137,7 +142,7 @@ claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 
 /* Returns the row of Table 3 that has the name of the site, or NULL. */
 static const struct stored *
-claims_table3_row(const struct shown *c, const struct entry *entry)
+table3_row_of_site(const struct shown *c, const struct entry *entry)
 {
 	FREED char *name = xasprintf("table3/%s", entry->key);
 	return stored_find(&c->paper, name);
@@ -146,25 +151,25 @@ claims_table3_row(const struct shown *c, const struct entry *entry)
 /* For a reconstructed site the product at any speed is known: that of its
  * row. */
 static void
-claim_extrapolation(struct answer *r, const struct shown *c)
+check_claim_of_extrapolation(struct answer *r, const struct shown *c)
 {
 	static const double SPEED[] = {65, 85};
 	const double far = 1;
-	FREED double *off = xdoubles(2 * c->n + 1);
+	FREED double *off = xcalloc_doubles(2 * c->n + 1);
 	size_t n = 0, well = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct site *site = c->fit[i]->site;
-		const struct stored *m = claims_table3_row(c, c->fit[i]);
+		const struct stored *m = table3_row_of_site(c, c->fit[i]);
 		for (size_t k = 0; m != NULL && k < ARRAY_LEN(SPEED); k++) {
-			struct prediction p = predict(site, &c->fit[i]->params,
-					      c->settings, SPEED[k],
-					      SITE_MEAN_FEED),
-					  q = predict(site, &m->params,
-					      c->settings, SPEED[k],
+			struct prediction p = predict_with_model_alone(site,
+					      &c->fit[i]->params, c->settings,
+					      SPEED[k], SITE_MEAN_FEED),
+					  q = predict_with_model_alone(site,
+					      &m->params, c->settings, SPEED[k],
 					      SITE_MEAN_FEED);
 			off[n] =
-			    100 * psd_rms(p.product.passing, q.product.passing,
-				      p.product.n, NULL);
+			    100 * psd_rms_difference(p.product.passing,
+				      q.product.passing, p.product.n, NULL);
 			well += off[n++] < far;
 			prediction_free(&p);
 			prediction_free(&q);
@@ -172,7 +177,7 @@ claim_extrapolation(struct answer *r, const struct shown *c)
 	}
 	gsl_sort(off, 1, n);
 	if (n > 0)
-		add_claim(r,
+		add_claim_verdict(r,
 		    N_("65 and 85 m/s can be predicted from 69 and 79"),
 		    well == n,
 		    xasprintf(
@@ -186,7 +191,7 @@ claim_extrapolation(struct answer *r, const struct shown *c)
 }
 
 static void
-claim_middle_speed_verifies(struct answer *r, const struct shown *c)
+check_claim_middle_speed_verifies(struct answer *r, const struct shown *c)
 {
 	size_t wins = 0, n = 0;
 	double sum[2] = {0};
@@ -201,7 +206,7 @@ claim_middle_speed_verifies(struct answer *r, const struct shown *c)
 		sum[1] += line * line;
 	}
 	if (n > 0)
-		add_claim(r, N_("the middle speed verifies the model"),
+		add_claim_verdict(r, N_("the middle speed verifies the model"),
 		    sum[0] < sum[1],
 		    xasprintf(tr("RMSE %.2f points at held-out speeds, "
 				 "straight interpolation of the two training "
@@ -213,7 +218,7 @@ claim_middle_speed_verifies(struct answer *r, const struct shown *c)
 
 /* See D11. */
 static void
-claim_f_mat_resists(struct answer *r, const struct shown *c)
+check_claim_f_mat_resists(struct answer *r, const struct shown *c)
 {
 	size_t more = 0;
 	double sum = 0;
@@ -221,8 +226,9 @@ claim_f_mat_resists(struct answer *r, const struct shown *c)
 		struct params p = c->fit[i]->params;
 		double speed = site_middle_speed(c->fit[i]->site), share[2];
 		for (size_t k = 0; k < 2; k++) {
-			struct prediction of = predict(c->fit[i]->site, &p,
-			    c->settings, speed, SITE_MEAN_FEED);
+			struct prediction of =
+			    predict_with_model_alone(c->fit[i]->site, &p,
+				c->settings, speed, SITE_MEAN_FEED);
 			share[k] = 100 * of.selected;
 			prediction_free(&of);
 			p.f_mat *= 1.1;
@@ -230,7 +236,7 @@ claim_f_mat_resists(struct answer *r, const struct shown *c)
 		more += share[1] > share[0];
 		sum += (share[1] - share[0]) / (double)c->n;
 	}
-	add_claim(r,
+	add_claim_verdict(r,
 	    N_("f_mat is a resistance: the lower it is, the more breaks"),
 	    more == 0,
 	    xasprintf(tr("by Eq 3 10 %% more f_mat breaks more of the feed at "
@@ -244,23 +250,23 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	struct shown c = {0};
 	FREED char *about = xstrdup("");
 	(void)args;
-	collect_fits(&c, s);
+	collect_fitted_sites(&c, s);
 	bool any = c.n > 0 && c.runs.n > 0;
 	struct answer *r = answer_new("show");
-	answer_fill_for_programs(r);
+	answer_begin_table_for_programs(r);
 	answer_columns(r, "claim, borne_out, figures");
 	for (size_t i = 0; i < c.n; i++)
-		site_add_source(&about, c.fit[i]->site);
+		site_append_source(&about, c.fit[i]->site);
 	answer_title(r,
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
-	answer_sites(r, "", about);
+	answer_set_sites(r, "", about);
 	if (any) {
-		claim_params_within_bounds(r, &c);
-		claim_middle_speed_verifies(r, &c);
-		claim_p50_differs_least(r, &c);
-		claim_extrapolation(r, &c);
-		claim_f_mat_opposes_e0_min(r, &c);
-		claim_f_mat_resists(r, &c);
+		check_claim_params_within_bounds(r, &c);
+		check_claim_middle_speed_verifies(r, &c);
+		check_claim_p50_differs_least(r, &c);
+		check_claim_of_extrapolation(r, &c);
+		check_claim_f_mat_opposes_e0_min(r, &c);
+		check_claim_f_mat_resists(r, &c);
 	}
 	answer_put_rows(r, "claims");
 	fields_put(answer_fields(r), "what %s sites %zu", "claims", c.n);

@@ -40,23 +40,24 @@ static const char PIN[] = "pinned";
 static bool
 are_two_sites(const struct side side[2])
 {
-	return entry_loaded(side[0].entry) != entry_loaded(side[1].entry);
+	return entry_without_variant(side[0].entry) !=
+	       entry_without_variant(side[1].entry);
 }
 
 /* Returns the passing at a size, NAN if the side's sieves do not cover it. */
 static double
-passing_at(const struct side *side, double x)
+side_passing_at_size(const struct side *side, double x)
 {
 	const struct psd *p = side->pinned ? &side->p.curve : &side->p.product;
-	return psd_covers(p, x) ? psd_passing(p, x) : NAN;
+	return psd_covers_size(p, x) ? psd_passing(p, x) : NAN;
 }
 
 /* Returns the sieves of both, coarsest first.  If one is pinned, only the
  * sieves of the other count.  The caller frees them. */
 static double *
-all_sieves(const struct side side[2], size_t *n)
+merge_sieves_of_sides(const struct side side[2], size_t *n)
 {
-	double *x = xdoubles(side[0].p.product.n + side[1].p.product.n);
+	double *x = xcalloc_doubles(side[0].p.product.n + side[1].p.product.n);
 	*n = 0;
 	for (size_t i = 0; i < 2; i++) {
 		const struct psd *p = &side[i].p.product;
@@ -65,14 +66,14 @@ all_sieves(const struct side side[2], size_t *n)
 		memcpy(x + *n, p->size, p->n * sizeof *x);
 		*n += p->n;
 	}
-	*n = psd_sort(x, *n, 0);
+	*n = psd_sort_distinct_sizes(x, *n, 0);
 	return x;
 }
 
 /* Forecasts the passings of sieves [n] and the sizes at the side's speed.
  * Returns NULL for a pinned prediction. */
 static struct forecast *
-side_forecast(
+open_side_forecast(
     const struct session *s, const struct side *side, const double *x, size_t n)
 {
 	FREED struct quantity *q = xcalloc(n + PSD_SIZES, sizeof *q);
@@ -84,23 +85,23 @@ side_forecast(
 	struct forecast *f =
 	    side->pinned ? NULL : forecast_open(s, &side->q, q, n + PSD_SIZES);
 	if (f != NULL)
-		forecast_at(f, side->p.speed);
+		forecast_set_speed(f, side->p.speed);
 	return f;
 }
 
 /* Adds the cells with the two ends of b - a. */
 static void
-difference_cells(
+add_difference_range_cells(
     struct answer *r, struct forecast *const f[2], size_t i, bool size)
 {
 	struct figure more = forecast_difference(f[0], f[1], i);
 	double unit = size ? 1000 : 100;
-	answer_cells(r, size ? "%+.2f %+.2f" : "%+.1f %+.1f", unit * more.low,
-	    unit * more.high);
+	answer_add_cells(r, size ? "%+.2f %+.2f" : "%+.1f %+.1f",
+	    unit * more.low, unit * more.high);
 }
 
 static void
-comparison_rows(struct answer *r, const struct side side[2],
+add_comparison_rows(struct answer *r, const struct side side[2],
     struct forecast *const f[2], bool band, const double *x, size_t n)
 {
 	char key[40], head[24];
@@ -109,46 +110,47 @@ comparison_rows(struct answer *r, const struct side side[2],
 	if (band)
 		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
-		double a = passing_at(&side[0], x[i]);
-		double b = passing_at(&side[1], x[i]);
+		double a = side_passing_at_size(&side[0], x[i]);
+		double b = side_passing_at_size(&side[1], x[i]);
 		snprintf(key, sizeof key, "passing_pct@%g", units_mm(x[i]));
 		snprintf(head, sizeof head, "%g", units_mm(x[i]));
 		answer_name(r, key, head);
 		answer_set_missing(r, "-");
-		answer_cells(r, "%.1f %.1f %+.1f", units_pct(a), units_pct(b),
-		    100 * (b - a));
+		answer_add_cells(r, "%.1f %.1f %+.1f", units_pct(a),
+		    units_pct(b), 100 * (b - a));
 		if (band)
-			difference_cells(r, f, i, false);
+			add_difference_range_cells(r, f, i, false);
 	}
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		answer_name(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
-		answers_size_cell(r, &side[0].p, i);
-		answers_size_cell(r, &side[1].p, i);
+		answers_add_size_cell(r, &side[0].p, i);
+		answers_add_size_cell(r, &side[1].p, i);
 		answer_set_missing(r, "-");
-		answer_cells(r, "%+.2f",
-		    answers_size(&side[1].p, i) - answers_size(&side[0].p, i));
+		answer_add_cells(r, "%+.2f",
+		    answers_product_size_mm(&side[1].p, i) -
+			answers_product_size_mm(&side[0].p, i));
 		if (band && i != ANSWERS_BREAK)
-			difference_cells(r, f, n + i, true);
+			add_difference_range_cells(r, f, n + i, true);
 		else if (band)
-			answer_cells(r, "%.2f %.2f", NAN, NAN);
+			answer_add_cells(r, "%.2f %.2f", NAN, NAN);
 	}
 }
 
 /* Finds the smallest and the largest difference between the speeds that any of
  * the sampled feeds gives.  False if the answer is for one feed only. */
 static bool
-feeds_difference(const struct session *s, const struct side side[2],
+difference_range_over_feeds(const struct session *s, const struct side side[2],
     const struct quantity *q, double range[static 2])
 {
 	size_t n_run = side[0].q.entry->site->n_run;
-	FREED double *a = xdoubles(n_run);
-	FREED double *b = xdoubles(n_run);
+	FREED double *a = xcalloc_doubles(n_run);
+	FREED double *b = xcalloc_doubles(n_run);
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	if (are_two_sites(side) || side[0].q.feed != SITE_MEAN_FEED)
 		return false;
-	size_t n = predict_each_feed(s, &side[0].q, q, side[0].p.speed, a);
-	predict_each_feed(s, &side[0].q, q, side[1].p.speed, b);
+	size_t n = predict_with_each_feed(s, &side[0].q, q, side[0].p.speed, a);
+	predict_with_each_feed(s, &side[0].q, q, side[1].p.speed, b);
 	for (size_t run = 0; run < n; run++) {
 		range[0] = fmin(range[0], b[run] - a[run]);
 		range[1] = fmax(range[1], b[run] - a[run]);
@@ -161,7 +163,8 @@ static double
 shown_difference(const struct quantity *q, double value)
 {
 	double steps = pow(10, quantities_decimals(q));
-	return round(steps * quantities_shown(q, value)) / steps + 0.0;
+	return round(steps * quantities_value_in_shown_unit(q, value)) / steps +
+	       0.0;
 }
 
 /* Says which of the two has more, and whether the feeds change that. */
@@ -171,7 +174,7 @@ note_difference(struct answer *r, const struct session *s,
 {
 	int digits = quantities_decimals(q);
 	const char *unit = quantities_difference_suffix(q);
-	FREED char *words = quantities_words(q);
+	FREED char *words = quantities_name(q);
 	FREED char *chance = predict_chance_words(side[0].q.level);
 	double range[2], low = shown_difference(q, more.low);
 	double high = shown_difference(q, more.high);
@@ -190,7 +193,7 @@ note_difference(struct answer *r, const struct session *s,
 	else
 		answer_note(r, "%s: the same at both, as it is shown", words);
 	bool differ = low < 0 || high > 0;
-	if (differ && feeds_difference(s, side, q, range))
+	if (differ && difference_range_over_feeds(s, side, q, range))
 		answer_note(r,
 		    "with the feeds that were sampled, the difference in %s "
 		    "ranges from %+.*f to %+.*f%s",
@@ -201,14 +204,14 @@ note_difference(struct answer *r, const struct session *s,
 /* Adds, for each of the figures that were named [n], a row, an object for
  * programs and a sentence. */
 static void
-compare_figures(struct answer *r, const struct session *s,
+add_compared_figures(struct answer *r, const struct session *s,
     const struct side side[2], const struct quantity *q, size_t n)
 {
-	struct fields *list = fields_list(answer_fields(r), "figures");
+	struct fields *list = fields_add_list(answer_fields(r), "figures");
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++) {
 		f[i] = forecast_open(s, &side[i].q, q, n);
-		forecast_at(f[i], side[i].p.speed);
+		forecast_set_speed(f[i], side[i].p.speed);
 	}
 	bool band =
 	    forecast_draws(f[0], 0) != NULL && forecast_draws(f[1], 0) != NULL;
@@ -218,21 +221,21 @@ compare_figures(struct answer *r, const struct session *s,
 		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
 		struct figure more = forecast_difference(f[0], f[1], i);
-		double a = forecast_shown(f[0], i).value;
-		double b = forecast_shown(f[1], i).value;
-		double low = quantities_shown(&q[i], more.low);
-		double high = quantities_shown(&q[i], more.high);
+		double a = forecast_value_in_shown_unit(f[0], i).value;
+		double b = forecast_value_in_shown_unit(f[1], i).value;
+		double low = quantities_value_in_shown_unit(&q[i], more.low);
+		double high = quantities_value_in_shown_unit(&q[i], more.high);
 		int decimals = quantities_decimals(&q[i]);
-		FREED char *key = quantities_key(&q[i]);
-		FREED char *words = quantities_words(&q[i]);
+		FREED char *key = quantities_field_name(&q[i]);
+		FREED char *words = quantities_name(&q[i]);
 		const char *unit = quantities_unit(&q[i]);
 		answer_name(r, key, words);
-		answer_cells(r, "%.*f %.*f %s %+.*f", decimals, a, decimals, b,
-		    unit, decimals, b - a);
+		answer_add_cells(r, "%.*f %.*f %s %+.*f", decimals, a, decimals,
+		    b, unit, decimals, b - a);
 		if (band)
-			answer_cells(
+			answer_add_cells(
 			    r, "%+.*f %+.*f", decimals, low, decimals, high);
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "quantity %s unit %s a %g b %g difference %g low %g high "
 		    "%g",
 		    key, unit, a, b, b - a, low, high);
@@ -244,19 +247,20 @@ compare_figures(struct answer *r, const struct session *s,
 }
 
 static void
-put_side(struct fields *o, const char *key, const struct side *side,
+put_side_fields(struct fields *o, const char *key, const struct side *side,
     const double *x, size_t n)
 {
-	struct fields *one = fields_object(o, key);
+	struct fields *one = fields_add_object(o, key);
 	fields_put(one, "site %s speed %g extrapolated %d",
 	    side->entry->site->name, side->p.speed,
-	    answers_extrapolates(side->entry, side->p.speed));
-	struct fields *passing = fields_list(one, "passing_pct");
+	    answers_is_speed_extrapolated(side->entry, side->p.speed));
+	struct fields *passing = fields_add_list(one, "passing_pct");
 	for (size_t i = 0; i < n; i++)
-		fields_put(passing, "%g", units_pct(passing_at(side, x[i])));
+		fields_put(
+		    passing, "%g", units_pct(side_passing_at_size(side, x[i])));
 	answers_put_sizes(one, &side->p);
-	screened_put(one, &side->p);
-	origin_put(one, side->entry);
+	screened_put_fields(one, &side->p);
+	origin_put_fields(one, side->entry);
 }
 
 /* Returns the provenance of both, once if it is the same. */
@@ -278,12 +282,13 @@ provenance_of_both(const struct side side[2])
 /* Notes what breaks on each side, and warns of speeds outside the training
  * speeds. */
 static void
-comparison_notes(struct answer *r, const struct side side[2])
+note_broken_and_extrapolated(struct answer *r, const struct side side[2])
 {
 	answer_note(r, "broken, %% of feed: %.1f and %.1f",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
 	for (size_t i = 0; i < 2; i++)
-		if (answers_extrapolates(side[i].entry, side[i].p.speed))
+		if (answers_is_speed_extrapolated(
+			side[i].entry, side[i].p.speed))
 			answer_say(r, ANSWER_WARNING,
 			    "%s is outside the training speeds", side[i].words);
 }
@@ -291,12 +296,15 @@ comparison_notes(struct answer *r, const struct side side[2])
 /* Shows what both answers rest on, once if it is the same, and one light for
  * the two. */
 static void
-show_basis(const struct session *s, struct answer *r, const struct side side[2])
+show_basis_of_both_sides(
+    const struct session *s, struct answer *r, const struct side side[2])
 {
 	bool two = are_two_sites(side);
 	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
-	struct trust light = light_of_prediction(s, side[0].entry, &side[0].p);
-	light_worse(&light, light_of_prediction(s, side[1].entry, &side[1].p));
+	struct trust light =
+	    light_of_answer_or_fit(s, side[0].entry, &side[0].p);
+	light_keep_worse(
+	    &light, light_of_answer_or_fit(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q = question_of_whole_product(
 		    s, side[i].entry, side[i].p.feed_run);
@@ -304,7 +312,7 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 		if (i == 0 || two)
 			answers_note_basis(s, r, &q, 0, whose, &light);
 		else if (feeds)
-			feed_note(r, q.entry->site, q.feed, whose, 0);
+			feed_add_note(r, q.entry->site, q.feed, whose, 0);
 	}
 	light_show(r, light);
 }
@@ -312,8 +320,8 @@ show_basis(const struct session *s, struct answer *r, const struct side side[2])
 /* A pinned prediction stays as it was.  Its draws are therefore not paired with
  * those of the other side, and the difference has no band. */
 static bool
-take_pinned(struct session *s, const struct args *args, struct side *side,
-    struct error *error)
+use_pinned_prediction(struct session *s, const struct args *args,
+    struct side *side, struct error *error)
 {
 	const struct pin *pin = s->pin;
 	size_t at = 0;
@@ -338,7 +346,7 @@ take_pinned(struct session *s, const struct args *args, struct side *side,
 }
 
 static bool
-is_pinned(const struct args *args, size_t i)
+is_operand_pinned(const struct args *args, size_t i)
 {
 	return strcmp(args->operand[i], PIN) == 0;
 }
@@ -347,30 +355,30 @@ is_pinned(const struct args *args, size_t i)
  * in use at a speed.  Two speeds share one feed.  Beside a pinned prediction
  * the feed is chosen as predict does. */
 static bool
-take_side(struct session *s, const struct args *args, bool sites, double v,
-    size_t i, struct side *side, struct error *error)
+parse_side_and_predict(struct session *s, const struct args *args, bool sites,
+    double v, size_t i, struct side *side, struct error *error)
 {
 	const char *word = args->operand[i];
-	if (is_pinned(args, i))
-		return take_pinned(s, args, side, error);
+	if (is_operand_pinned(args, i))
+		return use_pinned_prediction(s, args, side, error);
 	size_t at = s->current;
 	if (sites && !session_find_site(s, word, &at, error))
 		return false;
 	if (!sites &&
-	    (!value_number(word, "m/s", &v) || v < 1 || v > SITE_FASTEST))
+	    (!value_parse_number(word, "m/s", &v) || v < 1 || v > SITE_FASTEST))
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected speeds from 1 to %d m/s, got %s",
 		    SITE_FASTEST, word);
 	const struct question *like = i > 0 ? &side[-1].q : NULL;
-	if (!answers_check_params(s, &s->entry[at], error) ||
+	if (!answers_require_params(s, &s->entry[at], error) ||
 	    !(like != NULL && like->named != NULL
-		    ? question_read_like(
+		    ? question_repeat_for_site(
 			  s, &s->entry[at], args, like, &side->q, error)
-		    : question_read_for(
+		    : question_from_args_for_site(
 			  s, &s->entry[at], args, &side->q, error)))
 		return false;
 	side->entry = side->q.entry;
-	if (!screened_check_covered(&side->q, error))
+	if (!screened_check_feed_covers(&side->q, error))
 		return false;
 	side->p = forecast_product(s, &side->q, v);
 	return true;
@@ -391,7 +399,7 @@ set_column_headings(bool sites, struct side side[2])
 			       : two ? xasprintf("%s %s", key, speed)
 				     : xstrdup(speed);
 		bool names_speed = !sites || side[i].pinned;
-		FREED char *rpm = rotor_speed_words(
+		FREED char *rpm = rotor_speed_rpm_text(
 		    names_speed ? side[i].entry->site->rotor : 0, v, NAN);
 		side[i].words = xasprintf("%s%s", side[i].head, rpm);
 	}
@@ -399,8 +407,8 @@ set_column_headings(bool sites, struct side side[2])
 
 /* Sets the title of an answer about two sites. */
 static void
-set_title(struct answer *r, const struct side side[2], const char *passing,
-    const char *fraction)
+set_title_of_two_sites(struct answer *r, const struct side side[2],
+    const char *passing, const char *fraction)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
@@ -414,22 +422,22 @@ set_title(struct answer *r, const struct side side[2], const char *passing,
 	else
 		answer_title(r, "%s and %s at %g m/s%s%s", a->name, b->name,
 		    side[0].p.speed, passing, fraction);
-	answers_put_variant(r, a);
-	answer_sites(r, both, data);
+	answers_put_feed_and_machine(r, a);
+	answer_set_sites(r, both, data);
 }
 
 /* Adds the sieves, sizes and break sizes of both. */
 static void
-compare_curves(struct answer *r, const struct session *s,
+add_compared_curves(struct answer *r, const struct session *s,
     const struct side side[2], const double *x, size_t n)
 {
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++)
-		f[i] = side_forecast(s, &side[i], x, n);
+		f[i] = open_side_forecast(s, &side[i], x, n);
 	bool band = f[0] != NULL && f[1] != NULL &&
 		    forecast_draws(f[0], n) != NULL &&
 		    forecast_draws(f[1], n) != NULL;
-	comparison_rows(r, side, f, band, x, n);
+	add_comparison_rows(r, side, f, band, x, n);
 	if (band)
 		answer_say(r, ANSWER_REMARK,
 		    "low, high: of the difference, with %.0f %% probability",
@@ -440,12 +448,12 @@ compare_curves(struct answer *r, const struct session *s,
 
 /* q [n_q]: the figures that are shown; NULL shows the curves. */
 static struct answer *
-comparison(const struct session *s, const struct side side[2],
+build_comparison_answer(const struct session *s, const struct side side[2],
     const struct quantity *q, size_t n_q)
 {
 	size_t n;
-	FREED double *x = all_sieves(side, &n);
-	FREED char *fraction = screened_title(&side[0].p.fraction);
+	FREED double *x = merge_sieves_of_sides(side, &n);
+	FREED char *fraction = screened_title_suffix(&side[0].p.fraction);
 	const char *passing = q != NULL ? "" : tr(", % passing");
 	struct answer *r =
 	    are_two_sites(side)
@@ -453,28 +461,30 @@ comparison(const struct session *s, const struct side side[2],
 		: answers_new(side[0].entry->site, "compare", "%s and %s%s%s",
 		      side[0].words, side[1].words, passing, fraction);
 	if (are_two_sites(side))
-		set_title(r, side, passing, fraction);
+		set_title_of_two_sites(r, side, passing, fraction);
 	if (q != NULL) {
-		compare_figures(r, s, side, q, n_q);
+		add_compared_figures(r, s, side, q, n_q);
 	} else {
-		compare_curves(r, s, side, x, n);
-		comparison_notes(r, side);
+		add_compared_curves(r, s, side, x, n);
+		note_broken_and_extrapolated(r, side);
 	}
-	show_basis(s, r, side);
-	fields_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
+	show_basis_of_both_sides(s, r, side);
+	fields_put_numbers(answer_fields(r), "sieve_mm", x, n, units_mm);
 	for (size_t i = 0; i < 2; i++)
-		put_side(answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
+		put_side_fields(
+		    answer_fields(r), i == 0 ? "a" : "b", &side[i], x, n);
 	return r;
 }
 
 /* Draws both curves as an image, with the second as the main one, unless that
  * is pinned. */
 static bool
-draw_both(struct session *s, const struct side side[2], struct error *error)
+draw_both_curves(
+    struct session *s, const struct side side[2], struct error *error)
 {
 	const struct side *one = &side[side[1].pinned ? 0 : 1];
 	const struct side *two = &side[side[1].pinned ? 1 : 0];
-	struct plot_request request = plots_request(PLOT_PSD);
+	struct plot_request request = plots_default_request(PLOT_PSD);
 	request.entry = one->entry;
 	request.speed = one->p.speed;
 	request.fraction = one->p.fraction;
@@ -484,14 +494,14 @@ draw_both(struct session *s, const struct side side[2], struct error *error)
 	if (are_two_sites(side))
 		request.beside = two->entry->key;
 	request.band = one->p.low != NULL;
-	struct chart *chart = plots_chart(s, &request, error);
+	struct chart *chart = plots_make_chart(s, &request, error);
 	return chart != NULL && plot_write_image(s, chart, error);
 }
 
 /* Reads the figures of of=; leaves *q NULL if there are none.  The caller frees
  * it. */
 static bool
-take_figures(const struct args *args, const struct side side[2],
+parse_compared_quantities(const struct args *args, const struct side side[2],
     struct quantity **q, size_t *n, struct error *error)
 {
 	if (args->of == NULL)
@@ -501,7 +511,7 @@ take_figures(const struct args *args, const struct side side[2],
 		    "compare: expected no figures with what is pinned\n"
 		    "leave out '%s', or write two speeds",
 		    args->of);
-	*q = quantities_asked(args->of, &side[0].q.fraction,
+	*q = quantities_parse_list_for_feed(args->of, &side[0].q.fraction,
 	    question_feed(&side[0].q), true, n, error);
 	return *q != NULL;
 }
@@ -513,9 +523,9 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	double v, speed = args->speed;
 	bool sites = false;
 	for (size_t i = 0; i < 2; i++)
-		sites =
-		    sites || (!is_pinned(args, i) &&
-				 !value_number(args->operand[i], "m/s", &v));
+		sites = sites ||
+			(!is_operand_pinned(args, i) &&
+			    !value_parse_number(args->operand[i], "m/s", &v));
 	if (!sites && args->speed > 0)
 		return error_set(error, ERROR_USAGE,
 		    "compare: expected no speed= with two speeds\n"
@@ -523,17 +533,18 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 		    "speed=74");
 	if (sites && !(speed > 0))
 		speed = question_last_speed(
-		    s, answers_usual_speed(session_entry(s)));
+		    s, answers_default_speed(session_current_entry(s)));
 	FREED struct quantity *q = NULL;
 	size_t n = 0;
-	bool ok = take_side(s, args, sites, speed, 0, &side[0], error) &&
-		  take_side(s, args, sites, speed, 1, &side[1], error) &&
-		  take_figures(args, side, &q, &n, error);
-	if (ok && plot_writes_image(s)) {
-		ok = draw_both(s, side, error);
+	bool ok =
+	    parse_side_and_predict(s, args, sites, speed, 0, &side[0], error) &&
+	    parse_side_and_predict(s, args, sites, speed, 1, &side[1], error) &&
+	    parse_compared_quantities(args, side, &q, &n, error);
+	if (ok && plot_is_image_wanted(s)) {
+		ok = draw_both_curves(s, side, error);
 	} else if (ok) {
 		set_column_headings(sites, side);
-		session_show_answer(s, comparison(s, side, q, n));
+		session_show_answer(s, build_comparison_answer(s, side, q, n));
 	}
 	for (size_t i = 0; i < 2; i++) {
 		if (!side[i].pinned)

@@ -41,7 +41,7 @@ struct worked {
 /* Returns the exponent of Eq 3 without its sign and its floor at 0; x in
  * whatever unit it is given in. */
 static double
-equations_exponent(const struct worked *w, double x, double speed)
+exponent_of_eq3(const struct worked *w, double x, double speed)
 {
 	const struct params *p = w->p;
 	return p->f_mat * w->settings.k *
@@ -51,12 +51,12 @@ equations_exponent(const struct worked *w, double x, double speed)
 /* Returns the middle, on log size, of the coarsest size class in which
  * something breaks or, if not `breaks`, in which nothing does, m. */
 static double
-class_midpoint(const struct worked *w, double speed, bool breaks)
+midpoint_of_coarsest_class(const struct worked *w, double speed, bool breaks)
 {
-	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
+	const struct psd *feed = site_feed_of_run(w->site, SITE_MEAN_FEED);
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double x = sqrt(feed->size[i] * feed->size[i + 1]);
-		if ((equations_exponent(w, x, speed) > 0) == breaks)
+		if ((exponent_of_eq3(w, x, speed) > 0) == breaks)
 			return x;
 	}
 	return NAN;
@@ -65,11 +65,11 @@ class_midpoint(const struct worked *w, double speed, bool breaks)
 static void
 say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 {
-	double coarse = class_midpoint(w, speed, true),
-	       fine = class_midpoint(w, speed, false);
-	struct fields *o = fields_object(answer_fields(r), "d1");
+	double coarse = midpoint_of_coarsest_class(w, speed, true),
+	       fine = midpoint_of_coarsest_class(w, speed, false);
+	struct fields *o = fields_add_object(answer_fields(r), "d1");
 	if (!isnan(coarse)) {
-		double t = equations_exponent(w, coarse, speed);
+		double t = exponent_of_eq3(w, coarse, speed);
 		fields_put(o, "coarse_mm %g used_pct %g printed_pct %g",
 		    units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
 		answer_note(r,
@@ -78,7 +78,7 @@ say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 		    speed, units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
 	}
 	if (!isnan(fine)) {
-		double t = equations_exponent(w, fine, speed);
+		double t = exponent_of_eq3(w, fine, speed);
 		fields_put(o, "fine_mm %g no_floor_pct %g", units_mm(fine),
 		    -100 * expm1(-t));
 		answer_note(r,
@@ -90,13 +90,13 @@ say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 
 /* Returns the share of the feed that would break if x were in millimetres. */
 static double
-broken_share_in_mm(const struct worked *w, double speed)
+broken_share_with_x_in_mm(const struct worked *w, double speed)
 {
-	const struct psd *feed = site_feed(w->site, SITE_MEAN_FEED);
+	const struct psd *feed = site_feed_of_run(w->site, SITE_MEAN_FEED);
 	double sum = 0;
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double mm = units_mm(sqrt(feed->size[i] * feed->size[i + 1]));
-		double t = equations_exponent(w, mm, speed);
+		double t = exponent_of_eq3(w, mm, speed);
 		sum += (feed->passing[i] - feed->passing[i + 1]) *
 		       (t > 0 ? -expm1(-t) : 0);
 	}
@@ -110,13 +110,13 @@ say_effect_of_millimetres(struct answer *r, const struct worked *w)
 	    w->site->run[w->high].speed},
 	       metres[2], mm[2];
 	for (size_t i = 0; i < 2; i++) {
-		struct prediction p = predict(
+		struct prediction p = predict_with_model_alone(
 		    w->site, w->p, w->settings, speed[i], SITE_MEAN_FEED);
 		metres[i] = 100 * p.selected;
-		mm[i] = 100 * broken_share_in_mm(w, speed[i]);
+		mm[i] = 100 * broken_share_with_x_in_mm(w, speed[i]);
 		prediction_free(&p);
 	}
-	fields_put(fields_object(answer_fields(r), "d2"),
+	fields_put(fields_add_object(answer_fields(r), "d2"),
 	    "low_pct %g high_pct %g mm_low_pct %g mm_high_pct %g", metres[0],
 	    metres[1], mm[0], mm[1]);
 	answer_note(r,
@@ -129,7 +129,7 @@ say_effect_of_millimetres(struct answer *r, const struct worked *w)
 /* Returns the RMSE of the parameters at one run or, if run is n_run, at both,
  * in points. */
 static double
-rmse_points(const struct worked *w, struct model_settings settings,
+rmse_of_params_at_run(const struct worked *w, struct model_settings settings,
     const struct params *p, size_t run)
 {
 	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
@@ -144,7 +144,7 @@ rmse_points(const struct worked *w, struct model_settings settings,
 /* Says what the literal reading gives: each progeny class has the same share,
  * whatever beta is. */
 static void
-say_literal_appearance(struct answer *r, const struct worked *w)
+say_effect_of_literal_appearance(struct answer *r, const struct worked *w)
 {
 	struct model_settings literal = w->settings;
 	struct params other = *w->p;
@@ -153,18 +153,19 @@ say_literal_appearance(struct answer *r, const struct worked *w)
 	literal.appearance = APPEARANCE_PARENT_MM;
 	for (size_t i = 0; i < 4; i++)
 		other.beta[i] = i == 0;
-	struct prediction a = predict(
+	struct prediction a = predict_with_model_alone(
 			      w->site, w->p, literal, speed, SITE_MEAN_FEED),
-			  b = predict(
+			  b = predict_with_model_alone(
 			      w->site, &other, literal, speed, SITE_MEAN_FEED);
 	for (size_t i = 0; i < a.product.n; i++)
 		most = fmax(most,
 		    100 * fabs(a.product.passing[i] - b.product.passing[i]));
 	prediction_free(&a);
 	prediction_free(&b);
-	double off = rmse_points(w, literal, w->p, w->site->n_run),
-	       used = rmse_points(w, w->settings, w->p, w->site->n_run);
-	fields_put(fields_object(answer_fields(r), "d3"),
+	double off = rmse_of_params_at_run(w, literal, w->p, w->site->n_run),
+	       used =
+		   rmse_of_params_at_run(w, w->settings, w->p, w->site->n_run);
+	fields_put(fields_add_object(answer_fields(r), "d3"),
 	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
 	    used);
 	answer_note(r,
@@ -184,7 +185,8 @@ best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
 {
 	enum { STEPS = 8 };
 	const struct bounds b = bounds_default(0);
-	double least = misfit_at(high, best) - misfit_at(low, best);
+	double least =
+	    misfit_of_params(high, best) - misfit_of_params(low, best);
 	struct params p = *w->p;
 	for (size_t i = 0; i < STEPS * STEPS * STEPS; i++) {
 		size_t at[] = {i % STEPS, i / STEPS % STEPS, i / STEPS / STEPS};
@@ -192,7 +194,8 @@ best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
 			p.at[4 + j] =
 			    b.lower[4 + j] + (b.upper[4 + j] - b.lower[4 + j]) *
 						 (double)at[j] / (STEPS - 1);
-		double printed = misfit_at(high, &p) - misfit_at(low, &p);
+		double printed =
+		    misfit_of_params(high, &p) - misfit_of_params(low, &p);
 		if (printed < least) {
 			least = printed;
 			*best = p;
@@ -202,7 +205,7 @@ best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
 }
 
 static void
-say_printed_minus_of_eq5(struct answer *r, const struct worked *w)
+say_effect_of_printed_eq5_minus(struct answer *r, const struct worked *w)
 {
 	struct misfit *m[2];
 	for (size_t i = 0; i < 2; i++) {
@@ -211,12 +214,13 @@ say_printed_minus_of_eq5(struct answer *r, const struct worked *w)
 		m[i] = misfit_new(w->site, train, NULL, false, w->settings);
 	}
 	struct params best = *w->p;
-	double own = misfit_at(m[1], &best) - misfit_at(m[0], &best);
+	double own =
+	    misfit_of_params(m[1], &best) - misfit_of_params(m[0], &best);
 	double least = best_params_of_printed_eq5(w, m[0], m[1], &best);
 	double off[2];
 	for (size_t i = 0; i < 2; i++)
 		off[i] = 100 * misfit_rmse(m[i], &best);
-	fields_put(fields_object(answer_fields(r), "d6"),
+	fields_put(fields_add_object(answer_fields(r), "d6"),
 	    "own %g least %g low_rmse_pct %g high_rmse_pct %g", own, least,
 	    off[0], off[1]);
 	answer_note(r,
@@ -233,10 +237,10 @@ say_printed_minus_of_eq5(struct answer *r, const struct worked *w)
 /* Finds the slowest and the fastest run with a product.  False if there are not
  * two of them. */
 static bool
-find_runs(struct worked *w)
+find_slowest_and_fastest_run(struct worked *w)
 {
 	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
-	size_t n = misfit_default_train(w->site, train), found = 0;
+	size_t n = misfit_mark_default_training(w->site, train), found = 0;
 	for (size_t i = 0; i < w->site->n_run && n > 0; i++) {
 		if (!train[i])
 			continue;
@@ -250,7 +254,7 @@ find_runs(struct worked *w)
 /* Works the equations out for the site in use, if it has parameters of the
  * paper's model. */
 static void
-equations_work_out(struct answer *r, const struct session *s)
+work_out_equations_for_site(struct answer *r, const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -263,12 +267,12 @@ equations_work_out(struct answer *r, const struct session *s)
 	}
 	w.site = entry->site;
 	w.p = &entry->params;
-	say_sign_of_eq3(r, &w, answers_usual_speed(entry));
-	if (!find_runs(&w))
+	say_sign_of_eq3(r, &w, answers_default_speed(entry));
+	if (!find_slowest_and_fastest_run(&w))
 		return;
 	say_effect_of_millimetres(r, &w);
-	say_literal_appearance(r, &w);
-	say_printed_minus_of_eq5(r, &w);
+	say_effect_of_literal_appearance(r, &w);
+	say_effect_of_printed_eq5_minus(r, &w);
 }
 
 bool
@@ -282,18 +286,19 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 			       : answer_new("show");
 	answer_columns(r, "equation, as: , formula");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
-		answer_cells(r, "%s %s %s", EQUATIONS[i].equation,
+		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
 		    tr("printed"), EQUATIONS[i].printed);
-		answer_cells(r, "%s %s %s", "", tr("used"), EQUATIONS[i].used);
+		answer_add_cells(
+		    r, "%s %s %s", "", tr("used"), EQUATIONS[i].used);
 	}
-	answer_fill_for_programs(r);
+	answer_begin_table_for_programs(r);
 	answer_columns(r, "equation, printed, used");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++)
-		answer_cells(r, "%s %s %s", EQUATIONS[i].equation,
+		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
 		    EQUATIONS[i].printed, EQUATIONS[i].used);
 	answer_put_rows(r, "equations");
 	fields_put(answer_fields(r), "what %s", "equations");
-	equations_work_out(r, s);
+	work_out_equations_for_site(r, s);
 	answer_note(r, "'man model' lists the departures D1, D2 ..");
 	return session_show_answer(s, r);
 }

@@ -20,29 +20,31 @@
  * the figure by the model alone, for programs, because people have no room for
  * it. */
 static void
-add_figure(struct answer *r, struct fields *list, struct forecast *all,
+add_quantity_row(struct answer *r, struct fields *list, struct forecast *all,
     size_t i, const struct quantity *q, double speed, bool model)
 {
-	struct figure f = forecast_shown(all, i);
+	struct figure f = forecast_value_in_shown_unit(all, i);
 	int decimals = quantities_decimals(q);
-	FREED char *words = quantities_words(q), *key = quantities_key(q);
+	FREED char *words = quantities_name(q), *key = quantities_field_name(q);
 	answer_name(r, key, words);
-	answer_cells(r, "%.*f %s", decimals, f.value, quantities_unit(q));
+	answer_add_cells(r, "%.*f %s", decimals, f.value, quantities_unit(q));
 	if (forecast_draws(all, i) != NULL)
-		answer_cells(r, "%.*f %.*f", decimals, f.low, decimals, f.high);
+		answer_add_cells(
+		    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
 	if (forecast_draws(all, i) != NULL && model)
-		answer_cells(
-		    r, "%g", quantities_shown(q, forecast_model(all, i)));
+		answer_add_cells(r, "%g",
+		    quantities_value_in_shown_unit(
+			q, forecast_value_of_model_alone(all, i)));
 	if (model)
-		answer_cells(r, "%g", speed);
+		answer_add_cells(r, "%g", speed);
 	if (list != NULL)
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "quantity %s value %g unit %s low %g high %g", key, f.value,
 		    quantities_unit(q), f.low, f.high);
 }
 
 static void
-figure_rows(struct answer *r, struct fields *list, struct forecast *all,
+add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
     const struct quantity *q, size_t n, double speed, bool model)
 {
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
@@ -54,13 +56,13 @@ figure_rows(struct answer *r, struct fields *list, struct forecast *all,
 	if (model)
 		answer_column(r, "speed", "m/s");
 	for (size_t i = 0; i < n; i++)
-		add_figure(r, list, all, i, &q[i], speed, model);
+		add_quantity_row(r, list, all, i, &q[i], speed, model);
 }
 
 /* Says how sure the one quantity asked about is.  Returns false without a
  * band. */
 static bool
-note_certainty(struct answer *r, const struct session *s,
+note_certainty_of_quantity(struct answer *r, const struct session *s,
     const struct question *question, const struct quantity *q)
 {
 	FREED char *words =
@@ -72,20 +74,20 @@ note_certainty(struct answer *r, const struct session *s,
 
 /* Says between which values a new belt cut may show each of several. */
 static void
-note_new_cut(struct answer *r, const struct session *s,
+note_ranges_of_new_cut(struct answer *r, const struct session *s,
     const struct question *question, const struct quantity *q, size_t n)
 {
 	struct forecast *f = forecast_open(s, question, q, n);
 	FREED char *list = xstrdup("");
 	FREED char *chance = predict_chance_words(question->level);
-	forecast_part_at(f, question->speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed_and_draws(f, question->speed, ENSEMBLE_SAMPLE);
 	for (size_t i = 0; i < n; i++) {
-		struct figure sample = forecast_shown(f, i);
+		struct figure sample = forecast_value_in_shown_unit(f, i);
 		int decimals = quantities_decimals(&q[i]);
-		FREED char *words = quantities_words(&q[i]);
+		FREED char *words = quantities_name(&q[i]);
 		if (isfinite(sample.low) && isfinite(sample.high))
-			xlist(&list, ", ", tr("%s %.*f to %.*f%s"), words,
-			    decimals, sample.low, decimals, sample.high,
+			xappend_to_list(&list, ", ", tr("%s %.*f to %.*f%s"),
+			    words, decimals, sample.low, decimals, sample.high,
 			    quantities_unit_suffix(&q[i]));
 	}
 	forecast_close(f);
@@ -98,30 +100,31 @@ cmd_figures(struct session *s, const struct args *args,
     struct question *question, struct error *error)
 {
 	const struct entry *entry = question->entry;
-	question_take_last_speed(s, question);
+	question_use_last_speed(s, question);
 	double v = question->speed;
 	bool named = args->of != NULL;
 	size_t n;
-	FREED struct quantity *q = quantities_asked(named ? args->of : USUAL,
-	    &question->fraction, question_feed(question), named, &n, error);
+	FREED struct quantity *q =
+	    quantities_parse_list_for_feed(named ? args->of : USUAL,
+		&question->fraction, question_feed(question), named, &n, error);
 	if (q == NULL)
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);
-	forecast_at(all, v);
-	asked_keep(s, v, named ? &q[0] : NULL);
+	forecast_set_speed(all, v);
+	asked_keep_speed_and_quantity(s, v, named ? &q[0] : NULL);
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r = answers_new(entry->site, "figures",
 	    "figures of the product at %g m/s%s", v, rpm);
 	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
-	    answers_extrapolates(entry, v));
-	figure_rows(
-	    r, fields_list(answer_fields(r), "figures"), all, q, n, v, false);
-	answer_fill_for_programs(r);
-	figure_rows(r, NULL, all, q, n, v, true);
+	    answers_is_speed_extrapolated(entry, v));
+	add_quantity_rows(r, fields_add_list(answer_fields(r), "figures"), all,
+	    q, n, v, false);
+	answer_begin_table_for_programs(r);
+	add_quantity_rows(r, NULL, all, q, n, v, true);
 	if (named && n > 1)
-		note_new_cut(r, s, question, q, n);
-	else if (named && note_certainty(r, s, question, q))
+		note_ranges_of_new_cut(r, s, question, q, n);
+	else if (named && note_certainty_of_quantity(r, s, question, q))
 		band = predict_correction_is_worth_saying(s, entry);
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);

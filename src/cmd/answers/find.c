@@ -33,7 +33,7 @@ struct find_request {
 };
 
 static void
-add_target(struct find_request *goal, struct quantity q, double value)
+set_goal_target(struct find_request *goal, struct quantity q, double value)
 {
 	goal->n++;
 	goal->target = (struct condition){q, value, value};
@@ -41,19 +41,19 @@ add_target(struct find_request *goal, struct quantity q, double value)
 
 /* Reads the goals of the options p20, p50, p80, passing and at. */
 static void
-read_options(const struct args *args, const struct fraction *fraction,
+parse_goal_options(const struct args *args, const struct fraction *fraction,
     struct find_request *goal)
 {
 	const double mm[PSD_SIZES] = {args->p20, args->p50, args->p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		if (mm[i] > 0)
-			add_target(goal,
+			set_goal_target(goal,
 			    (struct quantity){.kind = QUANTITY_SIZE,
 				.x = PSD_PASSING[i],
 				.fraction = *fraction},
 			    mm[i] / 1000);
-	if (args_given(args, &args->passing))
-		add_target(goal,
+	if (args_is_given(args, &args->passing))
+		set_goal_target(goal,
 		    (struct quantity){.kind = QUANTITY_PASSING,
 			.x = args->at / 1000,
 			.fraction = *fraction},
@@ -61,31 +61,32 @@ read_options(const struct args *args, const struct fraction *fraction,
 }
 
 static bool
-read_operand(const char *text, const struct fraction *fraction,
+parse_goal_operand(const char *text, const struct fraction *fraction,
     struct find_request *goal, struct error *error)
 {
 	bool most;
 	struct condition c = {.least = NAN, .most = NAN};
-	const char *of = conditions_most_of(text, &most);
-	if (of == NULL && !conditions_read(text, fraction, &c, error))
+	const char *of = conditions_parse_max_or_min(text, &most);
+	if (of == NULL && !conditions_parse_one(text, fraction, &c, error))
 		return false;
 	if (of != NULL &&
-	    (!quantities_read(of, &fraction->partition, &c.quantity, error) ||
-		!quantities_cut(&c.quantity, fraction, error)))
+	    (!quantities_parse_one(
+		 of, &fraction->partition, &c.quantity, error) ||
+		!quantities_apply_cut_option(&c.quantity, fraction, error)))
 		return false;
 	if (of == NULL && c.least != c.most) {
 		conditions_add(&goal->others, c);
 		return true;
 	}
 	goal->kind = of == NULL ? GOAL_VALUE : most ? GOAL_MOST : GOAL_LEAST;
-	add_target(goal, c.quantity, c.least);
+	set_goal_target(goal, c.quantity, c.least);
 	return true;
 }
 
 /* Refuses conditions alone, which belong to window, and proposes a maximum. */
 static bool
-no_goal(const struct args *args, const struct find_request *goal,
-    struct error *error)
+refuse_conditions_without_goal(const struct args *args,
+    const struct find_request *goal, struct error *error)
 {
 	FREED char *all = xstrdup("");
 	FREED char *first =
@@ -108,17 +109,17 @@ no_goal(const struct args *args, const struct find_request *goal,
 
 /* Checks that there is exactly one goal, and all that belongs to it. */
 static bool
-check_goal(const struct args *args, const struct find_request *goal,
+check_single_goal(const struct args *args, const struct find_request *goal,
     struct error *error)
 {
 	if (goal->n == 0 && goal->others.n > 0)
-		return no_goal(args, goal, error);
+		return refuse_conditions_without_goal(args, goal, error);
 	if (goal->n != 1)
 		error_set(error, ERROR_USAGE,
 		    "find: expected one of p20, p50, p80, passing, spec and a "
 		    "condition with = or max, got %zu of them",
 		    goal->n);
-	else if ((args->at > 0) != args_given(args, &args->passing))
+	else if ((args->at > 0) != args_is_given(args, &args->passing))
 		error_set(error, ERROR_USAGE,
 		    "find: expected passing and at together: this much passing "
 		    "at this size");
@@ -131,11 +132,12 @@ check_goal(const struct args *args, const struct find_request *goal,
 
 /* Takes the goal of the session, of which one condition is a single value. */
 static bool
-take_goal_set(struct session *s, struct find_request *goal, struct error *error)
+take_session_goal_value(
+    struct session *s, struct find_request *goal, struct error *error)
 {
 	struct condition_list all = {0};
 	size_t n_value = 0;
-	bool ok = goals_read(s, s->set.goal, question_feed(goal->question),
+	bool ok = goals_parse(s, s->set.goal, question_feed(goal->question),
 	    &all, &n_value, error);
 	if (ok && n_value == 0)
 		ok = error_set(error, ERROR_USAGE,
@@ -144,7 +146,7 @@ take_goal_set(struct session *s, struct find_request *goal, struct error *error)
 		    s->set.goal);
 	if (ok) {
 		const struct condition *last = &all.at[all.n - 1];
-		add_target(goal, last->quantity, last->least);
+		set_goal_target(goal, last->quantity, last->least);
 		for (size_t i = 0; i + 1 < all.n; i++)
 			conditions_add(&goal->others, all.at[i]);
 	}
@@ -153,77 +155,80 @@ take_goal_set(struct session *s, struct find_request *goal, struct error *error)
 }
 
 static bool
-read_goal(struct session *s, const struct args *args, struct find_request *goal,
-    struct error *error)
+parse_goal(struct session *s, const struct args *args,
+    struct find_request *goal, struct error *error)
 {
 	const struct question *q = goal->question;
 	const struct psd *feed = question_feed(q);
 	const struct fraction *fraction = &q->fraction;
 	for (size_t i = 0; i < args->n_operand; i++)
-		if (!read_operand(args->operand[i], fraction, goal, error))
+		if (!parse_goal_operand(
+			args->operand[i], fraction, goal, error))
 			return conditions_set_error_place(args, i, error);
 	bool named = goal->n > 0 || args->n_operand > 0;
-	if (!named && goals_is_set(s) && !take_goal_set(s, goal, error))
+	if (!named && goals_is_set(s) &&
+	    !take_session_goal_value(s, goal, error))
 		return false;
-	if (!check_goal(args, goal, error) ||
-	    !conditions_check_covered(&goal->target, feed, error))
+	if (!check_single_goal(args, goal, error) ||
+	    !conditions_check_feed_covers(&goal->target, feed, error))
 		return false;
 	for (size_t i = 0; i < goal->others.n; i++)
-		if (!conditions_check_covered(&goal->others.at[i], feed, error))
+		if (!conditions_check_feed_covers(
+			&goal->others.at[i], feed, error))
 			return false;
-	return conditions_add_option(s, args, q, &goal->others, error);
+	return conditions_add_envelope_option(s, args, q, &goal->others, error);
 }
 
 /* Returns a value of the target in the unit that people see. */
 static double
-shown_value(const struct find_request *goal, double value)
+value_in_shown_unit(const struct find_request *goal, double value)
 {
-	return quantities_shown(&goal->target.quantity, value);
+	return quantities_value_in_shown_unit(&goal->target.quantity, value);
 }
 
 static double
-find_value_at(const struct find_request *goal, double v)
+target_value_at_speed(const struct find_request *goal, double v)
 {
 	struct forecast *f = goal->wanted.forecast;
-	forecast_at(f, v);
-	return forecast_shown(f, goal->wanted.n).value;
+	forecast_set_speed(f, v);
+	return forecast_value_in_shown_unit(f, goal->wanted.n).value;
 }
 
 /* Returns "P80 5 mm", "40 % passing 2 mm" or "the largest passing 2 mm". */
 static char *
-goal_words(const struct find_request *goal)
+goal_to_text(const struct find_request *goal)
 {
 	const struct quantity *q = &goal->target.quantity;
-	char *name = quantities_words(q), *words;
+	char *name = quantities_name(q), *words;
 	if (goal->kind != GOAL_VALUE)
 		words = xasprintf(goal->kind == GOAL_MOST ? tr("the largest %s")
 							  : tr("the least %s"),
 		    name);
 	else if (q->kind == QUANTITY_PASSING)
-		words = xasprintf(
-		    "%g %% %s", shown_value(goal, goal->target.least), name);
+		words = xasprintf("%g %% %s",
+		    value_in_shown_unit(goal, goal->target.least), name);
 	else
-		words = conditions_words(&goal->target);
+		words = conditions_describe(&goal->target);
 	free(name);
 	return words;
 }
 
 static double
-find_within(double speed)
+finite_speed_or_nan(double speed)
 {
 	return speed > 0 && isfinite(speed) ? speed : NAN;
 }
 
 static void
-put_goal(struct fields *o, const struct find_request *goal, double speed,
+put_goal_fields(struct fields *o, const struct find_request *goal, double speed,
     const struct speed_search *f)
 {
 	const struct quantity *q = &goal->target.quantity;
 	bool passing =
-	    q->kind == QUANTITY_PASSING && !fraction_screens(&q->fraction);
+	    q->kind == QUANTITY_PASSING && !fraction_is_screened(&q->fraction);
 	bool value = goal->kind == GOAL_VALUE;
-	FREED char *key =
-	    passing && value ? xstrdup("passing_pct") : quantities_key(q);
+	FREED char *key = passing && value ? xstrdup("passing_pct")
+					   : quantities_field_name(q);
 	FREED char *wanted = xasprintf("%s%s",
 	    value                     ? ""
 	    : goal->kind == GOAL_MOST ? "max "
@@ -233,29 +238,29 @@ put_goal(struct fields *o, const struct find_request *goal, double speed,
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    wanted,
-	    value ? shown_value(goal, goal->target.least)
-		  : find_value_at(goal, speed),
+	    value ? value_in_shown_unit(goal, goal->target.least)
+		  : target_value_at_speed(goal, speed),
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
-	    find_value_at(goal, goal->wanted.from),
-	    find_value_at(goal, goal->wanted.to), speed);
+	    target_value_at_speed(goal, goal->wanted.from),
+	    target_value_at_speed(goal, goal->wanted.to), speed);
 	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
-	    find_within(f->range[0]), find_within(f->range[1]),
-	    find_within(f->cut[0]), find_within(f->cut[1]));
+	    finite_speed_or_nan(f->range[0]), finite_speed_or_nan(f->range[1]),
+	    finite_speed_or_nan(f->cut[0]), finite_speed_or_nan(f->cut[1]));
 }
 
 /* Returns the speed that was found, or NAN. */
 static double
 speed_found(const struct find_request *goal, const struct speed_search *f)
 {
-	return goal->kind == GOAL_VALUE
-		   ? f->found
-		   : speed_search_extreme(f, goal->kind == GOAL_MOST, false);
+	return goal->kind == GOAL_VALUE ? f->found
+					: speed_search_speed_of_extreme(f,
+					      goal->kind == GOAL_MOST, false);
 }
 
 /* Returns "66.2 to 68.9 m/s (1290 to 1343 rpm)"; an end may lie beyond the
  * speeds searched.  The caller frees the words. */
 static char *
-range_words(const struct find_request *goal, const double range[2])
+speed_range_text(const struct find_request *goal, const double range[2])
 {
 	double rotor = goal->wanted.site->rotor;
 	bool below = !(range[0] > 0), above = !isfinite(range[1]);
@@ -267,9 +272,9 @@ range_words(const struct find_request *goal, const double range[2])
 	if (!(rotor > 0))
 		return words;
 	FREED char *slow = xasprintf(
-	    below ? tr("below %.0f") : "%.0f", rotor_speed_rpm(from, rotor));
+	    below ? tr("below %.0f") : "%.0f", rotor_speed_to_rpm(from, rotor));
 	FREED char *fast = xasprintf(
-	    above ? tr("above %.0f") : "%.0f", rotor_speed_rpm(to, rotor));
+	    above ? tr("above %.0f") : "%.0f", rotor_speed_to_rpm(to, rotor));
 	xappend(&words, tr(" (%s to %s rpm)"), slow, fast);
 	return words;
 }
@@ -277,7 +282,7 @@ range_words(const struct find_request *goal, const double range[2])
 /* The speed that gives the target with the feed of a run; 0 and INFINITY:
  * beyond the speeds searched; NAN: the feed does not tell. */
 static double
-speed_with_feed(
+find_speed_with_feed_of_run(
     const struct session *s, const struct find_request *goal, size_t run)
 {
 	const double close = 1e-6;
@@ -285,16 +290,17 @@ speed_with_feed(
 	own.feed = run;
 	struct forecast *f = forecast_open(s, &own, &goal->target.quantity, 1);
 	double a = goal->wanted.from, b = goal->wanted.to;
-	forecast_at(f, a);
-	double slow = forecast_excess(f, 0, goal->target.least);
-	forecast_at(f, b);
-	double fast = forecast_excess(f, 0, goal->target.least);
+	forecast_set_speed(f, a);
+	double slow = forecast_excess_over_limit(f, 0, goal->target.least);
+	forecast_set_speed(f, b);
+	double fast = forecast_excess_over_limit(f, 0, goal->target.least);
 	bool rises = fast > slow, known = !isnan(slow) && !isnan(fast);
 	bool within = (slow >= 0) != (fast >= 0);
 	while (within && b - a > close) {
 		double v = (a + b) / 2;
-		forecast_at(f, v);
-		bool over = forecast_excess(f, 0, goal->target.least) >= 0;
+		forecast_set_speed(f, v);
+		bool over =
+		    forecast_excess_over_limit(f, 0, goal->target.least) >= 0;
 		*(over == rises ? &b : &a) = v;
 	}
 	forecast_close(f);
@@ -306,7 +312,7 @@ speed_with_feed(
 /* What the speed would be with each sampled feed in place of their mean, of
  * what rises or falls with the speed throughout. */
 static void
-note_each_feed(struct answer *r, const struct session *s,
+note_speed_range_over_feeds(struct answer *r, const struct session *s,
     const struct find_request *goal, double found)
 {
 	const double tells = 0.05;
@@ -314,21 +320,21 @@ note_each_feed(struct answer *r, const struct session *s,
 	const struct quantity *of = &goal->target.quantity;
 	double range[2] = {found, found};
 	const struct site *site = q->entry->site;
-	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other || q->feed != SITE_MEAN_FEED ||
-	    fraction_screens(&of->fraction) ||
+	    fraction_is_screened(&of->fraction) ||
 	    (of->kind != QUANTITY_SIZE && of->kind != QUANTITY_PASSING))
 		return;
 	for (size_t run = 0; run < site->n_run; run++) {
-		double v = speed_with_feed(s, goal, run);
+		double v = find_speed_with_feed_of_run(s, goal, run);
 		range[0] = fmin(range[0], v);
 		range[1] = fmax(range[1], v);
 	}
 	fields_put(answer_fields(r), "feeds_low %g feeds_high %g",
-	    find_within(range[0]), find_within(range[1]));
+	    finite_speed_or_nan(range[0]), finite_speed_or_nan(range[1]));
 	if (range[1] - range[0] < tells)
 		return;
-	FREED char *words = range_words(goal, range);
+	FREED char *words = speed_range_text(goal, range);
 	answer_note(r,
 	    "with each sampled feed instead of their mean the speed would be "
 	    "from %s",
@@ -338,30 +344,31 @@ note_each_feed(struct answer *r, const struct session *s,
 /* Notes the speed found with its range, and the range in which a belt cut may
  * show the value. */
 static void
-find_note_speed(struct answer *r, const struct find_request *goal,
+note_speed_found(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, const char *words)
 {
 	const struct site *site = goal->wanted.site;
-	FREED char *rpm = rotor_speed_words(site->rotor, f->found, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, f->found, NAN);
 	if (isnan(f->range[0])) {
 		answer_note(r, "%s at %.2f m/s%s", words, f->found, rpm);
 	} else {
-		FREED char *range = range_words(goal, f->range);
-		FREED char *cut = range_words(goal, f->cut);
+		FREED char *range = speed_range_text(goal, f->range);
+		FREED char *cut = speed_range_text(goal, f->cut);
 		answer_note(r,
 		    "%s at %.2f m/s%s; %.0f %% range: %s; a belt cut may show "
 		    "it from %s",
 		    words, f->found, rpm, 100 * goal->wanted.level, range, cut);
 	}
 	if (!isnan(f->range[0]))
-		conditions_note_farther(r, &goal->wanted, !(f->range[0] > 0),
-		    !isfinite(f->range[1]));
+		conditions_note_unsearched_speeds(r, &goal->wanted,
+		    !(f->range[0] > 0), !isfinite(f->range[1]));
 	for (size_t i = 0; i < f->n_root; i++) {
 		double v = f->root[i].speed;
-		FREED char *turns = rotor_speed_words(site->rotor, v, NAN);
+		FREED char *turns = rotor_speed_rpm_text(site->rotor, v, NAN);
 		if (v != f->found)
 			answer_note(r, "also at %.2f m/s%s%s", v, turns,
-			    answers_extrapolates(goal->question->entry, v)
+			    answers_is_speed_extrapolated(
+				goal->question->entry, v)
 				? tr(", extrapolated")
 				: "");
 	}
@@ -370,15 +377,16 @@ find_note_speed(struct answer *r, const struct find_request *goal,
 /* Returns "passing 2 mm 36.0 % (35.2 to 36.9)" at the speed of the forecast.
  * The caller frees the words. */
 static char *
-value_words(const struct find_request *goal, size_t i)
+value_with_band_text(const struct find_request *goal, size_t i)
 {
 	const struct quantity *q = i < goal->wanted.n
 				       ? &goal->wanted.at[i].quantity
 				       : &goal->target.quantity;
 	int digits = quantities_decimals(q);
-	struct figure f = forecast_shown(goal->wanted.forecast, i);
-	FREED char *name = quantities_words(q);
-	FREED char *band = quantities_band(f.low, f.high, digits);
+	struct figure f =
+	    forecast_value_in_shown_unit(goal->wanted.forecast, i);
+	FREED char *name = quantities_name(q);
+	FREED char *band = quantities_band_text(f.low, f.high, digits);
 	return xasprintf("%s %.*f%s%s", name, digits, f.value,
 	    quantities_unit_suffix(q), band);
 }
@@ -386,14 +394,15 @@ value_words(const struct find_request *goal, size_t i)
 /* Notes the extreme value and what keeps it from going further: a limit that
  * would be missed, or the end of the speeds searched. */
 static void
-note_extreme(struct answer *r, const struct find_request *goal,
+note_extreme_value(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
 {
 	const double near = 1e-3;
 	bool most = goal->kind == GOAL_MOST;
-	forecast_at(goal->wanted.forecast, v);
-	char *words = value_words(goal, goal->wanted.n);
-	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
+	forecast_set_speed(goal->wanted.forecast, v);
+	char *words = value_with_band_text(goal, goal->wanted.n);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "%s at %.2f m/s%s: %s",
 	    most ? tr("largest") : tr("least"), v, rpm, words);
 	free(words);
@@ -406,11 +415,11 @@ note_extreme(struct answer *r, const struct find_request *goal,
 			binds = in->high;
 	}
 	if (binds.i != SIZE_MAX) {
-		words = conditions_limit(&goal->others, binds);
+		words = conditions_describe_limit(&goal->others, binds);
 		answer_note(r, "what binds: %s", words);
 		free(words);
 	} else {
-		conditions_note_farther(r, &goal->wanted,
+		conditions_note_unsearched_speeds(r, &goal->wanted,
 		    v - goal->wanted.from < near, goal->wanted.to - v < near);
 	}
 }
@@ -418,30 +427,32 @@ note_extreme(struct answer *r, const struct find_request *goal,
 /* Notes the best speed at which the conditions hold with the probability of the
  * bands.  At the speed of a binding limit that probability is only a half. */
 static void
-note_sure(struct answer *r, const struct find_request *goal,
+note_best_certain_speed(struct answer *r, const struct find_request *goal,
     const struct speed_search *f)
 {
 	double level = 100 * goal->wanted.level;
-	double v = speed_search_extreme(f, goal->kind == GOAL_MOST, true);
+	double v =
+	    speed_search_speed_of_extreme(f, goal->kind == GOAL_MOST, true);
 	if (isnan(v)) {
 		answer_note(r,
 		    "at no speed do the conditions hold with %.0f %% certainty",
 		    level);
 		return;
 	}
-	forecast_at(goal->wanted.forecast, v);
-	FREED char *words = value_words(goal, goal->wanted.n);
-	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
+	forecast_set_speed(goal->wanted.forecast, v);
+	FREED char *words = value_with_band_text(goal, goal->wanted.n);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "with %.0f %% certainty at %.2f m/s%s: %s", level, v,
 	    rpm, words);
 }
 
 static void
-note_missed(
+note_missed_condition(
     struct answer *r, const char *words, double points, const char *value)
 {
 	answer_note(r, "%s: missed by %.*f points, %s", words,
-	    conditions_digits(points), points, value);
+	    conditions_decimals_of_miss(points), points, value);
 }
 
 static void
@@ -450,58 +461,62 @@ note_other_condition(
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
-	FREED char *words = conditions_words(c), *value = value_words(goal, i);
-	double missed = -100 * wanted_margin(&goal->wanted, i).passing;
-	if (wanted_holds(&goal->wanted, i))
+	FREED char *words = conditions_describe(c),
+		   *value = value_with_band_text(goal, i);
+	double missed =
+	    -100 * wanted_margin_of_condition(&goal->wanted, i).passing;
+	if (wanted_are_conditions_met(&goal->wanted, i))
 		answer_note(r, "%s: met, %s", words, value);
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
-		note_missed(r, words, missed, value);
+		note_missed_condition(r, words, missed, value);
 }
 
 /* Notes whether each other condition holds at the speed found, and with what
  * certainty all of them do. */
 static void
-note_others(struct answer *r, const struct find_request *goal,
+note_other_conditions(struct answer *r, const struct find_request *goal,
     const struct speed_search *f, double v)
 {
-	forecast_at(goal->wanted.forecast, v);
+	forecast_set_speed(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
 		note_other_condition(r, goal, i);
-	double certain = wanted_certainty(&goal->wanted);
-	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
+	double certain = wanted_probability_met(&goal->wanted);
+	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
 		return;
-	FREED char *words = conditions_percent(certain);
-	FREED char *rpm = rotor_speed_words(goal->wanted.site->rotor, v, NAN);
+	FREED char *words = conditions_probability_percent(certain);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
 	answer_note(r,
 	    goal->wanted.n > 1
 		? N_("at %.2f m/s%s these conditions hold with %s certainty")
 		: N_("at %.2f m/s%s this condition holds with %s certainty"),
 	    v, rpm, words);
 	if (goal->kind != GOAL_VALUE && certain < goal->wanted.level)
-		note_sure(r, goal, f);
+		note_best_certain_speed(r, goal, f);
 }
 
 /* Says why there is no such speed, with the values at both ends. */
 static void
-note_out_of_reach(
+note_goal_unattainable(
     struct answer *r, const struct find_request *goal, const char *words)
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
 	bool size = quantities_is_size(q);
 	bool falls = (size || q->kind == QUANTITY_PASSING) &&
-		     !fraction_screens(&q->fraction);
-	double high = find_value_at(goal, c->to),
-	       low = find_value_at(goal, c->from);
-	double over = forecast_excess(c->forecast, c->n, goal->target.least);
+		     !fraction_is_screened(&q->fraction);
+	double high = target_value_at_speed(goal, c->to),
+	       low = target_value_at_speed(goal, c->from);
+	double over =
+	    forecast_excess_over_limit(c->forecast, c->n, goal->target.least);
 	bool finer = size ? over < 0 : over > 0;
 	double rotor = c->site->rotor;
-	FREED char *rpm = rotor_speed_words(rotor, c->from, c->to);
-	FREED char *slow = rotor_speed_words(rotor, c->from, NAN);
-	FREED char *fast = rotor_speed_words(rotor, c->to, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, c->from, c->to);
+	FREED char *slow = rotor_speed_rpm_text(rotor, c->from, NAN);
+	FREED char *fast = rotor_speed_rpm_text(rotor, c->to, NAN);
 	if (falls)
 		answer_note(r,
 		    "no speed from %g to %g m/s%s gives %s: the product is "
@@ -518,57 +533,58 @@ note_out_of_reach(
 		    "it is %.2f%s at %g m/s%s and %.2f%s at %g m/s%s", low,
 		    unit, c->from, slow, high, unit, c->to, fast);
 	if (falls)
-		conditions_note_none_farther(r, c, finer, !finer);
+		conditions_note_no_reliable_speed(r, c, finer, !finer);
 }
 
 static void
-note_finding(struct answer *r, const struct session *s,
+note_search_result(struct answer *r, const struct session *s,
     const struct find_request *goal, const struct speed_search *f,
     const char *words)
 {
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
 	if (!found && goal->kind == GOAL_VALUE)
-		note_out_of_reach(r, goal, words);
+		note_goal_unattainable(r, goal, words);
 	else if (!found)
-		conditions_note_missed(r, &goal->wanted, &goal->others, f);
+		conditions_note_why_unmet(r, &goal->wanted, &goal->others, f);
 	else if (goal->kind == GOAL_VALUE)
-		find_note_speed(r, goal, f, words);
+		note_speed_found(r, goal, f, words);
 	else
-		note_extreme(r, goal, f, v);
+		note_extreme_value(r, goal, f, v);
 	if (found && goal->kind == GOAL_VALUE)
-		note_each_feed(r, s, goal, v);
+		note_speed_range_over_feeds(r, s, goal, v);
 	if (found && goal->wanted.n > 0)
-		note_others(r, goal, f, v);
-	conditions_note_source(r, &goal->others);
+		note_other_conditions(r, goal, f, v);
+	conditions_note_source_of_limits(r, &goal->others);
 }
 
 static void
-put_found(struct fields *o, const struct find_request *goal,
+put_search_result(struct fields *o, const struct find_request *goal,
     const struct speed_search *f)
 {
 	double v = speed_found(goal, f);
-	put_goal(o, goal, v, f);
+	put_goal_fields(o, goal, v, f);
 	if (goal->wanted.n == 0)
 		return;
-	forecast_at(goal->wanted.forecast, isnan(v) ? f->best : v);
-	conditions_put(o, &goal->wanted, f);
-	fields_put(
-	    o, "holds %d", !isnan(v) && wanted_holds(&goal->wanted, SIZE_MAX));
+	forecast_set_speed(goal->wanted.forecast, isnan(v) ? f->best : v);
+	conditions_put_list(o, &goal->wanted, f);
+	fields_put(o, "holds %d",
+	    !isnan(v) && wanted_are_conditions_met(&goal->wanted, SIZE_MAX));
 }
 
 /* Returns, where nothing was found, the speed that comes nearest: the one that
  * misses the conditions by least or, for a value, one end of those searched. */
 static double
-nearest_speed(const struct find_request *goal, const struct speed_search *f)
+speed_nearest_to_goal(
+    const struct find_request *goal, const struct speed_search *f)
 {
 	const struct wanted *w = &goal->wanted;
-	double wanted =
-	    quantities_shown(&goal->target.quantity, goal->target.least);
+	double wanted = quantities_value_in_shown_unit(
+	    &goal->target.quantity, goal->target.least);
 	if (goal->kind != GOAL_VALUE)
 		return f->best;
-	return fabs(find_value_at(goal, w->to) - wanted) <
-		       fabs(find_value_at(goal, w->from) - wanted)
+	return fabs(target_value_at_speed(goal, w->to) - wanted) <
+		       fabs(target_value_at_speed(goal, w->from) - wanted)
 		   ? w->to
 		   : w->from;
 }
@@ -576,22 +592,23 @@ nearest_speed(const struct find_request *goal, const struct speed_search *f)
 /* The light of the speed found, or that of the nearest one, which is named: the
  * speed that 'why' explains, which is returned. */
 static double
-show_basis(struct session *s, struct answer *r, const struct find_request *goal,
-    const struct speed_search *f)
+show_basis_at_speed_found(struct session *s, struct answer *r,
+    const struct find_request *goal, const struct speed_search *f)
 {
 	const struct question *q = goal->question;
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
-	double shown = found ? v : nearest_speed(goal, f);
-	struct trust light = light_at(s, q->entry, shown, q->feed);
+	double shown = found ? v : speed_nearest_to_goal(goal, f);
+	struct trust light = light_at_speed(s, q->entry, shown, q->feed);
 	answers_note_basis(s, r, q, found ? v : 0, NULL, &light);
-	light_show_at(r, q->entry->site, found ? 0 : shown, light);
+	light_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
 
 /* Without a speed found the title says so, lest the rows be taken for it. */
 static struct answer *
-find_answer(const struct find_request *goal, bool found, const char *words)
+begin_find_answer(
+    const struct find_request *goal, bool found, const char *words)
 {
 	const struct site *site = goal->question->entry->site;
 	if (found)
@@ -608,11 +625,11 @@ find_answer(const struct find_request *goal, bool found, const char *words)
 /* Answers with the product at the speed found or, if there is none, with those
  * at both ends. */
 static void
-answer_goal(struct session *s, struct find_request *goal)
+show_product_at_goal_speed(struct session *s, struct find_request *goal)
 {
 	const struct question *q = goal->question;
 	const struct entry *entry = q->entry;
-	struct speed_search *f = speed_search_all(&goal->wanted);
+	struct speed_search *f = speed_search_run(&goal->wanted);
 	double v = speed_found(goal, f);
 	bool found = !isnan(v);
 	double speed[2] = {found ? v : goal->wanted.from, goal->wanted.to};
@@ -621,19 +638,19 @@ answer_goal(struct session *s, struct find_request *goal)
 	for (size_t i = 0; i < n; i++)
 		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
 	session_forget_answers(s);
-	FREED char *words = goal_words(goal);
-	struct answer *r = find_answer(goal, found, words);
-	answers_speed_rows(r, entry, p, n);
-	note_finding(r, s, goal, f, words);
+	FREED char *words = goal_to_text(goal);
+	struct answer *r = begin_find_answer(goal, found, words);
+	answers_add_prediction_rows(r, entry, p, n);
+	note_search_result(r, s, goal, f, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	double shown = show_basis(s, r, goal, f);
-	put_found(answer_fields(r), goal, f);
+	double shown = show_basis_at_speed_found(s, r, goal, f);
+	put_search_result(answer_fields(r), goal, f);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
 		answers_keep_prediction(s, entry, &entry->params, &p[0]);
-	asked_keep(s, shown, &goal->target.quantity);
+	asked_keep_speed_and_quantity(s, shown, &goal->target.quantity);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	speed_search_free(f);
@@ -642,67 +659,67 @@ answer_goal(struct session *s, struct find_request *goal)
 /* Notes the speeds that meet the envelope; if none does, what the nearest
  * misses. */
 static void
-note_window(struct answer *r, const struct find_request *goal,
+note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
     const struct grading *g, const struct speed_search *w)
 {
-	const struct speed_range *in = speed_search_around(w);
+	const struct speed_range *in = speed_search_best_range(w);
 	const struct site *site = g->conditions.site;
-	FREED char *best = rotor_speed_words(site->rotor, w->best, NAN);
+	FREED char *best = rotor_speed_rpm_text(site->rotor, w->best, NAN);
 	if (in != NULL) {
 		FREED char *speeds =
-		    conditions_speeds_in_units(&g->conditions, w);
+		    conditions_describe_speeds_with_units(&g->conditions, w);
 		FREED char *table =
-		    rotor_speed_words(site->rotor, in->from, NAN);
+		    rotor_speed_rpm_text(site->rotor, in->from, NAN);
 		answer_note(r,
 		    "meets the envelope at %s, most surely at %.1f m/s%s; "
 		    "table: %.1f m/s%s",
 		    speeds, w->best, best, in->from, table);
 		return;
 	}
-	FREED char *range =
-	    rotor_speed_words(site->rotor, goal->wanted.from, goal->wanted.to);
+	FREED char *range = rotor_speed_rpm_text(
+	    site->rotor, goal->wanted.from, goal->wanted.to);
 	answer_note(r,
 	    "no speed from %g to %g m/s%s meets the envelope; the nearest is "
 	    "%.1f m/s%s",
 	    goal->wanted.from, goal->wanted.to, range, w->best, best);
-	FREED char *missed = grading_missed(g);
+	FREED char *missed = grading_describe_missed_limits(g);
 	answer_note(r, "%s", missed);
 }
 
 static bool
-answer_spec(struct session *s, const struct args *args,
+show_speeds_for_envelope(struct session *s, const struct args *args,
     const struct find_request *goal, struct error *error)
 {
 	const struct entry *entry = goal->question->entry;
-	const struct spec *spec = grading_spec(s, args->spec, error);
+	const struct spec *spec = grading_find_envelope(s, args->spec, error);
 	struct grading g;
-	if (spec == NULL ||
-	    !grading_open(s, args, spec, goal->question, &g, error))
+	if (spec == NULL || !grading_open_for_envelope(
+				s, args, spec, goal->question, &g, error))
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;
-	struct speed_search *w = speed_search_all(&g.conditions);
-	const struct speed_range *in = speed_search_around(w);
+	struct speed_search *w = speed_search_run(&g.conditions);
+	const struct speed_range *in = speed_search_best_range(w);
 	double v = in != NULL ? in->from : w->best;
-	FREED char *words = grading_words(&g);
+	FREED char *words = grading_title(&g);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speeds for %s", words);
-	grading_rows(r, &g, v);
-	note_window(r, goal, &g, w);
+	grading_add_rows(r, &g, v);
+	note_speeds_meeting_envelope(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL) {
-		conditions_note_certain(r, &g.conditions, w);
-		answers_put_pair(
+		conditions_note_certain_speeds(r, &g.conditions, w);
+		answers_put_low_high(
 		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
 	}
-	grading_notes(r, &g);
+	grading_add_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
-	asked_keep(s, v, NULL);
+	asked_keep_speed_and_quantity(s, v, NULL);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",
 	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
 	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
-	grading_put_worst(answer_fields(r), &g);
+	grading_put_worst_sieve(answer_fields(r), &g);
 	grading_put_fields(r, &g);
 	session_forget_answers(s);
 	session_show_answer(s, r);
@@ -712,17 +729,17 @@ answer_spec(struct session *s, const struct args *args,
 }
 
 static bool
-find_goal(struct session *s, const struct args *args, struct find_request *goal,
-    struct error *error)
+find_speed_for_goal(struct session *s, const struct args *args,
+    struct find_request *goal, struct error *error)
 {
 	double from = goal->wanted.from, to = goal->wanted.to;
-	bool ok = read_goal(s, args, goal, error);
+	bool ok = parse_goal(s, args, goal, error);
 	if (ok) {
-		goal->wanted = conditions_open(
+		goal->wanted = conditions_open_search(
 		    s, goal->question, &goal->others, &goal->target);
 		goal->wanted.from = from;
 		goal->wanted.to = to;
-		answer_goal(s, goal);
+		show_product_at_goal_speed(s, goal);
 		forecast_close(goal->wanted.forecast);
 	}
 	conditions_free(&goal->others);
@@ -734,12 +751,12 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct find_request goal = {.kind = GOAL_VALUE, .question = q};
-	if (!conditions_speeds(s, args, q->entry->site, &goal.wanted.from,
-		&goal.wanted.to, error))
+	if (!conditions_speed_range_of_args(s, args, q->entry->site,
+		&goal.wanted.from, &goal.wanted.to, error))
 		return false;
-	read_options(args, &q->fraction, &goal);
+	parse_goal_options(args, &q->fraction, &goal);
 	bool named = goal.n > 0 || args->n_operand > 0;
 	return !named && (args->spec != NULL || s->spec != NULL)
-		   ? answer_spec(s, args, &goal, error)
-		   : find_goal(s, args, &goal, error);
+		   ? show_speeds_for_envelope(s, args, &goal, error)
+		   : find_speed_for_goal(s, args, &goal, error);
 }

@@ -45,23 +45,23 @@ basis_free(struct basis *b)
 }
 
 static bool
-basis_from_material(struct basis *b, struct store *store, struct error *error)
+load_guess_materials(struct basis *b, struct store *store, struct error *error)
 {
 	struct store_query query = {0};
-	if (!store_count(store, &b->own, error))
+	if (!store_count_materials(store, &b->own, error))
 		return false;
 	if (b->own > MOST_OWN)
 		query = (struct store_query){.rock = b->wanted.rock,
 		    .top = units_mm(b->wanted.top_size),
 		    .most = MOST_OWN};
-	if (!store_find(store, &query, &b->list, error))
+	if (!store_find_materials(store, &query, &b->list, error))
 		return false;
-	stored_table3(&b->list);
+	stored_add_table3(&b->list);
 	return true;
 }
 
 static void
-basis_allocate(struct basis *b)
+prepare_guess_materials(struct basis *b)
 {
 	size_t n = b->list.n;
 	b->m = xcalloc(n, sizeof *b->m);
@@ -72,7 +72,7 @@ basis_allocate(struct basis *b)
 		double top_mm = m->top_size_mm;
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
-		    stored_settings(m), stored_is_table3(m)};
+		    stored_model_settings(m), stored_is_table3(m)};
 		b->leave_out[i] = text_same_folded(m->site, b->wanted.site);
 	}
 	while (!stored_is_table3(&b->list.item[b->table3]))
@@ -83,7 +83,7 @@ basis_allocate(struct basis *b)
  * leaving one site out gives the smallest error.  That number is found from
  * Table 3 alone, so that it is the same for everyone. */
 static void
-basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
+pick_nearest_materials(struct basis *b, uint64_t nearest, double speed)
 {
 	size_t n = b->list.n, n_table = n - b->table3, most = n;
 	const struct guess_material *table = b->m + b->table3;
@@ -91,17 +91,18 @@ basis_pick_nearest(struct basis *b, uint64_t nearest, double speed)
 		most = nearest < n ? (size_t)nearest : n;
 		b->error = guess_leave_one_out(table, n_table, most, speed);
 	} else {
-		b->choice = guess_choose(table, n_table, speed);
+		b->choice = guess_choose_nearest_count(table, n_table, speed);
 		b->error = b->choice.helps ? b->choice.few : b->choice.all;
 		most = b->choice.helps ? b->error.nearest : n;
 	}
-	b->n = guess_nearest(b->m, n, &b->wanted, b->leave_out, most, b->pick);
+	b->n = guess_find_nearest_materials(
+	    b->m, n, &b->wanted, b->leave_out, most, b->pick);
 }
 
 /* Takes the rock and the top size that are given, otherwise those of the site
  * file. */
 static bool
-read_wanted_material(const struct site *site, const struct args *args,
+parse_wanted_material(const struct site *site, const struct args *args,
     struct guess_material *wanted, struct error *error)
 {
 	*wanted = (struct guess_material){.site = site->name,
@@ -118,12 +119,12 @@ read_wanted_material(const struct site *site, const struct args *args,
 }
 
 static void
-put_materials(struct fields *o, const struct basis *b)
+put_picked_materials(struct fields *o, const struct basis *b)
 {
-	struct fields *list = fields_list(o, "materials");
+	struct fields *list = fields_add_list(o, "materials");
 	for (size_t i = 0; i < b->n; i++) {
 		const struct stored *m = &b->list.item[b->pick[i]];
-		struct fields *one = fields_object(list, NULL);
+		struct fields *one = fields_add_object(list, NULL);
 		fields_put(one,
 		    "name %s site %s rock %s top_size_mm %g origin %s "
 		    "provenance %s train_mps %s",
@@ -134,24 +135,25 @@ put_materials(struct fields *o, const struct basis *b)
 }
 
 static const char *
-worst_name(const struct basis *b)
+name_of_worst_material(const struct basis *b)
 {
 	return b->list.item[b->table3 + b->error.worst_at].name;
 }
 
 static void
-put_error(struct fields *o, const struct basis *b)
+put_leave_one_out_error(struct fields *o, const struct basis *b)
 {
 	const struct guess_error *e = &b->error;
-	fields_put(fields_object(o, "leave_one_site_out"),
+	fields_put(fields_add_object(o, "leave_one_site_out"),
 	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
 	    "feed_rmse_pct %g held_pct %g",
 	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
-	    worst_name(b), 100 * e->feed, 100 * e->held);
+	    name_of_worst_material(b), 100 * e->feed, 100 * e->held);
 }
 
 static void
-put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
+put_guess_fields(
+    struct answer *r, const struct basis *b, const struct guess *guess)
 {
 	struct fields *o = answer_fields(r);
 	double top = b->wanted.top_size;
@@ -160,24 +162,24 @@ put_guess(struct answer *r, const struct basis *b, const struct guess *guess)
 	answer_put_columns(r, "sieve_mm passing_pct low_pct high_pct");
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		const struct guess_range *range = &guess->size[i];
-		fields_number(o, ANSWERS_SIZE[i].key, 1000 * range->middle);
-		answers_put_pair(o, ANSWERS_SIZE[i].range_key,
+		fields_put_number(o, ANSWERS_SIZE[i].key, 1000 * range->middle);
+		answers_put_low_high(o, ANSWERS_SIZE[i].range_key,
 		    1000 * range->low, 1000 * range->high);
 	}
-	put_materials(o, b);
+	put_picked_materials(o, b);
 }
 
 static struct answer *
-guess_table(const struct site *site, const struct guess *guess)
+build_guess_answer(const struct site *site, const struct guess *guess)
 {
-	FREED char *rpm = rotor_speed_words(site->rotor, guess->speed, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, guess->speed, NAN);
 	struct answer *r = answers_new(site, "guess",
 	    "estimated product at %.*f m/s%s, not calibrated",
-	    units_speed_digits(guess->speed), guess->speed, rpm);
+	    units_speed_decimals(guess->speed), guess->speed, rpm);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "
 			  "guess %%, low_pct: low %%, high_pct: high %%");
 	for (size_t i = 0; i < guess->median.n; i++)
-		answer_cells(r, "%g %.1f %.1f %.1f %.1f",
+		answer_add_cells(r, "%g %.1f %.1f %.1f %.1f",
 		    units_mm(guess->median.size[i]),
 		    units_pct(guess->feed.passing[i]),
 		    units_pct(guess->median.passing[i]),
@@ -188,7 +190,7 @@ guess_table(const struct site *site, const struct guess *guess)
 
 /* Returns "2.81 (2.52..3.10)", in mm. */
 static char *
-range_words(const struct guess_range *range, const char *none)
+size_range_text(const struct guess_range *range, const char *none)
 {
 	const double v[3] = {range->middle, range->low, range->high};
 	char *word[3];
@@ -202,17 +204,17 @@ range_words(const struct guess_range *range, const char *none)
 }
 
 static void
-note_sizes(struct answer *r, const struct guess *guess)
+note_guessed_sizes(struct answer *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
 	FREED char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
 	char *words[ANSWERS_SIZES];
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		words[i] = range_words(
+		words[i] = size_range_text(
 		    &guess->size[i], i == ANSWERS_BREAK ? tr("none") : none);
 	FREED char *sizes = xstrdup("");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		xlist(&sizes, ", ", "%s %s", PSD_NAME[i], words[i]);
+		xappend_to_list(&sizes, ", ", "%s %s", PSD_NAME[i], words[i]);
 	answer_note(r, "%s mm", sizes);
 	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
@@ -227,14 +229,15 @@ material_names(const struct basis *b, bool left)
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
 		size_t at = left ? i : b->pick[i];
 		if (!left || b->leave_out[i])
-			xlist(&list, ", ", "%s", b->list.item[at].name);
+			xappend_to_list(
+			    &list, ", ", "%s", b->list.item[at].name);
 	}
 	return list;
 }
 
 /* Names the materials that were chosen. */
 static void
-note_nearest(struct answer *r, const struct basis *b)
+note_nearest_materials(struct answer *r, const struct basis *b)
 {
 	size_t same = 0;
 	for (size_t i = 0; i < b->n; i++)
@@ -269,7 +272,7 @@ note_unknown_rock(struct answer *r, const struct basis *b)
 }
 
 static void
-note_choice(struct answer *r, const struct basis *b)
+note_choice_of_materials(struct answer *r, const struct basis *b)
 {
 	const struct guess_choice *c = &b->choice;
 	if (c->all.n > 0 && !c->helps)
@@ -280,7 +283,7 @@ note_choice(struct answer *r, const struct basis *b)
 		    "(%.1f)",
 		    c->few.nearest, 100 * c->few.median, 100 * c->all.median);
 	else
-		note_nearest(r, b);
+		note_nearest_materials(r, b);
 }
 
 static void
@@ -313,7 +316,7 @@ note_materials(struct answer *r, const struct basis *b)
 		    "beta from coarse to fine",
 		    GUESS_LAWS);
 	note_unknown_rock(r, b);
-	note_choice(r, b);
+	note_choice_of_materials(r, b);
 	if (b->table3 < b->own)
 		answer_say(r, ANSWER_REMARK,
 		    "of your own %zu materials the %zu nearest in rock and top "
@@ -347,7 +350,7 @@ note_beyond_training_speeds(
 			slowest = fmax(slowest, slow);
 			fastest = fmin(fastest, fast);
 		}
-		origin_drop(o);
+		origin_release(o);
 	}
 	bool beyond = speed < slowest - 1e-9 || speed > fastest + 1e-9;
 	fields_put(answer_fields(r), "extrapolated %d", beyond);
@@ -355,13 +358,13 @@ note_beyond_training_speeds(
 		answer_say(r, ANSWER_WARNING,
 		    "%.*f m/s is outside the training speeds common to these "
 		    "materials, %g to %g m/s",
-		    units_speed_digits(speed), speed, slowest, fastest);
+		    units_speed_decimals(speed), speed, slowest, fastest);
 }
 
 /* Notes how far such guesses err.  The band of a few materials is too narrow,
  * and not by chance: see struct guess. */
 static void
-note_error(struct answer *r, const struct basis *b)
+note_guess_error(struct answer *r, const struct basis *b)
 {
 	const struct guess_error *e = &b->error;
 	if (b->n > 1 && e->held < 0.7)
@@ -375,7 +378,7 @@ note_error(struct answer *r, const struct basis *b)
 	    "all): median %.1f points, worst %.1f (%s); feed unchanged %.1f. "
 	    "These are reconstructed data on synthetic feeds without sampling "
 	    "error: with another beta expect 5 to 12 points",
-	    e->n, 100 * e->median, 100 * e->worst, worst_name(b),
+	    e->n, 100 * e->median, 100 * e->worst, name_of_worst_material(b),
 	    100 * e->feed);
 	if (b->n > 1)
 		answer_say(r, ANSWER_REMARK,
@@ -395,7 +398,7 @@ note_best_material(
 		return;
 	size_t run = 0, best = b->list.n;
 	double least = INFINITY;
-	while (misfit_count_covered(&site->run[run]) == 0)
+	while (misfit_count_covered_sieves(&site->run[run]) == 0)
 		if (++run == site->n_run)
 			return;
 	FREED bool *train = xcalloc(site->n_run, sizeof *train);
@@ -420,17 +423,17 @@ note_best_material(
 }
 
 static void
-give_guess(struct session *s, const struct site *site, const struct basis *b,
+show_guess(struct session *s, const struct site *site, const struct basis *b,
     const struct guess *guess)
 {
-	struct answer *r = guess_table(site, guess);
-	note_sizes(r, guess);
+	struct answer *r = build_guess_answer(site, guess);
+	note_guessed_sizes(r, guess);
 	note_materials(r, b);
 	note_best_material(r, site, b);
 	note_beyond_training_speeds(r, b, guess->speed);
-	note_error(r, b);
-	put_guess(r, b, guess);
-	put_error(answer_fields(r), b);
+	note_guess_error(r, b);
+	put_guess_fields(r, b, guess);
+	put_leave_one_out_error(answer_fields(r), b);
 	session_show_answer(s, r);
 }
 
@@ -440,15 +443,15 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 {
 	const struct site *site = q->entry->site;
 	struct basis b = {.n = 0};
-	question_take_last_speed(s, q);
-	bool ok = read_wanted_material(site, args, &b.wanted, error) &&
-		  basis_from_material(&b, s->store, error);
+	question_use_last_speed(s, q);
+	bool ok = parse_wanted_material(site, args, &b.wanted, error) &&
+		  load_guess_materials(&b, s->store, error);
 	if (ok) {
-		basis_allocate(&b);
-		basis_pick_nearest(&b, args->nearest, q->speed);
+		prepare_guess_materials(&b);
+		pick_nearest_materials(&b, args->nearest, q->speed);
 		struct guess guess =
 		    guess_product(site, q->feed, b.m, b.pick, b.n, q->speed);
-		give_guess(s, site, &b, &guess);
+		show_guess(s, site, &b, &guess);
 		guess_free(&guess);
 	}
 	basis_free(&b);

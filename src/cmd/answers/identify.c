@@ -37,13 +37,13 @@ struct findings {
 };
 
 static void
-identify_find_speeds(struct findings *f, const struct site *site)
+list_speeds_measured(struct findings *f, const struct site *site)
 {
 	f->finest = INFINITY;
-	f->speed = xdoubles(site->n_run);
+	f->speed = xcalloc_doubles(site->n_run);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		size_t n = misfit_count_covered(run);
+		size_t n = misfit_count_covered_sieves(run);
 		if (n == 0)
 			continue;
 		f->finest = fmin(f->finest, run->product.size[n - 1]);
@@ -53,16 +53,16 @@ identify_find_speeds(struct findings *f, const struct site *site)
 }
 
 static struct findings
-identify_find(const struct posterior *p, const struct site *site)
+find_what_data_determine(const struct posterior *p, const struct site *site)
 {
 	struct findings f = {.p = p, .of = BREAKAGES[p->settings.breakage]};
-	size_t threshold = breakage_parameter(f.of, "e0_min");
-	identify_find_speeds(&f, site);
+	size_t threshold = breakage_parameter_index(f.of, "e0_min");
+	list_speeds_measured(&f, site);
 	f.at = xcalloc(f.n_speed + 1, sizeof *f.at);
 	for (size_t i = 0; i < f.n_speed; i++)
-		f.at[i] = identify_break(p, f.speed[i], f.finest);
+		f.at[i] = identify_break_size(p, f.speed[i], f.finest);
 	for (size_t j = 0; j < f.of->n; j++)
-		f.param[j] = identify_param(p, j);
+		f.param[j] = identify_summarise_param(p, j);
 	f.open = (f.n_speed > 0 && f.at[0].below > OPEN) ||
 		 (threshold < f.of->n && f.param[threshold].bound < 0);
 	return f;
@@ -78,13 +78,13 @@ grade_of_break_size(const struct findings *f, size_t i)
 }
 
 static void
-identify_add_rows(struct answer *r, const struct findings *f)
+add_identifiability_rows(struct answer *r, const struct findings *f)
 {
 	answer_columns(
 	    r, "what: , mean, sd, share_pct: %% of prior, unit, grade: ");
 	for (size_t i = 0; i < f->n_speed; i++) {
 		answer_text(r, "break size, %g m/s", f->speed[i]);
-		answer_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
+		answer_add_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
 		    1000 * f->at[i].sd, NAN, "mm");
 		answer_text(r, "%s", grade_of_break_size(f, i));
 	}
@@ -92,7 +92,7 @@ identify_add_rows(struct answer *r, const struct findings *f)
 		const struct identify_param *a = &f->param[j];
 		if (j == f->of->reference)
 			continue;
-		answer_cells(r, "%s %.3f %.3f %.0f %s",
+		answer_add_cells(r, "%s %.3f %.3f %.0f %s",
 		    f->of->parameter[j].name, a->mean, a->sd, 100 * a->ratio,
 		    f->of->parameter[j].unit);
 		answer_text(r,
@@ -106,7 +106,7 @@ identify_add_rows(struct answer *r, const struct findings *f)
 /* Finds the most correlated pairs of parameters, strongest first, at most
  * RIDGES of them.  Returns their number. */
 static size_t
-find_ridges(const struct findings *f, size_t pair[RIDGES][2])
+find_correlated_pairs(const struct findings *f, size_t pair[RIDGES][2])
 {
 	size_t n = 0;
 	double last = INFINITY;
@@ -115,8 +115,8 @@ find_ridges(const struct findings *f, size_t pair[RIDGES][2])
 		bool found = false;
 		for (size_t i = 0; i < f->of->n; i++)
 			for (size_t j = i + 1; j < f->of->n; j++) {
-				double r = fabs(identify_strongest(
-				    identify_pair(f->p, i, j)));
+				double r = fabs(identify_stronger_correlation(
+				    identify_correlate_pair(f->p, i, j)));
 				if (!(r > most && r < last))
 					continue;
 				most = r;
@@ -133,17 +133,17 @@ find_ridges(const struct findings *f, size_t pair[RIDGES][2])
 }
 
 static void
-say_ridges(struct answer *r, const struct findings *f)
+say_correlated_pairs(struct answer *r, const struct findings *f)
 {
-	size_t pair[RIDGES][2], n = find_ridges(f, pair);
-	struct fields *list = fields_list(answer_fields(r), "ridges");
+	size_t pair[RIDGES][2], n = find_correlated_pairs(f, pair);
+	struct fields *list = fields_add_list(answer_fields(r), "ridges");
 	for (size_t k = 0; k < n; k++) {
 		struct identify_pair c =
-		    identify_pair(f->p, pair[k][0], pair[k][1]);
+		    identify_correlate_pair(f->p, pair[k][0], pair[k][1]);
 		const char *a = f->of->parameter[pair[k][0]].name;
 		const char *b = f->of->parameter[pair[k][1]].name;
-		double most = identify_strongest(c);
-		fields_put(fields_object(list, NULL),
+		double most = identify_stronger_correlation(c);
+		fields_put(fields_add_object(list, NULL),
 		    "a %s b %s linear %g rank %g", a, b, c.linear, c.rank);
 		answer_note(r,
 		    most > 0
@@ -156,7 +156,7 @@ say_ridges(struct answer *r, const struct findings *f)
 }
 
 static void
-say_open(struct answer *r, const struct findings *f)
+warn_if_threshold_unbounded(struct answer *r, const struct findings *f)
 {
 	if (f->open)
 		answer_say(r, ANSWER_WARNING,
@@ -180,21 +180,21 @@ break_sizes_text(const struct findings *f, bool sharp, char **speeds)
 	for (size_t i = 0; i < f->n_speed; i++) {
 		if ((f->at[i].sd <= SHARP * f->at[i].mean) != sharp)
 			continue;
-		xlist(speeds, ++n == left ? tr(" and ") : ", ", "%g",
+		xappend_to_list(speeds, ++n == left ? tr(" and ") : ", ", "%g",
 		    f->speed[i]);
-		xlist(&sizes, ", ", "%.2f +- %.2f", 1000 * f->at[i].mean,
-		    1000 * f->at[i].sd);
+		xappend_to_list(&sizes, ", ", "%.2f +- %.2f",
+		    1000 * f->at[i].mean, 1000 * f->at[i].sd);
 	}
 	return sizes;
 }
 
 static void
-add_break_sizes(char **text, const struct findings *f, bool sharp)
+append_break_sizes(char **text, const struct findings *f, bool sharp)
 {
 	FREED char *speeds = xstrdup(""),
 		   *sizes = break_sizes_text(f, sharp, &speeds);
 	if (sizes[0] != '\0')
-		xlist(text, "; ",
+		xappend_to_list(text, "; ",
 		    sharp ? tr("the data fix the break size at %s m/s: %s mm")
 			  : tr("the data leave the break size at %s m/s open: "
 			       "%s mm"),
@@ -202,7 +202,8 @@ add_break_sizes(char **text, const struct findings *f, bool sharp)
 }
 
 static void
-add_names(char **text, const struct findings *f, enum identify_grade grade)
+append_parameter_names(
+    char **text, const struct findings *f, enum identify_grade grade)
 {
 	FREED char *names = xstrdup("");
 	size_t n = 0, left = 0;
@@ -210,10 +211,11 @@ add_names(char **text, const struct findings *f, enum identify_grade grade)
 		left += f->param[j].grade == grade;
 	for (size_t j = 0; j < f->of->n; j++)
 		if (f->param[j].grade == grade)
-			xlist(&names, ++n == left ? tr(" and ") : ", ", "%s",
+			xappend_to_list(&names,
+			    ++n == left ? tr(" and ") : ", ", "%s",
 			    f->of->parameter[j].name);
 	if (left > 0)
-		xlist(text, "; ",
+		xappend_to_list(text, "; ",
 		    grade == IDENTIFY_NOT
 			? tr_n("%s cannot be told", "%s cannot be told", left)
 		    : grade == IDENTIFY_POORLY
@@ -225,38 +227,39 @@ add_names(char **text, const struct findings *f, enum identify_grade grade)
 
 /* Sums up all findings in one sentence.  The caller frees it. */
 static char *
-identify_sentence(const struct findings *f)
+identifiability_summary_text(const struct findings *f)
 {
 	char *text = xstrdup("");
 	if (f->open && f->n_speed > 0)
-		xlist(&text, "; ",
+		xappend_to_list(&text, "; ",
 		    tr("the data bound the break size from above only: at most "
 		       "%.2f mm at %g m/s"),
 		    1000 * f->at[0].high, f->speed[0]);
 	else {
-		add_break_sizes(&text, f, true);
-		add_break_sizes(&text, f, false);
+		append_break_sizes(&text, f, true);
+		append_break_sizes(&text, f, false);
 	}
-	add_names(&text, f, IDENTIFY_DETERMINED);
-	add_names(&text, f, IDENTIFY_POORLY);
-	add_names(&text, f, IDENTIFY_NOT);
+	append_parameter_names(&text, f, IDENTIFY_DETERMINED);
+	append_parameter_names(&text, f, IDENTIFY_POORLY);
+	append_parameter_names(&text, f, IDENTIFY_NOT);
 	return text;
 }
 
 static void
-identify_put(struct fields *o, const struct findings *f, const char *text)
+put_identifiability_fields(
+    struct fields *o, const struct findings *f, const char *text)
 {
-	struct fields *list = fields_list(o, "break_size");
+	struct fields *list = fields_add_list(o, "break_size");
 	for (size_t i = 0; i < f->n_speed; i++)
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "speed %g mean_mm %g sd_mm %g low_mm %g high_mm %g "
 		    "below_sieves_share %g",
 		    f->speed[i], 1000 * f->at[i].mean, 1000 * f->at[i].sd,
 		    1000 * f->at[i].low, 1000 * f->at[i].high, f->at[i].below);
-	list = fields_list(o, "parameters");
+	list = fields_add_list(o, "parameters");
 	for (size_t j = 0; j < f->of->n; j++) {
 		const struct identify_param *a = &f->param[j];
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "name %s mean %g sd %g prior_sd %g share_pct %g grade %s "
 		    "bound %s",
 		    f->of->parameter[j].name, a->mean, a->sd, a->prior,
@@ -273,23 +276,23 @@ bool
 cmd_identify(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (!answers_check_current(s, error))
+	if (!answers_require_params_of_current(s, error))
 		return false;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	if (p == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "there are no draws to judge the parameters by (%s)\nrun "
 		    "'calibrate' first",
-		    outlook_why_none(s, entry));
-	struct findings f = identify_find(p, entry->site);
+		    outlook_why_no_band(s, entry));
+	struct findings f = find_what_data_determine(p, entry->site);
 	struct answer *r =
 	    answers_new(entry->site, "identify", "what the data determine");
-	FREED char *text = identify_sentence(&f);
-	identify_add_rows(r, &f);
-	identify_put(answer_fields(r), &f, text);
-	say_ridges(r, &f);
-	say_open(r, &f);
+	FREED char *text = identifiability_summary_text(&f);
+	add_identifiability_rows(r, &f);
+	put_identifiability_fields(answer_fields(r), &f, text);
+	say_correlated_pairs(r, &f);
+	warn_if_threshold_unbounded(r, &f);
 	answer_note(r,
 	    "at 52 to 77 of 100 synthetic plants that follow Eqs 1 to 3, the "
 	    "middle 80 %% of the draws of the break size held the true one");

@@ -27,7 +27,7 @@
 
 /* Says in a sentence which sizes break at this speed. */
 static void
-note_breakage(struct answer *r, const struct params *params,
+note_breaking_sizes(struct answer *r, const struct params *params,
     const struct psd *feed, const struct prediction *p)
 {
 	double top = feed->size[0];
@@ -39,9 +39,9 @@ note_breakage(struct answer *r, const struct params *params,
 		    "nothing breaks at %.*f m/s: only particles of %.3g mm or "
 		    "more would, and the feed has none above %g mm: feed "
 		    "unchanged",
-		    units_speed_digits(p->speed), p->speed,
+		    units_speed_decimals(p->speed), p->speed,
 		    1000 * p->break_size, units_mm(top));
-	else if (params_value(params, "e0_min") <= 0)
+	else if (params_value_by_name(params, "e0_min") <= 0)
 		answer_note(r,
 		    "all sizes can break (e0_min is 0: no threshold); %.1f %% "
 		    "of the feed breaks",
@@ -50,7 +50,7 @@ note_breakage(struct answer *r, const struct params *params,
 		answer_note(r,
 		    "all sizes can break (alpha is %.2g: size hardly matters); "
 		    "%.1f %% of the feed breaks",
-		    params_value(params, "alpha"), 100 * p->selected);
+		    params_value_by_name(params, "alpha"), 100 * p->selected);
 	else
 		answer_note(r,
 		    p->break_size < 1e-4 ? N_("break size %.3g mm (nothing "
@@ -64,14 +64,15 @@ note_breakage(struct answer *r, const struct params *params,
 
 /* Names the sieves that the feed was not sieved on. */
 static void
-note_feed_gaps(
+note_sieves_missing_in_feed(
     struct answer *r, const struct site *site, const struct prediction *p)
 {
-	const struct psd *feed = site_feed(site, p->feed_run);
+	const struct psd *feed = site_feed_of_run(site, p->feed_run);
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
-		if (isnan(psd_at_sieve(feed, p->feed.size[i])))
-			xlist(&list, ", ", "%g", units_mm(p->feed.size[i]));
+		if (isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
+			xappend_to_list(
+			    &list, ", ", "%g", units_mm(p->feed.size[i]));
 	if (list[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "the feed was not sieved at %s mm: its passing there is "
@@ -80,7 +81,7 @@ note_feed_gaps(
 }
 
 static void
-note_wide_gap(struct answer *r, const struct psd *feed)
+note_wide_sieve_gap_in_feed(struct answer *r, const struct psd *feed)
 {
 	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
@@ -94,25 +95,26 @@ note_wide_gap(struct answer *r, const struct psd *feed)
  * squared at each sieve [n].  NULL unless measured runs with this feed and
  * machine lie on both sides of the speed. */
 static double *
-interpolate_measured(const struct session *s, const struct entry *entry,
-    const struct params *params, const struct prediction *p)
+interpolate_measured_products(const struct session *s,
+    const struct entry *entry, const struct params *params,
+    const struct prediction *p)
 {
 	if (entry->site->with[0] != '\0')
 		return NULL;
 	struct site *site = site_copy(entry->site);
 	for (size_t r = 0; r < site->n_run; r++) {
 		psd_free(&site->run[r].product);
-		site->run[r].product =
-		    psd_copy(moved_product(s, entry, params, r, p->feed_run));
+		site->run[r].product = psd_copy(moved_product_adjusted_to_feed(
+		    s, entry, params, r, p->feed_run));
 	}
 	FREED bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
 	for (size_t r = 0; r < site->n_run; r++)
 		measured[r] = site->run[r].product.n > 0;
-	if (!predict_extrapolates(site, measured, p->speed)) {
-		passing = xdoubles(p->product.n);
+	if (!predict_is_extrapolation(site, measured, p->speed)) {
+		passing = xcalloc_doubles(p->product.n);
 		for (size_t i = 0; i < p->product.n; i++)
-			passing[i] = validate_interpolation(
+			passing[i] = validate_interpolated_passing(
 			    site, measured, p->speed, p->product.size[i]);
 	}
 	site_free(site);
@@ -122,10 +124,10 @@ interpolate_measured(const struct session *s, const struct entry *entry,
 /* Returns how many runs have a product at a speed, repeats included, and sets
  * *first to the first of them.  With another feed or machine there are none. */
 static size_t
-predict_measured_at(
+find_runs_measured_at_speed(
     const struct site *site, double speed, const struct run **first)
 {
-	size_t from = site_run_at(site, speed), n = 0;
+	size_t from = site_run_at_speed(site, speed), n = 0;
 	*first = &site->run[from];
 	while (site->with[0] == '\0' && from + n < site->n_run &&
 	       (*first)[n].product.n > 0 &&
@@ -137,15 +139,16 @@ predict_measured_at(
 /* Returns the measured products of the runs [n] for the feed and the fraction
  * asked about.  The caller frees them. */
 static struct psd *
-measured_parts(const struct session *s, const struct entry *entry,
+measured_products_of_runs(const struct session *s, const struct entry *entry,
     const struct params *params, const struct run *run, size_t n,
     const struct prediction *p)
 {
 	size_t first = (size_t)(run - entry->site->run);
 	struct psd *part = xcalloc(n, sizeof *part);
 	for (size_t k = 0; k < n; k++)
-		part[k] = screened_measured(
-		    moved_product(s, entry, params, first + k, p->feed_run),
+		part[k] = screened_fraction_of_product(
+		    moved_product_adjusted_to_feed(
+			s, entry, params, first + k, p->feed_run),
 		    &p->fraction);
 	return part;
 }
@@ -154,14 +157,15 @@ measured_parts(const struct session *s, const struct entry *entry,
  * model: NULL, or the model for a column of its own, beside one for the speed,
  * as files want them.  alone: adds the passings by the model alone. */
 static void
-predict_add_rows(struct answer *r, const struct session *s,
+add_prediction_rows(struct answer *r, const struct session *s,
     const struct entry *entry, const struct params *params,
     const struct prediction *p, const double *between, const char *model,
     bool alone)
 {
 	const struct run *run;
-	size_t n = predict_measured_at(entry->site, p->speed, &run);
-	FREED struct psd *part = measured_parts(s, entry, params, run, n, p);
+	size_t n = find_runs_measured_at_speed(entry->site, p->speed, &run);
+	FREED struct psd *part =
+	    measured_products_of_runs(s, entry, params, run, n, p);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -180,50 +184,51 @@ predict_add_rows(struct answer *r, const struct session *s,
 		answer_columns(r, "speed, model");
 	for (size_t i = 0; i < p->product.n; i++) {
 		double x = p->product.size[i];
-		answer_cells(r, "%g %.1f %.1f", units_mm(x),
+		answer_add_cells(r, "%g %.1f %.1f", units_mm(x),
 		    units_pct(p->feed.passing[i]),
 		    units_pct(p->product.passing[i]));
 		if (p->low != NULL)
-			answer_cells(r, "%.1f %.1f", units_pct(p->low[i]),
+			answer_add_cells(r, "%.1f %.1f", units_pct(p->low[i]),
 			    units_pct(p->high[i]));
 		if (p->low != NULL && alone)
-			answer_cells(r, "%.1f", units_pct(p->model[i]));
+			answer_add_cells(r, "%.1f", units_pct(p->model[i]));
 		for (size_t k = 0; k < n; k++)
-			answer_cells(
-			    r, "%.1f", units_pct(psd_at_sieve(&part[k], x)));
+			answer_add_cells(r, "%.1f",
+			    units_pct(psd_passing_at_sieve(&part[k], x)));
 		if (between != NULL)
-			answer_cells(r, "%.1f", units_pct(between[i]));
+			answer_add_cells(r, "%.1f", units_pct(between[i]));
 		if (model != NULL)
-			answer_cells(r, "%g %s", p->speed, model);
+			answer_add_cells(r, "%g %s", p->speed, model);
 	}
 	for (size_t k = 0; k < n; k++)
 		psd_free(&part[k]);
 }
 
 static struct answer *
-prediction_answer(const struct session *s, const struct entry *entry,
+build_prediction_answer(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct params *params,
     const double *between, bool detail)
 {
-	const char *model = breakage_of(params)->name;
-	FREED char *fraction = screened_title(&p->fraction);
+	const char *model = breakage_model_of_params(params)->name;
+	FREED char *fraction = screened_title_suffix(&p->fraction);
 	FREED char *more =
 	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
-	FREED char *band =
-	    !detail && p->low != NULL
-		? xasprintf(tr(", %.0f %% band"), 100 * settings_level(&s->set))
-		: xstrdup("");
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, p->speed, NAN);
+	FREED char *band = !detail && p->low != NULL
+			       ? xasprintf(tr(", %.0f %% band"),
+				     100 * settings_band_probability(&s->set))
+			       : xstrdup("");
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, p->speed, NAN);
 	struct answer *r = answers_new(entry->site, "predict",
-	    "product at %.*f m/s%s%s%s%s", units_speed_digits(p->speed),
+	    "product at %.*f m/s%s%s%s%s", units_speed_decimals(p->speed),
 	    p->speed, rpm, more, fraction, band);
 	/* In a table that is read aloud, the numbers of a sieve belong in one
 	 * line. */
 	if (!s->linear)
-		answer_set_across(r);
-	predict_add_rows(r, s, entry, params, p, between, NULL, detail);
-	answer_fill_for_programs(r);
-	predict_add_rows(r, s, entry, params, p, between, model, true);
+		answer_allow_transposed(r);
+	add_prediction_rows(r, s, entry, params, p, between, NULL, detail);
+	answer_begin_table_for_programs(r);
+	add_prediction_rows(r, s, entry, params, p, between, model, true);
 	return r;
 }
 
@@ -233,12 +238,13 @@ note_fit_of_only_cut(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	size_t run;
-	if (session_busy(s) || entry->site != entry_loaded(entry)->site ||
+	if (session_is_calibrating(s) ||
+	    entry->site != entry_without_variant(entry)->site ||
 	    !cut_is_only_check(entry, &run))
 		return;
-	struct cut cut = cut_compare(s, entry, run);
-	FREED char *words = cut_words(&cut);
-	FREED char *rpm = rotor_speed_words(
+	struct cut cut = cut_compare_with_prediction(s, entry, run);
+	FREED char *words = cut_describe(&cut);
+	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, entry->site->run[run].speed, NAN);
 	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
 	    cut.missed
@@ -247,7 +253,7 @@ note_fit_of_only_cut(
 		: N_("the prediction meets the cut at %g m/s%s, the one "
 		     "product of this site: %s"),
 	    entry->site->run[run].speed, rpm, words);
-	fields_put(fields_object(answer_fields(r), "cut"),
+	fields_put(fields_add_object(answer_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
 	    100 * cut.rms, cut.n);
 }
@@ -256,7 +262,7 @@ note_fit_of_only_cut(
  * feeds, while the answer equals the passing of the feed: breakage cannot bring
  * it any lower. */
 static void
-note_sieves_at_feed(
+note_sieves_limited_by_feed(
     struct answer *r, const struct question *q, const struct prediction *p)
 {
 	const double shown = 5e-4;
@@ -264,17 +270,18 @@ note_sieves_at_feed(
 	const struct psd *feed = question_feed(q);
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->product.n; i++) {
-		double x = p->product.size[i], fed = psd_at_sieve(feed, x);
+		double x = p->product.size[i],
+		       fed = psd_passing_at_sieve(feed, x);
 		double least = INFINITY;
 		for (size_t k = 0; k < site->n_run; k++)
-			least = fmin(
-			    least, psd_at_sieve(&site->run[k].product, x) -
-				       psd_at_sieve(&site->run[k].feed, x));
+			least = fmin(least,
+			    psd_passing_at_sieve(&site->run[k].product, x) -
+				psd_passing_at_sieve(&site->run[k].feed, x));
 		if (fed > 0 && fed < 1 && least < -shown &&
 		    p->product.passing[i] - fed < shown)
-			xlist(&list, ", ", "%g", units_mm(x));
+			xappend_to_list(&list, ", ", "%g", units_mm(x));
 	}
-	if (list[0] != '\0' && !fraction_screens(&p->fraction))
+	if (list[0] != '\0' && !fraction_is_screened(&p->fraction))
 		answer_say(r, ANSWER_REMARK,
 		    "at %s mm the feed has more than measured products, which "
 		    "crushing cannot cause: there the answer is the feed; "
@@ -286,7 +293,7 @@ bool
 predict_correction_is_worth_saying(
     const struct session *s, const struct entry *entry)
 {
-	return outlook_correction(s, entry) != CORRECTION_ALL ||
+	return outlook_correcting_runs(s, entry) != CORRECTION_ALL ||
 	       !entry->has_fit;
 }
 
@@ -300,37 +307,37 @@ predict_chance_words(double level)
 }
 
 static double
-value_at(const struct session *s, const struct question *q,
+predicted_quantity_at_speed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
 {
 	struct forecast *f = forecast_open(s, q, of, 1);
-	forecast_at(f, speed);
-	double value = forecast_figure(f, 0).value;
+	forecast_set_speed(f, speed);
+	double value = forecast_value_with_band(f, 0).value;
 	forecast_close(f);
 	return value;
 }
 
 size_t
-predict_each_feed(const struct session *s, const struct question *q,
+predict_with_each_feed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *value)
 {
 	const struct site *site = q->entry->site;
-	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	size_t n = site->individual_feeds && !other ? site->n_run : 0;
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
 		own.feed = run;
-		value[run] = value_at(s, &own, of, speed);
+		value[run] = predicted_quantity_at_speed(s, &own, of, speed);
 	}
 	return n;
 }
 
 bool
-predict_feeds_range(const struct session *s, const struct question *q,
+predict_range_over_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double range[static 2])
 {
-	FREED double *fed = xdoubles(q->entry->site->n_run);
-	size_t n = predict_each_feed(s, q, of, speed, fed);
+	FREED double *fed = xcalloc_doubles(q->entry->site->n_run);
+	size_t n = predict_with_each_feed(s, q, of, speed, fed);
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	for (size_t run = 0; run < n; run++) {
@@ -341,34 +348,35 @@ predict_feeds_range(const struct session *s, const struct question *q,
 }
 
 double
-predict_change_by_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed)
+predict_largest_change_by_feed(const struct session *s,
+    const struct question *q, const struct quantity *of, double speed)
 {
 	double range[2];
-	if (!predict_feeds_range(s, q, of, speed, range))
+	if (!predict_range_over_feeds(s, q, of, speed, range))
 		return 0;
-	double value = value_at(s, q, of, speed);
+	double value = predicted_quantity_at_speed(s, q, of, speed);
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
 }
 
 /* Adds the range of the quantity over the sampled feeds, used one at a time
  * instead of their mean, if the last digit shown can tell them from it. */
 static void
-add_each_feed(const struct session *s, const struct question *q,
+append_range_over_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double value, char **words)
 {
 	int decimals = quantities_decimals(of);
 	double range[2];
-	if (!predict_feeds_range(s, q, of, speed, range))
+	if (!predict_range_over_feeds(s, q, of, speed, range))
 		return;
 	double most = fmax(value - range[0], range[1] - value);
-	if (!(quantities_shown(of, most) >= 0.5 * pow(10, -decimals)))
+	if (!(quantities_value_in_shown_unit(of, most) >=
+		0.5 * pow(10, -decimals)))
 		return;
 	xappend(words,
 	    tr("; with each sampled feed instead of their mean from %.*f to "
 	       "%.*f"),
-	    decimals, quantities_shown(of, range[0]), decimals,
-	    quantities_shown(of, range[1]));
+	    decimals, quantities_value_in_shown_unit(of, range[0]), decimals,
+	    quantities_value_in_shown_unit(of, range[1]));
 }
 
 char *
@@ -377,25 +385,26 @@ predict_certainty_words(const struct session *s, const struct question *q,
 {
 	int decimals = quantities_decimals(of);
 	struct forecast *f = forecast_open(s, q, of, 1);
-	forecast_at(f, speed);
-	struct figure answer = forecast_shown(f, 0);
-	double value = forecast_figure(f, 0).value;
-	forecast_part_at(f, speed, ENSEMBLE_SAMPLE);
-	struct figure sample = forecast_shown(f, 0);
+	forecast_set_speed(f, speed);
+	struct figure answer = forecast_value_in_shown_unit(f, 0);
+	double value = forecast_value_with_band(f, 0).value;
+	forecast_set_speed_and_draws(f, speed, ENSEMBLE_SAMPLE);
+	struct figure sample = forecast_value_in_shown_unit(f, 0);
 	forecast_close(f);
 	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
 		return NULL;
 	FREED char *chance = predict_chance_words(q->level);
-	FREED char *said = quantities_statement(of, value);
-	FREED char *rpm = rotor_speed_words(q->entry->site->rotor, speed, NAN);
+	FREED char *said = quantities_sentence_with_value(of, value);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(q->entry->site->rotor, speed, NAN);
 	char *words = xasprintf(
 	    tr("at %.*f m/s%s %s: %s between %.*f and %.*f; a new belt cut "
 	       "between %.*f and %.*f"),
-	    units_speed_digits(speed), speed, rpm, said, chance, decimals,
+	    units_speed_decimals(speed), speed, rpm, said, chance, decimals,
 	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
 	    sample.high);
 	if (q->feed == SITE_MEAN_FEED)
-		add_each_feed(s, q, of, speed, value, &words);
+		append_range_over_feeds(s, q, of, speed, value, &words);
 	return words;
 }
 
@@ -405,21 +414,22 @@ static void
 add_other_sieve(const struct session *s, const struct question *q,
     const struct prediction *p, char **words)
 {
-	size_t said = answers_usual_sieve(&p->product);
+	size_t said = answers_default_sieve(&p->product);
 	size_t other = said > 0 ? said - 1 : said + 1;
 	if (!s->prompt || s->scripts > s->typed_depth || other >= p->product.n)
 		return;
-	FREED char *speed = answers_typed_speed(q->entry->site, p->speed);
+	FREED char *speed = answers_format_speed(q->entry->site, p->speed);
 	xappend(words, tr("; another sieve: predict %s passing %g"), speed,
 	    units_mm(p->product.size[other]));
 }
 
 static void
-note_certainty(struct answer *r, const struct session *s,
+note_certainty_of_passing(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
 {
-	const struct quantity of = answers_usual_passing(&p->product);
-	if (p->low == NULL || fraction_screens(&p->fraction))
+	const struct quantity of =
+	    answers_default_passing_quantity(&p->product);
+	if (p->low == NULL || fraction_is_screened(&p->fraction))
 		return;
 	FREED char *words = predict_certainty_words(s, q, &of, p->speed);
 	if (words == NULL)
@@ -431,7 +441,7 @@ note_certainty(struct answer *r, const struct session *s,
 /* Returns how far the measured products that stand beside the answer were
  * moved, the largest distance, passing 0..1; 0 if that does not show. */
 static double
-largest_move_to_feed(const struct session *s, const struct question *q,
+largest_adjustment_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
 	const double SHOWN = 5e-4; /* changes a tenth of a point */
@@ -439,38 +449,40 @@ largest_move_to_feed(const struct session *s, const struct question *q,
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
-			most = fmax(most, moved_largest(s, q->entry, q->params,
-					      k, p->feed_run));
+			most = fmax(
+			    most, moved_largest_feed_adjustment(
+				      s, q->entry, q->params, k, p->feed_run));
 	return most > SHOWN ? most : 0;
 }
 
 /* Builds the answer with all notes.  wanted: with interpolated products. */
 static struct answer *
-prediction_with_notes(const struct session *s, const struct question *q,
+build_prediction_with_notes(const struct session *s, const struct question *q,
     const struct prediction *p, const struct params *params, bool wanted,
     bool detail)
 {
 	const struct entry *entry = q->entry;
 	FREED double *between =
-	    wanted ? interpolate_measured(s, entry, params, p) : NULL;
+	    wanted ? interpolate_measured_products(s, entry, params, p) : NULL;
 	struct answer *r =
-	    prediction_answer(s, entry, p, params, between, detail);
+	    build_prediction_answer(s, entry, p, params, between, detail);
 	struct fields *o = answer_fields(r);
 	answers_put_prediction(s, o, entry, params, p);
-	note_certainty(r, s, q, p);
-	screened_note(r, p);
+	note_certainty_of_passing(r, s, q, p);
+	screened_note_share(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
 		answer_put_columns(r, "low_pct high_pct");
-		answers_put_band(o, s, p);
+		answers_put_size_bands(o, s, p);
 	}
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
-		note_breakage(
-		    r, params, site_feed(entry->site, p->feed_run), p);
-	note_sieves_at_feed(r, q, p);
-	note_feed_gaps(r, entry->site, p);
-	note_wide_gap(r, site_feed(entry->site, p->feed_run));
-	if (session_fitting(s) == entry_loaded(entry))
+		note_breaking_sizes(
+		    r, params, site_feed_of_run(entry->site, p->feed_run), p);
+	note_sieves_limited_by_feed(r, q, p);
+	note_sieves_missing_in_feed(r, entry->site, p);
+	note_wide_sieve_gap_in_feed(
+	    r, site_feed_of_run(entry->site, p->feed_run));
+	if (session_entry_being_fitted(s) == entry_without_variant(entry))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
@@ -485,7 +497,7 @@ prediction_with_notes(const struct session *s, const struct question *q,
 		    p->speed);
 	note_fit_of_only_cut(r, s, entry);
 	struct question at = *q;
-	at.moved = largest_move_to_feed(s, q, p, between != NULL);
+	at.moved = largest_adjustment_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
 	    p->low != NULL &&
 		(detail || predict_correction_is_worth_saying(s, entry)));
@@ -495,22 +507,22 @@ prediction_with_notes(const struct session *s, const struct question *q,
 /* Draws the psd plot of the prediction: with its band if an image is wanted,
  * otherwise as plain text. */
 static bool
-draw_curves(struct session *s, const struct question *q,
+draw_prediction_curves(struct session *s, const struct question *q,
     const struct prediction *p, struct error *error)
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
-	struct plot_request request = plots_request(PLOT_PSD);
+	struct plot_request request = plots_default_request(PLOT_PSD);
 	request.entry = q->entry;
 	request.speed = p->speed;
 	request.fraction = p->fraction;
 	request.feed = p->feed_run;
-	request.band = plot_writes_image(s) && p->low != NULL;
-	if (!plot_writes_image(s))
+	request.band = plot_is_image_wanted(s) && p->low != NULL;
+	if (!plot_is_image_wanted(s))
 		request.strip = 0;
-	struct chart *chart = plots_chart(s, &request, error);
+	struct chart *chart = plots_make_chart(s, &request, error);
 	if (chart == NULL)
 		return false;
-	if (plot_writes_image(s))
+	if (plot_is_image_wanted(s))
 		return plot_write_image(s, chart, error);
 	struct canvas *canvas =
 	    chart_draw(chart, WIDTH, HEIGHT, request.charset, request.words);
@@ -528,12 +540,12 @@ params_to_predict_with(const struct session *s, const struct entry *entry,
     struct params *params, struct error *error)
 {
 	*params = entry->params;
-	return answers_best_so_far(s, entry, params) ||
-	       answers_check_params(s, entry, error);
+	return answers_best_params_so_far(s, entry, params) ||
+	       answers_require_params(s, entry, error);
 }
 
 bool
-predict_step(struct session *s, const struct entry *entry, double speed,
+predict_for_slider(struct session *s, const struct entry *entry, double speed,
     size_t feed_run, const char *line, struct prediction *p,
     struct error *error)
 {
@@ -544,16 +556,16 @@ predict_step(struct session *s, const struct entry *entry, double speed,
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
 	answers_keep_prediction(s, entry, &params, p);
-	invocation_asked(s, "predict", line);
+	invocation_record_question(s, "predict", line);
 	return true;
 }
 
 /* Refuses interpolated= for a fraction, because it shows the whole product. */
 static bool
-check_whole_product(const struct args *args, const struct fraction *fraction,
-    struct error *error)
+refuse_interpolated_fraction(const struct args *args,
+    const struct fraction *fraction, struct error *error)
 {
-	if (!args->interpolated || !fraction_screens(fraction))
+	if (!args->interpolated || !fraction_is_screened(fraction))
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "interpolated= shows the whole product, not a fraction\n"
@@ -566,28 +578,29 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	struct params params;
-	question_take_last_speed(s, q);
+	question_use_last_speed(s, q);
 	if (!params_to_predict_with(s, entry, &params, error) ||
-	    !check_whole_product(args, &q->fraction, error) ||
-	    !screened_check_covered(q, error))
+	    !refuse_interpolated_fraction(args, &q->fraction, error) ||
+	    !screened_check_feed_covers(q, error))
 		return false;
 	struct question at = *q;
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
-	asked_keep(s, p.speed, NULL);
+	asked_keep_speed_and_quantity(s, p.speed, NULL);
 	if (!args->band)
 		prediction_drop_band(&p);
-	struct answer *r = prediction_with_notes(
+	struct answer *r = build_prediction_with_notes(
 	    s, &at, &p, &params, args->interpolated, args->detail);
-	if (args_given(args, &args->band) && args->band && p.low == NULL)
-		answer_note(r, "%s", outlook_why_none(s, entry));
-	bool picture = plot_writes_image(s) && s->document == NULL;
+	if (args_is_given(args, &args->band) && args->band && p.low == NULL)
+		answer_note(r, "%s", outlook_why_no_band(s, entry));
+	bool picture = plot_is_image_wanted(s) && s->document == NULL;
 	bool curve = args->curve && s->set.format == ANSWER_TABLE;
 	if (picture)
 		session_keep_answer(s, r);
 	else
 		session_show_answer(s, r);
-	bool ok = (!picture && !curve) || draw_curves(s, &at, &p, error);
+	bool ok =
+	    (!picture && !curve) || draw_prediction_curves(s, &at, &p, error);
 	prediction_free(&p);
 	return ok;
 }

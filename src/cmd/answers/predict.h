@@ -8,31 +8,31 @@
 struct question;
 
 /* Runs the `predict` command in `line` without producing its text, for the
- * current site from question_of_feed_setting.  Keeps the answer in the session
- * and the line in the journal, and sets *p; free that with prediction_free.
- * Returns false if there is no basis for a prediction. */
-bool predict_step(struct session *s, const struct entry *entry, double speed,
-    size_t feed_run, const char *line, struct prediction *p,
+ * current site from question_site_with_feed_setting.  Keeps the answer in the
+ * session and the line in the journal, and sets *p; free that with
+ * prediction_free. Returns false if there is no basis for a prediction. */
+bool predict_for_slider(struct session *s, const struct entry *entry,
+    double speed, size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
 /* Computes a quantity, in its own unit, at a speed, m/s, with the feed of each
  * run: value [n_run of the site] out, NAN if a curve does not reach it.
  * Returns n_run, or 0 if the site has one feed or the question gives
  * another. */
-size_t predict_each_feed(const struct session *s, const struct question *q,
+size_t predict_with_each_feed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *value);
 
 /* Finds the range of a quantity, in its own unit, at a speed, m/s, over the
  * feeds of the runs: range out.  Returns false if there are none, as
- * predict_each_feed. */
-bool predict_feeds_range(const struct session *s, const struct question *q,
+ * predict_with_each_feed. */
+bool predict_range_over_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double range[static 2]);
 
 /* Returns the largest change of a quantity, in its own unit, at a speed, m/s,
  * when the question's feed is replaced with a sampled one: the band does not
  * include changes of the feed.  Returns 0 if the site has one feed or the
  * question gives another. */
-double predict_change_by_feeds(const struct session *s,
+double predict_largest_change_by_feed(const struct session *s,
     const struct question *q, const struct quantity *of, double speed);
 
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */

@@ -112,13 +112,14 @@ has_what_section_needs(
 	case NEED_TPH:
 		return entry->has_params && is_section_wanted(ask, need);
 	case NEED_FIT:
-		return entry->has_params && origin_fit(entry) != NULL;
+		return entry->has_params && origin_find_fit(entry) != NULL;
 	case NEED_NONE:
 		return !entry->has_params;
 	case NEED_SEVERAL:
 		return known > 1;
 	case NEED_CUTS:
-		return entry->has_params && cut_compare_later(s, entry).n > 0;
+		return entry->has_params &&
+		       cut_compare_runs_since_fit(s, entry).n > 0;
 	case NEED_SPEC:
 		return entry->has_params &&
 		       (s->spec != NULL || ask->spec[0] != '\0');
@@ -130,12 +131,12 @@ has_what_section_needs(
 /* Replaces the words in capitals by what is asked.  The caller frees the
  * text. */
 static char *
-replace_capitals(const char *words, const struct report_request *ask)
+fill_in_placeholders(const char *words, const struct report_request *ask)
 {
 	char speed[32], *text = xstrdup("");
 	const struct {
 		const char *word, *value;
-	} with[] = {{"SPEED", text_exact_number(ask->speed, speed)},
+	} with[] = {{"SPEED", text_shortest_exact_number(ask->speed, speed)},
 	    {"SPEC", ask->spec}, {"CONDITIONS", ask->conditions},
 	    {"ENVELOPE", ask->envelope}, {"ASKED", ask->asked},
 	    {"CUT", ask->cut}, {"RATE", ask->rate}};
@@ -157,11 +158,11 @@ replace_capitals(const char *words, const struct report_request *ask)
 /* Runs a line and puts its answer into the document, or the reason why it
  * failed.  A check that finds a fault counts as an answer. */
 static void
-run_line(struct session *s, const char *line)
+run_report_line(struct session *s, const char *line)
 {
 	struct error error = {0};
 	size_t next;
-	if (session_line(s, line, 0, "report", 1, &next, &error) ||
+	if (session_run_line(s, line, 0, "report", 1, &next, &error) ||
 	    error.kind == ERROR_CHECK)
 		return;
 	document_say(s->document, DOCUMENT_WORDS, "No '%s' here: %s%s%s", line,
@@ -169,32 +170,32 @@ run_line(struct session *s, const char *line)
 }
 
 static void
-put_sections(struct session *s, const struct report_request *ask)
+write_report_sections(struct session *s, const struct report_request *ask)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
 		if (!has_what_section_needs(s, ask, row->need))
 			continue;
-		FREED char *line = replace_capitals(row->line, ask);
+		FREED char *line = fill_in_placeholders(row->line, ask);
 		if (row->heading != NULL) {
 			FREED char *heading =
-			    replace_capitals(tr(row->heading), ask);
+			    fill_in_placeholders(tr(row->heading), ask);
 			document_say(
 			    s->document, DOCUMENT_HEADING, "%s", heading);
 		}
-		run_line(s, line);
+		run_report_line(s, line);
 	}
 }
 
 /* States the provenance of the data, as a warning if they were not measured. */
 static void
-put_data(struct document *d, const struct site *site)
+write_data_provenance(struct document *d, const struct site *site)
 {
 	FREED char *from = site_source(site, "");
 	if (from[0] == '\0')
 		document_say(d, DOCUMENT_WARNING,
 		    "The site file does not state where its data are from.");
-	else if (site_data_made_up(from))
+	else if (site_is_data_made_up(from))
 		document_say(d, DOCUMENT_WARNING,
 		    "The data were not measured at a plant: %s.", from);
 	else
@@ -202,21 +203,21 @@ put_data(struct document *d, const struct site *site)
 }
 
 static void
-put_light(struct session *s, const struct report_request *ask)
+write_trust_light(struct session *s, const struct report_request *ask)
 {
 	const struct entry *entry = ask->q->entry;
-	struct trust t = light_at(s, entry, ask->speed, ask->q->feed);
+	struct trust t = light_at_speed(s, entry, ask->speed, ask->q->feed);
 	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, ask->speed, NAN);
+	    rotor_speed_rpm_text(entry->site->rotor, ask->speed, NAN);
 	FREED char *words =
 	    xasprintf(tr("Trust: %s. %s the answer at %.*f m/s%s%s"),
 		tr(LIGHT_NAME[t.light]),
 		t.n == 0 ? tr("Nothing in the data or the fit casts doubt on")
 		: t.light == LIGHT_RED ? tr("Do not rely on")
 				       : tr("Take care with"),
-		units_speed_digits(ask->speed), ask->speed, rpm,
+		units_speed_decimals(ask->speed), ask->speed, rpm,
 		t.n == 0 ? "." : ":");
-	document_light(s->document, t.light, words);
+	document_add_trust_light(s->document, t.light, words);
 	for (size_t i = 0; i < t.n; i++)
 		document_say(s->document, DOCUMENT_WORDS, "%s: %s.",
 		    tr(LIGHT_NAME[t.reason[i].light]), t.reason[i].text);
@@ -225,44 +226,47 @@ put_light(struct session *s, const struct report_request *ask)
 
 /* Appends "; met at 73.04 to 76.18 m/s", or the nearest miss. */
 static void
-append_window(char **words, const struct report_request *ask)
+append_speeds_meeting_conditions(char **words, const struct report_request *ask)
 {
 	const struct speed_search *w = ask->found;
-	FREED char *speeds = conditions_speeds_in_units(&ask->wanted, w);
+	FREED char *speeds =
+	    conditions_describe_speeds_with_units(&ask->wanted, w);
 	if (w->n_inside > 0)
-		xlist(words, "; ", tr("met at %s"), speeds);
+		xappend_to_list(words, "; ", tr("met at %s"), speeds);
 	if (w->n_inside > 0)
 		return;
-	xlist(words, "; ",
+	xappend_to_list(words, "; ",
 	    ask->list.n > 1 ? tr("no speed from %g to %g m/s meets all of them")
 			    : tr("no speed from %g to %g m/s meets it"),
 	    ask->wanted.from, ask->wanted.to);
 	if (!isfinite(w->margin.passing))
 		return;
-	forecast_at(ask->wanted.forecast, w->best);
-	FREED char *misses = conditions_distance(&ask->wanted, w->margin);
+	forecast_set_speed(ask->wanted.forecast, w->best);
+	FREED char *misses =
+	    conditions_describe_margin(&ask->wanted, w->margin);
 	FREED char *rpm =
-	    rotor_speed_words(ask->q->entry->site->rotor, w->best, NAN);
-	xlist(words, "; ", tr("the nearest misses by %s at %.1f m/s%s"), misses,
-	    w->best, rpm);
+	    rotor_speed_rpm_text(ask->q->entry->site->rotor, w->best, NAN);
+	xappend_to_list(words, "; ",
+	    tr("the nearest misses by %s at %.1f m/s%s"), misses, w->best, rpm);
 }
 
 /* Says whether the product at the report's speed meets the conditions. */
 static void
-put_conditions(struct session *s, const struct report_request *ask)
+write_whether_conditions_met(
+    struct session *s, const struct report_request *ask)
 {
 	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return;
-	forecast_at(ask->wanted.forecast, ask->speed);
-	bool met = wanted_holds(&ask->wanted, SIZE_MAX);
-	double share = wanted_certainty(&ask->wanted);
-	FREED char *list = conditions_list_words(&ask->list);
-	FREED char *chance = conditions_chance(share, met);
+	forecast_set_speed(ask->wanted.forecast, ask->speed);
+	bool met = wanted_are_conditions_met(&ask->wanted, SIZE_MAX);
+	double share = wanted_probability_met(&ask->wanted);
+	FREED char *list = conditions_describe_list(&ask->list);
+	FREED char *chance = conditions_describe_probability(share, met);
 	FREED char *rpm =
-	    rotor_speed_words(ask->q->entry->site->rotor, ask->speed, NAN);
+	    rotor_speed_rpm_text(ask->q->entry->site->rotor, ask->speed, NAN);
 	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s%s %s"),
-	    list, units_speed_digits(ask->speed), ask->speed, rpm, chance);
-	append_window(&words, ask);
+	    list, units_speed_decimals(ask->speed), ask->speed, rpm, chance);
+	append_speeds_meeting_conditions(&words, ask);
 	document_say(s->document,
 	    (isnan(share) ? met : share >= 0.5) ? DOCUMENT_WORDS
 						: DOCUMENT_WARNING,
@@ -271,14 +275,14 @@ put_conditions(struct session *s, const struct report_request *ask)
 
 /* Puts the answer itself first, and how certain it is. */
 static void
-report_put_answer(struct session *s, const struct report_request *ask)
+write_headline_answer(struct session *s, const struct report_request *ask)
 {
 	const struct question *q = ask->q;
 	if (!has_what_section_needs(s, ask, NEED_PARAMS))
 		return;
 	struct prediction p =
 	    forecast_whole_product(s, q->entry, ask->speed, q->feed);
-	const struct quantity of = answers_usual_passing(&p.product);
+	const struct quantity of = answers_default_passing_quantity(&p.product);
 	FREED char *sure = predict_certainty_words(s, q, &of, ask->speed);
 	if (sure != NULL)
 		document_say(s->document, DOCUMENT_WORDS, "%s.", sure);
@@ -287,15 +291,17 @@ report_put_answer(struct session *s, const struct report_request *ask)
 
 /* Without parameters this list of sections stands in place of the light. */
 static void
-put_left_out_sections(struct session *s, const struct report_request *ask)
+write_list_of_missing_sections(
+    struct session *s, const struct report_request *ask)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
 		if (row->heading == NULL || !is_section_wanted(ask, row->need))
 			continue;
-		FREED char *heading = replace_capitals(tr(row->heading), ask);
-		xlist(&list, "; ", "%s", heading);
+		FREED char *heading =
+		    fill_in_placeholders(tr(row->heading), ask);
+		xappend_to_list(&list, "; ", "%s", heading);
 	}
 	document_say(s->document, DOCUMENT_WARNING,
 	    "The site is not calibrated. Missing here: %s. Next step: run "
@@ -304,7 +310,7 @@ put_left_out_sections(struct session *s, const struct report_request *ask)
 }
 
 static void
-report_put_script(struct session *s, const struct report_request *ask)
+write_reproducing_script(struct session *s, const struct report_request *ask)
 {
 	struct error error = {0};
 	char number[32];
@@ -318,11 +324,11 @@ report_put_script(struct session *s, const struct report_request *ask)
 	FILE *out = s->document->out;
 	fprintf(out, "# A session of tipspeed %s, written by 'report'.\n",
 	    PACKAGE_VERSION);
-	journal_put(s, out);
-	FREED char *file = text_quoted(s->file);
+	journal_write_script(s, out);
+	FREED char *file = text_in_quotes(s->file);
 	fprintf(out, "report%s speed=%s%s%s%s%s > %s\n", ask->conditions,
-	    text_exact_number(ask->speed, number), ask->rate, ask->spec,
-	    ask->asked, ask->cut, file);
+	    text_shortest_exact_number(ask->speed, number), ask->rate,
+	    ask->spec, ask->asked, ask->cut, file);
 }
 
 static void
@@ -332,42 +338,44 @@ write_report(struct session *s, const struct report_request *ask)
 	FREED char *label = session_site_label(site);
 	FREED char *today = datetime_today();
 	FREED char *title = xasprintf(tr("Report: %s, %s"), label, today);
-	document_title(s->document, title);
-	report_put_answer(s, ask);
-	put_conditions(s, ask);
+	document_set_title(s->document, title);
+	write_headline_answer(s, ask);
+	write_whether_conditions_met(s, ask);
 	if (has_what_section_needs(s, ask, NEED_PARAMS))
-		put_light(s, ask);
+		write_trust_light(s, ask);
 	else
-		put_left_out_sections(s, ask);
-	put_data(s->document, site);
-	put_sections(s, ask);
-	report_put_script(s, ask);
+		write_list_of_missing_sections(s, ask);
+	write_data_provenance(s->document, site);
+	write_report_sections(s, ask);
+	write_reproducing_script(s, ask);
 }
 
 /* Appends a space, the name, and the words in quotes. */
 static void
-add_quoted(char **text, const char *name, const char *words)
+append_quoted_option(char **text, const char *name, const char *words)
 {
-	FREED char *quoted = text_quoted(words);
+	FREED char *quoted = text_in_quotes(words);
 	xappend(text, " %s%s", name, quoted);
 }
 
 /* Returns " cut=\"0/4\"" and the like for the options that are given.  The
  * caller frees the words. */
 static char *
-options_words(const struct args *args, const void *const *option, size_t n)
+given_options_text(const struct args *args, const void *const *option, size_t n)
 {
 	char *words = xstrdup("");
 	for (size_t i = 0; i < n; i++) {
-		FREED char *key = xasprintf("%s=", args_name(args, option[i]));
-		if (args_given(args, option[i]))
-			add_quoted(&words, key, args_typed(args, option[i]));
+		FREED char *key =
+		    xasprintf("%s=", args_option_name(args, option[i]));
+		if (args_is_given(args, option[i]))
+			append_quoted_option(
+			    &words, key, args_value_text(args, option[i]));
 	}
 	return words;
 }
 
 static void
-read_parts_of_lines(const struct args *args, struct report_request *ask)
+compose_command_options(const struct args *args, struct report_request *ask)
 {
 	const void *const cut[] = {
 	    &args->cut, &args->sharpness, &args->cut_size};
@@ -376,34 +384,35 @@ read_parts_of_lines(const struct args *args, struct report_request *ask)
 	char number[32];
 	ask->conditions = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
-		add_quoted(&ask->conditions, "", args->operand[i]);
+		append_quoted_option(&ask->conditions, "", args->operand[i]);
 	ask->envelope = xstrdup("");
 	ask->spec = xstrdup("");
 	if (args->spec != NULL) {
-		add_quoted(&ask->envelope, "", args->spec);
-		add_quoted(&ask->spec, "spec=", args->spec);
+		append_quoted_option(&ask->envelope, "", args->spec);
+		append_quoted_option(&ask->spec, "spec=", args->spec);
 	}
-	ask->cut = options_words(args, cut, ARRAY_LEN(cut));
-	ask->asked = options_words(args, asked, ARRAY_LEN(asked));
+	ask->cut = given_options_text(args, cut, ARRAY_LEN(cut));
+	ask->asked = given_options_text(args, asked, ARRAY_LEN(asked));
 	ask->tph = args->tph;
-	ask->rate = args->tph > 0 ? xasprintf(" tph=%s",
-					text_exact_number(args->tph, number))
-				  : xstrdup("");
+	ask->rate = args->tph > 0
+			? xasprintf(" tph=%s",
+			      text_shortest_exact_number(args->tph, number))
+			: xstrdup("");
 }
 
 /* Conditions that cannot be used are reported before anything is written. */
 static bool
-read_report_request(struct session *s, const struct args *args,
+parse_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)
 {
-	read_parts_of_lines(args, ask);
-	if (!conditions_add_call(s, args, ask->q, &ask->list, error))
+	compose_command_options(args, ask);
+	if (!conditions_add_from_args(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;
 	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return true;
-	ask->wanted = conditions_open(s, ask->q, &ask->list, NULL);
-	ask->found = speed_search_all(&ask->wanted);
+	ask->wanted = conditions_open_search(s, ask->q, &ask->list, NULL);
+	ask->found = speed_search_run(&ask->wanted);
 	if (!ask->q->speed_given && ask->found->n_inside > 0)
 		ask->speed = ask->found->best;
 	return true;
@@ -432,8 +441,8 @@ cmd_report(struct session *s, const struct args *args, struct question *q,
 		return error_set(error, ERROR_USAGE,
 		    "report: expected a file for it, .html or .pdf\n"
 		    "write: report > report.html");
-	question_as_last(s, args, q);
-	bool ok = read_report_request(s, args, &ask, error);
+	question_use_last_speed_and_feed(s, args, q);
+	bool ok = parse_report_request(s, args, &ask, error);
 	if (ok) {
 		/* The answers from before the report stay available to
 		 * assert. */

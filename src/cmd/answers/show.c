@@ -25,12 +25,12 @@ show_site(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	const struct site *site = session_entry(s)->site;
+	const struct site *site = session_current_entry(s)->site;
 	struct answer *r = answer_new("show");
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds(site, " ", NULL, true);
+	FREED char *speeds = session_speeds_text(site, " ", NULL, true);
 	answer_title(r, "%s", label);
-	answer_site(r, site->name, site->provenance);
+	answer_set_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
 	answer_add_pair(r, "data", "%s", site->provenance);
 	answer_add_pair(r, "rock", "%s", site->rock);
@@ -42,14 +42,14 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "machine", "%s", site->machine);
 	answer_add_pair(r, "file", "%s", site->path);
 	answer_add_pair(r, "speeds m/s", "%s", speeds);
-	FREED char *rpm = session_rpm_list(site, " ", NULL, true);
+	FREED char *rpm = session_rpm_list_text(site, " ", NULL, true);
 	if (rpm[0] != '\0')
 		answer_add_pair(r, "speeds rpm", "%s", rpm);
 	answer_add_pair(r, "feeds",
 	    site->individual_feeds ? N_("one for each speed")
 				   : N_("one for all speeds"));
 	for (size_t i = 0; i < site->n_note; i++)
-		answer_cells(
+		answer_add_cells(
 		    r, "%s %s", site->note[i].key, site->note[i].value);
 	return session_show_answer(s, r);
 }
@@ -68,7 +68,7 @@ next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 }
 
 static void
-show_add_curve(struct answer *r, const struct run *run, bool feed)
+add_curve_column(struct answer *r, const struct run *run, bool feed)
 {
 	const char *key = feed ? N_("feed") : N_("product");
 	FREED char *at = xasprintf("@%g%s", run->speed, run->repeat);
@@ -80,7 +80,7 @@ show_add_curve(struct answer *r, const struct run *run, bool feed)
 /* Adds the columns feed@69, or the one feed of all runs, or product@69.  Sets
  * curve [n_run] to their curves and returns their number. */
 static size_t
-add_columns(struct answer *r, const struct site *site, bool feed,
+add_curve_columns(struct answer *r, const struct site *site, bool feed,
     const struct psd **curve)
 {
 	size_t n = 0;
@@ -92,7 +92,7 @@ add_columns(struct answer *r, const struct site *site, bool feed,
 		if (shared)
 			answer_columns(r, "feed: feed");
 		else
-			show_add_curve(r, run, feed);
+			add_curve_column(r, run, feed);
 		curve[n++] = feed ? &run->feed : &run->product;
 	}
 	return n;
@@ -100,36 +100,37 @@ add_columns(struct answer *r, const struct site *site, bool feed,
 
 /* Runs show feed and show product. */
 static bool
-show_curves(struct session *s, const struct args *args, struct error *error)
+show_feed_or_product(
+    struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	const struct site *site = session_entry(s)->site;
+	const struct site *site = session_current_entry(s)->site;
 	bool feed = strcmp(args->operand[0], "feed") == 0;
 	FREED const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
 	struct answer *r = answers_new(site, "show",
 	    feed ? N_("feed, %% passing")
 		 : N_("measured products, %% passing"));
 	answer_columns(r, "sieve_mm: sieve mm");
-	size_t n = add_columns(r, site, feed, curve);
+	size_t n = add_curve_columns(r, site, feed, curve);
 	if (n == 0)
 		answer_note(r, "the site file has only a feed");
 	answer_set_missing(r, "");
 	for (double x = INFINITY; (x = next_finer_sieve(curve, n, x)) > 0;) {
-		answer_cells(r, "%g", units_mm(x));
+		answer_add_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < n; i++)
-			answer_cells(
-			    r, "%.2f", units_pct(psd_at_sieve(curve[i], x)));
+			answer_add_cells(r, "%.2f",
+			    units_pct(psd_passing_at_sieve(curve[i], x)));
 	}
 	return session_show_answer(s, r);
 }
 
 /* Notes the equations with the numbers of this site. */
 static void
-note_equations(struct answer *r, const struct params *p, double k)
+note_equations_with_numbers(struct answer *r, const struct params *p, double k)
 {
 	answer_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
-	FREED char *S = breakage_of(p)->selection_text(p, k);
-	FREED char *B = breakage_of(p)->appearance_text(p);
+	FREED char *S = breakage_model_of_params(p)->selection_text(p, k);
+	FREED char *B = breakage_model_of_params(p)->appearance_text(p);
 	answer_note(r, "Eq 3: %s", S);
 	answer_note(r, "Eq 1: %s", B);
 }
@@ -139,13 +140,13 @@ show_model(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct site *site = entry->site;
 	struct answer *r = answers_new(site, "show", "the model");
 	const struct model_settings *set = &s->set.model;
 	struct fields *o = answer_fields(r);
 	fields_put(o, "what %s method %s appearance %s k %g", "model",
-	    answers_method_word(set->method), MODEL_FORMS[set->appearance],
+	    answers_method_name(set->method), MODEL_FORMS[set->appearance],
 	    set->k);
 	if (entry->has_params)
 		fit_put_params(o, &entry->params);
@@ -156,8 +157,8 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			  "size mm, selected_pct: broken %% of feed");
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, x = NAN, selected = NAN;
-		v = v > 0 ? v : answers_usual_speed(entry);
-		if (site_run_repeats(site, i) && !site->individual_feeds)
+		v = v > 0 ? v : answers_default_speed(entry);
+		if (site_run_repeats_speed(site, i) && !site->individual_feeds)
 			continue;
 		if (entry->has_params) {
 			struct prediction p =
@@ -166,15 +167,15 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			selected = 100 * p.selected;
 			prediction_free(&p);
 		}
-		answer_cells(
-		    r, "%g %.0f %.2f %.1f", v, energy_specific(v), x, selected);
+		answer_add_cells(r, "%g %.0f %.2f %.1f", v,
+		    energy_specific_at_speed(v), x, selected);
 	}
 	answer_put_rows(r, "runs");
 	answer_note(r, "method %s, appearance %s, k %g",
-	    answers_method_word(set->method), MODEL_FORMS[set->appearance],
+	    answers_method_name(set->method), MODEL_FORMS[set->appearance],
 	    set->k);
 	if (entry->has_params)
-		note_equations(r, &entry->params, set->k);
+		note_equations_with_numbers(r, &entry->params, set->k);
 	else
 		answer_note(
 		    r, "no parameters yet: run 'calibrate' or 'params set'");
@@ -190,18 +191,18 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	answer_title(r, "breakage models, for 'set model'");
 	answer_columns(r, "model, parameters, what");
-	for (size_t m = 0; m < breakage_count(); m++)
-		answer_cells(r, "%s %g %s", BREAKAGES[m]->name,
+	for (size_t m = 0; m < breakage_count_models(); m++)
+		answer_add_cells(r, "%s %g %s", BREAKAGES[m]->name,
 		    (double)BREAKAGES[m]->n, BREAKAGES[m]->brief);
-	answer_fill_for_programs(r);
+	answer_begin_table_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
-	for (size_t m = 0; m < breakage_count(); m++)
+	for (size_t m = 0; m < breakage_count_models(); m++)
 		for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
 			const struct param_info *p =
 			    &BREAKAGES[m]->parameter[j];
-			answer_cells(r, "%s %s %s %g %g %s", BREAKAGES[m]->name,
-			    p->name, p->unit, p->lower, p->upper,
-			    tr(p->meaning));
+			answer_add_cells(r, "%s %s %s %g %g %s",
+			    BREAKAGES[m]->name, p->name, p->unit, p->lower,
+			    p->upper, tr(p->meaning));
 		}
 	answer_note(r, "'set model NAME; bounds' lists the parameters of one, "
 		       "'man model' says what they mean");
@@ -210,7 +211,7 @@ show_models(struct session *s, const struct args *args, struct error *error)
 
 /* Adds a row for each class of the feed. */
 static void
-selection_rows(struct answer *r, const struct psd *feed, const double *S)
+add_selection_rows(struct answer *r, const struct psd *feed, const double *S)
 {
 	answer_columns(r, "from_mm: from mm, to_mm: to mm, feed_pct: feed %%, "
 			  "s_pct: S %%, selected_pct: broken %% of feed");
@@ -218,7 +219,7 @@ selection_rows(struct answer *r, const struct psd *feed, const double *S)
 		bool pan = i + 1 == feed->n;
 		double mass =
 		    feed->passing[i] - (pan ? 0 : feed->passing[i + 1]);
-		answer_cells(r, "%g %g %.1f %.1f %.1f",
+		answer_add_cells(r, "%g %g %.1f %.1f %.1f",
 		    pan ? 0 : units_mm(feed->size[i + 1]),
 		    units_mm(feed->size[i]), units_pct(mass), 100 * S[i],
 		    100 * S[i] * mass);
@@ -226,21 +227,23 @@ selection_rows(struct answer *r, const struct psd *feed, const double *S)
 }
 
 static bool
-answer_selection(struct session *s, const struct args *args, struct question *q,
-    struct error *error)
+show_selection_at_speed(struct session *s, const struct args *args,
+    struct question *q, struct error *error)
 {
 	const struct entry *entry = q->entry;
 	const struct psd *feed = question_feed(q);
 	struct prediction p =
 	    forecast_whole_product(s, entry, q->speed, q->feed);
-	FREED double *S = xdoubles(feed->n);
+	FREED double *S = xcalloc_doubles(feed->n);
 	(void)args;
 	(void)error;
-	predict_selection(feed, &entry->params, s->set.model, q->speed, S);
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, q->speed, NAN);
+	predict_selection_of_classes(
+	    feed, &entry->params, s->set.model, q->speed, S);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, q->speed, NAN);
 	struct answer *r = answers_new(entry->site, "show",
 	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
-	selection_rows(r, feed, S);
+	add_selection_rows(r, feed, S);
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r),
 	    "what %s speed %g selected_pct %g break_mm %g", "selection",
@@ -252,7 +255,7 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 	if (isfinite(p.break_size) && p.break_size > 0)
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
-	feed_note(r, entry->site, q->feed, NULL, 0);
+	feed_add_note(r, entry->site, q->feed, NULL, 0);
 	prediction_free(&p);
 	return session_show_answer(s, r);
 }
@@ -260,8 +263,8 @@ answer_selection(struct session *s, const struct args *args, struct question *q,
 static bool
 show_selection(struct session *s, const struct args *args, struct error *error)
 {
-	return answers_check_current(s, error) &&
-	       question_run(s, args, answer_selection, error);
+	return answers_require_params_of_current(s, error) &&
+	       question_run_answer(s, args, show_selection_at_speed, error);
 }
 
 /* Returns the name of a class, which is that of the sieve it lies on. */
@@ -277,7 +280,7 @@ class_heading(const struct psd *feed, size_t i, char buf[static 32])
 /* Puts parents across and progeny down.  a: laid out as in
  * appearance_matrix. */
 static void
-add_matrix_rows_across(
+add_appearance_rows_across(
     struct answer *r, const struct psd *feed, const double *a)
 {
 	char name[32];
@@ -285,35 +288,36 @@ add_matrix_rows_across(
 	for (size_t i = 0; i < feed->n; i++)
 		answer_columns(r, "%s", class_heading(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
-		answer_cells(r, "%s", class_heading(feed, j, name));
+		answer_add_cells(r, "%s", class_heading(feed, j, name));
 		answer_set_missing(r, "");
 		for (size_t i = 0; i < feed->n; i++)
-			answer_cells(
+			answer_add_cells(
 			    r, "%.1f", i <= j ? 100 * a[j * feed->n + i] : NAN);
 	}
 }
 
 /* Adds a row for each pair of parent and progeny, for spreadsheets. */
 static void
-add_matrix_rows_long(
+add_appearance_pair_rows(
     struct answer *r, const struct psd *feed, const double *x, const double *a)
 {
 	answer_columns(r, "parent_mm: parent mm, daughter_mm: progeny mm, "
 			  "share_pct: share %%");
 	for (size_t i = 0; i < feed->n; i++)
 		for (size_t j = 0; j < feed->n; j++)
-			answer_cells(r, "%g %g %.1f", units_mm(x[i]),
+			answer_add_cells(r, "%g %g %.1f", units_mm(x[i]),
 			    units_mm(x[j]), 100 * a[j * feed->n + i]);
 }
 
 /* Notes B(u) at u = 1/2, 1/4 and so on. */
 static void
-note_passing(struct answer *r, const struct breaker *b, const struct site *site)
+note_cumulative_appearance(
+    struct answer *r, const struct breaker *b, const struct site *site)
 {
 	FREED char *text = xstrdup("");
 	for (int i = 1; i < 10; i++)
-		xlist(&text, ", ", "1/%d: %.1f %%", 1 << i,
-		    100 * answers_share_finer(b, ldexp(1, -i), site));
+		xappend_to_list(&text, ", ", "1/%d: %.1f %%", 1 << i,
+		    100 * answers_breakage_function(b, ldexp(1, -i), site));
 	answer_note(r,
 	    "B(u), the share of a broken particle finer than u times its size, "
 	    "as used by the method continuous: %s; nothing is finer than "
@@ -322,14 +326,14 @@ note_passing(struct answer *r, const struct breaker *b, const struct site *site)
 }
 
 static void
-put_matrix_fields(struct fields *o, enum appearance_form form, size_t n,
+put_appearance_fields(struct fields *o, enum appearance_form form, size_t n,
     const double *x, const double *a)
 {
 	fields_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
-	fields_numbers(o, "class_mm", x, n, units_mm);
-	struct fields *rows = fields_list(o, "share_pct");
+	fields_put_numbers(o, "class_mm", x, n, units_mm);
+	struct fields *rows = fields_add_list(o, "share_pct");
 	for (size_t j = 0; j < n; j++)
-		fields_numbers(rows, NULL, a + j * n, n, units_pct);
+		fields_put_numbers(rows, NULL, a + j * n, n, units_pct);
 }
 
 static bool
@@ -337,22 +341,23 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct psd *feed = &entry->site->run[0].feed;
 	struct params p = entry->has_params
 			      ? entry->params
-			      : params_start(s->set.model.breakage);
+			      : params_start_values(s->set.model.breakage);
 	struct breaker b;
 	breaker_set_params(&b, &p, &s->set.model);
 	breaker_set_speed(&b, site_middle_speed(entry->site));
-	FREED double *x = xdoubles(feed->n), *a = xdoubles(feed->n * feed->n);
+	FREED double *x = xcalloc_doubles(feed->n),
+		     *a = xcalloc_doubles(feed->n * feed->n);
 	classes_sizes(feed, x);
-	classes_matrix(&b, s->set.model.appearance, x, feed->n, a);
+	classes_appearance_matrix(&b, s->set.model.appearance, x, feed->n, a);
 	struct answer *r = answers_new(entry->site, "show",
 	    "appearance function (Eq 1), %% of each broken size class");
-	add_matrix_rows_across(r, feed, a);
-	answer_fill_for_programs(r);
-	add_matrix_rows_long(r, feed, x, a);
+	add_appearance_rows_across(r, feed, a);
+	answer_begin_table_for_programs(r);
+	add_appearance_pair_rows(r, feed, x, a);
 	answer_say(r, ANSWER_REMARK,
 	    "parent classes across, progeny down; a class is named after the "
 	    "sieve that retains it; columns sum to 100");
@@ -360,8 +365,8 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 		answer_say(
 		    r, ANSWER_REMARK, "beta is the default: no parameters yet");
 	if (s->set.model.appearance == APPEARANCE_RATIO)
-		note_passing(r, &b, entry->site);
-	put_matrix_fields(
+		note_cumulative_appearance(r, &b, entry->site);
+	put_appearance_fields(
 	    answer_fields(r), s->set.model.appearance, feed->n, x, a);
 	return session_show_answer(s, r);
 }
@@ -374,8 +379,8 @@ static const struct {
 	command_run *show;
 } WHAT[] = {
     {"site", true, false, show_site},
-    {"feed", true, false, show_curves},
-    {"product", true, false, show_curves},
+    {"feed", true, false, show_feed_or_product},
+    {"product", true, false, show_feed_or_product},
     {"params", true, false, show_params},
     {"fit", true, false, show_fit},
     {"bounds", false, false, show_bounds},
@@ -391,7 +396,7 @@ static const struct {
 };
 
 static bool
-error_nothing_called(struct session *s, const char *what,
+error_no_such_thing_to_show(struct session *s, const char *what,
     const struct args *args, struct error *error)
 {
 	struct error none = {0};
@@ -412,7 +417,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 	while (i < ARRAY_LEN(WHAT) && strcmp(what, WHAT[i].name) != 0)
 		i++;
 	if (i == ARRAY_LEN(WHAT))
-		return error_nothing_called(s, what, args, error);
+		return error_no_such_thing_to_show(s, what, args, error);
 	if (args->speed > 0 && !WHAT[i].asked)
 		return error_set(error, ERROR_USAGE,
 		    "show %s: expected no speed; it is the same at all speeds",

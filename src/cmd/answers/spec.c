@@ -22,16 +22,16 @@ join_operands(const struct args *args, size_t from)
 {
 	char *words = args->n_operand > from ? xstrdup("") : NULL;
 	for (size_t i = from; i < args->n_operand; i++)
-		xlist(&words, " ", "%s", args->operand[i]);
+		xappend_to_list(&words, " ", "%s", args->operand[i]);
 	return words;
 }
 
 static char *
-cut_words(const struct spec *spec)
+envelope_fraction_text(const struct spec *spec)
 {
 	struct fraction f = {.fine = spec->cut[0], .coarse = spec->cut[1]};
-	return fraction_screens(&f) ? quantities_fraction_text(&f)
-				    : xstrdup(tr("whole product"));
+	return fraction_is_screened(&f) ? quantities_fraction_text(&f)
+					: xstrdup(tr("whole product"));
 }
 
 static bool
@@ -42,11 +42,11 @@ use_spec(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "spec use: expected an envelope\n"
 		    "write spec use and a name of 'spec list', or a file");
-	const struct spec *spec = grading_spec(s, words, error);
+	const struct spec *spec = grading_find_envelope(s, words, error);
 	if (spec == NULL)
 		return false;
 	s->spec = spec;
-	FREED char *cut = cut_words(spec);
+	FREED char *cut = envelope_fraction_text(spec);
 	session_note(s, "envelope: %s (%s): %s", spec->name, cut,
 	    spec->source[0] != '\0' ? spec->source : tr("source not stated"));
 	return true;
@@ -64,7 +64,7 @@ stop_using_spec(struct session *s, const struct args *args, struct error *error)
 /* Returns "2.4 to 4" or "up to 45 %; maximum passing one and retained on
  * next". */
 static char *
-limit_words(const struct standard_limit *l)
+standard_limit_text(const struct standard_limit *l)
 {
 	const char *unit = l->unit[0] == '-' ? "" : l->unit;
 	char *words = isnan(l->least) ? xasprintf(tr("up to %g"), l->most)
@@ -77,30 +77,30 @@ limit_words(const struct standard_limit *l)
 }
 
 static void
-spec_add_limits(struct answer *r, const struct standards *all)
+add_standard_limit_rows(struct answer *r, const struct standards *all)
 {
 	answer_columns(r, "limit, is");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];
-		FREED char *words = limit_words(l);
+		FREED char *words = standard_limit_text(l);
 		FREED char *name = xasprintf("%s: %s", l->standard, l->item);
-		answer_cells(r, "%s %s", name, words);
+		answer_add_cells(r, "%s %s", name, words);
 	}
-	answer_fill_for_programs(r);
+	answer_begin_table_for_programs(r);
 	answer_columns(r, "standard, limit, min, max, unit, note");
 	for (size_t i = 0; i < all->n_limit; i++) {
 		const struct standard_limit *l = &all->limit[i];
-		answer_cells(r, "%s %s %g %g %s %s", l->standard, l->item,
+		answer_add_cells(r, "%s %s %g %g %s %s", l->standard, l->item,
 		    l->least, l->most, l->unit, l->note);
 	}
 }
 
 static bool
-list_limits(struct session *s, const struct standards *all)
+list_standard_limits(struct session *s, const struct standards *all)
 {
 	struct answer *r = answer_new("spec");
 	answer_title(r, "limits of standards that are not on a passing");
-	spec_add_limits(r, all);
+	add_standard_limit_rows(r, all);
 	answer_say(r, ANSWER_REMARK,
 	    "second-hand copies: check them against your own. Those on a "
 	    "fineness modulus and between two sieves are checked by 'spec'; "
@@ -113,19 +113,20 @@ static bool
 list_limits_of_spec(struct session *s, const struct spec *spec)
 {
 	struct answer *r = answer_new("spec");
-	FREED char *cut = cut_words(spec);
+	FREED char *cut = envelope_fraction_text(spec);
 	answer_title(r, "%s: limits of passing, %%; for %s", spec->name, cut);
 	answer_columns(
 	    r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max %%");
 	for (size_t i = 0; i < spec->n; i++)
-		answer_cells(r, "%g %g %g", units_mm(spec->size[i]),
+		answer_add_cells(r, "%g %g %g", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]));
 	answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);
 	return session_show_answer(s, r);
 }
 
 static bool
-list_all(struct session *s, const struct standards *all, const bool *match)
+list_envelopes(
+    struct session *s, const struct standards *all, const bool *match)
 {
 	struct answer *r = answer_new("spec");
 	answer_title(r, "grading envelopes, for 'spec use'");
@@ -133,10 +134,10 @@ list_all(struct session *s, const struct standards *all, const bool *match)
 			  "to mm, name");
 	for (size_t i = 0; i < all->n; i++) {
 		const struct spec *spec = all->spec[i];
-		FREED char *cut = cut_words(spec);
+		FREED char *cut = envelope_fraction_text(spec);
 		if (match == NULL || match[i])
-			answer_cells(r, "%s %g %g %g %s", cut, (double)spec->n,
-			    units_mm(spec->size[spec->n - 1]),
+			answer_add_cells(r, "%s %g %g %g %s", cut,
+			    (double)spec->n, units_mm(spec->size[spec->n - 1]),
 			    units_mm(spec->size[0]), spec->name);
 	}
 	if (s->spec != NULL)
@@ -152,21 +153,22 @@ static bool
 list_specs(struct session *s, const struct args *args, struct error *error)
 {
 	FREED char *words = join_operands(args, 1);
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	bool *match = xcalloc(all->n, sizeof *match), ok;
-	size_t n = words != NULL ? standards_match(all, words, match) : 0;
+	size_t n =
+	    words != NULL ? standards_mark_matches(all, words, match) : 0;
 	size_t at = 0;
 	while (at < all->n && !match[at])
 		at++;
 	if (words == NULL)
-		ok = list_all(s, all, NULL);
+		ok = list_envelopes(s, all, NULL);
 	else if (strcmp(words, "limits") == 0)
-		ok = list_limits(s, all);
+		ok = list_standard_limits(s, all);
 	else if (n == 0)
 		ok = standards_find(all, words, error) != NULL;
 	else
 		ok = n == 1 ? list_limits_of_spec(s, all->spec[at])
-			    : list_all(s, all, match);
+			    : list_envelopes(s, all, match);
 	free(match);
 	standards_free(all);
 	return ok;
@@ -174,12 +176,12 @@ list_specs(struct session *s, const struct args *args, struct error *error)
 
 /* Notes what misses the envelope, and with what probability it is met. */
 static void
-note_verdict(struct answer *r, const struct grading *g, double v)
+note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 {
-	forecast_at(g->conditions.forecast, v);
-	double certain = wanted_certainty(&g->conditions);
-	FREED char *missed = grading_missed(g);
-	fields_number(answer_fields(r), "certainty_pct", 100 * certain);
+	forecast_set_speed(g->conditions.forecast, v);
+	double certain = wanted_probability_met(&g->conditions);
+	FREED char *missed = grading_describe_missed_limits(g);
+	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	answer_note(
 	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
 	if (isfinite(certain))
@@ -192,29 +194,29 @@ note_verdict(struct answer *r, const struct grading *g, double v)
 /* Compares the product at a speed with the envelope named, or with the one in
  * use. */
 static bool
-spec_compare(struct session *s, const struct args *args, struct question *q,
-    struct error *error)
+compare_product_with_envelope(struct session *s, const struct args *args,
+    struct question *q, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	question_take_last_speed(s, q);
+	question_use_last_speed(s, q);
 	double v = q->speed;
 	struct grading g;
 	FREED char *words = join_operands(args, 0);
-	const struct spec *spec = grading_spec(s, words, error);
-	if (spec == NULL || !answers_check_current(s, error) ||
-	    !grading_open(s, args, spec, q, &g, error))
+	const struct spec *spec = grading_find_envelope(s, words, error);
+	if (spec == NULL || !answers_require_params_of_current(s, error) ||
+	    !grading_open_for_envelope(s, args, spec, q, &g, error))
 		return false;
-	FREED char *name = grading_words(&g);
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
+	FREED char *name = grading_title(&g);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r =
 	    answers_new(entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
-	grading_rows(r, &g, v);
-	note_verdict(r, &g, v);
-	grading_notes(r, &g);
+	grading_add_rows(r, &g, v);
+	note_envelope_verdict(r, &g, v);
+	grading_add_notes(r, &g);
 	answers_show_basis_at(s, r, q, v, false);
 	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
-	    answers_extrapolates(entry, v),
-	    wanted_holds(&g.conditions, SIZE_MAX));
+	    answers_is_speed_extrapolated(entry, v),
+	    wanted_are_conditions_met(&g.conditions, SIZE_MAX));
 	grading_put_fields(r, &g);
 	session_show_answer(s, r);
 	grading_close(&g);
@@ -233,5 +235,6 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);
 	return session_need_site(s, "spec", error) &&
-	       question_run(s, args, spec_compare, error);
+	       question_run_answer(
+		   s, args, compare_product_with_envelope, error);
 }

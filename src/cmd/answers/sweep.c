@@ -22,110 +22,113 @@ add_rows_of_size_band(
 {
 	static const char *const ENDS[] = {N_("  low"), N_("  high")};
 	for (size_t end = 0; end < 2; end++) {
-		answer_cells(r, "%s", tr(ENDS[end]));
+		answer_add_cells(r, "%s", tr(ENDS[end]));
 		answer_set_missing(r, "");
-		answer_cells(r, "%.0f", NAN);
+		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
-			answer_cells(r, "%.2f", 1000 * p[i].range[size][end]);
+			answer_add_cells(
+			    r, "%.2f", 1000 * p[i].range[size][end]);
 	}
 }
 
 /* Puts sieves down and speeds across, for as many speeds as fit a screen. */
 static void
-add_speeds_across(struct answer *r, const struct entry *entry,
+add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
-		bool outside = answers_extrapolates(entry, p[i].speed);
+		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
 		answer_columns(r, "passing_pct@%g: %g m/s%s", p[i].speed,
 		    p[i].speed, outside ? "*" : "");
 	}
 	if (entry->site->rotor > 0) {
 		answer_text(r, "rpm");
 		answer_set_missing(r, "");
-		answer_cells(r, "%.0f", NAN);
+		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
-			answer_cells(r, "%.0f",
-			    rotor_speed_rpm(p[i].speed, entry->site->rotor));
+			answer_add_cells(r, "%.0f",
+			    rotor_speed_to_rpm(p[i].speed, entry->site->rotor));
 	}
 	for (size_t row = 0; row < p[0].product.n; row++) {
 		answer_text(r, "%g", units_mm(p[0].product.size[row]));
-		answer_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));
+		answer_add_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));
 		for (size_t i = 0; i < n; i++)
-			answer_cells(
+			answer_add_cells(
 			    r, "%.1f", units_pct(p[i].product.passing[row]));
 	}
-	if (fraction_screens(&p[0].fraction)) {
-		answer_cells(r, "%s", tr("share %"));
+	if (fraction_is_screened(&p[0].fraction)) {
+		answer_add_cells(r, "%s", tr("share %"));
 		answer_set_missing(r, "");
-		answer_cells(r, "%.0f", NAN);
+		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
-			answer_cells(r, "%.1f", units_pct(p[i].share));
+			answer_add_cells(r, "%.1f", units_pct(p[i].share));
 	}
 	for (size_t size = 0; size < ANSWERS_SIZES; size++) {
-		answer_cells(r, "%s", tr(ANSWERS_SIZE[size].head));
+		answer_add_cells(r, "%s", tr(ANSWERS_SIZE[size].head));
 		answer_set_missing(r, "");
-		answer_cells(r, "%.0f", NAN);
+		answer_add_cells(r, "%.0f", NAN);
 		for (size_t i = 0; i < n; i++)
-			answers_size_cell(r, &p[i], size);
+			answers_add_size_cell(r, &p[i], size);
 		if (p[0].low != NULL && size != ANSWERS_BREAK)
 			add_rows_of_size_band(r, p, n, size);
 	}
 }
 
 static void
-sweep_row(struct answer *r, const struct prediction *p, size_t j, bool outside)
+add_sweep_row(
+    struct answer *r, const struct prediction *p, size_t j, bool outside)
 {
 	bool band = p->low != NULL;
-	answer_cells(r, "%g %s %g %.1f %.1f %.1f %.1f %.1f", p->speed,
+	answer_add_cells(r, "%g %s %g %.1f %.1f %.1f %.1f %.1f", p->speed,
 	    outside ? tr("yes") : tr("no"), units_mm(p->product.size[j]),
 	    units_pct(p->feed.passing[j]), units_pct(p->product.passing[j]),
 	    band ? units_pct(p->low[j]) : NAN,
 	    band ? units_pct(p->high[j]) : NAN, units_pct(p->model[j]));
-	if (fraction_screens(&p->fraction))
-		answer_cells(r, "%.1f", units_pct(p->share));
+	if (fraction_is_screened(&p->fraction))
+		answer_add_cells(r, "%.1f", units_pct(p->share));
 }
 
 /* Adds a row for each speed and sieve, for spreadsheets and programs. */
 static void
-add_row_for_speed_and_sieve(struct answer *r, const struct entry *entry,
+add_rows_by_speed_and_sieve(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	answer_columns(r, "speed: m/s, extrapolated, sieve_mm: sieve mm, "
 			  "feed_pct: feed %%, passing_pct: product %%, "
 			  "low_pct: low %%, high_pct: high %%, "
 			  "model_pct: model alone %%");
-	if (fraction_screens(&p[0].fraction))
+	if (fraction_is_screened(&p[0].fraction))
 		answer_columns(r, "share_pct: share %%");
 	for (size_t i = 0; i < n; i++) {
-		bool outside = answers_extrapolates(entry, p[i].speed);
+		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
 		for (size_t j = 0; j < p[i].product.n; j++)
-			sweep_row(r, &p[i], j, outside);
+			add_sweep_row(r, &p[i], j, outside);
 	}
 }
 
 /* Answers with all predictions.  outside: one of them lies outside the training
  * speeds. */
 static struct answer *
-sweep_answer(const struct session *s, const struct question *q,
+build_sweep_answer(const struct session *s, const struct question *q,
     const struct prediction *p, size_t n, bool outside)
 {
 	const struct entry *entry = q->entry;
 	enum { ACROSS = 7 };
 	bool band = p[0].low != NULL, across = n <= ACROSS;
-	FREED char *fraction = screened_title(&p[0].fraction);
+	FREED char *fraction = screened_title_suffix(&p[0].fraction);
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
-	    band ? outlook_words(s, entry) : "");
-	(across ? add_speeds_across : answers_speed_rows)(r, entry, p, n);
-	answer_fill_for_programs(r);
-	add_row_for_speed_and_sieve(r, entry, p, n);
+	    band ? outlook_describe_correction(s, entry) : "");
+	(across ? add_rows_with_speeds_across : answers_add_prediction_rows)(
+	    r, entry, p, n);
+	answer_begin_table_for_programs(r);
+	add_rows_by_speed_and_sieve(r, entry, p, n);
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_show_basis(
-	    s, r, q, 0, band && across, light_worst(s, entry, p, n));
+	answers_show_basis(s, r, q, 0, band && across,
+	    light_worst_of_predictions(s, entry, p, n));
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	return r;
 }
@@ -136,16 +139,17 @@ cmd_sweep(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	(void)args;
-	question_usual_speeds(s, q, false);
+	question_use_default_speeds(s, q, false);
 	size_t n = q->n_at;
 	FREED struct prediction *p = xcalloc(n, sizeof *p);
-	bool outside = false, ok = screened_check_covered(q, error);
+	bool outside = false, ok = screened_check_feed_covers(q, error);
 	for (size_t i = 0; i < n && ok; i++) {
 		p[i] = forecast_product(s, q, q->at[i]);
-		outside = outside || answers_extrapolates(entry, q->at[i]);
+		outside =
+		    outside || answers_is_speed_extrapolated(entry, q->at[i]);
 	}
 	if (ok)
-		session_show_answer(s, sweep_answer(s, q, p, n, outside));
+		session_show_answer(s, build_sweep_answer(s, q, p, n, outside));
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 	return ok;

@@ -8,7 +8,7 @@
 	    "rotor tip speed; default: that last asked about, with its feed"
 
 /* The options of a crusher with its screens, which flow and card share; see
- * plant_read. */
+ * plant_parse_options. */
 #define FLOW_PARTS                                                          \
 	{TEXT(fractions), NULL, "0/2,2/5,5/8,8/11.2",                       \
 	    "fractions of the product, mm"},                                \

@@ -29,23 +29,23 @@ static const char *const PARTS[ENSEMBLE_PARTS] = {
  * narrower than that of the parameters, because the discrepancy that the runs
  * show is correlated with the parameters. */
 static void
-add_columns_of_band_parts(struct answer *r, const struct session *s,
+add_band_width_rows(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
 {
 	struct forecast *of[ENSEMBLE_PARTS];
 	for (enum ensemble_part part = 0; part < ENSEMBLE_PARTS; part++) {
-		of[part] = forecast_table(s, q);
-		forecast_part_at(of[part], p->speed, part);
+		of[part] = forecast_open_table(s, q);
+		forecast_set_speed_and_draws(of[part], p->speed, part);
 	}
 	answer_columns(r, "sieve_mm: sieve mm, passing_pct: product %%, "
 			  "parameters_pct: model alone, answer_pct: answer, "
 			  "sample_pct: a new sample");
 	for (size_t i = 0; i < p->product.n; i++) {
-		answer_cells(r, "%g %.1f", units_mm(p->product.size[i]),
+		answer_add_cells(r, "%g %.1f", units_mm(p->product.size[i]),
 		    units_pct(p->product.passing[i]));
 		for (size_t part = 0; part < ENSEMBLE_PARTS; part++) {
-			struct figure f = forecast_figure(of[part], i);
-			answer_cells(r, "%.2f", 50 * (f.high - f.low));
+			struct figure f = forecast_value_with_band(of[part], i);
+			answer_add_cells(r, "%.2f", 50 * (f.high - f.low));
 		}
 	}
 	for (size_t part = 0; part < ENSEMBLE_PARTS; part++)
@@ -55,30 +55,31 @@ add_columns_of_band_parts(struct answer *r, const struct session *s,
 /* Returns the default quantities: the passings of the sieves that are asked
  * about, otherwise that of the middle sieve, and the sizes. */
 static char *
-usual_quantities(const struct prediction *p, bool sieves)
+default_quantities_text(const struct prediction *p, bool sieves)
 {
 	if (!sieves)
 		return xasprintf("passing %g," ANSWERS_SIZE_LIST,
 		    units_mm(
-			p->product.size[answers_usual_sieve(&p->product)]));
+			p->product.size[answers_default_sieve(&p->product)]));
 	char *list = xstrdup("");
 	for (size_t i = 0; i < p->product.n; i++)
-		xlist(&list, ",", "passing %g", units_mm(p->product.size[i]));
+		xappend_to_list(
+		    &list, ",", "passing %g", units_mm(p->product.size[i]));
 	return list;
 }
 
 /* Adds a row, and an object for programs. */
 static void
-add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
-    struct figure answer, struct figure sample)
+add_figure_ranges_row(struct answer *r, struct fields *list,
+    const struct quantity *q, struct figure answer, struct figure sample)
 {
 	int d = quantities_decimals(q);
-	FREED char *words = quantities_words(q), *key = quantities_key(q);
+	FREED char *words = quantities_name(q), *key = quantities_field_name(q);
 	const char *unit = quantities_unit(q);
 	answer_name(r, key, words);
-	answer_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, answer.value, unit, d,
-	    answer.low, d, answer.high, d, sample.low, d, sample.high);
-	fields_put(fields_object(list, NULL),
+	answer_add_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, answer.value,
+	    unit, d, answer.low, d, answer.high, d, sample.low, d, sample.high);
+	fields_put(fields_add_object(list, NULL),
 	    "quantity %s value %g unit %s low %g high %g cut_low %g cut_high "
 	    "%g",
 	    key, answer.value, unit, answer.low, answer.high, sample.low,
@@ -88,20 +89,21 @@ add_figure_row(struct answer *r, struct fields *list, const struct quantity *q,
 /* Adds a row for each figure, with the range of the true value and that of a
  * new sample. */
 static void
-add_figures(struct answer *r, const struct session *s,
+add_figure_ranges(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
     const struct quantity *q, size_t n)
 {
 	struct forecast *answer = forecast_open(s, question, q, n);
 	struct forecast *sample = forecast_open(s, question, q, n);
-	forecast_at(answer, p->speed);
-	forecast_part_at(sample, p->speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed(answer, p->speed);
+	forecast_set_speed_and_draws(sample, p->speed, ENSEMBLE_SAMPLE);
 	answer_columns(r, "quantity: figure, value, unit, low, high, "
 			  "cut_low: cut low, cut_high: cut high");
-	struct fields *list = fields_list(answer_fields(r), "figures");
+	struct fields *list = fields_add_list(answer_fields(r), "figures");
 	for (size_t i = 0; i < n; i++)
-		add_figure_row(r, list, &q[i], forecast_shown(answer, i),
-		    forecast_shown(sample, i));
+		add_figure_ranges_row(r, list, &q[i],
+		    forecast_value_in_shown_unit(answer, i),
+		    forecast_value_in_shown_unit(sample, i));
 	forecast_close(answer);
 	forecast_close(sample);
 	FREED char *chance = predict_chance_words(question->level);
@@ -114,20 +116,20 @@ add_figures(struct answer *r, const struct session *s,
 /* Adds the median and the range of each hyperparameter; also for people if
  * `words`. */
 static void
-add_hyperparameters(struct answer *r, const struct session *s,
+add_hyperparameter_ranges(struct answer *r, const struct session *s,
     const struct posterior *p, bool words)
 {
 	double value[POSTERIOR_DRAWS], range[2], median, unused;
-	struct fields *o = fields_object(answer_fields(r), "errors");
+	struct fields *o = fields_add_object(answer_fields(r), "errors");
 	for (enum hyper h = 0; h < HYPERS; h++) {
 		bool size = h != HYPER_LENGTH && h != HYPER_SLOPE;
 		double unit = size ? 100 : 1;
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 			value[d] = unit * p->draw[d].hyper[h];
 		ensemble_interval_with_answer(
-		    value, settings_level(&s->set), NAN, range);
-		ensemble_interval(value, 0, &median, &unused);
-		struct fields *one = fields_object(o, HYPER[h].name);
+		    value, settings_band_probability(&s->set), NAN, range);
+		ensemble_middle_interval(value, 0, &median, &unused);
+		struct fields *one = fields_add_object(o, HYPER[h].name);
 		fields_put(one, "median %g low %g high %g", median, range[0],
 		    range[1]);
 		if (words)
@@ -141,7 +143,7 @@ add_hyperparameters(struct answer *r, const struct session *s,
 
 /* Notes in how many draws the rock has two strengths, and how they differ. */
 static void
-note_strengths(struct answer *r, const struct posterior *p, bool words)
+note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 {
 	double two = 0, share = 0, ratio = 0;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
@@ -152,7 +154,7 @@ note_strengths(struct answer *r, const struct posterior *p, bool words)
 		share += rock->share;
 		ratio += rock->harder / rock->softer;
 	}
-	struct fields *o = fields_object(answer_fields(r), "two_strengths");
+	struct fields *o = fields_add_object(answer_fields(r), "two_strengths");
 	fields_put(o, "draws_pct %g harder_share_pct %g ratio %g",
 	    100 * two / POSTERIOR_DRAWS, 100 * share / two, ratio / two);
 	if (words && two > 0)
@@ -164,7 +166,7 @@ note_strengths(struct answer *r, const struct posterior *p, bool words)
 }
 
 static void
-note_draws(struct answer *r, const struct posterior *p,
+note_convergence_of_draws(struct answer *r, const struct posterior *p,
     const struct evidence *e, bool words)
 {
 	bool settled = !(e->halves > DRAWS_SETTLED);
@@ -184,19 +186,19 @@ note_draws(struct answer *r, const struct posterior *p,
 
 /* Adds a row for each draw: its parameters and its answer. */
 static struct answer *
-draws_answer(const struct session *s, const struct question *q,
+build_draws_answer(const struct session *s, const struct question *q,
     const struct posterior *p, const struct prediction *at, size_t n)
 {
-	struct forecast *f = forecast_table(s, q);
+	struct forecast *f = forecast_open_table(s, q);
 	size_t sieves = at->product.n;
-	forecast_at(f, at->speed);
+	forecast_set_speed(f, at->speed);
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
-	FREED char *fraction = screened_title(&at->fraction);
+	FREED char *fraction = screened_title_suffix(&at->fraction);
 	FREED char *rpm =
-	    rotor_speed_words(q->entry->site->rotor, at->speed, NAN);
+	    rotor_speed_rpm_text(q->entry->site->rotor, at->speed, NAN);
 	struct answer *r =
 	    answers_new(q->entry->site, "uncertainty", "draws at %.*f m/s%s%s",
-		units_speed_digits(at->speed), at->speed, rpm, fraction);
+		units_speed_decimals(at->speed), at->speed, rpm, fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -210,19 +212,21 @@ draws_answer(const struct session *s, const struct question *q,
 		    r, "passing_pct@%g", units_mm(at->product.size[i]));
 	for (size_t d = 0; d < n; d++) {
 		double e0 = p->draw[d].params.at[of->strength + 1];
-		answer_cells(r, "%g", (double)d + 1);
+		answer_add_cells(r, "%g", (double)d + 1);
 		for (size_t j = 0; j < of->n; j++)
-			answer_cells(r, "%.6g", p->draw[d].params.at[j]);
-		answer_cells(r, "%.6g %.6g %.6g", p->draw[d].strengths.share,
+			answer_add_cells(r, "%.6g", p->draw[d].params.at[j]);
+		answer_add_cells(r, "%.6g %.6g %.6g",
+		    p->draw[d].strengths.share,
 		    e0 * p->draw[d].strengths.softer,
 		    e0 * p->draw[d].strengths.harder);
 		for (size_t h = 0; h < HYPERS; h++)
-			answer_cells(r, "%.6g", p->draw[d].hyper[h]);
+			answer_add_cells(r, "%.6g", p->draw[d].hyper[h]);
 		for (size_t k = 0; k < PSD_SIZES; k++)
-			answer_cells(
+			answer_add_cells(
 			    r, "%.4f", 1000 * forecast_draws(f, sieves + k)[d]);
 		for (size_t i = 0; i < sieves; i++)
-			answer_cells(r, "%.4f", 100 * forecast_draws(f, i)[d]);
+			answer_add_cells(
+			    r, "%.4f", 100 * forecast_draws(f, i)[d]);
 	}
 	forecast_close(f);
 	return r;
@@ -231,34 +235,35 @@ draws_answer(const struct session *s, const struct question *q,
 /* Returns the figure that the sentences are about: the first one named or,
  * without of=, the passing that predict's sentence is about. */
 static struct quantity
-figure_of_sentences(const struct question *q, const struct args *args,
+choose_quantity_for_notes(const struct question *q, const struct args *args,
     const struct prediction *at, const struct quantity *named)
 {
 	if (args->of != NULL)
 		return named[0];
-	struct quantity of = answers_usual_passing(&at->product);
+	struct quantity of = answers_default_passing_quantity(&at->product);
 	of.fraction = q->fraction;
 	return of;
 }
 
 /* Returns "0/2" for what passes 2 mm.  The caller frees it. */
 static char *
-figure_name(const struct quantity *of)
+quantity_short_name(const struct quantity *of)
 {
-	if (of->kind == QUANTITY_PASSING && !fraction_screens(&of->fraction))
+	if (of->kind == QUANTITY_PASSING &&
+	    !fraction_is_screened(&of->fraction))
 		return xasprintf("0/%g", units_mm(of->x));
-	return quantities_words(of);
+	return quantities_name(of);
 }
 
 static void
 note_effect_of_feeds(struct answer *r, const struct session *s,
     const struct question *q, const struct quantity *of, double speed)
 {
-	double most = predict_change_by_feeds(s, q, of, speed);
+	double most = predict_largest_change_by_feed(s, q, of, speed);
 	if (!(most > 0))
 		return;
-	FREED char *name = figure_name(of);
-	double shown = quantities_shown(of, most);
+	FREED char *name = quantity_short_name(of);
+	double shown = quantities_value_in_shown_unit(of, most);
 	answer_note(r, "the feeds that were sampled change %s by up to %.*f%s",
 	    name, quantities_decimals(of), shown,
 	    quantities_difference_suffix(of));
@@ -273,12 +278,12 @@ note_best_next_sample(struct answer *r, const struct session *s,
 {
 	struct advised best;
 	double width;
-	if (!advise_best(s, q, of, &best, &width))
+	if (!advise_best_sample(s, q, of, &best, &width))
 		return;
 	double share = 1 - best.width / width;
-	FREED char *name = figure_name(of);
+	FREED char *name = quantity_short_name(of);
 	FREED char *rpm =
-	    rotor_speed_words(q->entry->site->rotor, best.speed, NAN);
+	    rotor_speed_rpm_text(q->entry->site->rotor, best.speed, NAN);
 	answer_note(r,
 	    share < ADVISE_WORTH
 		? N_("what would help %s at %.4g m/s most: several samples, as "
@@ -301,7 +306,7 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *at, double sd)
 {
 	const double step = 0.005;
-	double times = site_speed_error(q->entry->site, at->speed),
+	double times = site_effect_of_speed_errors(q->entry->site, at->speed),
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
@@ -332,50 +337,53 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 
 /* Shows people the figures; with detail=, the table that programs get. */
 static struct answer *
-band_parts_answer(const struct session *s, const struct question *q,
+build_uncertainty_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
 {
 	const struct entry *entry = q->entry;
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	bool detail = args->detail;
-	FREED char *fraction = screened_title(&at->fraction);
-	FREED char *usual = usual_quantities(at, args->sieves.n > 0);
+	FREED char *fraction = screened_title_suffix(&at->fraction);
+	FREED char *usual = default_quantities_text(at, args->sieves.n > 0);
 	size_t n;
 	FREED struct quantity *figures =
-	    quantities_asked(args->of != NULL ? args->of : usual, &q->fraction,
-		question_feed(q), args->of != NULL, &n, error);
+	    quantities_parse_list_for_feed(args->of != NULL ? args->of : usual,
+		&q->fraction, question_feed(q), args->of != NULL, &n, error);
 	if (figures == NULL)
 		return NULL;
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, at->speed, NAN);
-	const struct quantity of = figure_of_sentences(q, args, at, figures);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, at->speed, NAN);
+	const struct quantity of =
+	    choose_quantity_for_notes(q, args, at, figures);
 	struct answer *r = answers_new(entry->site, "uncertainty",
 	    detail
 		? N_("half width of the %.0f %% band at %.*f m/s%s%s, points")
 		: N_("how sure, %.0f %% bands at %.*f m/s%s%s"),
-	    100 * q->level, units_speed_digits(at->speed), at->speed, rpm,
+	    100 * q->level, units_speed_decimals(at->speed), at->speed, rpm,
 	    fraction);
 	if (detail && !s->linear)
-		answer_set_across(r);
+		answer_allow_transposed(r);
 	if (!detail) {
-		add_figures(r, s, q, at, figures, n);
-		answer_fill_for_programs(r);
+		add_figure_ranges(r, s, q, at, figures, n);
+		answer_begin_table_for_programs(r);
 	}
-	add_columns_of_band_parts(r, s, q, at);
+	add_band_width_rows(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
-	    outlook_correction(s, entry) == CORRECTION_ALL ? "all" : "train");
+	    outlook_correcting_runs(s, entry) == CORRECTION_ALL ? "all"
+								: "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns(r, PARTS[i]);
 	answer_put_columns(r, "sieve_mm passing_pct");
-	screened_note(r, at);
-	screened_put(answer_fields(r), at);
+	screened_note_share(r, at);
+	screened_put_fields(answer_fields(r), at);
 	if (detail)
-		answer_note(r, "%s", outlook_words(s, entry));
-	add_hyperparameters(r, s, p, detail);
-	note_strengths(r, p, detail);
+		answer_note(r, "%s", outlook_describe_correction(s, entry));
+	add_hyperparameter_ranges(r, s, p, detail);
+	note_two_rock_strengths(r, p, detail);
 	note_effect_of_feeds(r, s, q, &of, at->speed);
 	note_effect_of_speed_errors(r, s, q, at, args->speed_sd / 100);
-	note_draws(r, p, outlook_evidence(s, entry), detail);
+	note_convergence_of_draws(r, p, outlook_evidence(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
@@ -383,24 +391,24 @@ band_parts_answer(const struct session *s, const struct question *q,
 
 /* Sets the settings that the options name. */
 static void
-apply_settings(struct session *s, const struct args *args)
+apply_setting_options(struct session *s, const struct args *args)
 {
-	if (args_given(args, &args->probability))
+	if (args_is_given(args, &args->probability))
 		s->set.level = args->probability;
-	if (args_given(args, &args->noise))
+	if (args_is_given(args, &args->noise))
 		s->set.noise = args->noise;
 }
 
 /* Reads a speed, as in predict, and "draws" or "next", in any order. */
 static bool
-read_speed_and_words(const struct args *args, struct question *q, bool *draws,
-    bool *next, struct error *error)
+parse_speed_and_keywords(const struct args *args, struct question *q,
+    bool *draws, bool *next, struct error *error)
 {
 	bool given = q->speed_given;
 	for (size_t i = 0; i < args->n_operand; i++) {
 		const char *word = args->operand[i];
 		double v;
-		bool number = value_number(word, "m/s", &v) && v >= 1 &&
+		bool number = value_parse_number(word, "m/s", &v) && v >= 1 &&
 			      v <= SITE_FASTEST && !given;
 		if (number) {
 			q->speed = v;
@@ -425,25 +433,26 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 {
 	const struct entry *entry = q->entry;
 	bool draws = false, next = false;
-	if (!read_speed_and_words(args, q, &draws, &next, error))
+	if (!parse_speed_and_keywords(args, q, &draws, &next, error))
 		return false;
 	if (next)
 		return cmd_advise(s, args, q, error);
-	question_as_last(s, args, q);
-	apply_settings(s, args);
-	if (!screened_check_covered(q, error))
+	question_use_last_speed_and_feed(s, args, q);
+	apply_setting_options(s, args);
+	if (!screened_check_feed_covers(q, error))
 		return false;
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    outlook_why_none(s, entry), outlook_how_to_band(s, entry));
+		    outlook_why_no_band(s, entry),
+		    outlook_how_to_band(s, entry));
 	}
 	struct answer *r =
-	    draws
-		? draws_answer(s, q, outlook_posterior_for_comparison(s, entry),
-		      &at, (size_t)args->n)
-		: band_parts_answer(s, q, &at, args, error);
+	    draws ? build_draws_answer(s, q,
+			outlook_posterior_for_comparison(s, entry), &at,
+			(size_t)args->n)
+		  : build_uncertainty_answer(s, q, &at, args, error);
 	prediction_free(&at);
 	return r != NULL && session_show_answer(s, r);
 }

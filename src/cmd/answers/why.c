@@ -50,12 +50,12 @@ breakable_share(const struct subject *a)
 }
 
 static void
-say_breakage(const struct subject *a)
+say_what_breaks(const struct subject *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
 	FREED char *rpm =
-	    rotor_speed_words(a->entry->site->rotor, p->speed, NAN);
+	    rotor_speed_rpm_text(a->entry->site->rotor, p->speed, NAN);
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
@@ -70,7 +70,7 @@ say_breakage(const struct subject *a)
 		answer_note(a->answer,
 		    "With %s every size can break; %.0f %% of the feed does at "
 		    "%.4g m/s%s",
-		    params_value(&a->entry->params, "e0_min") <= 0
+		    params_value_by_name(&a->entry->params, "e0_min") <= 0
 			? "e0_min = 0"
 			: tr("so low an alpha"),
 		    100 * does, p->speed, rpm);
@@ -85,12 +85,12 @@ say_breakage(const struct subject *a)
 }
 
 static void
-say_how_much(const struct subject *a)
+say_if_little_breaks(const struct subject *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
-	double moved =
-	    psd_rms(p->feed.passing, p->product.passing, p->feed.n, NULL);
+	double moved = psd_rms_difference(
+	    p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
 		answer_note(a->answer,
 		    "So little of the feed is above the break size that the "
@@ -100,7 +100,8 @@ say_how_much(const struct subject *a)
 		    "Of the feed coarse enough to break, only %.0f %% does: "
 		    "f_mat (%.3g) is low, so many particles just above the "
 		    "threshold survive",
-		    100 * does / can, params_value(&a->entry->params, "f_mat"));
+		    100 * does / can,
+		    params_value_by_name(&a->entry->params, "f_mat"));
 	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
 	if (some && moved < SAMPLING)
 		answer_note(a->answer,
@@ -135,23 +136,23 @@ say_if_speed_hardly_matters(const struct subject *a)
 /* Says how much of the product is in the fraction asked about, and what a
  * faster rotor does to it. */
 static void
-say_fraction(const struct subject *a)
+say_share_in_fraction(const struct subject *a)
 {
 	const struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = a->q->fraction};
 	double v = a->p.speed;
-	if (!fraction_screens(&share.fraction))
+	if (!fraction_is_screened(&share.fraction))
 		return;
 	struct prediction part = forecast_product(a->s, a->q, v);
-	screened_note(a->answer, &part);
-	screened_put(answer_fields(a->answer), &part);
+	screened_note_share(a->answer, &part);
+	screened_put_fields(answer_fields(a->answer), &part);
 	struct forecast *slow = forecast_open(a->s, a->q, &share, 1);
 	struct forecast *fast = forecast_open(a->s, a->q, &share, 1);
-	forecast_at(slow, v);
-	forecast_at(fast, v + 1);
+	forecast_set_speed(slow, v);
+	forecast_set_speed(fast, v + 1);
 	struct figure more = forecast_difference(slow, fast, 0);
 	FREED char *band =
-	    quantities_band(units_pct(more.low), units_pct(more.high), 2);
+	    quantities_band_text(units_pct(more.low), units_pct(more.high), 2);
 	answer_note(a->answer,
 	    "1 m/s more changes that share by %+.2f points%s",
 	    units_pct(more.value), band);
@@ -161,24 +162,25 @@ say_fraction(const struct subject *a)
 }
 
 static void
-say_trained(const struct subject *a)
+say_if_within_training_speeds(const struct subject *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
-	if (!origin_reach(entry, &slow, &fast)) {
+	if (!origin_speed_range(entry, &slow, &fast)) {
 		answer_say(a->answer, ANSWER_WARNING,
 		    "The training speeds of these parameters are not known");
 		return;
 	}
-	FREED char *speeds = answers_reach_words(entry, slow, fast);
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
-	if (!answers_extrapolates(entry, v)) {
+	FREED char *speeds = answers_describe_speed_range(entry, slow, fast);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
+	if (!answers_is_speed_extrapolated(entry, v)) {
 		answer_note(
 		    a->answer, "%.4g m/s%s is within the %s", v, rpm, speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
-	double more = energy_specific(v) / energy_specific(near) - 1;
+	double more =
+	    energy_specific_at_speed(v) / energy_specific_at_speed(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
 	    more > 0 ? N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "more energy than at %g m/s, and no measurement "
@@ -190,13 +192,15 @@ say_trained(const struct subject *a)
 }
 
 static void
-say_parameters(const struct subject *a, const struct fit *fit, bool green)
+say_poorly_determined_params(
+    const struct subject *a, const struct fit *fit, bool green)
 {
 	FREED char *flat = xstrdup("");
-	const struct breakage *of = breakage_of(&fit->params);
+	const struct breakage *of = breakage_model_of_params(&fit->params);
 	for (size_t j = 0; j < of->n; j++)
-		if (fit_is_flat(fit, j))
-			xlist(&flat, tr(" and "), "%s", of->parameter[j].name);
+		if (fit_is_param_in_flat_direction(fit, j))
+			xappend_to_list(
+			    &flat, tr(" and "), "%s", of->parameter[j].name);
 	if (flat[0] != '\0')
 		answer_note(a->answer,
 		    green
@@ -237,7 +241,7 @@ static const char *const REMEDY[] = {
 /* Gives reason i and, after the last reason with its cause, what to do about
  * it. */
 static void
-say_reason(const struct subject *a, const struct trust *t, size_t i)
+say_trust_reason(const struct subject *a, const struct trust *t, size_t i)
 {
 	enum trust_cause cause = t->reason[i].cause;
 	answer_note(a->answer, "  %s: %s", tr(LIGHT_NAME[t->reason[i].light]),
@@ -252,13 +256,13 @@ say_reason(const struct subject *a, const struct trust *t, size_t i)
 /* Says that there is nothing to worry about, before all that the answer rests
  * on. */
 static void
-say_green(const struct subject *a, const struct trust *t)
+say_trust_is_green(const struct subject *a, const struct trust *t)
 {
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
 	if (t->n > 0)
 		return;
 	FREED char *rpm =
-	    rotor_speed_words(a->entry->site->rotor, a->p.speed, NAN);
+	    rotor_speed_rpm_text(a->entry->site->rotor, a->p.speed, NAN);
 	answer_note(a->answer,
 	    "Trust is green: nothing to worry about in the answer at %.4g "
 	    "m/s%s",
@@ -278,7 +282,7 @@ say_green(const struct subject *a, const struct trust *t)
 
 /* The light that is not green, each reason with its number, and remarks. */
 static void
-say_light(const struct subject *a, const struct trust *t)
+say_trust_light(const struct subject *a, const struct trust *t)
 {
 	if (t->n > 0)
 		answer_say(a->answer,
@@ -287,46 +291,47 @@ say_light(const struct subject *a, const struct trust *t)
 			? N_("Trust is red: do not rely on this answer")
 			: N_("Trust is amber"));
 	for (size_t i = 0; i < t->n; i++)
-		say_reason(a, t, i);
+		say_trust_reason(a, t, i);
 	for (size_t i = 0; i < t->remarks; i++)
 		answer_note(a->answer, "  remark: %s", t->remark[i]);
-	light_put(answer_fields(a->answer), t);
+	light_put_fields(answer_fields(a->answer), t);
 }
 
 static void
-say_fit(const struct subject *a, bool green)
+say_origin_of_parameters(const struct subject *a, bool green)
 {
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
-		FREED char *details = origin_details(entry->origin);
+		FREED char *details = origin_details_text(entry->origin);
 		bool own = entry->origin->from[0] == '\0';
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not calibrated on this "
 		    "site's runs",
-		    origin_words(entry), own ? "" : " (", own ? "" : details,
-		    own ? "" : ")");
+		    origin_source_text(entry), own ? "" : " (",
+		    own ? "" : details, own ? "" : ")");
 		return;
 	}
-	say_parameters(a, fit, green);
+	say_poorly_determined_params(a, fit, green);
 }
 
 /* Compares with a measured product at exactly this speed that was not used for
  * training. */
 static void
-say_measured(const struct subject *a)
+say_held_out_difference(const struct subject *a)
 {
 	const struct site *site = a->entry->site;
-	size_t r = site_run_at(site, a->p.speed);
+	size_t r = site_run_at_speed(site, a->p.speed);
 	for (size_t first = r; site->with[0] == '\0' && r < site->n_run &&
 			       site->run[r].speed == site->run[first].speed;
 	     r++) {
 		if (a->entry->train[r] ||
-		    misfit_count_covered(&site->run[r]) == 0)
+		    misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(site, r, a->entry->train,
 		    &a->entry->params, a->s->set.model, NULL);
-		FREED char *rpm = rotor_speed_words(site->rotor, v.speed, NAN);
+		FREED char *rpm =
+		    rotor_speed_rpm_text(site->rotor, v.speed, NAN);
 		answer_note(a->answer,
 		    validation_loses_to_interpolation(&v)
 			? N_("The held-out product measured at %g m/s%s%s "
@@ -343,7 +348,7 @@ say_measured(const struct subject *a)
 
 /* Says what the site file states about its data. */
 static void
-say_data(const struct subject *a)
+say_data_provenance(const struct subject *a)
 {
 	FREED char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
@@ -351,7 +356,7 @@ say_data(const struct subject *a)
 		    "The site file does not state where its data are from");
 	else
 		answer_note(a->answer,
-		    site_data_made_up(from)
+		    site_is_data_made_up(from)
 			? N_("The data were not measured at a plant: %s")
 			: N_("The site file states the provenance of its data: "
 			     "%s"),
@@ -365,7 +370,7 @@ struct balance {
 	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p[2];
-	struct ledger of[2];
+	struct mass_balance of[2];
 };
 
 /* Returns "8/11.2" or "0/0.063" for class i. */
@@ -379,20 +384,20 @@ class_label(const struct psd *feed, size_t i)
 /* Adds the cells after that of the class: the feed, three for each speed, and
  * the change. */
 static void
-add_cells_of_class(
+add_balance_cells(
     struct answer *r, const double feed, double at[2][3], double change)
 {
-	answer_cells(r, "%.1f", 100 * feed);
+	answer_add_cells(r, "%.1f", 100 * feed);
 	for (size_t k = 0; k < 2; k++)
-		answer_cells(r, "%.1f %.1f %.1f", 100 * at[k][0],
+		answer_add_cells(r, "%.1f %.1f %.1f", 100 * at[k][0],
 		    100 * at[k][1], 100 * at[k][2]);
-	answer_cells(r, "%.1f", 100 * change);
+	answer_add_cells(r, "%.1f", 100 * change);
 }
 
 /* For people: what stays in a class, broken or not, what leaves it and what
  * comes in, so that each row adds up to the feed and to the product. */
 static void
-add_rows_for_people(struct answer *r, const struct balance *b)
+add_balance_rows_for_people(struct answer *r, const struct balance *b)
 {
 	double sum[2][3] = {{0}}, feed = 0, all = 0;
 	answer_columns(r, "class: on mm, feed_pct: feed %%");
@@ -407,7 +412,7 @@ add_rows_for_people(struct answer *r, const struct balance *b)
 	for (size_t i = 0; i < b->feed->n; i++) {
 		double at[2][3];
 		for (size_t k = 0; k < 2; k++) {
-			const struct ledger *l = &b->of[k];
+			const struct mass_balance *l = &b->of[k];
 			at[k][0] = l->unbroken[i] + l->within[i];
 			at[k][1] = l->left[i];
 			at[k][2] = l->arrived[i];
@@ -421,23 +426,23 @@ add_rows_for_people(struct answer *r, const struct balance *b)
 			answer_text(r, "%g", units_mm(b->feed->size[i + 1]));
 		else
 			answer_text(r, "pan");
-		add_cells_of_class(r, b->of[0].feed[i], at, change);
+		add_balance_cells(r, b->of[0].feed[i], at, change);
 	}
 	answer_text(r, "sum");
 	/* A sum of -0.0 is shown as 0.0. */
-	add_cells_of_class(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
+	add_balance_cells(r, feed, sum, fabs(all) < 1e-9 ? 0 : all);
 }
 
 /* For programs: a row for each speed and class. */
 static void
-add_rows_for_programs(struct answer *r, const struct balance *b)
+add_balance_rows_for_programs(struct answer *r, const struct balance *b)
 {
 	answer_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
 			  "within_pct, left_pct, arrived_pct, product_pct");
 	for (size_t k = 0; k < 2; k++) {
-		const struct ledger *l = &b->of[k];
+		const struct mass_balance *l = &b->of[k];
 		for (size_t i = 0; i < l->n; i++)
-			answer_cells(r, "%g %g %g %g %g %g %g %g %g",
+			answer_add_cells(r, "%g %g %g %g %g %g %g %g %g",
 			    b->p[k].speed,
 			    i + 1 < l->n ? units_mm(b->feed->size[i + 1]) : 0,
 			    units_mm(b->feed->size[i]), 100 * l->feed[i],
@@ -450,16 +455,17 @@ add_rows_for_programs(struct answer *r, const struct balance *b)
 static void
 note_where_mass_goes(struct answer *r, const struct balance *b)
 {
-	const struct ledger *a = &b->of[0], *z = &b->of[1];
+	const struct mass_balance *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
 	/* If less breaks, the classes are those where it falls most. */
 	bool faster = b->p[1].speed > b->p[0].speed;
-	const struct ledger *low = faster ? a : z, *high = faster ? z : a;
-	size_t out = ledger_class_of_largest(high->left, low->left, a->n);
-	size_t in = ledger_class_of_largest(high->arrived, low->arrived, a->n);
+	const struct mass_balance *low = faster ? a : z, *high = faster ? z : a;
+	size_t out = mass_balance_class_of_largest(high->left, low->left, a->n);
+	size_t in =
+	    mass_balance_class_of_largest(high->arrived, low->arrived, a->n);
 	FREED char *from = class_label(b->feed, out),
 		   *to = class_label(b->feed, in);
-	FREED char *rpm = rotor_speed_words(
+	FREED char *rpm = rotor_speed_rpm_text(
 	    b->entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
@@ -484,7 +490,7 @@ note_where_mass_goes(struct answer *r, const struct balance *b)
 /* Returns the largest difference between the answer's change and the model's,
  * and sets *sieve to where it is. */
 static double
-corrected_change(const struct balance *b, double *sieve)
+largest_correction_of_change(const struct balance *b, double *sieve)
 {
 	const struct prediction *p = b->p;
 	double most = 0;
@@ -503,7 +509,7 @@ corrected_change(const struct balance *b, double *sieve)
 static void
 note_correction(struct answer *r, const struct balance *b)
 {
-	double sieve = 0, most = corrected_change(b, &sieve);
+	double sieve = 0, most = largest_correction_of_change(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
 	answer_say(r, ANSWER_REMARK,
 	    "On each sieve, in %% of the feed's mass: stay + left = feed, "
@@ -526,22 +532,22 @@ note_correction(struct answer *r, const struct balance *b)
 static void
 put_share_list(struct fields *o, const char *key, const double *share, size_t n)
 {
-	fields_numbers(o, key, share, n, units_pct);
+	fields_put_numbers(o, key, share, n, units_pct);
 }
 
 static void
-put_balance(struct fields *o, const struct balance *b)
+put_balance_fields(struct fields *o, const struct balance *b)
 {
 	size_t n = b->feed->n;
-	fields_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
+	fields_put_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
 	put_share_list(o, "feed_pct", b->of[0].feed, n);
-	struct fields *list = fields_list(o, "at");
+	struct fields *list = fields_add_list(o, "at");
 	for (size_t k = 0; k < 2; k++) {
-		const struct ledger *l = &b->of[k];
-		struct fields *at = fields_object(list, NULL);
+		const struct mass_balance *l = &b->of[k];
+		struct fields *at = fields_add_object(list, NULL);
 		fields_put(at, "speed %g extrapolated %d broken_pct %g",
 		    b->p[k].speed,
-		    answers_extrapolates(b->entry, b->p[k].speed),
+		    answers_is_speed_extrapolated(b->entry, b->p[k].speed),
 		    100 * l->broken);
 		put_share_list(at, "unbroken_pct", l->unbroken, n);
 		put_share_list(at, "within_pct", l->within, n);
@@ -552,47 +558,48 @@ put_balance(struct fields *o, const struct balance *b)
 }
 
 static void
-why_give(struct balance *b)
+show_mass_balance(struct balance *b)
 {
 	const struct entry *entry = b->entry;
-	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, b->p[0].speed, b->p[1].speed);
+	FREED char *rpm = rotor_speed_rpm_text(
+	    entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	struct answer *r = answers_new(entry->site, "why",
 	    "where the mass goes, %g and %g m/s%s", b->p[0].speed,
 	    b->p[1].speed, rpm);
-	add_rows_for_people(r, b);
-	answer_fill_for_programs(r);
-	add_rows_for_programs(r, b);
+	add_balance_rows_for_people(r, b);
+	answer_begin_table_for_programs(r);
+	add_balance_rows_for_programs(r, b);
 	note_where_mass_goes(r, b);
 	note_correction(r, b);
 	for (size_t k = 0; k < 2; k++) {
 		double v = b->p[k].speed;
-		FREED char *own = rotor_speed_words(entry->site->rotor, v, NAN);
-		if (answers_extrapolates(entry, v))
+		FREED char *own =
+		    rotor_speed_rpm_text(entry->site->rotor, v, NAN);
+		if (answers_is_speed_extrapolated(entry, v))
 			answer_say(r, ANSWER_WARNING,
 			    "%g m/s%s is outside the training speeds", v, own);
 	}
 	answer_note(r, "picture: plot psd speed=%g other=%g", b->p[0].speed,
 	    b->p[1].speed);
-	put_balance(answer_fields(r), b);
-	answers_show_basis(
-	    b->s, r, b->q, 0, false, light_worst(b->s, entry, b->p, 2));
+	put_balance_fields(answer_fields(r), b);
+	answers_show_basis(b->s, r, b->q, 0, false,
+	    light_worst_of_predictions(b->s, entry, b->p, 2));
 	session_show_answer(b->s, r);
 }
 
 /* Answers `why 69 79`, whose second speed is an operand. */
 static bool
-balance_answer(struct session *s, const struct args *args,
+explain_change_between_speeds(struct session *s, const struct args *args,
     const struct question *q, struct error *error)
 {
 	const struct entry *entry = q->entry;
 	double v[2] = {q->speed, 0};
-	if (fraction_screens(&q->fraction))
+	if (fraction_is_screened(&q->fraction))
 		return error_set(error, ERROR_USAGE,
 		    "why: expected no cut= with two speeds, which show each "
 		    "class of the product\nleave out cut=, or one of the "
 		    "speeds");
-	if (!value_number(args->operand[0], "m/s", &v[1]) || v[1] < 1 ||
+	if (!value_parse_number(args->operand[0], "m/s", &v[1]) || v[1] < 1 ||
 	    v[1] > SITE_FASTEST)
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to %d m/s, got %s",
@@ -600,16 +607,16 @@ balance_answer(struct session *s, const struct args *args,
 	struct balance b = {.s = s,
 	    .q = q,
 	    .entry = entry,
-	    .feed = site_feed(entry->site, q->feed)};
+	    .feed = site_feed_of_run(entry->site, q->feed)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
-		b.of[k] = ledger_new(
-		    b.feed, &entry->params, outlook_settings(s, entry), v[k]);
+		b.of[k] = mass_balance_new(b.feed, &entry->params,
+		    outlook_model_settings(s, entry), v[k]);
 	}
-	why_give(&b);
+	show_mass_balance(&b);
 	for (size_t k = 0; k < 2; k++) {
 		prediction_free(&b.p[k]);
-		ledger_free(&b.of[k]);
+		mass_balance_free(&b.of[k]);
 	}
 	return true;
 }
@@ -619,34 +626,34 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	if (args->n_operand > 0)
-		return balance_answer(s, args, q, error);
-	question_as_last(s, args, q);
-	if (!screened_check_covered(q, error))
+		return explain_change_between_speeds(s, args, q, error);
+	question_use_last_speed_and_feed(s, args, q);
+	if (!screened_check_feed_covers(q, error))
 		return false;
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	size_t run = q->feed;
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, v, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct subject a = {.s = s,
 	    .q = q,
 	    .entry = entry,
-	    .feed = site_feed(entry->site, run),
+	    .feed = site_feed_of_run(entry->site, run),
 	    .p = forecast_whole_product(s, entry, v, run),
 	    .answer =
 		answers_new(entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
-	struct trust trust = light_of_prediction(s, entry, &a.p);
+	struct trust trust = light_of_answer_or_fit(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
-	say_green(&a, &trust);
-	say_breakage(&a);
-	say_how_much(&a);
+	say_trust_is_green(&a, &trust);
+	say_what_breaks(&a);
+	say_if_little_breaks(&a);
 	say_if_speed_hardly_matters(&a);
-	say_fraction(&a);
-	say_trained(&a);
-	say_measured(&a);
-	say_light(&a, &trust);
-	say_fit(&a, trust.light == LIGHT_GREEN);
-	say_data(&a);
-	feed_note(a.answer, entry->site, run, NULL, 0);
+	say_share_in_fraction(&a);
+	say_if_within_training_speeds(&a);
+	say_held_out_difference(&a);
+	say_trust_light(&a, &trust);
+	say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
+	say_data_provenance(&a);
+	feed_add_note(a.answer, entry->site, run, NULL, 0);
 	trust_free(&trust);
 	prediction_free(&a.p);
 	return session_show_answer(s, a.answer);

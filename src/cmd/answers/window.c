@@ -27,12 +27,13 @@ struct window_request {
 
 /* Takes the conditions of the session's goal if none are given. */
 static bool
-take_goal(struct session *s, struct window_request *a, struct error *error)
+take_session_goal_conditions(
+    struct session *s, struct window_request *a, struct error *error)
 {
 	size_t n_value = 0;
 	if (a->list.n > 0 || !goals_is_set(s))
 		return true;
-	if (!goals_read(
+	if (!goals_parse(
 		s, s->set.goal, question_feed(a->q), &a->list, &n_value, error))
 		return false;
 	return n_value == 0 || error_set(error, ERROR_USAGE,
@@ -42,11 +43,11 @@ take_goal(struct session *s, struct window_request *a, struct error *error)
 }
 
 static bool
-read_conditions(struct session *s, const struct args *args,
+parse_window_conditions(struct session *s, const struct args *args,
     struct window_request *a, struct error *error)
 {
-	if (!conditions_add_call(s, args, a->q, &a->list, error) ||
-	    !take_goal(s, a, error))
+	if (!conditions_add_from_args(s, args, a->q, &a->list, error) ||
+	    !take_session_goal_conditions(s, a, error))
 		return false;
 	return a->list.n > 0 || error_set(error, ERROR_USAGE,
 				    "expected conditions, got none\n"
@@ -56,31 +57,32 @@ read_conditions(struct session *s, const struct args *args,
 }
 
 static void
-window_look(struct session *s, struct window_request *a, double from, double to)
+search_speed_window(
+    struct session *s, struct window_request *a, double from, double to)
 {
-	a->wanted = conditions_open(s, a->q, &a->list, NULL);
+	a->wanted = conditions_open_search(s, a->q, &a->list, NULL);
 	a->wanted.from = from;
 	a->wanted.to = to;
-	a->w = speed_search_all(&a->wanted);
-	forecast_at(a->wanted.forecast, a->w->best);
+	a->w = speed_search_run(&a->wanted);
+	forecast_set_speed(a->wanted.forecast, a->w->best);
 }
 
 /* Notes "passing 0.5 mm sets the lower end, 71.5 m/s, passing 0.063 mm the
  * upper, 76.2 m/s".  One quantity may set both. */
 static void
-note_binding(struct answer *r, const struct window_request *a)
+note_binding_conditions(struct answer *r, const struct window_request *a)
 {
-	const struct speed_range *in = speed_search_around(a->w);
+	const struct speed_range *in = speed_search_best_range(a->w);
 	const struct site *site = a->wanted.site;
-	FREED char *from = rotor_speed_words(site->rotor, in->from, NAN);
-	FREED char *to = rotor_speed_words(site->rotor, in->to, NAN);
-	FREED char *both = rotor_speed_words(site->rotor, in->from, in->to);
+	FREED char *from = rotor_speed_rpm_text(site->rotor, in->from, NAN);
+	FREED char *to = rotor_speed_rpm_text(site->rotor, in->to, NAN);
+	FREED char *both = rotor_speed_rpm_text(site->rotor, in->from, in->to);
 	FREED char *asked =
-	    rotor_speed_words(site->rotor, a->wanted.from, a->wanted.to);
+	    rotor_speed_rpm_text(site->rotor, a->wanted.from, a->wanted.to);
 	FREED char *words = xstrdup("");
 	if (in->low.i != SIZE_MAX) {
 		FREED char *q =
-		    quantities_words(&a->list.at[in->low.i].quantity);
+		    quantities_name(&a->list.at[in->low.i].quantity);
 		if (in->high.i == in->low.i)
 			xappend(&words,
 			    tr("%s sets both ends: %.1f and %.1f m/s%s"), q,
@@ -91,13 +93,13 @@ note_binding(struct answer *r, const struct window_request *a)
 	}
 	if (in->high.i != SIZE_MAX && in->high.i != in->low.i) {
 		FREED char *q =
-		    quantities_words(&a->list.at[in->high.i].quantity);
+		    quantities_name(&a->list.at[in->high.i].quantity);
 		if (words[0] == '\0')
 			xappend(&words, tr("%s sets the upper end, %.1f m/s%s"),
 			    q, in->to, to);
 		else
-			xlist(&words, ", ", tr("%s the upper, %.1f m/s%s"), q,
-			    in->to, to);
+			xappend_to_list(&words, ", ",
+			    tr("%s the upper, %.1f m/s%s"), q, in->to, to);
 	}
 	if (words[0] != '\0')
 		answer_note(r, "%s", words);
@@ -108,14 +110,14 @@ note_binding(struct answer *r, const struct window_request *a)
 
 /* Notes "1.2 points away, 0.9 times the width of its band". */
 static void
-note_margin(struct answer *r, const struct window_request *a)
+note_nearest_limit(struct answer *r, const struct window_request *a)
 {
 	const struct margin *m = &a->w->margin;
-	double widths = conditions_widths(&a->wanted, *m);
+	double widths = conditions_margin_in_band_widths(&a->wanted, *m);
 	if (!isfinite(m->passing))
 		return;
-	FREED char *limit = conditions_limit(&a->list, m->limit);
-	FREED char *distance = conditions_distance(&a->wanted, *m);
+	FREED char *limit = conditions_describe_limit(&a->list, m->limit);
+	FREED char *distance = conditions_describe_margin(&a->wanted, *m);
 	if (isfinite(widths))
 		answer_note(r,
 		    "nearest limit there: %s, %s away, %.1f times the width of "
@@ -138,14 +140,15 @@ is_beyond_all_measured(const struct window_request *a)
 			    site->run[i].speed <= w->inside[k].to)
 				return false;
 	return isfinite(a->wanted.reach) &&
-	       answers_extrapolates(a->q->entry, w->best);
+	       answers_is_speed_extrapolated(a->q->entry, w->best);
 }
 
 static void
-note_inside(struct answer *r, const struct window_request *a)
+note_speeds_in_window(struct answer *r, const struct window_request *a)
 {
-	const struct speed_range *in = speed_search_around(a->w);
-	FREED char *speeds = conditions_speeds_in_units(&a->wanted, a->w);
+	const struct speed_range *in = speed_search_best_range(a->w);
+	FREED char *speeds =
+	    conditions_describe_speeds_with_units(&a->wanted, a->w);
 	bool several = a->list.n > 1;
 	if (is_beyond_all_measured(a))
 		answer_note(r,
@@ -159,36 +162,38 @@ note_inside(struct answer *r, const struct window_request *a)
 		    several ? N_("the answer meets all conditions at %s")
 			    : N_("the answer meets it at %s"),
 		    speeds);
-	note_binding(r, a);
-	conditions_note_farther(r, &a->wanted,
+	note_binding_conditions(r, a);
+	conditions_note_unsearched_speeds(r, &a->wanted,
 	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
 	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
 	double slowest, fastest;
-	if (!origin_reach(a->q->entry, &slowest, &fastest) ||
+	if (!origin_speed_range(a->q->entry, &slowest, &fastest) ||
 	    (in->from >= slowest && in->to <= fastest))
 		return;
-	FREED char *reach = answers_reach_words(a->q->entry, slowest, fastest);
+	FREED char *reach =
+	    answers_describe_speed_range(a->q->entry, slowest, fastest);
 	answer_say(
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
 /* Notes why the speed is the best, and the slowest that is safe. */
 static void
-note_best(struct answer *r, const struct window_request *a)
+note_why_speed_is_best(struct answer *r, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	const struct site *site = a->wanted.site;
-	FREED char *rpm = rotor_speed_words(site->rotor, w->best, NAN);
-	FREED char *slow = rotor_speed_words(site->rotor, w->safe, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, w->best, NAN);
+	FREED char *slow = rotor_speed_rpm_text(site->rotor, w->safe, NAN);
 	FREED char *words =
-	    xasprintf(answers_extrapolates(a->q->entry, w->best)
+	    xasprintf(answers_is_speed_extrapolated(a->q->entry, w->best)
 			  ? tr("best %.1f m/s%s, beyond the measured speeds")
 			  : tr("best %.1f m/s%s of the measured range"),
 		w->best, rpm);
 	if (isnan(w->best_certain))
 		xappend(&words, tr(": it is farthest from the limits"));
 	else {
-		FREED char *times = conditions_times(w->best_certain);
+		FREED char *times =
+		    conditions_probability_in_100(w->best_certain);
 		xappend(&words,
 		    a->list.n > 1 ? tr(": they hold most surely there, %s")
 				  : tr(": it holds most surely there, %s"),
@@ -210,13 +215,13 @@ note_certain_speeds(
 	const struct speed_search *w = a->w;
 	bool drawn = !isnan(w->best_certain);
 	if (w->n_inside > 0) {
-		note_best(r, a);
-		note_margin(r, a);
+		note_why_speed_is_best(r, a);
+		note_nearest_limit(r, a);
 	}
 	if (!drawn)
-		answer_note(r, "%s", outlook_why_none(s, a->q->entry));
+		answer_note(r, "%s", outlook_why_no_band(s, a->q->entry));
 	else
-		conditions_note_certain(r, &a->wanted, w);
+		conditions_note_certain_speeds(r, &a->wanted, w);
 }
 
 static void
@@ -224,63 +229,65 @@ put_certain_speeds(struct fields *o, const struct window_request *a)
 {
 	const struct speed_search *w = a->w;
 	if (isfinite(w->sure[0]))
-		answers_put_pair(o, "certain", w->sure[0], w->sure[1]);
+		answers_put_low_high(o, "certain", w->sure[0], w->sure[1]);
 	else
-		fields_number(o, "certain", NAN);
+		fields_put_number(o, "certain", NAN);
 	fields_put(o, "certainty_pct %g level %g slowest_safe %g",
 	    100 * w->best_certain, 100 * a->wanted.level, w->safe);
 }
 
 static void
-put_limits(struct fields *o, const struct window_request *a)
+put_binding_limits(struct fields *o, const struct window_request *a)
 {
 	const struct wanted_limit limit[] = {a->w->low, a->w->high};
 	for (size_t k = 0; k < 2; k++) {
 		if (limit[k].i == SIZE_MAX) {
-			fields_number(
+			fields_put_number(
 			    o, k == 0 ? "binds_low" : "binds_high", NAN);
 			continue;
 		}
-		FREED char *words = conditions_limit(&a->list, limit[k]);
+		FREED char *words =
+		    conditions_describe_limit(&a->list, limit[k]);
 		fields_put(o, k == 0 ? "binds_low %s" : "binds_high %s", words);
 	}
 }
 
 static void
-put_window(struct fields *o, const struct window_request *a, bool outside)
+put_window_fields(
+    struct fields *o, const struct window_request *a, bool outside)
 {
 	const struct speed_search *w = a->w;
-	struct fields *inside = fields_list(o, "inside");
+	struct fields *inside = fields_add_list(o, "inside");
 	for (size_t k = 0; k < w->n_inside; k++)
-		fields_put(fields_list(inside, NULL), "%g %g",
+		fields_put(fields_add_list(inside, NULL), "%g %g",
 		    w->inside[k].from, w->inside[k].to);
 	fields_put(o,
 	    "best %g margin_pct %g margin_widths %g from %g to %g "
 	    "extrapolated %d",
 	    w->best, 100 * w->margin.passing,
-	    conditions_widths(&a->wanted, w->margin), a->wanted.from,
-	    a->wanted.to, outside);
-	put_limits(o, a);
+	    conditions_margin_in_band_widths(&a->wanted, w->margin),
+	    a->wanted.from, a->wanted.to, outside);
+	put_binding_limits(o, a);
 }
 
 /* Notes the plot that shows the same. */
 static void
-note_picture(struct answer *r, const struct args *args)
+note_equivalent_plot(struct answer *r, const struct args *args)
 {
 	FREED char *limits = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
-		xlist(&limits, ",", "%s", args->operand[i]);
+		xappend_to_list(&limits, ",", "%s", args->operand[i]);
 	if (args->n_operand > 0 && strchr(limits, '"') == NULL)
 		answer_note(r, "picture: plot response limits=\"%s\"", limits);
 }
 
 static struct answer *
-window_answer(const struct window_request *a)
+begin_window_answer(const struct window_request *a)
 {
 	const struct site *site = a->wanted.site;
 	double v = a->w->best;
 	bool several = a->list.n > 1;
-	FREED char *rpm = rotor_speed_words(site->rotor, v, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, v, NAN);
 	if (a->w->n_inside > 0)
 		return answers_new(site, "window", "%s at %.1f m/s%s",
 		    several ? tr("conditions") : tr("the condition"), v, rpm);
@@ -297,25 +304,27 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	struct window_request a = {.q = q};
 	double from, to;
-	bool ok = conditions_speeds(s, args, entry->site, &from, &to, error) &&
-		  read_conditions(s, args, &a, error);
+	bool ok = conditions_speed_range_of_args(
+		      s, args, entry->site, &from, &to, error) &&
+		  parse_window_conditions(s, args, &a, error);
 	if (ok) {
-		window_look(s, &a, from, to);
-		struct answer *r = window_answer(&a);
-		conditions_rows(r, &a.wanted, a.w);
-		conditions_put(answer_fields(r), &a.wanted, a.w);
+		search_speed_window(s, &a, from, to);
+		struct answer *r = begin_window_answer(&a);
+		conditions_add_rows(r, &a.wanted, a.w);
+		conditions_put_list(answer_fields(r), &a.wanted, a.w);
 		if (a.w->n_inside > 0)
-			note_inside(r, &a);
+			note_speeds_in_window(r, &a);
 		else
-			conditions_note_missed(r, &a.wanted, &a.list, a.w);
-		put_window(answer_fields(r), &a,
-		    answers_extrapolates(entry, a.w->best));
+			conditions_note_why_unmet(r, &a.wanted, &a.list, a.w);
+		put_window_fields(answer_fields(r), &a,
+		    answers_is_speed_extrapolated(entry, a.w->best));
 		note_certain_speeds(r, s, &a);
 		put_certain_speeds(answer_fields(r), &a);
-		note_picture(r, args);
-		conditions_note_source(r, &a.list);
+		note_equivalent_plot(r, args);
+		conditions_note_source_of_limits(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
-		asked_keep(s, a.w->best, &a.list.at[0].quantity);
+		asked_keep_speed_and_quantity(
+		    s, a.w->best, &a.list.at[0].quantity);
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

@@ -26,7 +26,7 @@ const struct product_size ANSWERS_SIZE[ANSWERS_SIZES] = {
     {"break_mm", "break_range_mm", N_("break size mm")}};
 
 void
-answers_put_variant(struct answer *r, const struct site *site)
+answers_put_feed_and_machine(struct answer *r, const struct site *site)
 {
 	if (site->feed_from[0] != '\0')
 		fields_put(answer_fields(r), "feed %s", site->feed_from);
@@ -45,17 +45,17 @@ answers_new(
 		   *label = session_site_label(site);
 	va_end(ap);
 	answer_title(r, "%s: %s", label, title);
-	answer_site(r, site->name, site->provenance);
-	answers_put_variant(r, site);
+	answer_set_site(r, site->name, site->provenance);
+	answers_put_feed_and_machine(r, site);
 	return r;
 }
 
 bool
-answers_check_params(
+answers_require_params(
     const struct session *s, const struct entry *entry, struct error *error)
 {
 	if (entry->has_params)
-		return fit_settings_agree(
+		return fit_check_settings_agree(
 		    &s->set.model, entry->params.breakage, error);
 	return error_set(error, ERROR_USAGE, "%s has no parameters yet\n%s",
 	    entry->site->name,
@@ -69,17 +69,17 @@ answers_check_params(
 }
 
 bool
-answers_check_current(struct session *s, struct error *error)
+answers_require_params_of_current(struct session *s, struct error *error)
 {
-	return answers_check_params(s, session_entry(s), error);
+	return answers_require_params(s, session_current_entry(s), error);
 }
 
 bool
-answers_best_so_far(
+answers_best_params_so_far(
     const struct session *s, const struct entry *entry, struct params *params)
 {
-	const struct entry *fitting = session_fitting(s);
-	if (fitting == NULL || fitting != entry_loaded(entry))
+	const struct entry *fitting = session_entry_being_fitted(s);
+	if (fitting == NULL || fitting != entry_without_variant(entry))
 		return false;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.generation > 0)
@@ -88,15 +88,16 @@ answers_best_so_far(
 }
 
 bool
-answers_extrapolates(const struct entry *entry, double speed)
+answers_is_speed_extrapolated(const struct entry *entry, double speed)
 {
 	double slowest, fastest;
-	return !origin_reach(entry, &slowest, &fastest) ||
+	return !origin_speed_range(entry, &slowest, &fastest) ||
 	       speed < slowest - 1e-9 || speed > fastest + 1e-9;
 }
 
 double
-answers_share_finer(const struct breaker *b, double u, const struct site *site)
+answers_breakage_function(
+    const struct breaker *b, double u, const struct site *site)
 {
 	double log_u = el_log(u), log_x = el_log(site->run[0].feed.size[0]);
 	const struct breakage *of = b->model;
@@ -107,7 +108,7 @@ answers_share_finer(const struct breaker *b, double u, const struct site *site)
 }
 
 double
-answers_usual_speed(const struct entry *entry)
+answers_default_speed(const struct entry *entry)
 {
 	const double usual = 74;
 	double from, to, speed = 0, middle = site_middle_speed(entry->site);
@@ -119,12 +120,12 @@ answers_usual_speed(const struct entry *entry)
 	}
 	if (speed > 0)
 		return speed;
-	site_reach(entry->site, &from, &to);
+	site_default_speed_range(entry->site, &from, &to);
 	return usual >= from && usual <= to ? usual : middle;
 }
 
 size_t
-answers_usual_sieve(const struct psd *product)
+answers_default_sieve(const struct psd *product)
 {
 	size_t middle = 0;
 	for (size_t i = 0; i < product->n; i++) {
@@ -138,18 +139,19 @@ answers_usual_sieve(const struct psd *product)
 }
 
 struct quantity
-answers_usual_passing(const struct psd *product)
+answers_default_passing_quantity(const struct psd *product)
 {
 	return (struct quantity){.kind = QUANTITY_PASSING,
-	    .x = product->size[answers_usual_sieve(product)]};
+	    .x = product->size[answers_default_sieve(product)]};
 }
 
 char *
-answers_typed_speed(const struct site *site, double speed)
+answers_format_speed(const struct site *site, double speed)
 {
 	double rotor = site->rotor;
-	double rpm = rotor > 0 ? round(rotor_speed_rpm(speed, rotor)) : 0;
-	bool same = fabs(head_mps(rpm, SPEED_RPM, rotor) - speed) < 1e-6;
+	double rpm = rotor > 0 ? round(rotor_speed_to_rpm(speed, rotor)) : 0;
+	bool same =
+	    fabs(head_speed_to_mps(rpm, SPEED_RPM, rotor) - speed) < 1e-6;
 	return same ? xasprintf("%g rpm", rpm) : xasprintf("%g", speed);
 }
 
@@ -159,7 +161,7 @@ answers_is_sheet_in_rpm(const struct site *site)
 	bool tenths = true;
 	for (size_t r = 0; r < site->n_run; r++) {
 		double v = site->run[r].speed;
-		FREED char *typed = answers_typed_speed(site, v);
+		FREED char *typed = answers_format_speed(site, v);
 		if (v > 0 && strstr(typed, "rpm") == NULL)
 			return false;
 		tenths = tenths && fabs(10 * v - round(10 * v)) < 1e-6;
@@ -172,23 +174,25 @@ answers_speed_range_words(
     const struct site *site, double from, double to, bool brief)
 {
 	bool in_rpm = answers_is_sheet_in_rpm(site);
-	double low = in_rpm ? round(rotor_speed_rpm(from, site->rotor)) : from,
-	       high = in_rpm ? round(rotor_speed_rpm(to, site->rotor)) : to;
+	double low =
+		   in_rpm ? round(rotor_speed_to_rpm(from, site->rotor)) : from,
+	       high = in_rpm ? round(rotor_speed_to_rpm(to, site->rotor)) : to;
 	const char *unit = in_rpm ? tr("rpm") : "m/s";
 	return brief ? xasprintf("%g..%g %s", low, high, unit)
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
 
 double *
-answers_round_rpm(
+answers_speeds_at_round_rpm(
     const struct site *site, double from, double to, size_t most, size_t *n)
 {
 	static const double STEPS[] = {5, 10, 20, 25, 50, 100, 200, 500};
 	double rotor = site->rotor;
 	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
-	double slow = rotor_speed_rpm(from, rotor),
-	       fast = rotor_speed_rpm(to, rotor), *speed = xdoubles(most);
+	double slow = rotor_speed_to_rpm(from, rotor),
+	       fast = rotor_speed_to_rpm(to, rotor),
+	       *speed = xcalloc_doubles(most);
 	size_t i = 0;
 	while (i + 1 < ARRAY_LEN(STEPS) &&
 	       (fast - slow) / STEPS[i] >= (double)most)
@@ -196,23 +200,24 @@ answers_round_rpm(
 	double first = ceil(slow / STEPS[i]);
 	for (*n = 0; *n < most && (first + (double)*n) * STEPS[i] <= fast;
 	     (*n)++)
-		speed[*n] =
-		    head_mps((first + (double)*n) * STEPS[i], SPEED_RPM, rotor);
+		speed[*n] = head_speed_to_mps(
+		    (first + (double)*n) * STEPS[i], SPEED_RPM, rotor);
 	return speed;
 }
 
 double *
-answers_speeds(const struct session *s, const struct site *site, size_t *n)
+answers_list_round_speeds(
+    const struct session *s, const struct site *site, size_t *n)
 {
 	enum { MOST = 7 };
 	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
 	double from, to;
-	settings_reach(&s->set, site, &from, &to);
-	double *speed = answers_round_rpm(site, from, to, MOST, n);
+	settings_speed_range(&s->set, site, &from, &to);
+	double *speed = answers_speeds_at_round_rpm(site, from, to, MOST, n);
 	size_t i = 0;
 	if (speed != NULL)
 		return speed;
-	speed = xdoubles(MOST);
+	speed = xcalloc_doubles(MOST);
 	while (i + 1 < ARRAY_LEN(STEPS) && (to - from) / STEPS[i] >= MOST)
 		i++;
 	double step = STEPS[i], first = ceil(from / step);
@@ -228,11 +233,11 @@ answers_keep_prediction(struct session *s, const struct entry *entry,
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep_answer(s, answer);
-	asked_keep(s, p->speed, NULL);
+	asked_keep_speed_and_quantity(s, p->speed, NULL);
 }
 
 static char *
-below_or_above(const struct psd *psd, double passing)
+format_size_beyond_sieves(const struct psd *psd, double passing)
 {
 	bool fine = psd->passing[psd->n - 1] >= passing;
 	return xasprintf("%s %g", fine ? tr("below") : tr("above"),
@@ -240,23 +245,23 @@ below_or_above(const struct psd *psd, double passing)
 }
 
 double
-answers_size(const struct prediction *p, size_t i)
+answers_product_size_mm(const struct prediction *p, size_t i)
 {
 	return 1000 * p->size[i];
 }
 
 void
-answers_size_cell(struct answer *r, const struct prediction *p, size_t i)
+answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
 {
-	FREED char *words = i == ANSWERS_BREAK
-				? xstrdup(tr("none"))
-				: below_or_above(&p->curve, PSD_PASSING[i]);
+	FREED char *words = i == ANSWERS_BREAK ? xstrdup(tr("none"))
+					       : format_size_beyond_sieves(
+						     &p->curve, PSD_PASSING[i]);
 	answer_set_missing(r, words);
-	answer_cells(r, "%.2f", answers_size(p, i));
+	answer_add_cells(r, "%.2f", answers_product_size_mm(p, i));
 }
 
 void
-answers_size_columns(struct answer *r)
+answers_add_size_columns(struct answer *r)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		answer_column(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
@@ -269,11 +274,12 @@ static void
 append_size_with_range(
     char **list, const struct psd *psd, size_t i, const double *range)
 {
-	double x = psd_size(psd, PSD_PASSING[i]);
-	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
-				 : below_or_above(psd, PSD_PASSING[i]);
+	double x = psd_size_at_passing(psd, PSD_PASSING[i]);
+	char *size = isfinite(x)
+			 ? xasprintf("%.2f", 1000 * x)
+			 : format_size_beyond_sieves(psd, PSD_PASSING[i]);
 	bool first = *list[0] == '\0';
-	xlist(list, ", ", "%s %s%s", PSD_NAME[i], size,
+	xappend_to_list(list, ", ", "%s %s%s", PSD_NAME[i], size,
 	    first || size[0] > '9' ? " mm" : "");
 	free(size);
 	if (!isfinite(range[1]))
@@ -297,7 +303,7 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 
 /* Which model it is, where that is not the paper's. */
 static void
-note_model_unless_papers(
+note_model_if_not_of_paper(
     const struct session *s, struct answer *r, const struct entry *entry)
 {
 	size_t own = entry->params.breakage, set = s->set.model.breakage;
@@ -313,10 +319,12 @@ note_model_unless_papers(
 }
 
 char *
-answers_reach_words(const struct entry *entry, double slowest, double fastest)
+answers_describe_speed_range(
+    const struct entry *entry, double slowest, double fastest)
 {
-	bool trained = origin_trained(entry), several = slowest < fastest;
-	FREED char *rpm = rotor_speed_words(
+	bool trained = origin_has_training_speeds(entry),
+	     several = slowest < fastest;
+	FREED char *rpm = rotor_speed_rpm_text(
 	    site_run_rotor(entry->site), slowest, several ? fastest : NAN);
 	if (several)
 		return xasprintf(trained
@@ -335,8 +343,8 @@ note_other_feed(struct answer *r, const struct entry *entry)
 	const struct site *site = entry->site;
 	const struct psd *feed = &site->run[site->n_run - 1].feed;
 	size_t n;
-	FREED double *sieve = site_sieves(site, &n);
-	if (!psd_covers(feed, sieve[n - 1]))
+	FREED double *sieve = site_all_sieves(site, &n);
+	if (!psd_covers_size(feed, sieve[n - 1]))
 		answer_say(r, ANSWER_REMARK,
 		    "finer than %g mm nothing is known: the feed was not "
 		    "sieved there",
@@ -370,13 +378,14 @@ warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
 {
 	double slowest, fastest;
 	if ((light->n > 0 && light->reason[0].cause == TRUST_BEYOND) ||
-	    !(speed > 0) || !origin_reach(entry, &slowest, &fastest) ||
-	    !answers_extrapolates(entry, speed))
+	    !(speed > 0) || !origin_speed_range(entry, &slowest, &fastest) ||
+	    !answers_is_speed_extrapolated(entry, speed))
 		return;
-	FREED char *speeds = answers_reach_words(entry, slowest, fastest);
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, speed, NAN);
+	FREED char *speeds =
+	    answers_describe_speed_range(entry, slowest, fastest);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
 	answer_say(r, ANSWER_WARNING, "%.*f m/s%s is outside the %s",
-	    units_speed_digits(speed), speed, rpm, speeds);
+	    units_speed_decimals(speed), speed, rpm, speeds);
 }
 
 void
@@ -385,11 +394,11 @@ answers_note_basis(const struct session *s, struct answer *r,
     const struct trust *light)
 {
 	warn_beyond_measured_speeds(r, q->entry, speed, light);
-	origin_note(r, q->entry);
-	feed_note(r, q->entry->site, q->feed, whose, q->moved);
-	feed_note_assumed(r, q->entry->site, whose);
+	origin_add_note(r, q->entry);
+	feed_add_note(r, q->entry->site, q->feed, whose, q->moved);
+	feed_note_assumed_top_size(r, q->entry->site, whose);
 	note_other_feed_or_machine(r, q->entry);
-	note_model_unless_papers(s, r, q->entry);
+	note_model_if_not_of_paper(s, r, q->entry);
 }
 
 void
@@ -397,7 +406,7 @@ answers_show_basis(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band, struct trust light)
 {
 	if (band)
-		outlook_note_low_high(r, s, q->entry, true);
+		outlook_note_meaning_of_band(r, s, q->entry, true);
 	answers_note_basis(s, r, q, speed, NULL, &light);
 	light_show(r, light);
 }
@@ -408,8 +417,8 @@ answers_show_basis_at(const struct session *s, struct answer *r,
 {
 	/* Of a feed alone a search that found nothing has no speed. */
 	answers_show_basis(s, r, q, speed, band,
-	    speed > 0 ? light_at(s, q->entry, speed, q->feed)
-		      : light_of_prediction(s, q->entry, NULL));
+	    speed > 0 ? light_at_speed(s, q->entry, speed, q->feed)
+		      : light_of_answer_or_fit(s, q->entry, NULL));
 }
 
 enum light
@@ -417,44 +426,46 @@ answers_show_basis_of_fit(const struct session *s, struct answer *r,
     const struct entry *entry, bool band)
 {
 	if (band)
-		outlook_note_low_high(r, s, entry, false);
-	origin_note(r, entry);
-	feed_note_assumed(r, entry->site, NULL);
-	note_model_unless_papers(s, r, entry);
-	struct trust trust = light_of_prediction(s, entry, NULL);
+		outlook_note_meaning_of_band(r, s, entry, false);
+	origin_add_note(r, entry);
+	feed_note_assumed_top_size(r, entry->site, NULL);
+	note_model_if_not_of_paper(s, r, entry);
+	struct trust trust = light_of_answer_or_fit(s, entry, NULL);
 	enum light light = trust.light;
 	light_show(r, trust);
 	return light;
 }
 
 const char *
-answers_method_word(enum method method)
+answers_method_name(enum method method)
 {
 	return method == METHOD_CLASSES ? "classes" : "continuous";
 }
 
 void
-answers_put_pair(struct fields *o, const char *key, double low, double high)
+answers_put_low_high(struct fields *o, const char *key, double low, double high)
 {
-	fields_put(fields_list(o, key), "%g %g", low, high);
+	fields_put(fields_add_list(o, key), "%g %g", low, high);
 }
 
 void
 answers_put_sizes(struct fields *o, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		fields_number(o, ANSWERS_SIZE[i].key, answers_size(p, i));
+		fields_put_number(
+		    o, ANSWERS_SIZE[i].key, answers_product_size_mm(p, i));
 }
 
 void
-answers_put_band(
+answers_put_size_bands(
     struct fields *o, const struct session *s, const struct prediction *p)
 {
 	for (size_t i = 0; i < ANSWERS_SIZES && p->low != NULL; i++)
-		answers_put_pair(o, ANSWERS_SIZE[i].range_key,
+		answers_put_low_high(o, ANSWERS_SIZE[i].range_key,
 		    1000 * p->range[i][0], 1000 * p->range[i][1]);
 	if (p->low != NULL)
-		fields_put(o, "level %g", 100 * settings_level(&s->set));
+		fields_put(
+		    o, "level %g", 100 * settings_band_probability(&s->set));
 }
 
 void
@@ -464,43 +475,44 @@ answers_put_prediction(const struct session *s, struct fields *o,
 {
 	const struct psd *product = &p->product;
 	fields_put(o, "speed %g extrapolated %d method %s", p->speed,
-	    answers_extrapolates(entry, p->speed),
-	    answers_method_word(s->set.model.method));
-	fields_numbers(o, "sieve_mm", product->size, product->n, units_mm);
-	fields_numbers(
+	    answers_is_speed_extrapolated(entry, p->speed),
+	    answers_method_name(s->set.model.method));
+	fields_put_numbers(o, "sieve_mm", product->size, product->n, units_mm);
+	fields_put_numbers(
 	    o, "passing_pct", product->passing, product->n, units_pct);
-	fields_numbers(o, "model_pct", p->model, product->n, units_pct);
+	fields_put_numbers(o, "model_pct", p->model, product->n, units_pct);
 	answers_put_sizes(o, p);
-	screened_put(o, p);
-	fields_put(o, "model %s", breakage_of(params)->name);
+	screened_put_fields(o, p);
+	fields_put(o, "model %s", breakage_model_of_params(params)->name);
 	fit_put_params(o, params);
-	fields_put(o, ".feed_mps %g", feed_speed(entry->site, p->feed_run));
+	fields_put(
+	    o, ".feed_mps %g", feed_sampling_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
-		fields_put(o, "verdict %s", light_verdict(s, entry, p));
-	if (origin_is_stored(entry->origin))
+		fields_put(o, "verdict %s", light_verdict_on_fit(s, entry, p));
+	if (origin_is_from_store(entry->origin))
 		fields_put(o, "recalled %s", entry->origin->material);
-	origin_put(o, entry);
+	origin_put_fields(o, entry);
 }
 
 void
 answers_put_products(const struct session *s, struct fields *o,
     const struct entry *entry, const struct prediction *p, size_t n)
 {
-	struct fields *list = fields_list(o, "products");
+	struct fields *list = fields_add_list(o, "products");
 	for (size_t i = 0; i < n; i++) {
-		struct fields *product = fields_object(list, NULL);
+		struct fields *product = fields_add_object(list, NULL);
 		fields_put(product, "command %s site %s", "predict",
 		    entry->site->name);
 		answers_put_prediction(
 		    s, product, entry, &entry->params, &p[i]);
-		struct trust light = light_of_prediction(s, entry, &p[i]);
-		light_put(product, &light);
+		struct trust light = light_of_answer_or_fit(s, entry, &p[i]);
+		light_put_fields(product, &light);
 		trust_free(&light);
 	}
 }
 
 void
-answers_speed_rows(struct answer *r, const struct entry *entry,
+answers_add_prediction_rows(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	double rotor = entry->site->rotor;
@@ -508,7 +520,7 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 	if (rotor > 0)
 		answer_columns(r, "rpm");
 	answer_columns(r, "energy_j_kg: J/kg, break_mm: break mm");
-	answers_size_columns(r);
+	answers_add_size_columns(r);
 	double size = p[0].product.size[p[0].product.n - 1];
 	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
 			       ? xstrdup(tr("fines %"))
@@ -518,17 +530,18 @@ answers_speed_rows(struct answer *r, const struct entry *entry,
 	for (size_t i = 0; i < n; i++) {
 		size_t finest = p[i].product.n - 1;
 		bool round = fabs(fmod(10 * p[i].speed + 0.5, 1) - 0.5) < 1e-6;
-		answer_cells(r, round ? "%g" : "%.2f", p[i].speed);
+		answer_add_cells(r, round ? "%g" : "%.2f", p[i].speed);
 		if (rotor > 0)
-			answer_cells(
-			    r, "%.0f", rotor_speed_rpm(p[i].speed, rotor));
-		answer_cells(r, "%.0f", p[i].energy);
-		answers_size_cell(r, &p[i], ANSWERS_BREAK);
+			answer_add_cells(
+			    r, "%.0f", rotor_speed_to_rpm(p[i].speed, rotor));
+		answer_add_cells(r, "%.0f", p[i].energy);
+		answers_add_size_cell(r, &p[i], ANSWERS_BREAK);
 		for (size_t k = 0; k < PSD_SIZES; k++)
-			answers_size_cell(r, &p[i], k);
-		answer_cells(r, "%.1f %s",
+			answers_add_size_cell(r, &p[i], k);
+		answer_add_cells(r, "%.1f %s",
 		    units_pct(p[i].product.passing[finest]),
-		    answers_extrapolates(entry, p[i].speed) ? tr("yes")
-							    : tr("no"));
+		    answers_is_speed_extrapolated(entry, p[i].speed)
+			? tr("yes")
+			: tr("no"));
 	}
 }

@@ -20,31 +20,32 @@ struct answer *answers_new(const struct site *site, const char *command,
 
 /* Puts "feed" and "with" if the question assumes another feed or machine;
  * answers_new calls it. */
-void answers_put_variant(struct answer *r, const struct site *site);
+void answers_put_feed_and_machine(struct answer *r, const struct site *site);
 
 /* Return false, with an error that says what to do next, if the (current) site
  * has no parameters yet or the settings are incompatible. */
-bool answers_check_params(
+bool answers_require_params(
     const struct session *s, const struct entry *entry, struct error *error);
-bool answers_check_current(struct session *s, struct error *error);
+bool answers_require_params_of_current(struct session *s, struct error *error);
 
 /* While the site is being calibrated, returns true and the best parameters so
  * far. */
-bool answers_best_so_far(
+bool answers_best_params_so_far(
     const struct session *s, const struct entry *entry, struct params *params);
 
 /* True if a speed is outside the training speeds or, if these are unknown,
  * outside the measured speeds. */
-bool answers_extrapolates(const struct entry *entry, double speed);
+bool answers_is_speed_extrapolated(const struct entry *entry, double speed);
 
 /* Returns B(u) at the breaker's speed.  If B depends on the parent's size, the
  * site's top size is the parent. */
-double answers_share_finer(
+double answers_breakage_function(
     const struct breaker *b, double u, const struct site *site);
 
 /* Returns the default speed of a call: that of the held-out run nearest to the
- * middle, else 74 m/s, or the middle if 74 is beyond site_reach. */
-double answers_usual_speed(const struct entry *entry);
+ * middle, else 74 m/s, or the middle if 74 is beyond site_default_speed_range.
+ */
+double answers_default_speed(const struct entry *entry);
 
 /* True if the site's sheet is in rpm: its speeds are whole rpm of its rotor,
  * and not all of them tenths of a m/s. */
@@ -57,19 +58,20 @@ char *answers_speed_range_words(
 
 /* Returns round rpm from one speed to another, as m/s [*n], at most `most`;
  * NULL unless the site's sheet is in rpm.  The caller frees it. */
-double *answers_round_rpm(
+double *answers_speeds_at_round_rpm(
     const struct site *site, double from, double to, size_t most, size_t *n);
 
-/* Returns at most seven round speeds over site_reach.  The caller frees it. */
-double *answers_speeds(
+/* Returns at most seven round speeds over site_default_speed_range.  The caller
+ * frees it. */
+double *answers_list_round_speeds(
     const struct session *s, const struct site *site, size_t *n);
 
 /* Returns the sieve for a sentence that quotes one passing: 2 mm, else the
  * sieve with the passing closest to 50 %. */
-size_t answers_usual_sieve(const struct psd *product);
+size_t answers_default_sieve(const struct psd *product);
 
 /* Returns the passing of that sieve as a quantity of the whole product. */
-struct quantity answers_usual_passing(const struct psd *product);
+struct quantity answers_default_passing_quantity(const struct psd *product);
 
 /* Keeps a prediction as the newest answer of `predict`. */
 void answers_keep_prediction(struct session *s, const struct entry *entry,
@@ -87,20 +89,22 @@ enum { ANSWERS_ASSERTED = 11 };
 extern const struct asserted ANSWERS_NAMES[ANSWERS_ASSERTED];
 
 /* For each size, its key in JSON and CSV, the key of its range, and its heading
- * for people; the sizes of PSD_PASSING as a list for quantities_asked. */
+ * for people; the sizes of PSD_PASSING as a list for
+ * quantities_parse_list_for_feed. */
 extern const struct product_size {
 	const char *key, *range_key, *head;
 } ANSWERS_SIZE[ANSWERS_SIZES];
 #define ANSWERS_SIZE_LIST "P20,P50,P80"
 
 /* Adds a column for each size of PSD_PASSING. */
-void answers_size_columns(struct answer *r);
+void answers_add_size_columns(struct answer *r);
 
 /* Returns size i, mm, or NAN if it is outside the sieves or does not exist. */
-double answers_size(const struct prediction *p, size_t i);
+double answers_product_size_mm(const struct prediction *p, size_t i);
 
 /* Adds a cell with size i, "below 0.063" or "none". */
-void answers_size_cell(struct answer *r, const struct prediction *p, size_t i);
+void answers_add_size_cell(
+    struct answer *r, const struct prediction *p, size_t i);
 
 /* Adds the note "P20 1.14 mm, P50 2.91, P80 5.28", with ranges if there is a
  * band: "P20 1.14 mm (1.12 to 1.18)". */
@@ -108,12 +112,12 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 
 /* Returns "training speeds, 69 to 79 m/s" or "one measured speed, 72 m/s".  The
  * caller frees it. */
-char *answers_reach_words(
+char *answers_describe_speed_range(
     const struct entry *entry, double slowest, double fastest);
 
 /* Returns a speed as a line to type has it: "75.16", or "1450 rpm" if the site
  * states the rotor and that is this speed.  The caller frees it. */
-char *answers_typed_speed(const struct site *site, double speed);
+char *answers_format_speed(const struct site *site, double speed);
 
 /* Appends the basis of the answer, after everything else: for an answer with a
  * band, which runs correct it and what low and high mean; then the source of
@@ -139,21 +143,21 @@ void answers_note_basis(const struct session *s, struct answer *r,
 
 /* Adds columns and a row for each prediction: energy, break size, P20, P50,
  * P80. */
-void answers_speed_rows(struct answer *r, const struct entry *entry,
+void answers_add_prediction_rows(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n);
 
-/* answers_put_pair puts [low, high]; answers_put_sizes puts "p20_mm" to
+/* answers_put_low_high puts [low, high]; answers_put_sizes puts "p20_mm" to
  * "break_mm" of a prediction. */
-void answers_put_pair(
+void answers_put_low_high(
     struct fields *o, const char *key, double low, double high);
 void answers_put_sizes(struct fields *o, const struct prediction *p);
 
 /* Puts the ranges of the sizes and "level", if the prediction has a band. */
-void answers_put_band(
+void answers_put_size_bands(
     struct fields *o, const struct session *s, const struct prediction *p);
 
 /* Returns "classes" or "continuous". */
-const char *answers_method_word(enum method method);
+const char *answers_method_name(enum method method);
 
 /* answers_put_prediction puts the JSON object of predict, see OUTPUT in
  * tipspeed(1); answers_put_products puts a list of several, "products". */

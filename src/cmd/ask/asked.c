@@ -6,12 +6,14 @@ struct question
 question_of_whole_product(
     const struct session *s, const struct entry *entry, size_t feed)
 {
-	return (struct question){
-	    .entry = entry, .feed = feed, .level = settings_level(&s->set)};
+	return (struct question){.entry = entry,
+	    .feed = feed,
+	    .level = settings_band_probability(&s->set)};
 }
 
 void
-asked_keep(struct session *s, double speed, const struct quantity *of)
+asked_keep_speed_and_quantity(
+    struct session *s, double speed, const struct quantity *of)
 {
 	s->last_asked = (struct last_asked){.speed = speed};
 	if (of == NULL || of->kind == QUANTITY_STEP)

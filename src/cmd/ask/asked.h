@@ -10,12 +10,13 @@
 /* entry: the site.  If the question changes the feed, the machine, the sieves
  * or the runs that correct the model, entry points to `own`, a copy with these
  * changes, which `variant` describes; so a question must not be copied.  feed:
- * for site_feed.  speed: m/s; speed_given: the call named it.  at [n_at]: the
- * speeds, for a command that answers at several, borrowed.  level: of bands,
- * 0..1.  fraction: all zeros for the whole product.  params: the parameters of
- * the product (NULL: the entry's); with others, the answer is that of the model
- * alone.  moved: how far measured products shown with the answer are moved to
- * its feed, 0..1, see cmd/ask/moved.h; 0 if too little to mention. */
+ * for site_feed_of_run.  speed: m/s; speed_given: the call named it.  at
+ * [n_at]: the speeds, for a command that answers at several, borrowed.  level:
+ * of bands, 0..1.  fraction: all zeros for the whole product.  params: the
+ * parameters of the product (NULL: the entry's); with others, the answer is
+ * that of the model alone.  moved: how far measured products shown with the
+ * answer are moved to its feed, 0..1, see cmd/ask/moved.h; 0 if too little to
+ * mention. */
 struct question {
 	const struct entry *entry;
 	const struct params *params;
@@ -39,6 +40,7 @@ struct question question_of_whole_product(
 
 /* Keeps what was asked about.  of: the quantity that was named, or NULL.  A
  * step between sieves, which borrows these, is not kept. */
-void asked_keep(struct session *s, double speed, const struct quantity *of);
+void asked_keep_speed_and_quantity(
+    struct session *s, double speed, const struct quantity *of);
 
 #endif

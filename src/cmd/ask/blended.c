@@ -16,7 +16,7 @@
 #include "io/fs/file.h"
 
 bool
-blended_add(struct session *s, const char *file, double share,
+blended_add_feed(struct session *s, const char *file, double share,
     struct blended *b, struct error *error)
 {
 	size_t run;
@@ -31,18 +31,18 @@ blended_add(struct session *s, const char *file, double share,
 
 /* 0: made up, 1: not stated, 2: measured. */
 static int
-rank_of_source(const struct site *sheet)
+rank_provenance(const struct site *sheet)
 {
 	const char *kind = site_data_kind(sheet->provenance);
-	return site_data_made_up(sheet->provenance) ? 0
-	       : strcmp(kind, "not stated") == 0    ? 1
-						    : 2;
+	return site_is_data_made_up(sheet->provenance) ? 0
+	       : strcmp(kind, "not stated") == 0       ? 1
+						       : 2;
 }
 
 /* Their first clauses, each once, the worst first, as the first word says what
  * all are; "" where no sheet states any. */
 static char *
-source_clauses(const struct blended *b)
+provenance_clauses(const struct blended *b)
 {
 	char *list = xstrdup("");
 	bool any = false;
@@ -50,10 +50,10 @@ source_clauses(const struct blended *b)
 		for (size_t i = 0; i < b->n; i++) {
 			const struct site *sheet = b->part[i].sheet;
 			FREED char *one = site_source(sheet, "not stated");
-			if (rank_of_source(sheet) == rank &&
+			if (rank_provenance(sheet) == rank &&
 			    strstr(list, one) == NULL)
-				xlist(&list, ", ", "%s", one);
-			any = any || rank_of_source(sheet) != 1;
+				xappend_to_list(&list, ", ", "%s", one);
+			any = any || rank_provenance(sheet) != 1;
 		}
 	if (!any)
 		list[0] = '\0';
@@ -62,7 +62,7 @@ source_clauses(const struct blended *b)
 
 /* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
 static char *
-rock_names(const struct blended *b)
+join_rock_names(const struct blended *b)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < b->n; i++) {
@@ -72,16 +72,16 @@ rock_names(const struct blended *b)
 			known = known ||
 				text_same_folded(b->part[k].sheet->rock, rock);
 		if (!known)
-			xlist(&list, tr(" and "), "%s", rock);
+			xappend_to_list(&list, tr(" and "), "%s", rock);
 	}
 	return list;
 }
 
 void
-blended_mix(struct blended *b)
+blended_mix_feeds(struct blended *b)
 {
 	FREED const struct psd **feed = xcalloc(b->n, sizeof *feed);
-	FREED double *share = xdoubles(b->n);
+	FREED double *share = xcalloc_doubles(b->n);
 	b->words = xstrdup("");
 	for (size_t i = 0; i < b->n; i++) {
 		feed[i] = b->part[i].feed;
@@ -89,11 +89,12 @@ blended_mix(struct blended *b)
 		b->sum += share[i];
 	}
 	for (size_t i = 0; i < b->n; i++)
-		xlist(&b->words, " + ", "%.3g %% %s", 100 * share[i] / b->sum,
-		    file_name(b->part[i].file));
+		xappend_to_list(&b->words, " + ", "%.3g %% %s",
+		    100 * share[i] / b->sum,
+		    file_name_without_folders(b->part[i].file));
 	b->feed = blend_new(feed, share, b->n);
-	b->of = source_clauses(b);
-	b->rock = rock_names(b);
+	b->of = provenance_clauses(b);
+	b->rock = join_rock_names(b);
 }
 
 /* The feed of one sheet as it is. */
@@ -101,11 +102,11 @@ static bool
 read_feed_of_sheet(
     struct session *s, const char *file, struct blended *b, struct error *error)
 {
-	if (!blended_add(s, file, 1, b, error))
+	if (!blended_add_feed(s, file, 1, b, error))
 		return false;
 	b->feed = psd_copy(b->part[0].feed);
-	b->words = xasprintf(tr("feed %s"), file_name(file));
-	double top = site_assumed_top(b->part[0].sheet);
+	b->words = xasprintf(tr("feed %s"), file_name_without_folders(file));
+	double top = site_assumed_top_size(b->part[0].sheet);
 	if (top > 0)
 		xappend(&b->words, tr(", assumed to pass %g mm"), top);
 	b->of = xstrdup(b->part[0].sheet->provenance);
@@ -114,7 +115,7 @@ read_feed_of_sheet(
 }
 
 static bool
-add_sheet_with_share(struct session *s, const char *at, size_t length,
+check_share_and_add_feed(struct session *s, const char *at, size_t length,
     double share, struct blended *b, struct error *error)
 {
 	FREED char *file = xstrndup(at, length);
@@ -129,23 +130,23 @@ add_sheet_with_share(struct session *s, const char *at, size_t length,
 			     "100 %%) of each sheet, got that of '%s'\n"
 			     "write: feed=a.csv*0.6+b.csv*0.4"),
 		    file);
-	ok = ok && blended_add(s, file, share, b, error);
+	ok = ok && blended_add_feed(s, file, share, b, error);
 	return ok;
 }
 
 bool
-blended_read(
+blended_read_feeds(
     struct session *s, const char *text, struct blended *b, struct error *error)
 {
 	double share, sum = 0;
 	size_t length;
 	*b = (struct blended){.text = xstrdup(text)};
-	value_feed(text, &length, &share);
+	value_parse_blend_feed(text, &length, &share);
 	if (isnan(share))
 		return read_feed_of_sheet(s, text, b, error);
 	for (const char *at = text, *next; at != NULL; at = next) {
-		next = value_feed(at, &length, &share);
-		if (!add_sheet_with_share(s, at, length, share, b, error))
+		next = value_parse_blend_feed(at, &length, &share);
+		if (!check_share_and_add_feed(s, at, length, share, b, error))
 			return false;
 		sum += share;
 	}
@@ -156,7 +157,7 @@ blended_read(
 		    "write: feed=a.csv*0.6+b.csv*0.4; 'blend' takes parts of "
 		    "any sum",
 		    sum);
-	blended_mix(b);
+	blended_mix_feeds(b);
 	return true;
 }
 
@@ -176,7 +177,7 @@ blended_clear(struct blended *b)
 }
 
 const char *
-blended_source(const struct blended *b)
+blended_source_text(const struct blended *b)
 {
 	return b->n == 1 ? b->text : b->words;
 }
@@ -191,12 +192,13 @@ blended_free(struct blended *b)
 }
 
 const struct blended *
-blended_read_cached(struct session *s, const char *text, struct error *error)
+blended_read_feed_setting(
+    struct session *s, const char *text, struct error *error)
 {
 	if (s->fed != NULL && strcmp(s->fed->text, text) == 0)
 		return s->fed;
 	struct blended *b = xcalloc(1, sizeof *b);
-	if (!blended_read(s, text, b, error)) {
+	if (!blended_read_feeds(s, text, b, error)) {
 		blended_free(b);
 		return NULL;
 	}

@@ -25,24 +25,24 @@ struct blended {
 };
 
 /* Adds the feed that load_feed reads from FILE or FILE@SPEED. */
-bool blended_add(struct session *s, const char *file, double share,
+bool blended_add_feed(struct session *s, const char *file, double share,
     struct blended *b, struct error *error);
 
 /* Mixes the parts, whose shares may have any sum. */
-void blended_mix(struct blended *b);
+void blended_mix_feeds(struct blended *b);
 
 /* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1.  On
  * failure, returns false with an error.  Always free with blended_clear. */
-bool blended_read(struct session *s, const char *text, struct blended *b,
+bool blended_read_feeds(struct session *s, const char *text, struct blended *b,
     struct error *error);
 void blended_clear(struct blended *b);
 
 /* Returns the source of the feed, for programs; borrowed. */
-const char *blended_source(const struct blended *b);
+const char *blended_source_text(const struct blended *b);
 
-/* As blended_read, for the feed of `set feed`, which the session owns.  On
+/* As blended_read_feeds, for the feed of `set feed`, which the session owns. On
  * failure, returns NULL with an error. */
-const struct blended *blended_read_cached(
+const struct blended *blended_read_feed_setting(
     struct session *s, const char *text, struct error *error);
 void blended_free(struct blended *b);
 

@@ -37,7 +37,7 @@ conditions_free(struct condition_list *list)
 }
 
 char *
-conditions_extreme(const char *text)
+conditions_rewrite_superlative(const char *text)
 {
 	static const struct {
 		const char *word, *instead;
@@ -53,7 +53,7 @@ conditions_extreme(const char *text)
 }
 
 const char *
-conditions_most_of(const char *text, bool *most)
+conditions_parse_max_or_min(const char *text, bool *most)
 {
 	static const struct {
 		const char *word;
@@ -71,9 +71,9 @@ conditions_most_of(const char *text, bool *most)
 }
 
 static bool
-conditions_expected(const char *text, struct error *error)
+error_expected_condition(const char *text, struct error *error)
 {
-	char *extreme = conditions_extreme(text);
+	char *extreme = conditions_rewrite_superlative(text);
 	if (extreme != NULL) {
 		error_set(error, ERROR_USAGE,
 		    "expected max or min, got '%s'\n"
@@ -92,8 +92,8 @@ conditions_expected(const char *text, struct error *error)
 
 /* What a limit may be: "0 to 100 %". */
 static bool
-conditions_error_beyond(const char *text, const struct quantity *q, double most,
-    struct error *error)
+error_limit_out_of_range(const char *text, const struct quantity *q,
+    double most, struct error *error)
 {
 	const char *unit = quantities_unit(q);
 	FREED char *range = isfinite(most)
@@ -107,7 +107,8 @@ conditions_error_beyond(const char *text, const struct quantity *q, double most,
 }
 
 static bool
-no_number(const char *text, const struct quantity *q, struct error *error)
+error_expected_limit(
+    const char *text, const struct quantity *q, struct error *error)
 {
 	const char *unit = quantities_unit(q);
 	return error_set(error, ERROR_USAGE,
@@ -118,7 +119,7 @@ no_number(const char *text, const struct quantity *q, struct error *error)
 
 /* A number, which the quantity's unit may follow, in the unit of core. */
 static bool
-condition_read_limit(const char *text, const struct quantity *q, double *limit,
+parse_limit(const char *text, const struct quantity *q, double *limit,
     struct error *error)
 {
 	char *copy = xstrdup(text), *word = text_trim(copy);
@@ -126,13 +127,14 @@ condition_read_limit(const char *text, const struct quantity *q, double *limit,
 	if (unit[0] != '\0' && text_ends_with(word, unit))
 		word[strlen(word) - strlen(unit)] = '\0';
 	word = text_trim(word);
-	double one = quantities_shown(q, 1);
+	double one = quantities_value_in_shown_unit(q, 1);
 	double most = unit[0] == '%'   ? 100
 		      : unit[0] == 'm' ? SIZE_MOST_MM
 				       : INFINITY;
-	bool ok = text_number(word, limit) || no_number(word, q, error);
+	bool ok = text_parse_number(word, limit) ||
+		  error_expected_limit(word, q, error);
 	if (ok && (*limit < 0 || *limit > most))
-		ok = conditions_error_beyond(word, q, most, error);
+		ok = error_limit_out_of_range(word, q, most, error);
 	*limit /= one;
 	free(copy);
 	return ok;
@@ -141,7 +143,7 @@ condition_read_limit(const char *text, const struct quantity *q, double *limit,
 /* What stands between the ends of a range, and its length; NULL where there is
  * one number only, which may have a sign of its own. */
 static const char *
-range_sign(const char *text, size_t *length)
+find_range_sign(const char *text, size_t *length)
 {
 	static const char *const SIGNS[] = {
 	    "..", " to ", " and ", "\xE2\x80\x93", "-"};
@@ -157,24 +159,23 @@ range_sign(const char *text, size_t *length)
 
 /* "40..50", or a number that is both. */
 static bool
-read_range(const char *text, struct condition *c, struct error *error)
+parse_range_or_number(
+    const char *text, struct condition *c, struct error *error)
 {
 	size_t length;
-	const char *sign = range_sign(text, &length);
+	const char *sign = find_range_sign(text, &length);
 	if (sign == NULL) {
-		bool ok =
-		    condition_read_limit(text, &c->quantity, &c->least, error);
+		bool ok = parse_limit(text, &c->quantity, &c->least, error);
 		c->most = c->least;
 		return ok;
 	}
 	FREED char *low = xstrndup(text, (size_t)(sign - text));
-	bool ok =
-	    condition_read_limit(low, &c->quantity, &c->least, error) &&
-	    condition_read_limit(sign + length, &c->quantity, &c->most, error);
+	bool ok = parse_limit(low, &c->quantity, &c->least, error) &&
+		  parse_limit(sign + length, &c->quantity, &c->most, error);
 	if (!ok || c->least <= c->most)
 		return ok;
-	double least = quantities_shown(&c->quantity, c->least);
-	double most = quantities_shown(&c->quantity, c->most);
+	double least = quantities_value_in_shown_unit(&c->quantity, c->least);
+	double most = quantities_value_in_shown_unit(&c->quantity, c->most);
 	return error_set(error, ERROR_USAGE,
 	    "expected a range from low to high, got %g..%g\nwrite %g..%g",
 	    least, most, most, least);
@@ -208,7 +209,7 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 /* "passing 2 mm = 58" of "58 % passes 2 mm", as answers say it; NULL of other
  * words.  The caller frees. */
 static char *
-with_limit_last(const char *text)
+move_limit_to_end(const char *text)
 {
 	static const char *const VERBS[] = {"passing ", "passes "};
 	size_t n = strspn(text, "0123456789.,");
@@ -232,7 +233,7 @@ replace_words_by_sign(const char *text)
 		char sign;
 	} WORDS[] = {
 	    {" between ", '='}, {" at least ", '>'}, {" at most ", '<'}};
-	char *turned = with_limit_last(text);
+	char *turned = move_limit_to_end(text);
 	if (turned != NULL)
 		return turned;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
@@ -246,8 +247,8 @@ replace_words_by_sign(const char *text)
 
 /* A quantity and its limit with a blank between them; *name is the quantity. */
 static bool
-split_blank(const char *text, const struct fraction *fraction, char **name,
-    struct condition *c)
+split_quantity_and_limit(const char *text, const struct fraction *fraction,
+    char **name, struct condition *c)
 {
 	struct error none = {0};
 	*name = xstrdup(text);
@@ -255,9 +256,9 @@ split_blank(const char *text, const struct fraction *fraction, char **name,
 		if (text[n] != ' ')
 			continue;
 		(*name)[n] = '\0';
-		if (quantities_read(
+		if (quantities_parse_one(
 			*name, &fraction->partition, &c->quantity, &none) &&
-		    read_range(text + n, c, &none))
+		    parse_range_or_number(text + n, c, &none))
 			return true;
 	}
 	free(*name);
@@ -267,20 +268,21 @@ split_blank(const char *text, const struct fraction *fraction, char **name,
 /* A quantity and a limit without a sign between them: which is meant nobody
  * knows.  A size alone, "2 mm 42", is taken for what passes it. */
 static bool
-error_without_sign(
+error_missing_limit_sign(
     const char *text, const struct fraction *fraction, struct error *error)
 {
 	struct condition c;
 	char *name, *passing = xasprintf("passing %s", text);
-	bool found = split_blank(text, fraction, &name, &c) ||
-		     split_blank(passing, fraction, &name, &c);
+	bool found = split_quantity_and_limit(text, fraction, &name, &c) ||
+		     split_quantity_and_limit(passing, fraction, &name, &c);
 	free(passing);
 	if (!found)
-		return conditions_expected(text, error);
-	FREED char *limit =
-	    xasprintf("%g", quantities_shown(&c.quantity, c.least));
+		return error_expected_condition(text, error);
+	FREED char *limit = xasprintf(
+	    "%g", quantities_value_in_shown_unit(&c.quantity, c.least));
 	if (c.least != c.most)
-		xappend(&limit, "..%g", quantities_shown(&c.quantity, c.most));
+		xappend(&limit, "..%g",
+		    quantities_value_in_shown_unit(&c.quantity, c.most));
 	error_set(error, ERROR_USAGE,
 	    "expected <, > or = after the quantity, got '%s'\n"
 	    "write: %s = %s",
@@ -290,31 +292,31 @@ error_without_sign(
 }
 
 static bool
-read_signed(const char *text, const struct fraction *fraction,
+parse_condition_with_sign(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
 	size_t n = strcspn(text, "<>=");
 	if (n == 0)
-		return conditions_expected(text, error);
+		return error_expected_condition(text, error);
 	if (text[n] == '\0')
-		return error_without_sign(text, fraction, error);
+		return error_missing_limit_sign(text, fraction, error);
 	FREED char *name = xstrndup(text, n);
-	bool ok =
-	    quantities_read(name, &fraction->partition, &c->quantity, error) &&
-	    quantities_cut(&c->quantity, fraction, error);
+	bool ok = quantities_parse_one(
+		      name, &fraction->partition, &c->quantity, error) &&
+		  quantities_apply_cut_option(&c->quantity, fraction, error);
 	if (!ok)
 		return false;
 	const char *limit = text + n + 1;
 	limit += text[n] != '=' && *limit == '=';
 	c->least = c->most = NAN;
 	if (text[n] == '=')
-		return read_range(limit, c, error);
-	return condition_read_limit(
+		return parse_range_or_number(limit, c, error);
+	return parse_limit(
 	    limit, &c->quantity, text[n] == '<' ? &c->most : &c->least, error);
 }
 
 bool
-conditions_read(const char *text, const struct fraction *fraction,
+conditions_parse_one(const char *text, const struct fraction *fraction,
     struct condition *c, struct error *error)
 {
 	FREED char *with = replace_words_by_sign(text);
@@ -326,19 +328,19 @@ conditions_read(const char *text, const struct fraction *fraction,
 		     error_decimal_comma(with, at, error);
 		*at = '.';
 	}
-	ok = ok && read_signed(with, fraction, c, error);
+	ok = ok && parse_condition_with_sign(with, fraction, c, error);
 	return ok;
 }
 
 bool
-conditions_may_be_whole(const char *text)
+conditions_is_likely_complete(const char *text)
 {
 	bool most;
-	const char *of = conditions_most_of(text, &most);
+	const char *of = conditions_parse_max_or_min(text, &most);
 	struct error none = {0};
 	struct quantity q;
 	if (of != NULL)
-		return quantities_read(
+		return quantities_parse_one(
 		    of, &(struct partition){0, 1}, &q, &none);
 	char *with = replace_words_by_sign(text);
 	size_t sign = strcspn(with, "<>=");
@@ -346,7 +348,7 @@ conditions_may_be_whole(const char *text)
 	struct condition c;
 	char *name = NULL;
 	if (with[sign] == '\0' &&
-	    split_blank(
+	    split_quantity_and_limit(
 		with, &(struct fraction){.partition = {0, 1}}, &name, &c)) {
 		ends = true;
 		free(name);
@@ -356,7 +358,7 @@ conditions_may_be_whole(const char *text)
 }
 
 size_t
-conditions_length(const char *list)
+conditions_length_of_first(const char *list)
 {
 	size_t n = strcspn(list, ",;");
 	while (is_decimal_comma(list, list + n))
@@ -365,14 +367,15 @@ conditions_length(const char *list)
 }
 
 bool
-conditions_read_list(const char *text, const struct fraction *fraction,
+conditions_parse_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error)
 {
 	for (const char *at = text; *at != '\0';) {
 		struct condition c;
-		size_t length = conditions_length(at);
+		size_t length = conditions_length_of_first(at);
 		FREED char *copy = xstrndup(at, length);
-		bool ok = conditions_read(text_trim(copy), fraction, &c, error);
+		bool ok =
+		    conditions_parse_one(text_trim(copy), fraction, &c, error);
 		if (!ok)
 			return false;
 		conditions_add(list, c);
@@ -384,10 +387,11 @@ conditions_read_list(const char *text, const struct fraction *fraction,
 /* Adds those of an envelope that have a limit; what is said of those that the
  * feed does not tell, which the caller frees. */
 static char *
-add_spec(struct condition_list *list, const struct spec *spec,
+add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed)
 {
-	struct grading_limits l = grading_limits(spec, fraction, feed);
+	struct grading_limits l =
+	    grading_limits_of_envelope(spec, fraction, feed);
 	size_t unknown = 0;
 	for (size_t i = 0; i < l.n; i++)
 		if (!isnan(l.at[i].least) || !isnan(l.at[i].most))
@@ -401,7 +405,7 @@ add_spec(struct condition_list *list, const struct spec *spec,
 			"%zu sieves finer than the feed's finest", unknown),
 		    unknown);
 	if (l.modulus_unknown)
-		xlist(&words, tr(" and "), "%s",
+		xappend_to_list(&words, tr(" and "), "%s",
 		    tr("the fineness modulus, which needs finer sieves of the "
 		       "feed"));
 	free(l.at);
@@ -409,16 +413,17 @@ add_spec(struct condition_list *list, const struct spec *spec,
 }
 
 bool
-conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
-    const struct psd *feed, struct condition_list *list, struct error *error)
+conditions_add_envelope(const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, struct error *error)
 {
 	struct fraction f = *fraction;
-	if (!fraction_screens(&f)) {
+	if (!fraction_is_screened(&f)) {
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
 	size_t before = list->n;
-	FREED char *unknown = add_spec(list, spec, &f, feed);
+	FREED char *unknown = add_limits_covered_by_feed(list, spec, &f, feed);
 	if (list->n == before)
 		return error_set(error, ERROR_DATA,
 		    "%s: none of its sieves is in the range of the feed's "
@@ -432,38 +437,40 @@ conditions_add_spec(const struct spec *spec, const struct fraction *fraction,
 		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
 		: xasprintf(tr("limits of %s"), spec->name);
 	if (unknown[0] != '\0')
-		xlist(&list->source, "; ", tr("not checked: %s"), unknown);
+		xappend_to_list(
+		    &list->source, "; ", tr("not checked: %s"), unknown);
 	return true;
 }
 
 bool
-conditions_add_option(struct session *s, const struct args *args,
+conditions_add_envelope_option(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error)
 {
 	if (args->spec == NULL)
 		return true;
-	const struct spec *spec = grading_spec(s, args->spec, error);
-	return spec != NULL && conditions_add_spec(spec, &q->fraction,
+	const struct spec *spec = grading_find_envelope(s, args->spec, error);
+	return spec != NULL && conditions_add_envelope(spec, &q->fraction,
 				   question_feed(q), list, error);
 }
 
 void
-conditions_note_source(struct answer *r, const struct condition_list *list)
+conditions_note_source_of_limits(
+    struct answer *r, const struct condition_list *list)
 {
 	if (list->source != NULL)
 		answer_say(r, ANSWER_REMARK, "%s", list->source);
 }
 
 bool
-conditions_check_covered(
+conditions_check_feed_covers(
     const struct condition *c, const struct psd *feed, struct error *error)
 {
 	const double limit[] = {c->least, c->most};
-	bool ok = quantities_covered(&c->quantity, feed, error);
+	bool ok = quantities_check_feed_covers(&c->quantity, feed, error);
 	for (size_t i = 0; i < 2 && ok; i++) {
 		struct quantity at = {.kind = QUANTITY_PASSING, .x = limit[i]};
 		if (quantities_is_size(&c->quantity) && !isnan(limit[i]))
-			ok = quantities_covered(&at, feed, error);
+			ok = quantities_check_feed_covers(&at, feed, error);
 	}
 	return ok;
 }
@@ -477,15 +484,15 @@ conditions_set_error_place(
 }
 
 bool
-conditions_add_call(struct session *s, const struct args *args,
+conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error)
 {
 	const struct psd *feed = question_feed(q);
 	for (size_t i = 0; i < args->n_operand; i++) {
 		struct condition c;
-		bool ok = conditions_read(
+		bool ok = conditions_parse_one(
 			      args->operand[i], &q->fraction, &c, error) &&
-			  conditions_check_covered(&c, feed, error);
+			  conditions_check_feed_covers(&c, feed, error);
 		if (ok && c.least == c.most)
 			ok = error_set(error, ERROR_USAGE,
 			    "expected a range of values, got one: '%s'\n"
@@ -496,14 +503,14 @@ conditions_add_call(struct session *s, const struct args *args,
 			return conditions_set_error_place(args, i, error);
 		conditions_add(list, c);
 	}
-	return conditions_add_option(s, args, q, list, error);
+	return conditions_add_envelope_option(s, args, q, list, error);
 }
 
 bool
-conditions_speeds(const struct session *s, const struct args *args,
+conditions_speed_range_of_args(const struct session *s, const struct args *args,
     const struct site *site, double *from, double *to, struct error *error)
 {
-	settings_reach(&s->set, site, from, to);
+	settings_speed_range(&s->set, site, from, to);
 	*from = args->from > 0 ? args->from : *from;
 	*to = args->to > 0 ? args->to : *to;
 	return *from < *to || error_set(error, ERROR_USAGE,
@@ -513,13 +520,13 @@ conditions_speeds(const struct session *s, const struct args *args,
 }
 
 char *
-conditions_words(const struct condition *c)
+conditions_describe(const struct condition *c)
 {
 	const struct quantity *q = &c->quantity;
-	char *of = quantities_words(q), *words;
+	char *of = quantities_name(q), *words;
 	const char *unit = quantities_unit_suffix(q);
-	double least = quantities_shown(q, c->least);
-	double most = quantities_shown(q, c->most);
+	double least = quantities_value_in_shown_unit(q, c->least);
+	double most = quantities_value_in_shown_unit(q, c->most);
 	if (isnan(least))
 		words = xasprintf(tr("%s at most %g%s"), of, most, unit);
 	else if (isnan(most))
@@ -533,38 +540,39 @@ conditions_words(const struct condition *c)
 }
 
 char *
-conditions_list_words(const struct condition_list *list)
+conditions_describe_list(const struct condition_list *list)
 {
 	char *words = xstrdup("");
 	for (size_t i = 0; i < list->n; i++) {
-		FREED char *one = conditions_words(&list->at[i]);
-		xlist(&words, ", ", "%s", one);
+		FREED char *one = conditions_describe(&list->at[i]);
+		xappend_to_list(&words, ", ", "%s", one);
 	}
 	return words;
 }
 
 char *
-conditions_limit(const struct condition_list *list, struct wanted_limit limit)
+conditions_describe_limit(
+    const struct condition_list *list, struct wanted_limit limit)
 {
 	struct condition one = list->at[limit.i];
 	if (limit.most)
 		one.least = NAN;
 	else
 		one.most = NAN;
-	return conditions_words(&one);
+	return conditions_describe(&one);
 }
 
 char *
-conditions_speeds_words(const struct speed_search *found)
+conditions_describe_speeds(const struct speed_search *found)
 {
 	const double tenth = 0.1, hair = 1e-6;
 	char *words = xstrdup("");
 	for (size_t k = 0; k < found->n_inside; k++) {
 		double from = found->inside[k].from, to = found->inside[k].to;
 		if (to - from < hair)
-			xlist(&words, tr(" and "), "%.1f", from);
+			xappend_to_list(&words, tr(" and "), "%.1f", from);
 		else
-			xlist(&words, tr(" and "),
+			xappend_to_list(&words, tr(" and "),
 			    to - from < tenth - hair ? tr("%.2f to %.2f")
 						     : tr("%.1f to %.1f"),
 			    from, to);
@@ -573,7 +581,8 @@ conditions_speeds_words(const struct speed_search *found)
 }
 
 const char *
-conditions_ends(const struct wanted *wanted, double from, double to)
+conditions_describe_search_ends(
+    const struct wanted *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
 	return slowest && fastest ? N_(", all speeds asked")
@@ -583,21 +592,21 @@ conditions_ends(const struct wanted *wanted, double from, double to)
 }
 
 char *
-conditions_speeds_in_units(
+conditions_describe_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found)
 {
 	double rotor = wanted->site->rotor;
 	size_t n = found->n_inside;
 	const char *ends =
 	    n == 0 ? ""
-		   : tr(conditions_ends(wanted, found->inside[0].from,
-			 found->inside[n - 1].to));
-	FREED char *mps = conditions_speeds_words(found);
+		   : tr(conditions_describe_search_ends(wanted,
+			 found->inside[0].from, found->inside[n - 1].to));
+	FREED char *mps = conditions_describe_speeds(found);
 	FREED char *rpm = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
-		double from = rotor_speed_rpm(found->inside[k].from, rotor),
-		       to = rotor_speed_rpm(found->inside[k].to, rotor);
-		xlist(&rpm, tr(" and "),
+		double from = rotor_speed_to_rpm(found->inside[k].from, rotor),
+		       to = rotor_speed_to_rpm(found->inside[k].to, rotor);
+		xappend_to_list(&rpm, tr(" and "),
 		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
 	}
 	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)%s"), mps, rpm, ends)
@@ -605,7 +614,8 @@ conditions_speeds_in_units(
 }
 
 double
-conditions_widths(const struct wanted *wanted, struct margin margin)
+conditions_margin_in_band_widths(
+    const struct wanted *wanted, struct margin margin)
 {
 	return wanted->n > 0 && forecast_draws(wanted->forecast, 0) != NULL
 		   ? margin.widths
@@ -615,28 +625,30 @@ conditions_widths(const struct wanted *wanted, struct margin margin)
 /* How far the value at the forecast's speed is from the limit of a margin, in
  * the unit of its quantity; negative where that is missed. */
 static double
-margin_shown(const struct wanted *wanted, struct margin margin)
+margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
 {
 	size_t i = margin.limit.i;
 	if (i == SIZE_MAX || quantities_unit(&wanted->at[i].quantity)[0] == '%')
 		return 100 * margin.passing;
 	const struct condition *c = &wanted->at[i];
-	double value = forecast_shown(wanted->forecast, i).value;
+	double value = forecast_value_in_shown_unit(wanted->forecast, i).value;
 	return margin.limit.most
-		   ? quantities_shown(&c->quantity, c->most) - value
-		   : value - quantities_shown(&c->quantity, c->least);
+		   ? quantities_value_in_shown_unit(&c->quantity, c->most) -
+			 value
+		   : value -
+			 quantities_value_in_shown_unit(&c->quantity, c->least);
 }
 
 char *
-conditions_distance(const struct wanted *wanted, struct margin margin)
+conditions_describe_margin(const struct wanted *wanted, struct margin margin)
 {
 	const struct quantity *q = &wanted->at[margin.limit.i].quantity;
 	double points = fabs(100 * margin.passing);
-	double distance = fabs(margin_shown(wanted, margin));
+	double distance = fabs(margin_in_quantity_unit(wanted, margin));
 	int digits = quantities_decimals(q);
 	if (isnan(distance) || quantities_unit(q)[0] == '%')
-		return xasprintf(
-		    tr("%.*f points"), conditions_digits(points), points);
+		return xasprintf(tr("%.*f points"),
+		    conditions_decimals_of_miss(points), points);
 	digits += distance < pow(10, -digits);
 	return xasprintf("%.*f%s", digits, distance, quantities_unit_suffix(q));
 }
@@ -646,43 +658,47 @@ put_condition(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
 	const struct quantity *q = &wanted->at[i].quantity;
-	struct margin margin = wanted_margin(wanted, i);
-	struct figure f = forecast_shown(wanted->forecast, i);
-	FREED char *key = quantities_key(q);
+	struct margin margin = wanted_margin_of_condition(wanted, i);
+	struct figure f = forecast_value_in_shown_unit(wanted->forecast, i);
+	FREED char *key = quantities_field_name(q);
 	fields_put(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
 	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, quantities_unit(q), quantities_shown(q, wanted->at[i].least),
-	    quantities_shown(q, wanted->at[i].most), f.value, f.low, f.high,
-	    100 * margin.passing, conditions_widths(wanted, margin),
+	    key, quantities_unit(q),
+	    quantities_value_in_shown_unit(q, wanted->at[i].least),
+	    quantities_value_in_shown_unit(q, wanted->at[i].most), f.value,
+	    f.low, f.high, 100 * margin.passing,
+	    conditions_margin_in_band_widths(wanted, margin),
 	    found->alone[i][0], found->alone[i][1]);
 }
 
 void
-conditions_put(struct fields *o, const struct wanted *wanted,
+conditions_put_list(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	struct fields *list = fields_list(o, "conditions");
+	struct fields *list = fields_add_list(o, "conditions");
 	for (size_t i = 0; i < wanted->n; i++)
-		put_condition(fields_object(list, NULL), wanted, found, i);
+		put_condition(fields_add_object(list, NULL), wanted, found, i);
 }
 
 /* The cells of the speeds at which condition i holds by itself: for people in
  * rpm where the site states the rotor, as wide as in m/s. */
 static void
-add_speeds_alone(struct answer *r, const double speed[static 2], double rotor)
+add_speed_range_cells(
+    struct answer *r, const double speed[static 2], double rotor)
 {
 	if (rotor > 0)
-		answer_cells(r, "%.0f %.0f", rotor_speed_rpm(speed[0], rotor),
-		    rotor_speed_rpm(speed[1], rotor));
+		answer_add_cells(r, "%.0f %.0f",
+		    rotor_speed_to_rpm(speed[0], rotor),
+		    rotor_speed_to_rpm(speed[1], rotor));
 	else
-		answer_cells(r, "%.1f %.1f", speed[0], speed[1]);
+		answer_add_cells(r, "%.1f %.1f", speed[0], speed[1]);
 }
 
 /* A row a condition: people see the margin in the quantity's unit, programs in
  * points. */
 static void
-add_rows(struct answer *r, const struct wanted *wanted,
+add_condition_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found, bool people)
 {
 	double rotor = people ? wanted->site->rotor : 0;
@@ -697,44 +713,46 @@ add_rows(struct answer *r, const struct wanted *wanted,
 				   "holds_to: to m/s"));
 	for (size_t i = 0; i < wanted->n; i++) {
 		const struct quantity *q = &wanted->at[i].quantity;
-		struct figure f = forecast_shown(wanted->forecast, i);
+		struct figure f =
+		    forecast_value_in_shown_unit(wanted->forecast, i);
 		const char *unit = quantities_unit(q);
 		int digits = quantities_decimals(q);
-		FREED char *words = quantities_words(q);
-		FREED char *key = quantities_key(q);
+		FREED char *words = quantities_name(q);
+		FREED char *key = quantities_field_name(q);
 		if (unit[0] != '\0')
 			xappend(&words, ", %s", unit);
 		answer_name(r, key, words);
-		answer_cells(r, "%g %g %.*f",
-		    quantities_shown(q, wanted->at[i].least),
-		    quantities_shown(q, wanted->at[i].most), digits, f.value);
+		answer_add_cells(r, "%g %g %.*f",
+		    quantities_value_in_shown_unit(q, wanted->at[i].least),
+		    quantities_value_in_shown_unit(q, wanted->at[i].most),
+		    digits, f.value);
 		if (drawn)
-			answer_cells(
+			answer_add_cells(
 			    r, "%.*f %.*f", digits, f.low, digits, f.high);
-		struct margin margin = wanted_margin(wanted, i);
-		answer_cells(r, "%.*f", people ? digits : 1,
-		    people ? margin_shown(wanted, margin)
+		struct margin margin = wanted_margin_of_condition(wanted, i);
+		answer_add_cells(r, "%.*f", people ? digits : 1,
+		    people ? margin_in_quantity_unit(wanted, margin)
 			   : 100 * margin.passing);
-		add_speeds_alone(r, found->alone[i], rotor);
+		add_speed_range_cells(r, found->alone[i], rotor);
 	}
 }
 
 void
-conditions_rows(struct answer *r, const struct wanted *wanted,
+conditions_add_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	add_rows(r, wanted, found, true);
-	answer_fill_for_programs(r);
-	add_rows(r, wanted, found, false);
+	add_condition_rows(r, wanted, found, true);
+	answer_begin_table_for_programs(r);
+	add_condition_rows(r, wanted, found, false);
 }
 
 struct wanted
-conditions_open(const struct session *s, const struct question *q,
+conditions_open_search(const struct session *s, const struct question *q,
     const struct condition_list *list, const struct condition *target)
 {
 	const struct quantity *more = target != NULL ? &target->quantity : NULL;
 	struct wanted w =
-	    wanted_of(s, q, list->n, list->at, more != NULL, more);
+	    wanted_from_question(s, q, list->n, list->at, more != NULL, more);
 	w.target = target;
 	return w;
 }
@@ -742,7 +760,7 @@ conditions_open(const struct session *s, const struct question *q,
 /* The two limits in the way of the nearest speed; beyond the speeds searched
  * nothing is known. */
 static void
-note_ways(struct answer *r, const struct wanted *wanted,
+note_conflicting_limits(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
 {
 	const struct wanted_limit limit[] = {found->low, found->high};
@@ -750,7 +768,7 @@ note_ways(struct answer *r, const struct wanted *wanted,
 	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
 	    limit[0].i != SIZE_MAX && found->best > end[0] + 1e-3 &&
 	    found->best < end[1] - 1e-3) {
-		FREED char *words = conditions_limit(list, limit[0]);
+		FREED char *words = conditions_describe_limit(list, limit[0]);
 		answer_note(r, "what is in the way: %s", words);
 		return;
 	}
@@ -759,17 +777,17 @@ note_ways(struct answer *r, const struct wanted *wanted,
 		at[k] = fabs(found->best - end[k]) < 1e-3;
 		if (at[k] || limit[k].i == SIZE_MAX)
 			continue;
-		FREED char *words = conditions_limit(list, limit[k]);
+		FREED char *words = conditions_describe_limit(list, limit[k]);
 		answer_note(r,
 		    k == 0 ? N_("limiting at lower speeds: %s")
 			   : N_("limiting at higher speeds: %s"),
 		    words);
 	}
-	conditions_note_none_farther(r, wanted, at[0], at[1]);
+	conditions_note_no_reliable_speed(r, wanted, at[0], at[1]);
 }
 
 int
-conditions_digits(double points)
+conditions_decimals_of_miss(double points)
 {
 	return fabs(points) < 0.1 ? 2 : 1;
 }
@@ -793,26 +811,26 @@ note_nearest_measured(struct answer *r, const struct wanted *wanted,
 	if (!isfinite(wanted->reach) || !(near > 0) ||
 	    (found->best > slowest - 0.05 && found->best < fastest + 0.05))
 		return;
-	forecast_at(wanted->forecast, near);
-	struct margin margin = wanted_margin(wanted, SIZE_MAX);
-	FREED char *rpm = rotor_speed_words(site->rotor, near, NAN);
+	forecast_set_speed(wanted->forecast, near);
+	struct margin margin = wanted_margin_of_condition(wanted, SIZE_MAX);
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, near, NAN);
 	if (isfinite(margin.passing)) {
-		FREED char *misses = conditions_distance(wanted, margin);
+		FREED char *misses = conditions_describe_margin(wanted, margin);
 		answer_note(r,
 		    "the nearest measured speed, %.*f m/s%s, misses by %s",
-		    units_speed_digits(near), near, rpm, misses);
+		    units_speed_decimals(near), near, rpm, misses);
 	}
-	forecast_at(wanted->forecast, found->best);
+	forecast_set_speed(wanted->forecast, found->best);
 }
 
 void
-conditions_note_missed(struct answer *r, const struct wanted *wanted,
+conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
 {
 	const char *what =
 	    list->n > 1 ? tr("all conditions") : tr("the condition");
 	FREED char *range =
-	    rotor_speed_words(wanted->site->rotor, wanted->from, wanted->to);
+	    rotor_speed_rpm_text(wanted->site->rotor, wanted->from, wanted->to);
 	if (!isfinite(found->margin.passing)) {
 		answer_note(r,
 		    "no speed from %g to %g m/s%s gives a value for every "
@@ -820,33 +838,35 @@ conditions_note_missed(struct answer *r, const struct wanted *wanted,
 		    wanted->from, wanted->to, range);
 		return;
 	}
-	forecast_at(wanted->forecast, found->best);
-	FREED char *misses = conditions_distance(wanted, found->margin);
+	forecast_set_speed(wanted->forecast, found->best);
+	FREED char *misses = conditions_describe_margin(wanted, found->margin);
 	if (found->alike) {
-		FREED char *words = conditions_limit(list, found->margin.limit);
+		FREED char *words =
+		    conditions_describe_limit(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s alike, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
 	} else {
 		FREED char *rpm =
-		    rotor_speed_words(wanted->site->rotor, found->best, NAN);
+		    rotor_speed_rpm_text(wanted->site->rotor, found->best, NAN);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s; the nearest is "
 		    "%.1f m/s%s, which misses by %s",
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
 		note_nearest_measured(r, wanted, found);
-		note_ways(r, wanted, list, found);
+		note_conflicting_limits(r, wanted, list, found);
 	}
 }
 
 /* The end of the range about the best speed that lies farthest beyond the
  * measured speeds; NAN where none does. */
 static double
-farthest_end(const struct wanted *wanted, const struct speed_search *found)
+farthest_extrapolated_end(
+    const struct wanted *wanted, const struct speed_search *found)
 {
-	const struct speed_range *in = speed_search_around(found);
+	const struct speed_range *in = speed_search_best_range(found);
 	if (in == NULL)
 		return NAN;
 	double below = wanted->measured[0] - in->from,
@@ -861,11 +881,11 @@ conditions_show_basis(const struct session *s, struct answer *r,
     const struct question *q, const struct wanted *wanted,
     const struct speed_search *found, double speed)
 {
-	double end = farthest_end(wanted, found);
-	struct trust light = light_at(s, q->entry, speed, q->feed);
+	double end = farthest_extrapolated_end(wanted, found);
+	struct trust light = light_at_speed(s, q->entry, speed, q->feed);
 	struct trust far = {0};
 	if (!isnan(end))
-		far = light_at(s, q->entry, end, q->feed);
+		far = light_at_speed(s, q->entry, end, q->feed);
 	if (far.light <= light.light) {
 		trust_free(&far);
 		answers_show_basis(s, r, q, speed, false, light);
@@ -874,13 +894,14 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	answers_note_basis(s, r, q, speed, NULL, &light);
 	const double at[] = {speed, end};
 	for (size_t k = 0; k < 2; k++) {
-		FREED char *words = light_words_at(s, q->entry, at[k], q->feed);
+		FREED char *words =
+		    light_describe_at_speed(s, q->entry, at[k], q->feed);
 		answer_say(r,
 		    k == 1 && far.light == LIGHT_RED ? ANSWER_WARNING
 						     : ANSWER_REMARK,
 		    "%s", words);
 	}
-	light_put(answer_fields(r), &far);
+	light_put_fields(answer_fields(r), &far);
 	trust_free(&light);
 	trust_free(&far);
 }
@@ -888,13 +909,13 @@ conditions_show_basis(const struct session *s, struct answer *r,
 /* Whether an end of the speeds searched is farther from the measured ones than
  * an answer can be relied on. */
 static bool
-is_too_slow(const struct wanted *wanted)
+is_slow_end_unreliable(const struct wanted *wanted)
 {
 	return wanted->from < wanted->measured[0] - wanted->reach;
 }
 
 static bool
-is_too_fast(const struct wanted *wanted)
+is_fast_end_unreliable(const struct wanted *wanted)
 {
 	return wanted->to > wanted->measured[1] + wanted->reach;
 }
@@ -906,48 +927,49 @@ typed_end(const struct site *site, double speed, bool fastest)
 {
 	if (!answers_is_sheet_in_rpm(site))
 		return xasprintf("%g", speed);
-	double tens = rotor_speed_rpm(speed, site->rotor) / 10;
+	double tens = rotor_speed_to_rpm(speed, site->rotor) / 10;
 	return xasprintf("%g rpm", 10 * (fastest ? floor(tens) : ceil(tens)));
 }
 
 void
-conditions_note_farther(
+conditions_note_unsearched_speeds(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	const double more = 15;
 	const struct site *site = wanted->site;
-	FREED char *slow = rotor_speed_words(site->rotor, wanted->from, NAN);
-	FREED char *fast = rotor_speed_words(site->rotor, wanted->to, NAN);
+	FREED char *slow = rotor_speed_rpm_text(site->rotor, wanted->from, NAN);
+	FREED char *fast = rotor_speed_rpm_text(site->rotor, wanted->to, NAN);
 	FREED char *from = typed_end(site, fmax(1, wanted->from - more), false);
 	FREED char *to =
 	    typed_end(site, fmin(SITE_FASTEST, wanted->to + more), true);
-	if (slower && wanted->from > 1 && !is_too_slow(wanted))
+	if (slower && wanted->from > 1 && !is_slow_end_unreliable(wanted))
 		answer_note(r,
 		    "slower than %g m/s%s was not searched: add from=%s",
 		    wanted->from, slow, from);
-	if (faster && wanted->to < SITE_FASTEST && !is_too_fast(wanted))
+	if (faster && wanted->to < SITE_FASTEST &&
+	    !is_fast_end_unreliable(wanted))
 		answer_note(r,
 		    "faster than %g m/s%s was not searched: add to=%s",
 		    wanted->to, fast, to);
 }
 
 void
-conditions_note_none_farther(
+conditions_note_no_reliable_speed(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	bool all_measured = wanted->from <= wanted->measured[0] &&
 			    wanted->to >= wanted->measured[1];
-	if (all_measured && ((slower && is_too_slow(wanted)) ||
-				(faster && is_too_fast(wanted))))
+	if (all_measured && ((slower && is_slow_end_unreliable(wanted)) ||
+				(faster && is_fast_end_unreliable(wanted))))
 		answer_note(r,
 		    "no speed near the measured ones does it, and farther from "
 		    "them no answer can be relied on");
 	else
-		conditions_note_farther(r, wanted, slower, faster);
+		conditions_note_unsearched_speeds(r, wanted, slower, faster);
 }
 
 static void
-note_none_certain(
+note_no_certain_speed(
     struct answer *r, const struct wanted *wanted, const struct speed_search *w)
 {
 	double level = wanted->level;
@@ -956,9 +978,9 @@ note_none_certain(
 		if (w->n_inside > 0 ? w->speed[k] == w->best
 				    : w->certain[k] > w->certain[most])
 			most = k;
-	FREED char *highest = conditions_percent(w->certain[most]);
+	FREED char *highest = conditions_probability_percent(w->certain[most]);
 	FREED char *rpm =
-	    rotor_speed_words(wanted->site->rotor, w->speed[most], NAN);
+	    rotor_speed_rpm_text(wanted->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty; the "
@@ -975,23 +997,23 @@ note_none_certain(
 }
 
 void
-conditions_note_certain(struct answer *r, const struct wanted *wanted,
+conditions_note_certain_speeds(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	FREED char *rpm = rotor_speed_words(
+	FREED char *rpm = rotor_speed_rpm_text(
 	    wanted->site->rotor, found->sure[0], found->sure[1]);
 	if (isfinite(found->sure[0]))
 		answer_note(r,
 		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s%s",
 		    100 * wanted->level, found->sure[0], found->sure[1], rpm,
-		    tr(conditions_ends(
+		    tr(conditions_describe_search_ends(
 			wanted, found->sure[0], found->sure[1])));
 	else
-		note_none_certain(r, wanted, found);
+		note_no_certain_speed(r, wanted, found);
 }
 
 char *
-conditions_percent(double share)
+conditions_probability_percent(double share)
 {
 	return share > 0.99   ? xstrdup(tr("over 99 %"))
 	       : share < 0.01 ? xstrdup(tr("under 1 %"))
@@ -999,7 +1021,7 @@ conditions_percent(double share)
 }
 
 char *
-conditions_times(double share)
+conditions_probability_in_100(double share)
 {
 	return share > 0.99   ? xstrdup(tr("over 99 times in 100"))
 	       : share < 0.01 ? xstrdup(tr("less than once in 100"))
@@ -1007,7 +1029,7 @@ conditions_times(double share)
 }
 
 char *
-conditions_chance(double share, bool holds)
+conditions_describe_probability(double share, bool holds)
 {
 	if (isnan(share))
 		return xstrdup(holds ? tr("met") : tr("missed"));
@@ -1016,6 +1038,6 @@ conditions_chance(double share, bool holds)
 			    : share > 0.3  ? tr("as likely as not")
 			    : share > 0.1  ? tr("likely missed")
 					   : tr("missed");
-	FREED char *percent = conditions_percent(share);
+	FREED char *percent = conditions_probability_percent(share);
 	return xasprintf("%s, %s", percent, words);
 }

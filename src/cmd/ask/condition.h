@@ -22,16 +22,16 @@ void conditions_free(struct condition_list *list);
 /* Parses a condition: a quantity (quantity_words.h), then <, > or = (or words
  * for these) and a number or, after =, a range.  A single number after = is
  * both limits.  A quantity that names no fraction is one of `fraction`. */
-bool conditions_read(const char *text, const struct fraction *fraction,
+bool conditions_parse_one(const char *text, const struct fraction *fraction,
     struct condition *condition, struct error *error);
 
 /* Returns the quantity after max or min, maximise or minimise, or NULL for
  * other words. */
-const char *conditions_most_of(const char *text, bool *most);
+const char *conditions_parse_max_or_min(const char *text, bool *most);
 
 /* True if a text may be a whole condition: a quantity with its limit, even
  * without a sign, or max and a quantity. */
-bool conditions_may_be_whole(const char *text);
+bool conditions_is_likely_complete(const char *text);
 
 /* Adds the position of operand i to an error.  Returns false. */
 bool conditions_set_error_place(
@@ -39,102 +39,108 @@ bool conditions_set_error_place(
 
 /* Returns the length of the first condition in a list separated by commas; a
  * comma inside a number does not count. */
-size_t conditions_length(const char *list);
+size_t conditions_length_of_first(const char *list);
 
 /* Parses conditions separated by commas and adds them to the list. */
-bool conditions_read_list(const char *text, const struct fraction *fraction,
+bool conditions_parse_list(const char *text, const struct fraction *fraction,
     struct condition_list *list, struct error *error);
 
 /* Adds the operands of a call, whose sizes the question's feed must cover, and
  * the limits of its option spec.  Operands must be ranges, as a single value
  * holds only at single speeds. */
-bool conditions_add_call(struct session *s, const struct args *args,
+bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
 /* Adds the limits of an envelope (grading_limits) for a fraction or, given the
  * whole product, for the envelope's own fraction. */
-bool conditions_add_spec(const struct spec *spec,
+bool conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error);
 
-/* As conditions_add_spec, for the envelope in the option spec of a call, if
+/* As conditions_add_envelope, for the envelope in the option spec of a call, if
  * given. */
-bool conditions_add_option(struct session *s, const struct args *args,
+bool conditions_add_envelope_option(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
 /* Notes the source of the list's limits, if it has one. */
-void conditions_note_source(
+void conditions_note_source_of_limits(
     struct answer *r, const struct condition_list *list);
 
 /* True if a feed covers the sizes of the condition and its limits.  Otherwise
  * sets an error. */
-bool conditions_check_covered(const struct condition *condition,
+bool conditions_check_feed_covers(const struct condition *condition,
     const struct psd *feed, struct error *error);
 
-/* Reads the options from and to of a call; the default is site_reach. */
-bool conditions_speeds(const struct session *s, const struct args *args,
-    const struct site *site, double *from, double *to, struct error *error);
+/* Reads the options from and to of a call; the default is
+ * site_default_speed_range. */
+bool conditions_speed_range_of_args(const struct session *s,
+    const struct args *args, const struct site *site, double *from, double *to,
+    struct error *error);
 
-/* conditions_words returns "passing 2 mm 40 to 50 %" or "P80 at least 5 mm";
- * conditions_list_words all conditions, separated by commas; conditions_limit a
- * limit from the list, "passing 2 mm at most 50 %".  The caller frees it. */
-char *conditions_words(const struct condition *condition);
-char *conditions_list_words(const struct condition_list *list);
-char *conditions_limit(
+/* conditions_describe returns "passing 2 mm 40 to 50 %" or "P80 at least 5 mm";
+ * conditions_describe_list all conditions, separated by commas;
+ * conditions_describe_limit a limit from the list, "passing 2 mm at most 50 %".
+ * The caller frees it. */
+char *conditions_describe(const struct condition *condition);
+char *conditions_describe_list(const struct condition_list *list);
+char *conditions_describe_limit(
     const struct condition_list *list, struct wanted_limit limit);
 
-/* For each condition, conditions_rows adds a row to an answer, conditions_put
- * an object to the list "conditions": the limits, the value at the forecast's
- * speed with its band, the margin, and the range of speeds where this condition
- * holds by itself. */
-void conditions_rows(struct answer *r, const struct wanted *wanted,
+/* For each condition, conditions_add_rows adds a row to an answer,
+ * conditions_put_list an object to the list "conditions": the limits, the value
+ * at the forecast's speed with its band, the margin, and the range of speeds
+ * where this condition holds by itself. */
+void conditions_add_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found);
-void conditions_put(struct fields *o, const struct wanted *wanted,
+void conditions_put_list(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found);
 
-/* Prepares a question's search over site_reach for the list's conditions and a
- * target, or NULL.  List and target must outlive the result; free its
- * `forecast` with forecast_close. */
-struct wanted conditions_open(const struct session *s, const struct question *q,
-    const struct condition_list *list, const struct condition *target);
+/* Prepares a question's search over site_default_speed_range for the list's
+ * conditions and a target, or NULL.  List and target must outlive the result;
+ * free its `forecast` with forecast_close. */
+struct wanted conditions_open_search(const struct session *s,
+    const struct question *q, const struct condition_list *list,
+    const struct condition *target);
 
 /* Return the speeds at which all conditions hold, in words: "69.0 to 77.9",
  * "69.0 to 70.1 and 74.4", "74.42 to 74.47"; or with units, and in rpm if the
  * site states the rotor: "67.7 to 73.6 m/s (1319 to 1434 rpm)".  The caller
  * frees it. */
-char *conditions_speeds_words(const struct speed_search *found);
-char *conditions_speeds_in_units(
+char *conditions_describe_speeds(const struct speed_search *found);
+char *conditions_describe_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found);
 
 /* Returns a margin in widths of the band, or NAN for a model alone. */
-double conditions_widths(const struct wanted *wanted, struct margin margin);
+double conditions_margin_in_band_widths(
+    const struct wanted *wanted, struct margin margin);
 
 /* Returns how far the value at the forecast's speed is from the limit of a
  * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
-char *conditions_distance(const struct wanted *wanted, struct margin margin);
+char *conditions_describe_margin(
+    const struct wanted *wanted, struct margin margin);
 
 /* Returns the words that find understands, "max 2/5", for words such as "most
  * 2/5"; NULL for others.  The caller frees it. */
-char *conditions_extreme(const char *text);
+char *conditions_rewrite_superlative(const char *text);
 
 /* Returns enough decimals to show the points by which a limit is missed as more
  * than 0.0. */
-int conditions_digits(double points);
+int conditions_decimals_of_miss(double points);
 
 /* If no speed meets all conditions, notes which of them prevent it.  Moves the
  * forecast to the best speed. */
-void conditions_note_missed(struct answer *r, const struct wanted *wanted,
+void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
 
 /* Notes the speeds at which the conditions hold with the certainty of a band,
  * or, without such speeds, where it is highest.  Call it only if there is a
  * band. */
-void conditions_note_certain(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found);
+void conditions_note_certain_speeds(struct answer *r,
+    const struct wanted *wanted, const struct speed_search *found);
 
 /* Returns ", up to the fastest asked" and the like, to be translated, for a
  * range with an end that is only that of the search; else "". */
-const char *conditions_ends(
+const char *conditions_describe_search_ends(
     const struct wanted *wanted, double from, double to);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
@@ -144,24 +150,25 @@ void conditions_show_basis(const struct session *s, struct answer *r,
     const struct question *q, const struct wanted *wanted,
     const struct speed_search *found, double speed);
 
-/* conditions_note_farther notes which slower or faster speeds were not
- * searched, and how to search them, unless no answer there can be relied on;
- * conditions_note_none_farther, where no speed was found, says that. */
-void conditions_note_farther(
+/* conditions_note_unsearched_speeds notes which slower or faster speeds were
+ * not searched, and how to search them, unless no answer there can be relied
+ * on; conditions_note_no_reliable_speed, where no speed was found, says that.
+ */
+void conditions_note_unsearched_speeds(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);
-void conditions_note_none_farther(
+void conditions_note_no_reliable_speed(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);
 
 /* Returns "92 %", but "over 99 %" or "under 1 %" instead of 100 and 0, because
  * draws never prove certainty.  The caller frees it. */
-char *conditions_percent(double share);
+char *conditions_probability_percent(double share);
 
 /* Returns "92 times in 100", "over 99 times in 100".  The caller frees it. */
-char *conditions_times(double share);
+char *conditions_probability_in_100(double share);
 
 /* Returns the probability that conditions are met, with a verdict: "over 99 %,
  * met", "47 %, as likely as not"; if share is NAN, "met" or "missed", according
  * to the answer.  The caller frees it. */
-char *conditions_chance(double share, bool holds);
+char *conditions_describe_probability(double share, bool holds);
 
 #endif

@@ -13,7 +13,7 @@
 
 /* Whether a word is that of an option, "speed=72", or of a setting. */
 static bool
-is_option(const struct command *command, const char *word)
+is_option_word(const struct command *command, const char *word)
 {
 	size_t n = strcspn(word, "=");
 	char *name = xstrndup(word, n);
@@ -25,19 +25,21 @@ is_option(const struct command *command, const char *word)
 
 /* Whether a word goes on with the condition before it. */
 static bool
-goes_on(const struct command *command, const char *before, const char *word)
+is_condition_continued(
+    const struct command *command, const char *before, const char *word)
 {
 	char *with = xasprintf("%s ", word);
-	bool most, begins = quantities_begins(word) ||
-			    conditions_most_of(with, &most) != NULL;
+	bool most, begins = quantities_is_beginning_of_text(word) ||
+			    conditions_parse_max_or_min(with, &most) != NULL;
 	free(with);
-	return !is_option(command, word) && strchr(word, ' ') == NULL &&
-	       !(begins && conditions_may_be_whole(before));
+	return !is_option_word(command, word) && strchr(word, ' ') == NULL &&
+	       !(begins && conditions_is_likely_complete(before));
 }
 
 /* Where the conditions begin; 0 where the command takes none. */
 static size_t
-conditions_first_word(const struct command *command, const struct words *words)
+find_first_condition_word(
+    const struct command *command, const struct words *words)
 {
 	bool takes =
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
@@ -52,40 +54,42 @@ conditions_first_word(const struct command *command, const struct words *words)
  * The goal that is set is one word, with commas between conditions, which may
  * be quoted one by one. */
 static void
-join_from(const struct command *command, struct words *words, size_t i)
+join_words_of_condition(
+    const struct command *command, struct words *words, size_t i)
 {
 	FREED char *joined = xstrdup(words->text[i]);
 	size_t begin = 0, n = 1;
 	bool set = (command->flags & COMMAND_SETTINGS) != 0;
-	if ((strchr(joined, ' ') != NULL && !set) || is_option(command, joined))
+	if ((strchr(joined, ' ') != NULL && !set) ||
+	    is_option_word(command, joined))
 		return;
 	for (; i + n < words->n; n++) {
 		const char *word = words->text[i + n];
-		bool on = goes_on(command, joined + begin, word);
-		if (!on && (!set || is_option(command, word)))
+		bool on = is_condition_continued(command, joined + begin, word);
+		if (!on && (!set || is_option_word(command, word)))
 			break;
 		if (!on)
 			begin = strlen(joined) + strlen(", ");
 		xappend(&joined, on ? " %s" : ", %s", word);
 	}
-	words_join(words, i, n, joined);
+	words_replace(words, i, n, joined);
 }
 
 /* Whether a text is a quantity as it stands: "passing 2", but not "passing". */
 static bool
-is_whole_quantity(const char *text)
+is_complete_quantity(const char *text)
 {
 	static const struct partition SHARP = {0, 1};
 	const char *comma = strrchr(text, ',');
 	struct quantity q;
 	struct error none = {0};
-	return quantities_read(
+	return quantities_parse_one(
 	    comma != NULL ? comma + 1 : text, &SHARP, &q, &none);
 }
 
 /* Whether a limit, "< 5" or "= 40..50", is among the words. */
 static bool
-has_limit(const struct words *words)
+has_limit_among_words(const struct words *words)
 {
 	for (size_t i = 1; i < words->n; i++)
 		if (strpbrk(words->text[i], "<>") != NULL ||
@@ -98,10 +102,10 @@ has_limit(const struct words *words)
 /* Makes "of=passing 2,P80" of the words that name quantities, where the command
  * or one that it stands for lists them. */
 static void
-join_quantities(const struct command *command, struct words *words)
+join_quantity_words(const struct command *command, struct words *words)
 {
 	size_t i = 1, n = words->n;
-	while (i < n && !quantities_begins(words->text[i]))
+	while (i < n && !quantities_is_beginning_of_text(words->text[i]))
 		i++;
 	if (i == n || (command->flags & COMMAND_QUANTITIES) == 0)
 		return;
@@ -110,8 +114,8 @@ join_quantities(const struct command *command, struct words *words)
 	size_t first = i++;
 	for (; i < n; i++) {
 		const char *word = words->text[i];
-		bool whole = is_whole_quantity(list + strlen("of="));
-		bool begins = quantities_begins(word);
+		bool whole = is_complete_quantity(list + strlen("of="));
+		bool begins = quantities_is_beginning_of_text(word);
 		if (strchr(word, '=') != NULL ||
 		    (whole && !begins && !fast &&
 			isdigit((unsigned char)word[0])))
@@ -122,13 +126,13 @@ join_quantities(const struct command *command, struct words *words)
 			: " %s",
 		    word);
 	}
-	words_join(words, first, i - first, list);
+	words_replace(words, first, i - first, list);
 }
 
 /* "passing 2 > 30, fines < 5": the comma between conditions says no more than
  * the blank does. */
 static void
-drop_comma(char *word)
+drop_comma_at_end(char *word)
 {
 	size_t n = strlen(word);
 	if (n > 1 && word[n - 1] == ',' && strchr(word, ' ') == NULL)
@@ -136,17 +140,18 @@ drop_comma(char *word)
 }
 
 void
-conditions_join(struct words *words, bool prompt)
+conditions_join_words(struct words *words, bool prompt)
 {
 	const struct command *command =
-	    words->n > 0 ? command_find_typed(words->text[0], prompt) : NULL;
-	size_t from = conditions_first_word(command, words);
-	if (command != NULL && (from == 0 || !has_limit(words)))
-		join_quantities(command, words);
+	    words->n > 0 ? command_find_abbreviated(words->text[0], prompt)
+			 : NULL;
+	size_t from = find_first_condition_word(command, words);
+	if (command != NULL && (from == 0 || !has_limit_among_words(words)))
+		join_quantity_words(command, words);
 	if (from == 0)
 		return;
 	for (size_t i = from; i + 1 < words->n; i++)
-		drop_comma(words->text[i]);
+		drop_comma_at_end(words->text[i]);
 	for (size_t i = from; i < words->n; i++)
-		join_from(command, words, i);
+		join_words_of_condition(command, words, i);
 }

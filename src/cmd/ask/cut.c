@@ -40,7 +40,7 @@ is_partly_outside_band(const struct cut *c)
 static struct quantity *
 sieves_that_crushing_changes(const struct run *r, size_t *n)
 {
-	size_t covered = misfit_count_covered(r);
+	size_t covered = misfit_count_covered_sieves(r);
 	struct quantity *q = xcalloc(covered, sizeof *q);
 	*n = 0;
 	for (size_t i = 0; i < covered; i++)
@@ -51,7 +51,8 @@ sieves_that_crushing_changes(const struct run *r, size_t *n)
 }
 
 struct cut
-cut_compare(const struct session *s, const struct entry *entry, size_t run)
+cut_compare_with_prediction(
+    const struct session *s, const struct entry *entry, size_t run)
 {
 	/* To the hundredth of a point that sheets are rounded to. */
 	const double rounding = 5e-4;
@@ -61,10 +62,10 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 	FREED struct quantity *asked = sieves_that_crushing_changes(r, &c.n);
 	struct forecast *f = forecast_open(s, &q, asked, c.n);
 	double sum = 0;
-	forecast_part_at(f, r->speed, ENSEMBLE_SAMPLE);
+	forecast_set_speed_and_draws(f, r->speed, ENSEMBLE_SAMPLE);
 	for (size_t i = 0; i < c.n; i++) {
-		struct figure at = forecast_figure(f, i);
-		double passing = psd_at_sieve(&r->product, asked[i].x);
+		struct figure at = forecast_value_with_band(f, i);
+		double passing = psd_passing_at_sieve(&r->product, asked[i].x);
 		double off = at.value - passing;
 		sum += off * off;
 		if (fabs(off) > fabs(c.worst)) {
@@ -83,7 +84,7 @@ cut_compare(const struct session *s, const struct entry *entry, size_t run)
 }
 
 char *
-cut_words(const struct cut *c)
+cut_describe(const struct cut *c)
 {
 	const double off = 100 * c->rms, worst = 100 * fabs(c->worst),
 		     mm = units_mm(c->worst_sieve);
@@ -108,7 +109,7 @@ cut_words(const struct cut *c)
 }
 
 bool
-cut_is_same(const struct run *one, const struct run *two)
+cut_is_duplicate(const struct run *one, const struct run *two)
 {
 	const struct psd *a = &one->product, *b = &two->product;
 	return one->speed == two->speed && a->n == b->n &&
@@ -121,8 +122,8 @@ is_note_of_cut(const struct site_note *note, double speed)
 	double said;
 	FREED char *number =
 	    xstrndup(note->value, strspn(note->value, "0123456789."));
-	return strcmp(note->key, "cut") == 0 && text_number(number, &said) &&
-	       fabs(said - speed) < 1e-3;
+	return strcmp(note->key, "cut") == 0 &&
+	       text_parse_number(number, &said) && fabs(said - speed) < 1e-3;
 }
 
 const struct site_note *
@@ -141,11 +142,11 @@ cut_find_note(const struct site *site, size_t run)
 
 /* True if the key of a line says that its value is a date. */
 static bool
-is_key_of_date(const char *key)
+is_date_heading(const char *key)
 {
 	static const char *const WORDS[] = {"date", "datum", "dato", "fecha",
 	    "data", "sampled", "provtag", "probenahme"};
-	FREED char *folded = text_fold(key);
+	FREED char *folded = text_fold_case_and_accents(key);
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
 		if (strstr(folded, WORDS[i]) != NULL)
 			return true;
@@ -153,24 +154,24 @@ is_key_of_date(const char *key)
 }
 
 bool
-cut_read_date(const struct site_note *note, struct datetime *m)
+cut_parse_date(const struct site_note *note, struct datetime *m)
 {
 	bool cut = strcmp(note->key, "cut") == 0;
 	const char *at = cut ? strstr(note->value, ", ") : note->value;
-	if (at == NULL || (!cut && !is_key_of_date(note->key)))
+	if (at == NULL || (!cut && !is_date_heading(note->key)))
 		return false;
 	at += cut ? strlen(", ") : 0;
 	FREED char *text = xstrndup(at, cut ? strcspn(at, ",") : strlen(at));
-	return datetime_read(text, m) && m->has_date;
+	return datetime_parse(text, m) && m->has_date;
 }
 
 enum datetime_order
-cut_date_order(const struct site *site)
+cut_day_month_order(const struct site *site)
 {
 	enum datetime_order order = DATETIME_OPEN;
 	struct datetime m;
 	for (size_t i = 0; i < site->n_note; i++) {
-		if (!cut_read_date(&site->note[i], &m) || m.plain ||
+		if (!cut_parse_date(&site->note[i], &m) || m.plain ||
 		    m.order == DATETIME_OPEN)
 			continue;
 		if (order != DATETIME_OPEN && order != m.order)
@@ -182,16 +183,16 @@ cut_date_order(const struct site *site)
 
 /* Returns how many runs of a site have this product at this speed. */
 static size_t
-count_same(const struct site *site, const struct run *run)
+count_runs_with_same_product(const struct site *site, const struct run *run)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++)
-		n += cut_is_same(&site->run[r], run);
+		n += cut_is_duplicate(&site->run[r], run);
 	return n;
 }
 
 struct later
-cut_compare_later(const struct session *s, const struct entry *entry)
+cut_compare_runs_since_fit(const struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	struct history *h = entry->history;
@@ -202,14 +203,14 @@ cut_compare_later(const struct session *s, const struct entry *entry)
 		return h->later;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		if (misfit_count_covered(run) == 0)
+		if (misfit_count_covered_sieves(run) == 0)
 			continue;
-		size_t known = count_same(h->site, run);
-		later.twice = later.twice ||
-			      count_same(site, run) > (known > 0 ? known : 1);
+		size_t known = count_runs_with_same_product(h->site, run);
+		later.twice = later.twice || count_runs_with_same_product(site,
+						 run) > (known > 0 ? known : 1);
 		if (known > 0)
 			continue;
-		struct cut c = cut_compare(s, entry, r);
+		struct cut c = cut_compare_with_prediction(s, entry, r);
 		bool worse =
 		    c.missed == later.missed ? c.rms > later.rms : c.missed;
 		if (later.n++ > 0 && !worse)
@@ -227,10 +228,10 @@ bool
 cut_is_only_check(const struct entry *entry, size_t *run)
 {
 	const struct site *site = entry->site;
-	if (!entry->has_params || !origin_is_other(entry) ||
+	if (!entry->has_params || !origin_is_other_site(entry) ||
 	    site_count_products(site) != 1)
 		return false;
 	for (*run = 0; site->run[*run].product.n == 0;)
 		++*run;
-	return misfit_count_covered(&site->run[*run]) > 0;
+	return misfit_count_covered_sieves(&site->run[*run]) > 0;
 }

@@ -19,11 +19,11 @@ struct cut {
 };
 
 /* Compares a run with its prediction.  The entry must have parameters. */
-struct cut cut_compare(
+struct cut cut_compare_with_prediction(
     const struct session *s, const struct entry *entry, size_t run);
 
 /* True if both have the same product at the same speed. */
-bool cut_is_same(const struct run *a, const struct run *b);
+bool cut_is_duplicate(const struct run *a, const struct run *b);
 
 /* Returns the note "72 m/s, 2026-05-03 10:15, cut.csv" in the site's header
  * that describes this run, borrowed, or NULL.  Notes with a speed belong to the
@@ -33,23 +33,23 @@ const struct site_note *cut_find_note(const struct site *site, size_t run);
 /* Reads the date of a note: of a cut, "72 m/s, 2026-05-03 10:15, cut.csv", or a
  * line of the header that states one, "Date, 3 May 2026".  Returns false if it
  * has none. */
-bool cut_read_date(const struct site_note *note, struct datetime *m);
+bool cut_parse_date(const struct site_note *note, struct datetime *m);
 
 /* Returns which number is the day in a site's notes with a date such as
  * 5/11/2026, as those of them show that can be read in one way only;
  * DATETIME_OPEN if none does, or if they differ. */
-enum datetime_order cut_date_order(const struct site *site);
+enum datetime_order cut_day_month_order(const struct site *site);
 
 /* Returns "11 of 12 sieves are within the range for a belt cut; 0.8 points off
  * (RMS), most at 4 mm, where the answer is 1.9 above the cut".  The caller
  * frees it. */
-char *cut_words(const struct cut *cut);
+char *cut_describe(const struct cut *cut);
 
 /* Returns the number of runs with a product that were added to the site after
  * its parameters were calibrated, and of these the run that the prediction
  * misses by most or, if it misses none, the one with the largest misfit.
  * twice: one of them is the same as another run. */
-struct later cut_compare_later(
+struct later cut_compare_runs_since_fit(
     const struct session *s, const struct entry *entry);
 
 /* True if the site has one product, and parameters from elsewhere, so that

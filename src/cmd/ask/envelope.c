@@ -17,7 +17,7 @@
 #include "io/sitefile/units.h"
 
 static const struct spec *
-grading_add_spec(struct session *s, struct spec *spec)
+add_envelope_to_session(struct session *s, struct spec *spec)
 {
 	s->specs = xrealloc(s->specs, s->n_spec + 1, sizeof(*s->specs));
 	return s->specs[s->n_spec++] = spec;
@@ -25,7 +25,7 @@ grading_add_spec(struct session *s, struct spec *spec)
 
 /* The envelope of that name that the session has already. */
 static const struct spec *
-grading_find_spec(const struct session *s, const char *name)
+find_envelope_in_session(const struct session *s, const char *name)
 {
 	for (size_t i = 0; i < s->n_spec; i++)
 		if (s->specs[i]->standard[0] != '\0' &&
@@ -35,16 +35,16 @@ grading_find_spec(const struct session *s, const char *name)
 }
 
 static const struct spec *
-shipped_envelope(struct session *s, const char *words, struct error *error)
+find_shipped_envelope(struct session *s, const char *words, struct error *error)
 {
-	struct standards *all = standards_shipped();
+	struct standards *all = standards_read_built_in();
 	const struct spec *found = standards_find(all, words, error);
 	const struct spec *same =
-	    found != NULL ? grading_find_spec(s, found->name) : NULL;
+	    found != NULL ? find_envelope_in_session(s, found->name) : NULL;
 	for (size_t i = 0; found != NULL && same == NULL && i < all->n; i++) {
 		if (all->spec[i] != found)
 			continue;
-		same = grading_add_spec(s, all->spec[i]);
+		same = add_envelope_to_session(s, all->spec[i]);
 		all->spec[i] = NULL;
 	}
 	standards_free(all);
@@ -52,7 +52,7 @@ shipped_envelope(struct session *s, const char *words, struct error *error)
 }
 
 static const struct spec *
-read_spec_file(struct session *s, const char *path, struct error *error)
+read_envelope_file(struct session *s, const char *path, struct error *error)
 {
 	struct error_list errors = {.stop = s->hooks.stop};
 	if (s->safe) {
@@ -64,23 +64,23 @@ read_spec_file(struct session *s, const char *path, struct error *error)
 		return NULL;
 	}
 	files_note_read(s, path);
-	struct spec *spec = spec_read(path, &errors);
+	struct spec *spec = spec_read_file(path, &errors);
 	if (spec == NULL) {
 		session_report_faults(s, path, &errors, error);
 		return NULL;
 	}
 	if (spec->note[0] != '\0')
 		session_note(s, "%s: %s", path, spec->note);
-	return grading_add_spec(s, spec);
+	return add_envelope_to_session(s, spec);
 }
 
 const struct spec *
-grading_spec(struct session *s, const char *words, struct error *error)
+grading_find_envelope(struct session *s, const char *words, struct error *error)
 {
 	if (words != NULL)
-		return standards_is_path(words)
-			   ? read_spec_file(s, words, error)
-			   : shipped_envelope(s, words, error);
+		return standards_is_file_path(words)
+			   ? read_envelope_file(s, words, error)
+			   : find_shipped_envelope(s, words, error);
 	if (s->spec == NULL)
 		error_set(error, ERROR_USAGE,
 		    "no grading envelope is chosen\n"
@@ -95,7 +95,7 @@ static const char CATEGORY[] = "FM category ";
 /* What the options say of screens; else the fraction that the envelope is
  * for. */
 static bool
-fraction_of_options(const struct args *args, const struct spec *spec,
+fraction_from_options(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
 {
 	const char *cut = args->cut;
@@ -103,7 +103,7 @@ fraction_of_options(const struct args *args, const struct spec *spec,
 	*f = (struct fraction){.fine = spec->cut[0], .coarse = spec->cut[1]};
 	if (off)
 		*f = (struct fraction){0};
-	else if (cut != NULL && !quantities_fraction(cut, f, error))
+	else if (cut != NULL && !quantities_parse_fraction(cut, f, error))
 		return false;
 	f->partition.sharpness = args->sharpness;
 	f->partition.cut_size = args->cut_size / 100;
@@ -132,7 +132,7 @@ modulus_of_sand_standard(const struct spec *spec)
 /* The first limit of a standard on what begins so, or the one after another;
  * NULL at the end. */
 static const struct standard_limit *
-next_limit_on_item(const struct standards *all, const char *standard,
+next_limit_of_standard(const struct standards *all, const char *standard,
     const char *item, const struct standard_limit *after)
 {
 	for (size_t i = after != NULL ? (size_t)(after - all->limit) + 1 : 0;
@@ -146,10 +146,10 @@ next_limit_on_item(const struct standards *all, const char *standard,
 /* The limits on the modulus that a standard has of an aggregate as a whole, not
  * of categories to choose from; NULL where it has none. */
 static const struct standard_limit *
-modulus_limit(const struct standards *all, const char *standard)
+fineness_modulus_limit(const struct standards *all, const char *standard)
 {
 	const struct standard_limit *l = NULL;
-	while ((l = next_limit_on_item(all, standard, "FM ", l)) != NULL)
+	while ((l = next_limit_of_standard(all, standard, "FM ", l)) != NULL)
 		if (!begins_with_text(l->item, CATEGORY) && !isnan(l->least))
 			return l;
 	return NULL;
@@ -157,22 +157,23 @@ modulus_limit(const struct standards *all, const char *standard)
 
 /* The limit of what stays between two neighbouring sieves, or NULL. */
 static const struct standard_limit *
-step_limit(const struct standards *all, const char *standard)
+individual_retained_limit(const struct standards *all, const char *standard)
 {
-	return next_limit_on_item(
+	return next_limit_of_standard(
 	    all, standard, "between two consecutive", NULL);
 }
 
 static void
-add_modulus(struct grading_limits *l, const struct spec *spec,
+add_fineness_modulus_limit(struct grading_limits *l, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     const struct standards *all)
 {
-	const struct standard_limit *fm = modulus_limit(all, spec->standard);
+	const struct standard_limit *fm =
+	    fineness_modulus_limit(all, spec->standard);
 	const struct modulus *m = modulus_of_sand_standard(spec);
 	if (fm == NULL || m == NULL)
 		return;
-	l->modulus_unknown = !psd_covers(feed, m->mm[m->n - 1] / 1000);
+	l->modulus_unknown = !psd_covers_size(feed, m->mm[m->n - 1] / 1000);
 	if (l->modulus_unknown)
 		return;
 	l->at[l->n++] =
@@ -184,10 +185,11 @@ add_modulus(struct grading_limits *l, const struct spec *spec,
 }
 
 static void
-add_step(struct grading_limits *l, const struct spec *spec,
+add_individual_retained_limit(struct grading_limits *l, const struct spec *spec,
     const struct fraction *fraction, const struct standards *all)
 {
-	const struct standard_limit *step = step_limit(all, spec->standard);
+	const struct standard_limit *step =
+	    individual_retained_limit(all, spec->standard);
 	if (step == NULL || l->n_sieve < 2)
 		return;
 	l->at[l->n++] = (struct condition){.quantity = {.kind = QUANTITY_STEP,
@@ -199,13 +201,13 @@ add_step(struct grading_limits *l, const struct spec *spec,
 }
 
 struct grading_limits
-grading_limits(const struct spec *spec, const struct fraction *fraction,
-    const struct psd *feed)
+grading_limits_of_envelope(const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed)
 {
 	enum { OTHERS = 2 };
 	struct grading_limits l = {
 	    .at = xcalloc(spec->n + OTHERS, sizeof *l.at)};
-	for (; l.n < spec->n && psd_covers(feed, spec->size[l.n]); l.n++)
+	for (; l.n < spec->n && psd_covers_size(feed, spec->size[l.n]); l.n++)
 		l.at[l.n] =
 		    (struct condition){.quantity = {.kind = QUANTITY_PASSING,
 					   .x = spec->size[l.n],
@@ -213,21 +215,21 @@ grading_limits(const struct spec *spec, const struct fraction *fraction,
 			.least = spec->least[l.n],
 			.most = spec->most[l.n]};
 	l.n_sieve = l.n;
-	struct standards *all = standards_shipped();
-	add_modulus(&l, spec, fraction, feed, all);
-	add_step(&l, spec, fraction, all);
+	struct standards *all = standards_read_built_in();
+	add_fineness_modulus_limit(&l, spec, fraction, feed, all);
+	add_individual_retained_limit(&l, spec, fraction, all);
 	standards_free(all);
 	return l;
 }
 
 static double
-value_of_quantity(const struct grading *g, size_t i)
+forecast_value_of_quantity(const struct grading *g, size_t i)
 {
-	return forecast_figure(g->conditions.forecast, i).value;
+	return forecast_value_with_band(g->conditions.forecast, i).value;
 }
 
 static void
-open_conditions(
+open_limits_and_share(
     const struct session *s, const struct question *q, struct grading *g)
 {
 	const struct quantity more[] = {
@@ -235,7 +237,7 @@ open_conditions(
 	    {.kind = QUANTITY_MODULUS,
 		.modulus = g->modulus,
 		.fraction = g->fraction}};
-	g->conditions = wanted_of(
+	g->conditions = wanted_from_question(
 	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 }
 
@@ -246,7 +248,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 {
 	const struct psd *from = question_feed(q);
 	g->modulus = modulus_of_sand_standard(g->spec);
-	g->limits = grading_limits(g->spec, &g->fraction, from);
+	g->limits = grading_limits_of_envelope(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
 		free(g->limits.at);
 		return error_set(error, ERROR_DATA,
@@ -256,22 +258,22 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 		    "feed sieved that far",
 		    g->spec->name);
 	}
-	open_conditions(s, q, g);
+	open_limits_and_share(s, q, g);
 	return true;
 }
 
 bool
-grading_open(const struct session *s, const struct args *args,
+grading_open_for_envelope(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *g,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec};
-	return fraction_of_options(args, spec, &g->fraction, error) &&
+	return fraction_from_options(args, spec, &g->fraction, error) &&
 	       open_forecast_of_limits(s, q, g, error);
 }
 
 bool
-grading_open_in_use(const struct session *s, const struct entry *entry,
+grading_open_chosen_envelope(const struct session *s, const struct entry *entry,
     size_t feed, struct grading *g, struct error *error)
 {
 	const struct spec *spec = s->spec;
@@ -289,16 +291,16 @@ grading_close(struct grading *g)
 }
 
 char *
-grading_words(const struct grading *g)
+grading_title(const struct grading *g)
 {
 	FREED char *fraction = quantities_fraction_text(&g->fraction);
-	return fraction_screens(&g->fraction)
+	return fraction_is_screened(&g->fraction)
 		   ? xasprintf(tr("%s, fraction %s"), g->spec->name, fraction)
 		   : xstrdup(g->spec->name);
 }
 
 static const char *
-verdict_of(double value, double least, double most)
+verdict_on_value(double value, double least, double most)
 {
 	const double exact = 1e-9;
 	if (value < least - exact)
@@ -312,21 +314,21 @@ limit_verdict(const struct grading *g, size_t i)
 {
 	if (i >= g->limits.n_sieve && i < g->spec->n)
 		return tr("not known");
-	if (wanted_holds(&g->conditions, i))
+	if (wanted_are_conditions_met(&g->conditions, i))
 		return "ok";
-	bool above = wanted_margin(&g->conditions, i).limit.most;
+	bool above = wanted_margin_of_condition(&g->conditions, i).limit.most;
 	return above ? tr("above") : tr("below");
 }
 
 /* The margin of the sieve that is furthest outside; how many are. */
 static size_t
-worst_sieve(const struct grading *g, struct margin *worst)
+find_worst_sieve(const struct grading *g, struct margin *worst)
 {
 	size_t out = 0;
 	worst->passing = INFINITY;
 	for (size_t i = 0; i < g->limits.n_sieve; i++) {
-		struct margin m = wanted_margin(&g->conditions, i);
-		out += !wanted_holds(&g->conditions, i);
+		struct margin m = wanted_margin_of_condition(&g->conditions, i);
+		out += !wanted_are_conditions_met(&g->conditions, i);
 		if (m.passing < worst->passing)
 			*worst = m;
 	}
@@ -336,27 +338,30 @@ worst_sieve(const struct grading *g, struct margin *worst)
 /* "fineness modulus (ASTM C136) 3.15 is above 3.1", with as many decimals as it
  * takes to tell the two apart; of a limit that is not on a sieve. */
 static char *
-missed_words(const struct grading *g, size_t i)
+describe_missed_limit(const struct grading *g, size_t i)
 {
 	const struct condition *c = &g->limits.at[i];
 	struct quantity q = c->quantity;
 	const double near = 0.005;
-	struct wanted_limit limit = wanted_margin(&g->conditions, i).limit;
-	double most = quantities_shown(&q, limit.most ? c->most : c->least);
-	double is = quantities_shown(&q, value_of_quantity(g, i));
+	struct wanted_limit limit =
+	    wanted_margin_of_condition(&g->conditions, i).limit;
+	double most =
+	    quantities_value_in_shown_unit(&q, limit.most ? c->most : c->least);
+	double is = quantities_value_in_shown_unit(
+	    &q, forecast_value_of_quantity(g, i));
 	const char *unit = quantities_unit_suffix(&q);
 	q.fraction = (struct fraction){0};
-	FREED char *name = quantities_words(&q);
+	FREED char *name = quantities_name(&q);
 	return xasprintf(tr("%s %.*f%s is %s %g%s"), name,
 	    fabs(is - most) < near ? 4 : 2, is, unit,
 	    limit.most ? tr("above") : tr("below"), most, unit);
 }
 
 char *
-grading_missed(const struct grading *g)
+grading_describe_missed_limits(const struct grading *g)
 {
 	struct margin worst = {0};
-	size_t out = worst_sieve(g, &worst);
+	size_t out = find_worst_sieve(g, &worst);
 	char *words = xstrdup("");
 	if (out > 0)
 		xappend(&words,
@@ -368,10 +373,10 @@ grading_missed(const struct grading *g)
 		    -100 * worst.passing,
 		    worst.limit.most ? tr("above max") : tr("below min"));
 	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
-		if (!wanted_holds(&g->conditions, i)) {
-			FREED char *one = missed_words(g, i);
+		if (!wanted_are_conditions_met(&g->conditions, i)) {
+			FREED char *one = describe_missed_limit(g, i);
 			bool first = words[0] == '\0';
-			xlist(&words, "; ",
+			xappend_to_list(&words, "; ",
 			    first ? tr("inside on all sieves, but %s") : "%s",
 			    one);
 		}
@@ -379,10 +384,10 @@ grading_missed(const struct grading *g)
 }
 
 void
-grading_put_worst(struct fields *o, const struct grading *g)
+grading_put_worst_sieve(struct fields *o, const struct grading *g)
 {
 	struct margin worst = {0};
-	bool out = worst_sieve(g, &worst) > 0;
+	bool out = find_worst_sieve(g, &worst) > 0;
 	fields_put(o, "worst_mm %g outside_pct %g",
 	    out ? units_mm(g->spec->size[worst.limit.i]) : NAN,
 	    !out               ? 0
@@ -391,17 +396,17 @@ grading_put_worst(struct fields *o, const struct grading *g)
 }
 
 void
-grading_rows(struct answer *r, struct grading *g, double v)
+grading_add_rows(struct answer *r, struct grading *g, double v)
 {
 	const struct spec *spec = g->spec;
 	struct forecast *all = g->conditions.forecast;
-	forecast_at(all, v);
+	forecast_set_speed(all, v);
 	bool band = forecast_draws(all, 0) != NULL;
 	answer_columns(r, "sieve_mm: sieve mm, min_pct: min %%, max_pct: max "
 			  "%%");
 	answer_column(r, "passing_pct",
-	    fraction_screens(&g->fraction) ? N_("fraction %")
-					   : N_("product %"));
+	    fraction_is_screened(&g->fraction) ? N_("fraction %")
+					       : N_("product %"));
 	if (band)
 		answer_columns(r, "low_pct: low %%, high_pct: high %%");
 	answer_columns(r, "verdict");
@@ -409,14 +414,14 @@ grading_rows(struct answer *r, struct grading *g, double v)
 		bool known = i < g->limits.n_sieve;
 		struct figure f = {NAN, NAN, NAN};
 		if (known)
-			f = forecast_figure(all, i);
-		answer_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
+			f = forecast_value_with_band(all, i);
+		answer_add_cells(r, "%g %g %g %.1f", units_mm(spec->size[i]),
 		    units_pct(spec->least[i]), units_pct(spec->most[i]),
 		    units_pct(f.value));
 		if (band)
-			answer_cells(r, "%.1f %.1f", units_pct(f.low),
+			answer_add_cells(r, "%.1f %.1f", units_pct(f.low),
 			    units_pct(f.high));
-		answer_cells(r, "%s", limit_verdict(g, i));
+		answer_add_cells(r, "%s", limit_verdict(g, i));
 	}
 }
 
@@ -424,22 +429,24 @@ grading_rows(struct answer *r, struct grading *g, double v)
  * names of those it is in; NULL where the standard has neither.  The caller
  * frees. */
 static char *
-modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
+fineness_modulus_verdict(
+    const struct standards *all, const struct spec *spec, double fm)
 {
-	const struct standard_limit *own = modulus_limit(all, spec->standard);
+	const struct standard_limit *own =
+	    fineness_modulus_limit(all, spec->standard);
 	FREED char *in = xstrdup("");
 	const struct standard_limit *l = NULL;
 	bool categories =
-	    next_limit_on_item(all, spec->standard, CATEGORY, l) != NULL;
-	while (
-	    (l = next_limit_on_item(all, spec->standard, CATEGORY, l)) != NULL)
+	    next_limit_of_standard(all, spec->standard, CATEGORY, l) != NULL;
+	while ((l = next_limit_of_standard(all, spec->standard, CATEGORY, l)) !=
+	       NULL)
 		if (fm >= l->least && fm <= l->most)
-			xlist(&in, tr(" and "), "%s",
+			xappend_to_list(&in, tr(" and "), "%s",
 			    l->item + sizeof CATEGORY - 1);
 	char *words = NULL;
 	if (own != NULL)
 		words = xasprintf(tr("%s; limits %g to %g"),
-		    verdict_of(fm, own->least, own->most), own->least,
+		    verdict_on_value(fm, own->least, own->most), own->least,
 		    own->most);
 	else if (categories)
 		words = in[0] == '\0' ? xstrdup(tr("in no category"))
@@ -448,14 +455,14 @@ modulus_verdict(const struct standards *all, const struct spec *spec, double fm)
 }
 
 static void
-note_modulus(
+note_fineness_modulus(
     struct answer *r, const struct grading *g, const struct standards *all)
 {
 	size_t i = g->limits.n + 1;
 	if (g->modulus == NULL)
 		return;
-	struct figure fm = forecast_figure(g->conditions.forecast, i);
-	char *is = modulus_verdict(all, g->spec, fm.value);
+	struct figure fm = forecast_value_with_band(g->conditions.forecast, i);
+	char *is = fineness_modulus_verdict(all, g->spec, fm.value);
 	if (is == NULL)
 		return;
 	if (isnan(fm.value)) {
@@ -466,7 +473,7 @@ note_modulus(
 		    g->modulus->mm[g->modulus->n - 1]);
 		return;
 	}
-	FREED char *band = quantities_band(fm.low, fm.high, 2);
+	FREED char *band = quantities_band_text(fm.low, fm.high, 2);
 	answer_note(r, "fineness modulus (%s) %.2f%s: %s", g->modulus->standard,
 	    fm.value, band, is);
 	fields_put(answer_fields(r), "fm %g fm_standard %s fm_verdict %s",
@@ -477,12 +484,12 @@ note_modulus(
 /* The largest share between two neighbours of the envelope's sieves; at: the
  * coarser of the two. */
 static double
-largest_step(const struct grading *g, size_t *at)
+largest_individual_retained(const struct grading *g, size_t *at)
 {
 	double most = 0;
 	for (size_t i = 0; i + 1 < g->limits.n_sieve; i++) {
-		double step =
-		    value_of_quantity(g, i) - value_of_quantity(g, i + 1);
+		double step = forecast_value_of_quantity(g, i) -
+			      forecast_value_of_quantity(g, i + 1);
 		if (step <= most)
 			continue;
 		most = step;
@@ -492,7 +499,7 @@ largest_step(const struct grading *g, size_t *at)
 }
 
 static void
-step_range(const struct grading *g, size_t at, double range[2])
+individual_retained_band(const struct grading *g, size_t at, double range[2])
 {
 	double step[POSTERIOR_DRAWS];
 	struct forecast *f = g->conditions.forecast;
@@ -507,17 +514,18 @@ step_range(const struct grading *g, size_t at, double range[2])
 }
 
 static void
-note_steps(
+note_individual_retained(
     struct answer *r, const struct grading *g, const struct standards *all)
 {
-	const struct standard_limit *l = step_limit(all, g->spec->standard);
+	const struct standard_limit *l =
+	    individual_retained_limit(all, g->spec->standard);
 	if (l == NULL || g->limits.n_sieve < 2)
 		return;
 	size_t at = 0;
-	double range[2], step = 100 * largest_step(g, &at);
-	step_range(g, at, range);
-	FREED char *band = quantities_band(range[0], range[1], 1);
-	const char *is = verdict_of(step, -INFINITY, l->most);
+	double range[2], step = 100 * largest_individual_retained(g, &at);
+	individual_retained_band(g, at, range);
+	FREED char *band = quantities_band_text(range[0], range[1], 1);
+	const char *is = verdict_on_value(step, -INFINITY, l->most);
 	answer_note(r,
 	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
 	    step, band, units_mm(g->spec->size[at]),
@@ -543,14 +551,14 @@ note_tolerances_unchecked(
 }
 
 void
-grading_notes(struct answer *r, const struct grading *g)
+grading_add_notes(struct answer *r, const struct grading *g)
 {
 	const struct spec *spec = g->spec;
-	struct standards *all = standards_shipped();
-	note_modulus(r, g, all);
-	note_steps(r, g, all);
-	if (fraction_screens(&g->fraction)) {
-		double share = 100 * value_of_quantity(g, g->limits.n);
+	struct standards *all = standards_read_built_in();
+	note_fineness_modulus(r, g, all);
+	note_individual_retained(r, g, all);
+	if (fraction_is_screened(&g->fraction)) {
+		double share = 100 * forecast_value_of_quantity(g, g->limits.n);
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0
@@ -576,7 +584,7 @@ grading_put_fields(struct answer *r, const struct grading *g)
 {
 	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
 	    g->spec->source);
-	if (fraction_screens(&g->fraction)) {
+	if (fraction_is_screened(&g->fraction)) {
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		fields_put(answer_fields(r), "cut %s", words);
 	}

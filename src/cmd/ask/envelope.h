@@ -13,7 +13,7 @@
 /* Returns the envelope named by words, one that comes with the program or a
  * file, or for NULL the one chosen by `spec use`.  The session owns it.  On
  * failure, returns NULL with an error, after reporting any faults of a file. */
-const struct spec *grading_spec(
+const struct spec *grading_find_envelope(
     struct session *s, const char *words, struct error *error);
 
 /* The limits of an envelope as conditions [n] on a fraction: first those
@@ -27,7 +27,7 @@ struct grading_limits {
 	struct condition *at;
 	bool modulus_unknown;
 };
-struct grading_limits grading_limits(const struct spec *spec,
+struct grading_limits grading_limits_of_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed);
 
 /* The limits as conditions on the fraction, then the fraction's share of the
@@ -43,38 +43,39 @@ struct grading {
 
 /* Opens the comparison with an envelope.  The options cut, sharpness and
  * cut_size of the call describe the screens; cut=off: no screens. */
-bool grading_open(const struct session *s, const struct args *args,
+bool grading_open_for_envelope(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
 
-/* As grading_open, with the chosen envelope, its own fraction, perfect screens,
- * and the feed of a run of the entry. */
-bool grading_open_in_use(const struct session *s, const struct entry *entry,
-    size_t feed, struct grading *grading, struct error *error);
+/* As grading_open_for_envelope, with the chosen envelope, its own fraction,
+ * perfect screens, and the feed of a run of the entry. */
+bool grading_open_chosen_envelope(const struct session *s,
+    const struct entry *entry, size_t feed, struct grading *grading,
+    struct error *error);
 void grading_close(struct grading *grading);
 
 /* Returns "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees it. */
-char *grading_words(const struct grading *grading);
+char *grading_title(const struct grading *grading);
 
 /* Adds columns and a row for each sieve at speed v: limits, passing and "ok",
  * "above", "below" or "not known". */
-void grading_rows(struct answer *r, struct grading *grading, double v);
+void grading_add_rows(struct answer *r, struct grading *grading, double v);
 
 /* Returns the limits missed at the forecast's speed, "outside on 2 of 7 sieves;
  * worst at 4 mm: 3.1 points above max", "inside on all sieves, but fineness
  * modulus (ASTM C136) 3.15 is above 3.1", or "" if all limits hold.  The caller
  * frees it. */
-char *grading_missed(const struct grading *grading);
+char *grading_describe_missed_limits(const struct grading *grading);
 
 /* Puts worst_mm, the worst sieve at that speed, and outside_pct, how far
  * outside it is: 0 if no sieve is. */
-void grading_put_worst(struct fields *o, const struct grading *grading);
+void grading_put_worst_sieve(struct fields *o, const struct grading *grading);
 
 /* Notes the fineness modulus and the steps between sieves at that speed, if the
  * standard limits them, the source of the limits, and what is not checked. */
-void grading_notes(struct answer *r, const struct grading *grading);
+void grading_add_notes(struct answer *r, const struct grading *grading);
 
-/* Puts spec, source, cut and the columns of grading_rows into the answer's
+/* Puts spec, source, cut and the columns of grading_add_rows into the answer's
  * JSON. */
 void grading_put_fields(struct answer *r, const struct grading *grading);
 

@@ -11,17 +11,17 @@
 #include "io/sitefile/units.h"
 
 size_t
-feed_sampled_at(const struct site *site, double speed)
+feed_run_at_speed_or_mean(const struct site *site, double speed)
 {
-	size_t run = speed > 0 ? site_run_at(site, speed) : site->n_run;
+	size_t run = speed > 0 ? site_run_at_speed(site, speed) : site->n_run;
 	return run < site->n_run ? run : SITE_MEAN_FEED;
 }
 
 bool
-feed_find_sampled(
+feed_find_run_at_speed(
     const struct site *site, double speed, size_t *feed, struct error *error)
 {
-	*feed = feed_sampled_at(site, speed);
+	*feed = feed_run_at_speed_or_mean(site, speed);
 	return *feed != SITE_MEAN_FEED ||
 	       error_set(error, ERROR_USAGE,
 		   "%s has no feed sampled at %g m/s\n"
@@ -30,7 +30,7 @@ feed_find_sampled(
 }
 
 double
-feed_speed(const struct site *site, size_t run)
+feed_sampling_speed(const struct site *site, size_t run)
 {
 	return run < site->n_run && site->run[run].speed >= 0
 		   ? site->run[run].speed
@@ -40,7 +40,7 @@ feed_speed(const struct site *site, size_t run)
 /* True if a run is a cut that was added without a feed and has a copy of that
  * of another run. */
 static bool
-has_feed_of_another(const struct site *site, size_t run)
+has_feed_of_other_run(const struct site *site, size_t run)
 {
 	if (cut_find_note(site, run) == NULL)
 		return false;
@@ -54,44 +54,49 @@ has_feed_of_another(const struct site *site, size_t run)
 /* "69, 74, 79": each speed once at which a feed was sampled, in rpm of a rotor
  * unless its diameter is 0. */
 static char *
-sampled_speeds(const struct site *site, double diameter)
+format_sampling_speeds(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].speed > 0 && !site_run_repeats(site, r) &&
-		    !has_feed_of_another(site, r))
-			xlist(&speeds, ", ", diameter > 0 ? "%.0f" : "%g",
-			    diameter > 0
-				? rotor_speed_rpm(site->run[r].speed, diameter)
-				: site->run[r].speed);
+		if (site->run[r].speed > 0 &&
+		    !site_run_repeats_speed(site, r) &&
+		    !has_feed_of_other_run(site, r))
+			xappend_to_list(&speeds, ", ",
+			    diameter > 0 ? "%.0f" : "%g",
+			    diameter > 0 ? rotor_speed_to_rpm(
+					       site->run[r].speed, diameter)
+					 : site->run[r].speed);
 	return speeds;
 }
 
 static char *
-sampled_words(const struct site *site, double speed, const char *repeat)
+describe_sampling_speed(
+    const struct site *site, double speed, const char *repeat)
 {
-	FREED char *rpm = rotor_speed_words(site_run_rotor(site), speed, NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(site_run_rotor(site), speed, NAN);
 	return xasprintf(tr("sampled at %g m/s%s%s"), speed, repeat, rpm);
 }
 
 char *
-feed_words(const struct site *site, size_t run)
+feed_describe(const struct site *site, size_t run)
 {
 	double sieve, most;
-	bool other = site_run_at(site, SITE_OTHER_FEED) < site->n_run;
+	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other)
 		return NULL;
 	if (run < site->n_run && site->run[run].feed_speed > 0)
-		return sampled_words(site, site->run[run].feed_speed, "");
+		return describe_sampling_speed(
+		    site, site->run[run].feed_speed, "");
 	if (run < site->n_run)
-		return sampled_words(
+		return describe_sampling_speed(
 		    site, site->run[run].speed, site->run[run].repeat);
-	most = site_feeds_differ(site, &sieve);
+	most = site_largest_feed_difference(site, &sieve);
 	if (!(most > 0))
 		return NULL;
-	FREED char *speeds = sampled_speeds(site, 0);
+	FREED char *speeds = format_sampling_speeds(site, 0);
 	double rotor = site_run_rotor(site);
-	FREED char *list = sampled_speeds(site, rotor);
+	FREED char *list = format_sampling_speeds(site, rotor);
 	FREED char *rpm =
 	    rotor > 0 ? xasprintf(tr(" (%s rpm)"), list) : xstrdup("");
 	return xasprintf(tr("mean of those sampled at %s m/s%s, which "
@@ -100,10 +105,10 @@ feed_words(const struct site *site, size_t run)
 }
 
 void
-feed_note(struct answer *r, const struct site *site, size_t run,
+feed_add_note(struct answer *r, const struct site *site, size_t run,
     const char *whose, double moved)
 {
-	FREED char *words = feed_words(site, run);
+	FREED char *words = feed_describe(site, run);
 	if (words != NULL && whose != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed of %s: %s", whose, words);
 	} else if (words != NULL && moved > 0) {
@@ -119,9 +124,10 @@ feed_note(struct answer *r, const struct site *site, size_t run,
 }
 
 void
-feed_note_assumed(struct answer *r, const struct site *site, const char *whose)
+feed_note_assumed_top_size(
+    struct answer *r, const struct site *site, const char *whose)
 {
-	double top = site_assumed_top(site);
+	double top = site_assumed_top_size(site);
 	if (!(top > 0))
 		return;
 	answer_say(r, ANSWER_REMARK,

@@ -8,13 +8,13 @@
 #include "core/check/validate.h"
 
 bool
-fit_breaks_nothing(const struct fit *fit)
+fit_is_no_better_than_feed(const struct fit *fit)
 {
 	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
 }
 
 bool
-fit_too_few(const struct fit *fit)
+fit_has_too_few_data(const struct fit *fit)
 {
 	return fit->cells <= fit->parameters;
 }
@@ -25,7 +25,7 @@ fit_holdout_rmse(const struct entry *entry)
 	double largest = NAN;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] || misfit_count_covered(run) == 0)
+		if (entry->train[r] || misfit_count_covered_sieves(run) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->fit.params, entry->fit.settings, NULL);
@@ -35,7 +35,7 @@ fit_holdout_rmse(const struct entry *entry)
 }
 
 struct validation
-fit_outlier(const struct entry *entry)
+fit_find_outlier(const struct entry *entry)
 {
 	/* With noise of 0.5 points none of 38 sites has more than 1.9; of 77
 	 * products with two digits changed by 9 points, 67 have more than 4.
@@ -45,7 +45,7 @@ fit_outlier(const struct entry *entry)
 	struct validation farthest = {.worst_difference = 0};
 	for (size_t r = 0; entry->has_fit && r < entry->site->n_run; r++) {
 		const struct run *run = &entry->site->run[r];
-		if (misfit_count_covered(run) == 0)
+		if (misfit_count_covered_sieves(run) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->fit.params, entry->fit.settings, NULL);
@@ -59,16 +59,17 @@ fit_outlier(const struct entry *entry)
 void
 fit_put_params(struct fields *o, const struct params *p)
 {
-	const struct breakage *of = breakage_of(p);
-	struct fields *params = fields_object(o, "params");
+	const struct breakage *of = breakage_model_of_params(p);
+	struct fields *params = fields_add_object(o, "params");
 	if (of->gauge > 0)
-		fields_numbers(params, of->gauge_name, p->at, of->gauge, NULL);
+		fields_put_numbers(
+		    params, of->gauge_name, p->at, of->gauge, NULL);
 	for (size_t j = of->gauge; j < of->n; j++)
-		fields_number(params, of->parameter[j].name, p->at[j]);
+		fields_put_number(params, of->parameter[j].name, p->at[j]);
 }
 
 bool
-fit_is_flat(const struct fit *fit, size_t j)
+fit_is_param_in_flat_direction(const struct fit *fit, size_t j)
 {
 	const double worth_saying = 0.05, part_of_it = 0.25;
 	return fit->flat.reach >= worth_saying &&
@@ -76,7 +77,7 @@ fit_is_flat(const struct fit *fit, size_t j)
 }
 
 bool
-fit_settings_agree(
+fit_check_settings_agree(
     const struct model_settings *settings, size_t breakage, struct error *error)
 {
 	const struct breakage *of = BREAKAGES[breakage];
@@ -94,33 +95,34 @@ fit_settings_agree(
 }
 
 void
-fit_param_band(const struct posterior *p, const struct session *s,
+fit_compute_param_band(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2])
 {
 	double value[POSTERIOR_DRAWS];
-	const char *name = breakage_of(fit)->parameter[j].name;
+	const char *name = breakage_model_of_params(fit)->parameter[j].name;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		value[d] = params_value(&p->draw[d].params, name);
-	ensemble_interval(value, settings_level(&s->set), &range[0], &range[1]);
+		value[d] = params_value_by_name(&p->draw[d].params, name);
+	ensemble_middle_interval(
+	    value, settings_band_probability(&s->set), &range[0], &range[1]);
 	/* Of these only the direction counts, which no range shows. */
-	if (j < breakage_of(fit)->gauge)
+	if (j < breakage_model_of_params(fit)->gauge)
 		range[0] = range[1] = NAN;
 }
 
 void
-fit_put_bands(struct fields *o, const struct session *s,
+fit_put_param_bands(struct fields *o, const struct session *s,
     const struct posterior *posterior, const struct params *fit)
 {
-	const struct breakage *of = breakage_of(fit);
+	const struct breakage *of = breakage_model_of_params(fit);
 	if (posterior == NULL) {
 		fields_put(o, "interval %g", NAN);
 		return;
 	}
-	struct fields *interval = fields_object(o, "interval");
+	struct fields *interval = fields_add_object(o, "interval");
 	for (size_t j = of->gauge; j < of->n; j++) {
 		double range[2];
-		fit_param_band(posterior, s, fit, j, range);
-		fields_put(fields_list(interval, of->parameter[j].name),
+		fit_compute_param_band(posterior, s, fit, j, range);
+		fields_put(fields_add_list(interval, of->parameter[j].name),
 		    "%g %g", range[0], range[1]);
 	}
 }

@@ -9,11 +9,11 @@
 #include "core/check/trust.h"
 
 /* True if the fit explains little that product = feed does not. */
-bool fit_breaks_nothing(const struct fit *fit);
+bool fit_is_no_better_than_feed(const struct fit *fit);
 
 /* True if parameter j is part of a notable flat direction, along which the
  * misfit hardly rises. */
-bool fit_is_flat(const struct fit *fit, size_t j);
+bool fit_is_param_in_flat_direction(const struct fit *fit, size_t j);
 
 /* Returns the largest RMSE, 0..1, of the entry's fit on held-out runs, or NAN
  * if there are none. */
@@ -21,29 +21,30 @@ double fit_holdout_rmse(const struct entry *entry);
 
 /* Returns the product cell (worst_sieve) furthest from the entry's fit, if
  * further than a careful sample would be; otherwise worst_difference is 0. */
-struct validation fit_outlier(const struct entry *entry);
+struct validation fit_find_outlier(const struct entry *entry);
 
 /* Returns false with an error if an appearance other than ratio is combined
  * with a method other than classes. */
-bool fit_settings_agree(const struct model_settings *settings, size_t breakage,
-    struct error *error);
+bool fit_check_settings_agree(const struct model_settings *settings,
+    size_t breakage, struct error *error);
 
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(struct fields *o, const struct params *p);
 
-/* fit_param_band computes the middle range of the draws for parameter j of the
- * fit's model: NAN for a parameter in the gauge, where only the direction
- * matters.  fit_put_bands puts the ranges of the others as "interval":
+/* fit_compute_param_band computes the middle range of the draws for parameter j
+ * of the fit's model: NAN for a parameter in the gauge, where only the
+ * direction matters.  fit_put_param_bands puts the ranges of the others as
+ * "interval":
  * {"f_mat":[low, high], ..}, or null without draws. */
-void fit_param_band(const struct posterior *p, const struct session *s,
+void fit_compute_param_band(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2]);
-void fit_put_bands(struct fields *o, const struct session *s,
+void fit_put_param_bands(struct fields *o, const struct session *s,
     const struct posterior *posterior, const struct params *fit);
 
 /* True if the passings compared do not outnumber the parameters searched: such
  * a fit matches any noise, so it is not called good and has no band.  Beta
  * counts as four numbers, as reported, although its scale is free: one passing
  * to spare would not reveal noise either. */
-bool fit_too_few(const struct fit *fit);
+bool fit_has_too_few_data(const struct fit *fit);
 
 #endif

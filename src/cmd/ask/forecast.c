@@ -27,8 +27,8 @@ forecast_open(const struct session *s, const struct question *q,
     const struct quantity *quantity, size_t n)
 {
 	const struct entry *entry = q->entry;
-	const struct psd *feed = site_feed(entry->site, q->feed);
-	struct psd sizes = predict_sizes(entry->site, feed);
+	const struct psd *feed = site_feed_of_run(entry->site, q->feed);
+	struct psd sizes = predict_table_sizes(entry->site, feed);
 	struct forecast *f = xcalloc(1, sizeof *f);
 	*f = (struct forecast){.s = s,
 	    .entry = entry,
@@ -36,18 +36,18 @@ forecast_open(const struct session *s, const struct question *q,
 	    .params = q->params != NULL ? q->params : &entry->params,
 	    .level = q->level};
 	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
-	    f->params, outlook_settings(s, entry));
+	    f->params, outlook_model_settings(s, entry));
 	psd_free(&sizes);
 	return f;
 }
 
 struct forecast *
-forecast_table(const struct session *s, const struct question *q)
+forecast_open_table(const struct session *s, const struct question *q)
 {
 	const struct site *site = q->entry->site;
 	size_t n;
-	FREED struct quantity *asked = predict_quantities(
-	    site, site_feed(site, q->feed), &q->fraction, &n);
+	FREED struct quantity *asked = predict_table_quantities(
+	    site, site_feed_of_run(site, q->feed), &q->fraction, &n);
 	return forecast_open(s, q, asked, n);
 }
 
@@ -61,62 +61,64 @@ forecast_close(struct forecast *f)
 }
 
 void
-forecast_part_at(struct forecast *f, double speed, enum ensemble_part part)
+forecast_set_speed_and_draws(
+    struct forecast *f, double speed, enum ensemble_part part)
 {
 	struct ensemble *e =
 	    outlook_posterior_for_answers(f->s, f->entry, f->params) != NULL
-		? outlook_ensemble(f->s, f->entry, f->feed)
+		? outlook_ensemble_of_products(f->s, f->entry, f->feed)
 		: NULL;
-	response_at(f->response, e, part, speed);
+	response_set_speed(f->response, e, part, speed);
 }
 
 void
-forecast_at(struct forecast *f, double speed)
+forecast_set_speed(struct forecast *f, double speed)
 {
-	forecast_part_at(f, speed, ENSEMBLE_ANSWER);
+	forecast_set_speed_and_draws(f, speed, ENSEMBLE_ANSWER);
 }
 
 struct figure
-forecast_figure(const struct forecast *f, size_t i)
+forecast_value_with_band(const struct forecast *f, size_t i)
 {
 	double range[2];
-	response_band(f->response, i, f->level, range);
+	response_band_of_quantity(f->response, i, f->level, range);
 	return (struct figure){
-	    response_value(f->response, i), range[0], range[1]};
+	    response_value_of_quantity(f->response, i), range[0], range[1]};
 }
 
 struct figure
-forecast_shown(const struct forecast *f, size_t i)
+forecast_value_in_shown_unit(const struct forecast *f, size_t i)
 {
 	const struct quantity *q = response_quantity(f->response, i);
-	struct figure at = forecast_figure(f, i);
-	return (struct figure){quantities_shown(q, at.value),
-	    quantities_shown(q, at.low), quantities_shown(q, at.high)};
+	struct figure at = forecast_value_with_band(f, i);
+	return (struct figure){quantities_value_in_shown_unit(q, at.value),
+	    quantities_value_in_shown_unit(q, at.low),
+	    quantities_value_in_shown_unit(q, at.high)};
 }
 
 double
-forecast_model(struct forecast *f, size_t i)
+forecast_value_of_model_alone(struct forecast *f, size_t i)
 {
-	return response_model(f->response, i);
+	return response_value_of_model(f->response, i);
 }
 
 const double *
 forecast_draws(const struct forecast *f, size_t i)
 {
-	return response_draws(f->response, i);
+	return response_draws_of_quantity(f->response, i);
 }
 
 double
-forecast_excess(struct forecast *f, size_t i, double limit)
+forecast_excess_over_limit(struct forecast *f, size_t i, double limit)
 {
-	return response_excess(f->response, i, limit);
+	return response_excess_over_limit(f->response, i, limit);
 }
 
 void
-forecast_excess_draws(struct forecast *f, size_t i, double limit,
+forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
-	response_excess_draws(f->response, i, limit, over);
+	response_excess_of_draws(f->response, i, limit, over);
 }
 
 struct figure
@@ -130,8 +132,8 @@ forecast_difference(
 		more[d] = b[d] - a[d];
 	if (a != NULL && b != NULL)
 		ensemble_interval_with_answer(more, one->level, NAN, range);
-	return (struct figure){
-	    response_value(two->response, i) - response_value(one->response, i),
+	return (struct figure){response_value_of_quantity(two->response, i) -
+				   response_value_of_quantity(one->response, i),
 	    range[0], range[1]};
 }
 
@@ -139,8 +141,8 @@ struct prediction
 forecast_product(
     const struct session *s, const struct question *q, double speed)
 {
-	struct forecast *f = forecast_table(s, q);
-	forecast_at(f, speed);
+	struct forecast *f = forecast_open_table(s, q);
+	forecast_set_speed(f, speed);
 	struct prediction p = predict_table(
 	    q->entry->site, q->feed, &q->fraction, f->response, f->level);
 	forecast_close(f);

@@ -21,36 +21,37 @@ struct forecast *forecast_open(const struct session *s,
 void forecast_close(struct forecast *f);
 
 /* Opens a forecast of the quantities in a table of the question's product, in
- * the order of predict_quantities. */
-struct forecast *forecast_table(
+ * the order of predict_table_quantities. */
+struct forecast *forecast_open_table(
     const struct session *s, const struct question *q);
 
 /* Moves the forecast to a speed, m/s. */
-void forecast_at(struct forecast *f, double speed);
+void forecast_set_speed(struct forecast *f, double speed);
 
-/* As forecast_at, but with the draws of one more sample or of the model alone.
- * Values are still those of the answer; bands are those of the draws and need
- * not contain the values. */
-void forecast_part_at(
+/* As forecast_set_speed, but with the draws of one more sample or of the model
+ * alone. Values are still those of the answer; bands are those of the draws and
+ * need not contain the values. */
+void forecast_set_speed_and_draws(
     struct forecast *f, double speed, enum ensemble_part part);
 
-/* forecast_figure returns quantity i in its own unit, forecast_shown in the one
- * that people see (quantities_shown). */
-struct figure forecast_figure(const struct forecast *f, size_t i);
-struct figure forecast_shown(const struct forecast *f, size_t i);
+/* forecast_value_with_band returns quantity i in its own unit,
+ * forecast_value_in_shown_unit in the one that people see
+ * (quantities_value_in_shown_unit). */
+struct figure forecast_value_with_band(const struct forecast *f, size_t i);
+struct figure forecast_value_in_shown_unit(const struct forecast *f, size_t i);
 
 /* Returns quantity i of the model alone. */
-double forecast_model(struct forecast *f, size_t i);
+double forecast_value_of_model_alone(struct forecast *f, size_t i);
 
 /* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed,
  * or NULL if the answer is the model alone or before the first move. */
 const double *forecast_draws(const struct forecast *f, size_t i);
 
-/* Compute how far quantity i is above a limit (quantity_excess):
- * forecast_excess in the answer, forecast_excess_draws in each draw.  Call them
- * before another forecast moves. */
-double forecast_excess(struct forecast *f, size_t i, double limit);
-void forecast_excess_draws(struct forecast *f, size_t i, double limit,
+/* Compute how far quantity i is above a limit (quantity_excess_over_limit):
+ * forecast_excess_over_limit in the answer, forecast_excess_of_draws in each
+ * draw.  Call them before another forecast moves. */
+double forecast_excess_over_limit(struct forecast *f, size_t i, double limit);
+void forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Returns quantity i of the second forecast minus that of the first, each at

@@ -28,7 +28,7 @@ goals_is_set(const struct session *s)
 }
 
 void
-goals_clear(struct goal *g)
+goals_discard_results(struct goal *g)
 {
 	conditions_free(&g->list);
 	speed_search_free(g->found);
@@ -41,9 +41,9 @@ goals_clear(struct goal *g)
 bool
 goals_is_condition(const char *text)
 {
-	FREED char *extreme = conditions_extreme(text);
+	FREED char *extreme = conditions_rewrite_superlative(text);
 	return extreme != NULL || text[strcspn(text, "<>=%")] != '\0' ||
-	       quantities_begins(text);
+	       quantities_is_beginning_of_text(text);
 }
 
 static bool
@@ -55,14 +55,14 @@ is_single_value(const struct condition *c)
 /* An envelope's limits of 100 to 100 % and 0 to 0 % are no single values: what
  * rounds to them will do, and no more is there. */
 static bool
-read_spec(struct session *s, const char *name, const struct psd *feed,
-    struct condition_list *list, struct error *error)
+add_limits_of_named_envelope(struct session *s, const char *name,
+    const struct psd *feed, struct condition_list *list, struct error *error)
 {
-	const struct spec *spec = grading_spec(s, name, error);
+	const struct spec *spec = grading_find_envelope(s, name, error);
 	size_t i = list->n;
 	bool ok = spec != NULL &&
 		  (feed == NULL ||
-		      conditions_add_spec(spec, &WHOLE, feed, list, error));
+		      conditions_add_envelope(spec, &WHOLE, feed, list, error));
 	for (; ok && i < list->n; i++) {
 		struct condition *c = &list->at[i];
 		if (is_single_value(c) && c->least > 0)
@@ -77,14 +77,14 @@ read_spec(struct session *s, const char *name, const struct psd *feed,
 
 /* Adds one to the list, on that feed. */
 static bool
-read_condition_or_envelope(struct session *s, const char *text,
+parse_condition_or_envelope(struct session *s, const char *text,
     const struct psd *feed, struct condition_list *list, struct error *error)
 {
 	struct condition c;
 	if (!goals_is_condition(text))
-		return read_spec(s, text, feed, list, error);
-	if (!conditions_read(text, &WHOLE, &c, error) ||
-	    (feed != NULL && !conditions_check_covered(&c, feed, error)))
+		return add_limits_of_named_envelope(s, text, feed, list, error);
+	if (!conditions_parse_one(text, &WHOLE, &c, error) ||
+	    (feed != NULL && !conditions_check_feed_covers(&c, feed, error)))
 		return false;
 	conditions_add(list, c);
 	return true;
@@ -92,7 +92,7 @@ read_condition_or_envelope(struct session *s, const char *text,
 
 /* The single value goes last: what is before it is a window's. */
 static bool
-put_value_last(
+move_single_value_last(
     struct condition_list *list, size_t *n_value, struct error *error)
 {
 	size_t at = 0;
@@ -116,24 +116,24 @@ put_value_last(
 }
 
 bool
-goals_read(struct session *s, const char *text, const struct psd *feed,
+goals_parse(struct session *s, const char *text, const struct psd *feed,
     struct condition_list *list, size_t *n_value, struct error *error)
 {
 	for (const char *at = text; *at != '\0';) {
-		size_t length = conditions_length(at);
+		size_t length = conditions_length_of_first(at);
 		char *copy = xstrndup(at, length), *word = text_trim(copy);
-		bool ok = word[0] == '\0' || read_condition_or_envelope(
+		bool ok = word[0] == '\0' || parse_condition_or_envelope(
 						 s, word, feed, list, error);
 		free(copy);
 		if (!ok)
 			return false;
 		at += length + (at[length] != '\0');
 	}
-	return put_value_last(list, n_value, error);
+	return move_single_value_last(list, n_value, error);
 }
 
 bool
-goals_search_done(const struct session *s, const struct goal *g)
+goals_is_search_done(const struct session *s, const struct goal *g)
 {
 	return goals_is_set(s) && g->found != NULL &&
 	       g->found->done == g->found->n;
@@ -142,7 +142,7 @@ goals_search_done(const struct session *s, const struct goal *g)
 /* The speeds at which the single value is met, and the end that misses it
  * least. */
 static void
-find_met_speeds(struct goal *g, const struct wanted *w)
+find_speeds_that_meet_goal(struct goal *g, const struct wanted *w)
 {
 	double least = INFINITY;
 	g->met = xcalloc(g->found->n_root + 1, sizeof *g->met);
@@ -151,9 +151,9 @@ find_met_speeds(struct goal *g, const struct wanted *w)
 			g->met[g->n_met++] = g->found->root[k].speed;
 	for (size_t k = 0; k < 2; k++) {
 		double v = k == 0 ? w->from : w->to;
-		forecast_at(w->forecast, v);
-		double miss =
-		    fabs(forecast_excess(w->forecast, w->n, w->target->least));
+		forecast_set_speed(w->forecast, v);
+		double miss = fabs(forecast_excess_over_limit(
+		    w->forecast, w->n, w->target->least));
 		if (!(miss >= least)) {
 			least = miss;
 			g->nearest = v;
@@ -164,7 +164,7 @@ find_met_speeds(struct goal *g, const struct wanted *w)
 /* A speed at which one can see what binds: where a window ends within the
  * speeds looked at, or the best. */
 static double
-speed_that_shows_binding(
+speed_at_binding_limit(
     const struct goal *g, double best, double from, double to)
 {
 	for (size_t i = 0; i < g->found->n_inside && g->n_value == 0; i++) {
@@ -177,17 +177,18 @@ speed_that_shows_binding(
 
 /* What a condition misses, with as many digits as show it. */
 static char *
-missed_condition_words(const struct condition *c, double value, bool most)
+describe_missed_condition(const struct condition *c, double value, bool most)
 {
 	const struct quantity *q = &c->quantity;
 	const char *unit = quantities_unit(q);
-	double bound = quantities_shown(q, most ? c->most : c->least);
-	char *name = quantities_words(q), number[32], edge[32];
+	double bound =
+	    quantities_value_in_shown_unit(q, most ? c->most : c->least);
+	char *name = quantities_name(q), number[32], edge[32];
 	int digits = 3;
 	snprintf(edge, sizeof edge, "%g", bound);
 	do
 		snprintf(number, sizeof number, "%.*g", digits++,
-		    quantities_shown(q, value));
+		    quantities_value_in_shown_unit(q, value));
 	while (strcmp(number, edge) == 0 && digits < 9);
 	char *words = xasprintf(
 	    "%s %s%s%s", name, number, unit[0] != '\0' ? " " : "", unit);
@@ -200,62 +201,63 @@ missed_condition_words(const struct condition *c, double value, bool most)
 /* Which condition binds, and what misses most where the goal is met at no
  * speed. */
 static void
-find_binding(const struct session *s, const struct entry *entry, struct goal *g,
-    struct wanted all)
+find_binding_condition(const struct session *s, const struct entry *entry,
+    struct goal *g, struct wanted all)
 {
-	double best = goals_best(s, g, answers_usual_speed(entry));
+	double best = goals_best_speed(s, g, answers_default_speed(entry));
 	bool met = g->n_met > 0 || (g->n_value == 0 && g->found->n_inside > 0);
-	double at = speed_that_shows_binding(g, best, all.from, all.to);
+	double at = speed_at_binding_limit(g, best, all.from, all.to);
 	all.n = g->list.n;
 	if (isnan(at))
 		return;
-	forecast_at(all.forecast, at);
-	struct margin margin = wanted_margin(&all, SIZE_MAX);
+	forecast_set_speed(all.forecast, at);
+	struct margin margin = wanted_margin_of_condition(&all, SIZE_MAX);
 	if (!isfinite(margin.passing))
 		return;
 	g->binds = margin.limit.i;
 	if (!met)
-		g->missed = missed_condition_words(&g->list.at[g->binds],
-		    forecast_figure(all.forecast, g->binds).value,
+		g->missed = describe_missed_condition(&g->list.at[g->binds],
+		    forecast_value_with_band(all.forecast, g->binds).value,
 		    margin.limit.most);
 }
 
 /* What is set is read again: another feed may not tell of it. */
 static void
-goals_begin(
+begin_goal_search(
     struct session *s, const struct site *site, struct goal *g, size_t feed)
 {
 	struct error error = {0};
-	goals_clear(g);
+	goals_discard_results(g);
 	g->feed = feed;
 	g->nearest = NAN;
-	if (!goals_read(s, s->set.goal, site_feed(site, feed), &g->list,
+	if (!goals_parse(s, s->set.goal, site_feed_of_run(site, feed), &g->list,
 		&g->n_value, &error))
 		g->why = xstrdup(error.text);
 }
 
 bool
-goals_need_search(const struct session *s, const struct goal *g, size_t feed)
+goals_is_search_needed(
+    const struct session *s, const struct goal *g, size_t feed)
 {
 	bool begun = g->feed == feed && (g->why != NULL || g->found != NULL);
 	return goals_is_set(s) &&
-	       (!begun || (g->why == NULL && !goals_search_done(s, g)));
+	       (!begun || (g->why == NULL && !goals_is_search_done(s, g)));
 }
 
 void
-goals_step(
+goals_step_search(
     struct session *s, const struct entry *entry, struct goal *g, size_t feed)
 {
-	if (!goals_need_search(s, g, feed))
+	if (!goals_is_search_needed(s, g, feed))
 		return;
 	if (g->found == NULL || g->feed != feed)
-		goals_begin(s, entry->site, g, feed);
+		begin_goal_search(s, entry->site, g, feed);
 	if (g->why != NULL)
 		return;
 	struct question q = question_of_whole_product(s, entry, feed);
 	struct condition_list ranges = {
 	    .n = g->list.n - g->n_value, .at = g->list.at};
-	struct wanted w = conditions_open(
+	struct wanted w = conditions_open_search(
 	    s, &q, &ranges, g->n_value > 0 ? &g->list.at[ranges.n] : NULL);
 	if (g->found == NULL)
 		g->found = speed_search_new(&w);
@@ -263,16 +265,16 @@ goals_step(
 	for (int k = 0; k < PART && !done; k++)
 		done = speed_search_step(g->found, &w);
 	if (done && g->n_value > 0)
-		find_met_speeds(g, &w);
+		find_speeds_that_meet_goal(g, &w);
 	if (done)
-		find_binding(s, entry, g, w);
+		find_binding_condition(s, entry, g, w);
 	forecast_close(w.forecast);
 }
 
 double
-goals_best(const struct session *s, const struct goal *g, double speed)
+goals_best_speed(const struct session *s, const struct goal *g, double speed)
 {
-	if (!goals_search_done(s, g))
+	if (!goals_is_search_done(s, g))
 		return NAN;
 	if (g->n_value == 0)
 		return g->found->best;
@@ -289,17 +291,18 @@ goals_best(const struct session *s, const struct goal *g, double speed)
  * "from 67.2 on".  at: "at" before two ends; site: with units, and in rpm if it
  * states the rotor; NULL: without. */
 static char *
-range_words(const struct speed_search *found, double from, double to, bool at,
-    const struct site *site)
+describe_speed_range(const struct speed_search *found, double from, double to,
+    bool at, const struct site *site)
 {
 	bool slowest = from <= found->speed[0],
 	     fastest = to >= found->speed[found->n - 1];
 	if (slowest && fastest)
 		return xstrdup(tr("at all speeds"));
 	FREED char *rpm =
-	    site != NULL ? rotor_speed_words(site->rotor, slowest ? to : from,
-			       slowest || fastest ? (double)NAN : to)
-			 : xstrdup("");
+	    site != NULL
+		? rotor_speed_rpm_text(site->rotor, slowest ? to : from,
+		      slowest || fastest ? (double)NAN : to)
+		: xstrdup("");
 	FREED char *unit = xasprintf("%s%s", site != NULL ? " m/s" : "", rpm);
 	return slowest   ? xasprintf(tr("up to %.1f%s"), to, unit)
 	       : fastest ? xasprintf(tr("from %.1f%s on"), from, unit)
@@ -310,20 +313,23 @@ range_words(const struct speed_search *found, double from, double to, bool at,
 
 /* "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6"; "" where it is met nowhere. */
 static char *
-met_speeds_words(const struct goal *g, const struct site *site)
+describe_met_speeds(const struct goal *g, const struct site *site)
 {
 	const double narrow = 0.09;
 	const struct speed_range *in = g->found->inside;
 	if (g->n_value == 0 && g->found->n_inside == 1 &&
 	    in->to - in->from > narrow)
-		return range_words(g->found, in->from, in->to, true, site);
-	FREED char *words =
-	    g->n_value == 0 ? conditions_speeds_words(g->found) : xstrdup("");
+		return describe_speed_range(
+		    g->found, in->from, in->to, true, site);
+	FREED char *words = g->n_value == 0
+				? conditions_describe_speeds(g->found)
+				: xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
-		xlist(&words, tr(" and "), "%.1f", g->met[i]);
-	FREED char *rpm = site != NULL && g->n_met == 1
-			      ? rotor_speed_words(site->rotor, g->met[0], NAN)
-			      : xstrdup("");
+		xappend_to_list(&words, tr(" and "), "%.1f", g->met[i]);
+	FREED char *rpm =
+	    site != NULL && g->n_met == 1
+		? rotor_speed_rpm_text(site->rotor, g->met[0], NAN)
+		: xstrdup("");
 	return words[0] == '\0' ? xstrdup("")
 				: xasprintf(tr("at %s%s%s"), words,
 				      site != NULL ? " m/s" : "", rpm);
@@ -342,10 +348,10 @@ is_window_certain(const struct goal *g)
  * at which it is met; "" of a single value, without a band, and where it is met
  * nowhere. */
 static char *
-certain_words(
+describe_certain_speeds(
     const struct session *s, const struct goal *g, enum goals_length length)
 {
-	double level = 100 * settings_level(&s->set);
+	double level = 100 * settings_band_probability(&s->set);
 	const double *sure = g->found->sure;
 	if (g->n_value > 0 || g->found->n_inside == 0 ||
 	    isnan(g->found->best_certain))
@@ -355,21 +361,24 @@ certain_words(
 	if (!isfinite(sure[0]))
 		return xasprintf(tr("no speed is %.0f %% certain"), level);
 	FREED char *range =
-	    range_words(g->found, sure[0], sure[1], false, NULL);
+	    describe_speed_range(g->found, sure[0], sure[1], false, NULL);
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
 /* What of it lies beyond the speeds that were measured; "" where nothing
  * does. */
 static const char *
-beyond_words(const struct entry *entry, const struct goal *g, double best)
+describe_extrapolation(
+    const struct entry *entry, const struct goal *g, double best)
 {
 	bool window = g->n_value == 0 && g->found->n_inside > 0;
-	if (isfinite(best) && answers_extrapolates(entry, best))
+	if (isfinite(best) && answers_is_speed_extrapolated(entry, best))
 		return window ? N_("best extrapolated") : N_("extrapolated");
 	for (size_t i = 0; i < g->found->n_inside && window; i++)
-		if (answers_extrapolates(entry, g->found->inside[i].from) ||
-		    answers_extrapolates(entry, g->found->inside[i].to))
+		if (answers_is_speed_extrapolated(
+			entry, g->found->inside[i].from) ||
+		    answers_is_speed_extrapolated(
+			entry, g->found->inside[i].to))
 			return N_("partly extrapolated");
 	return "";
 }
@@ -389,21 +398,21 @@ met_nowhere_words(const struct site *site, const struct goal *g, double best,
 	char *words = xasprintf(tr("at no speed from %s"), range);
 	if (isfinite(best))
 		xappend(&words, tr(", nearest %.*f"), in_rpm ? 0 : 1,
-		    in_rpm ? rotor_speed_rpm(best, site->rotor) : best);
+		    in_rpm ? rotor_speed_to_rpm(best, site->rotor) : best);
 	return words;
 }
 
 /* Where it is met, with how far to trust that, or in brief only where it is
  * certain; the nearest speed where it is not met. */
 static char *
-outcome_words(const struct session *s, const struct entry *entry,
+describe_goal_outcome(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length < GOALS_PLAIN;
-	double best = goals_best(s, g, speed);
-	const char *beyond = beyond_words(entry, g, best);
-	FREED char *certain = certain_words(s, g, length);
-	char *words = met_speeds_words(g, full ? entry->site : NULL);
+	double best = goals_best_speed(s, g, speed);
+	const char *beyond = describe_extrapolation(entry, g, best);
+	FREED char *certain = describe_certain_speeds(s, g, length);
+	char *words = describe_met_speeds(g, full ? entry->site : NULL);
 	if (words[0] == '\0') {
 		free(words);
 		words = met_nowhere_words(entry->site, g, best, length);
@@ -414,14 +423,14 @@ outcome_words(const struct session *s, const struct entry *entry,
 	if (told && !full && isfinite(g->found->sure[0]))
 		words[0] = '\0';
 	if (told)
-		xlist(&words, ", ", "%s", certain);
+		xappend_to_list(&words, ", ", "%s", certain);
 	if (beyond[0] != '\0' && length < GOALS_UNMARKED)
 		xappend(&words, ", %s", tr(beyond));
 	return words;
 }
 
 char *
-goals_words(const struct session *s, const struct entry *entry,
+goals_describe(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length == GOALS_FULL;
@@ -434,12 +443,12 @@ goals_words(const struct session *s, const struct entry *entry,
 	bool fitted = entry != NULL && entry->has_params;
 	if (!fitted && length != GOALS_SHORT)
 		return xasprintf(tr("goal: %s"), tr("after a calibration"));
-	if (!goals_search_done(s, g))
+	if (!goals_is_search_done(s, g))
 		return length == GOALS_SHORT
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	FREED char *end = outcome_words(s, entry, g, speed, length);
+	FREED char *end = describe_goal_outcome(s, entry, g, speed, length);
 	return full ? xasprintf(tr("goal %s: met %s"), text, end)
 		    : xasprintf(tr("goal %s"), end);
 }

@@ -33,24 +33,24 @@ bool goals_is_condition(const char *text);
 
 /* Parses conditions and names of envelopes, separated by commas, into an empty
  * list.  feed: must cover their sizes, unless NULL. */
-bool goals_read(struct session *s, const char *text, const struct psd *feed,
+bool goals_parse(struct session *s, const char *text, const struct psd *feed,
     struct condition_list *list, size_t *n_value, struct error *error);
 
 /* Discards what was computed. */
-void goals_clear(struct goal *goal);
+void goals_discard_results(struct goal *goal);
 
-/* goals_search_done: true if the search has ended; goals_need_search: true if
- * part of the search for the feed of a run remains; goals_step: does one part,
- * in a few ms. */
-bool goals_search_done(const struct session *s, const struct goal *goal);
-bool goals_need_search(
+/* goals_is_search_done: true if the search has ended; goals_is_search_needed:
+ * true if part of the search for the feed of a run remains; goals_step_search:
+ * does one part, in a few ms. */
+bool goals_is_search_done(const struct session *s, const struct goal *goal);
+bool goals_is_search_needed(
     const struct session *s, const struct goal *goal, size_t feed);
-void goals_step(struct session *s, const struct entry *entry, struct goal *goal,
-    size_t feed);
+void goals_step_search(struct session *s, const struct entry *entry,
+    struct goal *goal, size_t feed);
 
 /* Returns the best speed, the nearest to `speed` of several, or NAN if not
  * known. */
-double goals_best(
+double goals_best_speed(
     const struct session *s, const struct goal *goal, double speed);
 
 /* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met up to 75.6 m/s, 80 %
@@ -68,7 +68,7 @@ enum goals_length {
 	GOALS_SHORT,
 	GOALS_LENGTHS
 };
-char *goals_words(const struct session *s, const struct entry *entry,
+char *goals_describe(const struct session *s, const struct entry *entry,
     const struct goal *goal, double speed, enum goals_length length);
 
 #endif

@@ -27,13 +27,13 @@ struct moved {
 };
 
 struct moved *
-moved_new(void)
+moved_new_cache(void)
 {
 	return xcalloc(1, sizeof(struct moved));
 }
 
 static void
-moved_clear(struct moved *m)
+clear_cache_of_products(struct moved *m)
 {
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
@@ -43,17 +43,17 @@ moved_clear(struct moved *m)
 }
 
 void
-moved_free(struct moved *m)
+moved_free_cache(struct moved *m)
 {
 	if (m == NULL)
 		return;
-	moved_clear(m);
+	clear_cache_of_products(m);
 	free(m);
 }
 
 /* Passings of sieves at a speed, formed of a feed. */
 static struct forecast *
-forecast_of_passings(const struct session *s, const struct question *q,
+open_forecast_of_passings(const struct session *s, const struct question *q,
     const struct psd *sieves, double speed)
 {
 	FREED struct quantity *asked = xcalloc(sieves->n, sizeof *asked);
@@ -61,30 +61,32 @@ forecast_of_passings(const struct session *s, const struct question *q,
 		asked[i] = (struct quantity){
 		    .kind = QUANTITY_PASSING, .x = sieves->size[i]};
 	struct forecast *f = forecast_open(s, q, asked, sieves->n);
-	forecast_at(f, speed);
+	forecast_set_speed(f, speed);
 	return f;
 }
 
 /* Passings stay between 0 and 1, and fall with the size. */
 static void
-move_product_to_feed(struct moved *m, const struct session *s,
+adjust_product_to_feed(struct moved *m, const struct session *s,
     const struct entry *entry, size_t run)
 {
 	const struct run *r = &entry->site->run[run];
 	struct psd *product = &m->product[run];
 	*product = psd_copy(&r->product);
-	if (product->n == 0 || psd_same(&r->feed, site_feed(m->site, m->feed)))
+	if (product->n == 0 ||
+	    psd_same(&r->feed, site_feed_of_run(m->site, m->feed)))
 		return;
 	struct question q = question_of_whole_product(s, entry, m->feed);
 	q.params = &m->params;
 	struct question own = q;
 	own.feed = run;
-	struct forecast *to = forecast_of_passings(s, &q, product, r->speed);
+	struct forecast *to =
+	    open_forecast_of_passings(s, &q, product, r->speed);
 	struct forecast *from =
-	    forecast_of_passings(s, &own, product, r->speed);
+	    open_forecast_of_passings(s, &own, product, r->speed);
 	for (size_t i = 0; i < product->n; i++) {
-		double more = forecast_figure(to, i).value -
-			      forecast_figure(from, i).value;
+		double more = forecast_value_with_band(to, i).value -
+			      forecast_value_with_band(from, i).value;
 		if (!isfinite(more))
 			more = 0;
 		double most = i > 0 ? product->passing[i - 1] : 1;
@@ -97,20 +99,20 @@ move_product_to_feed(struct moved *m, const struct session *s,
 }
 
 void
-moved_drop_cached(struct moved *m)
+moved_drop_cached_products(struct moved *m)
 {
-	moved_clear(m);
+	clear_cache_of_products(m);
 }
 
 static struct moved *
-moved_cache_for(const struct session *s, const struct entry *entry,
+product_cache_for_feed(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
 	struct moved *m = s->moved;
 	const struct site *site = entry->site;
 	const struct posterior *posterior =
 	    outlook_posterior_for_answers(s, entry, params);
-	struct model_settings settings = outlook_settings(s, entry);
+	struct model_settings settings = outlook_model_settings(s, entry);
 	const struct params *drawn =
 	    posterior != NULL ? &posterior->draw[0].params : params;
 	if (m->site == site && m->digest == site->digest &&
@@ -119,7 +121,7 @@ moved_cache_for(const struct session *s, const struct entry *entry,
 	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
 	    model_settings_same(&m->settings, &settings))
 		return m;
-	moved_clear(m);
+	clear_cache_of_products(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,
@@ -129,30 +131,32 @@ moved_cache_for(const struct session *s, const struct entry *entry,
 	    .feed = feed_run,
 	    .n = site->n_run,
 	    .product = xcalloc(site->n_run, sizeof *m->product),
-	    .most = xdoubles(site->n_run)};
+	    .most = xcalloc_doubles(site->n_run)};
 	return m;
 }
 
 const struct psd *
-moved_product(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t run, size_t feed_run)
+moved_product_adjusted_to_feed(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run,
+    size_t feed_run)
 {
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	struct moved *m = moved_cache_for(s, entry, params, feed_run);
+	struct moved *m = product_cache_for_feed(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
-		move_product_to_feed(m, s, entry, run);
+		adjust_product_to_feed(m, s, entry, run);
 	return &m->product[run];
 }
 
 double
-moved_largest(const struct session *s, const struct entry *entry,
-    const struct params *params, size_t run, size_t feed_run)
+moved_largest_feed_adjustment(const struct session *s,
+    const struct entry *entry, const struct params *params, size_t run,
+    size_t feed_run)
 {
 	const struct site *site = entry->site;
 	if (params == NULL || !site->individual_feeds || site->with[0] != '\0')
 		return 0;
-	moved_product(s, entry, params, run, feed_run);
+	moved_product_adjusted_to_feed(s, entry, params, run, feed_run);
 	return s->moved->most[run];
 }

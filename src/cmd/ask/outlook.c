@@ -16,13 +16,14 @@
 /* The runs of the calibration that inform an answer, [n_run], which the caller
  * frees, and the place where what they say is kept. */
 static bool *
-runs_that_inform(
+list_runs_that_inform(
     const struct history *h, enum correction correction, size_t *place)
 {
 	size_t n = h->site->n_run;
 	bool *use = xcalloc(n, sizeof *use), same = true;
 	for (size_t r = 0; r < n; r++) {
-		bool measured = misfit_count_covered(&h->site->run[r]) > 0;
+		bool measured =
+		    misfit_count_covered_sieves(&h->site->run[r]) > 0;
 		use[r] =
 		    h->train[r] || (correction == CORRECTION_ALL && measured);
 		same = same && use[r] == h->train[r];
@@ -34,21 +35,21 @@ runs_that_inform(
 /* Whether there is something to draw from, of a calibration that came to its
  * end. */
 static bool
-can_draw(const struct entry *entry)
+can_draw_posterior(const struct entry *entry)
 {
-	const struct fit *fit = origin_fit(entry);
-	return fit != NULL && !fit_too_few(fit) &&
+	const struct fit *fit = origin_find_fit(entry);
+	return fit != NULL && !fit_has_too_few_data(fit) &&
 	       fit->stop != CALIBRATE_STOPPED;
 }
 
 /* Begins to draw for a place of the history, or goes on: until all is drawn,
  * or `stop` says that somebody waits.  steps: at most so many, 0: all. */
 static void
-draw_some_steps(const struct session *s, const struct entry *entry,
+draw_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
 {
 	struct history *h = entry->origin->history;
-	const struct fit *fit = origin_fit(entry);
+	const struct fit *fit = origin_find_fit(entry);
 	if (h->drawing != NULL && h->drawn != place) {
 		posterior_free(posterior_end(h->drawing));
 		h->drawing = NULL;
@@ -81,26 +82,28 @@ draw_some_steps(const struct session *s, const struct entry *entry,
 
 /* The draws; NULL while they are not complete. */
 static const struct posterior *
-draws_if_complete(const struct session *s, const struct entry *entry,
+posterior_if_complete(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = runs_that_inform(h, correction, &place);
+	FREED bool *use = list_runs_that_inform(h, correction, &place);
 	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
-		history_draw_again(h, s->set.noise, s->set.draw_seed);
+		history_discard_draws(h, s->set.noise, s->set.draw_seed);
 	if (h->posterior[place] == NULL)
-		draw_some_steps(s, entry, use, place, steps);
+		draw_posterior_steps(s, entry, use, place, steps);
 	return h->posterior[place];
 }
 
 struct posterior *
-outlook_begin_draws(const struct session *s, const struct entry *entry)
+outlook_draw_training_posterior(
+    const struct session *s, const struct entry *entry)
 {
-	if (!can_draw(entry) || outlook_correction(s, entry) == CORRECTION_OFF)
+	if (!can_draw_posterior(entry) ||
+	    outlook_correcting_runs(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->history;
-	const struct fit *fit = origin_fit(entry);
+	const struct fit *fit = origin_find_fit(entry);
 	const struct posterior_options o = {.use = h->train,
 	    .settings = fit->settings,
 	    .bounds = h->bounds,
@@ -112,15 +115,16 @@ outlook_begin_draws(const struct session *s, const struct entry *entry)
 }
 
 const struct posterior *
-outlook_posterior(const struct session *s, const struct entry *entry,
-    enum correction correction)
+outlook_calibration_posterior(const struct session *s,
+    const struct entry *entry, enum correction correction)
 {
-	return can_draw(entry) ? draws_if_complete(s, entry, correction, 0)
-			       : NULL;
+	return can_draw_posterior(entry)
+		   ? posterior_if_complete(s, entry, correction, 0)
+		   : NULL;
 }
 
 enum correction
-outlook_correction(const struct session *s, const struct entry *entry)
+outlook_correcting_runs(const struct session *s, const struct entry *entry)
 {
 	return entry->variant != NULL ? entry->variant->correction
 				      : s->set.correction;
@@ -128,39 +132,40 @@ outlook_correction(const struct session *s, const struct entry *entry)
 
 /* The runs that inform the entry's answers. */
 static enum correction
-informing_correction(const struct session *s, const struct entry *entry)
+correcting_or_training_runs(const struct session *s, const struct entry *entry)
 {
-	return outlook_correction(s, entry) == CORRECTION_ALL
+	return outlook_correcting_runs(s, entry) == CORRECTION_ALL
 		   ? CORRECTION_ALL
 		   : CORRECTION_TRAIN;
 }
 
 bool
-outlook_draw_some_steps(const struct session *s, const struct entry *entry)
+outlook_draw_posterior_steps(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
-	return !can_draw(entry) ||
-	       draws_if_complete(
-		   s, entry, informing_correction(s, entry), STEPS) != NULL;
+	return !can_draw_posterior(entry) ||
+	       posterior_if_complete(s, entry,
+		   correcting_or_training_runs(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *
 outlook_posterior_for_comparison(
     const struct session *s, const struct entry *entry)
 {
-	return outlook_posterior(s, entry, informing_correction(s, entry));
+	return outlook_calibration_posterior(
+	    s, entry, correcting_or_training_runs(s, entry));
 }
 
 const struct evidence *
 outlook_evidence(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_fit(entry);
+	const struct fit *fit = origin_find_fit(entry);
 	if (fit == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use =
-	    runs_that_inform(h, informing_correction(s, entry), &place);
+	FREED bool *use = list_runs_that_inform(
+	    h, correcting_or_training_runs(s, entry), &place);
 	struct evidence **e = &h->evidence[place];
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	bool first = *e == NULL;
@@ -180,26 +185,26 @@ outlook_evidence_without_draws(
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use =
-	    runs_that_inform(h, informing_correction(s, entry), &place);
-	return trust_gather_evidence(h->site, h->train, use, origin_fit(entry),
-	    &h->bounds, NULL, s->set.noise);
+	FREED bool *use = list_runs_that_inform(
+	    h, correcting_or_training_runs(s, entry), &place);
+	return trust_gather_evidence(h->site, h->train, use,
+	    origin_find_fit(entry), &h->bounds, NULL, s->set.noise);
 }
 
 double
-outlook_feed_difference(
+outlook_nearest_feed_difference(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
 	const struct history *h = entry->origin->history;
 	double least = INFINITY;
 	size_t place;
-	FREED bool *use =
-	    runs_that_inform(h, informing_correction(s, entry), &place);
+	FREED bool *use = list_runs_that_inform(
+	    h, correcting_or_training_runs(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
-			least = fmin(
-			    least, trust_feed_difference(&h->site->run[r].feed,
-				       site_feed(entry->site, feed_run)));
+			least = fmin(least,
+			    trust_feed_difference(&h->site->run[r].feed,
+				site_feed_of_run(entry->site, feed_run)));
 	return least;
 }
 
@@ -207,20 +212,20 @@ static bool
 has_poor_fit(const struct session *s, const struct entry *entry)
 {
 	const struct evidence *e = outlook_evidence(s, entry);
-	return e != NULL && trust_without_band(e->rmse, e->speeds);
+	return e != NULL && trust_is_band_impossible(e->rmse, e->speeds);
 }
 
 /* Whether the settings are those of the fit. */
 static bool
 has_settings_of_fit(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_fit(entry);
+	const struct fit *fit = origin_find_fit(entry);
 	return fit != NULL &&
 	       model_settings_same(&s->set.model, &fit->settings);
 }
 
 struct model_settings
-outlook_settings(const struct session *s, const struct entry *entry)
+outlook_model_settings(const struct session *s, const struct entry *entry)
 {
 	struct model_settings settings = s->set.model;
 	const struct variant *v = entry->variant;
@@ -233,23 +238,24 @@ outlook_settings(const struct session *s, const struct entry *entry)
 
 /* What answers are drawn from; NULL: they are the model alone. */
 static const struct posterior *
-posterior_for_answers(const struct session *s, const struct entry *entry)
+posterior_unless_model_alone(const struct session *s, const struct entry *entry)
 {
-	bool off = outlook_correction(s, entry) == CORRECTION_OFF ||
-		   session_fitting(s) != NULL;
+	bool off = outlook_correcting_runs(s, entry) == CORRECTION_OFF ||
+		   session_entry_being_fitted(s) != NULL;
 	bool none =
 	    off || !has_settings_of_fit(s, entry) || has_poor_fit(s, entry);
 	return none ? NULL : outlook_posterior_for_comparison(s, entry);
 }
 
 const struct posterior *
-outlook_posterior_of_unseen(
+outlook_posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only)
 {
 	if (!has_settings_of_fit(s, entry) || has_poor_fit(s, entry))
 		return NULL;
-	return outlook_posterior(s, entry,
-	    training_only ? CORRECTION_TRAIN : informing_correction(s, entry));
+	return outlook_calibration_posterior(s, entry,
+	    training_only ? CORRECTION_TRAIN
+			  : correcting_or_training_runs(s, entry));
 }
 
 /* Whether these are the entry's own parameters. */
@@ -264,27 +270,28 @@ outlook_posterior_for_answers(const struct session *s,
     const struct entry *entry, const struct params *params)
 {
 	return are_params_of_entry(entry, params)
-		   ? posterior_for_answers(s, entry)
+		   ? posterior_unless_model_alone(s, entry)
 		   : NULL;
 }
 
 struct crusher *
-outlook_crusher(const struct session *s, const struct entry *entry,
+outlook_new_crusher(const struct session *s, const struct entry *entry,
     const double *size, size_t n)
 {
-	return crusher_new(size, n, &entry->params, outlook_settings(s, entry),
-	    posterior_for_answers(s, entry));
+	return crusher_new(size, n, &entry->params,
+	    outlook_model_settings(s, entry),
+	    posterior_unless_model_alone(s, entry));
 }
 
 struct ensemble *
-outlook_ensemble(
+outlook_ensemble_of_products(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
-	const struct posterior *p = posterior_for_answers(s, entry);
+	const struct posterior *p = posterior_unless_model_alone(s, entry);
 	if (p == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
-	size_t other = site_run_at(entry->site, SITE_OTHER_FEED);
+	size_t other = site_run_at_speed(entry->site, SITE_OTHER_FEED);
 	/* A feed that all runs share is the same whichever it is asked of. */
 	if (!entry->site->individual_feeds && other == entry->site->n_run)
 		feed_run = 0;
@@ -293,26 +300,26 @@ outlook_ensemble(
 	    kept->site == entry->site && kept->feed_run == feed_run)
 		return kept->ensemble;
 	ensemble_free(kept->ensemble);
-	const struct psd *feed = site_feed(entry->site, feed_run);
-	struct psd sizes = predict_sizes(entry->site, feed);
+	const struct psd *feed = site_feed_of_run(entry->site, feed_run);
+	struct psd sizes = predict_table_sizes(entry->site, feed);
 	*kept = (struct ensemble_of){p, entry->site, feed_run,
 	    ensemble_new(p, feed, sizes.size, sizes.n)};
-	ensemble_set_machine(kept->ensemble, outlook_settings(s, entry));
+	ensemble_set_machine(kept->ensemble, outlook_model_settings(s, entry));
 	psd_free(&sizes);
 	return kept->ensemble;
 }
 
 const char *
-outlook_why_none(const struct session *s, const struct entry *entry)
+outlook_why_no_band(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_fit(entry);
+	const struct fit *fit = origin_find_fit(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
 				"come from a "
 				"calibration in this session")
-	       : fit_too_few(fit)
+	       : fit_has_too_few_data(fit)
 		   ? tr("no uncertainty band: too few data for the number of "
 			"parameters")
-	       : outlook_correction(s, entry) == CORRECTION_OFF
+	       : outlook_correcting_runs(s, entry) == CORRECTION_OFF
 		   ? tr("no uncertainty band for the model alone: 'set "
 			"correction "
 			"all' has one")
@@ -332,8 +339,8 @@ outlook_why_none(const struct session *s, const struct entry *entry)
 const char *
 outlook_how_to_band(const struct session *s, const struct entry *entry)
 {
-	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
-	return origin_fit(entry) == NULL ? tr("run 'calibrate' first")
+	bool off = outlook_correcting_runs(s, entry) == CORRECTION_OFF;
+	return origin_find_fit(entry) == NULL ? tr("run 'calibrate' first")
 	       : off && s->set.correction != CORRECTION_OFF
 		   ? tr("leave out correction=off")
 	       : off ? tr("write: set correction all")
@@ -346,26 +353,26 @@ has_too_many_runs(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->history;
 	size_t place, n = 0;
-	FREED bool *use =
-	    runs_that_inform(h, informing_correction(s, entry), &place);
+	FREED bool *use = list_runs_that_inform(
+	    h, correcting_or_training_runs(s, entry), &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
 	return n > POSTERIOR_RUNS;
 }
 
-_Static_assert(POSTERIOR_RUNS == 40, "the words of outlook_words");
+_Static_assert(POSTERIOR_RUNS == 40, "the text of outlook_describe_correction");
 
 const char *
-outlook_words(const struct session *s, const struct entry *entry)
+outlook_describe_correction(const struct session *s, const struct entry *entry)
 {
-	if (posterior_for_answers(s, entry) == NULL)
+	if (posterior_unless_model_alone(s, entry) == NULL)
 		return tr("the model alone");
 	if (has_too_many_runs(s, entry))
 		return tr("model corrected by 40 of the runs, from the "
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
 		      entry->history->site->digest != entry->site->digest;
-	return outlook_correction(s, entry) == CORRECTION_TRAIN
+	return outlook_correcting_runs(s, entry) == CORRECTION_TRAIN
 		   ? tr("model corrected by the training runs")
 	       : former ? tr("model corrected by the runs measured before the "
 			     "calibration, not by those added since")
@@ -373,19 +380,19 @@ outlook_words(const struct session *s, const struct entry *entry)
 }
 
 const char *
-outlook_short_words(const struct session *s, const struct entry *entry,
+outlook_legend_suffix(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),
 	    [CORRECTION_TRAIN] = N_(", training runs"),
 	    [CORRECTION_OFF] = N_(", model")};
-	enum correction asked = outlook_correction(s, entry);
+	enum correction asked = outlook_correcting_runs(s, entry);
 	return p->low != NULL || asked == CORRECTION_OFF ? tr(WORDS[asked])
 							 : "";
 }
 
 void
-outlook_note_low_high(struct answer *r, const struct session *s,
+outlook_note_meaning_of_band(struct answer *r, const struct session *s,
     const struct entry *entry, bool product)
 {
 	if (!product) {
@@ -395,14 +402,15 @@ outlook_note_low_high(struct answer *r, const struct session *s,
 		    "to 87 of 100 synthetic plants that follow Eqs 1 to 3, "
 		    "such ranges held the truth; those of the break size at 52 "
 		    "to 77",
-		    100 * settings_level(&s->set));
+		    100 * settings_band_probability(&s->set));
 		if (!entry->has_fit)
 			answer_say(r, ANSWER_REMARK,
 			    "the difference between the two sites is not "
 			    "included");
 		return;
 	}
-	answer_say(r, ANSWER_REMARK, "%s", outlook_words(s, entry));
+	answer_say(
+	    r, ANSWER_REMARK, "%s", outlook_describe_correction(s, entry));
 	answer_say(r, ANSWER_REMARK,
 	    entry->has_fit
 		? N_("low, high: the true value lies between them with %.0f "
@@ -410,5 +418,5 @@ outlook_note_low_high(struct answer *r, const struct session *s,
 		: N_("low, high: the true value lies between them with %.0f "
 		     "%% probability; the difference between the two sites is "
 		     "not included"),
-	    100 * settings_level(&s->set));
+	    100 * settings_band_probability(&s->set));
 }

@@ -12,7 +12,7 @@
 
 /* Returns which runs inform the entry's answers, as set or as the question
  * says. */
-enum correction outlook_correction(
+enum correction outlook_correcting_runs(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior, informed by all measured runs or only by the training
@@ -20,18 +20,18 @@ enum correction outlook_correction(
  * another.  The first call draws it, which takes 0.1 s.  NULL if no calibration
  * in this session found them, if it had too few data, or if the user stopped
  * it. */
-const struct posterior *outlook_posterior(const struct session *s,
+const struct posterior *outlook_calibration_posterior(const struct session *s,
     const struct entry *entry, enum correction correction);
 
 /* Draws the posterior of the training runs and returns it without caching it.
  * May be called in several threads at once.  NULL also if answers are the model
  * alone.  Free with posterior_free. */
-struct posterior *outlook_begin_draws(
+struct posterior *outlook_draw_training_posterior(
     const struct session *s, const struct entry *entry);
 
 /* Draws a part of the posterior that outlook_posterior_for_comparison returns.
  * Returns true if all of it is drawn or there is nothing to draw from. */
-bool outlook_draw_some_steps(
+bool outlook_draw_posterior_steps(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of the runs set to inform answers, or that of the
@@ -43,7 +43,7 @@ const struct posterior *outlook_posterior_for_comparison(
  * not seen: that of outlook_posterior_for_comparison or, with training_only,
  * that of the training runs.  NULL if answers lack a band for a reason other
  * than `set correction off`. */
-const struct posterior *outlook_posterior_of_unseen(
+const struct posterior *outlook_posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only);
 
 /* Returns the evidence on the calibration that found the entry's parameters,
@@ -59,17 +59,17 @@ struct evidence outlook_evidence_without_draws(
 /* Returns the largest difference, passing 0..1, between the feed of that run
  * and the most similar feed that informs the answers.  Call it only if
  * outlook_evidence is not NULL. */
-double outlook_feed_difference(
+double outlook_nearest_feed_difference(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the products of the draws for the entry's feed of that run, at
- * predict_sizes, or NULL without draws, if answers are the model alone, or for
- * a fit made with other settings.  Cached until another is requested. */
-struct ensemble *outlook_ensemble(
+ * predict_table_sizes, or NULL without draws, if answers are the model alone,
+ * or for a fit made with other settings.  Cached until another is requested. */
+struct ensemble *outlook_ensemble_of_products(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the current settings, with the changes for another machine. */
-struct model_settings outlook_settings(
+struct model_settings outlook_model_settings(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior behind the entry's answers with these parameters, or
@@ -79,12 +79,12 @@ const struct posterior *outlook_posterior_for_answers(const struct session *s,
 
 /* Returns the crusher for the entry's answers, for any feed, with classes
  * between sizes [n].  Free with crusher_free. */
-struct crusher *outlook_crusher(const struct session *s,
+struct crusher *outlook_new_crusher(const struct session *s,
     const struct entry *entry, const double *size, size_t n);
 
 /* Returns why there is no band, as a sentence.  Do not call it if there is a
  * band. */
-const char *outlook_why_none(
+const char *outlook_why_no_band(
     const struct session *s, const struct entry *entry);
 
 /* Returns what to do for answers with a band, as a hint. */
@@ -94,18 +94,19 @@ const char *outlook_how_to_band(
 /* Returns which runs inform the answer, in words for a heading or a title:
  * "model corrected by all measured runs", "model corrected by the training
  * runs" or "the model alone". */
-const char *outlook_words(const struct session *s, const struct entry *entry);
+const char *outlook_describe_correction(
+    const struct session *s, const struct entry *entry);
 
 /* Notes what low and high mean, for parameters or a product, and which runs
  * correct a product.  With another site's parameters, they show what that
  * site's data leave open, not how the two sites differ. */
-void outlook_note_low_high(struct answer *r, const struct session *s,
+void outlook_note_meaning_of_band(struct answer *r, const struct session *s,
     const struct entry *entry, bool product);
 
-/* Returns the words of outlook_words to follow a name in a legend: ", all
- * runs"; ", training runs"; ", model" if the model alone was requested; "" if
- * the prediction is the model alone without such a request. */
-const char *outlook_short_words(const struct session *s,
+/* Returns the words of outlook_describe_correction to follow a name in a
+ * legend: ", all runs"; ", training runs"; ", model" if the model alone was
+ * requested; "" if the prediction is the model alone without such a request. */
+const char *outlook_legend_suffix(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
 #endif

@@ -37,13 +37,13 @@ unpin_prediction(struct session *s, const char *word, struct error *error)
 
 /* Also what a calibration under way has found so far. */
 static bool
-pin_keep(struct session *s, const struct args *args, struct question *q,
+pin_prediction(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
 	struct params params = entry->params;
-	bool forming = answers_best_so_far(s, entry, &params);
-	if (!forming && !answers_check_current(s, error))
+	bool forming = answers_best_params_so_far(s, entry, &params);
+	if (!forming && !answers_require_params_of_current(s, error))
 		return false;
 	if (q->variant.feed)
 		return error_set(error, ERROR_USAGE,
@@ -51,7 +51,7 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 		    "%s\n"
 		    "write: pin speed=74 feed=mean",
 		    q->entry->site->feed_from);
-	question_as_last(s, args, q);
+	question_use_last_speed_and_feed(s, args, q);
 	struct question whole = question_of_whole_product(s, entry, q->feed);
 	whole.params = &params;
 	struct pin *pin = xcalloc(1, sizeof *pin);
@@ -60,13 +60,14 @@ pin_keep(struct session *s, const struct args *args, struct question *q,
 	    .p = forecast_product(s, &whole, q->speed)};
 	s->pins = xrealloc(s->pins, s->n_pin + 1, sizeof(*s->pins));
 	s->pin = s->pins[s->n_pin++] = pin;
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, q->speed, NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, q->speed, NAN);
 	session_note(s,
 	    forming
 		? N_("pinned %s at %.*f m/s%s, from the running calibration: "
 		     "save leaves it out")
 		: N_("pinned %s at %.*f m/s%s"),
-	    pin->key, units_speed_digits(q->speed), q->speed, rpm);
+	    pin->key, units_speed_decimals(q->speed), q->speed, rpm);
 	return true;
 }
 
@@ -76,5 +77,5 @@ cmd_pin(struct session *s, const struct args *args, struct error *error)
 	return args->n_operand > 0
 		   ? unpin_prediction(s, args->operand[0], error)
 		   : session_need_site(s, "pin", error) &&
-			 question_run(s, args, pin_keep, error);
+			 question_run_answer(s, args, pin_prediction, error);
 }

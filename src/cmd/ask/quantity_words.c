@@ -15,7 +15,7 @@
 #include "io/sitefile/units.h"
 
 static bool
-quantities_expected(const char *text, struct error *error)
+error_expected_quantity(const char *text, struct error *error)
 {
 	return error_set(error, ERROR_USAGE,
 	    "expected a quantity, got '%s'\n"
@@ -26,13 +26,13 @@ quantities_expected(const char *text, struct error *error)
 
 /* A size in mm, which "mm" may follow, as m. */
 static bool
-read_size(const char *text, double *m)
+parse_size_mm(const char *text, double *m)
 {
 	FREED char *word = xstrdup(text);
 	double mm = sieve_name_mm(text, SIEVE_NONE);
 	if (text_ends_with(word, "mm"))
 		word[strlen(word) - 2] = '\0';
-	bool ok = (mm > 0 || text_typed_number(word, &mm)) &&
+	bool ok = (mm > 0 || text_parse_typed_number(word, &mm)) &&
 		  mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM;
 	if (ok)
 		*m = mm / 1000;
@@ -40,18 +40,19 @@ read_size(const char *text, double *m)
 }
 
 bool
-quantities_fraction(
+quantities_parse_fraction(
     const char *text, struct fraction *fraction, struct error *error)
 {
 	const char *slash = strchr(text, '/');
 	double coarse = 0, fine = 0;
 	if (slash != NULL) {
 		FREED char *lower = xstrndup(text, (size_t)(slash - text));
-		bool zero = text_number(lower, &fine) && fine == 0;
-		if (!zero && !read_size(lower, &fine))
+		bool zero = text_parse_number(lower, &fine) && fine == 0;
+		if (!zero && !parse_size_mm(lower, &fine))
 			slash = NULL;
 	}
-	if (slash == NULL || !read_size(slash + 1, &coarse) || fine >= coarse)
+	if (slash == NULL || !parse_size_mm(slash + 1, &coarse) ||
+	    fine >= coarse)
 		return error_set(error, ERROR_USAGE,
 		    "expected a fraction in mm, finer/coarser, got '%s'\n"
 		    "write one such as 0/4 or 4/8",
@@ -64,38 +65,39 @@ quantities_fraction(
 /* The readers of KINDS.  text: all that was typed, for the error; rest: what
  * follows the kind's word. */
 static bool
-read_passing(
+parse_passing_quantity(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
-	return read_size(rest, &q->x) || quantities_expected(text, error);
+	return parse_size_mm(rest, &q->x) ||
+	       error_expected_quantity(text, error);
 }
 
 /* P80 or D80. */
 static bool
-read_percentage(
+parse_size_at_passing(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
 	double percent;
 	if (strchr("PpDd", rest[0]) == NULL ||
-	    !text_number(rest + (rest[0] != '\0'), &percent) || percent <= 0 ||
-	    percent >= 100)
-		return quantities_expected(text, error);
+	    !text_parse_number(rest + (rest[0] != '\0'), &percent) ||
+	    percent <= 0 || percent >= 100)
+		return error_expected_quantity(text, error);
 	q->letter = strchr("Dd", rest[0]) != NULL ? 'D' : 0;
 	q->x = percent / 100;
 	return true;
 }
 
 static bool
-read_share(
+parse_fraction_share(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
 	if (strchr(rest, '/') == NULL)
-		return quantities_expected(text, error);
-	return quantities_fraction(rest, &q->fraction, error);
+		return error_expected_quantity(text, error);
+	return quantities_parse_fraction(rest, &q->fraction, error);
 }
 
 static bool
-read_modulus(
+parse_fineness_modulus(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
 	(void)text;
@@ -112,17 +114,18 @@ read_modulus(
 }
 
 static bool
-read_no_more(
+expect_end_of_quantity(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
 	(void)q;
-	return rest[0] == '\0' || quantities_expected(text, error);
+	return rest[0] == '\0' || error_expected_quantity(text, error);
 }
 
 /* How each kind is written: for people, as a key, as it is typed, and the unit
  * behind a number.  %s: what tells it from others of its kind, see
- * name_in_kind.  word: what it begins with where it is typed; read: reads the
- * rest; NULL: it cannot be typed.  offers: what completion of a goal offers. */
+ * quantity_argument_text.  word: what it begins with where it is typed; read:
+ * reads the rest; NULL: it cannot be typed.  offers: what completion of a goal
+ * offers. */
 enum { OFFERS = 3 };
 static const struct {
 	const char *words, *key, *typed, *unit, *word;
@@ -130,24 +133,24 @@ static const struct {
 	    struct error *error);
 	const char *offers[OFFERS];
 } KINDS[] = {
-    [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm", NULL, read_percentage,
+    [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm", NULL, parse_size_at_passing,
 	{"p80=", "p50=", "p20="}},
     [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
-	" %", "passing", read_passing, {"passing ", "fines<"}},
-    [QUANTITY_SHARE] = {"%s", "share", "%s", " %", "share", read_share,
-	{"0/2>="}},
+	" %", "passing", parse_passing_quantity, {"passing ", "fines<"}},
+    [QUANTITY_SHARE] = {"%s", "share", "%s", " %", "share",
+	parse_fraction_share, {"0/2>="}},
     [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", "",
-	"fm", read_modulus, {"fm EN="}},
+	"fm", parse_fineness_modulus, {"fm EN="}},
     [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu",
-	read_no_more, {"cu<"}},
+	expect_end_of_quantity, {"cu<"}},
     [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", "", "cc",
-	read_no_more, {"cc<"}},
+	expect_end_of_quantity, {"cc<"}},
     [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %", NULL,
 	NULL, {NULL}},
 };
 
 const char *
-quantities_offer(size_t n)
+quantities_completion(size_t n)
 {
 	for (size_t kind = 0; kind < ARRAY_LEN(KINDS); kind++)
 		for (size_t i = 0; i < OFFERS; i++)
@@ -159,7 +162,7 @@ quantities_offer(size_t n)
 /* What follows a kind's word, without the blanks between; NULL where the text
  * does not begin with it.  A word that nothing is to follow stands alone. */
 static const char *
-text_after_word(const char *text, enum quantity_kind kind)
+text_after_kind_word(const char *text, enum quantity_kind kind)
 {
 	const char *word = KINDS[kind].word;
 	size_t n = word != NULL ? strlen(word) : 0;
@@ -173,14 +176,14 @@ text_after_word(const char *text, enum quantity_kind kind)
 /* The kind with the longest word at the beginning of a text.  Without any, "/"
  * makes it a fraction, and all else can only be a P80. */
 static enum quantity_kind
-kind_of_text(const char *text, const char **rest)
+find_quantity_kind(const char *text, const char **rest)
 {
 	enum quantity_kind kind =
 	    strchr(text, '/') != NULL ? QUANTITY_SHARE : QUANTITY_SIZE;
 	*rest = text;
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++) {
 		const char *after =
-		    text_after_word(text, (enum quantity_kind)i);
+		    text_after_kind_word(text, (enum quantity_kind)i);
 		if (after != NULL && after > *rest) {
 			kind = (enum quantity_kind)i;
 			*rest = after;
@@ -190,10 +193,11 @@ kind_of_text(const char *text, const char **rest)
 }
 
 static bool
-read_kind(const char *text, struct quantity *q, struct error *error)
+parse_quantity_by_kind(
+    const char *text, struct quantity *q, struct error *error)
 {
 	const char *rest;
-	q->kind = kind_of_text(text, &rest);
+	q->kind = find_quantity_kind(text, &rest);
 	if (strcasecmp(text, "fines") == 0) {
 		q->kind = QUANTITY_PASSING;
 		q->x = QUANTITIES_FINES;
@@ -204,7 +208,7 @@ read_kind(const char *text, struct quantity *q, struct error *error)
 }
 
 bool
-quantities_read(const char *text, const struct partition *partition,
+quantities_parse_one(const char *text, const struct partition *partition,
     struct quantity *q, struct error *error)
 {
 	char *copy = xstrdup(text), *word = text_trim(copy);
@@ -213,19 +217,19 @@ quantities_read(const char *text, const struct partition *partition,
 	*q = (struct quantity){.kind = QUANTITY_SHARE};
 	if (of != NULL) {
 		*of = '\0';
-		ok =
-		    quantities_fraction(text_trim(of + 4), &q->fraction, error);
+		ok = quantities_parse_fraction(
+		    text_trim(of + 4), &q->fraction, error);
 	}
-	ok = ok && read_kind(text_trim(word), q, error);
+	ok = ok && parse_quantity_by_kind(text_trim(word), q, error);
 	if (ok && of != NULL && q->kind == QUANTITY_SHARE)
-		ok = quantities_expected(text, error);
+		ok = error_expected_quantity(text, error);
 	q->fraction.partition = *partition;
 	free(copy);
 	return ok;
 }
 
 bool
-quantities_begins(const char *text)
+quantities_is_beginning_of_text(const char *text)
 {
 	static const struct partition SHARP = {0, 1};
 	struct quantity q;
@@ -238,19 +242,20 @@ quantities_begins(const char *text)
 		    strncasecmp(first, word, n) == 0)
 			return true;
 	}
-	return quantities_read(word, &SHARP, &q, &error);
+	return quantities_parse_one(word, &SHARP, &q, &error);
 }
 
 struct quantity *
-quantities_list(const char *text, const struct partition *partition, size_t *n,
-    struct error *error)
+quantities_parse_list(const char *text, const struct partition *partition,
+    size_t *n, struct error *error)
 {
 	struct quantity *list = xcalloc(strlen(text) + 1, sizeof *list);
 	*n = 0;
 	for (const char *at = text; *at != '\0';) {
 		size_t length = strcspn(at, ",;");
 		FREED char *word = xstrndup(at, length);
-		bool ok = quantities_read(word, partition, &list[*n], error);
+		bool ok =
+		    quantities_parse_one(word, partition, &list[*n], error);
 		if (!ok) {
 			free(list);
 			return NULL;
@@ -262,28 +267,28 @@ quantities_list(const char *text, const struct partition *partition, size_t *n,
 }
 
 bool
-quantities_cut(
+quantities_apply_cut_option(
     struct quantity *q, const struct fraction *cut, struct error *error)
 {
-	if (q->kind == QUANTITY_SHARE && fraction_screens(cut))
+	if (q->kind == QUANTITY_SHARE && fraction_is_screened(cut))
 		return error_set(error, ERROR_USAGE,
 		    "%g/%g names a fraction itself, and cut= another one\n"
 		    "leave out cut=, or ask for it by itself: its share is "
 		    "that of the whole product",
 		    units_mm(q->fraction.fine), units_mm(q->fraction.coarse));
-	if (!fraction_screens(&q->fraction))
+	if (!fraction_is_screened(&q->fraction))
 		q->fraction = *cut;
 	return true;
 }
 
 bool
-quantities_covered(
+quantities_check_feed_covers(
     const struct quantity *q, const struct psd *feed, struct error *error)
 {
 	double point[QUANTITY_POINTS];
-	size_t n = quantity_points(q, point);
+	size_t n = quantity_sizes_needed(q, point);
 	for (size_t i = 0; i < n; i++)
-		if (!psd_covers(feed, point[i]))
+		if (!psd_covers_size(feed, point[i]))
 			return error_set(error, ERROR_USAGE,
 			    "%g mm is finer than the feed's finest sieve, %g "
 			    "mm\nuse a size on or above that sieve",
@@ -293,19 +298,20 @@ quantities_covered(
 }
 
 struct quantity *
-quantities_asked(const char *text, const struct fraction *cut,
+quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
     const struct psd *feed, bool all, size_t *n, struct error *error)
 {
 	struct quantity *list =
-	    quantities_list(text, &cut->partition, n, error);
+	    quantities_parse_list(text, &cut->partition, n, error);
 	bool ok = list != NULL;
 	size_t kept = 0;
 	for (size_t i = 0; ok && i < *n; i++) {
 		struct error none = {0};
-		ok = quantities_cut(&list[i], cut, error);
+		ok = quantities_apply_cut_option(&list[i], cut, error);
 		if (!ok)
 			break;
-		if (quantities_covered(&list[i], feed, all ? error : &none))
+		if (quantities_check_feed_covers(
+			&list[i], feed, all ? error : &none))
 			list[kept++] = list[i];
 		else
 			ok = !all;
@@ -329,7 +335,7 @@ enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
 /* The size, percentage, fraction or standard of a quantity.  The caller
  * frees. */
 static char *
-name_in_kind(const struct quantity *q, enum form form)
+quantity_argument_text(const struct quantity *q, enum form form)
 {
 	char letter[] = {q->letter != 0 ? q->letter : 'P', '\0'};
 	switch (q->kind) {
@@ -353,10 +359,11 @@ name_in_kind(const struct quantity *q, enum form form)
 
 /* Words of KINDS with the name in them.  The caller frees. */
 static char *
-fill_in_name(const char *words, const struct quantity *q, enum form form)
+fill_in_quantity_argument(
+    const char *words, const struct quantity *q, enum form form)
 {
 	const char *at = strstr(words, "%s");
-	FREED char *name = name_in_kind(q, form);
+	FREED char *name = quantity_argument_text(q, form);
 	return at == NULL ? xstrdup(words)
 			  : xasprintf("%.*s%s%s", (int)(at - words), words,
 				name, at + strlen("%s"));
@@ -364,9 +371,9 @@ fill_in_name(const char *words, const struct quantity *q, enum form form)
 
 /* " of 0/4" behind the words of what is not of the whole product. */
 static char *
-with_fraction(char *words, const struct quantity *q)
+append_fraction_name(char *words, const struct quantity *q)
 {
-	if (q->kind == QUANTITY_SHARE || !fraction_screens(&q->fraction))
+	if (q->kind == QUANTITY_SHARE || !fraction_is_screened(&q->fraction))
 		return words;
 	FREED char *fraction = quantities_fraction_text(&q->fraction);
 	xappend(&words, " of %s", fraction);
@@ -380,39 +387,41 @@ is_fines(const struct quantity *q)
 }
 
 char *
-quantities_words(const struct quantity *q)
+quantities_name(const struct quantity *q)
 {
-	return with_fraction(
+	return append_fraction_name(
 	    is_fines(q) ? xstrdup(tr("fines"))
-			: fill_in_name(tr(KINDS[q->kind].words), q, FOR_PEOPLE),
+			: fill_in_quantity_argument(
+			      tr(KINDS[q->kind].words), q, FOR_PEOPLE),
 	    q);
 }
 
 char *
-quantities_statement(const struct quantity *q, double value)
+quantities_sentence_with_value(const struct quantity *q, double value)
 {
-	double shown = quantities_shown(q, value);
-	if (q->kind == QUANTITY_PASSING && !fraction_screens(&q->fraction))
+	double shown = quantities_value_in_shown_unit(q, value);
+	if (q->kind == QUANTITY_PASSING && !fraction_is_screened(&q->fraction))
 		return xasprintf(
 		    tr("%.1f %% passes %g mm"), shown, units_mm(q->x));
-	FREED char *words = quantities_words(q);
+	FREED char *words = quantities_name(q);
 	return xasprintf(tr("%s is %.*f%s"), words, quantities_decimals(q),
 	    shown, quantities_unit_suffix(q));
 }
 
 char *
-quantities_as_typed(const struct quantity *q)
+quantities_input_text(const struct quantity *q)
 {
 	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
-	return with_fraction(fill_in_name(typed, q, AS_TYPED), q);
+	return append_fraction_name(
+	    fill_in_quantity_argument(typed, q, AS_TYPED), q);
 }
 
 char *
-quantities_key(const struct quantity *q)
+quantities_field_name(const struct quantity *q)
 {
-	char *key = fill_in_name(KINDS[q->kind].key, q, AS_KEY);
+	char *key = fill_in_quantity_argument(KINDS[q->kind].key, q, AS_KEY);
 	const char *unit = quantities_unit(q);
-	if (fraction_screens(&q->fraction))
+	if (fraction_is_screened(&q->fraction))
 		xappend(&key, "_%g_%g", units_mm(q->fraction.fine),
 		    units_mm(q->fraction.coarse));
 	if (unit[0] != '\0')
@@ -421,7 +430,7 @@ quantities_key(const struct quantity *q)
 }
 
 char *
-quantities_band(double low, double high, int decimals)
+quantities_band_text(double low, double high, int decimals)
 {
 	return isfinite(low) && isfinite(high)
 		   ? xasprintf(
@@ -456,7 +465,7 @@ quantities_is_size(const struct quantity *q)
 }
 
 double
-quantities_shown(const struct quantity *q, double value)
+quantities_value_in_shown_unit(const struct quantity *q, double value)
 {
 	const char *unit = quantities_unit(q);
 	return strcmp(unit, "%") == 0    ? units_pct(value)
@@ -471,15 +480,15 @@ quantities_decimals(const struct quantity *q)
 }
 
 bool
-quantities_option(const struct args *args, struct fraction *fraction,
+quantities_parse_cut_option(const struct args *args, struct fraction *fraction,
     bool alone, struct error *error)
 {
 	*fraction = (struct fraction){0};
 	if (args->cut != NULL &&
-	    !quantities_fraction(args->cut, fraction, error))
+	    !quantities_parse_fraction(args->cut, fraction, error))
 		return false;
 	if (args->cut == NULL && !alone &&
-	    (args->sharpness > 0 || args_given(args, &args->cut_size)))
+	    (args->sharpness > 0 || args_is_given(args, &args->cut_size)))
 		return error_set(error, ERROR_USAGE,
 		    "sharpness= and cut_size= describe the screens of cut=, "
 		    "which is not given\nadd a fraction such as cut=0/4");

@@ -11,74 +11,75 @@
 
 /* Parses a quantity, which is of the whole product if it names no fraction;
  * sizes in mm.  The partition describes the screens. */
-bool quantities_read(const char *text, const struct partition *partition,
+bool quantities_parse_one(const char *text, const struct partition *partition,
     struct quantity *q, struct error *error);
 
 /* True if the first word of a text is a quantity, or begins one. */
-bool quantities_begins(const char *text);
+bool quantities_is_beginning_of_text(const char *text);
 
 /* Returns offer n of those that complete a goal, "p80=", "passing ": some of
  * each kind that can be typed; NULL after the last. */
-const char *quantities_offer(size_t n);
+const char *quantities_completion(size_t n);
 
 /* Parses a list of quantities separated by commas.  The caller frees it.
  * Returns NULL with an error if one is not a quantity. */
-struct quantity *quantities_list(const char *text,
+struct quantity *quantities_parse_list(const char *text,
     const struct partition *partition, size_t *n, struct error *error);
 
 /* Parses a fraction, "0/4" or "4/8", mm. */
-bool quantities_fraction(
+bool quantities_parse_fraction(
     const char *text, struct fraction *fraction, struct error *error);
 
 /* Applies cut= to a quantity that names no fraction.  Returns false if the
  * quantity is itself a fraction, to which cut= cannot apply. */
-bool quantities_cut(
+bool quantities_apply_cut_option(
     struct quantity *q, const struct fraction *cut, struct error *error);
 
 /* True if a feed covers all sizes of the quantity.  Otherwise sets an error. */
-bool quantities_covered(
+bool quantities_check_feed_covers(
     const struct quantity *q, const struct psd *feed, struct error *error);
 
-/* As quantities_list, but applies cut= to each.  A quantity that the feed does
- * not cover is an error or, without `all`, omitted. */
-struct quantity *quantities_asked(const char *text, const struct fraction *cut,
-    const struct psd *feed, bool all, size_t *n, struct error *error);
+/* As quantities_parse_list, but applies cut= to each.  A quantity that the feed
+ * does not cover is an error or, without `all`, omitted. */
+struct quantity *quantities_parse_list_for_feed(const char *text,
+    const struct fraction *cut, const struct psd *feed, bool all, size_t *n,
+    struct error *error);
 
-/* quantities_words returns "passing 2 mm", "P80 of 0/4", "fineness modulus (EN
- * 12620)", "0/2"; quantities_key a key with the unit, "passing_2_pct",
+/* quantities_name returns "passing 2 mm", "P80 of 0/4", "fineness modulus (EN
+ * 12620)", "0/2"; quantities_field_name a key with the unit, "passing_2_pct",
  * "p80_mm", "share_0_2_pct".  The caller frees it. */
-char *quantities_words(const struct quantity *q);
-char *quantities_key(const struct quantity *q);
+char *quantities_name(const struct quantity *q);
+char *quantities_field_name(const struct quantity *q);
 
 /* Returns "33.9 % passes 2 mm" or "P80 is 5.24 mm"; value: in its own unit.
  * The caller frees it. */
-char *quantities_statement(const struct quantity *q, double value);
+char *quantities_sentence_with_value(const struct quantity *q, double value);
 
 /* Returns the quantity as typed: "p80", "passing 2 mm".  The caller frees
  * it. */
-char *quantities_as_typed(const struct quantity *q);
+char *quantities_input_text(const struct quantity *q);
 
 /* Returns "0/4".  The caller frees it. */
 char *quantities_fraction_text(const struct fraction *fraction);
 
 /* Returns " (2.91 to 3.02)", or "" without a band.  The caller frees it. */
-char *quantities_band(double low, double high, int decimals);
+char *quantities_band_text(double low, double high, int decimals);
 
 /* quantities_unit_suffix returns the unit as written after a number, " mm", "
  * %" or ""; quantities_difference_suffix that of the difference of two values,
  * " points" of percentages; quantities_unit omits the space; quantities_is_size
- * is true if it is mm; quantities_shown returns a value in that unit, and
- * quantities_decimals the number of decimals to show. */
+ * is true if it is mm; quantities_value_in_shown_unit returns a value in that
+ * unit, and quantities_decimals the number of decimals to show. */
 const char *quantities_unit_suffix(const struct quantity *q);
 const char *quantities_difference_suffix(const struct quantity *q);
 const char *quantities_unit(const struct quantity *q);
 bool quantities_is_size(const struct quantity *q);
-double quantities_shown(const struct quantity *q, double value);
+double quantities_value_in_shown_unit(const struct quantity *q, double value);
 int quantities_decimals(const struct quantity *q);
 
 /* Reads the options of SHARED_CUT in a call: a fraction, or the whole product.
  * alone: screens may be described without a fraction. */
-bool quantities_option(const struct args *args, struct fraction *fraction,
-    bool alone, struct error *error);
+bool quantities_parse_cut_option(const struct args *args,
+    struct fraction *fraction, bool alone, struct error *error);
 
 #endif

@@ -24,7 +24,7 @@
 /* The rotor that the parameters of an entry were measured with, m; 0: not
  * known. */
 static double
-measured_rotor(const struct entry *entry)
+measured_rotor_diameter(const struct entry *entry)
 {
 	bool known = entry->origin != NULL && entry->origin->history != NULL;
 	return known ? entry->origin->history->site->rotor : entry->site->rotor;
@@ -32,47 +32,49 @@ measured_rotor(const struct entry *entry)
 
 /* "feed b.csv, cascade 10 %". */
 static char *
-join_with_words(const struct scenario *w)
+describe_scenario(const struct scenario *w)
 {
 	char *words = xstrdup("");
 	if (w->feed != NULL)
-		xlist(&words, ", ", "%s", w->feed->words);
+		xappend_to_list(&words, ", ", "%s", w->feed->words);
 	if (w->rotor > 0)
-		xlist(&words, ", ", tr("rotor %g mm"), units_mm(w->rotor));
+		xappend_to_list(
+		    &words, ", ", tr("rotor %g mm"), units_mm(w->rotor));
 	if (w->bypass > 0)
-		xlist(&words, ", ", tr("cascade %g %%"), 100 * w->bypass);
+		xappend_to_list(
+		    &words, ", ", tr("cascade %g %%"), 100 * w->bypass);
 	if (w->k > 0)
-		xlist(&words, ", ", "k %g", w->k);
+		xappend_to_list(&words, ", ", "k %g", w->k);
 	return words;
 }
 
 /* A site with what is asked otherwise; it goes with the question. */
 static struct site *
-site_as_asked(const struct site *own, const struct scenario *w)
+copy_site_with_scenario(const struct site *own, const struct scenario *w)
 {
 	const struct blended *f = w->feed;
-	struct site *site =
-	    f != NULL ? site_with_feed(own, &f->feed, blended_source(f), f->of)
-		      : site_copy(own);
+	struct site *site = f != NULL ? site_copy_with_feed(own, &f->feed,
+					    blended_source_text(f), f->of)
+				      : site_copy(own);
 	free(site->with);
-	site->with = join_with_words(w);
+	site->with = describe_scenario(w);
 	if (w->rotor > 0) {
 		site->run_rotor = own->rotor;
 		site->rotor = w->rotor;
 	}
 	site->n_shown = w->n_sieve;
-	site->shown = xdoubles(w->n_sieve);
+	site->shown = xcalloc_doubles(w->n_sieve);
 	for (size_t i = 0; i < w->n_sieve; i++)
 		site->shown[i] = w->sieve[i];
 	return site;
 }
 
 void
-question_make(const struct session *s, const struct entry *loaded,
+question_from_scenario(const struct session *s, const struct entry *loaded,
     const struct scenario *w, struct question *q)
 {
 	bool feed = w->feed != NULL;
-	double rotor = measured_rotor(loaded);
+	double rotor = measured_rotor_diameter(loaded);
 	bool machine = w->rotor > 0 || w->bypass > 0 || w->k > 0;
 	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
 	if (!feed && !machine && w->n_sieve == 0 &&
@@ -94,7 +96,7 @@ question_make(const struct session *s, const struct entry *loaded,
 	if (!feed && !machine && w->n_sieve == 0)
 		return;
 	size_t runs = loaded->site->n_run;
-	q->own.site = site_as_asked(loaded->site, w);
+	q->own.site = copy_site_with_scenario(loaded->site, w);
 	q->own.train = xcalloc(runs + 1, sizeof *q->own.train);
 	memcpy(q->own.train, loaded->train, runs * sizeof *q->own.train);
 }
@@ -108,7 +110,7 @@ struct named {
 };
 
 static void
-named_free(struct named *r)
+free_named_options(struct named *r)
 {
 	if (r == NULL)
 		return;
@@ -122,14 +124,14 @@ void
 question_free(struct session *s, struct question *q)
 {
 	const struct variant *v = &q->variant;
-	named_free(q->named);
+	free_named_options(q->named);
 	if (v->own == NULL)
 		return;
 	if (q->own.site != v->own->site) {
-		moved_drop_cached(s->moved);
-		history_drop_cached(q->own.history, q->own.site);
+		moved_drop_cached_products(s->moved);
+		history_discard_cached(q->own.history, q->own.site);
 		if (q->own.origin != NULL)
-			history_drop_cached(
+			history_discard_cached(
 			    q->own.origin->history, q->own.site);
 		site_free(q->own.site);
 		free(q->own.train);
@@ -139,8 +141,8 @@ question_free(struct session *s, struct question *q)
 
 /* Turns of the rotor are a speed. */
 static bool
-read_speed(const struct args *args, const struct site *site, struct named *r,
-    struct error *error)
+parse_speed_or_rpm(const struct args *args, const struct site *site,
+    struct named *r, struct error *error)
 {
 	struct scenario *w = &r->scenario;
 	w->rotor = args->rotor_mm / 1000;
@@ -160,7 +162,7 @@ read_speed(const struct args *args, const struct site *site, struct named *r,
 		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
 		    "the site file",
 		    name, site->name, name, rpm);
-	r->speed = head_mps(rpm, SPEED_RPM, diameter);
+	r->speed = head_speed_to_mps(rpm, SPEED_RPM, diameter);
 	return (r->speed >= 1 && r->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
@@ -181,14 +183,14 @@ feed_option_or_setting(
 	const struct command_option *option =
 	    command_option_at(args->command, i);
 	*value = (struct value){.given = true};
-	value_read(option, args->feed != NULL ? args->feed : s->set.feed, value,
-	    &none);
+	value_parse(option, args->feed != NULL ? args->feed : s->set.feed,
+	    value, &none);
 	return value->text;
 }
 
 /* The sheets that are named, where any are. */
 static bool
-read_feed(struct session *s, const struct args *args, struct named *r,
+read_named_feeds(struct session *s, const struct args *args, struct named *r,
     struct error *error)
 {
 	struct value feed;
@@ -198,33 +200,34 @@ read_feed(struct session *s, const struct args *args, struct named *r,
 	    !value_is_file(command_option_at(args->command, i), &feed))
 		return true;
 	if (args->feed == NULL)
-		r->scenario.feed = blended_read_cached(s, text, error);
-	else if (blended_read(s, text, &r->blend, error))
+		r->scenario.feed = blended_read_feed_setting(s, text, error);
+	else if (blended_read_feeds(s, text, &r->blend, error))
 		r->scenario.feed = &r->blend;
 	return r->scenario.feed != NULL;
 }
 
 /* Sieves of one's own choice, which the feeds have to tell of. */
 static bool
-read_sieves(const struct args *args, const struct site *site, struct named *r,
-    struct error *error)
+set_sieves_to_show(const struct args *args, const struct site *site,
+    struct named *r, struct error *error)
 {
 	const struct number_list *sieves = &args->sieves;
 	struct scenario *w = &r->scenario;
 	if (sieves->n == 0)
 		return true;
-	r->sieve = xdoubles(sieves->n);
+	r->sieve = xcalloc_doubles(sieves->n);
 	for (size_t i = 0; i < sieves->n; i++)
 		r->sieve[i] = sieves->at[i] / 1000;
-	w->n_sieve = psd_sort(r->sieve, sieves->n, 1e-12);
+	w->n_sieve = psd_sort_distinct_sizes(r->sieve, sieves->n, 1e-12);
 	w->sieve = r->sieve;
 	struct quantity finest = {
 	    .kind = QUANTITY_PASSING, .x = r->sieve[w->n_sieve - 1]};
 	bool ok = w->feed == NULL ||
-		  quantities_covered(&finest, &w->feed->feed, error);
+		  quantities_check_feed_covers(&finest, &w->feed->feed, error);
 	for (size_t i = 0; i < site->n_run && ok && w->feed == NULL; i++)
 		ok = site->run[i].feed.n == 0 ||
-		     quantities_covered(&finest, &site->run[i].feed, error);
+		     quantities_check_feed_covers(
+			 &finest, &site->run[i].feed, error);
 	return ok;
 }
 
@@ -237,13 +240,14 @@ choose_sampled_feed(const struct session *s, const struct args *args,
 	if (feed_option_or_setting(s, args, &feed) == NULL ||
 	    !(feed.number > 0))
 		return true;
-	return feed_find_sampled(q->entry->site, feed.number, &q->feed, error);
+	return feed_find_run_at_speed(
+	    q->entry->site, feed.number, &q->feed, error);
 }
 
 /* cut=off is the whole product, as it is where an envelope is for a fraction;
  * where one is asked for, screens without cut= are those of its fraction. */
 static bool
-read_fraction(const struct session *s, const struct args *args,
+set_fraction_to_show(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
@@ -251,7 +255,7 @@ read_fraction(const struct session *s, const struct args *args,
 	if (command_option_index(args->command, "cut") == OPTIONS ||
 	    (args->cut != NULL && text_same_folded(args->cut, "off")))
 		return true;
-	return quantities_option(args, &q->fraction, envelope, error);
+	return quantities_parse_cut_option(args, &q->fraction, envelope, error);
 }
 
 /* The question, of what was read for it or for another one. */
@@ -261,37 +265,37 @@ make_question(const struct session *s, const struct entry *loaded,
     struct error *error)
 {
 	struct named *own = q->named;
-	question_make(s, loaded, &r->scenario, q);
+	question_from_scenario(s, loaded, &r->scenario, q);
 	q->named = own;
 	q->speed_given = r->speed > 0;
-	q->speed = q->speed_given ? r->speed : answers_usual_speed(loaded);
-	if (args_given(args, &args->speeds)) {
+	q->speed = q->speed_given ? r->speed : answers_default_speed(loaded);
+	if (args_is_given(args, &args->speeds)) {
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
 	}
 	return choose_sampled_feed(s, args, q, error) &&
-	       read_fraction(s, args, q, error);
+	       set_fraction_to_show(s, args, q, error);
 }
 
 bool
-question_read_for(struct session *s, const struct entry *loaded,
+question_from_args_for_site(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error)
 {
 	struct named *r = xcalloc(1, sizeof *r);
 	*q = (struct question){.entry = loaded, .named = r};
 	r->scenario = (struct scenario){.bypass = args->cascade / 100,
 	    .k = args->k,
-	    .correction = args_given(args, &args->correction)
+	    .correction = args_is_given(args, &args->correction)
 			      ? (enum correction)args->correction
 			      : s->set.correction};
-	return read_speed(args, loaded->site, r, error) &&
-	       read_feed(s, args, r, error) &&
-	       read_sieves(args, loaded->site, r, error) &&
+	return parse_speed_or_rpm(args, loaded->site, r, error) &&
+	       read_named_feeds(s, args, r, error) &&
+	       set_sieves_to_show(args, loaded->site, r, error) &&
 	       make_question(s, loaded, args, r, q, error);
 }
 
 bool
-question_read_like(struct session *s, const struct entry *loaded,
+question_repeat_for_site(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error)
 {
@@ -300,20 +304,21 @@ question_read_like(struct session *s, const struct entry *loaded,
 }
 
 bool
-question_read(struct session *s, const struct args *args, struct question *q,
-    struct error *error)
+question_from_args(struct session *s, const struct args *args,
+    struct question *q, struct error *error)
 {
-	return question_read_for(s, session_entry(s), args, q, error);
+	return question_from_args_for_site(
+	    s, session_current_entry(s), args, q, error);
 }
 
 bool
-question_run(struct session *s, const struct args *args, command_answer *answer,
-    struct error *error)
+question_run_answer(struct session *s, const struct args *args,
+    command_answer *answer, struct error *error)
 {
 	struct question q = {.entry = NULL};
 	bool known = (args->command->flags & COMMAND_NEEDS_PARAMS) != 0;
-	bool ok = (!known || answers_check_current(s, error)) &&
-		  question_read(s, args, &q, error) &&
+	bool ok = (!known || answers_require_params_of_current(s, error)) &&
+		  question_from_args(s, args, &q, error) &&
 		  answer(s, args, &q, error);
 	if (ok && q.speed_given)
 		s->last_asked.speed = q.speed;
@@ -329,7 +334,7 @@ struct standing {
 };
 
 void
-question_free_kept(struct session *s)
+question_free_cached(struct session *s)
 {
 	struct standing *a = s->standing;
 	if (a == NULL)
@@ -344,7 +349,7 @@ question_free_kept(struct session *s)
 
 /* The sheets that are set, NULL where none are. */
 static const struct blended *
-feed_of_setting(struct session *s)
+read_feed_of_setting(struct session *s)
 {
 	struct error none = {0};
 	struct value value = {.given = true};
@@ -353,9 +358,9 @@ feed_of_setting(struct session *s)
 		return NULL;
 	while (row->offset != offsetof(struct settings, feed))
 		row++;
-	return value_read(row, s->set.feed, &value, &none) &&
+	return value_parse(row, s->set.feed, &value, &none) &&
 		       value_is_file(row, &value)
-		   ? blended_read_cached(s, s->set.feed, &none)
+		   ? blended_read_feed_setting(s, s->set.feed, &none)
 		   : NULL;
 }
 
@@ -365,23 +370,25 @@ make_question_of_feed_setting(struct session *s, const struct blended *feed)
 	const struct scenario scenario = {
 	    .feed = feed, .correction = s->set.correction};
 	struct standing *a = s->standing = xcalloc(1, sizeof *a);
-	a->of = entry_copy(session_entry(s));
+	a->of = entry_copy(session_current_entry(s));
 	a->text = xstrdup(feed->text);
-	question_make(s, &a->of, &scenario, &a->q);
+	question_from_scenario(s, &a->of, &scenario, &a->q);
 }
 
 const struct entry *
-question_of_feed_setting(struct session *s)
+question_site_with_feed_setting(struct session *s)
 {
-	const struct entry *loaded = s->n_entry > 0 ? session_entry(s) : NULL;
-	const struct blended *feed = loaded != NULL ? feed_of_setting(s) : NULL;
+	const struct entry *loaded =
+	    s->n_entry > 0 ? session_current_entry(s) : NULL;
+	const struct blended *feed =
+	    loaded != NULL ? read_feed_of_setting(s) : NULL;
 	const struct standing *was = s->standing;
 	if (feed == NULL)
 		return loaded;
 	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
 	    was->of.history != loaded->history ||
-	    !snapshot_same_entry(&was->of, loaded)) {
-		question_free_kept(s);
+	    !snapshot_is_same_entry(&was->of, loaded)) {
+		question_free_cached(s);
 		make_question_of_feed_setting(s, feed);
 	}
 	struct question *q = &s->standing->q;
@@ -393,14 +400,15 @@ question_of_feed_setting(struct session *s)
 /* Returns the speeds from `from` to `to` by 1 m/s, or in round rpm of a sheet
  * in rpm [*n]. */
 static double *
-every_round_speed(const struct site *site, double from, double to, size_t *n)
+list_every_round_speed(
+    const struct site *site, double from, double to, size_t *n)
 {
 	enum { MOST_RPM = 20 };
-	double *at = answers_round_rpm(site, from, to, MOST_RPM, n);
+	double *at = answers_speeds_at_round_rpm(site, from, to, MOST_RPM, n);
 	if (at != NULL)
 		return at;
 	*n = (size_t)floor(to - from) + 1;
-	at = xdoubles(*n);
+	at = xcalloc_doubles(*n);
 	for (size_t i = 0; i < *n; i++)
 		at[i] = from + (double)i;
 	return at;
@@ -408,16 +416,17 @@ every_round_speed(const struct site *site, double from, double to, size_t *n)
 
 /* Returns these speeds, those measured and the last one asked about [*n]. */
 static double *
-speeds_of_card(
+merge_round_and_measured_speeds(
     const struct site *site, double from, double to, double last, size_t *n)
 {
 	const double same = 0.1;
 	size_t n_round, n_own = 0;
-	FREED double *round = every_round_speed(site, from, to, &n_round);
-	double *at = xdoubles(n_round + site->n_run + 1);
+	FREED double *round = list_every_round_speed(site, from, to, &n_round);
+	double *at = xcalloc_doubles(n_round + site->n_run + 1);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && site->run[r].speed >= from &&
-		    site->run[r].speed <= to && !site_run_repeats(site, r))
+		    site->run[r].speed <= to &&
+		    !site_run_repeats_speed(site, r))
 			at[n_own++] = site->run[r].speed;
 	*n = n_own;
 	for (size_t i = 0; i < n_round; i++) {
@@ -437,19 +446,21 @@ speeds_of_card(
 }
 
 void
-question_usual_speeds(const struct session *s, struct question *q, bool each)
+question_use_default_speeds(
+    const struct session *s, struct question *q, bool each)
 {
 	const struct site *site = q->entry->site;
 	double from, to;
 	if (q->n_at > 0)
 		return;
 	if (!each) {
-		q->at = q->named->usual = answers_speeds(s, site, &q->n_at);
+		q->at = q->named->usual =
+		    answers_list_round_speeds(s, site, &q->n_at);
 		return;
 	}
-	settings_reach(&s->set, site, &from, &to);
-	q->at = q->named->usual =
-	    speeds_of_card(site, from, to, s->last_asked.speed, &q->n_at);
+	settings_speed_range(&s->set, site, &from, &to);
+	q->at = q->named->usual = merge_round_and_measured_speeds(
+	    site, from, to, s->last_asked.speed, &q->n_at);
 }
 
 double
@@ -463,14 +474,14 @@ question_last_speed(struct session *s, double usual)
 }
 
 void
-question_take_last_speed(struct session *s, struct question *q)
+question_use_last_speed(struct session *s, struct question *q)
 {
 	if (!q->speed_given)
 		q->speed = question_last_speed(s, q->speed);
 }
 
 void
-question_as_last(
+question_use_last_speed_and_feed(
     const struct session *s, const struct args *args, struct question *q)
 {
 	double last = session_answer_number(s, "predict", "speed");
@@ -480,12 +491,12 @@ question_as_last(
 		return;
 	q->speed = s->last_asked.speed > 0 ? s->last_asked.speed : last;
 	if (args->feed == NULL && !q->variant.feed && isfinite(fed) &&
-	    site_run_at(site, fed) < site->n_run)
-		q->feed = site_run_at(site, fed);
+	    site_run_at_speed(site, fed) < site->n_run)
+		q->feed = site_run_at_speed(site, fed);
 }
 
 const struct psd *
 question_feed(const struct question *q)
 {
-	return site_feed(q->entry->site, q->feed);
+	return site_feed_of_run(q->entry->site, q->feed);
 }

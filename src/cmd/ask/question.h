@@ -20,39 +20,39 @@ struct scenario {
 };
 
 /* Read the options of SHARED_... (table_shared.c) that the command has:
- * question_read for the current site, question_read_for for any loaded site.
- * No other function chooses a feed or a machine for a command.  Always free
- * with question_free. */
-bool question_read(struct session *s, const struct args *args,
+ * question_from_args for the current site, question_from_args_for_site for any
+ * loaded site. No other function chooses a feed or a machine for a command.
+ * Always free with question_free. */
+bool question_from_args(struct session *s, const struct args *args,
     struct question *q, struct error *error);
-bool question_read_for(struct session *s, const struct entry *loaded,
+bool question_from_args_for_site(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error);
 
-/* As question_read_for, but repeats a question for another loaded site without
- * reading files again. */
-bool question_read_like(struct session *s, const struct entry *loaded,
+/* As question_from_args_for_site, but repeats a question for another loaded
+ * site without reading files again. */
+bool question_repeat_for_site(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error);
 
 /* Reads the question of a call, lets the command answer it, and frees it. */
-bool question_run(struct session *s, const struct args *args,
+bool question_run_answer(struct session *s, const struct args *args,
     command_answer *answer, struct error *error);
 
 /* Makes the question about a loaded site, with the mean of its feeds or the
  * changes of the scenario. */
-void question_make(const struct session *s, const struct entry *loaded,
+void question_from_scenario(const struct session *s, const struct entry *loaded,
     const struct scenario *scenario, struct question *q);
 
 /* Returns the current site as in a question without options, with the feed from
  * the sheet in `set feed`, if that can be read; NULL if no site is loaded.
- * Valid until the session changes.  question_free_kept frees it. */
-const struct entry *question_of_feed_setting(struct session *s);
-void question_free_kept(struct session *s);
+ * Valid until the session changes.  question_free_cached frees it. */
+const struct entry *question_site_with_feed_setting(struct session *s);
+void question_free_cached(struct session *s);
 
 /* If the call names no speeds, sets the question to the usual ones, 65 to 85
  * m/s, extended or moved to cover the runs: in steps of 1 m/s with the speed
  * last asked about if each, otherwise seven at most. */
-void question_usual_speeds(
+void question_use_default_speeds(
     const struct session *s, struct question *q, bool each);
 
 /* Returns the speed last asked about by any command or on the screen, which it
@@ -60,11 +60,11 @@ void question_usual_speeds(
 double question_last_speed(struct session *s, double usual);
 
 /* If the call names no speed, sets the question to that one. */
-void question_take_last_speed(struct session *s, struct question *q);
+void question_use_last_speed(struct session *s, struct question *q);
 
 /* The same without saving it, and the feed of the last prediction for the
  * current site, if any. */
-void question_as_last(
+void question_use_last_speed_and_feed(
     const struct session *s, const struct args *args, struct question *q);
 
 void question_free(struct session *s, struct question *q);

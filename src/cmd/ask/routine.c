@@ -30,9 +30,9 @@ set_date_of_cut(struct routine_cut *c, const struct site_note *note,
 {
 	struct datetime m;
 	c->time = NAN;
-	if (note != NULL && cut_read_date(note, &m))
-		c->time = datetime_seconds(&m, order);
-	c->when = isnan(c->time) ? xstrdup("") : datetime_text(c->time);
+	if (note != NULL && cut_parse_date(note, &m))
+		c->time = datetime_seconds_since_1970(&m, order);
+	c->when = isnan(c->time) ? xstrdup("") : datetime_to_text(c->time);
 	if (!isnan(c->time) && !m.has_time)
 		c->when[strcspn(c->when, " ")] = '\0';
 }
@@ -41,17 +41,17 @@ set_date_of_cut(struct routine_cut *c, const struct site_note *note,
  * one where a note says so and it was not trained on: the training runs then
  * predict it. */
 static bool
-is_routine(const struct entry *entry, size_t run, bool *seen)
+is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 {
 	const struct site *site = entry->site;
 	const struct history *h =
-	    origin_fit(entry) != NULL ? entry->origin->history : NULL;
+	    origin_find_fit(entry) != NULL ? entry->origin->history : NULL;
 	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
-	if (misfit_count_covered(&site->run[run]) == 0)
+	if (misfit_count_covered_sieves(&site->run[run]) == 0)
 		return false;
 	for (size_t r = 0; h != NULL && r < h->site->n_run; r++)
-		if (cut_is_same(&h->site->run[r], &site->run[run])) {
+		if (cut_is_duplicate(&h->site->run[r], &site->run[run])) {
 			*seen = true;
 			trained = trained || h->train[r];
 		}
@@ -60,7 +60,7 @@ is_routine(const struct entry *entry, size_t run, bool *seen)
 
 /* The place of a run's note among the site's, which is that of its adding. */
 static size_t
-routine_place_of(const struct site *site, const struct routine_cut *c)
+note_index_of_cut(const struct site *site, const struct routine_cut *c)
 {
 	const struct site_note *note = cut_find_note(site, c->run);
 	return note != NULL ? (size_t)(note - site->note) : site->n_note;
@@ -68,7 +68,7 @@ routine_place_of(const struct site *site, const struct routine_cut *c)
 
 /* Few and nearly in order. */
 static void
-sort_cuts(struct routine *r, const struct site *site)
+sort_cuts_by_date(struct routine *r, const struct site *site)
 {
 	r->dated = true;
 	for (size_t i = 0; i < r->n; i++)
@@ -76,8 +76,8 @@ sort_cuts(struct routine *r, const struct site *site)
 	for (size_t i = 1; i < r->n; i++)
 		for (size_t j = i; j > 0; j--) {
 			struct routine_cut *a = &r->cut[j - 1], *b = a + 1;
-			size_t one = routine_place_of(site, a),
-			       two = routine_place_of(site, b);
+			size_t one = note_index_of_cut(site, a),
+			       two = note_index_of_cut(site, b);
 			bool later = r->dated && a->time != b->time
 					 ? a->time > b->time
 					 : one > two;
@@ -90,14 +90,14 @@ sort_cuts(struct routine *r, const struct site *site)
 }
 
 static void
-find_cuts(struct routine *r, const struct entry *entry)
+find_routine_cuts(struct routine *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
-	enum datetime_order order = cut_date_order(site);
+	enum datetime_order order = cut_day_month_order(site);
 	r->cut = xcalloc(site->n_run + 1, sizeof *r->cut);
 	for (size_t i = 0; i < site->n_run; i++) {
 		bool seen;
-		if (!is_routine(entry, i, &seen))
+		if (!is_routine_cut(entry, i, &seen))
 			continue;
 		struct routine_cut *c = &r->cut[r->n++];
 		r->training_only = r->training_only || seen;
@@ -105,50 +105,50 @@ find_cuts(struct routine *r, const struct entry *entry)
 		c->speed = site->run[i].speed;
 		set_date_of_cut(c, cut_find_note(site, i), order);
 	}
-	sort_cuts(r, site);
+	sort_cuts_by_date(r, site);
 }
 
 /* The sieves that crushing can change, with what was measured. */
 static void
 set_sieves_of_cut(struct routine_cut *c, const struct run *run)
 {
-	size_t n = misfit_count_covered(run), from = 0;
+	size_t n = misfit_count_covered_sieves(run), from = 0;
 	while (from + 1 < n &&
 	       !(psd_passing(&run->feed, run->product.size[from]) < 1))
 		from++;
 	c->n = n - from;
-	c->size = xdoubles(c->n);
-	c->measured = xdoubles(c->n);
-	c->predicted = xdoubles(c->n);
-	c->error = xdoubles(c->n * c->n);
+	c->size = xcalloc_doubles(c->n);
+	c->measured = xcalloc_doubles(c->n);
+	c->predicted = xcalloc_doubles(c->n);
+	c->error = xcalloc_doubles(c->n * c->n);
 	memcpy(c->size, run->product.size + from, c->n * sizeof(double));
 	memcpy(c->measured, run->product.passing + from, c->n * sizeof(double));
 }
 
 static void
-predict_by_draws(
+predict_cut_by_draws(
     struct routine_cut *c, const struct psd *feed, const struct posterior *p)
 {
 	size_t n = c->n * POSTERIOR_DRAWS;
 	struct ensemble *e = ensemble_new(p, feed, c->size, c->n);
-	ensemble_at(e, c->speed);
-	ensemble_mean(e, c->predicted);
-	c->truth = xdoubles(n);
+	ensemble_set_speed(e, c->speed);
+	ensemble_mean_answer(e, c->predicted);
+	c->truth = xcalloc_doubles(n);
 	memcpy(c->truth, ensemble_products(e, ENSEMBLE_ANSWER),
 	    n * sizeof *c->truth);
 	ensemble_free(e);
-	drift_error(p, c->size, c->predicted, c->n, c->error);
+	drift_covariance_of_errors(p, c->size, c->predicted, c->n, c->error);
 }
 
 static void
-predict_by_model_alone(struct routine_cut *c, const struct psd *feed,
+predict_cut_by_model_alone(struct routine_cut *c, const struct psd *feed,
     const struct params *params, struct model_settings settings, double noise)
 {
 	struct model *model = model_new(feed, c->size, c->n, settings);
 	model_use_params(model, params);
 	model_product(model, c->speed, c->predicted);
 	model_free(model);
-	drift_known_error(noise, c->predicted, c->n, c->error);
+	drift_covariance_of_known_error(noise, c->predicted, c->n, c->error);
 }
 
 static double
@@ -158,14 +158,14 @@ measured_minus_predicted(const struct routine_cut *c, size_t i)
 }
 
 static void
-follow_cuts(struct routine *r)
+run_control_charts(struct routine *r)
 {
 	FREED struct drift_cut *cut = xcalloc(r->n, sizeof *cut);
 	FREED double **residuals = xcalloc(r->n, sizeof(*residuals));
 	r->point = xcalloc(r->n, sizeof *r->point);
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
-		double *off = residuals[j] = xdoubles(c->n);
+		double *off = residuals[j] = xcalloc_doubles(c->n);
 		for (size_t i = 0; i < c->n; i++) {
 			off[i] = measured_minus_predicted(c, i);
 			if (fabs(off[i]) > fabs(off[c->worst]))
@@ -212,7 +212,7 @@ count_cuts_on_one_side(struct routine *r)
 }
 
 static struct routine *
-routine_refuse(
+error_cuts_not_charted(
     struct routine *r, const struct entry *entry, struct error *error)
 {
 	if (r->n == 0)
@@ -235,30 +235,30 @@ routine_refuse(
 }
 
 struct routine *
-routine_follow(const struct session *s, const struct entry *entry,
+routine_chart_cuts(const struct session *s, const struct entry *entry,
     const struct drift_rule *rule, struct error *error)
 {
 	struct routine *r = xcalloc(1, sizeof *r);
 	r->rule = *rule;
-	find_cuts(r, entry);
+	find_routine_cuts(r, entry);
 	if (r->n == 0)
-		return routine_refuse(r, entry, error);
+		return error_cuts_not_charted(r, entry, error);
 	const struct posterior *p =
-	    outlook_posterior_of_unseen(s, entry, r->training_only);
+	    outlook_posterior_for_unseen_cuts(s, entry, r->training_only);
 	r->drawn = p != NULL;
 	if (!r->drawn && !(s->set.noise > 0))
-		return routine_refuse(r, entry, error);
+		return error_cuts_not_charted(r, entry, error);
 	for (size_t j = 0; j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
 		const struct run *run = &entry->site->run[c->run];
 		set_sieves_of_cut(c, run);
 		if (r->drawn)
-			predict_by_draws(c, &run->feed, p);
+			predict_cut_by_draws(c, &run->feed, p);
 		else
-			predict_by_model_alone(c, &run->feed, &entry->params,
-			    s->set.model, s->set.noise / 100);
+			predict_cut_by_model_alone(c, &run->feed,
+			    &entry->params, s->set.model, s->set.noise / 100);
 	}
-	follow_cuts(r);
+	run_control_charts(r);
 	count_cuts_on_one_side(r);
 	return r;
 }
@@ -284,7 +284,7 @@ routine_free(struct routine *r)
 
 /* "four times running". */
 static char *
-routine_times_words(size_t n)
+format_times_running(size_t n)
 {
 	static const char *const WORDS[] = {"", N_("once"), N_("twice running"),
 	    N_("three times running"), N_("four times running"),
@@ -296,7 +296,7 @@ routine_times_words(size_t n)
 }
 
 char *
-routine_state_words(const struct routine *r)
+routine_describe_state(const struct routine *r)
 {
 	static const char *const LOOK[] = {
 	    [DRIFT_COARSER] = N_("look at rotor tips, feed or screen cloth"),
@@ -323,7 +323,7 @@ routine_state_words(const struct routine *r)
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
 		units_mm(r->worst), -100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
-	FREED char *count = routine_times_words(r->running);
+	FREED char *count = format_times_running(r->running);
 	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
 			  tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
 		    : xasprintf(tr("%s than predicted %s, %s: %s"),
@@ -332,19 +332,19 @@ routine_state_words(const struct routine *r)
 }
 
 char *
-routine_alarm(const struct session *s, const struct entry *entry)
+routine_describe_alarm(const struct session *s, const struct entry *entry)
 {
 	struct error error = {0};
 	if (!entry->has_fit || entry->history == NULL)
 		return NULL;
 	struct alarm *a = &entry->history->alarm;
 	const struct posterior *p =
-	    outlook_posterior_of_unseen(s, entry, false);
+	    outlook_posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return NULL;
 	if (a->site != entry->site || a->posterior != p) {
 		struct routine *r =
-		    routine_follow(s, entry, &DRIFT_RULE, &error);
+		    routine_chart_cuts(s, entry, &DRIFT_RULE, &error);
 		a->site = entry->site;
 		a->posterior = p;
 		a->state = r != NULL ? r->point[r->n - 1].state : DRIFT_NONE;

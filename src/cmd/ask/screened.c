@@ -14,8 +14,8 @@
 /* Crushing makes nothing coarser: where all of the feed passes the finer of
  * ideal screens, so does the product. */
 static bool
-check_passes_any(const struct fraction *fraction, const struct psd *feed,
-    struct error *error)
+check_feed_exceeds_fraction(const struct fraction *fraction,
+    const struct psd *feed, struct error *error)
 {
 	double edge = fraction->fine * fraction->partition.cut_size;
 	if (fraction->fine <= 0 || fraction->partition.sharpness > 0 ||
@@ -29,77 +29,80 @@ check_passes_any(const struct fraction *fraction, const struct psd *feed,
 }
 
 bool
-screened_check_covered(const struct question *q, struct error *error)
+screened_check_feed_covers(const struct question *q, struct error *error)
 {
-	const struct psd *feed = site_feed(q->entry->site, q->feed);
+	const struct psd *feed = site_feed_of_run(q->entry->site, q->feed);
 	struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = q->fraction};
-	return quantities_covered(&share, feed, error) &&
-	       check_passes_any(&q->fraction, feed, error);
+	return quantities_check_feed_covers(&share, feed, error) &&
+	       check_feed_exceeds_fraction(&q->fraction, feed, error);
 }
 
 /* share: of the product that the part is. */
 static struct psd
-measured_part(
+screen_measured_product(
     const struct psd *product, const struct fraction *fraction, double *share)
 {
 	*share = 1;
-	if (!fraction_screens(fraction))
+	if (!fraction_is_screened(fraction))
 		return psd_copy(product);
 	struct psd whole = psd_new(product->n + 2);
 	memcpy(whole.size, product->size, product->n * sizeof *product->size);
 	whole.size[product->n] = fraction->coarse;
 	whole.size[product->n + 1] =
 	    fraction->fine > 0 ? fraction->fine : fraction->coarse;
-	whole.n = psd_sort(whole.size, whole.n, 1e-12);
+	whole.n = psd_sort_distinct_sizes(whole.size, whole.n, 1e-12);
 	for (size_t i = 0; i < whole.n; i++)
 		whole.passing[i] = psd_passing(product, whole.size[i]);
 	struct psd part = psd_copy(&whole);
-	FREED double *kept = xdoubles(whole.n);
-	fraction_classes(fraction, whole.size, whole.n, kept);
-	*share = screening_part(&whole, kept, &part);
+	FREED double *kept = xcalloc_doubles(whole.n);
+	fraction_kept_of_classes(fraction, whole.size, whole.n, kept);
+	*share = screening_screen_product(&whole, kept, &part);
 	psd_free(&whole);
 	return part;
 }
 
 struct psd
-screened_measured(const struct psd *product, const struct fraction *fraction)
+screened_fraction_of_product(
+    const struct psd *product, const struct fraction *fraction)
 {
 	double share;
-	return measured_part(product, fraction, &share);
+	return screen_measured_product(product, fraction, &share);
 }
 
 double
-screened_value(const struct psd *product, const struct quantity *q)
+screened_quantity_of_product(
+    const struct psd *product, const struct quantity *q)
 {
 	double point[QUANTITY_POINTS], share;
-	size_t n = quantity_points(q, point);
+	size_t n = quantity_sizes_needed(q, point);
 	for (size_t i = 0; i < n; i++)
-		if (!psd_covers(product, point[i]))
+		if (!psd_covers_size(product, point[i]))
 			return NAN;
-	struct psd part = measured_part(product, &q->fraction, &share);
-	double value = quantity_read(q, &part, share);
+	struct psd part =
+	    screen_measured_product(product, &q->fraction, &share);
+	double value = quantity_read_off_curve(q, &part, share);
 	psd_free(&part);
 	return value;
 }
 
 char *
-screened_title(const struct fraction *fraction)
+screened_title_suffix(const struct fraction *fraction)
 {
-	if (!fraction_screens(fraction))
+	if (!fraction_is_screened(fraction))
 		return xstrdup("");
 	FREED char *words = quantities_fraction_text(fraction);
 	return xasprintf(tr(", fraction %s"), words);
 }
 
 void
-screened_note(struct answer *r, const struct prediction *p)
+screened_note_share(struct answer *r, const struct prediction *p)
 {
 	const struct partition *screen = &p->fraction.partition;
-	if (!fraction_screens(&p->fraction))
+	if (!fraction_is_screened(&p->fraction))
 		return;
 	FREED char *words = quantities_fraction_text(&p->fraction);
-	FREED char *range = quantities_band(
+	FREED char *range = quantities_band_text(
 	    units_pct(p->share_range[0]), units_pct(p->share_range[1]), 1);
 	FREED char *how =
 	    screen->sharpness > 0
@@ -116,9 +119,9 @@ screened_note(struct answer *r, const struct prediction *p)
 }
 
 void
-screened_put(struct fields *o, const struct prediction *p)
+screened_put_fields(struct fields *o, const struct prediction *p)
 {
-	if (!fraction_screens(&p->fraction))
+	if (!fraction_is_screened(&p->fraction))
 		return;
 	FREED char *words = quantities_fraction_text(&p->fraction);
 	fields_put(o,

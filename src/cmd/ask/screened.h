@@ -9,24 +9,25 @@
 
 /* Returns false with an error if the question's feed does not cover its
  * fraction. */
-bool screened_check_covered(const struct question *q, struct error *error);
+bool screened_check_feed_covers(const struct question *q, struct error *error);
 
 /* Returns that fraction of a measured product.  Free with psd_free. */
-struct psd screened_measured(
+struct psd screened_fraction_of_product(
     const struct psd *product, const struct fraction *fraction);
 
 /* Returns a quantity of a measured product, or NAN if its sieves do not cover
  * it. */
-double screened_value(const struct psd *product, const struct quantity *q);
+double screened_quantity_of_product(
+    const struct psd *product, const struct quantity *q);
 
 /* Returns ", fraction 0/4", or "" for the whole product.  The caller frees
  * it. */
-char *screened_title(const struct fraction *fraction);
+char *screened_title_suffix(const struct fraction *fraction);
 
-/* screened_note adds a sentence with the fraction's share of the product;
- * screened_put puts the fields "fraction" and "share_pct".  Neither does
+/* screened_note_share adds a sentence with the fraction's share of the product;
+ * screened_put_fields puts the fields "fraction" and "share_pct".  Neither does
  * anything for the whole product. */
-void screened_note(struct answer *r, const struct prediction *p);
-void screened_put(struct fields *o, const struct prediction *p);
+void screened_note_share(struct answer *r, const struct prediction *p);
+void screened_put_fields(struct fields *o, const struct prediction *p);
 
 #endif

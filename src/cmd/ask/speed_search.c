@@ -42,8 +42,9 @@ struct speed_table {
 };
 
 struct wanted
-wanted_of(const struct session *s, const struct question *q, size_t n,
-    const struct condition *at, size_t n_more, const struct quantity *more)
+wanted_from_question(const struct session *s, const struct question *q,
+    size_t n, const struct condition *at, size_t n_more,
+    const struct quantity *more)
 {
 	FREED struct quantity *asked = xcalloc(n + n_more, sizeof *asked);
 	for (size_t i = 0; i < n; i++)
@@ -55,12 +56,14 @@ wanted_of(const struct session *s, const struct question *q, size_t n,
 	    .at = at,
 	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
-	settings_reach(&s->set, q->entry->site, &w.from, &w.to);
-	bool known = origin_reach(q->entry, &w.measured[0], &w.measured[1]);
+	settings_speed_range(&s->set, q->entry->site, &w.from, &w.to);
+	bool known =
+	    origin_speed_range(q->entry, &w.measured[0], &w.measured[1]);
 	if (!known)
 		w.measured[0] = w.measured[1] =
 		    site_middle_speed(q->entry->site);
-	w.reach = known ? trust_reach(w.measured[0], w.measured[1]) : INFINITY;
+	w.reach =
+	    known ? trust_speed_reach(w.measured[0], w.measured[1]) : INFINITY;
 	return w;
 }
 
@@ -73,7 +76,7 @@ struct side {
 };
 
 static double
-excess_of_side(const struct side *side, double over)
+room_to_limit(const struct side *side, double over)
 {
 	if (isnan(over))
 		return -INFINITY;
@@ -100,23 +103,23 @@ limits_of_condition(
 
 /* held [DRAWS]: whether all that was asked before holds in a draw, or NULL. */
 static struct margin
-margin_of_side(const struct wanted *w, const struct side *side, bool *held)
+margin_of_limit(const struct wanted *w, const struct side *side, bool *held)
 {
 	double over[DRAWS], low, high;
 	struct forecast *f = w->forecast;
 	struct margin m = {.limit = {side->i, side->sign < 0}};
-	m.passing =
-	    excess_of_side(side, forecast_excess(f, side->i, side->limit));
+	m.passing = room_to_limit(
+	    side, forecast_excess_over_limit(f, side->i, side->limit));
 	m.widths = m.passing;
 	if (forecast_draws(f, side->i) == NULL)
 		return m;
-	forecast_excess_draws(f, side->i, side->limit, over);
+	forecast_excess_of_draws(f, side->i, side->limit, over);
 	for (size_t d = 0; d < DRAWS; d++) {
-		over[d] = excess_of_side(side, over[d]);
+		over[d] = room_to_limit(side, over[d]);
 		if (held != NULL)
 			held[d] = held[d] && over[d] >= -EXACT;
 	}
-	ensemble_interval(over, w->level, &low, &high);
+	ensemble_middle_interval(over, w->level, &low, &high);
 	double width = isfinite(low) && isfinite(high) ? high - low : 0;
 	if (isfinite(m.passing))
 		m.widths = m.passing / fmax(width, NARROW);
@@ -149,12 +152,13 @@ margin_of_condition(const struct wanted *w, size_t i, bool *held)
 	struct margin least = {INFINITY, INFINITY, NONE};
 	size_t n = limits_of_condition(w, i, side);
 	for (size_t k = 0; k < n; k++)
-		least = lesser_margin(least, margin_of_side(w, &side[k], held));
+		least =
+		    lesser_margin(least, margin_of_limit(w, &side[k], held));
 	return least;
 }
 
 struct margin
-wanted_margin(const struct wanted *w, size_t i)
+wanted_margin_of_condition(const struct wanted *w, size_t i)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
@@ -166,7 +170,7 @@ wanted_margin(const struct wanted *w, size_t i)
 
 /* Without the draws, which tell nothing of that. */
 bool
-wanted_holds(const struct wanted *w, size_t i)
+wanted_are_conditions_met(const struct wanted *w, size_t i)
 {
 	struct side side[2];
 	size_t first = i == SIZE_MAX ? 0 : i,
@@ -175,9 +179,9 @@ wanted_holds(const struct wanted *w, size_t i)
 		for (size_t k = 0, n = limits_of_condition(w, i, side); k < n;
 		     k++) {
 			const struct side *of = &side[k];
-			double over =
-			    forecast_excess(w->forecast, of->i, of->limit);
-			if (!(excess_of_side(of, over) >= -EXACT))
+			double over = forecast_excess_over_limit(
+			    w->forecast, of->i, of->limit);
+			if (!(room_to_limit(of, over) >= -EXACT))
 				return false;
 		}
 	return true;
@@ -185,7 +189,7 @@ wanted_holds(const struct wanted *w, size_t i)
 
 /* margin [w->n] out, or NULL. */
 static double
-share_of_draws(const struct wanted *w, struct margin *margin)
+share_of_draws_that_hold(const struct wanted *w, struct margin *margin)
 {
 	bool held[DRAWS];
 	size_t n = 0;
@@ -202,20 +206,20 @@ share_of_draws(const struct wanted *w, struct margin *margin)
 }
 
 double
-wanted_certainty(const struct wanted *w)
+wanted_probability_met(const struct wanted *w)
 {
-	return share_of_draws(w, NULL);
+	return share_of_draws_that_hold(w, NULL);
 }
 
 /* Both ends of the speeds looked at, and the tenths between. */
 static double *
-tenths_between(const struct wanted *w, size_t *n)
+list_speeds_by_tenths(const struct wanted *w, size_t *n)
 {
 	const double hair = 1e-6;
 	double first = floor(10 * w->from + hair) + 1;
 	double last = ceil(10 * w->to - hair) - 1;
 	size_t between = last >= first ? (size_t)(last - first + 1.5) : 0;
-	double *v = xdoubles(between + 2);
+	double *v = xcalloc_doubles(between + 2);
 	v[0] = w->from;
 	for (size_t k = 0; k < between; k++)
 		v[k + 1] = (first + (double)k) / 10;
@@ -233,14 +237,14 @@ speed_search_new(const struct wanted *w)
 	s->range[0] = s->range[1] = s->cut[0] = s->cut[1] = NAN;
 	s->sure[0] = s->sure[1] = s->safe = s->best_certain = NAN;
 	s->low = s->high = NONE;
-	s->speed = tenths_between(w, &s->n);
-	s->certain = xdoubles(s->n);
+	s->speed = list_speeds_by_tenths(w, &s->n);
+	s->certain = xcalloc_doubles(s->n);
 	t->n_condition = w->n;
 	t->margin = xcalloc(s->n * (w->n + 1), sizeof *t->margin);
 	if (w->target == NULL)
 		return s;
-	t->over = xdoubles(s->n);
-	t->value = xdoubles(s->n);
+	t->over = xcalloc_doubles(s->n);
+	t->value = xcalloc_doubles(s->n);
 	t->draw = xcalloc(s->n, sizeof *t->draw);
 	t->sample = xcalloc(s->n, sizeof *t->sample);
 	return s;
@@ -267,19 +271,19 @@ speed_search_free(struct speed_search *s)
 
 /* The target's, at step k. */
 static void
-read_target_at_step(
+store_target_at_step(
     struct speed_table *t, const struct wanted *w, size_t k, double v)
 {
 	const struct condition *c = w->target;
-	t->value[k] = forecast_figure(w->forecast, w->n).value;
+	t->value[k] = forecast_value_with_band(w->forecast, w->n).value;
 	if (isnan(c->least))
 		return;
-	t->over[k] = forecast_excess(w->forecast, w->n, c->least);
+	t->over[k] = forecast_excess_over_limit(w->forecast, w->n, c->least);
 	if (forecast_draws(w->forecast, w->n) == NULL)
 		return;
-	forecast_excess_draws(w->forecast, w->n, c->least, t->draw[k]);
-	forecast_part_at(w->forecast, v, ENSEMBLE_SAMPLE);
-	forecast_excess_draws(w->forecast, w->n, c->least, t->sample[k]);
+	forecast_excess_of_draws(w->forecast, w->n, c->least, t->draw[k]);
+	forecast_set_speed_and_draws(w->forecast, v, ENSEMBLE_SAMPLE);
+	forecast_excess_of_draws(w->forecast, w->n, c->least, t->sample[k]);
 }
 
 /* ---- what is read off the table */
@@ -291,13 +295,13 @@ margins_of_step(const struct speed_search *s, size_t k)
 }
 
 static bool
-condition_holds_at(const struct speed_search *s, size_t k, size_t i)
+is_condition_met_at_step(const struct speed_search *s, size_t k, size_t i)
 {
 	return margins_of_step(s, k)[i].passing >= -EXACT;
 }
 
 static struct margin
-least_margin_at(const struct speed_search *s, size_t k)
+least_margin_at_step(const struct speed_search *s, size_t k)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	for (size_t i = 0; i < s->table->n_condition; i++)
@@ -306,28 +310,28 @@ least_margin_at(const struct speed_search *s, size_t k)
 }
 
 static bool
-conditions_hold_at(const struct speed_search *s, size_t k)
+are_conditions_met_at_step(const struct speed_search *s, size_t k)
 {
 	size_t i = 0, n = s->table->n_condition;
-	while (i < n && condition_holds_at(s, k, i))
+	while (i < n && is_condition_met_at_step(s, k, i))
 		i++;
 	return i == n;
 }
 
 /* Of what does not hold at step k; none beyond those looked at. */
 static struct wanted_limit
-limit_missed_at(const struct speed_search *s, size_t k)
+missed_limit_at_step(const struct speed_search *s, size_t k)
 {
-	return k < s->n ? least_margin_at(s, k).limit : NONE;
+	return k < s->n ? least_margin_at_step(s, k).limit : NONE;
 }
 
 static void
-add_interval(
+add_speed_interval(
     struct speed_search *s, double from, double to, size_t below, size_t above)
 {
 	s->inside = xrealloc(s->inside, s->n_inside + 1, sizeof *s->inside);
-	s->inside[s->n_inside++] = (struct speed_range){
-	    from, to, limit_missed_at(s, below), limit_missed_at(s, above)};
+	s->inside[s->n_inside++] = (struct speed_range){from, to,
+	    missed_limit_at_step(s, below), missed_limit_at_step(s, above)};
 }
 
 /* Whether a speed between steps k and k + 1, of which neither will do, is too
@@ -336,9 +340,9 @@ static int
 bisection_direction(
     const struct speed_search *s, const struct wanted *w, size_t k, double v)
 {
-	forecast_at(w->forecast, v);
+	forecast_set_speed(w->forecast, v);
 	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = wanted_margin(w, i),
+		struct margin m = wanted_margin_of_condition(w, i),
 			      at = margins_of_step(s, k)[i];
 		if (!(m.passing < -EXACT))
 			continue;
@@ -350,7 +354,7 @@ bisection_direction(
 
 /* Whether what is missed at step k is another limit than at the next. */
 static bool
-may_hold_between(const struct speed_search *s, size_t k)
+may_conditions_hold_between(const struct speed_search *s, size_t k)
 {
 	const struct margin *a = margins_of_step(s, k),
 			    *b = margins_of_step(s, k + 1);
@@ -363,8 +367,8 @@ may_hold_between(const struct speed_search *s, size_t k)
 
 /* The speed nearest to `bad` that still will do, from one that does. */
 static double
-bisect_last_good(const struct speed_search *s, const struct wanted *w, size_t k,
-    double good, double bad)
+bisect_interval_end(const struct speed_search *s, const struct wanted *w,
+    size_t k, double good, double bad)
 {
 	const double close = 1e-4;
 	while (fabs(bad - good) > close) {
@@ -375,7 +379,8 @@ bisect_last_good(const struct speed_search *s, const struct wanted *w, size_t k,
 }
 
 static void
-find_interval_between(struct speed_search *s, const struct wanted *w, size_t k)
+find_interval_between_steps(
+    struct speed_search *s, const struct wanted *w, size_t k)
 {
 	const double close = 1e-6;
 	double a = s->speed[k], b = s->speed[k + 1];
@@ -389,42 +394,48 @@ find_interval_between(struct speed_search *s, const struct wanted *w, size_t k)
 			b = v;
 	}
 	if (way == 0)
-		add_interval(s, bisect_last_good(s, w, k, a, s->speed[k]),
-		    bisect_last_good(s, w, k, b, s->speed[k + 1]), k, k + 1);
+		add_speed_interval(s,
+		    bisect_interval_end(s, w, k, a, s->speed[k]),
+		    bisect_interval_end(s, w, k, b, s->speed[k + 1]), k, k + 1);
 }
 
 static void
-find_intervals(struct speed_search *s, const struct wanted *w)
+find_speed_intervals(struct speed_search *s, const struct wanted *w)
 {
 	for (size_t k = 0; k < s->n; k++) {
 		size_t last = k;
-		if (!conditions_hold_at(s, k)) {
-			if (k + 1 < s->n && !conditions_hold_at(s, k + 1) &&
-			    may_hold_between(s, k))
-				find_interval_between(s, w, k);
+		if (!are_conditions_met_at_step(s, k)) {
+			if (k + 1 < s->n &&
+			    !are_conditions_met_at_step(s, k + 1) &&
+			    may_conditions_hold_between(s, k))
+				find_interval_between_steps(s, w, k);
 			continue;
 		}
-		while (last + 1 < s->n && conditions_hold_at(s, last + 1))
+		while (
+		    last + 1 < s->n && are_conditions_met_at_step(s, last + 1))
 			last++;
 		/* Before the first step and after the last no limit is
 		 * missed: k - 1 wraps round to a step that there is not. */
-		add_interval(s, s->speed[k], s->speed[last], k - 1, last + 1);
+		add_speed_interval(
+		    s, s->speed[k], s->speed[last], k - 1, last + 1);
 		k = last;
 	}
 }
 
 static bool
-is_measured(const struct wanted *w, double v)
+is_within_measured_speeds(const struct wanted *w, double v)
 {
 	return v >= w->measured[0] - EXACT && v <= w->measured[1] + EXACT;
 }
 
 /* Whether any speed at which all holds lies where it was measured. */
 static bool
-holds_within_measured(const struct speed_search *s, const struct wanted *w)
+is_met_within_measured_speeds(
+    const struct speed_search *s, const struct wanted *w)
 {
 	for (size_t k = 0; k < s->n; k++)
-		if (conditions_hold_at(s, k) && is_measured(w, s->speed[k]))
+		if (are_conditions_met_at_step(s, k) &&
+		    is_within_measured_speeds(w, s->speed[k]))
 			return true;
 	return false;
 }
@@ -440,18 +451,18 @@ static bool
 may_be_best_step(const struct speed_search *s, const struct wanted *w, size_t k,
     const struct eligible *e)
 {
-	return (!e->inside || conditions_hold_at(s, k)) &&
-	       (!e->measured || is_measured(w, s->speed[k])) &&
+	return (!e->inside || are_conditions_met_at_step(s, k)) &&
+	       (!e->measured || is_within_measured_speeds(w, s->speed[k])) &&
 	       !(s->certain[k] < e->sure);
 }
 
 /* The largest margin, of equals the one nearest to the middle; SIZE_MAX where
  * what holds lies between two steps. */
 static size_t
-best_step(const struct speed_search *s, const struct wanted *w)
+find_best_step(const struct speed_search *s, const struct wanted *w)
 {
 	struct eligible e = {
-	    s->n_inside > 0, holds_within_measured(s, w), -INFINITY};
+	    s->n_inside > 0, is_met_within_measured_speeds(s, w), -INFINITY};
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
 				: (w->from + w->to) / 2;
@@ -462,7 +473,7 @@ best_step(const struct speed_search *s, const struct wanted *w)
 			most = fmax(most, s->certain[k]);
 	e.sure = most - CHANCE;
 	for (size_t k = 0; k < s->n; k++) {
-		double rank = margin_rank(least_margin_at(s, k));
+		double rank = margin_rank(least_margin_at_step(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
 		if (!may_be_best_step(s, w, k, &e))
 			continue;
@@ -479,20 +490,20 @@ best_step(const struct speed_search *s, const struct wanted *w)
 static void
 find_best_speed(struct speed_search *s, const struct wanted *w)
 {
-	size_t k = best_step(s, w);
+	size_t k = find_best_step(s, w);
 	if (k == SIZE_MAX) {
 		s->best = (s->inside[0].from + s->inside[0].to) / 2;
-		forecast_at(w->forecast, s->best);
-		s->margin = wanted_margin(w, SIZE_MAX);
-		s->best_certain = wanted_certainty(w);
+		forecast_set_speed(w->forecast, s->best);
+		s->margin = wanted_margin_of_condition(w, SIZE_MAX);
+		s->best_certain = wanted_probability_met(w);
 	} else {
 		s->best = s->speed[k];
-		s->margin = least_margin_at(s, k);
+		s->margin = least_margin_at_step(s, k);
 		s->best_certain = s->certain[k];
-		s->low = limit_missed_at(s, k - 1);
-		s->high = limit_missed_at(s, k + 1);
+		s->low = missed_limit_at_step(s, k - 1);
+		s->high = missed_limit_at_step(s, k + 1);
 	}
-	const struct speed_range *in = speed_search_around(s);
+	const struct speed_range *in = speed_search_best_range(s);
 	if (in != NULL) {
 		s->low = in->low;
 		s->high = in->high;
@@ -500,7 +511,8 @@ find_best_speed(struct speed_search *s, const struct wanted *w)
 	s->alike = s->margin.passing < 0 && isfinite(s->margin.passing);
 	for (size_t i = 0; i < s->n && s->alike; i++)
 		s->alike =
-		    s->margin.passing - least_margin_at(s, i).passing < ROUNDS;
+		    s->margin.passing - least_margin_at_step(s, i).passing <
+		    ROUNDS;
 }
 
 /* The steps about the best speed, or nearest to it, at which condition i alone
@@ -511,7 +523,7 @@ find_interval_of_condition(
 {
 	size_t near = SIZE_MAX;
 	for (size_t k = 0; k < s->n; k++)
-		if (condition_holds_at(s, k, i) &&
+		if (is_condition_met_at_step(s, k, i) &&
 		    (near == SIZE_MAX || fabs(s->speed[k] - s->best) <
 					     fabs(s->speed[near] - s->best)))
 			near = k;
@@ -519,9 +531,9 @@ find_interval_of_condition(
 	if (near == SIZE_MAX)
 		return;
 	size_t low = near, high = near;
-	while (low > 0 && condition_holds_at(s, low - 1, i))
+	while (low > 0 && is_condition_met_at_step(s, low - 1, i))
 		low--;
-	while (high + 1 < s->n && condition_holds_at(s, high + 1, i))
+	while (high + 1 < s->n && is_condition_met_at_step(s, high + 1, i))
 		high++;
 	if (low > 0)
 		ends[0] = s->speed[low];
@@ -558,7 +570,8 @@ find_slowest_safe_speed(struct speed_search *s, const struct wanted *w)
 	for (size_t k = s->n; k-- > 0;) {
 		if (s->speed[k] > s->best)
 			continue;
-		if (!is_measured(w, s->speed[k]) || !conditions_hold_at(s, k) ||
+		if (!is_within_measured_speeds(w, s->speed[k]) ||
+		    !are_conditions_met_at_step(s, k) ||
 		    !(s->certain[k] >= SAFE))
 			return;
 		s->safe = s->speed[k];
@@ -570,8 +583,8 @@ find_slowest_safe_speed(struct speed_search *s, const struct wanted *w)
 static double
 target_excess_at(const struct wanted *w, double v)
 {
-	forecast_at(w->forecast, v);
-	return forecast_excess(w->forecast, w->n, w->target->least);
+	forecast_set_speed(w->forecast, v);
+	return forecast_excess_over_limit(w->forecast, w->n, w->target->least);
 }
 
 /* Where it changes its sign between a and b, at which it is fa and fb: secants,
@@ -607,10 +620,10 @@ target_speed_between(
 static void
 add_target_speed(struct speed_search *s, const struct wanted *w, double v)
 {
-	forecast_at(w->forecast, v);
+	forecast_set_speed(w->forecast, v);
 	s->root = xrealloc(s->root, s->n_root + 1, sizeof *s->root);
 	s->root[s->n_root++] =
-	    (struct speed_root){v, wanted_holds(w, SIZE_MAX)};
+	    (struct speed_root){v, wanted_are_conditions_met(w, SIZE_MAX)};
 }
 
 static void
@@ -628,7 +641,7 @@ find_target_speeds(struct speed_search *s, const struct wanted *w)
 
 /* How far a speed is from those measured. */
 static double
-distance_beyond_measured(const struct wanted *w, double v)
+distance_beyond_measured_speeds(const struct wanted *w, double v)
 {
 	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
 }
@@ -639,10 +652,11 @@ choose_target_speed(struct speed_search *s, const struct wanted *w)
 	const struct speed_root *best = NULL;
 	for (size_t i = 0; i < s->n_root; i++) {
 		const struct speed_root *r = &s->root[i];
-		bool better = best == NULL || r->holds > best->holds ||
-			      (r->holds == best->holds &&
-				  distance_beyond_measured(w, r->speed) <
-				      distance_beyond_measured(w, best->speed));
+		bool better =
+		    best == NULL || r->holds > best->holds ||
+		    (r->holds == best->holds &&
+			distance_beyond_measured_speeds(w, r->speed) <
+			    distance_beyond_measured_speeds(w, best->speed));
 		best = better ? r : best;
 	}
 	s->found = best != NULL ? best->speed : NAN;
@@ -671,7 +685,7 @@ target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
 }
 
 static void
-find_target_bands(struct speed_search *s, const struct wanted *w)
+find_target_speed_bands(struct speed_search *s, const struct wanted *w)
 {
 	struct speed_table *t = s->table;
 	double about = isnan(s->found) ? (w->from + w->to) / 2 : s->found;
@@ -684,16 +698,16 @@ find_target_bands(struct speed_search *s, const struct wanted *w)
 	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
 	for (size_t d = 0; d < DRAWS; d++)
 		speed[d] = target_speed_of_draw(s, t->draw, d, sign, about);
-	ensemble_interval(speed, w->level, &s->range[0], &s->range[1]);
+	ensemble_middle_interval(speed, w->level, &s->range[0], &s->range[1]);
 	for (size_t d = 0; d < DRAWS; d++)
 		speed[d] = target_speed_of_draw(s, t->sample, d, sign, about);
-	ensemble_interval(speed, w->level, &s->cut[0], &s->cut[1]);
+	ensemble_middle_interval(speed, w->level, &s->cut[0], &s->cut[1]);
 }
 
 static void
 finish_search(struct speed_search *s, const struct wanted *w)
 {
-	find_intervals(s, w);
+	find_speed_intervals(s, w);
 	find_best_speed(s, w);
 	find_certain_interval(s, w->level);
 	find_slowest_safe_speed(s, w);
@@ -704,7 +718,7 @@ finish_search(struct speed_search *s, const struct wanted *w)
 		return;
 	find_target_speeds(s, w);
 	choose_target_speed(s, w);
-	find_target_bands(s, w);
+	find_target_speed_bands(s, w);
 }
 
 bool
@@ -713,10 +727,11 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 	size_t k = s->done;
 	if (k == s->n)
 		return true;
-	forecast_at(w->forecast, s->speed[k]);
-	s->certain[k] = share_of_draws(w, s->table->margin + k * w->n);
+	forecast_set_speed(w->forecast, s->speed[k]);
+	s->certain[k] =
+	    share_of_draws_that_hold(w, s->table->margin + k * w->n);
 	if (w->target != NULL)
-		read_target_at_step(s->table, w, k, s->speed[k]);
+		store_target_at_step(s->table, w, k, s->speed[k]);
 	if (++s->done < s->n)
 		return false;
 	finish_search(s, w);
@@ -724,7 +739,7 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 }
 
 struct speed_search *
-speed_search_all(const struct wanted *w)
+speed_search_run(const struct wanted *w)
 {
 	struct speed_search *s = speed_search_new(w);
 	while (!speed_search_step(s, w))
@@ -733,7 +748,7 @@ speed_search_all(const struct wanted *w)
 }
 
 const struct speed_range *
-speed_search_around(const struct speed_search *s)
+speed_search_best_range(const struct speed_search *s)
 {
 	for (size_t k = 0; k < s->n_inside; k++)
 		if (s->best >= s->inside[k].from && s->best <= s->inside[k].to)
@@ -742,13 +757,14 @@ speed_search_around(const struct speed_search *s)
 }
 
 double
-speed_search_extreme(const struct speed_search *s, bool most, bool sure)
+speed_search_speed_of_extreme(
+    const struct speed_search *s, bool most, bool sure)
 {
 	double best = NAN, speed = NAN;
 	for (size_t k = 0; k < s->n; k++) {
 		double value = s->table->value[k], v = s->speed[k];
 		bool in = sure ? v >= s->sure[0] && v <= s->sure[1]
-			       : conditions_hold_at(s, k);
+			       : are_conditions_met_at_step(s, k);
 		bool better =
 		    isnan(best) || (most ? value > best : value < best);
 		if (!in || isnan(value) || !better)

@@ -18,9 +18,10 @@ struct condition {
  * concerns the next quantity: it is a value (both limits) to reach, or has no
  * limits if the largest or smallest value is sought.  from, to: range of
  * speeds, m/s; measured: the slowest and fastest of those that inform the
- * answer; reach: how far beyond them an answer can be relied on (trust_reach),
- * INFINITY if they are not known; level: of bands; site: the one asked about.
- * Unless stated otherwise, functions move the forecast to other speeds. */
+ * answer; reach: how far beyond them an answer can be relied on
+ * (trust_speed_reach), INFINITY if they are not known; level: of bands; site:
+ * the one asked about. Unless stated otherwise, functions move the forecast to
+ * other speeds. */
 struct wanted {
 	const struct site *site;
 	struct forecast *forecast;
@@ -30,11 +31,11 @@ struct wanted {
 };
 
 /* Returns conditions [n] of a question, followed by more quantities [n_more],
- * over the speeds of site_reach and without a target.  `at` must outlive it;
- * free its `forecast` with forecast_close. */
-struct wanted wanted_of(const struct session *s, const struct question *q,
-    size_t n, const struct condition *at, size_t n_more,
-    const struct quantity *more);
+ * over the speeds of site_default_speed_range and without a target.  `at` must
+ * outlive it; free its `forecast` with forecast_close. */
+struct wanted wanted_from_question(const struct session *s,
+    const struct question *q, size_t n, const struct condition *at,
+    size_t n_more, const struct quantity *more);
 
 /* One of the two limits of condition i; none if i is SIZE_MAX. */
 struct wanted_limit {
@@ -43,8 +44,8 @@ struct wanted_limit {
 };
 
 /* The distance from a limit, negative if missed: as a passing 0..1
- * (quantity_excess), and in widths of the band there, so that limits on
- * different sieves can be compared (D21) while they hold; for a model alone,
+ * (quantity_excess_over_limit), and in widths of the band there, so that limits
+ * on different sieves can be compared (D21) while they hold; for a model alone,
  * both are the passing.  A limit that leaves no room (at least 100 %, at most 0
  * %) must hold but is never close: INFINITY. */
 struct margin {
@@ -104,26 +105,27 @@ struct speed_search {
 };
 
 /* speed_search_step searches one more speed and returns true when the search is
- * complete; speed_search_all searches all at once.  Free with
+ * complete; speed_search_run searches all at once.  Free with
  * speed_search_free. */
 struct speed_search *speed_search_new(const struct wanted *w);
 bool speed_search_step(struct speed_search *s, const struct wanted *w);
-struct speed_search *speed_search_all(const struct wanted *w);
+struct speed_search *speed_search_run(const struct wanted *w);
 void speed_search_free(struct speed_search *s);
 
 /* Returns the range in `inside` that contains the best speed, or NULL. */
-const struct speed_range *speed_search_around(const struct speed_search *s);
+const struct speed_range *speed_search_best_range(const struct speed_search *s);
 
 /* Returns the tenth of a m/s inside the ranges (sure: the sure speeds) at which
  * the target's quantity is largest (most) or smallest, or NAN. */
-double speed_search_extreme(const struct speed_search *s, bool most, bool sure);
+double speed_search_speed_of_extreme(
+    const struct speed_search *s, bool most, bool sure);
 
-/* These do not change the forecast's speed.  wanted_margin returns the margin
- * of a condition's nearer limit, or for SIZE_MAX that of all conditions;
- * wanted_holds returns true if these hold; wanted_certainty returns the share
- * of draws in which all do. */
-struct margin wanted_margin(const struct wanted *w, size_t i);
-bool wanted_holds(const struct wanted *w, size_t i);
-double wanted_certainty(const struct wanted *w);
+/* These do not change the forecast's speed.  wanted_margin_of_condition returns
+ * the margin of a condition's nearer limit, or for SIZE_MAX that of all
+ * conditions; wanted_are_conditions_met returns true if these hold;
+ * wanted_probability_met returns the share of draws in which all do. */
+struct margin wanted_margin_of_condition(const struct wanted *w, size_t i);
+bool wanted_are_conditions_met(const struct wanted *w, size_t i);
+double wanted_probability_met(const struct wanted *w);
 
 #endif

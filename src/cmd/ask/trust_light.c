@@ -1,5 +1,5 @@
 /* Gathers the facts about an entry, its calibration and the prediction for
- * trust_judge in core.
+ * trust_judge_answer in core.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/trust_light.h"
 
@@ -23,7 +23,7 @@
 static const double NARROW = 0.01, MOVES = 0.005;
 
 static double
-mean_width(const struct prediction *p)
+mean_band_width(const struct prediction *p)
 {
 	double sum = 0;
 	for (size_t i = 0; p->low != NULL && i < p->product.n; i++)
@@ -37,16 +37,18 @@ find_bound_that_limits_answer(const struct session *s,
     const struct entry *entry, const struct prediction *p,
     struct trust_question *q)
 {
-	const struct fit *fit = origin_fit(entry);
-	struct ensemble *e = outlook_ensemble(s, entry, p->feed_run);
+	const struct fit *fit = origin_find_fit(entry);
+	struct ensemble *e =
+	    outlook_ensemble_of_products(s, entry, p->feed_run);
 	if (e == NULL)
 		return;
-	ensemble_at(e, p->speed);
-	for (size_t j = 0; j < breakage_of(&fit->params)->n; j++) {
-		const char *name = breakage_of(&fit->params)->parameter[j].name;
+	ensemble_set_speed(e, p->speed);
+	for (size_t j = 0; j < breakage_model_of_params(&fit->params)->n; j++) {
+		const char *name =
+		    breakage_model_of_params(&fit->params)->parameter[j].name;
 		double moves =
 		    fit->on_bound[j]
-			? trust_parameter_correlation(
+			? trust_change_per_parameter_sd(
 			      outlook_posterior_for_comparison(s, entry), e,
 			      ensemble_count_sizes(e), name)
 			: 0;
@@ -60,11 +62,11 @@ find_bound_that_limits_answer(const struct session *s,
 /* The largest RMSE of the entry's parameters at a measured run, passing 0..1;
  * NAN where none was measured. */
 static double
-largest_error(const struct session *s, const struct entry *entry)
+largest_rmse_of_runs(const struct session *s, const struct entry *entry)
 {
 	double most = NAN;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_count_covered(&entry->site->run[r]) == 0)
+		if (misfit_count_covered_sieves(&entry->site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(entry->site, r, entry->train,
 		    &entry->params, s->set.model, NULL);
@@ -75,34 +77,34 @@ largest_error(const struct session *s, const struct entry *entry)
 
 /* Parameters that no calibration on this site's data found in this session. */
 static void
-judge_origin(
+judge_origin_of_params(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool same = o->found && o->digest == entry->site->digest;
-	double error = largest_error(s, entry);
-	if (same && origin_fit(entry) != NULL)
+	double error = largest_rmse_of_runs(s, entry);
+	if (same && origin_find_fit(entry) != NULL)
 		return;
 	if (same)
-		trust_add(t, LIGHT_AMBER, TRUST_ORIGIN,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_ORIGIN,
 		    xasprintf(
 			tr("parameters %s, calibrated on the same data in "
 			   "another session: calibrate here to see how far "
 			   "the data determine them"),
-			origin_words(entry)));
+			origin_source_text(entry)));
 	else if (isnan(error))
-		trust_add(t, LIGHT_RED, TRUST_ORIGIN,
+		trust_add_reason(t, LIGHT_RED, TRUST_ORIGIN,
 		    xasprintf(
 			tr("parameters %s, and no product of this site was "
 			   "measured that could check them"),
-			origin_words(entry)));
+			origin_source_text(entry)));
 	else
-		trust_add(t, error > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
+		trust_add_reason(t, error > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_ORIGIN,
 		    xasprintf(tr("parameters %s, not calibrated on this site: "
 				 "they miss a measured product by %.1f points "
 				 "(RMSE)"),
-			origin_words(entry), 100 * error));
+			origin_source_text(entry), 100 * error));
 }
 
 /* How the calibration was made. */
@@ -111,18 +113,18 @@ judge_calibration(
     struct trust *t, const struct session *s, const struct fit *fit)
 {
 	if (fit->stop == CALIBRATE_STOPPED)
-		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(
 			tr("the calibration was stopped: 'continue' may find "
 			   "better parameters")));
 	else if (!fit->converged && !fit->plain)
-		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(
 			tr("the calibration has not converged: the misfit can "
 			   "still fall, so that another seed may give other "
 			   "parameters")));
 	if (!model_settings_same(&s->set.model, &fit->settings))
-		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(tr("the site was calibrated with other settings: "
 			       "calibrate again")));
 }
@@ -134,15 +136,16 @@ static void
 judge_cuts_added_later(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
-	struct later later = cut_compare_later(s, entry);
-	char *alarm = routine_alarm(s, entry);
+	struct later later = cut_compare_runs_since_fit(s, entry);
+	char *alarm = routine_describe_alarm(s, entry);
 	bool drifts = alarm != NULL;
 	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, later.speed, NAN);
+	    rotor_speed_rpm_text(entry->site->rotor, later.speed, NAN);
 	if (drifts)
-		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT, alarm);
+		trust_add_reason(t, LIGHT_AMBER, TRUST_HOLDOUT, alarm);
 	if (later.missed)
-		trust_add(t, later.rms > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
+		trust_add_reason(t,
+		    later.rms > FIT_POOR ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_HOLDOUT,
 		    xasprintf(
 			drifts
@@ -156,38 +159,38 @@ judge_cuts_added_later(
 
 /* What is asked about that nobody measured.  evidence: of the fit, or NULL. */
 static void
-judge_variant(struct trust *t, const struct session *s,
+judge_other_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
 {
 	const struct variant *v = entry->variant;
 	const char *rock = v->own->site->rock;
 	if (v->feed && v->rock[0] != '\0' && rock[0] != '\0' &&
 	    !text_same_folded(v->rock, rock))
-		trust_add(t, LIGHT_RED, TRUST_FEED,
+		trust_add_reason(t, LIGHT_RED, TRUST_FEED,
 		    xasprintf(
 			tr("the feed is %s and the site's rock is %s: no "
 			   "measurement shows how the feed's rock breaks"),
 			v->rock, rock));
 	if (v->feed && evidence == NULL)
-		trust_add(t, LIGHT_AMBER, TRUST_FEED,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FEED,
 		    xstrdup(
 			tr("it is not known with which feeds the parameters "
 			   "were found: this feed may break differently")));
 	if (v->other_rotor)
-		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(
 			tr("the runs were measured with a rotor of %g mm: "
 			   "no measurement shows the effect of another "
 			   "rotor diameter (%g mm)"),
 			units_mm(v->measured_rotor), units_mm(v->rotor)));
 	if (v->bypass > 0)
-		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "cascade share (%g %% of the feed, taken as "
 				 "uncrushed: the coarsest that can be)"),
 			100 * v->bypass));
 	if (v->k > 0 && v->k != s->set.model.k)
-		trust_add(t, LIGHT_AMBER, TRUST_MACHINE,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "number of impacts (%g instead of %g)"),
 			v->k, s->set.model.k));
@@ -195,10 +198,10 @@ judge_variant(struct trust *t, const struct session *s,
 
 /* Speeds of parameters that no calibration of this session found. */
 static struct evidence
-evidence_of_speeds_alone(const struct entry *entry)
+evidence_from_speeds_alone(const struct entry *entry)
 {
 	struct evidence e = {.speeds = 2, .cells = 100};
-	if (!origin_reach(entry, &e.slowest, &e.fastest)) {
+	if (!origin_speed_range(entry, &e.slowest, &e.fastest)) {
 		e.slowest = 0;
 		e.fastest = INFINITY;
 	}
@@ -206,54 +209,56 @@ evidence_of_speeds_alone(const struct entry *entry)
 }
 
 static struct trust
-light_judge(const struct session *s, const struct entry *entry,
+judge_trust_in_answer(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
-	bool off = outlook_correction(s, entry) == CORRECTION_OFF;
+	bool off = outlook_correcting_runs(s, entry) == CORRECTION_OFF;
 	struct trust_question q = {.speed = p != NULL ? p->speed : 0,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
-	struct evidence reach = evidence_of_speeds_alone(entry);
+	struct evidence reach = evidence_from_speeds_alone(entry);
 	/* What was measured is judged as it was measured. */
-	const struct entry *own = entry_loaded(entry);
+	const struct entry *own = entry_without_variant(entry);
 	if (later)
 		judge_cuts_added_later(&t, s, own);
 	if (entry->variant != NULL)
-		judge_variant(&t, s, entry, e);
+		judge_other_feed_or_machine(&t, s, entry, e);
 	if (p != NULL)
-		q.width = mean_width(p);
+		q.width = mean_band_width(p);
 	if (p != NULL && e != NULL && entry->variant != NULL &&
 	    entry->variant->feed)
-		q.feed = outlook_feed_difference(s, entry, p->feed_run);
+		q.feed = outlook_nearest_feed_difference(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
 		find_bound_that_limits_answer(s, entry, p, &q);
 	if (!entry->has_fit)
-		judge_origin(&t, s, own);
+		judge_origin_of_params(&t, s, own);
 	if (e != NULL)
-		judge_calibration(&t, s, origin_fit(entry));
-	char *energies = energies_words(s);
+		judge_calibration(&t, s, origin_find_fit(entry));
+	char *energies = energies_trust_reason(s);
 	if (energies != NULL)
-		trust_add(&t, LIGHT_AMBER, TRUST_MACHINE, energies);
-	trust_judge(&t, e != NULL ? e : &reach, &q);
+		trust_add_reason(&t, LIGHT_AMBER, TRUST_MACHINE, energies);
+	trust_judge_answer(&t, e != NULL ? e : &reach, &q);
 	return t;
 }
 
 struct trust
-light_of_prediction(const struct session *s, const struct entry *entry,
+light_of_answer_or_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	struct trust t = {0};
-	if (p != NULL && session_fitting(s) == entry_loaded(entry)) {
-		trust_add(&t, LIGHT_AMBER, TRUST_FIT,
+	if (p != NULL &&
+	    session_entry_being_fitted(s) == entry_without_variant(entry)) {
+		trust_add_reason(&t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(tr("a calibration is running: parameters change")));
 		return t;
 	}
-	return light_judge(s, entry, p, outlook_evidence(s, entry), true);
+	return judge_trust_in_answer(
+	    s, entry, p, outlook_evidence(s, entry), true);
 }
 
 void
-light_worse(struct trust *worst, struct trust t)
+light_keep_worse(struct trust *worst, struct trust t)
 {
 	struct trust less = t.light > worst->light ? *worst : t;
 	if (t.light > worst->light)
@@ -262,18 +267,19 @@ light_worse(struct trust *worst, struct trust t)
 }
 
 struct trust
-light_worst(const struct session *s, const struct entry *entry,
+light_worst_of_predictions(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
-	struct trust worst = light_of_prediction(s, entry, &p[0]);
+	struct trust worst = light_of_answer_or_fit(s, entry, &p[0]);
 	for (size_t i = 1; i < n; i++)
-		light_worse(&worst, light_of_prediction(s, entry, &p[i]));
+		light_keep_worse(
+		    &worst, light_of_answer_or_fit(s, entry, &p[i]));
 	return worst;
 }
 
 /* "amber: " and the first reason, or "green"; the caller frees. */
 static char *
-light_words(const struct trust *t)
+describe_light(const struct trust *t)
 {
 	const char *name = tr(LIGHT_NAME[t->light]);
 	return t->n == 0 ? xstrdup(name)
@@ -281,73 +287,73 @@ light_words(const struct trust *t)
 }
 
 struct trust
-light_at(const struct session *s, const struct entry *entry, double speed,
+light_at_speed(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
 	struct prediction p = forecast_whole_product(s, entry, speed, feed);
-	struct trust t = light_of_prediction(s, entry, &p);
+	struct trust t = light_of_answer_or_fit(s, entry, &p);
 	prediction_free(&p);
 	return t;
 }
 
 char *
-light_words_at(const struct session *s, const struct entry *entry, double speed,
-    size_t feed)
+light_describe_at_speed(const struct session *s, const struct entry *entry,
+    double speed, size_t feed)
 {
-	struct trust t = light_at(s, entry, speed, feed);
-	FREED char *words = light_words(&t);
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, speed, NAN);
+	struct trust t = light_at_speed(s, entry, speed, feed);
+	FREED char *words = describe_light(&t);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
 	char *said = xasprintf(tr("trust at %g m/s%s: %s"), speed, rpm, words);
 	trust_free(&t);
 	return said;
 }
 
 void
-light_put(struct fields *o, const struct trust *t)
+light_put_fields(struct fields *o, const struct trust *t)
 {
 	fields_put(o, "trust %s", LIGHT_NAME[t->light]);
-	struct fields *list = fields_list(o, "reasons");
+	struct fields *list = fields_add_list(o, "reasons");
 	for (size_t i = 0; i < t->n; i++)
 		fields_put(list, "%s", t->reason[i].text);
 }
 
 void
-light_show_at(
+light_show_with_speed(
     struct answer *r, const struct site *site, double speed, struct trust t)
 {
 	static const enum answer_grade GRADE[] = {
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
-	FREED char *words = light_words(&t);
+	FREED char *words = describe_light(&t);
 	const char *why = t.n > 0 ? tr(" ('why' explains)") : "";
 	FREED char *rpm =
-	    rotor_speed_words(speed > 0 ? site->rotor : 0, speed, NAN);
+	    rotor_speed_rpm_text(speed > 0 ? site->rotor : 0, speed, NAN);
 	if (speed > 0)
 		answer_say(r, GRADE[t.light], "trust at %g m/s%s: %s%s", speed,
 		    rpm, words, why);
 	else
 		answer_say(r, GRADE[t.light], "trust: %s%s", words, why);
-	light_put(answer_fields(r), &t);
+	light_put_fields(answer_fields(r), &t);
 	trust_free(&t);
 }
 
 void
 light_show(struct answer *r, struct trust t)
 {
-	light_show_at(r, NULL, 0, t);
+	light_show_with_speed(r, NULL, 0, t);
 }
 
 /* What needs no light; NULL: that decides. */
 static const char *
 verdict_without_light(const struct fit *fit)
 {
-	return fit->rmse > FIT_POOR      ? tr("poor")
-	       : fit_too_few(fit)        ? tr("too few data")
-	       : fit_breaks_nothing(fit) ? tr("nothing breaks")
-					 : NULL;
+	return fit->rmse > FIT_POOR              ? tr("poor")
+	       : fit_has_too_few_data(fit)       ? tr("too few data")
+	       : fit_is_no_better_than_feed(fit) ? tr("nothing breaks")
+						 : NULL;
 }
 
 static const char *
-good_or_doubtful(struct trust t)
+verdict_of_light(struct trust t)
 {
 	bool good = t.light == LIGHT_GREEN;
 	trust_free(&t);
@@ -355,22 +361,22 @@ good_or_doubtful(struct trust t)
 }
 
 const char *
-light_verdict(const struct session *s, const struct entry *entry,
+light_verdict_on_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	const char *plain = verdict_without_light(&entry->fit);
 	return plain != NULL
 		   ? plain
-		   : good_or_doubtful(light_of_prediction(s, entry, p));
+		   : verdict_of_light(light_of_answer_or_fit(s, entry, p));
 }
 
 const char *
-light_verdict_undrawn(const struct session *s, const struct entry *entry)
+light_verdict_without_draws(const struct session *s, const struct entry *entry)
 {
 	const char *plain = verdict_without_light(&entry->fit);
 	struct evidence e = outlook_evidence_without_draws(s, entry);
 	/* No cut was added since. */
-	return plain != NULL
-		   ? plain
-		   : good_or_doubtful(light_judge(s, entry, NULL, &e, false));
+	return plain != NULL ? plain
+			     : verdict_of_light(judge_trust_in_answer(
+				   s, entry, NULL, &e, false));
 }

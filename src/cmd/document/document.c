@@ -52,7 +52,7 @@ document_append(struct document *d, struct document_part part)
 /* Makes a part of what was printed since the last part, which it precedes.
  * Empty lines at both ends are left out: they are for a terminal. */
 static void
-document_take_text(struct document *d)
+take_printed_text(struct document *d)
 {
 	fflush(d->out);
 	size_t n = d->n_text, from = d->taken;
@@ -70,12 +70,12 @@ document_take_text(struct document *d)
 static void
 document_add(struct document *d, struct document_part part)
 {
-	document_take_text(d);
+	take_printed_text(d);
 	document_append(d, part);
 }
 
 void
-document_title(struct document *d, const char *title)
+document_set_title(struct document *d, const char *title)
 {
 	free(d->title);
 	d->title = xstrdup(title);
@@ -93,7 +93,8 @@ document_say(
 }
 
 void
-document_light(struct document *d, enum light light, const char *words)
+document_add_trust_light(
+    struct document *d, enum light light, const char *words)
 {
 	document_add(d, (struct document_part){.kind = DOCUMENT_LIGHT,
 			    .light = light,
@@ -101,24 +102,24 @@ document_light(struct document *d, enum light light, const char *words)
 }
 
 size_t
-document_answer(struct document *d, const struct answer *answer)
+document_add_answer(struct document *d, const struct answer *answer)
 {
 	document_add(d, (struct document_part){.kind = DOCUMENT_ANSWER,
-			    .answer = answer_escaped(answer)});
+			    .answer = answer_copy_escaped(answer)});
 	return answer_view(answer).n_row;
 }
 
 void
-document_picture(struct document *d, struct chart *chart)
+document_add_chart(struct document *d, struct chart *chart)
 {
 	document_add(d,
 	    (struct document_part){.kind = DOCUMENT_PICTURE, .chart = chart});
 }
 
 bool
-document_end(struct document *d)
+document_finish(struct document *d)
 {
-	document_take_text(d);
+	take_printed_text(d);
 	for (size_t i = 0; i < d->n && d->title == NULL; i++) {
 		const struct document_part *p = &d->part[i];
 		const char *title = p->answer != NULL
@@ -135,7 +136,7 @@ document_end(struct document *d)
 }
 
 char *
-document_extent_words(const struct document *d)
+document_extent_text(const struct document *d)
 {
 	size_t tables = 0, images = 0, lines = 0;
 	for (size_t i = 0; i < d->n; i++) {
@@ -148,13 +149,14 @@ document_extent_words(const struct document *d)
 	}
 	char *text = xstrdup("");
 	if (tables > 0)
-		xlist(&text, ", ", tr_n("%zu table", "%zu tables", tables),
-		    tables);
+		xappend_to_list(&text, ", ",
+		    tr_n("%zu table", "%zu tables", tables), tables);
 	if (images > 0)
-		xlist(&text, ", ", tr_n("%zu image", "%zu images", images),
-		    images);
+		xappend_to_list(&text, ", ",
+		    tr_n("%zu image", "%zu images", images), images);
 	if (tables + images == 0)
-		xlist(&text, ", ", tr_n("%zu line", "%zu lines", lines), lines);
+		xappend_to_list(
+		    &text, ", ", tr_n("%zu line", "%zu lines", lines), lines);
 	return text;
 }
 
@@ -166,7 +168,7 @@ word_width(const char *text)
 	char *copy = xstrdup(text), *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {
-		int w = text_width(word);
+		int w = text_width_in_columns(word);
 		most = w > most ? w : most;
 	}
 	free(copy);
@@ -181,7 +183,8 @@ column_width(const struct answer_view *v, size_t column)
 	enum { MOST = 40 };
 	int width = word_width(v->head[column]);
 	for (size_t i = 0; i < v->n_row; i++) {
-		int w = text_width(v->cell[i * v->n_column + column].text);
+		int w = text_width_in_columns(
+		    v->cell[i * v->n_column + column].text);
 		width = w > width ? w : width;
 	}
 	return width < MOST ? width : MOST;
@@ -215,7 +218,7 @@ document_is_number(const struct answer_view *v, size_t column)
 }
 
 char *
-document_line(const char **text)
+document_take_next_line(const char **text)
 {
 	if (**text == '\0')
 		return NULL;

@@ -13,7 +13,7 @@
 
 /* A part; parts are in the order in which they were added.  text: for all parts
  * except answers and pictures; DOCUMENT_TEXT is preformatted.  light: for
- * DOCUMENT_LIGHT.  answer: as shown, see answer_escaped. */
+ * DOCUMENT_LIGHT.  answer: as shown, see answer_copy_escaped. */
 enum document_kind {
 	DOCUMENT_HEADING,
 	DOCUMENT_WORDS,
@@ -49,25 +49,26 @@ struct document {
 struct document *document_new(const char *made_by);
 void document_free(struct document *document); /* NULL is allowed */
 
-void document_title(struct document *document, const char *title);
+void document_set_title(struct document *document, const char *title);
 void document_say(struct document *document, enum document_kind kind,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
-void document_light(
+void document_add_trust_light(
     struct document *document, enum light light, const char *words);
 
 /* Returns the number of rows in its table. */
-size_t document_answer(struct document *document, const struct answer *answer);
+size_t document_add_answer(
+    struct document *document, const struct answer *answer);
 
 /* Adds the chart and takes ownership of it. */
-void document_picture(struct document *document, struct chart *chart);
+void document_add_chart(struct document *document, struct chart *chart);
 
 /* Completes the document: turns remaining text into a part and chooses a title.
  * Returns false if the document has no part. */
-bool document_end(struct document *document);
+bool document_finish(struct document *document);
 
 /* Returns "3 tables, 1 image" or, without either, the number of lines of text.
  * The caller frees it. */
-char *document_extent_words(const struct document *document);
+char *document_extent_text(const struct document *document);
 
 /* Finds the next columns of a table that fit on a page beside the first one:
  * from `to` on, which is 0 before the first call.  Returns false if none is
@@ -80,6 +81,6 @@ bool document_is_number(const struct answer_view *view, size_t column);
 
 /* Returns the next line of a text, without its line end, or NULL at the end of
  * the text.  The caller frees it. */
-char *document_line(const char **text);
+char *document_take_next_line(const char **text);
 
 #endif

@@ -54,7 +54,8 @@ static const char STYLE[] =
     "}\n";
 
 static void
-html_put(const char *before, const char *text, const char *after, FILE *out)
+html_put_escaped(
+    const char *before, const char *text, const char *after, FILE *out)
 {
 	fputs(before, out);
 	text_print_xml(text, out);
@@ -95,7 +96,8 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	for (size_t i = 0; i < v->n_sentence; i++) {
 		const struct answer_sentence *said = &v->sentence[i];
 		if ((said->grade == ANSWER_WARNING) == warnings)
-			html_put(warnings ? "<p class=\"warning\">" : "<p>",
+			html_put_escaped(
+			    warnings ? "<p class=\"warning\">" : "<p>",
 			    said->text, "</p>\n", out);
 	}
 }
@@ -106,9 +108,9 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 {
 	struct answer_view v = answer_view(answer);
 	if (v.title != NULL && !top)
-		html_put("<h3>", v.title, "</h3>\n", out);
+		html_put_escaped("<h3>", v.title, "</h3>\n", out);
 	if (v.provenance != NULL)
-		html_put(
+		html_put_escaped(
 		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0; document_next_columns(&v, false, &from, &to);)
@@ -121,8 +123,8 @@ put_lines(const char *text, FILE *out)
 {
 	char *line;
 	fputs("<pre>", out);
-	while ((line = document_line(&text)) != NULL) {
-		html_put("", line, "\n", out);
+	while ((line = document_take_next_line(&text)) != NULL) {
+		html_put_escaped("", line, "\n", out);
 		free(line);
 	}
 	fputs("</pre>\n", out);
@@ -134,17 +136,18 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 	const struct document_part *p = &d->part[i];
 	switch (p->kind) {
 	case DOCUMENT_HEADING:
-		html_put("<h2>", p->text, "</h2>\n", out);
+		html_put_escaped("<h2>", p->text, "</h2>\n", out);
 		break;
 	case DOCUMENT_WORDS:
-		html_put("<p>", p->text, "</p>\n", out);
+		html_put_escaped("<p>", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_WARNING:
-		html_put("<p class=\"warning\">", p->text, "</p>\n", out);
+		html_put_escaped(
+		    "<p class=\"warning\">", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_LIGHT:
 		fprintf(out, "<p class=\"light %s\">", LIGHT_NAME[p->light]);
-		html_put("", p->text, "</p>\n", out);
+		html_put_escaped("", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_TEXT:
 		put_lines(p->text, out);
@@ -162,7 +165,7 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 }
 
 char *
-document_html(const struct document *d, size_t *n)
+document_to_html(const struct document *d, size_t *n)
 {
 	char *text = NULL;
 	FILE *out = text_open_memory(&text, n);
@@ -173,12 +176,13 @@ document_html(const struct document *d, size_t *n)
 	    "<meta http-equiv=\"Content-Security-Policy\" "
 	    "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
 	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n");
-	html_put("<title>", d->title, "</title>\n", out);
+	html_put_escaped("<title>", d->title, "</title>\n", out);
 	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
-	html_put("<h1>", d->title, "</h1>\n", out);
+	html_put_escaped("<h1>", d->title, "</h1>\n", out);
 	for (size_t i = 0; i < d->n; i++)
 		html_put_part(d, i, out);
-	html_put("<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
+	html_put_escaped(
+	    "<footer>", d->made_by, "</footer>\n</body>\n</html>\n", out);
 	fclose(out);
 	return text;
 }

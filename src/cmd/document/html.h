@@ -8,6 +8,6 @@
 /* Returns the page, *n bytes, which the caller frees.  It is one file, HTML
  * that is also valid XML, with images as SVG; it loads nothing and runs no
  * script.  The same document gives the same bytes. */
-char *document_html(const struct document *document, size_t *n);
+char *document_to_html(const struct document *document, size_t *n);
 
 #endif

@@ -44,7 +44,7 @@ struct press {
 };
 
 static struct pen_style
-letter_style(const struct press *p, double size, bool bold)
+text_style(const struct press *p, double size, bool bold)
 {
 	return (struct pen_style){.size = size * p->layout.scale, .bold = bold};
 }
@@ -89,7 +89,7 @@ next_page(struct press *p)
 /* Begins a new page unless a part of that height fits on this one.  True if it
  * did. */
 static bool
-pdf_make_room(struct press *p, double height)
+begin_page_unless_fits(struct press *p, double height)
 {
 	if (p->y + height <= p->height - FOOT - 16 || p->y <= MARGIN)
 		return false;
@@ -98,7 +98,7 @@ pdf_make_room(struct press *p, double height)
 }
 
 static void
-skip_down(struct press *p, double points)
+move_down(struct press *p, double points)
 {
 	if (p->y > MARGIN)
 		p->y += points * p->layout.scale;
@@ -107,7 +107,7 @@ skip_down(struct press *p, double points)
 /* Returns the number of bytes of a text that make its next line: whole words
  * or, if not even one fits, part of a word. */
 static size_t
-line_length(struct press *p, const char *text, double width,
+bytes_of_next_line(struct press *p, const char *text, double width,
     const struct pen_style *style)
 {
 	size_t fits = 0;
@@ -142,7 +142,7 @@ break_lines(struct press *p, const char *words, double width,
 	do {
 		size_t n = p->pen->width(p->pen, text, style) <= width
 			       ? strlen(text)
-			       : line_length(p, text, width, style);
+			       : bytes_of_next_line(p, text, width, style);
 		lines.line =
 		    xrealloc(lines.line, lines.n + 1, sizeof *lines.line);
 		lines.line[lines.n++] = xstrndup(text, n);
@@ -162,12 +162,12 @@ lines_free(struct lines *lines)
 
 /* Puts a paragraph. */
 static void
-put_words(struct press *p, const char *text, const struct pen_style *style)
+put_paragraph(struct press *p, const char *text, const struct pen_style *style)
 {
 	double line = LINE * style->size;
 	struct lines lines = break_lines(p, text, inner_width(p), style);
 	for (size_t i = 0; i < lines.n; i++) {
-		pdf_make_room(p, line);
+		begin_page_unless_fits(p, line);
 		p->y += line;
 		p->pen->text(
 		    p->pen, MARGIN, p->y - 0.25 * line, lines.line[i], style);
@@ -182,13 +182,13 @@ put_light(struct press *p, const struct document_part *part)
 	static const enum series INKS[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
 	enum { PAD = 8 };
-	struct pen_style style = letter_style(p, 11, true);
+	struct pen_style style = text_style(p, 11, true);
 	double left = MARGIN, right = p->width - MARGIN;
 	struct lines lines =
 	    break_lines(p, part->text, inner_width(p) - 4 * PAD, &style);
 	double height = (double)lines.n * LINE * style.size + 2 * PAD;
-	skip_down(p, 4);
-	pdf_make_room(p, height);
+	move_down(p, 4);
+	begin_page_unless_fits(p, height);
 	double x[] = {left, right, right, left, left};
 	double y[] = {p->y, p->y, p->y + height, p->y + height, p->y};
 	double bar[] = {left, left + PAD, left + PAD, left};
@@ -202,18 +202,18 @@ put_light(struct press *p, const struct document_part *part)
 		    p->y + PAD + ((double)i + 0.78) * LINE * style.size,
 		    lines.line[i], &style);
 	p->y += height;
-	skip_down(p, 6);
+	move_down(p, 6);
 	lines_free(&lines);
 }
 
 static void
 put_lines(struct press *p, const char *text)
 {
-	struct pen_style style = letter_style(p, 7.5, false);
+	struct pen_style style = text_style(p, 7.5, false);
 	char *line;
 	style.mono = true;
-	while ((line = document_line(&text)) != NULL) {
-		put_words(p, line, &style);
+	while ((line = document_take_next_line(&text)) != NULL) {
+		put_paragraph(p, line, &style);
 		free(line);
 	}
 }
@@ -241,10 +241,10 @@ word_width(struct press *p, const char *text, const struct pen_style *style)
 /* Makes columns as wide as their numbers and the words of their headings.
  * Texts wider than `most` are broken.  Returns the total width. */
 static double
-pdf_measure(struct press *p, struct grid *g, double most)
+measure_grid_columns(struct press *p, struct grid *g, double most)
 {
-	struct pen_style head = letter_style(p, g->size, true);
-	struct pen_style body = letter_style(p, g->size, false);
+	struct pen_style head = text_style(p, g->size, true);
+	struct pen_style body = text_style(p, g->size, false);
 	double sum = -GAP * p->layout.scale;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
@@ -268,7 +268,7 @@ fit_column_widths(struct press *p, struct grid *g)
 {
 	double room = inner_width(p), most = room;
 	g->size = 8.5;
-	while (pdf_measure(p, g, most) > room && g->size > 4) {
+	while (measure_grid_columns(p, g, most) > room && g->size > 4) {
 		if (most > 0.25 * room) {
 			most *= 0.9;
 		} else {
@@ -282,7 +282,7 @@ fit_column_widths(struct press *p, struct grid *g)
 static void
 pdf_put_row(struct press *p, const struct grid *g, size_t row)
 {
-	struct pen_style style = letter_style(p, g->size, row == 0);
+	struct pen_style style = text_style(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
 	FREED struct lines *cell = xcalloc(g->n, sizeof *cell);
 	size_t most = 1;
@@ -296,7 +296,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 		most = cell[i].n > most ? cell[i].n : most;
 	}
 	for (size_t k = 0; k < most; k++, x = MARGIN) {
-		pdf_make_room(p, line);
+		begin_page_unless_fits(p, line);
 		p->y += line;
 		for (size_t i = 0; i < g->n; i++) {
 			bool right = document_is_number(g->view, g->column[i]);
@@ -330,19 +330,19 @@ put_grid(struct press *p, struct grid *g)
 {
 	double line = LINE * g->size * p->layout.scale;
 	fit_column_widths(p, g);
-	pdf_make_room(p, 5 * line);
+	begin_page_unless_fits(p, 5 * line);
 	for (size_t row = 0; row <= g->view->n_row; row++) {
-		bool again = row > 0 && pdf_make_room(p, line);
+		bool again = row > 0 && begin_page_unless_fits(p, line);
 		if (again)
 			pdf_put_row(p, g, 0);
 		if (again || row == 1) {
 			pdf_draw_line(p, end_of_rule(p, g), p->y, 0.7);
-			skip_down(p, 1.5);
+			move_down(p, 1.5);
 		}
 		pdf_put_row(p, g, row);
 	}
 	pdf_draw_line(p, end_of_rule(p, g), p->y + 1, 0.3);
-	skip_down(p, 5);
+	move_down(p, 5);
 }
 
 static void
@@ -350,7 +350,7 @@ put_table(struct press *p, const struct answer_view *v)
 {
 	struct grid g = {.view = v,
 	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
-	    .width = xdoubles(v->n_column + 1)};
+	    .width = xcalloc_doubles(v->n_column + 1)};
 	bool all = p->document->one_page;
 	for (size_t from, to = 0; document_next_columns(v, all, &from, &to);) {
 		g.n = 0;
@@ -366,11 +366,11 @@ put_table(struct press *p, const struct answer_view *v)
 static void
 pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 {
-	struct pen_style style = letter_style(p, 9, warnings);
+	struct pen_style style = text_style(p, 9, warnings);
 	for (size_t i = 0; i < v->n_sentence; i++)
 		if ((v->sentence[i].grade == ANSWER_WARNING) == warnings) {
-			put_words(p, v->sentence[i].text, &style);
-			skip_down(p, 1.5);
+			put_paragraph(p, v->sentence[i].text, &style);
+			move_down(p, 1.5);
 		}
 }
 
@@ -389,19 +389,19 @@ static void
 pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 {
 	struct answer_view v = answer_view(answer);
-	struct pen_style title = letter_style(p, 9.5, true);
-	struct pen_style about = letter_style(p, 8, false);
+	struct pen_style title = text_style(p, 9.5, true);
+	struct pen_style about = text_style(p, 8, false);
 	about.series = SERIES_FEED;
-	skip_down(p, 6);
-	pdf_make_room(p, height_kept_together(p, &v));
+	move_down(p, 6);
+	begin_page_unless_fits(p, height_kept_together(p, &v));
 	if (v.title != NULL && !top)
-		put_words(p, v.title, &title);
+		put_paragraph(p, v.title, &title);
 	if (v.provenance != NULL) {
 		FREED char *text = xasprintf(tr("Data: %s"), v.provenance);
-		put_words(p, text, &about);
+		put_paragraph(p, text, &about);
 	}
 	pdf_put_sentences(p, &v, true);
-	skip_down(p, 3);
+	move_down(p, 3);
 	put_table(p, &v);
 	pdf_put_sentences(p, &v, false);
 }
@@ -412,8 +412,8 @@ put_picture(struct press *p, const struct chart *chart)
 	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
 	double scale = fmin(p->layout.scale, inner_width(p) / PICTURE_WIDTH);
 	double height = scale * picture_height(chart, PROGRAM);
-	skip_down(p, 6);
-	pdf_make_room(p, height);
+	move_down(p, 6);
+	begin_page_unless_fits(p, height);
 	p->pen->place(p->pen, MARGIN, p->y, scale);
 	picture_draw(chart, PROGRAM, p->pen);
 	p->pen->place(p->pen, 0, 0, 1);
@@ -428,17 +428,17 @@ put_heading(struct press *p, size_t i)
 	enum { OWN = 30, LEAST = 40 };
 	const struct document *d = p->document;
 	const struct answer *next = i + 1 < d->n ? d->part[i + 1].answer : NULL;
-	struct pen_style style = letter_style(p, 13, true);
+	struct pen_style style = text_style(p, 13, true);
 	double kept = LEAST * p->layout.scale;
 	if (next != NULL) {
 		struct answer_view v = answer_view(next);
 		kept = height_kept_together(p, &v);
 	}
-	skip_down(p, 14);
-	pdf_make_room(p, OWN * p->layout.scale + kept);
-	put_words(p, d->part[i].text, &style);
+	move_down(p, 14);
+	begin_page_unless_fits(p, OWN * p->layout.scale + kept);
+	put_paragraph(p, d->part[i].text, &style);
 	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
-	skip_down(p, 3);
+	move_down(p, 3);
 }
 
 static void
@@ -446,15 +446,15 @@ pdf_put_part(struct press *p, size_t i)
 {
 	const struct document_part *part = &p->document->part[i];
 	struct pen_style style =
-	    letter_style(p, 9, part->kind == DOCUMENT_WARNING);
+	    text_style(p, 9, part->kind == DOCUMENT_WARNING);
 	switch (part->kind) {
 	case DOCUMENT_HEADING:
 		put_heading(p, i);
 		break;
 	case DOCUMENT_WORDS:
 	case DOCUMENT_WARNING:
-		put_words(p, part->text, &style);
-		skip_down(p, 2);
+		put_paragraph(p, part->text, &style);
+		move_down(p, 2);
 		break;
 	case DOCUMENT_LIGHT:
 		put_light(p, part);
@@ -474,7 +474,7 @@ pdf_put_part(struct press *p, size_t i)
 /* Lays all parts out and returns the bytes of the file, or NULL if that
  * fails. */
 static char *
-make_pdf(const struct document *d, struct layout layout, size_t *n,
+lay_out_pdf(const struct document *d, struct layout layout, size_t *n,
     struct outcome *outcome)
 {
 	char *bytes = NULL;
@@ -485,11 +485,12 @@ make_pdf(const struct document *d, struct layout layout, size_t *n,
 	    .height = layout.across ? SHORT_SIDE : LONG_SIDE,
 	    .y = MARGIN,
 	    .page = 1};
-	p.pen = picture_pages(p.width, p.height, d->title, d->made_by, out);
+	p.pen =
+	    picture_new_pdf_pages(p.width, p.height, d->title, d->made_by, out);
 	bool ok = p.pen != NULL;
 	if (ok) {
-		struct pen_style title = letter_style(&p, 16, true);
-		put_words(&p, d->title, &title);
+		struct pen_style title = text_style(&p, 16, true);
+		put_paragraph(&p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
 			pdf_put_part(&p, i);
 		draw_foot(&p);
@@ -509,7 +510,7 @@ try_layout(const struct document *d, struct layout layout)
 {
 	size_t n;
 	struct outcome outcome;
-	free(make_pdf(d, layout, &n, &outcome));
+	free(lay_out_pdf(d, layout, &n, &outcome));
 	return outcome;
 }
 
@@ -538,15 +539,15 @@ largest_one_page_layout(const struct document *d)
 }
 
 char *
-document_pdf(const struct document *d, size_t *n, size_t *pages)
+document_to_pdf(const struct document *d, size_t *n, size_t *pages)
 {
 	struct layout layout = d->one_page ? largest_one_page_layout(d)
 					   : (struct layout){1, false, 0};
 	struct outcome outcome;
-	if (!picture_can(PICTURE_PDF))
+	if (!picture_can_draw_form(PICTURE_PDF))
 		return NULL;
 	layout.pages = try_layout(d, layout).pages;
-	char *bytes = make_pdf(d, layout, n, &outcome);
+	char *bytes = lay_out_pdf(d, layout, n, &outcome);
 	*pages = outcome.pages;
 	return bytes;
 }

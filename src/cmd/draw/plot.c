@@ -26,7 +26,7 @@
 /* Reads which site or pinned prediction is plotted, and which is shown beside
  * it. */
 static bool
-read_sites(const struct session *s, const struct args *args,
+parse_plotted_sites(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
 	static const char PINNED[] = "pinned";
@@ -46,7 +46,7 @@ read_sites(const struct session *s, const struct args *args,
 }
 
 static bool
-read_request(const struct session *s, const struct args *args,
+parse_plot_request(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
 	size_t kind;
@@ -54,7 +54,7 @@ read_request(const struct session *s, const struct args *args,
 		return error_set(error, ERROR_USAGE,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
-	*request = plots_request((enum plot_kind)kind);
+	*request = plots_default_request((enum plot_kind)kind);
 	request->speed = args->speed > 0 ? args->speed : NAN;
 	request->other_speed = args->other > 0 ? args->other : NAN;
 	request->other_feed = args->other_feed;
@@ -65,7 +65,7 @@ read_request(const struct session *s, const struct args *args,
 	request->level = args->level;
 	request->band = args->band;
 	request->generation = (size_t)args->generation;
-	return read_sites(s, args, request, error);
+	return parse_plotted_sites(s, args, request, error);
 }
 
 /* The chart that a call asks for, and the questions about its site and about
@@ -75,10 +75,10 @@ struct plot_questions {
 	struct question q, second;
 };
 
-/* Leaves the error about a site that is not loaded to plots_chart.  A speed
- * given as feed= names a sample of the first site only. */
+/* Leaves the error about a site that is not loaded to plots_make_chart.  A
+ * speed given as feed= names a sample of the first site only. */
 static bool
-read_questions(struct session *s, const struct args *args,
+parse_plot_questions(struct session *s, const struct args *args,
     struct plot_questions *a, struct error *error)
 {
 	struct plot_request *r = &a->request;
@@ -87,41 +87,41 @@ read_questions(struct session *s, const struct args *args,
 	if (s->n_entry == 0 ||
 	    (r->site != NULL && !session_find_site(s, r->site, &at, &none)))
 		return true;
-	if (!question_read_for(s, &s->entry[at], args, &a->q, error))
+	if (!question_from_args_for_site(s, &s->entry[at], args, &a->q, error))
 		return false;
 	r->entry = a->q.entry;
 	r->feed = a->q.feed;
 	r->fraction = a->q.fraction;
 	r->n_speed = a->q.n_at;
 	r->speeds = a->q.at;
-	if (!screened_check_covered(&a->q, error))
+	if (!screened_check_feed_covers(&a->q, error))
 		return false;
 	bool one_speed = r->kind == PLOT_PSD || r->kind == PLOT_SELECTION ||
 			 r->kind == PLOT_APPEARANCE;
 	if (one_speed && r->made == NULL)
-		question_take_last_speed(s, &a->q);
+		question_use_last_speed(s, &a->q);
 	if ((one_speed || a->q.speed_given) && r->made == NULL)
 		r->speed = a->q.speed;
 	if (r->beside == NULL ||
 	    !session_find_site(s, r->beside, &beside, &none))
 		return true;
-	question_read_like(
+	question_repeat_for_site(
 	    s, &s->entry[beside], args, &a->q, &a->second, &none);
 	r->second = a->second.entry;
 	return true;
 }
 
 /* Makes the chart that the call asks for, from its kind and the options that
- * plot and describe share; see plots_chart.  The caller frees the questions
- * with plot_questions_free, even if the chart is NULL. */
+ * plot and describe share; see plots_make_chart.  The caller frees the
+ * questions with plot_questions_free, even if the chart is NULL. */
 static struct chart *
-asked_chart(struct session *s, const struct args *args,
+make_requested_chart(struct session *s, const struct args *args,
     struct plot_questions *a, struct error *error)
 {
 	*a = (struct plot_questions){0};
-	return read_request(s, args, &a->request, error) &&
-		       read_questions(s, args, a, error)
-		   ? plots_chart(s, &a->request, error)
+	return parse_plot_request(s, args, &a->request, error) &&
+		       parse_plot_questions(s, args, a, error)
+		   ? plots_make_chart(s, &a->request, error)
 		   : NULL;
 }
 
@@ -152,11 +152,10 @@ json_key_of_axis(const struct axis *axis)
 /* If points belong to several sites, or to a line that is common to all sites,
  * each row names its site. */
 static void
-add_owner_of_point(
-    struct answer *r, const struct chart_series *series, size_t i)
+add_site_of_point(struct answer *r, const struct chart_series *series, size_t i)
 {
 	const struct chart_whose *whose = series->whose;
-	answer_cells(r, "%s %s", whose != NULL ? whose[i].site : "",
+	answer_add_cells(r, "%s %s", whose != NULL ? whose[i].site : "",
 	    whose != NULL ? whose[i].about : "");
 }
 
@@ -172,14 +171,14 @@ tick_label_at(const struct axis *axis, double at)
 /* Adds a row for each field of a matrix: the names of its row and column, and
  * its value. */
 static void
-add_fields(struct answer *r, const struct chart *chart)
+add_matrix_chart_rows(struct answer *r, const struct chart *chart)
 {
 	answer_columns(r, "parameter, with, correlation");
 	for (size_t i = 0; i < chart->n; i++)
 		for (size_t j = 0; j < chart->series[i]->n; j++) {
 			const struct chart_series *p = chart->series[i];
 			if (!isnan(p->field[j].value))
-				answer_cells(r, "%s %s %g",
+				answer_add_cells(r, "%s %s %g",
 				    tick_label_at(&chart->y, p->y[j]),
 				    tick_label_at(&chart->x, p->x[j]),
 				    p->field[j].value);
@@ -189,18 +188,18 @@ add_fields(struct answer *r, const struct chart *chart)
 /* Adds a row for each point.  of: the quantity on the vertical axis, or
  * NULL. */
 static void
-add_points(struct answer *r, const struct chart_series *p, bool several,
+add_series_rows(struct answer *r, const struct chart_series *p, bool several,
     const char *of)
 {
 	for (size_t j = 0; j < p->n; j++) {
 		if (isnan(p->y[j]))
 			continue;
 		if (several)
-			add_owner_of_point(r, p, j);
-		answer_cells(r, "%s %g", p->name, p->x[j]);
+			add_site_of_point(r, p, j);
+		answer_add_cells(r, "%s %g", p->name, p->x[j]);
 		if (of != NULL)
 			answer_text(r, "%s", of);
-		answer_cells(r, "%g %g %g", p->y[j],
+		answer_add_cells(r, "%g %g %g", p->y[j],
 		    p->low != NULL ? p->low[j] : NAN,
 		    p->low != NULL ? p->high[j] : NAN);
 	}
@@ -209,7 +208,7 @@ add_points(struct answer *r, const struct chart_series *p, bool several,
 /* Returns the chart below one.  A strip does not count, because its numbers
  * follow from the others. */
 static const struct chart *
-next_chart(const struct chart *chart)
+next_chart_below(const struct chart *chart)
 {
 	const struct chart *below = chart->below;
 	return below != NULL && below->strip > 0 ? NULL : below;
@@ -217,7 +216,7 @@ next_chart(const struct chart *chart)
 
 /* Returns the numbers of a chart, one row for each point. */
 static struct answer *
-chart_answer(const struct session *s, const struct chart *chart)
+build_chart_answer(const struct session *s, const struct chart *chart)
 {
 	struct answer *r = answer_new("plot");
 	bool several =
@@ -226,26 +225,27 @@ chart_answer(const struct session *s, const struct chart *chart)
 	if (several)
 		answer_columns(r, "site, provenance");
 	else
-		answer_site(r,
+		answer_set_site(r,
 		    s->n_entry > 0 ? s->entry[s->current].site->name : "",
 		    chart->about);
 	if (chart->n > 0 && chart->series[0]->field != NULL) {
-		add_fields(r, chart);
+		add_matrix_chart_rows(r, chart);
 		return r;
 	}
 	FREED char *x = json_key_of_axis(&chart->x),
 		   *y = json_key_of_axis(&chart->y);
 	answer_columns(r, "series: series");
 	answer_column(r, x, chart->x.title);
-	if (next_chart(chart) == NULL)
+	if (next_chart_below(chart) == NULL)
 		answer_column(r, y, chart->y.title);
 	else
 		answer_columns(r, "of, value");
 	answer_columns(r, "low, high");
-	for (const struct chart *c = chart; c != NULL; c = next_chart(c))
+	for (const struct chart *c = chart; c != NULL; c = next_chart_below(c))
 		for (size_t i = 0; i < c->n; i++)
-			add_points(r, c->series[i], several,
-			    next_chart(chart) != NULL ? c->y.title : NULL);
+			add_series_rows(r, c->series[i], several,
+			    next_chart_below(chart) != NULL ? c->y.title
+							    : NULL);
 	return r;
 }
 
@@ -281,8 +281,8 @@ print_chart(struct session *s, const struct args *args,
 	int rows =
 	    size_asked_or_fitting(args->height, screen->rows - 2, most, most);
 	/* If there are several charts, each is as high as a single one. */
-	for (const struct chart *c = next_chart(chart); c != NULL;
-	     c = next_chart(c))
+	for (const struct chart *c = next_chart_below(chart); c != NULL;
+	     c = next_chart_below(c))
 		rows += args->height > 0
 			    ? 0
 			    : size_asked_or_fitting(
@@ -303,11 +303,11 @@ error_cannot_draw(const struct session *s, struct error *error)
 }
 
 bool
-plot_writes_image(const struct session *s)
+plot_is_image_wanted(const struct session *s)
 {
 	enum picture_form form;
 	return s->document != NULL ||
-	       (s->file != NULL && picture_form_of(s->file, &form));
+	       (s->file != NULL && picture_form_of_file_name(s->file, &form));
 }
 
 bool
@@ -315,10 +315,10 @@ plot_write_image(struct session *s, struct chart *chart, struct error *error)
 {
 	enum picture_form form;
 	if (s->document != NULL) {
-		document_picture(s->document, chart);
+		document_add_chart(s->document, chart);
 		return true;
 	}
-	bool ok = (picture_form_of(s->file, &form) &&
+	bool ok = (picture_form_of_file_name(s->file, &form) &&
 		      picture_write(
 			  chart, form, "tipspeed " PACKAGE_VERSION, s->out)) ||
 		  error_cannot_draw(s, error);
@@ -327,13 +327,14 @@ plot_write_image(struct session *s, struct chart *chart, struct error *error)
 }
 
 static struct screen_request
-screen_request(const struct session *s, const struct args *args, bool picture)
+build_screen_request(
+    const struct session *s, const struct args *args, bool picture)
 {
 	static const int DEPTHS[] = {0, 256, 16, 8, 0};
 	bool drawing = picture || s->screen.drawing;
 	return (struct screen_request){.columns = (int)args->width,
 	    .rows = (int)args->height,
-	    .page = args_given(args, &args->page) ? (int)args->page + 1 : 0,
+	    .page = args_is_given(args, &args->page) ? (int)args->page + 1 : 0,
 	    .keys = args->keys != NULL ? args->keys : "",
 	    .charset_asked = args->charset > 0,
 	    .charset = charset_asked(args, drawing),
@@ -345,7 +346,7 @@ screen_request(const struct session *s, const struct args *args, bool picture)
 
 /* Returns the rows of the screen for a program that reads them. */
 static struct answer *
-screen_answer(const struct canvas *canvas)
+build_screen_answer(const struct canvas *canvas)
 {
 	FREED char *text = NULL;
 	size_t n = 0;
@@ -356,13 +357,13 @@ screen_answer(const struct canvas *canvas)
 	answer_columns(r, "text");
 	for (char *line = text; *line != '\0'; line += strlen(line) + 1) {
 		line[strcspn(line, "\n")] = '\0';
-		answer_cells(r, "%s", line);
+		answer_add_cells(r, "%s", line);
 	}
 	return r;
 }
 
 static bool
-write_screen(struct session *s, const struct canvas *canvas, int colours,
+write_screen_image(struct session *s, const struct canvas *canvas, int colours,
     struct error *error)
 {
 	enum picture_form form;
@@ -374,7 +375,7 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	FREED char *title =
 	    isfinite(speed)
 		? xasprintf(tr("tipspeed, full-screen mode: %s at %.*f m/s"),
-		      label, units_speed_digits(speed), speed)
+		      label, units_speed_decimals(speed), speed)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	FREED char *from =
 	    entry != NULL ? site_source(entry->site, "") : xstrdup("");
@@ -382,8 +383,8 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
 		    : tr("A text screen of %d columns and %d rows.%s"),
 	    canvas->columns, canvas->rows, from);
-	return (picture_form_of(s->file, &form) &&
-		   picture_cells(
+	return (picture_form_of_file_name(s->file, &form) &&
+		   picture_write_screen(
 		       canvas, colours, form, title, about, s->out)) ||
 	       error_cannot_draw(s, error);
 }
@@ -391,7 +392,8 @@ write_screen(struct session *s, const struct canvas *canvas, int colours,
 /* Prints one row for a screen reader.  Leaves out a sign that is drawn again
  * and again, and with it a row that contains nothing else. */
 static void
-print_row_for_reader(const struct canvas_cell *cell, int columns, FILE *out)
+print_row_for_screen_reader(
+    const struct canvas_cell *cell, int columns, FILE *out)
 {
 	char *text = xstrdup(""), code[5];
 	for (int c = 0, n; c < columns; c += n) {
@@ -400,7 +402,7 @@ print_row_for_reader(const struct canvas_cell *cell, int columns, FILE *out)
 			;
 		bool drawn = n >= 3 && !(sign >= '0' && sign <= '9');
 		for (int i = 0; i < n && !drawn && sign != 0; i++)
-			xappend(&text, "%s", canvas_utf8(sign, code));
+			xappend(&text, "%s", canvas_encode_utf8(sign, code));
 		if (drawn)
 			xappend(&text, "  ");
 	}
@@ -415,40 +417,41 @@ print_row_for_reader(const struct canvas_cell *cell, int columns, FILE *out)
 
 /* Prints all that the screen shows, row by row, and then describes its plot. */
 static bool
-say_screen(struct session *s, const struct canvas *canvas, const char *picture,
-    struct error *error)
+print_for_screen_reader(struct session *s, const struct canvas *canvas,
+    const char *picture, struct error *error)
 {
 	for (int row = 0; row < canvas->rows; row++)
-		print_row_for_reader(canvas->cell + row * canvas->columns,
-		    canvas->columns, s->out);
+		print_row_for_screen_reader(
+		    canvas->cell + row * canvas->columns, canvas->columns,
+		    s->out);
 	if (picture == NULL)
 		return true;
 	size_t next;
 	FREED char *line = xasprintf("describe %s", picture);
-	return session_line(s, line, 0, "screen", 1, &next, error);
+	return session_run_line(s, line, 0, "screen", 1, &next, error);
 }
 
 bool
 cmd_screen(struct session *s, const struct args *args, struct error *error)
 {
-	bool picture = plot_writes_image(s) && s->document == NULL;
+	bool picture = plot_is_image_wanted(s) && s->document == NULL;
 	if (s->hooks.draw_screen == NULL)
 		return error_set(error, ERROR_SYSTEM,
 		    "full-screen mode is not available here");
-	struct screen_request r = screen_request(s, args, picture);
+	struct screen_request r = build_screen_request(s, args, picture);
 	r.words = s->linear && !picture && s->set.format == ANSWER_TABLE;
 	struct canvas *canvas = s->hooks.draw_screen(s, &r, error);
 	if (canvas == NULL)
 		return false;
 	bool ok = true;
 	if (picture)
-		ok = write_screen(s, canvas, r.colours, error);
+		ok = write_screen_image(s, canvas, r.colours, error);
 	else if (r.words)
-		ok = say_screen(s, canvas, r.picture, error);
+		ok = print_for_screen_reader(s, canvas, r.picture, error);
 	else if (s->set.format == ANSWER_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
-		session_show_answer(s, screen_answer(canvas));
+		session_show_answer(s, build_screen_answer(canvas));
 	canvas_free(canvas);
 	free(r.picture);
 	return ok;
@@ -461,7 +464,7 @@ struct description {
 };
 
 static void
-say_axes(struct description *t)
+describe_axes(struct description *t)
 {
 	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
 	static const char *const ways[] = {N_("Across"), N_("Up")};
@@ -482,7 +485,7 @@ say_axes(struct description *t)
 /* Returns "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" for a size distribution,
  * otherwise "". */
 static char *
-p_sizes_words(const struct description *t, const struct chart_series *s)
+p_sizes_text(const struct description *t, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
@@ -500,7 +503,7 @@ p_sizes_words(const struct description *t, const struct chart_series *s)
 /* Says where a curve begins and ends, from left to right; flat ends are left
  * out. */
 static void
-say_curve(struct description *t, const struct chart_series *s)
+describe_curve(struct description *t, const struct chart_series *s)
 {
 	size_t n = s->n;
 	bool falls = n > 1 && s->x[0] > s->x[n - 1];
@@ -514,7 +517,7 @@ say_curve(struct description *t, const struct chart_series *s)
 		last -= step;
 	const char *x = axis_unit_suffix(&t->chart->x),
 		   *y = axis_unit_suffix(&t->chart->y);
-	FREED char *sizes = p_sizes_words(t, s);
+	FREED char *sizes = p_sizes_text(t, s);
 	if (first == last)
 		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
 		    s->y[first], y);
@@ -527,7 +530,7 @@ say_curve(struct description *t, const struct chart_series *s)
 
 /* Names the points of a map or of a comparison; all of them if they are few. */
 static void
-say_points(struct description *t, const struct chart_series *s)
+describe_map_points(struct description *t, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
@@ -535,7 +538,8 @@ say_points(struct description *t, const struct chart_series *s)
 	for (size_t i = 0; i < s->n && shown < FEW; i++) {
 		if (isnan(s->y[i]))
 			continue;
-		xlist(&text, ";", tr(" %.3g and %.3g"), s->x[i], s->y[i]);
+		xappend_to_list(
+		    &text, ";", tr(" %.3g and %.3g"), s->x[i], s->y[i]);
 		shown++;
 	}
 	answer_note(t->answer,
@@ -548,7 +552,7 @@ say_points(struct description *t, const struct chart_series *s)
 /* Names the three points of a parameter in the spread: its two ends and the
  * best. */
 static void
-say_spread(struct description *t)
+describe_parameter_spread(struct description *t)
 {
 	const struct chart_series *s = t->chart->series[0];
 	const struct chart_series *best = t->chart->series[1];
@@ -566,7 +570,7 @@ say_spread(struct description *t)
 
 /* Names the pairs with high values, each once. */
 static void
-say_strong_correlations(struct description *t)
+describe_strong_correlations(struct description *t)
 {
 	const double worth_saying = 0.5;
 	const struct chart *c = t->chart;
@@ -576,7 +580,7 @@ say_strong_correlations(struct description *t)
 		for (size_t j = 0; j < s->n; j++)
 			if (fabs(s->field[j].value) >= worth_saying &&
 			    s->x[j] + s->y[j] < (double)c->y.n + 1)
-				xlist(&list, ", ", tr("%s and %s %s"),
+				xappend_to_list(&list, ", ", tr("%s and %s %s"),
 				    tick_label_at(&c->x, s->x[j]),
 				    tick_label_at(&c->y, s->y[j]),
 				    s->field[j].label);
@@ -592,7 +596,8 @@ say_strong_correlations(struct description *t)
 /* Says where the last curve, which lies on top, is furthest from another
  * one. */
 static void
-say_difference(struct description *t, const struct chart_series *other)
+describe_difference_of_curves(
+    struct description *t, const struct chart_series *other)
 {
 	const struct chart_series *top = t->chart->series[t->chart->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
@@ -613,25 +618,25 @@ say_difference(struct description *t, const struct chart_series *other)
 }
 
 static void
-say_series(struct description *t)
+describe_series(struct description *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
 		if (s->line == CHART_MARKS && !s->psd)
-			say_points(t, s);
+			describe_map_points(t, s);
 		else if (s->series != SERIES_TEXT)
-			say_curve(t, s);
+			describe_curve(t, s);
 	}
 	for (size_t i = 0; i + 1 < c->n && !c->mixed; i++)
 		if (c->series[c->n - 1]->line != CHART_MARKS &&
 		    c->series[i]->series != SERIES_TEXT)
-			say_difference(t, c->series[i]);
+			describe_difference_of_curves(t, c->series[i]);
 }
 
 /* Says where each difference is largest. */
 static void
-say_strip(struct description *t)
+describe_difference_strip(struct description *t)
 {
 	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
@@ -659,7 +664,7 @@ has_bars(const struct chart *chart)
 /* Names for each run the sieve at which the candidates lie furthest apart, and
  * the sieve that the best candidate misses by most. */
 static void
-say_bars(struct description *t)
+describe_candidate_bars(struct description *t)
 {
 	for (size_t i = 0; i + 1 < t->chart->n; i++) {
 		const struct chart_series *s = t->chart->series[i];
@@ -683,22 +688,22 @@ say_bars(struct description *t)
 }
 
 static void
-say_chart(struct description *t)
+describe_chart(struct description *t)
 {
 	const struct chart *chart = t->chart;
 	if (chart->strip > 0) {
-		say_strip(t);
+		describe_difference_strip(t);
 		return;
 	}
-	say_axes(t);
+	describe_axes(t);
 	if (chart->n > 0 && chart->series[0]->field != NULL)
-		say_strong_correlations(t);
+		describe_strong_correlations(t);
 	else if (chart->y.names)
-		say_spread(t);
+		describe_parameter_spread(t);
 	else if (has_bars(chart))
-		say_bars(t);
+		describe_candidate_bars(t);
 	else
-		say_series(t);
+		describe_series(t);
 	for (size_t i = 0; i < chart->n_rule; i++)
 		answer_note(t->answer, "A line from foot to top: %s",
 		    chart->rule[i].name);
@@ -709,42 +714,44 @@ say_chart(struct description *t)
 /* Says at which speeds the goal of the session is met, on the feed of the
  * curves. */
 static void
-say_goal(struct description *t, struct session *s,
+describe_speeds_meeting_goal(struct description *t, struct session *s,
     const struct plot_request *request)
 {
 	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
-	if (request->kind != PLOT_PSD || !goals_is_set(s) || session_busy(s) ||
-	    request->site != NULL || !entry->has_params)
+	if (request->kind != PLOT_PSD || !goals_is_set(s) ||
+	    session_is_calibrating(s) || request->site != NULL ||
+	    !entry->has_params)
 		return;
 	const struct site *site = entry->site;
 	double speed =
 	    isnan(request->speed) ? site_middle_speed(site) : request->speed;
-	while (goals_need_search(s, &goal, request->feed) &&
+	while (goals_is_search_needed(s, &goal, request->feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
-		goals_step(s, entry, &goal, request->feed);
-	FREED char *words = goals_words(s, entry, &goal, speed, GOALS_FULL);
+		goals_step_search(s, entry, &goal, request->feed);
+	FREED char *words = goals_describe(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(t->answer, "%s", words);
 	fields_put(answer_fields(t->answer), "goal %s", words);
-	goals_clear(&goal);
+	goals_discard_results(&goal);
 }
 
 static bool
-plot_describe(struct session *s, const struct args *args,
+describe_requested_plot(struct session *s, const struct args *args,
     struct plot_questions *a, struct error *error)
 {
-	struct chart *chart = asked_chart(s, args, a, error);
+	struct chart *chart = make_requested_chart(s, args, a, error);
 	if (chart == NULL)
 		return false;
 	struct description t = {chart, answer_new("describe")};
 	answer_title(t.answer, "%s", chart->title);
-	answer_sites(t.answer,
-	    s->n_entry > 0 ? session_entry(s)->site->name : "", chart->about);
+	answer_set_sites(t.answer,
+	    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
+	    chart->about);
 	fields_put(answer_fields(t.answer), "kind %s title %s data %s",
 	    args->operand[0], chart->title, chart->about);
 	for (t.chart = chart; t.chart != NULL; t.chart = t.chart->below)
-		say_chart(&t);
-	say_goal(&t, s, &a->request);
+		describe_chart(&t);
+	describe_speeds_meeting_goal(&t, s, &a->request);
 	chart_free(chart);
 	return session_show_answer(s, t.answer);
 }
@@ -753,7 +760,7 @@ bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
 	struct plot_questions a;
-	bool ok = plot_describe(s, args, &a, error);
+	bool ok = describe_requested_plot(s, args, &a, error);
 	plot_questions_free(s, &a);
 	return ok;
 }
@@ -765,17 +772,17 @@ cmd_plot(struct session *s, const struct args *args, struct error *error)
 	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);
-	struct chart *chart = asked_chart(s, args, &a, error);
+	struct chart *chart = make_requested_chart(s, args, &a, error);
 	plot_questions_free(s, &a);
 	if (chart == NULL)
 		return false;
 	enum charset charset = charset_asked(args, s->screen.drawing);
-	if (plot_writes_image(s))
+	if (plot_is_image_wanted(s))
 		return plot_write_image(s, chart, error);
 	if (s->set.format == ANSWER_TABLE)
 		print_chart(s, args, chart, charset);
 	else
-		session_show_answer(s, chart_answer(s, chart));
+		session_show_answer(s, build_chart_answer(s, chart));
 	chart_free(chart);
 	return true;
 }

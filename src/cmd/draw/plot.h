@@ -24,10 +24,10 @@ struct screen_request {
 	char *picture;
 };
 
-/* plot_writes_image is true if the results go to an image file, recognised by
- * its name, or to a document.  plot_write_image writes the chart to it and
+/* plot_is_image_wanted is true if the results go to an image file, recognised
+ * by its name, or to a document.  plot_write_image writes the chart to it and
  * frees the chart. */
-bool plot_writes_image(const struct session *s);
+bool plot_is_image_wanted(const struct session *s);
 bool plot_write_image(
     struct session *s, struct chart *chart, struct error *error);
 

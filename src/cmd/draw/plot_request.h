@@ -60,8 +60,9 @@ struct plot_request {
 	unsigned words; /* bits of CHART_ALL: texts around the chart.  Without
 			 * CHART_NOTES, the names in psd contain no numbers that
 			 * change with the speed */
-	size_t n_speed; /* sweep: number of speeds; 0: answers_speeds.  runs:
-			 * speeds besides the measured ones */
+	size_t
+	    n_speed; /* sweep: number of speeds; 0: answers_list_round_speeds.
+		      * runs: speeds besides the measured ones */
 	const double *speeds;
 	const char *param;        /* profile: the parameter; NULL: e0_min */
 	const char *of, *limits;  /* response: quantities and conditions in
@@ -69,7 +70,7 @@ struct plot_request {
 				  * none */
 	struct fraction fraction; /* psd, sweep, response: of the product;
 				   * zeros: all of it */
-	size_t feed;              /* psd, sweep: as for site_feed */
+	size_t feed;              /* psd, sweep: as for site_feed_of_run */
 };
 
 /* Makes a chart, which the caller frees with chart_free.  Returns NULL with an

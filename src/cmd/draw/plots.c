@@ -27,7 +27,7 @@ static const struct chart_series PREDICTED = {
     .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 
 struct plot_request
-plots_request(enum plot_kind kind)
+plots_default_request(enum plot_kind kind)
 {
 	enum { STRIP = 6 }; /* rows, with the title */
 	return (struct plot_request){.kind = kind,
@@ -52,15 +52,15 @@ add_residuals(struct chart *chart, const struct session *s,
 {
 	const struct run *r = &entry->site->run[run];
 	const struct psd *product = &r->product;
-	struct prediction p =
-	    predict(entry->site, params, s->set.model, r->speed, run);
+	struct prediction p = predict_with_model_alone(
+	    entry->site, params, s->set.model, r->speed, run);
 	struct chart_series *series =
 	    chart_add(chart, look, product->n, "%g m/s%s%s", r->speed,
 		r->repeat, entry->train[run] ? "" : tr(" (held out)"));
 	for (size_t i = 0; i < product->n; i++) {
 		double predicted = psd_passing(&p.product, product->size[i]);
 		series->x[i] = units_mm(product->size[i]);
-		series->y[i] = i < misfit_count_covered(r)
+		series->y[i] = i < misfit_count_covered_sieves(r)
 				   ? 100 * (predicted - product->passing[i])
 				   : NAN;
 	}
@@ -72,8 +72,9 @@ add_residuals(struct chart *chart, const struct session *s,
 static struct axis
 axis_with_zero(const struct chart *chart, const char *title)
 {
-	struct chart_extent e = chart_extent(chart);
-	struct axis axis = axis_linear(title, fmin(0, e.y[0]), fmax(0, e.y[1]));
+	struct chart_extent e = chart_find_extent(chart);
+	struct axis axis =
+	    axis_new_linear(title, fmin(0, e.y[0]), fmax(0, e.y[1]));
 	for (size_t i = 0; i < axis.n; i++)
 		axis.tick[i].guide = axis.tick[i].at == 0;
 	return axis;
@@ -89,7 +90,7 @@ residuals_chart(
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		compared += misfit_count_covered(&site->run[i]) > 0;
+		compared += misfit_count_covered_sieves(&site->run[i]) > 0;
 	if (compared == 0) {
 		error_set(error, ERROR_USAGE,
 		    site_count_products(site) == 0
@@ -106,8 +107,8 @@ residuals_chart(
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    (struct axis){0}, "predicted minus measured, sieve by sieve");
 	for (size_t i = 0; i < site->n_run; i++) {
-		if (!site_run_is_near(site, i, middle, SITE_CHART_RUNS) ||
-		    misfit_count_covered(&site->run[i]) == 0)
+		if (!site_run_is_near_speed(site, i, middle, SITE_CHART_RUNS) ||
+		    misfit_count_covered_sieves(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->entry->train[i]);
@@ -115,13 +116,13 @@ residuals_chart(
 		look.ascii = look.mark;
 		add_residuals(chart, s, q->entry, i, &params, look);
 	}
-	site_chart_across_sieves(chart);
+	site_chart_set_sieve_axis(chart);
 	chart->y = axis_with_zero(chart, "difference, points");
 	return chart;
 }
 
 static void
-put_pairs(struct chart *chart, const struct session *s,
+add_parity_points(struct chart *chart, const struct session *s,
     const struct trials *pairs, double low, double high)
 {
 	struct chart_series *equal = chart_add(chart,
@@ -131,7 +132,7 @@ put_pairs(struct chart *chart, const struct session *s,
 	equal->x[0] = equal->y[0] = low;
 	equal->x[1] = equal->y[1] = high;
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		struct chart_series look = site_chart_style(i);
+		struct chart_series look = site_chart_series_style(i);
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", PSD_NAME[i]);
@@ -152,12 +153,12 @@ put_pairs(struct chart *chart, const struct session *s,
 /* Notes "P50: bias -0.3 %, RMS 1.2 %, R2 0.9987; 19 runs", as validate all
  * does. */
 static void
-note_scores(struct chart *chart, const struct trials *pairs)
+note_bias_and_rms(struct chart *chart, const struct trials *pairs)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		char r2[16] = "-";
 		struct validate_score score =
-		    trials_score(pairs, VALIDATE_MODEL, i);
+		    trials_score_at_size(pairs, VALIDATE_MODEL, i);
 		if (score.n == 0)
 			continue;
 		if (!isnan(score.r2))
@@ -181,7 +182,7 @@ parity_chart(
 	double low = INFINITY, high = 0;
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			trials_add_entry(&pairs, s, i, NULL);
+			trials_add_held_out_of_entry(&pairs, s, i, NULL);
 	for (size_t j = 0; j < PSD_SIZES * pairs.n; j++) {
 		const struct validation *v = &pairs.item[j / PSD_SIZES].v;
 		double measured = 1000 * v->measured[j % PSD_SIZES];
@@ -191,17 +192,17 @@ parity_chart(
 		high = fmax(high, fmax(measured, predicted));
 	}
 	if (high > 0) {
-		struct axis x = axis_log(tr("measured, mm"), low, high);
-		struct axis y = axis_log(tr("predicted, mm"), low, high);
+		struct axis x = axis_new_log(tr("measured, mm"), low, high);
+		struct axis y = axis_new_log(tr("predicted, mm"), low, high);
 		size_t sites;
-		FREED char *about = trials_sources(&pairs, &sites);
+		FREED char *about = trials_data_sources_text(&pairs, &sites);
 		FREED char *title =
 		    xasprintf(tr_n("sizes at held-out speeds, %zu site",
 				  "sizes at held-out speeds, %zu sites", sites),
 			sites);
 		chart = chart_new(title, about, x, y);
-		put_pairs(chart, s, &pairs, x.low, x.high);
-		note_scores(chart, &pairs);
+		add_parity_points(chart, s, &pairs, x.low, x.high);
+		note_bias_and_rms(chart, &pairs);
 	} else {
 		error_set(error, ERROR_USAGE,
 		    "no loaded site has both parameters and a product at a "
@@ -218,28 +219,29 @@ enum { SAMPLES = 241 };
 /* Returns value i of SAMPLES between low and high, evenly spaced on a log
  * scale. */
 static double
-log_sample(double low, double high, size_t i)
+log_spaced_value(double low, double high, size_t i)
 {
 	return low * pow(high / low, (double)i / (SAMPLES - 1));
 }
 
 static void
-add_selection(struct chart *chart, const struct session *s,
+add_selection_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     struct chart_series look)
 {
-	struct model_settings settings = outlook_settings(s, entry);
+	struct model_settings settings = outlook_model_settings(s, entry);
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	struct breaker b;
 	breaker_set_params(&b, params, &settings);
 	breaker_set_speed(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
-		series->x[i] = log_sample(chart->x.low, chart->x.high, i);
+		series->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
 		series->y[i] = 100 * b.model->selection(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
-	double mm = 1000 * params_break_size_by(params, &settings, speed);
+	double mm =
+	    1000 * params_break_size_by_impacts(params, &settings, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
 	    "break size %.2f mm at %g m/s", mm, speed);
@@ -254,17 +256,17 @@ selection_chart(
 	struct params params;
 	if (!search_shown_params(s, q, &params, error))
 		return NULL;
-	const struct psd *feed = site_feed(site, q->feed);
+	const struct psd *feed = site_feed_of_run(site, q->feed);
 	struct chart *chart =
-	    site_chart(site, site_chart_sieves(feed->size, feed->n),
-		axis_percent(tr("share that breaks S(x), %")),
+	    site_chart(site, site_chart_sieve_axis(feed->size, feed->n),
+		axis_new_percent(tr("share that breaks S(x), %")),
 		"selection function (Eq 3)");
 	if (!isnan(q->other_speed))
-		add_selection(chart, s, q->entry, &params, q->other_speed,
+		add_selection_curve(chart, s, q->entry, &params, q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection(chart, s, q->entry, &params, speed, PREDICTED);
+	add_selection_curve(chart, s, q->entry, &params, speed, PREDICTED);
 	return chart;
 }
 
@@ -287,15 +289,16 @@ appearance_chart(
 	struct breaker b;
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
-	struct chart *chart =
-	    site_chart(site, axis_log(tr("progeny / parent u, -"), 0.001, 1),
-		axis_percent(tr("finer than u B(u), %")),
-		"appearance function (Eq 1)");
+	struct chart *chart = site_chart(site,
+	    axis_new_log(tr("progeny / parent u, -"), 0.001, 1),
+	    axis_new_percent(tr("finer than u B(u), %")),
+	    "appearance function (Eq 1)");
 	struct chart_series *curve =
 	    chart_add(chart, PREDICTED, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
-		curve->x[i] = log_sample(chart->x.low, chart->x.high, i);
-		curve->y[i] = 100 * answers_share_finer(&b, curve->x[i], site);
+		curve->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
+		curve->y[i] =
+		    100 * answers_breakage_function(&b, curve->x[i], site);
 	}
 	return chart;
 }
@@ -311,7 +314,7 @@ make_chart_in_theme(plot_make *make, struct session *s,
 }
 
 struct chart *
-plots_chart(
+plots_make_chart(
     struct session *s, const struct plot_request *request, struct error *error)
 {
 	static const struct {
@@ -325,14 +328,14 @@ plots_chart(
 	    [PLOT_RESIDUALS] = {residuals_chart, false},
 	    [PLOT_SELECTION] = {selection_chart, false},
 	    [PLOT_APPEARANCE] = {appearance_chart, false},
-	    [PLOT_MAP] = {plots_map, true},
+	    [PLOT_MAP] = {plots_material_map, true},
 	    [PLOT_SWEEP] = {plots_sweep, false},
 	    [PLOT_RESPONSE] = {plots_response, false},
-	    [PLOT_PROFILE] = {plots_draws_profile, false},
-	    [PLOT_CORRELATION] = {plots_draws_correlation, false},
-	    [PLOT_DRIFT] = {plots_drift, false},
-	    [PLOT_SEARCH] = {plots_search, false},
-	    [PLOT_ENERGY] = {plots_energy, true}};
+	    [PLOT_PROFILE] = {plots_parameter_profile, false},
+	    [PLOT_CORRELATION] = {plots_parameter_correlations, false},
+	    [PLOT_DRIFT] = {plots_control_charts, false},
+	    [PLOT_SEARCH] = {plots_search_residuals, false},
+	    [PLOT_ENERGY] = {plots_impact_energies, true}};
 	if (!KINDS[request->kind].any_site &&
 	    !session_need_site(s, "this plot", error))
 		return NULL;
@@ -358,7 +361,7 @@ value_with_unit(const struct axis *axis, double value)
 }
 
 static char *
-words_of_found(const struct chart_found *f)
+text_of_found_mark(const struct chart_found *f)
 {
 	const struct chart_series *of = f->series;
 	if (of == NULL)
@@ -372,29 +375,29 @@ words_of_found(const struct chart_found *f)
 }
 
 bool
-plots_find_at(struct session *s, const struct plot_request *request,
+plots_find_at_cell(struct session *s, const struct plot_request *request,
     int columns, int rows, int column, int row, struct plots_found *found)
 {
 	struct error error = {0};
 	struct chart_found f;
-	struct chart *chart = plots_chart(s, request, &error);
+	struct chart *chart = plots_make_chart(s, request, &error);
 	if (chart == NULL)
 		return false;
 	struct canvas *canvas = canvas_new(columns, rows);
-	bool in = chart_find(
+	bool in = chart_find_at_cell(
 	    chart, canvas, request->charset, request->words, column, row, &f);
 	if (in)
-		*found = (struct plots_found){f.x, f.y, words_of_found(&f)};
+		*found = (struct plots_found){f.x, f.y, text_of_found_mark(&f)};
 	canvas_free(canvas);
 	chart_free(chart);
 	return in;
 }
 
 struct canvas *
-plots_draw(struct session *s, const struct plot_request *request, int columns,
-    int rows, struct error *error)
+plots_draw_canvas(struct session *s, const struct plot_request *request,
+    int columns, int rows, struct error *error)
 {
-	struct chart *chart = plots_chart(s, request, error);
+	struct chart *chart = plots_make_chart(s, request, error);
 	if (chart == NULL)
 		return NULL;
 	struct canvas *canvas =

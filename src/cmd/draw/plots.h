@@ -6,22 +6,24 @@
 #include "cmd/draw/plot_request.h"
 
 /* Returns a request of that kind with defaults: NANs, ASCII, a legend. */
-struct plot_request plots_request(enum plot_kind kind);
+struct plot_request plots_default_request(enum plot_kind kind);
 
 /* Kinds with a file of their own, plots_KIND.c; plots_draws.c has profile and
  * correlation, plots_psd.c also sweep. */
-plot_make plots_draws_profile, plots_draws_correlation, plots_drift,
-    plots_energy, plots_map, plots_psd, plots_response, plots_runs, plots_sweep;
+plot_make plots_parameter_profile, plots_parameter_correlations,
+    plots_control_charts, plots_impact_energies, plots_material_map, plots_psd,
+    plots_response, plots_runs, plots_sweep;
 
 /* Makes the chart, which the caller frees with chart_free.  Returns NULL with
  * an error that says what is missing (site, parameters, history). */
-struct chart *plots_chart(
+struct chart *plots_make_chart(
     struct session *s, const struct plot_request *request, struct error *error);
 
-/* As plots_chart, but drawn on exactly columns x rows cells.  The caller frees
- * the canvas with canvas_free. */
-struct canvas *plots_draw(struct session *s, const struct plot_request *request,
-    int columns, int rows, struct error *error);
+/* As plots_make_chart, but drawn on exactly columns x rows cells.  The caller
+ * frees the canvas with canvas_free. */
+struct canvas *plots_draw_canvas(struct session *s,
+    const struct plot_request *request, int columns, int rows,
+    struct error *error);
 
 /* Finds what is at a cell of that picture: the values on the axes, and the mark
  * or line drawn there in words, "measured 74: 5.6 mm, 82.1 %", or NULL; the
@@ -30,7 +32,7 @@ struct plots_found {
 	double x, y;
 	char *words;
 };
-bool plots_find_at(struct session *s, const struct plot_request *request,
+bool plots_find_at_cell(struct session *s, const struct plot_request *request,
     int columns, int rows, int column, int row, struct plots_found *found);
 
 #endif

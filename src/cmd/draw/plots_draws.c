@@ -19,14 +19,14 @@ static const struct posterior *
 posterior_or_error(
     const struct session *s, const struct entry *entry, struct error *error)
 {
-	if (!answers_check_params(s, entry, error))
+	if (!answers_require_params(s, entry, error))
 		return NULL;
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	if (p == NULL)
 		error_set(error, ERROR_USAGE,
 		    "there are no draws to plot (%s)\n"
 		    "run 'calibrate' first",
-		    outlook_why_none(s, entry));
+		    outlook_why_no_band(s, entry));
 	return p;
 }
 
@@ -37,7 +37,7 @@ list_free_parameters(
 {
 	size_t n = 0;
 	for (size_t j = 0; j < BREAKAGES[p->settings.breakage]->n; j++)
-		if (identify_param(p, j).grade != IDENTIFY_FIXED)
+		if (identify_summarise_param(p, j).grade != IDENTIFY_FIXED)
 			column[n++] = j;
 	return n;
 }
@@ -45,7 +45,8 @@ list_free_parameters(
 /* Returns an axis with a tick for each parameter: from left to right or, if
  * `up`, from the top down. */
 static struct axis
-names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
+parameter_name_axis(
+    const struct posterior *p, const size_t *column, size_t n, bool up)
 {
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	struct axis axis = {.title = xstrdup("parameter"),
@@ -53,15 +54,15 @@ names_axis(const struct posterior *p, const size_t *column, size_t n, bool up)
 	    .low = 0.5,
 	    .high = (double)n + 0.5};
 	for (size_t k = 0; k < n; k++)
-		axis_add(&axis, (double)(up ? n - k : k + 1),
+		axis_add_tick(&axis, (double)(up ? n - k : k + 1),
 		    of->parameter[column[k]].name, 0);
 	return axis;
 }
 
 /* Adds the fields whose values have one sign. */
 static void
-add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
-    size_t n, bool positive)
+add_correlation_cells(struct chart *chart, const struct posterior *p,
+    const size_t *column, size_t n, bool positive)
 {
 	struct chart_series *s = chart_add(chart,
 	    (struct chart_series){
@@ -75,8 +76,9 @@ add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
 	for (size_t i = 0; i < n; i++)
 		for (size_t j = 0; j < n; j++) {
 			double r = i == j ? 1
-					  : identify_strongest(identify_pair(
-						p, column[i], column[j]));
+					  : identify_stronger_correlation(
+						identify_correlate_pair(
+						    p, column[i], column[j]));
 			if ((r >= 0) != positive)
 				continue;
 			s->x[s->n] = (double)(j + 1);
@@ -88,7 +90,7 @@ add_fields(struct chart *chart, const struct posterior *p, const size_t *column,
 }
 
 struct chart *
-plots_draws_correlation(
+plots_parameter_correlations(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	size_t column[PARAMS_MOST];
@@ -104,11 +106,12 @@ plots_draws_correlation(
 		    n);
 		return NULL;
 	}
-	struct chart *chart = site_chart(q->entry->site,
-	    names_axis(p, column, n, false), names_axis(p, column, n, true),
-	    "correlations of %d draws", POSTERIOR_DRAWS);
-	add_fields(chart, p, column, n, true);
-	add_fields(chart, p, column, n, false);
+	struct chart *chart =
+	    site_chart(q->entry->site, parameter_name_axis(p, column, n, false),
+		parameter_name_axis(p, column, n, true),
+		"correlations of %d draws", POSTERIOR_DRAWS);
+	add_correlation_cells(chart, p, column, n, true);
+	add_correlation_cells(chart, p, column, n, false);
 	chart_note(chart,
 	    "of the draws or of their ranks, whichever is stronger; above 0.9 "
 	    "the data tell a combination of the two only");
@@ -130,12 +133,12 @@ struct profiled {
 };
 
 static bool
-find_profiled(const struct session *s, const struct entry *entry,
+prepare_profile(const struct session *s, const struct entry *entry,
     const char *name, struct profiled *a, struct error *error)
 {
-	if (!answers_check_params(s, entry, error))
+	if (!answers_require_params(s, entry, error))
 		return false;
-	if (origin_fit(entry) == NULL)
+	if (origin_find_fit(entry) == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "the parameters do not come from a calibration in this "
 		    "session\n"
@@ -145,14 +148,15 @@ find_profiled(const struct session *s, const struct entry *entry,
 	a->fit = a->h->fit.params;
 	a->bounds = a->h->bounds;
 	struct model_settings settings = a->h->fit.settings;
-	if (a->p != NULL && breakage_parameter(breakage_of(&a->fit), name) ==
-				breakage_of(&a->fit)->n) {
+	if (a->p != NULL &&
+	    breakage_parameter_index(breakage_model_of_params(&a->fit), name) ==
+		breakage_model_of_params(&a->fit)->n) {
 		a->fit = a->p->fit;
 		a->bounds = a->p->bounds;
 		settings = a->p->settings;
 	}
-	const struct breakage *of = breakage_of(&a->fit);
-	a->j = breakage_parameter(of, name);
+	const struct breakage *of = breakage_model_of_params(&a->fit);
+	a->j = breakage_parameter_index(of, name);
 	if (a->j == of->n)
 		return error_set(error, ERROR_USAGE,
 		    "the model %s has no parameter %s\n"
@@ -160,7 +164,7 @@ find_profiled(const struct session *s, const struct entry *entry,
 		    of->name, name);
 	a->info = &of->parameter[a->j];
 	a->own = a->p == NULL ? 0
-			      : breakage_parameter(
+			      : breakage_parameter_index(
 				    BREAKAGES[a->p->settings.breakage], name);
 	bool gauge = a->j < of->gauge;
 	if ((gauge && fabs(a->fit.at[a->j]) == 1) ||
@@ -184,7 +188,7 @@ find_profiled(const struct session *s, const struct entry *entry,
  * and the fit, and a quarter more on each side.  Without draws it is all of
  * it. */
 static void
-find_range_to_show(
+find_profile_range(
     const struct profiled *a, const double *draw, double reach[static 2])
 {
 	reach[0] = a->bounds.lower[a->j];
@@ -206,7 +210,7 @@ find_range_to_show(
 /* Spreads n values over the axis, within the bounds.  The fit's own value
  * replaces the nearest one. */
 static void
-choose_values_on_axis(
+choose_profile_values(
     const struct chart *chart, const struct profiled *a, double *x, size_t n)
 {
 	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
@@ -223,11 +227,11 @@ choose_values_on_axis(
 /* Draws the refitted misfits as a likelihood with errors of unknown size,
  * E^(-n/2). */
 static void
-add_profile(struct chart *chart, const struct profiled *a)
+add_likelihood_profile(struct chart *chart, const struct profiled *a)
 {
 	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
-	choose_values_on_axis(chart, a, x, VALUES);
+	choose_profile_values(chart, a, x, VALUES);
 	profile_misfit(a->misfit, &a->fit, &a->bounds, a->j, x, VALUES, misfit);
 	for (size_t i = 0; i < VALUES; i++)
 		least = fmin(least, misfit[i]);
@@ -235,7 +239,7 @@ add_profile(struct chart *chart, const struct profiled *a)
 	    (struct chart_series){
 		.series = SERIES_KIND_1, .line = CHART_SOLID, .ascii = '='},
 	    VALUES, N_("misfit, others refitted"));
-	double half = (double)misfit_count_changeable(a->misfit) / 2;
+	double half = (double)misfit_count_changeable_passings(a->misfit) / 2;
 	near[0] = INFINITY;
 	near[1] = -INFINITY;
 	for (size_t i = 0; i < VALUES; i++) {
@@ -254,7 +258,8 @@ add_profile(struct chart *chart, const struct profiled *a)
 }
 
 static void
-add_density(struct chart *chart, const struct profiled *a, const double *draw)
+add_density_of_draws(
+    struct chart *chart, const struct profiled *a, const double *draw)
 {
 	enum { POINTS = 101 };
 	struct chart_series *s = chart_add(chart,
@@ -265,7 +270,7 @@ add_density(struct chart *chart, const struct profiled *a, const double *draw)
 	for (size_t i = 0; i < POINTS; i++) {
 		s->x[i] = chart->x.low + (chart->x.high - chart->x.low) *
 					     (double)i / (POINTS - 1);
-		s->y[i] = profile_density(draw, POSTERIOR_DRAWS,
+		s->y[i] = profile_density_of_draws(draw, POSTERIOR_DRAWS,
 		    a->bounds.lower[a->j], a->bounds.upper[a->j], s->x[i]);
 		if (s->x[i] < a->bounds.lower[a->j] ||
 		    s->x[i] > a->bounds.upper[a->j])
@@ -277,27 +282,27 @@ add_density(struct chart *chart, const struct profiled *a, const double *draw)
 }
 
 struct chart *
-plots_draws_profile(
+plots_parameter_profile(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct profiled a;
 	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
-	if (!find_profiled(
+	if (!prepare_profile(
 		s, q->entry, q->param != NULL ? q->param : "e0_min", &a, error))
 		return NULL;
 	for (size_t d = 0; a.p != NULL && d < POSTERIOR_DRAWS; d++) {
 		draw = draws;
 		draws[d] = a.p->draw[d].params.at[a.own];
 	}
-	find_range_to_show(&a, draw, reach);
+	find_profile_range(&a, draw, reach);
 	FREED char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
-	struct chart *chart =
-	    site_chart(q->entry->site, axis_linear(title, reach[0], reach[1]),
-		axis_percent(tr("relative to the most probable, %")),
-		"what the data say of %s", a.info->name);
-	add_profile(chart, &a);
+	struct chart *chart = site_chart(q->entry->site,
+	    axis_new_linear(title, reach[0], reach[1]),
+	    axis_new_percent(tr("relative to the most probable, %")),
+	    "what the data say of %s", a.info->name);
+	add_likelihood_profile(chart, &a);
 	if (draw != NULL)
-		add_density(chart, &a, draw);
+		add_density_of_draws(chart, &a, draw);
 	chart_add_rule(chart, SERIES_BREAK, a.fit.at[a.j], "calibrated %.4g",
 	    a.fit.at[a.j]);
 	misfit_free(a.misfit);

@@ -30,7 +30,7 @@ static const struct {
 	{.series = SERIES_KIND_4, .line = CHART_LONG, .ascii = '%'}}};
 
 static double
-share_of_limit(
+drift_value_per_limit(
     const struct drift_point *p, const struct drift_rule *rule, enum shown i)
 {
 	const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
@@ -52,7 +52,7 @@ share_of_limit(
 }
 
 static void
-drift_add_limits(struct chart *chart, double last)
+add_control_limits(struct chart *chart, double last)
 {
 	struct chart_series *limit = chart_add(chart,
 	    (struct chart_series){
@@ -66,10 +66,10 @@ drift_add_limits(struct chart *chart, double last)
 }
 
 static void
-drift_say(struct chart *chart, const struct routine *r)
+note_drift_state(struct chart *chart, const struct routine *r)
 {
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
-	FREED char *words = routine_state_words(r);
+	FREED char *words = routine_describe_state(r);
 	if (r->dated)
 		chart_note(chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
 	chart_note(chart, "up: finer than predicted; down: coarser");
@@ -78,19 +78,19 @@ drift_say(struct chart *chart, const struct routine *r)
 
 /* Draws the control charts of the site in use, the same as those of `drift`. */
 struct chart *
-plots_drift(
+plots_control_charts(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = entry_loaded(q->entry);
-	if (!answers_check_params(s, entry, error))
+	const struct entry *entry = entry_without_variant(q->entry);
+	if (!answers_require_params(s, entry, error))
 		return NULL;
-	struct routine *r = routine_follow(s, entry, &DRIFT_RULE, error);
+	struct routine *r = routine_chart_cuts(s, entry, &DRIFT_RULE, error);
 	if (r == NULL)
 		return NULL;
 	double low = -1.2, high = 1.2, last = (double)r->n + 1;
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
 		for (size_t j = 0; j < r->n; j++) {
-			double y = share_of_limit(
+			double y = drift_value_per_limit(
 			    &r->point[j], &r->rule, (enum shown)i);
 			low = fmin(low, y);
 			high = fmax(high, y);
@@ -99,25 +99,25 @@ plots_drift(
 	size_t step = r->n / 20 + 1;
 	for (size_t j = 0; j < r->n; j += step) {
 		FREED char *label = xasprintf("%zu", j + 1);
-		axis_add(&x, (double)(j + 1), label, 0);
+		axis_add_tick(&x, (double)(j + 1), label, 0);
 	}
 	struct chart *chart = site_chart(entry->site, x,
-	    axis_linear(tr("share of the limit, -"), low, high),
+	    axis_new_linear(tr("share of the limit, -"), low, high),
 	    "routine cuts against their predictions");
-	drift_add_limits(chart, last);
+	add_control_limits(chart, last);
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 		struct chart_series *series = chart_add(
 		    chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
 		for (size_t j = 0; j < r->n; j++) {
 			series->x[j] = (double)(j + 1);
-			series->y[j] = share_of_limit(
+			series->y[j] = drift_value_per_limit(
 			    &r->point[j], &r->rule, (enum shown)i);
 		}
 	}
 	if (r->first < r->n)
 		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
 		    "began at about cut %zu", r->since + 1);
-	drift_say(chart, r);
+	note_drift_state(chart, r);
 	routine_free(r);
 	return chart;
 }

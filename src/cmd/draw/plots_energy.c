@@ -17,69 +17,72 @@ enum { TOGETHER = 8, POINTS = SPECTRUM_BINS / TOGETHER };
 /* Fills in the impacts per particle, or the share of the impacts in %, for each
  * half octave. */
 static void
-fill_energy_series(struct chart_series *series, const struct spectrum *s,
+fill_impact_energy_series(struct chart_series *series, const struct spectrum *s,
     const struct spectrum_size *whole, bool first)
 {
-	double all = spectrum_above(whole, 0, false).mass;
+	double all = spectrum_impacts_above(whole, 0, false).mass;
 	double per = s->counted ? whole->mass : all / 100;
 	for (size_t i = 0; i < POINTS; i++) {
 		double sum = 0;
 		for (size_t b = i * TOGETHER; b < (i + 1) * TOGETHER; b++)
 			sum +=
 			    first ? whole->first[b].mass : whole->all[b].mass;
-		series->x[i] = spectrum_edge(i * TOGETHER + TOGETHER / 2);
+		series->x[i] = spectrum_bin_edge(i * TOGETHER + TOGETHER / 2);
 		series->y[i] = sum / per;
 	}
 }
 
 static void
-energy_add(
+add_impact_energies(
     struct chart *chart, const struct energies *e, bool main, size_t place)
 {
 	const struct spectrum *s = e->c.spectrum;
-	FREED struct spectrum_size *whole = spectrum_whole(s);
+	FREED struct spectrum_size *whole = spectrum_merge_sizes(s);
 	const struct chart_series look = {
 	    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 	const struct chart_series of_first = {
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	FREED char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
-	fill_energy_series(
-	    chart_add(chart, main ? look : site_chart_style(place), POINTS,
-		"%s%s", e->name, speed),
+	fill_impact_energy_series(
+	    chart_add(chart, main ? look : site_chart_series_style(place),
+		POINTS, "%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)
-		fill_energy_series(chart_add(chart, of_first, POINTS,
-				       "first impact above %g J/kg", e->cut),
+		fill_impact_energy_series(
+		    chart_add(chart, of_first, POINTS,
+			"first impact above %g J/kg", e->cut),
 		    s, whole, true);
 }
 
 /* Draws how often particles are hit, by energy: the energies in use, with the
  * first impact of each particle apart, and all others that were loaded. */
 struct chart *
-plots_energy(
+plots_impact_energies(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	(void)q;
-	const struct energies *e = energies_loaded(s, error);
+	const struct energies *e = energies_last_read(s, error);
 	if (e == NULL)
 		return NULL;
 	const struct spectrum *of = e->c.spectrum;
-	double E = of->speed > 0 ? energy_specific(of->speed) : NAN;
+	double E = of->speed > 0 ? energy_specific_at_speed(of->speed) : NAN;
 	struct chart *chart = chart_new(tr("collision energies"),
 	    e->c.about[0] != '\0' ? e->c.about : tr("origin not stated"),
-	    axis_log(tr("energy of an impact, J/kg"), 0.01, fmax(1e4, 2 * E)),
-	    axis_linear("", 0, 1));
+	    axis_new_log(
+		tr("energy of an impact, J/kg"), 0.01, fmax(1e4, 2 * E)),
+	    axis_new_linear("", 0, 1));
 	for (size_t i = 0; i < s->n_energies; i++)
 		if (s->energies[i] != e &&
 		    s->energies[i]->c.spectrum->counted == of->counted)
-			energy_add(chart, s->energies[i], false, i);
-	energy_add(chart, e, true, 0);
+			add_impact_energies(chart, s->energies[i], false, i);
+	add_impact_energies(chart, e, true, 0);
 	axis_free(&chart->y);
-	chart->y = axis_linear(of->counted ? tr("impacts a particle in half an "
-						"octave, -")
-					   : tr("impacts in half an octave, %"),
-	    0, chart_extent(chart).y[1]);
+	chart->y =
+	    axis_new_linear(of->counted ? tr("impacts a particle in half an "
+					     "octave, -")
+					: tr("impacts in half an octave, %"),
+		0, chart_find_extent(chart).y[1]);
 	chart_add_rule(chart, SERIES_BREAK, e->cut, "cut %g J/kg", e->cut);
 	if (E > 0)
 		chart_add_rule(

@@ -17,18 +17,18 @@ enum { NAMED = 60 };
 
 /* Adds the point of a material; takes ownership of the strings. */
 static void
-map_add_point(struct chart_series *series, const struct params *p, char *name,
-    char *label, char *about)
+add_material_point(struct chart_series *series, const struct params *p,
+    char *name, char *label, char *about)
 {
 	size_t i = series->n++;
-	series->x[i] = params_value(p, "f_mat");
-	series->y[i] = params_value(p, "e0_min");
+	series->x[i] = params_value_by_name(p, "f_mat");
+	series->y[i] = params_value_by_name(p, "e0_min");
 	series->whose[i] = (struct chart_whose){name, about, label};
 }
 
 static struct chart_series *
-map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
-    const char *name)
+add_material_series(struct chart *chart, struct chart_series look, size_t most,
+    bool named, const char *name)
 {
 	struct chart_series *series = chart_add(chart, look, most, "%s", name);
 	chart_add_point_sites(series);
@@ -39,17 +39,17 @@ map_add(struct chart *chart, struct chart_series look, size_t most, bool named,
 
 /* Adds the materials of one rock as a series of their own. */
 static void
-map_add_rock(
+add_materials_of_rock(
     struct chart *chart, const struct stored_list *list, const char *rock)
 {
-	struct chart_series look = site_chart_style(chart->n);
+	struct chart_series look = site_chart_series_style(chart->n);
 	look.line = CHART_MARKS;
-	struct chart_series *series = map_add(chart, look, list->n,
+	struct chart_series *series = add_material_series(chart, look, list->n,
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
 		if (text_same_folded(m->rock, rock))
-			map_add_point(series, &m->params, xstrdup(m->name),
+			add_material_point(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
 	}
 }
@@ -65,9 +65,11 @@ is_first_of_rock(const struct stored_list *list, size_t at)
 }
 
 static bool
-at_bound(const struct entry *entry)
+has_parameter_on_bound(const struct entry *entry)
 {
-	size_t n = entry->has_fit ? breakage_of(&entry->fit.params)->n : 0;
+	size_t n = entry->has_fit
+		       ? breakage_model_of_params(&entry->fit.params)->n
+		       : 0;
 	bool any = false;
 	for (size_t j = 0; j < n; j++)
 		any = any || entry->fit.on_bound[j];
@@ -77,21 +79,23 @@ at_bound(const struct entry *entry)
 /* Adds the loaded sites that have parameters: those with a parameter at its
  * bound, or those without. */
 static void
-map_add_loaded_sites(struct chart *chart, const struct session *s, bool bound)
+add_loaded_sites_to_map(
+    struct chart *chart, const struct session *s, bool bound)
 {
 	struct chart_series *series = NULL;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		if (!entry->has_params || at_bound(entry) != bound)
+		if (!entry->has_params ||
+		    has_parameter_on_bound(entry) != bound)
 			continue;
 		if (series == NULL)
-			series = map_add(chart,
+			series = add_material_series(chart,
 			    (struct chart_series){.series = SERIES_PREDICTED,
 				.mark = bound ? 'X' : '#'},
 			    s->n_entry, s->n_entry <= NAMED,
 			    bound ? tr("loaded, a parameter at its bound")
 				  : tr("loaded sites"));
-		map_add_point(series, &entry->params, xstrdup(entry->key),
+		add_material_point(series, &entry->params, xstrdup(entry->key),
 		    xstrdup(entry->site->name), site_source(entry->site, ""));
 	}
 }
@@ -99,38 +103,38 @@ map_add_loaded_sites(struct chart *chart, const struct session *s, bool bound)
 /* Lists the materials of the store.  Of a large store it takes only every so
  * many-th, as many as a chart can show. */
 static bool
-list_stored_sample(const struct session *s, struct stored_list *list,
+list_every_nth_material(const struct session *s, struct stored_list *list,
     size_t *apart, struct error *error)
 {
 	enum { MOST = 1000 };
 	size_t n;
-	if (!store_count(s->store, &n, error))
+	if (!store_count_materials(s->store, &n, error))
 		return false;
 	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
 	const struct store_query query = {.apart = *apart};
-	bool ok = store_find(s->store, &query, list, error);
-	stored_table3(list);
+	bool ok = store_find_materials(s->store, &query, list, error);
+	stored_add_table3(list);
 	return ok;
 }
 
 /* Says where the data are from; loaded sites state it themselves.  The caller
  * frees the words. */
 static char *
-sources_words(const struct session *s, size_t apart)
+map_sources_text(const struct session *s, size_t apart)
 {
 	char number[32], *loaded = xstrdup("");
 	char *about =
 	    apart > 1 ? xasprintf(tr("Table 3 of Grunditz et al. (2021) and "
 				     "the user's own fits, one shown of each "
 				     "%s"),
-			    text_exact_number((double)apart, number))
+			    text_shortest_exact_number((double)apart, number))
 		      : xstrdup(tr("Table 3 of Grunditz et al. (2021) and the "
 				   "user's own fits"));
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			site_add_source(&loaded, s->entry[i].site);
+			site_append_source(&loaded, s->entry[i].site);
 	if (loaded[0] != '\0')
-		xlist(&about, "; ", tr("loaded sites: %s"), loaded);
+		xappend_to_list(&about, "; ", tr("loaded sites: %s"), loaded);
 	free(loaded);
 	return about;
 }
@@ -139,24 +143,25 @@ sources_words(const struct session *s, size_t apart)
  * and of Table 3, by rock, and of all loaded sites that have parameters.  A fit
  * with a parameter at its bound is marked. */
 struct chart *
-plots_map(struct session *s, const struct plot_request *q, struct error *error)
+plots_material_map(
+    struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct stored_list list = {0};
 	size_t apart;
 	(void)q;
-	if (!list_stored_sample(s, &list, &apart, error))
+	if (!list_every_nth_material(s, &list, &apart, error))
 		return NULL;
-	FREED char *about = sources_words(s, apart);
+	FREED char *about = map_sources_text(s, apart);
 	struct chart *chart = chart_new(
 	    tr("materials by rock"), about, (struct axis){0}, (struct axis){0});
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first_of_rock(&list, i))
-			map_add_rock(chart, &list, list.item[i].rock);
-	map_add_loaded_sites(chart, s, false);
-	map_add_loaded_sites(chart, s, true);
-	struct chart_extent e = chart_extent(chart);
-	chart->x = axis_linear("f_mat, kg/(J m)", 0, e.x[1]);
-	chart->y = axis_linear("e0_min, J m/kg", e.y[0], e.y[1]);
+			add_materials_of_rock(chart, &list, list.item[i].rock);
+	add_loaded_sites_to_map(chart, s, false);
+	add_loaded_sites_to_map(chart, s, true);
+	struct chart_extent e = chart_find_extent(chart);
+	chart->x = axis_new_linear("f_mat, kg/(J m)", 0, e.x[1]);
+	chart->y = axis_new_linear("e0_min, J m/kg", e.y[0], e.y[1]);
 	stored_list_free(&list);
 	return chart;
 }

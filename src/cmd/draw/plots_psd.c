@@ -37,7 +37,7 @@ static const struct chart_series PART = {
 /* Returns the smallest limit that holds a value.  There are only a few limits,
  * so that the scale does not change while the slider moves. */
 static double
-axis_limit(double value)
+round_up_axis_limit(double value)
 {
 	static const double LIMITS[] = {1, 2, 5, 10, 20, 50};
 	for (size_t i = 0; i < ARRAY_LEN(LIMITS); i++)
@@ -47,25 +47,25 @@ axis_limit(double value)
 }
 
 static void
-add_tick(struct axis *axis, double at)
+add_axis_tick(struct axis *axis, double at)
 {
 	char label[24];
 	snprintf(label, sizeof label, at == 0 ? "%g" : "%+g", at);
-	axis_add(axis, at, label, 0);
+	axis_add_tick(axis, at, label, 0);
 	axis->tick[axis->n - 1].guide = at == 0;
 }
 
 /* Reaches as far below 0 as above, so that 0 does not move. */
 static struct axis
-difference_points_axis(const struct chart *chart)
+difference_strip_axis(const struct chart *chart)
 {
 	struct axis axis = {.title = xstrdup(tr("difference, points"))};
-	struct chart_extent e = chart_extent(chart);
-	axis.high = axis_limit(fmax(-e.y[0], e.y[1]));
+	struct chart_extent e = chart_find_extent(chart);
+	axis.high = round_up_axis_limit(fmax(-e.y[0], e.y[1]));
 	axis.low = -axis.high;
-	add_tick(&axis, axis.low);
-	add_tick(&axis, 0);
-	add_tick(&axis, axis.high);
+	add_axis_tick(&axis, axis.low);
+	add_axis_tick(&axis, 0);
+	add_axis_tick(&axis, axis.high);
 	return axis;
 }
 
@@ -107,16 +107,16 @@ short_name_length(const struct chart_series *s)
  * m/s less it".  It names the curves and not the numbers; the measured speed
  * may differ from that of the prediction. */
 static char *
-title_of_strip(
+title_of_difference_strip(
     const struct chart_series *other, const struct chart_series *measured)
 {
 	char *title = xstrdup(tr("points"));
 	if (other != NULL)
-		xlist(&title, "; ", tr("line: predicted less %s"),
+		xappend_to_list(&title, "; ", tr("line: predicted less %s"),
 		    strncmp(other->name, "pin", 3) == 0 ? tr("pin")
 							: tr("the other"));
 	if (measured != NULL)
-		xlist(&title, "; ",
+		xappend_to_list(&title, "; ",
 		    other != NULL ? tr("marks: %.*s less it")
 				  : tr("marks: %.*s less predicted"),
 		    short_name_length(measured), measured->name);
@@ -127,7 +127,7 @@ title_of_strip(
  * prediction: the prediction minus the second prediction, and minus what was
  * measured nearest to its speed.  Adds nothing if neither exists. */
 static void
-add_strip(struct chart *chart, int rows)
+add_difference_strip(struct chart *chart, int rows)
 {
 	const struct chart_series *last = chart->series[chart->n - 1];
 	const struct chart_series *other = NULL, *measured = NULL;
@@ -144,9 +144,9 @@ add_strip(struct chart *chart, int rows)
 		}
 	}
 	free(strip->title);
-	strip->title = title_of_strip(other, measured);
+	strip->title = title_of_difference_strip(other, measured);
 	strip->strip = rows;
-	strip->y = difference_points_axis(strip);
+	strip->y = difference_strip_axis(strip);
 	if (strip->n > 0)
 		chart->below = strip;
 	else
@@ -160,7 +160,7 @@ typedef double reading(
 /* Adds " feed 16.0 %" to a note; " predicted 33.1 % (31.6 to 34.5)" if the
  * curve has a band there; " feed -" if it has no value. */
 static void
-append_reading(char **note, const struct chart *chart,
+append_curve_value(char **note, const struct chart *chart,
     const struct chart_series *s, reading *read, double at,
     const struct figure *band)
 {
@@ -180,7 +180,7 @@ append_reading(char **note, const struct chart *chart,
 /* A pinned prediction has bands only at its sieves and of its P20, P50 and
  * P80. */
 static void
-read_bands_of_pinned(const struct plot_request *q, const struct prediction *p,
+find_bands_of_pinned(const struct plot_request *q, const struct prediction *p,
     struct figure band[static 2])
 {
 	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
@@ -195,7 +195,7 @@ read_bands_of_pinned(const struct plot_request *q, const struct prediction *p,
 
 /* Computes the band of the passing, %, and that of the size, mm. */
 static void
-read_crosshair_bands(const struct session *s, const struct plot_request *q,
+compute_crosshair_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
     struct figure band[static 2])
 {
@@ -209,9 +209,9 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
 		.x = q->level / 100,
 		.fraction = q->fraction}};
 	struct forecast *f = forecast_open(s, &question, asked, 2);
-	forecast_at(f, p->speed);
+	forecast_set_speed(f, p->speed);
 	for (size_t i = 0; i < 2; i++)
-		band[i] = forecast_shown(f, i);
+		band[i] = forecast_value_in_shown_unit(f, i);
 	forecast_close(f);
 }
 
@@ -219,7 +219,7 @@ read_crosshair_bands(const struct session *s, const struct plot_request *q,
  * m/s 29.0 %", and for each curve the size that `level` % pass.  p: the
  * prediction by these parameters, which has a band, or NULL. */
 static void
-note_crosshair(struct chart *chart, const struct session *s,
+add_crosshair(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params,
     const struct prediction *p)
 {
@@ -229,16 +229,17 @@ note_crosshair(struct chart *chart, const struct session *s,
 	if (!(q->words & CHART_NOTES))
 		return;
 	if (p != NULL && p == q->made)
-		read_bands_of_pinned(q, p, band);
+		find_bands_of_pinned(q, p, band);
 	else if (p != NULL)
-		read_crosshair_bands(s, q, params, p, band);
+		compute_crosshair_bands(s, q, params, p, band);
 	FREED char *at = xasprintf(tr("at %g mm:"), x);
 	FREED char *sizes = xasprintf(tr("%g %% pass:"), level);
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *of = chart->series[i];
 		const char *comma = i + 1 < chart->n ? "," : "";
-		append_reading(&at, chart, of, chart_y_at, x, &band[0]);
-		append_reading(&sizes, chart, of, chart_x_at, level, &band[1]);
+		append_curve_value(&at, chart, of, chart_y_at, x, &band[0]);
+		append_curve_value(
+		    &sizes, chart, of, chart_x_at, level, &band[1]);
 		xappend(&at, "%s", comma);
 		xappend(&sizes, "%s", comma);
 	}
@@ -272,26 +273,27 @@ mark_break_size(struct chart *chart, const struct session *s,
 		    1000 * p->size[i]);
 	FREED char *text =
 	    xasprintf("%s: P20 %s, P50 %s, P80 %s", name, p20, p50, p80);
-	if (whose != NULL && answers_extrapolates(whose, p->speed))
-		xlist(&text, "; ", "%s", tr("extrapolated"));
+	if (whose != NULL && answers_is_speed_extrapolated(whose, p->speed))
+		xappend_to_list(&text, "; ", "%s", tr("extrapolated"));
 	if (whose != NULL && p->low != NULL)
-		xlist(&text, "; ", "%s", outlook_words(s, whose));
+		xappend_to_list(
+		    &text, "; ", "%s", outlook_describe_correction(s, whose));
 	chart_note(chart, "%s", text);
-	if (whose == NULL || origin_key(whose) == whose->key)
+	if (whose == NULL || origin_site_key(whose) == whose->key)
 		return;
 	FREED char *from = origin_sentence(whose);
-	chart_note(
-	    chart, "%s%s", origin_is_other(whose) ? tr("warning: ") : "", from);
+	chart_note(chart, "%s%s",
+	    origin_is_other_site(whose) ? tr("warning: ") : "", from);
 }
 
 /* Shades the band of a prediction by the site's own parameters, which is the
  * last series of the chart. */
 static void
-shade_prediction(struct chart *chart, const struct session *s,
+shade_prediction_band(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *p)
 {
 	if (p->low == NULL) {
-		chart_note(chart, "%s", outlook_why_none(s, entry));
+		chart_note(chart, "%s", outlook_why_no_band(s, entry));
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
@@ -304,16 +306,16 @@ shade_prediction(struct chart *chart, const struct session *s,
 	if (isfinite(range[0]) && isfinite(range[1]))
 		chart_note(chart,
 		    "shaded: %.0f %% uncertainty band; P50 %.2f to %.2f mm",
-		    100 * settings_level(&s->set), 1000 * range[0],
+		    100 * settings_band_probability(&s->set), 1000 * range[0],
 		    1000 * range[1]);
 	else
 		chart_note(chart, "shaded: %.0f %% uncertainty band",
-		    100 * settings_level(&s->set));
+		    100 * settings_band_probability(&s->set));
 }
 
 /* Adds a product, whose passings are read off the curve of its prediction. */
 static void
-add_product(struct chart *chart, const struct prediction *p, char *name,
+add_product_curve(struct chart *chart, const struct prediction *p, char *name,
     struct chart_series look)
 {
 	site_chart_add_psd(
@@ -321,7 +323,7 @@ add_product(struct chart *chart, const struct prediction *p, char *name,
 }
 
 static struct prediction
-make_prediction(const struct session *s, const struct plot_request *q,
+predict_for_plot(const struct session *s, const struct plot_request *q,
     const struct entry *entry, const struct params *params, double speed,
     size_t feed)
 {
@@ -358,18 +360,19 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 		second->whose = q->entry;
 	if (kept)
 		return true;
-	if (entry_loaded(second->whose) != entry_loaded(q->entry)) {
-		if (!answers_check_params(s, second->whose, error))
+	if (entry_without_variant(second->whose) !=
+	    entry_without_variant(q->entry)) {
+		if (!answers_require_params(s, second->whose, error))
 			return false;
 		own = &second->whose->params;
 		feed = SITE_MEAN_FEED;
 	}
 	if (own == NULL || (!beside && isnan(q->other_speed)))
 		return true;
-	if (q->other_feed != 0 && !feed_find_sampled(second->whose->site,
+	if (q->other_feed != 0 && !feed_find_run_at_speed(second->whose->site,
 				      q->other_feed, &feed, error))
 		return false;
-	second->made = make_prediction(s, q, second->whose, own,
+	second->made = predict_for_plot(s, q, second->whose, own,
 	    isnan(q->other_speed) ? speed : q->other_speed, feed);
 	second->p = &second->made;
 	return true;
@@ -381,7 +384,7 @@ add_second_prediction(struct chart *chart, const struct session *s,
 {
 	bool beside = q->beside != NULL;
 	if (second->p != NULL)
-		add_product(chart, second->p,
+		add_product_curve(chart, second->p,
 		    xasprintf("%s %s%s%g m/s",
 			s->pin != NULL && q->kept == &s->pin->p
 			    ? tr("pin")
@@ -403,7 +406,7 @@ note_curves(struct chart *chart, struct session *s,
 		mark_break_size(
 		    chart, s, q, entry, one, (*last)->name, SERIES_BREAK);
 	if (one != NULL && shade)
-		shade_prediction(chart, s, entry, one);
+		shade_prediction_band(chart, s, entry, one);
 	if (two->p != NULL)
 		mark_break_size(chart, s, q, two->whose, two->p,
 		    last[one != NULL ? -1 : 0]->name, SERIES_OTHER);
@@ -411,10 +414,11 @@ note_curves(struct chart *chart, struct session *s,
 
 /* Names the feed by its run if the site has several. */
 static void
-add_feed(struct chart *chart, const struct site *site, size_t run)
+add_feed_curve(struct chart *chart, const struct site *site, size_t run)
 {
 	bool one = run < site->n_run && site->individual_feeds;
-	site_chart_add_psd(chart, SITE_CHART_FEED, site_feed(site, run), NULL,
+	site_chart_add_psd(chart, SITE_CHART_FEED, site_feed_of_run(site, run),
+	    NULL,
 	    one ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
 		      site->run[run].repeat)
 		: xstrdup(tr("feed")));
@@ -422,44 +426,46 @@ add_feed(struct chart *chart, const struct site *site, size_t run)
 
 /* Adds what was measured, or the fraction of it that is drawn.  Adds nothing if
  * the question is about another feed or machine.  Returns the largest distance
- * by which any of it is moved, see moved_largest. */
+ * by which any of it is moved, see moved_largest_feed_adjustment. */
 static double
-add_measured(struct chart *chart, const struct session *s,
+add_measured_curves(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params, double speed)
 {
 	const struct site *site = q->entry->site;
 	double moved = 0;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
-		if (!site_run_is_near(site, i, speed, SITE_CHART_RUNS))
+		if (!site_run_is_near_speed(site, i, speed, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->entry->train[i]);
-		look.compared = site_run_is_near(site, i, speed, 1);
-		const struct psd *product =
-		    moved_product(s, q->entry, params, i, q->feed);
-		struct psd part = fraction_screens(&q->fraction)
-				      ? screened_measured(product, &q->fraction)
-				      : psd_copy(product);
+		look.compared = site_run_is_near_speed(site, i, speed, 1);
+		const struct psd *product = moved_product_adjusted_to_feed(
+		    s, q->entry, params, i, q->feed);
+		struct psd part =
+		    fraction_is_screened(&q->fraction)
+			? screened_fraction_of_product(product, &q->fraction)
+			: psd_copy(product);
 		site_chart_add_psd(chart, look, &part, NULL,
 		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
 			site->run[i].repeat));
 		psd_free(&part);
-		moved =
-		    fmax(moved, moved_largest(s, q->entry, params, i, q->feed));
+		moved = fmax(moved, moved_largest_feed_adjustment(
+					s, q->entry, params, i, q->feed));
 	}
 	return moved;
 }
 
 /* Adds the fraction that the envelope in use is for, and the limits. */
 static void
-add_fraction_in_envelope(struct chart *chart, const struct session *s,
+add_product_cut_to_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
 {
 	struct prediction part;
-	if (!plots_limits_fraction(s, entry, whole, &part))
+	if (!plots_envelope_cut_product(s, entry, whole, &part))
 		return;
-	FREED char *words = plots_limits_words(s);
-	add_product(chart, &part, xasprintf(tr("fraction %s"), words), PART);
+	FREED char *words = plots_envelope_fraction_text(s);
+	add_product_curve(
+	    chart, &part, xasprintf(tr("fraction %s"), words), PART);
 	prediction_free(&part);
 }
 
@@ -469,12 +475,12 @@ add_first_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
 	struct chart_series look = PREDICTED;
-	if (answers_extrapolates(q->entry, p->speed))
+	if (answers_is_speed_extrapolated(q->entry, p->speed))
 		look.line = CHART_LONG;
-	add_product(chart, p,
+	add_product_curve(chart, p,
 	    q->words & CHART_NOTES ? xasprintf(tr("predicted %g m/s"), p->speed)
 				   : xasprintf(tr("predicted%s"),
-					 outlook_short_words(s, q->entry, p)),
+					 outlook_legend_suffix(s, q->entry, p)),
 	    look);
 }
 
@@ -509,8 +515,8 @@ find_predictions(struct session *s, const struct plot_request *q,
 		return false;
 	p->one = q->made;
 	if (known && p->one == NULL) {
-		p->made =
-		    make_prediction(s, q, entry, &p->params, p->speed, q->feed);
+		p->made = predict_for_plot(
+		    s, q, entry, &p->params, p->speed, q->feed);
 		p->one = &p->made;
 	}
 	return true;
@@ -523,26 +529,26 @@ fill_psd_chart(struct chart *chart, struct session *s,
 {
 	const struct entry *entry = q->entry;
 	const struct prediction *one = p->one;
-	add_feed(chart, entry->site, q->feed);
-	double moved = add_measured(
+	add_feed_curve(chart, entry->site, q->feed);
+	double moved = add_measured_curves(
 	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
-	if (one != NULL && !fraction_screens(&q->fraction))
-		add_fraction_in_envelope(chart, s, entry, one);
+	if (one != NULL && !fraction_is_screened(&q->fraction))
+		add_product_cut_to_envelope(chart, s, entry, one);
 	add_second_prediction(chart, s, q, &p->two);
 	if (one != NULL)
 		add_first_prediction(chart, s, q, one);
-	site_chart_across_sieves(chart);
-	plots_limits_add(chart, s, (q->words & CHART_NOTES) != 0);
+	site_chart_set_sieve_axis(chart);
+	plots_envelope_add_limits(chart, s, (q->words & CHART_NOTES) != 0);
 	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
 	note_curves(chart, s, q, one, &p->two, q->band && own);
 	if (one == NULL)
 		chart_note(chart, "no prediction: %s", p->unknown.text);
 	else if (q->strip > 0)
-		add_strip(chart, q->strip);
-	site_chart_note_runs(chart, entry->site);
-	site_chart_note_moved(chart, moved);
+		add_difference_strip(chart, q->strip);
+	site_chart_note_run_marks(chart, entry->site);
+	site_chart_note_feed_adjustment(chart, moved);
 	if (!isnan(q->crosshair_mm))
-		note_crosshair(chart, s, q, &p->params, one);
+		add_crosshair(chart, s, q, &p->params, one);
 }
 
 struct chart *
@@ -552,13 +558,13 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	struct psd_plot p;
 	if (!find_predictions(s, q, &p, error))
 		return NULL;
-	FREED char *fraction = screened_title(&q->fraction);
-	struct chart *chart =
-	    site_chart(site, (struct axis){0}, axis_percent(tr("passing, %")),
-		p.one != NULL                   ? N_("product at %.*f m/s%s")
-		: site_count_products(site) > 0 ? N_("feed and products")
-						: N_("feed"),
-		units_speed_digits(p.speed), p.speed, fraction);
+	FREED char *fraction = screened_title_suffix(&q->fraction);
+	struct chart *chart = site_chart(site, (struct axis){0},
+	    axis_new_percent(tr("passing, %")),
+	    p.one != NULL                   ? N_("product at %.*f m/s%s")
+	    : site_count_products(site) > 0 ? N_("feed and products")
+					    : N_("feed"),
+	    units_speed_decimals(p.speed), p.speed, fraction);
 	fill_psd_chart(chart, s, q, &p);
 	prediction_free(&p.made);
 	prediction_free(&p.two.made);
@@ -582,22 +588,23 @@ plots_sweep(
 		    n, (size_t)MOST);
 		return NULL;
 	}
-	FREED double *usual = n == 0 ? answers_speeds(s, site, &n) : NULL;
+	FREED double *usual =
+	    n == 0 ? answers_list_round_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->speeds;
-	FREED char *fraction = screened_title(&q->fraction);
-	struct chart *chart =
-	    site_chart(site, (struct axis){0}, axis_percent(tr("passing, %")),
-		"products at %zu speeds%s", n, fraction);
-	site_chart_add_psd(chart, SITE_CHART_FEED, site_feed(site, q->feed),
-	    NULL, xstrdup(tr("feed")));
+	FREED char *fraction = screened_title_suffix(&q->fraction);
+	struct chart *chart = site_chart(site, (struct axis){0},
+	    axis_new_percent(tr("passing, %")), "products at %zu speeds%s", n,
+	    fraction);
+	site_chart_add_psd(chart, SITE_CHART_FEED,
+	    site_feed_of_run(site, q->feed), NULL, xstrdup(tr("feed")));
 	for (size_t i = 0; i < n; i++) {
-		struct prediction p =
-		    make_prediction(s, q, q->entry, &params, speed[i], q->feed);
-		add_product(chart, &p,
+		struct prediction p = predict_for_plot(
+		    s, q, q->entry, &params, speed[i], q->feed);
+		add_product_curve(chart, &p,
 		    xasprintf(tr("predicted %g m/s"), speed[i]),
-		    site_chart_style(i));
+		    site_chart_series_style(i));
 		prediction_free(&p);
 	}
-	site_chart_across_sieves(chart);
+	site_chart_set_sieve_axis(chart);
 	return chart;
 }

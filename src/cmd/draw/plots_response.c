@@ -24,8 +24,9 @@
 #include "io/sitefile/units.h"
 
 /* The quantities [n] that are drawn, and the limits on them.  moved: the
- * largest distance by which a measured product is moved, see moved_largest.
- * fraction: that of the quantities that name none. */
+ * largest distance by which a measured product is moved, see
+ * moved_largest_feed_adjustment. fraction: that of the quantities that name
+ * none. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct entry *entry;
@@ -80,7 +81,7 @@ add_quantity_once(struct drawn *d, const struct quantity *q)
 }
 
 static bool
-error_too_many(struct error *error)
+error_too_many_quantities(struct error *error)
 {
 	return error_set(error, ERROR_USAGE,
 	    "more than %d quantities are too many to draw\n"
@@ -90,29 +91,31 @@ error_too_many(struct error *error)
 
 /* Reads what is asked for and checks that the feed covers it. */
 static bool
-read_drawn(struct session *s, const char *of_words, const char *limits,
-    struct drawn *d, struct error *error)
+parse_drawn_quantities(struct session *s, const char *of_words,
+    const char *limits, struct drawn *d, struct error *error)
 {
-	const struct psd *feed = site_feed(d->entry->site, d->feed);
+	const struct psd *feed = site_feed_of_run(d->entry->site, d->feed);
 	size_t n = 0;
 	if (limits != NULL &&
-	    !conditions_read_list(limits, &d->fraction, &d->limits, error))
+	    !conditions_parse_list(limits, &d->fraction, &d->limits, error))
 		return false;
 	for (size_t i = 0; i < d->limits.n; i++)
-		if (!conditions_check_covered(&d->limits.at[i], feed, error))
+		if (!conditions_check_feed_covers(
+			&d->limits.at[i], feed, error))
 			return false;
 	FREED struct quantity *of =
-	    of_words != NULL ? quantities_asked(of_words, &d->fraction, feed,
-				   true, &n, error)
+	    of_words != NULL ? quantities_parse_list_for_feed(of_words,
+				   &d->fraction, feed, true, &n, error)
 			     : NULL;
 	if (of_words != NULL && of == NULL)
 		return false;
 	bool ok = true;
 	for (size_t i = 0; i < n && ok; i++)
-		ok = add_quantity_once(d, &of[i]) || error_too_many(error);
+		ok = add_quantity_once(d, &of[i]) ||
+		     error_too_many_quantities(error);
 	for (size_t i = 0; i < d->limits.n && ok; i++)
 		ok = add_quantity_once(d, &d->limits.at[i].quantity) ||
-		     error_too_many(error);
+		     error_too_many_quantities(error);
 	if (ok && d->n == 0)
 		choose_response_sieves(s, d);
 	return ok;
@@ -121,49 +124,52 @@ read_drawn(struct session *s, const char *of_words, const char *limits,
 /* Returns the style of a quantity: colours in turn that no run has, and lines
  * that differ even without colour. */
 static struct chart_series
-line_style(size_t i)
+quantity_line_style(size_t i)
 {
 	static const enum chart_line LINES[] = {
 	    CHART_SOLID, CHART_DASHED, CHART_LONG};
-	struct chart_series look = site_chart_style(i);
+	struct chart_series look = site_chart_series_style(i);
 	look.line = LINES[i % ARRAY_LEN(LINES)];
 	look.mark = 0;
 	return look;
 }
 
 static void
-add_measured(struct chart *chart, const struct session *s,
+add_measured_quantity(struct chart *chart, const struct session *s,
     const struct entry *entry, struct drawn *d, size_t i)
 {
 	const struct site *site = entry->site;
 	const struct quantity *q = &d->q[i];
-	struct chart_series look = site_chart_style(i);
+	struct chart_series look = site_chart_series_style(i);
 	look.line = CHART_MARKS;
 	if (site_count_products(site) == 0 || site->with[0] != '\0')
 		return;
-	FREED char *name = quantities_words(q);
+	FREED char *name = quantities_name(q);
 	struct chart_series *points =
 	    chart_add(chart, look, site->n_run, "measured %s", name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *product =
-		    moved_product(s, entry, &entry->params, r, d->feed);
-		double value =
-		    product->n > 0 ? screened_value(product, q) : NAN;
+		const struct psd *product = moved_product_adjusted_to_feed(
+		    s, entry, &entry->params, r, d->feed);
+		double value = product->n > 0
+				   ? screened_quantity_of_product(product, q)
+				   : NAN;
 		if (isnan(value))
 			continue;
 		points->x[points->n] = site->run[r].speed;
-		points->y[points->n++] = quantities_shown(q, value);
-		d->moved = fmax(d->moved,
-		    moved_largest(s, entry, &entry->params, r, d->feed));
+		points->y[points->n++] =
+		    quantities_value_in_shown_unit(q, value);
+		d->moved =
+		    fmax(d->moved, moved_largest_feed_adjustment(
+				       s, entry, &entry->params, r, d->feed));
 	}
 }
 
 /* Adds level lines at the limits on a quantity. */
 static void
-response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
+add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 {
-	struct chart_series look = site_chart_style(i);
+	struct chart_series look = site_chart_series_style(i);
 	look.line = CHART_DOTTED;
 	look.ascii = '.';
 	look.mark = 0;
@@ -172,13 +178,14 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 		double limit = k % 2 == 0 ? c->least : c->most;
 		if (!quantity_same(&c->quantity, &d->q[i]) || isnan(limit))
 			continue;
-		FREED char *words = conditions_limit(
+		FREED char *words = conditions_describe_limit(
 		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
 		struct chart_series *line =
 		    chart_add(chart, look, 2, "%s", words);
 		for (size_t end = 0; end < 2; end++) {
 			line->x[end] = end == 0 ? d->from : d->to;
-			line->y[end] = quantities_shown(&c->quantity, limit);
+			line->y[end] =
+			    quantities_value_in_shown_unit(&c->quantity, limit);
 		}
 	}
 }
@@ -187,10 +194,10 @@ response_add_limits(struct chart *chart, const struct drawn *d, size_t i)
 static void
 set_y_axis(struct chart *chart)
 {
-	struct chart_extent e = chart_extent(chart);
+	struct chart_extent e = chart_find_extent(chart);
 	bool any = isfinite(e.y[0]);
 	struct axis axis =
-	    axis_linear(chart->y.title, any ? e.y[0] : 0, any ? e.y[1] : 1);
+	    axis_new_linear(chart->y.title, any ? e.y[0] : 0, any ? e.y[1] : 1);
 	axis_free(&chart->y);
 	chart->y = axis;
 }
@@ -200,9 +207,10 @@ static void
 mark_measured_speeds(struct chart *chart, const struct entry *entry)
 {
 	double slowest, fastest;
-	if (!origin_reach(entry, &slowest, &fastest))
+	if (!origin_speed_range(entry, &slowest, &fastest))
 		return;
-	FREED char *words = answers_reach_words(entry, slowest, fastest);
+	FREED char *words =
+	    answers_describe_speed_range(entry, slowest, fastest);
 	if (!(fastest > slowest)) {
 		chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
 		return;
@@ -214,7 +222,7 @@ mark_measured_speeds(struct chart *chart, const struct entry *entry)
 
 /* Marks where all conditions hold, and the best speed. */
 static void
-add_window(
+mark_speed_window(
     struct chart *chart, const struct drawn *d, const struct speed_search *w)
 {
 	for (size_t k = 0; k < w->n_inside; k++) {
@@ -230,7 +238,8 @@ add_window(
 }
 
 static void
-note_window(struct chart *chart, double level, const struct speed_search *w)
+note_certainty_of_window(
+    struct chart *chart, double level, const struct speed_search *w)
 {
 	if (w->n_inside == 0)
 		chart_note(chart, "at no speed are all limits met");
@@ -250,7 +259,7 @@ note_window(struct chart *chart, double level, const struct speed_search *w)
 /* Returns the chart of the quantities that have one unit, or NULL if there are
  * none. */
 static struct chart *
-unit_chart(struct session *s, struct drawn *d, const char *unit)
+make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 {
 	static const struct {
 		const char *unit, *title, *about;
@@ -268,77 +277,78 @@ unit_chart(struct session *s, struct drawn *d, const char *unit)
 			title = tr(TITLES[i].title);
 			about = tr(TITLES[i].about);
 		}
-	struct chart *chart =
-	    site_chart(site, axis_linear(tr("tip speed, m/s"), d->from, d->to),
-		(struct axis){.title = xstrdup(title)}, "%s against tip speed",
-		about);
+	struct chart *chart = site_chart(site,
+	    axis_new_linear(tr("tip speed, m/s"), d->from, d->to),
+	    (struct axis){.title = xstrdup(title)}, "%s against tip speed",
+	    about);
 	chart->mixed = true;
 	for (size_t i = 0; i < d->n; i++)
 		if (strcmp(quantities_unit(&d->q[i]), unit) == 0) {
-			FREED char *name = quantities_words(&d->q[i]);
-			d->line[i] =
-			    chart_add(chart, line_style(i), POINTS, "%s", name);
-			add_measured(chart, s, d->entry, d, i);
-			response_add_limits(chart, d, i);
+			FREED char *name = quantities_name(&d->q[i]);
+			d->line[i] = chart_add(
+			    chart, quantity_line_style(i), POINTS, "%s", name);
+			add_measured_quantity(chart, s, d->entry, d, i);
+			add_limit_lines(chart, d, i);
 		}
 	mark_measured_speeds(chart, d->entry);
 	return chart;
 }
 
 static void
-fill_lines(struct session *s, struct drawn *d, struct chart *first)
+fill_quantity_lines(struct session *s, struct drawn *d, struct chart *first)
 {
 	const struct question q =
 	    question_of_whole_product(s, d->entry, d->feed);
 	struct forecast *f = forecast_open(s, &q, d->q, d->n);
-	site_chart_over_speed(f, d->n, d->from, d->to, d->line);
+	site_chart_fill_over_speed(f, d->n, d->from, d->to, d->line);
 	forecast_close(f);
 	for (struct chart *c = first; c != NULL; c = c->below)
 		set_y_axis(c);
 }
 
 static struct chart *
-make_charts(struct session *s, struct drawn *d)
+make_chart_for_each_unit(struct session *s, struct drawn *d)
 {
 	static const char *const UNITS[] = {"%", "mm", ""};
 	const struct entry *entry = d->entry;
 	struct chart *first = NULL, **next = &first, *last = NULL;
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
-		*next = unit_chart(s, d, UNITS[i]);
+		*next = make_chart_of_unit(s, d, UNITS[i]);
 		if (*next != NULL) {
 			last = *next;
 			next = &last->below;
 		}
 	}
-	fill_lines(s, d, first);
+	fill_quantity_lines(s, d, first);
 	if (d->limits.n > 0) {
 		struct question q =
 		    question_of_whole_product(s, entry, d->feed);
-		struct wanted wanted = conditions_open(s, &q, &d->limits, NULL);
+		struct wanted wanted =
+		    conditions_open_search(s, &q, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;
-		struct speed_search *w = speed_search_all(&wanted);
+		struct speed_search *w = speed_search_run(&wanted);
 		for (struct chart *c = first; c != NULL; c = c->below)
-			add_window(c, d, w);
-		note_window(last, wanted.level, w);
+			mark_speed_window(c, d, w);
+		note_certainty_of_window(last, wanted.level, w);
 		speed_search_free(w);
 		forecast_close(wanted.forecast);
 	}
-	char *feed = feed_words(entry->site, d->feed);
+	char *feed = feed_describe(entry->site, d->feed);
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	free(feed);
-	site_chart_note_moved(last, d->moved);
+	site_chart_note_feed_adjustment(last, d->moved);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
-		    100 * settings_level(&s->set));
+		    100 * settings_band_probability(&s->set));
 	else
-		chart_note(last, "%s", outlook_why_none(s, entry));
+		chart_note(last, "%s", outlook_why_no_band(s, entry));
 	/* The lines reach beyond the measured speeds, which
 	 * mark_measured_speeds marks. This is the light of the middle speed,
 	 * where it is at its best. */
-	FREED char *light =
-	    light_words_at(s, entry, site_middle_speed(entry->site), d->feed);
+	FREED char *light = light_describe_at_speed(
+	    s, entry, site_middle_speed(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	return first;
 }
@@ -354,11 +364,11 @@ plots_response(
 	struct drawn d = {
 	    .entry = entry, .feed = q->feed, .fraction = q->fraction};
 	struct chart *chart = NULL;
-	if (!answers_check_params(s, entry, error))
+	if (!answers_require_params(s, entry, error))
 		return NULL;
-	settings_reach(&s->set, entry->site, &d.from, &d.to);
-	if (read_drawn(s, q->of, q->limits, &d, error))
-		chart = make_charts(s, &d);
+	settings_speed_range(&s->set, entry->site, &d.from, &d.to);
+	if (parse_drawn_quantities(s, q->of, q->limits, &d, error))
+		chart = make_chart_for_each_unit(s, &d);
 	conditions_free(&d.limits);
 	return chart;
 }

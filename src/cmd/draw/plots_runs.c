@@ -19,7 +19,7 @@ enum { FURTHER = sizeof MARKS - 1 };
 
 /* True if an earlier run has the same feed. */
 static bool
-has_drawn_feed(const struct site *site, size_t run)
+is_feed_drawn_already(const struct site *site, size_t run)
 {
 	for (size_t i = 0; i < run; i++)
 		if (psd_same(&site->run[i].feed, &site->run[run].feed))
@@ -29,7 +29,7 @@ has_drawn_feed(const struct site *site, size_t run)
 
 /* Adds the feeds in grey, each once. */
 static void
-add_feeds(struct chart *chart, const struct site *site)
+add_distinct_feed_curves(struct chart *chart, const struct site *site)
 {
 	static const enum chart_line LINES[] = {
 	    CHART_SOLID, CHART_LONG, CHART_DOTTED};
@@ -37,7 +37,7 @@ add_feeds(struct chart *chart, const struct site *site)
 	size_t n = 0;
 	for (size_t i = 0; i < site->n_run; i++) {
 		size_t kind = n % ARRAY_LEN(LINES);
-		if (has_drawn_feed(site, i))
+		if (is_feed_drawn_already(site, i))
 			continue;
 		const struct run *r = &site->run[i];
 		site_chart_add_psd(chart,
@@ -55,12 +55,12 @@ add_feeds(struct chart *chart, const struct site *site)
 /* Adds what the model alone predicts, because that is what a held-out run
  * tests. */
 static void
-runs_add_predicted(struct chart *chart, const struct session *s,
+add_predicted_product(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     size_t feed, struct chart_series look, const char *repeat)
 {
-	struct prediction p = predict(
-	    entry->site, params, outlook_settings(s, entry), speed, feed);
+	struct prediction p = predict_with_model_alone(
+	    entry->site, params, outlook_model_settings(s, entry), speed, feed);
 	site_chart_add_psd(chart, look, &p.product, NULL,
 	    xasprintf(tr("predicted %g m/s%s"), speed, repeat));
 	prediction_free(&p);
@@ -69,7 +69,7 @@ runs_add_predicted(struct chart *chart, const struct session *s,
 /* Adds the product of a run and its prediction, unless the prediction equals
  * that for the run before. */
 static void
-runs_add_run(struct chart *chart, const struct session *s,
+add_run_and_prediction(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, size_t run)
 {
 	static const char ASCII[] = "=~_\"`;";
@@ -87,41 +87,41 @@ runs_add_run(struct chart *chart, const struct session *s,
 			       : tr("measured %g m/s%s"),
 		r->speed, r->repeat));
 	if (params != NULL &&
-	    (!site_run_repeats(site, run) ||
+	    (!site_run_repeats_speed(site, run) ||
 		!psd_same(&site->run[run - 1].feed, &r->feed)))
-		runs_add_predicted(
+		add_predicted_product(
 		    chart, s, entry, params, r->speed, run, dashed, r->repeat);
 }
 
 static void
-add_predicted_speeds(struct chart *chart, const struct session *s,
+add_predictions_at_speeds(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct site *site = q->entry->site;
 	for (size_t i = 0; i < q->n_speed; i++) {
-		struct chart_series look = site_chart_style(i);
+		struct chart_series look = site_chart_series_style(i);
 		look.line = CHART_LONG;
 		look.mark = MARKS[i];
-		runs_add_predicted(chart, s, q->entry, params, q->speeds[i],
+		add_predicted_product(chart, s, q->entry, params, q->speeds[i],
 		    q->feed, look, "");
 	}
-	FREED char *words = feed_words(site, q->feed);
+	FREED char *words = feed_describe(site, q->feed);
 	if (q->n_speed > 0 && words != NULL)
 		chart_note(
 		    chart, "feed at speeds that were not measured: %s", words);
 }
 
 static bool
-runs_refuse(const struct plot_request *q, struct error *error)
+are_plot_speeds_refused(const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_loaded(q->entry)->site;
+	const struct site *site = entry_without_variant(q->entry)->site;
 	if (q->n_speed > FURTHER)
 		return !error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
 		    "use at most %zu, so that the curves can be distinguished",
 		    q->n_speed, (size_t)FURTHER);
 	for (size_t i = 0; i < q->n_speed; i++)
-		if (site_run_at(site, q->speeds[i]) < site->n_run)
+		if (site_run_at_speed(site, q->speeds[i]) < site->n_run)
 			return !error_set(error, ERROR_USAGE,
 			    "%g m/s was measured and is drawn already\n"
 			    "speeds= adds speeds that were not measured",
@@ -131,24 +131,24 @@ runs_refuse(const struct plot_request *q, struct error *error)
 
 /* Adds all runs on one axis.  params may be NULL. */
 static void
-runs_add_all(struct chart *chart, const struct session *s,
+add_all_runs(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
-	const struct entry *entry = entry_loaded(q->entry);
+	const struct entry *entry = entry_without_variant(q->entry);
 	const struct site *site = entry->site;
 	double middle = site_middle_speed(site);
-	add_feeds(chart, site);
+	add_distinct_feed_curves(chart, site);
 	for (size_t i = 0; i < site->n_run; i++)
-		if (site_run_is_near(site, i, middle, SITE_CHART_RUNS))
-			runs_add_run(chart, s, entry, params, i);
-	site_chart_note_runs(chart, site);
+		if (site_run_is_near_speed(site, i, middle, SITE_CHART_RUNS))
+			add_run_and_prediction(chart, s, entry, params, i);
+	site_chart_note_run_marks(chart, site);
 	if (params == NULL)
 		return;
 	chart_note(chart,
 	    site->individual_feeds
 		? N_("predicted: the model alone, each run from its own feed")
 		: N_("predicted: the model alone"));
-	add_predicted_speeds(chart, s, q, params);
+	add_predictions_at_speeds(chart, s, q, params);
 }
 
 /* Draws the paper's figure 7: each run's product as measured, solid, and as the
@@ -158,24 +158,24 @@ runs_add_all(struct chart *chart, const struct session *s,
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_loaded(q->entry)->site;
+	const struct site *site = entry_without_variant(q->entry)->site;
 	struct params params;
 	struct error unknown = {0};
 	bool known = search_shown_params(s, q, &params, &unknown);
-	if (runs_refuse(q, error))
+	if (are_plot_speeds_refused(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->n_speed > 0)) {
 		*error = unknown;
 		return NULL;
 	}
 	size_t n;
-	FREED double *size = site_sieves(site, &n);
-	struct chart *chart = site_chart(site, site_chart_sieves(size, n),
-	    axis_percent(tr("passing, %")),
+	FREED double *size = site_all_sieves(site, &n);
+	struct chart *chart = site_chart(site, site_chart_sieve_axis(size, n),
+	    axis_new_percent(tr("passing, %")),
 	    site_count_products(site) == 0 ? N_("feed")
 	    : known ? N_("products measured and predicted")
 		    : N_("feed and products"));
-	runs_add_all(chart, s, q, known ? &params : NULL);
+	add_all_runs(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);
 	return chart;

@@ -15,11 +15,11 @@
 #include "io/sitefile/units.h"
 
 static struct candidates
-candidates_at(
+candidates_of_generation(
     const struct session *s, const struct search_shown *past, size_t generation)
 {
 	size_t at = generation > 0 ? generation : past->n;
-	struct params best = search_shown_best(past, generation);
+	struct params best = search_shown_best_params(past, generation);
 	return candidates_with_residuals(past->site, past->train,
 	    past->settings, s->isa, &past->generation[at - 1], &best);
 }
@@ -27,17 +27,17 @@ candidates_at(
 /* Returns by how many points the passings near 50 % of two samples differ.
  * Sets *assumed if `set noise` does not state it. */
 static double
-noise_near_50_percent(const struct session *s, bool *assumed)
+sampling_noise_near_50_percent(const struct session *s, bool *assumed)
 {
 	*assumed = !(s->set.noise > 0);
 	return *assumed ? units_pct(HYPER[HYPER_OWN].median) : s->set.noise;
 }
 
 static void
-add_noise(struct chart *chart, const struct session *s)
+draw_noise_stripe(struct chart *chart, const struct session *s)
 {
 	bool assumed;
-	double noise = noise_near_50_percent(s, &assumed);
+	double noise = sampling_noise_near_50_percent(s, &assumed);
 	struct chart_series *stripe = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
@@ -65,7 +65,7 @@ count_cells_of_run(const struct candidates *c, size_t from)
 
 /* Adds a run, which is number nth of `runs` side by side. */
 static void
-search_add_run(struct chart *chart, const struct candidates *c,
+add_candidates_at_run(struct chart *chart, const struct candidates *c,
     const struct site *site, size_t from, size_t nth, size_t runs)
 {
 	static const enum chart_line LINES[] = {
@@ -107,10 +107,10 @@ static struct axis
 axis_of_sieves(const struct candidates *c)
 {
 	const double margin = 1.1;
-	FREED double *size = xdoubles(c->n);
+	FREED double *size = xcalloc_doubles(c->n);
 	for (size_t k = 0; k < c->n; k++)
 		size[k] = c->cell[k].size;
-	struct axis axis = site_chart_sieves(size, c->n);
+	struct axis axis = site_chart_sieve_axis(size, c->n);
 	/* Leaves room for what is drawn beside the last sieve. */
 	axis.low /= margin;
 	axis.high *= margin;
@@ -133,33 +133,34 @@ axis_of_differences(const struct candidates *c)
 	}
 	while (i + 1 < ARRAY_LEN(MOST) && units_pct(most) > MOST[i])
 		i++;
-	return axis_symlog(
+	return axis_new_symlog(
 	    tr("candidate minus measured, points"), straight, MOST[i]);
 }
 
 struct chart *
-plots_search(
+plots_search_residuals(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct search_shown past = search_shown(s, q->entry);
-	size_t at = search_shown_index(q->entry, &past, q->generation, error),
+	struct search_shown past = search_shown_of_site(s, q->entry);
+	size_t at = search_shown_generation_index(
+		   q->entry, &past, q->generation, error),
 	       runs = 0;
 	if (at == past.n)
 		return NULL;
-	struct candidates c = candidates_at(s, &past, q->generation);
+	struct candidates c = candidates_of_generation(s, &past, q->generation);
 	struct chart *chart =
 	    site_chart(past.site, axis_of_sieves(&c), axis_of_differences(&c),
 		q->generation == 0 && past.polished
 		    ? N_("generation %zu of %zu, polished")
 		    : N_("generation %zu of %zu"),
 		at + 1, past.n);
-	add_noise(chart, s);
+	draw_noise_stripe(chart, s);
 	for (size_t k = 0; k < c.n; k += count_cells_of_run(&c, k))
 		runs++;
 	for (size_t k = 0, nth = 0; k < c.n;
 	     k += count_cells_of_run(&c, k), nth++)
-		search_add_run(chart, &c, past.site, k, nth, runs);
-	FREED char *words = plots_search_words(s, &past, q->generation);
+		add_candidates_at_run(chart, &c, past.site, k, nth, runs);
+	FREED char *words = plots_search_progress_text(s, &past, q->generation);
 	chart_note(chart, "%s", words);
 	candidates_clear(&c);
 	return chart;
@@ -168,29 +169,31 @@ plots_search(
 /* Returns an axis that is the same for the whole search and for most
  * searches. */
 static struct axis
-search_points_axis(const struct search_shown *past)
+convergence_rmse_axis(const struct search_shown *past)
 {
 	double low = 0.1, high = 30;
 	for (size_t i = 0; i < past->n; i++) {
 		const struct calibrate_generation *g = &past->generation[i];
-		low = fmin(low, search_shown_points(past, g->best));
-		high = fmax(high, search_shown_points(past, g->median));
+		low = fmin(low, search_shown_rmse_points(past, g->best));
+		high = fmax(high, search_shown_rmse_points(past, g->median));
 	}
-	low = fmin(low, search_shown_points(past, past->misfit));
-	return axis_log(tr("difference, points RMS"), low, high);
+	low = fmin(low, search_shown_rmse_points(past, past->misfit));
+	return axis_new_log(tr("difference, points RMS"), low, high);
 }
 
 struct chart *
 plots_search_convergence(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct search_shown past = search_shown(s, q->entry);
-	size_t at = search_shown_index(q->entry, &past, q->generation, error);
+	struct search_shown past = search_shown_of_site(s, q->entry);
+	size_t at = search_shown_generation_index(
+	    q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	struct chart *chart = site_chart(past.site,
-	    axis_linear(tr("generation"), 1, (double)past.n),
-	    search_points_axis(&past), "the search, %zu generations", past.n);
+	    axis_new_linear(tr("generation"), 1, (double)past.n),
+	    convergence_rmse_axis(&past), "the search, %zu generations",
+	    past.n);
 	chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
@@ -204,8 +207,8 @@ plots_search_convergence(
 	for (size_t i = 0; i < past.n; i++) {
 		const struct calibrate_generation *g = &past.generation[i];
 		median->x[i] = best->x[i] = (double)(i + 1);
-		median->y[i] = search_shown_points(&past, g->median);
-		best->y[i] = search_shown_points(&past, g->best);
+		median->y[i] = search_shown_rmse_points(&past, g->median);
+		best->y[i] = search_shown_rmse_points(&past, g->best);
 	}
 	if (past.polished) {
 		struct chart_series *end = chart_add(chart,
@@ -213,7 +216,7 @@ plots_search_convergence(
 			.series = SERIES_PREDICTED, .mark = '*'},
 		    1, N_("polished"));
 		end->x[0] = (double)past.n;
-		end->y[0] = search_shown_points(&past, past.misfit);
+		end->y[0] = search_shown_rmse_points(&past, past.misfit);
 	}
 	if (q->generation > 0)
 		chart_add_rule(chart, SERIES_CROSSHAIR, (double)q->generation,
@@ -224,10 +227,10 @@ plots_search_convergence(
 /* Sets span->drawn from the posterior of the calibration that found the
  * parameters, once that is over. */
 static void
-add_range_of_draws(struct session *s, const char *name, struct param_span *span)
+set_range_of_draws(struct session *s, const char *name, struct param_span *span)
 {
-	const struct entry *entry = session_entry(s);
-	bool over = !session_busy(s) && entry->has_fit &&
+	const struct entry *entry = session_current_entry(s);
+	bool over = !session_is_calibrating(s) && entry->has_fit &&
 		    entry->origin != NULL &&
 		    entry->origin->history == entry->history;
 	const struct posterior *p =
@@ -236,31 +239,31 @@ add_range_of_draws(struct session *s, const char *name, struct param_span *span)
 	if (p == NULL)
 		return;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		value[d] = params_value(&p->draw[d].params, name);
+		value[d] = params_value_by_name(&p->draw[d].params, name);
 	ensemble_interval_with_answer(value, 0.8, NAN, span->drawn);
 }
 
 struct param_span
-plots_search_span(struct session *s, const struct search_shown *past,
+plots_search_param_span(struct session *s, const struct search_shown *past,
     size_t generation, size_t j)
 {
 	const double outer = 0.05;
 	size_t at = generation > 0 ? generation : past->n;
 	const struct calibrate_generation *g = &past->generation[at - 1];
-	const struct breakage *of = breakage_of(&g->params);
-	struct params best = search_shown_best(past, generation);
+	const struct breakage *of = breakage_model_of_params(&g->params);
+	struct params best = search_shown_best_params(past, generation);
 	struct param_span span = {.lower = past->bounds->lower[j],
 	    .upper = past->bounds->upper[j],
 	    .p10 = g->p10[j],
 	    .p90 = g->p90[j],
 	    .drawn = {NAN, NAN},
-	    .at_bound = sensitivity_on_bound(past->bounds, &best, j)};
+	    .at_bound = sensitivity_is_on_bound(past->bounds, &best, j)};
 	double range = span.upper - span.lower;
 	span.fixed = !(range > 0);
 	params_scale_to_1(&best);
 	span.best = best.at[j];
 	if (j < of->gauge && !span.fixed) {
-		candidates_middle_range(g, j, &span.p10, &span.p90);
+		candidates_middle_range_of_param(g, j, &span.p10, &span.p90);
 		span.lower = -1;
 		span.upper = 1;
 	} else
@@ -268,7 +271,7 @@ plots_search_span(struct session *s, const struct search_shown *past,
 		    !span.fixed && (span.best - span.lower < outer * range ||
 				       span.upper - span.best < outer * range);
 	if (generation == 0)
-		add_range_of_draws(s, of->parameter[j].name, &span);
+		set_range_of_draws(s, of->parameter[j].name, &span);
 	return span;
 }
 
@@ -284,14 +287,15 @@ parameter_axis(const struct breakage *of)
 	    .low = margin,
 	    .high = (double)of->n + margin};
 	for (size_t j = 0; j < of->n; j++)
-		axis_add(&axis, (double)(of->n - j), of->parameter[j].name, 0);
+		axis_add_tick(
+		    &axis, (double)(of->n - j), of->parameter[j].name, 0);
 	return axis;
 }
 
 /* Returns where a value lies within its bounds, %; NAN for a parameter held
  * fixed. */
 static double
-share_of_bounds(const struct param_span *span, double value)
+position_within_bounds_pct(const struct param_span *span, double value)
 {
 	double range = span->upper - span->lower;
 	return span->fixed ? NAN : 100 * (value - span->lower) / range;
@@ -301,13 +305,15 @@ struct chart *
 plots_search_spread(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct search_shown past = search_shown(s, q->entry);
-	size_t at = search_shown_index(q->entry, &past, q->generation, error);
+	struct search_shown past = search_shown_of_site(s, q->entry);
+	size_t at = search_shown_generation_index(
+	    q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
-	const struct breakage *of = breakage_of(&past.generation[at].params);
+	const struct breakage *of =
+	    breakage_model_of_params(&past.generation[at].params);
 	struct chart *chart = site_chart(past.site,
-	    axis_linear(tr("position between the bounds, %"), 0, 100),
+	    axis_new_linear(tr("position between the bounds, %"), 0, 100),
 	    parameter_axis(of), "candidates of generation %zu", at + 1);
 	/* Two ends, and a gap that lifts the pen. */
 	chart_add(chart,
@@ -322,15 +328,15 @@ plots_search_spread(
 	struct chart_series *best = chart->series[1];
 	for (size_t j = 0; j < of->n; j++) {
 		struct param_span span =
-		    plots_search_span(s, &past, q->generation, j);
+		    plots_search_param_span(s, &past, q->generation, j);
 		double row = span.fixed ? NAN : (double)(of->n - j);
-		double end[3] = {share_of_bounds(&span, span.p10),
-		    share_of_bounds(&span, span.p90), NAN};
+		double end[3] = {position_within_bounds_pct(&span, span.p10),
+		    position_within_bounds_pct(&span, span.p90), NAN};
 		for (size_t k = 0; k < 3; k++) {
 			spread->x[3 * j + k] = k < 2 ? end[k] : 0;
 			spread->y[3 * j + k] = k < 2 ? row : NAN;
 		}
-		best->x[j] = share_of_bounds(&span, span.best);
+		best->x[j] = position_within_bounds_pct(&span, span.best);
 		best->y[j] = row;
 	}
 	chart_note(chart,
@@ -342,14 +348,14 @@ plots_search_spread(
 /* Returns "most candidates still miss 4 mm by 5.2 points at 69 m/s", or a
  * sentence on the break size once half of the candidates agree on it. */
 static char *
-search_words(
+describe_candidates_progress(
     const struct session *s, const struct search_shown *past, size_t generation)
 {
 	const double agreed = 1.1;
 	bool assumed;
-	double noise = noise_near_50_percent(s, &assumed);
-	struct candidates c = candidates_at(s, past, generation);
-	const struct candidates_cell *worst = candidates_worst(&c);
+	double noise = sampling_noise_near_50_percent(s, &assumed);
+	struct candidates c = candidates_of_generation(s, past, generation);
+	const struct candidates_cell *worst = candidates_worst_cell(&c);
 	double miss = units_pct(fabs(worst->median));
 	const double *x = c.break_size;
 	char *words;
@@ -373,7 +379,7 @@ search_words(
 }
 
 static char *
-polish_words(const struct session *s, double points)
+describe_polish(const struct session *s, double points)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.starts_done < st.starts)
@@ -386,20 +392,20 @@ polish_words(const struct session *s, double points)
 }
 
 char *
-plots_search_words(
+plots_search_progress_text(
     struct session *s, const struct search_shown *past, size_t generation)
 {
-	double points = search_shown_points(past, past->misfit);
+	double points = search_shown_rmse_points(past, past->misfit);
 	bool runs = generation == 0 && past->runs;
 	enum calibrate_state state =
 	    runs ? calibration_status(s->job.calibration).state
 		 : CALIBRATE_SEARCHING;
 	if (state == CALIBRATE_POLISHING)
-		return polish_words(s, points);
-	if (session_busy(s) && state >= CALIBRATE_TOLERANCE)
+		return describe_polish(s, points);
+	if (session_is_calibrating(s) && state >= CALIBRATE_TOLERANCE)
 		return xstrdup(tr("posterior: drawing the parameters that the "
 				  "data allow"));
 	if (generation == 0 && past->polished && !past->runs)
 		return xasprintf(tr("polished: %.2f points RMS"), points);
-	return search_words(s, past, generation);
+	return describe_candidates_progress(s, past, generation);
 }

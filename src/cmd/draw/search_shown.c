@@ -12,11 +12,11 @@ bool
 search_shown_is_running(const struct session *s, const struct entry *entry)
 {
 	return s->job.calibration != NULL && s->job.fits &&
-	       &s->entry[s->job.entry] == entry_loaded(entry);
+	       &s->entry[s->job.entry] == entry_without_variant(entry);
 }
 
 static void
-take_running_search(struct search_shown *past, const struct session *s,
+fill_from_running_search(struct search_shown *past, const struct session *s,
     const struct entry *entry)
 {
 	const struct job *job = &s->job;
@@ -26,7 +26,7 @@ take_running_search(struct search_shown *past, const struct session *s,
 	past->site = entry->site;
 	past->train = job->train;
 	past->settings = job->options.settings;
-	past->weight = calibration_weight(job->calibration);
+	past->weight = calibration_sum_of_weights(job->calibration);
 	past->misfit = st.best;
 	past->best = st.params;
 	past->polished = st.state != CALIBRATE_SEARCHING;
@@ -34,12 +34,12 @@ take_running_search(struct search_shown *past, const struct session *s,
 }
 
 struct search_shown
-search_shown(const struct session *s, const struct entry *entry)
+search_shown_of_site(const struct session *s, const struct entry *entry)
 {
 	struct search_shown past = {0};
 	const struct history *h = entry->history;
 	if (search_shown_is_running(s, entry)) {
-		take_running_search(&past, s, entry);
+		fill_from_running_search(&past, s, entry);
 	} else if (h != NULL) {
 		past = (struct search_shown){h->n, h->generation, &h->bounds,
 		    h->site, h->train, h->fit.settings, h->weight,
@@ -54,8 +54,8 @@ search_shown(const struct session *s, const struct entry *entry)
 }
 
 size_t
-search_shown_index(const struct entry *entry, const struct search_shown *past,
-    size_t generation, struct error *error)
+search_shown_generation_index(const struct entry *entry,
+    const struct search_shown *past, size_t generation, struct error *error)
 {
 	if (past->n == 0)
 		error_set(error, ERROR_USAGE,
@@ -72,14 +72,14 @@ search_shown_index(const struct entry *entry, const struct search_shown *past,
 }
 
 struct params
-search_shown_best(const struct search_shown *past, size_t generation)
+search_shown_best_params(const struct search_shown *past, size_t generation)
 {
 	return generation > 0 ? past->generation[generation - 1].params
 			      : past->best;
 }
 
 double
-search_shown_points(const struct search_shown *past, double misfit)
+search_shown_rmse_points(const struct search_shown *past, double misfit)
 {
 	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
 	return good ? 100 * sqrt(misfit / past->weight) : NAN;
@@ -90,17 +90,17 @@ search_shown_params(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error)
 {
 	const struct entry *entry = request->entry;
-	struct search_shown past = search_shown(s, entry);
+	struct search_shown past = search_shown_of_site(s, entry);
 	bool search =
 	    request->generation > 0 || search_shown_is_running(s, entry);
 	if (search && past.n > 0) {
-		if (search_shown_index(
+		if (search_shown_generation_index(
 			entry, &past, request->generation, error) == past.n)
 			return false;
-		*params = search_shown_best(&past, request->generation);
+		*params = search_shown_best_params(&past, request->generation);
 		return true;
 	}
-	if (!answers_check_params(s, entry, error))
+	if (!answers_require_params(s, entry, error))
 		return false;
 	*params = entry->params;
 	return true;

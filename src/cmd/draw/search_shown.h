@@ -6,9 +6,10 @@
 #include "cmd/draw/plot_request.h"
 
 /* The calibration in progress, or else the site's last; n is 0 if there is
- * neither.  site, train: the data fitted; weight: see calibration_weight; runs:
- * it is in progress; best, misfit: the best so far; polished: the polish has
- * improved the best since the last generation.  Borrowed. */
+ * neither.  site, train: the data fitted; weight: see
+ * calibration_sum_of_weights; runs: it is in progress; best, misfit: the best
+ * so far; polished: the polish has improved the best since the last generation.
+ * Borrowed. */
 struct search_shown {
 	size_t n;
 	const struct calibrate_generation *generation;
@@ -20,7 +21,7 @@ struct search_shown {
 	struct params best;
 	bool polished, runs;
 };
-struct search_shown search_shown(
+struct search_shown search_shown_of_site(
     const struct session *s, const struct entry *entry);
 
 /* True if the calibration in progress is for the site. */
@@ -29,15 +30,15 @@ bool search_shown_is_running(
 
 /* Returns the index of generation 1..n, or of the last for 0.  Returns n with
  * an error if there is none. */
-size_t search_shown_index(const struct entry *entry,
+size_t search_shown_generation_index(const struct entry *entry,
     const struct search_shown *past, size_t generation, struct error *error);
 
 /* Returns the best candidate of generation 1..n, or for 0 the final result. */
-struct params search_shown_best(
+struct params search_shown_best_params(
     const struct search_shown *past, size_t generation);
 
 /* Returns a misfit as RMSE, points, or NAN if it is not finite and positive. */
-double search_shown_points(const struct search_shown *past, double misfit);
+double search_shown_rmse_points(const struct search_shown *past, double misfit);
 
 /* Finds the parameters for drawing the request's entry: those of the requested
  * generation, the best so far of a calibration in progress, or the site's.

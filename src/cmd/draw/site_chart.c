@@ -28,16 +28,16 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 }
 
 struct axis
-site_chart_sieves(const double *size, size_t n)
+site_chart_sieve_axis(const double *size, size_t n)
 {
-	FREED double *mm = xdoubles(n);
+	FREED double *mm = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		mm[i] = units_mm(size[i]);
-	return axis_sieves(tr("size, mm"), mm, n);
+	return axis_new_sieves(tr("size, mm"), mm, n);
 }
 
 static void
-put_points(struct chart_series *s, const struct psd *psd)
+fill_series_from_psd(struct chart_series *s, const struct psd *psd)
 {
 	for (size_t i = 0; i < psd->n; i++) {
 		s->x[i] = units_mm(psd->size[i]);
@@ -51,14 +51,15 @@ site_chart_add_psd(struct chart *chart, struct chart_series look,
 {
 	struct chart_series *s = chart_add(chart, look, psd->n, "%s", name);
 	s->psd = true;
-	put_points(s, psd);
+	fill_series_from_psd(s, psd);
 	if (finer != NULL)
-		put_points(chart_add_finer_points(s, finer->n), finer);
+		fill_series_from_psd(
+		    chart_add_finer_points(s, finer->n), finer);
 	free(name);
 }
 
 void
-site_chart_across_sieves(struct chart *chart)
+site_chart_set_sieve_axis(struct chart *chart)
 {
 	size_t n = 0;
 	FREED double *mm = NULL;
@@ -68,11 +69,12 @@ site_chart_across_sieves(struct chart *chart)
 		for (size_t j = 0; j < s->n; j++)
 			mm[n++] = s->x[j];
 	}
-	chart->x = axis_sieves(tr("size, mm"), mm, n);
+	chart->x = axis_new_sieves(tr("size, mm"), mm, n);
 }
 
 void
-site_chart_figure(struct chart_series *s, size_t k, double x, struct figure at)
+site_chart_set_figure(
+    struct chart_series *s, size_t k, double x, struct figure at)
 {
 	if (s->low == NULL)
 		chart_add_band(s);
@@ -83,7 +85,7 @@ site_chart_figure(struct chart_series *s, size_t k, double x, struct figure at)
 }
 
 void
-site_chart_end_figures(struct chart_series *s)
+site_chart_finish_band(struct chart_series *s)
 {
 	bool band = false;
 	for (size_t k = 0; k < s->n; k++) {
@@ -96,27 +98,27 @@ site_chart_end_figures(struct chart_series *s)
 }
 
 void
-site_chart_over_speed(struct forecast *f, size_t n, double from, double to,
+site_chart_fill_over_speed(struct forecast *f, size_t n, double from, double to,
     struct chart_series *const *line)
 {
 	size_t points = line[0]->n;
 	for (size_t k = 0; k < points; k++) {
 		double speed =
 		    from + (to - from) * (double)k / (double)(points - 1);
-		forecast_at(f, speed);
+		forecast_set_speed(f, speed);
 		for (size_t i = 0; i < n; i++)
-			site_chart_figure(
-			    line[i], k, speed, forecast_shown(f, i));
+			site_chart_set_figure(line[i], k, speed,
+			    forecast_value_in_shown_unit(f, i));
 	}
 	for (size_t i = 0; i < n; i++)
-		site_chart_end_figures(line[i]);
+		site_chart_finish_band(line[i]);
 }
 
 const struct chart_series SITE_CHART_FEED = {
     .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
 
 struct chart_series
-site_chart_style(size_t i)
+site_chart_series_style(size_t i)
 {
 	static const char MARKS[] = "v^ox*+@&$%szNHKTUYAEMRW", ASCII[] = "=-~_";
 	enum { COLOURS = sizeof ASCII - 1 };
@@ -133,24 +135,26 @@ site_chart_run_style(const struct site *site, size_t run, bool held_out)
 	enum { COLOURS = 4 };
 	unsigned i = 0, n = 0;
 	for (size_t r = 0; r <= run; r++) {
-		n += site->run[r].product.n > 0 && !site_run_repeats(site, r);
+		n += site->run[r].product.n > 0 &&
+		     !site_run_repeats_speed(site, r);
 		i = n > 0 ? n - 1 : 0;
 	}
 	return (struct chart_series){
 	    .series = (enum series)(SERIES_MEASURED_1 + i % COLOURS),
 	    .line = CHART_MARKS,
-	    .mark = mark_code(i, held_out),
+	    .mark = mark_character(i, held_out),
 	    .fine = true};
 }
 
 void
-site_chart_note_runs(struct chart *chart, const struct site *site)
+site_chart_note_run_marks(struct chart *chart, const struct site *site)
 {
-	size_t left_out = site_chart_speeds_left_out(site);
+	size_t left_out = site_chart_count_speeds_left_out(site);
 	bool hollow = false;
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *s = chart->series[i];
-		hollow = hollow || (s->fine && mark_of(s->mark)->hollow);
+		hollow =
+		    hollow || (s->fine && mark_of_character(s->mark)->hollow);
 	}
 	if (hollow)
 		chart_note(chart, "hollow marks: held out from the fit");
@@ -159,17 +163,18 @@ site_chart_note_runs(struct chart *chart, const struct site *site)
 }
 
 void
-site_chart_note_moved(struct chart *chart, double most)
+site_chart_note_feed_adjustment(struct chart *chart, double most)
 {
 	if (most > MOVED_TOLD)
 		chart_note(chart, "measured products moved to this feed");
 }
 
 size_t
-site_chart_speeds_left_out(const struct site *site)
+site_chart_count_speeds_left_out(const struct site *site)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < site->n_run; i++)
-		n += site->run[i].product.n > 0 && !site_run_repeats(site, i);
+		n += site->run[i].product.n > 0 &&
+		     !site_run_repeats_speed(site, i);
 	return n > SITE_CHART_RUNS ? n - SITE_CHART_RUNS : 0;
 }

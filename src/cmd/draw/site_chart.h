@@ -14,7 +14,7 @@ struct chart *site_chart(const struct site *site, struct axis x, struct axis y,
     const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 /* Returns an axis with a tick at each of n sieves, m. */
-struct axis site_chart_sieves(const double *size, size_t n);
+struct axis site_chart_sieve_axis(const double *size, size_t n);
 
 /* Adds a size distribution, in mm and %, and takes ownership of the name.
  * finer: the same curve at more sizes, off which sizes are read, or NULL. */
@@ -22,27 +22,27 @@ void site_chart_add_psd(struct chart *chart, struct chart_series look,
     const struct psd *psd, const struct psd *finer, char *name);
 
 /* Makes the x axis of a chart over size: the sieves of all its series. */
-void site_chart_across_sieves(struct chart *chart);
+void site_chart_set_sieve_axis(struct chart *chart);
 
 /* Sets point k of a series to a figure, as people see it, at x. */
-void site_chart_figure(
+void site_chart_set_figure(
     struct chart_series *s, size_t k, double x, struct figure at);
 
 /* Ends a series of figures: its band is its line where a figure has none, and
  * none where no figure has one. */
-void site_chart_end_figures(struct chart_series *s);
+void site_chart_finish_band(struct chart_series *s);
 
 /* Fills series [n], of as many points each, with the first n quantities of a
  * forecast at speeds from..to, evenly. */
-void site_chart_over_speed(struct forecast *f, size_t n, double from, double to,
-    struct chart_series *const *line);
+void site_chart_fill_over_speed(struct forecast *f, size_t n, double from,
+    double to, struct chart_series *const *line);
 
 /* The style of a feed. */
 extern const struct chart_series SITE_CHART_FEED;
 
 /* Returns style i of those used in turn for several series in a chart; the
  * first 23 differ even without colour. */
-struct chart_series site_chart_style(size_t i);
+struct chart_series site_chart_series_style(size_t i);
 
 /* Returns the style for a run's measurements, the same in every plot: marks
  * only, filled unless held_out.  Repeats look alike. */
@@ -51,15 +51,16 @@ struct chart_series site_chart_run_style(
 
 /* Notes below a chart what hollow marks are, if it has any, and how many runs
  * are not drawn. */
-void site_chart_note_runs(struct chart *chart, const struct site *site);
+void site_chart_note_run_marks(struct chart *chart, const struct site *site);
 
 /* Notes below a chart that its measured products were moved to the feed, if the
- * largest move, 0..1 (moved_largest), is large enough to mention. */
-void site_chart_note_moved(struct chart *chart, double most);
+ * largest move, 0..1 (moved_largest_feed_adjustment), is large enough to
+ * mention. */
+void site_chart_note_feed_adjustment(struct chart *chart, double most);
 
 /* psd shows the measured products at the SITE_CHART_RUNS speeds nearest to its
- * own; site_chart_speeds_left_out returns the number of other speeds. */
+ * own; site_chart_count_speeds_left_out returns the number of other speeds. */
 enum { SITE_CHART_RUNS = 12 };
-size_t site_chart_speeds_left_out(const struct site *site);
+size_t site_chart_count_speeds_left_out(const struct site *site);
 
 #endif

@@ -15,7 +15,7 @@
 /* Orders rows as all sites are ordered, and those of one site as they were
  * written. */
 static int
-compare_index(const void *a, const void *b)
+compare_sites_by_index(const void *a, const void *b)
 {
 	const struct part_site *p = *(const struct part_site *const *)a;
 	const struct part_site *q = *(const struct part_site *const *)b;
@@ -26,7 +26,7 @@ compare_index(const void *a, const void *b)
 
 /* Returns the rows of all parts, [n], in order.  The caller frees them. */
 static const struct part_site **
-sort_rows(const struct parts *parts, size_t *n)
+sort_sites_of_parts(const struct parts *parts, size_t *n)
 {
 	size_t at = 0;
 	*n = 0;
@@ -36,17 +36,17 @@ sort_rows(const struct parts *parts, size_t *n)
 	for (size_t k = 0; k < parts->n; k++)
 		for (size_t i = 0; i < parts->part[k].n; i++)
 			site[at++] = &parts->part[k].site[i];
-	qsort(site, *n, sizeof(*site), compare_index);
+	qsort(site, *n, sizeof(*site), compare_sites_by_index);
 	return site;
 }
 
 static struct answer *
-join_calibrated(const struct part_site *const *site, size_t n)
+join_calibrated_sites(const struct part_site *const *site, size_t n)
 {
-	struct answer *r = part_answer();
+	struct answer *r = part_new_calibrate_answer();
 	for (size_t i = 0; i < n; i++) {
 		const double *v = site[i]->number;
-		part_add(
+		part_add_site_row(
 		    r, &(struct part_row){site[i]->text[0], site[i]->text[1],
 			   v[0], v[1], v[2], v[3], v[4], v[5]});
 	}
@@ -54,17 +54,17 @@ join_calibrated(const struct part_site *const *site, size_t n)
 }
 
 static struct answer *
-join_validated(const struct parts *parts, const struct part_site *const *site,
-    size_t n, struct error *error)
+join_validated_sites(const struct parts *parts,
+    const struct part_site *const *site, size_t n, struct error *error)
 {
 	struct trials c = {.each = parts->part[0].each > 0};
 	struct answer *r = NULL;
 	for (size_t k = 0; k < parts->n; k++)
 		c.left_out += parts->part[k].left_out;
 	for (size_t i = 0; i < n; i++)
-		scores_add_part_site(&c, site[i]);
+		scores_add_runs_of_part(&c, site[i]);
 	if (n > 0)
-		r = scores_answer(&c);
+		r = scores_all_sites_answer(&c);
 	else
 		error_set(error, ERROR_DATA,
 		    "no part has a run that was held out\n"
@@ -82,11 +82,11 @@ struct shelf {
 };
 
 static bool
-read_store(const char *path, struct shelf *shelf, struct error *error)
+read_store_materials(const char *path, struct shelf *shelf, struct error *error)
 {
 	size_t n = shelf->list.n;
 	struct store *store = store_new(path);
-	bool ok = store_list(store, &shelf->list, error);
+	bool ok = store_list_materials(store, &shelf->list, error);
 	store_free(store);
 	shelf->path =
 	    xrealloc(shelf->path, shelf->list.n + 1, sizeof(*shelf->path));
@@ -97,14 +97,14 @@ read_store(const char *path, struct shelf *shelf, struct error *error)
 
 /* Reads all stores and checks that no name is in two of them. */
 static bool
-fill_shelf(
+read_stores_of_parts(
     struct shelf *shelf, const char *const *path, size_t n, struct error *error)
 {
 	for (size_t k = 0; k < n; k++)
-		if (!read_store(path[k], shelf, error))
+		if (!read_store_materials(path[k], shelf, error))
 			return false;
 	shelf->used = xcalloc(shelf->list.n + 1, sizeof *shelf->used);
-	shelf->index = stored_index(&shelf->list);
+	shelf->index = stored_make_index(&shelf->list);
 	for (size_t i = 1; i < shelf->index.n; i++) {
 		const struct stored_name *a = &shelf->index.name[i - 1],
 					 *b = a + 1;
@@ -118,7 +118,7 @@ fill_shelf(
 }
 
 static void
-clear_shelf(struct shelf *shelf)
+free_stores_of_parts(struct shelf *shelf)
 {
 	stored_index_clear(&shelf->index);
 	stored_list_free(&shelf->list);
@@ -129,11 +129,11 @@ clear_shelf(struct shelf *shelf)
 /* Returns the material of a site.  It must come from the very same calibration,
  * which its misfit shows to the last bit. */
 static const struct stored *
-collect_material_of(const struct shelf *shelf, const struct part_site *site,
-    const char *version, struct error *error)
+find_calibrated_material(const struct shelf *shelf,
+    const struct part_site *site, const char *version, struct error *error)
 {
 	enum { MISFIT = 3 };
-	FREED char *fold = text_fold(site->text[0]);
+	FREED char *fold = text_fold_case_and_accents(site->text[0]);
 	const struct stored_name *found =
 	    stored_index_find(&shelf->index, fold);
 	if (found == NULL) {
@@ -161,14 +161,14 @@ collect_material_of(const struct shelf *shelf, const struct part_site *site,
 /* Stores the materials of the sites, in their order.  Fails if one belongs to
  * no site. */
 static bool
-put_materials(struct session *s, const struct shelf *shelf,
+store_collected_materials(struct session *s, const struct shelf *shelf,
     const struct parts *parts, const struct part_site *const *site, size_t n,
     bool replace, struct error *error)
 {
 	FREED struct stored *item = xcalloc(n + 1, sizeof *item);
 	bool ok = true;
 	for (size_t i = 0; ok && i < n; i++) {
-		const struct stored *m = collect_material_of(
+		const struct stored *m = find_calibrated_material(
 		    shelf, site[i], parts->part[0].version, error);
 		ok = m != NULL;
 		if (ok)
@@ -182,7 +182,7 @@ put_materials(struct session *s, const struct shelf *shelf,
 			    "let each part begin with an empty store",
 			    shelf->list.item[at].name);
 	}
-	ok = ok && store_put(s->store, item, n, replace, error);
+	ok = ok && store_put_materials(s->store, item, n, replace, error);
 	if (ok)
 		session_note(s, "remembered %zu materials in %s", n,
 		    store_path(s->store));
@@ -190,7 +190,7 @@ put_materials(struct session *s, const struct shelf *shelf,
 }
 
 static bool
-join_stores(struct session *s, const struct parts *parts,
+merge_stores_of_parts(struct session *s, const struct parts *parts,
     const struct part_site *const *site, size_t n, const char *const *path,
     size_t n_path, bool replace, struct error *error)
 {
@@ -204,23 +204,25 @@ join_stores(struct session *s, const struct parts *parts,
 		    "leave out the store, or collect the parts of the "
 		    "programs that filled it",
 		    parts->part[0].command);
-	bool ok = fill_shelf(&shelf, path, n_path, error) &&
-		  put_materials(s, &shelf, parts, site, n, replace, error);
-	clear_shelf(&shelf);
+	bool ok = read_stores_of_parts(&shelf, path, n_path, error) &&
+		  store_collected_materials(
+		      s, &shelf, parts, site, n, replace, error);
+	free_stores_of_parts(&shelf);
 	return ok;
 }
 
 static bool
-collect_give(struct session *s, const struct parts *parts,
+show_collected_results(struct session *s, const struct parts *parts,
     const char *const *store, size_t n_store, bool replace, struct error *error)
 {
 	size_t n;
-	FREED const struct part_site **site = sort_rows(parts, &n);
+	FREED const struct part_site **site = sort_sites_of_parts(parts, &n);
 	bool scores = strcmp(parts->part[0].command, "validate") == 0;
 	struct answer *r = NULL;
-	if (join_stores(s, parts, site, n, store, n_store, replace, error))
-		r = scores ? join_validated(parts, site, n, error)
-			   : join_calibrated(site, n);
+	if (merge_stores_of_parts(
+		s, parts, site, n, store, n_store, replace, error))
+		r = scores ? join_validated_sites(parts, site, n, error)
+			   : join_calibrated_sites(site, n);
 	return r != NULL && session_show_answer(s, r);
 }
 
@@ -234,17 +236,18 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; ok && i < args->n_operand; i++) {
 		const char *path = args->operand[i];
 		files_note_read(s, path);
-		if (store_is(path))
+		if (store_is_store_file(path))
 			store[n_store++] = path;
 		else
-			ok = parts_read(path, &parts, error);
+			ok = parts_read_file(path, &parts, error);
 	}
 	if (ok && parts.n == 0)
 		ok = error_at(error, ERROR_DATA, store[0], 0, 0,
 		    "expected also the parts that this store belongs to\nwrite "
 		    "them with: calibrate all part=I/N > FILE.json");
 	ok = ok && parts_check_agree(&parts, error) &&
-	     collect_give(s, &parts, store, n_store, args->replace, error);
+	     show_collected_results(
+		 s, &parts, store, n_store, args->replace, error);
 	parts_free(&parts);
 	return ok;
 }

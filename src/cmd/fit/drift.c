@@ -16,7 +16,7 @@ static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
 /* Returns the CUSUM of the side that is nearer to its limit, with a sign. */
 static double
-cusum_nearest_its_limit(const struct drift_chart *c)
+cusum_nearest_to_limit(const struct drift_chart *c)
 {
 	return c->down > c->up ? -c->down : c->up;
 }
@@ -24,7 +24,7 @@ cusum_nearest_its_limit(const struct drift_chart *c)
 /* charts: with the numbers that decide.  Programs get measured minus predicted;
  * people get predicted minus measured, as in all other comparisons. */
 static void
-drift_add_rows(
+add_rows_of_cuts(
     struct answer *a, const struct routine *r, bool charts, bool programs)
 {
 	double sign = programs ? 1 : -1;
@@ -41,22 +41,22 @@ drift_add_rows(
 		const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
 		double worst = c->measured[c->worst] - c->predicted[c->worst];
 		FREED char *day = xstrndup(c->when, strcspn(c->when, " T"));
-		answer_cells(a, "%g", (double)(j + 1));
+		answer_add_cells(a, "%g", (double)(j + 1));
 		answer_name(a, c->when, day[0] != '\0' ? day : "-");
-		answer_cells(a, "%g %.1f %.1f %g", c->speed,
+		answer_add_cells(a, "%g %.1f %.1f %g", c->speed,
 		    sign * 100 * level->value, sign * 100 * worst,
 		    units_mm(c->size[c->worst]));
 		if (charts)
-			answer_cells(a, "%.1f %.1f %.1f %.1f %.1f",
+			answer_add_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
-			    level->down, sign * cusum_nearest_its_limit(tilt));
-		answer_cells(a, "%s", ROUTINE_STATE[p->state]);
+			    level->down, sign * cusum_nearest_to_limit(tilt));
+		answer_add_cells(a, "%s", ROUTINE_STATE[p->state]);
 	}
 }
 
 /* Returns "5 (2026-05-18)". */
 static char *
-cut_name(const struct routine *r, size_t cut)
+cut_number_and_date(const struct routine *r, size_t cut)
 {
 	const char *when = r->cut[cut].when;
 	return when[0] != '\0' ? xasprintf("%zu (%s)", cut + 1, when)
@@ -66,7 +66,7 @@ cut_name(const struct routine *r, size_t cut)
 /* Returns the speeds of the cuts from `from` on: "72,76".  *n: how many
  * differ. */
 static char *
-speeds_words_from(const struct routine *r, size_t from, size_t *n)
+speeds_of_cuts_text(const struct routine *r, size_t from, size_t *n)
 {
 	char *list = xstrdup("");
 	*n = 0;
@@ -76,7 +76,7 @@ speeds_words_from(const struct routine *r, size_t from, size_t *n)
 			known = known || r->cut[i].speed == r->cut[j].speed;
 		if (known)
 			continue;
-		xlist(&list, ",", "%g", r->cut[j].speed);
+		xappend_to_list(&list, ",", "%g", r->cut[j].speed);
 		++*n;
 	}
 	return list;
@@ -87,12 +87,12 @@ enum { LATE = 50 };
 
 /* Says when it began, if the last cut is beyond a limit. */
 static void
-say_beginning(struct answer *a, const struct routine *r)
+say_when_drift_began(struct answer *a, const struct routine *r)
 {
 	if (r->point[r->n - 1].state == DRIFT_NONE)
 		return;
-	FREED char *since = cut_name(r, r->since),
-		   *first = cut_name(r, r->first);
+	FREED char *since = cut_number_and_date(r, r->since),
+		   *first = cut_number_and_date(r, r->first);
 	answer_note(a,
 	    "it began at about cut %s; by cut %s it was more than chance",
 	    since, first);
@@ -100,12 +100,12 @@ say_beginning(struct answer *a, const struct routine *r)
 
 /* Says when to calibrate again, and with what. */
 static void
-say_what_next(struct answer *a, const struct entry *entry,
+say_when_to_recalibrate(struct answer *a, const struct entry *entry,
     const struct routine *r, const struct later *later)
 {
 	size_t n;
 	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, later->speed, NAN);
+	    rotor_speed_rpm_text(entry->site->rotor, later->speed, NAN);
 	if (r->point[r->n - 1].state == DRIFT_NONE && later->missed) {
 		answer_note(a,
 		    "next: check how the cut at %g m/s%s and its feed were "
@@ -128,8 +128,8 @@ say_what_next(struct answer *a, const struct entry *entry,
 			     "next cut"));
 		return;
 	}
-	FREED char *since = cut_name(r, r->since);
-	FREED char *speeds = speeds_words_from(r, r->since, &n);
+	FREED char *since = cut_number_and_date(r, r->since);
+	FREED char *speeds = speeds_of_cuts_text(r, r->since, &n);
 	answer_note(a,
 	    n > 1 ? N_("next: find the cause; if the change is to stay, "
 		       "sample feed and product anew: 'template speeds=%s > "
@@ -146,7 +146,7 @@ say_what_next(struct answer *a, const struct entry *entry,
  * half a point, that the next cut alone shows in half of all cases; NAN if none
  * up to MOST does. */
 static double
-sudden_change(const struct routine *r)
+smallest_shift_shown_at_once(const struct routine *r)
 {
 	const double STEP = 0.005, MOST = 0.1;
 	size_t known = r->since < r->n ? r->since : r->n;
@@ -160,11 +160,12 @@ sudden_change(const struct routine *r)
 /* Says what a few cuts can show.  Of fewer than MEASURES cuts the smallest
  * change depends mostly on whether the calibration has seen them. */
 static void
-say_few(struct answer *a, const struct routine *r)
+say_what_few_cuts_show(struct answer *a, const struct routine *r)
 {
 	enum { MEASURES = 3 };
 	bool measures = r->n >= MEASURES;
-	double sudden = measures ? sudden_change(r) : (double)NAN;
+	double sudden =
+	    measures ? smallest_shift_shown_at_once(r) : (double)NAN;
 	FREED char *words =
 	    xasprintf(tr_n("%zu cut so far: a slow drift needs %d or more to "
 			   "show",
@@ -173,12 +174,12 @@ say_few(struct answer *a, const struct routine *r)
 			  r->n),
 		r->n, ROUTINE_FEW);
 	if (!measures)
-		xlist(&words, "; ",
+		xappend_to_list(&words, "; ",
 		    tr("with fewer than %d only a large sudden change shows; "
 		       "with %d, 'drift' says how large"),
 		    MEASURES, MEASURES);
 	if (isfinite(sudden))
-		xlist(&words, "; ",
+		xappend_to_list(&words, "; ",
 		    tr("the next cut would mostly show a sudden change, by "
 		       "%.1f "
 		       "points or more (mean of the sieves)"),
@@ -187,7 +188,7 @@ say_few(struct answer *a, const struct routine *r)
 }
 
 static void
-say_how_soon_found(struct answer *a, double shift, double found)
+say_how_soon_shift_shows(struct answer *a, double shift, double found)
 {
 	if (found <= LATE)
 		answer_note(a,
@@ -203,10 +204,10 @@ say_how_soon_found(struct answer *a, double shift, double found)
 
 /* States the limits, and how often chance alone crosses them. */
 static void
-say_limits(struct answer *a, const struct routine *r, bool detail)
+say_control_limits(struct answer *a, const struct routine *r, bool detail)
 {
 	const double shift = 0.005;
-	double quiet = drift_run_length(&r->rule, 0, SEED);
+	double quiet = drift_mean_run_length(&r->rule, 0, SEED);
 	double found = drift_detection_delay(&r->rule, r->point, r->n,
 	    r->since < r->n ? r->since : r->n, shift, SEED);
 	double about = quiet > 100 ? 10 * round(quiet / 10) : quiet;
@@ -228,16 +229,16 @@ say_limits(struct answer *a, const struct routine *r, bool detail)
 		    "one cut in about %.0f is called a drift by mistake",
 		    about);
 	if (detail || r->n >= ROUTINE_FEW)
-		say_how_soon_found(a, shift, found);
+		say_how_soon_shift_shows(a, shift, found);
 	if (r->n < ROUTINE_FEW)
-		say_few(a, r);
+		say_what_few_cuts_show(a, r);
 	fields_put(answer_fields(a), "false_signal_every %g found_after %g",
 	    quiet, isfinite(found) ? found : (double)NAN);
 }
 
 /* What the cuts are compared with, and in which order. */
 static void
-say_basis_of_charts(struct answer *a, const struct routine *r)
+say_basis_of_control_charts(struct answer *a, const struct routine *r)
 {
 	if (!r->drawn)
 		answer_say(a, ANSWER_WARNING,
@@ -275,10 +276,11 @@ drift_put_fields(struct answer *a, const struct routine *r)
 
 /* A cut that is missed is no drift, but not in order either. */
 static void
-say_state(struct answer *a, const struct routine *r, const struct later *later)
+say_whether_drifting(
+    struct answer *a, const struct routine *r, const struct later *later)
 {
 	bool drifts = r->point[r->n - 1].state != DRIFT_NONE;
-	FREED char *words = routine_state_words(r);
+	FREED char *words = routine_describe_state(r);
 	if (!drifts && later->missed)
 		answer_say(a, ANSWER_WARNING,
 		    "no drift, but the cut at %g m/s is not as expected",
@@ -291,30 +293,30 @@ say_state(struct answer *a, const struct routine *r, const struct later *later)
 bool
 cmd_drift(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	struct drift_rule rule = DRIFT_RULE;
 	rule.k = args->k;
 	rule.h = args->h;
-	if (!answers_check_current(s, error))
+	if (!answers_require_params_of_current(s, error))
 		return false;
-	struct routine *r = routine_follow(s, entry, &rule, error);
+	struct routine *r = routine_chart_cuts(s, entry, &rule, error);
 	if (r == NULL)
 		return false;
 	struct answer *a = answers_new(entry->site, "drift",
 	    tr_n("%zu routine cut against its prediction",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);
-	drift_add_rows(a, r, args->detail, false);
-	answer_fill_for_programs(a);
-	drift_add_rows(a, r, true, true);
+	add_rows_of_cuts(a, r, args->detail, false);
+	answer_begin_table_for_programs(a);
+	add_rows_of_cuts(a, r, true, true);
 	drift_put_fields(a, r);
-	struct later later = cut_compare_later(s, entry);
-	say_state(a, r, &later);
-	say_beginning(a, r);
-	say_limits(a, r, args->detail);
-	say_basis_of_charts(a, r);
+	struct later later = cut_compare_runs_since_fit(s, entry);
+	say_whether_drifting(a, r, &later);
+	say_when_drift_began(a, r);
+	say_control_limits(a, r, args->detail);
+	say_basis_of_control_charts(a, r);
 	answers_show_basis_of_fit(s, a, entry, false);
-	say_what_next(a, entry, r, &later);
+	say_when_to_recalibrate(a, entry, r, &later);
 	routine_free(r);
 	return session_show_answer(s, a);
 }

@@ -23,19 +23,19 @@
 
 /* Puts the training speeds, or the other speeds. */
 static void
-put_speeds(
+put_speeds_field(
     struct fields *o, const char *key, const struct entry *entry, bool trained)
 {
-	struct fields *list = fields_list(o, key);
+	struct fields *list = fields_add_list(o, key);
 	const struct site *site = entry->site;
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && entry->train[r] == trained &&
-		    !site_run_repeats(site, r))
+		    !site_run_repeats_speed(site, r))
 			fields_put(list, "%g", site->run[r].speed);
 }
 
 void
-fit_put(struct fields *o, const struct entry *entry, const char *verdict,
+fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
     double seconds)
 {
 	const struct fit *fit = &entry->fit;
@@ -51,29 +51,29 @@ fit_put(struct fields *o, const struct entry *entry, const char *verdict,
 	    seconds);
 	if (fit->lowest > 0)
 		fields_put(o, "lowest_misfit %g", fit->lowest);
-	fields_put(o, "model %s", breakage_of(&fit->params)->name);
+	fields_put(o, "model %s", breakage_model_of_params(&fit->params)->name);
 	fit_put_params(o, &fit->params);
-	put_speeds(o, "train", entry, true);
-	put_speeds(o, "holdout", entry, false);
+	put_speeds_field(o, "train", entry, true);
+	put_speeds_field(o, "holdout", entry, false);
 	fields_put(o,
 	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
 	    fit->cells, fit->parameters, fit->rmse * 100, verdict,
-	    poor               ? 1
-	    : fit_too_few(fit) ? NAN
-			       : 0);
+	    poor                        ? 1
+	    : fit_has_too_few_data(fit) ? NAN
+					: 0);
 }
 
 /* Explains by the break size and the feed why nothing breaks. */
 static void
-explain_nothing_breaks(struct answer *r, const struct entry *entry)
+explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 {
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
-	double x = params_break_size_by(
+	double x = params_break_size_by_impacts(
 	    &entry->fit.params, &entry->fit.settings, fastest->speed);
 	double coarser =
 	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
 	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, fastest->speed, NAN);
+	    rotor_speed_rpm_text(entry->site->rotor, fastest->speed, NAN);
 	answer_say(r, ANSWER_WARNING,
 	    "nothing breaks: the products do not differ measurably from the "
 	    "feed (RMSE of the unchanged feed %.2f points, of the fit %.2f), "
@@ -91,10 +91,10 @@ explain_nothing_breaks(struct answer *r, const struct entry *entry)
 /* Returns the range of a parameter: that of its bounds, or 2 in the gauge,
  * which is scaled to 1. */
 static double
-fit_report_range_of(
+width_of_parameter_bounds(
     const struct fit *fit, const struct bounds *bounds, size_t j)
 {
-	return j < breakage_of(&fit->params)->gauge
+	return j < breakage_model_of_params(&fit->params)->gauge
 		   ? 2
 		   : bounds->upper[j] - bounds->lower[j];
 }
@@ -102,15 +102,16 @@ fit_report_range_of(
 /* True if all poorly determined parameters stay within their bounds after
  * the step (sign 1) or its reverse (-1). */
 static bool
-step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
+is_step_within_bounds(
+    const struct fit *fit, const struct bounds *bounds, double sign)
 {
-	const struct breakage *of = breakage_of(&fit->params);
+	const struct breakage *of = breakage_model_of_params(&fit->params);
 	bool fits = true;
 	for (size_t j = of->gauge; j < of->n; j++) {
-		double x =
-		    fit->params.at[j] + sign * fit->flat.part[j] *
-					    fit_report_range_of(fit, bounds, j);
-		if (fit_is_flat(fit, j))
+		double x = fit->params.at[j] +
+			   sign * fit->flat.part[j] *
+			       width_of_parameter_bounds(fit, bounds, j);
+		if (fit_is_param_in_flat_direction(fit, j))
 			fits = fits && x >= bounds->lower[j] &&
 			       x <= bounds->upper[j];
 	}
@@ -119,7 +120,8 @@ step_fits(const struct fit *fit, const struct bounds *bounds, double sign)
 
 /* both: the step may be reversed. */
 static void
-say_flat(struct answer *r, const char *list, bool several, bool both)
+say_undetermined_parameters(
+    struct answer *r, const char *list, bool several, bool both)
 {
 	answer_say(r, ANSWER_REMARK,
 	    several && both
@@ -143,25 +145,26 @@ say_flat(struct answer *r, const char *list, bool several, bool both)
  * each with its step, in a direction that the bounds allow.  If the steps
  * leave the bounds either way, the data say nothing about them. */
 static void
-note_poorly_determined(
+note_undetermined_parameters(
     struct answer *r, const struct fit *fit, const struct bounds *bounds)
 {
 	FREED char *list = xstrdup("");
 	size_t n = 0;
-	bool ahead = step_fits(fit, bounds, 1),
-	     back = step_fits(fit, bounds, -1);
+	bool ahead = is_step_within_bounds(fit, bounds, 1),
+	     back = is_step_within_bounds(fit, bounds, -1);
 	bool silent = fit->flat.reach > 1 || (!ahead && !back);
-	const struct breakage *of = breakage_of(&fit->params);
+	const struct breakage *of = breakage_model_of_params(&fit->params);
 	for (size_t j = 0; j < of->n; j++) {
-		if (!fit_is_flat(fit, j))
+		if (!fit_is_param_in_flat_direction(fit, j))
 			continue;
 		if (silent)
-			xlist(&list, ", ", "%s", of->parameter[j].name);
+			xappend_to_list(
+			    &list, ", ", "%s", of->parameter[j].name);
 		else
-			xlist(&list, ", ", tr("%s by %+.2g"),
+			xappend_to_list(&list, ", ", tr("%s by %+.2g"),
 			    of->parameter[j].name,
 			    (ahead ? 1 : -1) * fit->flat.part[j] *
-				fit_report_range_of(fit, bounds, j));
+				width_of_parameter_bounds(fit, bounds, j));
 		n++;
 	}
 	if (silent)
@@ -170,19 +173,20 @@ note_poorly_determined(
 		    "the curves, not on single parameters",
 		    list);
 	else if (n > 0)
-		say_flat(r, list, n > 1, ahead && back);
+		say_undetermined_parameters(r, list, n > 1, ahead && back);
 }
 
 /* Warns of what speaks against the fit. */
 static void
-add_warnings(struct answer *r, const struct entry *entry)
+add_warnings_of_fit(struct answer *r, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	if (fit->rmse <= FIT_POOR && !fit_too_few(fit) &&
-	    fit_breaks_nothing(fit))
-		explain_nothing_breaks(r, entry);
-	struct validation far = fit_outlier(entry);
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, far.speed, NAN);
+	if (fit->rmse <= FIT_POOR && !fit_has_too_few_data(fit) &&
+	    fit_is_no_better_than_feed(fit))
+		explain_why_nothing_breaks(r, entry);
+	struct validation far = fit_find_outlier(entry);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, far.speed, NAN);
 	if (far.worst_difference != 0)
 		answer_say(r, ANSWER_WARNING,
 		    "the product at %g m/s%s%s differs by %.1f points from the "
@@ -201,7 +205,7 @@ add_warnings(struct answer *r, const struct entry *entry)
 }
 
 static const char *
-stop_sentence(const struct fit *fit)
+why_search_stopped(const struct fit *fit)
 {
 	switch (fit->stop) {
 	case CALIBRATE_TOLERANCE:
@@ -218,31 +222,32 @@ stop_sentence(const struct fit *fit)
 }
 
 static void
-add_interval(struct answer *r, const struct session *s,
+add_parameter_interval(struct answer *r, const struct session *s,
     const struct posterior *u, const struct params *p, size_t j)
 {
 	double range[2];
-	fit_param_band(u, s, p, j, range);
-	answer_cells(r, "%.4f %.4f", range[0], range[1]);
+	fit_compute_param_band(u, s, p, j, range);
+	answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
 }
 
 /* Adds a row for each parameter, with its range if there are draws. */
 static void
-add_params(struct answer *r, const struct session *s, const struct fit *fit,
-    const struct posterior *u, const struct bounds *bounds)
+add_parameter_rows(struct answer *r, const struct session *s,
+    const struct fit *fit, const struct posterior *u,
+    const struct bounds *bounds)
 {
-	const struct breakage *of = breakage_of(&fit->params);
+	const struct breakage *of = breakage_model_of_params(&fit->params);
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
 		answer_columns(r, "low, high");
 	answer_columns(r, "unit, lower, upper, remark");
 	for (size_t j = 0; j < of->n; j++) {
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
-		answer_cells(
+		answer_add_cells(
 		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL)
-			add_interval(r, s, u, &fit->params, j);
-		answer_cells(r, "%s %g %g %s", of->parameter[j].unit,
+			add_parameter_interval(r, s, u, &fit->params, j);
+		answer_add_cells(r, "%s %g %g %s", of->parameter[j].unit,
 		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? tr("held fixed")
 		    : fit->on_bound[j] ? tr("at bound")
@@ -253,7 +258,7 @@ add_params(struct answer *r, const struct session *s, const struct fit *fit,
 
 /* Notes how much lower a polished search would end. */
 static void
-note_lowest(struct answer *r, const struct fit *fit)
+note_misfit_of_polished_search(struct answer *r, const struct fit *fit)
 {
 	if (!(fit->lowest > 0))
 		return;
@@ -270,7 +275,7 @@ note_lowest(struct answer *r, const struct fit *fit)
 }
 
 static void
-note_edits(struct answer *r, const struct fit *fit)
+note_bounds_edited(struct answer *r, const struct fit *fit)
 {
 	if (fit->edits > 0)
 		answer_say(r, ANSWER_REMARK,
@@ -286,7 +291,7 @@ note_edits(struct answer *r, const struct fit *fit)
 
 /* Adds what the search did and how well it determines the parameters. */
 static void
-add_search(
+add_search_summary(
     struct answer *r, const struct entry *entry, const struct bounds *bounds)
 {
 	const struct fit *fit = &entry->fit;
@@ -301,16 +306,16 @@ add_search(
 	    fit->misfit, 100 * fit->rmse, fit->n_residual, fit->cells,
 	    fit->parameters);
 	answer_note(r, "stopped after %zu generations, %zu evaluations: %s",
-	    fit->generations, fit->evaluations, stop_sentence(fit));
-	note_lowest(r, fit);
-	note_edits(r, fit);
-	add_warnings(r, entry);
-	note_poorly_determined(r, fit, bounds);
+	    fit->generations, fit->evaluations, why_search_stopped(fit));
+	note_misfit_of_polished_search(r, fit);
+	note_bounds_edited(r, fit);
+	add_warnings_of_fit(r, entry);
+	note_undetermined_parameters(r, fit, bounds);
 }
 
 /* Notes what would test a fit without a held-out speed. */
 static void
-note_untested(struct answer *r, const struct entry *entry)
+note_how_to_test_fit(struct answer *r, const struct entry *entry)
 {
 	size_t speeds = site_count_speeds(entry->site, entry->train);
 	answer_note(r,
@@ -324,97 +329,98 @@ note_untested(struct answer *r, const struct entry *entry)
 
 /* Sums up the quality of the fit, and what tests it. */
 static void
-add_summary(
+add_fit_summary(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	const char *verdict = light_verdict(s, entry, NULL);
+	const char *verdict = light_verdict_on_fit(s, entry, NULL);
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	FREED char *held =
-	    session_speeds(entry->site, ", ", entry->train, false);
-	FREED char *rpm = session_rpm(entry->site, entry->train, false);
+	    session_speeds_text(entry->site, ", ", entry->train, false);
+	FREED char *rpm =
+	    session_rpm_in_brackets(entry->site, entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
 	FREED char *words = xasprintf(
 	    of_fit ? tr("%s fit: misses its products by %.2f points on average")
 		   : tr("%s: misses its products by %.2f points on average"),
 	    verdict, 100 * fit->rmse);
 	if (isfinite(holdout))
-		xlist(&words, "; ",
+		xappend_to_list(&words, "; ",
 		    strchr(held, ',') != NULL
 			? tr("at %s m/s%s, kept as a check, by up to %.2f")
 			: tr("at %s m/s%s, kept as a check, by %.2f"),
 		    held, rpm, 100 * holdout);
 	answer_note(r, "%s", words);
 	if (isnan(holdout))
-		note_untested(r, entry);
+		note_how_to_test_fit(r, entry);
 }
 
 /* Returns the answer with the parameters and the course of the search. */
 static struct answer *
-detailed_answer(const struct session *s, const struct entry *entry,
+build_detailed_fit_report(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, const char *command)
 {
 	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
 	struct answer *r =
 	    answers_new(entry->site, command, "calibrated parameters");
 	struct fields *o = answer_fields(r);
-	add_params(r, s, &entry->fit, u, bounds);
-	add_search(r, entry, bounds);
+	add_parameter_rows(r, s, &entry->fit, u, bounds);
+	add_search_summary(r, entry, bounds);
 	if (strcmp(command, "show") == 0)
 		fields_put(o, "what %s", "fit");
-	fit_put(o, entry, light_verdict(s, entry, NULL), seconds);
+	fit_put_fields(o, entry, light_verdict_on_fit(s, entry, NULL), seconds);
 	answers_show_basis_of_fit(s, r, entry, u != NULL);
-	fit_put_bands(o, s, u, &entry->fit.params);
+	fit_put_param_bands(o, s, u, &entry->fit.params);
 	return r;
 }
 
 /* Returns the value of a quantity at a speed, m/s, with the mean feed. */
 static double
-value_at(const struct session *s, const struct entry *entry,
+quantity_value_at_speed(const struct session *s, const struct entry *entry,
     const struct quantity *of, double speed)
 {
 	const struct question q =
 	    question_of_whole_product(s, entry, SITE_MEAN_FEED);
 	struct forecast *f = forecast_open(s, &q, of, 1);
-	forecast_at(f, speed);
-	double value = forecast_figure(f, 0).value;
+	forecast_set_speed(f, speed);
+	double value = forecast_value_with_band(f, 0).value;
 	forecast_close(f);
 	return value;
 }
 
 struct former
-fit_former_answer(const struct session *s, const struct entry *entry)
+fit_answer_last_question(const struct session *s, const struct entry *entry)
 {
 	const struct last_asked *asked = &s->last_asked;
 	bool mean = s->set.feed[0] == '\0' || strcmp(s->set.feed, "mean") == 0;
-	if (!entry->has_fit || !mean || session_busy(s))
+	if (!entry->has_fit || !mean || session_is_calibrating(s))
 		return (struct former){0};
 	double speed =
-	    asked->speed > 0 ? asked->speed : answers_usual_speed(entry);
+	    asked->speed > 0 ? asked->speed : answers_default_speed(entry);
 	struct former former = {.speed = speed, .of = asked->of};
 	if (!asked->named) {
 		struct prediction p =
 		    forecast_whole_product(s, entry, speed, SITE_MEAN_FEED);
-		former.of = answers_usual_passing(&p.product);
+		former.of = answers_default_passing_quantity(&p.product);
 		prediction_free(&p);
 	}
-	former.value = value_at(s, entry, &former.of, speed);
+	former.value = quantity_value_at_speed(s, entry, &former.of, speed);
 	return former;
 }
 
 /* Notes by how much the answer moved from that of the former calibration. */
 static void
-note_moved_answer(
+note_change_of_answer(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	const struct former *was = &s->job.former;
 	if (!(was->speed > 0))
 		return;
-	double value = value_at(s, entry, &was->of, was->speed);
-	FREED char *words = quantities_statement(&was->of, value);
+	double value = quantity_value_at_speed(s, entry, &was->of, was->speed);
+	FREED char *words = quantities_sentence_with_value(&was->of, value);
 	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, was->speed, NAN);
-	bool all = outlook_correction(s, entry) == CORRECTION_ALL;
+	    rotor_speed_rpm_text(entry->site->rotor, was->speed, NAN);
+	bool all = outlook_correcting_runs(s, entry) == CORRECTION_ALL;
 	bool checks = all && isfinite(fit_holdout_rmse(entry));
 	if (isfinite(value) && isfinite(was->value))
 		answer_note(r,
@@ -425,35 +431,37 @@ note_moved_answer(
 				 "before this calibration %.*f")
 			   : N_("at %.*f m/s%s %s; before this calibration "
 				 "%.*f"),
-		    units_speed_digits(was->speed), was->speed, rpm, words,
+		    units_speed_decimals(was->speed), was->speed, rpm, words,
 		    quantities_decimals(&was->of),
-		    quantities_shown(&was->of, was->value));
+		    quantities_value_in_shown_unit(&was->of, was->value));
 }
 
 struct answer *
-fit_answer(const struct session *s, const struct entry *entry,
+fit_build_report(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, bool detail)
 {
 	if (detail)
-		return detailed_answer(s, entry, bounds, seconds, "calibrate");
+		return build_detailed_fit_report(
+		    s, entry, bounds, seconds, "calibrate");
 	const struct fit *fit = &entry->fit;
 	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
 	FREED char *speeds =
-	    session_speeds(entry->site, ", ", entry->train, true);
-	FREED char *rpm = session_rpm(entry->site, entry->train, true);
+	    session_speeds_text(entry->site, ", ", entry->train, true);
+	FREED char *rpm =
+	    session_rpm_in_brackets(entry->site, entry->train, true);
 	FREED char *next =
-	    answers_typed_speed(entry->site, answers_usual_speed(entry));
+	    answers_format_speed(entry->site, answers_default_speed(entry));
 	struct answer *r = answers_new(
 	    entry->site, "calibrate", "calibrated on %s m/s%s", speeds, rpm);
-	answer_fill_for_programs(r);
-	add_params(r, s, fit, u, bounds);
-	add_summary(r, s, entry);
-	note_moved_answer(r, s, entry);
-	note_lowest(r, fit);
-	note_edits(r, fit);
-	add_warnings(r, entry);
-	fit_put(
-	    answer_fields(r), entry, light_verdict(s, entry, NULL), seconds);
+	answer_begin_table_for_programs(r);
+	add_parameter_rows(r, s, fit, u, bounds);
+	add_fit_summary(r, s, entry);
+	note_change_of_answer(r, s, entry);
+	note_misfit_of_polished_search(r, fit);
+	note_bounds_edited(r, fit);
+	add_warnings_of_fit(r, entry);
+	fit_put_fields(answer_fields(r), entry,
+	    light_verdict_on_fit(s, entry, NULL), seconds);
 	if (answers_show_basis_of_fit(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else
@@ -461,7 +469,7 @@ fit_answer(const struct session *s, const struct entry *entry,
 		    "next: 'predict %s', or any speed; 'show fit' "
 		    "has the parameters",
 		    next);
-	fit_put_bands(answer_fields(r), s, u, &fit->params);
+	fit_put_param_bands(answer_fields(r), s, u, &fit->params);
 	return r;
 }
 
@@ -469,14 +477,15 @@ bool
 show_fit(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	if (!entry->has_fit || entry->history == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "%s has not been calibrated in this session\n"
 		    "run 'calibrate' first",
 		    entry->site->name);
 	return session_show_answer(
-	    s, detailed_answer(s, entry, &entry->history->bounds, NAN, "show"));
+	    s, build_detailed_fit_report(
+		   s, entry, &entry->history->bounds, NAN, "show"));
 }
 
 /* The rows of a table that fit on a screen together with its heading. */
@@ -485,7 +494,7 @@ enum { ROWS = 18 };
 /* Returns the range of the middle 80 % of the candidates in per cent of the
  * bounds; 0 if the parameter is held fixed. */
 static double
-fit_report_spread(
+spread_of_candidates_pct(
     const struct history *h, const struct calibrate_generation *g, size_t j)
 {
 	double range = h->bounds.upper[j] - h->bounds.lower[j];
@@ -493,7 +502,7 @@ fit_report_spread(
 }
 
 static void
-add_generation_heads(struct answer *r, const struct breakage *of, bool exact)
+add_generation_headings(struct answer *r, const struct breakage *of, bool exact)
 {
 	answer_columns(r, "generation: gen, best, median");
 	for (size_t j = 0; j < of->n; j++) {
@@ -507,34 +516,38 @@ add_generation_heads(struct answer *r, const struct breakage *of, bool exact)
 }
 
 static void
-add_generation(struct answer *r, const struct history *h, size_t i, bool exact)
+add_generation_row(
+    struct answer *r, const struct history *h, size_t i, bool exact)
 {
 	const struct calibrate_generation *g = &h->generation[i];
-	answer_cells(r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
-	for (size_t j = 0; j < breakage_of(&g->params)->n; j++) {
+	answer_add_cells(
+	    r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
+	for (size_t j = 0; j < breakage_model_of_params(&g->params)->n; j++) {
 		if (exact) {
-			answer_cells(r, "%g %g %g", g->params.at[j], g->p10[j],
-			    g->p90[j]);
+			answer_add_cells(r, "%g %g %g", g->params.at[j],
+			    g->p10[j], g->p90[j]);
 		} else {
-			answer_cells(r, "%.1f", fit_report_spread(h, g, j));
+			answer_add_cells(
+			    r, "%.1f", spread_of_candidates_pct(h, g, j));
 		}
 	}
 }
 
 static void
-add_generations(
+add_generation_rows(
     struct answer *r, const struct history *h, size_t step, bool exact)
 {
-	add_generation_heads(r, breakage_of(&h->generation[0].params), exact);
+	add_generation_headings(
+	    r, breakage_model_of_params(&h->generation[0].params), exact);
 	for (size_t i = 0; i < h->n; i++)
 		if (i % step == 0 || i + 1 == h->n)
-			add_generation(r, h, i, exact);
+			add_generation_row(r, h, i, exact);
 }
 
 bool
 cmd_history(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct history *h = entry->history;
 	if (h == NULL || h->n == 0)
 		return error_set(error, ERROR_USAGE,
@@ -545,9 +558,9 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	    args->every > 0 ? (size_t)args->every : (h->n + ROWS - 1) / ROWS;
 	struct answer *r =
 	    answers_new(entry->site, "history", "%zu generations", h->n);
-	add_generations(r, h, step, false);
-	answer_fill_for_programs(r);
-	add_generations(r, h, step, true);
+	add_generation_rows(r, h, step, false);
+	answer_begin_table_for_programs(r);
+	add_generation_rows(r, h, step, true);
 	answer_put_rows(r, "rows");
 	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "

@@ -21,17 +21,19 @@
 
 /* Notes what the job is about to do. */
 static void
-note_job_begun(struct session *s)
+note_calibration_begun(struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	const struct calibrate_options *o = &s->job.options;
 	size_t model = o->settings.breakage;
 	FREED char *train =
-	    session_speeds(entry->site, ", ", s->job.train, true);
+	    session_speeds_text(entry->site, ", ", s->job.train, true);
 	FREED char *holdout =
-	    session_speeds(entry->site, ", ", s->job.train, false);
-	FREED char *rpm = session_rpm(entry->site, s->job.train, true);
-	FREED char *held_rpm = session_rpm(entry->site, s->job.train, false);
+	    session_speeds_text(entry->site, ", ", s->job.train, false);
+	FREED char *rpm =
+	    session_rpm_in_brackets(entry->site, s->job.train, true);
+	FREED char *held_rpm =
+	    session_rpm_in_brackets(entry->site, s->job.train, false);
 	FREED char *words = xasprintf(
 	    holdout[0] == '\0' ? tr("calibrating %s on %s m/s%s")
 	    : rpm[0] == '\0'
@@ -40,7 +42,8 @@ note_job_begun(struct session *s)
 		     "m/s%s"),
 	    entry->site->name, train, rpm, holdout, held_rpm);
 	if (model > 0)
-		xlist(&words, ", ", tr("model %s"), BREAKAGES[model]->name);
+		xappend_to_list(
+		    &words, ", ", tr("model %s"), BREAKAGES[model]->name);
 	session_note(s, "%s", words);
 	if (s->job.detail)
 		session_note(s,
@@ -54,14 +57,14 @@ note_job_begun(struct session *s)
 
 /* A job that pauses after a step runs its tasks one after the other. */
 static bool
-runs_together(const struct job *job)
+can_run_tasks_in_parallel(const struct job *job)
 {
 	return job->apart && job->pause_at == 0;
 }
 
 /* Starts to calibrate job.entry on job.train. */
 static void
-job_begin(struct session *s)
+begin_calibration_task(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct site *site = s->entry[job->entry].site;
@@ -69,10 +72,10 @@ job_begin(struct session *s)
 	job->options.train = job->train;
 	job->options.run_weight = job->run_weight;
 	struct calibrate_options options = job->options;
-	options.threads = runs_together(job) ? 1 : options.threads;
+	options.threads = can_run_tasks_in_parallel(job) ? 1 : options.threads;
 	job->calibration = calibration_new(site, &options);
 	job->started = session_clock();
-	note_job_begun(s);
+	note_calibration_begun(s);
 }
 
 /* Frees the job's members and clears it. */
@@ -91,49 +94,49 @@ job_free(struct job *job)
 bool
 job_start(struct session *s, const struct job *job)
 {
-	session_stop(s);
+	session_abort_job(s);
 	s->job = *job;
 	s->job.invocation = s->invocation;
 	s->job.fits = job->type->task_words == NULL;
 	bool any = job->type->next(s);
 	if (any)
-		job_begin(s);
+		begin_calibration_task(s);
 	else
 		job_free(&s->job);
 	return any;
 }
 
 size_t
-job_mark(const struct site *site, bool all, bool *train)
+job_mark_training_runs(const struct site *site, bool all, bool *train)
 {
 	size_t n = 0;
 	if (!all)
-		return misfit_default_train(site, train);
+		return misfit_mark_default_training(site, train);
 	for (size_t r = 0; r < site->n_run; r++)
-		n += train[r] = misfit_count_covered(&site->run[r]) > 0;
+		n += train[r] = misfit_count_covered_sieves(&site->run[r]) > 0;
 	return n;
 }
 
 size_t
-job_speeds(const struct site *site)
+job_count_speeds(const struct site *site)
 {
 	FREED bool *use = xcalloc(site->n_run + 1, sizeof *use);
-	job_mark(site, true, use);
+	job_mark_training_runs(site, true, use);
 	return site_count_speeds(site, use);
 }
 
 bool
-job_hold_out(const struct site *site, double *speed, bool *train)
+job_hold_out_next_speed(const struct site *site, double *speed, bool *train)
 {
 	size_t next = 0;
 	while (next < site->n_run &&
 	       (site->run[next].speed <= *speed ||
-		   misfit_count_covered(&site->run[next]) == 0))
+		   misfit_count_covered_sieves(&site->run[next]) == 0))
 		next++;
 	if (next == site->n_run)
 		return false;
 	*speed = site->run[next].speed;
-	job_mark(site, true, train);
+	job_mark_training_runs(site, true, train);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].speed == *speed)
 			train[r] = false;
@@ -142,27 +145,28 @@ job_hold_out(const struct site *site, double *speed, bool *train)
 
 /* Keeps the job's generations and misfit with its site. */
 static void
-take_history(struct entry *entry, const struct job *job)
+copy_search_history(struct entry *entry, const struct job *job)
 {
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
 	    calibration_history(job->calibration, &n);
 	struct history *h =
 	    history_new(&entry->fit, calibration_bounds(job->calibration),
-		calibration_weight(job->calibration), entry->site, job->train);
+		calibration_sum_of_weights(job->calibration), entry->site,
+		job->train);
 	h->n = n;
 	h->generation = xcalloc(n + 1, size);
 	h->stop = job->options.stop;
 	if (n > 0)
 		memcpy(h->generation, g, n * size);
-	history_drop(entry->history);
+	history_release(entry->history);
 	entry->history = h;
 }
 
 /* Returns the job's options as typed, which later tell how the fit was
  * found.  Bounds are named only if they are not the defaults. */
 static char *
-options_words(const struct session *s, const struct fit *fit)
+calibrate_options_text(const struct session *s, const struct fit *fit)
 {
 	const struct job *job = &s->job;
 	const struct calibrate_options *o = &job->options;
@@ -181,7 +185,7 @@ options_words(const struct session *s, const struct fit *fit)
 		sign = ",";
 	}
 	if (fit->edits > 0)
-		xlist(&words, "; ",
+		xappend_to_list(&words, "; ",
 		    fit->edits > 1
 			? tr("bounds edited after generation %zu and before")
 			: tr("bounds edited after generation %zu"),
@@ -189,7 +193,7 @@ options_words(const struct session *s, const struct fit *fit)
 	for (size_t j = 0; j < BREAKAGES[model]->n; j++)
 		if (o->bounds.lower[j] != usual.lower[j] ||
 		    o->bounds.upper[j] != usual.upper[j])
-			xlist(&words, "; ", tr("bounds %s %g..%g"),
+			xappend_to_list(&words, "; ", tr("bounds %s %g..%g"),
 			    BREAKAGES[model]->parameter[j].name,
 			    o->bounds.lower[j], o->bounds.upper[j]);
 	return words;
@@ -197,22 +201,22 @@ options_words(const struct session *s, const struct fit *fit)
 
 /* Makes the job's result the fit of its site. */
 static void
-take_fit_as_params(struct session *s)
+set_params_from_fit(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
-	entry->fit = calibration_fit(s->job.calibration);
+	entry->fit = calibration_best_fit(s->job.calibration);
 	if (s->job.lowest != NULL && entry->fit.plain)
-		entry->fit.lowest = calibration_fit(s->job.lowest).misfit;
-	FREED char *options = options_words(s, &entry->fit);
+		entry->fit.lowest = calibration_best_fit(s->job.lowest).misfit;
+	FREED char *options = calibrate_options_text(s, &entry->fit);
 	snprintf(entry->options, sizeof entry->options, "%s", options);
 	entry->params = entry->fit.params;
-	take_history(entry, &s->job);
+	copy_search_history(entry, &s->job);
 	session_forget_answers(s);
 	entry->has_fit = entry->has_params = true;
 	entry->remembered = false;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
-	origin_drop(entry->origin);
+	origin_release(entry->origin);
 	entry->origin = origin_of_fit(entry);
 	s->job.taken = true;
 }
@@ -244,34 +248,34 @@ step_polished_search(struct session *s)
 /* Drawing the posterior, which the light needs, takes longer than many
  * generations. */
 static bool
-draw_fit(struct session *s)
+sample_posterior_of_fit(struct session *s)
 {
 	if (!s->job.taken && !step_polished_search(s))
 		return false;
 	if (!s->job.taken)
-		take_fit_as_params(s);
-	return outlook_draw_some_steps(s, &s->entry[s->job.entry]);
+		set_params_from_fit(s);
+	return outlook_draw_posterior_steps(s, &s->entry[s->job.entry]);
 }
 
 /* draw: judge the fit by its draws, too. */
 static void
-job_take_fit(struct session *s, bool draw)
+set_and_judge_fit(struct session *s, bool draw)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
-		take_fit_as_params(s);
+		set_params_from_fit(s);
 	/* `calibrate all` answers with a table of sites, which has none of
 	 * these fields. */
 	struct answer *answer = answer_new("calibrate");
-	fit_put(answer_fields(answer), entry,
-	    draw ? light_verdict(s, entry, NULL)
-		 : light_verdict_undrawn(s, entry),
+	fit_put_fields(answer_fields(answer), entry,
+	    draw ? light_verdict_on_fit(s, entry, NULL)
+		 : light_verdict_without_draws(s, entry),
 	    session_clock() - s->job.started);
 	session_keep_answer(s, answer);
 }
 
 static void
-answer_fit(struct session *s)
+show_fit_report(struct session *s)
 {
 	double seconds = session_clock() - s->job.started;
 	bool fits = s->job.fits;
@@ -280,7 +284,7 @@ answer_fit(struct session *s)
 	/* Its answers are those of the fit, no longer of the search, which a
 	 * stopped job still is. */
 	s->job.fits = false;
-	struct answer *answer = fit_answer(s, &s->entry[s->job.entry],
+	struct answer *answer = fit_build_report(s, &s->entry[s->job.entry],
 	    calibration_bounds(s->job.calibration), seconds, s->job.detail);
 	s->job.fits = fits;
 	session_show_answer(s, answer);
@@ -291,58 +295,64 @@ static char *
 remarks_on_fit(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
-	const struct breakage *of = breakage_of(&entry->fit.params);
+	const struct breakage *of =
+	    breakage_model_of_params(&entry->fit.params);
 	for (size_t j = 0; j < of->n; j++)
 		if (entry->fit.on_bound[j])
-			xlist(&text, "; ", tr("%s at bound"),
+			xappend_to_list(&text, "; ", tr("%s at bound"),
 			    of->parameter[j].name);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *other = &s->entry[i];
 		if (other != entry &&
 		    other->site->digest == entry->site->digest)
-			xlist(&text, "; ", tr("same data as %s"), other->key);
+			xappend_to_list(
+			    &text, "; ", tr("same data as %s"), other->key);
 	}
-	const char *verdict = light_verdict_undrawn(s, entry);
+	const char *verdict = light_verdict_without_draws(s, entry);
 	if (strcmp(verdict, "good") != 0)
-		xlist(&text, "; ", "%s", verdict);
+		xappend_to_list(&text, "; ", "%s", verdict);
 	return text;
 }
 
 static void
-add_summary_row(struct session *s, struct answer *r, const struct entry *entry)
+add_calibrated_site_row(
+    struct session *s, struct answer *r, const struct entry *entry)
 {
 	FREED char *words = remarks_on_fit(s, entry);
 	const struct params *p = &entry->fit.params;
-	part_add(r, &(struct part_row){entry->key, words,
-			params_value(p, "f_mat"), params_value(p, "e0_min"),
-			params_value(p, "alpha"), entry->fit.misfit,
-			100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
+	part_add_site_row(
+	    r, &(struct part_row){entry->key, words,
+		   params_value_by_name(p, "f_mat"),
+		   params_value_by_name(p, "e0_min"),
+		   params_value_by_name(p, "alpha"), entry->fit.misfit,
+		   100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
 }
 
 /* A job with one calibration has its site and its runs from the start. */
 static bool
-next_fit_of_one(struct session *s)
+has_single_fit_to_run(struct session *s)
 {
 	s->job.entry = s->current;
 	return s->job.calibration == NULL;
 }
 
 static void
-take_fit_of_one(struct session *s)
+set_and_show_single_fit(struct session *s)
 {
-	job_take_fit(s, true);
-	answer_fit(s);
+	set_and_judge_fit(s, true);
+	show_fit_report(s);
 }
 
 static void
-end_fit_of_one(struct session *s, void *of)
+end_without_answer(struct session *s, void *of)
 {
 	(void)s;
 	(void)of;
 }
 
-static const struct job_type ONE_SITE = {next_fit_of_one, draw_fit,
-    take_fit_of_one, end_fit_of_one, free, true, NULL, NULL, NULL};
+static const struct job_type ONE_SITE = {has_single_fit_to_run,
+    sample_posterior_of_fit, set_and_show_single_fit, end_without_answer, free,
+    true, NULL, NULL, NULL};
 
 /* The results of `calibrate all`. */
 struct all_fits {
@@ -360,8 +370,9 @@ all_fits_new(const struct session *s, bool train_all, struct part part,
 	struct all_fits *fits = xcalloc(1, sizeof *fits);
 	*fits = (struct all_fits){.train_all = train_all,
 	    .part = part,
-	    .options = part_options(s, options, train_all ? "all" : "ends"),
-	    .summary = part_answer()};
+	    .options =
+		part_dependencies_text(s, options, train_all ? "all" : "ends"),
+	    .summary = part_new_calibrate_answer()};
 	return fits;
 }
 
@@ -390,8 +401,9 @@ next_site_to_fit(struct session *s)
 		job->train = xcalloc(site->n_run, sizeof *job->train);
 		job->entry = i;
 		if (part_has_site(&fits->part, i) &&
-		    job_mark(site, true, job->train) > 0 &&
-		    job_mark(site, fits->train_all, job->train) > 0)
+		    job_mark_training_runs(site, true, job->train) > 0 &&
+		    job_mark_training_runs(site, fits->train_all, job->train) >
+			0)
 			return true;
 	}
 	return false;
@@ -407,23 +419,23 @@ note_fit_ended(const struct session *s)
 }
 
 static void
-take_one_of_all_fits(struct session *s)
+set_fit_and_add_row(struct session *s)
 {
 	struct all_fits *fits = s->job.of;
-	job_take_fit(s, false);
+	set_and_judge_fit(s, false);
 	note_fit_ended(s);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
 	fits->index[fits->n++] = s->job.entry;
-	add_summary_row(s, fits->summary, &s->entry[s->job.entry]);
+	add_calibrated_site_row(s, fits->summary, &s->entry[s->job.entry]);
 }
 
 static void
-show_all_fits(struct session *s, void *of)
+show_table_of_all_fits(struct session *s, void *of)
 {
 	struct all_fits *fits = of;
 	if (fits->part.of > 0) {
-		part_put_digest(fits->summary, s, &fits->part, fits->index,
-		    fits->n, fits->options);
+		part_put_collect_fields(fits->summary, s, &fits->part,
+		    fits->index, fits->n, fits->options);
 		answer_put_rows(fits->summary, "rows");
 	}
 	session_show_answer(s, fits->summary);
@@ -431,9 +443,9 @@ show_all_fits(struct session *s, void *of)
 	all_fits_free(fits);
 }
 
-static const struct job_type ALL_SITES = {next_site_to_fit, draw_fit,
-    take_one_of_all_fits, show_all_fits, all_fits_free, false, NULL, NULL,
-    NULL};
+static const struct job_type ALL_SITES = {next_site_to_fit,
+    sample_posterior_of_fit, set_fit_and_add_row, show_table_of_all_fits,
+    all_fits_free, false, NULL, NULL, NULL};
 
 static void
 end_job(struct session *s)
@@ -447,17 +459,17 @@ end_job(struct session *s)
 
 /* Goes on to the next task, or ends the job. */
 static void
-next_or_end(struct session *s)
+begin_next_task_or_end_job(struct session *s)
 {
 	s->job.type->take(s);
 	if (s->job.type->next(s))
-		job_begin(s);
+		begin_calibration_task(s);
 	else
 		end_job(s);
 }
 
 void
-session_step(struct session *s)
+session_step_job(struct session *s)
 {
 	struct calibration *c = s->job.calibration;
 	struct calibrate_status before = calibration_status(c);
@@ -471,9 +483,9 @@ session_step(struct session *s)
 		s->job.found = s->job.type->follow(
 		    s, &(struct job_task){s->job.entry, s->job.train, c, NULL});
 	if (over)
-		next_or_end(s);
-	if (session_busy(s) && s->job.step == s->job.pause_at)
-		session_pause(s);
+		begin_next_task_or_end_job(s);
+	if (session_is_calibrating(s) && s->job.step == s->job.pause_at)
+		session_pause_job(s);
 }
 
 /* A task that runs in parallel with others.  found: see job_type.follow. */
@@ -486,7 +498,7 @@ struct running_task {
 
 /* Runs a task until it is complete or the user waits. */
 static void
-run_ahead(void *data, size_t piece, unsigned thread)
+run_task_to_end(void *data, size_t piece, unsigned thread)
 {
 	struct running_task *a = &((struct running_task *)data)[piece];
 	const struct job_type *type = a->s->job.type;
@@ -504,7 +516,7 @@ run_ahead(void *data, size_t piece, unsigned thread)
 
 /* Lists the present task and those after it, at most `most`. */
 static size_t
-list_tasks(struct session *s, struct running_task *ahead, size_t most)
+begin_next_tasks(struct session *s, struct running_task *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
@@ -516,7 +528,7 @@ list_tasks(struct session *s, struct running_task *ahead, size_t most)
 		if (n == most || !job->type->next(s))
 			break;
 		job->calibration = NULL;
-		job_begin(s);
+		begin_calibration_task(s);
 	} while (true);
 	free(job->train);
 	return n;
@@ -525,7 +537,7 @@ list_tasks(struct session *s, struct running_task *ahead, size_t most)
 /* Takes the results in the order of the tasks.  If one was stopped, it
  * becomes the present task, and those after it start again. */
 static void
-take_results_ahead(
+take_parallel_results(
     struct session *s, const struct running_task *ahead, size_t n)
 {
 	struct job *job = &s->job;
@@ -554,32 +566,32 @@ take_results_ahead(
 		free(job->train);
 	}
 	if (over)
-		next_or_end(s);
+		begin_next_task_or_end_job(s);
 }
 
 void
-session_run_tasks(struct session *s)
+session_run_parallel_tasks(struct session *s)
 {
 	enum { EACH_THREAD = 2 };
-	if (!runs_together(&s->job)) {
-		session_step(s);
+	if (!can_run_tasks_in_parallel(&s->job)) {
+		session_step_job(s);
 		return;
 	}
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
 	FREED struct running_task *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = list_tasks(s, ahead, most);
+	size_t n = begin_next_tasks(s, ahead, most);
 	struct pool *pool = pool_new(threads);
-	pool_run(pool, n, run_ahead, ahead);
+	pool_run(pool, n, run_task_to_end, ahead);
 	pool_free(pool);
-	take_results_ahead(s, ahead, n);
+	take_parallel_results(s, ahead, n);
 }
 
 /* Returns the misfit of the site's own parameters with the job's runs,
  * weights and settings; INFINITY if it has none or the settings do not allow
  * their breakage model. */
 static double
-present_misfit(const struct session *s)
+misfit_of_present_params(const struct session *s)
 {
 	const struct entry *entry = &s->entry[s->job.entry];
 	struct calibrate_options options = s->job.options;
@@ -589,10 +601,10 @@ present_misfit(const struct session *s)
 	options.run_weight = s->job.run_weight;
 	options.settings.breakage = (unsigned)breakage;
 	if (!entry->has_params ||
-	    !fit_settings_agree(&options.settings, breakage, &error))
+	    !fit_check_settings_agree(&options.settings, breakage, &error))
 		return INFINITY;
 	struct misfit *m = calibrate_misfit(entry->site, &options);
-	double misfit = misfit_at(m, &entry->params);
+	double misfit = misfit_of_params(m, &entry->params);
 	misfit_free(m);
 	return misfit;
 }
@@ -601,7 +613,7 @@ present_misfit(const struct session *s)
  * better fit is not given up for a search that is half done; one that is
  * complete and lacks only its draws always counts. */
 static bool
-is_worth_taking(const struct job *job, double best, double present)
+is_stopped_fit_worth_taking(const struct job *job, double best, double present)
 {
 	return calibration_status(job->calibration).state >=
 		   CALIBRATE_TOLERANCE ||
@@ -609,7 +621,8 @@ is_worth_taking(const struct job *job, double best, double present)
 }
 
 static void
-note_stop(const struct session *s, double best, double present, bool taken)
+note_calibration_stopped(
+    const struct session *s, double best, double present, bool taken)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (taken && s->job.type->alone)
@@ -637,38 +650,38 @@ note_stop(const struct session *s, double best, double present, bool taken)
  * bounds that were edited since; so the best is compared with the parameters
  * before that. */
 static enum stopped
-keep_best(struct session *s)
+take_best_fit_on_stop(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct params *params = &s->entry[job->entry].params;
 	if (calibration_status(job->calibration).generation == 0)
 		return STOPPED_EMPTY;
-	double best = calibration_fit(job->calibration).misfit;
+	double best = calibration_best_fit(job->calibration).misfit;
 	if (!job->gave || memcmp(&job->given, params, sizeof *params) != 0)
-		job->before = present_misfit(s);
-	bool taken = is_worth_taking(job, best, job->before);
+		job->before = misfit_of_present_params(s);
+	bool taken = is_stopped_fit_worth_taking(job, best, job->before);
 	if (taken) {
 		job->type->take(s);
 		job->given = *params;
 		job->gave = true;
 	}
-	note_stop(s, best, job->before, taken);
+	note_calibration_stopped(s, best, job->before, taken);
 	return taken ? STOPPED_TAKEN : STOPPED_WORSE;
 }
 
 enum stopped
-session_pause(struct session *s)
+session_pause_job(struct session *s)
 {
-	if (!session_busy(s))
+	if (!session_is_calibrating(s))
 		return STOPPED_EMPTY;
 	const char *useless = s->job.type->useless;
 	if (useless != NULL) {
-		session_stop(s);
+		session_abort_job(s);
 		session_note(s, "%s", useless);
 		return STOPPED_EMPTY;
 	}
-	enum stopped stopped = keep_best(s);
-	invocation_stopped(s, s->job.step);
+	enum stopped stopped = take_best_fit_on_stop(s);
+	invocation_note_job_stopped(s, s->job.step);
 	if (!s->job.type->alone || stopped == STOPPED_EMPTY) {
 		end_job(s);
 		return stopped;
@@ -680,19 +693,19 @@ session_pause(struct session *s)
 }
 
 void
-session_stop(struct session *s)
+session_abort_job(struct session *s)
 {
-	if (session_busy(s))
-		invocation_stopped(s, 0);
+	if (session_is_calibrating(s))
+		invocation_note_job_stopped(s, 0);
 	job_free(&s->job);
 }
 
 void
-session_discard_job(struct session *s)
+session_discard_paused_job(struct session *s)
 {
 	if (s->job.calibration == NULL)
 		return;
-	session_stop(s);
+	session_abort_job(s);
 	session_note(
 	    s, "discarded the stopped calibration; it cannot be continued");
 }
@@ -700,27 +713,28 @@ session_discard_job(struct session *s)
 /* Marks the runs with a product at the given speeds, including all repeats.
  * Each speed must have one. */
 static bool
-mark_training(const struct site *site, const struct args *args, bool *train,
-    struct error *error)
+mark_runs_at_given_speeds(const struct site *site, const struct args *args,
+    bool *train, struct error *error)
 {
 	const double *speed = args->train.at;
 	if (args->train.n == 0)
-		return job_mark(site, args_given(args, &args->train), train) >
-			   0 ||
+		return job_mark_training_runs(site,
+			   args_is_given(args, &args->train), train) > 0 ||
 		       error_set(error, ERROR_DATA,
 			   "%s has no product to calibrate on\n"
 			   "run 'guess' for an estimate from its feed, or "
 			   "'recall' to use a material's parameters",
 			   site->name);
 	for (size_t i = 0; i < args->train.n; i++) {
-		size_t r = site_run_at(site, speed[i]);
+		size_t r = site_run_at_speed(site, speed[i]);
 		if (r == site->n_run || site->run[r].product.n == 0)
 			return error_set(error, ERROR_USAGE,
 			    "%s has no product at %g m/s\n"
 			    "run 'show' for its speeds",
 			    site->name, speed[i]);
 		for (train[r] = true;
-		     r + 1 < site->n_run && site_run_repeats(site, r + 1); r++)
+		     r + 1 < site->n_run && site_run_repeats_speed(site, r + 1);
+		     r++)
 			train[r + 1] = true;
 	}
 	return true;
@@ -728,11 +742,12 @@ mark_training(const struct site *site, const struct args *args, bool *train,
 
 /* True if each training run has a sieve to compare. */
 static bool
-check_training(const struct site *site, const bool *train, struct error *error)
+check_runs_have_sieves(
+    const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		if (!train[r] || misfit_count_covered(run) > 0)
+		if (!train[r] || misfit_count_covered_sieves(run) > 0)
 			continue;
 		return error_set(error, ERROR_DATA,
 		    "%s: no product sieve at %g m/s is in the range of the "
@@ -747,7 +762,8 @@ check_training(const struct site *site, const bool *train, struct error *error)
 /* True if each training run has standard deviations.  A run without them
  * would count for almost nothing beside the others. */
 static bool
-check_weights(const struct site *site, const bool *train, struct error *error)
+check_runs_have_deviations(
+    const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		if (!train[r] || site->run[r].product_sd != NULL)
@@ -763,13 +779,13 @@ check_weights(const struct site *site, const bool *train, struct error *error)
 
 /* Turns weights in the order of the training runs into one for each run. */
 static bool
-spread_weights(const struct site *site, const bool *train,
+assign_weights_to_runs(const struct site *site, const bool *train,
     const struct number_list *given, double **run_weight, struct error *error)
 {
 	size_t n = 0;
 	if (given->n == 0)
 		return true;
-	double *weight = xdoubles(site->n_run);
+	double *weight = xcalloc_doubles(site->n_run);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (train[r] && n++ < given->n)
 			weight[r] = given->at[n - 1];
@@ -785,7 +801,7 @@ spread_weights(const struct site *site, const bool *train,
 }
 
 struct calibrate_options
-job_options(const struct session *s)
+job_default_options(const struct session *s)
 {
 	struct calibrate_options o = calibrate_options_default();
 	o.seed = s->set.seed;
@@ -806,23 +822,24 @@ enum { POPULATION_OF_MANY = 2500 };
 enum { PRESET_PAPER = 1, WEIGHTS_SD = 1 };
 
 static struct calibrate_options
-chosen_options(const struct session *s, const struct args *args, bool all)
+parse_calibrate_options(
+    const struct session *s, const struct args *args, bool all)
 {
-	struct calibrate_options o = job_options(s);
+	struct calibrate_options o = job_default_options(s);
 	o.plain = args->preset == PRESET_PAPER;
-	o.seed = args_given(args, &args->seed) ? args->seed : o.seed;
+	o.seed = args_is_given(args, &args->seed) ? args->seed : o.seed;
 	o.threads = args->threads > 0 ? (unsigned)args->threads : o.threads;
 	if (args->population > 0)
 		o.population = (size_t)args->population;
 	else if (all && !o.plain)
 		o.population = POPULATION_OF_MANY;
 	o.generations = (size_t)args->generations;
-	o.stall = o.plain && !args_given(args, &args->stall)
+	o.stall = o.plain && !args_is_given(args, &args->stall)
 		      ? 0
 		      : (size_t)args->stall;
 	o.tolerance = args->tolerance;
 	o.polish =
-	    args->polish && (args_given(args, &args->polish) || !o.plain);
+	    args->polish && (args_is_given(args, &args->polish) || !o.plain);
 	o.by_sd = args->weights == WEIGHTS_SD;
 	if (o.plain)
 		o.bounds = bounds_default(o.settings.breakage);
@@ -830,7 +847,7 @@ chosen_options(const struct session *s, const struct args *args, bool all)
 }
 
 static bool
-check_all(const struct args *args, struct error *error)
+check_options_of_calibrate_all(const struct args *args, struct error *error)
 {
 	if (args->train.n == 0 && args->run_weights.n == 0 &&
 	    args->weights != WEIGHTS_SD)
@@ -842,26 +859,26 @@ check_all(const struct args *args, struct error *error)
 
 /* Chooses the training runs and their weights. */
 static bool
-job_choose_runs(const struct site *site, const struct args *args,
+choose_training_runs(const struct site *site, const struct args *args,
     struct job *job, struct error *error)
 {
 	job->train = xcalloc(site->n_run, sizeof *job->train);
-	return mark_training(site, args, job->train, error) &&
-	       check_training(site, job->train, error) &&
+	return mark_runs_at_given_speeds(site, args, job->train, error) &&
+	       check_runs_have_sieves(site, job->train, error) &&
 	       (args->weights != WEIGHTS_SD ||
-		   check_weights(site, job->train, error)) &&
-	       spread_weights(site, job->train, &args->run_weights,
+		   check_runs_have_deviations(site, job->train, error)) &&
+	       assign_weights_to_runs(site, job->train, &args->run_weights,
 		   &job->run_weight, error);
 }
 
 bool
 cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 {
-	const struct site *site = session_entry(s)->site;
+	const struct site *site = session_current_entry(s)->site;
 	bool all = args->n_operand > 0;
 	struct part part = {0};
 	struct job job = {.type = all ? &ALL_SITES : &ONE_SITE,
-	    .options = chosen_options(s, args, all),
+	    .options = parse_calibrate_options(s, args, all),
 	    .detail = args->detail,
 	    .watch = args->watch,
 	    .pause_at = (size_t)args->pause};
@@ -869,20 +886,22 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "calibrate: expected options or all, got '%s'",
 		    args->operand[0]);
-	if (!fit_settings_agree(&s->set.model, s->set.model.breakage, error) ||
-	    !part_choose(args, all, &part, error) ||
-	    !(all ? check_all(args, error)
-		  : job_choose_runs(site, args, &job, error))) {
+	if (!fit_check_settings_agree(
+		&s->set.model, s->set.model.breakage, error) ||
+	    !part_choose_from_args(args, all, &part, error) ||
+	    !(all ? check_options_of_calibrate_all(args, error)
+		  : choose_training_runs(site, args, &job, error))) {
 		job_free(&job);
 		return false;
 	}
-	bool train_all = all && args_given(args, &args->train);
+	bool train_all = all && args_is_given(args, &args->train);
 	/* Sites that are calibrated in parallel cannot be watched. */
 	job.apart = all && !job.watch;
 	if (all)
 		job.of = all_fits_new(s, train_all, part, &job.options);
 	else
-		job.former = fit_former_answer(s, session_entry(s));
+		job.former =
+		    fit_answer_last_question(s, session_current_entry(s));
 	if (job_start(s, &job))
 		return true;
 	if (part.of == 0)
@@ -891,12 +910,14 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		    "load site files with products at two speeds, or 'add' "
 		    "belt cuts");
 	/* With more parts than sites, a part may be empty. */
-	show_all_fits(s, all_fits_new(s, train_all, part, &job.options));
+	show_table_of_all_fits(
+	    s, all_fits_new(s, train_all, part, &job.options));
 	return true;
 }
 
 static bool
-need_paused(const struct session *s, const char *name, struct error *error)
+require_paused_calibration(
+    const struct session *s, const char *name, struct error *error)
 {
 	if (s->job.calibration != NULL && s->job.paused)
 		return true;
@@ -908,7 +929,7 @@ need_paused(const struct session *s, const char *name, struct error *error)
 
 /* Continues within the session's bounds if they were edited. */
 static void
-take_bounds(struct session *s)
+continue_in_edited_bounds(struct session *s)
 {
 	struct job *job = &s->job;
 	size_t model = job->options.settings.breakage;
@@ -940,7 +961,7 @@ take_bounds(struct session *s)
 bool
 cmd_continue(struct session *s, const struct args *args, struct error *error)
 {
-	if (!need_paused(s, "continue", error))
+	if (!require_paused_calibration(s, "continue", error))
 		return false;
 	if (args->pause > 0 && args->pause <= s->job.step)
 		return error_set(error, ERROR_USAGE,
@@ -948,7 +969,7 @@ cmd_continue(struct session *s, const struct args *args, struct error *error)
 		    "got %zu\n"
 		    "write a later one, or leave out pause=",
 		    s->job.step, (size_t)args->pause);
-	take_bounds(s);
+	continue_in_edited_bounds(s);
 	/* A fit is one step of undo, however often it was stopped. */
 	if (s->job.newest)
 		s->invocation->joins = true;
@@ -963,7 +984,7 @@ bool
 cmd_accept(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	if (!need_paused(s, "accept", error))
+	if (!require_paused_calibration(s, "accept", error))
 		return false;
 	if (s->job.held_back)
 		s->job.type->take(s);

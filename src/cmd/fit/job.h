@@ -45,7 +45,7 @@ struct job_type {
 };
 
 /* Returns the options of a plain `calibrate` in this session. */
-struct calibrate_options job_options(const struct session *s);
+struct calibrate_options job_default_options(const struct session *s);
 
 /* Starts a job in which type, of, options, pause_at and, for a single task,
  * train and run_weight are set.  Takes ownership of the members.  Returns false
@@ -54,36 +54,37 @@ bool job_start(struct session *s, const struct job *job);
 
 /* Marks in train [n_run] the runs with a product that their feed covers: all,
  * or those at the slowest and fastest speeds.  Returns their number. */
-size_t job_mark(const struct site *site, bool all, bool *train);
+size_t job_mark_training_runs(const struct site *site, bool all, bool *train);
 
 /* Returns the number of speeds with a product that the feed covers.  Holding
  * out each in turn needs JOB_FOR_EACH, which leaves at least two. */
 enum { JOB_FOR_EACH = 3 };
-size_t job_speeds(const struct site *site);
+size_t job_count_speeds(const struct site *site);
 
 /* Advances `speed` to the next of these speeds (0: before the first) and marks
  * the runs at all others in train.  Returns false if none is left. */
-bool job_hold_out(const struct site *site, double *speed, bool *train);
+bool job_hold_out_next_speed(
+    const struct site *site, double *speed, bool *train);
 
 /* Runs one step of the job; prints the result and ends the job when it is
  * done. */
-void session_step(struct session *s);
+void session_step_job(struct session *s);
 
-/* As session_step, for drivers that need not respond meanwhile: runs several
- * independent tasks to their ends in parallel. */
-void session_run_tasks(struct session *s);
+/* As session_step_job, for drivers that need not respond meanwhile: runs
+ * several independent tasks to their ends in parallel. */
+void session_run_parallel_tasks(struct session *s);
 
 /* Discards a stopped calibration and says so. */
-void session_discard_job(struct session *s);
+void session_discard_paused_job(struct session *s);
 
 /* Stops the job for the user; `continue` can resume it.  The best result so far
  * becomes the site's fit, unless the site's parameters fit better: these are
  * then kept, and `accept` takes the result.  A job without a generation, or
  * useless when stopped, gives no result. */
 enum stopped { STOPPED_EMPTY, STOPPED_TAKEN, STOPPED_WORSE };
-enum stopped session_pause(struct session *s);
+enum stopped session_pause_job(struct session *s);
 
 /* Ends the job and discards its results. */
-void session_stop(struct session *s);
+void session_abort_job(struct session *s);
 
 #endif

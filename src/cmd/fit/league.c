@@ -20,16 +20,16 @@
  * collision energies are set, as the last one the paper's model with them
  * (D15). */
 static size_t
-breakage_of_row(size_t row)
+breakage_index_of_row(size_t row)
 {
-	return row < breakage_count() ? row : 0;
+	return row < breakage_count_models() ? row : 0;
 }
 
 static const char *
-name_of_row(size_t row)
+model_name_of_row(size_t row)
 {
-	return row < breakage_count() ? BREAKAGES[row]->name
-				      : "grunditz+energies";
+	return row < breakage_count_models() ? BREAKAGES[row]->name
+					     : "grunditz+energies";
 }
 
 /* A model at a site.  fit, parameters, aicc: on the site's training runs. last:
@@ -61,7 +61,7 @@ struct league {
 };
 
 static void
-league_drop(void *of)
+league_free(void *of)
 {
 	struct league *l = of;
 	for (size_t i = 0; l != NULL && i < l->n; i++) {
@@ -78,12 +78,12 @@ league_drop(void *of)
 /* Returns the default bounds, with those that were set for parameters of the
  * same name. */
 static struct bounds
-league_bounds_of(const struct session *s, size_t model)
+bounds_of_model(const struct session *s, size_t model)
 {
 	struct bounds b = bounds_default(model);
 	const struct breakage *set = BREAKAGES[s->set.model.breakage];
 	for (size_t i = 0; i < set->n; i++) {
-		size_t j = breakage_parameter(
+		size_t j = breakage_parameter_index(
 		    BREAKAGES[model], set->parameter[i].name);
 		if (j == BREAKAGES[model]->n)
 			continue;
@@ -96,28 +96,28 @@ league_bounds_of(const struct session *s, size_t model)
 /* Sets up the task's model, which starts from the best of the models that it
  * extends. */
 static bool
-begin_model(struct session *s)
+begin_fit_of_model(struct session *s)
 {
 	const struct league *l = s->job.of;
 	const struct tried_model *tried = l->sites[l->n - 1].model;
 	struct calibrate_options *o = &s->job.options;
 	const struct fit *from = NULL;
-	bool energies = l->model >= breakage_count();
+	bool energies = l->model >= breakage_count_models();
 	for (size_t i = 0; i < l->model && !energies; i++)
 		if (breakage_extends(l->model, i) &&
 		    (from == NULL || tried[i].last.misfit < from->misfit))
 			from = &tried[i].last;
-	o->settings.breakage = (unsigned)breakage_of_row(l->model);
+	o->settings.breakage = (unsigned)breakage_index_of_row(l->model);
 	o->settings.impacts =
 	    energies ? s->set.model.impacts : (struct impacts){.n = 0};
-	o->bounds = league_bounds_of(s, breakage_of_row(l->model));
+	o->bounds = bounds_of_model(s, breakage_index_of_row(l->model));
 	o->start = from != NULL ? &from->params : NULL;
 	return true;
 }
 
 /* Begins a site, with its own training runs. */
 static bool
-begin_site(struct session *s)
+begin_fits_of_site(struct session *s)
 {
 	struct league *l = s->job.of;
 	const struct entry *entry = &s->entry[l->at];
@@ -125,13 +125,13 @@ begin_site(struct session *s)
 	free(s->job.train);
 	s->job.train = xcalloc(site->n_run, sizeof *s->job.train);
 	s->job.entry = l->at;
-	if (job_mark(site, true, s->job.train) == 0)
+	if (job_mark_training_runs(site, true, s->job.train) == 0)
 		return false;
 	if (entry->has_fit)
 		memcpy(s->job.train, entry->train,
 		    site->n_run * sizeof *entry->train);
 	else
-		job_mark(site, false, s->job.train);
+		job_mark_training_runs(site, false, s->job.train);
 	l->sites = xrealloc(l->sites, l->n + 1, sizeof *l->sites);
 	l->sites[l->n++] = (struct site_models){.site = site,
 	    .entry = l->at,
@@ -143,34 +143,35 @@ begin_site(struct session *s)
 /* Goes on to the next model; then to the next speed to hold out, if no run
  * was held out anyway; then to the next site. */
 static bool
-next_task(struct session *s)
+begin_next_model_or_site(struct session *s)
 {
 	struct league *l = s->job.of;
 	bool first = s->job.calibration == NULL;
 	if (!first && ++l->model < l->n_model)
-		return begin_model(s);
+		return begin_fit_of_model(s);
 	l->model = 0;
 	struct site_models *g = first ? NULL : &l->sites[l->n - 1];
 	if (!first && l->speed == 0)
 		g->each = g->model[0].runs.n == 0 &&
-			  job_speeds(g->site) >= JOB_FOR_EACH;
-	if (!first && g->each && job_hold_out(g->site, &l->speed, s->job.train))
-		return begin_model(s);
+			  job_count_speeds(g->site) >= JOB_FOR_EACH;
+	if (!first && g->each &&
+	    job_hold_out_next_speed(g->site, &l->speed, s->job.train))
+		return begin_fit_of_model(s);
 	l->speed = 0;
 	for (l->at += !first; l->at < l->end; l->at++)
-		if (begin_site(s))
-			return begin_model(s);
+		if (begin_fits_of_site(s))
+			return begin_fit_of_model(s);
 	return false;
 }
 
 static void
-take_task(struct session *s)
+add_model_result(struct session *s)
 {
 	struct league *l = s->job.of;
 	const struct job *job = &s->job;
 	struct site_models *g = &l->sites[l->n - 1];
 	struct tried_model *t = &g->model[l->model];
-	t->last = calibration_fit(job->calibration);
+	t->last = calibration_best_fit(job->calibration);
 	if (l->speed == 0) {
 		t->fit = t->last;
 		t->parameters = league_count_fitted(
@@ -178,20 +179,21 @@ take_task(struct session *s)
 		t->aicc =
 		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 	}
-	trials_add(&t->runs, &(struct predicted_by){.entry = g->entry,
-				 .key = s->entry[g->entry].key,
-				 .site = g->site,
-				 .train = job->train,
-				 .params = t->last.params,
-				 .settings = t->last.settings,
-				 .rmse = t->last.rmse});
+	trials_add_held_out_runs(
+	    &t->runs, &(struct predicted_by){.entry = g->entry,
+			  .key = s->entry[g->entry].key,
+			  .site = g->site,
+			  .train = job->train,
+			  .params = t->last.params,
+			  .settings = t->last.settings,
+			  .rmse = t->last.rmse});
 }
 
 /* Returns the sampling error of a passing at a site: the residual error of the
  * model that explains the training runs best, but at least 0.1 points; 0.5
  * points if no model has runs enough. */
 static double
-sampling_error(const struct site_models *g)
+sampling_error_at_site(const struct site_models *g)
 {
 	const double least = 0.001, unknown = 0.005;
 	double variance = INFINITY;
@@ -243,10 +245,10 @@ verdict_free(struct verdict *v)
 /* Adds the cells of a site's runs that were held out.  Their sampling error is
  * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-add_held_out_cells(struct verdict *v, const struct site_models *g)
+add_held_out_sieves(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
-	double sd = sampling_error(g), h = 0;
+	double sd = sampling_error_at_site(g), h = 0;
 	size_t from = v->n;
 	for (size_t r = 0; r < runs->n; r++, v->n_run++) {
 		const struct psd *product = &runs->item[r].run->product;
@@ -258,22 +260,24 @@ add_held_out_cells(struct verdict *v, const struct site_models *g)
 			    .measured = product->passing[i]};
 	}
 	for (size_t i = from; i < v->n; i++)
-		h += pow(discrepancy_h(v->cell[i].measured), 2) /
+		h += pow(discrepancy_scale_at_passing(v->cell[i].measured), 2) /
 		     (double)(v->n - from);
 	for (size_t i = from; i < v->n && h > 0; i++)
 		v->cell[i].noise =
-		    sd * discrepancy_h(v->cell[i].measured) / sqrt(h);
+		    sd * discrepancy_scale_at_passing(v->cell[i].measured) /
+		    sqrt(h);
 }
 
 /* Appends what a way predicts at the cells of the runs to passing [n]. */
 static void
-add_passings(double **passing, size_t n, const struct trials *runs,
+append_predicted_passings(double **passing, size_t n, const struct trials *runs,
     enum validate_way way)
 {
 	for (size_t r = 0; r < runs->n; r++) {
 		size_t more = runs->item[r].v.n_sieve;
 		*passing = xrealloc(*passing, n + more, sizeof **passing);
-		memcpy(*passing + n, trials_passing(&runs->item[r], way),
+		memcpy(*passing + n,
+		    trials_predicted_passing(&runs->item[r], way),
 		    more * sizeof **passing);
 		n += more;
 	}
@@ -281,7 +285,7 @@ add_passings(double **passing, size_t n, const struct trials *runs,
 
 /* Adds a site.  Its AICc count if all models have one. */
 static void
-add_site(struct verdict *v, const struct site_models *g, bool alone)
+add_site_to_verdict(struct verdict *v, const struct site_models *g, bool alone)
 {
 	bool counts = true;
 	for (size_t m = 0; m < v->n_model; m++)
@@ -291,32 +295,35 @@ add_site(struct verdict *v, const struct site_models *g, bool alone)
 		v->misfit[m] += t->fit.misfit;
 		v->parameters[m] += t->parameters;
 		v->model[m].aicc += counts ? t->aicc : 0;
-		add_passings(&v->predicted[m], v->n, &t->runs, VALIDATE_MODEL);
+		append_predicted_passings(
+		    &v->predicted[m], v->n, &t->runs, VALIDATE_MODEL);
 	}
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
-		add_passings(&v->null[way], v->n, &g->model[0].runs, way);
-	add_held_out_cells(v, g);
+		append_predicted_passings(
+		    &v->null[way], v->n, &g->model[0].runs, way);
+	add_held_out_sieves(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
 static struct verdict
-verdict_on_sites(const struct site_models *g, size_t n)
+judge_models_on_sites(const struct site_models *g, size_t n)
 {
 	size_t models = g->n_model;
 	struct verdict v = {.n_model = models,
 	    .model = xcalloc(models, sizeof *v.model),
-	    .misfit = xdoubles(models),
+	    .misfit = xcalloc_doubles(models),
 	    .parameters = xcalloc(models, sizeof *v.parameters),
 	    .predicted = xcalloc(models, sizeof *v.predicted)};
 	for (size_t i = 0; i < n; i++)
-		add_site(&v, &g[i], n == 1);
+		add_site_to_verdict(&v, &g[i], n == 1);
 	for (size_t m = 0; m < models; m++) {
-		v.model[m].model = breakage_of_row(m);
-		v.model[m].energies = m >= breakage_count();
+		v.model[m].model = breakage_index_of_row(m);
+		v.model[m].energies = m >= breakage_count_models();
 		v.model[m].predicted = v.predicted[m];
-		v.model[m].rmse = league_rmse(v.cell, v.n, v.predicted[m]);
+		v.model[m].rmse =
+		    league_rmse_over_runs(v.cell, v.n, v.predicted[m]);
 	}
-	v.can_tell = league_rank(v.model, models, v.cell, v.n);
+	v.can_tell = league_rank_models(v.model, models, v.cell, v.n);
 	while (v.model[v.best].standing != LEAGUE_BEST)
 		v.best++;
 	v.simplest = v.best;
@@ -326,12 +333,12 @@ verdict_on_sites(const struct site_models *g, size_t n)
 		    breakage_extends(v.simplest, m))
 			v.simplest = m;
 	v.ranked = isfinite(v.model[v.best].aicc) || v.n > 0;
-	v.none = league_misses(v.cell, v.n, v.predicted[v.best]);
+	v.none = league_misses_held_out_runs(v.cell, v.n, v.predicted[v.best]);
 	v.can_tell = v.can_tell && !v.none;
 	v.straight = NAN;
 	const double *least = v.predicted[v.best];
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		v.rmse[way] = league_rmse(v.cell, v.n, v.null[way]);
+		v.rmse[way] = league_rmse_over_runs(v.cell, v.n, v.null[way]);
 		if (!league_errs_more(v.cell, v.n, least, v.null[way]))
 			continue;
 		least = v.null[way];
@@ -348,7 +355,7 @@ static const char *const STANDINGS[] = {[LEAGUE_BEST] = N_("best"),
 /* Returns the null model with the smallest error, if that is smaller than the
  * best model's; otherwise VALIDATE_MODEL. */
 static enum validate_way
-baseline_ahead(const struct verdict *v)
+null_model_beating_best(const struct verdict *v)
 {
 	double least = v->model[v->best].rmse;
 	enum validate_way ahead = VALIDATE_MODEL;
@@ -366,14 +373,15 @@ baseline_ahead(const struct verdict *v)
  * AICc and hold-out error, nor is one that errs more than a null model; it
  * is beaten if sampling errors do not explain that. */
 static const char *
-verdict_word(const struct verdict *v, size_t m)
+standing_of_model_text(const struct verdict *v, size_t m)
 {
 	enum league_standing standing = v->model[m].standing;
 	if (standing == LEAGUE_BEST && v->winner != VALIDATE_MODEL)
 		return tr("beaten");
 	if (v->none && standing <= LEAGUE_POSSIBLE)
 		return tr("misses");
-	if (standing == LEAGUE_BEST && baseline_ahead(v) != VALIDATE_MODEL)
+	if (standing == LEAGUE_BEST &&
+	    null_model_beating_best(v) != VALIDATE_MODEL)
 		standing = LEAGUE_POSSIBLE;
 	return tr(STANDINGS[v->ranked ? standing : LEAGUE_POSSIBLE]);
 }
@@ -381,7 +389,7 @@ verdict_word(const struct verdict *v, size_t m)
 /* Returns the share of a model in the answer between measured speeds, per
  * cent. */
 static double
-weight_of_model(const struct verdict *v, size_t m)
+model_weight_pct(const struct verdict *v, size_t m)
 {
 	return isnan(v->straight)
 		   ? NAN
@@ -389,22 +397,22 @@ weight_of_model(const struct verdict *v, size_t m)
 }
 
 static void
-put_verdict(struct fields *o, const struct verdict *v)
+put_league_fields(struct fields *o, const struct verdict *v)
 {
-	struct fields *list = fields_list(o, "models");
+	struct fields *list = fields_add_list(o, "models");
 	for (size_t m = 0; m < v->n_model; m++)
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
 		    "parameters %zu cells %zu standing %s weight_pct %g",
-		    name_of_row(m), 100 * v->model[m].rmse, v->model[m].aicc,
-		    v->misfit[m], v->parameters[m], v->cells,
-		    verdict_word(v, m), weight_of_model(v, m));
-	scores_put_null(o, v->rmse);
+		    model_name_of_row(m), 100 * v->model[m].rmse,
+		    v->model[m].aicc, v->misfit[m], v->parameters[m], v->cells,
+		    standing_of_model_text(v, m), model_weight_pct(v, m));
+	scores_put_null_rmse(o, v->rmse);
 	if (v->ranked)
-		fields_put(o, "best %s", name_of_row(v->best));
+		fields_put(o, "best %s", model_name_of_row(v->best));
 	fields_put(o, "can_tell %d", v->can_tell);
 	if (v->can_tell)
-		fields_put(o, "simplest %s", name_of_row(v->simplest));
+		fields_put(o, "simplest %s", model_name_of_row(v->simplest));
 	if (v->winner != VALIDATE_MODEL)
 		fields_put(o, "beaten_by %s", SCORES_WAYS[v->winner].key);
 	if (!isnan(v->straight))
@@ -414,7 +422,7 @@ put_verdict(struct fields *o, const struct verdict *v)
 /* Adds the models, then the null models.  programs: with the difference in AICc
  * from the best model, for which people have no room. */
 static void
-league_add_rows(struct answer *r, const struct verdict *v, bool programs)
+add_model_rows(struct answer *r, const struct verdict *v, bool programs)
 {
 	bool weights = !isnan(v->straight);
 	double least = v->model[v->best].aicc;
@@ -425,23 +433,24 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 	if (weights)
 		answer_columns(r, "weight_pct: share");
 	for (size_t m = 0; m < v->n_model; m++) {
-		answer_cells(r, "%s %g %.5f %.1f", name_of_row(m),
+		answer_add_cells(r, "%s %g %.5f %.1f", model_name_of_row(m),
 		    (double)v->parameters[m], v->misfit[m], v->model[m].aicc);
 		if (programs)
-			answer_cells(r, "%.1f", v->model[m].aicc - least);
-		answer_cells(
-		    r, "%.2f %s", 100 * v->model[m].rmse, verdict_word(v, m));
+			answer_add_cells(r, "%.1f", v->model[m].aicc - least);
+		answer_add_cells(r, "%.2f %s", 100 * v->model[m].rmse,
+		    standing_of_model_text(v, m));
 		if (weights)
-			answer_cells(r, "%.0f", weight_of_model(v, m));
+			answer_add_cells(r, "%.0f", model_weight_pct(v, m));
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		answer_cells(
+		answer_add_cells(
 		    r, "%s %g %.5f %.1f", SCORES_WAYS[way].key, NAN, NAN, NAN);
 		if (programs)
-			answer_cells(r, "%.1f", NAN);
-		answer_cells(r, "%.2f %s", 100 * v->rmse[way], tr("no model"));
+			answer_add_cells(r, "%.1f", NAN);
+		answer_add_cells(
+		    r, "%.2f %s", 100 * v->rmse[way], tr("no model"));
 		if (weights)
-			answer_cells(r, "%.0f",
+			answer_add_cells(r, "%.0f",
 			    way == VALIDATE_INTERPOLATION ? 100 * v->straight
 							  : 0.0);
 	}
@@ -449,22 +458,25 @@ league_add_rows(struct answer *r, const struct verdict *v, bool programs)
 
 /* Returns "grunditz, vogel": the models whose standing is within from..to. */
 static char *
-league_names_of(
+model_names_of_standing(
     const struct verdict *v, enum league_standing from, enum league_standing to)
 {
 	char *list = xstrdup("");
 	for (size_t m = 0; m < v->n_model; m++)
 		if (v->model[m].standing >= from && v->model[m].standing <= to)
-			xlist(&list, ", ", "%s", name_of_row(m));
+			xappend_to_list(
+			    &list, ", ", "%s", model_name_of_row(m));
 	return list;
 }
 
 static void
-say_verdict(struct answer *r, const struct verdict *v)
+say_best_model(struct answer *r, const struct verdict *v)
 {
-	FREED char *open = league_names_of(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
-	FREED char *out = league_names_of(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
-	const char *best = name_of_row(v->best);
+	FREED char *open =
+	    model_names_of_standing(v, LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
+	FREED char *out =
+	    model_names_of_standing(v, LEAGUE_OUT_AICC, LEAGUE_OUT_ERROR);
+	const char *best = model_name_of_row(v->best);
 	if (v->none)
 		answer_say(r, ANSWER_WARNING,
 		    "none of these describes this rock: the best, %s, misses "
@@ -476,7 +488,7 @@ say_verdict(struct answer *r, const struct verdict *v)
 				 "its extensions remain")
 			    : N_("the data can tell the models apart: %s "
 				 "remains"),
-		    name_of_row(v->simplest));
+		    model_name_of_row(v->simplest));
 	else if (!v->ranked)
 		answer_note(r, "the data cannot rank the models: no AICc and "
 			       "no hold-out error");
@@ -501,7 +513,8 @@ say_verdict(struct answer *r, const struct verdict *v)
 
 /* Adds how to read the table. */
 static void
-note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
+note_how_to_read_table(
+    struct answer *r, const struct verdict *v, bool each, bool alone)
 {
 	if (v->n > 0)
 		answer_say(r, ANSWER_REMARK,
@@ -524,13 +537,14 @@ note_rule(struct answer *r, const struct verdict *v, bool each, bool alone)
 			answer_say(r, ANSWER_REMARK,
 			    "no AICc: it needs two more passings than "
 			    "parameters with the variance; %s has %zu and %zu",
-			    name_of_row(m), v->cells, v->parameters[m] + 1);
+			    model_name_of_row(m), v->cells,
+			    v->parameters[m] + 1);
 			break;
 		}
 }
 
 static bool
-is_one_speed(const struct site *site)
+has_one_speed(const struct site *site)
 {
 	double speed = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -545,7 +559,7 @@ is_one_speed(const struct site *site)
 
 /* Notes the model in use, and how to change it. */
 static void
-note_in_use(
+note_model_in_use(
     struct answer *r, const struct session *s, const struct site_models *g)
 {
 	const struct entry *entry = &s->entry[g->entry];
@@ -560,13 +574,13 @@ note_in_use(
 
 /* Finds the shares of the models in the site's answers. */
 static void
-find_weights(
+find_model_weights(
     struct verdict *v, const struct session *s, const struct entry *entry)
 {
 	const struct posterior *p =
-	    outlook_correction(s, entry) == CORRECTION_OFF
+	    outlook_correcting_runs(s, entry) == CORRECTION_OFF
 		? NULL
-		: outlook_posterior_of_unseen(s, entry, false);
+		: outlook_posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return;
 	v->in_use = entry->params.breakage;
@@ -575,37 +589,38 @@ find_weights(
 
 /* Notes the weights. */
 static void
-note_weights(struct answer *r, const struct verdict *v)
+note_model_weights(struct answer *r, const struct verdict *v)
 {
 	if (isnan(v->straight))
 		return;
 	answer_say(r, ANSWER_REMARK,
 	    "share: between two measured speeds the answer is %.0f %% %s, "
 	    "corrected, and %.0f %% the straight line; elsewhere it is all %s",
-	    weight_of_model(v, v->in_use), name_of_row(v->in_use),
-	    100 * v->straight, name_of_row(v->in_use));
+	    model_weight_pct(v, v->in_use), model_name_of_row(v->in_use),
+	    100 * v->straight, model_name_of_row(v->in_use));
 }
 
 static struct answer *
-answer_one_site(const struct session *s, const struct site_models *g)
+build_league_answer_of_site(
+    const struct session *s, const struct site_models *g)
 {
-	struct verdict v = verdict_on_sites(g, 1);
-	find_weights(&v, s, &s->entry[g->entry]);
+	struct verdict v = judge_models_on_sites(g, 1);
+	find_model_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
 	    answers_new(g->site, "league", "breakage models compared");
-	league_add_rows(r, &v, false);
-	answer_fill_for_programs(r);
-	league_add_rows(r, &v, true);
-	say_verdict(r, &v);
-	if (is_one_speed(g->site))
+	add_model_rows(r, &v, false);
+	answer_begin_table_for_programs(r);
+	add_model_rows(r, &v, true);
+	say_best_model(r, &v);
+	if (has_one_speed(g->site))
 		answer_say(r, ANSWER_WARNING,
 		    "all products are from one speed: this compares how the "
 		    "models fit one curve, not how they describe the effect of "
 		    "the speed");
-	note_in_use(r, s, g);
-	note_weights(r, &v);
-	note_rule(r, &v, g->each, true);
-	put_verdict(answer_fields(r), &v);
+	note_model_in_use(r, s, g);
+	note_model_weights(r, &v);
+	note_how_to_read_table(r, &v, g->each, true);
+	put_league_fields(answer_fields(r), &v);
 	if (g->each)
 		fields_put(answer_fields(r), "holdout_each %d", true);
 	verdict_free(&v);
@@ -614,10 +629,10 @@ answer_one_site(const struct session *s, const struct site_models *g)
 
 /* Adds a row for each site and one for all of them. */
 static struct answer *
-answer_all(const struct session *s, const struct league *l)
+build_league_answer_of_all(const struct session *s, const struct league *l)
 {
 	struct answer *r = answer_new("league");
-	struct fields *sites = fields_list(answer_fields(r), "sites");
+	struct fields *sites = fields_add_list(answer_fields(r), "sites");
 	FREED char *about = xstrdup("");
 	answer_title(r,
 	    tr_n("breakage models compared, %zu site",
@@ -628,62 +643,65 @@ answer_all(const struct session *s, const struct league *l)
 			  "can_tell: can tell, possible: also possible");
 	for (size_t i = 0; i <= l->n; i++) {
 		const struct site_models *g = i < l->n ? &l->sites[i] : NULL;
-		struct verdict v = g != NULL ? verdict_on_sites(g, 1)
-					     : verdict_on_sites(l->sites, l->n);
-		FREED char *open = v.none ? xstrdup("")
-					  : league_names_of(&v, LEAGUE_POSSIBLE,
-						LEAGUE_POSSIBLE);
+		struct verdict v = g != NULL
+				       ? judge_models_on_sites(g, 1)
+				       : judge_models_on_sites(l->sites, l->n);
+		FREED char *open = v.none
+				       ? xstrdup("")
+				       : model_names_of_standing(&v,
+					     LEAGUE_POSSIBLE, LEAGUE_POSSIBLE);
 		const char *key = g != NULL ? s->entry[g->entry].key : "all";
 		answer_text(r, "%s", key);
-		enum validate_way ahead = baseline_ahead(&v);
-		answer_cells(r, "%s %.2f %.2f %s",
+		enum validate_way ahead = null_model_beating_best(&v);
+		answer_add_cells(r, "%s %.2f %.2f %s",
 		    ahead != VALIDATE_MODEL ? SCORES_WAYS[ahead].key
 		    : v.none                ? tr("none")
-					    : name_of_row(v.best),
+					    : model_name_of_row(v.best),
 		    100 * v.model[v.best].rmse,
 		    100 * v.rmse[VALIDATE_INTERPOLATION],
 		    v.can_tell ? tr("yes") : tr("no"));
 		answer_text(r, "%s", open);
 		if (g != NULL) {
-			struct fields *own = fields_object(sites, NULL);
+			struct fields *own = fields_add_object(sites, NULL);
 			fields_put(own, "site %s key %s", g->site->name, key);
-			put_verdict(own, &v);
-			site_add_source(&about, g->site);
+			put_league_fields(own, &v);
+			site_append_source(&about, g->site);
 		} else {
-			put_verdict(answer_fields(r), &v);
-			say_verdict(r, &v);
-			note_rule(r, &v, false, false);
+			put_league_fields(answer_fields(r), &v);
+			say_best_model(r, &v);
+			note_how_to_read_table(r, &v, false, false);
 		}
 		verdict_free(&v);
 	}
-	answer_sites(r, "all", about);
+	answer_set_sites(r, "all", about);
 	return r;
 }
 
 static void
-end_league(struct session *s, void *of)
+show_league_and_end(struct session *s, void *of)
 {
 	struct league *l = of;
 	session_show_answer(
-	    s, l->all ? answer_all(s, l) : answer_one_site(s, &l->sites[0]));
-	league_drop(l);
+	    s, l->all ? build_league_answer_of_all(s, l)
+		      : build_league_answer_of_site(s, &l->sites[0]));
+	league_free(l);
 }
 
 static char *
-job_words_at_model(const struct session *s)
+name_of_model_task(const struct session *s)
 {
 	const struct league *l = s->job.of;
 	const char *key = s->entry[s->job.entry].key;
-	const char *model = name_of_row(l->model);
+	const char *model = model_name_of_row(l->model);
 	return l->speed > 0 ? xasprintf(tr("league: %s, model %s without %g "
 					   "m/s"),
 				  key, model, l->speed)
 			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
-static const struct job_type LEAGUE = {next_task, NULL, take_task, end_league,
-    league_drop, false, job_words_at_model,
-    N_("stopped before all models were calibrated"), NULL};
+static const struct job_type LEAGUE = {begin_next_model_or_site, NULL,
+    add_model_result, show_league_and_end, league_free, false,
+    name_of_model_task, N_("stopped before all models were calibrated"), NULL};
 
 bool
 cmd_league(struct session *s, const struct args *args, struct error *error)
@@ -693,21 +711,21 @@ cmd_league(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "league: expected all or nothing, got '%s'",
 		    args->operand[0]);
-	for (size_t m = 0; m < breakage_count(); m++)
-		if (!fit_settings_agree(&s->set.model, m, error))
+	for (size_t m = 0; m < breakage_count_models(); m++)
+		if (!fit_check_settings_agree(&s->set.model, m, error))
 			return false;
 	struct league *l = xcalloc(1, sizeof *l);
 	*l = (struct league){.all = all,
-	    .n_model = breakage_count() + (s->set.model.impacts.n > 0),
+	    .n_model = breakage_count_models() + (s->set.model.impacts.n > 0),
 	    .at = all ? 0 : s->current,
 	    .end = all ? s->n_entry : s->current + 1};
-	session_discard_job(s);
+	session_discard_paused_job(s);
 	const struct job job = {
-	    .type = &LEAGUE, .of = l, .options = job_options(s)};
+	    .type = &LEAGUE, .of = l, .options = job_default_options(s)};
 	return job_start(s, &job) ||
 	       error_set(error, ERROR_DATA,
 		   all ? N_("no loaded site has a product to calibrate on")
 		       : N_("%s has no product to calibrate on\n"
 			    "measure a product at two speeds or more"),
-		   session_entry(s)->site->name);
+		   session_current_entry(s)->site->name);
 }

@@ -22,53 +22,53 @@ show_params(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
-	const struct breakage *of = entry->has_params
-					? breakage_of(&entry->params)
-					: BREAKAGES[s->set.model.breakage];
+	const struct breakage *of =
+	    entry->has_params ? breakage_model_of_params(&entry->params)
+			      : BREAKAGES[s->set.model.breakage];
 	struct answer *r =
 	    of == BREAKAGES[0]
 		? answers_new(entry->site, "params", "parameters %s",
-		      origin_words(entry))
+		      origin_source_text(entry))
 		: answers_new(entry->site, "params", "parameters %s; model %s",
-		      origin_words(entry), of->name);
+		      origin_source_text(entry), of->name);
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
 		answer_columns(r, "low, high");
 	answer_columns(r, "unit, meaning");
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
-		answer_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
+		answer_add_cells(r, u != NULL ? "%s %.4f" : "%s %g", info->name,
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL) {
 			double range[2];
-			fit_param_band(u, s, &entry->params, j, range);
-			answer_cells(r, "%.4f %.4f", range[0], range[1]);
+			fit_compute_param_band(u, s, &entry->params, j, range);
+			answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
-		answer_cells(r, "%s %s", info->unit, tr(info->meaning));
+		answer_add_cells(r, "%s %s", info->unit, tr(info->meaning));
 	}
 	if (u != NULL)
-		outlook_note_low_high(r, s, entry, false);
-	origin_note(r, entry);
+		outlook_note_meaning_of_band(r, s, entry, false);
+	origin_add_note(r, entry);
 	return session_show_answer(s, r);
 }
 
 void
-model_take_params(struct session *s, struct entry *entry,
+model_set_site_params(struct session *s, struct entry *entry,
     const struct params *p, struct origin *origin)
 {
 	session_forget_answers(s);
 	entry->params = *p;
 	entry->has_params = true;
 	entry->has_fit = false;
-	origin_drop(entry->origin);
+	origin_release(entry->origin);
 	entry->origin = origin;
 }
 
 /* Refuses a parameter that only other models have. */
 static bool
-check_named(
+check_params_are_of_model(
     const struct args *args, const struct breakage *of, struct error *error)
 {
 	const struct command_option *o;
@@ -76,7 +76,7 @@ check_named(
 	     i++) {
 		const char *name = o->name;
 		if (args->value[i].given &&
-		    breakage_parameter(of, name) == of->n)
+		    breakage_parameter_index(of, name) == of->n)
 			return error_set(error, ERROR_USAGE,
 			    "the model %s has no parameter %s\n"
 			    "run 'bounds' for its parameters, or 'set model' "
@@ -92,12 +92,12 @@ check_named(
 static bool
 set_params(struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	size_t model = s->set.model.breakage;
 	const struct breakage *of = BREAKAGES[model];
 	bool has = entry->has_params && entry->params.breakage == model;
-	struct params p = has ? entry->params : params_start(model);
-	if (!check_named(args, of, error))
+	struct params p = has ? entry->params : params_start_values(model);
+	if (!check_params_are_of_model(args, of, error))
 		return false;
 	FREED char *missing = xstrdup("");
 	for (size_t j = 0; j < of->n; j++) {
@@ -106,7 +106,8 @@ set_params(struct session *s, const struct args *args, struct error *error)
 		if (v->given)
 			p.at[j] = v->number;
 		if (isnan(p.at[j]))
-			xlist(&missing, " ", "%s=..", of->parameter[j].name);
+			xappend_to_list(
+			    &missing, " ", "%s=..", of->parameter[j].name);
 	}
 	if (missing[0] != '\0')
 		error_set(error, ERROR_USAGE,
@@ -116,14 +117,16 @@ set_params(struct session *s, const struct args *args, struct error *error)
 	bool whole = missing[0] == '\0';
 	if (!whole)
 		return false;
-	model_take_params(s, session_entry(s), &p, origin_new_by_hand());
+	model_set_site_params(
+	    s, session_current_entry(s), &p, origin_new_by_hand());
 	return true;
 }
 
 /* Returns the loaded site that the second operand names, if it has
  * parameters. */
 static const struct entry *
-find_other_site(struct session *s, const struct args *args, struct error *error)
+find_site_with_params(
+    struct session *s, const struct args *args, struct error *error)
 {
 	size_t at;
 	if (args->n_operand < 2) {
@@ -145,38 +148,41 @@ find_other_site(struct session *s, const struct args *args, struct error *error)
 }
 
 static bool
-use_params(struct session *s, const struct args *args, struct error *error)
+copy_params_of_site(
+    struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *from = find_other_site(s, args, error);
+	const struct entry *from = find_site_with_params(s, args, error);
 	if (from == NULL)
 		return false;
-	if (from == session_entry(s))
+	if (from == session_current_entry(s))
 		return error_set(error, ERROR_USAGE,
 		    "%s is the site in use: its parameters are already in use",
 		    from->key);
-	model_take_params(
-	    s, session_entry(s), &from->params, origin_of_params_taken(from));
+	model_set_site_params(s, session_current_entry(s), &from->params,
+	    origin_of_params_taken(from));
 	session_note(s, "%s now has the parameters of %s (%s)",
-	    session_entry(s)->key, from->key, origin_words(from));
+	    session_current_entry(s)->key, from->key, origin_source_text(from));
 	return true;
 }
 
 /* Compares the parameters of the site in use with those of another, both
  * scaled. */
 static bool
-diff_params(struct session *s, const struct args *args, struct error *error)
+compare_params_of_sites(
+    struct session *s, const struct args *args, struct error *error)
 {
-	const struct entry *mine = session_entry(s);
-	const struct entry *other = find_other_site(s, args, error);
-	if (other == NULL || !answers_check_current(s, error))
+	const struct entry *mine = session_current_entry(s);
+	const struct entry *other = find_site_with_params(s, args, error);
+	if (other == NULL || !answers_require_params_of_current(s, error))
 		return false;
 	struct params a = mine->params, b = other->params;
-	const struct breakage *of = breakage_of(&a);
+	const struct breakage *of = breakage_model_of_params(&a);
 	if (a.breakage != b.breakage)
 		return error_set(error, ERROR_USAGE,
 		    "%s has parameters of the model %s, %s of %s\n"
 		    "run 'compare' to see the difference between the products",
-		    mine->key, of->name, other->key, breakage_of(&b)->name);
+		    mine->key, of->name, other->key,
+		    breakage_model_of_params(&b)->name);
 	params_scale_to_1(&a);
 	params_scale_to_1(&b);
 	struct answer *r = answers_new(mine->site, "params",
@@ -185,14 +191,14 @@ diff_params(struct session *s, const struct args *args, struct error *error)
 	    mine->key, other->key);
 	for (size_t j = 0; j < of->n; j++) {
 		double x = a.at[j], y = b.at[j];
-		answer_cells(r, "%s %.4f %.4f %.4f %s", of->parameter[j].name,
-		    x, y, y - x, of->parameter[j].unit);
+		answer_add_cells(r, "%s %.4f %.4f %.4f %s",
+		    of->parameter[j].name, x, y, y - x, of->parameter[j].unit);
 	}
 	answer_put_rows(r, "rows");
 	fields_put(answer_fields(r), "other_site %s", other->site->name);
-	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key, origin_words(mine),
-	    other->key, origin_words(other), of->gauge > 0 ? "; " : "",
-	    of->gauge > 0 ? of->gauge_name : "",
+	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key,
+	    origin_source_text(mine), other->key, origin_source_text(other),
+	    of->gauge > 0 ? "; " : "", of->gauge > 0 ? of->gauge_name : "",
 	    of->gauge > 0 ? tr(" scaled to max 1") : "");
 	answer_note(r, "e0_min, alpha and f_mat compensate for each other: run "
 		       "'compare' to see the difference between the products");
@@ -206,7 +212,8 @@ static const struct {
 	size_t operands;
 	command_run *run;
 } VERBS[] = {{"list", false, 1, show_params}, {"set", true, 1, set_params},
-    {"diff", false, 2, diff_params}, {"use", false, 2, use_params}};
+    {"diff", false, 2, compare_params_of_sites},
+    {"use", false, 2, copy_params_of_site}};
 
 bool
 cmd_params(struct session *s, const struct args *args, struct error *error)
@@ -249,7 +256,7 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 	for (size_t j = 0; j < of->n; j++) {
 		const struct bounds *b = &s->set.bounds;
 		bool open = j == of->reference && !(b->upper[j] > 0);
-		answer_cells(r, "%s %g %g %s", of->parameter[j].name,
+		answer_add_cells(r, "%s %g %g %s", of->parameter[j].name,
 		    open ? NAN : b->lower[j], open ? NAN : b->upper[j],
 		    of->parameter[j].unit);
 	}
@@ -258,16 +265,16 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 
 /* Reads "a..b", or one number, which holds the parameter fixed. */
 static bool
-read_range(const char *word, double *lower, double *upper)
+parse_bounds_range(const char *word, double *lower, double *upper)
 {
 	char *text = xstrdup(word), *dots = strstr(text, "..");
 	bool ok;
 	if (dots != NULL) {
 		*dots = '\0';
-		ok = text_typed_number(text, lower) &&
-		     text_typed_number(dots + 2, upper);
+		ok = text_parse_typed_number(text, lower) &&
+		     text_parse_typed_number(dots + 2, upper);
 	} else {
-		ok = text_typed_number(text, lower);
+		ok = text_parse_typed_number(text, lower);
 		*upper = *lower;
 	}
 	free(text);
@@ -284,7 +291,7 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		return true;
 	}
 	const struct breakage *of = BREAKAGES[s->set.model.breakage];
-	size_t j = breakage_parameter(of, args->operand[0]);
+	size_t j = breakage_parameter_index(of, args->operand[0]);
 	if (j == of->n) {
 		FREED char *names = xstrdup(of->parameter[0].name);
 		for (size_t i = 1; i < of->n; i++)
@@ -301,7 +308,7 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		    "fixed",
 		    info->name);
 	double lower, upper;
-	if (!read_range(args->operand[1], &lower, &upper))
+	if (!parse_bounds_range(args->operand[1], &lower, &upper))
 		return error_set(error, ERROR_USAGE,
 		    "bounds: expected a range from low to high (0..1) or one "
 		    "number, got '%s'",

@@ -10,7 +10,7 @@ extern const char *const MODEL_FORMS[3];
 
 /* Gives a site parameters that were not fitted to it and takes ownership of the
  * share in their origin. */
-void model_take_params(struct session *s, struct entry *entry,
+void model_set_site_params(struct session *s, struct entry *entry,
     const struct params *p, struct origin *origin);
 
 #endif

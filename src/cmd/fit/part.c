@@ -20,15 +20,15 @@ static const struct engine {
     {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", NULL, NULL}};
 
 static bool
-read_whole_variable(const char *name, uint64_t fallback, uint64_t *value)
+parse_env_integer(const char *name, uint64_t fallback, uint64_t *value)
 {
 	const char *text = name != NULL ? getenv(name) : NULL;
 	*value = fallback;
-	return text == NULL || text_whole(text, value);
+	return text == NULL || text_parse_whole_number(text, value);
 }
 
 static bool
-check(const struct part *part, struct error *error)
+check_part_number(const struct part *part, struct error *error)
 {
 	return (part->number >= 1 && part->number <= part->of) ||
 	       error_set(error, ERROR_USAGE,
@@ -39,13 +39,14 @@ check(const struct part *part, struct error *error)
 }
 
 static bool
-read_engine(const struct engine *engine, struct part *part, struct error *error)
+parse_part_from_scheduler(
+    const struct engine *engine, struct part *part, struct error *error)
 {
 	uint64_t number, of, first, step;
-	bool good = read_whole_variable(engine->number, 0, &number) &&
-		    read_whole_variable(engine->of, 0, &of) &&
-		    read_whole_variable(engine->first, 0, &first) &&
-		    read_whole_variable(engine->step, 1, &step);
+	bool good = parse_env_integer(engine->number, 0, &number) &&
+		    parse_env_integer(engine->of, 0, &of) &&
+		    parse_env_integer(engine->first, 0, &first) &&
+		    parse_env_integer(engine->step, 1, &step);
 	if (!good || step == 0 || number < first)
 		return error_set(error, ERROR_USAGE,
 		    "expected whole numbers in %s and %s\n"
@@ -53,38 +54,40 @@ read_engine(const struct engine *engine, struct part *part, struct error *error)
 		    engine->number, engine->of);
 	*part = (struct part){
 	    (size_t)((number - first) / step) + 1, (size_t)of, engine->number};
-	return check(part, error);
+	return check_part_number(part, error);
 }
 
 static bool
-part_read(const char *text, struct part *part, struct error *error)
+parse_part_or_environment(
+    const char *text, struct part *part, struct error *error)
 {
 	*part = (struct part){0};
 	for (size_t i = 0; text == NULL && i < ARRAY_LEN(ENGINES); i++)
 		if (getenv(ENGINES[i].number) != NULL &&
 		    getenv(ENGINES[i].of) != NULL)
-			return read_engine(&ENGINES[i], part, error);
+			return parse_part_from_scheduler(
+			    &ENGINES[i], part, error);
 	if (text == NULL)
 		return true;
 	uint64_t number = 0, of = 0;
 	const char *slash = strchr(text, '/');
 	FREED char *before =
 	    xstrndup(text, slash != NULL ? (size_t)(slash - text) : 0);
-	bool good = slash != NULL && text_whole(before, &number) &&
-		    text_whole(slash + 1, &of);
+	bool good = slash != NULL && text_parse_whole_number(before, &number) &&
+		    text_parse_whole_number(slash + 1, &of);
 	*part = (struct part){(size_t)number, (size_t)of, "part"};
 	if (good)
-		return check(part, error);
+		return check_part_number(part, error);
 	return error_set(error, ERROR_USAGE,
 	    "expected part=I/N, got '%s'\nthe third of eight: part=3/8", text);
 }
 
 bool
-part_choose(
+part_choose_from_args(
     const struct args *args, bool all, struct part *part, struct error *error)
 {
 	if (all)
-		return part_read(args->part, part, error);
+		return parse_part_or_environment(args->part, part, error);
 	return args->part == NULL ||
 	       error_set(error, ERROR_USAGE,
 		   "part: expected '%s all', of which it is one\n"
@@ -99,7 +102,7 @@ part_has_site(const struct part *part, size_t index)
 }
 
 struct answer *
-part_answer(void)
+part_new_calibrate_answer(void)
 {
 	struct answer *r = answer_new("calibrate");
 	answer_title(r, "all sites, calibrated");
@@ -109,9 +112,9 @@ part_answer(void)
 }
 
 void
-part_add(struct answer *answer, const struct part_row *row)
+part_add_site_row(struct answer *answer, const struct part_row *row)
 {
-	answer_cells(answer, "%s %.3f %.2f %.3f %g %.2f %.2f %s", row->site,
+	answer_add_cells(answer, "%s %.3f %.2f %.3f %g %.2f %.2f %s", row->site,
 	    row->f_mat, row->e0_min, row->alpha, row->misfit, row->rmse_pct,
 	    row->holdout_pct, row->remark);
 }
@@ -120,19 +123,19 @@ part_add(struct answer *answer, const struct part_row *row)
 static void
 append_digest_of_impacts(char **words, const struct impacts *impacts)
 {
-	uint64_t digest = text_digest(
+	uint64_t digest = text_fnv1a_digest(
 	    UINT64_C(0xcbf29ce484222325), &impacts->number, sizeof(double));
 	size_t size = impacts->n * sizeof(double);
 	if (impacts->n == 0)
 		return;
-	digest = text_digest(digest, impacts->share, size);
-	digest = text_digest(digest, impacts->ratio, size);
+	digest = text_fnv1a_digest(digest, impacts->share, size);
+	digest = text_fnv1a_digest(digest, impacts->ratio, size);
 	xappend(words, " energy=%zu/%016" PRIx64, impacts->n, digest);
 }
 
 char *
-part_options(const struct session *s, const struct calibrate_options *o,
-    const char *more)
+part_dependencies_text(const struct session *s,
+    const struct calibrate_options *o, const char *more)
 {
 	const struct breakage *of = BREAKAGES[o->settings.breakage];
 	const struct model_settings *m = &o->settings;
@@ -154,7 +157,7 @@ part_options(const struct session *s, const struct calibrate_options *o,
 /* Returns a digest of the names and the data of all loaded sites, in their
  * order. */
 static uint64_t
-part_digest_of(const struct session *s)
+digest_loaded_sites(const struct session *s)
 {
 	uint64_t digest = 0xcbf29ce484222325;
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -167,18 +170,18 @@ part_digest_of(const struct session *s)
 }
 
 void
-part_put_digest(struct answer *answer, const struct session *s,
+part_put_collect_fields(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n, const char *options)
 {
 	char digest[17];
-	struct fields *o = fields_object(answer_fields(answer), "part");
-	snprintf(digest, sizeof digest, "%016" PRIx64, part_digest_of(s));
+	struct fields *o = fields_add_object(answer_fields(answer), "part");
+	snprintf(digest, sizeof digest, "%016" PRIx64, digest_loaded_sites(s));
 	fields_put(o,
 	    "number %zu of %zu loaded %zu sites %s version %s "
 	    "options %s",
 	    part->number, part->of, s->n_entry, digest, PACKAGE_VERSION,
 	    options);
-	struct fields *list = fields_list(o, "index");
+	struct fields *list = fields_add_list(o, "index");
 	for (size_t i = 0; i < n; i++)
 		fields_put(list, "%zu", index[i]);
 }

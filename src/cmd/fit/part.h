@@ -18,31 +18,31 @@ struct part {
 /* Reads the part from part= in the call, or else from the environment set by
  * Slurm for tasks of a job array or by Open MPI for ranks.  all: the call is
  * for all sites; other calls have no part. */
-bool part_choose(
+bool part_choose_from_args(
     const struct args *args, bool all, struct part *part, struct error *error);
 
 /* True if the part contains site `index`, from 0. */
 bool part_has_site(const struct part *part, size_t index);
 
-/* part_answer returns the answer of `calibrate all`; part_add adds a site to
- * it. */
+/* part_new_calibrate_answer returns the answer of `calibrate all`;
+ * part_add_site_row adds a site to it. */
 struct part_row {
 	const char *site, *remark;
 	double f_mat, e0_min, alpha, misfit, rmse_pct, holdout_pct;
 };
 
-struct answer *part_answer(void);
-void part_add(struct answer *answer, const struct part_row *row);
+struct answer *part_new_calibrate_answer(void);
+void part_add_site_row(struct answer *answer, const struct part_row *row);
 
 /* Returns in words everything on which the results of a calibration with these
  * options depend; all parts must agree on it.  more: further dependencies.  The
  * caller frees it. */
-char *part_options(const struct session *s, const struct calibrate_options *o,
-    const char *more);
+char *part_dependencies_text(const struct session *s,
+    const struct calibrate_options *o, const char *more);
 
 /* Puts what `collect` needs to know about a part into its answer.  index [n]:
- * its sites; options: see part_options. */
-void part_put_digest(struct answer *answer, const struct session *s,
+ * its sites; options: see part_dependencies_text. */
+void part_put_collect_fields(struct answer *answer, const struct session *s,
     const struct part *part, const size_t *index, size_t n,
     const char *options);
 

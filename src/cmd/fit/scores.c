@@ -26,19 +26,19 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed")}};
 
 void
-scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS])
+scores_put_null_rmse(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
-	struct fields *null = fields_object(o, "null");
+	struct fields *null = fields_add_object(o, "null");
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 		FREED char *key =
 		    xasprintf("%s_rmse_pct", SCORES_WAYS[way].key);
-		fields_number(null, key, 100 * rmse[way]);
+		fields_put_number(null, key, 100 * rmse[way]);
 	}
 }
 
 /* Computes the root mean square over the runs of the RMSE of each way. */
 static void
-run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
+rmse_over_runs(const struct trials *c, double rmse[static VALIDATE_WAYS])
 {
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
 		double sum = 0;
@@ -50,17 +50,17 @@ run_rmse(const struct trials *c, double rmse[static VALIDATE_WAYS])
 
 /* Puts the RMSE of the null models and the way that predicts best. */
 static void
-put_null_and_winner(struct fields *o, const double rmse[static VALIDATE_WAYS])
+put_null_rmse_fields(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
-	scores_put_null(o, rmse);
-	fields_put(o, "winner %s", SCORES_WAYS[validate_winner(rmse)].key);
+	scores_put_null_rmse(o, rmse);
+	fields_put(o, "winner %s", SCORES_WAYS[validate_best_way(rmse)].key);
 }
 
 static void
-put_sizes(struct fields *o, const struct validation *v)
+put_size_fields(struct fields *o, const struct validation *v)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		struct fields *size = fields_object(o, PSD_KEY[i]);
+		struct fields *size = fields_add_object(o, PSD_KEY[i]);
 		fields_put(size,
 		    "measured_mm %g predicted_mm %g corrected_mm %g",
 		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
@@ -68,122 +68,125 @@ put_sizes(struct fields *o, const struct validation *v)
 		for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 			FREED char *key =
 			    xasprintf("%s_mm", SCORES_WAYS[way].key);
-			fields_number(size, key, 1000 * v->size[way][i]);
+			fields_put_number(size, key, 1000 * v->size[way][i]);
 		}
 	}
 }
 
 static void
-put_sieves(struct fields *o, const struct trial *item)
+put_sieve_fields(struct fields *o, const struct trial *item)
 {
 	const struct psd *product = &item->run->product;
 	size_t n = item->v.n_sieve;
-	fields_numbers(o, "sieve_mm", product->size, n, units_mm);
-	fields_numbers(o, "measured_pct", product->passing, n, units_pct);
+	fields_put_numbers(o, "sieve_mm", product->size, n, units_mm);
+	fields_put_numbers(o, "measured_pct", product->passing, n, units_pct);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
 		FREED char *key = xasprintf("%s_pct", SCORES_WAYS[way].key);
-		fields_numbers(o, key, trials_passing(item, way), n, units_pct);
+		fields_put_numbers(
+		    o, key, trials_predicted_passing(item, way), n, units_pct);
 	}
 }
 
 static void
-put_run(struct fields *o, const struct trial *item)
+put_run_fields(struct fields *o, const struct trial *item)
 {
 	const struct validation *v = &item->v;
-	fields_number(o, "speed", v->speed);
+	fields_put_number(o, "speed", v->speed);
 	if (item->run->repeat[0] != '\0')
 		fields_put(o, "run %s", item->name);
-	fields_number(o, "rmse_pct", 100 * v->rmse[VALIDATE_MODEL]);
-	fields_number(
+	fields_put_number(o, "rmse_pct", 100 * v->rmse[VALIDATE_MODEL]);
+	fields_put_number(
 	    o, "corrected_rmse_pct", 100 * v->rmse[VALIDATE_CORRECTED]);
 	if (item->has_band)
-		fields_number(o, "within", (double)item->within);
-	put_sizes(o, v);
-	put_null_and_winner(o, v->rmse);
+		fields_put_number(o, "within", (double)item->within);
+	put_size_fields(o, v);
+	put_null_rmse_fields(o, v->rmse);
 	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
 	    validation_loses_to_interpolation(v), v->nearest);
-	fields_numbers(o, "interpolation_mps", v->line, 2, NULL);
-	put_sieves(o, item);
+	fields_put_numbers(o, "interpolation_mps", v->line, 2, NULL);
+	put_sieve_fields(o, item);
 }
 
 static void
-put_all(struct fields *o, const struct trials *c)
+put_validation_fields(struct fields *o, const struct trials *c)
 {
-	struct fields *list = fields_list(o, "holdout");
+	struct fields *list = fields_add_list(o, "holdout");
 	double rmse[VALIDATE_WAYS];
 	for (size_t i = 0; i < c->n; i++)
-		put_run(fields_object(list, NULL), &c->item[i]);
+		put_run_fields(fields_add_object(list, NULL), &c->item[i]);
 	if (c->each)
 		fields_put(o, "holdout_each %d", true);
 	if (c->n == 0)
 		return;
-	run_rmse(c, rmse);
-	o = fields_object(o, "overall");
-	fields_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
-	fields_number(o, "corrected_rmse_pct", 100 * rmse[VALIDATE_CORRECTED]);
-	put_null_and_winner(o, rmse);
+	rmse_over_runs(c, rmse);
+	o = fields_add_object(o, "overall");
+	fields_put_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
+	fields_put_number(
+	    o, "corrected_rmse_pct", 100 * rmse[VALIDATE_CORRECTED]);
+	put_null_rmse_fields(o, rmse);
 }
 
 /* Begins a row with the run; exact: with its speed before it, otherwise with
  * its rpm after it if the rotor is known. */
 static void
-scores_begin_row(struct answer *r, const struct trial *item, bool exact)
+begin_row_of_run(struct answer *r, const struct trial *item, bool exact)
 {
 	if (exact)
-		answer_cells(r, "%g", item->v.speed);
+		answer_add_cells(r, "%g", item->v.speed);
 	answer_text(r, "%s", item->name);
 	if (!exact && item->rotor > 0)
-		answer_cells(
-		    r, "%.0f", rotor_speed_rpm(item->v.speed, item->rotor));
+		answer_add_cells(
+		    r, "%.0f", rotor_speed_to_rpm(item->v.speed, item->rotor));
 }
 
 static void
-scores_add_sieves(struct answer *r, const struct trial *item, bool exact)
+add_rows_of_sieves(struct answer *r, const struct trial *item, bool exact)
 {
 	const struct psd *product = &item->run->product;
 	answer_set_missing(r, "-");
 	for (size_t i = 0; i < item->v.n_sieve; i++) {
-		scores_begin_row(r, item, exact);
+		begin_row_of_run(r, item, exact);
 		if (exact)
-			answer_cells(r, "%g", units_mm(product->size[i]));
+			answer_add_cells(r, "%g", units_mm(product->size[i]));
 		else
 			answer_text(r, "%g mm, %%", units_mm(product->size[i]));
-		answer_cells(r, "%.1f", units_pct(product->passing[i]));
+		answer_add_cells(r, "%.1f", units_pct(product->passing[i]));
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-			answer_cells(
-			    r, "%.1f", units_pct(trials_passing(item, way)[i]));
+			answer_add_cells(r, "%.1f",
+			    units_pct(trials_predicted_passing(item, way)[i]));
 	}
 }
 
 static void
-add_rmse(struct answer *r, const double *rmse)
+add_rmse_cells(struct answer *r, const double *rmse)
 {
 	answer_text(r, "error, points");
 	answer_set_missing(r, "-");
-	answer_cells(r, "%.2f", NAN);
+	answer_add_cells(r, "%.2f", NAN);
 	for (size_t way = 0; way < VALIDATE_WAYS; way++)
-		answer_cells(r, "%.2f", 100 * rmse[way]);
+		answer_add_cells(r, "%.2f", 100 * rmse[way]);
 }
 
 static void
-add_sizes(struct answer *r, const struct trial *item, bool exact)
+add_rows_of_sizes(struct answer *r, const struct trial *item, bool exact)
 {
 	const struct validation *v = &item->v;
 	answer_set_missing(r, "outside");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
-		scores_begin_row(r, item, exact);
+		begin_row_of_run(r, item, exact);
 		answer_text(
 		    r, exact ? "P%.0f" : N_("P%.0f mm"), 100 * PSD_PASSING[i]);
-		answer_cells(r, "%.3f", 1000 * v->measured[i]);
+		answer_add_cells(r, "%.3f", 1000 * v->measured[i]);
 		for (size_t way = 0; way < VALIDATE_WAYS; way++)
-			answer_cells(r, "%.3f", 1000 * v->size[way][i]);
+			answer_add_cells(r, "%.3f", 1000 * v->size[way][i]);
 	}
 }
 
 /* Adds a table of sieves or sizes for programs (exact); for people, one with
  * both and the RMSE. */
 static void
-add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
+add_validation_table(
+    struct answer *r, const struct trials *c, bool sieves, bool exact)
 {
 	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
 	bool rpm = !exact && c->n > 0 && c->item[0].rotor > 0;
@@ -198,13 +201,13 @@ add_table(struct answer *r, const struct trials *c, bool sieves, bool exact)
 	for (size_t i = 0; i < c->n; i++) {
 		const struct trial *item = &c->item[i];
 		if (sieves)
-			scores_add_sieves(r, item, exact);
+			add_rows_of_sieves(r, item, exact);
 		if (!exact) {
-			scores_begin_row(r, item, exact);
-			add_rmse(r, item->v.rmse);
+			begin_row_of_run(r, item, exact);
+			add_rmse_cells(r, item->v.rmse);
 		}
 		if (!exact || !sieves)
-			add_sizes(r, item, exact);
+			add_rows_of_sizes(r, item, exact);
 	}
 }
 
@@ -213,7 +216,7 @@ static const double CLEARLY = 0.001;
 
 /* Returns the RMSE of all sieves but the worst, passing 0..1. */
 static double
-rmse_of_others(const struct validation *v)
+rmse_without_worst_sieve(const struct validation *v)
 {
 	double n = (double)v->n_sieve;
 	double square = v->misfit - v->worst_difference * v->worst_difference;
@@ -223,12 +226,12 @@ rmse_of_others(const struct validation *v)
 /* True if the worst sieve is far beyond the others and beyond sampling errors.
  * That suggests a slip of the pen; the model errs on several sieves. */
 static bool
-is_worst_far_off(const struct validation *v)
+is_worst_sieve_outlier(const struct validation *v)
 {
 	const double times = 4, least = 0.03;
 	double worst = fabs(v->worst_difference);
 	return v->n_sieve > 3 && worst > least &&
-	       worst > times * rmse_of_others(v);
+	       worst > times * rmse_without_worst_sieve(v);
 }
 
 /* The way that predicts best.  worse: it is neither the model nor the corrected
@@ -239,9 +242,9 @@ struct winner {
 };
 
 static struct winner
-best_way(const double rmse[static VALIDATE_WAYS])
+way_with_least_rmse(const double rmse[static VALIDATE_WAYS])
 {
-	enum validate_way best = validate_winner(rmse);
+	enum validate_way best = validate_best_way(rmse);
 	double corrected = rmse[VALIDATE_CORRECTED];
 	double own =
 	    fmin(rmse[VALIDATE_MODEL], isnan(corrected) ? INFINITY : corrected);
@@ -255,7 +258,7 @@ best_way(const double rmse[static VALIDATE_WAYS])
 /* Between the run and the slower training speed, where nothing was measured:
  * in whole m/s if there are such. */
 static double
-speed_beside(const struct validation *v)
+speed_between_runs(const struct validation *v)
 {
 	double middle = (v->line[0] + v->speed) / 2, whole = round(middle);
 	return whole > v->line[0] && whole < v->speed ? whole : middle;
@@ -263,37 +266,39 @@ speed_beside(const struct validation *v)
 
 /* Warns if a null model predicts a run clearly better. */
 static void
-warn_worse(struct answer *r, const struct trial *item, const char *run)
+warn_if_null_model_is_better(
+    struct answer *r, const struct trial *item, const char *run)
 {
 	const struct validation *v = &item->v;
-	struct winner w = best_way(v->rmse);
+	struct winner w = way_with_least_rmse(v->rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	if (!w.clearly)
 		return;
-	FREED char *near = rotor_speed_words(item->rotor, v->nearest, NAN);
+	FREED char *near = rotor_speed_rpm_text(item->rotor, v->nearest, NAN);
 	if (w.best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s%s", v->nearest, near);
 	FREED char *words =
 	    xasprintf(tr("at %s the model errs more than %s"), run, who);
 	if (w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v))
 		xappend(&words, tr(": 'predict %g interpolated=on' shows both"),
-		    speed_beside(v));
+		    speed_between_runs(v));
 	answer_say(r, ANSWER_WARNING, "%s", words);
 }
 
 /* Notes which way predicts best over all runs. */
 static void
-note_winner(struct answer *r, const struct trials *c)
+note_best_way_to_predict(struct answer *r, const struct trials *c)
 {
 	double rmse[VALIDATE_WAYS];
-	run_rmse(c, rmse);
-	struct winner w = best_way(rmse);
+	rmse_over_runs(c, rmse);
+	struct winner w = way_with_least_rmse(rmse);
 	FREED char *who = xstrdup(tr(SCORES_WAYS[w.best].noun));
 	bool one = c->n == 1, some = isnan(rmse[VALIDATE_INTERPOLATION]);
 	const struct trial *first = &c->item[0];
-	FREED char *rpm = rotor_speed_words(first->rotor, first->v.speed, NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(first->rotor, first->v.speed, NAN);
 	FREED char *near =
-	    rotor_speed_words(first->rotor, first->v.nearest, NAN);
+	    rotor_speed_rpm_text(first->rotor, first->v.nearest, NAN);
 	if (one && w.best == VALIDATE_NEAREST)
 		xappend(&who, ", %g m/s%s", first->v.nearest, near);
 	FREED char *where = one ? xasprintf(tr("at %s m/s%s"), first->name, rpm)
@@ -316,11 +321,11 @@ note_winner(struct answer *r, const struct trials *c)
 
 /* Notes why nothing was interpolated, or that it was beyond the runs. */
 static void
-note_interpolation(struct answer *r, const struct trial *item)
+note_why_not_interpolated(struct answer *r, const struct trial *item)
 {
 	const struct validation *v = &item->v;
 	FREED char *line =
-	    rotor_speed_words(item->rotor, v->line[0], v->line[1]);
+	    rotor_speed_rpm_text(item->rotor, v->line[0], v->line[1]);
 	if (isnan(v->rmse[VALIDATE_INTERPOLATION]))
 		answer_say(r, ANSWER_REMARK,
 		    isnan(v->line[1])
@@ -342,10 +347,10 @@ worst_sieve_words(const struct trial *item, const char *run, bool sampled)
 	const struct validation *v = &item->v;
 	const struct psd *product = &item->run->product;
 	bool corrected = isfinite(v->rmse[VALIDATE_CORRECTED]);
-	const double *passing = trials_passing(
+	const double *passing = trials_predicted_passing(
 	    item, corrected ? VALIDATE_CORRECTED : VALIDATE_MODEL);
 	size_t worst = 0;
-	psd_rms(passing, product->passing, v->n_sieve, &worst);
+	psd_rms_difference(passing, product->passing, v->n_sieve, &worst);
 	double off = passing[worst] - product->passing[worst];
 	const char *who = corrected ? tr("the answer of the other runs")
 				    : tr("the model alone");
@@ -358,34 +363,36 @@ worst_sieve_words(const struct trial *item, const char *run, bool sampled)
 }
 
 static void
-note_run(struct answer *r, const struct trials *c, size_t i, bool own_feeds)
+note_run_result(
+    struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
 	const struct trial *item = &c->item[i];
 	bool sampled = own_feeds && !(item->run->feed_speed > 0);
 	const struct validation *v = &item->v;
-	FREED char *rpm = rotor_speed_words(item->rotor, v->speed, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(item->rotor, v->speed, NAN);
 	FREED char *run =
 	    xasprintf("%g m/s%s%s", v->speed, item->run->repeat, rpm);
 	FREED char *words = worst_sieve_words(item, run, sampled);
 	if (item->has_band)
-		xlist(&words, "; ",
+		xappend_to_list(&words, "; ",
 		    tr("%zu of %zu sieves lie in the %.0f %% band for a "
 		       "sample"),
 		    item->within, v->n_sieve, 100 * c->level);
 	answer_note(r, "%s", words);
-	warn_worse(r, item, run);
+	warn_if_null_model_is_better(r, item, run);
 	if (c->n == 1)
-		note_winner(r, c);
+		note_best_way_to_predict(r, c);
 	if (item->open)
 		answer_say(r, ANSWER_REMARK,
 		    "  no band: the fit is poor, and two speeds do not show "
 		    "how its error changes with the speed");
-	note_interpolation(r, item);
-	if (is_worst_far_off(v))
+	note_why_not_interpolated(r, item);
+	if (is_worst_sieve_outlier(v))
 		answer_say(r, ANSWER_REMARK,
 		    "  %g mm stands out (the other sieves: %.2f points on "
 		    "average): check that cell",
-		    units_mm(v->worst_sieve), 100 * rmse_of_others(v));
+		    units_mm(v->worst_sieve),
+		    100 * rmse_without_worst_sieve(v));
 	if (v->n_left_out > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "  %zu finer sieves are not compared: the feed was not "
@@ -400,96 +407,101 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	struct answer *r = answers_new(site, "validate", "%s",
 	    c->each ? tr("each speed held out, the others calibrated on")
 		    : tr("speeds kept as a check, measured and predicted"));
-	add_table(r, c, sieves, false);
+	add_validation_table(r, c, sieves, false);
 	if (c->n > 1) {
-		run_rmse(c, rmse);
+		rmse_over_runs(c, rmse);
 		answer_text(r, "all");
 		answer_set_missing(r, "");
 		if (site->rotor > 0)
-			answer_cells(r, "%.0f", NAN);
-		add_rmse(r, rmse);
+			answer_add_cells(r, "%.0f", NAN);
+		add_rmse_cells(r, rmse);
 	}
-	answer_fill_for_programs(r);
-	add_table(r, c, sieves, true);
+	answer_begin_table_for_programs(r);
+	add_validation_table(r, c, sieves, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_run(r, c, i, site->individual_feeds);
+		note_run_result(r, c, i, site->individual_feeds);
 	if (c->n > 1)
-		note_winner(r, c);
+		note_best_way_to_predict(r, c);
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
-		    job_speeds(site) < JOB_FOR_EACH
+		    job_count_speeds(site) < JOB_FOR_EACH
 			? N_("no run was held out; measure another speed to "
 			     "test "
 			     "the model")
 			: N_("no run was held out: 'validate holdout=each' "
 			     "holds "
 			     "out each speed in turn"));
-	put_all(answer_fields(r), c);
+	put_validation_fields(answer_fields(r), c);
 	return r;
 }
 
 /* Puts the bias, the RMS and the R2 of a size. */
 static void
-put_score(struct fields *o, size_t i, struct validate_score score)
+put_score_fields(struct fields *o, size_t i, struct validate_score score)
 {
-	fields_put(fields_object(o, PSD_KEY[i]),
+	fields_put(fields_add_object(o, PSD_KEY[i]),
 	    "n %zu bias_pct %g rms_pct %g r2 %g", score.n, 100 * score.bias,
 	    100 * score.rms, score.r2);
 }
 
 static void
-add_scores(struct answer *r, const struct trials *c)
+add_rows_of_scores(struct answer *r, const struct trials *c)
 {
 	struct fields *o = answer_fields(r), *null = NULL;
 	answer_columns(r, "size, by: predicted by, n: runs, bias_pct: bias %%, "
 			  "rms_pct: rms %%, r2: R2");
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		for (enum validate_way way = 0; way < VALIDATE_WAYS; way++) {
-			struct validate_score score = trials_score(c, way, i);
+			struct validate_score score =
+			    trials_score_at_size(c, way, i);
 			answer_text(r, "P%.0f", 100 * PSD_PASSING[i]);
 			answer_name(
 			    r, SCORES_WAYS[way].key, tr(SCORES_WAYS[way].key));
-			answer_cells(r, "%g %.2f %.2f %.4f", (double)score.n,
-			    100 * score.bias, 100 * score.rms, score.r2);
+			answer_add_cells(r, "%g %.2f %.2f %.4f",
+			    (double)score.n, 100 * score.bias, 100 * score.rms,
+			    score.r2);
 			if (way == VALIDATE_MODEL)
-				put_score(o, i, score);
+				put_score_fields(o, i, score);
 		}
-	struct fields *corrected = fields_object(o, "corrected");
+	struct fields *corrected = fields_add_object(o, "corrected");
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		put_score(corrected, i, trials_score(c, VALIDATE_CORRECTED, i));
-	null = fields_object(o, "null");
+		put_score_fields(corrected, i,
+		    trials_score_at_size(c, VALIDATE_CORRECTED, i));
+	null = fields_add_object(o, "null");
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS;
 	     way++) {
-		struct fields *own = fields_object(null, SCORES_WAYS[way].key);
+		struct fields *own =
+		    fields_add_object(null, SCORES_WAYS[way].key);
 		for (size_t i = 0; i < PSD_SIZES; i++)
-			put_score(own, i, trials_score(c, way, i));
+			put_score_fields(
+			    own, i, trials_score_at_size(c, way, i));
 	}
 }
 
 /* Notes at how many runs each way is the best. */
 static void
-add_wins(struct answer *r, const struct trials *c)
+note_runs_won_by_each_way(struct answer *r, const struct trials *c)
 {
 	size_t wins[VALIDATE_WAYS] = {0};
-	struct fields *o = fields_object(answer_fields(r), "wins");
+	struct fields *o = fields_add_object(answer_fields(r), "wins");
 	FREED char *list = xstrdup("");
 	for (size_t k = 0; k < c->n; k++)
-		wins[validate_winner(c->item[k].v.rmse)]++;
+		wins[validate_best_way(c->item[k].v.rmse)]++;
 	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
-		fields_number(o, SCORES_WAYS[way].key, (double)wins[way]);
-		xlist(&list, ", ", "%s %zu", tr(SCORES_WAYS[way].noun),
-		    wins[way]);
+		fields_put_number(o, SCORES_WAYS[way].key, (double)wins[way]);
+		xappend_to_list(&list, ", ", "%s %zu",
+		    tr(SCORES_WAYS[way].noun), wins[way]);
 	}
 	answer_note(
 	    r, "best at how many of the %zu runs (RMSE): %s", c->n, list);
 }
 
 struct answer *
-scores_answer(const struct trials *c)
+scores_all_sites_answer(const struct trials *c)
 {
 	struct answer *r = answer_new("validate");
 	size_t sites;
-	FREED char *about = trials_sources(c, &sites);
+	FREED char *about = trials_data_sources_text(c, &sites);
 	answer_title(r,
 	    c->each
 		? tr_n("sizes at each speed held out in turn, %zu site",
@@ -497,10 +509,10 @@ scores_answer(const struct trials *c)
 		: tr_n("sizes at held-out speeds, %zu site",
 		      "sizes at held-out speeds, %zu sites", sites),
 	    sites);
-	answer_sites(r, "all", about);
+	answer_set_sites(r, "all", about);
 	fields_put(answer_fields(r), "sites %zu runs %zu", sites, c->n);
-	add_scores(r, c);
-	add_wins(r, c);
+	add_rows_of_scores(r, c);
+	note_runs_won_by_each_way(r, c);
 	if (c->each)
 		fields_put(answer_fields(r), "holdout_each %d", true);
 	if (c->left_out > 0)
@@ -521,7 +533,8 @@ scores_answer(const struct trials *c)
 
 /* Points to the numbers of a run that a score needs, in a fixed order. */
 static void
-scores_map_numbers(struct validation *v, double *number[static PART_NUMBERS])
+list_addresses_of_scores(
+    struct validation *v, double *number[static PART_NUMBERS])
 {
 	_Static_assert(
 	    (int)PART_NUMBERS == PSD_SIZES + VALIDATE_WAYS * (1 + PSD_SIZES),
@@ -536,30 +549,30 @@ scores_map_numbers(struct validation *v, double *number[static PART_NUMBERS])
 }
 
 void
-scores_put(struct fields *o, const struct trials *c)
+scores_put_part_rows(struct fields *o, const struct trials *c)
 {
-	struct fields *list = fields_list(o, "rows");
+	struct fields *list = fields_add_list(o, "rows");
 	for (size_t k = 0; k < c->n; k++) {
 		struct validation v = c->item[k].v;
 		double *at[PART_NUMBERS], number[PART_NUMBERS];
-		struct fields *row = fields_object(list, NULL);
-		scores_map_numbers(&v, at);
+		struct fields *row = fields_add_object(list, NULL);
+		list_addresses_of_scores(&v, at);
 		for (size_t i = 0; i < PART_NUMBERS; i++)
 			number[i] = *at[i];
 		fields_put(row, "site %s source %s", c->item[k].key,
 		    c->item[k].source);
-		fields_numbers(row, "numbers", number, PART_NUMBERS, NULL);
+		fields_put_numbers(row, "numbers", number, PART_NUMBERS, NULL);
 	}
 }
 
 void
-scores_add_part_site(struct trials *c, const struct part_site *site)
+scores_add_runs_of_part(struct trials *c, const struct part_site *site)
 {
 	struct trial trial = {.entry = site->index,
 	    .key = xstrdup(site->text[0]),
 	    .source = xstrdup(site->text[1])};
 	double *at[PART_NUMBERS];
-	scores_map_numbers(&trial.v, at);
+	list_addresses_of_scores(&trial.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
 		*at[i] = site->number[i];
 	trials_add_trial(c, trial);

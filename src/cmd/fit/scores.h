@@ -15,7 +15,8 @@ struct scores_way {
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
 
 /* Puts "null": {"feed_rmse_pct": ..}: the errors of the null models, 0..1. */
-void scores_put_null(struct fields *o, const double rmse[static VALIDATE_WAYS]);
+void scores_put_null_rmse(
+    struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
 /* Returns the answer on the runs of this site: fields, tables, and which way
  * predicts best.  sieves: csv has a row for each sieve instead of each size. */
@@ -23,11 +24,11 @@ struct answer *scores_site_answer(
     const struct trials *c, const struct site *site, bool sieves);
 
 /* Returns the answer of `validate all`. */
-struct answer *scores_answer(const struct trials *c);
+struct answer *scores_all_sites_answer(const struct trials *c);
 
-/* scores_put writes the runs as "rows" of a part; scores_add_part_site reads
- * the runs of one site in a part. */
-void scores_put(struct fields *o, const struct trials *c);
-void scores_add_part_site(struct trials *c, const struct part_site *site);
+/* scores_put_part_rows writes the runs as "rows" of a part;
+ * scores_add_runs_of_part reads the runs of one site in a part. */
+void scores_put_part_rows(struct fields *o, const struct trials *c);
+void scores_add_runs_of_part(struct trials *c, const struct part_site *site);
 
 #endif

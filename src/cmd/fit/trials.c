@@ -1,5 +1,5 @@
-/* Compares each held-out run with all predictions of it (validate_passings).
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* Compares each held-out run with all predictions of it
+ * (validate_predict_by_all_ways). SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/trials.h"
 
 #include <stdlib.h>
@@ -41,7 +41,7 @@ trials_append(struct trials *c, struct trials *from)
 }
 
 char *
-trials_sources(const struct trials *c, size_t *sites)
+trials_data_sources_text(const struct trials *c, size_t *sites)
 {
 	char *list = xstrdup("");
 	*sites = 0;
@@ -50,42 +50,42 @@ trials_sources(const struct trials *c, size_t *sites)
 			continue;
 		++*sites;
 		if (strstr(list, c->item[k].source) == NULL)
-			xlist(&list, "; ", "%s", c->item[k].source);
+			xappend_to_list(&list, "; ", "%s", c->item[k].source);
 	}
 	return list;
 }
 
 const double *
-trials_passing(const struct trial *trial, enum validate_way way)
+trials_predicted_passing(const struct trial *trial, enum validate_way way)
 {
 	return trial->passing + way * trial->v.n_sieve;
 }
 
 struct validate_score
-trials_score(const struct trials *c, enum validate_way way, size_t i)
+trials_score_at_size(const struct trials *c, enum validate_way way, size_t i)
 {
 	FREED const struct validation **v = xcalloc(c->n + 1, sizeof(*v));
 	for (size_t k = 0; k < c->n; k++)
 		v[k] = &c->item[k].v;
-	return validate_score(v, c->n, way, i);
+	return validate_score_at_size(v, c->n, way, i);
 }
 
 /* Returns the answer of the draws at the run's covered sieves.  *within: how
  * many of its passings lie in the band for one more sample.  Without draws,
  * NULL and 0.  The caller frees the passings. */
 static double *
-trials_corrected(const struct run *run, const struct posterior *posterior,
-    double level, size_t *within)
+corrected_passings_of_run(const struct run *run,
+    const struct posterior *posterior, double level, size_t *within)
 {
-	size_t n = misfit_count_covered(run);
+	size_t n = misfit_count_covered_sieves(run);
 	*within = 0;
 	if (posterior == NULL)
 		return NULL;
-	double *passing = xdoubles(n);
+	double *passing = xcalloc_doubles(n);
 	struct ensemble *e =
 	    ensemble_new(posterior, &run->feed, run->product.size, n);
-	ensemble_at(e, run->speed);
-	ensemble_mean(e, passing);
+	ensemble_set_speed(e, run->speed);
+	ensemble_mean_answer(e, passing);
 	for (size_t i = 0; i < n; i++) {
 		double P = run->product.passing[i], low, high;
 		ensemble_row_interval(
@@ -98,7 +98,7 @@ trials_corrected(const struct run *run, const struct posterior *posterior,
 }
 
 static void
-trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
+add_trial_of_run(struct trials *c, const struct predicted_by *by, size_t r)
 {
 	const struct site *site = by->site;
 	const struct run *run = &site->run[r];
@@ -108,35 +108,37 @@ trials_compare(struct trials *c, const struct predicted_by *by, size_t r)
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
 	    .rotor = by->site->rotor,
 	    .run = run,
-	    .open = trust_without_band(
+	    .open = trust_is_band_impossible(
 		by->rmse, site_count_speeds(site, by->train))};
 	size_t within;
 	FREED double *corrected =
-	    trials_corrected(run, by->posterior, c->level, &within);
-	trial.passing = validate_passings(
+	    corrected_passings_of_run(run, by->posterior, c->level, &within);
+	trial.passing = validate_predict_by_all_ways(
 	    site, r, by->train, &by->params, by->settings, corrected);
-	trial.v = validate_predicted(site, r, by->train, trial.passing);
+	trial.v =
+	    validate_run_from_predictions(site, r, by->train, trial.passing);
 	trial.has_band = c->one && by->posterior != NULL && !trial.open;
 	trial.within = trial.has_band ? within : 0;
 	trials_add_trial(c, trial);
 }
 
 void
-trials_add(struct trials *c, const struct predicted_by *by)
+trials_add_held_out_runs(struct trials *c, const struct predicted_by *by)
 {
 	for (size_t r = 0; r < by->site->n_run; r++)
 		if (!by->train[r] &&
-		    misfit_count_covered(&by->site->run[r]) > 0)
-			trials_compare(c, by, r);
+		    misfit_count_covered_sieves(&by->site->run[r]) > 0)
+			add_trial_of_run(c, by, r);
 }
 
 void
-trials_add_entry(struct trials *c, const struct session *s, size_t index,
-    const struct posterior *posterior)
+trials_add_held_out_of_entry(struct trials *c, const struct session *s,
+    size_t index, const struct posterior *posterior)
 {
 	const struct entry *entry = &s->entry[index];
-	const struct fit *fit = origin_fit(entry);
-	trials_add(c, &(struct predicted_by){index, entry->key, entry->site,
-			  entry->train, entry->params, s->set.model, posterior,
-			  fit != NULL ? fit->rmse : 0});
+	const struct fit *fit = origin_find_fit(entry);
+	trials_add_held_out_runs(
+	    c, &(struct predicted_by){index, entry->key, entry->site,
+		   entry->train, entry->params, s->set.model, posterior,
+		   fit != NULL ? fit->rmse : 0});
 }

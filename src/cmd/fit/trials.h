@@ -9,15 +9,16 @@
 
 /* A run both measured and predicted.  entry: index of its site among all loaded
  * sites; key: of the site; source: of its data; name: "74 (2)"; passing: see
- * validate_passings; rotor: diameter, m; 0: not stated; within: number of its
- * passings in the band for one more sample, used only when one site is
- * validated.  Runs read from a part have no name, run, passing or rotor. */
+ * validate_predict_by_all_ways; rotor: diameter, m; 0: not stated; within:
+ * number of its passings in the band for one more sample, used only when one
+ * site is validated.  Runs read from a part have no name, run, passing or
+ * rotor. */
 struct trial {
 	size_t entry;
 	char *key, *source, *name;
 	const struct run *run;
 	double *passing;
-	bool has_band, open; /* open: see trust_without_band */
+	bool has_band, open; /* open: see trust_is_band_impossible */
 	size_t within;
 	double rotor;
 	struct validation v;
@@ -46,12 +47,12 @@ struct predicted_by {
 };
 
 /* Adds all held-out runs of the site that have a product. */
-void trials_add(struct trials *c, const struct predicted_by *by);
+void trials_add_held_out_runs(struct trials *c, const struct predicted_by *by);
 
-/* As trials_add, but predicted by the entry's parameters and corrected by the
- * posterior, or NULL. */
-void trials_add_entry(struct trials *c, const struct session *s, size_t index,
-    const struct posterior *posterior);
+/* As trials_add_held_out_runs, but predicted by the entry's parameters and
+ * corrected by the posterior, or NULL. */
+void trials_add_held_out_of_entry(struct trials *c, const struct session *s,
+    size_t index, const struct posterior *posterior);
 
 /* Adds a run and takes ownership of its members. */
 void trials_add_trial(struct trials *c, struct trial trial);
@@ -61,13 +62,14 @@ void trials_append(struct trials *c, struct trials *from);
 
 /* Returns the sources of the runs' data, each once, and the number of their
  * sites.  The caller frees the text. */
-char *trials_sources(const struct trials *c, size_t *sites);
+char *trials_data_sources_text(const struct trials *c, size_t *sites);
 
 /* Returns what a way predicts at the sieves of a run, [v.n_sieve]. */
-const double *trials_passing(const struct trial *trial, enum validate_way way);
+const double *trials_predicted_passing(
+    const struct trial *trial, enum validate_way way);
 
 /* Returns the score of a way at size i of PSD_PASSING over all runs. */
-struct validate_score trials_score(
+struct validate_score trials_score_at_size(
     const struct trials *c, enum validate_way way, size_t i);
 
 /* Frees the members. */

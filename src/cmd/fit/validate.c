@@ -31,7 +31,7 @@ struct validating {
 };
 
 static void
-validate_drop(void *of)
+free_validation(void *of)
 {
 	struct validating *c = of;
 	trials_clear(&c->runs);
@@ -41,24 +41,24 @@ validate_drop(void *of)
 
 /* Compares the held-out runs of an entry, or counts the entry as left out. */
 static void
-compare_entry(const struct session *s, size_t index,
+compare_held_out_runs(const struct session *s, size_t index,
     const struct posterior *posterior, struct trials *c)
 {
 	size_t before = c->n;
-	trials_add_entry(c, s, index, posterior);
+	trials_add_held_out_of_entry(c, s, index, posterior);
 	c->left_out += c->n == before;
 }
 
 /* Notes the result of each run of a site. */
 static void
-tell_compared(const struct session *s, const struct trials *found)
+note_rmse_of_each_run(const struct session *s, const struct trials *found)
 {
 	for (size_t i = 0; i < found->n; i++) {
 		const struct trial *item = &found->item[i];
 		const double *rmse = item->v.rmse;
 		bool drawn = !isnan(rmse[VALIDATE_CORRECTED]);
 		FREED char *rpm =
-		    rotor_speed_words(item->rotor, item->v.speed, NAN);
+		    rotor_speed_rpm_text(item->rotor, item->v.speed, NAN);
 		session_note(s,
 		    drawn ? N_("  %s at %s m/s%s: RMSE %.2f points, "
 			       "corrected %.2f")
@@ -71,18 +71,19 @@ tell_compared(const struct session *s, const struct trials *found)
 }
 
 static void
-give_all(struct session *s, const struct validating *c)
+show_validation_of_all(struct session *s, const struct validating *c)
 {
 	const struct trials *runs = &c->runs;
-	struct answer *r = scores_answer(runs);
+	struct answer *r = scores_all_sites_answer(runs);
 	if (c->part.of > 0) {
 		FREED size_t *index = xcalloc(runs->n + 1, sizeof *index);
 		for (size_t i = 0; i < runs->n; i++)
 			index[i] = runs->item[i].entry;
-		part_put_digest(r, s, &c->part, index, runs->n, c->options);
+		part_put_collect_fields(
+		    r, s, &c->part, index, runs->n, c->options);
 		fields_put(answer_fields(r), "left_out %zu each %zu",
 		    runs->left_out, (size_t)runs->each);
-		scores_put(answer_fields(r), runs);
+		scores_put_part_rows(answer_fields(r), runs);
 	}
 	session_show_answer(s, r);
 }
@@ -96,7 +97,7 @@ struct failed {
 
 /* Fails after the answer, which is about the other sites. */
 static void
-fail_late(struct session *s, struct failed *failed, size_t n)
+set_error_after_answer(struct session *s, struct failed *failed, size_t n)
 {
 	if (failed->n > 0) {
 		struct error e = failed->first;
@@ -120,22 +121,23 @@ struct beside {
 };
 
 static void
-compare_beside(void *data, size_t piece, unsigned thread)
+compare_site_in_thread(void *data, size_t piece, unsigned thread)
 {
 	struct beside *b = &((struct beside *)data)[piece];
 	const struct session *s = b->s;
 	(void)thread;
 	if (s->hooks.stop != NULL && s->hooks.stop())
 		return;
-	struct posterior *p = outlook_begin_draws(s, &s->entry[b->entry]);
-	compare_entry(s, b->entry, p, &b->found);
+	struct posterior *p =
+	    outlook_draw_training_posterior(s, &s->entry[b->entry]);
+	compare_held_out_runs(s, b->entry, p, &b->found);
 	b->done = true;
 	posterior_free(p);
 }
 
 /* Compares sites [n] in parallel.  Returns false if the user stopped it. */
 static bool
-compare_sites(
+compare_sites_in_parallel(
     struct session *s, struct trials *c, const size_t *index, size_t n)
 {
 	enum { EACH_THREAD = 2 };
@@ -148,10 +150,10 @@ compare_sites(
 		for (size_t i = 0; i < m; i++)
 			beside[i] =
 			    (struct beside){.s = s, .entry = index[from + i]};
-		pool_run(pool, m, compare_beside, beside);
+		pool_run(pool, m, compare_site_in_thread, beside);
 		for (size_t i = 0; i < m; i++) {
 			all = all && beside[i].done;
-			tell_compared(s, &beside[i].found);
+			note_rmse_of_each_run(s, &beside[i].found);
 			trials_append(c, &beside[i].found);
 		}
 	}
@@ -161,8 +163,8 @@ compare_sites(
 
 /* Lists the calibrated sites of the part in index [n_entry]. */
 static size_t
-find_calibrated(const struct session *s, struct validating *c, size_t *index,
-    struct failed *failed)
+list_calibrated_sites(const struct session *s, struct validating *c,
+    size_t *index, struct failed *failed)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -171,12 +173,13 @@ find_calibrated(const struct session *s, struct validating *c, size_t *index,
 			continue;
 		if (!s->entry[i].has_fit) {
 			c->runs.left_out++;
-		} else if (answers_check_params(s, &s->entry[i], &error)) {
+		} else if (answers_require_params(s, &s->entry[i], &error)) {
 			index[n++] = i;
 		} else {
 			if (failed->n++ == 0)
 				failed->first = error;
-			xlist(&failed->keys, ", ", "%s", s->entry[i].key);
+			xappend_to_list(
+			    &failed->keys, ", ", "%s", s->entry[i].key);
 		}
 	}
 	return n;
@@ -184,23 +187,24 @@ find_calibrated(const struct session *s, struct validating *c, size_t *index,
 
 /* True if the site has enough speeds to hold one out. */
 static bool
-has_speeds(const struct entry *entry)
+has_speeds_to_hold_out(const struct entry *entry)
 {
-	return job_speeds(entry->site) >= JOB_FOR_EACH;
+	return job_count_speeds(entry->site) >= JOB_FOR_EACH;
 }
 
 /* True if a part may be empty: all of its sites that could be calibrated
  * are, and other parts have sites to compare. */
 static bool
-may_be_empty(const struct session *s, const struct part *part)
+may_part_be_empty(const struct session *s, const struct part *part)
 {
 	bool others = false, forgotten = false;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		others = others || entry->has_fit || has_speeds(entry);
+		others =
+		    others || entry->has_fit || has_speeds_to_hold_out(entry);
 		forgotten =
 		    forgotten || (part_has_site(part, i) && !entry->has_fit &&
-				     has_speeds(entry));
+				     has_speeds_to_hold_out(entry));
 	}
 	return part->of > 0 && others && !forgotten;
 }
@@ -208,14 +212,16 @@ may_be_empty(const struct session *s, const struct part *part)
 /* Returns the seeds and options of the fits, each once: other parts must
  * have the same. */
 static char *
-fits_words(const struct session *s, const size_t *index, size_t n)
+seeds_and_options_of_fits(
+    const struct session *s, const size_t *index, size_t n)
 {
 	char *words = xstrdup("fits");
 	for (size_t i = 0; i < n; i++) {
 		const struct entry *entry = &s->entry[index[i]];
 		FREED char *own = xasprintf(" [seed=%llu model=%s %s]",
 		    (unsigned long long)entry->fit.seed,
-		    breakage_of(&entry->fit.params)->name, entry->options);
+		    breakage_model_of_params(&entry->fit.params)->name,
+		    entry->options);
 		if (strstr(words, own) == NULL)
 			xappend(&words, "%s", own);
 	}
@@ -223,19 +229,19 @@ fits_words(const struct session *s, const size_t *index, size_t n)
 }
 
 static bool
-validate_all(struct session *s, struct validating *c, struct error *error)
+validate_all_sites(struct session *s, struct validating *c, struct error *error)
 {
 	struct failed failed = {.keys = xstrdup("")};
 	FREED size_t *index = xcalloc(s->n_entry + 1, sizeof *index);
-	size_t n = find_calibrated(s, c, index, &failed);
-	FREED char *fits = fits_words(s, index, n);
-	struct calibrate_options o = job_options(s);
-	bool whole = compare_sites(s, &c->runs, index, n);
-	c->options = part_options(s, &o, fits);
+	size_t n = list_calibrated_sites(s, c, index, &failed);
+	FREED char *fits = seeds_and_options_of_fits(s, index, n);
+	struct calibrate_options o = job_default_options(s);
+	bool whole = compare_sites_in_parallel(s, &c->runs, index, n);
+	c->options = part_dependencies_text(s, &o, fits);
 	if (!whole)
 		session_note(s, "stopped before all sites were compared");
-	else if (c->runs.n > 0 || may_be_empty(s, &c->part))
-		give_all(s, c);
+	else if (c->runs.n > 0 || may_part_be_empty(s, &c->part))
+		show_validation_of_all(s, c);
 	else if (failed.n > 0)
 		*error = failed.first;
 	else if (c->part.of > 0)
@@ -249,43 +255,45 @@ validate_all(struct session *s, struct validating *c, struct error *error)
 		    "no loaded site has both a calibration and a held-out run\n"
 		    "load sites with three speeds, then run 'calibrate', or "
 		    "'calibrate all' for all of them");
-	fail_late(s, &failed, n);
+	set_error_after_answer(s, &failed, n);
 	return error->kind == ERROR_NONE;
 }
 
 static bool
-validate_one(struct session *s, struct validating *c, struct error *error)
+validate_current_site(
+    struct session *s, struct validating *c, struct error *error)
 {
-	if (!answers_check_current(s, error))
+	if (!answers_require_params_of_current(s, error))
 		return false;
-	const struct entry *entry = session_entry(s);
-	compare_entry(s, s->current,
-	    outlook_posterior(s, entry, CORRECTION_TRAIN), &c->runs);
+	const struct entry *entry = session_current_entry(s);
+	compare_held_out_runs(s, s->current,
+	    outlook_calibration_posterior(s, entry, CORRECTION_TRAIN),
+	    &c->runs);
 	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
 	if (entry->has_fit)
 		fields_put(answer_fields(r), "verdict %s",
-		    light_verdict(s, entry, NULL));
+		    light_verdict_on_fit(s, entry, NULL));
 	answers_show_basis_of_fit(s, r, entry, false);
 	return session_show_answer(s, r);
 }
 
 /* Finds the next speed to hold out, at a site that has enough. */
 static bool
-validate_next_speed(struct session *s)
+find_next_held_out_speed(struct session *s)
 {
 	struct validating *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
 		if (!part_has_site(&c->part, c->at))
 			continue;
-		if (job_speeds(site) < JOB_FOR_EACH) {
+		if (job_count_speeds(site) < JOB_FOR_EACH) {
 			c->runs.left_out++;
 			continue;
 		}
 		free(s->job.train);
 		s->job.train = xcalloc(site->n_run, sizeof *s->job.train);
 		s->job.entry = c->at;
-		if (job_hold_out(site, &c->speed, s->job.train))
+		if (job_hold_out_next_speed(site, &c->speed, s->job.train))
 			return true;
 	}
 	return false;
@@ -294,11 +302,11 @@ validate_next_speed(struct session *s)
 /* Compares the runs at the speed held out with their predictions by a
  * calibration on the other speeds. */
 static void *
-validate_follow_speed(const struct session *s, const struct job_task *task)
+compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 {
 	const struct validating *c = s->job.of;
 	const struct site *site = s->entry[task->entry].site;
-	struct fit fit = calibration_fit(task->calibration);
+	struct fit fit = calibration_best_fit(task->calibration);
 	bool few = fit.cells <= fit.parameters;
 	struct posterior_options o = {.use = task->train,
 	    .settings = fit.settings,
@@ -315,7 +323,7 @@ validate_follow_speed(const struct session *s, const struct job_task *task)
 	struct validating *found = xcalloc(1, sizeof *found);
 	found->runs.one = c->runs.one;
 	found->runs.level = c->runs.level;
-	trials_add(&found->runs,
+	trials_add_held_out_runs(&found->runs,
 	    &(struct predicted_by){task->entry, s->entry[task->entry].key, site,
 		task->train, fit.params, fit.settings, posterior, fit.rmse});
 	posterior_free(posterior);
@@ -323,51 +331,54 @@ validate_follow_speed(const struct session *s, const struct job_task *task)
 }
 
 static void
-validate_take_speed(struct session *s)
+append_held_out_results(struct session *s)
 {
 	struct validating *c = s->job.of, *found = s->job.found;
 	if (c->all)
-		tell_compared(s, &found->runs);
+		note_rmse_of_each_run(s, &found->runs);
 	trials_append(&c->runs, &found->runs);
-	validate_drop(found);
+	free_validation(found);
 }
 
 static char *
-at_speed(const struct session *s)
+name_of_held_out_task(const struct session *s)
 {
 	const struct validating *c = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, c->speed, NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, c->speed, NAN);
 	return xasprintf(
 	    tr("validate: %s without %g m/s%s"), entry->key, c->speed, rpm);
 }
 
 static void
-end_speeds(struct session *s, void *of)
+show_held_out_results(struct session *s, void *of)
 {
 	struct validating *c = of;
 	if (c->all)
-		give_all(s, c);
+		show_validation_of_all(s, c);
 	else
 		session_show_answer(
 		    s, scores_site_answer(
 			   &c->runs, s->entry[c->end - 1].site, c->sieves));
-	validate_drop(c);
+	free_validation(c);
 }
 
-static const struct job_type EACH = {validate_next_speed, NULL,
-    validate_take_speed, end_speeds, validate_drop, false, at_speed,
-    N_("stopped before all speeds were predicted"), validate_follow_speed};
+static const struct job_type EACH = {find_next_held_out_speed, NULL,
+    append_held_out_results, show_held_out_results, free_validation, false,
+    name_of_held_out_task, N_("stopped before all speeds were predicted"),
+    compare_at_held_out_speed};
 
 /* True if no site of the part has enough speeds but sites of other parts
  * have.  *left_out: those of the part. */
 static bool
-holds_none(const struct session *s, const struct part *part, size_t *left_out)
+has_part_no_usable_site(
+    const struct session *s, const struct part *part, size_t *left_out)
 {
 	size_t n = 0, all = 0;
 	*left_out = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		bool able = has_speeds(&s->entry[i]);
+		bool able = has_speeds_to_hold_out(&s->entry[i]);
 		all += able;
 		n += able && part_has_site(part, i);
 		*left_out += !able && part_has_site(part, i);
@@ -377,18 +388,21 @@ holds_none(const struct session *s, const struct part *part, size_t *left_out)
 
 /* Calibrates without each speed in turn.  The job owns c. */
 static bool
-validate_each(struct session *s, struct validating *c, struct error *error)
+calibrate_without_each_speed(
+    struct session *s, struct validating *c, struct error *error)
 {
 	c->at = c->all ? 0 : s->current;
 	c->end = c->all ? s->n_entry : s->current + 1;
-	session_discard_job(s);
-	const struct job job = {
-	    .type = &EACH, .of = c, .apart = c->all, .options = job_options(s)};
-	c->options = part_options(s, &job.options, "each");
+	session_discard_paused_job(s);
+	const struct job job = {.type = &EACH,
+	    .of = c,
+	    .apart = c->all,
+	    .options = job_default_options(s)};
+	c->options = part_dependencies_text(s, &job.options, "each");
 	size_t left_out;
-	if (holds_none(s, &c->part, &left_out)) {
+	if (has_part_no_usable_site(s, &c->part, &left_out)) {
 		c->runs.left_out = left_out;
-		end_speeds(s, c);
+		show_held_out_results(s, c);
 		return true;
 	}
 	return job_start(s, &job) ||
@@ -406,7 +420,7 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 	    .sieves = args->by_sieve,
 	    .runs = {.one = args->n_operand == 0,
 		.each = args->holdout == HOLDOUT_EACH,
-		.level = settings_level(&s->set)}};
+		.level = settings_band_probability(&s->set)}};
 	if (c.all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "validate: expected options or all, got '%s'",
@@ -415,15 +429,16 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
-	if (!part_choose(args, c.all, &c.part, error) ||
-	    (c.runs.each && !fit_settings_agree(
+	if (!part_choose_from_args(args, c.all, &c.part, error) ||
+	    (c.runs.each && !fit_check_settings_agree(
 				&s->set.model, s->set.model.breakage, error)))
 		return false;
 	struct validating *own = xcalloc(1, sizeof *own);
 	*own = c;
 	if (c.runs.each)
-		return validate_each(s, own, error);
-	bool ok = (c.all ? validate_all : validate_one)(s, own, error);
-	validate_drop(own);
+		return calibrate_without_each_speed(s, own, error);
+	bool ok =
+	    (c.all ? validate_all_sites : validate_current_site)(s, own, error);
+	free_validation(own);
 	return ok;
 }

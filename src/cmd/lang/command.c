@@ -48,7 +48,7 @@ command_group(const struct command *command)
 }
 
 static bool
-is_titled(const struct command *command)
+has_two_word_title(const struct command *command)
 {
 	return command->alias != NULL && strchr(command->alias, ' ') != NULL;
 }
@@ -56,19 +56,19 @@ is_titled(const struct command *command)
 const char *
 command_title(const struct command *command)
 {
-	return is_titled(command) ? command->alias : command->name;
+	return has_two_word_title(command) ? command->alias : command->name;
 }
 
 const char *
 command_other_name(const struct command *command)
 {
-	return is_titled(command) ? command->name : command->alias;
+	return has_two_word_title(command) ? command->name : command->alias;
 }
 
 /* True if a word is one of the command's options, or a range for its bare
  * option. */
 static bool
-takes_option_word(const struct command *command, const char *word)
+is_option_or_bare_range(const struct command *command, const char *word)
 {
 	size_t n = strcspn(word, "=");
 	FREED char *name = xstrndup(word, n);
@@ -93,8 +93,8 @@ command_meant_by_words(
 			: NULL;
 		size_t taken = 0;
 		for (size_t i = 0; i < n && other != NULL; i++)
-			taken += !takes_option_word(command, word[i]) &&
-				 takes_option_word(other, word[i]);
+			taken += !is_option_or_bare_range(command, word[i]) &&
+				 is_option_or_bare_range(other, word[i]);
 		found = taken > most ? other : found;
 		most = taken > most ? taken : most;
 	}
@@ -113,28 +113,28 @@ command_find(const char *name)
 
 /* True if a one-word name of the command begins with `start`. */
 static bool
-begins_with(const struct command *c, const char *start)
+has_name_beginning_with(const struct command *c, const char *start)
 {
 	size_t n = strlen(start);
 	return strncmp(c->name, start, n) == 0 ||
-	       (c->alias != NULL && !is_titled(c) &&
+	       (c->alias != NULL && !has_two_word_title(c) &&
 		   strncmp(c->alias, start, n) == 0);
 }
 
 const struct command *
-command_find_typed(const char *name, bool prompt)
+command_find_abbreviated(const char *name, bool prompt)
 {
 	const struct command *found = command_find(name);
 	if (found != NULL || !prompt)
 		return found;
 	/* As in full-screen mode and pagers, q quits. */
 	enum { LEAST = 2 };
-	FREED char *start = text_fold(name);
+	FREED char *start = text_fold_case_and_accents(name);
 	bool leaves = strcmp(start, "q") == 0;
 	size_t n = strlen(start) < LEAST && !leaves ? LEAST : 0;
 	const struct command *exact = command_find(start);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		if (!begins_with(c, start))
+		if (!has_name_beginning_with(c, start))
 			continue;
 		found = c;
 		n++;
@@ -143,18 +143,18 @@ command_find_typed(const char *name, bool prompt)
 }
 
 char *
-command_candidates(const char *name)
+command_names_beginning_with(const char *name)
 {
 	char *list = xstrdup("");
-	FREED char *start = text_fold(name);
+	FREED char *start = text_fold_case_and_accents(name);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (begins_with(c, start))
-			xlist(&list, ", ", "%s", c->name);
+		if (has_name_beginning_with(c, start))
+			xappend_to_list(&list, ", ", "%s", c->name);
 	return list;
 }
 
 const char *
-command_nearest(const char *name)
+command_nearest_name(const char *name)
 {
 	/* Names in other programs. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
@@ -169,7 +169,7 @@ command_nearest(const char *name)
 		if (strcasecmp(OTHERS[i][0], name) == 0)
 			return OTHERS[i][1];
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		size_t d = text_distance(c->name, name);
+		size_t d = text_edit_distance(c->name, name);
 		size_t n = strlen(name);
 		if (n >= 3 && strncmp(c->name, name, n) == 0)
 			d = 1;
@@ -183,7 +183,7 @@ command_nearest(const char *name)
 
 /* Appends a model's parameters, without those of the models before it. */
 static void
-add_parameters(const struct breakage *model, struct command_option *row)
+add_parameter_options(const struct breakage *model, struct command_option *row)
 {
 	bool own = model != BREAKAGES[0] && !model->bypass;
 	for (size_t j = 0; j < model->n; j++) {
@@ -209,12 +209,12 @@ add_parameters(const struct breakage *model, struct command_option *row)
 
 /* Returns the parameters of all models as options, made on first use. */
 static const struct command_option *
-command_parameters(size_t i)
+command_parameter_option(size_t i)
 {
 	static struct command_option row[OPTIONS + 1];
 	bool made = row[0].name != NULL;
-	for (size_t m = 0; !made && m < breakage_count(); m++)
-		add_parameters(BREAKAGES[m], row);
+	for (size_t m = 0; !made && m < breakage_count_models(); m++)
+		add_parameter_options(BREAKAGES[m], row);
 	return &row[i];
 }
 
@@ -222,7 +222,7 @@ const struct command_option *
 command_own_option(const struct command *command, size_t i)
 {
 	const struct command_option *o =
-	    command->flags & COMMAND_PARAMS ? command_parameters(i)
+	    command->flags & COMMAND_PARAMS ? command_parameter_option(i)
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;
@@ -230,7 +230,7 @@ command_own_option(const struct command *command, size_t i)
 
 /* Returns option i of lists that end with NULL. */
 static const struct command_option *
-option_at(const struct command_option *const *list, size_t i)
+option_at_index(const struct command_option *const *list, size_t i)
 {
 	for (; *list != NULL; list++)
 		for (const struct command_option *o = *list; o->name != NULL;
@@ -247,7 +247,7 @@ command_option_at(const struct command *command, size_t i)
 	while (own <= i && command_own_option(command, own) != NULL)
 		own++;
 	return own > i ? command_own_option(command, i)
-		       : option_at(command->shared, i - own);
+		       : option_at_index(command->shared, i - own);
 }
 
 const struct command_option *
@@ -256,16 +256,17 @@ command_shared_option(size_t i)
 	static const struct command_option *const ALL[] = {SHARED_TURNS,
 	    SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES, SHARED_CUT,
 	    SHARED_SCREENS, NULL};
-	return option_at(ALL, i);
+	return option_at_index(ALL, i);
 }
 
 char *
-command_shared(const struct command *command)
+command_shared_option_names(const struct command *command)
 {
 	char *list = xstrdup("");
 	const struct command_option *o;
-	for (size_t i = 0; (o = option_at(command->shared, i)) != NULL; i++)
-		xlist(&list, ", ", "%s", o->name);
+	for (size_t i = 0; (o = option_at_index(command->shared, i)) != NULL;
+	     i++)
+		xappend_to_list(&list, ", ", "%s", o->name);
 	return list;
 }
 
@@ -280,7 +281,7 @@ command_option_index(const struct command *command, const char *name)
 }
 
 static const char *
-placeholder(const struct command_option *o)
+option_placeholder(const struct command_option *o)
 {
 	switch (o->kind) {
 	case VALUE_NUMBER:
@@ -311,7 +312,7 @@ command_usage(const struct command *command)
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_own_option(command, i)) != NULL; i++) {
 		FREED char *part =
-		    xasprintf(" [%s=%s]", o->name, placeholder(o));
+		    xasprintf(" [%s=%s]", o->name, option_placeholder(o));
 		for (char *p = part + 1; *p != '\0'; p++)
 			if (*p == ' ')
 				*p = '|';
@@ -322,7 +323,7 @@ command_usage(const struct command *command)
 
 /* Returns a limit, whole numbers in full; "" if it is too large to matter. */
 static char *
-limit_text(double limit)
+format_limit(double limit)
 {
 	if (fabs(limit) > 1e15)
 		return xstrdup("");
@@ -337,7 +338,7 @@ option_choices(const struct command_option *o)
 }
 
 char *
-command_limits(const struct command_option *o)
+command_option_limits(const struct command_option *o)
 {
 	if (o->kind == VALUE_TEXT)
 		return xstrdup("text");
@@ -351,7 +352,8 @@ command_limits(const struct command_option *o)
 			xappend(&list, *c == ' ' ? ", " : "%c", *c);
 		return list;
 	}
-	FREED char *least = limit_text(o->least), *most = limit_text(o->most);
+	FREED char *least = format_limit(o->least),
+		   *most = format_limit(o->most);
 	const char *blank = o->unit[0] != '\0' ? " " : "";
 	FREED char *range =
 	    most[0] != '\0'
@@ -362,9 +364,9 @@ command_limits(const struct command_option *o)
 }
 
 char *
-command_option_words(const struct command_option *o)
+command_describe_option(const struct command_option *o)
 {
-	FREED char *limits = command_limits(o);
+	FREED char *limits = command_option_limits(o);
 	return xasprintf(
 	    o->fallback[0] != '\0' ? tr("%s (%s), default %s") : "%s (%s)%s",
 	    tr(o->brief), limits, o->fallback);
@@ -382,7 +384,7 @@ value_is_file(const struct command_option *option, const struct value *value)
 
 /* Returns the index of the option with that member, or OPTIONS. */
 static size_t
-option_of_member(const struct args *args, const void *member)
+option_index_of_member(const struct args *args, const void *member)
 {
 	size_t offset = (size_t)((const char *)member - (const char *)args);
 	const struct command_option *o;
@@ -394,24 +396,24 @@ option_of_member(const struct args *args, const void *member)
 }
 
 bool
-args_given(const struct args *args, const void *member)
+args_is_given(const struct args *args, const void *member)
 {
-	size_t i = option_of_member(args, member);
+	size_t i = option_index_of_member(args, member);
 	return i < OPTIONS && args->value[i].given;
 }
 
 const char *
-args_typed(const struct args *args, const void *member)
+args_value_text(const struct args *args, const void *member)
 {
-	size_t i = option_of_member(args, member);
+	size_t i = option_index_of_member(args, member);
 	assert(i < OPTIONS);
 	return args->value[i].text;
 }
 
 const char *
-args_name(const struct args *args, const void *member)
+args_option_name(const struct args *args, const void *member)
 {
-	size_t i = option_of_member(args, member);
+	size_t i = option_index_of_member(args, member);
 	assert(i < OPTIONS);
 	return command_option_at(args->command, i)->name;
 }

@@ -65,8 +65,8 @@ enum { OPTIONS = 28, OPERANDS = 256, EXPECTS = 5, SHARES = 6 };
 /* A parsed call.  column[i]: where operand i begins in the line.  value[i]: of
  * the command's option i, as it was read.  The other members are the values of
  * all options, by name: the one given, else the fallback, else 0, NULL or
- * false, also if the command has no such option; args_given tells these apart.
- * A choice is an index into the option's choices.  See rows.h. */
+ * false, also if the command has no such option; args_is_given tells these
+ * apart. A choice is an index into the option's choices.  See rows.h. */
 struct args {
 	const struct command *command;
 	size_t n_operand;
@@ -213,14 +213,14 @@ const struct command *command_find(const char *name);
 
 /* As command_find, but at a prompt also ignores case and accepts a unique
  * prefix of at least two letters, and q for quit. */
-const struct command *command_find_typed(const char *name, bool prompt);
+const struct command *command_find_abbreviated(const char *name, bool prompt);
 
 /* Returns the names that begin with `name`, ignoring case: "calibrate, check".
  * The caller frees it. */
-char *command_candidates(const char *name);
+char *command_names_beginning_with(const char *name);
 
 /* Returns the name closest to a mistyped one, or NULL if none is close. */
-const char *command_nearest(const char *name);
+const char *command_nearest_name(const char *name);
 
 /* Return option i, from 0, or NULL past the last.  command_option_at counts the
  * command's own options, then its shared ones; command_own_option only its own;
@@ -233,7 +233,7 @@ const struct command_option *command_shared_option(size_t i);
 
 /* Returns the options that the command shares with others, "feed, cascade", or
  * "".  The caller frees it. */
-char *command_shared(const struct command *command);
+char *command_shared_option_names(const struct command *command);
 
 /* Returns the index of the option with that name, or OPTIONS. */
 size_t command_option_index(const struct command *command, const char *name);
@@ -244,7 +244,7 @@ char *command_usage(const struct command *command);
 
 /* Returns an option in words: "brief (limits), default D".  The caller frees
  * it. */
-char *command_option_words(const struct command_option *option);
+char *command_describe_option(const struct command_option *option);
 
 /* Returns the words of an option, "on off"; for a text, as in `expect` of
  * operands; for numbers, the words allowed instead; or NULL.  A choice without
@@ -253,7 +253,7 @@ const char *option_choices(const struct command_option *option);
 
 /* Returns the allowed values of an option: "1 to 200 m/s", "on, off".  The
  * caller frees it. */
-char *command_limits(const struct command_option *option);
+char *command_option_limits(const struct command_option *option);
 
 /* True if the value names a file. */
 bool value_is_file(
@@ -262,8 +262,8 @@ bool value_is_file(
 /* For the option whose value is the given member of args: whether it was given,
  * its value as typed, and its name.  The last two require that the command has
  * the option. */
-bool args_given(const struct args *args, const void *member);
-const char *args_typed(const struct args *args, const void *member);
-const char *args_name(const struct args *args, const void *member);
+bool args_is_given(const struct args *args, const void *member);
+const char *args_value_text(const struct args *args, const void *member);
+const char *args_option_name(const struct args *args, const void *member);
 
 #endif

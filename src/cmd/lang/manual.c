@@ -16,7 +16,7 @@
 /* Prints a paragraph: each sentence begins a line, as mdoc requires, lines are
  * short, and no word is taken for a roff request. */
 static void
-print_text(const char *text, FILE *out)
+print_mdoc_paragraph(const char *text, FILE *out)
 {
 	size_t column = 0;
 	char *copy = xstrdup(text), *save = NULL;
@@ -46,60 +46,60 @@ print_text(const char *text, FILE *out)
 
 /* Prints "list the loaded sites" as a sentence. */
 static void
-print_brief(const struct command *c, FILE *out)
+print_brief_as_sentence(const struct command *c, FILE *out)
 {
 	FREED char *line = xasprintf(
 	    "%c%s.", toupper((unsigned char)c->brief[0]), c->brief + 1);
-	print_text(line, out);
+	print_mdoc_paragraph(line, out);
 }
 
 static void
-print_option(const struct command_option *o, FILE *out)
+print_mdoc_option(const struct command_option *o, FILE *out)
 {
-	FREED char *words = command_option_words(o);
+	FREED char *words = command_describe_option(o);
 	fprintf(out, ".It Cm %s\n", o->name);
-	print_text(words, out);
+	print_mdoc_paragraph(words, out);
 }
 
 static void
-manual_print_options(const struct command *c, FILE *out)
+print_command_options(const struct command *c, FILE *out)
 {
 	const struct command_option *o = command_own_option(c, 0);
-	FREED char *shared = command_shared(c);
+	FREED char *shared = command_shared_option_names(c);
 	if (shared[0] != '\0') {
 		FREED char *line =
 		    xasprintf("Also takes %s (see above).", shared);
-		print_text(line, out);
+		print_mdoc_paragraph(line, out);
 	}
 	if (o == NULL)
 		return;
 	fputs(".Bl -tag -width 12n -compact\n", out);
 	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++)
-		print_option(o, out);
+		print_mdoc_option(o, out);
 	fputs(".El\n", out);
 }
 
 static void
-manual_print_shared(FILE *out)
+print_shared_options(FILE *out)
 {
 	const struct command_option *o;
 	fputs(".Ss Options of many commands\n"
 	      ".Bl -tag -width 12n -compact\n",
 	    out);
 	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
-		print_option(o, out);
+		print_mdoc_option(o, out);
 	fputs(".El\n", out);
 }
 
 static void
-print_heading(const char *group, FILE *out)
+print_group_heading(const char *group, FILE *out)
 {
 	fprintf(out, "%c%s\n", toupper((unsigned char)group[0]), group + 1);
 }
 
 /* Prints the groups, each with its commands. */
 static void
-print_contents(FILE *out)
+print_groups_with_commands(FILE *out)
 {
 	const char *group = "";
 	FREED char *names = xstrdup("");
@@ -108,90 +108,90 @@ print_contents(FILE *out)
 		if (strcmp(group, command_group(c)) != 0) {
 			group = command_group(c);
 			fputs(".It Sx ", out);
-			print_heading(group, out);
+			print_group_heading(group, out);
 		}
-		xlist(&names, ", ", "%s", command_title(c));
+		xappend_to_list(&names, ", ", "%s", command_title(c));
 		c = command_next(c);
 		if (c != NULL && strcmp(group, command_group(c)) == 0)
 			continue;
-		print_text(names, out);
+		print_mdoc_paragraph(names, out);
 		names[0] = '\0';
 	}
 	fputs(".El\n", out);
 }
 
 void
-manual_commands(FILE *out)
+manual_print_commands(FILE *out)
 {
 	const char *group = "";
-	print_contents(out);
-	manual_print_shared(out);
+	print_groups_with_commands(out);
+	print_shared_options(out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		const char *its = command_group(c);
 		if (strcmp(group, its) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);
 			fputs(".Ss ", out);
-			print_heading(its, out);
+			print_group_heading(its, out);
 			fputs(".Bl -tag -width Ds\n", out);
 		}
 		group = its;
 		FREED char *usage = command_usage(c);
 		/* Quoted, so that no letter is a macro. */
-		FREED char *quoted = text_quoted(usage);
+		FREED char *quoted = text_in_quotes(usage);
 		fprintf(out, ".It %s\n", quoted);
 		if (c->alias != NULL)
 			fprintf(out, "Also called\n.Cm %s .\n",
 			    command_other_name(c));
-		print_brief(c, out);
-		print_text(c->text, out);
-		print_text(c->more != NULL ? c->more : "", out);
-		manual_print_options(c, out);
+		print_brief_as_sentence(c, out);
+		print_mdoc_paragraph(c->text, out);
+		print_mdoc_paragraph(c->more != NULL ? c->more : "", out);
+		print_command_options(c, out);
 		fputs(".Bd -literal -offset indent\n", out);
-		usage_example(c, "tipspeed> ", out);
+		usage_print_example(c, "tipspeed> ", out);
 		fputs(".Ed\n", out);
 	}
 	fputs(".El\n", out);
 }
 
 void
-manual_environment(FILE *out)
+manual_print_environment(FILE *out)
 {
 	const struct usage_word *w = USAGE_ENVIRONMENT;
 	for (; w->name != NULL; w++) {
 		fprintf(out, ".It Ev %s\n", w->name);
-		print_text(w->meaning, out);
+		print_mdoc_paragraph(w->meaning, out);
 	}
 }
 
 static void
-manual_items(const struct usage_word *word, FILE *out)
+print_mdoc_items(const struct usage_word *word, FILE *out)
 {
 	for (; word->name != NULL; word++) {
 		fprintf(out, ".It %s\n", word->name);
-		print_text(word->meaning, out);
+		print_mdoc_paragraph(word->meaning, out);
 	}
 }
 
 void
-manual_status(FILE *out)
+manual_print_exit_status(FILE *out)
 {
-	manual_items(USAGE_STATUS, out);
+	print_mdoc_items(USAGE_STATUS, out);
 }
 
 void
-manual_trust(FILE *out)
+manual_print_trust_lights(FILE *out)
 {
-	manual_items(USAGE_TRUST, out);
+	print_mdoc_items(USAGE_TRUST, out);
 }
 
 void
-manual_models(FILE *out)
+manual_print_models(FILE *out)
 {
-	for (size_t m = 0; m < breakage_count(); m++) {
+	for (size_t m = 0; m < breakage_count_models(); m++) {
 		const struct breakage *of = BREAKAGES[m];
 		fprintf(out, ".It Cm %s\n", of->name);
-		print_text(of->brief, out);
+		print_mdoc_paragraph(of->brief, out);
 		if (m > 0 && of->bypass)
 			continue;
 		fputs(".Bl -tag -width q_slope -compact\n", out);
@@ -210,7 +210,7 @@ manual_models(FILE *out)
 }
 
 static void
-print_commands(FILE *out)
+print_bash_commands(FILE *out)
 {
 	fputs("	-c)\n		words='", out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
@@ -225,7 +225,7 @@ print_commands(FILE *out)
 
 /* Prints the candidates for an option's argument: words, files, or none. */
 static void
-print_argument(const struct usage_option *o, FILE *out)
+print_bash_argument(const struct usage_option *o, FILE *out)
 {
 	bool file = strcmp(o->argument, "FILE") == 0 ||
 		    strcmp(o->argument, "PATH") == 0;
@@ -241,7 +241,7 @@ print_argument(const struct usage_option *o, FILE *out)
 }
 
 static void
-print_usage_options(FILE *out)
+print_bash_options(FILE *out)
 {
 	fputs("	*)\n		case $cur in\n		-*)\n"
 	      "			words='",
@@ -260,7 +260,7 @@ print_usage_options(FILE *out)
 }
 
 void
-manual_bash(FILE *out)
+manual_print_bash_completion(FILE *out)
 {
 	fputs("# Completion of tipspeed(1) for bash, made from its tables.\n"
 	      "_tipspeed() {\n"
@@ -275,11 +275,11 @@ manual_bash(FILE *out)
 	      "	cur=${cur#[\\'\\\"]}\n"
 	      "	case $prev in\n",
 	    out);
-	print_commands(out);
+	print_bash_commands(out);
 	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++)
 		if (o->argument != NULL && o->code != 'c')
-			print_argument(o, out);
-	print_usage_options(out);
+			print_bash_argument(o, out);
+	print_bash_options(out);
 	fputs("	esac\n"
 	      "	mapfile -t COMPREPLY < \\\n"
 	      "		<(compgen -W \"$words\" -- \"$cur\")\n"
@@ -291,7 +291,7 @@ manual_bash(FILE *out)
 
 /* The text is no format, even if it has a per cent sign. */
 void
-manual_text(const char *text, FILE *out)
+manual_print_text_for_xgettext(const char *text, FILE *out)
 {
 	if (text == NULL || text[0] == '\0')
 		return;
@@ -305,20 +305,20 @@ static void
 print_meanings_for_translators(const struct usage_word *word, FILE *out)
 {
 	for (; word->name != NULL; word++)
-		manual_text(word->meaning, out);
+		manual_print_text_for_xgettext(word->meaning, out);
 }
 
 void
-manual_texts(FILE *out)
+manual_print_texts_for_xgettext(FILE *out)
 {
 	const struct command_option *o;
 	for (const struct usage_option *u = USAGE_OPTIONS; u->code != 0; u++)
-		manual_text(u->brief, out);
+		manual_print_text_for_xgettext(u->brief, out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		manual_text(c->brief, out);
-		manual_text(c->text, out);
+		manual_print_text_for_xgettext(c->brief, out);
+		manual_print_text_for_xgettext(c->text, out);
 		for (size_t i = 0; (o = command_option_at(c, i)) != NULL; i++)
-			manual_text(o->brief, out);
+			manual_print_text_for_xgettext(o->brief, out);
 	}
 	print_meanings_for_translators(USAGE_ENVIRONMENT, out);
 	print_meanings_for_translators(USAGE_STATUS, out);

@@ -17,7 +17,7 @@
 /* Returns the column of an offset.  Counts from the last offset, so that the
  * time is linear in the length of a line. */
 static int
-parse_column_of(const char *line, struct words *words, size_t offset)
+column_of_offset(const char *line, struct words *words, size_t offset)
 {
 	const char *p = line + words->reached;
 	for (; p < line + offset; words->reached_column++)
@@ -27,7 +27,7 @@ parse_column_of(const char *line, struct words *words, size_t offset)
 }
 
 static bool
-ends_word(char c, bool verbatim)
+is_end_of_word(char c, bool verbatim)
 {
 	return isspace((unsigned char)c) || c == ';' ||
 	       (!verbatim && (c == '>' || c == '|'));
@@ -37,37 +37,39 @@ ends_word(char c, bool verbatim)
  * is neither, because a ' within a word is a letter.  open: out, the opening
  * quote. */
 static size_t
-single_quoted(const char *line, size_t at, bool verbatim, size_t *open)
+find_closing_single_quote(
+    const char *line, size_t at, bool verbatim, size_t *open)
 {
 	size_t name = strspn(line + at, "abcdefghijklmnopqrstuvwxyz_");
 	*open = line[at + name] == '=' ? at + name + 1 : at;
 	if (line[*open] != '\'')
 		return 0;
 	size_t close = *open + 1 + strcspn(line + *open + 1, "'");
-	bool ends =
-	    line[close] != '\0' &&
-	    (line[close + 1] == '\0' || ends_word(line[close + 1], verbatim));
+	bool ends = line[close] != '\0' &&
+		    (line[close + 1] == '\0' ||
+			is_end_of_word(line[close + 1], verbatim));
 	return ends ? close : 0;
 }
 
 /* Copies the word at *at and moves *at past it.  Returns false if a quote is
  * open.  The caller frees the word in any case. */
 static bool
-read_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
+copy_word_of_line(const char *line, size_t *at, bool verbatim, char **word)
 {
 	bool quoted = false;
 	size_t i = *at, open;
-	size_t close = single_quoted(line, *at, verbatim, &open);
+	size_t close = find_closing_single_quote(line, *at, verbatim, &open);
 	if (close > 0) {
 		*word = xasprintf("%.*s%.*s", (int)(open - *at), line + *at,
 		    (int)(close - open - 1), line + open + 1);
 		*at = close + 1;
 		return true;
 	}
-	for (; line[i] != '\0' && (quoted || !ends_word(line[i], verbatim));
+	for (;
+	     line[i] != '\0' && (quoted || !is_end_of_word(line[i], verbatim));
 	     i++)
 		quoted = quoted != (line[i] == '"');
-	*word = text_unquoted(line + *at, i - *at);
+	*word = text_without_quotes(line + *at, i - *at);
 	*at = i;
 	return !quoted;
 }
@@ -81,7 +83,7 @@ error_open_quote(struct place place, int column, struct error *error)
 }
 
 static size_t
-parse_skip_blanks(const char *line, size_t i)
+skip_blanks(const char *line, size_t i)
 {
 	while (isspace((unsigned char)line[i]))
 		i++;
@@ -90,7 +92,7 @@ parse_skip_blanks(const char *line, size_t i)
 
 /* Takes the rest of the line as the shell command. */
 static bool
-read_pipe(const char *line, size_t i, struct words *words)
+parse_pipe(const char *line, size_t i, struct words *words)
 {
 	FREED char *rest = xstrdup(line + i + 1);
 	words->to = TO_PIPE;
@@ -101,14 +103,14 @@ read_pipe(const char *line, size_t i, struct words *words)
 
 /* Reads "> FILE" or ">> FILE" at *at and moves *at past it. */
 static bool
-read_redirection_file(const char *line, size_t *at, struct place place,
+parse_redirection_file(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	bool append = line[*at + 1] == '>';
 	words->to = append ? TO_APPEND : TO_FILE;
-	*at = parse_skip_blanks(line, *at + (append ? 2 : 1));
-	int column = parse_column_of(line, words, *at);
-	if (!read_word_of_line(line, at, false, &words->target))
+	*at = skip_blanks(line, *at + (append ? 2 : 1));
+	int column = column_of_offset(line, words, *at);
+	if (!copy_word_of_line(line, at, false, &words->target))
 		return error_open_quote(place, column, error);
 	if (words->target[0] == '\0')
 		return error_at(error, ERROR_USAGE, place.file, place.line,
@@ -116,11 +118,11 @@ read_redirection_file(const char *line, size_t *at, struct place place,
 		    "expected a file name after %s\n"
 		    "write: predict 74 > product.csv",
 		    append ? ">>" : ">");
-	*at = parse_skip_blanks(line, *at);
+	*at = skip_blanks(line, *at);
 	if (line[*at] == '\0' || line[*at] == ';' || line[*at] == '#')
 		return true;
 	return error_at(error, ERROR_USAGE, place.file, place.line,
-	    parse_column_of(line, words, *at),
+	    column_of_offset(line, words, *at),
 	    "expected nothing after the file '%s'\n"
 	    "quote a name with spaces: > \"my file.csv\"; use one > or | in a "
 	    "command",
@@ -128,17 +130,17 @@ read_redirection_file(const char *line, size_t *at, struct place place,
 }
 
 static bool
-read_redirection(const char *line, size_t *at, struct place place,
+parse_redirection(const char *line, size_t *at, struct place place,
     struct words *words, struct error *error)
 {
 	char sign = line[*at];
-	words->to_column = parse_column_of(line, words, *at);
+	words->to_column = column_of_offset(line, words, *at);
 	if (words->n == 0)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    words->to_column, "expected a command before %c", sign);
 	if (sign == '>')
-		return read_redirection_file(line, at, place, words, error);
-	bool good = read_pipe(line, *at, words);
+		return parse_redirection_file(line, at, place, words, error);
+	bool good = parse_pipe(line, *at, words);
 	*at = words->next;
 	if (good)
 		return true;
@@ -150,16 +152,17 @@ read_redirection(const char *line, size_t *at, struct place place,
 
 /* True if the command takes > and | as words. */
 static bool
-takes_signs_as_words(const struct words *words, struct place place)
+are_redirections_words(const struct words *words, struct place place)
 {
 	const struct command *command =
-	    words->n > 0 ? command_find_typed(words->text[0], place.prompt)
-			 : NULL;
+	    words->n > 0
+		? command_find_abbreviated(words->text[0], place.prompt)
+		: NULL;
 	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
 }
 
 void
-words_join(struct words *words, size_t first, size_t n, const char *text)
+words_replace(struct words *words, size_t first, size_t n, const char *text)
 {
 	size_t rest = words->n - first - n;
 	char *joined = xstrdup(text);
@@ -175,17 +178,17 @@ words_join(struct words *words, size_t first, size_t n, const char *text)
 
 /* Joins the two words of a command's name: "store list". */
 static void
-join_name(struct words *words)
+join_command_name(struct words *words)
 {
 	FREED char *name = xasprintf("%s %s", words->text[0], words->text[1]);
 	if (command_find(name) != NULL)
-		words_join(words, 0, 2, name);
+		words_replace(words, 0, 2, name);
 }
 
 /* Joins a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
  * expected. */
 static void
-join_unit(const struct command *command, struct words *words)
+join_unit_to_number(const struct command *command, struct words *words)
 {
 	const char *word = words->text[words->n - 2];
 	const char *unit = words->text[words->n - 1];
@@ -204,28 +207,29 @@ join_unit(const struct command *command, struct words *words)
 	    *number < '0' || *number > '9')
 		return;
 	FREED char *joined = xasprintf("%s%s", word, unit);
-	words_join(words, words->n - 2, 2, joined);
+	words_replace(words, words->n - 2, 2, joined);
 }
 
 static bool
-add_word(const char *line, size_t *at, struct place place, bool verbatim,
-    struct words *words, struct error *error)
+copy_and_add_word(const char *line, size_t *at, struct place place,
+    bool verbatim, struct words *words, struct error *error)
 {
-	int column = parse_column_of(line, words, *at);
+	int column = column_of_offset(line, words, *at);
 	if (words->n == OPERANDS)
 		return error_at(error, ERROR_USAGE, place.file, place.line,
 		    column, "more than %d words", (int)OPERANDS);
 	size_t i = words->n++;
 	words->column[i] = column;
-	if (!read_word_of_line(line, at, verbatim, &words->text[i]))
+	if (!copy_word_of_line(line, at, verbatim, &words->text[i]))
 		return error_open_quote(place, column, error);
 	if (i == 1)
-		join_name(words);
+		join_command_name(words);
 	const struct command *command =
-	    words->n > 2 ? command_find_typed(words->text[0], place.prompt)
-			 : NULL;
+	    words->n > 2
+		? command_find_abbreviated(words->text[0], place.prompt)
+		: NULL;
 	if (command != NULL && !verbatim)
-		join_unit(command, words);
+		join_unit_to_number(command, words);
 	return true;
 }
 
@@ -238,8 +242,9 @@ is_limit_sign(
     const char *line, size_t at, const struct words *words, struct place place)
 {
 	const struct command *command =
-	    words->n > 0 ? command_find_typed(words->text[0], place.prompt)
-			 : NULL;
+	    words->n > 0
+		? command_find_abbreviated(words->text[0], place.prompt)
+		: NULL;
 	if (command == NULL)
 		return words->n > 1 && words->n < OPERANDS &&
 		       strncmp(line + at, ">=", 2) == 0;
@@ -251,19 +256,19 @@ is_limit_sign(
 	if (strpbrk(last, " <>=") != NULL || strpbrk(before, "<>=") != NULL)
 		return false;
 	at += line[at + 1] == '=' ? 2 : 1;
-	at = parse_skip_blanks(line, at);
+	at = skip_blanks(line, at);
 	size_t n = strcspn(line + at, " \t;,%");
 	FREED char *number = xstrndup(line + at, n);
 	double limit;
-	return text_typed_number(number, &limit);
+	return text_parse_typed_number(number, &limit);
 }
 
 /* Takes the > or >= of a limit as a word. */
 static void
-take_limit_sign(const char *line, size_t *at, struct words *words)
+add_limit_sign_as_word(const char *line, size_t *at, struct words *words)
 {
 	size_t n = line[*at + 1] == '=' ? 2 : 1, i = words->n++;
-	words->column[i] = parse_column_of(line, words, *at);
+	words->column[i] = column_of_offset(line, words, *at);
 	words->text[i] = xstrndup(line + *at, n);
 	*at += n;
 }
@@ -272,7 +277,7 @@ bool
 words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error)
 {
-	size_t i = parse_skip_blanks(line, from), begin = i, end = i;
+	size_t i = skip_blanks(line, from), begin = i, end = i;
 	words->n = 0;
 	words->typed = NULL;
 	words->to = TO_SCREEN;
@@ -281,23 +286,24 @@ words_split(const char *line, size_t from, struct place place,
 	words->reached = place.column > 0 ? from : 0;
 	words->reached_column = place.column > 0 ? place.column : 1;
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
-		bool verbatim = takes_signs_as_words(words, place);
+		bool verbatim = are_redirections_words(words, place);
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
 		if (sign && is_limit_sign(line, i, words, place))
-			take_limit_sign(line, &i, words);
+			add_limit_sign_as_word(line, &i, words);
 		else if (sign && !verbatim)
-			ok = read_redirection(line, &i, place, words, error);
+			ok = parse_redirection(line, &i, place, words, error);
 		else
-			ok = add_word(line, &i, place, verbatim, words, error);
+			ok = copy_and_add_word(
+			    line, &i, place, verbatim, words, error);
 		if (!ok)
 			return false;
 		end = words->to == TO_SCREEN ? i : end;
-		i = parse_skip_blanks(line, i);
+		i = skip_blanks(line, i);
 	}
 	words->typed = xstrndup(line + begin, end - begin);
 	words->next = line[i] == ';' ? i + 1 : i + strlen(line + i);
-	parse_column_of(line, words, words->next);
+	column_of_offset(line, words, words->next);
 	return true;
 }
 
@@ -314,22 +320,22 @@ words_free(struct words *words)
 
 /* Removes a unit from the end of a number: "74m/s", "11.2 mm". */
 static void
-parse_cut_unit(char *text, const char *unit)
+strip_unit(char *text, const char *unit)
 {
 	if (unit[0] != '\0' && text_ends_with(text, unit))
 		text[strlen(text) - strlen(unit)] = '\0';
 }
 
 bool
-value_number(const char *word, const char *unit, double *value)
+value_parse_number(const char *word, const char *unit, double *value)
 {
 	FREED char *text = xstrdup(word);
-	parse_cut_unit(text, unit);
-	return text_typed_number(text, value);
+	strip_unit(text, unit);
+	return text_parse_typed_number(text, value);
 }
 
 const char *
-value_feed(const char *text, size_t *length, double *share)
+value_parse_blend_feed(const char *text, size_t *length, double *share)
 {
 	for (const char *star = strchr(text, '*'); star != NULL;
 	     star = strchr(star + 1, '*')) {
@@ -337,8 +343,8 @@ value_feed(const char *text, size_t *length, double *share)
 		bool percent = star[1 + n] == '%';
 		const char *end = star + 1 + n + (percent ? 1 : 0);
 		FREED char *number = xstrndup(star + 1, n);
-		bool ok =
-		    (*end == '+' || *end == '\0') && text_number(number, share);
+		bool ok = (*end == '+' || *end == '\0') &&
+			  text_parse_number(number, share);
 		if (!ok)
 			continue;
 		*length = (size_t)(star - text);
@@ -357,25 +363,26 @@ static const char TURNS[] =
 
 /* Adds a hint if a number is written as in another language. */
 static bool
-hint_number(
+hint_decimal_format(
     const struct command_option *option, const char *word, struct error *error)
 {
 	FREED char *copy = xstrdup(word);
 	char *comma = strchr(copy, ',');
 	char *dash = copy[0] != '\0' ? strchr(copy + 1, '-') : NULL;
 	double low, high;
-	parse_cut_unit(copy, option->unit);
+	strip_unit(copy, option->unit);
 	if (strcmp(option->unit, "m/s") == 0 && strstr(word, "rpm") != NULL) {
 		error_hint(
 		    error, TURNS, (int)strspn(word, "0123456789."), word);
 	} else if (comma != NULL) {
 		*comma = '.';
-		bool right = text_number(copy, &low);
+		bool right = text_parse_number(copy, &low);
 		error_hint(
 		    error, "use a decimal point: %s", right ? copy : "11.2");
 	} else if (dash != NULL && option->kind == VALUE_NUMBERS) {
 		*dash = '\0';
-		if (text_number(copy, &low) && text_number(dash + 1, &high))
+		if (text_parse_number(copy, &low) &&
+		    text_parse_number(dash + 1, &high))
 			error_hint(error,
 			    "write a range with two points: %s..%s", copy,
 			    dash + 1);
@@ -384,12 +391,12 @@ hint_number(
 }
 
 static bool
-parse_number(const struct command_option *option, const char *word,
+parse_number_in_limits(const struct command_option *option, const char *word,
     double *value, struct error *error)
 {
 	/* In a list, commas separate numbers. */
 	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
-	bool ok = !list && value_number(word, option->unit, value);
+	bool ok = !list && value_parse_number(word, option->unit, value);
 	const char *in = option->unit[0] != '\0' ? " in " : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	bool comma = option->kind == VALUE_NUMBER && strchr(word, ',') != NULL;
@@ -397,7 +404,7 @@ parse_number(const struct command_option *option, const char *word,
 		error_set(error, ERROR_USAGE,
 		    "%s: expected a number%s%s, got '%s'", option->name,
 		    comma ? "" : in, comma ? "" : option->unit, word);
-		return hint_number(option, word, error);
+		return hint_decimal_format(option, word, error);
 	}
 	if (*value < option->least || *value > option->most) {
 		error_set(error, ERROR_USAGE,
@@ -412,11 +419,11 @@ parse_number(const struct command_option *option, const char *word,
 }
 
 static bool
-parse_add_number(const struct command_option *option, const char *word,
+parse_and_append_number(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	double v;
-	if (!parse_number(option, word, &v, error))
+	if (!parse_number_in_limits(option, word, &v, error))
 		return false;
 	value->list = xrealloc(value->list, value->n + 1, sizeof v);
 	value->list[value->n++] = v;
@@ -428,7 +435,7 @@ enum { NUMBERS_MOST = 2000 };
 
 /* Reads a..b or a..b:step; the default step is 1. */
 static bool
-read_range_of_speeds(const struct command_option *option, char *word,
+parse_range_of_speeds(const struct command_option *option, char *word,
     char *dots, struct value *value, struct error *error)
 {
 	double from, to, step = 1;
@@ -439,10 +446,10 @@ read_range_of_speeds(const struct command_option *option, char *word,
 	struct command_option step_of = *option;
 	step_of.name = tr("the step");
 	step_of.least = 0.001;
-	bool ok =
-	    parse_number(option, word, &from, error) &&
-	    parse_number(option, dots + 2, &to, error) &&
-	    (colon == NULL || parse_number(&step_of, colon + 1, &step, error));
+	bool ok = parse_number_in_limits(option, word, &from, error) &&
+		  parse_number_in_limits(option, dots + 2, &to, error) &&
+		  (colon == NULL || parse_number_in_limits(
+					&step_of, colon + 1, &step, error));
 	if (!ok)
 		return false;
 	double steps = floor((to - from) / step + 1e-9);
@@ -463,7 +470,7 @@ read_range_of_speeds(const struct command_option *option, char *word,
 }
 
 static bool
-read_list_of_numbers(const struct command_option *option, const char *word,
+parse_list_of_numbers(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	size_t all;
@@ -474,13 +481,14 @@ read_list_of_numbers(const struct command_option *option, const char *word,
 	char *dots = strstr(text, "..");
 	bool ok = true;
 	if (dots != NULL) {
-		ok = read_range_of_speeds(option, text, dots, value, error);
+		ok = parse_range_of_speeds(option, text, dots, value, error);
 	} else {
 		for (char *part = text; ok && part != NULL;) {
 			char *comma = strchr(part, ',');
 			if (comma != NULL)
 				*comma = '\0';
-			ok = parse_add_number(option, part, value, error);
+			ok =
+			    parse_and_append_number(option, part, value, error);
 			part = comma != NULL ? comma + 1 : NULL;
 		}
 	}
@@ -496,7 +504,7 @@ static bool
 error_expected_whole_number(
     const struct command_option *option, const char *word, struct error *error)
 {
-	FREED char *limits = command_limits(option);
+	FREED char *limits = command_option_limits(option);
 	error_set(error, ERROR_USAGE,
 	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
 	    word);
@@ -505,9 +513,9 @@ error_expected_whole_number(
 
 /* Sets the error that no value was given. */
 static bool
-error_no_value(const struct command_option *option, struct error *error)
+error_missing_value(const struct command_option *option, struct error *error)
 {
-	FREED char *limits = command_limits(option);
+	FREED char *limits = command_option_limits(option);
 	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
 	    limits);
 	return false;
@@ -518,36 +526,37 @@ error_wrong_choice(
     const struct command_option *option, const char *word, struct error *error)
 {
 	if (word[0] == '\0')
-		return error_no_value(option, error);
+		return error_missing_value(option, error);
 	error_set(error, ERROR_USAGE, "%s: expected one of %s; got '%s'",
 	    option->name, option_choices(option), word);
 	char *copy = xstrdup(option_choices(option)), *save = NULL;
-	FREED char *folded = text_fold(word);
+	FREED char *folded = text_fold_case_and_accents(word);
 	for (char *choice = strtok_r(copy, " ", &save); choice != NULL;
 	     choice = strtok_r(NULL, " ", &save))
-		if (text_distance(choice, folded) <= strlen(choice) / 3)
+		if (text_edit_distance(choice, folded) <= strlen(choice) / 3)
 			error_hint(error, "did you mean '%s'?", choice);
 	free(copy);
 	return false;
 }
 
 bool
-value_read(const struct command_option *option, const char *word,
+value_parse(const struct command_option *option, const char *word,
     struct value *value, struct error *error)
 {
 	value->text = word;
 	switch (option->kind) {
 	case VALUE_NUMBER:
-		return parse_number(option, word, &value->number, error);
+		return parse_number_in_limits(
+		    option, word, &value->number, error);
 	case VALUE_FEED:
-		if (value_number(word, option->unit, &value->number))
-			return parse_number(
+		if (value_parse_number(word, option->unit, &value->number))
+			return parse_number_in_limits(
 			    option, word, &value->number, error);
-		return word[0] != '\0' || error_no_value(option, error);
+		return word[0] != '\0' || error_missing_value(option, error);
 	case VALUE_NUMBERS:
-		return read_list_of_numbers(option, word, value, error);
+		return parse_list_of_numbers(option, word, value, error);
 	case VALUE_WHOLE:
-		if (text_whole(word, &value->whole) &&
+		if (text_parse_whole_number(word, &value->whole) &&
 		    (double)value->whole >= option->least &&
 		    (double)value->whole <= option->most)
 			return true;
@@ -572,7 +581,7 @@ error_unknown_option(
 	    error, ERROR_USAGE, "%s has no option '%s'", command->name, name);
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(command, i)) != NULL; i++) {
-		size_t far = text_distance(o->name, name);
+		size_t far = text_edit_distance(o->name, name);
 		if (far > 2 || far >= strlen(name))
 			continue;
 		error_hint(error, "did you mean '%s'?", o->name);
@@ -585,7 +594,7 @@ error_unknown_option(
 /* Returns the index of an option; OPTIONS, with an error, if there is none of
  * that name or it was already given. */
 static size_t
-find_option_not_given(
+find_option_to_set(
     const struct args *args, const char *name, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
@@ -602,18 +611,18 @@ find_option_not_given(
 }
 
 static bool
-parse_take_value(
+parse_option_value(
     size_t i, const char *word, struct args *args, struct error *error)
 {
 	args->value[i].given = true;
-	return value_read(
+	return value_parse(
 	    command_option_at(args->command, i), word, &args->value[i], error);
 }
 
 /* Reads one word after the command's name: key=value, the bare option or an
  * operand. */
 static bool
-take_argument(
+parse_argument(
     const char *word, int column, struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
@@ -625,7 +634,7 @@ take_argument(
 	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = find_option_not_given(args, name, error);
+		i = find_option_to_set(args, name, error);
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
@@ -634,7 +643,7 @@ take_argument(
 		i = args->value[bare].given ? OPTIONS : bare;
 	}
 	if (i < OPTIONS)
-		return parse_take_value(i, word, args, error);
+		return parse_option_value(i, word, args, error);
 	args->column[args->n_operand] = column;
 	args->operand[args->n_operand++] = word;
 	return true;
@@ -643,21 +652,21 @@ take_argument(
 /* Returns true with an error if a setting's name stands at the end: "set
  * method". */
 static bool
-error_lacks_value(
+is_setting_without_value(
     const struct command *command, const char *name, struct error *error)
 {
 	size_t i = command_option_index(command, name);
 	return i < OPTIONS &&
-	       !error_no_value(command_option_at(command, i), error);
+	       !error_missing_value(command_option_at(command, i), error);
 }
 
 /* Reads "method classes", which means "method=classes". */
 static bool
-read_option_as_pair(
+parse_option_as_two_words(
     const char *name, const char *word, struct args *args, struct error *error)
 {
-	size_t i = find_option_not_given(args, name, error);
-	return i < OPTIONS && parse_take_value(i, word, args, error);
+	size_t i = find_option_to_set(args, name, error);
+	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 
 /* Stores a value in the member of its option, see rows.h. */
@@ -696,7 +705,7 @@ store_values_in_members(struct args *args, struct error *error)
 	     i++) {
 		struct value *value = &args->value[i];
 		if (!value->given && o->fallback[0] != '\0')
-			ok = value_read(o, o->fallback, value, error);
+			ok = value_parse(o, o->fallback, value, error);
 		if (o->offset > 0 && (command->flags & COMMAND_SETTINGS) == 0 &&
 		    value->text != NULL)
 			store_value_in_member(o, value, args);
@@ -707,11 +716,12 @@ store_values_in_members(struct args *args, struct error *error)
 /* Returns true with an error for "p80", and for "P80=5.5" as in a table's
  * heading. */
 static bool
-is_lone_option(
+is_option_without_value(
     const struct command *command, const char *word, struct error *error)
 {
 	size_t n = strcspn(word, "=");
-	FREED char *cut = xstrndup(word, n), *name = text_fold(cut);
+	FREED char *cut = xstrndup(word, n),
+		   *name = text_fold_case_and_accents(cut);
 	bool is = command_option_index(command, name) < OPTIONS;
 	if (is && word[n] == '=') {
 		error_set(error, ERROR_USAGE,
@@ -728,7 +738,7 @@ is_lone_option(
 }
 
 static bool
-check_operands(const struct args *args, struct error *error)
+check_number_of_operands(const struct args *args, struct error *error)
 {
 	const struct command *command = args->command;
 	const char *more = args->n_operand > command->operands.most
@@ -736,7 +746,7 @@ check_operands(const struct args *args, struct error *error)
 			       : NULL;
 	if (more == NULL && args->n_operand >= command->operands.least)
 		return true;
-	if (more != NULL && is_lone_option(command, more, error))
+	if (more != NULL && is_option_without_value(command, more, error))
 		return false;
 	FREED char *usage = command_usage(command);
 	error_set(error, ERROR_USAGE,
@@ -772,14 +782,14 @@ hint_spaces_around_equals(const struct command *command,
 }
 
 static void
-error_unknown_name(const char *name, bool prompt, struct error *error)
+error_command_not_found(const char *name, bool prompt, struct error *error)
 {
-	FREED char *several = command_candidates(name);
+	FREED char *several = command_names_beginning_with(name);
 	bool one = prompt && several[0] != '\0';
-	const char *near = one ? several : command_nearest(name);
+	const char *near = one ? several : command_nearest_name(name);
 	double speed;
 	error_set(error, ERROR_USAGE, "there is no command '%s'", name);
-	if (value_number(name, "m/s", &speed))
+	if (value_parse_number(name, "m/s", &speed))
 		error_hint(error, "did you mean 'predict %s'?", name);
 	else if (prompt && strchr(several, ',') != NULL)
 		error_hint(error, "did you mean one of %s?", several);
@@ -792,7 +802,7 @@ error_unknown_name(const char *name, bool prompt, struct error *error)
 /* Reads the words after the command's name.  On failure, *column is that of the
  * faulty word. */
 static bool
-read_arguments(const struct words *words, struct args *args, int *column,
+parse_arguments(const struct words *words, struct args *args, int *column,
     struct error *error)
 {
 	const struct command *command = args->command;
@@ -802,11 +812,13 @@ read_arguments(const struct words *words, struct args *args, int *column,
 		bool last = i + 1 == words->n;
 		bool pair = set && !last && strchr(word, '=') == NULL;
 		*column = words->column[i];
-		bool ok = pair ? read_option_as_pair(
-				     word, words->text[i + 1], args, error)
-			       : !(set && last &&
-				     error_lacks_value(command, word, error)) &&
-				     take_argument(word, *column, args, error);
+		bool ok =
+		    pair
+			? parse_option_as_two_words(
+			      word, words->text[i + 1], args, error)
+			: !(set && last &&
+			      is_setting_without_value(command, word, error)) &&
+			      parse_argument(word, *column, args, error);
 		if (!ok)
 			return false;
 		i += pair;
@@ -814,7 +826,7 @@ read_arguments(const struct words *words, struct args *args, int *column,
 	*column = args->n_operand > command->operands.most
 		      ? args->column[command->operands.most]
 		      : words->column[0];
-	return check_operands(args, error) &&
+	return check_number_of_operands(args, error) &&
 	       store_values_in_members(args, error);
 }
 
@@ -825,13 +837,13 @@ parse_call(const struct words *words, struct place place, struct args *args,
 	memset(args, 0, sizeof *args);
 	int column = words->column[0];
 	const struct command *command =
-	    command_find_typed(words->text[0], place.prompt);
+	    command_find_abbreviated(words->text[0], place.prompt);
 	if (command == NULL) {
-		error_unknown_name(words->text[0], place.prompt, error);
+		error_command_not_found(words->text[0], place.prompt, error);
 	} else {
 		args->command = command_meant_by_words(
 		    command, words->text + 1, words->n - 1);
-		if (read_arguments(words, args, &column, error))
+		if (parse_arguments(words, args, &column, error))
 			return args->command;
 		hint_spaces_around_equals(args->command, words, error);
 	}

@@ -49,7 +49,8 @@ bool words_split(const char *line, size_t from, struct place place,
 void words_free(struct words *words);
 
 /* Puts a copy of one text in the place of the n words from `first` on. */
-void words_join(struct words *words, size_t first, size_t n, const char *text);
+void words_replace(
+    struct words *words, size_t first, size_t n, const char *text);
 
 /* Finds the command and checks every value against its table.  args borrows
  * from words; always free with args_free. */
@@ -60,15 +61,16 @@ void args_free(struct args *args);
 /* Parses word as the option's value, which borrows it; the caller frees
  * value->list.  On failure, returns false with an error that states what was
  * expected and suggests what may have been meant. */
-bool value_read(const struct command_option *option, const char *word,
+bool value_parse(const struct command_option *option, const char *word,
     struct value *value, struct error *error);
 
 /* Parses a number, with or without its unit: 69, 69m/s. */
-bool value_number(const char *word, const char *unit, double *value);
+bool value_parse_number(const char *word, const char *unit, double *value);
 
 /* Parses the first feed of a blend "a.csv*0.6+b.csv*40%": length of its name,
  * and share; without a share, the length of the whole text and NAN.  Returns
  * the next feed, or NULL after the last. */
-const char *value_feed(const char *text, size_t *length, double *share);
+const char *value_parse_blend_feed(
+    const char *text, size_t *length, double *share);
 
 #endif

@@ -50,7 +50,7 @@
 
 /* Open is brief. */
 #define SPEED(member) NUMBER(member), "m/s", 1, SITE_FASTEST, NULL, ""
-/* The speed of a question about one speed, see question_take_last_speed. */
+/* The speed of a question about one speed, see question_use_last_speed. */
 #define LAST_OR_USUAL_SPEED                                            \
 	SPEED(speed),                                                  \
 	    "rotor tip speed; default: that last asked about, else a " \

@@ -94,7 +94,7 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {.name = NULL}};
 
 void
-usage_brief(const struct command *c, FILE *out)
+usage_print_brief(const struct command *c, FILE *out)
 {
 	const char *title = command_title(c), *other = command_other_name(c);
 	FREED char *name = other != NULL && title == c->name
@@ -104,7 +104,7 @@ usage_brief(const struct command *c, FILE *out)
 }
 
 void
-usage_list(const char *group, FILE *out)
+usage_print_command_list(const char *group, FILE *out)
 {
 	const char *last = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
@@ -117,7 +117,7 @@ usage_list(const char *group, FILE *out)
 			    strcmp(tr(its), its) != 0 ? "%s (%s)\n" : "%s\n",
 			    tr(its), its);
 		last = its;
-		usage_brief(c, out);
+		usage_print_brief(c, out);
 	}
 	fputs(tr("\n"
 		 "help COMMAND explains one, apropos WORD searches\n"),
@@ -125,10 +125,10 @@ usage_list(const char *group, FILE *out)
 }
 
 static void
-print_command_option(const struct command_option *o, FILE *out)
+print_option_help(const struct command_option *o, FILE *out)
 {
 	enum { MARGIN = 15 };
-	FREED char *words = command_option_words(o), *lines = NULL;
+	FREED char *words = command_describe_option(o), *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&lines, &n);
 	text_wrap(words, MARGIN, 78, memory);
@@ -137,7 +137,7 @@ print_command_option(const struct command_option *o, FILE *out)
 }
 
 void
-usage_example(const struct command *c, const char *margin, FILE *out)
+usage_print_example(const struct command *c, const char *margin, FILE *out)
 {
 	char *copy = xstrdup(c->example), *save = NULL;
 	for (char *line = strtok_r(copy, "\n", &save); line != NULL;
@@ -148,27 +148,27 @@ usage_example(const struct command *c, const char *margin, FILE *out)
 
 /* Prints the names of the options that `help options` explains. */
 static void
-usage_print_shared(const struct command *c, FILE *out)
+print_shared_option_names(const struct command *c, FILE *out)
 {
-	FREED char *names = command_shared(c);
+	FREED char *names = command_shared_option_names(c);
 	FREED char *line = xasprintf(tr("also takes %s: help options"), names);
 	if (names[0] != '\0')
 		text_wrap(line, 2, 78, out);
 }
 
 void
-usage_shared(FILE *out)
+usage_print_shared_options(FILE *out)
 {
 	const struct command_option *o;
 	fputs(tr("Options of many commands; help COMMAND names those it "
 		 "takes.\n\n"),
 	    out);
 	for (size_t i = 0; (o = command_shared_option(i)) != NULL; i++)
-		print_command_option(o, out);
+		print_option_help(o, out);
 }
 
 void
-usage_command(const struct command *c, FILE *out)
+usage_print_command(const struct command *c, FILE *out)
 {
 	const char *operands = c->operands.usage;
 	const struct command_option *o = command_option_at(c, 0);
@@ -183,7 +183,7 @@ usage_command(const struct command *c, FILE *out)
 	text_print_hanging(usage, 2, 6, 78, out);
 	if (c->alias != NULL)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));
-	usage_print_shared(c, out);
+	print_shared_option_names(c, out);
 	fputc('\n', out);
 	text_wrap(tr(c->text), 2, 78, out);
 	if (c->more != NULL)
@@ -191,14 +191,14 @@ usage_command(const struct command *c, FILE *out)
 	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++) {
 		if (i == 0)
 			fputs(tr("\noptions\n"), out);
-		print_command_option(o, out);
+		print_option_help(o, out);
 	}
 	fputs(tr("\nexample\n"), out);
-	usage_example(c, "  ", out);
+	usage_print_example(c, "  ", out);
 }
 
 static void
-usage_print_options(FILE *out)
+print_program_options(FILE *out)
 {
 	for (const struct usage_option *o = USAGE_OPTIONS; o->code != 0; o++) {
 		char letter[3] = {o->code < 256 ? '-' : '\0',
@@ -217,7 +217,8 @@ usage_print_options(FILE *out)
 }
 
 static void
-print_words(const char *title, const struct usage_word *word, FILE *out)
+print_words_with_meanings(
+    const char *title, const struct usage_word *word, FILE *out)
 {
 	fprintf(out, "\n%s\n", tr(title));
 	for (; word->name != NULL; word++) {
@@ -227,13 +228,13 @@ print_words(const char *title, const struct usage_word *word, FILE *out)
 }
 
 void
-usage_trust(FILE *out)
+usage_print_trust_lights(FILE *out)
 {
 	text_wrap(tr("Every answer ends in a light, which says whether it can "
 		     "be trusted, and the worst reason. 'why' lists all "
 		     "reasons, and what to do about each."),
 	    0, 78, out);
-	print_words(N_("trust"), USAGE_TRUST, out);
+	print_words_with_meanings(N_("trust"), USAGE_TRUST, out);
 	fputs("\n", out);
 	text_wrap(tr("Between three or more measured speeds the measurements "
 		     "correct the model, and the light is green unless they "
@@ -245,7 +246,7 @@ usage_trust(FILE *out)
 }
 
 void
-usage_print(FILE *out)
+usage_print_help(FILE *out)
 {
 	fputs(
 	    tr("usage: tipspeed [-c CMD]... [-f FILE]... [OPTION]... "
@@ -254,9 +255,9 @@ usage_print(FILE *out)
 	       "then runs the commands\nof -c and -f in order. Without -c and "
 	       "-f, commands come from standard input.\n\n"),
 	    out);
-	usage_print_options(out);
+	print_program_options(out);
 	fputs(tr("\ncommands\n"), out);
-	usage_list(NULL, out);
-	print_words(N_("environment"), USAGE_ENVIRONMENT, out);
-	print_words(N_("exit status"), USAGE_STATUS, out);
+	usage_print_command_list(NULL, out);
+	print_words_with_meanings(N_("environment"), USAGE_ENVIRONMENT, out);
+	print_words_with_meanings(N_("exit status"), USAGE_STATUS, out);
 }

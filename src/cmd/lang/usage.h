@@ -40,22 +40,22 @@ extern const struct usage_word USAGE_ENVIRONMENT[], USAGE_STATUS[],
     USAGE_TRUST[];
 
 /* Prints the list of commands of one group, or of all groups for NULL. */
-void usage_list(const char *group, FILE *out);
+void usage_print_command_list(const char *group, FILE *out);
 
 /* Prints the options that many commands share. */
-void usage_shared(FILE *out);
+void usage_print_shared_options(FILE *out);
 
 /* Explains the light at the end of answers. */
-void usage_trust(FILE *out);
+void usage_print_trust_lights(FILE *out);
 
 /* Print a command on one line; everything in the table about it; the lines of
  * its example, each after the margin. */
-void usage_brief(const struct command *command, FILE *out);
-void usage_command(const struct command *command, FILE *out);
-void usage_example(
+void usage_print_brief(const struct command *command, FILE *out);
+void usage_print_command(const struct command *command, FILE *out);
+void usage_print_example(
     const struct command *command, const char *margin, FILE *out);
 
 /* Prints the text of --help. */
-void usage_print(FILE *out);
+void usage_print_help(FILE *out);
 
 #endif

@@ -37,21 +37,21 @@ k_of_selection(
 		return NAN;
 	if (q->entry != NULL && x > 0) {
 		const struct params *p = &q->entry->params;
-		double w = pow(x, params_value(p, "alpha"));
-		e0 = params_value(p, "e0_min") / w;
-		f = params_value(p, "f_mat") * w;
+		double w = pow(x, params_value_by_name(p, "alpha"));
+		e0 = params_value_by_name(p, "e0_min") / w;
+		f = params_value_by_name(p, "f_mat") * w;
 	}
-	return spectrum_k(q->spectrum, of, q->E, e0, f);
+	return spectrum_equivalent_k(q->spectrum, of, q->E, e0, f);
 }
 
 static double
 share_of_first_impacts(
     const struct energy_question *q, const struct spectrum_size *of)
 {
-	double all = spectrum_above(of, q->cut, false).energy;
+	double all = spectrum_impacts_above(of, q->cut, false).energy;
 	if (!q->spectrum->ordered || !(all > 0))
 		return NAN;
-	return spectrum_above(of, q->cut, true).energy / all;
+	return spectrum_impacts_above(of, q->cut, true).energy / all;
 }
 
 /* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
@@ -59,31 +59,32 @@ static double
 mean_energy_ratio(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
 {
-	struct spectrum_bin above = spectrum_above(of, q->cut, first);
+	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, first);
 	return above.mass > 0 && q->E > 0
 		   ? q->scale * above.energy / above.mass / q->E
 		   : NAN;
 }
 
 static double
-share_below(const struct energy_question *q, const struct spectrum_size *of)
+share_of_impacts_below_cut(
+    const struct energy_question *q, const struct spectrum_size *of)
 {
-	double all = spectrum_above(of, 0, false).mass;
-	return 1 - spectrum_above(of, q->cut, false).mass / all;
+	double all = spectrum_impacts_above(of, 0, false).mass;
+	return 1 - spectrum_impacts_above(of, q->cut, false).mass / all;
 }
 
 static void
 energy_add_row(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
-	struct spectrum_bin above = spectrum_above(of, q->cut, false);
+	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, false);
 	answer_set_missing(r, "all");
-	answer_cells(r, "%.1f", size);
+	answer_add_cells(r, "%.1f", size);
 	answer_set_missing(r, "-");
-	answer_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
+	answer_add_cells(r, "%g %.2f %.2f %.1f %.2f %.1f %.2f",
 	    q->spectrum->counted ? of->particles : NAN,
-	    spectrum_per_particle(q->spectrum, of, 0),
-	    spectrum_per_particle(q->spectrum, of, q->cut),
+	    spectrum_impacts_per_particle(q->spectrum, of, 0),
+	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_energy_ratio(q, of, false),
 	    100 * share_of_first_impacts(q, of),
@@ -110,9 +111,9 @@ static void
 energy_put_fields(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
-	FREED double *e = xdoubles(SPECTRUM_BINS),
-		     *share = xdoubles(SPECTRUM_BINS);
-	double all = spectrum_above(whole, 0, false).mass;
+	FREED double *e = xcalloc_doubles(SPECTRUM_BINS),
+		     *share = xcalloc_doubles(SPECTRUM_BINS);
+	double all = spectrum_impacts_above(whole, 0, false).mass;
 	size_t n = 0;
 	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
 		const struct spectrum_bin *bin = &whole->all[b];
@@ -128,21 +129,21 @@ energy_put_fields(struct answer *r, const struct energy_question *q,
 	    q->e->name, q->speed, (unsigned long long)q->e->c.impacts,
 	    (unsigned long long)q->e->c.rows,
 	    q->spectrum->counted ? whole->mass : NAN,
-	    100 * share_below(q, whole), q->scale * q->cut,
-	    spectrum_per_particle(q->spectrum, whole, q->cut),
+	    100 * share_of_impacts_below_cut(q, whole), q->scale * q->cut,
+	    spectrum_impacts_per_particle(q->spectrum, whole, q->cut),
 	    100 * share_of_first_impacts(q, whole),
 	    k_of_selection(q, whole, whole->size));
-	struct fields *list = fields_object(f, "spectrum");
-	fields_numbers(list, "j_kg", e, n, NULL);
-	fields_numbers(list, "mass_share", share, n, NULL);
+	struct fields *list = fields_add_object(f, "spectrum");
+	fields_put_numbers(list, "j_kg", e, n, NULL);
+	fields_put_numbers(list, "mass_share", share, n, NULL);
 	answer_put_rows(r, "sizes");
 }
 
 /* Returns how many of the impacts can be taken as independent. */
 static double
-count_independent(const struct energies *e)
+count_independent_impacts(const struct energies *e)
 {
-	FREED struct spectrum_size *whole = spectrum_whole(e->c.spectrum);
+	FREED struct spectrum_size *whole = spectrum_merge_sizes(e->c.spectrum);
 	double n =
 	    e->c.spectrum->counted ? whole->particles : (double)e->c.impacts;
 	return fmax(n, 1);
@@ -159,11 +160,12 @@ note_other_spectra(
 		if (o == q->e || !(other->speed > 0) || !(q->speed > 0) ||
 		    fabs(other->speed - q->spectrum->speed) < 1e-9)
 			continue;
-		double d = spectrum_distance(q->spectrum, other, q->cut);
+		double d = spectrum_ks_distance(q->spectrum, other, q->cut);
 		/* The 95 % limit of Kolmogorov and Smirnov for particles,
 		 * because the impacts of one particle depend on each other. */
-		double chance = 1.36 * sqrt(1 / count_independent(q->e) +
-					    1 / count_independent(o));
+		double chance =
+		    1.36 * sqrt(1 / count_independent_impacts(q->e) +
+				1 / count_independent_impacts(o));
 		answer_note(r,
 		    d < chance
 			? N_("scaled by v^2, %s (%g m/s) and this one (%g m/s) "
@@ -262,19 +264,19 @@ static bool
 has_selection_params(const struct entry *entry)
 {
 	return entry->has_params &&
-	       isfinite(params_value(&entry->params, "f_mat"));
+	       isfinite(params_value_by_name(&entry->params, "f_mat"));
 }
 
 static bool
 energy_show(struct session *s, const struct args *args, struct error *error)
 {
-	if (energies_loaded(s, error) == NULL)
+	if (energies_last_read(s, error) == NULL)
 		return false;
 	const struct spectrum *spectrum = s->energy->c.spectrum;
 	struct energy_question q = {.e = s->energy,
 	    .spectrum = spectrum,
-	    .cut = args_given(args, &args->energy_cut) ? args->energy_cut
-						       : s->energy->cut,
+	    .cut = args_is_given(args, &args->energy_cut) ? args->energy_cut
+							  : s->energy->cut,
 	    .speed = spectrum->speed,
 	    .scale = 1};
 	if (args->speed > 0 && !(spectrum->speed > 0))
@@ -283,25 +285,25 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 		    "none\nload them with it: energy load FILE speed=V");
 	if (args->speed > 0) {
 		q.speed = args->speed;
-		q.scale = spectrum_scale(spectrum, q.speed);
+		q.scale = spectrum_energy_factor(spectrum, q.speed);
 		q.cut /= q.scale;
 	}
-	q.E = q.speed > 0 ? energy_specific(q.speed) : NAN;
-	if (s->n_entry > 0 && has_selection_params(session_entry(s)))
-		q.entry = session_entry(s);
-	FREED struct spectrum_size *whole = spectrum_whole(spectrum);
+	q.E = q.speed > 0 ? energy_specific_at_speed(q.speed) : NAN;
+	if (s->n_entry > 0 && has_selection_params(session_current_entry(s)))
+		q.entry = session_current_entry(s);
+	FREED struct spectrum_size *whole = spectrum_merge_sizes(spectrum);
 	struct answer *r = answer_new("energy");
 	answer_title(r,
 	    q.speed > 0 ? N_("%s: collision energies above %g J/kg")
 			: N_("%s: collision energies above %g J/kg, tip speed "
 			     "not known"),
 	    s->energy->name, q.scale * q.cut);
-	answer_sites(r, "", s->energy->c.about);
+	answer_set_sites(r, "", s->energy->c.about);
 	energy_add_rows(r, &q, whole);
 	answer_note(r,
 	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
 	    (unsigned long long)s->energy->c.impacts,
-	    100 * share_below(&q, whole), q.scale * q.cut);
+	    100 * share_of_impacts_below_cut(&q, whole), q.scale * q.cut);
 	note_other_spectra(r, s, &q);
 	note_whether_one_impact_is_fair(r, &q, whole);
 	note_site(r, &q);
@@ -337,16 +339,16 @@ energy_load_file(
 	if (!check_one_file(args, error))
 		return false;
 	way.columns = args->columns;
-	if (args_given(args, &args->unit))
+	if (args_is_given(args, &args->unit))
 		way.unit = args->unit == 0 ? "J/kg" : "m/s";
 	if (args->speed > 0)
 		way.speed = args->speed;
-	double cut = args_given(args, &args->energy_cut) ? args->energy_cut
-							 : ENERGIES_CUT;
+	double cut = args_is_given(args, &args->energy_cut) ? args->energy_cut
+							    : ENERGIES_CUT;
 	/* A file at that path comes before a shipped one of that name. */
 	const char *asked = args->operand[1];
 	FREED char *shipped =
-	    access(asked, F_OK) != 0 ? shipped_energies(asked) : NULL;
+	    access(asked, F_OK) != 0 ? shipped_energies_path(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
 	bool read = energies_read(s, path, &way, cut, error) != NULL;
 	if (!read)
@@ -375,10 +377,11 @@ static bool
 energy_write(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
-	if (!check_one_file(args, error) || energies_loaded(s, error) == NULL ||
+	if (!check_one_file(args, error) ||
+	    energies_last_read(s, error) == NULL ||
 	    !files_may_write(s, path, error) ||
-	    !files_may_replace(s, path, error) ||
-	    !file_replace_by(
+	    !files_confirm_replace(s, path, error) ||
+	    !file_replace_by_output(
 		path, FILE_SHARED, energy_put_file, s->energy, error))
 		return false;
 	files_note_written(s, path);

@@ -25,7 +25,7 @@ enum { DRAWS = POSTERIOR_DRAWS };
 /* Finds the middle share of the draws, widened to hold the answer; NAN if there
  * is a model alone. */
 static void
-flow_range_of(const struct plant *p, const struct plant_result *o,
+range_of_draws(const struct plant *p, const struct plant_result *o,
     const double *draw, double answer, double range[static 2])
 {
 	range[0] = range[1] = NAN;
@@ -36,28 +36,29 @@ flow_range_of(const struct plant *p, const struct plant_result *o,
 
 /* Finds the range of t/h that enter a unit or, if that is NULL, of a stream. */
 static void
-range_tph(const struct plant *p, const struct plant_result *o,
+range_of_tph(const struct plant *p, const struct plant_result *o,
     const struct unit *unit, size_t stream, double range[static 2])
 {
 	double draw[DRAWS];
 	for (size_t d = 0; d < o->flow.draws; d++)
 		draw[d] = unit != NULL
-			      ? flow_draw_into_unit(&o->flow, unit, d)
+			      ? flow_tph_into_unit_in_draw(&o->flow, unit, d)
 			      : o->flow.tph_draw[d * o->flow.n_stream + stream];
-	flow_range_of(p, o, draw,
-	    unit != NULL ? flow_into_unit(&o->flow, unit) : o->flow.tph[stream],
+	range_of_draws(p, o, draw,
+	    unit != NULL ? flow_tph_into_unit(&o->flow, unit)
+			 : o->flow.tph[stream],
 	    range);
 }
 
 static void
-show_lines(
+add_stream_rows(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
-	struct fields *list = fields_list(answer_fields(r), "fractions");
-	size_t n = plant_list_lines(p, o, line);
+	struct fields *list = fields_add_list(answer_fields(r), "fractions");
+	size_t n = plant_list_streams(p, o, line);
 	bool band = o->flow.draws == DRAWS, back = o->flow.circulating > 0;
 	answer_columns(r, "name: %s, tph: t/h",
 	    p->from_file ? "product" : tr("fraction mm"));
@@ -69,20 +70,21 @@ show_lines(
 	for (size_t i = 0; i < n; i++) {
 		const struct unit *unit = line[i].unit;
 		double range[2] = {0, 0},
-		       tph = unit != NULL ? flow_into_unit(&o->flow, unit) : 0,
+		       tph = unit != NULL ? flow_tph_into_unit(&o->flow, unit)
+					  : 0,
 		       around = unit != NULL ? 0 : o->flow.tph[line[i].stream];
 		if (unit != NULL)
-			range_tph(p, o, unit, 0, range);
+			range_of_tph(p, o, unit, 0, range);
 		else if (!band)
 			range[0] = range[1] = NAN;
 		double share = 100 * tph / c->tph;
-		answer_cells(r, "%s %.1f", line[i].name, tph);
+		answer_add_cells(r, "%s %.1f", line[i].name, tph);
 		if (band)
-			answer_cells(r, "%.1f %.1f", range[0], range[1]);
-		answer_cells(r, "%.1f", share);
+			answer_add_cells(r, "%.1f %.1f", range[0], range[1]);
+		answer_add_cells(r, "%.1f", share);
 		if (back)
-			answer_cells(r, "%.1f", around);
-		fields_put(fields_object(list, NULL),
+			answer_add_cells(r, "%.1f", around);
+		fields_put(fields_add_object(list, NULL),
 		    "name %s tph %g share_pct %g low_tph %g high_tph %g "
 		    "circulating_tph %g price %g",
 		    line[i].name, tph, share, range[0], range[1], around,
@@ -95,11 +97,11 @@ static void
 put_streams(
     const struct plant *p, const struct plant_result *o, struct fields *all)
 {
-	struct fields *list = fields_list(all, "streams");
+	struct fields *list = fields_add_list(all, "streams");
 	for (size_t i = 0; i < p->circuit->n_stream; i++) {
 		double range[2];
-		range_tph(p, o, NULL, i, range);
-		fields_put(fields_object(list, NULL),
+		range_of_tph(p, o, NULL, i, range);
+		fields_put(fields_add_object(list, NULL),
 		    "name %s tph %g low_tph %g high_tph %g back %d",
 		    p->circuit->stream[i], o->flow.tph[i], range[0], range[1],
 		    o->flow.back[i]);
@@ -113,9 +115,9 @@ note_balance(
 {
 	double range[2], tph = p->circuit->tph;
 	struct fields *f = answer_fields(r);
-	flow_range_of(
+	range_of_draws(
 	    p, o, o->flow.circulating_draw, o->flow.circulating, range);
-	FREED char *band = quantities_band(range[0], range[1], 1);
+	FREED char *band = quantities_band_text(range[0], range[1], 1);
 	if (o->flow.circulating > 0)
 		answer_note(r,
 		    "circulating load %.1f t/h%s, %.0f %% of the new feed",
@@ -124,7 +126,7 @@ note_balance(
 	    round((tph - o->flow.balance) * 1e6) / 1e6);
 	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
 	    o->flow.circulating, o->flow.balance, o->flow.passes);
-	answers_put_pair(f, "circulating_range_tph", range[0], range[1]);
+	answers_put_low_high(f, "circulating_range_tph", range[0], range[1]);
 }
 
 /* Notes the rotor and the cascade of each crusher. */
@@ -132,16 +134,17 @@ static void
 note_crushers(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
-	struct fields *list = fields_list(answer_fields(r), "crushers");
+	struct fields *list = fields_add_list(answer_fields(r), "crushers");
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		double all = flow_into_unit(&o->flow, unit),
-		       rotor = all * plant_rotor_share(p, unit), range[2];
+		double all = flow_tph_into_unit(&o->flow, unit),
+		       rotor = all * plant_share_through_rotor(p, unit),
+		       range[2];
 		double speed = plant_speed_of_unit(unit, o->speed);
-		range_tph(p, o, unit, 0, range);
-		FREED char *rpm = rotor_speed_words(
+		range_of_tph(p, o, unit, 0, range);
+		FREED char *rpm = rotor_speed_rpm_text(
 		    p->question->entry->site->rotor, speed, NAN);
 		if (all > rotor)
 			answer_note(r,
@@ -157,7 +160,7 @@ note_crushers(
 			    "crusher at %.4g m/s%s: %.1f t/h, all through the "
 			    "rotor",
 			    speed, rpm, all);
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "speed %g tph %g low_tph %g high_tph %g rotor_tph %g "
 		    "cascade_tph %g",
 		    speed, all, range[0], range[1], rotor, all - rotor);
@@ -185,7 +188,7 @@ note_power(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2] = {NAN, NAN}, idle[2], factor = 0, t = p->circuit->tph;
-	FREED char *words = plant_power_words(p, o);
+	FREED char *words = plant_power_basis_text(p, o);
 	struct fields *f = answer_fields(r);
 	if (!p->power.least)
 		ensemble_interval_with_answer(
@@ -205,7 +208,7 @@ note_power(
 	    o->kw, range[0], range[1], o->kw / t,
 	    p->power.n > 0 ? "readings" : "Q v2", p->power.n,
 	    plant_idle_power(p, o->speed, idle), factor);
-	answers_put_pair(f, "idle_range_kw", idle[0], idle[1]);
+	answers_put_low_high(f, "idle_range_kw", idle[0], idle[1]);
 }
 
 /* Notes the earnings; a product without a price adds nothing to them. */
@@ -217,13 +220,13 @@ note_money(
 	if (!p->priced)
 		return;
 	FREED char *none = xstrdup("");
-	flow_range_of(p, o, o->money_draw, o->money, range);
+	range_of_draws(p, o, o->money_draw, o->money, range);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind == UNIT_STOCKPILE && isnan(unit->price))
-			xlist(&none, ", ", "%s", unit->name);
+			xappend_to_list(&none, ", ", "%s", unit->name);
 	}
-	FREED char *band = quantities_band(range[0], range[1], 2);
+	FREED char *band = quantities_band_text(range[0], range[1], 2);
 	answer_note(r,
 	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
 	    : !p->power.least
@@ -250,7 +253,7 @@ struct search {
 };
 
 static void
-flow_search_try(struct search *search, const struct plant *p, double speed)
+try_speed(struct search *search, const struct plant *p, double speed)
 {
 	struct plant_result o = plant_solve_at(p, speed);
 	size_t i = search->n++;
@@ -266,28 +269,28 @@ flow_search_try(struct search *search, const struct plant *p, double speed)
 /* Tries speeds over the whole range, then in tenths of a step around the
  * best. */
 static struct search
-flow_search_best(const struct plant *p, double from, double to)
+search_best_speed(const struct plant *p, double from, double to)
 {
 	struct search s = {.from = from,
 	    .to = to,
 	    .step = (to - from) / COARSE,
 	    .draw = xcalloc(LOOKED_AT, sizeof *s.draw)};
 	for (int i = 0; i <= COARSE; i++)
-		flow_search_try(&s, p, i < COARSE ? from + i * s.step : to);
+		try_speed(&s, p, i < COARSE ? from + i * s.step : to);
 	double middle = s.speed[s.best];
 	for (int i = -FINE / 2; i <= FINE / 2 && isfinite(s.money[s.best]);
 	     i++) {
 		double speed = middle + i * s.step / FINE;
 		if (i != 0 && speed >= from && speed <= to)
-			flow_search_try(&s, p, speed);
+			try_speed(&s, p, speed);
 	}
 	return s;
 }
 
 /* Finds the range of the speeds at which the draws earn most. */
 static void
-best_range(const struct plant *p, const struct search *s, size_t draws,
-    double range[static 2])
+range_of_best_speeds(const struct plant *p, const struct search *s,
+    size_t draws, double range[static 2])
 {
 	double best[DRAWS];
 	range[0] = range[1] = NAN;
@@ -314,7 +317,7 @@ note_gain(const struct plant *p, const struct plant_result *best,
 	double draw[DRAWS], gain = best->money - usual->money, range[2];
 	for (size_t d = 0; d < best->flow.draws; d++)
 		draw[d] = best->money_draw[d] - usual->money_draw[d];
-	flow_range_of(p, best, draw, gain, range);
+	range_of_draws(p, best, draw, gain, range);
 	fields_put(answer_fields(r),
 	    "compared_speed %g compared_earnings %g gain %g gain_low %g "
 	    "gain_high %g",
@@ -327,7 +330,7 @@ note_gain(const struct plant *p, const struct plant_result *best,
 	answer_note(r, "%.2f an hour more than at %.4g m/s (%.2f to %.2f)",
 	    gain, usual->speed, range[0], range[1]);
 	double own[2];
-	flow_range_of(p, best, best->money_draw, best->money, own);
+	range_of_draws(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
 		answer_say(r, ANSWER_WARNING,
 		    "the gain is not certain: it may be a loss");
@@ -340,15 +343,15 @@ note_gain(const struct plant *p, const struct plant_result *best,
 }
 
 static void
-flow_note_best(const struct plant *p, const struct search *s,
+note_best_speed(const struct plant *p, const struct search *s,
     const struct plant_result *best, struct answer *r)
 {
 	double range[2], v = s->speed[s->best];
 	size_t open = 0;
 	bool end = v <= s->from || v >= s->to;
 	FREED char *rpm =
-	    rotor_speed_words(p->question->entry->site->rotor, v, NAN);
-	best_range(p, s, best->flow.draws, range);
+	    rotor_speed_rpm_text(p->question->entry->site->rotor, v, NAN);
+	range_of_best_speeds(p, s, best->flow.draws, range);
 	for (size_t i = 0; i < s->n; i++)
 		open += isnan(s->money[i]) ? 1 : 0;
 	if (isfinite(range[0]))
@@ -371,7 +374,7 @@ flow_note_best(const struct plant *p, const struct search *s,
 		    s->n);
 	fields_put(
 	    answer_fields(r), "best_speed %g from %g to %g", v, s->from, s->to);
-	answers_put_pair(
+	answers_put_low_high(
 	    answer_fields(r), "best_speed_range", range[0], range[1]);
 }
 
@@ -382,7 +385,8 @@ difference_from_site_feed(const struct plant *p, const struct plant_result *o,
     const struct unit *unit)
 {
 	size_t n = p->n;
-	double most = 0, in = 0, feed = 0, all = flow_into_unit(&o->flow, unit);
+	double most = 0, in = 0, feed = 0,
+	       all = flow_tph_into_unit(&o->flow, unit);
 	for (size_t i = n; i-- > 0 && all > 0;) {
 		for (size_t k = 0; k < unit->n_in; k++)
 			in += o->flow.mass[unit->in[k] * n + i] / all;
@@ -395,7 +399,7 @@ difference_from_site_feed(const struct plant *p, const struct plant_result *o,
 /* Returns the worst light of the crushers at their speeds.  A feed that
  * recycled material has changed is judged like any other feed. */
 static struct trust
-flow_trust(const struct plant *p, const struct plant_result *o)
+worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 {
 	const double other = 0.1, strange = 0.3;
 	struct trust worst = {0};
@@ -404,24 +408,24 @@ flow_trust(const struct plant *p, const struct plant_result *o)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		struct trust t = light_at(p->s, entry,
+		struct trust t = light_at_speed(p->s, entry,
 		    plant_speed_of_unit(unit, o->speed), p->question->feed);
 		double off = difference_from_site_feed(p, o, unit);
 		if (off > other)
-			trust_add(&t, off > strange ? LIGHT_RED : LIGHT_AMBER,
-			    TRUST_FEED,
+			trust_add_reason(&t,
+			    off > strange ? LIGHT_RED : LIGHT_AMBER, TRUST_FEED,
 			    xasprintf(
 				tr("what goes into the crusher differs by "
 				   "up to %.0f points from the site's "
 				   "feed: it may break differently"),
 				100 * off));
-		light_worse(&worst, t);
+		light_keep_worse(&worst, t);
 	}
 	return worst;
 }
 
 static struct answer *
-answer_flow(const struct plant *p, const struct plant_result *o)
+build_flow_answer(const struct plant *p, const struct plant_result *o)
 {
 	const struct entry *entry = p->question->entry;
 	const char *back = p->back != NULL ? p->back : "";
@@ -438,10 +442,10 @@ answer_flow(const struct plant *p, const struct plant_result *o)
 	fields_put(answer_fields(r),
 	    "speed %g extrapolated %d feed_tph %g "
 	    "circuit %s",
-	    o->speed, answers_extrapolates(entry, o->speed), p->circuit->tph,
-	    what);
+	    o->speed, answers_is_speed_extrapolated(entry, o->speed),
+	    p->circuit->tph, what);
 	warn_power(p, r);
-	show_lines(p, o, r);
+	add_stream_rows(p, o, r);
 	note_balance(p, o, r);
 	note_crushers(p, o, r);
 	note_power(p, o, r);
@@ -459,21 +463,22 @@ finish_flow_answer(
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
 		answer_say(
-		    r, ANSWER_REMARK, "%s", outlook_why_none(p->s, entry));
+		    r, ANSWER_REMARK, "%s", outlook_why_no_band(p->s, entry));
 	if (p->s->set.model.method == METHOD_CLASSES)
 		answer_say(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
 	fields_put(answer_fields(r), "level %g", 100 * p->question->level);
-	answers_show_basis(p->s, r, p->question, 0, band, flow_trust(p, o));
-	if (!plot_writes_image(p->s) || p->s->document != NULL)
+	answers_show_basis(
+	    p->s, r, p->question, 0, band, worst_trust_of_crushers(p, o));
+	if (!plot_is_image_wanted(p->s) || p->s->document != NULL)
 		return session_show_answer(p->s, r);
 	session_keep_answer(p->s, r);
 	return true;
 }
 
 static bool
-flow_show_best(
+show_best_speed_for_flow(
     const struct plant *p, const struct args *args, struct error *error)
 {
 	const struct entry *entry = p->question->entry;
@@ -482,15 +487,17 @@ flow_show_best(
 		return error_set(error, ERROR_USAGE,
 		    "best=on needs prices\n"
 		    "write: flow tph=120 prices=0/2:12,2/5:9 best=on");
-	if (!conditions_speeds(p->s, args, entry->site, &from, &to, error))
+	if (!conditions_speed_range_of_args(
+		p->s, args, entry->site, &from, &to, error))
 		return false;
-	struct search search = flow_search_best(p, from, to);
+	struct search search = search_best_speed(p, from, to);
 	struct plant_result usual = plant_solve_at(p, p->question->speed),
 			    best = plant_solve_at(p, search.speed[search.best]);
-	bool ok = !best.flow.open || plant_error_not_steady(p, &best, error);
+	bool ok =
+	    !best.flow.open || plant_set_error_not_steady(p, &best, error);
 	if (ok) {
-		struct answer *r = answer_flow(p, &best);
-		flow_note_best(p, &search, &best, r);
+		struct answer *r = build_flow_answer(p, &best);
+		note_best_speed(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain(p, &best, &usual, r);
 		finish_flow_answer(p, &best, r);
@@ -502,12 +509,12 @@ flow_show_best(
 }
 
 static bool
-flow_show_at(const struct plant *p, double speed, struct error *error)
+show_flow_at_speed(const struct plant *p, double speed, struct error *error)
 {
 	struct plant_result o = plant_solve_at(p, speed);
-	bool ok = !o.flow.open || plant_error_not_steady(p, &o, error);
+	bool ok = !o.flow.open || plant_set_error_not_steady(p, &o, error);
 	if (ok)
-		finish_flow_answer(p, &o, answer_flow(p, &o));
+		finish_flow_answer(p, &o, build_flow_answer(p, &o));
 	flow_free(&o.flow);
 	return ok;
 }
@@ -524,11 +531,11 @@ add_products(struct chart *chart, const struct plant *p,
 	const struct circuit *c = p->circuit;
 	FREED struct plant_line *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
-	size_t n = plant_list_lines(p, o, line), products = 0;
+	size_t n = plant_list_streams(p, o, line), products = 0;
 	for (size_t i = 0; i < n; i++) {
 		if (line[i].unit == NULL)
 			continue;
-		struct chart_series look = site_chart_style(products);
+		struct chart_series look = site_chart_series_style(products);
 		look.line = CHART_SOLID;
 		chart_add(chart, look, POINTS, "%s", line[i].name);
 		unit[products++] = line[i].unit;
@@ -543,9 +550,9 @@ tph_of_product(const struct plant *p, const struct plant_result *o,
 	double range[2];
 	if (o->flow.open)
 		return (struct figure){NAN, NAN, NAN};
-	range_tph(p, o, unit, 0, range);
+	range_of_tph(p, o, unit, 0, range);
 	return (struct figure){
-	    flow_into_unit(&o->flow, unit), range[0], range[1]};
+	    flow_tph_into_unit(&o->flow, unit), range[0], range[1]};
 }
 
 /* Draws a line with its band for each product, t/h, at speeds from..to, m/s,
@@ -556,9 +563,9 @@ flow_chart(const struct plant *p, double from, double to)
 {
 	const struct circuit *c = p->circuit;
 	struct chart *chart = site_chart(p->question->entry->site,
-	    axis_linear(tr("tip speed, m/s"), from, to),
-	    axis_linear("t/h", 0, c->tph), "products of %g t/h against speed",
-	    c->tph);
+	    axis_new_linear(tr("tip speed, m/s"), from, to),
+	    axis_new_linear("t/h", 0, c->tph),
+	    "products of %g t/h against speed", c->tph);
 	FREED const struct unit **unit =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *unit);
 	size_t n = 0;
@@ -568,17 +575,17 @@ flow_chart(const struct plant *p, double from, double to)
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			site_chart_figure(chart->series[i], k, o.speed,
+			site_chart_set_figure(chart->series[i], k, o.speed,
 			    tph_of_product(p, &o, unit[i]));
 		flow_free(&o.flow);
 	}
 	for (size_t i = 0; i < n; i++)
-		site_chart_end_figures(chart->series[i]);
+		site_chart_finish_band(chart->series[i]);
 	if (n > 0 && chart->series[0]->low != NULL)
 		chart_note(chart, "band: %.0f %% uncertainty",
 		    100 * p->question->level);
 	/* The light at the middle speed; further out it is no better. */
-	FREED char *light = light_words_at(
+	FREED char *light = light_describe_at_speed(
 	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);
 	return chart;
@@ -589,14 +596,14 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct plant p;
-	question_as_last(s, args, q);
-	if (!plant_read(s, args, q, &p, error))
+	question_use_last_speed_and_feed(s, args, q);
+	if (!plant_parse_options(s, args, q, &p, error))
 		return false;
-	bool ok = args->best ? flow_show_best(&p, args, error)
-			     : flow_show_at(&p, q->speed, error);
-	if (ok && plot_writes_image(s) && s->document == NULL) {
+	bool ok = args->best ? show_best_speed_for_flow(&p, args, error)
+			     : show_flow_at_speed(&p, q->speed, error);
+	if (ok && plot_is_image_wanted(s) && s->document == NULL) {
 		double from, to;
-		ok = conditions_speeds(
+		ok = conditions_speed_range_of_args(
 			 s, args, q->entry->site, &from, &to, error) &&
 		     plot_write_image(s, flow_chart(&p, from, to), error);
 	}

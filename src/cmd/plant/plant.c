@@ -1,6 +1,5 @@
-/* Solves the circuit for the draws at a speed (circuit_flow), and adds power
- * and earnings draw by draw.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solves the circuit for the draws at a speed (circuit_compute_flow), and adds
+ * power and earnings draw by draw. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/plant/plant.h"
 
 #include <math.h>
@@ -24,7 +23,7 @@ enum { FRACTIONS = CIRCUIT_UNITS / 5, EDGES = 2 * FRACTIONS };
 /* Returns the next part of a list with commas, trimmed, or NULL at its end.
  * The caller frees it. */
 static char *
-next_part(const char **at)
+next_list_part(const char **at)
 {
 	if (**at == '\0')
 		return NULL;
@@ -49,13 +48,14 @@ do_fractions_overlap(const struct fraction *a, const struct fraction *b)
 }
 
 static bool
-read_fractions(const char *text, struct cuts *c, struct error *error)
+parse_fractions(const char *text, struct cuts *c, struct error *error)
 {
 	char *part;
 	bool ok = true;
-	for (const char *at = text; ok && (part = next_part(&at)) != NULL;) {
+	for (const char *at = text;
+	     ok && (part = next_list_part(&at)) != NULL;) {
 		struct fraction f = {0};
-		ok = quantities_fraction(part, &f, error);
+		ok = quantities_parse_fraction(part, &f, error);
 		for (size_t i = 0; ok && i < c->n; i++)
 			if (do_fractions_overlap(&f, &c->fraction[i]))
 				ok = error_set(error, ERROR_USAGE,
@@ -81,13 +81,13 @@ read_fractions(const char *text, struct cuts *c, struct error *error)
 		ok = error_set(error, ERROR_USAGE,
 		    "expected fractions, got none\n"
 		    "write fractions such as 0/2,2/5,5/8,8/11.2");
-	c->n_edge = psd_sort(c->edge, c->n_edge, 0);
+	c->n_edge = psd_sort_distinct_sizes(c->edge, c->n_edge, 0);
 	return ok;
 }
 
 /* Returns "2/5"; for a fraction without an upper size "+11.2". */
 static char *
-fraction_name(double fine, double coarse)
+name_of_fraction(double fine, double coarse)
 {
 	if (!(coarse > 0))
 		return xasprintf("+%g", units_mm(fine));
@@ -97,11 +97,11 @@ fraction_name(double fine, double coarse)
 
 /* True if a list has that name.  Adds 1 to *taken if so. */
 static bool
-plant_is_listed(const char *list, const char *name, size_t *taken)
+is_name_in_list(const char *list, const char *name, size_t *taken)
 {
 	char *part;
 	bool found = false;
-	for (const char *at = list; (part = next_part(&at)) != NULL;) {
+	for (const char *at = list; (part = next_list_part(&at)) != NULL;) {
 		found = found || strcmp(part, name) == 0;
 		free(part);
 	}
@@ -114,7 +114,7 @@ count_list_parts(const char *list)
 {
 	size_t n = 0;
 	char *part;
-	for (const char *at = list; (part = next_part(&at)) != NULL; n++)
+	for (const char *at = list; (part = next_list_part(&at)) != NULL; n++)
 		free(part);
 	return n;
 }
@@ -123,7 +123,7 @@ static struct unit *
 add_unit_with_inlet(
     struct circuit *c, enum unit_kind kind, const char *name, size_t in)
 {
-	struct unit *unit = circuit_unit(c, kind, name);
+	struct unit *unit = circuit_add_unit(c, kind, name);
 	unit->n_in = 1;
 	unit->in[0] = in;
 	return unit;
@@ -136,14 +136,14 @@ add_screen(struct circuit *c, const struct args *args, double opening,
     const char *name, bool last, size_t *now)
 {
 	struct unit *screen = add_unit_with_inlet(c, UNIT_SCREEN, "", *now);
-	FREED char *under = last ? fraction_name(0, opening)
+	FREED char *under = last ? name_of_fraction(0, opening)
 				 : xasprintf("-%g", units_mm(opening));
 	screen->opening = opening;
 	screen->partition.sharpness = args->sharpness;
 	screen->partition.cut_size = args->cut_size / 100;
 	screen->n_out = 2;
-	screen->out[0] = circuit_stream(c, name);
-	screen->out[1] = *now = circuit_stream(c, under);
+	screen->out[0] = circuit_find_or_add_stream(c, name);
+	screen->out[1] = *now = circuit_find_or_add_stream(c, under);
 	return screen->out[0];
 }
 
@@ -151,13 +151,13 @@ add_screen(struct circuit *c, const struct args *args, double opening,
 static struct unit *
 add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 {
-	struct unit *new = circuit_unit(c, UNIT_FEED, "");
+	struct unit *new = circuit_add_unit(c, UNIT_FEED, "");
 	new->n_out = 1;
-	new->out[0] = circuit_stream(c, "new feed");
+	new->out[0] = circuit_find_or_add_stream(c, "new feed");
 	struct unit *crusher =
 	    add_unit_with_inlet(c, UNIT_CRUSHER, "", new->out[0]);
 	crusher->n_out = 1;
-	crusher->out[0] = *crushed = circuit_stream(c, "crushed");
+	crusher->out[0] = *crushed = circuit_find_or_add_stream(c, "crushed");
 	crusher->cascade = args->cascade / 100;
 	return crusher;
 }
@@ -173,12 +173,12 @@ build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
 	struct unit *crusher = add_crusher(c, args, &now);
 	for (size_t i = 0; i <= cuts->n_edge; i++) {
 		bool pan = i == cuts->n_edge;
-		FREED char *name = fraction_name(
+		FREED char *name = name_of_fraction(
 		    pan ? 0 : cuts->edge[i], i > 0 ? cuts->edge[i - 1] : 0);
 		size_t over = pan ? now
 				  : add_screen(c, args, cuts->edge[i], name,
 					i + 1 == cuts->n_edge, &now);
-		if (plant_is_listed(p->back, name, &taken) &&
+		if (is_name_in_list(p->back, name, &taken) &&
 		    crusher->n_in < UNIT_STREAMS)
 			crusher->in[crusher->n_in++] = over;
 		else
@@ -193,7 +193,8 @@ build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
 }
 
 static bool
-read_options(const struct args *args, struct plant *p, struct error *error)
+parse_plant_options(
+    const struct args *args, struct plant *p, struct error *error)
 {
 	struct cuts cuts = {0};
 	if (!(args->tph > 0))
@@ -202,7 +203,7 @@ read_options(const struct args *args, struct plant *p, struct error *error)
 		    "write: flow tph=120 fractions=0/2,2/5,5/8,8/11.2");
 	p->circuit = circuit_new();
 	p->back = xstrdup(args->recycle != NULL ? args->recycle : "");
-	return read_fractions(args->fractions, &cuts, error) &&
+	return parse_fractions(args->fractions, &cuts, error) &&
 	       build_circuit(args, &cuts, p, error);
 }
 
@@ -214,11 +215,11 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	const char *path = args->circuit;
 	struct error_list errors = {.stop = p->s->hooks.stop};
 	for (size_t i = 0; i < ARRAY_LEN(of_file); i++)
-		if (args_given(args, of_file[i]))
+		if (args_is_given(args, of_file[i]))
 			return error_set(error, ERROR_USAGE,
 			    "%s= is given, but the circuit is that of a file\n"
 			    "say it in %s, see tipspeed-circuit(5)",
-			    args_name(args, of_file[i]), path);
+			    args_option_name(args, of_file[i]), path);
 	files_note_read(p->s, path);
 	p->from_file = true;
 	p->circuit = circuit_file_read(path, &errors);
@@ -239,7 +240,7 @@ drop_equal_sizes(double *size, size_t n)
 {
 	const double alike = 1e-9;
 	size_t kept = 0;
-	n = psd_sort(size, n, 0);
+	n = psd_sort_distinct_sizes(size, n, 0);
 	for (size_t i = 0; i < n; i++)
 		if (kept == 0 || size[i] < size[kept - 1] * (1 - alike))
 			size[kept++] = size[i];
@@ -253,13 +254,13 @@ static void
 choose_class_sizes(const struct site *site, struct plant *p)
 {
 	enum { MOST = 120 };
-	const struct psd *feed = site_feed(site, p->question->feed);
-	struct psd sieves = predict_sizes(site, feed);
-	struct psd all = psd_refined(sieves.size, sieves.n);
+	const struct psd *feed = site_feed_of_run(site, p->question->feed);
+	struct psd sieves = predict_table_sizes(site, feed);
+	struct psd all = psd_new_with_sizes_between(sieves.size, sieves.n);
 	struct circuit *c = p->circuit;
 	const struct psd *from = all.n <= MOST ? &all : feed;
 	size_t step = (from->n + MOST - 1) / MOST;
-	p->size = xdoubles(from->n + c->n_unit + 2);
+	p->size = xcalloc_doubles(from->n + c->n_unit + 2);
 	for (size_t i = 0; i < from->n; i += step)
 		p->size[p->n++] = from->size[i];
 	p->size[p->n++] = all.size[0];
@@ -278,11 +279,11 @@ static bool
 check_screens(
     const struct site *site, const struct plant *p, struct error *error)
 {
-	const struct psd *feed = site_feed(site, p->question->feed);
+	const struct psd *feed = site_feed_of_run(site, p->question->feed);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		double cut = unit->opening * unit->partition.cut_size;
-		if (unit->kind == UNIT_SCREEN && !psd_covers(feed, cut))
+		if (unit->kind == UNIT_SCREEN && !psd_covers_size(feed, cut))
 			return error_set(error, ERROR_USAGE,
 			    "a screen at %g mm cuts finer than the feed's "
 			    "finest sieve, %g mm\nuse sizes on or above that "
@@ -320,12 +321,12 @@ set_price_of_product(struct circuit *c, const char *name, double price,
 
 /* Reads "0/2:12". */
 static bool
-read_price(
+parse_price(
     struct circuit *c, const char *part, bool *priced, struct error *error)
 {
 	char *name = xstrdup(part), *colon = strrchr(name, ':');
 	double price;
-	bool ok = colon != NULL && text_number(colon + 1, &price);
+	bool ok = colon != NULL && text_parse_number(colon + 1, &price);
 	if (!ok)
 		error_set(error, ERROR_USAGE,
 		    "expected a fraction and its price per t, got '%s'\n"
@@ -340,15 +341,15 @@ read_price(
 }
 
 static bool
-read_prices(const struct args *args, struct plant *p, struct error *error)
+parse_prices(const struct args *args, struct plant *p, struct error *error)
 {
 	FREED bool *priced = xcalloc(p->circuit->n_unit + 1, sizeof *priced);
 	char *part;
 	bool ok = true;
 	if (args->prices != NULL)
 		for (const char *at = args->prices;
-		     ok && (part = next_part(&at)) != NULL; free(part))
-			ok = read_price(p->circuit, part, priced, error);
+		     ok && (part = next_list_part(&at)) != NULL; free(part))
+			ok = parse_price(p->circuit, part, priced, error);
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		p->priced = p->priced || isfinite(p->circuit->unit[u].price);
 	p->kwh = args->kwh;
@@ -364,7 +365,7 @@ add_reading(struct plant *p, struct reading reading)
 
 /* Reads "72:187:121", or "66:52:0" for an empty crusher. */
 static bool
-read_reading(struct plant *p, const char *part, struct error *error)
+parse_reading(struct plant *p, const char *part, struct error *error)
 {
 	double value[3];
 	char *copy = xstrdup(part), *at = copy;
@@ -373,7 +374,7 @@ read_reading(struct plant *p, const char *part, struct error *error)
 		char *colon = i < 2 && at != NULL ? strchr(at, ':') : NULL;
 		if (colon != NULL)
 			*colon = '\0';
-		ok = ok && at != NULL && text_number(at, &value[i]) &&
+		ok = ok && at != NULL && text_parse_number(at, &value[i]) &&
 		     (value[i] > 0 || (i == 2 && value[i] == 0));
 		at = colon != NULL ? colon + 1 : NULL;
 	}
@@ -390,18 +391,19 @@ read_reading(struct plant *p, const char *part, struct error *error)
 /* Reads "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", which add
  * writes. */
 static void
-read_reading_of_note(struct plant *p, const char *note)
+parse_reading_of_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
 	char *part;
-	for (const char *at = note; (part = next_part(&at)) != NULL; free(part))
+	for (const char *at = note; (part = next_list_part(&at)) != NULL;
+	     free(part))
 		for (size_t i = 0; i < 3; i++) {
 			if (!text_ends_with(part, UNITS[i]))
 				continue;
 			double v;
 			part[strlen(part) - strlen(UNITS[i])] = '\0';
-			if (text_number(part, &v) && v > 0)
+			if (text_parse_number(part, &v) && v > 0)
 				value[i] = v;
 		}
 	if (isfinite(value[0] + value[1] + value[2]))
@@ -409,64 +411,66 @@ read_reading_of_note(struct plant *p, const char *note)
 }
 
 static bool
-read_power(const struct args *args, const struct site *site, struct plant *p,
-    struct error *error)
+parse_power_options(const struct args *args, const struct site *site,
+    struct plant *p, struct error *error)
 {
 	char *part;
 	bool ok = true;
 	if (args->power != NULL) {
 		for (const char *at = args->power;
-		     ok && (part = next_part(&at)) != NULL; free(part))
-			ok = read_reading(p, part, error);
+		     ok && (part = next_list_part(&at)) != NULL; free(part))
+			ok = parse_reading(p, part, error);
 		return ok;
 	}
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, "cut") == 0)
-			read_reading_of_note(p, site->note[i].value);
+			parse_reading_of_note(p, site->note[i].value);
 	p->of_cuts = p->n_reading > 0;
 	return true;
 }
 
 static void
-make_crushers(struct plant *p)
+make_crusher_models(struct plant *p)
 {
 	const struct entry *entry = p->question->entry;
-	const struct breakage *of = breakage_of(&entry->params);
-	const struct psd *feed = site_feed(entry->site, p->question->feed);
-	struct psd sieves = predict_sizes(entry->site, feed);
-	p->crusher = outlook_crusher(p->s, entry, p->size, p->n);
+	const struct breakage *of = breakage_model_of_params(&entry->params);
+	const struct psd *feed =
+	    site_feed_of_run(entry->site, p->question->feed);
+	struct psd sieves = predict_table_sizes(entry->site, feed);
+	p->crusher = outlook_new_crusher(p->s, entry, p->size, p->n);
 	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
 	p->power = power_fit(p->reading, p->n_reading);
 	p->bypass = of->bypass ? entry->params.at[of->n - 1] : 0;
-	p->feed = xdoubles(p->n);
-	crusher_classes(p->crusher, feed, p->feed);
+	p->feed = xcalloc_doubles(p->n);
+	crusher_class_masses_of_feed(p->crusher, feed, p->feed);
 	crusher_set_feed(p->crusher, feed, sieves.size, sieves.n);
 	psd_free(&sieves);
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		if (p->circuit->unit[u].speed > 0)
-			p->own[u] =
-			    crusher_at(p->crusher, p->circuit->unit[u].speed);
+			p->own[u] = crusher_transfer_at_speed(
+			    p->crusher, p->circuit->unit[u].speed);
 }
 
 bool
-plant_read(struct session *s, const struct args *args, const struct question *q,
-    struct plant *plant, struct error *error)
+plant_parse_options(struct session *s, const struct args *args,
+    const struct question *q, struct plant *plant, struct error *error)
 {
 	const struct site *site = q->entry->site;
 	*plant = (struct plant){.s = s, .question = q};
-	bool ok = args->circuit != NULL ? read_circuit_file(args, plant, error)
-					: read_options(args, plant, error);
+	bool ok = args->circuit != NULL
+		      ? read_circuit_file(args, plant, error)
+		      : parse_plant_options(args, plant, error);
 	if (ok && args->tph > 0)
 		plant->circuit->tph = args->tph;
 	ok = ok && check_screens(site, plant, error) &&
-	     read_prices(args, plant, error) &&
-	     read_power(args, site, plant, error);
+	     parse_prices(args, plant, error) &&
+	     parse_power_options(args, site, plant, error);
 	if (!ok) {
 		plant_free(plant);
 		return false;
 	}
 	choose_class_sizes(site, plant);
-	make_crushers(plant);
+	make_crusher_models(plant);
 	return true;
 }
 
@@ -486,7 +490,7 @@ plant_free(struct plant *p)
 }
 
 double
-plant_rotor_share(const struct plant *p, const struct unit *unit)
+plant_share_through_rotor(const struct plant *p, const struct unit *unit)
 {
 	return (1 - unit->cascade) * (1 - p->bypass);
 }
@@ -506,11 +510,11 @@ add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 	size_t of = d % o->flow.draws;
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
-		double tph = flow_draw_into_unit(&o->flow, unit, of);
+		double tph = flow_tph_into_unit_in_draw(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw += power_at(&p->power, d,
+			kw += size_to_alpha_at(&p->power, d,
 			    plant_speed_of_unit(unit, o->speed),
-			    tph * plant_rotor_share(p, unit));
+			    tph * plant_share_through_rotor(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
 			money += tph * unit->price;
 	}
@@ -524,11 +528,11 @@ struct plant_result
 plant_solve_at(const struct plant *p, double speed)
 {
 	struct plant_result o = {.speed = speed};
-	struct transfer *t = crusher_at(p->crusher, speed);
+	struct transfer *t = crusher_transfer_at_speed(p->crusher, speed);
 	FREED struct transfer **of = xcalloc(p->circuit->n_unit, sizeof(*of));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
-	o.flow = circuit_flow(p->circuit, p->feed, p->size, p->n, of);
+	o.flow = circuit_compute_flow(p->circuit, p->feed, p->size, p->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		add_power_and_earnings(p, &o, d);
 	transfer_free(t);
@@ -536,7 +540,7 @@ plant_solve_at(const struct plant *p, double speed)
 }
 
 size_t
-plant_list_lines(const struct plant *p, const struct plant_result *o,
+plant_list_streams(const struct plant *p, const struct plant_result *o,
     struct plant_line *line)
 {
 	const struct circuit *c = p->circuit;
@@ -561,7 +565,7 @@ plant_list_lines(const struct plant *p, const struct plant_result *o,
 }
 
 bool
-plant_error_not_steady(
+plant_set_error_not_steady(
     const struct plant *p, const struct plant_result *o, struct error *error)
 {
 	return error_set(error, ERROR_NUMERIC,
@@ -578,7 +582,7 @@ plant_idle_power(const struct plant *p, double speed, double range[static 2])
 {
 	double draw[POWER_DRAWS], mean = 0;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
-		draw[d] = power_idle(&p->power, d, speed);
+		draw[d] = power_idle_of_draw(&p->power, d, speed);
 		mean += draw[d] / POWER_DRAWS;
 	}
 	ensemble_interval_with_answer(draw, p->question->level, mean, range);
@@ -586,7 +590,7 @@ plant_idle_power(const struct plant *p, double speed, double range[static 2])
 }
 
 char *
-plant_power_words(const struct plant *p, const struct plant_result *o)
+plant_power_basis_text(const struct plant *p, const struct plant_result *o)
 {
 	const struct power *w = &p->power;
 	double range[2], idle = plant_idle_power(p, o->speed, range);
@@ -603,10 +607,10 @@ plant_power_words(const struct plant *p, const struct plant_result *o)
 		w->n, p->of_cuts ? tr("of the belt cuts") : tr("given"), idle,
 		range[0], range[1], o->speed);
 	if (w->n > 3)
-		xlist(&words, "; ",
+		xappend_to_list(&words, "; ",
 		    tr("the readings differ from it by %.1f kW (RMS)"), w->rms);
 	if (range[1] - range[0] > 0.1 * o->kw)
-		xlist(&words, "; ", "%s",
+		xappend_to_list(&words, "; ", "%s",
 		    tr("the readings cannot separate idle from load: also read "
 		       "the empty crusher at two speeds, as in "
 		       "power=66:kW:0,78:kW:0"));

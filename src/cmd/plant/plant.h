@@ -35,7 +35,7 @@ struct plant {
 
 /* Reads the options and the file of the call.  If that fails, there is nothing
  * to free. */
-bool plant_read(struct session *s, const struct args *args,
+bool plant_parse_options(struct session *s, const struct args *args,
     const struct question *q, struct plant *plant, struct error *error);
 void plant_free(struct plant *plant);
 
@@ -46,9 +46,10 @@ struct plant_result {
 	double kw, money, kw_draw[POSTERIOR_DRAWS], money_draw[POSTERIOR_DRAWS];
 };
 
-/* plant_rotor_share returns the share of a crusher's feed that meets the rotor;
- * plant_speed_of_unit its speed. */
-double plant_rotor_share(const struct plant *p, const struct unit *unit);
+/* plant_share_through_rotor returns the share of a crusher's feed that meets
+ * the rotor; plant_speed_of_unit its speed. */
+double plant_share_through_rotor(
+    const struct plant *p, const struct unit *unit);
 double plant_speed_of_unit(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
@@ -63,11 +64,11 @@ struct plant_line {
 
 /* Lists products and returned streams, [n_stream + n_unit] out, from fine to
  * coarse, or for a circuit from a file in its order.  Returns their number. */
-size_t plant_list_lines(const struct plant *p, const struct plant_result *o,
+size_t plant_list_streams(const struct plant *p, const struct plant_result *o,
     struct plant_line *line);
 
 /* Sets the error for an outcome that did not become steady.  Returns false. */
-bool plant_error_not_steady(
+bool plant_set_error_not_steady(
     const struct plant *p, const struct plant_result *o, struct error *error);
 
 /* Returns the power of the empty crusher at a speed, kW, estimated from the
@@ -76,6 +77,7 @@ double plant_idle_power(
     const struct plant *p, double speed, double range[static 2]);
 
 /* Returns the basis of the power estimate, in words.  The caller frees it. */
-char *plant_power_words(const struct plant *p, const struct plant_result *o);
+char *plant_power_basis_text(
+    const struct plant *p, const struct plant_result *o);
 
 #endif

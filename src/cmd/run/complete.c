@@ -30,7 +30,7 @@ struct work {
 
 /* readline would print candidates unescaped. */
 static void
-complete_put(struct work *w, const char *text, char append)
+put_candidate(struct work *w, const char *text, char append)
 {
 	struct completion *c = w->result;
 	if (!text_is_plain(text))
@@ -43,12 +43,12 @@ static void
 offer_if_matching(struct work *w, const char *text, char append)
 {
 	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
-		complete_put(w, text, append);
+		put_candidate(w, text, append);
 }
 
 /* Offers the first word of a name, once. */
 static void
-offer_name(struct work *w, const char *name)
+offer_command_name(struct work *w, const char *name)
 {
 	FREED char *word = xstrndup(name, strcspn(name, " "));
 	bool there = false;
@@ -62,9 +62,9 @@ static void
 offer_commands(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		offer_name(w, c->name);
+		offer_command_name(w, c->name);
 		if (c->alias != NULL)
-			offer_name(w, c->alias);
+			offer_command_name(w, c->alias);
 	}
 }
 
@@ -87,7 +87,7 @@ offer_groups(struct work *w)
 }
 
 static void
-offer_answers(struct work *w)
+offer_answer_values(struct work *w)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++)
 		offer_if_matching(w, ANSWERS_NAMES[i].name, ' ');
@@ -105,11 +105,11 @@ offer_parameters(struct work *w)
 static void
 offer_sites(struct work *w)
 {
-	FREED char *folded = text_fold(w->typed);
+	FREED char *folded = text_fold_case_and_accents(w->typed);
 	for (size_t i = 0; i < w->session->n_entry; i++) {
 		const char *key = w->session->entry[i].key;
 		if (strncmp(key, folded, strlen(folded)) == 0)
-			complete_put(w, key, ' ');
+			put_candidate(w, key, ' ');
 	}
 }
 
@@ -120,7 +120,7 @@ offer_speeds(struct work *w)
 		return;
 	const struct site *site = w->session->entry[w->session->current].site;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (site_run_repeats(site, r))
+		if (site_run_repeats_speed(site, r))
 			continue;
 		FREED char *text = xasprintf("%g", site->run[r].speed);
 		offer_if_matching(w, text, ' ');
@@ -129,12 +129,12 @@ offer_speeds(struct work *w)
 
 /* Quotes names with characters that would end the word. */
 static void
-put_material(void *data, const char *name)
+add_material_candidate(void *data, const char *name)
 {
 	struct work *w = data;
 	bool quotes = w->quoted || name[strcspn(name, " ;|<>")] != '\0';
 	FREED char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
-	complete_put(w, text, ' ');
+	put_candidate(w, text, ' ');
 }
 
 /* Ignores case and accents, as `recall` does.  Offers no more than a user would
@@ -145,13 +145,13 @@ offer_materials(struct work *w)
 	enum { MOST = 200 };
 	struct stored_list paper = {0};
 	struct error error = {0};
-	store_names_beginning(
-	    w->session->store, w->typed, MOST, put_material, w, &error);
-	stored_table3(&paper);
-	FREED char *folded = text_fold(w->typed);
+	store_visit_names_beginning(w->session->store, w->typed, MOST,
+	    add_material_candidate, w, &error);
+	stored_add_table3(&paper);
+	FREED char *folded = text_fold_case_and_accents(w->typed);
 	for (size_t i = 0; i < paper.n; i++)
 		if (strncmp(paper.item[i].name, folded, strlen(folded)) == 0)
-			put_material(w, paper.item[i].name);
+			add_material_candidate(w, paper.item[i].name);
 	stored_list_free(&paper);
 }
 
@@ -159,19 +159,20 @@ offer_materials(struct work *w)
 static void
 offer_specs(struct work *w)
 {
-	struct standards *all = standards_shipped();
-	FREED char *folded = text_fold(w->typed);
+	struct standards *all = standards_read_built_in();
+	FREED char *folded = text_fold_case_and_accents(w->typed);
 	for (size_t i = 0; i < all->n; i++) {
-		FREED char *name = text_fold(all->spec[i]->name);
+		FREED char *name =
+		    text_fold_case_and_accents(all->spec[i]->name);
 		FREED char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
 		if (strncmp(name, folded, strlen(folded)) == 0)
-			complete_put(w, quoted, ' ');
+			put_candidate(w, quoted, ' ');
 	}
 	standards_free(all);
 }
 
 static void
-complete_put_file(struct work *w, const char *path)
+add_file_candidate(struct work *w, const char *path)
 {
 	struct stat status;
 	bool folder = stat(path, &status) == 0 && S_ISDIR(status.st_mode);
@@ -180,7 +181,7 @@ complete_put_file(struct work *w, const char *path)
 	/* After a folder the quote stays open for the rest of the path. */
 	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
-	complete_put(w, text, folder ? '\0' : ' ');
+	put_candidate(w, text, folder ? '\0' : ' ');
 }
 
 static void
@@ -188,7 +189,7 @@ offer_files(struct work *w)
 {
 	if (w->session->safe)
 		return;
-	const char *tail = file_name(w->typed);
+	const char *tail = file_name_without_folders(w->typed);
 	size_t head = (size_t)(tail - w->typed);
 	FREED char *folder = head > 0 ? xstrndup(w->typed, head) : xstrdup(".");
 	DIR *dir = opendir(folder);
@@ -204,7 +205,7 @@ offer_files(struct work *w)
 			continue;
 		FREED char *path =
 		    xasprintf("%.*s%s", (int)head, w->typed, e->d_name);
-		complete_put_file(w, path);
+		add_file_candidate(w, path);
 	}
 	closedir(dir);
 }
@@ -212,21 +213,21 @@ offer_files(struct work *w)
 /* Offers the sites that load knows by name, if the word matches no file and is
  * not empty. */
 static void
-offer_shipped(struct work *w)
+offer_shipped_sites(struct work *w)
 {
 	static const char END[] = ".csv";
-	FREED char *typed = text_fold(w->typed);
+	FREED char *typed = text_fold_case_and_accents(w->typed);
 	bool other = w->session->safe || typed[0] == '\0';
 	for (size_t i = 0; i < w->result->n; i++)
 		other = other || w->result->candidate[i].append != '=';
-	FREED char *path = shipped_folder();
+	FREED char *path = shipped_sites_folder();
 	DIR *dir = other ? NULL : opendir(path);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
 		FREED char *name = xstrdup(e->d_name);
 		if (text_ends_with(name, END) &&
 		    strncmp(name, typed, strlen(typed)) == 0) {
 			name[strlen(name) - strlen(END)] = '\0';
-			complete_put(w, name, ' ');
+			put_candidate(w, name, ' ');
 		}
 	}
 	if (dir != NULL)
@@ -237,14 +238,14 @@ offer_shipped(struct work *w)
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);
-} KINDS[] = {{"ANSWER", offer_answers}, {"COMMAND", offer_commands},
+} KINDS[] = {{"ANSWER", offer_answer_values}, {"COMMAND", offer_commands},
     {"FILE", offer_files}, {"GROUP", offer_groups},
     {"MATERIAL", offer_materials}, {"PARAMETER", offer_parameters},
-    {"SHIPPED", offer_shipped}, {"SITE", offer_sites}, {"SPEC", offer_specs},
-    {"SPEED", offer_speeds}};
+    {"SHIPPED", offer_shipped_sites}, {"SITE", offer_sites},
+    {"SPEC", offer_specs}, {"SPEED", offer_speeds}};
 
 static void
-offer_kind(struct work *w, const char *word)
+offer_words_of_kind(struct work *w, const char *word)
 {
 	size_t i = 0;
 	while (i < ARRAY_LEN(KINDS) && strcmp(KINDS[i].word, word) != 0)
@@ -262,13 +263,13 @@ offer_words(struct work *w, const char *list)
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save))
 		if (isupper((unsigned char)word[0]))
-			offer_kind(w, word);
+			offer_words_of_kind(w, word);
 		else
 			offer_if_matching(w, word, ' ');
 }
 
 static void
-offer_operand(struct work *w, const struct command *command, size_t i)
+offer_operand_values(struct work *w, const struct command *command, size_t i)
 {
 	size_t last = 0;
 	while (last + 1 < EXPECTS && command->operands.expect[last + 1] != NULL)
@@ -308,23 +309,23 @@ offer_arguments(struct work *w, const struct args *used)
 		    strcmp(o->name, command->bare) == 0)
 			offer_values(w, o, false);
 	}
-	offer_operand(w, command, used->n_operand);
+	offer_operand_values(w, command, used->n_operand);
 }
 
 /* Restricts the completion to the part of the word after `behind`. */
 static void
-complete_narrow(struct work *w, const char *line, const char *behind)
+complete_only_after(struct work *w, const char *line, const char *behind)
 {
 	w->result->start = (size_t)(behind - line) + 1;
 	w->quoted = behind[1] == '"';
 	free(w->typed);
-	w->typed = text_unquoted(behind + 1, strlen(behind + 1));
+	w->typed = text_without_quotes(behind + 1, strlen(behind + 1));
 }
 
 /* Returns the option of which the word is a value, by name or as the bare
  * option; or NULL. */
 static const struct command_option *
-option_at(const struct args *used, const char *typed, bool *named)
+option_of_value(const struct args *used, const char *typed, bool *named)
 {
 	const struct command *command = used->command;
 	size_t key = strcspn(typed, "="), i = OPTIONS;
@@ -341,7 +342,7 @@ option_at(const struct args *used, const char *typed, bool *named)
 
 /* Returns the setting whose value follows, as after "set method "; or NULL. */
 static const struct command_option *
-setting_named(const struct args *used, const char *last)
+setting_awaiting_value(const struct args *used, const char *last)
 {
 	size_t i = command_option_index(used->command, last);
 	return (used->command->flags & COMMAND_SETTINGS) != 0 && i < OPTIONS &&
@@ -351,19 +352,21 @@ setting_named(const struct args *used, const char *last)
 }
 
 static void
-offer_for_call(
+offer_arguments_or_values(
     struct work *w, const struct args *used, const char *line, const char *last)
 {
 	bool named;
-	const struct command_option *o = option_at(used, w->typed, &named);
+	const struct command_option *o =
+	    option_of_value(used, w->typed, &named);
 	const char *word = line + w->result->start;
 	if (named)
-		complete_narrow(w, line, strchr(word, '='));
+		complete_only_after(w, line, strchr(word, '='));
 	bool further =
 	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	if (further)
-		complete_narrow(w, line, strrchr(word, ','));
-	const struct command_option *setting = setting_named(used, last);
+		complete_only_after(w, line, strrchr(word, ','));
+	const struct command_option *setting =
+	    setting_awaiting_value(used, last);
 	if (named)
 		offer_values(w, o, further);
 	else if (setting != NULL)
@@ -382,7 +385,8 @@ offer_after_words(struct work *w, const struct words *words, struct place place,
 		offer_second_words(w, words->text[0]);
 	parse_call(words, place, &used, &none);
 	if (used.command != NULL)
-		offer_for_call(w, &used, line, words->text[words->n - 1]);
+		offer_arguments_or_values(
+		    w, &used, line, words->text[words->n - 1]);
 	args_free(&used);
 }
 
@@ -439,13 +443,13 @@ sort_candidates(struct completion *c)
 
 /* line: up to the cursor. */
 static void
-complete_end(struct work *w, const char *line)
+complete_last_word(struct work *w, const char *line)
 {
 	size_t from;
 	if (!find_last_word(line, &from, &w->result->start))
 		return;
 	size_t start = w->result->start;
-	w->typed = text_unquoted(line + start, strlen(line + start));
+	w->typed = text_without_quotes(line + start, strlen(line + start));
 	w->quoted = line[start] == '"';
 	FREED char *before = xstrndup(line + from, start - from);
 	struct words words;
@@ -466,13 +470,13 @@ complete_end(struct work *w, const char *line)
 }
 
 struct completion *
-complete(const struct session *s, const char *line, size_t cursor)
+complete_at_cursor(const struct session *s, const char *line, size_t cursor)
 {
 	struct work w = {.session = s};
 	w.result = xcalloc(1, sizeof *w.result);
 	w.result->start = cursor;
 	FREED char *head = xstrndup(line, cursor);
-	complete_end(&w, head);
+	complete_last_word(&w, head);
 	return w.result;
 }
 

@@ -26,7 +26,7 @@ struct completion {
 /* Returns the candidates at the cursor, an offset into line.  Text after the
  * cursor is ignored.  Reads the session and, for files, folders; changes
  * nothing and cannot fail.  Free with completion_free. */
-struct completion *complete(
+struct completion *complete_at_cursor(
     const struct session *s, const char *line, size_t cursor);
 void completion_free(struct completion *completion);
 

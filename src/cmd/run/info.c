@@ -19,7 +19,7 @@
 
 /* Help for a new user. */
 static void
-print_start(FILE *out)
+print_getting_started(FILE *out)
 {
 	fputs(tr("In the order of work, for the site file quarry.csv:\n"
 		 "  load quarry.csv    check    calibrate    validate    "
@@ -29,9 +29,9 @@ print_start(FILE *out)
 	FREED char *groups = xstrdup("");
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->flags & COMMAND_DAILY)
-			usage_brief(c, out);
+			usage_print_brief(c, out);
 		if (strcmp(command_group(c), last) != 0)
-			xlist(&groups, ", ", "%s", command_group(c));
+			xappend_to_list(&groups, ", ", "%s", command_group(c));
 		last = command_group(c);
 	}
 	fprintf(out, tr("\ngroups: %s\n"), groups);
@@ -52,7 +52,7 @@ stream_for_help(const struct session *s)
 }
 
 static bool
-is_group(const char *name)
+is_command_group(const char *name)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (strcmp(command_group(c), name) == 0)
@@ -64,7 +64,7 @@ is_group(const char *name)
 static bool
 folded_text_contains(const char *text, const char *folded)
 {
-	FREED char *here = text_fold(text != NULL ? text : "");
+	FREED char *here = text_fold_case_and_accents(text != NULL ? text : "");
 	return strstr(here, folded) != NULL;
 }
 
@@ -90,11 +90,11 @@ help_has_word(const struct command *c, const char *folded)
 static size_t
 list_commands_with_word(const struct session *s, const char *word)
 {
-	FREED char *folded = text_fold(word);
+	FREED char *folded = text_fold_case_and_accents(word);
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
 		if (help_has_word(c, folded)) {
-			usage_brief(c, stream_for_help(s));
+			usage_print_brief(c, stream_for_help(s));
 			found++;
 		}
 	return found;
@@ -103,8 +103,8 @@ list_commands_with_word(const struct session *s, const char *word)
 static bool
 error_unknown_command(const char *name, struct error *error)
 {
-	const char *near = command_nearest(name);
-	if (breakage_find(name) < breakage_count())
+	const char *near = command_nearest_name(name);
+	if (breakage_find_by_name(name) < breakage_count_models())
 		return error_set(error, ERROR_USAGE,
 		    "there is no command '%s', but a breakage model\n"
 		    "run 'show models', or 'man model'",
@@ -123,7 +123,8 @@ static const struct command *
 find_two_word_command(const char *words)
 {
 	const struct command *command = command_find(words);
-	const char *other = command != NULL ? NULL : command_nearest(words);
+	const char *other =
+	    command != NULL ? NULL : command_nearest_name(words);
 	return other != NULL ? command_find(other) : command;
 }
 
@@ -146,21 +147,21 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		    "help: expected 'example' after the command, got '%s'",
 		    args->operand[1]);
 	if (command != NULL && example)
-		usage_example(command, "", out);
+		usage_print_example(command, "", out);
 	else if (command != NULL)
-		usage_command(command, out);
+		usage_print_command(command, out);
 	else if (name == NULL)
-		print_start(out);
+		print_getting_started(out);
 	else if (strcmp(name, "all") == 0 && !example)
-		usage_list(NULL, out);
+		usage_print_command_list(NULL, out);
 	else if (strcmp(name, "options") == 0 && !example)
-		usage_shared(out);
+		usage_print_shared_options(out);
 	else if (strcmp(name, "trust") == 0 && !example)
-		usage_trust(out);
-	else if (is_group(name) && !example)
-		usage_list(name, out);
+		usage_print_trust_lights(out);
+	else if (is_command_group(name) && !example)
+		usage_print_command_list(name, out);
 	else
-		return (!example && command_nearest(name) == NULL &&
+		return (!example && command_nearest_name(name) == NULL &&
 			   list_commands_with_word(s, name) > 0) ||
 		       error_unknown_command(name, error);
 	return true;
@@ -179,17 +180,17 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 
 /* Shows the help of a command that has no page of its own. */
 static bool
-show_help(const struct session *s, const struct command_option *page,
-    const char *name, struct error *error)
+show_command_help_for_man(const struct session *s,
+    const struct command_option *page, const char *name, struct error *error)
 {
 	struct value value;
 	const struct command *command = command_find(name);
-	const char *near = command_nearest(name);
+	const char *near = command_nearest_name(name);
 	if (command != NULL) {
-		usage_command(command, stream_for_help(s));
+		usage_print_command(command, stream_for_help(s));
 		return true;
 	}
-	value_read(page, name, &value, error);
+	value_parse(page, name, &value, error);
 	if (error->hint[0] == '\0' && near != NULL)
 		error_hint(error, "did you mean '%s'?", near);
 	else if (error->hint[0] == '\0')
@@ -208,12 +209,12 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	const char *word = args->n_operand > 0 ? args->operand[0] : NULL;
 	size_t i = args->page;
 	if (word != NULL && !text_find_word(option_choices(page), word, &i))
-		return show_help(s, page, word, error);
+		return show_command_help_for_man(s, page, word, error);
 	assert(i < ARRAY_LEN(PAGES));
 	if (!s->safe && s->hooks.show_page != NULL &&
 	    s->hooks.show_page(PAGES[i]))
 		return true;
-	usage_list(NULL, stream_for_help(s));
+	usage_print_command_list(NULL, stream_for_help(s));
 	if (s->safe)
 		session_note(s,
 		    "man is not available with --safe; these are the "
@@ -236,9 +237,9 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "tipspeed", "%s", PACKAGE_VERSION);
 	answer_add_pair(r, "gsl", "%s", GSL_VERSION);
 	answer_add_pair(r, "jansson", "%s", JANSSON_VERSION);
-	answer_add_pair(r, "pictures", "%s", picture_forms());
+	answer_add_pair(r, "pictures", "%s", picture_list_forms());
 	answer_add_pair(
-	    r, "instructions", "%s", isa_name(isa_is_usable(s->isa)));
+	    r, "instructions", "%s", isa_name(isa_usable_or_best(s->isa)));
 	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
 	return session_show_answer(s, r);
 }

@@ -35,7 +35,7 @@ session_new(FILE *out, FILE *notes)
 	s->notes = notes;
 	s->journal = journal_new();
 	s->undo = undo_new();
-	s->moved = moved_new();
+	s->moved = moved_new_cache();
 	s->store = store_new(":memory:");
 	return s;
 }
@@ -45,13 +45,13 @@ session_free(struct session *s)
 {
 	if (s == NULL)
 		return;
-	session_stop(s);
-	script_close(s, 0);
+	session_abort_job(s);
+	script_close_to_depth(s, 0);
 	struct error stopped = {0};
 	session_end_finished_commands(s, false, &stopped);
 	autosave_end(s);
-	question_free_kept(s);
-	moved_free(s->moved);
+	question_free_cached(s);
+	moved_free_cache(s->moved);
 	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)
@@ -81,7 +81,7 @@ session_free(struct session *s)
 
 /* True if a word, or its part before @, names an existing file. */
 static bool
-names_existing_file(const char *word)
+is_existing_file_name(const char *word)
 {
 	const char *at = strrchr(word, '@');
 	FREED char *name = xstrndup(word, at != NULL ? (size_t)(at - word) : 0);
@@ -101,21 +101,22 @@ join_file_name(struct words *words, const struct command *command)
 		n++;
 	FREED char *whole = xstrdup("");
 	for (size_t i = 1; i < n; i++) {
-		if (names_existing_file(words->text[i]))
+		if (is_existing_file_name(words->text[i]))
 			return;
-		xlist(&whole, " ", "%s", words->text[i]);
+		xappend_to_list(&whole, " ", "%s", words->text[i]);
 	}
-	if (n > 2 && names_existing_file(whole))
-		words_join(words, 1, n - 1, whole);
+	if (n > 2 && is_existing_file_name(whole))
+		words_replace(words, 1, n - 1, whole);
 }
 
 static bool
-run_words(struct session *s, struct words *words, struct place place,
+run_command_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
-	join_file_name(words, command_find_typed(words->text[0], place.prompt));
-	if (!speeds_from_rpm(s, words, place, error))
+	join_file_name(
+	    words, command_find_abbreviated(words->text[0], place.prompt));
+	if (!speeds_convert_from_rpm(s, words, place, error))
 		return false;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
@@ -124,7 +125,7 @@ run_words(struct session *s, struct words *words, struct place place,
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->answer != NULL
-			 ? question_run(s, &args, command->answer, error)
+			 ? question_run_answer(s, &args, command->answer, error)
 			 : command->run(s, &args, error);
 		s->invocation->running = false;
 		if (!ok || invocation_is_over(s))
@@ -139,8 +140,8 @@ run_words(struct session *s, struct words *words, struct place place,
 }
 
 bool
-session_line(struct session *s, const char *line, size_t from, const char *file,
-    int number, size_t *next, struct error *error)
+session_run_line(struct session *s, const char *line, size_t from,
+    const char *file, int number, size_t *next, struct error *error)
 {
 	struct place place = {.file = file,
 	    .line = number,
@@ -152,16 +153,17 @@ session_line(struct session *s, const char *line, size_t from, const char *file,
 	while (from < end && !s->quit) {
 		struct words words;
 		bool ok = words_split(line, from, place, &words, error);
-		speeds_join(s, &words, place.prompt);
-		conditions_join(&words, place.prompt);
+		speeds_join_words_to_list(s, &words, place.prompt);
+		conditions_join_words(&words, place.prompt);
 		if (ok && words.n > 0)
-			ok = run_words(s, &words, place, error);
+			ok = run_command_words(s, &words, place, error);
 		from = words.next;
 		place.column = words.reached_column;
 		words_free(&words);
 		if (!ok)
 			return false;
-		if (session_busy(s) || s->wants_tui || s->scripts > depth) {
+		if (session_is_calibrating(s) || s->wants_tui ||
+		    s->scripts > depth) {
 			*next = from;
 			return true;
 		}

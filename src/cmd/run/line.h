@@ -12,7 +12,7 @@ void session_free(struct session *s);
  * position of the line, for errors.  Stops at the first error, and after a
  * command that started a job, opened a script or requested the full screen;
  * *next is then the offset in line at which to continue, otherwise 0. */
-bool session_line(struct session *s, const char *line, size_t from,
+bool session_run_line(struct session *s, const char *line, size_t from,
     const char *file, int number, size_t *next, struct error *error);
 
 #endif

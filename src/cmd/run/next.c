@@ -16,12 +16,12 @@
 /* Returns the number of runs with a product to compare; *held_out: whether some
  * are held out. */
 static size_t
-count_runs(const struct entry *entry, bool *held_out)
+count_runs_with_product(const struct entry *entry, bool *held_out)
 {
 	size_t n = 0;
 	*held_out = false;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_count_covered(&entry->site->run[r]) == 0)
+		if (misfit_count_covered_sieves(&entry->site->run[r]) == 0)
 			continue;
 		n++;
 		*held_out = *held_out || !entry->train[r];
@@ -30,10 +30,10 @@ count_runs(const struct entry *entry, bool *held_out)
 }
 
 static struct next
-next_before_fit(const struct session *s, const struct entry *entry)
+next_step_before_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
-	size_t n = count_runs(entry, &held_out);
+	size_t n = count_runs_with_product(entry, &held_out);
 	double checked = session_answer_number(s, "check", "ok");
 	if (entry->has_params)
 		return (struct next){.stage = NEXT_ANSWER};
@@ -61,11 +61,11 @@ next_before_fit(const struct session *s, const struct entry *entry)
 }
 
 static struct next
-next_after_fit(const struct session *s, const struct entry *entry)
+next_step_after_fit(const struct session *s, const struct entry *entry)
 {
 	bool held_out;
-	count_runs(entry, &held_out);
-	struct later later = cut_compare_later(s, entry);
+	count_runs_with_product(entry, &held_out);
+	struct later later = cut_compare_runs_since_fit(s, entry);
 	if (later.missed && later.n > 1 && !later.twice)
 		return (struct next){"drift",
 		    N_("follow the new cuts one by one?"), false,
@@ -78,7 +78,7 @@ next_after_fit(const struct session *s, const struct entry *entry)
 		    later.n > 1 ? N_("calibrate again, with the new cuts?")
 				: N_("calibrate again, with the new cut?"),
 		    true, NEXT_CALIBRATE};
-	if (held_out && !origin_is_stored(entry->origin) &&
+	if (held_out && !origin_is_from_store(entry->origin) &&
 	    isnan(session_answer_number(s, "validate", "holdout.speed")) &&
 	    isnan(session_answer_number(s, "validate", "sites")))
 		return (struct next){"validate",
@@ -95,7 +95,7 @@ next_after_fit(const struct session *s, const struct entry *entry)
 		       "calibration for another day"),
 		    false, NEXT_ANSWER};
 	return (struct next){"tui",
-	    origin_is_stored(entry->origin)
+	    origin_is_from_store(entry->origin)
 		? N_("'predict' answers here, 'add' takes new cuts; open "
 		     "full-screen mode?")
 		: N_("'remember' keeps the calibration; open full-screen "
@@ -104,10 +104,11 @@ next_after_fit(const struct session *s, const struct entry *entry)
 }
 
 static struct next
-next_before_load(const struct session *s)
+next_step_before_load(const struct session *s)
 {
 	size_t own = 0;
-	bool remembered = store_count(s->store, &own, NULL) && own > 0;
+	bool remembered =
+	    store_count_materials(s->store, &own, NULL) && own > 0;
 	return (struct next){NULL,
 	    remembered
 		? N_("load your own sheet: load plant.xlsx; or bring back a "
@@ -121,7 +122,7 @@ next_before_load(const struct session *s)
 /* True if several sites are loaded and none has parameters, so that it is not
  * clear which one is meant. */
 static bool
-several_sites_without_params(const struct session *s)
+has_only_sites_without_params(const struct session *s)
 {
 	bool known = false;
 	for (size_t i = 0; i < s->n_entry; i++)
@@ -133,10 +134,10 @@ struct next
 next_step(const struct session *s)
 {
 	if (s->n_entry == 0)
-		return next_before_load(s);
-	if (session_busy(s))
+		return next_step_before_load(s);
+	if (session_is_calibrating(s))
 		return (struct next){.stage = NEXT_LOAD};
-	if (several_sites_without_params(s))
+	if (has_only_sites_without_params(s))
 		return (struct next){"check all; calibrate all; validate all",
 		    N_("check, calibrate and validate all of them now?"), false,
 		    NEXT_CHECK};
@@ -145,20 +146,20 @@ next_step(const struct session *s)
 		    N_("continue the stopped calibration?"), false,
 		    NEXT_CALIBRATE};
 	const struct entry *entry = &s->entry[s->current];
-	return entry->has_fit ? next_after_fit(s, entry)
-			      : next_before_fit(s, entry);
+	return entry->has_fit ? next_step_after_fit(s, entry)
+			      : next_step_before_fit(s, entry);
 }
 
 /* Says at which speeds answers can be had. */
 static void
-note_speeds(const struct session *s, const struct entry *entry)
+note_predictable_speeds(const struct session *s, const struct entry *entry)
 {
 	double from, to;
-	if (!origin_reach(entry, &from, &to))
+	if (!origin_speed_range(entry, &from, &to))
 		return;
 	FREED char *usual =
-	    answers_typed_speed(entry->site, answers_usual_speed(entry));
-	FREED char *rpm = rotor_speed_words(entry->site->rotor, from, to);
+	    answers_format_speed(entry->site, answers_default_speed(entry));
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, from, to);
 	session_note(s,
 	    from < to ? N_("now 'predict %s', or any speed from %g to %g m/s%s")
 		      : N_("now 'predict %s'"),
@@ -167,7 +168,7 @@ note_speeds(const struct session *s, const struct entry *entry)
 
 /* True if the answer before the newest has said this. */
 static bool
-was_said(const struct session *s, const char *text)
+is_already_said(const struct session *s, const char *text)
 {
 	if (s->n_answer < 2)
 		return false;
@@ -183,19 +184,19 @@ was_said(const struct session *s, const char *text)
 static size_t
 count_new_remarks(const struct session *s, const struct answer *check)
 {
-	bool all = answer_number(check, "read.n") > 1;
+	bool all = answer_find_number(check, "read.n") > 1;
 	size_t n = answer_view(check).n_row, told = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct site *site = s->entry[i].site;
 		if (all || i == s->current)
 			told += site->n_left_out +
-				(size_t)(site_assumed_top(site) > 0);
+				(size_t)(site_assumed_top_size(site) > 0);
 	}
 	return n > told ? n - told : 0;
 }
 
 void
-next_note_offered(const struct session *s)
+next_note_results(const struct session *s)
 {
 	if (s->n_answer == 0)
 		return;
@@ -205,7 +206,7 @@ next_note_offered(const struct session *s)
 	/* load has reported what was read, next_step suggests what to do, and
 	 * check ends with a sentence about remarks that are not shown here. */
 	for (size_t i = check; i + 1 < view.n_sentence; i++)
-		if (!was_said(s, view.sentence[i].text))
+		if (!is_already_said(s, view.sentence[i].text))
 			session_note(s, "%s", view.sentence[i].text);
 	size_t n = check ? count_new_remarks(s, a) : 0;
 	if (check)
@@ -218,5 +219,5 @@ next_note_offered(const struct session *s)
 			      n),
 		    n);
 	else if (next_step(s).stage == NEXT_ANSWER)
-		note_speeds(s, &s->entry[s->current]);
+		note_predictable_speeds(s, &s->entry[s->current]);
 }

@@ -40,7 +40,7 @@ cmd_drop(struct session *s, const struct args *args, struct error *error)
 static void
 reset_session(struct session *s, const struct settings *choices)
 {
-	session_discard_job(s);
+	session_discard_paused_job(s);
 	entries_free(s->entry, s->n_entry);
 	s->entry = NULL;
 	s->log = NULL;
@@ -51,7 +51,7 @@ reset_session(struct session *s, const struct settings *choices)
 	s->last_asked = (struct last_asked){0};
 	s->set = *choices;
 	session_forget_answers(s);
-	journal_restart(s);
+	journal_discard_lines(s);
 }
 
 bool
@@ -60,7 +60,7 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	reset_session(s, s->initial);
-	journal_settings(s);
+	journal_add_settings(s);
 	return true;
 }
 
@@ -78,9 +78,9 @@ restore_script(struct session *s, const char *path, struct error *error)
 /* Returns the name typed, with .tip if it has no ending.  The caller frees
  * it. */
 static char *
-script_name(const char *typed)
+add_script_ending(const char *typed)
 {
-	const char *name = file_name(typed);
+	const char *name = file_name_without_folders(typed);
 	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
 	return xasprintf("%s%s", typed, bare ? ".tip" : "");
 }
@@ -89,12 +89,13 @@ bool
 cmd_restore(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
-		return autosave_list(s);
+		return autosave_show_list(s);
 	const char *typed = args->operand[0];
 	bool last = strcmp(typed, "last") == 0;
-	FREED char *path = last                       ? autosave_last(s, error)
-			   : access(typed, F_OK) == 0 ? xstrdup(typed)
-						      : script_name(typed);
+	FREED char *path = last ? autosave_newest_path(s, error)
+			   : access(typed, F_OK) == 0
+			       ? xstrdup(typed)
+			       : add_script_ending(typed);
 	if (!last)
 		s->invocation->saved = true;
 	bool ok = path != NULL && restore_script(s, path, error);
@@ -148,8 +149,8 @@ show_settings(struct session *s)
 	answer_columns(r, "setting, value");
 	for (const struct command_option *row = SETTINGS; row->name != NULL;
 	     row++) {
-		FREED char *text = settings_text(row, &s->set);
-		answer_cells(r, "%s %s", row->name, text);
+		FREED char *text = settings_value_text(row, &s->set);
+		answer_add_cells(r, "%s %s", row->name, text);
 	}
 	return session_show_answer(s, r);
 }
@@ -157,7 +158,7 @@ show_settings(struct session *s)
 /* Refuses texts that cannot be read and speeds that are no range.  A feed need
  * not cover the conditions yet. */
 static bool
-check_value(struct session *s, const struct command_option *row,
+check_setting_value(struct session *s, const struct command_option *row,
     const struct value *value, struct error *error)
 {
 	static const struct partition SHARP = {0, 1};
@@ -179,10 +180,10 @@ check_value(struct session *s, const struct command_option *row,
 		    "%s: expected %d letters at most", row->name,
 		    SETTINGS_TEXT - 1);
 	if (row->offset == offsetof(struct settings, feed))
-		return blended_read_cached(s, value->text, error) != NULL;
+		return blended_read_feed_setting(s, value->text, error) != NULL;
 	if (row->offset == offsetof(struct settings, quantity))
-		return quantities_read(value->text, &SHARP, &q, error);
-	bool ok = goals_read(s, value->text, NULL, &list, &n_value, error);
+		return quantities_parse_one(value->text, &SHARP, &q, error);
+	bool ok = goals_parse(s, value->text, NULL, &list, &n_value, error);
 	conditions_free(&list);
 	return ok;
 }
@@ -199,16 +200,17 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		if (SETTINGS[i].kind == VALUE_FILE &&
 		    !energies_use_file(s, args->value[i].text, error))
 			return false;
-		if (!check_value(s, &SETTINGS[i], &args->value[i], error))
+		if (!check_setting_value(
+			s, &SETTINGS[i], &args->value[i], error))
 			return false;
-		settings_put(&SETTINGS[i], &args->value[i], &s->set);
+		settings_set_value(&SETTINGS[i], &args->value[i], &s->set);
 		any = true;
 	}
 	if (!model_settings_same(&before, &s->set.model))
 		session_forget_answers(s);
 	/* Settings alone are not worth keeping, but a goal is. */
 	if (strcmp(was.goal, s->set.goal) != 0)
-		journal_new_state(s);
+		journal_renumber_state(s);
 	/* The parameters of loaded sites are not changed. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);
@@ -225,7 +227,7 @@ bool
 cmd_seed(struct session *s, const struct args *args, struct error *error)
 {
 	(void)error;
-	if (args_given(args, &args->seed)) {
+	if (args_is_given(args, &args->seed)) {
 		s->set.seed = args->seed;
 		return true;
 	}
@@ -240,35 +242,35 @@ print_script_with_heading(const void *data, FILE *out)
 {
 	fprintf(out, "# A session of tipspeed %s, written by 'save'.\n",
 	    PACKAGE_VERSION);
-	journal_put(data, out);
+	journal_write_script(data, out);
 }
 
 /* A file to which this session was saved is replaced without asking; the file
  * that it was restored from only with replace=on. */
 static bool
-may_replace_script(const struct session *s, const struct args *args,
+may_overwrite_script(const struct session *s, const struct args *args,
     const char *path, struct error *error)
 {
 	bool saved;
 	const char *holder = files_session_script(s, &saved);
 	bool again = holder != NULL && strcmp(holder, path) == 0;
 	if (again && (saved || args->replace))
-		return file_may_write(path, error);
+		return file_check_writable(path, error);
 	return files_may_overwrite(s, args, path, error);
 }
 
 static bool
-save_as(struct session *s, const struct args *args, const char *path,
+save_session_as(struct session *s, const struct args *args, const char *path,
     struct error *error)
 {
-	if (!may_replace_script(s, args, path, error) ||
+	if (!may_overwrite_script(s, args, path, error) ||
 	    !journal_can_be_saved(s, error) ||
-	    !file_replace_by(
+	    !file_replace_by_output(
 		path, FILE_SHARED, print_script_with_heading, s, error))
 		return false;
 	files_set_session_script(s, path, true);
 	s->invocation->saved = true;
-	struct mark mark = journal_place(s);
+	struct mark mark = journal_current_place(s);
 	size_t n = mark.n - mark.start;
 	session_note(s,
 	    tr_n("wrote %s: %zu command", "wrote %s: %zu commands", n), path,
@@ -279,9 +281,9 @@ save_as(struct session *s, const struct args *args, const char *path,
 bool
 cmd_save(struct session *s, const struct args *args, struct error *error)
 {
-	FREED char *path = script_name(args->operand[0]);
+	FREED char *path = add_script_ending(args->operand[0]);
 	return text_ends_with(path, ".tip")
-		   ? save_as(s, args, path, error)
+		   ? save_session_as(s, args, path, error)
 		   : error_set(error, ERROR_USAGE,
 			 "save: expected a name that ends in .tip, got "
 			 "'%s'\n"
@@ -304,12 +306,12 @@ undo_or_redo(struct session *s, const char *(*where)(struct session *))
 		return NULL;
 	for (size_t i = 0; i < s->n_entry && paused; i++) {
 		if (s->entry[i].site != held.site ||
-		    !snapshot_same_fit(&s->entry[i].fit, &held.fit))
+		    !snapshot_is_same_fit(&s->entry[i].fit, &held.fit))
 			continue;
 		s->job.entry = i;
 		return label;
 	}
-	session_discard_job(s);
+	session_discard_paused_job(s);
 	return label;
 }
 
@@ -317,7 +319,7 @@ bool
 cmd_undo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = undo_or_redo(s, undo_back);
+	const char *label = undo_or_redo(s, undo_last_step);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");
 	session_note(s, "undone: %s", label);
@@ -328,7 +330,7 @@ bool
 cmd_redo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	const char *label = undo_or_redo(s, undo_forth);
+	const char *label = undo_or_redo(s, undo_redo_step);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to redo");
 	session_note(s, "redone: %s", label);

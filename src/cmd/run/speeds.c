@@ -17,7 +17,7 @@ static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
 
 /* True if the operands of a command are speeds. */
 static bool
-takes_speeds(const struct command *command)
+has_speed_operands(const struct command *command)
 {
 	const char *usage = command->operands.usage;
 	return usage != NULL && strstr(usage, "SPEED") != NULL &&
@@ -27,7 +27,7 @@ takes_speeds(const struct command *command)
 /* True if a word is "rpm=1500..1700:50", or "rpm=1500" for a command that has
  * no option rpm=: the speeds of the command. */
 static bool
-is_list_in_rpm(const struct command *of, const char *word)
+is_speed_list_in_rpm(const struct command *of, const char *word)
 {
 	return strncmp(word, RPM_IS, strlen(RPM_IS)) == 0 &&
 	       (command_option_index(of, RPM) == OPTIONS ||
@@ -59,41 +59,42 @@ is_one_number(const char *value)
 /* Returns the value in a word, after "from=" or from its beginning, if it is a
  * number, list or range in rpm for an option in m/s; else NULL. */
 static const char *
-value_in_rpm(const struct command *command, char *word)
+find_value_in_rpm(const struct command *command, char *word)
 {
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
 	const struct command *of = command_meant_by_words(command, one, 1);
-	bool bare = equals == NULL || is_list_in_rpm(of, word);
+	bool bare = equals == NULL || is_speed_list_in_rpm(of, word);
 	FREED char *name = !bare ? xstrndup(word, (size_t)(equals - word))
 				 : xstrdup(of->bare != NULL ? of->bare : "");
 	size_t i = command_option_index(of, name);
 	bool speed = i < OPTIONS
 			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
-			 : bare && takes_speeds(command);
+			 : bare && has_speed_operands(command);
 	return speed && is_in_rpm(value) ? value : NULL;
 }
 
 /* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
  * it. */
 static double
-diameter_of_rotor(struct session *s, const struct words *words)
+rotor_diameter_m(struct session *s, const struct words *words)
 {
 	static const char OPTION[] = "rotor_mm=";
 	double mm;
 	for (size_t i = 1; i < words->n; i++)
 		if (strncmp(words->text[i], OPTION, strlen(OPTION)) == 0 &&
-		    value_number(words->text[i] + strlen(OPTION), "mm", &mm))
+		    value_parse_number(
+			words->text[i] + strlen(OPTION), "mm", &mm))
 			return mm / 1000;
-	return s->n_entry > 0 ? session_entry(s)->site->rotor : 0;
+	return s->n_entry > 0 ? session_current_entry(s)->site->rotor : 0;
 }
 
 /* Expands "1500..1600:50" to "1500,1550,1600", because equal steps in rpm need
  * not be round steps in m/s.  Returns other text unchanged.  The caller frees
  * it. */
 static char *
-list_steps_of_rpm(const char *turns)
+expand_range_of_rpm(const char *turns)
 {
 	enum { MOST = 200 };
 	const char *dots = strstr(turns, "..");
@@ -105,7 +106,7 @@ list_steps_of_rpm(const char *turns)
 		return xstrdup(turns);
 	char *list = xstrdup("");
 	for (double n = from; n <= to + step * 1e-9; n += step)
-		xlist(&list, ",", "%g", n);
+		xappend_to_list(&list, ",", "%g", n);
 	return list;
 }
 
@@ -126,7 +127,7 @@ convert_rpm_to_mps(const char *turns, double diameter)
 		FREED char *number = xstrndup(turns, n);
 		if (n > 0)
 			xappend(&text, "%g",
-			    head_mps(
+			    head_speed_to_mps(
 				strtod(number, NULL), SPEED_RPM, diameter));
 		else
 			xappend(&text, "%c", *turns);
@@ -141,25 +142,25 @@ count_words_in_rpm(const struct command *command, const struct words *words)
 {
 	size_t n = 0;
 	for (size_t i = 1; i < words->n; i++)
-		n += value_in_rpm(command, words->text[i]) != NULL;
+		n += find_value_in_rpm(command, words->text[i]) != NULL;
 	return n;
 }
 
 /* Says what to type where speeds are in rpm and the rotor is not known. */
 static bool
-say_no_rotor(struct session *s, const struct words *words, struct place place,
-    size_t i, struct error *error)
+error_rotor_unknown(struct session *s, const struct words *words,
+    struct place place, size_t i, struct error *error)
 {
 	static char ROTOR[] = "rotor_mm";
 	const struct command *command =
-	    command_find_typed(words->text[0], place.prompt);
+	    command_find_abbreviated(words->text[0], place.prompt);
 	FREED char *line = xstrdup("");
 	for (size_t k = 0; k < words->n; k++)
-		xlist(&line, " ", "%s", words->text[k]);
+		xappend_to_list(&line, " ", "%s", words->text[k]);
 	bool has = command_option_index(command, ROTOR) < OPTIONS;
 	error_at(error, ERROR_USAGE, place.file, place.line, words->column[i],
 	    "expected the rotor's diameter with rpm, which %s does not state",
-	    session_entry(s)->site->name);
+	    session_current_entry(s)->site->name);
 	return has ? error_hint(error, "write: %s rotor_mm=DIAMETER", line)
 		   : error_hint(error,
 			 "write: load FILE rotor_mm=DIAMETER, or a line "
@@ -167,27 +168,28 @@ say_no_rotor(struct session *s, const struct words *words, struct place place,
 }
 
 bool
-speeds_from_rpm(struct session *s, struct words *words, struct place place,
-    struct error *error)
+speeds_convert_from_rpm(struct session *s, struct words *words,
+    struct place place, struct error *error)
 {
 	const struct command *command =
-	    command_find_typed(words->text[0], place.prompt);
+	    command_find_abbreviated(words->text[0], place.prompt);
 	size_t n = command != NULL ? count_words_in_rpm(command, words) : 0;
-	double diameter = n > 0 ? diameter_of_rotor(s, words) : 0;
+	double diameter = n > 0 ? rotor_diameter_m(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
 	for (size_t i = 1; i < words->n && n > 0; i++) {
 		char *word = words->text[i];
-		const char *turns = value_in_rpm(command, word);
+		const char *turns = find_value_in_rpm(command, word);
 		if (turns == NULL)
 			continue;
-		bool bare = turns == word || is_list_in_rpm(command, word);
-		bool option = n == 1 && bare && !takes_speeds(command) &&
+		bool bare =
+		    turns == word || is_speed_list_in_rpm(command, word);
+		bool option = n == 1 && bare && !has_speed_operands(command) &&
 			      command_option_index(command, RPM) < OPTIONS &&
 			      is_one_number(turns);
 		if (!option && !(diameter > 0))
-			return say_no_rotor(s, words, place, i, error);
-		FREED char *steps = list_steps_of_rpm(turns);
+			return error_rotor_unknown(s, words, place, i, error);
+		FREED char *steps = expand_range_of_rpm(turns);
 		FREED char *speeds = convert_rpm_to_mps(steps, diameter);
 		FREED char *now =
 		    option ? xasprintf("rpm=%.*s",
@@ -196,7 +198,7 @@ speeds_from_rpm(struct session *s, struct words *words, struct place place,
 			? xasprintf("speeds=%s", speeds)
 			: xasprintf(
 			      "%.*s%s", (int)(turns - word), word, speeds);
-		words_join(words, i, 1, now);
+		words_replace(words, i, 1, now);
 	}
 	return true;
 }
@@ -204,7 +206,7 @@ speeds_from_rpm(struct session *s, struct words *words, struct place place,
 /* True if a word is a speed, a range of them, "66..81:5", or a list of three or
  * more: "69,74" may mean 69.74. */
 static bool
-is_typed_speed(const char *word, bool *list)
+is_speed_range_or_list(const char *word, bool *list)
 {
 	const char *dots = strstr(word, "..");
 	size_t n = strspn(word, dots != NULL ? "0123456789.:" : "0123456789.,");
@@ -219,7 +221,7 @@ is_typed_speed(const char *word, bool *list)
 
 /* Returns a word as part of a list, in which commas separate numbers. */
 static char *
-list_part(const char *word, bool list)
+text_as_list_item(const char *word, bool list)
 {
 	size_t n = strlen(word);
 	if (text_ends_with(word, "m/s"))
@@ -240,12 +242,12 @@ note_decimal_comma(struct session *s, const struct words *words)
 	if (sscanf(words->text[1], "%3u,%3u%n", &whole, &decimals, &n) != 2 ||
 	    words->text[1][n] != '\0' || whole < 10 || decimals < 10)
 		return;
-	FREED char *number = list_part(words->text[1], false);
+	FREED char *number = text_as_list_item(words->text[1], false);
 	const struct site *site =
-	    s->n_entry > 0 ? session_entry(s)->site : NULL;
+	    s->n_entry > 0 ? session_current_entry(s)->site : NULL;
 	double speed;
-	if (site != NULL && text_typed_number(number, &speed) &&
-	    site_run_at(site, speed) < site->n_run)
+	if (site != NULL && text_parse_typed_number(number, &speed) &&
+	    site_run_at_speed(site, speed) < site->n_run)
 		return;
 	session_note(s, "read %s as %s m/s; for two speeds type: %s %u %u",
 	    words->text[1], number, words->text[0], whole, decimals);
@@ -253,35 +255,37 @@ note_decimal_comma(struct session *s, const struct words *words)
 
 /* Makes "68..78" of "68 to 78" at the beginning. */
 static void
-join_range(struct words *words)
+join_speed_range(struct words *words)
 {
 	bool list;
 	if (words->n < 4 || !text_same_folded(words->text[2], "to") ||
-	    !is_typed_speed(words->text[1], &list) || list ||
-	    !is_typed_speed(words->text[3], &list))
+	    !is_speed_range_or_list(words->text[1], &list) || list ||
+	    !is_speed_range_or_list(words->text[3], &list))
 		return;
-	FREED char *from = list_part(words->text[1], false);
+	FREED char *from = text_as_list_item(words->text[1], false);
 	FREED char *range = xasprintf("%s..%s", from, words->text[3]);
-	words_join(words, 1, 3, range);
+	words_replace(words, 1, 3, range);
 }
 
 void
-speeds_join(struct session *s, struct words *words, bool prompt)
+speeds_join_words_to_list(struct session *s, struct words *words, bool prompt)
 {
 	static char OPTION[] = "speeds=", NAME[] = "speeds";
 	char *const word[] = {OPTION};
 	const struct command *command =
-	    words->n > 1 ? command_find_typed(words->text[0], prompt) : NULL;
+	    words->n > 1 ? command_find_abbreviated(words->text[0], prompt)
+			 : NULL;
 	const struct command *lister =
 	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
 		return;
-	join_range(words);
+	join_speed_range(words);
 	bool lists = false, list;
 	size_t n = 1;
 	FREED char *joined = xstrdup(OPTION);
-	for (; n < words->n && is_typed_speed(words->text[n], &list); n++) {
-		FREED char *part = list_part(words->text[n], list);
+	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
+	     n++) {
+		FREED char *part = text_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
@@ -290,5 +294,5 @@ speeds_join(struct session *s, struct words *words, bool prompt)
 	if (n == 2 && !lists && (alone || lister != command))
 		note_decimal_comma(s, words);
 	if (n > 2 || lists || (n > 1 && alone))
-		words_join(words, 1, n - 1, joined);
+		words_replace(words, 1, n - 1, joined);
 }

@@ -24,17 +24,17 @@ struct autosave {
 };
 
 static bool
-is_unsaved(const struct session *s)
+has_unsaved_changes(const struct session *s)
 {
-	struct mark now = journal_place(s);
+	struct mark now = journal_current_place(s);
 	return now.state != s->autosave->saved && now.n > now.start;
 }
 
 static void
-autosave_put_script(const void *data, FILE *out)
+write_session_script(const void *data, FILE *out)
 {
 	const struct session *s = data;
-	struct mark now = journal_place(s);
+	struct mark now = journal_current_place(s);
 	size_t n = now.n - now.start;
 	FREED char *name =
 	    s->n_entry > 0 ? xasprintf(", %s", s->entry[s->current].site->name)
@@ -45,7 +45,7 @@ autosave_put_script(const void *data, FILE *out)
 	    "# %zu command%s%s\n# A session of tipspeed %s that was not "
 	    "saved.\n",
 	    n, n == 1 ? "" : "s", name, PACKAGE_VERSION);
-	journal_put(s, out);
+	journal_write_script(s, out);
 }
 
 char *
@@ -56,7 +56,7 @@ autosave_begin(struct session *s)
 		return NULL;
 	s->autosave = xcalloc(1, sizeof *s->autosave);
 	s->autosave->kept = autosave_file_new();
-	s->autosave->written = journal_place(s);
+	s->autosave->written = journal_current_place(s);
 	s->autosave->saved = s->autosave->written.state;
 	size_t n;
 	static const char *const MONTHS[] = {N_("January"), N_("February"),
@@ -64,7 +64,7 @@ autosave_begin(struct session *s)
 	    N_("August"), N_("September"), N_("October"), N_("November"),
 	    N_("December")};
 	char *offer = NULL, day[8];
-	struct autosave_left *file = autosave_left(&n);
+	struct autosave_left *file = autosave_list_left_files(&n);
 	if (n > 0) {
 		const struct tm *tm = localtime(&file[0].when);
 		strftime(day, sizeof day, " %H:%M", tm);
@@ -84,18 +84,18 @@ static void
 write_autosave(struct session *s)
 {
 	struct autosave *k = s->autosave;
-	struct mark now = journal_place(s);
+	struct mark now = journal_current_place(s);
 	/* What reset or restore discarded stays available in a file of its
 	 * own. */
 	if (now.start != k->written.start)
 		autosave_file_close(k->kept);
 	if (now.state == k->saved)
 		autosave_file_remove(k->kept);
-	else if (is_unsaved(s)) {
+	else if (has_unsaved_changes(s)) {
 		k->error = (struct error){0};
 		if (!journal_can_be_saved(s, &k->error) ||
 		    !autosave_file_write(
-			k->kept, autosave_put_script, s, &k->error))
+			k->kept, write_session_script, s, &k->error))
 			return;
 	}
 	k->written = now;
@@ -104,7 +104,7 @@ write_autosave(struct session *s)
 /* Removes the file that was restored once its content is saved elsewhere: in
  * this session's file, or in one of the user's. */
 static void
-remove_restored(struct autosave *k)
+remove_restored_file(struct autosave *k)
 {
 	if (k->restored != NULL)
 		remove(k->restored);
@@ -114,7 +114,7 @@ remove_restored(struct autosave *k)
 
 /* A session that was restored only in part does not become the newest. */
 static bool
-failed_to_restore(struct autosave *k, bool ok)
+was_restored_in_part(struct autosave *k, bool ok)
 {
 	if (k->restoring == NULL)
 		return false;
@@ -130,16 +130,16 @@ void
 autosave_after_command(struct session *s, bool ok, bool saved)
 {
 	struct autosave *k = s->autosave;
-	struct mark now = journal_place(s);
+	struct mark now = journal_current_place(s);
 	if (k == NULL)
 		return;
 	if (ok && saved) {
 		k->saved = now.state;
 		if (now.start == k->written.start)
-			remove_restored(k);
+			remove_restored_file(k);
 	}
 	/* A script is saved as one step, as in undo. */
-	if (s->scripts > s->typed_depth || failed_to_restore(k, ok))
+	if (s->scripts > s->typed_depth || was_restored_in_part(k, ok))
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
 	    now.state != k->written.state)
@@ -148,14 +148,14 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 
 /* Says how calibrations are kept that are in no file and not in the store. */
 static void
-note_not_remembered(struct session *s)
+note_fits_not_remembered(struct session *s)
 {
 	const char *key = NULL;
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		if (entry->has_fit && !entry->remembered &&
-		    !origin_is_stored(entry->origin)) {
+		    !origin_is_from_store(entry->origin)) {
 			key = entry->key;
 			n++;
 		}
@@ -178,11 +178,11 @@ autosave_end(struct session *s)
 	struct autosave *k = s->autosave;
 	if (k == NULL)
 		return;
-	if (is_unsaved(s)) {
+	if (has_unsaved_changes(s)) {
 		write_autosave(s);
 		if (k->error.kind == ERROR_NONE) {
-			remove_restored(k);
-			note_not_remembered(s);
+			remove_restored_file(k);
+			note_fits_not_remembered(s);
 		} else
 			session_note(s, "could not keep this session: %s%s%s",
 			    k->error.file, k->error.file[0] != '\0' ? ": " : "",
@@ -196,10 +196,10 @@ autosave_end(struct session *s)
 }
 
 char *
-autosave_last(struct session *s, struct error *error)
+autosave_newest_path(struct session *s, struct error *error)
 {
 	size_t n;
-	struct autosave_left *file = autosave_left(&n);
+	struct autosave_left *file = autosave_list_left_files(&n);
 	char *path = n > 0 ? xstrdup(file[0].path) : NULL;
 	autosave_left_free(file, n);
 	if (path == NULL)
@@ -212,10 +212,10 @@ autosave_last(struct session *s, struct error *error)
 }
 
 bool
-autosave_list(struct session *s)
+autosave_show_list(struct session *s)
 {
 	size_t n;
-	struct autosave_left *file = autosave_left(&n);
+	struct autosave_left *file = autosave_list_left_files(&n);
 	struct answer *r = answer_new("restore");
 	answer_title(r, "unsaved sessions");
 	answer_columns(r, "time, what, file");
@@ -223,7 +223,8 @@ autosave_list(struct session *s)
 		char when[32];
 		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
 		    localtime(&file[i].when));
-		answer_cells(r, "%s %s %s", when, file[i].about, file[i].path);
+		answer_add_cells(
+		    r, "%s %s %s", when, file[i].about, file[i].path);
 	}
 	answer_note(r, n > 0 ? N_("run 'restore last' for the first, 'restore "
 				  "FILE' for any of them")

@@ -27,9 +27,9 @@ void autosave_end(struct session *s);
 /* Returns the path of the newest unsaved session, for the running command to
  * restore; the file is then removed.  Returns NULL with an error if there is
  * none.  The caller frees it. */
-char *autosave_last(struct session *s, struct error *error);
+char *autosave_newest_path(struct session *s, struct error *error);
 
 /* Lists the sessions that can be restored.  Returns true. */
-bool autosave_list(struct session *s);
+bool autosave_show_list(struct session *s);
 
 #endif

@@ -14,7 +14,7 @@
 #include "io/fs/file.h"
 
 const struct energies *
-energies_loaded(const struct session *s, struct error *error)
+energies_last_read(const struct session *s, struct error *error)
 {
 	if (s->energy == NULL)
 		error_set(error, ERROR_USAGE,
@@ -46,9 +46,9 @@ report_rows_read(void *data, uint64_t rows)
 }
 
 static char *
-energies_name_of(const char *path)
+file_name_without_extension(const char *path)
 {
-	char *name = xstrdup(file_name(path));
+	char *name = xstrdup(file_name_without_folders(path));
 	char *dot = strrchr(name, '.');
 	if (dot != NULL && dot != name)
 		*dot = '\0';
@@ -70,7 +70,7 @@ energies_read(struct session *s, const char *path,
 		return NULL;
 	}
 	struct energies *e = xcalloc(1, sizeof *e);
-	*e = (struct energies){.name = energies_name_of(path),
+	*e = (struct energies){.name = file_name_without_extension(path),
 	    .path = xstrdup(path),
 	    .cut = cut,
 	    .c = c};
@@ -104,7 +104,7 @@ energies_use_file(struct session *s, const char *path, struct error *error)
 		    "none\nload them with it: energy load %s speed=V",
 		    path);
 	struct impacts impacts =
-	    spectrum_impacts(found->c.spectrum, found->cut);
+	    spectrum_reduce_to_impacts(found->c.spectrum, found->cut);
 	if (impacts.n == 0)
 		return error_set(error, ERROR_DATA,
 		    "expected impacts above %g J/kg in %s, got none\n"
@@ -118,7 +118,7 @@ energies_use_file(struct session *s, const char *path, struct error *error)
 }
 
 char *
-energies_words(const struct session *s)
+energies_trust_reason(const struct session *s)
 {
 	const struct impacts *i = &s->set.model.impacts;
 	const struct energies *e = NULL;

@@ -26,7 +26,7 @@ const struct energies *energies_read(struct session *s, const char *path,
 void energies_free(struct energies *e);
 
 /* Returns the energies last read, or NULL with an error if there are none. */
-const struct energies *energies_loaded(
+const struct energies *energies_last_read(
     const struct session *s, struct error *error);
 
 /* Makes the model use the energies in a file instead of the single energy
@@ -37,6 +37,6 @@ bool energies_use_file(
 
 /* Returns a reason for the light that names what Eq 3 uses instead of the
  * single energy, or NULL if it uses that.  The caller frees it. */
-char *energies_words(const struct session *s);
+char *energies_trust_reason(const struct session *s);
 
 #endif

@@ -29,7 +29,7 @@ struct files {
 };
 
 static struct files *
-files_or_new(struct session *s)
+session_files_or_new(struct session *s)
 {
 	if (s->files == NULL)
 		s->files = xcalloc(1, sizeof *s->files);
@@ -37,10 +37,11 @@ files_or_new(struct session *s)
 }
 
 static void
-note_file(struct session *s, const char *path, bool written)
+record_file(struct session *s, const char *path, bool written)
 {
-	struct files *f = files_or_new(s);
-	uint64_t digest = text_digest(TEXT_DIGEST_START, path, strlen(path));
+	struct files *f = session_files_or_new(s);
+	uint64_t digest =
+	    text_fnv1a_digest(TEXT_DIGEST_START, path, strlen(path));
 	for (size_t i = 0; i < f->n; i++)
 		if (f->known[i].digest == digest &&
 		    f->known[i].written == written &&
@@ -63,7 +64,7 @@ files_digest(const char *path, uint64_t *digest)
 		return false;
 	*digest = UINT64_C(0xcbf29ce484222325);
 	for (size_t n; (n = fread(piece, 1, sizeof piece, in)) > 0;)
-		*digest = text_digest(*digest, piece, n);
+		*digest = text_fnv1a_digest(*digest, piece, n);
 	bool good = !ferror(in);
 	fclose(in);
 	return good;
@@ -73,7 +74,7 @@ void
 files_note_read(struct session *s, const char *path)
 {
 	uint64_t digest;
-	note_file(s, path, false);
+	record_file(s, path, false);
 	if (!files_digest(path, &digest))
 		return;
 	struct files *f = s->files;
@@ -88,7 +89,7 @@ files_count_readings(const struct session *s)
 }
 
 const char *
-files_reading_at(const struct session *s, size_t i, uint64_t *digest)
+files_path_of_reading(const struct session *s, size_t i, uint64_t *digest)
 {
 	*digest = s->files->reading[i].digest;
 	return s->files->reading[i].path;
@@ -97,13 +98,13 @@ files_reading_at(const struct session *s, size_t i, uint64_t *digest)
 void
 files_note_written(struct session *s, const char *path)
 {
-	note_file(s, path, true);
+	record_file(s, path, true);
 }
 
 void
 files_set_session_script(struct session *s, const char *path, bool saved)
 {
-	struct files *f = files_or_new(s);
+	struct files *f = session_files_or_new(s);
 	char *holder = xstrdup(path);
 	free(f->holder);
 	f->holder = holder;
@@ -137,7 +138,7 @@ files_free(struct files *files)
 
 /* True if the file is the one at path. */
 static bool
-is_file(const char *path, const struct stat *file)
+is_file_at_path(const char *path, const struct stat *file)
 {
 	struct stat other;
 	return path != NULL && stat(path, &other) == 0 &&
@@ -146,25 +147,26 @@ is_file(const char *path, const struct stat *file)
 
 /* True if the file is among those read, or written. */
 static bool
-is_known(const struct session *s, const struct stat *file, bool written)
+is_read_or_written_file(
+    const struct session *s, const struct stat *file, bool written)
 {
 	const struct files *f = s->files;
 	for (size_t i = 0; f != NULL && i < f->n; i++)
 		if (f->known[i].written == written &&
-		    is_file(f->known[i].path, file))
+		    is_file_at_path(f->known[i].path, file))
 			return true;
 	return false;
 }
 
 static bool
-is_store(const struct session *s, const struct stat *file)
+is_store_file(const struct session *s, const struct stat *file)
 {
 	static const char *const PARTS[] = {"", "-wal", "-shm"};
 	bool same = false;
 	for (size_t i = 0; i < ARRAY_LEN(PARTS); i++) {
 		FREED char *path =
 		    xasprintf("%s%s", store_path(s->store), PARTS[i]);
-		same = same || is_file(path, file);
+		same = same || is_file_at_path(path, file);
 	}
 	return same;
 }
@@ -174,10 +176,10 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
 	if (stat(path, &file) != 0 || !S_ISREG(file.st_mode))
-		return file_may_write(path, error);
-	bool store = is_store(s, &file);
-	bool script = is_file(files_session_script(s, NULL), &file);
-	if (store || script || is_known(s, &file, false))
+		return file_check_writable(path, error);
+	bool store = is_store_file(s, &file);
+	bool script = is_file_at_path(files_session_script(s, NULL), &file);
+	if (store || script || is_read_or_written_file(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,
 		    store ? N_("%s is the store and cannot be overwritten by a "
 			       "result\nuse another file name")
@@ -187,7 +189,7 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 			: N_("%s was read by this session and cannot be "
 			     "overwritten\nuse another file name"),
 		    path);
-	return file_may_write(path, error);
+	return file_check_writable(path, error);
 }
 
 bool
@@ -204,12 +206,12 @@ files_may_overwrite(const struct session *s, const struct args *args,
 }
 
 bool
-files_may_replace(struct session *s, const char *path, struct error *error)
+files_confirm_replace(struct session *s, const char *path, struct error *error)
 {
 	struct stat file;
 	if (s->hooks.confirm == NULL || s->scripts > s->typed_depth ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
-	    file.st_size == 0 || is_known(s, &file, true))
+	    file.st_size == 0 || is_read_or_written_file(s, &file, true))
 		return true;
 	FREED char *question = xasprintf(tr("%s exists: replace it?"), path);
 	bool yes = s->hooks.confirm(s, question, false);

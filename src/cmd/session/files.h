@@ -37,7 +37,7 @@ bool files_may_overwrite(const struct session *s, const struct args *args,
 /* Asks the user before replacing a file that the session did not write.
  * Returns false with an error if the user declines.  Nothing is asked in a
  * script. */
-bool files_may_replace(
+bool files_confirm_replace(
     struct session *s, const char *path, struct error *error);
 
 /* Computes the digest of a regular file's bytes.  Returns false if it cannot be
@@ -45,10 +45,10 @@ bool files_may_replace(
 bool files_digest(const char *path, uint64_t *digest);
 
 /* files_count_readings returns how many times files with known digests were
- * read; files_reading_at returns the path of reading i, and the digest at that
- * time. */
+ * read; files_path_of_reading returns the path of reading i, and the digest at
+ * that time. */
 size_t files_count_readings(const struct session *s);
-const char *files_reading_at(
+const char *files_path_of_reading(
     const struct session *s, size_t i, uint64_t *digest);
 
 void files_free(struct files *files);

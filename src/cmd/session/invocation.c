@@ -17,7 +17,7 @@
 
 /* Returns the index of an option that names a file, or OPTIONS. */
 static size_t
-file_option(const struct args *args)
+find_file_option(const struct args *args)
 {
 	const struct command_option *o;
 	for (size_t i = 0; (o = command_option_at(args->command, i)) != NULL;
@@ -29,11 +29,11 @@ file_option(const struct args *args)
 
 /* With --safe, commands use neither files nor the shell. */
 static bool
-check_safe(
+check_allowed_in_safe_mode(
     const struct args *args, const struct words *words, struct error *error)
 {
 	const struct command *command = args->command;
-	size_t option = file_option(args);
+	size_t option = find_file_option(args);
 	if ((command->flags & COMMAND_FILES) && args->n_operand > 0)
 		error_set(error, ERROR_USAGE, "%s is off: it works on files",
 		    command->name);
@@ -56,12 +56,12 @@ invocation_begin(struct session *s, const struct args *args,
     const struct words *words, struct place place, struct error *error)
 {
 	const struct command *command = args->command;
-	if (s->safe && !check_safe(args, words, error))
+	if (s->safe && !check_allowed_in_safe_mode(args, words, error))
 		return false;
 	if (s->initial == NULL) {
 		s->initial = xcalloc(1, sizeof *s->initial);
 		*s->initial = s->set;
-		journal_settings(s);
+		journal_add_settings(s);
 	}
 	struct invocation *t = xcalloc(1, sizeof *t);
 	*t = (struct invocation){.outer = s->invocation,
@@ -73,17 +73,18 @@ invocation_begin(struct session *s, const struct args *args,
 	    .timed = s->set.timing,
 	    .running = true,
 	    .scripts = s->scripts};
-	if (words->to != TO_SCREEN && redirect_allowed(command, words, error))
+	if (words->to != TO_SCREEN &&
+	    redirect_is_allowed(command, words, error))
 		t->redirect = redirect_open(s, command, words, error);
 	if (words->to != TO_SCREEN && t->redirect == NULL) {
 		error_set_place(error, place.file, place.line, t->column);
 		free(t);
 		return false;
 	}
-	t->label = journal_label(command, words);
-	t->line = journal_line(args, words);
-	t->state = journal_place(s).state;
-	t->steps = undo_depth(s);
+	t->label = journal_call_as_typed(command, words);
+	t->line = journal_line_of_call(args, words);
+	t->state = journal_current_place(s).state;
+	t->steps = undo_count_steps(s);
 	t->readings = files_count_readings(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
@@ -92,7 +93,7 @@ invocation_begin(struct session *s, const struct args *args,
 }
 
 void
-invocation_stopped(struct session *s, size_t steps)
+invocation_note_job_stopped(struct session *s, size_t steps)
 {
 	struct invocation *t = s->job.invocation;
 	if (t == NULL)
@@ -121,7 +122,7 @@ is_redirected(const struct invocation *t)
 }
 
 static bool
-was_stopped_at_start(const struct invocation *t)
+was_stopped_without_result(const struct invocation *t)
 {
 	return t->stopped && t->stopped_at == 0;
 }
@@ -129,15 +130,16 @@ was_stopped_at_start(const struct invocation *t)
 /* Saves a check that the files the command read are unchanged.  Commands with
  * digest= check the numbers themselves. */
 static void
-record_files(struct session *s, const struct invocation *t, const char *latest)
+record_digests_of_files(
+    struct session *s, const struct invocation *t, const char *latest)
 {
 	uint64_t digest;
 	size_t n = files_count_readings(s);
 	if (command_option_index(t->command, "digest") < OPTIONS)
 		return;
 	for (size_t i = t->readings; i < n; i++) {
-		const char *path = files_reading_at(s, i, &digest);
-		journal_check(
+		const char *path = files_path_of_reading(s, i, &digest);
+		journal_add_file_check(
 		    s, i == t->readings ? latest : NULL, path, digest);
 	}
 }
@@ -145,38 +147,40 @@ record_files(struct session *s, const struct invocation *t, const char *latest)
 /* Saves the command's line.  Redirected results are not made again, only what
  * the command changed. */
 static void
-record_in_journal(struct session *s, const struct invocation *t, bool changed)
+record_line_in_journal(
+    struct session *s, const struct invocation *t, bool changed)
 {
 	bool elsewhere = is_redirected(t);
 	const char *latest =
 	    t->command->flags & COMMAND_KEEPS_LAST ? t->command->name : NULL;
 	/* Answers given during a calibration depend on the moment; settings do
 	 * not. */
-	bool between = session_busy(s) && s->job.invocation != t &&
+	bool between = session_is_calibrating(s) && s->job.invocation != t &&
 		       (t->command->flags & COMMAND_SETTINGS) == 0;
 	if ((t->command->flags & COMMAND_UNSAVED) || (elsewhere && !changed) ||
-	    between || was_stopped_at_start(t))
+	    between || was_stopped_without_result(t))
 		return;
 	char pause[32] = "";
 	if (t->stopped)
 		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
-	record_files(s, t, latest);
-	journal_add(s, latest, "%s%s%s", t->line, pause,
+	record_digests_of_files(s, t, latest);
+	journal_add_line(s, latest, "%s%s%s", t->line, pause,
 	    elsewhere ? " > /dev/null" : "");
 }
 
 void
-invocation_asked(struct session *s, const char *command, const char *line)
+invocation_record_question(
+    struct session *s, const char *command, const char *line)
 {
-	if (!is_redirected(s->invocation) && !session_busy(s))
-		journal_add(s, command, "%s", line);
+	if (!is_redirected(s->invocation) && !session_is_calibrating(s))
+		journal_add_line(s, command, "%s", line);
 	autosave_after_command(s, true, false);
 }
 
 /* Returns the undo depth at which the outermost invocation began; SIZE_MAX if t
  * is itself the outermost. */
 static size_t
-outermost_start(const struct invocation *t)
+undo_depth_at_outermost(const struct invocation *t)
 {
 	size_t floor = SIZE_MAX;
 	for (t = t->outer; t != NULL; t = t->outer)
@@ -195,7 +199,8 @@ invocation_free(struct invocation *t)
 bool
 invocation_is_over(const struct session *s)
 {
-	bool working = session_busy(s) && s->job.invocation == s->invocation;
+	bool working =
+	    session_is_calibrating(s) && s->job.invocation == s->invocation;
 	return !working && !s->invocation->running &&
 	       s->scripts <= s->invocation->scripts;
 }
@@ -206,11 +211,11 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	struct invocation *t = s->invocation;
 	/* A check that fails still has an answer. */
 	bool keep = ok || error->kind == ERROR_CHECK;
-	bool changed = t->before != NULL && !was_stopped_at_start(t) &&
+	bool changed = t->before != NULL && !was_stopped_without_result(t) &&
 		       snapshot_differs(t->before, s);
 	s->invocation = t->outer;
 	if (ok)
-		record_in_journal(s, t, changed);
+		record_line_in_journal(s, t, changed);
 	if (t->redirect != NULL)
 		redirect_close(s, t->redirect, keep, &t->late);
 	if (ok && t->late.kind != ERROR_NONE) {
@@ -220,7 +225,8 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		ok = false;
 	}
 	if (changed && !t->joins)
-		undo_push(s, t->before, t->steps, outermost_start(t), t->label);
+		undo_push_step(s, t->before, t->steps,
+		    undo_depth_at_outermost(t), t->label);
 	else
 		snapshot_free(t->before);
 	if (changed)
@@ -230,8 +236,8 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		    session_clock() - t->started);
 	/* The commands of a script may already have given it a new number. */
 	if (changed && !(t->command->flags & COMMAND_APPEARANCE) &&
-	    journal_place(s).state == t->state)
-		journal_new_state(s);
+	    journal_current_place(s).state == t->state)
+		journal_renumber_state(s);
 	autosave_after_command(s, ok, t->saved);
 	invocation_free(t);
 	return ok;

@@ -49,7 +49,7 @@ bool invocation_is_over(const struct session *s);
 
 /* Notes that the job was stopped after `steps` steps, so that a saved script
  * will stop it there; 0: the job gave no result. */
-void invocation_stopped(struct session *s, size_t steps);
+void invocation_note_job_stopped(struct session *s, size_t steps);
 
 /* Adds options, " digest=HEX", to the running command's line in the journal. */
 void invocation_add_options(struct session *s, const char *format, ...)
@@ -57,16 +57,17 @@ void invocation_add_options(struct session *s, const char *format, ...)
 
 /* Saves the line of a question that ran without an invocation of its own; it
  * replaces an immediately preceding line of that command. */
-void invocation_asked(struct session *s, const char *command, const char *line);
+void invocation_record_question(
+    struct session *s, const char *command, const char *line);
 
 /* Ends the innermost command and delivers its results.  ok: it succeeded;
  * otherwise error gives the reason and is preserved.  Returns false if it
  * failed or the results could not be delivered. */
 bool invocation_end(struct session *s, bool ok, struct error *error);
 
-/* Ends the commands whose job or script has ended.  session_line does so before
- * the next command; a driver that does not continue the line calls this.  ok:
- * they succeeded. */
+/* Ends the commands whose job or script has ended.  session_run_line does so
+ * before the next command; a driver that does not continue the line calls this.
+ * ok: they succeeded. */
 bool session_end_finished_commands(
     struct session *s, bool ok, struct error *error);
 

@@ -21,20 +21,20 @@ struct journal {
 };
 
 struct mark
-journal_place(const struct session *s)
+journal_current_place(const struct session *s)
 {
 	const struct journal *j = s->journal;
 	return (struct mark){j->n, j->start, j->state};
 }
 
 void
-journal_new_state(struct session *s)
+journal_renumber_state(struct session *s)
 {
 	s->journal->state = ++s->journal->states;
 }
 
 static void
-journal_append(struct journal *j, char *line)
+append_journal_line(struct journal *j, char *line)
 {
 	j->line = xrealloc(j->line, j->n + 1, sizeof *j->line);
 	j->line[j->n++] = line;
@@ -43,7 +43,7 @@ journal_append(struct journal *j, char *line)
 struct cut_lines
 journal_cut_after(struct session *s, struct mark mark)
 {
-	struct cut_lines tail = {.from = mark, .to = journal_place(s)};
+	struct cut_lines tail = {.from = mark, .to = journal_current_place(s)};
 	struct journal *j = s->journal;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
@@ -55,7 +55,7 @@ journal_cut_after(struct session *s, struct mark mark)
 }
 
 void
-journal_paste(struct session *s, struct cut_lines *tail)
+journal_put_back_lines(struct session *s, struct cut_lines *tail)
 {
 	struct journal *j = s->journal;
 	/* Lines may have been added since these were cut off. */
@@ -63,7 +63,7 @@ journal_paste(struct session *s, struct cut_lines *tail)
 		j->start = j->n + tail->to.start - tail->from.n;
 	j->state = tail->to.state;
 	for (size_t i = 0; i < tail->n; i++)
-		journal_append(j, tail->line[i]);
+		append_journal_line(j, tail->line[i]);
 	free(tail->line);
 	*tail = (struct cut_lines){0};
 }
@@ -103,7 +103,7 @@ is_call_of(const char *line, const char *name)
 /* Removes the last line if it is a call of that name, and the assert lines that
  * check its files. */
 static void
-drop_latest(struct journal *j, const char *latest)
+remove_latest_call(struct journal *j, const char *latest)
 {
 	if (latest == NULL || j->n <= j->start ||
 	    !is_call_of(j->line[j->n - 1], latest))
@@ -114,31 +114,31 @@ drop_latest(struct journal *j, const char *latest)
 }
 
 void
-journal_add(struct session *s, const char *latest, const char *line, ...)
+journal_add_line(struct session *s, const char *latest, const char *line, ...)
 {
 	struct journal *j = s->journal;
-	drop_latest(j, latest);
+	remove_latest_call(j, latest);
 	va_list ap;
 	va_start(ap, line);
-	journal_append(j, xvasprintf(line, ap));
+	append_journal_line(j, xvasprintf(line, ap));
 	va_end(ap);
 }
 
 void
-journal_restart(struct session *s)
+journal_discard_lines(struct session *s)
 {
 	s->journal->start = s->journal->n;
 }
 
 void
-journal_settings(struct session *s)
+journal_add_settings(struct session *s)
 {
 	if (s->set.seed != 1)
-		journal_add(s, NULL, "seed %" PRIu64, s->set.seed);
+		journal_add_line(s, NULL, "seed %" PRIu64, s->set.seed);
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
-		FREED char *text = settings_text(r, &s->set);
+		FREED char *text = settings_value_text(r, &s->set);
 		if (r->fallback[0] != '\0' && strcmp(text, r->fallback) != 0)
-			journal_add(s, NULL, "set %s %s", r->name, text);
+			journal_add_line(s, NULL, "set %s %s", r->name, text);
 	}
 }
 
@@ -146,7 +146,7 @@ void
 journal_append_word(char **line, const char *word)
 {
 	bool plain = word[0] != '\0' && strpbrk(word, " \t;#\"|>\\") == NULL;
-	FREED char *quoted = text_quoted(word);
+	FREED char *quoted = text_in_quotes(word);
 	xappend(line, " %s", plain ? word : quoted);
 }
 
@@ -170,7 +170,7 @@ append_path_of_option(char **line, const char *key, const char *path)
 	for (const char *at = path, *next; at != NULL; at = next) {
 		size_t length;
 		double share;
-		next = value_feed(at, &length, &share);
+		next = value_parse_blend_feed(at, &length, &share);
 		FREED char *one = xstrndup(at, length);
 		append_absolute_path(&whole, one);
 		size_t rest = next != NULL ? (size_t)(next - at) : strlen(at);
@@ -180,27 +180,27 @@ append_path_of_option(char **line, const char *key, const char *path)
 }
 
 void
-journal_check(
+journal_add_file_check(
     struct session *s, const char *latest, const char *path, uint64_t digest)
 {
 	struct journal *j = s->journal;
 	char *line = xstrdup("assert");
 	append_path_of_option(&line, NULL, path);
 	xappend(&line, " is %016" PRIx64, digest);
-	drop_latest(j, latest);
+	remove_latest_call(j, latest);
 	bool known = false;
 	for (size_t i = j->start; i < j->n; i++)
 		known = known || strcmp(j->line[i], line) == 0;
 	if (known)
 		free(line);
 	else
-		journal_append(j, line);
+		append_journal_line(j, line);
 }
 
 /* Returns the index of the option whose value is the word or its end, or
  * OPTIONS. */
 static size_t
-option_of_word(const struct args *args, const char *word)
+find_option_with_value(const struct args *args, const char *word)
 {
 	const char *equals = strchr(word, '=');
 	const char *end = equals != NULL ? equals + 1 : word;
@@ -213,7 +213,7 @@ option_of_word(const struct args *args, const char *word)
 
 /* True if a word is an operand that is a path. */
 static bool
-is_path(const struct args *args, const char *word)
+is_path_operand(const struct args *args, const char *word)
 {
 	size_t i = 0, which;
 	while (i < args->n_operand && args->operand[i] != word)
@@ -227,34 +227,34 @@ is_path(const struct args *args, const char *word)
 		return !verb;
 	return (args->command->flags & COMMAND_SPEC) &&
 	       !text_find_word("use list off", word, &which) &&
-	       standards_is_path(word);
+	       standards_is_file_path(word);
 }
 
 /* True for options that a saved script omits: pause=, which has its own line,
  * and out=, whose sheet exists by then. */
 static bool
-is_left_out_of_script(const struct command_option *o)
+is_option_not_saved(const struct command_option *o)
 {
 	return strcmp(o->name, "pause") == 0 || strcmp(o->name, "out") == 0;
 }
 
 char *
-journal_line(const struct args *args, const struct words *words)
+journal_line_of_call(const struct args *args, const struct words *words)
 {
 	char *line = xstrdup(args->command->name);
 	for (size_t i = 1; i < words->n; i++) {
 		const char *word = words->text[i], *value = word;
-		size_t k = option_of_word(args, word);
+		size_t k = find_option_with_value(args, word);
 		const struct command_option *o =
 		    k < OPTIONS ? command_option_at(args->command, k) : NULL;
-		if (o != NULL && is_left_out_of_script(o))
+		if (o != NULL && is_option_not_saved(o))
 			continue;
 		if (o != NULL)
 			value = args->value[k].text;
-		bool path = o == NULL ? is_path(args, word)
+		bool path = o == NULL ? is_path_operand(args, word)
 				      : value_is_file(o, &args->value[k]) ||
 					    (o->kind == VALUE_SPEC &&
-						standards_is_path(value));
+						standards_is_file_path(value));
 		if (path)
 			append_path_of_option(
 			    &line, value != word ? o->name : NULL, value);
@@ -265,7 +265,7 @@ journal_line(const struct args *args, const struct words *words)
 }
 
 char *
-journal_load(
+journal_load_line(
     uint64_t digest, size_t n, const char *const *path, const double *speed)
 {
 	char *line = xstrdup("load"), number[32];
@@ -273,7 +273,7 @@ journal_load(
 		FREED char *word =
 		    speed != NULL && speed[i] > 0
 			? xasprintf("%s@%s", path[i],
-			      text_exact_number(speed[i], number))
+			      text_shortest_exact_number(speed[i], number))
 			: xstrdup(path[i]);
 		append_path_of_option(&line, NULL, word);
 	}
@@ -282,7 +282,7 @@ journal_load(
 }
 
 char *
-journal_options(const struct site_request *q)
+journal_load_options_text(const struct site_request *q)
 {
 	char *text = xstrdup(""), number[32];
 	if (q->columns != NULL)
@@ -299,12 +299,13 @@ journal_options(const struct site_request *q)
 	if (q->rotor > 0)
 		xappend(&text, " rotor_mm=%.15g", 1000 * q->rotor);
 	if (q->top > 0)
-		xappend(&text, " top=%s", text_exact_number(q->top, number));
+		xappend(&text, " top=%s",
+		    text_shortest_exact_number(q->top, number));
 	return text;
 }
 
 char *
-journal_label(const struct command *command, const struct words *words)
+journal_call_as_typed(const struct command *command, const struct words *words)
 {
 	char *label = xstrdup(command->name);
 	for (size_t i = 1; i < words->n; i++)
@@ -315,7 +316,7 @@ journal_label(const struct command *command, const struct words *words)
 /* Writes the site's provenance for readers of the script, without characters
  * that would end or continue the comment. */
 static void
-put_provenance(FILE *out, const struct site *site)
+write_provenance_comment(FILE *out, const struct site *site)
 {
 	FREED char *kind = site_source(site, "provenance not stated");
 	FREED char *line = xasprintf("# %s: %s", site->name, kind);
@@ -326,12 +327,12 @@ put_provenance(FILE *out, const struct site *site)
 }
 
 void
-journal_put(const struct session *s, FILE *out)
+journal_write_script(const struct session *s, FILE *out)
 {
 	const struct journal *j = s->journal;
 	fputs("# A site file whose numbers have changed is refused.\n", out);
 	for (size_t i = 0; i < s->n_entry; i++)
-		put_provenance(out, s->entry[i].site);
+		write_provenance_comment(out, s->entry[i].site);
 	for (size_t i = j->start; i < j->n; i++)
 		fprintf(out, "%s\n", j->line[i]);
 }

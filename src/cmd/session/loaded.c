@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 
 static void
-forget_ensembles(struct history *h)
+free_cached_ensembles(struct history *h)
 {
 	for (size_t i = 0; i < ARRAY_LEN(h->kept); i++) {
 		ensemble_free(h->kept[i].ensemble);
@@ -20,7 +20,7 @@ forget_ensembles(struct history *h)
 }
 
 void
-history_draw_again(struct history *h, double noise, unsigned seed)
+history_discard_draws(struct history *h, double noise, unsigned seed)
 {
 	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
 		posterior_free(h->posterior[i]);
@@ -30,7 +30,7 @@ history_draw_again(struct history *h, double noise, unsigned seed)
 	}
 	posterior_free(posterior_end(h->drawing));
 	h->drawing = NULL;
-	forget_ensembles(h);
+	free_cached_ensembles(h);
 	h->later.site = NULL;
 	h->alarm.site = NULL;
 	h->noise = noise;
@@ -38,18 +38,18 @@ history_draw_again(struct history *h, double noise, unsigned seed)
 }
 
 void
-history_drop_cached(struct history *h, const struct site *site)
+history_discard_cached(struct history *h, const struct site *site)
 {
 	if (h == NULL)
 		return;
 	if (h->later.site == site)
 		h->later.site = NULL;
 	if (h->kept[0].site == site || h->kept[1].site == site)
-		forget_ensembles(h);
+		free_cached_ensembles(h);
 }
 
 const struct entry *
-entry_loaded(const struct entry *entry)
+entry_without_variant(const struct entry *entry)
 {
 	return entry->variant != NULL ? entry->variant->own : entry;
 }
@@ -70,11 +70,11 @@ history_new(const struct fit *fit, const struct bounds *bounds, double weight,
 }
 
 void
-history_drop(struct history *h)
+history_release(struct history *h)
 {
 	if (h == NULL || --h->holders > 0)
 		return;
-	history_draw_again(h, 0, 0);
+	history_discard_draws(h, 0, 0);
 	free(h->generation);
 	free(h->train);
 	free(h);
@@ -94,7 +94,7 @@ origin_new(char *words, const char *from, const char *provenance)
 }
 
 static void
-add_speed(struct origin *o, double speed)
+add_training_speed(struct origin *o, double speed)
 {
 	o->speed = xrealloc(o->speed, o->n_speed + 1, sizeof *o->speed);
 	o->speed[o->n_speed++] = speed;
@@ -126,8 +126,8 @@ origin_of_fit(const struct entry *entry)
 	o->digest = site->digest;
 	o->history = share_history(entry->history);
 	for (size_t r = 0; r < site->n_run; r++)
-		if (entry->train[r] && !site_run_repeats(site, r))
-			add_speed(o, site->run[r].speed);
+		if (entry->train[r] && !site_run_repeats_speed(site, r))
+			add_training_speed(o, site->run[r].speed);
 	return o;
 }
 
@@ -149,12 +149,12 @@ origin_of_params_taken(const struct entry *from)
 	o->digest = was->digest;
 	o->history = share_history(was->history);
 	for (size_t i = 0; i < was->n_speed; i++)
-		add_speed(o, was->speed[i]);
+		add_training_speed(o, was->speed[i]);
 	return o;
 }
 
 static void
-set_material(struct origin *o, const struct stored *m)
+set_material_of_origin(struct origin *o, const struct stored *m)
 {
 	free(o->material);
 	free(o->date);
@@ -163,7 +163,7 @@ set_material(struct origin *o, const struct stored *m)
 }
 
 struct origin *
-origin_of_remembered(const struct entry *entry, const struct stored *m)
+origin_of_remembered_fit(const struct entry *entry, const struct stored *m)
 {
 	struct origin *o = origin_of_fit(entry);
 	free(o->words);
@@ -172,12 +172,12 @@ origin_of_remembered(const struct entry *entry, const struct stored *m)
 		? xasprintf(tr("from what was remembered on %s as %s"), m->date,
 		      m->name)
 		: xasprintf(tr("from what was remembered as %s"), m->name);
-	set_material(o, m);
+	set_material_of_origin(o, m);
 	return o;
 }
 
 bool
-origin_is_stored(const struct origin *o)
+origin_is_from_store(const struct origin *o)
 {
 	return o != NULL && o->material[0] != '\0';
 }
@@ -187,22 +187,22 @@ origin_from_store(const struct stored *m)
 {
 	struct origin *o = origin_new(
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);
-	set_material(o, m);
+	set_material_of_origin(o, m);
 	o->digest = strtoull(m->site_digest, NULL, 16);
 	FREED char *list = xstrdup(m->train_mps);
 	char *next = NULL;
 	for (char *word = strtok_r(list, ",", &next); word != NULL;
 	     word = strtok_r(NULL, ",", &next)) {
 		double speed;
-		if (text_number(word, &speed))
-			add_speed(o, speed);
+		if (text_parse_number(word, &speed))
+			add_training_speed(o, speed);
 	}
 	o->found = strcmp(m->origin, "hand") != 0 || o->n_speed > 0;
 	return o;
 }
 
 void
-origin_drop(struct origin *o)
+origin_release(struct origin *o)
 {
 	if (o == NULL || --o->holders > 0)
 		return;
@@ -212,47 +212,47 @@ origin_drop(struct origin *o)
 	free(o->date);
 	free(o->provenance);
 	free(o->speed);
-	history_drop(o->history);
+	history_release(o->history);
 	free(o);
 }
 
 bool
-origin_same(const struct origin *a, const struct origin *b)
+origin_is_same(const struct origin *a, const struct origin *b)
 {
 	return a == b || (a != NULL && b != NULL && a->history == b->history &&
 			     strcmp(a->words, b->words) == 0);
 }
 
 const struct fit *
-origin_fit(const struct entry *entry)
+origin_find_fit(const struct entry *entry)
 {
 	bool known = entry->origin != NULL && entry->origin->history != NULL;
 	return known ? &entry->origin->history->fit : NULL;
 }
 
 const char *
-origin_key(const struct entry *entry)
+origin_site_key(const struct entry *entry)
 {
 	bool own = entry->origin == NULL || entry->origin->from[0] == '\0';
 	return own ? entry->key : entry->origin->from;
 }
 
 bool
-origin_trained(const struct entry *entry)
+origin_has_training_speeds(const struct entry *entry)
 {
 	return entry->origin != NULL && entry->origin->n_speed > 0;
 }
 
 bool
-origin_reach(const struct entry *entry, double *slowest, double *fastest)
+origin_speed_range(const struct entry *entry, double *slowest, double *fastest)
 {
 	const struct origin *o = entry->origin;
 	const struct site *site = entry->site;
 	*slowest = INFINITY;
 	*fastest = 0;
-	size_t n = origin_trained(entry) ? o->n_speed : site->n_run;
+	size_t n = origin_has_training_speeds(entry) ? o->n_speed : site->n_run;
 	for (size_t i = 0; i < n; i++) {
-		bool other = origin_trained(entry);
+		bool other = origin_has_training_speeds(entry);
 		if (!other && !entry->train[i])
 			continue;
 		double v = other ? o->speed[i] : site->run[i].speed;
@@ -263,31 +263,31 @@ origin_reach(const struct entry *entry, double *slowest, double *fastest)
 }
 
 char *
-origin_details(const struct origin *o)
+origin_details_text(const struct origin *o)
 {
 	if (!o->found)
 		return xstrdup(tr("set by hand"));
 	FREED char *speeds = xstrdup("");
 	for (size_t i = 0; i < o->n_speed; i++)
-		xlist(&speeds, i + 1 < o->n_speed ? ", " : tr(" and "), "%g",
-		    o->speed[i]);
+		xappend_to_list(&speeds,
+		    i + 1 < o->n_speed ? ", " : tr(" and "), "%g", o->speed[i]);
 	char *text = o->n_speed > 0 ? xasprintf(tr("trained at %s m/s"), speeds)
 				    : xstrdup(tr("training speeds not known"));
 	const char *kind = tr(site_data_kind(o->provenance));
 	if (o->provenance[0] == '\0')
-		xlist(&text, "; ", "%s",
+		xappend_to_list(&text, "; ", "%s",
 		    tr("the origin of their data is not stated"));
-	else if (site_data_made_up(o->provenance))
-		xlist(&text, "; ", tr("%s, not measured"), kind);
+	else if (site_is_data_made_up(o->provenance))
+		xappend_to_list(&text, "; ", tr("%s, not measured"), kind);
 	else
-		xlist(&text, "; ", "%s", kind);
+		xappend_to_list(&text, "; ", "%s", kind);
 	if (o->date[0] != '\0')
-		xlist(&text, "; ", tr("remembered on %s"), o->date);
+		xappend_to_list(&text, "; ", tr("remembered on %s"), o->date);
 	return text;
 }
 
 bool
-origin_is_other(const struct entry *entry)
+origin_is_other_site(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	return !entry->has_fit && o != NULL && o->from[0] != '\0' &&
@@ -298,19 +298,19 @@ char *
 origin_sentence(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
-	if (o == NULL || (entry->has_fit && !origin_is_stored(o)))
+	if (o == NULL || (entry->has_fit && !origin_is_from_store(o)))
 		return xstrdup("");
 	if (o->from[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
-	bool own = !origin_is_other(entry);
-	FREED char *details = origin_details(o);
+	bool own = !origin_is_other_site(entry);
+	FREED char *details = origin_details_text(o);
 	return xasprintf(
-	    own && origin_is_stored(o)
+	    own && origin_is_from_store(o)
 		? tr("parameters from the store: %s (%s), calibrated on the "
 		     "same data as this site")
 	    : own ? tr("parameters from %s (%s), calibrated on the same data "
 		       "as this site")
-	    : origin_is_stored(o)
+	    : origin_is_from_store(o)
 		? tr("parameters from the store: %s (%s), not "
 		     "calibrated on this site")
 		: tr("parameters from %s (%s), not calibrated on this "
@@ -319,33 +319,36 @@ origin_sentence(const struct entry *entry)
 }
 
 void
-origin_note(struct answer *r, const struct entry *entry)
+origin_add_note(struct answer *r, const struct entry *entry)
 {
 	FREED char *sentence = origin_sentence(entry);
 	const struct origin *o = entry->origin;
-	bool whose = o != NULL && (o->from[0] != '\0' || origin_is_stored(o));
+	bool whose =
+	    o != NULL && (o->from[0] != '\0' || origin_is_from_store(o));
 	if (sentence[0] != '\0' && whose)
 		answer_say(r,
-		    origin_is_other(entry) ? ANSWER_WARNING : ANSWER_REMARK,
+		    origin_is_other_site(entry) ? ANSWER_WARNING
+						: ANSWER_REMARK,
 		    "%s", sentence);
 }
 
 void
-origin_put(struct fields *o, const struct entry *entry)
+origin_put_fields(struct fields *o, const struct entry *entry)
 {
 	const struct origin *from = entry->origin;
 	if (from == NULL)
 		return;
-	struct fields *object = fields_object(o, "params_from");
+	struct fields *object = fields_add_object(o, "params_from");
 	fields_put(
 	    object, "origin %s provenance %s", from->words, from->provenance);
-	fields_numbers(object, "trained_mps", from->speed, from->n_speed, NULL);
+	fields_put_numbers(
+	    object, "trained_mps", from->speed, from->n_speed, NULL);
 }
 
 const char *
-origin_words(const struct entry *entry)
+origin_source_text(const struct entry *entry)
 {
-	if (entry->has_fit && !origin_is_stored(entry->origin))
+	if (entry->has_fit && !origin_is_from_store(entry->origin))
 		return tr("found by calibration");
 	if (!entry->has_params)
 		return tr("not known yet");
@@ -357,8 +360,8 @@ entry_clear(struct entry *entry)
 {
 	free(entry->key);
 	free(entry->train);
-	origin_drop(entry->origin);
-	history_drop(entry->history);
+	origin_release(entry->origin);
+	history_release(entry->history);
 }
 
 void

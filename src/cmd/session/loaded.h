@@ -33,7 +33,7 @@ struct history {
 	struct posterior_run *drawing;  /* for posterior[drawn], or NULL */
 	size_t drawn;
 	struct evidence *evidence[2];
-	double weight; /* see calibration_weight */
+	double weight; /* see calibration_sum_of_weights */
 	double noise;  /* that of the draws, and their seed */
 	unsigned draw_seed;
 	struct later {
@@ -122,22 +122,23 @@ struct entry entry_copy(const struct entry *from);
 void entry_clear(struct entry *entry);
 
 /* Returns the loaded entry on which an entry with a variant is based. */
-const struct entry *entry_loaded(const struct entry *entry);
+const struct entry *entry_without_variant(const struct entry *entry);
 
 /* Returns a history, without generations and with one holder, for a calibration
  * that found the fit on the runs marked in train [n_run] within the bounds.
- * weight: see calibration_weight.  Borrows the site. */
+ * weight: see calibration_sum_of_weights.  Borrows the site. */
 struct history *history_new(const struct fit *fit, const struct bounds *bounds,
     double weight, const struct site *site, const bool *train);
 
 /* Releases a share in the history, which may be NULL. */
-void history_drop(struct history *history);
+void history_release(struct history *history);
 
 /* Discards the draws; they will be redrawn with this noise and seed. */
-void history_draw_again(struct history *history, double noise, unsigned seed);
+void history_discard_draws(
+    struct history *history, double noise, unsigned seed);
 
 /* Discards what was computed for a site that is being removed. */
-void history_drop_cached(struct history *history, const struct site *site);
+void history_discard_cached(struct history *history, const struct site *site);
 
 /* Return the origin of parameters: just found by the entry's fit; set by hand;
  * taken from another entry; a material in the store; the site's own fit, kept
@@ -146,49 +147,50 @@ struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_new_by_hand(void);
 struct origin *origin_of_params_taken(const struct entry *from);
 struct origin *origin_from_store(const struct stored *m);
-struct origin *origin_of_remembered(
+struct origin *origin_of_remembered_fit(
     const struct entry *entry, const struct stored *m);
 
 /* True if the parameters were recalled from the store. */
-bool origin_is_stored(const struct origin *origin);
+bool origin_is_from_store(const struct origin *origin);
 
-void origin_drop(struct origin *origin); /* NULL is allowed */
-bool origin_same(const struct origin *a, const struct origin *b);
+void origin_release(struct origin *origin); /* NULL is allowed */
+bool origin_is_same(const struct origin *a, const struct origin *b);
 
 /* Returns the origin of the entry's parameters in words: "set by hand". */
-const char *origin_words(const struct entry *entry);
+const char *origin_source_text(const struct entry *entry);
 
 /* Returns the fit in this session, on any site, that found the entry's
  * parameters, or NULL. */
-const struct fit *origin_fit(const struct entry *entry);
+const struct fit *origin_find_fit(const struct entry *entry);
 
-/* Returns the key of the site to which the fit of origin_fit belongs. */
-const char *origin_key(const struct entry *entry);
+/* Returns the key of the site to which the fit of origin_find_fit belongs. */
+const char *origin_site_key(const struct entry *entry);
 
 /* Computes the slowest and fastest training speeds of the parameters or, if
  * unknown, the slowest and fastest speeds measured on the site.  Returns false
  * if neither are known. */
-bool origin_reach(const struct entry *entry, double *slowest, double *fastest);
+bool origin_speed_range(
+    const struct entry *entry, double *slowest, double *fastest);
 
-/* True if the speeds of origin_reach are training speeds. */
-bool origin_trained(const struct entry *entry);
+/* True if the speeds of origin_speed_range are training speeds. */
+bool origin_has_training_speeds(const struct entry *entry);
 
 /* Returns "trained at 69 and 79 m/s; reconstructed, not measured" or "set by
  * hand".  The caller frees it. */
-char *origin_details(const struct origin *origin);
+char *origin_details_text(const struct origin *origin);
 
 /* True if the parameters were calibrated on data other than the site's, which
  * deserves a warning. */
-bool origin_is_other(const struct entry *entry);
+bool origin_is_other_site(const struct entry *entry);
 
 /* origin_sentence returns "parameters from tierp (..), not calibrated on this
- * site", or "" if they were found on it; the caller frees it.  origin_note adds
- * it as a note for parameters from another site or the store; the light reports
- * parameters set by hand. */
+ * site", or "" if they were found on it; the caller frees it.  origin_add_note
+ * adds it as a note for parameters from another site or the store; the light
+ * reports parameters set by hand. */
 char *origin_sentence(const struct entry *entry);
-void origin_note(struct answer *r, const struct entry *entry);
+void origin_add_note(struct answer *r, const struct entry *entry);
 
 /* Puts "params_from": {"origin", "trained_mps", "provenance"}. */
-void origin_put(struct fields *o, const struct entry *entry);
+void origin_put_fields(struct fields *o, const struct entry *entry);
 
 #endif

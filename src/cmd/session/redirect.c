@@ -58,7 +58,7 @@ static const char *const OTHER_BOOKS[] = {".xls", ".xlsm", ".xlsb", ".ods"};
 
 /* Returns how to write the file named by the words, for the command. */
 static const struct output *
-find_output(const struct command *command, const struct words *words)
+find_output_format(const struct command *command, const struct words *words)
 {
 	bool draws = (command->flags & COMMAND_DRAWS) != 0;
 	const struct output *o = OUTPUTS;
@@ -73,7 +73,7 @@ find_output(const struct command *command, const struct words *words)
 /* Sets the error for a workbook that cannot be written, with a line that
  * can. */
 static bool
-error_no_such_workbook(const struct command *command, const struct words *words,
+set_error_no_workbook(const struct command *command, const struct words *words,
     struct error *error)
 {
 	const char *target = words->target, *end = strrchr(target, '.');
@@ -91,7 +91,7 @@ error_no_such_workbook(const struct command *command, const struct words *words,
 
 /* Sets the error for an image from a command that does not draw. */
 static bool
-error_command_draws_nothing(
+set_error_draws_nothing(
     const struct command *command, const char *target, struct error *error)
 {
 	size_t kind;
@@ -109,7 +109,7 @@ error_command_draws_nothing(
 
 /* Sets the error for files to which nothing can be appended. */
 static bool
-error_cannot_append(
+set_error_cannot_append(
     enum output_kind kind, const char *target, struct error *error)
 {
 	if (kind == OUTPUT_PICTURE)
@@ -124,7 +124,7 @@ error_cannot_append(
 }
 
 bool
-redirect_allowed(const struct command *command, const struct words *words,
+redirect_is_allowed(const struct command *command, const struct words *words,
     struct error *error)
 {
 	enum picture_form form;
@@ -133,18 +133,18 @@ redirect_allowed(const struct command *command, const struct words *words,
 		return true;
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_BOOKS); i++)
 		if (text_ends_with(target, OTHER_BOOKS[i]))
-			return error_no_such_workbook(command, words, error);
-	bool image = picture_form_of(target, &form);
-	enum output_kind kind = find_output(command, words)->kind;
-	if (image && !picture_can(form))
+			return set_error_no_workbook(command, words, error);
+	bool image = picture_form_of_file_name(target, &form);
+	enum output_kind kind = find_output_format(command, words)->kind;
+	if (image && !picture_can_draw_form(form))
 		return error_set(error, ERROR_USAGE,
 		    "this program draws %s, not %s\n> FILE.%s works",
-		    picture_forms(), strrchr(target, '.') + 1,
+		    picture_list_forms(), strrchr(target, '.') + 1,
 		    kind == OUTPUT_PDF ? tr("html") : "svg");
 	if (image && kind == OUTPUT_ANSWERS)
-		return error_command_draws_nothing(command, target, error);
+		return set_error_draws_nothing(command, target, error);
 	return words->to != TO_APPEND || kind == OUTPUT_ANSWERS ||
-	       error_cannot_append(kind, target, error);
+	       set_error_cannot_append(kind, target, error);
 }
 
 struct redirect {
@@ -166,7 +166,8 @@ struct redirect {
 
 /* Starts the workbook or document that collects the results, if any. */
 static bool
-open_whole(struct session *s, struct redirect *r, struct error *error)
+open_book_or_document(
+    struct session *s, struct redirect *r, struct error *error)
 {
 	r->outer_book = s->book;
 	r->outer_document = s->document;
@@ -188,13 +189,14 @@ redirect_open(struct session *s, const struct command *command,
 {
 	if (words->to != TO_PIPE && !files_may_write(s, words->target, error))
 		return NULL;
-	if (words->to == TO_FILE && !files_may_replace(s, words->target, error))
+	if (words->to == TO_FILE &&
+	    !files_confirm_replace(s, words->target, error))
 		return NULL;
-	const struct output *output = find_output(command, words);
+	const struct output *output = find_output_format(command, words);
 	struct redirect *r = xcalloc(1, sizeof *r);
 	r->kind = output->kind;
 	r->line = xstrdup(words->typed);
-	if (!open_whole(s, r, error)) {
+	if (!open_book_or_document(s, r, error)) {
 		free(r->line);
 		free(r);
 		return NULL;
@@ -244,14 +246,14 @@ add_byte_order_mark(struct redirect *r)
 
 /* Returns "12 rows" for a table, "24 lines" for other text. */
 static char *
-size_of_output_words(const struct redirect *r, size_t rows)
+output_size_text(const struct redirect *r, size_t rows)
 {
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
 	if (r->document != NULL) {
-		char *text = document_extent_words(r->document);
+		char *text = document_extent_text(r->document);
 		if (r->pages > 0)
-			xlist(&text, ", ",
+			xappend_to_list(&text, ", ",
 			    tr_n("%zu page", "%zu pages", r->pages), r->pages);
 		return text;
 	}
@@ -265,20 +267,20 @@ size_of_output_words(const struct redirect *r, size_t rows)
 }
 
 static bool
-write_file(struct session *s, struct redirect *r, struct error *error)
+write_output_file(struct session *s, struct redirect *r, struct error *error)
 {
 	/* The command may have read this file since redirect_open. */
 	if (!files_may_write(s, r->target, error))
 		return false;
 	bool whole = r->to == TO_FILE;
 	bool (*write)(const char *, enum file_rights, const char *, size_t,
-	    struct error *) = whole ? file_replace : file_append;
+	    struct error *) = whole ? file_replace_contents : file_append_bytes;
 	if (!write(r->target, FILE_SHARED, r->text, r->n, error))
 		return false;
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	FREED char *what = size_of_output_words(r, s->rows);
+	FREED char *what = output_size_text(r, s->rows);
 	files_note_written(s, r->target);
 	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
 	    r->target, what);
@@ -289,19 +291,19 @@ write_file(struct session *s, struct redirect *r, struct error *error)
 static void
 add_about_sheet(struct session *s, const struct redirect *r)
 {
-	book_add_about(r->book, "program", "tipspeed " PACKAGE_VERSION);
-	book_add_about(r->book, "command", r->line);
+	book_add_about_line(r->book, "program", "tipspeed " PACKAGE_VERSION);
+	book_add_about_line(r->book, "command", r->line);
 	if (!book_has_site(r->book) || s->n_entry == 0)
 		return;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds(site, ", ", NULL, true);
-	book_add_about(r->book, "site", label);
-	book_add_about(r->book, "file", site->path);
-	book_add_about(r->book, "provenance", site->provenance);
-	book_add_about(r->book, "speeds, m/s", speeds);
-	book_add_about(r->book, "parameters", origin_words(entry));
+	FREED char *speeds = session_speeds_text(site, ", ", NULL, true);
+	book_add_about_line(r->book, "site", label);
+	book_add_about_line(r->book, "file", site->path);
+	book_add_about_line(r->book, "provenance", site->provenance);
+	book_add_about_line(r->book, "speeds, m/s", speeds);
+	book_add_about_line(r->book, "parameters", origin_source_text(entry));
 	const struct breakage *model = BREAKAGES[entry->params.breakage];
 	for (size_t j = 0; entry->has_params && j < model->n; j++) {
 		const struct param_info *p = &model->parameter[j];
@@ -309,41 +311,41 @@ add_about_sheet(struct session *s, const struct redirect *r)
 		bool bare = strcmp(p->unit, "-") == 0;
 		FREED char *name = xasprintf(
 		    "%s%s%s", p->name, bare ? "" : ", ", bare ? "" : p->unit);
-		book_add_about(r->book, name,
-		    text_exact_number(
-			params_value(&entry->params, p->name), number));
+		book_add_about_line(r->book, name,
+		    text_shortest_exact_number(
+			params_value_by_name(&entry->params, p->name), number));
 	}
 }
 
 /* Replaces the printed text by the workbook. */
 static bool
-bind_book(struct session *s, struct redirect *r, struct error *error)
+finish_workbook(struct session *s, struct redirect *r, struct error *error)
 {
-	if (book_sheets(r->book) == 0)
+	if (book_count_sheets(r->book) == 0)
 		return error_set(error, ERROR_USAGE,
 		    "no table for a workbook (%s)\n"
 		    "write > FILE.txt instead",
 		    r->target);
 	add_about_sheet(s, r);
 	free(r->text);
-	r->text = book_finish(r->book, &r->n, error);
+	r->text = book_finish_to_bytes(r->book, &r->n, error);
 	r->book = NULL;
 	return r->text != NULL;
 }
 
 /* Replaces the printed text by the document. */
 static bool
-bind_document(struct redirect *r, struct error *error)
+finish_document(struct redirect *r, struct error *error)
 {
-	if (!document_end(r->document))
+	if (!document_finish(r->document))
 		return error_set(error, ERROR_USAGE,
 		    "no results for a document (%s)\n"
 		    "use it with a command that answers: predict > %s",
 		    r->target, r->target);
 	free(r->text);
 	r->text = r->kind == OUTPUT_PDF
-		      ? document_pdf(r->document, &r->n, &r->pages)
-		      : document_html(r->document, &r->n);
+		      ? document_to_pdf(r->document, &r->n, &r->pages)
+		      : document_to_html(r->document, &r->n);
 	return r->text != NULL || error_set(error, ERROR_SYSTEM,
 				      "cannot draw the document %s\n"
 				      "try > FILE.html",
@@ -371,7 +373,7 @@ check_shell_status(const struct redirect *r, int status, struct error *error)
 /* If the reader closes the pipe early, only the writing ends.  ^C goes to the
  * shell command, as in a shell. */
 static bool
-write_pipe(const struct redirect *r, struct error *error)
+write_to_shell_command(const struct redirect *r, struct error *error)
 {
 	struct sigaction ignore = {.sa_handler = SIG_IGN}, pipe, interrupt;
 	sigemptyset(&ignore.sa_mask);
@@ -407,9 +409,9 @@ redirect_close(
 	session_set_language(s);
 	bool whole = fclose(r->memory) == 0, ok = true;
 	if (keep && r->book != NULL)
-		keep = ok = bind_book(s, r, error);
+		keep = ok = finish_workbook(s, r, error);
 	else if (keep && r->document != NULL)
-		keep = ok = bind_document(r, error);
+		keep = ok = finish_document(r, error);
 	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
 		 s->set.semicolon && r->n > 0)
 		add_byte_order_mark(r);
@@ -417,8 +419,8 @@ redirect_close(
 		ok = error_set(error, ERROR_SYSTEM,
 		    "the results for %s do not fit into memory", r->target);
 	else if (keep)
-		ok = r->to == TO_PIPE ? write_pipe(r, error)
-				      : write_file(s, r, error);
+		ok = r->to == TO_PIPE ? write_to_shell_command(r, error)
+				      : write_output_file(s, r, error);
 	s->rows = r->rows;
 	free(r->text);
 	book_free(r->book);

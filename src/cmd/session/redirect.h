@@ -13,8 +13,8 @@ struct redirect;
 
 /* True if the command has results for the file named by words.  Otherwise sets
  * an error that suggests what to write. */
-bool redirect_allowed(const struct command *command, const struct words *words,
-    struct error *error);
+bool redirect_is_allowed(const struct command *command,
+    const struct words *words, struct error *error);
 
 /* Starts to collect the session's results for the target of words, in the
  * format that the file name implies.  Returns NULL, with an error of kind

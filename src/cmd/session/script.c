@@ -35,7 +35,7 @@ push_script(struct session *s, FILE *in, const char *name)
 }
 
 static bool
-is_command(const char *line)
+is_line_with_command(const char *line)
 {
 	line += strspn(line, " \t\r\n");
 	return *line != '\0' && *line != '#';
@@ -43,7 +43,7 @@ is_command(const char *line)
 
 /* Returns the number of commands, or 0 if the stream cannot be read twice. */
 static size_t
-script_count(FILE *in)
+count_script_commands(FILE *in)
 {
 	FREED char *line = NULL;
 	size_t n = 0, room = 0, commands = 0;
@@ -52,7 +52,7 @@ script_count(FILE *in)
 	if (begin < 0)
 		return 0;
 	while (text_read_line(&line, &n, &room, in) == TEXT_LINE) {
-		commands += !more && is_command(line);
+		commands += !more && is_line_with_command(line);
 		more = script_line_continues(line);
 		n = 0;
 	}
@@ -77,7 +77,7 @@ script_open(struct session *s, const char *path, struct error *error)
 		    "check the name (quote names with spaces), the folder and "
 		    "its permissions",
 		    path, why);
-	push_script(s, in, path)->at.of = script_count(in);
+	push_script(s, in, path)->at.of = count_script_commands(in);
 	return true;
 }
 
@@ -99,7 +99,7 @@ script_open_text(
 }
 
 void
-script_close(struct session *s, size_t depth)
+script_close_to_depth(struct session *s, size_t depth)
 {
 	while (s->scripts > depth) {
 		struct script *script = s->script;
@@ -125,7 +125,7 @@ script_line_continues(char *line)
 }
 
 static bool
-check_text(const struct script *script, const char *piece, size_t n,
+check_script_is_text(const struct script *script, const char *piece, size_t n,
     struct error *error)
 {
 	if (text_is_utf8(piece, n))
@@ -136,7 +136,7 @@ check_text(const struct script *script, const char *piece, size_t n,
 }
 
 bool
-script_too_long(const char *name, int line, struct error *error)
+script_set_error_too_long(const char *name, int line, struct error *error)
 {
 	return error_at(error, ERROR_USAGE, name, line, 1,
 	    "expected lines of at most 10 MB, got a longer one\n"
@@ -146,7 +146,7 @@ script_too_long(const char *name, int line, struct error *error)
 /* Returns the next line with its continuations; NULL at the end or on an
  * error. */
 static char *
-read_joined_line(struct script *script, int *first, struct error *error)
+read_continued_line(struct script *script, int *first, struct error *error)
 {
 	char *line = NULL;
 	size_t n = 0, room = 0, from = 0;
@@ -156,7 +156,8 @@ read_joined_line(struct script *script, int *first, struct error *error)
 	    more && good &&
 	    (got = text_read_line(&line, &n, &room, script->in)) == TEXT_LINE) {
 		script->number += !script->one_number;
-		good = check_text(script, line + from, n - from, error);
+		good =
+		    check_script_is_text(script, line + from, n - from, error);
 		/* Some editors write a byte order mark first. */
 		if (!any && script->number == 1 &&
 		    strncmp(line, "\xEF\xBB\xBF", 3) == 0)
@@ -168,7 +169,7 @@ read_joined_line(struct script *script, int *first, struct error *error)
 		n = from += strlen(line + from);
 	}
 	if (got == TEXT_TOO_LONG)
-		good = script_too_long(
+		good = script_set_error_too_long(
 		    script->name, script->number + !script->one_number, error);
 	else if (good && more && ferror(script->in))
 		good = error_at(error, ERROR_SYSTEM, script->name, 0, 0,
@@ -180,22 +181,22 @@ read_joined_line(struct script *script, int *first, struct error *error)
 }
 
 char *
-script_line(struct session *s, struct place *place, struct error *error)
+script_read_line(struct session *s, struct place *place, struct error *error)
 {
 	struct script *script = s->script;
 	*place = (struct place){.file = script->name};
 	char *line = script->in != NULL
-			 ? read_joined_line(script, &place->line, error)
+			 ? read_continued_line(script, &place->line, error)
 			 : NULL;
 	if (line == NULL && error->kind == ERROR_NONE)
-		script_close(s, s->scripts - 1);
+		script_close_to_depth(s, s->scripts - 1);
 	else if (line != NULL)
-		script->at.at += is_command(line);
+		script->at.at += is_line_with_command(line);
 	return line;
 }
 
 struct script_place
-script_place(const struct session *s)
+script_position(const struct session *s)
 {
 	return s->script != NULL ? s->script->at : (struct script_place){0};
 }

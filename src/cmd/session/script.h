@@ -22,20 +22,21 @@ void script_open_text(
  * the caller frees it.  At the end, closes the script and returns NULL; also
  * returns NULL, with an error, if the script cannot be read or is not text.
  * place is valid until the script is closed. */
-char *script_line(struct session *s, struct place *place, struct error *error);
+char *script_read_line(
+    struct session *s, struct place *place, struct error *error);
 
 /* The position of the last line read in the innermost script: command `at` of
  * `of`; `of` is 0 if not known, as for a stream. */
 struct script_place {
 	size_t at, of;
 };
-struct script_place script_place(const struct session *s);
+struct script_place script_position(const struct session *s);
 
 /* Closes the innermost scripts until `depth` remain. */
-void script_close(struct session *s, size_t depth);
+void script_close_to_depth(struct session *s, size_t depth);
 
 /* Sets the error of a line that is too long.  Returns false. */
-bool script_too_long(const char *name, int line, struct error *error);
+bool script_set_error_too_long(const char *name, int line, struct error *error);
 
 /* Removes the line end.  Returns true if the line is continued (it ended in
  * \). */

@@ -18,7 +18,7 @@
 #include "io/sitefile/units.h"
 
 struct entry *
-session_entry(struct session *s)
+session_current_entry(struct session *s)
 {
 	assert(s->current < s->n_entry);
 	return &s->entry[s->current];
@@ -42,7 +42,7 @@ session_report_faults(const struct session *s, const char *path,
 /* Exact results are printed unchanged to files and pipes, but escaped on a
  * terminal. */
 static size_t
-print_exact(struct session *s, const struct answer_form *form,
+print_exact_answer(struct session *s, const struct answer_form *form,
     const struct answer *answer)
 {
 	char *text = NULL, *save = NULL;
@@ -99,7 +99,7 @@ session_answer_number(
 	for (size_t i = s->n_answer; i-- > 0 && isnan(value);)
 		if (text_find_word(
 			commands, answer_command(s->answer[i]), &which))
-			value = answer_number(s->answer[i], path);
+			value = answer_find_number(s->answer[i], path);
 	return value;
 }
 
@@ -110,12 +110,12 @@ session_show_answer(struct session *s, struct answer *answer)
 	if (s->hooks.clear_progress != NULL)
 		s->hooks.clear_progress();
 	if (s->book != NULL)
-		s->rows += book_add(s->book, answer);
+		s->rows += book_add_answer(s->book, answer);
 	else if (s->document != NULL)
-		s->rows += document_answer(s->document, answer);
+		s->rows += document_add_answer(s->document, answer);
 	else
 		s->rows += form->exact && s->screen.columns > 0
-			       ? print_exact(s, form, answer)
+			       ? print_exact_answer(s, form, answer)
 			       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
 	session_keep_answer(s, answer);
@@ -150,7 +150,8 @@ session_need_site(
 	size_t own = 0;
 	if (s->n_entry > 0)
 		return true;
-	bool remembered = store_count(s->store, &own, NULL) && own > 0;
+	bool remembered =
+	    store_count_materials(s->store, &own, NULL) && own > 0;
 	return error_set(error, ERROR_USAGE,
 	    remembered ? N_("%s needs a site, and none is loaded\n"
 			    "load its site file: load FILE; or bring back what "
@@ -182,19 +183,21 @@ session_site_label(const struct site *site)
 }
 
 bool
-session_busy(const struct session *s)
+session_is_calibrating(const struct session *s)
 {
 	return s->job.calibration != NULL && !s->job.paused;
 }
 
 const struct entry *
-session_fitting(const struct session *s)
+session_entry_being_fitted(const struct session *s)
 {
-	return session_busy(s) && s->job.fits ? &s->entry[s->job.entry] : NULL;
+	return session_is_calibrating(s) && s->job.fits
+		   ? &s->entry[s->job.entry]
+		   : NULL;
 }
 
 char *
-session_speeds(
+session_speeds_text(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *list = xstrdup("");
@@ -202,33 +205,35 @@ session_speeds(
 		if (site->run[r].product.n == 0 ||
 		    (mark != NULL && mark[r] != marked))
 			continue;
-		n = n > 0 && site_run_repeats(site, r) ? n + 1 : 1;
+		n = n > 0 && site_run_repeats_speed(site, r) ? n + 1 : 1;
 		if (n == 1)
-			xlist(&list, between, "%g", site->run[r].speed);
-		if (n > 1 &&
-		    (r + 1 == site->n_run || !site_run_repeats(site, r + 1)))
+			xappend_to_list(
+			    &list, between, "%g", site->run[r].speed);
+		if (n > 1 && (r + 1 == site->n_run ||
+				 !site_run_repeats_speed(site, r + 1)))
 			xappend(&list, tr(" (%zu runs)"), n);
 	}
 	return list;
 }
 
 char *
-session_rpm_list(
+session_rpm_list_text(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *rpm = xstrdup("");
 	double rotor = site_run_rotor(site);
 	for (size_t r = 0; r < site->n_run && rotor > 0; r++)
-		if (site->run[r].product.n > 0 && !site_run_repeats(site, r) &&
+		if (site->run[r].product.n > 0 &&
+		    !site_run_repeats_speed(site, r) &&
 		    (mark == NULL || mark[r] == marked))
-			xlist(&rpm, between, "%.0f",
-			    rotor_speed_rpm(site->run[r].speed, rotor));
+			xappend_to_list(&rpm, between, "%.0f",
+			    rotor_speed_to_rpm(site->run[r].speed, rotor));
 	return rpm;
 }
 
 char *
-session_rpm(const struct site *site, const bool *mark, bool marked)
+session_rpm_in_brackets(const struct site *site, const bool *mark, bool marked)
 {
-	FREED char *rpm = session_rpm_list(site, ", ", mark, marked);
+	FREED char *rpm = session_rpm_list_text(site, ", ", mark, marked);
 	return rpm[0] != '\0' ? xasprintf(tr(" (%s rpm)"), rpm) : xstrdup("");
 }

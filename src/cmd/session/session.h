@@ -45,7 +45,7 @@ struct hooks {
 };
 
 /* A calibration in progress, or several in succession.  The driver calls
- * session_step until session_busy is false. */
+ * session_step_job until session_is_calibrating is false. */
 struct job {
 	const struct job_type *type; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
@@ -138,12 +138,13 @@ struct session {
 	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
 	struct spec **specs;          /* all so far */
-	struct last_asked last_asked; /* see asked_keep */
+	struct last_asked last_asked; /* see asked_keep_speed_and_quantity */
 	struct moved *moved;          /* see moved.h */
 	struct blended *fed;          /* feed from the sheets in `set feed`, see
 			      * blended.h, or NULL */
-	struct standing *standing; /* see question_of_feed_setting; or NULL */
-	const struct pin *pin;     /* see pin.h, or NULL */
+	struct standing
+	    *standing; /* see question_site_with_feed_setting; or NULL */
+	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* all so far */
 	const struct energies *energy; /* shown, or NULL */
@@ -163,7 +164,7 @@ struct session {
 };
 
 /* Returns the current site; asserts that there is one. */
-struct entry *session_entry(struct session *s);
+struct entry *session_current_entry(struct session *s);
 
 /* Returns false, with an error that says what to do next, if no site is loaded.
  * what: the command that needs one. */
@@ -188,9 +189,9 @@ bool session_show_answer(struct session *s, struct answer *answer);
  * Frees an answer without fields, from which nothing could be read. */
 void session_keep_answer(struct session *s, struct answer *answer);
 
-/* Returns the number in a field (see answer_number) of the newest answer that
- * has it and is from one of the commands, which are separated by spaces, or
- * NAN. */
+/* Returns the number in a field (see answer_find_number) of the newest answer
+ * that has it and is from one of the commands, which are separated by spaces,
+ * or NAN. */
 double session_answer_number(
     const struct session *s, const char *commands, const char *path);
 
@@ -203,11 +204,11 @@ void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* True if a calibration is in progress and not stopped. */
-bool session_busy(const struct session *s);
+bool session_is_calibrating(const struct session *s);
 
 /* Returns the site that will receive the fit of the calibration in progress, or
  * NULL. */
-const struct entry *session_fitting(const struct session *s);
+const struct entry *session_entry_being_fitted(const struct session *s);
 
 /* Returns the time on a monotonic clock, in seconds. */
 double session_clock(void);
@@ -218,14 +219,15 @@ char *session_site_label(const struct site *site);
 /* Returns "69, 79 (2 runs)": the speeds of the runs with a product whose mark
  * [n_run] equals `marked`, or of all if mark is NULL.  between: the separator.
  * The caller frees it. */
-char *session_speeds(const struct site *site, const char *between,
+char *session_speeds_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
 
-/* Returns these speeds in rpm, "1569, 1796", or as session_rpm to follow m/s in
- * a sentence, " (1569, 1796 rpm)"; "" unless the site states the rotor.  The
- * caller frees it. */
-char *session_rpm_list(const struct site *site, const char *between,
+/* Returns these speeds in rpm, "1569, 1796", or as session_rpm_in_brackets to
+ * follow m/s in a sentence, " (1569, 1796 rpm)"; "" unless the site states the
+ * rotor.  The caller frees it. */
+char *session_rpm_list_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
-char *session_rpm(const struct site *site, const bool *mark, bool marked);
+char *session_rpm_in_brackets(
+    const struct site *site, const bool *mark, bool marked);
 
 #endif

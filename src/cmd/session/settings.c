@@ -15,7 +15,7 @@
 #include "core/model/breakage.h"
 
 void
-settings_put(const struct command_option *row, const struct value *value,
+settings_set_value(const struct command_option *row, const struct value *value,
     struct settings *set)
 {
 	char *place = (char *)set + row->offset;
@@ -42,7 +42,8 @@ settings_put(const struct command_option *row, const struct value *value,
 }
 
 char *
-settings_text(const struct command_option *row, const struct settings *set)
+settings_value_text(
+    const struct command_option *row, const struct settings *set)
 {
 	const char *place = (const char *)set + row->offset;
 	const char *word = option_choices(row);
@@ -72,7 +73,7 @@ settings_text(const struct command_option *row, const struct settings *set)
 /* Returns OMP_NUM_THREADS, or else the number of processors that this process
  * may use: a job system may assign fewer than the machine has. */
 static unsigned
-threads_default(void)
+default_thread_count(void)
 {
 	const char *text = getenv("OMP_NUM_THREADS");
 	long n = text != NULL ? strtol(text, NULL, 10) : 0;
@@ -87,32 +88,32 @@ settings_default(void)
 {
 	struct settings set = {.bounds = bounds_default(0),
 	    .seed = 1,
-	    .threads = threads_default()};
+	    .threads = default_thread_count()};
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
 		struct value value = {0};
 		struct error error = {0};
 		const char *word = r->fallback;
 		if (word[0] == '\0')
 			continue;
-		bool ok = value_read(r, word, &value, &error);
+		bool ok = value_parse(r, word, &value, &error);
 		assert(ok);
 		(void)ok;
-		settings_put(r, &value, &set);
+		settings_set_value(r, &value, &set);
 	}
 	return set;
 }
 
 double
-settings_level(const struct settings *set)
+settings_band_probability(const struct settings *set)
 {
 	return set->level == 0 ? 0.8 : 0.9;
 }
 
 void
-settings_reach(const struct settings *set, const struct site *site,
+settings_speed_range(const struct settings *set, const struct site *site,
     double *from, double *to)
 {
-	site_reach(site, from, to);
+	site_default_speed_range(site, from, to);
 	if (set->slider[1] > 0) {
 		*from = set->slider[0];
 		*to = set->slider[1];
@@ -120,15 +121,15 @@ settings_reach(const struct settings *set, const struct site *site,
 }
 
 bool
-settings_same(const struct settings *a, const struct settings *b)
+settings_are_equal(const struct settings *a, const struct settings *b)
 {
 	bool same = a->seed == b->seed && a->energy == b->energy &&
 		    model_settings_same(&a->model, &b->model) &&
 		    a->energy == b->energy && a->timing == b->timing &&
 		    memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {
-		FREED char *mine = settings_text(r, a),
-			   *other = settings_text(r, b);
+		FREED char *mine = settings_value_text(r, a),
+			   *other = settings_value_text(r, b);
 		same = same && (r->looks || strcmp(mine, other) == 0);
 	}
 	return same;

@@ -41,7 +41,8 @@ single impact */
 	/* The conditions on the product (goals.h), and the quantity that the
 	 * full screen shows above its track.  "": none. */
 	char goal[SETTINGS_TEXT], quantity[SETTINGS_TEXT];
-	/* Ends of the range of speeds, m/s; 0: as given by site_reach. */
+	/* Ends of the range of speeds, m/s; 0: as given by
+	 * site_default_speed_range. */
 	double slider[2];
 	char feed[SETTINGS_TEXT]; /* for answers, as in feed=: "mean" or
 				  * another */
@@ -53,22 +54,22 @@ struct settings settings_default(void);
 
 /* True if the choices are equal, including bounds, seed and timing but not the
  * appearance of the full screen. */
-bool settings_same(const struct settings *a, const struct settings *b);
+bool settings_are_equal(const struct settings *a, const struct settings *b);
 
 /* Returns the probability of bands, 0..1. */
-double settings_level(const struct settings *set);
+double settings_band_probability(const struct settings *set);
 
 /* Computes the default range of speeds, m/s, of commands: as set, else from
- * site_reach.  site may be NULL. */
-void settings_reach(const struct settings *set, const struct site *site,
+ * site_default_speed_range.  site may be NULL. */
+void settings_speed_range(const struct settings *set, const struct site *site,
     double *from, double *to);
 
 /* Stores a value given to `set`. */
-void settings_put(const struct command_option *row, const struct value *value,
-    struct settings *set);
+void settings_set_value(const struct command_option *row,
+    const struct value *value, struct settings *set);
 
 /* Returns the value as typed after `set`.  The caller frees it. */
-char *settings_text(
+char *settings_value_text(
     const struct command_option *row, const struct settings *set);
 
 #endif

@@ -17,12 +17,12 @@
 static uint64_t
 digest_of_text(const char *text)
 {
-	return text_digest(TEXT_DIGEST_START, text, strlen(text));
+	return text_fnv1a_digest(TEXT_DIGEST_START, text, strlen(text));
 }
 
 /* True if the key is in use.  Only sites of that name can have it. */
 static bool
-key_taken(const struct session *s, uint64_t name, const char *key)
+is_key_taken(const struct session *s, uint64_t name, const char *key)
 {
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].lookup.name == name &&
@@ -32,7 +32,7 @@ key_taken(const struct session *s, uint64_t name, const char *key)
 }
 
 static char *
-sized_key(const char *slug, const struct site *site)
+key_with_top_size(const char *slug, const struct site *site)
 {
 	return xasprintf("%s/%g", slug, units_mm(site->top_size));
 }
@@ -52,7 +52,7 @@ name_slug(const char *name)
  * have the name; and with a number, "gavle/11.2/2", if several also have the
  * size. */
 static char *
-new_key(struct session *s, const struct site *site)
+new_key_of_site(struct session *s, const struct site *site)
 {
 	char *slug = name_slug(site->name), *key = xstrdup(slug);
 	bool shared = false;
@@ -69,15 +69,15 @@ new_key(struct session *s, const struct site *site)
 		if (strcmp(other->key, slug) == 0 &&
 		    other->site->top_size > 0) {
 			free(other->key);
-			other->key = sized_key(slug, other->site);
+			other->key = key_with_top_size(slug, other->site);
 		}
 	}
 	if (shared && site->top_size > 0) {
 		free(key);
-		key = sized_key(slug, site);
+		key = key_with_top_size(slug, site);
 	}
 	FREED char *stem = xstrdup(key);
-	for (int i = 2; key_taken(s, name, key); i++) {
+	for (int i = 2; is_key_taken(s, name, key); i++) {
 		free(key);
 		key = xasprintf("%s/%d", stem, i);
 	}
@@ -86,7 +86,7 @@ new_key(struct session *s, const struct site *site)
 }
 
 void
-session_keep_site(struct session *s, struct site *site)
+session_adopt_site(struct session *s, struct site *site)
 {
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
@@ -94,11 +94,11 @@ session_keep_site(struct session *s, struct site *site)
 }
 
 static uint64_t
-digest_of_file(const struct stat *file)
+digest_of_file_inode(const struct stat *file)
 {
-	uint64_t digest =
-	    text_digest(TEXT_DIGEST_START, &file->st_dev, sizeof file->st_dev);
-	return text_digest(digest, &file->st_ino, sizeof file->st_ino);
+	uint64_t digest = text_fnv1a_digest(
+	    TEXT_DIGEST_START, &file->st_dev, sizeof file->st_dev);
+	return text_fnv1a_digest(digest, &file->st_ino, sizeof file->st_ino);
 }
 
 static struct lookup_keys
@@ -109,18 +109,18 @@ lookup_keys_of(const struct site *site)
 	struct lookup_keys lookup = {
 	    digest_of_text(slug), digest_of_text(site->path), 0};
 	if (stat(site->path, &file) == 0)
-		lookup.file = digest_of_file(&file);
+		lookup.file = digest_of_file_inode(&file);
 	return lookup;
 }
 
 static void
-sites_insert(struct session *s, struct site *site, size_t place)
+insert_site_entry(struct session *s, struct site *site, size_t place)
 {
 	struct entry entry = {.lookup = lookup_keys_of(site),
 	    .site = site,
-	    .key = new_key(s, site)};
+	    .key = new_key_of_site(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
-	misfit_default_train(site, entry.train);
+	misfit_mark_default_training(site, entry.train);
 	s->entry = xrealloc(s->entry, s->n_entry + 1, sizeof *s->entry);
 	memmove(&s->entry[place + 1], &s->entry[place],
 	    (s->n_entry++ - place) * sizeof entry);
@@ -129,7 +129,7 @@ sites_insert(struct session *s, struct site *site, size_t place)
 		s->job.entry++;
 	s->current = place;
 	s->last_asked = (struct last_asked){0};
-	session_keep_site(s, site);
+	session_adopt_site(s, site);
 }
 
 /* Finds the site that was read from the same file, by its path or under another
@@ -142,7 +142,7 @@ find_site_of_file(const struct session *s, const struct site *site)
 	if (stat(site->path, &file) != 0)
 		return s->n_entry;
 	struct lookup_keys own = {
-	    0, digest_of_text(site->path), digest_of_file(&file)};
+	    0, digest_of_text(site->path), digest_of_file_inode(&file)};
 	for (size_t i = 0; i < s->n_entry; i++)
 		if ((s->entry[i].lookup.path == own.path ||
 			s->entry[i].lookup.file == own.file) &&
@@ -161,14 +161,14 @@ session_add_site(struct session *s, struct site *site)
 		    s, "replaced %s, loaded earlier", s->entry[place].key);
 		session_drop_site(s, place);
 	}
-	sites_insert(s, site, place);
+	insert_site_entry(s, site, place);
 }
 
 void
 session_drop_site(struct session *s, size_t index)
 {
 	if (s->job.calibration != NULL && s->job.entry == index)
-		session_discard_job(s);
+		session_discard_paused_job(s);
 	else if (s->job.calibration != NULL && s->job.entry > index)
 		s->job.entry--;
 	entry_clear(&s->entry[index]);
@@ -183,53 +183,54 @@ session_drop_site(struct session *s, size_t index)
 }
 
 bool
-session_replace_mended(struct session *s, size_t index, struct site *site)
+session_replace_by_mended(struct session *s, size_t index, struct site *site)
 {
 	struct entry *entry = &s->entry[index];
 	bool own =
 	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
 				  entry->origin->from[0] == '\0');
 	if (s->job.calibration != NULL && s->job.entry == index)
-		session_discard_job(s);
+		session_discard_paused_job(s);
 	if (site->n_run != entry->site->n_run) {
 		free(entry->train);
 		entry->train = xcalloc(site->n_run, sizeof *entry->train);
-		misfit_default_train(site, entry->train);
+		misfit_mark_default_training(site, entry->train);
 	}
 	entry->site = site;
-	history_drop(entry->history);
+	history_release(entry->history);
 	entry->history = NULL;
 	entry->has_fit = false;
 	entry->fit = (struct fit){.misfit = 0};
 	entry->options[0] = '\0';
 	if (own) {
-		origin_drop(entry->origin);
+		origin_release(entry->origin);
 		entry->origin = NULL;
 		entry->has_params = false;
 		entry->params = (struct params){.breakage = 0};
 	}
-	session_keep_site(s, site);
+	session_adopt_site(s, site);
 	return own;
 }
 
 /* The runs that a fit was trained on remain training runs.  Without a fit they
  * are chosen again. */
 void
-session_replace_site(struct session *s, struct site *site, const size_t *from)
+session_replace_by_extended(
+    struct session *s, struct site *site, const size_t *from)
 {
-	struct entry *entry = session_entry(s);
+	struct entry *entry = session_current_entry(s);
 	if (s->job.calibration != NULL && s->job.entry == s->current)
-		session_discard_job(s);
+		session_discard_paused_job(s);
 	bool *train = xcalloc(site->n_run, sizeof *train);
 	if (!entry->has_fit)
-		misfit_default_train(site, train);
+		misfit_mark_default_training(site, train);
 	for (size_t r = 0; r < site->n_run && entry->has_fit; r++)
 		train[r] =
 		    from[r] < entry->site->n_run && entry->train[from[r]];
 	free(entry->train);
 	entry->train = train;
 	entry->site = site;
-	session_keep_site(s, site);
+	session_adopt_site(s, site);
 }
 
 /* As name_slug, with '-' for '_': the name as typed from memory. */
@@ -245,12 +246,12 @@ slug_with_dashes(const char *name)
 /* Returns how well a site matches a name: 0 not at all, 1 its name, 2 name and
  * top size, 3 its key. */
 static int
-match_name(const struct entry *entry, const char *wanted)
+match_site_name(const struct entry *entry, const char *wanted)
 {
 	FREED char *name = name_slug(entry->site->name);
 	FREED char *sized =
 	    xasprintf("%s/%g", name, units_mm(entry->site->top_size));
-	FREED char *folded = text_fold(wanted),
+	FREED char *folded = text_fold_case_and_accents(wanted),
 		   *slug = slug_with_dashes(wanted);
 	FREED char *loose = slug_with_dashes(entry->site->name);
 	int match = 0;
@@ -265,12 +266,12 @@ match_name(const struct entry *entry, const char *wanted)
 
 /* Returns "gavle/4, gavle/11.2": the sites that match, or all for NULL. */
 static char *
-sites_list_keys(const struct session *s, const char *wanted)
+list_matching_site_keys(const struct session *s, const char *wanted)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (wanted == NULL || match_name(&s->entry[i], wanted) > 0)
-			xlist(&list, ", ", "%s", s->entry[i].key);
+		if (wanted == NULL || match_site_name(&s->entry[i], wanted) > 0)
+			xappend_to_list(&list, ", ", "%s", s->entry[i].key);
 	return list;
 }
 
@@ -281,7 +282,7 @@ session_find_site(
 	int best = 0;
 	size_t found = 0, last = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		int match = match_name(&s->entry[i], name);
+		int match = match_site_name(&s->entry[i], name);
 		if (match == 0 || match < best)
 			continue;
 		found = match > best ? 1 : found + 1;
@@ -292,7 +293,7 @@ session_find_site(
 		*index = last;
 		return true;
 	}
-	FREED char *keys = sites_list_keys(s, best > 0 ? name : NULL);
+	FREED char *keys = list_matching_site_keys(s, best > 0 ? name : NULL);
 	error_set(error, ERROR_USAGE,
 	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
 	    : keys[0] != '\0'
@@ -303,8 +304,8 @@ session_find_site(
 }
 
 bool
-session_add_unchanged(struct session *s, struct site *site, const char *digest,
-    struct error *error)
+session_add_if_digest_matches(struct session *s, struct site *site,
+    const char *digest, struct error *error)
 {
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, site->digest);

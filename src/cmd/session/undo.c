@@ -37,7 +37,7 @@ struct snapshot *
 snapshot_take(const struct session *s)
 {
 	struct snapshot *snapshot = xcalloc(1, sizeof *snapshot);
-	*snapshot = (struct snapshot){.mark = journal_place(s),
+	*snapshot = (struct snapshot){.mark = journal_current_place(s),
 	    .n_entry = s->n_entry,
 	    .current = s->current,
 	    .entry = copy_entries(s->entry, s->n_entry),
@@ -75,7 +75,7 @@ restore_snapshot(struct session *s, const struct snapshot *snapshot)
 }
 
 bool
-snapshot_same_fit(const struct fit *a, const struct fit *b)
+snapshot_is_same_fit(const struct fit *a, const struct fit *b)
 {
 	return memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
 	       a->misfit == b->misfit && a->stop == b->stop &&
@@ -85,15 +85,15 @@ snapshot_same_fit(const struct fit *a, const struct fit *b)
 }
 
 bool
-snapshot_same_entry(const struct entry *a, const struct entry *b)
+snapshot_is_same_entry(const struct entry *a, const struct entry *b)
 {
 	return a->site == b->site && strcmp(a->key, b->key) == 0 &&
 	       memcmp(a->train, b->train, a->site->n_run * sizeof *a->train) ==
 		   0 &&
 	       a->has_params == b->has_params && a->has_fit == b->has_fit &&
 	       memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
-	       origin_same(a->origin, b->origin) &&
-	       snapshot_same_fit(&a->fit, &b->fit);
+	       origin_is_same(a->origin, b->origin) &&
+	       snapshot_is_same_fit(&a->fit, &b->fit);
 }
 
 bool
@@ -103,10 +103,10 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 	    snapshot->current != s->current || snapshot->log != s->log ||
 	    snapshot->spec != s->spec || snapshot->pin != s->pin ||
 	    snapshot->energy != s->energy ||
-	    !settings_same(&snapshot->set, &s->set))
+	    !settings_are_equal(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (!snapshot_same_entry(&snapshot->entry[i], &s->entry[i]))
+		if (!snapshot_is_same_entry(&snapshot->entry[i], &s->entry[i]))
 			return true;
 	return false;
 }
@@ -124,7 +124,7 @@ struct undo {
 };
 
 static void
-step_free(struct step *step)
+undo_step_free(struct step *step)
 {
 	free(step->label);
 	snapshot_free(step->before);
@@ -133,10 +133,10 @@ step_free(struct step *step)
 }
 
 static void
-drop_steps_after(struct undo *undo, size_t n)
+remove_undo_steps_after(struct undo *undo, size_t n)
 {
 	while (undo->n > n)
-		step_free(&undo->step[--undo->n]);
+		undo_step_free(&undo->step[--undo->n]);
 }
 
 struct undo *
@@ -148,27 +148,27 @@ undo_new(void)
 void
 undo_free(struct undo *undo)
 {
-	drop_steps_after(undo, 0);
+	remove_undo_steps_after(undo, 0);
 	free(undo);
 }
 
 size_t
-undo_depth(const struct session *s)
+undo_count_steps(const struct session *s)
 {
 	return s->undo->done;
 }
 
 void
-undo_push(struct session *s, struct snapshot *before, size_t depth,
+undo_push_step(struct session *s, struct snapshot *before, size_t depth,
     size_t floor, const char *label)
 {
 	struct undo *undo = s->undo;
-	drop_steps_after(undo, depth < undo->done ? depth : undo->done);
+	remove_undo_steps_after(undo, depth < undo->done ? depth : undo->done);
 	bool inner = floor != SIZE_MAX;
 	if (undo->n >= (inner ? 2 * STEPS : STEPS)) {
 		/* A script that draws many screens can fill both halves. */
 		size_t oldest = inner && floor < undo->n ? floor : 0;
-		step_free(&undo->step[oldest]);
+		undo_step_free(&undo->step[oldest]);
 		undo->n--;
 		memmove(&undo->step[oldest], &undo->step[oldest + 1],
 		    (undo->n - oldest) * sizeof undo->step[0]);
@@ -179,9 +179,9 @@ undo_push(struct session *s, struct snapshot *before, size_t depth,
 }
 
 const char *
-undo_back(struct session *s)
+undo_last_step(struct session *s)
 {
-	if (undo_depth(s) == 0)
+	if (undo_count_steps(s) == 0)
 		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
@@ -191,13 +191,13 @@ undo_back(struct session *s)
 }
 
 const char *
-undo_forth(struct session *s)
+undo_redo_step(struct session *s)
 {
 	if (s->undo->done == s->undo->n)
 		return NULL;
 	struct step *step = &s->undo->step[s->undo->done++];
-	step->before->mark = journal_place(s);
-	journal_paste(s, &step->tail);
+	step->before->mark = journal_current_place(s);
+	journal_put_back_lines(s, &step->tail);
 	restore_snapshot(s, step->after);
 	snapshot_free(step->after);
 	step->after = NULL;

@@ -20,25 +20,26 @@ void snapshot_free(struct snapshot *snapshot);
 bool snapshot_differs(const struct snapshot *snapshot, const struct session *s);
 
 /* True if both entries have the same site, parameters and fit. */
-bool snapshot_same_entry(const struct entry *a, const struct entry *b);
+bool snapshot_is_same_entry(const struct entry *a, const struct entry *b);
 
 /* True if both fits are the same result of the same search. */
-bool snapshot_same_fit(const struct fit *a, const struct fit *b);
+bool snapshot_is_same_fit(const struct fit *a, const struct fit *b);
 
 /* Returns the number of steps that can be undone. */
-size_t undo_depth(const struct session *s);
+size_t undo_count_steps(const struct session *s);
 
 /* Adds an undo step back to `before`, of which it takes ownership.  Steps
  * beyond `depth`, made by the command's own script, become part of it; steps
  * that could be redone are dropped.  floor: the depth before the outermost
  * script, whose steps do not displace older ones; SIZE_MAX outside scripts. */
-void undo_push(struct session *s, struct snapshot *before, size_t depth,
+void undo_push_step(struct session *s, struct snapshot *before, size_t depth,
     size_t floor, const char *label);
 
-/* undo_back restores the session before the last step; undo_forth that before
- * the last undo.  They return the step's label, or NULL if there is none. */
-const char *undo_back(struct session *s);
-const char *undo_forth(struct session *s);
+/* undo_last_step restores the session before the last step; undo_redo_step that
+ * before the last undo.  They return the step's label, or NULL if there is
+ * none. */
+const char *undo_last_step(struct session *s);
+const char *undo_redo_step(struct session *s);
 
 struct undo *undo_new(void);
 void undo_free(struct undo *undo);

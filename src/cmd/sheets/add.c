@@ -36,7 +36,7 @@ struct origins {
 };
 
 static void
-origins_clear(struct origins *o)
+free_cut_origins(struct origins *o)
 {
 	for (size_t i = 0; i < o->n; i++) {
 		free(o->file[i].word);
@@ -48,7 +48,7 @@ origins_clear(struct origins *o)
 
 /* Returns the moment as one word of the command: "2026-11-05T10:15". */
 static char *
-as_word(const struct datetime *m, enum datetime_order order)
+datetime_as_word(const struct datetime *m, enum datetime_order order)
 {
 	char *text = cut_day_text(m, order);
 	for (char *p = text; p != NULL && *p != '\0'; p++)
@@ -60,12 +60,12 @@ as_word(const struct datetime *m, enum datetime_order order)
 /* Sets an error if the order leaves open which day is meant.  before: what
  * stands before the date in the call. */
 static bool
-is_one_day(const struct datetime *m, const char *text, const char *before,
-    enum datetime_order order, struct error *error)
+is_date_unambiguous(const struct datetime *m, const char *text,
+    const char *before, enum datetime_order order, struct error *error)
 {
-	FREED char *day = as_word(m, DATETIME_DAY_FIRST);
-	FREED char *month = as_word(m, DATETIME_MONTH_FIRST);
-	return !isnan(datetime_seconds(m, order)) ||
+	FREED char *day = datetime_as_word(m, DATETIME_DAY_FIRST);
+	FREED char *month = datetime_as_word(m, DATETIME_MONTH_FIRST);
+	return !isnan(datetime_seconds_since_1970(m, order)) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected a date that can be read in one way, got '%s'\n"
 		   "write year, month, day: %s%s or %s%s",
@@ -74,29 +74,29 @@ is_one_day(const struct datetime *m, const char *text, const char *before,
 
 /* Reads a date; order: of one such as 5/11/2026. */
 static bool
-add_read_date(const char *date, enum datetime_order order, double *day,
+parse_cut_date(const char *date, enum datetime_order order, double *day,
     struct error *error)
 {
 	struct datetime m;
 	*day = NAN;
 	if (date == NULL)
 		return true;
-	if (!datetime_read(date, &m) || !m.has_date)
+	if (!datetime_parse(date, &m) || !m.has_date)
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-05-03, got '%s'\n"
 		    "write year, month, day: date=2026-05-03",
 		    date);
-	*day = datetime_seconds(&m, order) - m.seconds;
-	return is_one_day(&m, date, "date=", order, error);
+	*day = datetime_seconds_since_1970(&m, order) - m.seconds;
+	return is_date_unambiguous(&m, date, "date=", order, error);
 }
 
 /* Reads the time after @, on the day of date= if it states none. */
 static bool
-add_read_time(const char *text, enum datetime_order order, double day,
+parse_cut_time(const char *text, enum datetime_order order, double day,
     double *time, struct error *error)
 {
 	struct datetime m;
-	if (!datetime_read(text, &m) || !m.has_time)
+	if (!datetime_parse(text, &m) || !m.has_time)
 		return error_set(error, ERROR_USAGE,
 		    "expected a tip speed or a time after @, got '%s'\n"
 		    "for instance: add cut.csv@72, add "
@@ -107,10 +107,11 @@ add_read_time(const char *text, enum datetime_order order, double day,
 		    "expected a day for the time %s, got none\n"
 		    "write: date=2026-05-03, or @2026-05-03T%s",
 		    text, text);
-	*time = m.has_date ? datetime_seconds(&m, order) : day + m.seconds;
-	if (m.has_date && !is_one_day(&m, text, "@", order, error))
+	*time = m.has_date ? datetime_seconds_since_1970(&m, order)
+			   : day + m.seconds;
+	if (m.has_date && !is_date_unambiguous(&m, text, "@", order, error))
 		return false;
-	return isnan(day) || day == datetime_midnight(*time) ||
+	return isnan(day) || day == datetime_start_of_day(*time) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected the day of date= after @, got %s\n"
 		   "leave one of the two out",
@@ -119,12 +120,12 @@ add_read_time(const char *text, enum datetime_order order, double day,
 
 /* Returns the @ before a speed or a time; NULL if it is part of a file name. */
 static const char *
-add_speed_at(const char *word)
+find_at_sign_of_speed(const char *word)
 {
 	struct datetime m;
 	const char *at = strrchr(word, '@');
 	bool name = at == NULL || at == word || access(word, F_OK) == 0 ||
-		    (strchr(at, '/') != NULL && !datetime_read(at + 1, &m));
+		    (strchr(at, '/') != NULL && !datetime_parse(at + 1, &m));
 	return name ? NULL : at;
 }
 
@@ -135,34 +136,35 @@ look_up_time_in_log(struct session *s, const struct args *args,
     const char *word, double day, double rotor, struct cut_origin *o,
     struct error *error)
 {
-	const char *at = add_speed_at(word);
+	const char *at = find_at_sign_of_speed(word);
 	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
 	double time = NAN;
 	FREED char *path = xstrndup(word, n);
-	o->file = xstrdup(file_name(path));
+	o->file = xstrdup(file_name_without_folders(path));
 	o->word = xstrdup(word);
-	o->when = isnan(day) ? xstrdup("") : datetime_text(day);
+	o->when = isnan(day) ? xstrdup("") : datetime_to_text(day);
 	if (!isnan(day))
 		o->when[strcspn(o->when, " ")] = '\0';
 	o->logged = (struct logged){NAN, NAN, NAN};
-	if (at == NULL || head_read(at).speed > 0)
+	if (at == NULL || head_parse(at).speed > 0)
 		return true;
 	double window = 60 * args->window;
-	if (!add_read_time(at + 1, cut_date_order(session_entry(s)->site), day,
-		&time, error) ||
-	    !log_at(s, time, window / 2, rotor, &o->logged, error))
+	if (!parse_cut_time(at + 1,
+		cut_day_month_order(session_current_entry(s)->site), day, &time,
+		error) ||
+	    !log_look_up_time(s, time, window / 2, rotor, &o->logged, error))
 		return false;
 	free(o->word);
 	free(o->when);
 	o->word = xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed);
-	o->when = datetime_text(time);
+	o->when = datetime_to_text(time);
 	return true;
 }
 
 /* "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv": what a site keeps about
  * a cut.  The fit of power to speed and feed rate reads it again. */
 static char *
-words_for_note_of_cut(double speed, const struct cut_origin *o)
+cut_note_text(double speed, const struct cut_origin *o)
 {
 	char *text = xasprintf("%g m/s", speed);
 	if (o != NULL && o->when[0] != '\0')
@@ -178,10 +180,10 @@ words_for_note_of_cut(double speed, const struct cut_origin *o)
 
 /* Returns a note with its date, if that is an open one, as year, month, day. */
 static char *
-note_in_one_way(const struct site_note *note, enum datetime_order order)
+site_note_with_iso_date(const struct site_note *note, enum datetime_order order)
 {
 	struct datetime m;
-	if (!cut_read_date(note, &m) || m.plain || m.order != DATETIME_OPEN)
+	if (!cut_parse_date(note, &m) || m.plain || m.order != DATETIME_OPEN)
 		return xstrdup(note->value);
 	FREED char *day = cut_day_text(&m, order);
 	const char *at = strstr(note->value, ", ") + strlen(", ");
@@ -193,13 +195,13 @@ note_in_one_way(const struct site_note *note, enum datetime_order order)
 /* The note of a run.  A sheet may state in its header when its cuts were taken:
  * then that, with the file. */
 static char *
-note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
+cut_note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
     enum datetime_order order)
 {
 	const struct site_note *said = cut_find_note(cuts, run);
 	if (said == NULL || (o != NULL && o->when[0] != '\0'))
-		return words_for_note_of_cut(cuts->run[run].speed, o);
-	FREED char *words = note_in_one_way(said, order);
+		return cut_note_text(cuts->run[run].speed, o);
+	FREED char *words = site_note_with_iso_date(said, order);
 	bool named = o == NULL || strstr(words, o->file) != NULL;
 	return xasprintf(
 	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
@@ -208,16 +210,16 @@ note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
 /* Takes the date of the sheet's header for a file that states none with its
  * cuts. */
 static void
-take_date_of_header(
+use_date_of_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
 {
 	struct datetime m;
-	const char *said = cut_day_of_header(cuts);
+	const char *said = cut_day_date_in_header(cuts);
 	for (size_t i = 0; i < cuts->n_note; i++)
 		if (strcmp(cuts->note[i].key, "cut") == 0)
 			return;
 	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
-	    !datetime_read(said, &m))
+	    !datetime_parse(said, &m))
 		return;
 	char *day = cut_day_text(&m, order);
 	if (day == NULL)
@@ -229,12 +231,12 @@ take_date_of_header(
 /* Says how the first date was read that leaves open which number is the day, or
  * that it was not. */
 static void
-note_open_date(struct session *s, const struct site *cuts,
+note_ambiguous_date(struct session *s, const struct site *cuts,
     const struct cut_day *how, const struct origins *all)
 {
 	struct datetime m;
 	size_t i = 0;
-	while (i < cuts->n_note && (!cut_read_date(&cuts->note[i], &m) ||
+	while (i < cuts->n_note && (!cut_parse_date(&cuts->note[i], &m) ||
 				       m.plain || m.order != DATETIME_OPEN))
 		i++;
 	if (i == cuts->n_note)
@@ -258,13 +260,13 @@ note_open_date(struct session *s, const struct site *cuts,
 /* Returns the file that a cut is from: the only one, or the one with its
  * speed. */
 static const struct cut_origin *
-add_origin_of(const struct origins *all, double speed)
+find_origin_of_cut(const struct origins *all, double speed)
 {
 	const struct cut_origin *found = all->n == 1 ? &all->file[0] : NULL;
 	for (size_t i = 0; i < all->n && found == NULL; i++) {
 		const char *at = strrchr(all->file[i].word, '@');
 		double v;
-		if (at != NULL && text_number(at + 1, &v) &&
+		if (at != NULL && text_parse_number(at + 1, &v) &&
 		    fabs(v - speed) < 1e-3)
 			found = &all->file[i];
 	}
@@ -273,12 +275,12 @@ add_origin_of(const struct origins *all, double speed)
 
 /* Warns of products that the site already has; notes feeds that differ. */
 static void
-warn_of_cuts_loaded(
+warn_of_duplicate_cuts(
     struct session *s, const struct site *site, const struct site *cuts)
 {
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		const struct run *cut = &cuts->run[k];
-		size_t at = site_run_nearest(site, cut->speed);
+		size_t at = site_run_nearest_speed(site, cut->speed);
 		for (size_t r = 0; r < site->n_run; r++) {
 			const struct psd *p = &site->run[r].product;
 			bool same = site->run[r].speed == cut->speed &&
@@ -301,7 +303,7 @@ warn_of_cuts_loaded(
 			    cut->speed, site->run[at].speed);
 		double apart = 0;
 		for (size_t i = 0; i < cut->feed.n; i++) {
-			double is = psd_at_sieve(
+			double is = psd_passing_at_sieve(
 			    &site->run[at].feed, cut->feed.size[i]);
 			if (!isnan(is))
 				apart = fmax(
@@ -322,19 +324,20 @@ enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 /* Returns "33.0 % passes 2 mm at 72 m/s, predicted 33.4 (32.6 to 34.1 for a
  * belt cut)".  The caller frees it. */
 static char *
-measured_and_predicted(
+measured_vs_predicted_text(
     const struct session *s, const struct entry *entry, size_t run)
 {
 	const struct run *cut = &entry->site->run[run];
-	const struct quantity of = answers_usual_passing(&cut->product);
+	const struct quantity of =
+	    answers_default_passing_quantity(&cut->product);
 	const struct question q = question_of_whole_product(s, entry, run);
 	struct forecast *f = forecast_open(s, &q, &of, 1);
-	forecast_part_at(f, cut->speed, ENSEMBLE_SAMPLE);
-	struct figure at = forecast_shown(f, 0);
-	FREED char *measured =
-	    quantities_statement(&of, psd_at_sieve(&cut->product, of.x));
+	forecast_set_speed_and_draws(f, cut->speed, ENSEMBLE_SAMPLE);
+	struct figure at = forecast_value_in_shown_unit(f, 0);
+	FREED char *measured = quantities_sentence_with_value(
+	    &of, psd_passing_at_sieve(&cut->product, of.x));
 	FREED char *rpm =
-	    rotor_speed_words(entry->site->rotor, cut->speed, NAN);
+	    rotor_speed_rpm_text(entry->site->rotor, cut->speed, NAN);
 	char *words = xasprintf(tr("%s at %g m/s%s%s, predicted %.1f"),
 	    measured, cut->speed, cut->repeat, rpm, at.value);
 	if (isfinite(at.low))
@@ -348,18 +351,20 @@ measured_and_predicted(
 static enum verdict
 report_check_of_cut(struct session *s, size_t run)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	const struct site *site = entry->site;
-	if (!entry->has_params || misfit_count_covered(&site->run[run]) == 0)
+	if (!entry->has_params ||
+	    misfit_count_covered_sieves(&site->run[run]) == 0)
 		return CUTS_UNKNOWN;
-	struct cut cut = cut_compare(s, entry, run);
-	FREED char *both = measured_and_predicted(s, entry, run);
-	FREED char *words = cut_words(&cut);
+	struct cut cut = cut_compare_with_prediction(s, entry, run);
+	FREED char *both = measured_vs_predicted_text(s, entry, run);
+	FREED char *words = cut_describe(&cut);
 	double from, to;
-	if (answers_extrapolates(entry, site->run[run].speed) &&
-	    origin_reach(entry, &from, &to)) {
-		FREED char *reach = answers_reach_words(entry, from, to);
-		xlist(&words, "; ",
+	if (answers_is_speed_extrapolated(entry, site->run[run].speed) &&
+	    origin_speed_range(entry, &from, &to)) {
+		FREED char *reach =
+		    answers_describe_speed_range(entry, from, to);
+		xappend_to_list(&words, "; ",
 		    tr("it lies outside the %s, where the answer rests on the "
 		       "model"),
 		    reach);
@@ -376,13 +381,13 @@ report_check_of_cut(struct session *s, size_t run)
 }
 
 /* Compares each new run, or counts them if there are many; from: see
- * site_with_cuts.  Returns the worst verdict. */
+ * site_copy_with_cuts.  Returns the worst verdict. */
 static enum verdict
 report_checks_of_cuts(
     struct session *s, const struct site *old, const size_t *from, size_t n)
 {
 	enum { FEW = 3 };
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	enum verdict worst = CUTS_UNKNOWN, one;
 	size_t compared = 0, missed = 0;
 	for (size_t r = 0; r < entry->site->n_run; r++) {
@@ -394,7 +399,8 @@ report_checks_of_cuts(
 			worst = one > worst ? one : worst;
 		} else if (entry->has_params) {
 			compared++;
-			missed += cut_compare(s, entry, r).missed;
+			missed +=
+			    cut_compare_with_prediction(s, entry, r).missed;
 		}
 	}
 	if (compared == 0)
@@ -411,11 +417,11 @@ report_checks_of_cuts(
 }
 
 static void
-note_products(struct session *s)
+note_speeds_of_products(struct session *s)
 {
-	const struct entry *entry = session_entry(s);
-	FREED char *speeds = session_speeds(entry->site, ", ", NULL, true);
-	FREED char *rpm = session_rpm(entry->site, NULL, true);
+	const struct entry *entry = session_current_entry(s);
+	FREED char *speeds = session_speeds_text(entry->site, ", ", NULL, true);
+	FREED char *rpm = session_rpm_in_brackets(entry->site, NULL, true);
 	session_note(
 	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
@@ -425,8 +431,8 @@ note_products(struct session *s)
 static void
 suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
 {
-	const struct entry *entry = session_entry(s);
-	struct later later = cut_compare_later(s, entry);
+	const struct entry *entry = session_current_entry(s);
+	struct later later = cut_compare_runs_since_fit(s, entry);
 	if (later.n > 0) {
 		worst = later.missed ? CUTS_MISSED
 			: later.off  ? CUTS_OFF
@@ -453,8 +459,8 @@ suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
 }
 
 static bool
-is_expected(const struct site *site, const char *digest, struct session *s,
-    struct error *error)
+has_expected_digest(const struct site *site, const char *digest,
+    struct session *s, struct error *error)
 {
 	FREED char *found = xasprintf("%016" PRIx64, site->digest);
 	bool good = digest == NULL || strcmp(digest, found) == 0;
@@ -472,7 +478,7 @@ is_expected(const struct site *site, const char *digest, struct session *s,
 
 /* In the order of the sheet, which drift follows for cuts without a date. */
 static void
-note_cuts(struct session *s, struct site *site, const struct site *cuts,
+note_added_cuts(struct session *s, struct site *site, const struct site *cuts,
     const struct origins *all, enum datetime_order order)
 {
 	FREED size_t *place = xcalloc(cuts->n_run + 1, sizeof *place);
@@ -488,8 +494,8 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 	}
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		double v = cuts->run[place[k]].speed;
-		FREED char *note =
-		    note_of_run(cuts, place[k], add_origin_of(all, v), order);
+		FREED char *note = cut_note_of_run(
+		    cuts, place[k], find_origin_of_cut(all, v), order);
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 	}
@@ -497,32 +503,33 @@ note_cuts(struct session *s, struct site *site, const struct site *cuts,
 
 /* Replaces the current site with a copy that has the cuts. */
 static bool
-add_cuts(struct session *s, const struct args *args, const struct site *cuts,
-    struct origins *all, struct error *error)
+add_cuts_to_current_site(struct session *s, const struct args *args,
+    const struct site *cuts, struct origins *all, struct error *error)
 {
-	const struct site *old = session_entry(s)->site;
-	const struct cut_day how = cut_day_order(cuts, old);
+	const struct site *old = session_current_entry(s)->site;
+	const struct cut_day how = cut_day_find_date_order(cuts, old);
 	FREED size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
-	struct site *site = site_with_cuts(old, cuts, from);
+	struct site *site = site_copy_with_cuts(old, cuts, from);
 	char number[32];
-	if (site_assumed_top(cuts) > site_assumed_top(old))
+	if (site_assumed_top_size(cuts) > site_assumed_top_size(old))
 		site_add_note(&site->note, &site->n_note, SITE_ASSUMED_TOP,
-		    text_exact_number(site_assumed_top(cuts), number));
-	if (!is_expected(site, args->digest, s, error)) {
+		    text_shortest_exact_number(
+			site_assumed_top_size(cuts), number));
+	if (!has_expected_digest(site, args->digest, s, error)) {
 		site_free(site);
 		return false;
 	}
 	if (!(site->rotor > 0))
 		site->rotor = args->rotor_mm / 1000;
-	take_date_of_header(cuts, how.order, all);
-	note_cuts(s, site, cuts, all, how.order);
+	use_date_of_header(cuts, how.order, all);
+	note_added_cuts(s, site, cuts, all, how.order);
 	if (args->date == NULL)
-		note_open_date(s, cuts, &how, all);
-	load_note_reading(s, cuts);
-	warn_of_cuts_loaded(s, old, cuts);
-	session_replace_site(s, site, from);
-	check_warn_coarser(s, site);
-	note_products(s);
+		note_ambiguous_date(s, cuts, &how, all);
+	load_note_files_read(s, cuts);
+	warn_of_duplicate_cuts(s, old, cuts);
+	session_replace_by_extended(s, site, from);
+	check_warn_coarser_product(s, site);
+	note_speeds_of_products(s);
 	enum verdict worst = report_checks_of_cuts(s, old, from, cuts->n_run);
 	suggest_what_to_do_next(s, worst, cuts->n_run);
 	return true;
@@ -531,12 +538,12 @@ add_cuts(struct session *s, const struct args *args, const struct site *cuts,
 bool
 cmd_add(struct session *s, const struct args *args, struct error *error)
 {
-	double day, rotor = session_entry(s)->site->rotor;
+	double day, rotor = session_current_entry(s)->site->rotor;
 	struct origins all = {
 	    .file = xcalloc(args->n_operand, sizeof *all.file)};
 	FREED const char **word = xcalloc(args->n_operand, sizeof(*word));
-	bool good = add_read_date(
-	    args->date, cut_date_order(session_entry(s)->site), &day, error);
+	bool good = parse_cut_date(args->date,
+	    cut_day_month_order(session_current_entry(s)->site), &day, error);
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
@@ -546,8 +553,9 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	}
 	struct site *cuts =
 	    good ? load_cuts(s, args, word, rotor, error) : NULL;
-	good = cuts != NULL && add_cuts(s, args, cuts, &all, error);
+	good = cuts != NULL &&
+	       add_cuts_to_current_site(s, args, cuts, &all, error);
 	site_free(cuts);
-	origins_clear(&all);
+	free_cut_origins(&all);
 	return good;
 }

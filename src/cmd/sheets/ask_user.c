@@ -24,8 +24,8 @@ enum { CELLS = 4 };
 /* Gets the cells of a row, which last as long as the question.  number: a
  * buffer of at least 24 bytes. */
 static void
-ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
-    char *number, const char *cell[static CELLS])
+table_row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
+    const char *cell[static CELLS])
 {
 	bool tables = q->ask->tables;
 	const char *const HEADS[] = {"", tables ? tr("title") : tr("head"),
@@ -52,7 +52,8 @@ ask_user_row_cells(const struct inquiry *q, size_t row, bool narrow,
 /* Finds widths at which all rows fit: values are shortened first, then
  * headings. */
 static void
-fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
+table_column_widths(
+    const struct inquiry *q, int room, bool narrow, int width[CELLS])
 {
 	static const int LEAST[CELLS] = {0, 9, 6, 8};
 	static const int GIVES[] = {2, 1, 3};
@@ -61,9 +62,9 @@ fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 	for (int i = 0; i < CELLS; i++)
 		width[i] = 0;
 	for (size_t r = 0; r <= q->ask->n; r++) {
-		ask_user_row_cells(q, r, narrow, number, cell);
+		table_row_cells(q, r, narrow, number, cell);
 		for (int i = 0; i < CELLS; i++) {
-			int w = text_width(cell[i]);
+			int w = text_width_in_columns(cell[i]);
 			width[i] = w > width[i] ? w : width[i];
 		}
 	}
@@ -80,9 +81,9 @@ fit_widths(const struct inquiry *q, int room, bool narrow, int width[CELLS])
 
 /* Adds a cell of a table, shortened or padded to its width. */
 static void
-ask_user_add_cell(char **line, const char *text, int width, bool right)
+append_padded_cell(char **line, const char *text, int width, bool right)
 {
-	int own = text_width(text);
+	int own = text_width_in_columns(text);
 	if (right || own <= width) {
 		xappend(line, "%*s%s%*s",
 		    right && own < width ? width - own : 0, "", text,
@@ -102,21 +103,21 @@ ask_user_add_cell(char **line, const char *text, int width, bool right)
 }
 
 char *
-inquiry_row(const struct inquiry *q, size_t row, int columns)
+inquiry_row_text(const struct inquiry *q, size_t row, int columns)
 {
 	bool narrow = columns < 60;
 	const char *gap = narrow ? " " : "  ";
 	int width[CELLS], mark = 2;
 	char number[24];
 	const char *cell[CELLS];
-	fit_widths(
+	table_column_widths(
 	    q, columns - mark - (CELLS - 1) * (narrow ? 1 : 2), narrow, width);
-	ask_user_row_cells(q, row, narrow, number, cell);
+	table_row_cells(q, row, narrow, number, cell);
 	bool open = row > 0 && q->ask->column[row - 1].open;
 	char *line = xstrdup(open ? "? " : "  ");
 	for (int i = 0; i < CELLS; i++) {
 		xappend(&line, "%s", i > 0 ? gap : "");
-		ask_user_add_cell(&line, cell[i], width[i], i == 0);
+		append_padded_cell(&line, cell[i], width[i], i == 0);
 	}
 	size_t n = strlen(line);
 	while (n > 0 && line[n - 1] == ' ')
@@ -126,13 +127,13 @@ inquiry_row(const struct inquiry *q, size_t row, int columns)
 
 /* True if the guess is that the column has the sieves. */
 static bool
-ask_user_is_sieve(const struct site_ask_column *c)
+is_guessed_sieve_column(const struct site_ask_column *c)
 {
 	return strncmp(c->guess, "sieve", 5) == 0;
 }
 
 static bool
-wants_speed(const struct site_ask_column *c)
+lacks_speed(const struct site_ask_column *c)
 {
 	return strstr(c->guess, "@SPEED") != NULL;
 }
@@ -148,16 +149,16 @@ guess_with_role(const struct site_ask_column *c, const char *role)
 /* Returns the role in the guess.  A column guessed to be the sieves is a
  * product if the user says that it is not. */
 static char *
-role_guessed(const struct site_ask_column *c)
+guessed_role(const struct site_ask_column *c)
 {
-	return ask_user_is_sieve(c)
+	return is_guessed_sieve_column(c)
 		   ? xstrdup("product")
 		   : xstrndup(c->guess, strcspn(c->guess, "@ "));
 }
 
 /* Interprets a speed alone, for the guessed role; a feed has no speed. */
 static char *
-guess_with_speed(const struct site_ask_column *c, const struct head *head,
+parse_speed_answer(const struct site_ask_column *c, const struct head *head,
     char wrong[static WRONG])
 {
 	bool rpm = head->rpm > 0 && !(head->speed > 0);
@@ -172,16 +173,16 @@ guess_with_speed(const struct site_ask_column *c, const struct head *head,
 		return NULL;
 	}
 	char number[32];
-	FREED char *role = role_guessed(c);
+	FREED char *role = guessed_role(c);
 	bool feed = strcmp(role, "feed") == 0 && strchr(c->guess, '@') == NULL;
 	FREED char *said = xasprintf(rpm ? "%s %s rpm" : "%s@%s",
-	    feed ? "product" : role, text_exact_number(v, number));
+	    feed ? "product" : role, text_shortest_exact_number(v, number));
 	return guess_with_role(c, said);
 }
 
 /* Interprets words that state a role, a quantity or both. */
 static char *
-ask_user_with_words(const struct site_ask_column *c, const char *said,
+parse_role_answer(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
 {
 	uint64_t quantity = WORD_PASSES | WORD_STAYS | WORD_SUMS | WORD_SHARE |
@@ -200,15 +201,15 @@ ask_user_with_words(const struct site_ask_column *c, const char *said,
 	if ((means & quantity) != 0)
 		return xstrdup(said);
 	if (bare && (means & WORD_PRODUCT) != 0) {
-		FREED char *product = xasprintf(
-		    "product@%s", text_exact_number(head->number[0], number));
+		FREED char *product = xasprintf("product@%s",
+		    text_shortest_exact_number(head->number[0], number));
 		return guess_with_role(c, product);
 	}
 	return guess_with_role(c, said);
 }
 
 static char *
-read_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
+parse_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
 {
 	uint64_t unit = WORD_MM | WORD_UM | WORD_M | WORD_INCH | WORD_MESH |
 			WORD_TYLER | WORD_BS | WORD_ASTM | WORD_PHI;
@@ -226,7 +227,7 @@ read_sieve_answer(const char *said, uint64_t means, char wrong[static WRONG])
  * Returns the words for columns=, which the caller frees.  If NULL, the column
  * is left out, or `wrong` states what was expected. */
 static char *
-read_column_answer(const struct site_ask_column *c, const char *answer,
+parse_column_answer(const struct site_ask_column *c, const char *answer,
     char wrong[static WRONG])
 {
 	FREED char *copy = xstrdup(answer);
@@ -235,29 +236,29 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
 	for (char *p = said; *p != '\0'; p++)
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
-	struct head head = head_read(said);
+	struct head head = head_parse(said);
 	uint64_t means = head.means | lexicon_meanings(said, NULL);
 	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
 			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
 			 WORD_GRAMS | WORD_MASS;
 	bool speed = head_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
-	if (said[0] == '\0' && wants_speed(c))
+	if (said[0] == '\0' && lacks_speed(c))
 		snprintf(wrong, WRONG,
 		    tr("expected a tip speed in m/s, got nothing; - leaves the "
 		       "column out"));
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
-	else if (ask_user_is_sieve(c))
-		text = read_sieve_answer(said, means, wrong);
+	else if (is_guessed_sieve_column(c))
+		text = parse_sieve_answer(said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
 		    tr("expected a description of this column, got '%.40s'"),
 		    said);
 	else if ((means & known) != 0)
-		text = ask_user_with_words(c, said, &head, means);
+		text = parse_role_answer(c, said, &head, means);
 	else if (speed && head.unknown == 0)
-		text = guess_with_speed(c, &head, wrong);
+		text = parse_speed_answer(c, &head, wrong);
 	else if (strcmp(said, "-") != 0)
 		snprintf(wrong, WRONG,
 		    tr("expected a tip speed, feed, product@69 or -, got "
@@ -270,12 +271,12 @@ read_column_answer(const struct site_ask_column *c, const char *answer,
  * as the guess: "-" leaves the column out.  Returns false if the user gives
  * up. */
 static bool
-ask_user_ask_column(
+ask_about_column(
     struct session *s, struct inquiry *q, struct site_ask_column *c)
 {
 	char wrong[WRONG] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
-	bool speed = wants_speed(c);
+	bool speed = lacks_speed(c);
 	FREED char *question =
 	    speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"), kind,
 			c->number, c->head)
@@ -285,7 +286,7 @@ ask_user_ask_column(
 	bool rest;
 	q->text = question;
 	q->offered = speed ? "" : c->guess;
-	q->hint = ask_user_is_sieve(c)
+	q->hint = is_guessed_sieve_column(c)
 		      ? tr("or: mm, um, in, phi, tyler, bs, astm")
 		  : speed ? tr("or: 1350 rpm, feed; - leaves it out")
 			  : tr("or: feed, product@69, retained_g; - leaves it "
@@ -296,7 +297,7 @@ ask_user_ask_column(
 		if (answer == NULL)
 			return false;
 		rest = strcmp(answer, ".") == 0;
-		words = read_column_answer(c, rest ? "-" : answer, wrong);
+		words = parse_column_answer(c, rest ? "-" : answer, wrong);
 		q->first = false;
 	} while (words == NULL && wrong[0] != '\0');
 	free(c->guess);
@@ -330,16 +331,17 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
 		if (c->open)
-			good = ask_user_ask_column(s, &q, c);
+			good = ask_about_column(s, &q, c);
 		if (good && strcmp(c->guess, ".") == 0)
 			break;
 		if (!good || strcmp(c->guess, "-") == 0)
 			continue;
 		if (ask->by_sample && i > 0)
-			xlist(&said->samples, ", ", "%s=%s", c->head, c->guess);
+			xappend_to_list(
+			    &said->samples, ", ", "%s=%s", c->head, c->guess);
 		else
-			xlist(&said->columns, ", ", "%zu=%s", c->number,
-			    c->guess);
+			xappend_to_list(&said->columns, ", ", "%zu=%s",
+			    c->number, c->guess);
 	}
 	for (size_t i = 0; i < ask->n; i++)
 		free(table.column[i].guess);
@@ -348,11 +350,11 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 }
 
 static bool
-ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
+parse_rotor_answer(const char *said, struct inquired *into, char *wrong)
 {
 	double mm;
-	bool good = text_typed_number(said, &mm) && mm >= LEAST_ROTOR_MM &&
-		    mm <= MOST_ROTOR_MM;
+	bool good = text_parse_typed_number(said, &mm) &&
+		    mm >= LEAST_ROTOR_MM && mm <= MOST_ROTOR_MM;
 	into->rotor = good ? mm / 1000 : 0;
 	if (!good)
 		snprintf(wrong, WRONG,
@@ -363,19 +365,20 @@ ask_user_take_rotor(const char *said, struct inquired *into, char *wrong)
 
 /* True if the answer is the word or an abbreviation of it. */
 static bool
-is_start_of(const char *said, const char *word)
+is_abbreviation_of(const char *said, const char *word)
 {
 	return said[0] != '\0' && strncasecmp(word, said, strlen(said)) == 0;
 }
 
 /* Y or Enter accepts the size offered; a number replaces it. */
 static bool
-read_top_answer(
+parse_top_size_answer(
     const char *settle, const char *said, struct inquired *into, char *wrong)
 {
-	bool yes = said[0] == '\0' || is_start_of(said, "yes");
+	bool yes = said[0] == '\0' || is_abbreviation_of(said, "yes");
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
-	bool good = text_typed_number(number, &into->top) && into->top > 0;
+	bool good =
+	    text_parse_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
 		snprintf(wrong, WRONG,
 		    tr("expected y, n or another size in mm, got '%.30s'"),
@@ -384,7 +387,7 @@ read_top_answer(
 }
 
 static bool
-read_decimal_answer(const char *said, struct inquired *into, char *wrong)
+parse_decimal_mark_answer(const char *said, struct inquired *into, char *wrong)
 {
 	bool comma = strcmp(said, ",") == 0 || text_same_folded(said, "comma");
 	bool point = strcmp(said, ".") == 0 || text_same_folded(said, "point");
@@ -396,10 +399,10 @@ read_decimal_answer(const char *said, struct inquired *into, char *wrong)
 }
 
 static bool
-read_order_answer(const char *said, struct inquired *into, char *wrong)
+parse_date_order_answer(const char *said, struct inquired *into, char *wrong)
 {
-	into->month_first = is_start_of(said, "month");
-	if (is_start_of(said, "day") || into->month_first)
+	into->month_first = is_abbreviation_of(said, "month");
+	if (is_abbreviation_of(said, "day") || into->month_first)
 		return true;
 	snprintf(wrong, WRONG, tr("expected %s or %s, got '%.30s'"), "day",
 	    "month", said);
@@ -408,20 +411,21 @@ read_order_answer(const char *said, struct inquired *into, char *wrong)
 
 /* Takes a sheet or range as typed, or for "" the one offered. */
 static bool
-read_place_answer(const char *settle, const char *said, struct inquired *into)
+parse_sheet_or_range_answer(
+    const char *settle, const char *said, struct inquired *into)
 {
 	char **slot =
 	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
 	const char *from = said[0] != '\0' ? said : strchr(settle, '=') + 1;
 	free(*slot);
-	*slot = text_unquoted(from, strlen(from));
+	*slot = text_without_quotes(from, strlen(from));
 	return true;
 }
 
 /* Takes tables by number, "2" or "1-3", or cells, or for "" the tables
  * offered. */
 static bool
-ask_user_take_tables(const struct site_ask *ask, const char *said,
+parse_tables_answer(const struct site_ask *ask, const char *said,
     struct inquired *into, char *wrong)
 {
 	struct site_box box;
@@ -433,8 +437,8 @@ ask_user_take_tables(const struct site_ask *ask, const char *said,
 		if (*end == '-')
 			to = strtoul(end + 1, &end, 10);
 		from = *end == '\0' ? from : 0;
-	} else if (site_box_read(said, &box)) {
-		return read_place_answer("range=", said, into);
+	} else if (site_box_parse(said, &box)) {
+		return parse_sheet_or_range_answer("range=", said, into);
 	} else if (said[0] != '\0') {
 		from = 0;
 	}
@@ -446,32 +450,34 @@ ask_user_take_tables(const struct site_ask *ask, const char *said,
 		return false;
 	}
 	free(into->range);
-	into->range = site_box_text(site_ask_box(ask, from - 1, to - 1));
+	into->range =
+	    site_box_text(site_ask_box_of_tables(ask, from - 1, to - 1));
 	return true;
 }
 
 static bool
-ask_user_take_option(const struct site_ask *ask, const char *said,
+parse_option_answer(const struct site_ask *ask, const char *said,
     struct inquired *into, char *wrong)
 {
 	const char *settle = ask->settle;
 	if (ask->tables)
-		return ask_user_take_tables(ask, said, into, wrong);
+		return parse_tables_answer(ask, said, into, wrong);
 	if (strncmp(settle, "top=", 4) == 0)
-		return read_top_answer(settle, said, into, wrong);
+		return parse_top_size_answer(settle, said, into, wrong);
 	if (strncmp(settle, "rotor_mm=", 9) == 0)
-		return ask_user_take_rotor(said, into, wrong);
+		return parse_rotor_answer(said, into, wrong);
 	if (strncmp(settle, "decimal=", 8) == 0)
-		return read_decimal_answer(said, into, wrong);
+		return parse_decimal_mark_answer(said, into, wrong);
 	if (strncmp(settle, "dates=", 6) == 0)
-		return read_order_answer(said, into, wrong);
-	return read_place_answer(settle, said, into);
+		return parse_date_order_answer(said, into, wrong);
+	return parse_sheet_or_range_answer(settle, said, into);
 }
 
 /* Asks until the answer is valid.  Returns false if the user gives up; "n" to a
  * size that is offered does so too. */
 static bool
-ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
+ask_until_valid_answer(
+    struct session *s, struct inquiry *q, struct inquired *said)
 {
 	char wrong[WRONG] = "";
 	bool top = strncmp(q->ask->settle, "top=", 4) == 0;
@@ -479,10 +485,10 @@ ask_until_read(struct session *s, struct inquiry *q, struct inquired *said)
 	for (q->first = true;; q->first = false) {
 		FREED char *answer = s->hooks.ask(s, q);
 		char *text = answer != NULL ? text_trim(answer) : NULL;
-		if (text == NULL || (top && is_start_of(text, "no")))
+		if (text == NULL || (top && is_abbreviation_of(text, "no")))
 			return false;
 		wrong[0] = '\0';
-		if (ask_user_take_option(q->ask, text, said, wrong))
+		if (parse_option_answer(q->ask, text, said, wrong))
 			return true;
 	}
 }
@@ -501,7 +507,7 @@ static const struct {
 /* Asks whether all of the feed passes a size; where that is doubtful, names
  * the size after it. */
 static char *
-question_of_top(const char *size, double further)
+top_size_question(const char *size, double further)
 {
 	return further > 0
 		   ? xasprintf(
@@ -513,12 +519,12 @@ question_of_top(const char *size, double further)
 
 /* Asks for the value of one option. */
 static bool
-ask_option(struct session *s, const struct site_ask *ask,
+ask_for_option_value(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
 	const char *value = strchr(ask->settle, '=') + 1;
 	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
-	FREED char *passes = question_of_top(value, ask->further);
+	FREED char *passes = top_size_question(value, ask->further);
 	FREED char *tables =
 	    ask->first < ask->last
 		? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
@@ -540,13 +546,13 @@ ask_option(struct session *s, const struct site_ask *ask,
 		q.hint = tr("or: 2, 1-2, or cells as A5:B17");
 		q.at = ask->first;
 	}
-	return ask_until_read(s, &q, said);
+	return ask_until_valid_answer(s, &q, said);
 }
 
 /* Scripts run at a prompt ask no questions either, so that they always do the
  * same. */
 static bool
-is_attended(const struct session *s)
+can_ask_for_answers(const struct session *s)
 {
 	return s->hooks.ask != NULL && s->scripts <= s->typed_depth;
 }
@@ -558,18 +564,19 @@ ask_date_order(
 	static char SETTLE[] = "dates=";
 	const struct site_ask ask = {.settle = SETTLE};
 	struct inquired said = {0};
-	bool good = is_attended(s) && ask_option(s, &ask, trouble, &said);
+	bool good = can_ask_for_answers(s) &&
+		    ask_for_option_value(s, &ask, trouble, &said);
 	*month_first = said.month_first;
 	return good;
 }
 
 bool
-ask_open_question(struct session *s, const struct site_ask *ask,
+ask_open_questions(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)
 {
-	if (!is_attended(s) || ask->settle == NULL)
+	if (!can_ask_for_answers(s) || ask->settle == NULL)
 		return false;
 	return ask->n > 0 && !ask->tables
 		   ? ask_about_columns(s, ask, trouble->file, said)
-		   : ask_option(s, ask, trouble, said);
+		   : ask_for_option_value(s, ask, trouble, said);
 }

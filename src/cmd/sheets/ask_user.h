@@ -31,7 +31,7 @@ struct inquired {
 /* Asks, with session->hooks.ask, until all open questions are answered.
  * Returns false if there is no user or the user gives up.  trouble: the fault
  * that says what is open.  said: the answers so far. */
-bool ask_open_question(struct session *s, const struct site_ask *ask,
+bool ask_open_questions(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said);
 
 /* Asks whether the day or the month comes first in dates; the first letter
@@ -42,6 +42,6 @@ bool ask_date_order(
 /* Returns row 0..ask->n of the table, of which row 0 is the headings, as a line
  * of at most `columns` screen columns; text that is too long ends in "..".  The
  * caller frees it. */
-char *inquiry_row(const struct inquiry *q, size_t row, int columns);
+char *inquiry_row_text(const struct inquiry *q, size_t row, int columns);
 
 #endif

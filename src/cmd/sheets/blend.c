@@ -19,13 +19,13 @@
 
 /* Reads "a.csv=60" or "a.csv=60%". */
 static bool
-blend_read_part(
+read_blend_component(
     struct session *s, const char *word, struct blended *b, struct error *error)
 {
 	const char *equals = strrchr(word, '=');
 	double share;
 	if (equals == NULL || equals == word ||
-	    !value_number(equals + 1, "%", &share) || !(share > 0) ||
+	    !value_parse_number(equals + 1, "%", &share) || !(share > 0) ||
 	    share > 1e9)
 		return error_set(error, ERROR_USAGE,
 		    "blend: expected FILE=PART, a part by mass above 0; got "
@@ -33,19 +33,19 @@ blend_read_part(
 		    "for instance: blend a.csv=60 b.csv=40",
 		    word);
 	FREED char *file = xstrndup(word, (size_t)(equals - word));
-	return blended_add(s, file, share, b, error);
+	return blended_add_feed(s, file, share, b, error);
 }
 
 /* Adds a row for each sieve: the feeds, the blend and its product, if any. */
 static void
-blend_add_rows(struct answer *r, const struct blended *b,
+add_blend_rows(struct answer *r, const struct blended *b,
     const struct psd *sieves, const struct prediction *p)
 {
 	answer_columns(r, "sieve_mm: sieve mm");
 	for (size_t i = 0; i < b->n; i++) {
 		FREED char *key = xasprintf("feed_%zu_pct", i + 1);
-		FREED char *head =
-		    xasprintf("%s %%", file_name(b->part[i].file));
+		FREED char *head = xasprintf(
+		    "%s %%", file_name_without_folders(b->part[i].file));
 		answer_column(r, key, head);
 	}
 	answer_columns(r, "feed_pct: blend %%");
@@ -55,36 +55,39 @@ blend_add_rows(struct answer *r, const struct blended *b,
 		answer_columns(r, "low_pct: low %%, high_pct: high %%");
 	for (size_t k = 0; k < sieves->n; k++) {
 		double x = sieves->size[k];
-		answer_cells(r, "%g", units_mm(x));
+		answer_add_cells(r, "%g", units_mm(x));
 		for (size_t i = 0; i < b->n; i++)
-			answer_cells(r, "%.1f",
+			answer_add_cells(r, "%.1f",
 			    units_pct(psd_passing(b->part[i].feed, x)));
-		answer_cells(r, "%.1f", units_pct(psd_passing(&b->feed, x)));
+		answer_add_cells(
+		    r, "%.1f", units_pct(psd_passing(&b->feed, x)));
 		if (p != NULL)
-			answer_cells(
+			answer_add_cells(
 			    r, "%.1f", units_pct(p->product.passing[k]));
 		if (p != NULL && p->low != NULL)
-			answer_cells(r, "%.1f %.1f", units_pct(p->low[k]),
+			answer_add_cells(r, "%.1f %.1f", units_pct(p->low[k]),
 			    units_pct(p->high[k]));
 	}
 }
 
 static void
-put_parts(struct fields *o, const struct blended *b)
+put_blend_component_fields(struct fields *o, const struct blended *b)
 {
-	struct fields *list = fields_list(o, "parts");
+	struct fields *list = fields_add_list(o, "parts");
 	for (size_t i = 0; i < b->n; i++)
-		fields_put(fields_object(list, NULL),
+		fields_put(fields_add_object(list, NULL),
 		    "file %s part %g share_pct %g rock %s provenance %s",
 		    b->part[i].file, b->part[i].share,
 		    100 * b->part[i].share / b->sum, b->part[i].sheet->rock,
 		    b->part[i].sheet->provenance);
-	fields_numbers(o, "feed_sieve_mm", b->feed.size, b->feed.n, units_mm);
-	fields_numbers(o, "feed_pct", b->feed.passing, b->feed.n, units_pct);
+	fields_put_numbers(
+	    o, "feed_sieve_mm", b->feed.size, b->feed.n, units_mm);
+	fields_put_numbers(
+	    o, "feed_pct", b->feed.passing, b->feed.n, units_pct);
 }
 
 static void
-note_parts(struct answer *r, const struct blended *b)
+note_blend_components(struct answer *r, const struct blended *b)
 {
 	if (fabs(b->sum - 100) > 1e-9 && fabs(b->sum - 1) > 1e-9)
 		answer_note(r,
@@ -94,7 +97,7 @@ note_parts(struct answer *r, const struct blended *b)
 
 /* Notes which sheets limit the blend at its fine end. */
 static void
-note_finest(struct answer *r, const struct blended *b)
+note_feeds_limiting_fines(struct answer *r, const struct blended *b)
 {
 	double finest = b->feed.size[b->feed.n - 1];
 	FREED char *unknown = xstrdup("");
@@ -102,7 +105,8 @@ note_finest(struct answer *r, const struct blended *b)
 		const struct psd *feed = b->part[i].feed;
 		double own = feed->size[feed->n - 1];
 		if (own == finest && feed->passing[feed->n - 1] > 0)
-			xlist(&unknown, ", ", "%s", file_name(b->part[i].file));
+			xappend_to_list(&unknown, ", ", "%s",
+			    file_name_without_folders(b->part[i].file));
 	}
 	if (unknown[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
@@ -112,24 +116,24 @@ note_finest(struct answer *r, const struct blended *b)
 
 /* Shows the blend without a product, because it cannot be predicted. */
 static void
-answer_blended_feed(
+show_blended_feed(
     struct session *s, const struct blended *b, const char *why_not)
 {
 	struct answer *r = answer_new("blend");
 	answer_title(r, "blend of %s", b->words);
-	answer_site(r, "blend", b->of);
-	blend_add_rows(r, b, &b->feed, NULL);
-	note_parts(r, b);
-	note_finest(r, b);
+	answer_set_site(r, "blend", b->of);
+	add_blend_rows(r, b, &b->feed, NULL);
+	note_blend_components(r, b);
+	note_feeds_limiting_fines(r, b);
 	answer_note(r, "no product is predicted: %s", why_not);
 	fields_put(answer_fields(r), "feed %s", b->words);
-	put_parts(answer_fields(r), b);
+	put_blend_component_fields(answer_fields(r), b);
 	session_show_answer(s, r);
 }
 
 /* Shows the blend with the current site's product from it. */
 static void
-answer_blended_product(
+show_product_of_blend(
     struct session *s, const struct question *q, const struct blended *b)
 {
 	const struct entry *entry = q->entry;
@@ -137,14 +141,14 @@ answer_blended_product(
 	struct prediction p = forecast_whole_product(s, entry, v, q->feed);
 	struct answer *r = answers_new(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
-	blend_add_rows(r, b, &p.product, &p);
-	put_parts(answer_fields(r), b);
+	add_blend_rows(r, b, &p.product, &p);
+	put_blend_component_fields(answer_fields(r), b);
 	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);
-	note_parts(r, b);
+	note_blend_components(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
 		answer_put_columns(r, "low_pct high_pct");
-		answers_put_band(answer_fields(r), s, &p);
+		answers_put_size_bands(answer_fields(r), s, &p);
 	}
 	answers_show_basis_at(s, r, q, v, p.low != NULL);
 	prediction_free(&p);
@@ -152,33 +156,34 @@ answer_blended_product(
 }
 
 static void
-blend_give(struct session *s, const struct args *args, const struct blended *b)
+show_blend(struct session *s, const struct args *args, const struct blended *b)
 {
 	struct error none = {0};
 	if (s->n_entry == 0) {
-		answer_blended_feed(s, b, "no site is loaded");
+		show_blended_feed(s, b, "no site is loaded");
 		return;
 	}
-	if (!answers_check_current(s, &none)) {
-		answer_blended_feed(s, b, none.text);
+	if (!answers_require_params_of_current(s, &none)) {
+		show_blended_feed(s, b, none.text);
 		return;
 	}
 	const struct scenario scenario = {
 	    .feed = b, .correction = s->set.correction};
 	struct question q;
-	question_make(s, session_entry(s), &scenario, &q);
-	q.speed = args->speed > 0 ? args->speed
-				  : question_last_speed(s,
-					answers_usual_speed(session_entry(s)));
-	answer_blended_product(s, &q, b);
+	question_from_scenario(s, session_current_entry(s), &scenario, &q);
+	q.speed = args->speed > 0
+		      ? args->speed
+		      : question_last_speed(
+			    s, answers_default_speed(session_current_entry(s)));
+	show_product_of_blend(s, &q, b);
 	question_free(s, &q);
 }
 
 /* Writes the blend as a sheet that load and feed= read, with what the parts
  * state. */
 static bool
-write_sheet(struct session *s, const struct args *args, const struct blended *b,
-    const char *path, struct error *error)
+write_blend_as_sheet(struct session *s, const struct args *args,
+    const struct blended *b, const char *path, struct error *error)
 {
 	size_t rows;
 	struct site *site = site_new(1);
@@ -205,13 +210,13 @@ cmd_blend(struct session *s, const struct args *args, struct error *error)
 	struct blended b = {0};
 	bool good = true;
 	for (size_t i = 0; good && i < args->n_operand; i++)
-		good = blend_read_part(s, args->operand[i], &b, error);
+		good = read_blend_component(s, args->operand[i], &b, error);
 	if (good) {
-		blended_mix(&b);
+		blended_mix_feeds(&b);
 		good = args->out == NULL ||
-		       write_sheet(s, args, &b, args->out, error);
+		       write_blend_as_sheet(s, args, &b, args->out, error);
 		if (good)
-			blend_give(s, args, &b);
+			show_blend(s, args, &b);
 	}
 	blended_clear(&b);
 	return good;

@@ -37,10 +37,10 @@ struct coarser {
 };
 
 static struct coarser
-find_coarser(const struct run *run)
+compare_product_with_feed(const struct run *run)
 {
 	struct coarser found = {0};
-	found.compared = misfit_count_covered(run);
+	found.compared = misfit_count_covered_sieves(run);
 	for (size_t i = 0; i < found.compared; i++) {
 		double x = run->product.size[i];
 		double by =
@@ -58,12 +58,12 @@ find_coarser(const struct run *run)
 }
 
 void
-check_warn_coarser(struct session *s, const struct site *site)
+check_warn_coarser_product(struct session *s, const struct site *site)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
-		struct coarser c = find_coarser(&site->run[r]);
+		struct coarser c = compare_product_with_feed(&site->run[r]);
 		FREED char *rpm =
-		    rotor_speed_words(site->rotor, site->run[r].speed, NAN);
+		    rotor_speed_rpm_text(site->rotor, site->run[r].speed, NAN);
 		if (c.sieves > 0)
 			session_note(s,
 			    "  at %g m/s%s%s the product is coarser than the "
@@ -83,14 +83,14 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 	va_start(ap, format);
 	FREED char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
-	answer_cells(r, "%s %s %s %s", entry->key,
+	answer_add_cells(r, "%s %s %s %s", entry->key,
 	    fault ? tr("FAULT") : tr("remark"), where, text);
 }
 
 /* Returns where a finding is: "69 m/s", or "feed" for the feed of all runs,
  * NULL. */
 static const char *
-check_place(const struct run *run, char buf[static 40])
+feed_or_speed_of_run(const struct run *run, char buf[static 40])
 {
 	if (run == NULL || !(run->speed > 0))
 		return tr("feed");
@@ -99,11 +99,12 @@ check_place(const struct run *run, char buf[static 40])
 }
 
 static bool
-check_run(struct answer *r, const struct entry *entry, const struct run *run)
+check_curves_of_run(
+    struct answer *r, const struct entry *entry, const struct run *run)
 {
-	struct coarser c = find_coarser(run);
+	struct coarser c = compare_product_with_feed(run);
 	char buf[40];
-	const char *where = check_place(run, buf);
+	const char *where = feed_or_speed_of_run(run, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -136,7 +137,7 @@ check_run(struct answer *r, const struct entry *entry, const struct run *run)
 
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
-two_runs_words(const struct run *a, const struct run *b)
+speeds_of_two_runs(const struct run *a, const struct run *b)
 {
 	return xasprintf(
 	    "%g%s, %g%s m/s", a->speed, a->repeat, b->speed, b->repeat);
@@ -152,7 +153,7 @@ report_columns_entered_twice(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k], *b = &site->run[i];
 			if (!psd_same(&a->product, &b->product))
 				continue;
-			FREED char *where = two_runs_words(a, b);
+			FREED char *where = speeds_of_two_runs(a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
@@ -166,18 +167,18 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 	const double far = 0.05;
 	const struct site *site = entry->site;
 	for (size_t i = 1; i < site->n_run; i++)
-		for (size_t k = i; site_run_repeats(site, k); k--) {
+		for (size_t k = i; site_run_repeats_speed(site, k); k--) {
 			const struct run *a = &site->run[k - 1];
 			const struct run *b = &site->run[i];
-			struct order fall =
-			    trust_order(&a->product, &b->product);
-			struct order rise =
-			    trust_order(&b->product, &a->product);
+			struct passing_order fall =
+			    trust_compare_order(&a->product, &b->product);
+			struct passing_order rise =
+			    trust_compare_order(&b->product, &a->product);
 			if (rise.most > fall.most)
 				fall = rise;
 			if (fall.most <= far)
 				continue;
-			FREED char *where = two_runs_words(a, b);
+			FREED char *where = speeds_of_two_runs(a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
@@ -189,15 +190,16 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 /* Reports passings that fall from a slower to a faster run by more than
  * sampling explains: a fault, unless their feeds may differ that much. */
 static bool
-check_order_of_pair(struct answer *r, const struct entry *entry,
+check_faster_is_finer(struct answer *r, const struct entry *entry,
     const struct run *slow, const struct run *fast)
 {
 	const struct site *site = entry->site;
-	struct order fall = trust_order(&slow->product, &fast->product);
-	bool fault = !site->individual_feeds && trust_order_wrong(&fall);
+	struct passing_order fall =
+	    trust_compare_order(&slow->product, &fast->product);
+	bool fault = !site->individual_feeds && trust_is_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
-	FREED char *where = two_runs_words(slow, fast);
+	FREED char *where = speeds_of_two_runs(slow, fast);
 	const char *why =
 	    site->individual_feeds ? tr("its feed may have been coarser")
 	    : fault ? tr("were speeds swapped or digits transposed?")
@@ -211,17 +213,17 @@ check_order_of_pair(struct answer *r, const struct entry *entry,
 
 /* Compares each run with those at the next lower speed. */
 static bool
-check_site_order(struct answer *r, const struct entry *entry)
+check_products_by_speed(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	bool ok = true;
 	for (size_t i = 0, slow = 0, first = 0; i < site->n_run; i++) {
-		if (!site_run_repeats(site, i)) {
+		if (!site_run_repeats_speed(site, i)) {
 			slow = first;
 			first = i;
 		}
 		for (size_t k = slow; k < first; k++)
-			ok = check_order_of_pair(
+			ok = check_faster_is_finer(
 				 r, entry, &site->run[k], &site->run[i]) &&
 			     ok;
 	}
@@ -240,7 +242,7 @@ has_sieve(const struct psd *psd, double x)
 /* Returns a sieve that curve `at` lacks within its range although all others of
  * the n have it; 0 if there is none. */
 static double
-find_gap(const struct psd *const *curve, size_t n, size_t at)
+find_missing_sieve(const struct psd *const *curve, size_t n, size_t at)
 {
 	const struct psd *own = curve[at], *other = curve[(at + 1) % n];
 	for (size_t i = 0; i < other->n; i++) {
@@ -249,7 +251,7 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 		for (size_t k = 0; k < n; k++)
 			with += has_sieve(curve[k], x);
 		if (with == n - 1 && !has_sieve(own, x) && x < own->size[0] &&
-		    psd_covers(own, x))
+		    psd_covers_size(own, x))
 			return x;
 	}
 	return 0;
@@ -258,7 +260,7 @@ find_gap(const struct psd *const *curve, size_t n, size_t at)
 /* Appends the feeds of a site, or its products, to the n curves, with the run
  * of each (NULL: of all). Returns the new number. */
 static size_t
-gather_curves_of_entry(const struct site *site, bool feed,
+append_curves_of_site(const struct site *site, bool feed,
     const struct psd **curve, const struct run **run, size_t n)
 {
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -276,7 +278,7 @@ gather_curves_of_entry(const struct site *site, bool feed,
 /* Reports sieves of the feed so far apart that much of the curve between them
  * is assumed to be straight. */
 static void
-report_wide_gap_of_feed(struct answer *r, const struct entry *entry)
+report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 {
 	const struct psd *feed = &entry->site->run[0].feed;
 	size_t i = psd_sieve_above_widest_gap(feed);
@@ -292,19 +294,20 @@ report_wide_gap_of_feed(struct answer *r, const struct entry *entry)
 /* Reports a cell that is empty although all others of its row are full: a mass
  * that was forgotten is missing from the total. */
 static void
-check_gaps(struct answer *r, const struct entry *entry)
+report_empty_cells(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	char buf[40];
 	FREED const struct psd **curve =
 	    xcalloc(2 * site->n_run, sizeof(*curve));
 	FREED const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
-	size_t feeds = gather_curves_of_entry(site, true, curve, run, 0);
-	size_t n = gather_curves_of_entry(site, false, curve, run, feeds);
+	size_t feeds = append_curves_of_site(site, true, curve, run, 0);
+	size_t n = append_curves_of_site(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
-		double x = find_gap(curve, n, i);
+		double x = find_missing_sieve(curve, n, i);
 		if (x > 0)
-			finding(r, entry, false, check_place(run[i], buf),
+			finding(r, entry, false,
+			    feed_or_speed_of_run(run[i], buf),
 			    i < feeds
 				? N_("the feed's cell at %g mm is empty, and "
 				     "no other in its row: if it was weighed "
@@ -321,7 +324,8 @@ check_gaps(struct answer *r, const struct entry *entry)
 /* Reports the single cells that are suspect.  Mends of columns are listed with
  * the findings about columns. */
 static void
-check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
+report_suspect_cells(struct answer *r, const struct entry *entry,
+    const struct outlier_findings *d)
 {
 	char buf[40];
 	for (size_t i = 0; i < d->n; i++) {
@@ -330,9 +334,10 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 		bool shared = m->feed && !entry->site->individual_feeds;
 		if (m->kind != MEND_READ && m->kind != MEND_OUT)
 			continue;
-		FREED char *words = mend_finding_words(entry->site, f);
+		FREED char *words = mend_finding_text(entry->site, f);
 		finding(r, entry, false,
-		    check_place(shared ? NULL : &entry->site->run[m->run], buf),
+		    feed_or_speed_of_run(
+			shared ? NULL : &entry->site->run[m->run], buf),
 		    "%s", words);
 	}
 }
@@ -340,14 +345,14 @@ check_cells(struct answer *r, const struct entry *entry, const struct doctor *d)
 /* Reports the passing farthest from the calibrated product, which may reveal a
  * wrong cell that its neighbours and the other runs do not. */
 static void
-check_fit(struct answer *r, const struct entry *entry)
+report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 {
-	struct validation v = fit_outlier(entry);
+	struct validation v = fit_find_outlier(entry);
 	if (v.worst_difference == 0)
 		return;
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
-	finding(r, entry, false, check_place(run, buf),
+	finding(r, entry, false, feed_or_speed_of_run(run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
@@ -377,7 +382,7 @@ report_what_was_read(
 {
 	const struct site *site = entry->site;
 	size_t n, columns = site->individual_feeds ? site->n_run : 1;
-	free(site_sieves(site, &n));
+	free(site_all_sieves(site, &n));
 	for (size_t i = 0; i < site->n_run; i++)
 		columns += (size_t)(site->run[i].product.n > 0) +
 			   (size_t)(site->run[i].product_sd != NULL);
@@ -394,7 +399,7 @@ report_what_was_read(
 	    entry->key, n, in, runs);
 	if (site->named[0] != '\0')
 		answer_note(r, "  by ASTM E11, mm: %s", site->named);
-	fields_put(fields_object(read, NULL),
+	fields_put(fields_add_object(read, NULL),
 	    "site %s runs %zu sieves %zu columns %zu left_out %zu", entry->key,
 	    site->n_run, n, columns, site->n_left_out);
 }
@@ -407,14 +412,14 @@ check_site(
 	bool ok = true;
 	report_what_was_read(r, read, entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
-		ok = check_run(r, entry, &entry->site->run[i]) && ok;
-	ok = check_site_order(r, entry) && ok;
+		ok = check_curves_of_run(r, entry, &entry->site->run[i]) && ok;
+	ok = check_products_by_speed(r, entry) && ok;
 	check_site_repeats(r, entry);
 	report_columns_entered_twice(r, entry);
-	check_gaps(r, entry);
-	report_wide_gap_of_feed(r, entry);
-	struct doctor d = mend_find_faults(s, entry);
-	check_cells(r, entry, &d);
+	report_empty_cells(r, entry);
+	report_wide_gap_in_feed(r, entry);
+	struct outlier_findings d = mend_find_faults(s, entry);
+	report_suspect_cells(r, entry, &d);
 	if (d.unseen > 0)
 		finding(r, entry, false, "all runs",
 		    "%zu passings are too many to compare each with every "
@@ -422,21 +427,21 @@ check_site(
 		    "values are not looked for; check fewer runs at a time",
 		    d.unseen, DOCTOR_CELLS);
 	if (!mend_is_calibrated(s, entry))
-		check_fit(r, entry);
+		report_worst_cell_of_fit(r, entry);
 	report_sites_with_same_data(s, r, index);
 	if (index == s->current)
-		mend_put(r, entry, &d);
+		mend_put_numbered_list(r, entry, &d);
 	outliers_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
 		finding(r, entry, false, "site file",
 		    "provenance is not stated: above the table, write "
 		    "provenance in a cell, and in the next where the data "
 		    "are from");
-	if (site_assumed_top(entry->site) > 0)
+	if (site_assumed_top_size(entry->site) > 0)
 		finding(r, entry, false, "feed",
 		    "all of it is assumed to pass %g mm: a coarser sieve would "
 		    "show it",
-		    site_assumed_top(entry->site));
+		    site_assumed_top_size(entry->site));
 	return ok;
 }
 
@@ -454,7 +459,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	}
 	struct answer *r = answer_new("check");
 	answer_columns(r, "site, kind, where, finding");
-	struct fields *read = fields_list(answer_fields(r), "read");
+	struct fields *read = fields_add_list(answer_fields(r), "read");
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, read, i) && ok;
@@ -465,7 +470,7 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	    : answer_count_rows(r) == 0
 		? tr("no faults found")
 		: tr("no faults found; judge the remarks yourself"));
-	bool mends = answer_number(r, "mends.n") > 0;
+	bool mends = answer_find_number(r, "mends.n") > 0;
 	session_show_answer(s, r);
 	if (ok)
 		return true;

@@ -7,6 +7,6 @@
 
 /* Notes which run's product is coarser than its feed.  It changes no
  * numbers. */
-void check_warn_coarser(struct session *s, const struct site *site);
+void check_warn_coarser_product(struct session *s, const struct site *site);
 
 #endif

@@ -13,23 +13,23 @@
 char *
 cut_day_text(const struct datetime *m, enum datetime_order order)
 {
-	double time = datetime_seconds(m, order);
+	double time = datetime_seconds_since_1970(m, order);
 	if (isnan(time))
 		return NULL;
-	char *text = datetime_text(time);
+	char *text = datetime_to_text(time);
 	if (!m->has_time)
 		text[strcspn(text, " ")] = '\0';
 	return text;
 }
 
 const char *
-cut_day_of_header(const struct site *cuts)
+cut_day_date_in_header(const struct site *cuts)
 {
 	const char *found = NULL;
 	struct datetime m;
 	for (size_t i = 0; i < cuts->n_note; i++) {
 		const struct site_note *note = &cuts->note[i];
-		if (strcmp(note->key, "cut") == 0 || !cut_read_date(note, &m))
+		if (strcmp(note->key, "cut") == 0 || !cut_parse_date(note, &m))
 			continue;
 		if (found != NULL)
 			return NULL;
@@ -41,20 +41,21 @@ cut_day_of_header(const struct site *cuts)
 /* Returns the order in which none of the open dates is after today, if there
  * are any after today in the other. */
 static enum datetime_order
-order_by_today(const struct site *cuts)
+date_order_by_today(const struct site *cuts)
 {
 	FREED char *today = datetime_today();
 	struct datetime m, now;
 	bool after[2] = {false, false};
-	datetime_read(today, &now);
-	double end = datetime_seconds(&now, DATETIME_OPEN) + 24 * 3600;
+	datetime_parse(today, &now);
+	double end =
+	    datetime_seconds_since_1970(&now, DATETIME_OPEN) + 24 * 3600;
 	for (size_t i = 0; i < cuts->n_note; i++) {
-		if (!cut_read_date(&cuts->note[i], &m) || m.plain)
+		if (!cut_parse_date(&cuts->note[i], &m) || m.plain)
 			continue;
-		after[0] =
-		    after[0] || datetime_seconds(&m, DATETIME_DAY_FIRST) >= end;
-		after[1] = after[1] ||
-			   datetime_seconds(&m, DATETIME_MONTH_FIRST) >= end;
+		after[0] = after[0] || datetime_seconds_since_1970(
+					   &m, DATETIME_DAY_FIRST) >= end;
+		after[1] = after[1] || datetime_seconds_since_1970(
+					   &m, DATETIME_MONTH_FIRST) >= end;
 	}
 	if (after[0] == after[1])
 		return DATETIME_OPEN;
@@ -62,17 +63,17 @@ order_by_today(const struct site *cuts)
 }
 
 struct cut_day
-cut_day_order(const struct site *cuts, const struct site *site)
+cut_day_find_date_order(const struct site *cuts, const struct site *site)
 {
-	enum datetime_order order = cut_date_order(cuts);
+	enum datetime_order order = cut_day_month_order(cuts);
 	if (order != DATETIME_OPEN)
 		return (struct cut_day){
 		    order, tr("as its other dates show"), false};
-	order = cut_date_order(site);
+	order = cut_day_month_order(site);
 	if (order != DATETIME_OPEN)
 		return (struct cut_day){
 		    order, tr("as the dates of earlier cuts show"), false};
-	order = order_by_today(cuts);
+	order = date_order_by_today(cuts);
 	return (struct cut_day){order,
 	    order != DATETIME_OPEN
 		? tr("as the other way round it is still to come")

@@ -18,11 +18,12 @@ struct cut_day {
 /* Finds the order of day and month in the dates of cuts: as their other dates
  * show it, else those of the site that they are added to, else today, which no
  * cut is taken after. */
-struct cut_day cut_day_order(const struct site *cuts, const struct site *site);
+struct cut_day cut_day_find_date_order(
+    const struct site *cuts, const struct site *site);
 
 /* Returns the one date of a sheet's header, as in the sheet, borrowed, or NULL
  * if it has none or several. */
-const char *cut_day_of_header(const struct site *cuts);
+const char *cut_day_date_in_header(const struct site *cuts);
 
 /* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if the order
  * leaves it open.  The caller frees it. */

@@ -30,19 +30,20 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		FREED char *speeds =
-		    session_speeds(entry->site, " ", NULL, true);
+		    session_speeds_text(entry->site, " ", NULL, true);
 		FREED char *marked =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
 		answer_name(r, entry->key, marked);
-		answer_cells(r, "%s %s %g %s %s %s", entry->site->name,
+		answer_add_cells(r, "%s %s %g %s %s %s", entry->site->name,
 		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
 					      : NAN,
 		    speeds,
-		    entry->has_fit                    ? tr("yes")
-		    : !entry->has_params              ? tr("no")
-		    : origin_is_stored(entry->origin) ? tr("from store")
-						      : origin_words(entry),
+		    entry->has_fit       ? tr("yes")
+		    : !entry->has_params ? tr("no")
+		    : origin_is_from_store(entry->origin)
+			? tr("from store")
+			: origin_source_text(entry),
 		    site_data_kind(entry->site->provenance));
 	}
 	answer_note(r, s->n_entry > 0
@@ -71,7 +72,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 /* Fills in the names, and states that nothing was measured and that the middle
  * speed is an assumption (D8). */
 static void
-describe_synth(struct site *site, const struct stored *m,
+describe_synthetic_site(struct site *site, const struct stored *m,
     const struct synth *synth, const char *source)
 {
 	free(site->name);
@@ -93,7 +94,7 @@ describe_synth(struct site *site, const struct stored *m,
 }
 
 static struct site *
-synth_row(const struct stored *m, const struct args *args)
+synth_site_of_material(const struct stored *m, const struct args *args)
 {
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
 	    .params = m->params,
@@ -104,8 +105,8 @@ synth_row(const struct stored *m, const struct args *args)
 	    .n_speed = args->speeds.n,
 	    .speed = args->speeds.at};
 	struct site *site = synth_site(&synth);
-	const char *file = file_name(args->operand[0]);
-	describe_synth(site, m, &synth,
+	const char *file = file_name_without_folders(args->operand[0]);
+	describe_synthetic_site(site, m, &synth,
 	    strcmp(file, "table3.csv") == 0 || strcmp(file, "table3") == 0
 		? "Table 3"
 		: file);
@@ -131,15 +132,16 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	struct stored_list rows = {0};
 	bool read = true;
 	if (built_in)
-		stored_table3(&rows);
+		stored_add_table3(&rows);
 	else
-		read = stored_read_printed(args->operand[0], &rows, &errors);
+		read =
+		    stored_read_table3_file(args->operand[0], &rows, &errors);
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct stored *row = &rows.item[i];
 		if (wanted != NULL && !text_same_folded(wanted, row->site))
 			continue;
-		session_add_site(s, synth_row(row, args));
+		session_add_site(s, synth_site_of_material(row, args));
 		made++;
 	}
 	stored_list_free(&rows);
@@ -193,7 +195,7 @@ cmd_write(struct session *s, const struct args *args, struct error *error)
 	bool folder = stat(path, &info) == 0 && S_ISDIR(info.st_mode);
 	if (!folder)
 		return write_site_file(
-		    s, args, session_entry(s)->site, path, error);
+		    s, args, session_current_entry(s)->site, path, error);
 	for (size_t i = 0; i < s->n_entry; i++) {
 		FREED char *file = file_name_of_entry(&s->entry[i], path);
 		bool ok =

@@ -38,7 +38,8 @@ struct load {
 /* Splits "cut1.csv@70" into file and speed, unless a file has that whole
  * name. */
 static bool
-split_speed(const char *word, char **path, double *speed, struct error *error)
+split_file_and_speed(
+    const char *word, char **path, double *speed, struct error *error)
 {
 	const char *at = strrchr(word, '@');
 	*speed = 0;
@@ -46,7 +47,7 @@ split_speed(const char *word, char **path, double *speed, struct error *error)
 	if (at == NULL || at == word || access(word, F_OK) == 0 ||
 	    strchr(at, '/') != NULL)
 		return true;
-	struct head head = head_read(at);
+	struct head head = head_parse(at);
 	char **copy = path;
 	(*copy)[at - word] = '\0';
 	*speed = head.speed;
@@ -59,7 +60,7 @@ split_speed(const char *word, char **path, double *speed, struct error *error)
 }
 
 static void
-said_clear(struct inquired *said)
+free_user_answers(struct inquired *said)
 {
 	free(said->columns);
 	free(said->samples);
@@ -68,13 +69,13 @@ said_clear(struct inquired *said)
 }
 
 static void
-load_clear(struct load *l)
+free_load_request(struct load *l)
 {
 	for (size_t i = 0; i < l->request.n; i++)
 		free(l->path[i]);
 	free(l->path);
 	free(l->speed);
-	said_clear(&l->said);
+	free_user_answers(&l->said);
 }
 
 /* Takes ownership of the path. */
@@ -95,7 +96,7 @@ load_add_file(struct load *l, const char *word, struct error *error)
 {
 	char *path;
 	double speed;
-	bool good = split_speed(word, &path, &speed, error);
+	bool good = split_file_and_speed(word, &path, &speed, error);
 	load_add_path(l, path, speed);
 	if (!good || !text_ends_with(path, ".tip"))
 		return good;
@@ -106,7 +107,7 @@ load_add_file(struct load *l, const char *word, struct error *error)
 }
 
 void
-load_note_reading(const struct session *s, const struct site *site)
+load_note_files_read(const struct session *s, const struct site *site)
 {
 	enum { MOST = 4 };
 	size_t more = site->n_left_out;
@@ -132,7 +133,7 @@ note_loaded(struct session *s, const struct site *site)
 {
 	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
-	free(site_sieves(site, &n));
+	free(site_all_sieves(site, &n));
 	if (products > 0)
 		session_note(s,
 		    tr_n("loaded %s: %zu run, %zu sieves",
@@ -143,7 +144,7 @@ note_loaded(struct session *s, const struct site *site)
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
 		    "for an estimate",
 		    label, n);
-	load_note_reading(s, site);
+	load_note_files_read(s, site);
 	if (products == 1)
 		session_note(s,
 		    "  one product: it cannot show what the speed does; "
@@ -153,7 +154,7 @@ note_loaded(struct session *s, const struct site *site)
 
 /* Replaces options of a request by the user's answers. */
 static void
-take_answers(const struct inquired *said, struct site_request *q)
+use_user_answers(const struct inquired *said, struct site_request *q)
 {
 	q->columns = said->columns != NULL ? said->columns : q->columns;
 	q->samples = said->samples != NULL ? said->samples : q->samples;
@@ -170,33 +171,34 @@ ask_user_about_load(struct session *s, struct load *l,
     const struct site_ask *ask, const struct error_list *errors)
 {
 	bool good = errors->n > 0 &&
-		    ask_open_question(s, ask, &errors->item[0], &l->said);
-	take_answers(&l->said, &l->request);
+		    ask_open_questions(s, ask, &errors->item[0], &l->said);
+	use_user_answers(&l->said, &l->request);
 	return good;
 }
 
 /* Names the line that takes products without a feed: as cuts of the site in use
  * or, if none is, of one that was remembered. */
 static void
-hint_add(const struct session *s, const struct load *l, struct error *error)
+hint_how_to_add_products(
+    const struct session *s, const struct load *l, struct error *error)
 {
 	size_t own = 0;
 	char number[32];
 	const char *site = s->n_entry > 0 ? s->entry[s->current].key : NULL;
 	FREED char *line = xstrdup("add"),
-		   *options = journal_options(&l->request);
+		   *options = journal_load_options_text(&l->request);
 	for (size_t i = 0; i < l->request.n; i++) {
 		FREED char *word =
 		    l->speed[i] > 0
 			? xasprintf("%s@%s", l->path[i],
-			      text_exact_number(l->speed[i], number))
+			      text_shortest_exact_number(l->speed[i], number))
 			: xstrdup(l->path[i]);
 		journal_append_word(&line, word);
 	}
 	if (site != NULL)
 		error_hint(error, "add it to %s, which has a feed: %s%s", site,
 		    line, options);
-	else if (store_count(s->store, &own, NULL) && own > 0)
+	else if (store_count_materials(s->store, &own, NULL) && own > 0)
 		error_hint(error,
 		    "bring back the site that it belongs to, and add it: "
 		    "recall NAME; %s%s",
@@ -206,12 +208,13 @@ hint_add(const struct session *s, const struct load *l, struct error *error)
 /* Reads the request as one site, asking the user if possible.  On failure,
  * returns NULL with an error. */
 static struct site *
-read_site(struct session *s, struct load *l, struct error *error)
+read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 {
 	for (int round = 0;; round++) {
 		struct error_list errors = {.stop = s->hooks.stop};
 		struct site_ask ask = {0};
-		struct site *site = site_read_as(&l->request, &errors, &ask);
+		struct site *site =
+		    site_read_request(&l->request, &errors, &ask);
 		/* Answers about a feed could not be saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
@@ -225,39 +228,39 @@ read_site(struct session *s, struct load *l, struct error *error)
 			continue;
 		session_report_faults(s, l->path[0], &errors, error);
 		if (cuts && !l->request.parts && !l->request.feed)
-			hint_add(s, l, error);
+			hint_how_to_add_products(s, l, error);
 		return NULL;
 	}
 }
 
 static bool
-load_take_site(
+add_loaded_site(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
-	if (!session_add_unchanged(s, site, l->digest, error))
+	if (!session_add_if_digest_matches(s, site, l->digest, error))
 		return false;
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	note_loaded(s, entry->site);
-	check_warn_coarser(s, entry->site);
-	FREED char *line = journal_load(entry->site->digest, l->request.n,
+	check_warn_coarser_product(s, entry->site);
+	FREED char *line = journal_load_line(entry->site->digest, l->request.n,
 	    l->request.path, l->request.speed);
-	FREED char *options = journal_options(&l->request);
-	journal_add(s, NULL, "%s%s", line, options);
+	FREED char *options = journal_load_options_text(&l->request);
+	journal_add_line(s, NULL, "%s%s", line, options);
 	return true;
 }
 
 static bool
-load_as_one(struct session *s, struct load *l, struct error *error)
+load_files_as_one_site(struct session *s, struct load *l, struct error *error)
 {
 	for (size_t i = 0; i < l->request.n; i++)
 		files_note_read(s, l->path[i]);
-	struct site *site = read_site(s, l, error);
-	return site != NULL && load_take_site(s, l, site, error);
+	struct site *site = read_site_or_ask_user(s, l, error);
+	return site != NULL && add_loaded_site(s, l, site, error);
 }
 
 /* Finds whether one file alone has only a feed, or only a product. */
 static void
-find_what_file_has(const struct session *s, struct load *l, size_t i,
+find_whether_feed_or_product(const struct session *s, struct load *l, size_t i,
     bool *feed, bool *product)
 {
 	struct site_request one = l->request;
@@ -266,7 +269,7 @@ find_what_file_has(const struct session *s, struct load *l, size_t i,
 	one.n = 1;
 	one.path = &l->request.path[i];
 	one.speed = &l->request.speed[i];
-	site_free(site_read_as(&one, &errors, &ask));
+	site_free(site_read_request(&one, &errors, &ask));
 	*feed = ask.no_product && !ask.no_feed;
 	*product = ask.no_feed && !ask.no_product;
 	site_ask_clear(&ask);
@@ -275,7 +278,7 @@ find_what_file_has(const struct session *s, struct load *l, size_t i,
 /* True if the files are parts of one site: none is complete, and one feed
  * serves the products of all others.  Stops at the first complete file. */
 static bool
-are_parts(const struct session *s, struct load *l)
+are_files_parts_of_site(const struct session *s, struct load *l)
 {
 	size_t feeds = 0, n = l->request.n;
 	for (size_t i = 0; i < n; i++)
@@ -283,7 +286,7 @@ are_parts(const struct session *s, struct load *l)
 			return true; /* it was said so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
-		find_what_file_has(s, l, i, &feed, &product);
+		find_whether_feed_or_product(s, l, i, &feed, &product);
 		if (!feed && !product)
 			return false;
 		feeds += feed;
@@ -301,8 +304,8 @@ struct unread {
  * that is missing, if any: the others may lack only what that file has.  skip:
  * none becomes an error. */
 static bool
-report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
-    struct error *error)
+report_unread_files(struct session *s, const struct unread *u, size_t n,
+    bool skip, struct error *error)
 {
 	if (u->n == 0)
 		return true;
@@ -323,7 +326,8 @@ report_unread(struct session *s, const struct unread *u, size_t n, bool skip,
 
 /* Loads each file as a site, and continues after one that cannot be read. */
 static bool
-load_each(struct session *s, struct load *l, bool skip, struct error *error)
+load_each_file_as_site(
+    struct session *s, struct load *l, bool skip, struct error *error)
 {
 	struct unread unread = {0};
 	bool stopped = false;
@@ -334,58 +338,60 @@ load_each(struct session *s, struct load *l, bool skip, struct error *error)
 		one.path = &l->path[i];
 		one.request.path = &l->request.path[i];
 		one.request.speed = &l->request.speed[i];
-		bool loaded = load_as_one(s, &one, &fault);
+		bool loaded = load_files_as_one_site(s, &one, &fault);
 		stopped = fault.kind == ERROR_STOPPED;
 		if (!loaded) {
 			unread.fault = xrealloc(
 			    unread.fault, unread.n + 1, sizeof *unread.fault);
 			unread.fault[unread.n++] = fault;
 		}
-		said_clear(&one.said);
+		free_user_answers(&one.said);
 	}
 	bool good = false;
 	if (stopped) /* those before stay, as the lines of a script do */
 		*error = unread.fault[unread.n - 1];
 	else
-		good = report_unread(s, &unread, l->request.n, skip, error);
+		good =
+		    report_unread_files(s, &unread, l->request.n, skip, error);
 	free(unread.fault);
 	return good;
 }
 
 static bool
-load_run(struct session *s, struct load *l, bool skip, struct error *error)
+load_requested_files(
+    struct session *s, struct load *l, bool skip, struct error *error)
 {
 	if (l->request.n == 1 && !skip)
-		return load_as_one(s, l, error);
-	if (l->request.n > 1 && are_parts(s, l))
-		return load_as_one(s, l, error);
+		return load_files_as_one_site(s, l, error);
+	if (l->request.n > 1 && are_files_parts_of_site(s, l))
+		return load_files_as_one_site(s, l, error);
 	if (l->digest != NULL)
 		return error_set(error, ERROR_USAGE,
 		    "expected one file with digest=, got %zu", l->request.n);
-	return load_each(s, l, skip, error);
+	return load_each_file_as_site(s, l, skip, error);
 }
 
 /* A name with a quote can be neither typed nor saved. */
 static bool
-load_is_sheet(const char *name)
+is_name_of_sheet_file(const char *name)
 {
 	return file_has_sheet_ending(name) && name[0] != '.' &&
 	       strchr(name, '"') == NULL;
 }
 
 static int
-load_by_name(const void *a, const void *b)
+compare_file_names(const void *a, const void *b)
 {
 	return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
 /* Removes tipspeed's own results from the files, from index `from` on. */
 static void
-leave_out_results(const struct session *s, struct load *l, size_t from)
+remove_result_files(const struct session *s, struct load *l, size_t from)
 {
 	size_t n = from;
 	for (size_t i = from; i < l->request.n; i++) {
-		FREED char *command = results_command_in(l->path[i]);
+		FREED char *command = results_command_in_file(l->path[i]);
 		if (command == NULL) {
 			l->path[n++] = l->path[i];
 			continue;
@@ -406,13 +412,13 @@ load_add_folder(const struct session *s, struct load *l, DIR *dir,
 	while (end > 1 && path[end - 1] == '/')
 		end--;
 	for (struct dirent *e; (e = readdir(dir)) != NULL;)
-		if (load_is_sheet(e->d_name))
+		if (is_name_of_sheet_file(e->d_name))
 			load_add_path(l,
 			    xasprintf("%.*s/%s", (int)end, path, e->d_name), 0);
 	if (l->request.n > before)
 		qsort(&l->path[before], l->request.n - before, sizeof(*l->path),
-		    load_by_name);
-	leave_out_results(s, l, before);
+		    compare_file_names);
+	remove_result_files(s, l, before);
 	return l->request.n > before ||
 	       error_at(error, ERROR_DATA, path, 0, 0,
 		   "expected sheets in this folder (.csv .tsv .txt .xlsx "
@@ -423,7 +429,7 @@ load_add_folder(const struct session *s, struct load *l, DIR *dir,
 /* Adds the files named by words, and the sheets of folders.  A file takes
  * precedence over a shipped site of the same name. */
 static bool
-load_add_words(const struct session *s, struct load *l, size_t n,
+load_add_files_or_folders(const struct session *s, struct load *l, size_t n,
     const char *const *word, struct error *error)
 {
 	bool good = true;
@@ -434,8 +440,9 @@ load_add_words(const struct session *s, struct load *l, size_t n,
 			closedir(dir);
 			continue;
 		}
-		FREED char *shipped =
-		    access(word[i], F_OK) != 0 ? shipped_path(word[i]) : NULL;
+		FREED char *shipped = access(word[i], F_OK) != 0
+					  ? shipped_site_path(word[i])
+					  : NULL;
 		good = load_add_file(
 		    l, shipped != NULL ? shipped : word[i], error);
 	}
@@ -445,32 +452,33 @@ load_add_words(const struct session *s, struct load *l, size_t n,
 /* Returns how much two file names differ, ignoring case, and ignoring the
  * ending of b if a has none; 0 if only the endings differ. */
 static size_t
-apart_in_name(const char *a, const char *b)
+distance_of_file_names(const char *a, const char *b)
 {
-	FREED char *one = text_fold(a), *two = text_fold(b);
+	FREED char *one = text_fold_case_and_accents(a),
+		   *two = text_fold_case_and_accents(b);
 	size_t n = strcspn(one, "."), m = strcspn(two, ".");
 	bool same = n == m && strncmp(one, two, n) == 0;
 	if (one[n] == '\0')
 		two[m] = '\0';
-	return same ? 0 : text_distance(one, two);
+	return same ? 0 : text_edit_distance(one, two);
 }
 
 /* Returns the sheet beside a path whose name is closest to it, or NULL. The
  * caller frees it. */
 static char *
-nearest_sheet(const char *path)
+sheet_with_closest_name(const char *path)
 {
-	const char *name = file_name(path);
+	const char *name = file_name_without_folders(path);
 	int head = (int)(name - path);
 	FREED char *folder = xasprintf("%.*s.", head, path);
 	size_t least = (strcspn(name, ".") + 2) / 4;
 	char *nearest = NULL;
 	DIR *dir = opendir(folder);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
-		size_t apart = apart_in_name(name, e->d_name);
+		size_t apart = distance_of_file_names(name, e->d_name);
 		bool first =
 		    nearest == NULL || strcmp(e->d_name, nearest + head) < 0;
-		if (!load_is_sheet(e->d_name) || apart > least ||
+		if (!is_name_of_sheet_file(e->d_name) || apart > least ||
 		    (apart == least && !first))
 			continue;
 		least = apart;
@@ -485,15 +493,16 @@ nearest_sheet(const char *path)
 /* If a file does not exist, suggests the line with the closest name.  args: the
  * options in the line, or NULL. */
 static void
-hint_nearest(size_t n, const char *const *word, const struct args *args,
-    struct error *error)
+hint_closest_file_name(size_t n, const char *const *word,
+    const struct args *args, struct error *error)
 {
 	FREED char *line = xstrdup("load");
 	const struct command_option *o;
 	bool found = false;
 	for (size_t i = 0; i < n; i++) {
-		FREED char *near =
-		    access(word[i], F_OK) != 0 ? nearest_sheet(word[i]) : NULL;
+		FREED char *near = access(word[i], F_OK) != 0
+				       ? sheet_with_closest_name(word[i])
+				       : NULL;
 		journal_append_word(&line, near != NULL ? near : word[i]);
 		found = found || near != NULL;
 	}
@@ -512,14 +521,14 @@ hint_nearest(size_t n, const char *const *word, const struct args *args,
 
 /* Takes the options of a call into the request. */
 static void
-load_read_options(struct load *l, const struct args *args)
+parse_load_options(struct load *l, const struct args *args)
 {
 	l->digest = args->digest;
 	l->request.columns = args->columns;
 	l->request.samples = args->samples;
 	l->request.sheet = args->sheet;
 	l->request.range = args->range;
-	if (args_given(args, &args->decimal))
+	if (args_is_given(args, &args->decimal))
 		l->request.decimal = args->decimal == 1 ? ',' : '.';
 	if (args->rotor_mm > 0)
 		l->request.rotor = args->rotor_mm / 1000;
@@ -532,12 +541,13 @@ load_files(struct session *s, size_t n, const char *const *word,
 {
 	struct load l = {0};
 	if (args != NULL)
-		load_read_options(&l, args);
-	bool good = load_add_words(s, &l, n, word, error) &&
-		    load_run(s, &l, args != NULL && args->skip, error);
+		parse_load_options(&l, args);
+	bool good =
+	    load_add_files_or_folders(s, &l, n, word, error) &&
+	    load_requested_files(s, &l, args != NULL && args->skip, error);
 	if (!good)
-		hint_nearest(n, word, args, error);
-	load_clear(&l);
+		hint_closest_file_name(n, word, args, error);
+	free_load_request(&l);
 	return good;
 }
 
@@ -548,32 +558,33 @@ load_cuts(struct session *s, const struct args *args, const char *const *word,
 	struct load l = {.request = {.parts = true, .site_rotor = rotor}};
 	struct site_request answers = {0};
 	bool good = true;
-	load_read_options(&l, args);
+	parse_load_options(&l, args);
 	for (size_t i = 0; i < args->n_operand && good; i++)
 		good = load_add_file(&l, word[i], error);
 	for (size_t i = 0; i < l.request.n && good; i++)
 		files_note_read(s, l.path[i]);
-	struct site *site = good ? read_site(s, &l, error) : NULL;
-	take_answers(&l.said, &answers);
-	FREED char *options = journal_options(&answers);
+	struct site *site = good ? read_site_or_ask_user(s, &l, error) : NULL;
+	use_user_answers(&l.said, &answers);
+	FREED char *options = journal_load_options_text(&answers);
 	invocation_add_options(s, "%s", options);
-	load_clear(&l);
+	free_load_request(&l);
 	return site;
 }
 
 /* Finds the run whose feed is meant; speed: 0 if not stated. */
 static bool
-find_feed(const struct site *site, const char *word, double speed, size_t *run,
-    struct error *error)
+find_run_with_feed(const struct site *site, const char *word, double speed,
+    size_t *run, struct error *error)
 {
 	bool several = site->individual_feeds && site->n_run > 1;
-	*run = several || speed > 0 ? site_run_at(site, speed) : 0;
+	*run = several || speed > 0 ? site_run_at_speed(site, speed) : 0;
 	if (*run < site->n_run)
 		return true;
 	FREED char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
-		if (!site_run_repeats(site, r))
-			xlist(&speeds, ", ", "%g", site->run[r].speed);
+		if (!site_run_repeats_speed(site, r))
+			xappend_to_list(
+			    &speeds, ", ", "%g", site->run[r].speed);
 	if (speed > 0 && !(site->run[site->n_run - 1].speed > 0))
 		error_set(error, ERROR_DATA,
 		    "%s: expected no speed, got %g m/s: its feed belongs to no "
@@ -610,15 +621,16 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	if (good) {
 		l.speed[0] = 0;
 		files_note_read(s, l.path[0]);
-		site = read_site(s, &l, error);
+		site = read_site_or_ask_user(s, &l, error);
 	}
-	if (site != NULL && !find_feed(site, word, speed, run, error)) {
+	if (site != NULL &&
+	    !find_run_with_feed(site, word, speed, run, error)) {
 		site_free(site);
 		site = NULL;
 	}
 	if (site != NULL)
-		load_note_reading(s, site);
-	load_clear(&l);
+		load_note_files_read(s, site);
+	free_load_request(&l);
 	return site;
 }
 
@@ -629,7 +641,7 @@ struct remembered_name {
 };
 
 static void
-compare_name(void *data, const char *name)
+match_remembered_name(void *data, const char *name)
 {
 	struct remembered_name *r = data;
 	r->found = r->found || text_same_folded(name, r->name);
@@ -637,11 +649,13 @@ compare_name(void *data, const char *name)
 
 /* If a file does not exist but a material has that name, says so. */
 static void
-hint_remembered(const struct session *s, const char *word, struct error *error)
+hint_recall_material(
+    const struct session *s, const char *word, struct error *error)
 {
 	struct remembered_name r = {.name = word};
 	if (access(word, F_OK) != 0 &&
-	    store_each_name(s->store, STORE_NAMES, compare_name, &r, NULL) &&
+	    store_visit_names(
+		s->store, STORE_NAMES, match_remembered_name, &r, NULL) &&
 	    r.found)
 		error_hint(error, "it is in the store: recall %s", word);
 }
@@ -652,12 +666,12 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 	enum { AS_SITE, AS_LOG };
 	if (args->as == AS_LOG)
 		return log_load(s, args, error);
-	if (args_given(args, &args->dates))
+	if (args_is_given(args, &args->dates))
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
 	bool good = load_files(s, args->n_operand, args->operand, args, error);
 	if (!good && args->n_operand == 1)
-		hint_remembered(s, args->operand[0], error);
+		hint_recall_material(s, args->operand[0], error);
 	return good;
 }

@@ -16,7 +16,7 @@
 
 /* "1,440 rows" */
 static char *
-rows_text(size_t n)
+row_count_text(size_t n)
 {
 	return n < 1000 ? xasprintf(tr_n("%zu row", "%zu rows", n), n)
 			: xasprintf(tr("%zu,%03zu rows"), n / 1000, n % 1000);
@@ -31,43 +31,44 @@ range_text(double least, double most)
 }
 
 static char *
-span_text(double from, double to)
+time_span_text(double from, double to)
 {
-	FREED char *a = datetime_text(from);
-	FREED char *b = datetime_midnight(from) == datetime_midnight(to)
-			    ? datetime_clock(to)
-			    : datetime_text(to);
+	FREED char *a = datetime_to_text(from);
+	FREED char *b = datetime_start_of_day(from) == datetime_start_of_day(to)
+			    ? datetime_time_of_day_text(to)
+			    : datetime_to_text(to);
 	return xasprintf(tr("%s to %s"), a, b);
 }
 
 /* "rpm 1180 to 1420, kW 150 to 210" */
 static char *
-contents_words(const struct plant_log *log)
+log_contents_text(const struct plant_log *log)
 {
-	struct log_window all =
-	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
+	struct log_window all = plant_log_summarise_window(
+	    log, log->time[0], log->time[log->n - 1]);
 	char *text = xstrdup("");
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
 		FREED char *range = range_text(all.least[k], all.most[k]);
-		xlist(&text, ", ", "%s %s", LOG_UNITS[k], range);
+		xappend_to_list(&text, ", ", "%s %s", LOG_UNITS[k], range);
 	}
 	return text;
 }
 
 /* A gap is reported if it is longer than ten rows and than five minutes. */
 static bool
-has_gap(const struct plant_log *log)
+has_time_gap(const struct plant_log *log)
 {
 	return log->gap > 10 * log->apart && log->gap > 300;
 }
 
 static void
-note_log(struct session *s, const struct plant_log *log)
+note_log_contents(struct session *s, const struct plant_log *log)
 {
-	FREED char *rows = rows_text(log->n), *all = contents_words(log);
-	FREED char *span = span_text(log->time[0], log->time[log->n - 1]);
+	FREED char *rows = row_count_text(log->n),
+		   *all = log_contents_text(log);
+	FREED char *span = time_span_text(log->time[0], log->time[log->n - 1]);
 	session_note(s, "log: %s from %s, %s", rows, span, all);
 	session_note(s, "  read: %s", log->read_as);
 	if (log->assumed[0] != '\0')
@@ -75,29 +76,29 @@ note_log(struct session *s, const struct plant_log *log)
 	if (log->passed > 0)
 		session_note(
 		    s, "  not read: %zu rows without a time", log->passed);
-	if (has_gap(log)) {
+	if (has_time_gap(log)) {
 		FREED char *gap =
-		    span_text(log->gap_from, log->gap_from + log->gap);
+		    time_span_text(log->gap_from, log->gap_from + log->gap);
 		session_note(s, "  the longest gap: %s", gap);
 	}
 }
 
 static void
-log_write_journal(
+write_log_to_journal(
     struct session *s, const struct log_request *q, const struct plant_log *log)
 {
 	const struct site_request of = {
 	    .columns = q->columns, .sheet = q->sheet, .decimal = q->decimal};
-	FREED char *line = journal_load(log->digest, q->n, q->path, NULL);
-	FREED char *options = journal_options(&of);
-	journal_add(s, NULL, "%s as=log%s%s", line, options,
+	FREED char *line = journal_load_line(log->digest, q->n, q->path, NULL);
+	FREED char *options = journal_load_options_text(&of);
+	journal_add_line(s, NULL, "%s as=log%s%s", line, options,
 	    q->order == DATETIME_OPEN        ? ""
 	    : q->order == DATETIME_DAY_FIRST ? " dates=day-first"
 					     : " dates=month-first");
 }
 
 static struct plant_log *
-read_log(struct session *s, struct log_request *q, struct error *error)
+read_plant_log(struct session *s, struct log_request *q, struct error *error)
 {
 	for (;;) {
 		struct error_list errors = {.stop = s->hooks.stop};
@@ -115,7 +116,8 @@ read_log(struct session *s, struct log_request *q, struct error *error)
 }
 
 static bool
-check_digest(const struct plant_log *log, const char *digest, struct error *e)
+check_log_digest(
+    const struct plant_log *log, const char *digest, struct error *e)
 {
 	FREED char *found = xasprintf("%016" PRIx64, log->digest);
 	bool good = digest == NULL || strcmp(digest, found) == 0;
@@ -135,25 +137,25 @@ log_load(struct session *s, const struct args *args, struct error *error)
 	    .path = args->operand,
 	    .columns = args->columns,
 	    .sheet = args->sheet};
-	if (args_given(args, &args->decimal))
+	if (args_is_given(args, &args->decimal))
 		q.decimal = args->decimal == 1 ? ',' : '.';
-	if (args_given(args, &args->dates))
+	if (args_is_given(args, &args->dates))
 		q.order = args->dates == 0 ? DATETIME_DAY_FIRST
 					   : DATETIME_MONTH_FIRST;
 	for (size_t i = 0; i < q.n; i++)
 		files_note_read(s, q.path[i]);
-	struct plant_log *log = read_log(s, &q, error);
+	struct plant_log *log = read_plant_log(s, &q, error);
 	if (log == NULL)
 		return false;
 	s->logs = xrealloc(s->logs, s->n_log + 1, sizeof(*s->logs));
 	s->logs[s->n_log++] = log;
-	if (!check_digest(log, args->digest, error))
+	if (!check_log_digest(log, args->digest, error))
 		return false;
 	if (s->log != NULL)
 		session_note(s, "replaced the log loaded earlier");
 	s->log = log;
-	note_log(s, log);
-	log_write_journal(s, &q, log);
+	note_log_contents(s, log);
+	write_log_to_journal(s, &q, log);
 	return true;
 }
 
@@ -162,21 +164,22 @@ static double
 tip_speed_of_window(
     const struct plant_log *log, const struct log_window *w, double rotor)
 {
-	double v = log->value[LOG_SPEED] != NULL
-		       ? w->median[LOG_SPEED]
-		       : head_mps(w->median[LOG_RPM], SPEED_RPM, rotor);
+	double v =
+	    log->value[LOG_SPEED] != NULL
+		? w->median[LOG_SPEED]
+		: head_speed_to_mps(w->median[LOG_RPM], SPEED_RPM, rotor);
 	return round(10 * v) / 10;
 }
 
 /* Reports how the speed was found, and warns if it was not steady. */
 static void
-log_note_speed(struct session *s, const struct plant_log *log, double time,
+note_speed_from_log(struct session *s, const struct plant_log *log, double time,
     double within, double rotor, const struct log_window *w)
 {
 	const double steady = 0.02;
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
-	FREED char *at = datetime_text(time);
-	FREED char *span = span_text(time - within, time + within);
+	FREED char *at = datetime_to_text(time);
+	FREED char *span = time_span_text(time - within, time + within);
 	FREED char *range = range_text(w->least[k], w->most[k]),
 		   *more = xstrdup("");
 	if (k == LOG_RPM)
@@ -199,12 +202,13 @@ log_note_speed(struct session *s, const struct plant_log *log, double time,
 }
 
 static bool
-error_nothing_at(const struct plant_log *log, double time, double within,
+set_error_no_log_row(const struct plant_log *log, double time, double within,
     struct error *error)
 {
-	double near = log->time[plant_log_nearest(log, time)];
-	FREED char *at = datetime_text(time), *nearest = datetime_text(near);
-	FREED char *span = span_text(log->time[0], log->time[log->n - 1]);
+	double near = log->time[plant_log_row_nearest_time(log, time)];
+	FREED char *at = datetime_to_text(time),
+		   *nearest = datetime_to_text(near);
+	FREED char *span = time_span_text(log->time[0], log->time[log->n - 1]);
 	error_set(error, ERROR_USAGE,
 	    "the log has no row within %g minutes of %s; the nearest is of "
 	    "%s\n"
@@ -214,7 +218,7 @@ error_nothing_at(const struct plant_log *log, double time, double within,
 }
 
 bool
-log_at(struct session *s, double time, double within, double rotor,
+log_look_up_time(struct session *s, double time, double within, double rotor,
     struct logged *found, struct error *error)
 {
 	const struct plant_log *log = s->log;
@@ -235,12 +239,12 @@ log_at(struct session *s, double time, double within, double rotor,
 		    "write: rotor_mm=DIAMETER, or a line rotor_mm in the site "
 		    "file");
 	struct log_window w =
-	    plant_log_window(log, time - within, time + within);
+	    plant_log_summarise_window(log, time - within, time + within);
 	if (w.n == 0)
-		return error_nothing_at(log, time, within, error);
+		return set_error_no_log_row(log, time, within, error);
 	double v = tip_speed_of_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
-		FREED char *at = datetime_text(time);
+		FREED char *at = datetime_to_text(time);
 		error_set(error, ERROR_USAGE,
 		    "expected a running rotor at %s, got %s %.4g\n"
 		    "check the time, or give the speed: add FILE@SPEED",
@@ -248,7 +252,7 @@ log_at(struct session *s, double time, double within, double rotor,
 		    w.median[rpm ? LOG_RPM : LOG_SPEED]);
 		return false;
 	}
-	log_note_speed(s, log, time, within, rotor, &w);
+	note_speed_from_log(s, log, time, within, rotor, &w);
 	*found = (struct logged){v, w.median[LOG_POWER], w.median[LOG_RATE]};
 	return true;
 }
@@ -263,10 +267,10 @@ show_log(struct session *s, const struct args *args, struct error *error)
 		    "no log is loaded\n"
 		    "load one: load log.csv as=log");
 	struct answer *r = answer_new("show");
-	struct log_window all =
-	    plant_log_window(log, log->time[0], log->time[log->n - 1]);
-	FREED char *from = datetime_text(log->time[0]);
-	FREED char *to = datetime_text(log->time[log->n - 1]);
+	struct log_window all = plant_log_summarise_window(
+	    log, log->time[0], log->time[log->n - 1]);
+	FREED char *from = datetime_to_text(log->time[0]);
+	FREED char *to = datetime_to_text(log->time[log->n - 1]);
 	answer_title(r, "the plant's log");
 	answer_columns(r, "what, value");
 	answer_add_pair(r, "file", "%s", log->path);
@@ -282,9 +286,9 @@ show_log(struct session *s, const struct args *args, struct error *error)
 		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
 	}
 	answer_add_pair(r, "read", "%s", log->read_as);
-	if (has_gap(log)) {
+	if (has_time_gap(log)) {
 		FREED char *gap =
-		    span_text(log->gap_from, log->gap_from + log->gap);
+		    time_span_text(log->gap_from, log->gap_from + log->gap);
 		answer_add_pair(r, "longest gap", "%s", gap);
 	}
 	return session_show_answer(s, r);

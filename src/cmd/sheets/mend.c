@@ -20,10 +20,10 @@
 static const struct posterior *
 posterior_of_site(const struct session *s, const struct entry *entry)
 {
-	if (origin_fit(entry) == NULL || session_busy(s) ||
+	if (origin_find_fit(entry) == NULL || session_is_calibrating(s) ||
 	    entry->origin->history->site != entry->site)
 		return NULL;
-	return outlook_posterior(s, entry, CORRECTION_ALL);
+	return outlook_calibration_posterior(s, entry, CORRECTION_ALL);
 }
 
 bool
@@ -32,7 +32,7 @@ mend_is_calibrated(const struct session *s, const struct entry *entry)
 	return posterior_of_site(s, entry) != NULL;
 }
 
-struct doctor
+struct outlier_findings
 mend_find_faults(const struct session *s, const struct entry *entry)
 {
 	return outliers_find(
@@ -58,15 +58,15 @@ mend_command_line(const struct site *site, const struct mend *m)
 	    [MEND_UP] = "up",
 	    [MEND_DOWN] = "down",
 	    [MEND_DROP] = "drop"};
-	FREED char *name = mend_column(site, m->feed, m->run);
-	FREED char *with = mend_column(site, false, m->other);
+	FREED char *name = mend_column_name(site, m->feed, m->run);
+	FREED char *with = mend_column_name(site, false, m->other);
 	char *call = xasprintf("mend %s", name), number[32];
 	if (m->kind == MEND_READ || m->kind == MEND_OUT)
 		xappend(&call, " sieve=%s",
-		    text_exact_number(units_mm(m->size), number));
+		    text_shortest_exact_number(units_mm(m->size), number));
 	if (m->kind == MEND_READ)
 		xappend(&call, " value=%s",
-		    text_exact_number(units_pct(m->value), number));
+		    text_shortest_exact_number(units_pct(m->value), number));
 	else if (m->kind == MEND_SCALE)
 		xappend(&call, " scale=%g", m->value);
 	else if (m->kind == MEND_WITH)
@@ -78,14 +78,15 @@ mend_command_line(const struct site *site, const struct mend *m)
 
 /* Returns what the mend would change: "off by 3.10 points now, 0.20 then". */
 static char *
-effect_words(const struct finding *f)
+mend_effect_text(const struct finding *f)
 {
 	char *text = xstrdup("");
 	if (!isnan(f->off[0]))
-		xlist(&text, "; ", tr("off by %.2f points now, %.2f then"),
-		    100 * f->off[0], 100 * f->off[1]);
+		xappend_to_list(&text, "; ",
+		    tr("off by %.2f points now, %.2f then"), 100 * f->off[0],
+		    100 * f->off[1]);
 	if (!isnan(f->rmse[0]) && !isnan(f->rmse[1]))
-		xlist(&text, "; ",
+		xappend_to_list(&text, "; ",
 		    tr("RMSE of the fit %.2f points now, %.2f then, and less "
 		       "after another calibration"),
 		    100 * f->rmse[0], 100 * f->rmse[1]);
@@ -93,14 +94,14 @@ effect_words(const struct finding *f)
 }
 
 char *
-mend_finding_words(const struct site *site, const struct finding *f)
+mend_finding_text(const struct site *site, const struct finding *f)
 {
 	const struct mend *m = &f->mend;
 	if (m->kind != MEND_READ && m->kind != MEND_OUT) {
-		FREED char *effect = effect_words(f);
-		char *words = mend_words(site, m);
+		FREED char *effect = mend_effect_text(f);
+		char *words = mend_text(site, m);
 		if (effect[0] != '\0')
-			xlist(&words, "; ", "%s", effect);
+			xappend_to_list(&words, "; ", "%s", effect);
 		return words;
 	}
 	FREED char *expected =
@@ -118,19 +119,19 @@ mend_finding_words(const struct site *site, const struct finding *f)
 }
 
 static void
-put_finding(struct answer *r, struct fields *list, const struct entry *entry,
-    const struct finding *f, size_t number)
+put_numbered_mend(struct answer *r, struct fields *list,
+    const struct entry *entry, const struct finding *f, size_t number)
 {
 	const struct site *site = entry->site;
 	const struct mend *m = &f->mend;
 	bool cell = m->kind == MEND_READ || m->kind == MEND_OUT;
-	FREED char *words = mend_words(site, m), *effect = effect_words(f);
-	FREED char *name = mend_column(site, m->feed, m->run);
+	FREED char *words = mend_text(site, m), *effect = mend_effect_text(f);
+	FREED char *name = mend_column_name(site, m->feed, m->run);
 	FREED char *call = mend_command_line(site, m);
 	answer_note(r,
 	    effect[0] != '\0' ? "mend %zu: %s; %s" : "mend %zu: %s%s", number,
 	    words, effect);
-	struct fields *o = fields_object(list, NULL);
+	struct fields *o = fields_add_object(list, NULL);
 	fields_put(o, "n %zu kind %s run %s sieve_mm %g from %g to %g", number,
 	    KINDS[m->kind], name, cell ? units_mm(m->size) : NAN,
 	    units_pct(f->measured),
@@ -143,25 +144,27 @@ put_finding(struct answer *r, struct fields *list, const struct entry *entry,
 
 /* Returns a number that identifies this list of mends of this site. */
 static double
-mend_mark_of(const struct entry *entry, const struct doctor *d)
+digest_of_mend_list(const struct entry *entry, const struct outlier_findings *d)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	h = text_digest(h, &entry->site->digest, sizeof entry->site->digest);
+	h = text_fnv1a_digest(
+	    h, &entry->site->digest, sizeof entry->site->digest);
 	for (size_t i = 0; i < d->n; i++) {
 		FREED char *call =
 		    mend_command_line(entry->site, &d->finding[i].mend);
-		h = text_digest(h, call, strlen(call) + 1);
+		h = text_fnv1a_digest(h, call, strlen(call) + 1);
 	}
 	return (double)(h >> 12);
 }
 
 void
-mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
+mend_put_numbered_list(struct answer *r, const struct entry *entry,
+    const struct outlier_findings *d)
 {
-	struct fields *list = fields_list(answer_fields(r), "mends");
+	struct fields *list = fields_add_list(answer_fields(r), "mends");
 	for (size_t i = 0; i < d->n; i++)
-		put_finding(r, list, entry, &d->finding[i], i + 1);
-	fields_put(answer_fields(r), ".mark %g", mend_mark_of(entry, d));
+		put_numbered_mend(r, list, entry, &d->finding[i], i + 1);
+	fields_put(answer_fields(r), ".mark %g", digest_of_mend_list(entry, d));
 	if (d->n > 0)
 		answer_note(r, "'mend N' makes one of these corrections, once "
 			       "the laboratory's sheet confirms it; 'undo' "
@@ -171,21 +174,21 @@ mend_put(struct answer *r, const struct entry *entry, const struct doctor *d)
 /* ---- Applying ---- */
 
 static bool
-is_number(const char *word)
+has_only_digits(const char *word)
 {
 	return word[0] != '\0' && strspn(word, "0123456789") == strlen(word);
 }
 
 static bool
-find_numbered(
+find_mend_by_number(
     struct session *s, const char *word, struct mend *mend, struct error *error)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	double known = session_answer_number(s, "check mend", "mark");
-	struct doctor d = mend_find_faults(s, entry);
+	struct outlier_findings d = mend_find_faults(s, entry);
 	unsigned long n = strtoul(word, NULL, 10);
 	bool ok = false;
-	if (isnan(known) || known != mend_mark_of(entry, &d))
+	if (isnan(known) || known != digest_of_mend_list(entry, &d))
 		error_set(error, ERROR_USAGE,
 		    isnan(known)
 			? N_("no mends were listed yet, so there is no mend "
@@ -214,19 +217,19 @@ find_numbered(
 
 /* Returns how many of the options that state what to do were given. */
 static size_t
-options_given(const struct args *args)
+count_mend_options(const struct args *args)
 {
-	return (size_t)args_given(args, &args->mend_value) +
-	       args_given(args, &args->mend_do) + (args->with != NULL) +
+	return (size_t)args_is_given(args, &args->mend_value) +
+	       args_is_given(args, &args->mend_do) + (args->with != NULL) +
 	       (args->scale > 0);
 }
 
 static bool
-read_kind_of_mend(const struct args *args, struct mend *mend)
+parse_kind_of_mend(const struct args *args, struct mend *mend)
 {
 	static const enum mend_kind DO[] = {
 	    MEND_OUT, MEND_SWAP, MEND_UP, MEND_DOWN, MEND_DROP};
-	bool value = args_given(args, &args->mend_value);
+	bool value = args_is_given(args, &args->mend_value);
 	mend->size = args->sieve / 1000;
 	mend->kind = value                ? MEND_READ
 		     : args->scale > 0    ? MEND_SCALE
@@ -240,7 +243,8 @@ read_kind_of_mend(const struct args *args, struct mend *mend)
 }
 
 static bool
-error_no_column(const struct site *site, const char *name, struct error *error)
+set_error_no_column(
+    const struct site *site, const char *name, struct error *error)
 {
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
@@ -249,8 +253,8 @@ error_no_column(const struct site *site, const char *name, struct error *error)
 		if (feed ? r > 0 && !site->individual_feeds
 			 : site->run[r].product.n == 0)
 			continue;
-		FREED char *own = mend_column(site, feed, r);
-		xlist(&list, ", ", "%s", own);
+		FREED char *own = mend_column_name(site, feed, r);
+		xappend_to_list(&list, ", ", "%s", own);
 	}
 	error_set(error, ERROR_USAGE,
 	    "the site has no column '%s'\n"
@@ -260,14 +264,14 @@ error_no_column(const struct site *site, const char *name, struct error *error)
 }
 
 static bool
-read_mend_of_call(const struct site *site, const struct args *args,
+parse_mend_options(const struct site *site, const struct args *args,
     struct mend *mend, struct error *error)
 {
 	const char *name = args->operand[0], *with = args->with;
 	bool feed = false;
 	if (!mend_find_column(site, name, &mend->feed, &mend->run))
-		return error_no_column(site, name, error);
-	if (options_given(args) != 1 || !read_kind_of_mend(args, mend))
+		return set_error_no_column(site, name, error);
+	if (count_mend_options(args) != 1 || !parse_kind_of_mend(args, mend))
 		return error_set(error, ERROR_USAGE,
 		    "expected what to do with %s\n"
 		    "use sieve=MM value=PERCENT, sieve=MM do=out, do=up, "
@@ -278,17 +282,17 @@ read_mend_of_call(const struct site *site, const struct args *args,
 		return true;
 	if (!mend_find_column(site, with, &feed, &mend->other) || feed ||
 	    mend->other == mend->run)
-		return error_no_column(site, with, error);
+		return set_error_no_column(site, with, error);
 	return true;
 }
 
 static bool
 list_mends(struct session *s)
 {
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	struct answer *r = answer_new("mend");
-	struct doctor d = mend_find_faults(s, entry);
-	mend_put(r, entry, &d);
+	struct outlier_findings d = mend_find_faults(s, entry);
+	mend_put_numbered_list(r, entry, &d);
 	if (d.n == 0)
 		answer_note(r, "no mend is proposed for %s", entry->key);
 	outliers_free(&d);
@@ -299,20 +303,20 @@ bool
 cmd_mend(struct session *s, const struct args *args, struct error *error)
 {
 	struct mend mend = {.kind = MEND_READ};
-	const struct entry *entry = session_entry(s);
+	const struct entry *entry = session_current_entry(s);
 	if (args->n_operand == 0)
 		return list_mends(s);
 	const char *word = args->operand[0];
-	bool found = is_number(word)
-			 ? find_numbered(s, word, &mend, error)
-			 : read_mend_of_call(entry->site, args, &mend, error);
+	bool found = has_only_digits(word)
+			 ? find_mend_by_number(s, word, &mend, error)
+			 : parse_mend_options(entry->site, args, &mend, error);
 	struct site *site = found ? mend_site(entry->site, &mend, error) : NULL;
 	if (site == NULL)
 		return false;
-	FREED char *words = mend_words(entry->site, &mend);
+	FREED char *words = mend_text(entry->site, &mend);
 	free(s->invocation->line);
 	s->invocation->line = mend_command_line(entry->site, &mend);
-	bool fitted = session_replace_mended(s, s->current, site);
+	bool fitted = session_replace_by_mended(s, s->current, site);
 	session_note(s, "mended: %s", words);
 	if (fitted)
 		session_note(s, "  the data have changed since the "

@@ -29,7 +29,7 @@
  * The fit is stored with its runs but without draws, which follow from runs,
  * fit and seed. */
 static char *
-remembered_basis(const struct entry *entry)
+basis_of_fit_text(const struct entry *entry)
 {
 	const struct history *h = entry->history;
 	const struct site *site = entry->site;
@@ -40,49 +40,49 @@ remembered_basis(const struct entry *entry)
 	    .train = h->train,
 	    .then = site_copy(h->site),
 	    .now = grown ? site_copy(site) : NULL};
-	char *text = basis_written(&basis);
+	char *text = basis_to_text(&basis);
 	basis.train = NULL;
 	basis_clear(&basis);
 	return text;
 }
 
 static bool
-same_curve(const struct psd *a, const struct psd *b)
+are_curves_equal(const struct psd *a, const struct psd *b)
 {
 	return psd_same(a, b) || (a->n == 0 && b->n == 0);
 }
 
 /* Returns the index of an identical run in a site, or n_run. */
 static size_t
-find_run_in(const struct site *site, const struct run *run)
+find_identical_run(const struct site *site, const struct run *run)
 {
 	size_t r = 0;
 	while (r < site->n_run &&
 	       (site->run[r].speed != run->speed ||
-		   !same_curve(&site->run[r].feed, &run->feed) ||
-		   !same_curve(&site->run[r].product, &run->product)))
+		   !are_curves_equal(&site->run[r].feed, &run->feed) ||
+		   !are_curves_equal(&site->run[r].product, &run->product)))
 		r++;
 	return r;
 }
 
 static bool
-has_runs(const struct site *site, const struct site *of)
+has_all_runs_of(const struct site *site, const struct site *of)
 {
 	for (size_t r = 0; r < of->n_run; r++)
-		if (find_run_in(site, &of->run[r]) == site->n_run)
+		if (find_identical_run(site, &of->run[r]) == site->n_run)
 			return false;
 	return true;
 }
 
 static bool
-has_digest(const struct site *site, const struct stored *m)
+has_digest_of_material(const struct site *site, const struct stored *m)
 {
 	return strtoull(m->site_digest, NULL, 16) == site->digest;
 }
 
 /* Returns "3 runs at 69 to 79 m/s", "a feed, no product". */
 static char *
-words_for_runs(const struct site *site)
+runs_and_speeds_text(const struct site *site)
 {
 	size_t n = site_count_products(site);
 	double low = INFINITY, high = 0;
@@ -104,19 +104,20 @@ words_for_runs(const struct site *site)
 
 /* Returns what a material keeps: its runs, or parameters alone. */
 static char *
-words_for_stored(const struct stored *m)
+material_contents_text(const struct stored *m)
 {
 	struct basis b;
 	bool runs = basis_from_material(m, &b, NULL);
-	char *words = runs ? words_for_runs(b.now != NULL ? b.now : b.then)
-			   : xstrdup(tr("parameters"));
+	char *words = runs
+			  ? runs_and_speeds_text(b.now != NULL ? b.now : b.then)
+			  : xstrdup(tr("parameters"));
 	basis_clear(&b);
 	return words;
 }
 
 /* Makes the entry as the calibration had left it. */
 static void
-give_calibration_back(struct entry *entry, const struct basis *b,
+restore_calibration(struct entry *entry, const struct basis *b,
     const struct stored *m, struct history *h)
 {
 	entry->fit = b->fit;
@@ -126,23 +127,23 @@ give_calibration_back(struct entry *entry, const struct basis *b,
 	entry->train = xcalloc(entry->site->n_run, sizeof *entry->train);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (h->train[r])
-			entry->train[find_run_in(
+			entry->train[find_identical_run(
 			    entry->site, &h->site->run[r])] = true;
 	snprintf(entry->options, sizeof entry->options, "%s", m->options);
-	history_drop(entry->history);
+	history_release(entry->history);
 	entry->history = h;
-	origin_drop(entry->origin);
-	entry->origin = origin_of_remembered(entry, m);
+	origin_release(entry->origin);
+	entry->origin = origin_of_remembered_fit(entry, m);
 }
 
 static void
-give_params_to_other(
+set_params_from_material(
     struct entry *entry, const struct stored *m, struct history *h)
 {
 	entry->params = m->params;
 	entry->has_params = true;
 	entry->has_fit = false;
-	origin_drop(entry->origin);
+	origin_release(entry->origin);
 	entry->origin = origin_from_store(m);
 	entry->origin->history = h;
 }
@@ -159,8 +160,8 @@ enum remembered {
  * *index has its runs, it becomes the site's own.  If no site is loaded, the
  * material's is, at *index.  Runs added to either since are kept. */
 static enum remembered
-take_remembered_calibration(struct session *s, const struct stored *m,
-    size_t *index, struct error *error)
+recall_calibration(struct session *s, const struct stored *m, size_t *index,
+    struct error *error)
 {
 	struct basis b;
 	error->kind = ERROR_NONE;
@@ -174,25 +175,25 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 		session_add_site(s, now);
 		*index = s->current;
 	} else {
-		session_keep_site(s, now);
+		session_adopt_site(s, now);
 	}
 	if (now != b.then)
-		session_keep_site(s, b.then);
+		session_adopt_site(s, b.then);
 	struct entry *entry = &s->entry[*index];
 	/* A site made by synth has more digits than its sheet. */
-	bool made = b.now == NULL && has_digest(entry->site, m);
+	bool made = b.now == NULL && has_digest_of_material(entry->site, m);
 	struct history *h = history_new(
 	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
 	h->stop = s->hooks.stop;
-	bool own = has_runs(entry->site, h->site);
+	bool own = has_all_runs_of(entry->site, h->site);
 	if (s->job.calibration != NULL && s->job.entry == *index)
-		session_discard_job(s);
-	if (own && b.now != NULL && !has_runs(entry->site, b.now))
+		session_discard_paused_job(s);
+	if (own && b.now != NULL && !has_all_runs_of(entry->site, b.now))
 		entry->site = b.now;
 	if (own)
-		give_calibration_back(entry, &b, m, h);
+		restore_calibration(entry, &b, m, h);
 	else
-		give_params_to_other(entry, m, h);
+		set_params_from_material(entry, m, h);
 	session_forget_answers(s);
 	free(b.train);
 	return own ? REMEMBERED_OWN : REMEMBERED_OTHER;
@@ -200,7 +201,7 @@ take_remembered_calibration(struct session *s, const struct stored *m,
 
 /* Returns "fit", "set by hand" or "Table 3". */
 static const char *
-store_origin_of(const struct stored *m)
+material_origin_text(const struct stored *m)
 {
 	return stored_is_table3(m)             ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
@@ -215,11 +216,11 @@ struct spelling {
 };
 
 static void
-find_nearest_name(void *data, const char *name)
+keep_nearest_name(void *data, const char *name)
 {
 	struct spelling *s = data;
 	bool paper = stored_is_table3_name(name);
-	size_t d = text_distance(name + (paper ? 7 : 0), s->typed);
+	size_t d = text_edit_distance(name + (paper ? 7 : 0), s->typed);
 	if (d >= s->least)
 		return;
 	free(s->best);
@@ -228,14 +229,14 @@ find_nearest_name(void *data, const char *name)
 }
 
 static bool
-refuse_name(struct store *store, const struct stored_list *paper,
+set_error_no_material(struct store *store, const struct stored_list *paper,
     const char *name, struct error *error)
 {
 	struct spelling s = {name, xstrdup(""), 3};
 	bool ok =
-	    store_each_name(store, STORE_NAMES, find_nearest_name, &s, error);
+	    store_visit_names(store, STORE_NAMES, keep_nearest_name, &s, error);
 	for (size_t i = 0; i < paper->n; i++)
-		find_nearest_name(&s, paper->item[i].name);
+		keep_nearest_name(&s, paper->item[i].name);
 	if (ok)
 		error_set(error, ERROR_USAGE,
 		    s.least < 3 ? "the store has no material '%s'\n"
@@ -251,23 +252,24 @@ refuse_name(struct store *store, const struct stored_list *paper,
  * else "table3/tierp". It is then in the list.  If there is none, the error
  * suggests the closest name. */
 static bool
-find_material(struct store *store, const char *name, struct stored_list *list,
-    const struct stored **found, struct error *error)
+find_material_by_name(struct store *store, const char *name,
+    struct stored_list *list, const struct stored **found, struct error *error)
 {
 	const struct store_query query = {.name = name};
-	if (!store_find(store, &query, list, error))
+	if (!store_find_materials(store, &query, list, error))
 		return false;
-	stored_table3(list);
+	stored_add_table3(list);
 	*found = stored_find(list, name);
 	if (*found == NULL) {
 		FREED char *paper = xasprintf("table3/%s", name);
 		*found = stored_find(list, paper);
 	}
-	return *found != NULL || refuse_name(store, list, name, error);
+	return *found != NULL ||
+	       set_error_no_material(store, list, name, error);
 }
 
 static void
-replace_trimmed(char **text, char *value)
+set_trimmed_text(char **text, char *value)
 {
 	char *trimmed = xstrdup(text_trim(value));
 	free(value);
@@ -276,19 +278,19 @@ replace_trimmed(char **text, char *value)
 }
 
 static void
-set_copy(char **text, const char *value)
+set_text_copy(char **text, const char *value)
 {
-	replace_trimmed(text, xstrdup(value));
+	set_trimmed_text(text, xstrdup(value));
 }
 
 /* Sets the fields that only a calibration has. */
 static void
-store_take_fit(struct stored *m, const struct entry *entry)
+set_fields_of_fit(struct stored *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	replace_trimmed(&m->basis, remembered_basis(entry));
-	set_copy(&m->options, entry->options);
-	set_copy(&m->stop, calibrate_state_name(fit->stop));
+	set_trimmed_text(&m->basis, basis_of_fit_text(entry));
+	set_text_copy(&m->options, entry->options);
+	set_text_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
 	m->rmse_pct = 100 * fit->rmse;
 	m->holdout_pct = 100 * fit_holdout_rmse(entry);
@@ -299,49 +301,51 @@ store_take_fit(struct stored *m, const struct entry *entry)
 /* Parameters from another site keep its speeds and provenance: synthetic data
  * do not become measured by being used. */
 static void
-set_origin_fields(struct stored *m, const struct entry *entry)
+set_fields_of_origin(struct stored *m, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool own = o->from[0] == '\0';
 	char *speeds = xstrdup(""), number[32];
 	for (size_t i = 0; i < o->n_speed; i++)
-		xlist(
-		    &speeds, ",", "%s", text_exact_number(o->speed[i], number));
-	replace_trimmed(&m->train_mps, speeds);
-	set_copy(&m->provenance, own ? entry->site->provenance : o->provenance);
-	replace_trimmed(&m->site_digest,
+		xappend_to_list(&speeds, ",", "%s",
+		    text_shortest_exact_number(o->speed[i], number));
+	set_trimmed_text(&m->train_mps, speeds);
+	set_text_copy(
+	    &m->provenance, own ? entry->site->provenance : o->provenance);
+	set_trimmed_text(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
-	set_copy(&m->note, own ? "" : o->words);
-	if (own && site_assumed_top(entry->site) > 0)
-		replace_trimmed(&m->note, xasprintf(SITE_ASSUMED_TOP " %g",
-					      site_assumed_top(entry->site)));
+	set_text_copy(&m->note, own ? "" : o->words);
+	if (own && site_assumed_top_size(entry->site) > 0)
+		set_trimmed_text(
+		    &m->note, xasprintf(SITE_ASSUMED_TOP " %g",
+				  site_assumed_top_size(entry->site)));
 }
 
 static struct stored
-store_material_of(const struct session *s, const struct entry *entry)
+make_material_from_entry(const struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
 	    entry->has_fit ? &entry->fit.settings : &s->set.model;
 	struct stored m = stored_empty();
-	set_copy(&m.site, site->name);
-	set_copy(&m.rock, site->rock);
-	set_copy(&m.machine, site->machine);
-	set_origin_fields(&m, entry);
-	set_copy(&m.origin, entry->has_fit ? "fit" : "hand");
-	set_copy(&m.method, answers_method_word(settings->method));
-	set_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
-	set_copy(&m.version, PACKAGE_VERSION);
+	set_text_copy(&m.site, site->name);
+	set_text_copy(&m.rock, site->rock);
+	set_text_copy(&m.machine, site->machine);
+	set_fields_of_origin(&m, entry);
+	set_text_copy(&m.origin, entry->has_fit ? "fit" : "hand");
+	set_text_copy(&m.method, answers_method_name(settings->method));
+	set_text_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
+	set_text_copy(&m.version, PACKAGE_VERSION);
 	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
 	m.k = settings->k;
 	m.params = entry->params;
 	if (entry->has_fit)
-		store_take_fit(&m, entry);
+		set_fields_of_fit(&m, entry);
 	return m;
 }
 
 static bool
-check_can_be_remembered(
+check_can_remember(
     const struct entry *entry, const struct args *args, struct error *error)
 {
 	if (entry->has_fit && entry->fit.settings.impacts.n > 0)
@@ -355,13 +359,13 @@ check_can_be_remembered(
 		    "%s has no parameters to remember yet\n"
 		    "run 'calibrate', or supply them with 'params set'",
 		    entry->site->name);
-	if (!entry->has_fit && origin_is_stored(entry->origin))
+	if (!entry->has_fit && origin_is_from_store(entry->origin))
 		return error_set(error, ERROR_USAGE,
 		    "%s has the parameters of %s, which are already in the "
 		    "store\n"
 		    "run 'calibrate' for the site's own parameters",
 		    entry->site->name, entry->origin->from);
-	if (args->date != NULL && !datetime_is_day(args->date))
+	if (args->date != NULL && !datetime_is_iso_date(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
 	return args->note == NULL || stored_is_one_line(args->note) ||
@@ -370,17 +374,18 @@ check_can_be_remembered(
 }
 
 static bool
-asks_user(const struct session *s)
+can_ask_to_confirm(const struct session *s)
 {
 	return s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
 }
 
 /* Notes other materials with the same runs, as after a sheet was renamed. */
 static void
-note_same_runs(struct session *s, struct answer *r, const struct stored *m)
+note_materials_with_same_runs(
+    struct session *s, struct answer *r, const struct stored *m)
 {
 	struct stored_list list = {0};
-	store_list(s->store, &list, NULL);
+	store_list_materials(s->store, &list, NULL);
 	for (size_t i = 0; i < list.n && m->site_digest[0] != '\0'; i++) {
 		const struct stored *other = &list.item[i];
 		if (strcmp(other->name, m->name) == 0 ||
@@ -398,7 +403,8 @@ note_same_runs(struct session *s, struct answer *r, const struct stored *m)
 
 /* Shows what was stored, which confirms that it is on disk. */
 static void
-give_remembered(struct session *s, const struct stored *item, size_t n)
+show_remembered_materials(
+    struct session *s, const struct stored *item, size_t n)
 {
 	struct answer *r = answer_new("remember");
 	FREED char *about = xstrdup("");
@@ -411,22 +417,22 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct stored *m = &item[i];
 		if (strstr(about, m->provenance) == NULL)
-			xlist(&about, "; ", "%s", m->provenance);
-		answer_cells(r, "%s %s %s %.2f %.2f %s", m->name,
-		    store_origin_of(m), site_data_kind(m->provenance),
+			xappend_to_list(&about, "; ", "%s", m->provenance);
+		answer_add_cells(r, "%s %s %s %.2f %.2f %s", m->name,
+		    material_origin_text(m), site_data_kind(m->provenance),
 		    m->rmse_pct, m->holdout_pct, m->date);
 	}
 	if (n == 1)
-		answer_site(r, item->site, item->provenance);
+		answer_set_site(r, item->site, item->provenance);
 	else
-		answer_sites(r, "all", about);
+		answer_set_sites(r, "all", about);
 	answer_note(r, "in %s", store_path(s->store));
 	if (n == 1) {
 		FREED char *line = xstrdup("recall");
 		journal_append_word(&line, item->name);
 		answer_note(r, "'%s' brings it back on any day", line);
-		if (asks_user(s))
-			note_same_runs(s, r, item);
+		if (can_ask_to_confirm(s))
+			note_materials_with_same_runs(s, r, item);
 	}
 	if (s->set.goal[0] != '\0')
 		answer_note(r,
@@ -439,31 +445,32 @@ give_remembered(struct session *s, const struct stored *item, size_t n)
 /* Adds a material with that name to the list; false if it cannot be
  * remembered. */
 static bool
-add_material(struct session *s, const struct entry *entry, const char *name,
-    const struct args *args, struct stored_list *list, struct error *error)
+add_material_to_list(struct session *s, const struct entry *entry,
+    const char *name, const struct args *args, struct stored_list *list,
+    struct error *error)
 {
-	if (!check_can_be_remembered(entry, args, error) ||
+	if (!check_can_remember(entry, args, error) ||
 	    !stored_check_name(name, error))
 		return false;
-	struct stored m = store_material_of(s, entry);
-	set_copy(&m.name, name);
-	replace_trimmed(&m.date,
+	struct stored m = make_material_from_entry(s, entry);
+	set_text_copy(&m.name, name);
+	set_trimmed_text(&m.date,
 	    args->date != NULL ? xstrdup(args->date) : datetime_today());
 	if (args->note != NULL)
-		set_copy(&m.note, args->note);
+		set_text_copy(&m.note, args->note);
 	stored_list_add(list, m);
 	return true;
 }
 
 /* Adds all sites that are calibrated. */
 static bool
-store_add_all(struct session *s, const struct args *args,
+add_all_calibrated_sites(struct session *s, const struct args *args,
     struct stored_list *list, struct error *error)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		if (entry->has_fit &&
-		    !add_material(s, entry, entry->key, args, list, error))
+		if (entry->has_fit && !add_material_to_list(s, entry,
+					  entry->key, args, list, error))
 			return false;
 	}
 	return list->n > 0 ||
@@ -473,15 +480,15 @@ store_add_all(struct session *s, const struct args *args,
 
 /* Adds the user's material of that name to the list; true if there is one. */
 static bool
-store_has_own(struct session *s, const char *name, struct stored_list *own)
+find_own_material(struct session *s, const char *name, struct stored_list *own)
 {
 	const struct store_query query = {.name = name};
-	return store_find(s->store, &query, own, NULL) && own->n > 0;
+	return store_find_materials(s->store, &query, own, NULL) && own->n > 0;
 }
 
 /* Returns a name that the store does not have yet: "tierp-2". */
 static char *
-find_free_name(struct session *s, const char *name)
+find_free_material_name(struct session *s, const char *name)
 {
 	char *other = NULL;
 	bool taken = true;
@@ -489,7 +496,7 @@ find_free_name(struct session *s, const char *name)
 		struct stored_list own = {0};
 		free(other);
 		other = xasprintf("%s-%zu", name, i);
-		taken = store_has_own(s, other, &own);
+		taken = find_own_material(s, other, &own);
 		stored_list_free(&own);
 	}
 	return other;
@@ -498,14 +505,14 @@ find_free_name(struct session *s, const char *name)
 /* Returns what would replace a material with the runs of a site `old`, or with
  * parameters alone if it is NULL. */
 static char *
-words_for_new(const struct entry *entry, const struct site *old)
+replacement_text(const struct entry *entry, const struct site *old)
 {
-	FREED char *runs = words_for_runs(entry->site);
+	FREED char *runs = runs_and_speeds_text(entry->site);
 	if (!entry->has_fit)
 		return xstrdup(tr("these parameters"));
 	if (old == NULL)
 		return xstrdup(runs);
-	bool grown = has_runs(entry->site, old);
+	bool grown = has_all_runs_of(entry->site, old);
 	bool same = text_same_folded(entry->site->name, old->name);
 	size_t more = grown ? entry->site->n_run - old->n_run : 0;
 	return more > 0 ? xasprintf(tr_n("these runs and %zu more",
@@ -520,17 +527,17 @@ words_for_new(const struct entry *entry, const struct site *old)
  * with the same settings and no run that the entry lacks, nothing is lost, and
  * Return means yes. */
 static bool
-ask_replace_one(struct session *s, const struct entry *entry,
+ask_to_replace_material(struct session *s, const struct entry *entry,
     const struct stored *m, struct error *error)
 {
 	struct basis b;
 	bool runs = basis_from_material(m, &b, NULL);
 	const struct site *site = b.now != NULL ? b.now : b.then;
 	bool earlier =
-	    runs && entry->has_fit && has_runs(entry->site, site) &&
+	    runs && entry->has_fit && has_all_runs_of(entry->site, site) &&
 	    model_settings_same(&b.fit.settings, &entry->fit.settings);
-	FREED char *old = words_for_stored(m);
-	FREED char *new = words_for_new(entry, runs ? site : NULL);
+	FREED char *old = material_contents_text(m);
+	FREED char *new = replacement_text(entry, runs ? site : NULL);
 	FREED char *question =
 	    xasprintf(tr("the store has %s: %s, remembered on %s; replace it "
 			 "by %s?"),
@@ -538,7 +545,7 @@ ask_replace_one(struct session *s, const struct entry *entry,
 	basis_clear(&b);
 	if (s->hooks.confirm(s, question, earlier))
 		return true;
-	FREED char *free_name = find_free_name(s, m->name);
+	FREED char *free_name = find_free_material_name(s, m->name);
 	FREED char *line = xstrdup("remember");
 	journal_append_word(&line, free_name);
 	return error_set(error, ERROR_USAGE,
@@ -549,19 +556,19 @@ ask_replace_one(struct session *s, const struct entry *entry,
 }
 
 /* Asks the user whether to replace materials that the store has, and sets
- * *replace.  In a script store_put refuses instead. */
+ * *replace.  In a script store_put_materials refuses instead. */
 static bool
-ask_replace(struct session *s, const struct stored_list *list, bool *replace,
-    struct error *error)
+ask_to_replace_materials(struct session *s, const struct stored_list *list,
+    bool *replace, struct error *error)
 {
-	bool asks = asks_user(s);
+	bool asks = can_ask_to_confirm(s);
 	struct stored_list own = {0};
 	for (size_t i = 0; asks && i < list->n && own.n == 0; i++)
-		store_has_own(s, list->item[i].name, &own);
+		find_own_material(s, list->item[i].name, &own);
 	bool wanted = asks && !*replace && own.n > 0;
 	if (wanted && list->n == 1) {
-		*replace =
-		    ask_replace_one(s, session_entry(s), &own.item[0], error);
+		*replace = ask_to_replace_material(
+		    s, session_current_entry(s), &own.item[0], error);
 	} else if (wanted) {
 		FREED char *question = xasprintf(
 		    tr("the store has %s and maybe others of these: replace "
@@ -580,34 +587,35 @@ ask_replace(struct session *s, const struct stored_list *list, bool *replace,
 bool
 cmd_remember(struct session *s, const struct args *args, struct error *error)
 {
-	struct entry *entry = session_entry(s);
+	struct entry *entry = session_current_entry(s);
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
 	bool replace = args->replace;
 	struct stored_list list = {0};
-	bool ok = all ? store_add_all(s, args, &list, error)
-		      : add_material(s, entry, name, args, &list, error);
-	ok = ok && ask_replace(s, &list, &replace, error) &&
-	     store_put(s->store, list.item, list.n, replace, error);
+	bool ok =
+	    all ? add_all_calibrated_sites(s, args, &list, error)
+		: add_material_to_list(s, entry, name, args, &list, error);
+	ok = ok && ask_to_replace_materials(s, &list, &replace, error) &&
+	     store_put_materials(s->store, list.item, list.n, replace, error);
 	for (size_t i = 0; ok && i < s->n_entry; i++)
 		s->entry[i].remembered |= all || &s->entry[i] == entry;
 	if (ok)
-		give_remembered(s, list.item, list.n);
+		show_remembered_materials(s, list.item, list.n);
 	stored_list_free(&list);
 	return ok;
 }
 
 /* Notes what to know before relying on another site's parameters. */
 static void
-note_parameters(
+note_recalled_params(
     struct session *s, const struct entry *entry, const struct stored *m)
 {
 	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
 	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"),
-	    store_origin_of(m));
+	    material_origin_text(m));
 	const struct origin *o = entry->origin;
-	FREED char *details = origin_details(o);
+	FREED char *details = origin_details_text(o);
 	bool same = o->found && o->digest == entry->site->digest;
 	bool place = !same && m->basis[0] != '\0' &&
 		     text_same_folded(m->site, entry->site->name);
@@ -635,20 +643,20 @@ cuts_are_in_answers(const struct session *s, const struct entry *entry)
 {
 	return entry->history != NULL &&
 	       entry->history->site->digest == entry->site->digest &&
-	       outlook_correction(s, entry) == CORRECTION_ALL;
+	       outlook_correcting_runs(s, entry) == CORRECTION_ALL;
 }
 
 /* Lists what came back with a site besides its products: feeds, training runs,
  * cuts added, and what was assumed.  How the sheet's columns were read that day
  * would name other runs. */
 static void
-note_runs_remembered(struct session *s, const struct entry *entry)
+note_recalled_runs(struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const char *last = "";
 	size_t sieves, cuts = 0;
-	free(site_sieves(site, &sieves));
-	FREED char *train = session_speeds(site, ", ", entry->train, true);
+	free(site_all_sieves(site, &sieves));
+	FREED char *train = session_speeds_text(site, ", ", entry->train, true);
 	session_note(s,
 	    site->individual_feeds
 		? N_("  a feed for each run, %zu sieves; calibrated on %s m/s")
@@ -676,33 +684,33 @@ note_runs_remembered(struct session *s, const struct entry *entry)
 
 /* Notes a site that is as it was when it was remembered. */
 static void
-note_remembered(struct session *s, const struct entry *entry)
+note_recalled_site(struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds(site, ", ", NULL, false);
+	FREED char *speeds = session_speeds_text(site, ", ", NULL, false);
 	if (site_count_products(site) > 0)
 		session_note(s,
 		    tr_n("%s: %zu run at %s m/s, %s",
 			"%s: %zu runs at %s m/s, %s", site->n_run),
-		    label, site->n_run, speeds, origin_words(entry));
+		    label, site->n_run, speeds, origin_source_text(entry));
 	else
 		session_note(s, "%s: a feed, no product, %s", label,
-		    origin_words(entry));
-	note_runs_remembered(s, entry);
+		    origin_source_text(entry));
+	note_recalled_runs(s, entry);
 }
 
 /* Notes what was recalled, and settings that differ from those of its
  * calibration. */
 static void
-note_recalled(
+note_recalled_material(
     struct session *s, const struct entry *entry, const struct stored *m)
 {
-	struct model_settings set_to = stored_settings(m);
+	struct model_settings set_to = stored_model_settings(m);
 	if (entry->has_fit)
-		note_remembered(s, entry);
+		note_recalled_site(s, entry);
 	else
-		note_parameters(s, entry, m);
+		note_recalled_params(s, entry, m);
 	if (!model_settings_same(&set_to, &s->set.model))
 		session_note(s,
 		    "  the parameters were calibrated with other settings: run "
@@ -716,7 +724,7 @@ note_recalled(
 /* False if digest= was given and differs.  Otherwise adds digest= to the saved
  * line. */
 static bool
-check_recalled(struct session *s, const struct args *args,
+check_recalled_digest(struct session *s, const struct args *args,
     const struct stored *m, struct error *error)
 {
 	const char *wanted = args->digest;
@@ -737,23 +745,24 @@ check_recalled(struct session *s, const struct args *args,
  * these: the site's answers are then those of that day, and those of another
  * site take the runs into account. */
 static bool
-take_recalled(struct session *s, const struct stored *m, size_t index,
+recall_params_and_runs(struct session *s, const struct stored *m, size_t index,
     struct error *error)
 {
-	enum remembered how = take_remembered_calibration(s, m, &index, error);
+	enum remembered how = recall_calibration(s, m, &index, error);
 	if (how == REMEMBERED_FAILED ||
 	    (how == REMEMBERED_NONE && !session_need_site(s, "recall", error)))
 		return false;
 	struct entry *entry = &s->entry[index];
 	if (how == REMEMBERED_NONE)
-		model_take_params(s, entry, &m->params, origin_from_store(m));
-	note_recalled(s, entry, m);
+		model_set_site_params(
+		    s, entry, &m->params, origin_from_store(m));
+	note_recalled_material(s, entry, m);
 	return true;
 }
 
 /* True if the list has the name, ignoring case and accents. */
 static bool
-has_name(const char *names, const char *name)
+has_name_in_list(const char *names, const char *name)
 {
 	FREED char *all = xasprintf(", %s,", names);
 	FREED char *one = xasprintf(", %s,", name);
@@ -763,24 +772,24 @@ has_name(const char *names, const char *name)
 /* Returns the materials for an error: "pit (3 runs at 69 to 79 m/s,
  * 2026-11-24); ..". */
 static char *
-words_for_list(const struct stored_list *list)
+materials_text(const struct stored_list *list)
 {
 	enum { MOST = 6 };
 	char *words = xstrdup("");
 	for (size_t i = 0; i < list->n && i < MOST; i++) {
-		FREED char *runs = words_for_stored(&list->item[i]);
-		xlist(&words, "; ", "%s (%s, %s)", list->item[i].name, runs,
-		    list->item[i].date);
+		FREED char *runs = material_contents_text(&list->item[i]);
+		xappend_to_list(&words, "; ", "%s (%s, %s)", list->item[i].name,
+		    runs, list->item[i].date);
 	}
 	if (list->n > MOST)
-		xlist(&words, "; ", tr("%zu more"), list->n - MOST);
+		xappend_to_list(&words, "; ", tr("%zu more"), list->n - MOST);
 	return words;
 }
 
 /* Returns the material with the runs of the site in use, whatever it is called,
  * or with its name; NULL if there is none. */
 static const struct stored *
-find_of_site(const struct session *s, const struct stored_list *list)
+find_material_of_site(const struct session *s, const struct stored_list *list)
 {
 	const struct stored *named = NULL, *same = NULL;
 	if (s->n_entry == 0)
@@ -789,7 +798,8 @@ find_of_site(const struct session *s, const struct stored_list *list)
 	for (size_t i = 0; i < list->n; i++) {
 		const struct stored *m = &list->item[i];
 		bool is_named = text_same_folded(m->name, entry->key);
-		if (has_digest(entry->site, m) && (same == NULL || is_named))
+		if (has_digest_of_material(entry->site, m) &&
+		    (same == NULL || is_named))
 			same = m;
 		named = is_named ? m : named;
 	}
@@ -800,18 +810,18 @@ find_of_site(const struct session *s, const struct stored_list *list)
  * site in use.  The caller frees it.  On failure, returns NULL with an error
  * that lists what there is. */
 static char *
-find_only_name(struct session *s, struct error *error)
+choose_name_to_recall(struct session *s, struct error *error)
 {
 	struct stored_list list = {0};
 	char *name = NULL;
-	if (!store_list(s->store, &list, error))
+	if (!store_list_materials(s->store, &list, error))
 		return NULL;
 	const struct stored *m =
-	    list.n == 1 ? &list.item[0] : find_of_site(s, &list);
+	    list.n == 1 ? &list.item[0] : find_material_of_site(s, &list);
 	if (m != NULL) {
 		name = xstrdup(m->name);
 	} else if (list.n > 0) {
-		FREED char *words = words_for_list(&list);
+		FREED char *words = materials_text(&list);
 		error_set(error, ERROR_USAGE,
 		    "recall: expected the name of what was remembered: %s\n"
 		    "for instance: recall %s",
@@ -832,14 +842,15 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	if (args->n_operand > 1 &&
 	    !session_find_site(s, args->operand[1], &index, error))
 		return false;
-	FREED char *name = args->n_operand > 0 ? xstrdup(args->operand[0])
-					       : find_only_name(s, error);
+	FREED char *name = args->n_operand > 0
+			       ? xstrdup(args->operand[0])
+			       : choose_name_to_recall(s, error);
 	struct stored_list list = {0};
 	const struct stored *m;
 	bool ok = name != NULL &&
-		  find_material(s->store, name, &list, &m, error) &&
-		  check_recalled(s, args, m, error) &&
-		  take_recalled(s, m, index, error);
+		  find_material_by_name(s->store, name, &list, &m, error) &&
+		  check_recalled_digest(s, args, m, error) &&
+		  recall_params_and_runs(s, m, index, error);
 	stored_list_free(&list);
 	return ok;
 }
@@ -847,30 +858,30 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 /* Returns commands that would store the material again, except for its origin:
  * "params set beta1=.. ..; remember NAME". */
 static char *
-commands_to_bring_back(const struct stored *m)
+commands_to_store_again(const struct stored *m)
 {
-	const struct breakage *of = breakage_of(&m->params);
+	const struct breakage *of = breakage_model_of_params(&m->params);
 	char *line = m->params.breakage > 0
 			 ? xasprintf("set model %s; params set", of->name)
 			 : xstrdup("params set");
 	char number[32];
 	for (size_t j = 0; j < of->n; j++)
 		xappend(&line, " %s=%s", of->parameter[j].name,
-		    text_exact_number(m->params.at[j], number));
+		    text_shortest_exact_number(m->params.at[j], number));
 	xappend(&line, "; remember \"%s\"", m->name);
 	return line;
 }
 
 static void
-give_forgotten(struct session *s, const struct stored *m)
+show_forgotten_material(struct session *s, const struct stored *m)
 {
 	struct answer *r = answer_new("forget");
-	FREED char *line = commands_to_bring_back(m);
-	answer_title(
-	    r, "forgot %s: %s of %s", m->name, store_origin_of(m), m->site);
-	answer_site(r, m->site, m->provenance);
+	FREED char *line = commands_to_store_again(m);
+	answer_title(r, "forgot %s: %s of %s", m->name, material_origin_text(m),
+	    m->site);
+	answer_set_site(r, m->site, m->provenance);
 	answer_columns(r, "again: to bring its parameters back");
-	answer_cells(r, "%s", line);
+	answer_add_cells(r, "%s", line);
 	session_show_answer(s, r);
 }
 
@@ -881,11 +892,11 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	struct stored_list list = {0};
 	const struct store_query query = {.name = name};
 	/* A damaged row cannot be read, but it can be deleted. */
-	bool listed = store_find(s->store, &query, &list, NULL);
+	bool listed = store_find_materials(s->store, &query, &list, NULL);
 	const struct stored *m = listed ? stored_find(&list, name) : NULL;
-	bool ok = store_forget(s->store, name, error);
+	bool ok = store_remove_material(s->store, name, error);
 	if (ok && m != NULL)
-		give_forgotten(s, m);
+		show_forgotten_material(s, m);
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
 	stored_list_free(&list);
@@ -903,8 +914,8 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 	const char *path = args->operand[0];
 	struct stored_list list = {0};
 	bool ok = files_may_overwrite(s, args, path, error) &&
-		  store_list(s->store, &list, error) &&
-		  store_csv_save(&list, path, error);
+		  store_list_materials(s->store, &list, error) &&
+		  store_csv_write_file(&list, path, error);
 	if (ok) {
 		files_note_written(s, path);
 		session_note(s,
@@ -922,12 +933,13 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	const char *path = args->operand[0];
 	struct error_list errors = {.stop = s->hooks.stop};
 	struct stored_list there = {0}, list = {0};
-	bool ok = store_list(s->store, &there, error);
+	bool ok = store_list_materials(s->store, &there, error);
 	files_note_read(s, path);
-	if (ok && !store_csv_read(
+	if (ok && !store_csv_read_file(
 		      path, args->replace ? NULL : &there, &list, &errors))
 		ok = session_report_faults(s, path, &errors, error);
-	ok = ok && store_put(s->store, list.item, list.n, args->replace, error);
+	ok = ok && store_put_materials(
+		       s->store, list.item, list.n, args->replace, error);
 	if (ok)
 		session_note(s,
 		    tr_n("imported %zu material from %s",
@@ -948,7 +960,7 @@ has_top_size(const struct stored *m, double top_mm)
 enum { ALL, TABLE3, OWN };
 
 static bool
-store_is_wanted(const struct stored *m, const struct args *args)
+is_material_asked_for(const struct stored *m, const struct args *args)
 {
 	return (args->rock == NULL || text_same_folded(m->rock, args->rock)) &&
 	       (!(args->top > 0) || has_top_size(m, args->top)) &&
@@ -957,41 +969,41 @@ store_is_wanted(const struct stored *m, const struct args *args)
 }
 
 static void
-store_add_row(struct answer *r, const struct stored *m)
+add_material_row(struct answer *r, const struct stored *m)
 {
-	answer_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
-	    m->top_size_mm, params_value(&m->params, "f_mat"),
-	    params_value(&m->params, "e0_min"),
-	    params_value(&m->params, "alpha"), store_origin_of(m),
+	answer_add_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
+	    m->top_size_mm, params_value_by_name(&m->params, "f_mat"),
+	    params_value_by_name(&m->params, "e0_min"),
+	    params_value_by_name(&m->params, "alpha"), material_origin_text(m),
 	    site_data_kind(m->provenance));
 }
 
 /* Adds a rock to a list unless it is there. */
 static void
-store_add_rock(void *data, const char *rock)
+add_rock_unless_listed(void *data, const char *rock)
 {
 	char **rocks = data;
-	if (rock[0] != '\0' && !has_name(*rocks, rock))
-		xlist(rocks, ", ", "%s", rock);
+	if (rock[0] != '\0' && !has_name_in_list(*rocks, rock))
+		xappend_to_list(rocks, ", ", "%s", rock);
 }
 
 /* Lists the rocks that there are, if none is the one asked for. */
 static bool
-note_rocks(struct answer *r, struct store *store,
+note_available_rocks(struct answer *r, struct store *store,
     const struct stored_list *paper, struct error *error)
 {
 	FREED char *rocks = xstrdup("");
-	bool ok =
-	    store_each_name(store, STORE_ROCKS, store_add_rock, &rocks, error);
+	bool ok = store_visit_names(
+	    store, STORE_ROCKS, add_rock_unless_listed, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
-		store_add_rock(&rocks, paper->item[i].rock);
+		add_rock_unless_listed(&rocks, paper->item[i].rock);
 	answer_note(r, "rocks: %s", rocks);
 	return ok;
 }
 
 /* Returns a query for those of the user's materials that may match. */
 static struct store_query
-read_query(const struct args *args)
+parse_materials_query(const struct args *args)
 {
 	return (struct store_query){.rock = args->rock,
 	    .top_least = 0.94 * args->top,
@@ -1000,7 +1012,8 @@ read_query(const struct args *args)
 }
 
 static struct answer *
-list_answer(const struct args *args, const struct stored_list *list, size_t *n)
+build_materials_answer(
+    const struct args *args, const struct stored_list *list, size_t *n)
 {
 	struct answer *r = answer_new("materials");
 	bool models = false;
@@ -1012,12 +1025,13 @@ list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 	if (models)
 		answer_columns(r, "model: model");
 	for (size_t i = 0; i < list->n; i++) {
-		if (!store_is_wanted(&list->item[i], args))
+		if (!is_material_asked_for(&list->item[i], args))
 			continue;
-		store_add_row(r, &list->item[i]);
+		add_material_row(r, &list->item[i]);
 		if (models)
-			answer_cells(
-			    r, "%s", breakage_of(&list->item[i].params)->name);
+			answer_add_cells(r, "%s",
+			    breakage_model_of_params(&list->item[i].params)
+				->name);
 		++*n;
 	}
 	return r;
@@ -1025,9 +1039,9 @@ list_answer(const struct args *args, const struct stored_list *list, size_t *n)
 
 /* A row of Table 3 as printed, with its spelling and feeds. */
 static void
-add_printed(struct answer *r, const struct stored *m)
+add_printed_table3_row(struct answer *r, const struct stored *m)
 {
-	answer_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", m->name, m->site,
+	answer_add_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", m->name, m->site,
 	    m->rock, m->top_size_mm, m->params.f_mat, m->params.e0_min,
 	    m->params.alpha, m->feed_source);
 }
@@ -1035,7 +1049,7 @@ add_printed(struct answer *r, const struct stored *m)
 /* Shows Table 3 alone, in one table if the screen or file has room for it.
  * Programs get the columns of all lists first. */
 static struct answer *
-table3_answer(const struct session *s, const struct args *args,
+build_table3_answer(const struct session *s, const struct args *args,
     const struct stored_list *paper, size_t *n)
 {
 	enum { WIDE = 100 };
@@ -1046,36 +1060,37 @@ table3_answer(const struct session *s, const struct args *args,
 	answer_columns(r, "name, site, rock, top_size_mm: top mm, f_mat, "
 			  "e0_min, alpha, feed_source: feeds");
 	for (size_t i = 0; i < paper->n; i++)
-		if (store_is_wanted(&paper->item[i], args)) {
-			add_printed(r, &paper->item[i]);
+		if (is_material_asked_for(&paper->item[i], args)) {
+			add_printed_table3_row(r, &paper->item[i]);
 			++*n;
 		}
-	answer_fill_for_programs(r);
+	answer_begin_table_for_programs(r);
 	answer_columns(r, "name, rock, top_size_mm, f_mat, e0_min, alpha, "
 			  "origin, data, site, feed_source");
 	for (size_t i = 0; i < paper->n; i++)
-		if (store_is_wanted(&paper->item[i], args)) {
-			store_add_row(r, &paper->item[i]);
-			answer_cells(r, "%s %s", paper->item[i].site,
+		if (is_material_asked_for(&paper->item[i], args)) {
+			add_material_row(r, &paper->item[i]);
+			answer_add_cells(r, "%s %s", paper->item[i].site,
 			    paper->item[i].feed_source);
 		}
 	return r;
 }
 
 static bool
-show_list(struct session *s, const struct args *args, struct error *error)
+show_materials_list(
+    struct session *s, const struct args *args, struct error *error)
 {
 	struct stored_list list = {0}, paper = {0};
-	struct store_query query = read_query(args);
+	struct store_query query = parse_materials_query(args);
 	size_t n, own = 0;
-	stored_table3(&paper);
-	bool ok = store_count(s->store, &own, error) &&
-		  store_find(s->store, &query, &list, error);
+	stored_add_table3(&paper);
+	bool ok = store_count_materials(s->store, &own, error) &&
+		  store_find_materials(s->store, &query, &list, error);
 	size_t listed = list.n;
-	stored_table3(&list);
+	stored_add_table3(&list);
 	bool printed = args->origin == TABLE3;
-	struct answer *r = printed ? table3_answer(s, args, &paper, &n)
-				   : list_answer(args, &list, &n);
+	struct answer *r = printed ? build_table3_answer(s, args, &paper, &n)
+				   : build_materials_answer(args, &list, &n);
 	answer_note(r, "%zu of %zu materials, %zu of them your own, in %s", n,
 	    own + paper.n, own, store_path(s->store));
 	answer_note(r, "Table 3 is the paper's, and read only");
@@ -1085,7 +1100,7 @@ show_list(struct session *s, const struct args *args, struct error *error)
 		    "all",
 		    listed);
 	if (ok && n == 0 && query.rock != NULL)
-		ok = note_rocks(r, s->store, &paper, error);
+		ok = note_available_rocks(r, s->store, &paper, error);
 	stored_list_free(&list);
 	stored_list_free(&paper);
 	if (ok)
@@ -1096,21 +1111,21 @@ show_list(struct session *s, const struct args *args, struct error *error)
 
 /* Stored runs are only for recall. */
 static void
-store_add_field(void *data, const char *name, const char *text)
+add_stored_field_row(void *data, const char *name, const char *text)
 {
 	if (strcmp(name, "basis") == 0)
 		text = text[0] != '\0' ? tr("kept, with its runs") : "";
-	answer_cells(data, "%s %s", name, text);
+	answer_add_cells(data, "%s %s", name, text);
 }
 
 static void
-show_one(struct session *s, const struct stored *m)
+show_material(struct session *s, const struct stored *m)
 {
 	struct answer *r = answer_new("materials");
-	answer_title(r, "%s: %s", m->name, store_origin_of(m));
-	answer_site(r, m->site, m->provenance);
+	answer_title(r, "%s: %s", m->name, material_origin_text(m));
+	answer_set_site(r, m->site, m->provenance);
 	answer_columns(r, "field, value");
-	stored_each_field(m, store_add_field, r);
+	stored_visit_fields(m, add_stored_field_row, r);
 	session_show_answer(s, r);
 }
 
@@ -1120,11 +1135,11 @@ show_store(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	struct stored_list all = {0};
 	size_t own;
-	if (!store_count(s->store, &own, error))
+	if (!store_count_materials(s->store, &own, error))
 		return false;
-	stored_table3(&all);
+	stored_add_table3(&all);
 	const char *path = store_path(s->store);
-	int64_t bytes = store_bytes(s->store);
+	int64_t bytes = store_file_bytes(s->store);
 	struct answer *r = answer_new("show");
 	answer_title(r, "the store of materials");
 	answer_columns(r, "what, value");
@@ -1148,12 +1163,13 @@ bool
 cmd_materials(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
-		return show_list(s, args, error);
+		return show_materials_list(s, args, error);
 	struct stored_list list = {0};
 	const struct stored *m;
-	bool ok = find_material(s->store, args->operand[0], &list, &m, error);
+	bool ok =
+	    find_material_by_name(s->store, args->operand[0], &list, &m, error);
 	if (ok)
-		show_one(s, m);
+		show_material(s, m);
 	stored_list_free(&list);
 	return ok;
 }

@@ -34,7 +34,7 @@ struct form {
 };
 
 static void
-template_say(const struct form *f, const char *text)
+write_template_remark(const struct form *f, const char *text)
 {
 	bool quote = strchr(text, f->separator) != NULL;
 	fprintf(
@@ -42,10 +42,10 @@ template_say(const struct form *f, const char *text)
 }
 
 static void
-template_put_number(const struct form *f, double value)
+write_template_number(const struct form *f, double value)
 {
 	char text[32];
-	text_exact_number(value, text);
+	text_shortest_exact_number(value, text);
 	char *point = strchr(text, '.');
 	if (f->separator == ';' && point != NULL)
 		*point = ',';
@@ -55,15 +55,15 @@ template_put_number(const struct form *f, double value)
 /* Writes a row for each sieve, with an empty cell for each column.  Returns the
  * number of rows. */
 static size_t
-template_put_rows(
+write_rows_of_sieves(
     const struct form *f, const struct number_list *sieves, size_t columns)
 {
 	size_t n = sieves->n > 0 ? sieves->n : ARRAY_LEN(SIEVES);
-	FREED double *mm = xdoubles(n);
+	FREED double *mm = xcalloc_doubles(n);
 	memcpy(mm, sieves->n > 0 ? sieves->at : SIEVES, n * sizeof *mm);
-	n = psd_sort(mm, n, 0);
+	n = psd_sort_distinct_sizes(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
-		template_put_number(f, mm[i]);
+		write_template_number(f, mm[i]);
 		for (size_t c = 0; c < columns; c++)
 			fputc(f->separator, f->sheet);
 		fputc('\n', f->sheet);
@@ -72,35 +72,37 @@ template_put_rows(
 }
 
 static size_t
-put_sieve_form(const struct form *f, const struct args *args)
+write_sieve_template(const struct form *f, const struct args *args)
 {
 	const struct number_list *speeds = &args->speeds;
 	bool grams = args->unit == 1;
 	const char *unit = grams ? "_retained_g" : "";
-	template_say(f,
+	write_template_remark(f,
 	    "fill in what you have and remove lines that you do not need; "
 	    "lines with # are remarks");
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++) {
 		FREED char *text = xasprintf("%s: %s", KEYS[i][0], KEYS[i][1]);
-		template_say(f, text);
+		write_template_remark(f, text);
 	}
 	for (size_t i = 0; i < ARRAY_LEN(KEYS); i++)
 		fprintf(f->sheet, "%s%c\n", KEYS[i][0], f->separator);
-	template_say(f,
+	write_template_remark(f,
 	    "feed: what goes in; product@69: what comes out at a tip speed "
 	    "of 69 m/s");
-	template_say(f, "tip speed in m/s = 3.1416 x rotor_mm x rpm / 60000");
+	write_template_remark(
+	    f, "tip speed in m/s = 3.1416 x rotor_mm x rpm / 60000");
 	for (size_t i = 0; i < 3; i++)
 		if (WORDS[grams][i][0] != '\0')
-			template_say(f, WORDS[grams][i]);
-	template_say(f, "leave a cell empty where a sieve was not used");
+			write_template_remark(f, WORDS[grams][i]);
+	write_template_remark(
+	    f, "leave a cell empty where a sieve was not used");
 	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
 	for (size_t i = 0; i < speeds->n; i++) {
 		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);
-		template_put_number(f, speeds->at[i]);
+		write_template_number(f, speeds->at[i]);
 	}
 	fputc('\n', f->sheet);
-	size_t rows = template_put_rows(f, &args->sieves, speeds->n + 1);
+	size_t rows = write_rows_of_sieves(f, &args->sieves, speeds->n + 1);
 	if (!grams)
 		return rows;
 	fputs("pan", f->sheet);
@@ -118,12 +120,12 @@ cmd_template(struct session *s, const struct args *args, struct error *error)
 	size_t n = 0;
 	struct form f = {s->set.semicolon ? ';' : ',', s->out};
 	if (s->book == NULL) {
-		s->rows += put_sieve_form(&f, args);
+		s->rows += write_sieve_template(&f, args);
 		return true;
 	}
 	/* In workbooks numbers have no decimal sign. */
 	f = (struct form){',', text_open_memory(&text, &n)};
-	s->rows += put_sieve_form(&f, args);
+	s->rows += write_sieve_template(&f, args);
 	fclose(f.sheet);
 	book_add_text(s->book, "template", text);
 	return true;

@@ -14,9 +14,9 @@ enum { N = POSTERIOR_DRAWS, MOST = 8 };
 
 /* The rows about their means. */
 static double *
-rows_less_mean(const double *row, size_t n)
+subtract_row_means(const double *row, size_t n)
 {
-	double *to = xdoubles(n * N);
+	double *to = xcalloc_doubles(n * N);
 	for (size_t i = 0; i < n; i++) {
 		double mean = 0;
 		for (size_t d = 0; d < N; d++)
@@ -37,10 +37,12 @@ advise_dot(const double *a, const double *b)
 }
 
 double
-advise_share(const double *answer, const double *sample, size_t n)
+advise_variance_share_removed(
+    const double *answer, const double *sample, size_t n)
 {
-	double *U = rows_less_mean(sample, n), *y = rows_less_mean(answer, 1);
-	double *V = xdoubles(n * n), *sigma = xdoubles(n);
+	double *U = subtract_row_means(sample, n),
+	       *y = subtract_row_means(answer, 1);
+	double *V = xcalloc_doubles(n * n), *sigma = xcalloc_doubles(n);
 	double all = advise_dot(y, y), known = 0, best = 0;
 	svd_decompose(U, N, n, V, sigma);
 	for (size_t k = 0; k < n && k < MOST && all > 0; k++) {

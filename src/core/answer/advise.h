@@ -12,6 +12,7 @@
  * sample's principal components, adjusted for their number, which is chosen to
  * maximise it.  The sample multiplies the width of the band by sqrt(1 -
  * share). */
-double advise_share(const double *answer, const double *sample, size_t n);
+double advise_variance_share_removed(
+    const double *answer, const double *sample, size_t n);
 
 #endif

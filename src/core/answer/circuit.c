@@ -37,7 +37,7 @@ circuit_free(struct circuit *c)
 }
 
 struct unit *
-circuit_unit(struct circuit *c, enum unit_kind kind, const char *name)
+circuit_add_unit(struct circuit *c, enum unit_kind kind, const char *name)
 {
 	if (c->n_unit == CIRCUIT_UNITS)
 		return NULL;
@@ -50,7 +50,7 @@ circuit_unit(struct circuit *c, enum unit_kind kind, const char *name)
 }
 
 size_t
-circuit_stream(struct circuit *c, const char *name)
+circuit_find_or_add_stream(struct circuit *c, const char *name)
 {
 	size_t i = 0;
 	while (i < c->n_stream && strcmp(c->stream[i], name) != 0)
@@ -70,7 +70,7 @@ list_contains(const size_t *list, size_t n, size_t what)
 }
 
 size_t
-circuit_source(const struct circuit *c, size_t stream)
+circuit_source_of_stream(const struct circuit *c, size_t stream)
 {
 	size_t u = 0;
 	while (u < c->n_unit &&
@@ -80,7 +80,7 @@ circuit_source(const struct circuit *c, size_t stream)
 }
 
 size_t
-circuit_destination(const struct circuit *c, size_t stream)
+circuit_destination_of_stream(const struct circuit *c, size_t stream)
 {
 	size_t u = 0;
 	while (u < c->n_unit &&
@@ -92,7 +92,7 @@ circuit_destination(const struct circuit *c, size_t stream)
 /* A walk from the feed on.  order: units, each before all that it leads to but
  * for loops, filled from the end; back: streams that lead to a unit which the
  * walk is under way from. */
-struct walk {
+struct unit_walk {
 	const struct circuit *c;
 	enum { WALK_NEW, WALK_UNDER_WAY, WALK_DONE } state[CIRCUIT_UNITS];
 	size_t order[CIRCUIT_UNITS], first;
@@ -101,12 +101,12 @@ struct walk {
 
 /* As deep as there are units. */
 static void
-order_units_from(struct walk *w, size_t u)
+order_units_from(struct unit_walk *w, size_t u)
 {
 	const struct unit *unit = &w->c->unit[u];
 	w->state[u] = WALK_UNDER_WAY;
 	for (size_t i = 0; i < unit->n_out; i++) {
-		size_t next = circuit_destination(w->c, unit->out[i]);
+		size_t next = circuit_destination_of_stream(w->c, unit->out[i]);
 		if (next == w->c->n_unit)
 			continue;
 		if (w->state[next] == WALK_UNDER_WAY)
@@ -119,10 +119,10 @@ order_units_from(struct walk *w, size_t u)
 }
 
 /* back [n_stream] out. */
-static struct walk
+static struct unit_walk
 order_units(const struct circuit *c, bool *back)
 {
-	struct walk w = {.c = c, .first = c->n_unit, .back = back};
+	struct unit_walk w = {.c = c, .first = c->n_unit, .back = back};
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_FEED)
 			order_units_from(&w, u);
@@ -130,10 +130,10 @@ order_units(const struct circuit *c, bool *back)
 }
 
 size_t
-circuit_unfed(const struct circuit *c)
+circuit_find_unfed_unit(const struct circuit *c)
 {
 	bool *back = xcalloc(c->n_stream + 1, sizeof *back);
-	struct walk w = order_units(c, back);
+	struct unit_walk w = order_units(c, back);
 	size_t u = 0;
 	while (u < c->n_unit && w.state[u] != WALK_NEW)
 		u++;
@@ -142,7 +142,7 @@ circuit_unfed(const struct circuit *c)
 }
 
 size_t
-circuit_trapped(const struct circuit *c)
+circuit_find_trapped_stream(const struct circuit *c)
 {
 	bool leads[CIRCUIT_UNITS] = {false};
 	for (size_t pass = 0; pass < c->n_unit; pass++)
@@ -151,14 +151,14 @@ circuit_trapped(const struct circuit *c)
 			if (unit->kind == UNIT_STOCKPILE)
 				leads[u] = true;
 			for (size_t i = 0; i < unit->n_out; i++) {
-				size_t to =
-				    circuit_destination(c, unit->out[i]);
+				size_t to = circuit_destination_of_stream(
+				    c, unit->out[i]);
 				if (to < c->n_unit && leads[to])
 					leads[u] = true;
 			}
 		}
 	for (size_t i = 0; i < c->n_stream; i++) {
-		size_t to = circuit_destination(c, i);
+		size_t to = circuit_destination_of_stream(c, i);
 		if (to < c->n_unit && !leads[to])
 			return i;
 	}
@@ -168,12 +168,12 @@ circuit_trapped(const struct circuit *c)
 /* A solution under way.  over [n_unit][classes]: share of each class that goes
  * to a screen's oversize; mass [n_stream][classes], t/h; in, rotor, out
  * [classes]: room for a unit's. */
-struct solving {
+struct circuit_solver {
 	const struct circuit *c;
 	const double *feed;
 	size_t classes;
 	struct transfer *const *transfer;
-	struct walk walk;
+	struct unit_walk walk;
 	double *over, *mass, *in, *rotor, *out;
 };
 
@@ -188,7 +188,7 @@ sum_of_masses(const double *mass, size_t n)
 
 /* Replaces a stream; returns what it changed by. */
 static double
-replace_stream(struct solving *s, size_t stream, const double *mass,
+replace_stream(struct circuit_solver *s, size_t stream, const double *mass,
     const double *share, double of)
 {
 	double *to = s->mass + stream * s->classes, change = 0;
@@ -202,7 +202,7 @@ replace_stream(struct solving *s, size_t stream, const double *mass,
 
 /* All out of a screen is from the same numbers, so that nothing is lost. */
 static double
-separate_by_screen(struct solving *s, const struct unit *unit, size_t u)
+separate_by_screen(struct circuit_solver *s, const struct unit *unit, size_t u)
 {
 	const double *over = s->over + u * s->classes;
 	double change = replace_stream(s, unit->out[0], s->in, over, 1);
@@ -213,7 +213,7 @@ separate_by_screen(struct solving *s, const struct unit *unit, size_t u)
 
 static double
 pass_through_crusher(
-    struct solving *s, const struct unit *unit, size_t u, size_t draw)
+    struct circuit_solver *s, const struct unit *unit, size_t u, size_t draw)
 {
 	for (size_t i = 0; i < s->classes; i++)
 		s->rotor[i] = s->in[i] * (1 - unit->cascade);
@@ -225,7 +225,7 @@ pass_through_crusher(
 
 /* Works one unit out; returns how much streams that close loops changed. */
 static double
-run_unit(struct solving *s, size_t u, size_t draw)
+compute_unit(struct circuit_solver *s, size_t u, size_t draw)
 {
 	const struct unit *unit = &s->c->unit[u];
 	double change = 0;
@@ -258,7 +258,7 @@ run_unit(struct solving *s, size_t u, size_t draw)
  * values that rounding keeps apart: small changes that no longer shrink are
  * steady, too. */
 static size_t
-circuit_solve(struct solving *s, size_t draw)
+circuit_solve(struct circuit_solver *s, size_t draw)
 {
 	enum { PATIENCE = 10 };
 	const double steady = 1e-13, small = 1e-9;
@@ -267,7 +267,7 @@ circuit_solve(struct solving *s, size_t draw)
 	for (size_t pass = 1; pass <= CIRCUIT_PASSES; pass++) {
 		double change = 0;
 		for (size_t k = s->walk.first; k < s->c->n_unit; k++)
-			change += run_unit(s, s->walk.order[k], draw);
+			change += compute_unit(s, s->walk.order[k], draw);
 		since = change < least ? 0 : since + 1;
 		least = fmin(least, change);
 		if (change <= steady * s->c->tph ||
@@ -279,14 +279,14 @@ circuit_solve(struct solving *s, size_t draw)
 
 /* Adds what was found in a draw to the flow. */
 static void
-flow_add_draw(
-    struct flow *flow, const struct solving *s, size_t draw, size_t passes)
+flow_add_draw(struct flow *flow, const struct circuit_solver *s, size_t draw,
+    size_t passes)
 {
 	size_t n = s->classes;
 	double closing = s->c->tph,
 	       *tph = flow->tph_draw + draw * flow->n_stream;
 	for (size_t i = 0; i < flow->n_stream; i++) {
-		size_t to = circuit_destination(s->c, i);
+		size_t to = circuit_destination_of_stream(s->c, i);
 		tph[i] = sum_of_masses(s->mass + i * n, n);
 		flow->tph[i] += tph[i] / (double)flow->draws;
 		if (flow->back[i])
@@ -305,29 +305,29 @@ flow_add_draw(
 		flow->circulating = flow->circulating_draw[draw];
 }
 
-static struct solving
-solving_new(const struct circuit *c, const double *feed, const double *size,
-    size_t classes, bool *back)
+static struct circuit_solver
+circuit_solver_new(const struct circuit *c, const double *feed,
+    const double *size, size_t classes, bool *back)
 {
-	struct solving s = {.c = c,
+	struct circuit_solver s = {.c = c,
 	    .feed = feed,
 	    .classes = classes,
 	    .walk = order_units(c, back),
-	    .over = xdoubles(c->n_unit * classes),
-	    .mass = xdoubles(c->n_stream * classes),
-	    .in = xdoubles(classes),
-	    .rotor = xdoubles(classes),
-	    .out = xdoubles(classes)};
+	    .over = xcalloc_doubles(c->n_unit * classes),
+	    .mass = xcalloc_doubles(c->n_stream * classes),
+	    .in = xcalloc_doubles(classes),
+	    .rotor = xcalloc_doubles(classes),
+	    .out = xcalloc_doubles(classes)};
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_SCREEN)
-			partition_classes(&c->unit[u].partition,
+			partition_oversize_of_classes(&c->unit[u].partition,
 			    c->unit[u].opening, size, classes,
 			    s.over + u * classes);
 	return s;
 }
 
 static void
-solving_free(struct solving *s)
+circuit_solver_free(struct circuit_solver *s)
 {
 	free(s->over);
 	free(s->mass);
@@ -337,8 +337,8 @@ solving_free(struct solving *s)
 }
 
 struct flow
-circuit_flow(const struct circuit *c, const double *feed, const double *size,
-    size_t classes, struct transfer *const *transfer)
+circuit_compute_flow(const struct circuit *c, const double *feed,
+    const double *size, size_t classes, struct transfer *const *transfer)
 {
 	struct flow flow = {.n_stream = c->n_stream,
 	    .classes = classes,
@@ -346,18 +346,19 @@ circuit_flow(const struct circuit *c, const double *feed, const double *size,
 	    .back = xcalloc(c->n_stream, sizeof *flow.back)};
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_CRUSHER)
-			flow.draws = transfer_draws(transfer[u]);
-	flow.tph = xdoubles(c->n_stream);
-	flow.tph_draw = xdoubles(flow.draws * c->n_stream);
-	flow.mass = xdoubles(c->n_stream * classes);
-	flow.circulating_draw = xdoubles(flow.draws);
-	struct solving s = solving_new(c, feed, size, classes, flow.back);
+			flow.draws = transfer_count_draws(transfer[u]);
+	flow.tph = xcalloc_doubles(c->n_stream);
+	flow.tph_draw = xcalloc_doubles(flow.draws * c->n_stream);
+	flow.mass = xcalloc_doubles(c->n_stream * classes);
+	flow.circulating_draw = xcalloc_doubles(flow.draws);
+	struct circuit_solver s =
+	    circuit_solver_new(c, feed, size, classes, flow.back);
 	s.transfer = transfer;
 	/* The first that is not steady says enough: the others would take as
 	 * long. */
 	for (size_t d = 0; d < flow.draws && !flow.open; d++)
 		flow_add_draw(&flow, &s, d, circuit_solve(&s, d));
-	solving_free(&s);
+	circuit_solver_free(&s);
 	return flow;
 }
 
@@ -373,7 +374,7 @@ flow_free(struct flow *flow)
 }
 
 double
-flow_into_unit(const struct flow *flow, const struct unit *unit)
+flow_tph_into_unit(const struct flow *flow, const struct unit *unit)
 {
 	double sum = 0;
 	for (size_t i = 0; i < unit->n_in; i++)
@@ -382,7 +383,7 @@ flow_into_unit(const struct flow *flow, const struct unit *unit)
 }
 
 double
-flow_draw_into_unit(
+flow_tph_into_unit_in_draw(
     const struct flow *flow, const struct unit *unit, size_t draw)
 {
 	double sum = 0;

@@ -47,23 +47,23 @@ struct circuit {
 struct circuit *circuit_new(void);
 void circuit_free(struct circuit *c);
 
-/* circuit_unit adds a unit and returns it, valid until the next is added, or
- * NULL beyond CIRCUIT_UNITS.  circuit_stream returns the index of the stream
- * with that name and adds it if needed. */
-struct unit *circuit_unit(
+/* circuit_add_unit adds a unit and returns it, valid until the next is added,
+ * or NULL beyond CIRCUIT_UNITS.  circuit_find_or_add_stream returns the index
+ * of the stream with that name and adds it if needed. */
+struct unit *circuit_add_unit(
     struct circuit *c, enum unit_kind kind, const char *name);
-size_t circuit_stream(struct circuit *c, const char *name);
+size_t circuit_find_or_add_stream(struct circuit *c, const char *name);
 
 /* Return the index of the unit that a stream comes from or goes to, or n_unit
  * if there is none. */
-size_t circuit_source(const struct circuit *c, size_t stream);
-size_t circuit_destination(const struct circuit *c, size_t stream);
+size_t circuit_source_of_stream(const struct circuit *c, size_t stream);
+size_t circuit_destination_of_stream(const struct circuit *c, size_t stream);
 
 /* Return a unit that the feed does not reach, and a stream from which nothing
  * reaches a stockpile; n_unit and n_stream if there is none.  Every stream must
  * have a source and a destination. */
-size_t circuit_unfed(const struct circuit *c);
-size_t circuit_trapped(const struct circuit *c);
+size_t circuit_find_unfed_unit(const struct circuit *c);
+size_t circuit_find_trapped_stream(const struct circuit *c);
 
 /* The maximum number of passes over the streams. */
 enum { CIRCUIT_PASSES = 2000 };
@@ -88,13 +88,13 @@ struct flow {
  * Method: successive substitution.  Streams that close loops start empty, and
  * all units are computed in turn until these streams change by less than 1e-13
  * of the feed.  The remaining change is the mass-balance error. */
-struct flow circuit_flow(const struct circuit *c, const double *feed,
+struct flow circuit_compute_flow(const struct circuit *c, const double *feed,
     const double *size, size_t classes, struct transfer *const *transfer);
 void flow_free(struct flow *flow);
 
 /* Return the flow into a unit, t/h: the mean, and the value in a draw. */
-double flow_into_unit(const struct flow *flow, const struct unit *unit);
-double flow_draw_into_unit(
+double flow_tph_into_unit(const struct flow *flow, const struct unit *unit);
+double flow_tph_into_unit_in_draw(
     const struct flow *flow, const struct unit *unit, size_t draw);
 
 #endif

@@ -49,7 +49,7 @@ crusher_new(const double *size, size_t n, const struct params *p,
 	*c = (struct crusher){.posterior = posterior,
 	    .params = *p,
 	    .n = n,
-	    .size = xdoubles(n),
+	    .size = xcalloc_doubles(n),
 	    .model = xcalloc(n, sizeof(*c->model)),
 	    .ensemble = xcalloc(n, sizeof(*c->ensemble))};
 	memcpy(c->size, size, n * sizeof *size);
@@ -93,10 +93,10 @@ void
 crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n)
 {
-	c->feed = xdoubles(c->n);
+	c->feed = xcalloc_doubles(c->n);
 	c->at = xcalloc(n, sizeof *c->at);
-	crusher_classes(c, feed, c->feed);
-	double *known = xdoubles(n);
+	crusher_class_masses_of_feed(c, feed, c->feed);
+	double *known = xcalloc_doubles(n);
 	for (size_t i = 0, k = 0; i < n; i++) {
 		while (k + 1 < c->n && c->size[k] > sieve[i] * (1 + 1e-9))
 			k++;
@@ -159,10 +159,10 @@ transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
 static void
 transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 {
-	double *P = xdoubles(c->n_sieve), *out = xdoubles(c->n);
-	t->more = xdoubles(t->draws * c->n);
+	double *P = xcalloc_doubles(c->n_sieve), *out = xcalloc_doubles(c->n);
+	t->more = xcalloc_doubles(t->draws * c->n);
 	if (c->posterior != NULL)
-		ensemble_at(c->whole_draws, v);
+		ensemble_set_speed(c->whole_draws, v);
 	else
 		model_product(c->whole, v, P);
 	const double *draws =
@@ -176,27 +176,27 @@ transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 }
 
 struct transfer *
-crusher_at(struct crusher *c, double v)
+crusher_transfer_at_speed(struct crusher *c, double v)
 {
 	struct transfer *t = xcalloc(1, sizeof *t);
 	size_t n = c->n;
 	t->n = n;
 	t->draws = c->posterior != NULL ? DRAWS : 1;
-	t->passing = xdoubles(t->draws * n * n);
-	t->feed = xdoubles(n);
+	t->passing = xcalloc_doubles(t->draws * n * n);
+	t->feed = xcalloc_doubles(n);
 	for (size_t i = 0; i + 1 < n; i++) {
 		if (c->posterior == NULL) {
 			model_product(c->model[i], v, t->passing + i * n);
 			continue;
 		}
-		ensemble_draws_at(c->ensemble[i], v);
+		ensemble_set_speed_as_drawn(c->ensemble[i], v);
 		put_products_of_class(
 		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
 	}
 	if (c->posterior != NULL && n > 1) {
-		t->delta = xdoubles(DRAWS * n);
+		t->delta = xcalloc_doubles(DRAWS * n);
 		for (size_t d = 0; d < DRAWS; d++)
-			ensemble_discrepancy(
+			ensemble_discrepancy_of_draw(
 			    c->ensemble[0], d, t->delta + d * n);
 	}
 	if (c->feed != NULL)
@@ -217,14 +217,14 @@ transfer_free(struct transfer *t)
 }
 
 size_t
-transfer_draws(const struct transfer *t)
+transfer_count_draws(const struct transfer *t)
 {
 	return t->draws;
 }
 
 /* Masses to passings, from the finest class on: below [n] of the feed. */
 static double
-sum_below(const double *mass, size_t n, double *below)
+cumulate_from_finest_class(const double *mass, size_t n, double *below)
 {
 	double sum = 0;
 	for (size_t i = n; i-- > 0;) {
@@ -243,7 +243,7 @@ transfer_product(
 	const double *delta = t->delta != NULL ? t->delta + draw * n : NULL;
 	const double *more = t->more != NULL ? t->more + draw * n : NULL;
 	double *feed = t->feed, *below = out, finer = 0;
-	double total = sum_below(in, n, feed);
+	double total = cumulate_from_finest_class(in, n, feed);
 	for (size_t i = 0; i < n; i++)
 		below[i] = in[n - 1];
 	for (size_t j = 0; j + 1 < n; j++, row += n)
@@ -252,7 +252,7 @@ transfer_product(
 	for (size_t i = n; i-- > 0;) {
 		double least = fmax(feed[i], finer), P = below[i];
 		if (delta != NULL && total > 0)
-			P = total * discrepancy_answer(
+			P = total * discrepancy_correct_passing(
 					P / total, delta[i], least / total);
 		if (more != NULL)
 			P += total * more[i];
@@ -265,10 +265,11 @@ transfer_product(
 }
 
 void
-crusher_classes(const struct crusher *c, const struct psd *feed, double *out)
+crusher_class_masses_of_feed(
+    const struct crusher *c, const struct psd *feed, double *out)
 {
 	struct psd curve =
-	    c->posterior != NULL ? psd_curve(feed) : psd_copy(feed);
+	    c->posterior != NULL ? psd_smooth_curve(feed) : psd_copy(feed);
 	double finer = 0;
 	for (size_t i = c->n; i-- > 0;) {
 		double P = psd_passing(&curve, c->size[i]);

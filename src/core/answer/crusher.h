@@ -34,9 +34,9 @@ void crusher_set_feed(
 /* Returns the transfer at tip speed v, m/s: a matrix for each draw of the
  * posterior, or a single one for the model alone.  Free with transfer_free. */
 struct transfer;
-struct transfer *crusher_at(struct crusher *crusher, double v);
+struct transfer *crusher_transfer_at_speed(struct crusher *crusher, double v);
 void transfer_free(struct transfer *t);
-size_t transfer_draws(const struct transfer *t);
+size_t transfer_count_draws(const struct transfer *t);
 
 /* Computes the product, out [n], of the masses in [n] by class, in one draw.
  * It conserves mass, and nothing becomes coarser.  in and out must not overlap.
@@ -47,7 +47,7 @@ void transfer_product(
 /* Computes the masses of the crusher's classes in a feed, [n] out, with sum 1.
  * All of the feed must pass the coarsest size.  For draws, the feed's curve is
  * smooth between its sieves (D18). */
-void crusher_classes(
+void crusher_class_masses_of_feed(
     const struct crusher *c, const struct psd *feed, double *out);
 
 #endif

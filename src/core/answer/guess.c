@@ -18,11 +18,12 @@
 
 /* Same parameters, settings and top size, as Ubbarp and Gasgruvan have. */
 static bool
-same_numbers(const struct guess_material *a, const struct guess_material *b)
+has_same_parameters(
+    const struct guess_material *a, const struct guess_material *b)
 {
 	if (a->params.breakage != b->params.breakage)
 		return false;
-	for (size_t j = 0; j < breakage_of(&a->params)->n; j++)
+	for (size_t j = 0; j < breakage_model_of_params(&a->params)->n; j++)
 		if (a->params.at[j] != b->params.at[j])
 			return false;
 	return a->top_size == b->top_size &&
@@ -30,7 +31,7 @@ same_numbers(const struct guess_material *a, const struct guess_material *b)
 }
 
 static bool
-same_rock(const struct guess_material *a, const struct guess_material *b)
+is_same_rock(const struct guess_material *a, const struct guess_material *b)
 {
 	return a->rock[0] != '\0' && text_same_folded(a->rock, b->rock);
 }
@@ -62,7 +63,7 @@ is_nearer_material(const struct nearness *a, const struct nearness *b)
 }
 
 size_t
-guess_nearest(const struct guess_material *m, size_t n,
+guess_find_nearest_materials(const struct guess_material *m, size_t n,
     const struct guess_material *wanted, const bool *leave_out, size_t most,
     size_t *pick)
 {
@@ -72,7 +73,7 @@ guess_nearest(const struct guess_material *m, size_t n,
 	memcpy(taken, leave_out, n * sizeof *taken);
 	for (size_t i = 0; i < n; i++)
 		near[i] = (struct nearness){
-		    same_rock(&m[i], wanted), size_distance(&m[i], wanted)};
+		    is_same_rock(&m[i], wanted), size_distance(&m[i], wanted)};
 	while (picked < most) {
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)
@@ -83,7 +84,8 @@ guess_nearest(const struct guess_material *m, size_t n,
 		if (best == n)
 			break;
 		for (size_t i = 0; i < n; i++)
-			taken[i] = taken[i] || same_numbers(&m[i], &m[best]);
+			taken[i] =
+			    taken[i] || has_same_parameters(&m[i], &m[best]);
 		pick[picked++] = best;
 	}
 	free(near);
@@ -94,7 +96,7 @@ guess_nearest(const struct guess_material *m, size_t n,
 /* The value at that place, 1 for the first, among v [n], rising; between two,
  * straight, and where one has no end it is that. */
 static double
-value_at_place(const double *v, size_t n, double place)
+interpolate_sorted_values(const double *v, size_t n, double place)
 {
 	double at = fmin(fmax(place - 1, 0), (double)(n - 1));
 	size_t i = (size_t)at;
@@ -108,9 +110,10 @@ range_of_values(double *v, size_t n)
 {
 	double places = (double)n + 1;
 	gsl_sort(v, 1, n);
-	return (struct guess_range){value_at_place(v, n, 0.5 * places),
-	    value_at_place(v, n, 0.1 * places),
-	    value_at_place(v, n, 0.9 * places)};
+	return (struct guess_range){
+	    interpolate_sorted_values(v, n, 0.5 * places),
+	    interpolate_sorted_values(v, n, 0.1 * places),
+	    interpolate_sorted_values(v, n, 0.9 * places)};
 }
 
 /* A size that lies outside the sieves is finer than they are, as some sieve
@@ -119,14 +122,14 @@ static struct guess_range
 range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
     double passing)
 {
-	double *v = xdoubles(n);
+	double *v = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
-		v[i] = psd_size(&p[i].curve, passing);
+		v[i] = psd_size_at_passing(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
 	struct guess_range range = range_of_values(v, n);
 	free(v);
-	range.middle = psd_size(median, passing);
+	range.middle = psd_size_at_passing(median, passing);
 	range.low = isfinite(range.low) ? range.low : NAN;
 	range.high = isfinite(range.high) ? range.high : NAN;
 	return range;
@@ -137,7 +140,7 @@ static struct psd
 median_curve(const struct prediction *p, size_t n)
 {
 	struct psd median = psd_copy(&p[0].curve);
-	double *v = xdoubles(n);
+	double *v = xcalloc_doubles(n);
 	for (size_t s = 0; s < median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].curve.passing[s];
@@ -149,9 +152,9 @@ median_curve(const struct prediction *p, size_t n)
 
 /* The curves over n products on the same sieves. */
 static void
-median_and_range(struct guess *guess, const struct prediction *p, size_t n)
+fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 {
-	double *v = xdoubles(n);
+	double *v = xcalloc_doubles(n);
 	guess->feed = psd_copy(&p[0].feed);
 	guess->median = psd_copy(&p[0].product);
 	guess->low = psd_copy(&p[0].product);
@@ -174,7 +177,7 @@ static struct guess
 guess_from_products(const struct prediction *p, size_t n, double v)
 {
 	struct guess guess = {.speed = v};
-	median_and_range(&guess, p, n);
+	fill_median_and_range(&guess, p, n);
 	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		guess.size[i] = range_of_sizes(&median, p, n, PSD_PASSING[i]);
@@ -209,7 +212,8 @@ guess_product(const struct site *site, size_t feed_run,
 		struct params params = of->params;
 		if (of->law_open)
 			memcpy(params.beta, LAWS[i % laws], sizeof params.beta);
-		p[i] = predict(site, &params, of->settings, v, feed_run);
+		p[i] = predict_with_model_alone(
+		    site, &params, of->settings, v, feed_run);
 	}
 	struct guess guess = guess_from_products(p, all, v);
 	for (size_t i = 0; i < all; i++)
@@ -254,8 +258,8 @@ pairs_new(const struct guess_material *m, size_t n, double v)
 		    .speed = &v};
 		struct site *site = synth_site(&synth);
 		for (size_t j = 0; j < n; j++)
-			pairs.p[i * n + j] =
-			    predict(site, &m[j].params, m[j].settings, v, 0);
+			pairs.p[i * n + j] = predict_with_model_alone(
+			    site, &m[j].params, m[j].settings, v, 0);
 		site_free(site);
 	}
 	return pairs;
@@ -281,8 +285,8 @@ guess_left_out_site(
 	free(picked);
 	const double *P = p.product.passing;
 	struct trial trial = {
-	    .error = psd_rms(g.median.passing, P, p.product.n, NULL),
-	    .feed = psd_rms(p.feed.passing, P, p.product.n, NULL)};
+	    .error = psd_rms_difference(g.median.passing, P, p.product.n, NULL),
+	    .feed = psd_rms_difference(p.feed.passing, P, p.product.n, NULL)};
 	for (size_t s = 0; s < p.product.n; s++) {
 		if (g.high.passing[s] - g.low.passing[s] < 1e-4)
 			continue;
@@ -297,12 +301,12 @@ guess_left_out_site(
 /* Marks what a guess of material i may not be made from.  False where others
  * with its numbers were guessed before. */
 static bool
-leave_out_own(
+mark_materials_left_out(
     const struct guess_material *m, size_t n, size_t i, bool *leave_out)
 {
 	bool first = true;
 	for (size_t j = 0; j < n; j++) {
-		bool same = same_numbers(&m[i], &m[j]);
+		bool same = has_same_parameters(&m[i], &m[j]);
 		first = first && !(same && j < i);
 		leave_out[j] = same || text_same_folded(m[i].site, m[j].site);
 	}
@@ -317,12 +321,12 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 	struct guess_error out = {.worst = -1, .nearest = nearest};
 	bool *leave_out = xcalloc(n, sizeof *leave_out);
 	size_t *pick = xcalloc(nearest, sizeof *pick), cells = 0, held = 0;
-	double *error = xdoubles(n), *feed = xdoubles(n);
+	double *error = xcalloc_doubles(n), *feed = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
-		if (!leave_out_own(m, n, i, leave_out))
+		if (!mark_materials_left_out(m, n, i, leave_out))
 			continue;
-		size_t picked =
-		    guess_nearest(m, n, &m[i], leave_out, nearest, pick);
+		size_t picked = guess_find_nearest_materials(
+		    m, n, &m[i], leave_out, nearest, pick);
 		if (picked == 0)
 			continue;
 		struct trial trial =
@@ -359,7 +363,7 @@ guess_leave_one_out(
 }
 
 struct guess_choice
-guess_choose(const struct guess_material *m, size_t n, double v)
+guess_choose_nearest_count(const struct guess_material *m, size_t n, double v)
 {
 	struct pairs pairs = pairs_new(m, n, v);
 	struct guess_choice choice = {.all = leave_one_out(&pairs, n)};

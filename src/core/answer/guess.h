@@ -28,7 +28,7 @@ struct guess_material {
  * identical numbers (D9), only the nearest counts.
  *   leave_out [n]: true for materials to ignore
  *   pick [most]: out, their indices, nearest first.  Returns their number. */
-size_t guess_nearest(const struct guess_material *m, size_t n,
+size_t guess_find_nearest_materials(const struct guess_material *m, size_t n,
     const struct guess_material *wanted, const bool *leave_out, size_t most,
     size_t *pick);
 
@@ -95,7 +95,7 @@ struct guess_choice {
 	bool helps;
 };
 
-struct guess_choice guess_choose(
+struct guess_choice guess_choose_nearest_count(
     const struct guess_material *m, size_t n, double v);
 
 #endif

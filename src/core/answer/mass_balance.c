@@ -28,8 +28,8 @@ product_of_class(const struct psd *feed, const struct params *p,
 }
 
 static void
-mass_balance_add_class(
-    struct ledger *l, size_t class, double selected, const double *product)
+mass_balance_add_class(struct mass_balance *l, size_t class, double selected,
+    const double *product)
 {
 	double feed = l->feed[class], stays = feed * product[class];
 	l->unbroken[class] = feed * fmax(1 - selected, 0);
@@ -41,20 +41,20 @@ mass_balance_add_class(
 		l->arrived[i] += feed * product[i];
 }
 
-struct ledger
-ledger_new(const struct psd *feed, const struct params *p,
+struct mass_balance
+mass_balance_new(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v)
 {
 	size_t n = feed->n;
-	struct ledger l = {.n = n,
-	    .feed = xdoubles(n),
-	    .unbroken = xdoubles(n),
-	    .within = xdoubles(n),
-	    .left = xdoubles(n),
-	    .arrived = xdoubles(n),
-	    .product = xdoubles(n)};
-	double *S = xdoubles(n), *product = xdoubles(n);
-	predict_selection(feed, p, settings, v, S);
+	struct mass_balance l = {.n = n,
+	    .feed = xcalloc_doubles(n),
+	    .unbroken = xcalloc_doubles(n),
+	    .within = xcalloc_doubles(n),
+	    .left = xcalloc_doubles(n),
+	    .arrived = xcalloc_doubles(n),
+	    .product = xcalloc_doubles(n)};
+	double *S = xcalloc_doubles(n), *product = xcalloc_doubles(n);
+	predict_selection_of_classes(feed, p, settings, v, S);
 	for (size_t i = 0; i < n; i++) {
 		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
 		l.feed[i] = feed->passing[i] - finer;
@@ -69,7 +69,7 @@ ledger_new(const struct psd *feed, const struct params *p,
 }
 
 void
-ledger_free(struct ledger *l)
+mass_balance_free(struct mass_balance *l)
 {
 	free(l->feed);
 	free(l->unbroken);
@@ -80,7 +80,7 @@ ledger_free(struct ledger *l)
 }
 
 size_t
-ledger_class_of_largest(const double *a, const double *b, size_t n)
+mass_balance_class_of_largest(const double *a, const double *b, size_t n)
 {
 	size_t most = 0;
 	for (size_t i = 1; i < n; i++) {

@@ -15,19 +15,20 @@
  * unbroken: did not break; within: broke but is still in the class; left: broke
  * into finer classes; arrived: came from coarser classes.  Feed and product
  * each add up to 1; left and arrived have equal sums. */
-struct ledger {
+struct mass_balance {
 	size_t n;
 	double *feed, *unbroken, *within, *left, *arrived, *product;
 	double broken; /* of the whole feed */
 };
 
 /* Returns the ledger of the model at tip speed v, m/s, computed class by class
- * (Eq 2 is linear in the feed).  Free with ledger_free. */
-struct ledger ledger_new(const struct psd *feed, const struct params *p,
-    struct model_settings settings, double v);
-void ledger_free(struct ledger *ledger);
+ * (Eq 2 is linear in the feed).  Free with mass_balance_free. */
+struct mass_balance mass_balance_new(const struct psd *feed,
+    const struct params *p, struct model_settings settings, double v);
+void mass_balance_free(struct mass_balance *ledger);
 
 /* Returns the index of the largest of a [n], or of a - b if b is not NULL. */
-size_t ledger_class_of_largest(const double *a, const double *b, size_t n);
+size_t mass_balance_class_of_largest(
+    const double *a, const double *b, size_t n);
 
 #endif

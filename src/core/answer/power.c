@@ -14,7 +14,7 @@ static const double READING_ERROR = 0.02;
 enum { EXPONENTS = 17, FACTORS = 64, TRIED = EXPONENTS * FACTORS };
 
 double
-power_kinetic(double speed, double tph)
+power_to_accelerate_rock(double speed, double tph)
 {
 	/* m2/s2 times t/h, which are 1 / 3.6 kg/s; W to kW. */
 	return speed * speed * tph / 3.6 / 1000;
@@ -28,15 +28,16 @@ struct trial {
 };
 
 static void
-fit_idle(struct trial *t, const struct power *p, const struct reading *reading)
+fit_idle_power(
+    struct trial *t, const struct power *p, const struct reading *reading)
 {
 	double xx = 0, xy = 0, yy = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		const struct reading *r = &reading[i];
 		double sd = READING_ERROR * r->kw,
 		       x = pow(r->speed / p->at, t->exponent) / sd,
-		       y = (r->kw -
-			       t->factor * power_kinetic(r->speed, r->tph)) /
+		       y = (r->kw - t->factor * power_to_accelerate_rock(
+						    r->speed, r->tph)) /
 			   sd;
 		xx += x * x;
 		xy += x * y;
@@ -49,16 +50,17 @@ fit_idle(struct trial *t, const struct power *p, const struct reading *reading)
 
 /* The factors that are tried: from 1 to that of a reading without idle. */
 static void
-range_of_factors(
+range_of_trial_factors(
     struct power *p, const struct reading *reading, double range[2])
 {
 	double top = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		p->at += reading[i].speed / (double)p->n;
 		if (reading[i].tph > 0)
-			top = fmax(
-			    top, reading[i].kw / power_kinetic(reading[i].speed,
-						     reading[i].tph));
+			top =
+			    fmax(top, reading[i].kw / power_to_accelerate_rock(
+							  reading[i].speed,
+							  reading[i].tph));
 	}
 	p->least = !(top > 0);
 	p->below = !p->least && top < 1;
@@ -90,7 +92,8 @@ weights_of_trials(const struct power *p, struct trial *t, double *weight)
 /* Draws at even steps of the weights, with the idle at the places of a golden
  * section within what it can be: the same at each call. */
 static void
-power_put_draws(struct power *p, const struct trial *t, const double *weight)
+fill_draws_from_trials(
+    struct power *p, const struct trial *t, const double *weight)
 {
 	const double golden = 0.6180339887498949;
 	double until = weight[0];
@@ -111,16 +114,16 @@ fit_draws_of_power(struct power *p, const struct reading *reading)
 {
 	struct trial t[TRIED];
 	double range[2], weight[TRIED];
-	range_of_factors(p, reading, range);
+	range_of_trial_factors(p, reading, range);
 	for (size_t k = 0; k < TRIED; k++) {
 		double e = (double)(k / FACTORS) / (EXPONENTS - 1),
 		       f = ((double)(k % FACTORS) + 0.5) / FACTORS;
 		t[k].exponent = 1 + 2 * e;
 		t[k].factor = range[0] + f * (range[1] - range[0]);
-		fit_idle(&t[k], p, reading);
+		fit_idle_power(&t[k], p, reading);
 	}
 	weights_of_trials(p, t, weight);
-	power_put_draws(p, t, weight);
+	fill_draws_from_trials(p, t, weight);
 }
 
 struct power
@@ -135,9 +138,9 @@ power_fit(const struct reading *reading, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		double off = reading[i].kw;
 		for (size_t d = 0; d < POWER_DRAWS; d++)
-			off -=
-			    power_at(&p, d, reading[i].speed, reading[i].tph) /
-			    POWER_DRAWS;
+			off -= size_to_alpha_at(
+				   &p, d, reading[i].speed, reading[i].tph) /
+			       POWER_DRAWS;
 		p.rms += off * off / (double)n;
 	}
 	p.rms = sqrt(p.rms);
@@ -158,15 +161,16 @@ power_falls_with_speed(const struct reading *reading, size_t n)
 }
 
 double
-power_idle(const struct power *p, size_t draw, double speed)
+power_idle_of_draw(const struct power *p, size_t draw, double speed)
 {
 	const struct power_draw *d = &p->draw[draw % POWER_DRAWS];
 	return d->idle > 0 ? d->idle * pow(speed / p->at, d->exponent) : 0;
 }
 
 double
-power_at(const struct power *p, size_t draw, double speed, double tph)
+size_to_alpha_at(const struct power *p, size_t draw, double speed, double tph)
 {
-	return power_idle(p, draw, speed) +
-	       p->draw[draw % POWER_DRAWS].factor * power_kinetic(speed, tph);
+	return power_idle_of_draw(p, draw, speed) +
+	       p->draw[draw % POWER_DRAWS].factor *
+		   power_to_accelerate_rock(speed, tph);
 }

@@ -18,7 +18,7 @@ struct reading {
  * that brings a mass flow Q from rest to its tip speed needs the torque Q v r
  * (Euler).  Half of that power leaves as kinetic energy; half is lost inside
  * the rotor. */
-double power_kinetic(double speed, double tph);
+double power_to_accelerate_rock(double speed, double tph);
 
 /* P = idle (v / at)^exponent + factor Q v^2: draws consistent with readings
  * whose errors are 2 %, or their scatter if larger.  Uniform priors: idle from
@@ -44,7 +44,8 @@ bool power_falls_with_speed(const struct reading *reading, size_t n);
 
 /* Return the power in a draw, kW, and its idle part.  draw is used modulo
  * POWER_DRAWS. */
-double power_at(const struct power *p, size_t draw, double speed, double tph);
-double power_idle(const struct power *p, size_t draw, double speed);
+double size_to_alpha_at(
+    const struct power *p, size_t draw, double speed, double tph);
+double power_idle_of_draw(const struct power *p, size_t draw, double speed);
 
 #endif

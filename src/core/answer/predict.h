@@ -12,10 +12,11 @@
 #include "core/psd/site.h"
 
 /* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers, or of site->shown.  curve: the product at predict_sizes, off
- * which sizes are read linearly in log size (D20).  model [product.n]: the
- * product of the model alone.  low, high [product.n], range: the band; NULL and
- * NAN without one.  Sizes are in m; NAN if outside the sieves. */
+ * the feed covers, or of site->shown.  curve: the product at
+ * predict_table_sizes, off which sizes are read linearly in log size (D20).
+ * model [product.n]: the product of the model alone.  low, high [product.n],
+ * range: the band; NULL and NAN without one.  Sizes are in m; NAN if outside
+ * the sieves. */
 struct prediction {
 	double speed;    /* m/s */
 	double energy;   /* J/kg */
@@ -43,24 +44,25 @@ void prediction_free(struct prediction *prediction);
 
 /* Returns the site's sieves that the feed covers and the sieves of site->shown,
  * coarsest first; passings are 0.  Free with psd_free. */
-struct psd predict_sizes(const struct site *site, const struct psd *feed);
+struct psd predict_table_sizes(const struct site *site, const struct psd *feed);
 
 /* Returns the quantities that predict_table reads, of the whole product or of a
  * fraction, [*n].  The caller frees it. */
-struct quantity *predict_quantities(const struct site *site,
+struct quantity *predict_table_quantities(const struct site *site,
     const struct psd *feed, const struct fraction *fraction, size_t *n);
 
-/* Returns the table of a response opened for predict_quantities, at its speed,
- * with the band of the middle `level` of the draws, if it has draws.  feed_run:
- * the run whose feed is used, or SITE_MEAN_FEED, see site_feed.  Free with
- * prediction_free. */
+/* Returns the table of a response opened for predict_table_quantities, at its
+ * speed, with the band of the middle `level` of the draws, if it has draws.
+ * feed_run: the run whose feed is used, or SITE_MEAN_FEED, see
+ * site_feed_of_run.  Free with prediction_free. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct response *r, double level);
 
 /* As predict_table, but for the model alone and the whole product.  Cannot
  * fail. */
-struct prediction predict(const struct site *site, const struct params *p,
-    struct model_settings settings, double speed, size_t feed_run);
+struct prediction predict_with_model_alone(const struct site *site,
+    const struct params *p, struct model_settings settings, double speed,
+    size_t feed_run);
 
 /* Removes the band and keeps the answer. */
 void prediction_drop_band(struct prediction *p);
@@ -71,11 +73,12 @@ void prediction_drop_band(struct prediction *p);
  * `selected`.  Method continuous: the mean of Eq 3 over the class, uniform in
  * log size, and 0 in the pan, which never breaks; classes: Eq 3 at the size of
  * the class. */
-void predict_selection(const struct psd *feed, const struct params *p,
-    struct model_settings settings, double speed, double *S);
+void predict_selection_of_classes(const struct psd *feed,
+    const struct params *p, struct model_settings settings, double speed,
+    double *S);
 
 /* True if the speed is outside the speeds of the runs marked in train. */
-bool predict_extrapolates(
+bool predict_is_extrapolation(
     const struct site *site, const bool *train, double speed);
 
 #endif

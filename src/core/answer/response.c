@@ -43,19 +43,19 @@ struct response {
 
 /* The sizes of both lists, coarsest first. */
 static double *
-all_sizes(const struct psd *feed, const double *size, size_t *n,
+merge_sizes(const struct psd *feed, const double *size, size_t *n,
     const struct quantity *asked, size_t n_asked)
 {
-	double *all = xdoubles(*n + n_asked * QUANTITY_POINTS);
+	double *all = xcalloc_doubles(*n + n_asked * QUANTITY_POINTS);
 	memcpy(all, size, *n * sizeof *size);
 	for (size_t i = 0; i < n_asked; i++) {
 		double point[QUANTITY_POINTS];
-		size_t more = quantity_points(&asked[i], point);
+		size_t more = quantity_sizes_needed(&asked[i], point);
 		for (size_t k = 0; k < more; k++)
-			if (psd_covers(feed, point[k]))
+			if (psd_covers_size(feed, point[k]))
 				all[(*n)++] = point[k];
 	}
-	*n = psd_sort(all, *n, 0);
+	*n = psd_sort_distinct_sizes(all, *n, 0);
 	return all;
 }
 
@@ -100,7 +100,7 @@ static size_t
 row_of_passing(const struct quantity *q, const double *size, size_t n)
 {
 	size_t k = 0;
-	if (q->kind != QUANTITY_PASSING || fraction_screens(&q->fraction))
+	if (q->kind != QUANTITY_PASSING || fraction_is_screened(&q->fraction))
 		return n;
 	while (k < n && size[k] != q->x)
 		k++;
@@ -114,7 +114,7 @@ response_new(const struct psd *feed, const double *size, size_t n,
 {
 	struct response *r = xcalloc(1, sizeof *r);
 	size_t n_sieve = n;
-	double *all = all_sizes(feed, size, &n, asked, n_asked);
+	double *all = merge_sizes(feed, size, &n, asked, n_asked);
 	*r =
 	    (struct response){.model = model_new(feed, size, n_sieve, settings),
 		.params = *p,
@@ -123,14 +123,14 @@ response_new(const struct psd *feed, const double *size, size_t n,
 		.alone_speed = NAN,
 		.of = ENSEMBLE_ANSWER,
 		.above = xcalloc(n, sizeof *r->above),
-		.share = xdoubles(n),
-		.sieve = xdoubles(n_sieve),
+		.share = xcalloc_doubles(n),
+		.sieve = xcalloc_doubles(n_sieve),
 		.n_sieve = n_sieve,
 		.n = n_asked,
 		.asked = xcalloc(n_asked, sizeof *asked),
 		.kept = xcalloc(n_asked, sizeof *r->kept),
 		.row = xcalloc(n_asked, sizeof *r->row),
-		.value = xdoubles(n_asked),
+		.value = xcalloc_doubles(n_asked),
 		.draw = xcalloc(n_asked, sizeof *r->draw),
 		.part = psd_new(n)};
 	model_use_params(r->model, p);
@@ -142,10 +142,11 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
 		r->row[i] = row_of_passing(&asked[i], all, n);
-		if (!fraction_screens(&asked[i].fraction))
+		if (!fraction_is_screened(&asked[i].fraction))
 			continue;
-		r->kept[i] = xdoubles(n);
-		fraction_classes(&asked[i].fraction, all, n, r->kept[i]);
+		r->kept[i] = xcalloc_doubles(n);
+		fraction_kept_of_classes(
+		    &asked[i].fraction, all, n, r->kept[i]);
 	}
 	free(all);
 	return r;
@@ -183,14 +184,14 @@ quantity_of_curve(struct response *r, size_t i, const struct psd *curve)
 	if (r->row[i] < curve->n)
 		return curve->passing[r->row[i]];
 	if (r->kept[i] == NULL)
-		return quantity_read(&r->asked[i], curve, 1);
-	double share = screening_part(curve, r->kept[i], &r->part);
-	return quantity_read(&r->asked[i], &r->part, share);
+		return quantity_read_off_curve(&r->asked[i], curve, 1);
+	double share = screening_screen_product(curve, r->kept[i], &r->part);
+	return quantity_read_off_curve(&r->asked[i], &r->part, share);
 }
 
 /* The curve of draw d. */
 static void
-curve_of_draw(const struct response *r, size_t d, struct psd *curve)
+fill_curve_of_draw(const struct response *r, size_t d, struct psd *curve)
 {
 	const double *P = ensemble_products(r->ensemble, r->of) + d;
 	interpolate_curve(r, P, DRAWS, curve);
@@ -198,7 +199,7 @@ curve_of_draw(const struct response *r, size_t d, struct psd *curve)
 
 /* The same of one size, for all draws. */
 static void
-response_take_row(const struct response *r, size_t k, double *draw)
+response_copy_row_of_draws(const struct response *r, size_t k, double *draw)
 {
 	const double *P = ensemble_products(r->ensemble, r->of);
 	const double *above = P + r->above[k] * DRAWS, *below = above + DRAWS;
@@ -230,8 +231,8 @@ compute_answer_at(struct response *r, double v)
 		memcpy(r->product.passing, curve_of_model(r)->passing,
 		    r->product.n * sizeof *r->product.passing);
 	} else {
-		ensemble_at(r->ensemble, v);
-		ensemble_mean(r->ensemble, r->sieve);
+		ensemble_set_speed(r->ensemble, v);
+		ensemble_mean_answer(r->ensemble, r->sieve);
 		interpolate_curve(r, r->sieve, 1, &r->product);
 	}
 	for (size_t i = 0; i < r->n; i++)
@@ -244,14 +245,14 @@ response_read_draws(struct response *r)
 	bool curves = false;
 	for (size_t i = 0; i < r->n; i++) {
 		if (r->draw[i] == NULL)
-			r->draw[i] = xdoubles(DRAWS);
+			r->draw[i] = xcalloc_doubles(DRAWS);
 		if (r->row[i] < r->product.n)
-			response_take_row(r, r->row[i], r->draw[i]);
+			response_copy_row_of_draws(r, r->row[i], r->draw[i]);
 		else
 			curves = true;
 	}
 	for (size_t d = 0; d < DRAWS && curves; d++) {
-		curve_of_draw(r, d, &r->curve);
+		fill_curve_of_draw(r, d, &r->curve);
 		for (size_t i = 0; i < r->n; i++)
 			if (r->row[i] >= r->product.n)
 				r->draw[i][d] =
@@ -260,7 +261,7 @@ response_read_draws(struct response *r)
 }
 
 void
-response_at(
+response_set_speed(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v)
 {
 	r->ensemble = e;
@@ -277,13 +278,13 @@ response_quantity(const struct response *r, size_t i)
 }
 
 double
-response_value(const struct response *r, size_t i)
+response_value_of_quantity(const struct response *r, size_t i)
 {
 	return r->value[i];
 }
 
 double
-response_model(struct response *r, size_t i)
+response_value_of_model(struct response *r, size_t i)
 {
 	return quantity_of_curve(r, i, curve_of_model(r));
 }
@@ -297,11 +298,11 @@ response_speed(const struct response *r)
 double
 response_break_size(const struct response *r)
 {
-	return params_break_size_by(&r->params, &r->settings, r->speed);
+	return params_break_size_by_impacts(&r->params, &r->settings, r->speed);
 }
 
 void
-response_break_band(
+response_break_size_band(
     const struct response *r, double level, double range[static 2])
 {
 	const struct posterior *p =
@@ -309,26 +310,26 @@ response_break_band(
 	double draw[DRAWS];
 	range[0] = range[1] = NAN;
 	for (size_t d = 0; d < DRAWS && p != NULL; d++)
-		draw[d] = params_break_size_by(
+		draw[d] = params_break_size_by_impacts(
 		    &p->draw[d].params, &p->settings, r->speed);
 	if (p != NULL)
-		ensemble_interval(draw, level, &range[0], &range[1]);
+		ensemble_middle_interval(draw, level, &range[0], &range[1]);
 }
 
 double
-response_selected(struct response *r)
+response_share_selected(struct response *r)
 {
-	return model_selected(r->model, r->speed);
+	return model_share_selected(r->model, r->speed);
 }
 
 bool
-response_breaks(struct response *r)
+response_breaks_feed(struct response *r)
 {
-	return model_breaks(r->model, r->speed);
+	return model_breaks_feed(r->model, r->speed);
 }
 
 const double *
-response_draws(const struct response *r, size_t i)
+response_draws_of_quantity(const struct response *r, size_t i)
 {
 	return r->draw[i];
 }
@@ -339,34 +340,34 @@ excess_of_curve(struct response *r, size_t i, double limit, double value,
     const struct psd *curve)
 {
 	const struct quantity *q = &r->asked[i];
-	if (!quantity_excess_reads_curve(q))
-		return quantity_excess(q, limit, value, NULL);
+	if (!quantity_excess_needs_curve(q))
+		return quantity_excess_over_limit(q, limit, value, NULL);
 	if (r->kept[i] == NULL)
-		return quantity_excess(q, limit, value, curve);
-	screening_part(curve, r->kept[i], &r->part);
-	return quantity_excess(q, limit, value, &r->part);
+		return quantity_excess_over_limit(q, limit, value, curve);
+	screening_screen_product(curve, r->kept[i], &r->part);
+	return quantity_excess_over_limit(q, limit, value, &r->part);
 }
 
 double
-response_excess(struct response *r, size_t i, double limit)
+response_excess_over_limit(struct response *r, size_t i, double limit)
 {
 	return excess_of_curve(r, i, limit, r->value[i], &r->product);
 }
 
 void
-response_excess_draws(struct response *r, size_t i, double limit,
+response_excess_of_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++) {
-		if (quantity_excess_reads_curve(&r->asked[i]))
-			curve_of_draw(r, d, &r->curve);
+		if (quantity_excess_needs_curve(&r->asked[i]))
+			fill_curve_of_draw(r, d, &r->curve);
 		over[d] =
 		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);
 	}
 }
 
 void
-response_band(
+response_band_of_quantity(
     const struct response *r, size_t i, double level, double range[static 2])
 {
 	double to_hold = r->of == ENSEMBLE_ANSWER ? r->value[i] : NAN;
@@ -377,10 +378,10 @@ response_band(
 }
 
 struct psd
-response_screened(const struct response *r, size_t i)
+response_screened_curve(const struct response *r, size_t i)
 {
 	struct psd part = psd_copy(&r->product);
 	if (r->kept[i] != NULL)
-		screening_part(&r->product, r->kept[i], &part);
+		screening_screen_product(&r->product, r->kept[i], &part);
 	return part;
 }

@@ -22,18 +22,20 @@ const struct drift_rule DRIFT_RULE = {
 static const double ROUNDING = 0.0005;
 
 void
-drift_known_error(double noise, const double *passing, size_t n, double *error)
+drift_covariance_of_known_error(
+    double noise, const double *passing, size_t n, double *error)
 {
 	for (size_t i = 0; i < n; i++)
 		for (size_t j = 0; j < n; j++) {
-			double sd = noise * discrepancy_h(passing[i]);
+			double sd =
+			    noise * discrepancy_scale_at_passing(passing[i]);
 			error[i * n + j] =
 			    i == j ? sd * sd + ROUNDING * ROUNDING : 0;
 		}
 }
 
 void
-drift_error(const struct posterior *p, const double *size,
+drift_covariance_of_errors(const struct posterior *p, const double *size,
     const double *passing, size_t n, double *error)
 {
 	for (size_t i = 0; i < n; i++)
@@ -43,11 +45,13 @@ drift_error(const struct posterior *p, const double *size,
 			for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
 				const double *hyper = p->draw[d].hyper;
 				double own = hyper[HYPER_OWN];
-				sum += discrepancy_shared(apart, hyper) +
+				sum += discrepancy_shared_covariance(
+					   apart, hyper) +
 				       (i == j ? own * own : 0);
 			}
-			sum *= discrepancy_h(passing[i]) *
-			       discrepancy_h(passing[j]) / POSTERIOR_DRAWS;
+			sum *= discrepancy_scale_at_passing(passing[i]) *
+			       discrepancy_scale_at_passing(passing[j]) /
+			       POSTERIOR_DRAWS;
 			if (i == j)
 				sum += ROUNDING * ROUNDING;
 			error[i * n + j] = error[j * n + i] = sum;
@@ -65,12 +69,12 @@ control_chart_dot(const double *a, const double *b, size_t n)
 
 /* A component of a sample: the weight of each sieve, and the values that the
  * draws give it, minus their mean. */
-struct weighed {
+struct component {
 	double *weight, *draw;
 };
 
 static void
-fill_values_of_draws(const struct drift_cut *c, struct weighed *w)
+fill_values_of_draws(const struct drift_cut *c, struct component *w)
 {
 	double mean = 0;
 	for (size_t d = 0; d < c->n_draw; d++) {
@@ -85,15 +89,16 @@ fill_values_of_draws(const struct drift_cut *c, struct weighed *w)
 }
 
 static double
-shared_covariance(const struct weighed *a, const struct weighed *b, size_t n)
+shared_covariance(
+    const struct component *a, const struct component *b, size_t n)
 {
 	return n > 0 ? control_chart_dot(a->draw, b->draw, n) / (double)n : 0;
 }
 
 /* Returns the covariance of two components of a sample. */
 static double
-control_chart_covariance(
-    const struct drift_cut *c, const struct weighed *a, const struct weighed *b)
+control_chart_covariance(const struct drift_cut *c, const struct component *a,
+    const struct component *b)
 {
 	double sum = shared_covariance(a, b, c->n_draw);
 	for (size_t i = 0; i < c->n; i++)
@@ -105,7 +110,7 @@ control_chart_covariance(
 /* Computes the weights that give the slope of the regression line, times the
  * range of ln size; 0 for a single sieve. */
 static void
-tilt_weights(const struct drift_cut *c, double *weight)
+fill_tilt_weights(const struct drift_cut *c, double *weight)
 {
 	double mean = 0, squares = 0;
 	for (size_t i = 0; i < c->n; i++)
@@ -120,17 +125,17 @@ tilt_weights(const struct drift_cut *c, double *weight)
 }
 
 static void
-control_chart_weights(
-    const struct drift_cut *c, struct weighed w[static DRIFT_COMPONENTS])
+fill_component_weights(
+    const struct drift_cut *c, struct component w[static DRIFT_COMPONENTS])
 {
-	struct weighed *level = &w[DRIFT_LEVEL], *tilt = &w[DRIFT_TILT];
+	struct component *level = &w[DRIFT_LEVEL], *tilt = &w[DRIFT_TILT];
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
-		w[k].weight = xdoubles(c->n);
-		w[k].draw = xdoubles(c->n_draw);
+		w[k].weight = xcalloc_doubles(c->n);
+		w[k].draw = xcalloc_doubles(c->n_draw);
 	}
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
-	tilt_weights(c, tilt->weight);
+	fill_tilt_weights(c, tilt->weight);
 	fill_values_of_draws(c, level);
 	fill_values_of_draws(c, tilt);
 	double share = control_chart_covariance(c, level, tilt) /
@@ -144,12 +149,13 @@ control_chart_weights(
 /* Returns the factor, in the upper triangle, of the covariance of a component's
  * values [n * n]; w [n * DRIFT_COMPONENTS]. */
 static double *
-factor_of_component(const struct drift_cut *cut, const struct weighed *w,
+factor_of_component(const struct drift_cut *cut, const struct component *w,
     size_t n, size_t component)
 {
-	double *U = xdoubles(n * n);
+	double *U = xcalloc_doubles(n * n);
 	for (size_t i = 0; i < n; i++) {
-		const struct weighed *a = &w[i * DRIFT_COMPONENTS + component];
+		const struct component *a =
+		    &w[i * DRIFT_COMPONENTS + component];
 		for (size_t j = 0; j < i; j++)
 			U[j * n + i] = shared_covariance(a,
 			    &w[j * DRIFT_COMPONENTS + component],
@@ -193,7 +199,7 @@ drift_state_of_sides(const int side[static DRIFT_COMPONENTS])
 /* Returns the sample after the last one at which the CUSUM that signals at
  * sample i was 0. */
 static size_t
-cusum_start(const struct drift_point *point, size_t i)
+find_cusum_start(const struct drift_point *point, size_t i)
 {
 	enum drift_state state = point[i].state;
 	size_t k = state == DRIFT_COARSER || state == DRIFT_FINER ? DRIFT_LEVEL
@@ -239,11 +245,11 @@ size_t
 drift_run_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since)
 {
-	struct weighed *w = xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
+	struct component *w = xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
 	double *U[DRIFT_COMPONENTS];
 	size_t first = n;
 	for (size_t i = 0; i < n; i++)
-		control_chart_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
+		fill_component_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
 		U[k] = factor_of_component(cut, w, n, k);
 	*since = n;
@@ -251,7 +257,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 		int side[DRIFT_COMPONENTS];
 		for (size_t k = 0; k < DRIFT_COMPONENTS; k++) {
 			struct drift_chart *c = &point[i].chart[k];
-			const struct weighed *own =
+			const struct component *own =
 			    &w[i * DRIFT_COMPONENTS + k];
 			*c = i > 0 ? point[i - 1].chart[k]
 				   : (struct drift_chart){0};
@@ -275,7 +281,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 		point[i].state = drift_state_of_sides(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
 			first = i;
-			*since = cusum_start(point, i);
+			*since = find_cusum_start(point, i);
 		}
 	}
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
@@ -289,12 +295,13 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 }
 
 double
-drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
+drift_mean_run_length(
+    const struct drift_rule *rule, double shift, uint64_t seed)
 {
 	enum { SEQUENCES = 2000, LONGEST = 20000, USE = 1 << 22 };
 	double sum = 0;
 	for (uint64_t q = 0; q < SEQUENCES; q++) {
-		struct rng_key key = rng_key(seed, q, USE);
+		struct rng_key key = rng_make_key(seed, q, USE);
 		struct drift_chart chart[DRIFT_COMPONENTS] = {{0}};
 		bool signal = false;
 		size_t n = 0;
@@ -316,7 +323,7 @@ drift_run_length(const struct drift_rule *rule, double shift, uint64_t seed)
 /* A level that is followed.  error, actual: the standard deviation of a
  * sample's error, by the posterior and in truth.  mean, variance: what is known
  * of the true level, which narrows with each sample. */
-struct level {
+struct simulated_level {
 	double error, actual, mean, variance, squares;
 	size_t known;
 	struct drift_chart chart;
@@ -324,7 +331,8 @@ struct level {
 
 /* Takes a sample.  True if the chart signals. */
 static bool
-follow_level(struct level *l, const struct drift_rule *r, double value)
+update_level_charts(
+    struct simulated_level *l, const struct drift_rule *r, double value)
 {
 	double sum = l->variance + l->error * l->error;
 	double share = l->variance / sum;
@@ -341,13 +349,14 @@ follow_level(struct level *l, const struct drift_rule *r, double value)
  * before; LONGEST + 1 if it never does. */
 enum { LONGEST = 200 };
 static size_t
-samples_until_signal(const struct drift_rule *rule, struct level l,
-    size_t quiet, double shift, struct rng_key key)
+simulate_samples_until_signal(const struct drift_rule *rule,
+    struct simulated_level l, size_t quiet, double shift, struct rng_key key)
 {
 	double truth = sqrt(l.variance) * rng_normal(key, 0);
 	for (uint32_t at = 1; at <= quiet + LONGEST; at++) {
 		double value = truth + l.actual * rng_normal(key, at);
-		if (follow_level(&l, rule, at > quiet ? value + shift : value))
+		if (update_level_charts(
+			&l, rule, at > quiet ? value + shift : value))
 			return at > quiet ? at - quiet : 0;
 	}
 	return LONGEST + 1;
@@ -363,14 +372,14 @@ drift_detection_delay(const struct drift_rule *rule,
 	double squares = rule->cuts;
 	for (size_t j = 0; j < known; j++)
 		squares += pow(point[j].chart[DRIFT_LEVEL].off, 2);
-	struct level l = {.error = last->error,
+	struct simulated_level l = {.error = last->error,
 	    .actual =
 		last->error * sqrt(squares / (rule->cuts + (double)known)),
 	    .variance = last->truth * last->truth};
 	size_t after[LONGEST + 2] = {0}, all = 0, sum = 0, median = 1;
 	for (uint64_t q = 0; q < SEQUENCES; q++)
-		after[samples_until_signal(
-		    rule, l, known, shift, rng_key(seed, q, USE))]++;
+		after[simulate_samples_until_signal(
+		    rule, l, known, shift, rng_make_key(seed, q, USE))]++;
 	all = SEQUENCES - after[0];
 	while (median <= LONGEST && 2 * (sum + after[median]) <= all)
 		sum += after[median++];

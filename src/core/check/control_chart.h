@@ -78,7 +78,7 @@ size_t drift_run_charts(const struct drift_cut *cut, size_t n,
 /* Returns the mean number of samples to the first signal of any chart after the
  * level has shifted by `shift` standard deviations, over 2000 simulated
  * sequences.  Sequences longer than 20000 count as 20000. */
-double drift_run_length(
+double drift_mean_run_length(
     const struct drift_rule *rule, double shift, uint64_t seed);
 
 /* Returns the median number of samples to the first signal of the level if the
@@ -90,13 +90,13 @@ double drift_detection_delay(const struct drift_rule *rule,
     const struct drift_point *point, size_t n, size_t known, double shift,
     uint64_t seed);
 
-/* drift_error computes the covariance, error [n * n], of the errors of one
- * sample of a product with passing [n] at size [n], averaged over the draws.
- * drift_known_error does so for independent errors with a standard deviation of
- * 2 noise sqrt(P (1 - P)) at each sieve. */
-void drift_error(const struct posterior *p, const double *size,
+/* drift_covariance_of_errors computes the covariance, error [n * n], of the
+ * errors of one sample of a product with passing [n] at size [n], averaged over
+ * the draws. drift_covariance_of_known_error does so for independent errors
+ * with a standard deviation of 2 noise sqrt(P (1 - P)) at each sieve. */
+void drift_covariance_of_errors(const struct posterior *p, const double *size,
     const double *passing, size_t n, double *error);
-void drift_known_error(
+void drift_covariance_of_known_error(
     double noise, const double *passing, size_t n, double *error);
 
 #endif

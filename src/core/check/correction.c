@@ -11,7 +11,7 @@
 #include "base/xalloc.h"
 
 static struct psd *
-correction_column(const struct site *site, const struct mend *m)
+column_of_mend(const struct site *site, const struct mend *m)
 {
 	struct run *run = &site->run[m->run];
 	return m->feed ? &run->feed : &run->product;
@@ -31,7 +31,7 @@ index_of_mended_sieve(const struct psd *psd, double size)
 /* ---- Words ---- */
 
 char *
-mend_column(const struct site *site, bool feed, size_t run)
+mend_column_name(const struct site *site, bool feed, size_t run)
 {
 	const struct run *r = &site->run[run];
 	const char *repeat = r->repeat;
@@ -49,7 +49,7 @@ mend_find_column(
 		*feed = i % 2 == 0;
 		*run = i / 2;
 		const struct run *r = &site->run[*run];
-		char *own = mend_column(site, *feed, *run);
+		char *own = mend_column_name(site, *feed, *run);
 		bool same = strcmp(own, name) == 0;
 		free(own);
 		if (same && (*feed || r->product.n > 0))
@@ -60,18 +60,18 @@ mend_find_column(
 
 /* Returns a passing in per cent, with as many digits as were written. */
 static char *
-correction_percent(double passing)
+percent_text(double passing)
 {
 	return xasprintf("%.6g", 100 * passing);
 }
 
 static char *
-words_of_cell(const struct site *site, const struct mend *m, const char *name)
+text_of_cell(const struct site *site, const struct mend *m, const char *name)
 {
-	const struct psd *psd = correction_column(site, m);
+	const struct psd *psd = column_of_mend(site, m);
 	size_t i = index_of_mended_sieve(psd, m->size);
-	char *was = correction_percent(i < psd->n ? psd->passing[i] : NAN);
-	char *now = correction_percent(m->value);
+	char *was = percent_text(i < psd->n ? psd->passing[i] : NAN);
+	char *now = percent_text(m->value);
 	char *words =
 	    xasprintf(tr("%s at %g mm: %s %s%s"), name, 1000 * m->size, was,
 		m->kind == MEND_READ ? tr("read as ") : tr("left out"),
@@ -82,15 +82,16 @@ words_of_cell(const struct site *site, const struct mend *m, const char *name)
 }
 
 char *
-mend_words(const struct site *site, const struct mend *m)
+mend_text(const struct site *site, const struct mend *m)
 {
-	char *name = mend_column(site, m->feed, m->run), *words;
-	char *with = m->kind == MEND_SWAP ? mend_column(site, true, m->run)
-					  : mend_column(site, false, m->other);
+	char *name = mend_column_name(site, m->feed, m->run), *words;
+	char *with = m->kind == MEND_SWAP
+			 ? mend_column_name(site, true, m->run)
+			 : mend_column_name(site, false, m->other);
 	switch (m->kind) {
 	case MEND_READ:
 	case MEND_OUT:
-		words = words_of_cell(site, m, name);
+		words = text_of_cell(site, m, name);
 		break;
 	case MEND_SWAP:
 	case MEND_WITH:
@@ -130,7 +131,7 @@ drop_cell(struct run *run, struct psd *psd, size_t i)
 }
 
 static void
-exchange_curves(struct psd *a, struct psd *b)
+swap_curves(struct psd *a, struct psd *b)
 {
 	struct psd was = *a;
 	*a = *b;
@@ -140,10 +141,11 @@ exchange_curves(struct psd *a, struct psd *b)
 /* Moves each passing to the next coarser or finer sieve of the site.  If there
  * is no such sieve, the passing is left out. */
 static void
-move_column(const struct site *site, struct run *run, struct psd *psd, bool up)
+shift_column_by_a_sieve(
+    const struct site *site, struct run *run, struct psd *psd, bool up)
 {
 	size_t n;
-	double *size = site_sieves(site, &n);
+	double *size = site_all_sieves(site, &n);
 	for (size_t i = psd->n; i-- > 0;) {
 		size_t k = 0;
 		while (k < n && size[k] != psd->size[i])
@@ -171,7 +173,7 @@ apply_mend_to_column(
 		break;
 	case MEND_UP:
 	case MEND_DOWN:
-		move_column(from, run, psd, m->kind == MEND_UP);
+		shift_column_by_a_sieve(from, run, psd, m->kind == MEND_UP);
 		break;
 	case MEND_SCALE:
 		for (i = 0; i < psd->n; i++)
@@ -194,7 +196,7 @@ static void
 swap_feed_with_product(struct site *site, size_t at)
 {
 	struct run *run = &site->run[at];
-	exchange_curves(&run->feed, &run->product);
+	swap_curves(&run->feed, &run->product);
 	drop_standard_deviations(run);
 	for (size_t r = 0; r < site->n_run && !site->individual_feeds; r++) {
 		if (r == at)
@@ -242,7 +244,7 @@ has_valid_curves(const struct site *site)
 /* The first clause, which results show, says that there are mends; the end
  * lists them. */
 static void
-add_provenance(
+add_mend_to_provenance(
     struct site *site, const struct site *from, const struct mend *mend)
 {
 	static const char mark[] = ", mended";
@@ -250,7 +252,7 @@ add_provenance(
 	    from->provenance[0] != '\0' ? from->provenance : "not stated";
 	size_t n = strcspn(was, ";"), m = strlen(mark);
 	bool marked = n >= m && strncmp(was + n - m, mark, m) == 0;
-	char *words = mend_words(from, mend);
+	char *words = mend_text(from, mend);
 	char *first = xstrndup(was, n);
 	free(site->provenance);
 	site->provenance = xasprintf(
@@ -266,7 +268,7 @@ apply_mend(struct site *site, const struct site *from, const struct mend *m)
 	if (m->kind == MEND_SWAP) {
 		swap_feed_with_product(site, m->run);
 	} else if (m->kind == MEND_WITH) {
-		exchange_curves(
+		swap_curves(
 		    &site->run[m->run].product, &site->run[m->other].product);
 		drop_standard_deviations(&site->run[m->run]);
 		drop_standard_deviations(&site->run[m->other]);
@@ -282,7 +284,7 @@ apply_mend(struct site *site, const struct site *from, const struct mend *m)
 struct site *
 mend_site(const struct site *from, const struct mend *mend, struct error *error)
 {
-	const struct psd *psd = correction_column(from, mend);
+	const struct psd *psd = column_of_mend(from, mend);
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
 	if (cell && index_of_mended_sieve(psd, mend->size) == psd->n) {
 		error_set(error, ERROR_USAGE,
@@ -294,8 +296,8 @@ mend_site(const struct site *from, const struct mend *mend, struct error *error)
 	struct site *site = site_copy(from);
 	apply_mend(site, from, mend);
 	if (has_valid_curves(site)) {
-		add_provenance(site, from, mend);
-		site_update_mean_feed(site);
+		add_mend_to_provenance(site, from, mend);
+		site_update_digest_and_mean_feed(site);
 		return site;
 	}
 	site_free(site);

@@ -39,8 +39,8 @@ struct site *mend_site(
 
 /* Return the name of a column, "product@79", "feed", "product@79(2)", and the
  * mend in words, "product@79 at 2 mm: 69.1 read as 61.9".  The caller frees. */
-char *mend_column(const struct site *site, bool feed, size_t run);
-char *mend_words(const struct site *site, const struct mend *mend);
+char *mend_column_name(const struct site *site, bool feed, size_t run);
+char *mend_text(const struct site *site, const struct mend *mend);
 
 /* Finds the column with that name.  Returns false if there is none. */
 bool mend_find_column(

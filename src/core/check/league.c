@@ -29,7 +29,7 @@ league_aicc(double misfit, size_t cells, size_t parameters)
 size_t
 league_count_fitted(const struct fit *fit, const struct bounds *bounds)
 {
-	size_t gauge = breakage_of(&fit->params)->gauge;
+	size_t gauge = breakage_model_of_params(&fit->params)->gauge;
 	bool scale = gauge > 0;
 	for (size_t j = 0; j < gauge; j++)
 		scale = scale && bounds->lower[j] < bounds->upper[j];
@@ -38,7 +38,7 @@ league_count_fitted(const struct fit *fit, const struct bounds *bounds)
 
 /* Returns the end of the cells that belong to the run of cell `from`. */
 static size_t
-league_run_end(const struct league_cell *cell, size_t n, size_t from)
+end_of_run_cells(const struct league_cell *cell, size_t n, size_t from)
 {
 	size_t to = from;
 	while (to < n && cell[to].run == cell[from].run)
@@ -47,12 +47,13 @@ league_run_end(const struct league_cell *cell, size_t n, size_t from)
 }
 
 double
-league_rmse(const struct league_cell *cell, size_t n, const double *predicted)
+league_rmse_over_runs(
+    const struct league_cell *cell, size_t n, const double *predicted)
 {
 	double sum = 0, runs = 0;
 	for (size_t from = 0, to; from < n; from = to, runs++) {
 		double squares = 0;
-		to = league_run_end(cell, n, from);
+		to = end_of_run_cells(cell, n, from);
 		for (size_t i = from; i < to; i++)
 			squares += pow(predicted[i] - cell[i].measured, 2);
 		sum += squares / (double)(to - from);
@@ -63,14 +64,14 @@ league_rmse(const struct league_cell *cell, size_t n, const double *predicted)
 /* The difference is (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m); an error of
  * m therefore counts -2 (a - b) times. */
 struct league_pair
-league_compare(
+league_compare_errors(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
 	double prior[HYPERS], difference = 0, variance = 0;
 	for (size_t i = 0; i < HYPERS; i++)
 		prior[i] = HYPER[i].median;
 	double own = prior[HYPER_OWN] * prior[HYPER_OWN];
-	double all = own + discrepancy_shared(0, prior);
+	double all = own + discrepancy_shared_covariance(0, prior);
 	for (size_t i = 0; i < n; i++) {
 		double apart = a[i] - b[i];
 		difference += apart * (a[i] + b[i] - 2 * cell[i].measured);
@@ -78,9 +79,10 @@ league_compare(
 		for (size_t j = 0; j < n; j++) {
 			double z = cell[i].log_size - cell[j].log_size;
 			if (cell[i].run == cell[j].run)
-				variance += discrepancy_shared(z, prior) / all *
-					    apart * cell[i].noise *
-					    (a[j] - b[j]) * cell[j].noise;
+				variance +=
+				    discrepancy_shared_covariance(z, prior) /
+				    all * apart * cell[i].noise *
+				    (a[j] - b[j]) * cell[j].noise;
 		}
 	}
 	return (struct league_pair){difference, 2 * sqrt(variance)};
@@ -90,15 +92,17 @@ bool
 league_errs_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
-	struct league_pair p = league_compare(cell, n, a, b);
+	struct league_pair p = league_compare_errors(cell, n, a, b);
 	return p.difference > ERRORS * p.error &&
-	       league_rmse(cell, n, a) > league_rmse(cell, n, b) + LEAST;
+	       league_rmse_over_runs(cell, n, a) >
+		   league_rmse_over_runs(cell, n, b) + LEAST;
 }
 
 bool
-league_misses(const struct league_cell *cell, size_t n, const double *predicted)
+league_misses_held_out_runs(
+    const struct league_cell *cell, size_t n, const double *predicted)
 {
-	double variance = 0, error = league_rmse(cell, n, predicted);
+	double variance = 0, error = league_rmse_over_runs(cell, n, predicted);
 	for (size_t i = 0; i < n; i++)
 		variance += cell[i].noise * cell[i].noise / (double)n;
 	return error > FIT_POOR &&
@@ -153,7 +157,7 @@ do_all_extend_the_smallest(const struct league_model *model, size_t n)
 }
 
 bool
-league_rank(struct league_model *model, size_t n_model,
+league_rank_models(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n)
 {
 	struct league_model *best = find_best_model(model, n_model);

@@ -32,7 +32,7 @@ struct league_cell {
 
 /* Returns the root mean square over the runs of the RMSE of predicted [n], or
  * NAN if there is no cell or a cell has no prediction. */
-double league_rmse(
+double league_rmse_over_runs(
     const struct league_cell *cell, size_t n, const double *predicted);
 
 /* difference: the squared errors of a minus those of b, summed over all cells;
@@ -42,7 +42,7 @@ double league_rmse(
 struct league_pair {
 	double difference, error;
 };
-struct league_pair league_compare(
+struct league_pair league_compare_errors(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
 /* True if the errors of a exceed those of b by more than both twice
@@ -54,7 +54,7 @@ bool league_errs_more(
  * twice the sampling error, which is taken to be FIT_POOR at most, as it is
  * estimated from a misfit.  A model that does describes these runs badly, even
  * if all others are worse. */
-bool league_misses(
+bool league_misses_held_out_runs(
     const struct league_cell *cell, size_t n, const double *predicted);
 
 /* A model to be compared.  model: its index in BREAKAGES.  standing: out. */
@@ -83,7 +83,7 @@ struct league_model {
  * those that remain are the simplest of them and extensions of it, none has a
  * smaller error than the best by more than sampling explains, and none has an
  * AICc more than 10 below the best's. */
-bool league_rank(struct league_model *model, size_t n_model,
+bool league_rank_models(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n);
 
 #endif

@@ -175,7 +175,7 @@ search_hyperparameters(struct block *b, double noise)
 
 /* Frees the cell (sign 1), or holds it again (-1). */
 static void
-free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
+free_or_fix_cell(struct leave_out *l, size_t cell, double sign)
 {
 	const double *u = l->shift + cell * l->n;
 	for (size_t k = 0; k < BLOCKS; k++) {
@@ -192,7 +192,7 @@ free_or_hold_cell(struct leave_out *l, size_t cell, double sign)
 
 /* Returns the error of a feed's passing to which the products respond. */
 static double
-feed_error(const struct leave_out *l)
+feed_error_seen_by_products(const struct leave_out *l)
 {
 	return l->noise > 0 ? l->noise : FEED_OWN;
 }
@@ -200,9 +200,9 @@ feed_error(const struct leave_out *l)
 /* Returns the factor of both blocks with the covariance between them [n n]. The
  * caller frees it. */
 static double *
-joint_factor(struct leave_out *l)
+factor_joint_covariance(struct leave_out *l)
 {
-	double *U = xdoubles(l->n * l->n);
+	double *U = xcalloc_doubles(l->n * l->n);
 	const struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t k = 0; k < BLOCKS; k++) {
 		struct block *b = &l->block[k];
@@ -216,7 +216,8 @@ joint_factor(struct leave_out *l)
 	 * respond is not.  If the former becomes the smaller one, the
 	 * covariance between them shrinks with it; otherwise no set of errors
 	 * could have that covariance. */
-	double own = el_exp(f->hyper[SMOOTH_OWN]) / feed_error(l);
+	double own =
+	    el_exp(f->hyper[SMOOTH_OWN]) / feed_error_seen_by_products(l);
 	for (size_t i = 0; i < f->n; i++)
 		for (size_t j = 0; j < p->n; j++)
 			U[j * l->n + f->first + i] =
@@ -234,13 +235,13 @@ joint_factor(struct leave_out *l)
 
 /* Returns L^-1 y for the whole vector.  The caller frees it. */
 static double *
-standardised_joint_values(const struct leave_out *l, const double *U)
+standardise_joint_values(const struct leave_out *l, const double *U)
 {
-	double *y = xdoubles(l->n);
+	double *y = xcalloc_doubles(l->n);
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(y + l->block[k].first, l->block[k].value,
 		    l->block[k].n * sizeof *y);
-	discrepancy_forward(ISA_BEST, U, l->n, y);
+	discrepancy_solve_lower(ISA_BEST, U, l->n, y);
 	return y;
 }
 
@@ -249,9 +250,9 @@ static double
 z_of_cell(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
 {
-	double *u = xdoubles(l->n), dot = 0, squares = 0;
+	double *u = xcalloc_doubles(l->n), dot = 0, squares = 0;
 	memcpy(u, l->shift + cell * l->n, l->n * sizeof *u);
-	discrepancy_forward(ISA_BEST, U, l->n, u);
+	discrepancy_solve_lower(ISA_BEST, U, l->n, u);
 	for (size_t i = 0; i < l->n; i++) {
 		dot += u[i] * y[i];
 		squares += u[i] * u[i];
@@ -271,7 +272,7 @@ logit(double P)
 /* Sets the expected passing of a cell by its shift.  If values are logarithms,
  * the shift is linear in them. */
 static void
-shift_set_expected(
+fill_expected_passing(
     const struct leave_out *l, struct leave_out_shift *s, double shift)
 {
 	double P = l->passing[s->cell];
@@ -291,9 +292,10 @@ shift_set_expected(
 
 /* Finds the cells with the largest |z|, [CLOSE], and returns their number. */
 static size_t
-find_largest_z(struct leave_out *l, size_t *cell)
+find_cells_of_largest_z(struct leave_out *l, size_t *cell)
 {
-	double *U = joint_factor(l), *y = standardised_joint_values(l, U);
+	double *U = factor_joint_covariance(l),
+	       *y = standardise_joint_values(l, U);
 	double best[CLOSE] = {0}, shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
@@ -335,12 +337,13 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 	double was[BLOCKS][HYPERS], shift;
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(was[k], l->block[k].hyper, sizeof was[k]);
-	free_or_hold_cell(l, cell, 1);
+	free_or_fix_cell(l, cell, 1);
 	s.gain = level - minus_log_posterior_at_best_hypers(l);
-	free_or_hold_cell(l, cell, -1);
-	double *U = joint_factor(l), *y = standardised_joint_values(l, U);
+	free_or_fix_cell(l, cell, -1);
+	double *U = factor_joint_covariance(l),
+	       *y = standardise_joint_values(l, U);
 	s.z = z_of_cell(l, U, y, cell, &shift, &s.sd);
-	shift_set_expected(l, &s, shift);
+	fill_expected_passing(l, &s, shift);
 	free(U);
 	free(y);
 	for (size_t k = 0; k < BLOCKS; k++)
@@ -356,12 +359,12 @@ leave_out_shift_of(struct leave_out *l, size_t cell)
 }
 
 struct leave_out_shift
-leave_out_worst(struct leave_out *l)
+leave_out_worst_shift(struct leave_out *l)
 {
 	struct leave_out_shift worst = {.gain = -INFINITY};
 	size_t cell[CLOSE];
 	double level = minus_log_posterior_at_best_hypers(l);
-	size_t n = find_largest_z(l, cell);
+	size_t n = find_cells_of_largest_z(l, cell);
 	for (size_t i = 0; i < n; i++) {
 		struct leave_out_shift s =
 		    shift_of_free_cell(l, cell[i], level);
@@ -372,20 +375,20 @@ leave_out_worst(struct leave_out *l)
 }
 
 void
-leave_out_drop(struct leave_out *l, size_t cell)
+leave_out_remove_cell(struct leave_out *l, size_t cell)
 {
 	l->dropped[cell] = true;
-	free_or_hold_cell(l, cell, 1);
+	free_or_fix_cell(l, cell, 1);
 }
 
 size_t
-leave_out_cells(const struct leave_out *l)
+leave_out_count_cells(const struct leave_out *l)
 {
 	return l->n;
 }
 
 struct leave_out_cell
-leave_out_cell(const struct leave_out *l, size_t i)
+leave_out_get_cell(const struct leave_out *l, size_t i)
 {
 	return l->of[i];
 }
@@ -412,7 +415,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 	const struct site *site = l->site;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = &site->run[r].product;
-		size_t covered = misfit_count_covered(&site->run[r]);
+		size_t covered = misfit_count_covered_sieves(&site->run[r]);
 		for (size_t i = 0; i < psd->n; i++)
 			if (posterior != NULL
 				? i < covered
@@ -433,7 +436,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 
 /* True if all of the curve passes the next coarser sieve. */
 static bool
-is_at_the_screen(const struct leave_out *l, size_t cell)
+is_first_sieve_below_100_percent(const struct leave_out *l, size_t cell)
 {
 	const struct leave_out_cell *of = &l->of[cell];
 	const struct psd *curve = curve_of_cell(l, of);
@@ -464,8 +467,8 @@ block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 		double x = curve_of_cell(l, &l->of[c])->size[l->of[c].sieve];
 		b->cell[i] = (struct cell){.run = l->of[c].run,
 		    .log_size = el_log(x),
-		    .t = feed ? 0 : discrepancy_t_of_speed(v, middle),
-		    .h = discrepancy_h(P)};
+		    .t = feed ? 0 : discrepancy_speed_to_t(v, middle),
+		    .h = discrepancy_scale_at_passing(P)};
 		b->value[i] = logit(P);
 		b->slope[i] = 1 / (P * (1 - P));
 		l->shift[c * l->n + c] = b->slope[i];
@@ -482,7 +485,8 @@ block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 			b->fixed[i * b->n + j] =
 			    25 + 4 * sizes + x->t * y->t * (0.1 + 0.01 * sizes);
 			bool corner =
-			    P > COARSE || is_at_the_screen(l, b->first + i);
+			    P > COARSE ||
+			    is_first_sieve_below_100_percent(l, b->first + i);
 			b->fixed[i * b->n + j] +=
 			    i == j && corner ? CORNER * CORNER : 0;
 		}
@@ -513,10 +517,10 @@ block_of_residuals(
 {
 	bool *use = xcalloc(l->site->n_run, sizeof *use);
 	for (size_t r = 0; r < l->site->n_run; r++)
-		use[r] = misfit_count_covered(&l->site->run[r]) > 0;
+		use[r] = misfit_count_covered_sieves(&l->site->run[r]) > 0;
 	struct misfit *m = misfit_new(l->site, use, NULL, false, p->settings);
 	size_t n = m->of->n;
-	double *J = xdoubles(b->n * n);
+	double *J = xcalloc_doubles(b->n * n);
 	misfit_jacobian(m, &p->fit, b->value, J);
 	for (size_t i = 0; i < b->n; i++) {
 		const struct leave_out_cell *c = &l->of[i];
@@ -526,8 +530,8 @@ block_of_residuals(
 		b->slope[i] = l->shift[i * l->n + i] = 1;
 		b->cell[i] = (struct cell){.run = c->run,
 		    .log_size = el_log(run->product.size[c->sieve]),
-		    .t = discrepancy_t_of_speed(run->speed, p->middle),
-		    .h = discrepancy_h(P - b->value[i] / 2)};
+		    .t = discrepancy_speed_to_t(run->speed, p->middle),
+		    .h = discrepancy_scale_at_passing(P - b->value[i] / 2)};
 	}
 	for (size_t j = 0; j < n; j++)
 		add_covariance_of_parameter(
@@ -542,12 +546,12 @@ block_of_residuals(
 /* Computes the change of a run's products per change of a passing of its feed,
  * gain [covered] out. */
 static void
-feed_sensitivity(const struct run *run, size_t sieve, const struct posterior *p,
-    double *gain)
+product_change_per_feed_passing(const struct run *run, size_t sieve,
+    const struct posterior *p, double *gain)
 {
 	const double more = 1e-4;
-	size_t n = misfit_count_covered(run);
-	double *product[2] = {xdoubles(n), xdoubles(n)};
+	size_t n = misfit_count_covered_sieves(run);
+	double *product[2] = {xcalloc_doubles(n), xcalloc_doubles(n)};
 	for (size_t k = 0; k < 2; k++) {
 		struct psd feed = psd_copy(&run->feed);
 		feed.passing[sieve] += k == 1 ? more : -more;
@@ -581,8 +585,10 @@ fill_products_response_to_feed(
 			continue;
 		if (i == 0 || c->run != l->of[i - 1].run || gain == NULL) {
 			free(gain);
-			gain = xdoubles(misfit_count_covered(run));
-			feed_sensitivity(run, of->sieve, p, gain);
+			gain =
+			    xcalloc_doubles(misfit_count_covered_sieves(run));
+			product_change_per_feed_passing(
+			    run, of->sieve, p, gain);
 		}
 		u[i] = -gain[c->sieve];
 	}
@@ -596,7 +602,7 @@ add_feed_errors(struct leave_out *l)
 {
 	struct block *p = &l->block[PRODUCTS], *f = &l->block[FEEDS];
 	for (size_t c = 0; c < f->n; c++) {
-		double sd = feed_error(l) * f->cell[c].h;
+		double sd = feed_error_seen_by_products(l) * f->cell[c].h;
 		const double *u = l->shift + (f->first + c) * l->n;
 		for (size_t i = 0; i < p->n; i++) {
 			for (size_t j = 0; j < p->n; j++)
@@ -608,15 +614,15 @@ add_feed_errors(struct leave_out *l)
 }
 
 static void
-block_new(struct block *b, bool smooth)
+block_init(struct block *b, bool smooth)
 {
 	b->smooth = smooth;
 	b->cell = xcalloc(b->n + 1, sizeof *b->cell);
-	b->value = xdoubles(b->n);
-	b->slope = xdoubles(b->n);
-	b->work = xdoubles(b->n);
-	b->fixed = xdoubles(b->n * b->n);
-	b->U = xdoubles(b->n * b->n);
+	b->value = xcalloc_doubles(b->n);
+	b->slope = xcalloc_doubles(b->n);
+	b->work = xcalloc_doubles(b->n);
+	b->fixed = xcalloc_doubles(b->n * b->n);
+	b->U = xcalloc_doubles(b->n * b->n);
 }
 
 struct leave_out *
@@ -627,11 +633,11 @@ leave_out_new(
 	l->site = site;
 	l->noise = noise;
 	list_cells(l, posterior);
-	block_new(&l->block[PRODUCTS], posterior == NULL);
-	block_new(&l->block[FEEDS], true);
-	l->passing = xdoubles(l->n);
-	l->shift = xdoubles(l->n * l->n);
-	l->cross = xdoubles(l->block[FEEDS].n * l->block[PRODUCTS].n);
+	block_init(&l->block[PRODUCTS], posterior == NULL);
+	block_init(&l->block[FEEDS], true);
+	l->passing = xcalloc_doubles(l->n);
+	l->shift = xcalloc_doubles(l->n * l->n);
+	l->cross = xcalloc_doubles(l->block[FEEDS].n * l->block[PRODUCTS].n);
 	l->dropped = xcalloc(l->n + 1, sizeof *l->dropped);
 	for (size_t i = 0; i < l->n; i++)
 		l->passing[i] =

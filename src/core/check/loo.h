@@ -47,8 +47,8 @@ void leave_out_free(struct leave_out *l);
 /* Return the number of cells that can be checked, and cell i of these.  They
  * exclude, without a posterior, passings of 0 and 100 %; with one, product
  * passings that the feed does not cover. */
-size_t leave_out_cells(const struct leave_out *l);
-struct leave_out_cell leave_out_cell(const struct leave_out *l, size_t i);
+size_t leave_out_count_cells(const struct leave_out *l);
+struct leave_out_cell leave_out_get_cell(const struct leave_out *l, size_t i);
 
 /* A cell compared with the others.  expected, sd: passing 0..1, including the
  * error of one sample; gain: ln of how much more probable the sheet is without
@@ -60,12 +60,12 @@ struct leave_out_shift {
 
 /* Returns the cell without which the others agree best; z is 0 if there is no
  * cell to check. */
-struct leave_out_shift leave_out_worst(struct leave_out *l);
+struct leave_out_shift leave_out_worst_shift(struct leave_out *l);
 
 /* Returns the shift of the given cell. */
 struct leave_out_shift leave_out_shift_of(struct leave_out *l, size_t cell);
 
 /* Leaves the cell out from now on. */
-void leave_out_drop(struct leave_out *l, size_t cell);
+void leave_out_remove_cell(struct leave_out *l, size_t cell);
 
 #endif

@@ -36,7 +36,7 @@ static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 enum { CELLS = 3 };
 
 static struct finding *
-outliers_add(struct doctor *d, struct mend mend)
+add_finding(struct outlier_findings *d, struct mend mend)
 {
 	d->finding = xrealloc(d->finding, d->n + 1, sizeof *d->finding);
 	struct finding *f = &d->finding[d->n++];
@@ -60,7 +60,7 @@ mean_difference(const struct psd *a, const struct psd *b, double *most)
 	double sum = 0, n = 0;
 	*most = 0;
 	for (size_t i = 0; i < b->n; i++) {
-		if (!psd_covers(a, b->size[i]))
+		if (!psd_covers_size(a, b->size[i]))
 			continue;
 		double by = psd_passing(a, b->size[i]) - b->passing[i];
 		*most = fmax(*most, by);
@@ -80,7 +80,7 @@ is_coarser(const struct psd *product, const struct psd *feed)
 
 /* True if no product of the site is coarser than its feed. */
 static bool
-all_finer(const struct site *site)
+are_products_finer_than_feeds(const struct site *site)
 {
 	bool ok = true;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -91,7 +91,8 @@ all_finer(const struct site *site)
 }
 
 static void
-find_feeds_swapped_with_products(struct doctor *d, const struct site *site)
+find_feeds_swapped_with_products(
+    struct outlier_findings *d, const struct site *site)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -101,9 +102,10 @@ find_feeds_swapped_with_products(struct doctor *d, const struct site *site)
 			continue;
 		struct site *other = mend_site(site, &m, NULL);
 		if (other != NULL &&
-		    (site->individual_feeds || all_finer(other))) {
+		    (site->individual_feeds ||
+			are_products_finer_than_feeds(other))) {
 			double most;
-			struct finding *f = outliers_add(d, m);
+			struct finding *f = add_finding(d, m);
 			const struct run *now = &other->run[r];
 			f->off[0] =
 			    mean_difference(&run->feed, &run->product, &most);
@@ -141,7 +143,7 @@ is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 	const double apart = 1e-3;
 	size_t finer = 0, coarser = 0;
 	for (size_t i = 0; i < slow->n; i++) {
-		if (!psd_covers(fast, slow->size[i]))
+		if (!psd_covers_size(fast, slow->size[i]))
 			continue;
 		double by = slow->passing[i] - psd_passing(fast, slow->size[i]);
 		finer += by > apart;
@@ -151,7 +153,7 @@ is_slower_product_finer(const struct psd *slow, const struct psd *fast)
 }
 
 static void
-find_exchanged_products(struct doctor *d, const struct site *site)
+find_exchanged_products(struct outlier_findings *d, const struct site *site)
 {
 	/* Above this, check reports a fault. */
 	const double much = 0.003, share = 0.2;
@@ -178,18 +180,18 @@ find_exchanged_products(struct doctor *d, const struct site *site)
 		}
 	if (best.kind != MEND_WITH)
 		return;
-	struct finding *f = outliers_add(d, best);
+	struct finding *f = add_finding(d, best);
 	f->off[0] = before;
 	f->off[1] = least;
 }
 
 /* Sums for a straight line in energy through the passings of the others. */
-struct line {
+struct line_sums {
 	double n, e, ee, p, ep;
 };
 
 static double
-line_value_at(const struct line *l, double e)
+line_value_at(const struct line_sums *l, double e)
 {
 	double mean = l->e / l->n, about = l->ee / l->n - mean * mean;
 	double slope = about > 1e-9 * mean * mean
@@ -207,11 +209,11 @@ distance_from_other_products(const struct site *site, size_t at)
 	const struct run *run = &site->run[at];
 	double squares = 0, n = 0;
 	for (size_t i = 0; i < run->product.n; i++) {
-		struct line l = {.n = 0};
+		struct line_sums l = {.n = 0};
 		double x = run->product.size[i];
 		for (size_t r = 0; r < site->n_run; r++) {
 			const struct psd *p = &site->run[r].product;
-			if (r == at || p->n == 0 || !psd_covers(p, x))
+			if (r == at || p->n == 0 || !psd_covers_size(p, x))
 				continue;
 			double v = site->run[r].speed, P = psd_passing(p, x);
 			l.n++;
@@ -233,7 +235,8 @@ distance_from_other_products(const struct site *site, size_t at)
 /* Finds the column that is far from the others but close to them once it is
  * moved by one sieve. */
 static void
-find_column_moved_by_a_sieve(struct doctor *d, const struct site *site)
+find_column_moved_by_a_sieve(
+    struct outlier_findings *d, const struct site *site)
 {
 	const double far = 0.05, share = 0.35;
 	double best = 1;
@@ -258,7 +261,7 @@ find_column_moved_by_a_sieve(struct doctor *d, const struct site *site)
 		off[1] = after;
 	}
 	if (mend.kind != MEND_READ)
-		memcpy(outliers_add(d, mend)->off, off, sizeof off);
+		memcpy(add_finding(d, mend)->off, off, sizeof off);
 }
 
 /* Returns, after a mend, the distance of the run that fits the others least. */
@@ -278,7 +281,8 @@ largest_distance_after_mend(const struct site *site, const struct mend *m)
 /* A moved column makes speeds seem exchanged, and the reverse.  Keeps the one
  * of two mends that leaves the products more alike. */
 static void
-keep_mend_with_smoother_products(struct doctor *d, const struct site *site)
+keep_mend_with_smoother_products(
+    struct outlier_findings *d, const struct site *site)
 {
 	if (d->n < 2)
 		return;
@@ -292,7 +296,7 @@ keep_mend_with_smoother_products(struct doctor *d, const struct site *site)
 /* Finds a column in micrometres that was taken for millimetres, or the
  * reverse. */
 static void
-find_column_in_wrong_unit(struct doctor *d, const struct site *site)
+find_column_in_wrong_unit(struct outlier_findings *d, const struct site *site)
 {
 	const double apart = 100, factor = 1000, largest = 1;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -308,20 +312,20 @@ find_column_in_wrong_unit(struct doctor *d, const struct site *site)
 			m.value = m.feed ? 1 / factor : factor;
 		} else
 			continue;
-		outliers_add(d, m);
+		add_finding(d, m);
 		if (m.feed && !site->individual_feeds)
 			return;
 	}
 }
 
 static void
-find_copied_products(struct doctor *d, const struct site *site)
+find_copied_products(struct outlier_findings *d, const struct site *site)
 {
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++)
 			if (psd_same(
 				&site->run[k].product, &site->run[i].product)) {
-				outliers_add(d,
+				add_finding(d,
 				    (struct mend){.kind = MEND_DROP, .run = i});
 				break;
 			}
@@ -419,14 +423,14 @@ consider_digit_errors(struct finding *f)
 /* Adds a cell with its mend: the reading, if the site is valid with it,
  * otherwise leaving the cell out. */
 static void
-outliers_add_cell(struct doctor *d, const struct site *site,
+outliers_add_cell(struct outlier_findings *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
 {
 	struct mend m = {
 	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
 	const struct psd *psd = curve_of_mend(site, &m);
 	m.size = psd->size[cell->sieve];
-	struct finding *f = outliers_add(d, m);
+	struct finding *f = add_finding(d, m);
 	f->measured = psd->passing[cell->sieve];
 	f->expected = s->expected;
 	f->sd = s->sd;
@@ -439,11 +443,11 @@ outliers_add_cell(struct doctor *d, const struct site *site,
 
 /* Marks the runs that have passings to fit. */
 static bool *
-runs_with_misfit(const struct site *site)
+mark_runs_with_passings_to_fit(const struct site *site)
 {
 	bool *use = xcalloc(site->n_run, sizeof *use);
 	for (size_t r = 0; r < site->n_run; r++)
-		use[r] = misfit_count_covered(&site->run[r]) > 0;
+		use[r] = misfit_count_covered_sieves(&site->run[r]) > 0;
 	return use;
 }
 
@@ -457,7 +461,7 @@ refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 	struct site *less = mend_site(site, &m, NULL);
 	if (less == NULL)
 		return;
-	bool *use = runs_with_misfit(less);
+	bool *use = mark_runs_with_passings_to_fit(less);
 	struct misfit *misfit = misfit_new(less, use, NULL, false, p->settings);
 	struct polish *polish = polish_new(misfit);
 	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
@@ -469,7 +473,7 @@ refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 }
 
 static double
-cell_passing(const struct site *site, const struct leave_out_cell *c)
+passing_of_cell(const struct site *site, const struct leave_out_cell *c)
 {
 	const struct run *run = &site->run[c->run];
 	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
@@ -482,8 +486,8 @@ shift_along_curves(
 {
 	struct leave_out *l = leave_out_new(site, NULL, noise);
 	struct leave_out_shift s = {.z = NAN, .expected = NAN, .sd = NAN};
-	for (size_t i = 0; i < leave_out_cells(l); i++) {
-		struct leave_out_cell c = leave_out_cell(l, i);
+	for (size_t i = 0; i < leave_out_count_cells(l); i++) {
+		struct leave_out_cell c = leave_out_get_cell(l, i);
 		if (c.feed == cell->feed && c.run == cell->run &&
 		    c.sieve == cell->sieve)
 			s = leave_out_shift_of(l, i);
@@ -495,22 +499,22 @@ shift_along_curves(
 /* Finds the next cell, from a fit of its own, which moves.  found [n]: the
  * cells before it.  False if none is worth reporting. */
 static bool
-find_next_surprising_cell(struct doctor *d, const struct site *site,
+find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
     struct posterior *p, double noise, size_t *found, size_t n)
 {
 	struct leave_out *l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
-		leave_out_drop(l, found[i]);
+		leave_out_remove_cell(l, found[i]);
 	struct leave_out_shift s = {.gain = 0};
-	if (leave_out_cells(l) > n)
-		s = leave_out_worst(l);
+	if (leave_out_count_cells(l) > n)
+		s = leave_out_worst_shift(l);
 	struct leave_out_cell c = {.feed = false};
 	bool tell = s.gain > fmin(SURPRISE_PRODUCT, SURPRISE_FEED);
 	if (tell)
-		c = leave_out_cell(l, s.cell);
+		c = leave_out_get_cell(l, s.cell);
 	leave_out_free(l);
 	tell = tell && s.gain > (c.feed ? SURPRISE_FEED : SURPRISE_PRODUCT) &&
-	       fabs(s.expected - cell_passing(site, &c)) > WORTH;
+	       fabs(s.expected - passing_of_cell(site, &c)) > WORTH;
 	if (!tell)
 		return false;
 	found[n] = s.cell;
@@ -523,11 +527,11 @@ find_next_surprising_cell(struct doctor *d, const struct site *site,
 	refit_without_cell(p, site, m);
 	l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
-		leave_out_drop(l, found[i]);
+		leave_out_remove_cell(l, found[i]);
 	double gain = s.gain;
 	s = leave_out_shift_of(l, s.cell);
 	leave_out_free(l);
-	if (!(fabs(s.expected - cell_passing(site, &c)) > WORTH))
+	if (!(fabs(s.expected - passing_of_cell(site, &c)) > WORTH))
 		return false;
 	outliers_add_cell(d, site, &c, &s);
 	d->finding[d->n - 1].surprise = gain;
@@ -535,7 +539,7 @@ find_next_surprising_cell(struct doctor *d, const struct site *site,
 }
 
 static void
-find_surprising_cells(struct doctor *d, const struct site *site,
+find_surprising_cells(struct outlier_findings *d, const struct site *site,
     const struct posterior *posterior, double noise)
 {
 	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the draws */
@@ -565,7 +569,7 @@ gather_curves(
 }
 
 static void
-add_bent_cell(struct doctor *d, const struct site *site, double noise,
+add_bent_cell(struct outlier_findings *d, const struct site *site, double noise,
     struct leave_out_cell cell)
 {
 	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
@@ -573,13 +577,13 @@ add_bent_cell(struct doctor *d, const struct site *site, double noise,
 }
 
 static void
-find_most_bent_cell(
-    struct doctor *d, const struct site *site, bool feed, double noise)
+find_most_bent_cell(struct outlier_findings *d, const struct site *site,
+    bool feed, double noise)
 {
 	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	size_t *run = xcalloc(site->n_run, sizeof *run);
 	size_t n = gather_curves(site, feed, curve, run);
-	struct psd_outlier o = psd_outlier(curve, n);
+	struct psd_outlier o = psd_find_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
 		add_bent_cell(d, site, noise,
@@ -593,7 +597,7 @@ find_most_bent_cell(
 static double
 rmse_of_fit(const struct site *site, const struct posterior *p)
 {
-	bool *use = runs_with_misfit(site), any = false;
+	bool *use = mark_runs_with_passings_to_fit(site), any = false;
 	for (size_t r = 0; r < site->n_run; r++)
 		any = any || use[r];
 	double rmse = NAN;
@@ -608,8 +612,8 @@ rmse_of_fit(const struct site *site, const struct posterior *p)
 }
 
 static void
-compute_rmse_with_mends(
-    struct doctor *d, const struct site *site, const struct posterior *p)
+compute_rmse_with_mends(struct outlier_findings *d, const struct site *site,
+    const struct posterior *p)
 {
 	for (size_t i = 0; i < d->n && p != NULL; i++) {
 		struct finding *f = &d->finding[i];
@@ -633,7 +637,7 @@ count_cells(const struct site *site)
 
 /* Drops mends that are impossible, such as dropping the only run. */
 static void
-drop_impossible(struct doctor *d, const struct site *site)
+drop_impossible_mends(struct outlier_findings *d, const struct site *site)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++) {
@@ -645,11 +649,11 @@ drop_impossible(struct doctor *d, const struct site *site)
 	d->n = n;
 }
 
-struct doctor
+struct outlier_findings
 outliers_find(
     const struct site *site, const struct posterior *posterior, double noise)
 {
-	struct doctor d = {0};
+	struct outlier_findings d = {0};
 	find_column_in_wrong_unit(&d, site);
 	if (d.n == 0)
 		find_feeds_swapped_with_products(&d, site);
@@ -670,14 +674,14 @@ outliers_find(
 		find_most_bent_cell(&d, site, true, noise);
 		find_most_bent_cell(&d, site, false, noise);
 	}
-	drop_impossible(&d, site);
+	drop_impossible_mends(&d, site);
 	compute_rmse_with_mends(&d, site, posterior);
 	return d;
 }
 
 void
-outliers_free(struct doctor *doctor)
+outliers_free(struct outlier_findings *doctor)
 {
 	free(doctor->finding);
-	*doctor = (struct doctor){0};
+	*doctor = (struct outlier_findings){0};
 }

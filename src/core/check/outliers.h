@@ -30,7 +30,7 @@ struct finding {
  * compared with all others (their covariance matrix would be too large); else
  * 0. */
 enum { DOCTOR_CELLS = 1000 };
-struct doctor {
+struct outlier_findings {
 	size_t n;
 	struct finding *finding;
 	size_t unseen;
@@ -39,8 +39,8 @@ struct doctor {
 /* Returns the findings.  posterior: of the same site, or NULL.  noise: known
  * error of a passing, 0..1, or 0.  If a column has a mend, no cell is checked.
  * Free with outliers_free. */
-struct doctor outliers_find(
+struct outlier_findings outliers_find(
     const struct site *site, const struct posterior *posterior, double noise);
-void outliers_free(struct doctor *doctor);
+void outliers_free(struct outlier_findings *doctor);
 
 #endif

@@ -25,11 +25,11 @@ static const double ROUNDING = 0.001;
 /* Signs that residuals are more than sampling errors.  One strong sign turns
  * the light amber, and so do two weak ones.  Found by counting, with
  * bench/coverage: TRUST in tipspeed-model(7) has the figures. */
-struct sign {
+struct warning_sign {
 	double weak, strong;
 };
-static const struct sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
-			 MORE = {0.45, 0.6}, FINER = {2, 3};
+static const struct warning_sign SIZE = {1.6, 2.2}, ALIKE = {1.2, 2.2},
+				 MORE = {0.45, 0.6}, FINER = {2, 3};
 
 /* If only one speed was measured, this share of it counts as the span of
  * several. */
@@ -47,9 +47,9 @@ static double
 remove_parameter_steps(struct misfit *m, const struct fit *fit,
     const struct bounds *bounds, double *d)
 {
-	double *basis = xdoubles(m->n_residual * PARAMS_MOST);
+	double *basis = xcalloc_doubles(m->n_residual * PARAMS_MOST);
 	struct sensitivity s =
-	    sensitivity_of(m, &fit->params, bounds, true, basis);
+	    sensitivity_at_params(m, &fit->params, bounds, true, basis);
 	for (size_t c = 0; c < s.n; c++) {
 		double along = 0;
 		for (size_t i = 0; i < m->n_residual; i++)
@@ -74,7 +74,7 @@ weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
 		double last = NAN;
 		for (size_t i = 0; i < m->run[r].n; i++, k++) {
 			double P = m->run[r].measured[i] + d[k] / 2;
-			double h = discrepancy_h(P);
+			double h = discrepancy_scale_at_passing(P);
 			bool counts = h > 0.02;
 			double z = d[k] / hypot(h * error, ROUNDING);
 			squares += counts ? z * z : 0;
@@ -95,12 +95,13 @@ weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
 static double
 broken_share_of_breakable(const struct misfit *m, const struct params *p)
 {
-	double x = params_break_size_by(p, &m->settings, m->run[0].speed);
+	double x =
+	    params_break_size_by_impacts(p, &m->settings, m->run[0].speed);
 	double above =
 	    x > 0 && isfinite(x) ? 1 - psd_passing(&m->run[0].feed, x) : NAN;
 	model_use_params(m->model[0], p);
 	return above > 0.01
-		   ? model_selected(m->model[0], m->run[0].speed) / above
+		   ? model_share_selected(m->model[0], m->run[0].speed) / above
 		   : NAN;
 }
 
@@ -116,21 +117,21 @@ trust_read_draws(struct evidence *e, const struct posterior *p,
 {
 	enum { N = POSTERIOR_DRAWS };
 	double off[N], error[N], finer[N];
-	double e0 = params_value(&fit->params, "e0_min");
+	double e0 = params_value_by_name(&fit->params, "e0_min");
 	e->more = e->unbounded = 0;
 	for (size_t i = 0; i < N; i++) {
 		const struct posterior_draw *d = &p->draw[i];
 		off[i] = hypot(d->hyper[HYPER_DELTA], d->hyper[HYPER_NARROW]);
 		error[i] = hypot(d->hyper[HYPER_SHARED], d->hyper[HYPER_OWN]);
-		finer[i] = params_value(&d->params, "gamma") +
-			   params_value(&d->params, "kappa");
+		finer[i] = params_value_by_name(&d->params, "gamma") +
+			   params_value_by_name(&d->params, "kappa");
 		e->more += off[i] > error[i] ? 1.0 / N : 0;
-		e->unbounded +=
-		    params_break_size_by(&d->params, &p->settings, e->slowest) <
-				finest ||
-			    params_value(&d->params, "e0_min") < 0.05 * e0
-			? 1.0 / N
-			: 0;
+		e->unbounded += params_break_size_by_impacts(&d->params,
+				    &p->settings, e->slowest) < finest ||
+					params_value_by_name(
+					    &d->params, "e0_min") < 0.05 * e0
+				    ? 1.0 / N
+				    : 0;
 	}
 	e->finer = gsl_stats_mean(finer, 1, N);
 	e->finer_sd = gsl_stats_sd(finer, 1, N);
@@ -146,11 +147,11 @@ largest_difference_between_halves(const struct evidence *e,
     size_t n)
 {
 	struct ensemble *of =
-	    ensemble_new(p, site_feed(site, SITE_MEAN_FEED), sieve, n);
+	    ensemble_new(p, site_feed_of_run(site, SITE_MEAN_FEED), sieve, n);
 	double most = 0;
 	for (int i = 0; i <= 2; i++)
 		most = fmax(
-		    most, ensemble_halves_apart(of,
+		    most, ensemble_difference_of_halves(of,
 			      e->slowest + i * (e->fastest - e->slowest) / 2));
 	ensemble_free(of);
 	return most;
@@ -161,7 +162,7 @@ find_worst_holdout(struct evidence *e, const struct site *site,
     const bool *train, const struct fit *fit)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (train[r] || misfit_count_covered(&site->run[r]) == 0)
+		if (train[r] || misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
 		struct validation v = validate_run(
 		    site, r, train, &fit->params, fit->settings, NULL);
@@ -172,7 +173,7 @@ find_worst_holdout(struct evidence *e, const struct site *site,
 }
 
 static void
-trust_find_speeds(struct evidence *e, const struct misfit *m)
+find_measured_speeds(struct evidence *e, const struct misfit *m)
 {
 	e->slowest = INFINITY;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -189,7 +190,7 @@ add_weighted_product(double *passing, const struct psd *feed,
     const double *sieve, size_t n, const struct fit *fit, double v,
     double share)
 {
-	double *product = xdoubles(n);
+	double *product = xcalloc_doubles(n);
 	struct model *model = model_new(feed, sieve, n, fit->settings);
 	model_use_params(model, &fit->params);
 	model_product(model, v, product);
@@ -205,10 +206,10 @@ static struct psd
 product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
 {
 	const struct run *run = &site->run[r];
-	const struct psd *mean = site_feed(site, SITE_MEAN_FEED);
+	const struct psd *mean = site_feed_of_run(site, SITE_MEAN_FEED);
 	struct psd p = psd_copy(&run->product);
-	p.n = misfit_count_covered(run);
-	while (p.n > 0 && !psd_covers(mean, p.size[p.n - 1]))
+	p.n = misfit_count_covered_sieves(run);
+	while (p.n > 0 && !psd_covers_size(mean, p.size[p.n - 1]))
 		p.n--;
 	if (site->individual_feeds && p.n > 0) {
 		add_weighted_product(
@@ -222,10 +223,10 @@ product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
 /* Sum of squared differences of the fit from a run's product, [n] sieves, with
  * a feed. */
 static double
-squares_with_feed(const struct run *run, const struct psd *feed, size_t n,
+sum_squares_with_feed(const struct run *run, const struct psd *feed, size_t n,
     const struct fit *fit)
 {
-	double sum = 0, *d = xdoubles(n);
+	double sum = 0, *d = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		d[i] = -run->product.passing[i];
 	add_weighted_product(d, feed, run->product.size, n, fit, run->speed, 1);
@@ -242,18 +243,18 @@ trust_feeds_mislead(
 	/* Of 90 synthetic plants whose products follow their feeds the ratio
 	 * was 1.08 at most. */
 	const double ratio = 1.2, least = 0.001;
-	const struct psd *all = site_feed(site, SITE_MEAN_FEED);
+	const struct psd *all = site_feed_of_run(site, SITE_MEAN_FEED);
 	double squares[2] = {0, 0};
 	size_t cells = 0;
 	for (size_t r = 0; site->individual_feeds && r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		size_t n = misfit_count_covered(run);
-		while (n > 0 && !psd_covers(all, run->product.size[n - 1]))
+		size_t n = misfit_count_covered_sieves(run);
+		while (n > 0 && !psd_covers_size(all, run->product.size[n - 1]))
 			n--;
 		if (n == 0)
 			continue;
-		squares[0] += squares_with_feed(run, &run->feed, n, fit);
-		squares[1] += squares_with_feed(run, all, n, fit);
+		squares[0] += sum_squares_with_feed(run, &run->feed, n, fit);
+		squares[1] += sum_squares_with_feed(run, all, n, fit);
 		cells += n;
 	}
 	if (cells == 0)
@@ -275,9 +276,10 @@ find_contradictions(struct evidence *e, const struct site *site,
 		for (size_t k = 0; k < r; k++) {
 			const struct run *slow = &site->run[k],
 					 *fast = &site->run[r];
-			struct order o = trust_order(&moved[k], &moved[r]);
+			struct passing_order o =
+			    trust_compare_order(&moved[k], &moved[r]);
 			if (slow->speed < fast->speed &&
-			    trust_order_wrong(&o) &&
+			    trust_is_order_wrong(&o) &&
 			    o.most > e->against.order.most) {
 				e->against.slow = slow->speed;
 				e->against.fast = fast->speed;
@@ -307,17 +309,17 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	    .unbounded = NAN,
 	    .halves = NAN,
 	    .breaks = broken_share_of_breakable(m, &fit->params)};
-	double *d = xdoubles(m->n_residual);
+	double *d = xcalloc_doubles(m->n_residual);
 	size_t n;
-	double *sieve = site_sieves(site, &n);
-	misfit_differences(m, &fit->params, d);
+	double *sieve = site_all_sieves(site, &n);
+	misfit_weighted_differences(m, &fit->params, d);
 	weigh_residuals(
 	    &e, m, d, remove_parameter_steps(m, fit, bounds, d), noise);
-	trust_find_speeds(&e, m);
+	find_measured_speeds(&e, m);
 	find_worst_holdout(&e, site, train, fit);
 	find_contradictions(&e, site, use, fit);
-	e.all_break = !isnan(params_value(&fit->params, "e0_min")) &&
-		      params_break_size_by(&fit->params, &fit->settings,
+	e.all_break = !isnan(params_value_by_name(&fit->params, "e0_min")) &&
+		      params_break_size_by_impacts(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
 		trust_read_draws(&e, posterior, fit, sieve[n - 1]);
@@ -331,7 +333,8 @@ trust_gather_evidence(const struct site *site, const bool *train,
 }
 
 void
-trust_add(struct trust *t, enum light light, enum trust_cause cause, char *text)
+trust_add_reason(
+    struct trust *t, enum light light, enum trust_cause cause, char *text)
 {
 	size_t at = t->n;
 	if (t->n == TRUST_REASONS) {
@@ -348,18 +351,18 @@ trust_add(struct trust *t, enum light light, enum trust_cause cause, char *text)
 static void
 judge_data(struct trust *t, const struct evidence *e, double rotor)
 {
-	FREED char *rpm = rotor_speed_words(rotor, e->slowest, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	size_t spare =
 	    e->cells - (e->cells < e->parameters ? e->cells : e->parameters);
 	if (e->rmse > FIT_POOR)
-		trust_add(t, LIGHT_RED, TRUST_FIT,
+		trust_add_reason(t, LIGHT_RED, TRUST_FIT,
 		    xasprintf(
 			tr("the fit is poor: it misses its products by %.1f "
 			   "points on average, where repeat samples agree "
 			   "within 0.5 to 1; check the data with 'check'"),
 			100 * e->rmse));
 	if (spare == 0)
-		trust_add(t, LIGHT_RED, TRUST_DATA,
+		trust_add_reason(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf(tr_n("%zu passing cannot determine %zu "
 				   "parameters: the quality of the fit is not "
 				   "known; add sieves or a run",
@@ -369,7 +372,7 @@ judge_data(struct trust *t, const struct evidence *e, double rotor)
 				  e->cells),
 			e->cells, e->parameters));
 	else if (spare < 4)
-		trust_add(t, LIGHT_AMBER, TRUST_DATA,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xasprintf(
 			tr_n("%zu passings for %zu parameter are too few to "
 			     "reveal a wrong model; add sieves or a run",
@@ -378,17 +381,17 @@ judge_data(struct trust *t, const struct evidence *e, double rotor)
 			    e->parameters),
 			e->cells, e->parameters));
 	else if (e->like_feed && !(e->rmse > FIT_POOR))
-		trust_add(t, LIGHT_AMBER, TRUST_DATA,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xstrdup(tr("the training products hardly differ from their "
 			       "feed: the parameters fit sampling errors")));
 	if (e->speeds == 1)
-		trust_add(t, LIGHT_AMBER, TRUST_DATA,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xasprintf(
 			tr("one speed, %g m/s%s, was measured: nothing shows "
 			   "what the speed does; add a cut at another"),
 			e->slowest, rpm));
 	if (e->halves > DRAWS_SETTLED)
-		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
 			tr("the band has not settled (two halves of its draws "
 			   "differ by %.0f %% of its width): it may be too "
@@ -401,11 +404,11 @@ judge_data(struct trust *t, const struct evidence *e, double rotor)
 static void
 judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 {
-	FREED char *fast = rotor_speed_words(rotor, e->against.fast, NAN);
-	FREED char *slow = rotor_speed_words(rotor, e->against.slow, NAN);
-	FREED char *slowest = rotor_speed_words(rotor, e->slowest, NAN);
+	FREED char *fast = rotor_speed_rpm_text(rotor, e->against.fast, NAN);
+	FREED char *slow = rotor_speed_rpm_text(rotor, e->against.slow, NAN);
+	FREED char *slowest = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	if (e->against.order.most > 0)
-		trust_add(t, LIGHT_RED, TRUST_DATA,
+		trust_add_reason(t, LIGHT_RED, TRUST_DATA,
 		    xasprintf(
 			tr("the run at %g m/s%s is coarser than that at %g%s, "
 			   "by %.1f points at %g mm: exchanged, or another "
@@ -414,7 +417,7 @@ judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 			100 * e->against.order.most,
 			1e3 * e->against.order.at));
 	if (e->all_break)
-		trust_add(t, LIGHT_AMBER, TRUST_FIT,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
 			tr("the fit has no break size: in it particles of "
 			   "every size break at %g m/s%s, so it cannot tell "
@@ -425,7 +428,7 @@ judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 }
 
 static int
-weak_or_strong_sign(double value, struct sign sign)
+grade_sign(double value, struct warning_sign sign)
 {
 	return (value > sign.weak) + (value > sign.strong);
 }
@@ -448,17 +451,16 @@ add_pattern(struct trust *t, bool remark, char *text)
 	if (remark)
 		t->remark[t->remarks++] = text;
 	else
-		trust_add(t, LIGHT_AMBER, TRUST_PATTERN, text);
+		trust_add_reason(t, LIGHT_AMBER, TRUST_PATTERN, text);
 }
 
 static void
 judge_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
-	int size = weak_or_strong_sign(e->size, SIZE),
-	    alike = weak_or_strong_sign(e->alike, ALIKE);
-	int more = weak_or_strong_sign(e->more, MORE),
-	    drift = weak_or_strong_sign(finer, FINER);
+	int size = grade_sign(e->size, SIZE),
+	    alike = grade_sign(e->alike, ALIKE);
+	int more = grade_sign(e->more, MORE), drift = grade_sign(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)
@@ -497,19 +499,19 @@ static void
 judge_holdout(struct trust *t, const struct evidence *e, double rotor)
 {
 	const struct validation *v = &e->holdout;
-	FREED char *rpm = rotor_speed_words(rotor, v->speed, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, v->speed, NAN);
 	double own = v->rmse[VALIDATE_MODEL];
 	double line = v->rmse[VALIDATE_INTERPOLATION];
 	if (v->n_sieve == 0)
 		return;
 	if (own > FIT_POOR)
-		trust_add(t, LIGHT_RED, TRUST_HOLDOUT,
+		trust_add_reason(t, LIGHT_RED, TRUST_HOLDOUT,
 		    xasprintf(tr("at %g m/s%s, held out, the model misses by "
 				 "%.1f points on average"),
 			v->speed, rpm, 100 * own));
 	else if (validation_loses_to_interpolation(v) &&
 		 own > 1.2 * line + 0.001)
-		trust_add(t, LIGHT_AMBER, TRUST_HOLDOUT,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_HOLDOUT,
 		    xasprintf(
 			tr("at %g m/s%s, held out, the model misses by %.2f "
 			   "points on average, a straight line through the "
@@ -518,17 +520,17 @@ judge_holdout(struct trust *t, const struct evidence *e, double rotor)
 }
 
 static void
-judge_slow(struct trust *t, const struct evidence *e, double rotor)
+judge_threshold_bounds(struct trust *t, const struct evidence *e, double rotor)
 {
-	FREED char *rpm = rotor_speed_words(rotor, e->slowest, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	if (e->unbounded > 0.05)
-		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_SLOW,
 		    xasprintf(tr("the threshold is only bounded from above "
 				 "(%.0f %% of the draws have none): below %g "
 				 "m/s%s far less of the feed may break"),
 			100 * e->unbounded, e->slowest, rpm));
 	else if (e->breaks > 0.995)
-		trust_add(t, LIGHT_AMBER, TRUST_SLOW,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_SLOW,
 		    xasprintf(tr("already at %g m/s%s %.0f %% of what is "
 				 "coarse enough breaks: f_mat is only bounded "
 				 "from below, and at lower speeds less may "
@@ -537,7 +539,7 @@ judge_slow(struct trust *t, const struct evidence *e, double rotor)
 }
 
 double
-trust_reach(double slowest, double fastest)
+trust_speed_reach(double slowest, double fastest)
 {
 	double span = fastest - slowest;
 	return span > 0 ? span : SPAN_OF_ONE * slowest;
@@ -548,14 +550,14 @@ judge_speed(struct trust *t, const struct evidence *e, double v, double rotor)
 {
 	bool slow = v<e->slowest - 1e-9, fast = v> e->fastest + 1e-9;
 	double end = slow ? e->slowest : e->fastest;
-	double span = trust_reach(e->slowest, e->fastest);
+	double span = trust_speed_reach(e->slowest, e->fastest);
 	double beyond = fabs(v - end);
 	bool far = beyond > span + 1e-9;
 	if (!slow && !fast)
 		return;
-	FREED char *rpm = rotor_speed_words(rotor, beyond, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, beyond, NAN);
 	if (e->slowest == e->fastest)
-		trust_add(t, far ? LIGHT_RED : LIGHT_AMBER, TRUST_BEYOND,
+		trust_add_reason(t, far ? LIGHT_RED : LIGHT_AMBER, TRUST_BEYOND,
 		    xasprintf(
 			far ? tr("%.1f m/s%s from the one speed that was "
 				 "measured: too far for an answer to rely on")
@@ -564,38 +566,39 @@ judge_speed(struct trust *t, const struct evidence *e, double v, double rotor)
 				 "model, not on measurements"),
 			beyond, rpm));
 	else if (far)
-		trust_add(t, LIGHT_RED, TRUST_BEYOND,
+		trust_add_reason(t, LIGHT_RED, TRUST_BEYOND,
 		    xasprintf(tr("%.1f m/s%s beyond the measured speeds, which "
 				 "span %.1f: too far for an answer to rely on"),
 			beyond, rpm, span));
 	else
-		trust_add(t, LIGHT_AMBER, TRUST_BEYOND,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_BEYOND,
 		    xasprintf(
 			tr("%.1f m/s%s beyond the measured speeds: there the "
 			   "answer rests on the model, not on measurements"),
 			beyond, rpm));
 	if (slow)
-		judge_slow(t, e, rotor);
+		judge_threshold_bounds(t, e, rotor);
 }
 
 static void
 judge_question(struct trust *t, const struct trust_question *q)
 {
 	if (q->width > WIDE)
-		trust_add(t, q->width > VERY_WIDE ? LIGHT_RED : LIGHT_AMBER,
-		    TRUST_BAND,
+		trust_add_reason(t,
+		    q->width > VERY_WIDE ? LIGHT_RED : LIGHT_AMBER, TRUST_BAND,
 		    xasprintf(tr("the uncertainty band is wide, %.0f points on "
 				 "average: the data leave the answer open"),
 			100 * q->width));
 	if (q->feed > OTHER_FEED)
-		trust_add(t, q->feed > STRANGE_FEED ? LIGHT_RED : LIGHT_AMBER,
+		trust_add_reason(t,
+		    q->feed > STRANGE_FEED ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_FEED,
 		    xasprintf(
 			tr("the feed differs by up to %.0f points from "
 			   "those calibrated with: it may break differently"),
 			100 * q->feed));
 	if (q->bound != NULL)
-		trust_add(t, LIGHT_AMBER, TRUST_BOUND,
+		trust_add_reason(t, LIGHT_AMBER, TRUST_BOUND,
 		    xasprintf(
 			tr("%s is at its bound, and across it the answer "
 			   "would move by %.1f points: the bound, not the "
@@ -604,7 +607,7 @@ judge_question(struct trust *t, const struct trust_question *q)
 }
 
 void
-trust_judge(
+trust_judge_answer(
     struct trust *t, const struct evidence *e, const struct trust_question *q)
 {
 	judge_data(t, e, q->rotor);
@@ -618,7 +621,7 @@ trust_judge(
 }
 
 bool
-trust_without_band(double rmse, size_t speeds)
+trust_is_band_impossible(double rmse, size_t speeds)
 {
 	return rmse > FIT_POOR && speeds <= 2;
 }
@@ -634,13 +637,13 @@ trust_free(struct trust *t)
 }
 
 double
-trust_parameter_correlation(const struct posterior *p, struct ensemble *e,
+trust_change_per_parameter_sd(const struct posterior *p, struct ensemble *e,
     size_t n, const char *parameter)
 {
 	enum { N = POSTERIOR_DRAWS };
 	double value[N], sum = 0;
 	for (size_t d = 0; d < N; d++)
-		value[d] = params_value(&p->draw[d].params, parameter);
+		value[d] = params_value_by_name(&p->draw[d].params, parameter);
 	double sd = gsl_stats_sd(value, 1, N);
 	for (size_t i = 0; i < n && sd > 0; i++) {
 		const double *P = ensemble_products(e, ENSEMBLE_ANSWER) + i * N;
@@ -655,24 +658,24 @@ trust_feed_difference(const struct psd *a, const struct psd *b)
 {
 	double most = 0;
 	for (size_t i = 0; i < a->n; i++)
-		if (psd_covers(b, a->size[i]))
+		if (psd_covers_size(b, a->size[i]))
 			most = fmax(most,
 			    fabs(psd_passing(b, a->size[i]) - a->passing[i]));
 	for (size_t i = 0; i < b->n; i++)
-		if (psd_covers(a, b->size[i]))
+		if (psd_covers_size(a, b->size[i]))
 			most = fmax(most,
 			    fabs(psd_passing(a, b->size[i]) - b->passing[i]));
 	return most;
 }
 
-struct order
-trust_order(const struct psd *slow, const struct psd *fast)
+struct passing_order
+trust_compare_order(const struct psd *slow, const struct psd *fast)
 {
-	struct order o = {0};
+	struct passing_order o = {0};
 	double sum = 0, n = 0;
 	for (size_t j = 0; j < fast->n; j++) {
 		double x = fast->size[j];
-		if (!psd_covers(slow, x))
+		if (!psd_covers_size(slow, x))
 			continue;
 		double by = psd_passing(slow, x) - fast->passing[j];
 		sum += by;
@@ -687,7 +690,7 @@ trust_order(const struct psd *slow, const struct psd *fast)
 }
 
 bool
-trust_order_wrong(const struct order *o)
+trust_is_order_wrong(const struct passing_order *o)
 {
 	const double on_the_whole = 0.003, far = 0.05;
 	return o->most > ORDER_NOTABLE &&

@@ -16,8 +16,8 @@ enum light { LIGHT_GREEN, LIGHT_AMBER, LIGHT_RED };
 extern const char *const LIGHT_NAME[3];
 
 /* The largest difference between the two halves of the draws
- * (ensemble_halves_apart), in widths of the band, at which they count as
- * converged. */
+ * (ensemble_difference_of_halves), in widths of the band, at which they count
+ * as converged. */
 #define DRAWS_SETTLED 0.25
 
 /* A fit with a larger RMSE (passing, 0..1) on the training runs is called poor:
@@ -30,22 +30,23 @@ extern const char *const LIGHT_NAME[3];
 
 /* True if there can be no band: the fit is poor and has two speeds or fewer.
  * Two points do not show how the discrepancy bends between them. */
-bool trust_without_band(double rmse, size_t speeds);
+bool trust_is_band_impossible(double rmse, size_t speeds);
 
 /* How far two products contradict the rule that a faster rotor breaks more
  * (D23): the excess of the slower run's passing over the faster run's, 0..1.
  * most: the largest, at the sieve `at`, m; mean: over their common sieves. */
-struct order {
+struct passing_order {
 	double most, at, mean;
 };
-struct order trust_order(const struct psd *slow, const struct psd *fast);
+struct passing_order trust_compare_order(
+    const struct psd *slow, const struct psd *fast);
 
 /* Above ORDER_NOTABLE the difference deserves a remark, but sampling may
- * explain it.  trust_order_wrong returns true if it is more than sampling
+ * explain it.  trust_is_order_wrong returns true if it is more than sampling
  * explains, at one sieve or on average.  Of 180 sheets with 1 point of noise,
  * 29 exceed ORDER_NOTABLE somewhere, and 3 are called wrong. */
 #define ORDER_NOTABLE 0.02
-bool trust_order_wrong(const struct order *o);
+bool trust_is_order_wrong(const struct passing_order *o);
 
 /* The evidence on the fit itself, independent of the question; gathered once
  * for each fit. */
@@ -66,7 +67,8 @@ struct evidence {
 	 * the same way.  NAN in a model without them. */
 	double finer, finer_sd;
 	double unbounded; /* share of the draws with no threshold */
-	double halves;    /* ensemble_halves_apart, the worst of three speeds */
+	double halves;    /* ensemble_difference_of_halves, the worst of three
+			     speeds */
 	double breaks;    /* share of the feed above the break size that breaks,
 			   * at the slowest speed */
 	bool all_break;   /* at that speed even the size of the finest sieve
@@ -78,7 +80,7 @@ struct evidence {
 	 * contradict most that faster is finer; order.most 0: none do. */
 	struct {
 		double slow, fast;
-		struct order order;
+		struct passing_order order;
 	} against;
 };
 
@@ -141,20 +143,20 @@ struct trust {
 
 /* Returns how far beyond the slowest and the fastest measured speed, m/s, an
  * answer is not red for that alone. */
-double trust_reach(double slowest, double fastest);
+double trust_speed_reach(double slowest, double fastest);
 
 /* Adds a reason and takes ownership of the text. */
-void trust_add(
+void trust_add_reason(
     struct trust *t, enum light light, enum trust_cause cause, char *text);
 
 /* Adds the reasons that follow from the evidence and the question. */
-void trust_judge(
+void trust_judge_answer(
     struct trust *t, const struct evidence *e, const struct trust_question *q);
 void trust_free(struct trust *t);
 
 /* Returns the root mean square change, passing 0..1, in an ensemble's answers
  * at its speed and n sizes for one standard deviation of a parameter. */
-double trust_parameter_correlation(const struct posterior *p,
+double trust_change_per_parameter_sd(const struct posterior *p,
     struct ensemble *e, size_t n, const char *parameter);
 
 /* Returns the largest difference between two feeds, passing 0..1. */

@@ -74,7 +74,7 @@ measured_passing(const struct run *run, double x)
 	bool above = x > product->size[0];
 	if (above && psd_passing(&run->feed, x) >= 1)
 		return 1;
-	if (!psd_covers(product, x) || (above && product->passing[0] < 1))
+	if (!psd_covers_size(product, x) || (above && product->passing[0] < 1))
 		return NAN;
 	return psd_passing(product, x);
 }
@@ -82,7 +82,8 @@ measured_passing(const struct run *run, double x)
 /* Returns the mean passing at a size of the training products at one speed; NAN
  * if none has it. */
 static double
-mean_passing(const struct site *site, const bool *train, double speed, double x)
+mean_passing_at_speed(
+    const struct site *site, const bool *train, double speed, double x)
 {
 	double sum = 0, n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -99,48 +100,49 @@ mean_passing(const struct site *site, const bool *train, double speed, double x)
 }
 
 double
-validate_interpolation(
+validate_interpolated_passing(
     const struct site *site, const bool *train, double speed, double x)
 {
 	double line[2];
 	find_speeds_to_interpolate(site, train, speed, line);
-	double a = mean_passing(site, train, line[0], x);
-	double b = mean_passing(site, train, line[1], x);
-	double E_a = energy_specific(line[0]), E_b = energy_specific(line[1]);
-	double t = (energy_specific(speed) - E_a) / (E_b - E_a);
+	double a = mean_passing_at_speed(site, train, line[0], x);
+	double b = mean_passing_at_speed(site, train, line[1], x);
+	double E_a = energy_specific_at_speed(line[0]),
+	       E_b = energy_specific_at_speed(line[1]);
+	double t = (energy_specific_at_speed(speed) - E_a) / (E_b - E_a);
 	return a + t * (b - a);
 }
 
 static void
-model_passing(const struct run *run, const struct params *p,
+fill_model_passings(const struct run *run, const struct params *p,
     struct model_settings settings, double *out)
 {
-	struct model *model = model_new(
-	    &run->feed, run->product.size, misfit_count_covered(run), settings);
+	struct model *model = model_new(&run->feed, run->product.size,
+	    misfit_count_covered_sieves(run), settings);
 	model_use_params(model, p);
 	model_product(model, run->speed, out);
 	model_free(model);
 }
 
 void
-validate_passing(const struct site *site, size_t run, const bool *train,
+validate_predict_by_way(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     enum validate_way way, double *out)
 {
 	const struct run *at = &site->run[run];
 	double nearest = nearest_speed(site, train, at->speed);
 	if (way == VALIDATE_MODEL) {
-		model_passing(at, p, settings, out);
+		fill_model_passings(at, p, settings, out);
 		return;
 	}
-	for (size_t i = 0; i < misfit_count_covered(at); i++) {
+	for (size_t i = 0; i < misfit_count_covered_sieves(at); i++) {
 		double x = at->product.size[i];
-		out[i] =
-		    way == VALIDATE_CORRECTED ? NAN
-		    : way == VALIDATE_FEED    ? psd_passing(&at->feed, x)
-		    : way == VALIDATE_NEAREST
-			? mean_passing(site, train, nearest, x)
-			: validate_interpolation(site, train, at->speed, x);
+		out[i] = way == VALIDATE_CORRECTED ? NAN
+			 : way == VALIDATE_FEED    ? psd_passing(&at->feed, x)
+			 : way == VALIDATE_NEAREST
+			     ? mean_passing_at_speed(site, train, nearest, x)
+			     : validate_interpolated_passing(
+				   site, train, at->speed, x);
 	}
 }
 
@@ -158,7 +160,7 @@ read_p_sizes(const struct psd *sieves, const double *passing, size_t n,
 		known.passing[known.n++] = passing[i];
 	}
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		size[i] = psd_size(&known, PSD_PASSING[i]);
+		size[i] = psd_size_at_passing(&known, PSD_PASSING[i]);
 	psd_free(&known);
 }
 
@@ -169,7 +171,7 @@ score_way(struct validation *v, const struct site *site, enum validate_way way,
 {
 	const struct psd *product = &site->run[v->run].product;
 	size_t worst = 0, n = v->n_sieve;
-	v->rmse[way] = psd_rms(passing, product->passing, n, &worst);
+	v->rmse[way] = psd_rms_difference(passing, product->passing, n, &worst);
 	read_p_sizes(product, passing, n, v->size[way]);
 	if (way != VALIDATE_MODEL)
 		return;
@@ -179,28 +181,28 @@ score_way(struct validation *v, const struct site *site, enum validate_way way,
 }
 
 double *
-validate_passings(const struct site *site, size_t run, const bool *train,
-    const struct params *p, struct model_settings settings,
+validate_predict_by_all_ways(const struct site *site, size_t run,
+    const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected)
 {
-	size_t n = misfit_count_covered(&site->run[run]);
-	double *passing = xdoubles(VALIDATE_WAYS * n);
+	size_t n = misfit_count_covered_sieves(&site->run[run]);
+	double *passing = xcalloc_doubles(VALIDATE_WAYS * n);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		if (way == VALIDATE_CORRECTED && corrected != NULL)
 			memcpy(
 			    passing + way * n, corrected, n * sizeof *passing);
 		else
-			validate_passing(site, run, train, p, settings, way,
-			    passing + way * n);
+			validate_predict_by_way(site, run, train, p, settings,
+			    way, passing + way * n);
 	return passing;
 }
 
 struct validation
-validate_predicted(const struct site *site, size_t run, const bool *train,
-    const double *passing)
+validate_run_from_predictions(const struct site *site, size_t run,
+    const bool *train, const double *passing)
 {
 	const struct run *at = &site->run[run];
-	size_t n = misfit_count_covered(at);
+	size_t n = misfit_count_covered_sieves(at);
 	assert(n > 0);
 	struct validation v = {.run = run,
 	    .speed = at->speed,
@@ -210,7 +212,8 @@ validate_predicted(const struct site *site, size_t run, const bool *train,
 	    .nearest = nearest_speed(site, train, at->speed)};
 	find_speeds_to_interpolate(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		v.measured[i] = psd_size(&at->product, PSD_PASSING[i]);
+		v.measured[i] =
+		    psd_size_at_passing(&at->product, PSD_PASSING[i]);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
 		score_way(&v, site, way, passing + way * n);
 	return v;
@@ -221,13 +224,13 @@ validate_run(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     const double *corrected)
 {
-	FREED double *passing =
-	    validate_passings(site, run, train, p, settings, corrected);
-	return validate_predicted(site, run, train, passing);
+	FREED double *passing = validate_predict_by_all_ways(
+	    site, run, train, p, settings, corrected);
+	return validate_run_from_predictions(site, run, train, passing);
 }
 
 enum validate_way
-validate_winner(const double rmse[static VALIDATE_WAYS])
+validate_best_way(const double rmse[static VALIDATE_WAYS])
 {
 	enum validate_way best = VALIDATE_MODEL;
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
@@ -250,7 +253,7 @@ validation_extrapolates(const struct validation *v)
 }
 
 struct validate_score
-validate_score(const struct validation *const *v, size_t n,
+validate_score_at_size(const struct validation *const *v, size_t n,
     enum validate_way way, size_t i)
 {
 	double mean = 0, bias = 0, square = 0, left = 0, spread = 0, count = 0;

@@ -49,25 +49,25 @@ struct validation validate_run(const struct site *site, size_t run,
     const double *corrected);
 
 /* Computes the passings, 0..1, that one way predicts for the run at its covered
- * sieves, out [misfit_count_covered]; NAN where it has no answer, as always for
- * VALIDATE_CORRECTED, which needs draws. */
-void validate_passing(const struct site *site, size_t run, const bool *train,
-    const struct params *p, struct model_settings settings,
+ * sieves, out [misfit_count_covered_sieves]; NAN where it has no answer, as
+ * always for VALIDATE_CORRECTED, which needs draws. */
+void validate_predict_by_way(const struct site *site, size_t run,
+    const bool *train, const struct params *p, struct model_settings settings,
     enum validate_way way, double *out);
 
-/* Returns the predictions of all ways, as validate_passing computes them,
- * [VALIDATE_WAYS][n] over the n covered sieves.  corrected: as for
+/* Returns the predictions of all ways, as validate_predict_by_way computes
+ * them, [VALIDATE_WAYS][n] over the n covered sieves.  corrected: as for
  * validate_run.  The caller frees the result. */
-double *validate_passings(const struct site *site, size_t run,
+double *validate_predict_by_all_ways(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);
 
-/* As validate_run, but from the result of validate_passings. */
-struct validation validate_predicted(const struct site *site, size_t run,
-    const bool *train, const double *passing);
+/* As validate_run, but from the result of validate_predict_by_all_ways. */
+struct validation validate_run_from_predictions(const struct site *site,
+    size_t run, const bool *train, const double *passing);
 
 /* Returns the way with the smallest RMSE. */
-enum validate_way validate_winner(const double rmse[static VALIDATE_WAYS]);
+enum validate_way validate_best_way(const double rmse[static VALIDATE_WAYS]);
 
 /* True if the model predicts this run worse than interpolation of the measured
  * training products does. */
@@ -81,7 +81,7 @@ bool validation_extrapolates(const struct validation *v);
  * all of these, on the line through the two nearest.  Repeats at a speed are
  * averaged.  NAN if there are fewer than two speeds, or if a product used does
  * not cover x. */
-double validate_interpolation(
+double validate_interpolated_passing(
     const struct site *site, const bool *train, double speed, double x);
 
 /* The score of one size over many runs: mean and root mean square of the
@@ -95,7 +95,7 @@ struct validate_score {
 };
 
 /* Returns the score of a way at size i of PSD_PASSING over runs v [n]. */
-struct validate_score validate_score(const struct validation *const *v,
+struct validate_score validate_score_at_size(const struct validation *const *v,
     size_t n, enum validate_way way, size_t i);
 
 #endif

@@ -7,7 +7,7 @@
 #include "core/numeric/elementary.h"
 
 static double
-polynomial(const double beta[static 4], double u)
+evaluate_polynomial(const double beta[static 4], double u)
 {
 	return beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3]));
 }
@@ -15,7 +15,7 @@ polynomial(const double beta[static 4], double u)
 double
 appearance_density(const double beta[static 4], double u)
 {
-	double p = polynomial(beta, u);
+	double p = evaluate_polynomial(beta, u);
 	return p > 0 ? p : 0;
 }
 
@@ -30,7 +30,8 @@ polynomial_integral(const double beta[static 4], double u)
 /* Where the polynomial turns: roots of its derivative strictly between a and
  * b, in rising order.  Returns how many. */
 static size_t
-turning_points(const double beta[static 4], double a, double b, double at[2])
+find_turning_points(
+    const double beta[static 4], double a, double b, double at[2])
 {
 	double c = beta[1], d = 2 * beta[2], e = 3 * beta[3];
 	double discriminant = d * d - 4 * e * c;
@@ -53,14 +54,14 @@ turning_points(const double beta[static 4], double a, double b, double at[2])
 /* The root between a and b, where the polynomial is monotone and changes sign;
  * halved until neighbouring doubles. */
 static double
-target_speed_between(const double beta[static 4], double a, double b)
+find_root_between(const double beta[static 4], double a, double b)
 {
-	int rising = polynomial(beta, b) > 0;
+	int rising = evaluate_polynomial(beta, b) > 0;
 	for (;;) {
 		double middle = a + (b - a) / 2;
 		if (middle <= a || middle >= b)
 			return middle;
-		if ((polynomial(beta, middle) > 0) == rising)
+		if ((evaluate_polynomial(beta, middle) > 0) == rising)
 			b = middle;
 		else
 			a = middle;
@@ -70,10 +71,10 @@ target_speed_between(const double beta[static 4], double a, double b)
 /* Ends of the stretches of one sign within [2^-10, 1], both ends included;
  * edge has room for five.  Returns the number of edges. */
 static size_t
-sign_edges(const double beta[static 4], double edge[static 5])
+find_sign_changes(const double beta[static 4], double edge[static 5])
 {
 	double turn[2], stop[4];
-	size_t n_turn = turning_points(beta, APPEARANCE_FINEST, 1, turn);
+	size_t n_turn = find_turning_points(beta, APPEARANCE_FINEST, 1, turn);
 	size_t n_stop = 0, n = 0;
 	stop[n_stop++] = APPEARANCE_FINEST;
 	for (size_t i = 0; i < n_turn; i++)
@@ -81,28 +82,28 @@ sign_edges(const double beta[static 4], double edge[static 5])
 	stop[n_stop++] = 1;
 	edge[n++] = stop[0];
 	for (size_t i = 1; i < n_stop; i++) {
-		double a = polynomial(beta, stop[i - 1]);
-		double b = polynomial(beta, stop[i]);
+		double a = evaluate_polynomial(beta, stop[i - 1]);
+		double b = evaluate_polynomial(beta, stop[i]);
 		if ((a > 0) != (b > 0))
 			edge[n++] =
-			    target_speed_between(beta, stop[i - 1], stop[i]);
+			    find_root_between(beta, stop[i - 1], stop[i]);
 	}
 	edge[n++] = 1;
 	return n;
 }
 
 static void
-cumulate_parts(struct appearance *a)
+cumulate_piece_integrals(struct appearance *a)
 {
 	for (size_t i = 0; i < a->n; i++) {
 		a->log_lower[i] = el_log(a->lower[i]);
 		a->log_upper[i] = el_log(a->upper[i]);
 		for (size_t b = 0; b < 4; b++) {
 			double before = i > 0 ? a->full[i - 1][b] : 0;
-			double from =
-			    appearance_power(b, a->log_lower[i], a->lower[i]);
-			double to =
-			    appearance_power(b, a->log_upper[i], a->upper[i]);
+			double from = appearance_power_integral(
+			    b, a->log_lower[i], a->lower[i]);
+			double to = appearance_power_integral(
+			    b, a->log_upper[i], a->upper[i]);
 			a->base[i][b] = before - from;
 			a->full[i][b] = a->base[i][b] + to;
 			a->whole[b] += to - from;
@@ -115,10 +116,10 @@ appearance_with_beta(const double beta[static 4])
 {
 	struct appearance a = {.beta = {beta[0], beta[1], beta[2], beta[3]}};
 	double edge[5];
-	size_t n = sign_edges(beta, edge);
+	size_t n = find_sign_changes(beta, edge);
 	for (size_t i = 1; i < n; i++) {
 		double middle = edge[i - 1] + (edge[i] - edge[i - 1]) / 2;
-		if (!(polynomial(beta, middle) > 0))
+		if (!(evaluate_polynomial(beta, middle) > 0))
 			continue;
 		double share = polynomial_integral(beta, edge[i]) -
 			       polynomial_integral(beta, edge[i - 1]);
@@ -131,7 +132,7 @@ appearance_with_beta(const double beta[static 4])
 		a.total = 0;
 		a.n = 0;
 	}
-	cumulate_parts(&a);
+	cumulate_piece_integrals(&a);
 	return a;
 }
 
@@ -149,7 +150,7 @@ appearance_argument(enum appearance_form form, double parent, double daughter)
 }
 
 void
-appearance_parts(
+appearance_integrals_up_to(
     const struct appearance *a, double log_u, double parts[static 4])
 {
 	size_t i = a->n;

@@ -17,7 +17,7 @@ const struct breakage *const BREAKAGES[] = {&BREAKAGE_GRUNDITZ,
     &BREAKAGE_T10_BYPASS, NULL};
 
 size_t
-breakage_count(void)
+breakage_count_models(void)
 {
 	return sizeof BREAKAGES / sizeof *BREAKAGES - 1;
 }
@@ -28,14 +28,14 @@ breakage_names(void)
 	static char *names;
 	if (names == NULL) {
 		names = xstrdup("");
-		for (size_t i = 0; i < breakage_count(); i++)
-			xlist(&names, " ", "%s", BREAKAGES[i]->name);
+		for (size_t i = 0; i < breakage_count_models(); i++)
+			xappend_to_list(&names, " ", "%s", BREAKAGES[i]->name);
 	}
 	return names;
 }
 
 size_t
-breakage_find(const char *name)
+breakage_find_by_name(const char *name)
 {
 	size_t i = 0;
 	while (BREAKAGES[i] != NULL && strcmp(BREAKAGES[i]->name, name) != 0)
@@ -49,7 +49,7 @@ has_all_parameters(size_t wide, size_t narrow)
 {
 	const struct breakage *of = BREAKAGES[narrow];
 	size_t j = 0;
-	while (j < of->n && breakage_parameter(BREAKAGES[wide],
+	while (j < of->n && breakage_parameter_index(BREAKAGES[wide],
 				of->parameter[j].name) < BREAKAGES[wide]->n)
 		j++;
 	return j == of->n;
@@ -62,44 +62,46 @@ breakage_extends(size_t wide, size_t narrow)
 }
 
 struct params
-breakage_widened(const struct params *p, size_t wide)
+breakage_widen_params(const struct params *p, size_t wide)
 {
-	struct params q = params_start(wide);
-	for (size_t i = 0; i < breakage_of(p)->n; i++) {
-		const char *name = breakage_of(p)->parameter[i].name;
-		q.at[breakage_parameter(BREAKAGES[wide], name)] = p->at[i];
+	struct params q = params_start_values(wide);
+	for (size_t i = 0; i < breakage_model_of_params(p)->n; i++) {
+		const char *name =
+		    breakage_model_of_params(p)->parameter[i].name;
+		q.at[breakage_parameter_index(BREAKAGES[wide], name)] =
+		    p->at[i];
 	}
 	return q;
 }
 
 struct params
-breakage_narrowed(const struct params *p)
+breakage_narrow_params(const struct params *p)
 {
 	struct params best = *p;
-	size_t reference = breakage_of(p)->reference;
-	for (size_t i = 0; i < breakage_count(); i++) {
+	size_t reference = breakage_model_of_params(p)->reference;
+	for (size_t i = 0; i < breakage_count_models(); i++) {
 		if (!breakage_extends(p->breakage, i) ||
-		    BREAKAGES[i]->n >= breakage_of(&best)->n)
+		    BREAKAGES[i]->n >= breakage_model_of_params(&best)->n)
 			continue;
 		struct params q = {.breakage = i};
 		for (size_t j = 0; j < BREAKAGES[i]->n; j++)
-			q.at[j] =
-			    params_value(p, BREAKAGES[i]->parameter[j].name);
-		struct params back = breakage_widened(&q, p->breakage);
-		if (reference < breakage_of(p)->n)
+			q.at[j] = params_value_by_name(
+			    p, BREAKAGES[i]->parameter[j].name);
+		struct params back = breakage_widen_params(&q, p->breakage);
+		if (reference < breakage_model_of_params(p)->n)
 			back.at[reference] = p->at[reference];
 		if (memcmp(back.at, p->at,
-			breakage_of(p)->n * sizeof *back.at) == 0)
+			breakage_model_of_params(p)->n * sizeof *back.at) == 0)
 			best = q;
 	}
 	return best;
 }
 
 size_t
-breakage_wider(size_t breakage)
+breakage_widest_extension(size_t breakage)
 {
 	size_t widest = breakage;
-	for (size_t i = 0; i < breakage_count(); i++)
+	for (size_t i = 0; i < breakage_count_models(); i++)
 		if (breakage_extends(i, breakage) &&
 		    BREAKAGES[i]->reference < BREAKAGES[i]->n &&
 		    BREAKAGES[i]->n > BREAKAGES[widest]->n &&
@@ -109,13 +111,13 @@ breakage_wider(size_t breakage)
 }
 
 const struct breakage *
-breakage_of(const struct params *p)
+breakage_model_of_params(const struct params *p)
 {
 	return BREAKAGES[p->breakage];
 }
 
 size_t
-breakage_parameter(const struct breakage *model, const char *name)
+breakage_parameter_index(const struct breakage *model, const char *name)
 {
 	size_t j = 0;
 	while (j < model->n && strcmp(model->parameter[j].name, name) != 0)
@@ -124,14 +126,14 @@ breakage_parameter(const struct breakage *model, const char *name)
 }
 
 double
-params_value(const struct params *p, const char *name)
+params_value_by_name(const struct params *p, const char *name)
 {
-	size_t j = breakage_parameter(breakage_of(p), name);
-	return j < breakage_of(p)->n ? p->at[j] : NAN;
+	size_t j = breakage_parameter_index(breakage_model_of_params(p), name);
+	return j < breakage_model_of_params(p)->n ? p->at[j] : NAN;
 }
 
 struct params
-params_start(size_t breakage)
+params_start_values(size_t breakage)
 {
 	struct params p = {.breakage = breakage};
 	for (size_t j = 0; j < BREAKAGES[breakage]->n; j++)
@@ -140,7 +142,7 @@ params_start(size_t breakage)
 }
 
 double
-energy_specific(double v)
+energy_specific_at_speed(double v)
 {
 	return v * v / 2;
 }
@@ -148,23 +150,25 @@ energy_specific(double v)
 double
 params_break_size(const struct params *p, double v)
 {
-	return breakage_of(p)->break_size(p, energy_specific(v));
+	return breakage_model_of_params(p)->break_size(
+	    p, energy_specific_at_speed(v));
 }
 
 double
-params_break_size_by(
+params_break_size_by_impacts(
     const struct params *p, const struct model_settings *settings, double v)
 {
 	const struct impacts *i = &settings->impacts;
 	double most = i->n > 0 ? i->ratio[i->n - 1] : 1;
-	return breakage_of(p)->break_size(p, most * energy_specific(v));
+	return breakage_model_of_params(p)->break_size(
+	    p, most * energy_specific_at_speed(v));
 }
 
 double
 params_largest_gauge(const struct params *p)
 {
 	double largest = 0;
-	for (size_t j = 0; j < breakage_of(p)->gauge; j++)
+	for (size_t j = 0; j < breakage_model_of_params(p)->gauge; j++)
 		largest = fmax(largest, fabs(p->at[j]));
 	return largest;
 }
@@ -173,7 +177,8 @@ void
 params_scale_to_1(struct params *p)
 {
 	double largest = params_largest_gauge(p);
-	for (size_t j = 0; largest > 0 && j < breakage_of(p)->gauge; j++)
+	for (size_t j = 0;
+	     largest > 0 && j < breakage_model_of_params(p)->gauge; j++)
 		p->at[j] /= largest;
 }
 
@@ -193,7 +198,7 @@ breaker_set_params(struct breaker *b, const struct params *p,
     const struct model_settings *settings)
 {
 	b->p = *p;
-	b->model = breakage_of(p);
+	b->model = breakage_model_of_params(p);
 	b->k = settings->k;
 	b->impacts = settings->impacts;
 }
@@ -202,7 +207,7 @@ void
 breaker_set_speed(struct breaker *b, double v)
 {
 	b->v = v;
-	b->E = energy_specific(v);
+	b->E = energy_specific_at_speed(v);
 	b->model->prepare(b);
 }
 

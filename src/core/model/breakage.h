@@ -14,7 +14,7 @@
 #include "core/numeric/isa.h"
 #include "core/model/params.h"
 
-struct plan;
+struct batch_plan;
 
 /* Results of the kernel, by candidate: the misfit and, if difference is not
  * NULL, the weighted differences simulated - measured, cell i (see struct
@@ -29,15 +29,15 @@ struct kernel_out {
 /* A model's part of the search, see kernel_body.h.  Evaluates the KERNEL_LANES
  * candidates at the indices.  theta: one array for each parameter of the model.
  * smooth: all these candidates are smooth, see KERNEL_BINS. */
-typedef void kernel_block(const struct plan *plan, const double *const *theta,
-    const uint32_t *index, bool smooth, double *scratch,
-    const struct kernel_out *out);
+typedef void kernel_block(const struct batch_plan *plan,
+    const double *const *theta, const uint32_t *index, bool smooth,
+    double *scratch, const struct kernel_out *out);
 
 /* Sorts the candidates first..first+KERNEL_LANES-1 into bins of ln x* at the
  * mean energy, adding KERNEL_BINS for smooth candidates, whose S rises so
  * slowly that fewer Gauss points suffice. */
 enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
-typedef void kernel_bin_candidates(const struct plan *plan,
+typedef void kernel_bin_candidates(const struct batch_plan *plan,
     const double *const *theta, size_t first, uint16_t *bin);
 
 /* Parameters at a tip speed, prepared by breaker_set_speed.  own: values that
@@ -50,7 +50,7 @@ struct breaker {
 	alignas(max_align_t) unsigned char own[640];
 };
 
-struct continuous;
+struct continuous_solver;
 
 struct breakage {
 	const char *name;   /* as typed */
@@ -93,8 +93,10 @@ struct breakage {
 	    const struct breaker *b, double u, double log_u, double log_x);
 	/* False if what breaks has no progeny, so product = feed. */
 	bool (*breaks)(const struct breaker *b);
-	/* A shortcut for the product, see continuous_product; or NULL. */
-	void (*product)(struct continuous *c, double *passing, double *d);
+	/* A shortcut for the product, see continuous_solver_product; or NULL.
+	 */
+	void (*product)(
+	    struct continuous_solver *c, double *passing, double *d);
 	/* Return S and B as text with the numbers filled in.  The caller frees
 	 * it. */
 	char *(*selection_text)(const struct params *p, double k);
@@ -106,16 +108,16 @@ struct breakage {
 	} kernel[ISA_BEST]; /* of the search */
 };
 
-/* All models, the paper's first, ending with NULL.  breakage_count returns
- * their number. */
+/* All models, the paper's first, ending with NULL.  breakage_count_models
+ * returns their number. */
 extern const struct breakage *const BREAKAGES[];
-size_t breakage_count(void);
+size_t breakage_count_models(void);
 
 /* Returns the models' names, separated by spaces.  Not thread-safe. */
 const char *breakage_names(void);
 
-/* Returns the index of the model with that name, or breakage_count(). */
-size_t breakage_find(const char *name);
+/* Returns the index of the model with that name, or breakage_count_models(). */
+size_t breakage_find_by_name(const char *name);
 
 /* True if the wide model has all the parameters of the narrow one and its
  * others have no effect at their start values. */
@@ -123,35 +125,35 @@ bool breakage_extends(size_t wide, size_t narrow);
 
 /* Returns the parameters in a model that extends theirs, with the others at
  * their start values. */
-struct params breakage_widened(const struct params *p, size_t wide);
+struct params breakage_widen_params(const struct params *p, size_t wide);
 
-/* The inverse of breakage_widened: returns the parameters in the smallest model
- * that gives the same product because all parameters that it lacks are at their
- * start values. */
-struct params breakage_narrowed(const struct params *p);
+/* The inverse of breakage_widen_params: returns the parameters in the smallest
+ * model that gives the same product because all parameters that it lacks are at
+ * their start values. */
+struct params breakage_narrow_params(const struct params *p);
 
 /* Returns the index of the widest model that has all parameters of the given
  * model and lets the appearance depend on the energy (D12, D17), or of the
  * given model if there is none. */
-size_t breakage_wider(size_t breakage);
+size_t breakage_widest_extension(size_t breakage);
 
 /* Returns the model of the parameters. */
-const struct breakage *breakage_of(const struct params *p);
+const struct breakage *breakage_model_of_params(const struct params *p);
 
 /* Returns the index of the parameter with that name, or the model's n. */
-size_t breakage_parameter(const struct breakage *model, const char *name);
+size_t breakage_parameter_index(const struct breakage *model, const char *name);
 
 /* Returns the value of the parameter with that name, or NAN if the model does
  * not have it. */
-double params_value(const struct params *p, const char *name);
+double params_value_by_name(const struct params *p, const char *name);
 
 /* Returns every parameter at its start value. */
-struct params params_start(size_t breakage);
+struct params params_start_values(size_t breakage);
 
 /* Returns the specific energy, J/kg, of a particle thrown at tip speed v, m/s.
  *   E = v^2 / 2
  * Source: paper Eq 4. */
-double energy_specific(double v);
+double energy_specific_at_speed(double v);
 
 /* Returns the break size x*, m: the smallest size that can break at tip speed
  * v, m/s, in the parameters' model; 0 if every size breaks, INFINITY if none
@@ -160,7 +162,7 @@ double params_break_size(const struct params *p, double v);
 
 /* As params_break_size, but for the strongest of the impacts in the
  * settings. */
-double params_break_size_by(
+double params_break_size_by_impacts(
     const struct params *p, const struct model_settings *settings, double v);
 
 /* Returns the largest absolute value of the parameters in the gauge, or 0 if

@@ -16,26 +16,26 @@
 enum { GAMMA = 7, E_REF };
 
 void
-energy_prepare(struct breaker *b)
+energy_prepare_breaker(struct breaker *b)
 {
 	struct energy_own *own = (struct energy_own *)(void *)b->own;
 	static_assert(sizeof *own <= sizeof b->own, "room");
-	grunditz_prepare(b);
+	grunditz_prepare_breaker(b);
 	own->log_ratio = el_log(b->E / b->p.at[E_REF]);
 	own->exponent = el_exp(-b->p.at[GAMMA] * own->log_ratio);
 }
 
 const struct energy_own *
-energy_exponents(const struct breaker *b)
+energy_cached_values(const struct breaker *b)
 {
 	return (const struct energy_own *)(const void *)b->own;
 }
 
 double
-energy_finer(const struct breaker *b, double log_u, double *d)
+energy_share_finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[4] = {0}, e = energy_exponents(b)->exponent;
-	double B = grunditz_finer(b, log_u, d != NULL ? base : NULL);
+	double base[4] = {0}, e = energy_cached_values(b)->exponent;
+	double B = grunditz_share_finer(b, log_u, d != NULL ? base : NULL);
 	if (!(B > 0))
 		return 0;
 	double log_B = el_log(B), P = el_exp(e * log_B);
@@ -43,18 +43,19 @@ energy_finer(const struct breaker *b, double log_u, double *d)
 		return P;
 	for (size_t i = 0; i < 4; i++)
 		d[i] += e * P / B * base[i];
-	d[GAMMA] -= P * log_B * e * energy_exponents(b)->log_ratio;
+	d[GAMMA] -= P * log_B * e * energy_cached_values(b)->log_ratio;
 	return P;
 }
 
 double
-energy_density(const struct breaker *b, double u, double log_u, double log_x)
+energy_progeny_density(
+    const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)log_x;
 	const struct appearance *a = grunditz_appearance(b);
 	double p = appearance_density(a->beta, u),
-	       e = energy_exponents(b)->exponent;
-	double B = log_u < 0 ? grunditz_finer(b, log_u, NULL) : 1;
+	       e = energy_cached_values(b)->exponent;
+	double B = log_u < 0 ? grunditz_share_finer(b, log_u, NULL) : 1;
 	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
 }
 
@@ -78,16 +79,17 @@ BREAKAGE_ROWS(ENERGY, "grunditz-energy",
     .source = "Grunditz et al. 2021, finer progeny at higher energy",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
     .reference = E_REF, .strength = 4, SELECTION_MEMBERS,
-    .prepare = energy_prepare, .finer = energy_finer, .density = energy_density,
-    .breaks = grunditz_breaks, .appearance_text = energy_appearance_text,
-    .kernel = KERNEL_ROW(energy))
+    .prepare = energy_prepare_breaker, .finer = energy_share_finer,
+    .density = energy_progeny_density, .breaks = grunditz_has_progeny,
+    .appearance_text = energy_appearance_text, .kernel = KERNEL_ROW(energy))
 
 #else /* LANES */
 
 static inline void
-energy_load(struct block *b, const double *const *theta, const uint32_t *index)
+energy_load_params(
+    struct block *b, const double *const *theta, const uint32_t *index)
 {
-	grunditz_load(b, theta, index);
+	grunditz_load_params(b, theta, index);
 	b->own[4] = lanes_gather(theta[7], index);
 	b->own[5] = lanes_log(lanes_gather(theta[8], index));
 }
@@ -95,33 +97,34 @@ energy_load(struct block *b, const double *const *theta, const uint32_t *index)
 /* First ln B and p / B of the cubic, then their powers; the last node, where B
  * is 0 and p may be anything, has the mean slope. */
 static inline lanes
-energy_nodes(const struct block *b, const struct plan *plan, struct node *node)
+energy_tabulate_nodes(
+    const struct block *b, const struct batch_plan *plan, struct node *node)
 {
 	size_t last = KERNEL_NODES - 1;
-	lanes total = grunditz_nodes(b, plan, node);
+	lanes total = grunditz_tabulate_nodes(b, plan, node);
 	for (size_t n = 0; n < last; n++) {
-		lanes B = lanes_max(node[n].below, lanes_of(1e-300));
+		lanes B = lanes_max(node[n].below, lanes_broadcast(1e-300));
 		node[n].p /= B;
 		node[n].below =
-		    lanes_log(B / lanes_max(total, lanes_of(1e-300)));
+		    lanes_log(B / lanes_max(total, lanes_broadcast(1e-300)));
 	}
 	for (size_t r = plan->n_run; r-- > 0;) {
 		struct node *to = node + r * KERNEL_NODES;
 		lanes e = lanes_exp_quick(
 		    lanes_min(b->own[4] * (b->own[5] - plan->run[r].log_E),
-			lanes_of(708)));
+			lanes_broadcast(708)));
 		for (size_t n = 0; n < last; n++) {
 			to[n].below = lanes_exp_quick(e * node[n].below);
 			to[n].p = e * node[n].p * to[n].below;
 		}
-		to[last].below = lanes_of(0);
+		to[last].below = lanes_broadcast(0);
 		to[last].p =
 		    to[last - 1].below / (2 * plan->half_step[last - 1]);
 	}
-	return (lanes)((total > 0.0) & (lanes_mask)lanes_of(1));
+	return (lanes)((total > 0.0) & (lanes_mask)lanes_broadcast(1));
 }
 
-KERNEL(energy, .strength = 4, .load = energy_load, .nodes = energy_nodes,
-    .per_run = true)
+KERNEL(energy, .strength = 4, .load = energy_load_params,
+    .nodes = energy_tabulate_nodes, .per_run = true)
 
 #endif

@@ -25,12 +25,12 @@ struct energy_own {
 		    0                                                      \
 	}
 
-const struct energy_own *energy_exponents(const struct breaker *b);
+const struct energy_own *energy_cached_values(const struct breaker *b);
 
 /* See the fields of that name in struct breakage. */
-void energy_prepare(struct breaker *b);
-double energy_finer(const struct breaker *b, double log_u, double *d);
-double energy_density(
+void energy_prepare_breaker(struct breaker *b);
+double energy_share_finer(const struct breaker *b, double log_u, double *d);
+double energy_progeny_density(
     const struct breaker *b, double u, double log_u, double log_x);
 char *energy_appearance_text(const struct params *p);
 

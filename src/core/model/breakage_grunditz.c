@@ -17,7 +17,7 @@
 enum { F_MAT = 4 };
 
 void
-grunditz_prepare(struct breaker *b)
+grunditz_prepare_breaker(struct breaker *b)
 {
 	struct params scaled = b->p;
 	params_scale_to_1(&scaled);
@@ -33,13 +33,13 @@ grunditz_appearance(const struct breaker *b)
 }
 
 double
-grunditz_finer(const struct breaker *b, double log_u, double *d)
+grunditz_share_finer(const struct breaker *b, double log_u, double *d)
 {
 	const struct appearance *a = grunditz_appearance(b);
 	double parts[4], sum = 0;
 	if (a->n == 0)
 		return 0;
-	appearance_parts(a, log_u, parts);
+	appearance_integrals_up_to(a, log_u, parts);
 	for (size_t i = 0; i < 4; i++)
 		sum += a->beta[i] * parts[i];
 	double B = sum / a->total;
@@ -52,7 +52,7 @@ grunditz_finer(const struct breaker *b, double log_u, double *d)
 }
 
 bool
-grunditz_breaks(const struct breaker *b)
+grunditz_has_progeny(const struct breaker *b)
 {
 	return grunditz_appearance(b)->total > 0;
 }
@@ -69,7 +69,7 @@ grunditz_appearance_text(const struct params *p)
 }
 
 static double
-density(const struct breaker *b, double u, double log_u, double log_x)
+progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)log_u;
 	(void)log_x;
@@ -95,19 +95,20 @@ struct moments {
 	double of[SHAPES][MOMENTS];
 };
 
-/* S and its derivatives at the points of a panel: selection_by. */
+/* S and its derivatives at the points of a panel: selection_by_impacts. */
 static void
-selection_at_panel(const struct breaker *b, const double t[static GAUSS],
-    double shape[static SHAPES][GAUSS])
+compute_selection_at_panel(const struct breaker *b,
+    const double t[static GAUSS], double shape[static SHAPES][GAUSS])
 {
 	const double *q = b->p.at + F_MAT;
 	if (b->impacts.n == 0) {
-		selection_row(q, b->k, b->E, GAUSS, t, shape[0]);
+		selection_at_sizes(q, b->k, b->E, GAUSS, t, shape[0]);
 		return;
 	}
 	for (size_t i = 0; i < GAUSS; i++) {
 		double d[SHAPES] = {0};
-		d[0] = selection_by(&b->impacts, q, b->k, b->E, t[i], d + 1);
+		d[0] = selection_by_impacts(
+		    &b->impacts, q, b->k, b->E, t[i], d + 1);
 		for (size_t s = 0; s < SHAPES; s++)
 			shape[s][i] = d[s];
 	}
@@ -115,11 +116,11 @@ selection_at_panel(const struct breaker *b, const double t[static GAUSS],
 
 /* S dF, and with more shapes its derivatives, times each g_m. */
 static inline void
-add_panel_moments(const struct continuous *c, const struct panel *panel,
+add_panel_moments(const struct continuous_solver *c, const struct panel *panel,
     size_t n, struct moments *sum)
 {
 	double shape[SHAPES][GAUSS], x1[GAUSS];
-	selection_at_panel(&c->b, panel->t, shape);
+	compute_selection_at_panel(&c->b, panel->t, shape);
 	for (size_t i = 0; i < GAUSS; i++)
 		x1[i] = el_exp(-panel->t[i]);
 	for (size_t i = 0; i < GAUSS; i++) {
@@ -135,43 +136,45 @@ add_panel_moments(const struct continuous *c, const struct panel *panel,
 
 static void
 add_moments_of_S(
-    const struct continuous *c, const struct panel *panel, void *data)
+    const struct continuous_solver *c, const struct panel *panel, void *data)
 {
 	add_panel_moments(c, panel, 1, data);
 }
 
 static void
 add_moments_with_derivatives(
-    const struct continuous *c, const struct panel *panel, void *data)
+    const struct continuous_solver *c, const struct panel *panel, void *data)
 {
 	add_panel_moments(c, panel, SHAPES, data);
 }
 
 static void
-add_stretch(const struct continuous *c, double a, double b, double density,
-    size_t n_shape, struct moments *sum)
+add_integral_between(const struct continuous_solver *c, double a, double b,
+    double density, size_t n_shape, struct moments *sum)
 {
 	if (n_shape > 1)
-		continuous_stretch(
+		continuous_solver_visit_panels(
 		    c, a, b, density, add_moments_with_derivatives, sum);
 	else
-		continuous_stretch(c, a, b, density, add_moments_of_S, sum);
+		continuous_solver_visit_panels(
+		    c, a, b, density, add_moments_of_S, sum);
 }
 
 static void
-integrate_all(struct continuous *c, size_t n_shape)
+integrate_whole_feed(struct continuous_solver *c, size_t n_shape)
 {
 	memset(&c->above[0], 0, sizeof c->above[0]);
 	for (size_t e = 0; e + 1 < c->n_edge; e++) {
 		c->above[e + 1] = c->above[e];
-		add_stretch(c, c->edge[e + 1], c->edge[e], c->density[e],
-		    n_shape, &c->above[e + 1]);
+		add_integral_between(c, c->edge[e + 1], c->edge[e],
+		    c->density[e], n_shape, &c->above[e + 1]);
 	}
 }
 
 /* The integrals over x > exp(t). */
 static struct moments
-moments_above(const struct continuous *c, double t, size_t n_shape)
+moments_of_sizes_above(
+    const struct continuous_solver *c, double t, size_t n_shape)
 {
 	size_t low = 0, high = c->n_edge;
 	/* Finds the last edge that is not below t. */
@@ -185,7 +188,8 @@ moments_above(const struct continuous *c, double t, size_t n_shape)
 	struct moments sum = c->above[low];
 	bool inside = t < c->edge[low] - 1e-12 && low + 1 < c->n_edge;
 	if (inside)
-		add_stretch(c, t, c->edge[low], c->density[low], n_shape, &sum);
+		add_integral_between(
+		    c, t, c->edge[low], c->density[low], n_shape, &sum);
 	return sum;
 }
 
@@ -194,7 +198,7 @@ moments_above(const struct continuous *c, double t, size_t n_shape)
  * where N_b = base_b on the stretch, plus the primitive of u^b if inside a
  * piece of p. */
 static void
-add_stretch_between_tables(double log_s, size_t n_shape,
+add_integral_between_tables(double log_s, size_t n_shape,
     const struct moments *from, const struct moments *to,
     const double base[static 4], bool inside, double Q[SHAPES][4])
 {
@@ -215,29 +219,31 @@ add_stretch_between_tables(double log_s, size_t n_shape,
 
 /* Walks from u = 2^-10 up to 1, piece by piece of p and the gaps between. */
 static void
-broken_parts(const struct continuous *c, double log_s, size_t n_shape,
-    double Q[SHAPES][4])
+integrate_broken_parts(const struct continuous_solver *c, double log_s,
+    size_t n_shape, double Q[SHAPES][4])
 {
 	const struct appearance *a = grunditz_appearance(&c->b);
 	memset(Q, 0, sizeof(double[SHAPES][4]));
 	const double none[4] = {0}, *full = none;
 	struct moments outer = {0}, inner;
 	for (size_t i = 0; i < a->n; i++) {
-		inner = moments_above(c, log_s - a->log_lower[i], n_shape);
-		add_stretch_between_tables(
+		inner =
+		    moments_of_sizes_above(c, log_s - a->log_lower[i], n_shape);
+		add_integral_between_tables(
 		    log_s, n_shape, &inner, &outer, full, false, Q);
-		outer = moments_above(c, log_s - a->log_upper[i], n_shape);
-		add_stretch_between_tables(
+		outer =
+		    moments_of_sizes_above(c, log_s - a->log_upper[i], n_shape);
+		add_integral_between_tables(
 		    log_s, n_shape, &outer, &inner, a->base[i], true, Q);
 		full = a->full[i];
 	}
-	inner = moments_above(c, log_s, n_shape);
-	add_stretch_between_tables(
+	inner = moments_of_sizes_above(c, log_s, n_shape);
+	add_integral_between_tables(
 	    log_s, n_shape, &inner, &outer, full, false, Q);
 }
 
 static double
-weighted_by_beta(const struct appearance *a, const double parts[static 4])
+sum_weighted_by_beta(const struct appearance *a, const double parts[static 4])
 {
 	double sum = 0;
 	for (size_t b = 0; b < 4; b++)
@@ -249,37 +255,38 @@ weighted_by_beta(const struct appearance *a, const double parts[static 4])
  * all pieces.  The beta of the appearance is scaled; the caller's moves the
  * product that much less. */
 static void
-fill_row(const struct continuous *c, double broken, double total,
-    const double T[static 4], double Q[SHAPES][4], double *row)
+fill_derivative_row(const struct continuous_solver *c, double broken,
+    double total, const double T[static 4], double Q[SHAPES][4], double *row)
 {
 	const struct appearance *a = grunditz_appearance(&c->b);
 	double scale = params_largest_gauge(&c->b.p);
 	for (size_t b = 0; b < 4; b++)
 		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
 	for (size_t i = 1; i < SHAPES; i++)
-		row[F_MAT + i - 1] = weighted_by_beta(a, Q[i]) / total;
+		row[F_MAT + i - 1] = sum_weighted_by_beta(a, Q[i]) / total;
 }
 
 /* See breakage.h, product. */
 static void
-product_by_moments(struct continuous *c, double *passing, double *d_passing)
+compute_product_by_moments(
+    struct continuous_solver *c, double *passing, double *d_passing)
 {
 	const struct appearance *a = grunditz_appearance(&c->b);
 	size_t n_shape = d_passing != NULL ? SHAPES : 1;
 	const double *T = a->whole;
 	if (c->above == NULL)
 		c->above = xcalloc(c->n_edge, sizeof *c->above);
-	integrate_all(c, n_shape);
-	double total = weighted_by_beta(a, T);
+	integrate_whole_feed(c, n_shape);
+	double total = sum_weighted_by_beta(a, T);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		passing[i] = c->feed_passing[i];
 		if (c->log_sieve[i] >= c->edge[0] || !(total > 0))
 			continue;
 		double Q[SHAPES][4];
-		broken_parts(c, c->log_sieve[i], n_shape, Q);
-		double broken = weighted_by_beta(a, Q[0]) / total;
+		integrate_broken_parts(c, c->log_sieve[i], n_shape, Q);
+		double broken = sum_weighted_by_beta(a, Q[0]) / total;
 		if (d_passing != NULL)
-			fill_row(c, broken, total, T, Q,
+			fill_derivative_row(c, broken, total, T, Q,
 			    d_passing + i * c->b.model->n);
 		passing[i] += broken;
 		passing[i] = passing[i] < 1 ? passing[i] : 1;
@@ -294,15 +301,15 @@ KERNELS(grunditz);
 BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
     .source = "Grunditz et al. 2021", .parameter = PARAMETERS, .gauge = 4,
     .gauge_name = "beta", .forms = true, .reference = PARAMS_MOST,
-    .strength = F_MAT, SELECTION_MEMBERS, .prepare = grunditz_prepare,
-    .finer = grunditz_finer, .density = density, .breaks = grunditz_breaks,
-    .product = product_by_moments, .appearance_text = grunditz_appearance_text,
-    .kernel = KERNEL_ROW(grunditz))
+    .strength = F_MAT, SELECTION_MEMBERS, .prepare = grunditz_prepare_breaker,
+    .finer = grunditz_share_finer, .density = progeny_density,
+    .breaks = grunditz_has_progeny, .product = compute_product_by_moments,
+    .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
 
 #else /* LANES */
 
 static inline void
-grunditz_load(
+grunditz_load_params(
     struct block *b, const double *const *theta, const uint32_t *index)
 {
 	for (size_t m = 0; m < 4; m++)
@@ -311,8 +318,8 @@ grunditz_load(
 
 /* p(u), clipped. */
 static inline lanes
-grunditz_density(const struct block *b, const struct plan_run *run, double u,
-    double log_u, double log_y)
+grunditz_progeny_density(const struct block *b, const struct plan_run *run,
+    double u, double log_u, double log_y)
 {
 	(void)run;
 	(void)log_u;
@@ -324,23 +331,23 @@ grunditz_density(const struct block *b, const struct plan_run *run, double u,
 
 /* p at the nodes of u and its integral up to each. */
 static inline lanes
-grunditz_nodes(
-    const struct block *b, const struct plan *plan, struct node *node)
+grunditz_tabulate_nodes(
+    const struct block *b, const struct batch_plan *plan, struct node *node)
 {
 	const struct plan_run *run = &plan->run[0];
 	size_t last = KERNEL_NODES - 1;
-	lanes sum = lanes_of(0);
-	node[last].p = grunditz_density(b, run, plan->u[last], 0, 0);
+	lanes sum = lanes_broadcast(0);
+	node[last].p = grunditz_progeny_density(b, run, plan->u[last], 0, 0);
 	node[last].below = sum;
 	for (size_t n = last; n-- > 0;) {
-		node[n].p = grunditz_density(b, run, plan->u[n], 0, 0);
+		node[n].p = grunditz_progeny_density(b, run, plan->u[n], 0, 0);
 		sum += plan->half_step[n] * (node[n + 1].p + node[n].p);
 		node[n].below = sum;
 	}
 	return sum;
 }
 
-KERNEL(grunditz, .strength = 4, .load = grunditz_load, .nodes = grunditz_nodes,
-    .density = grunditz_density)
+KERNEL(grunditz, .strength = 4, .load = grunditz_load_params,
+    .nodes = grunditz_tabulate_nodes, .density = grunditz_progeny_density)
 
 #endif

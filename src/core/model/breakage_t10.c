@@ -33,41 +33,41 @@ struct t10_own {
 };
 
 static double
-exponent(const struct breaker *b)
+cached_exponent(const struct breaker *b)
 {
 	return ((const struct t10_own *)(const void *)b->own)->exponent;
 }
 
 static void
-prepare(struct breaker *b)
+prepare_breaker(struct breaker *b)
 {
 	struct t10_own *own = (struct t10_own *)(void *)b->own;
 	static_assert(sizeof *own <= sizeof b->own, "room");
-	energy_prepare(b);
+	energy_prepare_breaker(b);
 	own->exponent = el_exp(b->p.at[KAPPA] * own->energy.log_ratio);
 }
 
 static double
-finer(const struct breaker *b, double log_u, double *d)
+share_finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[PARAMS_MOST] = {0}, r = exponent(b);
-	double B = energy_finer(b, log_u, d != NULL ? base : NULL);
+	double base[PARAMS_MOST] = {0}, r = cached_exponent(b);
+	double B = energy_share_finer(b, log_u, d != NULL ? base : NULL);
 	double rest = el_log(fmax(1 - B, 1e-300)), coarser = el_exp(r * rest);
 	if (d == NULL)
 		return 1 - coarser;
 	for (size_t i = 0; i < KAPPA && B < 1; i++)
 		d[i] += r * coarser / (1 - B) * base[i];
-	d[KAPPA] -= r * rest * coarser * energy_exponents(b)->log_ratio;
+	d[KAPPA] -= r * rest * coarser * energy_cached_values(b)->log_ratio;
 	return 1 - coarser;
 }
 
 static double
-density(const struct breaker *b, double u, double log_u, double log_x)
+progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
-	double r = exponent(b);
-	double B = log_u < 0 ? energy_finer(b, log_u, NULL) : 1;
+	double r = cached_exponent(b);
+	double B = log_u < 0 ? energy_share_finer(b, log_u, NULL) : 1;
 	return r * el_exp((r - 1) * el_log(fmax(1 - B, T10_LEAST))) *
-	       energy_density(b, u, log_u, log_x);
+	       energy_progeny_density(b, u, log_u, log_x);
 }
 
 static char *
@@ -75,7 +75,7 @@ appearance_text(const struct params *p)
 {
 	char *energy = energy_appearance_text(p);
 	char *text = xasprintf("%s, and of 1 - B the power (E/%.4g)^%.4g",
-	    energy, params_value(p, "e_ref"), p->at[KAPPA]);
+	    energy, params_value_by_name(p, "e_ref"), p->at[KAPPA]);
 	free(energy);
 	return text;
 }
@@ -92,37 +92,41 @@ BREAKAGE_ROWS(T10, "grunditz-t10",
     "grunditz-energy, with finer progeny as t10 has it too (kappa)", 10,
     .source = "Grunditz et al. 2021, finer progeny by t10",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
-    .strength = 4, SELECTION_MEMBERS, .prepare = prepare, .finer = finer,
-    .density = density, .breaks = grunditz_breaks,
-    .appearance_text = appearance_text, .kernel = KERNEL_ROW(t10))
+    .strength = 4, SELECTION_MEMBERS, .prepare = prepare_breaker,
+    .finer = share_finer, .density = progeny_density,
+    .breaks = grunditz_has_progeny, .appearance_text = appearance_text,
+    .kernel = KERNEL_ROW(t10))
 
 #else /* LANES */
 
 static inline void
-t10_load(struct block *b, const double *const *theta, const uint32_t *index)
+t10_load_params(
+    struct block *b, const double *const *theta, const uint32_t *index)
 {
-	energy_load(b, theta, index);
+	energy_load_params(b, theta, index);
 	b->own[6] = lanes_gather(theta[9], index);
 }
 
 /* Powers of what is coarser than the nodes of grunditz-energy.  For integrals p
  * at u = 1 is what leads from the node below to B = 1. */
 static inline lanes
-t10_nodes(const struct block *b, const struct plan *plan, struct node *node)
+t10_tabulate_nodes(
+    const struct block *b, const struct batch_plan *plan, struct node *node)
 {
-	lanes total = energy_nodes(b, plan, node);
+	lanes total = energy_tabulate_nodes(b, plan, node);
 	for (size_t r = 0; r < plan->n_run; r++) {
 		struct node *at = node + r * KERNEL_NODES;
 		lanes e = lanes_exp_quick(
 		    lanes_min(b->own[6] * (plan->run[r].log_E - b->own[5]),
-			lanes_of(708)));
-		lanes top = e * at[0].p *
-			    lanes_exp_quick((e - 1) * lanes_of(T10_LOG_LEAST));
+			lanes_broadcast(708)));
+		lanes top =
+		    e * at[0].p *
+		    lanes_exp_quick((e - 1) * lanes_broadcast(T10_LOG_LEAST));
 		for (size_t n = 0; n + 1 < KERNEL_NODES; n++) {
 			lanes rest =
-			    lanes_max(1 - at[n].below, lanes_of(1e-300));
-			lanes coarser = lanes_exp_quick(
-			    lanes_max(e * lanes_log(rest), lanes_of(-708)));
+			    lanes_max(1 - at[n].below, lanes_broadcast(1e-300));
+			lanes coarser = lanes_exp_quick(lanes_max(
+			    e * lanes_log(rest), lanes_broadcast(-708)));
 			at[n].below = 1 - coarser;
 			at[n].p *= e * coarser / rest;
 		}
@@ -134,7 +138,7 @@ t10_nodes(const struct block *b, const struct plan *plan, struct node *node)
 	return total;
 }
 
-KERNEL(
-    t10, .strength = 4, .load = t10_load, .nodes = t10_nodes, .per_run = true)
+KERNEL(t10, .strength = 4, .load = t10_load_params, .nodes = t10_tabulate_nodes,
+    .per_run = true)
 
 #endif

@@ -29,22 +29,22 @@ fines_factor(const struct breaker *b, double log_y, double *ratio)
 }
 
 static void
-prepare(struct breaker *b)
+prepare_breaker(struct breaker *b)
 {
 	double *q = (double *)(void *)b->own;
 	*q = fmax(b->p.at[Q_SLOPE] * b->v + b->p.at[Q_0], LEAST_Q);
 }
 
 static double
-exponent(const struct breaker *b)
+cached_exponent(const struct breaker *b)
 {
 	return *(const double *)(const void *)b->own;
 }
 
 static double
-finer(const struct breaker *b, double log_u, double *d)
+share_finer(const struct breaker *b, double log_u, double *d)
 {
-	double q = exponent(b), B = el_exp(q * log_u);
+	double q = cached_exponent(b), B = el_exp(q * log_u);
 	if (d != NULL && q > LEAST_Q) {
 		d[Q_SLOPE] += B * log_u * b->v;
 		d[Q_0] += B * log_u;
@@ -63,16 +63,16 @@ fines_factor_with_slope(const struct breaker *b, double log_y, double *d)
 }
 
 static double
-density(const struct breaker *b, double u, double log_u, double log_x)
+progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)u;
-	double q = exponent(b), ratio,
+	double q = cached_exponent(b), ratio,
 	       w = fines_factor(b, log_x + log_u, &ratio);
 	return el_exp(q * log_u) * w * (q + 2 * (1 - w) * ratio);
 }
 
 static bool
-breaks(const struct breaker *b)
+has_progeny(const struct breaker *b)
 {
 	(void)b;
 	return true;
@@ -106,64 +106,69 @@ KERNELS(vogel);
 BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
     6, .source = "Grunditz et al. 2021 with Vogel and Peukert",
     .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
-    SELECTION_MEMBERS, .prepare = prepare, .finer = finer,
-    .at_size = fines_factor_with_slope, .density = density, .breaks = breaks,
-    .appearance_text = appearance_text, .kernel = KERNEL_ROW(vogel))
+    SELECTION_MEMBERS, .prepare = prepare_breaker, .finer = share_finer,
+    .at_size = fines_factor_with_slope, .density = progeny_density,
+    .breaks = has_progeny, .appearance_text = appearance_text,
+    .kernel = KERNEL_ROW(vogel))
 
 #else /* LANES */
 
 static inline void
-vogel_load(struct block *b, const double *const *theta, const uint32_t *index)
+vogel_load_params(
+    struct block *b, const double *const *theta, const uint32_t *index)
 {
 	for (size_t m = 0; m < 3; m++)
 		b->own[m] = lanes_gather(theta[m], index);
-	b->own[2] = 1000 / lanes_max(b->own[2], lanes_of(1e-9));
+	b->own[2] = 1000 / lanes_max(b->own[2], lanes_broadcast(1e-9));
 }
 
 static inline lanes
-vogel_q(const struct block *b, const struct plan_run *run)
+vogel_q_at_speed(const struct block *b, const struct plan_run *run)
 {
-	return lanes_max(b->own[0] * run->v + b->own[1], lanes_of(0.01));
+	return lanes_max(b->own[0] * run->v + b->own[1], lanes_broadcast(0.01));
 }
 
 static inline lanes
-vogel_nodes(const struct block *b, const struct plan *plan, struct node *node)
+vogel_tabulate_nodes(
+    const struct block *b, const struct batch_plan *plan, struct node *node)
 {
 	for (size_t r = 0; r < plan->n_run; r++, node += KERNEL_NODES) {
-		lanes q = vogel_q(b, &plan->run[r]);
+		lanes q = vogel_q_at_speed(b, &plan->run[r]);
 		for (size_t n = 0; n < KERNEL_NODES; n++) {
 			node[n].below = lanes_exp_quick(q * plan->log_u[n]);
 			node[n].p = q * node[n].below;
 		}
 	}
-	return lanes_of(1);
+	return lanes_broadcast(1);
 }
 
 /* The fall-off of the fines at a progeny size of ln y; *ratio: y / y'. */
 static inline lanes
-vogel_fines(const struct block *b, double log_y, lanes *ratio)
+vogel_fines_factor(const struct block *b, double log_y, lanes *ratio)
 {
-	*ratio = lanes_min(b->own[2] * el_exp(log_y), lanes_of(1e9));
+	*ratio = lanes_min(b->own[2] * el_exp(log_y), lanes_broadcast(1e9));
 	return 1 / (1 + lanes_exp_quick(-2 * (*ratio - 1)));
 }
 
 static inline lanes
-vogel_at_sieve(const struct block *b, double log_s)
+vogel_fines_factor_at_sieve(const struct block *b, double log_s)
 {
 	lanes ratio;
-	return vogel_fines(b, log_s, &ratio);
+	return vogel_fines_factor(b, log_s, &ratio);
 }
 
 static inline lanes
-vogel_density(const struct block *b, const struct plan_run *run, double u,
-    double log_u, double log_y)
+vogel_progeny_density(const struct block *b, const struct plan_run *run,
+    double u, double log_u, double log_y)
 {
 	(void)u;
-	lanes ratio, w = vogel_fines(b, log_y, &ratio), q = vogel_q(b, run);
+	lanes ratio, w = vogel_fines_factor(b, log_y, &ratio),
+		     q = vogel_q_at_speed(b, run);
 	return lanes_exp_quick(q * log_u) * w * (q + 2 * (1 - w) * ratio);
 }
 
-KERNEL(vogel, .strength = 3, .load = vogel_load, .nodes = vogel_nodes,
-    .density = vogel_density, .at_sieve = vogel_at_sieve, .per_run = true)
+KERNEL(vogel, .strength = 3, .load = vogel_load_params,
+    .nodes = vogel_tabulate_nodes, .density = vogel_progeny_density,
+    .at_sieve = vogel_fines_factor_at_sieve, .per_run = true)
 
 #endif

@@ -10,7 +10,7 @@
 #include "core/numeric/elementary.h"
 
 /* n feed sieves make n classes: n - 1 intervals and the pan. */
-struct classes {
+struct classes_solver {
 	size_t n_sieve;
 	double *sieve;
 	struct psd feed;    /* its sieves and passings */
@@ -30,7 +30,7 @@ classes_sizes(const struct psd *feed, double *x)
 }
 
 void
-classes_matrix(const struct breaker *b, enum appearance_form form,
+classes_appearance_matrix(const struct breaker *b, enum appearance_form form,
     const double *x, size_t n, double *a)
 {
 	for (size_t i = 0; i < n; i++) {
@@ -48,22 +48,22 @@ classes_matrix(const struct breaker *b, enum appearance_form form,
 	}
 }
 
-struct classes *
-classes_new(const struct psd *feed, const double *sieve, size_t n,
+struct classes_solver *
+classes_solver_new(const struct psd *feed, const double *sieve, size_t n,
     struct model_settings settings)
 {
-	struct classes *c = xcalloc(1, sizeof *c);
+	struct classes_solver *c = xcalloc(1, sizeof *c);
 	c->settings = settings;
 	c->n_sieve = n;
-	c->sieve = xdoubles(n);
+	c->sieve = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		c->sieve[i] = sieve[i];
 	c->feed = psd_copy(feed);
 	c->product = psd_copy(feed);
-	c->x = xdoubles(feed->n);
-	c->f = xdoubles(feed->n);
-	c->S = xdoubles(feed->n);
-	c->matrix = xdoubles(feed->n * feed->n);
+	c->x = xcalloc_doubles(feed->n);
+	c->f = xcalloc_doubles(feed->n);
+	c->S = xcalloc_doubles(feed->n);
+	c->matrix = xcalloc_doubles(feed->n * feed->n);
 	classes_sizes(feed, c->x);
 	for (size_t i = 0; i + 1 < feed->n; i++)
 		c->f[i] = feed->passing[i] - feed->passing[i + 1];
@@ -72,7 +72,7 @@ classes_new(const struct psd *feed, const double *sieve, size_t n,
 }
 
 void
-classes_free(struct classes *c)
+classes_solver_free(struct classes_solver *c)
 {
 	if (c == NULL)
 		return;
@@ -87,27 +87,27 @@ classes_free(struct classes *c)
 }
 
 void
-classes_use_params(struct classes *c, const struct params *p)
+classes_solver_use_params(struct classes_solver *c, const struct params *p)
 {
 	breaker_set_params(&c->b, p, &c->settings);
 }
 
 /* The breaker, the matrix and S at that speed. */
 static void
-classes_set_speed(struct classes *c, double v)
+classes_solver_set_speed(struct classes_solver *c, double v)
 {
 	breaker_set_speed(&c->b, v);
-	classes_matrix(
+	classes_appearance_matrix(
 	    &c->b, c->settings.appearance, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)
 		c->S[i] = c->b.model->selection(&c->b, el_log(c->x[i]), NULL);
 }
 
 void
-classes_product(struct classes *c, double v, double *passing)
+classes_solver_product(struct classes_solver *c, double v, double *passing)
 {
 	size_t n = c->feed.n;
-	classes_set_speed(c, v);
+	classes_solver_set_speed(c, v);
 	double finer = 0;
 	for (size_t j = n; j-- > 0;) {
 		double mass = (1 - c->S[j]) * c->f[j];
@@ -121,9 +121,9 @@ classes_product(struct classes *c, double v, double *passing)
 }
 
 bool
-classes_breaks(struct classes *c, double v)
+classes_solver_breaks_feed(struct classes_solver *c, double v)
 {
-	classes_set_speed(c, v);
+	classes_solver_set_speed(c, v);
 	for (size_t i = 0; i < c->feed.n; i++)
 		if (c->matrix[i * c->feed.n + i] < 1)
 			return true;
@@ -131,10 +131,10 @@ classes_breaks(struct classes *c, double v)
 }
 
 double
-classes_selected(struct classes *c, double v)
+classes_solver_share_selected(struct classes_solver *c, double v)
 {
 	double sum = 0;
-	classes_set_speed(c, v);
+	classes_solver_set_speed(c, v);
 	for (size_t i = 0; i < c->feed.n; i++)
 		sum += c->S[i] * c->f[i];
 	return sum;

@@ -8,19 +8,21 @@
 #include "core/model/breakage.h"
 #include "core/psd/psd.h"
 
-struct classes;
+struct classes_solver;
 
 /* See model_new. */
-struct classes *classes_new(const struct psd *feed, const double *sieve,
-    size_t n, struct model_settings settings);
-void classes_free(struct classes *c);
+struct classes_solver *classes_solver_new(const struct psd *feed,
+    const double *sieve, size_t n, struct model_settings settings);
+void classes_solver_free(struct classes_solver *c);
 
-/* See model_use_params, model_product, model_breaks and model_selected, without
- * the bypass. */
-void classes_use_params(struct classes *c, const struct params *p);
-void classes_product(struct classes *c, double v, double *passing);
-bool classes_breaks(struct classes *c, double v);
-double classes_selected(struct classes *c, double v);
+/* See model_use_params, model_product, model_breaks_feed and
+ * model_share_selected, without the bypass. */
+void classes_solver_use_params(
+    struct classes_solver *c, const struct params *p);
+void classes_solver_product(
+    struct classes_solver *c, double v, double *passing);
+bool classes_solver_breaks_feed(struct classes_solver *c, double v);
+double classes_solver_share_selected(struct classes_solver *c, double v);
 
 /* Computes the sizes x, m, of the n feed classes, coarsest first, the pan last
  * (D5). */
@@ -33,7 +35,7 @@ void classes_sizes(const struct psd *feed, double *x);
  * a [n * n] out, a[j * n + i]; above the diagonal 0.  A parent without progeny
  * keeps its mass: a_ii = 1.
  * Cannot fail.   Source: paper Eq 1 and Table 1, departures D3 and D4. */
-void classes_matrix(const struct breaker *b, enum appearance_form form,
-    const double *x, size_t n, double *a);
+void classes_appearance_matrix(const struct breaker *b,
+    enum appearance_form form, const double *x, size_t n, double *a);
 
 #endif

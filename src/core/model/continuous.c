@@ -18,13 +18,13 @@ static const double STOP_AT[STOPS] = {0, 2, 6, 16, 40};
 /* Edges: the feed's sieves, the product's sieves between them, and enough
  * others that no class is wider than an octave. */
 static void
-make_edges(struct continuous *c, const struct psd *feed)
+make_class_edges(struct continuous_solver *c, const struct psd *feed)
 {
 	double top = el_log(feed->size[0]);
 	double bottom = el_log(feed->size[feed->n - 1]);
 	size_t octaves = (size_t)((top - bottom) / 0.69) + 1;
 	size_t room = feed->n + c->n_sieve + octaves;
-	c->edge = xdoubles(room);
+	c->edge = xcalloc_doubles(room);
 	size_t n = 0;
 	for (size_t i = 0; i < feed->n; i++)
 		c->edge[n++] = el_log(feed->size[i]);
@@ -34,13 +34,13 @@ make_edges(struct continuous *c, const struct psd *feed)
 	for (size_t i = 1; i < octaves; i++)
 		c->edge[n++] =
 		    top - (top - bottom) * (double)i / (double)octaves;
-	c->n_edge = psd_sort(c->edge, n, 1e-12);
+	c->n_edge = psd_sort_distinct_sizes(c->edge, n, 1e-12);
 }
 
 static void
-make_density(struct continuous *c, const struct psd *feed)
+make_feed_density(struct continuous_solver *c, const struct psd *feed)
 {
-	c->density = xdoubles(c->n_edge);
+	c->density = xcalloc_doubles(c->n_edge);
 	size_t i = 0; /* the feed's interval size[i]..size[i + 1] */
 	for (size_t e = 0; e + 1 < c->n_edge; e++) {
 		double middle = (c->edge[e] + c->edge[e + 1]) / 2;
@@ -53,29 +53,29 @@ make_density(struct continuous *c, const struct psd *feed)
 	}
 }
 
-struct continuous *
-continuous_new(const struct psd *feed, const double *sieve, size_t n,
+struct continuous_solver *
+continuous_solver_new(const struct psd *feed, const double *sieve, size_t n,
     const struct model_settings *settings)
 {
 	assert(feed->n >= 2 && feed->passing[0] >= 1);
-	struct continuous *c = xcalloc(1, sizeof *c);
+	struct continuous_solver *c = xcalloc(1, sizeof *c);
 	c->n_sieve = n;
 	c->settings = *settings;
-	c->log_sieve = xdoubles(n);
-	c->feed_passing = xdoubles(n);
+	c->log_sieve = xcalloc_doubles(n);
+	c->feed_passing = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
-		assert(psd_covers(feed, sieve[i]));
+		assert(psd_covers_size(feed, sieve[i]));
 		c->log_sieve[i] = el_log(sieve[i]);
 		c->feed_passing[i] = psd_passing(feed, sieve[i]);
 	}
-	make_edges(c, feed);
-	make_density(c, feed);
+	make_class_edges(c, feed);
+	make_feed_density(c, feed);
 	c->point = xcalloc((c->n_edge + STOPS_MOST) * GAUSS, sizeof *c->point);
 	return c;
 }
 
 void
-continuous_free(struct continuous *c)
+continuous_solver_free(struct continuous_solver *c)
 {
 	if (c == NULL)
 		return;
@@ -90,7 +90,8 @@ continuous_free(struct continuous *c)
 }
 
 void
-continuous_use_params(struct continuous *c, const struct params *p)
+continuous_solver_use_params(
+    struct continuous_solver *c, const struct params *p)
 {
 	breaker_set_params(&c->b, p, &c->settings);
 }
@@ -98,7 +99,7 @@ continuous_use_params(struct continuous *c, const struct params *p)
 /* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
  * each begins to break. */
 static void
-add_impact_stops(struct continuous *c)
+find_ends_for_impacts(struct continuous_solver *c)
 {
 	const struct impacts *of = &c->b.impacts;
 	const struct breakage *model = c->b.model;
@@ -111,25 +112,26 @@ add_impact_stops(struct continuous *c)
 			stop[n++] = model->size_at(&c->b, STOP_AT[i]);
 	}
 	c->b.E = E;
-	/* psd_sort has the largest first. */
-	c->n_stop = psd_sort(stop, n, 1e-9);
+	/* psd_sort_distinct_sizes has the largest first. */
+	c->n_stop = psd_sort_distinct_sizes(stop, n, 1e-9);
 	for (size_t i = 0; i < c->n_stop; i++)
 		c->stop[i] = stop[c->n_stop - 1 - i];
 }
 
 static void
-continuous_set_speed(struct continuous *c, double v)
+continuous_solver_set_speed(struct continuous_solver *c, double v)
 {
 	breaker_set_speed(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
 		c->stop[i] = c->b.model->size_at(&c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
 	if (c->b.impacts.n > 0)
-		add_impact_stops(c);
+		find_ends_for_impacts(c);
 }
 
 static void
-add_points(const struct continuous *c, const struct panel *panel, void *data)
+add_quadrature_points(
+    const struct continuous_solver *c, const struct panel *panel, void *data)
 {
 	size_t *n = data;
 	for (size_t i = 0; i < GAUSS; i++)
@@ -139,13 +141,13 @@ add_points(const struct continuous *c, const struct panel *panel, void *data)
 
 /* The points, with S; gradient: with its derivatives. */
 static void
-make_points(struct continuous *c, bool gradient)
+make_quadrature_points(struct continuous_solver *c, bool gradient)
 {
 	const struct breaker *b = &c->b;
 	c->n_point = 0;
 	for (size_t e = 0; e + 1 < c->n_edge; e++)
-		continuous_stretch(c, c->edge[e + 1], c->edge[e], c->density[e],
-		    add_points, &c->n_point);
+		continuous_solver_visit_panels(c, c->edge[e + 1], c->edge[e],
+		    c->density[e], add_quadrature_points, &c->n_point);
 	for (size_t i = 0; i < c->n_point; i++) {
 		struct point *p = &c->point[i];
 		p->S = b->model->selection(b, p->t, gradient ? p->dS : NULL);
@@ -158,7 +160,7 @@ static const double NODE_STEP = 0.025;
 
 /* B at the nodes: at each point and sieve it would take ten times as long. */
 static void
-continuous_tabulate(struct continuous *c, bool gradient)
+tabulate_appearance(struct continuous_solver *c, bool gradient)
 {
 	const struct breaker *b = &c->b;
 	size_t n = b->model->n;
@@ -167,7 +169,7 @@ continuous_tabulate(struct continuous *c, bool gradient)
 		finest = fmin(finest, c->log_sieve[i]);
 	c->n_node = (size_t)((c->edge[0] - finest) / NODE_STEP) + 4;
 	if (c->node == NULL)
-		c->node = xdoubles(c->n_node * (1 + PARAMS_MOST));
+		c->node = xcalloc_doubles(c->n_node * (1 + PARAMS_MOST));
 	double d[PARAMS_MOST] = {0};
 	b->model->finer(b, -0.7, d);
 	c->n_moved = 0;
@@ -186,7 +188,7 @@ continuous_tabulate(struct continuous *c, bool gradient)
 
 /* Column k of the table between its nodes, by the weights of four rows. */
 static inline double
-continuous_column(const struct continuous *c, const double *first,
+interpolate_table_column(const struct continuous_solver *c, const double *first,
     const double weight[static 4], size_t k)
 {
 	size_t width = 1 + c->n_moved;
@@ -197,8 +199,8 @@ continuous_column(const struct continuous *c, const double *first,
 
 /* The first of the four nodes about a depth, -ln u, and their weights. */
 static const double *
-interpolation_nodes(
-    const struct continuous *c, double depth, double weight[static 4])
+find_interpolation_nodes(
+    const struct continuous_solver *c, double depth, double weight[static 4])
 {
 	double at = depth / NODE_STEP;
 	size_t first = at > 1 ? (size_t)at - 1 : 0;
@@ -214,7 +216,8 @@ interpolation_nodes(
 /* What is broken to below a sieve, but for the factor of its size; row
  * [model's n]: its derivatives are added, or NULL. */
 static double
-mass_broken_below_sieve(const struct continuous *c, double log_s, double *row)
+mass_broken_below_sieve(
+    const struct continuous_solver *c, double log_s, double *row)
 {
 	size_t n = c->b.model->n;
 	double sum = 0, weight[4];
@@ -223,8 +226,8 @@ mass_broken_below_sieve(const struct continuous *c, double log_s, double *row)
 		if (p->t <= log_s)
 			continue;
 		const double *first =
-		    interpolation_nodes(c, p->t - log_s, weight);
-		double B = continuous_column(c, first, weight, 0);
+		    find_interpolation_nodes(c, p->t - log_s, weight);
+		double B = interpolate_table_column(c, first, weight, 0);
 		sum += p->mass * p->S * B;
 		if (row == NULL)
 			continue;
@@ -233,15 +236,15 @@ mass_broken_below_sieve(const struct continuous *c, double log_s, double *row)
 		for (size_t k = 0; k < c->n_moved; k++)
 			row[c->moved[k]] +=
 			    p->mass * p->S *
-			    continuous_column(c, first, weight, 1 + k);
+			    interpolate_table_column(c, first, weight, 1 + k);
 	}
 	return sum;
 }
 
 /* And with that factor. */
 static double
-mass_broken_below_with_factor(
-    const struct continuous *c, double log_s, double *row)
+mass_broken_below_with_size_factor(
+    const struct continuous_solver *c, double log_s, double *row)
 {
 	const struct breaker *b = &c->b;
 	double d[PARAMS_MOST] = {0};
@@ -255,10 +258,10 @@ mass_broken_below_with_factor(
 }
 
 void
-continuous_product(
-    struct continuous *c, double v, double *passing, double *d_passing)
+continuous_solver_product(
+    struct continuous_solver *c, double v, double *passing, double *d_passing)
 {
-	continuous_set_speed(c, v);
+	continuous_solver_set_speed(c, v);
 	size_t n = c->b.model->n;
 	if (d_passing != NULL)
 		memset(d_passing, 0, c->n_sieve * n * sizeof *d_passing);
@@ -266,8 +269,8 @@ continuous_product(
 		c->b.model->product(c, passing, d_passing);
 		return;
 	}
-	make_points(c, d_passing != NULL);
-	continuous_tabulate(c, d_passing != NULL);
+	make_quadrature_points(c, d_passing != NULL);
+	tabulate_appearance(c, d_passing != NULL);
 	bool breaks = c->b.model->breaks(&c->b);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		double *row = d_passing != NULL ? d_passing + i * n : NULL;
@@ -275,17 +278,17 @@ continuous_product(
 		if (c->log_sieve[i] >= c->edge[0] || !breaks)
 			continue;
 		passing[i] +=
-		    mass_broken_below_with_factor(c, c->log_sieve[i], row);
+		    mass_broken_below_with_size_factor(c, c->log_sieve[i], row);
 		passing[i] = passing[i] < 1 ? passing[i] : 1;
 	}
 }
 
 double
-continuous_selected(struct continuous *c, double v)
+continuous_solver_share_selected(struct continuous_solver *c, double v)
 {
 	double sum = 0;
-	continuous_set_speed(c, v);
-	make_points(c, false);
+	continuous_solver_set_speed(c, v);
+	make_quadrature_points(c, false);
 	for (size_t i = 0; i < c->n_point; i++)
 		sum += c->point[i].mass * c->point[i].S;
 	return sum;

@@ -22,7 +22,7 @@ struct moments;
 /* Classes lie between neighbouring edges; density is dF / d ln x.  b, the ends
  * of panels (stop) and the points, coarsest class first, are those at the last
  * speed asked for. */
-struct continuous {
+struct continuous_solver {
 	size_t n_sieve, n_edge;
 	double *log_sieve, *feed_passing;
 	double *edge, *density;
@@ -41,16 +41,17 @@ struct continuous {
 };
 
 /* See model_new. */
-struct continuous *continuous_new(const struct psd *feed, const double *sieve,
-    size_t n, const struct model_settings *settings);
-void continuous_free(struct continuous *c);
+struct continuous_solver *continuous_solver_new(const struct psd *feed,
+    const double *sieve, size_t n, const struct model_settings *settings);
+void continuous_solver_free(struct continuous_solver *c);
 
 /* See model_use_params, model_jacobian (d_passing may be NULL) and
- * model_selected, without the bypass. */
-void continuous_use_params(struct continuous *c, const struct params *p);
-void continuous_product(
-    struct continuous *c, double v, double *passing, double *d_passing);
-double continuous_selected(struct continuous *c, double v);
+ * model_share_selected, without the bypass. */
+void continuous_solver_use_params(
+    struct continuous_solver *c, const struct params *p);
+void continuous_solver_product(
+    struct continuous_solver *c, double v, double *passing, double *d_passing);
+double continuous_solver_share_selected(struct continuous_solver *c, double v);
 
 /* Points of a Gauss-Legendre panel over ln x. */
 struct panel {
@@ -60,9 +61,10 @@ struct panel {
 /* Calls add(c, panel, data) for each panel over ln x from a, or from where S
  * begins if that is coarser, to b, within one class of the given density. */
 static inline void
-continuous_stretch(const struct continuous *c, double a, double b,
-    double density,
-    void add(const struct continuous *c, const struct panel *panel, void *data),
+continuous_solver_visit_panels(const struct continuous_solver *c, double a,
+    double b, double density,
+    void add(const struct continuous_solver *c, const struct panel *panel,
+	void *data),
     void *data)
 {
 	static const double X[GAUSS / 2] = {0.1834346424956498,

@@ -52,9 +52,9 @@ enum appearance_form {
 	APPEARANCE_PARENT_MM   /* parent size in mm: literal, degenerate */
 };
 
-/* Impacts of a particle, instead of one at v^2/2 (see spectrum_impacts):
- * `number` impacts, each with energy ratio[j] v^2/2 with probability share[j].
- * n 0: the paper's single impact. */
+/* Impacts of a particle, instead of one at v^2/2 (see
+ * spectrum_reduce_to_impacts): `number` impacts, each with energy ratio[j]
+ * v^2/2 with probability share[j]. n 0: the paper's single impact. */
 enum { IMPACTS_MOST = 12 };
 struct impacts {
 	size_t n;

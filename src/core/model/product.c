@@ -11,8 +11,8 @@
 
 /* One of continuous and classes is NULL. */
 struct model {
-	struct continuous *continuous;
-	struct classes *classes;
+	struct continuous_solver *continuous;
+	struct classes_solver *classes;
 	size_t n_sieve;
 	double bypass; /* of the settings */
 	double *feed;  /* passing */
@@ -28,14 +28,15 @@ model_new(const struct psd *feed, const double *sieve, size_t n,
 	model->n_sieve = n;
 	model->bypass = settings.bypass;
 	if (settings.method == METHOD_CLASSES)
-		model->classes = classes_new(feed, sieve, n, settings);
+		model->classes = classes_solver_new(feed, sieve, n, settings);
 	else
-		model->continuous = continuous_new(feed, sieve, n, &settings);
-	model->feed = xdoubles(n);
+		model->continuous =
+		    continuous_solver_new(feed, sieve, n, &settings);
+	model->feed = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		model->feed[i] = psd_passing(feed, sieve[i]);
-	model->plus = xdoubles(n);
-	model->minus = xdoubles(n);
+	model->plus = xcalloc_doubles(n);
+	model->minus = xcalloc_doubles(n);
 	return model;
 }
 
@@ -44,8 +45,8 @@ model_free(struct model *model)
 {
 	if (model == NULL)
 		return;
-	continuous_free(model->continuous);
-	classes_free(model->classes);
+	continuous_solver_free(model->continuous);
+	classes_solver_free(model->classes);
 	free(model->feed);
 	free(model->plus);
 	free(model->minus);
@@ -57,9 +58,9 @@ model_use_params(struct model *model, const struct params *p)
 {
 	model->p = *p;
 	if (model->classes != NULL)
-		classes_use_params(model->classes, p);
+		classes_solver_use_params(model->classes, p);
 	else
-		continuous_use_params(model->continuous, p);
+		continuous_solver_use_params(model->continuous, p);
 }
 
 /* D14: a share of the feed never meets the rotor, by the parameters and of what
@@ -69,7 +70,7 @@ static void
 product_add_bypass(
     const struct model *model, double *passing, double *d_passing)
 {
-	const struct breakage *of = breakage_of(&model->p);
+	const struct breakage *of = breakage_model_of_params(&model->p);
 	if (!of->bypass && model->bypass == 0)
 		return;
 	double share = of->bypass ? model->p.at[of->n - 1] : 0;
@@ -91,41 +92,42 @@ void
 model_product(struct model *model, double v, double *passing)
 {
 	if (model->classes != NULL)
-		classes_product(model->classes, v, passing);
+		classes_solver_product(model->classes, v, passing);
 	else
-		continuous_product(model->continuous, v, passing, NULL);
+		continuous_solver_product(model->continuous, v, passing, NULL);
 	product_add_bypass(model, passing, NULL);
 }
 
 /* A step small beside the parameter, or beside the scale of its kind. */
 static double
-difference_step(const struct params *p, size_t i)
+finite_difference_step(const struct params *p, size_t i)
 {
-	double scale =
-	    i < breakage_of(p)->gauge ? params_largest_gauge(p) : 1e-2;
+	double scale = i < breakage_model_of_params(p)->gauge
+			   ? params_largest_gauge(p)
+			   : 1e-2;
 	return 1e-6 * fmax(fabs(p->at[i]), scale);
 }
 
 static void
-classes_jacobian(struct model *model, double v, double *d_passing)
+finite_difference_jacobian(struct model *model, double v, double *d_passing)
 {
-	size_t n = breakage_of(&model->p)->n;
+	size_t n = breakage_model_of_params(&model->p)->n;
 	for (size_t i = 0; i < n; i++) {
 		struct params moved = model->p;
 		double at = model->p.at[i];
-		double h = difference_step(&model->p, i);
+		double h = finite_difference_step(&model->p, i);
 		moved.at[i] = at + h;
-		classes_use_params(model->classes, &moved);
-		classes_product(model->classes, v, model->plus);
+		classes_solver_use_params(model->classes, &moved);
+		classes_solver_product(model->classes, v, model->plus);
 		moved.at[i] = at - h;
-		classes_use_params(model->classes, &moved);
-		classes_product(model->classes, v, model->minus);
+		classes_solver_use_params(model->classes, &moved);
+		classes_solver_product(model->classes, v, model->minus);
 		for (size_t s = 0; s < model->n_sieve; s++)
 			d_passing[s * n + i] =
 			    h > 0 ? (model->plus[s] - model->minus[s]) / (2 * h)
 				  : 0;
 	}
-	classes_use_params(model->classes, &model->p);
+	classes_solver_use_params(model->classes, &model->p);
 }
 
 void
@@ -133,19 +135,20 @@ model_jacobian(
     struct model *model, double v, double *passing, double *d_passing)
 {
 	if (model->classes != NULL) {
-		classes_product(model->classes, v, passing);
-		classes_jacobian(model, v, d_passing);
+		classes_solver_product(model->classes, v, passing);
+		finite_difference_jacobian(model, v, d_passing);
 	} else {
-		continuous_product(model->continuous, v, passing, d_passing);
+		continuous_solver_product(
+		    model->continuous, v, passing, d_passing);
 	}
 	product_add_bypass(model, passing, d_passing);
 }
 
 bool
-model_breaks(struct model *model, double v)
+model_breaks_feed(struct model *model, double v)
 {
 	if (model->classes != NULL)
-		return classes_breaks(model->classes, v);
+		return classes_solver_breaks_feed(model->classes, v);
 	struct breaker b;
 	struct model_settings settings = model_settings_default();
 	breaker_set_params(&b, &model->p, &settings);
@@ -154,12 +157,13 @@ model_breaks(struct model *model, double v)
 }
 
 double
-model_selected(struct model *model, double v)
+model_share_selected(struct model *model, double v)
 {
-	const struct breakage *of = breakage_of(&model->p);
+	const struct breakage *of = breakage_model_of_params(&model->p);
 	double share = of->bypass ? 1 - model->p.at[of->n - 1] : 1;
 	return (1 - model->bypass) * share *
 	       (model->classes != NULL
-		       ? classes_selected(model->classes, v)
-		       : continuous_selected(model->continuous, v));
+		       ? classes_solver_share_selected(model->classes, v)
+		       : continuous_solver_share_selected(
+			     model->continuous, v));
 }

@@ -30,7 +30,7 @@
 struct model;
 
 /* feed: passes 1 on its coarsest sieve (asserted); copied.  sieve [n] m, in any
- * order; each must be covered by the feed (psd_covers). */
+ * order; each must be covered by the feed (psd_covers_size). */
 struct model *model_new(const struct psd *feed, const double *sieve, size_t n,
     struct model_settings settings);
 void model_free(struct model *model);
@@ -50,10 +50,10 @@ void model_jacobian(
 
 /* False if, at v, no particle has progeny in another class or p(u) is 0
  * everywhere, so product = feed. */
-bool model_breaks(struct model *model, double v);
+bool model_breaks_feed(struct model *model, double v);
 
 /* Returns the mass fraction of the feed that is selected for breakage at v,
  * 0..1, not counting the share that bypasses the rotor. */
-double model_selected(struct model *model, double v);
+double model_share_selected(struct model *model, double v);
 
 #endif

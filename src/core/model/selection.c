@@ -7,15 +7,15 @@
 #include "base/xalloc.h"
 
 double
-selection_of(const struct breaker *b, double log_x, double *d)
+selection_by_breaker(const struct breaker *b, double log_x, double *d)
 {
 	size_t f = b->model->strength;
-	return selection_by(&b->impacts, b->p.at + f, b->k, b->E, log_x,
+	return selection_by_impacts(&b->impacts, b->p.at + f, b->k, b->E, log_x,
 	    d != NULL ? d + f : NULL);
 }
 
 double
-selection_size_at(const struct breaker *b, double exponent)
+selection_size_at_exponent(const struct breaker *b, double exponent)
 {
 	const double beyond = 1e3, *q = b->p.at + b->model->strength;
 	double f = q[0] * b->k;
@@ -33,7 +33,7 @@ selection_size_at(const struct breaker *b, double exponent)
 double
 selection_break_size(const struct params *p, double E)
 {
-	const double *q = p->at + breakage_of(p)->strength;
+	const double *q = p->at + breakage_model_of_params(p)->strength;
 	if (q[1] <= 0)
 		return E > 0 ? 0 : INFINITY;
 	if (E <= 0)
@@ -47,7 +47,7 @@ selection_break_size(const struct params *p, double E)
 char *
 selection_text(const struct params *p, double k)
 {
-	const double *q = p->at + breakage_of(p)->strength;
+	const double *q = p->at + breakage_model_of_params(p)->strength;
 	return xasprintf("S(x) = 1 - exp(-%.4g (x^%.4g E - %.4g)), x in m; 0 "
 			 "where the bracket is negative",
 	    q[0] * k, q[2], q[1]);

@@ -21,7 +21,7 @@
  * D1: the printed equation lacks the minus sign and the floor at 0.
  * D2: x is in metres; in millimetres S would be 1 for every class. */
 static inline void
-selection_row(const double q[static 3], double k, double E, size_t n,
+selection_at_sizes(const double q[static 3], double k, double E, size_t n,
     const double *log_x, double *shape)
 {
 	double f = q[0] * k;
@@ -39,10 +39,11 @@ selection_row(const double q[static 3], double k, double E, size_t n,
 /* Returns the selection S at one size and adds its derivatives to d [3], if not
  * NULL. */
 static inline double
-selection(const double q[static 3], double k, double E, double log_x, double *d)
+selection_at_size(
+    const double q[static 3], double k, double E, double log_x, double *d)
 {
 	double shape[4];
-	selection_row(q, k, E, 1, &log_x, shape);
+	selection_at_sizes(q, k, E, 1, &log_x, shape);
 	for (size_t i = 0; i < 3 && d != NULL; i++)
 		d[i] += shape[1 + i];
 	return shape[0];
@@ -51,16 +52,17 @@ selection(const double q[static 3], double k, double E, double log_x, double *d)
 /* As selection, but with a spectrum of impacts, if there is one, instead of the
  * single impact (D15, see spectrum.h). */
 static inline double
-selection_by(const struct impacts *impacts, const double q[static 3], double k,
-    double E, double log_x, double *d)
+selection_by_impacts(const struct impacts *impacts, const double q[static 3],
+    double k, double E, double log_x, double *d)
 {
 	if (impacts->n == 0)
-		return selection(q, k, E, log_x, d);
+		return selection_at_size(q, k, E, log_x, d);
 	double kept = 0, sum[3] = {0, 0, 0};
 	for (size_t j = 0; j < impacts->n; j++) {
 		double each[3] = {0, 0, 0}, share = impacts->share[j];
-		kept += share * (1 - selection(q, k, impacts->ratio[j] * E,
-					 log_x, d != NULL ? each : NULL));
+		kept +=
+		    share * (1 - selection_at_size(q, k, impacts->ratio[j] * E,
+				     log_x, d != NULL ? each : NULL));
 		for (size_t i = 0; i < 3; i++)
 			sum[i] += share * each[i];
 	}
@@ -86,14 +88,15 @@ selection_by(const struct impacts *impacts, const double q[static 3], double k,
 	}
 
 /* The members of a model's row for SELECTION_PARAMETERS, see breakage.h. */
-#define SELECTION_MEMBERS                                        \
-	.selection = selection_of, .size_at = selection_size_at, \
+#define SELECTION_MEMBERS                      \
+	.selection = selection_by_breaker,     \
+	.size_at = selection_size_at_exponent, \
 	.break_size = selection_break_size, .selection_text = selection_text
 
-double selection_of(const struct breaker *b, double log_x, double *d);
+double selection_by_breaker(const struct breaker *b, double log_x, double *d);
 
 /* Returns -1000 or 1000 if no size has the exponent. */
-double selection_size_at(const struct breaker *b, double exponent);
+double selection_size_at_exponent(const struct breaker *b, double exponent);
 
 /* Returns the size, m, where S begins.
  *   x* = (E0_min / E)^(1 / alpha)

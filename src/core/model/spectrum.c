@@ -46,7 +46,7 @@ spectrum_free(struct spectrum *s)
 }
 
 double
-spectrum_edge(size_t bin)
+spectrum_bin_edge(size_t bin)
 {
 	int octave = (int)(bin / BINS_PER_OCTAVE) + FIRST_OCTAVE;
 	return ldexp(ROOT[bin % BINS_PER_OCTAVE], octave);
@@ -55,22 +55,22 @@ spectrum_edge(size_t bin)
 static size_t
 bin_of_energy(double energy)
 {
-	if (!(energy > spectrum_edge(0)))
+	if (!(energy > spectrum_bin_edge(0)))
 		return 0;
 	double at = (log_2(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
 	if (!(at < SPECTRUM_BINS))
 		return SPECTRUM_BINS - 1;
 	size_t bin = (size_t)fmax(at, 0);
-	while (energy < spectrum_edge(bin))
+	while (energy < spectrum_bin_edge(bin))
 		bin--;
-	while (bin + 1 < SPECTRUM_BINS && energy >= spectrum_edge(bin + 1))
+	while (bin + 1 < SPECTRUM_BINS && energy >= spectrum_bin_edge(bin + 1))
 		bin++;
 	return bin;
 }
 
 /* To a quarter octave; 0 where no size is known. */
 static double
-rounded_size(double size)
+round_size_to_quarter_octave(double size)
 {
 	if (!isnormal(size))
 		return 0;
@@ -83,9 +83,9 @@ rounded_size(double size)
 }
 
 static struct spectrum_size *
-spectrum_of_size(struct spectrum *s, double size)
+spectrum_find_or_add_size(struct spectrum *s, double size)
 {
-	double rounded = rounded_size(size);
+	double rounded = round_size_to_quarter_octave(size);
 	size_t i = 0;
 	while (i < s->n && s->size[i]->size > rounded)
 		i++;
@@ -99,7 +99,7 @@ spectrum_of_size(struct spectrum *s, double size)
 }
 
 static void
-spectrum_add(struct spectrum_bin *to, double mass, double energy)
+add_impact_to_bin(struct spectrum_bin *to, double mass, double energy)
 {
 	to->mass += mass;
 	to->energy += energy;
@@ -109,31 +109,33 @@ void
 spectrum_add_impact(
     struct spectrum *s, double size, double mass, double energy, bool first)
 {
-	struct spectrum_size *of = spectrum_of_size(s, size);
+	struct spectrum_size *of = spectrum_find_or_add_size(s, size);
 	size_t bin = bin_of_energy(energy);
-	spectrum_add(&of->all[bin], mass, mass * energy);
+	add_impact_to_bin(&of->all[bin], mass, mass * energy);
 	if (first)
-		spectrum_add(&of->first[bin], mass, mass * energy);
+		add_impact_to_bin(&of->first[bin], mass, mass * energy);
 }
 
 void
-spectrum_add_first(struct spectrum *s, double size, double mass, double energy)
+spectrum_add_first_impact(
+    struct spectrum *s, double size, double mass, double energy)
 {
-	struct spectrum_size *of = spectrum_of_size(s, size);
-	spectrum_add(&of->first[bin_of_energy(energy)], mass, mass * energy);
+	struct spectrum_size *of = spectrum_find_or_add_size(s, size);
+	add_impact_to_bin(
+	    &of->first[bin_of_energy(energy)], mass, mass * energy);
 }
 
 void
 spectrum_add_particles(
     struct spectrum *s, double size, double number, double mass)
 {
-	struct spectrum_size *of = spectrum_of_size(s, size);
+	struct spectrum_size *of = spectrum_find_or_add_size(s, size);
 	of->particles += number;
 	of->mass += mass;
 }
 
 struct spectrum_size *
-spectrum_whole(const struct spectrum *s)
+spectrum_merge_sizes(const struct spectrum *s)
 {
 	struct spectrum_size *whole = xcalloc(1, sizeof *whole);
 	for (size_t i = 0; i < s->n; i++) {
@@ -141,9 +143,9 @@ spectrum_whole(const struct spectrum *s)
 		whole->particles += of->particles;
 		whole->mass += of->mass;
 		for (size_t b = 0; b < SPECTRUM_BINS; b++) {
-			spectrum_add(
+			add_impact_to_bin(
 			    &whole->all[b], of->all[b].mass, of->all[b].energy);
-			spectrum_add(&whole->first[b], of->first[b].mass,
+			add_impact_to_bin(&whole->first[b], of->first[b].mass,
 			    of->first[b].energy);
 		}
 	}
@@ -151,55 +153,56 @@ spectrum_whole(const struct spectrum *s)
 }
 
 struct spectrum_bin
-spectrum_above(const struct spectrum_size *s, double cut, bool first)
+spectrum_impacts_above(const struct spectrum_size *s, double cut, bool first)
 {
 	const struct spectrum_bin *bin = first ? s->first : s->all;
 	struct spectrum_bin sum = {0, 0};
 	size_t at = cut > 0 ? bin_of_energy(cut) : 0;
 	for (size_t b = SPECTRUM_BINS; b-- > at;) {
 		double part = 1;
-		if (b == at && cut > spectrum_edge(at))
-			part = log_2(spectrum_edge(at + 1) / cut) *
+		if (b == at && cut > spectrum_bin_edge(at))
+			part = log_2(spectrum_bin_edge(at + 1) / cut) *
 			       BINS_PER_OCTAVE;
 		part = fmax(part, 0);
-		spectrum_add(&sum, part * bin[b].mass, part * bin[b].energy);
+		add_impact_to_bin(
+		    &sum, part * bin[b].mass, part * bin[b].energy);
 	}
 	return sum;
 }
 
 double
-spectrum_per_particle(
+spectrum_impacts_per_particle(
     const struct spectrum *s, const struct spectrum_size *of, double cut)
 {
 	if (!s->counted || !(of->mass > 0))
 		return NAN;
-	return spectrum_above(of, cut, false).mass / of->mass;
+	return spectrum_impacts_above(of, cut, false).mass / of->mass;
 }
 
 double
-spectrum_scale(const struct spectrum *s, double speed)
+spectrum_energy_factor(const struct spectrum *s, double speed)
 {
 	double ratio = speed / s->speed;
 	return ratio * ratio;
 }
 
 struct impacts
-spectrum_impacts(const struct spectrum *s, double cut)
+spectrum_reduce_to_impacts(const struct spectrum *s, double cut)
 {
-	struct spectrum_size *whole = spectrum_whole(s);
-	struct spectrum_bin above = spectrum_above(whole, cut, false);
+	struct spectrum_size *whole = spectrum_merge_sizes(s);
+	struct spectrum_bin above = spectrum_impacts_above(whole, cut, false);
 	struct spectrum_bin node = {0, 0};
 	struct impacts to = {.n = 0};
 	double E = s->speed * s->speed / 2, done = 0;
-	double number = spectrum_per_particle(s, whole, cut);
+	double number = spectrum_impacts_per_particle(s, whole, cut);
 	to.number = isfinite(number) ? number : 1;
 	for (size_t b = bin_of_energy(cut); b < SPECTRUM_BINS && above.mass > 0;
 	     b++) {
 		const struct spectrum_bin *bin = &whole->all[b];
-		double edge = spectrum_edge(b + 1);
-		bool cuts = cut > spectrum_edge(b) && cut < edge;
+		double edge = spectrum_bin_edge(b + 1);
+		bool cuts = cut > spectrum_bin_edge(b) && cut < edge;
 		double part = cuts ? log_2(edge / cut) * BINS_PER_OCTAVE : 1;
-		spectrum_add(&node, part * bin->mass, part * bin->energy);
+		add_impact_to_bin(&node, part * bin->mass, part * bin->energy);
 		done += part * bin->energy;
 		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;
 		bool last = b + 1 == SPECTRUM_BINS;
@@ -216,8 +219,8 @@ spectrum_impacts(const struct spectrum *s, double cut)
 }
 
 double
-spectrum_k(const struct spectrum *s, const struct spectrum_size *of, double E,
-    double e0, double f)
+spectrum_equivalent_k(const struct spectrum *s, const struct spectrum_size *of,
+    double E, double e0, double f)
 {
 	double scale = E / (s->speed * s->speed / 2), kept = 0, over = 0;
 	double mass = 0;
@@ -239,26 +242,27 @@ spectrum_k(const struct spectrum *s, const struct spectrum_size *of, double E,
 
 /* Share of the impacts above cut that are above r v^2/2. */
 static double
-share_above(const struct spectrum_size *of, double v, double cut, double r)
+share_of_impacts_above(
+    const struct spectrum_size *of, double v, double cut, double r)
 {
 	double from = fmax(cut, r * v * v / 2);
-	return spectrum_above(of, from, false).mass /
-	       spectrum_above(of, cut, false).mass;
+	return spectrum_impacts_above(of, from, false).mass /
+	       spectrum_impacts_above(of, cut, false).mass;
 }
 
 double
-spectrum_distance(
+spectrum_ks_distance(
     const struct spectrum *a, const struct spectrum *b, double cut)
 {
 	double largest = 0, slower = fmin(a->speed, b->speed);
 	double least = cut / (slower * slower / 2);
-	struct spectrum_size *of_a = spectrum_whole(a);
-	struct spectrum_size *of_b = spectrum_whole(b);
+	struct spectrum_size *of_a = spectrum_merge_sizes(a);
+	struct spectrum_size *of_b = spectrum_merge_sizes(b);
 	for (size_t i = 0; i < 200; i++) {
 		double r = least * el_pow(2 / least, (double)i / 199);
-		double d = share_above(of_a, a->speed,
+		double d = share_of_impacts_above(of_a, a->speed,
 			       least * a->speed * a->speed / 2, r) -
-			   share_above(of_b, b->speed,
+			   share_of_impacts_above(of_b, b->speed,
 			       least * b->speed * b->speed / 2, r);
 		largest = fmax(largest, fabs(d));
 	}

@@ -40,30 +40,30 @@ void spectrum_free(struct spectrum *s);
 
 /* Adds an impact, energy in J/kg, on a particle of that size (m; 0: not known)
  * and mass (kg, or any weight).  spectrum_add_particles adds `number` particles
- * with a total mass of `mass`.  spectrum_add_first adds to the first impacts
- * only. */
+ * with a total mass of `mass`.  spectrum_add_first_impact adds to the first
+ * impacts only. */
 void spectrum_add_impact(
     struct spectrum *s, double size, double mass, double energy, bool first);
 void spectrum_add_particles(
     struct spectrum *s, double size, double number, double mass);
-void spectrum_add_first(
+void spectrum_add_first_impact(
     struct spectrum *s, double size, double mass, double energy);
 
 /* Returns all sizes as one, with size 0. */
-struct spectrum_size *spectrum_whole(const struct spectrum *s);
+struct spectrum_size *spectrum_merge_sizes(const struct spectrum *s);
 
 /* Returns the lower edge of a bin, J/kg, or for SPECTRUM_BINS the upper edge of
  * the last bin. */
-double spectrum_edge(size_t bin);
+double spectrum_bin_edge(size_t bin);
 
 /* Returns the impacts above the energy `cut`, J/kg.  A bin that the cut divides
  * counts in part, in proportion to ln e. */
-struct spectrum_bin spectrum_above(
+struct spectrum_bin spectrum_impacts_above(
     const struct spectrum_size *s, double cut, bool first);
 
 /* Returns the impacts per particle above the cut, averaged by mass, or NAN if
  * particles were not counted. */
-double spectrum_per_particle(
+double spectrum_impacts_per_particle(
     const struct spectrum *s, const struct spectrum_size *of, double cut);
 
 /* Selection (Eq 3) with a spectrum:
@@ -73,7 +73,7 @@ double spectrum_per_particle(
  * w = r = 1 and n = 1 gives the paper's Eq 3.  The nodes are the impacts above
  * the cut, in groups of equal energy w r, each at its mean.  D15.  n is 1 if
  * particles were not counted.  The speed must be known. */
-struct impacts spectrum_impacts(const struct spectrum *s, double cut);
+struct impacts spectrum_reduce_to_impacts(const struct spectrum *s, double cut);
 
 /* Returns the k with which Eq 3, for a single impact at E = v^2/2 (J/kg),
  * breaks as much as the impacts do, where e0 (J/kg) is the threshold E0_min /
@@ -82,17 +82,17 @@ struct impacts spectrum_impacts(const struct spectrum *s, double cut);
  * If f is 0, the limit is n sum of w_j (r_j E - e0) / (E - e0).  The sums are
  * over all bins of `of`, not over nodes.  NAN if E <= e0 or if no
  * impact has an energy above e0. */
-double spectrum_k(const struct spectrum *s, const struct spectrum_size *of,
-    double E, double e0, double f);
+double spectrum_equivalent_k(const struct spectrum *s,
+    const struct spectrum_size *of, double E, double e0, double f);
 
 /* Returns the factor that scales the energies to another speed, by v^2; the
  * spectrum's speed must be known. */
-double spectrum_scale(const struct spectrum *s, double speed);
+double spectrum_energy_factor(const struct spectrum *s, double speed);
 
 /* Returns the Kolmogorov-Smirnov distance, 0..1, between two spectra with
  * energies divided by v^2/2: the largest difference in the share of impacts
  * above any threshold that is at least `cut` J/kg in both. */
-double spectrum_distance(
+double spectrum_ks_distance(
     const struct spectrum *a, const struct spectrum *b, double cut);
 
 #endif

@@ -15,7 +15,7 @@ struct strengths {
 
 /* Returns the share of the softer rock, or 0 if there is only one strength. */
 static inline double
-strengths_softer(const struct strengths *rock)
+strengths_softer_share(const struct strengths *rock)
 {
 	return rock->share > 0 ? 1 - rock->share : 0;
 }

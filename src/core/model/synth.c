@@ -19,7 +19,7 @@ static const double SIEVES_MM[] = {
 /* Twice the top size, the top size, and the series below the former; sieves
  * within 5 % of the two are left out. */
 static struct psd
-feed_sieves(double top_mm)
+synth_sieve_series(double top_mm)
 {
 	struct psd feed = psd_new(ARRAY_LEN(SIEVES_MM) + 2);
 	double own[2] = {2 * top_mm, top_mm};
@@ -42,37 +42,37 @@ feed_sieves(double top_mm)
 
 /* To 0.01 % of mass, as a careful laboratory reports. */
 static double
-rounded(double passing)
+round_passing(double passing)
 {
 	return floor(passing * 1e4 + 0.5) / 1e4;
 }
 
 static struct psd
-make_feed(const struct synth *s, double n)
+synth_feed(const struct synth *s, double n)
 {
-	struct psd feed = feed_sieves(s->top_size * 1000);
+	struct psd feed = synth_sieve_series(s->top_size * 1000);
 	for (size_t i = 0; i < feed.n; i++) {
 		double d = feed.size[i] / s->top_size;
 		double above = 0.9 + 0.1 * el_log(d) / el_log(2);
 		feed.passing[i] =
-		    rounded(d >= 1 ? fmin(above, 1) : 0.9 * el_pow(d, n));
+		    round_passing(d >= 1 ? fmin(above, 1) : 0.9 * el_pow(d, n));
 	}
 	return feed;
 }
 
 static uint64_t
-numbers_digest(const struct synth *s)
+digest_synth_numbers(const struct synth *s)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	h = text_digest(h, &s->top_size, sizeof s->top_size);
-	h = text_digest(
-	    h, s->params.at, breakage_of(&s->params)->n * sizeof *s->params.at);
-	h = text_digest(h, &s->n, sizeof s->n);
+	h = text_fnv1a_digest(h, &s->top_size, sizeof s->top_size);
+	h = text_fnv1a_digest(h, s->params.at,
+	    breakage_model_of_params(&s->params)->n * sizeof *s->params.at);
+	h = text_fnv1a_digest(h, &s->n, sizeof s->n);
 	return h;
 }
 
 static struct psd
-make_product(const struct synth *s, const struct psd *feed, double speed,
+synth_product(const struct synth *s, const struct psd *feed, double speed,
     struct rng_key key)
 {
 	struct psd product = psd_copy(feed);
@@ -86,7 +86,7 @@ make_product(const struct synth *s, const struct psd *feed, double speed,
 		double p = product.passing[i];
 		double sd = 2 * s->noise * sqrt(fmax(p * (1 - p), 0));
 		p += sd * rng_normal(key, (uint32_t)i);
-		p = rounded(fmin(fmax(p, 0), ceiling));
+		p = round_passing(fmin(fmax(p, 0), ceiling));
 		product.passing[i] = ceiling = p;
 	}
 	return product;
@@ -97,21 +97,21 @@ synth_site(const struct synth *s)
 {
 	enum { USE_FEED = 1, USE_PRODUCT = 2 };
 	struct site *site = site_new(s->n_speed);
-	uint64_t numbers = numbers_digest(s);
+	uint64_t numbers = digest_synth_numbers(s);
 	site->top_size = s->top_size;
 	site->individual_feeds = s->individual_feeds;
 	for (size_t r = 0; r < s->n_speed; r++) {
 		struct run *run = &site->run[r];
 		struct rng_key feed_key =
-		    rng_key(s->seed ^ numbers, r, USE_FEED);
+		    rng_make_key(s->seed ^ numbers, r, USE_FEED);
 		double n = s->n;
 		if (s->individual_feeds)
 			n *= 1 + 0.05 * rng_normal(feed_key, 0);
 		run->speed = s->speed[r];
-		run->feed = make_feed(s, n);
-		run->product = make_product(s, &run->feed, s->speed[r],
-		    rng_key(s->seed ^ numbers, r, USE_PRODUCT));
+		run->feed = synth_feed(s, n);
+		run->product = synth_product(s, &run->feed, s->speed[r],
+		    rng_make_key(s->seed ^ numbers, r, USE_PRODUCT));
 	}
-	site_update_mean_feed(site);
+	site_update_digest_and_mean_feed(site);
 	return site;
 }

@@ -13,7 +13,7 @@
 #include <string.h>
 
 static inline double
-el_from_bits(uint64_t bits)
+el_double_from_bits(uint64_t bits)
 {
 	double d;
 	memcpy(&d, &bits, sizeof d);
@@ -21,7 +21,7 @@ el_from_bits(uint64_t bits)
 }
 
 static inline uint64_t
-el_to_bits(double d)
+el_bits_of_double(double d)
 {
 	uint64_t bits;
 	memcpy(&bits, &d, sizeof bits);
@@ -34,7 +34,7 @@ el_to_bits(double d)
  * Method: x = n ln 2 + r, |r| <= ln 2 / 2 (Cody and Waite); a polynomial
  * through the Chebyshev points, within 1e-17 of e^r. */
 static inline double
-el_exp_parts(double x, double *scale)
+el_expm1_and_scale(double x, double *scale)
 {
 	const double round = 6755399441055744.0; /* 1.5 * 2^52 */
 	x = x > -708.0 ? x : -708.0;
@@ -53,7 +53,7 @@ el_exp_parts(double x, double *scale)
 	double q = (low + high * r4) + top * (r4 * r4);
 	/* The low bits of shifted hold n; moved into the exponent they scale.
 	 * */
-	*scale = el_from_bits((el_to_bits(shifted) + 1023) << 52);
+	*scale = el_double_from_bits((el_bits_of_double(shifted) + 1023) << 52);
 	return q * r2 + r;
 }
 
@@ -62,7 +62,7 @@ el_exp_parts(double x, double *scale)
 static inline double
 el_exp(double x)
 {
-	double scale, p = el_exp_parts(x, &scale);
+	double scale, p = el_expm1_and_scale(x, &scale);
 	return scale * p + scale;
 }
 
@@ -70,7 +70,7 @@ el_exp(double x)
 static inline double
 el_expm1(double x)
 {
-	double scale, p = el_exp_parts(x, &scale);
+	double scale, p = el_expm1_and_scale(x, &scale);
 	return scale * p + (scale - 1.0);
 }
 
@@ -81,12 +81,12 @@ static inline double
 el_log(double x)
 {
 	const double magic = 6755399441055744.0;
-	uint64_t bits = el_to_bits(x);
+	uint64_t bits = el_bits_of_double(x);
 	uint64_t over = (bits - UINT64_C(0x3fe6a09e667f3bcd)) >> 52;
 	/* over is the exponent k modulo 2^12, as an unsigned number. */
 	uint64_t k = (over ^ 0x800) - 0x800;
-	double m = el_from_bits(bits - (k << 52));
-	double kd = el_from_bits((k + el_to_bits(magic))) - magic;
+	double m = el_double_from_bits(bits - (k << 52));
+	double kd = el_double_from_bits((k + el_bits_of_double(magic))) - magic;
 	double f = m - 1.0;
 	double z = f / (2.0 + f);
 	double w = z * z;

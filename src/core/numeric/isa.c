@@ -6,7 +6,7 @@
 #include <string.h>
 
 static enum isa
-best_isa(void)
+detect_best_isa(void)
 {
 #if defined __x86_64__
 	if (__builtin_cpu_supports("avx512f") &&
@@ -21,9 +21,9 @@ best_isa(void)
 }
 
 enum isa
-isa_is_usable(enum isa wanted)
+isa_usable_or_best(enum isa wanted)
 {
-	enum isa most = best_isa();
+	enum isa most = detect_best_isa();
 	return wanted < most ? wanted : most;
 }
 
@@ -36,7 +36,7 @@ isa_name(enum isa isa)
 }
 
 enum isa
-isa_named(const char *name)
+isa_from_name(const char *name)
 {
 	enum isa isa = name != NULL ? ISA_BASE : ISA_BEST;
 	while (isa < ISA_BEST && strcmp(name, isa_name(isa)) != 0)

@@ -8,12 +8,12 @@ enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
 /* Returns the wanted set or, if the processor lacks it, the best that it
  * has. */
-enum isa isa_is_usable(enum isa wanted);
+enum isa isa_usable_or_best(enum isa wanted);
 
 /* Returns "baseline", "avx2" or "avx512". */
 const char *isa_name(enum isa isa);
 
 /* Returns the set with that name; ISA_BEST for NULL and for unknown names. */
-enum isa isa_named(const char *name);
+enum isa isa_from_name(const char *name);
 
 #endif

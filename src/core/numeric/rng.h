@@ -16,7 +16,7 @@ struct rng_key {
 /* The mixer of splitmix64 (Steele, Lea, Flood 2014): every bit of z moves every
  * bit of the result. */
 static inline uint64_t
-rng_mix(uint64_t z)
+rng_mix_bits(uint64_t z)
 {
 	z += UINT64_C(0x9e3779b97f4a7c15);
 	z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
@@ -27,9 +27,10 @@ rng_mix(uint64_t z)
 /* Returns the stream for a seed, a generation and a use within the
  * generation. */
 static inline struct rng_key
-rng_key(uint64_t seed, uint64_t generation, uint64_t use)
+rng_make_key(uint64_t seed, uint64_t generation, uint64_t use)
 {
-	uint64_t z = rng_mix(rng_mix(rng_mix(seed) ^ generation) ^ use);
+	uint64_t z =
+	    rng_mix_bits(rng_mix_bits(rng_mix_bits(seed) ^ generation) ^ use);
 	return (struct rng_key){(uint32_t)z, (uint32_t)(z >> 32)};
 }
 
@@ -37,7 +38,7 @@ rng_key(uint64_t seed, uint64_t generation, uint64_t use)
  * that uses the key twice.  All operations are on 32 bits, which every vector
  * unit supports. */
 static inline uint32_t
-rng_bits(struct rng_key key, uint32_t i)
+rng_random_bits(struct rng_key key, uint32_t i)
 {
 	uint32_t x = i * UINT32_C(0x9e3779b9) + key.a;
 	x ^= x >> 16;
@@ -53,7 +54,7 @@ rng_bits(struct rng_key key, uint32_t i)
 
 /* Returns a second number from the bits of a first. */
 static inline uint32_t
-rng_more(uint32_t x)
+rng_rehash_bits(uint32_t x)
 {
 	x *= UINT32_C(0x9e3779b1);
 	x ^= x >> 15;
@@ -62,7 +63,7 @@ rng_more(uint32_t x)
 
 /* Returns 32 bits as a number in (0, 1). */
 static inline double
-rng_unit(uint32_t bits)
+rng_bits_to_unit(uint32_t bits)
 {
 	/* Through a signed conversion, which vector units have. */
 	double centred = (double)(int32_t)(bits ^ 0x80000000u);
@@ -73,7 +74,7 @@ rng_unit(uint32_t bits)
 static inline double
 rng_uniform(struct rng_key key, uint32_t i)
 {
-	return rng_unit(rng_bits(key, i));
+	return rng_bits_to_unit(rng_random_bits(key, i));
 }
 
 /* Returns standard normal number i of a stream: the sum of twelve uniform

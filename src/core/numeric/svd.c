@@ -24,7 +24,7 @@ svd_dot(const double *a, const double *b, size_t n)
 }
 
 static void
-rotate(double *a, double *b, size_t n, double c, double s)
+rotate_columns(double *a, double *b, size_t n, double c, double s)
 {
 	for (size_t i = 0; i < n; i++) {
 		double x = a[i], y = b[i];
@@ -35,8 +35,8 @@ rotate(double *a, double *b, size_t n, double c, double s)
 
 /* Brings two columns to right angles; false: they were. */
 static bool
-svd_straighten(double *a, double *b, size_t rows, double *va, double *vb,
-    size_t n, double least)
+svd_orthogonalise_columns(double *a, double *b, size_t rows, double *va,
+    double *vb, size_t n, double least)
 {
 	double aa = svd_dot(a, a, rows), bb = svd_dot(b, b, rows),
 	       ab = svd_dot(a, b, rows);
@@ -48,13 +48,13 @@ svd_straighten(double *a, double *b, size_t rows, double *va, double *vb,
 	double t = 1 / (fabs(zeta) + sqrt(1 + zeta * zeta));
 	t = zeta < 0 ? -t : t;
 	double c = 1 / sqrt(1 + t * t);
-	rotate(a, b, rows, c, c * t);
-	rotate(va, vb, n, c, c * t);
+	rotate_columns(a, b, rows, c, c * t);
+	rotate_columns(va, vb, n, c, c * t);
 	return true;
 }
 
 static void
-svd_exchange(double *a, double *b, size_t n)
+svd_swap_columns(double *a, double *b, size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
 		double x = a[i];
@@ -65,7 +65,7 @@ svd_exchange(double *a, double *b, size_t n)
 
 /* Divides a column by its length and gives its direction a sign. */
 static void
-svd_scale(double *u, size_t rows, double *v, size_t n, double sigma)
+svd_normalise_column(double *u, size_t rows, double *v, size_t n, double sigma)
 {
 	size_t most = 0;
 	for (size_t i = 1; i < n; i++)
@@ -89,9 +89,9 @@ svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 		turned = false;
 		for (size_t a = 0; a + 1 < n; a++)
 			for (size_t b = a + 1; b < n; b++)
-				turned |=
-				    svd_straighten(A + a * rows, A + b * rows,
-					rows, V + a * n, V + b * n, n, least);
+				turned |= svd_orthogonalise_columns(
+				    A + a * rows, A + b * rows, rows, V + a * n,
+				    V + b * n, n, least);
 	}
 	for (size_t c = 0; c < n; c++)
 		sigma[c] = sqrt(svd_dot(A + c * rows, A + c * rows, rows));
@@ -100,11 +100,12 @@ svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 		for (size_t d = c + 1; d < n; d++)
 			if (sigma[d] > sigma[most])
 				most = d;
-		svd_exchange(sigma + c, sigma + most, 1);
+		svd_swap_columns(sigma + c, sigma + most, 1);
 		if (most != c) {
-			svd_exchange(A + c * rows, A + most * rows, rows);
-			svd_exchange(V + c * n, V + most * n, n);
+			svd_swap_columns(A + c * rows, A + most * rows, rows);
+			svd_swap_columns(V + c * n, V + most * n, n);
 		}
-		svd_scale(A + c * rows, rows, V + c * n, n, sigma[c]);
+		svd_normalise_column(
+		    A + c * rows, rows, V + c * n, n, sigma[c]);
 	}
 }

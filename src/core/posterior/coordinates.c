@@ -20,7 +20,7 @@ share_of_coordinate(double x)
 }
 
 static double
-share_density(double x)
+density_of_share(double x)
 {
 	double rise = x * (LINEAR + CUBIC * x * x), at = el_exp(-fabs(rise));
 	return fabs(rise) + 2 * el_log(1 + at) -
@@ -35,7 +35,7 @@ logistic(double x)
 
 /* Keeps a share away from 0 and 1, whose coordinates would be infinite. */
 static double
-share_inside_ends(double share)
+keep_share_inside_ends(double share)
 {
 	const double least = 1e-3;
 	return fmin(fmax(share, least), 1 - least);
@@ -46,7 +46,7 @@ share_inside_ends(double share)
 static double
 coordinate_of_share(double share)
 {
-	share = share_inside_ends(share);
+	share = keep_share_inside_ends(share);
 	double rise = el_log(share / (1 - share)), x = rise / LINEAR;
 	for (size_t i = 0; i < 20; i++)
 		x -= (x * (LINEAR + CUBIC * x * x) - rise) /
@@ -55,16 +55,16 @@ coordinate_of_share(double share)
 }
 
 static bool
-coordinates_is_free(const struct bounds *b, size_t j)
+coordinates_is_param_free(const struct bounds *b, size_t j)
 {
 	return b->upper[j] > b->lower[j];
 }
 
 struct coordinates
-coordinates_about(const struct params *fit, const struct bounds *bounds,
+coordinates_new_about_fit(const struct params *fit, const struct bounds *bounds,
     const struct model_settings *settings, double middle)
 {
-	const struct breakage *of = breakage_of(fit);
+	const struct breakage *of = breakage_model_of_params(fit);
 	size_t f = of->strength;
 	struct coordinates c = {.of = of,
 	    .fit = *fit,
@@ -75,9 +75,9 @@ coordinates_about(const struct params *fit, const struct bounds *bounds,
 	    .most = el_log(bounds->upper[f + 1]) - middle};
 	double squares = 0;
 	c.largest = c.most / bounds->upper[f + 2];
-	c.by_slope = coordinates_is_free(bounds, f) &&
-		     coordinates_is_free(bounds, f + 1) &&
-		     coordinates_is_free(bounds, f + 2) && c.largest < 0;
+	c.by_slope = coordinates_is_param_free(bounds, f) &&
+		     coordinates_is_param_free(bounds, f + 1) &&
+		     coordinates_is_param_free(bounds, f + 2) && c.largest < 0;
 	for (size_t j = 0; j < of->gauge; j++) {
 		squares += fit->at[j] * fit->at[j];
 		if (fabs(fit->at[j]) > fabs(fit->at[c.held]))
@@ -106,7 +106,7 @@ coordinates_reflect_pole(const struct coordinates *c, double *w)
 
 /* True if there are daughters, that is, if p(u) is above 0 anywhere. */
 static bool
-has_daughters(const struct coordinates *c, const double *gauge)
+has_any_progeny(const struct coordinates *c, const double *gauge)
 {
 	double whole = 0;
 	for (size_t j = 0; j < c->of->gauge; j++)
@@ -132,7 +132,7 @@ gauge_from_coordinates(const struct coordinates *c, const double *x, double *at)
 		at[j] = j == c->held ? c->sign * (1 - squares) / (1 + squares)
 				     : x[j] / (1 + squares);
 	coordinates_reflect_pole(c, at);
-	if (!(c->sign * at[c->held] > 0) || !has_daughters(c, at))
+	if (!(c->sign * at[c->held] > 0) || !has_any_progeny(c, at))
 		return INFINITY;
 	return (double)(c->of->gauge - 1) * el_log(1 + squares);
 }
@@ -167,7 +167,8 @@ range_of_alpha(
  *   d e0_min = alpha e0_min d ln x*  at constant alpha,
  *   d ln x* = ln x* d ln(share of x). */
 static double
-slope_from_coordinates(const struct coordinates *c, const double *x, double *at)
+strength_from_coordinates(
+    const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
 	double share = share_of_coordinate(x[f]),
@@ -184,19 +185,21 @@ slope_from_coordinates(const struct coordinates *c, const double *x, double *at)
 	    hard * (1 - hard) * alpha * (high - low) * e0 / (share * share);
 	if (!(low < high) || !(density > 0))
 		return INFINITY;
-	return share_density(x[f]) + share_density(x[f + 2]) - el_log(density);
+	return density_of_share(x[f]) + density_of_share(x[f + 2]) -
+	       el_log(density);
 }
 
 static void
-coordinates_from_slope(const struct coordinates *c, const double *at, double *x)
+coordinates_from_strength(
+    const struct coordinates *c, const double *at, double *x)
 {
 	size_t f = c->of->strength;
 	double alpha = fmax(at[f + 2], 1e-3), e0 = fmax(at[f + 1], 1e-6), low,
 	       high;
 	double log_break = (el_log(e0) - c->middle) / alpha;
 	double hard =
-	    share_inside_ends((at[f] - c->bounds.lower[f]) /
-			      (c->bounds.upper[f] - c->bounds.lower[f]));
+	    keep_share_inside_ends((at[f] - c->bounds.lower[f]) /
+				   (c->bounds.upper[f] - c->bounds.lower[f]));
 	x[f] = coordinate_of_share(c->largest / log_break);
 	range_of_alpha(c, c->largest / share_of_coordinate(x[f]), &low, &high);
 	x[f + 1] = el_log(hard / (1 - hard));
@@ -227,7 +230,7 @@ coordinates_to_params(const struct coordinates *c, const double *x, double *at)
 	}
 	if (c->of->gauge > 0)
 		sum += gauge_from_coordinates(c, x, at);
-	return c->by_slope ? sum + slope_from_coordinates(c, x, at) : sum;
+	return c->by_slope ? sum + strength_from_coordinates(c, x, at) : sum;
 }
 
 void
@@ -238,7 +241,7 @@ coordinates_from_params(
 	if (c->of->gauge > 0)
 		coordinates_from_gauge(c, at, x);
 	if (c->by_slope)
-		coordinates_from_slope(c, at, x);
+		coordinates_from_strength(c, at, x);
 }
 
 void

@@ -36,7 +36,7 @@ struct coordinates {
 					 * change */
 	double sign, pole[PARAMS_MOST]; /* the fit's gauge, of length 1 */
 };
-struct coordinates coordinates_about(const struct params *fit,
+struct coordinates coordinates_new_about_fit(const struct params *fit,
     const struct bounds *bounds, const struct model_settings *settings,
     double middle);
 

@@ -32,7 +32,7 @@ struct covariance {
 
 /* Numbers the sizes of the cells.  False if there are too many. */
 static bool
-covariance_number_sizes(struct covariance *c)
+number_sizes_of_cells(struct covariance *c)
 {
 	c->sizes = 0;
 	for (size_t i = 0; i < c->n; i++) {
@@ -94,10 +94,10 @@ covariance_new(enum isa isa, struct cell *cell, size_t n)
 	if (!c->many)
 		return c;
 	c->size = xcalloc(n, sizeof *c->size);
-	if (!covariance_number_sizes(c)) {
+	if (!number_sizes_of_cells(c)) {
 		move_sizes_to_grid(cell, n);
 		memcpy(c->cell, cell, n * sizeof *cell);
-		covariance_number_sizes(c);
+		number_sizes_of_cells(c);
 	}
 	find_blocks(c);
 	return c;
@@ -130,14 +130,15 @@ struct size_pairs {
 };
 
 static void
-fill_pairs(const struct covariance *c, const double hyper[static HYPERS],
+fill_size_pairs(const struct covariance *c, const double hyper[static HYPERS],
     struct size_pairs *pairs)
 {
 	size_t n = 0;
 	for (size_t s = 0; s < c->sizes; s++)
 		for (size_t k = 0; k <= s; k++)
 			pairs->f[n++] = c->log_size[s] - c->log_size[k];
-	discrepancy_pairs(c->isa, n, hyper, pairs->f, pairs->error);
+	discrepancy_covariances_of_pairs(
+	    c->isa, n, hyper, pairs->f, pairs->error);
 }
 
 static void
@@ -149,7 +150,8 @@ factor_block(const struct covariance *c, size_t b,
 	const size_t *size = c->size + first;
 	for (size_t i = 0; i < n; i++) {
 		for (size_t j = i; j < n; j++) {
-			size_t pair = discrepancy_pair(size[i], size[j]);
+			size_t pair =
+			    discrepancy_index_of_pair(size[i], size[j]);
 			U[i * n + j] =
 			    pairs->error[pair] * cell[i].h * cell[j].h;
 		}
@@ -167,12 +169,12 @@ add_run_to_coupling(const struct covariance *c, size_t b, const double *U,
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first, S = c->sizes;
 	double term[TERMS];
-	discrepancy_terms(c->cell[first].t, 1, term);
+	discrepancy_speed_terms(c->cell[first].t, 1, term);
 	for (size_t i = 0; i < n; i++) {
 		double *column = work + i * n;
 		memset(column, 0, n * sizeof *column);
 		column[i] = c->cell[first + i].h;
-		discrepancy_forward(c->isa, U, n, column);
+		discrepancy_solve_lower(c->isa, U, n, column);
 	}
 	for (size_t i = 0; i < n; i++)
 		for (size_t j = 0; j < n; j++) {
@@ -218,7 +220,7 @@ factor_coupling(const struct covariance *c, const double *G, double *factor)
 {
 	size_t S = c->sizes, m = TERMS * S;
 	double *A = factor + c->at_A;
-	double *work = xdoubles(2 * S * S), *part = work + S * S;
+	double *work = xcalloc_doubles(2 * S * S), *part = work + S * S;
 	for (size_t j = 0; j < TERMS; j++)
 		for (size_t k = j; k < TERMS; k++, G += S * S) {
 			double scale = slope_factor_of_process(c, factor, j) *
@@ -235,8 +237,8 @@ factor_coupling(const struct covariance *c, const double *G, double *factor)
 }
 
 static void
-factor_many(const struct covariance *c, const double log_hyper[static HYPERS],
-    double *factor)
+factor_by_woodbury(const struct covariance *c,
+    const double log_hyper[static HYPERS], double *factor)
 {
 	enum { PAIRS = TERMS * (TERMS + 1) / 2 };
 	struct size_pairs pairs;
@@ -244,10 +246,10 @@ factor_many(const struct covariance *c, const double log_hyper[static HYPERS],
 	for (size_t i = 0; i < HYPERS; i++)
 		hyper[i] = el_exp(log_hyper[i]);
 	factor[c->at_slope] = hyper[HYPER_SLOPE];
-	fill_pairs(c, hyper, &pairs);
+	fill_size_pairs(c, hyper, &pairs);
 	discrepancy_factor_pairs(c->isa, pairs.f, c->sizes, factor + c->at_K);
-	double *G = xdoubles(PAIRS * c->sizes * c->sizes);
-	double *work = xdoubles(c->largest * c->largest);
+	double *G = xcalloc_doubles(PAIRS * c->sizes * c->sizes);
+	double *work = xcalloc_doubles(c->largest * c->largest);
 	for (size_t b = 0; b < c->blocks; b++) {
 		double *U = factor + c->at[b];
 		factor_block(c, b, &pairs, hyper[HYPER_OWN], U);
@@ -268,7 +270,7 @@ add_cells_to_processes(
     const struct covariance *c, size_t b, const double *d, double *f)
 {
 	double term[TERMS];
-	discrepancy_terms(c->cell[c->first[b]].t, 1, term);
+	discrepancy_speed_terms(c->cell[c->first[b]].t, 1, term);
 	for (size_t i = c->first[b]; i < c->first[b + 1]; i++)
 		for (size_t j = 0; j < TERMS; j++)
 			f[j * c->sizes + c->size[i]] +=
@@ -280,7 +282,7 @@ add_processes_to_cells(
     const struct covariance *c, size_t b, const double *f, double *d)
 {
 	double term[TERMS];
-	discrepancy_terms(c->cell[c->first[b]].t, 1, term);
+	discrepancy_speed_terms(c->cell[c->first[b]].t, 1, term);
 	for (size_t i = c->first[b]; i < c->first[b + 1]; i++)
 		for (size_t j = 0; j < TERMS; j++)
 			d[i] += term[j] * c->cell[i].h *
@@ -332,7 +334,7 @@ covariance_minus_log_density(
 		size_t first = c->first[b], n = c->first[b + 1] - first;
 		const double *U = factor + c->at[b];
 		level += discrepancy_minus_log_density(c->isa, U, n, d + first);
-		discrepancy_backward(U, n, d + first);
+		discrepancy_solve_upper(U, n, d + first);
 		add_cells_to_processes(c, b, d, f);
 	}
 	multiply_processes_by_upper(c, factor, f);
@@ -349,23 +351,23 @@ solve_block(
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first;
 	const double *U = factor + c->at[b];
-	discrepancy_forward(c->isa, U, n, d + first);
-	discrepancy_backward(U, n, d + first);
+	discrepancy_solve_lower(c->isa, U, n, d + first);
+	discrepancy_solve_upper(U, n, d + first);
 }
 
 static void
-solve_many(const struct covariance *c, const double *factor, double *d)
+solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 {
 	const double *A = factor + c->at_A;
-	double f[TERMS * SIZES] = {0}, *less = xdoubles(c->n);
+	double f[TERMS * SIZES] = {0}, *less = xcalloc_doubles(c->n);
 	size_t m = TERMS * c->sizes;
 	for (size_t b = 0; b < c->blocks; b++) {
 		solve_block(c, factor, b, d);
 		add_cells_to_processes(c, b, d, f);
 	}
 	multiply_processes_by_upper(c, factor, f);
-	discrepancy_forward(c->isa, A, m, f);
-	discrepancy_backward(A, m, f);
+	discrepancy_solve_lower(c->isa, A, m, f);
+	discrepancy_solve_upper(A, m, f);
 	multiply_processes_by_lower(c, factor, f);
 	for (size_t b = 0; b < c->blocks; b++) {
 		add_processes_to_cells(c, b, f, less);
@@ -381,18 +383,19 @@ covariance_factor(const struct covariance *c,
     const double log_hyper[static HYPERS], double *factor)
 {
 	if (c->many)
-		factor_many(c, log_hyper, factor);
+		factor_by_woodbury(c, log_hyper, factor);
 	else
-		discrepancy_factor(c->isa, c->cell, c->n, log_hyper, factor);
+		discrepancy_factor_covariance(
+		    c->isa, c->cell, c->n, log_hyper, factor);
 }
 
 void
 covariance_solve(const struct covariance *c, const double *factor, double *d)
 {
 	if (c->many) {
-		solve_many(c, factor, d);
+		solve_by_woodbury(c, factor, d);
 		return;
 	}
-	discrepancy_forward(c->isa, factor, c->n, d);
-	discrepancy_backward(factor, c->n, d);
+	discrepancy_solve_lower(c->isa, factor, c->n, d);
+	discrepancy_solve_upper(factor, c->n, d);
 }

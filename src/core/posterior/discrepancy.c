@@ -27,13 +27,14 @@ const struct hyper_info HYPER[HYPERS] = {
 static const double STEP = 0.135;
 
 double
-discrepancy_t_of_speed(double v, double middle)
+discrepancy_speed_to_t(double v, double middle)
 {
 	return (2 * el_log(v) - el_log(2) - middle) / STEP;
 }
 
 void
-discrepancy_terms(double t, double slope, double term[static DISCREPANCY_TERMS])
+discrepancy_speed_terms(
+    double t, double slope, double term[static DISCREPANCY_TERMS])
 {
 	term[0] = 1;
 	term[1] = slope * t;
@@ -70,18 +71,18 @@ triangle_for_isa(enum isa isa)
 {
 	static const struct triangle *const TRIANGLES[] = {
 	    &TRIANGLE_BASE, &TRIANGLE_AVX2, &TRIANGLE_AVX512};
-	return TRIANGLES[isa_is_usable(isa)];
+	return TRIANGLES[isa_usable_or_best(isa)];
 }
 
 void
-discrepancy_pairs(enum isa isa, size_t n, const double hyper[static HYPERS],
-    double *f, double *error)
+discrepancy_covariances_of_pairs(enum isa isa, size_t n,
+    const double hyper[static HYPERS], double *f, double *error)
 {
 	triangle_for_isa(isa)->pairs(n, hyper, f, error);
 }
 
 void
-discrepancy_normals(
+discrepancy_draw_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z)
 {
 	triangle_for_isa(isa)->normals(key, next, n, z);
@@ -92,7 +93,7 @@ discrepancy_factor_pairs(enum isa isa, const double *pair, size_t n, double *U)
 {
 	for (size_t i = 0; i < n; i++) {
 		for (size_t j = 0; j <= i; j++)
-			U[j * n + i] = pair[discrepancy_pair(i, j)];
+			U[j * n + i] = pair[discrepancy_index_of_pair(i, j)];
 		U[i * n + i] += 1e-8 * pair[0];
 	}
 	discrepancy_cholesky(isa, U, n);
@@ -105,13 +106,13 @@ discrepancy_cholesky(enum isa isa, double *U, size_t n)
 }
 
 void
-discrepancy_forward(enum isa isa, const double *U, size_t n, double *d)
+discrepancy_solve_lower(enum isa isa, const double *U, size_t n, double *d)
 {
 	triangle_for_isa(isa)->forward(U, n, d);
 }
 
 void
-discrepancy_backward(const double *U, size_t n, double *z)
+discrepancy_solve_upper(const double *U, size_t n, double *z)
 {
 	for (size_t i = n; i-- > 0;) {
 		for (size_t k = i + 1; k < n; k++)
@@ -144,7 +145,8 @@ discrepancy_fill_covariance(enum isa isa, const struct cell *cell, size_t n,
 		hyper[i] = el_exp(log_hyper[i]);
 	int64_t *number = xcalloc(2 * n, sizeof *number);
 	size_t pairs = n * (n + 1) / 2; /* of sizes, at most */
-	double *column = xdoubles((4 + DISCREPANCY_TERMS) * n + 2 * pairs);
+	double *column =
+	    xcalloc_doubles((4 + DISCREPANCY_TERMS) * n + 2 * pairs);
 	struct cell_columns c = {.n = n,
 	    .own = hyper[HYPER_OWN] * hyper[HYPER_OWN],
 	    .size = number,
@@ -162,7 +164,7 @@ discrepancy_fill_covariance(enum isa isa, const struct cell *cell, size_t n,
 		c.run[i] = (int64_t)cell[i].run;
 		c.h[i] = cell[i].h;
 		c.log_size[c.size[i]] = cell[i].log_size;
-		discrepancy_terms(cell[i].t, hyper[HYPER_SLOPE], term);
+		discrepancy_speed_terms(cell[i].t, hyper[HYPER_SLOPE], term);
 		for (size_t k = 0; k < DISCREPANCY_TERMS; k++)
 			c.term[k][i] = term[k];
 	}
@@ -172,7 +174,7 @@ discrepancy_fill_covariance(enum isa isa, const struct cell *cell, size_t n,
 }
 
 void
-discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
+discrepancy_factor_covariance(enum isa isa, const struct cell *cell, size_t n,
     const double log_hyper[static HYPERS], double *U)
 {
 	discrepancy_fill_covariance(isa, cell, n, log_hyper, U);
@@ -187,7 +189,7 @@ discrepancy_minus_log_density(
 	 * below 0.0005^16, see DISCREPANCY_ROUNDING. */
 	enum { AT_ONCE = 16 };
 	double level = 0;
-	discrepancy_forward(isa, U, n, d);
+	discrepancy_solve_lower(isa, U, n, d);
 	for (size_t i = 0; i < n; i++)
 		level += d[i] * d[i] / 2;
 	for (size_t from = 0; from < n; from += AT_ONCE) {

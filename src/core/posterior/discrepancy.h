@@ -45,17 +45,17 @@ struct hyper_info {
 extern const struct hyper_info HYPER[HYPERS];
 
 /* Returns t for a tip speed, m/s; middle: ln of the mean energy, J/kg. */
-double discrepancy_t_of_speed(double v, double middle);
+double discrepancy_speed_to_t(double v, double middle);
 
 /* Computes the factors of f_0, f_1 and f_2 at t. */
 enum { DISCREPANCY_TERMS = 3 };
-void discrepancy_terms(
+void discrepancy_speed_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);
 
 /* Returns h at a passing P, 0..1.  This and the next two are called for all
  * draws at all sizes; inline, they can be vectorised. */
 static inline double
-discrepancy_h(double P)
+discrepancy_scale_at_passing(double P)
 {
 	double square = P * (1 - P);
 	return 2 * sqrt(square > 0 ? square : 0);
@@ -63,7 +63,7 @@ discrepancy_h(double P)
 
 /* Returns P limited to at least `least` and at most 1. */
 static inline double
-discrepancy_clamp(double P, double least)
+discrepancy_clamp_passing(double P, double least)
 {
 	P = P > least ? P : least;
 	return P < 1 ? P : 1;
@@ -75,11 +75,11 @@ discrepancy_clamp(double P, double least)
  * which also corrects model passings of 0 and 1.  The result is at least
  * `least`, the passing of the feed or of the next finer size, and at most 1. */
 static inline double
-discrepancy_answer(double P, double delta, double least)
+discrepancy_correct_passing(double P, double delta, double least)
 {
-	double h = discrepancy_h(P), square = delta * delta;
+	double h = discrepancy_scale_at_passing(P), square = delta * delta;
 	double more = square * (1 - 2 * P) + delta * sqrt(square + h * h);
-	return discrepancy_clamp(P + more / (1 + square), least);
+	return discrepancy_clamp_passing(P + more / (1 + square), least);
 }
 
 /* Returns -ln of the prior density of the hyperparameters' logarithms, up to a
@@ -113,22 +113,22 @@ discrepancy_covariance(double apart, const double hyper[static HYPERS])
 }
 
 static inline double
-discrepancy_shared(double apart, const double hyper[static HYPERS])
+discrepancy_shared_covariance(double apart, const double hyper[static HYPERS])
 {
 	double shared = hyper[HYPER_SHARED];
 	return shared * shared *
 	       discrepancy_correlation(apart, hyper[HYPER_LENGTH]);
 }
 
-/* discrepancy_pairs computes both covariances for n pairs of sizes.  f [n] in:
- * the differences of their logarithms; f, error [n] out: the two covariances.
- * discrepancy_pair returns the index of a pair of sizes; pairs are ordered by
- * the larger of their indices. */
-void discrepancy_pairs(enum isa isa, size_t n,
+/* discrepancy_covariances_of_pairs computes both covariances for n pairs of
+ * sizes.  f [n] in: the differences of their logarithms; f, error [n] out: the
+ * two covariances. discrepancy_index_of_pair returns the index of a pair of
+ * sizes; pairs are ordered by the larger of their indices. */
+void discrepancy_covariances_of_pairs(enum isa isa, size_t n,
     const double hyper[static HYPERS], double *f, double *error);
 
 static inline size_t
-discrepancy_pair(size_t i, size_t j)
+discrepancy_index_of_pair(size_t i, size_t j)
 {
 	size_t more = i > j ? i : j, less = i > j ? j : i;
 	return more * (more + 1) / 2 + less;
@@ -141,7 +141,7 @@ void discrepancy_factor_pairs(
 
 /* Draws n standard normal numbers from a stream, starting at number `next`, z
  * [n] out. */
-void discrepancy_normals(
+void discrepancy_draw_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z);
 
 /* A measured passing: ln of its size in m, its t and its h. */
@@ -156,15 +156,16 @@ struct cell {
  * routines depend on its version, and one bit changes a whole chain, so these
  * are plain loops. */
 void discrepancy_cholesky(enum isa isa, double *U, size_t n);
-void discrepancy_forward(enum isa isa, const double *U, size_t n, double *d);
-void discrepancy_backward(const double *U, size_t n, double *z);
+void discrepancy_solve_lower(
+    enum isa isa, const double *U, size_t n, double *d);
+void discrepancy_solve_upper(const double *U, size_t n, double *z);
 
 /* Compute the upper half of the covariance of the differences between n
  * measured passings and the model, U [n * n], and its factor. */
 void discrepancy_fill_covariance(enum isa isa, const struct cell *cell,
     size_t n, const double log_hyper[static HYPERS], double *U);
-void discrepancy_factor(enum isa isa, const struct cell *cell, size_t n,
-    const double log_hyper[static HYPERS], double *U);
+void discrepancy_factor_covariance(enum isa isa, const struct cell *cell,
+    size_t n, const double log_hyper[static HYPERS], double *U);
 
 /* Returns -ln of the probability of the differences d [n], up to a constant; d
  * is replaced with L^-1 d. */
@@ -174,9 +175,9 @@ double discrepancy_minus_log_density(
 /* ---- For discrepancy.c: compiled for each instruction set ---- */
 
 /* n cells in columns.  size, run: the index of each cell's size and run; term:
- * see discrepancy_terms.  log_size: ln of the sizes; f, error: workspace with a
- * double for each size; pair: two workspaces with a double for each pair of
- * sizes; own: the variance of the independent error. */
+ * see discrepancy_speed_terms.  log_size: ln of the sizes; f, error: workspace
+ * with a double for each size; pair: two workspaces with a double for each pair
+ * of sizes; own: the variance of the independent error. */
 struct cell_columns {
 	size_t n, sizes;
 	int64_t *size, *run;

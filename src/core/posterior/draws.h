@@ -30,8 +30,9 @@ struct posterior {
 	struct params fit;
 	struct bounds bounds;
 	size_t n_cell;
-	double middle;   /* ln of the mean energy, J/kg, where t is 0 */
-	double from, to; /* range of speeds of interest, see site_reach */
+	double middle; /* ln of the mean energy, J/kg, where t is 0 */
+	double from,
+	    to; /* range of speeds of interest, see site_default_speed_range */
 	/* The speeds of the runs that inform the draws, m/s, slowest first, and
 	 * the share of draws that are linear between neighbouring speeds
 	 * (thin.h). */

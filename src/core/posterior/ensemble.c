@@ -50,7 +50,7 @@ struct ensemble {
 	/* [n + 1][DRAWS]: nothing passes below the finest size. */
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
-	double at;    /* the speed of what ensemble_at made, or 0 */
+	double at;    /* the speed of what ensemble_set_speed made, or 0 */
 	/* The speeds of a grid, m/s.  Those numbered SLOWEST to `last` are
 	 * pooled; counts: the weight of each; measured: which of them were
 	 * measured. */
@@ -70,13 +70,13 @@ struct ensemble {
  * more between them, because the kernel's classes end at the points of a
  * feed. */
 static struct psd
-refine_feed(const struct psd *feed, const double *size, size_t n)
+add_sizes_to_feed(const struct psd *feed, const double *size, size_t n)
 {
-	struct psd fine = psd_refined(size, n);
+	struct psd fine = psd_new_with_sizes_between(size, n);
 	struct psd curve = psd_new(feed->n + fine.n);
 	memcpy(curve.size, feed->size, feed->n * sizeof *feed->size);
 	memcpy(curve.size + feed->n, fine.size, fine.n * sizeof *fine.size);
-	curve.n = psd_sort(curve.size, curve.n, 0);
+	curve.n = psd_sort_distinct_sizes(curve.size, curve.n, 0);
 	for (size_t i = 0; i < curve.n; i++)
 		curve.passing[i] = psd_passing(feed, curve.size[i]);
 	psd_free(&fine);
@@ -86,11 +86,12 @@ refine_feed(const struct psd *feed, const double *size, size_t n)
 /* Makes a kernel whose differences are passings: the measured passings that it
  * subtracts are 0. */
 static struct kernel *
-kernel_of_passings(const struct posterior *p, const struct psd *smooth,
+new_passings_kernel(const struct posterior *p, const struct psd *smooth,
     const double *size, size_t n)
 {
-	struct psd feed = refine_feed(smooth, size, n);
-	double *sieve = xdoubles(n), *none = xdoubles(n), *one = xdoubles(n);
+	struct psd feed = add_sizes_to_feed(smooth, size, n);
+	double *sieve = xcalloc_doubles(n), *none = xcalloc_doubles(n),
+	       *one = xcalloc_doubles(n);
 	memcpy(sieve, size, n * sizeof *size);
 	for (size_t i = 0; i < n; i++)
 		one[i] = 1;
@@ -119,7 +120,7 @@ find_knots_of_sieves(struct ensemble *e, const double *size)
 {
 	const struct posterior *p = e->of;
 	e->knot = xcalloc(e->n, sizeof *e->knot);
-	e->share = xdoubles(e->n);
+	e->share = xcalloc_doubles(e->n);
 	for (size_t i = 0; i < e->n; i++) {
 		double at = el_log(size[i]);
 		size_t k = 0;
@@ -136,13 +137,13 @@ static void
 set_parameter_column(struct ensemble *e, size_t column, const struct params *p,
     const struct strengths *rock)
 {
-	size_t f = breakage_of(p)->strength;
-	for (size_t j = 0; j < breakage_of(p)->n; j++)
+	size_t f = breakage_model_of_params(p)->strength;
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++)
 		e->theta[j][column] = p->at[j];
 	e->theta[f][column] *= e->more;
 	e->theta[f + 1][column] *= rock->harder;
 	e->softer[column] = p->at[f + 1] * rock->softer;
-	e->share_softer[column] = strengths_softer(rock);
+	e->share_softer[column] = strengths_softer_share(rock);
 }
 
 static void
@@ -160,9 +161,9 @@ set_parameter_columns(struct ensemble *e)
 /* A fit mostly holds gamma and kappa at 0.  Without them its product is that of
  * the paper's model, which takes a fraction of the time. */
 static void
-set_exact_model(struct ensemble *e, struct params fit)
+use_narrowest_exact_model(struct ensemble *e, struct params fit)
 {
-	struct params p = breakage_narrowed(&fit);
+	struct params p = breakage_narrow_params(&fit);
 	model_use_params(e->exact, &p);
 }
 
@@ -170,7 +171,7 @@ set_exact_model(struct ensemble *e, struct params fit)
  * measured speeds among them, and 2 % apart beyond, down to a fifth of the
  * slowest and up to five times the fastest. */
 static void
-ensemble_lay_grid(struct ensemble *e)
+lay_speed_grid(struct ensemble *e)
 {
 	const struct posterior *p = e->of;
 	const double apart = 0.02;
@@ -197,28 +198,28 @@ struct ensemble *
 ensemble_new(const struct posterior *p, const struct psd *measured,
     const double *size, size_t n)
 {
-	struct psd curve = psd_curve(measured), *feed = &curve;
+	struct psd curve = psd_smooth_curve(measured), *feed = &curve;
 	struct ensemble *e = xcalloc(1, sizeof *e);
 	*e = (struct ensemble){.of = p,
 	    .n = n,
-	    .kernel = kernel_of_passings(p, feed, size, n),
+	    .kernel = new_passings_kernel(p, feed, size, n),
 	    .exact = model_new(feed, size, n, p->settings),
-	    .product = xdoubles(n * ALL),
-	    .misfit = xdoubles(ALL),
-	    .fit = xdoubles(n),
-	    .feed = xdoubles(n),
-	    .delta = xdoubles(p->n_knot * DRAWS),
+	    .product = xcalloc_doubles(n * ALL),
+	    .misfit = xcalloc_doubles(ALL),
+	    .fit = xcalloc_doubles(n),
+	    .feed = xcalloc_doubles(n),
+	    .delta = xcalloc_doubles(p->n_knot * DRAWS),
 	    .more = 1};
-	set_exact_model(e, p->fit);
-	for (size_t j = 0; j < breakage_of(&p->fit)->n; j++)
-		e->theta[j] = xdoubles(ALL);
+	use_narrowest_exact_model(e, p->fit);
+	for (size_t j = 0; j < breakage_model_of_params(&p->fit)->n; j++)
+		e->theta[j] = xcalloc_doubles(ALL);
 	set_parameter_columns(e);
 	for (size_t i = 0; i < n; i++)
 		e->feed[i] = psd_passing(feed, size[i]);
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
-		e->part[i] = xdoubles((n + 1) * DRAWS);
+		e->part[i] = xcalloc_doubles((n + 1) * DRAWS);
 	find_knots_of_sieves(e, size);
-	ensemble_lay_grid(e);
+	lay_speed_grid(e);
 	psd_free(&curve);
 	return e;
 }
@@ -238,11 +239,11 @@ void
 ensemble_set_machine(struct ensemble *e, struct model_settings settings)
 {
 	const struct params *fit = &e->of->fit;
-	size_t strength = breakage_of(fit)->strength;
+	size_t strength = breakage_model_of_params(fit)->strength;
 	e->more = settings.k / e->of->settings.k;
 	struct params p = *fit;
 	p.at[strength] *= e->more;
-	set_exact_model(e, p);
+	use_narrowest_exact_model(e, p);
 	set_parameter_columns(e);
 	e->bypass = settings.bypass;
 	e->at = 0;
@@ -292,14 +293,16 @@ selection_of_coarsest_size(
 	const struct strengths *rock = &draw->strengths;
 	const struct impacts *by = &p->settings.impacts;
 	const double *f =
-	    draw->params.at + breakage_of(&draw->params)->strength;
+	    draw->params.at + breakage_model_of_params(&draw->params)->strength;
 	double harder[] = {f[0], rock->harder * f[1], f[2]};
 	double softer[] = {f[0], rock->softer * f[1], f[2]};
-	double k = p->settings.k, E = energy_specific(v), size = p->knot[0];
-	double share = strengths_softer(rock),
-	       S = selection_by(by, harder, k, E, size, NULL);
+	double k = p->settings.k, E = energy_specific_at_speed(v),
+	       size = p->knot[0];
+	double share = strengths_softer_share(rock),
+	       S = selection_by_impacts(by, harder, k, E, size, NULL);
 	if (share > 0)
-		S += share * (selection_by(by, softer, k, E, size, NULL) - S);
+		S += share *
+		     (selection_by_impacts(by, softer, k, E, size, NULL) - S);
 	return S;
 }
 
@@ -346,11 +349,11 @@ fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
 	const struct posterior *p = e->of;
 	double left[DRAWS], at = share_of_correction_left(p, v, left);
-	double t = discrepancy_t_of_speed(at, p->middle);
+	double t = discrepancy_speed_to_t(at, p->middle);
 	double factor[DISCREPANCY_TERMS][DRAWS];
 	for (size_t d = 0; d < DRAWS; d++) {
 		double term[DISCREPANCY_TERMS];
-		discrepancy_terms(t, p->draw[d].hyper[HYPER_SLOPE], term);
+		discrepancy_speed_terms(t, p->draw[d].hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 			factor[j][d] = left[d] * term[j];
 	}
@@ -366,7 +369,7 @@ fill_discrepancy_at_knots(struct ensemble *e, double v)
 }
 
 void
-ensemble_discrepancy(const struct ensemble *e, size_t d, double *delta)
+ensemble_discrepancy_of_draw(const struct ensemble *e, size_t d, double *delta)
 {
 	for (size_t i = 0; i < e->n; i++) {
 		const double *at = e->delta + e->knot[i] * DRAWS + d;
@@ -385,12 +388,12 @@ fill_model_and_answer_row(const struct ensemble *e, size_t i,
 	double share = e->share[i], rest = 1 - share;
 	double fit = e->fit[i], scheme = P[FIT], feed = e->feed[i];
 	for (size_t d = 0; d < DRAWS; d++) {
-		double p = discrepancy_clamp(P[d] + fit - scheme, feed);
+		double p = discrepancy_clamp_passing(P[d] + fit - scheme, feed);
 		double more = share * delta[d] + rest * delta[d + DRAWS];
 		double finer = answer[d + DRAWS];
 		model[d] = p;
-		answer[d] =
-		    discrepancy_answer(p, more, finer > feed ? finer : feed);
+		answer[d] = discrepancy_correct_passing(
+		    p, more, finer > feed ? finer : feed);
 	}
 }
 
@@ -403,8 +406,8 @@ fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 	double share = e->share[i], rest = 1 - share;
 	for (size_t d = 0; d < DRAWS; d++) {
 		double err = share * error[d] + rest * error[d + DRAWS];
-		sample[d] = discrepancy_clamp(
-		    answer[d] + discrepancy_h(answer[d]) * err,
+		sample[d] = discrepancy_clamp_passing(
+		    answer[d] + discrepancy_scale_at_passing(answer[d]) * err,
 		    sample[d + DRAWS]);
 	}
 }
@@ -432,7 +435,7 @@ ensemble_add_bypass(struct ensemble *e)
 }
 
 void
-ensemble_draws_at(struct ensemble *e, double v)
+ensemble_set_speed_as_drawn(struct ensemble *e, double v)
 {
 	struct kernel_out out = {
 	    e->misfit, e->product, ALL, e->softer, e->share_softer};
@@ -452,7 +455,7 @@ ensemble_draws_at(struct ensemble *e, double v)
 /* Returns the last speed of the grid that exists and is not above v, but not
  * the fastest one; if there is none, the slowest. */
 static size_t
-index_on_grid(const struct ensemble *e, double v)
+grid_index_below_speed(const struct ensemble *e, double v)
 {
 	size_t low = e->slowest, high = e->fastest;
 	while (low + 1 < high) {
@@ -463,7 +466,8 @@ index_on_grid(const struct ensemble *e, double v)
 }
 
 size_t
-ensemble_pool_falling(double *value, double *weight, size_t *length, size_t n)
+ensemble_pool_falling_values(
+    double *value, double *weight, size_t *length, size_t n)
 {
 	size_t blocks = 0;
 	for (size_t k = 0; k < n; k++) {
@@ -494,7 +498,7 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		mean[j] = e->rising[SLOWEST + j][i];
 		weight[j] = e->counts[SLOWEST + j];
 	}
-	size_t n = ensemble_pool_falling(mean, weight, length, all);
+	size_t n = ensemble_pool_falling_values(mean, weight, length, all);
 	for (size_t block = 0; block < n; block++)
 		for (size_t j = 0; j < length[block]; j++, k++) {
 			e->rising[k][i] = mean[block];
@@ -504,11 +508,11 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 
 /* Computes the answers at speed k of the grid, as drawn. */
 static void
-answers_at_grid_speed(struct ensemble *e, size_t k)
+compute_answers_at_grid_speed(struct ensemble *e, size_t k)
 {
 	size_t size = e->n * DRAWS;
-	ensemble_draws_at(e, e->speed[k]);
-	e->rising[k] = xdoubles(size);
+	ensemble_set_speed_as_drawn(e, e->speed[k]);
+	e->rising[k] = xcalloc_doubles(size);
 	e->moved[k] = xcalloc(size, sizeof **e->moved);
 	memcpy(e->rising[k], e->part[ENSEMBLE_ANSWER], size * sizeof(double));
 }
@@ -517,7 +521,7 @@ static void
 make_rising_grid(struct ensemble *e)
 {
 	for (size_t k = SLOWEST; k <= e->last; k++)
-		answers_at_grid_speed(e, k);
+		compute_answers_at_grid_speed(e, k);
 	for (size_t i = 0; i < e->n * DRAWS; i++)
 		pool_adjacent_violators(e, i);
 	e->slowest = SLOWEST;
@@ -531,7 +535,7 @@ extend_rising_grid(struct ensemble *e, double v)
 {
 	while (e->slowest > 0 && v < e->speed[e->slowest]) {
 		size_t k = --e->slowest;
-		answers_at_grid_speed(e, k);
+		compute_answers_at_grid_speed(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
 			double above = e->rising[k + 1][i];
 			e->moved[k][i] = e->rising[k][i] > above;
@@ -540,7 +544,7 @@ extend_rising_grid(struct ensemble *e, double v)
 	}
 	while (e->fastest + 1 < RISING && v > e->speed[e->fastest]) {
 		size_t k = ++e->fastest;
-		answers_at_grid_speed(e, k);
+		compute_answers_at_grid_speed(e, k);
 		for (size_t i = 0; i < e->n * DRAWS; i++) {
 			double below = e->rising[k - 1][i];
 			e->moved[k][i] = e->rising[k][i] < below;
@@ -556,7 +560,7 @@ extend_rising_grid(struct ensemble *e, double v)
 static void
 limit_answers_by_grid(struct ensemble *e, double v)
 {
-	size_t k = index_on_grid(e, v);
+	size_t k = grid_index_below_speed(e, v);
 	const double *below = e->rising[k], *above = e->rising[k + 1];
 	double from = e->speed[k], to = e->speed[k + 1];
 	double *answer = e->part[ENSEMBLE_ANSWER], t = (v - from) / (to - from);
@@ -574,18 +578,18 @@ limit_answers_by_grid(struct ensemble *e, double v)
 
 /* Computes the answers as drawn, except that none falls with the speed. */
 static void
-rising_answers_at(struct ensemble *e, double v)
+compute_rising_answers_at(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
 		make_rising_grid(e);
 	extend_rising_grid(e, v);
-	ensemble_draws_at(e, v);
+	ensemble_set_speed_as_drawn(e, v);
 	limit_answers_by_grid(e, v);
 }
 
 /* True if v lies between two measured speeds: number *k and the next. */
 static bool
-ensemble_is_between(const struct posterior *p, double v, size_t *k)
+is_between_measured_speeds(const struct posterior *p, double v, size_t *k)
 {
 	for (*k = 0; *k + 1 < p->n_speed; ++*k)
 		if (v > p->speed[*k] && v < p->speed[*k + 1])
@@ -596,7 +600,7 @@ ensemble_is_between(const struct posterior *p, double v, size_t *k)
 /* True if a draw is straight between measured speeds.  Neighbouring draws may
  * resemble each other, so the straight ones are spread over all of them. */
 static bool
-ensemble_is_straight(const struct posterior *p, size_t draw)
+is_draw_straight(const struct posterior *p, size_t draw)
 {
 	size_t place = draw * 97 % DRAWS;
 	return (double)place + 0.5 < p->straight * DRAWS;
@@ -604,31 +608,31 @@ ensemble_is_straight(const struct posterior *p, size_t draw)
 
 /* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
-ensemble_straighten(struct ensemble *e, double v, size_t k)
+straighten_between_speeds(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
 	double a = p->speed[k], b = p->speed[k + 1];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
-	rising_answers_at(e, v);
+	compute_rising_answers_at(e, v);
 	const double *below = e->rising[e->measured[k]],
 		     *above = e->rising[e->measured[k + 1]];
 	for (size_t d = 0; d < DRAWS; d++)
-		for (size_t i = d;
-		     ensemble_is_straight(p, d) && i < e->n * DRAWS; i += DRAWS)
+		for (size_t i = d; is_draw_straight(p, d) && i < e->n * DRAWS;
+		     i += DRAWS)
 			answer[i] = below[i] + t * (above[i] - below[i]);
 }
 
 void
-ensemble_at(struct ensemble *e, double v)
+ensemble_set_speed(struct ensemble *e, double v)
 {
 	size_t k;
 	if (v == e->at)
 		return;
-	if (ensemble_is_between(e->of, v, &k))
-		ensemble_straighten(e, v, k);
+	if (is_between_measured_speeds(e->of, v, &k))
+		straighten_between_speeds(e, v, k);
 	else
-		rising_answers_at(e, v);
+		compute_rising_answers_at(e, v);
 	if (e->bypass > 0) {
 		make_samples(e);
 		ensemble_add_bypass(e);
@@ -651,7 +655,7 @@ ensemble_posterior(const struct ensemble *e)
 }
 
 void
-ensemble_mean(const struct ensemble *e, double *passing)
+ensemble_mean_answer(const struct ensemble *e, double *passing)
 {
 	const double *P = e->part[ENSEMBLE_ANSWER];
 	for (size_t i = 0; i < e->n; i++, P += DRAWS) {
@@ -683,7 +687,7 @@ middle_interval(
 }
 
 void
-ensemble_interval(double *value, double level, double *low, double *high)
+ensemble_middle_interval(double *value, double level, double *low, double *high)
 {
 	for (size_t i = 0; i < DRAWS; i++)
 		if (isnan(value[i]))
@@ -701,7 +705,7 @@ ensemble_interval_with_answer(
 {
 	double value[DRAWS];
 	memcpy(value, draw, sizeof value);
-	ensemble_interval(value, level, &range[0], &range[1]);
+	ensemble_middle_interval(value, level, &range[0], &range[1]);
 	/* Of a number and NAN, fmin and fmax return the number. */
 	range[0] = fmin(range[0], answer);
 	range[1] = fmax(range[1], answer);
@@ -713,16 +717,16 @@ ensemble_row_interval(struct ensemble *e, enum ensemble_part part, size_t row,
 {
 	double value[DRAWS];
 	memcpy(value, ensemble_products(e, part) + row * DRAWS, sizeof value);
-	ensemble_interval(value, level, low, high);
+	ensemble_middle_interval(value, level, low, high);
 }
 
 double
-ensemble_halves_apart(struct ensemble *e, double v)
+ensemble_difference_of_halves(struct ensemble *e, double v)
 {
 	enum { HALF = DRAWS / 2 };
 	const double rounding = 0.001, level = 0.8;
 	double sum = 0, n = 0;
-	ensemble_draws_at(e, v);
+	ensemble_set_speed_as_drawn(e, v);
 	for (size_t i = 0; i < e->n; i++) {
 		const double *P = e->part[ENSEMBLE_ANSWER] + i * DRAWS;
 		double value[DRAWS], low[3], high[3];

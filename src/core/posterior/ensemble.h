@@ -35,12 +35,12 @@ enum ensemble_part {
 size_t ensemble_count_sizes(const struct ensemble *e);
 
 /* Moves to tip speed v, m/s; does nothing if that is the speed already. */
-void ensemble_at(struct ensemble *e, double v);
+void ensemble_set_speed(struct ensemble *e, double v);
 
-/* As ensemble_at, but without D23 and the bypass.  This saves computing
+/* As ensemble_set_speed, but without D23 and the bypass.  This saves computing
  * products at some sixty speeds, for callers that read only the model or
  * differences. */
-void ensemble_draws_at(struct ensemble *e, double v);
+void ensemble_set_speed_as_drawn(struct ensemble *e, double v);
 
 /* Returns the products at the ensemble's speed, [n * POSTERIOR_DRAWS], a row
  * for each size, borrowed.  Except for samples, no product is coarser than the
@@ -48,8 +48,9 @@ void ensemble_draws_at(struct ensemble *e, double v);
 const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
 /* Computes the discrepancy over h of a draw at the ensemble's speed and sizes,
- * [n] out; see discrepancy_answer. */
-void ensemble_discrepancy(const struct ensemble *e, size_t draw, double *delta);
+ * [n] out; see discrepancy_correct_passing. */
+void ensemble_discrepancy_of_draw(
+    const struct ensemble *e, size_t draw, double *delta);
 
 /* Returns the ensemble's posterior. */
 const struct posterior *ensemble_posterior(const struct ensemble *e);
@@ -59,14 +60,15 @@ void ensemble_row_interval(struct ensemble *e, enum ensemble_part part,
     size_t row, double level, double *low, double *high);
 
 /* Computes the mean of the answers, [n] out: the best single answer. */
-void ensemble_mean(const struct ensemble *e, double *passing);
+void ensemble_mean_answer(const struct ensemble *e, double *passing);
 
 /* Computes the middle `level` (0..1) of values [POSTERIOR_DRAWS] and changes
  * their order.  NAN counts as the lowest value, so an end may be NAN. */
-void ensemble_interval(double *value, double level, double *low, double *high);
+void ensemble_middle_interval(
+    double *value, double level, double *low, double *high);
 
-/* As ensemble_interval, but keeps the order of the values and widens the range
- * to contain the answer, unless that is NAN. */
+/* As ensemble_middle_interval, but keeps the order of the values and widens the
+ * range to contain the answer, unless that is NAN. */
 void ensemble_interval_with_answer(
     const double *draw, double level, double answer, double range[static 2]);
 
@@ -75,7 +77,7 @@ void ensemble_interval_with_answer(
  * bands, whichever is larger, divided by the width of the band.  It is the root
  * mean square over the sizes at which the band is wider than the rounding in
  * sheets. */
-double ensemble_halves_apart(struct ensemble *e, double v);
+double ensemble_difference_of_halves(struct ensemble *e, double v);
 
 /* Pools neighbouring values [n] into blocks whose means, by weights [n], do not
  * fall from one block to the next: the nearest such sequence in the
@@ -83,7 +85,7 @@ double ensemble_halves_apart(struct ensemble *e, double v);
  * blocks.  value, weight, length [n]: out, the mean, weight and number of
  * values of each block.
  */
-size_t ensemble_pool_falling(
+size_t ensemble_pool_falling_values(
     double *value, double *weight, size_t *length, size_t n);
 
 #endif

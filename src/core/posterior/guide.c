@@ -9,7 +9,7 @@
 #include "core/numeric/elementary.h"
 
 void
-guide_begin(struct guide *g, size_t size, const double *origin)
+guide_init(struct guide *g, size_t size, const double *origin)
 {
 	*g = (struct guide){.size = size};
 	memcpy(g->origin, origin, size * sizeof *origin);
@@ -30,7 +30,7 @@ add_chain_to_moments(
 
 /* Moves the moments a part of the way to others. */
 static void
-moments_blend(struct guide *g, double part, const struct moments *to)
+blend_moments(struct guide *g, double part, const struct moments *to)
 {
 	for (size_t i = 0; i < g->size; i++) {
 		g->of.mean[i] += part * (to->mean[i] - g->of.mean[i]);
@@ -41,8 +41,8 @@ moments_blend(struct guide *g, double part, const struct moments *to)
 }
 
 void
-guide_add(struct guide *g, const double *const *x, size_t chains, double weight,
-    double keep)
+guide_add_generation(struct guide *g, const double *const *x, size_t chains,
+    double weight, double keep)
 {
 	struct moments sum = {{0}, {{0}}};
 	g->n *= keep;
@@ -51,19 +51,19 @@ guide_add(struct guide *g, const double *const *x, size_t chains, double weight,
 	for (size_t c = 0; c < chains; c++)
 		add_chain_to_moments(g, x[c], 1 / (double)chains, &sum);
 	g->n += weight;
-	moments_blend(g, weight / g->n, &sum);
+	blend_moments(g, weight / g->n, &sum);
 }
 
 void
-guide_blend(struct guide *g, const struct guide *other, double generations)
+guide_add_other(struct guide *g, const struct guide *other, double generations)
 {
 	g->n += generations;
-	moments_blend(g, generations / g->n, &other->of);
+	blend_moments(g, generations / g->n, &other->of);
 }
 
 void
-guide_factor_part(
-    const struct guide *g, const size_t *at, size_t n, struct guide_part *part)
+guide_factor_subset(const struct guide *g, const size_t *at, size_t n,
+    struct guide_subset *part)
 {
 	const double more = 1.0005; /* of the variance: ridges are narrow */
 	part->n = 0;
@@ -91,7 +91,7 @@ guide_factor_part(
 
 /* Computes the standardised x: L z = x - mean. */
 static void
-guide_standardise(const struct guide_part *part, const double *x, double *z)
+guide_standardise(const struct guide_subset *part, const double *x, double *z)
 {
 	for (size_t a = 0; a < part->n; a++) {
 		z[a] = x[part->at[a]] - part->mean[a];
@@ -102,7 +102,7 @@ guide_standardise(const struct guide_part *part, const double *x, double *z)
 }
 
 double
-guide_density(const struct guide_part *part, const double *x)
+guide_log_density(const struct guide_subset *part, const double *x)
 {
 	double z[GUIDE_MOST], sum = 0;
 	guide_standardise(part, x, z);
@@ -112,7 +112,7 @@ guide_density(const struct guide_part *part, const double *x)
 }
 
 double
-guide_propose(const struct guide_part *part, double share, const double *x,
+guide_propose(const struct guide_subset *part, double share, const double *x,
     double *y, struct rng_key key, uint32_t next)
 {
 	double z[GUIDE_MOST], more = 0;

@@ -19,36 +19,36 @@ struct guide {
 	double n, origin[GUIDE_MOST];
 	struct moments of;
 };
-void guide_begin(struct guide *g, size_t size, const double *origin);
+void guide_init(struct guide *g, size_t size, const double *origin);
 
 /* Adds a generation with a weight: x [chains], each [size].  keep: factor for
  * the weight of earlier generations. */
-void guide_add(struct guide *g, const double *const *x, size_t chains,
-    double weight, double keep);
+void guide_add_generation(struct guide *g, const double *const *x,
+    size_t chains, double weight, double keep);
 
 /* Adds the moments of another guide with the same origin, with the weight of
  * `generations` generations. */
-void guide_blend(
+void guide_add_other(
     struct guide *g, const struct guide *other, double generations);
 
 /* A subset of the coordinates, without those that do not vary, and the factor
  * of their covariance. */
-struct guide_part {
+struct guide_subset {
 	size_t n, at[GUIDE_MOST];
 	double mean[GUIDE_MOST], L[GUIDE_MOST][GUIDE_MOST];
 };
-void guide_factor_part(
-    const struct guide *g, const size_t *at, size_t n, struct guide_part *part);
+void guide_factor_subset(const struct guide *g, const size_t *at, size_t n,
+    struct guide_subset *part);
 
 /* Moves from x to y: each coordinate in the basis of L, in which normal
  * coordinates would be independent and standard normal, is redrawn with
  * probability `share`.  Uses 2 n random numbers of the stream, starting at
  * number `next`.  Returns ln N(y) - ln N(x), for which the acceptance of the
  * move must correct. */
-double guide_propose(const struct guide_part *part, double share,
+double guide_propose(const struct guide_subset *part, double share,
     const double *x, double *y, struct rng_key key, uint32_t next);
 
 /* Returns ln N(x), up to a constant. */
-double guide_density(const struct guide_part *part, const double *x);
+double guide_log_density(const struct guide_subset *part, const double *x);
 
 #endif

@@ -19,7 +19,7 @@ static const double DETERMINED = 0.1, POORLY = 0.5;
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void
-draws_of_parameter(
+copy_draws_of_parameter(
     const struct posterior *p, size_t j, double value[static DRAWS])
 {
 	for (size_t d = 0; d < DRAWS; d++)
@@ -73,14 +73,14 @@ scatter_of_direction(const struct posterior *p, size_t n)
 }
 
 struct identify_param
-identify_param(const struct posterior *p, size_t j)
+identify_summarise_param(const struct posterior *p, size_t j)
 {
 	double value[DRAWS];
 	const struct bounds *b = &p->bounds;
 	const struct breakage *of = BREAKAGES[p->settings.breakage];
 	const struct param_info *info = &of->parameter[j];
 	double range = j < of->gauge ? 2 : b->upper[j] - b->lower[j];
-	draws_of_parameter(p, j, value);
+	copy_draws_of_parameter(p, j, value);
 	struct identify_param a = {.mean = gsl_stats_mean(value, 1, DRAWS),
 	    .sd = gsl_stats_sd(value, 1, DRAWS),
 	    .prior = info->spread > 0 ? info->spread : range / sqrt(12)};
@@ -104,11 +104,11 @@ identify_param(const struct posterior *p, size_t j)
 }
 
 struct identify_pair
-identify_pair(const struct posterior *p, size_t i, size_t j)
+identify_correlate_pair(const struct posterior *p, size_t i, size_t j)
 {
 	double a[DRAWS], b[DRAWS], work[2 * DRAWS];
-	draws_of_parameter(p, i, a);
-	draws_of_parameter(p, j, b);
+	copy_draws_of_parameter(p, i, a);
+	copy_draws_of_parameter(p, j, b);
 	if (!(gsl_stats_sd(a, 1, DRAWS) > 0 && gsl_stats_sd(b, 1, DRAWS) > 0))
 		return (struct identify_pair){NAN, NAN};
 	return (struct identify_pair){gsl_stats_correlation(a, 1, b, 1, DRAWS),
@@ -116,19 +116,19 @@ identify_pair(const struct posterior *p, size_t i, size_t j)
 }
 
 double
-identify_strongest(struct identify_pair pair)
+identify_stronger_correlation(struct identify_pair pair)
 {
 	return fabs(pair.rank) > fabs(pair.linear) ? pair.rank : pair.linear;
 }
 
 struct identify_break
-identify_break(const struct posterior *p, double v, double size)
+identify_break_size(const struct posterior *p, double v, double size)
 {
 	double value[DRAWS], sum[3] = {0};
 	struct identify_break a = {0};
 	for (size_t d = 0; d < DRAWS; d++) {
-		value[d] =
-		    params_break_size_by(&p->draw[d].params, &p->settings, v);
+		value[d] = params_break_size_by_impacts(
+		    &p->draw[d].params, &p->settings, v);
 		a.below += (value[d] < size) / (double)DRAWS;
 		if (!isfinite(value[d]))
 			continue;
@@ -138,6 +138,6 @@ identify_break(const struct posterior *p, double v, double size)
 	}
 	a.mean = sum[0] > 0 ? sum[1] / sum[0] : INFINITY;
 	a.sd = sqrt(fmax(sum[2] / sum[0] - a.mean * a.mean, 0));
-	ensemble_interval(value, 0.8, &a.low, &a.high);
+	ensemble_middle_interval(value, 0.8, &a.low, &a.high);
 	return a;
 }

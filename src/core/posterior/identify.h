@@ -29,18 +29,19 @@ struct identify_param {
 };
 
 /* Returns the summary of parameter j of the posterior's model. */
-struct identify_param identify_param(const struct posterior *p, size_t j);
+struct identify_param identify_summarise_param(
+    const struct posterior *p, size_t j);
 
 /* Correlations between the draws of two parameters, by value (Pearson) and by
  * rank (Spearman); NAN if either is constant. */
 struct identify_pair {
 	double linear, rank;
 };
-struct identify_pair identify_pair(
+struct identify_pair identify_correlate_pair(
     const struct posterior *p, size_t i, size_t j);
 
 /* Returns the correlation with the larger absolute value. */
-double identify_strongest(struct identify_pair pair);
+double identify_stronger_correlation(struct identify_pair pair);
 
 /* The break size, m, at tip speed v: mean, standard deviation and middle 80 %
  * of the draws in which something breaks.  below: share of the draws in which
@@ -48,7 +49,7 @@ double identify_strongest(struct identify_pair pair);
 struct identify_break {
 	double mean, sd, low, high, below;
 };
-struct identify_break identify_break(
+struct identify_break identify_break_size(
     const struct posterior *p, double v, double size);
 
 #endif

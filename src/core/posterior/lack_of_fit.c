@@ -17,10 +17,11 @@ find_residuals(const struct posterior *p, const struct misfit_run *run,
     double *r, double *h)
 {
 	struct ensemble *e = ensemble_new(p, &run->feed, run->sieve, run->n);
-	ensemble_draws_at(e, run->speed);
-	ensemble_mean(e, r);
+	ensemble_set_speed_as_drawn(e, run->speed);
+	ensemble_mean_answer(e, r);
 	for (size_t i = 0; i < run->n; i++) {
-		h[i] = discrepancy_h((run->measured[i] + r[i]) / 2);
+		h[i] =
+		    discrepancy_scale_at_passing((run->measured[i] + r[i]) / 2);
 		r[i] = run->measured[i] - r[i];
 	}
 	ensemble_free(e);
@@ -29,7 +30,7 @@ find_residuals(const struct posterior *p, const struct misfit_run *run,
 /* Returns the standard deviation of the errors that a sample shares along its
  * curve. */
 static double
-shared_error(const struct posterior *p, const struct misfit *m)
+estimate_shared_error(const struct posterior *p, const struct misfit *m)
 {
 	double sum = 0;
 	if (m->n_run == p->n_speed)
@@ -58,7 +59,7 @@ product_error_share(const double *r, const double *h, size_t n, double shared)
  * curves.  Independent errors have no product with their neighbours; of what
  * the smooth answer leaves out, neighbours have half in common. */
 static double
-smooth_share(const struct misfit *m, const double *r)
+smooth_share_of_residuals(const struct misfit *m, const double *r)
 {
 	double along = 0, squares = 0;
 	for (size_t j = 0; j < m->n_run; r += m->run[j++].n)
@@ -120,7 +121,7 @@ add_shares_of_residuals(struct posterior *p, const struct misfit *m,
 static double *
 residuals_of_runs(const struct posterior *p, const struct misfit *m)
 {
-	double *r = xdoubles(2 * m->n_residual), *at = r;
+	double *r = xcalloc_doubles(2 * m->n_residual), *at = r;
 	for (size_t j = 0; j < m->n_run; at += m->run[j++].n)
 		find_residuals(p, &m->run[j], at, at + m->n_residual);
 	return r;
@@ -132,11 +133,12 @@ lack_of_fit_find(struct posterior *p, const struct misfit *m)
 	if (p->n_speed < 2)
 		return;
 	double *r = residuals_of_runs(p, m), *h = r + m->n_residual;
-	double *share = xdoubles(m->n_run), shared = shared_error(p, m);
+	double *share = xcalloc_doubles(m->n_run),
+	       shared = estimate_shared_error(p, m);
 	for (size_t j = 0, at = 0; j < m->n_run; at += m->run[j++].n)
 		share[j] =
 		    product_error_share(r + at, h + at, m->run[j].n, shared);
-	p->lack = xdoubles(p->n_speed * p->n_knot);
+	p->lack = xcalloc_doubles(p->n_speed * p->n_knot);
 	add_shares_of_residuals(p, m, r, h, share);
 	free(share);
 	free(r);
@@ -149,8 +151,8 @@ lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m)
 	double law = fmin(1, (most - p->straight) / (most - usual));
 	if (p->n_speed < 2 || law == 1)
 		return;
-	double *r = residuals_of_runs(p, m), *share = xdoubles(m->n_run);
-	double smooth = (1 - law * law) * smooth_share(m, r);
+	double *r = residuals_of_runs(p, m), *share = xcalloc_doubles(m->n_run);
+	double smooth = (1 - law * law) * smooth_share_of_residuals(m, r);
 	for (size_t j = 0; j < m->n_run; j++)
 		share[j] = smooth;
 	add_shares_of_residuals(p, m, r, r + m->n_residual, share);

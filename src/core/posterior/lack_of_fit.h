@@ -28,7 +28,7 @@ void lack_of_fit_find(struct posterior *p, const struct misfit *m);
  * along its curve.  Of the residuals that are left of all runs, the share
  *   (1 - w^2) 2 sum r_i r_i+1 / sum r_i^2,  w = (0.75 - q) / 0.65,  0 to 1
  * is attributed to the product, with D25's q (thin.h): none for q up to 0.1, as
- * plants that follow the model have.  Call after thin_straighten_draws. */
+ * plants that follow the model have.  Call after thin_set_straight_share. */
 void lack_of_fit_add_smooth(struct posterior *p, const struct misfit *m);
 
 #endif

@@ -97,7 +97,7 @@ struct sampler {
 	 * and the factor for all hyperparameters; ln of the share of moves to
 	 * either kind. */
 	struct guide guide[2];
-	struct guide_part kind[2], hypers;
+	struct guide_subset kind[2], hypers;
 	double log_share[2];
 	double told; /* generations that inform the guides */
 	/* The trials in the order in which they are evaluated, those with two
@@ -110,10 +110,10 @@ struct sampler {
 };
 
 /* Rescales the differences of a trial d [n_cell], simulated - measured, from
- * its own h to that of the cells (make_cells).  One covariance then serves all
- * trials, and a trial is judged by the same measure that corrects a draw
- * (discrepancy_answer).  Returns ln of the factor by which this shrinks a
- * volume. */
+ * its own h to that of the cells (list_measured_cells).  One covariance then
+ * serves all trials, and a trial is judged by the same measure that corrects a
+ * draw (discrepancy_correct_passing).  Returns ln of the factor by which this
+ * shrinks a volume. */
 static double
 rescale_to_cells(const struct sampler *s, double *d)
 {
@@ -123,7 +123,8 @@ rescale_to_cells(const struct sampler *s, double *d)
 	const double floor = 0.05;
 	double level = 0, product = 1;
 	for (size_t k = 0; k < s->n_cell; k++) {
-		double h = discrepancy_h(s->measured[k] + d[k] / 2);
+		double h =
+		    discrepancy_scale_at_passing(s->measured[k] + d[k] / 2);
 		double ratio = (h + floor) / (s->cell[k].h + floor);
 		d[k] /= ratio;
 		product *= ratio;
@@ -166,7 +167,8 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 
 /* Computes the differences of the trials from..to-1 in the order. */
 static void
-find_differences(struct sampler *s, size_t from, size_t to, unsigned thread)
+compute_differences_of_trials(
+    struct sampler *s, size_t from, size_t to, unsigned thread)
 {
 	struct kernel_out out = {
 	    s->misfit, s->difference, HALF, s->softer, s->share_softer};
@@ -179,16 +181,16 @@ evaluate_some_trials(void *data, size_t part, unsigned thread)
 {
 	struct sampler *s = data;
 	size_t from = part * s->part, to = from + s->part;
-	double *work = xdoubles(s->n_cell);
+	double *work = xcalloc_doubles(s->n_cell);
 	if (!s->hyper)
-		find_differences(s, from, to, thread);
+		compute_differences_of_trials(s, from, to, thread);
 	for (size_t i = from; i < to; i++)
 		evaluate_trial(s, i, work);
 	free(work);
 }
 
 static struct strengths
-strengths_of(const struct sampler *s, const double *x)
+strengths_of_trial(const struct sampler *s, const double *x)
 {
 	return s->two ? strengths_from_coordinates(x + STRENGTHS)
 		      : (struct strengths){0, 1, 1};
@@ -207,20 +209,20 @@ place_trial_in_order(
 		*prior += x[j] * x[j] / 2;
 	s->order[place] = i;
 	s->softer[place] = at[e0] * rock.softer;
-	s->share_softer[place] = strengths_softer(&rock);
+	s->share_softer[place] = strengths_softer_share(&rock);
 	at[e0] *= rock.harder;
 	for (size_t j = 0; j < s->of->n; j++)
 		s->theta[j][place] = at[j];
 }
 
 static void
-posterior_evaluate(struct sampler *s)
+evaluate_all_trials(struct sampler *s)
 {
 	size_t two = 0, one = HALF;
 	for (size_t i = 0; i < HALF && s->hyper; i++)
 		s->order[i] = i;
 	for (size_t i = 0; i < HALF && !s->hyper; i++) {
-		struct strengths rock = strengths_of(s, s->trial[i].x);
+		struct strengths rock = strengths_of_trial(s, s->trial[i].x);
 		place_trial_in_order(
 		    s, i, rock, rock.share > 0 ? two++ : --one);
 	}
@@ -256,7 +258,7 @@ propose_along_difference(struct sampler *s, size_t i, struct rng_key key)
 
 /* Returns 1 if the rock has two strengths, otherwise 0. */
 static size_t
-strength_kind_of(const struct sampler *s, const double *x)
+index_of_strength_kind(const struct sampler *s, const double *x)
 {
 	return s->two && x[STRENGTHS] > 0;
 }
@@ -264,10 +266,10 @@ strength_kind_of(const struct sampler *s, const double *x)
 /* Returns ln of the density from which propose_guided draws, up to a
  * constant. */
 static double
-guided_density(const struct sampler *s, const double *x)
+log_guided_density(const struct sampler *s, const double *x)
 {
-	size_t kind = strength_kind_of(s, x);
-	double sum = s->log_share[kind] + guide_density(&s->kind[kind], x);
+	size_t kind = index_of_strength_kind(s, x);
+	double sum = s->log_share[kind] + guide_log_density(&s->kind[kind], x);
 	for (size_t j = STRENGTHS; j < COORDINATES && kind == 0; j++)
 		sum -= x[j] * x[j] / 2;
 	return kind == 0 ? sum + el_log(2) : sum;
@@ -300,7 +302,7 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	struct chain *trial = &s->trial[i];
 	uint32_t at = (uint32_t)((s->first + i) * NUMBERS + 4);
 	bool all = s->hyper || s->generation % 2 == 0;
-	size_t kind = strength_kind_of(s, now), to = kind;
+	size_t kind = index_of_strength_kind(s, now), to = kind;
 	if (all && !s->hyper && s->two)
 		to = el_log(rng_uniform(key, at)) < s->log_share[1];
 	memcpy(trial->x, now, sizeof trial->x);
@@ -309,11 +311,11 @@ propose_guided(struct sampler *s, size_t i, struct rng_key key)
 	if (!s->hyper && s->two && to == 0)
 		trial->more += draw_strengths_from_prior(
 		    trial->x, key, at + 1 + 2 * COORDINATES);
-	if (strength_kind_of(s, trial->x) != to)
+	if (index_of_strength_kind(s, trial->x) != to)
 		trial->more = INFINITY;
 	else if (to != kind)
-		trial->more =
-		    guided_density(s, trial->x) - guided_density(s, now);
+		trial->more = log_guided_density(s, trial->x) -
+			      log_guided_density(s, now);
 }
 
 /* Lists the coordinates that move, at [COORDINATES] out. */
@@ -338,16 +340,16 @@ factor_guides(struct sampler *s)
 	const double generations = 2, least = 0.05;
 	size_t at[COORDINATES], n = list_moving_coordinates(s, at);
 	struct guide all = s->guide[0];
-	guide_blend(&all, &s->guide[1], s->guide[1].n);
+	guide_add_other(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
-		guide_factor_part(&all, at, n, &s->hypers);
+		guide_factor_subset(&all, at, n, &s->hypers);
 		return;
 	}
 	for (size_t kind = 0; kind < 2; kind++) {
 		struct guide g = s->guide[kind];
 		double share = g.n / all.n;
-		guide_blend(&g, &all, generations);
-		guide_factor_part(&g, at,
+		guide_add_other(&g, &all, generations);
+		guide_factor_subset(&g, at,
 		    s->two && kind == 0 ? n - STRENGTHS_COORDINATES : n,
 		    &s->kind[kind]);
 		s->log_share[kind] = el_log((share + least) / (1 + 2 * least));
@@ -380,7 +382,7 @@ swap_pointers(double **a, double **b)
 
 /* Takes the trial as the chain's next state. */
 static void
-chain_take_trial(struct chain *chain, struct chain *trial, bool hyper)
+accept_trial(struct chain *chain, struct chain *trial, bool hyper)
 {
 	memcpy(chain->x, trial->x, sizeof chain->x);
 	chain->likelihood = trial->likelihood;
@@ -404,7 +406,7 @@ accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 	if (!(el_log(rng_uniform(key, at)) < -rise))
 		return;
 	s->accepted++;
-	chain_take_trial(now, trial, s->hyper);
+	accept_trial(now, trial, s->hyper);
 }
 
 /* Changes to the other half.  True if both have moved. */
@@ -419,12 +421,12 @@ switch_halves(struct sampler *s)
 static bool
 move_half(struct sampler *s)
 {
-	struct rng_key key = rng_key(s->seed, s->generation, USE_MOVE);
+	struct rng_key key = rng_make_key(s->seed, s->generation, USE_MOVE);
 	choose_kind_of_move(s);
 	for (size_t i = 0; i < HALF; i++)
 		(s->guided ? propose_guided : propose_along_difference)(
 		    s, i, key);
-	posterior_evaluate(s);
+	evaluate_all_trials(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept_or_reject(s, i, key);
 	if (!switch_halves(s))
@@ -471,12 +473,13 @@ start_half(struct sampler *s)
 	s->share = FIRST_RUNG;
 	for (size_t i = 0; i < HALF; i++) {
 		struct chain *c = &s->chain[s->first + i];
-		start_chain(s, rng_key(s->seed, s->first + i, USE_START), c);
+		start_chain(
+		    s, rng_make_key(s->seed, s->first + i, USE_START), c);
 		memcpy(s->trial[i].x, c->x, sizeof c->x);
 	}
-	posterior_evaluate(s);
+	evaluate_all_trials(s);
 	for (size_t i = 0; i < HALF; i++)
-		chain_take_trial(&s->chain[s->first + i], &s->trial[i], false);
+		accept_trial(&s->chain[s->first + i], &s->trial[i], false);
 	s->started = switch_halves(s);
 }
 
@@ -508,7 +511,8 @@ temper_chains(struct sampler *s, double share)
 		sum += weight[i];
 	}
 	s->share = share;
-	double u = rng_uniform(rng_key(s->seed, s->generation, USE_ANNEAL), 0);
+	double u =
+	    rng_uniform(rng_make_key(s->seed, s->generation, USE_ANNEAL), 0);
 	for (size_t i = 0; i < CHAINS; i++) {
 		at += weight[i] / sum * CHAINS;
 		for (; drawn < CHAINS && (double)drawn + u < at; drawn++)
@@ -594,7 +598,7 @@ make_knots(
     struct posterior *p, const struct site *site, const struct sampler *s)
 {
 	const double most = 0.2;
-	double *at = xdoubles(s->n_cell + 2 * site->n_run + 2);
+	double *at = xcalloc_doubles(s->n_cell + 2 * site->n_run + 2);
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_cell; i++)
 		at[n++] = s->cell[i].log_size;
@@ -612,8 +616,8 @@ make_knots(
 	}
 	at[n++] = el_log(coarsest);
 	at[n++] = el_log(finest);
-	n = psd_sort(at, n, 1e-9);
-	p->knot = xdoubles(n + (size_t)((at[0] - at[n - 1]) / most) + 2);
+	n = psd_sort_distinct_sizes(at, n, 1e-9);
+	p->knot = xcalloc_doubles(n + (size_t)((at[0] - at[n - 1]) / most) + 2);
 	p->knot[p->n_knot++] = at[0];
 	for (size_t i = 1; i < n; i++) {
 		double gap = at[i - 1] - at[i];
@@ -645,9 +649,9 @@ struct noise {
 };
 
 static void
-random_normals(struct noise *noise, size_t n, double *z)
+draw_random_normals(struct noise *noise, size_t n, double *z)
 {
-	discrepancy_normals(noise->isa, noise->key, noise->next, n, z);
+	discrepancy_draw_normals(noise->isa, noise->key, noise->next, n, z);
 	noise->next += (uint32_t)n;
 	for (size_t i = 0; i < n; i++)
 		z[i] *= noise->sign;
@@ -655,10 +659,10 @@ random_normals(struct noise *noise, size_t n, double *z)
 
 /* Draws a Gaussian process at the knots.  Its covariance is U' U. */
 static void
-random_process(
+draw_gaussian_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
-	random_normals(noise, n, work);
+	draw_random_normals(noise, n, work);
 	for (size_t i = 0; i < n; i++)
 		f[i] = 0;
 	for (size_t k = 0; k < n; k++)
@@ -666,16 +670,17 @@ random_process(
 			f[i] += U[k * n + i] * work[k];
 }
 
-/* Covariances of pairs of knots (discrepancy_pairs), and their factors. */
+/* Covariances of pairs of knots (discrepancy_covariances_of_pairs), and their
+ * factors. */
 struct knot_pairs {
 	double *f, *error;     /* [m * (m + 1) / 2] */
 	double *wide, *shared; /* [m * m] */
 };
 
 static double *
-knots_factor(enum isa isa, const double *pair, size_t m)
+factor_knot_covariance(enum isa isa, const double *pair, size_t m)
 {
-	double *U = xdoubles(m * m);
+	double *U = xcalloc_doubles(m * m);
 	discrepancy_factor_pairs(isa, pair, m, U);
 	return U;
 }
@@ -684,13 +689,14 @@ static struct knot_pairs
 knot_pairs_new(enum isa isa, const struct posterior *p, const double *hyper)
 {
 	size_t m = p->n_knot, n = 0, pairs = m * (m + 1) / 2;
-	struct knot_pairs k = {.f = xdoubles(pairs), .error = xdoubles(pairs)};
+	struct knot_pairs k = {
+	    .f = xcalloc_doubles(pairs), .error = xcalloc_doubles(pairs)};
 	for (size_t i = 0; i < m; i++)
 		for (size_t j = 0; j <= i; j++)
 			k.f[n++] = p->knot[i] - p->knot[j];
-	discrepancy_pairs(isa, pairs, hyper, k.f, k.error);
-	k.wide = knots_factor(isa, k.f, m);
-	k.shared = knots_factor(isa, k.error, m);
+	discrepancy_covariances_of_pairs(isa, pairs, hyper, k.f, k.error);
+	k.wide = factor_knot_covariance(isa, k.f, m);
+	k.shared = factor_knot_covariance(isa, k.error, m);
 	return k;
 }
 
@@ -706,21 +712,21 @@ knot_pairs_clear(struct knot_pairs *k)
 /* Simulates the differences of an artificial plant, d [n_cell] out: the
  * processes as drawn from the prior, and errors drawn likewise. */
 static void
-simulated_differences(const struct sampler *s, const struct posterior *p,
+simulate_differences(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
     const double *shared, struct noise *noise, double *d)
 {
 	size_t m = p->n_knot;
-	double *error = xdoubles(m), *work = xdoubles(m);
+	double *error = xcalloc_doubles(m), *work = xcalloc_doubles(m);
 	double term[DISCREPANCY_TERMS];
-	random_normals(noise, s->n_cell, d);
+	draw_random_normals(noise, s->n_cell, d);
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t k = index_of_knot(p, c->log_size);
 		if (i == 0 || c->run != s->cell[i - 1].run)
-			random_process(shared, m, noise, error, work);
+			draw_gaussian_process(shared, m, noise, error, work);
 		double sum = error[k] + draw->hyper[HYPER_OWN] * d[i];
-		discrepancy_terms(c->t, draw->hyper[HYPER_SLOPE], term);
+		discrepancy_speed_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 			sum += term[j] * process[j][k];
 		d[i] = c->h * sum;
@@ -744,10 +750,10 @@ condition_on_data(const struct sampler *s, const struct posterior *p,
 	for (size_t i = 0; i < s->n_cell; i++) {
 		const struct cell *c = &s->cell[i];
 		size_t at = index_of_knot(p, c->log_size);
-		discrepancy_terms(c->t, slope, term);
+		discrepancy_speed_terms(c->t, slope, term);
 		for (size_t k = 0; k < p->n_knot; k++) {
-			double gain =
-			    c->h * d[i] * pair[discrepancy_pair(k, at)];
+			double gain = c->h * d[i] *
+				      pair[discrepancy_index_of_pair(k, at)];
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
 				process[j][k] += term[j] * gain;
 		}
@@ -761,12 +767,12 @@ make_draw(const struct sampler *s, struct posterior *p,
 {
 	struct posterior_draw *draw = &p->draw[at];
 	size_t m = p->n_knot;
-	double *room = xdoubles((DISCREPANCY_TERMS + 2) * m + s->n_cell);
+	double *room = xcalloc_doubles((DISCREPANCY_TERMS + 2) * m + s->n_cell);
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
 	coordinates_to_params(&s->coordinates, chain->x, draw->params.at);
 	params_scale_to_1(&draw->params);
-	draw->strengths = strengths_of(s, chain->x);
+	draw->strengths = strengths_of_trial(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++, next += m)
@@ -774,12 +780,12 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *error = next, *work = error + m, *d = work + m;
 	struct knot_pairs pairs = knot_pairs_new(s->isa, p, draw->hyper);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		random_process(pairs.wide, m, &noise, process[j], work);
-	random_process(pairs.shared, m, &noise, error, work);
-	random_normals(&noise, m, work);
+		draw_gaussian_process(pairs.wide, m, &noise, process[j], work);
+	draw_gaussian_process(pairs.shared, m, &noise, error, work);
+	draw_random_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
 		error[k] += draw->hyper[HYPER_OWN] * work[k];
-	simulated_differences(s, p, draw, process, pairs.shared, &noise, d);
+	simulate_differences(s, p, draw, process, pairs.shared, &noise, d);
 	condition_on_data(
 	    s, p, chain, pairs.f, draw->hyper[HYPER_SLOPE], process, d);
 	for (size_t k = 0; k < m; k++) {
@@ -797,7 +803,7 @@ mean_energy(const struct misfit *m)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += energy_specific(m->run[r].speed);
+		sum += energy_specific_at_speed(m->run[r].speed);
 	return sum / (double)m->n_run;
 }
 
@@ -808,16 +814,16 @@ static struct params
 widen_to_model_with_gamma(const struct params *p, double energy,
     struct model_settings *settings, struct bounds *bounds)
 {
-	const struct breakage *own = breakage_of(p);
+	const struct breakage *own = breakage_model_of_params(p);
 	size_t wide = settings->appearance == APPEARANCE_RATIO
-			  ? breakage_wider(p->breakage)
+			  ? breakage_widest_extension(p->breakage)
 			  : p->breakage;
 	const struct breakage *of = BREAKAGES[wide];
 	struct bounds b = bounds_default(wide);
-	struct params q = breakage_widened(p, wide);
+	struct params q = breakage_widen_params(p, wide);
 	for (size_t j = 0; j < of->n; j++) {
 		const struct param_info *info = &of->parameter[j];
-		size_t i = breakage_parameter(own, info->name);
+		size_t i = breakage_parameter_index(own, info->name);
 		if (i < own->n) {
 			b.lower[j] = bounds->lower[i];
 			b.upper[j] = bounds->upper[i];
@@ -839,20 +845,20 @@ widen_to_model_with_gamma(const struct params *p, double energy,
 /* h is taken at the middle between the measured passing and the fit's, because
  * either may be an outlier. */
 static void
-make_cells(struct sampler *s, const struct misfit *m, const double *d)
+list_measured_cells(struct sampler *s, const struct misfit *m, const double *d)
 {
 	s->n_cell = m->n_residual;
 	s->cell = xcalloc(s->n_cell, sizeof *s->cell);
-	s->measured = xdoubles(s->n_cell);
+	s->measured = xcalloc_doubles(s->n_cell);
 	for (size_t r = 0, k = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++, k++) {
 			double P = m->run[r].measured[i] + d[k] / 2;
 			s->measured[k] = m->run[r].measured[i];
 			s->cell[k] = (struct cell){.run = r,
 			    .log_size = el_log(m->run[r].sieve[i]),
-			    .t = discrepancy_t_of_speed(
+			    .t = discrepancy_speed_to_t(
 				m->run[r].speed, s->coordinates.middle),
-			    .h = discrepancy_h(P)};
+			    .h = discrepancy_scale_at_passing(P)};
 		}
 }
 
@@ -861,15 +867,15 @@ allocate_sampler(struct sampler *s)
 {
 	size_t n = s->n_cell;
 	for (size_t j = 0; j < s->of->n; j++)
-		s->theta[j] = xdoubles(HALF);
-	s->difference = xdoubles(n * HALF);
-	s->misfit = xdoubles(HALF);
-	s->scheme = xdoubles(n);
+		s->theta[j] = xcalloc_doubles(HALF);
+	s->difference = xcalloc_doubles(n * HALF);
+	s->misfit = xcalloc_doubles(HALF);
+	s->scheme = xcalloc_doubles(n);
 	for (size_t i = 0; i < CHAINS + HALF; i++) {
 		struct chain *c =
 		    i < CHAINS ? &s->chain[i] : &s->trial[i - CHAINS];
-		c->U = xdoubles(covariance_factor_size(s->covariance));
-		c->d = xdoubles(n);
+		c->U = xcalloc_doubles(covariance_factor_size(s->covariance));
+		c->d = xcalloc_doubles(n);
 	}
 }
 
@@ -892,7 +898,7 @@ measure_error_of_kernel(struct sampler *s, const double *d)
 /* As many trials at once as leave no thread idle: the kernel finds more that
  * are alike among more. */
 static size_t
-trials_at_once(unsigned threads)
+count_trials_at_once(unsigned threads)
 {
 	size_t part = HALF;
 	while (part > PART && part * threads > HALF)
@@ -905,29 +911,29 @@ sampler_new(struct misfit *m, const struct params *fit,
     const struct bounds *bounds, const struct posterior_options *o)
 {
 	struct sampler *s = xcalloc(1, sizeof *s);
-	double *d = xdoubles(m->n_residual), origin[COORDINATES] = {0};
+	double *d = xcalloc_doubles(m->n_residual), origin[COORDINATES] = {0};
 	size_t f = m->of->strength;
 	s->of = m->of;
 	s->fit = *fit;
 	s->bounds = *bounds;
 	s->seed = o->seed;
 	s->noise = o->noise;
-	s->isa = isa_is_usable(o->isa);
-	s->coordinates = coordinates_about(
+	s->isa = isa_usable_or_best(o->isa);
+	s->coordinates = coordinates_new_about_fit(
 	    fit, bounds, &m->settings, el_log(mean_energy(m)));
 	s->two = bounds->upper[f + 1] > bounds->lower[f + 1];
-	s->sensitivity = sensitivity_of(m, fit, bounds, true, NULL);
-	double squares = misfit_differences(m, fit, d);
+	s->sensitivity = sensitivity_at_params(m, fit, bounds, true, NULL);
+	double squares = misfit_weighted_differences(m, fit, d);
 	s->rms = fmax(sqrt(squares / (double)m->n_residual), 0.001);
 	s->kernel = kernel_new(m, o->isa, o->threads);
 	s->pool = pool_new(o->threads);
-	s->part = trials_at_once(o->threads);
-	make_cells(s, m, d);
+	s->part = count_trials_at_once(o->threads);
+	list_measured_cells(s, m, d);
 	s->covariance = covariance_new(s->isa, s->cell, s->n_cell);
 	allocate_sampler(s);
 	coordinates_from_params(&s->coordinates, fit->at, origin);
 	for (size_t kind = 0; kind < 2; kind++)
-		guide_begin(&s->guide[kind], COORDINATES, origin);
+		guide_init(&s->guide[kind], COORDINATES, origin);
 	measure_error_of_kernel(s, d);
 	free(d);
 	return s;
@@ -965,11 +971,11 @@ struct posterior_run {
 };
 
 static struct site *
-copy_with_feeds_as_curves(const struct site *site)
+copy_site_with_smooth_feeds(const struct site *site)
 {
 	struct site *copy = site_copy(site);
 	for (size_t r = 0; r < copy->n_run; r++) {
-		struct psd curve = psd_curve(&copy->run[r].feed);
+		struct psd curve = psd_smooth_curve(&copy->run[r].feed);
 		psd_free(&copy->run[r].feed);
 		copy->run[r].feed = curve;
 	}
@@ -979,14 +985,14 @@ copy_with_feeds_as_curves(const struct site *site)
 /* Marks the runs that inform the draws, [n_run].  The caller frees the
  * marks. */
 static bool *
-posterior_choose_runs(const struct site *site, const bool *use)
+mark_informing_runs(const struct site *site, const bool *use)
 {
 	size_t n = 0, at = 0, next = 0;
 	bool *taken = xcalloc(site->n_run, sizeof *taken);
 	for (size_t r = 0; r < site->n_run; r++)
-		n += use[r] && misfit_count_covered(&site->run[r]) > 0;
+		n += use[r] && misfit_count_covered_sieves(&site->run[r]) > 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (!use[r] || misfit_count_covered(&site->run[r]) == 0)
+		if (!use[r] || misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
 		taken[r] = n <= POSTERIOR_RUNS ||
 			   at == next * (n - 1) / (POSTERIOR_RUNS - 1);
@@ -1000,8 +1006,8 @@ static void
 allocate_processes(struct posterior *p)
 {
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		p->term[j] = xdoubles(p->n_knot * POSTERIOR_DRAWS);
-	p->error = xdoubles(p->n_knot * POSTERIOR_DRAWS);
+		p->term[j] = xcalloc_doubles(p->n_knot * POSTERIOR_DRAWS);
+	p->error = xcalloc_doubles(p->n_knot * POSTERIOR_DRAWS);
 }
 
 static void
@@ -1014,7 +1020,7 @@ free_processes(struct posterior *p)
 
 /* Lists the speeds of the runs, each once, because there may be repeats. */
 static void
-posterior_find_speeds(struct posterior *p, const struct misfit *m)
+list_run_speeds(struct posterior *p, const struct misfit *m)
 {
 	for (double last = 0, next;; last = next) {
 		next = INFINITY;
@@ -1031,10 +1037,10 @@ struct posterior_run *
 posterior_begin(const struct site *measured, const struct params *fit,
     const struct posterior_options *o)
 {
-	struct site *site = copy_with_feeds_as_curves(measured);
+	struct site *site = copy_site_with_smooth_feeds(measured);
 	struct posterior *p = xcalloc(1, sizeof *p);
 	struct bounds bounds = o->bounds;
-	bool *use = posterior_choose_runs(site, o->use);
+	bool *use = mark_informing_runs(site, o->use);
 	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
 	p->fit = widen_to_model_with_gamma(
@@ -1044,12 +1050,12 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	m = misfit_new(site, use, NULL, false, p->settings);
 	free(use);
 	size_t most = COVARIANCE_FEW / m->n_run;
-	misfit_drop_sieves(m, most < LEAST ? LEAST : most);
+	misfit_thin_sieves(m, most < LEAST ? LEAST : most);
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->coordinates.middle;
-	site_reach(site, &p->from, &p->to);
-	posterior_find_speeds(p, m);
+	site_default_speed_range(site, &p->from, &p->to);
+	list_run_speeds(p, m);
 	make_knots(p, site, s);
 	allocate_processes(p);
 	struct posterior_run *run = xcalloc(1, sizeof *run);
@@ -1065,7 +1071,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 
 /* Returns how many draws each chain should have made by now. */
 static size_t
-draws_due(const struct sampler *s)
+count_draws_due(const struct sampler *s)
 {
 	return (size_t)(s->generation - WARM_UP) * DRAWS_EACH / KEPT;
 }
@@ -1075,11 +1081,11 @@ make_some_draws(void *data, size_t part, unsigned thread)
 {
 	struct posterior_run *run = data;
 	struct sampler *s = run->s;
-	size_t which = draws_due(s) - 1, first = which % 2 * CHAINS;
+	size_t which = count_draws_due(s) - 1, first = which % 2 * CHAINS;
 	(void)thread;
 	for (size_t i = part * PART; i < (part + 1) * PART; i++) {
 		struct noise noise = {s->isa,
-		    rng_key(s->seed, which / 2 * CHAINS + i, USE_DRAW), 0,
+		    rng_make_key(s->seed, which / 2 * CHAINS + i, USE_DRAW), 0,
 		    first == 0 ? 1 : -1};
 		make_draw(
 		    s, &run->batch[which / 2], &s->chain[i], noise, first + i);
@@ -1090,9 +1096,9 @@ static void
 make_draws_of_each_chain(struct posterior_run *run)
 {
 	pool_run(run->s->pool, CHAINS / PART, make_some_draws, run);
-	size_t n = draws_due(run->s);
+	size_t n = count_draws_due(run->s);
 	if (n % 2 == 0)
-		thin_add(run->thin, &run->batch[n / 2 - 1]);
+		thin_add_batch(run->thin, &run->batch[n / 2 - 1]);
 }
 
 static void
@@ -1101,7 +1107,7 @@ choose_draws(struct posterior_run *run)
 	enum { N = POSTERIOR_DRAWS };
 	struct posterior *p = run->p;
 	size_t chosen[N];
-	thin_choose(run->thin, chosen);
+	thin_choose_draws(run->thin, chosen);
 	for (size_t d = 0; d < N; d++) {
 		const struct posterior *b = &run->batch[chosen[d] / N];
 		size_t from = chosen[d] % N;
@@ -1123,11 +1129,11 @@ update_guides(struct sampler *s)
 	const double *x[2][CHAINS];
 	size_t n[2] = {0};
 	for (size_t i = 0; i < CHAINS; i++) {
-		size_t kind = strength_kind_of(s, s->chain[i].x);
+		size_t kind = index_of_strength_kind(s, s->chain[i].x);
 		x[kind][n[kind]++] = s->chain[i].x;
 	}
 	for (size_t kind = 0; kind < 2; kind++)
-		guide_add(&s->guide[kind], x[kind], n[kind],
+		guide_add_generation(&s->guide[kind], x[kind], n[kind],
 		    (double)n[kind] / CHAINS, keep);
 	s->told = told;
 }
@@ -1158,7 +1164,7 @@ posterior_step(struct posterior_run *run)
 		return false;
 	choose_draws(run);
 	lack_of_fit_find(run->p, run->m);
-	thin_straighten_draws(run->thin, run->p);
+	thin_set_straight_share(run->thin, run->p);
 	lack_of_fit_add_smooth(run->p, run->m);
 	measure_convergence(run->p, s, run->sums);
 	return true;

@@ -16,7 +16,7 @@ enum { STEPS = 60 };
 static void
 bounds_fix_gauge(struct bounds *b, const struct params *p)
 {
-	size_t gauge = breakage_of(p)->gauge, largest = 0;
+	size_t gauge = breakage_model_of_params(p)->gauge, largest = 0;
 	for (size_t i = 1; i < gauge; i++)
 		if (fabs(p->at[i]) > fabs(p->at[largest]))
 			largest = i;
@@ -35,7 +35,7 @@ profile_misfit(struct misfit *m, const struct params *fit,
 	struct polish *polish = polish_new(m);
 	struct bounds b = *bounds;
 	size_t first = 0;
-	if (j < breakage_of(fit)->gauge)
+	if (j < breakage_model_of_params(fit)->gauge)
 		bounds_fix_gauge(&b, fit);
 	while (first + 1 < n && x[first] < fit->at[j])
 		first++;
@@ -52,20 +52,20 @@ profile_misfit(struct misfit *m, const struct params *fit,
 }
 
 static double
-gauss(double z)
+gauss_kernel(double z)
 {
 	return exp(-z * z / 2);
 }
 
 double
-profile_density(
+profile_density_of_draws(
     const double *draw, size_t n, double lower, double upper, double x)
 {
 	double sd = gsl_stats_sd(draw, 1, n), sum = 0;
 	double h = 0.9 * sd * pow((double)n, -0.2);
 	for (size_t i = 0; i < n && h > 0; i++)
-		sum += gauss((x - draw[i]) / h) +
-		       gauss((x - 2 * lower + draw[i]) / h) +
-		       gauss((x - 2 * upper + draw[i]) / h);
+		sum += gauss_kernel((x - draw[i]) / h) +
+		       gauss_kernel((x - 2 * lower + draw[i]) / h) +
+		       gauss_kernel((x - 2 * upper + draw[i]) / h);
 	return h > 0 ? sum / ((double)n * h * sqrt(2 * acos(-1))) : 0;
 }

@@ -30,17 +30,17 @@ thin_new(const struct site *site, size_t batches)
 {
 	struct thin *t = xcalloc(1, sizeof *t);
 	size_t n, covered = 0;
-	double *sieve = site_sieves(site, &n);
-	t->feed = psd_copy(site_feed(site, SITE_MEAN_FEED));
+	double *sieve = site_all_sieves(site, &n);
+	t->feed = psd_copy(site_feed_of_run(site, SITE_MEAN_FEED));
 	for (size_t i = 0; i < n; i++)
-		if (psd_covers(&t->feed, sieve[i]))
+		if (psd_covers_size(&t->feed, sieve[i]))
 			sieve[covered++] = sieve[i];
 	t->n_sieve = covered < SIEVES ? covered : SIEVES;
 	for (size_t i = 0; i < t->n_sieve; i++)
 		t->sieve[i] = sieve[i * covered / t->n_sieve];
 	free(sieve);
 	t->n = batches * POSTERIOR_DRAWS;
-	t->answer = xdoubles(SPEEDS * t->n_sieve * t->n + 1);
+	t->answer = xcalloc_doubles(SPEEDS * t->n_sieve * t->n + 1);
 	return t;
 }
 
@@ -55,7 +55,7 @@ thin_free(struct thin *t)
 }
 
 void
-thin_add(struct thin *t, const struct posterior *batch)
+thin_add_batch(struct thin *t, const struct posterior *batch)
 {
 	if (t->n_sieve > 0) {
 		struct ensemble *e =
@@ -63,7 +63,7 @@ thin_add(struct thin *t, const struct posterior *batch)
 		double *to = t->answer + t->added;
 		for (size_t k = 0; k < SPEEDS; k++) {
 			double far = (double)k / (SPEEDS - 1);
-			ensemble_draws_at(
+			ensemble_set_speed_as_drawn(
 			    e, batch->from + far * (batch->to - batch->from));
 			const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
 			for (size_t i = 0; i < t->n_sieve; i++, to += t->n)
@@ -78,7 +78,7 @@ thin_add(struct thin *t, const struct posterior *batch)
 /* Returns on which side of an end a value is, from -1 to 1; near the end it
  * changes gradually. */
 static double
-side_of_end(double off)
+soft_sign_of_distance(double off)
 {
 	return fmin(fmax(3 * off, -1), 1);
 }
@@ -99,8 +99,8 @@ add_features(
 	for (size_t i = 0; i < n && sd > 2e-4; i++, row += width) {
 		double u = (answer[i] - mean) / sd;
 		row[0] = u;
-		row[1] = 2 * side_of_end(u - end);
-		row[2] = 2 * side_of_end(u + end);
+		row[1] = 2 * soft_sign_of_distance(u - end);
+		row[2] = 2 * soft_sign_of_distance(u + end);
 		by[i] += u;
 	}
 }
@@ -109,8 +109,8 @@ add_features(
  * those kept nearer to those of the others: 1 is the first, -1 the second.
  * *sign holds the earlier choice, or 0.  True if the choice changed. */
 static bool
-choose_of_pair(const double *one, const double *two, size_t width, double *sum,
-    double *sign)
+choose_one_of_pair(const double *one, const double *two, size_t width,
+    double *sum, double *sign)
 {
 	double product = 0, square = 0, was = *sign;
 	for (size_t k = 0; k < width; k++) {
@@ -129,12 +129,13 @@ static void
 keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 {
 	enum { TURNS = 8 };
-	double *sum = xdoubles(width + 1), *sign = xdoubles(n / 2);
+	double *sum = xcalloc_doubles(width + 1),
+	       *sign = xcalloc_doubles(n / 2);
 	bool changed = true;
 	for (size_t turn = 0; turn < TURNS && changed; turn++) {
 		changed = false;
 		for (size_t i = 0; i < n / 2; i++)
-			changed |= choose_of_pair(row + list[2 * i] * width,
+			changed |= choose_one_of_pair(row + list[2 * i] * width,
 			    row + list[2 * i + 1] * width, width, sum,
 			    &sign[i]);
 	}
@@ -169,7 +170,7 @@ keep_answers_from_falling(struct thin *t)
 			weight[k] = 1;
 		}
 		size_t blocks =
-		    ensemble_pool_falling(value, weight, length, SPEEDS);
+		    ensemble_pool_falling_values(value, weight, length, SPEEDS);
 		for (size_t b = 0; b < blocks; b++)
 			for (size_t j = 0; j < length[b]; j++, to += size)
 				*to = value[b];
@@ -177,11 +178,11 @@ keep_answers_from_falling(struct thin *t)
 }
 
 void
-thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
+thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 {
 	size_t n = t->n, answers = SPEEDS * t->n_sieve;
 	size_t width = FEATURES * answers, *list = xcalloc(n, sizeof *list);
-	double *row = xdoubles(n * width + 1), *by = xdoubles(n);
+	double *row = xcalloc_doubles(n * width + 1), *by = xcalloc_doubles(n);
 	keep_answers_from_falling(t);
 	for (size_t k = 0; k < answers; k++)
 		add_features(
@@ -209,9 +210,9 @@ find_mean_model_and_answer(
     struct ensemble *e, double v, double *model, double *answer)
 {
 	size_t n = ensemble_count_sizes(e);
-	ensemble_draws_at(e, v);
+	ensemble_set_speed_as_drawn(e, v);
 	const double *M = ensemble_products(e, ENSEMBLE_MODEL);
-	ensemble_mean(e, answer);
+	ensemble_mean_answer(e, answer);
 	for (size_t i = 0; i < n; i++, M += POSTERIOR_DRAWS) {
 		model[i] = 0;
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
@@ -229,7 +230,7 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 	if (n == 0 || p->n_speed < 2)
 		return 0;
 	struct ensemble *e = ensemble_new(p, feed, sieve, n);
-	double *model = xdoubles(4 * n), *answer = model + 2 * n;
+	double *model = xcalloc_doubles(4 * n), *answer = model + 2 * n;
 	for (size_t k = 0; k < p->n_speed; k++) {
 		size_t now = k % 2 * n, last = n - now;
 		find_mean_model_and_answer(
@@ -248,7 +249,7 @@ share_of_straight_draws(const struct posterior *p, const struct psd *feed,
 }
 
 void
-thin_straighten_draws(const struct thin *t, struct posterior *p)
+thin_set_straight_share(const struct thin *t, struct posterior *p)
 {
 	p->straight =
 	    share_of_straight_draws(p, &t->feed, t->sieve, t->n_sieve);

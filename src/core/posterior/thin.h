@@ -15,14 +15,14 @@ struct thin *thin_new(const struct site *site, size_t batches);
 void thin_free(struct thin *t);
 
 /* Adds the next batch with its answers at sieves of the site and at five speeds
- * across site_reach. */
-void thin_add(struct thin *t, const struct posterior *batch);
+ * across site_default_speed_range. */
+void thin_add_batch(struct thin *t, const struct posterior *batch);
 
 /* Chooses the draws to keep, half of them from the first half of the batches,
  * and returns their indices in the sequence of all batches.  They have the same
  * mean answers as all draws and the same share of answers on either side of
  * each end of the usual band. */
-void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
+void thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
 /* Sets the share q of the kept draws that are linear between measured speeds.
  *
@@ -41,6 +41,6 @@ void thin_choose(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
  * is, a quarter of the draws are kept as drawn, because the line may be equally
  * wrong; the band then covers both.  At and beyond the measured speeds nothing
  * changes, and whatever rises with the speed still does. */
-void thin_straighten_draws(const struct thin *t, struct posterior *p);
+void thin_set_straight_share(const struct thin *t, struct posterior *p);
 
 #endif

@@ -15,8 +15,8 @@ enum { TAKEN = 8, VECTORS = TAKEN / LANES };
  * first row, n numbers before the next; p: the factor of the first row, step
  * numbers before the next. */
 static inline void
-take_rows(double *to, const double *row, const double *p, size_t step, size_t n,
-    size_t rows)
+subtract_rows(double *to, const double *row, const double *p, size_t step,
+    size_t n, size_t rows)
 {
 	lanes sum[VECTORS];
 	for (size_t v = 0; v < VECTORS; v++)
@@ -30,12 +30,12 @@ take_rows(double *to, const double *row, const double *p, size_t step, size_t n,
 
 /* Subtracts from row i the contributions of the rows above it. */
 static inline void
-take_above(double *U, size_t n, size_t i)
+subtract_rows_above(double *U, size_t n, size_t i)
 {
 	double *row = U + i * n;
 	size_t to = n;
 	for (; to > i && to >= TAKEN; to -= TAKEN)
-		take_rows(row + to - TAKEN, U + to - TAKEN, U + i, n, n, i);
+		subtract_rows(row + to - TAKEN, U + to - TAKEN, U + i, n, n, i);
 	for (size_t j = i; j < to; j++)
 		for (size_t k = 0; k < i; k++)
 			row[j] -= U[k * n + i] * U[k * n + j];
@@ -45,7 +45,7 @@ static void
 cholesky(double *U, size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
-		take_above(U, n, i);
+		subtract_rows_above(U, n, i);
 		double *row = U + i * n, diagonal = sqrt(row[i]);
 		row[i] = diagonal;
 		for (size_t j = i + 1; j < n; j++)
@@ -54,7 +54,7 @@ cholesky(double *U, size_t n)
 }
 
 static void
-forward(const double *U, size_t n, double *d)
+solve_lower(const double *U, size_t n, double *d)
 {
 	size_t from = 0, to = n % TAKEN;
 	for (; from < n; from = to, to += TAKEN) {
@@ -65,7 +65,7 @@ forward(const double *U, size_t n, double *d)
 				d[j] -= row[j] * z;
 		}
 		for (size_t j = to; j < n; j += TAKEN)
-			take_rows(
+			subtract_rows(
 			    d + j, U + from * n + j, d + from, 1, n, to - from);
 	}
 }
@@ -73,7 +73,7 @@ forward(const double *U, size_t n, double *d)
 /* Computes the covariances of cell i with itself and all later cells.  of_f,
  * of_error: covariances of its size with the others. */
 static inline void
-covariance_row(const struct cell_columns *c, size_t i,
+fill_covariance_row(const struct cell_columns *c, size_t i,
     const double *restrict of_f, const double *restrict of_error,
     double *restrict row)
 {
@@ -96,20 +96,20 @@ covariance_row(const struct cell_columns *c, size_t i,
 }
 
 static void
-pairs(size_t n, const double hyper[static HYPERS], double *restrict f,
-    double *restrict error)
+covariances_of_pairs(size_t n, const double hyper[static HYPERS],
+    double *restrict f, double *restrict error)
 {
 	for (size_t i = 0; i < n; i++) {
 		double apart = f[i];
 		f[i] = discrepancy_covariance(apart, hyper);
-		error[i] = discrepancy_shared(apart, hyper);
+		error[i] = discrepancy_shared_covariance(apart, hyper);
 	}
 }
 
 /* Most runs have the same sieves, so exponentials are computed for pairs of
  * sizes, not for pairs of cells. */
 static void
-covariance(
+fill_covariance(
     const struct cell_columns *c, const double hyper[static HYPERS], double *U)
 {
 	double *f = c->pair[0], *error = c->pair[1];
@@ -117,23 +117,23 @@ covariance(
 	for (size_t s = 0; s < c->sizes; s++)
 		for (size_t k = 0; k <= s; k++)
 			f[n++] = c->log_size[s] - c->log_size[k];
-	pairs(n, hyper, f, error);
+	covariances_of_pairs(n, hyper, f, error);
 	for (size_t s = 0; s < c->sizes; s++) {
 		for (size_t k = 0; k < c->sizes; k++) {
-			size_t pair = discrepancy_pair(s, k);
+			size_t pair = discrepancy_index_of_pair(s, k);
 			c->f[k] = f[pair];
 			c->error[k] = error[pair];
 		}
 		for (size_t i = 0; i < c->n; i++)
 			if (c->size[i] == (int64_t)s)
-				covariance_row(
+				fill_covariance_row(
 				    c, i, c->f, c->error, U + i * c->n);
 	}
 }
 
 /* Sums the same numbers as rng_normal, in the same order. */
 static void
-normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
+draw_normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
 {
 	for (size_t i = 0; i < n; i++)
 		z[i] = 0;
@@ -145,4 +145,4 @@ normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
 }
 
 const struct triangle TRIANGLE_NAME = {
-    pairs, covariance, cholesky, forward, normals};
+    covariances_of_pairs, fill_covariance, cholesky, solve_lower, draw_normals};

@@ -10,7 +10,7 @@
 
 /* The sieves of all, coarsest first; passings 0. */
 static struct psd
-all_sieves(const struct psd *const *feed, size_t n)
+merge_sieves(const struct psd *const *feed, size_t n)
 {
 	size_t room = 0;
 	for (size_t i = 0; i < n; i++)
@@ -20,14 +20,14 @@ all_sieves(const struct psd *const *feed, size_t n)
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < feed[i]->n; k++)
 			all.size[all.n++] = feed[i]->size[k];
-	all.n = psd_sort(all.size, all.n, 0);
+	all.n = psd_sort_distinct_sizes(all.size, all.n, 0);
 	return all;
 }
 
 struct psd
 blend_new(const struct psd *const *feed, const double *part, size_t n)
 {
-	struct psd blend = all_sieves(feed, n);
+	struct psd blend = merge_sieves(feed, n);
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
 		sum += part[i];
@@ -35,7 +35,7 @@ blend_new(const struct psd *const *feed, const double *part, size_t n)
 	for (bool all = true; known < blend.n; known++) {
 		double x = blend.size[known], passing = 0;
 		for (size_t i = 0; i < n; i++) {
-			all = all && psd_covers(feed[i], x);
+			all = all && psd_covers_size(feed[i], x);
 			passing += part[i] * psd_passing(feed[i], x);
 		}
 		if (!all)
@@ -48,7 +48,8 @@ blend_new(const struct psd *const *feed, const double *part, size_t n)
 
 /* Those of feeds [n] that are not the same as one before; returns how many. */
 static size_t
-distinct_feeds(const struct psd *const *feed, size_t n, const struct psd **out)
+find_distinct_feeds(
+    const struct psd *const *feed, size_t n, const struct psd **out)
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -62,17 +63,17 @@ distinct_feeds(const struct psd *const *feed, size_t n, const struct psd **out)
 }
 
 struct psd
-blend_mean(const struct psd *const *feed, size_t n)
+blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 {
 	const struct psd **own = xcalloc(n, sizeof *own);
-	n = distinct_feeds(feed, n, own);
-	struct psd mean = all_sieves(own, n);
+	n = find_distinct_feeds(feed, n, own);
+	struct psd mean = merge_sieves(own, n);
 	for (size_t k = 0; k < mean.n; k++) {
 		double x = mean.size[k], above = k > 0 ? mean.size[k - 1] : x;
 		double here = 0, before = 0;
 		size_t known = 0;
 		for (size_t i = 0; i < n; i++) {
-			if (!psd_covers(own[i], x))
+			if (!psd_covers_size(own[i], x))
 				continue;
 			known++;
 			here += psd_passing(own[i], x);
@@ -89,15 +90,15 @@ blend_mean(const struct psd *const *feed, size_t n)
 }
 
 double
-blend_spread(const struct psd *const *feed, size_t n, double *sieve)
+blend_largest_difference(const struct psd *const *feed, size_t n, double *sieve)
 {
-	struct psd all = all_sieves(feed, n);
+	struct psd all = merge_sieves(feed, n);
 	double most = 0;
 	*sieve = 0;
 	for (size_t k = 0; k < all.n; k++) {
 		double x = all.size[k], least = 1, largest = 0;
 		for (size_t i = 0; i < n; i++) {
-			if (!psd_covers(feed[i], x))
+			if (!psd_covers_size(feed[i], x))
 				continue;
 			least = fmin(least, psd_passing(feed[i], x));
 			largest = fmax(largest, psd_passing(feed[i], x));

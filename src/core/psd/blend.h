@@ -21,11 +21,12 @@ struct psd blend_new(
  * Each feed is interpolated linearly in log size between its own sieves; below
  * its finest it is assumed to fall as the others do on average, so a sheet that
  * ends early does not cut off the fines of the mean.  Free with psd_free. */
-struct psd blend_mean(const struct psd *const *feed, size_t n);
+struct psd blend_mean_of_feeds(const struct psd *const *feed, size_t n);
 
 /* Returns the largest difference in passing, 0..1, between any two of the feeds
  * at a sieve at which both are known, or 0 if there is no such sieve.  sieve:
  * that sieve, m, out. */
-double blend_spread(const struct psd *const *feed, size_t n, double *sieve);
+double blend_largest_difference(
+    const struct psd *const *feed, size_t n, double *sieve);
 
 #endif

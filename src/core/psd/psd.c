@@ -18,7 +18,7 @@ const char *const PSD_KEY[PSD_SIZES] = {"p20", "p50", "p80"};
 struct psd
 psd_new(size_t n)
 {
-	return (struct psd){n, xdoubles(n), xdoubles(n)};
+	return (struct psd){n, xcalloc_doubles(n), xcalloc_doubles(n)};
 }
 
 struct psd
@@ -60,7 +60,7 @@ psd_passing(const struct psd *psd, double x)
 
 /* Half octaves from one size to a finer one, at least 1. */
 static size_t
-half_octaves(double coarse, double fine)
+count_half_octaves(double coarse, double fine)
 {
 	double n = 2 * el_log(coarse / fine) / el_log(2);
 	return n < 1.5 ? 1 : (size_t)(n + 0.5);
@@ -76,7 +76,7 @@ chord_slope(const double *x, const double *P, size_t i)
 /* The slope of the smooth curve at sieve i: so small that it neither rises nor
  * falls between two sieves where the lines beside it do not. */
 static double
-psd_slope_at(const double *x, const double *P, size_t n, size_t i)
+smooth_slope_at_sieve(const double *x, const double *P, size_t n, size_t i)
 {
 	if (i == 0 || i + 1 == n)
 		return chord_slope(x, P, i == 0 ? 0 : i - 1);
@@ -91,29 +91,30 @@ psd_slope_at(const double *x, const double *P, size_t n, size_t i)
 /* The smooth curve at a size between sieves i and i + 1, of which `at` is ln.
  * Source: Steffen, Astronomy and Astrophysics 239 (1990) 443. */
 static double
-smooth_passing_between(
+interpolate_smooth_passing(
     const double *x, const double *P, size_t n, size_t i, double at)
 {
 	double h = x[i] - x[i + 1], d = at - x[i + 1];
 	double s = chord_slope(x, P, i);
-	double fine = psd_slope_at(x, P, n, i + 1),
-	       coarse = psd_slope_at(x, P, n, i);
+	double fine = smooth_slope_at_sieve(x, P, n, i + 1),
+	       coarse = smooth_slope_at_sieve(x, P, n, i);
 	double a = (fine + coarse - 2 * s) / h / h;
 	double b = (3 * s - 2 * fine - coarse) / h;
 	return P[i + 1] + d * (fine + d * (b + d * a));
 }
 
 struct psd
-psd_curve(const struct psd *psd)
+psd_smooth_curve(const struct psd *psd)
 {
 	size_t n = psd->n, points = n;
 	if (n < 3)
 		return psd_copy(psd);
-	double *x = xdoubles(n);
+	double *x = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		x[i] = el_log(psd->size[i]);
 	for (size_t i = 0; i + 1 < n; i++)
-		points += half_octaves(psd->size[i], psd->size[i + 1]) - 1;
+		points +=
+		    count_half_octaves(psd->size[i], psd->size[i + 1]) - 1;
 	struct psd curve = psd_new(points);
 	curve.n = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -121,13 +122,14 @@ psd_curve(const struct psd *psd)
 		curve.passing[curve.n++] = psd->passing[i];
 		if (i + 1 == n)
 			break;
-		size_t parts = half_octaves(psd->size[i], psd->size[i + 1]);
+		size_t parts =
+		    count_half_octaves(psd->size[i], psd->size[i + 1]);
 		for (size_t j = 1; j < parts; j++) {
 			double share = (double)j / (double)parts;
 			double at = x[i] + share * (x[i + 1] - x[i]);
 			curve.size[curve.n] = el_exp(at);
-			curve.passing[curve.n++] =
-			    smooth_passing_between(x, psd->passing, n, i, at);
+			curve.passing[curve.n++] = interpolate_smooth_passing(
+			    x, psd->passing, n, i, at);
 		}
 	}
 	free(x);
@@ -135,7 +137,7 @@ psd_curve(const struct psd *psd)
 }
 
 struct psd
-psd_refined(const double *size, size_t n)
+psd_new_with_sizes_between(const double *size, size_t n)
 {
 	const double coarse = 0.0953, fine = 0.14; /* in ln x */
 	double span = el_log(size[0] / size[n - 1]);
@@ -165,7 +167,7 @@ psd_same(const struct psd *a, const struct psd *b)
 }
 
 double
-psd_at_sieve(const struct psd *psd, double x)
+psd_passing_at_sieve(const struct psd *psd, double x)
 {
 	for (size_t i = 0; i < psd->n; i++)
 		if (psd->size[i] == x)
@@ -174,7 +176,7 @@ psd_at_sieve(const struct psd *psd, double x)
 }
 
 double
-psd_size(const struct psd *psd, double passing)
+psd_size_at_passing(const struct psd *psd, double passing)
 {
 	if (psd->n == 0 || passing > psd->passing[0])
 		return NAN;
@@ -211,7 +213,7 @@ psd_sieve_above_widest_gap(const struct psd *psd)
 }
 
 bool
-psd_covers(const struct psd *psd, double x)
+psd_covers_size(const struct psd *psd, double x)
 {
 	if (psd->n == 0)
 		return false;
@@ -220,17 +222,17 @@ psd_covers(const struct psd *psd, double x)
 }
 
 static int
-compare_falling(const void *a, const void *b)
+compare_descending(const void *a, const void *b)
 {
 	double x = *(const double *)a, y = *(const double *)b;
 	return (x < y) - (x > y);
 }
 
 size_t
-psd_sort(double *x, size_t n, double apart)
+psd_sort_distinct_sizes(double *x, size_t n, double apart)
 {
 	size_t kept = 0;
-	qsort(x, n, sizeof *x, compare_falling);
+	qsort(x, n, sizeof *x, compare_descending);
 	for (size_t i = 0; i < n; i++)
 		if (kept == 0 || x[kept - 1] - x[i] > apart)
 			x[kept++] = x[i];
@@ -238,7 +240,7 @@ psd_sort(double *x, size_t n, double apart)
 }
 
 double
-psd_rms(const double *a, const double *b, size_t n, size_t *worst)
+psd_rms_difference(const double *a, const double *b, size_t n, size_t *worst)
 {
 	double sum = 0, largest = -1;
 	for (size_t i = 0; i < n; i++) {
@@ -253,7 +255,7 @@ psd_rms(const double *a, const double *b, size_t n, size_t *worst)
 }
 
 double
-psd_off_chord(const struct psd *psd, size_t i)
+psd_deviation_from_chord(const struct psd *psd, size_t i)
 {
 	if (i == 0 || i + 1 >= psd->n)
 		return NAN;
@@ -265,45 +267,50 @@ psd_off_chord(const struct psd *psd, size_t i)
 /* The bend of a curve at sieve i of another; NAN where it has not the same
  * three sieves side by side. */
 static double
-bend_of_other_curve(const struct psd *curve, const struct psd *of, size_t i)
+deviation_at_same_sieves(
+    const struct psd *curve, const struct psd *of, size_t i)
 {
 	for (size_t j = 1; j + 1 < curve->n; j++)
 		if (curve->size[j - 1] == of->size[i - 1] &&
 		    curve->size[j] == of->size[i] &&
 		    curve->size[j + 1] == of->size[i + 1])
-			return psd_off_chord(curve, j);
+			return psd_deviation_from_chord(curve, j);
 	return NAN;
 }
 
 /* Bend of curve c at its sieve i less the mean bend of the others there. */
 static struct psd_outlier
-compare_bend(const struct psd *const *curve, size_t n, size_t c, size_t i)
+deviation_less_mean_of_others(
+    const struct psd *const *curve, size_t n, size_t c, size_t i)
 {
 	struct psd_outlier out = {.curve = c, .sieve = i};
 	double sum = 0;
 	for (size_t o = 0; o < n; o++) {
 		double bend =
-		    o == c ? NAN : bend_of_other_curve(curve[o], curve[c], i);
+		    o == c ? NAN
+			   : deviation_at_same_sieves(curve[o], curve[c], i);
 		if (isnan(bend))
 			continue;
 		out.others++;
 		sum += bend;
 	}
-	out.off = psd_off_chord(curve[c], i);
+	out.off = psd_deviation_from_chord(curve[c], i);
 	if (out.others > 0)
 		out.off -= sum / (double)out.others;
 	return out;
 }
 
 struct psd_outlier
-psd_outlier(const struct psd *const *curve, size_t n)
+psd_find_outlier(const struct psd *const *curve, size_t n)
 {
 	struct psd_outlier worst = {0};
 	double bend = 0;
 	for (size_t c = 0; c < n; c++)
 		for (size_t i = 1; i + 1 < curve[c]->n; i++) {
-			struct psd_outlier o = compare_bend(curve, n, c, i);
-			double own = fabs(psd_off_chord(curve[c], i));
+			struct psd_outlier o =
+			    deviation_less_mean_of_others(curve, n, c, i);
+			double own =
+			    fabs(psd_deviation_from_chord(curve[c], i));
 			double more = fabs(o.off) - fabs(worst.off);
 			if (more < -1e-9 || (more < 1e-9 && own <= bend))
 				continue;

@@ -32,24 +32,24 @@ double psd_passing(const struct psd *psd, double x);
 /* Returns the curve with points added about every half octave between sieves
  * further apart than that, on Steffen's monotone cubic in log size: real curves
  * have no corners (D18). */
-struct psd psd_curve(const struct psd *psd);
+struct psd psd_smooth_curve(const struct psd *psd);
 
 /* Returns a curve at the sizes [n], m, coarsest first, and at further sizes
  * between neighbours more than a tenth apart (a seventh, below a tenth of the
  * coarsest): close enough for the break sizes and corners of a product.
  * All passings are set to 0.  Free with psd_free. */
-struct psd psd_refined(const double *size, size_t n);
+struct psd psd_new_with_sizes_between(const double *size, size_t n);
 
 /* True if both are identical to the last bit and not empty. */
 bool psd_same(const struct psd *a, const struct psd *b);
 
 /* Returns the passing measured at x, or NAN if x is not a sieve. */
-double psd_at_sieve(const struct psd *psd, double x);
+double psd_passing_at_sieve(const struct psd *psd, double x);
 
 /* Returns the size (m) that the given fraction passes, interpolated linearly in
- * log size: P80 is psd_size(psd, 0.8).  Returns NAN if the size lies outside
- * the sieves. */
-double psd_size(const struct psd *psd, double passing);
+ * log size: P80 is psd_size_at_passing(psd, 0.8).  Returns NAN if the size lies
+ * outside the sieves. */
+double psd_size_at_passing(const struct psd *psd, double passing);
 
 /* The sizes that summarise a product, P20, P50 and P80: their passings, names
  * and keys, "p80", which are also options. */
@@ -64,19 +64,20 @@ size_t psd_sieve_above_widest_gap(const struct psd *psd);
 
 /* True if the passing at x is known: x is within the sieves or above them, or
  * below a finest sieve that passes nothing. */
-bool psd_covers(const struct psd *psd, double x);
+bool psd_covers_size(const struct psd *psd, double x);
 
 /* Sorts sizes, or their logarithms, coarsest first, and drops every size no
  * more than `apart` below another.  Returns the number left. */
-size_t psd_sort(double *x, size_t n, double apart);
+size_t psd_sort_distinct_sizes(double *x, size_t n, double apart);
 
 /* Returns the root mean square difference of passing, 0..1, between two curves
  * at n sizes.  worst: index of the largest difference, out; may be NULL. */
-double psd_rms(const double *a, const double *b, size_t n, size_t *worst);
+double psd_rms_difference(
+    const double *a, const double *b, size_t n, size_t *worst);
 
 /* Returns the passing at sieve i minus that interpolated linearly in log size
  * between its two neighbours: -1..1, or NAN at the two ends. */
-double psd_off_chord(const struct psd *psd, size_t i);
+double psd_deviation_from_chord(const struct psd *psd, size_t i);
 
 /* The most unusual point of n curves: where one curve bends least like the
  * others at the same three sieves.  A correct curve may bend by 10 points or
@@ -90,6 +91,6 @@ struct psd_outlier {
 	double off;
 };
 
-struct psd_outlier psd_outlier(const struct psd *const *curve, size_t n);
+struct psd_outlier psd_find_outlier(const struct psd *const *curve, size_t n);
 
 #endif

@@ -17,10 +17,10 @@ const struct modulus MODULUS[MODULI] = {
 };
 
 static double
-modulus_value(const struct modulus *m, const struct psd *curve)
+fineness_modulus_of_curve(const struct modulus *m, const struct psd *curve)
 {
 	double sum = 0, coarse = 0;
-	if (!psd_covers(curve, m->mm[m->n - 1] / 1000))
+	if (!psd_covers_size(curve, m->mm[m->n - 1] / 1000))
 		return NAN;
 	for (size_t i = 0; i < m->n; i++) {
 		double retained = 1 - psd_passing(curve, m->mm[i] / 1000);
@@ -34,10 +34,11 @@ modulus_value(const struct modulus *m, const struct psd *curve)
 }
 
 static double
-largest_step_value(const struct quantity *q, const struct psd *curve)
+largest_step_of_curve(const struct quantity *q, const struct psd *curve)
 {
 	double most = 0;
-	if (q->n_sieve == 0 || !psd_covers(curve, q->sieve[q->n_sieve - 1]))
+	if (q->n_sieve == 0 ||
+	    !psd_covers_size(curve, q->sieve[q->n_sieve - 1]))
 		return NAN;
 	for (size_t i = 1; i < q->n_sieve; i++)
 		most = fmax(most, psd_passing(curve, q->sieve[i - 1]) -
@@ -54,38 +55,43 @@ quantity_same(const struct quantity *a, const struct quantity *b)
 }
 
 double
-quantity_read(const struct quantity *q, const struct psd *curve, double share)
+quantity_read_off_curve(
+    const struct quantity *q, const struct psd *curve, double share)
 {
 	switch (q->kind) {
 	case QUANTITY_SHARE:
 		return share;
 	case QUANTITY_PASSING:
-		return psd_covers(curve, q->x) ? psd_passing(curve, q->x) : NAN;
+		return psd_covers_size(curve, q->x) ? psd_passing(curve, q->x)
+						    : NAN;
 	case QUANTITY_SIZE:
-		return psd_size(curve, q->x);
+		return psd_size_at_passing(curve, q->x);
 	case QUANTITY_MODULUS:
-		return modulus_value(q->modulus, curve);
+		return fineness_modulus_of_curve(q->modulus, curve);
 	case QUANTITY_UNIFORMITY:
-		return psd_size(curve, 0.6) / psd_size(curve, 0.1);
+		return psd_size_at_passing(curve, 0.6) /
+		       psd_size_at_passing(curve, 0.1);
 	case QUANTITY_CURVATURE:
-		return psd_size(curve, 0.3) * psd_size(curve, 0.3) /
-		       (psd_size(curve, 0.6) * psd_size(curve, 0.1));
+		return psd_size_at_passing(curve, 0.3) *
+		       psd_size_at_passing(curve, 0.3) /
+		       (psd_size_at_passing(curve, 0.6) *
+			   psd_size_at_passing(curve, 0.1));
 	case QUANTITY_STEP:
-		return largest_step_value(q, curve);
+		return largest_step_of_curve(q, curve);
 	}
 	return NAN;
 }
 
 /* What is missing at a size that a share should not pass. */
 static double
-share_not_passed_at(const struct psd *curve, double share, double size)
+share_coarser_than(const struct psd *curve, double share, double size)
 {
-	bool known = size > 0 && psd_covers(curve, size);
+	bool known = size > 0 && psd_covers_size(curve, size);
 	return known ? share - psd_passing(curve, size) : NAN;
 }
 
 double
-quantity_excess(const struct quantity *q, double limit, double value,
+quantity_excess_over_limit(const struct quantity *q, double limit, double value,
     const struct psd *curve)
 {
 	switch (q->kind) {
@@ -96,19 +102,20 @@ quantity_excess(const struct quantity *q, double limit, double value,
 	case QUANTITY_MODULUS:
 		return (value - limit) / (double)q->modulus->n;
 	case QUANTITY_SIZE:
-		return share_not_passed_at(curve, q->x, limit);
+		return share_coarser_than(curve, q->x, limit);
 	case QUANTITY_UNIFORMITY:
-		return share_not_passed_at(
-		    curve, 0.6, limit * psd_size(curve, 0.1));
+		return share_coarser_than(
+		    curve, 0.6, limit * psd_size_at_passing(curve, 0.1));
 	case QUANTITY_CURVATURE:
-		return share_not_passed_at(curve, 0.3,
-		    sqrt(limit * psd_size(curve, 0.6) * psd_size(curve, 0.1)));
+		return share_coarser_than(curve, 0.3,
+		    sqrt(limit * psd_size_at_passing(curve, 0.6) *
+			 psd_size_at_passing(curve, 0.1)));
 	}
 	return NAN;
 }
 
 bool
-quantity_excess_reads_curve(const struct quantity *q)
+quantity_excess_needs_curve(const struct quantity *q)
 {
 	switch (q->kind) {
 	case QUANTITY_SIZE:
@@ -125,7 +132,8 @@ quantity_excess_reads_curve(const struct quantity *q)
 }
 
 size_t
-quantity_points(const struct quantity *q, double size[static QUANTITY_POINTS])
+quantity_sizes_needed(
+    const struct quantity *q, double size[static QUANTITY_POINTS])
 {
 	size_t n = 0;
 	switch (q->kind) {

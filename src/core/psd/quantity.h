@@ -53,7 +53,7 @@ bool quantity_same(const struct quantity *a, const struct quantity *b);
 
 /* Returns the value read off the curve of the fraction, or NAN if the curve
  * does not reach that far.  share: the fraction's share of the product. */
-double quantity_read(
+double quantity_read_off_curve(
     const struct quantity *q, const struct psd *curve, double share);
 
 /* Returns how far a value read off the fraction's curve is above a limit, as a
@@ -63,17 +63,18 @@ double quantity_read(
  * other sizes; for a modulus, the difference divided by its number of sieves.
  * Positive exactly where the value is above the limit; NAN where the curve does
  * not reach that far. */
-double quantity_excess(const struct quantity *q, double limit, double value,
-    const struct psd *curve);
+double quantity_excess_over_limit(const struct quantity *q, double limit,
+    double value, const struct psd *curve);
 
-/* True if quantity_excess reads the curve; if not, it may be NULL. */
-bool quantity_excess_reads_curve(const struct quantity *q);
+/* True if quantity_excess_over_limit reads the curve; if not, it may be NULL.
+ */
+bool quantity_excess_needs_curve(const struct quantity *q);
 
 /* Lists the sizes, m, at which the curve needs points for the value to be
  * exact: [QUANTITY_POINTS] out, including the first STEP_SIEVES of a step's
  * sieves.  Returns their number. */
 enum { STEP_SIEVES = 20, QUANTITY_POINTS = STEP_SIEVES + 2 };
-size_t quantity_points(
+size_t quantity_sizes_needed(
     const struct quantity *q, double size[static QUANTITY_POINTS]);
 
 #endif

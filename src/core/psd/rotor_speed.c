@@ -8,12 +8,12 @@
 #include "base/xalloc.h"
 
 char *
-rotor_speed_words(double diameter, double low, double high)
+rotor_speed_rpm_text(double diameter, double low, double high)
 {
 	if (!(diameter > 0))
 		return xstrdup("");
-	double slow = rotor_speed_rpm(low, diameter);
+	double slow = rotor_speed_to_rpm(low, diameter);
 	return isnan(high) ? xasprintf(tr(" (%.0f rpm)"), slow)
 			   : xasprintf(tr(" (%.0f to %.0f rpm)"), slow,
-				 rotor_speed_rpm(high, diameter));
+				 rotor_speed_to_rpm(high, diameter));
 }

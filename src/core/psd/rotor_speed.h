@@ -6,14 +6,14 @@
 
 /* Converts a tip speed, m/s, to rpm.  (C11 has no pi.) */
 static inline double
-rotor_speed_rpm(double v, double diameter)
+rotor_speed_to_rpm(double v, double diameter)
 {
 	return 60 * v / (3.14159265358979323846 * diameter);
 }
 
 /* Converts rpm to a tip speed, m/s. */
 static inline double
-rotor_speed_mps(double rpm, double diameter)
+rotor_speed_from_rpm(double rpm, double diameter)
 {
 	return 3.14159265358979323846 * diameter * rpm / 60;
 }
@@ -21,6 +21,6 @@ rotor_speed_mps(double rpm, double diameter)
 /* Returns " (1376 rpm)" or, for a range of tip speeds, " (1329 to 1425 rpm)",
  * to follow m/s in a sentence; "" without a diameter.  high: NAN for one speed.
  * The caller frees it. */
-char *rotor_speed_words(double diameter, double low, double high);
+char *rotor_speed_rpm_text(double diameter, double low, double high);
 
 #endif

@@ -12,7 +12,7 @@
 const struct partition PARTITION_IDEAL = {0, 1};
 
 double
-partition_oversize(const struct partition *p, double opening, double d)
+partition_share_to_oversize(const struct partition *p, double opening, double d)
 {
 	double ratio = d / (opening * (p->cut_size > 0 ? p->cut_size : 1));
 	if (!(p->sharpness > 0))
@@ -26,7 +26,7 @@ partition_oversize(const struct partition *p, double opening, double d)
 }
 
 bool
-fraction_screens(const struct fraction *fraction)
+fraction_is_screened(const struct fraction *fraction)
 {
 	return fraction->fine > 0 || fraction->coarse > 0;
 }
@@ -34,7 +34,7 @@ fraction_screens(const struct fraction *fraction)
 /* The mean over a class, by Gauss's four points in ln d for every third of an
  * octave or less; of an ideal screen the part of it above the cut. */
 static double
-class_mean(
+mean_oversize_share_of_class(
     const struct partition *p, double opening, double coarse, double fine)
 {
 	static const double AT[2] = {0.3399810435848563, 0.8611363115940526},
@@ -53,35 +53,36 @@ class_mean(
 			for (double sign = -1; sign <= 1; sign += 2)
 				sum +=
 				    WEIGHT[i] / 2 *
-				    partition_oversize(p, opening,
+				    partition_share_to_oversize(p, opening,
 					el_exp(middle + sign * half * AT[i]));
 	}
 	return sum / parts;
 }
 
 void
-partition_classes(const struct partition *p, double opening, const double *size,
-    size_t n, double *out)
+partition_oversize_of_classes(const struct partition *p, double opening,
+    const double *size, size_t n, double *out)
 {
 	for (size_t i = 0; i + 1 < n; i++)
-		out[i] = class_mean(p, opening, size[i], size[i + 1]);
-	out[n - 1] = partition_oversize(p, opening, size[n - 1] / 2);
+		out[i] = mean_oversize_share_of_class(
+		    p, opening, size[i], size[i + 1]);
+	out[n - 1] = partition_share_to_oversize(p, opening, size[n - 1] / 2);
 }
 
 void
-fraction_classes(
+fraction_kept_of_classes(
     const struct fraction *fraction, const double *size, size_t n, double *out)
 {
-	double *over = xdoubles(n);
+	double *over = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		out[i] = 1;
 	if (fraction->coarse > 0)
-		partition_classes(
+		partition_oversize_of_classes(
 		    &fraction->partition, fraction->coarse, size, n, over);
 	for (size_t i = 0; i < n && fraction->coarse > 0; i++)
 		out[i] = 1 - over[i];
 	if (fraction->fine > 0)
-		partition_classes(
+		partition_oversize_of_classes(
 		    &fraction->partition, fraction->fine, size, n, over);
 	for (size_t i = 0; i < n && fraction->fine > 0; i++)
 		out[i] *= over[i];
@@ -89,7 +90,8 @@ fraction_classes(
 }
 
 double
-screening_part(const struct psd *product, const double *kept, struct psd *part)
+screening_screen_product(
+    const struct psd *product, const double *kept, struct psd *part)
 {
 	size_t n = product->n;
 	const double *P = product->passing;

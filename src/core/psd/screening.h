@@ -20,7 +20,7 @@ struct partition {
 extern const struct partition PARTITION_IDEAL;
 
 /* Returns E(d), 0..1, for size d, m, on a screen with that opening, m. */
-double partition_oversize(
+double partition_share_to_oversize(
     const struct partition *partition, double opening, double d);
 
 /* The material that passes the screen `coarse` and stays on the screen `fine`,
@@ -31,25 +31,25 @@ struct fraction {
 };
 
 /* True if the fraction removes anything. */
-bool fraction_screens(const struct fraction *fraction);
+bool fraction_is_screened(const struct fraction *fraction);
 
 /* Computes the share of each class that a screen sends to the oversize.  Class
  * i lies between size[i] and size[i + 1], with mass uniform in ln d; the last
  * is the pan, down to half the finest size.  size [n] m, coarsest first.  out
  * [n], 0..1. */
-void partition_classes(const struct partition *partition, double opening,
-    const double *size, size_t n, double *out);
+void partition_oversize_of_classes(const struct partition *partition,
+    double opening, const double *size, size_t n, double *out);
 
 /* Computes the share of each class that a fraction keeps, for classes as in
- * partition_classes. */
-void fraction_classes(
+ * partition_oversize_of_classes. */
+void fraction_kept_of_classes(
     const struct fraction *fraction, const double *size, size_t n, double *out);
 
 /* Computes the part of a product that has the share `kept` [n] of each class
  * and writes its curve to part, which has the same n.  Returns its share of the
  * product's mass; if that is 0, the curve is 0.  Mass above the coarsest size
  * is kept like the class below it. */
-double screening_part(
+double screening_screen_product(
     const struct psd *product, const double *kept, struct psd *part);
 
 #endif

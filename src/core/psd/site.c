@@ -40,12 +40,12 @@ site_add_note(
 }
 
 double
-site_assumed_top(const struct site *site)
+site_assumed_top_size(const struct site *site)
 {
 	double mm, most = 0;
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, SITE_ASSUMED_TOP) == 0 &&
-		    text_number(site->note[i].value, &mm))
+		    text_parse_number(site->note[i].value, &mm))
 			most = fmax(most, mm);
 	return most;
 }
@@ -68,7 +68,7 @@ run_copy(const struct run *from)
 	to.product = psd_copy(&from->product);
 	if (from->product_sd == NULL)
 		return to;
-	to.product_sd = xdoubles(from->product.n);
+	to.product_sd = xcalloc_doubles(from->product.n);
 	memcpy(to.product_sd, from->product_sd,
 	    from->product.n * sizeof *to.product_sd);
 	return to;
@@ -113,7 +113,7 @@ site_copy(const struct site *from)
 }
 
 static void
-run_clear(struct run *run)
+run_free_members(struct run *run)
 {
 	psd_free(&run->feed);
 	psd_free(&run->product);
@@ -126,7 +126,7 @@ site_free(struct site *site)
 	if (site == NULL)
 		return;
 	for (size_t r = 0; r < site->n_run; r++)
-		run_clear(&site->run[r]);
+		run_free_members(&site->run[r]);
 	psd_free(&site->mean_feed);
 	notes_free(site->note, site->n_note);
 	notes_free(site->left_out, site->n_left_out);
@@ -150,9 +150,10 @@ static uint64_t
 digest_psd(uint64_t h, const struct psd *psd)
 {
 	uint64_t n = psd->n; /* not size_t, which is shorter on some machines */
-	h = text_digest(h, &n, sizeof n);
-	h = text_digest(h, psd->size, psd->n * sizeof *psd->size);
-	return text_digest(h, psd->passing, psd->n * sizeof *psd->passing);
+	h = text_fnv1a_digest(h, &n, sizeof n);
+	h = text_fnv1a_digest(h, psd->size, psd->n * sizeof *psd->size);
+	return text_fnv1a_digest(
+	    h, psd->passing, psd->n * sizeof *psd->passing);
 }
 
 uint64_t
@@ -161,11 +162,11 @@ site_digest(const struct site *site)
 	uint64_t h = TEXT_DIGEST_START;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
-		h = text_digest(h, &run->speed, sizeof run->speed);
+		h = text_fnv1a_digest(h, &run->speed, sizeof run->speed);
 		h = digest_psd(h, &run->feed);
 		h = digest_psd(h, &run->product);
 		if (run->product_sd != NULL)
-			h = text_digest(h, run->product_sd,
+			h = text_fnv1a_digest(h, run->product_sd,
 			    run->product.n * sizeof *run->product_sd);
 	}
 	return h;
@@ -173,12 +174,12 @@ site_digest(const struct site *site)
 
 /* Which of several at its speed each run is. */
 static void
-number_repeats(struct site *site)
+number_repeat_runs(struct site *site)
 {
 	for (size_t r = 0, nth = 0; r < site->n_run; r++) {
-		nth = site_run_repeats(site, r) ? nth + 1 : 1;
+		nth = site_run_repeats_speed(site, r) ? nth + 1 : 1;
 		bool more =
-		    r + 1 < site->n_run && site_run_repeats(site, r + 1);
+		    r + 1 < site->n_run && site_run_repeats_speed(site, r + 1);
 		char *which =
 		    nth > 1 || more ? xasprintf(" (%zu)", nth) : xstrdup("");
 		strncpy(
@@ -191,7 +192,7 @@ number_repeats(struct site *site)
 static void
 site_drop_run(struct site *site, size_t r, size_t *from)
 {
-	run_clear(&site->run[r]);
+	run_free_members(&site->run[r]);
 	size_t after = --site->n_run - r;
 	memmove(&site->run[r], &site->run[r + 1], after * sizeof *site->run);
 	memmove(&from[r], &from[r + 1], after * sizeof *from);
@@ -203,7 +204,7 @@ static char *
 provenance_of_site_and_feed(const struct site *site, const char *of)
 {
 	const char *own = site->provenance;
-	bool worse = site_data_made_up(of) && !site_data_made_up(own);
+	bool worse = site_is_data_made_up(of) && !site_is_data_made_up(own);
 	size_t n = strcspn(own, ";"), n_of = strcspn(of, ";");
 	char *site_is = xasprintf("%.*s", (int)n, n > 0 ? own : "");
 	char *feed_is = xasprintf("%.*s", (int)n_of, of);
@@ -221,7 +222,7 @@ provenance_of_site_and_feed(const struct site *site, const char *of)
 }
 
 struct site *
-site_with_feed(const struct site *site, const struct psd *feed,
+site_copy_with_feed(const struct site *site, const struct psd *feed,
     const char *from, const char *of)
 {
 	struct site *to = site_copy(site);
@@ -235,7 +236,7 @@ site_with_feed(const struct site *site, const struct psd *feed,
 }
 
 static bool
-same_psd(const struct psd *a, const struct psd *b)
+are_curves_identical(const struct psd *a, const struct psd *b)
 {
 	return a->n == b->n &&
 	       memcmp(a->size, b->size, a->n * sizeof *a->size) == 0 &&
@@ -245,11 +246,11 @@ same_psd(const struct psd *a, const struct psd *b)
 /* After all runs that are as fast; in the place of the first of them if that
  * has a feed only, which is then its feed. */
 static void
-insert_run(struct site *site, struct run run, size_t *from)
+insert_run_by_speed(struct site *site, struct run run, size_t *from)
 {
-	size_t at = site_run_at(site, run.speed);
+	size_t at = site_run_at_speed(site, run.speed);
 	if (at < site->n_run && site->run[at].product.n == 0) {
-		run_clear(&site->run[at]);
+		run_free_members(&site->run[at]);
 		site->run[at] = run;
 		return;
 	}
@@ -264,22 +265,24 @@ insert_run(struct site *site, struct run run, size_t *from)
 }
 
 struct site *
-site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
+site_copy_with_cuts(
+    const struct site *site, const struct site *cuts, size_t *from)
 {
 	struct site *to = site_copy(site);
 	for (size_t r = 0; r < site->n_run; r++)
 		from[r] = r;
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		struct run run = run_copy(&cuts->run[k]);
-		size_t at = site_run_at(to, run.speed);
+		size_t at = site_run_at_speed(to, run.speed);
 		const struct run *fed =
-		    &site->run[site_run_nearest(site, run.speed)];
+		    &site->run[site_run_nearest_speed(site, run.speed)];
 		if (at < to->n_run && to->run[at].product.n == 0)
 			fed = &to->run[at];
 		const struct psd *feed = &fed->feed;
 		bool own = run.feed.n > 0;
 		to->individual_feeds =
-		    to->individual_feeds || (own && !same_psd(&run.feed, feed));
+		    to->individual_feeds ||
+		    (own && !are_curves_identical(&run.feed, feed));
 		if (!own) {
 			psd_free(&run.feed);
 			run.feed = psd_copy(feed);
@@ -287,19 +290,19 @@ site_with_cuts(const struct site *site, const struct site *cuts, size_t *from)
 			if (!(fed->feed_speed > 0) && fed->speed != run.speed)
 				run.feed_speed = fed->speed;
 		}
-		insert_run(to, run, from);
+		insert_run_by_speed(to, run, from);
 	}
 	/* The feed of any speed is in the runs now. */
 	if (to->n_run > 1 && !(to->run[0].speed > 0))
 		site_drop_run(to, 0, from);
-	number_repeats(to);
-	site_update_mean_feed(to);
+	number_repeat_runs(to);
+	site_update_digest_and_mean_feed(to);
 	return to;
 }
 
 /* The feeds that were sampled, [n_run]; the caller frees. */
 static const struct psd **
-sampled_feeds(const struct site *site, size_t *n)
+list_sampled_feeds(const struct site *site, size_t *n)
 {
 	const struct psd **feed = xcalloc(site->n_run, sizeof *feed);
 	*n = 0;
@@ -311,22 +314,22 @@ sampled_feeds(const struct site *site, size_t *n)
 }
 
 void
-site_update_mean_feed(struct site *site)
+site_update_digest_and_mean_feed(struct site *site)
 {
 	site->digest = site_digest(site);
 	psd_free(&site->mean_feed);
 	if (!site->individual_feeds)
 		return;
 	size_t n;
-	const struct psd **feed = sampled_feeds(site, &n);
-	site->mean_feed = blend_mean(feed, n);
+	const struct psd **feed = list_sampled_feeds(site, &n);
+	site->mean_feed = blend_mean_of_feeds(feed, n);
 	free(feed);
 }
 
 const struct psd *
-site_feed(const struct site *site, size_t run)
+site_feed_of_run(const struct site *site, size_t run)
 {
-	size_t other = site_run_at(site, SITE_OTHER_FEED);
+	size_t other = site_run_at_speed(site, SITE_OTHER_FEED);
 	if (run < site->n_run)
 		return &site->run[run].feed;
 	if (other < site->n_run)
@@ -335,22 +338,22 @@ site_feed(const struct site *site, size_t run)
 }
 
 double
-site_feeds_differ(const struct site *site, double *sieve)
+site_largest_feed_difference(const struct site *site, double *sieve)
 {
 	size_t n;
-	const struct psd **feed = sampled_feeds(site, &n);
-	double most = blend_spread(feed, n, sieve);
+	const struct psd **feed = list_sampled_feeds(site, &n);
+	double most = blend_largest_difference(feed, n, sieve);
 	free(feed);
 	return most;
 }
 
 double *
-site_sieves(const struct site *site, size_t *n)
+site_all_sieves(const struct site *site, size_t *n)
 {
 	size_t room = 0, all = 0;
 	for (size_t r = 0; r < site->n_run; r++)
 		room += site->run[r].feed.n + site->run[r].product.n;
-	double *size = xdoubles(room);
+	double *size = xcalloc_doubles(room);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
 		for (size_t i = 0; i < run->feed.n; i++)
@@ -358,7 +361,7 @@ site_sieves(const struct site *site, size_t *n)
 		for (size_t i = 0; i < run->product.n; i++)
 			size[all++] = run->product.size[i];
 	}
-	*n = psd_sort(size, all, 0);
+	*n = psd_sort_distinct_sizes(size, all, 0);
 	return size;
 }
 
@@ -372,7 +375,7 @@ site_count_products(const struct site *site)
 }
 
 size_t
-site_run_at(const struct site *site, double speed)
+site_run_at_speed(const struct site *site, double speed)
 {
 	size_t r = 0;
 	while (r < site->n_run && fabs(site->run[r].speed - speed) > 1e-3)
@@ -395,13 +398,13 @@ site_count_speeds(const struct site *site, const bool *use)
 }
 
 bool
-site_run_repeats(const struct site *site, size_t run)
+site_run_repeats_speed(const struct site *site, size_t run)
 {
 	return run > 0 && site->run[run].speed == site->run[run - 1].speed;
 }
 
 size_t
-site_run_nearest(const struct site *site, double speed)
+site_run_nearest_speed(const struct site *site, double speed)
 {
 	size_t best = 0;
 	for (size_t r = 1; r < site->n_run; r++)
@@ -412,21 +415,22 @@ site_run_nearest(const struct site *site, double speed)
 }
 
 bool
-site_run_is_near(const struct site *site, size_t run, double speed, size_t most)
+site_run_is_near_speed(
+    const struct site *site, size_t run, double speed, size_t most)
 {
 	size_t nearer = 0;
 	double far = fabs(site->run[run].speed - speed);
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed, d = fabs(v - speed);
 		nearer += site->run[i].product.n > 0 &&
-			  !site_run_repeats(site, i) &&
+			  !site_run_repeats_speed(site, i) &&
 			  (d < far || (d == far && v < site->run[run].speed));
 	}
 	return site->run[run].product.n > 0 && nearer < most;
 }
 
 void
-site_reach(const struct site *site, double *from, double *to)
+site_default_speed_range(const struct site *site, double *from, double *to)
 {
 	const double usual_from = 65, usual_to = 85;
 	double slowest = INFINITY, fastest = 0;
@@ -451,11 +455,11 @@ site_source(const struct site *site, const char *none)
 }
 
 void
-site_add_source(char **list, const struct site *site)
+site_append_source(char **list, const struct site *site)
 {
 	char *clause = site_source(site, "provenance not stated");
 	if (strstr(*list, clause) == NULL)
-		xlist(list, "; ", "%s", clause);
+		xappend_to_list(list, "; ", "%s", clause);
 	free(clause);
 }
 
@@ -466,7 +470,7 @@ double
 site_middle_speed(const struct site *site)
 {
 	const double usual = 74;
-	size_t other = site_run_at(site, SITE_OTHER_FEED);
+	size_t other = site_run_at_speed(site, SITE_OTHER_FEED);
 	size_t last = other > 0 ? other - 1 : 0;
 	double middle = (site->run[0].speed + site->run[last].speed) / 2;
 	return middle > 0 ? middle : usual;
@@ -475,7 +479,7 @@ site_middle_speed(const struct site *site)
 const char *
 site_data_kind(const char *provenance)
 {
-	char *folded = text_fold(provenance);
+	char *folded = text_fold_case_and_accents(provenance);
 	const char *text = text_trim(folded), *kind = N_("measured");
 	const char none[] = "not stated";
 	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0)
@@ -488,14 +492,14 @@ site_data_kind(const char *provenance)
 }
 
 bool
-site_data_made_up(const char *provenance)
+site_is_data_made_up(const char *provenance)
 {
 	const char *kind = site_data_kind(provenance);
 	return strcmp(kind, "measured") != 0 && strcmp(kind, "not stated") != 0;
 }
 
 double
-site_speed_error(const struct site *site, double v)
+site_effect_of_speed_errors(const struct site *site, double v)
 {
 	double n = 0, mean = 0, squares = 0;
 	for (size_t r = 0; r < site->n_run; r++)

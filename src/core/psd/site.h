@@ -10,7 +10,7 @@
 #include "core/psd/psd.h"
 
 /* The speed of a run that only holds a feed from another sheet: the last run of
- * a copy made by site_with_feed. */
+ * a copy made by site_copy_with_feed. */
 #define SITE_OTHER_FEED (-1.0)
 
 /* As the index of a run, this means the mean of the feeds sampled (D19). */
@@ -45,7 +45,8 @@ struct site {
 	double top_size; /* m; 0 if not stated */
 	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;
-	struct psd mean_feed; /* of several feeds; site_update_mean_feed */
+	struct psd
+	    mean_feed; /* of several feeds; site_update_digest_and_mean_feed */
 	size_t n_run;
 	struct run *run;
 	size_t n_note;
@@ -83,15 +84,15 @@ struct site *site_copy(const struct site *site);
 /* Returns a copy with another feed as its last run, which has no product.
  * from: the source of the feed; of: the provenance in its sheet.  The digest
  * does not change. */
-struct site *site_with_feed(const struct site *site, const struct psd *feed,
-    const char *from, const char *of);
+struct site *site_copy_with_feed(const struct site *site,
+    const struct psd *feed, const char *from, const char *of);
 
 /* Returns a copy with the products of cuts added as runs, each after the site's
  * runs at that speed.  An added run keeps its own feed, if it has one;
  * otherwise it gets the feed of the site's run at the nearest speed.  A product
  * for a run with only a feed completes that run.  from [runs of both]: out, for
  * each run of the copy its index in the site, or SIZE_MAX. */
-struct site *site_with_cuts(
+struct site *site_copy_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
 
 /* Returns the diameter of the rotor that the runs were made with, m; 0 if it is
@@ -103,21 +104,21 @@ uint64_t site_digest(const struct site *site);
 
 /* Computes the digest and the mean feed from the runs.  Call it after runs were
  * made or changed. */
-void site_update_mean_feed(struct site *site);
+void site_update_digest_and_mean_feed(struct site *site);
 
 /* Returns the feed of a run.  For SITE_MEAN_FEED, returns the feed for a
  * question that names none: the feed of another sheet, if the site is a copy
  * with such a feed, or else the mean of the distinct feeds sampled
- * (blend_mean). */
-const struct psd *site_feed(const struct site *site, size_t run);
+ * (blend_mean_of_feeds). */
+const struct psd *site_feed_of_run(const struct site *site, size_t run);
 
 /* Returns the largest difference in passing, 0..1, between two of the site's
  * feeds, or 0 if there is only one feed.  sieve: where it occurs, m, out. */
-double site_feeds_differ(const struct site *site, double *sieve);
+double site_largest_feed_difference(const struct site *site, double *sieve);
 
 /* Returns the sieves of all feeds and products, m, coarsest first, each once:
  * [*n].  The caller frees it. */
-double *site_sieves(const struct site *site, size_t *n);
+double *site_all_sieves(const struct site *site, size_t *n);
 
 /* Appends a note to a list of n. */
 void site_add_note(
@@ -128,21 +129,21 @@ size_t site_count_products(const struct site *site);
 
 /* Returns the index of the run at the given speed (to 0.001 m/s), the first of
  * repeats, or n_run if there is none. */
-size_t site_run_at(const struct site *site, double speed);
+size_t site_run_at_speed(const struct site *site, double speed);
 
 /* Returns the number of different speeds of the runs in use [n_run]. */
 size_t site_count_speeds(const struct site *site, const bool *use);
 
 /* True if the run repeats the speed of the run before it. */
-bool site_run_repeats(const struct site *site, size_t run);
+bool site_run_repeats_speed(const struct site *site, size_t run);
 
 /* Returns the run with the nearest speed: the slower of two equally near, the
  * first of repeats. */
-size_t site_run_nearest(const struct site *site, double speed);
+size_t site_run_nearest_speed(const struct site *site, double speed);
 
 /* True if the run has a product and its speed is one of the `most` nearest
  * speeds with a product: repeats count as one speed. */
-bool site_run_is_near(
+bool site_run_is_near_speed(
     const struct site *site, size_t run, double speed, size_t most);
 
 /* The fastest tip speed allowed, m/s: rotors reach half of it, single particles
@@ -154,7 +155,8 @@ enum { SITE_FASTEST = 400 };
  * twice such speeds, it is another kind of machine, and the range is that of
  * the runs, widened at both ends by half its length, or at least a quarter of
  * the slowest speed.  site may be NULL. */
-void site_reach(const struct site *site, double *from, double *to);
+void site_default_speed_range(
+    const struct site *site, double *from, double *to);
 
 /* Returns the middle of the speeds measured, m/s, or 74 if there is only a
  * feed. */
@@ -170,10 +172,10 @@ const char *site_data_kind(const char *provenance);
 #define SITE_ASSUMED_TOP "assumed_top_mm"
 
 /* Returns the size in that line, mm, or 0 if nothing was assumed. */
-double site_assumed_top(const struct site *site);
+double site_assumed_top_size(const struct site *site);
 
 /* True if the provenance says that the data were not measured at a plant. */
-bool site_data_made_up(const char *provenance);
+bool site_is_data_made_up(const char *provenance);
 
 /* Returns the first clause of the provenance, or a copy of `none` if the sheet
  * does not state it.  The caller frees it. */
@@ -181,13 +183,13 @@ char *site_source(const struct site *site, const char *none);
 
 /* Adds the first clause of the site's provenance to a list "a; b", unless it is
  * there already. */
-void site_add_source(char **list, const struct site *site);
+void site_append_source(char **list, const struct site *site);
 
 /* Returns the effect of errors in the stated speeds on the answer at tip speed
  * v, in multiples of the error of one speed.  It combines the errors of the
  * runs, as for a straight line through them in v^2, with the error of v itself:
  *   sqrt(1 + 1/n + (v^2 - m)^2 / sum (v_i^2 - m)^2),   m the mean of the v_i^2
  * Infinite if all runs have the same speed and v is another. */
-double site_speed_error(const struct site *site, double v);
+double site_effect_of_speed_errors(const struct site *site, double v);
 
 #endif

@@ -17,7 +17,7 @@ static const double WIDEST = 0.18;
 /* All feed and product sieves of all runs between the coarsest and the finest
  * feed sieve, ln x, coarsest first. */
 static size_t
-collect_edges(const struct misfit *m, double *edge)
+collect_sieve_edges(const struct misfit *m, double *edge)
 {
 	double top = -1e3, bottom = 1e3;
 	size_t n = 0, kept = 0;
@@ -34,18 +34,18 @@ collect_edges(const struct misfit *m, double *edge)
 	for (size_t i = 0; i < n; i++)
 		if (edge[i] <= top && edge[i] >= bottom)
 			edge[kept++] = edge[i];
-	return psd_sort(edge, kept, 1e-12);
+	return psd_sort_distinct_sizes(edge, kept, 1e-12);
 }
 
 static void
-plan_integration_classes(struct plan *plan, const double *edge, size_t n)
+plan_integration_classes(struct batch_plan *plan, const double *edge, size_t n)
 {
 	size_t room = 0;
 	for (size_t e = 0; e + 1 < n; e++)
 		room += (size_t)((edge[e] - edge[e + 1]) / WIDEST) + 1;
-	plan->upper = xdoubles(room);
-	plan->lower = xdoubles(room);
-	plan->middle = xdoubles(room);
+	plan->upper = xcalloc_doubles(room);
+	plan->lower = xcalloc_doubles(room);
+	plan->middle = xcalloc_doubles(room);
 	for (size_t e = 0; e + 1 < n; e++) {
 		double width = edge[e] - edge[e + 1];
 		size_t parts = (size_t)(width / WIDEST) + 1;
@@ -64,7 +64,7 @@ plan_integration_classes(struct plan *plan, const double *edge, size_t n)
 
 /* dF / d ln x of a feed at ln x = t. */
 static double
-feed_density(const struct psd *feed, double t)
+feed_density_at(const struct psd *feed, double t)
 {
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double upper = el_log(feed->size[i]);
@@ -79,7 +79,7 @@ feed_density(const struct psd *feed, double t)
 /* Nodes lie close where p(u) bends, near u = 1, and wider below: node j at
  * ln u = -j (1 + j / BEND) of a unit. */
 static double
-node_depth(size_t j)
+depth_of_node(size_t j)
 {
 	const double BEND = 16, last = KERNEL_NODES - 1;
 	double deepest = -el_log(APPEARANCE_FINEST), at = (double)j;
@@ -87,26 +87,27 @@ node_depth(size_t j)
 }
 
 static void
-plan_nodes(struct plan *plan)
+plan_nodes(struct batch_plan *plan)
 {
 	for (size_t j = 0; j < KERNEL_NODES; j++) {
-		plan->log_u[j] = -node_depth(j);
-		plan->u[j] = el_exp(-node_depth(j));
-		plan->half_step[j] = (node_depth(j + 1) - node_depth(j)) / 2;
+		plan->log_u[j] = -depth_of_node(j);
+		plan->u[j] = el_exp(-depth_of_node(j));
+		plan->half_step[j] =
+		    (depth_of_node(j + 1) - depth_of_node(j)) / 2;
 	}
 }
 
-static struct plan_view
-plan_view_at_depth(double depth)
+static struct node_interpolation
+interpolation_at_depth(double depth)
 {
-	struct plan_view v = {.node = KERNEL_NODES - 2};
-	if (depth > node_depth(KERNEL_NODES - 1))
+	struct node_interpolation v = {.node = KERNEL_NODES - 2};
+	if (depth > depth_of_node(KERNEL_NODES - 1))
 		return v;
 	v.node = 0;
-	while (v.node < KERNEL_NODES - 2 && node_depth(v.node + 1) < depth)
+	while (v.node < KERNEL_NODES - 2 && depth_of_node(v.node + 1) < depth)
 		v.node++;
-	double step = node_depth(v.node + 1) - node_depth(v.node);
-	v.coarse = (node_depth(v.node + 1) - depth) / step;
+	double step = depth_of_node(v.node + 1) - depth_of_node(v.node);
+	v.coarse = (depth_of_node(v.node + 1) - depth) / step;
 	v.fine = 1 - v.coarse;
 	v.below_coarse = step * v.coarse * v.coarse / 2;
 	v.below_fine = step * v.coarse - v.below_coarse;
@@ -114,7 +115,8 @@ plan_view_at_depth(double depth)
 }
 
 static void
-plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
+plan_set_sieve(
+    const struct batch_plan *plan, struct plan_sieve *s, double log_s)
 {
 	s->log_size = log_s;
 	s->view = xcalloc(plan->n_class, sizeof *s->view);
@@ -122,23 +124,23 @@ plan_sieve(const struct plan *plan, struct plan_sieve *s, double log_s)
 		if (plan->lower[c] < log_s - 1e-12)
 			break;
 		s->n_above = c + 1;
-		s->view[c] = plan_view_at_depth(plan->middle[c] - log_s);
+		s->view[c] = interpolation_at_depth(plan->middle[c] - log_s);
 	}
 }
 
 /* The sieves of all runs together, and each run's passings at them. */
 static void
-plan_targets(struct plan *plan, const struct misfit *m)
+plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t room = m->n_residual, n = 0, cell = 0;
-	double *sieve = xdoubles(room);
+	double *sieve = xcalloc_doubles(room);
 	for (size_t r = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++)
 			sieve[n++] = m->run[r].sieve[i];
-	plan->n_sieve = psd_sort(sieve, n, 0);
+	plan->n_sieve = psd_sort_distinct_sizes(sieve, n, 0);
 	plan->sieve = xcalloc(plan->n_sieve, sizeof *plan->sieve);
 	for (size_t s = 0; s < plan->n_sieve; s++)
-		plan_sieve(plan, &plan->sieve[s], el_log(sieve[s]));
+		plan_set_sieve(plan, &plan->sieve[s], el_log(sieve[s]));
 	for (size_t r = 0; r < m->n_run; r++) {
 		const struct misfit_run *from = &m->run[r];
 		struct plan_run *run = &plan->run[r];
@@ -159,30 +161,30 @@ plan_targets(struct plan *plan, const struct misfit *m)
 }
 
 static void
-plan_continuous(struct plan *plan, const struct misfit *m)
+plan_continuous_runs(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t room = m->n_residual;
 	for (size_t r = 0; r < m->n_run; r++)
 		room += m->run[r].feed.n;
 	plan->one_feed = true;
-	double *edge = xdoubles(room);
-	plan_integration_classes(plan, edge, collect_edges(m, edge));
+	double *edge = xcalloc_doubles(room);
+	plan_integration_classes(plan, edge, collect_sieve_edges(m, edge));
 	free(edge);
 	plan_nodes(plan);
 	for (size_t r = 0; r < m->n_run; r++) {
 		struct plan_run *run = &plan->run[r];
-		run->mass = xdoubles(plan->n_class);
-		run->whole = xdoubles(plan->n_class);
+		run->mass = xcalloc_doubles(plan->n_class);
+		run->whole = xcalloc_doubles(plan->n_class);
 		for (size_t c = 0; c < plan->n_class; c++) {
 			run->mass[c] =
-			    feed_density(&m->run[r].feed, plan->middle[c]);
+			    feed_density_at(&m->run[r].feed, plan->middle[c]);
 			run->whole[c] =
 			    run->mass[c] * (plan->upper[c] - plan->lower[c]);
 			plan->one_feed = plan->one_feed &&
 					 run->mass[c] == plan->run[0].mass[c];
 		}
 	}
-	plan_targets(plan, m);
+	plan_targets_of_runs(plan, m);
 	plan->scratch = KERNEL_LANES * 2 * plan->n_run *
 			(2 * plan->n_class + 1 + KERNEL_NODES);
 }
@@ -193,11 +195,11 @@ plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 {
 	const struct psd *feed = &from->feed;
 	size_t n = run->n_size = feed->n;
-	double *x = xdoubles(n);
+	double *x = xcalloc_doubles(n);
 	classes_sizes(feed, x);
-	run->mass = xdoubles(n);
-	run->log_size = xdoubles(n);
-	run->argument = xdoubles(n * n);
+	run->mass = xcalloc_doubles(n);
+	run->log_size = xcalloc_doubles(n);
+	run->argument = xcalloc_doubles(n * n);
 	run->view = xcalloc(n * n, sizeof *run->view);
 	for (size_t i = 0; i < n; i++) {
 		run->log_size[i] = el_log(x[i]);
@@ -208,7 +210,7 @@ plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 			    appearance_argument(form, x[i], x[j]);
 			if (j >= i)
 				run->view[i * n + j] =
-				    plan_view_at_depth(el_log(x[i] / x[j]));
+				    interpolation_at_depth(el_log(x[i] / x[j]));
 		}
 	}
 	free(x);
@@ -231,7 +233,7 @@ plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 }
 
 static void
-plan_runs_by_classes(struct plan *plan, const struct misfit *m)
+plan_runs_by_classes(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t widest = 0, cell = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -247,7 +249,7 @@ plan_runs_by_classes(struct plan *plan, const struct misfit *m)
 }
 
 static void
-plan_order(struct plan *plan, const struct misfit *m)
+plan_bins_by_break_size(struct batch_plan *plan, const struct misfit *m)
 {
 	double mean = 0, low = 1e3, high = -1e3;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -262,18 +264,18 @@ plan_order(struct plan *plan, const struct misfit *m)
 }
 
 void
-plan_set_speed(struct plan *plan, size_t run, double v)
+batch_plan_set_speed(struct batch_plan *plan, size_t run, double v)
 {
 	plan->run[run].v = v;
-	plan->run[run].E = energy_specific(v);
+	plan->run[run].E = energy_specific_at_speed(v);
 	plan->run[run].log_E = el_log(plan->run[run].E);
 }
 
 void
-plan_make(struct plan *plan, const struct misfit *m)
+batch_plan_fill(struct batch_plan *plan, const struct misfit *m)
 {
 	const struct breakage *of = BREAKAGES[m->settings.breakage];
-	*plan = (struct plan){.method = m->settings.method,
+	*plan = (struct batch_plan){.method = m->settings.method,
 	    .k = m->settings.k,
 	    .bypass = of->bypass ? of->n - 1 : 0,
 	    .n_run = m->n_run,
@@ -285,16 +287,16 @@ plan_make(struct plan *plan, const struct misfit *m)
 		plan->log_least = el_log(i->ratio[0]);
 	}
 	for (size_t r = 0; r < m->n_run; r++)
-		plan_set_speed(plan, r, m->run[r].speed);
-	plan_order(plan, m);
+		batch_plan_set_speed(plan, r, m->run[r].speed);
+	plan_bins_by_break_size(plan, m);
 	if (plan->method == METHOD_CLASSES)
 		plan_runs_by_classes(plan, m);
 	else
-		plan_continuous(plan, m);
+		plan_continuous_runs(plan, m);
 }
 
 void
-plan_clear(struct plan *plan)
+batch_plan_clear(struct batch_plan *plan)
 {
 	for (size_t r = 0; r < plan->n_run; r++) {
 		free(plan->run[r].mass);

@@ -12,7 +12,7 @@ enum { KERNEL_NODES = 33 };
  * fine p[node + 1] + coarse p[node] and B = B[node + 1] + below_fine p[node +
  * 1] + below_coarse p[node].  Below 2^-10, all weights are 0 and node + 1 is
  * the last node. */
-struct plan_view {
+struct node_interpolation {
 	size_t node;
 	double fine, coarse, below_fine, below_coarse;
 };
@@ -22,10 +22,11 @@ struct plan_target {
 	double difference; /* feed minus measured passing */
 	double measured;
 	double weight; /* 0 if the run has no such sieve */
-	size_t cell;   /* index of the difference in misfit_differences */
-	size_t sieve;  /* `classes`: the feed sieve at or above it, */
-	double share;  /* and the share of its passing to take */
-	double feed;   /* `classes`: passing of the feed */
+	size_t
+	    cell; /* index of the difference in misfit_weighted_differences */
+	size_t sieve; /* `classes`: the feed sieve at or above it, */
+	double share; /* and the share of its passing to take */
+	double feed;  /* `classes`: passing of the feed */
 };
 
 struct plan_run {
@@ -37,19 +38,19 @@ struct plan_run {
 	/* For `classes` only: the run's own classes, the arguments of p, and
 	 * where u lies among the nodes. */
 	size_t n_size;
-	double *log_size;       /* [n_size] */
-	double *argument;       /* [parent][daughter] */
-	struct plan_view *view; /* [parent][daughter] */
+	double *log_size;                /* [n_size] */
+	double *argument;                /* [parent][daughter] */
+	struct node_interpolation *view; /* [parent][daughter] */
 };
 
 /* A sieve of some run's product, with the classes above it. */
 struct plan_sieve {
-	double log_size;        /* m */
-	size_t n_above;         /* classes 0..n_above-1 are coarser */
-	struct plan_view *view; /* [n_class] */
+	double log_size;                 /* m */
+	size_t n_above;                  /* classes 0..n_above-1 are coarser */
+	struct node_interpolation *view; /* [n_class] */
 };
 
-struct plan {
+struct batch_plan {
 	enum method method;
 	double k;
 	struct impacts impacts;
@@ -68,9 +69,10 @@ struct plan {
 	size_t scratch; /* doubles of workspace a thread needs */
 };
 
-/* Fills the plan; plan_clear empties it.  The misfit is read, not kept. */
-void plan_make(struct plan *plan, const struct misfit *m);
-void plan_set_speed(struct plan *plan, size_t run, double v);
-void plan_clear(struct plan *plan);
+/* Fills the plan; batch_plan_clear empties it.  The misfit is read, not kept.
+ */
+void batch_plan_fill(struct batch_plan *plan, const struct misfit *m);
+void batch_plan_set_speed(struct batch_plan *plan, size_t run, double v);
+void batch_plan_clear(struct batch_plan *plan);
 
 #endif

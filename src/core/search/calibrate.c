@@ -115,7 +115,7 @@ calibrate_misfit(
 {
 	bool *train = xcalloc(site->n_run, sizeof *train);
 	if (options->train == NULL)
-		misfit_default_train(site, train);
+		misfit_mark_default_training(site, train);
 	struct misfit *m =
 	    misfit_new(site, options->train != NULL ? options->train : train,
 		options->run_weight, options->by_sd, options->settings);
@@ -127,12 +127,12 @@ calibrate_misfit(
 /* Holds the reference energy of a model that has one at the mean of the
  * training runs, unless it was given another (D12). */
 static void
-hold_reference_energy(const struct misfit *m, struct bounds *b)
+fix_reference_energy(const struct misfit *m, struct bounds *b)
 {
 	size_t j = m->of->reference;
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += energy_specific(m->run[r].speed);
+		sum += energy_specific_at_speed(m->run[r].speed);
 	if (j < m->of->n && !(b->upper[j] > 0))
 		b->lower[j] = b->upper[j] = sum / (double)m->n_run;
 }
@@ -160,10 +160,10 @@ begin_with_simpler_model(struct calibration *c)
 /* The gauge may be scaled as it likes (D4).  At half the largest size its
  * bounds allow, perturbations reach every direction alike. */
 static void
-centre_gauge(const struct bounds *b, struct params *p)
+rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
 {
 	double reach = INFINITY;
-	size_t gauge = breakage_of(p)->gauge;
+	size_t gauge = breakage_model_of_params(p)->gauge;
 	for (size_t j = 0; j < gauge; j++)
 		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
 	if (!(reach > 0))
@@ -175,10 +175,10 @@ centre_gauge(const struct bounds *b, struct params *p)
 
 /* The same gauge, scaled so that as little as possible is cut off (D4). */
 static void
-scale_into_bounds(const struct bounds *b, struct params *p)
+scale_gauge_into_bounds(const struct bounds *b, struct params *p)
 {
-	centre_gauge(b, p);
-	for (size_t j = 0; j < breakage_of(p)->n; j++)
+	rescale_gauge_to_mid_bounds(b, p);
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++)
 		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
@@ -186,13 +186,13 @@ scale_into_bounds(const struct bounds *b, struct params *p)
  * was the other way, a third quicker: of 32 fits to plants with gamma one ended
  * at 3.6 times the lowest misfit. */
 static void
-begin_with_known_start(struct calibration *c, const struct params *start)
+skip_first_phase(struct calibration *c, const struct params *start)
 {
-	c->best = breakage_widened(start, c->options.settings.breakage);
+	c->best = breakage_widen_params(start, c->options.settings.breakage);
 	c->nested = false;
 	c->box = c->options.bounds;
-	scale_into_bounds(&c->box, &c->best);
-	c->best_misfit = misfit_at(c->misfit, &c->best);
+	scale_gauge_into_bounds(&c->box, &c->best);
+	c->best_misfit = misfit_of_params(c->misfit, &c->best);
 	c->start[c->n_start++] = c->best;
 }
 
@@ -207,11 +207,11 @@ calibration_new(
 	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
 	c->misfit = calibrate_misfit(site, options);
-	hold_reference_energy(c->misfit, &c->options.bounds);
+	fix_reference_energy(c->misfit, &c->options.bounds);
 	assert(c->misfit->n_residual > 0);
 	c->kernel = kernel_new(c->misfit, options->isa, pool_threads(c->pool));
 	if (options->plain)
-		ga = ga_options_plain();
+		ga = ga_options_textbook();
 	ga.population = options->population;
 	ga.seed = options->seed;
 	ga.isa = options->isa;
@@ -219,14 +219,14 @@ calibration_new(
 		ga.elite = ga.population / 4;
 	begin_with_simpler_model(c);
 	if (options->start != NULL)
-		begin_with_known_start(c, options->start);
+		skip_first_phase(c, options->start);
 	c->elite = ga.elite;
 	c->ga = ga_new(&ga, c->misfit->of->n, c->box.lower, c->box.upper);
 	for (size_t i = 0; i < BATCH; i++) {
 		c->worker[i].misfit = calibrate_misfit(site, options);
 		c->worker[i].polish = polish_new(c->worker[i].misfit);
 	}
-	c->told = xdoubles(options->population);
+	c->told = xcalloc_doubles(options->population);
 	c->stall_from = INFINITY;
 	return c;
 }
@@ -251,7 +251,7 @@ calibration_free(struct calibration *c)
 
 /* Batches polished so far; the last of the starts may be a short one. */
 static size_t
-polished_batches(const struct calibration *c)
+count_polished_batches(const struct calibration *c)
 {
 	size_t starts = c->done < c->n_start ? c->done : c->n_start;
 	return c->batches + (starts + BATCH - 1) / BATCH +
@@ -260,10 +260,10 @@ polished_batches(const struct calibration *c)
 
 /* The best candidate of the search so far. */
 static struct params
-best_of_search(const struct calibration *c)
+best_params_of_search(const struct calibration *c)
 {
 	struct params p = {.breakage = c->options.settings.breakage};
-	memcpy(p.at, ga_best(c->ga), c->misfit->of->n * sizeof *p.at);
+	memcpy(p.at, ga_best_genes(c->ga), c->misfit->of->n * sizeof *p.at);
 	return p;
 }
 
@@ -278,15 +278,16 @@ params_of_genes(
 }
 
 static void
-keep_starting_points(struct calibration *c)
+keep_polish_starts(struct calibration *c)
 {
 	size_t index[LEADERS];
 	size_t n = c->options.population;
 	size_t leaders = n < LEADERS ? n : LEADERS;
-	ga_leaders(c->ga, leaders, index);
+	ga_list_best(c->ga, leaders, index);
 	for (size_t i = 0; i < SCOUTS; i++)
-		c->start[c->n_start++] = params_of_genes(
-		    c, ga_told(c->ga), index[i * leaders / SCOUTS]);
+		c->start[c->n_start++] =
+		    params_of_genes(c, ga_genes_of_last_generation(c->ga),
+			index[i * leaders / SCOUTS]);
 }
 
 /* The calibration is over, or goes on with all parameters from what the first
@@ -297,29 +298,29 @@ end_phase(struct calibration *c)
 	bool used = ga_status(c->ga).generation >= c->options.generations;
 	if (!c->nested || used) {
 		if (c->converged &&
-		    settle_to_same_bits(c->misfit, &c->box, &c->best))
-			c->best_misfit = misfit_at(c->misfit, &c->best);
+		    settle_at_stationary_point(c->misfit, &c->box, &c->best))
+			c->best_misfit = misfit_of_params(c->misfit, &c->best);
 		c->state = c->stop;
 		return;
 	}
 	c->nested = false;
 	c->box = c->options.bounds;
 	c->phase_from = ga_status(c->ga).generation;
-	c->batches = polished_batches(c);
+	c->batches = count_polished_batches(c);
 	c->converged = false;
 	c->stall = c->done = c->fruitless = 0;
 	c->stall_from = INFINITY;
 	c->start[0] = c->best;
 	c->n_start = 1;
-	ga_set_box(c->ga, c->box.lower, c->box.upper);
+	ga_set_bounds(c->ga, c->box.lower, c->box.upper);
 	c->state = CALIBRATE_SEARCHING;
 }
 
 static void
 end_search(struct calibration *c, enum calibrate_state why)
 {
-	struct params found = best_of_search(c);
-	double misfit = misfit_at(c->misfit, &found);
+	struct params found = best_params_of_search(c);
+	double misfit = misfit_of_params(c->misfit, &found);
 	c->stop = why;
 	if (!(c->best_misfit < misfit)) {
 		c->best = found;
@@ -341,13 +342,14 @@ record_generation(struct calibration *c, const struct ga_status *s)
 		    xrealloc(c->history, c->history_room, sizeof *c->history);
 	}
 	struct calibrate_generation *g = &c->history[c->n_history++];
-	*g = (struct calibrate_generation){
-	    .best = s->best, .median = s->median, .params = best_of_search(c)};
-	const double *const *told = ga_told(c->ga);
+	*g = (struct calibrate_generation){.best = s->best,
+	    .median = s->median,
+	    .params = best_params_of_search(c)};
+	const double *const *told = ga_genes_of_last_generation(c->ga);
 	size_t elite = c->elite, n = c->options.population - elite;
 	g->n_kept = n < CALIBRATE_KEPT ? n : CALIBRATE_KEPT;
 	for (size_t j = 0; j < c->misfit->of->n; j++) {
-		ga_spread(c->ga, j, &g->p10[j], &g->p90[j]);
+		ga_quantiles_of_gene(c->ga, j, &g->p10[j], &g->p90[j]);
 		for (size_t i = 0; i < g->n_kept; i++)
 			g->kept[j][i] = (float)told[j][elite + i];
 	}
@@ -366,7 +368,7 @@ evaluate_generation_part(void *data, size_t part, unsigned thread)
 {
 	struct calibration *c = data;
 	size_t from = part * KERNEL_PART, to = from + KERNEL_PART;
-	if (misfit_stopped(c->misfit))
+	if (misfit_should_stop(c->misfit))
 		atomic_store(&c->stopped, true);
 	if (atomic_load(&c->stopped))
 		return;
@@ -394,7 +396,7 @@ run_generation(struct calibration *c)
 	}
 	for (size_t i = 0; i < 2 && o->polish; i++)
 		if (s.generation == c->phase_from + SCOUT_GENERATION[i])
-			keep_starting_points(c);
+			keep_polish_starts(c);
 	/* Where the misfit is flat all candidates are alike at once, before the
 	 * search has looked around; and a perfect fit leaves both misfits near
 	 * 0, where the last term ends it. */
@@ -415,7 +417,8 @@ static struct params
 perturb_best(const struct calibration *c, size_t number)
 {
 	const struct bounds *b = &c->box;
-	struct rng_key key = rng_key(c->options.seed, number, USE_PERTURBATION);
+	struct rng_key key =
+	    rng_make_key(c->options.seed, number, USE_PERTURBATION);
 	struct params p = c->best;
 	size_t n = c->misfit->of->n;
 	for (size_t j = 0; j < n; j++) {
@@ -432,7 +435,7 @@ perturb_best(const struct calibration *c, size_t number)
  * the others evenly between their bounds, on a log scale if these are above
  * 0. */
 static double
-value_to_hold_at(const struct calibration *c, size_t j, size_t number)
+value_to_fix_parameter_at(const struct calibration *c, size_t j, size_t number)
 {
 	static const double SHARE[PLACES] = {
 	    -1, -0.1, -0.01, 0, 0.001, 0.003, 0.03, 0.3};
@@ -451,7 +454,7 @@ value_to_hold_at(const struct calibration *c, size_t j, size_t number)
  * feed, nor the narrow valleys of little ultra-fines (beta1 just above 0).
  * False when there are no more. */
 static bool
-perturb_with_one_held(
+perturb_with_one_fixed(
     const struct calibration *c, size_t number, struct worker *w)
 {
 	size_t j = 0, gauge = c->misfit->of->gauge;
@@ -464,7 +467,7 @@ perturb_with_one_held(
 			break;
 	if (j == c->misfit->of->n)
 		return false;
-	w->p.at[j] = value_to_hold_at(c, j, number % PLACES);
+	w->p.at[j] = value_to_fix_parameter_at(c, j, number % PLACES);
 	w->first.lower[j] = w->first.upper[j] = w->p.at[j];
 	return true;
 }
@@ -485,26 +488,27 @@ keep_if_better(struct calibration *c, const struct worker *w, bool perturbing)
 		return;
 	c->best_misfit = w->result.misfit;
 	c->best = w->p;
-	centre_gauge(&c->box, &c->best);
+	rescale_gauge_to_mid_bounds(&c->box, &c->best);
 }
 
 /* Most of the misfit is there without a model, too: noise makes many shallow
  * valleys, which take more perturbations, and the descent along them is
  * slow. */
 static bool
-has_much_noise(const struct calibration *c)
+is_misfit_mostly_noise(const struct calibration *c)
 {
-	return c->best_misfit > misfit_of_feed(c->misfit) / 2;
+	return c->best_misfit > misfit_of_feed_as_product(c->misfit) / 2;
 }
 
 static size_t
-most_fruitless_perturbations(const struct calibration *c)
+limit_of_fruitless_perturbations(const struct calibration *c)
 {
-	return has_much_noise(c) ? PERTURBATIONS_IN_NOISE : PERTURBATIONS;
+	return is_misfit_mostly_noise(c) ? PERTURBATIONS_IN_NOISE
+					 : PERTURBATIONS;
 }
 
 static void
-polish_one(void *data, size_t i, unsigned thread)
+polish_one_start(void *data, size_t i, unsigned thread)
 {
 	(void)thread;
 	struct calibration *c = data;
@@ -513,7 +517,7 @@ polish_one(void *data, size_t i, unsigned thread)
 	struct polish_rival best = {c->best_misfit, INFINITY};
 	int before = 0;
 	if (perturbing)
-		best.gains = has_much_noise(c) ? GAINS_IN_NOISE : GAINS;
+		best.gains = is_misfit_mostly_noise(c) ? GAINS_IN_NOISE : GAINS;
 	w->result.stopped = false;
 	if (w->holds) {
 		w->result =
@@ -539,14 +543,14 @@ polish_batch(struct calibration *c)
 	double before = c->best_misfit;
 	for (size_t i = 0; i < n; i++) {
 		struct worker *w = &c->worker[i];
-		w->holds =
-		    perturbing && perturb_with_one_held(c, c->fruitless + i, w);
+		w->holds = perturbing &&
+			   perturb_with_one_fixed(c, c->fruitless + i, w);
 		if (!perturbing)
 			w->p = c->start[c->done + i];
 		else if (!w->holds)
 			w->p = perturb_best(c, c->perturbations + i);
 	}
-	pool_run(c->pool, n, polish_one, c);
+	pool_run(c->pool, n, polish_one_start, c);
 	if (atomic_load(&c->stopped))
 		return;
 	for (size_t i = 0; i < n; i++)
@@ -554,7 +558,7 @@ polish_batch(struct calibration *c)
 	c->done += n;
 	if (c->best_misfit < before * (1 - 1e-7))
 		c->fruitless = 0;
-	if (c->fruitless >= most_fruitless_perturbations(c))
+	if (c->fruitless >= limit_of_fruitless_perturbations(c))
 		end_phase(c);
 }
 
@@ -574,7 +578,7 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 {
 	assert(c->state <= CALIBRATE_POLISHING);
 	c->options.bounds = *bounds;
-	hold_reference_energy(c->misfit, &c->options.bounds);
+	fix_reference_energy(c->misfit, &c->options.bounds);
 	bounds = &c->options.bounds;
 	c->edits++;
 	c->edited_at = ga_status(c->ga).generation;
@@ -582,13 +586,13 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 	c->box = *bounds;
 	c->stall = 0;
 	c->stall_from = INFINITY;
-	ga_set_box(c->ga, bounds->lower, bounds->upper);
+	ga_set_bounds(c->ga, bounds->lower, bounds->upper);
 	for (size_t i = 0; i < c->n_start; i++)
-		scale_into_bounds(bounds, &c->start[i]);
+		scale_gauge_into_bounds(bounds, &c->start[i]);
 	if (isfinite(c->best_misfit)) {
-		scale_into_bounds(bounds, &c->best);
+		scale_gauge_into_bounds(bounds, &c->best);
 		c->converged = false;
-		c->best_misfit = misfit_at(c->misfit, &c->best);
+		c->best_misfit = misfit_of_params(c->misfit, &c->best);
 	}
 	if (c->state == CALIBRATE_SEARCHING)
 		return;
@@ -597,10 +601,10 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 
 /* The best so far: of a first phase, where the search has found none better. */
 static struct params
-best_so_far(const struct calibration *c, double searched)
+best_params_so_far(const struct calibration *c, double searched)
 {
 	bool search = c->state == CALIBRATE_SEARCHING;
-	return search && !(c->best_misfit < searched) ? best_of_search(c)
+	return search && !(c->best_misfit < searched) ? best_params_of_search(c)
 						      : c->best;
 }
 
@@ -610,7 +614,7 @@ calibration_status(const struct calibration *c)
 	struct ga_status s = ga_status(c->ga);
 	struct calibrate_status status = {.state = c->state,
 	    .generation = s.generation,
-	    .step = s.generation + polished_batches(c),
+	    .step = s.generation + count_polished_batches(c),
 	    .evaluations = c->evaluations,
 	    .stall = c->stall,
 	    .infinite = s.infinite,
@@ -620,17 +624,17 @@ calibration_status(const struct calibration *c)
 	    .starts_done = c->done,
 	    .starts = c->n_start,
 	    .trials = c->fruitless,
-	    .trials_most = most_fruitless_perturbations(c),
-	    .params = best_so_far(c, s.best)};
+	    .trials_most = limit_of_fruitless_perturbations(c),
+	    .params = best_params_so_far(c, s.best)};
 	/* Other bounds, and nothing evaluated within them yet. */
 	if (isinf(status.best) && s.generation > 0)
-		status.best = misfit_at(c->misfit, &status.params);
+		status.best = misfit_of_params(c->misfit, &status.params);
 	params_scale_to_1(&status.params);
 	return status;
 }
 
 double
-calibration_weight(const struct calibration *c)
+calibration_sum_of_weights(const struct calibration *c)
 {
 	double sum = 0;
 	for (size_t r = 0; r < c->misfit->n_run; r++)
@@ -647,15 +651,15 @@ calibration_bounds(const struct calibration *c)
 }
 
 struct fit
-calibration_fit(struct calibration *c)
+calibration_best_fit(struct calibration *c)
 {
 	struct ga_status s = ga_status(c->ga);
-	struct params p = best_so_far(c, s.best);
-	struct fit fit = {.misfit = misfit_at(c->misfit, &p),
+	struct params p = best_params_so_far(c, s.best);
+	struct fit fit = {.misfit = misfit_of_params(c->misfit, &p),
 	    .rmse = misfit_rmse(c->misfit, &p),
-	    .feed_misfit = misfit_of_feed(c->misfit),
+	    .feed_misfit = misfit_of_feed_as_product(c->misfit),
 	    .n_residual = c->misfit->n_residual,
-	    .cells = misfit_count_changeable(c->misfit),
+	    .cells = misfit_count_changeable_passings(c->misfit),
 	    .stop =
 		c->state >= CALIBRATE_TOLERANCE ? c->stop : CALIBRATE_STOPPED,
 	    .generations = s.generation,
@@ -671,11 +675,12 @@ calibration_fit(struct calibration *c)
 	    .settings = c->options.settings};
 	for (size_t j = 0; j < c->misfit->of->n; j++) {
 		const struct bounds *b = &c->options.bounds;
-		fit.on_bound[j] = sensitivity_on_bound(b, &p, j);
+		fit.on_bound[j] = sensitivity_is_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
 	params_scale_to_1(&p);
-	fit.flat = sensitivity_flat(c->misfit, &p, &c->options.bounds);
+	fit.flat =
+	    sensitivity_flattest_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;
 	return fit;
 }

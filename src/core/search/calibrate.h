@@ -73,7 +73,7 @@ void calibration_free(struct calibration *c);
  * during a step, that step changes nothing either and must be repeated. */
 enum calibrate_state calibration_step(struct calibration *c);
 
-/* Continues within other bounds from the current population (ga_set_box).
+/* Continues within other bounds from the current population (ga_set_bounds).
  * Starting points kept for the polish are moved inside the bounds, and a polish
  * under way begins again, as do the stopping rules; generations and history
  * continue.  Allowed only before the end (asserted).  The result depends on
@@ -82,7 +82,7 @@ void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
 /* Returns the sum of the squared weights of the passings compared.  A misfit
  * divided by this sum is a mean squared difference. */
-double calibration_weight(const struct calibration *c);
+double calibration_sum_of_weights(const struct calibration *c);
 
 /* Returns the bounds of the search, with the reference energy (D12) set. */
 const struct bounds *calibration_bounds(const struct calibration *c);
@@ -128,7 +128,7 @@ struct fit {
 	size_t cells;         /* those that crushing can change */
 	size_t parameters;    /* number searched, not held fixed */
 	bool on_bound[PARAMS_MOST];
-	struct flat flat; /* the least determined combination */
+	struct flat_direction flat; /* the least determined combination */
 	enum calibrate_state stop;
 	bool converged; /* the polish that found it converged */
 	bool plain;     /* a search without polish (plain) */
@@ -142,6 +142,6 @@ struct fit {
 };
 
 /* Returns the result so far, at any time after the first step. */
-struct fit calibration_fit(struct calibration *c);
+struct fit calibration_best_fit(struct calibration *c);
 
 #endif

@@ -17,7 +17,7 @@ enum { MOST = CALIBRATE_KEPT };
 
 /* The value that a share of [n], which are put in order, lies below. */
 static double
-percentile(const double *sorted, size_t n, double share)
+sort_and_find_quantile(const double *sorted, size_t n, double share)
 {
 	return sorted[(size_t)(share * (double)(n - 1) + 0.5)];
 }
@@ -26,20 +26,20 @@ static struct params
 params_of_kept_candidate(const struct calibrate_generation *g, size_t i)
 {
 	struct params p = {.breakage = g->params.breakage};
-	for (size_t j = 0; j < breakage_of(&p)->n; j++)
+	for (size_t j = 0; j < breakage_model_of_params(&p)->n; j++)
 		p.at[j] = (double)g->kept[j][i];
 	return p;
 }
 
 /* Their differences, [m->n_residual][MOST], as the search has them. */
 static void
-candidates_evaluate(const struct misfit *m, enum isa isa,
+evaluate_kept_candidates(const struct misfit *m, enum isa isa,
     const struct calibrate_generation *g, double *difference)
 {
 	struct kernel *kernel = kernel_new(m, isa, 1);
 	double misfit[MOST], *theta[PARAMS_MOST] = {NULL};
 	for (size_t j = 0; j < m->of->n; j++) {
-		theta[j] = xdoubles(MOST);
+		theta[j] = xcalloc_doubles(MOST);
 		for (size_t i = 0; i < g->n_kept; i++)
 			theta[j][i] = (double)g->kept[j][i];
 		/* Lanes beyond the last one are read. */
@@ -67,8 +67,8 @@ find_break_sizes_of_candidates(
 	}
 	gsl_sort(size, 1, g->n_kept);
 	for (size_t k = 0; k < 3; k++)
-		c->break_size[k] =
-		    percentile(size, g->n_kept, 0.25 * (double)(k + 1));
+		c->break_size[k] = sort_and_find_quantile(
+		    size, g->n_kept, 0.25 * (double)(k + 1));
 }
 
 struct candidates
@@ -80,22 +80,22 @@ candidates_with_residuals(const struct site *site, const bool *train,
 	struct misfit *m = misfit_new(site, train, NULL, false, settings);
 	struct candidates c = {.n = m->n_residual,
 	    .cell = xcalloc(m->n_residual + 1, sizeof *c.cell)};
-	double *difference = xdoubles(m->n_residual * MOST);
-	double *of_best = xdoubles(m->n_residual);
-	candidates_evaluate(m, isa, g, difference);
-	misfit_differences(m, best, of_best);
+	double *difference = xcalloc_doubles(m->n_residual * MOST);
+	double *of_best = xcalloc_doubles(m->n_residual);
+	evaluate_kept_candidates(m, isa, g, difference);
+	misfit_weighted_differences(m, best, of_best);
 	size_t k = 0;
 	for (size_t r = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++, k++) {
 			double *d = difference + k * MOST;
 			gsl_sort(d, 1, g->n_kept);
-			c.cell[k] =
-			    (struct candidates_cell){.run = m->run[r].run,
-				.size = m->run[r].sieve[i],
-				.p10 = percentile(d, g->n_kept, 0.1),
-				.median = percentile(d, g->n_kept, 0.5),
-				.p90 = percentile(d, g->n_kept, 0.9),
-				.best = of_best[k]};
+			c.cell[k] = (struct candidates_cell){
+			    .run = m->run[r].run,
+			    .size = m->run[r].sieve[i],
+			    .p10 = sort_and_find_quantile(d, g->n_kept, 0.1),
+			    .median = sort_and_find_quantile(d, g->n_kept, 0.5),
+			    .p90 = sort_and_find_quantile(d, g->n_kept, 0.9),
+			    .best = of_best[k]};
 		}
 	find_break_sizes_of_candidates(&c, g, m->run[0].speed);
 	free(difference);
@@ -112,7 +112,7 @@ candidates_clear(struct candidates *c)
 }
 
 const struct candidates_cell *
-candidates_worst(const struct candidates *c)
+candidates_worst_cell(const struct candidates *c)
 {
 	const struct candidates_cell *worst = c->cell;
 	for (size_t k = 1; k < c->n; k++)
@@ -122,7 +122,7 @@ candidates_worst(const struct candidates *c)
 }
 
 void
-candidates_middle_range(
+candidates_middle_range_of_param(
     const struct calibrate_generation *g, size_t j, double *p10, double *p90)
 {
 	double value[MOST] = {0};
@@ -132,6 +132,6 @@ candidates_middle_range(
 		value[i] = p.at[j];
 	}
 	gsl_sort(value, 1, g->n_kept);
-	*p10 = percentile(value, g->n_kept, 0.1);
-	*p90 = percentile(value, g->n_kept, 0.9);
+	*p10 = sort_and_find_quantile(value, g->n_kept, 0.1);
+	*p90 = sort_and_find_quantile(value, g->n_kept, 0.9);
 }

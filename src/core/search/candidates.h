@@ -35,12 +35,13 @@ void candidates_clear(struct candidates *c);
 
 /* Returns the cell with the largest absolute median residual; there is at least
  * one cell. */
-const struct candidates_cell *candidates_worst(const struct candidates *c);
+const struct candidates_cell *candidates_worst_cell(const struct candidates *c);
 
 /* Computes the range of a parameter over the middle 80 % of the candidates, as
  * reported: a parameter of the gauge is divided by the largest in its candidate
  * (D4). */
-void candidates_middle_range(const struct calibrate_generation *generation,
-    size_t j, double *p10, double *p90);
+void candidates_middle_range_of_param(
+    const struct calibrate_generation *generation, size_t j, double *p10,
+    double *p90);
 
 #endif

@@ -55,7 +55,7 @@ ga_options_default(void)
 }
 
 struct ga_options
-ga_options_plain(void)
+ga_options_textbook(void)
 {
 	struct ga_options o = ga_options_default();
 	o.tournament = 2;
@@ -65,9 +65,9 @@ ga_options_plain(void)
 }
 
 static struct rng_key
-random_stream(const struct ga *ga, enum use use, size_t i)
+random_stream_key(const struct ga *ga, enum use use, size_t i)
 {
-	return rng_key(ga->options.seed, ga->status.generation,
+	return rng_make_key(ga->options.seed, ga->status.generation,
 	    (uint64_t)use * STREAM + i);
 }
 
@@ -75,7 +75,7 @@ static void
 draw_first_generation(struct ga *ga)
 {
 	for (size_t g = 0; g < ga->n_gene; g++) {
-		struct rng_key key = random_stream(ga, USE_START, g);
+		struct rng_key key = random_stream_key(ga, USE_START, g);
 		double width = ga->upper[g] - ga->lower[g];
 		for (size_t i = 0; i < ga->options.population; i++) {
 			double x = ga->lower[g] +
@@ -109,7 +109,7 @@ plan_tournaments(struct ga *ga)
 
 /* What breeding needs that stays the same. */
 static void
-plan_breeding(struct ga *ga)
+set_up_breeding(struct ga *ga)
 {
 	static breed_block *const BREEDERS[] = {
 	    breed_block_base, breed_block_avx2, breed_block_avx512};
@@ -117,7 +117,7 @@ plan_breeding(struct ga *ga)
 	int shift = 32;
 	for (size_t n = ga->n_draw; n > 1; n /= 2)
 		shift--;
-	ga->block = BREEDERS[isa_is_usable(o->isa)];
+	ga->block = BREEDERS[isa_usable_or_best(o->isa)];
 	ga->breed = (struct breed){.n_gene = ga->n_gene,
 	    .parent = ga->parent,
 	    .draw_shift = shift,
@@ -139,24 +139,24 @@ ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
 	size_t n = options->population;
 	ga->options = *options;
 	ga->n_gene = n_gene;
-	ga->lower = xdoubles(n_gene);
-	ga->upper = xdoubles(n_gene);
-	ga->best = xdoubles(n_gene);
-	ga->scale = xdoubles(n_gene);
+	ga->lower = xcalloc_doubles(n_gene);
+	ga->upper = xcalloc_doubles(n_gene);
+	ga->best = xcalloc_doubles(n_gene);
+	ga->scale = xcalloc_doubles(n_gene);
 	ga->told = xcalloc(n_gene, sizeof *ga->told);
 	ga->asked = xcalloc(n_gene, sizeof *ga->asked);
 	for (size_t g = 0; g < n_gene; g++) {
 		ga->lower[g] = lower[g];
 		ga->upper[g] = upper[g];
-		ga->told[g] = xdoubles(n + 64);
-		ga->asked[g] = xdoubles(n + 64);
+		ga->told[g] = xcalloc_doubles(n + 64);
+		ga->asked[g] = xcalloc_doubles(n + 64);
 	}
-	ga->misfit = xdoubles(n);
+	ga->misfit = xcalloc_doubles(n);
 	ga->rank = xcalloc(n, sizeof *ga->rank);
 	ga->spare = xcalloc(n, sizeof *ga->spare);
 	ga->key = xcalloc(n, sizeof *ga->key);
 	plan_tournaments(ga);
-	plan_breeding(ga);
+	set_up_breeding(ga);
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
 	draw_first_generation(ga);
@@ -188,13 +188,13 @@ ga_free(struct ga *ga)
 }
 
 const double *const *
-ga_told(const struct ga *ga)
+ga_genes_of_last_generation(const struct ga *ga)
 {
 	return (const double *const *)ga->told;
 }
 
 static uint64_t
-misfit_bits(double misfit)
+misfit_sort_key(double misfit)
 {
 	uint64_t bits;
 	memcpy(&bits, &misfit, sizeof bits);
@@ -205,7 +205,8 @@ enum { DIGIT = 11, DIGITS = 1 << DIGIT };
 
 /* One pass of a radix sort: from -> to by a digit of their keys, stable. */
 static void
-sort_pass(const struct ga *ga, int shift, const uint32_t *from, uint32_t *to)
+radix_sort_pass(
+    const struct ga *ga, int shift, const uint32_t *from, uint32_t *to)
 {
 	uint32_t count[DIGITS + 1] = {0};
 	size_t n = ga->options.population;
@@ -224,18 +225,18 @@ sort_pass(const struct ga *ga, int shift, const uint32_t *from, uint32_t *to)
  * bits that resolve the better half, and candidates of equal keys stay in the
  * order of their index. */
 static void
-ga_rank(struct ga *ga, uint64_t best, uint64_t typical)
+ga_rank_candidates(struct ga *ga, uint64_t best, uint64_t typical)
 {
 	const uint64_t most = (1u << 2 * DIGIT) - 1;
 	int shift = 0;
 	while ((typical - best) >> shift > most / 4)
 		shift++;
 	for (size_t i = 0; i < ga->options.population; i++) {
-		uint64_t key = (misfit_bits(ga->misfit[i]) - best) >> shift;
+		uint64_t key = (misfit_sort_key(ga->misfit[i]) - best) >> shift;
 		ga->key[i] = (uint32_t)(key < most ? key : most);
 	}
-	sort_pass(ga, 0, NULL, ga->spare);
-	sort_pass(ga, DIGIT, ga->spare, ga->rank);
+	radix_sort_pass(ga, 0, NULL, ga->spare);
+	radix_sort_pass(ga, DIGIT, ga->spare, ga->rank);
 }
 
 static void
@@ -252,7 +253,8 @@ update_status(struct ga *ga)
 	}
 	double least = ga->misfit[best];
 	double typical = last_median > least ? last_median : worst;
-	ga_rank(ga, misfit_bits(least), misfit_bits(typical));
+	ga_rank_candidates(
+	    ga, misfit_sort_key(least), misfit_sort_key(typical));
 	s->worst = worst;
 	s->median = ga->misfit[ga->rank[n / 2]];
 	if (least < s->best || s->generation == 0) {
@@ -288,11 +290,11 @@ static void
 make_breed_keys(const struct ga *ga, struct breed_keys *keys)
 {
 	for (size_t i = 0; i < 2; i++)
-		keys->parent[i] = random_stream(ga, USE_PARENT, i);
-	keys->pair = random_stream(ga, USE_PAIR, 0);
-	keys->line = random_stream(ga, USE_PAIR, 1);
+		keys->parent[i] = random_stream_key(ga, USE_PARENT, i);
+	keys->pair = random_stream_key(ga, USE_PAIR, 0);
+	keys->line = random_stream_key(ga, USE_PAIR, 1);
 	for (size_t g = 0; g < ga->n_gene; g++)
-		keys->gene[g] = random_stream(ga, USE_GENE, g);
+		keys->gene[g] = random_stream_key(ga, USE_GENE, g);
 }
 
 static void
@@ -342,7 +344,7 @@ ga_tell(struct ga *ga, const double *misfit)
 }
 
 void
-ga_set_box(struct ga *ga, const double *lower, const double *upper)
+ga_set_bounds(struct ga *ga, const double *lower, const double *upper)
 {
 	ga_ask(ga);
 	for (size_t g = 0; g < ga->n_gene; g++) {
@@ -366,20 +368,20 @@ ga_status(const struct ga *ga)
 }
 
 const double *
-ga_best(const struct ga *ga)
+ga_best_genes(const struct ga *ga)
 {
 	return ga->best;
 }
 
 void
-ga_leaders(const struct ga *ga, size_t n, size_t *index)
+ga_list_best(const struct ga *ga, size_t n, size_t *index)
 {
 	for (size_t i = 0; i < n; i++)
 		index[i] = ga->rank[i];
 }
 
 void
-ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90)
+ga_quantiles_of_gene(const struct ga *ga, size_t gene, double *p10, double *p90)
 {
 	/* Any run of candidates is a random sample, but for the elite. */
 	double sample[SPREAD_SAMPLE];

@@ -32,7 +32,7 @@ struct ga_options ga_options_default(void);
 
 /* Returns the options of a textbook algorithm: tournaments of two, mutation
  * anywhere in the box. */
-struct ga_options ga_options_plain(void);
+struct ga_options ga_options_textbook(void);
 
 /* Genes lie in lower..upper [n_gene]; if both are equal, the gene is fixed.
  * The first generation is uniform in the box. */
@@ -59,7 +59,7 @@ void ga_tell(struct ga *ga, const double *misfit);
  * limits.  If the best candidate so far lies outside, it is moved too, and its
  * misfit is INFINITY until the next ga_tell.  Redrawing half of the candidates
  * when the box had grown was tried: none came near the best. */
-void ga_set_box(struct ga *ga, const double *lower, const double *upper);
+void ga_set_bounds(struct ga *ga, const double *lower, const double *upper);
 
 /* The state after the last ga_tell.  worst and median include infinite
  * misfits. */
@@ -74,16 +74,17 @@ struct ga_status {
 struct ga_status ga_status(const struct ga *ga);
 
 /* Returns the genes [n_gene] of the best candidate so far. */
-const double *ga_best(const struct ga *ga);
+const double *ga_best_genes(const struct ga *ga);
 
 /* Lists the indices of the candidates in the last completed generation by
- * increasing misfit; only the first `n` are sorted.  ga_told returns their
- * genes. */
-void ga_leaders(const struct ga *ga, size_t n, size_t *index);
-const double *const *ga_told(const struct ga *ga);
+ * increasing misfit; only the first `n` are sorted. ga_genes_of_last_generation
+ * returns their genes. */
+void ga_list_best(const struct ga *ga, size_t n, size_t *index);
+const double *const *ga_genes_of_last_generation(const struct ga *ga);
 
 /* Computes the 10 % and 90 % quantiles of a gene over at most 256 candidates of
  * the last completed generation that are not in the elite. */
-void ga_spread(const struct ga *ga, size_t gene, double *p10, double *p90);
+void ga_quantiles_of_gene(
+    const struct ga *ga, size_t gene, double *p10, double *p90);
 
 #endif

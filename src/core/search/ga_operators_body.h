@@ -4,7 +4,7 @@
 #include "core/search/lanes.h"
 
 static inline lanes
-uniform(struct rng_key key, size_t first)
+random_uniform_lanes(struct rng_key key, size_t first)
 {
 	lanes v = {0};
 	for (size_t l = 0; l < LANES; l++)
@@ -14,21 +14,23 @@ uniform(struct rng_key key, size_t first)
 
 /* A gene's two random numbers. */
 static inline void
-uniform_pair(struct rng_key key, size_t first, lanes *a, lanes *b)
+random_uniform_pair(struct rng_key key, size_t first, lanes *a, lanes *b)
 {
 	for (size_t l = 0; l < LANES; l++) {
-		uint32_t bits = rng_bits(key, (uint32_t)(first + l));
-		(*a)[l] = rng_unit(bits);
-		(*b)[l] = rng_unit(rng_more(bits));
+		uint32_t bits = rng_random_bits(key, (uint32_t)(first + l));
+		(*a)[l] = rng_bits_to_unit(bits);
+		(*b)[l] = rng_bits_to_unit(rng_rehash_bits(bits));
 	}
 }
 
 static inline void
-choose(const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
+choose_parents(
+    const struct breed *b, struct rng_key key, size_t first, uint32_t *index)
 {
 	uint32_t draw[LANES];
 	for (size_t l = 0; l < LANES; l++)
-		draw[l] = rng_bits(key, (uint32_t)(first + l)) >> b->draw_shift;
+		draw[l] = rng_random_bits(key, (uint32_t)(first + l)) >>
+			  b->draw_shift;
 	for (size_t l = 0; l < LANES; l++)
 		index[l] = b->parent[draw[l]];
 }
@@ -55,16 +57,18 @@ mutate_anywhere(const struct breed *b, size_t g, lanes child, lanes u)
 
 /* Moves a value outside the box to a place between the parent and the bound. */
 static inline lanes
-into_box(const struct breed *b, size_t g, lanes x, lanes parent, lanes u)
+move_into_bounds(
+    const struct breed *b, size_t g, lanes x, lanes parent, lanes u)
 {
-	lanes lower = lanes_of(b->lower[g]), upper = lanes_of(b->upper[g]);
+	lanes lower = lanes_broadcast(b->lower[g]),
+	      upper = lanes_broadcast(b->upper[g]);
 	lanes_mask under = x<lower, over = x> upper;
 	if (!lanes_any(under | over))
 		return x;
 	/* Half of the offspring land on the bound itself, where optima often
 	 * lie.
 	 * */
-	lanes part = lanes_min(2 * u, lanes_of(1));
+	lanes part = lanes_min(2 * u, lanes_broadcast(1));
 	x = lanes_select(under, parent + (lower - parent) * part, x);
 	x = lanes_select(over, parent + (upper - parent) * part, x);
 	x = lanes_max(x, lower);
@@ -75,16 +79,17 @@ static inline void
 breed_lanes(const struct breed *b, size_t first)
 {
 	uint32_t mother[LANES], father[LANES];
-	choose(b, b->keys.parent[0], first, mother);
-	choose(b, b->keys.parent[1], first, father);
-	lanes_mask crossed = uniform(b->keys.pair, first) < b->crossover;
-	lanes along = uniform(b->keys.line, first);
+	choose_parents(b, b->keys.parent[0], first, mother);
+	choose_parents(b, b->keys.parent[1], first, father);
+	lanes_mask crossed =
+	    random_uniform_lanes(b->keys.pair, first) < b->crossover;
+	lanes along = random_uniform_lanes(b->keys.line, first);
 	lanes_mask straight = along < 0.5;
 	for (size_t g = 0; g < b->n_gene; g++) {
 		lanes x = lanes_gather(b->told[g], mother);
 		lanes y = lanes_gather(b->told[g], father);
 		lanes m = {0}, own = m;
-		uniform_pair(b->keys.gene[g], first, &m, &own);
+		random_uniform_pair(b->keys.gene[g], first, &m, &own);
 		lanes u = lanes_select(straight, 2 * along, own);
 		lanes share = (lanes)(crossed & (lanes_mask)(1.8 * u - 0.4));
 		lanes child = x + share * (y - x);
@@ -92,7 +97,7 @@ breed_lanes(const struct breed *b, size_t first)
 			child = b->anywhere
 				    ? mutate_anywhere(b, g, child, m)
 				    : child + b->scale[g] * mutation_step(b, m);
-		child = into_box(b, g, child, x, own);
+		child = move_into_bounds(b, g, child, x, own);
 		for (size_t l = 0; l < LANES; l++)
 			b->asked[g][first + l] = child[l];
 	}

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 
 struct kernel {
-	struct plan plan;
+	struct batch_plan plan;
 	kernel_block *block;
 	kernel_bin_candidates *bins;
 	unsigned threads;
@@ -20,15 +20,15 @@ struct kernel *
 kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
 {
 	struct kernel *kernel = xcalloc(1, sizeof *kernel);
-	enum isa usable = isa_is_usable(isa);
+	enum isa usable = isa_usable_or_best(isa);
 	const struct breakage *of = BREAKAGES[m->settings.breakage];
 	kernel->block = of->kernel[usable].block;
 	kernel->bins = of->kernel[usable].bins;
-	plan_make(&kernel->plan, m);
+	batch_plan_fill(&kernel->plan, m);
 	kernel->threads = threads;
 	kernel->scratch = xcalloc(threads, sizeof *kernel->scratch);
 	for (unsigned t = 0; t < threads; t++)
-		kernel->scratch[t] = xdoubles(kernel->plan.scratch);
+		kernel->scratch[t] = xcalloc_doubles(kernel->plan.scratch);
 	return kernel;
 }
 
@@ -37,7 +37,7 @@ kernel_free(struct kernel *kernel)
 {
 	if (kernel == NULL)
 		return;
-	plan_clear(&kernel->plan);
+	batch_plan_clear(&kernel->plan);
 	for (unsigned t = 0; t < kernel->threads; t++)
 		free(kernel->scratch[t]);
 	free(kernel->scratch);
@@ -63,8 +63,8 @@ pad_last_block(struct queue *q)
  * block whose lanes break the same sizes skips the rest at once.  The order
  * changes no bit of any misfit. */
 static void
-queue_by_break_size(const struct kernel *kernel, const double *const *theta,
-    size_t from, size_t to, struct queue *q)
+fill_queue_by_break_size(const struct kernel *kernel,
+    const double *const *theta, size_t from, size_t to, struct queue *q)
 {
 	uint16_t bin[KERNEL_PART];
 	uint32_t place[2 * KERNEL_BINS + 1] = {0};
@@ -94,7 +94,7 @@ kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
 {
 	struct queue q;
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
-	queue_by_break_size(kernel, theta, from, to, &q);
+	fill_queue_by_break_size(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
 		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_stiff,
 		    kernel->scratch[thread], out);
@@ -104,6 +104,6 @@ void
 kernel_set_speed(struct kernel *kernel, double v)
 {
 	assert(kernel->plan.n_run == 1);
-	plan_set_speed(&kernel->plan, 0, v);
+	batch_plan_set_speed(&kernel->plan, 0, v);
 	kernel->plan.over_E = 1 / kernel->plan.run[0].E;
 }

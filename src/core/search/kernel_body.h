@@ -43,8 +43,8 @@ struct lane_model {
 	bool per_run;
 	void (*load)(
 	    struct block *b, const double *const *theta, const uint32_t *index);
-	lanes (*nodes)(
-	    const struct block *b, const struct plan *plan, struct node *node);
+	lanes (*nodes)(const struct block *b, const struct batch_plan *plan,
+	    struct node *node);
 	lanes (*at_sieve)(const struct block *b, double log_s);
 	lanes (*density)(const struct block *b, const struct plan_run *run,
 	    double u, double log_u, double log_y);
@@ -73,7 +73,7 @@ static const struct gauss GAUSS_3 = {3,
 /* S is 0 below the size of log_e0 and 1 above that of log_full, where the
  * exponent reaches FULL. */
 static inline void
-set_threshold(struct block *b, lanes e0)
+set_selection_threshold(struct block *b, lanes e0)
 {
 	double full = FULL;
 	if (b->impacts != NULL && b->impacts->number < 1)
@@ -85,15 +85,16 @@ set_threshold(struct block *b, lanes e0)
 }
 
 INLINE void
-load(const struct lane_model *m, struct block *b, const struct plan *plan,
-    const double *const *theta, const uint32_t *index)
+load_candidates(const struct lane_model *m, struct block *b,
+    const struct batch_plan *plan, const double *const *theta,
+    const uint32_t *index)
 {
 	m->load(b, theta, index);
 	b->f = lanes_gather(theta[m->strength], index) * plan->k;
 	b->alpha = lanes_gather(theta[m->strength + 2], index);
-	b->over_alpha = 1 / lanes_max(b->alpha, lanes_of(1e-9));
+	b->over_alpha = 1 / lanes_max(b->alpha, lanes_broadcast(1e-9));
 	b->impacts = plan->impacts.n > 0 ? &plan->impacts : NULL;
-	set_threshold(b, lanes_gather(theta[m->strength + 1], index));
+	set_selection_threshold(b, lanes_gather(theta[m->strength + 1], index));
 	b->two = false;
 	if (b->out->softer != NULL) {
 		b->softer = lanes_gather(b->out->softer, index);
@@ -107,28 +108,28 @@ load(const struct lane_model *m, struct block *b, const struct plan *plan,
 static inline lanes
 at_least_0(lanes a)
 {
-	return lanes_max(a, lanes_of(0));
+	return lanes_max(a, lanes_broadcast(0));
 }
 
 /* Mass S dF of a class and its first moment about the middle. */
-struct share {
+struct broken_share {
 	lanes mass, moment;
 };
 
 /* Workspace of a block, in the thread's scratch. */
-struct room {
-	lanes *from, *full;  /* [n_run] ln x* and ln x where S becomes 1 */
-	struct share *share; /* [n_run * n_class], and as many again */
-	struct node *node;   /* [KERNEL_NODES] for each run, or once */
-	size_t n_full;       /* classes, from the coarsest, that break
+struct kernel_workspace {
+	lanes *from, *full; /* [n_run] ln x* and ln x where S becomes 1 */
+	struct broken_share *share; /* [n_run * n_class], and as many again */
+	struct node *node;          /* [KERNEL_NODES] for each run, or once */
+	size_t n_full;              /* classes, from the coarsest, that break
 			      * entirely */
-	size_t n_active;     /* classes of which any lane breaks some */
+	size_t n_active;            /* classes of which any lane breaks some */
 };
 
 /* Fills the nodes of every run, or one table for all runs. */
 INLINE void
-tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
-    const struct room *room)
+tabulate_nodes_of_runs(const struct lane_model *m, struct block *b,
+    const struct batch_plan *plan, const struct kernel_workspace *room)
 {
 	lanes sum = m->nodes(b, plan, room->node);
 	/* If p is 0 everywhere, nothing breaks: product = feed. */
@@ -139,23 +140,23 @@ tabulate(const struct lane_model *m, struct block *b, const struct plan *plan,
 
 /* Returns x^alpha at ln x = t. */
 static inline lanes
-power_at(const struct block *b, lanes t)
+size_to_alpha_at(const struct block *b, lanes t)
 {
-	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_of(708)));
+	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_broadcast(708)));
 }
 
 /* Returns S with a spectrum of impacts (D15), at = f E x^alpha; see
- * selection_by. */
+ * selection_by_impacts. */
 static inline lanes
-impacts_selection(const struct block *b, lanes at)
+selection_with_spectrum(const struct block *b, lanes at)
 {
 	const struct impacts *of = b->impacts;
-	lanes kept = lanes_of(0);
+	lanes kept = lanes_broadcast(0);
 	for (size_t j = 0; j < of->n; j++)
 		kept += of->share[j] *
 			lanes_exp_quick(lanes_min(
-			    b->f_e0 - of->ratio[j] * at, lanes_of(0)));
-	kept = lanes_max(kept, lanes_of(1e-300));
+			    b->f_e0 - of->ratio[j] * at, lanes_broadcast(0)));
+	kept = lanes_max(kept, lanes_broadcast(1e-300));
 	return 1 - lanes_exp_quick(of->number * lanes_log(kept));
 }
 
@@ -167,14 +168,14 @@ lanes_selection(
 {
 	lanes y = b->f * E * power - b->f_e0;
 	if (b->impacts != NULL)
-		return impacts_selection(b, b->f * E * power);
-	return 1 - exp_of(lanes_min(-y, lanes_of(0)));
+		return selection_with_spectrum(b, b->f * E * power);
+	return 1 - exp_of(lanes_min(-y, lanes_broadcast(0)));
 }
 
 /* Adds a Gauss point at a distance from the middle of its class. */
 static inline void
-add_gauss(struct share *sum, const struct block *b, double E, lanes power,
-    lanes weight, lanes distance)
+add_gauss_point(struct broken_share *sum, const struct block *b, double E,
+    lanes power, lanes weight, lanes distance)
 {
 	lanes S = lanes_selection(b, E, power, lanes_exp_quick);
 	sum->mass += weight * S;
@@ -183,46 +184,51 @@ add_gauss(struct share *sum, const struct block *b, double E, lanes power,
 
 /* Returns the share of a class that breaks, where S > 0 throughout it; power
  * holds x^alpha at the points of g. */
-static inline struct share
-whole_share(const struct block *b, const struct plan *plan, size_t c,
-    const struct plan_run *run, const struct gauss *g, const lanes *power)
+static inline struct broken_share
+broken_share_of_whole_class(const struct block *b,
+    const struct batch_plan *plan, size_t c, const struct plan_run *run,
+    const struct gauss *g, const lanes *power)
 {
 	double upper = plan->upper[c], width = upper - plan->lower[c];
-	struct share sum = {lanes_of(0), lanes_of(0)};
+	struct broken_share sum = {lanes_broadcast(0), lanes_broadcast(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		double t = upper - width * g->from_top[q];
-		add_gauss(&sum, b, run->E, power[q], lanes_of(g->weight[q]),
-		    lanes_of(t - plan->middle[c]));
+		add_gauss_point(&sum, b, run->E, power[q],
+		    lanes_broadcast(g->weight[q]),
+		    lanes_broadcast(t - plan->middle[c]));
 	}
 	double scale = run->mass[c] * width;
-	return (struct share){scale * sum.mass, scale * sum.moment};
+	return (struct broken_share){scale * sum.mass, scale * sum.moment};
 }
 
 /* Returns the share of a class that breaks, where x* of some lanes lies within
- * it; the other lanes get the same bits as from whole_share. */
-static inline struct share
-split_share(const struct block *b, const struct plan *plan, size_t c,
-    const struct plan_run *run, const struct gauss *g, lanes from)
+ * it; the other lanes get the same bits as from broken_share_of_whole_class. */
+static inline struct broken_share
+broken_share_of_split_class(const struct block *b,
+    const struct batch_plan *plan, size_t c, const struct plan_run *run,
+    const struct gauss *g, lanes from)
 {
 	double upper = plan->upper[c];
-	lanes bottom = lanes_min(
-	    lanes_max(from, lanes_of(plan->lower[c])), lanes_of(upper));
+	lanes bottom =
+	    lanes_min(lanes_max(from, lanes_broadcast(plan->lower[c])),
+		lanes_broadcast(upper));
 	lanes width = upper - bottom;
-	struct share sum = {lanes_of(0), lanes_of(0)};
+	struct broken_share sum = {lanes_broadcast(0), lanes_broadcast(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		lanes t = upper - width * g->from_top[q];
-		add_gauss(&sum, b, run->E, power_at(b, t),
-		    lanes_of(g->weight[q]), t - plan->middle[c]);
+		add_gauss_point(&sum, b, run->E, size_to_alpha_at(b, t),
+		    lanes_broadcast(g->weight[q]), t - plan->middle[c]);
 	}
 	lanes scale = run->mass[c] * width;
-	return (struct share){scale * sum.mass, scale * sum.moment};
+	return (struct broken_share){scale * sum.mass, scale * sum.moment};
 }
 
 /* Computes the shares of class c in every run.  any: some lane breaks some of
  * it; all: every lane breaks all of it in every run. */
 static inline void
-shares_of_class(const struct block *b, const struct plan *plan, size_t c,
-    const struct gauss *g, const struct room *room, bool *any, bool *all)
+compute_broken_shares_of_class(const struct block *b,
+    const struct batch_plan *plan, size_t c, const struct gauss *g,
+    const struct kernel_workspace *room, bool *any, bool *all)
 {
 	double lower = plan->lower[c], upper = plan->upper[c];
 	lanes power[3] = {{0}};
@@ -231,11 +237,12 @@ shares_of_class(const struct block *b, const struct plan *plan, size_t c,
 	*all = true;
 	for (size_t r = 0; r < plan->n_run; r++) {
 		const struct plan_run *run = &plan->run[r];
-		struct share *share = &room->share[r * plan->n_class + c];
+		struct broken_share *share =
+		    &room->share[r * plan->n_class + c];
 		lanes from = room->from[r];
 		lanes_mask full = room->full[r] <= lower;
-		share->mass = lanes_of(run->whole[c]);
-		share->moment = lanes_of(0);
+		share->mass = lanes_broadcast(run->whole[c]);
+		share->moment = lanes_broadcast(0);
 		if (lanes_all(full)) {
 			*any = true;
 			continue;
@@ -249,12 +256,13 @@ shares_of_class(const struct block *b, const struct plan *plan, size_t c,
 		bool whole = lanes_all(from <= lower);
 		double width = upper - lower;
 		for (size_t q = 0; whole && !have_power && q < g->n; q++)
-			power[q] = power_at(
-			    b, lanes_of(upper - width * g->from_top[q]));
+			power[q] = size_to_alpha_at(
+			    b, lanes_broadcast(upper - width * g->from_top[q]));
 		have_power = have_power || whole;
-		struct share part = whole
-					? whole_share(b, plan, c, run, g, power)
-					: split_share(b, plan, c, run, g, from);
+		struct broken_share part =
+		    whole
+			? broken_share_of_whole_class(b, plan, c, run, g, power)
+			: broken_share_of_split_class(b, plan, c, run, g, from);
 		share->mass = lanes_select(full, share->mass, part.mass);
 		share->moment = (lanes)(~full & (lanes_mask)part.moment);
 	}
@@ -262,8 +270,8 @@ shares_of_class(const struct block *b, const struct plan *plan, size_t c,
 
 /* Computes the shares of all classes and runs. */
 static inline void
-shares(const struct block *b, const struct plan *plan, const struct gauss *g,
-    struct room *room)
+compute_broken_shares(const struct block *b, const struct batch_plan *plan,
+    const struct gauss *g, struct kernel_workspace *room)
 {
 	bool any = true, all = true;
 	for (size_t r = 0; r < plan->n_run; r++) {
@@ -276,7 +284,7 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 	size_t c = 0;
 	for (room->n_full = 0; c < plan->n_class; c++) {
 		bool full = all;
-		shares_of_class(b, plan, c, g, room, &any, &all);
+		compute_broken_shares_of_class(b, plan, c, g, room, &any, &all);
 		if (!any)
 			break;
 		all = all && full;
@@ -288,21 +296,21 @@ shares(const struct block *b, const struct plan *plan, const struct gauss *g,
 /* Mixes the shares of the softer rock into those of the harder: each part of
  * rock of two strengths breaks by itself. */
 static inline void
-mix_softer(const struct block *b, const struct plan *plan,
-    const struct gauss *g, struct room *room)
+mix_softer_rock(const struct block *b, const struct batch_plan *plan,
+    const struct gauss *g, struct kernel_workspace *room)
 {
 	struct block soft = *b;
-	struct room other = *room;
+	struct kernel_workspace other = *room;
 	size_t n = plan->n_class;
 	other.share += plan->n_run * n;
-	set_threshold(&soft, b->softer);
-	shares(&soft, plan, g, &other);
+	set_selection_threshold(&soft, b->softer);
+	compute_broken_shares(&soft, plan, g, &other);
 	for (size_t r = 0; r < plan->n_run; r++)
 		for (size_t c = room->n_full; c < other.n_active; c++) {
-			struct share *to = &room->share[r * n + c];
-			const struct share *of = &other.share[r * n + c];
+			struct broken_share *to = &room->share[r * n + c];
+			const struct broken_share *of = &other.share[r * n + c];
 			if (c >= room->n_active)
-				to->mass = to->moment = lanes_of(0);
+				to->mass = to->moment = lanes_broadcast(0);
 			to->mass += b->share * (of->mass - to->mass);
 			to->moment += b->share * (of->moment - to->moment);
 		}
@@ -311,7 +319,7 @@ mix_softer(const struct block *b, const struct plan *plan,
 
 /* Returns B, not yet divided by the total. */
 static inline lanes
-view_B(const struct plan_view *v, const struct node *node)
+view_B(const struct node_interpolation *v, const struct node *node)
 {
 	const struct node *at = node + v->node;
 	return at[1].below +
@@ -319,7 +327,8 @@ view_B(const struct plan_view *v, const struct node *node)
 }
 
 static inline lanes
-view_p(const struct plan_view *v, const struct node *node)
+interpolate_progeny_density(
+    const struct node_interpolation *v, const struct node *node)
 {
 	const struct node *at = node + v->node;
 	return v->fine * at[1].p + v->coarse * at[0].p;
@@ -328,10 +337,10 @@ view_p(const struct plan_view *v, const struct node *node)
 /* Returns the mass that the first n classes of a run, which break entirely,
  * contribute below a sieve. */
 static inline lanes
-whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
-    size_t n, const struct node *node)
+mass_below_from_whole_classes(const struct plan_run *run,
+    const struct plan_sieve *sieve, size_t n, const struct node *node)
 {
-	lanes sum = lanes_of(0);
+	lanes sum = lanes_broadcast(0);
 	for (size_t c = 0; c < n; c++)
 		sum += run->whole[c] * view_B(&sieve->view[c], node);
 	return sum;
@@ -340,20 +349,22 @@ whole_below(const struct plan_run *run, const struct plan_sieve *sieve,
 /* Adds the mass of the classes from..n-1, for one run or a pair; a pair looks
  * up B and p only once if they are the same. */
 INLINE void
-add_split(const struct lane_model *m, const struct plan_sieve *sieve,
-    size_t from, size_t n, bool pair, const struct node *const node[static 2],
-    const struct share *share[static 2], lanes below[static 2])
+add_mass_from_split_classes(const struct lane_model *m,
+    const struct plan_sieve *sieve, size_t from, size_t n, bool pair,
+    const struct node *const node[static 2],
+    const struct broken_share *share[static 2], lanes below[static 2])
 {
 	lanes first = below[0], second = below[1];
 	for (size_t c = from; c < n; c++) {
 		lanes B = view_B(&sieve->view[c], node[0]);
-		lanes p = view_p(&sieve->view[c], node[0]);
+		lanes p = interpolate_progeny_density(&sieve->view[c], node[0]);
 		first += share[0][c].mass * B - share[0][c].moment * p;
 		if (!pair)
 			continue;
 		if (m->per_run) {
 			B = view_B(&sieve->view[c], node[1]);
-			p = view_p(&sieve->view[c], node[1]);
+			p = interpolate_progeny_density(
+			    &sieve->view[c], node[1]);
 		}
 		second += share[1][c].mass * B - share[1][c].moment * p;
 	}
@@ -364,7 +375,7 @@ add_split(const struct lane_model *m, const struct plan_sieve *sieve,
 /* Returns the square of a weighted difference and stores the difference on
  * request. */
 static inline lanes
-square(const struct plan_target *t, const struct block *b, lanes d)
+square_difference(const struct plan_target *t, const struct block *b, lanes d)
 {
 	d *= t->weight;
 	if (b->out->difference != NULL && t->weight > 0)
@@ -377,23 +388,25 @@ square(const struct plan_target *t, const struct block *b, lanes d)
 /* Returns the weighted squares of a sieve's differences, summed over the
  * runs. */
 INLINE lanes
-sieve_squares(const struct lane_model *m, const struct plan *plan,
-    const struct block *b, size_t s, const struct room *room)
+sum_squares_at_sieve(const struct lane_model *m, const struct batch_plan *plan,
+    const struct block *b, size_t s, const struct kernel_workspace *room)
 {
 	const struct plan_sieve *sieve = &plan->sieve[s];
 	size_t n =
 	    sieve->n_above < room->n_active ? sieve->n_above : room->n_active;
 	size_t full = room->n_full < n ? room->n_full : n;
 	bool once = plan->one_feed && !m->per_run;
-	lanes squares = lanes_of(0), whole = squares;
+	lanes squares = lanes_broadcast(0), whole = squares;
 	if (once)
-		whole = whole_below(&plan->run[0], sieve, full, room->node);
+		whole = mass_below_from_whole_classes(
+		    &plan->run[0], sieve, full, room->node);
 	for (size_t r = 0; r < plan->n_run; r += 2) {
 		bool pair = r + 1 < plan->n_run;
 		size_t other = r + pair;
 		const struct plan_run *run[2] = {
 		    &plan->run[r], &plan->run[other]};
-		const struct share *share[2] = {room->share + r * plan->n_class,
+		const struct broken_share *share[2] = {
+		    room->share + r * plan->n_class,
 		    room->share + other * plan->n_class};
 		const struct node *node[2] = {room->node, room->node};
 		if (m->per_run) {
@@ -402,11 +415,14 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 		}
 		lanes below[2] = {whole, whole};
 		for (size_t i = 0; i < 1 + (size_t)pair && !once; i++)
-			below[i] = whole_below(run[i], sieve, full, node[i]);
+			below[i] = mass_below_from_whole_classes(
+			    run[i], sieve, full, node[i]);
 		if (pair)
-			add_split(m, sieve, full, n, true, node, share, below);
+			add_mass_from_split_classes(
+			    m, sieve, full, n, true, node, share, below);
 		else
-			add_split(m, sieve, full, n, false, node, share, below);
+			add_mass_from_split_classes(
+			    m, sieve, full, n, false, node, share, below);
 		if (m->at_sieve != NULL) {
 			lanes share_at = m->at_sieve(b, sieve->log_size);
 			below[0] *= share_at;
@@ -414,7 +430,7 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 		}
 		for (size_t i = 0; i < 1 + (size_t)pair; i++) {
 			const struct plan_target *t = &run[i]->target[s];
-			squares += square(
+			squares += square_difference(
 			    t, b, t->difference + below[i] * b->over_total);
 		}
 	}
@@ -422,29 +438,31 @@ sieve_squares(const struct lane_model *m, const struct plan *plan,
 }
 
 INLINE lanes
-continuous_block(const struct lane_model *m, const struct plan *plan,
-    struct block *b, bool smooth, double *scratch)
+evaluate_continuous_block(const struct lane_model *m,
+    const struct batch_plan *plan, struct block *b, bool smooth,
+    double *scratch)
 {
-	lanes *at = (lanes *)(void *)scratch, sum = lanes_of(0);
+	lanes *at = (lanes *)(void *)scratch, sum = lanes_broadcast(0);
 	size_t n_run = plan->n_run;
-	struct room room = {.from = at, .full = at + n_run};
+	struct kernel_workspace room = {.from = at, .full = at + n_run};
 	room.share = (void *)(at + 2 * n_run);
 	room.node = (void *)(room.share + 2 * n_run * plan->n_class);
-	tabulate(m, b, plan, &room);
+	tabulate_nodes_of_runs(m, b, plan, &room);
 	if (smooth)
-		shares(b, plan, &GAUSS_2, &room);
+		compute_broken_shares(b, plan, &GAUSS_2, &room);
 	else
-		shares(b, plan, &GAUSS_3, &room);
+		compute_broken_shares(b, plan, &GAUSS_3, &room);
 	if (b->two)
-		mix_softer(b, plan, smooth ? &GAUSS_2 : &GAUSS_3, &room);
+		mix_softer_rock(b, plan, smooth ? &GAUSS_2 : &GAUSS_3, &room);
 	for (size_t s = 0; s < plan->n_sieve; s++)
-		sum += sieve_squares(m, plan, b, s, &room);
+		sum += sum_squares_at_sieve(m, plan, b, s, &room);
 	return sum;
 }
 
 /* Computes the selection for each class of a run, method `classes`. */
 static inline void
-classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
+compute_class_selection(
+    const struct block *b, const struct plan_run *run, lanes *S)
 {
 	for (size_t i = 0; i < run->n_size; i++) {
 		lanes w = lanes_exp(b->alpha * run->log_size[i]);
@@ -460,41 +478,42 @@ classes_selection(const struct block *b, const struct plan_run *run, lanes *S)
 
 /* Breaks parent class i into the product q. */
 INLINE void
-classes_break(const struct lane_model *m, const struct block *b,
+break_class(const struct lane_model *m, const struct block *b,
     const struct plan_run *run, const struct node *node, size_t i, lanes S,
     lanes *p, lanes *q)
 {
-	lanes sum = lanes_of(0);
+	lanes sum = lanes_broadcast(0);
 	size_t n = run->n_size;
 	for (size_t j = i; j < n; j++) {
 		double log_y = run->log_size[j];
 		p[j] = m->density != NULL
 			   ? m->density(b, run, run->argument[i * n + j],
 				 log_y - run->log_size[i], log_y)
-			   : view_p(&run->view[i * n + j], node);
+			   : interpolate_progeny_density(
+				 &run->view[i * n + j], node);
 		sum += p[j];
 	}
 	double f = run->mass[i];
 	lanes_mask breaks = sum > 0.0;
-	q[i] += f * lanes_select(breaks, 1 - S, lanes_of(1));
+	q[i] += f * lanes_select(breaks, 1 - S, lanes_broadcast(1));
 	lanes share = (lanes)(breaks & (lanes_mask)(S * f / sum));
 	for (size_t j = i; j < n; j++)
 		q[j] += p[j] * share;
 }
 
 INLINE lanes
-classes_run(const struct lane_model *m, const struct plan *plan,
-    const struct block *b, const struct plan_run *run, const struct node *node,
-    double *scratch)
+evaluate_run_by_classes(const struct lane_model *m,
+    const struct batch_plan *plan, const struct block *b,
+    const struct plan_run *run, const struct node *node, double *scratch)
 {
 	size_t n = run->n_size;
 	lanes *S = (lanes *)(void *)scratch, *p = S + n, *q = p + n;
-	lanes sum = lanes_of(0);
+	lanes sum = lanes_broadcast(0);
 	for (size_t i = 0; i < n; i++)
-		q[i] = lanes_of(0);
-	classes_selection(b, run, S);
+		q[i] = lanes_broadcast(0);
+	compute_class_selection(b, run, S);
 	for (size_t i = 0; i < n; i++)
-		classes_break(m, b, run, node, i, S[i], p, q);
+		break_class(m, b, run, node, i, S[i], p, q);
 	for (size_t j = n - 1; j-- > 0;)
 		q[j] += q[j + 1];
 	for (size_t s = 0; s < run->n_target; s++) {
@@ -503,45 +522,46 @@ classes_run(const struct lane_model *m, const struct plan *plan,
 		lanes P = fine + t->share * (coarse - fine);
 		if (plan->bypass > 0)
 			P = t->feed + b->kept * (P - t->feed);
-		sum += square(t, b, P - t->measured);
+		sum += square_difference(t, b, P - t->measured);
 	}
 	return sum;
 }
 
 INLINE lanes
-classes_block(const struct lane_model *m, const struct plan *plan,
-    const struct block *b, double *scratch)
+evaluate_classes_block(const struct lane_model *m,
+    const struct batch_plan *plan, const struct block *b, double *scratch)
 {
 	struct node *node = (void *)scratch;
-	lanes sum = lanes_of(0);
+	lanes sum = lanes_broadcast(0);
 	if (m->density == NULL)
 		m->nodes(b, plan, node);
 	for (size_t r = 0; r < plan->n_run; r++) {
 		size_t table = m->per_run ? r * KERNEL_NODES : 0;
-		sum += classes_run(m, plan, b, &plan->run[r], node + table,
-		    (void *)(node + plan->n_run * KERNEL_NODES));
+		sum += evaluate_run_by_classes(m, plan, b, &plan->run[r],
+		    node + table, (void *)(node + plan->n_run * KERNEL_NODES));
 	}
 	return sum;
 }
 
 INLINE void
-evaluate_block(const struct lane_model *m, const struct plan *plan,
+evaluate_block(const struct lane_model *m, const struct batch_plan *plan,
     const double *const *theta, const uint32_t *index, bool smooth,
     double *scratch, const struct kernel_out *out)
 {
 	struct block b;
 	b.index = index;
 	b.out = out;
-	load(m, &b, plan, theta, index);
-	lanes sum = plan->method == METHOD_CLASSES
-			? classes_block(m, plan, &b, scratch)
-			: continuous_block(m, plan, &b, smooth, scratch);
+	load_candidates(m, &b, plan, theta, index);
+	lanes sum =
+	    plan->method == METHOD_CLASSES
+		? evaluate_classes_block(m, plan, &b, scratch)
+		: evaluate_continuous_block(m, plan, &b, smooth, scratch);
 	for (size_t l = 0; l < LANES; l++)
 		out->misfit[index[l]] = sum[l] <= 1e300 ? sum[l] : HUGE_VAL;
 }
 
 INLINE void
-evaluate_all(const struct lane_model *m, const struct plan *plan,
+evaluate_all(const struct lane_model *m, const struct batch_plan *plan,
     const double *const *theta, const uint32_t *index, bool smooth,
     double *scratch, const struct kernel_out *out)
 {
@@ -550,7 +570,7 @@ evaluate_all(const struct lane_model *m, const struct plan *plan,
 }
 
 static inline void
-bins(const struct lane_model *m, const struct plan *plan,
+bin_by_break_size(const struct lane_model *m, const struct batch_plan *plan,
     const double *const *theta, size_t first, uint16_t *bin)
 {
 	for (size_t i = 0; i < KERNEL_LANES; i += LANES) {
@@ -560,8 +580,8 @@ bins(const struct lane_model *m, const struct plan *plan,
 		lanes alpha = lanes_load(eq3[2] + first + i);
 		lanes log_x = lanes_log(e0 * plan->over_E) / (alpha + 1e-9);
 		lanes at = lanes_max(
-		    (log_x - plan->bottom) * plan->per_bin, lanes_of(0));
-		at = lanes_min(at, lanes_of(KERNEL_BINS - 1));
+		    (log_x - plan->bottom) * plan->per_bin, lanes_broadcast(0));
+		at = lanes_min(at, lanes_broadcast(KERNEL_BINS - 1));
 		lanes stiff = alpha * f * e0;
 		for (size_t l = 0; l < LANES; l++)
 			bin[i + l] =
@@ -578,15 +598,15 @@ bins(const struct lane_model *m, const struct plan *plan,
 	kernel_block KERNEL_NAME(model, block, ISA);                           \
 	kernel_bin_candidates KERNEL_NAME(model, bins, ISA);                   \
 	static const struct lane_model model##_lanes = {__VA_ARGS__};          \
-	void KERNEL_NAME(model, block, ISA)(const struct plan *plan,           \
+	void KERNEL_NAME(model, block, ISA)(const struct batch_plan *plan,     \
 	    const double *const *theta, const uint32_t *index, bool smooth,    \
 	    double *scratch, const struct kernel_out *out)                     \
 	{                                                                      \
 		evaluate_all(                                                  \
 		    &model##_lanes, plan, theta, index, smooth, scratch, out); \
 	}                                                                      \
-	void KERNEL_NAME(model, bins, ISA)(const struct plan *plan,            \
+	void KERNEL_NAME(model, bins, ISA)(const struct batch_plan *plan,      \
 	    const double *const *theta, size_t first, uint16_t *bin)           \
 	{                                                                      \
-		bins(&model##_lanes, plan, theta, first, bin);                 \
+		bin_by_break_size(&model##_lanes, plan, theta, first, bin);    \
 	}

@@ -26,7 +26,7 @@ lanes_load(const double *from)
 }
 
 static inline lanes
-lanes_of(double x)
+lanes_broadcast(double x)
 {
 	return (lanes){0} + x;
 }
@@ -92,13 +92,13 @@ lanes_exp(lanes a)
 	return r;
 }
 
-/* Returns exp(x) to 2e-10 for x up to 708: el_exp_parts with fewer terms and ln
- * 2 in one piece. */
+/* Returns exp(x) to 2e-10 for x up to 708: el_expm1_and_scale with fewer terms
+ * and ln 2 in one piece. */
 static inline lanes
 lanes_exp_quick(lanes x)
 {
 	const double round = 6755399441056767.0; /* 1.5 * 2^52 + 1023 */
-	x = lanes_max(x, lanes_of(-708));
+	x = lanes_max(x, lanes_broadcast(-708));
 	lanes shifted = x * 1.4426950408889634074 + round;
 	lanes r = x - (shifted - round) * 0.69314718055994530942;
 	lanes r2 = r * r;
@@ -120,7 +120,7 @@ lanes_log(lanes a)
 
 /* Returns a bit for each lane in which the condition holds. */
 static inline unsigned
-lanes_bits(lanes_mask mask)
+lanes_mask_bits(lanes_mask mask)
 {
 #if LANES == 8
 	return (unsigned)_mm512_movepi64_mask((__m512i)mask);
@@ -137,13 +137,13 @@ lanes_bits(lanes_mask mask)
 static inline bool
 lanes_all(lanes_mask mask)
 {
-	return lanes_bits(mask) == (1u << LANES) - 1;
+	return lanes_mask_bits(mask) == (1u << LANES) - 1;
 }
 
 static inline bool
 lanes_any(lanes_mask mask)
 {
-	return lanes_bits(mask) != 0;
+	return lanes_mask_bits(mask) != 0;
 }
 
 #endif

@@ -9,17 +9,17 @@
 #include "base/xalloc.h"
 
 size_t
-misfit_count_covered(const struct run *run)
+misfit_count_covered_sieves(const struct run *run)
 {
 	size_t n = 0;
-	while (
-	    n < run->product.n && psd_covers(&run->feed, run->product.size[n]))
+	while (n < run->product.n &&
+	       psd_covers_size(&run->feed, run->product.size[n]))
 		n++;
 	return n;
 }
 
 size_t
-misfit_default_train(const struct site *site, bool *train)
+misfit_mark_default_training(const struct site *site, bool *train)
 {
 	double slowest = INFINITY, fastest = 0;
 	size_t n = 0;
@@ -46,10 +46,10 @@ misfit_fill_run(
 	to->run_weight = run_weight;
 	to->by_sd = by_sd && run->product_sd != NULL;
 	to->feed = run->feed;
-	to->n = misfit_count_covered(run);
-	to->sieve = xdoubles(to->n);
-	to->measured = xdoubles(to->n);
-	to->weight = xdoubles(to->n);
+	to->n = misfit_count_covered_sieves(run);
+	to->sieve = xcalloc_doubles(to->n);
+	to->measured = xcalloc_doubles(to->n);
+	to->weight = xcalloc_doubles(to->n);
 	for (size_t i = 0; i < to->n; i++) {
 		to->sieve[i] = run->product.size[i];
 		to->measured[i] = run->product.passing[i];
@@ -80,13 +80,13 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 		m->n_residual += run->n;
 		widest = run->n > widest ? run->n : widest;
 	}
-	m->passing = xdoubles(widest);
-	m->d_passing = xdoubles(widest * m->of->n);
+	m->passing = xcalloc_doubles(widest);
+	m->d_passing = xcalloc_doubles(widest * m->of->n);
 	return m;
 }
 
 void
-misfit_drop_sieves(struct misfit *m, size_t most)
+misfit_thin_sieves(struct misfit *m, size_t most)
 {
 	m->n_residual = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -109,7 +109,7 @@ misfit_drop_sieves(struct misfit *m, size_t most)
 }
 
 size_t
-misfit_count_changeable(const struct misfit *m)
+misfit_count_changeable_passings(const struct misfit *m)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < m->n_run; r++)
@@ -138,7 +138,7 @@ misfit_free(struct misfit *m)
 }
 
 bool
-misfit_stopped(const struct misfit *m)
+misfit_should_stop(const struct misfit *m)
 {
 	return m->stop != NULL && m->stop();
 }
@@ -162,7 +162,7 @@ differences_of_run(struct misfit *m, size_t r, const struct params *p,
 }
 
 double
-misfit_at(struct misfit *m, const struct params *p)
+misfit_of_params(struct misfit *m, const struct params *p)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
@@ -171,7 +171,7 @@ misfit_at(struct misfit *m, const struct params *p)
 }
 
 double
-misfit_differences(struct misfit *m, const struct params *p, double *d)
+misfit_weighted_differences(struct misfit *m, const struct params *p, double *d)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -214,7 +214,7 @@ misfit_jacobian(struct misfit *m, const struct params *p, double *r, double *J)
 }
 
 double
-misfit_of_feed(const struct misfit *m)
+misfit_of_feed_as_product(const struct misfit *m)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++) {

@@ -37,7 +37,7 @@ struct misfit {
 	struct misfit_run *run;
 	struct model **model; /* [n_run] */
 	double *passing, *d_passing;
-	bool (*stop)(void); /* or NULL, see misfit_stopped */
+	bool (*stop)(void); /* or NULL, see misfit_should_stop */
 };
 
 /* train [n_run]: true for the training runs; runs without a product are
@@ -50,24 +50,25 @@ void misfit_free(struct misfit *m);
 
 /* Keeps at most `most` sieves of each run, evenly spread and including the
  * coarsest and the finest; most >= 2. */
-void misfit_drop_sieves(struct misfit *m, size_t most);
+void misfit_thin_sieves(struct misfit *m, size_t most);
 
 /* Returns how many of the n_residual passings crushing can change: on a sieve
  * that all of the feed passes, all of the product passes for any parameters. */
-size_t misfit_count_changeable(const struct misfit *m);
+size_t misfit_count_changeable_passings(const struct misfit *m);
 
 /* True if computations on the misfit should end because the user is waiting.
  * They then discard unfinished work, which may be repeated later.
  * Thread-safe. */
-bool misfit_stopped(const struct misfit *m);
+bool misfit_should_stop(const struct misfit *m);
 
 /* Returns the misfit at p, or INFINITY if it is NaN.  Source: paper
  * Eq 5. */
-double misfit_at(struct misfit *m, const struct params *p);
+double misfit_of_params(struct misfit *m, const struct params *p);
 
-/* As misfit_at, and computes the weighted differences simulated - measured, r
- * [n_residual]. */
-double misfit_differences(struct misfit *m, const struct params *p, double *r);
+/* As misfit_of_params, and computes the weighted differences simulated -
+ * measured, r [n_residual]. */
+double misfit_weighted_differences(
+    struct misfit *m, const struct params *p, double *r);
 
 /* Returns the misfit and computes the weighted differences simulated -
  * measured, r [n_residual], and their derivatives, J [n_residual * model's n]
@@ -80,13 +81,13 @@ double misfit_rmse(struct misfit *m, const struct params *p);
 
 /* Returns the number of sieves of the run's product that its feed covers; only
  * the finest can be uncovered, so these are the first. */
-size_t misfit_count_covered(const struct run *run);
+size_t misfit_count_covered_sieves(const struct run *run);
 
 /* Marks the default training set: all repeats at the slowest and the fastest
  * speed with a product.  Returns the number of runs marked. */
-size_t misfit_default_train(const struct site *site, bool *train);
+size_t misfit_mark_default_training(const struct site *site, bool *train);
 
 /* Returns the misfit of the null model product = feed. */
-double misfit_of_feed(const struct misfit *m);
+double misfit_of_feed_as_product(const struct misfit *m);
 
 #endif

@@ -25,7 +25,7 @@ struct polish {
 	struct misfit *misfit;
 	size_t n, width; /* of rows, the model's n */
 	double *r, *J, *r_try, *J_try;
-	/* See damped_triangle. */
+	/* See build_damped_triangle. */
 	double (*A)[PARAMS_MOST + 1], top[PARAMS_MOST];
 	double scale[PARAMS_MOST]; /* largest column norms seen (More) */
 };
@@ -38,10 +38,10 @@ polish_new(struct misfit *m)
 	s->misfit = m;
 	s->n = n;
 	s->width = m->of->n;
-	s->r = xdoubles(n);
-	s->r_try = xdoubles(n);
-	s->J = xdoubles(n * s->width);
-	s->J_try = xdoubles(n * s->width);
+	s->r = xcalloc_doubles(n);
+	s->r_try = xcalloc_doubles(n);
+	s->J = xcalloc_doubles(n * s->width);
+	s->J_try = xcalloc_doubles(n * s->width);
 	s->A = xcalloc(n + s->width, sizeof *s->A);
 	return s;
 }
@@ -62,7 +62,7 @@ polish_free(struct polish *s)
 /* Marks the parameters that may move: not fixed and not on a bound, unless the
  * gradient leads away from there and these are let go.  Returns how many. */
 static size_t
-free_columns(const struct polish *s, const struct bounds *bounds,
+list_movable_columns(const struct polish *s, const struct bounds *bounds,
     const struct params *p, bool let_go, size_t column[PARAMS_MOST])
 {
 	size_t n_free = 0;
@@ -85,7 +85,7 @@ free_columns(const struct polish *s, const struct bounds *bounds,
 }
 
 static void
-update_scale(struct polish *s)
+update_column_scale(struct polish *s)
 {
 	for (size_t j = 0; j < s->width; j++) {
 		double norm = 0;
@@ -135,7 +135,7 @@ householder_triangle(
 /* The free columns of J over the damping, a triangle as above; behind them -r
  * over 0, turned likewise. */
 static void
-damped_triangle(
+build_damped_triangle(
     struct polish *s, const size_t *column, size_t n_free, double damping)
 {
 	memset(s->A, 0, (s->n + n_free) * sizeof *s->A);
@@ -151,8 +151,8 @@ damped_triangle(
 
 /* The step of all parameters whose free ones x solve R x = z [n_free]. */
 static void
-step_from_triangle(const struct polish *s, const size_t *column, size_t n_free,
-    const double *z, double step[PARAMS_MOST])
+solve_step_from_triangle(const struct polish *s, const size_t *column,
+    size_t n_free, const double *z, double step[PARAMS_MOST])
 {
 	double x[PARAMS_MOST];
 	memset(step, 0, PARAMS_MOST * sizeof *step);
@@ -167,14 +167,14 @@ step_from_triangle(const struct polish *s, const size_t *column, size_t n_free,
 
 /* Solves min |J d + r|^2 + damping |D d|^2 over the free columns. */
 static void
-damped_step(struct polish *s, const size_t *column, size_t n_free,
+solve_damped_step(struct polish *s, const size_t *column, size_t n_free,
     double damping, double step[PARAMS_MOST])
 {
 	double z[PARAMS_MOST];
-	damped_triangle(s, column, n_free, damping);
+	build_damped_triangle(s, column, n_free, damping);
 	for (size_t c = 0; c < n_free; c++)
 		z[c] = s->A[c][n_free];
-	step_from_triangle(s, column, n_free, z, step);
+	solve_step_from_triangle(s, column, n_free, z, step);
 }
 
 static struct params
@@ -182,7 +182,7 @@ params_after_step(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds)
 {
 	struct params q = *p;
-	for (size_t j = 0; j < breakage_of(p)->n; j++) {
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		double x = p->at[j] + step[j];
 		x = x > bounds->lower[j] ? x : bounds->lower[j];
 		q.at[j] = x < bounds->upper[j] ? x : bounds->upper[j];
@@ -195,7 +195,7 @@ static bool
 is_step_cut_by_bound(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds)
 {
-	for (size_t j = 0; j < breakage_of(p)->n; j++)
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++)
 		if (p->at[j] + step[j] < bounds->lower[j] ||
 		    p->at[j] + step[j] > bounds->upper[j])
 			return true;
@@ -246,7 +246,7 @@ static double
 evaluate_trial_step(struct descent *d, const struct params *q)
 {
 	struct polish *s = d->s;
-	d->result.stopped = d->result.stopped || misfit_stopped(s->misfit);
+	d->result.stopped = d->result.stopped || misfit_should_stop(s->misfit);
 	if (d->result.evaluations % PATIENCE == 0) {
 		d->given_up = d->given_up || cannot_reach_rival(d->before,
 						 d->result.misfit, d->rival);
@@ -271,7 +271,7 @@ continue_from_trial(struct descent *d, const struct params *q, double trial)
 	s->r_try = r;
 	s->J = s->J_try;
 	s->J_try = J;
-	update_scale(s);
+	update_column_scale(s);
 }
 
 /* Levenberg's and Marquardt's steps, until they gain nothing or a number of
@@ -285,11 +285,11 @@ descend_damped(struct descent *d, int evaluations)
 	while (!descent_has_ended(d) && d->small < 3 &&
 	       damping <= most_damping && d->result.evaluations < evaluations) {
 		size_t n_free =
-		    free_columns(d->s, d->bounds, d->p, true, column);
+		    list_movable_columns(d->s, d->bounds, d->p, true, column);
 		d->result.converged = n_free == 0;
 		if (d->result.converged)
 			break;
-		damped_step(d->s, column, n_free, damping, step);
+		solve_damped_step(d->s, column, n_free, damping, step);
 		struct params q = params_after_step(d->p, step, d->bounds);
 		double trial = evaluate_trial_step(d, &q);
 		if (trial < d->result.misfit) {
@@ -311,8 +311,8 @@ struct secant {
 };
 
 static void
-gradient(const struct polish *s, const struct secant *q, const double *r,
-    const double *J, double *g)
+compute_secant_gradient(const struct polish *s, const struct secant *q,
+    const double *r, const double *J, double *g)
 {
 	for (size_t c = 0; c < q->n; c++) {
 		g[c] = 0;
@@ -326,7 +326,7 @@ gradient(const struct polish *s, const struct secant *q, const double *r,
 
 /* The inverse after a move dz that changed the gradient by dg. */
 static void
-update_secant(struct secant *q, const double *dz, const double *dg)
+update_inverse_hessian(struct secant *q, const double *dz, const double *dg)
 {
 	double along = 0, across = 0, Hg[PARAMS_MOST] = {0};
 	for (size_t c = 0; c < q->n; c++) {
@@ -354,7 +354,7 @@ struct move {
 /* Looks along -H g for a point that is lower and less steep (Wolfe's weak
  * conditions), by halving.  False where there is none. */
 static bool
-move_along(struct descent *d, const struct secant *q, struct move *m)
+search_along_line(struct descent *d, const struct secant *q, struct move *m)
 {
 	double way[PARAMS_MOST] = {0}, slope = 0, step[PARAMS_MOST];
 	double low = 0, high = INFINITY, t = 1;
@@ -368,11 +368,12 @@ move_along(struct descent *d, const struct secant *q, struct move *m)
 		double there = 0;
 		for (size_t c = 0; c < q->n; c++)
 			m->z[c] = t * way[c];
-		step_from_triangle(d->s, q->column, q->n, m->z, step);
+		solve_step_from_triangle(d->s, q->column, q->n, m->z, step);
 		struct params p = params_after_step(d->p, step, d->bounds);
 		m->cut = is_step_cut_by_bound(d->p, step, d->bounds);
 		double trial = evaluate_trial_step(d, &p);
-		gradient(d->s, q, d->s->r_try, d->s->J_try, m->g);
+		compute_secant_gradient(
+		    d->s, q, d->s->r_try, d->s->J_try, m->g);
 		for (size_t c = 0; c < q->n; c++)
 			there += way[c] * m->g[c];
 		if (!(trial < d->result.misfit + 2e-4 * t * slope)) {
@@ -399,17 +400,17 @@ descend_by_secants(struct descent *d, struct secant *q)
 {
 	struct move m = {.cut = false};
 	double steep = 0, from = d->result.misfit;
-	damped_triangle(d->s, q->column, q->n, 1e-4);
-	gradient(d->s, q, d->s->r, d->s->J, q->g);
+	build_damped_triangle(d->s, q->column, q->n, 1e-4);
+	compute_secant_gradient(d->s, q, d->s->r, d->s->J, q->g);
 	for (size_t c = 0; c < q->n; c++) {
 		q->H[c][c] = 1;
 		steep += q->g[c] * q->g[c];
 	}
-	while (move_along(d, q, &m) && !m.cut) {
+	while (search_along_line(d, q, &m) && !m.cut) {
 		double dg[PARAMS_MOST];
 		for (size_t c = 0; c < q->n; c++)
 			dg[c] = m.g[c] - q->g[c];
-		update_secant(q, m.z, dg);
+		update_inverse_hessian(q, m.z, dg);
 		memcpy(q->g, m.g, sizeof q->g);
 	}
 	bool idle = from - d->result.misfit <= AT_REST * from && !m.cut;
@@ -426,7 +427,8 @@ descend_to_rest(struct descent *d)
 	bool let_go = false;
 	while (!descent_has_ended(d)) {
 		struct secant q = {0};
-		q.n = free_columns(d->s, d->bounds, d->p, let_go, q.column);
+		q.n = list_movable_columns(
+		    d->s, d->bounds, d->p, let_go, q.column);
 		bool rest = descend_by_secants(d, &q);
 		d->result.converged = d->result.converged || (rest && let_go);
 		let_go = rest;
@@ -442,7 +444,7 @@ polish_run(struct polish *s, const struct bounds *bounds, int most,
 	d.result.misfit = d.before = misfit_jacobian(s->misfit, p, s->r, s->J);
 	d.result.evaluations = 1;
 	d.given_up = !isfinite(d.result.misfit);
-	update_scale(s);
+	update_column_scale(s);
 	descend_damped(&d, DAMPED);
 	d.given_up = d.given_up || (d.small >= 3 && is_rival_better(&d));
 	descend_to_rest(&d);

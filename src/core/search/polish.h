@@ -18,7 +18,7 @@ struct polish_result {
 	double misfit;
 	int evaluations; /* of the misfit, derivatives included */
 	bool converged;  /* a restart would gain less than 1e-11 */
-	bool stopped;    /* by misfit_stopped, before the end */
+	bool stopped;    /* by misfit_should_stop, before the end */
 };
 
 /* The best result so far, which a polish must improve on. */

@@ -10,29 +10,31 @@
 #include "core/numeric/svd.h"
 
 bool
-sensitivity_on_bound(const struct bounds *b, const struct params *p, size_t j)
+sensitivity_is_on_bound(
+    const struct bounds *b, const struct params *p, size_t j)
 {
 	double x = p->at[j], range = b->upper[j] - b->lower[j];
 	double near = fmin(x - b->lower[j], b->upper[j] - x);
-	return j >= breakage_of(p)->gauge && range > 0 && near <= 1e-6 * range;
+	return j >= breakage_model_of_params(p)->gauge && range > 0 &&
+	       near <= 1e-6 * range;
 }
 
 /* Marks the parameters that may move and gives the length of their ranges. */
 static void
-find_movable(struct sensitivity *s, const struct params *p,
+find_movable_params(struct sensitivity *s, const struct params *p,
     const struct bounds *b, bool inward)
 {
-	size_t largest = 0, gauge = breakage_of(p)->gauge;
+	size_t largest = 0, gauge = breakage_model_of_params(p)->gauge;
 	for (size_t j = 1; j < gauge; j++)
 		if (fabs(p->at[j]) > fabs(p->at[largest]))
 			largest = j;
-	for (size_t j = 0; j < breakage_of(p)->n; j++) {
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		bool fixed = !(b->upper[j] > b->lower[j]);
 		bool held = gauge > 0 && j == largest;
 		s->range[j] = j < gauge ? 2 * fabs(p->at[largest])
 					: b->upper[j] - b->lower[j];
 		if (!fixed && !held && s->range[j] > 0 &&
-		    (inward || !sensitivity_on_bound(b, p, j)))
+		    (inward || !sensitivity_is_on_bound(b, p, j)))
 			s->column[s->n++] = j;
 	}
 }
@@ -43,7 +45,7 @@ decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
     size_t rows, double *basis)
 {
 	size_t n = s->n;
-	double *A = xdoubles(n * rows), V[PARAMS_MOST * PARAMS_MOST];
+	double *A = xcalloc_doubles(n * rows), V[PARAMS_MOST * PARAMS_MOST];
 	for (size_t c = 0; c < n; c++)
 		for (size_t i = 0; i < rows; i++)
 			A[c * rows + i] = J[i * width + s->column[c]] *
@@ -60,14 +62,14 @@ decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
 }
 
 struct sensitivity
-sensitivity_of(struct misfit *m, const struct params *p,
+sensitivity_at_params(struct misfit *m, const struct params *p,
     const struct bounds *bounds, bool inward, double *basis)
 {
 	struct sensitivity s = {0};
 	size_t rows = m->n_residual, width = m->of->n;
-	double *r = xdoubles(rows), *J = xdoubles(rows * width);
+	double *r = xcalloc_doubles(rows), *J = xcalloc_doubles(rows * width);
 	s.misfit = misfit_jacobian(m, p, r, J);
-	find_movable(&s, p, bounds, inward);
+	find_movable_params(&s, p, bounds, inward);
 	for (size_t i = 0; basis != NULL && i < rows * PARAMS_MOST; i++)
 		basis[i] = 0;
 	if (s.n > 0)
@@ -77,12 +79,12 @@ sensitivity_of(struct misfit *m, const struct params *p,
 	return s;
 }
 
-struct flat
-sensitivity_flat(
+struct flat_direction
+sensitivity_flattest_direction(
     struct misfit *m, const struct params *p, const struct bounds *bounds)
 {
-	struct flat flat = {{0}, 0};
-	struct sensitivity s = sensitivity_of(m, p, bounds, false, NULL);
+	struct flat_direction flat = {{0}, 0};
+	struct sensitivity s = sensitivity_at_params(m, p, bounds, false, NULL);
 	if (s.n == 0 || m->n_residual < s.n)
 		return flat;
 	size_t least = s.n - 1;

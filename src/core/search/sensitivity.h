@@ -23,27 +23,28 @@ struct sensitivity {
 
 /* True if a parameter is free to move and within a millionth of the range of a
  * bound.  Those in the gauge never are: their bounds only limit the scale. */
-bool sensitivity_on_bound(
+bool sensitivity_is_on_bound(
     const struct bounds *bounds, const struct params *p, size_t j);
 
 /* inward: parameters on a bound may move; fixed ones never do.  basis
  * [m->n_residual * PARAMS_MOST] out, or NULL: row i holds the shift of
  * difference i along each direction; its columns are orthonormal, or 0 where
  * sigma is negligible.  Cannot fail. */
-struct sensitivity sensitivity_of(struct misfit *m, const struct params *p,
-    const struct bounds *bounds, bool inward, double *basis);
+struct sensitivity sensitivity_at_params(struct misfit *m,
+    const struct params *p, const struct bounds *bounds, bool inward,
+    double *basis);
 
 /* The direction in which the misfit at a fitted point rises least, to second
  * order.  part [PARAMS_MOST]: the step of each parameter along it, as a share
  * of its search range, that raises the misfit by 10 %; 0 for parameters fixed
  * or on a bound.  reach: the largest of these steps. */
-struct flat {
+struct flat_direction {
 	double part[PARAMS_MOST];
 	double reach;
 };
 
 /* Cannot fail. */
-struct flat sensitivity_flat(
+struct flat_direction sensitivity_flattest_direction(
     struct misfit *m, const struct params *p, const struct bounds *bounds);
 
 #endif

@@ -35,7 +35,7 @@ struct newton {
 static void
 snap_to_bounds(const struct bounds *b, struct params *p)
 {
-	for (size_t j = 0; j < breakage_of(p)->n; j++) {
+	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		double near = ON_BOUND * (b->upper[j] - b->lower[j]);
 		if (p->at[j] - b->lower[j] < near)
 			p->at[j] = b->lower[j];
@@ -49,7 +49,7 @@ snap_to_bounds(const struct bounds *b, struct params *p)
 static void
 list_moving_columns(struct newton *w, const struct params *p)
 {
-	const struct breakage *of = breakage_of(p);
+	const struct breakage *of = breakage_model_of_params(p);
 	size_t largest = 0;
 	for (size_t j = 1; j < of->gauge; j++)
 		if (fabs(p->at[j]) > fabs(p->at[largest]))
@@ -203,11 +203,11 @@ round_params(const struct newton *w, const struct params *p)
 }
 
 bool
-settle_to_same_bits(
+settle_at_stationary_point(
     struct misfit *m, const struct bounds *bounds, struct params *p)
 {
 	size_t rows = m->n_residual, width = m->of->n;
-	double *room = xdoubles(2 * rows * (width + 1));
+	double *room = xcalloc_doubles(2 * rows * (width + 1));
 	struct newton w = {.misfit = m, .bounds = bounds};
 	w.r = room;
 	w.r_beside = w.r + rows;
@@ -219,7 +219,8 @@ settle_to_same_bits(
 	bool found = w.n > 0 && rows >= w.n && newton_descend(&w, &near);
 	struct params q = round_params(&w, &near);
 	found = found && newton_descend(&w, &q) &&
-		misfit_at(m, &q) <= misfit_at(m, p) * (1 + NOTHING) + EXACT;
+		misfit_of_params(m, &q) <=
+		    misfit_of_params(m, p) * (1 + NOTHING) + EXACT;
 	if (found)
 		*p = q;
 	free(room);

@@ -18,7 +18,7 @@
  * change.  Returns false, leaving *p unchanged, if there is no such point
  * nearby: if the data do not determine a direction, at a crease of the misfit,
  * or if the misfit would be larger. */
-bool settle_to_same_bits(
+bool settle_at_stationary_point(
     struct misfit *m, const struct bounds *bounds, struct params *p);
 
 #endif

@@ -47,13 +47,13 @@ archive_close(struct archive *archive)
 }
 
 bool
-archive_has(const struct archive *archive, const char *name)
+archive_has_entry(const struct archive *archive, const char *name)
 {
 	return zip_name_locate(archive->zip, name, ZIP_FL_NOCASE) >= 0;
 }
 
 double
-archive_unpacked(const struct archive *archive)
+archive_unpacked_bytes(const struct archive *archive)
 {
 	double bytes = 0;
 	zip_int64_t n = zip_get_num_entries(archive->zip, 0);
@@ -69,7 +69,7 @@ archive_unpacked(const struct archive *archive)
 
 /* Returns the contents of an entry, whatever size it states. */
 static char *
-unpack(struct archive *archive, zip_file_t *file, size_t *n)
+read_entry_to_end(struct archive *archive, zip_file_t *file, size_t *n)
 {
 	char *bytes = NULL;
 	zip_int64_t got = 1;
@@ -92,7 +92,8 @@ unpack(struct archive *archive, zip_file_t *file, size_t *n)
 }
 
 char *
-archive_part(struct archive *archive, const char *name, size_t *n, char **wrong)
+archive_unpack_entry(
+    struct archive *archive, const char *name, size_t *n, char **wrong)
 {
 	zip_int64_t at = zip_name_locate(archive->zip, name, ZIP_FL_NOCASE);
 	zip_stat_t about;
@@ -107,7 +108,7 @@ archive_part(struct archive *archive, const char *name, size_t *n, char **wrong)
 		return NULL;
 	}
 	zip_file_t *file = zip_fopen_index(archive->zip, (zip_uint64_t)at, 0);
-	char *bytes = file != NULL ? unpack(archive, file, n) : NULL;
+	char *bytes = file != NULL ? read_entry_to_end(archive, file, n) : NULL;
 	if (bytes == NULL && archive->unpacked > MOST_BYTES)
 		*wrong = xasprintf(
 		    tr("more than %d MB unpacked"), MOST_BYTES / 1000000);

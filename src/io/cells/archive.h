@@ -16,16 +16,16 @@ struct archive *archive_open(const char *bytes, size_t n, char **wrong);
 void archive_close(struct archive *archive);
 
 /* True if the archive contains a part with this name, ignoring case. */
-bool archive_has(const struct archive *archive, const char *name);
+bool archive_has_entry(const struct archive *archive, const char *name);
 
 /* Returns the unpacked size of all parts, in bytes, as stated in the
  * archive. */
-double archive_unpacked(const struct archive *archive);
+double archive_unpacked_bytes(const struct archive *archive);
 
 /* Returns a part, *n bytes and a NUL, which the caller frees.  Returns NULL,
  * with the reason in *wrong as above, if the part is missing, encrypted,
  * damaged or too large. */
-char *archive_part(
+char *archive_unpack_entry(
     struct archive *archive, const char *name, size_t *n, char **wrong);
 
 #endif

@@ -21,7 +21,7 @@ struct said {
 };
 
 static void
-add_unit(struct said *said, char c)
+append_unit_char(struct said *said, char c)
 {
 	if (said->n + 1 < sizeof said->unit)
 		said->unit[said->n++] = c;
@@ -29,13 +29,13 @@ add_unit(struct said *said, char c)
 
 /* Reads "text", [Red] or [h].  Returns the text after it. */
 static const char *
-read_enclosed(const char *p, struct said *said)
+parse_quoted_or_bracketed(const char *p, struct said *said)
 {
 	char close = *p == '[' ? ']' : '"';
 	const char *from = ++p;
 	while (*p != '\0' && *p != close) {
 		if (close == '"')
-			add_unit(said, *p);
+			append_unit_char(said, *p);
 		p++;
 	}
 	/* Of elapsed time: a letter alone, once or twice. */
@@ -48,12 +48,12 @@ read_enclosed(const char *p, struct said *said)
 
 /* Reads a sign by itself.  Returns the text after it. */
 static const char *
-read_format_sign(const char *p, struct said *said)
+parse_format_char(const char *p, struct said *said)
 {
 	switch (tolower((unsigned char)*p)) {
 	case '\\':
 		if (p[1] != '\0')
-			add_unit(said, *++p);
+			append_unit_char(said, *++p);
 		break;
 	case '_':
 	case '*':
@@ -81,7 +81,7 @@ read_format_sign(const char *p, struct said *said)
 
 /* True if m means minutes, as in m:ss. */
 static bool
-is_minutes(const char *code)
+is_m_for_minutes(const char *code)
 {
 	return strncasecmp(code, "m:s", 3) == 0 ||
 	       strncasecmp(code, "mm:s", 4) == 0;
@@ -90,7 +90,7 @@ is_minutes(const char *code)
 struct cell_format
 cell_format_of_code(const char *code)
 {
-	struct said said = {.time = is_minutes(code)};
+	struct said said = {.time = is_m_for_minutes(code)};
 	static const char *const PLAIN[] = {"General", "Standard"};
 	for (const char *p = code; *p != '\0' && *p != ';';) {
 		size_t plain = 0;
@@ -100,9 +100,9 @@ cell_format_of_code(const char *code)
 		if (plain > 0)
 			p += plain;
 		else if (*p == '"' || *p == '[')
-			p = read_enclosed(p, &said);
+			p = parse_quoted_or_bracketed(p, &said);
 		else
-			p = read_format_sign(p, &said);
+			p = parse_format_char(p, &said);
 	}
 	struct cell_format shown = {.kind = said.span   ? FORMAT_SPAN
 					    : said.day  ? FORMAT_DATE
@@ -139,16 +139,16 @@ cell_format_builtin(unsigned id)
 }
 
 bool
-cell_format_date(double serial, bool from_1904, enum cell_format_kind kind,
-    char text[static 32])
+cell_format_serial_to_text(double serial, bool from_1904,
+    enum cell_format_kind kind, char text[static 32])
 {
 	enum { DAY = 86400, TO_1899 = -25569, TO_1904 = -24107 };
 	if (!(serial >= 0 && serial < 2958466))
 		return false;
 	double seconds = round(serial * DAY);
 	long day = (long)floor(seconds / DAY);
-	bool midnight = seconds == datetime_midnight(seconds);
-	FREED char *clock = datetime_clock(seconds);
+	bool midnight = seconds == datetime_start_of_day(seconds);
+	FREED char *clock = datetime_time_of_day_text(seconds);
 	if (kind == FORMAT_SPAN) {
 		snprintf(text, 32, "%02ld%s", (long)seconds / 3600, clock + 2);
 		return true;
@@ -157,7 +157,7 @@ cell_format_date(double serial, bool from_1904, enum cell_format_kind kind,
 	 * leap day that never was. */
 	long epoch = from_1904 ? TO_1904 : TO_1899 + (day < 60);
 	FREED char *date = kind == FORMAT_DATE || day > 0
-			       ? datetime_day(day + epoch)
+			       ? datetime_date_from_days(day + epoch)
 			       : xstrdup("");
 	bool both = date[0] != '\0' && !midnight;
 	snprintf(text, 32, "%s%s%s", date, both ? "T" : "",

@@ -26,7 +26,7 @@ struct cell_format cell_format_builtin(unsigned id);
 /* Writes "2026-05-03", "2026-05-03T10:15" or, for a time, "10:15", with seconds
  * if they are not zero.  serial: days since 1899-12-30, or since 1904-01-01.
  * Returns false before that day and from the year 10000 on. */
-bool cell_format_date(double serial, bool from_1904, enum cell_format_kind kind,
-    char text[static 32]);
+bool cell_format_serial_to_text(double serial, bool from_1904,
+    enum cell_format_kind kind, char text[static 32]);
 
 #endif

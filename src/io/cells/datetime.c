@@ -22,7 +22,7 @@ static const char *const MONTHS[12] = {"jan ene", "feb fev", "mar mrt",
     "oct okt out", "nov", "dec dez des dic"};
 
 static int
-days_in(int year, int month)
+days_in_month(int year, int month)
 {
 	static const int DAYS[12] = {
 	    31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
@@ -31,28 +31,28 @@ days_in(int year, int month)
 }
 
 static bool
-is_date(int year, int month, int day)
+is_valid_date(int year, int month, int day)
 {
 	return year >= 1970 && year <= 2199 && month >= 1 && month <= 12 &&
-	       day >= 1 && day <= days_in(year, month);
+	       day >= 1 && day <= days_in_month(year, month);
 }
 
 /* Returns the days since the beginning of 1970. */
 static int
-days_to(int year, int month, int day)
+days_since_1970(int year, int month, int day)
 {
 	int days = day - 1;
 	for (int y = 1970; y < year; y++)
-		days += 337 + days_in(y, 2);
+		days += 337 + days_in_month(y, 2);
 	for (int m = 1; m < month; m++)
-		days += days_in(year, m);
+		days += days_in_month(year, m);
 	return days;
 }
 
 /* Reads a number of at most `most` digits at *p and moves *p after it; -1 if
  * there is none. */
 static int
-read_digits(const char **p, size_t most, size_t *n)
+parse_digits(const char **p, size_t most, size_t *n)
 {
 	int value = 0;
 	for (*n = 0; *n < most && isdigit((unsigned char)**p); (*n)++)
@@ -61,7 +61,7 @@ read_digits(const char **p, size_t most, size_t *n)
 }
 
 static int
-month_of(const char *word)
+month_from_name(const char *word)
 {
 	for (int m = 0; m < 12; m++)
 		for (const char *p = MONTHS[m]; *p != '\0';
@@ -73,35 +73,36 @@ month_of(const char *word)
 
 /* Reads "May-2026", after the day. */
 static bool
-read_named(const char **p, int day, struct datetime *m)
+parse_month_name_and_year(const char **p, int day, struct datetime *m)
 {
 	size_t n;
 	m->day = day;
-	m->month = month_of(*p);
+	m->month = month_from_name(*p);
 	while (isalpha((unsigned char)**p))
 		(*p)++;
 	*p += strspn(*p, ".- ,");
-	m->year = read_digits(p, 4, &n);
+	m->year = parse_digits(p, 4, &n);
 	/* The day comes first where the month is a word: 03-May-26. */
 	m->year += n == 2 ? 2000 : 0;
 	m->plain = true;
-	return (n == 2 || n == 4) && is_date(m->year, m->month, m->day);
+	return (n == 2 || n == 4) && is_valid_date(m->year, m->month, m->day);
 }
 
 /* Reads the last two numbers of a date, after a day or month and a sign. */
 static bool
-read_local(const char **p, int first, char sign, struct datetime *m)
+parse_rest_of_numeric_date(
+    const char **p, int first, char sign, struct datetime *m)
 {
 	size_t n;
-	int second = read_digits(p, 2, &n);
+	int second = parse_digits(p, 2, &n);
 	if (*(*p)++ != sign)
 		return false;
-	m->year = read_digits(p, 4, &n);
+	m->year = parse_digits(p, 4, &n);
 	m->day = first;
 	m->month = second;
 	m->plain = sign == '.' || first == second;
-	bool day_first = is_date(m->year, second, first);
-	bool month_first = is_date(m->year, first, second) && !m->plain;
+	bool day_first = is_valid_date(m->year, second, first);
+	bool month_first = is_valid_date(m->year, first, second) && !m->plain;
 	if (day_first && month_first)
 		m->order = DATETIME_OPEN;
 	else
@@ -112,10 +113,10 @@ read_local(const char **p, int first, char sign, struct datetime *m)
 
 /* Reads a date at *p and moves *p after it. */
 static bool
-datetime_read_date(const char **p, struct datetime *m)
+datetime_parse_date(const char **p, struct datetime *m)
 {
 	size_t n;
-	int first = read_digits(p, 4, &n);
+	int first = parse_digits(p, 4, &n);
 	char sign = **p;
 	if (first < 0 || strchr("-/. ", sign) == NULL || sign == '\0')
 		return false;
@@ -123,24 +124,24 @@ datetime_read_date(const char **p, struct datetime *m)
 	const char *word = *p + strspn(*p, " ");
 	if (n <= 2 && isalpha((unsigned char)*word)) {
 		*p = word;
-		return read_named(p, first, m);
+		return parse_month_name_and_year(p, first, m);
 	}
 	if (sign == ' ')
 		return false;
 	if (n <= 2)
-		return read_local(p, first, sign, m);
+		return parse_rest_of_numeric_date(p, first, sign, m);
 	m->year = first;
-	m->month = read_digits(p, 2, &n);
+	m->month = parse_digits(p, 2, &n);
 	if (*(*p)++ != sign)
 		return false;
-	m->day = read_digits(p, 2, &n);
+	m->day = parse_digits(p, 2, &n);
 	m->plain = true;
-	return is_date(m->year, m->month, m->day);
+	return is_valid_date(m->year, m->month, m->day);
 }
 
 /* Reads "AM" or "p.m.". */
 static bool
-read_half(const char **p, int *hour)
+parse_am_pm(const char **p, int *hour)
 {
 	const char *q = *p + strspn(*p, " ");
 	if ((*q != 'a' && *q != 'p') || (q[1] != 'm' && q[1] != '.'))
@@ -156,7 +157,7 @@ read_half(const char **p, int *hour)
 
 /* Reads "Z" or "+02:00", which nothing may follow. */
 static bool
-read_zone(const char *p, struct datetime *m)
+parse_time_zone(const char *p, struct datetime *m)
 {
 	size_t n;
 	p += strspn(p, " ");
@@ -170,32 +171,32 @@ read_zone(const char *p, struct datetime *m)
 	if (*p != '+' && *p != '-')
 		return false;
 	p++;
-	if (read_digits(&p, 4, &n) < 0)
+	if (parse_digits(&p, 4, &n) < 0)
 		return false;
 	if (*p == ':') {
 		p++;
-		read_digits(&p, 2, &n);
+		parse_digits(&p, 2, &n);
 	}
 	return *p == '\0';
 }
 
 /* Reads a time of day, to the end of the text.  point: "10.15" is one too. */
 static bool
-datetime_read_time(const char *p, bool point, struct datetime *m)
+datetime_parse_time(const char *p, bool point, struct datetime *m)
 {
 	size_t n;
-	int hour = read_digits(&p, 2, &n), minute, second = 0;
+	int hour = parse_digits(&p, 2, &n), minute, second = 0;
 	double part = 0;
 	char sign = *p;
 	if (hour < 0 || (sign != ':' && !(point && sign == '.')))
 		return false;
 	p++;
-	minute = read_digits(&p, 2, &n);
+	minute = parse_digits(&p, 2, &n);
 	if (n != 2)
 		return false;
 	if (*p == sign) {
 		p++;
-		second = read_digits(&p, 2, &n);
+		second = parse_digits(&p, 2, &n);
 		if (second >= 0 && (*p == '.' || *p == ',') &&
 		    isdigit((unsigned char)p[1])) {
 			double scale = 1;
@@ -203,7 +204,7 @@ datetime_read_time(const char *p, bool point, struct datetime *m)
 				part += (scale /= 10) * (*p - '0');
 		}
 	}
-	if (!read_half(&p, &hour) || !read_zone(p, m))
+	if (!parse_am_pm(&p, &hour) || !parse_time_zone(p, m))
 		return false;
 	m->seconds = 3600 * hour + 60 * minute + second + part;
 	m->has_time = true;
@@ -212,25 +213,25 @@ datetime_read_time(const char *p, bool point, struct datetime *m)
 }
 
 bool
-datetime_read(const char *text, struct datetime *m)
+datetime_parse(const char *text, struct datetime *m)
 {
-	FREED char *folded = text_fold(text);
+	FREED char *folded = text_fold_case_and_accents(text);
 	const char *all = text_trim(folded), *p = all;
 	struct datetime none = {.plain = false};
 	*m = none;
-	m->has_date = datetime_read_date(&p, m);
+	m->has_date = datetime_parse_date(&p, m);
 	if (!m->has_date) {
 		*m = none;
-		return datetime_read_time(all, false, m);
+		return datetime_parse_time(all, false, m);
 	}
 	size_t gap = strspn(p, "t, ");
 	return *p == '\0' ||
 	       (gap > 0 &&
-		   (p[gap] == '\0' || datetime_read_time(p + gap, true, m)));
+		   (p[gap] == '\0' || datetime_parse_time(p + gap, true, m)));
 }
 
 double
-datetime_seconds(const struct datetime *m, enum datetime_order order)
+datetime_seconds_since_1970(const struct datetime *m, enum datetime_order order)
 {
 	if (!m->has_date)
 		return NAN;
@@ -240,21 +241,21 @@ datetime_seconds(const struct datetime *m, enum datetime_order order)
 	int month = turned ? m->day : m->month,
 	    day = turned ? m->month : m->day;
 	if ((!m->plain && order == DATETIME_OPEN) ||
-	    !is_date(m->year, month, day))
+	    !is_valid_date(m->year, month, day))
 		return NAN;
-	return (double)days_to(m->year, month, day) * DAY + m->seconds;
+	return (double)days_since_1970(m->year, month, day) * DAY + m->seconds;
 }
 
 double
-datetime_midnight(double seconds)
+datetime_start_of_day(double seconds)
 {
 	return floor(seconds / DAY) * DAY;
 }
 
 char *
-datetime_clock(double seconds)
+datetime_time_of_day_text(double seconds)
 {
-	int of_day = (int)(seconds - datetime_midnight(seconds));
+	int of_day = (int)(seconds - datetime_start_of_day(seconds));
 	int s = of_day % 60;
 	if (s > 0)
 		return xasprintf(
@@ -263,26 +264,26 @@ datetime_clock(double seconds)
 }
 
 bool
-datetime_is_day(const char *text)
+datetime_is_iso_date(const char *text)
 {
 	size_t n[3];
 	const char *p = text;
-	int year = read_digits(&p, 4, &n[0]);
+	int year = parse_digits(&p, 4, &n[0]);
 	if (*p++ != '-')
 		return false;
-	int month = read_digits(&p, 2, &n[1]);
+	int month = parse_digits(&p, 2, &n[1]);
 	if (*p++ != '-')
 		return false;
-	int day = read_digits(&p, 2, &n[2]);
+	int day = parse_digits(&p, 2, &n[2]);
 	return *p == '\0' && n[0] == 4 && n[1] == 2 && n[2] == 2 && year >= 0 &&
 	       month >= 1 && month <= 12 && day >= 1 &&
-	       day <= days_in(year, month);
+	       day <= days_in_month(year, month);
 }
 
 /* Source: H. Hinnant, chrono-Compatible Low-Level Date Algorithms,
  * civil_from_days. */
 char *
-datetime_day(long days)
+datetime_date_from_days(long days)
 {
 	long z = days + 719468, era = z / 146097, doe = z - era * 146097;
 	long yoe = (doe - doe / 1460 + doe / 36524 - doe / 146096) / 365;
@@ -295,10 +296,10 @@ datetime_day(long days)
 }
 
 char *
-datetime_text(double seconds)
+datetime_to_text(double seconds)
 {
-	FREED char *day = datetime_day((long)floor(seconds / DAY));
-	FREED char *clock = datetime_clock(seconds);
+	FREED char *day = datetime_date_from_days((long)floor(seconds / DAY));
+	FREED char *clock = datetime_time_of_day_text(seconds);
 	return xasprintf("%s %s", day, clock);
 }
 
@@ -307,7 +308,7 @@ datetime_today(void)
 {
 	uint64_t whole;
 	const char *epoch = getenv("SOURCE_DATE_EPOCH");
-	bool fixed = epoch != NULL && text_whole(epoch, &whole) &&
+	bool fixed = epoch != NULL && text_parse_whole_number(epoch, &whole) &&
 		     whole < (uint64_t)DAY * 366 * 8000;
 	time_t now = fixed ? (time_t)whole : time(NULL);
 	const struct tm *tm = fixed ? gmtime(&now) : localtime(&now);

@@ -22,7 +22,7 @@ static const uint16_t C1[32] = {0x20AC, 0, 0x201A, 0x0192, 0x201E, 0x2026,
     0x0161, 0x203A, 0x0153, 0, 0x017E, 0x0178};
 
 static uint32_t
-from_1252(char byte)
+code_point_of_1252(char byte)
 {
 	unsigned char c = (unsigned char)byte;
 	return c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
@@ -30,7 +30,7 @@ from_1252(char byte)
 
 /* Returns the bytes of the character at i, or 0 if it is not UTF-8. */
 static size_t
-utf8_length(const char *bytes, size_t n, size_t i)
+utf8_char_length(const char *bytes, size_t n, size_t i)
 {
 	for (size_t k = 1; k <= 4 && i + k <= n; k++)
 		if (text_is_utf8(bytes + i, k) || bytes[i] == '\0')
@@ -39,19 +39,19 @@ utf8_length(const char *bytes, size_t n, size_t i)
 }
 
 static char *
-encoding_put(char *to, uint32_t code)
+append_utf8_char(char *to, uint32_t code)
 {
 	return to + utf8proc_encode_char(
 			(utf8proc_int32_t)code, (utf8proc_uint8_t *)to);
 }
 
 static struct decoded
-decode_1252(const char *bytes, size_t n)
+decode_windows_1252(const char *bytes, size_t n)
 {
 	struct decoded d = {ENCODING_1252, xcalloc(3 * n + 1, 1), 0, 0, NULL};
 	char *to = d.text;
 	for (size_t i = 0; i < n; i++) {
-		uint32_t code = from_1252(bytes[i]);
+		uint32_t code = code_point_of_1252(bytes[i]);
 		bool none = code == 0 && bytes[i] != '\0';
 		if (none && d.wrong == NULL) {
 			d.wrong =
@@ -59,7 +59,7 @@ decode_1252(const char *bytes, size_t n)
 			       "of neither");
 			d.bad = (size_t)(to - d.text);
 		}
-		to = encoding_put(to, none ? 0xFFFD : code);
+		to = append_utf8_char(to, none ? 0xFFFD : code);
 	}
 	d.n = (size_t)(to - d.text);
 	return d;
@@ -68,19 +68,19 @@ decode_1252(const char *bytes, size_t n)
 /* A byte that is not UTF-8 among others that are means a damaged file: its
  * letters cannot all be right in Windows-1252. */
 static struct decoded
-decode_bytes(const char *bytes, size_t n)
+decode_utf8_or_1252(const char *bytes, size_t n)
 {
 	size_t bad = n;
 	bool beyond_ascii = false;
 	for (size_t i = 0, k; i < n; i += k) {
-		k = utf8_length(bytes, n, i);
+		k = utf8_char_length(bytes, n, i);
 		beyond_ascii = beyond_ascii || k > 1;
 		if (k == 0 && bad == n)
 			bad = i;
 		k += k == 0;
 	}
 	if (bad < n && !beyond_ascii)
-		return decode_1252(bytes, n);
+		return decode_windows_1252(bytes, n);
 	struct decoded d = {ENCODING_UTF8, xcalloc(n + 1, 1), n, bad, NULL};
 	memcpy(d.text, bytes, n);
 	if (bad < n)
@@ -89,7 +89,7 @@ decode_bytes(const char *bytes, size_t n)
 }
 
 static unsigned
-unit_16(const char *bytes, bool big)
+utf16_unit(const char *bytes, bool big)
 {
 	unsigned a = (unsigned char)bytes[!big], b = (unsigned char)bytes[big];
 	return a << 8 | b;
@@ -98,15 +98,15 @@ unit_16(const char *bytes, bool big)
 /* Returns the character at i and moves i after it; UINT32_MAX for half a
  * pair. */
 static uint32_t
-next_16(const char *bytes, size_t n, bool big, size_t *i)
+decode_next_utf16_char(const char *bytes, size_t n, bool big, size_t *i)
 {
 	if (*i + 2 > n)
 		return UINT32_MAX;
-	unsigned first = unit_16(bytes + *i, big);
+	unsigned first = utf16_unit(bytes + *i, big);
 	*i += 2;
 	if (first < 0xD800 || first > 0xDFFF)
 		return first;
-	unsigned second = *i + 2 <= n ? unit_16(bytes + *i, big) : 0;
+	unsigned second = *i + 2 <= n ? utf16_unit(bytes + *i, big) : 0;
 	if (first > 0xDBFF || second < 0xDC00 || second > 0xDFFF)
 		return UINT32_MAX;
 	*i += 2;
@@ -114,18 +114,18 @@ next_16(const char *bytes, size_t n, bool big, size_t *i)
 }
 
 static struct decoded
-decode_16(const char *bytes, size_t n, bool big)
+decode_utf16(const char *bytes, size_t n, bool big)
 {
 	struct decoded d = {
 	    ENCODING_UTF16, xcalloc(3 * (n / 2) + 4, 1), 0, 0, NULL};
 	char *to = d.text;
 	for (size_t i = 0; i < n;) {
-		uint32_t code = next_16(bytes, n, big, &i);
+		uint32_t code = decode_next_utf16_char(bytes, n, big, &i);
 		if (code == UINT32_MAX) {
 			d.wrong = tr("expected text, got damaged UTF-16");
 			break;
 		}
-		to = encoding_put(to, code);
+		to = append_utf8_char(to, code);
 	}
 	d.n = d.bad = (size_t)(to - d.text);
 	return d;
@@ -135,22 +135,22 @@ struct decoded
 encoding_decode(const char *bytes, size_t n)
 {
 	if (n >= 2 && memcmp(bytes, "\xFF\xFE", 2) == 0)
-		return decode_16(bytes + 2, n - 2, false);
+		return decode_utf16(bytes + 2, n - 2, false);
 	if (n >= 2 && memcmp(bytes, "\xFE\xFF", 2) == 0)
-		return decode_16(bytes + 2, n - 2, true);
+		return decode_utf16(bytes + 2, n - 2, true);
 	if (n > 3 && (bytes[0] == 0) != (bytes[1] == 0) &&
 	    (bytes[0] == 0) == (bytes[2] == 0) &&
 	    (bytes[1] == 0) == (bytes[3] == 0))
-		return decode_16(bytes, n, bytes[0] == 0);
+		return decode_utf16(bytes, n, bytes[0] == 0);
 	if (n >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0)
-		return decode_bytes(bytes + 3, n - 3);
-	return decode_bytes(bytes, n);
+		return decode_utf8_or_1252(bytes + 3, n - 3);
+	return decode_utf8_or_1252(bytes, n);
 }
 
 /* False for a letter with very many accents: utf8proc sorts them by exchanging
  * neighbours, which for a million of them would take too long. */
 static bool
-is_composable(const char *text)
+is_safe_to_compose(const char *text)
 {
 	enum { MOST_MARKS = 30 };
 	bool plain = true;
@@ -167,11 +167,12 @@ is_composable(const char *text)
 }
 
 char *
-encoding_compose(const char *text)
+encoding_to_nfc(const char *text)
 {
 	utf8proc_uint8_t *composed =
-	    is_composable(text) ? utf8proc_NFC((const utf8proc_uint8_t *)text)
-				: NULL;
+	    is_safe_to_compose(text)
+		? utf8proc_NFC((const utf8proc_uint8_t *)text)
+		: NULL;
 	if (composed == NULL)
 		return xstrdup(text);
 	return (char *)composed;

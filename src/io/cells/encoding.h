@@ -24,6 +24,6 @@ struct decoded encoding_decode(const char *bytes, size_t n);
 /* Returns a copy in which a letter and its accent are one character (NFC), as
  * most keyboards produce.  A text with more than 30 accents on one letter is
  * copied unchanged.  The caller frees it. */
-char *encoding_compose(const char *text);
+char *encoding_to_nfc(const char *text);
 
 #endif

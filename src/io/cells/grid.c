@@ -49,15 +49,16 @@ grid_note(struct grid *g, const char *format, ...)
 	size_t n = strlen(text);
 	for (n = n > MOST_NOTE ? MOST_NOTE : n; (text[n] & 0xC0) == 0x80; n--)
 		;
-	xlist(&g->note, "; ", "%.*s%s", (int)n, text,
+	xappend_to_list(&g->note, "; ", "%.*s%s", (int)n, text,
 	    text[n] != '\0' ? "..." : "");
 }
 
 void
-grid_end_notes(struct grid *g)
+grid_note_omitted_count(struct grid *g)
 {
 	if (g->n_note > MOST_NOTES)
-		xlist(&g->note, "; ", tr("%zu more remarks on its sheets"),
+		xappend_to_list(&g->note, "; ",
+		    tr("%zu more remarks on its sheets"),
 		    g->n_note - MOST_NOTES);
 }
 
@@ -68,20 +69,20 @@ grid_note_more_sheets(struct grid *g, int most)
 }
 
 void
-grid_begin(struct grid *g, const char *name)
+grid_begin_sheet(struct grid *g, const char *name)
 {
-	g->now = sheet_begin(g->path, name, g->most, g->errors);
+	g->now = sheet_new_empty(g->path, name, g->most, g->errors);
 	g->too_big = g->n == MOST_SHEETS ? tr("more than 200 sheets") : NULL;
 	g->bytes = 0;
 	g->unsolved = g->hidden = false;
 }
 
 void
-grid_end(struct grid *g)
+grid_end_sheet(struct grid *g)
 {
 	struct sheet *sheet = g->now;
 	g->now = NULL;
-	sheet_end(sheet);
+	sheet_complete(sheet);
 	bool empty = sheet->n_row == 0 && sheet->n_comment == 0;
 	if (g->too_big != NULL)
 		grid_note(
@@ -105,14 +106,14 @@ grid_end(struct grid *g)
 
 /* Takes ownership of the cell's text.  False if it is empty. */
 static bool
-grid_put(struct grid *g, struct cell cell)
+grid_put_cell(struct grid *g, struct cell cell)
 {
 	bool filled = cell.text[0] != '\0';
 	g->bytes += strlen(cell.text);
 	if (filled && g->too_big == NULL) {
 		if (g->bytes > MOST_BYTES)
 			g->too_big = tr("more than 10 MB of text");
-		else if (!sheet_has_room(g->now, cell))
+		else if (!sheet_has_room_for_cell(g->now, cell))
 			g->too_big = cell.column > 256
 					 ? tr("more than 256 columns")
 					 : tr("too many rows or cells");
@@ -120,7 +121,7 @@ grid_put(struct grid *g, struct cell cell)
 	if (!filled || g->too_big != NULL)
 		free(cell.text);
 	else
-		sheet_put(g->now, cell);
+		sheet_put_cell(g->now, cell);
 	return filled;
 }
 
@@ -131,7 +132,7 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 		g->too_big = tr("more than 100 kB of text in a cell");
 	if (g->too_big != NULL) /* the rest is not worth looking at */
 		return true;
-	FREED char *line = encoding_compose(text);
+	FREED char *line = encoding_to_nfc(text);
 	char *to = line;
 	for (const char *p = line; *p != '\0'; p++) {
 		bool blank = *p == '\n' || *p == '\r' || *p == '\t';
@@ -141,20 +142,20 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 	}
 	*to = '\0';
 	char *said = text_trim(line);
-	said += said[0] == '\'' && text_is_formula(said);
+	said += said[0] == '\'' && text_may_be_formula(said);
 	where.text = xstrdup(said);
 	where.kind = CELL_TEXT;
-	return grid_put(g, where);
+	return grid_put_cell(g, where);
 }
 
 /* Returns 97.5 for 0.975, without the error in the last bit. */
 static double
-grid_percent(double value)
+fraction_to_percent(double value)
 {
 	char text[32];
 	double v = 100 * value;
 	snprintf(text, sizeof text, "%.12g", v);
-	text_number(text, &v);
+	text_parse_number(text, &v);
 	return v;
 }
 
@@ -164,10 +165,12 @@ grid_put_number(
 {
 	char text[32];
 	where.kind = CELL_NUMBER;
-	where.number = strcmp(unit, "%") == 0 ? grid_percent(value) : value;
-	where.text = xasprintf("%s%s%s", text_exact_number(where.number, text),
-	    unit[0] != '\0' ? " " : "", unit);
-	return grid_put(g, where);
+	where.number =
+	    strcmp(unit, "%") == 0 ? fraction_to_percent(value) : value;
+	where.text =
+	    xasprintf("%s%s%s", text_shortest_exact_number(where.number, text),
+		unit[0] != '\0' ? " " : "", unit);
+	return grid_put_cell(g, where);
 }
 
 bool
@@ -175,11 +178,11 @@ grid_put_date(struct grid *g, struct cell where, const char *text)
 {
 	where.text = xstrdup(text);
 	where.kind = CELL_DATE;
-	return grid_put(g, where);
+	return grid_put_cell(g, where);
 }
 
 bool
-grid_put_formula(struct grid *g, struct cell where, const char *formula)
+grid_put_formula_text(struct grid *g, struct cell where, const char *formula)
 {
 	FREED char *text = xasprintf("=%s", formula + (formula[0] == '='));
 	g->unsolved = true;
@@ -187,7 +190,7 @@ grid_put_formula(struct grid *g, struct cell where, const char *formula)
 }
 
 void
-grid_hidden(struct grid *g)
+grid_mark_hidden_cells(struct grid *g)
 {
 	g->hidden = true;
 }

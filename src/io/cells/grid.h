@@ -29,8 +29,8 @@ struct grid grid_new(
 void grid_clear(struct grid *grid);
 
 /* Begin and end a sheet.  Cells can be added only within a sheet. */
-void grid_begin(struct grid *grid, const char *name);
-void grid_end(struct grid *grid);
+void grid_begin_sheet(struct grid *grid, const char *name);
+void grid_end_sheet(struct grid *grid);
 
 /* Adds a cell to the sheet, at the line and column set in `where`.  Ignores an
  * empty cell and returns false.  The text becomes one line without spaces at
@@ -46,17 +46,17 @@ bool grid_put_date(struct grid *grid, struct cell where, const char *text);
 
 /* Adds a formula without a result.  The formula becomes the text of the
  * cell. */
-bool grid_put_formula(
+bool grid_put_formula_text(
     struct grid *grid, struct cell where, const char *formula);
 
 /* Notes that the sheet has hidden rows or columns (which are read). */
-void grid_hidden(struct grid *grid);
+void grid_mark_hidden_cells(struct grid *grid);
 
 /* grid_note adds a remark on the workbook.  After 20 remarks it only counts
- * them; grid_end_notes adds that count at the end. */
+ * them; grid_note_omitted_count adds that count at the end. */
 void grid_note(struct grid *grid, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-void grid_end_notes(struct grid *grid);
+void grid_note_omitted_count(struct grid *grid);
 
 /* Adds the remark that the workbook has more than `most` sheets. */
 void grid_note_more_sheets(struct grid *grid, int most);

@@ -15,7 +15,7 @@
 enum { LONGEST = 64 };
 
 size_t
-number_separator_bytes(const char *s)
+number_thousands_separator_bytes(const char *s)
 {
 	static const char *const GROUPS[] = {" ", "\xC2\xA0", "\xE2\x80\xAF",
 	    "\xE2\x80\x89", "'", "\xE2\x80\x99", "\xCA\xBC"};
@@ -28,13 +28,13 @@ number_separator_bytes(const char *s)
 /* Copies a text without separators of thousands: 1 010,5 becomes 1010,5. False
  * for a text too long to be a number. */
 static bool
-join_thousands(const char *s, char copy[static LONGEST])
+copy_without_thousands_blanks(const char *s, char copy[static LONGEST])
 {
 	char *to = copy;
 	if (strlen(s) >= LONGEST)
 		return false;
 	for (const char *p = s; *p != '\0';) {
-		size_t n = number_separator_bytes(p);
+		size_t n = number_thousands_separator_bytes(p);
 		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
 		    strspn(p + n, "0123456789") == 3)
 			p += n;
@@ -48,10 +48,10 @@ join_thousands(const char *s, char copy[static LONGEST])
 /* Returns the only sign that must be decimal in a number; '?' if it may
  * separate thousands as well (1,250); NUL if there is none, or no number. */
 static char
-decimal_of(const char *s)
+decimal_sign_of_text(const char *s)
 {
 	char copy[LONGEST];
-	if (!join_thousands(s, copy))
+	if (!copy_without_thousands_blanks(s, copy))
 		return '\0';
 	const char *p = copy + strspn(copy, "<>+- ");
 	size_t n = strspn(p, "0123456789.,");
@@ -82,16 +82,16 @@ decimal_of(const char *s)
 }
 
 bool
-number_is_open(const struct sheet *sheet, struct cell cell)
+number_is_ambiguous(const struct sheet *sheet, struct cell cell)
 {
 	return sheet->decimal == '\0' && cell.kind == CELL_TEXT &&
-	       decimal_of(cell.text) == '?';
+	       decimal_sign_of_text(cell.text) == '?';
 }
 
 /* Removes the other sign where it separates thousands.  False if it stands
  * elsewhere. */
 static bool
-drop_groups(char *s, char sign)
+remove_thousands_sign(char *s, char sign)
 {
 	char *to = s;
 	for (const char *p = s; *p != '\0'; p++) {
@@ -109,25 +109,26 @@ drop_groups(char *s, char sign)
 
 /* Reads a text as a number.  False if it is none. */
 static bool
-number_read_text(const struct sheet *sheet, const char *text, double *value)
+parse_number_text(const struct sheet *sheet, const char *text, double *value)
 {
 	char copy[LONGEST];
-	if (!join_thousands(text, copy))
+	if (!copy_without_thousands_blanks(text, copy))
 		return false;
 	char decimal = sheet->decimal;
 	if (decimal == '\0')
 		decimal = strchr(copy, ',') != NULL ? ',' : '.';
-	if (!drop_groups(copy, decimal == ',' ? '.' : ','))
+	if (!remove_thousands_sign(copy, decimal == ',' ? '.' : ','))
 		return false;
 	char *comma = decimal == ',' ? strchr(copy, ',') : NULL;
 	if (comma != NULL)
 		*comma = '.';
-	return text_number(copy, value);
+	return text_parse_number(copy, value);
 }
 
 /* Reads "97,5 %", a share, or "42 g", a mass; AS_NONE if it is neither. */
 static enum cell_value
-read_unit(const struct sheet *sheet, const char *text, double *value)
+parse_number_with_unit(
+    const struct sheet *sheet, const char *text, double *value)
 {
 	static const struct {
 		const char *unit;
@@ -145,7 +146,7 @@ read_unit(const struct sheet *sheet, const char *text, double *value)
 		copy[n - k] = '\0';
 		if (text_ends_with(copy, "\xC2\xA0"))
 			copy[n - k - 2] = '\0';
-		return number_read_text(sheet, text_trim(copy), value)
+		return parse_number_text(sheet, text_trim(copy), value)
 			   ? UNITS[i].value
 			   : AS_NONE;
 	}
@@ -153,7 +154,7 @@ read_unit(const struct sheet *sheet, const char *text, double *value)
 }
 
 static bool
-is_absent(const char *text)
+is_mark_for_missing(const char *text)
 {
 	static const char *const ABSENT[] = {"", "-", "--", "---",
 	    "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "n/a", "na", "n.a.",
@@ -166,7 +167,7 @@ is_absent(const char *text)
 }
 
 static void
-find_value(const struct sheet *sheet, struct cell *cell)
+find_number_in_cell(const struct sheet *sheet, struct cell *cell)
 {
 	double number = NAN;
 	cell->value = AS_NONE;
@@ -175,28 +176,29 @@ find_value(const struct sheet *sheet, struct cell *cell)
 		number = cell->number;
 	} else if (cell->kind == CELL_TEXT) {
 		bool less = cell->text[0] == '<';
-		if (number_read_text(sheet, cell->text + less, &number))
+		if (parse_number_text(sheet, cell->text + less, &number))
 			cell->value = less ? AS_TRACE : AS_NUMBER;
-		else if (is_absent(cell->text))
+		else if (is_mark_for_missing(cell->text))
 			cell->value = AS_ABSENT;
 		else
-			cell->value = read_unit(sheet, cell->text, &number);
+			cell->value =
+			    parse_number_with_unit(sheet, cell->text, &number);
 	}
 	bool has = cell->value >= AS_NUMBER && cell->value != AS_TRACE;
 	cell->number = has ? number : (double)NAN;
 }
 
 void
-number_find(struct sheet *sheet)
+number_find_in_all_cells(struct sheet *sheet)
 {
 	for (size_t r = 0;
 	     r < sheet->n_row && !error_should_stop(sheet->errors); r++)
 		for (size_t i = 0; i < sheet->row[r].n_all; i++)
-			find_value(sheet, &sheet->row[r].cell[i]);
+			find_number_in_cell(sheet, &sheet->row[r].cell[i]);
 }
 
 void
-number_decide(struct sheet *sheet)
+number_choose_decimal_sign(struct sheet *sheet)
 {
 	size_t points = 0, commas = 0;
 	char first = '\0';
@@ -206,7 +208,7 @@ number_decide(struct sheet *sheet)
 		for (size_t i = 0; i < sheet->row[r].n; i++) {
 			struct cell cell = sheet->row[r].cell[i];
 			char sign = cell.kind == CELL_TEXT
-					? decimal_of(cell.text)
+					? decimal_sign_of_text(cell.text)
 					: '\0';
 			points += sign == '.';
 			commas += sign == ',';
@@ -221,28 +223,28 @@ number_decide(struct sheet *sheet)
 		sheet->decimal = '.';
 	if (sheet->decimal != '\0')
 		sheet->open.text = NULL;
-	number_find(sheet);
+	number_find_in_all_cells(sheet);
 }
 
 void
-number_decimal(struct sheet *sheet, char sign)
+number_set_decimal_sign(struct sheet *sheet, char sign)
 {
 	sheet->decimal = sign;
 	sheet->open.text = NULL;
-	number_find(sheet);
+	number_find_in_all_cells(sheet);
 }
 
 struct cell
-number_cell(const struct sheet *sheet, struct cell cell, char *text)
+number_cell_from_text(const struct sheet *sheet, struct cell cell, char *text)
 {
 	cell.kind = CELL_TEXT;
 	cell.text = text;
-	find_value(sheet, &cell);
+	find_number_in_cell(sheet, &cell);
 	return cell;
 }
 
 bool
-number_of(struct cell cell, double *value)
+number_value_of_cell(struct cell cell, double *value)
 {
 	if (cell.value == AS_NUMBER)
 		*value = cell.number;
@@ -251,7 +253,7 @@ number_of(struct cell cell, double *value)
 
 /* Returns what to do about a cell that is not a number. */
 static const char *
-number_hint(const char *s)
+hint_if_not_number(const char *s)
 {
 	if (s[0] == '=')
 		return tr(
@@ -276,16 +278,16 @@ number_hint(const char *s)
 }
 
 bool
-number_read(
+number_read_cell(
     struct sheet *sheet, struct cell cell, const char *wanted, double *value)
 {
-	if (number_of(cell, value))
+	if (number_value_of_cell(cell, value))
 		return true;
-	char sign = decimal_of(cell.text);
+	char sign = decimal_sign_of_text(cell.text);
 	if (sheet->decimal == '\0' || (sign != '.' && sign != ',') ||
 	    sign == sheet->decimal)
 		return sheet_fault_expected(
-		    sheet, cell, wanted, "%s", number_hint(cell.text));
+		    sheet, cell, wanted, "%s", hint_if_not_number(cell.text));
 	if (sheet->mixed)
 		return false;
 	sheet->mixed = true;

@@ -45,7 +45,7 @@ struct reading {
 };
 
 static void
-clear_content(struct content *c)
+clear_cell_content(struct content *c)
 {
 	free(c->type);
 	free(c->value);
@@ -55,13 +55,13 @@ clear_content(struct content *c)
 }
 
 static char *
-copy_or_null(const char *text)
+copy_text_or_null(const char *text)
 {
 	return text != NULL ? xstrdup(text) : NULL;
 }
 
 static bool
-is_hidden(const struct reading *r, const char *style)
+is_style_hidden(const struct reading *r, const char *style)
 {
 	for (size_t i = 0; style != NULL && i < r->n_hidden; i++)
 		if (strcmp(r->hidden[i], style) == 0)
@@ -79,7 +79,7 @@ ods_begin_style(
 	if (strcmp(name, "style") == 0 && family != NULL) {
 		free(r->style);
 		r->style = strcmp(family, "table") == 0
-			       ? copy_or_null(
+			       ? copy_text_or_null(
 				     xml_attribute(attribute, "style:1.0 name"))
 			       : NULL;
 	} else if (strcmp(name, "table-properties") == 0 && r->style != NULL &&
@@ -92,16 +92,16 @@ ods_begin_style(
 }
 
 static void
-begin_table(struct reading *r, const char *const *attribute)
+ods_begin_table(struct reading *r, const char *const *attribute)
 {
 	const char *name = xml_attribute(attribute, "table:1.0 name");
 	const char *style = xml_attribute(attribute, "table:1.0 style-name");
 	name = name != NULL ? name : "";
 	bool more = ++r->n_table > MOST_TABLES;
-	r->visible = !more && !is_hidden(r, style);
+	r->visible = !more && !is_style_hidden(r, style);
 	r->at = (struct cell){.line = 1};
 	if (r->visible)
-		grid_begin(r->grid, name);
+		grid_begin_sheet(r->grid, name);
 	else if (more && r->n_table == MOST_TABLES + 1)
 		grid_note_more_sheets(r->grid, MOST_TABLES);
 	else if (!more)
@@ -109,11 +109,11 @@ begin_table(struct reading *r, const char *const *attribute)
 }
 
 static void
-note_hidden(struct reading *r, const char *const *attribute)
+mark_hidden_rows_or_columns(struct reading *r, const char *const *attribute)
 {
 	const char *seen = xml_attribute(attribute, "table:1.0 visibility");
 	if (seen != NULL && strcmp(seen, "visible") != 0 && r->visible)
-		grid_hidden(r->grid);
+		grid_mark_hidden_cells(r->grid);
 }
 
 static void
@@ -130,21 +130,23 @@ ods_begin_cell(struct reading *r, const char *const *attribute)
 	struct content *c = &r->content;
 	const char *type = xml_attribute(attribute, "office:1.0 value-type");
 	const char *more = xml_attribute(attribute, "calcext:1.0 value-type");
-	c->type = copy_or_null(type);
+	c->type = copy_text_or_null(type);
 	c->formula =
-	    copy_or_null(xml_attribute(attribute, "table:1.0 formula"));
+	    copy_text_or_null(xml_attribute(attribute, "table:1.0 formula"));
 	c->failed = more != NULL && strcmp(more, "error") == 0;
 	for (size_t i = 0; type != NULL && i < ARRAY_LEN(VALUES); i++)
 		if (strcmp(type, VALUES[i].type) == 0)
-			c->value = copy_or_null(
+			c->value = copy_text_or_null(
 			    xml_attribute(attribute, VALUES[i].value));
-	r->cells = xml_whole(attribute, "table:1.0 number-columns-repeated", 1);
+	r->cells = xml_attribute_as_integer(
+	    attribute, "table:1.0 number-columns-repeated", 1);
 }
 
 /* Begins an element within a cell.  Only paragraphs belong to its text, not
  * notes, shapes and readings. */
 static void
-begin_in_cell(struct reading *r, const char *name, const char *const *attribute)
+begin_element_in_cell(
+    struct reading *r, const char *name, const char *const *attribute)
 {
 	static const char *const OTHER[] = {
 	    "annotation", "note", "ruby-text", "frame"};
@@ -159,15 +161,16 @@ begin_in_cell(struct reading *r, const char *name, const char *const *attribute)
 	if (r->paragraph++ == 0 && r->content.paragraphs)
 		xml_text_add(&r->content.said, " ", 1);
 	r->content.paragraphs = true;
-	size_t n =
-	    strcmp(name, "s") == 0 ? xml_whole(attribute, "text:1.0 c", 1) : 0;
+	size_t n = strcmp(name, "s") == 0
+		       ? xml_attribute_as_integer(attribute, "text:1.0 c", 1)
+		       : 0;
 	n += strcmp(name, "tab") == 0 || strcmp(name, "line-break") == 0;
 	for (size_t i = 0; i < n && i < MOST_SPACES; i++)
 		xml_text_add(&r->content.said, " ", 1);
 }
 
 static void
-ods_on_begin(void *data, const char *name, const char *const *attribute)
+ods_begin_element(void *data, const char *name, const char *const *attribute)
 {
 	struct reading *r = data;
 	bool cell = strcmp(name, "table-cell") == 0 ||
@@ -175,20 +178,20 @@ ods_on_begin(void *data, const char *name, const char *const *attribute)
 	if (r->skip > 0 && r->cell == 0) {
 		r->skip++;
 	} else if (r->cell > 0) {
-		begin_in_cell(r, name, attribute);
+		begin_element_in_cell(r, name, attribute);
 	} else if (r->table == 0 && strcmp(name, "table") == 0) {
 		r->table = 1;
-		begin_table(r, attribute);
+		ods_begin_table(r, attribute);
 	} else if (r->table == 0) {
 		r->skip = strcmp(name, "tracked-changes") == 0;
 		ods_begin_style(r, name, attribute);
 	} else if (strcmp(name, "table-row") == 0) {
-		note_hidden(r, attribute);
+		mark_hidden_rows_or_columns(r, attribute);
 		r->at.column = 1;
-		r->rows =
-		    xml_whole(attribute, "table:1.0 number-rows-repeated", 1);
+		r->rows = xml_attribute_as_integer(
+		    attribute, "table:1.0 number-rows-repeated", 1);
 	} else if (strcmp(name, "table-column") == 0) {
-		note_hidden(r, attribute);
+		mark_hidden_rows_or_columns(r, attribute);
 	} else if (cell) {
 		r->cell = 1;
 		ods_begin_cell(r, attribute);
@@ -198,7 +201,7 @@ ods_on_begin(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-ods_on_text(void *data, const char *text, size_t n)
+ods_add_text(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->cell > 0 && r->paragraph > 0 && r->skip == 0)
@@ -207,7 +210,7 @@ ods_on_text(void *data, const char *text, size_t n)
 
 /* Puts "PT10H15M00S" as 10:15. */
 static bool
-put_time(struct grid *grid, struct cell at, const char *value)
+put_duration_as_time(struct grid *grid, struct cell at, const char *value)
 {
 	int h, m, n = 0;
 	char text[32], second[8] = "";
@@ -222,7 +225,7 @@ put_time(struct grid *grid, struct cell at, const char *value)
 /* Puts a date, without seconds if they are zero, as Excel's workbooks have
  * it. */
 static bool
-put_date(struct grid *grid, struct cell at, const char *value)
+put_date_without_zero_time(struct grid *grid, struct cell at, const char *value)
 {
 	const char *t = strchr(value, 'T');
 	char text[32];
@@ -237,7 +240,7 @@ put_date(struct grid *grid, struct cell at, const char *value)
 
 /* Returns "m/s" for a cell that shows "69 m/s"; "" if there is no unit. */
 static void
-unit_of(const char *said, char unit[static 16])
+copy_unit_after_number(const char *said, char unit[static 16])
 {
 	size_t n = strlen(said);
 	while (n > 0 && !isdigit((unsigned char)said[n - 1]))
@@ -262,22 +265,23 @@ put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 	if (c->failed)
 		return grid_put_text(
 		    grid, at, said[0] != '\0' ? said : "#VALUE!");
-	if (numeric && c->value != NULL && text_number(c->value, &number)) {
-		unit_of(said, unit);
+	if (numeric && c->value != NULL &&
+	    text_parse_number(c->value, &number)) {
+		copy_unit_after_number(said, unit);
 		return grid_put_number(
 		    grid, at, number, type[0] == 'p' ? "%" : unit);
 	}
 	if (strcmp(type, "date") == 0 && c->value != NULL)
-		return put_date(grid, at, c->value);
+		return put_date_without_zero_time(grid, at, c->value);
 	if (strcmp(type, "time") == 0 && c->value != NULL)
-		return put_time(grid, at, c->value);
+		return put_duration_as_time(grid, at, c->value);
 	if (strcmp(type, "boolean") == 0 && c->value != NULL)
 		return grid_put_text(
 		    grid, at, strcmp(c->value, "true") == 0 ? "TRUE" : "FALSE");
 	if (strcmp(type, "string") == 0 && c->value != NULL)
 		return grid_put_text(grid, at, c->value);
 	if (c->formula != NULL && type[0] == '\0' && said[0] == '\0')
-		return grid_put_formula(grid, at,
+		return grid_put_formula_text(grid, at,
 		    strchr(c->formula, '=') != NULL ? strchr(c->formula, '=')
 						    : c->formula);
 	return grid_put_text(grid, at, said);
@@ -285,7 +289,7 @@ put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 
 /* Keeps the cell until its row ends; most cells are empty. */
 static void
-end_cell(struct reading *r)
+ods_end_cell(struct reading *r)
 {
 	struct content *c = &r->content;
 	if (c->type != NULL || c->formula != NULL || c->said.n > 0) {
@@ -294,7 +298,7 @@ end_cell(struct reading *r)
 		    (struct kept){r->at.column, r->cells, *c};
 		*c = (struct content){0};
 	}
-	clear_content(c);
+	clear_cell_content(c);
 	if (r->at.column < 2000000)
 		r->at.column += (int)r->cells;
 }
@@ -326,18 +330,18 @@ put_repeated_row(struct reading *r)
 				r, &r->kept[i], r->at.line + (int)line))
 				r->kept[n++] = r->kept[i];
 			else
-				clear_content(&r->kept[i].content);
+				clear_cell_content(&r->kept[i].content);
 		r->n_kept = n;
 	}
 	for (size_t i = 0; i < r->n_kept; i++)
-		clear_content(&r->kept[i].content);
+		clear_cell_content(&r->kept[i].content);
 	r->n_kept = 0;
 	if (r->at.line < 100000000)
 		r->at.line += (int)r->rows;
 }
 
 static void
-ods_on_end(void *data, const char *name)
+ods_end_element(void *data, const char *name)
 {
 	struct reading *r = data;
 	bool cell = strcmp(name, "table-cell") == 0 ||
@@ -348,13 +352,13 @@ ods_on_end(void *data, const char *name)
 		r->paragraph--;
 	} else if (r->cell > 0 && cell) {
 		r->cell = 0;
-		end_cell(r);
+		ods_end_cell(r);
 	} else if (r->table > 0 && strcmp(name, "table-row") == 0) {
 		put_repeated_row(r);
 	} else if (r->table > 0 && strcmp(name, "table") == 0) {
 		r->table = 0;
 		if (r->visible)
-			grid_end(r->grid);
+			grid_end_sheet(r->grid);
 	}
 }
 
@@ -362,19 +366,21 @@ char *
 ods_read(struct archive *archive, struct grid *grid)
 {
 	static const struct xml_events EVENTS = {
-	    ods_on_begin, ods_on_end, ods_on_text};
+	    ods_begin_element, ods_end_element, ods_add_text};
 	size_t n;
 	char *wrong = NULL;
-	FREED char *bytes = archive_part(archive, "content.xml", &n, &wrong);
+	FREED char *bytes =
+	    archive_unpack_entry(archive, "content.xml", &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
 	struct reading r = {.grid = grid};
-	FREED char *fault = xml_read(bytes, n, &EVENTS, &r, grid->errors);
+	FREED char *fault =
+	    xml_parse_document(bytes, n, &EVENTS, &r, grid->errors);
 	if (fault != NULL)
 		wrong = xasprintf("content.xml: %s", fault);
-	clear_content(&r.content);
+	clear_cell_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
-		clear_content(&r.kept[i].content);
+		clear_cell_content(&r.kept[i].content);
 	for (size_t i = 0; i < r.n_hidden; i++)
 		free(r.hidden[i]);
 	free(r.kept);

@@ -65,7 +65,7 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 }
 
 int
-sheet_cut_length(const char *text)
+sheet_bytes_to_show(const char *text)
 {
 	size_t n = strlen(text);
 	for (n = n > SHOWN ? SHOWN : n; (text[n] & 0xC0) == 0x80; n--)
@@ -82,7 +82,7 @@ sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
 	FREED char *step =
 	    hint != NULL ? xvasprintf(tr(hint), ap) : xstrdup("");
 	va_end(ap);
-	int n = sheet_cut_length(found.text);
+	int n = sheet_bytes_to_show(found.text);
 	bool cut = found.text[n] != '\0';
 	if (n == 0)
 		sheet_fault(sheet, found,
@@ -193,10 +193,10 @@ static void
 sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 {
 	size_t n = (size_t)(end - from->p);
-	FREED char *text =
-	    *from->p == '"' ? text_unquoted(from->p, n) : xstrndup(from->p, n);
+	FREED char *text = *from->p == '"' ? text_without_quotes(from->p, n)
+					   : xstrndup(from->p, n);
 	const char *said = text_trim(text);
-	said += said[0] == '\'' && text_is_formula(said);
+	said += said[0] == '\'' && text_may_be_formula(said);
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
 	row->cell[row->n_all++] = (struct cell){
 	    .text = xstrdup(said), .line = row->line, .column = from->column};
@@ -237,7 +237,7 @@ free_row(struct row *row)
 
 /* Makes room for one more row. */
 static void
-sheet_make_room(struct sheet *sheet)
+sheet_make_room_for_row(struct sheet *sheet)
 {
 	if (sheet->n_row < sheet->room)
 		return;
@@ -246,7 +246,7 @@ sheet_make_room(struct sheet *sheet)
 }
 
 static size_t
-most_cells(const struct sheet *sheet)
+cell_limit_of_sheet(const struct sheet *sheet)
 {
 	return sheet->most.cells > 0 ? sheet->most.cells
 				     : sheet->most.rows * MOST_CELLS;
@@ -267,7 +267,7 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
-	sheet_make_room(sheet);
+	sheet_make_room_for_row(sheet);
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
 	bool good = split_line(sheet, line, row);
@@ -278,12 +278,12 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 	}
 	sheet->n_row++;
 	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
-	if (sheet->n_row <= most_cells(sheet) / sheet->wide)
+	if (sheet->n_row <= cell_limit_of_sheet(sheet) / sheet->wide)
 		return true;
 	sheet_fault(sheet, start,
 	    "expected at most %zu cells, got %zu lines of up to %zu\n"
 	    "a site file has a few kB: is this the right file?",
-	    most_cells(sheet), sheet->n_row, sheet->wide);
+	    cell_limit_of_sheet(sheet), sheet->n_row, sheet->wide);
 	sheet->lost = sheet->too_large = true;
 	return false;
 }
@@ -291,7 +291,7 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 /* Adds a line: comments are kept apart for the reader of the sheet; "sep=;",
  * which some spreadsheets put first, is skipped. */
 static bool
-sheet_add_line(struct sheet *sheet, const char *line, int number)
+sheet_add_row_or_comment(struct sheet *sheet, const char *line, int number)
 {
 	const char *first = line + strspn(line, " \t\"");
 	if (number == 1 && strncmp(first, "sep=", 4) == 0)
@@ -308,7 +308,7 @@ sheet_add_line(struct sheet *sheet, const char *line, int number)
 }
 
 const char *
-sheet_read_place(const char *p, int *column, int *line)
+sheet_parse_cell_address(const char *p, int *column, int *line)
 {
 	*column = *line = 0;
 	for (; isalpha((unsigned char)*p) && *column < 1000; p++)
@@ -319,7 +319,7 @@ sheet_read_place(const char *p, int *column, int *line)
 }
 
 void
-sheet_uncomment(struct sheet *sheet, size_t i)
+sheet_turn_comment_into_row(struct sheet *sheet, size_t i)
 {
 	struct comment comment = sheet->comment[i];
 	size_t last = sheet->n_row;
@@ -328,7 +328,7 @@ sheet_uncomment(struct sheet *sheet, size_t i)
 	if (comment.row.cell == NULL)
 		sheet_add_row(sheet, comment.text, comment.line);
 	else if (sheet->n_row < sheet->most.rows) {
-		sheet_make_room(sheet);
+		sheet_make_room_for_row(sheet);
 		sheet->row[sheet->n_row++] = comment.row;
 	} else
 		free_row(&comment.row);
@@ -344,7 +344,7 @@ sheet_uncomment(struct sheet *sheet, size_t i)
  * that is not closed within some lines ends with its own line and is reported
  * later. */
 static size_t
-line_length(char *text, int *ends)
+join_quoted_lines(char *text, int *ends)
 {
 	enum { MOST_LINES = 40 };
 	size_t n = 0, first = strcspn(text, "\r\n");
@@ -369,16 +369,16 @@ line_length(char *text, int *ends)
 
 /* Splits a text into lines in place, each ended with a NUL. */
 static void
-split_text(struct sheet *sheet, char *text)
+split_text_into_lines(struct sheet *sheet, char *text)
 {
 	for (int number = 1; *text != '\0' && !error_should_stop(sheet->errors);
 	     number++) {
 		int ends;
-		size_t n = line_length(text, &ends);
+		size_t n = join_quoted_lines(text, &ends);
 		bool pair = text[n] == '\r' && text[n + 1] == '\n';
 		char *next = text + n + (pair ? 2 : text[n] != '\0');
 		text[n] = '\0';
-		if (!sheet_add_line(sheet, text, number))
+		if (!sheet_add_row_or_comment(sheet, text, number))
 			return;
 		text = next;
 		number += ends;
@@ -388,7 +388,7 @@ split_text(struct sheet *sheet, char *text)
 /* True if the line has at least two cells, the first a number or the name of a
  * sieve, the second a number or empty. */
 static bool
-is_numbers(const char *line, char separator)
+is_line_of_numbers(const char *line, char separator)
 {
 	const char stop[] = {separator, '\r', '\n', '\0'};
 	/* With units and spaces that do not break. */
@@ -403,7 +403,7 @@ is_numbers(const char *line, char separator)
 
 /* True if a line has the sign outside quotes. */
 static bool
-has_sign(const char *line, char sign)
+has_sign_outside_quotes(const char *line, char sign)
 {
 	bool quoted = false;
 	size_t n = strcspn(line, "\r\n");
@@ -419,7 +419,7 @@ has_sign(const char *line, char sign)
  * such lines, the sign that most lines contain, because decimal commas may
  * outnumber the semicolons between cells. */
 static char
-find_separator(const char *text, struct error_list *errors)
+find_cell_separator(const char *text, struct error_list *errors)
 {
 	static const char SIGNS[] = ";\t,";
 	size_t numbers[3] = {0}, lines[3] = {0}, filled = 0;
@@ -432,8 +432,8 @@ find_separator(const char *text, struct error_list *errors)
 			break;
 		filled += strcspn(p, "\r\n") > strspn(p, " \t;,");
 		for (size_t i = 0; i < 3; i++) {
-			numbers[i] += is_numbers(p, SIGNS[i]);
-			lines[i] += has_sign(p, SIGNS[i]);
+			numbers[i] += is_line_of_numbers(p, SIGNS[i]);
+			lines[i] += has_sign_outside_quotes(p, SIGNS[i]);
 		}
 	}
 	/* Neither stands in numbers: in half of the lines it separates. */
@@ -450,7 +450,7 @@ find_separator(const char *text, struct error_list *errors)
 }
 
 static struct sheet *
-sheet_split(const char *path, char *text, struct sheet_limits most,
+sheet_from_text(const char *path, char *text, struct sheet_limits most,
     size_t most_line, struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
@@ -459,30 +459,31 @@ sheet_split(const char *path, char *text, struct sheet_limits most,
 	sheet->errors = errors;
 	sheet->most = most;
 	sheet->most_line = most_line;
-	sheet->separator = find_separator(text, errors);
-	split_text(sheet, text);
+	sheet->separator = find_cell_separator(text, errors);
+	split_text_into_lines(sheet, text);
 	return sheet;
 }
 
 struct sheet *
-sheet_new(const char *path, char *text, struct sheet_limits most,
+sheet_new_from_text(const char *path, char *text, struct sheet_limits most,
     struct error_list *errors)
 {
-	return sheet_split(path, text, most, MOST_LINE, errors);
+	return sheet_from_text(path, text, most, MOST_LINE, errors);
 }
 
 struct sheet *
-sheet_new_own(const char *path, char *text, struct error_list *errors)
+sheet_new_without_line_limit(
+    const char *path, char *text, struct error_list *errors)
 {
 	size_t lines = 1, length = strlen(text);
 	for (const char *p = text; *p != '\0'; p++)
 		lines += *p == '\n' || *p == '\r';
 	struct sheet_limits most = {.rows = lines};
-	return sheet_split(path, text, most, length, errors);
+	return sheet_from_text(path, text, most, length, errors);
 }
 
 struct sheet *
-sheet_begin(const char *path, const char *name, struct sheet_limits most,
+sheet_new_empty(const char *path, const char *name, struct sheet_limits most,
     struct error_list *errors)
 {
 	struct sheet *sheet = xcalloc(1, sizeof *sheet);
@@ -512,22 +513,22 @@ count_rows_to_line(const struct sheet *sheet, int line)
 }
 
 bool
-sheet_has_room(const struct sheet *sheet, struct cell cell)
+sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell)
 {
 	size_t n = count_rows_to_line(sheet, cell.line);
 	bool has_row = n > 0 && sheet->row[n - 1].line == cell.line;
 	size_t rows = sheet->n_row + !has_row, wide = (size_t)cell.column;
 	wide = wide > sheet->wide ? wide : sheet->wide;
 	return wide <= MOST_CELLS && rows <= sheet->most.rows &&
-	       rows <= most_cells(sheet) / wide;
+	       rows <= cell_limit_of_sheet(sheet) / wide;
 }
 
 /* Returns the row of a line, inserting a new one if there is none. */
 static struct row *
-sheet_row_at(struct sheet *sheet, int line)
+find_or_insert_row(struct sheet *sheet, int line)
 {
 	size_t n = count_rows_to_line(sheet, line);
-	sheet_make_room(sheet);
+	sheet_make_room_for_row(sheet);
 	struct row *row = &sheet->row[n];
 	if (n > 0 && row[-1].line == line)
 		return &row[-1];
@@ -537,9 +538,9 @@ sheet_row_at(struct sheet *sheet, int line)
 }
 
 void
-sheet_put(struct sheet *sheet, struct cell cell)
+sheet_put_cell(struct sheet *sheet, struct cell cell)
 {
-	struct row *row = sheet_row_at(sheet, cell.line);
+	struct row *row = find_or_insert_row(sheet, cell.line);
 	size_t at = (size_t)cell.column - 1;
 	if (row->n_all <= at)
 		row->cell = xrealloc(row->cell, at + 1, sizeof *row->cell);
@@ -555,7 +556,7 @@ sheet_put(struct sheet *sheet, struct cell cell)
 
 /* True if a row is a remark; "#DIV/0!" and "#N/A" are results of formulas. */
 static bool
-is_remark(const struct row *row)
+is_remark_row(const struct row *row)
 {
 	const char *text = row->cell[0].text;
 	bool failed =
@@ -575,7 +576,7 @@ add_empty_cell(struct row *row)
 }
 
 void
-sheet_end(struct sheet *sheet)
+sheet_complete(struct sheet *sheet)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < sheet->n_row; i++) {
@@ -584,7 +585,7 @@ sheet_end(struct sheet *sheet)
 			add_empty_cell(&row);
 		if (row.n == 0) {
 			free_row(&row);
-		} else if (is_remark(&row)) {
+		} else if (is_remark_row(&row)) {
 			sheet->comment = xrealloc(sheet->comment,
 			    sheet->n_comment + 1, sizeof *sheet->comment);
 			sheet->comment[sheet->n_comment++] =
@@ -614,11 +615,11 @@ void
 sheet_write_cell(const char *text, char separator, FILE *out)
 {
 	const char marks[] = {separator, '"', '\n', '\r', '\0'};
-	const char *guard = text_is_formula(text) ? "'" : "";
+	const char *guard = text_may_be_formula(text) ? "'" : "";
 	if (strpbrk(text, marks) == NULL) {
 		fprintf(out, "%s%s", guard, text);
 		return;
 	}
-	FREED char *quoted = text_quoted(text);
+	FREED char *quoted = text_in_quotes(text);
 	fprintf(out, "\"%s%s", guard, quoted + 1);
 }

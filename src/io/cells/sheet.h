@@ -27,10 +27,10 @@ enum cell_value {
 };
 
 /* text: without spaces at the ends, never NULL; for CELL_NUMBER, the number as
- * text_exact_number writes it, then the unit shown in the cell: "97.5 %", "69
- * m/s"; for CELL_DATE, "2026-05-03T10:15", "2026-05-03" or "10:15".  column:
- * position of the first character, from 1, in characters, not bytes; in a
- * workbook, 1 is A.  number: 97.5 for a cell shown as 97.5 %; NAN if the cell
+ * text_shortest_exact_number writes it, then the unit shown in the cell: "97.5
+ * %", "69 m/s"; for CELL_DATE, "2026-05-03T10:15", "2026-05-03" or "10:15".
+ * column: position of the first character, from 1, in characters, not bytes; in
+ * a workbook, 1 is A.  number: 97.5 for a cell shown as 97.5 %; NAN if the cell
  * has no number. */
 struct cell {
 	char *text;
@@ -89,34 +89,34 @@ struct sheet {
  * limits and with at most 256 cells per line.  The text is modified and must
  * outlive the sheet.  Faults are added to errors (never NULL): a line with
  * wrong quotes is skipped; a line beyond the limits ends the sheet. */
-struct sheet *sheet_new(const char *path, char *text, struct sheet_limits most,
-    struct error_list *errors);
+struct sheet *sheet_new_from_text(const char *path, char *text,
+    struct sheet_limits most, struct error_list *errors);
 void sheet_free(struct sheet *sheet);
 
-/* As sheet_new, but without limits on lines, for a text that the program itself
- * may have written. */
-struct sheet *sheet_new_own(
+/* As sheet_new_from_text, but without limits on lines, for a text that the
+ * program itself may have written. */
+struct sheet *sheet_new_without_line_limit(
     const char *path, char *text, struct error_list *errors);
 
 /* Make a sheet of a workbook; messages show its rows with tabs between cells.
- * sheet_put adds a cell, in any order, and takes ownership of its text.
- * sheet_end completes the sheet after the last cell; only then do rows become
- * comments. */
-struct sheet *sheet_begin(const char *path, const char *name,
+ * sheet_put_cell adds a cell, in any order, and takes ownership of its text.
+ * sheet_complete completes the sheet after the last cell; only then do rows
+ * become comments. */
+struct sheet *sheet_new_empty(const char *path, const char *name,
     struct sheet_limits most, struct error_list *errors);
-void sheet_put(struct sheet *sheet, struct cell cell);
-void sheet_end(struct sheet *sheet);
+void sheet_put_cell(struct sheet *sheet, struct cell cell);
+void sheet_complete(struct sheet *sheet);
 
 /* True if adding the cell would not exceed the limits. */
-bool sheet_has_room(const struct sheet *sheet, struct cell cell);
+bool sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell);
 
 /* Reads the name of a cell, "BC12".  Returns the text after it, or NULL if it
  * is none. */
-const char *sheet_read_place(const char *text, int *column, int *line);
+const char *sheet_parse_cell_address(const char *text, int *column, int *line);
 
 /* Turns comment i into a row, in the order of the lines.  The row includes the
  * #. */
-void sheet_uncomment(struct sheet *sheet, size_t i);
+void sheet_turn_comment_into_row(struct sheet *sheet, size_t i);
 
 /* Returns cell i of a row, or an empty cell at the end of the line if the row
  * is shorter. */
@@ -130,7 +130,7 @@ bool sheet_fault(struct sheet *sheet, struct cell where, const char *format,
 
 /* Returns how many bytes of a long text a message shows, in whole
  * characters. */
-int sheet_cut_length(const char *text);
+int sheet_bytes_to_show(const char *text);
 
 /* Adds the fault "expected WANTED, got 'CELL'", with a long cell cut short, and
  * a hint, or NULL.  Returns false. */

@@ -23,7 +23,7 @@ static const struct sheet_limits SITE = {20000, SOURCE_MOST_CELLS},
 static const char OLE[] = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1";
 
 static bool
-workbook_begins(const char *bytes, size_t n, const char *with)
+begins_with_bytes(const char *bytes, size_t n, const char *with)
 {
 	return n >= strlen(with) && memcmp(bytes, with, strlen(with)) == 0;
 }
@@ -33,14 +33,14 @@ workbook_begins(const char *bytes, size_t n, const char *with)
 static bool
 is_workbook(const char *bytes, size_t n)
 {
-	return workbook_begins(bytes, n, "PK\3\4") ||
-	       workbook_begins(bytes, n, "PK\5\6") ||
-	       workbook_begins(bytes, n, "PK\7\x8") ||
-	       workbook_begins(bytes, n, OLE);
+	return begins_with_bytes(bytes, n, "PK\3\4") ||
+	       begins_with_bytes(bytes, n, "PK\5\6") ||
+	       begins_with_bytes(bytes, n, "PK\7\x8") ||
+	       begins_with_bytes(bytes, n, OLE);
 }
 
 static bool
-workbook_refuse(const struct grid *grid, const char *what, const char *step)
+refuse_workbook(const struct grid *grid, const char *what, const char *step)
 {
 	return error_at(error_add(grid->errors), ERROR_DATA, grid->path, 0, 0,
 	    "%s\n"
@@ -51,19 +51,19 @@ workbook_refuse(const struct grid *grid, const char *what, const char *step)
 /* True if an OpenDocument workbook has a password: its parts are there but
  * cannot be read. */
 static bool
-is_locked(struct archive *archive)
+is_password_protected(struct archive *archive)
 {
 	size_t n;
 	FREED char *wrong = NULL;
-	if (archive_has(archive, "encrypted-package"))
+	if (archive_has_entry(archive, "encrypted-package"))
 		return true;
 	FREED char *list =
-	    archive_part(archive, "META-INF/manifest.xml", &n, &wrong);
+	    archive_unpack_entry(archive, "META-INF/manifest.xml", &n, &wrong);
 	return list != NULL && strstr(list, "encryption-data") != NULL;
 }
 
 static bool
-refuse_other(struct archive *archive, const struct grid *grid)
+refuse_other_file_type(struct archive *archive, const struct grid *grid)
 {
 	static const char *const NAMES[][2] = {
 	    {"xl/workbook.bin", N_("expected .xlsx, .ods or text, got .xlsb")},
@@ -73,20 +73,20 @@ refuse_other(struct archive *archive, const struct grid *grid)
 	    {"word/document.xml", N_("expected a workbook or text, got a "
 				     "document of Word")}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
-		if (archive_has(archive, NAMES[i][0]))
-			return workbook_refuse(grid, NAMES[i][1],
+		if (archive_has_entry(archive, NAMES[i][0]))
+			return refuse_workbook(grid, NAMES[i][1],
 			    tr("save the spreadsheet as .xlsx, or as CSV"));
-	return workbook_refuse(grid,
+	return refuse_workbook(grid,
 	    tr("expected a workbook or text, got a zip archive"),
 	    tr("unpack it, or save the spreadsheet as .xlsx, .ods or CSV"));
 }
 
 static bool
-refuse_damaged(const struct grid *grid, const char *wrong)
+refuse_damaged_workbook(const struct grid *grid, const char *wrong)
 {
 	FREED char *what =
 	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
-	workbook_refuse(
+	refuse_workbook(
 	    grid, what, tr("open and save it in a spreadsheet program"));
 	return false;
 }
@@ -94,31 +94,31 @@ refuse_damaged(const struct grid *grid, const char *wrong)
 static bool
 is_ods(struct archive *archive)
 {
-	return archive_has(archive, "content.xml") ||
-	       archive_has(archive, "encrypted-package");
+	return archive_has_entry(archive, "content.xml") ||
+	       archive_has_entry(archive, "encrypted-package");
 }
 
 static bool
-read_archive(struct archive *archive, struct grid *grid)
+read_workbook_archive(struct archive *archive, struct grid *grid)
 {
-	bool xlsx = archive_has(archive, "xl/workbook.xml");
+	bool xlsx = archive_has_entry(archive, "xl/workbook.xml");
 	if (!xlsx && !is_ods(archive))
-		return refuse_other(archive, grid);
-	if (!xlsx && is_locked(archive))
-		return workbook_refuse(grid,
+		return refuse_other_file_type(archive, grid);
+	if (!xlsx && is_password_protected(archive))
+		return refuse_workbook(grid,
 		    tr("expected a workbook without a password, got one with "
 		       "it"),
 		    tr("save it without a password"));
 	FREED char *wrong =
 	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
-	grid_end_notes(grid);
+	grid_note_omitted_count(grid);
 	if (wrong != NULL)
-		refuse_damaged(grid, wrong);
+		refuse_damaged_workbook(grid, wrong);
 	else if (grid->n == 0 && grid->note[0] != '\0')
-		workbook_refuse(grid,
+		refuse_workbook(grid,
 		    tr("expected a sheet with sieves, got none"), grid->note);
 	else if (grid->n == 0)
-		workbook_refuse(grid,
+		refuse_workbook(grid,
 		    tr("expected a site file, got an empty workbook"),
 		    tr("see tipspeed-site(5) for what a site file contains"));
 	return wrong == NULL && grid->n > 0;
@@ -127,29 +127,29 @@ read_archive(struct archive *archive, struct grid *grid)
 /* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  False with
  * one fault if it is of another kind, damaged, encrypted or without content. */
 static bool
-workbook_read(const char *bytes, size_t n, struct grid *grid)
+read_workbook_to_grid(const char *bytes, size_t n, struct grid *grid)
 {
 	FREED char *wrong = NULL;
-	if (workbook_begins(bytes, n, OLE))
-		return workbook_refuse(grid,
+	if (begins_with_bytes(bytes, n, OLE))
+		return refuse_workbook(grid,
 		    tr("expected .xlsx, .ods or text, got an old .xls or a "
 		       "workbook with a password"),
 		    tr("save it as .xlsx without a password"));
 	struct archive *archive = archive_open(bytes, n, &wrong);
-	bool good = archive != NULL && read_archive(archive, grid);
+	bool good = archive != NULL && read_workbook_archive(archive, grid);
 	if (archive == NULL)
-		refuse_damaged(grid, wrong);
+		refuse_damaged_workbook(grid, wrong);
 	archive_close(archive);
 	return good;
 }
 
 /* Moves the sheets and the note to the source. */
 static bool
-read_workbook(const char *path, const char *bytes, size_t n,
+read_workbook_to_source(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)
 {
 	struct grid grid = grid_new(path, most, errors);
-	if (!workbook_read(bytes, n, &grid)) {
+	if (!read_workbook_to_grid(bytes, n, &grid)) {
 		grid_clear(&grid);
 		return false;
 	}
@@ -158,63 +158,65 @@ read_workbook(const char *path, const char *bytes, size_t n,
 	source->sheet = grid.sheet;
 	source->note = grid.note;
 	for (size_t i = 0; i < source->n; i++)
-		number_decide(source->sheet[i]);
+		number_choose_decimal_sign(source->sheet[i]);
 	return !errors->stopped;
 }
 
 static bool
-source_read_plain(const char *path, const char *bytes, size_t n,
+source_read_plain_text(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)
 {
 	const char *note;
-	source->text = textfile_text(path, bytes, n, &note, errors);
+	source->text = textfile_decode(path, bytes, n, &note, errors);
 	if (source->text == NULL)
 		return false;
 	free(source->note);
 	source->note = xstrdup(note);
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
-	    sheet_new(path, source->text, most, errors);
+	    sheet_new_from_text(path, source->text, most, errors);
 	if (source->sheet[0]->too_large || errors->stopped)
 		return false;
-	number_decide(source->sheet[0]);
+	number_choose_decimal_sign(source->sheet[0]);
 	return !errors->stopped;
 }
 
 static bool
-source_read_rows(const char *path, struct sheet_limits most,
+source_read_within_limits(const char *path, struct sheet_limits most,
     struct error_list *errors, struct source *source)
 {
 	size_t n;
 	*source = (struct source){.note = xstrdup("")};
-	FREED char *bytes = textfile_bytes(path, &n, errors);
+	FREED char *bytes = textfile_read_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	return is_workbook(bytes, n)
-		   ? read_workbook(path, bytes, n, most, errors, source)
-		   : source_read_plain(path, bytes, n, most, errors, source);
+	return is_workbook(bytes, n) ? read_workbook_to_source(
+					   path, bytes, n, most, errors, source)
+				     : source_read_plain_text(path, bytes, n,
+					   most, errors, source);
 }
 
 bool
-source_read(const char *path, struct error_list *errors, struct source *source)
+source_read_file(
+    const char *path, struct error_list *errors, struct source *source)
 {
-	return source_read_rows(path, SITE, errors, source);
+	return source_read_within_limits(path, SITE, errors, source);
 }
 
 bool
-source_read_memory(const char *path, const char *text,
+source_read_from_memory(const char *path, const char *text,
     struct error_list *errors, struct source *source)
 {
 	*source = (struct source){.note = xstrdup("")};
-	return source_read_plain(
+	return source_read_plain_text(
 	    path, text, strlen(text), SITE, errors, source);
 }
 
 bool
-source_read_log(
+source_read_plant_log(
     const char *path, struct error_list *errors, struct source *source)
 {
-	return source_read_rows(path, LOG, errors, source);
+	return source_read_within_limits(path, LOG, errors, source);
 }
 
 void

@@ -22,7 +22,7 @@ static const size_t MOST_BYTES = 10 * 1000 * 1000,
 
 /* Returns the offset of the first control character, NUL among them, or n. */
 static size_t
-first_control(const char *text, size_t n)
+first_control_character(const char *text, size_t n)
 {
 	size_t i = 0;
 	while (i < n && ((unsigned char)text[i] >= 0x20 ||
@@ -61,7 +61,7 @@ textfile_is_blank(const char *bytes, size_t n)
 }
 
 static char *
-refuse_size(
+refuse_large_file(
     const char *path, double bytes, size_t most, struct error_list *errors)
 {
 	error_at(error_add(errors), ERROR_DATA, path, 0, 0,
@@ -72,8 +72,8 @@ refuse_size(
 }
 
 static char *
-refuse_text(const char *path, const char *text, size_t bad, const char *what,
-    struct error_list *errors)
+refuse_invalid_text(const char *path, const char *text, size_t bad,
+    const char *what, struct error_list *errors)
 {
 	struct place at = textfile_line_of_offset(text, bad);
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
@@ -84,27 +84,27 @@ refuse_text(const char *path, const char *text, size_t bad, const char *what,
 }
 
 char *
-textfile_text(const char *path, const char *bytes, size_t n, const char **note,
-    struct error_list *errors)
+textfile_decode(const char *path, const char *bytes, size_t n,
+    const char **note, struct error_list *errors)
 {
 	*note = "";
 	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
-		return refuse_text(path, bytes, 0,
+		return refuse_invalid_text(path, bytes, 0,
 		    "expected text, got a workbook (.xlsx, .ods)", errors);
 	struct decoded d = encoding_decode(bytes, n);
-	size_t control = first_control(d.text, d.n);
+	size_t control = first_control_character(d.text, d.n);
 	char *text = NULL;
 	if (control < d.n)
-		refuse_text(path, d.text, control,
+		refuse_invalid_text(path, d.text, control,
 		    "expected text, got a binary file", errors);
 	else if (d.wrong != NULL)
-		refuse_text(path, d.text, d.bad, d.wrong, errors);
+		refuse_invalid_text(path, d.text, d.bad, d.wrong, errors);
 	else if (textfile_is_blank(d.text, d.n))
 		error_at(error_add(errors), ERROR_DATA, path, 1, 1,
 		    "expected a site file, got an empty file\n"
 		    "see tipspeed-site(5) for what a site file contains");
 	else
-		text = encoding_compose(d.text);
+		text = encoding_to_nfc(d.text);
 	if (d.encoding == ENCODING_1252)
 		*note =
 		    tr("read as Windows-1252: check names and units such as "
@@ -116,7 +116,7 @@ textfile_text(const char *path, const char *bytes, size_t n, const char **note,
 /* Reads to the end, or to more than `most` bytes, in growing pieces, because a
  * pipe does not know its size.  NULL with errno set if the system refuses. */
 static char *
-textfile_load(FILE *file, size_t most, size_t *n)
+read_bytes_to_end(FILE *file, size_t most, size_t *n)
 {
 	char *bytes = NULL;
 	*n = 0;
@@ -136,7 +136,8 @@ textfile_load(FILE *file, size_t most, size_t *n)
 }
 
 static char *
-fail_to_read(const char *path, const char *why, struct error_list *errors)
+report_unreadable_file(
+    const char *path, const char *why, struct error_list *errors)
 {
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
@@ -158,7 +159,7 @@ is_null_device(const struct stat *about)
 
 /* True if there is something to read, or the end of the file. */
 static bool
-is_written(int fd, const char **why)
+wait_for_input(int fd, const char **why)
 {
 	enum { PATIENCE_MS = 60000 };
 	struct pollfd in = {.fd = fd, .events = POLLIN};
@@ -182,7 +183,7 @@ textfile_open(const char *path, const char **why)
 	}
 	*why = strerror(errno);
 	if (good && S_ISFIFO(about.st_mode))
-		good = is_written(fd, why);
+		good = wait_for_input(fd, why);
 	else if (good && !S_ISREG(about.st_mode) && !is_null_device(&about)) {
 		good = false;
 		*why = tr("expected a file or a pipe, got a device");
@@ -198,56 +199,57 @@ textfile_open(const char *path, const char **why)
 }
 
 static char *
-read_bytes(const char *path, size_t most, size_t *n, struct error_list *errors)
+read_file_bytes(
+    const char *path, size_t most, size_t *n, struct error_list *errors)
 {
 	const char *why;
 	FILE *file = textfile_open(path, &why);
 	if (file == NULL)
-		return fail_to_read(path, why, errors);
+		return report_unreadable_file(path, why, errors);
 	struct stat about;
 	char *bytes = NULL;
 	if (fstat(fileno(file), &about) == 0 && S_ISREG(about.st_mode) &&
 	    about.st_size > (off_t)most)
-		refuse_size(path, (double)about.st_size, most, errors);
-	else if ((bytes = textfile_load(file, most, n)) == NULL)
-		fail_to_read(path, strerror(errno), errors);
+		refuse_large_file(path, (double)about.st_size, most, errors);
+	else if ((bytes = read_bytes_to_end(file, most, n)) == NULL)
+		report_unreadable_file(path, strerror(errno), errors);
 	fclose(file);
 	if (bytes == NULL || *n <= most)
 		return bytes;
 	free(bytes);
-	return refuse_size(path, (double)*n, most, errors);
+	return refuse_large_file(path, (double)*n, most, errors);
 }
 
 char *
-textfile_bytes(const char *path, size_t *n, struct error_list *errors)
+textfile_read_bytes(const char *path, size_t *n, struct error_list *errors)
 {
-	return read_bytes(path, MOST_BYTES, n, errors);
+	return read_file_bytes(path, MOST_BYTES, n, errors);
 }
 
 static char *
-read_whole(const char *path, size_t most, struct error_list *errors)
+read_and_decode_file(const char *path, size_t most, struct error_list *errors)
 {
 	size_t n;
 	const char *note;
-	FREED char *bytes = read_bytes(path, most, &n, errors);
-	return bytes != NULL ? textfile_text(path, bytes, n, &note, errors)
+	FREED char *bytes = read_file_bytes(path, most, &n, errors);
+	return bytes != NULL ? textfile_decode(path, bytes, n, &note, errors)
 			     : NULL;
 }
 
 char *
 textfile_read(const char *path, struct error_list *errors)
 {
-	return read_whole(path, MOST_BYTES, errors);
+	return read_and_decode_file(path, MOST_BYTES, errors);
 }
 
 char *
-textfile_read_own(const char *path, struct error_list *errors)
+textfile_read_large(const char *path, struct error_list *errors)
 {
-	return read_whole(path, MOST_OWN, errors);
+	return read_and_decode_file(path, MOST_OWN, errors);
 }
 
 char *
-textfile_lines(const char *const *line)
+textfile_join_lines(const char *const *line)
 {
 	char *text = xstrdup("");
 	for (; *line != NULL; line++)

@@ -16,24 +16,25 @@ FILE *textfile_open(const char *path, const char **why);
 /* Returns the content of a file of at most 10 MB, *n bytes, which the caller
  * frees.  Returns NULL with one fault if the file cannot be read (ERROR_SYSTEM)
  * or is larger, which is checked before reading it. */
-char *textfile_bytes(const char *path, size_t *n, struct error_list *errors);
+char *textfile_read_bytes(
+    const char *path, size_t *n, struct error_list *errors);
 
 /* Returns the bytes as UTF-8 with composed letters (encoding.h), without a byte
  * order mark; the caller frees the text.  note: what to check if the encoding
  * was guessed, or "".  Returns NULL with one fault if the bytes are not text or
  * are blank. */
-char *textfile_text(const char *path, const char *bytes, size_t n,
+char *textfile_decode(const char *path, const char *bytes, size_t n,
     const char **note, struct error_list *errors);
 
-/* Calls textfile_bytes and textfile_text, without the note. */
+/* Calls textfile_read_bytes and textfile_decode, without the note. */
 char *textfile_read(const char *path, struct error_list *errors);
 
 /* As textfile_read, but for a file of up to 1000 MB that the program itself may
  * have written. */
-char *textfile_read_own(const char *path, struct error_list *errors);
+char *textfile_read_large(const char *path, struct error_list *errors);
 
 /* Returns the joined lines, up to NULL, of a file built into the program.  The
  * caller frees the text. */
-char *textfile_lines(const char *const *line);
+char *textfile_join_lines(const char *const *line);
 
 #endif

@@ -44,29 +44,30 @@ struct book {
 
 /* Parses a part of the archive. */
 static char *
-xlsx_read_part(struct book *b, const char *name,
+xlsx_parse_part(struct book *b, const char *name,
     const struct xml_events *events, void *data)
 {
 	size_t n;
 	char *wrong = NULL;
-	FREED char *bytes = archive_part(b->archive, name, &n, &wrong);
+	FREED char *bytes = archive_unpack_entry(b->archive, name, &n, &wrong);
 	if (bytes == NULL)
 		return wrong;
-	FREED char *fault = xml_read(bytes, n, events, data, b->grid->errors);
+	FREED char *fault =
+	    xml_parse_document(bytes, n, events, data, b->grid->errors);
 	if (fault != NULL)
 		wrong = xasprintf("%s: %s", name, fault);
 	return wrong;
 }
 
 static void
-xlsx_no_end(void *data, const char *name)
+xlsx_ignore_end(void *data, const char *name)
 {
 	(void)data;
 	(void)name;
 }
 
 static bool
-is_true(const char *const *attribute, const char *name)
+is_attribute_true(const char *const *attribute, const char *name)
 {
 	const char *value = xml_attribute(attribute, name);
 	return value != NULL &&
@@ -75,11 +76,12 @@ is_true(const char *const *attribute, const char *name)
 
 /* xl/workbook.xml */
 static void
-begin_workbook(void *data, const char *name, const char *const *attribute)
+begin_workbook_element(
+    void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	if (strcmp(name, "workbookPr") == 0)
-		b->from_1904 = is_true(attribute, "date1904");
+		b->from_1904 = is_attribute_true(attribute, "date1904");
 	if (strcmp(name, "sheet") != 0)
 		return;
 	const char *title = xml_attribute(attribute, "name");
@@ -101,7 +103,8 @@ begin_workbook(void *data, const char *name, const char *const *attribute)
 /* xl/_rels/workbook.xml.rels: the part in which a sheet is.  Sheets that are
  * charts or macros have other types. */
 static void
-begin_relations(void *data, const char *name, const char *const *attribute)
+begin_relations_element(
+    void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	const char *id = xml_attribute(attribute, "Id");
@@ -120,7 +123,7 @@ begin_relations(void *data, const char *name, const char *const *attribute)
 /* xl/sharedStrings.xml: <si><t>..</t></si>, or runs <r><t> in several fonts;
  * <rPh> has the pronunciation of Japanese. */
 static void
-begin_string(void *data, const char *name, const char *const *attribute)
+begin_shared_string(void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	(void)attribute;
@@ -136,7 +139,7 @@ begin_string(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-end_string(void *data, const char *name)
+end_shared_string(void *data, const char *name)
 {
 	struct book *b = data;
 	b->in_text = false;
@@ -146,7 +149,7 @@ end_string(void *data, const char *name)
 }
 
 static void
-append_string_text(void *data, const char *text, size_t n)
+append_shared_string(void *data, const char *text, size_t n)
 {
 	struct book *b = data;
 	if (b->in_text && b->phonetic == 0)
@@ -167,7 +170,8 @@ static void
 xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
-	unsigned id = (unsigned)xml_whole(attribute, "numFmtId", 0);
+	unsigned id =
+	    (unsigned)xml_attribute_as_integer(attribute, "numFmtId", 0);
 	const char *code = xml_attribute(attribute, "formatCode");
 	b->in_styles = b->in_styles || strcmp(name, "cellXfs") == 0;
 	if (strcmp(name, "numFmt") == 0 && code != NULL && b->n_code < 1000) {
@@ -185,7 +189,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-end_style(void *data, const char *name)
+xlsx_end_style(void *data, const char *name)
 {
 	struct book *b = data;
 	b->in_styles = b->in_styles && strcmp(name, "cellXfs") != 0;
@@ -211,14 +215,14 @@ xlsx_begin_cell(struct reading *r, const char *const *attribute)
 	const char *place = xml_attribute(attribute, "r");
 	const char *type = xml_attribute(attribute, "t");
 	struct cell at = r->at;
-	const char *end = place != NULL
-			      ? sheet_read_place(place, &at.column, &at.line)
-			      : NULL;
+	const char *end = place != NULL ? sheet_parse_cell_address(
+					      place, &at.column, &at.line)
+					: NULL;
 	r->at.column++;
 	if (end != NULL && *end == '\0')
 		r->at = at;
 	snprintf(r->type, sizeof r->type, "%s", type != NULL ? type : "n");
-	r->style = xml_whole(attribute, "s", 0);
+	r->style = xml_attribute_as_integer(attribute, "s", 0);
 	r->in_cell = true;
 	r->has_value = r->has_formula = false;
 	r->value.n = r->formula.n = 0;
@@ -230,15 +234,15 @@ static void
 xlsx_begin_row(struct reading *r, const char *const *attribute)
 {
 	size_t next = (size_t)r->at.line + 1;
-	size_t line = xml_whole(attribute, "r", next);
+	size_t line = xml_attribute_as_integer(attribute, "r", next);
 	r->at.line = (int)(line > 0 ? line : next);
 	r->at.column = 0;
-	if (is_true(attribute, "hidden"))
-		grid_hidden(r->book->grid);
+	if (is_attribute_true(attribute, "hidden"))
+		grid_mark_hidden_cells(r->book->grid);
 }
 
 static void
-begin_in_sheet(void *data, const char *name, const char *const *attribute)
+begin_sheet_element(void *data, const char *name, const char *const *attribute)
 {
 	struct reading *r = data;
 	r->in = IN_NOTHING;
@@ -246,8 +250,9 @@ begin_in_sheet(void *data, const char *name, const char *const *attribute)
 		xlsx_begin_row(r, attribute);
 	else if (strcmp(name, "c") == 0)
 		xlsx_begin_cell(r, attribute);
-	else if (strcmp(name, "col") == 0 && is_true(attribute, "hidden"))
-		grid_hidden(r->book->grid);
+	else if (strcmp(name, "col") == 0 &&
+		 is_attribute_true(attribute, "hidden"))
+		grid_mark_hidden_cells(r->book->grid);
 	else if (!r->in_cell)
 		return;
 	else if (strcmp(name, "rPh") == 0)
@@ -263,7 +268,7 @@ begin_in_sheet(void *data, const char *name, const char *const *attribute)
 }
 
 static void
-text_in_sheet(void *data, const char *text, size_t n)
+append_sheet_text(void *data, const char *text, size_t n)
 {
 	struct reading *r = data;
 	if (r->in == IN_VALUE || r->in == IN_TEXT)
@@ -275,7 +280,7 @@ text_in_sheet(void *data, const char *text, size_t n)
 /* Puts a text in which Excel writes a carriage return as _x000D_, and _ before
  * an x as _x005F_. */
 static void
-xlsx_put_text(struct reading *r, const char *text)
+xlsx_put_unescaped_text(struct reading *r, const char *text)
 {
 	FREED char *copy = xstrdup(text);
 	char *to = copy;
@@ -303,22 +308,23 @@ xlsx_put_number(struct reading *r)
 	char date[32];
 	struct cell_format shown =
 	    r->style < b->n_style ? b->style[r->style] : cell_format_builtin(0);
-	if (!text_number(r->value.text, &value))
-		xlsx_put_text(r, r->value.text);
+	if (!text_parse_number(r->value.text, &value))
+		xlsx_put_unescaped_text(r, r->value.text);
 	else if (shown.kind != FORMAT_NUMBER &&
-		 cell_format_date(value, b->from_1904, shown.kind, date))
+		 cell_format_serial_to_text(
+		     value, b->from_1904, shown.kind, date))
 		grid_put_date(b->grid, r->at, date);
 	else
 		grid_put_number(b->grid, r->at, value, shown.unit);
 }
 
 static void
-put_shared(struct reading *r)
+put_shared_string(struct reading *r)
 {
 	const struct book *b = r->book;
 	uint64_t i;
-	if (text_whole(r->value.text, &i) && i < b->n_start)
-		xlsx_put_text(r, b->string.text + b->start[i]);
+	if (text_parse_whole_number(r->value.text, &i) && i < b->n_start)
+		xlsx_put_unescaped_text(r, b->string.text + b->start[i]);
 	else if (r->wrong == NULL)
 		r->wrong = xasprintf(
 		    "row %d has a text that is not there", r->at.line);
@@ -326,7 +332,7 @@ put_shared(struct reading *r)
 
 /* Puts an ISO date of a strict workbook; one at midnight is a date alone. */
 static void
-put_iso(struct reading *r)
+put_iso_date(struct reading *r)
 {
 	char *t = strchr(r->value.text, 'T');
 	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
@@ -341,24 +347,24 @@ xlsx_put_cell(struct reading *r)
 	    strcmp(r->type, "str") == 0 || strcmp(r->type, "inlineStr") == 0;
 	bool empty = r->value.n == 0;
 	if (r->has_formula && (!r->has_value || (empty && !is_text)))
-		grid_put_formula(r->book->grid, r->at, r->formula.text);
+		grid_put_formula_text(r->book->grid, r->at, r->formula.text);
 	else if (!r->has_value || empty)
 		return;
 	else if (strcmp(r->type, "s") == 0)
-		put_shared(r);
+		put_shared_string(r);
 	else if (strcmp(r->type, "b") == 0)
-		xlsx_put_text(
+		xlsx_put_unescaped_text(
 		    r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
 	else if (strcmp(r->type, "d") == 0)
-		put_iso(r);
+		put_iso_date(r);
 	else if (strcmp(r->type, "n") == 0)
 		xlsx_put_number(r);
 	else
-		xlsx_put_text(r, r->value.text);
+		xlsx_put_unescaped_text(r, r->value.text);
 }
 
 static void
-end_in_sheet(void *data, const char *name)
+end_sheet_element(void *data, const char *name)
 {
 	struct reading *r = data;
 	r->in = IN_NOTHING;
@@ -374,22 +380,22 @@ static char *
 xlsx_read_sheet(struct book *b, const struct tab *tab)
 {
 	static const struct xml_events EVENTS = {
-	    begin_in_sheet, end_in_sheet, text_in_sheet};
+	    begin_sheet_element, end_sheet_element, append_sheet_text};
 	struct reading r = {.book = b};
-	grid_begin(b->grid, tab->name);
-	char *wrong = xlsx_read_part(b, tab->part, &EVENTS, &r);
+	grid_begin_sheet(b->grid, tab->name);
+	char *wrong = xlsx_parse_part(b, tab->part, &EVENTS, &r);
 	free(r.value.text);
 	free(r.formula.text);
 	if (wrong == NULL && r.wrong != NULL)
 		wrong = xasprintf("%s: %s", tab->part, r.wrong);
 	else if (wrong == NULL)
-		grid_end(b->grid);
+		grid_end_sheet(b->grid);
 	free(r.wrong);
 	return wrong;
 }
 
 static char *
-read_sheets(struct book *b)
+read_visible_sheets(struct book *b)
 {
 	char *wrong = NULL;
 	for (size_t i = 0; i < b->n_tab && wrong == NULL; i++) {
@@ -405,10 +411,11 @@ read_sheets(struct book *b)
 
 /* Reads a part that a workbook may lack. */
 static char *
-read_if_there(struct book *b, const char *name, const struct xml_events *events)
+read_optional_part(
+    struct book *b, const char *name, const struct xml_events *events)
 {
-	return archive_has(b->archive, name)
-		   ? xlsx_read_part(b, name, events, b)
+	return archive_has_entry(b->archive, name)
+		   ? xlsx_parse_part(b, name, events, b)
 		   : NULL;
 }
 
@@ -416,24 +423,25 @@ char *
 xlsx_read(struct archive *archive, struct grid *grid)
 {
 	static const struct xml_events WORKBOOK = {
-	    begin_workbook, xlsx_no_end, NULL};
+	    begin_workbook_element, xlsx_ignore_end, NULL};
 	static const struct xml_events RELATIONS = {
-	    begin_relations, xlsx_no_end, NULL};
+	    begin_relations_element, xlsx_ignore_end, NULL};
 	static const struct xml_events STRINGS = {
-	    begin_string, end_string, append_string_text};
+	    begin_shared_string, end_shared_string, append_shared_string};
 	static const struct xml_events STYLES = {
-	    xlsx_begin_style, end_style, NULL};
+	    xlsx_begin_style, xlsx_end_style, NULL};
 	struct book b = {.archive = archive, .grid = grid};
-	char *wrong = xlsx_read_part(&b, "xl/workbook.xml", &WORKBOOK, &b);
+	char *wrong = xlsx_parse_part(&b, "xl/workbook.xml", &WORKBOOK, &b);
 	if (wrong == NULL)
-		wrong = xlsx_read_part(
+		wrong = xlsx_parse_part(
 		    &b, "xl/_rels/workbook.xml.rels", &RELATIONS, &b);
 	if (wrong == NULL)
-		wrong = read_if_there(&b, "xl/sharedStrings.xml", &STRINGS);
+		wrong =
+		    read_optional_part(&b, "xl/sharedStrings.xml", &STRINGS);
 	if (wrong == NULL)
-		wrong = read_if_there(&b, "xl/styles.xml", &STYLES);
+		wrong = read_optional_part(&b, "xl/styles.xml", &STYLES);
 	if (wrong == NULL)
-		wrong = read_sheets(&b);
+		wrong = read_visible_sheets(&b);
 	for (size_t i = 0; i < b.n_tab; i++) {
 		free(b.tab[i].name);
 		free(b.tab[i].id);

@@ -39,7 +39,7 @@ xml_give_up(struct reading *r, const char *wrong)
 }
 
 static void
-check_for_stop(struct reading *r)
+stop_parsing_if_interrupted(struct reading *r)
 {
 	if (r->wrong == NULL && ++r->n % OFTEN == 0 &&
 	    error_should_stop(r->errors))
@@ -50,7 +50,7 @@ check_for_stop(struct reading *r)
  * each name within it, which would take too long for a million of long ones.
  * Here attributes are as written. */
 static void XMLCALL
-on_begin_without_namespaces(
+refuse_long_namespaces(
     void *data, const XML_Char *name, const XML_Char **attribute)
 {
 	static const char NAMESPACE[] = "xmlns";
@@ -67,7 +67,7 @@ on_begin_without_namespaces(
 		xml_give_up(
 		    r, tr("an element has more names than a spreadsheet "
 			  "program writes"));
-	check_for_stop(r);
+	stop_parsing_if_interrupted(r);
 }
 
 static const char *
@@ -84,7 +84,7 @@ xml_on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
 		xml_give_up(
 		    r, tr("its elements are too deep within each other"));
-	check_for_stop(r);
+	stop_parsing_if_interrupted(r);
 	if (r->wrong == NULL)
 		r->events->begin(
 		    r->data, local_name(name), (const char *const *)attribute);
@@ -108,7 +108,7 @@ xml_on_text(void *data, const XML_Char *text, int n)
 }
 
 static void XMLCALL
-on_doctype(void *data, const XML_Char *name, const XML_Char *system,
+refuse_doctype(void *data, const XML_Char *name, const XML_Char *system,
     const XML_Char *public, int internal)
 {
 	(void)name;
@@ -120,13 +120,13 @@ on_doctype(void *data, const XML_Char *name, const XML_Char *system,
 
 /* Returns a description of the fault, or NULL. */
 static char *
-parse(struct reading *r, XML_Parser parser, XML_StartElementHandler begin,
-    const char *bytes, size_t n)
+run_xml_parser(struct reading *r, XML_Parser parser,
+    XML_StartElementHandler begin, const char *bytes, size_t n)
 {
 	r->parser = parser;
 	XML_SetUserData(parser, r);
 	XML_SetStartElementHandler(parser, begin);
-	XML_SetStartDoctypeDeclHandler(parser, on_doctype);
+	XML_SetStartDoctypeDeclHandler(parser, refuse_doctype);
 	char *wrong = NULL;
 	/* At once: a long name in pieces is looked at from its start for each
 	 * of them. */
@@ -141,12 +141,12 @@ parse(struct reading *r, XML_Parser parser, XML_StartElementHandler begin,
 }
 
 char *
-xml_read(const char *bytes, size_t n, const struct xml_events *events,
+xml_parse_document(const char *bytes, size_t n, const struct xml_events *events,
     void *data, struct error_list *errors)
 {
 	struct reading r = {.events = events, .data = data, .errors = errors};
-	char *wrong = parse(
-	    &r, XML_ParserCreate(NULL), on_begin_without_namespaces, bytes, n);
+	char *wrong = run_xml_parser(
+	    &r, XML_ParserCreate(NULL), refuse_long_namespaces, bytes, n);
 	if (r.wrong != NULL)
 		return wrong;
 	free(wrong); /* and told again, with what else there is */
@@ -154,7 +154,7 @@ xml_read(const char *bytes, size_t n, const struct xml_events *events,
 	XML_SetEndElementHandler(parser, xml_on_end);
 	if (events->text != NULL)
 		XML_SetCharacterDataHandler(parser, xml_on_text);
-	return parse(&r, parser, xml_on_begin, bytes, n);
+	return run_xml_parser(&r, parser, xml_on_begin, bytes, n);
 }
 
 const char *
@@ -173,12 +173,13 @@ xml_attribute(const char *const *attribute, const char *name)
 }
 
 size_t
-xml_whole(const char *const *attribute, const char *name, size_t other)
+xml_attribute_as_integer(
+    const char *const *attribute, const char *name, size_t other)
 {
 	enum { MOST = 2000000 };
 	uint64_t whole;
 	const char *text = xml_attribute(attribute, name);
-	if (text == NULL || !text_whole(text, &whole))
+	if (text == NULL || !text_parse_whole_number(text, &whole))
 		return other;
 	return whole < MOST ? (size_t)whole : MOST;
 }

@@ -23,8 +23,8 @@ struct xml_events {
  * than 100 deep, has more than 1000 attributes on an element or a namespace of
  * more than 200 letters, or has a document type, whose entities could expand
  * beyond the document; or error_should_stop(errors) is true. */
-char *xml_read(const char *bytes, size_t n, const struct xml_events *events,
-    void *data, struct error_list *errors);
+char *xml_parse_document(const char *bytes, size_t n,
+    const struct xml_events *events, void *data, struct error_list *errors);
 
 /* Returns the value of an attribute, or NULL.  name: "r" without a namespace,
  * or "office:1.0 value" with the end of the namespace. */
@@ -33,7 +33,8 @@ const char *xml_attribute(const char *const *attribute, const char *name);
 /* Returns an attribute as a whole number up to two million, more than any
  * spreadsheet program has rows, or `other` if it is missing or not such a
  * number. */
-size_t xml_whole(const char *const *attribute, const char *name, size_t other);
+size_t xml_attribute_as_integer(
+    const char *const *attribute, const char *name, size_t other);
 
 /* A text built up in pieces; text is NULL before the first. */
 struct xml_text {

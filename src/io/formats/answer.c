@@ -56,7 +56,7 @@ answer_set_width(struct answer *answer, int columns)
 }
 
 void
-answer_set_across(struct answer *answer)
+answer_allow_transposed(struct answer *answer)
 {
 	answer->across = true;
 }
@@ -113,21 +113,21 @@ answer_title(struct answer *a, const char *format, ...)
 }
 
 void
-answer_site(struct answer *a, const char *name, const char *provenance)
+answer_set_site(struct answer *a, const char *name, const char *provenance)
 {
 	a->site = xstrdup(name);
 	a->provenance = xstrdup(provenance);
 }
 
 void
-answer_sites(struct answer *a, const char *names, const char *provenance)
+answer_set_sites(struct answer *a, const char *names, const char *provenance)
 {
-	answer_site(a, names, provenance);
+	answer_set_site(a, names, provenance);
 	a->names_sites = true;
 }
 
 void
-answer_fill_for_programs(struct answer *a)
+answer_begin_table_for_programs(struct answer *a)
 {
 	a->filled = &a->table[1];
 }
@@ -198,7 +198,7 @@ answer_add_number(struct answer *a, double value, int decimals, bool sign)
 }
 
 void
-answer_cells(struct answer *a, const char *format, ...)
+answer_add_cells(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -362,30 +362,30 @@ fields_put(struct fields *fields, const char *format, ...)
 }
 
 void
-fields_number(struct fields *fields, const char *key, double value)
+fields_put_number(struct fields *fields, const char *key, double value)
 {
 	put_value(fields, key, number_json(value));
 }
 
 struct fields *
-fields_object(struct fields *fields, const char *key)
+fields_add_object(struct fields *fields, const char *key)
 {
 	return put_value(fields, key, json_object());
 }
 
 struct fields *
-fields_list(struct fields *fields, const char *key)
+fields_add_list(struct fields *fields, const char *key)
 {
 	return put_value(fields, key, json_array());
 }
 
 void
-fields_numbers(struct fields *fields, const char *key, const double *value,
+fields_put_numbers(struct fields *fields, const char *key, const double *value,
     size_t n, double (*shown)(double))
 {
-	struct fields *list = fields_list(fields, key);
+	struct fields *list = fields_add_list(fields, key);
 	for (size_t i = 0; i < n; i++)
-		fields_number(
+		fields_put_number(
 		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
 }
 
@@ -402,9 +402,9 @@ add_cell_field(
 static void
 answer_add_rows(struct fields *fields, const char *key, const struct table *t)
 {
-	struct fields *list = fields_list(fields, key);
+	struct fields *list = fields_add_list(fields, key);
 	for (size_t row = 0; row < count_table_rows(t); row++) {
-		struct fields *object = fields_object(list, NULL);
+		struct fields *object = fields_add_object(list, NULL);
 		for (size_t c = 0; c < t->n_column; c++)
 			add_cell_field(
 			    object, t->key[c], &t->cell[row * t->n_column + c]);
@@ -425,7 +425,8 @@ answer_put_columns(struct answer *a, const char *keys)
 	for (size_t c = 0; c < t->n_column; c++) {
 		if (!text_find_word(keys, t->key[c], &which))
 			continue;
-		struct fields *list = fields_list(answer_fields(a), t->key[c]);
+		struct fields *list =
+		    fields_add_list(answer_fields(a), t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
 			add_cell_field(list, NULL, &t->cell[i]);
 	}
@@ -459,7 +460,7 @@ find_number_at_path(const json_t *in, const char *path, double *value)
 }
 
 double
-answer_number(const struct answer *a, const char *path)
+answer_find_number(const struct answer *a, const char *path)
 {
 	double value = NAN;
 	if (strcmp(path, "warnings") == 0 && a->n_sentence > 0)
@@ -502,7 +503,7 @@ is_sentences_only(const struct answer *a)
 /* Returns the length of the provenance's first clause, which states the kind of
  * data; the rest says how they were made. */
 static size_t
-first_clause(const char *provenance)
+length_of_first_clause(const char *provenance)
 {
 	return strcspn(provenance, ";");
 }
@@ -513,7 +514,7 @@ static void
 print_csv_number(double value, char separator, FILE *out)
 {
 	char text[32];
-	text_exact_number(value, text);
+	text_shortest_exact_number(value, text);
 	char *point = strchr(text, '.');
 	if (separator == ';' && point != NULL)
 		*point = ',';
@@ -530,7 +531,8 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 	fputc(separator, out);
 	sheet_write_cell(a->site, separator, out);
 	fputc(separator, out);
-	FREED char *kind = xstrndup(a->provenance, first_clause(a->provenance));
+	FREED char *kind =
+	    xstrndup(a->provenance, length_of_first_clause(a->provenance));
 	sheet_write_cell(kind, separator, out);
 }
 
@@ -615,7 +617,7 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 	json_object_update(o, own);
 	json_decref(own);
 	if (is_sentences_only(a)) {
-		struct fields *list = fields_list(all, "sentences");
+		struct fields *list = fields_add_list(all, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
 			fields_put(list, "%s", a->sentence[i].text);
 	} else if (!answer_has_fields(a)) {
@@ -651,9 +653,10 @@ is_number_column(const struct table *t, size_t column)
 static int
 column_width(const struct table *t, size_t column)
 {
-	int width = text_width(t->head[column]);
+	int width = text_width_in_columns(t->head[column]);
 	for (size_t row = 0; row < count_table_rows(t); row++) {
-		int w = text_width(t->cell[row * t->n_column + column].text);
+		int w = text_width_in_columns(
+		    t->cell[row * t->n_column + column].text);
 		width = w > width ? w : width;
 	}
 	return width;
@@ -662,7 +665,7 @@ column_width(const struct table *t, size_t column)
 static void
 print_padded(const char *text, int width, bool right, bool last, FILE *out)
 {
-	int pad = width - text_width(text);
+	int pad = width - text_width_in_columns(text);
 	fprintf(out, "%*s%s%*s", right ? pad : 0, "", text,
 	    right || last ? 0 : pad, "");
 }
@@ -688,7 +691,7 @@ lay_out_table(const struct table *t, int room)
 }
 
 static void
-form_free(struct form *f)
+free_column_widths(struct form *f)
 {
 	free(f->width);
 	free(f->number);
@@ -807,14 +810,14 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 /* Returns what people see, with all texts converted: as shown, or as markdown.
  * Only the first clause of the provenance is included. */
 static struct answer *
-copy_with_words(char *(*way)(const char *), const struct answer *a)
+copy_with_converted_texts(char *(*way)(const char *), const struct answer *a)
 {
 	struct answer *copy = answer_new(a->command);
 	const struct table *from = &a->table[0];
 	copy->title = a->title != NULL ? way(a->title) : NULL;
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
-		FREED char *first =
-		    xstrndup(a->provenance, first_clause(a->provenance));
+		FREED char *first = xstrndup(
+		    a->provenance, length_of_first_clause(a->provenance));
 		copy->provenance = way(first);
 	}
 	for (size_t c = 0; c < from->n_column; c++) {
@@ -834,9 +837,9 @@ copy_with_words(char *(*way)(const char *), const struct answer *a)
 }
 
 struct answer *
-answer_escaped(const struct answer *a)
+answer_copy_escaped(const struct answer *a)
 {
-	return copy_with_words(text_escaped, a);
+	return copy_with_converted_texts(text_escaped, a);
 }
 
 /* Exchanges the headings and the first column. */
@@ -866,7 +869,7 @@ static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = answer_escaped(answer);
+	struct answer *a = answer_copy_escaped(answer);
 	const struct table *t = &a->table[0];
 	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
@@ -888,7 +891,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 			break;
 		fputc('\n', out);
 	}
-	form_free(&f);
+	free_column_widths(&f);
 	for (size_t i = 0; i < a->n_sentence; i++)
 		text_wrap(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
@@ -916,7 +919,7 @@ is_markup_character(const char *text, const char *p)
 /* Escapes a text for markdown: signs with backslashes, those of HTML as
  * entities. */
 static char *
-as_markdown(const char *text)
+escape_for_markdown(const char *text)
 {
 	FREED char *shown = text_escaped(text);
 	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
@@ -951,14 +954,15 @@ print_markdown_rows(const struct table *t, FILE *out)
 			fprintf(out, "%s", f.number[c] ? "|--:" : "|---");
 		fputs("|\n", out);
 	}
-	form_free(&f);
+	free_column_widths(&f);
 }
 
 static size_t
 print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = copy_with_words(as_markdown, answer);
+	struct answer *a =
+	    copy_with_converted_texts(escape_for_markdown, answer);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
 		fprintf(out, "**%s**\n\n", a->title);

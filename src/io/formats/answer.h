@@ -44,12 +44,12 @@ void answer_title(struct answer *answer, const char *format, ...)
 
 /* Sets the site that an answer is about and the provenance of its data (may be
  * ""). */
-void answer_site(
+void answer_set_site(
     struct answer *answer, const char *name, const char *provenance);
 
-/* As answer_site, but json omits the site: sites, if any, are among the
+/* As answer_set_site, but json omits the site: sites, if any, are among the
  * fields. */
-void answer_sites(
+void answer_set_sites(
     struct answer *answer, const char *names, const char *provenance);
 
 /* Adds columns.  In "speed: m/s, size", each column has a key for csv and json
@@ -65,18 +65,18 @@ void answer_set_width(struct answer *answer, int columns);
 
 /* Shows people the transposed table if it is shorter: with its first column as
  * headings and a row for each other column. */
-void answer_set_across(struct answer *answer);
+void answer_allow_transposed(struct answer *answer);
 
 /* Begins another table, with the columns and cells that follow, for csv and
  * json to print instead of the previous table. */
-void answer_fill_for_programs(struct answer *answer);
+void answer_begin_table_for_programs(struct answer *answer);
 
 /* Adds cells, which fill the columns from left to right, row by row: "%s %.2f
  * %g", separated by spaces.  %s: a text; %.2f: a number, with 2 decimals for
  * people, %.*f: with as many as an argument says; %+.2f: also with a sign; %g:
  * with as many significant digits as needed, up to 6.  NAN appears as the words
  * of answer_set_missing, empty in csv and null in json. */
-void answer_cells(struct answer *answer, const char *format, ...)
+void answer_add_cells(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Adds one cell of text. */
@@ -131,7 +131,7 @@ struct answer_view answer_view(const struct answer *answer);
 
 /* Returns a copy of the answer with all texts as shown: the first clause of the
  * provenance only, and warnings first, marked as warnings. */
-struct answer *answer_escaped(const struct answer *answer);
+struct answer *answer_copy_escaped(const struct answer *answer);
 
 /* Returns the answer's fields, without command, site and provenance;
  * borrowed. */
@@ -144,17 +144,17 @@ struct fields *answer_fields(struct answer *answer);
 void fields_put(struct fields *fields, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-void fields_number(struct fields *fields, const char *key, double value);
+void fields_put_number(struct fields *fields, const char *key, double value);
 
 /* Adds an object or a list to be filled, and returns it, borrowed.  key: NULL
  * in a list. */
-struct fields *fields_object(struct fields *fields, const char *key);
-struct fields *fields_list(struct fields *fields, const char *key);
+struct fields *fields_add_object(struct fields *fields, const char *key);
+struct fields *fields_add_list(struct fields *fields, const char *key);
 
 /* Adds a list of numbers [n], converted by `shown` (units_mm or units_pct) or,
  * if NULL, unchanged. */
-void fields_numbers(struct fields *fields, const char *key, const double *value,
-    size_t n, double (*shown)(double));
+void fields_put_numbers(struct fields *fields, const char *key,
+    const double *value, size_t n, double (*shown)(double));
 
 /* answer_put_rows adds the rows so far as objects, under `key`;
  * answer_put_columns adds the columns named in `keys`, separated by spaces, as
@@ -166,7 +166,7 @@ void answer_put_columns(struct answer *answer, const char *keys);
  * there is none.  For a list, such as "holdout.rmse_pct", it is the largest
  * number; true is 1.  "warnings" is the number of warnings, if there are any
  * sentences. */
-double answer_number(const struct answer *answer, const char *path);
+double answer_find_number(const struct answer *answer, const char *path);
 
 bool answer_has_fields(const struct answer *answer);
 

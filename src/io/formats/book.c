@@ -167,7 +167,7 @@ static bool
 book_is_sieve(const char *head, const struct answer_cell *cell, double *value)
 {
 	return strncmp(head, "sieve", 5) == 0 && cell->is_text &&
-	       text_number(cell->text, value);
+	       text_parse_number(cell->text, value);
 }
 
 static void
@@ -179,7 +179,8 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 	bool fixed = cell->decimals >= 0 && cell->decimals < DECIMALS;
 	/* 93.6 as in csv, and not 93.59999999999999. */
 	if (!cell->is_text && isfinite(value))
-		text_number(text_exact_number(value, text), &value);
+		text_parse_number(
+		    text_shortest_exact_number(value, text), &value);
 	if (book_is_sieve(head, cell, &value) ||
 	    (!cell->is_text && isfinite(value)))
 		worksheet_write_number(p->sheet, p->row, column, value,
@@ -194,9 +195,10 @@ static void
 set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 {
 	enum { LEAST = 9, MOST = 60 };
-	int width = text_width(v->head[column]);
+	int width = text_width_in_columns(v->head[column]);
 	for (size_t i = 0; i < v->n_row; i++) {
-		int w = text_width(v->cell[i * v->n_column + column].text);
+		int w = text_width_in_columns(
+		    v->cell[i * v->n_column + column].text);
 		width = w > width ? w : width;
 	}
 	width = width < LEAST ? LEAST : width > MOST ? MOST : width;
@@ -205,7 +207,7 @@ set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 
 /* Returns the number of rows, from the first, that begin with a sieve. */
 static size_t
-sieve_rows(const struct answer_view *v)
+count_sieve_rows(const struct answer_view *v)
 {
 	size_t n = 0;
 	double mm;
@@ -267,7 +269,7 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 static void
 add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 {
-	size_t rows = sieve_rows(v), curves = 0;
+	size_t rows = count_sieve_rows(v), curves = 0;
 	lxw_row_t from = p->row + 1, to = p->row + (lxw_row_t)rows;
 	for (size_t c = 1; rows > 1 && c < v->n_column; c++)
 		curves += book_is_curve(v, rows, c);
@@ -315,7 +317,7 @@ put_table(struct book *b, struct page *p, const struct answer_view *v)
 
 /* Returns the format of "trust: amber: ..", in its colour, or NULL. */
 static lxw_format *
-light_format(const struct book *b, const char *text)
+format_of_trust_light(const struct book *b, const char *text)
 {
 	static const char *const LIGHTS[] = {
 	    "trust: green", "trust: amber", "trust: red"};
@@ -336,7 +338,7 @@ book_put_sentences(
 			continue;
 		FREED char *text =
 		    xasprintf("%s%s", warning ? "warning: " : "", said->text);
-		lxw_format *light = light_format(b, said->text);
+		lxw_format *light = format_of_trust_light(b, said->text);
 		book_put_text(p, 0, text,
 		    light != NULL ? light
 		    : warning     ? b->warning
@@ -346,7 +348,7 @@ book_put_sentences(
 }
 
 size_t
-book_add(struct book *b, const struct answer *answer)
+book_add_answer(struct book *b, const struct answer *answer)
 {
 	struct answer_view v = answer_view(answer);
 	struct page p = add_page(b, answer_command(answer));
@@ -375,11 +377,11 @@ static void
 book_put_row(struct book *b, struct page *p, const struct row *row)
 {
 	double value;
-	bool head = row->n > 2 && !number_of(row->cell[0], &value);
+	bool head = row->n > 2 && !number_value_of_cell(row->cell[0], &value);
 	p->row = (lxw_row_t)row->line - 1;
 	for (size_t c = 0; c < row->n; c++) {
 		lxw_col_t column = (lxw_col_t)c;
-		if (!head && number_of(row->cell[c], &value))
+		if (!head && number_value_of_cell(row->cell[c], &value))
 			worksheet_write_number(
 			    p->sheet, p->row, column, value, NULL);
 		else
@@ -398,14 +400,14 @@ book_add_text(struct book *b, const char *name, const char *text)
 	struct error_list errors = {0};
 	FREED char *copy = xstrdup(text);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
-	struct sheet *sheet = sheet_new("", copy, most, &errors);
-	number_find(sheet);
+	struct sheet *sheet = sheet_new_from_text("", copy, most, &errors);
+	number_find_in_all_cells(sheet);
 	struct page p = add_page(b, name);
 	for (size_t i = 0; i < sheet->n_row; i++)
 		book_put_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
 		const char *said = sheet->comment[i].text;
-		FREED char *plain = text_unquoted(said, strlen(said));
+		FREED char *plain = text_without_quotes(said, strlen(said));
 		p.row = (lxw_row_t)sheet->comment[i].line - 1;
 		book_put_text(&p, 0, plain, b->remark);
 	}
@@ -413,7 +415,7 @@ book_add_text(struct book *b, const char *name, const char *text)
 }
 
 void
-book_add_about(struct book *b, const char *key, const char *value)
+book_add_about_line(struct book *b, const char *key, const char *value)
 {
 	b->about = xrealloc(b->about, 2 * b->n_about + 2, sizeof *b->about);
 	b->about[2 * b->n_about] = xstrdup(key);
@@ -421,7 +423,7 @@ book_add_about(struct book *b, const char *key, const char *value)
 }
 
 size_t
-book_sheets(const struct book *b)
+book_count_sheets(const struct book *b)
 {
 	return b->sheets;
 }
@@ -442,7 +444,7 @@ put_about(struct book *b)
 		book_put_text(&p, 0, b->about[2 * i], b->head);
 		const char *value = b->about[2 * i + 1];
 		double number;
-		if (text_number(value, &number))
+		if (text_parse_number(value, &number))
 			worksheet_write_number(p.sheet, p.row, 1, number, left);
 		else
 			book_put_text(&p, 1, value, NULL);
@@ -472,7 +474,7 @@ read_whole_file(int fd, size_t *n)
 }
 
 char *
-book_finish(struct book *b, size_t *n, struct error *error)
+book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 {
 	put_about(b);
 	errno = 0;

@@ -18,22 +18,22 @@ void book_free(struct book *book); /* NULL is allowed */
 /* Adds a sheet with an answer as people see it: numbers are exact, shown with
  * the same decimals, and the passings in a table of sieves are also drawn as
  * curves.  Returns the number of rows in its table. */
-size_t book_add(struct book *book, const struct answer *answer);
+size_t book_add_answer(struct book *book, const struct answer *answer);
 
-/* Adds a sheet with the cells of a text (see sheet_new), including its
- * comments. */
+/* Adds a sheet with the cells of a text (see sheet_new_from_text), including
+ * its comments. */
 void book_add_text(struct book *book, const char *name, const char *text);
 
 /* Adds a line to the last sheet, "About". */
-void book_add_about(struct book *book, const char *key, const char *value);
+void book_add_about_line(struct book *book, const char *key, const char *value);
 
-/* book_sheets returns the number of sheets other than "About"; book_has_site is
- * true if one is about a site. */
-size_t book_sheets(const struct book *book);
+/* book_count_sheets returns the number of sheets other than "About";
+ * book_has_site is true if one is about a site. */
+size_t book_count_sheets(const struct book *book);
 bool book_has_site(const struct book *book);
 
 /* Returns the workbook's *n bytes, which the caller frees, and frees the book.
  * Returns NULL, with an error of kind ERROR_SYSTEM, if the system fails. */
-char *book_finish(struct book *book, size_t *n, struct error *error);
+char *book_finish_to_bytes(struct book *book, size_t *n, struct error *error);
 
 #endif

@@ -30,16 +30,17 @@ struct reading_circuit {
 
 /* Returns a part of a cell, whose text it may shorten. */
 static struct cell
-part_of_cell(const struct reading_circuit *r, struct cell cell, char *from)
+cell_with_part_of_text(
+    const struct reading_circuit *r, struct cell cell, char *from)
 {
 	while (*from == ' ' || *from == '\t')
 		from++;
 	cell.column += (int)(from - cell.text);
-	return number_cell(r->sheet, cell, text_trim(from));
+	return number_cell_from_text(r->sheet, cell, text_trim(from));
 }
 
 static bool
-stream_name(struct reading_circuit *r, struct cell cell)
+check_stream_name(struct reading_circuit *r, struct cell cell)
 {
 	if (cell.text[0] != '\0' && strpbrk(cell.text, "+=") == NULL)
 		return true;
@@ -49,11 +50,12 @@ stream_name(struct reading_circuit *r, struct cell cell)
 
 /* Adds a stream that a unit makes. */
 static void
-add_out(struct reading_circuit *r, struct unit *unit, struct cell cell)
+add_output_stream(
+    struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
-	if (!stream_name(r, cell))
+	if (!check_stream_name(r, cell))
 		return;
-	size_t i = circuit_stream(r->circuit, cell.text);
+	size_t i = circuit_find_or_add_stream(r->circuit, cell.text);
 	if (r->made[i].text != NULL)
 		sheet_fault(r->sheet, cell,
 		    "expected one source of '%.40s', got a second one\n"
@@ -67,11 +69,11 @@ add_out(struct reading_circuit *r, struct unit *unit, struct cell cell)
 }
 
 static void
-add_in(struct reading_circuit *r, struct unit *unit, struct cell cell)
+add_input_stream(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
-	if (!stream_name(r, cell))
+	if (!check_stream_name(r, cell))
 		return;
-	size_t i = circuit_stream(r->circuit, cell.text);
+	size_t i = circuit_find_or_add_stream(r->circuit, cell.text);
 	if (r->used[i].text != NULL)
 		sheet_fault(r->sheet, cell,
 		    "expected one use of '%.40s', got a second one\n"
@@ -85,7 +87,8 @@ add_in(struct reading_circuit *r, struct unit *unit, struct cell cell)
 
 /* Adds the streams of "new + back". */
 static void
-add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
+add_input_streams(
+    struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	size_t n = 1;
 	for (const char *p = cell.text; *p != '\0'; p++)
@@ -101,16 +104,16 @@ add_ins(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_in(r, unit, part_of_cell(r, cell, at));
+		add_input_stream(r, unit, cell_with_part_of_text(r, cell, at));
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
 
 static bool
-read_number_between(struct reading_circuit *r, struct cell cell,
+parse_number_between(struct reading_circuit *r, struct cell cell,
     const char *wanted, double least, double most, double *value)
 {
-	if (!number_read(r->sheet, cell, wanted, value))
+	if (!number_read_cell(r->sheet, cell, wanted, value))
 		return false;
 	if (*value >= least && *value <= most)
 		return true;
@@ -150,7 +153,8 @@ static const char *const HINTS[UNIT_KINDS] = {
 
 /* Reads one cell key=value. */
 static void
-read_unit_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
+parse_unit_option(
+    struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
 	for (size_t k = 0; sign != NULL && k < ARRAY_LEN(KEYS); k++) {
@@ -161,8 +165,8 @@ read_unit_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		    strncmp(cell.text, key->word, n) != 0 ||
 		    cell.text[n + strspn(cell.text + n, " ")] != '=')
 			continue;
-		struct cell number = part_of_cell(r, cell, sign + 1);
-		if (read_number_between(r, number, key->wanted, key->least,
+		struct cell number = cell_with_part_of_text(r, cell, sign + 1);
+		if (parse_number_between(r, number, key->wanted, key->least,
 			key->most, &value)) {
 			void *to = (char *)unit + key->offset;
 			*(double *)to = value / key->scale;
@@ -174,76 +178,79 @@ read_unit_key(struct reading_circuit *r, struct unit *unit, struct cell cell)
 }
 
 static void
-read_keys(struct reading_circuit *r, struct unit *unit, const struct row *row,
-    size_t from)
+parse_unit_options(struct reading_circuit *r, struct unit *unit,
+    const struct row *row, size_t from)
 {
 	for (size_t i = from; i < row->n; i++)
 		if (row->cell[i].text[0] != '\0')
-			read_unit_key(r, unit, row->cell[i]);
+			parse_unit_option(r, unit, row->cell[i]);
 }
 
 static void
-read_feed(struct reading_circuit *r, struct unit *unit, const struct row *row)
+parse_feed_row(
+    struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	struct cell tph = sheet_cell(row, 2);
 	double value;
-	add_out(r, unit, sheet_cell(row, 1));
+	add_output_stream(r, unit, sheet_cell(row, 1));
 	if (tph.text[0] != '\0' &&
-	    read_number_between(
+	    parse_number_between(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
 		r->circuit->tph = value;
-	read_keys(r, unit, row, 3);
+	parse_unit_options(r, unit, row, 3);
 }
 
 static void
-read_crusher(
+parse_crusher_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
-	add_ins(r, unit, sheet_cell(row, 1));
-	add_out(r, unit, sheet_cell(row, 2));
-	read_keys(r, unit, row, 3);
+	add_input_streams(r, unit, sheet_cell(row, 1));
+	add_output_stream(r, unit, sheet_cell(row, 2));
+	parse_unit_options(r, unit, row, 3);
 }
 
 static void
-read_screen(struct reading_circuit *r, struct unit *unit, const struct row *row)
+parse_screen_row(
+    struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	double mm = 1;
-	add_ins(r, unit, sheet_cell(row, 1));
-	read_number_between(r, sheet_cell(row, 2), tr("an opening in mm"),
+	add_input_streams(r, unit, sheet_cell(row, 1));
+	parse_number_between(r, sheet_cell(row, 2), tr("an opening in mm"),
 	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
 	unit->opening = mm / 1000;
-	add_out(r, unit, sheet_cell(row, 3));
-	add_out(r, unit, sheet_cell(row, 4));
-	read_keys(r, unit, row, 5);
+	add_output_stream(r, unit, sheet_cell(row, 3));
+	add_output_stream(r, unit, sheet_cell(row, 4));
+	parse_unit_options(r, unit, row, 5);
 }
 
 /* Reads "a=60", or "a", which takes the rest.  Returns its share; NAN for the
  * rest. */
 static double
-read_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
+parse_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
 	double share = NAN;
 	if (sign != NULL) {
 		*sign = '\0';
-		struct cell number = part_of_cell(r, cell, sign + 1);
-		if (read_number_between(r, number,
+		struct cell number = cell_with_part_of_text(r, cell, sign + 1);
+		if (parse_number_between(r, number,
 			tr("a share from 0 to 100 %"), 0, 100, &share))
 			share /= 100;
 		else
 			share = 0;
 	}
-	add_out(r, unit, part_of_cell(r, cell, cell.text));
+	add_output_stream(r, unit, cell_with_part_of_text(r, cell, cell.text));
 	return share;
 }
 
 static void
-read_split(struct reading_circuit *r, struct unit *unit, const struct row *row)
+parse_split_row(
+    struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	const double exact = 1e-6;
 	double sum = 0;
 	size_t open = 0, n = row->n > 2 ? row->n - 2 : 0;
-	add_ins(r, unit, sheet_cell(row, 1));
+	add_input_streams(r, unit, sheet_cell(row, 1));
 	if (n < 2 || n > UNIT_STREAMS) {
 		sheet_fault(r->sheet, row->cell[0],
 		    "expected a split into 2 to %d streams, got %zu\n%s",
@@ -251,7 +258,7 @@ read_split(struct reading_circuit *r, struct unit *unit, const struct row *row)
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
-		double share = read_share(r, unit, row->cell[i + 2]);
+		double share = parse_share(r, unit, row->cell[i + 2]);
 		unit->share[i] = share;
 		open += isnan(share) ? 1 : 0;
 		sum += isnan(share) ? 0 : share;
@@ -274,7 +281,7 @@ read_split(struct reading_circuit *r, struct unit *unit, const struct row *row)
 }
 
 static void
-read_stockpile(
+parse_stockpile_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	struct cell from = sheet_cell(row, 1), name = sheet_cell(row, 2);
@@ -282,16 +289,17 @@ read_stockpile(
 	free(unit->name);
 	unit->name =
 	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text);
-	add_ins(r, unit, from);
-	read_keys(r, unit, row, key ? 2 : 3);
+	add_input_streams(r, unit, from);
+	parse_unit_options(r, unit, row, key ? 2 : 3);
 }
 
 static void
-read_unit_row(struct reading_circuit *r, const struct row *row)
+parse_unit_row(struct reading_circuit *r, const struct row *row)
 {
-	static void (*const READ[UNIT_KINDS])(
-	    struct reading_circuit *, struct unit *, const struct row *) = {
-	    read_feed, read_crusher, read_screen, read_split, read_stockpile};
+	static void (*const READ[UNIT_KINDS])(struct reading_circuit *,
+	    struct unit *, const struct row *) = {parse_feed_row,
+	    parse_crusher_row, parse_screen_row, parse_split_row,
+	    parse_stockpile_row};
 	struct cell word = row->cell[0];
 	if (text_same_folded(word.text, "circuit")) {
 		free(r->circuit->name);
@@ -302,7 +310,7 @@ read_unit_row(struct reading_circuit *r, const struct row *row)
 		if (!text_same_folded(word.text, WORDS[k]))
 			continue;
 		struct unit *unit =
-		    circuit_unit(r->circuit, (enum unit_kind)k, "");
+		    circuit_add_unit(r->circuit, (enum unit_kind)k, "");
 		if (unit == NULL) {
 			sheet_fault(r->sheet, word,
 			    "expected at most %d units, got more\n"
@@ -364,7 +372,8 @@ static void
 check_paths_through_circuit(struct reading_circuit *r)
 {
 	const struct circuit *c = r->circuit;
-	size_t unfed = circuit_unfed(c), trapped = circuit_trapped(c);
+	size_t unfed = circuit_find_unfed_unit(c),
+	       trapped = circuit_find_trapped_stream(c);
 	if (unfed < c->n_unit)
 		sheet_fault(r->sheet, r->row[unfed],
 		    "expected a path from the feed to this %s, got none\nits "
@@ -383,7 +392,7 @@ static void
 read_circuit_sheet(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->sheet->n_row; i++)
-		read_unit_row(r, &r->sheet->row[i]);
+		parse_unit_row(r, &r->sheet->row[i]);
 	check_feeds(r);
 	if (r->sheet->n_fault == 0)
 		check_streams(r);
@@ -396,7 +405,7 @@ circuit_file_read(const char *path, struct error_list *errors)
 {
 	struct source source;
 	struct circuit *circuit = NULL;
-	if (source_read(path, errors, &source)) {
+	if (source_read_file(path, errors, &source)) {
 		struct reading_circuit r = {.sheet = source.sheet[0],
 		    .circuit = circuit_new(),
 		    .made = xcalloc(STREAMS, sizeof *r.made),

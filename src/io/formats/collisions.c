@@ -140,9 +140,9 @@ next_field(const struct reading *r, char **s)
 
 /* Returns "Relative Velocity Normal (m/s)" as relative_velocity_normal_m_s. */
 static char *
-head_as_identifier(const char *head)
+heading_to_identifier(const char *head)
 {
-	char *plain = text_fold(head);
+	char *plain = text_fold_case_and_accents(head);
 	size_t n = 0;
 	for (const char *c = plain; *c != '\0'; c++) {
 		bool letter = isalnum((unsigned char)*c) != 0;
@@ -158,7 +158,7 @@ head_as_identifier(const char *head)
 }
 
 static enum column
-find_head(const char *plain)
+find_column_by_identifier(const char *plain)
 {
 	for (size_t i = 0; i < ARRAY_LEN(HEADS); i++)
 		if (strcmp(plain, HEADS[i].head) == 0)
@@ -170,15 +170,15 @@ find_head(const char *plain)
 static enum column
 collisions_column_of(const char *head, double *scale)
 {
-	FREED char *plain = head_as_identifier(head);
-	enum column column = find_head(plain);
+	FREED char *plain = heading_to_identifier(head);
+	enum column column = find_column_by_identifier(plain);
 	const char *unit = "";
 	*scale = column == COL_SIZE ? 1e-3 : 1;
 	for (size_t i = 0; column == COL_NONE && i < ARRAY_LEN(UNITS); i++) {
 		if (!text_ends_with(plain, UNITS[i].end))
 			continue;
 		plain[strlen(plain) - strlen(UNITS[i].end)] = '\0';
-		column = find_head(plain);
+		column = find_column_by_identifier(plain);
 		unit = UNITS[i].unit;
 		*scale = UNITS[i].scale;
 		break;
@@ -211,7 +211,7 @@ add_column_with_heading(struct reading *r, const char *head)
 }
 
 static void
-take_column_names(struct reading *r, const char *heads, char separator)
+use_column_names(struct reading *r, const char *heads, char separator)
 {
 	FREED char *copy = xstrdup(heads);
 	char *rest = copy, *head, was = r->separator;
@@ -262,7 +262,8 @@ read_numbers_of_row(struct reading *r)
 			    "is the file whole?");
 		if (r->column[i] == COL_NONE)
 			continue;
-		/* Safe: the program sets LC_CTYPE only, as in text_number. */
+		/* Safe: the program sets LC_CTYPE only, as in
+		 * text_parse_number. */
 		double v = strtod(field, &end);
 		if (end == field || end[strspn(end, " ")] != '\0' ||
 		    !isfinite(v))
@@ -289,7 +290,7 @@ report_rows_read_so_far(struct reading *r)
 
 /* Returns the energy of a row, J/kg. */
 static double
-row_energy(const struct reading *r)
+energy_of_row(const struct reading *r)
 {
 	const double *v = r->value;
 	if (r->has[COL_SPECIFIC])
@@ -314,7 +315,7 @@ add_impact_of_row(struct reading *r)
 	double mass = r->has[COL_WEIGHT] ? v[COL_WEIGHT]
 		      : r->has[COL_MASS] ? v[COL_MASS]
 					 : 1;
-	double e = row_energy(r);
+	double e = energy_of_row(r);
 	if (!(e >= 0) || !(mass >= 0))
 		return fault(r, ERROR_DATA,
 		    "expected an energy and a weight of at least 0, got less",
@@ -326,7 +327,7 @@ add_impact_of_row(struct reading *r)
 		spectrum_add_impact(s, size, mass, e, false);
 	r->to->impacts += mass > 0;
 	if (r->has[COL_FIRST_KG] && r->has[COL_FIRST_J] && v[COL_FIRST_KG] > 0)
-		spectrum_add_first(
+		spectrum_add_first_impact(
 		    s, size, v[COL_FIRST_KG], v[COL_FIRST_J] / v[COL_FIRST_KG]);
 	return true;
 }
@@ -342,7 +343,8 @@ read_line_above_headings(struct reading *r)
 	double v;
 	if (key == NULL || value == NULL)
 		return key != NULL && strcmp(key, "spectrum") == 0;
-	if (strcmp(key, "speed_m_s") == 0 && text_number(value, &v) && v > 0) {
+	if (strcmp(key, "speed_m_s") == 0 && text_parse_number(value, &v) &&
+	    v > 0) {
 		r->to->spectrum->speed = v;
 		return true;
 	}
@@ -352,11 +354,12 @@ read_line_above_headings(struct reading *r)
 		return true;
 	}
 	return strcmp(key, "spectrum") == 0 ||
-	       (strcmp(key, "impacts") == 0 && text_whole(value, &r->told));
+	       (strcmp(key, "impacts") == 0 &&
+		   text_parse_whole_number(value, &r->told));
 }
 
 static char
-separator_of(const char *line)
+guess_separator_of_line(const char *line)
 {
 	return strchr(line, '\t')  ? '\t'
 	       : strchr(line, ';') ? ';'
@@ -366,24 +369,24 @@ separator_of(const char *line)
 
 /* Reads the headings of a table, or what a list without them has. */
 static bool
-table_columns(struct reading *r, bool *is_row)
+find_table_columns(struct reading *r, bool *is_row)
 {
 	FREED char *copy = xstrdup(r->line);
 	char *rest = copy;
 	double v;
 	const char *first = next_field(r, &rest);
-	*is_row = first != NULL && text_number(first, &v);
+	*is_row = first != NULL && text_parse_number(first, &v);
 	bool two = next_field(r, &rest) != NULL;
 	if (r->way->columns != NULL)
-		take_column_names(r, r->way->columns, ',');
+		use_column_names(r, r->way->columns, ',');
 	else if (!*is_row)
-		take_column_names(r, r->line, r->separator);
+		use_column_names(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
 		    "expected headings above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
-		take_column_names(r,
+		use_column_names(r,
 		    strcmp(r->way->unit, "m/s") == 0
 			? two ? "velocity,weight" : "velocity"
 		    : two ? "specific_energy,weight"
@@ -396,12 +399,12 @@ static bool
 collisions_read_table(struct reading *r)
 {
 	bool ok = true, is_row = false;
-	r->separator = separator_of(r->line);
+	r->separator = guess_separator_of_line(r->line);
 	while (read_line_above_headings(r))
 		if (!next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file whole?");
-	ok = table_columns(r, &is_row);
+	ok = find_table_columns(r, &is_row);
 	if (ok && is_row)
 		ok = read_numbers_of_row(r) && add_impact_of_row(r);
 	while (ok && next_line(r))
@@ -418,7 +421,7 @@ collisions_read_table(struct reading *r)
 }
 
 static bool
-read_open(struct reading *r)
+read_open_file(struct reading *r)
 {
 	if (!next_line(r))
 		return fault(r, ERROR_DATA, "expected collisions, got nothing",
@@ -446,7 +449,7 @@ collisions_read(const char *path, const struct collisions_way *way,
 		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 		    "cannot be read: %s\ncheck the name and the permissions",
 		    why);
-	ok = ok && read_open(&r);
+	ok = ok && read_open_file(&r);
 	if (ok && ferror(r.in))
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
 		    "check the disk");
@@ -478,8 +481,9 @@ write_rows(const struct spectrum_size *of, FILE *out)
 	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
 		const double row[] = {units_mm(of->size),
 		    begun ? 0 : of->particles, begun ? 0 : of->mass,
-		    spectrum_edge(b), spectrum_edge(b + 1), of->all[b].mass,
-		    of->all[b].energy, of->first[b].mass, of->first[b].energy};
+		    spectrum_bin_edge(b), spectrum_bin_edge(b + 1),
+		    of->all[b].mass, of->all[b].energy, of->first[b].mass,
+		    of->first[b].energy};
 		if (!(of->all[b].mass > 0) && (begun || !(of->mass > 0)))
 			continue;
 		for (size_t i = 0; i < ARRAY_LEN(row); i++)
@@ -497,8 +501,8 @@ collisions_write(const struct collisions *c, const char *name, FILE *out)
 	fprintf(out, "spectrum,\"%s\"\nimpacts,%llu\n", name,
 	    (unsigned long long)c->impacts);
 	if (isfinite(s->speed))
-		fprintf(
-		    out, "speed_m_s,%s\n", text_exact_number(s->speed, text));
+		fprintf(out, "speed_m_s,%s\n",
+		    text_shortest_exact_number(s->speed, text));
 	fprintf(out, "provenance,\"%s\"\n", c->about);
 	fputs("size_mm,particles,particles_kg,low_j_kg,high_j_kg,impacts_kg,"
 	      "impacts_j,first_kg,first_j\n",

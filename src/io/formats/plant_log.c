@@ -22,7 +22,7 @@ const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};
 /* The first rows tell what the columns are. */
 enum { MOST_COLUMNS = 256, MOST_HEADS = 4, LOOKED_AT = 2000 };
 
-/* Words of heads, as text_fold has them, between spaces. */
+/* Words of heads, as text_fold_case_and_accents has them, between spaces. */
 static const char
     POWER[] = " kw power effekt motoreffekt leistung motorleistung "
 	      "antriebsleistung wirkleistung puissance potencia potenza teho "
@@ -69,7 +69,7 @@ static bool
 plant_log_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
-	FREED char *folded = text_fold(text);
+	FREED char *folded = text_fold_case_and_accents(text);
 	if (strstr(folded, "feed rate") != NULL && words == RATE)
 		return true;
 	for (const char *p = folded; *p != '\0'; p += strspn(p, BREAKS)) {
@@ -103,13 +103,13 @@ read_date_or_time_at(
     const struct reading *r, size_t row, size_t column, struct datetime *m)
 {
 	struct cell cell = sheet_cell(&r->sheet->row[row], column);
-	return cell.text[0] != '\0' && datetime_read(cell.text, m);
+	return cell.text[0] != '\0' && datetime_parse(cell.text, m);
 }
 
 /* Finds the column with the most dates, the one with the most times of day
  * without a date, and the first row of data. */
 static bool
-find_times(struct reading *r)
+find_time_columns(struct reading *r)
 {
 	size_t dates[MOST_COLUMNS] = {0}, clocks[MOST_COLUMNS] = {0}, full = 0;
 	size_t n = r->sheet->n_row;
@@ -167,14 +167,14 @@ plant_log_head_text(const struct reading *r, size_t c)
 		for (size_t k = 0; k < row->n; k++)
 			filled += row->cell[k].text[0] != '\0';
 		if (filled > 1 && cell[0] != '\0')
-			xlist(&text, " ", "%s", cell);
+			xappend_to_list(&text, " ", "%s", cell);
 	}
 	return text;
 }
 
 /* Reads "1=time, 3=rpm, 4=kW". */
 static bool
-plant_log_take_columns(struct reading *r, const char *columns)
+parse_column_choice(struct reading *r, const char *columns)
 {
 	bool good = true;
 	char *copy = xstrdup(columns), *save = NULL;
@@ -187,7 +187,7 @@ plant_log_take_columns(struct reading *r, const char *columns)
 		good = number > 0 && number <= r->n_column && *end == '=';
 		if (!good)
 			break;
-		r->head[number - 1] = head_read(end + 1);
+		r->head[number - 1] = head_parse(end + 1);
 		r->kind[number - 1] =
 		    plant_log_kind_of(end + 1, &r->head[number - 1]);
 		good = r->kind[number - 1] != NO_KIND;
@@ -244,7 +244,9 @@ choose_speed_unit(struct reading *r, size_t c)
 	if (r->kind[c] != LOG_SPEED || r->head[c].unit != SPEED_NO_UNIT)
 		return true;
 	for (size_t i = r->first; i < r->sheet->n_row; i++)
-		if (number_of(sheet_cell(&r->sheet->row[i], c), &v) && v > 0) {
+		if (number_value_of_cell(
+			sheet_cell(&r->sheet->row[i], c), &v) &&
+		    v > 0) {
 			sum += v;
 			n++;
 		}
@@ -257,7 +259,7 @@ choose_speed_unit(struct reading *r, size_t c)
 		    "..\"",
 		    r->sheet->path, r->date + 1, c + 1);
 	r->kind[c] = LOG_RPM;
-	xlist(&r->log->assumed, "; ", tr("column %zu in rpm"), c + 1);
+	xappend_to_list(&r->log->assumed, "; ", tr("column %zu in rpm"), c + 1);
 	return true;
 }
 
@@ -266,12 +268,12 @@ plant_log_find_columns(struct reading *r)
 {
 	for (size_t c = 0; c < r->n_column; c++) {
 		FREED char *text = plant_log_head_text(r, c);
-		r->head[c] = head_read(text);
+		r->head[c] = head_parse(text);
 		bool time = c == r->date || c == r->clock;
 		r->kind[c] = time ? TIME : plant_log_kind_of(text, &r->head[c]);
 	}
 	const char *columns = r->request->columns;
-	if (columns != NULL && !plant_log_take_columns(r, columns))
+	if (columns != NULL && !parse_column_choice(r, columns))
 		return false;
 	bool good = true, speed = false, any = false;
 	for (size_t c = 0; c < r->n_column && good; c++) {
@@ -295,7 +297,7 @@ plant_log_find_columns(struct reading *r)
 /* Decides whether 5/3/2026 is in May or in March, by dates that are valid in
  * one order only. */
 static bool
-find_order(struct reading *r, bool *open)
+find_day_month_order(struct reading *r, bool *open)
 {
 	struct datetime m;
 	struct cell other = {.text = NULL}, undecided = {.text = NULL};
@@ -329,7 +331,7 @@ find_order(struct reading *r, bool *open)
 
 /* Makes room for one more row. */
 static void
-plant_log_grow(struct reading *r)
+add_room_for_row(struct reading *r)
 {
 	struct plant_log *log = r->log;
 	if (log->n < r->room)
@@ -350,11 +352,11 @@ read_numbers(struct reading *r, const struct row *row)
 	for (size_t c = 0; c < r->n_column; c++) {
 		unsigned k = r->kind[c];
 		double v;
-		if (k >= LOG_COLUMNS || !number_of(sheet_cell(row, c), &v) ||
-		    v < 0)
+		if (k >= LOG_COLUMNS ||
+		    !number_value_of_cell(sheet_cell(row, c), &v) || v < 0)
 			continue;
 		if (k == LOG_SPEED)
-			v = head_mps(v, r->head[c].unit, 0);
+			v = head_speed_to_mps(v, r->head[c].unit, 0);
 		double *slot = &log->value[k][log->n];
 		*slot = isnan(*slot) ? v : *slot + v;
 	}
@@ -368,8 +370,8 @@ plant_log_read_rows(struct reading *r)
 		struct datetime day, clock = {.has_time = false};
 		bool good =
 		    read_date_or_time_at(r, i, r->date, &day) && day.has_date;
-		double time =
-		    good ? datetime_seconds(&day, r->order) : (double)NAN;
+		double time = good ? datetime_seconds_since_1970(&day, r->order)
+				   : (double)NAN;
 		if (good && r->clock != r->date) {
 			good = read_date_or_time_at(r, i, r->clock, &clock);
 			time += clock.seconds;
@@ -381,7 +383,7 @@ plant_log_read_rows(struct reading *r)
 			continue;
 		}
 		r->zone = r->zone || day.has_zone || clock.has_zone;
-		plant_log_grow(r);
+		add_room_for_row(r);
 		r->log->time[r->log->n] = time;
 		read_numbers(r, &r->sheet->row[i]);
 		r->log->n++;
@@ -398,7 +400,7 @@ check_numbers(struct reading *r)
 		for (size_t c = 0; c < r->n_column; c++) {
 			struct cell cell = sheet_cell(&r->sheet->row[i], c);
 			if (r->kind[c] < LOG_COLUMNS &&
-			    number_is_open(r->sheet, cell))
+			    number_is_ambiguous(r->sheet, cell))
 				return sheet_fault(r->sheet, cell,
 				    "expected a number that can be read in one "
 				    "way, got %s: a decimal sign, or "
@@ -419,7 +421,7 @@ write_columns_text(struct reading *r)
 	for (size_t k = 0; k < LOG_COLUMNS; k++)
 		for (size_t c = 0; c < r->n_column; c++)
 			if (r->kind[c] == k)
-				xlist(&text, ", ", tr("%s in %zu"),
+				xappend_to_list(&text, ", ", tr("%s in %zu"),
 				    LOG_UNITS[k], c + 1);
 	if (r->log->read_as[0] == '\0')
 		xappend(&r->log->read_as, "%s", text);
@@ -433,10 +435,10 @@ plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 	r->n_column = r->first = r->date = r->clock = 0;
 	r->told = false;
 	if (r->request->decimal != '\0')
-		number_decimal(sheet, r->request->decimal);
-	if (!find_times(r))
+		number_set_decimal_sign(sheet, r->request->decimal);
+	if (!find_time_columns(r))
 		return false;
-	if (!plant_log_find_columns(r) || !find_order(r, open) ||
+	if (!plant_log_find_columns(r) || !find_day_month_order(r, open) ||
 	    !check_numbers(r))
 		return false;
 	plant_log_read_rows(r);
@@ -448,7 +450,7 @@ static bool
 plant_log_read_file(struct reading *r, const char *path, bool *open)
 {
 	struct source source;
-	bool good = source_read_log(path, r->errors, &source);
+	bool good = source_read_plant_log(path, r->errors, &source);
 	size_t taken = 0;
 	for (size_t i = 0; i < source.n && good; i++) {
 		const char *wanted = r->request->sheet;
@@ -466,7 +468,7 @@ plant_log_read_file(struct reading *r, const char *path, bool *open)
 		    "expected a sheet with a log, got none\n"
 		    "name one of its sheets: sheet=NAME");
 	if (good && source.note[0] != '\0')
-		xlist(&r->log->assumed, "; ", "%s", source.note);
+		xappend_to_list(&r->log->assumed, "; ", "%s", source.note);
 	source_free(&source);
 	return good;
 }
@@ -489,7 +491,7 @@ static void
 plant_log_sort_rows(struct plant_log *log)
 {
 	FREED struct stamp *stamp = xcalloc(log->n, sizeof *stamp);
-	FREED double *old = xdoubles(log->n);
+	FREED double *old = xcalloc_doubles(log->n);
 	for (size_t i = 0; i < log->n; i++)
 		stamp[i] = (struct stamp){log->time[i], i};
 	qsort(stamp, log->n, sizeof *stamp, compare_by_time);
@@ -514,11 +516,11 @@ plant_log_median(double *value, size_t n)
 
 /* Computes what concerns all rows, and drops columns without numbers. */
 static void
-plant_log_finish(struct reading *r)
+finish_columns_of_log(struct reading *r)
 {
 	struct plant_log *log = r->log;
 	plant_log_sort_rows(log);
-	FREED double *apart = xdoubles(log->n);
+	FREED double *apart = xcalloc_doubles(log->n);
 	for (size_t i = 1; i < log->n; i++) {
 		apart[i - 1] = log->time[i] - log->time[i - 1];
 		if (apart[i - 1] > log->gap) {
@@ -527,7 +529,7 @@ plant_log_finish(struct reading *r)
 		}
 	}
 	log->apart = log->n > 1 ? plant_log_median(apart, log->n - 1) : 0;
-	log->digest = text_digest(
+	log->digest = text_fnv1a_digest(
 	    TEXT_DIGEST_START, log->time, log->n * sizeof *log->time);
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		bool any = false;
@@ -535,7 +537,7 @@ plant_log_finish(struct reading *r)
 			any = any || !isnan(log->value[k][i]);
 		for (size_t i = 0; i < log->n && any; i++)
 			if (!isnan(log->value[k][i]))
-				log->digest = text_digest(log->digest,
+				log->digest = text_fnv1a_digest(log->digest,
 				    &log->value[k][i], sizeof(double));
 		if (any)
 			continue;
@@ -543,7 +545,7 @@ plant_log_finish(struct reading *r)
 		log->value[k] = NULL;
 	}
 	if (r->zone)
-		xlist(&log->assumed, "; ",
+		xappend_to_list(&log->assumed, "; ",
 		    tr("times as they are written, whatever their zone"));
 }
 
@@ -569,7 +571,7 @@ plant_log_read(
 		    "write times as 2026-05-03 10:15",
 		    r.log->passed, r.log->n);
 	if (good) {
-		plant_log_finish(&r);
+		finish_columns_of_log(&r);
 		return r.log;
 	}
 	plant_log_free(r.log);
@@ -591,7 +593,7 @@ plant_log_free(struct plant_log *log)
 }
 
 struct log_window
-plant_log_window(const struct plant_log *log, double from, double to)
+plant_log_summarise_window(const struct plant_log *log, double from, double to)
 {
 	struct log_window w = {.n = 0};
 	size_t first = 0, end;
@@ -601,7 +603,7 @@ plant_log_window(const struct plant_log *log, double from, double to)
 		end++;
 	w.n = end - first;
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
-		FREED double *value = xdoubles(w.n);
+		FREED double *value = xcalloc_doubles(w.n);
 		size_t n = 0;
 		for (size_t i = first; i < end && log->value[k] != NULL; i++)
 			if (!isnan(log->value[k][i]))
@@ -614,7 +616,7 @@ plant_log_window(const struct plant_log *log, double from, double to)
 }
 
 size_t
-plant_log_nearest(const struct plant_log *log, double time)
+plant_log_row_nearest_time(const struct plant_log *log, double time)
 {
 	size_t best = 0;
 	for (size_t i = 1; i < log->n; i++)

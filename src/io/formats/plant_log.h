@@ -15,11 +15,12 @@ enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 
 extern const char *const LOG_UNITS[LOG_COLUMNS];
 
-/* Rows [n] in order of time, see datetime_seconds.  value [n]: NAN if the log
- * has no number there; NULL: no such column.  apart: usual interval between
- * rows, s.  gap: longest interval, s; gap_from: its start.  passed: number of
- * rows skipped because their time could not be read.  read_as: "time in column
- * 1, rpm in 3"; assumed: the parts of read_as that the log does not state, or
+/* Rows [n] in order of time, see datetime_seconds_since_1970.  value [n]: NAN
+ * if the log has no number there; NULL: no such column.  apart: usual interval
+ * between rows, s.  gap: longest interval, s; gap_from: its start.  passed:
+ * number of rows skipped because their time could not be read.  read_as: "time
+ * in column 1, rpm in 3"; assumed: the parts of read_as that the log does not
+ * state, or
  * "". */
 struct plant_log {
 	char *path;
@@ -53,10 +54,10 @@ struct log_window {
 	size_t n;
 	double median[LOG_COLUMNS], least[LOG_COLUMNS], most[LOG_COLUMNS];
 };
-struct log_window plant_log_window(
+struct log_window plant_log_summarise_window(
     const struct plant_log *log, double from, double to);
 
 /* Returns the row nearest to a time. */
-size_t plant_log_nearest(const struct plant_log *log, double time);
+size_t plant_log_row_nearest_time(const struct plant_log *log, double time);
 
 #endif

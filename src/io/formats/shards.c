@@ -21,7 +21,7 @@ static const struct kind {
     {"validate", "source", {NULL}}};
 
 static bool
-shards_refuse(const char *path, struct error *error)
+refuse_parts_file(const char *path, struct error *error)
 {
 	return error_at(error, ERROR_DATA, path, 0, 0,
 	    "expected what 'calibrate all part=I/N' or 'validate all part=I/N' "
@@ -115,7 +115,7 @@ read_part_of_json(json_t *o, const char *path, struct part_file *part)
 }
 
 bool
-parts_read(const char *path, struct parts *parts, struct error *error)
+parts_read_file(const char *path, struct parts *parts, struct error *error)
 {
 	FILE *in = fopen(path, "r");
 	if (in == NULL)
@@ -137,7 +137,7 @@ parts_read(const char *path, struct parts *parts, struct error *error)
 	       json_error_code(&about) == json_error_premature_end_of_input;
 	bool read = !ferror(in);
 	fclose(in);
-	return (good && read) || shards_refuse(path, error);
+	return (good && read) || refuse_parts_file(path, error);
 }
 
 void
@@ -161,7 +161,7 @@ parts_free(struct parts *parts)
 
 /* Checks what must be the same in all parts. */
 static bool
-check_same(const struct part_file *a, const struct part_file *b,
+check_parts_same(const struct part_file *a, const struct part_file *b,
     const char *what, const char *in_a, const char *in_b, struct error *error)
 {
 	return strcmp(in_a, in_b) == 0 ||
@@ -175,10 +175,10 @@ static bool
 check_options_same(
     const struct part_file *a, const struct part_file *b, struct error *error)
 {
-	if (!check_same(a, b, "command", a->command, b->command, error) ||
-	    !check_same(a, b, "version", a->version, b->version, error) ||
-	    !check_same(a, b, "options", a->options, b->options, error) ||
-	    !check_same(a, b, "sites", a->sites, b->sites, error))
+	if (!check_parts_same(a, b, "command", a->command, b->command, error) ||
+	    !check_parts_same(a, b, "version", a->version, b->version, error) ||
+	    !check_parts_same(a, b, "options", a->options, b->options, error) ||
+	    !check_parts_same(a, b, "sites", a->sites, b->sites, error))
 		return false;
 	return (a->of == b->of && a->loaded == b->loaded) ||
 	       error_at(error, ERROR_DATA, b->path, 0, 0,
@@ -188,7 +188,7 @@ check_options_same(
 }
 
 static bool
-check_each_once(const struct parts *parts, struct error *error)
+check_each_part_once(const struct parts *parts, struct error *error)
 {
 	size_t of = parts->part[0].of;
 	FREED const char **path = xcalloc(of + 1, sizeof(*path));
@@ -216,9 +216,9 @@ parts_check_agree(const struct parts *parts, struct error *error)
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		if (part->number < 1 || part->number > part->of)
-			return shards_refuse(part->path, error);
+			return refuse_parts_file(part->path, error);
 		if (!check_options_same(&parts->part[0], part, error))
 			return false;
 	}
-	return check_each_once(parts, error);
+	return check_each_part_once(parts, error);
 }

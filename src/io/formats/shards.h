@@ -31,7 +31,8 @@ struct parts {
 };
 
 /* Adds the parts in a file, one per line. */
-bool parts_read(const char *path, struct parts *parts, struct error *error);
+bool parts_read_file(
+    const char *path, struct parts *parts, struct error *error);
 void parts_free(struct parts *parts);
 
 /* True if the parts are complete, without duplicates, and have the same

@@ -18,15 +18,16 @@
 static const char *const HEADS[2] = {"min_pct", "max_pct"};
 
 bool
-spec_read_cut(const char *text, double cut[static 2])
+spec_parse_cut(const char *text, double cut[static 2])
 {
 	double mm[2];
 	const char *slash = strchr(text, '/');
 	FREED char *fine = slash != NULL
 			       ? xstrndup(text, (size_t)(slash - text))
 			       : xstrdup("");
-	bool ok = text_number(fine, &mm[0]) && text_number(slash + 1, &mm[1]) &&
-		  mm[0] >= 0 && mm[1] > mm[0];
+	bool ok = text_parse_number(fine, &mm[0]) &&
+		  text_parse_number(slash + 1, &mm[1]) && mm[0] >= 0 &&
+		  mm[1] > mm[0];
 	for (size_t i = 0; ok && i < 2; i++)
 		cut[i] = mm[i] / 1000;
 	return ok;
@@ -35,7 +36,7 @@ spec_read_cut(const char *text, double cut[static 2])
 static void
 read_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 {
-	if (!spec_read_cut(value.text, spec->cut))
+	if (!spec_parse_cut(value.text, spec->cut))
 		sheet_fault_expected(sheet, value,
 		    "a fraction in mm such as 0/4",
 		    "leave the line out for limits on the whole product");
@@ -119,12 +120,12 @@ spec_read_heads(const struct table *t, size_t at[static 2])
 /* Returns the limit of a row as passing; NAN if the cell is empty or has a
  * fault. */
 static double
-spec_read_limit(const struct table *t, size_t row, size_t at)
+parse_limit_of_row(const struct table *t, size_t row, size_t at)
 {
 	double v;
 	struct cell cell = sheet_cell(&t->row[row], at);
 	if (at == 0 || cell.text[0] == '\0' ||
-	    !number_read(t->sheet, cell, tr("a number"), &v))
+	    !number_read_cell(t->sheet, cell, tr("a number"), &v))
 		return NAN;
 	if (v >= 0 && v <= 100)
 		return v / 100;
@@ -151,7 +152,7 @@ check_limits_fall(
 			    "check this row and the one above: a limit cannot "
 			    "rise on a finer sieve",
 			    HEADS[at_most], 100 * last, 100 * limit[i],
-			    text_exact_number(t->mm[i], size));
+			    text_shortest_exact_number(t->mm[i], size));
 		last = limit[i];
 	}
 }
@@ -160,14 +161,14 @@ static void
 spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 {
 	spec->n = t->n_row;
-	spec->size = xdoubles(t->n_row);
-	spec->least = xdoubles(t->n_row);
-	spec->most = xdoubles(t->n_row);
+	spec->size = xcalloc_doubles(t->n_row);
+	spec->least = xcalloc_doubles(t->n_row);
+	spec->most = xcalloc_doubles(t->n_row);
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
 		spec->size[i] = t->mm[i] / 1000;
-		spec->least[i] = spec_read_limit(t, i, at[0]);
-		spec->most[i] = spec_read_limit(t, i, at[1]);
+		spec->least[i] = parse_limit_of_row(t, i, at[0]);
+		spec->most[i] = parse_limit_of_row(t, i, at[1]);
 		if (t->mm[i] <= 0)
 			sheet_fault_expected(t->sheet, cell, "a sieve size",
 			    "remove the row: an envelope has no pan");
@@ -185,10 +186,10 @@ spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 static void
 spec_read_table(struct spec *spec, struct table *t)
 {
-	enum sieve_certainty certainty = site_sieve_find(t, 0);
+	enum sieve_certainty certainty = site_sieve_find_and_sort(t, 0);
 	size_t at[2];
 	spec_read_heads(t, at);
-	site_sieve_check(t);
+	site_sieve_check_sizes(t);
 	if (certainty == SIEVES_OPEN)
 		sheet_fault_expected(t->sheet, site_sieve_heading(t),
 		    "the unit of the sieves", "write size_mm");
@@ -199,8 +200,8 @@ static void
 spec_read_sheet(struct spec *spec, struct sheet *sheet)
 {
 	struct layout_range all = {0};
-	site_sieve_numbers(sheet);
-	struct layout *layout = layout_new(sheet, all);
+	site_sieve_uncomment_numbers(sheet);
+	struct layout *layout = layout_new_of_sheet(sheet, all);
 	read_heading(spec, sheet, layout);
 	if (layout->n > 0 && layout->table[0].n_head > 0) {
 		read_titles(spec, sheet, &layout->table[0]);
@@ -217,11 +218,11 @@ spec_read_sheet(struct spec *spec, struct sheet *sheet)
 }
 
 struct spec *
-spec_read(const char *path, struct error_list *errors)
+spec_read_file(const char *path, struct error_list *errors)
 {
 	struct source source;
 	struct spec *spec = NULL;
-	if (source_read(path, errors, &source)) {
+	if (source_read_file(path, errors, &source)) {
 		spec = spec_new();
 		free(spec->note);
 		spec->note = xstrdup(source.note);

@@ -23,7 +23,7 @@ struct spec {
 /* Reads a sheet, or the first sheet of a workbook.  On failure, returns NULL
  * and all faults of the sheet, each with line and column, in errors, zeroed by
  * the caller; ERROR_SYSTEM if the file cannot be read. */
-struct spec *spec_read(const char *path, struct error_list *errors);
+struct spec *spec_read_file(const char *path, struct error_list *errors);
 
 /* Makes an empty envelope. */
 struct spec *spec_new(void);
@@ -31,6 +31,6 @@ void spec_free(struct spec *spec);
 
 /* Parses "0/4", in mm, as 0 and 0.004 m.  Returns false if the text is not a
  * fraction. */
-bool spec_read_cut(const char *text, double cut[static 2]);
+bool spec_parse_cut(const char *text, double cut[static 2]);
 
 #endif

@@ -32,7 +32,7 @@ read_limit_cell(struct sheet *sheet, const struct row *row, size_t at)
 	double value;
 	struct cell cell = sheet_cell(row, at);
 	if (cell.text[0] == '\0' ||
-	    !number_read(sheet, cell, tr("a number"), &value))
+	    !number_read_cell(sheet, cell, tr("a number"), &value))
 		return NAN;
 	return value;
 }
@@ -48,7 +48,7 @@ find_spec_by_name(const struct standards *all, const char *name)
 
 /* Inserts a row, coarsest first; one on the same sieve is replaced. */
 static void
-standards_put_row(struct spec *spec, double size, double least, double most)
+insert_limit_row(struct spec *spec, double size, double least, double most)
 {
 	size_t i = 0, n = spec->n;
 	while (i < n && spec->size[i] > size)
@@ -70,7 +70,7 @@ standards_put_row(struct spec *spec, double size, double least, double most)
 
 /* Returns the envelope that one with a name in brackets continues, or NULL. */
 static const struct spec *
-base_envelope(const struct standards *all, const char *name)
+find_base_envelope(const struct standards *all, const char *name)
 {
 	const char *bracket = strstr(name, " (");
 	if (bracket == NULL)
@@ -90,12 +90,12 @@ add_spec(struct standards *all, const char *standard, const char *name,
 	spec->name = xstrdup(name);
 	spec->standard = xstrdup(standard);
 	spec->source = xstrdup(source);
-	bool ok = spec_read_cut(cut, spec->cut);
+	bool ok = spec_parse_cut(cut, spec->cut);
 	assert(ok);
 	(void)ok;
-	const struct spec *base = base_envelope(all, name);
+	const struct spec *base = find_base_envelope(all, name);
 	for (size_t i = 0; base != NULL && i < base->n; i++)
-		standards_put_row(
+		insert_limit_row(
 		    spec, base->size[i], base->least[i], base->most[i]);
 	all->spec = xrealloc(all->spec, all->n + 1, sizeof(*all->spec));
 	all->spec[all->n++] = spec;
@@ -112,8 +112,8 @@ add_remark(struct spec *spec, const char *source, double mm)
 	if (strncmp(spec->source, source, n) != 0 || more < n + 4 ||
 	    source[n + 1] != '(')
 		return;
-	xlist(&spec->source, "; ", "%g mm: %.*s", mm, (int)(more - n - 3),
-	    source + n + 2);
+	xappend_to_list(&spec->source, "; ", "%g mm: %.*s", mm,
+	    (int)(more - n - 3), source + n + 2);
 }
 
 static void
@@ -129,7 +129,7 @@ read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
 	if (spec == NULL)
 		spec = add_spec(
 		    all, standard, name, sheet_cell(row, CUT).text, source);
-	standards_put_row(spec, mm / 1000,
+	insert_limit_row(spec, mm / 1000,
 	    read_limit_cell(sheet, row, LEAST) / 100,
 	    read_limit_cell(sheet, row, MOST) / 100);
 	add_remark(spec, source, mm);
@@ -157,10 +157,10 @@ standards_read_text(struct standards *all, const char *name,
     void (*read)(struct standards *, struct sheet *, const struct row *))
 {
 	struct error_list errors = {0};
-	FREED char *text = textfile_lines(line);
+	FREED char *text = textfile_join_lines(line);
 	const struct sheet_limits most = {.rows = MOST_ROWS};
-	struct sheet *sheet = sheet_new(name, text, most, &errors);
-	number_decide(sheet);
+	struct sheet *sheet = sheet_new_from_text(name, text, most, &errors);
+	number_choose_decimal_sign(sheet);
 	for (size_t i = 1; i < sheet->n_row; i++)
 		read(all, sheet, &sheet->row[i]);
 	/* They are part of the program: the tests read all of them. */
@@ -169,7 +169,7 @@ standards_read_text(struct standards *all, const char *name,
 }
 
 struct standards *
-standards_shipped(void)
+standards_read_built_in(void)
 {
 	struct standards *all = xcalloc(1, sizeof *all);
 	standards_read_text(all, "envelopes", ENVELOPES_TEXT, read_envelope);
@@ -220,7 +220,8 @@ score_word_match(const char *name, const char *word, size_t n)
 static int
 score_words_match(const char *name, const char *words)
 {
-	FREED char *folded = text_fold(name), *all = text_fold(words);
+	FREED char *folded = text_fold_case_and_accents(name),
+		   *all = text_fold_case_and_accents(words);
 	int least = 2;
 	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
 		size_t n = strcspn(p, BETWEEN);
@@ -275,9 +276,10 @@ keep_base_envelope(
 }
 
 size_t
-standards_match(const struct standards *all, const char *words, bool *match)
+standards_mark_matches(
+    const struct standards *all, const char *words, bool *match)
 {
-	FREED char *folded = text_fold(words);
+	FREED char *folded = text_fold_case_and_accents(words);
 	size_t n = 0, full = 0;
 	FREED int *in = xcalloc(all->n + 1, sizeof *in);
 	for (size_t i = 0; i < all->n; i++) {
@@ -292,17 +294,18 @@ standards_match(const struct standards *all, const char *words, bool *match)
 
 /* Returns the envelope whose name is most like the words. */
 static const char *
-nearest_name(const struct standards *all, const char *words)
+most_similar_name(const struct standards *all, const char *words)
 {
 	const char *best = all->spec[0]->name;
 	size_t least = SIZE_MAX;
-	FREED char *folded = text_fold(words);
+	FREED char *folded = text_fold_case_and_accents(words);
 	for (size_t i = 0; i < all->n; i++) {
-		FREED char *name = text_fold(all->spec[i]->name);
+		FREED char *name =
+		    text_fold_case_and_accents(all->spec[i]->name);
 		/* What was left out at its end is no mistake. */
 		if (strlen(name) > strlen(folded))
 			name[strlen(folded)] = '\0';
-		size_t d = text_distance(name, folded);
+		size_t d = text_edit_distance(name, folded);
 		if (d < least) {
 			least = d;
 			best = all->spec[i]->name;
@@ -316,18 +319,18 @@ standards_find(
     const struct standards *all, const char *words, struct error *error)
 {
 	FREED bool *match = xcalloc(all->n, sizeof *match);
-	size_t n = standards_match(all, words, match), at = 0;
+	size_t n = standards_mark_matches(all, words, match), at = 0;
 	while (at < all->n && !match[at])
 		at++;
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < all->n && n > 1; i++)
 		if (match[i])
-			xlist(&list, ", ", "%s", all->spec[i]->name);
+			xappend_to_list(&list, ", ", "%s", all->spec[i]->name);
 	if (n == 0)
 		error_set(error, ERROR_USAGE,
 		    "there is no envelope '%s', and no such file\n"
 		    "did you mean '%s'? 'spec list' lists them",
-		    words, nearest_name(all, words));
+		    words, most_similar_name(all, words));
 	else if (n > 1)
 		error_set(error, ERROR_USAGE,
 		    "'%s' matches %zu envelopes\ngive more of the name: %s",
@@ -336,7 +339,7 @@ standards_find(
 }
 
 bool
-standards_is_path(const char *word)
+standards_is_file_path(const char *word)
 {
 	static const char *const BEGIN[] = {"/", "./", "../", "~"};
 	for (size_t i = 0; i < ARRAY_LEN(BEGIN); i++)

@@ -25,7 +25,7 @@ struct standards {
 	struct standard_limit *limit;
 };
 
-struct standards *standards_shipped(void);
+struct standards *standards_read_built_in(void);
 void standards_free(struct standards *standards);
 
 /* Marks in match [n] the envelopes that the words name, and returns their
@@ -33,7 +33,7 @@ void standards_free(struct standards *standards);
  * ignoring case.  If some names contain all the words in full, only those
  * match.  If several match and one is the beginning of all others, it is
  * chosen, provided the words contain all of its name or a number. */
-size_t standards_match(
+size_t standards_mark_matches(
     const struct standards *standards, const char *words, bool *match);
 
 /* Returns the envelope that the words name, or NULL with an error that lists
@@ -43,6 +43,6 @@ const struct spec *standards_find(
 
 /* True if a word is a path rather than the name of an envelope: the file
  * exists, or the word begins or ends like a file name. */
-bool standards_is_path(const char *word);
+bool standards_is_file_path(const char *word);
 
 #endif

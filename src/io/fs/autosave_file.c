@@ -29,7 +29,7 @@ struct autosave_file {
 static char *
 state_path(const char *name)
 {
-	return xdg_path("XDG_STATE_HOME", ".local/state", name);
+	return xdg_user_file_path("XDG_STATE_HOME", ".local/state", name);
 }
 
 struct autosave_file *
@@ -70,7 +70,7 @@ autosave_file_remove(struct autosave_file *kept)
 /* Reads about a file.  False for that of a running program, and for an empty
  * one. */
 static bool
-autosave_file_look_at(struct autosave_left *file)
+read_autosave_details(struct autosave_left *file)
 {
 	struct stat info;
 	char head[200] = "";
@@ -95,7 +95,7 @@ autosave_file_look_at(struct autosave_left *file)
 
 /* Of two files from the same second, the later name is the newer one. */
 static int
-newer_first(const void *a, const void *b)
+compare_newer_first(const void *a, const void *b)
 {
 	const struct autosave_left *x = a, *y = b;
 	return x->when != y->when ? (x->when < y->when) - (x->when > y->when)
@@ -103,7 +103,7 @@ newer_first(const void *a, const void *b)
 }
 
 struct autosave_left *
-autosave_left(size_t *n)
+autosave_list_left_files(size_t *n)
 {
 	struct autosave_left *file = NULL;
 	FREED char *folder = state_path("");
@@ -115,7 +115,7 @@ autosave_left(size_t *n)
 			continue;
 		struct autosave_left one = {
 		    .path = xasprintf("%s%s", folder, e->d_name)};
-		if (autosave_file_look_at(&one)) {
+		if (read_autosave_details(&one)) {
 			file = xrealloc(file, *n + 1, sizeof *file);
 			file[(*n)++] = one;
 		} else {
@@ -125,7 +125,7 @@ autosave_left(size_t *n)
 	if (dir != NULL)
 		closedir(dir);
 	if (*n > 0)
-		qsort(file, *n, sizeof *file, newer_first);
+		qsort(file, *n, sizeof *file, compare_newer_first);
 	return file;
 }
 
@@ -143,7 +143,7 @@ static void
 remove_oldest(void)
 {
 	size_t n;
-	struct autosave_left *file = autosave_left(&n);
+	struct autosave_left *file = autosave_list_left_files(&n);
 	for (size_t i = MOST; i < n; i++)
 		unlink(file[i].path);
 	autosave_left_free(file, n);
@@ -173,7 +173,7 @@ make_file(struct autosave_file *kept, struct error *error)
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
-		FREED char *closed = xdg_make_folders(kept->path);
+		FREED char *closed = xdg_make_parent_folders(kept->path);
 		bool made = closed == NULL || cannot_make(closed, errno, error);
 		if (made)
 			fd = open(kept->path,
@@ -197,7 +197,8 @@ autosave_file_write(struct autosave_file *kept,
 		autosave_file_close(kept);
 		return false;
 	}
-	if (!file_replace_by(kept->path, FILE_PRIVATE, write, data, error)) {
+	if (!file_replace_by_output(
+		kept->path, FILE_PRIVATE, write, data, error)) {
 		if (first)
 			autosave_file_remove(kept);
 		return false;

@@ -44,7 +44,7 @@ struct autosave_left {
 /* Returns the files of runs that have ended, newest first: [n].  Free with
  * autosave_left_free.  Removes empty files, left by programs killed at the
  * wrong moment. */
-struct autosave_left *autosave_left(size_t *n);
+struct autosave_left *autosave_list_left_files(size_t *n);
 void autosave_left_free(struct autosave_left *file, size_t n);
 
 #endif

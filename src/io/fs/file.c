@@ -34,7 +34,7 @@ cannot_write(const char *path, int reason, struct error *error)
 }
 
 const char *
-file_name(const char *path)
+file_name_without_folders(const char *path)
 {
 	const char *slash = strrchr(path, '/');
 	return slash != NULL ? slash + 1 : path;
@@ -44,7 +44,7 @@ file_name(const char *path)
 static char *
 folder_of(const char *path)
 {
-	return xstrndup(path, (size_t)(file_name(path) - path));
+	return xstrndup(path, (size_t)(file_name_without_folders(path) - path));
 }
 
 /* Returns where a symbolic link leads, relative to its own folder; NULL if path
@@ -65,7 +65,7 @@ link_target(const char *path)
 
 /* Returns the file after all links; it need not exist. */
 static char *
-behind_links(const char *path)
+resolve_links(const char *path)
 {
 	enum { MOST = 40 }; /* as the system follows */
 	char *at = xstrdup(path), *next;
@@ -118,7 +118,7 @@ sync_folder(const char *folder)
 }
 
 static bool
-is_left_over(const char *name)
+is_name_of_left_over_file(const char *name)
 {
 	return strncmp(name, PREFIX, sizeof PREFIX - 1) == 0 &&
 	       text_ends_with(name, SUFFIX);
@@ -130,7 +130,7 @@ remove_left_over_files(const char *folder)
 {
 	DIR *dir = opendir(folder[0] != '\0' ? folder : ".");
 	for (struct dirent *d; dir != NULL && (d = readdir(dir)) != NULL;) {
-		if (!is_left_over(d->d_name))
+		if (!is_name_of_left_over_file(d->d_name))
 			continue;
 		int fd = openat(dirfd(dir), d->d_name,
 		    O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -148,7 +148,7 @@ remove_left_over_files(const char *folder)
 /* Opens a new file with a name of its own, locked; -1 with errno.  Before it is
  * locked, another program may remove it as left over; then another is made. */
 static int
-open_new(const char *folder, mode_t rights, char **name)
+open_new_locked_file(const char *folder, mode_t rights, char **name)
 {
 	for (;;) {
 		uint64_t random;
@@ -199,7 +199,7 @@ write_and_rename(const char *path, const struct stat *old,
 	char *folder = folder_of(path), *name = NULL;
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
 	remove_left_over_files(folder);
-	int fd = open_new(folder, mode, &name);
+	int fd = open_new_locked_file(folder, mode, &name);
 	/* Renamed before it is closed: that gives the lock up. */
 	bool good = fd >= 0 && (old == NULL || copy_owner_and_mode(fd, old)) &&
 		    write_all(fd, bytes, n) && sync_file(fd);
@@ -222,7 +222,7 @@ write_and_rename(const char *path, const struct stat *old,
 
 /* False, with errno, if the path cannot be a file. */
 static bool
-stat_unless_folder(const char *path, struct stat *about, bool *there)
+stat_file_not_folder(const char *path, struct stat *about, bool *there)
 {
 	*there = stat(path, about) == 0;
 	if (*there && S_ISDIR(about->st_mode))
@@ -231,19 +231,19 @@ stat_unless_folder(const char *path, struct stat *about, bool *there)
 }
 
 bool
-file_replace(const char *path, enum file_rights rights, const char *bytes,
-    size_t n, struct error *error)
+file_replace_contents(const char *path, enum file_rights rights,
+    const char *bytes, size_t n, struct error *error)
 {
 	struct stat about;
 	bool there;
-	if (!stat_unless_folder(path, &about, &there))
+	if (!stat_file_not_folder(path, &about, &there))
 		return cannot_write(path, errno, error);
 	if (there && !S_ISREG(about.st_mode))
-		return file_append(path, rights, bytes, n, error);
+		return file_append_bytes(path, rights, bytes, n, error);
 	/* A rename asks the folder only. */
 	if (there && access(path, W_OK) != 0)
 		return cannot_write(path, errno, error);
-	FREED char *target = behind_links(path);
+	FREED char *target = resolve_links(path);
 	sigset_t all, before;
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
@@ -255,7 +255,7 @@ file_replace(const char *path, enum file_rights rights, const char *bytes,
 }
 
 bool
-file_replace_by(const char *path, enum file_rights rights,
+file_replace_by_output(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error)
 {
@@ -263,8 +263,9 @@ file_replace_by(const char *path, enum file_rights rights,
 	size_t n = 0;
 	FILE *memory = text_open_memory(&text, &n);
 	write(data, memory);
-	return fclose(memory) == 0 ? file_replace(path, rights, text, n, error)
-				   : cannot_write(path, ENOMEM, error);
+	return fclose(memory) == 0
+		   ? file_replace_contents(path, rights, text, n, error)
+		   : cannot_write(path, ENOMEM, error);
 }
 
 /* Appends to the open file.  What was written before a full disk is cut off
@@ -288,7 +289,7 @@ append_bytes(int fd, const char *bytes, size_t n)
 }
 
 bool
-file_append(const char *path, enum file_rights rights, const char *bytes,
+file_append_bytes(const char *path, enum file_rights rights, const char *bytes,
     size_t n, struct error *error)
 {
 	int fd;
@@ -311,7 +312,7 @@ file_has_sheet_ending(const char *path)
 {
 	static const char *const ENDS[] = {
 	    ".csv", ".ods", ".tsv", ".txt", ".xlsx"};
-	FREED char *folded = text_fold(path);
+	FREED char *folded = text_fold_case_and_accents(path);
 	size_t i = 0;
 	while (i < ARRAY_LEN(ENDS) && !text_ends_with(folded, ENDS[i]))
 		i++;
@@ -319,13 +320,13 @@ file_has_sheet_ending(const char *path)
 }
 
 bool
-file_may_write(const char *path, struct error *error)
+file_check_writable(const char *path, struct error *error)
 {
 	struct stat about;
 	bool there;
-	if (!stat_unless_folder(path, &about, &there))
+	if (!stat_file_not_folder(path, &about, &there))
 		return cannot_write(path, errno, error);
-	FREED char *target = behind_links(path), *folder = folder_of(target);
+	FREED char *target = resolve_links(path), *folder = folder_of(target);
 	bool ok =
 	    there ? access(path, W_OK) == 0
 		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;

@@ -20,28 +20,29 @@ enum file_rights { FILE_SHARED = 0666, FILE_PRIVATE = 0600 };
  * On failure, returns false with an error of kind ERROR_SYSTEM and leaves the
  * old file untouched.  Only SIGKILL can leave the new file behind; the next
  * call in that folder removes it. */
-bool file_replace(const char *path, enum file_rights rights, const char *bytes,
-    size_t n, struct error *error);
+bool file_replace_contents(const char *path, enum file_rights rights,
+    const char *bytes, size_t n, struct error *error);
 
-/* As file_replace, with the output of write, collected in memory first. */
-bool file_replace_by(const char *path, enum file_rights rights,
+/* As file_replace_contents, with the output of write, collected in memory
+ * first. */
+bool file_replace_by_output(const char *path, enum file_rights rights,
     void (*write)(const void *data, FILE *out), const void *data,
     struct error *error);
 
 /* Appends n bytes to a file, in one write if the system accepts them all.  On
  * failure, returns false with an error of kind ERROR_SYSTEM and leaves the file
  * as it was. */
-bool file_append(const char *path, enum file_rights rights, const char *bytes,
-    size_t n, struct error *error);
+bool file_append_bytes(const char *path, enum file_rights rights,
+    const char *bytes, size_t n, struct error *error);
 
 /* Returns a path without its folders, borrowed. */
-const char *file_name(const char *path);
+const char *file_name_without_folders(const char *path);
 
 /* True if a file's name ends as those of sheets do: .csv, .xlsx. */
 bool file_has_sheet_ending(const char *path);
 
 /* Returns false, with the error that writing would give, if path is a folder or
  * not writable.  Called before a long calibration. */
-bool file_may_write(const char *path, struct error *error);
+bool file_check_writable(const char *path, struct error *error);
 
 #endif

@@ -14,7 +14,7 @@
 
 /* Returns a folder beside that of the program, or NULL if it does not exist. */
 static char *
-shipped_beside(const char *folder)
+folder_beside_program(const char *folder)
 {
 	char self[PATH_MAX];
 	ssize_t n = readlink("/proc/self/exe", self, sizeof self - 1);
@@ -33,14 +33,14 @@ shipped_beside(const char *folder)
 }
 
 char *
-shipped_folder(void)
+shipped_sites_folder(void)
 {
 	static const char TREE[] = "data/sites/";
 	static const char *const BESIDE[] = {
 	    "data/sites", "share/tipspeed/sites"};
 	char *folder = access(TREE, R_OK) == 0 ? xstrdup(TREE) : NULL;
 	for (size_t i = 0; folder == NULL && i < ARRAY_LEN(BESIDE); i++)
-		folder = shipped_beside(BESIDE[i]);
+		folder = folder_beside_program(BESIDE[i]);
 	return folder != NULL ? folder : xstrdup(SITES_DIR "/");
 }
 
@@ -50,7 +50,7 @@ shipped_path_in(const char *name, const char *from)
 {
 	if (strchr(name, '/') != NULL)
 		return NULL;
-	FREED char *slug = text_slug(name), *folder = shipped_folder();
+	FREED char *slug = text_slug(name), *folder = shipped_sites_folder();
 	char *path = xasprintf("%s%s%s.csv", folder, from, slug);
 	if (access(path, R_OK) == 0)
 		return path;
@@ -59,13 +59,13 @@ shipped_path_in(const char *name, const char *from)
 }
 
 char *
-shipped_path(const char *name)
+shipped_site_path(const char *name)
 {
 	return shipped_path_in(name, "");
 }
 
 char *
-shipped_energies(const char *name)
+shipped_energies_path(const char *name)
 {
 	return shipped_path_in(name, "../energy/");
 }

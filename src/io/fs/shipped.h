@@ -5,14 +5,14 @@
 
 /* Returns the folder of the sites, with a final "/": data/sites/ in the source
  * tree, or the installed folder, which may not exist.  The caller frees it. */
-char *shipped_folder(void);
+char *shipped_sites_folder(void);
 
 /* Returns the file of a site from its bare name ("tierp", "Gävle 4"), or NULL
  * if the name contains a folder or no such site is shipped.  The caller frees
  * it. */
-char *shipped_path(const char *name);
+char *shipped_site_path(const char *name);
 
-/* As shipped_path, for a file of collision energies ("vsi-69"). */
-char *shipped_energies(const char *name);
+/* As shipped_site_path, for a file of collision energies ("vsi-69"). */
+char *shipped_energies_path(const char *name);
 
 #endif

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 
 char *
-xdg_path(const char *variable, const char *folder, const char *name)
+xdg_user_file_path(const char *variable, const char *folder, const char *name)
 {
 	const char *base = getenv(variable), *home = getenv("HOME");
 	/* The specification says to pass over a relative path. */
@@ -22,7 +22,7 @@ xdg_path(const char *variable, const char *folder, const char *name)
 }
 
 char *
-xdg_make_folders(const char *path)
+xdg_make_parent_folders(const char *path)
 {
 	char *folder = xstrdup(path);
 	for (char *p = folder + 1; (p = strchr(p, '/')) != NULL; p++) {

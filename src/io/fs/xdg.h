@@ -6,10 +6,11 @@
 /* Returns tipspeed/NAME in the folder that the variable names or, failing that,
  * in the given folder of HOME; NULL if neither is known.  The caller frees
  * it. */
-char *xdg_path(const char *variable, const char *folder, const char *name);
+char *xdg_user_file_path(
+    const char *variable, const char *folder, const char *name);
 
 /* Makes the folders of a file, accessible only to the user.  Returns NULL, or
  * the folder that cannot be made, with errno set.  The caller frees it. */
-char *xdg_make_folders(const char *path);
+char *xdg_make_parent_folders(const char *path);
 
 #endif

@@ -29,14 +29,14 @@ assume(struct column *c, const char *format, ...)
 	va_end(ap);
 	if (c->assumed == NULL)
 		c->assumed = xstrdup("");
-	xlist(&c->assumed, "\n", "%s", what);
+	xappend_to_list(&c->assumed, "\n", "%s", what);
 }
 
 /* Returns the heading of column c in row r: its own cell, or the one to the
  * left that spreads over it, as merged cells do (own: false); NULL if there is
  * none. */
 static const struct cell *
-head_cell(const struct table *t, size_t r, size_t c, bool *own)
+find_heading_cell(const struct table *t, size_t r, size_t c, bool *own)
 {
 	const struct row *row = &t->head[r];
 	*own = row->cell[c].text[0] != '\0';
@@ -50,7 +50,7 @@ head_cell(const struct table *t, size_t r, size_t c, bool *own)
 
 /* Adds what the heading lacks from a cell above it. */
 static void
-merge_cell_above(
+add_from_heading_above(
     struct head *said, const struct head *more, bool own, bool titles)
 {
 	const uint64_t group[] = {ROLE_WORDS, KIND_WORDS, SCALE_WORDS};
@@ -86,12 +86,12 @@ merge_cell_above(
 
 /* Makes the number in a heading a speed, in a unit stated elsewhere. */
 static void
-take_number_for_speed(struct head *head, enum speed_unit unit)
+use_number_as_speed(struct head *head, enum speed_unit unit)
 {
 	if (unit == SPEED_RPM)
 		head->rpm = head->number[0];
 	else
-		head->speed = head_mps(head->number[0], unit, 0);
+		head->speed = head_speed_to_mps(head->number[0], unit, 0);
 	head->n_number = 0;
 }
 
@@ -100,7 +100,7 @@ take_number_for_speed(struct head *head, enum speed_unit unit)
 static void
 apply_row_label(const struct cell *label, struct head *head)
 {
-	struct head row = head_read(label->text);
+	struct head row = head_parse(label->text);
 	bool sample = (row.means & WORD_SAMPLE) != 0 ||
 		      (head->unknown == 0 &&
 			  ((head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
@@ -130,7 +130,7 @@ apply_row_label(const struct cell *label, struct head *head)
 			return;
 		}
 		head->unit = unit;
-		take_number_for_speed(head, unit);
+		use_number_as_speed(head, unit);
 	} else if ((row.means & WORD_SAMPLE) != 0 && !speed) {
 		head->n_number = 0;
 	}
@@ -138,26 +138,26 @@ apply_row_label(const struct cell *label, struct head *head)
 
 /* Combines all headings of a column. */
 static struct head
-read_heads(const struct table *t, size_t c)
+combine_headings(const struct table *t, size_t c)
 {
 	struct head said = {0};
 	for (size_t r = t->n_head; r-- > 0;) {
 		bool own;
-		const struct cell *cell = head_cell(t, r, c, &own);
+		const struct cell *cell = find_heading_cell(t, r, c, &own);
 		if (cell == NULL || cell->kind == CELL_DATE)
 			continue;
-		struct head one = head_read(cell->text);
+		struct head one = head_parse(cell->text);
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
 			apply_row_label(&t->head[r].cell[0], &one);
-		merge_cell_above(&said, &one, own, r < t->titles);
+		add_from_heading_above(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
 	bool number = said.speed == 0 && said.rpm == 0 && said.n_number == 1;
 	if (number && said.unit != SPEED_NO_UNIT)
-		take_number_for_speed(&said, said.unit);
+		use_number_as_speed(&said, said.unit);
 	else if (number && (said.means & WORD_RPM) != 0 && said.number[0] > 200)
-		take_number_for_speed(&said, SPEED_RPM);
+		use_number_as_speed(&said, SPEED_RPM);
 	return said;
 }
 
@@ -175,7 +175,7 @@ shape_of_column(const struct column *c)
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
 	for (size_t i = 0; i < t->n_row; i++) {
-		double v = site_column_raw(c, i);
+		double v = site_column_raw_number(c, i);
 		if (isnan(v))
 			continue;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
@@ -196,7 +196,7 @@ shape_of_column(const struct column *c)
 }
 
 static bool
-is_near(double value, double whole, double percent)
+is_within_percent(double value, double whole, double percent)
 {
 	return fabs(value - whole) <= percent / 100 * whole;
 }
@@ -212,7 +212,7 @@ stated_total(const struct column *c)
 		uint64_t means =
 		    lexicon_meanings(t->foot[i].cell[0].text, NULL);
 		if ((means & WORD_TOTAL) != 0 &&
-		    number_of(t->foot[i].cell[c->at], &v))
+		    number_value_of_cell(t->foot[i].cell[c->at], &v))
 			return v;
 	}
 	return NAN;
@@ -220,7 +220,8 @@ stated_total(const struct column *c)
 
 /* Finds the whole of which the numbers are parts.  False if it is unclear. */
 static bool
-parts_scale(const struct shape *s, double total, enum unit_scale *scale)
+guess_scale_from_sum(
+    const struct shape *s, double total, enum unit_scale *scale)
 {
 	/* Without the pan the finest part is missing from a sum of shares. */
 	double least = s->has_pan ? 0.95 : 0.8;
@@ -228,14 +229,15 @@ parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 	    s->sum >= 100 * least && s->sum <= 105 && s->most <= 100.5;
 	bool fraction = s->sum >= least && s->sum <= 1.05 && s->most <= 1.005;
 	*scale = OF_100;
-	if (is_near(s->sum, 100, 1.05) && s->most <= 100.5)
+	if (is_within_percent(s->sum, 100, 1.05) && s->most <= 100.5)
 		*scale = OF_100;
-	else if (is_near(s->sum, 1, 1.05) && s->most <= 1.005)
+	else if (is_within_percent(s->sum, 1, 1.05) && s->most <= 1.005)
 		*scale = OF_1;
 	else if (!percent && !fraction && (s->has_pan || !isnan(total)))
 		*scale = OF_MASS;
 	else { /* nearly 100 or 1, and neither that nor some mass */
-		bool mass = s->most > 100.5 && !is_near(s->first, 100, 1);
+		bool mass =
+		    s->most > 100.5 && !is_within_percent(s->first, 100, 1);
 		*scale = mass ? OF_MASS : fraction ? OF_1 : *scale;
 		return false;
 	}
@@ -245,37 +247,39 @@ parts_scale(const struct shape *s, double total, enum unit_scale *scale)
 /* Guesses the quantity from the numbers alone.  False if several are
  * possible. */
 static bool
-guess_kind(const struct shape *s, double total, enum unit_kind *kind,
-    enum unit_scale *scale)
+guess_quantity_from_numbers(const struct shape *s, double total,
+    enum unit_kind *kind, enum unit_scale *scale)
 {
 	bool hill = s->rises > 0 && s->falls > 0;
 	bool peak = s->first >= s->most && s->rises <= 1;
 	*scale = s->most <= 1 + 1e-9 ? OF_1 : OF_100;
 	if (hill && peak &&
-	    (is_near(s->most, 100, 1) || is_near(s->most, 1, 1))) {
+	    (is_within_percent(s->most, 100, 1) ||
+		is_within_percent(s->most, 1, 1))) {
 		*kind = PASSING; /* and one cell is wrong */
 		return true;
 	}
 	if (hill) {
 		*kind = RETAINED;
-		return parts_scale(s, total, scale);
+		return guess_scale_from_sum(s, total, scale);
 	}
 	if (s->rises > 0) {
 		*kind = CUMULATIVE;
 		double end = s->has_pan ? s->pan : s->last;
 		if (s->has_pan && s->pan < s->last) {
 			*kind = RETAINED;
-			return parts_scale(s, total, scale);
+			return guess_scale_from_sum(s, total, scale);
 		}
 		if (end > 101)
 			*scale = OF_MASS;
 		return s->n > 2 && *scale != OF_MASS &&
-		       (is_near(end, 100, 10) || is_near(end, 1, 10)) &&
+		       (is_within_percent(end, 100, 10) ||
+			   is_within_percent(end, 1, 10)) &&
 		       s->sum > 1.2 * end;
 	}
 	if (s->has_pan && s->pan > 0.015 * s->most) {
 		*kind = RETAINED; /* what passes ends at the pan */
-		return parts_scale(s, total, scale) && s->n > 2;
+		return guess_scale_from_sum(s, total, scale) && s->n > 2;
 	}
 	*kind = PASSING;
 	if (s->most > 100.5) {
@@ -284,14 +288,16 @@ guess_kind(const struct shape *s, double total, enum unit_kind *kind,
 		return s->has_pan && s->n > 2 && s->pan > 0;
 	}
 	if (*scale == OF_1)
-		return is_near(s->first, 1, 0.1) && s->n > 2 && s->falls > 1;
-	return is_near(s->first, 100, 0.6) ||
-	       (!is_near(s->sum, 100, 3) && s->n > 2 && s->first > 20);
+		return is_within_percent(s->first, 1, 0.1) && s->n > 2 &&
+		       s->falls > 1;
+	return is_within_percent(s->first, 100, 0.6) ||
+	       (!is_within_percent(s->sum, 100, 3) && s->n > 2 &&
+		   s->first > 20);
 }
 
 /* True if the numbers can be the quantity that the heading states. */
 static bool
-is_possible_kind(const struct shape *s, enum unit_kind kind)
+is_possible_quantity(const struct shape *s, enum unit_kind kind)
 {
 	bool falls = s->rises == 0 && s->falls > 0;
 	bool rises = s->falls == 0 && s->rises > 0;
@@ -300,14 +306,14 @@ is_possible_kind(const struct shape *s, enum unit_kind kind)
 		return !rises && !(hill && s->first < 0.9 * s->most);
 	if (kind == CUMULATIVE)
 		return !falls && !(hill && s->last < 0.9 * s->most);
-	return !(falls && s->n > 2 && is_near(s->first, 100, 1)) &&
-	       !(falls && s->n > 2 && is_near(s->first, 1, 0.1));
+	return !(falls && s->n > 2 && is_within_percent(s->first, 100, 1)) &&
+	       !(falls && s->n > 2 && is_within_percent(s->first, 1, 0.1));
 }
 
 /* For a column headed "retained" whose numbers rise throughout: decides between
  * each sieve's mass and cumulative.  False if both are possible. */
 static bool
-choose_kind_of_rising(
+choose_mass_or_cumulative(
     struct column *c, const struct shape *s, double total, enum unit_kind *kind)
 {
 	bool share = s->most <= 100.5 && (c->said.means & WORD_GRAMS) == 0;
@@ -315,13 +321,15 @@ choose_kind_of_rising(
 	*kind = CUMULATIVE;
 	if (s->has_pan && s->pan < s->last)
 		*kind = RETAINED;
-	else if (share && is_near(s->sum, whole, 1.05))
+	else if (share && is_within_percent(s->sum, whole, 1.05))
 		*kind = RETAINED;
-	else if (share && s->sum > 1.05 * whole && is_near(s->most, whole, 25))
+	else if (share && s->sum > 1.05 * whole &&
+		 is_within_percent(s->most, whole, 25))
 		assume(c, "cumulative, as the parts would sum to %.3g", s->sum);
-	else if (!isnan(total) && is_near(s->sum, total, 1))
+	else if (!isnan(total) && is_within_percent(s->sum, total, 1))
 		*kind = RETAINED;
-	else if (!(s->has_pan && !isnan(total) && is_near(s->pan, total, 0.1) &&
+	else if (!(s->has_pan && !isnan(total) &&
+		     is_within_percent(s->pan, total, 0.1) &&
 		     s->sum > 1.05 * total))
 		return false;
 	return true;
@@ -330,7 +338,7 @@ choose_kind_of_rising(
 /* Finds the scale, as the heading states it and the numbers allow.  False if it
  * remains unclear. */
 static bool
-choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
+choose_unit_scale(struct column *c, const struct shape *s, enum unit_kind kind,
     double total, enum unit_scale *scale)
 {
 	uint64_t means = c->said.means;
@@ -341,7 +349,8 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 	bool one = s->most <= 1 + 1e-9;
 	/* "g or %": the numbers tell. */
 	if ((means & WORD_PERCENT) != 0 && (means & WORD_GRAMS) != 0)
-		return kind == RETAINED && parts_scale(s, total, scale);
+		return kind == RETAINED &&
+		       guess_scale_from_sum(s, total, scale);
 	if ((means & WORD_PERCENT) != 0) {
 		*scale = OF_100;
 		if (!one || s->most <= 0)
@@ -357,7 +366,8 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		/* 1.002 is a fraction, and refused as one. */
 		one = one || (kind == PASSING && s->most <= 1.05);
 		*scale = one ? OF_1 : OF_100;
-		return one || (kind == PASSING && is_near(s->first, 100, 0.6));
+		return one || (kind == PASSING &&
+				  is_within_percent(s->first, 100, 0.6));
 	}
 	if ((means & WORD_MASS) != 0 && kind != PASSING &&
 	    (s->has_pan || !isnan(total))) {
@@ -365,15 +375,15 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
 		return true;
 	}
 	if (kind == RETAINED)
-		return parts_scale(s, total, scale);
+		return guess_scale_from_sum(s, total, scale);
 	*scale = one ? OF_1 : OF_100;
 	if (s->most > 100.5) {
 		*scale = OF_MASS;
 		return kind == CUMULATIVE && s->has_pan;
 	}
 	if (one && s->most > 0)
-		return is_near(whole, 1, 1.05) && s->n > 2;
-	return kind == PASSING || is_near(whole, 100, 25) ||
+		return is_within_percent(whole, 1, 1.05) && s->n > 2;
+	return kind == PASSING || is_within_percent(whole, 100, 25) ||
 	       (means & WORD_PERCENT) != 0;
 }
 
@@ -382,7 +392,7 @@ choose_scale(struct column *c, const struct shape *s, enum unit_kind kind,
  * rise and fall; or given by the user (told) in words that leave nothing
  * open. */
 static bool
-is_defined(
+is_unit_defined_by_heading(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
@@ -404,7 +414,7 @@ is_defined(
 			*unit = DEFINED[i].unit;
 			return words != 0 ||
 			       ((s->rises == 0 || s->falls == 0 ||
-				    is_near(s->first, 100, 0.6)) &&
+				    is_within_percent(s->first, 100, 0.6)) &&
 				   s->most > 1);
 		}
 	return false;
@@ -412,7 +422,7 @@ is_defined(
 
 /* True if the sieves are classes between two sieves, as for retained masses. */
 static bool
-has_classes(const struct table *t)
+has_size_classes(const struct table *t)
 {
 	/* 3/8 of an inch is none. */
 	bool named = t->unit.series != SIEVE_NONE;
@@ -424,11 +434,12 @@ has_classes(const struct table *t)
 
 /* Refuses a column said to be per cent whose numbers do not exceed 1. */
 static void
-refuse_small(struct column *c, const struct shape *s)
+refuse_small_percentages(struct column *c, const struct shape *s)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (unit->scale != OF_100 || s->n < 3 || s->most > 1 ||
-	    !is_near(unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
+	    !is_within_percent(
+		unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
 		return;
 	sheet_fault(c->table->sheet, c->head,
 	    "expected %s, got nothing above 1 in column %zu\n"
@@ -445,7 +456,7 @@ take_unit_of_title(struct column *c, const struct shape *s, double total)
 	enum unit_kind kind;
 	enum unit_scale scale;
 	c->said.means |= title;
-	bool sure = guess_kind(s, total, &kind, &scale);
+	bool sure = guess_quantity_from_numbers(s, total, &kind, &scale);
 	return !sure || (kind == PASSING) == ((title & WORD_PASSES) != 0);
 }
 
@@ -459,19 +470,20 @@ find_unit_by_numbers(
 	uint64_t scales = c->said.means & SCALE_WORDS;
 	enum unit_kind kind;
 	enum unit_scale scale;
-	bool sure = guess_kind(s, total, &kind, &scale);
+	bool sure = guess_quantity_from_numbers(s, total, &kind, &scale);
 	if (kinds == WORD_SUMS && kind == RETAINED)
 		sure = false;
 	if (scales != 0) {
 		enum unit_scale told_scale = scale;
-		sure = choose_scale(c, s, kind, total, &told_scale) && sure;
+		sure =
+		    choose_unit_scale(c, s, kind, total, &told_scale) && sure;
 		scale = told_scale;
 	}
-	c->unit = site_unit_find(kind, scale);
+	c->unit = site_unit_index(kind, scale);
 	if (!title && (kind != PASSING || scale != OF_100 || scales == 0))
 		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
-	c->open =
-	    c->open || !sure || (has_classes(c->table) && kind != RETAINED);
+	c->open = c->open || !sure ||
+		  (has_size_classes(c->table) && kind != RETAINED);
 }
 
 /* Takes the quantity that the headings state. */
@@ -487,30 +499,31 @@ find_unit_by_words(
 							 : RETAINED;
 	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
 	if (kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
-		sure = choose_kind_of_rising(c, s, total, &kind);
-	sure = choose_scale(c, s, kind, total, &scale) && sure;
-	sure = sure && !both && (told || is_possible_kind(s, kind));
+		sure = choose_mass_or_cumulative(c, s, total, &kind);
+	sure = choose_unit_scale(c, s, kind, total, &scale) && sure;
+	sure = sure && !both && (told || is_possible_quantity(s, kind));
 	if ((c->said.means & SCALE_WORDS) == 0)
 		assume(c, "as %s",
-		    tr(SITE_UNITS[site_unit_find(kind, scale)].words));
+		    tr(SITE_UNITS[site_unit_index(kind, scale)].words));
 	if (kind == RETAINED && scale == OF_100 && s->falls > 0 &&
 	    s->rises == 0 && s->sum > 102)
 		sure = false;
-	c->unit = site_unit_find(kind, scale);
-	c->open =
-	    c->open || !sure || (has_classes(c->table) && kind != RETAINED);
+	c->unit = site_unit_index(kind, scale);
+	c->open = c->open || !sure ||
+		  (has_size_classes(c->table) && kind != RETAINED);
 }
 
 static void
-find_unit(struct column *c, bool told)
+find_unit_of_column(struct column *c, bool told)
 {
 	struct shape s = shape_of_column(c);
 	double total = stated_total(c);
 	if (c->role == SD || s.n == 0)
 		return;
-	if (!has_classes(c->table) && is_defined(c, &s, told, &c->unit)) {
+	if (!has_size_classes(c->table) &&
+	    is_unit_defined_by_heading(c, &s, told, &c->unit)) {
 		if (told)
-			refuse_small(c, &s);
+			refuse_small_percentages(c, &s);
 		return;
 	}
 	c->unit = 0;
@@ -528,7 +541,7 @@ find_unit(struct column *c, bool told)
  * but not the 1 of "Prov 1"; 0 if there is none, or several.  A whole number
  * from 40 to 99 counts unless it may number the sample. */
 static double
-bare_speed(const struct head *said)
+speed_without_unit(const struct head *said)
 {
 	double found = 0;
 	bool numbered =
@@ -550,7 +563,7 @@ bare_speed(const struct head *said)
 /* True if a heading is only a number that cannot be a tip speed: then its
  * neighbours, such as minutes, are not speeds either. */
 static bool
-is_other_number(const struct head *said)
+is_number_but_no_speed(const struct head *said)
 {
 	uint64_t words = said->means & ~(uint64_t)WORD_FILLER;
 	return said->n_number == 1 && said->unknown == 0 && words == 0 &&
@@ -559,19 +572,19 @@ is_other_number(const struct head *said)
 }
 
 static void
-find_speed(struct column *c, const struct surroundings *near)
+find_speed_of_column(struct column *c, const struct surroundings *near)
 {
 	const struct head *said = &c->said;
 	bool told_rpm = said->rpm == 0 && !(near->speed > 0) && near->rpm > 0 &&
-			c->role == PRODUCT && !(bare_speed(said) > 0);
+			c->role == PRODUCT && !(speed_without_unit(said) > 0);
 	c->open = c->open || said->several;
 	if (said->speed > 0) {
 		c->speed = said->speed;
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
-		c->speed = head_mps(c->rpm, SPEED_RPM, near->rotor);
-	} else if (bare_speed(said) > 0 && said->unknown == 0) {
-		c->speed = bare_speed(said);
+		c->speed = head_speed_to_mps(c->rpm, SPEED_RPM, near->rotor);
+	} else if (speed_without_unit(said) > 0 && said->unknown == 0) {
+		c->speed = speed_without_unit(said);
 		/* A speed that spreads over the feed may not be the feed's. */
 		if (c->role != FEED || !said->spread)
 			assume(c, "%g as m/s", c->speed);
@@ -589,7 +602,7 @@ find_speed(struct column *c, const struct surroundings *near)
 }
 
 static void
-find_role(struct column *c, const struct surroundings *near)
+find_role_of_column(struct column *c, const struct surroundings *near)
 {
 	uint64_t role = c->said.means & ROLE_WORDS;
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
@@ -609,7 +622,7 @@ find_role(struct column *c, const struct surroundings *near)
 		c->role = FEED;
 	else if (context == WORD_PRODUCT)
 		c->role = PRODUCT;
-	else if (bare_speed(&c->said) > 0 && c->said.unknown == 0)
+	else if (speed_without_unit(&c->said) > 0 && c->said.unknown == 0)
 		c->role = PRODUCT;
 }
 
@@ -633,7 +646,7 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 }
 
 static bool
-has_words(const struct column *c, size_t *filled, size_t *numbers)
+has_mostly_words(const struct column *c, size_t *filled, size_t *numbers)
 {
 	*filled = *numbers = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
@@ -647,12 +660,12 @@ has_words(const struct column *c, size_t *filled, size_t *numbers)
 /* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
  * is no curve. */
 static bool
-is_count(const struct column *c)
+is_count_or_constant(const struct column *c)
 {
 	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
-	double first = site_column_raw(c, 0), last = NAN;
+	double first = site_column_raw_number(c, 0), last = NAN;
 	for (size_t i = 0; i < n; i++) {
-		double v = site_column_raw(c, i);
+		double v = site_column_raw_number(c, i);
 		pairs += !isnan(v) && !isnan(last);
 		steps += fabs(v - last) == 1;
 		same += v == last;
@@ -673,11 +686,11 @@ static bool
 is_no_sample(const struct column *c, struct site *site)
 {
 	size_t filled, numbers;
-	bool words = has_words(c, &filled, &numbers);
+	bool words = has_mostly_words(c, &filled, &numbers);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
-	if (is_count(c)) {
+	if (is_count_or_constant(c)) {
 		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
@@ -703,7 +716,7 @@ is_no_sample(const struct column *c, struct site *site)
 /* Takes the speed of all samples from a column that repeats it in each row, as
  * in a long table with one sample. */
 static void
-note_constant_speed(const struct column *c, struct surroundings *near)
+take_constant_speed(const struct column *c, struct surroundings *near)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
@@ -716,12 +729,12 @@ note_constant_speed(const struct column *c, struct surroundings *near)
 	double v = NAN;
 	bool same = true;
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		double raw = site_column_raw(c, i);
+		double raw = site_column_raw_number(c, i);
 		v = isnan(v) ? raw : v;
 		same = same && !(raw < v) && !(raw > v);
 	}
 	if (same && v > 0)
-		near->speed = head_mps(v, c->said.unit, near->rotor);
+		near->speed = head_speed_to_mps(v, c->said.unit, near->rotor);
 }
 
 /* Finds the least and the largest number of a column; the least is -1 if one is
@@ -732,7 +745,8 @@ column_bounds(const struct column *c, double *least, double *most)
 	*least = INFINITY;
 	*most = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		double raw = site_column_raw(c, i), v = isnan(raw) ? -1 : raw;
+		double raw = site_column_raw_number(c, i),
+		       v = isnan(raw) ? -1 : raw;
 		*least = fmin(*least, v);
 		*most = fmax(*most, v);
 	}
@@ -742,7 +756,7 @@ column_bounds(const struct column *c, double *least, double *most)
  * one of full sieves, if no heading explains them: the mass retained is their
  * difference. */
 static void
-refuse_tare(const struct column *column, size_t n)
+refuse_tare_column(const struct column *column, size_t n)
 {
 	double tare = 0, least, most;
 	for (size_t i = 0; i < n; i++) {
@@ -770,10 +784,10 @@ column_from_heads(struct table *t, size_t at)
 	bool own = false;
 	c.head = t->row[0].cell[at];
 	for (size_t r = t->n_head; r-- > 0 && !own;) {
-		const struct cell *cell = head_cell(t, r, at, &own);
+		const struct cell *cell = find_heading_cell(t, r, at, &own);
 		c.head = cell != NULL ? *cell : c.head;
 	}
-	c.said = read_heads(t, at);
+	c.said = combine_headings(t, at);
 	return c;
 }
 
@@ -787,27 +801,28 @@ classify_columns(struct table *t, const struct surroundings *near,
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_should_stop(errors); n++) {
 		column[n] = column_from_heads(t, n + 1);
-		note_constant_speed(&column[n], &around);
+		take_constant_speed(&column[n], &around);
 		around.counted =
-		    around.counted || is_other_number(&column[n].said);
+		    around.counted || is_number_but_no_speed(&column[n].said);
 	}
 	if (!around.told)
-		refuse_tare(column, n);
+		refuse_tare_column(column, n);
 	all->column =
 	    xrealloc(all->column, all->n + t->n_col, sizeof *all->column);
 	for (size_t i = 0; i < n && !error_should_stop(errors); i++) {
 		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
-		if (around.samples->n > 0 ? !samples_take(around.samples, &c)
-					  : is_no_sample(&c, site))
+		if (around.samples->n > 0
+			? !samples_apply_to_column(around.samples, &c)
+			: is_no_sample(&c, site))
 			continue;
-		find_role(&c, &around);
-		find_speed(&c, &around);
+		find_role_of_column(&c, &around);
+		find_speed_of_column(&c, &around);
 		/* Below a speed an empty cell may be the same, or forgotten. */
 		if (t->across && c.said.spread && c.role == PRODUCT)
 			c.open = true;
-		find_unit(&c, around.told);
+		find_unit_of_column(&c, around.told);
 		all->column[all->n++] = c;
 	}
 }
@@ -832,7 +847,7 @@ drop_column(struct columns *all, size_t i)
 /* Ranks the quantities of one sample: masses first, because they are exact and
  * include the pan, then those that need the least conversion. */
 static int
-column_rank(const struct column *c)
+rank_column_by_quantity(const struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	if (c->open)
@@ -845,32 +860,33 @@ column_rank(const struct column *c)
 /* Returns the unknown words in the headings of a column and those with digits.
  * The caller frees the text. */
 static char *
-name_in_head(const struct column *c)
+sample_name_in_headings(const struct column *c)
 {
-	FREED char *head = layout_head_text(c->table, c->at);
+	FREED char *head = layout_heading_text(c->table, c->at);
 	char *rest = head, *name = xstrdup("");
 	for (char *word; (word = strtok_r(rest, " ,;()[]@", &rest));) {
 		size_t unknown, n = strlen(word);
 		lexicon_meanings(word, &unknown);
 		if ((unknown > 0 && n > 1) ||
 		    strpbrk(word, "0123456789") != NULL)
-			xlist(&name, " ", "%s", word);
+			xappend_to_list(&name, " ", "%s", word);
 	}
 	return name;
 }
 
 /* True if two columns have the same sample name in their headings. */
 static bool
-is_called_alike(const struct column *a, const struct column *b)
+has_same_sample_name(const struct column *a, const struct column *b)
 {
-	FREED char *one = name_in_head(a), *other = name_in_head(b);
+	FREED char *one = sample_name_in_headings(a),
+		   *other = sample_name_in_headings(b);
 	return text_same_folded(one, other);
 }
 
 /* True if two columns are one sample in two quantities, at least one of which
  * is stated. */
 static bool
-is_same_sample(const struct column *a, const struct column *b)
+is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
@@ -884,12 +900,12 @@ is_same_sample(const struct column *a, const struct column *b)
 		    (SITE_UNITS[a->unit].kind != SITE_UNITS[b->unit].kind ||
 			SITE_UNITS[a->unit].scale != SITE_UNITS[b->unit].scale);
 	return same &&
-	       (a->role != NO_ROLE || (stated && is_called_alike(a, b)));
+	       (a->role != NO_ROLE || (stated && has_same_sample_name(a, b)));
 }
 
 /* Makes the column one that is only compared with the other. */
 static void
-mark_twin(struct column *c, const struct column *other)
+mark_as_comparison_only(struct column *c, const struct column *other)
 {
 	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
@@ -900,10 +916,10 @@ mark_twin(struct column *c, const struct column *other)
  * which distinguish its sample from others; signs of samples, at most two
  * letters, are omitted.  The caller frees the text. */
 static char *
-own_words(const struct column *c)
+distinctive_words_of_sample(const struct column *c)
 {
-	FREED char *head = layout_head_text(c->table, c->at);
-	FREED char *folded = text_fold(head);
+	FREED char *head = layout_heading_text(c->table, c->at);
+	FREED char *folded = text_fold_case_and_accents(head);
 	char *words = xstrdup("");
 	for (char *p = folded; *p != '\0';) {
 		size_t n = strcspn(p, " ,;()[]@\n");
@@ -919,17 +935,18 @@ own_words(const struct column *c)
 						    (size_t)(end - word)) &
 						   WORD_MACHINE) != 0;
 		if (range || machine || (letters && unknown > 0))
-			xlist(&words, " ", "%s", word);
+			xappend_to_list(&words, " ", "%s", word);
 		p += n + (p[n] != '\0');
 	}
 	return words;
 }
 
 /* True if two samples at one speed may be repeats: they have the same words
- * (own_words of each) and do not come from machines with different numbers. */
+ * (distinctive_words_of_sample of each) and do not come from machines with
+ * different numbers. */
 static bool
-is_repeat(const struct column *a, const char *x, const struct column *b,
-    const char *y)
+is_possible_repeat(const struct column *a, const char *x,
+    const struct column *b, const char *y)
 {
 	bool machine = ((a->said.means | b->said.means) & WORD_MACHINE) != 0;
 	return strcmp(x, y) == 0 &&
@@ -938,20 +955,20 @@ is_repeat(const struct column *a, const char *x, const struct column *b,
 }
 
 static void
-ask_repeats(struct columns *all)
+ask_about_repeats(struct columns *all)
 {
 	FREED char **words = xcalloc(all->n, sizeof(*words));
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *a = &all->column[i];
 		if (a->role != PRODUCT || !(a->speed > 0))
 			continue;
-		words[i] = own_words(a);
+		words[i] = distinctive_words_of_sample(a);
 		for (size_t k = 0; k < i; k++) {
 			struct column *b = &all->column[k];
 			if (words[k] == NULL ||
 			    fabs(a->speed - b->speed) > 1e-3 ||
 			    a->table != b->table ||
-			    is_repeat(a, words[i], b, words[k]))
+			    is_possible_repeat(a, words[i], b, words[k]))
 				continue;
 			a->open = b->open = true;
 		}
@@ -963,7 +980,7 @@ ask_repeats(struct columns *all)
 /* Drops the means of samples that are in the sheet themselves; "Feed (avg)"
  * is the feed where there is no other. */
 static void
-drop_means(struct columns *all, struct site *site)
+drop_mean_columns(struct columns *all, struct site *site)
 {
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		const struct column *c = &all->column[i];
@@ -987,22 +1004,25 @@ drop_means(struct columns *all, struct site *site)
 }
 
 static void
-drop_twins(struct columns *all, struct site *site)
+drop_duplicate_quantities(struct columns *all, struct site *site)
 {
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
 			const struct column *a = &all->column[i];
 			const struct column *b = &all->column[k];
 			if (i == k || a->twin > 0 || b->twin > 0 ||
-			    !is_same_sample(a, b) ||
-			    column_rank(a) < column_rank(b) ||
-			    (column_rank(a) == column_rank(b) && i < k))
+			    !is_same_sample_in_other_quantity(a, b) ||
+			    rank_column_by_quantity(a) <
+				rank_column_by_quantity(b) ||
+			    (rank_column_by_quantity(a) ==
+				    rank_column_by_quantity(b) &&
+				i < k))
 				continue;
 			leave_out(site, a,
 			    "%s: the sample of column %zu again, as %s",
 			    a->head.text, b->table->number[b->at],
 			    tr(SITE_UNITS[a->unit].words));
-			mark_twin(&all->column[i], b);
+			mark_as_comparison_only(&all->column[i], b);
 			break;
 		}
 }
@@ -1015,7 +1035,7 @@ looks_like_curve(const struct column *c)
 	struct shape s = shape_of_column(c);
 	enum unit_kind kind;
 	enum unit_scale scale;
-	return s.n > 2 && guess_kind(&s, NAN, &kind, &scale);
+	return s.n > 2 && guess_quantity_from_numbers(&s, NAN, &kind, &scale);
 }
 
 /* Makes an only feed that of all runs, even if the speed to its left spreads
@@ -1113,13 +1133,13 @@ classify_roles(
 		}
 		c->no_role = true;
 	}
-	drop_means(all, site);
-	drop_twins(all, site);
+	drop_mean_columns(all, site);
+	drop_duplicate_quantities(all, site);
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
 	if (!told)
-		ask_repeats(all);
+		ask_about_repeats(all);
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
@@ -1135,14 +1155,15 @@ classify_roles(
 }
 
 char *
-classify_column_text(const struct column *c)
+classify_describe_column(const struct column *c)
 {
 	char speed[32];
 	const char *role = c->role == NO_ROLE ? "product" : SITE_ROLES[c->role];
 	char *text = xstrdup(role);
 	bool wants = c->role != FEED;
 	if (c->speed > 0)
-		xappend(&text, "@%s", text_exact_number(c->speed, speed));
+		xappend(
+		    &text, "@%s", text_shortest_exact_number(c->speed, speed));
 	else if (wants)
 		xappend(&text, "@SPEED");
 	const char *suffix = SITE_UNITS[c->unit].suffix;

@@ -38,6 +38,6 @@ void classify_roles(
 
 /* Returns the description of a column as used in columns=, "product@69
  * retained_g".  The caller frees it. */
-char *classify_column_text(const struct column *c);
+char *classify_describe_column(const struct column *c);
 
 #endif

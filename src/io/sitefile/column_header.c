@@ -42,7 +42,7 @@ head_is_letter(char c)
 
 /* Returns the unit at the start of the text, and its length. */
 static enum speed_unit
-unit_at(const char *text, size_t *n)
+speed_unit_at(const char *text, size_t *n)
 {
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*n = strlen(UNITS[i].text);
@@ -55,7 +55,7 @@ unit_at(const char *text, size_t *n)
 }
 
 static bool
-other_unit_at(const char *text)
+is_unit_other_than_speed(const char *text)
 {
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_UNITS); i++) {
 		size_t n = strlen(OTHER_UNITS[i]);
@@ -81,7 +81,7 @@ head_speed_unit(const struct head *head)
 }
 
 double
-head_mps(double number, enum speed_unit unit, double rotor)
+head_speed_to_mps(double number, enum speed_unit unit, double rotor)
 {
 	switch (unit) {
 	case SPEED_KMH:
@@ -92,7 +92,7 @@ head_mps(double number, enum speed_unit unit, double rotor)
 		return number * 0.3048;
 	case SPEED_RPM:
 		/* To a hundredth: rpm are known to one in a thousand. */
-		return round(100 * rotor_speed_mps(number, rotor)) / 100;
+		return round(100 * rotor_speed_from_rpm(number, rotor)) / 100;
 	default:
 		return number;
 	}
@@ -100,14 +100,14 @@ head_mps(double number, enum speed_unit unit, double rotor)
 
 /* True if speeds in a unit have four digits or more. */
 static bool
-has_thousands(enum speed_unit unit)
+is_speed_in_thousands(enum speed_unit unit)
 {
 	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
 }
 
 /* Replaces blanks that do not break with spaces. */
 static void
-plain_blanks(char *s)
+replace_nonbreaking_blanks(char *s)
 {
 	static const char *const BLANKS[] = {
 	    "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"};
@@ -127,7 +127,7 @@ plain_blanks(char *s)
  * rpm, 1 350 or 1,350.  False for dates, times and ranges (0/8, 2026-05-03),
  * after which *text moves too. */
 static bool
-read_number_at(const char **text, double *value)
+parse_number_at(const char **text, double *value)
 {
 	static const char DIGITS[] = "0123456789";
 	const char *p = *text;
@@ -149,18 +149,20 @@ read_number_at(const char **text, double *value)
 	}
 	*text = p;
 	const char *blank = *p == ' ' ? p + 1 : p;
-	size_t group = number_separator_bytes(p);
+	size_t group = number_thousands_separator_bytes(p);
 	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
 	    strspn(p + group, DIGITS) == 3) {
 		const char *end = p + group + 3;
-		if (has_thousands(unit_at(end + strspn(end, " "), &k))) {
+		if (is_speed_in_thousands(
+			speed_unit_at(end + strspn(end, " "), &k))) {
 			strncat(copy, end - 3, 3);
 			*text = end;
 		}
-	} else if (after == 3 && has_thousands(unit_at(blank, &k))) {
+	} else if (after == 3 &&
+		   is_speed_in_thousands(speed_unit_at(blank, &k))) {
 		memmove(strchr(copy, '.'), strchr(copy, '.') + 1, 4);
 	}
-	return parts == 1 && text_number(copy, value);
+	return parts == 1 && text_parse_number(copy, value);
 }
 
 /* Returns the text after a unit of mass, or the text itself if it does not
@@ -176,14 +178,15 @@ skip_unit_of_mass(const char *text)
 /* Adds a number to the heading, with the unit after it; moves *text after the
  * unit. */
 static void
-head_read_number(struct head *head, const char **text, double value, bool at)
+add_number_to_heading(
+    struct head *head, const char **text, double value, bool at)
 {
 	size_t n;
 	const char *p = *text + strspn(*text, " ([");
-	enum speed_unit unit = unit_at(p, &n);
+	enum speed_unit unit = speed_unit_at(p, &n);
 	if (unit == SPEED_NO_UNIT && at)
 		unit = SPEED_MPS;
-	if (unit == SPEED_NO_UNIT && other_unit_at(p)) {
+	if (unit == SPEED_NO_UNIT && is_unit_other_than_speed(p)) {
 		/* "Soil A (100g)" tells how much it was, not in what. */
 		*text = skip_unit_of_mass(p);
 		return;
@@ -195,7 +198,8 @@ head_read_number(struct head *head, const char **text, double value, bool at)
 	}
 	*text = n > 0 ? p + n : *text;
 	double *slot = unit == SPEED_RPM ? &head->rpm : &head->speed;
-	double said = unit == SPEED_RPM ? value : head_mps(value, unit, 0);
+	double said =
+	    unit == SPEED_RPM ? value : head_speed_to_mps(value, unit, 0);
 	head->several =
 	    head->several || (*slot > 0 && fabs(*slot - said) > 0.05);
 	/* Of 12520 ft/min (63.6 m/s) the later, which is in m/s, is closer. */
@@ -290,7 +294,7 @@ is_within_other_number(
 
 /* Reads the number at *text and moves *text after it. */
 static void
-read_heading_number(struct head *head, const char *start, const char **text,
+parse_heading_number(struct head *head, const char *start, const char **text,
     bool at, struct before *before)
 {
 	const char *from = *text;
@@ -298,9 +302,9 @@ read_heading_number(struct head *head, const char *start, const char **text,
 	size_t n;
 	bool inside = from > start && head_is_letter(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
-	bool good = read_number_at(text, &value);
+	bool good = parse_number_at(text, &value);
 	const char *to = *text;
-	bool speed = unit_at(to + strspn(to, " "), &n) != SPEED_NO_UNIT;
+	bool speed = speed_unit_at(to + strspn(to, " "), &n) != SPEED_NO_UNIT;
 	at = at && good;
 	head->several =
 	    head->several || minus ||
@@ -308,10 +312,10 @@ read_heading_number(struct head *head, const char *start, const char **text,
 		is_within_other_number(start, from, to, at && !speed)) ||
 	    (good && is_part_of_speed(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
-		!other_unit_at(to + strspn(to, " ")) &&
+		!is_unit_other_than_speed(to + strspn(to, " ")) &&
 		is_second_speed(before, from, value));
 	if (good && (!inside || speed))
-		head_read_number(head, text, value, at);
+		add_number_to_heading(head, text, value, at);
 	*before = (struct before){
 	    good ? (speed ? *text : to) : NULL, value, at && !speed, speed};
 }
@@ -319,7 +323,7 @@ read_heading_number(struct head *head, const char *start, const char **text,
 /* Returns the bytes of what separates the sizes of a range, such as "-" or
  * "-d-"; 0 if there is no separator. */
 static size_t
-range_at(const char *p)
+range_separator_bytes(const char *p)
 {
 	static const char *const BETWEEN[] = {
 	    "-d-", "/d/", "-", "/", " - ", "\xE2\x80\x93"};
@@ -338,7 +342,8 @@ has_size_range(const char *text)
 {
 	static const char NUMBER[] = "0123456789.,";
 	for (const char *p = text; *p != '\0'; p++) {
-		size_t n = strspn(p, NUMBER), between = range_at(p + n);
+		size_t n = strspn(p, NUMBER),
+		       between = range_separator_bytes(p + n);
 		if (n == 0 || !isdigit((unsigned char)*p))
 			continue;
 		p += n;
@@ -349,7 +354,7 @@ has_size_range(const char *text)
 		size_t second = strspn(p + between, NUMBER);
 		p += between + second;
 		bool date = second == 4 || n == 4;
-		if (!date && range_at(p) == 0)
+		if (!date && range_separator_bytes(p) == 0)
 			return true;
 		p += strspn(p, "0123456789.,-/");
 		p--;
@@ -368,7 +373,8 @@ split_off_speeds(const char *folded, char *words, char *rest)
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
 		bool inside = p > folded && head_is_letter(p[-1]);
-		enum speed_unit unit = inside ? SPEED_NO_UNIT : unit_at(p, &k);
+		enum speed_unit unit =
+		    inside ? SPEED_NO_UNIT : speed_unit_at(p, &k);
 		if (unit != SPEED_NO_UNIT) {
 			if (head.unit == SPEED_NO_UNIT)
 				head.unit = unit;
@@ -376,7 +382,7 @@ split_off_speeds(const char *folded, char *words, char *rest)
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
 			const char *from = p;
-			read_heading_number(&head, folded, &p, at, &before);
+			parse_heading_number(&head, folded, &p, at, &before);
 			words[n++] = ' ';
 			bool speed = before.at || before.unit;
 			while (!speed && from < p)
@@ -396,10 +402,10 @@ split_off_speeds(const char *folded, char *words, char *rest)
 
 /* Reads a heading.  left: out, the text without its speeds; may be NULL. */
 static struct head
-read_head_text(const char *text, char **left)
+parse_heading_text(const char *text, char **left)
 {
-	FREED char *folded = text_fold(text);
-	plain_blanks(folded);
+	FREED char *folded = text_fold_case_and_accents(text);
+	replace_nonbreaking_blanks(folded);
 	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	char *rest = xcalloc(strlen(folded) + 1, 1);
 	struct head head = split_off_speeds(folded, words, rest);
@@ -411,15 +417,15 @@ read_head_text(const char *text, char **left)
 }
 
 struct head
-head_read(const char *text)
+head_parse(const char *text)
 {
-	return read_head_text(text, NULL);
+	return parse_heading_text(text, NULL);
 }
 
 char *
 head_without_speeds(const char *text)
 {
 	char *left;
-	read_head_text(text, &left);
+	parse_heading_text(text, &left);
 	return left;
 }

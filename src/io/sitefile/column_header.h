@@ -32,7 +32,7 @@ struct head {
 };
 
 /* Parses one cell of a heading. */
-struct head head_read(const char *text);
+struct head head_parse(const char *text);
 
 /* True if a heading states a speed, in whatever unit. */
 bool head_has_speed(const struct head *head);
@@ -41,14 +41,14 @@ bool head_has_speed(const struct head *head);
  * SPEED_NO_UNIT if it states none. */
 enum speed_unit head_speed_unit(const struct head *head);
 
-/* Returns the text, folded by text_fold, without speeds and their units.  The
- * caller frees it. */
+/* Returns the text, folded by text_fold_case_and_accents, without speeds and
+ * their units.  The caller frees it. */
 char *head_without_speeds(const char *text);
 
 /* True if a byte is a letter or part of one; all beyond ASCII are. */
 bool head_is_letter(char c);
 
 /* Converts a speed to m/s.  SPEED_RPM needs the rotor's diameter, m. */
-double head_mps(double number, enum speed_unit unit, double rotor);
+double head_speed_to_mps(double number, enum speed_unit unit, double rotor);
 
 #endif

@@ -53,7 +53,7 @@ struct grid {
 };
 
 static size_t
-index_at(const struct grid *g, size_t r, size_t c)
+cell_index_at(const struct grid *g, size_t r, size_t c)
 {
 	return r * g->down + c * g->right;
 }
@@ -61,17 +61,17 @@ index_at(const struct grid *g, size_t r, size_t c)
 static struct cell *
 layout_cell_at(const struct grid *g, size_t r, size_t c)
 {
-	return &g->at[index_at(g, r, c)];
+	return &g->at[cell_index_at(g, r, c)];
 }
 
 static struct nature *
-nature_at(const struct grid *g, size_t r, size_t c)
+cell_nature_at(const struct grid *g, size_t r, size_t c)
 {
-	return &g->nature[index_at(g, r, c)];
+	return &g->nature[cell_index_at(g, r, c)];
 }
 
 static bool
-is_filled(const struct grid *g, size_t r, size_t c)
+is_cell_filled(const struct grid *g, size_t r, size_t c)
 {
 	return layout_cell_at(g, r, c)->text[0] != '\0';
 }
@@ -79,7 +79,8 @@ is_filled(const struct grid *g, size_t r, size_t c)
 /* True if only comments are between two lines of a sheet.  *i: the comment from
  * which to search; it moves on, as lines are asked about from the top. */
 static bool
-only_comments_between(const struct sheet *sheet, int line, int next, size_t *i)
+has_only_comments_between(
+    const struct sheet *sheet, int line, int next, size_t *i)
 {
 	int comments = 0;
 	for (; *i < sheet->n_comment && sheet->comment[*i].line < next; ++*i)
@@ -128,14 +129,14 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 }
 
 static struct nature
-guess_nature(const struct sheet *sheet, const struct cell *cell)
+guess_cell_nature(const struct sheet *sheet, const struct cell *cell)
 {
 	const struct sieve_unit length = {1, SIEVE_NONE};
 	struct nature n = {.kind = SIEVE_IS_NONE, .mm = NAN};
 	size_t unknown = 0;
 	if (cell->text[0] == '\0')
 		return n;
-	n.kind = sieve_size(sheet, *cell, length, &n.mm);
+	n.kind = sieve_read_size(sheet, *cell, length, &n.mm);
 	if (cell->kind == CELL_TEXT && cell->value == AS_NUMBER)
 		return n;
 	n.means = lexicon_meanings(cell->text, &unknown);
@@ -148,17 +149,17 @@ guess_nature(const struct sheet *sheet, const struct cell *cell)
 
 /* Fills the natures of all cells. */
 static void
-find_natures(struct grid *g)
+fill_cell_natures(struct grid *g)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++)
-			*nature_at(g, r, c) =
-			    guess_nature(g->sheet, layout_cell_at(g, r, c));
+			*cell_nature_at(g, r, c) = guess_cell_nature(
+			    g->sheet, layout_cell_at(g, r, c));
 }
 
 static void
-layout_find_numbers(struct grid *g)
+find_next_number_columns(struct grid *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
@@ -166,7 +167,7 @@ layout_find_numbers(struct grid *g)
 	     r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
-			if (number_of(*layout_cell_at(g, r, c), &v))
+			if (number_value_of_cell(*layout_cell_at(g, r, c), &v))
 				next = (unsigned)c;
 			g->number[r * g->n_col + c] = next;
 		}
@@ -193,8 +194,8 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 	for (size_t r = 0; r < g.n_row; r++) {
 		const struct row *row = &sheet->row[r];
 		g.row_number[r] = (size_t)row->line;
-		g.gap[r] = r > 0 && !only_comments_between(sheet, row[-1].line,
-					row->line, &comment);
+		g.gap[r] = r > 0 && !has_only_comments_between(sheet,
+					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
 			if (!layout_in_range(range, row->line, c + 1))
@@ -207,7 +208,7 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 
 /* Reads "In" beside "Out" as a feed; elsewhere it is an inch. */
 static void
-name_feeds(struct grid *g)
+mark_in_beside_out_as_feed(struct grid *g)
 {
 	static char feed[] = "feed";
 	for (size_t r = 0; r < g->n_row; r++) {
@@ -226,7 +227,7 @@ name_feeds(struct grid *g)
 
 /* The one number of "< 16", below which material passes a sieve; NULL: none. */
 static char *
-size_below(const struct cell *cell)
+size_after_less_sign(const struct cell *cell)
 {
 	if (cell->kind != CELL_TEXT || cell->text[0] != '<')
 		return NULL;
@@ -242,7 +243,7 @@ struct sizes_below {
 };
 
 static void
-count_size_below(struct sizes_below *below, const char *size)
+count_distinct_size_below(struct sizes_below *below, const char *size)
 {
 	below->n += below->last == NULL || strcmp(below->last, size) != 0;
 	below->last = size;
@@ -251,43 +252,46 @@ count_size_below(struct sizes_below *below, const char *size)
 /* "< 16", "< 11.2", "< 8" in one line or column: the sieves of what passes
  * them; one alone, or again and again in a long table, is the pan. */
 static void
-name_sizes_below(struct grid *g)
+mark_sizes_below_as_sieves(struct grid *g)
 {
 	enum { LEAST = 3 };
 	FREED struct sizes_below *row = xcalloc(g->n_row + 1, sizeof *row);
 	FREED struct sizes_below *col = xcalloc(g->n_col + 1, sizeof *col);
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			char *size = size_below(layout_cell_at(g, r, c));
+			char *size =
+			    size_after_less_sign(layout_cell_at(g, r, c));
 			if (size == NULL)
 				continue;
-			count_size_below(&row[r], size);
-			count_size_below(&col[c], size);
+			count_distinct_size_below(&row[r], size);
+			count_distinct_size_below(&col[c], size);
 		}
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
 			struct cell *cell = layout_cell_at(g, r, c);
-			char *size = size_below(cell);
+			char *size = size_after_less_sign(cell);
 			if (size != NULL &&
 			    (row[r].n >= LEAST || col[c].n >= LEAST))
-				*cell = number_cell(g->sheet, *cell, size);
+				*cell = number_cell_from_text(
+				    g->sheet, *cell, size);
 		}
 }
 
 /* Shifts the headings of tables written by R, which does not head its column of
  * row numbers: a line one cell short, above lines that begin with 1, 2, 3. */
 static void
-shift_head(struct grid *g)
+shift_headings_by_one(struct grid *g)
 {
 	size_t h = 0, wide = g->n_col;
 	double v;
-	while (h < g->n_row && (wide < 3 || is_filled(g, h, wide - 1)))
+	while (h < g->n_row && (wide < 3 || is_cell_filled(g, h, wide - 1)))
 		h++;
-	if (h != 0 || g->n_row < 4 || !is_filled(g, 0, wide - 2))
+	if (h != 0 || g->n_row < 4 || !is_cell_filled(g, 0, wide - 2))
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
-		if (!is_filled(g, r, wide - 1) ||
-		    !number_of(*layout_cell_at(g, r, 0), &v) || v != (double)r)
+		if (!is_cell_filled(g, r, wide - 1) ||
+		    !number_value_of_cell(*layout_cell_at(g, r, 0), &v) ||
+		    v != (double)r)
 			return;
 	struct cell none = *layout_cell_at(g, 0, wide - 1);
 	for (size_t c = wide - 1; c > 0; c--)
@@ -297,7 +301,7 @@ shift_head(struct grid *g)
 
 /* Returns the transposed grid, which has the same cells. */
 static struct grid
-grid_turned(const struct grid *g)
+transpose_grid(const struct grid *g)
 {
 	struct grid t = {.sheet = g->sheet,
 	    .across = true,
@@ -312,7 +316,7 @@ grid_turned(const struct grid *g)
 	    .used = g->used};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
-	layout_find_numbers(&t);
+	find_next_number_columns(&t);
 	return t;
 }
 
@@ -334,13 +338,13 @@ layout_grid_clear(struct grid *g)
 /* True if the numbers below a heading that only says number are those of ASTM
  * E11 sieves: 4, 8, 16, but not 4, 5, 6, which count something. */
 static bool
-has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
+has_astm_sieve_numbers(const struct grid *g, size_t r, size_t c)
 {
 	size_t n = 0;
 	double v, last = NAN, step = 0;
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		const struct cell *cell = layout_cell_at(g, r, c);
-		if (!number_of(*cell, &v))
+		if (!number_value_of_cell(*cell, &v))
 			break;
 		if (isnan(sieve_name_mm(cell->text, SIEVE_ASTM)))
 			return false;
@@ -354,25 +358,25 @@ has_numbers_of_sieves(const struct grid *g, size_t r, size_t c)
 /* True for the unit of a value, "Rotor diameter | 990 | mm": the last of three
  * cells, the only ones of their line. */
 static bool
-is_unit_of_value(const struct grid *g, size_t r, size_t c)
+is_unit_after_value(const struct grid *g, size_t r, size_t c)
 {
 	double v;
 	size_t filled = 0;
 	for (size_t k = 0; k < g->n_col; k++)
-		filled += is_filled(g, r, k) ? 1 : 0;
+		filled += is_cell_filled(g, r, k) ? 1 : 0;
 	return filled == 3 && c >= 2 && c < g->n_col &&
-	       nature_at(g, r, c)->head && is_filled(g, r, c - 2) &&
-	       !nature_at(g, r, c - 2)->head &&
-	       number_of(*layout_cell_at(g, r, c - 1), &v);
+	       cell_nature_at(g, r, c)->head && is_cell_filled(g, r, c - 2) &&
+	       !cell_nature_at(g, r, c - 2)->head &&
+	       number_value_of_cell(*layout_cell_at(g, r, c - 1), &v);
 }
 
 static bool
 is_sieve_head(const struct grid *g, size_t r, size_t c)
 {
-	const struct nature *n = nature_at(g, r, c);
+	const struct nature *n = cell_nature_at(g, r, c);
 	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
-	return n->head && !is_unit_of_value(g, r, c) &&
-	       (!number || has_numbers_of_sieves(g, r, c));
+	return n->head && !is_unit_after_value(g, r, c) &&
+	       (!number || has_astm_sieve_numbers(g, r, c));
 }
 
 /* True if a heading states phi, whose letter also means a diameter, above
@@ -382,10 +386,10 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 {
 	double v;
 	if (!is_sieve_head(g, r, c) ||
-	    (nature_at(g, r, c)->means & WORD_PHI) == 0)
+	    (cell_nature_at(g, r, c)->means & WORD_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
-		if (number_of(*layout_cell_at(g, r, c), &v) &&
+		if (number_value_of_cell(*layout_cell_at(g, r, c), &v) &&
 		    fabs(v) > SIEVE_MOST_PHI)
 			return false;
 	return true;
@@ -396,9 +400,10 @@ sieve_kind_at(const struct grid *g, size_t r, size_t c, double *mm)
 {
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
-		return sieve_size(g->sheet, *layout_cell_at(g, r, c), phi, mm);
-	*mm = nature_at(g, r, c)->mm;
-	return nature_at(g, r, c)->kind;
+		return sieve_read_size(
+		    g->sheet, *layout_cell_at(g, r, c), phi, mm);
+	*mm = cell_nature_at(g, r, c)->mm;
+	return cell_nature_at(g, r, c)->kind;
 }
 
 static bool
@@ -410,7 +415,7 @@ layout_is_sieve(const struct grid *g, size_t r, size_t c)
 
 /* True if one of the columns after c and before `end` has a number. */
 static bool
-has_numbers(const struct grid *g, size_t r, size_t c, size_t end)
+has_number_beside(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	return c + 1 < end && g->number[r * g->n_col + c + 1] < end;
 }
@@ -432,7 +437,7 @@ next_sieve_row(const struct grid *g, size_t r, size_t c, size_t end)
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(g, r, c))
 			break;
-		if (layout_is_sieve(g, r, c) && has_numbers(g, r, c, end))
+		if (layout_is_sieve(g, r, c) && has_number_beside(g, r, c, end))
 			return r;
 	}
 	return g->n_row;
@@ -441,18 +446,18 @@ next_sieve_row(const struct grid *g, size_t r, size_t c, size_t end)
 /* True if a row immediately below the sieves has numbers but no sieve, and is
  * not a remark. */
 static bool
-is_unnamed(const struct grid *g, size_t r, size_t c, size_t end)
+is_row_without_sieve(const struct grid *g, size_t r, size_t c, size_t end)
 {
 	const char *text = layout_cell_at(g, r, c)->text;
 	bool word =
 	    text[0] != '\0' && strchr("-<>#+0123456789", text[0]) == NULL;
-	return !g->gap[r] && !word && has_numbers(g, r, c, end);
+	return !g->gap[r] && !word && has_number_beside(g, r, c, end);
 }
 
 /* Finds the last sieve of a table: a blank line ends it unless another sieve
  * follows; sums and the heading of another table end it likewise. */
 static void
-find_end(const struct grid *g, struct place *p)
+find_table_end(const struct grid *g, struct place *p)
 {
 	int standard = 0;
 	size_t known = 0; /* it goes on to there */
@@ -460,10 +465,10 @@ find_end(const struct grid *g, struct place *p)
 	for (size_t r = p->first; r < g->n_row; r++) {
 		double mm;
 		enum sieve_kind kind = sieve_kind_at(g, r, p->c, &mm);
-		bool numbers = has_numbers(g, r, p->c, p->end);
+		bool numbers = has_number_beside(g, r, p->c, p->end);
 		if (is_sieve_head(g, r, p->c))
 			break;
-		if (r >= known && nature_at(g, r, p->c)->foot &&
+		if (r >= known && cell_nature_at(g, r, p->c)->foot &&
 		    (known = next_sieve_row(g, r, p->c, p->end)) == g->n_row)
 			break;
 		if (r > p->first && g->gap[r] &&
@@ -479,7 +484,8 @@ find_end(const struct grid *g, struct place *p)
 			sieve_name_series(layout_cell_at(g, r, p->c)->text) !=
 			    SIEVE_NONE);
 	}
-	while (p->last < g->n_row && is_unnamed(g, p->last, p->c, p->end))
+	while (p->last < g->n_row &&
+	       is_row_without_sieve(g, p->last, p->c, p->end))
 		p->last++;
 	p->score = standard;
 }
@@ -487,7 +493,7 @@ find_end(const struct grid *g, struct place *p)
 /* Returns the column of the next heading of sieves in a row, or n_col.  One
  * immediately beside it is skipped: it has the same sieves in other words. */
 static size_t
-next_head(const struct grid *g, size_t r, size_t c)
+next_sieve_heading(const struct grid *g, size_t r, size_t c)
 {
 	size_t k = c + 2;
 	while (k < g->n_col && !is_sieve_head(g, r, k))
@@ -497,7 +503,7 @@ next_head(const struct grid *g, size_t r, size_t c)
 
 /* Whether the sizes of a table go up or down by 1: a count of samples. */
 static bool
-is_count_of(const struct grid *g, const struct place *p)
+is_count_of_samples(const struct grid *g, const struct place *p)
 {
 	double mm, last = NAN;
 	size_t n = 0, steps = 0;
@@ -513,7 +519,7 @@ is_count_of(const struct grid *g, const struct place *p)
 
 /* Finds the tables below headings of sieves. */
 static size_t
-find_headed(const struct grid *g, struct place *place)
+find_tables_with_headings(const struct grid *g, struct place *place)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
@@ -521,8 +527,8 @@ find_headed(const struct grid *g, struct place *place)
 		for (size_t c = 0; c < g->n_col; c++) {
 			if (!is_sieve_head(g, r, c))
 				continue;
-			struct place p = {
-			    c, r, r + 1, 0, next_head(g, r, c), 0, false};
+			struct place p = {c, r, r + 1, 0,
+			    next_sieve_heading(g, r, c), 0, false};
 			g->phi[c] = g->phi[c] || is_phi_head(g, r, c);
 			while (p.first < g->n_row && p.first < r + 4 &&
 			       !layout_is_sieve(g, p.first, c) &&
@@ -531,9 +537,10 @@ find_headed(const struct grid *g, struct place *place)
 			if (p.first == g->n_row ||
 			    !layout_is_sieve(g, p.first, c))
 				continue;
-			find_end(g, &p);
+			find_table_end(g, &p);
 			/* "Sieve analysis" is the title of other heads. */
-			bool title = p.first > r + 1 && is_count_of(g, &p);
+			bool title =
+			    p.first > r + 1 && is_count_of_samples(g, &p);
 			if (p.last > p.first && !title && n < MOST_TABLES)
 				place[n++] = p;
 		}
@@ -543,25 +550,25 @@ find_headed(const struct grid *g, struct place *place)
 /* Whether the first cells of a line are heads of their columns, and not the
  * head of the line: there are several, or a number or a feed is below. */
 static bool
-heads_columns(const struct grid *g, size_t r, size_t c)
+are_column_headings(const struct grid *g, size_t r, size_t c)
 {
-	if (r > 1 && is_filled(g, r - 1, c))
+	if (r > 1 && is_cell_filled(g, r - 1, c))
 		return true;
 	return c + 1 < g->n_col &&
 	       (strpbrk(layout_cell_at(g, 0, c + 1)->text, "0123456789") !=
 		       NULL ||
-		   (nature_at(g, 0, c + 1)->means & WORD_FEED) != 0);
+		   (cell_nature_at(g, 0, c + 1)->means & WORD_FEED) != 0);
 }
 
 /* True if the cell above the numbers, or at the start of their line, says that
  * they are times, remarks or speeds. */
 static bool
-is_other_head(const struct grid *g, size_t r, size_t c)
+is_heading_of_no_sieves(const struct grid *g, size_t r, size_t c)
 {
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
-	if (r == 0 || (g->across && heads_columns(g, r, c)))
+	if (r == 0 || (g->across && are_column_headings(g, r, c)))
 		return false;
-	uint64_t means = nature_at(g, g->across ? 0 : r - 1, c)->means;
+	uint64_t means = cell_nature_at(g, g->across ? 0 : r - 1, c)->means;
 	return (means & other) != 0 && (means & WORD_SIZE) == 0;
 }
 
@@ -570,7 +577,7 @@ is_pan_row(const struct grid *g, size_t r, size_t c)
 {
 	double mm;
 	return sieve_kind_at(g, r, c, &mm) == SIEVE_IS_PAN &&
-	       has_numbers(g, r, c, g->n_col);
+	       has_number_beside(g, r, c, g->n_col);
 }
 
 /* Numbers that fall, or rise, but not as a count does, and nearly all are
@@ -589,7 +596,7 @@ find_headless_table(const struct grid *g, struct place *place)
 			size_t rises = 0, falls = 0, n = 0;
 			if (sieve_kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
-			find_end(g, &p);
+			find_table_end(g, &p);
 			for (size_t i = r; i < p.last; i++) {
 				if (sieve_kind_at(g, i, c, &mm) !=
 				    SIEVE_IS_SIZE)
@@ -603,8 +610,8 @@ find_headless_table(const struct grid *g, struct place *place)
 				p.first--;
 			bool ordered = rises + 1 == n || falls + 1 == n;
 			if (n >= LEAST_WITHOUT_HEAD && ordered &&
-			    !is_count_of(g, &p) &&
-			    !is_other_head(g, p.first, c) &&
+			    !is_count_of_samples(g, &p) &&
+			    !is_heading_of_no_sieves(g, p.first, c) &&
 			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
 				place[found++] = p;
 			r = p.last > r ? p.last - 1 : r;
@@ -620,15 +627,16 @@ find_headless_table(const struct grid *g, struct place *place)
  * no count or time, which goes on by one step; or, phi: they are quarters of
  * phi, some below 0. */
 static size_t
-ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
+end_of_ordered_numbers(
+    const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 {
 	double v, first = NAN, last = NAN, step = NAN, least = INFINITY,
 		  most = 0;
 	bool even = true, quarters = true;
 	for (; r < g->n_row && !g->gap[r]; r++) {
-		if (!number_of(*layout_cell_at(g, r, c), &v) ||
+		if (!number_value_of_cell(*layout_cell_at(g, r, c), &v) ||
 		    (!isnan(step) && (v - last) * step <= 0) || v == last ||
-		    !has_numbers(g, r, c, g->n_col))
+		    !has_number_beside(g, r, c, g->n_col))
 			break;
 		even = even && (isnan(step) ||
 				   fabs(v - last - step) < 1e-6 * fabs(step));
@@ -647,9 +655,9 @@ ordered_end(const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
 
 /* True if two columns have the same heading in the row above their numbers. */
 static bool
-is_headed_alike(const struct grid *g, size_t r, size_t c, size_t other)
+has_same_heading(const struct grid *g, size_t r, size_t c, size_t other)
 {
-	return r > 0 && is_filled(g, r - 1, c) &&
+	return r > 0 && is_cell_filled(g, r - 1, c) &&
 	       strcmp(layout_cell_at(g, r - 1, c)->text,
 		   layout_cell_at(g, r - 1, other)->text) == 0;
 }
@@ -659,7 +667,8 @@ is_headed_alike(const struct grid *g, size_t r, size_t c, size_t other)
  * else.  below: of those only that have numbers below 0, so that the others,
  * in phi, are not taken for sieves. */
 static size_t
-find_ordered(const struct grid *g, bool below, struct place *place)
+find_tables_of_ordered_numbers(
+    const struct grid *g, bool below, struct place *place)
 {
 	size_t n = 0;
 	for (size_t c = 0; c + 1 < g->n_col; c++)
@@ -668,16 +677,18 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 		     r++) {
 			bool sizes, phi;
 			size_t first = r;
-			size_t end = ordered_end(g, r, c, &sizes, &phi);
+			size_t end =
+			    end_of_ordered_numbers(g, r, c, &sizes, &phi);
 			r = end > r ? end - 1 : r;
 			bool like = n == 0 || (first == place[0].first &&
-						  is_headed_alike(
+						  has_same_heading(
 						      g, first, c, place[0].c));
 			if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
-			    is_other_head(g, first, c) || (below && !phi) ||
-			    !like || n == MOST_TABLES)
+			    is_heading_of_no_sieves(g, first, c) ||
+			    (below && !phi) || !like || n == MOST_TABLES)
 				continue;
-			bool head = first > 0 && is_filled(g, first - 1, c) &&
+			bool head = first > 0 &&
+				    is_cell_filled(g, first - 1, c) &&
 				    !layout_is_sieve(g, first - 1, c);
 			place[n++] =
 			    (struct place){c, head ? first - 1 : g->n_row,
@@ -691,7 +702,8 @@ find_ordered(const struct grid *g, bool below, struct place *place)
 /* Finds the tables in a column that the user says has sieves, each from the
  * first sieve with numbers beside it. */
 static size_t
-layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
+find_tables_in_column(
+    const struct grid *g, size_t c, struct place *place, size_t most)
 {
 	size_t n = 0;
 	for (size_t r = 0;
@@ -700,9 +712,9 @@ layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};
 		if (sieve_kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
-		    !has_numbers(g, r, c, g->n_col))
+		    !has_number_beside(g, r, c, g->n_col))
 			continue;
-		find_end(g, &p);
+		find_table_end(g, &p);
 		p.head = r > 0 ? r - 1 : g->n_row;
 		p.score += (int)(p.last - p.first);
 		if (p.last >= p.first + 2)
@@ -713,7 +725,7 @@ layout_find_in(const struct grid *g, size_t c, struct place *place, size_t most)
 }
 
 static size_t
-layout_find_told(
+find_tables_in_given_columns(
     const struct grid *g, const struct layout_range *range, struct place *place)
 {
 	size_t n = 0;
@@ -722,7 +734,8 @@ layout_find_told(
 			if (g->col_number[c] != range->sieves[i])
 				continue;
 			g->phi[c] = g->phi[c] || range->phi;
-			n += layout_find_in(g, c, place + n, MOST_TABLES - n);
+			n += find_tables_in_column(
+			    g, c, place + n, MOST_TABLES - n);
 		}
 	return n;
 }
@@ -730,15 +743,15 @@ layout_find_told(
 /* Whether a row says what the sieves have, "% passing", above none of the
  * columns: heads may go on above it. */
 static bool
-is_head_of_all(
+is_heading_of_all_columns(
     const struct grid *g, size_t r, const struct place *p, size_t end)
 {
 	const uint64_t all =
 	    WORD_PASSES | WORD_STAYS | WORD_PERCENT | WORD_GRAMS | WORD_MASS;
 	for (size_t k = p->c + 1; k < end; k++)
-		if (is_filled(g, r, k))
+		if (is_cell_filled(g, r, k))
 			return false;
-	const struct nature *n = nature_at(g, r, p->c);
+	const struct nature *n = cell_nature_at(g, r, p->c);
 	return g->across && (n->means & all) != 0 && n->unknown == 0;
 }
 
@@ -749,21 +762,21 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 {
 	size_t filled = 0;
 	for (size_t k = p->c + 1; k < end; k++)
-		filled += is_filled(g, r, k);
+		filled += is_cell_filled(g, r, k);
 	if (filled == 0)
 		return false;
-	if (!is_filled(g, r, p->c))
+	if (!is_cell_filled(g, r, p->c))
 		return true;
-	if (filled == 2 && is_unit_of_value(g, r, p->c + 2))
+	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
 		return false;
 	const char *key = layout_cell_at(g, r, p->c)->text;
-	if (lexicon_key(key) != N_KEY)
+	if (lexicon_key_from_text(key) != N_KEY)
 		return false;
 	/* A line that `add` writes: cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
 	    strstr(layout_cell_at(g, r, p->c + 1)->text, ", ") != NULL)
 		return false;
-	struct head first = head_read(layout_cell_at(g, r, p->c)->text);
+	struct head first = head_parse(layout_cell_at(g, r, p->c)->text);
 	bool of_columns =
 	    first.unit != SPEED_NO_UNIT ||
 	    (first.means & (WORD_SPEED | WORD_SAMPLE | WORD_SIZE)) != 0;
@@ -771,7 +784,7 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 }
 
 static struct row
-make_row(const struct grid *g, size_t r, const size_t *col, size_t n)
+make_table_row(const struct grid *g, size_t r, const size_t *col, size_t n)
 {
 	struct row row = {.n = n, .n_all = n};
 	row.cell = xcalloc(n, sizeof *row.cell);
@@ -787,9 +800,9 @@ layout_add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
     struct row **list, size_t *n_list)
 {
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
-	(*list)[(*n_list)++] = make_row(g, r, col, n);
+	(*list)[(*n_list)++] = make_table_row(g, r, col, n);
 	for (size_t i = 0; i < n; i++)
-		g->used[index_at(g, r, col[i])] = true;
+		g->used[cell_index_at(g, r, col[i])] = true;
 }
 
 /* Lists the columns of a table that have anything below the headings: from its
@@ -805,9 +818,9 @@ layout_list_columns(const struct grid *g, const struct place *p, size_t from,
 	for (size_t c = from; c < end; c++) {
 		bool filled = false, headed = false;
 		for (size_t r = first; r < p->last; r++)
-			filled = filled || is_filled(g, r, c);
+			filled = filled || is_cell_filled(g, r, c);
 		for (size_t r = first; r < p->first; r++)
-			headed = headed || is_filled(g, r, c);
+			headed = headed || is_cell_filled(g, r, c);
 		/* Beyond an empty column only heads show that it goes on. */
 		if (c > p->c && empty && filled && !headed)
 			break;
@@ -821,14 +834,14 @@ layout_list_columns(const struct grid *g, const struct place *p, size_t from,
 /* If the sieves are listed twice, as names and in mm, completes rows that have
  * only one of the two. */
 static void
-fill_names(struct table *t)
+complete_sieve_names(struct table *t)
 {
 	static const uint64_t ELSE =
 	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
 	struct sieve_unit none = {0, SIEVE_NONE};
 	double mm;
 	for (size_t c = 1; c < t->n_col; c++) {
-		FREED char *head = layout_head_text(t, c);
+		FREED char *head = layout_heading_text(t, c);
 		uint64_t means = lexicon_meanings(head, NULL);
 		if ((means & (WORD_SIZE | WORD_MM | WORD_MESH)) == 0 ||
 		    (means & ELSE) != 0)
@@ -837,7 +850,7 @@ fill_names(struct table *t)
 			struct cell *own = &t->row[i].cell[0];
 			const struct cell *other = &t->row[i].cell[c];
 			if (own->value == AS_ABSENT &&
-			    sieve_size(t->sheet, *other, none, &mm) !=
+			    sieve_read_size(t->sheet, *other, none, &mm) !=
 				SIEVE_IS_NONE)
 				*own = *other;
 		}
@@ -848,24 +861,24 @@ fill_names(struct table *t)
  * columns, with its last row of headings: "m/s" beside "Rotor tip speed", and
  * the speed of the only sample, "Ekeby; belt cut; 73 m/s", above both. */
 static void
-join_beside(const struct grid *g, const struct place *p, size_t r, size_t end,
-    bool above, struct table *t)
+join_cells_beside_headings(const struct grid *g, const struct place *p,
+    size_t r, size_t end, bool above, struct table *t)
 {
 	struct row *head = &t->head[t->n_head - 1];
 	bool one = t->n_col == 2 && above;
 	for (size_t c = p->c + 1; c < end; c++) {
 		const char *text = layout_cell_at(g, r, c)->text;
-		struct head said = head_read(text);
+		struct head said = head_parse(text);
 		bool speed = one && head_has_speed(&said) && !said.several;
 		bool unit = c == p->c + 1 && said.unit != SPEED_NO_UNIT &&
 			    !head_has_speed(&said) && said.n_number == 0 &&
 			    head->cell[0].text[0] != '\0';
-		if (g->used[index_at(g, r, c)] || (!speed && !unit))
+		if (g->used[cell_index_at(g, r, c)] || (!speed && !unit))
 			continue;
 		struct cell *to = &head->cell[unit ? 0 : 1];
 		to->text =
-		    layout_own_text(t, xasprintf("%s %s", to->text, text));
-		g->used[index_at(g, r, c)] = true;
+		    layout_adopt_text(t, xasprintf("%s %s", to->text, text));
+		g->used[cell_index_at(g, r, c)] = true;
 	}
 }
 
@@ -885,38 +898,38 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
 	       (is_head_row(g, top - 1, p, end) ||
-		   is_head_of_all(g, top - 1, p, end)) &&
-	       !g->used[index_at(g, top - 1, p->c)])
+		   is_heading_of_all_columns(g, top - 1, p, end)) &&
+	       !g->used[cell_index_at(g, top - 1, p->c)])
 		top--;
 	for (size_t r = top; r < p->first; r++) {
-		bool mass = nature_at(g, r, p->c)->foot &&
-			    has_numbers(g, r, p->c, p->end);
+		bool mass = cell_nature_at(g, r, p->c)->foot &&
+			    has_number_beside(g, r, p->c, p->end);
 		if (!mass)
 			layout_add_row(g, r, col, n, &t.head, &t.n_head);
 		if (!mass)
-			join_beside(g, p, r, end, r < own, &t);
+			join_cells_beside_headings(g, p, r, end, r < own, &t);
 		t.titles += !mass && r < own;
 	}
 	for (size_t r = top; r < p->first; r++)
-		if (nature_at(g, r, p->c)->foot &&
-		    has_numbers(g, r, p->c, p->end))
+		if (cell_nature_at(g, r, p->c)->foot &&
+		    has_number_beside(g, r, p->c, p->end))
 			layout_add_row(g, r, col, n, &t.foot, &t.n_foot);
 	for (size_t r = p->first; r < p->last; r++)
 		layout_add_row(g, r, col, n, &t.row, &t.n_row);
-	for (size_t r = p->last; r < g->n_row && nature_at(g, r, p->c)->foot;
-	     r++)
+	for (size_t r = p->last;
+	     r < g->n_row && cell_nature_at(g, r, p->c)->foot; r++)
 		layout_add_row(g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
 		t.number[i] = g->col_number[col[i]];
-	fill_names(&t);
+	complete_sieve_names(&t);
 	layout->table =
 	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
 	layout->table[layout->n++] = t;
 }
 
 static bool
-overlap(const struct place *a, const struct place *b)
+are_tables_overlapping(const struct place *a, const struct place *b)
 {
 	return a->first < b->last && b->first < a->last;
 }
@@ -924,17 +937,19 @@ overlap(const struct place *a, const struct place *b)
 /* True if two columns of sieves are the lower and upper ends of adjoining
  * classes: mass is retained on the lower. */
 static bool
-are_ends(const struct grid *g, const struct place *low, const struct place *up)
+are_ends_of_classes(
+    const struct grid *g, const struct place *low, const struct place *up)
 {
 	double a, b, last = NAN;
 	size_t n = 0, joined = 0;
 	for (size_t r = low->first; r < low->last; r++) {
-		if (!number_of(*layout_cell_at(g, r, low->c), &a) ||
-		    !number_of(*layout_cell_at(g, r, up->c), &b) || a >= b)
+		if (!number_value_of_cell(*layout_cell_at(g, r, low->c), &a) ||
+		    !number_value_of_cell(*layout_cell_at(g, r, up->c), &b) ||
+		    a >= b)
 			return false;
 		double before = r > low->first ? last : (double)NAN;
 		joined += b == before;
-		number_of(*layout_cell_at(g, r, low->c), &last);
+		number_value_of_cell(*layout_cell_at(g, r, low->c), &last);
 		n++;
 	}
 	return n > 2 && joined + 1 == n;
@@ -944,23 +959,23 @@ are_ends(const struct grid *g, const struct place *low, const struct place *up)
  * adjacent columns of sieves (No. and mm), the one with more openings; the
  * other becomes a column of its table. */
 static size_t
-drop_double_heads(const struct grid *g, struct place *place, size_t n)
+drop_duplicate_headings(const struct grid *g, struct place *place, size_t n)
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < n; i++) {
 		bool drop = false;
 		for (size_t k = 0; k < n && !drop; k++) {
 			const struct place *a = &place[i], *b = &place[k];
-			if (k == i || !overlap(a, b))
+			if (k == i || !are_tables_overlapping(a, b))
 				continue;
 			if (a->c == b->c)
 				drop = b->first - b->head < a->first - a->head;
 			else if (a->c + 1 == b->c || b->c + 1 == a->c)
-				drop =
-				    is_sieve_head(g, a->head, a->c) &&
-				    !are_ends(g, a, b) &&
-				    (are_ends(g, b, a) || b->score > a->score ||
-					(b->score == a->score && k < i));
+				drop = is_sieve_head(g, a->head, a->c) &&
+				       !are_ends_of_classes(g, a, b) &&
+				       (are_ends_of_classes(g, b, a) ||
+					   b->score > a->score ||
+					   (b->score == a->score && k < i));
 		}
 		if (!drop)
 			place[kept++] = place[i];
@@ -969,7 +984,7 @@ drop_double_heads(const struct grid *g, struct place *place, size_t n)
 }
 
 static void
-take_tables(const struct grid *g, const struct place *place, size_t n,
+add_tables_to_layout(const struct grid *g, const struct place *place, size_t n,
     struct layout *layout)
 {
 	for (size_t i = 0; i < n; i++) {
@@ -977,7 +992,7 @@ take_tables(const struct grid *g, const struct place *place, size_t n,
 		size_t from = 0, end = g->n_col;
 		for (size_t k = 0; k < n; k++) {
 			const struct place *other = &place[k];
-			if (k == i || !overlap(p, other))
+			if (k == i || !are_tables_overlapping(p, other))
 				continue;
 			if (other->c > p->c && other->c < end)
 				end = other->c;
@@ -989,7 +1004,7 @@ take_tables(const struct grid *g, const struct place *place, size_t n,
 }
 
 static int
-total_score(const struct place *place, size_t n)
+total_table_score(const struct place *place, size_t n)
 {
 	int score = 0;
 	for (size_t i = 0; i < n; i++)
@@ -998,7 +1013,7 @@ total_score(const struct place *place, size_t n)
 }
 
 static void
-list_heading(const struct grid *g, struct layout *layout)
+list_rows_outside_tables(const struct grid *g, struct layout *layout)
 {
 	layout->heading =
 	    xcalloc(g->sheet->n_row + 1, sizeof(*layout->heading));
@@ -1006,15 +1021,15 @@ list_heading(const struct grid *g, struct layout *layout)
 		bool used = false;
 		const struct row *row = &g->sheet->row[r];
 		for (size_t c = 0; c < row->n; c++) {
-			size_t at =
-			    g->across ? index_at(g, c, r) : index_at(g, r, c);
+			size_t at = g->across ? cell_index_at(g, c, r)
+					      : cell_index_at(g, r, c);
 			used = used || g->used[at];
 		}
 		if (!used)
 			layout->heading[layout->n_heading++] = row;
 		for (size_t c = 0; used && c < row->n; c++) {
-			size_t at =
-			    g->across ? index_at(g, c, r) : index_at(g, r, c);
+			size_t at = g->across ? cell_index_at(g, c, r)
+					      : cell_index_at(g, r, c);
 			if (!g->used[at] && row->cell[c].text[0] != '\0' &&
 			    layout->beside.text == NULL)
 				layout->beside = row->cell[c];
@@ -1024,7 +1039,7 @@ list_heading(const struct grid *g, struct layout *layout)
 
 /* Sets the line after which lines may be about a table alone. */
 static void
-find_line_before(const struct layout *layout, struct table *t)
+find_end_of_tables_above(const struct layout *layout, struct table *t)
 {
 	int top = t->n_head > 0 ? t->head[0].line : t->row[0].line;
 	for (size_t b = 0; b < layout->n; b++) {
@@ -1048,15 +1063,15 @@ rows_free(struct row *row, size_t n)
 }
 
 char *
-layout_own_text(struct table *t, char *text)
+layout_adopt_text(struct table *t, char *text)
 {
 	t->text = xrealloc(t->text, t->n_text + 1, sizeof *t->text);
 	return t->text[t->n_text++] = text;
 }
 
 void
-layout_set_names(struct table *t, const size_t *number, const char *const *text,
-    size_t n_text)
+layout_set_headings(struct table *t, const size_t *number,
+    const char *const *text, size_t n_text)
 {
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
@@ -1071,8 +1086,8 @@ layout_set_names(struct table *t, const size_t *number, const char *const *text,
 				       ? t->head[t->n_head - 1].cell[c]
 				       : t->row[0].cell[c];
 		char *said =
-		    layout_own_text(t, xstrdup(i < n_text ? text[i] : ""));
-		head.cell[n] = number_cell(t->sheet, cell, said);
+		    layout_adopt_text(t, xstrdup(i < n_text ? text[i] : ""));
+		head.cell[n] = number_cell_from_text(t->sheet, cell, said);
 		t->number[n] = t->number[c];
 		for (size_t r = 0; r < t->n_row; r++)
 			t->row[r].cell[n] = t->row[r].cell[c];
@@ -1094,53 +1109,54 @@ layout_set_names(struct table *t, const size_t *number, const char *const *text,
 }
 
 char *
-layout_head_text(const struct table *t, size_t c)
+layout_heading_text(const struct table *t, size_t c)
 {
 	char *text = xstrdup("");
 	for (size_t r = 0; r < t->n_head; r++)
 		if (t->head[r].cell[c].text[0] != '\0')
-			xlist(&text, " ", "%s", t->head[r].cell[c].text);
+			xappend_to_list(
+			    &text, " ", "%s", t->head[r].cell[c].text);
 	return text;
 }
 
 struct layout *
-layout_new(struct sheet *sheet, struct layout_range range)
+layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
 	struct place down[MOST_TABLES], across[MOST_TABLES];
 	struct grid g = layout_grid_new(sheet, range);
-	shift_head(&g);
-	name_feeds(&g);
-	name_sizes_below(&g);
-	find_natures(&g);
-	layout_find_numbers(&g);
-	struct grid t = grid_turned(&g);
-	size_t n = find_headed(&g, down);
-	size_t m = find_headed(&t, across);
-	n = drop_double_heads(&g, down, n);
-	m = drop_double_heads(&t, across, m);
+	shift_headings_by_one(&g);
+	mark_in_beside_out_as_feed(&g);
+	mark_sizes_below_as_sieves(&g);
+	fill_cell_natures(&g);
+	find_next_number_columns(&g);
+	struct grid t = transpose_grid(&g);
+	size_t n = find_tables_with_headings(&g, down);
+	size_t m = find_tables_with_headings(&t, across);
+	n = drop_duplicate_headings(&g, down, n);
+	m = drop_duplicate_headings(&t, across, m);
 	if (range.n_sieves > 0) {
-		n = layout_find_told(&g, &range, down);
-		m = layout_find_told(&t, &range, across);
+		n = find_tables_in_given_columns(&g, &range, down);
+		m = find_tables_in_given_columns(&t, &range, across);
 	} else if (n == 0 && m == 0) {
-		n = find_ordered(&g, true, down);
-		m = find_ordered(&t, true, across);
+		n = find_tables_of_ordered_numbers(&g, true, down);
+		m = find_tables_of_ordered_numbers(&t, true, across);
 		if (n + m == 0) {
 			n = find_headless_table(&g, down);
 			m = find_headless_table(&t, across);
 		}
 		if (n + m == 0) {
-			n = find_ordered(&g, false, down);
-			m = find_ordered(&t, false, across);
+			n = find_tables_of_ordered_numbers(&g, false, down);
+			m = find_tables_of_ordered_numbers(&t, false, across);
 		}
 	}
-	bool turned = total_score(across, m) > total_score(down, n);
+	bool turned = total_table_score(across, m) > total_table_score(down, n);
 	layout->across = turned;
-	take_tables(
+	add_tables_to_layout(
 	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
-	list_heading(turned ? &t : &g, layout);
+	list_rows_outside_tables(turned ? &t : &g, layout);
 	for (size_t b = 0; b < layout->n; b++)
-		find_line_before(layout, &layout->table[b]);
+		find_end_of_tables_above(layout, &layout->table[b]);
 	layout_grid_clear(&t);
 	layout_grid_clear(&g);
 	return layout;

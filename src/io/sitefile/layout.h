@@ -62,18 +62,19 @@ struct layout_range {
 };
 
 /* Takes ownership of a text, frees it with the table, and returns it. */
-char *layout_own_text(struct table *t, char *text);
+char *layout_adopt_text(struct table *t, char *text);
 
 /* Returns the headings of column c of a table, from the top, as one text.  The
  * caller frees it. */
-char *layout_head_text(const struct table *t, size_t c);
+char *layout_heading_text(const struct table *t, size_t c);
 
 /* Sets the headings given by the user, text [n_text] for the columns with these
  * numbers, and drops other columns. */
-void layout_set_names(struct table *t, const size_t *number,
+void layout_set_headings(struct table *t, const size_t *number,
     const char *const *text, size_t n_text);
 
-struct layout *layout_new(struct sheet *sheet, struct layout_range range);
+struct layout *layout_new_of_sheet(
+    struct sheet *sheet, struct layout_range range);
 void layout_free(struct layout *layout);
 void layout_table_clear(struct table *t);
 

@@ -38,7 +38,7 @@ struct longer {
 };
 
 static bool
-is_numeric(const struct table *t, size_t c)
+is_numeric_column(const struct table *t, size_t c)
 {
 	size_t numbers = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
@@ -53,12 +53,12 @@ is_numeric(const struct table *t, size_t c)
 }
 
 static enum use
-guess_use(const struct table *t, size_t c, const struct head *head)
+guess_column_use(const struct table *t, size_t c, const struct head *head)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_MASS |
 					WORD_SHARE;
-	bool numeric = is_numeric(t, c);
+	bool numeric = is_numeric_column(t, c);
 	if ((head->means & (WORD_OTHER | WORD_LIMIT)) != 0)
 		return UNUSED;
 	if (!numeric)
@@ -83,7 +83,7 @@ struct ranked {
 
 /* Orders the largest first and, among equals, the upper row. */
 static int
-compare_ranked(const void *a, const void *b)
+compare_largest_first(const void *a, const void *b)
 {
 	const struct ranked *x = a, *y = b;
 	if (x->by != y->by)
@@ -93,25 +93,25 @@ compare_ranked(const void *a, const void *b)
 
 /* Indices of the different sizes, coarsest first. */
 static void
-list_sizes(struct longer *l)
+list_distinct_sizes(struct longer *l)
 {
 	const struct table *t = l->table;
 	struct sieve_unit unit =
-	    sieve_unit_of(l->told != 0 ? l->told : l->head[0].means);
+	    sieve_unit_from_words(l->told != 0 ? l->told : l->head[0].means);
 	/* Of which series they are shows later; here they only differ. */
 	if (unit.series == SIEVE_MESH)
 		unit = (struct sieve_unit){1, SIEVE_NONE};
 	FREED struct ranked *ranked = xcalloc(t->n_row, sizeof *ranked);
 	size_t n = 0;
 	for (size_t r = 0; r < t->n_row; r++) {
-		enum sieve_kind kind =
-		    sieve_size(t->sheet, t->row[r].cell[0], unit, &l->mm[r]);
+		enum sieve_kind kind = sieve_read_size(
+		    t->sheet, t->row[r].cell[0], unit, &l->mm[r]);
 		if (kind == SIEVE_IS_PAN)
 			l->mm[r] = 0;
 		if (!isnan(l->mm[r]))
 			ranked[n++] = (struct ranked){l->mm[r], r};
 	}
-	qsort(ranked, n, sizeof *ranked, compare_ranked);
+	qsort(ranked, n, sizeof *ranked, compare_largest_first);
 	for (size_t i = 0; i < n; i++) {
 		if (i == 0 || ranked[i].by != ranked[i - 1].by)
 			l->first[l->n_size++] = ranked[i].row;
@@ -132,26 +132,26 @@ is_row_of_same_sample(const struct longer *l, size_t a, size_t b)
 
 /* Returns a digest of the cells that identify the sample of row r. */
 static uint64_t
-row_mark(const struct longer *l, size_t r)
+hash_of_sample_cells(const struct longer *l, size_t r)
 {
 	uint64_t mark = TEXT_DIGEST_START;
 	for (size_t c = 1; c < l->table->n_col; c++) {
 		const char *text = l->table->row[r].cell[c].text;
 		if (l->use[c] == KEY || l->use[c] == COUNT)
-			mark = text_digest(mark, text, strlen(text) + 1);
+			mark = text_fnv1a_digest(mark, text, strlen(text) + 1);
 	}
 	return mark;
 }
 
 /* Finds the different samples by the digests of their rows, in a hash table. */
 static void
-list_samples(struct longer *l)
+list_distinct_samples(struct longer *l)
 {
 	size_t n = l->table->n_row, room = 2 * n + 1;
 	FREED size_t *known =
 	    xcalloc(room, sizeof *known); /* samples from 1; 0: no */
 	for (size_t r = 0; r < n; r++) {
-		l->mark[r] = row_mark(l, r);
+		l->mark[r] = hash_of_sample_cells(l, r);
 		size_t at = (size_t)(l->mark[r] % room);
 		for (; known[at] != 0; at = (at + 1) % room) {
 			size_t lead = l->lead[known[at] - 1];
@@ -180,13 +180,13 @@ is_later_sample(const double *a, const double *b, size_t n)
 
 /* Returns the numbers of all samples [n_sample][n], and n. */
 static double *
-sample_numbers(const struct longer *l, size_t *n)
+numbers_of_all_samples(const struct longer *l, size_t *n)
 {
 	const struct table *t = l->table;
 	*n = 0;
 	for (size_t c = 1; c < t->n_col; c++)
 		*n += l->use[c] == COUNT;
-	double *number = xdoubles(l->n_sample * *n), *to = number;
+	double *number = xcalloc_doubles(l->n_sample * *n), *to = number;
 	for (size_t s = 0; s < l->n_sample; s++)
 		for (size_t c = 1; c < t->n_col; c++) {
 			struct cell cell = t->row[l->lead[s]].cell[c];
@@ -203,7 +203,7 @@ static void
 sort_samples(struct longer *l)
 {
 	size_t n, n_sample = l->n_sample;
-	FREED double *number = sample_numbers(l, &n);
+	FREED double *number = numbers_of_all_samples(l, &n);
 	FREED size_t *order = xcalloc(n_sample, sizeof *order);
 	FREED size_t *place = xcalloc(n_sample, sizeof *place);
 	size_t *lead = xcalloc(n_sample, sizeof *lead);
@@ -228,7 +228,7 @@ sort_samples(struct longer *l)
 /* True if each sample has each of its sieves once, and some sieves occur for
  * several samples. */
 static bool
-is_long(const struct longer *l)
+is_long_table(const struct longer *l)
 {
 	size_t n = l->table->n_row;
 	bool good = true, values = false;
@@ -243,14 +243,14 @@ is_long(const struct longer *l)
 		ranked[r].by = (double)l->sample[r] * (double)l->n_size +
 			       (double)l->size[r];
 	}
-	qsort(ranked, n, sizeof *ranked, compare_ranked);
+	qsort(ranked, n, sizeof *ranked, compare_largest_first);
 	for (size_t i = 1; i < n && good; i++)
 		good = ranked[i].by != ranked[i - 1].by;
 	return good;
 }
 
 static const char *
-unit_text(enum speed_unit unit)
+speed_unit_text(enum speed_unit unit)
 {
 	static const char *const TEXTS[] = {[SPEED_NO_UNIT] = "",
 	    [SPEED_MPS] = "m/s",
@@ -263,7 +263,7 @@ unit_text(enum speed_unit unit)
 
 /* Returns the heading of a sample's column: "Product 69 m/s Passing %". */
 static char *
-sample_head(const struct longer *l, size_t sample, size_t value)
+sample_heading(const struct longer *l, size_t sample, size_t value)
 {
 	const struct table *t = l->table;
 	char *text = xstrdup("");
@@ -272,19 +272,19 @@ sample_head(const struct longer *l, size_t sample, size_t value)
 		double v;
 		if (l->use[c] != KEY || cell.value == AS_ABSENT)
 			continue;
-		bool number = number_of(cell, &v);
+		bool number = number_value_of_cell(cell, &v);
 		enum speed_unit unit = head_speed_unit(&l->head[c]);
 		if (number && v == 0)
 			continue;
 		if (number && unit == SPEED_NO_UNIT &&
 		    (l->head[c].means & WORD_SPEED) != 0)
-			xlist(&text, " ", tr("speed %s"), cell.text);
+			xappend_to_list(&text, " ", tr("speed %s"), cell.text);
 		else
-			xlist(&text, " ", "%s %s", cell.text,
-			    number ? unit_text(unit) : "");
+			xappend_to_list(&text, " ", "%s %s", cell.text,
+			    number ? speed_unit_text(unit) : "");
 	}
-	FREED char *own = layout_head_text(t, value);
-	xlist(&text, " ", "%s", own);
+	FREED char *own = layout_heading_text(t, value);
+	xappend_to_list(&text, " ", "%s", own);
 	return text;
 }
 
@@ -297,14 +297,14 @@ sample_name(const struct longer *l, size_t sample)
 		struct cell cell = l->table->row[l->lead[sample]].cell[c];
 		if ((l->use[c] == KEY || l->use[c] == COUNT) &&
 		    cell.value != AS_ABSENT)
-			xlist(&text, " ", "%s", cell.text);
+			xappend_to_list(&text, " ", "%s", cell.text);
 	}
 	return text;
 }
 
 /* Returns an empty row of n cells at the position of another. */
 static struct row
-empty_row(size_t n, const struct row *from)
+new_empty_row(size_t n, const struct row *from)
 {
 	struct row row = {.n = n,
 	    .n_all = n,
@@ -336,20 +336,20 @@ has_room_for_samples(const struct longer *l)
 
 /* Writes the headings and names of all samples. */
 static void
-head_samples(const struct longer *l, struct table *wide)
+write_sample_headings(const struct longer *l, struct table *wide)
 {
 	const struct table *t = l->table;
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++) {
-		char *name = layout_own_text(wide, sample_name(l, s));
+		char *name = layout_adopt_text(wide, sample_name(l, s));
 		for (size_t c = 1; c < t->n_col; c++) {
 			if (l->use[c] != VALUE)
 				continue;
 			struct cell head = t->row[l->lead[s]].cell[c];
 			char *text =
-			    layout_own_text(wide, sample_head(l, s, c));
+			    layout_adopt_text(wide, sample_heading(l, s, c));
 			wide->head[0].cell[at] =
-			    number_cell(t->sheet, head, text);
+			    number_cell_from_text(t->sheet, head, text);
 			wide->name[at] = name;
 			wide->number[at++] = t->number[c];
 		}
@@ -375,14 +375,14 @@ widen_table(struct longer *l)
 	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
 	const struct row *above =
 	    t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0];
-	wide.head[0] = empty_row(wide.n_col, above);
+	wide.head[0] = new_empty_row(wide.n_col, above);
 	for (size_t i = 0; i < wide.n_row; i++)
-		wide.row[i] = empty_row(wide.n_col, &t->row[l->first[i]]);
-	char *size = layout_head_text(t, 0);
-	wide.head[0].cell[0].text = layout_own_text(&wide, size);
+		wide.row[i] = new_empty_row(wide.n_col, &t->row[l->first[i]]);
+	char *size = layout_heading_text(t, 0);
+	wide.head[0].cell[0].text = layout_adopt_text(&wide, size);
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
-	head_samples(l, &wide);
+	write_sample_headings(l, &wide);
 	for (size_t r = 0; r < t->n_row; r++) {
 		struct cell *to =
 		    &wide.row[l->size[r]].cell[1 + values * l->sample[r]];
@@ -403,31 +403,31 @@ widen_table(struct longer *l)
 /* If nothing else identifies the samples, a column headed "ID" or with dates
  * may: the first such column that makes the table a long one does. */
 static bool
-is_long_by_other(struct longer *l)
+is_long_by_id_or_date(struct longer *l)
 {
 	const struct table *t = l->table;
 	bool repeats = 2 * t->n_row >= 3 * l->n_size, found = false;
 	for (size_t c = 1; c < t->n_col && repeats && !found; c++) {
 		if (l->use[c] != UNUSED)
 			continue;
-		l->use[c] = is_numeric(t, c) ? COUNT : KEY;
+		l->use[c] = is_numeric_column(t, c) ? COUNT : KEY;
 		l->n_sample = 0;
-		list_samples(l);
-		found = 2 * l->n_sample <= t->n_row && is_long(l);
+		list_distinct_samples(l);
+		found = 2 * l->n_sample <= t->n_row && is_long_table(l);
 		l->use[c] = found ? l->use[c] : UNUSED;
 	}
 	return found;
 }
 
 bool
-layout_widen(struct table *t, uint64_t told)
+layout_widen_long_table(struct table *t, uint64_t told)
 {
 	size_t n = t->n_row;
 	bool good = true;
 	struct longer l = {.table = t, .told = told};
 	l.use = xcalloc(t->n_col, sizeof *l.use);
 	l.head = xcalloc(t->n_col, sizeof *l.head);
-	l.mm = xdoubles(n);
+	l.mm = xcalloc_doubles(n);
 	l.size = xcalloc(n, sizeof *l.size);
 	l.first = xcalloc(n, sizeof *l.first);
 	l.sample = xcalloc(n, sizeof *l.sample);
@@ -435,13 +435,13 @@ layout_widen(struct table *t, uint64_t told)
 	l.mark = xcalloc(n, sizeof *l.mark);
 	for (size_t c = 0; c < t->n_col && !error_should_stop(t->sheet->errors);
 	     c++) {
-		FREED char *text = layout_head_text(t, c);
-		l.head[c] = head_read(text);
-		l.use[c] = c > 0 ? guess_use(t, c, &l.head[c]) : UNUSED;
+		FREED char *text = layout_heading_text(t, c);
+		l.head[c] = head_parse(text);
+		l.use[c] = c > 0 ? guess_column_use(t, c, &l.head[c]) : UNUSED;
 	}
-	list_sizes(&l);
-	list_samples(&l);
-	if ((is_long(&l) || is_long_by_other(&l)) &&
+	list_distinct_sizes(&l);
+	list_distinct_samples(&l);
+	if ((is_long_table(&l) || is_long_by_id_or_date(&l)) &&
 	    (good = has_room_for_samples(&l))) {
 		sort_samples(&l);
 		widen_table(&l);

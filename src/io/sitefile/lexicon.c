@@ -208,7 +208,7 @@ word_index(void)
 }
 
 static int
-by_bytes(const void *a, const void *b)
+compare_words(const void *a, const void *b)
 {
 	const struct known *x = a, *y = b;
 	int order = memcmp(x->word, y->word, x->n < y->n ? x->n : y->n);
@@ -216,7 +216,7 @@ by_bytes(const void *a, const void *b)
 }
 
 static void
-fill_index(void)
+fill_word_index(void)
 {
 	struct index *index = word_index();
 	struct known *word = index->word;
@@ -230,9 +230,9 @@ fill_index(void)
 				index->longest = length;
 			p += length + (p[length] == ' ');
 		}
-	qsort(word, all, sizeof *word, by_bytes);
+	qsort(word, all, sizeof *word, compare_words);
 	for (size_t i = 0; i < all; i++)
-		if (n > 0 && by_bytes(&word[n - 1], &word[i]) == 0)
+		if (n > 0 && compare_words(&word[n - 1], &word[i]) == 0)
 			word[n - 1].means |= word[i].means;
 		else
 			word[n++] = word[i];
@@ -245,7 +245,8 @@ fill_index(void)
 
 /* Returns the meanings of the first of PARTS that a word contains, or 0. */
 static uint64_t
-lexicon_part_of(const struct index *index, const char *word, size_t n)
+meanings_of_contained_word(
+    const struct index *index, const char *word, size_t n)
 {
 	const unsigned char *p = (const unsigned char *)word;
 	size_t best = ARRAY_LEN(PARTS);
@@ -268,22 +269,24 @@ lexicon_word_meanings(const char *word, size_t n)
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	const struct index *index = word_index();
 	const struct known wanted = {word, n, 0}, *found = NULL;
-	pthread_once(&once, fill_index);
+	pthread_once(&once, fill_word_index);
 	if (n > 0 && n <= index->longest)
 		found = bsearch(&wanted, index->word, index->n,
-		    sizeof index->word[0], by_bytes);
-	return found != NULL ? found->means : lexicon_part_of(index, word, n);
+		    sizeof index->word[0], compare_words);
+	return found != NULL ? found->means
+			     : meanings_of_contained_word(index, word, n);
 }
 
 uint64_t
 lexicon_meanings(const char *text, size_t *unknown)
 {
 	static const char LETTERS[] = "abcdefghijklmnopqrstuvwxyz0123456789";
-	FREED char *folded = text_fold(text);
+	FREED char *folded = text_fold_case_and_accents(text);
 	uint64_t means = 0;
 	size_t none = 0;
 	for (char *p = folded; *p != '\0';) {
-		/* Both signs for micro; text_fold leaves them. */
+		/* Both signs for micro; text_fold_case_and_accents leaves them.
+		 */
 		char *word = p;
 		while (*p != '\0' &&
 		       (strchr(LETTERS, *p) != NULL || (*p & 0x80) != 0))
@@ -309,7 +312,8 @@ lexicon_meanings(const char *text, size_t *unknown)
 	return means;
 }
 
-/* In the words of text_fold; the first of each is that of tipspeed-site(5). */
+/* In the words of text_fold_case_and_accents; the first of each is that of
+ * tipspeed-site(5). */
 static const char *const KEYS[N_KEY] = {
     [KEY_SITE] =
 	"site|quarry|plant|anlaggning|bergtakt|takt|taktort|plats|werk|"
@@ -326,9 +330,9 @@ static const char *const KEYS[N_KEY] = {
 
 /* True if a key is in a list. */
 static bool
-is_one_of(const char *key, const char *list)
+is_key_in_list(const char *key, const char *list)
 {
-	FREED char *folded = text_fold(key);
+	FREED char *folded = text_fold_case_and_accents(key);
 	const char *word = text_trim(folded);
 	size_t n = strlen(word);
 	for (const char *p = list; n > 0 && *p != '\0';) {
@@ -341,10 +345,10 @@ is_one_of(const char *key, const char *list)
 }
 
 enum lexicon_key
-lexicon_key(const char *text)
+lexicon_key_from_text(const char *text)
 {
 	size_t k = 0;
-	while (k < N_KEY && !is_one_of(text, KEYS[k]))
+	while (k < N_KEY && !is_key_in_list(text, KEYS[k]))
 		k++;
 	return (enum lexicon_key)k;
 }

@@ -44,8 +44,8 @@
 #define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
 #define WORD_DATE (UINT64_C(1) << 35)
 
-/* Returns the meanings of one word, n bytes folded by text_fold, or 0 if
- * unknown. */
+/* Returns the meanings of one word, n bytes folded by
+ * text_fold_case_and_accents, or 0 if unknown. */
 uint64_t lexicon_word_meanings(const char *word, size_t n);
 
 /* Returns the combined meanings of all words in a text.  unknown: out, the
@@ -63,6 +63,6 @@ enum lexicon_key {
 };
 
 /* Returns the key that matches a text, ignoring case and accents, or N_KEY. */
-enum lexicon_key lexicon_key(const char *text);
+enum lexicon_key lexicon_key_from_text(const char *text);
 
 #endif

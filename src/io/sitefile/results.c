@@ -14,7 +14,7 @@
 #include "io/cells/textfile.h"
 
 static bool
-cell_is(const struct sheet *sheet, size_t row, size_t i, const char *text)
+is_cell_text(const struct sheet *sheet, size_t row, size_t i, const char *text)
 {
 	return row < sheet->n_row &&
 	       strcmp(sheet_cell(&sheet->row[row], i).text, text) == 0;
@@ -28,27 +28,28 @@ first_word(const char *text)
 
 /* Only results of a site name one; see tell_about in cmd/session/redirect.c. */
 static char *
-command_about(const struct sheet *sheet)
+command_on_about_sheet(const struct sheet *sheet)
 {
 	static const char OURS[] = "tipspeed ";
 	size_t site = 0;
-	while (site < sheet->n_row && !cell_is(sheet, site, 0, "site"))
+	while (site < sheet->n_row && !is_cell_text(sheet, site, 0, "site"))
 		site++;
-	bool ours = cell_is(sheet, 0, 0, "program") &&
+	bool ours = is_cell_text(sheet, 0, 0, "program") &&
 		    strncmp(sheet_cell(&sheet->row[0], 1).text, OURS,
 			strlen(OURS)) == 0;
-	return ours && cell_is(sheet, 1, 0, "command") && site < sheet->n_row
+	return ours && is_cell_text(sheet, 1, 0, "command") &&
+		       site < sheet->n_row
 		   ? first_word(sheet_cell(&sheet->row[1], 1).text)
 		   : NULL;
 }
 
 char *
-results_command(const struct sheet *sheet)
+results_command_of_sheet(const struct sheet *sheet)
 {
-	bool table = cell_is(sheet, 0, 0, "command") && sheet->row[0].n > 1 &&
-		     sheet->n_row > 1;
+	bool table = is_cell_text(sheet, 0, 0, "command") &&
+		     sheet->row[0].n > 1 && sheet->n_row > 1;
 	return table ? first_word(sheet->row[1].cell[0].text)
-		     : command_about(sheet);
+		     : command_on_about_sheet(sheet);
 }
 
 static char *
@@ -57,15 +58,15 @@ command_in_workbook(const char *path)
 	struct error_list errors = {0};
 	struct source source = {0};
 	char *command = NULL;
-	bool read = source_read(path, &errors, &source);
+	bool read = source_read_file(path, &errors, &source);
 	for (size_t i = 0; read && i < source.n && command == NULL; i++)
-		command = results_command(source.sheet[i]);
+		command = results_command_of_sheet(source.sheet[i]);
 	source_free(&source);
 	return command;
 }
 
 char *
-results_command_in(const char *path)
+results_command_in_file(const char *path)
 {
 	enum { ENOUGH = 4096, MOST = 100 * 1000 };
 	char bytes[ENOUGH], *text = NULL, *command = NULL;
@@ -85,11 +86,12 @@ results_command_in(const char *path)
 	while (n > 0 && bytes[n - 1] != '\n')
 		n--;
 	if (n > 0)
-		text = textfile_text(path, bytes, n, &note, &errors);
+		text = textfile_decode(path, bytes, n, &note, &errors);
 	if (text != NULL) {
 		const struct sheet_limits most = {.rows = ENOUGH};
-		struct sheet *sheet = sheet_new(path, text, most, &errors);
-		command = results_command(sheet);
+		struct sheet *sheet =
+		    sheet_new_from_text(path, text, most, &errors);
+		command = results_command_of_sheet(sheet);
 		sheet_free(sheet);
 	}
 	free(text);

@@ -28,7 +28,7 @@ struct search {
 /* Returns the folded text, with a word in place of each sign for a diameter
  * that is not part of another word: O with a stroke, phi, and U+2300. */
 static char *
-without_signs(const char *text)
+replace_diameter_signs(const char *text)
 {
 	static const char *const SIGNS[] = {"\xC3\x98", "\xC3\xB8", "\xCE\xA6",
 	    "\xCF\x86", "\xCF\x95", "\xE2\x8C\x80"};
@@ -46,11 +46,11 @@ without_signs(const char *text)
 			xappend(&plain, "%c", *p);
 		p += sign ? n : 1;
 	}
-	return text_fold(plain);
+	return text_fold_case_and_accents(plain);
 }
 
 static bool
-is_diameter(const char *word, size_t n)
+is_word_for_diameter(const char *word, size_t n)
 {
 	static const char *const WORDS[] = {"diameter", "dia", "diam",
 	    "durchmesser", "diametre", "diametro", "halkaisija", "diametern"};
@@ -87,15 +87,15 @@ mm_of_unit(const char *p, size_t n)
 }
 
 static bool
-is_possible(double mm)
+is_possible_rotor_mm(double mm)
 {
 	return mm >= LEAST_MM && mm <= MOST_MM;
 }
 
 static void
-keep_rotor_found(struct search *s, double mm)
+store_rotor_found(struct search *s, double mm)
 {
-	if (!is_possible(mm))
+	if (!is_possible_rotor_mm(mm))
 		return;
 	bool differs =
 	    s->found < 0 || (s->found > 0 && fabs(mm - s->found) > 0.5);
@@ -106,7 +106,7 @@ keep_rotor_found(struct search *s, double mm)
  * it.  In 1,050 mm the comma separates thousands, as no rotor is that small.
  * unit: mm. */
 static double
-number_mm(const char **text, size_t n, double unit)
+parse_number_in_mm(const char **text, size_t n, double unit)
 {
 	char copy[24] = "";
 	size_t whole = strspn(*text, "0123456789");
@@ -116,9 +116,10 @@ number_mm(const char **text, size_t n, double unit)
 	bool sign = whole < n && whole < sizeof copy;
 	if (sign)
 		copy[whole] = '.';
-	if (!text_number(copy, &v))
+	if (!text_parse_number(copy, &v))
 		return 0;
-	bool thousands = sign && n == whole + 4 && !is_possible(v * unit);
+	bool thousands =
+	    sign && n == whole + 4 && !is_possible_rotor_mm(v * unit);
 	return v * unit * (thousands ? 1000 : 1);
 }
 
@@ -134,30 +135,30 @@ number_bytes(const char *p)
 /* True if a number that ends at `end` has no unit and is not part of a range: a
  * word of `word` bytes, if any, follows at `after`. */
 static bool
-is_bare(const char *end, const char *after, size_t word)
+is_number_without_unit(const char *end, const char *after, size_t word)
 {
 	if (word > 0)
-		return is_diameter(after, word);
+		return is_word_for_diameter(after, word);
 	return *end == '\0' || (strchr("-/:%", *end) == NULL &&
 				   !isdigit((unsigned char)*after));
 }
 
 static void
-read_number(struct search *s, const char **text)
+parse_rotor_number(struct search *s, const char **text)
 {
 	size_t n = number_bytes(*text);
 	const char *after = *text + n + strspn(*text + n, " -");
 	size_t word = *after == '"' ? 1 : word_bytes(after);
 	double unit = mm_of_unit(after, word);
-	bool bare = is_bare(*text + n, after, word);
+	bool bare = is_number_without_unit(*text + n, after, word);
 	bool meant = s->rotor || (s->diameter && s->alone);
-	double mm = number_mm(text, n, unit > 0 ? unit : 1);
+	double mm = parse_number_in_mm(text, n, unit > 0 ? unit : 1);
 	if (meant && unit > 0)
-		keep_rotor_found(s, mm);
+		store_rotor_found(s, mm);
 	else if (meant && s->unit > 0 && bare)
-		keep_rotor_found(s, mm * s->unit);
+		store_rotor_found(s, mm * s->unit);
 	else if (bare && meant && (s->diameter || s->machine))
-		keep_rotor_found(
+		store_rotor_found(
 		    s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
 	s->ahead = !meant && unit > 0 ? mm : 0;
 	s->rotor = s->diameter = false;
@@ -166,14 +167,14 @@ read_number(struct search *s, const char **text)
 }
 
 static void
-rotor_read_word(struct search *s, const char *word, size_t n)
+rotor_parse_word(struct search *s, const char *word, size_t n)
 {
 	uint64_t means = lexicon_word_meanings(word, n);
 	double unit = mm_of_unit(word, n);
-	if (is_diameter(word, n)) {
+	if (is_word_for_diameter(word, n)) {
 		s->diameter = true;
 	} else if ((means & WORD_ROTOR) != 0) {
-		keep_rotor_found(s, s->ahead);
+		store_rotor_found(s, s->ahead);
 		s->ahead = s->unit = 0;
 		s->rotor = true;
 		s->diameter = (means & WORD_SIZE) != 0;
@@ -189,12 +190,12 @@ rotor_read_word(struct search *s, const char *word, size_t n)
  * line is about a machine or a speed, and not about sieves, which have
  * diameters too. */
 static bool
-can_stand_alone(const char *text, const char *folded)
+is_rotor_though_unnamed(const char *text, const char *folded)
 {
-	struct head head = head_read(text);
+	struct head head = head_parse(text);
 	for (const char *p = folded; *p != '\0';) {
 		size_t n = word_bytes(p);
-		if (n > 1 && !is_diameter(p, n) &&
+		if (n > 1 && !is_word_for_diameter(p, n) &&
 		    (lexicon_word_meanings(p, n) & (WORD_SIZE | WORD_ROTOR)) ==
 			WORD_SIZE)
 			return false;
@@ -207,18 +208,18 @@ can_stand_alone(const char *text, const char *folded)
 double
 rotor_size_mm(const char *text, bool machine)
 {
-	FREED char *folded = without_signs(text);
+	FREED char *folded = replace_diameter_signs(text);
 	struct search s = {.machine = machine};
-	s.alone = can_stand_alone(text, folded);
+	s.alone = is_rotor_though_unnamed(text, folded);
 	for (const char *p = folded; *p != '\0';) {
 		size_t n = word_bytes(p);
 		if (isdigit((unsigned char)*p)) {
-			read_number(&s, &p);
+			parse_rotor_number(&s, &p);
 			continue;
 		}
 		bool joins = *p == '-' && p > folded && p[-1] != ' ';
 		if (n > 0)
-			rotor_read_word(&s, p, n);
+			rotor_parse_word(&s, p, n);
 		else if (*p != ' ' && !joins)
 			s.ahead = 0;
 		p += n > 0 ? n : 1;

@@ -69,7 +69,7 @@ static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
 /* Reads "4", "3/8", "3 1/2", "3-1/2" or "0.530" at *text, which begins with a
  * digit or a point, and moves *text after it. */
 static double
-read_mixed_fraction(const char **text)
+parse_mixed_fraction(const char **text)
 {
 	double whole = 0, part = 0, of = 1;
 	int n = 0;
@@ -90,7 +90,7 @@ read_mixed_fraction(const char **text)
 /* Reads the word at *text as a series and moves *text after it; SIEVE_NONE if
  * it does not belong to the name of a sieve. */
 static enum sieve_series
-read_series_word(const char **text)
+parse_series_word(const char **text)
 {
 	static const struct {
 		const char *word;
@@ -122,9 +122,9 @@ read_series_word(const char **text)
 /* Returns the series that a name itself states ("BS 7 mesh"), and its
  * number. */
 static enum sieve_series
-read_name(const char *text, double *value)
+parse_sieve_name(const char *text, double *value)
 {
-	FREED char *folded = text_fold(text);
+	FREED char *folded = text_fold_case_and_accents(text);
 	enum sieve_series series = SIEVE_NONE;
 	bool good = true;
 	*value = NAN;
@@ -136,10 +136,10 @@ read_name(const char *text, double *value)
 		if (isdigit((unsigned char)*p) || *p == '.') {
 			good = isnan(*value) &&
 			       isdigit((unsigned char)p[*p == '.']);
-			*value = good ? read_mixed_fraction(&p) : NAN;
+			*value = good ? parse_mixed_fraction(&p) : NAN;
 			continue;
 		}
-		enum sieve_series word = read_series_word(&p);
+		enum sieve_series word = parse_series_word(&p);
 		good = word != SIEVE_NONE;
 		if (series == SIEVE_NONE || series == SIEVE_MESH)
 			series = word;
@@ -151,7 +151,7 @@ read_name(const char *text, double *value)
 }
 
 static double
-find_mesh(const struct mesh *mesh, size_t n, double number)
+find_mesh_opening(const struct mesh *mesh, size_t n, double number)
 {
 	for (size_t i = 0; i < n; i++)
 		if (fabs(mesh[i].number - number) < 1e-9)
@@ -160,7 +160,7 @@ find_mesh(const struct mesh *mesh, size_t n, double number)
 }
 
 static double
-find_astm(enum sieve_series wanted, double number)
+find_astm_opening(enum sieve_series wanted, double number)
 {
 	bool inches = wanted == SIEVE_INCH;
 	size_t end = inches ? N_INCHES : ARRAY_LEN(ASTM);
@@ -200,20 +200,20 @@ enum sieve_series
 sieve_name_series(const char *text)
 {
 	double value;
-	return read_name(text, &value);
+	return parse_sieve_name(text, &value);
 }
 
 double
 sieve_name_mm(const char *text, enum sieve_series head)
 {
 	double value;
-	enum sieve_series series = read_name(text, &value);
+	enum sieve_series series = parse_sieve_name(text, &value);
 	bool bare = series == SIEVE_NONE;
 	if (bare || (series == SIEVE_MESH && head != SIEVE_NONE)) {
 		const char *p = text + strspn(text, " ");
 		if (bare && head != SIEVE_NONE &&
 		    isdigit((unsigned char)p[*p == '.']))
-			value = read_mixed_fraction(&p);
+			value = parse_mixed_fraction(&p);
 		if (bare && (head == SIEVE_NONE || p[strspn(p, " ")] != '\0' ||
 				isnan(value)))
 			return 0;
@@ -221,16 +221,16 @@ sieve_name_mm(const char *text, enum sieve_series head)
 			     ? SIEVE_INCH
 			     : head;
 	}
-	double inches = find_astm(SIEVE_INCH, value);
+	double inches = find_astm_opening(SIEVE_INCH, value);
 	switch (series) {
 	case SIEVE_TYLER:
-		return find_mesh(TYLER, ARRAY_LEN(TYLER), value);
+		return find_mesh_opening(TYLER, ARRAY_LEN(TYLER), value);
 	case SIEVE_BS:
-		return find_mesh(BS, ARRAY_LEN(BS), value);
+		return find_mesh_opening(BS, ARRAY_LEN(BS), value);
 	case SIEVE_INCH:
 		return bare && isnan(inches) ? mm_of_inches(value) : inches;
 	case SIEVE_ASTM:
-		return find_astm(SIEVE_ASTM, value);
+		return find_astm_opening(SIEVE_ASTM, value);
 	default:
 		return NAN;
 	}
@@ -260,7 +260,7 @@ char *
 sieve_nearest_names(const char *text)
 {
 	double wanted;
-	bool inches = read_name(text, &wanted) == SIEVE_INCH;
+	bool inches = parse_sieve_name(text, &wanted) == SIEVE_INCH;
 	size_t finer = inches ? 0 : N_INCHES, end = ARRAY_LEN(ASTM);
 	while (finer < (inches ? N_INCHES : end) &&
 	       (inches ? ASTM[finer].number >= wanted
@@ -268,13 +268,13 @@ sieve_nearest_names(const char *text)
 		finer++;
 	char *list = xstrdup("");
 	for (size_t i = finer > 0 ? finer - 1 : 0; i < end && i <= finer; i++)
-		xlist(
+		xappend_to_list(
 		    &list, " and ", tr("%s (%g mm)"), ASTM[i].name, ASTM[i].mm);
 	return list;
 }
 
 struct sieve_unit
-sieve_unit_of(uint64_t means)
+sieve_unit_from_words(uint64_t means)
 {
 	struct sieve_unit unit = {0, SIEVE_NONE};
 	if ((means & WORD_MM) != 0)
@@ -309,7 +309,7 @@ is_pan(const char *text)
 	size_t unknown;
 	double below;
 	/* -0.063 is below that sieve; what is coarser may be phi. */
-	if (text[0] == '-' && text_number(text + 1, &below))
+	if (text[0] == '-' && text_parse_number(text + 1, &below))
 		return below > 0 && below < LEAST_PHI;
 	if (text[0] == '<') {
 		const char *rest = text + 1 + strspn(text + 1, " ");
@@ -339,19 +339,20 @@ sieve_size_cut_unit(
 	if (at == 0 || at == n || strchr(cell->text + at, '/') != NULL)
 		return 0;
 	struct sieve_unit unit =
-	    sieve_unit_of(lexicon_meanings(cell->text + at, &unknown));
+	    sieve_unit_from_words(lexicon_meanings(cell->text + at, &unknown));
 	if (unknown > 0 || unit.mm == 0)
 		return 0;
 	memcpy(copy, cell->text, at);
 	copy[at] = '\0';
-	*cell = number_cell(sheet, *cell, copy);
+	*cell = number_cell_from_text(sheet, *cell, copy);
 	return unit.mm;
 }
 
 /* Makes the cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16"
  * or "-16 +11.2", or the size in "> 22,4" or "+22.4". */
 static bool
-cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
+cut_class_to_one_size(
+    const struct sheet *sheet, struct cell *cell, char copy[static 40])
 {
 	size_t n = strlen(cell->text);
 	if (cell->kind != CELL_TEXT || n >= 40)
@@ -362,14 +363,14 @@ cut_class(const struct sheet *sheet, struct cell *cell, char copy[static 40])
 	char *first = copy + (signs ? 1 : strspn(copy, "> "));
 	char *cut = strpbrk(first, signs ? "+-" : "/-");
 	if (cut == NULL && first > copy && sign != '-') {
-		*cell = number_cell(sheet, *cell, first);
+		*cell = number_cell_from_text(sheet, *cell, first);
 		return cell->value == AS_NUMBER;
 	}
 	if (cut == NULL || cut == first || cut[0] == sign)
 		return false;
 	*cut = '\0';
-	struct cell a = number_cell(sheet, *cell, text_trim(first)),
-		    b = number_cell(sheet, *cell, text_trim(cut + 1));
+	struct cell a = number_cell_from_text(sheet, *cell, text_trim(first)),
+		    b = number_cell_from_text(sheet, *cell, text_trim(cut + 1));
 	if (a.value != AS_NUMBER || b.value != AS_NUMBER ||
 	    a.number == b.number)
 		return false;
@@ -381,7 +382,7 @@ bool
 sieve_size_is_class(const struct sheet *sheet, struct cell cell)
 {
 	char copy[40];
-	return cut_class(sheet, &cell, copy);
+	return cut_class_to_one_size(sheet, &cell, copy);
 }
 
 /* Converts a size to mm, with 9 decimals; unit: mm, or 0 for mm. */
@@ -392,8 +393,8 @@ mm_from_unit(double value, double unit)
 }
 
 enum sieve_kind
-sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
-    double *mm)
+sieve_read_size(const struct sheet *sheet, struct cell cell,
+    struct sieve_unit unit, double *mm)
 {
 	char copy[40];
 	double value;
@@ -409,7 +410,8 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	if (is_pan(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
-		if (!number_of(cell, &value) || fabs(value) > SIEVE_MOST_PHI)
+		if (!number_value_of_cell(cell, &value) ||
+		    fabs(value) > SIEVE_MOST_PHI)
 			return SIEVE_IS_NONE;
 		*mm = round(exp2(-value) * 1e9) / 1e9;
 		return SIEVE_IS_SIZE;
@@ -421,9 +423,9 @@ sieve_size(const struct sheet *sheet, struct cell cell, struct sieve_unit unit,
 	}
 	char bounds[40];
 	if (unit.mm > 0 && unit.series == SIEVE_NONE)
-		cut_class(sheet, &cell, bounds);
+		cut_class_to_one_size(sheet, &cell, bounds);
 	double own = sieve_size_cut_unit(sheet, &cell, copy);
-	if (!number_of(cell, &value) || value < 0)
+	if (!number_value_of_cell(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;

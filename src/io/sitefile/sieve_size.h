@@ -57,16 +57,17 @@ enum { SIEVE_MOST_PHI = 10 };
 enum sieve_kind { SIEVE_IS_NONE, SIEVE_IS_PAN, SIEVE_IS_SIZE };
 
 /* Returns the unit that the words of a heading mean, see lexicon.h. */
-struct sieve_unit sieve_unit_of(uint64_t means);
+struct sieve_unit sieve_unit_from_words(uint64_t means);
 
 /* Returns the kind of a cell and, for SIEVE_IS_SIZE, its opening, mm to 9
  * decimals, or NAN if it has the form of a name but there is no such sieve.
  * Numbers without a unit are in mm unless the heading states another unit. */
-enum sieve_kind sieve_size(const struct sheet *sheet, struct cell cell,
+enum sieve_kind sieve_read_size(const struct sheet *sheet, struct cell cell,
     struct sieve_unit unit, double *mm);
 
 /* True if a cell is a class between two sieves, "11,2/16", or above one, ">
- * 22,4".  sieve_size then returns the lower sieve if the unit is a length. */
+ * 22,4".  sieve_read_size then returns the lower sieve if the unit is a length.
+ */
 bool sieve_size_is_class(const struct sheet *sheet, struct cell cell);
 
 #endif

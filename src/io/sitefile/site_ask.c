@@ -48,14 +48,14 @@ add_sieve_column(struct layout_range *range, size_t number)
 }
 
 bool
-names_read(struct names *names, const char *columns, struct layout_range *range,
-    struct error *error)
+names_parse_columns(struct names *names, const char *columns,
+    struct layout_range *range, struct error *error)
 {
 	if (columns == NULL)
 		return true;
 	FREED char *copy = xstrdup(columns);
 	char *rest = copy;
-	for (char *part; (part = samples_next_part(&rest)) != NULL;)
+	for (char *part; (part = samples_next_item(&rest)) != NULL;)
 		if (!add_column_name(names, part, error))
 			return false;
 	for (size_t i = 0; i < names->n; i++) {
@@ -78,7 +78,7 @@ names_read(struct names *names, const char *columns, struct layout_range *range,
 }
 
 uint64_t
-names_apply(const struct names *names, struct table *t)
+names_apply_to_table(const struct names *names, struct table *t)
 {
 	if (names->n == 0)
 		return 0;
@@ -87,7 +87,7 @@ names_apply(const struct names *names, struct table *t)
 		if (names->number[i] == t->number[0])
 			sieve = lexicon_meanings(names->text[i], NULL);
 	if (names->others)
-		layout_set_names(t, names->number,
+		layout_set_headings(t, names->number,
 		    (const char *const *)names->text, names->n);
 	return sieve;
 }
@@ -102,12 +102,12 @@ names_clear(struct names *names)
 }
 
 bool
-range_read(const char *text, struct layout_range *range, struct error *error)
+range_parse(const char *text, struct layout_range *range, struct error *error)
 {
 	struct site_box box;
 	if (text == NULL)
 		return true;
-	if (!site_box_read(text, &box))
+	if (!site_box_parse(text, &box))
 		return error_set(error, ERROR_USAGE,
 		    "expected a range such as A3:F20, got '%s'\n"
 		    "the first is the cell at the top left, the second the one "
@@ -121,13 +121,13 @@ range_read(const char *text, struct layout_range *range, struct error *error)
 }
 
 void
-site_ask_find_open_numbers(struct open *open, const struct table *t)
+site_ask_find_ambiguous_number(struct open *open, const struct table *t)
 {
 	if (t->sheet->open.text == NULL || open->number.text != NULL)
 		return;
 	for (size_t r = 0; r < t->n_row; r++)
 		for (size_t c = 0; c < t->n_col; c++)
-			if (number_is_open(t->sheet, t->row[r].cell[c])) {
+			if (number_is_ambiguous(t->sheet, t->row[r].cell[c])) {
 				open->number = t->row[r].cell[c];
 				return;
 			}
@@ -135,36 +135,38 @@ site_ask_find_open_numbers(struct open *open, const struct table *t)
 
 /* "100, 97.8, 92.9": the first cells of a column. */
 static char *
-first_values(const struct table *t, size_t at)
+first_values_text(const struct table *t, size_t at)
 {
 	char *list = xstrdup("");
 	for (size_t r = 0, n = 0; r < t->n_row && n < 4; r++) {
 		const char *text = t->row[r].cell[at].text;
 		if (text[0] == '\0')
 			continue;
-		xlist(&list, " ", "%.*s", sheet_cut_length(text), text);
+		xappend_to_list(
+		    &list, " ", "%.*s", sheet_bytes_to_show(text), text);
 		n++;
 	}
 	return list;
 }
 
 static void
-add_question(struct site_ask *ask, const struct table *t, size_t at,
+add_column_to_question(struct site_ask *ask, const struct table *t, size_t at,
     const struct cell *head, char *guess, bool open)
 {
 	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
-	ask->column[ask->n++] = (struct site_ask_column){
-	    .number = t->number[at],
-	    .head = xstrndup(head->text, (size_t)sheet_cut_length(head->text)),
-	    .values = first_values(t, at),
-	    .guess = guess,
-	    .open = open};
+	ask->column[ask->n++] =
+	    (struct site_ask_column){.number = t->number[at],
+		.head = xstrndup(
+		    head->text, (size_t)sheet_bytes_to_show(head->text)),
+		.values = first_values_text(t, at),
+		.guess = guess,
+		.open = open};
 }
 
 /* True if samples are better identified by name: those of a long table, whose
  * columns have no numbers of their own, or many samples. */
 static bool
-has_sample_names(
+is_better_asked_by_sample(
     struct table *const *table, size_t n_table, const struct columns *all)
 {
 	enum { FEW = 6 };
@@ -175,10 +177,11 @@ has_sample_names(
 		unknown += c->twin == 0 && c->role != FEED && !(c->speed > 0);
 	}
 	if (n_table > 1 || (t->name == NULL && unknown <= FEW) ||
-	    !samples_are_apart(t))
+	    !samples_have_distinct_names(t))
 		return false;
 	for (size_t i = 0; i < all->n; i++) {
-		FREED char *label = samples_label(t, all->column[i].at);
+		FREED char *label =
+		    samples_label_of_column(t, all->column[i].at);
 		if (label[0] == '\0' || strpbrk(label, "\",=") != NULL)
 			return false;
 	}
@@ -186,7 +189,7 @@ has_sample_names(
 }
 
 static bool
-has_feed(const struct columns *all)
+has_feed_column(const struct columns *all)
 {
 	size_t i = 0;
 	while (i < all->n && all->column[i].role != FEED)
@@ -197,9 +200,9 @@ has_feed(const struct columns *all)
 /* Describes what a column seems to be; the first without a role is the feed if
  * there is no other, and then sets *feed. */
 static char *
-guess_words(const struct column *c, bool *feed)
+describe_guessed_role(const struct column *c, bool *feed)
 {
-	char *words = classify_column_text(c);
+	char *words = classify_describe_column(c);
 	if (*feed || c->role != NO_ROLE)
 		return words;
 	*feed = true;
@@ -215,24 +218,24 @@ list_samples_to_name(struct site_ask *ask, const struct table *t,
 {
 	struct cell head = site_sieve_heading(t);
 	FREED char *text = xstrdup("");
-	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
 	if (sieves)
 		xappend(
 		    &ask->settle, "columns=\"%zu=%s\" ", t->number[0], sieve);
-	add_question(ask, t, 0, &head, sieve, sieves);
-	bool feed = has_feed(all);
+	add_column_to_question(ask, t, 0, &head, sieve, sieves);
+	bool feed = has_feed_column(all);
 	size_t shown = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;
-		char *guess = guess_words(c, &feed);
-		head.text = samples_label(t, c->at);
+		char *guess = describe_guessed_role(c, &feed);
+		head.text = samples_label_of_column(t, c->at);
 		const char *from = strchr(guess, '@');
 		if (shown++ < 2)
-			xlist(&text, ", ", "%s=%s", head.text,
+			xappend_to_list(&text, ", ", "%s=%s", head.text,
 			    from != NULL ? from : guess);
-		add_question(ask, t, c->at, &head, guess, c->open);
+		add_column_to_question(ask, t, c->at, &head, guess, c->open);
 		free(head.text);
 	}
 	xappend(&ask->settle, "samples=\"%s\"", text);
@@ -244,27 +247,30 @@ static void
 list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
-	if (has_sample_names(table, n_table, all)) {
+	if (is_better_asked_by_sample(table, n_table, all)) {
 		ask->settle = xstrdup("");
 		list_samples_to_name(ask, table[0], all, sieves);
 		return;
 	}
 	FREED char *text = xstrdup("");
-	bool feed = has_feed(all);
+	bool feed = has_feed_column(all);
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
 		struct cell head = site_sieve_heading(t);
-		char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+		char *sieve =
+		    xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
 		ask->across = t->across;
-		xlist(&text, ", ", "%zu=%s", t->number[0], sieve);
-		add_question(ask, t, 0, &head, sieve, sieves);
+		xappend_to_list(&text, ", ", "%zu=%s", t->number[0], sieve);
+		add_column_to_question(ask, t, 0, &head, sieve, sieves);
 		for (size_t i = 0; i < all->n; i++) {
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)
 				continue;
-			char *guess = guess_words(c, &feed);
-			xlist(&text, ", ", "%zu=%s", t->number[c->at], guess);
-			add_question(ask, t, c->at, &c->head, guess, c->open);
+			char *guess = describe_guessed_role(c, &feed);
+			xappend_to_list(
+			    &text, ", ", "%zu=%s", t->number[c->at], guess);
+			add_column_to_question(
+			    ask, t, c->at, &c->head, guess, c->open);
 		}
 	}
 	ask->settle = xasprintf("columns=\"%s\"", text);
@@ -272,13 +278,13 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 
 /* Returns the files and options of the request, as `load` takes them. */
 static char *
-list_files(const struct site_request *q, const char *settle)
+list_files_and_options(const struct site_request *q, const char *settle)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
 		bool quote = strpbrk(q->path[i], " \t;#'|>") != NULL;
-		xlist(&list, " ", "%s%s%s", quote ? "\"" : "", q->path[i],
-		    quote ? "\"" : "");
+		xappend_to_list(&list, " ", "%s%s%s", quote ? "\"" : "",
+		    q->path[i], quote ? "\"" : "");
 		if (q->speed != NULL && q->speed[i] > 0)
 			xappend(&list, "@%g", q->speed[i]);
 	}
@@ -303,12 +309,12 @@ list_files(const struct site_request *q, const char *settle)
 /* Returns the line that loads the files with the answer.  Where a sheet is only
  * read for its feed, these options do not exist: the sheet is written anew. */
 static char *
-line_with_answers(const struct site_request *q, const char *settle)
+load_command_with_answer(const struct site_request *q, const char *settle)
 {
-	FREED char *files = list_files(q, settle);
+	FREED char *files = list_files_and_options(q, settle);
 	char *line =
 	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
-	const char *name = file_name(q->path[0]);
+	const char *name = file_name_without_folders(q->path[0]);
 	if (q->feed)
 		xappend(&line, "; write \"%.*s-read.csv\"",
 		    (int)strcspn(name, "."), name);
@@ -316,7 +322,7 @@ line_with_answers(const struct site_request *q, const char *settle)
 }
 
 static const char *
-hint_for_feed(const struct site_request *q)
+hint_to_write_feed_again(const struct site_request *q)
 {
 	return q->feed ? tr(", and write it again for feed=") : "";
 }
@@ -330,10 +336,11 @@ refuse_with_question(const struct site_request *q, const struct table *t,
 	va_start(ap, what);
 	FREED char *said = xvasprintf(what, ap);
 	va_end(ap);
-	FREED char *line = line_with_answers(q, ask->settle);
+	FREED char *line = load_command_with_answer(q, ask->settle);
 	return !error_at(error_add(t->sheet->errors), ERROR_DATA,
 	    t->sheet->path, where.line, where.column,
-	    "%s\nsay what it is%s: %s", said, hint_for_feed(q), line);
+	    "%s\nsay what it is%s: %s", said, hint_to_write_feed_again(q),
+	    line);
 }
 
 /* Tables [n] of one sheet in order, the columns of all, and the proposed range
@@ -346,7 +353,7 @@ struct tables {
 
 /* True if a table has only products whose speeds are known. */
 static bool
-has_products(const struct table *t, const struct columns *all)
+has_only_products(const struct table *t, const struct columns *all)
 {
 	size_t products = 0;
 	for (size_t i = 0; i < all->n; i++) {
@@ -361,7 +368,7 @@ has_products(const struct table *t, const struct columns *all)
 }
 
 static bool
-tables_have_feed(const struct table *t, const struct columns *all)
+has_feed_in_table(const struct table *t, const struct columns *all)
 {
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].table == t && all->column[i].role == FEED)
@@ -372,16 +379,17 @@ tables_have_feed(const struct table *t, const struct columns *all)
 /* True if table k may belong to the site whose feed is in table `feed`.  like:
  * a table of products that does, or NULL. */
 static bool
-is_table_of_site(
+is_table_of_same_site(
     const struct tables *s, size_t k, size_t feed, const struct table *like)
 {
 	const struct table *t = s->table[k];
-	if (!has_products(t, s->all) || title_is_limit(t))
+	if (!has_only_products(t, s->all) || title_is_of_limits_or_mean(t))
 		return false;
-	FREED char *line = title_line(s->table[feed]), *own = title_line(t);
+	FREED char *line = title_feed_or_last_line(s->table[feed]),
+		   *own = title_feed_or_last_line(t);
 	bool same = !title_names_differ(line, own);
 	return same && (like == NULL || (!t->strange && !like->strange) ||
-			   title_is_like(like, t));
+			   title_differs_only_in_speed(like, t));
 }
 
 /* Proposes the tables that are most likely one site: the first with a feed, and
@@ -391,26 +399,26 @@ propose_tables(struct tables *s)
 {
 	size_t feed = 0;
 	const struct table *like = NULL;
-	while (feed < s->n && !tables_have_feed(s->table[feed], s->all))
+	while (feed < s->n && !has_feed_in_table(s->table[feed], s->all))
 		feed++;
 	feed = feed < s->n ? feed : 0;
 	s->first = s->last = feed;
-	if (!tables_have_feed(s->table[feed], s->all))
+	if (!has_feed_in_table(s->table[feed], s->all))
 		return;
 	while (s->last + 1 < s->n &&
-	       is_table_of_site(s, s->last + 1, feed, like)) {
+	       is_table_of_same_site(s, s->last + 1, feed, like)) {
 		s->last++;
 		like = s->table[s->last];
 	}
 	while (s->last == feed && s->first > 0 &&
-	       is_table_of_site(s, s->first - 1, feed, like)) {
+	       is_table_of_same_site(s, s->first - 1, feed, like)) {
 		s->first--;
 		like = s->table[s->first];
 	}
 }
 
 static void
-box_extend(struct site_box *box, const struct row *row, size_t n)
+extend_box_by_row(struct site_box *box, const struct row *row, size_t n)
 {
 	for (size_t r = 0; r < n; r++) {
 		int line = row[r].line;
@@ -422,7 +430,7 @@ box_extend(struct site_box *box, const struct row *row, size_t n)
 /* Returns the cells of the first n_row rows of a table; its whole lines if the
  * sieves are in one row. */
 static struct site_box
-table_box(const struct table *t, size_t n_row)
+box_of_table_rows(const struct table *t, size_t n_row)
 {
 	struct site_box box = {0};
 	int least = (int)t->number[0], most = least, wide = 1;
@@ -437,10 +445,10 @@ table_box(const struct table *t, size_t n_row)
 				wide = (int)t->sheet->row[r].n_all;
 		return (struct site_box){least, 1, most, wide};
 	}
-	box_extend(&box, t->head, t->n_head);
-	box_extend(&box, t->row, n_row);
+	extend_box_by_row(&box, t->head, t->n_head);
+	extend_box_by_row(&box, t->row, n_row);
 	if (n_row == t->n_row)
-		box_extend(&box, t->foot, t->n_foot);
+		extend_box_by_row(&box, t->foot, t->n_foot);
 	box.left = least;
 	box.right = most;
 	return box;
@@ -448,19 +456,19 @@ table_box(const struct table *t, size_t n_row)
 
 /* Describes what a table seems to contain: "feed, product@69". */
 static char *
-tables_contents(const struct table *t, const struct columns *all)
+describe_table_contents(const struct table *t, const struct columns *all)
 {
 	enum { MOST = 3 };
 	size_t n = 0;
 	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n && !title_is_limit(t); i++) {
+	for (size_t i = 0; i < all->n && !title_is_of_limits_or_mean(t); i++) {
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
 			continue;
-		FREED char *words = classify_column_text(c);
+		FREED char *words = classify_describe_column(c);
 		words[strcspn(words, " ")] = '\0';
 		if (n++ < MOST)
-			xlist(&list, ", ", "%s",
+			xappend_to_list(&list, ", ", "%s",
 			    strstr(words, "@SPEED") != NULL
 				? SITE_ROLES[c->role]
 				: words);
@@ -469,8 +477,8 @@ tables_contents(const struct table *t, const struct columns *all)
 		xappend(&list, ", ..");
 	if (n == 0)
 		xappend(&list, "%s",
-		    title_is_limit(t) ? tr("limits or a mean")
-				      : tr("not said"));
+		    title_is_of_limits_or_mean(t) ? tr("limits or a mean")
+						  : tr("not said"));
 	return list;
 }
 
@@ -485,15 +493,16 @@ list_tables(const struct tables *s, struct site_ask *ask)
 	ask->column = xcalloc(s->n, sizeof *ask->column);
 	for (size_t i = 0; i < s->n; i++) {
 		const struct table *t = s->table[i];
-		struct site_box box = table_box(t, t->n_row);
-		FREED char *line = title_line(t);
+		struct site_box box = box_of_table_rows(t, t->n_row);
+		FREED char *line = title_feed_or_last_line(t);
 		ask->column[i] = (struct site_ask_column){.number = i + 1,
-		    .head = xstrndup(line, (size_t)sheet_cut_length(line)),
+		    .head = xstrndup(line, (size_t)sheet_bytes_to_show(line)),
 		    .values = xasprintf(tr("%d to %d"), box.top, box.bottom),
-		    .guess = tables_contents(t, s->all),
+		    .guess = describe_table_contents(t, s->all),
 		    .box = box};
 	}
-	FREED char *range = site_box_text(site_ask_box(ask, s->first, s->last));
+	FREED char *range =
+	    site_box_text(site_ask_box_of_tables(ask, s->first, s->last));
 	ask->settle = xasprintf("range=%s", range);
 }
 
@@ -514,7 +523,7 @@ table_with_second_feed(const struct columns *all)
 }
 
 static bool
-ask_table(const struct site_request *q, struct table *const *table,
+ask_which_table(const struct site_request *q, struct table *const *table,
     size_t n_table, const struct table *second, const struct columns *all,
     struct site_ask *ask)
 {
@@ -525,7 +534,7 @@ ask_table(const struct site_request *q, struct table *const *table,
 	if (strcmp(first->sheet->path, second->sheet->path) != 0) {
 		FREED char *files = xstrdup("");
 		for (size_t i = 0; i < q->n; i++)
-			xlist(&files, " ", "%s@SPEED", q->path[i]);
+			xappend_to_list(&files, " ", "%s@SPEED", q->path[i]);
 		sheet_fault(second->sheet, second->row[0].cell[0],
 		    "expected one feed, got one in each of several files\n"
 		    "give each the tip speed of its samples: load %s",
@@ -546,12 +555,12 @@ ask_table(const struct site_request *q, struct table *const *table,
 }
 
 static bool
-ask_which_sieves(
+ask_about_sieves_listed_twice(
     const struct open *open, const struct site_request *q, struct site_ask *ask)
 {
 	const struct table *t = open->twice;
 	struct cell again = t->row[open->again].cell[0];
-	FREED char *range = site_box_text(table_box(t, open->end));
+	FREED char *range = site_box_text(box_of_table_rows(t, open->end));
 	ask->settle = xasprintf("range=%s", range);
 	return refuse_with_question(q, t, again, ask,
 	    tr("expected one table, got the sieves from %s on a second time"),
@@ -562,7 +571,7 @@ ask_which_sieves(
  * proposes the one with most sieves, from which the others may be extracts.
  * False if there is one table, or something distinguishes them. */
 static bool
-guess_largest(struct tables *s)
+guess_largest_table(struct tables *s)
 {
 	bool below = false;
 	for (size_t i = 0; i < s->all->n; i++)
@@ -591,7 +600,7 @@ guess_largest(struct tables *s)
 /* The only number of a column that is more than 100, if the others can be
  * percentages; or NULL. */
 static const struct cell *
-above_100(const struct column *c)
+only_number_above_100(const struct column *c)
 {
 	const struct table *t = c->table;
 	const struct cell *above = NULL;
@@ -599,7 +608,7 @@ above_100(const struct column *c)
 	for (size_t r = 0; r < t->n_row; r++) {
 		double v;
 		const struct cell *cell = &t->row[r].cell[c->at];
-		if (!number_of(*cell, &v))
+		if (!number_value_of_cell(*cell, &v))
 			continue;
 		n++;
 		v /= 1 + 1e-9;
@@ -615,11 +624,12 @@ above_100(const struct column *c)
 
 /* Suggests @SPEED after a file: numbers of columns do not distinguish files. */
 static void
-hint_speed(const struct site_request *q, const char *path, struct error *error)
+suggest_speed_of_file(
+    const struct site_request *q, const char *path, struct error *error)
 {
 	FREED char *files = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
-		xlist(&files, " ", "%s", q->path[i]);
+		xappend_to_list(&files, " ", "%s", q->path[i]);
 		if (q->speed != NULL && q->speed[i] > 0)
 			xappend(&files, "@%g", q->speed[i]);
 		else if (strcmp(q->path[i], path) == 0)
@@ -630,30 +640,30 @@ hint_speed(const struct site_request *q, const char *path, struct error *error)
 
 /* Asks about the first open column and, if need be, its speed. */
 static bool
-ask_column(const struct site_request *q, const struct column *first, bool alone,
-    struct site_ask *ask)
+ask_about_open_column(const struct site_request *q, const struct column *first,
+    bool alone, struct site_ask *ask)
 {
 	const struct table *t = first->table;
 	struct error *error = &t->sheet->errors->item[0];
-	FREED char *values = first_values(t, first->at);
+	FREED char *values = first_values_text(t, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
-	const struct cell *above = above_100(first);
+	const struct cell *above = only_number_above_100(first);
 	if (above != NULL)
 		return refuse_with_question(q, t, *above, ask,
 		    tr("expected at most 100 %% passing, got '%.*s': column "
 		       "%zu has no other number above 100; correct it if it is "
 		       "a typing error"),
-		    sheet_cut_length(above->text), above->text,
+		    sheet_bytes_to_show(above->text), above->text,
 		    t->number[first->at]);
 	refuse_with_question(q, t, first->head, ask,
 	    speed ? tr("expected headings and numbers that tell what column "
 		       "%zu is, and its tip speed, got '%.*s' above %s")
 		  : tr("expected headings and numbers that tell what column "
 		       "%zu is, got '%.*s' above %s"),
-	    t->number[first->at], sheet_cut_length(first->head.text),
+	    t->number[first->at], sheet_bytes_to_show(first->head.text),
 	    first->head.text, values);
 	if (q->n > 1 && speed && !q->parts)
-		hint_speed(q, t->sheet->path, error);
+		suggest_speed_of_file(q, t->sheet->path, error);
 	if (q->parts && speed && q->n == 1 && alone)
 		error_hint(error,
 		    "say its speed: add %s@SPEED, or with a log its time: add "
@@ -663,7 +673,7 @@ ask_column(const struct site_request *q, const struct column *first, bool alone,
 }
 
 static bool
-ask_decimal(const struct open *open, const struct site_request *q,
+ask_decimal_sign(const struct open *open, const struct site_request *q,
     const struct table *t, struct site_ask *ask)
 {
 	ask->settle = xstrdup("decimal=point|comma");
@@ -674,7 +684,7 @@ ask_decimal(const struct open *open, const struct site_request *q,
 }
 
 bool
-site_ask_open(const struct open *open, const struct site_request *q,
+site_ask_pending_question(const struct open *open, const struct site_request *q,
     struct table *const *table, size_t n_table, const struct columns *all,
     struct site_ask *ask)
 {
@@ -684,12 +694,12 @@ site_ask_open(const struct open *open, const struct site_request *q,
 			second = table[i];
 	const struct column *first = NULL;
 	if (open->twice != NULL)
-		return ask_which_sieves(open, q, ask);
+		return ask_about_sieves_listed_twice(open, q, ask);
 	for (size_t i = 0; i < all->n; i++)
 		if (all->column[i].open && first == NULL)
 			first = &all->column[i];
 	if (open->number.text != NULL)
-		return ask_decimal(open, q, table[0], ask);
+		return ask_decimal_sign(open, q, table[0], ask);
 	if (open->rotor) {
 		ask->settle = xstrdup("rotor_mm=DIAMETER");
 		return refuse_with_question(q, table[0],
@@ -698,9 +708,9 @@ site_ask_open(const struct open *open, const struct site_request *q,
 		       "rotor's diameter"));
 	}
 	if (second != NULL)
-		return ask_table(q, table, n_table, second, all, ask);
+		return ask_which_table(q, table, n_table, second, all, ask);
 	struct tables tables = {.table = table, .n = n_table, .all = all};
-	if (guess_largest(&tables)) {
+	if (guess_largest_table(&tables)) {
 		const struct table *most = tables.table[tables.first];
 		list_tables(&tables, ask);
 		return refuse_with_question(q, most, most->row[0].cell[0], ask,
@@ -715,11 +725,11 @@ site_ask_open(const struct open *open, const struct site_request *q,
 		    table[0]->row[0].cell[0], ask,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
-	return ask_column(q, first, all->n == 1, ask);
+	return ask_about_open_column(q, first, all->n == 1, ask);
 }
 
 void
-site_ask_top(
+site_ask_top_size(
     const struct column *c, const struct site_request *q, struct site_ask *ask)
 {
 	const struct table *t = c->table;
@@ -739,13 +749,13 @@ site_ask_top(
 				"as much is coarser)"),
 		       coarser, further)
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
-	FREED char *line = line_with_answers(q, settle);
+	FREED char *line = load_command_with_answer(q, settle);
 	sheet_fault(t->sheet, t->row[at].cell[c->at],
 	    "the coarsest sieve, %g mm, passes %s %% of the feed, as is usual: "
 	    "which size does all of it pass?\n"
 	    "take %s%s: %s",
-	    t->mm[at], site_column_pct(c, at, 100, p), passes, hint_for_feed(q),
-	    line);
+	    t->mm[at], site_column_passing_text(c, at, 100, p), passes,
+	    hint_to_write_feed_again(q), line);
 	if (alone) {
 		ask->settle = settle;
 		ask->further = further;
@@ -755,26 +765,27 @@ site_ask_top(
 }
 
 void
-site_ask_one_feed(const struct column *further, const struct columns *all,
-    const struct site_request *q)
+site_ask_refuse_second_feed(const struct column *further,
+    const struct columns *all, const struct site_request *q)
 {
 	const struct table *t = further->table;
 	const struct column *first = site_column_find(all, FEED, 0, 0);
-	FREED char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit(t));
+	FREED char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
 	FREED char *columns =
 	    xasprintf("columns=\"%zu=%s", t->number[0], sieve);
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		bool other = c->role == FEED && c != first;
-		FREED char *words = classify_column_text(c);
+		FREED char *words = classify_describe_column(c);
 		if (c->table == t && c->twin == 0 && !other)
 			xappend(&columns, ", %zu=%s", t->number[c->at], words);
 	}
 	xappend(&columns, "\"");
-	FREED char *line = line_with_answers(q, columns);
+	FREED char *line = load_command_with_answer(q, columns);
 	sheet_fault(t->sheet, further->head,
 	    "expected one feed, or a feed at the left of each product, got %s "
 	    "beside %s\n"
 	    "keep the first%s: %s",
-	    further->head.text, first->head.text, hint_for_feed(q), line);
+	    further->head.text, first->head.text, hint_to_write_feed_again(q),
+	    line);
 }

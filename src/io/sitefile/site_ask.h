@@ -19,16 +19,16 @@ struct names {
 /* Parses "1=sieve um, 3=feed retained_g" (NULL: no column is named) and notes
  * the column of the sieves in *range.  On failure, returns false with a usage
  * error. */
-bool names_read(struct names *names, const char *columns,
+bool names_parse_columns(struct names *names, const char *columns,
     struct layout_range *range, struct error *error);
 
 /* Sets a table's headings to the names and returns the meanings of the sieve
  * heading, or 0. */
-uint64_t names_apply(const struct names *names, struct table *t);
+uint64_t names_apply_to_table(const struct names *names, struct table *t);
 void names_clear(struct names *names);
 
 /* Parses "A3:F20"; NULL means the whole sheet. */
-bool range_read(
+bool range_parse(
     const char *text, struct layout_range *range, struct error *error);
 
 /* The open questions.  number: a cell whose sign could be decimal or separate
@@ -43,22 +43,22 @@ struct open {
 };
 
 /* Notes the first number of the table with an open sign. */
-void site_ask_find_open_numbers(struct open *open, const struct table *t);
+void site_ask_find_ambiguous_number(struct open *open, const struct table *t);
 
 /* If a question is open, reports it as one fault, copies it to *ask and returns
  * true. */
-bool site_ask_open(const struct open *open, const struct site_request *request,
-    struct table *const *table, size_t n_table, const struct columns *all,
-    struct site_ask *ask);
+bool site_ask_pending_question(const struct open *open,
+    const struct site_request *request, struct table *const *table,
+    size_t n_table, const struct columns *all, struct site_ask *ask);
 
 /* If the coarsest sieve passes less than 100 % of the feed, asks which size all
  * of it passes: adds a fault and, if it is the only one, fills *ask. */
-void site_ask_top(const struct column *c, const struct site_request *request,
-    struct site_ask *ask);
+void site_ask_top_size(const struct column *c,
+    const struct site_request *request, struct site_ask *ask);
 
 /* Adds the fault of a further feed of the same products; its hint keeps the
  * first feed. */
-void site_ask_one_feed(const struct column *further, const struct columns *all,
-    const struct site_request *request);
+void site_ask_refuse_second_feed(const struct column *further,
+    const struct columns *all, const struct site_request *request);
 
 #endif

@@ -36,7 +36,7 @@ const struct site_unit SITE_UNITS[SITE_N_UNIT] = {
 };
 
 size_t
-site_unit_find(enum unit_kind kind, enum unit_scale scale)
+site_unit_index(enum unit_kind kind, enum unit_scale scale)
 {
 	size_t i = 0;
 	while (i < SITE_N_UNIT &&
@@ -45,21 +45,22 @@ site_unit_find(enum unit_kind kind, enum unit_scale scale)
 	return i < SITE_N_UNIT ? i : 0;
 }
 
-/* Speeds nearer than this, m/s, are one run, as for site_run_at. */
+/* Speeds nearer than this, m/s, are one run, as for site_run_at_speed. */
 static const double SAME_SPEED = 1e-3;
 
 static bool
-site_column_is_of(const struct column *c, enum role role, double speed)
+has_role_and_speed(const struct column *c, enum role role, double speed)
 {
 	return c->role == role && fabs(c->speed - speed) <= SAME_SPEED;
 }
 
 size_t
-site_column_repeats(const struct columns *all, enum role role, double speed)
+site_column_count_repeats(
+    const struct columns *all, enum role role, double speed)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < all->n; i++)
-		n += site_column_is_of(&all->column[i], role, speed);
+		n += has_role_and_speed(&all->column[i], role, speed);
 	return n;
 }
 
@@ -67,9 +68,10 @@ struct column *
 site_column_find(
     const struct columns *all, enum role role, double speed, size_t nth)
 {
-	size_t wanted = site_column_repeats(all, role, speed) > 1 ? nth : 0;
+	size_t wanted =
+	    site_column_count_repeats(all, role, speed) > 1 ? nth : 0;
 	for (size_t i = 0; i < all->n; i++)
-		if (site_column_is_of(&all->column[i], role, speed) &&
+		if (has_role_and_speed(&all->column[i], role, speed) &&
 		    all->column[i].nth == wanted)
 			return &all->column[i];
 	return NULL;
@@ -82,13 +84,13 @@ static const double SUM_TOLERANCE = 0.5;
 static const double MASS_TOLERANCE = 0.01;
 
 double
-site_column_round(double v, double per_unit)
+site_column_round_value(double v, double per_unit)
 {
 	return round(v * per_unit) / per_unit + 0.0;
 }
 
 size_t
-site_column_count(const struct column *c)
+site_column_count_values(const struct column *c)
 {
 	const struct table *t = c->table;
 	size_t n = 0;
@@ -98,12 +100,12 @@ site_column_count(const struct column *c)
 }
 
 const char *
-site_column_pct(
+site_column_passing_text(
     const struct column *c, size_t row, double other, char buf[static 32])
 {
 	double v = c->pct[row];
 	if (SITE_UNITS[c->unit].kind == PASSING)
-		return text_number_unlike(v, other, buf);
+		return text_number_to_tell_apart(v, other, buf);
 	for (int digits = 1; digits <= 9; digits++) {
 		snprintf(buf, 32, "%.*f", digits, v);
 		if (fabs(strtod(buf, NULL) - other) > 0 || v == other)
@@ -118,7 +120,7 @@ head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
 {
 	char speed[32] = "";
 	if (c->speed > 0)
-		text_exact_number(c->speed, speed);
+		text_shortest_exact_number(c->speed, speed);
 	snprintf(buf, 64, "%s%s%s%s", SITE_ROLES[c->role], suffix,
 	    c->speed > 0 ? "@" : "", speed);
 	return buf;
@@ -131,17 +133,17 @@ is_in_mass(const struct column *c)
 }
 
 double
-site_column_raw(const struct column *c, size_t row)
+site_column_raw_number(const struct column *c, size_t row)
 {
 	return c->table->row[row].cell[c->at].number;
 }
 
 static bool
-site_column_in_range(struct column *c, struct cell cell, double v)
+check_value_in_range(struct column *c, struct cell cell, double v)
 {
 	struct sheet *sheet = c->table->sheet;
 	char head[64];
-	if (c->role == SD && (v > 100 || site_column_round(v, 1e12) <= 0))
+	if (c->role == SD && (v > 100 || site_column_round_value(v, 1e12) <= 0))
 		return sheet_fault_expected(sheet, cell,
 		    "a standard deviation above 0, up to 100",
 		    "write it in percentage points of passing");
@@ -161,13 +163,13 @@ site_column_in_range(struct column *c, struct cell cell, double v)
 /* Reads the cell of the pan, which holds what passes all sieves; a curve of
  * passing ends there at 0. */
 static bool
-read_pan(struct column *c, struct cell cell, double v)
+read_pan_cell(struct column *c, struct cell cell, double v)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	bool cumulative = unit->kind == CUMULATIVE;
 	c->pan = v;
 	if (unit->kind == RETAINED || unit->scale == OF_MASS)
-		return site_column_in_range(c, cell, v);
+		return check_value_in_range(c, cell, v);
 	double end = cumulative ? unit->most : 0;
 	if (fabs(v - end) <= 0.01 * unit->most)
 		return true;
@@ -179,7 +181,7 @@ read_pan(struct column *c, struct cell cell, double v)
 }
 
 static void
-read_cells(struct column *c)
+read_column_cells(struct column *c)
 {
 	struct table *t = c->table;
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
@@ -195,11 +197,11 @@ read_cells(struct column *c)
 		if (cell.value == own)
 			v = cell.number;
 		else
-			good = trace ||
-			       number_read(t->sheet, cell, tr("a number"), &v);
+			good = trace || number_read_cell(
+					    t->sheet, cell, tr("a number"), &v);
 		if (good && t->mm[i] <= 0)
-			good = read_pan(c, cell, v);
-		else if (good && (good = site_column_in_range(c, cell, v)))
+			good = read_pan_cell(c, cell, v);
+		else if (good && (good = check_value_in_range(c, cell, v)))
 			c->pct[i] = v;
 		c->faulty = c->faulty || !good;
 	}
@@ -276,7 +278,7 @@ read_foot(const struct column *c, double sum)
 }
 
 static double
-sum_of(const struct column *c)
+sum_of_column(const struct column *c)
 {
 	double sum = isnan(c->pan) ? 0 : c->pan;
 	for (size_t i = 0; i < c->table->n_row; i++)
@@ -287,9 +289,9 @@ sum_of(const struct column *c)
 /* Reads the lines below the table and adds the mass washed out to the pan.
  * False after a fault. */
 static bool
-add_foot_to_pan(struct column *c, struct foot *foot)
+add_washed_mass_to_pan(struct column *c, struct foot *foot)
 {
-	*foot = read_foot(c, sum_of(c));
+	*foot = read_foot(c, sum_of_column(c));
 	if (foot->odd.text != NULL)
 		return sheet_fault(c->table->sheet, foot->odd,
 		    "expected the masses before and after washing, or what was "
@@ -313,7 +315,7 @@ check_stated_total(
 	    "expected %.9g g, the sum of column %s, got %s\n"
 	    "up to %g %% may be lost in sieving: were digits transposed, or a "
 	    "sieve forgotten?",
-	    site_column_round(sum, 1e6), c->head.text, where.text,
+	    site_column_round_value(sum, 1e6), c->head.text, where.text,
 	    100 * MASS_TOLERANCE);
 }
 
@@ -333,11 +335,11 @@ static double
 total_mass(struct column *c)
 {
 	struct foot foot;
-	if (!add_foot_to_pan(c, &foot))
+	if (!add_washed_mass_to_pan(c, &foot))
 		return 0;
 	struct cell where = foot.where;
 	bool weighed = foot.weighed;
-	double total = foot.total, sum = sum_of(c);
+	double total = foot.total, sum = sum_of_column(c);
 	bool cumulative = SITE_UNITS[c->unit].kind == CUMULATIVE;
 	if (cumulative && !isnan(c->pan))
 		return c->pan;
@@ -371,9 +373,9 @@ total_of_shares(struct column *c)
 	char head[64];
 	struct foot foot;
 	double whole = SITE_UNITS[c->unit].most;
-	if (!add_foot_to_pan(c, &foot))
+	if (!add_washed_mass_to_pan(c, &foot))
 		return 0;
-	double sum = sum_of(c), off = (sum - whole) / whole * 100;
+	double sum = sum_of_column(c), off = (sum - whole) / whole * 100;
 	bool pan = !isnan(c->pan);
 	/* What is lost in sieving is missing from the sum. */
 	if (pan && off < -SUM_TOLERANCE && off >= -100 * MASS_TOLERANCE)
@@ -384,7 +386,7 @@ total_of_shares(struct column *c)
 	    "expected retained %s that sum to %g, got %g in column %s\n"
 	    "check the numbers, or change the column heading to %s",
 	    whole > 1 ? tr("percentages") : tr("fractions"), whole,
-	    site_column_round(sum, 1e9), c->head.text,
+	    site_column_round_value(sum, 1e9), c->head.text,
 	    head_with_unit(c, "_cum_retained_pct", head));
 	return 0;
 }
@@ -414,12 +416,12 @@ convert_to_passing(struct column *c)
 			v = 100 * v / unit->most;
 		else
 			v = total > 0 ? 100 * fmax(left, 0) / total : NAN;
-		c->pct[i] = site_column_round(v, 1e12);
+		c->pct[i] = site_column_round_value(v, 1e12);
 	}
 }
 
 static void
-check_rise(struct column *c)
+check_passing_never_rises(struct column *c)
 {
 	struct table *t = c->table;
 	char p[32], q[32], mm[32], other[32];
@@ -434,10 +436,12 @@ check_rise(struct column *c)
 			    "sieve, more passing)\n"
 			    "check this row and that of %s mm: passing cannot "
 			    "rise on a finer sieve",
-			    site_column_pct(c, last, c->pct[i], p),
-			    site_column_pct(c, i, c->pct[last], q),
-			    text_number_unlike(t->mm[i], t->mm[last], mm),
-			    text_number_unlike(t->mm[last], t->mm[i], other));
+			    site_column_passing_text(c, last, c->pct[i], p),
+			    site_column_passing_text(c, i, c->pct[last], q),
+			    text_number_to_tell_apart(
+				t->mm[i], t->mm[last], mm),
+			    text_number_to_tell_apart(
+				t->mm[last], t->mm[i], other));
 		last = i;
 	}
 }
@@ -445,7 +449,7 @@ check_rise(struct column *c)
 /* Notes the coarsest sieve of a feed if it does not pass everything: the size
  * of the largest grains must be known. */
 static void
-check_coarsest(struct column *c)
+note_row_if_feed_below_100(struct column *c)
 {
 	const struct table *t = c->table;
 	size_t i = 0;
@@ -455,25 +459,25 @@ check_coarsest(struct column *c)
 }
 
 void
-site_column_values(struct column *c)
+site_column_read_values(struct column *c)
 {
 	struct table *t = c->table;
-	c->pct = xdoubles(t->n_row);
+	c->pct = xcalloc_doubles(t->n_row);
 	c->pan = NAN;
-	read_cells(c);
+	read_column_cells(c);
 	fill_top_with_zero(c);
 	if (c->role != SD) {
 		convert_to_passing(c);
-		check_rise(c);
+		check_passing_never_rises(c);
 	}
 	if (c->role == FEED && !c->faulty && !t->lost)
-		check_coarsest(c);
+		note_row_if_feed_below_100(c);
 	size_t least = c->role == FEED ? 2 : 1;
 	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||
-	    site_column_count(c) >= least)
+	    site_column_count_values(c) >= least)
 		return;
 	sheet_fault(t->sheet, c->head,
 	    "expected %zu or more sieves, got %zu in column %s\n"
 	    "fill the column or remove it",
-	    least, site_column_count(c), c->head.text);
+	    least, site_column_count_values(c), c->head.text);
 }

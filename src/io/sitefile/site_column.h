@@ -29,7 +29,7 @@ extern const struct site_unit SITE_UNITS[SITE_N_UNIT];
 extern const char *const SITE_ROLES[4];
 
 /* Returns the index of a unit in SITE_UNITS. */
-size_t site_unit_find(enum unit_kind kind, enum unit_scale scale);
+size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
 
 /* pct [n_row of the table]: passing in %, or standard deviation of passing in
  * percentage points; NAN if the cell is empty or has a fault.  pan: the amount
@@ -65,10 +65,10 @@ struct columns {
 
 /* Reads the cells of c, converts them to c->pct and checks them, singly and as
  * a curve. */
-void site_column_values(struct column *c);
+void site_column_read_values(struct column *c);
 
 /* Returns the number of columns with that role and speed. */
-size_t site_column_repeats(
+size_t site_column_count_repeats(
     const struct columns *all, enum role role, double speed);
 
 /* Returns the nth column with that role and speed, or the only one, which then
@@ -77,17 +77,17 @@ struct column *site_column_find(
     const struct columns *all, enum role role, double speed, size_t nth);
 
 /* Returns the number of sieves with a value. */
-size_t site_column_count(const struct column *c);
+size_t site_column_count_values(const struct column *c);
 
 /* Returns the number in a row of the sheet, or NAN. */
-double site_column_raw(const struct column *c, size_t row);
+double site_column_raw_number(const struct column *c, size_t row);
 
 /* Returns the passing of a row, %, with the digits of the sheet or, if computed
  * from masses, with enough digits to distinguish it from `other`. */
-const char *site_column_pct(
+const char *site_column_passing_text(
     const struct column *c, size_t row, double other, char buf[static 32]);
 
 /* Returns v rounded to whole steps of 1 / per_unit, never -0. */
-double site_column_round(double v, double per_unit);
+double site_column_round_value(double v, double per_unit);
 
 #endif

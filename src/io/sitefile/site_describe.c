@@ -13,7 +13,7 @@
 
 /* Returns "3", "3, 4" or "3 to 5, 8" for rising numbers without repeats. */
 static char *
-numbers_text(const size_t *number, size_t n)
+numbers_to_ranges_text(const size_t *number, size_t n)
 {
 	char *text = xstrdup("");
 	for (size_t i = 0, last; i < n; i = last + 1) {
@@ -23,7 +23,7 @@ numbers_text(const size_t *number, size_t n)
 			;
 		if (last < i + 2)
 			last = i;
-		xlist(&text, ", ", "%zu", number[i]);
+		xappend_to_list(&text, ", ", "%zu", number[i]);
 		if (last > i)
 			xappend(&text, tr(" to %zu"), number[last]);
 	}
@@ -31,7 +31,7 @@ numbers_text(const size_t *number, size_t n)
 }
 
 static bool
-is_own_form(const struct table *t)
+is_in_tipspeed_format(const struct table *t)
 {
 	return t->n_head == 1 && !t->across && !t->is_long &&
 	       !t->finest_first &&
@@ -40,17 +40,18 @@ is_own_form(const struct table *t)
 
 /* Adds "product@69" or, after another product, only "@79". */
 static void
-add_role(char **text, const struct column *c, const struct column *before)
+append_role_text(
+    char **text, const struct column *c, const struct column *before)
 {
-	FREED char *words = classify_column_text(c);
+	FREED char *words = classify_describe_column(c);
 	words[strcspn(words, " ")] = '\0';
 	const char *at = strchr(words, '@');
 	bool again = before != NULL && before->role == c->role && at != NULL;
-	xlist(text, ", ", "%s", again ? at : words);
+	xappend_to_list(text, ", ", "%s", again ? at : words);
 }
 
 static void
-add_rising_number(size_t *number, size_t *n, size_t next)
+append_unless_repeated(size_t *number, size_t *n, size_t next)
 {
 	if (*n == 0 || number[*n - 1] != next)
 		number[(*n)++] = next;
@@ -72,8 +73,9 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 			    (c == NULL || c->unit != before->unit ||
 				(c->role == SD) != (before->role == SD));
 		if (ends) {
-			FREED char *list = numbers_text(number, n);
-			xlist(text, "; ", tr("%s in %s (%s)"), roles, list,
+			FREED char *list = numbers_to_ranges_text(number, n);
+			xappend_to_list(text, "; ", tr("%s in %s (%s)"), roles,
+			    list,
 			    before->role == SD
 				? tr("percentage points")
 				: tr(SITE_UNITS[before->unit].words));
@@ -84,8 +86,8 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		}
 		if (c == NULL)
 			break;
-		add_role(&roles, c, before);
-		add_rising_number(number, &n, t->number[c->at]);
+		append_role_text(&roles, c, before);
+		append_unless_repeated(number, &n, t->number[c->at]);
 		before = c;
 	}
 	free(roles);
@@ -94,22 +96,22 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 /* True if a table has its sieves in the same place and unit as the one before
  * it. */
 static bool
-has_sieves_like(const struct table *a, const struct table *b)
+has_sieves_in_same_place(const struct table *a, const struct table *b)
 {
 	return a->across == b->across && a->number[0] == b->number[0] &&
 	       a->finest_first == b->finest_first &&
-	       strcmp(site_sieve_unit(a), site_sieve_unit(b)) == 0;
+	       strcmp(site_sieve_unit_text(a), site_sieve_unit_text(b)) == 0;
 }
 
 /* Returns the file or sheet that distinguishes a table from others; "" if all
  * are on one sheet. */
 static const char *
-place_of_table(struct table *const *table, size_t n, size_t k)
+file_or_sheet_of_table(struct table *const *table, size_t n, size_t k)
 {
 	const struct sheet *own = table[k]->sheet;
 	for (size_t i = 0; i < n; i++)
 		if (strcmp(table[i]->sheet->path, own->path) != 0)
-			return file_name(own->path);
+			return file_name_without_folders(own->path);
 	for (size_t i = 0; i < n; i++)
 		if (table[i]->sheet != own && own->name != NULL)
 			return own->name;
@@ -122,18 +124,18 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	char *text = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k];
-		const char *place = place_of_table(table, n, k);
+		const char *place = file_or_sheet_of_table(table, n, k);
 		FREED char *own = xstrdup("");
-		if (k == 0 || !has_sieves_like(table[k - 1], t))
-			xlist(&own, "; ",
+		if (k == 0 || !has_sieves_in_same_place(table[k - 1], t))
+			xappend_to_list(&own, "; ",
 			    t->finest_first
 				? tr("sieves in %s %zu (%s, finest first)")
 				: tr("sieves in %s %zu (%s)"),
 			    t->across ? tr("line") : tr("column"), t->number[0],
-			    site_sieve_unit(t));
+			    site_sieve_unit_text(t));
 		describe_samples(t, all, &own);
 		if (own[0] != '\0')
-			xlist(&text, "; ", "%s%s%s", place,
+			xappend_to_list(&text, "; ", "%s%s%s", place,
 			    place[0] != '\0' ? ": " : "", own);
 	}
 	return text;
@@ -149,7 +151,7 @@ next_note(const char *at, size_t *n)
 }
 
 static bool
-has_note(const struct column *c, const char *note, size_t n)
+has_assumption_note(const struct column *c, const char *note, size_t n)
 {
 	size_t own;
 	for (const char *p = c->assumed != NULL ? c->assumed : "";
@@ -165,41 +167,41 @@ has_note(const struct column *c, const char *note, size_t n)
 /* Adds a note with all columns that have it, unless a column before the i-th
  * has it and it has been added. */
 static void
-add_note(const struct columns *all, size_t i, const char *note, size_t length,
-    char **text)
+append_note_once(const struct columns *all, size_t i, const char *note,
+    size_t length, char **text)
 {
 	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
 	size_t n = 0, has = 0, samples = 0;
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		samples += c->twin == 0;
-		if (!has_note(c, note, length))
+		if (!has_assumption_note(c, note, length))
 			continue;
 		if (k < i)
 			return;
 		has++;
-		add_rising_number(number, &n, c->table->number[c->at]);
+		append_unless_repeated(number, &n, c->table->number[c->at]);
 	}
-	FREED char *list = numbers_text(number, n);
+	FREED char *list = numbers_to_ranges_text(number, n);
 	bool across = all->column[i].table->across;
 	const char *colon = strncmp(note, "as ", 3) == 0 ? "" : ":";
 	if (has == samples && has > 1)
-		xlist(text, "; ", tr("all samples%s %.*s"), colon, (int)length,
-		    note);
+		xappend_to_list(text, "; ", tr("all samples%s %.*s"), colon,
+		    (int)length, note);
 	else
-		xlist(text, "; ",
+		xappend_to_list(text, "; ",
 		    across ? tr_n("line %s%s %.*s", "lines %s%s %.*s", n)
 			   : tr_n("column %s%s %.*s", "columns %s%s %.*s", n),
 		    list, colon, (int)length, note);
 }
 
 void
-site_describe(struct table *const *table, size_t n_table,
+site_describe_columns(struct table *const *table, size_t n_table,
     const struct columns *all, struct site *site)
 {
 	bool own = true;
 	for (size_t k = 0; k < n_table; k++)
-		own = own && is_own_form(table[k]);
+		own = own && is_in_tipspeed_format(table[k]);
 	if (!own) {
 		free(site->read_as);
 		site->read_as = describe_tables(table, n_table, all);
@@ -209,7 +211,7 @@ site_describe(struct table *const *table, size_t n_table,
 		size_t n;
 		while (p != NULL && *p != '\0') {
 			const char *next = next_note(p, &n);
-			add_note(all, i, p, n, &site->assumed);
+			append_note_once(all, i, p, n, &site->assumed);
 			p = next;
 		}
 	}

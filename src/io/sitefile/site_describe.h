@@ -10,7 +10,7 @@
  * (% passing)", or "" if the headings are those of tipspeed-site(5).  Adds the
  * assumptions about columns that the sheet does not state, "columns 2 to 4 as %
  * passing", to site->assumed. */
-void site_describe(struct table *const *table, size_t n_table,
+void site_describe_columns(struct table *const *table, size_t n_table,
     const struct columns *all, struct site *site);
 
 #endif

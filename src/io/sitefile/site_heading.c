@@ -33,7 +33,7 @@ site_heading_take_value(struct site *site, enum lexicon_key key,
 		*text[key] = xstrdup(cell.text);
 		return;
 	}
-	double mm = site_sieve_mm(sheet, cell, 1, "a positive size in mm");
+	double mm = site_sieve_read_mm(sheet, cell, 1, "a positive size in mm");
 	if (mm <= 0)
 		sheet_fault_expected(sheet, cell, "a positive size in mm",
 		    "write the size, or remove the line");
@@ -42,17 +42,18 @@ site_heading_take_value(struct site *site, enum lexicon_key key,
 
 /* Reads the first number of a text, such as 900 in "900 mm". */
 static bool
-first_number(const struct sheet *sheet, struct cell cell, double *value)
+read_first_number(const struct sheet *sheet, struct cell cell, double *value)
 {
 	char copy[40];
 	size_t n = strspn(cell.text, "0123456789.,' ");
 	while (n > 0 && cell.text[n - 1] == ' ')
 		n--;
 	if (cell.kind == CELL_NUMBER || n == 0 || n >= sizeof copy)
-		return number_of(cell, value);
+		return number_value_of_cell(cell, value);
 	memcpy(copy, cell.text, n);
 	copy[n] = '\0';
-	return number_of(number_cell(sheet, cell, copy), value);
+	return number_value_of_cell(
+	    number_cell_from_text(sheet, cell, copy), value);
 }
 
 /* Takes the rotor's diameter if the line states it.  A number below 10 is in
@@ -71,7 +72,7 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 	double number;
 	if ((means & WORD_ROTOR) == 0 ||
 	    (means & (WORD_SPEED | WORD_RPM)) != 0 ||
-	    !first_number(sheet, value, &number))
+	    !read_first_number(sheet, value, &number))
 		return false;
 	double mm = number * (number < 10 ? 1000 : 1);
 	if ((means & WORD_INCH) != 0)
@@ -89,7 +90,7 @@ static bool
 site_heading_take_speed(const struct sheet *sheet, struct cell key,
     struct cell value, struct heading_speed *speed)
 {
-	struct head k = head_read(key.text), v = head_read(value.text);
+	struct head k = head_parse(key.text), v = head_parse(value.text);
 	double number;
 	enum speed_unit unit = head_speed_unit(&k);
 	bool about = (k.means & WORD_SPEED) != 0 || k.unit != SPEED_NO_UNIT;
@@ -102,12 +103,12 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 		speed->rpm = v.rpm > 0 ? v.rpm : speed->rpm;
 		return true;
 	}
-	if (!first_number(sheet, value, &number) || number <= 0)
+	if (!read_first_number(sheet, value, &number) || number <= 0)
 		return false;
 	if (unit == SPEED_RPM)
 		speed->rpm = number;
 	else if (unit != SPEED_NO_UNIT || number < 150)
-		speed->mps = head_mps(number, unit, 0);
+		speed->mps = head_speed_to_mps(number, unit, 0);
 	else
 		return false;
 	return true;
@@ -115,7 +116,7 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 
 /* Splits "Speed: 70 m/s" in one cell into key and value. */
 static bool
-split_colon(struct cell *key, struct cell *value, char **left, char **right)
+split_at_colon(struct cell *key, struct cell *value, char **left, char **right)
 {
 	const char *colon = strchr(key->text, ':');
 	if (colon == NULL || colon[1] == '\0' || colon == key->text)
@@ -142,7 +143,7 @@ has_colon(struct cell cell)
  * after them: the cells up to an empty one, two of them, or one that contains
  * both, if another such cell follows.  Returns the number of cells. */
 static size_t
-next_pair(const struct row *row, size_t *at, struct cell *key,
+next_key_and_value(const struct row *row, size_t *at, struct cell *key,
     struct cell *value, struct cell *third)
 {
 	size_t n = 0, i = *at;
@@ -164,21 +165,21 @@ next_pair(const struct row *row, size_t *at, struct cell *key,
 }
 
 bool
-site_heading_line_speed(const struct sheet *sheet, const struct row *row,
+site_heading_speed_of_line(const struct sheet *sheet, const struct row *row,
     struct heading_speed *speed)
 {
 	struct cell key = {0}, value, third;
 	FREED char *left = NULL, *right = NULL;
-	size_t at = 0, n = next_pair(row, &at, &key, &value, &third);
-	if (n == 1 && split_colon(&key, &value, &left, &right))
+	size_t at = 0, n = next_key_and_value(row, &at, &key, &value, &third);
+	if (n == 1 && split_at_colon(&key, &value, &left, &right))
 		n = 2;
-	return n > 1 && lexicon_key(key.text) == N_KEY &&
+	return n > 1 && lexicon_key_from_text(key.text) == N_KEY &&
 	       site_heading_take_speed(sheet, key, value, speed);
 }
 
 /* True for "Date", "Sample date:". */
 static bool
-is_key_of_day(const char *key)
+is_key_for_date(const char *key)
 {
 	size_t unknown;
 	uint64_t means = lexicon_meanings(key, &unknown);
@@ -186,26 +187,26 @@ is_key_of_day(const char *key)
 }
 
 char *
-site_heading_line_day(const struct row *row)
+site_heading_date_of_line(const struct row *row)
 {
 	struct cell key = {0}, value, third;
 	struct datetime m;
 	char *day = NULL;
 	for (size_t at = 0, n; day == NULL && at < row->n;) {
 		FREED char *left = NULL, *right = NULL;
-		n = next_pair(row, &at, &key, &value, &third);
+		n = next_key_and_value(row, &at, &key, &value, &third);
 		if (n == 0)
 			break;
-		if (n == 1 && split_colon(&key, &value, &left, &right))
+		if (n == 1 && split_at_colon(&key, &value, &left, &right))
 			n = 2;
-		double seconds = n > 1 && is_key_of_day(key.text) &&
-					 datetime_read(value.text, &m) &&
-					 m.has_date
-				     ? datetime_seconds(&m, DATETIME_OPEN)
-				     : (double)NAN;
+		double seconds =
+		    n > 1 && is_key_for_date(key.text) &&
+			    datetime_parse(value.text, &m) && m.has_date
+			? datetime_seconds_since_1970(&m, DATETIME_OPEN)
+			: (double)NAN;
 		if (isnan(seconds))
 			continue;
-		day = datetime_text(seconds);
+		day = datetime_to_text(seconds);
 		day[strcspn(day, " ")] = '\0';
 	}
 	return day;
@@ -227,14 +228,14 @@ leave_out_line(struct site *site, const struct cell *key)
 {
 	FREED char *where = xasprintf(tr("line %d"), key->line);
 	FREED char *what = xasprintf(tr("%.*s: numbers above the table"),
-	    sheet_cut_length(key->text), key->text);
+	    sheet_bytes_to_show(key->text), key->text);
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
 /* Takes the value of a known key.  The name of a machine may state its
  * rotor. */
 static void
-take_known_key(struct site *site, enum lexicon_key k, struct sheet *sheet,
+take_value_of_key(struct site *site, enum lexicon_key k, struct sheet *sheet,
     struct cell key, struct cell value)
 {
 	site_heading_take_value(site, k, sheet, value);
@@ -245,20 +246,21 @@ take_known_key(struct site *site, enum lexicon_key k, struct sheet *sheet,
 /* Reads the next pair of the line, or a part of one.  False at the end of the
  * line. */
 static bool
-read_pair(struct site *site, struct sheet *sheet, const struct row *row,
-    size_t *at, int seen[static N_KEY], struct heading_speed *speed)
+read_key_and_value(struct site *site, struct sheet *sheet,
+    const struct row *row, size_t *at, int seen[static N_KEY],
+    struct heading_speed *speed)
 {
 	struct cell key = {0}, value, third;
 	FREED char *left = NULL, *right = NULL;
-	size_t n = next_pair(row, at, &key, &value, &third);
+	size_t n = next_key_and_value(row, at, &key, &value, &third);
 	if (n == 0)
 		return false;
-	if (n == 1 && split_colon(&key, &value, &left, &right))
+	if (n == 1 && split_at_colon(&key, &value, &left, &right))
 		n = 2;
 	size_t colon = strlen(key.text);
 	FREED char *bare = xstrndup(key.text,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);
-	enum lexicon_key k = lexicon_key(bare);
+	enum lexicon_key k = lexicon_key_from_text(bare);
 	if (n == 1 && k == N_KEY && begins_with_key(key.text)) {
 		sheet_fault_expected(sheet, key, "a key and a value",
 		    "write key%cvalue, or begin a remark with #",
@@ -275,14 +277,14 @@ read_pair(struct site *site, struct sheet *sheet, const struct row *row,
 		    "remove one of the two lines",
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
-		take_known_key(site, k, sheet, key, value);
+		take_value_of_key(site, k, sheet, key, value);
 	} else {
 		bool taken =
 		    n > 1 &&
 		    (site_heading_take_rotor(site, sheet, key, value) ||
 			site_heading_take_speed(sheet, key, value, speed));
 		double number;
-		if (n > 2 && number_of(third, &number))
+		if (n > 2 && number_value_of_cell(third, &number))
 			leave_out_line(site, &key);
 		else if (!(taken && site->rotor > 0 &&
 			     strcmp(key.text, "rotor_mm") == 0))
@@ -308,19 +310,20 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 			}
 	for (size_t i = 0; i < layout->n_heading; i++)
 		if (layout->heading[i]->line < first)
-			for (size_t at = 0; read_pair(site, sheet,
+			for (size_t at = 0; read_key_and_value(site, sheet,
 				 layout->heading[i], &at, seen, speed);)
 				;
 }
 
 void
-site_heading_rotor(const struct layout *layout, struct heading_rotor *said)
+site_heading_merge_rotor(
+    const struct layout *layout, struct heading_rotor *said)
 {
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		char *line = xstrdup("");
 		for (size_t c = 0; c < row->n; c++)
-			xlist(&line, ", ", "%s", row->cell[c].text);
+			xappend_to_list(&line, ", ", "%s", row->cell[c].text);
 		double mm = rotor_size_mm(line, false);
 		free(line);
 		bool differs = mm < 0 || said->mm < 0 ||
@@ -333,9 +336,9 @@ site_heading_rotor(const struct layout *layout, struct heading_rotor *said)
 }
 
 char *
-site_heading_name(const char *path)
+site_heading_name_from_path(const char *path)
 {
-	const char *name = file_name(path);
+	const char *name = file_name_without_folders(path);
 	const char *dot = strrchr(name, '.');
 	bool extension = dot != NULL && dot > name;
 	size_t n = extension ? (size_t)(dot - name) : strlen(name);

@@ -17,13 +17,13 @@ void site_heading_read(const struct layout *layout, struct sheet *sheet,
 
 /* Takes the speed that a line states with a key, "tip speed; 70".  False if it
  * does not. */
-bool site_heading_line_speed(const struct sheet *sheet, const struct row *row,
-    struct heading_speed *speed);
+bool site_heading_speed_of_line(const struct sheet *sheet,
+    const struct row *row, struct heading_speed *speed);
 
 /* Returns the day that a line states with a key, "Date; 2026-05-03", as
  * "2026-05-03"; NULL if it states none that can be read in one way.  The caller
  * frees it. */
-char *site_heading_line_day(const struct row *row);
+char *site_heading_date_of_line(const struct row *row);
 
 /* The rotor's diameter, mm, stated in lines outside the tables, and the first
  * of these; -1: they differ; 0: not stated. */
@@ -34,11 +34,11 @@ struct heading_rotor {
 
 /* Combines the rotor stated in the lines of a layout with *said, from earlier
  * layouts. */
-void site_heading_rotor(
+void site_heading_merge_rotor(
     const struct layout *layout, struct heading_rotor *said);
 
 /* Returns the name of a file without folder and extension, in a form that can
  * be written to a sheet.  The caller frees it. */
-char *site_heading_name(const char *path);
+char *site_heading_name_from_path(const char *path);
 
 #endif

@@ -70,7 +70,7 @@ fault_no_table(struct sheet *sheet)
 	     i-- > 0 && !error_should_stop(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
 		double v;
-		if (number_of(cell, &v) ||
+		if (number_value_of_cell(cell, &v) ||
 		    (lexicon_meanings(cell.text, NULL) & WORD_SIZE) != 0)
 			found = cell;
 	}
@@ -106,8 +106,8 @@ check_column_repeats(const struct columns *t, const struct column *c)
 {
 	if (!(c->speed > 0))
 		return;
-	size_t own = site_column_repeats(t, c->role, c->speed);
-	size_t products = site_column_repeats(t, PRODUCT, c->speed);
+	size_t own = site_column_count_repeats(t, c->role, c->speed);
+	size_t products = site_column_count_repeats(t, PRODUCT, c->speed);
 	if (c->role == PRODUCT || c->nth != 1 || own == products)
 		return;
 	sheet_fault(c->table->sheet, c->head,
@@ -124,14 +124,14 @@ check_column_repeats(const struct columns *t, const struct column *c)
 
 /* Checks that each product has a feed and each standard deviation a product. */
 static void
-check_partner(const struct columns *t, const struct column *c,
+check_feed_or_product_exists(const struct columns *t, const struct column *c,
     const struct site_request *request)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
-	bool alone = site_column_repeats(t, PRODUCT, c->speed) == 0;
+	bool alone = site_column_count_repeats(t, PRODUCT, c->speed) == 0;
 	check_column_repeats(t, c);
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
-		site_ask_one_feed(c, t, request);
+		site_ask_refuse_second_feed(c, t, request);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected one kind of feed, got feed and %s\n"
@@ -144,7 +144,7 @@ check_partner(const struct columns *t, const struct column *c,
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL &&
 	    count_columns_of_role(t, FEED) > 0 &&
-	    site_column_repeats(t, FEED, c->speed) == 0)
+	    site_column_count_repeats(t, FEED, c->speed) == 0)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
 		    "add a feed@ column with this speed",
@@ -153,7 +153,7 @@ check_partner(const struct columns *t, const struct column *c,
 
 /* Checks that product values and standard deviations occur together. */
 static void
-check_sd(const struct columns *all, const struct column *product)
+check_sd_beside_values(const struct columns *all, const struct column *product)
 {
 	const struct table *t = product->table;
 	const struct column *sd =
@@ -179,7 +179,7 @@ check_sd(const struct columns *all, const struct column *product)
 /* Checks that two quantities of one sample agree, except for rounding and
  * losses in sieving. */
 static void
-check_twin(const struct columns *all, const struct column *twin)
+check_quantities_agree(const struct columns *all, const struct column *twin)
 {
 	const double far = 1.5;
 	const struct table *t = twin->table;
@@ -197,8 +197,10 @@ check_twin(const struct columns *all, const struct column *twin)
 			    "say which is to be read: load FILE "
 			    "columns=\"1=sieve mm, 2=feed, ..\"",
 			    twin->twin,
-			    text_number_unlike(c->pct[i], twin->pct[i], one),
-			    text_number_unlike(twin->pct[i], c->pct[i], other));
+			    text_number_to_tell_apart(
+				c->pct[i], twin->pct[i], one),
+			    text_number_to_tell_apart(
+				twin->pct[i], c->pct[i], other));
 			return;
 		}
 	}
@@ -206,7 +208,7 @@ check_twin(const struct columns *all, const struct column *twin)
 
 /* Returns the cell where the numbers of an empty table should begin. */
 static struct cell
-first_empty(const struct table *t)
+cell_where_numbers_begin(const struct table *t)
 {
 	const struct row *row = &t->row[0];
 	return row->n_all > 1 ? row->cell[1] : site_sieve_heading(t);
@@ -214,11 +216,12 @@ first_empty(const struct table *t)
 
 /* Reports a missing feed, product or number. */
 static void
-check_roles(struct reading *r)
+report_missing_roles(struct reading *r)
 {
 	bool parts = r->request->parts;
 	if (r->all.n == 0)
-		sheet_fault(r->table[0]->sheet, first_empty(r->table[0]),
+		sheet_fault(r->table[0]->sheet,
+		    cell_where_numbers_begin(r->table[0]),
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
@@ -237,7 +240,7 @@ check_roles(struct reading *r)
 /* Returns the feed that has the coarsest sieve among those whose coarsest sieve
  * does not pass everything; NULL if there is none. */
 static const struct column *
-feed_below_top(const struct columns *all)
+feed_with_unknown_top_size(const struct columns *all)
 {
 	const struct column *found = NULL;
 	for (size_t i = 0; i < all->n; i++) {
@@ -255,13 +258,13 @@ feed_below_top(const struct columns *all)
 static void
 assume_top_size(struct reading *r, struct site_ask *ask)
 {
-	const struct column *c = feed_below_top(&r->all);
-	double top = site_column_round(r->request->top, 1e9);
+	const struct column *c = feed_with_unknown_top_size(&r->all);
+	double top = site_column_round_value(r->request->top, 1e9);
 	char p[32], mm[32];
 	if (c == NULL)
 		return;
 	if (!(top > 0)) {
-		site_ask_top(c, r->request, ask);
+		site_ask_top_size(c, r->request, ask);
 		return;
 	}
 	const struct table *t = c->table;
@@ -276,40 +279,41 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 	for (size_t i = 0; i < r->all.n; i++)
 		if (r->all.column[i].below > 0)
 			r->all.column[i].top = top;
-	xlist(&r->site->assumed, "; ",
+	xappend_to_list(&r->site->assumed, "; ",
 	    tr("all of the feed passes %s mm (%s %% passes its coarsest sieve, "
 	       "%g mm)"),
-	    text_exact_number(top, mm), site_column_pct(c, at, 100, p),
-	    t->mm[at]);
+	    text_shortest_exact_number(top, mm),
+	    site_column_passing_text(c, at, 100, p), t->mm[at]);
 	site_add_note(&r->site->note, &r->site->n_note, SITE_ASSUMED_TOP, mm);
 }
 
 static void
-read_columns(struct reading *r)
+read_and_check_columns(struct reading *r)
 {
 	struct columns *all = &r->all;
 	for (size_t i = 0; i < all->n && !error_should_stop(r->errors); i++) {
 		struct column *c = &all->column[i];
-		site_column_values(c);
+		site_column_read_values(c);
 		r->lost = r->lost || c->table->lost;
 	}
 	for (size_t i = 0; i < all->n && !error_should_stop(r->errors); i++) {
 		if (all->column[i].twin > 0)
-			check_twin(all, &all->column[i]);
+			check_quantities_agree(all, &all->column[i]);
 		if (all->column[i].role == PRODUCT)
-			check_sd(all, &all->column[i]);
+			check_sd_beside_values(all, &all->column[i]);
 		if (!r->lost)
-			check_partner(all, &all->column[i], r->request);
+			check_feed_or_product_exists(
+			    all, &all->column[i], r->request);
 	}
 	if (!r->lost)
-		check_roles(r);
+		report_missing_roles(r);
 }
 
 static struct psd
 make_psd(const struct column *c)
 {
 	const struct table *t = c->table;
-	struct psd psd = psd_new(site_column_count(c) + (c->top > 0));
+	struct psd psd = psd_new(site_column_count_values(c) + (c->top > 0));
 	size_t n = 0;
 	if (c->top > 0) {
 		psd.size[n] = c->top / 1000;
@@ -333,7 +337,7 @@ fill_run_curves(const struct columns *t, const struct column *shared,
 	const struct column *own = site_column_find(t, FEED, v, nth);
 	const struct column *product = site_column_find(t, PRODUCT, v, nth);
 	const struct column *sd = site_column_find(t, SD, v, nth);
-	if (site_column_repeats(t, PRODUCT, v) > 1)
+	if (site_column_count_repeats(t, PRODUCT, v) > 1)
 		snprintf(run->repeat, sizeof run->repeat, " (%u)",
 		    (unsigned)nth + 1);
 	if (shared != NULL || own != NULL)
@@ -366,9 +370,9 @@ make_runs(struct site *site, const struct columns *t)
 	site->run = xrealloc(site->run, t->n, sizeof *site->run);
 	for (size_t i = 0; i < t->n; i++) {
 		const struct column *c = &t->column[i];
-		size_t n = site_column_repeats(t, PRODUCT, c->speed);
+		size_t n = site_column_count_repeats(t, PRODUCT, c->speed);
 		if (c->role == SD || !(c->speed > 0) ||
-		    site_run_at(site, c->speed) < site->n_run)
+		    site_run_at_speed(site, c->speed) < site->n_run)
 			continue;
 		for (size_t k = 0; k == 0 || k < n; k++)
 			site->run[site->n_run++] =
@@ -378,10 +382,10 @@ make_runs(struct site *site, const struct columns *t)
 		site->run[site->n_run++] = (struct run){.speed = 0};
 	qsort(site->run, site->n_run, sizeof *site->run, compare_runs_by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
-		first = site_run_repeats(site, r) ? first : r;
+		first = site_run_repeats_speed(site, r) ? first : r;
 		fill_run_curves(t, shared, &site->run[r], r - first);
 	}
-	site_update_mean_feed(site);
+	site_update_digest_and_mean_feed(site);
 }
 
 static void __attribute__((format(printf, 3, 4)))
@@ -397,7 +401,7 @@ leave_out(struct site *site, int line, const char *format, ...)
 
 /* Notes sieves without numbers. */
 static void
-leave_out_rows(struct reading *r, const struct table *t)
+note_left_out_rows(struct reading *r, const struct table *t)
 {
 	for (size_t i = 0; i < t->n_row; i++) {
 		bool values = !(t->mm[i] > 0);
@@ -413,7 +417,7 @@ leave_out_rows(struct reading *r, const struct table *t)
 
 /* Notes cells of the samples that stand for a missing number, "-" or "<0.1". */
 static void
-leave_out_empty_cells(struct reading *r)
+note_left_out_cells(struct reading *r)
 {
 	size_t more = 0;
 	FREED char *list = xstrdup("");
@@ -425,13 +429,14 @@ leave_out_empty_cells(struct reading *r)
 			if (text[0] == '\0' || read || c->twin > 0)
 				continue;
 			if (more++ < 3)
-				xlist(&list, ", ", tr("'%.*s' in line %d"),
-				    sheet_cut_length(text), text,
+				xappend_to_list(&list, ", ",
+				    tr("'%.*s' in line %d"),
+				    sheet_bytes_to_show(text), text,
 				    c->table->row[i].line);
 		}
 	}
 	if (more > 3)
-		xlist(&list, ", ", tr("%zu more"), more - 3);
+		xappend_to_list(&list, ", ", tr("%zu more"), more - 3);
 	if (more > 0)
 		site_add_note(&r->site->left_out, &r->site->n_left_out,
 		    "cells without a number", list);
@@ -439,7 +444,7 @@ leave_out_empty_cells(struct reading *r)
 
 /* Notes lines of sums that could not be compared with anything. */
 static void
-leave_out_sums(struct reading *r, const struct page *page)
+note_left_out_sums(struct reading *r, const struct page *page)
 {
 	bool grams = false;
 	for (size_t c = 0; c < r->all.n; c++)
@@ -473,9 +478,9 @@ samples_of_table(const struct columns *all, const struct table *t)
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0)
 			continue;
-		FREED char *words = classify_column_text(c);
+		FREED char *words = classify_describe_column(c);
 		words[strcspn(words, " ")] = '\0';
-		xlist(&list, ", ", "%s", words);
+		xappend_to_list(&list, ", ", "%s", words);
 	}
 	return list;
 }
@@ -487,7 +492,7 @@ words_of_line(const struct row *row)
 	char *words = xstrdup("");
 	for (size_t c = 0; c < row->n; c++)
 		if (row->cell[c].text[0] != '\0')
-			xlist(&words, " ", "%s", row->cell[c].text);
+			xappend_to_list(&words, " ", "%s", row->cell[c].text);
 	return words;
 }
 
@@ -497,9 +502,9 @@ add_words_of_line(char **list, const struct row *row, size_t n)
 {
 	enum { FEW = 4 };
 	FREED char *words = words_of_line(row);
-	int shown = sheet_cut_length(words);
+	int shown = sheet_bytes_to_show(words);
 	if (n < FEW)
-		xlist(list, ", ", "%.*s%s", shown, words,
+		xappend_to_list(list, ", ", "%.*s%s", shown, words,
 		    words[shown] != '\0' ? "..." : "");
 	else if (n == FEW)
 		xappend(list, ", ...");
@@ -526,15 +531,16 @@ is_line_read(
 {
 	FREED char *words = words_of_line(row);
 	bool cut = r->request->parts && title_table_below(layout, row) != NULL;
-	FREED char *day = cut ? site_heading_line_day(row) : NULL;
+	FREED char *day = cut ? site_heading_date_of_line(row) : NULL;
 	return day != NULL || row->line <= layout->table[0].row[0].line ||
-	       states_rotor(r->site, words) || title_heads_any(layout, row);
+	       states_rotor(r->site, words) ||
+	       title_heads_any_table(layout, row);
 }
 
 /* Notes lines that were not read, from the ith on, with the table that they
  * stand above or else below.  Returns the number of lines. */
 static size_t
-leave_out_lines(struct reading *r, const struct layout *layout, size_t i)
+note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 {
 	const struct row *first = layout->heading[i];
 	const struct table *below = title_table_below(layout, first);
@@ -561,14 +567,14 @@ leave_out_lines(struct reading *r, const struct layout *layout, size_t i)
 }
 
 static void
-leave_out_foot(struct reading *r, const struct page *page)
+note_lines_outside_tables(struct reading *r, const struct page *page)
 {
 	const struct layout *layout = page->layout;
-	leave_out_sums(r, page);
+	note_left_out_sums(r, page);
 	for (size_t i = 0, n; i < layout->n_heading; i += n)
 		n = is_line_read(r, layout, layout->heading[i])
 			? 1
-			: leave_out_lines(r, layout, i);
+			: note_left_out_lines(r, layout, i);
 }
 
 /* Notes what is in the table or below it and was not read.  A line that begins
@@ -587,20 +593,20 @@ note_left_out(struct reading *r)
 			const struct comment *c = &page->sheet->comment[i];
 			if (c->line <= head)
 				continue;
-			int shown = sheet_cut_length(c->text);
+			int shown = sheet_bytes_to_show(c->text);
 			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
 			    c->text, c->text[shown] != '\0' ? "..." : "");
 		}
-		leave_out_foot(r, page);
+		note_lines_outside_tables(r, page);
 		const struct cell *beside = &page->layout->beside;
 		if (beside->text != NULL)
 			leave_out(r->site, beside->line,
 			    "beside the table: %.*s",
-			    sheet_cut_length(beside->text), beside->text);
+			    sheet_bytes_to_show(beside->text), beside->text);
 	}
 	for (size_t i = 0; i < r->n_table; i++)
-		leave_out_rows(r, r->table[i]);
-	leave_out_empty_cells(r);
+		note_left_out_rows(r, r->table[i]);
+	note_left_out_cells(r);
 }
 
 /* Lists the sieves that have names: "#4 = 4.75, No. 8 = 2.36".  Tables of the
@@ -615,14 +621,15 @@ note_sieve_names(struct reading *r)
 		for (size_t i = 0; i < t->n_row; i++) {
 			const char *text = t->row[i].cell[0].text;
 			double v;
-			bool bare = number_of(t->row[i].cell[0], &v);
+			bool bare = number_value_of_cell(t->row[i].cell[0], &v);
 			if (t->mm[i] > 0 &&
 			    (sieve_name_series(text) != SIEVE_NONE ||
 				(bare && t->unit.series != SIEVE_NONE)))
-				xlist(&named, ", ", "%s = %g", text, t->mm[i]);
+				xappend_to_list(
+				    &named, ", ", "%s = %g", text, t->mm[i]);
 		}
 		if (named[0] != '\0' && strcmp(named, before) != 0)
-			xlist(&r->site->named, ", ", "%s", named);
+			xappend_to_list(&r->site->named, ", ", "%s", named);
 		free(before);
 		before = xstrdup(named);
 	}
@@ -632,7 +639,7 @@ note_sieve_names(struct reading *r)
 static bool
 has_sieves_twice(struct reading *r, const struct table *t)
 {
-	size_t again, end = site_sieve_end(t, &again);
+	size_t again, end = site_sieve_rows_before_repeat(t, &again);
 	if (end == t->n_row)
 		return false;
 	if (r->open.twice == NULL) {
@@ -656,29 +663,29 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	near.speed = told.mps;
 	near.rpm = told.rpm;
 	near.context =
-	    title_context(page->layout, t, q->path[page->file], &near);
+	    title_context_meanings(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
-	uint64_t sieve = names_apply(&r->names, t);
-	if (!layout_widen(t, sieve)) {
+	uint64_t sieve = names_apply_to_table(&r->names, t);
+	if (!layout_widen_long_table(t, sieve)) {
 		r->lost = true;
 		return;
 	}
-	enum sieve_certainty certainty = site_sieve_find(t, sieve);
+	enum sieve_certainty certainty = site_sieve_find_and_sort(t, sieve);
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
 	if (has_sieves_twice(r, t))
 		return;
-	site_sieve_check(t);
+	site_sieve_check_sizes(t);
 	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)
-		xlist(&r->site->assumed, "; ", tr("sieves in %s"),
-		    site_sieve_unit(t));
+		xappend_to_list(&r->site->assumed, "; ", tr("sieves in %s"),
+		    site_sieve_unit_text(t));
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	classify_columns(t, &near, &r->all, r->site);
@@ -687,18 +694,18 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	     i++)
 		if (r->all.column[i].role == NO_ROLE)
 			r->all.column[i].role = lone ? FEED : PRODUCT;
-	site_ask_find_open_numbers(&r->open, t);
+	site_ask_find_ambiguous_number(&r->open, t);
 }
 
 /* Parses columns=, samples= and range=. */
 static bool
-read_request(struct reading *r)
+parse_request_options(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	struct error e;
-	if (names_read(&r->names, q->columns, &r->range, &e) &&
-	    samples_read(&r->samples, q->samples, &e) &&
-	    range_read(q->range, &r->range, &e))
+	if (names_parse_columns(&r->names, q->columns, &r->range, &e) &&
+	    samples_parse(&r->samples, q->samples, &e) &&
+	    range_parse(q->range, &r->range, &e))
 		return true;
 	*error_add(r->errors) = e;
 	return false;
@@ -707,12 +714,12 @@ read_request(struct reading *r)
 /* Refuses predictions, which must not be read as measurements, whatever
  * columns= says. */
 static bool
-is_measured(const struct source *source)
+check_not_predicted(const struct source *source)
 {
 	char *command = NULL;
 	size_t i = 0;
 	while (i < source->n && command == NULL)
-		command = results_command(source->sheet[i++]);
+		command = results_command_of_sheet(source->sheet[i++]);
 	if (command != NULL)
 		sheet_fault(source->sheet[i - 1],
 		    source->sheet[i - 1]->row[0].cell[0],
@@ -731,27 +738,27 @@ read_site_file(struct reading *r, size_t file)
 {
 	const struct site_request *q = r->request;
 	struct source *source = &r->source[r->n_source++];
-	bool read =
-	    q->text != NULL
-		? source_read_memory(q->path[file], q->text, r->errors, source)
-		: source_read(q->path[file], r->errors, source);
-	if (!read || !is_measured(source))
+	bool read = q->text != NULL
+			? source_read_from_memory(
+			      q->path[file], q->text, r->errors, source)
+			: source_read_file(q->path[file], r->errors, source);
+	if (!read || !check_not_predicted(source))
 		return false;
 	size_t before = r->n_page;
 	FREED char *names = xstrdup("");
 	if (source->note[0] != '\0')
-		xlist(&r->site->remark, "; ", "%s", source->note);
+		xappend_to_list(&r->site->remark, "; ", "%s", source->note);
 	for (size_t i = 0; i < source->n && !error_should_stop(r->errors);
 	     i++) {
 		struct sheet *sheet = source->sheet[i];
-		xlist(&names, ", ", "%s", sheet->name);
+		xappend_to_list(&names, ", ", "%s", sheet->name);
 		if (q->sheet != NULL &&
 		    !text_same_folded(sheet->name, q->sheet))
 			continue;
 		if (q->decimal != '\0')
-			number_decimal(sheet, q->decimal);
-		site_sieve_numbers(sheet);
-		struct layout *layout = layout_new(sheet, r->range);
+			number_set_decimal_sign(sheet, q->decimal);
+		site_sieve_uncomment_numbers(sheet);
+		struct layout *layout = layout_new_of_sheet(sheet, r->range);
 		r->page = xrealloc(r->page, r->n_page + 1, sizeof *r->page);
 		r->page[r->n_page++] = (struct page){file, sheet, layout};
 		r->lost = r->lost || sheet->lost;
@@ -780,19 +787,19 @@ has_tables(struct reading *r)
 /* Takes the rotor's diameter from titles and remarks if no line of its own
  * states it. */
 static void
-take_rotor(struct reading *r, const struct heading_rotor *said)
+take_rotor_from_remarks(struct reading *r, const struct heading_rotor *said)
 {
 	if (r->site->rotor > 0 || !(said->mm > 0))
 		return;
 	r->site->rotor = said->mm / 1000;
-	xlist(&r->site->remark, "; ",
+	xappend_to_list(&r->site->remark, "; ",
 	    tr("rotor of %g mm in diameter, stated in line %d"), said->mm,
 	    said->line);
 }
 
 /* Says once for all columns which speeds in rpm were read as which in m/s. */
 static void
-note_rpm(struct reading *r)
+note_speeds_from_rpm(struct reading *r)
 {
 	double rotor =
 	    r->site->rotor > 0 ? r->site->rotor : r->request->site_rotor;
@@ -804,30 +811,30 @@ note_rpm(struct reading *r)
 			told = told || r->all.column[k].rpm == c->rpm;
 		if (told)
 			continue;
-		xlist(&rpm, ", ", "%g", c->rpm);
-		xlist(&mps, ", ", "%g", c->speed);
+		xappend_to_list(&rpm, ", ", "%g", c->rpm);
+		xappend_to_list(&mps, ", ", "%g", c->speed);
 	}
 	if (rpm[0] != '\0')
-		xlist(&r->site->remark, "; ",
+		xappend_to_list(&r->site->remark, "; ",
 		    tr("%s rpm of a rotor of %g mm read as %s m/s"), rpm,
 		    1000 * rotor, mps);
 }
 
 static void
-read_pages(struct reading *r)
+read_all_tables(struct reading *r)
 {
 	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
 		if (r->page[i].layout->n > 0)
-			site_heading_rotor(r->page[i].layout, &rotor);
+			site_heading_merge_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
 		if (page->layout->n == 0)
 			continue;
 		site_heading_read(page->layout, page->sheet, r->site, &told);
-		take_rotor(r, &rotor);
-		if (title_speeds_differ(page->layout))
+		take_rotor_from_remarks(r, &rotor);
+		if (title_has_speed_per_table(page->layout))
 			told = (struct heading_speed){0};
 		for (size_t b = 0;
 		     b < page->layout->n && !error_should_stop(r->errors); b++)
@@ -836,7 +843,7 @@ read_pages(struct reading *r)
 }
 
 static size_t
-file_of(const struct reading *r, const struct column *c)
+file_of_column(const struct reading *r, const struct column *c)
 {
 	size_t i = 0;
 	while (r->page[i].sheet != c->table->sheet)
@@ -846,7 +853,7 @@ file_of(const struct reading *r, const struct column *c)
 
 /* If several files each have a feed, gives each feed the speed of its file. */
 static void
-give_feeds_file_speed(struct reading *r)
+give_feeds_speed_of_file(struct reading *r)
 {
 	const double *speed = r->request->speed;
 	bool several = false, all = speed != NULL;
@@ -856,13 +863,14 @@ give_feeds_file_speed(struct reading *r)
 		if (c->role != FEED || c->speed > 0)
 			continue;
 		first = first != NULL ? first : c;
-		several = several || file_of(r, c) != file_of(r, first);
-		all = all && speed[file_of(r, c)] > 0;
+		several =
+		    several || file_of_column(r, c) != file_of_column(r, first);
+		all = all && speed[file_of_column(r, c)] > 0;
 	}
 	for (size_t i = 0; i < r->all.n && several && all; i++) {
 		struct column *c = &r->all.column[i];
 		if (c->role == FEED && !(c->speed > 0))
-			c->speed = speed[file_of(r, c)];
+			c->speed = speed[file_of_column(r, c)];
 	}
 }
 
@@ -889,7 +897,7 @@ choose_feed_column(struct reading *r)
 
 /* Returns the speeds of the products: "1560, 1680 rpm", or in m/s. */
 static char *
-product_speeds(const struct columns *all)
+product_speeds_text(const struct columns *all)
 {
 	bool rpm = true;
 	char *list = xstrdup("");
@@ -899,7 +907,8 @@ product_speeds(const struct columns *all)
 	for (size_t i = 0; i < all->n; i++) {
 		const struct column *c = &all->column[i];
 		if (c->role == PRODUCT)
-			xlist(&list, ", ", "%g", rpm ? c->rpm : c->speed);
+			xappend_to_list(
+			    &list, ", ", "%g", rpm ? c->rpm : c->speed);
 	}
 	xappend(&list, " %s", rpm ? "rpm" : "m/s");
 	return list;
@@ -907,7 +916,7 @@ product_speeds(const struct columns *all)
 
 /* Gives each feed the speed of the product in its table. */
 static void
-give_feeds_speeds(struct columns *all)
+give_feeds_product_speeds(struct columns *all)
 {
 	for (size_t i = 0; i < all->n; i++)
 		for (size_t k = 0; k < all->n; k++) {
@@ -925,23 +934,23 @@ give_feeds_speeds(struct columns *all)
 /* Reads tables whose titles differ only in speed as one site, without a
  * question. */
 static void
-choose_series(struct reading *r)
+accept_tables_as_one_site(struct reading *r)
 {
 	bool parts = r->request->parts;
-	bool tests = title_is_tests(r->table, r->n_table, &r->all);
+	bool tests = title_are_separate_tests(r->table, r->n_table, &r->all);
 	if (!tests &&
 	    (r->open.other == NULL ||
-		!title_is_series(r->table, r->n_table, &r->all, parts)))
+		!title_is_speed_series(r->table, r->n_table, &r->all, parts)))
 		return;
 	if (tests)
-		give_feeds_speeds(&r->all);
+		give_feeds_product_speeds(&r->all);
 	r->open.other = NULL;
-	FREED char *speeds = product_speeds(&r->all);
+	FREED char *speeds = product_speeds_text(&r->all);
 	if (count_columns_of_role(&r->all, FEED) > 0)
-		xlist(&r->site->remark, "; ",
+		xappend_to_list(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
-		xlist(&r->site->remark, "; ",
+		xappend_to_list(&r->site->remark, "; ",
 		    tr("read as one site: products at %s"), speeds);
 }
 
@@ -962,7 +971,7 @@ note_days_of_cuts(struct reading *r)
 			continue;
 		while (r->page[p].sheet != c->table->sheet)
 			p++;
-		FREED char *day = title_day(r->page[p].layout, c->table);
+		FREED char *day = title_date_above(r->page[p].layout, c->table);
 		if (day == NULL)
 			continue;
 		FREED char *note = xasprintf("%g m/s, %s", c->speed, day);
@@ -980,7 +989,8 @@ take_day_for_provenance(struct reading *r)
 	for (size_t p = 0; p < r->n_page; p++) {
 		const struct layout *layout = r->page[p].layout;
 		for (size_t i = 0; i < layout->n_heading; i++) {
-			char *day = site_heading_line_day(layout->heading[i]);
+			char *day =
+			    site_heading_date_of_line(layout->heading[i]);
 			differ = differ || (day != NULL && found != NULL &&
 					       strcmp(day, found) != 0);
 			if (found == NULL)
@@ -1003,9 +1013,9 @@ finish_site(struct reading *r)
 	r->site->path = xstrdup(q->path[0]);
 	if (r->site->name[0] == '\0') {
 		free(r->site->name);
-		r->site->name = site_heading_name(q->path[0]);
+		r->site->name = site_heading_name_from_path(q->path[0]);
 	}
-	note_rpm(r);
+	note_speeds_from_rpm(r);
 	make_runs(r->site, &r->all);
 	if (q->parts)
 		note_days_of_cuts(r);
@@ -1013,7 +1023,7 @@ finish_site(struct reading *r)
 		take_day_for_provenance(r);
 	note_left_out(r);
 	note_sieve_names(r);
-	site_describe(r->table, r->n_table, &r->all, r->site);
+	site_describe_columns(r->table, r->n_table, &r->all, r->site);
 	struct site *site = r->site;
 	r->site = NULL;
 	return site;
@@ -1049,7 +1059,7 @@ read_files(struct reading *r)
 }
 
 struct site *
-site_read_as(const struct site_request *request, struct error_list *errors,
+site_read_request(const struct site_request *request, struct error_list *errors,
     struct site_ask *ask)
 {
 	struct site_ask none = {0};
@@ -1058,23 +1068,23 @@ site_read_as(const struct site_request *request, struct error_list *errors,
 	    .request = request, .errors = errors, .site = site_new(0)};
 	r.site->rotor = request->rotor;
 	r.source = xcalloc(request->n, sizeof *r.source);
-	if (read_request(&r) && read_files(&r)) {
-		read_pages(&r);
+	if (parse_request_options(&r) && read_files(&r)) {
+		read_all_tables(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
-		give_feeds_file_speed(&r);
+		give_feeds_speed_of_file(&r);
 		if (request->feed)
 			choose_feed_column(&r);
 		if (r.n_table > 0)
-			samples_check(&r.samples, r.table[0]);
+			samples_report_missing(&r.samples, r.table[0]);
 		classify_roles(&r.all, r.site,
 		    r.names.others || r.samples.n > 0, &r.open.rotor);
-		choose_series(&r);
+		accept_tables_as_one_site(&r);
 		bool open = count_faults(&r) == 0 &&
-			    site_ask_open(&r.open, request, r.table, r.n_table,
-				&r.all, ask != NULL ? ask : &none);
+			    site_ask_pending_question(&r.open, request, r.table,
+				r.n_table, &r.all, ask != NULL ? ask : &none);
 		if (!open) {
-			read_columns(&r);
+			read_and_check_columns(&r);
 			assume_top_size(&r, ask != NULL ? ask : &none);
 		}
 		if (ask != NULL) {
@@ -1094,5 +1104,5 @@ struct site *
 site_read(const char *path, struct error_list *errors)
 {
 	struct site_request request = {.n = 1, .path = &path};
-	return site_read_as(&request, errors, NULL);
+	return site_read_request(&request, errors, NULL);
 }

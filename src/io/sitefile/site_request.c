@@ -17,17 +17,17 @@ site_box_text(struct site_box box)
 }
 
 bool
-site_box_read(const char *text, struct site_box *box)
+site_box_parse(const char *text, struct site_box *box)
 {
-	const char *p = sheet_read_place(text, &box->left, &box->top);
+	const char *p = sheet_parse_cell_address(text, &box->left, &box->top);
 	if (p == NULL || *p != ':')
 		return false;
-	p = sheet_read_place(p + 1, &box->right, &box->bottom);
+	p = sheet_parse_cell_address(p + 1, &box->right, &box->bottom);
 	return p != NULL && *p == '\0';
 }
 
 struct site_box
-site_ask_box(const struct site_ask *ask, size_t from, size_t to)
+site_ask_box_of_tables(const struct site_ask *ask, size_t from, size_t to)
 {
 	struct site_box all = ask->column[from].box;
 	for (size_t i = from + 1; i <= to; i++) {

@@ -56,13 +56,13 @@ struct site_ask {
 };
 
 /* Parses "A3:F20"; returns false for any other form. */
-bool site_box_read(const char *text, struct site_box *box);
+bool site_box_parse(const char *text, struct site_box *box);
 
 /* Returns the box as "A3:F20".  The caller frees it. */
 char *site_box_text(struct site_box box);
 
 /* Returns the smallest box that contains tables from..to of *ask, from 0. */
-struct site_box site_ask_box(
+struct site_box site_ask_box_of_tables(
     const struct site_ask *ask, size_t from, size_t to);
 
 /* Frees the members of *ask. */

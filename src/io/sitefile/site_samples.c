@@ -14,7 +14,7 @@
 #include "io/sitefile/lexicon.h"
 
 char *
-samples_next_part(char **rest)
+samples_next_item(char **rest)
 {
 	char *part = *rest, *comma = part != NULL ? strchr(part, ',') : NULL;
 	while (comma != NULL && comma > part &&
@@ -49,13 +49,13 @@ add_sample(struct samples *s, char *part, struct error *error)
 }
 
 bool
-samples_read(struct samples *s, const char *text, struct error *error)
+samples_parse(struct samples *s, const char *text, struct error *error)
 {
 	if (text == NULL)
 		return true;
 	FREED char *copy = xstrdup(text);
 	char *rest = copy;
-	for (char *part; (part = samples_next_part(&rest)) != NULL;)
+	for (char *part; (part = samples_next_item(&rest)) != NULL;)
 		if (!add_sample(s, part, error))
 			return false;
 	return true;
@@ -75,7 +75,7 @@ samples_clear(struct samples *s)
 
 /* True if the cells of a row of headings are all different. */
 static bool
-tells_apart(const struct table *t, size_t r)
+has_distinct_cells(const struct table *t, size_t r)
 {
 	const struct cell *cell = t->head[r].cell;
 	for (size_t c = 1; c < t->n_col; c++) {
@@ -89,23 +89,23 @@ tells_apart(const struct table *t, size_t r)
 }
 
 bool
-samples_are_apart(const struct table *t)
+samples_have_distinct_names(const struct table *t)
 {
 	size_t r = 0;
-	while (r < t->n_head && t->name == NULL && !tells_apart(t, r))
+	while (r < t->n_head && t->name == NULL && !has_distinct_cells(t, r))
 		r++;
 	return t->name != NULL || r < t->n_head;
 }
 
 char *
-samples_label(const struct table *t, size_t c)
+samples_label_of_column(const struct table *t, size_t c)
 {
 	if (t->name != NULL)
 		return xstrdup(t->name[c]);
 	for (size_t r = 0; r < t->n_head; r++)
-		if (tells_apart(t, r))
+		if (has_distinct_cells(t, r))
 			return xstrdup(t->head[r].cell[c].text);
-	return layout_head_text(t, c);
+	return layout_heading_text(t, c);
 }
 
 /* True if a name is that of a column: its label, or a cell of its headings. */
@@ -139,12 +139,12 @@ merge_meanings(struct column *c, const char *text, uint64_t group, uint64_t own)
 }
 
 static void
-take_sample_text(struct column *c, const char *text)
+apply_sample_text(struct column *c, const char *text)
 {
 	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE};
-	struct head own = head_read(text), *said = &c->said;
+	struct head own = head_parse(text), *said = &c->said;
 	bool speed = head_has_speed(&own);
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
@@ -165,9 +165,9 @@ take_sample_text(struct column *c, const char *text)
 }
 
 bool
-samples_take(struct samples *s, struct column *c)
+samples_apply_to_column(struct samples *s, struct column *c)
 {
-	FREED char *label = samples_label(c->table, c->at);
+	FREED char *label = samples_label_of_column(c->table, c->at);
 	size_t i = 0;
 	while (
 	    i < s->n && !is_name_of_column(c->table, c->at, label, s->name[i]))
@@ -175,12 +175,12 @@ samples_take(struct samples *s, struct column *c)
 	if (i == s->n)
 		return false;
 	s->found[i] = true;
-	take_sample_text(c, s->text[i]);
+	apply_sample_text(c, s->text[i]);
 	return true;
 }
 
 void
-samples_check(const struct samples *s, const struct table *t)
+samples_report_missing(const struct samples *s, const struct table *t)
 {
 	enum { SHOWN = 5 };
 	size_t i = 0;
@@ -190,8 +190,8 @@ samples_check(const struct samples *s, const struct table *t)
 		return;
 	FREED char *list = xstrdup("");
 	for (size_t c = 1; c < t->n_col && c <= SHOWN; c++) {
-		FREED char *label = samples_label(t, c);
-		xlist(&list, ", ", "%s", label);
+		FREED char *label = samples_label_of_column(t, c);
+		xappend_to_list(&list, ", ", "%s", label);
 	}
 	sheet_fault(t->sheet, t->row[0].cell[0],
 	    "expected a sample called %s, got none\n"

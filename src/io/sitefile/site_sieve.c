@@ -21,7 +21,7 @@
 static const double COARSEST_TOP = 500, LEAST_TOP = 4, COARSE_TOP = 150;
 
 double
-site_sieve_mm(
+site_sieve_read_mm(
     struct sheet *sheet, struct cell cell, double unit, const char *wanted)
 {
 	double v;
@@ -30,9 +30,9 @@ site_sieve_mm(
 		    "write the sieve size, or remove the row");
 		return NAN;
 	}
-	if (!number_read(sheet, cell, wanted, &v))
+	if (!number_read_cell(sheet, cell, wanted, &v))
 		return NAN;
-	double mm = site_column_round(v * unit, 1e9);
+	double mm = site_column_round_value(v * unit, 1e9);
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
 		return mm;
 	sheet_fault_expected(sheet, cell,
@@ -66,10 +66,10 @@ fault_unknown_name(struct table *t, struct cell cell)
 
 /* Returns the size of a row's sieve; 0 for the pan, NAN after a fault. */
 static double
-row_mm(struct table *t, struct cell cell)
+sieve_mm_of_row(struct table *t, struct cell cell)
 {
 	double mm;
-	enum sieve_kind kind = sieve_size(t->sheet, cell, t->unit, &mm);
+	enum sieve_kind kind = sieve_read_size(t->sheet, cell, t->unit, &mm);
 	if (kind == SIEVE_IS_PAN)
 		return 0;
 	if (kind == SIEVE_IS_SIZE && isnan(mm)) {
@@ -84,21 +84,21 @@ row_mm(struct table *t, struct cell cell)
 		    "line with #");
 		return NAN;
 	}
-	return site_sieve_mm(t->sheet, cell, t->unit.mm > 0 ? t->unit.mm : 1,
-	    "a sieve size or pan");
+	return site_sieve_read_mm(t->sheet, cell,
+	    t->unit.mm > 0 ? t->unit.mm : 1, "a sieve size or pan");
 }
 
 /* Returns the share of the sizes, multiplied by a factor, that are sizes of
  * real sieves. */
 static double
-standard_share(const struct table *t, double factor, double *most)
+share_of_standard_sizes(const struct table *t, double factor, double *most)
 {
 	double n = 0, known = 0;
 	struct sieve_unit bare = {1, SIEVE_NONE};
 	*most = 0;
 	for (size_t i = 0; i < t->n_row; i++) {
 		double mm;
-		if (sieve_size(t->sheet, t->row[i].cell[0], bare, &mm) !=
+		if (sieve_read_size(t->sheet, t->row[i].cell[0], bare, &mm) !=
 			SIEVE_IS_SIZE ||
 		    isnan(mm))
 			continue;
@@ -111,7 +111,7 @@ standard_share(const struct table *t, double factor, double *most)
 
 /* True if each size has its own unit or is a name. */
 static bool
-all_sieves_named(const struct table *t)
+are_all_sieves_named(const struct table *t)
 {
 	double v;
 	size_t n = 0;
@@ -119,9 +119,9 @@ all_sieves_named(const struct table *t)
 		struct cell cell = t->row[i].cell[0];
 		double mm;
 		struct sieve_unit none = {0, SIEVE_NONE};
-		if (sieve_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
+		if (sieve_read_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
 			continue;
-		if (number_of(cell, &v))
+		if (number_value_of_cell(cell, &v))
 			return false;
 		n++;
 	}
@@ -129,11 +129,12 @@ all_sieves_named(const struct table *t)
 }
 
 static bool
-all_sieves_whole(const struct table *t)
+are_sieve_numbers_whole(const struct table *t)
 {
 	double v;
 	for (size_t i = 0; i < t->n_row; i++)
-		if (number_of(t->row[i].cell[0], &v) && v != floor(v))
+		if (number_value_of_cell(t->row[i].cell[0], &v) &&
+		    v != floor(v))
 			return false;
 	return true;
 }
@@ -150,12 +151,13 @@ struct numbers {
 /* Whether a text is a fraction of an inch that sieves have, 3/8 or 1 1/2, and
  * no class, 12.5/16. */
 static bool
-is_fraction(const char *text)
+is_inch_fraction(const char *text)
 {
 	const char *bar = strchr(text, '/');
 	double parts;
 	return bar != NULL && isdigit((unsigned char)text[0]) &&
-	       strpbrk(text, ".,") == NULL && text_number(bar + 1, &parts) &&
+	       strpbrk(text, ".,") == NULL &&
+	       text_parse_number(bar + 1, &parts) &&
 	       (parts == 2 || parts == 4 || parts == 8 || parts == 16 ||
 		   parts == 32) &&
 	       sieve_name_mm(text, SIEVE_ASTM) > 0;
@@ -163,7 +165,7 @@ is_fraction(const char *text)
 
 /* Whether two texts are neighbouring classes, 8/16 and 4/8. */
 static bool
-classes_meet(const char *a, const char *b)
+are_neighbouring_classes(const char *a, const char *b)
 {
 	const char *low = strchr(a, '/'), *high = strchr(b, '/');
 	if (low == NULL || high == NULL)
@@ -174,25 +176,25 @@ classes_meet(const char *a, const char *b)
 }
 
 static bool
-has_fractions(const struct table *t)
+has_inch_fractions(const struct table *t)
 {
 	size_t meet = 0;
 	for (size_t i = 1; i < t->n_row; i++)
-		meet += classes_meet(
+		meet += are_neighbouring_classes(
 		    t->row[i - 1].cell[0].text, t->row[i].cell[0].text);
 	return meet < 2;
 }
 
 static struct numbers
-site_sieve_numbers_of(const struct table *t)
+collect_sieve_numbers(const struct table *t)
 {
 	struct numbers all = {.rises = true, .even = true};
-	bool fractions = has_fractions(t);
+	bool fractions = has_inch_fractions(t);
 	double v, last = NAN, step = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
-		bool part = fractions && is_fraction(cell.text);
-		bool number = number_of(cell, &v);
+		bool part = fractions && is_inch_fraction(cell.text);
+		bool number = number_value_of_cell(cell, &v);
 		all.n += part || number;
 		all.n_part += part;
 		if (part || !number)
@@ -213,25 +215,25 @@ site_sieve_numbers_of(const struct table *t)
  * Without such a heading, fractions of an inch above them show that they are
  * not sizes. */
 static enum sieve_certainty
-site_sieve_find_numbers(struct table *t, const struct numbers *all, bool said)
+recognise_astm_numbers(struct table *t, const struct numbers *all, bool said)
 {
 	double most;
 	bool astm = all->n > 2 && all->n_part + all->n_astm == all->n;
 	if (!astm || (!said && (!all->rises || all->n < 4)))
 		return SIEVES_ASSUMED; /* they are something else */
 	t->unit = (struct sieve_unit){0, SIEVE_ASTM};
-	if (said && !all->rises && standard_share(t, 1, &most) >= 1)
+	if (said && !all->rises && share_of_standard_sizes(t, 1, &most) >= 1)
 		return SIEVES_OPEN;
 	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
 }
 
 /* Returns the likeliest unit of numbers for which several are possible. */
 static struct sieve_unit
-guess_unit(const struct table *t, const struct numbers *all)
+guess_sieve_unit(const struct table *t, const struct numbers *all)
 {
-	double most, share = standard_share(t, 1e-3, &most);
+	double most, share = share_of_standard_sizes(t, 1e-3, &most);
 	struct sieve_unit mm = {1, SIEVE_NONE}, um = {1e-3, SIEVE_NONE};
-	bool small = standard_share(t, 1, &most) < 0.8 && share >= 0.8;
+	bool small = share_of_standard_sizes(t, 1, &most) < 0.8 && share >= 0.8;
 	if (all->n_below > 0)
 		return (struct sieve_unit){0, SIEVE_PHI};
 	return small || most > COARSE_TOP ? um : mm;
@@ -242,11 +244,11 @@ guess_unit(const struct table *t, const struct numbers *all)
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
-	struct numbers all = site_sieve_numbers_of(t);
-	double most, share = standard_share(t, 1, &most);
-	bool mesh = t->unit.series == SIEVE_MESH && all_sieves_whole(t);
+	struct numbers all = collect_sieve_numbers(t);
+	double most, share = share_of_standard_sizes(t, 1, &most);
+	bool mesh = t->unit.series == SIEVE_MESH && are_sieve_numbers_whole(t);
 	bool said = (means & WORD_NUMBER) != 0;
-	if (all_sieves_named(t))
+	if (are_all_sieves_named(t))
 		return SIEVES_SAID;
 	/* The letter is that of a diameter, too. */
 	if (t->unit.series == SIEVE_PHI && all.n_beyond == 0)
@@ -259,20 +261,20 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	    most * t->unit.mm >= 0.1)
 		return SIEVES_SAID;
 	if (t->unit.mm > 0) {
-		t->unit = guess_unit(t, &all);
+		t->unit = guess_sieve_unit(t, &all);
 		return SIEVES_OPEN;
 	}
 	if (mesh)
 		return SIEVES_SAID; /* and each row is told to lack a series */
 	t->unit = (struct sieve_unit){1, SIEVE_NONE};
-	enum sieve_certainty numbers = site_sieve_find_numbers(t, &all, said);
+	enum sieve_certainty numbers = recognise_astm_numbers(t, &all, said);
 	if (t->unit.series == SIEVE_ASTM)
 		return numbers == SIEVES_SAID && !said ? SIEVES_ASSUMED
 						       : numbers;
 	if (share >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
 		return SIEVES_ASSUMED;
-	t->unit = guess_unit(t, &all);
-	share = standard_share(t, 1e-3, &most);
+	t->unit = guess_sieve_unit(t, &all);
+	share = share_of_standard_sizes(t, 1e-3, &most);
 	if (share < 0.8 || most <= LEAST_TOP || most > COARSE_TOP)
 		return SIEVES_OPEN;
 	return SIEVES_ASSUMED;
@@ -299,13 +301,14 @@ is_ordered(const double *v, size_t n)
  * as in ISO 3310.  Adds the unit to these cells, at one end of the table, if
  * that puts all sizes in order. */
 static bool
-split_micro(struct table *t)
+split_mm_and_um(struct table *t)
 {
 	size_t n = t->n_row, from = 0, to = 0;
-	FREED double *v = xdoubles(n);
+	FREED double *v = xcalloc_doubles(n);
 	double number;
 	for (size_t i = 0; i < n; i++)
-		v[i] = number_of(t->row[i].cell[0], &number) && number > 0
+		v[i] = number_value_of_cell(t->row[i].cell[0], &number) &&
+			       number > 0
 			   ? number
 			   : NAN;
 	bool split = false;
@@ -324,8 +327,8 @@ split_micro(struct table *t)
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))
 			continue;
-		*cell = number_cell(t->sheet, *cell,
-		    layout_own_text(t, xasprintf("%s um", cell->text)));
+		*cell = number_cell_from_text(t->sheet, *cell,
+		    layout_adopt_text(t, xasprintf("%s um", cell->text)));
 	}
 	return split;
 }
@@ -338,8 +341,8 @@ is_finest_first(const struct table *t)
 	double last = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
 		double mm;
-		if (sieve_size(t->sheet, t->row[i].cell[0], t->unit, &mm) !=
-			SIEVE_IS_SIZE ||
+		if (sieve_read_size(t->sheet, t->row[i].cell[0], t->unit,
+			&mm) != SIEVE_IS_SIZE ||
 		    isnan(mm))
 			continue;
 		if (!isnan(last) && mm <= last)
@@ -387,18 +390,19 @@ site_sieve_check_order(struct table *t)
 }
 
 enum sieve_certainty
-site_sieve_find(struct table *t, uint64_t told)
+site_sieve_find_and_sort(struct table *t, uint64_t told)
 {
-	FREED char *head = layout_head_text(t, 0);
+	FREED char *head = layout_heading_text(t, 0);
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
-	struct head said = head_read(head);
+	struct head said = head_parse(head);
 	bool speeds =
 	    (said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0) &&
 	    (said.means & WORD_SIZE) == 0;
 	uint64_t means = told != 0 ? told : speeds ? 0 : said.means;
-	t->unit = sieve_unit_of(means);
+	t->unit = sieve_unit_from_words(means);
 	bool lengths = t->unit.mm == 1 || t->unit.mm == 0;
-	bool split = lengths && t->unit.series == SIEVE_NONE && split_micro(t);
+	bool split =
+	    lengths && t->unit.series == SIEVE_NONE && split_mm_and_um(t);
 	if (split)
 		t->unit.mm = 1;
 	struct sieve_unit stated = t->unit;
@@ -425,11 +429,11 @@ site_sieve_find(struct table *t, uint64_t told)
 /* Reports a number in a column without a heading: a decimal comma may have cut
  * a number in two. */
 static void
-check_heads(struct table *t)
+check_columns_have_headings(struct table *t)
 {
 	size_t heads = 0;
 	for (size_t c = 0; c < t->n_col; c++) {
-		FREED char *head = layout_head_text(t, c);
+		FREED char *head = layout_heading_text(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
 	}
 	for (size_t i = 0; i < t->n_row && heads > 1; i++) {
@@ -453,12 +457,12 @@ check_heads(struct table *t)
 }
 
 void
-site_sieve_check(struct table *t)
+site_sieve_check_sizes(struct table *t)
 {
-	check_heads(t);
-	t->mm = xdoubles(t->n_row);
+	check_columns_have_headings(t);
+	t->mm = xcalloc_doubles(t->n_row);
 	for (size_t i = 0; i < t->n_row; i++) {
-		t->mm[i] = row_mm(t, t->row[i].cell[0]);
+		t->mm[i] = sieve_mm_of_row(t, t->row[i].cell[0]);
 		t->lost = t->lost || isnan(t->mm[i]);
 	}
 	site_sieve_check_order(t);
@@ -466,7 +470,7 @@ site_sieve_check(struct table *t)
 
 /* True if row i has the size of an earlier row. */
 static bool
-is_again(const double *mm, size_t i)
+is_repeated_size(const double *mm, size_t i)
 {
 	size_t k = 0;
 	while (k < i && mm[k] != mm[i])
@@ -475,20 +479,20 @@ is_again(const double *mm, size_t i)
 }
 
 size_t
-site_sieve_end(const struct table *t, size_t *again)
+site_sieve_rows_before_repeat(const struct table *t, size_t *again)
 {
 	enum { ENOUGH = 3 };
-	FREED double *mm = xdoubles(t->n_row);
+	FREED double *mm = xcalloc_doubles(t->n_row);
 	double least = INFINITY;
 	size_t words = t->n_row, in_a_row = 0;
 	*again = t->n_row;
 	for (size_t i = 0; i < t->n_row && in_a_row < ENOUGH; i++) {
-		bool size = sieve_size(t->sheet, t->row[i].cell[0], t->unit,
-				&mm[i]) != SIEVE_IS_NONE;
+		bool size = sieve_read_size(t->sheet, t->row[i].cell[0],
+				t->unit, &mm[i]) != SIEVE_IS_NONE;
 		words = !size && words > i ? i : words;
 		mm[i] = size ? mm[i] : (double)NAN;
 		/* In order: none was there before. */
-		bool twice = mm[i] >= least && is_again(mm, i);
+		bool twice = mm[i] >= least && is_repeated_size(mm, i);
 		least = fmin(least, mm[i]);
 		in_a_row = twice ? in_a_row + 1 : 0;
 		*again = in_a_row == 1 ? i : *again;
@@ -499,7 +503,7 @@ site_sieve_end(const struct table *t, size_t *again)
 }
 
 const char *
-site_sieve_unit(const struct table *t)
+site_sieve_unit_text(const struct table *t)
 {
 	static const char *const SERIES[] = {"mm", "ASTM E11", "in",
 	    N_("Tyler mesh"), N_("BS mesh"), N_("mesh"), "phi"};
@@ -509,22 +513,22 @@ site_sieve_unit(const struct table *t)
 }
 
 void
-site_sieve_numbers(struct sheet *sheet)
+site_sieve_uncomment_numbers(struct sheet *sheet)
 {
 	const char separator[] = {sheet->separator, '\0'};
 	size_t rows = sheet->n_row;
 	for (size_t i = sheet->n_comment; !sheet->lost && i-- > 0;) {
 		const struct comment *c = &sheet->comment[i];
 		FREED char *first =
-		    text_unquoted(c->text, strcspn(c->text, separator));
+		    text_without_quotes(c->text, strcspn(c->text, separator));
 		bool cells = c->row.cell != NULL
 				 ? c->row.n > 1
 				 : c->text[strcspn(c->text, separator)] != '\0';
 		/* "#" alone heads a column of numbers. */
 		bool head = strcmp(first, "#") == 0;
 		if (cells && (head || sieve_name_series(first) == SIEVE_ASTM))
-			sheet_uncomment(sheet, i);
+			sheet_turn_comment_into_row(sheet, i);
 	}
 	if (sheet->n_row > rows)
-		number_find(sheet);
+		number_find_in_all_cells(sheet);
 }

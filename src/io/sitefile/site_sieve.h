@@ -17,28 +17,28 @@ enum sieve_certainty {
 
 /* Finds the unit of a table's sieves and sorts its rows, coarsest first.  told:
  * the meanings of a heading given by the user (lexicon.h), or 0. */
-enum sieve_certainty site_sieve_find(struct table *t, uint64_t told);
+enum sieve_certainty site_sieve_find_and_sort(struct table *t, uint64_t told);
 
 /* Returns the heading cell of the sieves, or the cell of the first sieve. */
 struct cell site_sieve_heading(const struct table *t);
 
 /* Reports sizes that are wrong, out of order or duplicate. */
-void site_sieve_check(struct table *t);
+void site_sieve_check_sizes(struct table *t);
 
 /* Returns the number of rows before another table with the same sieves that
  * follows without an empty line, or n_row if there is none.  again: out, the
  * first row of that table. */
-size_t site_sieve_end(const struct table *t, size_t *again);
+size_t site_sieve_rows_before_repeat(const struct table *t, size_t *again);
 
 /* Returns the unit of a table's sieves: "mm", "um", "in", "Tyler mesh". */
-const char *site_sieve_unit(const struct table *t);
+const char *site_sieve_unit_text(const struct table *t);
 
 /* Reads a size, mm to 9 decimals.  Returns NAN after a fault. */
-double site_sieve_mm(
+double site_sieve_read_mm(
     struct sheet *sheet, struct cell cell, double unit, const char *wanted);
 
 /* Turns comments that begin with #4, # 4 or another ASTM E11 number back into
  * rows. */
-void site_sieve_numbers(struct sheet *sheet);
+void site_sieve_uncomment_numbers(struct sheet *sheet);
 
 #endif

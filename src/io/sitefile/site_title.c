@@ -12,14 +12,14 @@
 
 /* The line of a table's first heading, or of its first row. */
 static int
-top_line(const struct table *t)
+first_line_of_table(const struct table *t)
 {
 	return t->n_head > 0 ? t->head[0].line : t->row[0].line;
 }
 
 /* True if the words state which sample a table has. */
 static bool
-is_title(const struct head *head)
+is_title_of_sample(const struct head *head)
 {
 	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
 	       head_has_speed(head);
@@ -33,9 +33,9 @@ is_named_sample(const struct row *row, size_t c)
 	while (first < c && row->cell[first].text[0] == '\0')
 		first++;
 	uint64_t means = lexicon_meanings(row->cell[first].text, &unknown);
-	struct head value = head_read(row->cell[c].text);
+	struct head value = head_parse(row->cell[c].text);
 	return first < c && (means & ~WORD_NUMBER) == WORD_SAMPLE &&
-	       unknown == 0 && is_title(&value);
+	       unknown == 0 && is_title_of_sample(&value);
 }
 
 /* True if cell c may be a title: the only one of its line, or the sample that
@@ -51,9 +51,10 @@ is_alone(const struct row *row, size_t c)
 
 /* True for a line above a table and below those before it. */
 static bool
-stands_above(const struct table *t, const struct row *row)
+is_line_above_table(const struct table *t, const struct row *row)
 {
-	return !t->across && row->line < top_line(t) && row->line > t->after;
+	return !t->across && row->line < first_line_of_table(t) &&
+	       row->line > t->after;
 }
 
 /* Whether cell c of a line may head a table: within three lines above it, over
@@ -63,26 +64,27 @@ stands_above(const struct table *t, const struct row *row)
 static bool
 can_head_table(const struct table *t, const struct row *row, size_t c)
 {
-	bool near = row->line < top_line(t) && row->line >= top_line(t) - 3 &&
+	bool near = row->line < first_line_of_table(t) &&
+		    row->line >= first_line_of_table(t) - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
-	return lexicon_key(row->cell[0].text) == N_KEY &&
-	       (near || (is_alone(row, c) && stands_above(t, row)));
+	return lexicon_key_from_text(row->cell[0].text) == N_KEY &&
+	       (near || (is_alone(row, c) && is_line_above_table(t, row)));
 }
 
 bool
-title_heads_any(const struct layout *layout, const struct row *row)
+title_heads_any_table(const struct layout *layout, const struct row *row)
 {
 	struct heading_speed speed;
 	for (size_t b = 0; b < layout->n; b++) {
 		const struct table *t = &layout->table[b];
-		if (stands_above(t, row) &&
-		    site_heading_line_speed(t->sheet, row, &speed))
+		if (is_line_above_table(t, row) &&
+		    site_heading_speed_of_line(t->sheet, row, &speed))
 			return true;
 		for (size_t c = 0; c < row->n; c++) {
 			if (!can_head_table(t, row, c))
 				continue;
-			struct head title = head_read(row->cell[c].text);
-			if (is_title(&title))
+			struct head title = head_parse(row->cell[c].text);
+			if (is_title_of_sample(&title))
 				return true;
 		}
 	}
@@ -93,30 +95,30 @@ const struct table *
 title_table_below(const struct layout *layout, const struct row *row)
 {
 	for (size_t b = 0; b < layout->n; b++)
-		if (stands_above(&layout->table[b], row))
+		if (is_line_above_table(&layout->table[b], row))
 			return &layout->table[b];
 	return NULL;
 }
 
 char *
-title_day(const struct layout *layout, const struct table *t)
+title_date_above(const struct layout *layout, const struct table *t)
 {
 	char *day = NULL;
 	for (size_t i = 0; i < layout->n_heading && day == NULL; i++)
-		if (stands_above(t, layout->heading[i]))
-			day = site_heading_line_day(layout->heading[i]);
+		if (is_line_above_table(t, layout->heading[i]))
+			day = site_heading_date_of_line(layout->heading[i]);
 	return day;
 }
 
 /* Adds a line above a table to its title if it is alone. */
 static void
-note_title(
+append_title_line(
     struct table *t, const struct row *row, size_t c, const struct head *title)
 {
 	const char *text = row->cell[c].text;
 	if (!is_alone(row, c) || text[0] == '\0')
 		return;
-	xlist(&t->title, "\n", "%s", text);
+	xappend_to_list(&t->title, "\n", "%s", text);
 	t->strange =
 	    t->strange || title->unknown > 0 ||
 	    (title->means & (WORD_LIMIT | WORD_MEAN | WORD_MACHINE)) != 0;
@@ -125,24 +127,24 @@ note_title(
 /* Takes the speed that a line above a table states with a key, "tip speed; 70".
  * False if none does. */
 static bool
-take_key_speed(const struct layout *layout, const struct table *t,
+take_speed_above_table(const struct layout *layout, const struct table *t,
     struct heading_speed *speed)
 {
 	bool found = false;
 	for (size_t i = 0; i < layout->n_heading; i++)
-		if (stands_above(t, layout->heading[i]))
-			found = site_heading_line_speed(
+		if (is_line_above_table(t, layout->heading[i]))
+			found = site_heading_speed_of_line(
 				    t->sheet, layout->heading[i], speed) ||
 				found;
 	return found;
 }
 
 bool
-title_speeds_differ(const struct layout *layout)
+title_has_speed_per_table(const struct layout *layout)
 {
 	struct heading_speed speed;
 	for (size_t b = 1; b < layout->n; b++)
-		if (take_key_speed(layout, &layout->table[b], &speed))
+		if (take_speed_above_table(layout, &layout->table[b], &speed))
 			return true;
 	return false;
 }
@@ -191,13 +193,13 @@ take_basis(struct table *t)
 }
 
 uint64_t
-title_context(const struct layout *layout, struct table *t, const char *path,
-    struct surroundings *near)
+title_context_meanings(const struct layout *layout, struct table *t,
+    const char *path, struct surroundings *near)
 {
 	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
-	struct head name = head_read(t->sheet->name);
+	struct head name = head_parse(t->sheet->name);
 	struct heading_speed own = {0};
-	if (take_key_speed(layout, t, &own)) {
+	if (take_speed_above_table(layout, t, &own)) {
 		near->speed = own.mps;
 		near->rpm = own.rpm;
 	}
@@ -210,9 +212,9 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 		for (size_t c = 0; c < row->n; c++) {
 			if (!can_head_table(t, row, c))
 				continue;
-			struct head title = head_read(row->cell[c].text);
-			note_title(t, row, c, &title);
-			if (!is_title(&title))
+			struct head title = head_parse(row->cell[c].text);
+			append_title_line(t, row, c, &title);
+			if (!is_title_of_sample(&title))
 				continue;
 			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
@@ -226,14 +228,14 @@ title_context(const struct layout *layout, struct table *t, const char *path,
 	}
 	take_basis(t);
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
-		FREED char *stem = site_heading_name(path);
+		FREED char *stem = site_heading_name_from_path(path);
 		means |= lexicon_meanings(stem, NULL);
 	}
 	return means;
 }
 
 char *
-title_line(const struct table *t)
+title_feed_or_last_line(const struct table *t)
 {
 	for (const char *p = t->title;;) {
 		size_t n = strcspn(p, "\n");
@@ -250,7 +252,7 @@ title_line(const struct table *t)
  * something; not if it has a unit, which may follow it, or is a range of
  * sizes. */
 static bool
-is_numeral(const char *word, size_t n, const char *next)
+is_counting_number(const char *word, size_t n, const char *next)
 {
 	size_t digits = 0, more;
 	while (digits < n && strchr("0123456789.", word[digits]) != NULL)
@@ -273,7 +275,7 @@ is_numeral(const char *word, size_t n, const char *next)
 
 /* True if a word is a name: of unknown meaning, or with a number in it. */
 static bool
-is_name(const char *word, size_t n, const char *next)
+is_name_word(const char *word, size_t n, const char *next)
 {
 	FREED char *copy = xstrndup(word, n);
 	size_t unknown;
@@ -281,18 +283,18 @@ is_name(const char *word, size_t n, const char *next)
 	bool letters = strpbrk(copy, "0123456789") == NULL;
 	bool own = !letters && strspn(copy, "0123456789") == 0;
 	return letters ? unknown > 0 && n > 1
-		       : own || is_numeral(word, n, next);
+		       : own || is_counting_number(word, n, next);
 }
 
 /* True if text a contains a name that is no word of b; both are folded. */
 static bool
-has_other_name(const char *a, const char *b)
+has_name_not_in(const char *a, const char *b)
 {
 	static const char ENDS[] = " ,;:()[]@\n";
 	for (const char *p = a; *p != '\0';) {
 		size_t n = strcspn(p, ENDS);
 		const char *next = p + n + strspn(p + n, ENDS);
-		bool found = n == 0 || !is_name(p, n, next);
+		bool found = n == 0 || !is_name_word(p, n, next);
 		for (const char *q = b; *q != '\0' && !found;) {
 			size_t m = strcspn(q, ENDS);
 			found = m == n && strncmp(p, q, n) == 0;
@@ -310,7 +312,7 @@ title_names_differ(const char *a, const char *b)
 {
 	FREED char *one = head_without_speeds(a),
 		   *other = head_without_speeds(b);
-	return has_other_name(one, other) && has_other_name(other, one);
+	return has_name_not_in(one, other) && has_name_not_in(other, one);
 }
 
 /* Returns the last lines of a title, as many as another has: above the first
@@ -328,7 +330,7 @@ last_lines(const char *title, const char *other)
 }
 
 bool
-title_is_like(const struct table *a, const struct table *b)
+title_differs_only_in_speed(const struct table *a, const struct table *b)
 {
 	FREED char *one = head_without_speeds(last_lines(a->title, b->title));
 	FREED char *other = head_without_speeds(b->title);
@@ -337,7 +339,7 @@ title_is_like(const struct table *a, const struct table *b)
 
 /* Returns the only sample of a table, or NULL if it has none or several. */
 static const struct column *
-title_only_sample(const struct columns *all, const struct table *t)
+only_sample_of_table(const struct columns *all, const struct table *t)
 {
 	const struct column *found = NULL;
 	for (size_t i = 0; i < all->n; i++) {
@@ -352,32 +354,33 @@ title_only_sample(const struct columns *all, const struct table *t)
 }
 
 bool
-title_is_limit(const struct table *t)
+title_is_of_limits_or_mean(const struct table *t)
 {
-	return (head_read(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
+	return (head_parse(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
 /* True if a table has one product, with its speed in the title or in a line
  * above. */
 static bool
-has_product(const struct table *t, const struct column *c)
+has_one_product_with_speed(const struct table *t, const struct column *c)
 {
-	struct head head = head_read(t->title);
+	struct head head = head_parse(t->title);
 	bool speed = head_has_speed(&head) || c->speed > 0 || c->rpm > 0;
 	return c->role == PRODUCT && !c->said.several && speed &&
-	       !head.several && !title_is_limit(t);
+	       !head.several && !title_is_of_limits_or_mean(t);
 }
 
 /* True if product k has the same title as those before it, but another
  * speed. */
 static bool
-title_goes_on(struct table *const *table, size_t k, const struct columns *all)
+is_same_title_other_speed(
+    struct table *const *table, size_t k, const struct columns *all)
 {
-	const struct column *own = title_only_sample(all, table[k]);
+	const struct column *own = only_sample_of_table(all, table[k]);
 	for (size_t i = 0; i < k; i++) {
-		const struct column *c = title_only_sample(all, table[i]);
+		const struct column *c = only_sample_of_table(all, table[i]);
 		if (c->role == PRODUCT &&
-		    (!title_is_like(table[i], table[k]) ||
+		    (!title_differs_only_in_speed(table[i], table[k]) ||
 			(c->speed == own->speed && c->rpm == own->rpm)))
 			return false;
 	}
@@ -385,26 +388,26 @@ title_goes_on(struct table *const *table, size_t k, const struct columns *all)
 }
 
 bool
-title_is_series(
+title_is_speed_series(
     struct table *const *table, size_t n, const struct columns *all, bool parts)
 {
 	const struct table *feed = NULL;
 	for (size_t k = 0; k < n; k++) {
-		const struct column *c = title_only_sample(all, table[k]);
+		const struct column *c = only_sample_of_table(all, table[k]);
 		if (c == NULL || table[k]->sheet != table[0]->sheet)
 			return false;
 		bool is_feed = c->role == FEED && !(c->speed > 0);
 		if (is_feed ? feed != NULL
-			    : !has_product(table[k], c) ||
-				  !title_goes_on(table, k, all))
+			    : !has_one_product_with_speed(table[k], c) ||
+				  !is_same_title_other_speed(table, k, all))
 			return false;
 		feed = is_feed ? table[k] : feed;
 	}
 	if (feed == NULL)
 		return parts;
-	if (title_is_limit(feed))
+	if (title_is_of_limits_or_mean(feed))
 		return false;
-	FREED char *line = title_line(feed);
+	FREED char *line = title_feed_or_last_line(feed);
 	bool one = true;
 	for (size_t k = 0; k < n; k++)
 		one = one && (table[k] == feed ||
@@ -445,7 +448,7 @@ name_of_test(const char *text, const struct column *c)
 					 strncmp(p, COUNTED[i], letters) == 0);
 		size_t kept = ends_with_speed(p, letters, c) ? letters : n;
 		if (kept > 0 && !date && !named && !(number && counts))
-			xlist(&name, " ", "%.*s", (int)kept, p);
+			xappend_to_list(&name, " ", "%.*s", (int)kept, p);
 		counts = n > 0 ? named : counts;
 		p += n + (p[n] != '\0');
 	}
@@ -453,7 +456,7 @@ name_of_test(const char *text, const struct column *c)
 }
 
 static bool
-tests_alike(const char *a, const struct column *first, const char *b,
+has_same_test_name(const char *a, const struct column *first, const char *b,
     const struct column *c)
 {
 	FREED char *one = name_of_test(a, first), *other = name_of_test(b, c);
@@ -463,7 +466,7 @@ tests_alike(const char *a, const struct column *first, const char *b,
 /* Returns the product of a table that has one product and one feed, and sets
  * *feed; otherwise NULL. */
 static const struct column *
-test_sample(const struct columns *all, const struct table *t,
+product_of_test(const struct columns *all, const struct table *t,
     const struct column **feed)
 {
 	const struct column *product = NULL;
@@ -483,22 +486,24 @@ test_sample(const struct columns *all, const struct table *t,
 }
 
 bool
-title_is_tests(struct table *const *table, size_t n, const struct columns *all)
+title_are_separate_tests(
+    struct table *const *table, size_t n, const struct columns *all)
 {
 	const struct column *feed;
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k], *first = table[0];
-		const struct column *c = test_sample(all, t, &feed);
-		const struct column *one = test_sample(all, first, &feed);
+		const struct column *c = product_of_test(all, t, &feed);
+		const struct column *one = product_of_test(all, first, &feed);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
-		    title_is_limit(t) ||
-		    !tests_alike(first->sheet->name, one, t->sheet->name, c) ||
-		    !tests_alike(
+		    title_is_of_limits_or_mean(t) ||
+		    !has_same_test_name(
+			first->sheet->name, one, t->sheet->name, c) ||
+		    !has_same_test_name(
 			last_lines(first->title, t->title), one, t->title, c))
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =
-			    test_sample(all, table[i], &feed);
+			    product_of_test(all, table[i], &feed);
 			if (c->speed == other->speed && c->rpm == other->rpm)
 				return false;
 		}

@@ -7,7 +7,7 @@
 
 /* True if a line states which sample one of the layout's tables has, or its
  * speed. */
-bool title_heads_any(const struct layout *layout, const struct row *row);
+bool title_heads_any_table(const struct layout *layout, const struct row *row);
 
 /* Returns the table that a line stands above, below those before it; NULL if
  * there is none. */
@@ -16,16 +16,16 @@ const struct table *title_table_below(
 
 /* Returns the day, "2026-05-03", stated in a line above a table and below those
  * before it, or NULL.  The caller frees it. */
-char *title_day(const struct layout *layout, const struct table *t);
+char *title_date_above(const struct layout *layout, const struct table *t);
 
 /* True if a line above a further table of a sheet states its speed with a key:
  * lines above the first are then about the first alone. */
-bool title_speeds_differ(const struct layout *layout);
+bool title_has_speed_per_table(const struct layout *layout);
 
 /* Returns the meanings of the words around a table (its title, the name of its
  * sheet or of the file at path) that distinguish feed from product.  near: its
  * speed and rpm are set if the title states them. */
-uint64_t title_context(const struct layout *layout, struct table *t,
+uint64_t title_context_meanings(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near);
 
 /* True if two titles contain different names of machines, days and the like:
@@ -34,26 +34,26 @@ bool title_names_differ(const char *a, const char *b);
 
 /* True if the titles of two tables differ only in speed; the first may have
  * lines above that are about all of a sheet. */
-bool title_is_like(const struct table *a, const struct table *b);
+bool title_differs_only_in_speed(const struct table *a, const struct table *b);
 
 /* True if a title mentions limits or a mean, so the table has no sample. */
-bool title_is_limit(const struct table *t);
+bool title_is_of_limits_or_mean(const struct table *t);
 
 /* Returns the line of the table's title that mentions the feed, or its last
  * line.  The caller frees it. */
-char *title_line(const struct table *t);
+char *title_feed_or_last_line(const struct table *t);
 
 /* True if tables are one site although words in their titles may mean several:
  * one has the feed (not needed if parts), and each other one has a product,
  * with a title that differs from those of the other products only in a speed
  * with its unit. */
-bool title_is_series(struct table *const *table, size_t n,
+bool title_is_speed_series(struct table *const *table, size_t n,
     const struct columns *all, bool parts);
 
 /* True if each of several tables is a test, with its own feed and product and
  * with a speed stated in the title or the name of the sheet, and these differ
  * only in speeds, dates and test numbers. */
-bool title_is_tests(
+bool title_are_separate_tests(
     struct table *const *table, size_t n, const struct columns *all);
 
 #endif

@@ -26,7 +26,7 @@ struct curve {
  * percents that never exceed 1 for fractions, so such a product is written in
  * fractions, and so are its repeats, which share its unit. */
 static bool
-is_small(const struct site *site, double speed)
+is_written_as_fractions(const struct site *site, double speed)
 {
 	bool small = false;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -39,13 +39,13 @@ is_small(const struct site *site, double speed)
 
 /* Converts a fraction, rounded to 14 decimals, to the unit of the column. */
 static double
-as_written(const struct curve *c, double fraction)
+fraction_in_column_unit(const struct curve *c, double fraction)
 {
 	return round(fraction * 1e14) / (c->small ? 1e14 : 1e12);
 }
 
 static void
-write_line(const char *key, const char *value, FILE *out)
+write_key_and_value(const char *key, const char *value, FILE *out)
 {
 	sheet_write_cell(key, ',', out);
 	fputc(',', out);
@@ -54,28 +54,29 @@ write_line(const char *key, const char *value, FILE *out)
 }
 
 static void
-write_heading(const struct site *site, FILE *out)
+write_lines_above_table(const struct site *site, FILE *out)
 {
 	char top[32] = "", rotor[32] = "";
 	if (site->top_size > 0)
-		text_exact_number(units_mm(site->top_size), top);
+		text_shortest_exact_number(units_mm(site->top_size), top);
 	if (site->rotor > 0)
-		text_exact_number(units_mm(site->rotor), rotor);
+		text_shortest_exact_number(units_mm(site->rotor), rotor);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
 	    {"machine", site->machine}, {"rotor_mm", rotor},
 	    {"provenance", site->provenance}};
 	for (size_t i = 0; i < ARRAY_LEN(line); i++)
 		if (line[i][1][0] != '\0')
-			write_line(line[i][0], line[i][1], out);
+			write_key_and_value(line[i][0], line[i][1], out);
 	for (size_t i = 0; i < site->n_note; i++)
-		write_line(site->note[i].key, site->note[i].value, out);
+		write_key_and_value(
+		    site->note[i].key, site->note[i].value, out);
 }
 
 /* True if each run has its own feed.  One feed serves all runs unless there are
  * several, or a run has only its feed, which no other column would name. */
 static bool
-has_own_feeds(const struct site *site)
+has_feed_per_run(const struct site *site)
 {
 	bool own = site->individual_feeds;
 	for (size_t r = 0; r < site->n_run; r++)
@@ -88,7 +89,7 @@ has_own_feeds(const struct site *site)
 static size_t
 list_curves(const struct site *site, struct curve *curve)
 {
-	bool own = has_own_feeds(site);
+	bool own = has_feed_per_run(site);
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
@@ -100,7 +101,7 @@ list_curves(const struct site *site, struct curve *curve)
 				feed, feed->passing, 0};
 		if (product->n > 0)
 			curve[n++] = (struct curve){"product", run->speed,
-			    is_small(site, run->speed), product,
+			    is_written_as_fractions(site, run->speed), product,
 			    product->passing, 0};
 		if (product->n > 0 && run->product_sd != NULL)
 			curve[n++] = (struct curve){"sd", run->speed, false,
@@ -111,7 +112,7 @@ list_curves(const struct site *site, struct curve *curve)
 
 /* Returns the coarsest sieve not yet written, mm, or 0 if all are. */
 static double
-next_mm(const struct curve *curve, size_t n)
+next_size_to_write(const struct curve *curve, size_t n)
 {
 	double mm = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -126,7 +127,7 @@ static void
 write_row(struct curve *curve, size_t n, double mm, FILE *out)
 {
 	char number[32];
-	fputs(text_exact_number(mm, number), out);
+	fputs(text_shortest_exact_number(mm, number), out);
 	for (size_t i = 0; i < n; i++) {
 		struct curve *c = &curve[i];
 		fputc(',', out);
@@ -135,8 +136,9 @@ write_row(struct curve *curve, size_t n, double mm, FILE *out)
 			if (units_mm(c->psd->size[c->next]) < mm)
 				break;
 			if (!used)
-				fputs(text_exact_number(
-					  as_written(c, c->value[c->next]),
+				fputs(text_shortest_exact_number(
+					  fraction_in_column_unit(
+					      c, c->value[c->next]),
 					  number),
 				    out);
 			used = true;
@@ -151,17 +153,18 @@ site_write(const struct site *site, FILE *out)
 	char number[32];
 	FREED struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
 	size_t n = list_curves(site, curve);
-	write_heading(site, out);
+	write_lines_above_table(site, out);
 	fputs("size_mm", out);
 	for (size_t i = 0; i < n; i++) {
 		const struct curve *c = &curve[i];
 		fprintf(out, ",%s%s%s%s", c->role, c->small ? "_fraction" : "",
 		    c->speed > 0 ? "@" : "",
-		    c->speed > 0 ? text_exact_number(c->speed, number) : "");
+		    c->speed > 0 ? text_shortest_exact_number(c->speed, number)
+				 : "");
 	}
 	fputc('\n', out);
 	size_t rows = 0;
-	for (double mm; (mm = next_mm(curve, n)) > 0; rows++)
+	for (double mm; (mm = next_size_to_write(curve, n)) > 0; rows++)
 		write_row(curve, n, mm, out);
 	return rows;
 }
@@ -175,5 +178,5 @@ site_save(const struct site *site, const char *path, size_t *rows,
 	FILE *memory = text_open_memory(&text, &n);
 	*rows = site_write(site, memory);
 	fclose(memory);
-	return file_replace(path, FILE_SHARED, text, n, error);
+	return file_replace_contents(path, FILE_SHARED, text, n, error);
 }

@@ -29,7 +29,7 @@ units_pct(double passing)
 /* Returns the number of decimals with which to show a speed in m/s: two if the
  * speed, as given, has exactly two, else one. */
 static inline int
-units_speed_digits(double v)
+units_speed_decimals(double v)
 {
 	double tenths = 10 * v, hundredths = 100 * v;
 	bool two = fabs(hundredths - round(hundredths)) < 1e-6 &&

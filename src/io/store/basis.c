@@ -51,7 +51,7 @@ static const struct taken {
     {"named", offsetof(struct site, named)}};
 
 static char **
-provenance_field(struct site *site, const struct taken *taken)
+field_of_provenance(struct site *site, const struct taken *taken)
 {
 	return (char **)(void *)((char *)site + taken->offset);
 }
@@ -91,7 +91,7 @@ write_fit(const struct basis *b, FILE *out)
 		fprintf(out, "%s=", ITEMS[k].name);
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
-			    text_exact_number(
+			    text_shortest_exact_number(
 				basis_number_at(b, &ITEMS[k], i), number));
 		fputc(' ', out);
 	}
@@ -128,14 +128,14 @@ unescape_line_ends(const char *line)
 }
 
 char *
-basis_written(const struct basis *b)
+basis_to_text(const struct basis *b)
 {
 	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
 	write_fit(b, out);
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		const char *said = *provenance_field(b->then, &TAKEN[k]);
+		const char *said = *field_of_provenance(b->then, &TAKEN[k]);
 		if (said[0] != '\0')
 			fprintf(out, "%s=%s\n", TAKEN[k].name, said);
 	}
@@ -152,7 +152,7 @@ basis_written(const struct basis *b)
 /* Reads the numbers of "name=1,2,3"; unknown names, from a later version, are
  * ignored. */
 static bool
-take_numbers(struct basis *b, const char *name, char *list)
+parse_named_numbers(struct basis *b, const char *name, char *list)
 {
 	size_t k = 0, i = 0;
 	while (k < ARRAY_LEN(ITEMS) && strcmp(ITEMS[k].name, name) != 0)
@@ -160,7 +160,7 @@ take_numbers(struct basis *b, const char *name, char *list)
 	char *next = NULL, *word = strtok_r(list, ",", &next);
 	for (; k < ARRAY_LEN(ITEMS) && word != NULL; i++) {
 		double value;
-		if (i == ITEMS[k].n || !text_number(word, &value) ||
+		if (i == ITEMS[k].n || !text_parse_number(word, &value) ||
 		    !basis_put_number(b, &ITEMS[k], i, value))
 			return false;
 		word = strtok_r(NULL, ",", &next);
@@ -181,7 +181,7 @@ read_fit(struct basis *b, char *line, const char **train)
 		*value++ = '\0';
 		if (strcmp(word, "train") == 0)
 			*train = value;
-		else if (!take_numbers(b, word, value))
+		else if (!parse_named_numbers(b, word, value))
 			return false;
 	}
 	return *train != NULL;
@@ -194,7 +194,7 @@ basis_read_sheet(const char *text)
 	const struct site_request request = {
 	    .n = 1, .path = &path, .text = text};
 	struct error_list faults = {0};
-	struct site *site = site_read_as(&request, &faults, NULL);
+	struct site *site = site_read_request(&request, &faults, NULL);
 	return site;
 }
 
@@ -214,7 +214,7 @@ static void
 read_provenance(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		char **said = provenance_field(site, &TAKEN[k]);
+		char **said = field_of_provenance(site, &TAKEN[k]);
 		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
@@ -229,7 +229,7 @@ read_provenance(struct site *site, const char *lines)
 
 /* Reads which runs were trained on, "1,0,1". */
 static bool
-take_train(struct basis *b, const char *train)
+parse_training_runs(struct basis *b, const char *train)
 {
 	const struct site *site = b->then;
 	bool any = false;
@@ -238,22 +238,22 @@ take_train(struct basis *b, const char *train)
 		if (strlen(train) < 2 * (site->n_run - r) - 1)
 			return false;
 		b->train[r] = train[2 * r] == '1';
-		any = any ||
-		      (b->train[r] && misfit_count_covered(&site->run[r]) > 0);
+		any = any || (b->train[r] && misfit_count_covered_sieves(
+						 &site->run[r]) > 0);
 	}
 	return any;
 }
 
 /* Takes what the fields of a material state about its fit. */
 static void
-basis_from_fields(struct basis *b, const struct stored *m)
+take_basis_from_fields(struct basis *b, const struct stored *m)
 {
 	struct fit *fit = &b->fit;
 	fit->params = m->params;
 	fit->misfit = m->misfit;
 	fit->seed = (uint64_t)m->seed;
 	fit->generations = (size_t)m->generations;
-	fit->settings = stored_settings(m);
+	fit->settings = stored_model_settings(m);
 	fit->settings.breakage = (unsigned)m->params.breakage;
 	fit->site_digest = b->then->digest;
 	fit->stop = CALIBRATE_TOLERANCE;
@@ -266,7 +266,7 @@ basis_from_fields(struct basis *b, const struct stored *m)
 static bool
 basis_is_possible(const struct basis *b)
 {
-	const struct breakage *of = breakage_of(&b->fit.params);
+	const struct breakage *of = breakage_model_of_params(&b->fit.params);
 	bool good = b->fit.misfit >= 0 && b->fit.rmse >= 0 && b->weight > 0;
 	for (size_t j = 0; good && j < of->n; j++)
 		good = b->bounds.lower[j] >= of->parameter[j].least &&
@@ -287,7 +287,7 @@ basis_read_text(struct basis *b, char *text)
 	b->then = basis_read_sheet(sheet);
 	b->now = later != NULL ? basis_read_sheet(later) : NULL;
 	if (!read_fit(b, text, &train) || b->then == NULL ||
-	    (later != NULL && b->now == NULL) || !take_train(b, train))
+	    (later != NULL && b->now == NULL) || !parse_training_runs(b, train))
 		return false;
 	read_provenance(b->then, said);
 	if (b->now != NULL)
@@ -305,7 +305,7 @@ basis_from_material(
 	FREED char *text = unescape_line_ends(m->basis);
 	bool good = basis_read_text(b, text);
 	if (good)
-		basis_from_fields(b, m);
+		take_basis_from_fields(b, m);
 	return (good && basis_is_possible(b)) ||
 	       error_set(error, ERROR_DATA,
 		   "the runs remembered with '%s' cannot be read\n"

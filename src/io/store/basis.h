@@ -9,7 +9,7 @@
 
 /* then: the site at the time of calibration, on the runs marked in train
  * [n_run]; now: the site with runs added since, or NULL.  weight: see
- * calibration_weight. */
+ * calibration_sum_of_weights. */
 struct basis {
 	struct fit fit;
 	struct bounds bounds;
@@ -21,10 +21,10 @@ struct basis {
 /* Returns the basis as one line of text without control characters: the numbers
  * of the fit that are not fields of a material, and the sheets as site_write
  * prints them.  The caller frees it. */
-char *basis_written(const struct basis *basis);
+char *basis_to_text(const struct basis *basis);
 
 /* Reads the basis of a material, with other numbers of the fit from the
- * material's fields.  A basis from basis_written reads back bit for bit.
+ * material's fields.  A basis from basis_to_text reads back bit for bit.
  * Returns false without an error if the material has no basis, and with
  * ERROR_DATA for a text that no calibration writes, as a store may come from
  * another user.  Always clear the basis. */

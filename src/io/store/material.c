@@ -64,19 +64,19 @@ value_at(const struct stored *m, const struct field *f, enum field_kind kind)
 }
 
 char **
-stored_text(const struct stored *m, const struct field *f)
+stored_text_of_field(const struct stored *m, const struct field *f)
 {
 	return value_at(m, f, FIELD_TEXT);
 }
 
 double *
-stored_number(const struct stored *m, const struct field *f)
+stored_number_of_field(const struct stored *m, const struct field *f)
 {
 	return value_at(m, f, FIELD_NUMBER);
 }
 
 int64_t *
-stored_integer(const struct stored *m, const struct field *f)
+stored_integer_of_field(const struct stored *m, const struct field *f)
 {
 	return value_at(m, f, FIELD_WHOLE);
 }
@@ -85,8 +85,8 @@ void
 stored_set_text(struct stored *m, const struct field *f, const char *text)
 {
 	char *copy = xstrdup(text);
-	free(*stored_text(m, f));
-	*stored_text(m, f) = copy;
+	free(*stored_text_of_field(m, f));
+	*stored_text_of_field(m, f) = copy;
 }
 
 struct stored
@@ -98,11 +98,11 @@ stored_empty(void)
 		if (f->kind == FIELD_TEXT)
 			stored_set_text(&m, f, "");
 		else if (f->kind == FIELD_NUMBER)
-			*stored_number(&m, f) = NAN;
+			*stored_number_of_field(&m, f) = NAN;
 		else if (f->kind == FIELD_WHOLE)
-			*stored_integer(&m, f) = -1;
+			*stored_integer_of_field(&m, f) = -1;
 		else
-			stored_set_written(&m, f, "");
+			stored_set_field_from_text(&m, f, "");
 	}
 	return m;
 }
@@ -112,7 +112,7 @@ stored_free(struct stored *m)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++)
 		if (FIELDS[i].kind == FIELD_TEXT)
-			free(*stored_text(m, &FIELDS[i]));
+			free(*stored_text_of_field(m, &FIELDS[i]));
 	free(m->feed_source);
 }
 
@@ -156,13 +156,13 @@ compare_fold_to_name(const void *fold, const void *name)
 }
 
 struct stored_index
-stored_index(const struct stored_list *list)
+stored_make_index(const struct stored_list *list)
 {
 	struct stored_index index = {
 	    list->n, xcalloc(list->n + 1, sizeof *index.name)};
 	for (size_t i = 0; i < list->n; i++)
-		index.name[i] =
-		    (struct stored_name){text_fold(list->item[i].name), i};
+		index.name[i] = (struct stored_name){
+		    text_fold_case_and_accents(list->item[i].name), i};
 	qsort(index.name, index.n, sizeof *index.name, compare_names);
 	return index;
 }
@@ -186,22 +186,25 @@ stored_index_clear(struct stored_index *index)
 static size_t
 count_params(const struct params *p)
 {
-	return p->breakage < breakage_count() ? breakage_of(p)->n : 0;
+	return p->breakage < breakage_count_models()
+		   ? breakage_model_of_params(p)->n
+		   : 0;
 }
 
 static char *
-params_written(const struct params *p)
+params_to_text(const struct params *p)
 {
 	char *text = xstrdup(""), number[32];
 	for (size_t j = 0; j < count_params(p); j++)
-		xlist(&text, " ", "%s=%s", breakage_of(p)->parameter[j].name,
-		    text_exact_number(p->at[j], number));
+		xappend_to_list(&text, " ", "%s=%s",
+		    breakage_model_of_params(p)->parameter[j].name,
+		    text_shortest_exact_number(p->at[j], number));
 	return text;
 }
 
 /* Returns the number in "name=number" among others, or NAN. */
 static double
-param_in(const char *text, const char *name)
+find_param_in_text(const char *text, const char *name)
 {
 	size_t n = strlen(name);
 	while (*text != '\0') {
@@ -210,7 +213,7 @@ param_in(const char *text, const char *name)
 			double value = NAN;
 			FREED char *number =
 			    xstrndup(text + n + 1, word - n - 1);
-			return text_number(number, &value) ? value : NAN;
+			return text_parse_number(number, &value) ? value : NAN;
 		}
 		text += word + (text[word] == ' ');
 	}
@@ -218,56 +221,60 @@ param_in(const char *text, const char *name)
 }
 
 void
-stored_set_written(struct stored *m, const struct field *f, const char *text)
+stored_set_field_from_text(
+    struct stored *m, const struct field *f, const char *text)
 {
 	struct params *p = &m->params;
 	if (f->kind == FIELD_MODEL) {
-		p->breakage = breakage_find(text);
+		p->breakage = breakage_find_by_name(text);
 		return;
 	}
 	assert(f->kind == FIELD_PARAMS);
 	for (size_t j = 0; j < PARAMS_MOST; j++)
 		p->at[j] = 0;
 	for (size_t j = 0; j < count_params(p); j++)
-		p->at[j] = param_in(text, breakage_of(p)->parameter[j].name);
+		p->at[j] = find_param_in_text(
+		    text, breakage_model_of_params(p)->parameter[j].name);
 }
 
 char *
-stored_written(const struct stored *m, const struct field *f)
+stored_field_to_text(const struct stored *m, const struct field *f)
 {
 	char number[32];
 	const struct params *params = &m->params;
 	if (f->kind == FIELD_MODEL)
-		return xstrdup(
-		    count_params(params) > 0 ? breakage_of(params)->name : "");
+		return xstrdup(count_params(params) > 0
+				   ? breakage_model_of_params(params)->name
+				   : "");
 	if (f->kind == FIELD_PARAMS)
-		return params_written(params);
+		return params_to_text(params);
 	if (f->kind == FIELD_TEXT)
-		return xstrdup(*stored_text(m, f));
+		return xstrdup(*stored_text_of_field(m, f));
 	if (f->kind == FIELD_NUMBER)
-		return xstrdup(
-		    isfinite(*stored_number(m, f))
-			? text_exact_number(*stored_number(m, f), number)
-			: "");
-	int64_t whole = *stored_integer(m, f);
+		return xstrdup(isfinite(*stored_number_of_field(m, f))
+				   ? text_shortest_exact_number(
+					 *stored_number_of_field(m, f), number)
+				   : "");
+	int64_t whole = *stored_integer_of_field(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
 void
-stored_each_field(const struct stored *m, stored_take *take, void *data)
+stored_visit_fields(const struct stored *m, stored_take *take, void *data)
 {
 	char number[32];
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
 		const struct params *p = &m->params;
 		if (FIELDS[i].kind != FIELD_PARAMS) {
-			FREED char *text = stored_written(m, &FIELDS[i]);
+			FREED char *text = stored_field_to_text(m, &FIELDS[i]);
 			take(data, FIELDS[i].name, text);
 			continue;
 		}
 		for (size_t j = 0; j < count_params(p); j++)
-			take(data, breakage_of(p)->parameter[j].name,
+			take(data,
+			    breakage_model_of_params(p)->parameter[j].name,
 			    isfinite(p->at[j])
-				? text_exact_number(p->at[j], number)
+				? text_shortest_exact_number(p->at[j], number)
 				: "");
 	}
 }
@@ -280,20 +287,20 @@ digest_one(void *data, const char *name, const char *text)
 	uint64_t *h = data;
 	if (text[0] == '\0' || strcmp(text, BREAKAGES[0]->name) == 0)
 		return;
-	*h = text_digest(*h, name, strlen(name) + 1);
-	*h = text_digest(*h, text, strlen(text) + 1);
+	*h = text_fnv1a_digest(*h, name, strlen(name) + 1);
+	*h = text_fnv1a_digest(*h, text, strlen(text) + 1);
 }
 
 uint64_t
 stored_make_digest(const struct stored *m)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	stored_each_field(m, digest_one, &h);
+	stored_visit_fields(m, digest_one, &h);
 	return h;
 }
 
 struct model_settings
-stored_settings(const struct stored *m)
+stored_model_settings(const struct stored *m)
 {
 	struct model_settings s = model_settings_default();
 	if (strcmp(m->method, "classes") == 0)
@@ -311,7 +318,7 @@ static const char TABLE3[] = "table3/";
 bool
 stored_is_table3_name(const char *name)
 {
-	FREED char *folded = text_fold(name);
+	FREED char *folded = text_fold_case_and_accents(name);
 	return strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
 }
 
@@ -320,12 +327,12 @@ enum { MOST_NAME = 60 };
 /* Returns the index of the first impossible parameter, or the number of
  * parameters. */
 static size_t
-wrong_param(const struct params *p)
+index_of_impossible_param(const struct params *p)
 {
 	size_t j = 0;
 	while (j < count_params(p) &&
-	       p->at[j] >= breakage_of(p)->parameter[j].least &&
-	       p->at[j] <= breakage_of(p)->parameter[j].most)
+	       p->at[j] >= breakage_model_of_params(p)->parameter[j].least &&
+	       p->at[j] <= breakage_model_of_params(p)->parameter[j].most)
 		j++;
 	return j;
 }
@@ -334,20 +341,22 @@ static char *
 model_names(void)
 {
 	char *names = xstrdup(tr("one of:"));
-	for (size_t i = 0; i < breakage_count(); i++)
+	for (size_t i = 0; i < breakage_count_models(); i++)
 		xappend(&names, " %s", BREAKAGES[i]->name);
 	return names;
 }
 
 char *
-stored_expected_text(const struct stored *m, const struct field *f)
+stored_describe_valid_values(const struct stored *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_MODEL)
 		return model_names();
-	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_params(p)) {
+	if (f->kind == FIELD_PARAMS &&
+	    index_of_impossible_param(p) < count_params(p)) {
 		const struct param_info *info =
-		    &breakage_of(p)->parameter[wrong_param(p)];
+		    &breakage_model_of_params(p)
+			 ->parameter[index_of_impossible_param(p)];
 		return xasprintf(tr("a number from %g to %g for %s"),
 		    info->least, info->most, info->name);
 	}
@@ -373,10 +382,11 @@ stored_value_text(const struct stored *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
-		return xasprintf("%g", *stored_number(m, f));
-	if (f->kind == FIELD_PARAMS && wrong_param(p) < count_params(p))
-		return xasprintf("%g", p->at[wrong_param(p)]);
-	return stored_written(m, f);
+		return xasprintf("%g", *stored_number_of_field(m, f));
+	if (f->kind == FIELD_PARAMS &&
+	    index_of_impossible_param(p) < count_params(p))
+		return xasprintf("%g", p->at[index_of_impossible_param(p)]);
+	return stored_field_to_text(m, f);
 }
 
 bool
@@ -384,17 +394,18 @@ stored_is_valid(const struct stored *m, const struct field *f)
 {
 	size_t choice;
 	if (f->kind == FIELD_MODEL)
-		return m->params.breakage < breakage_count();
+		return m->params.breakage < breakage_count_models();
 	if (f->kind == FIELD_PARAMS)
-		return wrong_param(&m->params) == count_params(&m->params);
+		return index_of_impossible_param(&m->params) ==
+		       count_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
-		return *stored_integer(m, f) >= -1;
+		return *stored_integer_of_field(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
-		double value = *stored_number(m, f);
+		double value = *stored_number_of_field(m, f);
 		return isnan(value) ? !f->needed
 				    : value >= f->least && value <= f->most;
 	}
-	const char *text = *stored_text(m, f);
+	const char *text = *stored_text_of_field(m, f);
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
@@ -402,7 +413,7 @@ stored_is_valid(const struct stored *m, const struct field *f)
 	if (f == &FIELDS[FIELD_NAME])
 		return stored_check_name(text, NULL);
 	return stored_is_one_line(text) &&
-	       (strcmp(f->name, "date") != 0 || datetime_is_day(text));
+	       (strcmp(f->name, "date") != 0 || datetime_is_iso_date(text));
 }
 
 bool
@@ -460,7 +471,7 @@ material_read_row(
 		    "load",
 		    (int)CELLS, row->n);
 	struct stored m = stored_empty();
-	m.params = params_start(0); /* beta is not printed */
+	m.params = params_start_values(0); /* beta is not printed */
 	const struct {
 		double *number, most;
 	} column[CELLS] = {[TOP] = {&m.top_size_mm, SIZE_MOST_MM},
@@ -473,7 +484,7 @@ material_read_row(
 			continue;
 		FREED char *wanted = xasprintf(
 		    tr("a number above 0, up to %g,"), column[i].most);
-		if (number_read(sheet, row->cell[i], wanted, number) &&
+		if (number_read_cell(sheet, row->cell[i], wanted, number) &&
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
 	}
@@ -492,8 +503,8 @@ read_materials_in_text(const char *path, char *text, struct stored_list *list,
 	if (text == NULL)
 		return false;
 	const struct sheet_limits most = {.rows = 1000};
-	struct sheet *sheet = sheet_new(path, text, most, errors);
-	number_decide(sheet);
+	struct sheet *sheet = sheet_new_from_text(path, text, most, errors);
+	number_choose_decimal_sign(sheet);
 	size_t i = 1; /* after the heading */
 	while (
 	    i < sheet->n_row && material_read_row(sheet, &sheet->row[i], list))
@@ -509,7 +520,7 @@ read_materials_in_text(const char *path, char *text, struct stored_list *list,
 }
 
 bool
-stored_read_printed(
+stored_read_table3_file(
     const char *path, struct stored_list *list, struct error_list *errors)
 {
 	return read_materials_in_text(
@@ -541,12 +552,12 @@ table3_name(
 }
 
 void
-stored_table3(struct stored_list *list)
+stored_add_table3(struct stored_list *list)
 {
 	struct stored_list rows = {0};
 	struct error_list none = {0};
 	bool good = read_materials_in_text(
-	    "Table 3", textfile_lines(TABLE3_TEXT), &rows, &none);
+	    "Table 3", textfile_join_lines(TABLE3_TEXT), &rows, &none);
 	/* It is part of the program: the tests read all of it. */
 	assert(good);
 	(void)good;

@@ -75,46 +75,47 @@ struct stored_index {
 		size_t at;
 	} * name;
 };
-struct stored_index stored_index(const struct stored_list *list);
+struct stored_index stored_make_index(const struct stored_list *list);
 const struct stored_name *stored_index_find(
     const struct stored_index *index, const char *fold);
 void stored_index_clear(struct stored_index *index);
 
 /* Return where the value of a field of this kind is kept in m.
  * stored_set_text copies the text. */
-char **stored_text(const struct stored *m, const struct field *f);
-double *stored_number(const struct stored *m, const struct field *f);
-int64_t *stored_integer(const struct stored *m, const struct field *f);
+char **stored_text_of_field(const struct stored *m, const struct field *f);
+double *stored_number_of_field(const struct stored *m, const struct field *f);
+int64_t *stored_integer_of_field(const struct stored *m, const struct field *f);
 void stored_set_text(struct stored *m, const struct field *f, const char *text);
 
 /* Returns any field as text that reads back as the same value, or "" if not
  * known.  The caller frees it. */
-char *stored_written(const struct stored *m, const struct field *f);
+char *stored_field_to_text(const struct stored *m, const struct field *f);
 
-/* Sets the model or the parameters from a text of stored_written; set the model
- * first.  Missing or unreadable numbers become NAN, which stored_is_valid
+/* Sets the model or the parameters from a text of stored_field_to_text; set the
+ * model first.  Missing or unreadable numbers become NAN, which stored_is_valid
  * rejects. */
-void stored_set_written(
+void stored_set_field_from_text(
     struct stored *m, const struct field *f, const char *text);
 
 /* Calls take for each known field and parameter of m, in the order of
  * FIELDS. */
 typedef void stored_take(void *data, const char *name, const char *text);
-void stored_each_field(const struct stored *m, stored_take *take, void *data);
+void stored_visit_fields(const struct stored *m, stored_take *take, void *data);
 
 /* Returns a digest of all known fields of m, to detect a row damaged on
  * disk. */
 uint64_t stored_make_digest(const struct stored *m);
 
 /* Returns method, appearance and k as settings. */
-struct model_settings stored_settings(const struct stored *m);
+struct model_settings stored_model_settings(const struct stored *m);
 
 /* For imports and rows of a file, which may come from other users.
- * stored_expected_text describes valid values of a field, "a number from 0 to
- * 100 for alpha"; for the parameters, those of the first invalid one in m.
- * stored_value_text returns the value in m.  The caller frees both.
+ * stored_describe_valid_values describes valid values of a field, "a number
+ * from 0 to 100 for alpha"; for the parameters, those of the first invalid one
+ * in m. stored_value_text returns the value in m.  The caller frees both.
  * stored_is_valid is true if the value in m is valid. */
-char *stored_expected_text(const struct stored *m, const struct field *f);
+char *stored_describe_valid_values(
+    const struct stored *m, const struct field *f);
 char *stored_value_text(const struct stored *m, const struct field *f);
 bool stored_is_valid(const struct stored *m, const struct field *f);
 
@@ -134,11 +135,11 @@ bool stored_is_one_line(const char *text);
  * which the table lacks, gets its default.  On failure, returns false and all
  * faults of the sheet in errors, zeroed by the caller; ERROR_SYSTEM if the file
  * cannot be read. */
-bool stored_read_printed(
+bool stored_read_table3_file(
     const char *path, struct stored_list *list, struct error_list *errors);
 
 /* Adds the built-in rows of Table 3, named "table3/tierp", "table3/gavle/11.2",
  * "table3/gavle/11.2/2". */
-void stored_table3(struct stored_list *list);
+void stored_add_table3(struct stored_list *list);
 
 #endif

@@ -53,23 +53,23 @@ const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
 
 /* exact(number): the shortest text that reads back the same, for the steps. */
 static void
-sql_exact(sqlite3_context *context, int n, sqlite3_value **value)
+sql_function_exact(sqlite3_context *context, int n, sqlite3_value **value)
 {
 	char number[32];
 	(void)n;
 	sqlite3_result_text(context,
-	    text_exact_number(sqlite3_value_double(value[0]), number), -1,
-	    SQLITE_TRANSIENT);
+	    text_shortest_exact_number(sqlite3_value_double(value[0]), number),
+	    -1, SQLITE_TRANSIENT);
 }
 
 /* folded(text): without case and accents, as names and rocks are compared. */
 static void
-folded(sqlite3_context *context, int n, sqlite3_value **value)
+sql_function_folded(sqlite3_context *context, int n, sqlite3_value **value)
 {
 	const char *text = (const char *)sqlite3_value_text(value[0]);
 	(void)n;
-	sqlite3_result_text(
-	    context, text_fold(text != NULL ? text : ""), -1, free);
+	sqlite3_result_text(context,
+	    text_fold_case_and_accents(text != NULL ? text : ""), -1, free);
 }
 
 /* Returns a name, possibly of another user, as it can be read and typed:
@@ -90,7 +90,7 @@ name_as_typed(const char *name)
 
 /* shown(name): as name_as_typed. */
 static void
-sql_shown(sqlite3_context *context, int n, sqlite3_value **value)
+sql_function_shown(sqlite3_context *context, int n, sqlite3_value **value)
 {
 	const char *text = (const char *)sqlite3_value_text(value[0]);
 	(void)n;
@@ -206,7 +206,7 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 /* Runs the steps within a transaction, in which the version is read again, as
  * another program may have migrated the file meanwhile. */
 static bool
-run_steps(sqlite3 *db, const char *path, struct error *error)
+run_migration_steps(sqlite3 *db, const char *path, struct error *error)
 {
 	long version = query_integer(db, "PRAGMA user_version");
 	if (version < 0)
@@ -231,7 +231,8 @@ migrate(sqlite3 *db, const char *path, struct error *error)
 {
 	if (!run_sql(db, path, "BEGIN IMMEDIATE", error))
 		return false;
-	if (run_steps(db, path, error) && run_sql(db, path, "COMMIT", error))
+	if (run_migration_steps(db, path, error) &&
+	    run_sql(db, path, "COMMIT", error))
 		return true;
 	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
 	return false;
@@ -301,11 +302,11 @@ add_functions(sqlite3 *db)
 	const int flags =
 	    SQLITE_UTF8 | SQLITE_DIRECTONLY | SQLITE_DETERMINISTIC;
 	sqlite3_create_function_v2(
-	    db, "exact", 1, flags, NULL, sql_exact, NULL, NULL, NULL);
+	    db, "exact", 1, flags, NULL, sql_function_exact, NULL, NULL, NULL);
+	sqlite3_create_function_v2(db, "folded", 1, flags, NULL,
+	    sql_function_folded, NULL, NULL, NULL);
 	sqlite3_create_function_v2(
-	    db, "folded", 1, flags, NULL, folded, NULL, NULL, NULL);
-	sqlite3_create_function_v2(
-	    db, "shown", 1, flags, NULL, sql_shown, NULL, NULL, NULL);
+	    db, "shown", 1, flags, NULL, sql_function_shown, NULL, NULL, NULL);
 }
 
 static sqlite3 *
@@ -418,8 +419,8 @@ store_new(const char *path)
 	struct store *store = xcalloc(1, sizeof *store);
 	store->own_folder = path == NULL;
 	store->path = path != NULL ? xstrdup(path)
-				   : xdg_path("XDG_DATA_HOME", ".local/share",
-					 "store.db");
+				   : xdg_user_file_path("XDG_DATA_HOME",
+					 ".local/share", "store.db");
 	if (store->path == NULL)
 		store->path = xstrdup("");
 	return store;
@@ -442,7 +443,7 @@ store_path(const struct store *store)
 }
 
 bool
-store_is(const char *path)
+store_is_store_file(const char *path)
 {
 	static const char HEAD[] = "SQLite format 3";
 	char head[sizeof HEAD] = "";
@@ -456,7 +457,7 @@ store_is(const char *path)
 }
 
 int64_t
-store_bytes(const struct store *store)
+store_file_bytes(const struct store *store)
 {
 	struct stat file;
 	return stat(store->path, &file) == 0 ? (int64_t)file.st_size : -1;
@@ -466,7 +467,7 @@ store_bytes(const struct store *store)
 static bool
 make_folders(const char *path, struct error *error)
 {
-	FREED char *closed = xdg_make_folders(path);
+	FREED char *closed = xdg_make_parent_folders(path);
 	if (closed == NULL)
 		return true;
 	error_at(error, ERROR_SYSTEM, closed, 0, 0,
@@ -538,7 +539,7 @@ check_fields(const struct stored *m, struct error *error)
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
 	FREED char *label = name_as_typed(m->name),
-		   *wanted = stored_expected_text(m, f),
+		   *wanted = stored_describe_valid_values(m, f),
 		   *found = stored_value_text(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
@@ -553,7 +554,8 @@ static bool
 is_row_as_put(const struct stored *m, const char *fold, const char *digest,
     struct error *error)
 {
-	FREED char *of_name = text_fold(m->name), *of_row = digest_text(m);
+	FREED char *of_name = text_fold_case_and_accents(m->name),
+		   *of_row = digest_text(m);
 	FREED char *label = name_as_typed(m->name);
 	bool good = check_fields(m, error);
 	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
@@ -568,8 +570,8 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
 
 /* Reads the row of stmt.  False if it is not as it was stored. */
 static bool
-take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
-    struct error *error)
+read_checked_row(const struct store *store, sqlite3_stmt *stmt,
+    struct stored *m, struct error *error)
 {
 	*m = stored_empty();
 	for (int i = 0; i < FIELD_COUNT; i++) {
@@ -578,13 +580,14 @@ take_row(const struct store *store, sqlite3_stmt *stmt, struct stored *m,
 		if (f->kind == FIELD_TEXT)
 			stored_set_text(m, f, column_text(stmt, i + 2));
 		else if (f->kind == FIELD_NUMBER && !none)
-			*stored_number(m, f) =
+			*stored_number_of_field(m, f) =
 			    sqlite3_column_double(stmt, i + 2);
 		else if (f->kind == FIELD_WHOLE && !none)
-			*stored_integer(m, f) =
+			*stored_integer_of_field(m, f) =
 			    sqlite3_column_int64(stmt, i + 2);
 		else if (f->kind >= FIELD_MODEL)
-			stored_set_written(m, f, column_text(stmt, i + 2));
+			stored_set_field_from_text(
+			    m, f, column_text(stmt, i + 2));
 	}
 	if (is_row_as_put(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
@@ -637,8 +640,10 @@ bind_text(sqlite3_stmt *stmt, int i, const char *text)
 static void
 bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 {
-	FREED char *name = text_fold(q->name != NULL ? q->name : "");
-	FREED char *rock = text_fold(q->rock != NULL ? q->rock : "");
+	FREED char *name =
+	    text_fold_case_and_accents(q->name != NULL ? q->name : "");
+	FREED char *rock =
+	    text_fold_case_and_accents(q->rock != NULL ? q->rock : "");
 	bind_text(stmt, 1, name);
 	bind_text(stmt, 2, rock);
 	sqlite3_bind_double(stmt, 3, q->top_least);
@@ -664,7 +669,7 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
 		struct stored m;
-		ok = take_row(store, stmt, &m, error);
+		ok = read_checked_row(store, stmt, &m, error);
 		if (ok)
 			stored_list_add(list, m);
 	}
@@ -675,7 +680,7 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 }
 
 bool
-store_find(struct store *store, const struct store_query *query,
+store_find_materials(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error)
 {
 	sqlite3 *db;
@@ -687,13 +692,15 @@ store_find(struct store *store, const struct store_query *query,
 }
 
 bool
-store_list(struct store *store, struct stored_list *list, struct error *error)
+store_list_materials(
+    struct store *store, struct stored_list *list, struct error *error)
 {
-	return store_find(store, &(struct store_query){0}, list, error);
+	return store_find_materials(
+	    store, &(struct store_query){0}, list, error);
 }
 
 bool
-store_count(struct store *store, size_t *n, struct error *error)
+store_count_materials(struct store *store, size_t *n, struct error *error)
 {
 	sqlite3 *db;
 	*n = 0;
@@ -738,7 +745,7 @@ call_for_each_text(struct store *store, const char *sql, const char *fold,
 }
 
 bool
-store_each_name(struct store *store, enum store_word what,
+store_visit_names(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data, struct error *error)
 {
 	static const char *const SQL[] = {
@@ -748,15 +755,16 @@ store_each_name(struct store *store, enum store_word what,
 }
 
 bool
-store_names_beginning(struct store *store, const char *beginning, size_t most,
-    void (*take)(void *data, const char *name), void *data, struct error *error)
+store_visit_names_beginning(struct store *store, const char *beginning,
+    size_t most, void (*take)(void *data, const char *name), void *data,
+    struct error *error)
 {
 	static const char SQL[] =
 	    "WITH matching AS (SELECT fold FROM material WHERE fold >= ?1 AND "
 	    "fold < ?2) SELECT name FROM material WHERE fold IN (SELECT fold "
 	    "FROM matching ORDER BY fold LIMIT ?3) OR fold = (SELECT max(fold) "
 	    "FROM matching) ORDER BY fold";
-	FREED char *fold = text_fold(beginning);
+	FREED char *fold = text_fold_case_and_accents(beginning);
 	return call_for_each_text(store, SQL, fold, most, take, data, error);
 }
 
@@ -764,7 +772,8 @@ store_names_beginning(struct store *store, const char *beginning, size_t most,
 static void
 bind_row(sqlite3_stmt *stmt, const struct stored *m)
 {
-	FREED char *fold = text_fold(m->name), *digest = digest_text(m);
+	FREED char *fold = text_fold_case_and_accents(m->name),
+		   *digest = digest_text(m);
 	sqlite3_reset(stmt);
 	sqlite3_clear_bindings(stmt);
 	bind_text(stmt, 1, fold);
@@ -772,15 +781,18 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		if (f->kind == FIELD_TEXT)
-			bind_text(stmt, i + 3, *stored_text(m, f));
+			bind_text(stmt, i + 3, *stored_text_of_field(m, f));
 		else if (f->kind == FIELD_NUMBER &&
-			 isfinite(*stored_number(m, f)))
-			sqlite3_bind_double(stmt, i + 3, *stored_number(m, f));
-		else if (f->kind == FIELD_WHOLE && *stored_integer(m, f) >= 0)
-			sqlite3_bind_int64(stmt, i + 3, *stored_integer(m, f));
+			 isfinite(*stored_number_of_field(m, f)))
+			sqlite3_bind_double(
+			    stmt, i + 3, *stored_number_of_field(m, f));
+		else if (f->kind == FIELD_WHOLE &&
+			 *stored_integer_of_field(m, f) >= 0)
+			sqlite3_bind_int64(
+			    stmt, i + 3, *stored_integer_of_field(m, f));
 		if (f->kind < FIELD_MODEL)
 			continue;
-		FREED char *text = stored_written(m, f);
+		FREED char *text = stored_field_to_text(m, f);
 		bind_text(stmt, i + 3, text);
 	}
 }
@@ -823,7 +835,8 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 
 /* Ends a transaction: keeps it all, or nothing when ok is false. */
 static bool
-commit(struct store *store, sqlite3 *db, bool ok, struct error *error)
+commit_or_roll_back(
+    struct store *store, sqlite3 *db, bool ok, struct error *error)
 {
 	ok = ok && run_sql(db, store->path, "COMMIT", error);
 	if (!ok)
@@ -832,7 +845,7 @@ commit(struct store *store, sqlite3 *db, bool ok, struct error *error)
 }
 
 bool
-store_put(struct store *store, const struct stored *item, size_t n,
+store_put_materials(struct store *store, const struct stored *item, size_t n,
     bool replace, struct error *error)
 {
 	sqlite3 *db;
@@ -841,7 +854,7 @@ store_put(struct store *store, const struct stored *item, size_t n,
 	bool ok = run_sql(db, store->path, "BEGIN IMMEDIATE", error);
 	if (ok) {
 		ok = store_put_rows(store, db, item, n, replace, error);
-		ok = commit(store, db, ok, error);
+		ok = commit_or_roll_back(store, db, ok, error);
 	}
 	close_unless_memory(store, db);
 	return ok;
@@ -849,13 +862,13 @@ store_put(struct store *store, const struct stored *item, size_t n,
 
 /* Deletes a row by its name, otherwise by the name shown in errors. */
 static bool
-forget_row(
+delete_row(
     struct store *store, sqlite3 *db, const char *name, struct error *error)
 {
 	static const char *const SQL[] = {"DELETE FROM material WHERE fold = ?",
 	    "DELETE FROM material WHERE fold = (SELECT fold FROM material "
 	    "WHERE folded(shown(name)) = ? LIMIT 1)"};
-	FREED char *fold = text_fold(name);
+	FREED char *fold = text_fold_case_and_accents(name);
 	for (size_t i = 0; i < ARRAY_LEN(SQL); i++) {
 		sqlite3_stmt *stmt = NULL;
 		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
@@ -873,7 +886,8 @@ forget_row(
 }
 
 bool
-store_forget(struct store *store, const char *name, struct error *error)
+store_remove_material(
+    struct store *store, const char *name, struct error *error)
 {
 	sqlite3 *db;
 	if (!store_connect(store, false, &db, error))
@@ -883,7 +897,7 @@ store_forget(struct store *store, const char *name, struct error *error)
 		    "the store has no material '%s'\n"
 		    "run 'remember' first: the store is empty",
 		    name);
-	bool ok = forget_row(store, db, name, error);
+	bool ok = delete_row(store, db, name, error);
 	close_unless_memory(store, db);
 	return ok;
 }

@@ -12,8 +12,8 @@
 
 /* A store opens its file for each call and closes it afterwards, so nothing is
  * lost if the file is moved or the program killed in between.  Materials are on
- * disk when store_put returns.  Several programs may use one file at the same
- * time; waiting for another program ends after 5 s. */
+ * disk when store_put_materials returns.  Several programs may use one file at
+ * the same time; waiting for another program ends after 5 s. */
 struct store;
 
 /* Makes a store.  path: a file; ":memory:" for a store that lives as long as
@@ -26,11 +26,11 @@ void store_free(struct store *store);
 const char *store_path(const struct store *store);
 
 /* True if a file is an SQLite database, like a store. */
-bool store_is(const char *path);
+bool store_is_store_file(const char *path);
 
 /* Returns the size of the file in bytes, or -1 if there is none (yet), as for
  * ":memory:". */
-int64_t store_bytes(const struct store *store);
+int64_t store_file_bytes(const struct store *store);
 
 /* STORE_SCHEMA: the schema to which a store is brought when it is opened.
  * SCHEMA_APPLICATION: PRAGMA application_id of a store, "tips" in ASCII. */
@@ -46,7 +46,7 @@ extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
  * access or another program holds the file, and with ERROR_DATA if the file is
  * damaged, not tipspeed's or of a newer version.  The file is then
  * unchanged. */
-bool store_list(
+bool store_list_materials(
     struct store *store, struct stored_list *list, struct error *error);
 
 /* Selects from the user's own materials; zeros select all.  most: at most this
@@ -61,33 +61,34 @@ struct store_query {
 };
 
 /* Adds the selected materials to the list, in the order of their names. */
-bool store_find(struct store *store, const struct store_query *query,
+bool store_find_materials(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error);
 
 /* Sets *n to the number of the user's materials. */
-bool store_count(struct store *store, size_t *n, struct error *error);
+bool store_count_materials(struct store *store, size_t *n, struct error *error);
 
 /* Calls take for the name of each of the user's materials, or once for each
  * rock. */
 enum store_word { STORE_NAMES, STORE_ROCKS };
-bool store_each_name(struct store *store, enum store_word what,
+bool store_visit_names(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data,
     struct error *error);
 
 /* Calls take for names that begin with `beginning`, ignoring case and accents:
  * the first `most` in order and, if there are more, also the last, so a
  * beginning that all of these share is common to all names. */
-bool store_names_beginning(struct store *store, const char *beginning,
+bool store_visit_names_beginning(struct store *store, const char *beginning,
     size_t most, void (*take)(void *data, const char *name), void *data,
     struct error *error);
 
 /* Stores n materials, all or none, and makes the file and, for the default
  * path, its folders.  A material with the same name (ignoring case and accents)
  * is replaced or, without replace, causes ERROR_USAGE. */
-bool store_put(struct store *store, const struct stored *item, size_t n,
-    bool replace, struct error *error);
+bool store_put_materials(struct store *store, const struct stored *item,
+    size_t n, bool replace, struct error *error);
 
 /* Removes the material with this name; ERROR_USAGE if there is none. */
-bool store_forget(struct store *store, const char *name, struct error *error);
+bool store_remove_material(
+    struct store *store, const char *name, struct error *error);
 
 #endif

@@ -46,7 +46,7 @@ make_columns(const bool *model, struct column column[static COLUMNS])
 			    (struct column){&FIELDS[f], NULL, SIZE_MAX};
 			continue;
 		}
-		for (size_t m = 0; m < breakage_count(); m++)
+		for (size_t m = 0; m < breakage_count_models(); m++)
 			for (size_t j = 0; j < BREAKAGES[m]->n; j++) {
 				const struct param_info *p =
 				    &BREAKAGES[m]->parameter[j];
@@ -66,13 +66,14 @@ column_name(const struct column *c)
 }
 
 static char *
-column_written(const struct column *c, const struct stored *m)
+column_value_to_text(const struct column *c, const struct stored *m)
 {
 	char number[32];
 	if (c->field != NULL)
-		return stored_written(m, c->field);
-	double value = params_value(&m->params, c->param->name);
-	return xstrdup(isfinite(value) ? text_exact_number(value, number) : "");
+		return stored_field_to_text(m, c->field);
+	double value = params_value_by_name(&m->params, c->param->name);
+	return xstrdup(
+	    isfinite(value) ? text_shortest_exact_number(value, number) : "");
 }
 
 static void
@@ -80,7 +81,7 @@ write_list(const void *data, FILE *out)
 {
 	const struct stored_list *list = data;
 	struct column column[COLUMNS];
-	FREED bool *model = xcalloc(breakage_count(), sizeof *model);
+	FREED bool *model = xcalloc(breakage_count_models(), sizeof *model);
 	for (size_t i = 0; i < list->n; i++)
 		model[list->item[i].params.breakage] = true;
 	size_t n = make_columns(model, column);
@@ -90,7 +91,7 @@ write_list(const void *data, FILE *out)
 	for (size_t i = 0; i < list->n; i++) {
 		for (size_t c = 0; c < n; c++) {
 			FREED char *text =
-			    column_written(&column[c], &list->item[i]);
+			    column_value_to_text(&column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
 			sheet_write_cell(text, ',', out);
@@ -100,10 +101,11 @@ write_list(const void *data, FILE *out)
 }
 
 bool
-store_csv_save(
+store_csv_write_file(
     const struct stored_list *list, const char *path, struct error *error)
 {
-	return file_replace_by(path, FILE_SHARED, write_list, list, error);
+	return file_replace_by_output(
+	    path, FILE_SHARED, write_list, list, error);
 }
 
 /* True if a file must have the column: old exports have no model and no basis,
@@ -114,13 +116,13 @@ is_required(const struct column *c)
 	if (c->field != NULL)
 		return c->field->kind != FIELD_MODEL &&
 		       strcmp(c->field->name, "basis") != 0;
-	return breakage_parameter(BREAKAGES[0], c->param->name) <
+	return breakage_parameter_index(BREAKAGES[0], c->param->name) <
 	       BREAKAGES[0]->n;
 }
 
 /* Finds the columns. */
 static void
-read_head(struct sheet *sheet, struct column *column, size_t n)
+find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 {
 	const struct row *head = &sheet->row[0];
 	bool other_model = false;
@@ -158,18 +160,18 @@ read_head(struct sheet *sheet, struct column *column, size_t n)
 
 /* Takes a value; one that cannot be read has been reported. */
 static void
-store_csv_take_value(struct sheet *sheet, struct cell cell,
-    const struct field *f, struct stored *m)
+parse_value_cell(struct sheet *sheet, struct cell cell, const struct field *f,
+    struct stored *m)
 {
 	double value;
-	FREED char *wanted = stored_expected_text(m, f);
+	FREED char *wanted = stored_describe_valid_values(m, f);
 	bool read = true;
 	if (f->kind == FIELD_TEXT)
 		stored_set_text(m, f, cell.text);
 	else if (f->kind == FIELD_MODEL)
-		stored_set_written(m, f, cell.text);
-	else if ((read = number_read(sheet, cell, wanted, &value)))
-		*stored_number(m, f) = value;
+		stored_set_field_from_text(m, f, cell.text);
+	else if ((read = number_read_cell(sheet, cell, wanted, &value)))
+		*stored_number_of_field(m, f) = value;
 	if (read && !stored_is_valid(m, f))
 		sheet_fault_expected(sheet, cell, wanted, NULL);
 }
@@ -179,16 +181,17 @@ static const char EMPTY[] = "expected %s, got an empty cell\n"
 
 /* Takes a parameter of the row's model. */
 static void
-take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
-    struct stored *m)
+parse_param_cell(struct sheet *sheet, struct cell cell,
+    const struct param_info *info, struct stored *m)
 {
 	double value;
 	FREED char *wanted = xasprintf("a number from %g to %g for %s",
 	    info->least, info->most, info->name);
-	size_t j = breakage_parameter(breakage_of(&m->params), info->name);
+	size_t j = breakage_parameter_index(
+	    breakage_model_of_params(&m->params), info->name);
 	if (cell.text[0] == '\0')
 		sheet_fault(sheet, cell, EMPTY, info->name);
-	else if (number_read(sheet, cell, wanted, &value)) {
+	else if (number_read_cell(sheet, cell, wanted, &value)) {
 		m->params.at[j] = value;
 		if (value < info->least || value > info->most)
 			sheet_fault_expected(sheet, cell, wanted, NULL);
@@ -196,7 +199,7 @@ take_param(struct sheet *sheet, struct cell cell, const struct param_info *info,
 }
 
 static void
-take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
+parse_field_cell(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)
 {
 	uint64_t whole;
@@ -204,9 +207,10 @@ take_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 		if (f->needed)
 			sheet_fault(sheet, cell, EMPTY, f->name);
 	} else if (f->kind != FIELD_WHOLE) {
-		store_csv_take_value(sheet, cell, f, m);
-	} else if (text_whole(cell.text, &whole) && whole <= INT64_MAX) {
-		*stored_integer(m, f) = (int64_t)whole;
+		parse_value_cell(sheet, cell, f, m);
+	} else if (text_parse_whole_number(cell.text, &whole) &&
+		   whole <= INT64_MAX) {
+		*stored_integer_of_field(m, f) = (int64_t)whole;
 	} else {
 		sheet_fault_expected(
 		    sheet, cell, "a whole number below 2^63", NULL);
@@ -219,9 +223,9 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
     const struct stored_list *list)
 {
 	const struct stored_list none = {0};
-	struct stored_index own = stored_index(list),
-			    others =
-				stored_index(there != NULL ? there : &none);
+	struct stored_index own = stored_make_index(list),
+			    others = stored_make_index(
+				there != NULL ? there : &none);
 	for (size_t i = 0; i < own.n; i++) {
 		const struct stored_name *name = &own.name[i];
 		struct cell cell =
@@ -260,29 +264,29 @@ store_csv_read_row(struct sheet *sheet, const struct row *row,
 		if (column[c].at == SIZE_MAX && column[c].field != NULL)
 			continue;
 		if (column[c].field != NULL)
-			take_cell(sheet, cell, column[c].field, &m);
-		else if (m.params.breakage < breakage_count() &&
-			 !isnan(params_value(&m.params, param->name)))
-			take_param(sheet, cell, param, &m);
+			parse_field_cell(sheet, cell, column[c].field, &m);
+		else if (m.params.breakage < breakage_count_models() &&
+			 !isnan(params_value_by_name(&m.params, param->name)))
+			parse_param_cell(sheet, cell, param, &m);
 	}
 	stored_list_add(list, m);
 }
 
 bool
-store_csv_read(const char *path, const struct stored_list *there,
+store_csv_read_file(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors)
 {
-	FREED char *text = textfile_read_own(path, errors);
+	FREED char *text = textfile_read_large(path, errors);
 	if (text == NULL)
 		return false;
-	struct sheet *sheet = sheet_new_own(path, text, errors);
-	number_decide(sheet);
+	struct sheet *sheet = sheet_new_without_line_limit(path, text, errors);
+	number_choose_decimal_sign(sheet);
 	struct column column[COLUMNS];
-	FREED bool *all = xcalloc(breakage_count(), sizeof *all);
-	memset(all, true, breakage_count() * sizeof *all);
+	FREED bool *all = xcalloc(breakage_count_models(), sizeof *all);
+	memset(all, true, breakage_count_models() * sizeof *all);
 	size_t n = make_columns(all, column);
 	if (sheet->n_row > 0)
-		read_head(sheet, column, n);
+		find_columns_in_heading(sheet, column, n);
 	const struct cell start = {.line = 1, .column = 1};
 	if (sheet->n_row < 2 && sheet->n_fault == 0)
 		sheet_fault(sheet, start,

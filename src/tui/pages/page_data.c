@@ -25,7 +25,7 @@ enum { SIEVES = 9, PREDICTED = 9 };
 /* Lists the columns: a feed of all runs is one column; otherwise each feed
  * stands before its product. */
 static void
-data_take_columns(struct sheet *h, const struct site *site)
+list_sheet_columns(struct sheet *h, const struct site *site)
 {
 	h->column = xcalloc(2 * site->n_run, sizeof *h->column);
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -39,7 +39,7 @@ data_take_columns(struct sheet *h, const struct site *site)
 }
 
 static const struct psd *
-data_curve_of(const struct sheet *h, size_t column)
+curve_of_column(const struct sheet *h, size_t column)
 {
 	const struct run *run = &h->site->run[h->column[column].run];
 	return h->column[column].feed ? &run->feed : &run->product;
@@ -47,9 +47,9 @@ data_curve_of(const struct sheet *h, size_t column)
 
 /* Returns the passing as the sheet has it, %; NAN if it has none. */
 static double
-data_cell_of(const struct sheet *h, size_t column, size_t row)
+cell_passing_percent(const struct sheet *h, size_t column, size_t row)
 {
-	const struct psd *psd = data_curve_of(h, column);
+	const struct psd *psd = curve_of_column(h, column);
 	for (size_t i = 0; i < psd->n; i++)
 		if (psd->size[i] == h->sieve[row])
 			return units_pct(psd->passing[i]);
@@ -59,7 +59,7 @@ data_cell_of(const struct sheet *h, size_t column, size_t row)
 /* Writes the heading of a column: "74 (2)*" for a training run, "feed@74" if
  * there are several feeds. */
 static void
-data_head_text(const struct tui *t, size_t column, char text[static 48])
+column_heading_text(const struct tui *t, size_t column, char text[static 48])
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct run *run = &h->site->run[h->column[column].run];
@@ -76,12 +76,12 @@ data_head_text(const struct tui *t, size_t column, char text[static 48])
 
 /* Returns the digits after the point that all cells need. */
 static int
-data_digits_of(const struct sheet *h)
+digits_needed_by_cells(const struct sheet *h)
 {
 	enum { MOST = 3 };
 	int digits = 1;
 	for (size_t c = 0; c < h->n_column; c++) {
-		const struct psd *psd = data_curve_of(h, c);
+		const struct psd *psd = curve_of_column(h, c);
 		for (size_t i = 0; i < psd->n && digits < MOST; i++) {
 			double x = units_pct(psd->passing[i]) * pow(10, digits);
 			digits += fabs(x - round(x)) > 1e-6;
@@ -97,13 +97,13 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 	struct sheet *h = &t->view.sheet;
 	tui_forget_sheet(h);
 	h->site = site;
-	h->sieve = site_sieves(site, &h->n);
-	data_take_columns(h, site);
-	h->digits = data_digits_of(h);
+	h->sieve = site_all_sieves(site, &h->n);
+	list_sheet_columns(h, site);
+	h->digits = digits_needed_by_cells(h);
 	h->width = LEAST;
 	for (size_t c = 0; c < h->n_column; c++) {
 		char text[48];
-		data_head_text(t, c, text);
+		column_heading_text(t, c, text);
 		int width = (int)strlen(text) + GAP;
 		h->width = width > h->width ? width : h->width;
 	}
@@ -126,7 +126,7 @@ has_cells(struct tui *t)
 /* Looks for doubtful cells, once for a sheet and a calibration.  That may take
  * a while, during which the page is already shown. */
 static void
-data_update(struct tui *t)
+update_doubtful_cells(struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
@@ -136,7 +136,7 @@ data_update(struct tui *t)
 	bool calibrated = mend_is_calibrated(s, entry);
 	double misfit = calibrated ? entry->fit.misfit : 0;
 	bool same = h->calibrated == calibrated && h->misfit == misfit;
-	if (session_busy(s) || (h->looked && same))
+	if (session_is_calibrating(s) || (h->looked && same))
 		return;
 	h->looked = false;
 	if (!t->aside)
@@ -151,14 +151,14 @@ data_update(struct tui *t)
 /* ---- What is doubtful ---- */
 
 static bool
-is_cell(const struct mend *m)
+is_about_one_cell(const struct mend *m)
 {
 	return m->kind == MEND_READ || m->kind == MEND_OUT;
 }
 
 /* Returns true if a finding is about a column. */
 static bool
-data_is_of(const struct mend *m, const struct sheet_column *column)
+is_finding_about_column(const struct mend *m, const struct sheet_column *column)
 {
 	return (m->run == column->run && m->feed == column->feed) ||
 	       (m->kind == MEND_WITH && m->other == column->run &&
@@ -171,8 +171,8 @@ finding_of_cell(const struct sheet *h, size_t column, size_t row)
 {
 	for (size_t i = 0; h->looked && i < h->doctor.n; i++) {
 		const struct mend *m = &h->doctor.finding[i].mend;
-		if (data_is_of(m, &h->column[column]) &&
-		    (!is_cell(m) || m->size == h->sieve[row]))
+		if (is_finding_about_column(m, &h->column[column]) &&
+		    (!is_about_one_cell(m) || m->size == h->sieve[row]))
 			return &h->doctor.finding[i];
 	}
 	return NULL;
@@ -189,7 +189,7 @@ move_to_next_finding(struct tui *t)
 		const struct finding *f =
 		    finding_of_cell(h, k / h->n, k % h->n);
 		/* A finding about a column is at its first cell. */
-		if (f == NULL || (!is_cell(&f->mend) && k % h->n > 0))
+		if (f == NULL || (!is_about_one_cell(&f->mend) && k % h->n > 0))
 			continue;
 		t->ui.cell.at = k / h->n;
 		t->ui.cell.row = k % h->n;
@@ -213,8 +213,8 @@ mend_cell_at_cursor(struct tui *t)
 		return;
 	}
 	FREED char *line = mend_command_line(h->site, &f->mend);
-	FREED char *words = mend_words(h->site, &f->mend);
-	watch_pause(t);
+	FREED char *words = mend_text(h->site, &f->mend);
+	watch_stop_fit(t);
 	if (control_run(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "
@@ -232,7 +232,7 @@ struct room {
 /* Returns true if the prediction fits beside at least one column of the
  * sheet. */
 static bool
-has_prediction(const struct tui *t, const struct area *area)
+has_room_for_prediction(const struct tui *t, const struct area *area)
 {
 	return t->view.shown.product.n > 0 &&
 	       area->columns >= SIEVES + t->view.sheet.width + PREDICTED;
@@ -246,8 +246,8 @@ cells_that_fit(const struct tui *t, const struct area *area)
 {
 	const struct sheet *h = &t->view.sheet;
 	int rows = area->rows - 1 - (area->rows > 2 * SAID ? SAID : 0);
-	int columns =
-	    area->columns - SIEVES - (has_prediction(t, area) ? PREDICTED : 0);
+	int columns = area->columns - SIEVES -
+		      (has_room_for_prediction(t, area) ? PREDICTED : 0);
 	columns = columns / h->width;
 	return (struct room){
 	    rows < 1 ? 1 : (size_t)rows, columns < 1 ? 1 : (size_t)columns};
@@ -264,20 +264,20 @@ first_to_show(size_t first, size_t at, size_t n, size_t room)
 }
 
 static void
-touch_cells(struct tui *t, const struct touched *touched)
+on_mouse_in_cells(struct tui *t, const struct touched *touched)
 {
 	struct sheet *h = &t->view.sheet;
 	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
-		t->ui.cell.row = (size_t)pane_clamp_row(
+		t->ui.cell.row = (size_t)pane_clamp_index(
 		    (int)t->ui.cell.row, touched->by, h->n);
 		return;
 	}
 	int column = touched->column < 0 ? 0 : touched->column / h->width;
 	t->ui.cell.at =
-	    (size_t)pane_clamp_row((int)t->ui.cell.left, column, h->n_column);
+	    (size_t)pane_clamp_index((int)t->ui.cell.left, column, h->n_column);
 	t->ui.cell.row =
-	    (size_t)pane_clamp_row((int)t->ui.cell.top, touched->row, h->n);
+	    (size_t)pane_clamp_index((int)t->ui.cell.top, touched->row, h->n);
 }
 
 static void
@@ -288,15 +288,15 @@ data_draw_cell(
 	bool here =
 	    t->ui.cell.on && t->ui.cell.at == column && t->ui.cell.row == i;
 	bool doubtful = finding_of_cell(h, column, i) != NULL;
-	double x = data_cell_of(h, column, i);
+	double x = cell_passing_percent(h, column, i);
 	char text[48] = "-";
 	if (!isnan(x))
 		snprintf(text, sizeof text, "%.*f", h->digits, x);
 	FREED char *cell = xasprintf("%*s", h->width - 2, text);
 	if (doubtful)
-		screen_series(line, 0, from + h->width - 1, SERIES_PREDICTED,
-		    LOOK_BOLD, "!");
-	screen_series(line, 0, from + 1,
+		screen_draw_series_text(line, 0, from + h->width - 1,
+		    SERIES_PREDICTED, LOOK_BOLD, "!");
+	screen_draw_series_text(line, 0, from + 1,
 	    doubtful ? SERIES_PREDICTED : SERIES_TEXT,
 	    (here ? LOOK_REVERSE : 0) | (doubtful ? LOOK_BOLD : 0), cell);
 	if (here)
@@ -323,7 +323,7 @@ data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 	for (size_t c = t->ui.cell.left;
 	     c < h->n_column && c < t->ui.cell.left + columns;
 	     c++, from += h->width) {
-		data_head_text(t, c, text);
+		column_heading_text(t, c, text);
 		bool trained = text[strlen(text) - 1] == '*';
 		if (heads)
 			screen_text(line, 0, from, LOOK_BOLD, "%*s",
@@ -331,10 +331,10 @@ data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 		else
 			data_draw_cell(t, line, from, c, i);
 	}
-	if (!has_prediction(t, line))
+	if (!has_room_for_prediction(t, line))
 		return;
 	snprintf(text, sizeof text, "%s", heads ? tr("PRED") : "-");
-	if (!heads && psd_covers(psd, h->sieve[i]))
+	if (!heads && psd_covers_size(psd, h->sieve[i]))
 		snprintf(text, sizeof text, "%.*f", h->digits,
 		    100 * psd_passing(psd, h->sieve[i]));
 	screen_text(line, 0, from, LOOK_BOLD, "%*s", PREDICTED - 1, text);
@@ -354,7 +354,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 	hits_add(&t->hits, HIT_PRESS | HIT_WHEEL,
 	    (struct area){
 		area->row + 1, area->column + SIEVES, (int)rows, end - SIEVES},
-	    touch_cells, 0);
+	    on_mouse_in_cells, 0);
 	for (size_t r = 0; r <= rows && (int)r < area->rows; r++) {
 		const struct area line = area_row(area, (int)r);
 		data_draw_row(
@@ -368,15 +368,15 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 		screen_text(area, (int)rows, 0, LOOK_BOLD, "v");
 	if (left > 0)
 		screen_text(area, 0, SIEVES, LOOK_BOLD, "<");
-	return end + (has_prediction(t, area) ? PREDICTED : 0);
+	return end + (has_room_for_prediction(t, area) ? PREDICTED : 0);
 }
 
 /* Returns the state of the sheet as a whole, in words. */
 static char *
-state_words(const struct tui *t)
+sheet_state_text(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
-	if (session_busy(t->session))
+	if (session_is_calibrating(t->session))
 		return xstrdup(
 		    tr("the cells are checked when the calibration ends"));
 	if (!h->looked)
@@ -395,16 +395,16 @@ state_words(const struct tui *t)
 
 /* Returns what there is to say about the cell under the cursor. */
 static char *
-cell_words(const struct tui *t)
+describe_cell(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct sheet_column *c = &h->column[t->ui.cell.at];
 	const struct finding *f =
 	    finding_of_cell(h, t->ui.cell.at, t->ui.cell.row);
-	double x = data_cell_of(h, t->ui.cell.at, t->ui.cell.row);
-	char *name = mend_column(h->site, c->feed, c->run), *words;
+	double x = cell_passing_percent(h, t->ui.cell.at, t->ui.cell.row);
+	char *name = mend_column_name(h->site, c->feed, c->run), *words;
 	if (f != NULL) {
-		FREED char *why = mend_finding_words(h->site, f),
+		FREED char *why = mend_finding_text(h->site, f),
 			   *call = mend_command_line(h->site, &f->mend);
 		words = xasprintf(tr("! %s; Enter: %s"), why, call);
 	} else if (isnan(x))
@@ -419,21 +419,22 @@ cell_words(const struct tui *t)
 
 /* Returns the row after it. */
 static int
-draw_cell_words(const struct tui *t, const struct area *area, int row)
+draw_cell_description(const struct tui *t, const struct area *area, int row)
 {
 	bool here = t->ui.cell.on;
-	FREED char *words = here ? cell_words(t) : state_words(t);
+	FREED char *words = here ? describe_cell(t) : sheet_state_text(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
-	row = screen_words(area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
+	row = screen_draw_wrapped(
+	    area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
 	return row;
 }
 
 /* Draws the source of the data and how the reader took it, as far as there is
  * room.  Returns the row after it. */
 static int
-draw_source(const struct tui *t, const struct area *area, int row)
+draw_data_source(const struct tui *t, const struct area *area, int row)
 {
 	const struct site *site = t->view.sheet.site;
 	const struct {
@@ -441,7 +442,7 @@ draw_source(const struct tui *t, const struct area *area, int row)
 	} MORE[] = {{N_("machine"), site->machine},
 	    {N_("read as"), site->read_as}, {N_("assumed"), site->assumed},
 	    {N_("remark"), site->remark}, {N_("data"), site->provenance}};
-	row = screen_words(area, row, LOOK_DIM,
+	row = screen_draw_wrapped(area, row, LOOK_DIM,
 	    tr("columns: feed and product at each speed, m/s, % passing; * "
 	       "training; PRED: at the slider"));
 	for (size_t i = 0; i < sizeof MORE / sizeof *MORE; i++) {
@@ -449,7 +450,7 @@ draw_source(const struct tui *t, const struct area *area, int row)
 			continue;
 		FREED char *line =
 		    xasprintf("%s: %s", tr(MORE[i].what), MORE[i].text);
-		row = screen_words(area, row, 0, line);
+		row = screen_draw_wrapped(area, row, 0, line);
 	}
 	for (size_t i = 0; i < site->n_left_out && row < area->rows; i++)
 		screen_text(area, row++, 0, 0, "not read, %s: %s",
@@ -460,26 +461,26 @@ draw_source(const struct tui *t, const struct area *area, int row)
 /* Draws the residuals or, before a calibration, the curves, if there is room.
  * Returns true if there is. */
 static bool
-draw_plot(struct tui *t, struct area area)
+draw_residuals_or_curves(struct tui *t, struct area area)
 {
 	enum { LEAST = 50, MOST = 120, LOW = 14, HIGH = 30 };
 	const bool fitted = tui_current_entry(t)->has_params;
 	struct plot_request request =
-	    plots_request(fitted ? PLOT_RESIDUALS : PLOT_PSD);
+	    plots_default_request(fitted ? PLOT_RESIDUALS : PLOT_PSD);
 	if (area.columns < LEAST || area.rows < LOW)
 		return false;
 	area.columns = area.columns > MOST ? MOST : area.columns;
 	area.rows = !fitted && area.rows > HIGH ? HIGH : area.rows;
 	request.words = fitted ? request.words : CHART_TITLE | CHART_LEGEND;
 	request.strip = 0;
-	pane_plot(t, &request, &area);
+	pane_draw_plot(t, &request, &area);
 	return true;
 }
 
 /* Returns what is left of an area beside its first columns, or below its first
  * rows. */
 static struct area
-data_rest_of(struct area area, int columns, int rows)
+rest_of_area(struct area area, int columns, int rows)
 {
 	area.column += columns;
 	area.columns -= columns;
@@ -507,16 +508,17 @@ data_draw(struct tui *t)
 	int behind = draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1;
-	bool beside = draw_plot(t, data_rest_of(area, behind + GAP, 0));
+	bool beside =
+	    draw_residuals_or_curves(t, rest_of_area(area, behind + GAP, 0));
 	if (beside)
 		area.columns = behind;
 	if (area.rows <= 2 * SAID)
 		return;
 	/* With a blank row, if that takes none away. */
-	row = draw_cell_words(t, &area, row + (row + SAID < area.rows));
-	row = draw_source(t, &area, row + (row + SAID < area.rows));
+	row = draw_cell_description(t, &area, row + (row + SAID < area.rows));
+	row = draw_data_source(t, &area, row + (row + SAID < area.rows));
 	if (!beside)
-		draw_plot(t, data_rest_of(area, 0, row + 1));
+		draw_residuals_or_curves(t, rest_of_area(area, 0, row + 1));
 }
 
 /* ---- Keys ---- */
@@ -531,10 +533,10 @@ move_sideways(struct tui *t, int amount)
 	int rows = (int)cells_that_fit(t, &area).rows;
 	int columns = abs(amount) == STEP ? STEP : COLUMNS;
 	if (abs(amount) == FAR)
-		t->ui.cell.row = (size_t)pane_clamp_row(
+		t->ui.cell.row = (size_t)pane_clamp_index(
 		    (int)t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
 	else
-		t->ui.cell.at = (size_t)pane_clamp_row((int)t->ui.cell.at,
+		t->ui.cell.at = (size_t)pane_clamp_index((int)t->ui.cell.at,
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
@@ -551,7 +553,7 @@ act_mend(struct tui *t, const struct key *key)
 }
 
 void
-act_next_doubtful(struct tui *t, const struct key *key)
+act_next_doubtful_cell(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!has_cells(t))
@@ -561,7 +563,7 @@ act_next_doubtful(struct tui *t, const struct key *key)
 }
 
 static bool
-data_move(struct tui *t, const struct key *key)
+data_move_cursor(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
 	if (!has_cells(t))
@@ -574,8 +576,8 @@ data_move(struct tui *t, const struct key *key)
 	if (key->act == act_ends)
 		t->ui.cell.row =
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
-	else if (key->act == act_list)
-		t->ui.cell.row = (size_t)pane_clamp_row(
+	else if (key->act == act_move_in_list)
+		t->ui.cell.row = (size_t)pane_clamp_index(
 		    (int)t->ui.cell.row, key->amount, h->n);
 	else
 		move_sideways(t, key->amount);
@@ -593,6 +595,6 @@ data_hints(const struct tui *t)
 
 const struct page_ops page_data = {.name = N_("Data"),
     .hints_now = data_hints,
-    .update = data_update,
+    .update = update_doubtful_cells,
     .draw = data_draw,
-    .move = data_move};
+    .move = data_move_cursor};

@@ -19,7 +19,7 @@
 #include "tui/watch.h"
 
 static void
-touch_scrubber(struct tui *t, const struct touched *touched)
+on_click_generations(struct tui *t, const struct touched *touched)
 {
 	size_t n = tui_count_generations(t);
 	int last = touched->area.columns - 1, at = touched->column;
@@ -43,8 +43,8 @@ caption(struct tui *t, const struct area *area)
 	int room = area->columns - from - (int)strlen(last) - 1;
 	if (room < 12)
 		return false;
-	hits_add(&t->hits, HIT_SLIDE, area_cells(area, 0, from, room),
-	    touch_scrubber, 0);
+	hits_add(&t->hits, HIT_SLIDE, area_part_of_row(area, 0, from, room),
+	    on_click_generations, 0);
 	for (int c = 0; c < room; c++)
 		screen_text(area, 0, from + c, LOOK_DIM, "-");
 	screen_text(area, 0, from + room, 0, "%s", last);
@@ -73,25 +73,27 @@ fit_draw_legend(const struct tui *t)
 	char text[64], best[32];
 	for (size_t r = 0; r < past.site->n_run; r++) {
 		const struct run *run = &past.site->run[r];
-		if (!past.train[r] || misfit_count_covered(run) == 0)
+		if (!past.train[r] || misfit_count_covered_sieves(run) == 0)
 			continue;
 		struct chart_series look =
 		    site_chart_run_style(past.site, r, false);
-		FREED char *mark = chart_sample(&look, screen_charset());
+		FREED char *mark = chart_legend_sample(&look, screen_charset());
 		size_t kind = nth++ % ARRAY_LEN(BARS);
 		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
 		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);
 		snprintf(best, sizeof best, tr("%s best  "), mark);
-		if (column + text_width(text) + text_width(best) >
+		if (column + text_width_in_columns(text) +
+			text_width_in_columns(best) >
 		    area->columns)
 			return;
-		column = screen_series(area, 0, column, look.series, 0, text);
-		column =
-		    screen_series(area, 0, column, SERIES_PREDICTED, 0, best);
+		column = screen_draw_series_text(
+		    area, 0, column, look.series, 0, text);
+		column = screen_draw_series_text(
+		    area, 0, column, SERIES_PREDICTED, 0, best);
 	}
 	const char *noise = ascii ? tr(", noise") : tr("\u2508 noise");
-	if (column + text_width(noise) <= area->columns)
-		screen_series(area, 0, column, SERIES_FEED, 0, noise);
+	if (column + text_width_in_columns(noise) <= area->columns)
+		screen_draw_series_text(area, 0, column, SERIES_FEED, 0, noise);
 }
 
 static void
@@ -109,16 +111,16 @@ fit_draw(struct tui *t)
 		return;
 	}
 	struct plot_request request =
-	    plots_request(any ? t->ui.picture : PLOT_PSD);
+	    plots_default_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
-	request.speed = tui_speed(t);
-	request.feed = tui_feed(t);
+	request.speed = tui_slider_speed(t);
+	request.feed = tui_feed_run(t);
 	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->layout.plot.rows < TALL;
 	if (own)
-		pane_plot(t, &request, &t->layout.plot);
+		pane_draw_plot(t, &request, &t->layout.plot);
 	else
-		pane_curves(t, &request, request.kind == PLOT_PSD);
+		pane_draw_curves(t, &request, request.kind == PLOT_PSD);
 	if (own && t->layout.legend.rows > 0)
 		fit_draw_legend(t);
 	search_side_draw(t);
@@ -127,7 +129,7 @@ fit_draw(struct tui *t)
 static const char *
 fit_hints(const struct tui *t)
 {
-	bool busy = session_busy(t->session);
+	bool busy = session_is_calibrating(t->session);
 	if (busy && !t->session->job.fits)
 		return t->held ? N_("Space continue  Esc stop  ?  q  :")
 			       : N_("Space  Esc stop  ?  q  :");
@@ -144,7 +146,7 @@ move_by_generations(struct tui *t, int by)
 {
 	int at = (int)tui_generation_shown(t) - 1;
 	tui_show_generation(
-	    t, (size_t)pane_clamp_row(at, by, tui_count_generations(t)) + 1);
+	    t, (size_t)pane_clamp_index(at, by, tui_count_generations(t)) + 1);
 }
 
 /* Runs the next generation of a running search; of one that is over, shows
@@ -153,13 +155,13 @@ void
 act_next_generation(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!session_busy(t->session)) {
+	if (!session_is_calibrating(t->session)) {
 		move_by_generations(t, 1);
 		return;
 	}
-	watch_hold(t, true);
+	watch_set_fit_paused(t, true);
 	t->ui.generation = 0;
-	watch_step(t);
+	watch_run_fit_step(t);
 }
 
 void
@@ -176,10 +178,10 @@ act_next_plot(struct tui *t, const struct key *key)
 /* Left and Right move through the generations, Up and Down through the
  * parameters. */
 static bool
-fit_move(struct tui *t, const struct key *key)
+fit_move_by_key(struct tui *t, const struct key *key)
 {
-	if (key->act == act_list)
-		search_side_choose(t, key->amount);
+	if (key->act == act_move_in_list)
+		search_side_choose_parameter(t, key->amount);
 	else if (tui_search_shown(t).n == 0)
 		return false;
 	else if (key->act == act_ends)
@@ -191,14 +193,14 @@ fit_move(struct tui *t, const struct key *key)
 }
 
 static char *
-fit_words(const struct tui *t)
+fit_plot_name(const struct tui *t)
 {
 	static const char *const NAMES[] = {[PLOT_SEARCH] = "search",
 	    [PLOT_CONVERGENCE] = "convergence",
 	    [PLOT_SPREAD] = "spread"};
 	bool curves = t->ui.picture == PLOT_PSD || tui_search_shown(t).n == 0;
 	char *line =
-	    curves ? pane_curves_words(t) : xstrdup(NAMES[t->ui.picture]);
+	    curves ? pane_curves_plot_name(t) : xstrdup(NAMES[t->ui.picture]);
 	if (t->ui.generation > 0)
 		xappend(&line, " generation=%zu", t->ui.generation);
 	return line;
@@ -210,5 +212,5 @@ const struct page_ops page_fit = {.name = N_("Fit"),
     .wide_side = 58,
     .draw = fit_draw,
     .caption = caption,
-    .move = fit_move,
-    .words = fit_words};
+    .move = fit_move_by_key,
+    .words = fit_plot_name};

@@ -23,20 +23,20 @@
 
 /* Returns the held-out runs of a site. */
 static struct trials
-parity_compare(const struct session *s, size_t index)
+compare_heldout_runs(const struct session *s, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	struct error error = {0};
 	struct trials found = {.n = 0};
-	if (entry->has_params && answers_check_params(s, entry, &error))
-		trials_add_entry(&found, s, index,
-		    outlook_posterior(s, entry, CORRECTION_TRAIN));
+	if (entry->has_params && answers_require_params(s, entry, &error))
+		trials_add_held_out_of_entry(&found, s, index,
+		    outlook_calibration_posterior(s, entry, CORRECTION_TRAIN));
 	return found;
 }
 
 /* Moves the marks of the chosen run, which lie over all others. */
 static void
-choose_points_of_run(struct tui *t)
+move_marks_to_chosen_run(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
 	const struct validation *v =
@@ -53,7 +53,7 @@ choose_points_of_run(struct tui *t)
 /* Adds the marks of the chosen run, in reverse like its row beside the plot; a
  * single run needs none. */
 static void
-add_chosen(struct chart *chart)
+add_marks_of_chosen_run(struct chart *chart)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct chart_series look = *chart->series[chart->n - PSD_SIZES];
@@ -63,21 +63,22 @@ add_chosen(struct chart *chart)
 }
 
 static void
-parity_finish(struct tui *t)
+finish_parity_chart(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
-	struct plot_request request = plots_request(PLOT_PARITY);
+	struct plot_request request = plots_default_request(PLOT_PARITY);
 	for (enum validate_way way = 0; way < VALIDATE_NULL; way++)
 		for (size_t i = 0; i < PSD_SIZES; i++)
-			y->score[way][i] = trials_score(&y->runs, way, i);
+			y->score[way][i] =
+			    trials_score_at_size(&y->runs, way, i);
 	if (t->ui.list[PAGE_PARITY].at >= y->runs.n)
 		t->ui.list[PAGE_PARITY].at = 0;
-	y->chart = plots_chart(t->session, &request, &y->error);
+	y->chart = plots_make_chart(t->session, &request, &y->error);
 	if (y->chart == NULL || y->runs.n == 0)
 		return;
 	if (y->runs.n > 1)
-		add_chosen(y->chart);
-	choose_points_of_run(t);
+		add_marks_of_chosen_run(y->chart);
+	move_marks_to_chosen_run(t);
 }
 
 /* Compares site by site, because a first comparison draws from the posterior of
@@ -87,30 +88,31 @@ parity_update(struct tui *t)
 {
 	const struct session *s = t->session;
 	struct parity *y = &t->view.parity;
-	if (session_busy(s) || y->chart != NULL || y->error.text[0] != '\0')
+	if (session_is_calibrating(s) || y->chart != NULL ||
+	    y->error.text[0] != '\0')
 		return;
 	while (y->next < s->n_entry) {
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
-		struct trials found = parity_compare(s, y->next);
-		if (!t->aside && signals_stop_wanted()) {
+		struct trials found = compare_heldout_runs(s, y->next);
+		if (!t->aside && signals_is_stop_wanted()) {
 			trials_clear(&found);
 			return;
 		}
 		trials_append(&y->runs, &found);
 		y->next++;
 	}
-	parity_finish(t);
+	finish_parity_chart(t);
 }
 
 /* Returns the newest comparison with each speed held out in turn, or NULL. */
 static const struct answer *
-find_answer_of_each(const struct session *s)
+find_leave_one_out_answer(const struct session *s)
 {
 	for (size_t i = s->n_answer; i-- > 0;)
 		if (strcmp(answer_command(s->answer[i]), "validate") == 0 &&
-		    answer_number(s->answer[i], "holdout_each") == 1 &&
-		    !isnan(answer_number(s->answer[i], "p50.r2")))
+		    answer_find_number(s->answer[i], "holdout_each") == 1 &&
+		    !isnan(answer_find_number(s->answer[i], "p50.r2")))
 			return s->answer[i];
 	return NULL;
 }
@@ -144,11 +146,11 @@ draw_scores(const struct area *area, int row, const char *who,
 }
 
 static int
-draw_each(const struct tui *t, const struct area *area, int row)
+draw_leave_one_out_scores(const struct tui *t, const struct area *area, int row)
 {
-	const struct answer *r = find_answer_of_each(t->session);
+	const struct answer *r = find_leave_one_out_answer(t->session);
 	if (r == NULL)
-		return screen_words(area, row, LOOK_DIM,
+		return screen_draw_wrapped(area, row, LOOK_DIM,
 		    tr("leave-one-out: :validate all holdout=each"));
 	screen_text(area, row++, 0, LOOK_BOLD, "model, each speed held out");
 	for (size_t i = 0; i < PSD_SIZES; i++) {
@@ -159,7 +161,7 @@ draw_each(const struct tui *t, const struct area *area, int row)
 			char path[32];
 			snprintf(
 			    path, sizeof path, "%s.%s", PSD_KEY[i], WHAT[k]);
-			x[k] = answer_number(r, path);
+			x[k] = answer_find_number(r, path);
 		}
 		draw_score(area, row++, PSD_NAME[i], x[0], x[1] / 100,
 		    x[2] / 100, x[3]);
@@ -169,7 +171,7 @@ draw_each(const struct tui *t, const struct area *area, int row)
 
 /* Returns the difference of a size, % of the measured one. */
 static double
-size_error(const struct validation *v, size_t i)
+size_error_percent(const struct validation *v, size_t i)
 {
 	return 100 * (v->size[VALIDATE_MODEL][i] / v->measured[i] - 1);
 }
@@ -196,7 +198,8 @@ static const struct list_column COLUMN[COLUMNS] = {[SITE] = {N_("site"), 1, 0},
     [OFF_P80] = {N_("P80 off"), 9, 6, .right = true}};
 
 static void
-parity_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
+parity_cell_text(
+    const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	static const size_t SIZE[COLUMNS] = {
 	    [OFF_P50] = 1, [OFF_P20] = 0, [OFF_P80] = 2};
@@ -210,30 +213,31 @@ parity_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 	else if (column == MODEL)
 		snprintf(text, n, "%.2f", 1000 * p->v.size[VALIDATE_MODEL][1]);
 	else
-		snprintf(text, n, "%+.1f%%", size_error(&p->v, SIZE[column]));
+		snprintf(text, n, "%+.1f%%",
+		    size_error_percent(&p->v, SIZE[column]));
 }
 
 static const struct list_table TABLE = {
-    .column = COLUMN, .n = COLUMNS, .cell = parity_cell};
+    .column = COLUMN, .n = COLUMNS, .cell = parity_cell_text};
 
 static size_t
-parity_count(const struct tui *t)
+parity_count_runs(const struct tui *t)
 {
 	return t->view.parity.chart != NULL ? t->view.parity.runs.n : 0;
 }
 
-static const struct page_list POINTS = {.n = parity_count,
-    .chosen = choose_points_of_run,
+static const struct page_list POINTS = {.n = parity_count_runs,
+    .chosen = move_marks_to_chosen_run,
     .update = parity_update,
     .table = &TABLE};
 
 /* Draws statistics and runs beside the plot. */
 static void
-draw_panel(struct tui *t, const struct area *area)
+draw_parity_panel(struct tui *t, const struct area *area)
 {
 	const struct parity *y = &t->view.parity;
 	size_t sites;
-	free(trials_sources(&y->runs, &sites));
+	free(trials_data_sources_text(&y->runs, &sites));
 	screen_text(area, 0, 0, LOOK_BOLD,
 	    tr_n("held-out runs: %zu of %zu site",
 		"held-out runs: %zu of %zu sites", sites),
@@ -243,19 +247,19 @@ draw_panel(struct tui *t, const struct area *area)
 	int row = draw_scores(area, 2, tr("model"), y->score[VALIDATE_MODEL]);
 	row = draw_scores(area, row, tr("corrected by the training runs"),
 	    y->score[VALIDATE_CORRECTED]);
-	row = draw_each(t, area, row);
+	row = draw_leave_one_out_scores(t, area, row);
 	row += row + 1 < area->rows - 4;
 	struct area points = *area;
 	points.row += row;
 	points.rows -= row;
 	int wanted[LIST_COLUMNS];
-	table_measure(t, &TABLE, y->runs.n, wanted);
+	table_measure_columns(t, &TABLE, y->runs.n, wanted);
 	table_draw(t, &points, &TABLE, wanted);
 }
 
 /* Draws one line of statistics if there is no room for the panel. */
 static void
-parity_draw_line(const struct tui *t, const struct area *area)
+draw_statistics_line(const struct tui *t, const struct area *area)
 {
 	const struct validate_score *score =
 	    &t->view.parity.score[VALIDATE_MODEL][1];
@@ -267,7 +271,7 @@ parity_draw_line(const struct tui *t, const struct area *area)
 }
 
 static void
-draw_chart(const struct tui *t, const struct area *area)
+draw_parity_chart(const struct tui *t, const struct area *area)
 {
 	unsigned words = t->layout.legend.rows > 0 ? CHART_TITLE | CHART_LEGEND
 						   : CHART_TITLE;
@@ -275,24 +279,25 @@ draw_chart(const struct tui *t, const struct area *area)
 		return;
 	struct canvas *canvas = chart_draw(t->view.parity.chart, area->columns,
 	    area->rows, screen_charset(), words);
-	screen_canvas(area, canvas);
+	screen_draw_canvas(area, canvas);
 	canvas_free(canvas);
 }
 
 /* Says why there is no plot, or not yet. */
 static void
-parity_draw_none(const struct tui *t, const struct area *area)
+draw_why_no_parity(const struct tui *t, const struct area *area)
 {
 	const struct session *s = t->session;
 	const struct parity *y = &t->view.parity;
 	FREED char *words =
-	    session_busy(s) ? xstrdup(tr("compared when the calibration ends"))
+	    session_is_calibrating(s)
+		? xstrdup(tr("compared when the calibration ends"))
 	    : y->error.text[0] != '\0'
 		? xstrdup(y->error.text)
 		: xasprintf(tr("comparing site %zu of %zu .."), y->next + 1,
 		      s->n_entry);
-	int row = screen_words(area, area->rows / 3, LOOK_BOLD, words);
-	screen_words(area, row, 0, y->error.hint);
+	int row = screen_draw_wrapped(area, area->rows / 3, LOOK_BOLD, words);
+	screen_draw_wrapped(area, row, 0, y->error.hint);
 }
 
 static void
@@ -301,7 +306,7 @@ parity_draw(struct tui *t)
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
 	struct area plot = pane_list_area(t), side = plot;
 	if (t->view.parity.chart == NULL || t->view.parity.runs.n == 0) {
-		parity_draw_none(t, &plot);
+		draw_why_no_parity(t, &plot);
 		return;
 	}
 	if (plot.columns >= NARROW) {
@@ -309,17 +314,17 @@ parity_draw(struct tui *t)
 		plot.columns -= panel + GAP;
 		side.column = plot.column + plot.columns + GAP;
 		side.columns = panel;
-		draw_panel(t, &side);
+		draw_parity_panel(t, &side);
 	} else if (plot.rows > 3) {
-		parity_draw_line(t, &side);
+		draw_statistics_line(t, &side);
 		plot.row++;
 		plot.rows--;
 	}
-	draw_chart(t, &plot);
+	draw_parity_chart(t, &plot);
 }
 
 static char *
-parity_words(const struct tui *t)
+parity_plot_name(const struct tui *t)
 {
 	(void)t;
 	return xstrdup("parity");
@@ -330,4 +335,4 @@ const struct page_ops page_parity = {.name = N_("Parity"),
     .update = parity_update,
     .draw = parity_draw,
     .list = &POINTS,
-    .words = parity_words};
+    .words = parity_plot_name};

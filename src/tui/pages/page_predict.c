@@ -26,18 +26,18 @@
 static void
 predict_draw_runs(struct tui *t)
 {
-	struct plot_request request = plots_request(PLOT_RUNS);
+	struct plot_request request = plots_default_request(PLOT_RUNS);
 	request.words = 0;
-	pane_curves(t, &request, t->layout.side.rows == 0);
+	pane_draw_curves(t, &request, t->layout.side.rows == 0);
 }
 
 static void
 predict_draw(struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
-	struct plot_request request = plots_request(PLOT_PSD);
+	struct plot_request request = plots_default_request(PLOT_PSD);
 	if (tui_current_entry(t) == NULL) {
-		start_draw(t);
+		start_page_draw(t);
 		return;
 	}
 	if (goal_is_viewed(t)) {
@@ -50,8 +50,8 @@ predict_draw(struct tui *t)
 		return;
 	}
 	request.words = 0;
-	request.speed = tui_speed(t);
-	request.feed = tui_feed(t);
+	request.speed = tui_slider_speed(t);
+	request.feed = tui_feed_run(t);
 	request.band = t->ui.band;
 	if (p->product.n > 0 && t->view.of.speed == request.speed)
 		request.made = p;
@@ -63,7 +63,7 @@ predict_draw(struct tui *t)
 	if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n)
 		request.crosshair_mm =
 		    units_mm(p->product.size[t->ui.crosshair_sieve]);
-	pane_curves(t, &request, t->layout.side.rows == 0);
+	pane_draw_curves(t, &request, t->layout.side.rows == 0);
 	panel_draw(t);
 }
 
@@ -80,18 +80,18 @@ void
 act_numbers(struct tui *t, const struct key *key)
 {
 	if (tui_current_entry(t) == NULL) {
-		act_choose(t, key);
+		act_open_row(t, key);
 		return;
 	}
 	if (!tui_current_entry(t)->has_params &&
 	    site_count_products(tui_current_entry(t)->site) > 0 &&
-	    !session_busy(t->session)) {
+	    !session_is_calibrating(t->session)) {
 		act_fit(t, key);
 		return;
 	}
-	FREED char *line = tui_command_of_page(t);
+	FREED char *line = tui_command_at_slider(t);
 	if (t->view.shown.product.n == 0)
-		tui_say(t, true, "%s", tui_why_none(t));
+		tui_say(t, true, "%s", tui_why_no_prediction(t));
 	else if (control_run(t, line))
 		captured_show(t);
 }
@@ -107,18 +107,18 @@ act_runs(struct tui *t, const struct key *key)
 /* The first Up or Down turns the crosshair on, with which the panel reads the
  * curves at the sieve. */
 static bool
-predict_move(struct tui *t, const struct key *key)
+move_crosshair_by_key(struct tui *t, const struct key *key)
 {
 	/* Both the sieves and the key go from coarse to fine. */
 	size_t n = t->view.shown.product.n;
-	if (goal_is_viewed(t) || key->act != act_list || n == 0)
+	if (goal_is_viewed(t) || key->act != act_move_in_list || n == 0)
 		return false;
 	if (!t->ui.crosshair) {
 		act_crosshair(t, key);
 		return true;
 	}
-	t->ui.crosshair_sieve =
-	    (size_t)pane_clamp_row((int)t->ui.crosshair_sieve, key->amount, n);
+	t->ui.crosshair_sieve = (size_t)pane_clamp_index(
+	    (int)t->ui.crosshair_sieve, key->amount, n);
 	return true;
 }
 
@@ -133,9 +133,9 @@ act_crosshair(struct tui *t, const struct key *key)
 	if (t->ui.crosshair && t->ui.crosshair_sieve == 0)
 		t->ui.crosshair_sieve = t->view.shown.product.n / 3;
 	if (t->ui.crosshair)
-		pages_go(t, PAGE_PREDICT);
+		pages_go_to(t, PAGE_PREDICT);
 	if (t->view.shown.product.n == 0)
-		tui_say(t, true, "%s", tui_why_none(t));
+		tui_say(t, true, "%s", tui_why_no_prediction(t));
 	else if (t->ui.crosshair)
 		tui_say(t, false, "sieve: Up, Down; passing: < and >");
 }
@@ -143,7 +143,7 @@ act_crosshair(struct tui *t, const struct key *key)
 /* Moves the crosshair to the nearest sieve, by the ratio of sizes, as on the
  * axis. */
 static void
-move_crosshair_to(struct tui *t, double size)
+move_crosshair_to_size(struct tui *t, double size)
 {
 	const struct psd *psd = &t->view.shown.product;
 	size_t best = 0;
@@ -155,7 +155,7 @@ move_crosshair_to(struct tui *t, double size)
 }
 
 static void
-point_crosshair(struct tui *t, enum plot_kind kind, double x, double y)
+put_crosshair_at_click(struct tui *t, enum plot_kind kind, double x, double y)
 {
 	(void)y;
 	if (kind != PLOT_PSD)
@@ -164,21 +164,21 @@ point_crosshair(struct tui *t, enum plot_kind kind, double x, double y)
 		act_crosshair(t, NULL);
 	if (!t->ui.crosshair)
 		return;
-	pages_go(t, PAGE_PREDICT);
-	move_crosshair_to(t, x / 1000);
+	pages_go_to(t, PAGE_PREDICT);
+	move_crosshair_to_size(t, x / 1000);
 }
 
 static char *
-predict_words(const struct tui *t)
+predict_plot_name(const struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	if (goal_is_viewed(t)) {
-		FREED char *of = quantities_as_typed(&t->ui.quantity);
+		FREED char *of = quantities_input_text(&t->ui.quantity);
 		return xasprintf("response of=\"%s\"", of);
 	}
 	if (t->ui.runs)
 		return xstrdup("runs");
-	char *words = pane_curves_words(t);
+	char *words = pane_curves_plot_name(t);
 	if (t->view.pinned.site[0] != '\0')
 		xappend(&words, " beside=pinned");
 	if (t->ui.band)
@@ -205,7 +205,8 @@ predict_hints(const struct tui *t)
 		return N_("<-/->  Up/Down  < >  c no crosshair  ?  q  :");
 	if (undone)
 		return "<-/->  U  ?  q  f  :  t  x  e  u";
-	if (t->view.current.site[0] == '\0' && !session_busy(t->session))
+	if (t->view.current.site[0] == '\0' &&
+	    !session_is_calibrating(t->session))
 		return site_count_products(tui_current_entry(t)->site) > 0
 			   ? N_("Enter calibrate  ?  q  :  o  1-5 pages")
 			   : N_(":  ?  q  o  1-5 pages");
@@ -224,7 +225,7 @@ predict_hints(const struct tui *t)
 
 /* Its rows are the ways to open a site, or the conditions of the goal. */
 static size_t
-predict_rows(const struct tui *t)
+predict_count_rows(const struct tui *t)
 {
 	return goal_is_viewed(t) ? t->view.goal.list.n : START_LIST.n(t);
 }
@@ -236,8 +237,9 @@ predict_open_row(struct tui *t)
 		START_LIST.open(t);
 }
 
-static const struct page_list LIST = {
-    .n = predict_rows, .chosen = goal_show_chosen, .open = predict_open_row};
+static const struct page_list LIST = {.n = predict_count_rows,
+    .chosen = goal_show_chosen_quantity,
+    .open = predict_open_row};
 
 const struct page_ops page_predict = {.name = N_("Predict"),
     .hints_now = predict_hints,
@@ -249,7 +251,7 @@ const struct page_ops page_predict = {.name = N_("Predict"),
     .update = envelope_check_update,
     .draw = predict_draw,
     .list = &LIST,
-    .list_rows = goal_view_rows,
-    .move = predict_move,
-    .point = point_crosshair,
-    .words = predict_words};
+    .list_rows = goal_view_count_rows,
+    .move = move_crosshair_by_key,
+    .point = put_crosshair_at_click,
+    .words = predict_plot_name};

@@ -61,28 +61,28 @@ static const struct list_column COLUMN[COLUMNS] = {
 /* Computes the P50 at a speed: for the site in use on the feed of its page, for
  * others on that of all speeds. */
 static void
-sites_row_at(struct site_row *row, const struct tui *t)
+compute_row_p50(struct site_row *row, const struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *e = &s->entry[row->entry];
-	double speed = tui_speed(t);
+	double speed = tui_slider_speed(t);
 	struct error error = {0};
 	row->p50 = NAN;
 	row->beyond = false;
-	if (!answers_check_params(s, e, &error))
+	if (!answers_require_params(s, e, &error))
 		return;
 	bool here = e == tui_current_entry(t);
 	struct prediction p =
-	    forecast_whole_product(s, here ? tui_entry_asked_about(t) : e,
-		speed, here ? tui_feed(t) : SITE_MEAN_FEED);
+	    forecast_whole_product(s, here ? tui_entry_for_prediction(t) : e,
+		speed, here ? tui_feed_run(t) : SITE_MEAN_FEED);
 	row->p50 = 1000 * p.p50;
-	row->beyond = answers_extrapolates(e, speed);
+	row->beyond = answers_is_speed_extrapolated(e, speed);
 	prediction_free(&p);
 }
 
 /* Returns what does not depend on the speed. */
 static struct site_row
-sites_row_of(const struct session *s, size_t i)
+make_site_row(const struct session *s, size_t i)
 {
 	const struct entry *e = &s->entry[i];
 	struct site_row row = {.entry = i,
@@ -90,11 +90,12 @@ sites_row_of(const struct session *s, size_t i)
 	    .has_light = e->has_params,
 	    .holdout = e->has_fit ? 100 * fit_holdout_rmse(e) : NAN};
 	/* The light of a site that is being calibrated is not known yet. */
-	row.has_light = row.has_light && session_fitting(s) != e;
+	row.has_light = row.has_light && session_entry_being_fitted(s) != e;
 	if (row.has_light) {
-		struct trust t = light_of_prediction(s, e, NULL);
+		struct trust t = light_of_answer_or_fit(s, e, NULL);
 		row.light = t.light;
-		row.verdict = e->has_fit ? light_verdict(s, e, NULL) : NULL;
+		row.verdict =
+		    e->has_fit ? light_verdict_on_fit(s, e, NULL) : NULL;
 		trust_free(&t);
 	}
 	return row;
@@ -103,7 +104,7 @@ sites_row_of(const struct session *s, size_t i)
 /* Writes "69 o74 79", with o at held-out speeds like the signs of the track; "8
  * runs" if there are many. */
 static void
-runs_text(const struct entry *e, char *text, size_t n)
+run_speeds_text(const struct entry *e, char *text, size_t n)
 {
 	enum { MOST = 16 };
 	size_t at = 0;
@@ -123,24 +124,24 @@ runs_text(const struct entry *e, char *text, size_t n)
 }
 
 static const char *
-origin_text(const struct session *s, const struct site_row *row)
+params_origin_text(const struct session *s, const struct site_row *row)
 {
 	const struct entry *e = &s->entry[row->entry];
-	return row->verdict != NULL          ? row->verdict
-	       : e->has_fit                  ? tr("calibrating")
-	       : !e->has_params              ? tr("not calibrated")
-	       : origin_is_stored(e->origin) ? tr("from the store")
-					     : origin_words(e);
+	return row->verdict != NULL              ? row->verdict
+	       : e->has_fit                      ? tr("calibrating")
+	       : !e->has_params                  ? tr("not calibrated")
+	       : origin_is_from_store(e->origin) ? tr("from the store")
+						 : origin_source_text(e);
 }
 
 /* Writes the progress of a site, also if several are calibrated in turn.
  * Returns false if it is not concerned or its calibration is over. */
 static bool
-progress_text(const struct tui *t, size_t i, char *text, size_t n)
+calibration_progress_text(const struct tui *t, size_t i, char *text, size_t n)
 {
 	const struct session *s = t->session;
 	const struct job *job = &s->job;
-	if (session_fitting(s) == NULL || i < job->entry ||
+	if (session_entry_being_fitted(s) == NULL || i < job->entry ||
 	    (i > job->entry && (job->type->alone ||
 				   site_count_products(s->entry[i].site) == 0)))
 		return false;
@@ -162,14 +163,14 @@ static void
 light_text(
     const struct tui *t, const struct site_row *row, char *text, size_t n)
 {
-	if (!progress_text(t, row->entry, text, n))
+	if (!calibration_progress_text(t, row->entry, text, n))
 		snprintf(text, n, "%s",
 		    row->has_light ? tr(LIGHT_NAME[row->light]) : "-");
 }
 
 /* Returns the number in a column; NAN if there is none or it has words. */
 static double
-sites_number_of(
+number_in_column(
     const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
@@ -201,7 +202,7 @@ static void
 number_text(const struct tui *t, const struct site_row *row, enum column column,
     char *text, size_t n)
 {
-	double x = sites_number_of(t->session, row, column);
+	double x = number_in_column(t->session, row, column);
 	if (isnan(x))
 		snprintf(text, n, "-");
 	else if (column == TOP || column == GENERATIONS)
@@ -214,7 +215,7 @@ number_text(const struct tui *t, const struct site_row *row, enum column column,
 }
 
 static void
-sites_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
+site_cell_text(const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	const struct session *s = t->session;
 	const struct site_row *row = &t->view.row[i];
@@ -231,10 +232,10 @@ sites_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 		snprintf(text, n, "%s", e->site->rock);
 		break;
 	case RUNS:
-		runs_text(e, text, n);
+		run_speeds_text(e, text, n);
 		break;
 	case PARAMETERS:
-		snprintf(text, n, "%s", origin_text(s, row));
+		snprintf(text, n, "%s", params_origin_text(s, row));
 		break;
 	case MACHINE:
 		snprintf(text, n, "%s", e->site->machine);
@@ -247,12 +248,12 @@ sites_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 /* ---- Their order ---- */
 
 static const char *
-sort_word_of(
+sort_text_of_row(
     const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
 	return column == ROCK         ? e->site->rock
-	       : column == PARAMETERS ? origin_text(s, row)
+	       : column == PARAMETERS ? params_origin_text(s, row)
 	       : column == MACHINE    ? e->site->machine
 				      : e->key;
 }
@@ -267,14 +268,14 @@ is_sorted_after(
 		return t->ui.sort_down ? a->entry < b->entry
 				       : a->entry > b->entry;
 	enum column column = (enum column)(t->ui.sort - 1);
-	double x = sites_number_of(t->session, a, column),
-	       y = sites_number_of(t->session, b, column);
+	double x = number_in_column(t->session, a, column),
+	       y = number_in_column(t->session, b, column);
 	double by = x - y;
 	if (isnan(x) != isnan(y))
 		return isnan(x);
 	if (isnan(by)) {
-		const char *v = sort_word_of(t->session, a, column);
-		const char *w = sort_word_of(t->session, b, column);
+		const char *v = sort_text_of_row(t->session, a, column);
+		const char *w = sort_text_of_row(t->session, b, column);
 		if ((v[0] == '\0') != (w[0] == '\0'))
 			return v[0] == '\0';
 		by = strcmp(v, w);
@@ -308,8 +309,8 @@ sort_by_column(struct tui *t, int column)
 }
 
 static bool
-light_series(const struct tui *t, size_t i, int column, const char *text,
-    enum series *series)
+colour_of_light_cell(const struct tui *t, size_t i, int column,
+    const char *text, enum series *series)
 {
 	static const enum series LIGHT_LOOK[] = {[LIGHT_GREEN] = SERIES_GREEN,
 	    [LIGHT_AMBER] = SERIES_AMBER,
@@ -321,31 +322,32 @@ light_series(const struct tui *t, size_t i, int column, const char *text,
 }
 
 static const struct list_table TABLE = {
-    COLUMN, COLUMNS, sites_cell, light_series, sort_by_column};
+    COLUMN, COLUMNS, site_cell_text, colour_of_light_cell, sort_by_column};
 
 /* Computes the rows; what does not depend on the speed only if the session has
  * changed (rows_at 0). */
 static void
-sites_update(struct tui *t)
+update_site_rows(struct tui *t)
 {
 	const struct session *s = t->session;
 	bool other = t->view.rows_at == 0 || t->view.n_row != s->n_entry;
-	if (!other && t->view.rows_at == tui_speed(t))
+	if (!other && t->view.rows_at == tui_slider_speed(t))
 		return;
 	if (other) {
 		free(t->view.row);
 		t->view.n_row = s->n_entry;
 		t->view.row = xcalloc(t->view.n_row + 1, sizeof *t->view.row);
 		for (size_t i = 0; i < t->view.n_row; i++)
-			t->view.row[i] = sites_row_of(s, i);
+			t->view.row[i] = make_site_row(s, i);
 	}
 	for (size_t i = 0; i < t->view.n_row; i++)
-		sites_row_at(&t->view.row[i], t);
+		compute_row_p50(&t->view.row[i], t);
 	if (other)
-		table_measure(t, &TABLE, t->view.n_row, t->view.site_width);
+		table_measure_columns(
+		    t, &TABLE, t->view.n_row, t->view.site_width);
 	if (other || t->ui.sort == P50 + 1)
 		sites_sort_rows(t);
-	t->view.rows_at = tui_speed(t);
+	t->view.rows_at = tui_slider_speed(t);
 }
 
 /* ---- On the screen ---- */
@@ -358,12 +360,13 @@ static void
 describe_site(const struct tui *t, char *text[static ABOUT])
 {
 	const struct entry *e = &t->session->entry[t->ui.list[PAGE_SITES].at];
-	const struct breakage *of = breakage_of(&e->params);
-	bool beyond = e->has_params && answers_extrapolates(e, tui_speed(t));
+	const struct breakage *of = breakage_model_of_params(&e->params);
+	bool beyond = e->has_params &&
+		      answers_is_speed_extrapolated(e, tui_slider_speed(t));
 	text[0] = beyond
 		      ? xasprintf(tr("? extrapolated: %.1f m/s is outside the "
 				     "speeds measured"),
-			    tui_speed(t))
+			    tui_slider_speed(t))
 		      : xstrdup("");
 	text[1] = xstrdup("");
 	for (size_t j = 0; e->has_params && j < of->n; j++)
@@ -380,26 +383,26 @@ describe_site(const struct tui *t, char *text[static ABOUT])
 /* Draws the curves of the site under the cursor between its row and the words
  * about it. */
 static void
-draw_preview(struct tui *t, struct area area)
+draw_curves_of_site(struct tui *t, struct area area)
 {
 	enum { LEAST = 7, NAMES = 16, MOST = 30 };
 	const size_t at = t->ui.list[PAGE_SITES].at;
-	struct plot_request request = plots_request(PLOT_PSD);
+	struct plot_request request = plots_default_request(PLOT_PSD);
 	if (area.rows < LEAST)
 		return;
 	area.rows = area.rows > MOST ? MOST : area.rows;
-	request.entry = at == t->session->current ? tui_entry_asked_about(t)
+	request.entry = at == t->session->current ? tui_entry_for_prediction(t)
 						  : &t->session->entry[at];
 	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
 	request.strip = 0;
-	request.speed = tui_speed(t);
-	pane_plot(t, &request, &area);
+	request.speed = tui_slider_speed(t);
+	pane_draw_plot(t, &request, &area);
 }
 
 /* Draws these words at the foot of the page, below row `first`.  Returns how
  * many rows they leave. */
 static int
-draw_site(const struct tui *t, const struct area *area, int first)
+draw_site_description(const struct tui *t, const struct area *area, int first)
 {
 	enum { LABEL = 2 };
 	static const size_t ORDER[ABOUT] = {LABEL, 3, 1, 0};
@@ -414,7 +417,7 @@ draw_site(const struct tui *t, const struct area *area, int first)
 	int row = first + left;
 	for (size_t i = 0; i < ABOUT; i++) {
 		size_t k = ORDER[i];
-		row = screen_words_within(area, row, rows[k],
+		row = screen_draw_wrapped_rows(area, row, rows[k],
 		    k == LABEL ? LOOK_BOLD : LOOK_PLAIN, text[k], " ..");
 		free(text[k]);
 	}
@@ -426,21 +429,21 @@ sites_draw(struct tui *t)
 {
 	enum { HEAD = 1, GAPS = 2 };
 	const struct area area = pane_list_area(t);
-	sites_update(t);
+	update_site_rows(t);
 	if (t->session->n_entry == 0) {
 		screen_text(&area, 0, 2, 0, "none is loaded: o opens a sheet");
 		return;
 	}
 	table_draw(t, &area, &TABLE, t->view.site_width);
-	int first = (int)rows_count(t) + HEAD;
+	int first = (int)rows_count_matching(t) + HEAD;
 	if (first == HEAD)
 		screen_text(&area, HEAD, 2, 0, "no site has this word: Esc");
 	if (first == HEAD || first + 1 >= area.rows)
 		return;
 	struct area preview = area;
 	preview.row += first + 1;
-	preview.rows = draw_site(t, &area, first) - GAPS;
-	draw_preview(t, preview);
+	preview.rows = draw_site_description(t, &area, first) - GAPS;
+	draw_curves_of_site(t, preview);
 }
 
 static size_t
@@ -450,39 +453,40 @@ sites_count(const struct tui *t)
 }
 
 static size_t
-sites_id(const struct tui *t, size_t i)
+sites_entry_of_row(const struct tui *t, size_t i)
 {
 	return t->view.row[i].entry;
 }
 
 static char *
-sites_name(const struct tui *t, size_t i)
+sites_name_of_row(const struct tui *t, size_t i)
 {
 	return xstrdup(t->session->entry[t->view.row[i].entry].site->name);
 }
 
 static void
-sites_choose(struct tui *t)
+open_chosen_site(struct tui *t)
 {
 	const struct session *s = t->session;
-	if (session_fitting(s) != NULL && !s->job.type->alone) {
+	if (session_entry_being_fitted(s) != NULL && !s->job.type->alone) {
 		tui_say(t, false,
 		    "calibrating all sites: s stops, then Enter opens one");
 		return;
 	}
 	/* The site in use is only shown, without stopping a job. */
-	if (session_busy(s) && t->ui.list[PAGE_SITES].at == s->current) {
-		pages_go(t, PAGE_PREDICT);
+	if (session_is_calibrating(s) &&
+	    t->ui.list[PAGE_SITES].at == s->current) {
+		pages_go_to(t, PAGE_PREDICT);
 		return;
 	}
 	FREED char *line =
 	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
-	watch_pause(t);
+	watch_stop_fit(t);
 	bool used = control_run(t, line);
 	if (used)
-		pages_go(t, PAGE_PREDICT);
+		pages_go_to(t, PAGE_PREDICT);
 }
 
 /* Sorts by the next of the columns that are drawn. */
@@ -490,7 +494,7 @@ static void
 sort_by_next_column(struct tui *t)
 {
 	int width[LIST_COLUMNS], by = t->ui.sort;
-	table_share(
+	table_fit_columns(
 	    &TABLE, pane_list_area(t).columns, t->view.site_width, width);
 	do
 		by = (by + 1) % (COLUMNS + 1);
@@ -512,10 +516,10 @@ act_sort(struct tui *t, const struct key *key)
 }
 
 static const struct page_list LIST = {.n = sites_count,
-    .id = sites_id,
-    .text = sites_name,
-    .open = sites_choose,
-    .update = sites_update,
+    .id = sites_entry_of_row,
+    .text = sites_name_of_row,
+    .open = open_chosen_site,
+    .update = update_site_rows,
     .table = &TABLE};
 
 static const char *
@@ -528,6 +532,6 @@ sites_hints(const struct tui *t)
 
 const struct page_ops page_sites = {.name = N_("Sites"),
     .hints_now = sites_hints,
-    .update = sites_update,
+    .update = update_site_rows,
     .draw = sites_draw,
     .list = &LIST};

@@ -36,24 +36,25 @@ static const struct {
 	PICK_FEEDS}};
 
 static size_t
-ways_count(const struct tui *t)
+count_start_choices(const struct tui *t)
 {
 	return tui_current_entry(t) == NULL ? ARRAY_LEN(WAYS) : 0;
 }
 
 static void
-ways_open(struct tui *t)
+open_start_choice(struct tui *t)
 {
 	size_t at = t->ui.list[PAGE_PREDICT].at;
 	if (at < ARRAY_LEN(WAYS))
 		picker_open(t, WAYS[at].list);
 }
 
-const struct page_list START_LIST = {.n = ways_count, .open = ways_open};
+const struct page_list START_LIST = {
+    .n = count_start_choices, .open = open_start_choice};
 
 static void
-draw_way(struct tui *t, const struct area *line, size_t i, unsigned look,
-    const void *of)
+draw_start_choice(struct tui *t, const struct area *line, size_t i,
+    unsigned look, const void *of)
 {
 	(void)t, (void)of;
 	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
@@ -61,7 +62,7 @@ draw_way(struct tui *t, const struct area *line, size_t i, unsigned look,
 
 /* In the middle, with a description of the chosen way if there is room. */
 void
-start_draw(struct tui *t)
+start_page_draw(struct tui *t)
 {
 	enum { WIDEST = 64, GAPS = 3, WHAT = 4 };
 	struct area area = pane_list_area(t);
@@ -78,8 +79,8 @@ start_draw(struct tui *t)
 	row += title ? 2 : 0;
 	area.row += row;
 	area.rows -= row;
-	row = rows_draw(t, &area, draw_way, NULL);
+	row = rows_draw(t, &area, draw_start_choice, NULL);
 	if (what)
-		screen_words(&area, row + 1, 0,
+		screen_draw_wrapped(&area, row + 1, 0,
 		    tr(WAYS[t->ui.list[PAGE_PREDICT].at].what));
 }

@@ -7,7 +7,7 @@
 #include "tui/tui_state.h"
 
 /* Draws the page in the body. */
-void start_draw(struct tui *t);
+void start_page_draw(struct tui *t);
 
 /* Its list, which has no rows if a site is loaded. */
 extern const struct page_list START_LIST;

@@ -15,7 +15,7 @@
 #include "tui/screen.h"
 
 enum edit_result
-dialog_key(struct tui *t, int code, bool special)
+dialog_handle_key(struct tui *t, int code, bool special)
 {
 	bool back =
 	    special ? code == KEY_BACKSPACE : code == DELETE || code == '\b';
@@ -29,7 +29,7 @@ dialog_key(struct tui *t, int code, bool special)
 	 * commands. */
 	if ((back && t->answer.n == 0) || (!special && code == '\t'))
 		return EDIT_ON;
-	return edit_key(&t->answer, t->session, code, special);
+	return edit_handle_key(&t->answer, t->session, code, special);
 }
 
 char *
@@ -42,7 +42,7 @@ dialog_ask(struct tui *t, const struct inquiry *q)
 	t->inquiry_up = 0;
 	edit_begin(&t->answer, "");
 	while (result == EDIT_ON && t->callbacks->answer(t, &code, &special))
-		result = dialog_key(t, code, special);
+		result = dialog_handle_key(t, code, special);
 	t->inquiry = NULL;
 	edit_end(&t->answer);
 	return result == EDIT_DONE ? xstrdup(t->answer.text) : NULL;
@@ -54,7 +54,7 @@ struct parts {
 };
 
 static int
-take_at_most(int n, int *left)
+take_rows_at_most(int n, int *left)
 {
 	int taken = n < *left ? n : *left;
 	*left -= taken;
@@ -74,43 +74,43 @@ dialog_share_rows(
 	enum { LEAST = 5 };
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
 	struct parts p = {0};
-	p.line = take_at_most(1, &left);
-	p.text = take_at_most(text_count_rows(asks, columns), &left);
-	p.table = take_at_most(table < LEAST ? table : LEAST, &left);
-	p.about = take_at_most(
+	p.line = take_rows_at_most(1, &left);
+	p.text = take_rows_at_most(text_count_rows(asks, columns), &left);
+	p.table = take_rows_at_most(table < LEAST ? table : LEAST, &left);
+	p.about = take_rows_at_most(
 	    text_count_rows(text_above_question(q), columns), &left);
 	int hint = text_count_rows(q->hint, columns);
-	p.hint = hint <= left ? take_at_most(hint, &left) : 0;
-	p.table += take_at_most(table - p.table, &left);
+	p.hint = hint <= left ? take_rows_at_most(hint, &left) : 0;
+	p.table += take_rows_at_most(table - p.table, &left);
 	p.gap = table > 0 && left >= 2 ? 2 : 0;
 	return p;
 }
 
 static void
-draw_frame(struct tui *t, const struct area *box, const char *keys)
+draw_dialog_frame(struct tui *t, const struct area *box, const char *keys)
 {
 	static const char *const CORNERS[] = {
 	    "\u250c", "\u2510", "\u2514", "\u2518"};
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	struct area edge = *box;
 	edge.rows = 1;
-	screen_rule(&edge);
+	screen_draw_rule(&edge);
 	edge.row += box->rows - 1;
-	screen_rule(&edge);
-	screen_vertical_rule(box->row, box->column, box->rows);
-	screen_vertical_rule(
+	screen_draw_rule(&edge);
+	screen_draw_vertical_rule(box->row, box->column, box->rows);
+	screen_draw_vertical_rule(
 	    box->row, box->column + box->columns - 1, box->rows);
 	for (int i = 0; i < 4; i++)
 		screen_text(box, i < 2 ? 0 : box->rows - 1,
 		    i % 2 == 0 ? 0 : box->columns - 1, LOOK_DIM, "%s",
 		    ascii ? "+" : CORNERS[i]);
 	screen_text(&edge, 0, 2, LOOK_PLAIN, " %s ", keys);
-	pane_touch_hints(t, edge.row, edge.column + 3, keys);
+	pane_add_hint_clicks(t, edge.row, edge.column + 3, keys);
 }
 
 /* The wheel scrolls the table. */
 static void
-touch_table(struct tui *t, const struct touched *touched)
+on_wheel_scroll_table(struct tui *t, const struct touched *touched)
 {
 	t->inquiry_up -= touched->by;
 }
@@ -118,7 +118,7 @@ touch_table(struct tui *t, const struct touched *touched)
 /* Draws the headings and as many rows as fit, with the one asked about unless
  * the table was scrolled. */
 static void
-draw_table(struct tui *t, const struct area *area)
+draw_question_table(struct tui *t, const struct area *area)
 {
 	const struct inquiry *q = t->inquiry;
 	int shown = area->rows - 1, n = (int)q->ask->n, at = (int)q->at;
@@ -130,7 +130,7 @@ draw_table(struct tui *t, const struct area *area)
 	t->inquiry_up += top - fit;
 	for (int r = 0; r < area->rows; r++) {
 		size_t row = r == 0 ? 0 : (size_t)(fit + r);
-		FREED char *line = inquiry_row(q, row, area->columns);
+		FREED char *line = inquiry_row_text(q, row, area->columns);
 		screen_text(area, r, 0,
 		    r == 0               ? LOOK_DIM
 		    : (int)row - 1 == at ? LOOK_REVERSE
@@ -140,37 +140,38 @@ draw_table(struct tui *t, const struct area *area)
 }
 
 static void
-dialog_draw_line(struct tui *t, const struct area *area)
+draw_answer_line(struct tui *t, const struct area *area)
 {
 	size_t from;
-	int at = pane_typed(area, "> ", &t->answer, &from);
+	int at = pane_draw_typed_line(area, "> ", &t->answer, &from);
 	t->cursor = (struct cursor){area->row, area->column + at};
 }
 
 /* Draws the parts from the top down. */
 static void
-draw_parts(struct tui *t, const struct area *inner, const struct parts *p,
-    const char *asks)
+draw_dialog_parts(struct tui *t, const struct area *inner,
+    const struct parts *p, const char *asks)
 {
 	const struct inquiry *q = t->inquiry;
 	struct area area = *inner;
 	area.rows = p->about;
 	if (p->about > 0)
-		screen_words(&area, 0, LOOK_BOLD, text_above_question(q));
+		screen_draw_wrapped(
+		    &area, 0, LOOK_BOLD, text_above_question(q));
 	area.row += p->about + p->gap / 2;
 	area.rows = p->table;
-	draw_table(t, &area);
+	draw_question_table(t, &area);
 	area.row += p->table + p->gap / 2;
 	area.rows = p->text;
 	if (p->text > 0)
-		screen_words(&area, 0, LOOK_BOLD, asks);
+		screen_draw_wrapped(&area, 0, LOOK_BOLD, asks);
 	area.row += p->text;
 	area.rows = p->line;
-	dialog_draw_line(t, &area);
+	draw_answer_line(t, &area);
 	area.row += p->line;
 	area.rows = p->hint;
 	if (p->hint > 0)
-		screen_words(&area, 0, LOOK_DIM, q->hint);
+		screen_draw_wrapped(&area, 0, LOOK_DIM, q->hint);
 }
 
 void
@@ -191,13 +192,13 @@ dialog_draw(struct tui *t, int rows, int columns)
 	    .column = (columns - wide) / 2,
 	    .rows = high + 2 * edge,
 	    .columns = wide};
-	screen_clear(&box);
+	screen_clear_area(&box);
 	hits_clear(&t->hits);
-	hits_add(&t->hits, HIT_WHEEL, box, touch_table, 0);
+	hits_add(&t->hits, HIT_WHEEL, box, on_wheel_scroll_table, 0);
 	if (frame)
-		draw_frame(t, &box,
+		draw_dialog_frame(t, &box,
 		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");
 	struct area inner = {
 	    box.row + edge, box.column + side, high, wide - 2 * side};
-	draw_parts(t, &inner, &p, asks);
+	draw_dialog_parts(t, &inner, &p, asks);
 }

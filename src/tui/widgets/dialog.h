@@ -11,7 +11,7 @@
 char *dialog_ask(struct tui *t, const struct inquiry *q);
 
 /* Handles a key of the open dialogue. */
-enum edit_result dialog_key(struct tui *t, int code, bool special);
+enum edit_result dialog_handle_key(struct tui *t, int code, bool special);
 
 /* Draws the dialogue over the screen's content, at any size, with the cursor in
  * its line. */

@@ -47,7 +47,7 @@ edit_begin(struct edit *t, const char *text)
 }
 
 void
-edit_propose(struct edit *t, const char *text, const char *name)
+edit_begin_with_proposal(struct edit *t, const char *text, const char *name)
 {
 	edit_begin(t, text);
 	t->fresh = t->n;
@@ -66,13 +66,13 @@ static void
 insert_at_cursor(struct edit *t, unsigned code)
 {
 	char letter[5];
-	canvas_utf8(code, letter);
+	canvas_encode_utf8(code, letter);
 	replace_before_cursor(t, t->at, letter, strlen(letter));
 }
 
 /* Return the offset of the character before, and after, an offset. */
 static size_t
-edit_before(const struct edit *t, size_t at)
+previous_letter_offset(const struct edit *t, size_t at)
 {
 	while (at > 0 && (t->text[--at] & 0xC0) == 0x80)
 		;
@@ -80,7 +80,7 @@ edit_before(const struct edit *t, size_t at)
 }
 
 static size_t
-next_letter(const struct edit *t, size_t at)
+next_letter_offset(const struct edit *t, size_t at)
 {
 	while (at < t->n && (t->text[++at] & 0xC0) == 0x80)
 		;
@@ -88,7 +88,7 @@ next_letter(const struct edit *t, size_t at)
 }
 
 static size_t
-word_before(const struct edit *t)
+start_of_word_before(const struct edit *t)
 {
 	size_t at = t->at;
 	while (at > 0 && t->text[at - 1] == ' ')
@@ -125,7 +125,7 @@ shared_candidate_bytes(const struct completion *c)
 }
 
 static void
-show_offers(struct edit *t, const struct completion *c)
+list_completions(struct edit *t, const struct completion *c)
 {
 	size_t n = 0;
 	FILE *out = text_open_memory(&t->offers, &n);
@@ -138,7 +138,7 @@ show_offers(struct edit *t, const struct completion *c)
 static void
 complete_word(struct edit *t, const struct session *s)
 {
-	struct completion *c = complete(s, t->text, t->at);
+	struct completion *c = complete_at_cursor(s, t->text, t->at);
 	if (c->n > 0)
 		replace_before_cursor(t, c->start, c->candidate[0].text,
 		    shared_candidate_bytes(c));
@@ -146,7 +146,7 @@ complete_word(struct edit *t, const struct session *s)
 		insert_at_cursor(t, (unsigned char)c->candidate[0].append);
 	t->start = c->start;
 	if (c->n > 1)
-		show_offers(t, c);
+		list_completions(t, c);
 	completion_free(c);
 }
 
@@ -155,9 +155,9 @@ static void
 handle_named_key(struct edit *t, int code)
 {
 	if (code == KEY_LEFT)
-		t->at = edit_before(t, t->at);
+		t->at = previous_letter_offset(t, t->at);
 	else if (code == KEY_RIGHT)
-		t->at = next_letter(t, t->at);
+		t->at = next_letter_offset(t, t->at);
 	else if (code == KEY_HOME)
 		t->at = 0;
 	else if (code == KEY_END)
@@ -165,16 +165,17 @@ handle_named_key(struct edit *t, int code)
 	else if (code == KEY_UP || code == KEY_DOWN)
 		go_back_in_history(t, code == KEY_UP ? 1 : -1);
 	else if (code == KEY_DC && t->at < t->n)
-		t->at = next_letter(t, t->at);
+		t->at = next_letter_offset(t, t->at);
 	else if (code != KEY_BACKSPACE)
 		return;
 	if (code == KEY_DC || code == KEY_BACKSPACE)
-		replace_before_cursor(t, edit_before(t, t->at), "", 0);
+		replace_before_cursor(
+		    t, previous_letter_offset(t, t->at), "", 0);
 }
 
 /* Returns the key that a control key stands for, or 0. */
 static int
-key_of_control(int code)
+key_of_control_code(int code)
 {
 	static const struct {
 		int code, key;
@@ -190,7 +191,7 @@ key_of_control(int code)
 }
 
 const char *
-edit_offer(const struct edit *t, size_t n, size_t *length)
+edit_completion_at(const struct edit *t, size_t n, size_t *length)
 {
 	const char *offer = t->offers;
 	while (offer != NULL && n-- > 0) {
@@ -205,17 +206,17 @@ edit_offer(const struct edit *t, size_t n, size_t *length)
 }
 
 size_t
-edit_next(const struct edit *t)
+edit_next_completion(const struct edit *t)
 {
 	size_t next = t->from + t->shown, length;
-	return edit_offer(t, next, &length) != NULL ? next : 0;
+	return edit_completion_at(t, next, &length) != NULL ? next : 0;
 }
 
 enum edit_result
-edit_key(struct edit *t, const struct session *s, int code, bool special)
+edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 {
-	int key = special ? code : key_of_control(code);
-	size_t next = edit_next(t), n = t->n;
+	int key = special ? code : key_of_control_code(code);
+	size_t next = edit_next_completion(t), n = t->n;
 	free(t->offers);
 	t->offers = NULL;
 	if (!special && (code == ESCAPE || code == INTERRUPT))
@@ -231,7 +232,7 @@ edit_key(struct edit *t, const struct session *s, int code, bool special)
 	else if (code == CONTROL('U'))
 		replace_before_cursor(t, 0, "", 0);
 	else if (code == CONTROL('W'))
-		replace_before_cursor(t, word_before(t), "", 0);
+		replace_before_cursor(t, start_of_word_before(t), "", 0);
 	else if (code == CONTROL('K'))
 		t->text[t->n = t->at] = '\0';
 	else if (code >= ' ') {
@@ -245,10 +246,10 @@ edit_key(struct edit *t, const struct session *s, int code, bool special)
 }
 
 void
-edit_take_offer(struct edit *t, size_t n)
+edit_use_completion(struct edit *t, size_t n)
 {
 	size_t length;
-	const char *offer = edit_offer(t, n, &length);
+	const char *offer = edit_completion_at(t, n, &length);
 	if (offer == NULL)
 		return;
 	bool open = length > 0 &&
@@ -261,13 +262,14 @@ edit_take_offer(struct edit *t, size_t n)
 }
 
 bool
-edit_letter(struct edit *t, int code, bool special, size_t most)
+edit_type_letter(struct edit *t, int code, bool special, size_t most)
 {
 	bool back = code == DELETE || code == '\b';
 	if (special || (back ? t->n == 0 : code < ' ' || code >= DELETE))
 		return false;
 	if (back)
-		replace_before_cursor(t, edit_before(t, t->at), "", 0);
+		replace_before_cursor(
+		    t, previous_letter_offset(t, t->at), "", 0);
 	else if (t->n < most)
 		insert_at_cursor(t, (unsigned)code);
 	return true;

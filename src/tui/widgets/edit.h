@@ -28,25 +28,26 @@ enum edit_result { EDIT_ON, EDIT_DONE, EDIT_GIVEN_UP };
 void edit_begin(struct edit *t, const char *text);
 
 /* Begins editing, with a name proposed after the text. */
-void edit_propose(struct edit *t, const char *text, const char *name);
+void edit_begin_with_proposal(
+    struct edit *t, const char *text, const char *name);
 
 /* Handles a key.  code: from ncurses if special, else a character. */
-enum edit_result edit_key(
+enum edit_result edit_handle_key(
     struct edit *t, const struct session *s, int code, bool special);
 void edit_end(struct edit *t);
 
 /* Returns offer n, of `length` bytes, or NULL if there are fewer. */
-const char *edit_offer(const struct edit *t, size_t n, size_t *length);
+const char *edit_completion_at(const struct edit *t, size_t n, size_t *length);
 
 /* Returns the offer from which Tab continues: the one after those shown, or the
  * first. */
-size_t edit_next(const struct edit *t);
+size_t edit_next_completion(const struct edit *t);
 
 /* Replaces the word with offer n. */
-void edit_take_offer(struct edit *t, size_t n);
+void edit_use_completion(struct edit *t, size_t n);
 
 /* Adds an ASCII letter to text of at most `most` letters, or deletes the last.
  * Returns false if the key does neither or there is nothing to delete. */
-bool edit_letter(struct edit *t, int code, bool special, size_t most);
+bool edit_type_letter(struct edit *t, int code, bool special, size_t most);
 
 #endif

@@ -23,7 +23,8 @@ envelope_check_is_wanted(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->has_params && t->session->spec != NULL &&
-	       !session_busy(t->session) && t->view.shown.product.n > 0;
+	       !session_is_calibrating(t->session) &&
+	       t->view.shown.product.n > 0;
 }
 
 void
@@ -41,7 +42,7 @@ is_check_current(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	return l != NULL && l->revision == t->view.revision &&
-	       l->feed == tui_feed(t);
+	       l->feed == tui_feed_run(t);
 }
 
 void
@@ -56,21 +57,21 @@ envelope_check_update(struct tui *t)
 	if (l == NULL) {
 		t->view.envelope_check = l = xcalloc(1, sizeof *l);
 		l->revision = t->view.revision;
-		l->feed = tui_feed(t);
-		l->open = grading_open_in_use(t->session,
-		    tui_entry_asked_about(t), l->feed, &l->grading, &error);
+		l->feed = tui_feed_run(t);
+		l->open = grading_open_chosen_envelope(t->session,
+		    tui_entry_for_prediction(t), l->feed, &l->grading, &error);
 	}
-	if (l->open && l->speed != tui_speed(t))
-		forecast_at(
+	if (l->open && l->speed != tui_slider_speed(t))
+		forecast_set_speed(
 		    l->grading.conditions.forecast, t->view.shown.speed);
-	l->speed = tui_speed(t);
+	l->speed = tui_slider_speed(t);
 }
 
 const struct grading *
-envelope_check_now(const struct tui *t)
+envelope_check_at_slider(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	bool now = envelope_check_is_wanted(t) && is_check_current(t) &&
-		   l->open && l->speed == tui_speed(t);
+		   l->open && l->speed == tui_slider_speed(t);
 	return now ? &l->grading : NULL;
 }

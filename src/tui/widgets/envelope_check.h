@@ -15,6 +15,6 @@ void envelope_check_free(struct tui *t);
 /* Returns the check at the slider's speed, or NULL if no envelope is chosen,
  * none of its sieves is within the range of the feed's, or a calibration is
  * running. */
-const struct grading *envelope_check_now(const struct tui *t);
+const struct grading *envelope_check_at_slider(const struct tui *t);
 
 #endif

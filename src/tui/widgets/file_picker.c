@@ -28,7 +28,7 @@ forget_preview(struct picker *c)
 }
 
 static void
-list_all(struct picker *c, const char *path)
+list_files_in_folder(struct picker *c, const char *path)
 {
 	FREED char *copy = xstrdup(path);
 	edit_begin(&c->word, "");
@@ -38,14 +38,14 @@ list_all(struct picker *c, const char *path)
 	else
 		folder_list(&c->folder, copy);
 	if (c->what == PICK_FEEDS || c->what == PICK_SESSIONS)
-		folder_keep_kind(&c->folder,
+		folder_filter_by_kind(&c->folder,
 		    c->what == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
 	c->list = (struct list){0};
 	forget_preview(c);
 }
 
 static void
-close_list(struct tui *t)
+close_picker(struct tui *t)
 {
 	folder_free(&t->picker.folder);
 	forget_preview(&t->picker);
@@ -55,7 +55,7 @@ close_list(struct tui *t)
 /* Types the line of guess, with the cursor where the sheet leaves something
  * open. */
 static void
-type_guess(struct tui *t)
+propose_guess_command(struct tui *t)
 {
 	static const char BEGIN[] = "guess rock=";
 	const struct site *site = tui_current_entry(t)->site;
@@ -75,52 +75,53 @@ type_guess(struct tui *t)
 
 /* Runs the command like that of a key, and says what is next. */
 static bool
-file_picker_run(struct tui *t, const char *line, bool estimates)
+run_open_command(struct tui *t, const char *line, bool estimates)
 {
-	watch_pause(t);
+	watch_stop_fit(t);
 	if (!control_run(t, line) || tui_current_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
 	size_t products = site_count_products(entry->site);
 	FREED char *label = session_site_label(entry->site);
 	if (estimates || products == 0)
-		type_guess(t);
+		propose_guess_command(t);
 	else if (!entry->has_params)
 		tui_say(t, false, "loaded %s: f calibrates", label);
 	return true;
 }
 
 static void
-file_picker_enter(struct tui *t)
+open_chosen_file(struct tui *t)
 {
 	struct picker *c = &t->picker;
 	if (c->folder.n == 0)
 		return;
 	const struct folder_item *item = &c->folder.item[c->list.at];
 	if (item->kind == FOLDER_ABOVE || item->kind == FOLDER_BELOW) {
-		FREED char *into = folder_path_of_item(&c->folder, c->list.at);
-		list_all(c, into);
+		FREED char *into =
+		    folder_target_of_item(&c->folder, c->list.at);
+		list_files_in_folder(c, into);
 		return;
 	}
-	FREED char *line = folder_command(item, c->what == PICK_SESSIONS);
-	if (file_picker_run(t, line, c->what == PICK_FEEDS))
-		close_list(t);
+	FREED char *line = folder_open_command(item, c->what == PICK_SESSIONS);
+	if (run_open_command(t, line, c->what == PICK_FEEDS))
+		close_picker(t);
 }
 
 static size_t
-file_picker_count(const struct tui *t)
+count_listed_files(const struct tui *t)
 {
 	return t->picker.folder.n;
 }
 
 static void
-file_picker_chosen(struct tui *t)
+clear_message_on_choice(struct tui *t)
 {
 	t->message[0] = '\0';
 }
 
 static char *
-file_picker_text(const struct tui *t, size_t i)
+file_row_text(const struct tui *t, size_t i)
 {
 	const struct folder_item *item = &t->picker.folder.item[i];
 	return xasprintf(
@@ -129,7 +130,7 @@ file_picker_text(const struct tui *t, size_t i)
 
 /* Reads the chosen file for its preview, once. */
 static void
-file_picker_update(struct tui *t)
+update_file_preview(struct tui *t)
 {
 	struct picker *c = &t->picker;
 	if (c->folder.n == 0 || c->previewed == c->list.at)
@@ -139,11 +140,11 @@ file_picker_update(struct tui *t)
 	c->previewed = c->list.at;
 }
 
-static const struct page_list FILES = {.n = file_picker_count,
-    .text = file_picker_text,
-    .chosen = file_picker_chosen,
-    .open = file_picker_enter,
-    .update = file_picker_update};
+static const struct page_list FILES = {.n = count_listed_files,
+    .text = file_row_text,
+    .chosen = clear_message_on_choice,
+    .open = open_chosen_file,
+    .update = update_file_preview};
 
 void
 picker_open(struct tui *t, enum picker_list what)
@@ -154,25 +155,25 @@ picker_open(struct tui *t, enum picker_list what)
 		    "without it");
 		return;
 	}
-	close_list(t);
+	close_picker(t);
 	t->message[0] = '\0';
 	t->picker.on = true;
 	t->picker.rows = &FILES;
 	t->picker.what = what;
-	list_all(&t->picker, "");
+	list_files_in_folder(&t->picker, "");
 }
 
 /* Goes to the folder above. */
 static void
-go_up(struct tui *t)
+go_to_folder_above(struct tui *t)
 {
 	struct picker *c = &t->picker;
 	if (c->word.n > 0)
-		list_all(c, c->folder.path);
+		list_files_in_folder(c, c->folder.path);
 	for (size_t i = 0; i < c->folder.n; i++)
 		if (c->folder.item[i].kind == FOLDER_ABOVE) {
 			c->list.at = i;
-			file_picker_enter(t);
+			open_chosen_file(t);
 			return;
 		}
 }
@@ -180,7 +181,7 @@ go_up(struct tui *t)
 /* Filters by letters of names, or deletes them.  Returns false for other keys.
  * A letter that no name has is not taken. */
 static bool
-narrow_by_letter(struct tui *t, int code, bool special)
+filter_files_by_letter(struct tui *t, int code, bool special)
 {
 	struct picker *c = &t->picker;
 	bool back = code == DELETE || code == '\b' || code == ESCAPE,
@@ -190,42 +191,42 @@ narrow_by_letter(struct tui *t, int code, bool special)
 	t->message[0] = '\0';
 	c->list = (struct list){0};
 	if (code == ESCAPE)
-		rows_forget(t);
+		rows_clear_filter(t);
 	else
-		rows_letter(t, code, false);
-	if (rows_count(t) == 0) {
+		rows_handle_filter_key(t, code, false);
+	if (rows_count_matching(t) == 0) {
 		FREED char *word = xstrdup(c->word.text);
-		rows_letter(t, DELETE, false);
+		rows_handle_filter_key(t, DELETE, false);
 		tui_say(t, false, "nothing here has '%s'", word);
 	}
 	return true;
 }
 
 bool
-picker_key(struct tui *t, int code, bool special)
+picker_handle_key(struct tui *t, int code, bool special)
 {
-	if (narrow_by_letter(t, code, special))
+	if (filter_files_by_letter(t, code, special))
 		return true;
 	const struct key *key = keys_find(code, t->ui.page);
 	key_action *act = key != NULL ? key->act : NULL;
 	bool aside = act == act_move && abs(key->amount) == STEP;
-	bool moves =
-	    !aside && (act == act_move || act == act_ends || act == act_list);
+	bool moves = !aside && (act == act_move || act == act_ends ||
+				   act == act_move_in_list);
 	if (moves)
 		t->message[0] = '\0';
 	if (code == '\n' || code == '\r' || (aside && key->amount > 0))
-		file_picker_enter(t);
+		open_chosen_file(t);
 	else if (code == DELETE || code == '\b' || aside)
-		go_up(t);
-	else if (!moves || !rows_move(t, key)) {
-		close_list(t);
+		go_to_folder_above(t);
+	else if (!moves || !rows_handle_move_key(t, key)) {
+		close_picker(t);
 		return code == ESCAPE || code == INTERRUPT;
 	}
 	return true;
 }
 
 static void
-draw_item(struct tui *t, const struct area *line, size_t i, unsigned look,
+draw_file_row(struct tui *t, const struct area *line, size_t i, unsigned look,
     const void *of)
 {
 	(void)of;
@@ -247,7 +248,7 @@ draw_item(struct tui *t, const struct area *line, size_t i, unsigned look,
 }
 
 static void
-draw_title(const struct tui *t, const struct area *area)
+draw_picker_title(const struct tui *t, const struct area *area)
 {
 	const struct picker *c = &t->picker;
 	const char *folder =
@@ -260,7 +261,7 @@ draw_title(const struct tui *t, const struct area *area)
 	    folder);
 	if (c->word.n > 0)
 		screen_text(area, 0, column, 0, ": what has '%s', %zu",
-		    c->word.text, rows_count(t));
+		    c->word.text, rows_count_matching(t));
 	else if (c->folder.why != NULL)
 		screen_text(area, 0, column, 0, ": %s", c->folder.why);
 	else if (c->folder.more)
@@ -273,12 +274,12 @@ file_picker_draw_message(const struct tui *t)
 {
 	struct area area = t->layout.hints;
 	FREED char *text = xasprintf("%s%s", t->bad ? "! " : "", t->message);
-	if (text_width(text) > area.columns && area.row > 1) {
+	if (text_width_in_columns(text) > area.columns && area.row > 1) {
 		area.row--;
 		area.rows++;
 	}
-	screen_clear(&area);
-	screen_words(&area, 0, LOOK_BOLD, text);
+	screen_clear_area(&area);
+	screen_draw_wrapped(&area, 0, LOOK_BOLD, text);
 }
 
 /* Draws the list with the preview beside it, or below it on a narrow screen. */
@@ -291,7 +292,7 @@ picker_draw(struct tui *t)
 	bool shipped = t->picker.what == PICK_SHIPPED;
 	bool title = body.rows > 2;
 	if (title)
-		draw_title(t, &body);
+		draw_picker_title(t, &body);
 	list.row += title;
 	list.rows -= title;
 	preview = list;
@@ -302,7 +303,7 @@ picker_draw(struct tui *t)
 		preview = list;
 		preview.column = list.columns + 1;
 		preview.columns = body.columns - preview.column;
-		screen_vertical_rule(list.row, list.columns, list.rows);
+		screen_draw_vertical_rule(list.row, list.columns, list.rows);
 		preview.column++;
 		preview.columns--;
 	} else if (body.rows >= TALL) {
@@ -310,9 +311,9 @@ picker_draw(struct tui *t)
 		preview.row = list.row + list.rows;
 		preview.rows = body.row + body.rows - preview.row;
 	}
-	rows_draw(t, &list, draw_item, NULL);
+	rows_draw(t, &list, draw_file_row, NULL);
 	if (t->picker.preview != NULL)
-		pane_lines(&preview, 0, t->picker.preview);
+		pane_draw_lines(&preview, 0, t->picker.preview);
 	if (t->message[0] != '\0') {
 		file_picker_draw_message(t);
 		return;

@@ -10,7 +10,7 @@ void picker_open(struct tui *t, enum picker_list list);
 
 /* Handles a key.  Returns false if the list was closed and the key is to be
  * handled by what it covered. */
-bool picker_key(struct tui *t, int code, bool special);
+bool picker_handle_key(struct tui *t, int code, bool special);
 
 /* Draws the list with its hints. */
 void picker_draw(struct tui *t);

@@ -28,36 +28,37 @@ static const struct partition SHARP = {0, 1};
 enum { MANY = 4 };
 
 bool
-goal_known(const struct tui *t)
+goal_is_known(const struct tui *t)
 {
-	return goals_search_done(t->session, &t->view.goal);
+	return goals_is_search_done(t->session, &t->view.goal);
 }
 
 bool
-goal_pending(const struct tui *t)
+goal_is_pending(const struct tui *t)
 {
-	return goals_need_search(t->session, &t->view.goal, tui_feed(t));
+	return goals_is_search_needed(
+	    t->session, &t->view.goal, tui_feed_run(t));
 }
 
 double
-goal_best(const struct tui *t)
+goal_best_speed(const struct tui *t)
 {
-	return goals_best(t->session, &t->view.goal, tui_speed(t));
+	return goals_best_speed(t->session, &t->view.goal, tui_slider_speed(t));
 }
 
 char *
-goal_words(const struct tui *t, enum goals_length length)
+goal_text(const struct tui *t, enum goals_length length)
 {
-	return goals_words(t->session, tui_entry_asked_about(t), &t->view.goal,
-	    tui_speed(t), length);
+	return goals_describe(t->session, tui_entry_for_prediction(t),
+	    &t->view.goal, tui_slider_speed(t), length);
 }
 
 size_t
-goal_limits(const struct tui *t, double *speed, size_t most)
+goal_limit_speeds(const struct tui *t, double *speed, size_t most)
 {
 	const struct goal *g = &t->view.goal;
 	size_t n = 0;
-	if (!goal_known(t))
+	if (!goal_is_known(t))
 		return 0;
 	for (size_t i = 0; i < g->n_met && n < most; i++)
 		speed[n++] = g->met[i];
@@ -70,17 +71,17 @@ goal_limits(const struct tui *t, double *speed, size_t most)
 			speed[n++] = in->to;
 	}
 	if (n == 0 && most > 0)
-		speed[n++] = goal_best(t);
+		speed[n++] = goal_best_speed(t);
 	return n;
 }
 
 bool
-goal_holds(const struct tui *t, double from, double to, bool *certain)
+goal_is_met_between(const struct tui *t, double from, double to, bool *certain)
 {
 	const struct goal *g = &t->view.goal;
 	bool holds = false;
 	*certain = false;
-	if (!goal_known(t))
+	if (!goal_is_known(t))
 		return false;
 	for (size_t i = 0; i < g->n_met; i++)
 		holds = holds || (g->met[i] >= from && g->met[i] < to);
@@ -93,11 +94,11 @@ goal_holds(const struct tui *t, double from, double to, bool *certain)
 }
 
 double
-goal_certain_at(const struct tui *t, double speed)
+goal_probability_at(const struct tui *t, double speed)
 {
 	const struct speed_search *found = t->view.goal.found;
 	size_t k = 0;
-	if (!goal_known(t))
+	if (!goal_is_known(t))
 		return NAN;
 	while (k + 1 < found->n && found->speed[k] < speed - 0.05)
 		k++;
@@ -113,7 +114,7 @@ goal_is_viewed(const struct tui *t)
 }
 
 void
-goal_show_chosen(struct tui *t)
+goal_show_chosen_quantity(struct tui *t)
 {
 	const struct condition_list *list = &t->view.goal.list;
 	size_t at = t->ui.list[PAGE_PREDICT].at;
@@ -135,15 +136,15 @@ act_goal_view(struct tui *t, const struct key *key)
 	t->ui.goal_view = opens;
 	t->ui.goal_view = goal_is_viewed(t);
 	/* The first step reads the conditions. */
-	if (t->ui.goal_view && goal_pending(t))
-		goal_step(t);
-	if (t->ui.goal_view && goal_known(t))
+	if (t->ui.goal_view && goal_is_pending(t))
+		goal_compute_step(t);
+	if (t->ui.goal_view && goal_is_known(t))
 		t->ui.list[PAGE_PREDICT].at = t->view.goal.binds;
-	goal_show_chosen(t);
+	goal_show_chosen_quantity(t);
 	if (opens && !goals_is_set(t->session))
 		tui_say(t, false, "no goal yet: t sets one");
 	else if (opens && !t->ui.goal_view)
-		tui_say(t, true, "%s", tui_why_none(t));
+		tui_say(t, true, "%s", tui_why_no_prediction(t));
 }
 
 void
@@ -154,10 +155,10 @@ act_goal(struct tui *t, const struct key *key)
 	/* During a search its best so far is shown, too. */
 	if (entry == NULL ||
 	    (!entry->has_params && t->view.shown.product.n == 0)) {
-		tui_say(t, true, "%s", tui_why_none(t));
+		tui_say(t, true, "%s", tui_why_no_prediction(t));
 		return;
 	}
-	FREED char *words = quantities_as_typed(&t->ui.quantity);
+	FREED char *words = quantities_input_text(&t->ui.quantity);
 	FREED char *line = goals_is_set(t->session)
 			       ? xstrdup(t->session->set.goal)
 			       : xasprintf("%s=", words);
@@ -172,20 +173,20 @@ act_goal(struct tui *t, const struct key *key)
 /* Completes the last condition: quantities, and the envelopes that come with
  * the program. */
 static void
-complete_goal(struct edit *y)
+complete_last_condition(struct edit *y)
 {
 	char *text = xstrdup(y->text), *comma = strrchr(text, ',');
 	char *word = comma != NULL ? comma + 1 : text, *offers = xstrdup("");
 	word += strspn(word, " ");
 	char *first = NULL;
-	struct standards *standards = standards_shipped();
+	struct standards *standards = standards_read_built_in();
 	for (size_t i = 0, spec = 0; spec < standards->n; i++) {
-		const char *name = quantities_offer(i);
+		const char *name = quantities_completion(i);
 		if (name == NULL)
 			name = standards->spec[spec++]->name;
 		if (strncasecmp(name, word, strlen(word)) != 0)
 			continue;
-		xlist(&offers, "  ", "%s", name);
+		xappend_to_list(&offers, "  ", "%s", name);
 		if (first == NULL)
 			first = xstrdup(name);
 		else
@@ -218,15 +219,16 @@ close_goal_field(struct tui *t)
 /* Returns the line that sets the goal, or clears it; NULL if nothing changes.
  * An envelope alone is also put to use, so that its limits are drawn. */
 static char *
-goal_command_line(struct tui *t, const char *text)
+command_that_sets_goal(struct tui *t, const char *text)
 {
 	const struct session *s = t->session;
 	bool envelope = text[0] != '\0' && !goals_is_condition(text) &&
-			conditions_length(text) == strlen(text);
-	FREED char *goal = text_quoted(text[0] != '\0' ? text : SETTINGS_NONE);
+			conditions_length_of_first(text) == strlen(text);
+	FREED char *goal =
+	    text_in_quotes(text[0] != '\0' ? text : SETTINGS_NONE);
 	char *line = xstrdup("");
 	close_goal_field(t);
-	if (envelope && !session_busy(s))
+	if (envelope && !session_is_calibrating(s))
 		xappend(&line, "spec use %s; ", goal);
 	xappend(&line, "set goal %s", goal);
 	if (strcmp(text, s->set.goal) != 0)
@@ -238,7 +240,7 @@ goal_command_line(struct tui *t, const char *text)
 /* A quantity alone, "p80" or "p80=", is only shown above the track.  Returns
  * false if the text is no quantity. */
 static bool
-take_quantity(struct tui *t, const char *text)
+show_typed_quantity(struct tui *t, const char *text)
 {
 	struct quantity q;
 	struct error error = {0};
@@ -246,8 +248,8 @@ take_quantity(struct tui *t, const char *text)
 	size_t n = strlen(copy);
 	if (n > 0 && copy[n - 1] == '=')
 		copy[n - 1] = '\0';
-	bool ok = quantities_read(copy, &SHARP, &q, &error);
-	if (ok && quantities_covered(&q, tui_feed_curve(t), &error)) {
+	bool ok = quantities_parse_one(copy, &SHARP, &q, &error);
+	if (ok && quantities_check_feed_covers(&q, tui_feed_curve(t), &error)) {
 		t->ui.quantity = q;
 		t->ui.quantity_of_goal = false;
 		close_goal_field(t);
@@ -276,7 +278,7 @@ static void
 show_what_binds(struct tui *t)
 {
 	const struct goal *g = &t->view.goal;
-	if (!goal_known(t) || !t->ui.quantity_of_goal)
+	if (!goal_is_known(t) || !t->ui.quantity_of_goal)
 		return;
 	const struct quantity *binds = &g->list.at[g->binds].quantity;
 	/* A list of sieves is freed with the goal. */
@@ -285,18 +287,19 @@ show_what_binds(struct tui *t)
 }
 
 void
-goal_step(struct tui *t)
+goal_compute_step(struct tui *t)
 {
 	struct goal *g = &t->view.goal;
-	bool pending = goal_pending(t);
-	goals_step(t->session, tui_entry_asked_about(t), g, tui_feed(t));
+	bool pending = goal_is_pending(t);
+	goals_step_search(
+	    t->session, tui_entry_for_prediction(t), g, tui_feed_run(t));
 	if (pending)
 		show_what_binds(t);
 }
 
 /* Reads the field on Enter.  What cannot be read stays, to be corrected. */
 static char *
-read_goal_field(struct tui *t)
+parse_goal_field(struct tui *t)
 {
 	char *line = NULL;
 	struct condition_list list = {0};
@@ -305,15 +308,15 @@ read_goal_field(struct tui *t)
 	size_t n_value = 0;
 	t->message[0] = '\0';
 	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
-		line = goal_command_line(t, "");
-	} else if (take_quantity(t, text)) {
+		line = command_that_sets_goal(t, "");
+	} else if (show_typed_quantity(t, text)) {
 		/* said already */
-	} else if (goals_read(t->session, text, tui_feed_curve(t), &list,
+	} else if (goals_parse(t->session, text, tui_feed_curve(t), &list,
 		       &n_value, &error)) {
 		if (list.n > 0)
 			t->ui.quantity = quantity_to_show(&list);
 		t->ui.quantity_of_goal = true;
-		line = goal_command_line(t, text);
+		line = command_that_sets_goal(t, text);
 		if (line == NULL)
 			show_what_binds(t);
 	} else {
@@ -328,11 +331,11 @@ read_goal_field(struct tui *t)
 /* Replaces the proposed text: a letter begins another quantity, a sign its own
  * condition, a number a value; a comma adds a condition. */
 static void
-begins_new_goal(struct tui *t, int code)
+begin_new_goal_text(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
-	FREED char *words = quantities_as_typed(&t->ui.quantity);
+	FREED char *words = quantities_input_text(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
 	edit_begin(&t->line, isalpha(code) ? "" : words);
@@ -341,7 +344,7 @@ begins_new_goal(struct tui *t, int code)
 /* Turns a number typed for a value, "p80=0", into the beginning of a fraction,
  * "0/". */
 static void
-begin_fraction(struct edit *y)
+begin_fraction_text(struct edit *y)
 {
 	const char *sign = strchr(y->text, '=');
 	if (sign == NULL || sign[1] == '\0' ||
@@ -352,28 +355,28 @@ begin_fraction(struct edit *y)
 }
 
 char *
-goal_key(struct tui *t, int code, bool special)
+goal_handle_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->line;
 	if (!special && code == '\t') {
 		if (t->goal_fresh)
 			edit_begin(y, "");
 		t->goal_fresh = false;
-		size_t next = edit_next(y), n = y->n;
-		complete_goal(y);
+		size_t next = edit_next_completion(y), n = y->n;
+		complete_last_condition(y);
 		y->from = y->n == n ? next : 0;
 		return NULL;
 	}
 	if (special && (code == KEY_UP || code == KEY_DOWN))
 		return NULL;
 	if (t->goal_fresh && !special && code > ' ' && code < 127)
-		begins_new_goal(t, code);
+		begin_new_goal_text(t, code);
 	if (!special && code == '/')
-		begin_fraction(y);
+		begin_fraction_text(y);
 	t->goal_fresh = false;
-	switch (edit_key(y, t->session, code, special)) {
+	switch (edit_handle_key(y, t->session, code, special)) {
 	case EDIT_DONE:
-		return read_goal_field(t);
+		return parse_goal_field(t);
 	case EDIT_GIVEN_UP:
 		close_goal_field(t);
 		break;

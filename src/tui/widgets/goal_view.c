@@ -27,39 +27,41 @@ static const struct list_column COLUMN[COLUMNS] = {
 
 /* Returns the value of a condition at the slider's speed, in its own unit. */
 static double
-value_now(const struct tui *t, const struct condition *c)
+condition_value_now(const struct tui *t, const struct condition *c)
 {
 	const struct psd *product = &t->view.shown.product;
-	return product->n > 0 ? screened_value(product, &c->quantity) : NAN;
+	return product->n > 0
+		   ? screened_quantity_of_product(product, &c->quantity)
+		   : NAN;
 }
 
 static bool
-holds_now(const struct tui *t, const struct condition *c)
+is_condition_met_now(const struct tui *t, const struct condition *c)
 {
-	double value = value_now(t, c);
+	double value = condition_value_now(t, c);
 	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
 /* Returns true if the speeds of the goal are known, and of the parameters by
  * which the values are predicted: not those of a running search. */
 static bool
-are_speeds_known(const struct tui *t)
+are_goal_speeds_known(const struct tui *t)
 {
-	return goal_known(t) &&
-	       session_fitting(t->session) != tui_current_entry(t);
+	return goal_is_known(t) &&
+	       session_entry_being_fitted(t->session) != tui_current_entry(t);
 }
 
 /* Writes the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
  * for a single value, which is last, those that give it. */
 static void
-speeds_text(const struct tui *t, size_t i, char *text, size_t n)
+condition_speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 {
 	const struct goal *g = &t->view.goal;
-	bool known = are_speeds_known(t);
+	bool known = are_goal_speeds_known(t);
 	if (!known || i >= g->list.n - g->n_value) {
 		FREED char *met = xstrdup("");
 		for (size_t k = 0; known && k < g->n_met; k++)
-			xlist(&met, ", ", tr("%.1f m/s"), g->met[k]);
+			xappend_to_list(&met, ", ", tr("%.1f m/s"), g->met[k]);
 		snprintf(text, n, "%s", met[0] != '\0' ? met : "-");
 		return;
 	}
@@ -69,7 +71,7 @@ speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 	double high =
 	    isfinite(alone[0]) && isfinite(alone[1]) ? alone[1] : (double)NAN;
 	FREED char *rpm = isfinite(low)
-			      ? rotor_speed_words(site->rotor, low, high)
+			      ? rotor_speed_rpm_text(site->rotor, low, high)
 			      : xstrdup("");
 	if (isfinite(alone[0]) && isfinite(alone[1]))
 		snprintf(
@@ -82,27 +84,30 @@ speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 		FREED char *range = answers_speed_range_words(site,
 		    g->found->speed[0], g->found->speed[g->found->n - 1], true);
 		snprintf(text, n,
-		    holds_now(t, &g->list.at[i]) ? tr("all %s") : tr("none %s"),
+		    is_condition_met_now(t, &g->list.at[i]) ? tr("all %s")
+							    : tr("none %s"),
 		    range);
 	}
 }
 
 static void
-goal_view_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
+condition_cell_text(
+    const struct tui *t, size_t i, int column, char *text, size_t n)
 {
 	const struct condition *c = &t->view.goal.list.at[i];
-	double value = quantities_shown(&c->quantity, value_now(t, c));
+	double value = quantities_value_in_shown_unit(
+	    &c->quantity, condition_value_now(t, c));
 	if (column == CONDITION) {
-		FREED char *words = conditions_words(c);
+		FREED char *words = conditions_describe(c);
 		snprintf(text, n, "%s", words);
 	} else if (column == SPEEDS) {
-		speeds_text(t, i, text, n);
+		condition_speeds_text(t, i, text, n);
 	} else if (column == HOLDS) {
 		bool range = c->least != c->most;
 		snprintf(text, n, "%s",
-		    !range            ? ""
-		    : holds_now(t, c) ? tr("yes")
-				      : tr(" NO"));
+		    !range                       ? ""
+		    : is_condition_met_now(t, c) ? tr("yes")
+						 : tr(" NO"));
 	} else if (isnan(value)) {
 		snprintf(text, n, "-");
 	} else {
@@ -112,10 +117,10 @@ goal_view_cell(const struct tui *t, size_t i, int column, char *text, size_t n)
 }
 
 static const struct list_table TABLE = {
-    .column = COLUMN, .n = COLUMNS, .cell = goal_view_cell};
+    .column = COLUMN, .n = COLUMNS, .cell = condition_cell_text};
 
 int
-goal_view_rows(const struct tui *t)
+goal_view_count_rows(const struct tui *t)
 {
 	enum { HEAD = 1, FOOT = 1, MOST = 9 };
 	int rows = HEAD + (int)t->view.goal.list.n + FOOT;
@@ -124,18 +129,18 @@ goal_view_rows(const struct tui *t)
 
 /* Says how likely the goal is to be met at the slider's speed. */
 static void
-draw_chance(const struct tui *t, const struct area *area)
+draw_goal_probability(const struct tui *t, const struct area *area)
 {
 	const struct goal *g = &t->view.goal;
-	double speed = tui_speed(t);
-	if (!are_speeds_known(t) || g->n_value > 0)
+	double speed = tui_slider_speed(t);
+	if (!are_goal_speeds_known(t) || g->n_value > 0)
 		return;
-	double certain = goal_certain_at(t, speed);
+	double certain = goal_probability_at(t, speed);
 	if (isnan(certain))
 		return;
-	FREED char *percent = conditions_percent(certain);
+	FREED char *percent = conditions_probability_percent(certain);
 	FREED char *rpm =
-	    rotor_speed_words(tui_current_entry(t)->site->rotor, speed, NAN);
+	    rotor_speed_rpm_text(tui_current_entry(t)->site->rotor, speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
 	    g->list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
 			  : N_("met at %.1f m/s%s: chance %s"),
@@ -149,9 +154,9 @@ goal_view_draw(struct tui *t)
 		    foot = area_row(&list, list.rows - 1);
 	int wanted[LIST_COLUMNS];
 	if (list.rows > 2) {
-		draw_chance(t, &foot);
+		draw_goal_probability(t, &foot);
 		list.rows--;
 	}
-	table_measure(t, &TABLE, t->view.goal.list.n, wanted);
+	table_measure_columns(t, &TABLE, t->view.goal.list.n, wanted);
 	table_draw(t, &list, &TABLE, wanted);
 }

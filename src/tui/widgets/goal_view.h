@@ -7,7 +7,7 @@
 #include "tui/tui_state.h"
 
 /* Returns the rows that the list needs, or 0 if the goal is not viewed. */
-int goal_view_rows(const struct tui *t);
+int goal_view_count_rows(const struct tui *t);
 
 /* Draws the list in the body, and how well the goal is met at the slider's
  * speed. */

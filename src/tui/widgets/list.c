@@ -14,43 +14,43 @@
 #include "tui/screen.h"
 
 static const struct page_list *
-list_of(const struct tui *t)
+current_list(const struct tui *t)
 {
-	return t->picker.on ? t->picker.rows : pages_open(t)->list;
+	return t->picker.on ? t->picker.rows : pages_current(t)->list;
 }
 
 static struct list *
-list_state(struct tui *t)
+current_list_state(struct tui *t)
 {
 	return t->picker.on ? &t->picker.list : &t->ui.list[t->ui.page];
 }
 
 static struct edit *
-list_word(struct tui *t)
+current_filter_word(struct tui *t)
 {
 	return t->picker.on ? &t->picker.word : &t->filter;
 }
 
 static size_t
-list_total(const struct tui *t)
+count_all_rows(const struct tui *t)
 {
-	return list_of(t) != NULL ? list_of(t)->n(t) : 0;
+	return current_list(t) != NULL ? current_list(t)->n(t) : 0;
 }
 
 static size_t
-list_id(const struct tui *t, size_t i)
+id_of_row(const struct tui *t, size_t i)
 {
-	return list_of(t)->id != NULL ? list_of(t)->id(t, i) : i;
+	return current_list(t)->id != NULL ? current_list(t)->id(t, i) : i;
 }
 
 /* Returns the row under the cursor of a list that has rows. */
 static size_t
-list_at(const struct tui *t)
+row_under_cursor(const struct tui *t)
 {
 	size_t at =
 	    t->picker.on ? t->picker.list.at : t->ui.list[t->ui.page].at;
-	size_t i = 0, n = list_total(t);
-	while (i + 1 < n && list_id(t, i) != at)
+	size_t i = 0, n = count_all_rows(t);
+	while (i + 1 < n && id_of_row(t, i) != at)
 		i++;
 	return i;
 }
@@ -58,26 +58,26 @@ list_at(const struct tui *t)
 static void
 move_cursor_to_row(struct tui *t, size_t i)
 {
-	if (list_state(t)->at == list_id(t, i))
+	if (current_list_state(t)->at == id_of_row(t, i))
 		return;
-	list_state(t)->at = list_id(t, i);
-	if (list_of(t)->chosen != NULL)
-		list_of(t)->chosen(t);
+	current_list_state(t)->at = id_of_row(t, i);
+	if (current_list(t)->chosen != NULL)
+		current_list(t)->chosen(t);
 }
 
 static bool
-list_has_words(const struct page_list *of)
+has_searchable_rows(const struct page_list *of)
 {
 	return of != NULL && (of->text != NULL || of->table != NULL);
 }
 
 /* Looks through all columns, also those that are not shown. */
 static bool
-list_row_matches(const struct tui *t, size_t i)
+is_row_matching(const struct tui *t, size_t i)
 {
 	const struct edit *word = t->picker.on ? &t->picker.word : &t->filter;
-	const struct page_list *of = list_of(t);
-	if (word->n == 0 || !list_has_words(of))
+	const struct page_list *of = current_list(t);
+	if (word->n == 0 || !has_searchable_rows(of))
 		return true;
 	FREED char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
 	for (int c = 0; of->table != NULL && c < of->table->n; c++) {
@@ -90,21 +90,21 @@ list_row_matches(const struct tui *t, size_t i)
 
 /* Returns the nearest row before or after i that matches, else i. */
 static size_t
-list_next(const struct tui *t, size_t i, int by)
+next_matching_row(const struct tui *t, size_t i, int by)
 {
-	size_t n = list_total(t);
+	size_t n = count_all_rows(t);
 	for (size_t to = i + (size_t)by; to < n; to += (size_t)by)
-		if (list_row_matches(t, to))
+		if (is_row_matching(t, to))
 			return to;
 	return i;
 }
 
 size_t
-rows_count(const struct tui *t)
+rows_count_matching(const struct tui *t)
 {
 	size_t n = 0;
-	for (size_t i = 0; i < list_total(t); i++)
-		n += list_row_matches(t, i);
+	for (size_t i = 0; i < count_all_rows(t); i++)
+		n += is_row_matching(t, i);
 	return n;
 }
 
@@ -113,25 +113,25 @@ rows_count(const struct tui *t)
 static bool
 move_cursor_to_match(struct tui *t)
 {
-	if (list_total(t) == 0)
+	if (count_all_rows(t) == 0)
 		return false;
-	size_t at = list_at(t);
-	if (!list_row_matches(t, at))
-		at = list_next(t, at, 1);
-	if (!list_row_matches(t, at))
-		at = list_next(t, at, -1);
+	size_t at = row_under_cursor(t);
+	if (!is_row_matching(t, at))
+		at = next_matching_row(t, at, 1);
+	if (!is_row_matching(t, at))
+		at = next_matching_row(t, at, -1);
 	move_cursor_to_row(t, at);
-	return list_row_matches(t, at);
+	return is_row_matching(t, at);
 }
 
 static void
-list_move(struct tui *t, int by)
+move_cursor_by_rows(struct tui *t, int by)
 {
 	if (!move_cursor_to_match(t))
 		return;
-	size_t at = list_at(t);
+	size_t at = row_under_cursor(t);
 	for (int left = abs(by); left > 0; left--) {
-		size_t next = list_next(t, at, by > 0 ? 1 : -1);
+		size_t next = next_matching_row(t, at, by > 0 ? 1 : -1);
 		if (next == at)
 			break;
 		at = next;
@@ -142,17 +142,20 @@ list_move(struct tui *t, int by)
 /* Returns the first row to draw, so that the one under the cursor is among
  * `room` of them and none is left blank at the end. */
 static size_t
-list_first(struct tui *t, int room)
+first_row_to_draw(struct tui *t, int room)
 {
-	size_t *top = &list_state(t)->top, first = list_at(t), i = first;
+	size_t *top = &current_list_state(t)->top, first = row_under_cursor(t),
+	       i = first;
 	int shown = 1;
-	for (; first > *top && shown < room && list_next(t, first, -1) != first;
+	for (; first > *top && shown < room &&
+	       next_matching_row(t, first, -1) != first;
 	     shown++)
-		first = list_next(t, first, -1);
-	for (; list_next(t, i, 1) != i; shown++)
-		i = list_next(t, i, 1);
-	for (; shown < room && list_next(t, first, -1) != first; shown++)
-		first = list_next(t, first, -1);
+		first = next_matching_row(t, first, -1);
+	for (; next_matching_row(t, i, 1) != i; shown++)
+		i = next_matching_row(t, i, 1);
+	for (; shown < room && next_matching_row(t, first, -1) != first;
+	     shown++)
+		first = next_matching_row(t, first, -1);
 	*top = first;
 	return first;
 }
@@ -160,32 +163,33 @@ list_first(struct tui *t, int room)
 bool
 list_has_rows(const struct tui *t)
 {
-	return list_total(t) > 0;
+	return count_all_rows(t) > 0;
 }
 
 static void
 list_open_row(struct tui *t)
 {
-	if (list_of(t)->open != NULL && list_row_matches(t, list_at(t)))
-		list_of(t)->open(t);
+	if (current_list(t)->open != NULL &&
+	    is_row_matching(t, row_under_cursor(t)))
+		current_list(t)->open(t);
 }
 
 static void
-touch_row(struct tui *t, const struct touched *touched)
+on_click_row(struct tui *t, const struct touched *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
-	if (list_total(t) <= touched->item)
+	if (count_all_rows(t) <= touched->item)
 		return;
-	bool again = list_at(t) == touched->item;
+	bool again = row_under_cursor(t) == touched->item;
 	move_cursor_to_row(t, touched->item);
 	if (again)
 		list_open_row(t);
 }
 
 static void
-list_touch_wheel(struct tui *t, const struct touched *touched)
+on_wheel_move_cursor(struct tui *t, const struct touched *touched)
 {
-	list_move(t, touched->by);
+	move_cursor_by_rows(t, touched->by);
 }
 
 int
@@ -194,18 +198,18 @@ rows_draw(
 {
 	int row = 0;
 	bool any = move_cursor_to_match(t);
-	size_t i = any ? list_first(t, area->rows) : 0, next = i;
+	size_t i = any ? first_row_to_draw(t, area->rows) : 0, next = i;
 	for (; any && row < area->rows; row++) {
 		const struct area line = area_row(area, row);
-		bool here = i == list_at(t);
+		bool here = i == row_under_cursor(t);
 		if (here) {
 			screen_text(
 			    &line, 0, 0, LOOK_REVERSE, "%*s", line.columns, "");
 			t->cursor = (struct cursor){line.row, line.column};
 		}
-		hits_add(&t->hits, HIT_PRESS, line, touch_row, i);
+		hits_add(&t->hits, HIT_PRESS, line, on_click_row, i);
 		draw(t, &line, i, here ? LOOK_REVERSE : LOOK_PLAIN, of);
-		next = list_next(t, i, 1);
+		next = next_matching_row(t, i, 1);
 		any = next != i;
 		i = next;
 	}
@@ -218,16 +222,17 @@ rows_draw(
 enum { GAP = 2 };
 
 void
-table_measure(const struct tui *t, const struct list_table *table, size_t rows,
-    int wanted[static LIST_COLUMNS])
+table_measure_columns(const struct tui *t, const struct list_table *table,
+    size_t rows, int wanted[static LIST_COLUMNS])
 {
 	for (int c = 0; c < table->n; c++) {
 		const struct list_column *column = &table->column[c];
-		int most = text_width(tr(column->head)) + column->indent;
+		int most =
+		    text_width_in_columns(tr(column->head)) + column->indent;
 		for (size_t i = 0; i < rows; i++) {
 			char text[128];
 			table->cell(t, i, c, text, sizeof text);
-			int width = text_width(text);
+			int width = text_width_in_columns(text);
 			most = width > most ? width : most;
 		}
 		wanted[c] = column->fixed ? column->least : most + GAP;
@@ -235,7 +240,7 @@ table_measure(const struct tui *t, const struct list_table *table, size_t rows,
 }
 
 static int
-table_ranked(const struct list_table *table, int rank)
+column_of_rank(const struct list_table *table, int rank)
 {
 	int c = 0;
 	while (table->column[c].rank != rank)
@@ -245,13 +250,13 @@ table_ranked(const struct list_table *table, int rank)
 
 /* The first in rank gives way last, but leaves room for the second. */
 void
-table_share(const struct list_table *table, int columns,
+table_fit_columns(const struct list_table *table, int columns,
     const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS])
 {
 	memset(width, 0, LIST_COLUMNS * sizeof *width);
-	int second = table->column[table_ranked(table, 1)].least;
+	int second = table->column[column_of_rank(table, 1)].least;
 	for (int rank = 0; rank < table->n; rank++) {
-		int c = table_ranked(table, rank);
+		int c = column_of_rank(table, rank);
 		int least = table->column[c].least;
 		/* A number needs all of its width, and a space before it. */
 		if (table->column[c].right)
@@ -275,9 +280,9 @@ struct table_drawn {
 };
 
 static void
-table_touch_head(struct tui *t, const struct touched *touched)
+on_click_heading(struct tui *t, const struct touched *touched)
 {
-	const struct page_list *list = list_of(t);
+	const struct page_list *list = current_list(t);
 	if (list != NULL && list->table != NULL && list->table->sort != NULL)
 		list->table->sort(t, (int)touched->item);
 }
@@ -292,7 +297,7 @@ table_draw_head(struct tui *t, const struct list_table *table,
 	bool sorted = table->sort != NULL && column + 1 == t->ui.sort;
 	char text[32];
 	snprintf(text, sizeof text, "%*s%s", of->indent, "", tr(of->head));
-	int room = cell->columns - text_width(text);
+	int room = cell->columns - text_width_in_columns(text);
 	int from = of->right && room > 0 ? room : 0;
 	int end = screen_text(cell, 0, from,
 	    LOOK_BOLD | (sorted ? LOOK_REVERSE : LOOK_PLAIN), "%s", text);
@@ -301,7 +306,7 @@ table_draw_head(struct tui *t, const struct list_table *table,
 		    t->ui.sort_down ? "v" : "^");
 	if (table->sort != NULL)
 		hits_add(&t->hits, HIT_PRESS, area_row(cell, 0),
-		    table_touch_head, (size_t)column);
+		    on_click_heading, (size_t)column);
 }
 
 /* Draws a cell by itself, because texts may have wide letters. */
@@ -316,7 +321,8 @@ table_draw_cell(const struct tui *t, const struct list_table *table,
 		screen_text(cell, 0, 0, look, "%*s", cell->columns, text);
 	else if (table->series != NULL &&
 		 table->series(t, i, column, text, &series))
-		screen_series(cell, 0, 0, series, look | LOOK_BOLD, text);
+		screen_draw_series_text(
+		    cell, 0, 0, series, look | LOOK_BOLD, text);
 	else
 		screen_text(cell, 0, 0, look, "%s", text);
 }
@@ -351,7 +357,7 @@ table_draw(struct tui *t, const struct area *area,
 	struct area rows = *area;
 	rows.row++;
 	rows.rows--;
-	table_share(table, area->columns, wanted, drawn.width);
+	table_fit_columns(table, area->columns, wanted, drawn.width);
 	table_draw_row(t, area, SIZE_MAX, LOOK_PLAIN, &drawn);
 	rows_draw(t, &rows, table_draw_row, &drawn);
 }
@@ -359,43 +365,44 @@ table_draw(struct tui *t, const struct area *area,
 /* ---- Keys ---- */
 
 void
-rows_wheel(struct tui *t, struct area area)
+rows_add_wheel_area(struct tui *t, struct area area)
 {
-	hits_add(&t->hits, HIT_WHEEL, area, list_touch_wheel, 0);
+	hits_add(&t->hits, HIT_WHEEL, area, on_wheel_move_cursor, 0);
 }
 
 /* Updates the rows, because several keys may come before the next frame. */
 static void
-list_update(struct tui *t)
+update_list_rows(struct tui *t)
 {
-	const struct page_list *of = list_of(t);
+	const struct page_list *of = current_list(t);
 	if (of != NULL && of->update != NULL && !t->picker.on)
 		of->update(t);
 }
 
 bool
-rows_move(struct tui *t, const struct key *key)
+rows_handle_move_key(struct tui *t, const struct key *key)
 {
 	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
-	list_update(t);
+	update_list_rows(t);
 	if (!list_has_rows(t) || (key->act == act_move && steps == FAST))
 		return false;
 	if (key->act == act_ends)
-		list_move(t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
+		move_cursor_by_rows(
+		    t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
 	else if (key->act == act_move && steps == FAR)
-		list_move(t, key->amount > 0 ? -page : page);
+		move_cursor_by_rows(t, key->amount > 0 ? -page : page);
 	else
-		list_move(t, key->amount);
+		move_cursor_by_rows(t, key->amount);
 	return true;
 }
 
 void
-act_choose(struct tui *t, const struct key *key)
+act_open_row(struct tui *t, const struct key *key)
 {
 	(void)key;
-	list_update(t);
-	if (list_has_rows(t) && list_of(t)->open != NULL)
+	update_list_rows(t);
+	if (list_has_rows(t) && current_list(t)->open != NULL)
 		list_open_row(t);
 	else
 		tui_say(t, false, "there is nothing to open on this page");
@@ -405,7 +412,7 @@ void
 act_filter(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!list_has_words(list_of(t))) {
+	if (!has_searchable_rows(current_list(t))) {
 		tui_say(t, false,
 		    "this page has no list to look through: Sites, ? and texts "
 		    "have");
@@ -416,24 +423,25 @@ act_filter(struct tui *t, const struct key *key)
 }
 
 bool
-rows_letter(struct tui *t, int code, bool special)
+rows_handle_filter_key(struct tui *t, int code, bool special)
 {
-	if (list_of(t) == NULL)
+	if (current_list(t) == NULL)
 		return false;
 	if (t->filter.active && (code == '\n' || code == '\r')) {
 		t->filter.active = false;
 		return true;
 	}
-	if (!edit_letter(list_word(t), code, special, VIEWER_WORD))
+	if (!edit_type_letter(
+		current_filter_word(t), code, special, VIEWER_WORD))
 		return false;
 	move_cursor_to_match(t);
 	return true;
 }
 
 bool
-rows_forget(struct tui *t)
+rows_clear_filter(struct tui *t)
 {
-	struct edit *word = list_word(t);
+	struct edit *word = current_filter_word(t);
 	if (!word->active && word->n == 0)
 		return false;
 	edit_begin(word, "");

@@ -6,10 +6,11 @@
 
 #include "tui/pane.h"
 
-/* list_has_rows returns true if there is a list with rows; rows_count returns
- * the number of rows that contain the search word, or of all without a word. */
+/* list_has_rows returns true if there is a list with rows; rows_count_matching
+ * returns the number of rows that contain the search word, or of all without a
+ * word. */
 bool list_has_rows(const struct tui *t);
-size_t rows_count(const struct tui *t);
+size_t rows_count_matching(const struct tui *t);
 
 /* Draws row i of a list.  look: of its text; of: as passed to rows_draw. */
 typedef void row_drawer(struct tui *t, const struct area *line, size_t i,
@@ -44,27 +45,28 @@ struct list_table {
 	void (*sort)(struct tui *t, int column);
 };
 
-/* table_measure finds the width that the texts of `rows` rows need in each
- * column, including a gap; table_share fits the widths into `columns`, with 0
- * for columns not drawn.  table_draw draws headings and rows. */
-void table_measure(const struct tui *t, const struct list_table *table,
+/* table_measure_columns finds the width that the texts of `rows` rows need in
+ * each column, including a gap; table_fit_columns fits the widths into
+ * `columns`, with 0 for columns not drawn.  table_draw draws headings and rows.
+ */
+void table_measure_columns(const struct tui *t, const struct list_table *table,
     size_t rows, int wanted[static LIST_COLUMNS]);
-void table_share(const struct list_table *table, int columns,
+void table_fit_columns(const struct list_table *table, int columns,
     const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS]);
 void table_draw(struct tui *t, const struct area *area,
     const struct list_table *table, const int wanted[static LIST_COLUMNS]);
 
 /* The wheel scrolls the list in the area. */
-void rows_wheel(struct tui *t, struct area area);
+void rows_add_wheel_area(struct tui *t, struct area area);
 
 /* See move in page_ops. */
-bool rows_move(struct tui *t, const struct key *key);
+bool rows_handle_move_key(struct tui *t, const struct key *key);
 
 /* Handles a key while the word is typed.  Returns false if it is not for the
  * word. */
-bool rows_letter(struct tui *t, int code, bool special);
+bool rows_handle_filter_key(struct tui *t, int code, bool special);
 
 /* Clears the word.  Returns false if there was none. */
-bool rows_forget(struct tui *t);
+bool rows_clear_filter(struct tui *t);
 
 #endif

@@ -34,16 +34,16 @@ struct wish {
 };
 
 static bool
-is_pinned(const struct tui *t)
+has_pinned_prediction(const struct tui *t)
 {
 	return t->view.pinned.site[0] != '\0';
 }
 
 /* Returns the numbers from which changes are counted, or NULL. */
 static const struct numbers *
-numbers_before(const struct tui *t)
+numbers_to_compare_with(const struct tui *t)
 {
-	return is_pinned(t)                        ? &t->view.pinned
+	return has_pinned_prediction(t)            ? &t->view.pinned
 	       : t->view.reference.site[0] != '\0' ? &t->view.reference
 						   : NULL;
 }
@@ -70,7 +70,7 @@ draw_change(
  * number, "5.36\u00b10.08" or "5.36+-0.08", with that unit; nothing without a
  * band. */
 static void
-draw_range(const struct area *area, int row, double low, double high,
+draw_band_of_number(const struct area *area, int row, double low, double high,
     int digits, const char *unit)
 {
 	const double long_number = 100;
@@ -95,24 +95,24 @@ draw_size(const struct area *area, int row, unsigned look, double mm)
 {
 	char text[24];
 	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
-		screen_text(
-		    area, row, VALUE + 1, look, "%s", readout_size(mm, text));
+		screen_text(area, row, VALUE + 1, look, "%s",
+		    readout_size_text(mm, text));
 	else
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
 
 /* The speed, and that from which changes are counted. */
 static struct wish
-speed_wish(struct tui *t)
+speed_rows_wanted(struct tui *t)
 {
-	bool other = is_pinned(t) &&
+	bool other = has_pinned_prediction(t) &&
 		     strcmp(t->view.pinned.site, t->view.current.site) != 0;
 	return (struct wish){1, other ? 2 : 1};
 }
 
 /* Returns true if the sizes have changed, by another calibration, say. */
 static bool
-is_changed(const struct numbers *now, const struct numbers *was)
+are_sizes_changed(const struct numbers *now, const struct numbers *was)
 {
 	bool changed = false;
 	for (int i = 0; i < PSD_SIZES; i++)
@@ -125,22 +125,24 @@ is_changed(const struct numbers *now, const struct numbers *was)
 static void
 panel_draw_speed(struct tui *t, const struct area *area)
 {
-	const struct numbers *now = &t->view.current, *was = numbers_before(t);
+	const struct numbers *now = &t->view.current,
+			     *was = numbers_to_compare_with(t);
 	const struct site *site = tui_current_entry(t)->site;
-	bool other = is_pinned(t) && strcmp(was->site, now->site) != 0,
+	bool other =
+		 has_pinned_prediction(t) && strcmp(was->site, now->site) != 0,
 	     in_rpm = !other && answers_is_sheet_in_rpm(site);
-	double part = in_rpm ? rotor_speed_rpm(1, site->rotor) : 1;
+	double part = in_rpm ? rotor_speed_to_rpm(1, site->rotor) : 1;
 	int decimals = in_rpm ? 0 : 1;
 	enum { FROM = 10 };
 	screen_text(area, 0, 0, LOOK_BOLD, in_rpm ? N_("%.0f rpm") : "%.1f m/s",
 	    now->speed * part);
-	if (is_pinned(t))
+	if (has_pinned_prediction(t))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.*f", decimals,
 		    was->speed * part);
 	else if (was != NULL && was->speed != now->speed)
 		screen_text(area, 0, FROM, LOOK_DIM, "vs %.*f", decimals,
 		    was->speed * part);
-	else if (was != NULL && is_changed(now, was))
+	else if (was != NULL && are_sizes_changed(now, was))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
 		screen_text(
@@ -149,7 +151,7 @@ panel_draw_speed(struct tui *t, const struct area *area)
 
 /* Puts the crosshair where the curve passes so much. */
 static void
-click_on_size(struct tui *t, const struct touched *touched)
+on_click_size(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	t->ui.crosshair_passing = (int)lround(100 * PSD_PASSING[touched->item]);
@@ -164,24 +166,25 @@ click_on_size(struct tui *t, const struct touched *touched)
 static void
 draw_p_sizes(struct tui *t, const struct area *area)
 {
-	const struct numbers *was = numbers_before(t);
+	const struct numbers *was = numbers_to_compare_with(t);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
 		screen_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
 		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
-		draw_range(area, i, 1000 * range[0], 1000 * range[1], 2, "");
+		draw_band_of_number(
+		    area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (was != NULL)
 			draw_change(
 			    area, i, t->view.current.size[i], was->size[i], 2);
-		hits_add(&t->hits, HIT_PRESS, area_row(area, i), click_on_size,
+		hits_add(&t->hits, HIT_PRESS, area_row(area, i), on_click_size,
 		    (size_t)i);
 	}
 }
 
 static void
-draw_break(struct tui *t, const struct area *area)
+draw_break_size(struct tui *t, const struct area *area)
 {
-	const struct numbers *was = numbers_before(t);
+	const struct numbers *was = numbers_to_compare_with(t);
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
 	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
@@ -190,7 +193,8 @@ draw_break(struct tui *t, const struct area *area)
 	double mm = t->view.current.break_mm;
 	bool within = 1000 * range[0] <= mm && mm <= 1000 * range[1];
 	if (area->columns >= WIDE && within)
-		draw_range(area, 0, 1000 * range[0], 1000 * range[1], 2, "");
+		draw_band_of_number(
+		    area, 0, 1000 * range[0], 1000 * range[1], 2, "");
 	if (was != NULL)
 		draw_change(
 		    area, 0, t->view.current.break_mm, was->break_mm, 2);
@@ -203,7 +207,7 @@ draw_break(struct tui *t, const struct area *area)
 }
 
 static struct wish
-fractions_wish(struct tui *t)
+fraction_rows_wanted(struct tui *t)
 {
 	int n = 0;
 	for (size_t i = 0; i < NUMBERS_FRACTIONS; i++)
@@ -213,7 +217,7 @@ fractions_wish(struct tui *t)
 
 /* Puts the crosshair on the sieve of a fraction, or on the next finer one. */
 static void
-touch_fraction(struct tui *t, const struct touched *touched)
+on_click_fraction(struct tui *t, const struct touched *touched)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double near = 1.0001;
@@ -232,7 +236,7 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
     const char *unit)
 {
 	static const char *const NAME[] = {"fines", "<2 mm", "<4 mm"};
-	const struct numbers *was = numbers_before(t);
+	const struct numbers *was = numbers_to_compare_with(t);
 	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
 	low.passing = shown->low;
@@ -245,7 +249,7 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)
-			draw_range(area, row,
+			draw_band_of_number(area, row,
 			    all * psd_passing(&low, NUMBERS_SIEVE[i]),
 			    all * psd_passing(&high, NUMBERS_SIEVE[i]), 1,
 			    unit[0] == '%' ? " %" : "    ");
@@ -253,7 +257,7 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
 			draw_change(
 			    area, row, now * part, was->passing[i] * part, 1);
 		hits_add(&t->hits, HIT_PRESS, area_row(area, row),
-		    touch_fraction, i);
+		    on_click_fraction, i);
 		row++;
 	}
 }
@@ -268,7 +272,7 @@ draw_fractions(struct tui *t, const struct area *area)
  * back: out, t/h that return to the crusher or pass it by, neither of which is
  * a share of the product. */
 static double
-flow_tph(const struct tui *t, double *back)
+flow_feed_tph(const struct tui *t, double *back)
 {
 	const struct session *s = t->session;
 	const struct answer *flow = NULL;
@@ -279,23 +283,25 @@ flow_tph(const struct tui *t, double *back)
 	if (flow == NULL || strcmp(answer_view(flow).site,
 				tui_current_entry(t)->site->name) != 0)
 		return NAN;
-	*back = answer_number(flow, "circulating_tph") +
-		fmax(answer_number(flow, "crushers.cascade_tph"), 0);
-	return answer_number(flow, "feed_tph");
+	*back = answer_find_number(flow, "circulating_tph") +
+		fmax(answer_find_number(flow, "crushers.cascade_tph"), 0);
+	return answer_find_number(flow, "feed_tph");
 }
 
 static struct wish
-tonnes_wish(struct tui *t)
+tonnes_rows_wanted(struct tui *t)
 {
-	double back, tph = flow_tph(t, &back);
-	int n = isnan(tph) ? 0 : back > 0 ? 2 : 1 + fractions_wish(t).most;
+	double back, tph = flow_feed_tph(t, &back);
+	int n = isnan(tph) ? 0
+		: back > 0 ? 2
+			   : 1 + fraction_rows_wanted(t).most;
 	return (struct wish){n, n};
 }
 
 static void
-draw_tonnes(struct tui *t, const struct area *area)
+draw_tonnes_per_hour(struct tui *t, const struct area *area)
 {
-	double back, tph = flow_tph(t, &back);
+	double back, tph = flow_feed_tph(t, &back);
 	if (back > 0) {
 		screen_text(area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
 		screen_text(area, 1, 0, LOOK_DIM, "for this speed type :flow");
@@ -308,9 +314,9 @@ draw_tonnes(struct tui *t, const struct area *area)
 /* A heading with the verdict and a row for each limit, or for as many of the
  * worst as there is room for. */
 static struct wish
-limits_wish(struct tui *t)
+limit_rows_wanted(struct tui *t)
 {
-	const struct grading *g = envelope_check_now(t);
+	const struct grading *g = envelope_check_at_slider(t);
 	if (t->session->spec == NULL)
 		return (struct wish){0, 0};
 	return (struct wish){2, g == NULL ? 2 : 1 + (int)g->limits.n};
@@ -318,9 +324,9 @@ limits_wish(struct tui *t)
 
 /* Writes what a limit is of, in few letters. */
 static void
-panel_name_quantity(const struct quantity *q, char *name, size_t size)
+short_quantity_name(const struct quantity *q, char *name, size_t size)
 {
-	FREED char *typed = quantities_as_typed(q);
+	FREED char *typed = quantities_input_text(q);
 	if (q->kind == QUANTITY_PASSING)
 		snprintf(name, size, "%g", units_mm(q->x));
 	else
@@ -337,10 +343,10 @@ panel_draw_limit(
 	const struct condition *c = &g->limits.at[i];
 	struct quantity q = c->quantity;
 	char name[16], limits[32] = "";
-	double least = quantities_shown(&q, c->least),
-	       most = quantities_shown(&q, c->most);
-	bool in = wanted_holds(&g->conditions, i);
-	panel_name_quantity(&q, name, sizeof name);
+	double least = quantities_value_in_shown_unit(&q, c->least),
+	       most = quantities_value_in_shown_unit(&q, c->most);
+	bool in = wanted_are_conditions_met(&g->conditions, i);
+	short_quantity_name(&q, name, sizeof name);
 	if (isnan(most))
 		snprintf(limits, sizeof limits, ">= %g", least);
 	else if (isnan(least))
@@ -349,7 +355,7 @@ panel_draw_limit(
 		snprintf(limits, sizeof limits, "%g..%g", least, most);
 	screen_text(area, row, 0, in ? LOOK_PLAIN : LOOK_BOLD, "%s", name);
 	screen_text(area, row, VALUE, 0, "%6.*f", quantities_decimals(&q),
-	    forecast_shown(g->conditions.forecast, i).value);
+	    forecast_value_in_shown_unit(g->conditions.forecast, i).value);
 	if (!isnan(least) || !isnan(most))
 		screen_text(area, row, UNIT, LOOK_DIM, "%s", limits);
 	screen_text(area, row, area->columns - 3, in ? LOOK_PLAIN : LOOK_BOLD,
@@ -369,7 +375,7 @@ rank_of_limit(const double *margin, size_t n, size_t i)
 
 /* A click on the light or the limits explains them. */
 static void
-touch_verdict(struct tui *t, const struct touched *touched)
+on_click_verdict(struct tui *t, const struct touched *touched)
 {
 	cmdline_run(t, touched->item == 0 ? "why" : "spec");
 }
@@ -377,56 +383,58 @@ touch_verdict(struct tui *t, const struct touched *touched)
 static void
 panel_draw_limits(struct tui *t, const struct area *area)
 {
-	const struct grading *g = envelope_check_now(t);
+	const struct grading *g = envelope_check_at_slider(t);
 	struct area name = *area;
 	name.columns -= 4;
-	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 1);
+	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 1);
 	/* With the fraction, if there is room for it. */
-	FREED char *words = plots_limits_words(t->session);
-	xlist(&words, " ", "%s", t->session->spec->name);
-	bool fits = text_width(words) <= name.columns;
+	FREED char *words = plots_envelope_fraction_text(t->session);
+	xappend_to_list(&words, " ", "%s", t->session->spec->name);
+	bool fits = text_width_in_columns(words) <= name.columns;
 	screen_text(
 	    &name, 0, 0, LOOK_DIM, "%s", fits ? words : t->session->spec->name);
 	if (g == NULL) {
 		screen_text(area, 1, 0, 0,
-		    session_busy(t->session) ? N_("after the calibration")
-					     : N_("not on the feed's sieves"));
+		    session_is_calibrating(t->session)
+			? N_("after the calibration")
+			: N_("not on the feed's sieves"));
 		return;
 	}
-	bool in = wanted_holds(&g->conditions, SIZE_MAX);
+	bool in = wanted_are_conditions_met(&g->conditions, SIZE_MAX);
 	screen_text(area, 0, area->columns - 3, in ? LOOK_BOLD : LOOK_REVERSE,
 	    in ? N_(" in") : N_("OUT"));
 	int row = 1;
 	size_t n = g->limits.n;
-	FREED double *margin = xdoubles(n);
+	FREED double *margin = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
-		margin[i] = wanted_margin(&g->conditions, i).passing;
+		margin[i] =
+		    wanted_margin_of_condition(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
 		if ((int)rank_of_limit(margin, n, i) < area->rows - 1)
 			panel_draw_limit(area, row++, g, i);
 }
 
 static struct wish
-readings_wish(struct tui *t)
+reading_rows_wanted(struct tui *t)
 {
 	enum { LEAST = 3 };
-	int n = readout_rows(t);
+	int n = readout_count_rows(t);
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
 /* A few sieves do not show a curve. */
 static struct wish
-sieves_wish(struct tui *t)
+sieve_rows_wanted(struct tui *t)
 {
 	enum { LEAST = 5 };
-	int n = sieve_table_rows(t);
+	int n = sieve_table_count_rows(t);
 	return (struct wish){n < LEAST ? n : LEAST, n};
 }
 
 /* Returns the first reason, but that of a speed beyond the measured ones before
  * all others; NULL: none. */
 static const struct trust_reason *
-panel_reason(const struct trust *light)
+trust_reason_to_show(const struct trust *light)
 {
 	size_t first = 0;
 	for (size_t i = light->n; i-- > 0;)
@@ -437,13 +445,13 @@ panel_reason(const struct trust *light)
 
 /* Returns the light of what is shown, computed once. */
 static const struct trust *
-light_shown(struct tui *t)
+light_of_shown_prediction(struct tui *t)
 {
 	struct view *v = &t->view;
 	if (!v->light_known) {
 		trust_free(&v->light);
-		v->light = light_of_prediction(
-		    t->session, tui_entry_asked_about(t), &v->shown);
+		v->light = light_of_answer_or_fit(
+		    t->session, tui_entry_for_prediction(t), &v->shown);
 		v->light_known = true;
 	}
 	return &v->light;
@@ -452,12 +460,12 @@ light_shown(struct tui *t)
 /* Takes as many rows with a reason as without, because the numbers below would
  * move with the speed; only a red light shows all of its reason. */
 static struct wish
-light_wish(struct tui *t)
+light_rows_wanted(struct tui *t)
 {
 	enum { TALL = 30, MANY = 4, FEW = 2 };
 	const struct area *side = &t->layout.side;
-	const struct trust *light = light_shown(t);
-	const struct trust_reason *reason = panel_reason(light);
+	const struct trust *light = light_of_shown_prediction(t);
+	const struct trust_reason *reason = trust_reason_to_show(light);
 	if (light->light == LIGHT_RED && reason != NULL)
 		return (struct wish){
 		    MANY, 1 + text_count_rows(reason->text, side->columns)};
@@ -480,7 +488,7 @@ static const char *const ABOUT[] = {[TRUST_FIT] = N_("doubtful fit"),
 /* Draws a reason, or what stands before its colon, or what it is about, as far
  * as there is room. */
 static void
-draw_reason(const struct area *area, const struct trust_reason *reason)
+draw_trust_reason(const struct area *area, const struct trust_reason *reason)
 {
 	const int rows = area->rows - 1;
 	FREED char *text = xstrdup(reason->text);
@@ -488,7 +496,7 @@ draw_reason(const struct area *area, const struct trust_reason *reason)
 	if (text_count_rows(text, area->columns) > rows && colon != NULL)
 		*colon = '\0';
 	bool fits = text_count_rows(text, area->columns) <= rows;
-	screen_words(area, 1, 0, fits ? text : tr(ABOUT[reason->cause]));
+	screen_draw_wrapped(area, 1, 0, fits ? text : tr(ABOUT[reason->cause]));
 }
 
 static void
@@ -510,7 +518,7 @@ draw_light(struct tui *t, const struct area *area)
 {
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
-	const struct trust *light = light_shown(t);
+	const struct trust *light = light_of_shown_prediction(t);
 	FREED char *words =
 	    xasprintf(tr("trust %s"), tr(LIGHT_NAME[light->light]));
 	if (light->n > 0 && area->columns >= WIDE)
@@ -521,13 +529,13 @@ draw_light(struct tui *t, const struct area *area)
 	else if (light->n > 0)
 		xappend(&words, tr_n(", see :why", ", :why has %zu", light->n),
 		    light->n);
-	FREED char *row =
-	    xasprintf("%s%*s", words, area->columns - text_width(words), "");
-	screen_series(
+	FREED char *row = xasprintf(
+	    "%s%*s", words, area->columns - text_width_in_columns(words), "");
+	screen_draw_series_text(
 	    area, 0, 0, SERIES[light->light], LOOK_BOLD | LOOK_REVERSE, row);
-	hits_add(&t->hits, HIT_PRESS, *area, touch_verdict, 0);
+	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 0);
 	if (light->n > 0)
-		draw_reason(area, panel_reason(light));
+		draw_trust_reason(area, trust_reason_to_show(light));
 	else if (tui_current_entry(t)->has_fit)
 		draw_fit_quality(t, area);
 }
@@ -543,15 +551,15 @@ static const struct block {
 	struct wish (*wish)(struct tui *t);
 	struct wish always;
 } BLOCK[BLOCKS] = {
-    {1, false, draw_light, .wish = light_wish},
-    {2, true, panel_draw_speed, .wish = speed_wish},
+    {1, false, draw_light, .wish = light_rows_wanted},
+    {2, true, panel_draw_speed, .wish = speed_rows_wanted},
     {0, false, draw_p_sizes, .always = {PSD_SIZES, PSD_SIZES}},
-    {5, false, draw_break, .always = {1, 2}},
-    {6, false, draw_fractions, .wish = fractions_wish},
-    {4, true, panel_draw_limits, .wish = limits_wish},
-    {8, true, draw_tonnes, .wish = tonnes_wish},
-    {3, true, readout_draw, .wish = readings_wish},
-    {7, true, sieve_table_draw, .wish = sieves_wish},
+    {5, false, draw_break_size, .always = {1, 2}},
+    {6, false, draw_fractions, .wish = fraction_rows_wanted},
+    {4, true, panel_draw_limits, .wish = limit_rows_wanted},
+    {8, true, draw_tonnes_per_hour, .wish = tonnes_rows_wanted},
+    {3, true, readout_draw, .wish = reading_rows_wanted},
+    {7, true, sieve_table_draw, .wish = sieve_rows_wanted},
 };
 
 /* Shares the rows of the panel among the blocks: rows [BLOCKS], out. */
@@ -609,7 +617,7 @@ draw_blocks(struct tui *t)
 /* Says what to do while there is no prediction, and what is pinned or was
  * read. */
 static void
-draw_nothing(const struct tui *t)
+draw_why_nothing_predicted(const struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	const struct site *site = tui_current_entry(t)->site;
@@ -621,9 +629,9 @@ draw_nothing(const struct tui *t)
 	    site_count_products(site) > 0 ? N_("Enter calibrates")
 					  : N_("no product: type :guess"));
 	row++;
-	if (!is_pinned(t)) {
-		FREED char *read = folder_site(site);
-		pane_lines(side, row, read);
+	if (!has_pinned_prediction(t)) {
+		FREED char *read = folder_describe_site(site);
+		pane_draw_lines(side, row, read);
 		return;
 	}
 	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
@@ -641,9 +649,9 @@ panel_draw(struct tui *t)
 	t->reason_shown = false;
 	if (side->rows == 0)
 		return;
-	screen_vertical_rule(side->row, t->layout.wall, side->rows);
+	screen_draw_vertical_rule(side->row, t->layout.wall, side->rows);
 	if (t->view.current.site[0] == '\0')
-		draw_nothing(t);
+		draw_why_nothing_predicted(t);
 	else
 		draw_blocks(t);
 }
@@ -652,10 +660,10 @@ panel_draw(struct tui *t)
  * its first reason: up to its last or first colon, or what it is about, as far
  * as there is room. */
 static char *
-light_words(const struct trust *light, int columns, int most)
+trust_light_text(const struct trust *light, int columns, int most)
 {
 	const char *name = tr(LIGHT_NAME[light->light]);
-	const struct trust_reason *reason = panel_reason(light);
+	const struct trust_reason *reason = trust_reason_to_show(light);
 	char *words = xasprintf(tr("trust %s"), name);
 	if (reason == NULL)
 		return words;
@@ -669,7 +677,7 @@ light_words(const struct trust *light, int columns, int most)
 	    words};
 	size_t i = 0;
 	while (i + 1 < ARRAY_LEN(way) &&
-	       text_width(way[i]) > (i == 3 ? most : columns))
+	       text_width_in_columns(way[i]) > (i == 3 ? most : columns))
 		i++;
 	words = way[i];
 	for (size_t k = 0; k < ARRAY_LEN(way); k++)
@@ -679,24 +687,26 @@ light_words(const struct trust *light, int columns, int most)
 }
 
 char *
-panel_words(struct tui *t, int columns, int most)
+panel_trust_text(struct tui *t, int columns, int most)
 {
-	const struct grading *g = envelope_check_now(t);
+	const struct grading *g = envelope_check_at_slider(t);
 	bool side = t->layout.side.rows > 0;
 	if (t->ui.page != PAGE_PREDICT || t->view.current.site[0] == '\0' ||
 	    (side && t->reason_shown))
 		return xstrdup("");
-	const struct trust *light = light_shown(t);
+	const struct trust *light = light_of_shown_prediction(t);
 	FREED char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,
-		    wanted_holds(&g->conditions, SIZE_MAX) ? tr(", in %s")
-							   : tr(", out of %s"),
+		    wanted_are_conditions_met(&g->conditions, SIZE_MAX)
+			? tr(", in %s")
+			: tr(", out of %s"),
 		    t->session->spec->name);
-	int taken = text_width(limits);
-	char *words = side && light->n == 0
-			  ? xstrdup("")
-			  : light_words(light, columns - taken, most - taken);
+	int taken = text_width_in_columns(limits);
+	char *words =
+	    side && light->n == 0
+		? xstrdup("")
+		: trust_light_text(light, columns - taken, most - taken);
 	xappend(&words, "%s", limits);
 	return words;
 }
@@ -704,7 +714,7 @@ panel_words(struct tui *t, int columns, int most)
 /* Writes a size in at most four characters, because a number that is cut would
  * be another. */
 static const char *
-short_size(double mm, char text[static 24])
+short_size_text(double mm, char text[static 24])
 {
 	if (isnan(mm))
 		snprintf(text, 24, "off");
@@ -720,7 +730,7 @@ short_size(double mm, char text[static 24])
 }
 
 void
-panel_row(struct tui *t)
+panel_draw_number_row(struct tui *t)
 {
 	const struct area *area = &t->layout.numbers;
 	const struct prediction *p = &t->view.shown;
@@ -736,8 +746,8 @@ panel_row(struct tui *t)
 				       : N_("nothing predicted yet"));
 	else if (t->ui.crosshair && t->ui.crosshair_sieve < p->product.n) {
 		bool narrow = area->columns < 34, least = area->columns < 24;
-		double mm =
-		    1000 * psd_size(&p->curve, t->ui.crosshair_passing / 100.0);
+		double mm = 1000 * psd_size_at_passing(&p->curve,
+				       t->ui.crosshair_passing / 100.0);
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    least    ? "%g %.1f%% P%d %s"
 		    : narrow ? N_("%g %.1f %% P%d %s mm")
@@ -745,21 +755,21 @@ panel_row(struct tui *t)
 		    units_mm(p->product.size[t->ui.crosshair_sieve]),
 		    100 * p->product.passing[t->ui.crosshair_sieve],
 		    t->ui.crosshair_passing,
-		    narrow ? short_size(mm, a) : readout_size(mm, a));
+		    narrow ? short_size_text(mm, a) : readout_size_text(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
-		    short_size(t->view.current.size[1], b),
-		    short_size(t->view.current.size[2], c));
+		    short_size_text(t->view.current.size[1], b),
+		    short_size_text(t->view.current.size[2], c));
 	else if (area->columns < 60)
 		screen_text(area, 0, 0, LOOK_BOLD, "P20 %s P50 %s P80 %s mm",
-		    short_size(t->view.current.size[0], a),
-		    short_size(t->view.current.size[1], b),
-		    short_size(t->view.current.size[2], c));
+		    short_size_text(t->view.current.size[0], a),
+		    short_size_text(t->view.current.size[1], b),
+		    short_size_text(t->view.current.size[2], c));
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readout_size(t->view.current.size[0], a),
-		    readout_size(t->view.current.size[1], b),
-		    readout_size(t->view.current.size[2], c),
-		    readout_size(t->view.current.break_mm, d));
+		    readout_size_text(t->view.current.size[0], a),
+		    readout_size_text(t->view.current.size[1], b),
+		    readout_size_text(t->view.current.size[2], c),
+		    readout_size_text(t->view.current.break_mm, d));
 }

@@ -11,9 +11,9 @@ void panel_draw(struct tui *t);
 /* Returns what does not fit in the panel, or what replaces it, "trust amber:
  * beyond the measured speeds, out of ASTM C33", or "".  It is cut to `columns`,
  * or to `most` if the reason then fits.  The caller frees it. */
-char *panel_words(struct tui *t, int columns, int most);
+char *panel_trust_text(struct tui *t, int columns, int most);
 
 /* Draws the row of numbers that replaces the side panel, on any page. */
-void panel_row(struct tui *t);
+void panel_draw_number_row(struct tui *t);
 
 #endif

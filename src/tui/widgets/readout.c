@@ -16,7 +16,7 @@
 #include "tui/screen.h"
 
 const char *
-readout_size(double mm, char text[static 24])
+readout_size_text(double mm, char text[static 24])
 {
 	if (isnan(mm))
 		snprintf(text, 24, tr("off sieves"));
@@ -32,17 +32,18 @@ readout_size(double mm, char text[static 24])
 /* Draws a row: the passing of a curve at the crosshair, and its size at the
  * level, read from `finer`. */
 static void
-draw_reading(const struct tui *t, const struct area *area, int row,
+draw_curve_reading(const struct tui *t, const struct area *area, int row,
     unsigned look, const char *name, const struct psd *psd,
     const struct psd *finer)
 {
 	double x = t->view.shown.product.size[t->ui.crosshair_sieve];
 	char size[24] = "-";
-	double mm = 1000 * psd_size(finer, t->ui.crosshair_passing / 100.0);
+	double mm =
+	    1000 * psd_size_at_passing(finer, t->ui.crosshair_passing / 100.0);
 	if (isfinite(mm))
-		readout_size(mm, size);
+		readout_size_text(mm, size);
 	screen_text(area, row, 0, look, "%-8.8s", name);
-	if (psd_covers(psd, x))
+	if (psd_covers_size(psd, x))
 		screen_text(
 		    area, row, 8, look, "%5.1f %%", 100 * psd_passing(psd, x));
 	screen_text(area, row, 15, look, "%9s", size);
@@ -61,10 +62,10 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 	const struct quantity size = {
 	    .kind = QUANTITY_SIZE, .x = t->ui.crosshair_passing / 100.0};
 	const struct question q = question_of_whole_product(
-	    t->session, tui_entry_asked_about(t), p->feed_run);
+	    t->session, tui_entry_for_prediction(t), p->feed_run);
 	struct forecast *f = forecast_open(t->session, &q, &size, 1);
-	forecast_at(f, p->speed);
-	struct figure at = forecast_figure(f, 0);
+	forecast_set_speed(f, p->speed);
+	struct figure at = forecast_value_with_band(f, 0);
 	if (row < area->rows && isfinite(at.low) && isfinite(at.high))
 		screen_text(area, row, 0, 0, "     %5.2f .. %.2f mm",
 		    1000 * at.low, 1000 * at.high);
@@ -72,7 +73,7 @@ readout_draw_band(const struct tui *t, const struct area *area, int row)
 }
 
 int
-readout_rows(const struct tui *t)
+readout_count_rows(const struct tui *t)
 {
 	enum { OTHERS = 3, BAND = 2 };
 	if (!t->ui.crosshair ||
@@ -95,19 +96,20 @@ readout_draw(struct tui *t, const struct area *area)
 	    units_mm(p->product.size[t->ui.crosshair_sieve]));
 	screen_text(area, row++, 0, LOOK_BOLD, "%-18s%4d %%", name,
 	    t->ui.crosshair_passing);
-	draw_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
+	draw_curve_reading(t, area, row++, 0, "feed", &p->feed, &p->feed);
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
 		if (run->product.n == 0 || row + others >= area->rows)
 			continue;
 		snprintf(name, sizeof name, tr("meas %g%s"), run->speed,
 		    run->repeat);
-		draw_reading(t, area, row++, 0, name,
+		draw_curve_reading(t, area, row++, 0, name,
 		    tui_measured_product(t, r), tui_measured_product(t, r));
 	}
-	draw_reading(t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
+	draw_curve_reading(
+	    t, area, row++, LOOK_BOLD, "PRED", &p->product, &p->curve);
 	if (pin)
-		draw_reading(t, area, row++, 0, "pinned",
+		draw_curve_reading(t, area, row++, 0, "pinned",
 		    &t->session->pin->p.product, &t->session->pin->p.curve);
 	readout_draw_band(t, area, row);
 }

@@ -6,13 +6,13 @@
 #include "tui/tui_state.h"
 
 /* Returns the rows that the readout needs, or 0 if it is off. */
-int readout_rows(const struct tui *t);
+int readout_count_rows(const struct tui *t);
 
 /* Draws each curve's passing at the crosshair and its size at the level, with
  * the cursor if the readout has the focus. */
 void readout_draw(struct tui *t, const struct area *area);
 
 /* Returns "2.81 mm", or why there is no such number. */
-const char *readout_size(double mm, char text[static 24]);
+const char *readout_size_text(double mm, char text[static 24]);
 
 #endif

@@ -40,7 +40,7 @@ strip_default_quantity(void)
 }
 
 void
-act_quantity(struct tui *t, const struct key *key)
+act_next_quantity(struct tui *t, const struct key *key)
 {
 	const struct quantity all[] = {strip_default_quantity(),
 	    make_strip_quantity(QUANTITY_SIZE, 0.5, 0),
@@ -60,8 +60,9 @@ act_quantity(struct tui *t, const struct key *key)
 			at = i;
 	do
 		at = (at + by + n) % n;
-	while (!quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
-	       !quantities_covered(&all[at], tui_feed_curve(t), &error));
+	while (
+	    !quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
+	    !quantities_check_feed_covers(&all[at], tui_feed_curve(t), &error));
 	t->ui.quantity = all[at];
 	t->ui.quantity_of_goal = false;
 }
@@ -69,20 +70,20 @@ act_quantity(struct tui *t, const struct key *key)
 /* Returns true if there is a curve to compute; a running search would have
  * another with each generation. */
 static bool
-has_curve(const struct tui *t)
+has_response_curve(const struct tui *t)
 {
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
 	return entry != NULL && entry->has_params &&
-	       session_fitting(s) != entry;
+	       session_entry_being_fitted(s) != entry;
 }
 
 /* Returns true if the points are of what is to be shown. */
 static bool
-response_strip_is_of(const struct tui *t)
+is_strip_of_shown_quantity(const struct tui *t)
 {
 	const struct strip *a = &t->view.strip;
-	return a->basis == t->view.n_basis && a->feed == tui_feed(t) &&
+	return a->basis == t->view.n_basis && a->feed == tui_feed_run(t) &&
 	       quantity_same(&a->of, &t->ui.quantity);
 }
 
@@ -90,31 +91,31 @@ static bool
 is_strip_current(const struct tui *t)
 {
 	const struct strip *a = &t->view.strip;
-	return a->n == STRIP_POINTS && response_strip_is_of(t);
+	return a->n == STRIP_POINTS && is_strip_of_shown_quantity(t);
 }
 
 /* Computes some points.  The forecast is opened for each part, because what it
  * borrows may be gone before the next. */
 static void
-response_strip_work_out(struct tui *t)
+compute_strip_points(struct tui *t)
 {
 	struct strip *a = &t->view.strip;
-	const struct slider_range range = tui_range(t);
-	if (!response_strip_is_of(t))
+	const struct slider_range range = tui_slider_range(t);
+	if (!is_strip_of_shown_quantity(t))
 		a->n = 0;
 	a->basis = t->view.n_basis;
-	a->feed = tui_feed(t);
+	a->feed = tui_feed_run(t);
 	a->of = t->ui.quantity;
 	const struct question q = question_of_whole_product(
-	    t->session, tui_entry_asked_about(t), a->feed);
+	    t->session, tui_entry_for_prediction(t), a->feed);
 	struct forecast *f = forecast_open(t->session, &q, &a->of, 1);
 	for (int i = 0; i < IN_ONE_GO && a->n < STRIP_POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
 		double share = (double)a->n / (STRIP_POINTS - 1);
 		a->speed[a->n] =
 		    (range.least + share * (range.most - range.least)) / 10;
-		forecast_at(f, a->speed[a->n]);
-		struct figure at = forecast_shown(f, 0);
+		forecast_set_speed(f, a->speed[a->n]);
+		struct figure at = forecast_value_in_shown_unit(f, 0);
 		value[0] = at.value;
 		value[1] = at.low;
 		value[2] = at.high;
@@ -125,9 +126,9 @@ response_strip_work_out(struct tui *t)
 double
 strip_seconds_to_wait(const struct tui *t)
 {
-	if (!has_curve(t))
+	if (!has_response_curve(t))
 		return INFINITY;
-	if (is_strip_current(t) && !goal_pending(t))
+	if (is_strip_current(t) && !goal_is_pending(t))
 		return t->pending_key != NULL ? 0 : INFINITY;
 	return fmax(0, t->view.moved + PAUSE - session_clock());
 }
@@ -135,30 +136,30 @@ strip_seconds_to_wait(const struct tui *t)
 /* Computes a part of the goal; at its end, a goal that is missed is explained
  * in the message, for which a narrow heading has no room. */
 static void
-step_goal_for_heading(struct tui *t)
+compute_part_of_goal(struct tui *t)
 {
-	bool pending = goal_pending(t);
-	goal_step(t);
-	if (!pending || goal_pending(t) || t->view.goal.missed == NULL ||
+	bool pending = goal_is_pending(t);
+	goal_compute_step(t);
+	if (!pending || goal_is_pending(t) || t->view.goal.missed == NULL ||
 	    t->message[0] != '\0')
 		return;
-	FREED char *words = goal_words(t, GOALS_FULL);
+	FREED char *words = goal_text(t, GOALS_FULL);
 	tui_say(t, false, "%s", words);
 }
 
 void
 strip_update(struct tui *t)
 {
-	if (!has_curve(t))
+	if (!has_response_curve(t))
 		return;
 	bool now = t->aside || strip_seconds_to_wait(t) <= 0;
 	do {
-		goal_show_chosen(t);
+		goal_show_chosen_quantity(t);
 		if (now && !is_strip_current(t))
-			response_strip_work_out(t);
+			compute_strip_points(t);
 		else if (now)
-			step_goal_for_heading(t);
-	} while (t->aside && (!is_strip_current(t) || goal_pending(t)));
+			compute_part_of_goal(t);
+	} while (t->aside && (!is_strip_current(t) || goal_is_pending(t)));
 }
 
 static double
@@ -178,7 +179,8 @@ struct limit {
 enum { MOST_LIMITS = 8 };
 
 static size_t
-take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
+list_limits_of_quantity(
+    const struct tui *t, struct limit limit[static MOST_LIMITS])
 {
 	const struct condition_list *list = &t->view.goal.list;
 	size_t n = 0;
@@ -188,29 +190,33 @@ take_limits(const struct tui *t, struct limit limit[static MOST_LIMITS])
 		if (!quantity_same(&c->quantity, &t->ui.quantity))
 			continue;
 		if (!isnan(c->least))
-			limit[n++] = (struct limit){
-			    quantities_shown(&t->ui.quantity, c->least),
-			    value ? "goal" : "min"};
+			limit[n++] =
+			    (struct limit){quantities_value_in_shown_unit(
+					       &t->ui.quantity, c->least),
+				value ? "goal" : "min"};
 		if (!isnan(c->most) && !value)
-			limit[n++] = (struct limit){
-			    quantities_shown(&t->ui.quantity, c->most), "max"};
+			limit[n++] =
+			    (struct limit){quantities_value_in_shown_unit(
+					       &t->ui.quantity, c->most),
+				"max"};
 	}
 	return n;
 }
 
 static double
-response_strip_measured_at(const struct tui *t, size_t run)
+measured_value_of_run(const struct tui *t, size_t run)
 {
 	const struct psd *product = tui_measured_product(t, run);
-	return product->n > 0 ? quantities_shown(&t->ui.quantity,
-				    screened_value(product, &t->ui.quantity))
-			      : NAN;
+	return product->n > 0
+		   ? quantities_value_in_shown_unit(&t->ui.quantity,
+			 screened_quantity_of_product(product, &t->ui.quantity))
+		   : NAN;
 }
 
 /* Moves the ends of an axis so that the first and the last of n parts have
  * their middles there, like the ends of the track. */
 static void
-axis_end_in_cell_middles(struct axis *axis, int n)
+align_axis_with_cells(struct axis *axis, int n)
 {
 	double more = (axis->high - axis->low) / (2 * fmax(1, n - 1));
 	axis->low -= more;
@@ -218,7 +224,7 @@ axis_end_in_cell_middles(struct axis *axis, int n)
 }
 
 static void
-axis_include(struct axis *axis, double value)
+extend_axis_to(struct axis *axis, double value)
 {
 	if (!isfinite(value))
 		return;
@@ -229,24 +235,24 @@ axis_include(struct axis *axis, double value)
 /* Fits an axis to all that is drawn, and to limits that are not farther away
  * than the curve is high.  Returns false if there is nothing. */
 static bool
-response_strip_scale(const struct tui *t, struct axis *axis)
+scale_strip_axis(const struct tui *t, struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
-	size_t n = take_limits(t, limit);
+	size_t n = list_limits_of_quantity(t, limit);
 	axis->low = INFINITY;
 	axis->high = -INFINITY;
 	for (size_t i = 0; i < STRIP_POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			axis_include(axis, t->view.strip.value[i][k]);
+			extend_axis_to(axis, t->view.strip.value[i][k]);
 	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
-		axis_include(axis, response_strip_measured_at(t, r));
+		extend_axis_to(axis, measured_value_of_run(t, r));
 	if (!(axis->low <= axis->high))
 		return false;
 	double low = axis->low, high = axis->high, more = high - low;
 	for (size_t i = 0; i < n; i++)
 		if (limit[i].value >= low - more &&
 		    limit[i].value <= high + more)
-			axis_include(axis, limit[i].value);
+			extend_axis_to(axis, limit[i].value);
 	if (axis->high - axis->low < 1e-6 * fabs(axis->high) + 1e-9) {
 		axis->low -= 0.5;
 		axis->high += 0.5;
@@ -256,7 +262,7 @@ response_strip_scale(const struct tui *t, struct axis *axis)
 
 /* Adds a series at the speeds of the curve. */
 static struct chart_series *
-add_series(const struct tui *t, struct chart *chart, enum chart_line line)
+add_strip_series(const struct tui *t, struct chart *chart, enum chart_line line)
 {
 	const struct chart_series look = {
 	    .series = SERIES_PREDICTED, .line = line, .ascii = '#'};
@@ -274,7 +280,7 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 {
 	enum { THICK = 4 };
 	double least = THICK * (chart->y.high - chart->y.low) / dots;
-	struct chart_series *s = add_series(t, chart, CHART_MARKS);
+	struct chart_series *s = add_strip_series(t, chart, CHART_MARKS);
 	chart_add_band(s);
 	for (size_t i = 0; i < STRIP_POINTS; i++) {
 		const double *value = t->view.strip.value[i];
@@ -288,13 +294,13 @@ add_band(const struct tui *t, struct chart *chart, int dots)
 static void
 response_strip_add_curve(const struct tui *t, struct chart *chart)
 {
-	struct chart_series *beyond = add_series(t, chart, CHART_DASHED),
-			    *within = add_series(t, chart, CHART_SOLID);
+	struct chart_series *beyond = add_strip_series(t, chart, CHART_DASHED),
+			    *within = add_strip_series(t, chart, CHART_SOLID);
 	bool was = false;
 	for (size_t i = 0; i < STRIP_POINTS; i++) {
 		double value = t->view.strip.value[i][0];
-		bool is =
-		    answers_extrapolates(tui_current_entry(t), within->x[i]);
+		bool is = answers_is_speed_extrapolated(
+		    tui_current_entry(t), within->x[i]);
 		if (!is)
 			within->y[i] = value;
 		if (is || was)
@@ -317,7 +323,7 @@ response_strip_add_limits(const struct tui *t, struct chart *chart)
 	static const struct chart_series LOOK = {
 	    .series = SERIES_OTHER, .line = CHART_DOTTED, .ascii = '.'};
 	struct limit limit[MOST_LIMITS];
-	size_t n = take_limits(t, limit);
+	size_t n = list_limits_of_quantity(t, limit);
 	for (size_t i = 0; i < n; i++) {
 		if (!is_on_axis(&chart->y, limit[i].value))
 			continue;
@@ -329,17 +335,17 @@ response_strip_add_limits(const struct tui *t, struct chart *chart)
 }
 
 static int
-response_strip_row_of(
+strip_row_of_value(
     const struct axis *axis, const struct area *area, double value)
 {
-	return axis_index_of_part(
+	return axis_index_of_share(
 	    1 - axis_relative_position(axis, value), area->rows);
 }
 
 /* Returns the smallest step of 1, 2 or 5 times a power of ten at which each
  * value has a row, or nearly; two rows where there are many. */
 static double
-response_strip_round_step(const struct axis *axis, int rows)
+round_label_step(const struct axis *axis, int rows)
 {
 	enum { MANY = 8 };
 	static const double ROUND[] = {1, 2, 5, 10, 20, 50};
@@ -356,7 +362,7 @@ response_strip_round_step(const struct axis *axis, int rows)
  * another, with the decimals of the others or what more it has.  Returns true
  * if it was drawn. */
 static bool
-draw_label(
+draw_strip_label(
     const struct tui *t, int row, unsigned look, double value, double step)
 {
 	char text[32];
@@ -380,19 +386,20 @@ response_strip_draw_limit(struct tui *t, const struct axis *axis,
 	    {"v", "^"}, {"\u25BC", "\u25B2"}};
 	const struct area *area = &t->layout.strip;
 	bool ascii = screen_charset() == CHARSET_ASCII;
-	int row = response_strip_row_of(axis, area, limit->value);
+	int row = strip_row_of_value(axis, area, limit->value);
 	bool on = is_on_axis(axis, limit->value);
 	FREED char *name = on ? xstrdup(limit->name)
 			      : xasprintf("%s%s %.6g",
 				    ARROWS[!ascii][limit->value > axis->high],
 				    limit->name, limit->value);
-	int wide = text_width(name) < 4 ? 4 : text_width(name);
+	int wide =
+	    text_width_in_columns(name) < 4 ? 4 : text_width_in_columns(name);
 	if (on)
-		draw_label(t, row, LOOK_BOLD, limit->value, step);
-	screen_series(
+		draw_strip_label(t, row, LOOK_BOLD, limit->value, step);
+	screen_draw_series_text(
 	    area, row, area->columns - wide, SERIES_OTHER, LOOK_BOLD, name);
-	hits_add_key(
-	    &t->hits, area_cells(area, row, area->columns - wide, wide), 't');
+	hits_add_key(&t->hits,
+	    area_part_of_row(area, row, area->columns - wide, wide), 't');
 }
 
 /* Labels limits, then round values, each in a row of its own; of limits off the
@@ -402,13 +409,13 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 {
 	struct limit limit[MOST_LIMITS];
 	const struct area *area = &t->layout.strip;
-	size_t n = take_limits(t, limit);
+	size_t n = list_limits_of_quantity(t, limit);
 	FREED bool *taken = xcalloc((size_t)area->rows, sizeof *taken);
 	const struct limit *below = NULL, *above = NULL;
-	double step = response_strip_round_step(axis, area->rows);
+	double step = round_label_step(axis, area->rows);
 	for (size_t i = 0; i < n; i++) {
 		const struct limit *l = &limit[i];
-		int row = response_strip_row_of(axis, area, l->value);
+		int row = strip_row_of_value(axis, area, l->value);
 		if (l->value < axis->low) {
 			below = below == NULL || l->value > below->value
 				    ? l
@@ -428,9 +435,9 @@ response_strip_draw_labels(struct tui *t, const struct axis *axis)
 		response_strip_draw_limit(t, axis, above, step);
 	for (double v = ceil(axis->low / step) * step; v <= axis->high;
 	     v += step) {
-		int row = response_strip_row_of(axis, area, v);
+		int row = strip_row_of_value(axis, area, v);
 		if (!taken[row])
-			taken[row] = draw_label(t, row, LOOK_PLAIN,
+			taken[row] = draw_strip_label(t, row, LOOK_PLAIN,
 			    fabs(v) < step / 2 ? 0 : v, step);
 	}
 }
@@ -440,24 +447,27 @@ response_strip_draw_marks(
     const struct tui *t, const struct area *area, const struct axis *axis)
 {
 	struct track_signs signs = track_signs();
-	struct slider_range range = tui_range(t);
+	struct slider_range range = tui_slider_range(t);
 	const struct entry *entry = tui_current_entry(t);
 	double share =
 	    (double)(t->ui.tenths - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
-		double value = response_strip_measured_at(t, r);
+		double value = measured_value_of_run(t, r);
 		if (isnan(value))
 			continue;
-		screen_series(area, response_strip_row_of(axis, area, value),
+		screen_draw_series_text(area,
+		    strip_row_of_value(axis, area, value),
 		    slider_column(range,
 			slider_tenths(range, entry->site->run[r].speed),
 			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
-		    track_trained(entry, r) ? signs.trained : signs.held_out);
+		    track_is_run_trained(entry, r) ? signs.trained
+						   : signs.held_out);
 	}
 	double value = response_strip_value_at(&t->view.strip, share);
 	if (isfinite(value))
-		screen_series(area, response_strip_row_of(axis, area, value),
+		screen_draw_series_text(area,
+		    strip_row_of_value(axis, area, value),
 		    slider_column(range, t->ui.tenths, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
 		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
@@ -465,13 +475,13 @@ response_strip_draw_marks(
 
 /* Says why there is no curve; nothing while it is being computed. */
 static void
-response_strip_draw_none(const struct tui *t)
+draw_why_no_curve(const struct tui *t)
 {
 	const struct area *area = &t->layout.strip;
 	const char *why = "";
-	if (session_busy(t->session))
+	if (session_is_calibrating(t->session))
 		why = tr("known when the calibration ends");
-	else if (!has_curve(t))
+	else if (!has_response_curve(t))
 		why = tr("known after a calibration");
 	else if (is_strip_current(t))
 		why = tr("the feed's sieves cannot show it: y chooses another");
@@ -481,28 +491,30 @@ response_strip_draw_none(const struct tui *t)
 /* Draws the certainty of the goal at each speed, in eighths of a cell or, where
  * these are not drawn, in tenths: 9 is 90 % or more. */
 static void
-draw_certainty(struct tui *t, const struct area *track)
+draw_goal_certainty(struct tui *t, const struct area *track)
 {
 	static const char *const EIGHTH[] = {"\u2581", "\u2582", "\u2583",
 	    "\u2584", "\u2585", "\u2586", "\u2587", "\u2588"};
 	struct area area = t->layout.certainty;
 	const struct goal *g = &t->view.goal;
-	if (area.rows == 0 || !goal_known(t) || g->n_value > 0 ||
+	if (area.rows == 0 || !goal_is_known(t) || g->n_value > 0 ||
 	    isnan(g->found->best_certain))
 		return;
-	hits_add(&t->hits, HIT_SLIDE, area, track_touch, 0);
+	hits_add(&t->hits, HIT_SLIDE, area, track_on_mouse, 0);
 	screen_text(&area, 0, 0, LOOK_DIM, "sure");
 	area.column = track->column;
 	area.columns = track->columns;
 	for (int c = 0; c < area.columns; c++) {
-		double speed = slider_at(tui_range(t), c, area.columns) / 10.0,
-		       certain = goal_certain_at(t, speed);
+		double speed = slider_value_at_column(
+				   tui_slider_range(t), c, area.columns) /
+			       10.0,
+		       certain = goal_probability_at(t, speed);
 		bool blocks = screen_charset() == CHARSET_BRAILLE;
 		if (!(certain > 0))
 			continue;
 		int parts = blocks ? 8 : 10, part = (int)(certain * parts);
 		char digit[2] = {(char)('0' + (part < 10 ? part : 9))};
-		screen_series(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
+		screen_draw_series_text(&area, 0, c, SERIES_OTHER, LOOK_PLAIN,
 		    blocks ? EIGHTH[part < 8 ? part : 7] : digit);
 	}
 }
@@ -510,7 +522,8 @@ draw_certainty(struct tui *t, const struct area *track)
 void
 strip_draw(struct tui *t)
 {
-	struct area area = t->layout.strip, track = layout_track(&t->layout);
+	struct area area = t->layout.strip,
+		    track = layout_track_area(&t->layout);
 	const double *speed = t->view.strip.speed;
 	struct axis x = {.low = speed[0], .high = speed[STRIP_POINTS - 1]},
 		    y = x;
@@ -518,16 +531,16 @@ strip_draw(struct tui *t)
 		return;
 	area.column = track.column;
 	area.columns = track.columns;
-	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_touch, 0);
-	if (!has_curve(t) || !is_strip_current(t) ||
-	    !response_strip_scale(t, &y)) {
-		response_strip_draw_none(t);
+	hits_add(&t->hits, HIT_SLIDE, t->layout.strip, track_on_mouse, 0);
+	if (!has_response_curve(t) || !is_strip_current(t) ||
+	    !scale_strip_axis(t, &y)) {
+		draw_why_no_curve(t);
 		return;
 	}
-	draw_certainty(t, &track);
+	draw_goal_certainty(t, &track);
 	int dots = area.rows * canvas_cell_dots_down(screen_charset());
-	axis_end_in_cell_middles(&x, area.columns);
-	axis_end_in_cell_middles(&y, dots);
+	align_axis_with_cells(&x, area.columns);
+	align_axis_with_cells(&y, dots);
 	x.title = xstrdup("");
 	y.title = xstrdup("");
 	struct chart *chart = chart_new("", "", x, y);
@@ -536,7 +549,7 @@ strip_draw(struct tui *t)
 	response_strip_add_curve(t, chart);
 	struct canvas *canvas = chart_draw(
 	    chart, area.columns, area.rows, screen_charset(), CHART_BARE);
-	screen_canvas(&area, canvas);
+	screen_draw_canvas(&area, canvas);
 	response_strip_draw_marks(t, &area, &chart->y);
 	if (area.column > 0)
 		response_strip_draw_labels(t, &chart->y);

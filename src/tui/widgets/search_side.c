@@ -33,11 +33,11 @@ struct row {
 static size_t
 count_parameters(const struct search_shown *past)
 {
-	return breakage_of(&past->best)->n;
+	return breakage_model_of_params(&past->best)->n;
 }
 
 void
-search_side_choose(struct tui *t, int by)
+search_side_choose_parameter(struct tui *t, int by)
 {
 	struct search_shown past = tui_search_shown(t);
 	if (past.n == 0)
@@ -45,7 +45,7 @@ search_side_choose(struct tui *t, int by)
 	/* The first key shows which one it is. */
 	int at = t->ui.param_at > 0 ? (int)t->ui.param_at - 1 : by > 0 ? -1 : 1;
 	t->ui.param_at =
-	    (size_t)pane_clamp_row(at, by, count_parameters(&past)) + 1;
+	    (size_t)pane_clamp_index(at, by, count_parameters(&past)) + 1;
 }
 
 void
@@ -56,7 +56,7 @@ act_bounds(struct tui *t, const struct key *key)
 	if (past.n == 0)
 		return;
 	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
-	const struct breakage *of = breakage_of(&past.best);
+	const struct breakage *of = breakage_model_of_params(&past.best);
 	const struct session *s = t->session;
 	/* The bounds of the next search; of another model, those of the
 	 * last. */
@@ -75,7 +75,7 @@ act_bounds(struct tui *t, const struct key *key)
 }
 
 static void
-touch_parameter(struct tui *t, const struct touched *touched)
+on_click_parameter(struct tui *t, const struct touched *touched)
 {
 	t->ui.param_at = touched->item;
 	act_bounds(t, NULL);
@@ -83,7 +83,7 @@ touch_parameter(struct tui *t, const struct touched *touched)
 
 /* Returns the cell of a bar at which a value stands between its bounds. */
 static int
-search_side_cell_of(const struct param_span *span, double value, int width)
+bar_cell_of_value(const struct param_span *span, double value, int width)
 {
 	double range = span->upper - span->lower;
 	double share = range > 0 ? (value - span->lower) / range : 0.5;
@@ -93,19 +93,19 @@ search_side_cell_of(const struct param_span *span, double value, int width)
 
 /* Draws a sign from one value to another. */
 static void
-draw_span(const struct row *r, const struct param_span *span, const double *end,
-    enum series series, const char *sign)
+draw_bar_span(const struct row *r, const struct param_span *span,
+    const double *end, enum series series, const char *sign)
 {
-	int from = search_side_cell_of(span, end[0], r->width);
-	int to = search_side_cell_of(span, end[1], r->width);
+	int from = bar_cell_of_value(span, end[0], r->width);
+	int to = bar_cell_of_value(span, end[1], r->width);
 	for (int c = from; c <= to; c++)
-		screen_series(
+		screen_draw_series_text(
 		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
 }
 
 /* Writes a number in few letters: "0.001", "2746". */
 static const char *
-shown_number(double value, bool scaled, char text[static 24])
+short_number_text(double value, bool scaled, char text[static 24])
 {
 	/* Not "-0.000". */
 	if (scaled)
@@ -124,16 +124,16 @@ search_side_draw_bar(const struct row *r, const struct param_span *span)
 	int end = NAME + BOUND + 1 + r->width;
 	char text[24];
 	screen_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
-	    shown_number(span->lower, false, text));
+	    short_number_text(span->lower, false, text));
 	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
-	    shown_number(span->upper, false, text));
+	    short_number_text(span->upper, false, text));
 	if (isfinite(span->drawn[0]))
-		draw_span(r, span, span->drawn, SERIES_PREDICTED,
+		draw_bar_span(r, span, span->drawn, SERIES_PREDICTED,
 		    ascii ? "-" : "\u2500");
-	draw_span(r, span, (double[]){span->p10, span->p90}, SERIES_FEED,
+	draw_bar_span(r, span, (double[]){span->p10, span->p90}, SERIES_FEED,
 	    ascii ? "=" : "\u2501");
-	screen_series(r->side, r->row,
-	    NAME + BOUND + 1 + search_side_cell_of(span, span->best, r->width),
+	screen_draw_series_text(r->side, r->row,
+	    NAME + BOUND + 1 + bar_cell_of_value(span, span->best, r->width),
 	    SERIES_PREDICTED, LOOK_BOLD, "*");
 }
 
@@ -161,7 +161,7 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 	else
 		search_side_draw_bar(r, span);
 	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
-	    "%*s", VALUE - 1, shown_number(span->best, scaled, text));
+	    "%*s", VALUE - 1, short_number_text(span->best, scaled, text));
 	if (marked)
 		screen_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
 		    r->wide ? " " : "", r->wide ? remark : "");
@@ -171,11 +171,12 @@ static int
 draw_parameters(struct tui *t, const struct search_shown *past, int row)
 {
 	const struct area *side = &t->layout.side;
-	const struct breakage *of = breakage_of(&past->best);
+	const struct breakage *of = breakage_model_of_params(&past->best);
 	bool wide = side->columns >= WIDE;
 	int rest = NAME + 2 * (BOUND + 1) + VALUE + (wide ? REMARK : SIGN);
 	struct row r = {side, row, side->columns - rest, wide};
-	bool end = t->ui.generation == 0 && !session_fitting(t->session);
+	bool end =
+	    t->ui.generation == 0 && !session_entry_being_fitted(t->session);
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	screen_text(side, row, 0, LOOK_DIM, "%s 80 %%  * %s%s%s",
 	    ascii ? "=" : "\u2501", end ? tr("polished") : tr("best"),
@@ -185,19 +186,19 @@ draw_parameters(struct tui *t, const struct search_shown *past, int row)
 	    wide ? "" : tr("  ! bound"));
 	r.width = r.width < 3 ? 3 : r.width;
 	for (size_t j = 0; j < of->n && r.row + 1 < side->rows; j++) {
-		struct param_span span =
-		    plots_search_span(t->session, past, t->ui.generation, j);
+		struct param_span span = plots_search_param_span(
+		    t->session, past, t->ui.generation, j);
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
 		    t->ui.param_at == j + 1, &span);
 		hits_add(&t->hits, HIT_PRESS, area_row(side, r.row),
-		    touch_parameter, j + 1);
+		    on_click_parameter, j + 1);
 	}
 	return r.row + 1;
 }
 
 static const char *
-stop_words(enum calibrate_state stop)
+stop_reason_text(enum calibrate_state stop)
 {
 	return stop == CALIBRATE_TOLERANCE     ? tr("converged")
 	       : stop == CALIBRATE_STALLED     ? tr("stalled")
@@ -226,13 +227,14 @@ draw_pace(const struct tui *t, int row)
 /* Returns "converged; seed 1; doubtful: ..", with the first reason; if the
  * search shown has not replaced the fit, that is said first. */
 static char *
-verdict_words(const struct tui *t, const struct entry *entry)
+fit_verdict_text(const struct tui *t, const struct entry *entry)
 {
-	struct trust light = light_of_prediction(t->session, entry, NULL);
+	struct trust light = light_of_answer_or_fit(t->session, entry, NULL);
 	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
-	    stop_words(entry->fit.stop), (unsigned long long)entry->fit.seed,
-	    light_verdict(t->session, entry, NULL), light.n > 0 ? ": " : "",
-	    light.n > 0 ? light.reason[0].text : "");
+	    stop_reason_text(entry->fit.stop),
+	    (unsigned long long)entry->fit.seed,
+	    light_verdict_on_fit(t->session, entry, NULL),
+	    light.n > 0 ? ": " : "", light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
 	if (!search_shown_is_running(t->session, tui_current_entry(t)) ||
 	    !t->session->job.held_back)
@@ -243,7 +245,7 @@ verdict_words(const struct tui *t, const struct entry *entry)
 }
 
 static char *
-draws_words(const struct evidence *e)
+posterior_draws_text(const struct evidence *e)
 {
 	return xasprintf(e->halves > DRAWS_SETTLED ? tr("%d draws, not settled")
 						   : tr("%d draws, settled"),
@@ -253,7 +255,7 @@ draws_words(const struct evidence *e)
 /* Draws the verdict beside the end of a search, in rows that parameters and
  * convergence leave free. */
 static int
-draw_found(const struct tui *t, int row)
+draw_search_result(const struct tui *t, int row)
 {
 	const struct entry *entry = tui_current_entry(t);
 	const struct area *side = &t->layout.side;
@@ -261,46 +263,48 @@ draw_found(const struct tui *t, int row)
 		return row;
 	const struct posterior *p =
 	    outlook_posterior_for_comparison(t->session, entry);
-	int heads = 1 + (int)breakage_of(&entry->params)->n;
+	int heads = 1 + (int)breakage_model_of_params(&entry->params)->n;
 	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
-	char *words = verdict_words(t, entry);
+	char *words = fit_verdict_text(t, entry);
 	int from = row;
-	row = screen_words_within(
+	row = screen_draw_wrapped_rows(
 	    side, row, room > 1 ? room : 1, 0, words, " .. :why");
 	free(words);
 	if (p == NULL)
 		return row;
 	room -= row - from;
-	words = draws_words(outlook_evidence(t->session, entry));
-	row = screen_words(side, row, 0, words);
+	words = posterior_draws_text(outlook_evidence(t->session, entry));
+	row = screen_draw_wrapped(side, row, 0, words);
 	free(words);
 	return row;
 }
 
 /* Draws the state of the search at the generation shown. */
 static int
-draw_words(const struct tui *t, const struct search_shown *past)
+draw_search_state(const struct tui *t, const struct search_shown *past)
 {
 	const struct area *side = &t->layout.side;
-	size_t at = tui_generation(t);
+	size_t at = tui_generation_without_polish(t);
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	bool end = t->ui.generation == 0 && past->polished;
-	double best = search_shown_points(past, end ? past->misfit : g->best);
+	double best =
+	    search_shown_rmse_points(past, end ? past->misfit : g->best);
 	int row = 0;
 	screen_text(side, row++, 0, LOOK_BOLD,
 	    end ? N_("%sgeneration %zu of %zu, polished")
 		: N_("%sgeneration %zu of %zu"),
-	    session_busy(t->session) && t->held ? tr("PAUSED ") : "", at,
-	    past->n);
+	    session_is_calibrating(t->session) && t->held ? tr("PAUSED ") : "",
+	    at, past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
-	    best, search_shown_points(past, g->median));
-	FREED char *words =
-	    t->computing != NULL
-		? xstrdup(t->computing)
-		: plots_search_words(t->session, past, t->ui.generation);
-	row = screen_words(side, row, LOOK_BOLD, words);
-	return session_fitting(t->session) ? draw_pace(t, row)
-					   : draw_found(t, row);
+	    best, search_shown_rmse_points(past, g->median));
+	FREED char *words = t->computing != NULL
+				? xstrdup(t->computing)
+				: plots_search_progress_text(
+				      t->session, past, t->ui.generation);
+	row = screen_draw_wrapped(side, row, LOOK_BOLD, words);
+	return session_entry_being_fitted(t->session)
+		   ? draw_pace(t, row)
+		   : draw_search_result(t, row);
 }
 
 static void
@@ -309,25 +313,25 @@ draw_convergence(struct tui *t, int row)
 	struct area below = t->layout.side;
 	below.row += row;
 	below.rows -= row;
-	struct plot_request request = plots_request(PLOT_CONVERGENCE);
+	struct plot_request request = plots_default_request(PLOT_CONVERGENCE);
 	request.words = 0;
 	request.generation = t->ui.generation;
 	if (below.rows >= CONVERGENCE && t->ui.picture != PLOT_CONVERGENCE)
-		pane_plot(t, &request, &below);
+		pane_draw_plot(t, &request, &below);
 }
 
 /* "beta1=-0.000  .. alpha=1!" */
 static char *
-parameters_words(const struct tui *t, const struct search_shown *past)
+parameters_text(const struct tui *t, const struct search_shown *past)
 {
-	const struct breakage *of = breakage_of(&past->best);
+	const struct breakage *of = breakage_model_of_params(&past->best);
 	char *words = xstrdup(""), text[24];
 	for (size_t j = 0; j < of->n; j++) {
-		struct param_span span =
-		    plots_search_span(t->session, past, t->ui.generation, j);
+		struct param_span span = plots_search_param_span(
+		    t->session, past, t->ui.generation, j);
 		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
 		    of->parameter[j].name,
-		    shown_number(span.best, j < of->gauge, text),
+		    short_number_text(span.best, j < of->gauge, text),
 		    span.at_bound ? "!" : "");
 	}
 	return words;
@@ -339,19 +343,21 @@ draw_params_in_words(const struct tui *t, const struct search_shown *past)
 {
 	const struct area *side = &t->layout.side;
 	const struct entry *entry = tui_current_entry(t);
-	size_t at = tui_generation(t);
-	bool over = t->ui.generation == 0 && !session_busy(t->session) &&
-		    entry->has_fit;
+	size_t at = tui_generation_without_polish(t);
+	bool over = t->ui.generation == 0 &&
+		    !session_is_calibrating(t->session) && entry->has_fit;
 	double points = t->ui.generation == 0 ? past->misfit
 					      : past->generation[at - 1].best;
 	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
-	    at, search_shown_points(past, points));
-	char *words = parameters_words(t, past);
-	int row = screen_words_within(side, 1, side->rows - 1, 0, words, " ..");
+	    at, search_shown_rmse_points(past, points));
+	char *words = parameters_text(t, past);
+	int row =
+	    screen_draw_wrapped_rows(side, 1, side->rows - 1, 0, words, " ..");
 	free(words);
-	words = over ? verdict_words(t, entry)
-		     : plots_search_words(t->session, past, t->ui.generation);
-	screen_words_within(
+	words = over ? fit_verdict_text(t, entry)
+		     : plots_search_progress_text(
+			   t->session, past, t->ui.generation);
+	screen_draw_wrapped_rows(
 	    side, row, side->rows - row, 0, words, over ? " .. :why" : " ..");
 	free(words);
 }
@@ -364,13 +370,13 @@ search_side_draw(struct tui *t)
 	struct search_shown past = tui_search_shown(t);
 	if (side->rows == 0)
 		return;
-	screen_vertical_rule(side->row, t->layout.wall, side->rows);
+	screen_draw_vertical_rule(side->row, t->layout.wall, side->rows);
 	if (past.n > 0 && side->rows < LOW) {
 		draw_params_in_words(t, &past);
 		return;
 	}
 	if (past.n > 0) {
-		int row = draw_words(t, &past);
+		int row = draw_search_state(t, &past);
 		draw_convergence(t, draw_parameters(t, &past, row));
 		return;
 	}

@@ -9,6 +9,6 @@
 void search_side_draw(struct tui *t);
 
 /* Chooses the parameter `by` places after the chosen one. */
-void search_side_choose(struct tui *t, int by);
+void search_side_choose_parameter(struct tui *t, int by);
 
 #endif

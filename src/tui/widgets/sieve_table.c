@@ -47,7 +47,8 @@ find_compared_product(
 	if (nearest == NULL)
 		return NULL;
 	bool in_rpm = answers_is_sheet_in_rpm(site);
-	double rpm = in_rpm ? rotor_speed_rpm(nearest->speed, site->rotor) : 0;
+	double rpm =
+	    in_rpm ? rotor_speed_to_rpm(nearest->speed, site->rotor) : 0;
 	snprintf(name, 40,
 	    fabs(nearest->speed - t->view.current.speed) < 0.05
 		? tr("vs %g measured")
@@ -61,10 +62,10 @@ find_compared_product(
 
 /* Returns how far the product lies above that at a sieve, points. */
 static double
-difference_from_compared(const struct tui *t, const struct psd *other, size_t i)
+difference_in_points(const struct tui *t, const struct psd *other, size_t i)
 {
 	double x = t->view.shown.product.size[i];
-	if (other == NULL || !psd_covers(other, x))
+	if (other == NULL || !psd_covers_size(other, x))
 		return NAN;
 	double off =
 	    100 * (t->view.shown.product.passing[i] - psd_passing(other, x));
@@ -75,13 +76,13 @@ difference_from_compared(const struct tui *t, const struct psd *other, size_t i)
 /* Returns the points of a full bar.  They change seldom, and not where the
  * scale of the strip does, or both would be written in one step. */
 static double
-full_bar_points(const struct tui *t, const struct psd *other)
+full_bar_scale(const struct tui *t, const struct psd *other)
 {
 	static const double FULL[] = {1.5, 3, 7, 15, 30, 70, 100};
 	double most = 0;
 	size_t at = 0;
 	for (size_t i = 0; i < t->view.shown.product.n; i++)
-		most = fmax(most, fabs(difference_from_compared(t, other, i)));
+		most = fmax(most, fabs(difference_in_points(t, other, i)));
 	while (at + 1 < ARRAY_LEN(FULL) && FULL[at] < most)
 		at++;
 	return FULL[at];
@@ -102,22 +103,22 @@ sieve_table_draw_bar(
 	    cells = area->columns - BAR,
 	    n = (int)lround(fmin(fabs(share), 1) * cells * parts);
 	for (int c = 0; c < n / parts; c++)
-		screen_series(area, row, BAR + c, series, 0,
+		screen_draw_series_text(area, row, BAR + c, series, 0,
 		    charset == CHARSET_ASCII ? "#" : "\u2588");
-	screen_series(area, row, BAR + n / parts, series, 0,
+	screen_draw_series_text(area, row, BAR + n / parts, series, 0,
 	    EIGHTH[n % parts * 8 / parts]);
 }
 
 /* Puts the crosshair on that sieve. */
 static void
-touch_sieve(struct tui *t, const struct touched *touched)
+on_click_sieve(struct tui *t, const struct touched *touched)
 {
 	t->ui.crosshair = touched->item < t->view.shown.product.n;
 	t->ui.crosshair_sieve = touched->item;
 }
 
 static void
-draw_sieve(
+draw_sieve_row(
     struct tui *t, const struct area *area, int row, size_t i, double off)
 {
 	const struct prediction *p = &t->view.shown;
@@ -133,14 +134,14 @@ draw_sieve(
 	if (!isnan(off))
 		screen_text(area, row, COMPARED, look,
 		    off != 0 ? "%+5.1f" : "%5.1f", off);
-	hits_add(&t->hits, HIT_PRESS, area_row(area, row), touch_sieve, i);
+	hits_add(&t->hits, HIT_PRESS, area_row(area, row), on_click_sieve, i);
 }
 
 /* Returns the sieve of row r.  If there are fewer rows than sieves, they are
  * spread from the coarsest that retains feed to the finest, and do not change
  * with the speed. */
 static size_t
-sieve_table_sieve_of(const struct tui *t, size_t r, size_t rows)
+sieve_of_row(const struct tui *t, size_t r, size_t rows)
 {
 	const double all = 0.9995;
 	const struct psd *feed = &t->view.shown.feed;
@@ -168,16 +169,14 @@ row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
 	    rows >= product->n)
 		return SIZE_MAX;
 	for (size_t r = 1; r < rows; r++)
-		if (labs(
-			(long)sieve_table_sieve_of(t, r, rows) - (long)*sieve) <
-		    labs((long)sieve_table_sieve_of(t, best, rows) -
-			 (long)*sieve))
+		if (labs((long)sieve_of_row(t, r, rows) - (long)*sieve) <
+		    labs((long)sieve_of_row(t, best, rows) - (long)*sieve))
 			best = r;
 	return best;
 }
 
 int
-sieve_table_rows(const struct tui *t)
+sieve_table_count_rows(const struct tui *t)
 {
 	return 1 + (int)t->view.shown.product.n;
 }
@@ -189,19 +188,21 @@ draw_heading(const struct area *area, enum series series, char *name)
 {
 	enum { FEED_END = 11 };
 	const char *now = tr("now");
-	const int room = area->columns - FEED_END - text_width(now) - 2;
+	const int room =
+	    area->columns - FEED_END - text_width_in_columns(now) - 2;
 	char *vs = name, *last = strrchr(name, ' ');
-	if (text_width(name) > area->columns - COMPARED && last != NULL &&
-	    strchr(name, ' ') != last)
+	if (text_width_in_columns(name) > area->columns - COMPARED &&
+	    last != NULL && strchr(name, ' ') != last)
 		*last = '\0';
-	if (text_width(name) > room && strchr(name, ' ') != NULL)
+	if (text_width_in_columns(name) > room && strchr(name, ' ') != NULL)
 		vs = strchr(name, ' ') + 1;
-	int column = area->columns - text_width(vs);
+	int column = area->columns - text_width_in_columns(vs);
 	column = column < COMPARED ? column : COMPARED;
 	const char *feed = tr("sieve  feed");
-	int gap = column - 1 - text_width(now) - text_width(feed);
+	int gap = column - 1 - text_width_in_columns(now) -
+		  text_width_in_columns(feed);
 	screen_text(area, 0, 0, LOOK_DIM, "%s%*s%s", feed, gap, "", now);
-	screen_series(area, 0, column, series, 0, vs);
+	screen_draw_series_text(area, 0, column, series, 0, vs);
 }
 
 void
@@ -211,13 +212,13 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	char name[40] = "";
 	enum series series = SERIES_TEXT;
 	const struct psd *other = find_compared_product(t, name, &series);
-	double full = full_bar_points(t, other);
+	double full = full_bar_scale(t, other);
 	draw_heading(area, series, name);
 	size_t wanted, at = row_for_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
-		size_t i = r == at ? wanted : sieve_table_sieve_of(t, r, rows);
-		double off = difference_from_compared(t, other, i);
-		draw_sieve(t, area, (int)r + 1, i, off);
+		size_t i = r == at ? wanted : sieve_of_row(t, r, rows);
+		double off = difference_in_points(t, other, i);
+		draw_sieve_row(t, area, (int)r + 1, i, off);
 		if (area->columns >= BAR + BAR_CELLS && !isnan(off))
 			sieve_table_draw_bar(
 			    area, (int)r + 1, series, off / full);

@@ -7,7 +7,7 @@
 #include "tui/tui_state.h"
 
 /* Returns the number of rows for all sieves and the heading. */
-int sieve_table_rows(const struct tui *t);
+int sieve_table_count_rows(const struct tui *t);
 
 /* Draws the table.  In fewer rows, it shows sieves spread evenly from the
  * coarsest to the finest. */

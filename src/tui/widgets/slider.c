@@ -30,7 +30,7 @@ slider_tenths(struct slider_range range, double speed)
 }
 
 bool
-slider_has(struct slider_range range, double speed)
+slider_has_speed(struct slider_range range, double speed)
 {
 	return speed >= range.least / 10.0 && speed <= range.most / 10.0;
 }
@@ -44,7 +44,7 @@ slider_column(struct slider_range range, int tenths, int width)
 }
 
 int
-slider_at(struct slider_range range, int column, int width)
+slider_value_at_column(struct slider_range range, int column, int width)
 {
 	if (width < 2)
 		return range.least;
@@ -75,7 +75,7 @@ are_cells_free(const struct slider_cell *cell, int width, int from, int wanted)
 }
 
 static void
-slider_write(struct slider_cell *cell, const char *text)
+write_text_in_cells(struct slider_cell *cell, const char *text)
 {
 	for (; *text != '\0'; text++)
 		*cell++ = (struct slider_cell){*text, true, true};
@@ -86,15 +86,15 @@ static int
 mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 {
 	double v = mark->tenths / 10.0;
-	return words ? snprintf(
-			   label, 32, "%g m/s %.0f J/kg", v, energy_specific(v))
+	return words ? snprintf(label, 32, "%g m/s %.0f J/kg", v,
+			   energy_specific_at_speed(v))
 		     : snprintf(label, 32, "%g", v);
 }
 
 /* Returns true if the track is long enough for labels with units and some track
  * between them. */
 static bool
-slider_has_room(const struct slider_cell *cell, int width,
+has_room_for_long_labels(const struct slider_cell *cell, int width,
     struct slider_range range, const struct slider_mark *mark, size_t n)
 {
 	enum { BETWEEN = 5 };
@@ -111,7 +111,7 @@ slider_has_room(const struct slider_cell *cell, int width,
 /* Writes the speed after a mark, if nothing else stands there. handle: the cell
  * after the handle of the slider. */
 static void
-draw_label(struct slider_cell *cell, int width, int column,
+write_mark_label(struct slider_cell *cell, int width, int column,
     const struct slider_mark *mark, bool words, int handle)
 {
 	char label[32];
@@ -120,15 +120,15 @@ draw_label(struct slider_cell *cell, int width, int column,
 		wanted = mark_label(mark, false, label);
 	if (from == handle || !are_cells_free(cell, width, from, wanted + 1))
 		return;
-	slider_write(cell + from, label);
+	write_text_in_cells(cell + from, label);
 	/* A space, because dashes right after a label would be hard to read. */
 	if (cell[from + wanted].sign == 'x')
-		slider_write(cell + from + wanted, " ");
+		write_text_in_cells(cell + from + wanted, " ");
 }
 
 /* Writes the word in the middle of each part beyond the training speeds. */
 static void
-draw_beyond(struct slider_cell *cell, int width, const char *word)
+write_beyond_training(struct slider_cell *cell, int width, const char *word)
 {
 	int n = (int)strlen(word);
 	for (int from = 0, to; from < width; from = to + 1) {
@@ -138,22 +138,22 @@ draw_beyond(struct slider_cell *cell, int width, const char *word)
 		if (n == 0 || to - from < n + 4 ||
 		    !are_cells_free(cell, width, at - 1, n + 2))
 			continue;
-		slider_write(cell + at - 1, " ");
-		slider_write(cell + at, word);
-		slider_write(cell + at + n, " ");
+		write_text_in_cells(cell + at - 1, " ");
+		write_text_in_cells(cell + at, word);
+		write_text_in_cells(cell + at + n, " ");
 	}
 }
 
 int
-slider_draw(struct slider_cell *cell, int width, struct slider_range range,
-    int tenths, const struct slider_mark *mark, size_t n, const bool *kept,
-    const char *beyond)
+slider_fill_cells(struct slider_cell *cell, int width,
+    struct slider_range range, int tenths, const struct slider_mark *mark,
+    size_t n, const bool *kept, const char *beyond)
 {
 	char label[16];
 	bool any = false;
 	for (int c = 0; c < width; c++) {
-		bool outside =
-		    is_outside_training(slider_at(range, c, width), mark, n);
+		bool outside = is_outside_training(
+		    slider_value_at_column(range, c, width), mark, n);
 		cell[c] = (struct slider_cell){
 		    outside ? 'x' : '-', kept != NULL && kept[c], false};
 		any = any || cell[c].taken;
@@ -169,14 +169,15 @@ slider_draw(struct slider_cell *cell, int width, struct slider_range range,
 		length = snprintf(label, sizeof label, "#");
 	int at = slider_column(range, tenths, width) - length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
-	bool words = !any && slider_has_room(cell, width, range, mark, n);
+	bool words =
+	    !any && has_room_for_long_labels(cell, width, range, mark, n);
 	for (int c = at; c < at + length; c++)
 		cell[c].taken = true;
 	for (size_t i = 0; i < n; i++)
-		draw_label(cell, width,
+		write_mark_label(cell, width,
 		    slider_column(range, mark[i].tenths, width), &mark[i],
 		    words, at + length);
-	draw_beyond(cell, width, beyond);
-	slider_write(cell + at, label);
+	write_beyond_training(cell, width, beyond);
+	write_text_in_cells(cell + at, label);
 	return at;
 }

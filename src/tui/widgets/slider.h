@@ -22,16 +22,16 @@ struct slider_range slider_range(double from, double to);
 /* Returns the nearest value in the range. */
 int slider_clamp(struct slider_range range, int tenths);
 
-/* slider_tenths returns a speed, m/s, rounded to tenths; slider_has returns
- * true if the speed is in the range. */
+/* slider_tenths returns a speed, m/s, rounded to tenths; slider_has_speed
+ * returns true if the speed is in the range. */
 int slider_tenths(struct slider_range range, double speed);
-bool slider_has(struct slider_range range, double speed);
+bool slider_has_speed(struct slider_range range, double speed);
 
 /* slider_column returns the column of a value on a track of `width` columns, 0
- * at its left end; slider_at returns the value at a column.  Values and columns
- * off the track are clamped. */
+ * at its left end; slider_value_at_column returns the value at a column. Values
+ * and columns off the track are clamped. */
 int slider_column(struct slider_range range, int tenths, int width);
-int slider_at(struct slider_range range, int column, int width);
+int slider_value_at_column(struct slider_range range, int column, int width);
 
 /* A cell of the track.  sign: '|' at training speeds, '-' between them, 'x'
  * beyond them, 'o' at held-out speeds; text: it holds a letter; taken: it must
@@ -46,8 +46,8 @@ struct slider_cell {
  * speeds; the value as "[74.0]" on top.  kept [width]: cells that no label may
  * cover, or NULL; if there are any, labels are short.  Returns the column of
  * the '['. */
-int slider_draw(struct slider_cell *cell, int width, struct slider_range range,
-    int tenths, const struct slider_mark *mark, size_t n, const bool *kept,
-    const char *beyond);
+int slider_fill_cells(struct slider_cell *cell, int width,
+    struct slider_range range, int tenths, const struct slider_mark *mark,
+    size_t n, const bool *kept, const char *beyond);
 
 #endif

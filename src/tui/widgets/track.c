@@ -29,10 +29,10 @@ track_signs(void)
 }
 
 bool
-track_trained(const struct entry *entry, size_t run)
+track_is_run_trained(const struct entry *entry, size_t run)
 {
 	const struct origin *o = entry->origin;
-	if (!origin_trained(entry))
+	if (!origin_has_training_speeds(entry))
 		return entry->train[run];
 	for (size_t i = 0; i < o->n_speed; i++)
 		if (o->speed[i] == entry->site->run[run].speed)
@@ -43,18 +43,18 @@ track_trained(const struct entry *entry, size_t run)
 /* Lists the measured speeds, and those at which the parameters were trained,
  * even on another site.  Returns their number. */
 static size_t
-take_marks(const struct entry *entry, struct slider_range range,
+list_speed_marks(const struct entry *entry, struct slider_range range,
     struct slider_mark mark[static MOST_MARKS])
 {
 	const struct origin *o = entry->origin;
-	bool trained = origin_trained(entry);
+	bool trained = origin_has_training_speeds(entry);
 	size_t n = 0;
 	for (size_t i = 0; trained && i < o->n_speed && n < MOST_MARKS; i++)
 		mark[n++] = (struct slider_mark){
 		    slider_tenths(range, o->speed[i]), true};
 	for (size_t r = 0; r < entry->site->n_run && n < MOST_MARKS; r++) {
 		const struct run *run = &entry->site->run[r];
-		bool known = track_trained(entry, r);
+		bool known = track_is_run_trained(entry, r);
 		if (run->product.n > 0 && (!trained || !known))
 			mark[n++] = (struct slider_mark){
 			    slider_tenths(range, run->speed), known};
@@ -63,10 +63,10 @@ take_marks(const struct entry *entry, struct slider_range range,
 }
 
 void
-track_touch(struct tui *t, const struct touched *touched)
+track_on_mouse(struct tui *t, const struct touched *touched)
 {
-	struct area track = layout_track(&t->layout);
-	t->ui.tenths = slider_at(tui_range(t),
+	struct area track = layout_track_area(&t->layout);
+	t->ui.tenths = slider_value_at_column(tui_slider_range(t),
 	    touched->area.column + touched->column - track.column,
 	    track.columns);
 }
@@ -76,17 +76,17 @@ static bool
 is_goal_met_in_cell(
     const struct tui *t, const struct area *track, int column, bool *certain)
 {
-	struct slider_range range = tui_range(t);
+	struct slider_range range = tui_slider_range(t);
 	double cells = fmax(1, track->columns - 1),
 	       half = (range.most - range.least) / 20.0 / cells;
 	double speed = range.least / 10.0 + 2 * half * column;
-	return goal_holds(t, speed - half, speed + half, certain);
+	return goal_is_met_between(t, speed - half, speed + half, certain);
 }
 
 /* Marks the cells in which a window begins or ends, and those in which its
  * certainty does.  The caller frees them. */
 static bool *
-window_ends(const struct tui *t, const struct area *track)
+mark_window_ends(const struct tui *t, const struct area *track)
 {
 	size_t n = (size_t)track->columns;
 	bool *end = xcalloc(n + 1, sizeof *end);
@@ -125,7 +125,8 @@ track_draw_cell(const struct tui *t, const struct area *track, int column,
 			   : sign == 'x'           ? signs.beyond
 			   : sign == '-' && !ascii ? "\u2500"
 						   : letter;
-	screen_series(track, 0, column, met ? SERIES_OTHER : SERIES_TEXT,
+	screen_draw_series_text(track, 0, column,
+	    met ? SERIES_OTHER : SERIES_TEXT,
 	    met && certain ? LOOK_BOLD
 	    : sign == 'x'  ? LOOK_DIM
 			   : LOOK_PLAIN,
@@ -133,28 +134,28 @@ track_draw_cell(const struct tui *t, const struct area *track, int column,
 }
 
 static int
-make_cells(const struct tui *t, const struct area *track,
+make_track_cells(const struct tui *t, const struct area *track,
     struct slider_cell *cell, const bool *kept)
 {
 	const struct entry *entry = tui_current_entry(t);
-	struct slider_range range = tui_range(t);
+	struct slider_range range = tui_slider_range(t);
 	struct slider_mark mark[MOST_MARKS];
-	size_t n = take_marks(entry, range, mark);
-	return slider_draw(cell, track->columns, range, t->ui.tenths, mark, n,
-	    kept, tr("extrapolated"));
+	size_t n = list_speed_marks(entry, range, mark);
+	return slider_fill_cells(cell, track->columns, range, t->ui.tenths,
+	    mark, n, kept, tr("extrapolated"));
 }
 
 void
 track_draw(struct tui *t)
 {
-	hits_add(&t->hits, HIT_SLIDE, t->layout.track, track_touch, 0);
-	struct area track = layout_track(&t->layout);
+	hits_add(&t->hits, HIT_SLIDE, t->layout.track, track_on_mouse, 0);
+	struct area track = layout_track_area(&t->layout);
 	const bool acts = t->ui.page == PAGE_PREDICT;
-	struct slider_range range = tui_range(t);
+	struct slider_range range = tui_slider_range(t);
 	FREED struct slider_cell *cell =
 	    xcalloc((size_t)track.columns + 1, sizeof *cell);
-	FREED bool *kept = window_ends(t, &track);
-	int at = make_cells(t, &track, cell, kept), end = at + 1;
+	FREED bool *kept = mark_window_ends(t, &track);
+	int at = make_track_cells(t, &track, cell, kept), end = at + 1;
 	while (end < track.columns && cell[end - 1].sign != ']' &&
 	       cell[at].sign == '[')
 		end++;
@@ -185,85 +186,88 @@ struct part {
 };
 
 static void
-track_say(struct part *part, char *text)
+add_heading_text(struct part *part, char *text)
 {
 	part->text[part->n++] = text;
 }
 
 static void
-say_quantity(const struct tui *t, struct part *part)
+add_quantity_texts(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
-	FREED char *words = quantities_words(&t->ui.quantity);
+	FREED char *words = quantities_name(&t->ui.quantity);
 	xappend(&words, "%s%s", unit[0] != '\0' ? ", " : "", unit);
 	if (t->layout.strip.rows > 0 && !goals_is_set(t->session))
-		track_say(part, xasprintf(tr("%s at all speeds"), words));
+		add_heading_text(
+		    part, xasprintf(tr("%s at all speeds"), words));
 	if (t->layout.strip.rows > 0)
-		track_say(part, xstrdup(words));
-	track_say(part, xstrdup(""));
+		add_heading_text(part, xstrdup(words));
+	add_heading_text(part, xstrdup(""));
 }
 
 static void
-say_goal(const struct tui *t, struct part *part)
+add_goal_texts(const struct tui *t, struct part *part)
 {
 	for (int length = 0; length < GOALS_LENGTHS; length++)
-		track_say(part, goal_words(t, (enum goals_length)length));
-	track_say(part, xstrdup(""));
+		add_heading_text(part, goal_text(t, (enum goals_length)length));
+	add_heading_text(part, xstrdup(""));
 	part->look = LOOK_BOLD;
 }
 
 /* The rotor tip speed, as energy and rotor speed too; in brief as the sheet
  * has it. */
 static void
-say_speed(const struct tui *t, struct part *part)
+add_speed_texts(const struct tui *t, struct part *part)
 {
-	double v = tui_speed(t);
+	double v = tui_slider_speed(t);
 	double rotor = tui_current_entry(t)->site->rotor;
-	FREED char *words =
-	    xasprintf(tr("%.1f m/s  %.0f J/kg"), v, energy_specific(v));
-	FREED char *turns =
-	    rotor > 0 ? xasprintf(tr("  %.0f rpm"), rotor_speed_rpm(v, rotor))
-		      : xstrdup("");
-	track_say(part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
-	track_say(part, xasprintf("%s%s", words, turns));
+	FREED char *words = xasprintf(
+	    tr("%.1f m/s  %.0f J/kg"), v, energy_specific_at_speed(v));
+	FREED char *turns = rotor > 0 ? xasprintf(tr("  %.0f rpm"),
+					    rotor_speed_to_rpm(v, rotor))
+				      : xstrdup("");
+	add_heading_text(
+	    part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
+	add_heading_text(part, xasprintf("%s%s", words, turns));
 	if (rotor > 0)
-		track_say(part, xasprintf(tr("%.1f m/s%s"), v, turns));
+		add_heading_text(part, xasprintf(tr("%.1f m/s%s"), v, turns));
 	else
-		track_say(part, xstrdup(words));
+		add_heading_text(part, xstrdup(words));
 	FREED char *brief =
 	    answers_is_sheet_in_rpm(tui_current_entry(t)->site)
-		? xasprintf(tr("%.0f rpm"), rotor_speed_rpm(v, rotor))
+		? xasprintf(tr("%.0f rpm"), rotor_speed_to_rpm(v, rotor))
 		: xasprintf("%.1f m/s", v);
-	track_say(part, xstrdup(brief));
-	track_say(part, xstrndup(brief, strcspn(brief, " ")));
+	add_heading_text(part, xstrdup(brief));
+	add_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
 }
 
 /* What the signs mean.  Beyond the measured speeds, that is not left out. */
 static void
-say_signs(const struct tui *t, struct part *part)
+add_sign_texts(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
 	enum { REASONS = 34 };
 	/* A wide panel says so in its light. */
-	bool beyond =
-	    t->layout.side.columns < REASONS && t->view.shown.product.n > 0 &&
-	    answers_extrapolates(tui_current_entry(t), t->view.shown.speed);
+	bool beyond = t->layout.side.columns < REASONS &&
+		      t->view.shown.product.n > 0 &&
+		      answers_is_speed_extrapolated(
+			  tui_current_entry(t), t->view.shown.speed);
 	FREED char *word = xasprintf("%s %s", signs.beyond,
 	    beyond ? tr("EXTRAPOLATED") : tr("extrapolated"));
 	FREED char *marks = xasprintf(
 	    tr("%s trained  %s held out"), signs.trained, signs.held_out);
-	track_say(part, xasprintf("%s  %s", word, marks));
-	track_say(part, xstrdup(beyond ? word : marks));
+	add_heading_text(part, xasprintf("%s  %s", word, marks));
+	add_heading_text(part, xstrdup(beyond ? word : marks));
 	if (!beyond)
-		track_say(part, xstrdup(""));
+		add_heading_text(part, xstrdup(""));
 	part->look = beyond ? LOOK_BOLD : LOOK_DIM;
 }
 
 /* Returns the width of a part and of the rule before it. */
 static int
-width_of_part(const struct part *part)
+width_of_heading_part(const struct part *part)
 {
-	int width = text_width(part->text[part->at]);
+	int width = text_width_in_columns(part->text[part->at]);
 	return width > 0 ? width + 4 : 0;
 }
 
@@ -277,25 +281,25 @@ fit_heading_parts(struct part part[static PARTS], int columns)
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;
-		width += width_of_part(&part[i]);
+		width += width_of_heading_part(&part[i]);
 	}
 	for (size_t k = 0; k < ARRAY_LEN(TURNS); k++) {
 		struct part *p = &part[TURNS[k]];
-		int was = width_of_part(p);
+		int was = width_of_heading_part(p);
 		if (p->at == 0)
 			continue;
 		p->at--;
-		if (width - was + width_of_part(p) > columns)
+		if (width - was + width_of_heading_part(p) > columns)
 			p->at++;
-		width += width_of_part(p) - was;
+		width += width_of_heading_part(p) - was;
 	}
 	int left = 0, right = columns - 2;
 	for (size_t i = 0; i < SPEED; i++) {
 		part[i].column = left + 2;
-		left += width_of_part(&part[i]);
+		left += width_of_heading_part(&part[i]);
 	}
 	for (size_t i = PARTS; i-- > SPEED;) {
-		right -= width_of_part(&part[i]);
+		right -= width_of_heading_part(&part[i]);
 		part[i].column = right + 2;
 	}
 }
@@ -306,12 +310,12 @@ track_draw_heading(struct tui *t)
 	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
 	const struct area *area = &t->layout.caption;
 	struct part part[PARTS] = {0};
-	say_quantity(t, &part[QUANTITY]);
-	say_goal(t, &part[GOAL]);
-	say_speed(t, &part[SPEED]);
-	say_signs(t, &part[SIGNS]);
+	add_quantity_texts(t, &part[QUANTITY]);
+	add_goal_texts(t, &part[GOAL]);
+	add_speed_texts(t, &part[SPEED]);
+	add_sign_texts(t, &part[SIGNS]);
 	fit_heading_parts(part, area->columns);
-	screen_rule(area);
+	screen_draw_rule(area);
 	for (size_t i = 0; i < PARTS; i++) {
 		const char *text = part[i].text[part[i].at];
 		int column = part[i].column > 0 ? part[i].column : 0;
@@ -320,7 +324,8 @@ track_draw_heading(struct tui *t)
 			    area, 0, column, part[i].look, " %s ", text);
 		if (KEY[i] != 0)
 			hits_add_key(&t->hits,
-			    area_cells(area, 0, column, text_width(text)),
+			    area_part_of_row(
+				area, 0, column, text_width_in_columns(text)),
 			    KEY[i]);
 		for (size_t k = 0; k < part[i].n; k++)
 			free(part[i].text[k]);
@@ -330,27 +335,27 @@ track_draw_heading(struct tui *t)
 /* Lists the speeds to which keys move, in no order: the limits of the goal, or
  * the measured speeds.  Returns their number. */
 static size_t
-track_stops(const struct tui *t, int tenths[static MOST_MARKS])
+list_slider_stops(const struct tui *t, int tenths[static MOST_MARKS])
 {
 	double speed[MOST_MARKS];
 	struct slider_mark mark[MOST_MARKS];
-	struct slider_range range = tui_range(t);
-	size_t n = goal_limits(t, speed, MOST_MARKS);
+	struct slider_range range = tui_slider_range(t);
+	size_t n = goal_limit_speeds(t, speed, MOST_MARKS);
 	for (size_t i = 0; i < n; i++)
 		tenths[i] = slider_tenths(range, speed[i]);
 	if (n > 0 || tui_current_entry(t) == NULL)
 		return n;
-	n = take_marks(tui_current_entry(t), range, mark);
+	n = list_speed_marks(tui_current_entry(t), range, mark);
 	for (size_t i = 0; i < n; i++)
 		tenths[i] = mark[i].tenths;
 	return n;
 }
 
 static void
-move_to_limit(struct tui *t, int by)
+move_slider_to_limit(struct tui *t, int by)
 {
 	int tenths[MOST_MARKS], best = t->ui.tenths;
-	size_t n = track_stops(t, tenths);
+	size_t n = list_slider_stops(t, tenths);
 	for (size_t i = 0; i < n; i++) {
 		bool beyond = by * (tenths[i] - t->ui.tenths) > 0;
 		if (beyond &&
@@ -387,20 +392,20 @@ say_nearest(struct tui *t, double best, const char *rpm)
 /* Moves the slider to the best speed of the goal, and says how well that is met
  * there. */
 static void
-move_to_best(struct tui *t)
+move_slider_to_best(struct tui *t)
 {
 	const struct goal *g = &t->view.goal;
-	double best = goal_best(t);
+	double best = goal_best_speed(t);
 	if (!isfinite(best)) {
 		tui_say(t, false,
 		    goals_is_set(t->session) ? N_("no best speed is known")
 					     : N_("no goal yet: t sets one"));
 		return;
 	}
-	tui_go_to(t, best);
+	tui_move_slider_to(t, best);
 	t->keep_message = true;
 	FREED char *rpm =
-	    rotor_speed_words(tui_current_entry(t)->site->rotor, best, NAN);
+	    rotor_speed_rpm_text(tui_current_entry(t)->site->rotor, best, NAN);
 	if (g->missed != NULL)
 		say_nearest(t, best, rpm);
 	else if (g->n_value > 0)
@@ -410,7 +415,7 @@ move_to_best(struct tui *t)
 		    t, false, "best speed of the goal: %.1f m/s%s", best, rpm);
 	else {
 		FREED char *percent =
-		    conditions_percent(g->found->best_certain);
+		    conditions_probability_percent(g->found->best_certain);
 		tui_say(t, false,
 		    "best speed of the goal: %.1f m/s%s (chance %s)", best, rpm,
 		    percent);
@@ -418,17 +423,17 @@ move_to_best(struct tui *t)
 }
 
 static bool
-is_goal_pending(const struct tui *t)
+is_goal_search_pending(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
-	return entry != NULL && entry->has_params && goal_pending(t);
+	return entry != NULL && entry->has_params && goal_is_pending(t);
 }
 
 void
-act_goal_speed(struct tui *t, const struct key *key)
+act_go_to_goal_speed(struct tui *t, const struct key *key)
 {
-	if (is_goal_pending(t) &&
-	    session_fitting(t->session) == tui_current_entry(t)) {
+	if (is_goal_search_pending(t) &&
+	    session_entry_being_fitted(t->session) == tui_current_entry(t)) {
 		tui_say(t, false,
 		    "the goal's speeds are known when the calibration ends");
 		return;
@@ -450,14 +455,14 @@ track_run_pending_key(struct tui *t, bool now)
 		t->pending_key = NULL;
 		return;
 	}
-	while (now && is_goal_pending(t))
-		goal_step(t);
-	if (is_goal_pending(t))
+	while (now && is_goal_search_pending(t))
+		goal_compute_step(t);
+	if (is_goal_search_pending(t))
 		return;
 	t->pending_key = NULL;
 	t->message[0] = '\0';
 	if (key->amount != 0)
-		move_to_limit(t, key->amount);
+		move_slider_to_limit(t, key->amount);
 	else
-		move_to_best(t);
+		move_slider_to_best(t);
 }

@@ -13,7 +13,7 @@ void track_draw(struct tui *t);
 void track_draw_heading(struct tui *t);
 
 /* A mouse_action: moves the slider to where the mouse is pressed or dragged. */
-void track_touch(struct tui *t, const struct touched *touched);
+void track_on_mouse(struct tui *t, const struct touched *touched);
 
 /* Runs the waiting key if its speeds are known, or computes them at once if
  * `now`.  Drops the key if the slider has been moved since. */
@@ -27,6 +27,6 @@ struct track_signs {
 struct track_signs track_signs(void);
 
 /* True if the speed of a run is a training speed of the parameters. */
-bool track_trained(const struct entry *entry, size_t run);
+bool track_is_run_trained(const struct entry *entry, size_t run);
 
 #endif

@@ -17,12 +17,12 @@
 
 /* Splits the text into lines, and finds the width of the widest. */
 static void
-viewer_split(struct viewer *v)
+split_into_lines(struct viewer *v)
 {
 	for (const char *p = v->text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
 		char *line = xstrndup(p, n);
-		int columns = text_width(line);
+		int columns = text_width_in_columns(line);
 		v->columns = columns > v->columns ? columns : v->columns;
 		v->line =
 		    xrealloc(v->line, (size_t)v->lines + 1, sizeof *v->line);
@@ -49,11 +49,11 @@ viewer_close(struct tui *t)
 }
 
 void
-viewer_text(struct tui *t, char *text)
+viewer_show_text(struct tui *t, char *text)
 {
 	viewer_close(t);
 	t->viewer = (struct viewer){.text = text, .at = -1};
-	viewer_split(&t->viewer);
+	split_into_lines(&t->viewer);
 }
 
 void
@@ -61,22 +61,22 @@ act_last_text(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (t->closed != NULL)
-		viewer_text(t, xstrdup(t->closed));
+		viewer_show_text(t, xstrdup(t->closed));
 	else
 		tui_say(t, false, "no text has been shown yet");
 }
 
 /* Lists the keys whose line contains the word. */
 static void
-list_keys(struct tui *t)
+show_list_of_keys(struct tui *t)
 {
 	struct edit word = t->viewer.word;
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	keys_list(t->ui.page, word.text, out);
+	keys_print_list(t->ui.page, word.text, out);
 	fclose(out);
-	viewer_text(t, text);
+	viewer_show_text(t, text);
 	t->viewer.keys = true;
 	t->viewer.word = word;
 	t->viewer.at = 0;
@@ -87,12 +87,12 @@ void
 act_help(struct tui *t, const struct key *key)
 {
 	(void)key;
-	list_keys(t);
+	show_list_of_keys(t);
 }
 
 /* The last frame may have had another layout. */
 void
-viewer_message(struct tui *t)
+viewer_show_long_message(struct tui *t)
 {
 	enum { MARGIN = 2, LEAST = 8 };
 	int rows, columns;
@@ -102,11 +102,11 @@ viewer_message(struct tui *t)
 	columns = columns > LEAST + MARGIN ? columns - MARGIN : LEAST;
 	if (text_count_rows(t->message, columns) > layout_message_rows(&l) &&
 	    t->viewer.text == NULL)
-		viewer_text(t, text_wrapped(t->message, columns));
+		viewer_show_text(t, text_wrapped(t->message, columns));
 }
 
 static bool
-viewer_has_word(const struct viewer *v, int line)
+has_searched_word(const struct viewer *v, int line)
 {
 	return text_contains_word(v->line[line], v->word.text);
 }
@@ -117,12 +117,12 @@ count_matches_before(const struct viewer *v, int before)
 {
 	int n = 0;
 	for (int i = 0; i < before; i++)
-		n += viewer_has_word(v, i);
+		n += has_searched_word(v, i);
 	return n;
 }
 
 static int
-clamp(int x, int least, int most)
+clamp_to_range(int x, int least, int most)
 {
 	return x < least || most < least ? least : x > most ? most : x;
 }
@@ -130,7 +130,7 @@ clamp(int x, int least, int most)
 /* Returns the rows of the text; the list of keys takes two columns if all of it
  * then has room. */
 static int
-key_rows(const struct tui *t)
+count_text_rows(const struct tui *t)
 {
 	enum { TWO = 76 };
 	const struct viewer *v = &t->viewer;
@@ -147,17 +147,18 @@ scroll_to_fit(struct tui *t)
 	struct viewer *v = &t->viewer;
 	int rows = t->layout.body.rows > 1 ? t->layout.body.rows : 1;
 	if (v->keys) {
-		v->at = clamp(v->at, 0, v->lines - 1);
-		v->top = clamp(v->top, v->at - rows + 1, v->at);
+		v->at = clamp_to_range(v->at, 0, v->lines - 1);
+		v->top = clamp_to_range(v->top, v->at - rows + 1, v->at);
 	}
-	v->top = clamp(v->top, 0, key_rows(t) - rows);
-	v->left = clamp(v->left, 0, v->columns - t->layout.body.columns);
+	v->top = clamp_to_range(v->top, 0, count_text_rows(t) - rows);
+	v->left =
+	    clamp_to_range(v->left, 0, v->columns - t->layout.body.columns);
 }
 
 /* Goes to a line with the word, which it puts in the middle if it was not
  * visible. */
 static void
-viewer_go_to(struct tui *t, int line)
+go_to_line(struct tui *t, int line)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->layout.body.rows;
@@ -170,11 +171,11 @@ viewer_go_to(struct tui *t, int line)
 /* Returns the first line with the word from a line on, in steps of `by`, past
  * the end too; -1: none. */
 static int
-find_from(const struct viewer *v, int from, int by)
+find_line_with_word(const struct viewer *v, int from, int by)
 {
 	for (int i = 0; i < v->lines; i++) {
 		int line = (from + i * by + 2 * v->lines) % v->lines;
-		if (viewer_has_word(v, line))
+		if (has_searched_word(v, line))
 			return line;
 	}
 	return -1;
@@ -182,7 +183,7 @@ find_from(const struct viewer *v, int from, int by)
 
 /* Handles a key of the word after /.  Returns false for other keys. */
 static bool
-viewer_find(struct tui *t, int code, bool special)
+handle_search_key(struct tui *t, int code, bool special)
 {
 	struct viewer *v = &t->viewer;
 	struct edit *word = &v->word;
@@ -196,15 +197,15 @@ viewer_find(struct tui *t, int code, bool special)
 		word->active = false;
 		return true;
 	}
-	if (!edit_letter(word, code, special, VIEWER_WORD))
+	if (!edit_type_letter(word, code, special, VIEWER_WORD))
 		return false;
 	if (v->keys) {
-		list_keys(t);
+		show_list_of_keys(t);
 	} else {
 		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
 		if (word->n > 0)
-			viewer_go_to(t, find_from(v, from, 1));
+			go_to_line(t, find_line_with_word(v, from, 1));
 	}
 	return true;
 }
@@ -219,8 +220,8 @@ viewer_scroll(struct tui *t, int by)
 		scroll_to_fit(t);
 		return;
 	}
-	int keys = (int)keys_count(t->ui.page, v->word.text);
-	v->at = clamp(v->at + by, 0, keys - 1);
+	int keys = (int)keys_count_listed(t->ui.page, v->word.text);
+	v->at = clamp_to_range(v->at + by, 0, keys - 1);
 	scroll_to_fit(t);
 }
 
@@ -233,7 +234,7 @@ forget_searched_word(struct tui *t)
 		return false;
 	v->word = (struct edit){0};
 	if (v->keys)
-		list_keys(t);
+		show_list_of_keys(t);
 	else
 		v->at = -1;
 	return true;
@@ -241,18 +242,18 @@ forget_searched_word(struct tui *t)
 
 /* Handles keys that move through the text. */
 static bool
-scrolls_by_key(struct tui *t, const struct key *key, int code)
+handle_scroll_key(struct tui *t, const struct key *key, int code)
 {
 	struct viewer *v = &t->viewer;
 	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
 	key_action *act = key != NULL ? key->act : NULL;
 	int steps = act == act_move ? abs(key->amount) : 0;
-	if (act == act_list)
+	if (act == act_move_in_list)
 		viewer_scroll(t, key->amount);
 	else if (steps == STEP && !v->keys)
 		v->left += key->amount * (t->layout.body.columns + 1) / 2;
-	else if (steps == STEP && key_rows(t) < v->lines)
-		viewer_scroll(t, key->amount * key_rows(t));
+	else if (steps == STEP && count_text_rows(t) < v->lines)
+		viewer_scroll(t, key->amount * count_text_rows(t));
 	else if (steps == FAR)
 		viewer_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
@@ -261,8 +262,9 @@ scrolls_by_key(struct tui *t, const struct key *key, int code)
 		viewer_scroll(
 		    t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
-		viewer_go_to(t, code == 'N' ? find_from(v, v->at - 1, -1)
-					    : find_from(v, v->at + 1, 1));
+		go_to_line(t, code == 'N'
+				  ? find_line_with_word(v, v->at - 1, -1)
+				  : find_line_with_word(v, v->at + 1, 1));
 	else
 		return false;
 	scroll_to_fit(t);
@@ -275,14 +277,14 @@ static bool
 is_changing_key(const struct tui *t, const struct key *key)
 {
 	const struct entry *entry = tui_current_entry(t);
-	bool first =
-	    entry != NULL && !entry->has_params && !session_busy(t->session);
+	bool first = entry != NULL && !entry->has_params &&
+		     !session_is_calibrating(t->session);
 	return key->where & CHANGES && !(key->act == act_fit && first);
 }
 
 /* Returns true if a key that has closed the text does nothing else. */
 static bool
-is_only_closed(struct tui *t, const struct key *key, int code, bool keys)
+is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 {
 	if (code == ESCAPE || code == '\n')
 		return true;
@@ -296,12 +298,13 @@ is_only_closed(struct tui *t, const struct key *key, int code, bool keys)
 }
 
 bool
-viewer_key(struct tui *t, int code, bool special, const struct key **run)
+viewer_handle_key(struct tui *t, int code, bool special, const struct key **run)
 {
 	struct viewer *v = &t->viewer;
 	const struct key *key = keys_find(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
-	if (viewer_find(t, code, special) || scrolls_by_key(t, key, code) ||
+	if (handle_search_key(t, code, special) ||
+	    handle_scroll_key(t, key, code) ||
 	    (code == ESCAPE && forget_searched_word(t)))
 		return true;
 	bool keys = v->keys;
@@ -315,7 +318,7 @@ viewer_key(struct tui *t, int code, bool special, const struct key **run)
 	 * closes. */
 	t->keep_message = t->keep_message || v->report;
 	viewer_close(t);
-	return is_only_closed(t, key, code, keys);
+	return is_key_only_closing(t, key, code, keys);
 }
 
 /* On a narrow screen, the list of keys has one space between a key and what it
@@ -332,7 +335,7 @@ squeeze_spaces(char *line)
 
 /* A click on a key chooses it, and Enter runs it. */
 static void
-touch_key(struct tui *t, const struct touched *touched)
+on_click_key(struct tui *t, const struct touched *touched)
 {
 	t->viewer.at = (int)touched->item;
 }
@@ -345,9 +348,9 @@ viewer_draw_line(struct tui *t, int n)
 	enum { NARROW = 60 };
 	static const char MORE[] = " ..";
 	const struct viewer *v = &t->viewer;
-	const int rows = key_rows(t);
+	const int rows = count_text_rows(t);
 	struct area body = t->layout.body;
-	bool found = !v->keys && v->word.n > 0 && viewer_has_word(v, n);
+	bool found = !v->keys && v->word.n > 0 && has_searched_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
 	if (v->keys && body.columns < NARROW)
 		squeeze_spaces(line);
@@ -363,7 +366,7 @@ viewer_draw_line(struct tui *t, int n)
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
 		c += text_escape_next(&shown, left);
-	screen_part(&body, n % rows - v->top, 0, SERIES_TEXT,
+	screen_draw_clipped_text(&body, n % rows - v->top, 0, SERIES_TEXT,
 	    n == v->at ? LOOK_REVERSE
 	    : found    ? LOOK_BOLD
 		       : LOOK_PLAIN,
@@ -377,22 +380,23 @@ viewer_draw_line(struct tui *t, int n)
 
 /* Draws the word searched for and the number of lines with it. */
 static int
-draw_word(struct tui *t)
+draw_searched_word(struct tui *t)
 {
 	const struct viewer *v = &t->viewer;
 	const struct area *hints = &t->layout.hints;
 	int number =
 	    v->keys || v->at < 0 ? 0 : count_matches_before(v, v->at + 1);
-	char *found = v->word.n == 0 ? NULL
-		      : v->keys      ? xasprintf(tr("%zu keys"),
-					   keys_count(t->ui.page, v->word.text))
-				     : xasprintf(tr("%d lines"),
-					   count_matches_before(v, v->lines));
+	char *found =
+	    v->word.n == 0 ? NULL
+	    : v->keys
+		? xasprintf(tr("%zu keys"),
+		      keys_count_listed(t->ui.page, v->word.text))
+		: xasprintf(tr("%d lines"), count_matches_before(v, v->lines));
 	if (number > 0 && found != NULL) {
 		FREED char *lines = found;
 		found = xasprintf(tr("line %d of %s"), number, lines);
 	}
-	int at = pane_word(t, hints, v->word.text, found,
+	int at = pane_draw_search_word(t, hints, v->word.text, found,
 	    v->keys          ? tr("Enter run it  Esc clear")
 	    : v->word.active ? tr("Enter keep  Esc clear")
 			     : tr("n next  N previous  Esc clear"));
@@ -411,7 +415,7 @@ draw_what_enter_does(struct tui *t)
 	if (key == NULL)
 		return false;
 	FREED char *words = xasprintf(tr("Enter: %s"), tr(key->what));
-	bool room = text_width(words) <= t->layout.hints.columns;
+	bool room = text_width_in_columns(words) <= t->layout.hints.columns;
 	if (room)
 		pane_hints(t, words);
 	return room;
@@ -422,7 +426,7 @@ viewer_draw_hints(struct tui *t)
 {
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
-	bool below = key_rows(t) - v->top > body->rows,
+	bool below = count_text_rows(t) - v->top > body->rows,
 	     aside = !v->keys && v->columns - v->left > body->columns;
 	FREED char *hints =
 	    xasprintf("%s%s%s", below ? tr("Down more below  ") : "",
@@ -439,7 +443,7 @@ viewer_draw(struct tui *t)
 	const struct area *body = &t->layout.body;
 	const struct viewer *v = &t->viewer;
 	char *rest = NULL;
-	const int rows = key_rows(t),
+	const int rows = count_text_rows(t),
 		  columns = body->columns / (rows < v->lines ? 2 : 1);
 	for (int n = v->top; n < v->lines; n++) {
 		int row = n % (rows > 0 ? rows : 1) - v->top;
@@ -450,15 +454,16 @@ viewer_draw(struct tui *t)
 		if (v->keys &&
 		    keys_listed_at(t->ui.page, v->word.text, (size_t)n))
 			hits_add_with_key(&t->hits,
-			    area_cells(body, row, n / rows * columns, columns),
-			    touch_key, (size_t)n, '\n');
+			    area_part_of_row(
+				body, row, n / rows * columns, columns),
+			    on_click_key, (size_t)n, '\n');
 	}
 	int at = v->lines > 0 ? v->at % rows - v->top : 0;
 	t->cursor =
 	    (struct cursor){body->row + (at > 0 && at < body->rows ? at : 0),
 		v->at > 0 ? v->at / rows * columns : 0};
 	if ((v->word.active || v->word.n > 0) && t->layout.hints.rows > 0) {
-		int column = draw_word(t);
+		int column = draw_searched_word(t);
 		if (v->word.active)
 			t->cursor =
 			    (struct cursor){t->layout.hints.row, column};

@@ -6,15 +6,16 @@
 #include "tui/tui_state.h"
 
 /* Shows text and takes ownership of it. */
-void viewer_text(struct tui *t, char *text);
+void viewer_show_text(struct tui *t, char *text);
 
 /* Shows the message on the whole screen if it does not fit in its rows. */
-void viewer_message(struct tui *t);
+void viewer_show_long_message(struct tui *t);
 
 /* Handles a key: scrolls, searches for a word, or closes.  If the key is not
  * for the text, closes it and returns false; the key then acts as usual.  run:
  * set to the key chosen from the list of keys, or unchanged. */
-bool viewer_key(struct tui *t, int code, bool special, const struct key **run);
+bool viewer_handle_key(
+    struct tui *t, int code, bool special, const struct key **run);
 
 /* Draws the text with its hints. */
 void viewer_draw(struct tui *t);
