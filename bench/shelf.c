@@ -40,7 +40,7 @@ made_up(const struct stored_list *paper, size_t number)
 	struct stored m = stored_empty();
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
-			stored_set_text(&m, &FIELDS[f],
+			stored_set_text_field(&m, &FIELDS[f],
 			    *stored_text_of_field(of, &FIELDS[f]));
 		else if (FIELDS[f].kind == FIELD_NUMBER)
 			*stored_number_of_field(&m, &FIELDS[f]) =

@@ -67,8 +67,8 @@ key_action act_page, act_back, act_open_row, act_filter;
 
 /* Lines: run the key's command or describe; open the command line, empty, with
  * `save` or with a command to export. */
-key_action act_run_hint_command, act_describe, act_type_command, act_save,
-    act_export;
+key_action act_run_hint_command, act_describe, act_type_command,
+    act_propose_save, act_export;
 
 /* The calibration. */
 key_action act_fit, act_pause, act_stop, act_pace;

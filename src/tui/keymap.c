@@ -116,7 +116,7 @@ default_file_name(const struct tui *t)
 /* Proposes the script in which the session is saved, or else the first unused
  * name. */
 void
-act_save(struct tui *t, const struct key *key)
+act_propose_save(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool saved;

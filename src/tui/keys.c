@@ -145,7 +145,7 @@ const struct key KEYS[] = {
 	"undo the last change", "undo, redo", "undo"},
     {'U', "U", ON_ALL | CHANGES | RUNS_COMMAND, act_run_hint_command, 0,
 	"redo it", NULL, "redo"},
-    {'w', "w", ON_ALL | AT_SPEED, act_save, 0,
+    {'w', "w", ON_ALL | AT_SPEED, act_propose_save, 0,
 	"save the session as a script, under the name that is proposed",
 	"save the session", NULL},
     {'V', "V", ON_ALL, act_last_text, 0,

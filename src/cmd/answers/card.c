@@ -304,7 +304,7 @@ range_head(const struct card_request *all)
  * moved to the feed of the card; NAN if nothing was, or with another feed or
  * machine.  Raises *moved to by how much. */
 static double
-measured_quantity_at_speed(const struct session *s, const struct question *q,
+mean_of_repeats_at_speed(const struct session *s, const struct question *q,
     const struct quantity *of, double speed, double *moved)
 {
 	const struct site *site = q->entry->site;
@@ -339,7 +339,7 @@ put_measured_cell(struct page *page, const struct session *s,
 	const struct quantity *of = &all->q[index_of_figure_with_range(all)];
 	put_number_cell(page, NULL, tr("measured"), quantities_decimals(of),
 	    SAMPLE,
-	    measured_quantity_at_speed(
+	    mean_of_repeats_at_speed(
 		s, all->question, of, speed, &page->moved));
 }
 
@@ -776,7 +776,7 @@ build_card_answer(
 	for (size_t i = 0; i < n; i++)
 		page.measured =
 		    page.measured ||
-		    !isnan(measured_quantity_at_speed(s, all->question,
+		    !isnan(mean_of_repeats_at_speed(s, all->question,
 			&all->q[index_of_figure_with_range(all)], speed[i],
 			&page.moved));
 	for (size_t i = 0; i < n; i++) {

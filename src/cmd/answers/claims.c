@@ -256,7 +256,7 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 	answer_begin_table_for_programs(r);
 	answer_columns(r, "claim, borne_out, figures");
 	for (size_t i = 0; i < c.n; i++)
-		site_append_source(&about, c.fit[i]->site);
+		sources_add_site(&about, c.fit[i]->site);
 	answer_title(r,
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
 	answer_set_sites(r, "", about);

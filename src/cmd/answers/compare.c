@@ -46,7 +46,7 @@ are_two_sites(const struct side side[2])
 
 /* Returns the passing at a size, NAN if the side's sieves do not cover it. */
 static double
-side_passing_at_size(const struct side *side, double x)
+compared_passing_at_size(const struct side *side, double x)
 {
 	const struct psd *p = side->pinned ? &side->p.curve : &side->p.product;
 	return psd_covers_size(p, x) ? psd_passing(p, x) : NAN;
@@ -110,8 +110,8 @@ add_comparison_rows(struct answer *r, const struct side side[2],
 	if (band)
 		answer_columns(r, "low, high");
 	for (size_t i = 0; i < n; i++) {
-		double a = side_passing_at_size(&side[0], x[i]);
-		double b = side_passing_at_size(&side[1], x[i]);
+		double a = compared_passing_at_size(&side[0], x[i]);
+		double b = compared_passing_at_size(&side[1], x[i]);
 		snprintf(key, sizeof key, "passing_pct@%g", units_mm(x[i]));
 		snprintf(head, sizeof head, "%g", units_mm(x[i]));
 		answer_name(r, key, head);
@@ -160,7 +160,7 @@ difference_range_over_feeds(const struct session *s, const struct side side[2],
 
 /* Returns a difference as it is shown: rounded, and never -0. */
 static double
-shown_difference(const struct quantity *q, double value)
+round_difference_as_shown(const struct quantity *q, double value)
 {
 	double steps = pow(10, quantities_decimals(q));
 	return round(steps * quantities_value_in_shown_unit(q, value)) / steps +
@@ -176,8 +176,8 @@ note_difference(struct answer *r, const struct session *s,
 	const char *unit = quantities_difference_suffix(q);
 	FREED char *words = quantities_name(q);
 	FREED char *chance = predict_chance_words(side[0].q.level);
-	double range[2], low = shown_difference(q, more.low);
-	double high = shown_difference(q, more.high);
+	double range[2], low = round_difference_as_shown(q, more.low);
+	double high = round_difference_as_shown(q, more.high);
 	if (low > 0 || high < 0)
 		answer_note(r,
 		    low > 0 ? N_("%s is higher at %s, %s by %.*f to %.*f%s")
@@ -197,8 +197,8 @@ note_difference(struct answer *r, const struct session *s,
 		answer_note(r,
 		    "with the feeds that were sampled, the difference in %s "
 		    "ranges from %+.*f to %+.*f%s",
-		    words, digits, shown_difference(q, range[0]), digits,
-		    shown_difference(q, range[1]), unit);
+		    words, digits, round_difference_as_shown(q, range[0]),
+		    digits, round_difference_as_shown(q, range[1]), unit);
 }
 
 /* Adds, for each of the figures that were named [n], a row, an object for
@@ -256,8 +256,8 @@ put_side_fields(struct fields *o, const char *key, const struct side *side,
 	    answers_is_speed_extrapolated(side->entry, side->p.speed));
 	struct fields *passing = fields_add_list(one, "passing_pct");
 	for (size_t i = 0; i < n; i++)
-		fields_put(
-		    passing, "%g", units_pct(side_passing_at_size(side, x[i])));
+		fields_put(passing, "%g",
+		    units_pct(compared_passing_at_size(side, x[i])));
 	answers_put_sizes(one, &side->p);
 	screened_put_fields(one, &side->p);
 	origin_put_fields(one, side->entry);

@@ -391,7 +391,7 @@ static const struct {
     {"equations", false, false, show_equations},
     {"claims", false, false, show_claims},
     {"search", true, false, cmd_history},
-    {"store", false, false, show_store},
+    {"store", false, false, show_store_summary},
     {"log", false, false, show_log},
 };
 

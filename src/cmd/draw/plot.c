@@ -78,7 +78,7 @@ struct plot_questions {
 /* Leaves the error about a site that is not loaded to plots_make_chart.  A
  * speed given as feed= names a sample of the first site only. */
 static bool
-parse_plot_questions(struct session *s, const struct args *args,
+questions_of_plot_from_args(struct session *s, const struct args *args,
     struct plot_questions *a, struct error *error)
 {
 	struct plot_request *r = &a->request;
@@ -120,7 +120,7 @@ make_requested_chart(struct session *s, const struct args *args,
 {
 	*a = (struct plot_questions){0};
 	return parse_plot_request(s, args, &a->request, error) &&
-		       parse_plot_questions(s, args, a, error)
+		       questions_of_plot_from_args(s, args, a, error)
 		   ? plots_make_chart(s, &a->request, error)
 		   : NULL;
 }

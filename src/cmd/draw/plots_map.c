@@ -132,7 +132,7 @@ map_sources_text(const struct session *s, size_t apart)
 				   "user's own fits"));
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].has_params)
-			site_append_source(&loaded, s->entry[i].site);
+			sources_add_site(&loaded, s->entry[i].site);
 	if (loaded[0] != '\0')
 		xappend_to_list(&about, "; ", tr("loaded sites: %s"), loaded);
 	free(loaded);

@@ -665,7 +665,7 @@ build_league_answer_of_all(const struct session *s, const struct league *l)
 			struct fields *own = fields_add_object(sites, NULL);
 			fields_put(own, "site %s key %s", g->site->name, key);
 			put_league_fields(own, &v);
-			site_append_source(&about, g->site);
+			sources_add_site(&about, g->site);
 		} else {
 			put_league_fields(answer_fields(r), &v);
 			say_best_model(r, &v);

@@ -56,7 +56,7 @@ share_of_first_impacts(
 
 /* Returns the mean energy of the impacts above the cut, divided by v^2/2. */
 static double
-mean_energy_ratio(
+mean_impact_energy_over_nominal(
     const struct energy_question *q, const struct spectrum_size *of, bool first)
 {
 	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, first);
@@ -86,7 +86,7 @@ energy_add_row(struct answer *r, const struct energy_question *q,
 	    spectrum_impacts_per_particle(q->spectrum, of, 0),
 	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
-	    mean_energy_ratio(q, of, false),
+	    mean_impact_energy_over_nominal(q, of, false),
 	    100 * share_of_first_impacts(q, of),
 	    k_of_selection(q, of, of->size));
 }
@@ -188,7 +188,7 @@ note_whether_one_impact_is_fair(struct answer *r,
 	const double within = 0.8;
 	double k = k_of_selection(q, whole, whole->size), ratio;
 	double first = share_of_first_impacts(q, whole);
-	ratio = mean_energy_ratio(q, whole, q->spectrum->ordered);
+	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
 		answer_say(r, ANSWER_REMARK,
 		    "without a tip speed nothing can be said of v^2/2: load "

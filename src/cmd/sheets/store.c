@@ -1130,7 +1130,8 @@ show_material(struct session *s, const struct stored *m)
 }
 
 bool
-show_store(struct session *s, const struct args *args, struct error *error)
+show_store_summary(
+    struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	struct stored_list all = {0};

@@ -188,8 +188,8 @@ sum_of_masses(const double *mass, size_t n)
 
 /* Replaces a stream; returns what it changed by. */
 static double
-replace_stream(struct circuit_solver *s, size_t stream, const double *mass,
-    const double *share, double of)
+update_stream_masses(struct circuit_solver *s, size_t stream,
+    const double *mass, const double *share, double of)
 {
 	double *to = s->mass + stream * s->classes, change = 0;
 	for (size_t i = 0; i < s->classes; i++) {
@@ -205,10 +205,10 @@ static double
 separate_by_screen(struct circuit_solver *s, const struct unit *unit, size_t u)
 {
 	const double *over = s->over + u * s->classes;
-	double change = replace_stream(s, unit->out[0], s->in, over, 1);
+	double change = update_stream_masses(s, unit->out[0], s->in, over, 1);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] = s->in[i] - s->in[i] * over[i];
-	return change + replace_stream(s, unit->out[1], s->out, NULL, 1);
+	return change + update_stream_masses(s, unit->out[1], s->out, NULL, 1);
 }
 
 static double
@@ -220,7 +220,7 @@ pass_through_crusher(
 	transfer_product(s->transfer[u], draw, s->rotor, s->out);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] += s->in[i] * unit->cascade;
-	return replace_stream(s, unit->out[0], s->out, NULL, 1);
+	return update_stream_masses(s, unit->out[0], s->out, NULL, 1);
 }
 
 /* Works one unit out; returns how much streams that close loops changed. */
@@ -235,7 +235,7 @@ compute_unit(struct circuit_solver *s, size_t u, size_t draw)
 			s->in[i] += s->mass[unit->in[k] * s->classes + i];
 	switch (unit->kind) {
 	case UNIT_FEED:
-		return replace_stream(
+		return update_stream_masses(
 		    s, unit->out[0], s->feed, NULL, s->c->tph);
 	case UNIT_CRUSHER:
 		return pass_through_crusher(s, unit, u, draw);
@@ -243,7 +243,7 @@ compute_unit(struct circuit_solver *s, size_t u, size_t draw)
 		return separate_by_screen(s, unit, u);
 	case UNIT_SPLIT:
 		for (size_t k = 0; k < unit->n_out; k++)
-			change += replace_stream(
+			change += update_stream_masses(
 			    s, unit->out[k], s->in, NULL, unit->share[k]);
 		return change;
 	case UNIT_STOCKPILE:

@@ -569,8 +569,8 @@ gather_curves(
 }
 
 static void
-add_bent_cell(struct outlier_findings *d, const struct site *site, double noise,
-    struct leave_out_cell cell)
+add_cell_off_curve(struct outlier_findings *d, const struct site *site,
+    double noise, struct leave_out_cell cell)
 {
 	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
 	outliers_add_cell(d, site, &cell, &s);
@@ -586,7 +586,7 @@ find_most_bent_cell(struct outlier_findings *d, const struct site *site,
 	struct psd_outlier o = psd_find_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
-		add_bent_cell(d, site, noise,
+		add_cell_off_curve(d, site, noise,
 		    (struct leave_out_cell){feed, run[o.curve], o.sieve});
 	free(curve);
 	free(run);

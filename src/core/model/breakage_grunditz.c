@@ -161,7 +161,7 @@ add_integral_between(const struct continuous_solver *c, double a, double b,
 }
 
 static void
-integrate_whole_feed(struct continuous_solver *c, size_t n_shape)
+integrate_above_each_edge(struct continuous_solver *c, size_t n_shape)
 {
 	memset(&c->above[0], 0, sizeof c->above[0]);
 	for (size_t e = 0; e + 1 < c->n_edge; e++) {
@@ -276,7 +276,7 @@ compute_product_by_moments(
 	const double *T = a->whole;
 	if (c->above == NULL)
 		c->above = xcalloc(c->n_edge, sizeof *c->above);
-	integrate_whole_feed(c, n_shape);
+	integrate_above_each_edge(c, n_shape);
 	double total = sum_weighted_by_beta(a, T);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		passing[i] = c->feed_passing[i];

@@ -167,7 +167,7 @@ range_of_alpha(
  *   d e0_min = alpha e0_min d ln x*  at constant alpha,
  *   d ln x* = ln x* d ln(share of x). */
 static double
-strength_from_coordinates(
+strength_and_prior_from_coordinates(
     const struct coordinates *c, const double *x, double *at)
 {
 	size_t f = c->of->strength;
@@ -230,7 +230,8 @@ coordinates_to_params(const struct coordinates *c, const double *x, double *at)
 	}
 	if (c->of->gauge > 0)
 		sum += gauge_from_coordinates(c, x, at);
-	return c->by_slope ? sum + strength_from_coordinates(c, x, at) : sum;
+	return c->by_slope ? sum + strength_and_prior_from_coordinates(c, x, at)
+			   : sum;
 }
 
 void

@@ -608,7 +608,7 @@ is_draw_straight(const struct posterior *p, size_t draw)
 
 /* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
-straighten_between_speeds(struct ensemble *e, double v, size_t k)
+straighten_some_draws_between_runs(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
 	double a = p->speed[k], b = p->speed[k + 1];
@@ -630,7 +630,7 @@ ensemble_set_speed(struct ensemble *e, double v)
 	if (v == e->at)
 		return;
 	if (is_between_measured_speeds(e->of, v, &k))
-		straighten_between_speeds(e, v, k);
+		straighten_some_draws_between_runs(e, v, k);
 	else
 		compute_rising_answers_at(e, v);
 	if (e->bypass > 0) {

@@ -455,7 +455,7 @@ site_source(const struct site *site, const char *none)
 }
 
 void
-site_append_source(char **list, const struct site *site)
+sources_add_site(char **list, const struct site *site)
 {
 	char *clause = site_source(site, "provenance not stated");
 	if (strstr(*list, clause) == NULL)

@@ -183,7 +183,7 @@ char *site_source(const struct site *site, const char *none);
 
 /* Adds the first clause of the site's provenance to a list "a; b", unless it is
  * there already. */
-void site_append_source(char **list, const struct site *site);
+void sources_add_site(char **list, const struct site *site);
 
 /* Returns the effect of errors in the stated speeds on the answer at tip speed
  * v, in multiples of the error of one speed.  It combines the errors of the

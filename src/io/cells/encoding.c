@@ -150,7 +150,7 @@ encoding_decode(const char *bytes, size_t n)
 /* False for a letter with very many accents: utf8proc sorts them by exchanging
  * neighbours, which for a million of them would take too long. */
 static bool
-is_safe_to_compose(const char *text)
+may_be_composed(const char *text)
 {
 	enum { MOST_MARKS = 30 };
 	bool plain = true;
@@ -170,9 +170,8 @@ char *
 encoding_to_nfc(const char *text)
 {
 	utf8proc_uint8_t *composed =
-	    is_safe_to_compose(text)
-		? utf8proc_NFC((const utf8proc_uint8_t *)text)
-		: NULL;
+	    may_be_composed(text) ? utf8proc_NFC((const utf8proc_uint8_t *)text)
+				  : NULL;
 	if (composed == NULL)
 		return xstrdup(text);
 	return (char *)composed;

@@ -396,7 +396,7 @@ is_phi_head(const struct grid *g, size_t r, size_t c)
 }
 
 static enum sieve_kind
-sieve_kind_at(const struct grid *g, size_t r, size_t c, double *mm)
+sieve_kind_of_cell(const struct grid *g, size_t r, size_t c, double *mm)
 {
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
@@ -410,7 +410,7 @@ static bool
 layout_is_sieve(const struct grid *g, size_t r, size_t c)
 {
 	double mm;
-	return sieve_kind_at(g, r, c, &mm) != SIEVE_IS_NONE;
+	return sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_NONE;
 }
 
 /* True if one of the columns after c and before `end` has a number. */
@@ -464,7 +464,7 @@ find_table_end(const struct grid *g, struct place *p)
 	p->last = p->first;
 	for (size_t r = p->first; r < g->n_row; r++) {
 		double mm;
-		enum sieve_kind kind = sieve_kind_at(g, r, p->c, &mm);
+		enum sieve_kind kind = sieve_kind_of_cell(g, r, p->c, &mm);
 		bool numbers = has_number_beside(g, r, p->c, p->end);
 		if (is_sieve_head(g, r, p->c))
 			break;
@@ -508,7 +508,7 @@ is_count_of_samples(const struct grid *g, const struct place *p)
 	double mm, last = NAN;
 	size_t n = 0, steps = 0;
 	for (size_t r = p->first; r < p->last; r++) {
-		if (sieve_kind_at(g, r, p->c, &mm) != SIEVE_IS_SIZE)
+		if (sieve_kind_of_cell(g, r, p->c, &mm) != SIEVE_IS_SIZE)
 			continue;
 		steps += fabs(fabs(mm - last) - 1) < 1e-9;
 		last = mm;
@@ -576,7 +576,7 @@ static bool
 is_pan_row(const struct grid *g, size_t r, size_t c)
 {
 	double mm;
-	return sieve_kind_at(g, r, c, &mm) == SIEVE_IS_PAN &&
+	return sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_PAN &&
 	       has_number_beside(g, r, c, g->n_col);
 }
 
@@ -594,11 +594,11 @@ find_headless_table(const struct grid *g, struct place *place)
 			    c, g->n_row, r, 0, g->n_col, 0, false};
 			double mm, last = NAN;
 			size_t rises = 0, falls = 0, n = 0;
-			if (sieve_kind_at(g, r, c, &mm) != SIEVE_IS_SIZE)
+			if (sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
 			find_table_end(g, &p);
 			for (size_t i = r; i < p.last; i++) {
-				if (sieve_kind_at(g, i, c, &mm) !=
+				if (sieve_kind_of_cell(g, i, c, &mm) !=
 				    SIEVE_IS_SIZE)
 					continue;
 				rises += mm > last;
@@ -711,7 +711,7 @@ find_tables_in_column(
 	     r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};
-		if (sieve_kind_at(g, r, c, &mm) == SIEVE_IS_NONE ||
+		if (sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_NONE ||
 		    !has_number_beside(g, r, c, g->n_col))
 			continue;
 		find_table_end(g, &p);

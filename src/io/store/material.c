@@ -82,7 +82,7 @@ stored_integer_of_field(const struct stored *m, const struct field *f)
 }
 
 void
-stored_set_text(struct stored *m, const struct field *f, const char *text)
+stored_set_text_field(struct stored *m, const struct field *f, const char *text)
 {
 	char *copy = xstrdup(text);
 	free(*stored_text_of_field(m, f));
@@ -96,7 +96,7 @@ stored_empty(void)
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		if (f->kind == FIELD_TEXT)
-			stored_set_text(&m, f, "");
+			stored_set_text_field(&m, f, "");
 		else if (f->kind == FIELD_NUMBER)
 			*stored_number_of_field(&m, f) = NAN;
 		else if (f->kind == FIELD_WHOLE)

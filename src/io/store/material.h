@@ -81,11 +81,12 @@ const struct stored_name *stored_index_find(
 void stored_index_clear(struct stored_index *index);
 
 /* Return where the value of a field of this kind is kept in m.
- * stored_set_text copies the text. */
+ * stored_set_text_field copies the text. */
 char **stored_text_of_field(const struct stored *m, const struct field *f);
 double *stored_number_of_field(const struct stored *m, const struct field *f);
 int64_t *stored_integer_of_field(const struct stored *m, const struct field *f);
-void stored_set_text(struct stored *m, const struct field *f, const char *text);
+void stored_set_text_field(
+    struct stored *m, const struct field *f, const char *text);
 
 /* Returns any field as text that reads back as the same value, or "" if not
  * known.  The caller frees it. */

@@ -578,7 +578,7 @@ read_checked_row(const struct store *store, sqlite3_stmt *stmt,
 		const struct field *f = &FIELDS[i];
 		bool none = sqlite3_column_type(stmt, i + 2) == SQLITE_NULL;
 		if (f->kind == FIELD_TEXT)
-			stored_set_text(m, f, column_text(stmt, i + 2));
+			stored_set_text_field(m, f, column_text(stmt, i + 2));
 		else if (f->kind == FIELD_NUMBER && !none)
 			*stored_number_of_field(m, f) =
 			    sqlite3_column_double(stmt, i + 2);
@@ -717,7 +717,7 @@ store_count_materials(struct store *store, size_t *n, struct error *error)
 /* Calls take for the first column of each row of a query, whose ?1 is a folded
  * beginning, ?2 past all that begin so, and ?3 how many rows to take. */
 static bool
-call_for_each_text(struct store *store, const char *sql, const char *fold,
+visit_texts_of_query(struct store *store, const char *sql, const char *fold,
     size_t most, void (*take)(void *data, const char *text), void *data,
     struct error *error)
 {
@@ -751,7 +751,7 @@ store_visit_names(struct store *store, enum store_word what,
 	static const char *const SQL[] = {
 	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
 	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
-	return call_for_each_text(store, SQL[what], "", 0, take, data, error);
+	return visit_texts_of_query(store, SQL[what], "", 0, take, data, error);
 }
 
 bool
@@ -765,7 +765,7 @@ store_visit_names_beginning(struct store *store, const char *beginning,
 	    "FROM matching ORDER BY fold LIMIT ?3) OR fold = (SELECT max(fold) "
 	    "FROM matching) ORDER BY fold";
 	FREED char *fold = text_fold_case_and_accents(beginning);
-	return call_for_each_text(store, SQL, fold, most, take, data, error);
+	return visit_texts_of_query(store, SQL, fold, most, take, data, error);
 }
 
 /* Binds a material to a row; unknown values stay NULL. */

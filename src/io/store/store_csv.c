@@ -167,7 +167,7 @@ parse_value_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 	FREED char *wanted = stored_describe_valid_values(m, f);
 	bool read = true;
 	if (f->kind == FIELD_TEXT)
-		stored_set_text(m, f, cell.text);
+		stored_set_text_field(m, f, cell.text);
 	else if (f->kind == FIELD_MODEL)
 		stored_set_field_from_text(m, f, cell.text);
 	else if ((read = number_read_cell(sheet, cell, wanted, &value)))

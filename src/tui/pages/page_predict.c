@@ -24,7 +24,7 @@
 #include "tui/widgets/panel.h"
 
 static void
-predict_draw_runs(struct tui *t)
+predict_draw_measured_curves(struct tui *t)
 {
 	struct plot_request request = plots_default_request(PLOT_RUNS);
 	request.words = 0;
@@ -45,7 +45,7 @@ predict_draw(struct tui *t)
 		return;
 	}
 	if (t->ui.runs) {
-		predict_draw_runs(t);
+		predict_draw_measured_curves(t);
 		panel_draw(t);
 		return;
 	}

@@ -402,7 +402,8 @@ draw_curves_of_site(struct tui *t, struct area area)
 /* Draws these words at the foot of the page, below row `first`.  Returns how
  * many rows they leave. */
 static int
-draw_site_description(const struct tui *t, const struct area *area, int first)
+draw_selected_site_at_foot(
+    const struct tui *t, const struct area *area, int first)
 {
 	enum { LABEL = 2 };
 	static const size_t ORDER[ABOUT] = {LABEL, 3, 1, 0};
@@ -442,7 +443,7 @@ sites_draw(struct tui *t)
 		return;
 	struct area preview = area;
 	preview.row += first + 1;
-	preview.rows = draw_site_description(t, &area, first) - GAPS;
+	preview.rows = draw_selected_site_at_foot(t, &area, first) - GAPS;
 	draw_curves_of_site(t, preview);
 }
 

@@ -275,7 +275,7 @@ quantity_to_show(const struct condition_list *list)
 /* Shows the quantity that binds, once that is known, unless the user chose
  * another. */
 static void
-show_what_binds(struct tui *t)
+select_binding_quantity(struct tui *t)
 {
 	const struct goal *g = &t->view.goal;
 	if (!goal_is_known(t) || !t->ui.quantity_of_goal)
@@ -294,7 +294,7 @@ goal_compute_step(struct tui *t)
 	goals_step_search(
 	    t->session, tui_entry_for_prediction(t), g, tui_feed_run(t));
 	if (pending)
-		show_what_binds(t);
+		select_binding_quantity(t);
 }
 
 /* Reads the field on Enter.  What cannot be read stays, to be corrected. */
@@ -318,7 +318,7 @@ parse_goal_field(struct tui *t)
 		t->ui.quantity_of_goal = true;
 		line = command_that_sets_goal(t, text);
 		if (line == NULL)
-			show_what_binds(t);
+			select_binding_quantity(t);
 	} else {
 		tui_say(t, true, "%s%s%s", error.text,
 		    error.hint[0] != '\0' ? ": " : "", error.hint);
