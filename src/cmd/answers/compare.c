@@ -440,7 +440,8 @@ add_compared_curves(struct answer *r, const struct session *s,
 	add_comparison_rows(r, side, f, band, x, n);
 	if (band)
 		answer_say(r, ANSWER_REMARK,
-		    "low, high: of the difference, with %.0f %% probability",
+		    "low, high: the difference lies between them with %.0f %% "
+		    "probability",
 		    100 * side[0].q.level);
 	for (size_t i = 0; i < 2; i++)
 		forecast_close(f[i]);

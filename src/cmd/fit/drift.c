@@ -131,14 +131,14 @@ say_when_to_recalibrate(struct answer *a, const struct entry *entry,
 	FREED char *since = cut_number_and_date(r, r->since);
 	FREED char *speeds = speeds_of_cuts_text(r, r->since, &n);
 	answer_note(a,
-	    n > 1 ? N_("next: find the cause; if the change is to stay, "
-		       "sample feed and product anew: 'template speeds=%s > "
-		       "new.csv' has the columns for them and for the cuts "
-		       "from %s on")
-		  : N_("next: find the cause; if the change is to stay, "
-		       "sample feed and product anew, also at another speed: "
-		       "'template speeds=%s > new.csv' has the columns for "
-		       "them and for the cuts from %s on"),
+	    n > 1
+		? N_("next: find the cause; if the change is permanent, sample "
+		     "feed and product anew: 'template speeds=%s > new.csv' "
+		     "has the columns for them and for the cuts from %s on")
+		: N_("next: find the cause; if the change is permanent, sample "
+		     "feed and product anew, also at another speed: 'template "
+		     "speeds=%s > new.csv' has the columns for them and for "
+		     "the cuts from %s on"),
 	    speeds, since);
 }
 

@@ -96,8 +96,8 @@ next_step_after_fit(const struct session *s, const struct entry *entry)
 		    false, NEXT_ANSWER};
 	return (struct next){"tui",
 	    origin_is_from_store(entry->origin)
-		? N_("'predict' answers here, 'add' takes new cuts; open "
-		     "full-screen mode?")
+		? N_("'predict' answers at this prompt, 'add' takes new cuts; "
+		     "open full-screen mode?")
 		: N_("'remember' keeps the calibration; open full-screen "
 		     "mode?"),
 	    false, NEXT_ANSWER};

@@ -697,8 +697,9 @@ is_no_sample(const struct column *c, struct site *site)
 	} else if (filled == 0) {
 		leave_out(site, c, "it is empty");
 	} else if ((means & WORD_LIMIT) != 0) {
-		leave_out(
-		    site, c, "%s: a limit, or calculated, or rejected", head);
+		leave_out(site, c,
+		    "%s: looks like a limit, or calculated or rejected values",
+		    head);
 	} else if (words && (means & ROLE_WORDS) == 0) {
 		leave_out(site, c, "%s: it has words", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
