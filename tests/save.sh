@@ -155,4 +155,14 @@ cp "$here/tierp.csv" "$here/$name"
 	>"$dir/out" 2>&1
 [ $? -eq 3 ] && grep -q 'cannot write' "$dir/out"
 result $? "a name that no script can hold is refused"
+mkdir -p "$dir/state/tipspeed"
+for pid in 99999 100002; do
+	printf '# 1 command, %s\nload tierp.csv\n' "$pid" \
+		>"$dir/state/tipspeed/session-$pid.tip"
+done
+touch -d '2026-11-25 10:00:00.1' "$dir/state/tipspeed/session-99999.tip"
+touch -d '2026-11-25 10:00:00.2' "$dir/state/tipspeed/session-100002.tip"
+XDG_STATE_HOME=$dir/state "$TIPSPEED" -c restore >"$dir/out" 2>&1
+grep -o 'command, [0-9]*' "$dir/out" | head -n 1 | grep -q 100002
+result $? "of two sessions kept in one second the later comes first"
 finish

@@ -66,7 +66,7 @@ autosave_begin(struct session *s)
 	char *offer = NULL, day[8];
 	struct autosave_left *file = autosave_list_left_files(&n);
 	if (n > 0) {
-		const struct tm *tm = localtime(&file[0].when);
+		const struct tm *tm = localtime(&file[0].when.tv_sec);
 		strftime(day, sizeof day, " %H:%M", tm);
 		offer = xasprintf(
 		    n > 1 ? tr("'restore last' brings back your last session, "
@@ -222,7 +222,7 @@ autosave_show_list(struct session *s)
 	for (size_t i = 0; i < n; i++) {
 		char when[32];
 		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
-		    localtime(&file[i].when));
+		    localtime(&file[i].when.tv_sec));
 		answer_add_cells(
 		    r, "%s %s %s", when, file[i].about, file[i].path);
 	}

@@ -89,17 +89,18 @@ read_autosave_details(struct autosave_left *file)
 	head[strcspn(head, "\n")] = '\0';
 	bool text = text_is_utf8(head, strlen(head));
 	file->about = xstrdup(text ? head + 2 : "?");
-	file->when = info.st_mtime;
+	file->when = info.st_mtim;
 	return true;
 }
 
-/* Of two files from the same second, the later name is the newer one. */
 static int
 compare_newer_first(const void *a, const void *b)
 {
-	const struct autosave_left *x = a, *y = b;
-	return x->when != y->when ? (x->when < y->when) - (x->when > y->when)
-				  : strcmp(y->path, x->path);
+	const struct timespec *x = &((const struct autosave_left *)a)->when;
+	const struct timespec *y = &((const struct autosave_left *)b)->when;
+	if (x->tv_sec != y->tv_sec)
+		return x->tv_sec < y->tv_sec ? 1 : -1;
+	return (x->tv_nsec < y->tv_nsec) - (x->tv_nsec > y->tv_nsec);
 }
 
 struct autosave_left *

@@ -38,7 +38,7 @@ void autosave_file_remove(struct autosave_file *kept);
  * time it was written. */
 struct autosave_left {
 	char *path, *about;
-	time_t when;
+	struct timespec when;
 };
 
 /* Returns the files of runs that have ended, newest first: [n].  Free with
