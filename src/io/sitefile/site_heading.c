@@ -191,8 +191,7 @@ site_heading_date_of_line(const struct row *row)
 {
 	struct cell key = {0}, value, third;
 	struct datetime m;
-	char *day = NULL;
-	for (size_t at = 0, n; day == NULL && at < row->n;) {
+	for (size_t at = 0, n; at < row->n;) {
 		FREED char *left = NULL, *right = NULL;
 		n = next_key_and_value(row, &at, &key, &value, &third);
 		if (n == 0)
@@ -206,10 +205,11 @@ site_heading_date_of_line(const struct row *row)
 			: (double)NAN;
 		if (isnan(seconds))
 			continue;
-		day = datetime_to_text(seconds);
+		char *day = datetime_to_text(seconds);
 		day[strcspn(day, " ")] = '\0';
+		return day;
 	}
-	return day;
+	return NULL;
 }
 
 /* True for "rock Granite", which lacks a separator. */
