@@ -481,8 +481,10 @@ site_data_kind(const char *provenance)
 {
 	char *folded = text_fold_case_and_accents(provenance);
 	const char *text = text_trim(folded), *kind = N_("measured");
-	const char none[] = "not stated";
-	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0)
+	const char none[] = "not stated", day[] = "sheet of ";
+	/* The day of a sheet does not say that its numbers were measured. */
+	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0 ||
+	    strncmp(text, day, strlen(day)) == 0)
 		kind = "not stated";
 	for (size_t i = 0; i < ARRAY_LEN(MADE_UP); i++)
 		if (strncmp(text, MADE_UP[i], strlen(MADE_UP[i])) == 0)

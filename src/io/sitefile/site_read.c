@@ -980,7 +980,7 @@ note_days_of_cuts(struct reading *r)
 }
 
 /* If nothing says where the data are from, but one day is stated outside the
- * tables, that is their provenance. */
+ * tables, the provenance has that day; see site_data_kind. */
 static void
 take_day_for_provenance(struct reading *r)
 {
@@ -1002,7 +1002,7 @@ take_day_for_provenance(struct reading *r)
 	if (found == NULL || differ || r->site->provenance[0] != '\0')
 		return;
 	free(r->site->provenance);
-	r->site->provenance = xasprintf(tr("sheet of %s"), found);
+	r->site->provenance = xasprintf("sheet of %s", found);
 }
 
 static struct site *
