@@ -515,8 +515,9 @@ conditions_speed_range_of_args(const struct session *s, const struct args *args,
 	*to = args->to > 0 ? args->to : *to;
 	return *from < *to || error_set(error, ERROR_USAGE,
 				  "from= must be below to=, got %g and %g m/s\n"
-				  "write from=65 to=85",
-				  *from, *to);
+				  "write from=%g to=%g",
+				  *from, *to, *from > *to ? *to : 65,
+				  *from > *to ? *from : 85);
 }
 
 char *
