@@ -8,6 +8,7 @@
 
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/posterior/ensemble.h"
 #include "counts.h"
 #include "plants.h"

@@ -8,6 +8,7 @@
 #include "rules.h"
 
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"

@@ -16,6 +16,7 @@
 #include "cmd/ask/question.h"
 #include "core/model/classes.h"
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/answer/predict.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
@@ -129,7 +130,7 @@ static void
 note_equations_with_numbers(struct answer *r, const struct params *p, double k)
 {
 	answer_note(r, "Eq 4: E = v^2 / 2, J/kg at v m/s");
-	FREED char *S = breakage_model_of_params(p)->selection_text(p, k);
+	FREED char *S = selection_text(p, k);
 	FREED char *B = breakage_model_of_params(p)->appearance_text(p);
 	answer_note(r, "Eq 3: %s", S);
 	answer_note(r, "Eq 1: %s", B);

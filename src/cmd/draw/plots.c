@@ -18,6 +18,7 @@
 #include "cmd/session/sites.h"
 #include "core/numeric/elementary.h"
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/search/misfit.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
@@ -237,7 +238,7 @@ add_selection_curve(struct chart *chart, const struct session *s,
 	breaker_set_speed(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
-		series->y[i] = 100 * b.model->selection(
+		series->y[i] = 100 * selection_by_breaker(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
 	double mm =

@@ -16,6 +16,7 @@
 #include "cmd/ask/trust_light.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/check/trust.h"
 #include "core/check/validate.h"
 #include "core/psd/rotor_speed.h"

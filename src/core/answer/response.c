@@ -10,6 +10,7 @@
 
 #include "base/xalloc.h"
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/numeric/elementary.h"
 #include "core/posterior/ensemble.h"
 #include "core/model/product.h"

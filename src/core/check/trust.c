@@ -13,6 +13,7 @@
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
 #include "core/model/product.h"
+#include "core/model/selection.h"
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "core/search/sensitivity.h"

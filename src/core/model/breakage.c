@@ -148,23 +148,6 @@ energy_specific_at_speed(double v)
 }
 
 double
-params_break_size(const struct params *p, double v)
-{
-	return breakage_model_of_params(p)->break_size(
-	    p, energy_specific_at_speed(v));
-}
-
-double
-params_break_size_by_impacts(
-    const struct params *p, const struct model_settings *settings, double v)
-{
-	const struct impacts *i = &settings->impacts;
-	double most = i->n > 0 ? i->ratio[i->n - 1] : 1;
-	return breakage_model_of_params(p)->break_size(
-	    p, most * energy_specific_at_speed(v));
-}
-
-double
 params_largest_gauge(const struct params *p)
 {
 	double largest = 0;
@@ -209,6 +192,12 @@ breaker_set_speed(struct breaker *b, double v)
 	b->v = v;
 	b->E = energy_specific_at_speed(v);
 	b->model->prepare(b);
+}
+
+bool
+breaker_has_progeny(const struct breaker *b)
+{
+	return b->model->gauge == 0 || b->appearance.total > 0;
 }
 
 struct model_settings

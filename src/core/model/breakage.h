@@ -7,12 +7,12 @@
 #ifndef TIPSPEED_CORE_MODEL_BREAKAGE_H
 #define TIPSPEED_CORE_MODEL_BREAKAGE_H
 
-#include <stdalign.h>
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/numeric/isa.h"
+#include "core/model/appearance.h"
 #include "core/model/params.h"
+#include "core/numeric/isa.h"
 
 struct batch_plan;
 
@@ -40,14 +40,16 @@ enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
 typedef void kernel_bin_candidates(const struct batch_plan *plan,
     const double *const *theta, size_t first, uint16_t *bin);
 
-/* Parameters at a tip speed, prepared by breaker_set_speed.  own: values that
- * the model computes once for these. */
+/* Parameters at a tip speed, prepared by breaker_set_speed.  appearance: that
+ * of beta scaled to 1, in a model with a gauge; own: other values that the
+ * model computes once. */
 struct breaker {
 	struct params p;
 	const struct breakage *model;
 	double k, v, E; /* impacts; m/s; J/kg */
 	struct impacts impacts;
-	alignas(max_align_t) unsigned char own[640];
+	struct appearance appearance;
+	double own[3];
 };
 
 struct continuous_solver;
@@ -59,8 +61,8 @@ struct breakage {
 	size_t n;
 	const struct param_info *parameter; /* [n] */
 	/* The gauge: the number of leading parameters of which only the
-	 * direction matters, as their scale is free.  gauge_name: the
-	 * collective name of these. */
+	 * direction matters, as their scale is free: the beta of Eq 1, or none.
+	 * gauge_name: the collective name of these. */
 	size_t gauge;
 	const char *gauge_name;
 	/* The parameter that a calibration sets to the mean specific energy of
@@ -70,36 +72,22 @@ struct breakage {
 	bool bypass;     /* the last parameter is the bypass share (D14) */
 	bool forms;      /* Eq 1 may be a function of sizes other than u (D3) */
 
-	/* Computes own from p, k, v and E. */
+	/* Computes appearance and own from p, k, v and E. */
 	void (*prepare)(struct breaker *b);
-	/* Returns the selection S at ln x, x in m, and adds its derivatives to
-	 * d [n], if not NULL. */
-	double (*selection)(const struct breaker *b, double log_x, double *d);
-	/* Returns the ln x at which -ln(1 - S) has the value `exponent`, for
-	 * the ends of panels in integrals of S.  It rises with the exponent; at
-	 * 0 it is the break size. */
-	double (*size_at)(const struct breaker *b, double exponent);
-	/* Returns the smallest size that can break, m: 0 if every size does,
-	 * INFINITY if none does. */
-	double (*break_size)(const struct params *p, double E);
 	/* B, the share of the progeny of size x finer than y = u x, for ln u <=
 	 * 0: a function of u at the speed times a function of y in m (NULL: 1).
-	 * d as for selection. */
+	 * Both add their derivatives to d [n], if not NULL. */
 	double (*finer)(const struct breaker *b, double log_u, double *d);
 	double (*at_size)(const struct breaker *b, double log_y, double *d);
 	/* Returns dB / d ln u, in any unit, for the shares of the size classes
 	 * (Table 1).  u may be a size in mm if the model has forms. */
 	double (*density)(
 	    const struct breaker *b, double u, double log_u, double log_x);
-	/* False if what breaks has no progeny, so product = feed. */
-	bool (*breaks)(const struct breaker *b);
 	/* A shortcut for the product, see continuous_solver_product; or NULL.
 	 */
 	void (*product)(
 	    struct continuous_solver *c, double *passing, double *d);
-	/* Return S and B as text with the numbers filled in.  The caller frees
-	 * it. */
-	char *(*selection_text)(const struct params *p, double k);
+	/* Returns B as text with its numbers.  The caller frees it. */
 	char *(*appearance_text)(const struct params *p);
 
 	struct {
@@ -155,16 +143,6 @@ struct params params_start_values(size_t breakage);
  * Source: paper Eq 4. */
 double energy_specific_at_speed(double v);
 
-/* Returns the break size x*, m: the smallest size that can break at tip speed
- * v, m/s, in the parameters' model; 0 if every size breaks, INFINITY if none
- * does. */
-double params_break_size(const struct params *p, double v);
-
-/* As params_break_size, but for the strongest of the impacts in the
- * settings. */
-double params_break_size_by_impacts(
-    const struct params *p, const struct model_settings *settings, double v);
-
 /* Returns the largest absolute value of the parameters in the gauge, or 0 if
  * there is no gauge. */
 double params_largest_gauge(const struct params *p);
@@ -186,6 +164,9 @@ bool model_settings_same(
 void breaker_set_params(struct breaker *b, const struct params *p,
     const struct model_settings *settings);
 void breaker_set_speed(struct breaker *b, double v);
+
+/* False if what breaks has no progeny, so product = feed. */
+bool breaker_has_progeny(const struct breaker *b);
 
 /* The last row of a parameter table, for the models with a bypass.
  * D14: product = (1 - bypass) crushed + bypass feed. */

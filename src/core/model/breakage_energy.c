@@ -6,7 +6,6 @@
 
 #include "core/model/breakage_energy.h"
 
-#include <assert.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -18,23 +17,15 @@ enum { GAMMA = 7, E_REF };
 void
 energy_prepare_breaker(struct breaker *b)
 {
-	struct energy_own *own = (struct energy_own *)(void *)b->own;
-	static_assert(sizeof *own <= sizeof b->own, "room");
 	grunditz_prepare_breaker(b);
-	own->log_ratio = el_log(b->E / b->p.at[E_REF]);
-	own->exponent = el_exp(-b->p.at[GAMMA] * own->log_ratio);
-}
-
-const struct energy_own *
-energy_cached_values(const struct breaker *b)
-{
-	return (const struct energy_own *)(const void *)b->own;
+	b->own[OWN_LOG_RATIO] = el_log(b->E / b->p.at[E_REF]);
+	b->own[OWN_GAMMA] = el_exp(-b->p.at[GAMMA] * b->own[OWN_LOG_RATIO]);
 }
 
 double
 energy_share_finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[4] = {0}, e = energy_cached_values(b)->exponent;
+	double base[4] = {0}, e = b->own[OWN_GAMMA];
 	double B = grunditz_share_finer(b, log_u, d != NULL ? base : NULL);
 	if (!(B > 0))
 		return 0;
@@ -43,7 +34,7 @@ energy_share_finer(const struct breaker *b, double log_u, double *d)
 		return P;
 	for (size_t i = 0; i < 4; i++)
 		d[i] += e * P / B * base[i];
-	d[GAMMA] -= P * log_B * e * energy_cached_values(b)->log_ratio;
+	d[GAMMA] -= P * log_B * e * b->own[OWN_LOG_RATIO];
 	return P;
 }
 
@@ -52,9 +43,8 @@ energy_progeny_density(
     const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)log_x;
-	const struct appearance *a = grunditz_appearance(b);
-	double p = appearance_density(a->beta, u),
-	       e = energy_cached_values(b)->exponent;
+	const struct appearance *a = &b->appearance;
+	double p = appearance_density(a->beta, u), e = b->own[OWN_GAMMA];
 	double B = log_u < 0 ? grunditz_share_finer(b, log_u, NULL) : 1;
 	return B > 0 ? e * el_exp((e - 1) * el_log(B)) * p / a->total : 0;
 }
@@ -78,9 +68,8 @@ BREAKAGE_ROWS(ENERGY, "grunditz-energy",
     "the paper's, with finer progeny at higher energy (gamma)", 9,
     .source = "Grunditz et al. 2021, finer progeny at higher energy",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta",
-    .reference = E_REF, .strength = 4, SELECTION_MEMBERS,
-    .prepare = energy_prepare_breaker, .finer = energy_share_finer,
-    .density = energy_progeny_density, .breaks = grunditz_has_progeny,
+    .reference = E_REF, .strength = 4, .prepare = energy_prepare_breaker,
+    .finer = energy_share_finer, .density = energy_progeny_density,
     .appearance_text = energy_appearance_text, .kernel = KERNEL_ROW(energy))
 
 #else /* LANES */

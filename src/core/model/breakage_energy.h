@@ -6,14 +6,11 @@
 #include <math.h>
 
 #include "base/tr.h"
-#include "core/model/appearance.h"
 #include "core/model/breakage_grunditz.h"
 
-/* The breaker's own: the appearance, (E / E_ref)^-gamma and ln (E / E_ref). */
-struct energy_own {
-	struct appearance appearance;
-	double exponent, log_ratio;
-};
+/* The breaker's own: (E / E_ref)^-gamma, ln (E / E_ref) and, of grunditz-t10,
+ * (E / E_ref)^kappa. */
+enum { OWN_GAMMA, OWN_LOG_RATIO, OWN_KAPPA };
 
 #define ENERGY_PARAMETERS                                                  \
 	{"gamma", "-", 0, 2, -10, 10, 0,                                   \
@@ -24,8 +21,6 @@ struct energy_own {
 		       "runs"),                                            \
 		    0                                                      \
 	}
-
-const struct energy_own *energy_cached_values(const struct breaker *b);
 
 /* See the fields of that name in struct breakage. */
 void energy_prepare_breaker(struct breaker *b);

@@ -4,12 +4,10 @@
 
 #include "core/model/breakage_grunditz.h"
 
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/xalloc.h"
-#include "core/model/appearance.h"
 #include "core/model/continuous.h"
 #include "core/model/selection.h"
 
@@ -21,21 +19,13 @@ grunditz_prepare_breaker(struct breaker *b)
 {
 	struct params scaled = b->p;
 	params_scale_to_1(&scaled);
-	static_assert(sizeof(struct appearance) <= sizeof b->own, "room");
-	*(struct appearance *)(void *)b->own =
-	    appearance_with_beta(scaled.beta);
-}
-
-const struct appearance *
-grunditz_appearance(const struct breaker *b)
-{
-	return (const struct appearance *)(const void *)b->own;
+	b->appearance = appearance_with_beta(scaled.beta);
 }
 
 double
 grunditz_share_finer(const struct breaker *b, double log_u, double *d)
 {
-	const struct appearance *a = grunditz_appearance(b);
+	const struct appearance *a = &b->appearance;
 	double parts[4], sum = 0;
 	if (a->n == 0)
 		return 0;
@@ -49,12 +39,6 @@ grunditz_share_finer(const struct breaker *b, double log_u, double *d)
 	for (size_t i = 0; i < 4; i++)
 		d[i] += (parts[i] - B * a->whole[i]) * scale;
 	return B;
-}
-
-bool
-grunditz_has_progeny(const struct breaker *b)
-{
-	return grunditz_appearance(b)->total > 0;
 }
 
 char *
@@ -222,7 +206,7 @@ static void
 integrate_broken_parts(const struct continuous_solver *c, double log_s,
     size_t n_shape, double Q[SHAPES][4])
 {
-	const struct appearance *a = grunditz_appearance(&c->b);
+	const struct appearance *a = &c->b.appearance;
 	memset(Q, 0, sizeof(double[SHAPES][4]));
 	const double none[4] = {0}, *full = none;
 	struct moments outer = {0}, inner;
@@ -258,7 +242,7 @@ static void
 fill_derivative_row(const struct continuous_solver *c, double broken,
     double total, const double T[static 4], double Q[SHAPES][4], double *row)
 {
-	const struct appearance *a = grunditz_appearance(&c->b);
+	const struct appearance *a = &c->b.appearance;
 	double scale = params_largest_gauge(&c->b.p);
 	for (size_t b = 0; b < 4; b++)
 		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
@@ -271,7 +255,7 @@ static void
 compute_product_by_moments(
     struct continuous_solver *c, double *passing, double *d_passing)
 {
-	const struct appearance *a = grunditz_appearance(&c->b);
+	const struct appearance *a = &c->b.appearance;
 	size_t n_shape = d_passing != NULL ? SHAPES : 1;
 	const double *T = a->whole;
 	if (c->above == NULL)
@@ -301,9 +285,9 @@ KERNELS(grunditz);
 BREAKAGE_ROWS(GRUNDITZ, "grunditz", "Eqs 1 to 3 of the paper", 7,
     .source = "Grunditz et al. 2021", .parameter = PARAMETERS, .gauge = 4,
     .gauge_name = "beta", .forms = true, .reference = PARAMS_MOST,
-    .strength = F_MAT, SELECTION_MEMBERS, .prepare = grunditz_prepare_breaker,
+    .strength = F_MAT, .prepare = grunditz_prepare_breaker,
     .finer = grunditz_share_finer, .density = progeny_density,
-    .breaks = grunditz_has_progeny, .product = compute_product_by_moments,
+    .product = compute_product_by_moments,
     .appearance_text = grunditz_appearance_text, .kernel = KERNEL_ROW(grunditz))
 
 #else /* LANES */

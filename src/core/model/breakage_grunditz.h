@@ -17,13 +17,9 @@
 		    "appearance: term in u cubed", 0                           \
 	}
 
-/* Returns the breaker's own: the appearance for beta scaled to 1. */
-const struct appearance *grunditz_appearance(const struct breaker *b);
-
 /* See the fields of that name in struct breakage. */
 void grunditz_prepare_breaker(struct breaker *b);
 double grunditz_share_finer(const struct breaker *b, double log_u, double *d);
-bool grunditz_has_progeny(const struct breaker *b);
 char *grunditz_appearance_text(const struct params *p);
 
 #endif

@@ -17,7 +17,7 @@
 
 #include "core/model/breakage_energy.h"
 
-#include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
@@ -26,45 +26,31 @@
 
 enum { KAPPA = 9 };
 
-/* (E / E_ref)^kappa, ready behind what grunditz-energy has. */
-struct t10_own {
-	struct energy_own energy;
-	double exponent;
-};
-
-static double
-cached_exponent(const struct breaker *b)
-{
-	return ((const struct t10_own *)(const void *)b->own)->exponent;
-}
-
 static void
 prepare_breaker(struct breaker *b)
 {
-	struct t10_own *own = (struct t10_own *)(void *)b->own;
-	static_assert(sizeof *own <= sizeof b->own, "room");
 	energy_prepare_breaker(b);
-	own->exponent = el_exp(b->p.at[KAPPA] * own->energy.log_ratio);
+	b->own[OWN_KAPPA] = el_exp(b->p.at[KAPPA] * b->own[OWN_LOG_RATIO]);
 }
 
 static double
 share_finer(const struct breaker *b, double log_u, double *d)
 {
-	double base[PARAMS_MOST] = {0}, r = cached_exponent(b);
+	double base[PARAMS_MOST] = {0}, r = b->own[OWN_KAPPA];
 	double B = energy_share_finer(b, log_u, d != NULL ? base : NULL);
 	double rest = el_log(fmax(1 - B, 1e-300)), coarser = el_exp(r * rest);
 	if (d == NULL)
 		return 1 - coarser;
 	for (size_t i = 0; i < KAPPA && B < 1; i++)
 		d[i] += r * coarser / (1 - B) * base[i];
-	d[KAPPA] -= r * rest * coarser * energy_cached_values(b)->log_ratio;
+	d[KAPPA] -= r * rest * coarser * b->own[OWN_LOG_RATIO];
 	return 1 - coarser;
 }
 
 static double
 progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
-	double r = cached_exponent(b);
+	double r = b->own[OWN_KAPPA];
 	double B = log_u < 0 ? energy_share_finer(b, log_u, NULL) : 1;
 	return r * el_exp((r - 1) * el_log(fmax(1 - B, T10_LEAST))) *
 	       energy_progeny_density(b, u, log_u, log_x);
@@ -92,9 +78,8 @@ BREAKAGE_ROWS(T10, "grunditz-t10",
     "grunditz-energy, with finer progeny as t10 has it too (kappa)", 10,
     .source = "Grunditz et al. 2021, finer progeny by t10",
     .parameter = PARAMETERS, .gauge = 4, .gauge_name = "beta", .reference = 8,
-    .strength = 4, SELECTION_MEMBERS, .prepare = prepare_breaker,
-    .finer = share_finer, .density = progeny_density,
-    .breaks = grunditz_has_progeny, .appearance_text = appearance_text,
+    .strength = 4, .prepare = prepare_breaker, .finer = share_finer,
+    .density = progeny_density, .appearance_text = appearance_text,
     .kernel = KERNEL_ROW(t10))
 
 #else /* LANES */

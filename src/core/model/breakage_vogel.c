@@ -31,20 +31,13 @@ fines_factor(const struct breaker *b, double log_y, double *ratio)
 static void
 prepare_breaker(struct breaker *b)
 {
-	double *q = (double *)(void *)b->own;
-	*q = fmax(b->p.at[Q_SLOPE] * b->v + b->p.at[Q_0], LEAST_Q);
-}
-
-static double
-cached_exponent(const struct breaker *b)
-{
-	return *(const double *)(const void *)b->own;
+	b->own[0] = fmax(b->p.at[Q_SLOPE] * b->v + b->p.at[Q_0], LEAST_Q);
 }
 
 static double
 share_finer(const struct breaker *b, double log_u, double *d)
 {
-	double q = cached_exponent(b), B = el_exp(q * log_u);
+	double q = b->own[0], B = el_exp(q * log_u);
 	if (d != NULL && q > LEAST_Q) {
 		d[Q_SLOPE] += B * log_u * b->v;
 		d[Q_0] += B * log_u;
@@ -66,16 +59,8 @@ static double
 progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 {
 	(void)u;
-	double q = cached_exponent(b), ratio,
-	       w = fines_factor(b, log_x + log_u, &ratio);
+	double q = b->own[0], ratio, w = fines_factor(b, log_x + log_u, &ratio);
 	return el_exp(q * log_u) * w * (q + 2 * (1 - w) * ratio);
-}
-
-static bool
-has_progeny(const struct breaker *b)
-{
-	(void)b;
-	return true;
 }
 
 static char *
@@ -106,10 +91,9 @@ KERNELS(vogel);
 BREAKAGE_ROWS(VOGEL, "vogel", "Eq 3 with the appearance of Vogel and Peukert",
     6, .source = "Grunditz et al. 2021 with Vogel and Peukert",
     .parameter = PARAMETERS, .reference = PARAMS_MOST, .strength = F_MAT,
-    SELECTION_MEMBERS, .prepare = prepare_breaker, .finer = share_finer,
+    .prepare = prepare_breaker, .finer = share_finer,
     .at_size = fines_factor_with_slope, .density = progeny_density,
-    .breaks = has_progeny, .appearance_text = appearance_text,
-    .kernel = KERNEL_ROW(vogel))
+    .appearance_text = appearance_text, .kernel = KERNEL_ROW(vogel))
 
 #else /* LANES */
 

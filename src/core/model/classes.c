@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/model/appearance.h"
+#include "core/model/selection.h"
 #include "core/numeric/elementary.h"
 
 /* n feed sieves make n classes: n - 1 intervals and the pan. */
@@ -100,7 +100,7 @@ classes_solver_set_speed(struct classes_solver *c, double v)
 	classes_appearance_matrix(
 	    &c->b, c->settings.appearance, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)
-		c->S[i] = c->b.model->selection(&c->b, el_log(c->x[i]), NULL);
+		c->S[i] = selection_by_breaker(&c->b, el_log(c->x[i]), NULL);
 }
 
 void

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "core/model/selection.h"
 #include "core/numeric/elementary.h"
 
 /* Values of -ln(1 - S) at which the panels end: 1 - S falls by e^-40 over them,
@@ -102,14 +103,14 @@ static void
 find_ends_for_impacts(struct continuous_solver *c)
 {
 	const struct impacts *of = &c->b.impacts;
-	const struct breakage *model = c->b.model;
 	double E = c->b.E, stop[STOPS_MOST];
 	size_t n = 0;
 	for (size_t j = 0; j < of->n; j++) {
 		bool end = j == 0 || j + 1 == of->n;
 		c->b.E = of->ratio[j] * E;
 		for (size_t i = 0; i < (end ? STOPS : 1); i++)
-			stop[n++] = model->size_at(&c->b, STOP_AT[i]);
+			stop[n++] =
+			    selection_size_at_exponent(&c->b, STOP_AT[i]);
 	}
 	c->b.E = E;
 	/* psd_sort_distinct_sizes has the largest first. */
@@ -123,7 +124,7 @@ continuous_solver_set_speed(struct continuous_solver *c, double v)
 {
 	breaker_set_speed(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
-		c->stop[i] = c->b.model->size_at(&c->b, STOP_AT[i]);
+		c->stop[i] = selection_size_at_exponent(&c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
 	if (c->b.impacts.n > 0)
 		find_ends_for_impacts(c);
@@ -150,7 +151,7 @@ make_quadrature_points(struct continuous_solver *c, bool gradient)
 		    c->density[e], add_quadrature_points, &c->n_point);
 	for (size_t i = 0; i < c->n_point; i++) {
 		struct point *p = &c->point[i];
-		p->S = b->model->selection(b, p->t, gradient ? p->dS : NULL);
+		p->S = selection_by_breaker(b, p->t, gradient ? p->dS : NULL);
 	}
 }
 
@@ -271,7 +272,7 @@ continuous_solver_product(
 	}
 	make_quadrature_points(c, d_passing != NULL);
 	tabulate_appearance(c, d_passing != NULL);
-	bool breaks = c->b.model->breaks(&c->b);
+	bool breaks = breaker_has_progeny(&c->b);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		double *row = d_passing != NULL ? d_passing + i * n : NULL;
 		passing[i] = c->feed_passing[i];

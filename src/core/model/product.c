@@ -153,7 +153,7 @@ model_breaks_feed(struct model *model, double v)
 	struct model_settings settings = model_settings_default();
 	breaker_set_params(&b, &model->p, &settings);
 	breaker_set_speed(&b, v);
-	return b.model->breaks(&b);
+	return breaker_has_progeny(&b);
 }
 
 double

@@ -44,6 +44,21 @@ selection_break_size(const struct params *p, double E)
 	return el_exp(log_ratio / q[2]);
 }
 
+double
+params_break_size(const struct params *p, double v)
+{
+	return selection_break_size(p, energy_specific_at_speed(v));
+}
+
+double
+params_break_size_by_impacts(
+    const struct params *p, const struct model_settings *settings, double v)
+{
+	const struct impacts *i = &settings->impacts;
+	double most = i->n > 0 ? i->ratio[i->n - 1] : 1;
+	return selection_break_size(p, most * energy_specific_at_speed(v));
+}
+
 char *
 selection_text(const struct params *p, double k)
 {

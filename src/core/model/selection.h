@@ -87,22 +87,32 @@ selection_by_impacts(const struct impacts *impacts, const double q[static 3],
 		    "size dependency of breakage", 0         \
 	}
 
-/* The members of a model's row for SELECTION_PARAMETERS, see breakage.h. */
-#define SELECTION_MEMBERS                      \
-	.selection = selection_by_breaker,     \
-	.size_at = selection_size_at_exponent, \
-	.break_size = selection_break_size, .selection_text = selection_text
-
+/* Returns S at ln x, x in m, and adds its derivatives with respect to all
+ * parameters of the model to d, if not NULL. */
 double selection_by_breaker(const struct breaker *b, double log_x, double *d);
 
-/* Returns -1000 or 1000 if no size has the exponent. */
+/* Returns the ln x at which -ln(1 - S) has the value `exponent`, for the ends
+ * of panels in integrals of S.  It rises with the exponent; at 0 it is the break
+ * size.  Returns -1000 or 1000 if no size has the exponent. */
 double selection_size_at_exponent(const struct breaker *b, double exponent);
 
-/* Returns the size, m, where S begins.
+/* Returns the size, m, where S begins: 0 if every size breaks, INFINITY if none
+ * does, as with alpha = 0 and E <= E0_min.
  *   x* = (E0_min / E)^(1 / alpha)
- * INFINITY also with alpha = 0 and E <= E0_min.   Source: Eq 3 at S = 0. */
+ * Source: Eq 3 at S = 0. */
 double selection_break_size(const struct params *p, double E);
 
+/* Returns the break size x*, m: the smallest size that can break at tip speed
+ * v, m/s, in the parameters' model; 0 if every size breaks, INFINITY if none
+ * does. */
+double params_break_size(const struct params *p, double v);
+
+/* As params_break_size, but for the strongest of the impacts in the
+ * settings. */
+double params_break_size_by_impacts(
+    const struct params *p, const struct model_settings *settings, double v);
+
+/* Returns Eq 3 as text with the numbers filled in.  The caller frees it. */
 char *selection_text(const struct params *p, double k);
 
 #endif

@@ -118,7 +118,7 @@ has_any_progeny(const struct coordinates *c, const double *gauge)
 	memcpy(p.at, gauge, c->of->gauge * sizeof *gauge);
 	breaker_set_params(&b, &p, &c->settings);
 	breaker_set_speed(&b, sqrt(2 * el_exp(c->middle)));
-	return c->of->breaks(&b);
+	return breaker_has_progeny(&b);
 }
 
 /* Computes the gauge at x and returns its part of the prior. */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/model/breakage.h"
+#include "core/model/selection.h"
 #include "core/posterior/ensemble.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };

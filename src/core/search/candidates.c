@@ -10,6 +10,7 @@
 #include <gsl/gsl_sort_double.h>
 
 #include "base/xalloc.h"
+#include "core/model/selection.h"
 #include "core/search/kernel.h"
 #include "core/search/misfit.h"
 
