@@ -10,13 +10,6 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-static struct psd *
-column_of_mend(const struct site *site, const struct mend *m)
-{
-	struct run *run = &site->run[m->run];
-	return m->feed ? &run->feed : &run->product;
-}
-
 /* Returns the index of the mend's sieve, or n.  Sizes need to agree only to the
  * digits that site files have. */
 static size_t
@@ -68,7 +61,7 @@ percent_text(double passing)
 static char *
 text_of_cell(const struct site *site, const struct mend *m, const char *name)
 {
-	const struct psd *psd = column_of_mend(site, m);
+	const struct psd *psd = site_curve(site, m->run, m->feed);
 	size_t i = index_of_mended_sieve(psd, m->size);
 	char *was = percent_text(i < psd->n ? psd->passing[i] : NAN);
 	char *now = percent_text(m->value);
@@ -206,17 +199,6 @@ swap_feed_with_product(struct site *site, size_t at)
 	}
 }
 
-static void
-correction_drop_run(struct site *site, size_t at)
-{
-	struct run *run = &site->run[at];
-	psd_free(&run->feed);
-	psd_free(&run->product);
-	free(run->product_sd);
-	site->n_run--;
-	memmove(run, run + 1, (site->n_run - at) * sizeof *run);
-}
-
 /* True if sizes fall, passings do not rise, and all of a feed passes its
  * coarsest sieve. */
 static bool
@@ -273,7 +255,7 @@ apply_mend(struct site *site, const struct site *from, const struct mend *m)
 		drop_standard_deviations(&site->run[m->run]);
 		drop_standard_deviations(&site->run[m->other]);
 	} else if (m->kind == MEND_DROP) {
-		correction_drop_run(site, m->run);
+		site_drop_run(site, m->run);
 	} else {
 		for (size_t r = 0; r < site->n_run; r++)
 			if (all || r == m->run)
@@ -284,7 +266,7 @@ apply_mend(struct site *site, const struct site *from, const struct mend *m)
 struct site *
 mend_site(const struct site *from, const struct mend *mend, struct error *error)
 {
-	const struct psd *psd = column_of_mend(from, mend);
+	const struct psd *psd = site_curve(from, mend->run, mend->feed);
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
 	if (cell && index_of_mended_sieve(psd, mend->size) == psd->n) {
 		error_set(error, ERROR_USAGE,

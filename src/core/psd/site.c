@@ -15,16 +15,8 @@ struct site *
 site_new(size_t n_run)
 {
 	struct site *site = xcalloc(1, sizeof *site);
-	site->name = xstrdup("");
-	site->rock = xstrdup("");
-	site->machine = xstrdup("");
-	site->provenance = xstrdup("");
-	site->feed_from = xstrdup("");
-	site->with = xstrdup("");
-	site->path = xstrdup("");
-	site->named = xstrdup("");
-	site->read_as = xstrdup("");
-	site->assumed = xstrdup("");
+	for (size_t i = 0; i < SITE_TEXTS; i++)
+		site->text[i] = xstrdup("");
 	site->remark = xstrdup("");
 	site->n_run = n_run;
 	site->run = xcalloc(n_run, sizeof *site->run);
@@ -85,16 +77,8 @@ struct site *
 site_copy(const struct site *from)
 {
 	struct site *to = site_new(from->n_run);
-	replace_text(&to->name, from->name);
-	replace_text(&to->rock, from->rock);
-	replace_text(&to->machine, from->machine);
-	replace_text(&to->provenance, from->provenance);
-	replace_text(&to->named, from->named);
-	replace_text(&to->read_as, from->read_as);
-	replace_text(&to->assumed, from->assumed);
-	replace_text(&to->feed_from, from->feed_from);
-	replace_text(&to->with, from->with);
-	replace_text(&to->path, from->path);
+	for (size_t i = 0; i < SITE_TEXTS; i++)
+		replace_text(&to->text[i], from->text[i]);
 	to->top_size = from->top_size;
 	to->rotor = from->rotor;
 	to->run_rotor = from->run_rotor;
@@ -130,19 +114,11 @@ site_free(struct site *site)
 	psd_free(&site->mean_feed);
 	notes_free(site->note, site->n_note);
 	notes_free(site->left_out, site->n_left_out);
-	free(site->named);
-	free(site->read_as);
-	free(site->assumed);
+	for (size_t i = 0; i < SITE_TEXTS; i++)
+		free(site->text[i]);
 	free(site->remark);
 	free(site->run);
-	free(site->name);
-	free(site->rock);
-	free(site->machine);
-	free(site->provenance);
-	free(site->feed_from);
-	free(site->with);
 	free(site->shown);
-	free(site->path);
 	free(site);
 }
 
@@ -188,14 +164,12 @@ number_repeat_runs(struct site *site)
 	}
 }
 
-/* Takes the run out of the site. */
-static void
-site_drop_run(struct site *site, size_t r, size_t *from)
+void
+site_drop_run(struct site *site, size_t r)
 {
 	run_free_members(&site->run[r]);
 	size_t after = --site->n_run - r;
 	memmove(&site->run[r], &site->run[r + 1], after * sizeof *site->run);
-	memmove(&from[r], &from[r + 1], after * sizeof *from);
 }
 
 /* Both in the first clause, which is what people are shown, and what nobody
@@ -233,14 +207,6 @@ site_copy_with_feed(const struct site *site, const struct psd *feed,
 	to->run[to->n_run++] =
 	    (struct run){.speed = SITE_OTHER_FEED, .feed = psd_copy(feed)};
 	return to;
-}
-
-static bool
-are_curves_identical(const struct psd *a, const struct psd *b)
-{
-	return a->n == b->n &&
-	       memcmp(a->size, b->size, a->n * sizeof *a->size) == 0 &&
-	       memcmp(a->passing, b->passing, a->n * sizeof *a->passing) == 0;
 }
 
 /* After all runs that are as fast; in the place of the first of them if that
@@ -281,8 +247,7 @@ site_copy_with_cuts(
 		const struct psd *feed = &fed->feed;
 		bool own = run.feed.n > 0;
 		to->individual_feeds =
-		    to->individual_feeds ||
-		    (own && !are_curves_identical(&run.feed, feed));
+		    to->individual_feeds || (own && !psd_same(&run.feed, feed));
 		if (!own) {
 			psd_free(&run.feed);
 			run.feed = psd_copy(feed);
@@ -293,8 +258,10 @@ site_copy_with_cuts(
 		insert_run_by_speed(to, run, from);
 	}
 	/* The feed of any speed is in the runs now. */
-	if (to->n_run > 1 && !(to->run[0].speed > 0))
-		site_drop_run(to, 0, from);
+	if (to->n_run > 1 && !(to->run[0].speed > 0)) {
+		site_drop_run(to, 0);
+		memmove(from, from + 1, to->n_run * sizeof *from);
+	}
 	number_repeat_runs(to);
 	site_update_digest_and_mean_feed(to);
 	return to;
@@ -363,6 +330,12 @@ site_all_sieves(const struct site *site, size_t *n)
 	}
 	*n = psd_sort_distinct_sizes(size, all, 0);
 	return size;
+}
+
+struct psd *
+site_curve(const struct site *site, size_t run, bool feed)
+{
+	return feed ? &site->run[run].feed : &site->run[run].product;
 }
 
 size_t

@@ -40,8 +40,23 @@ struct site_note {
  * in order of rising speed, repeats at one speed in the order of the sheet.
  * individual_feeds: each run has a feed sample of its own; otherwise every run
  * holds a copy of the one feed. */
+enum { SITE_TEXTS = 10 };
 struct site {
-	char *name, *rock, *machine, *provenance;
+	/* named: sieves given by name, "#4 = 4.75".  read_as: how its columns
+	 * were read; assumed: the part of that which the sheet does not state;
+	 * both "" if it has the headings of tipspeed-site(5).  In a copy made
+	 * for a question, the differences from what was sampled: feed_from, the
+	 * source of the feed, and with, all differences in words, "feed b.csv,
+	 * cascade 10 %"; else "".  path: of the file it was read from, or "".
+	 */
+	union {
+		struct {
+			char *name, *rock, *machine, *provenance, *named,
+			    *read_as, *assumed, *feed_from, *with, *path;
+		};
+		char *text[SITE_TEXTS];
+	};
+	char *remark;    /* on how its file was read, or ""; not copied */
 	double top_size; /* m; 0 if not stated */
 	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;
@@ -51,26 +66,15 @@ struct site {
 	struct run *run;
 	size_t n_note;
 	struct site_note *note;
-	/* Parts of the sheet left out: where ("line 9"), what and why.  named:
-	 * sieves given by name, "#4 = 4.75". */
+	/* Parts of the sheet left out: where ("line 9"), what and why. */
 	size_t n_left_out;
 	struct site_note *left_out;
-	char *named;
-	/* read_as: how its columns were read; assumed: the part of that which
-	 * the sheet does not state; both "" if it has the headings of
-	 * tipspeed-site(5).  remark: on how its file was read, or "". */
-	char *read_as, *assumed, *remark;
-	/* In a copy made for a question, the differences from what was sampled.
-	 * feed_from: the source of the feed; with: all differences in words,
-	 * "feed b.csv, cascade 10 %"; else "".  run_rotor: diameter, m, of the
-	 * rotor of the runs, if rotor is another that was asked about. */
-	char *feed_from, *with;
+	/* In a copy made for a question.  run_rotor: diameter, m, of the rotor
+	 * of the runs, if rotor is another that was asked about.  shown: sieves
+	 * to show, m, coarsest first; if n_shown is 0, the site's own. */
 	double run_rotor;
-	/* In such a copy: sieves to show, m, coarsest first; if n_shown is 0,
-	 * the site's own. */
 	size_t n_shown;
 	double *shown;
-	char *path;      /* of the file it was read from, or "" */
 	uint64_t digest; /* of the numbers: sizes, passings, speeds */
 };
 
@@ -123,6 +127,12 @@ double *site_all_sieves(const struct site *site, size_t *n);
 /* Appends a note to a list of n. */
 void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
+
+/* Returns the feed or the product of a run. */
+struct psd *site_curve(const struct site *site, size_t run, bool feed);
+
+/* Takes a run out. */
+void site_drop_run(struct site *site, size_t run);
 
 /* Returns the number of runs with a product. */
 size_t site_count_products(const struct site *site);
