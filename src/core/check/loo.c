@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_sort_double.h>
+
 #include "base/xalloc.h"
 #include "core/posterior/discrepancy.h"
 #include "core/numeric/elementary.h"
@@ -74,8 +76,7 @@ struct leave_out {
 static const struct psd *
 curve_of_cell(const struct leave_out *l, const struct leave_out_cell *c)
 {
-	const struct run *run = &l->site->run[c->run];
-	return c->feed ? &run->feed : &run->product;
+	return site_curve(l->site, c->run, c->feed);
 }
 
 /* ---- The covariance and its hyperparameters ---- */
@@ -263,6 +264,12 @@ z_of_cell(const struct leave_out *l, const double *U, const double *y,
 	return dot / sqrt(squares);
 }
 
+static bool
+is_neither_0_nor_100_percent(double P)
+{
+	return P > END && P < 1 - END;
+}
+
 static double
 logit(double P)
 {
@@ -279,7 +286,7 @@ fill_expected_passing(
 	bool feed = s->cell >= l->block[FEEDS].first;
 	const struct block *b = &l->block[feed ? FEEDS : PRODUCTS];
 	s->expected = P - shift;
-	if (b->smooth && P > END && P < 1 - END) {
+	if (b->smooth && is_neither_0_nor_100_percent(P)) {
 		double slope = b->slope[s->cell - b->first];
 		double z = logit(P) - slope * shift;
 		s->expected = 1 / (1 + el_exp(-z));
@@ -296,27 +303,19 @@ find_cells_of_largest_z(struct leave_out *l, size_t *cell)
 {
 	double *U = factor_joint_covariance(l),
 	       *y = standardise_joint_values(l, U);
-	double best[CLOSE] = {0}, shift, sd;
+	double *z = xcalloc_doubles(l->n), shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
-		double z = fabs(z_of_cell(l, U, y, c, &shift, &sd));
-		size_t at = n < CLOSE ? n : CLOSE;
-		if (l->dropped[c] || !isfinite(z))
-			continue;
-		while (at > 0 && best[at - 1] < z)
-			at--;
-		for (size_t k = CLOSE - 1; k > at; k--) {
-			best[k] = best[k - 1];
-			cell[k] = cell[k - 1];
-		}
-		if (at < CLOSE) {
-			best[at] = z;
-			cell[at] = c;
-			n += n < CLOSE;
-		}
+		z[c] = fabs(z_of_cell(l, U, y, c, &shift, &sd));
+		bool counts = !l->dropped[c] && isfinite(z[c]);
+		z[c] = counts ? z[c] : -1;
+		n += counts;
 	}
+	n = n < CLOSE ? n : CLOSE;
+	gsl_sort_largest_index(cell, n, z, 1, l->n);
 	free(U);
 	free(y);
+	free(z);
 	return n;
 }
 
@@ -368,7 +367,8 @@ leave_out_worst_shift(struct leave_out *l)
 	for (size_t i = 0; i < n; i++) {
 		struct leave_out_shift s =
 		    shift_of_free_cell(l, cell[i], level);
-		if (isfinite(s.z) && s.gain > worst.gain)
+		bool first = s.gain == worst.gain && s.cell < worst.cell;
+		if (isfinite(s.z) && (s.gain > worst.gain || first))
 			worst = s;
 	}
 	return worst;
@@ -394,12 +394,6 @@ leave_out_get_cell(const struct leave_out *l, size_t i)
 }
 
 /* ---- Making it ---- */
-
-static bool
-is_neither_0_nor_100_percent(double P)
-{
-	return P > END && P < 1 - END;
-}
 
 static void
 loo_add_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
@@ -515,10 +509,7 @@ static void
 block_of_residuals(
     struct leave_out *l, struct block *b, const struct posterior *p)
 {
-	bool *use = xcalloc(l->site->n_run, sizeof *use);
-	for (size_t r = 0; r < l->site->n_run; r++)
-		use[r] = misfit_count_covered_sieves(&l->site->run[r]) > 0;
-	struct misfit *m = misfit_new(l->site, use, NULL, false, p->settings);
+	struct misfit *m = misfit_new(l->site, NULL, NULL, false, p->settings);
 	size_t n = m->of->n;
 	double *J = xcalloc_doubles(b->n * n);
 	misfit_jacobian(m, &p->fit, b->value, J);
@@ -540,7 +531,6 @@ block_of_residuals(
 		b->hyper[k] = el_log(HYPER[k].median);
 	misfit_free(m);
 	free(J);
-	free(use);
 }
 
 /* Computes the change of a run's products per change of a passing of its feed,

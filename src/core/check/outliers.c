@@ -10,6 +10,7 @@
 
 #include "base/xalloc.h"
 #include "core/check/loo.h"
+#include "core/check/trust.h"
 #include "core/search/misfit.h"
 #include "core/search/polish.h"
 #include "core/psd/psd.h"
@@ -52,30 +53,12 @@ add_finding(struct outlier_findings *d, struct mend mend)
 
 /* ---- Columns ---- */
 
-/* Returns the mean by which curve a passes above b at their common sieves;
- * *most: the largest. */
-static double
-mean_difference(const struct psd *a, const struct psd *b, double *most)
-{
-	double sum = 0, n = 0;
-	*most = 0;
-	for (size_t i = 0; i < b->n; i++) {
-		if (!psd_covers_size(a, b->size[i]))
-			continue;
-		double by = psd_passing(a, b->size[i]) - b->passing[i];
-		*most = fmax(*most, by);
-		sum += by;
-		n++;
-	}
-	return n > 0 ? sum / n : 0;
-}
-
 static bool
 is_coarser(const struct psd *product, const struct psd *feed)
 {
 	const double sampling = 0.02, on_the_whole = 0.01;
-	double most, mean = mean_difference(feed, product, &most);
-	return most > sampling && mean > on_the_whole;
+	struct passing_order o = trust_compare_order(feed, product);
+	return o.most > sampling && o.mean > on_the_whole;
 }
 
 /* True if no product of the site is coarser than its feed. */
@@ -104,13 +87,13 @@ find_feeds_swapped_with_products(
 		if (other != NULL &&
 		    (site->individual_feeds ||
 			are_products_finer_than_feeds(other))) {
-			double most;
 			struct finding *f = add_finding(d, m);
 			const struct run *now = &other->run[r];
 			f->off[0] =
-			    mean_difference(&run->feed, &run->product, &most);
-			f->off[1] = fmax(0,
-			    mean_difference(&now->feed, &now->product, &most));
+			    trust_compare_order(&run->feed, &run->product).mean;
+			f->off[1] = fmax(
+			    0, trust_compare_order(&now->feed, &now->product)
+				   .mean);
 		}
 		site_free(other);
 	}
@@ -121,15 +104,16 @@ find_feeds_swapped_with_products(
 static double
 speed_disorder(const struct site *site)
 {
-	double sum = 0, most;
+	double sum = 0;
 	const struct run *slow = NULL;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct run *run = &site->run[r];
 		if (run->product.n == 0)
 			continue;
 		if (slow != NULL && slow->speed < run->speed)
-			sum += fmax(0, mean_difference(&slow->product,
-					   &run->product, &most));
+			sum += fmax(0,
+			    trust_compare_order(&slow->product, &run->product)
+				.mean);
 		slow = run;
 	}
 	return sum;
@@ -333,13 +317,6 @@ find_copied_products(struct outlier_findings *d, const struct site *site)
 
 /* ---- Cells ---- */
 
-static const struct psd *
-curve_of_mend(const struct site *site, const struct mend *m)
-{
-	const struct run *run = &site->run[m->run];
-	return m->feed ? &run->feed : &run->product;
-}
-
 static double
 distance_from_expected(const struct finding *f, double passing)
 {
@@ -428,7 +405,7 @@ outliers_add_cell(struct outlier_findings *d, const struct site *site,
 {
 	struct mend m = {
 	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
-	const struct psd *psd = curve_of_mend(site, &m);
+	const struct psd *psd = site_curve(site, m.run, m.feed);
 	m.size = psd->size[cell->sieve];
 	struct finding *f = add_finding(d, m);
 	f->measured = psd->passing[cell->sieve];
@@ -441,16 +418,6 @@ outliers_add_cell(struct outlier_findings *d, const struct site *site,
 	site_free(other);
 }
 
-/* Marks the runs that have passings to fit. */
-static bool *
-mark_runs_with_passings_to_fit(const struct site *site)
-{
-	bool *use = xcalloc(site->n_run, sizeof *use);
-	for (size_t r = 0; r < site->n_run; r++)
-		use[r] = misfit_count_covered_sieves(&site->run[r]) > 0;
-	return use;
-}
-
 /* A fit moves towards a cell that is off.  Refits the site without that
  * cell. */
 static void
@@ -461,22 +428,20 @@ refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 	struct site *less = mend_site(site, &m, NULL);
 	if (less == NULL)
 		return;
-	bool *use = mark_runs_with_passings_to_fit(less);
-	struct misfit *misfit = misfit_new(less, use, NULL, false, p->settings);
+	struct misfit *misfit =
+	    misfit_new(less, NULL, NULL, false, p->settings);
 	struct polish *polish = polish_new(misfit);
 	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
 	params_scale_to_1(&p->fit);
 	polish_free(polish);
 	misfit_free(misfit);
 	site_free(less);
-	free(use);
 }
 
 static double
 passing_of_cell(const struct site *site, const struct leave_out_cell *c)
 {
-	const struct run *run = &site->run[c->run];
-	return (c->feed ? &run->feed : &run->product)->passing[c->sieve];
+	return site_curve(site, c->run, c->feed)->passing[c->sieve];
 }
 
 /* Returns how far a cell is off its curve, whatever the model. */
@@ -523,7 +488,7 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 		FEED_OFF))
 		return true;
 	struct mend m = {.feed = c.feed, .run = c.run};
-	m.size = curve_of_mend(site, &m)->size[c.sieve];
+	m.size = site_curve(site, m.run, m.feed)->size[c.sieve];
 	refit_without_cell(p, site, m);
 	l = leave_out_new(site, p, noise);
 	for (size_t i = 0; i < n; i++)
@@ -558,8 +523,7 @@ gather_curves(
 {
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *psd =
-		    feed ? &site->run[r].feed : &site->run[r].product;
+		const struct psd *psd = site_curve(site, r, feed);
 		if (psd->n == 0 || (feed && r > 0 && !site->individual_feeds))
 			continue;
 		run[n] = r;
@@ -597,31 +561,10 @@ find_most_bent_cell(struct outlier_findings *d, const struct site *site,
 static double
 rmse_of_fit(const struct site *site, const struct posterior *p)
 {
-	bool *use = mark_runs_with_passings_to_fit(site), any = false;
-	for (size_t r = 0; r < site->n_run; r++)
-		any = any || use[r];
-	double rmse = NAN;
-	if (any) {
-		struct misfit *m =
-		    misfit_new(site, use, NULL, false, p->settings);
-		rmse = misfit_rmse(m, &p->fit);
-		misfit_free(m);
-	}
-	free(use);
+	struct misfit *m = misfit_new(site, NULL, NULL, false, p->settings);
+	double rmse = m->n_residual > 0 ? misfit_rmse(m, &p->fit) : NAN;
+	misfit_free(m);
 	return rmse;
-}
-
-static void
-compute_rmse_with_mends(struct outlier_findings *d, const struct site *site,
-    const struct posterior *p)
-{
-	for (size_t i = 0; i < d->n && p != NULL; i++) {
-		struct finding *f = &d->finding[i];
-		struct site *other = mend_site(site, &f->mend, NULL);
-		f->rmse[0] = rmse_of_fit(site, p);
-		f->rmse[1] = other != NULL ? rmse_of_fit(other, p) : NAN;
-		site_free(other);
-	}
 }
 
 static size_t
@@ -635,15 +578,23 @@ count_cells(const struct site *site)
 	return n;
 }
 
-/* Drops mends that are impossible, such as dropping the only run. */
+/* Keeps the mends that are possible, as dropping the only run is not, with the
+ * errors of the fit before and after them. */
 static void
-drop_impossible_mends(struct outlier_findings *d, const struct site *site)
+keep_possible_mends(struct outlier_findings *d, const struct site *site,
+    const struct posterior *p)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++) {
-		struct site *other = mend_site(site, &d->finding[i].mend, NULL);
-		if (other != NULL)
-			d->finding[n++] = d->finding[i];
+		struct finding f = d->finding[i];
+		struct site *other = mend_site(site, &f.mend, NULL);
+		if (other == NULL)
+			continue;
+		if (p != NULL) {
+			f.rmse[0] = rmse_of_fit(site, p);
+			f.rmse[1] = rmse_of_fit(other, p);
+		}
+		d->finding[n++] = f;
 		site_free(other);
 	}
 	d->n = n;
@@ -674,8 +625,7 @@ outliers_find(
 		find_most_bent_cell(&d, site, true, noise);
 		find_most_bent_cell(&d, site, false, noise);
 	}
-	drop_impossible_mends(&d, site);
-	compute_rmse_with_mends(&d, site, posterior);
+	keep_possible_mends(&d, site, posterior);
 	return d;
 }
 

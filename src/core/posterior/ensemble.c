@@ -96,7 +96,6 @@ new_passings_kernel(const struct posterior *p, const struct psd *smooth,
 	for (size_t i = 0; i < n; i++)
 		one[i] = 1;
 	struct misfit_run run = {.speed = 1,
-	    .run_weight = 1,
 	    .feed = feed,
 	    .n = n,
 	    .sieve = sieve,

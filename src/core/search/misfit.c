@@ -42,9 +42,8 @@ static void
 misfit_fill_run(
     struct misfit_run *to, const struct run *run, double run_weight, bool by_sd)
 {
+	by_sd = by_sd && run->product_sd != NULL;
 	to->speed = run->speed;
-	to->run_weight = run_weight;
-	to->by_sd = by_sd && run->product_sd != NULL;
 	to->feed = run->feed;
 	to->n = misfit_count_covered_sieves(run);
 	to->sieve = xcalloc_doubles(to->n);
@@ -54,7 +53,7 @@ misfit_fill_run(
 		to->sieve[i] = run->product.size[i];
 		to->measured[i] = run->product.passing[i];
 		to->weight[i] =
-		    sqrt(run_weight) / (to->by_sd ? run->product_sd[i] : 1);
+		    sqrt(run_weight) / (by_sd ? run->product_sd[i] : 1);
 	}
 }
 
@@ -69,7 +68,7 @@ misfit_new(const struct site *site, const bool *train, const double *run_weight,
 	m->run = xcalloc(site->n_run, sizeof *m->run);
 	m->model = xcalloc(site->n_run, sizeof *m->model);
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (!train[r] || site->run[r].product.n == 0)
+		if ((train != NULL && !train[r]) || site->run[r].product.n == 0)
 			continue;
 		struct misfit_run *run = &m->run[m->n_run];
 		double weight = run_weight != NULL ? run_weight[r] : 1;

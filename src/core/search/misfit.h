@@ -16,8 +16,6 @@
 struct misfit_run {
 	size_t run; /* index into the site's runs */
 	double speed;
-	double run_weight;
-	bool by_sd;      /* weight includes the sheet's standard deviations */
 	struct psd feed; /* borrowed from the site */
 	size_t n;
 	double *sieve;    /* m, coarsest first */
@@ -40,10 +38,10 @@ struct misfit {
 	bool (*stop)(void); /* or NULL, see misfit_should_stop */
 };
 
-/* train [n_run]: true for the training runs; runs without a product are
- * ignored.  run_weight [n_run] or NULL: weight of each run's squares, >= 0.
- * by_sd: divide each difference by the sheet's standard deviation, if stated.
- * The site must outlive the misfit. */
+/* train [n_run]: true for the training runs, or NULL for all; runs without a
+ * product are ignored.  run_weight [n_run] or NULL: weight of each run's
+ * squares, >= 0.  by_sd: divide each difference by the sheet's standard
+ * deviation, if stated.  The site must outlive the misfit. */
 struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
