@@ -104,7 +104,7 @@ add_panel_moments(const struct continuous_solver *c, const struct panel *panel,
     size_t n, struct moments *sum)
 {
 	double shape[SHAPES][GAUSS], x1[GAUSS];
-	compute_selection_at_panel(&c->b, panel->t, shape);
+	compute_selection_at_panel(c->b, panel->t, shape);
 	for (size_t i = 0; i < GAUSS; i++)
 		x1[i] = el_exp(-panel->t[i]);
 	for (size_t i = 0; i < GAUSS; i++) {
@@ -206,7 +206,7 @@ static void
 integrate_broken_parts(const struct continuous_solver *c, double log_s,
     size_t n_shape, double Q[SHAPES][4])
 {
-	const struct appearance *a = &c->b.appearance;
+	const struct appearance *a = &c->b->appearance;
 	memset(Q, 0, sizeof(double[SHAPES][4]));
 	const double none[4] = {0}, *full = none;
 	struct moments outer = {0}, inner;
@@ -242,8 +242,8 @@ static void
 fill_derivative_row(const struct continuous_solver *c, double broken,
     double total, const double T[static 4], double Q[SHAPES][4], double *row)
 {
-	const struct appearance *a = &c->b.appearance;
-	double scale = params_largest_gauge(&c->b.p);
+	const struct appearance *a = &c->b->appearance;
+	double scale = params_largest_gauge(&c->b->p);
 	for (size_t b = 0; b < 4; b++)
 		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
 	for (size_t i = 1; i < SHAPES; i++)
@@ -255,7 +255,7 @@ static void
 compute_product_by_moments(
     struct continuous_solver *c, double *passing, double *d_passing)
 {
-	const struct appearance *a = &c->b.appearance;
+	const struct appearance *a = &c->b->appearance;
 	size_t n_shape = d_passing != NULL ? SHAPES : 1;
 	const double *T = a->whole;
 	if (c->above == NULL)
@@ -271,7 +271,7 @@ compute_product_by_moments(
 		double broken = sum_weighted_by_beta(a, Q[0]) / total;
 		if (d_passing != NULL)
 			fill_derivative_row(c, broken, total, T, Q,
-			    d_passing + i * c->b.model->n);
+			    d_passing + i * c->b->model->n);
 		passing[i] += broken;
 		passing[i] = passing[i] < 1 ? passing[i] : 1;
 	}

@@ -11,13 +11,13 @@
 
 /* n feed sieves make n classes: n - 1 intervals and the pan. */
 struct classes_solver {
+	const struct breaker *b;
+	enum appearance_form form;
 	size_t n_sieve;
 	double *sieve;
 	struct psd feed;    /* its sieves and passings */
 	struct psd product; /* on the feed's sieves */
 	double *x, *f, *S, *matrix;
-	struct model_settings settings;
-	struct breaker b;
 };
 
 void
@@ -49,11 +49,12 @@ classes_appearance_matrix(const struct breaker *b, enum appearance_form form,
 }
 
 struct classes_solver *
-classes_solver_new(const struct psd *feed, const double *sieve, size_t n,
-    struct model_settings settings)
+classes_solver_new(const struct breaker *b, const struct psd *feed,
+    const double *sieve, size_t n, enum appearance_form form)
 {
 	struct classes_solver *c = xcalloc(1, sizeof *c);
-	c->settings = settings;
+	c->b = b;
+	c->form = form;
 	c->n_sieve = n;
 	c->sieve = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
@@ -86,28 +87,19 @@ classes_solver_free(struct classes_solver *c)
 	free(c);
 }
 
-void
-classes_solver_use_params(struct classes_solver *c, const struct params *p)
-{
-	breaker_set_params(&c->b, p, &c->settings);
-}
-
-/* The breaker, the matrix and S at that speed. */
 static void
-classes_solver_set_speed(struct classes_solver *c, double v)
+compute_matrix_and_selection(struct classes_solver *c)
 {
-	breaker_set_speed(&c->b, v);
-	classes_appearance_matrix(
-	    &c->b, c->settings.appearance, c->x, c->feed.n, c->matrix);
+	classes_appearance_matrix(c->b, c->form, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)
-		c->S[i] = selection_by_breaker(&c->b, el_log(c->x[i]), NULL);
+		c->S[i] = selection_by_breaker(c->b, el_log(c->x[i]), NULL);
 }
 
 void
-classes_solver_product(struct classes_solver *c, double v, double *passing)
+classes_solver_product(struct classes_solver *c, double *passing)
 {
 	size_t n = c->feed.n;
-	classes_solver_set_speed(c, v);
+	compute_matrix_and_selection(c);
 	double finer = 0;
 	for (size_t j = n; j-- > 0;) {
 		double mass = (1 - c->S[j]) * c->f[j];
@@ -121,9 +113,9 @@ classes_solver_product(struct classes_solver *c, double v, double *passing)
 }
 
 bool
-classes_solver_breaks_feed(struct classes_solver *c, double v)
+classes_solver_breaks_feed(struct classes_solver *c)
 {
-	classes_solver_set_speed(c, v);
+	compute_matrix_and_selection(c);
 	for (size_t i = 0; i < c->feed.n; i++)
 		if (c->matrix[i * c->feed.n + i] < 1)
 			return true;
@@ -131,10 +123,10 @@ classes_solver_breaks_feed(struct classes_solver *c, double v)
 }
 
 double
-classes_solver_share_selected(struct classes_solver *c, double v)
+classes_solver_share_selected(struct classes_solver *c)
 {
 	double sum = 0;
-	classes_solver_set_speed(c, v);
+	compute_matrix_and_selection(c);
 	for (size_t i = 0; i < c->feed.n; i++)
 		sum += c->S[i] * c->f[i];
 	return sum;

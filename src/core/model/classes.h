@@ -10,19 +10,18 @@
 
 struct classes_solver;
 
-/* See model_new. */
-struct classes_solver *classes_solver_new(const struct psd *feed,
-    const double *sieve, size_t n, struct model_settings settings);
+/* See model_new.  b is borrowed; each function below computes for its
+ * parameters and speed. */
+struct classes_solver *classes_solver_new(const struct breaker *b,
+    const struct psd *feed, const double *sieve, size_t n,
+    enum appearance_form form);
 void classes_solver_free(struct classes_solver *c);
 
-/* See model_use_params, model_product, model_breaks_feed and
- * model_share_selected, without the bypass. */
-void classes_solver_use_params(
-    struct classes_solver *c, const struct params *p);
-void classes_solver_product(
-    struct classes_solver *c, double v, double *passing);
-bool classes_solver_breaks_feed(struct classes_solver *c, double v);
-double classes_solver_share_selected(struct classes_solver *c, double v);
+/* See model_product, model_breaks_feed and model_share_selected, without the
+ * bypass. */
+void classes_solver_product(struct classes_solver *c, double *passing);
+bool classes_solver_breaks_feed(struct classes_solver *c);
+double classes_solver_share_selected(struct classes_solver *c);
 
 /* Computes the sizes x, m, of the n feed classes, coarsest first, the pan last
  * (D5). */

@@ -55,19 +55,18 @@ make_feed_density(struct continuous_solver *c, const struct psd *feed)
 }
 
 struct continuous_solver *
-continuous_solver_new(const struct psd *feed, const double *sieve, size_t n,
-    const struct model_settings *settings)
+continuous_solver_new(const struct breaker *b, const struct psd *feed,
+    const double *sieve, const double *feed_passing, size_t n)
 {
 	assert(feed->n >= 2 && feed->passing[0] >= 1);
 	struct continuous_solver *c = xcalloc(1, sizeof *c);
+	c->b = b;
+	c->feed_passing = feed_passing;
 	c->n_sieve = n;
-	c->settings = *settings;
 	c->log_sieve = xcalloc_doubles(n);
-	c->feed_passing = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
 		assert(psd_covers_size(feed, sieve[i]));
 		c->log_sieve[i] = el_log(sieve[i]);
-		c->feed_passing[i] = psd_passing(feed, sieve[i]);
 	}
 	make_class_edges(c, feed);
 	make_feed_density(c, feed);
@@ -81,7 +80,6 @@ continuous_solver_free(struct continuous_solver *c)
 	if (c == NULL)
 		return;
 	free(c->log_sieve);
-	free(c->feed_passing);
 	free(c->edge);
 	free(c->density);
 	free(c->point);
@@ -90,29 +88,21 @@ continuous_solver_free(struct continuous_solver *c)
 	free(c);
 }
 
-void
-continuous_solver_use_params(
-    struct continuous_solver *c, const struct params *p)
-{
-	breaker_set_params(&c->b, p, &c->settings);
-}
-
 /* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
  * each begins to break. */
 static void
 find_ends_for_impacts(struct continuous_solver *c)
 {
-	const struct impacts *of = &c->b.impacts;
-	double E = c->b.E, stop[STOPS_MOST];
+	struct breaker b = *c->b;
+	const struct impacts *of = &b.impacts;
+	double stop[STOPS_MOST];
 	size_t n = 0;
 	for (size_t j = 0; j < of->n; j++) {
 		bool end = j == 0 || j + 1 == of->n;
-		c->b.E = of->ratio[j] * E;
+		b.E = of->ratio[j] * c->b->E;
 		for (size_t i = 0; i < (end ? STOPS : 1); i++)
-			stop[n++] =
-			    selection_size_at_exponent(&c->b, STOP_AT[i]);
+			stop[n++] = selection_size_at_exponent(&b, STOP_AT[i]);
 	}
-	c->b.E = E;
 	/* psd_sort_distinct_sizes has the largest first. */
 	c->n_stop = psd_sort_distinct_sizes(stop, n, 1e-9);
 	for (size_t i = 0; i < c->n_stop; i++)
@@ -120,13 +110,12 @@ find_ends_for_impacts(struct continuous_solver *c)
 }
 
 static void
-continuous_solver_set_speed(struct continuous_solver *c, double v)
+find_ends_of_panels(struct continuous_solver *c)
 {
-	breaker_set_speed(&c->b, v);
 	for (size_t i = 0; i < STOPS; i++)
-		c->stop[i] = selection_size_at_exponent(&c->b, STOP_AT[i]);
+		c->stop[i] = selection_size_at_exponent(c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
-	if (c->b.impacts.n > 0)
+	if (c->b->impacts.n > 0)
 		find_ends_for_impacts(c);
 }
 
@@ -144,7 +133,7 @@ add_quadrature_points(
 static void
 make_quadrature_points(struct continuous_solver *c, bool gradient)
 {
-	const struct breaker *b = &c->b;
+	const struct breaker *b = c->b;
 	c->n_point = 0;
 	for (size_t e = 0; e + 1 < c->n_edge; e++)
 		continuous_solver_visit_panels(c, c->edge[e + 1], c->edge[e],
@@ -163,7 +152,7 @@ static const double NODE_STEP = 0.025;
 static void
 tabulate_appearance(struct continuous_solver *c, bool gradient)
 {
-	const struct breaker *b = &c->b;
+	const struct breaker *b = c->b;
 	size_t n = b->model->n;
 	double finest = c->edge[0];
 	for (size_t i = 0; i < c->n_sieve; i++)
@@ -220,7 +209,7 @@ static double
 mass_broken_below_sieve(
     const struct continuous_solver *c, double log_s, double *row)
 {
-	size_t n = c->b.model->n;
+	size_t n = c->b->model->n;
 	double sum = 0, weight[4];
 	for (size_t i = 0; i < c->n_point; i++) {
 		const struct point *p = &c->point[i];
@@ -247,7 +236,7 @@ static double
 mass_broken_below_with_size_factor(
     const struct continuous_solver *c, double log_s, double *row)
 {
-	const struct breaker *b = &c->b;
+	const struct breaker *b = c->b;
 	double d[PARAMS_MOST] = {0};
 	double below = mass_broken_below_sieve(c, log_s, row);
 	if (b->model->at_size == NULL)
@@ -260,19 +249,19 @@ mass_broken_below_with_size_factor(
 
 void
 continuous_solver_product(
-    struct continuous_solver *c, double v, double *passing, double *d_passing)
+    struct continuous_solver *c, double *passing, double *d_passing)
 {
-	continuous_solver_set_speed(c, v);
-	size_t n = c->b.model->n;
+	find_ends_of_panels(c);
+	size_t n = c->b->model->n;
 	if (d_passing != NULL)
 		memset(d_passing, 0, c->n_sieve * n * sizeof *d_passing);
-	if (c->b.model->product != NULL) {
-		c->b.model->product(c, passing, d_passing);
+	if (c->b->model->product != NULL) {
+		c->b->model->product(c, passing, d_passing);
 		return;
 	}
 	make_quadrature_points(c, d_passing != NULL);
 	tabulate_appearance(c, d_passing != NULL);
-	bool breaks = breaker_has_progeny(&c->b);
+	bool breaks = breaker_has_progeny(c->b);
 	for (size_t i = 0; i < c->n_sieve; i++) {
 		double *row = d_passing != NULL ? d_passing + i * n : NULL;
 		passing[i] = c->feed_passing[i];
@@ -285,10 +274,10 @@ continuous_solver_product(
 }
 
 double
-continuous_solver_share_selected(struct continuous_solver *c, double v)
+continuous_solver_share_selected(struct continuous_solver *c)
 {
 	double sum = 0;
-	continuous_solver_set_speed(c, v);
+	find_ends_of_panels(c);
 	make_quadrature_points(c, false);
 	for (size_t i = 0; i < c->n_point; i++)
 		sum += c->point[i].mass * c->point[i].S;

@@ -19,15 +19,14 @@ struct point {
 
 struct moments;
 
-/* Classes lie between neighbouring edges; density is dF / d ln x.  b, the ends
- * of panels (stop) and the points, coarsest class first, are those at the last
- * speed asked for. */
+/* Classes lie between neighbouring edges; density is dF / d ln x.  The ends of
+ * panels (stop) and the points, coarsest class first, are those for which the
+ * breaker was last set.  b and feed_passing are borrowed. */
 struct continuous_solver {
+	const struct breaker *b;
+	const double *feed_passing;
 	size_t n_sieve, n_edge;
-	double *log_sieve, *feed_passing;
-	double *edge, *density;
-	struct model_settings settings; /* except the method */
-	struct breaker b;
+	double *log_sieve, *edge, *density;
 	size_t n_stop;
 	double stop[STOPS_MOST]; /* ln x, rising */
 	size_t n_point;
@@ -40,18 +39,18 @@ struct continuous_solver {
 	double *node;
 };
 
-/* See model_new. */
-struct continuous_solver *continuous_solver_new(const struct psd *feed,
-    const double *sieve, size_t n, const struct model_settings *settings);
+/* See model_new.  feed_passing [n]: of the feed at the sieves.  b is borrowed;
+ * both functions below compute for its parameters and speed. */
+struct continuous_solver *continuous_solver_new(const struct breaker *b,
+    const struct psd *feed, const double *sieve, const double *feed_passing,
+    size_t n);
 void continuous_solver_free(struct continuous_solver *c);
 
-/* See model_use_params, model_jacobian (d_passing may be NULL) and
- * model_share_selected, without the bypass. */
-void continuous_solver_use_params(
-    struct continuous_solver *c, const struct params *p);
+/* See model_jacobian (d_passing may be NULL) and model_share_selected, without
+ * the bypass. */
 void continuous_solver_product(
-    struct continuous_solver *c, double v, double *passing, double *d_passing);
-double continuous_solver_share_selected(struct continuous_solver *c, double v);
+    struct continuous_solver *c, double *passing, double *d_passing);
+double continuous_solver_share_selected(struct continuous_solver *c);
 
 /* Points of a Gauss-Legendre panel over ln x. */
 struct panel {

@@ -11,12 +11,12 @@
 
 /* One of continuous and classes is NULL. */
 struct model {
+	struct breaker b;
+	struct model_settings settings;
 	struct continuous_solver *continuous;
 	struct classes_solver *classes;
 	size_t n_sieve;
-	double bypass; /* of the settings */
-	double *feed;  /* passing */
-	struct params p;
+	double *feed;         /* passing */
 	double *plus, *minus; /* products on both sides, for differences */
 };
 
@@ -26,15 +26,16 @@ model_new(const struct psd *feed, const double *sieve, size_t n,
 {
 	struct model *model = xcalloc(1, sizeof *model);
 	model->n_sieve = n;
-	model->bypass = settings.bypass;
-	if (settings.method == METHOD_CLASSES)
-		model->classes = classes_solver_new(feed, sieve, n, settings);
-	else
-		model->continuous =
-		    continuous_solver_new(feed, sieve, n, &settings);
+	model->settings = settings;
 	model->feed = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		model->feed[i] = psd_passing(feed, sieve[i]);
+	if (settings.method == METHOD_CLASSES)
+		model->classes = classes_solver_new(
+		    &model->b, feed, sieve, n, settings.appearance);
+	else
+		model->continuous = continuous_solver_new(
+		    &model->b, feed, sieve, model->feed, n);
 	model->plus = xcalloc_doubles(n);
 	model->minus = xcalloc_doubles(n);
 	return model;
@@ -56,11 +57,7 @@ model_free(struct model *model)
 void
 model_use_params(struct model *model, const struct params *p)
 {
-	model->p = *p;
-	if (model->classes != NULL)
-		classes_solver_use_params(model->classes, p);
-	else
-		continuous_solver_use_params(model->continuous, p);
+	breaker_set_params(&model->b, p, &model->settings);
 }
 
 /* D14: a share of the feed never meets the rotor, by the parameters and of what
@@ -70,11 +67,11 @@ static void
 product_add_bypass(
     const struct model *model, double *passing, double *d_passing)
 {
-	const struct breakage *of = breakage_model_of_params(&model->p);
-	if (!of->bypass && model->bypass == 0)
+	const struct breakage *of = model->b.model;
+	if (!of->bypass && model->settings.bypass == 0)
 		return;
-	double share = of->bypass ? model->p.at[of->n - 1] : 0;
-	double all = 1 - model->bypass;
+	double share = of->bypass ? model->b.p.at[of->n - 1] : 0;
+	double all = 1 - model->settings.bypass;
 	for (size_t s = 0; s < model->n_sieve; s++) {
 		double broken = all * (passing[s] - model->feed[s]);
 		passing[s] = model->feed[s] + (1 - share) * broken;
@@ -88,16 +85,6 @@ product_add_bypass(
 	}
 }
 
-void
-model_product(struct model *model, double v, double *passing)
-{
-	if (model->classes != NULL)
-		classes_solver_product(model->classes, v, passing);
-	else
-		continuous_solver_product(model->continuous, v, passing, NULL);
-	product_add_bypass(model, passing, NULL);
-}
-
 /* A step small beside the parameter, or beside the scale of its kind. */
 static double
 finite_difference_step(const struct params *p, size_t i)
@@ -109,61 +96,73 @@ finite_difference_step(const struct params *p, size_t i)
 }
 
 static void
+product_with_parameter_at(
+    struct model *model, double v, size_t i, double at, double *passing)
+{
+	struct params p = model->b.p;
+	p.at[i] = at;
+	model_use_params(model, &p);
+	breaker_set_speed(&model->b, v);
+	classes_solver_product(model->classes, passing);
+}
+
+static void
 finite_difference_jacobian(struct model *model, double v, double *d_passing)
 {
-	size_t n = breakage_model_of_params(&model->p)->n;
+	const struct params p = model->b.p;
+	size_t n = model->b.model->n;
 	for (size_t i = 0; i < n; i++) {
-		struct params moved = model->p;
-		double at = model->p.at[i];
-		double h = finite_difference_step(&model->p, i);
-		moved.at[i] = at + h;
-		classes_solver_use_params(model->classes, &moved);
-		classes_solver_product(model->classes, v, model->plus);
-		moved.at[i] = at - h;
-		classes_solver_use_params(model->classes, &moved);
-		classes_solver_product(model->classes, v, model->minus);
+		double h = finite_difference_step(&p, i);
+		product_with_parameter_at(
+		    model, v, i, p.at[i] + h, model->plus);
+		product_with_parameter_at(
+		    model, v, i, p.at[i] - h, model->minus);
 		for (size_t s = 0; s < model->n_sieve; s++)
 			d_passing[s * n + i] =
 			    h > 0 ? (model->plus[s] - model->minus[s]) / (2 * h)
 				  : 0;
+		model_use_params(model, &p);
 	}
-	classes_solver_use_params(model->classes, &model->p);
 }
 
 void
 model_jacobian(
     struct model *model, double v, double *passing, double *d_passing)
 {
-	if (model->classes != NULL) {
-		classes_solver_product(model->classes, v, passing);
-		finite_difference_jacobian(model, v, d_passing);
-	} else {
+	breaker_set_speed(&model->b, v);
+	if (model->classes == NULL)
 		continuous_solver_product(
-		    model->continuous, v, passing, d_passing);
-	}
+		    model->continuous, passing, d_passing);
+	else
+		classes_solver_product(model->classes, passing);
+	if (model->classes != NULL && d_passing != NULL)
+		finite_difference_jacobian(model, v, d_passing);
 	product_add_bypass(model, passing, d_passing);
+}
+
+void
+model_product(struct model *model, double v, double *passing)
+{
+	model_jacobian(model, v, passing, NULL);
 }
 
 bool
 model_breaks_feed(struct model *model, double v)
 {
-	if (model->classes != NULL)
-		return classes_solver_breaks_feed(model->classes, v);
-	struct breaker b;
-	struct model_settings settings = model_settings_default();
-	breaker_set_params(&b, &model->p, &settings);
-	breaker_set_speed(&b, v);
-	return breaker_has_progeny(&b);
+	breaker_set_speed(&model->b, v);
+	return model->classes != NULL
+		   ? classes_solver_breaks_feed(model->classes)
+		   : breaker_has_progeny(&model->b);
 }
 
 double
 model_share_selected(struct model *model, double v)
 {
-	const struct breakage *of = breakage_model_of_params(&model->p);
-	double share = of->bypass ? 1 - model->p.at[of->n - 1] : 1;
-	return (1 - model->bypass) * share *
+	const struct breakage *of = model->b.model;
+	double share = of->bypass ? 1 - model->b.p.at[of->n - 1] : 1;
+	breaker_set_speed(&model->b, v);
+	return (1 - model->settings.bypass) * share *
 	       (model->classes != NULL
-		       ? classes_solver_share_selected(model->classes, v)
-		       : continuous_solver_share_selected(
-			     model->continuous, v));
+		       ? classes_solver_share_selected(model->classes)
+		       : continuous_solver_share_selected(model->continuous));
 }

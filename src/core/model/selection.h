@@ -92,8 +92,8 @@ selection_by_impacts(const struct impacts *impacts, const double q[static 3],
 double selection_by_breaker(const struct breaker *b, double log_x, double *d);
 
 /* Returns the ln x at which -ln(1 - S) has the value `exponent`, for the ends
- * of panels in integrals of S.  It rises with the exponent; at 0 it is the break
- * size.  Returns -1000 or 1000 if no size has the exponent. */
+ * of panels in integrals of S.  It rises with the exponent; at 0 it is the
+ * break size.  Returns -1000 or 1000 if no size has the exponent. */
 double selection_size_at_exponent(const struct breaker *b, double exponent);
 
 /* Returns the size, m, where S begins: 0 if every size breaks, INFINITY if none
