@@ -147,13 +147,21 @@ energy_specific_at_speed(double v)
 	return v * v / 2;
 }
 
+size_t
+params_index_of_largest_gauge(const struct params *p)
+{
+	size_t largest = 0, gauge = breakage_model_of_params(p)->gauge;
+	for (size_t j = 1; j < gauge; j++)
+		if (fabs(p->at[j]) > fabs(p->at[largest]))
+			largest = j;
+	return gauge > 0 ? largest : PARAMS_MOST;
+}
+
 double
 params_largest_gauge(const struct params *p)
 {
-	double largest = 0;
-	for (size_t j = 0; j < breakage_model_of_params(p)->gauge; j++)
-		largest = fmax(largest, fabs(p->at[j]));
-	return largest;
+	size_t j = params_index_of_largest_gauge(p);
+	return j < PARAMS_MOST ? fabs(p->at[j]) : 0;
 }
 
 void
@@ -174,6 +182,15 @@ bounds_default(size_t breakage)
 		b.upper[j] = BREAKAGES[breakage]->parameter[j].upper;
 	}
 	return b;
+}
+
+double
+bounds_range_of_param(
+    const struct bounds *bounds, const struct params *p, size_t j)
+{
+	return j < breakage_model_of_params(p)->gauge
+		   ? 2 * params_largest_gauge(p)
+		   : bounds->upper[j] - bounds->lower[j];
 }
 
 void

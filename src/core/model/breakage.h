@@ -143,8 +143,11 @@ struct params params_start_values(size_t breakage);
  * Source: paper Eq 4. */
 double energy_specific_at_speed(double v);
 
-/* Returns the largest absolute value of the parameters in the gauge, or 0 if
- * there is no gauge. */
+/* Returns the index of the parameter in the gauge with the largest absolute
+ * value, the first of several, or PARAMS_MOST if there is no gauge. */
+size_t params_index_of_largest_gauge(const struct params *p);
+
+/* Returns that largest absolute value, or 0 if there is no gauge. */
 double params_largest_gauge(const struct params *p);
 
 /* Scales the gauge's parameters to a largest absolute value of 1 (D4), unless
@@ -152,6 +155,11 @@ double params_largest_gauge(const struct params *p);
 void params_scale_to_1(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
+
+/* Returns the change of a parameter that counts as 1: the width of its bounds
+ * or, in the gauge, twice the largest absolute value there. */
+double bounds_range_of_param(
+    const struct bounds *bounds, const struct params *p, size_t j);
 
 struct model_settings model_settings_default(void);
 

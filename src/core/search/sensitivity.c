@@ -24,16 +24,11 @@ static void
 find_movable_params(struct sensitivity *s, const struct params *p,
     const struct bounds *b, bool inward)
 {
-	size_t largest = 0, gauge = breakage_model_of_params(p)->gauge;
-	for (size_t j = 1; j < gauge; j++)
-		if (fabs(p->at[j]) > fabs(p->at[largest]))
-			largest = j;
+	size_t held = params_index_of_largest_gauge(p);
 	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		bool fixed = !(b->upper[j] > b->lower[j]);
-		bool held = gauge > 0 && j == largest;
-		s->range[j] = j < gauge ? 2 * fabs(p->at[largest])
-					: b->upper[j] - b->lower[j];
-		if (!fixed && !held && s->range[j] > 0 &&
+		s->range[j] = bounds_range_of_param(b, p, j);
+		if (!fixed && j != held && s->range[j] > 0 &&
 		    (inward || !sensitivity_is_on_bound(b, p, j)))
 			s->column[s->n++] = j;
 	}

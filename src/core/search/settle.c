@@ -50,17 +50,12 @@ static void
 list_moving_columns(struct newton *w, const struct params *p)
 {
 	const struct breakage *of = breakage_model_of_params(p);
-	size_t largest = 0;
-	for (size_t j = 1; j < of->gauge; j++)
-		if (fabs(p->at[j]) > fabs(p->at[largest]))
-			largest = j;
+	size_t held = params_index_of_largest_gauge(p);
 	w->n = 0;
 	for (size_t j = 0; j < of->n; j++) {
 		double lower = w->bounds->lower[j], upper = w->bounds->upper[j];
-		w->range[j] =
-		    j < of->gauge ? 2 * fabs(p->at[largest]) : upper - lower;
-		bool held = of->gauge > 0 && j == largest;
-		if (!held && p->at[j] > lower && p->at[j] < upper)
+		w->range[j] = bounds_range_of_param(w->bounds, p, j);
+		if (j != held && p->at[j] > lower && p->at[j] < upper)
 			w->column[w->n++] = j;
 	}
 }
