@@ -55,17 +55,26 @@ spectrum_bin_edge(size_t bin)
 static size_t
 bin_of_energy(double energy)
 {
-	if (!(energy > spectrum_bin_edge(0)))
-		return 0;
-	double at = (log_2(energy) - FIRST_OCTAVE) * BINS_PER_OCTAVE;
-	if (!(at < SPECTRUM_BINS))
-		return SPECTRUM_BINS - 1;
-	size_t bin = (size_t)fmax(at, 0);
-	while (energy < spectrum_bin_edge(bin))
-		bin--;
-	while (bin + 1 < SPECTRUM_BINS && energy >= spectrum_bin_edge(bin + 1))
-		bin++;
-	return bin;
+	size_t low = 0, high = SPECTRUM_BINS;
+	while (high - low > 1) {
+		size_t middle = (low + high) / 2;
+		if (energy >= spectrum_bin_edge(middle))
+			low = middle;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+/* Returns the part of a bin that lies above the cut, in proportion to ln e.
+ * The cut must lie within the bin or below it. */
+static double
+part_of_bin_above(size_t bin, double cut)
+{
+	if (!(cut > spectrum_bin_edge(bin)))
+		return 1;
+	double part = log_2(spectrum_bin_edge(bin + 1) / cut) * BINS_PER_OCTAVE;
+	return fmax(part, 0);
 }
 
 /* To a quarter octave; 0 where no size is known. */
@@ -157,13 +166,8 @@ spectrum_impacts_above(const struct spectrum_size *s, double cut, bool first)
 {
 	const struct spectrum_bin *bin = first ? s->first : s->all;
 	struct spectrum_bin sum = {0, 0};
-	size_t at = cut > 0 ? bin_of_energy(cut) : 0;
-	for (size_t b = SPECTRUM_BINS; b-- > at;) {
-		double part = 1;
-		if (b == at && cut > spectrum_bin_edge(at))
-			part = log_2(spectrum_bin_edge(at + 1) / cut) *
-			       BINS_PER_OCTAVE;
-		part = fmax(part, 0);
+	for (size_t b = SPECTRUM_BINS, at = bin_of_energy(cut); b-- > at;) {
+		double part = part_of_bin_above(b, cut);
 		add_impact_to_bin(
 		    &sum, part * bin[b].mass, part * bin[b].energy);
 	}
@@ -199,9 +203,7 @@ spectrum_reduce_to_impacts(const struct spectrum *s, double cut)
 	for (size_t b = bin_of_energy(cut); b < SPECTRUM_BINS && above.mass > 0;
 	     b++) {
 		const struct spectrum_bin *bin = &whole->all[b];
-		double edge = spectrum_bin_edge(b + 1);
-		bool cuts = cut > spectrum_bin_edge(b) && cut < edge;
-		double part = cuts ? log_2(edge / cut) * BINS_PER_OCTAVE : 1;
+		double part = part_of_bin_above(b, cut);
 		add_impact_to_bin(&node, part * bin->mass, part * bin->energy);
 		done += part * bin->energy;
 		double due = above.energy * (double)(to.n + 1) / IMPACTS_MOST;
