@@ -258,8 +258,6 @@ the_best_never_rises_and_is_what_was_told(void **state)
 		assert_true(s.best <= s.median && s.median <= s.worst);
 		assert_true(rosenbrock(ga_best_genes(ga)) == s.best);
 		assert_int_equal(s.generation, k);
-		assert_int_equal(s.evaluations, k * N);
-		assert_int_equal(s.infinite, 0);
 		before = s.best;
 	}
 	ga_free(ga);
@@ -316,7 +314,7 @@ infinite(const double *x)
 }
 
 static void
-infinite_misfits_are_counted_and_survived(void **state)
+infinite_misfits_are_survived(void **state)
 {
 	(void)state;
 	enum { N = 64 };
@@ -324,7 +322,6 @@ infinite_misfits_are_counted_and_survived(void **state)
 	for (int k = 0; k < 5; k++)
 		generation(ga, N, infinite);
 	struct ga_status s = ga_status(ga);
-	assert_int_equal(s.infinite, 5 * N);
 	assert_true(isinf(s.best) && isinf(s.median) && isinf(s.worst));
 	assert_true(ga_best_genes(ga)[0] >= -2 && ga_best_genes(ga)[0] <= 2);
 	for (int k = 0; k < 40; k++)
@@ -334,7 +331,6 @@ infinite_misfits_are_counted_and_survived(void **state)
 	generation(ga, N, infinite); /* what was told before still counts */
 	assert_true(
 	    ga_status(ga).best == best && sphere(ga_best_genes(ga)) == best);
-	assert_int_equal(ga_status(ga).infinite, 6 * N);
 	ga_free(ga);
 }
 
@@ -343,12 +339,11 @@ leaders_and_spread_are_those_of_the_generation(void **state)
 {
 	(void)state;
 	enum { N = 101, ELITE = 16 };
-	size_t index[N];
 	double p10, p90;
 	struct ga *ga = ga_of(N, 7, LOWER, UPPER);
 	for (int k = 0; k < 5; k++)
 		generation(ga, N, rosenbrock);
-	ga_list_best(ga, N, index);
+	const uint32_t *index = ga_ranking(ga);
 	double before = -1, at[N];
 	for (size_t i = 0; i < N; i++) {
 		double x[GENES];
@@ -390,7 +385,7 @@ main(void)
 	    cmocka_unit_test(the_best_never_rises_and_is_what_was_told),
 	    cmocka_unit_test(a_fixed_gene_stays),
 	    cmocka_unit_test(minima_are_found_roughly),
-	    cmocka_unit_test(infinite_misfits_are_counted_and_survived),
+	    cmocka_unit_test(infinite_misfits_are_survived),
 	    cmocka_unit_test(leaders_and_spread_are_those_of_the_generation),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -280,14 +280,13 @@ params_of_genes(
 static void
 keep_polish_starts(struct calibration *c)
 {
-	size_t index[LEADERS];
+	const uint32_t *ranking = ga_ranking(c->ga);
 	size_t n = c->options.population;
 	size_t leaders = n < LEADERS ? n : LEADERS;
-	ga_list_best(c->ga, leaders, index);
 	for (size_t i = 0; i < SCOUTS; i++)
 		c->start[c->n_start++] =
 		    params_of_genes(c, ga_genes_of_last_generation(c->ga),
-			index[i * leaders / SCOUTS]);
+			ranking[i * leaders / SCOUTS]);
 }
 
 /* The calibration is over, or goes on with all parameters from what the first
@@ -617,7 +616,6 @@ calibration_status(const struct calibration *c)
 	    .step = s.generation + count_polished_batches(c),
 	    .evaluations = c->evaluations,
 	    .stall = c->stall,
-	    .infinite = s.infinite,
 	    .best = fmin(s.best, c->best_misfit),
 	    .median = s.median,
 	    .worst = s.worst,

@@ -90,9 +90,8 @@ const struct bounds *calibration_bounds(const struct calibration *c);
 struct calibrate_status {
 	enum calibrate_state state;
 	size_t generation, evaluations;
-	size_t step;     /* generations, and batches of the polish */
-	size_t stall;    /* generations since the best last fell by 0.1 % */
-	size_t infinite; /* candidates whose misfit was not a number */
+	size_t step;  /* generations, and batches of the polish */
+	size_t stall; /* generations since the best last fell by 0.1 % */
 	double best, median, worst; /* misfits in the search's scheme */
 	size_t starts_done, starts; /* of the polish, */
 	size_t trials, trials_most; /* perturbations without a gain; the polish

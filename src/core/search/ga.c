@@ -18,18 +18,13 @@
 
 struct ga {
 	struct ga_options options;
-	size_t n_gene;
-	double *lower, *upper;
-	double **told, **asked; /* [n_gene][population] */
+	struct breed breed;     /* told, asked [n_gene][population] */
 	double *misfit;         /* [population] of told */
 	double *best;           /* [n_gene] */
-	double *scale;          /* [n_gene] standard deviation of told */
 	uint32_t *rank, *spare; /* [population] told, best first; scratch */
 	uint32_t *key;
 	size_t n_draw;    /* a power of two: tournaments with different ends */
-	uint32_t *winner; /* [n_draw] their ranks, */
-	uint32_t *parent; /* [n_draw] and who won them */
-	struct breed breed;
+	uint32_t *winner; /* [n_draw] their ranks; breed.parent: who won them */
 	breed_block *block;
 	bool ready; /* the candidates are there without breeding */
 	struct ga_status status;
@@ -74,14 +69,15 @@ random_stream_key(const struct ga *ga, enum use use, size_t i)
 static void
 draw_first_generation(struct ga *ga)
 {
-	for (size_t g = 0; g < ga->n_gene; g++) {
+	for (size_t g = 0; g < ga->breed.n_gene; g++) {
 		struct rng_key key = random_stream_key(ga, USE_START, g);
-		double width = ga->upper[g] - ga->lower[g];
+		double width = ga->breed.upper[g] - ga->breed.lower[g];
 		for (size_t i = 0; i < ga->options.population; i++) {
-			double x = ga->lower[g] +
+			double x = ga->breed.lower[g] +
 				   width * rng_uniform(key, (uint32_t)i);
 			/* Rounding may step over the upper end. */
-			ga->asked[g][i] = x < ga->upper[g] ? x : ga->upper[g];
+			ga->breed.asked[g][i] =
+			    x < ga->breed.upper[g] ? x : ga->breed.upper[g];
 		}
 	}
 	ga->ready = true;
@@ -95,10 +91,12 @@ plan_tournaments(struct ga *ga)
 {
 	size_t n = ga->options.population;
 	double over = 1 / (double)ga->options.tournament;
-	for (ga->n_draw = 4; ga->n_draw < n;)
+	ga->n_draw = 4;
+	ga->breed.draw_shift = 30;
+	for (; ga->n_draw < n; ga->breed.draw_shift--)
 		ga->n_draw *= 2;
 	ga->winner = xcalloc(ga->n_draw, sizeof *ga->winner);
-	ga->parent = xcalloc(ga->n_draw, sizeof *ga->parent);
+	ga->breed.parent = xcalloc(ga->n_draw, sizeof *ga->breed.parent);
 	for (size_t i = 0; i < ga->n_draw; i++) {
 		double u = ((double)i + 0.5) / (double)ga->n_draw;
 		double rank = (double)n * (1 - el_pow(1 - u, over));
@@ -107,56 +105,40 @@ plan_tournaments(struct ga *ga)
 	}
 }
 
-/* What breeding needs that stays the same. */
-static void
-set_up_breeding(struct ga *ga)
-{
-	static breed_block *const BREEDERS[] = {
-	    breed_block_base, breed_block_avx2, breed_block_avx512};
-	const struct ga_options *o = &ga->options;
-	int shift = 32;
-	for (size_t n = ga->n_draw; n > 1; n /= 2)
-		shift--;
-	ga->block = BREEDERS[isa_usable_or_best(o->isa)];
-	ga->breed = (struct breed){.n_gene = ga->n_gene,
-	    .parent = ga->parent,
-	    .draw_shift = shift,
-	    .lower = ga->lower,
-	    .upper = ga->upper,
-	    .scale = ga->scale,
-	    .crossover = o->crossover,
-	    .mutation = o->mutation,
-	    .anywhere = o->anywhere};
-}
-
 struct ga *
 ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
     const double *upper)
 {
+	static breed_block *const BREEDERS[] = {
+	    breed_block_base, breed_block_avx2, breed_block_avx512};
 	assert(options->population >= 8 && n_gene < STREAM);
 	assert(options->elite >= 1 && options->elite < options->population);
 	struct ga *ga = xcalloc(1, sizeof *ga);
+	struct breed *b = &ga->breed;
 	size_t n = options->population;
 	ga->options = *options;
-	ga->n_gene = n_gene;
-	ga->lower = xcalloc_doubles(n_gene);
-	ga->upper = xcalloc_doubles(n_gene);
+	ga->block = BREEDERS[isa_usable_or_best(options->isa)];
 	ga->best = xcalloc_doubles(n_gene);
-	ga->scale = xcalloc_doubles(n_gene);
-	ga->told = xcalloc(n_gene, sizeof *ga->told);
-	ga->asked = xcalloc(n_gene, sizeof *ga->asked);
+	*b = (struct breed){.n_gene = n_gene,
+	    .lower = xcalloc_doubles(n_gene),
+	    .upper = xcalloc_doubles(n_gene),
+	    .scale = xcalloc_doubles(n_gene),
+	    .told = xcalloc(n_gene, sizeof(*b->told)),
+	    .asked = xcalloc(n_gene, sizeof(*b->asked)),
+	    .crossover = options->crossover,
+	    .mutation = options->mutation,
+	    .anywhere = options->anywhere};
 	for (size_t g = 0; g < n_gene; g++) {
-		ga->lower[g] = lower[g];
-		ga->upper[g] = upper[g];
-		ga->told[g] = xcalloc_doubles(n + 64);
-		ga->asked[g] = xcalloc_doubles(n + 64);
+		b->lower[g] = lower[g];
+		b->upper[g] = upper[g];
+		b->told[g] = xcalloc_doubles(n + 64);
+		b->asked[g] = xcalloc_doubles(n + 64);
 	}
 	ga->misfit = xcalloc_doubles(n);
 	ga->rank = xcalloc(n, sizeof *ga->rank);
 	ga->spare = xcalloc(n, sizeof *ga->spare);
 	ga->key = xcalloc(n, sizeof *ga->key);
 	plan_tournaments(ga);
-	set_up_breeding(ga);
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
 	draw_first_generation(ga);
@@ -168,19 +150,19 @@ ga_free(struct ga *ga)
 {
 	if (ga == NULL)
 		return;
-	for (size_t g = 0; g < ga->n_gene; g++) {
-		free(ga->told[g]);
-		free(ga->asked[g]);
+	for (size_t g = 0; g < ga->breed.n_gene; g++) {
+		free(ga->breed.told[g]);
+		free(ga->breed.asked[g]);
 	}
-	free(ga->told);
-	free(ga->asked);
-	free(ga->lower);
-	free(ga->upper);
+	free(ga->breed.told);
+	free(ga->breed.asked);
+	free(ga->breed.lower);
+	free(ga->breed.upper);
 	free(ga->best);
-	free(ga->scale);
+	free(ga->breed.scale);
 	free(ga->misfit);
 	free(ga->winner);
-	free(ga->parent);
+	free(ga->breed.parent);
 	free(ga->rank);
 	free(ga->spare);
 	free(ga->key);
@@ -190,15 +172,7 @@ ga_free(struct ga *ga)
 const double *const *
 ga_genes_of_last_generation(const struct ga *ga)
 {
-	return (const double *const *)ga->told;
-}
-
-static uint64_t
-misfit_sort_key(double misfit)
-{
-	uint64_t bits;
-	memcpy(&bits, &misfit, sizeof bits);
-	return bits;
+	return (const double *const *)ga->breed.told;
 }
 
 enum { DIGIT = 11, DIGITS = 1 << DIGIT };
@@ -232,7 +206,8 @@ ga_rank_candidates(struct ga *ga, uint64_t best, uint64_t typical)
 	while ((typical - best) >> shift > most / 4)
 		shift++;
 	for (size_t i = 0; i < ga->options.population; i++) {
-		uint64_t key = (misfit_sort_key(ga->misfit[i]) - best) >> shift;
+		uint64_t key =
+		    (el_bits_of_double(ga->misfit[i]) - best) >> shift;
 		ga->key[i] = (uint32_t)(key < most ? key : most);
 	}
 	radix_sort_pass(ga, 0, NULL, ga->spare);
@@ -247,23 +222,21 @@ update_status(struct ga *ga)
 	double worst = -INFINITY, last_median = s->median;
 	for (size_t i = 0; i < n; i++) {
 		double f = ga->misfit[i];
-		s->infinite += isinf(f) != 0;
 		worst = f > worst ? f : worst;
 		best = f < ga->misfit[best] ? i : best;
 	}
 	double least = ga->misfit[best];
 	double typical = last_median > least ? last_median : worst;
 	ga_rank_candidates(
-	    ga, misfit_sort_key(least), misfit_sort_key(typical));
+	    ga, el_bits_of_double(least), el_bits_of_double(typical));
 	s->worst = worst;
 	s->median = ga->misfit[ga->rank[n / 2]];
 	if (least < s->best || s->generation == 0) {
 		s->best = least;
-		for (size_t g = 0; g < ga->n_gene; g++)
-			ga->best[g] = ga->told[g][best];
+		for (size_t g = 0; g < ga->breed.n_gene; g++)
+			ga->best[g] = ga->breed.told[g][best];
 	}
 	s->generation++;
-	s->evaluations += n;
 }
 
 /* Standard deviations of the first candidates, which are a random sample: a few
@@ -273,8 +246,8 @@ update_scale_of_mutation(struct ga *ga)
 {
 	size_t n = ga->options.population;
 	n = n < SCALE_SAMPLE ? n : SCALE_SAMPLE;
-	for (size_t g = 0; g < ga->n_gene; g++) {
-		const double *x = ga->told[g];
+	for (size_t g = 0; g < ga->breed.n_gene; g++) {
+		const double *x = ga->breed.told[g];
 		double sum = 0, squares = 0;
 		for (size_t i = 0; i < n; i++) {
 			sum += x[i] - x[0];
@@ -282,7 +255,7 @@ update_scale_of_mutation(struct ga *ga)
 		}
 		double mean = sum / (double)n;
 		double variance = squares / (double)n - mean * mean;
-		ga->scale[g] = variance > 0 ? sqrt(variance) : 0;
+		ga->breed.scale[g] = variance > 0 ? sqrt(variance) : 0;
 	}
 }
 
@@ -293,7 +266,7 @@ make_breed_keys(const struct ga *ga, struct breed_keys *keys)
 		keys->parent[i] = random_stream_key(ga, USE_PARENT, i);
 	keys->pair = random_stream_key(ga, USE_PAIR, 0);
 	keys->line = random_stream_key(ga, USE_PAIR, 1);
-	for (size_t g = 0; g < ga->n_gene; g++)
+	for (size_t g = 0; g < ga->breed.n_gene; g++)
 		keys->gene[g] = random_stream_key(ga, USE_GENE, g);
 }
 
@@ -301,9 +274,7 @@ static void
 prepare_breeding(struct ga *ga)
 {
 	for (size_t i = 0; i < ga->n_draw; i++)
-		ga->parent[i] = ga->rank[ga->winner[i]];
-	ga->breed.told = (const double *const *)ga->told;
-	ga->breed.asked = ga->asked;
+		ga->breed.parent[i] = ga->rank[ga->winner[i]];
 	make_breed_keys(ga, &ga->breed.keys);
 	ga->ready = false;
 }
@@ -311,15 +282,15 @@ prepare_breeding(struct ga *ga)
 const double *const *
 ga_ask_part(const struct ga *ga, size_t from, size_t to)
 {
-	const double *const *asked = (const double *const *)ga->asked;
+	const double *const *asked = (const double *const *)ga->breed.asked;
 	if (ga->ready)
 		return asked;
 	assert(from % GA_PART == 0 && to <= ga->options.population);
 	for (size_t i = from; i < to; i += BREED_BLOCK)
 		ga->block(&ga->breed, i);
 	for (size_t i = from; i < to && i < ga->options.elite; i++)
-		for (size_t g = 0; g < ga->n_gene; g++)
-			ga->asked[g][i] = ga->told[g][ga->rank[i]];
+		for (size_t g = 0; g < ga->breed.n_gene; g++)
+			ga->breed.asked[g][i] = ga->breed.told[g][ga->rank[i]];
 	return asked;
 }
 
@@ -334,9 +305,9 @@ ga_ask(struct ga *ga)
 void
 ga_tell(struct ga *ga, const double *misfit)
 {
-	double **swap = ga->told;
-	ga->told = ga->asked;
-	ga->asked = swap;
+	double **swap = ga->breed.told;
+	ga->breed.told = ga->breed.asked;
+	ga->breed.asked = swap;
 	memcpy(ga->misfit, misfit, ga->options.population * sizeof *misfit);
 	update_status(ga);
 	update_scale_of_mutation(ga);
@@ -347,17 +318,17 @@ void
 ga_set_bounds(struct ga *ga, const double *lower, const double *upper)
 {
 	ga_ask(ga);
-	for (size_t g = 0; g < ga->n_gene; g++) {
+	for (size_t g = 0; g < ga->breed.n_gene; g++) {
 		double low = lower[g], high = upper[g];
 		double best = fmin(fmax(ga->best[g], low), high);
 		for (size_t i = 0; i < ga->options.population; i++)
-			ga->asked[g][i] =
-			    fmin(fmax(ga->asked[g][i], low), high);
+			ga->breed.asked[g][i] =
+			    fmin(fmax(ga->breed.asked[g][i], low), high);
 		if (best != ga->best[g])
 			ga->status.best = INFINITY;
 		ga->best[g] = best;
-		ga->lower[g] = low;
-		ga->upper[g] = high;
+		ga->breed.lower[g] = low;
+		ga->breed.upper[g] = high;
 	}
 }
 
@@ -373,11 +344,10 @@ ga_best_genes(const struct ga *ga)
 	return ga->best;
 }
 
-void
-ga_list_best(const struct ga *ga, size_t n, size_t *index)
+const uint32_t *
+ga_ranking(const struct ga *ga)
 {
-	for (size_t i = 0; i < n; i++)
-		index[i] = ga->rank[i];
+	return ga->rank;
 }
 
 void
@@ -388,7 +358,7 @@ ga_quantiles_of_gene(const struct ga *ga, size_t gene, double *p10, double *p90)
 	size_t first = ga->options.elite;
 	size_t n = ga->options.population - first;
 	n = n < SPREAD_SAMPLE ? n : SPREAD_SAMPLE;
-	memcpy(sample, ga->told[gene] + first, n * sizeof *sample);
+	memcpy(sample, ga->breed.told[gene] + first, n * sizeof *sample);
 	*p10 = gsl_stats_select(sample, 1, n, n / 10);
 	*p90 = gsl_stats_select(sample, 1, n, n - 1 - n / 10);
 }

@@ -64,9 +64,7 @@ void ga_set_bounds(struct ga *ga, const double *lower, const double *upper);
 /* The state after the last ga_tell.  worst and median include infinite
  * misfits. */
 struct ga_status {
-	size_t generation; /* generations completed */
-	size_t evaluations;
-	size_t infinite;      /* misfits that were INFINITY, in all */
+	size_t generation;    /* generations completed */
 	double best;          /* lowest misfit so far */
 	double median, worst; /* of the last generation */
 };
@@ -76,10 +74,10 @@ struct ga_status ga_status(const struct ga *ga);
 /* Returns the genes [n_gene] of the best candidate so far. */
 const double *ga_best_genes(const struct ga *ga);
 
-/* Lists the indices of the candidates in the last completed generation by
- * increasing misfit; only the first `n` are sorted. ga_genes_of_last_generation
- * returns their genes. */
-void ga_list_best(const struct ga *ga, size_t n, size_t *index);
+/* Returns the indices of the candidates in the last completed generation by
+ * increasing misfit, of which only the better half is sorted exactly, and their
+ * genes. */
+const uint32_t *ga_ranking(const struct ga *ga);
 const double *const *ga_genes_of_last_generation(const struct ga *ga);
 
 /* Computes the 10 % and 90 % quantiles of a gene over at most 256 candidates of

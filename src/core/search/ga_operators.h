@@ -18,15 +18,15 @@ struct breed_keys {
 };
 
 /* told, asked: one array for each gene.  parent: winners of tournaments, drawn
- * by the top bits of a random number, shifted down by draw_shift.  scale
- * [n_gene]: unit of a mutation. */
+ * by the top bits of a random number, shifted down by draw_shift.  lower, upper
+ * [n_gene]: the box; scale [n_gene]: unit of a mutation, the standard deviation
+ * of told. */
 struct breed {
 	size_t n_gene;
-	const double *const *told;
-	double *const *asked;
-	const uint32_t *parent;
+	double **told, **asked;
+	uint32_t *parent;
 	int draw_shift;
-	const double *lower, *upper, *scale;
+	double *lower, *upper, *scale;
 	double crossover, mutation;
 	bool anywhere;
 	struct breed_keys keys;

@@ -140,7 +140,7 @@ tabulate_nodes_of_runs(const struct lane_model *m, struct block *b,
 
 /* Returns x^alpha at ln x = t. */
 static inline lanes
-size_to_alpha_at(const struct block *b, lanes t)
+lanes_size_to_alpha(const struct block *b, lanes t)
 {
 	return lanes_exp_quick(lanes_min(b->alpha * t, lanes_broadcast(708)));
 }
@@ -216,7 +216,7 @@ broken_share_of_split_class(const struct block *b,
 	struct broken_share sum = {lanes_broadcast(0), lanes_broadcast(0)};
 	for (size_t q = 0; q < g->n; q++) {
 		lanes t = upper - width * g->from_top[q];
-		add_gauss_point(&sum, b, run->E, size_to_alpha_at(b, t),
+		add_gauss_point(&sum, b, run->E, lanes_size_to_alpha(b, t),
 		    lanes_broadcast(g->weight[q]), t - plan->middle[c]);
 	}
 	lanes scale = run->mass[c] * width;
@@ -256,7 +256,7 @@ compute_broken_shares_of_class(const struct block *b,
 		bool whole = lanes_all(from <= lower);
 		double width = upper - lower;
 		for (size_t q = 0; whole && !have_power && q < g->n; q++)
-			power[q] = size_to_alpha_at(
+			power[q] = lanes_size_to_alpha(
 			    b, lanes_broadcast(upper - width * g->from_top[q]));
 		have_power = have_power || whole;
 		struct broken_share part =
