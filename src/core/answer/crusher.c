@@ -15,22 +15,25 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* [n - 1], of each class but the pan: its ensemble, or without a posterior its
+/* The products of one feed: of the draws, or without a posterior of the
  * model. */
+struct feed_products {
+	struct ensemble *draws;
+	struct model *model;
+};
+
 struct crusher {
 	const struct posterior *posterior;
 	struct params params;
 	struct model_settings settings;
 	size_t n;
 	double *size;
+	struct feed_products *class; /* [n - 1], of each but the pan */
 	/* Of the question's feed: its masses [n], and at the sieves [n_sieve],
 	 * which are its sizes number `at`, its product; or NULL. */
 	double *feed;
 	size_t n_sieve, *at;
-	struct model *whole;
-	struct ensemble *whole_draws;
-	struct model **model;
-	struct ensemble **ensemble;
+	struct feed_products whole;
 };
 
 /* passing [draws][n - 1][n]: of the product of a class at the sizes;
@@ -41,6 +44,28 @@ struct transfer {
 	double *feed; /* [n], room for the passing masses of a feed */
 };
 
+static struct feed_products
+open_feed_products(const struct crusher *c, const struct psd *feed,
+    const double *size, size_t n)
+{
+	struct feed_products of = {NULL, NULL};
+	if (c->posterior != NULL) {
+		of.draws = ensemble_new(c->posterior, feed, size, n);
+		ensemble_set_machine(of.draws, c->settings);
+	} else {
+		of.model = model_new(feed, size, n, c->settings);
+		model_use_params(of.model, &c->params);
+	}
+	return of;
+}
+
+static void
+close_feed_products(struct feed_products *of)
+{
+	ensemble_free(of->draws);
+	model_free(of->model);
+}
+
 struct crusher *
 crusher_new(const double *size, size_t n, const struct params *p,
     struct model_settings settings, const struct posterior *posterior)
@@ -48,24 +73,16 @@ crusher_new(const double *size, size_t n, const struct params *p,
 	struct crusher *c = xcalloc(1, sizeof *c);
 	*c = (struct crusher){.posterior = posterior,
 	    .params = *p,
+	    .settings = settings,
 	    .n = n,
 	    .size = xcalloc_doubles(n),
-	    .model = xcalloc(n, sizeof(*c->model)),
-	    .ensemble = xcalloc(n, sizeof(*c->ensemble))};
+	    .class = xcalloc(n, sizeof *c->class)};
 	memcpy(c->size, size, n * sizeof *size);
-	settings.bypass = 0;
-	c->settings = settings;
+	c->settings.bypass = 0;
 	for (size_t i = 0; i + 1 < n; i++) {
 		double bounds[2] = {size[i], size[i + 1]}, all[2] = {1, 0};
 		struct psd feed = {2, bounds, all};
-		if (posterior != NULL) {
-			c->ensemble[i] =
-			    ensemble_new(posterior, &feed, size, n);
-			ensemble_set_machine(c->ensemble[i], settings);
-			continue;
-		}
-		c->model[i] = model_new(&feed, size, n, settings);
-		model_use_params(c->model[i], p);
+		c->class[i] = open_feed_products(c, &feed, size, n);
 	}
 	return c;
 }
@@ -75,16 +92,12 @@ crusher_free(struct crusher *c)
 {
 	if (c == NULL)
 		return;
-	for (size_t i = 0; i < c->n; i++) {
-		model_free(c->model[i]);
-		ensemble_free(c->ensemble[i]);
-	}
-	model_free(c->whole);
-	ensemble_free(c->whole_draws);
+	for (size_t i = 0; i < c->n; i++)
+		close_feed_products(&c->class[i]);
+	close_feed_products(&c->whole);
 	free(c->feed);
 	free(c->at);
-	free(c->model);
-	free(c->ensemble);
+	free(c->class);
 	free(c->size);
 	free(c);
 }
@@ -105,15 +118,7 @@ crusher_set_feed(
 		known[c->n_sieve] = sieve[i];
 		c->at[c->n_sieve++] = k;
 	}
-	sieve = known;
-	n = c->n_sieve;
-	if (c->posterior != NULL) {
-		c->whole_draws = ensemble_new(c->posterior, feed, sieve, n);
-		ensemble_set_machine(c->whole_draws, c->settings);
-	} else {
-		c->whole = model_new(feed, sieve, n, c->settings);
-		model_use_params(c->whole, &c->params);
-	}
+	c->whole = open_feed_products(c, feed, known, c->n_sieve);
 	free(known);
 }
 
@@ -128,18 +133,28 @@ put_products_of_class(struct transfer *t, size_t class, const double *P)
 	}
 }
 
+/* Masses to passings, from the finest class on: below [n], which may be the
+ * masses.  Returns all of the mass. */
+static double
+cumulate_from_finest_class(const double *mass, size_t n, double *below)
+{
+	double sum = 0;
+	for (size_t i = n; i-- > 0;) {
+		sum += mass[i];
+		below[i] = sum;
+	}
+	return sum;
+}
+
 /* What the prediction has more than the sum of the classes, at all sizes:
  * straight on log size between the sieves, and no passing beyond theirs. */
 static void
 transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
 {
-	double *more = t->more + d * c->n, below = 0;
+	double *more = t->more + d * c->n;
 	transfer_product(t, d, c->feed, out);
-	for (size_t i = c->n; i-- > 0;) {
-		below += out[i];
-		out[i] = below;
-	}
+	cumulate_from_finest_class(out, c->n, out);
 	for (size_t i = 0; i < c->n_sieve; i++)
 		more[c->at[i]] = P[i * apart] - out[c->at[i]];
 	for (size_t i = 0; i + 1 < c->n_sieve; i++) {
@@ -160,15 +175,14 @@ static void
 transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 {
 	double *P = xcalloc_doubles(c->n_sieve), *out = xcalloc_doubles(c->n);
+	const double *draws = P;
 	t->more = xcalloc_doubles(t->draws * c->n);
-	if (c->posterior != NULL)
-		ensemble_set_speed(c->whole_draws, v);
-	else
-		model_product(c->whole, v, P);
-	const double *draws =
-	    c->posterior != NULL
-		? ensemble_products(c->whole_draws, ENSEMBLE_ANSWER)
-		: P;
+	if (c->posterior != NULL) {
+		ensemble_set_speed(c->whole.draws, v);
+		draws = ensemble_products(c->whole.draws, ENSEMBLE_ANSWER);
+	} else {
+		model_product(c->whole.model, v, P);
+	}
 	for (size_t d = 0; d < t->draws; d++)
 		transfer_match_draw(c, t, d, draws + d, t->draws, out);
 	free(out);
@@ -186,18 +200,19 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 	t->feed = xcalloc_doubles(n);
 	for (size_t i = 0; i + 1 < n; i++) {
 		if (c->posterior == NULL) {
-			model_product(c->model[i], v, t->passing + i * n);
+			model_product(c->class[i].model, v, t->passing + i * n);
 			continue;
 		}
-		ensemble_set_speed_as_drawn(c->ensemble[i], v);
+		struct ensemble *draws = c->class[i].draws;
+		ensemble_set_speed_as_drawn(draws, v);
 		put_products_of_class(
-		    t, i, ensemble_products(c->ensemble[i], ENSEMBLE_MODEL));
+		    t, i, ensemble_products(draws, ENSEMBLE_MODEL));
 	}
 	if (c->posterior != NULL && n > 1) {
 		t->delta = xcalloc_doubles(DRAWS * n);
 		for (size_t d = 0; d < DRAWS; d++)
 			ensemble_discrepancy_of_draw(
-			    c->ensemble[0], d, t->delta + d * n);
+			    c->class[0].draws, d, t->delta + d * n);
 	}
 	if (c->feed != NULL)
 		transfer_match_prediction(c, t, v);
@@ -220,18 +235,6 @@ size_t
 transfer_count_draws(const struct transfer *t)
 {
 	return t->draws;
-}
-
-/* Masses to passings, from the finest class on: below [n] of the feed. */
-static double
-cumulate_from_finest_class(const double *mass, size_t n, double *below)
-{
-	double sum = 0;
-	for (size_t i = n; i-- > 0;) {
-		sum += mass[i];
-		below[i] = sum;
-	}
-	return sum;
 }
 
 void
