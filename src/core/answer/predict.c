@@ -25,38 +25,26 @@ list_covered_sizes(const double *size, size_t n, const struct psd *feed)
 	return psd;
 }
 
-static struct psd
-covered_sieves(const struct site *site, const struct psd *feed)
-{
-	size_t n;
-	double *size = site_all_sieves(site, &n);
-	struct psd psd = list_covered_sizes(size, n, feed);
-	free(size);
-	return psd;
-}
-
 /* Those that a table of the product shows. */
 static struct psd
 product_sieves(const struct site *site, const struct psd *feed)
 {
 	return site->n_shown > 0
 		   ? list_covered_sizes(site->shown, site->n_shown, feed)
-		   : covered_sieves(site, feed);
+		   : predict_table_sizes(site, feed);
 }
 
 struct psd
 predict_table_sizes(const struct site *site, const struct psd *feed)
 {
-	struct psd sieves = covered_sieves(site, feed);
-	struct psd shown = list_covered_sizes(site->shown, site->n_shown, feed);
-	struct psd psd = psd_new(sieves.n + shown.n);
-	memcpy(psd.size, sieves.size, sieves.n * sizeof *psd.size);
-	if (shown.n > 0)
-		memcpy(psd.size + sieves.n, shown.size,
-		    shown.n * sizeof *psd.size);
-	psd.n = psd_sort_distinct_sizes(psd.size, psd.n, 0);
-	psd_free(&sieves);
-	psd_free(&shown);
+	size_t n;
+	double *size = site_all_sieves(site, &n);
+	size = xrealloc(size, n + site->n_shown + 1, sizeof *size);
+	for (size_t i = 0; i < site->n_shown; i++)
+		size[n++] = site->shown[i];
+	n = psd_sort_distinct_sizes(size, n, 0);
+	struct psd psd = list_covered_sizes(size, n, feed);
+	free(size);
 	return psd;
 }
 
