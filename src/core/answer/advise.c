@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
+#include "core/numeric/elementary.h"
 #include "core/numeric/svd.h"
 #include "core/posterior/posterior.h"
 
@@ -27,15 +28,6 @@ subtract_row_means(const double *row, size_t n)
 	return to;
 }
 
-static double
-advise_dot(const double *a, const double *b)
-{
-	double sum = 0;
-	for (size_t d = 0; d < N; d++)
-		sum += a[d] * b[d];
-	return sum;
-}
-
 double
 advise_variance_share_removed(
     const double *answer, const double *sample, size_t n)
@@ -43,12 +35,12 @@ advise_variance_share_removed(
 	double *U = subtract_row_means(sample, n),
 	       *y = subtract_row_means(answer, 1);
 	double *V = xcalloc_doubles(n * n), *sigma = xcalloc_doubles(n);
-	double all = advise_dot(y, y), known = 0, best = 0;
+	double all = el_dot(y, y, N), known = 0, best = 0;
 	svd_decompose(U, N, n, V, sigma);
 	for (size_t k = 0; k < n && k < MOST && all > 0; k++) {
 		if (sigma[k] <= 1e-9 * sigma[0])
 			break;
-		double along = advise_dot(U + k * N, y);
+		double along = el_dot(U + k * N, y, N);
 		known += along * along / all;
 		double spare = N - 2 - (double)k;
 		best = fmax(best, 1 - (1 - known) * (N - 1) / spare);

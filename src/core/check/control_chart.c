@@ -58,15 +58,6 @@ drift_covariance_of_errors(const struct posterior *p, const double *size,
 		}
 }
 
-static double
-control_chart_dot(const double *a, const double *b, size_t n)
-{
-	double sum = 0;
-	for (size_t i = 0; i < n; i++)
-		sum += a[i] * b[i];
-	return sum;
-}
-
 /* A component of a sample: the weight of each sieve, and the values that the
  * draws give it, minus their mean. */
 struct component {
@@ -92,7 +83,7 @@ static double
 shared_covariance(
     const struct component *a, const struct component *b, size_t n)
 {
-	return n > 0 ? control_chart_dot(a->draw, b->draw, n) / (double)n : 0;
+	return n > 0 ? el_dot(a->draw, b->draw, n) / (double)n : 0;
 }
 
 /* Returns the covariance of two components of a sample. */
@@ -102,8 +93,8 @@ control_chart_covariance(const struct drift_cut *c, const struct component *a,
 {
 	double sum = shared_covariance(a, b, c->n_draw);
 	for (size_t i = 0; i < c->n; i++)
-		sum += a->weight[i] *
-		       control_chart_dot(b->weight, c->error + i * c->n, c->n);
+		sum +=
+		    a->weight[i] * el_dot(b->weight, c->error + i * c->n, c->n);
 	return sum;
 }
 
@@ -261,8 +252,8 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			    &w[i * DRIFT_COMPONENTS + k];
 			*c = i > 0 ? point[i - 1].chart[k]
 				   : (struct drift_chart){0};
-			c->value = control_chart_dot(
-			    own->weight, cut[i].residual, cut[i].n);
+			c->value =
+			    el_dot(own->weight, cut[i].residual, cut[i].n);
 			size_t known = i < *since ? i : *since;
 			double truth =
 			    shared_covariance(own, own, cut[i].n_draw);

@@ -1,4 +1,5 @@
-/* exp and log that give the same bits on every machine and in every lane.
+/* exp, log and sums of products that give the same bits on every machine and,
+ * exp and log, in every lane.
  *
  * The C library's functions differ in the last bit between processors (it picks
  * a variant with fused multiply-add where there is one), and a genetic
@@ -9,6 +10,7 @@
 #ifndef TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 #define TIPSPEED_CORE_NUMERIC_ELEMENTARY_H
 
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -110,6 +112,16 @@ static inline double
 el_pow(double x, double a)
 {
 	return el_exp(a * el_log(x));
+}
+
+/* Returns the sum of a[i] b[i], added in order. */
+static inline double
+el_dot(const double *a, const double *b, size_t n)
+{
+	double sum = 0;
+	for (size_t i = 0; i < n; i++)
+		sum += a[i] * b[i];
+	return sum;
 }
 
 #endif

@@ -8,20 +8,13 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "core/numeric/elementary.h"
+
 /* Columns that much shorter than all of A are rounding errors of 0, which have
  * no direction. */
 static const double NOTHING = 1e-17;
 
 enum { SWEEPS_MOST = 60 };
-
-static double
-svd_dot(const double *a, const double *b, size_t n)
-{
-	double sum = 0;
-	for (size_t i = 0; i < n; i++)
-		sum += a[i] * b[i];
-	return sum;
-}
 
 static void
 rotate_columns(double *a, double *b, size_t n, double c, double s)
@@ -38,8 +31,8 @@ static bool
 svd_orthogonalise_columns(double *a, double *b, size_t rows, double *va,
     double *vb, size_t n, double least)
 {
-	double aa = svd_dot(a, a, rows), bb = svd_dot(b, b, rows),
-	       ab = svd_dot(a, b, rows);
+	double aa = el_dot(a, a, rows), bb = el_dot(b, b, rows),
+	       ab = el_dot(a, b, rows);
 	double rounding = (double)rows * DBL_EPSILON;
 	bool straight = fabs(ab) <= rounding * sqrt(aa) * sqrt(bb);
 	if (straight || aa <= least || bb <= least)
@@ -81,7 +74,7 @@ svd_normalise_column(double *u, size_t rows, double *v, size_t n, double sigma)
 void
 svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 {
-	double least = NOTHING * NOTHING * svd_dot(A, A, rows * n);
+	double least = NOTHING * NOTHING * el_dot(A, A, rows * n);
 	bool turned = true;
 	for (size_t i = 0; i < n * n; i++)
 		V[i] = i % (n + 1) == 0;
@@ -94,7 +87,7 @@ svd_decompose(double *A, size_t rows, size_t n, double *V, double *sigma)
 				    V + b * n, n, least);
 	}
 	for (size_t c = 0; c < n; c++)
-		sigma[c] = sqrt(svd_dot(A + c * rows, A + c * rows, rows));
+		sigma[c] = sqrt(el_dot(A + c * rows, A + c * rows, rows));
 	for (size_t c = 0; c < n; c++) {
 		size_t most = c;
 		for (size_t d = c + 1; d < n; d++)
