@@ -4,7 +4,6 @@
 #include "core/answer/advise.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
@@ -32,9 +31,9 @@ double
 advise_variance_share_removed(
     const double *answer, const double *sample, size_t n)
 {
-	double *U = subtract_row_means(sample, n),
-	       *y = subtract_row_means(answer, 1);
-	double *V = xcalloc_doubles(n * n), *sigma = xcalloc_doubles(n);
+	FREED double *U = subtract_row_means(sample, n),
+		     *y = subtract_row_means(answer, 1);
+	FREED double *V = xcalloc_doubles(n * n), *sigma = xcalloc_doubles(n);
 	double all = el_dot(y, y, N), known = 0, best = 0;
 	svd_decompose(U, N, n, V, sigma);
 	for (size_t k = 0; k < n && k < MOST && all > 0; k++) {
@@ -45,9 +44,5 @@ advise_variance_share_removed(
 		double spare = N - 2 - (double)k;
 		best = fmax(best, 1 - (1 - known) * (N - 1) / spare);
 	}
-	free(U);
-	free(V);
-	free(y);
-	free(sigma);
 	return fmin(best, 1);
 }

@@ -132,12 +132,11 @@ order_units(const struct circuit *c, bool *back)
 size_t
 circuit_find_unfed_unit(const struct circuit *c)
 {
-	bool *back = xcalloc(c->n_stream + 1, sizeof *back);
+	FREED bool *back = xcalloc(c->n_stream + 1, sizeof *back);
 	struct unit_walk w = order_units(c, back);
 	size_t u = 0;
 	while (u < c->n_unit && w.state[u] != WALK_NEW)
 		u++;
-	free(back);
 	return u;
 }
 

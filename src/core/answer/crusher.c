@@ -109,7 +109,7 @@ crusher_set_feed(
 	c->feed = xcalloc_doubles(c->n);
 	c->at = xcalloc(n, sizeof *c->at);
 	crusher_class_masses_of_feed(c, feed, c->feed);
-	double *known = xcalloc_doubles(n);
+	FREED double *known = xcalloc_doubles(n);
 	for (size_t i = 0, k = 0; i < n; i++) {
 		while (k + 1 < c->n && c->size[k] > sieve[i] * (1 + 1e-9))
 			k++;
@@ -119,7 +119,6 @@ crusher_set_feed(
 		c->at[c->n_sieve++] = k;
 	}
 	c->whole = open_feed_products(c, feed, known, c->n_sieve);
-	free(known);
 }
 
 /* Row by draw what the ensemble of a class has row by size. */
@@ -174,7 +173,8 @@ transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
 static void
 transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 {
-	double *P = xcalloc_doubles(c->n_sieve), *out = xcalloc_doubles(c->n);
+	FREED double *P = xcalloc_doubles(c->n_sieve),
+		     *out = xcalloc_doubles(c->n);
 	const double *draws = P;
 	t->more = xcalloc_doubles(t->draws * c->n);
 	if (c->posterior != NULL) {
@@ -185,8 +185,6 @@ transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 	}
 	for (size_t d = 0; d < t->draws; d++)
 		transfer_match_draw(c, t, d, draws + d, t->draws, out);
-	free(out);
-	free(P);
 }
 
 struct transfer *

@@ -68,8 +68,8 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
     size_t *pick)
 {
 	size_t picked = 0;
-	bool *taken = xcalloc(n, sizeof *taken);
-	struct nearness *near = xcalloc(n, sizeof *near);
+	FREED bool *taken = xcalloc(n, sizeof *taken);
+	FREED struct nearness *near = xcalloc(n, sizeof *near);
 	memcpy(taken, leave_out, n * sizeof *taken);
 	for (size_t i = 0; i < n; i++)
 		near[i] = (struct nearness){
@@ -88,8 +88,6 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 			    taken[i] || has_same_parameters(&m[i], &m[best]);
 		pick[picked++] = best;
 	}
-	free(near);
-	free(taken);
 	return picked;
 }
 
@@ -122,13 +120,12 @@ static struct guess_range
 range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
     double passing)
 {
-	double *v = xcalloc_doubles(n);
+	FREED double *v = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
 		v[i] = psd_size_at_passing(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
 	struct guess_range range = range_of_values(v, n);
-	free(v);
 	range.middle = psd_size_at_passing(median, passing);
 	range.low = isfinite(range.low) ? range.low : NAN;
 	range.high = isfinite(range.high) ? range.high : NAN;
@@ -140,13 +137,12 @@ static struct psd
 median_curve(const struct prediction *p, size_t n)
 {
 	struct psd median = psd_copy(&p[0].curve);
-	double *v = xcalloc_doubles(n);
+	FREED double *v = xcalloc_doubles(n);
 	for (size_t s = 0; s < median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].curve.passing[s];
 		median.passing[s] = range_of_values(v, n).middle;
 	}
-	free(v);
 	return median;
 }
 
@@ -154,7 +150,7 @@ median_curve(const struct prediction *p, size_t n)
 static void
 fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 {
-	double *v = xcalloc_doubles(n);
+	FREED double *v = xcalloc_doubles(n);
 	guess->feed = psd_copy(&p[0].feed);
 	guess->median = psd_copy(&p[0].product);
 	guess->low = psd_copy(&p[0].product);
@@ -170,7 +166,6 @@ fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
 	guess->break_size = range_of_values(v, n);
-	free(v);
 }
 
 static struct guess
@@ -206,7 +201,7 @@ guess_product(const struct site *site, size_t feed_run,
 	for (size_t i = 0; i < n; i++)
 		laws = m[pick[i]].law_open ? GUESS_LAWS : laws;
 	all = n * laws;
-	struct prediction *p = xcalloc(all, sizeof *p);
+	FREED struct prediction *p = xcalloc(all, sizeof *p);
 	for (size_t i = 0; i < all; i++) {
 		const struct guess_material *of = &m[pick[i / laws]];
 		struct params params = of->params;
@@ -218,7 +213,6 @@ guess_product(const struct site *site, size_t feed_run,
 	struct guess guess = guess_from_products(p, all, v);
 	for (size_t i = 0; i < all; i++)
 		prediction_free(&p[i]);
-	free(p);
 	return guess;
 }
 
@@ -278,11 +272,11 @@ guess_left_out_site(
     const struct pairs *pairs, const size_t *pick, size_t n, size_t truth)
 {
 	const struct prediction *row = &pairs->p[truth * pairs->n];
-	struct prediction *picked = xcalloc(n, sizeof *picked), p = row[truth];
+	FREED struct prediction *picked = xcalloc(n, sizeof *picked);
+	struct prediction p = row[truth];
 	for (size_t i = 0; i < n; i++)
 		picked[i] = row[pick[i]];
 	struct guess g = guess_from_products(picked, n, pairs->v);
-	free(picked);
 	const double *P = p.product.passing;
 	struct trial trial = {
 	    .error = psd_rms_difference(g.median.passing, P, p.product.n, NULL),
@@ -319,9 +313,10 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 	const struct guess_material *m = pairs->m;
 	size_t n = pairs->n;
 	struct guess_error out = {.worst = -1, .nearest = nearest};
-	bool *leave_out = xcalloc(n, sizeof *leave_out);
-	size_t *pick = xcalloc(nearest, sizeof *pick), cells = 0, held = 0;
-	double *error = xcalloc_doubles(n), *feed = xcalloc_doubles(n);
+	FREED bool *leave_out = xcalloc(n, sizeof *leave_out);
+	FREED size_t *pick = xcalloc(nearest, sizeof *pick);
+	size_t cells = 0, held = 0;
+	FREED double *error = xcalloc_doubles(n), *feed = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
 		if (!mark_materials_left_out(m, n, i, leave_out))
 			continue;
@@ -345,10 +340,6 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 		out.feed = range_of_values(feed, out.n).middle;
 		out.held = cells > 0 ? (double)held / (double)cells : NAN;
 	}
-	free(leave_out);
-	free(pick);
-	free(error);
-	free(feed);
 	return out;
 }
 

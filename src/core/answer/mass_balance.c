@@ -53,7 +53,7 @@ mass_balance_new(const struct psd *feed, const struct params *p,
 	    .left = xcalloc_doubles(n),
 	    .arrived = xcalloc_doubles(n),
 	    .product = xcalloc_doubles(n)};
-	double *S = xcalloc_doubles(n), *product = xcalloc_doubles(n);
+	FREED double *S = xcalloc_doubles(n), *product = xcalloc_doubles(n);
 	predict_selection_of_classes(feed, p, settings, v, S);
 	for (size_t i = 0; i < n; i++) {
 		double finer = i + 1 < n ? feed->passing[i + 1] : 0;
@@ -63,8 +63,6 @@ mass_balance_new(const struct psd *feed, const struct params *p,
 	}
 	for (size_t i = 0; i < n; i++)
 		l.product[i] = l.unbroken[i] + l.within[i] + l.arrived[i];
-	free(S);
-	free(product);
 	return l;
 }
 

@@ -38,14 +38,12 @@ struct psd
 predict_table_sizes(const struct site *site, const struct psd *feed)
 {
 	size_t n;
-	double *size = site_all_sieves(site, &n);
+	FREED double *size = site_all_sieves(site, &n);
 	size = xrealloc(size, n + site->n_shown + 1, sizeof *size);
 	for (size_t i = 0; i < site->n_shown; i++)
 		size[n++] = site->shown[i];
 	n = psd_sort_distinct_sizes(size, n, 0);
-	struct psd psd = list_covered_sizes(size, n, feed);
-	free(size);
-	return psd;
+	return list_covered_sizes(size, n, feed);
 }
 
 void
@@ -143,7 +141,7 @@ predict_with_model_alone(const struct site *site, const struct params *p,
 	const struct fraction whole = {0};
 	struct psd sizes = predict_table_sizes(site, feed);
 	size_t n;
-	struct quantity *asked =
+	FREED struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
 	struct response *r =
 	    response_new(feed, sizes.size, sizes.n, asked, n, p, settings);
@@ -151,7 +149,6 @@ predict_with_model_alone(const struct site *site, const struct params *p,
 	struct prediction out = predict_table(site, feed_run, &whole, r, 0);
 	response_free(r);
 	psd_free(&sizes);
-	free(asked);
 	return out;
 }
 

@@ -115,7 +115,7 @@ response_new(const struct psd *feed, const double *size, size_t n,
 {
 	struct response *r = xcalloc(1, sizeof *r);
 	size_t n_sieve = n;
-	double *all = merge_sizes(feed, size, &n, asked, n_asked);
+	FREED double *all = merge_sizes(feed, size, &n, asked, n_asked);
 	*r =
 	    (struct response){.model = model_new(feed, size, n_sieve, settings),
 		.params = *p,
@@ -149,7 +149,6 @@ response_new(const struct psd *feed, const double *size, size_t n,
 		fraction_kept_of_classes(
 		    &asked[i].fraction, all, n, r->kept[i]);
 	}
-	free(all);
 	return r;
 }
 

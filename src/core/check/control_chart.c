@@ -236,7 +236,8 @@ size_t
 drift_run_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since)
 {
-	struct component *w = xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
+	FREED struct component *w =
+	    xcalloc(n * DRIFT_COMPONENTS + 1, sizeof *w);
 	double *U[DRIFT_COMPONENTS];
 	size_t first = n;
 	for (size_t i = 0; i < n; i++)
@@ -281,7 +282,6 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 		free(w[i].weight);
 		free(w[i].draw);
 	}
-	free(w);
 	return first;
 }
 

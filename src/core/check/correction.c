@@ -42,9 +42,8 @@ mend_find_column(
 		*feed = i % 2 == 0;
 		*run = i / 2;
 		const struct run *r = &site->run[*run];
-		char *own = mend_column_name(site, *feed, *run);
+		FREED char *own = mend_column_name(site, *feed, *run);
 		bool same = strcmp(own, name) == 0;
-		free(own);
 		if (same && (*feed || r->product.n > 0))
 			return true;
 	}
@@ -63,49 +62,38 @@ text_of_cell(const struct site *site, const struct mend *m, const char *name)
 {
 	const struct psd *psd = site_curve(site, m->run, m->feed);
 	size_t i = index_of_mended_sieve(psd, m->size);
-	char *was = percent_text(i < psd->n ? psd->passing[i] : NAN);
-	char *now = percent_text(m->value);
-	char *words =
-	    xasprintf(tr("%s at %g mm: %s %s%s"), name, 1000 * m->size, was,
-		m->kind == MEND_READ ? tr("read as ") : tr("left out"),
-		m->kind == MEND_READ ? now : "");
-	free(was);
-	free(now);
-	return words;
+	FREED char *was = percent_text(i < psd->n ? psd->passing[i] : NAN);
+	FREED char *now = percent_text(m->value);
+	return xasprintf(tr("%s at %g mm: %s %s%s"), name, 1000 * m->size, was,
+	    m->kind == MEND_READ ? tr("read as ") : tr("left out"),
+	    m->kind == MEND_READ ? now : "");
 }
 
 char *
 mend_text(const struct site *site, const struct mend *m)
 {
-	char *name = mend_column_name(site, m->feed, m->run), *words;
-	char *with = m->kind == MEND_SWAP
-			 ? mend_column_name(site, true, m->run)
-			 : mend_column_name(site, false, m->other);
+	FREED char *name = mend_column_name(site, m->feed, m->run);
+	FREED char *with = m->kind == MEND_SWAP
+			       ? mend_column_name(site, true, m->run)
+			       : mend_column_name(site, false, m->other);
 	switch (m->kind) {
 	case MEND_READ:
 	case MEND_OUT:
-		words = text_of_cell(site, m, name);
-		break;
+		return text_of_cell(site, m, name);
 	case MEND_SWAP:
 	case MEND_WITH:
-		words = xasprintf(tr("%s and %s exchanged"), name, with);
-		break;
+		return xasprintf(tr("%s and %s exchanged"), name, with);
 	case MEND_UP:
 	case MEND_DOWN:
-		words = xasprintf(tr("%s moved to the next %s sieve"), name,
+		return xasprintf(tr("%s moved to the next %s sieve"), name,
 		    m->kind == MEND_UP ? tr("coarser") : tr("finer"));
-		break;
 	case MEND_SCALE:
-		words =
-		    xasprintf(tr("sieve sizes of %s times %g"), name, m->value);
-		break;
-	default:
-		words = xasprintf(tr("%s left out"), name);
+		return xasprintf(
+		    tr("sieve sizes of %s times %g"), name, m->value);
+	case MEND_DROP:
 		break;
 	}
-	free(name);
-	free(with);
-	return words;
+	return xasprintf(tr("%s left out"), name);
 }
 
 /* ---- Mending ---- */
@@ -138,7 +126,7 @@ shift_column_by_a_sieve(
     const struct site *site, struct run *run, struct psd *psd, bool up)
 {
 	size_t n;
-	double *size = site_all_sieves(site, &n);
+	FREED double *size = site_all_sieves(site, &n);
 	for (size_t i = psd->n; i-- > 0;) {
 		size_t k = 0;
 		while (k < n && size[k] != psd->size[i])
@@ -148,7 +136,6 @@ shift_column_by_a_sieve(
 		else
 			psd->size[i] = size[up ? k - 1 : k + 1];
 	}
-	free(size);
 }
 
 static void
@@ -234,13 +221,11 @@ add_mend_to_provenance(
 	    from->provenance[0] != '\0' ? from->provenance : "not stated";
 	size_t n = strcspn(was, ";"), m = strlen(mark);
 	bool marked = n >= m && strncmp(was + n - m, mark, m) == 0;
-	char *words = mend_text(from, mend);
-	char *first = xstrndup(was, n);
+	FREED char *words = mend_text(from, mend);
+	FREED char *first = xstrndup(was, n);
 	free(site->provenance);
 	site->provenance = xasprintf(
 	    "%s%s%s; mended: %s", first, marked ? "" : mark, was + n, words);
-	free(first);
-	free(words);
 }
 
 static void

@@ -251,14 +251,14 @@ static double
 z_of_cell(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
 {
-	double *u = xcalloc_doubles(l->n), dot = 0, squares = 0;
+	FREED double *u = xcalloc_doubles(l->n);
+	double dot = 0, squares = 0;
 	memcpy(u, l->shift + cell * l->n, l->n * sizeof *u);
 	discrepancy_solve_lower(ISA_BEST, U, l->n, u);
 	for (size_t i = 0; i < l->n; i++) {
 		dot += u[i] * y[i];
 		squares += u[i] * u[i];
 	}
-	free(u);
 	*shift = dot / squares;
 	*sd = 1 / sqrt(squares);
 	return dot / sqrt(squares);
@@ -301,9 +301,10 @@ fill_expected_passing(
 static size_t
 find_cells_of_largest_z(struct leave_out *l, size_t *cell)
 {
-	double *U = factor_joint_covariance(l),
-	       *y = standardise_joint_values(l, U);
-	double *z = xcalloc_doubles(l->n), shift, sd;
+	FREED double *U = factor_joint_covariance(l),
+		     *y = standardise_joint_values(l, U);
+	FREED double *z = xcalloc_doubles(l->n);
+	double shift, sd;
 	size_t n = 0;
 	for (size_t c = 0; c < l->n; c++) {
 		z[c] = fabs(z_of_cell(l, U, y, c, &shift, &sd));
@@ -313,9 +314,6 @@ find_cells_of_largest_z(struct leave_out *l, size_t *cell)
 	}
 	n = n < CLOSE ? n : CLOSE;
 	gsl_sort_largest_index(cell, n, z, 1, l->n);
-	free(U);
-	free(y);
-	free(z);
 	return n;
 }
 
@@ -339,12 +337,10 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 	free_or_fix_cell(l, cell, 1);
 	s.gain = level - minus_log_posterior_at_best_hypers(l);
 	free_or_fix_cell(l, cell, -1);
-	double *U = factor_joint_covariance(l),
-	       *y = standardise_joint_values(l, U);
+	FREED double *U = factor_joint_covariance(l),
+		     *y = standardise_joint_values(l, U);
 	s.z = z_of_cell(l, U, y, cell, &shift, &s.sd);
 	fill_expected_passing(l, &s, shift);
-	free(U);
-	free(y);
 	for (size_t k = 0; k < BLOCKS; k++)
 		memcpy(l->block[k].hyper, was[k], sizeof was[k]);
 	return s;
@@ -511,7 +507,7 @@ block_of_residuals(
 {
 	struct misfit *m = misfit_new(l->site, NULL, NULL, false, p->settings);
 	size_t n = m->of->n;
-	double *J = xcalloc_doubles(b->n * n);
+	FREED double *J = xcalloc_doubles(b->n * n);
 	misfit_jacobian(m, &p->fit, b->value, J);
 	for (size_t i = 0; i < b->n; i++) {
 		const struct leave_out_cell *c = &l->of[i];
@@ -530,7 +526,6 @@ block_of_residuals(
 	for (size_t k = 0; k < HYPERS; k++)
 		b->hyper[k] = el_log(HYPER[k].median);
 	misfit_free(m);
-	free(J);
 }
 
 /* Computes the change of a run's products per change of a passing of its feed,

@@ -348,7 +348,7 @@ digits_of_passing(double passing, char digits[static 16], size_t *point)
 	size_t n = 0;
 	if (fabs(hundredths - round(hundredths)) > 1e-6)
 		return 0;
-	char *text = xasprintf("%.2f", round(hundredths) / 100);
+	FREED char *text = xasprintf("%.2f", round(hundredths) / 100);
 	for (const char *c = text; *c != '\0' && n < 15; c++)
 		if (*c != '.')
 			digits[n++] = *c;
@@ -358,7 +358,6 @@ digits_of_passing(double passing, char digits[static 16], size_t *point)
 	*point = n - 2;
 	if (n > 1 && digits[n - 1] == '0')
 		digits[--n] = '\0';
-	free(text);
 	return n;
 }
 
@@ -544,16 +543,14 @@ static void
 find_most_bent_cell(struct outlier_findings *d, const struct site *site,
     bool feed, double noise)
 {
-	const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
-	size_t *run = xcalloc(site->n_run, sizeof *run);
+	FREED const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
+	FREED size_t *run = xcalloc(site->n_run, sizeof *run);
 	size_t n = gather_curves(site, feed, curve, run);
 	struct psd_outlier o = psd_find_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	if (fabs(o.off) > most)
 		add_cell_off_curve(d, site, noise,
 		    (struct leave_out_cell){feed, run[o.curve], o.sieve});
-	free(curve);
-	free(run);
 }
 
 /* ---- All ---- */

@@ -6,8 +6,6 @@
 
 #include "core/model/breakage_energy.h"
 
-#include <stdlib.h>
-
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
 #include "core/model/selection.h"
@@ -52,11 +50,9 @@ energy_progeny_density(
 char *
 energy_appearance_text(const struct params *p)
 {
-	char *cubic = grunditz_appearance_text(p);
-	char *text = xasprintf("%s; B at E is its B(u)^((E/%.4g)^-%.4g)", cubic,
+	FREED char *cubic = grunditz_appearance_text(p);
+	return xasprintf("%s; B at E is its B(u)^((E/%.4g)^-%.4g)", cubic,
 	    p->at[E_REF], p->at[GAMMA]);
-	free(cubic);
-	return text;
 }
 
 static const struct param_info PARAMETERS[] = {

@@ -18,7 +18,6 @@
 #include "core/model/breakage_energy.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
@@ -59,11 +58,9 @@ progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 static char *
 appearance_text(const struct params *p)
 {
-	char *energy = energy_appearance_text(p);
-	char *text = xasprintf("%s, and of 1 - B the power (E/%.4g)^%.4g",
-	    energy, params_value_by_name(p, "e_ref"), p->at[KAPPA]);
-	free(energy);
-	return text;
+	FREED char *energy = energy_appearance_text(p);
+	return xasprintf("%s, and of 1 - B the power (E/%.4g)^%.4g", energy,
+	    params_value_by_name(p, "e_ref"), p->at[KAPPA]);
 }
 
 static const struct param_info PARAMETERS[] = {GRUNDITZ_BETA,

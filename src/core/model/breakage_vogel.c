@@ -7,7 +7,6 @@
 #ifndef LANES
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -67,14 +66,12 @@ static char *
 appearance_text(const struct params *p)
 {
 	const double *q = p->at;
-	char *fines = q[Y_FINE] > 0
-			  ? xasprintf(" (1 + tanh(y/%.4g - 1)) / 2", q[Y_FINE])
+	FREED char *fines =
+	    q[Y_FINE] > 0 ? xasprintf(" (1 + tanh(y/%.4g - 1)) / 2", q[Y_FINE])
 			  : xstrdup("");
-	char *text = xasprintf("B = (y/x)^q%s, q = %.4g v %c %.4g, y = progeny "
-			       "in mm, x = parent, v in m/s",
+	return xasprintf("B = (y/x)^q%s, q = %.4g v %c %.4g, y = progeny "
+			 "in mm, x = parent, v in m/s",
 	    fines, q[Q_SLOPE], q[Q_0] < 0 ? '-' : '+', fabs(q[Q_0]));
-	free(fines);
-	return text;
 }
 
 static const struct param_info PARAMETERS[] = {

@@ -193,7 +193,7 @@ spectrum_energy_factor(const struct spectrum *s, double speed)
 struct impacts
 spectrum_reduce_to_impacts(const struct spectrum *s, double cut)
 {
-	struct spectrum_size *whole = spectrum_merge_sizes(s);
+	FREED struct spectrum_size *whole = spectrum_merge_sizes(s);
 	struct spectrum_bin above = spectrum_impacts_above(whole, cut, false);
 	struct spectrum_bin node = {0, 0};
 	struct impacts to = {.n = 0};
@@ -216,7 +216,6 @@ spectrum_reduce_to_impacts(const struct spectrum *s, double cut)
 		if (to.n == IMPACTS_MOST)
 			break;
 	}
-	free(whole);
 	return to;
 }
 
@@ -258,8 +257,8 @@ spectrum_ks_distance(
 {
 	double largest = 0, slower = fmin(a->speed, b->speed);
 	double least = cut / (slower * slower / 2);
-	struct spectrum_size *of_a = spectrum_merge_sizes(a);
-	struct spectrum_size *of_b = spectrum_merge_sizes(b);
+	FREED struct spectrum_size *of_a = spectrum_merge_sizes(a);
+	FREED struct spectrum_size *of_b = spectrum_merge_sizes(b);
 	for (size_t i = 0; i < 200; i++) {
 		double r = least * el_pow(2 / least, (double)i / 199);
 		double d = share_of_impacts_above(of_a, a->speed,
@@ -268,7 +267,5 @@ spectrum_ks_distance(
 			       least * b->speed * b->speed / 2, r);
 		largest = fmax(largest, fabs(d));
 	}
-	free(of_a);
-	free(of_b);
 	return largest;
 }

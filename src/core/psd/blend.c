@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 
 #include "base/xalloc.h"
 
@@ -65,7 +64,7 @@ find_distinct_feeds(
 struct psd
 blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 {
-	const struct psd **own = xcalloc(n, sizeof *own);
+	FREED const struct psd **own = xcalloc(n, sizeof *own);
 	n = find_distinct_feeds(feed, n, own);
 	struct psd mean = merge_sieves(own, n);
 	for (size_t k = 0; k < mean.n; k++) {
@@ -85,7 +84,6 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 				      ? mean.passing[k - 1] * here / before
 				      : 0;
 	}
-	free(own);
 	return mean;
 }
 

@@ -109,7 +109,7 @@ psd_smooth_curve(const struct psd *psd)
 	size_t n = psd->n, points = n;
 	if (n < 3)
 		return psd_copy(psd);
-	double *x = xcalloc_doubles(n);
+	FREED double *x = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		x[i] = el_log(psd->size[i]);
 	for (size_t i = 0; i + 1 < n; i++)
@@ -132,7 +132,6 @@ psd_smooth_curve(const struct psd *psd)
 			    x, psd->passing, n, i, at);
 		}
 	}
-	free(x);
 	return curve;
 }
 

@@ -4,7 +4,6 @@
 #include "core/psd/screening.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/numeric/elementary.h"
@@ -73,7 +72,7 @@ void
 fraction_kept_of_classes(
     const struct fraction *fraction, const double *size, size_t n, double *out)
 {
-	double *over = xcalloc_doubles(n);
+	FREED double *over = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
 		out[i] = 1;
 	if (fraction->coarse > 0)
@@ -86,7 +85,6 @@ fraction_kept_of_classes(
 		    &fraction->partition, fraction->fine, size, n, over);
 	for (size_t i = 0; i < n && fraction->fine > 0; i++)
 		out[i] *= over[i];
-	free(over);
 }
 
 double

@@ -156,11 +156,10 @@ number_repeat_runs(struct site *site)
 		nth = site_run_repeats_speed(site, r) ? nth + 1 : 1;
 		bool more =
 		    r + 1 < site->n_run && site_run_repeats_speed(site, r + 1);
-		char *which =
+		FREED char *which =
 		    nth > 1 || more ? xasprintf(" (%zu)", nth) : xstrdup("");
 		strncpy(
 		    site->run[r].repeat, which, sizeof site->run[r].repeat - 1);
-		free(which);
 	}
 }
 
@@ -180,19 +179,15 @@ provenance_of_site_and_feed(const struct site *site, const char *of)
 	const char *own = site->provenance;
 	bool worse = site_is_data_made_up(of) && !site_is_data_made_up(own);
 	size_t n = strcspn(own, ";"), n_of = strcspn(of, ";");
-	char *site_is = xasprintf("%.*s", (int)n, n > 0 ? own : "");
-	char *feed_is = xasprintf("%.*s", (int)n_of, of);
+	FREED char *site_is = xasprintf("%.*s", (int)n, n > 0 ? own : "");
+	FREED char *feed_is = xasprintf("%.*s", (int)n_of, of);
 	if (n == 0)
 		replace_text(&site_is, "not stated");
 	if (n_of == 0)
 		replace_text(&feed_is, "not stated");
-	char *both =
-	    worse ? xasprintf(
-			"%s (the feed), site: %s%s", feed_is, site_is, own + n)
-		  : xasprintf("%s, feed: %s%s", site_is, feed_is, own + n);
-	free(site_is);
-	free(feed_is);
-	return both;
+	return worse ? xasprintf("%s (the feed), site: %s%s", feed_is, site_is,
+			   own + n)
+		     : xasprintf("%s, feed: %s%s", site_is, feed_is, own + n);
 }
 
 struct site *
@@ -288,9 +283,8 @@ site_update_digest_and_mean_feed(struct site *site)
 	if (!site->individual_feeds)
 		return;
 	size_t n;
-	const struct psd **feed = list_sampled_feeds(site, &n);
+	FREED const struct psd **feed = list_sampled_feeds(site, &n);
 	site->mean_feed = blend_mean_of_feeds(feed, n);
-	free(feed);
 }
 
 const struct psd *
@@ -308,10 +302,8 @@ double
 site_largest_feed_difference(const struct site *site, double *sieve)
 {
 	size_t n;
-	const struct psd **feed = list_sampled_feeds(site, &n);
-	double most = blend_largest_difference(feed, n, sieve);
-	free(feed);
-	return most;
+	FREED const struct psd **feed = list_sampled_feeds(site, &n);
+	return blend_largest_difference(feed, n, sieve);
 }
 
 double *
@@ -430,10 +422,9 @@ site_source(const struct site *site, const char *none)
 void
 sources_add_site(char **list, const struct site *site)
 {
-	char *clause = site_source(site, "provenance not stated");
+	FREED char *clause = site_source(site, "provenance not stated");
 	if (strstr(*list, clause) == NULL)
 		xappend_to_list(list, "; ", "%s", clause);
-	free(clause);
 }
 
 static const char *const MADE_UP[] = {
@@ -452,7 +443,7 @@ site_middle_speed(const struct site *site)
 const char *
 site_data_kind(const char *provenance)
 {
-	char *folded = text_fold_case_and_accents(provenance);
+	FREED char *folded = text_fold_case_and_accents(provenance);
 	const char *text = text_trim(folded), *kind = N_("measured");
 	const char none[] = "not stated", day[] = "sheet of ";
 	/* The day of a sheet does not say that its numbers were measured. */
@@ -462,7 +453,6 @@ site_data_kind(const char *provenance)
 	for (size_t i = 0; i < ARRAY_LEN(MADE_UP); i++)
 		if (strncmp(text, MADE_UP[i], strlen(MADE_UP[i])) == 0)
 			kind = MADE_UP[i];
-	free(folded);
 	return kind;
 }
 

@@ -133,7 +133,7 @@ static void
 plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t room = m->n_residual, n = 0, cell = 0;
-	double *sieve = xcalloc_doubles(room);
+	FREED double *sieve = xcalloc_doubles(room);
 	for (size_t r = 0; r < m->n_run; r++)
 		for (size_t i = 0; i < m->run[r].n; i++)
 			sieve[n++] = m->run[r].sieve[i];
@@ -157,7 +157,6 @@ plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
 			run->target[s].weight = from->weight[i];
 		}
 	}
-	free(sieve);
 }
 
 static void
@@ -167,9 +166,8 @@ plan_continuous_runs(struct batch_plan *plan, const struct misfit *m)
 	for (size_t r = 0; r < m->n_run; r++)
 		room += m->run[r].feed.n;
 	plan->one_feed = true;
-	double *edge = xcalloc_doubles(room);
+	FREED double *edge = xcalloc_doubles(room);
 	plan_integration_classes(plan, edge, collect_sieve_edges(m, edge));
-	free(edge);
 	plan_nodes(plan);
 	for (size_t r = 0; r < m->n_run; r++) {
 		struct plan_run *run = &plan->run[r];
@@ -195,7 +193,7 @@ plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 {
 	const struct psd *feed = &from->feed;
 	size_t n = run->n_size = feed->n;
-	double *x = xcalloc_doubles(n);
+	FREED double *x = xcalloc_doubles(n);
 	classes_sizes(feed, x);
 	run->mass = xcalloc_doubles(n);
 	run->log_size = xcalloc_doubles(n);
@@ -213,7 +211,6 @@ plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 				    interpolation_at_depth(el_log(x[i] / x[j]));
 		}
 	}
-	free(x);
 	run->n_target = from->n;
 	run->target = xcalloc(from->n, sizeof *run->target);
 	for (size_t s = 0; s < from->n; s++) {

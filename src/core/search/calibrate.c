@@ -113,14 +113,13 @@ struct misfit *
 calibrate_misfit(
     const struct site *site, const struct calibrate_options *options)
 {
-	bool *train = xcalloc(site->n_run, sizeof *train);
+	FREED bool *train = xcalloc(site->n_run, sizeof *train);
 	if (options->train == NULL)
 		misfit_mark_default_training(site, train);
 	struct misfit *m =
 	    misfit_new(site, options->train != NULL ? options->train : train,
 		options->run_weight, options->by_sd, options->settings);
 	m->stop = options->stop;
-	free(train);
 	return m;
 }
 

@@ -81,8 +81,8 @@ candidates_with_residuals(const struct site *site, const bool *train,
 	struct misfit *m = misfit_new(site, train, NULL, false, settings);
 	struct candidates c = {.n = m->n_residual,
 	    .cell = xcalloc(m->n_residual + 1, sizeof *c.cell)};
-	double *difference = xcalloc_doubles(m->n_residual * MOST);
-	double *of_best = xcalloc_doubles(m->n_residual);
+	FREED double *difference = xcalloc_doubles(m->n_residual * MOST);
+	FREED double *of_best = xcalloc_doubles(m->n_residual);
 	evaluate_kept_candidates(m, isa, g, difference);
 	misfit_weighted_differences(m, best, of_best);
 	size_t k = 0;
@@ -99,8 +99,6 @@ candidates_with_residuals(const struct site *site, const bool *train,
 			    .best = of_best[k]};
 		}
 	find_break_sizes_of_candidates(&c, g, m->run[0].speed);
-	free(difference);
-	free(of_best);
 	misfit_free(m);
 	return c;
 }

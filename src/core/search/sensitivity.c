@@ -4,7 +4,6 @@
 #include "core/search/sensitivity.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "core/numeric/svd.h"
@@ -40,7 +39,8 @@ decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
     size_t rows, double *basis)
 {
 	size_t n = s->n;
-	double *A = xcalloc_doubles(n * rows), V[PARAMS_MOST * PARAMS_MOST];
+	FREED double *A = xcalloc_doubles(n * rows);
+	double V[PARAMS_MOST * PARAMS_MOST];
 	for (size_t c = 0; c < n; c++)
 		for (size_t i = 0; i < rows; i++)
 			A[c * rows + i] = J[i * width + s->column[c]] *
@@ -53,7 +53,6 @@ decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
 		for (size_t c = 0; c < n; c++)
 			if (s->sigma[c] > 1e-9 * s->sigma[0])
 				basis[i * PARAMS_MOST + c] = A[c * rows + i];
-	free(A);
 }
 
 struct sensitivity
@@ -62,15 +61,14 @@ sensitivity_at_params(struct misfit *m, const struct params *p,
 {
 	struct sensitivity s = {0};
 	size_t rows = m->n_residual, width = m->of->n;
-	double *r = xcalloc_doubles(rows), *J = xcalloc_doubles(rows * width);
+	FREED double *r = xcalloc_doubles(rows),
+		     *J = xcalloc_doubles(rows * width);
 	s.misfit = misfit_jacobian(m, p, r, J);
 	find_movable_params(&s, p, bounds, inward);
 	for (size_t i = 0; basis != NULL && i < rows * PARAMS_MOST; i++)
 		basis[i] = 0;
 	if (s.n > 0)
 		decompose_jacobian(&s, J, width, rows, basis);
-	free(r);
-	free(J);
 	return s;
 }
 

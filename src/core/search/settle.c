@@ -3,7 +3,6 @@
 #include "core/search/settle.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/xalloc.h"
@@ -202,7 +201,7 @@ settle_at_stationary_point(
     struct misfit *m, const struct bounds *bounds, struct params *p)
 {
 	size_t rows = m->n_residual, width = m->of->n;
-	double *room = xcalloc_doubles(2 * rows * (width + 1));
+	FREED double *room = xcalloc_doubles(2 * rows * (width + 1));
 	struct newton w = {.misfit = m, .bounds = bounds};
 	w.r = room;
 	w.r_beside = w.r + rows;
@@ -218,6 +217,5 @@ settle_at_stationary_point(
 		    misfit_of_params(m, p) * (1 + NOTHING) + EXACT;
 	if (found)
 		*p = q;
-	free(room);
 	return found;
 }
