@@ -177,16 +177,28 @@ response_free(struct response *r)
 	free(r);
 }
 
+/* The curve of the fraction that quantity i is of, and its share of the
+ * product. */
+static const struct psd *
+fraction_of_curve(
+    struct response *r, size_t i, const struct psd *curve, double *share)
+{
+	*share = 1;
+	if (r->kept[i] == NULL)
+		return curve;
+	*share = screening_screen_product(curve, r->kept[i], &r->part);
+	return &r->part;
+}
+
 /* Of a curve of the product. */
 static double
 quantity_of_curve(struct response *r, size_t i, const struct psd *curve)
 {
+	double share;
 	if (r->row[i] < curve->n)
 		return curve->passing[r->row[i]];
-	if (r->kept[i] == NULL)
-		return quantity_read_off_curve(&r->asked[i], curve, 1);
-	double share = screening_screen_product(curve, r->kept[i], &r->part);
-	return quantity_read_off_curve(&r->asked[i], &r->part, share);
+	curve = fraction_of_curve(r, i, curve, &share);
+	return quantity_read_off_curve(&r->asked[i], curve, share);
 }
 
 /* The curve of draw d. */
@@ -339,13 +351,11 @@ static double
 excess_of_curve(struct response *r, size_t i, double limit, double value,
     const struct psd *curve)
 {
-	const struct quantity *q = &r->asked[i];
-	if (!quantity_excess_needs_curve(q))
-		return quantity_excess_over_limit(q, limit, value, NULL);
-	if (r->kept[i] == NULL)
-		return quantity_excess_over_limit(q, limit, value, curve);
-	screening_screen_product(curve, r->kept[i], &r->part);
-	return quantity_excess_over_limit(q, limit, value, &r->part);
+	double share;
+	curve = quantity_excess_needs_curve(&r->asked[i])
+		    ? fraction_of_curve(r, i, curve, &share)
+		    : NULL;
+	return quantity_excess_over_limit(&r->asked[i], limit, value, curve);
 }
 
 double
@@ -378,10 +388,8 @@ response_band_of_quantity(
 }
 
 struct psd
-response_screened_curve(const struct response *r, size_t i)
+response_screened_curve(struct response *r, size_t i)
 {
-	struct psd part = psd_copy(&r->product);
-	if (r->kept[i] != NULL)
-		screening_screen_product(&r->product, r->kept[i], &part);
-	return part;
+	double share;
+	return psd_copy(fraction_of_curve(r, i, &r->product, &share));
 }

@@ -63,6 +63,6 @@ void response_band_of_quantity(
 
 /* Returns the answer's curve of the fraction of quantity i at the response's
  * speed, at the sizes of the product's curve.  Free with psd_free. */
-struct psd response_screened_curve(const struct response *r, size_t i);
+struct psd response_screened_curve(struct response *r, size_t i);
 
 #endif

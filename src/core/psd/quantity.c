@@ -117,18 +117,8 @@ quantity_excess_over_limit(const struct quantity *q, double limit, double value,
 bool
 quantity_excess_needs_curve(const struct quantity *q)
 {
-	switch (q->kind) {
-	case QUANTITY_SIZE:
-	case QUANTITY_UNIFORMITY:
-	case QUANTITY_CURVATURE:
-		return true;
-	case QUANTITY_PASSING:
-	case QUANTITY_SHARE:
-	case QUANTITY_MODULUS:
-	case QUANTITY_STEP:
-		break;
-	}
-	return false;
+	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
+	       q->kind == QUANTITY_CURVATURE;
 }
 
 size_t
