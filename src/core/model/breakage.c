@@ -43,42 +43,33 @@ breakage_find_by_name(const char *name)
 	return i;
 }
 
-/* Whether a model has the parameters of another. */
-static bool
-has_all_parameters(size_t wide, size_t narrow)
-{
-	const struct breakage *of = BREAKAGES[narrow];
-	size_t j = 0;
-	while (j < of->n && breakage_parameter_index(BREAKAGES[wide],
-				of->parameter[j].name) < BREAKAGES[wide]->n)
-		j++;
-	return j == of->n;
-}
-
 bool
 breakage_extends(size_t wide, size_t narrow)
 {
-	return wide != narrow && has_all_parameters(wide, narrow);
+	const struct breakage *of = BREAKAGES[narrow], *in = BREAKAGES[wide];
+	size_t j = 0;
+	while (j < of->n &&
+	       breakage_parameter_index(in, of->parameter[j].name) < in->n)
+		j++;
+	return wide != narrow && j == of->n;
 }
 
 struct params
 breakage_widen_params(const struct params *p, size_t wide)
 {
+	const struct breakage *of = breakage_model_of_params(p);
 	struct params q = params_start_values(wide);
-	for (size_t i = 0; i < breakage_model_of_params(p)->n; i++) {
-		const char *name =
-		    breakage_model_of_params(p)->parameter[i].name;
-		q.at[breakage_parameter_index(BREAKAGES[wide], name)] =
-		    p->at[i];
-	}
+	for (size_t i = 0; i < of->n; i++)
+		q.at[breakage_parameter_index(
+		    BREAKAGES[wide], of->parameter[i].name)] = p->at[i];
 	return q;
 }
 
 struct params
 breakage_narrow_params(const struct params *p)
 {
+	const struct breakage *of = breakage_model_of_params(p);
 	struct params best = *p;
-	size_t reference = breakage_model_of_params(p)->reference;
 	for (size_t i = 0; i < breakage_count_models(); i++) {
 		if (!breakage_extends(p->breakage, i) ||
 		    BREAKAGES[i]->n >= breakage_model_of_params(&best)->n)
@@ -88,10 +79,9 @@ breakage_narrow_params(const struct params *p)
 			q.at[j] = params_value_by_name(
 			    p, BREAKAGES[i]->parameter[j].name);
 		struct params back = breakage_widen_params(&q, p->breakage);
-		if (reference < breakage_model_of_params(p)->n)
-			back.at[reference] = p->at[reference];
-		if (memcmp(back.at, p->at,
-			breakage_model_of_params(p)->n * sizeof *back.at) == 0)
+		if (of->reference < of->n)
+			back.at[of->reference] = p->at[of->reference];
+		if (memcmp(back.at, p->at, of->n * sizeof *back.at) == 0)
 			best = q;
 	}
 	return best;
