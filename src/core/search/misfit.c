@@ -163,20 +163,16 @@ differences_of_run(struct misfit *m, size_t r, const struct params *p,
 double
 misfit_of_params(struct misfit *m, const struct params *p)
 {
-	double sum = 0;
-	for (size_t r = 0; r < m->n_run; r++)
-		sum += differences_of_run(m, r, p, true, m->passing);
-	return isfinite(sum) ? sum : INFINITY;
+	return misfit_weighted_differences(m, p, NULL);
 }
 
 double
 misfit_weighted_differences(struct misfit *m, const struct params *p, double *d)
 {
 	double sum = 0;
-	for (size_t r = 0; r < m->n_run; r++) {
-		sum += differences_of_run(m, r, p, true, d);
-		d += m->run[r].n;
-	}
+	for (size_t r = 0, at = 0; r < m->n_run; at += m->run[r++].n)
+		sum += differences_of_run(
+		    m, r, p, true, d != NULL ? d + at : m->passing);
 	return isfinite(sum) ? sum : INFINITY;
 }
 

@@ -64,7 +64,7 @@ bool misfit_should_stop(const struct misfit *m);
 double misfit_of_params(struct misfit *m, const struct params *p);
 
 /* As misfit_of_params, and computes the weighted differences simulated -
- * measured, r [n_residual]. */
+ * measured, r [n_residual] or NULL. */
 double misfit_weighted_differences(
     struct misfit *m, const struct params *p, double *r);
 

@@ -177,29 +177,20 @@ solve_damped_step(struct polish *s, const size_t *column, size_t n_free,
 	solve_step_from_triangle(s, column, n_free, z, step);
 }
 
+/* *cut: whether a bound lies in the way of the step. */
 static struct params
 params_after_step(const struct params *p, const double step[PARAMS_MOST],
-    const struct bounds *bounds)
+    const struct bounds *bounds, bool *cut)
 {
 	struct params q = *p;
+	*cut = false;
 	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++) {
 		double x = p->at[j] + step[j];
+		*cut = *cut || x < bounds->lower[j] || x > bounds->upper[j];
 		x = x > bounds->lower[j] ? x : bounds->lower[j];
 		q.at[j] = x < bounds->upper[j] ? x : bounds->upper[j];
 	}
 	return q;
-}
-
-/* Whether a bound lies in the way of the step. */
-static bool
-is_step_cut_by_bound(const struct params *p, const double step[PARAMS_MOST],
-    const struct bounds *bounds)
-{
-	for (size_t j = 0; j < breakage_model_of_params(p)->n; j++)
-		if (p->at[j] + step[j] < bounds->lower[j] ||
-		    p->at[j] + step[j] > bounds->upper[j])
-			return true;
-	return false;
 }
 
 /* A descent under way, from *p. */
@@ -290,7 +281,9 @@ descend_damped(struct descent *d, int evaluations)
 		if (d->result.converged)
 			break;
 		solve_damped_step(d->s, column, n_free, damping, step);
-		struct params q = params_after_step(d->p, step, d->bounds);
+		bool cut;
+		struct params q =
+		    params_after_step(d->p, step, d->bounds, &cut);
 		double trial = evaluate_trial_step(d, &q);
 		if (trial < d->result.misfit) {
 			continue_from_trial(d, &q, trial);
@@ -369,8 +362,8 @@ search_along_line(struct descent *d, const struct secant *q, struct move *m)
 		for (size_t c = 0; c < q->n; c++)
 			m->z[c] = t * way[c];
 		solve_step_from_triangle(d->s, q->column, q->n, m->z, step);
-		struct params p = params_after_step(d->p, step, d->bounds);
-		m->cut = is_step_cut_by_bound(d->p, step, d->bounds);
+		struct params p =
+		    params_after_step(d->p, step, d->bounds, &m->cut);
 		double trial = evaluate_trial_step(d, &p);
 		compute_secant_gradient(
 		    d->s, q, d->s->r_try, d->s->J_try, m->g);
