@@ -562,22 +562,18 @@ fill_products_response_to_feed(
 {
 	const struct leave_out_cell *of = &l->of[cell];
 	bool shared = !l->site->individual_feeds;
-	double *u = l->shift + cell * l->n, *gain = NULL;
+	double *u = l->shift + cell * l->n;
+	FREED double *gain = xcalloc_doubles(l->block[PRODUCTS].n);
 	for (size_t i = 0; i < l->block[PRODUCTS].n; i++) {
 		const struct leave_out_cell *c = &l->of[i];
 		const struct run *run = &l->site->run[c->run];
 		if (c->run != of->run && !shared)
 			continue;
-		if (i == 0 || c->run != l->of[i - 1].run || gain == NULL) {
-			free(gain);
-			gain =
-			    xcalloc_doubles(misfit_count_covered_sieves(run));
+		if (c->sieve == 0)
 			product_change_per_feed_passing(
 			    run, of->sieve, p, gain);
-		}
 		u[i] = -gain[c->sieve];
 	}
-	free(gain);
 }
 
 /* Adds the feeds' own errors to the products, and their covariance with the

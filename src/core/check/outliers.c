@@ -460,15 +460,23 @@ shift_along_curves(
 	return s;
 }
 
+static struct leave_out *
+leave_out_without(const struct site *site, const struct posterior *p,
+    double noise, const size_t *cell, size_t n)
+{
+	struct leave_out *l = leave_out_new(site, p, noise);
+	for (size_t i = 0; i < n; i++)
+		leave_out_remove_cell(l, cell[i]);
+	return l;
+}
+
 /* Finds the next cell, from a fit of its own, which moves.  found [n]: the
  * cells before it.  False if none is worth reporting. */
 static bool
 find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
     struct posterior *p, double noise, size_t *found, size_t n)
 {
-	struct leave_out *l = leave_out_new(site, p, noise);
-	for (size_t i = 0; i < n; i++)
-		leave_out_remove_cell(l, found[i]);
+	struct leave_out *l = leave_out_without(site, p, noise, found, n);
 	struct leave_out_shift s = {.gain = 0};
 	if (leave_out_count_cells(l) > n)
 		s = leave_out_worst_shift(l);
@@ -489,9 +497,7 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 	struct mend m = {.feed = c.feed, .run = c.run};
 	m.size = site_curve(site, m.run, m.feed)->size[c.sieve];
 	refit_without_cell(p, site, m);
-	l = leave_out_new(site, p, noise);
-	for (size_t i = 0; i < n; i++)
-		leave_out_remove_cell(l, found[i]);
+	l = leave_out_without(site, p, noise, found, n);
 	double gain = s.gain;
 	s = leave_out_shift_of(l, s.cell);
 	leave_out_free(l);
