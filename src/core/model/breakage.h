@@ -26,19 +26,20 @@ struct kernel_out {
 	const double *softer, *share;
 };
 
-/* A model's part of the search, see kernel_body.h.  Evaluates the KERNEL_LANES
- * candidates at the indices.  theta: one array for each parameter of the model.
- * smooth: all these candidates are smooth, see KERNEL_BINS. */
-typedef void kernel_block(const struct batch_plan *plan,
-    const double *const *theta, const uint32_t *index, bool smooth,
-    double *scratch, const struct kernel_out *out);
-
-/* Sorts the candidates first..first+KERNEL_LANES-1 into bins of ln x* at the
- * mean energy, adding KERNEL_BINS for smooth candidates, whose S rises so
- * slowly that fewer Gauss points suffice. */
+/* A model's part of the search, see kernel_body.h.  theta: one array for each
+ * parameter of the model.  evaluate: computes the KERNEL_LANES candidates at
+ * the indices; smooth: all of them are smooth.  sort: puts the candidates
+ * first..first+KERNEL_LANES-1 into bins of ln x* at the mean energy, adding
+ * KERNEL_BINS for smooth candidates, whose S rises so slowly that fewer Gauss
+ * points suffice. */
 enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
-typedef void kernel_bin_candidates(const struct batch_plan *plan,
-    const double *const *theta, size_t first, uint16_t *bin);
+struct model_kernel {
+	void (*evaluate)(const struct batch_plan *plan,
+	    const double *const *theta, const uint32_t *index, bool smooth,
+	    double *scratch, const struct kernel_out *out);
+	void (*sort)(const struct batch_plan *plan, const double *const *theta,
+	    size_t first, uint16_t *bin);
+};
 
 /* Parameters at a tip speed, prepared by breaker_set_speed.  appearance: that
  * of beta scaled to 1, in a model with a gauge; own: other values that the
@@ -90,10 +91,7 @@ struct breakage {
 	/* Returns B as text with its numbers.  The caller frees it. */
 	char *(*appearance_text)(const struct params *p);
 
-	struct {
-		kernel_block *block;
-		kernel_bin_candidates *bins;
-	} kernel[ISA_BEST]; /* of the search */
+	const struct model_kernel *kernel[ISA_BEST]; /* of the search */
 };
 
 /* All models, the paper's first, ending with NULL.  breakage_count_models
@@ -197,31 +195,23 @@ bool breaker_has_progeny(const struct breaker *b);
 	    .bypass = true,                                                    \
 	    __VA_ARGS__};
 
-/* The kernel's functions for a model, defined by breakage_all.h; a program that
- * only prints the tables omits them. */
+/* A model's kernels, which breakage_all.h defines; a program that only prints
+ * the tables has none. */
 #ifdef TABLES_ONLY
 #define KERNELS(model) struct breakage
 #define KERNEL_ROW(model) \
 	{                 \
-		{         \
-			0 \
-		}         \
+		NULL      \
 	}
 #else
-#define KERNELS(model)                                              \
-	kernel_block model##_block_base, model##_block_avx2,        \
-	    model##_block_avx512;                                   \
-	kernel_bin_candidates model##_bins_base, model##_bins_avx2, \
-	    model##_bins_avx512
-#define KERNEL_ROW(model)                                         \
-	{                                                         \
-		{model##_block_base, model##_bins_base},          \
-		    {model##_block_avx2, model##_bins_avx2},      \
-		{                                                 \
-			model##_block_avx512, model##_bins_avx512 \
-		}                                                 \
+#define KERNELS(model)                                        \
+	extern const struct model_kernel model##_kernel_base, \
+	    model##_kernel_avx2, model##_kernel_avx512
+#define KERNEL_ROW(model)                                   \
+	{                                                   \
+		&model##_kernel_base, &model##_kernel_avx2, \
+		    &model##_kernel_avx512                  \
 	}
-
 #endif
 
 #endif

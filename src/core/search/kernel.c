@@ -10,8 +10,7 @@
 
 struct kernel {
 	struct batch_plan plan;
-	kernel_block *block;
-	kernel_bin_candidates *bins;
+	const struct model_kernel *of;
 	unsigned threads;
 	double **scratch; /* [threads] */
 };
@@ -20,10 +19,8 @@ struct kernel *
 kernel_new(const struct misfit *m, enum isa isa, unsigned threads)
 {
 	struct kernel *kernel = xcalloc(1, sizeof *kernel);
-	enum isa usable = isa_usable_or_best(isa);
 	const struct breakage *of = BREAKAGES[m->settings.breakage];
-	kernel->block = of->kernel[usable].block;
-	kernel->bins = of->kernel[usable].bins;
+	kernel->of = of->kernel[isa_usable_or_best(isa)];
 	batch_plan_fill(&kernel->plan, m);
 	kernel->threads = threads;
 	kernel->scratch = xcalloc(threads, sizeof *kernel->scratch);
@@ -71,7 +68,7 @@ fill_queue_by_break_size(const struct kernel *kernel,
 	uint32_t order[KERNEL_PART] = {0};
 	size_t n = to - from;
 	for (size_t i = 0; i < n; i += KERNEL_LANES)
-		kernel->bins(&kernel->plan, theta, from + i, bin + i);
+		kernel->of->sort(&kernel->plan, theta, from + i, bin + i);
 	for (size_t i = 0; i < n; i++)
 		place[bin[i] + 1]++;
 	for (size_t b = 0; b < 2 * KERNEL_BINS; b++)
@@ -96,8 +93,8 @@ kernel_evaluate_part(const struct kernel *kernel, const double *const *theta,
 	assert(to - from <= KERNEL_PART && from % KERNEL_LANES == 0);
 	fill_queue_by_break_size(kernel, theta, from, to, &q);
 	for (size_t i = 0; i < q.n; i += KERNEL_LANES)
-		kernel->block(&kernel->plan, theta, q.index + i, i >= q.n_stiff,
-		    kernel->scratch[thread], out);
+		kernel->of->evaluate(&kernel->plan, theta, q.index + i,
+		    i >= q.n_stiff, kernel->scratch[thread], out);
 }
 
 void

@@ -319,7 +319,8 @@ mix_softer_rock(const struct block *b, const struct batch_plan *plan,
 
 /* Returns B, not yet divided by the total. */
 static inline lanes
-view_B(const struct node_interpolation *v, const struct node *node)
+interpolate_share_finer(
+    const struct node_interpolation *v, const struct node *node)
 {
 	const struct node *at = node + v->node;
 	return at[1].below +
@@ -342,7 +343,8 @@ mass_below_from_whole_classes(const struct plan_run *run,
 {
 	lanes sum = lanes_broadcast(0);
 	for (size_t c = 0; c < n; c++)
-		sum += run->whole[c] * view_B(&sieve->view[c], node);
+		sum += run->whole[c] *
+		       interpolate_share_finer(&sieve->view[c], node);
 	return sum;
 }
 
@@ -356,13 +358,13 @@ add_mass_from_split_classes(const struct lane_model *m,
 {
 	lanes first = below[0], second = below[1];
 	for (size_t c = from; c < n; c++) {
-		lanes B = view_B(&sieve->view[c], node[0]);
+		lanes B = interpolate_share_finer(&sieve->view[c], node[0]);
 		lanes p = interpolate_progeny_density(&sieve->view[c], node[0]);
 		first += share[0][c].mass * B - share[0][c].moment * p;
 		if (!pair)
 			continue;
 		if (m->per_run) {
-			B = view_B(&sieve->view[c], node[1]);
+			B = interpolate_share_finer(&sieve->view[c], node[1]);
 			p = interpolate_progeny_density(
 			    &sieve->view[c], node[1]);
 		}
@@ -592,21 +594,22 @@ bin_by_break_size(const struct lane_model *m, const struct batch_plan *plan,
 
 /* Defines a model's kernel for this instruction set from the fields of its
  * struct lane_model. */
-#define KERNEL_JOIN(model, what, isa) model##_##what##_##isa
-#define KERNEL_NAME(model, what, isa) KERNEL_JOIN(model, what, isa)
+#define KERNEL_JOIN(model, isa) model##_kernel_##isa
+#define KERNEL_NAME(model, isa) KERNEL_JOIN(model, isa)
 #define KERNEL(model, ...)                                                     \
-	kernel_block KERNEL_NAME(model, block, ISA);                           \
-	kernel_bin_candidates KERNEL_NAME(model, bins, ISA);                   \
 	static const struct lane_model model##_lanes = {__VA_ARGS__};          \
-	void KERNEL_NAME(model, block, ISA)(const struct batch_plan *plan,     \
+	static void model##_evaluate(const struct batch_plan *plan,            \
 	    const double *const *theta, const uint32_t *index, bool smooth,    \
 	    double *scratch, const struct kernel_out *out)                     \
 	{                                                                      \
 		evaluate_all(                                                  \
 		    &model##_lanes, plan, theta, index, smooth, scratch, out); \
 	}                                                                      \
-	void KERNEL_NAME(model, bins, ISA)(const struct batch_plan *plan,      \
+	static void model##_sort(const struct batch_plan *plan,                \
 	    const double *const *theta, size_t first, uint16_t *bin)           \
 	{                                                                      \
 		bin_by_break_size(&model##_lanes, plan, theta, first, bin);    \
-	}
+	}                                                                      \
+	extern const struct model_kernel KERNEL_NAME(model, ISA);              \
+	const struct model_kernel KERNEL_NAME(model, ISA) = {                  \
+	    model##_evaluate, model##_sort};
