@@ -7,18 +7,17 @@
 
 #include "base/xalloc.h"
 
-/* The sieves of all, coarsest first; passings 0. */
-static struct psd
-merge_sieves(const struct psd *const *feed, size_t n)
+struct psd
+blend_all_sieves(const struct psd *const *curve, size_t n)
 {
 	size_t room = 0;
 	for (size_t i = 0; i < n; i++)
-		room += feed[i]->n;
+		room += curve[i]->n;
 	struct psd all = psd_new(room);
 	all.n = 0;
 	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < feed[i]->n; k++)
-			all.size[all.n++] = feed[i]->size[k];
+		for (size_t k = 0; k < curve[i]->n; k++)
+			all.size[all.n++] = curve[i]->size[k];
 	all.n = psd_sort_distinct_sizes(all.size, all.n, 0);
 	return all;
 }
@@ -26,7 +25,7 @@ merge_sieves(const struct psd *const *feed, size_t n)
 struct psd
 blend_new(const struct psd *const *feed, const double *part, size_t n)
 {
-	struct psd blend = merge_sieves(feed, n);
+	struct psd blend = blend_all_sieves(feed, n);
 	double sum = 0;
 	for (size_t i = 0; i < n; i++)
 		sum += part[i];
@@ -66,7 +65,7 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 {
 	FREED const struct psd **own = xcalloc(n, sizeof *own);
 	n = find_distinct_feeds(feed, n, own);
-	struct psd mean = merge_sieves(own, n);
+	struct psd mean = blend_all_sieves(own, n);
 	for (size_t k = 0; k < mean.n; k++) {
 		double x = mean.size[k], above = k > 0 ? mean.size[k - 1] : x;
 		double here = 0, before = 0;
@@ -90,7 +89,7 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 double
 blend_largest_difference(const struct psd *const *feed, size_t n, double *sieve)
 {
-	struct psd all = merge_sieves(feed, n);
+	struct psd all = blend_all_sieves(feed, n);
 	double most = 0;
 	*sieve = 0;
 	for (size_t k = 0; k < all.n; k++) {

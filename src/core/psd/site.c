@@ -309,19 +309,14 @@ site_largest_feed_difference(const struct site *site, double *sieve)
 double *
 site_all_sieves(const struct site *site, size_t *n)
 {
-	size_t room = 0, all = 0;
-	for (size_t r = 0; r < site->n_run; r++)
-		room += site->run[r].feed.n + site->run[r].product.n;
-	double *size = xcalloc_doubles(room);
-	for (size_t r = 0; r < site->n_run; r++) {
-		const struct run *run = &site->run[r];
-		for (size_t i = 0; i < run->feed.n; i++)
-			size[all++] = run->feed.size[i];
-		for (size_t i = 0; i < run->product.n; i++)
-			size[all++] = run->product.size[i];
-	}
-	*n = psd_sort_distinct_sizes(size, all, 0);
-	return size;
+	FREED const struct psd **curve =
+	    xcalloc(2 * site->n_run, sizeof *curve);
+	for (size_t i = 0; i < 2 * site->n_run; i++)
+		curve[i] = site_curve(site, i / 2, i % 2 == 0);
+	struct psd all = blend_all_sieves(curve, 2 * site->n_run);
+	free(all.passing);
+	*n = all.n;
+	return all.size;
 }
 
 struct psd *
