@@ -99,7 +99,7 @@ struct unit_walk {
 	bool *back;
 };
 
-/* As deep as there are units. */
+/* Recurses at most as deep as there are units. */
 static void
 order_units_from(struct unit_walk *w, size_t u)
 {
@@ -164,9 +164,9 @@ circuit_find_trapped_stream(const struct circuit *c)
 	return c->n_stream;
 }
 
-/* A solution under way.  over [n_unit][classes]: share of each class that goes
- * to a screen's oversize; mass [n_stream][classes], t/h; in, rotor, out
- * [classes]: room for a unit's. */
+/* The state of a solution.  over [n_unit][classes]: share of each class that
+ * goes to a screen's oversize; mass [n_stream][classes], t/h; in, rotor, out
+ * [classes]: workspace for the flows of one unit. */
 struct circuit_solver {
 	const struct circuit *c;
 	const double *feed;
@@ -185,7 +185,8 @@ sum_of_masses(const double *mass, size_t n)
 	return sum;
 }
 
-/* Replaces a stream; returns what it changed by. */
+/* Replaces the masses of a stream.  Returns their change if the stream closes a
+ * loop, else 0. */
 static double
 update_stream_masses(struct circuit_solver *s, size_t stream,
     const double *mass, const double *share, double of)
@@ -199,7 +200,7 @@ update_stream_masses(struct circuit_solver *s, size_t stream,
 	return s->walk.back[stream] ? change : 0;
 }
 
-/* All out of a screen is from the same numbers, so that nothing is lost. */
+/* Both outputs are computed from the same numbers, so that no mass is lost. */
 static double
 separate_by_screen(struct circuit_solver *s, const struct unit *unit, size_t u)
 {
@@ -222,7 +223,7 @@ pass_through_crusher(
 	return update_stream_masses(s, unit->out[0], s->out, NULL, 1);
 }
 
-/* Works one unit out; returns how much streams that close loops changed. */
+/* Computes one unit.  Returns the change of the streams that close loops. */
 static double
 compute_unit(struct circuit_solver *s, size_t u, size_t draw)
 {
@@ -252,10 +253,10 @@ compute_unit(struct circuit_solver *s, size_t u, size_t draw)
 	return 0;
 }
 
-/* Returns after how many passes it is steady; 0: it is not.  Begins with what
- * the streams have.  A stream of next to nothing may go round between two
- * values that rounding keeps apart: small changes that no longer shrink are
- * steady, too. */
+/* Returns the number of passes until the flows are steady, or 0 if they never
+ * are.  It starts from the present flows.  A tiny stream may alternate between
+ * two values because of rounding, so small changes that no longer shrink count
+ * as steady. */
 static size_t
 circuit_solve(struct circuit_solver *s, size_t draw)
 {
@@ -353,8 +354,8 @@ circuit_compute_flow(const struct circuit *c, const double *feed,
 	struct circuit_solver s =
 	    circuit_solver_new(c, feed, size, classes, flow.back);
 	s.transfer = transfer;
-	/* The first that is not steady says enough: the others would take as
-	 * long. */
+	/* After a draw that is not steady, the others need not be computed:
+	 * they would take as long. */
 	for (size_t d = 0; d < flow.draws && !flow.open; d++)
 		flow_add_draw(&flow, &s, d, circuit_solve(&s, d));
 	circuit_solver_free(&s);

@@ -121,7 +121,8 @@ crusher_set_feed(
 	c->whole = open_feed_products(c, feed, known, c->n_sieve);
 }
 
-/* Row by draw what the ensemble of a class has row by size. */
+/* Copies the products of a class from an ensemble, which has a row for each
+ * size, to rows for each draw. */
 static void
 put_products_of_class(struct transfer *t, size_t class, const double *P)
 {
@@ -145,8 +146,9 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
 	return sum;
 }
 
-/* What the prediction has more than the sum of the classes, at all sizes:
- * straight on log size between the sieves, and no passing beyond theirs. */
+/* Computes the difference between the prediction and the sum of the classes at
+ * all sizes.  Between sieves it is linear in log size, but the passing stays
+ * between theirs. */
 static void
 transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
@@ -261,7 +263,8 @@ transfer_product(
 		below[i] = P - finer;
 		finer = P;
 	}
-	/* The coarsest size passes all; what rounding lost is there. */
+	/* All mass passes the coarsest size: the coarsest class gets what
+	 * rounding lost. */
 	out[0] += total - finer;
 }
 

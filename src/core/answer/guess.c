@@ -36,7 +36,7 @@ is_same_rock(const struct guess_material *a, const struct guess_material *b)
 	return a->rock[0] != '\0' && text_same_folded(a->rock, b->rock);
 }
 
-/* How far m lies from what is wanted among those of its rock. */
+/* Returns how far the top size of m is from the wanted one. */
 static double
 size_distance(
     const struct guess_material *m, const struct guess_material *wanted)
@@ -47,7 +47,8 @@ size_distance(
 			       : INFINITY;
 }
 
-/* How near a material is to what is wanted. */
+/* How well a material matches the wanted one: its rock, and the distance of its
+ * top size. */
 struct nearness {
 	bool rock;
 	double size;
@@ -91,8 +92,9 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 	return picked;
 }
 
-/* The value at that place, 1 for the first, among v [n], rising; between two,
- * straight, and where one has no end it is that. */
+/* Returns the value at a place, from 1, among v [n] in rising order,
+ * interpolated linearly between two places.  Beyond the ends it is the first or
+ * last value. */
 static double
 interpolate_sorted_values(const double *v, size_t n, double place)
 {
@@ -225,14 +227,14 @@ guess_free(struct guess *guess)
 	psd_free(&guess->high);
 }
 
-/* What leaving out one material shows. */
+/* The result of leaving out one material. */
 struct trial {
 	double error, feed; /* of the guess, and of product = feed */
 	size_t cells, held; /* where the band has a width, and holds */
 };
 
-/* The products of each material's made-up feed with each material, p [n * n],
- * worked out once for however many trials. */
+/* The products of each material's synthetic feed with each material, p [n * n],
+ * computed once for all trials. */
 struct pairs {
 	size_t n;
 	double v;
@@ -292,8 +294,8 @@ guess_left_out_site(
 	return trial;
 }
 
-/* Marks what a guess of material i may not be made from.  False where others
- * with its numbers were guessed before. */
+/* Marks the materials from which material i may not be guessed.  Returns false
+ * if one with the same numbers was guessed before. */
 static bool
 mark_materials_left_out(
     const struct guess_material *m, size_t n, size_t i, bool *leave_out)

@@ -88,7 +88,7 @@ shared_covariance(
 
 /* Returns the covariance of two components of a sample. */
 static double
-control_chart_covariance(const struct drift_cut *c, const struct component *a,
+covariance_of_components(const struct drift_cut *c, const struct component *a,
     const struct component *b)
 {
 	double sum = shared_covariance(a, b, c->n_draw);
@@ -129,8 +129,8 @@ fill_component_weights(
 	fill_tilt_weights(c, tilt->weight);
 	fill_values_of_draws(c, level);
 	fill_values_of_draws(c, tilt);
-	double share = control_chart_covariance(c, level, tilt) /
-		       control_chart_covariance(c, level, level);
+	double share = covariance_of_components(c, level, tilt) /
+		       covariance_of_components(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
@@ -151,7 +151,7 @@ factor_of_component(const struct drift_cut *cut, const struct component *w,
 			U[j * n + i] = shared_covariance(a,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
-		double own = control_chart_covariance(&cut[i], a, a);
+		double own = covariance_of_components(&cut[i], a, a);
 		/* Without weights the value is 0, whatever its variance. */
 		U[i * n + i] = own > 0 ? own : 1;
 	}
@@ -260,7 +260,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			    shared_covariance(own, own, cut[i].n_draw);
 			c->truth = sqrt(truth);
 			c->error =
-			    sqrt(control_chart_covariance(&cut[i], own, own) -
+			    sqrt(covariance_of_components(&cut[i], own, own) -
 				 truth);
 			c->off = z_given_earlier(U[k], n, i, known, k, point);
 			double squares = 0;

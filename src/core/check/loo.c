@@ -392,7 +392,7 @@ leave_out_get_cell(const struct leave_out *l, size_t i)
 /* ---- Making it ---- */
 
 static void
-loo_add_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
+list_one_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
 {
 	struct leave_out_cell c = {feed, run, sieve};
 	l->of = xrealloc(l->of, l->n + 1, sizeof *l->of);
@@ -410,7 +410,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 			if (posterior != NULL
 				? i < covered
 				: is_neither_0_nor_100_percent(psd->passing[i]))
-				loo_add_cell(l, false, r, i);
+				list_one_cell(l, false, r, i);
 	}
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -419,7 +419,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 			break;
 		for (size_t i = 0; i < psd->n; i++)
 			if (is_neither_0_nor_100_percent(psd->passing[i]))
-				loo_add_cell(l, true, r, i);
+				list_one_cell(l, true, r, i);
 	}
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }

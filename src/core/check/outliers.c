@@ -399,7 +399,7 @@ consider_digit_errors(struct finding *f)
 /* Adds a cell with its mend: the reading, if the site is valid with it,
  * otherwise leaving the cell out. */
 static void
-outliers_add_cell(struct outlier_findings *d, const struct site *site,
+add_finding_of_cell(struct outlier_findings *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
 {
 	struct mend m = {
@@ -503,7 +503,7 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 	leave_out_free(l);
 	if (!(fabs(s.expected - passing_of_cell(site, &c)) > WORTH))
 		return false;
-	outliers_add_cell(d, site, &c, &s);
+	add_finding_of_cell(d, site, &c, &s);
 	d->finding[d->n - 1].surprise = gain;
 	return true;
 }
@@ -542,7 +542,7 @@ add_cell_off_curve(struct outlier_findings *d, const struct site *site,
     double noise, struct leave_out_cell cell)
 {
 	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
-	outliers_add_cell(d, site, &cell, &s);
+	add_finding_of_cell(d, site, &cell, &s);
 }
 
 static void
@@ -633,8 +633,8 @@ outliers_find(
 }
 
 void
-outliers_free(struct outlier_findings *doctor)
+outliers_free(struct outlier_findings *found)
 {
-	free(doctor->finding);
-	*doctor = (struct outlier_findings){0};
+	free(found->finding);
+	*found = (struct outlier_findings){0};
 }

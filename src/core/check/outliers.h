@@ -41,6 +41,6 @@ struct outlier_findings {
  * Free with outliers_free. */
 struct outlier_findings outliers_find(
     const struct site *site, const struct posterior *posterior, double noise);
-void outliers_free(struct outlier_findings *doctor);
+void outliers_free(struct outlier_findings *found);
 
 #endif

@@ -91,7 +91,7 @@ continuous_solver_free(struct continuous_solver *c)
 /* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
  * each begins to break. */
 static void
-find_ends_for_impacts(struct continuous_solver *c)
+find_panel_ends_for_impacts(struct continuous_solver *c)
 {
 	struct breaker b = *c->b;
 	const struct impacts *of = &b.impacts;
@@ -116,7 +116,7 @@ find_ends_of_panels(struct continuous_solver *c)
 		c->stop[i] = selection_size_at_exponent(c->b, STOP_AT[i]);
 	c->n_stop = STOPS;
 	if (c->b->impacts.n > 0)
-		find_ends_for_impacts(c);
+		find_panel_ends_for_impacts(c);
 }
 
 static void

@@ -45,7 +45,7 @@ enum {
 	USE_PERTURBATION = 1 << 20
 };
 
-/* What one start needs to be polished beside others. */
+/* The workspace for polishing one start in parallel with others. */
 struct worker {
 	struct misfit *misfit;
 	struct polish *polish;
@@ -181,8 +181,8 @@ scale_gauge_into_bounds(const struct bounds *b, struct params *p)
 		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
-/* Leaves the first phase out, of which the best is known.  To polish at once
- * was the other way, a third quicker: of 32 fits to plants with gamma one ended
+/* Skips the first phase, whose best result is given.  Polishing it at once was
+ * tried and is a third quicker, but of 32 fits to plants with gamma one ended
  * at 3.6 times the lowest misfit. */
 static void
 skip_first_phase(struct calibration *c, const struct params *start)
@@ -288,8 +288,8 @@ keep_polish_starts(struct calibration *c)
 			ranking[i * leaders / SCOUTS]);
 }
 
-/* The calibration is over, or goes on with all parameters from what the first
- * phase found. */
+/* Ends the calibration or, after the first phase, continues from its result
+ * with all parameters. */
 static void
 end_phase(struct calibration *c)
 {
@@ -410,7 +410,8 @@ run_generation(struct calibration *c)
 		end_search(c, CALIBRATE_STALLED);
 }
 
-/* A place some way from the best: most parameters move little, a few far. */
+/* Returns a point at some distance from the best: most parameters move little,
+ * a few far. */
 static struct params
 perturb_best(const struct calibration *c, size_t number)
 {
@@ -597,7 +598,7 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 	c->done = c->fruitless = 0;
 }
 
-/* The best so far: of a first phase, where the search has found none better. */
+/* Returns the best so far, which may be that of the first phase. */
 static struct params
 best_params_so_far(const struct calibration *c, double searched)
 {
@@ -623,7 +624,8 @@ calibration_status(const struct calibration *c)
 	    .trials = c->fruitless,
 	    .trials_most = limit_of_fruitless_perturbations(c),
 	    .params = best_params_so_far(c, s.best)};
-	/* Other bounds, and nothing evaluated within them yet. */
+	/* The bounds have changed, and nothing was evaluated within them yet.
+	 */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_of_params(c->misfit, &status.params);
 	params_scale_to_1(&status.params);

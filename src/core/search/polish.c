@@ -14,16 +14,16 @@ enum {
 	PATIENCE = 8 /* evaluations from one look at the rival to the next */
 };
 
-/* Shares of the misfit: that a step gains nothing; that a whole descent gained
- * nothing; that there is a gradient all the same, as at a crease that no line
- * search leaves. */
+/* Shares of the misfit.  A step that gains less than NO_GAIN, and a descent
+ * that gained less than AT_REST, gained nothing.  Above STEEP there is a
+ * gradient all the same, as at a crease that no line search leaves. */
 static const double NO_GAIN = 1e-13, AT_REST = 1e-11, STEEP = 1e-9;
 /* The misfit of a fit without residuals. */
 static const double EXACT = 1e-24;
 
 struct polish {
 	struct misfit *misfit;
-	size_t n, width; /* of rows, the model's n */
+	size_t n, width; /* differences, parameters */
 	double *r, *J, *r_try, *J_try;
 	/* See build_damped_triangle. */
 	double (*A)[PARAMS_MOST + 1], top[PARAMS_MOST];
@@ -97,8 +97,8 @@ update_column_scale(struct polish *s)
 	}
 }
 
-/* Brings column c of A [rows] to `top` and zeros below it, by the reflection
- * that the column becomes; the n columns after it go through the same. */
+/* Reflects column c of A [rows] to `top` with zeros below it, and the n columns
+ * after it likewise.  The column becomes the reflection's direction. */
 static void
 householder_reflect(
     double (*A)[PARAMS_MOST + 1], size_t rows, size_t c, size_t n, double top)
@@ -132,8 +132,8 @@ householder_triangle(
 	}
 }
 
-/* The free columns of J over the damping, a triangle as above; behind them -r
- * over 0, turned likewise. */
+/* Brings the free columns of J, stacked on the damping, to a triangle as above,
+ * and -r, stacked on zeros, along with them. */
 static void
 build_damped_triangle(
     struct polish *s, const size_t *column, size_t n_free, double damping)
@@ -149,7 +149,8 @@ build_damped_triangle(
 	householder_triangle(s->A, s->n + n_free, n_free, s->top);
 }
 
-/* The step of all parameters whose free ones x solve R x = z [n_free]. */
+/* Computes the step of all parameters: the free ones, x, solve R x = z
+ * [n_free], and the others do not move. */
 static void
 solve_step_from_triangle(const struct polish *s, const size_t *column,
     size_t n_free, const double *z, double step[PARAMS_MOST])
@@ -206,8 +207,8 @@ struct descent {
 	bool given_up;
 };
 
-/* Every PATIENCE evaluations: whether so far above the rival's misfit more of
- * such gains are of no use. */
+/* True if the misfit is so far above the rival's that more gains like the last,
+ * over PATIENCE evaluations, would not reach it. */
 static bool
 cannot_reach_rival(double before, double now, const struct polish_rival *rival)
 {
@@ -225,14 +226,15 @@ descent_has_ended(const struct descent *d)
 	       d->result.evaluations >= d->most;
 }
 
-/* For what is at rest: above the rival it need not be known how surely. */
+/* True if the rival is better, so that a descent at rest need not be examined
+ * further. */
 static bool
 is_rival_better(const struct descent *d)
 {
 	return d->rival != NULL && !(d->result.misfit < d->rival->misfit);
 }
 
-/* The misfit at q, its r and J kept for take(). */
+/* Returns the misfit at q and keeps its r and J for continue_from_trial. */
 static double
 evaluate_trial_step(struct descent *d, const struct params *q)
 {
@@ -247,7 +249,7 @@ evaluate_trial_step(struct descent *d, const struct params *q)
 	return misfit_jacobian(s->misfit, q, s->r_try, s->J_try);
 }
 
-/* Goes on from q, tried last. */
+/* Continues from q, the point tried last. */
 static void
 continue_from_trial(struct descent *d, const struct params *q, double trial)
 {
@@ -265,8 +267,8 @@ continue_from_trial(struct descent *d, const struct params *q, double trial)
 	update_column_scale(s);
 }
 
-/* Levenberg's and Marquardt's steps, until they gain nothing or a number of
- * evaluations was made. */
+/* Takes Levenberg's and Marquardt's steps until they gain nothing or the number
+ * of evaluations is reached. */
 static void
 descend_damped(struct descent *d, int evaluations)
 {
@@ -296,8 +298,8 @@ descend_damped(struct descent *d, int evaluations)
 	}
 }
 
-/* What a secant method knows of the valley, in z = R x with the triangle R of
- * where it began: half the gradient, and the inverse of its derivative. */
+/* The state of a secant method, in the coordinates z = R x with the triangle R
+ * at its start: half the gradient, and the inverse of its derivative. */
 struct secant {
 	size_t n, column[PARAMS_MOST];
 	double g[PARAMS_MOST], H[PARAMS_MOST][PARAMS_MOST];
@@ -317,7 +319,7 @@ compute_secant_gradient(const struct polish *s, const struct secant *q,
 	}
 }
 
-/* The inverse after a move dz that changed the gradient by dg. */
+/* Updates the inverse after a move dz that changed the gradient by dg. */
 static void
 update_inverse_hessian(struct secant *q, const double *dz, const double *dg)
 {
@@ -339,8 +341,8 @@ update_inverse_hessian(struct secant *q, const double *dz, const double *dg)
 
 /* A move of the secant method. */
 struct move {
-	double z[PARAMS_MOST], g[PARAMS_MOST]; /* as far as tried, and there */
-	bool cut;                              /* off by a bound */
+	double z[PARAMS_MOST], g[PARAMS_MOST]; /* move, and gradient there */
+	bool cut;                              /* by a bound */
 	bool rest;                             /* nothing to gain */
 };
 

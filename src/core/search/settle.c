@@ -10,27 +10,27 @@
 
 enum { STEPS = 40 };
 
-/* Of a parameter's range, for the gauge twice its largest: the least step that
- * tells anything, the longest that is still beside where it began, that by
- * which derivatives are compared, what the way begins anew at whole numbers of,
- * and how near a bound is on it. */
+/* Shares of a parameter's range (bounds_range_of_param).  Steps below AT_REST
+ * are rounding errors; one above BESIDE leaves the neighbourhood of the start;
+ * derivatives are compared APART; the last steps begin at whole multiples of
+ * COARSE; what is nearer to a bound than ON_BOUND is on it. */
 static const double AT_REST = 1e-11, BESIDE = 1e-2, APART = 1e-6,
 		    COARSE = 0x1p-24, ON_BOUND = 1e-9;
-/* Of the misfit: what is next to nothing, as for the polish, for where B is
- * from a table the derivatives are right to its step only; and the misfit of a
- * fit without residuals. */
+/* NOTHING: a share of the misfit that does not count, as for the polish,
+ * because derivatives from a table of B are only as accurate as its steps.
+ * EXACT: the misfit of a fit without residuals. */
 static const double NOTHING = 1e-9, EXACT = 1e-24;
 
 struct newton {
 	struct misfit *misfit;
 	const struct bounds *bounds;
-	size_t n, column[PARAMS_MOST]; /* that move */
+	size_t n, column[PARAMS_MOST]; /* those that move */
 	double range[PARAMS_MOST];     /* of all */
 	double *r, *J, *r_beside, *J_beside;
 	double H[PARAMS_MOST][PARAMS_MOST]; /* see find_curvature */
 };
 
-/* Puts what is on a bound but for rounding there. */
+/* Moves parameters that are on a bound, except for rounding, onto it. */
 static void
 snap_to_bounds(const struct bounds *b, struct params *p)
 {
@@ -43,8 +43,8 @@ snap_to_bounds(const struct bounds *b, struct params *p)
 	}
 }
 
-/* All move but those on a bound and, as only the direction of the gauge counts,
- * the largest of it. */
+/* Lists the parameters that move: all but those on a bound and the largest of
+ * the gauge, of which only the direction counts. */
 static void
 list_moving_columns(struct newton *w, const struct params *p)
 {
@@ -59,7 +59,8 @@ list_moving_columns(struct newton *w, const struct params *p)
 	}
 }
 
-/* The gradient over the ranges, half of it, g [n]; returns the misfit. */
+/* Computes half the gradient, with parameters in units of their ranges, g [n],
+ * and returns the misfit. */
 static double
 find_gradient(struct newton *w, const struct params *p, double *g)
 {
@@ -75,8 +76,8 @@ find_gradient(struct newton *w, const struct params *p, double *g)
 	return misfit;
 }
 
-/* Adds what the residuals r curve along a parameter to its row of H: by how
- * much J changes from one side to the other. */
+/* Adds the curvature of the residuals along a parameter to its row of H: the
+ * change of J from one side of the parameter to the other. */
 static void
 add_curvature_column(struct newton *w, const struct params *p, size_t c)
 {
@@ -95,7 +96,8 @@ add_curvature_column(struct newton *w, const struct params *p, size_t c)
 	}
 }
 
-/* Half the derivative of the gradient where r and J are of, over the ranges. */
+/* Computes H, half the derivative of the gradient at the point of r and J, with
+ * parameters in units of their ranges. */
 static void
 find_curvature(struct newton *w, const struct params *p)
 {
@@ -116,12 +118,12 @@ find_curvature(struct newton *w, const struct params *p)
 		}
 }
 
-/* Makes of H its Cholesky factor, below and on the diagonal.  False where it
- * has none, as where a direction is open. */
+/* Replaces H with its Cholesky factor, on and below the diagonal.  Returns
+ * false if it has none, as when the data leave a direction open. */
 static bool
 factor_curvature(struct newton *w)
 {
-	const double open = 1e-13; /* of what stands on the diagonal */
+	const double open = 1e-13; /* share of the diagonal element */
 	for (size_t c = 0; c < w->n; c++) {
 		double least = open * w->H[c][c];
 		for (size_t d = 0; d <= c; d++) {
@@ -152,7 +154,7 @@ solve_with_curvature(const struct newton *w, double *x)
 	}
 }
 
-/* Moves *p by less and less, until rounding alone is left of the steps. */
+/* Moves *p by Newton's steps until only rounding errors are left of them. */
 static bool
 newton_descend(struct newton *w, struct params *p)
 {
@@ -182,7 +184,7 @@ newton_descend(struct newton *w, struct params *p)
 	return before < AT_REST;
 }
 
-/* The nearest parameters of few digits. */
+/* Returns the nearest parameters with few digits. */
 static struct params
 round_params(const struct newton *w, const struct params *p)
 {
