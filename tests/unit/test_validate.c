@@ -272,7 +272,7 @@ repeats_train_together_and_are_averaged(void **state)
 	const struct run *run = site->run;
 	const bool slow[3] = {true, true, false};
 	bool train[3];
-	double out[20], a = run[0].speed, b = run[2].speed, v = 72;
+	double a = run[0].speed, b = run[2].speed, v = 72;
 	assert_int_equal(misfit_mark_default_training(site, train), 3);
 	assert_true(train[0] && train[1] && train[2]);
 	for (double x = 70e-6; x < 0.03; x *= 1.7) {
@@ -287,14 +287,16 @@ repeats_train_together_and_are_averaged(void **state)
 		    isnan(validate_interpolated_passing(site, slow, v, x)));
 	}
 	struct params p = made_params(&TABLE_3[TIERP]);
-	validate_predict_by_way(
-	    site, 2, slow, &p, model_settings_default(), VALIDATE_NEAREST, out);
-	for (size_t i = 0; i < misfit_count_covered_sieves(&run[2]); i++)
-		expect_near("nearest", out[i],
+	double *ways = validate_predict_by_all_ways(
+	    site, 2, slow, &p, model_settings_default(), NULL);
+	size_t n = misfit_count_covered_sieves(&run[2]);
+	for (size_t i = 0; i < n; i++)
+		expect_near("nearest", ways[VALIDATE_NEAREST * n + i],
 		    (psd_passing(&run[0].product, run[2].product.size[i]) +
 			psd_passing(&run[1].product, run[2].product.size[i])) /
 			2,
 		    1e-15);
+	free(ways);
 	site_free(site);
 }
 

@@ -30,12 +30,6 @@ has_same_parameters(
 	       model_settings_same(&a->settings, &b->settings);
 }
 
-static bool
-is_same_rock(const struct guess_material *a, const struct guess_material *b)
-{
-	return a->rock[0] != '\0' && text_same_folded(a->rock, b->rock);
-}
-
 /* Returns how far the top size of m is from the wanted one. */
 static double
 size_distance(
@@ -74,7 +68,9 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 	memcpy(taken, leave_out, n * sizeof *taken);
 	for (size_t i = 0; i < n; i++)
 		near[i] = (struct nearness){
-		    is_same_rock(&m[i], wanted), size_distance(&m[i], wanted)};
+		    m[i].rock[0] != '\0' &&
+			text_same_folded(m[i].rock, wanted->rock),
+		    size_distance(&m[i], wanted)};
 	while (picked < most) {
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)

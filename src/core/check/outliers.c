@@ -538,14 +538,6 @@ gather_curves(
 }
 
 static void
-add_cell_off_curve(struct outlier_findings *d, const struct site *site,
-    double noise, struct leave_out_cell cell)
-{
-	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
-	add_finding_of_cell(d, site, &cell, &s);
-}
-
-static void
 find_most_bent_cell(struct outlier_findings *d, const struct site *site,
     bool feed, double noise)
 {
@@ -554,9 +546,11 @@ find_most_bent_cell(struct outlier_findings *d, const struct site *site,
 	size_t n = gather_curves(site, feed, curve, run);
 	struct psd_outlier o = psd_find_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
-	if (fabs(o.off) > most)
-		add_cell_off_curve(d, site, noise,
-		    (struct leave_out_cell){feed, run[o.curve], o.sieve});
+	struct leave_out_cell cell = {feed, run[o.curve], o.sieve};
+	if (!(fabs(o.off) > most))
+		return;
+	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
+	add_finding_of_cell(d, site, &cell, &s);
 }
 
 /* ---- All ---- */

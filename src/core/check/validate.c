@@ -124,7 +124,7 @@ fill_model_passings(const struct run *run, const struct params *p,
 	model_free(model);
 }
 
-void
+static void
 validate_predict_by_way(const struct site *site, size_t run, const bool *train,
     const struct params *p, struct model_settings settings,
     enum validate_way way, double *out)

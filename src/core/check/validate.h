@@ -48,16 +48,10 @@ struct validation validate_run(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);
 
-/* Computes the passings, 0..1, that one way predicts for the run at its covered
- * sieves, out [misfit_count_covered_sieves]; NAN where it has no answer, as
- * always for VALIDATE_CORRECTED, which needs draws. */
-void validate_predict_by_way(const struct site *site, size_t run,
-    const bool *train, const struct params *p, struct model_settings settings,
-    enum validate_way way, double *out);
-
-/* Returns the predictions of all ways, as validate_predict_by_way computes
- * them, [VALIDATE_WAYS][n] over the n covered sieves.  corrected: as for
- * validate_run.  The caller frees the result. */
+/* Returns the passings, 0..1, that the ways predict for the run at its n
+ * covered sieves, [VALIDATE_WAYS][n]; NAN where a way has no answer, as
+ * VALIDATE_CORRECTED without draws.  corrected: as for validate_run.  The
+ * caller frees the result. */
 double *validate_predict_by_all_ways(const struct site *site, size_t run,
     const bool *train, const struct params *p, struct model_settings settings,
     const double *corrected);

@@ -260,22 +260,17 @@ update_scale_of_mutation(struct ga *ga)
 }
 
 static void
-make_breed_keys(const struct ga *ga, struct breed_keys *keys)
+prepare_breeding(struct ga *ga)
 {
+	struct breed_keys *keys = &ga->breed.keys;
+	for (size_t i = 0; i < ga->n_draw; i++)
+		ga->breed.parent[i] = ga->rank[ga->winner[i]];
 	for (size_t i = 0; i < 2; i++)
 		keys->parent[i] = random_stream_key(ga, USE_PARENT, i);
 	keys->pair = random_stream_key(ga, USE_PAIR, 0);
 	keys->line = random_stream_key(ga, USE_PAIR, 1);
 	for (size_t g = 0; g < ga->breed.n_gene; g++)
 		keys->gene[g] = random_stream_key(ga, USE_GENE, g);
-}
-
-static void
-prepare_breeding(struct ga *ga)
-{
-	for (size_t i = 0; i < ga->n_draw; i++)
-		ga->breed.parent[i] = ga->rank[ga->winner[i]];
-	make_breed_keys(ga, &ga->breed.keys);
 	ga->ready = false;
 }
 
