@@ -967,11 +967,13 @@ note_days_of_cuts(struct reading *r)
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
 		size_t p = 0;
+		bool differ = false;
 		if (c->role != PRODUCT || c->twin > 0)
 			continue;
 		while (r->page[p].sheet != c->table->sheet)
 			p++;
-		FREED char *day = title_date_above(r->page[p].layout, c->table);
+		FREED char *day =
+		    title_find_day(r->page[p].layout, c->table, NULL, &differ);
 		if (day == NULL)
 			continue;
 		FREED char *note = xasprintf("%g m/s, %s", c->speed, day);
@@ -984,25 +986,14 @@ note_days_of_cuts(struct reading *r)
 static void
 take_day_for_provenance(struct reading *r)
 {
-	FREED char *found = NULL;
+	FREED char *day = NULL;
 	bool differ = false;
-	for (size_t p = 0; p < r->n_page; p++) {
-		const struct layout *layout = r->page[p].layout;
-		for (size_t i = 0; i < layout->n_heading; i++) {
-			char *day =
-			    site_heading_date_of_line(layout->heading[i]);
-			differ = differ || (day != NULL && found != NULL &&
-					       strcmp(day, found) != 0);
-			if (found == NULL)
-				found = day;
-			else
-				free(day);
-		}
-	}
-	if (found == NULL || differ || r->site->provenance[0] != '\0')
+	for (size_t p = 0; p < r->n_page; p++)
+		day = title_find_day(r->page[p].layout, NULL, day, &differ);
+	if (day == NULL || differ || r->site->provenance[0] != '\0')
 		return;
 	free(r->site->provenance);
-	r->site->provenance = xasprintf("sheet of %s", found);
+	r->site->provenance = xasprintf("sheet of %s", day);
 }
 
 static struct site *
