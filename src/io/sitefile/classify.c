@@ -396,22 +396,13 @@ is_unit_defined_by_heading(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
-	static const struct {
-		uint64_t words;
-		size_t unit;
-	} DEFINED[] = {{0, 0}, {WORD_PASSES | WORD_PERCENT, 1}, {WORD_SHARE, 2},
-	    {WORD_STAYS | WORD_GRAMS, 3}, {WORD_STAYS | WORD_PERCENT, 4},
-	    {WORD_STAYS | WORD_SHARE, 5},
-	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
-	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
-	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
 	bool own = c->table->n_head == 1 && !c->table->across &&
 		   strncmp(c->table->head[0].cell[0].text, "size_", 5) == 0;
 	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
-	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
-		if (DEFINED[i].words == words) {
-			*unit = DEFINED[i].unit;
+	for (size_t i = 0; i < SITE_N_UNIT; i++)
+		if (lexicon_meanings(SITE_UNITS[i].suffix, NULL) == words) {
+			*unit = i;
 			return words != 0 ||
 			       ((s->rises == 0 || s->falls == 0 ||
 				    is_within_percent(s->first, 100, 0.6)) &&
@@ -910,7 +901,7 @@ mark_as_comparison_only(struct column *c, const struct column *other)
 {
 	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
-	c->open = c->no_role = false;
+	c->open = false;
 }
 
 /* Returns the unknown words in the headings of a column and ranges such as 0/4,
@@ -1101,10 +1092,10 @@ guess_feed(struct columns *all, size_t feeds)
 		own += same && c->twin == 0;
 		others += !same;
 	}
-	if (own == 1 && others > 0) {
-		only->no_role = false;
+	if (own == 1 && others > 0)
 		assume(only, "as the feed");
-	}
+	else
+		only->open = true;
 }
 
 void
@@ -1130,9 +1121,7 @@ classify_roles(
 			leave_out(site, c, "%s: neither feed nor product",
 			    c->head.text);
 			drop_column(all, i--);
-			continue;
 		}
-		c->no_role = true;
 	}
 	drop_mean_columns(all, site);
 	drop_duplicate_quantities(all, site);
@@ -1145,7 +1134,7 @@ classify_roles(
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;
-		c->open = c->open || c->no_role ||
+		c->open = c->open || c->role == NO_ROLE ||
 			  (c->role == PRODUCT && !(c->speed > 0)) ||
 			  (c->role == SD && !(c->speed > 0));
 		c->nth = 0;

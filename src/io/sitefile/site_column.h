@@ -35,7 +35,7 @@ size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
  * percentage points; NAN if the cell is empty or has a fault.  pan: the amount
  * below the finest sieve, in the column's unit, or NAN.  faulty: a cell has a
  * fault, so missing values cannot be judged.  open: the meaning of the column
- * is open; no_role: because it has no role.  assumed: assumptions not stated in
+ * is open.  assumed: assumptions not stated in
  * the sheet, as lines, or NULL.  below: for a feed whose coarsest sieve passes
  * less than all, 1 + the row of that sieve, and top: the size, mm, then assumed
  * to pass all; else 0. */
@@ -52,7 +52,7 @@ struct column {
 	double *pct, top;
 	size_t below;
 	double pan;
-	bool faulty, told_percent, open, no_role;
+	bool faulty, told_percent, open;
 	char *assumed;
 	struct head said; /* stated in its heading */
 };
