@@ -26,7 +26,7 @@
  * judged. */
 struct table {
 	struct sheet *sheet;
-	bool across, is_long, lost, finest_first;
+	bool across, lost, finest_first;
 	bool strange;
 	bool unsure; /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
@@ -47,7 +47,6 @@ struct layout {
 	size_t n, n_heading;
 	struct table *table;
 	const struct row **heading;
-	bool across;
 	struct cell beside; /* the first cell beside a table; text NULL: none */
 };
 

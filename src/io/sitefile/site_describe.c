@@ -33,7 +33,7 @@ numbers_to_ranges_text(const size_t *number, size_t n)
 static bool
 is_in_tipspeed_format(const struct table *t)
 {
-	return t->n_head == 1 && !t->across && !t->is_long &&
+	return t->n_head == 1 && !t->across && t->name == NULL &&
 	       !t->finest_first &&
 	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 }
