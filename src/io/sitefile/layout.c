@@ -108,12 +108,11 @@ has_only_comments_between(
 }
 
 static bool
-layout_in_range(struct layout_range range, int line, size_t column)
+is_in_box(struct site_box box, int line, size_t column)
 {
-	return range.last_line == 0 ||
-	       (line >= range.first_line && line <= range.last_line &&
-		   (int)column >= range.first_column &&
-		   (int)column <= range.last_column);
+	return box.bottom == 0 ||
+	       (line >= box.top && line <= box.bottom &&
+		   (int)column >= box.left && (int)column <= box.right);
 }
 
 /* Whether a cell can head a column of sieves: by a word for size or sieve, or a
@@ -217,7 +216,7 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
-			if (!layout_in_range(range, row->line, c + 1))
+			if (!is_in_box(range.box, row->line, c + 1))
 				cell = sheet_cell(row, row->n_all);
 			*layout_cell_at(&g, r, c) = cell;
 		}
@@ -1070,45 +1069,6 @@ layout_adopt_text(struct table *t, char *text)
 {
 	t->text = xrealloc(t->text, t->n_text + 1, sizeof *t->text);
 	return t->text[t->n_text++] = text;
-}
-
-void
-layout_set_headings(struct table *t, const size_t *number,
-    const char *const *text, size_t n_text)
-{
-	size_t n = 0;
-	struct row head = {.line = t->row[0].line};
-	head.cell = xcalloc(t->n_col, sizeof *head.cell);
-	for (size_t c = 0; c < t->n_col; c++) {
-		size_t i = 0;
-		while (i < n_text && number[i] != t->number[c])
-			i++;
-		if (i == n_text && c > 0)
-			continue;
-		struct cell cell = t->n_head > 0
-				       ? t->head[t->n_head - 1].cell[c]
-				       : t->row[0].cell[c];
-		char *said =
-		    layout_adopt_text(t, xstrdup(i < n_text ? text[i] : ""));
-		head.cell[n] = number_cell_from_text(t->sheet, cell, said);
-		t->number[n] = t->number[c];
-		for (size_t r = 0; r < t->n_row; r++)
-			t->row[r].cell[n] = t->row[r].cell[c];
-		for (size_t r = 0; r < t->n_foot; r++)
-			t->foot[r].cell[n] = t->foot[r].cell[c];
-		n++;
-	}
-	rows_free(t->head, t->n_head);
-	t->head = xcalloc(1, sizeof *t->head);
-	head.n = head.n_all = n;
-	t->head[0] = head;
-	t->n_head = 1;
-	t->titles = 0;
-	t->n_col = n;
-	for (size_t r = 0; r < t->n_row; r++)
-		t->row[r].n = t->row[r].n_all = n;
-	for (size_t r = 0; r < t->n_foot; r++)
-		t->foot[r].n = t->foot[r].n_all = n;
 }
 
 char *

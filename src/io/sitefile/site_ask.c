@@ -1,9 +1,8 @@
-/* Makes the questions that a sheet leaves open, in the words of their answers,
- * and parses the answers: columns= and range=.
+/* Makes the questions that a sheet leaves open, in the words of their
+ * answers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_ask.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -19,106 +18,6 @@
 #include "io/sitefile/site_title.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
-
-static bool
-add_column_name(struct names *names, char *part, struct error *error)
-{
-	char *text = text_trim(part), *end;
-	unsigned long number = strtoul(text, &end, 10);
-	if (end == text || *end != '=' || number == 0 || number > 100000 ||
-	    end[1] == '\0')
-		return error_set(error, ERROR_USAGE,
-		    "expected NUMBER=WHAT in columns, got '%s'\n"
-		    "for instance: columns=\"1=sieve mm, 2=feed, "
-		    "3=product@69\"",
-		    text);
-	names->number =
-	    xrealloc(names->number, names->n + 1, sizeof *names->number);
-	names->text = xrealloc(names->text, names->n + 1, sizeof(*names->text));
-	names->number[names->n] = number;
-	names->text[names->n++] = xstrdup(text_trim(end + 1));
-	return true;
-}
-
-static void
-add_sieve_column(struct layout_range *range, size_t number)
-{
-	if (range->n_sieves < LAYOUT_SIEVES)
-		range->sieves[range->n_sieves++] = number;
-}
-
-bool
-names_parse_columns(struct names *names, const char *columns,
-    struct layout_range *range, struct error *error)
-{
-	if (columns == NULL)
-		return true;
-	FREED char *copy = xstrdup(columns);
-	char *rest = copy;
-	for (char *part; (part = samples_next_item(&rest)) != NULL;)
-		if (!add_column_name(names, part, error))
-			return false;
-	for (size_t i = 0; i < names->n; i++) {
-		uint64_t means = lexicon_meanings(names->text[i], NULL);
-		uint64_t other =
-		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-		if ((means & WORD_SIZE) == 0 || (means & other) != 0) {
-			names->others = true;
-			continue;
-		}
-		add_sieve_column(range, names->number[i]);
-		range->phi = range->phi || (means & WORD_PHI) != 0;
-	}
-	return range->n_sieves > 0 ||
-	       error_set(error, ERROR_USAGE,
-		   "expected a column of sieves in columns, got '%s'\n"
-		   "for instance: columns=\"1=sieve mm, 2=feed, "
-		   "3=product@69\"",
-		   columns);
-}
-
-uint64_t
-names_apply_to_table(const struct names *names, struct table *t)
-{
-	if (names->n == 0)
-		return 0;
-	uint64_t sieve = 0;
-	for (size_t i = 0; i < names->n; i++)
-		if (names->number[i] == t->number[0])
-			sieve = lexicon_meanings(names->text[i], NULL);
-	if (names->others)
-		layout_set_headings(t, names->number,
-		    (const char *const *)names->text, names->n);
-	return sieve;
-}
-
-void
-names_clear(struct names *names)
-{
-	for (size_t i = 0; i < names->n; i++)
-		free(names->text[i]);
-	free(names->text);
-	free(names->number);
-}
-
-bool
-range_parse(const char *text, struct layout_range *range, struct error *error)
-{
-	struct site_box box;
-	if (text == NULL)
-		return true;
-	if (!site_box_parse(text, &box))
-		return error_set(error, ERROR_USAGE,
-		    "expected a range such as A3:F20, got '%s'\n"
-		    "the first is the cell at the top left, the second the one "
-		    "at the bottom right",
-		    text);
-	range->first_line = box.top;
-	range->last_line = box.bottom;
-	range->first_column = box.left;
-	range->last_column = box.right;
-	return true;
-}
 
 void
 site_ask_find_ambiguous_number(struct open *open, const struct table *t)

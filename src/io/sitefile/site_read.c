@@ -41,8 +41,7 @@ struct reading {
 	const struct site_request *request;
 	struct error_list *errors;
 	struct site *site;
-	struct names names;
-	struct samples samples;
+	struct samples columns, samples;
 	struct layout_range range;
 	size_t n_source, n_page, n_table;
 	struct source *source;
@@ -659,7 +658,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
 	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
 	struct surroundings near = {
-	    .rotor = rotor, .told = r->names.others, .samples = &r->samples};
+	    .rotor = rotor, .told = r->columns.others, .samples = &r->samples};
 	near.speed = told.mps;
 	near.rpm = told.rpm;
 	near.context =
@@ -670,7 +669,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
-	uint64_t sieve = names_apply_to_table(&r->names, t);
+	uint64_t sieve = samples_head_columns(&r->columns, t);
 	if (!layout_widen_long_table(t, sieve)) {
 		r->lost = true;
 		return;
@@ -703,12 +702,18 @@ parse_request_options(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	struct error e;
-	if (names_parse_columns(&r->names, q->columns, &r->range, &e) &&
+	bool good =
+	    samples_parse_columns(&r->columns, q->columns, &r->range, &e) &&
 	    samples_parse(&r->samples, q->samples, &e) &&
-	    range_parse(q->range, &r->range, &e))
-		return true;
-	*error_add(r->errors) = e;
-	return false;
+	    (q->range == NULL || site_box_parse(q->range, &r->range.box) ||
+		error_set(&e, ERROR_USAGE,
+		    "expected a range such as A3:F20, got '%s'\n"
+		    "the first is the cell at the top left, the second the one "
+		    "at the bottom right",
+		    q->range));
+	if (!good)
+		*error_add(r->errors) = e;
+	return good;
 }
 
 /* Refuses predictions, which must not be read as measurements, whatever
@@ -1035,7 +1040,7 @@ reading_clear(struct reading *r)
 	for (size_t i = 0; i < r->n_source; i++)
 		source_free(&r->source[i]);
 	free(r->source);
-	names_clear(&r->names);
+	samples_clear(&r->columns);
 	samples_clear(&r->samples);
 	site_free(r->site);
 }
@@ -1069,7 +1074,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 		if (r.n_table > 0)
 			samples_report_missing(&r.samples, r.table[0]);
 		classify_roles(&r.all, r.site,
-		    r.names.others || r.samples.n > 0, &r.open.rotor);
+		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);
 		bool open = count_faults(&r) == 0 &&
 			    site_ask_pending_question(&r.open, request, r.table,
