@@ -28,8 +28,8 @@ assume(struct column *c, const char *format, ...)
 	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	if (c->assumed == NULL)
-		c->assumed = xstrdup("");
-	xappend_to_list(&c->assumed, "\n", "%s", what);
+		c->assumed = xstrdup("\n");
+	xappend(&c->assumed, "%s\n", what);
 }
 
 /* Returns the heading of column c in row r: its own cell, or the one to the
