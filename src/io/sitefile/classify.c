@@ -637,15 +637,15 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 }
 
 static bool
-has_mostly_words(const struct column *c, size_t *filled, size_t *numbers)
+has_mostly_words(const struct column *c, size_t *filled)
 {
-	*filled = *numbers = 0;
+	size_t numbers = *filled = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
 		struct cell cell = c->table->row[i].cell[c->at];
 		*filled += cell.value != AS_ABSENT;
-		*numbers += isnan(cell.number) ? 0 : 1;
+		numbers += isnan(cell.number) ? 0 : 1;
 	}
-	return *filled > 0 && *numbers * 2 < *filled;
+	return *filled > 0 && numbers * 2 < *filled;
 }
 
 /* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
@@ -676,8 +676,8 @@ is_count_or_constant(const struct column *c)
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
-	size_t filled, numbers;
-	bool words = has_mostly_words(c, &filled, &numbers);
+	size_t filled;
+	bool words = has_mostly_words(c, &filled);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
@@ -1102,14 +1102,12 @@ void
 classify_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
-	size_t feeds = 0, products = 0;
+	size_t feeds = site_column_count_role(all, NULL, FEED);
+	size_t products = site_column_count_role(all, NULL, PRODUCT);
 	*wants_rotor = false;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		feeds += c->role == FEED;
-		products += c->role == PRODUCT;
-		*wants_rotor = *wants_rotor || (c->rpm > 0 && !(c->speed > 0));
-	}
+	for (size_t i = 0; i < all->n; i++)
+		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
+						   !(all->column[i].speed > 0));
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->role != NO_ROLE)

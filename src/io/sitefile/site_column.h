@@ -67,6 +67,10 @@ struct columns {
  * a curve. */
 void site_column_read_values(struct column *c);
 
+/* Returns the number of columns with that role in a table; NULL: in all. */
+size_t site_column_count_role(
+    const struct columns *all, const struct table *t, enum role role);
+
 /* Returns the number of columns with that role and speed. */
 size_t site_column_count_repeats(
     const struct columns *all, enum role role, double speed);

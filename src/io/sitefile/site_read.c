@@ -89,15 +89,6 @@ fault_no_table(struct sheet *sheet)
 	    c, c, c);
 }
 
-static size_t
-count_columns_of_role(const struct columns *all, enum role role)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < all->n; i++)
-		n += all->column[i].role == role;
-	return n;
-}
-
 /* Checks repeats at one speed: one feed serves all, or each product has its
  * own; likewise for standard deviations. */
 static void
@@ -142,7 +133,7 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 		    "add its product column, or remove this one",
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL &&
-	    count_columns_of_role(t, FEED) > 0 &&
+	    site_column_count_role(t, NULL, FEED) > 0 &&
 	    site_column_count_repeats(t, FEED, c->speed) == 0)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
@@ -224,13 +215,13 @@ report_missing_roles(struct reading *r)
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
-	else if (count_columns_of_role(&r->all, FEED) == 0 && !parts)
+	else if (site_column_count_role(&r->all, NULL, FEED) == 0 && !parts)
 		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
-	else if (count_columns_of_role(&r->all, PRODUCT) == 0 && parts)
+	else if (site_column_count_role(&r->all, NULL, PRODUCT) == 0 && parts)
 		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
@@ -885,7 +876,7 @@ static void
 choose_feed_column(struct reading *r)
 {
 	struct columns *all = &r->all;
-	size_t feeds = count_columns_of_role(all, FEED), n = 0;
+	size_t feeds = site_column_count_role(all, NULL, FEED), n = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];
 		bool open = c->role == PRODUCT && !(c->speed > 0);
@@ -951,7 +942,7 @@ accept_tables_as_one_site(struct reading *r)
 		give_feeds_product_speeds(&r->all);
 	r->open.other = NULL;
 	FREED char *speeds = product_speeds_text(&r->all);
-	if (count_columns_of_role(&r->all, FEED) > 0)
+	if (site_column_count_role(&r->all, NULL, FEED) > 0)
 		xappend_to_list(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
@@ -1084,9 +1075,10 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 			assume_top_size(&r, ask != NULL ? ask : &none);
 		}
 		if (ask != NULL) {
-			ask->no_feed = count_columns_of_role(&r.all, FEED) == 0;
+			ask->no_feed =
+			    site_column_count_role(&r.all, NULL, FEED) == 0;
 			ask->no_product =
-			    count_columns_of_role(&r.all, PRODUCT) == 0;
+			    site_column_count_role(&r.all, NULL, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
 			site = finish_site(&r);
