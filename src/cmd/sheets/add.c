@@ -207,21 +207,25 @@ cut_note_of_run(const struct site *cuts, size_t run, const struct cut_origin *o,
 	    "%s%s%s", words, named ? "" : ", ", named ? "" : o->file);
 }
 
-/* Takes the date of the sheet's header for a file that states none with its
- * cuts. */
+/* Takes the only date of the sheet's header for a file in which the reader
+ * found no day of its cuts, because the order of the date is open. */
 static void
 use_date_of_header(
     const struct site *cuts, enum datetime_order order, struct origins *all)
 {
-	struct datetime m;
-	const char *said = cut_day_date_in_header(cuts);
-	for (size_t i = 0; i < cuts->n_note; i++)
+	struct datetime m, said;
+	size_t n = 0;
+	for (size_t i = 0; i < cuts->n_note; i++) {
 		if (strcmp(cuts->note[i].key, "cut") == 0)
 			return;
-	if (all->n != 1 || all->file[0].when[0] != '\0' || said == NULL ||
-	    !datetime_parse(said, &m))
+		if (!cut_parse_date(&cuts->note[i], &m))
+			continue;
+		said = m;
+		n++;
+	}
+	if (all->n != 1 || all->file[0].when[0] != '\0' || n != 1)
 		return;
-	char *day = cut_day_text(&m, order);
+	char *day = cut_day_text(&said, order);
 	if (day == NULL)
 		return;
 	free(all->file[0].when);

@@ -22,22 +22,6 @@ cut_day_text(const struct datetime *m, enum datetime_order order)
 	return text;
 }
 
-const char *
-cut_day_date_in_header(const struct site *cuts)
-{
-	const char *found = NULL;
-	struct datetime m;
-	for (size_t i = 0; i < cuts->n_note; i++) {
-		const struct site_note *note = &cuts->note[i];
-		if (strcmp(note->key, "cut") == 0 || !cut_parse_date(note, &m))
-			continue;
-		if (found != NULL)
-			return NULL;
-		found = note->value;
-	}
-	return found;
-}
-
 /* Returns the order in which none of the open dates is after today, if there
  * are any after today in the other. */
 static enum datetime_order

@@ -21,10 +21,6 @@ struct cut_day {
 struct cut_day cut_day_find_date_order(
     const struct site *cuts, const struct site *site);
 
-/* Returns the one date of a sheet's header, as in the sheet, borrowed, or NULL
- * if it has none or several. */
-const char *cut_day_date_in_header(const struct site *cuts);
-
 /* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if the order
  * leaves it open.  The caller frees it. */
 char *cut_day_text(const struct datetime *m, enum datetime_order order);

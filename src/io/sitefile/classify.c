@@ -28,8 +28,8 @@ assume(struct column *c, const char *format, ...)
 	FREED char *what = xvasprintf(tr(format), ap);
 	va_end(ap);
 	if (c->assumed == NULL)
-		c->assumed = xstrdup("");
-	xappend_to_list(&c->assumed, "\n", "%s", what);
+		c->assumed = xstrdup("\n");
+	xappend(&c->assumed, "%s\n", what);
 }
 
 /* Returns the heading of column c in row r: its own cell, or the one to the
@@ -396,22 +396,13 @@ is_unit_defined_by_heading(
     const struct column *c, const struct shape *s, bool told, size_t *unit)
 {
 	uint64_t words = c->said.means & (KIND_WORDS | SCALE_WORDS);
-	static const struct {
-		uint64_t words;
-		size_t unit;
-	} DEFINED[] = {{0, 0}, {WORD_PASSES | WORD_PERCENT, 1}, {WORD_SHARE, 2},
-	    {WORD_STAYS | WORD_GRAMS, 3}, {WORD_STAYS | WORD_PERCENT, 4},
-	    {WORD_STAYS | WORD_SHARE, 5},
-	    {WORD_SUMS | WORD_STAYS | WORD_GRAMS, 6},
-	    {WORD_SUMS | WORD_STAYS | WORD_PERCENT, 7},
-	    {WORD_SUMS | WORD_STAYS | WORD_SHARE, 8}};
 	bool own = c->table->n_head == 1 && !c->table->across &&
 		   strncmp(c->table->head[0].cell[0].text, "size_", 5) == 0;
 	if (c->said.unknown > 0 || (!own && (!told || words == 0)))
 		return false;
-	for (size_t i = 0; i < ARRAY_LEN(DEFINED); i++)
-		if (DEFINED[i].words == words) {
-			*unit = DEFINED[i].unit;
+	for (size_t i = 0; i < SITE_N_UNIT; i++)
+		if (lexicon_meanings(SITE_UNITS[i].suffix, NULL) == words) {
+			*unit = i;
 			return words != 0 ||
 			       ((s->rises == 0 || s->falls == 0 ||
 				    is_within_percent(s->first, 100, 0.6)) &&
@@ -646,15 +637,15 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 }
 
 static bool
-has_mostly_words(const struct column *c, size_t *filled, size_t *numbers)
+has_mostly_words(const struct column *c, size_t *filled)
 {
-	*filled = *numbers = 0;
+	size_t numbers = *filled = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
 		struct cell cell = c->table->row[i].cell[c->at];
 		*filled += cell.value != AS_ABSENT;
-		*numbers += isnan(cell.number) ? 0 : 1;
+		numbers += isnan(cell.number) ? 0 : 1;
 	}
-	return *filled > 0 && *numbers * 2 < *filled;
+	return *filled > 0 && numbers * 2 < *filled;
 }
 
 /* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
@@ -685,8 +676,8 @@ is_count_or_constant(const struct column *c)
 static bool
 is_no_sample(const struct column *c, struct site *site)
 {
-	size_t filled, numbers;
-	bool words = has_mostly_words(c, &filled, &numbers);
+	size_t filled;
+	bool words = has_mostly_words(c, &filled);
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
@@ -910,7 +901,7 @@ mark_as_comparison_only(struct column *c, const struct column *other)
 {
 	c->twin = other->table->number[other->at];
 	c->role = NO_ROLE;
-	c->open = c->no_role = false;
+	c->open = false;
 }
 
 /* Returns the unknown words in the headings of a column and ranges such as 0/4,
@@ -1101,24 +1092,22 @@ guess_feed(struct columns *all, size_t feeds)
 		own += same && c->twin == 0;
 		others += !same;
 	}
-	if (own == 1 && others > 0) {
-		only->no_role = false;
+	if (own == 1 && others > 0)
 		assume(only, "as the feed");
-	}
+	else
+		only->open = true;
 }
 
 void
 classify_roles(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
-	size_t feeds = 0, products = 0;
+	size_t feeds = site_column_count_role(all, NULL, FEED);
+	size_t products = site_column_count_role(all, NULL, PRODUCT);
 	*wants_rotor = false;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		feeds += c->role == FEED;
-		products += c->role == PRODUCT;
-		*wants_rotor = *wants_rotor || (c->rpm > 0 && !(c->speed > 0));
-	}
+	for (size_t i = 0; i < all->n; i++)
+		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
+						   !(all->column[i].speed > 0));
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->role != NO_ROLE)
@@ -1130,9 +1119,7 @@ classify_roles(
 			leave_out(site, c, "%s: neither feed nor product",
 			    c->head.text);
 			drop_column(all, i--);
-			continue;
 		}
-		c->no_role = true;
 	}
 	drop_mean_columns(all, site);
 	drop_duplicate_quantities(all, site);
@@ -1145,7 +1132,7 @@ classify_roles(
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;
-		c->open = c->open || c->no_role ||
+		c->open = c->open || c->role == NO_ROLE ||
 			  (c->role == PRODUCT && !(c->speed > 0)) ||
 			  (c->role == SD && !(c->speed > 0));
 		c->nth = 0;

@@ -34,13 +34,23 @@ struct nature {
 	double mm;
 };
 
+/* A table found: rows first to before last, its sieves in column c, headed in
+ * row head (g->n_row: by nothing), its numbers before column end.  score:
+ * openings that are those of real sieves.  unsure: as of a table. */
+struct place {
+	size_t c, head, first, last, end;
+	int score;
+	bool unsure;
+};
+
 /* at, nature, used [n_row * n_col]: cells, what they can be, and whether a
  * table has taken them; a row is `down` after the one above, a column `right`
  * after the one before, so that the grid turned over has the same.  row_number
  * [n_row]: in the sheet, or the column's where the grid is turned over.  gap
  * [n_row]: something empty is above it.  number [n_row * n_col], row by row:
  * the first column from there on that has a number, n_col: none has.  phi
- * [n_col]: the column has sizes in phi, of which 0 and less are some. */
+ * [n_col]: the column has sizes in phi, of which 0 and less are some.  place
+ * [n_place]: the tables found. */
 struct grid {
 	struct sheet *sheet;
 	bool across;
@@ -50,7 +60,16 @@ struct grid {
 	size_t *row_number, *col_number;
 	bool *gap, *used, *phi;
 	unsigned *number;
+	size_t n_place;
+	struct place place[MOST_TABLES];
 };
+
+static void
+add_place(struct grid *g, struct place p)
+{
+	if (g->n_place < MOST_TABLES)
+		g->place[g->n_place++] = p;
+}
 
 static size_t
 cell_index_at(const struct grid *g, size_t r, size_t c)
@@ -89,12 +108,11 @@ has_only_comments_between(
 }
 
 static bool
-layout_in_range(struct layout_range range, int line, size_t column)
+is_in_box(struct site_box box, int line, size_t column)
 {
-	return range.last_line == 0 ||
-	       (line >= range.first_line && line <= range.last_line &&
-		   (int)column >= range.first_column &&
-		   (int)column <= range.last_column);
+	return box.bottom == 0 ||
+	       (line >= box.top && line <= box.bottom &&
+		   (int)column >= box.left && (int)column <= box.right);
 }
 
 /* Whether a cell can head a column of sieves: by a word for size or sieve, or a
@@ -198,7 +216,7 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
 			struct cell cell = sheet_cell(row, c);
-			if (!layout_in_range(range, row->line, c + 1))
+			if (!is_in_box(range.box, row->line, c + 1))
 				cell = sheet_cell(row, row->n_all);
 			*layout_cell_at(&g, r, c) = cell;
 		}
@@ -420,15 +438,6 @@ has_number_beside(const struct grid *g, size_t r, size_t c, size_t end)
 	return c + 1 < end && g->number[r * g->n_col + c + 1] < end;
 }
 
-/* A table found: rows first to before last, its sieves in column c, headed in
- * row head (g->n_row: by nothing), its numbers before column end.  score:
- * openings that are those of real sieves.  unsure: as of a table. */
-struct place {
-	size_t c, head, first, last, end;
-	int score;
-	bool unsure;
-};
-
 /* Returns the next row below, without a gap, that is a sieve with numbers;
  * n_row if there is none. */
 static size_t
@@ -501,27 +510,88 @@ next_sieve_heading(const struct grid *g, size_t r, size_t c)
 	return k < g->n_col ? k : g->n_col;
 }
 
-/* Whether the sizes of a table go up or down by 1: a count of samples. */
-static bool
-is_count_of_samples(const struct grid *g, const struct place *p)
+/* The sizes of a table one after the other: how many there are, rise, fall, and
+ * go up or down by 1, as a count of samples does. */
+struct sequence {
+	size_t n, rises, falls, steps;
+};
+
+static struct sequence
+sequence_of_sizes(const struct grid *g, const struct place *p)
 {
+	struct sequence s = {0};
 	double mm, last = NAN;
-	size_t n = 0, steps = 0;
 	for (size_t r = p->first; r < p->last; r++) {
 		if (sieve_kind_of_cell(g, r, p->c, &mm) != SIEVE_IS_SIZE)
 			continue;
-		steps += fabs(fabs(mm - last) - 1) < 1e-9;
+		s.rises += mm > last;
+		s.falls += mm < last;
+		s.steps += fabs(fabs(mm - last) - 1) < 1e-9;
 		last = mm;
+		s.n++;
+	}
+	return s;
+}
+
+static bool
+are_tables_overlapping(const struct place *a, const struct place *b)
+{
+	return a->first < b->last && b->first < a->last;
+}
+
+/* True if two columns of sieves are the lower and upper ends of adjoining
+ * classes: mass is retained on the lower. */
+static bool
+are_ends_of_classes(
+    const struct grid *g, const struct place *low, const struct place *up)
+{
+	double a, b, last = NAN;
+	size_t n = 0, joined = 0;
+	for (size_t r = low->first; r < low->last; r++) {
+		if (!number_value_of_cell(*layout_cell_at(g, r, low->c), &a) ||
+		    !number_value_of_cell(*layout_cell_at(g, r, up->c), &b) ||
+		    a >= b)
+			return false;
+		double before = r > low->first ? last : (double)NAN;
+		joined += b == before;
+		number_value_of_cell(*layout_cell_at(g, r, low->c), &last);
 		n++;
 	}
-	return steps + 1 == n;
+	return n > 2 && joined + 1 == n;
+}
+
+/* Keeps, of two headings above the same sieves, the lower one and, of two
+ * adjacent columns of sieves (No. and mm), the one with more openings; the
+ * other becomes a column of its table. */
+static void
+drop_duplicate_headings(struct grid *g)
+{
+	size_t kept = 0;
+	for (size_t i = 0; i < g->n_place; i++) {
+		bool drop = false;
+		for (size_t k = 0; k < g->n_place && !drop; k++) {
+			const struct place *a = &g->place[i], *b = &g->place[k];
+			if (k == i || !are_tables_overlapping(a, b))
+				continue;
+			if (a->c == b->c)
+				drop = b->first - b->head < a->first - a->head;
+			else if (a->c + 1 == b->c || b->c + 1 == a->c)
+				drop = is_sieve_head(g, a->head, a->c) &&
+				       !are_ends_of_classes(g, a, b) &&
+				       (are_ends_of_classes(g, b, a) ||
+					   b->score > a->score ||
+					   (b->score == a->score && k < i));
+		}
+		if (!drop)
+			g->place[kept++] = g->place[i];
+	}
+	g->n_place = kept;
 }
 
 /* Finds the tables below headings of sieves. */
-static size_t
-find_tables_with_headings(const struct grid *g, struct place *place)
+static void
+find_tables_with_headings(struct grid *g)
 {
-	size_t n = 0;
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++) {
@@ -539,12 +609,13 @@ find_tables_with_headings(const struct grid *g, struct place *place)
 				continue;
 			find_table_end(g, &p);
 			/* "Sieve analysis" is the title of other heads. */
+			struct sequence size = sequence_of_sizes(g, &p);
 			bool title =
-			    p.first > r + 1 && is_count_of_samples(g, &p);
-			if (p.last > p.first && !title && n < MOST_TABLES)
-				place[n++] = p;
+			    p.first > r + 1 && size.steps + 1 == size.n;
+			if (p.last > p.first && !title)
+				add_place(g, p);
 		}
-	return n;
+	drop_duplicate_headings(g);
 }
 
 /* Whether the first cells of a line are heads of their columns, and not the
@@ -582,44 +653,31 @@ is_pan_row(const struct grid *g, size_t r, size_t c)
 
 /* Numbers that fall, or rise, but not as a count does, and nearly all are
  * openings of real sieves: a table without a head. */
-static size_t
-find_headless_table(const struct grid *g, struct place *place)
+static void
+find_headless_table(struct grid *g)
 {
-	size_t found = 0;
-	for (size_t c = 0; c < g->n_col; c++) {
+	for (size_t c = 0; c < g->n_col && g->n_place == 0; c++)
 		for (size_t r = 0;
 		     r < g->n_row && !error_should_stop(g->sheet->errors);
 		     r++) {
 			struct place p = {
 			    c, g->n_row, r, 0, g->n_col, 0, false};
-			double mm, last = NAN;
-			size_t rises = 0, falls = 0, n = 0;
+			double mm;
 			if (sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_SIZE)
 				continue;
 			find_table_end(g, &p);
-			for (size_t i = r; i < p.last; i++) {
-				if (sieve_kind_of_cell(g, i, c, &mm) !=
-				    SIEVE_IS_SIZE)
-					continue;
-				rises += mm > last;
-				falls += mm < last;
-				last = mm;
-				n++;
-			}
+			struct sequence size = sequence_of_sizes(g, &p);
 			while (p.first > 0 && is_pan_row(g, p.first - 1, c))
 				p.first--;
-			bool ordered = rises + 1 == n || falls + 1 == n;
-			if (n >= LEAST_WITHOUT_HEAD && ordered &&
-			    !is_count_of_samples(g, &p) &&
+			bool ordered = size.rises + 1 == size.n ||
+				       size.falls + 1 == size.n;
+			if (size.n >= LEAST_WITHOUT_HEAD && ordered &&
+			    size.steps + 1 != size.n &&
 			    !is_heading_of_no_sieves(g, p.first, c) &&
-			    p.score * 5 >= (int)n * 4 && found < MOST_TABLES)
-				place[found++] = p;
+			    p.score * 5 >= (int)size.n * 4)
+				add_place(g, p);
 			r = p.last > r ? p.last - 1 : r;
 		}
-		if (found > 0)
-			return found;
-	}
-	return 0;
 }
 
 /* Numbers in order, from row r of column c down to before the row returned.
@@ -666,11 +724,9 @@ has_same_heading(const struct grid *g, size_t r, size_t c, size_t other)
  * has numbers beside it, and further ones with its head.  It may be something
  * else.  below: of those only that have numbers below 0, so that the others,
  * in phi, are not taken for sieves. */
-static size_t
-find_tables_of_ordered_numbers(
-    const struct grid *g, bool below, struct place *place)
+static void
+find_tables_of_ordered_numbers(struct grid *g, bool below)
 {
-	size_t n = 0;
 	for (size_t c = 0; c + 1 < g->n_col; c++)
 		for (size_t r = 0;
 		     r < g->n_row && !error_should_stop(g->sheet->errors);
@@ -680,34 +736,45 @@ find_tables_of_ordered_numbers(
 			size_t end =
 			    end_of_ordered_numbers(g, r, c, &sizes, &phi);
 			r = end > r ? end - 1 : r;
-			bool like = n == 0 || (first == place[0].first &&
-						  has_same_heading(
-						      g, first, c, place[0].c));
+			const struct place *upper = &g->place[0];
+			bool like =
+			    g->n_place == 0 ||
+			    (first == upper->first &&
+				has_same_heading(g, first, c, upper->c));
 			if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
 			    is_heading_of_no_sieves(g, first, c) ||
-			    (below && !phi) || !like || n == MOST_TABLES)
+			    (below && !phi) || !like)
 				continue;
 			bool head = first > 0 &&
 				    is_cell_filled(g, first - 1, c) &&
 				    !layout_is_sieve(g, first - 1, c);
-			place[n++] =
-			    (struct place){c, head ? first - 1 : g->n_row,
-				first, end, g->n_col, (int)(end - first), true};
+			add_place(
+			    g, (struct place){c, head ? first - 1 : g->n_row,
+				   first, end, g->n_col, (int)(end - first),
+				   true});
 			g->phi[c] = g->phi[c] || phi;
 			break;
 		}
-	return n;
+}
+
+static void
+find_tables_of_numbers_below_0(struct grid *g)
+{
+	find_tables_of_ordered_numbers(g, true);
+}
+
+static void
+find_tables_of_any_numbers(struct grid *g)
+{
+	find_tables_of_ordered_numbers(g, false);
 }
 
 /* Finds the tables in a column that the user says has sieves, each from the
  * first sieve with numbers beside it. */
-static size_t
-find_tables_in_column(
-    const struct grid *g, size_t c, struct place *place, size_t most)
+static void
+find_tables_in_column(struct grid *g, size_t c)
 {
-	size_t n = 0;
-	for (size_t r = 0;
-	     r < g->n_row && n < most && !error_should_stop(g->sheet->errors);
+	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++) {
 		double mm;
 		struct place p = {c, r, r, 0, g->n_col, 0, false};
@@ -718,26 +785,22 @@ find_tables_in_column(
 		p.head = r > 0 ? r - 1 : g->n_row;
 		p.score += (int)(p.last - p.first);
 		if (p.last >= p.first + 2)
-			place[n++] = p;
+			add_place(g, p);
 		r = p.last > r ? p.last - 1 : r;
 	}
-	return n;
 }
 
-static size_t
-find_tables_in_given_columns(
-    const struct grid *g, const struct layout_range *range, struct place *place)
+static void
+find_tables_in_given_columns(struct grid *g, const struct layout_range *range)
 {
-	size_t n = 0;
+	g->n_place = 0;
 	for (size_t i = 0; i < range->n_sieves; i++)
 		for (size_t c = 0; c < g->n_col; c++) {
 			if (g->col_number[c] != range->sieves[i])
 				continue;
 			g->phi[c] = g->phi[c] || range->phi;
-			n += find_tables_in_column(
-			    g, c, place + n, MOST_TABLES - n);
+			find_tables_in_column(g, c);
 		}
-	return n;
 }
 
 /* Whether a row says what the sieves have, "% passing", above none of the
@@ -928,70 +991,14 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	layout->table[layout->n++] = t;
 }
 
-static bool
-are_tables_overlapping(const struct place *a, const struct place *b)
-{
-	return a->first < b->last && b->first < a->last;
-}
-
-/* True if two columns of sieves are the lower and upper ends of adjoining
- * classes: mass is retained on the lower. */
-static bool
-are_ends_of_classes(
-    const struct grid *g, const struct place *low, const struct place *up)
-{
-	double a, b, last = NAN;
-	size_t n = 0, joined = 0;
-	for (size_t r = low->first; r < low->last; r++) {
-		if (!number_value_of_cell(*layout_cell_at(g, r, low->c), &a) ||
-		    !number_value_of_cell(*layout_cell_at(g, r, up->c), &b) ||
-		    a >= b)
-			return false;
-		double before = r > low->first ? last : (double)NAN;
-		joined += b == before;
-		number_value_of_cell(*layout_cell_at(g, r, low->c), &last);
-		n++;
-	}
-	return n > 2 && joined + 1 == n;
-}
-
-/* Keeps, of two headings above the same sieves, the lower one and, of two
- * adjacent columns of sieves (No. and mm), the one with more openings; the
- * other becomes a column of its table. */
-static size_t
-drop_duplicate_headings(const struct grid *g, struct place *place, size_t n)
-{
-	size_t kept = 0;
-	for (size_t i = 0; i < n; i++) {
-		bool drop = false;
-		for (size_t k = 0; k < n && !drop; k++) {
-			const struct place *a = &place[i], *b = &place[k];
-			if (k == i || !are_tables_overlapping(a, b))
-				continue;
-			if (a->c == b->c)
-				drop = b->first - b->head < a->first - a->head;
-			else if (a->c + 1 == b->c || b->c + 1 == a->c)
-				drop = is_sieve_head(g, a->head, a->c) &&
-				       !are_ends_of_classes(g, a, b) &&
-				       (are_ends_of_classes(g, b, a) ||
-					   b->score > a->score ||
-					   (b->score == a->score && k < i));
-		}
-		if (!drop)
-			place[kept++] = place[i];
-	}
-	return kept;
-}
-
 static void
-add_tables_to_layout(const struct grid *g, const struct place *place, size_t n,
-    struct layout *layout)
+add_tables_to_layout(const struct grid *g, struct layout *layout)
 {
-	for (size_t i = 0; i < n; i++) {
-		const struct place *p = &place[i];
+	for (size_t i = 0; i < g->n_place; i++) {
+		const struct place *p = &g->place[i];
 		size_t from = 0, end = g->n_col;
-		for (size_t k = 0; k < n; k++) {
-			const struct place *other = &place[k];
+		for (size_t k = 0; k < g->n_place; k++) {
+			const struct place *other = &g->place[k];
 			if (k == i || !are_tables_overlapping(p, other))
 				continue;
 			if (other->c > p->c && other->c < end)
@@ -1004,36 +1011,31 @@ add_tables_to_layout(const struct grid *g, const struct place *place, size_t n,
 }
 
 static int
-total_table_score(const struct place *place, size_t n)
+total_table_score(const struct grid *g)
 {
 	int score = 0;
-	for (size_t i = 0; i < n; i++)
-		score += place[i].score + 1;
+	for (size_t i = 0; i < g->n_place; i++)
+		score += g->place[i].score + 1;
 	return score;
 }
 
 static void
 list_rows_outside_tables(const struct grid *g, struct layout *layout)
 {
-	layout->heading =
-	    xcalloc(g->sheet->n_row + 1, sizeof(*layout->heading));
-	for (size_t r = 0; r < g->sheet->n_row; r++) {
-		bool used = false;
+	layout->heading = xcalloc(g->n_row + 1, sizeof(*layout->heading));
+	for (size_t r = 0; r < g->n_row; r++) {
 		const struct row *row = &g->sheet->row[r];
-		for (size_t c = 0; c < row->n; c++) {
-			size_t at = g->across ? cell_index_at(g, c, r)
-					      : cell_index_at(g, r, c);
-			used = used || g->used[at];
-		}
-		if (!used)
+		const struct cell *beside = NULL;
+		size_t used = 0;
+		for (size_t c = row->n; c-- > 0;)
+			if (g->used[cell_index_at(g, r, c)])
+				used++;
+			else if (row->cell[c].text[0] != '\0')
+				beside = &row->cell[c];
+		if (used == 0)
 			layout->heading[layout->n_heading++] = row;
-		for (size_t c = 0; used && c < row->n; c++) {
-			size_t at = g->across ? cell_index_at(g, c, r)
-					      : cell_index_at(g, r, c);
-			if (!g->used[at] && row->cell[c].text[0] != '\0' &&
-			    layout->beside.text == NULL)
-				layout->beside = row->cell[c];
-		}
+		else if (beside != NULL && layout->beside.text == NULL)
+			layout->beside = *beside;
 	}
 }
 
@@ -1069,45 +1071,6 @@ layout_adopt_text(struct table *t, char *text)
 	return t->text[t->n_text++] = text;
 }
 
-void
-layout_set_headings(struct table *t, const size_t *number,
-    const char *const *text, size_t n_text)
-{
-	size_t n = 0;
-	struct row head = {.line = t->row[0].line};
-	head.cell = xcalloc(t->n_col, sizeof *head.cell);
-	for (size_t c = 0; c < t->n_col; c++) {
-		size_t i = 0;
-		while (i < n_text && number[i] != t->number[c])
-			i++;
-		if (i == n_text && c > 0)
-			continue;
-		struct cell cell = t->n_head > 0
-				       ? t->head[t->n_head - 1].cell[c]
-				       : t->row[0].cell[c];
-		char *said =
-		    layout_adopt_text(t, xstrdup(i < n_text ? text[i] : ""));
-		head.cell[n] = number_cell_from_text(t->sheet, cell, said);
-		t->number[n] = t->number[c];
-		for (size_t r = 0; r < t->n_row; r++)
-			t->row[r].cell[n] = t->row[r].cell[c];
-		for (size_t r = 0; r < t->n_foot; r++)
-			t->foot[r].cell[n] = t->foot[r].cell[c];
-		n++;
-	}
-	rows_free(t->head, t->n_head);
-	t->head = xcalloc(1, sizeof *t->head);
-	head.n = head.n_all = n;
-	t->head[0] = head;
-	t->n_head = 1;
-	t->titles = 0;
-	t->n_col = n;
-	for (size_t r = 0; r < t->n_row; r++)
-		t->row[r].n = t->row[r].n_all = n;
-	for (size_t r = 0; r < t->n_foot; r++)
-		t->foot[r].n = t->foot[r].n_all = n;
-}
-
 char *
 layout_heading_text(const struct table *t, size_t c)
 {
@@ -1119,11 +1082,15 @@ layout_heading_text(const struct table *t, size_t c)
 	return text;
 }
 
+/* Ways to find tables, each tried if those before it found none. */
+static void (*const FINDERS[])(struct grid *) = {find_tables_with_headings,
+    find_tables_of_numbers_below_0, find_headless_table,
+    find_tables_of_any_numbers};
+
 struct layout *
 layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
-	struct place down[MOST_TABLES], across[MOST_TABLES];
 	struct grid g = layout_grid_new(sheet, range);
 	shift_headings_by_one(&g);
 	mark_in_beside_out_as_feed(&g);
@@ -1131,30 +1098,18 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	fill_cell_natures(&g);
 	find_next_number_columns(&g);
 	struct grid t = transpose_grid(&g);
-	size_t n = find_tables_with_headings(&g, down);
-	size_t m = find_tables_with_headings(&t, across);
-	n = drop_duplicate_headings(&g, down, n);
-	m = drop_duplicate_headings(&t, across, m);
-	if (range.n_sieves > 0) {
-		n = find_tables_in_given_columns(&g, &range, down);
-		m = find_tables_in_given_columns(&t, &range, across);
-	} else if (n == 0 && m == 0) {
-		n = find_tables_of_ordered_numbers(&g, true, down);
-		m = find_tables_of_ordered_numbers(&t, true, across);
-		if (n + m == 0) {
-			n = find_headless_table(&g, down);
-			m = find_headless_table(&t, across);
-		}
-		if (n + m == 0) {
-			n = find_tables_of_ordered_numbers(&g, false, down);
-			m = find_tables_of_ordered_numbers(&t, false, across);
-		}
+	size_t ways = range.n_sieves > 0 ? 1 : ARRAY_LEN(FINDERS);
+	for (size_t i = 0; i < ways && g.n_place + t.n_place == 0; i++) {
+		FINDERS[i](&g);
+		FINDERS[i](&t);
 	}
-	bool turned = total_table_score(across, m) > total_table_score(down, n);
-	layout->across = turned;
-	add_tables_to_layout(
-	    turned ? &t : &g, turned ? across : down, turned ? m : n, layout);
-	list_rows_outside_tables(turned ? &t : &g, layout);
+	if (range.n_sieves > 0) {
+		find_tables_in_given_columns(&g, &range);
+		find_tables_in_given_columns(&t, &range);
+	}
+	bool turned = total_table_score(&t) > total_table_score(&g);
+	add_tables_to_layout(turned ? &t : &g, layout);
+	list_rows_outside_tables(&g, layout);
 	for (size_t b = 0; b < layout->n; b++)
 		find_end_of_tables_above(layout, &layout->table[b]);
 	layout_grid_clear(&t);

@@ -4,6 +4,7 @@
 #define TIPSPEED_IO_SITEFILE_LAYOUT_H
 
 #include "io/sitefile/sieve_size.h"
+#include "io/sitefile/site_request.h"
 
 /* One table, turned so that its sieves are rows and its samples columns.  All
  * rows have n_col cells; the first is the sieve.  head: the rows above, from
@@ -26,7 +27,7 @@
  * judged. */
 struct table {
 	struct sheet *sheet;
-	bool across, is_long, lost, finest_first;
+	bool across, lost, finest_first;
 	bool strange;
 	bool unsure; /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
@@ -47,16 +48,14 @@ struct layout {
 	size_t n, n_heading;
 	struct table *table;
 	const struct row **heading;
-	bool across;
 	struct cell beside; /* the first cell beside a table; text NULL: none */
 };
 
-/* A part of a sheet: first and last lines and columns, from 1; zeros for the
- * whole sheet.  sieves [n_sieves]: the columns (or lines) of sieves, if given;
- * phi: the sizes are in phi. */
+/* A part of a sheet; box: zeros for all of it.  sieves [n_sieves]: the columns
+ * (or lines) of sieves, if given; phi: the sizes are in phi. */
 enum { LAYOUT_SIEVES = 8 };
 struct layout_range {
-	int first_line, last_line, first_column, last_column;
+	struct site_box box;
 	size_t n_sieves, sieves[LAYOUT_SIEVES];
 	bool phi;
 };
@@ -67,11 +66,6 @@ char *layout_adopt_text(struct table *t, char *text);
 /* Returns the headings of column c of a table, from the top, as one text.  The
  * caller frees it. */
 char *layout_heading_text(const struct table *t, size_t c);
-
-/* Sets the headings given by the user, text [n_text] for the columns with these
- * numbers, and drops other columns. */
-void layout_set_headings(struct table *t, const size_t *number,
-    const char *const *text, size_t n_text);
 
 struct layout *layout_new_of_sheet(
     struct sheet *sheet, struct layout_range range);

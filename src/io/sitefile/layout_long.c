@@ -364,7 +364,6 @@ widen_table(struct longer *l)
 	size_t values = 0;
 	for (size_t c = 1; c < t->n_col; c++)
 		values += l->use[c] == VALUE;
-	wide.is_long = true;
 	wide.n_col = 1 + values * l->n_sample;
 	wide.n_head = 1;
 	wide.titles = 0;

@@ -1,9 +1,8 @@
-/* Makes the questions that a sheet leaves open, in the words of their answers,
- * and parses the answers: columns= and range=.
+/* Makes the questions that a sheet leaves open, in the words of their
+ * answers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_ask.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -19,106 +18,6 @@
 #include "io/sitefile/site_title.h"
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
-
-static bool
-add_column_name(struct names *names, char *part, struct error *error)
-{
-	char *text = text_trim(part), *end;
-	unsigned long number = strtoul(text, &end, 10);
-	if (end == text || *end != '=' || number == 0 || number > 100000 ||
-	    end[1] == '\0')
-		return error_set(error, ERROR_USAGE,
-		    "expected NUMBER=WHAT in columns, got '%s'\n"
-		    "for instance: columns=\"1=sieve mm, 2=feed, "
-		    "3=product@69\"",
-		    text);
-	names->number =
-	    xrealloc(names->number, names->n + 1, sizeof *names->number);
-	names->text = xrealloc(names->text, names->n + 1, sizeof(*names->text));
-	names->number[names->n] = number;
-	names->text[names->n++] = xstrdup(text_trim(end + 1));
-	return true;
-}
-
-static void
-add_sieve_column(struct layout_range *range, size_t number)
-{
-	if (range->n_sieves < LAYOUT_SIEVES)
-		range->sieves[range->n_sieves++] = number;
-}
-
-bool
-names_parse_columns(struct names *names, const char *columns,
-    struct layout_range *range, struct error *error)
-{
-	if (columns == NULL)
-		return true;
-	FREED char *copy = xstrdup(columns);
-	char *rest = copy;
-	for (char *part; (part = samples_next_item(&rest)) != NULL;)
-		if (!add_column_name(names, part, error))
-			return false;
-	for (size_t i = 0; i < names->n; i++) {
-		uint64_t means = lexicon_meanings(names->text[i], NULL);
-		uint64_t other =
-		    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-		if ((means & WORD_SIZE) == 0 || (means & other) != 0) {
-			names->others = true;
-			continue;
-		}
-		add_sieve_column(range, names->number[i]);
-		range->phi = range->phi || (means & WORD_PHI) != 0;
-	}
-	return range->n_sieves > 0 ||
-	       error_set(error, ERROR_USAGE,
-		   "expected a column of sieves in columns, got '%s'\n"
-		   "for instance: columns=\"1=sieve mm, 2=feed, "
-		   "3=product@69\"",
-		   columns);
-}
-
-uint64_t
-names_apply_to_table(const struct names *names, struct table *t)
-{
-	if (names->n == 0)
-		return 0;
-	uint64_t sieve = 0;
-	for (size_t i = 0; i < names->n; i++)
-		if (names->number[i] == t->number[0])
-			sieve = lexicon_meanings(names->text[i], NULL);
-	if (names->others)
-		layout_set_headings(t, names->number,
-		    (const char *const *)names->text, names->n);
-	return sieve;
-}
-
-void
-names_clear(struct names *names)
-{
-	for (size_t i = 0; i < names->n; i++)
-		free(names->text[i]);
-	free(names->text);
-	free(names->number);
-}
-
-bool
-range_parse(const char *text, struct layout_range *range, struct error *error)
-{
-	struct site_box box;
-	if (text == NULL)
-		return true;
-	if (!site_box_parse(text, &box))
-		return error_set(error, ERROR_USAGE,
-		    "expected a range such as A3:F20, got '%s'\n"
-		    "the first is the cell at the top left, the second the one "
-		    "at the bottom right",
-		    text);
-	range->first_line = box.top;
-	range->last_line = box.bottom;
-	range->first_column = box.left;
-	range->last_column = box.right;
-	return true;
-}
 
 void
 site_ask_find_ambiguous_number(struct open *open, const struct table *t)
@@ -151,13 +50,12 @@ first_values_text(const struct table *t, size_t at)
 
 static void
 add_column_to_question(struct site_ask *ask, const struct table *t, size_t at,
-    const struct cell *head, char *guess, bool open)
+    const char *head, char *guess, bool open)
 {
 	ask->column = xrealloc(ask->column, ask->n + 1, sizeof *ask->column);
 	ask->column[ask->n++] =
 	    (struct site_ask_column){.number = t->number[at],
-		.head = xstrndup(
-		    head->text, (size_t)sheet_bytes_to_show(head->text)),
+		.head = xstrndup(head, (size_t)sheet_bytes_to_show(head)),
 		.values = first_values_text(t, at),
 		.guess = guess,
 		.open = open};
@@ -188,15 +86,6 @@ is_better_asked_by_sample(
 	return true;
 }
 
-static bool
-has_feed_column(const struct columns *all)
-{
-	size_t i = 0;
-	while (i < all->n && all->column[i].role != FEED)
-		i++;
-	return i < all->n;
-}
-
 /* Describes what a column seems to be; the first without a role is the feed if
  * there is no other, and then sets *feed. */
 static char *
@@ -210,70 +99,51 @@ describe_guessed_role(const struct column *c, bool *feed)
 	return xasprintf("feed%s", role + strcspn(role, " "));
 }
 
-/* Lists the samples in the words of samples=, whose first two show how to name
- * all. */
-static void
-list_samples_to_name(struct site_ask *ask, const struct table *t,
-    const struct columns *all, bool sieves)
-{
-	struct cell head = site_sieve_heading(t);
-	FREED char *text = xstrdup("");
-	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
-	if (sieves)
-		xappend(
-		    &ask->settle, "columns=\"%zu=%s\" ", t->number[0], sieve);
-	add_column_to_question(ask, t, 0, &head, sieve, sieves);
-	bool feed = has_feed_column(all);
-	size_t shown = 0;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->twin > 0)
-			continue;
-		char *guess = describe_guessed_role(c, &feed);
-		head.text = samples_label_of_column(t, c->at);
-		const char *from = strchr(guess, '@');
-		if (shown++ < 2)
-			xappend_to_list(&text, ", ", "%s=%s", head.text,
-			    from != NULL ? from : guess);
-		add_column_to_question(ask, t, c->at, &head, guess, c->open);
-		free(head.text);
-	}
-	xappend(&ask->settle, "samples=\"%s\"", text);
-	ask->by_sample = true;
-}
-
-/* Lists the columns in the words of columns=. */
+/* Lists the columns in the words of columns= or, if they are better asked about
+ * by sample, of samples=, whose first two show how to name all. */
 static void
 list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
-	if (is_better_asked_by_sample(table, n_table, all)) {
-		ask->settle = xstrdup("");
-		list_samples_to_name(ask, table[0], all, sieves);
-		return;
-	}
+	enum { SHOWN = 2 };
+	bool by_sample = is_better_asked_by_sample(table, n_table, all);
+	bool feed = site_column_count_role(all, NULL, FEED) > 0;
 	FREED char *text = xstrdup("");
-	bool feed = has_feed_column(all);
+	size_t shown = 0;
+	ask->by_sample = by_sample;
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
-		struct cell head = site_sieve_heading(t);
 		char *sieve =
 		    xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
-		ask->across = t->across;
-		xappend_to_list(&text, ", ", "%zu=%s", t->number[0], sieve);
-		add_column_to_question(ask, t, 0, &head, sieve, sieves);
+		ask->across = t->across && !by_sample;
+		if (!by_sample)
+			xappend_to_list(
+			    &text, ", ", "%zu=%s", t->number[0], sieve);
+		add_column_to_question(
+		    ask, t, 0, site_sieve_heading(t).text, sieve, sieves);
 		for (size_t i = 0; i < all->n; i++) {
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)
 				continue;
 			char *guess = describe_guessed_role(c, &feed);
-			xappend_to_list(
-			    &text, ", ", "%zu=%s", t->number[c->at], guess);
-			add_column_to_question(
-			    ask, t, c->at, &c->head, guess, c->open);
+			FREED char *name =
+			    by_sample ? samples_label_of_column(t, c->at)
+				      : xasprintf("%zu", t->number[c->at]);
+			const char *at = by_sample ? strchr(guess, '@') : NULL;
+			if (!by_sample || shown++ < SHOWN)
+				xappend_to_list(&text, ", ", "%s=%s", name,
+				    at != NULL ? at : guess);
+			add_column_to_question(ask, t, c->at,
+			    by_sample ? name : c->head.text, guess, c->open);
 		}
 	}
-	ask->settle = xasprintf("columns=\"%s\"", text);
+	FREED char *settle =
+	    xasprintf("%s=\"%s\"", by_sample ? "samples" : "columns", text);
+	if (by_sample && sieves)
+		ask->settle = xasprintf("columns=\"%zu=%s\" %s",
+		    ask->column[0].number, ask->column[0].guess, settle);
+	else
+		ask->settle = xstrdup(settle);
 }
 
 /* Returns the files and options of the request, as `load` takes them. */
@@ -367,15 +237,6 @@ has_only_products(const struct table *t, const struct columns *all)
 	return products > 0;
 }
 
-static bool
-has_feed_in_table(const struct table *t, const struct columns *all)
-{
-	for (size_t i = 0; i < all->n; i++)
-		if (all->column[i].table == t && all->column[i].role == FEED)
-			return true;
-	return false;
-}
-
 /* True if table k may belong to the site whose feed is in table `feed`.  like:
  * a table of products that does, or NULL. */
 static bool
@@ -399,11 +260,12 @@ propose_tables(struct tables *s)
 {
 	size_t feed = 0;
 	const struct table *like = NULL;
-	while (feed < s->n && !has_feed_in_table(s->table[feed], s->all))
+	while (feed < s->n &&
+	       site_column_count_role(s->all, s->table[feed], FEED) == 0)
 		feed++;
 	feed = feed < s->n ? feed : 0;
 	s->first = s->last = feed;
-	if (!has_feed_in_table(s->table[feed], s->all))
+	if (site_column_count_role(s->all, s->table[feed], FEED) == 0)
 		return;
 	while (s->last + 1 < s->n &&
 	       is_table_of_same_site(s, s->last + 1, feed, like)) {

@@ -1,4 +1,4 @@
-/* The questions that a sheet leaves open, and the user's answers.
+/* The questions that a sheet leaves open.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_ASK_H
 #define TIPSPEED_IO_SITEFILE_SITE_ASK_H
@@ -7,29 +7,6 @@
 
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_request.h"
-
-/* The columns [n] named by the user.  others: some are columns of samples; if
- * only sieves are named, the samples keep their headings. */
-struct names {
-	size_t n, *number;
-	char **text;
-	bool others;
-};
-
-/* Parses "1=sieve um, 3=feed retained_g" (NULL: no column is named) and notes
- * the column of the sieves in *range.  On failure, returns false with a usage
- * error. */
-bool names_parse_columns(struct names *names, const char *columns,
-    struct layout_range *range, struct error *error);
-
-/* Sets a table's headings to the names and returns the meanings of the sieve
- * heading, or 0. */
-uint64_t names_apply_to_table(const struct names *names, struct table *t);
-void names_clear(struct names *names);
-
-/* Parses "A3:F20"; NULL means the whole sheet. */
-bool range_parse(
-    const char *text, struct layout_range *range, struct error *error);
 
 /* The open questions.  number: a cell whose sign could be decimal or separate
  * thousands; text NULL: none. */

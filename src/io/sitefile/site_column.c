@@ -55,6 +55,17 @@ has_role_and_speed(const struct column *c, enum role role, double speed)
 }
 
 size_t
+site_column_count_role(
+    const struct columns *all, const struct table *t, enum role role)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++)
+		n += all->column[i].role == role &&
+		     (t == NULL || all->column[i].table == t);
+	return n;
+}
+
+size_t
 site_column_count_repeats(
     const struct columns *all, enum role role, double speed)
 {

@@ -35,10 +35,10 @@ size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
  * percentage points; NAN if the cell is empty or has a fault.  pan: the amount
  * below the finest sieve, in the column's unit, or NAN.  faulty: a cell has a
  * fault, so missing values cannot be judged.  open: the meaning of the column
- * is open; no_role: because it has no role.  assumed: assumptions not stated in
- * the sheet, as lines, or NULL.  below: for a feed whose coarsest sieve passes
- * less than all, 1 + the row of that sieve, and top: the size, mm, then assumed
- * to pass all; else 0. */
+ * is open.  assumed: assumptions not stated in the sheet, as lines after an
+ * empty one, or NULL.  below: for a feed whose coarsest sieve passes less than
+ * all, 1 + the row of that sieve, and top: the size, mm, then assumed to pass
+ * all; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;
@@ -52,7 +52,7 @@ struct column {
 	double *pct, top;
 	size_t below;
 	double pan;
-	bool faulty, told_percent, open, no_role;
+	bool faulty, told_percent, open;
 	char *assumed;
 	struct head said; /* stated in its heading */
 };
@@ -66,6 +66,10 @@ struct columns {
 /* Reads the cells of c, converts them to c->pct and checks them, singly and as
  * a curve. */
 void site_column_read_values(struct column *c);
+
+/* Returns the number of columns with that role in a table; NULL: in all. */
+size_t site_column_count_role(
+    const struct columns *all, const struct table *t, enum role role);
 
 /* Returns the number of columns with that role and speed. */
 size_t site_column_count_repeats(

@@ -33,7 +33,7 @@ numbers_to_ranges_text(const size_t *number, size_t n)
 static bool
 is_in_tipspeed_format(const struct table *t)
 {
-	return t->n_head == 1 && !t->across && !t->is_long &&
+	return t->n_head == 1 && !t->across && t->name == NULL &&
 	       !t->finest_first &&
 	       strncmp(t->head[0].cell[0].text, "size_", 5) == 0;
 }
@@ -141,41 +141,25 @@ describe_tables(struct table *const *table, size_t n, const struct columns *all)
 	return text;
 }
 
-/* Returns the note after the one at `at`, and the length of that one: notes are
- * lines. */
-static const char *
-next_note(const char *at, size_t *n)
-{
-	*n = strcspn(at, "\n");
-	return at[*n] == '\n' ? at + *n + 1 : at + *n;
-}
-
 static bool
-has_assumption_note(const struct column *c, const char *note, size_t n)
+has_assumption_note(const struct column *c, const char *note)
 {
-	size_t own;
-	for (const char *p = c->assumed != NULL ? c->assumed : "";
-	     *p != '\0';) {
-		const char *next = next_note(p, &own);
-		if (own == n && strncmp(p, note, n) == 0)
-			return true;
-		p = next;
-	}
-	return false;
+	FREED char *line = xasprintf("\n%s\n", note);
+	return c->assumed != NULL && strstr(c->assumed, line) != NULL;
 }
 
 /* Adds a note with all columns that have it, unless a column before the i-th
  * has it and it has been added. */
 static void
-append_note_once(const struct columns *all, size_t i, const char *note,
-    size_t length, char **text)
+append_note_once(
+    const struct columns *all, size_t i, const char *note, char **text)
 {
 	FREED size_t *number = xcalloc(all->n + 1, sizeof *number);
 	size_t n = 0, has = 0, samples = 0;
 	for (size_t k = 0; k < all->n; k++) {
 		const struct column *c = &all->column[k];
 		samples += c->twin == 0;
-		if (!has_assumption_note(c, note, length))
+		if (!has_assumption_note(c, note))
 			continue;
 		if (k < i)
 			return;
@@ -186,13 +170,13 @@ append_note_once(const struct columns *all, size_t i, const char *note,
 	bool across = all->column[i].table->across;
 	const char *colon = strncmp(note, "as ", 3) == 0 ? "" : ":";
 	if (has == samples && has > 1)
-		xappend_to_list(text, "; ", tr("all samples%s %.*s"), colon,
-		    (int)length, note);
+		xappend_to_list(
+		    text, "; ", tr("all samples%s %s"), colon, note);
 	else
 		xappend_to_list(text, "; ",
-		    across ? tr_n("line %s%s %.*s", "lines %s%s %.*s", n)
-			   : tr_n("column %s%s %.*s", "columns %s%s %.*s", n),
-		    list, colon, (int)length, note);
+		    across ? tr_n("line %s%s %s", "lines %s%s %s", n)
+			   : tr_n("column %s%s %s", "columns %s%s %s", n),
+		    list, colon, note);
 }
 
 void
@@ -207,12 +191,10 @@ site_describe_columns(struct table *const *table, size_t n_table,
 		site->read_as = describe_tables(table, n_table, all);
 	}
 	for (size_t i = 0; i < all->n; i++) {
-		const char *p = all->column[i].assumed;
-		size_t n;
-		while (p != NULL && *p != '\0') {
-			const char *next = next_note(p, &n);
-			append_note_once(all, i, p, n, &site->assumed);
-			p = next;
-		}
+		const char *assumed = all->column[i].assumed;
+		FREED char *notes = xstrdup(assumed != NULL ? assumed : "");
+		char *rest = notes;
+		for (char *note; (note = strtok_r(rest, "\n", &rest));)
+			append_note_once(all, i, note, &site->assumed);
 	}
 }

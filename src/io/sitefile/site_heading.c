@@ -114,18 +114,19 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	return true;
 }
 
-/* Splits "Speed: 70 m/s" in one cell into key and value. */
+/* Splits "Speed: 70 m/s" in one cell into key and value, of *copy, which the
+ * caller frees.  False if it has no value. */
 static bool
-split_at_colon(struct cell *key, struct cell *value, char **left, char **right)
+split_at_colon(struct cell *key, struct cell *value, char **copy)
 {
-	const char *colon = strchr(key->text, ':');
-	if (colon == NULL || colon[1] == '\0' || colon == key->text)
+	*copy = xstrdup(key->text);
+	char *colon = strchr(*copy, ':');
+	if (colon == NULL || colon[1] == '\0' || colon == *copy)
 		return false;
-	*left = xstrndup(key->text, (size_t)(colon - key->text));
-	*right = xstrdup(colon + 1);
+	*colon = '\0';
 	*value = *key;
-	key->text = text_trim(*left);
-	value->text = text_trim(*right);
+	key->text = text_trim(*copy);
+	value->text = text_trim(colon + 1);
 	value->kind = CELL_TEXT;
 	return value->text[0] != '\0' && key->text[0] != '\0';
 }
@@ -141,12 +142,15 @@ has_colon(struct cell cell)
 
 /* Finds the next key of a line and its value, from cell *at on, and moves *at
  * after them: the cells up to an empty one, two of them, or one that contains
- * both, if another such cell follows.  Returns the number of cells. */
+ * both, if another such cell follows.  Returns the number of cells; one that
+ * contains both counts as two, with their texts in *copy, which the caller
+ * frees. */
 static size_t
 next_key_and_value(const struct row *row, size_t *at, struct cell *key,
-    struct cell *value, struct cell *third)
+    struct cell *value, struct cell *third, char **copy)
 {
 	size_t n = 0, i = *at;
+	*key = (struct cell){0};
 	while (i < row->n && row->cell[i].text[0] == '\0')
 		i++;
 	*value = sheet_cell(row, row->n_all);
@@ -161,18 +165,17 @@ next_key_and_value(const struct row *row, size_t *at, struct cell *key,
 		n++;
 	}
 	*at = i;
-	return n;
+	return n == 1 && split_at_colon(key, value, copy) ? 2 : n;
 }
 
 bool
 site_heading_speed_of_line(const struct sheet *sheet, const struct row *row,
     struct heading_speed *speed)
 {
-	struct cell key = {0}, value, third;
-	FREED char *left = NULL, *right = NULL;
-	size_t at = 0, n = next_key_and_value(row, &at, &key, &value, &third);
-	if (n == 1 && split_at_colon(&key, &value, &left, &right))
-		n = 2;
+	struct cell key, value, third;
+	FREED char *copy = NULL;
+	size_t at = 0,
+	       n = next_key_and_value(row, &at, &key, &value, &third, &copy);
 	return n > 1 && lexicon_key_from_text(key.text) == N_KEY &&
 	       site_heading_take_speed(sheet, key, value, speed);
 }
@@ -189,15 +192,13 @@ is_key_for_date(const char *key)
 char *
 site_heading_date_of_line(const struct row *row)
 {
-	struct cell key = {0}, value, third;
+	struct cell key, value, third;
 	struct datetime m;
 	for (size_t at = 0, n; at < row->n;) {
-		FREED char *left = NULL, *right = NULL;
-		n = next_key_and_value(row, &at, &key, &value, &third);
+		FREED char *copy = NULL;
+		n = next_key_and_value(row, &at, &key, &value, &third, &copy);
 		if (n == 0)
 			break;
-		if (n == 1 && split_at_colon(&key, &value, &left, &right))
-			n = 2;
 		double seconds =
 		    n > 1 && is_key_for_date(key.text) &&
 			    datetime_parse(value.text, &m) && m.has_date
@@ -250,13 +251,11 @@ read_key_and_value(struct site *site, struct sheet *sheet,
     const struct row *row, size_t *at, int seen[static N_KEY],
     struct heading_speed *speed)
 {
-	struct cell key = {0}, value, third;
-	FREED char *left = NULL, *right = NULL;
-	size_t n = next_key_and_value(row, at, &key, &value, &third);
+	struct cell key, value, third;
+	FREED char *copy = NULL;
+	size_t n = next_key_and_value(row, at, &key, &value, &third, &copy);
 	if (n == 0)
 		return false;
-	if (n == 1 && split_at_colon(&key, &value, &left, &right))
-		n = 2;
 	size_t colon = strlen(key.text);
 	FREED char *bare = xstrndup(key.text,
 	    colon > 1 && key.text[colon - 1] == ':' ? colon - 1 : colon);

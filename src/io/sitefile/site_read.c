@@ -41,8 +41,7 @@ struct reading {
 	const struct site_request *request;
 	struct error_list *errors;
 	struct site *site;
-	struct names names;
-	struct samples samples;
+	struct samples columns, samples;
 	struct layout_range range;
 	size_t n_source, n_page, n_table;
 	struct source *source;
@@ -90,15 +89,6 @@ fault_no_table(struct sheet *sheet)
 	    c, c, c);
 }
 
-static size_t
-count_columns_of_role(const struct columns *all, enum role role)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < all->n; i++)
-		n += all->column[i].role == role;
-	return n;
-}
-
 /* Checks repeats at one speed: one feed serves all, or each product has its
  * own; likewise for standard deviations. */
 static void
@@ -143,7 +133,7 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 		    "add its product column, or remove this one",
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL &&
-	    count_columns_of_role(t, FEED) > 0 &&
+	    site_column_count_role(t, NULL, FEED) > 0 &&
 	    site_column_count_repeats(t, FEED, c->speed) == 0)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
@@ -225,13 +215,13 @@ report_missing_roles(struct reading *r)
 		    "expected numbers below the headings, got none\nfill in "
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
-	else if (count_columns_of_role(&r->all, FEED) == 0 && !parts)
+	else if (site_column_count_role(&r->all, NULL, FEED) == 0 && !parts)
 		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
-	else if (count_columns_of_role(&r->all, PRODUCT) == 0 && parts)
+	else if (site_column_count_role(&r->all, NULL, PRODUCT) == 0 && parts)
 		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
@@ -659,7 +649,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	double given = q->speed != NULL ? q->speed[page->file] : 0;
 	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
 	struct surroundings near = {
-	    .rotor = rotor, .told = r->names.others, .samples = &r->samples};
+	    .rotor = rotor, .told = r->columns.others, .samples = &r->samples};
 	near.speed = told.mps;
 	near.rpm = told.rpm;
 	near.context =
@@ -670,7 +660,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
-	uint64_t sieve = names_apply_to_table(&r->names, t);
+	uint64_t sieve = samples_head_columns(&r->columns, t);
 	if (!layout_widen_long_table(t, sieve)) {
 		r->lost = true;
 		return;
@@ -703,12 +693,18 @@ parse_request_options(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	struct error e;
-	if (names_parse_columns(&r->names, q->columns, &r->range, &e) &&
+	bool good =
+	    samples_parse_columns(&r->columns, q->columns, &r->range, &e) &&
 	    samples_parse(&r->samples, q->samples, &e) &&
-	    range_parse(q->range, &r->range, &e))
-		return true;
-	*error_add(r->errors) = e;
-	return false;
+	    (q->range == NULL || site_box_parse(q->range, &r->range.box) ||
+		error_set(&e, ERROR_USAGE,
+		    "expected a range such as A3:F20, got '%s'\n"
+		    "the first is the cell at the top left, the second the one "
+		    "at the bottom right",
+		    q->range));
+	if (!good)
+		*error_add(r->errors) = e;
+	return good;
 }
 
 /* Refuses predictions, which must not be read as measurements, whatever
@@ -880,7 +876,7 @@ static void
 choose_feed_column(struct reading *r)
 {
 	struct columns *all = &r->all;
-	size_t feeds = count_columns_of_role(all, FEED), n = 0;
+	size_t feeds = site_column_count_role(all, NULL, FEED), n = 0;
 	for (size_t i = 0; i < all->n; i++) {
 		struct column *c = &all->column[i];
 		bool open = c->role == PRODUCT && !(c->speed > 0);
@@ -946,7 +942,7 @@ accept_tables_as_one_site(struct reading *r)
 		give_feeds_product_speeds(&r->all);
 	r->open.other = NULL;
 	FREED char *speeds = product_speeds_text(&r->all);
-	if (count_columns_of_role(&r->all, FEED) > 0)
+	if (site_column_count_role(&r->all, NULL, FEED) > 0)
 		xappend_to_list(&r->site->remark, "; ",
 		    tr("read as one site: feed and products at %s"), speeds);
 	else
@@ -967,11 +963,13 @@ note_days_of_cuts(struct reading *r)
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
 		size_t p = 0;
+		bool differ = false;
 		if (c->role != PRODUCT || c->twin > 0)
 			continue;
 		while (r->page[p].sheet != c->table->sheet)
 			p++;
-		FREED char *day = title_date_above(r->page[p].layout, c->table);
+		FREED char *day =
+		    title_find_day(r->page[p].layout, c->table, NULL, &differ);
 		if (day == NULL)
 			continue;
 		FREED char *note = xasprintf("%g m/s, %s", c->speed, day);
@@ -984,25 +982,14 @@ note_days_of_cuts(struct reading *r)
 static void
 take_day_for_provenance(struct reading *r)
 {
-	FREED char *found = NULL;
+	FREED char *day = NULL;
 	bool differ = false;
-	for (size_t p = 0; p < r->n_page; p++) {
-		const struct layout *layout = r->page[p].layout;
-		for (size_t i = 0; i < layout->n_heading; i++) {
-			char *day =
-			    site_heading_date_of_line(layout->heading[i]);
-			differ = differ || (day != NULL && found != NULL &&
-					       strcmp(day, found) != 0);
-			if (found == NULL)
-				found = day;
-			else
-				free(day);
-		}
-	}
-	if (found == NULL || differ || r->site->provenance[0] != '\0')
+	for (size_t p = 0; p < r->n_page; p++)
+		day = title_find_day(r->page[p].layout, NULL, day, &differ);
+	if (day == NULL || differ || r->site->provenance[0] != '\0')
 		return;
 	free(r->site->provenance);
-	r->site->provenance = xasprintf("sheet of %s", found);
+	r->site->provenance = xasprintf("sheet of %s", day);
 }
 
 static struct site *
@@ -1044,7 +1031,7 @@ reading_clear(struct reading *r)
 	for (size_t i = 0; i < r->n_source; i++)
 		source_free(&r->source[i]);
 	free(r->source);
-	names_clear(&r->names);
+	samples_clear(&r->columns);
 	samples_clear(&r->samples);
 	site_free(r->site);
 }
@@ -1078,7 +1065,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 		if (r.n_table > 0)
 			samples_report_missing(&r.samples, r.table[0]);
 		classify_roles(&r.all, r.site,
-		    r.names.others || r.samples.n > 0, &r.open.rotor);
+		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);
 		bool open = count_faults(&r) == 0 &&
 			    site_ask_pending_question(&r.open, request, r.table,
@@ -1088,9 +1075,10 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 			assume_top_size(&r, ask != NULL ? ask : &none);
 		}
 		if (ask != NULL) {
-			ask->no_feed = count_columns_of_role(&r.all, FEED) == 0;
+			ask->no_feed =
+			    site_column_count_role(&r.all, NULL, FEED) == 0;
 			ask->no_product =
-			    count_columns_of_role(&r.all, PRODUCT) == 0;
+			    site_column_count_role(&r.all, NULL, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
 			site = finish_site(&r);

@@ -1,5 +1,6 @@
-/* Gives columns the roles that samples= states by name.  Samples have the names
- * in their headings, or in the rows of a long table.
+/* Heads columns as columns= names them by number, and gives those the roles
+ * that samples= states by name.  Samples have the names in their headings, or
+ * in the rows of a long table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_samples.h"
 
@@ -11,10 +12,15 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "base/tr.h"
+#include "io/cells/number.h"
 #include "io/sitefile/lexicon.h"
 
-char *
-samples_next_item(char **rest)
+/* Cuts off the next part of a list that commas separate, and returns it, or
+ * NULL after the last; *rest moves after it.  The comma of a number, as in
+ * @63,6, separates nothing. */
+static char *
+next_item(char **rest)
 {
 	char *part = *rest, *comma = part != NULL ? strchr(part, ',') : NULL;
 	while (comma != NULL && comma > part &&
@@ -28,49 +34,142 @@ samples_next_item(char **rest)
 	return part;
 }
 
+/* Adds "3=feed", whose column has a number, or "S01=feed". */
 static bool
-add_sample(struct samples *s, char *part, struct error *error)
+add_item(struct samples *s, bool numbers, char *part, struct error *error)
 {
 	char *text = text_trim(part), *cut = strrchr(text, '=');
-	bool good = cut != NULL && cut > text && cut[1] != '\0';
-	if (!good)
+	unsigned long number = numbers ? strtoul(text, &cut, 10) : 0;
+	bool good = cut != NULL && cut > text && *cut == '=' && cut[1] != '\0';
+	if (!good || (numbers && (number == 0 || number > 100000)))
 		return error_set(error, ERROR_USAGE,
-		    "expected NAME=WHAT in samples, got '%s'\n"
-		    "for instance: samples=\"A1=feed, A2=@70\"",
+		    numbers ? N_("expected NUMBER=WHAT in columns, got '%s'\n"
+				 "for instance: columns=\"1=sieve mm, 2=feed, "
+				 "3=product@69\"")
+			    : N_("expected NAME=WHAT in samples, got '%s'\n"
+				 "for instance: samples=\"A1=feed, A2=@70\""),
 		    text);
 	*cut = '\0';
-	s->name = xrealloc(s->name, s->n + 1, sizeof(*s->name));
-	s->text = xrealloc(s->text, s->n + 1, sizeof(*s->text));
-	s->found = xrealloc(s->found, s->n + 1, sizeof *s->found);
-	s->name[s->n] = xstrdup(text_trim(text));
-	s->text[s->n] = xstrdup(text_trim(cut + 1));
-	s->found[s->n++] = false;
+	s->item = xrealloc(s->item, s->n + 1, sizeof *s->item);
+	s->item[s->n++] = (struct sample){.number = number,
+	    .name = xstrdup(text_trim(text)),
+	    .text = xstrdup(text_trim(cut + 1))};
+	return true;
+}
+
+static bool
+parse_items(
+    struct samples *s, bool numbers, const char *text, struct error *error)
+{
+	FREED char *copy = xstrdup(text != NULL ? text : "");
+	char *rest = text != NULL ? copy : NULL;
+	for (char *part; (part = next_item(&rest)) != NULL;)
+		if (!add_item(s, numbers, part, error))
+			return false;
 	return true;
 }
 
 bool
 samples_parse(struct samples *s, const char *text, struct error *error)
 {
-	if (text == NULL)
-		return true;
-	FREED char *copy = xstrdup(text);
-	char *rest = copy;
-	for (char *part; (part = samples_next_item(&rest)) != NULL;)
-		if (!add_sample(s, part, error))
-			return false;
-	return true;
+	return parse_items(s, false, text, error);
+}
+
+bool
+samples_parse_columns(struct samples *s, const char *text,
+    struct layout_range *range, struct error *error)
+{
+	static const uint64_t ELSE =
+	    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
+	if (!parse_items(s, true, text, error))
+		return false;
+	for (size_t i = 0; i < s->n; i++) {
+		uint64_t means = lexicon_meanings(s->item[i].text, NULL);
+		if ((means & WORD_SIZE) == 0 || (means & ELSE) != 0) {
+			s->others = true;
+			continue;
+		}
+		if (range->n_sieves < LAYOUT_SIEVES)
+			range->sieves[range->n_sieves++] = s->item[i].number;
+		range->phi = range->phi || (means & WORD_PHI) != 0;
+	}
+	return text == NULL || range->n_sieves > 0 ||
+	       error_set(error, ERROR_USAGE,
+		   "expected a column of sieves in columns, got '%s'\n"
+		   "for instance: columns=\"1=sieve mm, 2=feed, "
+		   "3=product@69\"",
+		   text);
 }
 
 void
 samples_clear(struct samples *s)
 {
 	for (size_t i = 0; i < s->n; i++) {
-		free(s->name[i]);
-		free(s->text[i]);
+		free(s->item[i].name);
+		free(s->item[i].text);
 	}
-	free(s->name);
-	free(s->text);
-	free(s->found);
+	free(s->item);
+}
+
+static const struct sample *
+find_named_column(const struct samples *columns, size_t number)
+{
+	for (size_t i = 0; i < columns->n; i++)
+		if (columns->item[i].number == number)
+			return &columns->item[i];
+	return NULL;
+}
+
+/* Makes column c of some rows the nth, and for now the last. */
+static void
+move_cell(struct row *row, size_t n_row, size_t c, size_t n)
+{
+	for (size_t r = 0; r < n_row; r++) {
+		row[r].cell[n] = row[r].cell[c];
+		row[r].n = row[r].n_all = n + 1;
+	}
+}
+
+/* Heads the columns anew and drops those without a name. */
+static void
+replace_headings(const struct samples *columns, struct table *t)
+{
+	size_t n = 0;
+	struct row head = {.line = t->row[0].line};
+	head.cell = xcalloc(t->n_col, sizeof *head.cell);
+	for (size_t c = 0; c < t->n_col; c++) {
+		const struct sample *named =
+		    find_named_column(columns, t->number[c]);
+		if (named == NULL && c > 0)
+			continue;
+		struct cell cell = t->n_head > 0
+				       ? t->head[t->n_head - 1].cell[c]
+				       : t->row[0].cell[c];
+		char *text = layout_adopt_text(
+		    t, xstrdup(named != NULL ? named->text : ""));
+		head.cell[n] = number_cell_from_text(t->sheet, cell, text);
+		t->number[n] = t->number[c];
+		move_cell(t->row, t->n_row, c, n);
+		move_cell(t->foot, t->n_foot, c, n);
+		n++;
+	}
+	for (size_t r = 0; r < t->n_head; r++)
+		free(t->head[r].cell);
+	t->head = xrealloc(t->head, 1, sizeof *t->head);
+	head.n = head.n_all = n;
+	t->head[0] = head;
+	t->n_head = 1;
+	t->titles = 0;
+	t->n_col = n;
+}
+
+uint64_t
+samples_head_columns(const struct samples *columns, struct table *t)
+{
+	const struct sample *sieves = find_named_column(columns, t->number[0]);
+	if (columns->others)
+		replace_headings(columns, t);
+	return sieves != NULL ? lexicon_meanings(sieves->text, NULL) : 0;
 }
 
 /* True if the cells of a row of headings are all different. */
@@ -168,15 +267,15 @@ bool
 samples_apply_to_column(struct samples *s, struct column *c)
 {
 	FREED char *label = samples_label_of_column(c->table, c->at);
-	size_t i = 0;
-	while (
-	    i < s->n && !is_name_of_column(c->table, c->at, label, s->name[i]))
-		i++;
-	if (i == s->n)
-		return false;
-	s->found[i] = true;
-	apply_sample_text(c, s->text[i]);
-	return true;
+	for (size_t i = 0; i < s->n; i++) {
+		struct sample *one = &s->item[i];
+		if (!is_name_of_column(c->table, c->at, label, one->name))
+			continue;
+		one->found = true;
+		apply_sample_text(c, one->text);
+		return true;
+	}
+	return false;
 }
 
 void
@@ -184,7 +283,7 @@ samples_report_missing(const struct samples *s, const struct table *t)
 {
 	enum { SHOWN = 5 };
 	size_t i = 0;
-	while (i < s->n && s->found[i])
+	while (i < s->n && s->item[i].found)
 		i++;
 	if (i == s->n)
 		return;
@@ -196,5 +295,5 @@ samples_report_missing(const struct samples *s, const struct table *t)
 	sheet_fault(t->sheet, t->row[0].cell[0],
 	    "expected a sample called %s, got none\n"
 	    "its samples: %s%s",
-	    s->name[i], list, t->n_col > SHOWN + 1 ? ", .." : "");
+	    s->item[i].name, list, t->n_col > SHOWN + 1 ? ", .." : "");
 }

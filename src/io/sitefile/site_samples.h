@@ -1,4 +1,4 @@
-/* Samples that the user names, with their roles (samples=).
+/* Columns and samples that the user describes (columns=, samples=).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_IO_SITEFILE_SITE_SAMPLES_H
 #define TIPSPEED_IO_SITEFILE_SITE_SAMPLES_H
@@ -6,24 +6,33 @@
 #include "base/error.h"
 #include "io/sitefile/site_column.h"
 
-/* Samples [n] by name.  text: the description of each, as in columns= but
- * without the word product; found: true if the sample is in the sheet. */
+/* Columns [n] by number, or samples [n] by name, with what the user says of
+ * each.  found: the sample is in the sheet.  others: not all of the columns are
+ * those of sieves; else the samples keep their headings. */
 struct samples {
 	size_t n;
-	char **name, **text;
-	bool *found;
+	struct sample {
+		size_t number;
+		char *name, *text;
+		bool found;
+	} * item;
+	bool others;
 };
 
 /* Parses "S01=feed, S02=@70 retained_pct" (NULL: no sample is named).  On
  * failure, returns false with a usage error. */
 bool samples_parse(
     struct samples *samples, const char *text, struct error *error);
+
+/* As samples_parse, but for columns: "1=sieve um, 3=feed retained_g".  Notes
+ * those of sieves in *range. */
+bool samples_parse_columns(struct samples *samples, const char *text,
+    struct layout_range *range, struct error *error);
 void samples_clear(struct samples *samples);
 
-/* Cuts off the next part of a list that commas separate, and returns it, or
- * NULL after the last; *rest moves after it.  The comma of a number, as in
- * @63,6, separates nothing. */
-char *samples_next_item(char **rest);
+/* Heads the columns of a table as the user names them, and drops others.
+ * Returns the meanings of the heading of its sieves, or 0. */
+uint64_t samples_head_columns(const struct samples *columns, struct table *t);
 
 /* Returns the text that distinguishes the sample in column c from others in the
  * table: its name in a long table, else its cell in the first heading row whose

@@ -88,64 +88,17 @@ sieve_mm_of_row(struct table *t, struct cell cell)
 	    t->unit.mm > 0 ? t->unit.mm : 1, "a sieve size or pan");
 }
 
-/* Returns the share of the sizes, multiplied by a factor, that are sizes of
- * real sieves. */
-static double
-share_of_standard_sizes(const struct table *t, double factor, double *most)
-{
-	double n = 0, known = 0;
-	struct sieve_unit bare = {1, SIEVE_NONE};
-	*most = 0;
-	for (size_t i = 0; i < t->n_row; i++) {
-		double mm;
-		if (sieve_read_size(t->sheet, t->row[i].cell[0], bare, &mm) !=
-			SIEVE_IS_SIZE ||
-		    isnan(mm))
-			continue;
-		n++;
-		known += sieve_is_standard(mm * factor);
-		*most = fmax(*most, mm * factor);
-	}
-	return n > 0 ? known / n : 0;
-}
-
-/* True if each size has its own unit or is a name. */
-static bool
-are_all_sieves_named(const struct table *t)
-{
-	double v;
-	size_t n = 0;
-	for (size_t i = 0; i < t->n_row; i++) {
-		struct cell cell = t->row[i].cell[0];
-		double mm;
-		struct sieve_unit none = {0, SIEVE_NONE};
-		if (sieve_read_size(t->sheet, cell, none, &mm) != SIEVE_IS_SIZE)
-			continue;
-		if (number_value_of_cell(cell, &v))
-			return false;
-		n++;
-	}
-	return n > 0;
-}
-
-static bool
-are_sieve_numbers_whole(const struct table *t)
-{
-	double v;
-	for (size_t i = 0; i < t->n_row; i++)
-		if (number_value_of_cell(t->row[i].cell[0], &v) &&
-		    v != floor(v))
-			return false;
-	return true;
-}
-
-/* What the bare numbers of the sieves are like.  n: how many; n_part: of them
- * fractions, 3/8, as inches have; n_astm: that are numbers of sieves of ASTM
- * E11; n_below: below 0; n_beyond: beyond what phi can be.  rises: from the
- * first to the last, but for fractions; even: by one step. */
+/* What the sieves of a table are like.  n: how many are bare numbers; n_part:
+ * of them fractions, 3/8, as inches have; n_astm: that are numbers of sieves of
+ * ASTM E11; n_below: below 0; n_beyond: beyond what phi can be.  rises: from
+ * the first to the last, but for fractions; even: by one step; whole: all are.
+ * named: each size has its own unit or is a name.  most: the largest size if
+ * numbers are in mm; in_mm, in_um: the share of real sieves among the sizes if
+ * they are in mm, in um. */
 struct numbers {
 	size_t n, n_part, n_astm, n_below, n_beyond;
-	bool rises, even;
+	bool rises, even, whole, named;
+	double most, in_mm, in_um;
 };
 
 /* Whether a text is a fraction of an inch that sieves have, 3/8 or 1 1/2, and
@@ -185,18 +138,49 @@ has_inch_fractions(const struct table *t)
 	return meet < 2;
 }
 
+/* Reads the sizes as they are named, and as lengths. */
+static void
+collect_sieve_sizes(const struct table *t, struct numbers *all)
+{
+	const struct sieve_unit none = {0, SIEVE_NONE}, bare = {1, SIEVE_NONE};
+	size_t named = 0, numbers = 0, n = 0, in_mm = 0, in_um = 0;
+	for (size_t i = 0; i < t->n_row; i++) {
+		struct cell cell = t->row[i].cell[0];
+		double v, mm;
+		if (sieve_read_size(t->sheet, cell, none, &mm) ==
+		    SIEVE_IS_SIZE) {
+			bool number = number_value_of_cell(cell, &v);
+			numbers += number;
+			named += !number;
+		}
+		if (sieve_read_size(t->sheet, cell, bare, &mm) !=
+			SIEVE_IS_SIZE ||
+		    isnan(mm))
+			continue;
+		n++;
+		in_mm += sieve_is_standard(mm);
+		in_um += sieve_is_standard(mm * 1e-3);
+		all->most = fmax(all->most, mm);
+	}
+	all->named = named > 0 && numbers == 0;
+	all->in_mm = n > 0 ? (double)in_mm / (double)n : 0;
+	all->in_um = n > 0 ? (double)in_um / (double)n : 0;
+}
+
 static struct numbers
 collect_sieve_numbers(const struct table *t)
 {
-	struct numbers all = {.rises = true, .even = true};
+	struct numbers all = {.rises = true, .even = true, .whole = true};
 	bool fractions = has_inch_fractions(t);
 	double v, last = NAN, step = NAN;
+	collect_sieve_sizes(t, &all);
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
 		bool part = fractions && is_inch_fraction(cell.text);
 		bool number = number_value_of_cell(cell, &v);
 		all.n += part || number;
 		all.n_part += part;
+		all.whole = all.whole && !(number && v != floor(v));
 		if (part || !number)
 			continue;
 		all.n_astm += v > 0 && sieve_name_mm(cell.text, SIEVE_ASTM) > 0;
@@ -217,26 +201,24 @@ collect_sieve_numbers(const struct table *t)
 static enum sieve_certainty
 recognise_astm_numbers(struct table *t, const struct numbers *all, bool said)
 {
-	double most;
 	bool astm = all->n > 2 && all->n_part + all->n_astm == all->n;
 	if (!astm || (!said && (!all->rises || all->n < 4)))
 		return SIEVES_ASSUMED; /* they are something else */
 	t->unit = (struct sieve_unit){0, SIEVE_ASTM};
-	if (said && !all->rises && share_of_standard_sizes(t, 1, &most) >= 1)
+	if (said && !all->rises && all->in_mm >= 1)
 		return SIEVES_OPEN;
 	return said || all->n_part > 0 ? SIEVES_SAID : SIEVES_OPEN;
 }
 
 /* Returns the likeliest unit of numbers for which several are possible. */
 static struct sieve_unit
-guess_sieve_unit(const struct table *t, const struct numbers *all)
+guess_sieve_unit(const struct numbers *all)
 {
-	double most, share = share_of_standard_sizes(t, 1e-3, &most);
-	struct sieve_unit mm = {1, SIEVE_NONE}, um = {1e-3, SIEVE_NONE};
-	bool small = share_of_standard_sizes(t, 1, &most) < 0.8 && share >= 0.8;
+	bool small = all->in_mm < 0.8 && all->in_um >= 0.8;
 	if (all->n_below > 0)
 		return (struct sieve_unit){0, SIEVE_PHI};
-	return small || most > COARSE_TOP ? um : mm;
+	return (struct sieve_unit){
+	    small || all->most > COARSE_TOP ? 1e-3 : 1, SIEVE_NONE};
 }
 
 /* Decides the unit of the sieves, here only: assumes mm or um if none is stated
@@ -245,10 +227,10 @@ static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
 	struct numbers all = collect_sieve_numbers(t);
-	double most, share = share_of_standard_sizes(t, 1, &most);
-	bool mesh = t->unit.series == SIEVE_MESH && are_sieve_numbers_whole(t);
+	double most = all.most, most_um = 1e-3 * all.most;
+	bool mesh = t->unit.series == SIEVE_MESH && all.whole;
 	bool said = (means & WORD_NUMBER) != 0;
-	if (are_all_sieves_named(t))
+	if (all.named)
 		return SIEVES_SAID;
 	/* The letter is that of a diameter, too. */
 	if (t->unit.series == SIEVE_PHI && all.n_beyond == 0)
@@ -261,7 +243,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	    most * t->unit.mm >= 0.1)
 		return SIEVES_SAID;
 	if (t->unit.mm > 0) {
-		t->unit = guess_sieve_unit(t, &all);
+		t->unit = guess_sieve_unit(&all);
 		return SIEVES_OPEN;
 	}
 	if (mesh)
@@ -271,13 +253,12 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 	if (t->unit.series == SIEVE_ASTM)
 		return numbers == SIEVES_SAID && !said ? SIEVES_ASSUMED
 						       : numbers;
-	if (share >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
+	if (all.in_mm >= 0.8 && most > LEAST_TOP && most <= COARSE_TOP)
 		return SIEVES_ASSUMED;
-	t->unit = guess_sieve_unit(t, &all);
-	share = share_of_standard_sizes(t, 1e-3, &most);
-	if (share < 0.8 || most <= LEAST_TOP || most > COARSE_TOP)
-		return SIEVES_OPEN;
-	return SIEVES_ASSUMED;
+	t->unit = guess_sieve_unit(&all);
+	return all.in_um >= 0.8 && most_um > LEAST_TOP && most_um <= COARSE_TOP
+		   ? SIEVES_ASSUMED
+		   : SIEVES_OPEN;
 }
 
 /* True if the sizes rise, or fall, without exception, ignoring NAN. */

@@ -101,12 +101,18 @@ title_table_below(const struct layout *layout, const struct row *row)
 }
 
 char *
-title_date_above(const struct layout *layout, const struct table *t)
+title_find_day(const struct layout *layout, const struct table *t, char *before,
+    bool *differ)
 {
-	char *day = NULL;
-	for (size_t i = 0; i < layout->n_heading && day == NULL; i++)
-		if (is_line_above_table(t, layout->heading[i]))
-			day = site_heading_date_of_line(layout->heading[i]);
+	char *day = before;
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		bool asked = t == NULL || is_line_above_table(t, row);
+		FREED char *own = asked ? site_heading_date_of_line(row) : NULL;
+		if (own != NULL && day == NULL)
+			day = xstrdup(own);
+		*differ = *differ || (own != NULL && strcmp(own, day) != 0);
+	}
 	return day;
 }
 

@@ -14,9 +14,12 @@ bool title_heads_any_table(const struct layout *layout, const struct row *row);
 const struct table *title_table_below(
     const struct layout *layout, const struct row *row);
 
-/* Returns the day, "2026-05-03", stated in a line above a table and below those
- * before it, or NULL.  The caller frees it. */
-char *title_date_above(const struct layout *layout, const struct table *t);
+/* Returns the first day, "2026-05-03", that lines above a table and below those
+ * before it state, or for NULL all lines outside tables; NULL: none.  before:
+ * the day that an earlier call returned, which then is returned again, or NULL.
+ * differ: set if a line states another day.  The caller frees the day. */
+char *title_find_day(const struct layout *layout, const struct table *t,
+    char *before, bool *differ);
 
 /* True if a line above a further table of a sheet states its speed with a key:
  * lines above the first are then about the first alone. */
