@@ -124,8 +124,10 @@ void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* chart_y_at returns y at x, on lines between the points that are straight on
- * the axes, or NAN outside the points.  chart_x_at returns x at y, for
- * monotonic y. */
+ * the axes, or NAN outside the points; chart_value_at the same of other values
+ * [n] at the points.  chart_x_at returns x at y, for monotonic y. */
+double chart_value_at(const struct chart *chart,
+    const struct chart_series *series, const double *value, double x);
 double chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x);
 double chart_x_at(

@@ -119,8 +119,8 @@ picture_draw_x_axis(struct page *p)
 	static const double DIGIT = 5.1; /* its width; a column rounds it */
 	const struct axis *a = &p->chart->x;
 	double foot = p->top + p->height;
-	int *column = xcalloc(a->n, sizeof *column);
-	int *row = xcalloc(a->n, sizeof *row);
+	FREED int *column = xcalloc(a->n, sizeof *column);
+	FREED int *row = xcalloc(a->n, sizeof *row);
 	double end[ROWS] = {0};
 	axis_place_labels(a, WIDTH / COLUMN, ROWS, column, row);
 	for (size_t i = 0; i < a->n; i++) {
@@ -136,8 +136,6 @@ picture_draw_x_axis(struct page *p)
 	}
 	p->pen->text(p->pen, LEFT + WIDTH / 2.0, foot + 4 + 4 * (LABEL + 2),
 	    a->title, &(struct pen_style){.size = 10, .anchor = PEN_MIDDLE});
-	free(column);
-	free(row);
 }
 
 /* A label at y is not to touch one of those placed. */
@@ -155,7 +153,7 @@ picture_draw_y_axis(struct page *p)
 {
 	enum { RANKS = 3, LABEL = 8 };
 	const struct axis *a = &p->chart->y;
-	double *placed = xcalloc_doubles(a->n);
+	FREED double *placed = xcalloc_doubles(a->n);
 	size_t n = 0;
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
@@ -176,7 +174,6 @@ picture_draw_y_axis(struct page *p)
 	p->pen->text(p->pen, 18, p->top + p->height / 2, a->title,
 	    &(struct pen_style){
 		.size = 10, .anchor = PEN_MIDDLE, .upward = true});
-	free(placed);
 }
 
 /* A shape with so many corners around a point. */
@@ -227,7 +224,8 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 {
 	if (s->low == NULL)
 		return;
-	double *x = xcalloc_doubles(2 * s->n), *y = xcalloc_doubles(2 * s->n);
+	FREED double *x = xcalloc_doubles(2 * s->n),
+		     *y = xcalloc_doubles(2 * s->n);
 	for (size_t i = 0; i < s->n; i++) {
 		size_t back = 2 * s->n - 1 - i;
 		x[i] = x[back] = page_x(p, s->x[i]);
@@ -236,15 +234,14 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 	}
 	p->pen->path(p->pen, x, y, 2 * s->n,
 	    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
-	free(x);
-	free(y);
 }
 
+/* Returns x of point i, with what the series is drawn beside by. */
 static double
-offset_of_series_beside(const struct chart_series *s)
+page_x_of_point(const struct page *p, const struct chart_series *s, size_t i)
 {
 	enum { CELL = 4 };
-	return CELL * s->beside;
+	return page_x(p, s->x[i]) + CELL * s->beside;
 }
 
 static struct pen_stroke
@@ -260,7 +257,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 {
 	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
-		double x = page_x(p, s->x[i]) + offset_of_series_beside(s);
+		double x = page_x_of_point(p, s, i);
 		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
 		    stroke);
 	}
@@ -270,7 +267,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 static void
 picture_draw_line(struct page *p, const struct chart_series *s)
 {
-	double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
+	FREED double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
 	struct pen_stroke stroke = {s->series, s->line, 1.2, PEN_OPEN};
 	size_t n = 0;
 	for (size_t i = 0; i <= s->n && s->line != CHART_MARKS; i++) {
@@ -283,8 +280,6 @@ picture_draw_line(struct page *p, const struct chart_series *s)
 			p->pen->path(p->pen, x, y, n, &stroke);
 		n = 0;
 	}
-	free(x);
-	free(y);
 }
 
 static struct pen_stroke
@@ -395,15 +390,6 @@ picture_draw_names(struct page *p)
 	free(taken.box);
 }
 
-static bool
-picture_has_names(const struct chart *c)
-{
-	bool any = false;
-	for (size_t i = 0; i < c->n; i++)
-		any = any || c->series[i]->named;
-	return any;
-}
-
 static void
 picture_draw_data(struct page *p)
 {
@@ -428,12 +414,10 @@ picture_draw_data(struct page *p)
 				draw_area_square(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
 				picture_draw_mark(p, s,
-				    page_x(p, s->x[j]) +
-					offset_of_series_beside(s),
+				    page_x_of_point(p, s, j),
 				    page_y(p, s->y[j]));
 		}
-	if (picture_has_names(c))
-		picture_draw_names(p);
+	picture_draw_names(p);
 }
 
 static void
@@ -466,12 +450,12 @@ foot_text(const struct chart *chart, const char *program)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&text, &n);
-	char *about = xasprintf("data: %s; drawn by %s", chart->about, program);
+	FREED char *about =
+	    xasprintf("data: %s; drawn by %s", chart->about, program);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
 			text_wrap(c->note[i], 0, FOOT_COLUMNS, memory);
 	text_wrap(about, 0, FOOT_COLUMNS, memory);
-	free(about);
 	fclose(memory);
 	return text;
 }
@@ -515,11 +499,10 @@ plot_height(const struct chart *chart)
 double
 picture_height(const struct chart *chart, const char *program)
 {
-	char *foot = foot_text(chart, program);
+	FREED char *foot = foot_text(chart, program);
 	size_t rows = 1;
 	for (const char *c = foot; *c != '\0'; c++)
 		rows += *c == '\n';
-	free(foot);
 	double height = FOOT_ROW * (double)rows;
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		height += TOP + plot_height(c) + BELOW;
@@ -530,7 +513,7 @@ void
 picture_draw(const struct chart *chart, const char *program, struct pen *pen)
 {
 	struct page p = {.pen = pen, .top = TOP};
-	char *foot = foot_text(chart, program);
+	FREED char *foot = foot_text(chart, program);
 	for (p.chart = chart;; p.chart = p.chart->below) {
 		p.height = plot_height(p.chart);
 		picture_draw_page(&p);
@@ -539,7 +522,6 @@ picture_draw(const struct chart *chart, const char *program, struct pen *pen)
 		p.top += p.height + BELOW + TOP;
 	}
 	draw_foot(&p, foot);
-	free(foot);
 }
 
 bool
@@ -609,23 +591,6 @@ static const struct shape {
     {0x254E, LINE, 2, {{4, 0, 4, 3}, {4, 5, 4, 7}}},
     {0x2591, SHADE, 1, {{0, 4, 8, 4}}}};
 
-/* Quarters of a cell that are full: top left, top right, and below them. */
-static unsigned
-quarters_of_block_character(uint32_t code)
-{
-	static const struct {
-		uint32_t code;
-		unsigned set;
-	} CODES[] = {{0x2580, 3}, {0x2584, 12}, {0x2588, 15}, {0x258C, 5},
-	    {0x2590, 10}, {0x2596, 4}, {0x2597, 8}, {0x2598, 1}, {0x2599, 13},
-	    {0x259A, 9}, {0x259B, 7}, {0x259C, 11}, {0x259D, 2}, {0x259E, 6},
-	    {0x259F, 14}};
-	for (size_t i = 0; i < ARRAY_LEN(CODES); i++)
-		if (CODES[i].code == code)
-			return CODES[i].set;
-	return 0;
-}
-
 /* The shape of a character; n is 0 for one that is text. */
 static size_t
 shape_of_block_character(
@@ -649,7 +614,10 @@ shape_of_block_character(
 				    DOTS[i][0], DOTS[i][1]};
 		return n;
 	}
-	unsigned set = quarters_of_block_character(code);
+	/* Quarters that are full: top left, top right, and below them. */
+	unsigned set = 15;
+	while (set > 0 && canvas_dots_code(CHARSET_QUADRANTS, set) != code)
+		set--;
 	*kind = BLOCK;
 	for (unsigned i = 0; i < 4; i++)
 		if (set >> i & 1) {
@@ -667,18 +635,6 @@ struct cells_page {
 	double *x, *y;
 	size_t n; /* bars gathered in x, y [2 n] */
 };
-
-static const struct canvas_cell *
-picture_cell_at(const struct cells_page *s, int column, int row)
-{
-	return &s->canvas->cell[row * s->canvas->columns + column];
-}
-
-static bool
-is_faint(const struct cells_page *s, const struct canvas_cell *cell)
-{
-	return canvas_is_faint(s->canvas, cell, s->depth);
-}
 
 /* The places of bars are multiples of 3/4. */
 static bool
@@ -717,27 +673,24 @@ picture_draw_bars(
 {
 	static const struct bar whole = {0, 4, 8, 4};
 	s->n = 0;
-	for (int row = 0; row < s->canvas->rows; row++)
-		for (int column = 0; column < s->canvas->columns; column++) {
-			const struct canvas_cell *cell =
-			    picture_cell_at(s, column, row);
-			enum kind its;
-			struct bar bar[BARS];
-			if (cell->series != series ||
-			    is_faint(s, cell) != faint)
-				continue;
-			if (kind == GROUND) {
-				if (cell->attribute & CELL_REVERSE)
-					picture_add_or_join_bar(
-					    s, column, row, &whole);
-				continue;
-			}
-			size_t n =
-			    shape_of_block_character(cell->code, &its, bar);
-			for (size_t i = 0; i < n && its == kind; i++)
-				picture_add_or_join_bar(
-				    s, column, row, &bar[i]);
+	int columns = s->canvas->columns, cells = columns * s->canvas->rows;
+	for (int k = 0; k < cells; k++) {
+		const struct canvas_cell *cell = &s->canvas->cell[k];
+		int column = k % columns, row = k / columns;
+		enum kind its;
+		struct bar bar[BARS];
+		if (cell->series != series ||
+		    canvas_is_faint(s->canvas, cell, s->depth) != faint)
+			continue;
+		if (kind == GROUND) {
+			if (cell->attribute & CELL_REVERSE)
+				picture_add_or_join_bar(s, column, row, &whole);
+			continue;
 		}
+		size_t n = shape_of_block_character(cell->code, &its, bar);
+		for (size_t i = 0; i < n && its == kind; i++)
+			picture_add_or_join_bar(s, column, row, &bar[i]);
+	}
 	if (s->n > 0)
 		s->pen->bars(s->pen, s->x, s->y, s->n,
 		    &(struct pen_bar){series, KIND[kind].width,
@@ -754,23 +707,18 @@ is_text(const struct canvas_cell *cell)
 	       shape_of_block_character(cell->code, &kind, bar) == 0;
 }
 
-static bool
-is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
-{
-	return a->series == b->series && a->attribute == b->attribute;
-}
-
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
 end_of_alike_cells(const struct cells_page *s, int from, int row)
 {
-	const struct canvas_cell *cell = picture_cell_at(s, 0, row);
+	const struct canvas_cell *cell =
+	    s->canvas->cell + row * s->canvas->columns;
 	int end = from + 1;
 	for (int c = from + 1; c < s->canvas->columns; c++) {
 		bool wide = cell[c].code == 0;
-		bool text =
-		    is_text(&cell[c]) && is_alike(&cell[c], &cell[from]);
+		bool text = is_text(&cell[c]) &&
+			    canvas_same_style(&cell[c], &cell[from]);
 		if (!wide && !text && (cell[c].code != ' ' || end < c))
 			break;
 		end = wide || text ? c + 1 : end;
@@ -781,9 +729,11 @@ end_of_alike_cells(const struct cells_page *s, int from, int row)
 static void
 draw_text(struct cells_page *s, int row)
 {
-	char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
+	FREED char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
+	const struct canvas_cell *first =
+	    s->canvas->cell + row * s->canvas->columns;
 	for (int c = 0, end; c < s->canvas->columns; c = end) {
-		const struct canvas_cell *cell = picture_cell_at(s, c, row);
+		const struct canvas_cell *cell = first + c;
 		char *at = text, code[5];
 		end = c + 1;
 		if (!is_text(cell))
@@ -799,10 +749,9 @@ draw_text(struct cells_page *s, int row)
 			.length = CELL_WIDTH * (end - c),
 			.bold = cell->attribute & CELL_BOLD,
 			.inverse = cell->attribute & CELL_REVERSE,
-			.faint = is_faint(s, cell),
+			.faint = canvas_is_faint(s->canvas, cell, s->depth),
 			.series = (enum series)cell->series});
 	}
-	free(text);
 }
 
 /* The paper for cells, and its size, points. */

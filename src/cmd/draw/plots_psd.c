@@ -46,15 +46,6 @@ round_up_axis_limit(double value)
 	return 100;
 }
 
-static void
-add_axis_tick(struct axis *axis, double at)
-{
-	char label[24];
-	snprintf(label, sizeof label, at == 0 ? "%g" : "%+g", at);
-	axis_add_tick(axis, at, label, 0);
-	axis->tick[axis->n - 1].guide = at == 0;
-}
-
 /* Reaches as far below 0 as above, so that 0 does not move. */
 static struct axis
 difference_strip_axis(const struct chart *chart)
@@ -63,9 +54,9 @@ difference_strip_axis(const struct chart *chart)
 	struct chart_extent e = chart_find_extent(chart);
 	axis.high = round_up_axis_limit(fmax(-e.y[0], e.y[1]));
 	axis.low = -axis.high;
-	add_axis_tick(&axis, axis.low);
-	add_axis_tick(&axis, 0);
-	add_axis_tick(&axis, axis.high);
+	axis_add_signed_number(&axis, axis.low, 0);
+	axis_add_signed_number(&axis, 0, 0);
+	axis_add_signed_number(&axis, axis.high, 0);
 	return axis;
 }
 
