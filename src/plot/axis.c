@@ -195,8 +195,8 @@ axis_free(struct axis *axis)
 	free(axis->tick);
 }
 
-/* Returns a distance on the axis.  On a symmetric one slopes meet where the straight
- * part ends. */
+/* Returns a distance on the axis.  On a symmetric one slopes meet where the
+ * straight part ends. */
 static double
 axis_scaled_value(const struct axis *axis, double value)
 {

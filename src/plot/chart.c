@@ -88,6 +88,16 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	return s;
 }
 
+struct chart_series *
+chart_add_points(struct chart *chart, struct chart_series look, size_t n,
+    const double *x, const double *y, const char *name)
+{
+	struct chart_series *s = chart_add(chart, look, n, "%s", name);
+	memcpy(s->x, x, n * sizeof *x);
+	memcpy(s->y, y, n * sizeof *y);
+	return s;
+}
+
 void
 chart_move_last_series_to_back(struct chart *chart)
 {

@@ -99,6 +99,11 @@ void chart_free(struct chart *chart);
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
+/* As chart_add, but with the points x, y [n], which are copied. */
+struct chart_series *chart_add_points(struct chart *chart,
+    struct chart_series look, size_t n, const double *x, const double *y,
+    const char *name);
+
 /* Moves the last series to the front, so that all others are drawn on top. */
 void chart_move_last_series_to_back(struct chart *chart);
 

@@ -829,31 +829,22 @@ rows_of_chart(const struct chart *chart, int left, int n)
 	return own > 0 ? own : 1;
 }
 
-/* The next chart's rows of a canvas, which share its cells. */
-static struct canvas
-canvas_of_next_chart(
-    const struct canvas *all, const struct chart *chart, int top, int n)
-{
-	return (struct canvas){.columns = all->columns,
-	    .rows = rows_of_chart(chart, all->rows - top, n),
-	    .cell = all->cell + top * all->columns};
-}
-
 bool
-chart_find_at_cell(const struct chart *chart, const struct canvas *canvas,
+chart_find_at_cell(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found)
 {
 	int n = count_charts(chart), top = 0;
-	int left = y_label_columns(chart, canvas->columns, words);
-	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
+	int left = y_label_columns(chart, columns, words);
+	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		struct canvas rows = canvas_of_next_chart(canvas, c, top, n--);
+		struct canvas own = {.columns = columns,
+		    .rows = rows_of_chart(c, rows - top, n--)};
 		struct layout l =
-		    draw_layout_make(c, &rows, left, charset, words);
-		if (row < top + rows.rows)
+		    draw_layout_make(c, &own, left, charset, words);
+		if (row < top + own.rows)
 			return find_in_plot(&l, column, row - top, found);
-		top += rows.rows;
+		top += own.rows;
 	}
 	return false;
 }
@@ -869,7 +860,9 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		struct canvas own = canvas_of_next_chart(all, c, top, n--);
+		struct canvas own = {.columns = columns,
+		    .rows = rows_of_chart(c, rows - top, n--),
+		    .cell = all->cell + top * columns};
 		struct layout l =
 		    draw_layout_make(c, &own, left, charset, words);
 		draw_titles_and_axes(&l);
