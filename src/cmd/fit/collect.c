@@ -44,12 +44,9 @@ static struct answer *
 join_calibrated_sites(const struct part_site *const *site, size_t n)
 {
 	struct answer *r = part_new_calibrate_answer();
-	for (size_t i = 0; i < n; i++) {
-		const double *v = site[i]->number;
+	for (size_t i = 0; i < n; i++)
 		part_add_site_row(
-		    r, &(struct part_row){site[i]->text[0], site[i]->text[1],
-			   v[0], v[1], v[2], v[3], v[4], v[5]});
-	}
+		    r, site[i]->text[0], site[i]->number, site[i]->text[1]);
 	return r;
 }
 
