@@ -58,7 +58,7 @@ vertical_line_code(enum series series, enum charset charset)
 
 /* The character of a series' marks. */
 static uint32_t
-draw_mark_code(const struct chart_series *s, enum charset charset)
+code_of_mark(const struct chart_series *s, enum charset charset)
 {
 	const struct mark *mark = mark_of_character(s->mark);
 	return s->fine && mark != NULL && charset != CHARSET_ASCII
@@ -80,7 +80,7 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
 	if (series->mark != '\0')
-		canvas_encode_utf8(draw_mark_code(series, charset), mark);
+		canvas_encode_utf8(code_of_mark(series, charset), mark);
 	/* A heavy line would be no dashes; a bar is heavy. */
 	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
 		return xasprintf(
@@ -217,7 +217,7 @@ lay_out_strip(struct layout l)
 }
 
 static struct layout
-draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
+lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
     enum charset charset, unsigned words)
 {
 	enum { Y_TITLE, LEGEND, SECOND, FOOT, TITLE, LABELS, AXIS, PARTS };
@@ -510,7 +510,7 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 		draw_small_mark(l, s, i);
 	else
 		put_code_in_plot(l, column_of_point(l, s, i),
-		    row_of_y(l, s->y[i], 1), draw_mark_code(s, l->charset),
+		    row_of_y(l, s->y[i], 1), code_of_mark(s, l->charset),
 		    s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted && !fine ? CELL_REVERSE : 0));
@@ -576,7 +576,7 @@ draw_chart_bars(struct layout *l, const struct chart_series *s)
 
 /* The value in the middle of part i of n along an axis. */
 static double
-draw_value_at(const struct axis *a, int i, int n)
+value_of_axis_part(const struct axis *a, int i, int n)
 {
 	double t = (i + 0.5) / n;
 	return a->log ? a->low * pow(a->high / a->low, t)
@@ -630,7 +630,7 @@ draw_chart_band(struct layout *l, const struct chart_series *s)
 	int across = canvas_cell_dots_across(l->charset),
 	    parts = l->width * across;
 	for (int i = 0; i < parts && s->low != NULL; i++) {
-		double x = draw_value_at(&l->chart->x, i, parts);
+		double x = value_of_axis_part(&l->chart->x, i, parts);
 		double low = chart_value_at(l->chart, s, s->low, x);
 		double high = chart_value_at(l->chart, s, s->high, x);
 		if (isnan(low) || isnan(high))
@@ -769,7 +769,7 @@ find_nearest_mark(
 
 /* The line in that row of a column, of several the one on top. */
 static void
-draw_find_line(const struct layout *l, int row, struct chart_found *f)
+find_line_at_cell(const struct layout *l, int row, struct chart_found *f)
 {
 	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
 		const struct chart_series *of = l->chart->series[s];
@@ -799,10 +799,10 @@ find_in_plot(const struct layout *l, int column, int row, struct chart_found *f)
 	row -= l->top;
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
 		return false;
-	f->x = draw_value_at(&l->chart->x, column, l->width);
-	f->y = draw_value_at(&l->chart->y, l->height - 1 - row, l->height);
+	f->x = value_of_axis_part(&l->chart->x, column, l->width);
+	f->y = value_of_axis_part(&l->chart->y, l->height - 1 - row, l->height);
 	find_nearest_mark(l, column, row, f);
-	draw_find_line(l, row, f);
+	find_line_at_cell(l, row, f);
 	return true;
 }
 
@@ -840,8 +840,7 @@ chart_find_at_cell(const struct chart *chart, int columns, int rows,
 	     c = c->below) {
 		struct canvas own = {.columns = columns,
 		    .rows = rows_of_chart(c, rows - top, n--)};
-		struct layout l =
-		    draw_layout_make(c, &own, left, charset, words);
+		struct layout l = lay_out_chart(c, &own, left, charset, words);
 		if (row < top + own.rows)
 			return find_in_plot(&l, column, row - top, found);
 		top += own.rows;
@@ -863,8 +862,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
 		struct canvas own = {.columns = columns,
 		    .rows = rows_of_chart(c, rows - top, n--),
 		    .cell = all->cell + top * columns};
-		struct layout l =
-		    draw_layout_make(c, &own, left, charset, words);
+		struct layout l = lay_out_chart(c, &own, left, charset, words);
 		draw_titles_and_axes(&l);
 		l.dots = xcalloc((size_t)(l.width * l.height), 1);
 		draw_chart_data(&l);

@@ -29,7 +29,7 @@ enum {
 	FOOT_COLUMNS = 112
 };
 
-struct page {
+struct chart_page {
 	const struct chart *chart;
 	struct pen *pen;
 	double top, height; /* of the plot */
@@ -73,7 +73,7 @@ picture_list_forms(void)
 
 /* A pen for a form. */
 static struct pen *
-pen_open(enum picture_form form, double width, double height,
+new_pen_for_form(enum picture_form form, double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     FILE *out)
 {
@@ -88,20 +88,20 @@ pen_open(enum picture_form form, double width, double height,
 }
 
 static double
-page_x(const struct page *p, double x)
+page_x(const struct chart_page *p, double x)
 {
 	return LEFT + WIDTH * axis_relative_position(&p->chart->x, x);
 }
 
 static double
-page_y(const struct page *p, double y)
+page_y(const struct chart_page *p, double y)
 {
 	return p->top +
 	       p->height * (1 - axis_relative_position(&p->chart->y, y));
 }
 
 static void
-draw_rule(struct page *p, double x0, double y0, double x1, double y1,
+draw_rule(struct chart_page *p, double x0, double y0, double x1, double y1,
     struct pen_stroke stroke)
 {
 	double x[2] = {x0, x1}, y[2] = {y0, y1};
@@ -113,7 +113,7 @@ static const struct pen_stroke GUIDE = {
     SERIES_FEED, CHART_DOTTED, 0.3, PEN_OPEN};
 
 static void
-picture_draw_x_axis(struct page *p)
+picture_draw_x_axis(struct chart_page *p)
 {
 	enum { COLUMN = 5, LABEL = 8, ROWS = 2 };
 	static const double DIGIT = 5.1; /* its width; a column rounds it */
@@ -149,7 +149,7 @@ is_label_place_free(const double *placed, size_t n, double y)
 }
 
 static void
-picture_draw_y_axis(struct page *p)
+picture_draw_y_axis(struct chart_page *p)
 {
 	enum { RANKS = 3, LABEL = 8 };
 	const struct axis *a = &p->chart->y;
@@ -178,7 +178,7 @@ picture_draw_y_axis(struct page *p)
 
 /* A shape with so many corners around a point. */
 static void
-draw_shape(struct page *p, int sides, double start, enum pen_fill fill,
+draw_shape(struct chart_page *p, int sides, double start, enum pen_fill fill,
     enum series series, double x, double y)
 {
 	enum { MOST = 16 };
@@ -196,7 +196,7 @@ draw_shape(struct page *p, int sides, double start, enum pen_fill fill,
 /* Marks as shapes where there is one, else as the character. */
 static void
 picture_draw_mark(
-    struct page *p, const struct chart_series *s, double x, double y)
+    struct chart_page *p, const struct chart_series *s, double x, double y)
 {
 	const struct mark *fine = s->fine ? mark_of_character(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
@@ -220,7 +220,7 @@ picture_draw_mark(
 }
 
 static void
-picture_draw_band(struct page *p, const struct chart_series *s)
+picture_draw_band(struct chart_page *p, const struct chart_series *s)
 {
 	if (s->low == NULL)
 		return;
@@ -238,7 +238,8 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 
 /* Returns x of point i, with what the series is drawn beside by. */
 static double
-page_x_of_point(const struct page *p, const struct chart_series *s, size_t i)
+page_x_of_point(
+    const struct chart_page *p, const struct chart_series *s, size_t i)
 {
 	enum { CELL = 4 };
 	return page_x(p, s->x[i]) + CELL * s->beside;
@@ -253,7 +254,7 @@ stroke_of_bar(const struct chart_series *s)
 
 /* A line from low to high at each point. */
 static void
-draw_spans(struct page *p, const struct chart_series *s)
+draw_spans(struct chart_page *p, const struct chart_series *s)
 {
 	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
@@ -265,7 +266,7 @@ draw_spans(struct page *p, const struct chart_series *s)
 
 /* From one lift of the pen to the next. */
 static void
-picture_draw_line(struct page *p, const struct chart_series *s)
+picture_draw_line(struct chart_page *p, const struct chart_series *s)
 {
 	FREED double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
 	struct pen_stroke stroke = {s->series, s->line, 1.2, PEN_OPEN};
@@ -294,7 +295,7 @@ rule_stroke(const struct chart_rule *rule)
 
 /* A square whose area is the value, none for NAN, and the label. */
 static void
-draw_area_square(struct page *p, const struct chart_series *s, size_t i)
+draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
 {
 	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
 	double width = page_x(p, s->x[i] + 0.5) - page_x(p, s->x[i] - 0.5);
@@ -319,7 +320,8 @@ struct taken {
 };
 
 static bool
-is_free_on_page(const struct page *p, const struct taken *taken, struct box box)
+is_free_on_page(
+    const struct chart_page *p, const struct taken *taken, struct box box)
 {
 	if (box.left < LEFT || box.right > LEFT + WIDTH || box.top < p->top ||
 	    box.foot > p->top + p->height)
@@ -342,8 +344,8 @@ reserve_box(struct taken *taken, struct box box)
 
 /* Right of the mark, left of it, above or below; else not at all. */
 static void
-picture_draw_name(
-    struct page *p, const struct chart_series *s, size_t i, struct taken *taken)
+picture_draw_name(struct chart_page *p, const struct chart_series *s, size_t i,
+    struct taken *taken)
 {
 	enum { LETTERS_HIGH = 7, APART = 5 };
 	const double letter = 4.2;
@@ -368,7 +370,7 @@ picture_draw_name(
 }
 
 static void
-picture_draw_names(struct page *p)
+picture_draw_names(struct chart_page *p)
 {
 	const double half = 3;
 	const struct chart *c = p->chart;
@@ -391,7 +393,7 @@ picture_draw_names(struct page *p)
 }
 
 static void
-picture_draw_data(struct page *p)
+picture_draw_data(struct chart_page *p)
 {
 	const struct chart *c = p->chart;
 	double foot = p->top + p->height;
@@ -421,7 +423,7 @@ picture_draw_data(struct page *p)
 }
 
 static void
-picture_draw_legend(struct page *p)
+picture_draw_legend(struct chart_page *p)
 {
 	const struct chart *c = p->chart;
 	double y = p->top + ROW / 2.0;
@@ -461,7 +463,7 @@ foot_text(const struct chart *chart, const char *program)
 }
 
 static void
-draw_foot(struct page *p, char *text)
+draw_foot(struct chart_page *p, char *text)
 {
 	char *save = NULL;
 	double y = p->top + p->height + BELOW;
@@ -474,7 +476,7 @@ draw_foot(struct page *p, char *text)
 }
 
 static void
-picture_draw_page(struct page *p)
+picture_draw_page(struct chart_page *p)
 {
 	double x[] = {LEFT, LEFT + WIDTH, LEFT + WIDTH, LEFT, LEFT};
 	double y[] = {
@@ -512,7 +514,7 @@ picture_height(const struct chart *chart, const char *program)
 void
 picture_draw(const struct chart *chart, const char *program, struct pen *pen)
 {
-	struct page p = {.pen = pen, .top = TOP};
+	struct chart_page p = {.pen = pen, .top = TOP};
 	FREED char *foot = foot_text(chart, program);
 	for (p.chart = chart;; p.chart = p.chart->below) {
 		p.height = plot_height(p.chart);
@@ -529,8 +531,9 @@ picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out)
 {
 	const struct pen_paper paper = white_paper(chart->theme);
-	struct pen *pen = pen_open(form, PAGE, picture_height(chart, program),
-	    &paper, chart->title, chart->about, out);
+	struct pen *pen =
+	    new_pen_for_form(form, PAGE, picture_height(chart, program), &paper,
+		chart->title, chart->about, out);
 	picture_draw(chart, program, pen);
 	return pen->close(pen);
 }
@@ -540,8 +543,8 @@ picture_new_pdf_pages(double width, double height, const char *title,
     const char *about, FILE *out)
 {
 	const struct pen_paper paper = white_paper(THEME_NORMAL);
-	return HAVE_CAIRO ? pen_open(PICTURE_PDF, width, height, &paper, title,
-				about, out)
+	return HAVE_CAIRO ? new_pen_for_form(PICTURE_PDF, width, height, &paper,
+				title, about, out)
 			  : NULL;
 }
 
@@ -554,17 +557,15 @@ picture_new_pdf_pages(double width, double height, const char *title,
 #define BASE_LINE 9.25
 #define MARGIN 8.0
 
-/* What bars of one kind have in common. */
+/* Bars of each kind; of what is drawn they get the colour and the opacity. */
 enum kind { GROUND, SHADE, BLOCK, LINE, HEAVY, DOT, KINDS };
-static const struct {
-	double width, opacity;
-	bool round;
-} KIND[KINDS] = {[GROUND] = {CELL_HEIGHT, 1, false},
-    [SHADE] = {CELL_HEIGHT, 0.3, false},
-    [BLOCK] = {CELL_HEIGHT / 2, 1, false},
-    [LINE] = {0.8, 1, true},
-    [HEAVY] = {1.6, 1, true},
-    [DOT] = {2.3, 1, true}};
+static const struct pen_bar KIND[KINDS] = {
+    [GROUND] = {SERIES_TEXT, CELL_HEIGHT, 1, false},
+    [SHADE] = {SERIES_TEXT, CELL_HEIGHT, 0.3, false},
+    [BLOCK] = {SERIES_TEXT, CELL_HEIGHT / 2, 1, false},
+    [LINE] = {SERIES_TEXT, 0.8, 1, true},
+    [HEAVY] = {SERIES_TEXT, 1.6, 1, true},
+    [DOT] = {SERIES_TEXT, 2.3, 1, true}};
 
 /* In eighths of the cell. */
 struct bar {
@@ -672,6 +673,9 @@ picture_draw_bars(
     struct cells_page *s, enum kind kind, enum series series, bool faint)
 {
 	static const struct bar whole = {0, 4, 8, 4};
+	struct pen_bar look = KIND[kind];
+	look.series = series;
+	look.opacity *= faint ? PEN_FAINT : 1;
 	s->n = 0;
 	int columns = s->canvas->columns, cells = columns * s->canvas->rows;
 	for (int k = 0; k < cells; k++) {
@@ -692,10 +696,7 @@ picture_draw_bars(
 			picture_add_or_join_bar(s, column, row, &bar[i]);
 	}
 	if (s->n > 0)
-		s->pen->bars(s->pen, s->x, s->y, s->n,
-		    &(struct pen_bar){series, KIND[kind].width,
-			KIND[kind].opacity * (faint ? PEN_FAINT : 1),
-			KIND[kind].round});
+		s->pen->bars(s->pen, s->x, s->y, s->n, &look);
 }
 
 static bool
@@ -805,7 +806,7 @@ picture_write_screen(const struct canvas *canvas, int depth,
 	double size[2];
 	struct pen_paper paper = paper_for_cells(canvas, depth, size);
 	struct pen *pen =
-	    pen_open(form, size[0], size[1], &paper, title, about, out);
+	    new_pen_for_form(form, size[0], size[1], &paper, title, about, out);
 	draw_cells(canvas, depth, pen);
 	return pen->close(pen);
 }

@@ -642,15 +642,6 @@ describe_difference_strip(struct answer *r, const struct chart *c)
 	}
 }
 
-static bool
-has_bars(const struct chart *c)
-{
-	bool any = false;
-	for (size_t i = 0; i < c->n; i++)
-		any = any || c->series[i]->bars;
-	return any;
-}
-
 /* Names for each run the sieve at which the candidates lie furthest apart, and
  * the sieve that the best candidate misses by most. */
 static void
@@ -684,12 +675,15 @@ describe_chart(struct answer *r, const struct chart *c)
 		describe_difference_strip(r, c);
 		return;
 	}
+	bool bars = false;
+	for (size_t i = 0; i < c->n; i++)
+		bars = bars || c->series[i]->bars;
 	describe_axes(r, c);
 	if (c->n > 0 && c->series[0]->field != NULL)
 		describe_strong_correlations(r, c);
 	else if (c->y.names)
 		describe_parameter_spread(r, c);
-	else if (has_bars(c))
+	else if (bars)
 		describe_candidate_bars(r, c);
 	else
 		describe_series(r, c);
@@ -723,32 +717,26 @@ describe_speeds_meeting_goal(
 	goals_discard_results(&goal);
 }
 
-static bool
-describe_requested_plot(struct session *s, const struct args *args,
-    struct plot_questions *a, struct error *error)
-{
-	struct chart *chart = make_requested_chart(s, args, a, error);
-	if (chart == NULL)
-		return false;
-	struct answer *r = answer_new("describe");
-	answer_title(r, "%s", chart->title);
-	answer_set_sites(r,
-	    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
-	    chart->about);
-	fields_put(answer_fields(r), "kind %s title %s data %s",
-	    args->operand[0], chart->title, chart->about);
-	for (const struct chart *c = chart; c != NULL; c = c->below)
-		describe_chart(r, c);
-	describe_speeds_meeting_goal(r, s, &a->request);
-	chart_free(chart);
-	return session_show_answer(s, r);
-}
-
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
 	struct plot_questions a;
-	bool ok = describe_requested_plot(s, args, &a, error);
+	struct chart *chart = make_requested_chart(s, args, &a, error);
+	bool ok = chart != NULL;
+	if (ok) {
+		struct answer *r = answer_new("describe");
+		answer_title(r, "%s", chart->title);
+		answer_set_sites(r,
+		    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
+		    chart->about);
+		fields_put(answer_fields(r), "kind %s title %s data %s",
+		    args->operand[0], chart->title, chart->about);
+		for (const struct chart *c = chart; c != NULL; c = c->below)
+			describe_chart(r, c);
+		describe_speeds_meeting_goal(r, s, &a.request);
+		ok = session_show_answer(s, r);
+	}
+	chart_free(chart);
 	plot_questions_free(s, &a);
 	return ok;
 }

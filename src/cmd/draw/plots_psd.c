@@ -408,7 +408,7 @@ predict_for_plot(const struct session *s, const struct plot_request *q,
 
 /* A second prediction beside the first, and its site.  p is NULL if there is
  * none; `made` holds it unless it was pinned. */
-struct second {
+struct second_prediction {
 	const struct prediction *p;
 	const struct entry *whose; /* NULL if no longer loaded */
 	struct prediction made;
@@ -418,13 +418,13 @@ struct second {
  * prediction.  Fails if the site beside has no prediction. */
 static bool
 find_second_prediction(struct session *s, const struct plot_request *q,
-    const struct params *own, double speed, struct second *second,
+    const struct params *own, double speed, struct second_prediction *second,
     struct error *error)
 {
 	size_t i, feed = q->feed;
 	struct error gone = {0};
 	bool beside = q->beside != NULL, kept = q->kept != NULL;
-	*second = (struct second){.p = q->kept};
+	*second = (struct second_prediction){.p = q->kept};
 	if (beside && session_find_site(s, q->beside, &i, kept ? &gone : error))
 		second->whose = q->second != NULL ? q->second : &s->entry[i];
 	else if (beside && !kept)
@@ -453,7 +453,7 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 
 static void
 add_second_prediction(struct chart *chart, const struct session *s,
-    const struct plot_request *q, const struct second *second)
+    const struct plot_request *q, const struct second_prediction *second)
 {
 	bool beside = q->beside != NULL;
 	if (second->p != NULL)
@@ -471,7 +471,7 @@ add_second_prediction(struct chart *chart, const struct session *s,
 static void
 note_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
-    const struct second *two, bool shade)
+    const struct second_prediction *two, bool shade)
 {
 	const struct entry *entry = q->entry;
 	struct chart_series **last = &chart->series[chart->n - 1];
@@ -566,7 +566,7 @@ struct psd_plot {
 	struct error unknown;
 	const struct prediction *one;
 	struct prediction made;
-	struct second two;
+	struct second_prediction two;
 };
 
 /* Without parameters the measured curves are still worth a look. */
