@@ -27,12 +27,15 @@ is_of_doubling_series(double size)
 	return power >= -1e-6 && fabs(power - round(power)) < 1e-6;
 }
 
-/* 5.6, 11.2, 22.4 and 2.8, 1.4. */
-static bool
-axis_is_between(double size)
+/* Returns the rank of a sieve's label: 1 for the doubling series, 2 for 5.6,
+ * 11.2, 22.4 and 2.8, 1.4, 3 for all others. */
+static int
+rank_of_sieve(double size)
 {
 	double power = log2(size / 1.4);
-	return power > -0.5 && fabs(power - round(power)) < 1e-6;
+	return is_of_doubling_series(size)                         ? 1
+	       : power > -0.5 && fabs(power - round(power)) < 1e-6 ? 2
+								   : 3;
 }
 
 void
@@ -50,6 +53,15 @@ axis_add_number(struct axis *axis, double at, int rank)
 	char label[24];
 	snprintf(label, sizeof label, "%g", at);
 	axis_add_tick(axis, at, label, rank);
+}
+
+void
+axis_add_signed_number(struct axis *axis, double at, int rank)
+{
+	char label[24];
+	snprintf(label, sizeof label, at == 0 ? "%g" : "%+g", at);
+	axis_add_tick(axis, at, label, rank);
+	axis->tick[axis->n - 1].guide = at == 0;
 }
 
 static int
@@ -75,10 +87,7 @@ axis_new_sieves(const char *title, const double *size, size_t n)
 	struct axis a = {.title = xstrdup(title), .log = true};
 	for (size_t i = 0; i < n; i++)
 		if (!has_tick(&a, size[i]))
-			axis_add_number(&a, size[i],
-			    is_of_doubling_series(size[i]) ? 1
-			    : axis_is_between(size[i])     ? 2
-							   : 3);
+			axis_add_number(&a, size[i], rank_of_sieve(size[i]));
 	if (a.n == 0)
 		axis_add_number(&a, 1, 0);
 	qsort(a.tick, a.n, sizeof *a.tick, compare_ticks);
@@ -166,21 +175,15 @@ axis_new_symlog(const char *title, double straight, double most)
 	    .straight = straight,
 	    .low = -most,
 	    .high = most};
-	axis_add_tick(&a, 0, "0", 0);
-	a.tick[0].guide = true;
+	axis_add_signed_number(&a, 0, 0);
 	for (double decade = straight; decade <= most * 1.001; decade *= 10)
 		for (int i = 0; i < 2; i++) {
 			double at = i == 0 ? decade : 3 * decade;
-			char label[24];
-			int rank = i == 1 ? 1 : 2;
+			int rank = axis_is_same_size(at, most) ? 0 : 2 - i;
 			if (at > most * 1.001)
 				break;
-			snprintf(label, sizeof label, "%+g", at);
-			axis_add_tick(&a, at, label,
-			    axis_is_same_size(at, most) ? 0 : rank);
-			snprintf(label, sizeof label, "%+g", -at);
-			axis_add_tick(&a, -at, label,
-			    axis_is_same_size(at, most) ? 0 : rank);
+			axis_add_signed_number(&a, at, rank);
+			axis_add_signed_number(&a, -at, rank);
 		}
 	return a;
 }
@@ -192,8 +195,8 @@ axis_free(struct axis *axis)
 	free(axis->tick);
 }
 
-/* Its distance on the axis.  On a symmetric one slopes meet where the straight
- * part ends. */
+/* Returns a distance on the axis.  On a symmetric one slopes meet where the
+ * straight part ends. */
 static double
 axis_scaled_value(const struct axis *axis, double value)
 {
@@ -272,7 +275,7 @@ axis_place_labels(
 {
 	enum { RANKS = 4 };
 	int used = 0;
-	char *taken = xcalloc((size_t)columns, (size_t)rows + 1);
+	FREED char *taken = xcalloc((size_t)columns, (size_t)rows + 1);
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < axis->n; i++) {
 			const struct axis_tick *t = &axis->tick[i];
@@ -282,6 +285,5 @@ axis_place_labels(
 			    row[i] + 1 > used)
 				used = row[i] + 1;
 		}
-	free(taken);
 	return used;
 }

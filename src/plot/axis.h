@@ -48,8 +48,10 @@ struct axis axis_new_log(const char *title, double low, double high);
  * 1-3-10 steps and a guide at 0; most > straight > 0. */
 struct axis axis_new_symlog(const char *title, double straight, double most);
 
-/* Adds a tick. */
+/* axis_add_tick adds a tick; axis_add_signed_number one labelled "+3", "-3" or
+ * "0", with a guide at 0. */
 void axis_add_tick(struct axis *axis, double at, const char *label, int rank);
+void axis_add_signed_number(struct axis *axis, double at, int rank);
 
 void axis_free(struct axis *axis);
 

@@ -50,7 +50,7 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 	    .series = (unsigned char)series,
 	    .attribute = (unsigned char)attribute,
 	};
-	char *shown = text_escaped(text);
+	FREED char *shown = text_escaped(text);
 	for (const char *p = shown; *p != '\0';) {
 		cell.code = text_next_code_point(&p);
 		int width = text_columns_of_character(cell.code);
@@ -63,7 +63,6 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 			*canvas_cell_at(canvas, column + 1, row) = cell;
 		column += width;
 	}
-	free(shown);
 	return column;
 }
 
@@ -81,6 +80,12 @@ canvas_is_faint(
 {
 	return depth >= 256 && canvas->theme == THEME_NORMAL &&
 	       (cell->attribute & CELL_DIM);
+}
+
+bool
+canvas_same_style(const struct canvas_cell *a, const struct canvas_cell *b)
+{
+	return a->series == b->series && a->attribute == b->attribute;
 }
 
 static void
@@ -130,16 +135,15 @@ canvas_print_row(const struct canvas *canvas, int row, int depth, FILE *out)
 	       !(cell[columns - 1].attribute & CELL_REVERSE))
 		columns--;
 	for (int i = 0; i < columns; i++) {
-		bool same = cell[i].series == style.series &&
-			    cell[i].attribute == style.attribute;
-		if (depth > 0 && !same && cell[i].code != 0) {
+		if (depth > 0 && cell[i].code != 0 &&
+		    !canvas_same_style(&cell[i], &style)) {
 			print_style(canvas, &cell[i], depth, out);
 			style = cell[i];
 		}
 		if (cell[i].code != 0)
 			fputs(canvas_encode_utf8(cell[i].code, text), out);
 	}
-	if (style.series != plain.series || style.attribute != plain.attribute)
+	if (!canvas_same_style(&style, &plain))
 		fputs("\033[0m", out);
 	fputc('\n', out);
 }

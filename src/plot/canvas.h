@@ -48,6 +48,10 @@ int canvas_text_within(struct canvas *canvas, int column, int row, int end,
 /* Writes a code point as UTF-8 to text and returns text. */
 const char *canvas_encode_utf8(uint32_t code, char text[static 5]);
 
+/* True if two cells have the same colour and attributes. */
+bool canvas_same_style(
+    const struct canvas_cell *a, const struct canvas_cell *b);
+
 /* True if a cell is drawn faint: it is dim, there are 256 colours, and the
  * theme is not a high-contrast one. */
 bool canvas_is_faint(

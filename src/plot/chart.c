@@ -88,6 +88,16 @@ chart_add(struct chart *chart, struct chart_series look, size_t n,
 	return s;
 }
 
+struct chart_series *
+chart_add_points(struct chart *chart, struct chart_series look, size_t n,
+    const double *x, const double *y, const char *name)
+{
+	struct chart_series *s = chart_add(chart, look, n, "%s", name);
+	memcpy(s->x, x, n * sizeof *x);
+	memcpy(s->y, y, n * sizeof *y);
+	return s;
+}
+
 void
 chart_move_last_series_to_back(struct chart *chart)
 {
@@ -154,35 +164,40 @@ chart_note(struct chart *chart, const char *format, ...)
 	va_end(ap);
 }
 
-/* b at the place of `at` between a0 and a1, a straight or by its logarithm. */
+/* Returns b at the value `at` of a, on lines between the n points that are
+ * straight in the logarithm of a, if log_a, and in that of b, if log_b; NAN
+ * outside the points. */
 static double
-interpolate_between_points(
-    bool by_log, const double *a, const double *b, double at)
+interpolate(const double *a, bool log_a, const double *b, bool log_b, size_t n,
+    double at)
 {
-	if (a[0] == a[1])
-		return b[0];
-	double t = by_log ? log(at / a[0]) / log(a[1] / a[0])
-			  : (at - a[0]) / (a[1] - a[0]);
-	return b[0] + t * (b[1] - b[0]);
+	const double grace = 1e-9 * fabs(at); /* for rounding */
+	for (size_t i = 0; i + 1 < n; i++, a++, b++) {
+		if (!(at >= fmin(a[0], a[1]) - grace &&
+			at <= fmax(a[0], a[1]) + grace))
+			continue;
+		double from = log_b ? log(b[0]) : b[0];
+		double to = log_b ? log(b[1]) : b[1];
+		double t = log_a ? log(at / a[0]) / log(a[1] / a[0])
+				 : (at - a[0]) / (a[1] - a[0]);
+		double value = a[0] == a[1] ? from : from + t * (to - from);
+		return log_b ? exp(value) : value;
+	}
+	return NAN;
 }
 
-/* True when `at` lies between two neighbours, with a rounding of grace. */
-static bool
-is_between_neighbours(const double *a, double at)
+double
+chart_value_at(const struct chart *chart, const struct chart_series *series,
+    const double *value, double x)
 {
-	double grace = 1e-9 * fabs(at);
-	return at >= fmin(a[0], a[1]) - grace && at <= fmax(a[0], a[1]) + grace;
+	return interpolate(series->x, chart->x.log, value, false, series->n, x);
 }
 
 double
 chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x)
 {
-	for (size_t i = 0; i + 1 < series->n; i++)
-		if (is_between_neighbours(series->x + i, x))
-			return interpolate_between_points(
-			    chart->x.log, series->x + i, series->y + i, x);
-	return NAN;
+	return chart_value_at(chart, series, series->y, x);
 }
 
 double
@@ -191,20 +206,8 @@ chart_x_at(
 {
 	if (series->finer != NULL)
 		series = series->finer;
-	for (size_t i = 0; i + 1 < series->n; i++) {
-		if (!is_between_neighbours(series->y + i, y))
-			continue;
-		double x[2] = {series->x[i], series->x[i + 1]};
-		bool by_log = chart->x.log;
-		if (by_log) {
-			x[0] = log(x[0]);
-			x[1] = log(x[1]);
-		}
-		double at = interpolate_between_points(
-		    chart->y.log, series->y + i, x, y);
-		return by_log ? exp(at) : at;
-	}
-	return NAN;
+	return interpolate(
+	    series->y, chart->y.log, series->x, chart->x.log, series->n, y);
 }
 
 static void

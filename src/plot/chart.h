@@ -99,6 +99,11 @@ void chart_free(struct chart *chart);
 struct chart_series *chart_add(struct chart *chart, struct chart_series look,
     size_t n, const char *name, ...) __attribute__((format(printf, 4, 5)));
 
+/* As chart_add, but with the points x, y [n], which are copied. */
+struct chart_series *chart_add_points(struct chart *chart,
+    struct chart_series look, size_t n, const double *x, const double *y,
+    const char *name);
+
 /* Moves the last series to the front, so that all others are drawn on top. */
 void chart_move_last_series_to_back(struct chart *chart);
 
@@ -124,8 +129,10 @@ void chart_note(struct chart *chart, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* chart_y_at returns y at x, on lines between the points that are straight on
- * the axes, or NAN outside the points.  chart_x_at returns x at y, for
- * monotonic y. */
+ * the axes, or NAN outside the points; chart_value_at the same of other values
+ * [n] at the points.  chart_x_at returns x at y, for monotonic y. */
+double chart_value_at(const struct chart *chart,
+    const struct chart_series *series, const double *value, double x);
 double chart_y_at(
     const struct chart *chart, const struct chart_series *series, double x);
 double chart_x_at(

@@ -58,7 +58,7 @@ vertical_line_code(enum series series, enum charset charset)
 
 /* The character of a series' marks. */
 static uint32_t
-draw_mark_code(const struct chart_series *s, enum charset charset)
+code_of_mark(const struct chart_series *s, enum charset charset)
 {
 	const struct mark *mark = mark_of_character(s->mark);
 	return s->fine && mark != NULL && charset != CHARSET_ASCII
@@ -80,7 +80,7 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 			   : charset == CHARSET_ASCII  ? ascii
 						       : LINES[series->line];
 	if (series->mark != '\0')
-		canvas_encode_utf8(draw_mark_code(series, charset), mark);
+		canvas_encode_utf8(code_of_mark(series, charset), mark);
 	/* A heavy line would be no dashes; a bar is heavy. */
 	if (series->line == CHART_LONG && mark[0] == '\0' && !series->bars)
 		return xasprintf(
@@ -89,24 +89,14 @@ chart_legend_sample(const struct chart_series *series, enum charset charset)
 	return xasprintf("%s%s%s", line, mark[0] != '\0' ? mark : line, line);
 }
 
-/* One entry of the legend, "-v- measured 69"; the caller frees. */
-static char *
-legend_text(const struct chart_series *series, enum charset charset)
-{
-	char *sample = chart_legend_sample(series, charset);
-	char *text = xasprintf("%s %s", sample, series->name);
-	free(sample);
-	return text;
-}
-
 /* As canvas_text; of what the edge would cut as much as can be read. */
 static void
 put_text_cut_to_width(struct layout *l, int column, int row, const char *text,
     enum series series, unsigned attribute)
 {
-	char *fitted = text_cut_to_width(text, l->canvas->columns - column);
+	FREED char *fitted =
+	    text_cut_to_width(text, l->canvas->columns - column);
 	canvas_text(l->canvas, column, row, fitted, series, attribute);
-	free(fitted);
 }
 
 /* Series that have a name, then rules, side by side in rows as wide as the
@@ -123,14 +113,15 @@ lay_out_legend(struct layout *l, int row)
 		    i < c->n ? NULL : &c->rule[i - c->n];
 		enum series series =
 		    rule != NULL ? rule->series : c->series[i]->series;
-		char *text = rule != NULL
-				 ? xasprintf("  %s", rule->name)
-				 : legend_text(c->series[i], l->charset);
-		int wide = text_width_in_columns(text);
-		if (rule == NULL && c->series[i]->name[0] == '\0') {
-			free(text);
+		if (rule == NULL && c->series[i]->name[0] == '\0')
 			continue;
-		}
+		FREED char *sample =
+		    rule != NULL
+			? xstrdup(" ")
+			: chart_legend_sample(c->series[i], l->charset);
+		FREED char *text = xasprintf("%s %s", sample,
+		    rule != NULL ? rule->name : c->series[i]->name);
+		int wide = text_width_in_columns(text);
 		if (rows == 0 || column + wide > l->canvas->columns) {
 			column = 0;
 			rows++;
@@ -144,7 +135,6 @@ lay_out_legend(struct layout *l, int row)
 				vertical_line_code(series, l->charset),
 				(unsigned char)series, 0};
 		column += wide + GAP;
-		free(text);
 	}
 	return rows;
 }
@@ -155,14 +145,14 @@ static int
 draw_wrapped_text(
     struct layout *l, int row, const char *text, unsigned attribute)
 {
-	char *wrapped = text_wrapped(text, l->canvas->columns), *save = NULL;
+	FREED char *wrapped = text_wrapped(text, l->canvas->columns);
+	char *save = NULL;
 	int rows = 0;
 	for (char *line = strtok_r(wrapped, "\n", &save); line != NULL;
 	     line = strtok_r(NULL, "\n", &save), rows++)
 		if (row >= 0)
 			canvas_text(l->canvas, 0, row + rows, line, SERIES_TEXT,
 			    attribute);
-	free(wrapped);
 	return rows;
 }
 
@@ -181,10 +171,8 @@ lay_out_legend_and_notes(struct layout *l, int row)
 static int
 lay_out_source(struct layout *l, int row)
 {
-	char *text = xasprintf(tr("data: %s"), l->chart->about);
-	int rows = draw_wrapped_text(l, row, text, CELL_DIM);
-	free(text);
-	return rows;
+	FREED char *text = xasprintf(tr("data: %s"), l->chart->about);
+	return draw_wrapped_text(l, row, text, CELL_DIM);
 }
 
 /* Columns for the labels of the y axis and its line, the same for all charts
@@ -211,12 +199,9 @@ static int
 rows_of_x_labels(const struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
-	int *column = xcalloc(a->n, sizeof *column);
-	int *row = xcalloc(a->n, sizeof *row);
-	int rows = axis_place_labels(a, l->width, 2, column, row);
-	free(column);
-	free(row);
-	return rows;
+	FREED int *column = xcalloc(a->n, sizeof *column);
+	FREED int *row = xcalloc(a->n, sizeof *row);
+	return axis_place_labels(a, l->width, 2, column, row);
 }
 
 /* A strip has its title alone, bare data not even that. */
@@ -232,7 +217,7 @@ lay_out_strip(struct layout l)
 }
 
 static struct layout
-draw_layout_make(const struct chart *chart, struct canvas *canvas, int left,
+lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
     enum charset charset, unsigned words)
 {
 	enum { Y_TITLE, LEGEND, SECOND, FOOT, TITLE, LABELS, AXIS, PARTS };
@@ -295,7 +280,7 @@ draw_chart_y_axis(struct layout *l)
 	enum { RANKS = 3 };
 	const struct axis *a = &l->chart->y;
 	bool ascii = l->charset == CHARSET_ASCII;
-	char *taken = xcalloc((size_t)l->height, 1);
+	FREED char *taken = xcalloc((size_t)l->height, 1);
 	for (int row = 0; row < l->height; row++)
 		put_axis_code(
 		    l, l->left - 1, l->top + row, ascii ? '|' : 0x2502);
@@ -312,7 +297,6 @@ draw_chart_y_axis(struct layout *l)
 			    l->left - 1 - text_width_in_columns(t->label),
 			    l->top + row, t->label, SERIES_TEXT, 0);
 		}
-	free(taken);
 }
 
 static void
@@ -335,18 +319,16 @@ static void
 draw_chart_labels(struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
-	int *column = xcalloc(a->n, sizeof *column);
-	int *row = xcalloc(a->n, sizeof *row);
-	if (l->labels >= 0)
-		axis_place_labels(
-		    a, l->width, l->rows_of_x_labels, column, row);
-	for (size_t i = 0; i < a->n && l->labels >= 0; i++)
+	FREED int *column = xcalloc(a->n, sizeof *column);
+	FREED int *row = xcalloc(a->n, sizeof *row);
+	if (l->labels < 0)
+		return;
+	axis_place_labels(a, l->width, l->rows_of_x_labels, column, row);
+	for (size_t i = 0; i < a->n; i++)
 		if (row[i] != AXIS_DROPPED)
 			canvas_text(l->canvas, l->left + column[i],
 			    l->labels + row[i], a->tick[i].label, SERIES_TEXT,
 			    0);
-	free(column);
-	free(row);
 }
 
 /* "Tierp, Granite, 11.2 mm: product", where that is too wide "Tierp: product",
@@ -370,8 +352,9 @@ draw_titles(struct layout *l)
 {
 	const struct chart *c = l->chart;
 	int columns = l->canvas->columns;
-	char *axes = xasprintf(tr("%s  against  %s"), c->y.title, c->x.title);
-	char *title =
+	FREED char *axes =
+	    xasprintf(tr("%s  against  %s"), c->y.title, c->x.title);
+	FREED char *title =
 	    c->strip > 0 ? xstrdup(c->title) : short_title(c->title, columns);
 	if (l->title >= 0)
 		put_text_cut_to_width(l, 0, l->title, title, SERIES_TEXT,
@@ -380,8 +363,6 @@ draw_titles(struct layout *l)
 		put_text_cut_to_width(l, 0, l->y_title,
 		    text_width_in_columns(axes) <= columns ? axes : c->y.title,
 		    SERIES_TEXT, 0);
-	free(title);
-	free(axes);
 }
 
 /* Titles, axes, labels, legend and foot: all but the data. */
@@ -445,12 +426,14 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 	*dots = (unsigned char)all;
 }
 
-/* From point i to the next, dot by dot. */
+/* From point i to the next, dot by dot, if both have a value. */
 static void
 draw_segment(struct layout *l, const struct chart_series *s, size_t i)
 {
 	int across = canvas_cell_dots_across(l->charset),
 	    down = canvas_cell_dots_down(l->charset);
+	if (!isfinite(s->y[i]) || !isfinite(s->y[i + 1]))
+		return;
 	int x0 = column_of_x(l, s->x[i], across);
 	int y0 = row_of_y(l, s->y[i], down);
 	int dx = column_of_x(l, s->x[i + 1], across) - x0;
@@ -463,14 +446,6 @@ draw_segment(struct layout *l, const struct chart_series *s, size_t i)
 			put_dot(l, s, x0 + (int)lround(t * dx),
 			    y0 + (int)lround(t * dy));
 	}
-}
-
-static void
-draw_chart_line(struct layout *l, const struct chart_series *s)
-{
-	for (size_t i = 0; i + 1 < s->n; i++)
-		if (isfinite(s->y[i]) && isfinite(s->y[i + 1]))
-			draw_segment(l, s, i);
 }
 
 /* The shade of a field by its value, and the label where it has room. */
@@ -535,7 +510,7 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 		draw_small_mark(l, s, i);
 	else
 		put_code_in_plot(l, column_of_point(l, s, i),
-		    row_of_y(l, s->y[i], 1), draw_mark_code(s, l->charset),
+		    row_of_y(l, s->y[i], 1), code_of_mark(s, l->charset),
 		    s->series,
 		    (s->line == CHART_MARKS && !fine ? CELL_BOLD : 0) |
 			(s->lifted && !fine ? CELL_REVERSE : 0));
@@ -599,30 +574,13 @@ draw_chart_bars(struct layout *l, const struct chart_series *s)
 	}
 }
 
-/* y of the band's edge at x, straight between the points. */
-static double
-band_edge_at(
-    struct layout *l, const struct chart_series *s, double *edge, double x)
-{
-	struct chart_series copy = *s;
-	copy.y = edge;
-	return chart_y_at(l->chart, &copy, x);
-}
-
 /* The value in the middle of part i of n along an axis. */
 static double
-draw_value_at(const struct axis *a, int i, int n)
+value_of_axis_part(const struct axis *a, int i, int n)
 {
 	double t = (i + 0.5) / n;
 	return a->log ? a->low * pow(a->high / a->low, t)
 		      : a->low + t * (a->high - a->low);
-}
-
-/* x in the middle of part i of n across. */
-static double
-x_of_part(const struct layout *l, int i, int n)
-{
-	return draw_value_at(&l->chart->x, i, n);
 }
 
 /* Rows that the band fills from their foot to their top. */
@@ -672,9 +630,9 @@ draw_chart_band(struct layout *l, const struct chart_series *s)
 	int across = canvas_cell_dots_across(l->charset),
 	    parts = l->width * across;
 	for (int i = 0; i < parts && s->low != NULL; i++) {
-		double x = x_of_part(l, i, parts);
-		double low = band_edge_at(l, s, s->low, x);
-		double high = band_edge_at(l, s, s->high, x);
+		double x = value_of_axis_part(&l->chart->x, i, parts);
+		double low = chart_value_at(l->chart, s, s->low, x);
+		double high = chart_value_at(l->chart, s, s->high, x);
 		if (isnan(low) || isnan(high))
 			continue;
 		if (l->charset == CHARSET_BRAILLE)
@@ -748,23 +706,13 @@ draw_chart_name(struct layout *l, const struct chart_series *s, size_t i)
 		return;
 	int wide = text_width_in_columns(label), at = column_of_point(l, s, i);
 	int row = row_of_y(l, s->y[i], 1);
-	int right = at + 2, left = at - 1 - wide;
-	if (is_blank_around(l, right, row, wide))
-		canvas_text(l->canvas, l->left + right, l->top + row, label,
-		    s->series, 0);
-	else if (is_blank_around(l, left, row, wide))
-		canvas_text(l->canvas, l->left + left, l->top + row, label,
-		    s->series, 0);
-}
-
-static void
-draw_chart_names(struct layout *l)
-{
-	for (size_t i = 0; i < l->chart->n; i++) {
-		const struct chart_series *s = l->chart->series[i];
-		for (size_t j = 0; j < s->n && s->named; j++)
-			draw_chart_name(l, s, j);
-	}
+	int from[] = {at + 2, at - 1 - wide};
+	for (size_t k = 0; k < ARRAY_LEN(from); k++)
+		if (is_blank_around(l, from[k], row, wide)) {
+			canvas_text(l->canvas, l->left + from[k], l->top + row,
+			    label, s->series, 0);
+			return;
+		}
 }
 
 static void
@@ -781,7 +729,8 @@ draw_chart_data(struct layout *l)
 		if (c->series[i]->bars)
 			draw_chart_bars(l, c->series[i]);
 		else
-			draw_chart_line(l, c->series[i]);
+			for (size_t k = 0; k + 1 < c->series[i]->n; k++)
+				draw_segment(l, c->series[i], k);
 	for (size_t i = 0; i < c->n; i++)
 		clear_around_marks(l, c->series[i]);
 	/* In a cell that two marks share a hollow one is seen. */
@@ -789,7 +738,10 @@ draw_chart_data(struct layout *l)
 		for (size_t i = 0; i < c->n; i++)
 			if (is_hollow(c->series[i]) == hollow)
 				draw_chart_marks(l, c->series[i]);
-	draw_chart_names(l);
+	for (size_t i = 0; i < c->n; i++)
+		for (size_t j = 0; j < c->series[i]->n && c->series[i]->named;
+		     j++)
+			draw_chart_name(l, c->series[i], j);
 }
 
 /* The mark nearest to a cell of the data, among those next to it. */
@@ -817,7 +769,7 @@ find_nearest_mark(
 
 /* The line in that row of a column, of several the one on top. */
 static void
-draw_find_line(const struct layout *l, int row, struct chart_found *f)
+find_line_at_cell(const struct layout *l, int row, struct chart_found *f)
 {
 	for (size_t s = l->chart->n; s-- > 0 && f->series == NULL;) {
 		const struct chart_series *of = l->chart->series[s];
@@ -826,15 +778,16 @@ draw_find_line(const struct layout *l, int row, struct chart_found *f)
 		    abs(row_of_y(l, y, 1) - row) > 1)
 			continue;
 		f->series = of;
-		f->point = 0;
-		for (size_t i = 1; i < of->n; i++)
-			if (fabs(
-				axis_relative_position(&l->chart->x, of->x[i]) -
-				axis_relative_position(&l->chart->x, f->x)) <
-			    fabs(axis_relative_position(
-				     &l->chart->x, of->x[f->point]) -
-				 axis_relative_position(&l->chart->x, f->x)))
+		const struct axis *a = &l->chart->x;
+		double at = axis_relative_position(a, f->x), least = INFINITY;
+		for (size_t i = 0; i < of->n; i++) {
+			double far =
+			    fabs(axis_relative_position(a, of->x[i]) - at);
+			if (far < least) {
+				least = far;
 				f->point = i;
+			}
+		}
 	}
 }
 
@@ -846,10 +799,10 @@ find_in_plot(const struct layout *l, int column, int row, struct chart_found *f)
 	row -= l->top;
 	if (column < 0 || column >= l->width || row < 0 || row >= l->height)
 		return false;
-	f->x = draw_value_at(&l->chart->x, column, l->width);
-	f->y = draw_value_at(&l->chart->y, l->height - 1 - row, l->height);
+	f->x = value_of_axis_part(&l->chart->x, column, l->width);
+	f->y = value_of_axis_part(&l->chart->y, l->height - 1 - row, l->height);
 	find_nearest_mark(l, column, row, f);
-	draw_find_line(l, row, f);
+	find_line_at_cell(l, row, f);
 	return true;
 }
 
@@ -876,31 +829,21 @@ rows_of_chart(const struct chart *chart, int left, int n)
 	return own > 0 ? own : 1;
 }
 
-/* The next chart's rows of a canvas, which share its cells. */
-static struct canvas
-canvas_of_next_chart(
-    const struct canvas *all, const struct chart *chart, int top, int n)
-{
-	return (struct canvas){.columns = all->columns,
-	    .rows = rows_of_chart(chart, all->rows - top, n),
-	    .cell = all->cell + top * all->columns};
-}
-
 bool
-chart_find_at_cell(const struct chart *chart, const struct canvas *canvas,
+chart_find_at_cell(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found)
 {
 	int n = count_charts(chart), top = 0;
-	int left = y_label_columns(chart, canvas->columns, words);
-	for (const struct chart *c = chart; c != NULL && top < canvas->rows;
+	int left = y_label_columns(chart, columns, words);
+	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		struct canvas rows = canvas_of_next_chart(canvas, c, top, n--);
-		struct layout l =
-		    draw_layout_make(c, &rows, left, charset, words);
-		if (row < top + rows.rows)
+		struct canvas own = {.columns = columns,
+		    .rows = rows_of_chart(c, rows - top, n--)};
+		struct layout l = lay_out_chart(c, &own, left, charset, words);
+		if (row < top + own.rows)
 			return find_in_plot(&l, column, row - top, found);
-		top += rows.rows;
+		top += own.rows;
 	}
 	return false;
 }
@@ -916,9 +859,10 @@ chart_draw(const struct chart *chart, int columns, int rows,
 	/* Where there is no room for all the first ones are drawn. */
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
-		struct canvas own = canvas_of_next_chart(all, c, top, n--);
-		struct layout l =
-		    draw_layout_make(c, &own, left, charset, words);
+		struct canvas own = {.columns = columns,
+		    .rows = rows_of_chart(c, rows - top, n--),
+		    .cell = all->cell + top * columns};
+		struct layout l = lay_out_chart(c, &own, left, charset, words);
 		draw_titles_and_axes(&l);
 		l.dots = xcalloc((size_t)(l.width * l.height), 1);
 		draw_chart_data(&l);

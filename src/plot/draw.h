@@ -33,8 +33,9 @@ struct chart_found {
 	size_t point;
 };
 
-/* Finds the content of a cell.  Returns false for a cell outside the data. */
-bool chart_find_at_cell(const struct chart *chart, const struct canvas *canvas,
+/* Finds the content of a cell of what chart_draw would draw.  Returns false for
+ * a cell outside the data. */
+bool chart_find_at_cell(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found);
 

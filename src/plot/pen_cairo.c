@@ -98,10 +98,9 @@ cairo_pen_measure_text(
 {
 	const struct picture *p = (struct picture *)pen;
 	cairo_text_extents_t size;
-	char *text = text_escaped(words);
+	FREED char *text = text_escaped(words);
 	set_font(p, style);
 	cairo_text_extents(p->cairo, text, &size);
-	free(text);
 	return size.x_advance;
 }
 
@@ -129,7 +128,7 @@ cairo_pen_draw_text(struct pen *pen, double x, double y, const char *words,
 	cairo_t *c = p->cairo;
 	cairo_text_extents_t size;
 	/* cairo draws nothing more after text that is not UTF-8. */
-	char *text = text_escaped(words);
+	FREED char *text = text_escaped(words);
 	set_font(p, style);
 	cairo_text_extents(c, text, &size);
 	set_colour(c,
@@ -144,16 +143,14 @@ cairo_pen_draw_text(struct pen *pen, double x, double y, const char *words,
 	cairo_move_to(c, -size.x_advance * (double)style->anchor / 2, 0);
 	cairo_show_text(c, text);
 	cairo_restore(c);
-	free(text);
 }
 
 static void
 set_pdf_metadata(
     cairo_surface_t *pdf, cairo_pdf_metadata_t what, const char *words)
 {
-	char *text = text_escaped(words);
+	FREED char *text = text_escaped(words);
 	cairo_pdf_surface_set_metadata(pdf, what, text);
-	free(text);
 }
 
 static bool

@@ -29,7 +29,7 @@ enum {
 	FOOT_COLUMNS = 112
 };
 
-struct page {
+struct chart_page {
 	const struct chart *chart;
 	struct pen *pen;
 	double top, height; /* of the plot */
@@ -73,7 +73,7 @@ picture_list_forms(void)
 
 /* A pen for a form. */
 static struct pen *
-pen_open(enum picture_form form, double width, double height,
+new_pen_for_form(enum picture_form form, double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,
     FILE *out)
 {
@@ -88,20 +88,20 @@ pen_open(enum picture_form form, double width, double height,
 }
 
 static double
-page_x(const struct page *p, double x)
+page_x(const struct chart_page *p, double x)
 {
 	return LEFT + WIDTH * axis_relative_position(&p->chart->x, x);
 }
 
 static double
-page_y(const struct page *p, double y)
+page_y(const struct chart_page *p, double y)
 {
 	return p->top +
 	       p->height * (1 - axis_relative_position(&p->chart->y, y));
 }
 
 static void
-draw_rule(struct page *p, double x0, double y0, double x1, double y1,
+draw_rule(struct chart_page *p, double x0, double y0, double x1, double y1,
     struct pen_stroke stroke)
 {
 	double x[2] = {x0, x1}, y[2] = {y0, y1};
@@ -113,14 +113,14 @@ static const struct pen_stroke GUIDE = {
     SERIES_FEED, CHART_DOTTED, 0.3, PEN_OPEN};
 
 static void
-picture_draw_x_axis(struct page *p)
+picture_draw_x_axis(struct chart_page *p)
 {
 	enum { COLUMN = 5, LABEL = 8, ROWS = 2 };
 	static const double DIGIT = 5.1; /* its width; a column rounds it */
 	const struct axis *a = &p->chart->x;
 	double foot = p->top + p->height;
-	int *column = xcalloc(a->n, sizeof *column);
-	int *row = xcalloc(a->n, sizeof *row);
+	FREED int *column = xcalloc(a->n, sizeof *column);
+	FREED int *row = xcalloc(a->n, sizeof *row);
 	double end[ROWS] = {0};
 	axis_place_labels(a, WIDTH / COLUMN, ROWS, column, row);
 	for (size_t i = 0; i < a->n; i++) {
@@ -136,8 +136,6 @@ picture_draw_x_axis(struct page *p)
 	}
 	p->pen->text(p->pen, LEFT + WIDTH / 2.0, foot + 4 + 4 * (LABEL + 2),
 	    a->title, &(struct pen_style){.size = 10, .anchor = PEN_MIDDLE});
-	free(column);
-	free(row);
 }
 
 /* A label at y is not to touch one of those placed. */
@@ -151,11 +149,11 @@ is_label_place_free(const double *placed, size_t n, double y)
 }
 
 static void
-picture_draw_y_axis(struct page *p)
+picture_draw_y_axis(struct chart_page *p)
 {
 	enum { RANKS = 3, LABEL = 8 };
 	const struct axis *a = &p->chart->y;
-	double *placed = xcalloc_doubles(a->n);
+	FREED double *placed = xcalloc_doubles(a->n);
 	size_t n = 0;
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
@@ -176,12 +174,11 @@ picture_draw_y_axis(struct page *p)
 	p->pen->text(p->pen, 18, p->top + p->height / 2, a->title,
 	    &(struct pen_style){
 		.size = 10, .anchor = PEN_MIDDLE, .upward = true});
-	free(placed);
 }
 
 /* A shape with so many corners around a point. */
 static void
-draw_shape(struct page *p, int sides, double start, enum pen_fill fill,
+draw_shape(struct chart_page *p, int sides, double start, enum pen_fill fill,
     enum series series, double x, double y)
 {
 	enum { MOST = 16 };
@@ -199,7 +196,7 @@ draw_shape(struct page *p, int sides, double start, enum pen_fill fill,
 /* Marks as shapes where there is one, else as the character. */
 static void
 picture_draw_mark(
-    struct page *p, const struct chart_series *s, double x, double y)
+    struct chart_page *p, const struct chart_series *s, double x, double y)
 {
 	const struct mark *fine = s->fine ? mark_of_character(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
@@ -223,11 +220,12 @@ picture_draw_mark(
 }
 
 static void
-picture_draw_band(struct page *p, const struct chart_series *s)
+picture_draw_band(struct chart_page *p, const struct chart_series *s)
 {
 	if (s->low == NULL)
 		return;
-	double *x = xcalloc_doubles(2 * s->n), *y = xcalloc_doubles(2 * s->n);
+	FREED double *x = xcalloc_doubles(2 * s->n),
+		     *y = xcalloc_doubles(2 * s->n);
 	for (size_t i = 0; i < s->n; i++) {
 		size_t back = 2 * s->n - 1 - i;
 		x[i] = x[back] = page_x(p, s->x[i]);
@@ -236,15 +234,15 @@ picture_draw_band(struct page *p, const struct chart_series *s)
 	}
 	p->pen->path(p->pen, x, y, 2 * s->n,
 	    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
-	free(x);
-	free(y);
 }
 
+/* Returns x of point i, with what the series is drawn beside by. */
 static double
-offset_of_series_beside(const struct chart_series *s)
+page_x_of_point(
+    const struct chart_page *p, const struct chart_series *s, size_t i)
 {
 	enum { CELL = 4 };
-	return CELL * s->beside;
+	return page_x(p, s->x[i]) + CELL * s->beside;
 }
 
 static struct pen_stroke
@@ -256,11 +254,11 @@ stroke_of_bar(const struct chart_series *s)
 
 /* A line from low to high at each point. */
 static void
-draw_spans(struct page *p, const struct chart_series *s)
+draw_spans(struct chart_page *p, const struct chart_series *s)
 {
 	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
-		double x = page_x(p, s->x[i]) + offset_of_series_beside(s);
+		double x = page_x_of_point(p, s, i);
 		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
 		    stroke);
 	}
@@ -268,9 +266,9 @@ draw_spans(struct page *p, const struct chart_series *s)
 
 /* From one lift of the pen to the next. */
 static void
-picture_draw_line(struct page *p, const struct chart_series *s)
+picture_draw_line(struct chart_page *p, const struct chart_series *s)
 {
-	double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
+	FREED double *x = xcalloc_doubles(s->n), *y = xcalloc_doubles(s->n);
 	struct pen_stroke stroke = {s->series, s->line, 1.2, PEN_OPEN};
 	size_t n = 0;
 	for (size_t i = 0; i <= s->n && s->line != CHART_MARKS; i++) {
@@ -283,8 +281,6 @@ picture_draw_line(struct page *p, const struct chart_series *s)
 			p->pen->path(p->pen, x, y, n, &stroke);
 		n = 0;
 	}
-	free(x);
-	free(y);
 }
 
 static struct pen_stroke
@@ -299,7 +295,7 @@ rule_stroke(const struct chart_rule *rule)
 
 /* A square whose area is the value, none for NAN, and the label. */
 static void
-draw_area_square(struct page *p, const struct chart_series *s, size_t i)
+draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
 {
 	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
 	double width = page_x(p, s->x[i] + 0.5) - page_x(p, s->x[i] - 0.5);
@@ -324,7 +320,8 @@ struct taken {
 };
 
 static bool
-is_free_on_page(const struct page *p, const struct taken *taken, struct box box)
+is_free_on_page(
+    const struct chart_page *p, const struct taken *taken, struct box box)
 {
 	if (box.left < LEFT || box.right > LEFT + WIDTH || box.top < p->top ||
 	    box.foot > p->top + p->height)
@@ -347,8 +344,8 @@ reserve_box(struct taken *taken, struct box box)
 
 /* Right of the mark, left of it, above or below; else not at all. */
 static void
-picture_draw_name(
-    struct page *p, const struct chart_series *s, size_t i, struct taken *taken)
+picture_draw_name(struct chart_page *p, const struct chart_series *s, size_t i,
+    struct taken *taken)
 {
 	enum { LETTERS_HIGH = 7, APART = 5 };
 	const double letter = 4.2;
@@ -373,7 +370,7 @@ picture_draw_name(
 }
 
 static void
-picture_draw_names(struct page *p)
+picture_draw_names(struct chart_page *p)
 {
 	const double half = 3;
 	const struct chart *c = p->chart;
@@ -395,17 +392,8 @@ picture_draw_names(struct page *p)
 	free(taken.box);
 }
 
-static bool
-picture_has_names(const struct chart *c)
-{
-	bool any = false;
-	for (size_t i = 0; i < c->n; i++)
-		any = any || c->series[i]->named;
-	return any;
-}
-
 static void
-picture_draw_data(struct page *p)
+picture_draw_data(struct chart_page *p)
 {
 	const struct chart *c = p->chart;
 	double foot = p->top + p->height;
@@ -428,16 +416,14 @@ picture_draw_data(struct page *p)
 				draw_area_square(p, s, j);
 			else if (s->mark != 0 && isfinite(s->y[j]))
 				picture_draw_mark(p, s,
-				    page_x(p, s->x[j]) +
-					offset_of_series_beside(s),
+				    page_x_of_point(p, s, j),
 				    page_y(p, s->y[j]));
 		}
-	if (picture_has_names(c))
-		picture_draw_names(p);
+	picture_draw_names(p);
 }
 
 static void
-picture_draw_legend(struct page *p)
+picture_draw_legend(struct chart_page *p)
 {
 	const struct chart *c = p->chart;
 	double y = p->top + ROW / 2.0;
@@ -466,18 +452,18 @@ foot_text(const struct chart *chart, const char *program)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&text, &n);
-	char *about = xasprintf("data: %s; drawn by %s", chart->about, program);
+	FREED char *about =
+	    xasprintf("data: %s; drawn by %s", chart->about, program);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
 			text_wrap(c->note[i], 0, FOOT_COLUMNS, memory);
 	text_wrap(about, 0, FOOT_COLUMNS, memory);
-	free(about);
 	fclose(memory);
 	return text;
 }
 
 static void
-draw_foot(struct page *p, char *text)
+draw_foot(struct chart_page *p, char *text)
 {
 	char *save = NULL;
 	double y = p->top + p->height + BELOW;
@@ -490,7 +476,7 @@ draw_foot(struct page *p, char *text)
 }
 
 static void
-picture_draw_page(struct page *p)
+picture_draw_page(struct chart_page *p)
 {
 	double x[] = {LEFT, LEFT + WIDTH, LEFT + WIDTH, LEFT, LEFT};
 	double y[] = {
@@ -515,11 +501,10 @@ plot_height(const struct chart *chart)
 double
 picture_height(const struct chart *chart, const char *program)
 {
-	char *foot = foot_text(chart, program);
+	FREED char *foot = foot_text(chart, program);
 	size_t rows = 1;
 	for (const char *c = foot; *c != '\0'; c++)
 		rows += *c == '\n';
-	free(foot);
 	double height = FOOT_ROW * (double)rows;
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		height += TOP + plot_height(c) + BELOW;
@@ -529,8 +514,8 @@ picture_height(const struct chart *chart, const char *program)
 void
 picture_draw(const struct chart *chart, const char *program, struct pen *pen)
 {
-	struct page p = {.pen = pen, .top = TOP};
-	char *foot = foot_text(chart, program);
+	struct chart_page p = {.pen = pen, .top = TOP};
+	FREED char *foot = foot_text(chart, program);
 	for (p.chart = chart;; p.chart = p.chart->below) {
 		p.height = plot_height(p.chart);
 		picture_draw_page(&p);
@@ -539,7 +524,6 @@ picture_draw(const struct chart *chart, const char *program, struct pen *pen)
 		p.top += p.height + BELOW + TOP;
 	}
 	draw_foot(&p, foot);
-	free(foot);
 }
 
 bool
@@ -547,8 +531,9 @@ picture_write(const struct chart *chart, enum picture_form form,
     const char *program, FILE *out)
 {
 	const struct pen_paper paper = white_paper(chart->theme);
-	struct pen *pen = pen_open(form, PAGE, picture_height(chart, program),
-	    &paper, chart->title, chart->about, out);
+	struct pen *pen =
+	    new_pen_for_form(form, PAGE, picture_height(chart, program), &paper,
+		chart->title, chart->about, out);
 	picture_draw(chart, program, pen);
 	return pen->close(pen);
 }
@@ -558,8 +543,8 @@ picture_new_pdf_pages(double width, double height, const char *title,
     const char *about, FILE *out)
 {
 	const struct pen_paper paper = white_paper(THEME_NORMAL);
-	return HAVE_CAIRO ? pen_open(PICTURE_PDF, width, height, &paper, title,
-				about, out)
+	return HAVE_CAIRO ? new_pen_for_form(PICTURE_PDF, width, height, &paper,
+				title, about, out)
 			  : NULL;
 }
 
@@ -572,17 +557,15 @@ picture_new_pdf_pages(double width, double height, const char *title,
 #define BASE_LINE 9.25
 #define MARGIN 8.0
 
-/* What bars of one kind have in common. */
+/* Bars of each kind; of what is drawn they get the colour and the opacity. */
 enum kind { GROUND, SHADE, BLOCK, LINE, HEAVY, DOT, KINDS };
-static const struct {
-	double width, opacity;
-	bool round;
-} KIND[KINDS] = {[GROUND] = {CELL_HEIGHT, 1, false},
-    [SHADE] = {CELL_HEIGHT, 0.3, false},
-    [BLOCK] = {CELL_HEIGHT / 2, 1, false},
-    [LINE] = {0.8, 1, true},
-    [HEAVY] = {1.6, 1, true},
-    [DOT] = {2.3, 1, true}};
+static const struct pen_bar KIND[KINDS] = {
+    [GROUND] = {SERIES_TEXT, CELL_HEIGHT, 1, false},
+    [SHADE] = {SERIES_TEXT, CELL_HEIGHT, 0.3, false},
+    [BLOCK] = {SERIES_TEXT, CELL_HEIGHT / 2, 1, false},
+    [LINE] = {SERIES_TEXT, 0.8, 1, true},
+    [HEAVY] = {SERIES_TEXT, 1.6, 1, true},
+    [DOT] = {SERIES_TEXT, 2.3, 1, true}};
 
 /* In eighths of the cell. */
 struct bar {
@@ -609,23 +592,6 @@ static const struct shape {
     {0x254E, LINE, 2, {{4, 0, 4, 3}, {4, 5, 4, 7}}},
     {0x2591, SHADE, 1, {{0, 4, 8, 4}}}};
 
-/* Quarters of a cell that are full: top left, top right, and below them. */
-static unsigned
-quarters_of_block_character(uint32_t code)
-{
-	static const struct {
-		uint32_t code;
-		unsigned set;
-	} CODES[] = {{0x2580, 3}, {0x2584, 12}, {0x2588, 15}, {0x258C, 5},
-	    {0x2590, 10}, {0x2596, 4}, {0x2597, 8}, {0x2598, 1}, {0x2599, 13},
-	    {0x259A, 9}, {0x259B, 7}, {0x259C, 11}, {0x259D, 2}, {0x259E, 6},
-	    {0x259F, 14}};
-	for (size_t i = 0; i < ARRAY_LEN(CODES); i++)
-		if (CODES[i].code == code)
-			return CODES[i].set;
-	return 0;
-}
-
 /* The shape of a character; n is 0 for one that is text. */
 static size_t
 shape_of_block_character(
@@ -649,7 +615,10 @@ shape_of_block_character(
 				    DOTS[i][0], DOTS[i][1]};
 		return n;
 	}
-	unsigned set = quarters_of_block_character(code);
+	/* Quarters that are full: top left, top right, and below them. */
+	unsigned set = 15;
+	while (set > 0 && canvas_dots_code(CHARSET_QUADRANTS, set) != code)
+		set--;
 	*kind = BLOCK;
 	for (unsigned i = 0; i < 4; i++)
 		if (set >> i & 1) {
@@ -667,18 +636,6 @@ struct cells_page {
 	double *x, *y;
 	size_t n; /* bars gathered in x, y [2 n] */
 };
-
-static const struct canvas_cell *
-picture_cell_at(const struct cells_page *s, int column, int row)
-{
-	return &s->canvas->cell[row * s->canvas->columns + column];
-}
-
-static bool
-is_faint(const struct cells_page *s, const struct canvas_cell *cell)
-{
-	return canvas_is_faint(s->canvas, cell, s->depth);
-}
 
 /* The places of bars are multiples of 3/4. */
 static bool
@@ -716,33 +673,30 @@ picture_draw_bars(
     struct cells_page *s, enum kind kind, enum series series, bool faint)
 {
 	static const struct bar whole = {0, 4, 8, 4};
+	struct pen_bar look = KIND[kind];
+	look.series = series;
+	look.opacity *= faint ? PEN_FAINT : 1;
 	s->n = 0;
-	for (int row = 0; row < s->canvas->rows; row++)
-		for (int column = 0; column < s->canvas->columns; column++) {
-			const struct canvas_cell *cell =
-			    picture_cell_at(s, column, row);
-			enum kind its;
-			struct bar bar[BARS];
-			if (cell->series != series ||
-			    is_faint(s, cell) != faint)
-				continue;
-			if (kind == GROUND) {
-				if (cell->attribute & CELL_REVERSE)
-					picture_add_or_join_bar(
-					    s, column, row, &whole);
-				continue;
-			}
-			size_t n =
-			    shape_of_block_character(cell->code, &its, bar);
-			for (size_t i = 0; i < n && its == kind; i++)
-				picture_add_or_join_bar(
-				    s, column, row, &bar[i]);
+	int columns = s->canvas->columns, cells = columns * s->canvas->rows;
+	for (int k = 0; k < cells; k++) {
+		const struct canvas_cell *cell = &s->canvas->cell[k];
+		int column = k % columns, row = k / columns;
+		enum kind its;
+		struct bar bar[BARS];
+		if (cell->series != series ||
+		    canvas_is_faint(s->canvas, cell, s->depth) != faint)
+			continue;
+		if (kind == GROUND) {
+			if (cell->attribute & CELL_REVERSE)
+				picture_add_or_join_bar(s, column, row, &whole);
+			continue;
 		}
+		size_t n = shape_of_block_character(cell->code, &its, bar);
+		for (size_t i = 0; i < n && its == kind; i++)
+			picture_add_or_join_bar(s, column, row, &bar[i]);
+	}
 	if (s->n > 0)
-		s->pen->bars(s->pen, s->x, s->y, s->n,
-		    &(struct pen_bar){series, KIND[kind].width,
-			KIND[kind].opacity * (faint ? PEN_FAINT : 1),
-			KIND[kind].round});
+		s->pen->bars(s->pen, s->x, s->y, s->n, &look);
 }
 
 static bool
@@ -754,23 +708,18 @@ is_text(const struct canvas_cell *cell)
 	       shape_of_block_character(cell->code, &kind, bar) == 0;
 }
 
-static bool
-is_alike(const struct canvas_cell *a, const struct canvas_cell *b)
-{
-	return a->series == b->series && a->attribute == b->attribute;
-}
-
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
 end_of_alike_cells(const struct cells_page *s, int from, int row)
 {
-	const struct canvas_cell *cell = picture_cell_at(s, 0, row);
+	const struct canvas_cell *cell =
+	    s->canvas->cell + row * s->canvas->columns;
 	int end = from + 1;
 	for (int c = from + 1; c < s->canvas->columns; c++) {
 		bool wide = cell[c].code == 0;
-		bool text =
-		    is_text(&cell[c]) && is_alike(&cell[c], &cell[from]);
+		bool text = is_text(&cell[c]) &&
+			    canvas_same_style(&cell[c], &cell[from]);
 		if (!wide && !text && (cell[c].code != ' ' || end < c))
 			break;
 		end = wide || text ? c + 1 : end;
@@ -781,9 +730,11 @@ end_of_alike_cells(const struct cells_page *s, int from, int row)
 static void
 draw_text(struct cells_page *s, int row)
 {
-	char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
+	FREED char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
+	const struct canvas_cell *first =
+	    s->canvas->cell + row * s->canvas->columns;
 	for (int c = 0, end; c < s->canvas->columns; c = end) {
-		const struct canvas_cell *cell = picture_cell_at(s, c, row);
+		const struct canvas_cell *cell = first + c;
 		char *at = text, code[5];
 		end = c + 1;
 		if (!is_text(cell))
@@ -799,10 +750,9 @@ draw_text(struct cells_page *s, int row)
 			.length = CELL_WIDTH * (end - c),
 			.bold = cell->attribute & CELL_BOLD,
 			.inverse = cell->attribute & CELL_REVERSE,
-			.faint = is_faint(s, cell),
+			.faint = canvas_is_faint(s->canvas, cell, s->depth),
 			.series = (enum series)cell->series});
 	}
-	free(text);
 }
 
 /* The paper for cells, and its size, points. */
@@ -856,7 +806,7 @@ picture_write_screen(const struct canvas *canvas, int depth,
 	double size[2];
 	struct pen_paper paper = paper_for_cells(canvas, depth, size);
 	struct pen *pen =
-	    pen_open(form, size[0], size[1], &paper, title, about, out);
+	    new_pen_for_form(form, size[0], size[1], &paper, title, about, out);
 	draw_cells(canvas, depth, pen);
 	return pen->close(pen);
 }

@@ -12,7 +12,6 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/site_chart.h"
-#include "cmd/draw/plots_limits.h"
 #include "tui/screen.h"
 
 struct area

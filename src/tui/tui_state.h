@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "cmd/ask/goals.h"
 #include "cmd/draw/plots.h"
-#include "cmd/draw/search_shown.h"
+#include "cmd/draw/plots_search.h"
 #include "cmd/fit/trials.h"
 #include "cmd/session/session.h"
 #include "core/check/outliers.h"
@@ -323,7 +323,7 @@ enum {
 };
 extern const double PACES[PACE_COUNT];
 
-/* Returns the search for the current site's parameters, see search_shown.h. */
+/* Returns the search for the current site's parameters, see plots_search.h. */
 struct search_shown tui_search_shown(const struct tui *t);
 
 /* Steps of the search: its generations, and one for the polish if that found a

@@ -12,7 +12,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots.h"
-#include "cmd/draw/search_shown.h"
+#include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/invocation.h"
 

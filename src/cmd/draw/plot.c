@@ -457,21 +457,15 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	return ok;
 }
 
-/* A description that is being written. */
-struct description {
-	const struct chart *chart;
-	struct answer *answer;
-};
-
 static void
-describe_axes(struct description *t)
+describe_axes(struct answer *r, const struct chart *c)
 {
-	const struct axis *axes[] = {&t->chart->x, &t->chart->y};
+	const struct axis *axes[] = {&c->x, &c->y};
 	static const char *const ways[] = {N_("Across"), N_("Up")};
 	for (size_t i = 0; i < ARRAY_LEN(axes); i++) {
 		if (axes[i]->names)
 			continue;
-		answer_note(t->answer,
+		answer_note(r,
 		    axes[i]->log ? N_("%s: %s, from %.4g to %.4g on a log "
 				      "scale")
 		    : axes[i]->straight > 0
@@ -485,12 +479,12 @@ describe_axes(struct description *t)
 /* Returns "; P20 1.08 mm, P50 2.81 mm, P80 5.28 mm" for a size distribution,
  * otherwise "". */
 static char *
-p_sizes_text(const struct description *t, const struct chart_series *s)
+p_sizes_text(const struct chart *c, const struct chart_series *s)
 {
 	static const double PASSING[] = {20, 50, 80};
 	char *text = xstrdup("");
 	for (size_t i = 0; s->psd && i < ARRAY_LEN(PASSING); i++) {
-		double x = chart_x_at(t->chart, s, PASSING[i]);
+		double x = chart_x_at(c, s, PASSING[i]);
 		xappend(&text, "%s P%g ", i > 0 ? "," : ";", PASSING[i]);
 		if (isnan(x))
 			xappend(&text, tr("outside the sieves"));
@@ -503,7 +497,8 @@ p_sizes_text(const struct description *t, const struct chart_series *s)
 /* Says where a curve begins and ends, from left to right; flat ends are left
  * out. */
 static void
-describe_curve(struct description *t, const struct chart_series *s)
+describe_curve(
+    struct answer *r, const struct chart *c, const struct chart_series *s)
 {
 	size_t n = s->n;
 	bool falls = n > 1 && s->x[0] > s->x[n - 1];
@@ -515,14 +510,13 @@ describe_curve(struct description *t, const struct chart_series *s)
 	while (first != last &&
 	       (isnan(s->y[last]) || s->y[last] == s->y[last - step]))
 		last -= step;
-	const char *x = axis_unit_suffix(&t->chart->x),
-		   *y = axis_unit_suffix(&t->chart->y);
-	FREED char *sizes = p_sizes_text(t, s);
+	const char *x = axis_unit_suffix(&c->x), *y = axis_unit_suffix(&c->y);
+	FREED char *sizes = p_sizes_text(c, s);
 	if (first == last)
-		answer_note(t->answer, "%s: %.4g%s throughout", s->name,
-		    s->y[first], y);
+		answer_note(
+		    r, "%s: %.4g%s throughout", s->name, s->y[first], y);
 	else
-		answer_note(t->answer,
+		answer_note(r,
 		    "%s: from %.3g%s at %.3g%s to %.3g%s at %.3g%s%s", s->name,
 		    s->y[first], y, s->x[first], x, s->y[last], y, s->x[last],
 		    x, sizes);
@@ -530,7 +524,7 @@ describe_curve(struct description *t, const struct chart_series *s)
 
 /* Names the points of a map or of a comparison; all of them if they are few. */
 static void
-describe_map_points(struct description *t, const struct chart_series *s)
+describe_map_points(struct answer *r, const struct chart_series *s)
 {
 	enum { FEW = 6 };
 	size_t shown = 0;
@@ -542,7 +536,7 @@ describe_map_points(struct description *t, const struct chart_series *s)
 		    &text, ";", tr(" %.3g and %.3g"), s->x[i], s->y[i]);
 		shown++;
 	}
-	answer_note(t->answer,
+	answer_note(r,
 	    s->n > FEW ? N_("%s, %zu points, across and up:%s and more")
 		       : tr_n("%s, %zu point, across and up:%s",
 			     "%s, %zu points, across and up:%s", s->n),
@@ -552,16 +546,16 @@ describe_map_points(struct description *t, const struct chart_series *s)
 /* Names the three points of a parameter in the spread: its two ends and the
  * best. */
 static void
-describe_parameter_spread(struct description *t)
+describe_parameter_spread(struct answer *r, const struct chart *c)
 {
-	const struct chart_series *s = t->chart->series[0];
-	const struct chart_series *best = t->chart->series[1];
+	const struct chart_series *s = c->series[0];
+	const struct chart_series *best = c->series[1];
 	for (size_t j = 0; j < best->n; j++) {
-		const char *name = t->chart->y.tick[j].label;
+		const char *name = c->y.tick[j].label;
 		if (isnan(best->x[j]))
-			answer_note(t->answer, "%s is held fixed", name);
+			answer_note(r, "%s is held fixed", name);
 		else
-			answer_note(t->answer,
+			answer_note(r,
 			    "%s: the middle 80 %% of the candidates from %.0f "
 			    "to %.0f %% of its bounds, the best at %.0f %%",
 			    name, s->x[3 * j], s->x[3 * j + 1], best->x[j]);
@@ -570,10 +564,9 @@ describe_parameter_spread(struct description *t)
 
 /* Names the pairs with high values, each once. */
 static void
-describe_strong_correlations(struct description *t)
+describe_strong_correlations(struct answer *r, const struct chart *c)
 {
 	const double worth_saying = 0.5;
-	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
 		FREED char *list = xstrdup("");
@@ -585,9 +578,9 @@ describe_strong_correlations(struct description *t)
 				    tick_label_at(&c->y, s->y[j]),
 				    s->field[j].label);
 		if (list[0] != '\0')
-			answer_note(t->answer, "%s: %s", s->name, list);
+			answer_note(r, "%s: %s", s->name, list);
 	}
-	answer_note(t->answer,
+	answer_note(r,
 	    "All other pairs of the %zu parameters are "
 	    "below %g",
 	    c->x.n, worth_saying);
@@ -597,12 +590,12 @@ describe_strong_correlations(struct description *t)
  * one. */
 static void
 describe_difference_of_curves(
-    struct description *t, const struct chart_series *other)
+    struct answer *r, const struct chart *c, const struct chart_series *other)
 {
-	const struct chart_series *top = t->chart->series[t->chart->n - 1];
+	const struct chart_series *top = c->series[c->n - 1];
 	double most = 0, here = 0, there = 0, x = NAN;
 	for (size_t i = 0; i < other->n; i++) {
-		double y = chart_y_at(t->chart, top, other->x[i]);
+		double y = chart_y_at(c, top, other->x[i]);
 		if (!(fabs(y - other->y[i]) > most))
 			continue;
 		most = fabs(y - other->y[i]);
@@ -611,34 +604,32 @@ describe_difference_of_curves(
 		there = other->y[i];
 	}
 	if (!isnan(x))
-		answer_note(t->answer,
+		answer_note(r,
 		    "%s and %s differ most at %.3g%s: %.3g and %.3g%s",
-		    top->name, other->name, x, axis_unit_suffix(&t->chart->x),
-		    here, there, axis_unit_suffix(&t->chart->y));
+		    top->name, other->name, x, axis_unit_suffix(&c->x), here,
+		    there, axis_unit_suffix(&c->y));
 }
 
 static void
-describe_series(struct description *t)
+describe_series(struct answer *r, const struct chart *c)
 {
-	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
 		if (s->line == CHART_MARKS && !s->psd)
-			describe_map_points(t, s);
+			describe_map_points(r, s);
 		else if (s->series != SERIES_TEXT)
-			describe_curve(t, s);
+			describe_curve(r, c, s);
 	}
 	for (size_t i = 0; i + 1 < c->n && !c->mixed; i++)
 		if (c->series[c->n - 1]->line != CHART_MARKS &&
 		    c->series[i]->series != SERIES_TEXT)
-			describe_difference_of_curves(t, c->series[i]);
+			describe_difference_of_curves(r, c, c->series[i]);
 }
 
 /* Says where each difference is largest. */
 static void
-describe_difference_strip(struct description *t)
+describe_difference_strip(struct answer *r, const struct chart *c)
 {
-	const struct chart *c = t->chart;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct chart_series *s = c->series[i];
 		size_t most = 0;
@@ -646,29 +637,19 @@ describe_difference_strip(struct description *t)
 			if (!(fabs(s->y[j]) <= fabs(s->y[most])))
 				most = isnan(s->y[j]) ? most : j;
 		if (!isnan(s->y[most]))
-			answer_note(t->answer,
-			    "%s: at most %+.2f points, at %.3g mm", s->name,
-			    s->y[most], s->x[most]);
+			answer_note(r, "%s: at most %+.2f points, at %.3g mm",
+			    s->name, s->y[most], s->x[most]);
 	}
-}
-
-static bool
-has_bars(const struct chart *chart)
-{
-	bool any = false;
-	for (size_t i = 0; i < chart->n; i++)
-		any = any || chart->series[i]->bars;
-	return any;
 }
 
 /* Names for each run the sieve at which the candidates lie furthest apart, and
  * the sieve that the best candidate misses by most. */
 static void
-describe_candidate_bars(struct description *t)
+describe_candidate_bars(struct answer *r, const struct chart *c)
 {
-	for (size_t i = 0; i + 1 < t->chart->n; i++) {
-		const struct chart_series *s = t->chart->series[i];
-		const struct chart_series *best = t->chart->series[i + 1];
+	for (size_t i = 0; i + 1 < c->n; i++) {
+		const struct chart_series *s = c->series[i];
+		const struct chart_series *best = c->series[i + 1];
 		size_t wide = 0, off = 0;
 		for (size_t j = 0; j < s->n && s->bars; j++) {
 			if (s->high[j] - s->low[j] >
@@ -678,7 +659,7 @@ describe_candidate_bars(struct description *t)
 				off = j;
 		}
 		if (s->bars && s->n > 0)
-			answer_note(t->answer,
+			answer_note(r,
 			    "%s is widest at %.3g mm: from %+.2f to %+.2f "
 			    "points; %s is furthest off at %.3g mm: %+.2f "
 			    "points",
@@ -688,34 +669,35 @@ describe_candidate_bars(struct description *t)
 }
 
 static void
-describe_chart(struct description *t)
+describe_chart(struct answer *r, const struct chart *c)
 {
-	const struct chart *chart = t->chart;
-	if (chart->strip > 0) {
-		describe_difference_strip(t);
+	if (c->strip > 0) {
+		describe_difference_strip(r, c);
 		return;
 	}
-	describe_axes(t);
-	if (chart->n > 0 && chart->series[0]->field != NULL)
-		describe_strong_correlations(t);
-	else if (chart->y.names)
-		describe_parameter_spread(t);
-	else if (has_bars(chart))
-		describe_candidate_bars(t);
+	bool bars = false;
+	for (size_t i = 0; i < c->n; i++)
+		bars = bars || c->series[i]->bars;
+	describe_axes(r, c);
+	if (c->n > 0 && c->series[0]->field != NULL)
+		describe_strong_correlations(r, c);
+	else if (c->y.names)
+		describe_parameter_spread(r, c);
+	else if (bars)
+		describe_candidate_bars(r, c);
 	else
-		describe_series(t);
-	for (size_t i = 0; i < chart->n_rule; i++)
-		answer_note(t->answer, "A line from foot to top: %s",
-		    chart->rule[i].name);
-	for (size_t i = 0; i < chart->n_note; i++)
-		answer_note(t->answer, "%s", chart->note[i]);
+		describe_series(r, c);
+	for (size_t i = 0; i < c->n_rule; i++)
+		answer_note(r, "A line from foot to top: %s", c->rule[i].name);
+	for (size_t i = 0; i < c->n_note; i++)
+		answer_note(r, "%s", c->note[i]);
 }
 
 /* Says at which speeds the goal of the session is met, on the feed of the
  * curves. */
 static void
-describe_speeds_meeting_goal(struct description *t, struct session *s,
-    const struct plot_request *request)
+describe_speeds_meeting_goal(
+    struct answer *r, struct session *s, const struct plot_request *request)
 {
 	const struct entry *entry = request->entry;
 	struct goal goal = {.n_value = 0};
@@ -730,37 +712,31 @@ describe_speeds_meeting_goal(struct description *t, struct session *s,
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step_search(s, entry, &goal, request->feed);
 	FREED char *words = goals_describe(s, entry, &goal, speed, GOALS_FULL);
-	answer_note(t->answer, "%s", words);
-	fields_put(answer_fields(t->answer), "goal %s", words);
+	answer_note(r, "%s", words);
+	fields_put(answer_fields(r), "goal %s", words);
 	goals_discard_results(&goal);
-}
-
-static bool
-describe_requested_plot(struct session *s, const struct args *args,
-    struct plot_questions *a, struct error *error)
-{
-	struct chart *chart = make_requested_chart(s, args, a, error);
-	if (chart == NULL)
-		return false;
-	struct description t = {chart, answer_new("describe")};
-	answer_title(t.answer, "%s", chart->title);
-	answer_set_sites(t.answer,
-	    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
-	    chart->about);
-	fields_put(answer_fields(t.answer), "kind %s title %s data %s",
-	    args->operand[0], chart->title, chart->about);
-	for (t.chart = chart; t.chart != NULL; t.chart = t.chart->below)
-		describe_chart(&t);
-	describe_speeds_meeting_goal(&t, s, &a->request);
-	chart_free(chart);
-	return session_show_answer(s, t.answer);
 }
 
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
 	struct plot_questions a;
-	bool ok = describe_requested_plot(s, args, &a, error);
+	struct chart *chart = make_requested_chart(s, args, &a, error);
+	bool ok = chart != NULL;
+	if (ok) {
+		struct answer *r = answer_new("describe");
+		answer_title(r, "%s", chart->title);
+		answer_set_sites(r,
+		    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
+		    chart->about);
+		fields_put(answer_fields(r), "kind %s title %s data %s",
+		    args->operand[0], chart->title, chart->about);
+		for (const struct chart *c = chart; c != NULL; c = c->below)
+			describe_chart(r, c);
+		describe_speeds_meeting_goal(r, s, &a.request);
+		ok = session_show_answer(s, r);
+	}
+	chart_free(chart);
 	plot_questions_free(s, &a);
 	return ok;
 }

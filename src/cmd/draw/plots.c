@@ -11,7 +11,6 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/draw/search_shown.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/fit/trials.h"
@@ -23,9 +22,6 @@
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
 #include "io/sitefile/units.h"
-
-static const struct chart_series PREDICTED = {
-    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 
 struct plot_request
 plots_default_request(enum plot_kind kind)
@@ -126,12 +122,9 @@ static void
 add_parity_points(struct chart *chart, const struct session *s,
     const struct trials *pairs, double low, double high)
 {
-	struct chart_series *equal = chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
-	    2, N_("as measured"));
-	equal->x[0] = equal->y[0] = low;
-	equal->x[1] = equal->y[1] = high;
+	const double ends[] = {low, high};
+	chart_add_points(
+	    chart, SITE_CHART_LEVEL, 2, ends, ends, tr("as measured"));
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct chart_series look = site_chart_series_style(i);
 		look.line = CHART_MARKS;
@@ -267,7 +260,8 @@ selection_chart(
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
-	add_selection_curve(chart, s, q->entry, &params, speed, PREDICTED);
+	add_selection_curve(
+	    chart, s, q->entry, &params, speed, SITE_CHART_PREDICTED);
 	return chart;
 }
 
@@ -295,23 +289,13 @@ appearance_chart(
 	    axis_new_percent(tr("finer than u B(u), %")),
 	    "appearance function (Eq 1)");
 	struct chart_series *curve =
-	    chart_add(chart, PREDICTED, SAMPLES, "B(u)");
+	    chart_add(chart, SITE_CHART_PREDICTED, SAMPLES, "B(u)");
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
 		curve->y[i] =
 		    100 * answers_breakage_function(&b, curve->x[i], site);
 	}
 	return chart;
-}
-
-/* Makes a chart in the theme of the session; sets *chart to it, or to NULL. */
-static void
-make_chart_in_theme(plot_make *make, struct session *s,
-    const struct plot_request *as, struct chart **chart, struct error *error)
-{
-	*chart = make(s, as, error);
-	if (*chart != NULL)
-		(*chart)->theme = (enum theme)s->set.theme;
 }
 
 struct chart *
@@ -321,21 +305,21 @@ plots_make_chart(
 	static const struct {
 		plot_make *make;
 		bool any_site;
-	} KINDS[] = {[PLOT_PSD] = {plots_psd, false},
-	    [PLOT_RUNS] = {plots_runs, false},
-	    [PLOT_PARITY] = {parity_chart, false},
-	    [PLOT_CONVERGENCE] = {plots_search_convergence, false},
-	    [PLOT_SPREAD] = {plots_search_spread, false},
-	    [PLOT_RESIDUALS] = {residuals_chart, false},
-	    [PLOT_SELECTION] = {selection_chart, false},
-	    [PLOT_APPEARANCE] = {appearance_chart, false},
+	} KINDS[] = {[PLOT_PSD] = {plots_psd},
+	    [PLOT_RUNS] = {plots_runs},
+	    [PLOT_PARITY] = {parity_chart},
+	    [PLOT_CONVERGENCE] = {plots_search_convergence},
+	    [PLOT_SPREAD] = {plots_search_spread},
+	    [PLOT_RESIDUALS] = {residuals_chart},
+	    [PLOT_SELECTION] = {selection_chart},
+	    [PLOT_APPEARANCE] = {appearance_chart},
 	    [PLOT_MAP] = {plots_material_map, true},
-	    [PLOT_SWEEP] = {plots_sweep, false},
-	    [PLOT_RESPONSE] = {plots_response, false},
-	    [PLOT_PROFILE] = {plots_parameter_profile, false},
-	    [PLOT_CORRELATION] = {plots_parameter_correlations, false},
-	    [PLOT_DRIFT] = {plots_control_charts, false},
-	    [PLOT_SEARCH] = {plots_search_residuals, false},
+	    [PLOT_SWEEP] = {plots_sweep},
+	    [PLOT_RESPONSE] = {plots_response},
+	    [PLOT_PROFILE] = {plots_parameter_profile},
+	    [PLOT_CORRELATION] = {plots_parameter_correlations},
+	    [PLOT_DRIFT] = {plots_control_charts},
+	    [PLOT_SEARCH] = {plots_search_residuals},
 	    [PLOT_ENERGY] = {plots_impact_energies, true}};
 	if (!KINDS[request->kind].any_site &&
 	    !session_need_site(s, "this plot", error))
@@ -347,8 +331,9 @@ plots_make_chart(
 	struct plot_request as = *request;
 	if (as.entry == NULL && s->n_entry > 0)
 		as.entry = &s->entry[at];
-	struct chart *chart = NULL;
-	make_chart_in_theme(KINDS[as.kind].make, s, &as, &chart, error);
+	struct chart *chart = KINDS[as.kind].make(s, &as, error);
+	if (chart != NULL)
+		chart->theme = (enum theme)s->set.theme;
 	return chart;
 }
 
@@ -384,12 +369,10 @@ plots_find_at_cell(struct session *s, const struct plot_request *request,
 	struct chart *chart = plots_make_chart(s, request, &error);
 	if (chart == NULL)
 		return false;
-	struct canvas *canvas = canvas_new(columns, rows);
-	bool in = chart_find_at_cell(
-	    chart, canvas, request->charset, request->words, column, row, &f);
+	bool in = chart_find_at_cell(chart, columns, rows, request->charset,
+	    request->words, column, row, &f);
 	if (in)
 		*found = (struct plots_found){f.x, f.y, text_of_found_mark(&f)};
-	canvas_free(canvas);
 	chart_free(chart);
 	return in;
 }

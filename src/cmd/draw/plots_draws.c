@@ -121,7 +121,7 @@ plots_parameter_correlations(
 /* What a profile needs: the misfit and the fit of the calibration in its own
  * model.  If only the draws' model has the parameter, both are in that
  * model. */
-struct profiled {
+struct profile_data {
 	const struct history *h;
 	const struct posterior *p; /* NULL without draws */
 	struct misfit *misfit;
@@ -134,7 +134,7 @@ struct profiled {
 
 static bool
 prepare_profile(const struct session *s, const struct entry *entry,
-    const char *name, struct profiled *a, struct error *error)
+    const char *name, struct profile_data *a, struct error *error)
 {
 	if (!answers_require_params(s, entry, error))
 		return false;
@@ -143,7 +143,7 @@ prepare_profile(const struct session *s, const struct entry *entry,
 		    "the parameters do not come from a calibration in this "
 		    "session\n"
 		    "run 'calibrate' first");
-	*a = (struct profiled){.h = entry->origin->history,
+	*a = (struct profile_data){.h = entry->origin->history,
 	    .p = outlook_posterior_for_comparison(s, entry)};
 	a->fit = a->h->fit.params;
 	a->bounds = a->h->bounds;
@@ -189,7 +189,7 @@ prepare_profile(const struct session *s, const struct entry *entry,
  * it. */
 static void
 find_profile_range(
-    const struct profiled *a, const double *draw, double reach[static 2])
+    const struct profile_data *a, const double *draw, double reach[static 2])
 {
 	reach[0] = a->bounds.lower[a->j];
 	reach[1] = a->bounds.upper[a->j];
@@ -210,8 +210,8 @@ find_profile_range(
 /* Spreads n values over the axis, within the bounds.  The fit's own value
  * replaces the nearest one. */
 static void
-choose_profile_values(
-    const struct chart *chart, const struct profiled *a, double *x, size_t n)
+choose_profile_values(const struct chart *chart, const struct profile_data *a,
+    double *x, size_t n)
 {
 	double step = (chart->x.high - chart->x.low) / (double)(n - 1);
 	double fit = a->fit.at[a->j];
@@ -227,7 +227,7 @@ choose_profile_values(
 /* Draws the refitted misfits as a likelihood with errors of unknown size,
  * E^(-n/2). */
 static void
-add_likelihood_profile(struct chart *chart, const struct profiled *a)
+add_likelihood_profile(struct chart *chart, const struct profile_data *a)
 {
 	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
@@ -259,7 +259,7 @@ add_likelihood_profile(struct chart *chart, const struct profiled *a)
 
 static void
 add_density_of_draws(
-    struct chart *chart, const struct profiled *a, const double *draw)
+    struct chart *chart, const struct profile_data *a, const double *draw)
 {
 	enum { POINTS = 101 };
 	struct chart_series *s = chart_add(chart,
@@ -285,7 +285,7 @@ struct chart *
 plots_parameter_profile(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct profiled a;
+	struct profile_data a;
 	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
 	if (!prepare_profile(
 		s, q->entry, q->param != NULL ? q->param : "e0_min", &a, error))

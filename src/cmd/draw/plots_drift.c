@@ -13,56 +13,31 @@
 
 /* Control charts are drawn as shares of their limits, so that one plot holds
  * them all: a point beyond 1 or -1 is a signal. */
-enum shown { SHOWN_SINGLE, SHOWN_EWMA, SHOWN_UP, SHOWN_DOWN, SHOWN_TILT };
-
 static const struct {
 	const char *name;
 	struct chart_series look;
-} SHOWN[] = {[SHOWN_SINGLE] = {N_("each cut (1: 3 sd)"),
+} SHOWN[] = {{N_("each cut (1: 3 sd)"),
 		 {.series = SERIES_FEED, .line = CHART_MARKS, .mark = 'o'}},
-    [SHOWN_EWMA] = {"EWMA",
-	{.series = SERIES_KIND_1, .line = CHART_DASHED, .ascii = '-'}},
-    [SHOWN_UP] = {N_("CUSUM finer"),
+    {"EWMA", {.series = SERIES_KIND_1, .line = CHART_DASHED, .ascii = '-'}},
+    {N_("CUSUM finer"),
 	{.series = SERIES_KIND_2, .line = CHART_SOLID, .ascii = '='}},
-    [SHOWN_DOWN] = {N_("CUSUM coarser"),
+    {N_("CUSUM coarser"),
 	{.series = SERIES_KIND_3, .line = CHART_SOLID, .ascii = '#'}},
-    [SHOWN_TILT] = {N_("CUSUM of the tilt"),
+    {N_("CUSUM of the tilt"),
 	{.series = SERIES_KIND_4, .line = CHART_LONG, .ascii = '%'}}};
 
-static double
-drift_value_per_limit(
-    const struct drift_point *p, const struct drift_rule *rule, enum shown i)
+/* Computes the share of its limit for each of these. */
+static void
+shares_of_limits(const struct drift_point *p, const struct drift_rule *rule,
+    double share[static ARRAY_LEN(SHOWN)])
 {
 	const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
 	const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
-	switch (i) {
-	case SHOWN_SINGLE:
-		return level->score / 3;
-	case SHOWN_EWMA:
-		return level->ewma / level->ewma_limit;
-	case SHOWN_UP:
-		return level->up / rule->h;
-	case SHOWN_DOWN:
-		return level->down > 0 ? -level->down / rule->h : 0;
-	case SHOWN_TILT:
-		return (tilt->down > tilt->up ? -tilt->down : tilt->up) /
-		       rule->h;
-	}
-	return NAN;
-}
-
-static void
-add_control_limits(struct chart *chart, double last)
-{
-	struct chart_series *limit = chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '.'},
-	    5, N_("limits"));
-	const double x[] = {0, last, 0, 0, last}, y[] = {1, 1, NAN, -1, -1};
-	for (size_t i = 0; i < 5; i++) {
-		limit->x[i] = x[i];
-		limit->y[i] = y[i];
-	}
+	share[0] = level->score / 3;
+	share[1] = level->ewma / level->ewma_limit;
+	share[2] = level->up / rule->h;
+	share[3] = level->down > 0 ? -level->down / rule->h : 0;
+	share[4] = (tilt->down > tilt->up ? -tilt->down : tilt->up) / rule->h;
 }
 
 static void
@@ -88,13 +63,14 @@ plots_control_charts(
 	if (r == NULL)
 		return NULL;
 	double low = -1.2, high = 1.2, last = (double)r->n + 1;
-	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
-		for (size_t j = 0; j < r->n; j++) {
-			double y = drift_value_per_limit(
-			    &r->point[j], &r->rule, (enum shown)i);
-			low = fmin(low, y);
-			high = fmax(high, y);
+	double share[ARRAY_LEN(SHOWN)];
+	for (size_t j = 0; j < r->n; j++) {
+		shares_of_limits(&r->point[j], &r->rule, share);
+		for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
+			low = fmin(low, share[i]);
+			high = fmax(high, share[i]);
 		}
+	}
 	struct axis x = {.title = xstrdup(tr("cut")), .low = 0, .high = last};
 	size_t step = r->n / 20 + 1;
 	for (size_t j = 0; j < r->n; j += step) {
@@ -104,14 +80,16 @@ plots_control_charts(
 	struct chart *chart = site_chart(entry->site, x,
 	    axis_new_linear(tr("share of the limit, -"), low, high),
 	    "routine cuts against their predictions");
-	add_control_limits(chart, last);
-	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
-		struct chart_series *series = chart_add(
-		    chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
-		for (size_t j = 0; j < r->n; j++) {
-			series->x[j] = (double)(j + 1);
-			series->y[j] = drift_value_per_limit(
-			    &r->point[j], &r->rule, (enum shown)i);
+	chart_add_points(chart, SITE_CHART_LEVEL, 5,
+	    (double[]){0, last, 0, 0, last}, (double[]){1, 1, NAN, -1, -1},
+	    tr("limits"));
+	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
+		chart_add(chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
+	for (size_t j = 0; j < r->n; j++) {
+		shares_of_limits(&r->point[j], &r->rule, share);
+		for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
+			chart->series[i + 1]->x[j] = (double)(j + 1);
+			chart->series[i + 1]->y[j] = share[i];
 		}
 	}
 	if (r->first < r->n)

@@ -38,14 +38,13 @@ add_impact_energies(
 {
 	const struct spectrum *s = e->c.spectrum;
 	FREED struct spectrum_size *whole = spectrum_merge_sizes(s);
-	const struct chart_series look = {
-	    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 	const struct chart_series of_first = {
 	    .series = SERIES_FEED, .line = CHART_DASHED, .ascii = '-'};
 	FREED char *speed =
 	    s->speed > 0 ? xasprintf(" (%g m/s)", s->speed) : xstrdup("");
 	fill_impact_energy_series(
-	    chart_add(chart, main ? look : site_chart_series_style(place),
+	    chart_add(chart,
+		main ? SITE_CHART_PREDICTED : site_chart_series_style(place),
 		POINTS, "%s%s", e->name, speed),
 	    s, whole, false);
 	if (main && s->ordered)

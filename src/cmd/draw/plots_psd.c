@@ -1,5 +1,6 @@
-/* Plots size distributions at one speed (psd), with what was measured, a second
- * prediction and a strip of differences below; and at several speeds (sweep).
+/* Plots size distributions at one speed (psd), with what was measured, the
+ * limits of the envelope, a second prediction and a strip of differences below;
+ * and at several speeds (sweep).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
@@ -18,15 +19,13 @@
 #include "cmd/ask/pin.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/ask/screened.h"
-#include "cmd/draw/plots_limits.h"
-#include "cmd/draw/search_shown.h"
+#include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/sites.h"
 #include "core/answer/predict.h"
+#include "io/formats/spec.h"
 #include "io/sitefile/units.h"
 
-static const struct chart_series PREDICTED = {
-    .series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'};
 static const struct chart_series OTHER = {.series = SERIES_OTHER,
     .line = CHART_DASHED,
     .ascii = '%',
@@ -34,25 +33,99 @@ static const struct chart_series OTHER = {.series = SERIES_OTHER,
 static const struct chart_series PART = {
     .series = SERIES_PREDICTED, .line = CHART_LONG, .ascii = '@'};
 
+/* Styles of the upper and the lower limits. */
+static const struct chart_series LIMITS[2] = {
+    {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'T'},
+    {.series = SERIES_TEXT, .line = CHART_DOTTED, .ascii = '\'', .mark = 'L'}};
+
+/* Adds the lower or the upper limits that lie within the axis, if there are
+ * any. */
+static void
+add_envelope_limit_series(
+    struct chart *chart, const struct spec *spec, bool least)
+{
+	const double *limit = least ? spec->least : spec->most;
+	size_t n = 0;
+	FREED double *x = xcalloc_doubles(spec->n);
+	FREED double *y = xcalloc_doubles(spec->n);
+	for (size_t i = 0; i < spec->n; i++) {
+		double mm = units_mm(spec->size[i]);
+		if (mm < chart->x.low || mm > chart->x.high || isnan(limit[i]))
+			continue;
+		x[n] = mm;
+		y[n++] = units_pct(limit[i]);
+	}
+	if (n == 0)
+		return;
+	FREED char *name =
+	    xasprintf("%s, %s", least ? tr("min") : tr("max"), spec->name);
+	chart_add_points(chart, LIMITS[least], n, x, y, name);
+	chart_move_last_series_to_back(chart);
+}
+
+/* Adds the limits on sieves within the axis, behind all curves, of the chosen
+ * envelope, if any.  notes: describe them in words. */
+static void
+add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
+{
+	const struct spec *spec = s->spec;
+	if (spec == NULL)
+		return;
+	add_envelope_limit_series(chart, spec, true);
+	add_envelope_limit_series(chart, spec, false);
+	FREED char *cut = plots_envelope_fraction_text(s);
+	const char *source =
+	    spec->source[0] != '\0' ? spec->source : spec->name;
+	if (notes && cut[0] != '\0')
+		chart_note(chart, "limits of the fraction %s: %s", cut, source);
+	else if (notes)
+		chart_note(chart, "limits: %s", source);
+}
+
+/* Fills only the product in part: the fraction to which the chosen envelope
+ * applies, read off the prediction's curve.  Free with prediction_free.
+ * Returns false if the envelope is for the whole product. */
+static bool
+cut_product_to_envelope(const struct session *s, const struct entry *entry,
+    const struct prediction *whole, struct prediction *part)
+{
+	struct fraction fraction = plots_envelope_fraction(s);
+	if (!fraction_is_screened(&fraction))
+		return false;
+	/* The sizes of the cut are included, so that the curve ends there. */
+	const double cut[] = {fraction.fine, fraction.coarse};
+	const struct psd *feed = site_feed_of_run(entry->site, whole->feed_run);
+	const struct psd *sieves = &whole->product;
+	struct psd all = psd_new(sieves->n + ARRAY_LEN(cut));
+	all.n = sieves->n;
+	memcpy(all.size, sieves->size, sieves->n * sizeof *sieves->size);
+	for (size_t i = 0; i < ARRAY_LEN(cut); i++)
+		if (cut[i] > 0 && psd_covers_size(feed, cut[i]) &&
+		    cut[i] < sieves->size[0])
+			all.size[all.n++] = cut[i];
+	all.n = psd_sort_distinct_sizes(all.size, all.n, 0);
+	/* The curve of the whole product is exact enough for a drawing.  A
+	 * response of the fraction's own would take longer than the rest of a
+	 * step of the slider. */
+	struct psd curve =
+	    screened_fraction_of_product(&whole->curve, &fraction);
+	for (size_t i = 0; i < all.n; i++)
+		all.passing[i] = psd_passing(&curve, all.size[i]);
+	psd_free(&curve);
+	*part = (struct prediction){.product = all};
+	return true;
+}
+
 /* Returns the smallest limit that holds a value.  There are only a few limits,
  * so that the scale does not change while the slider moves. */
 static double
 round_up_axis_limit(double value)
 {
-	static const double LIMITS[] = {1, 2, 5, 10, 20, 50};
-	for (size_t i = 0; i < ARRAY_LEN(LIMITS); i++)
-		if (value <= LIMITS[i])
-			return LIMITS[i];
+	static const double ROUND[] = {1, 2, 5, 10, 20, 50};
+	for (size_t i = 0; i < ARRAY_LEN(ROUND); i++)
+		if (value <= ROUND[i])
+			return ROUND[i];
 	return 100;
-}
-
-static void
-add_axis_tick(struct axis *axis, double at)
-{
-	char label[24];
-	snprintf(label, sizeof label, at == 0 ? "%g" : "%+g", at);
-	axis_add_tick(axis, at, label, 0);
-	axis->tick[axis->n - 1].guide = at == 0;
 }
 
 /* Reaches as far below 0 as above, so that 0 does not move. */
@@ -63,9 +136,9 @@ difference_strip_axis(const struct chart *chart)
 	struct chart_extent e = chart_find_extent(chart);
 	axis.high = round_up_axis_limit(fmax(-e.y[0], e.y[1]));
 	axis.low = -axis.high;
-	add_axis_tick(&axis, axis.low);
-	add_axis_tick(&axis, 0);
-	add_axis_tick(&axis, axis.high);
+	axis_add_signed_number(&axis, axis.low, 0);
+	axis_add_signed_number(&axis, 0, 0);
+	axis_add_signed_number(&axis, axis.high, 0);
 	return axis;
 }
 
@@ -335,7 +408,7 @@ predict_for_plot(const struct session *s, const struct plot_request *q,
 
 /* A second prediction beside the first, and its site.  p is NULL if there is
  * none; `made` holds it unless it was pinned. */
-struct second {
+struct second_prediction {
 	const struct prediction *p;
 	const struct entry *whose; /* NULL if no longer loaded */
 	struct prediction made;
@@ -345,13 +418,13 @@ struct second {
  * prediction.  Fails if the site beside has no prediction. */
 static bool
 find_second_prediction(struct session *s, const struct plot_request *q,
-    const struct params *own, double speed, struct second *second,
+    const struct params *own, double speed, struct second_prediction *second,
     struct error *error)
 {
 	size_t i, feed = q->feed;
 	struct error gone = {0};
 	bool beside = q->beside != NULL, kept = q->kept != NULL;
-	*second = (struct second){.p = q->kept};
+	*second = (struct second_prediction){.p = q->kept};
 	if (beside && session_find_site(s, q->beside, &i, kept ? &gone : error))
 		second->whose = q->second != NULL ? q->second : &s->entry[i];
 	else if (beside && !kept)
@@ -380,7 +453,7 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 
 static void
 add_second_prediction(struct chart *chart, const struct session *s,
-    const struct plot_request *q, const struct second *second)
+    const struct plot_request *q, const struct second_prediction *second)
 {
 	bool beside = q->beside != NULL;
 	if (second->p != NULL)
@@ -398,7 +471,7 @@ add_second_prediction(struct chart *chart, const struct session *s,
 static void
 note_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
-    const struct second *two, bool shade)
+    const struct second_prediction *two, bool shade)
 {
 	const struct entry *entry = q->entry;
 	struct chart_series **last = &chart->series[chart->n - 1];
@@ -455,13 +528,13 @@ add_measured_curves(struct chart *chart, const struct session *s,
 	return moved;
 }
 
-/* Adds the fraction that the envelope in use is for, and the limits. */
+/* Adds the fraction that the envelope in use is for. */
 static void
 add_product_cut_to_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
 {
 	struct prediction part;
-	if (!plots_envelope_cut_product(s, entry, whole, &part))
+	if (!cut_product_to_envelope(s, entry, whole, &part))
 		return;
 	FREED char *words = plots_envelope_fraction_text(s);
 	add_product_curve(
@@ -474,7 +547,7 @@ static void
 add_first_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
-	struct chart_series look = PREDICTED;
+	struct chart_series look = SITE_CHART_PREDICTED;
 	if (answers_is_speed_extrapolated(q->entry, p->speed))
 		look.line = CHART_LONG;
 	add_product_curve(chart, p,
@@ -493,7 +566,7 @@ struct psd_plot {
 	struct error unknown;
 	const struct prediction *one;
 	struct prediction made;
-	struct second two;
+	struct second_prediction two;
 };
 
 /* Without parameters the measured curves are still worth a look. */
@@ -538,7 +611,7 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	if (one != NULL)
 		add_first_prediction(chart, s, q, one);
 	site_chart_set_sieve_axis(chart);
-	plots_envelope_add_limits(chart, s, (q->words & CHART_NOTES) != 0);
+	add_envelope_limits(chart, s, (q->words & CHART_NOTES) != 0);
 	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
 	note_curves(chart, s, q, one, &p->two, q->band && own);
 	if (one == NULL)

@@ -180,13 +180,9 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 			continue;
 		FREED char *words = conditions_describe_limit(
 		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
-		struct chart_series *line =
-		    chart_add(chart, look, 2, "%s", words);
-		for (size_t end = 0; end < 2; end++) {
-			line->x[end] = end == 0 ? d->from : d->to;
-			line->y[end] =
-			    quantities_value_in_shown_unit(&c->quantity, limit);
-		}
+		double y = quantities_value_in_shown_unit(&c->quantity, limit);
+		chart_add_points(chart, look, 2, (double[]){d->from, d->to},
+		    (double[]){y, y}, words);
 	}
 }
 
@@ -334,10 +330,9 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		speed_search_free(w);
 		forecast_close(wanted.forecast);
 	}
-	char *feed = feed_describe(entry->site, d->feed);
+	FREED char *feed = feed_describe(entry->site, d->feed);
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
-	free(feed);
 	site_chart_note_feed_adjustment(last, d->moved);
 	if (first->series[0]->low != NULL)
 		chart_note(last, "shaded: %.0f %% uncertainty band",

@@ -9,7 +9,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/draw/search_shown.h"
+#include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"
 

@@ -1,18 +1,120 @@
-/* Plots residuals of candidates run by run, misfits over the generations, and
- * the ranges of candidates and draws within the bounds.
+/* Takes generations, bounds and the best candidate from the running
+ * calibration, or from the history of the last.  Plots residuals of candidates
+ * run by run, misfits over the generations, and the ranges of candidates and
+ * draws within the bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots_search.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/site_chart.h"
 #include "core/model/breakage.h"
 #include "core/search/candidates.h"
 #include "core/search/sensitivity.h"
 #include "io/sitefile/units.h"
+
+bool
+search_shown_is_running(const struct session *s, const struct entry *entry)
+{
+	return s->job.calibration != NULL && s->job.fits &&
+	       &s->entry[s->job.entry] == entry_without_variant(entry);
+}
+
+static void
+fill_from_running_search(struct search_shown *past, const struct session *s,
+    const struct entry *entry)
+{
+	const struct job *job = &s->job;
+	struct calibrate_status st = calibration_status(job->calibration);
+	past->generation = calibration_history(job->calibration, &past->n);
+	past->bounds = calibration_bounds(job->calibration);
+	past->site = entry->site;
+	past->train = job->train;
+	past->settings = job->options.settings;
+	past->weight = calibration_sum_of_weights(job->calibration);
+	past->misfit = st.best;
+	past->best = st.params;
+	past->polished = st.state != CALIBRATE_SEARCHING;
+	past->runs = true;
+}
+
+struct search_shown
+search_shown_of_site(const struct session *s, const struct entry *entry)
+{
+	struct search_shown past = {0};
+	const struct history *h = entry->history;
+	if (search_shown_is_running(s, entry)) {
+		fill_from_running_search(&past, s, entry);
+	} else if (h != NULL) {
+		past = (struct search_shown){h->n, h->generation, &h->bounds,
+		    h->site, h->train, h->fit.settings, h->weight,
+		    h->fit.misfit, h->fit.params, true, false};
+	}
+	if (past.n == 0 || !past.polished)
+		return past;
+	struct params last = past.generation[past.n - 1].params;
+	params_scale_to_1(&last);
+	past.polished = memcmp(&last, &past.best, sizeof last) != 0;
+	return past;
+}
+
+size_t
+search_shown_generation_index(const struct entry *entry,
+    const struct search_shown *past, size_t generation, struct error *error)
+{
+	if (past->n == 0)
+		error_set(error, ERROR_USAGE,
+		    "%s has not been calibrated in this session\n"
+		    "run 'calibrate' first",
+		    entry->site->name);
+	else if (generation <= past->n)
+		return generation > 0 ? generation - 1 : past->n - 1;
+	else
+		error_set(error, ERROR_USAGE,
+		    "there is no generation %zu, only %zu", generation,
+		    past->n);
+	return past->n;
+}
+
+struct params
+search_shown_best_params(const struct search_shown *past, size_t generation)
+{
+	return generation > 0 ? past->generation[generation - 1].params
+			      : past->best;
+}
+
+double
+search_shown_rmse_points(const struct search_shown *past, double misfit)
+{
+	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
+	return good ? 100 * sqrt(misfit / past->weight) : NAN;
+}
+
+bool
+search_shown_params(const struct session *s, const struct plot_request *request,
+    struct params *params, struct error *error)
+{
+	const struct entry *entry = request->entry;
+	struct search_shown past = search_shown_of_site(s, entry);
+	bool search =
+	    request->generation > 0 || search_shown_is_running(s, entry);
+	if (search && past.n > 0) {
+		if (search_shown_generation_index(
+			entry, &past, request->generation, error) == past.n)
+			return false;
+		*params = search_shown_best_params(&past, request->generation);
+		return true;
+	}
+	if (!answers_require_params(s, entry, error))
+		return false;
+	*params = entry->params;
+	return true;
+}
 
 static struct candidates
 candidates_of_generation(
@@ -38,10 +140,7 @@ draw_noise_stripe(struct chart *chart, const struct session *s)
 {
 	bool assumed;
 	double noise = sampling_noise_near_50_percent(s, &assumed);
-	struct chart_series *stripe = chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
-	    2,
+	struct chart_series *stripe = chart_add(chart, SITE_CHART_FEED, 2,
 	    assumed ? N_("noise %.2g points (assumed)")
 		    : N_("noise %.2g points"),
 	    noise);
@@ -194,30 +293,23 @@ plots_search_convergence(
 	    axis_new_linear(tr("generation"), 1, (double)past.n),
 	    convergence_rmse_axis(&past), "the search, %zu generations",
 	    past.n);
-	chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'},
-	    past.n, N_("median candidate"));
-	chart_add(chart,
-	    (struct chart_series){
-		.series = SERIES_PREDICTED, .line = CHART_SOLID, .ascii = '#'},
-	    past.n, N_("best"));
-	struct chart_series *median = chart->series[0];
-	struct chart_series *best = chart->series[1];
+	struct chart_series *median =
+	    chart_add(chart, SITE_CHART_FEED, past.n, N_("median candidate"));
+	struct chart_series *best =
+	    chart_add(chart, SITE_CHART_PREDICTED, past.n, N_("best"));
 	for (size_t i = 0; i < past.n; i++) {
 		const struct calibrate_generation *g = &past.generation[i];
 		median->x[i] = best->x[i] = (double)(i + 1);
 		median->y[i] = search_shown_rmse_points(&past, g->median);
 		best->y[i] = search_shown_rmse_points(&past, g->best);
 	}
-	if (past.polished) {
-		struct chart_series *end = chart_add(chart,
+	if (past.polished)
+		chart_add_points(chart,
 		    (struct chart_series){
 			.series = SERIES_PREDICTED, .mark = '*'},
-		    1, N_("polished"));
-		end->x[0] = (double)past.n;
-		end->y[0] = search_shown_rmse_points(&past, past.misfit);
-	}
+		    1, (double[]){(double)past.n},
+		    (double[]){search_shown_rmse_points(&past, past.misfit)},
+		    tr("polished"));
 	if (q->generation > 0)
 		chart_add_rule(chart, SERIES_CROSSHAIR, (double)q->generation,
 		    "generation %zu", q->generation);
@@ -316,16 +408,14 @@ plots_search_spread(
 	    axis_new_linear(tr("position between the bounds, %"), 0, 100),
 	    parameter_axis(of), "candidates of generation %zu", at + 1);
 	/* Two ends, and a gap that lifts the pen. */
-	chart_add(chart,
+	struct chart_series *spread = chart_add(chart,
 	    (struct chart_series){
 		.series = SERIES_FEED, .line = CHART_SOLID, .ascii = '='},
 	    3 * of->n, N_("middle 80 %%"));
-	chart_add(chart,
+	struct chart_series *best = chart_add(chart,
 	    (struct chart_series){.series = SERIES_PREDICTED, .mark = '#'},
 	    of->n,
 	    q->generation == 0 && past.polished ? N_("polished") : N_("best"));
-	struct chart_series *spread = chart->series[0];
-	struct chart_series *best = chart->series[1];
 	for (size_t j = 0; j < of->n; j++) {
 		struct param_span span =
 		    plots_search_param_span(s, &past, q->generation, j);

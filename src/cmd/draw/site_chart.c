@@ -10,6 +10,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/moved.h"
+#include "cmd/ask/quantity_words.h"
+#include "io/formats/spec.h"
 #include "io/sitefile/units.h"
 #include "plot/marks.h"
 
@@ -114,8 +116,15 @@ site_chart_fill_over_speed(struct forecast *f, size_t n, double from, double to,
 		site_chart_finish_band(line[i]);
 }
 
-const struct chart_series SITE_CHART_FEED = {
-    .series = SERIES_FEED, .line = CHART_DOTTED, .ascii = '.'};
+const struct chart_series SITE_CHART_FEED = {.series = SERIES_FEED,
+			      .line = CHART_DOTTED,
+			      .ascii = '.'},
+			  SITE_CHART_LEVEL = {.series = SERIES_TEXT,
+			      .line = CHART_DOTTED,
+			      .ascii = '.'},
+			  SITE_CHART_PREDICTED = {.series = SERIES_PREDICTED,
+			      .line = CHART_SOLID,
+			      .ascii = '#'};
 
 struct chart_series
 site_chart_series_style(size_t i)
@@ -177,4 +186,22 @@ site_chart_count_speeds_left_out(const struct site *site)
 		n += site->run[i].product.n > 0 &&
 		     !site_run_repeats_speed(site, i);
 	return n > SITE_CHART_RUNS ? n - SITE_CHART_RUNS : 0;
+}
+
+struct fraction
+plots_envelope_fraction(const struct session *s)
+{
+	const struct spec *spec = s->spec;
+	return (struct fraction){.fine = spec != NULL ? spec->cut[0] : 0,
+	    .coarse = spec != NULL ? spec->cut[1] : 0,
+	    .partition = PARTITION_IDEAL};
+}
+
+char *
+plots_envelope_fraction_text(const struct session *s)
+{
+	struct fraction fraction = plots_envelope_fraction(s);
+	return fraction_is_screened(&fraction)
+		   ? quantities_fraction_text(&fraction)
+		   : xstrdup("");
 }

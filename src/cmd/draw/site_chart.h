@@ -37,8 +37,10 @@ void site_chart_finish_band(struct chart_series *s);
 void site_chart_fill_over_speed(struct forecast *f, size_t n, double from,
     double to, struct chart_series *const *line);
 
-/* The style of a feed. */
-extern const struct chart_series SITE_CHART_FEED;
+/* The styles of a feed, of a line to compare others with, and of a
+ * prediction. */
+extern const struct chart_series SITE_CHART_FEED, SITE_CHART_LEVEL,
+    SITE_CHART_PREDICTED;
 
 /* Returns style i of those used in turn for several series in a chart; the
  * first 23 differ even without colour. */
@@ -62,5 +64,11 @@ void site_chart_note_feed_adjustment(struct chart *chart, double most);
  * own; site_chart_count_speeds_left_out returns the number of other speeds. */
 enum { SITE_CHART_RUNS = 12 };
 size_t site_chart_count_speeds_left_out(const struct site *site);
+
+/* Returns the fraction of the product to which the chosen envelope applies, all
+ * of it if none is chosen; plots_envelope_fraction_text returns "0/4.75" for
+ * it, or "" for all.  The caller frees the text. */
+struct fraction plots_envelope_fraction(const struct session *s);
+char *plots_envelope_fraction_text(const struct session *s);
 
 #endif

@@ -44,12 +44,9 @@ static struct answer *
 join_calibrated_sites(const struct part_site *const *site, size_t n)
 {
 	struct answer *r = part_new_calibrate_answer();
-	for (size_t i = 0; i < n; i++) {
-		const double *v = site[i]->number;
+	for (size_t i = 0; i < n; i++)
 		part_add_site_row(
-		    r, &(struct part_row){site[i]->text[0], site[i]->text[1],
-			   v[0], v[1], v[2], v[3], v[4], v[5]});
-	}
+		    r, site[i]->text[0], site[i]->number, site[i]->text[1]);
 	return r;
 }
 
@@ -74,7 +71,7 @@ join_validated_sites(const struct parts *parts,
 }
 
 /* The contents of all stores.  path, used: one for each material. */
-struct shelf {
+struct stores_read {
 	struct stored_list list;
 	struct stored_index index;
 	const char **path;
@@ -82,7 +79,8 @@ struct shelf {
 };
 
 static bool
-read_store_materials(const char *path, struct shelf *shelf, struct error *error)
+read_store_materials(
+    const char *path, struct stores_read *shelf, struct error *error)
 {
 	size_t n = shelf->list.n;
 	struct store *store = store_new(path);
@@ -97,8 +95,8 @@ read_store_materials(const char *path, struct shelf *shelf, struct error *error)
 
 /* Reads all stores and checks that no name is in two of them. */
 static bool
-read_stores_of_parts(
-    struct shelf *shelf, const char *const *path, size_t n, struct error *error)
+read_stores_of_parts(struct stores_read *shelf, const char *const *path,
+    size_t n, struct error *error)
 {
 	for (size_t k = 0; k < n; k++)
 		if (!read_store_materials(path[k], shelf, error))
@@ -118,7 +116,7 @@ read_stores_of_parts(
 }
 
 static void
-free_stores_of_parts(struct shelf *shelf)
+free_stores_of_parts(struct stores_read *shelf)
 {
 	stored_index_clear(&shelf->index);
 	stored_list_free(&shelf->list);
@@ -129,7 +127,7 @@ free_stores_of_parts(struct shelf *shelf)
 /* Returns the material of a site.  It must come from the very same calibration,
  * which its misfit shows to the last bit. */
 static const struct stored *
-find_calibrated_material(const struct shelf *shelf,
+find_calibrated_material(const struct stores_read *shelf,
     const struct part_site *site, const char *version, struct error *error)
 {
 	enum { MISFIT = 3 };
@@ -161,7 +159,7 @@ find_calibrated_material(const struct shelf *shelf,
 /* Stores the materials of the sites, in their order.  Fails if one belongs to
  * no site. */
 static bool
-store_collected_materials(struct session *s, const struct shelf *shelf,
+store_collected_materials(struct session *s, const struct stores_read *shelf,
     const struct parts *parts, const struct part_site *const *site, size_t n,
     bool replace, struct error *error)
 {
@@ -194,7 +192,7 @@ merge_stores_of_parts(struct session *s, const struct parts *parts,
     const struct part_site *const *site, size_t n, const char *const *path,
     size_t n_path, bool replace, struct error *error)
 {
-	struct shelf shelf = {0};
+	struct stores_read shelf = {0};
 	if (n_path == 0)
 		return true;
 	if (strcmp(parts->part[0].command, "calibrate") != 0)

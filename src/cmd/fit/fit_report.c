@@ -222,15 +222,6 @@ why_search_stopped(const struct fit *fit)
 	}
 }
 
-static void
-add_parameter_interval(struct answer *r, const struct session *s,
-    const struct posterior *u, const struct params *p, size_t j)
-{
-	double range[2];
-	fit_compute_param_band(u, s, p, j, range);
-	answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
-}
-
 /* Adds a row for each parameter, with its range if there are draws. */
 static void
 add_parameter_rows(struct answer *r, const struct session *s,
@@ -246,8 +237,11 @@ add_parameter_rows(struct answer *r, const struct session *s,
 		bool fixed = bounds->lower[j] >= bounds->upper[j];
 		answer_add_cells(
 		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
-		if (u != NULL)
-			add_parameter_interval(r, s, u, &fit->params, j);
+		if (u != NULL) {
+			double range[2];
+			fit_compute_param_band(u, s, &fit->params, j, range);
+			answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
+		}
 		answer_add_cells(r, "%s %g %g %s", of->parameter[j].unit,
 		    bounds->lower[j], bounds->upper[j],
 		    fixed              ? tr("held fixed")
@@ -492,30 +486,6 @@ show_fit(struct session *s, const struct args *args, struct error *error)
 /* The rows of a table that fit on a screen together with its heading. */
 enum { ROWS = 18 };
 
-/* Returns the range of the middle 80 % of the candidates in per cent of the
- * bounds; 0 if the parameter is held fixed. */
-static double
-spread_of_candidates_pct(
-    const struct history *h, const struct calibrate_generation *g, size_t j)
-{
-	double range = h->bounds.upper[j] - h->bounds.lower[j];
-	return range > 0 ? 100 * (g->p90[j] - g->p10[j]) / range : 0;
-}
-
-static void
-add_generation_headings(struct answer *r, const struct breakage *of, bool exact)
-{
-	answer_columns(r, "generation: gen, best, median");
-	for (size_t j = 0; j < of->n; j++) {
-		const char *name = of->parameter[j].name;
-		if (exact)
-			answer_columns(
-			    r, "%s, %s_p10, %s_p90", name, name, name);
-		else
-			answer_columns(r, "%s_p90: %s", name, name);
-	}
-}
-
 static void
 add_generation_row(
     struct answer *r, const struct history *h, size_t i, bool exact)
@@ -524,13 +494,14 @@ add_generation_row(
 	answer_add_cells(
 	    r, "%g %.6f %.6f", (double)(i + 1), g->best, g->median);
 	for (size_t j = 0; j < breakage_model_of_params(&g->params)->n; j++) {
-		if (exact) {
+		double range = h->bounds.upper[j] - h->bounds.lower[j];
+		double spread = g->p90[j] - g->p10[j];
+		if (exact)
 			answer_add_cells(r, "%g %g %g", g->params.at[j],
 			    g->p10[j], g->p90[j]);
-		} else {
+		else
 			answer_add_cells(
-			    r, "%.1f", spread_of_candidates_pct(h, g, j));
-		}
+			    r, "%.1f", range > 0 ? 100 * spread / range : 0.0);
 	}
 }
 
@@ -538,8 +509,14 @@ static void
 add_generation_rows(
     struct answer *r, const struct history *h, size_t step, bool exact)
 {
-	add_generation_headings(
-	    r, breakage_model_of_params(&h->generation[0].params), exact);
+	const struct breakage *of =
+	    breakage_model_of_params(&h->generation[0].params);
+	answer_columns(r, "generation: gen, best, median");
+	for (size_t j = 0; j < of->n; j++) {
+		const char *name = of->parameter[j].name;
+		answer_columns(r, exact ? "%s, %s_p10, %s_p90" : "%s_p90: %s",
+		    name, name, name);
+	}
 	for (size_t i = 0; i < h->n; i++)
 		if (i % step == 0 || i + 1 == h->n)
 			add_generation_row(r, h, i, exact);

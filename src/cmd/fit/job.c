@@ -320,12 +320,11 @@ add_calibrated_site_row(
 {
 	FREED char *words = remarks_on_fit(s, entry);
 	const struct params *p = &entry->fit.params;
-	part_add_site_row(
-	    r, &(struct part_row){entry->key, words,
-		   params_value_by_name(p, "f_mat"),
-		   params_value_by_name(p, "e0_min"),
-		   params_value_by_name(p, "alpha"), entry->fit.misfit,
-		   100 * entry->fit.rmse, 100 * fit_holdout_rmse(entry)});
+	const double number[] = {params_value_by_name(p, "f_mat"),
+	    params_value_by_name(p, "e0_min"), params_value_by_name(p, "alpha"),
+	    entry->fit.misfit, 100 * entry->fit.rmse,
+	    100 * fit_holdout_rmse(entry)};
+	part_add_site_row(r, entry->key, number, words);
 }
 
 /* A job with one calibration has its site and its runs from the start. */
@@ -409,24 +408,17 @@ next_site_to_fit(struct session *s)
 	return false;
 }
 
-/* Notes the fit of each site as it is found. */
-static void
-note_fit_ended(const struct session *s)
-{
-	const struct entry *entry = &s->entry[s->job.entry];
-	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
-	    entry->fit.misfit, 100 * entry->fit.rmse);
-}
-
 static void
 set_fit_and_add_row(struct session *s)
 {
 	struct all_fits *fits = s->job.of;
+	const struct entry *entry = &s->entry[s->job.entry];
 	set_and_judge_fit(s, false);
-	note_fit_ended(s);
+	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
+	    entry->fit.misfit, 100 * entry->fit.rmse);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
 	fits->index[fits->n++] = s->job.entry;
-	add_calibrated_site_row(s, fits->summary, &s->entry[s->job.entry]);
+	add_calibrated_site_row(s, fits->summary, entry);
 }
 
 static void

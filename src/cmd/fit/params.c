@@ -110,13 +110,10 @@ set_params(struct session *s, const struct args *args, struct error *error)
 			    &missing, " ", "%s=..", of->parameter[j].name);
 	}
 	if (missing[0] != '\0')
-		error_set(error, ERROR_USAGE,
+		return error_set(error, ERROR_USAGE,
 		    "params set: expected %s as well: %s has no parameters for "
 		    "the model %s yet",
 		    missing, entry->site->name, of->name);
-	bool whole = missing[0] == '\0';
-	if (!whole)
-		return false;
 	model_set_site_params(
 	    s, session_current_entry(s), &p, origin_new_by_hand());
 	return true;
@@ -267,18 +264,12 @@ show_bounds(struct session *s, const struct args *args, struct error *error)
 static bool
 parse_bounds_range(const char *word, double *lower, double *upper)
 {
-	char *text = xstrdup(word), *dots = strstr(text, "..");
-	bool ok;
-	if (dots != NULL) {
-		*dots = '\0';
-		ok = text_parse_typed_number(text, lower) &&
-		     text_parse_typed_number(dots + 2, upper);
-	} else {
-		ok = text_parse_typed_number(text, lower);
-		*upper = *lower;
-	}
-	free(text);
-	return ok && *lower <= *upper;
+	const char *dots = strstr(word, "..");
+	FREED char *first = dots != NULL ? xstrndup(word, (size_t)(dots - word))
+					 : xstrdup(word);
+	return text_parse_typed_number(first, lower) &&
+	       text_parse_typed_number(dots != NULL ? dots + 2 : word, upper) &&
+	       *lower <= *upper;
 }
 
 bool
@@ -296,10 +287,9 @@ cmd_bounds(struct session *s, const struct args *args, struct error *error)
 		FREED char *names = xstrdup(of->parameter[0].name);
 		for (size_t i = 1; i < of->n; i++)
 			xappend(&names, " %s", of->parameter[i].name);
-		error_set(error, ERROR_USAGE,
+		return error_set(error, ERROR_USAGE,
 		    "there is no parameter '%s'\n%s, or default",
 		    args->operand[0], names);
-		return false;
 	}
 	const struct param_info *info = &of->parameter[j];
 	if (args->n_operand < 2)

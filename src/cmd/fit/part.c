@@ -112,11 +112,12 @@ part_new_calibrate_answer(void)
 }
 
 void
-part_add_site_row(struct answer *answer, const struct part_row *row)
+part_add_site_row(struct answer *answer, const char *site,
+    const double number[static 6], const char *remark)
 {
-	answer_add_cells(answer, "%s %.3f %.2f %.3f %g %.2f %.2f %s", row->site,
-	    row->f_mat, row->e0_min, row->alpha, row->misfit, row->rmse_pct,
-	    row->holdout_pct, row->remark);
+	answer_add_cells(answer, "%s %.3f %.2f %.3f %g %.2f %.2f %s", site,
+	    number[0], number[1], number[2], number[3], number[4], number[5],
+	    remark);
 }
 
 /* Appends the collision energies as a digest, because they are many numbers. */
@@ -163,8 +164,7 @@ digest_loaded_sites(const struct session *s)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		FREED char *text = xasprintf("%s %016" PRIx64 "\n",
 		    s->entry[i].key, s->entry[i].site->digest);
-		for (const char *p = text; *p != '\0'; p++)
-			digest = (digest ^ (unsigned char)*p) * 0x100000001b3;
+		digest = text_fnv1a_digest(digest, text, strlen(text));
 	}
 	return digest;
 }

@@ -25,14 +25,11 @@ bool part_choose_from_args(
 bool part_has_site(const struct part *part, size_t index);
 
 /* part_new_calibrate_answer returns the answer of `calibrate all`;
- * part_add_site_row adds a site to it. */
-struct part_row {
-	const char *site, *remark;
-	double f_mat, e0_min, alpha, misfit, rmse_pct, holdout_pct;
-};
-
+ * part_add_site_row adds a site to it: f_mat, e0_min, alpha, the misfit, its
+ * RMSE and that of the held-out runs, points. */
 struct answer *part_new_calibrate_answer(void);
-void part_add_site_row(struct answer *answer, const struct part_row *row);
+void part_add_site_row(struct answer *answer, const char *site,
+    const double number[static 6], const char *remark);
 
 /* Returns in words everything on which the results of a calibration with these
  * options depend; all parts must agree on it.  more: further dependencies.  The

@@ -113,7 +113,7 @@ set_error_after_answer(struct session *s, struct failed *failed, size_t n)
 }
 
 /* A site that is compared in parallel with others. */
-struct beside {
+struct compared_site {
 	const struct session *s;
 	size_t entry;
 	bool done; /* false if the user stopped it */
@@ -123,7 +123,7 @@ struct beside {
 static void
 compare_site_in_thread(void *data, size_t piece, unsigned thread)
 {
-	struct beside *b = &((struct beside *)data)[piece];
+	struct compared_site *b = &((struct compared_site *)data)[piece];
 	const struct session *s = b->s;
 	(void)thread;
 	if (s->hooks.stop != NULL && s->hooks.stop())
@@ -142,14 +142,14 @@ compare_sites_in_parallel(
 {
 	enum { EACH_THREAD = 2 };
 	size_t most = EACH_THREAD * s->set.threads;
-	FREED struct beside *beside = xcalloc(most, sizeof *beside);
+	FREED struct compared_site *beside = xcalloc(most, sizeof *beside);
 	struct pool *pool = pool_new(s->set.threads);
 	bool all = true;
 	for (size_t from = 0; all && from < n; from += most) {
 		size_t m = n - from < most ? n - from : most;
 		for (size_t i = 0; i < m; i++)
-			beside[i] =
-			    (struct beside){.s = s, .entry = index[from + i]};
+			beside[i] = (struct compared_site){
+			    .s = s, .entry = index[from + i]};
 		pool_run(pool, m, compare_site_in_thread, beside);
 		for (size_t i = 0; i < m; i++) {
 			all = all && beside[i].done;
@@ -416,29 +416,31 @@ bool
 cmd_validate(struct session *s, const struct args *args, struct error *error)
 {
 	enum { HOLDOUT_UNTRAINED, HOLDOUT_EACH };
-	struct validating c = {.all = args->n_operand > 0,
-	    .sieves = args->by_sieve,
-	    .runs = {.one = args->n_operand == 0,
-		.each = args->holdout == HOLDOUT_EACH,
-		.level = settings_band_probability(&s->set)}};
-	if (c.all && strcmp(args->operand[0], "all") != 0)
+	struct part part = {0};
+	bool all = args->n_operand > 0, each = args->holdout == HOLDOUT_EACH;
+	if (all && strcmp(args->operand[0], "all") != 0)
 		return error_set(error, ERROR_USAGE,
 		    "validate: expected options or all, got '%s'",
 		    args->operand[0]);
-	if (c.all && c.sieves)
+	if (all && args->by_sieve)
 		return error_set(error, ERROR_USAGE,
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
-	if (!part_choose_from_args(args, c.all, &c.part, error) ||
-	    (c.runs.each && !fit_check_settings_agree(
-				&s->set.model, s->set.model.breakage, error)))
+	if (!part_choose_from_args(args, all, &part, error) ||
+	    (each && !fit_check_settings_agree(
+			 &s->set.model, s->set.model.breakage, error)))
 		return false;
-	struct validating *own = xcalloc(1, sizeof *own);
-	*own = c;
-	if (c.runs.each)
-		return calibrate_without_each_speed(s, own, error);
+	struct validating *c = xcalloc(1, sizeof *c);
+	*c = (struct validating){.all = all,
+	    .sieves = args->by_sieve,
+	    .part = part,
+	    .runs = {.one = !all,
+		.each = each,
+		.level = settings_band_probability(&s->set)}};
+	if (each)
+		return calibrate_without_each_speed(s, c, error);
 	bool ok =
-	    (c.all ? validate_all_sites : validate_current_site)(s, own, error);
-	free_validation(own);
+	    (all ? validate_all_sites : validate_current_site)(s, c, error);
+	free_validation(c);
 	return ok;
 }
