@@ -18,35 +18,26 @@
 static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
 		    FOOT = 26, LINE = 1.3, GAP = 9;
 
-/* How pages are laid out.  scale: of letters and distances.  across: the long
- * side is horizontal.  pages: how many there are, 0 while that is unknown. */
-struct layout {
+/* scale: of letters and distances.  across: the long side of the page is
+ * horizontal.  pages: how many there are, 0 while that is unknown.  page: the
+ * one in work, in the end the last.  shrunk: the letters of some table are
+ * smaller than the scale asks for, because it is too wide for the page. */
+struct press {
+	const struct document *document;
 	double scale;
 	bool across;
 	size_t pages;
-};
-
-/* What a layout leads to.  shrunk: the letters of some table are smaller than
- * in the layout, because it is too wide for the page. */
-struct outcome {
-	size_t pages;
-	bool shrunk;
-};
-
-struct press {
-	const struct document *document;
-	struct layout layout;
 	struct pen *pen;
 	double width, height; /* of the page */
 	double y;             /* where the next part begins */
 	size_t page;
-	bool shrunk; /* see outcome */
+	bool shrunk;
 };
 
 static struct pen_style
 text_style(const struct press *p, double size, bool bold)
 {
-	return (struct pen_style){.size = size * p->layout.scale, .bold = bold};
+	return (struct pen_style){.size = size * p->scale, .bold = bold};
 }
 
 static double
@@ -73,7 +64,7 @@ draw_foot(struct press *p)
 	p->pen->text(p->pen, MARGIN, y, p->document->made_by, &style);
 	style.anchor = PEN_END;
 	FREED char *number =
-	    xasprintf(tr("page %zu of %zu"), p->page, p->layout.pages);
+	    xasprintf(tr("page %zu of %zu"), p->page, p->pages);
 	p->pen->text(p->pen, p->width - MARGIN, y, number, &style);
 }
 
@@ -101,7 +92,7 @@ static void
 move_down(struct press *p, double points)
 {
 	if (p->y > MARGIN)
-		p->y += points * p->layout.scale;
+		p->y += points * p->scale;
 }
 
 /* Returns the number of bytes of a text that make its next line: whole words
@@ -245,7 +236,7 @@ measure_grid_columns(struct press *p, struct grid *g, double most)
 {
 	struct pen_style head = text_style(p, g->size, true);
 	struct pen_style body = text_style(p, g->size, false);
-	double sum = -GAP * p->layout.scale;
+	double sum = -GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
 		double w = word_width(p, g->view->head[c], &head);
@@ -256,7 +247,7 @@ measure_grid_columns(struct press *p, struct grid *g, double most)
 			w = fmax(w, cell->is_text ? fmin(its, most) : its);
 		}
 		g->width[i] = w;
-		sum += w + GAP * p->layout.scale;
+		sum += w + GAP * p->scale;
 	}
 	return sum;
 }
@@ -308,7 +299,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 				    x + (right ? g->width[i] : 0),
 				    p->y - 0.28 * line, cell[i].line[k - from],
 				    &style);
-			x += g->width[i] + GAP * p->layout.scale;
+			x += g->width[i] + GAP * p->scale;
 		}
 	}
 	for (size_t i = 0; i < g->n; i++)
@@ -318,9 +309,9 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 static double
 end_of_rule(const struct press *p, const struct grid *g)
 {
-	double x = MARGIN - GAP * p->layout.scale;
+	double x = MARGIN - GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++)
-		x += g->width[i] + GAP * p->layout.scale;
+		x += g->width[i] + GAP * p->scale;
 	return x;
 }
 
@@ -328,7 +319,7 @@ end_of_rule(const struct press *p, const struct grid *g)
 static void
 put_grid(struct press *p, struct grid *g)
 {
-	double line = LINE * g->size * p->layout.scale;
+	double line = LINE * g->size * p->scale;
 	fit_column_widths(p, g);
 	begin_page_unless_fits(p, 5 * line);
 	for (size_t row = 0; row <= g->view->n_row; row++) {
@@ -380,9 +371,8 @@ static double
 height_kept_together(const struct press *p, const struct answer_view *v)
 {
 	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
-	double table =
-	    p->layout.scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
-	return table > LONG * p->height ? LEAST * p->layout.scale : table;
+	double table = p->scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
+	return table > LONG * p->height ? LEAST * p->scale : table;
 }
 
 static void
@@ -410,7 +400,7 @@ static void
 put_picture(struct press *p, const struct chart *chart)
 {
 	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
-	double scale = fmin(p->layout.scale, inner_width(p) / PICTURE_WIDTH);
+	double scale = fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
 	double height = scale * picture_height(chart, PROGRAM);
 	move_down(p, 6);
 	begin_page_unless_fits(p, height);
@@ -429,13 +419,13 @@ put_heading(struct press *p, size_t i)
 	const struct document *d = p->document;
 	const struct answer *next = i + 1 < d->n ? d->part[i + 1].answer : NULL;
 	struct pen_style style = text_style(p, 13, true);
-	double kept = LEAST * p->layout.scale;
+	double kept = LEAST * p->scale;
 	if (next != NULL) {
 		struct answer_view v = answer_view(next);
 		kept = height_kept_together(p, &v);
 	}
 	move_down(p, 14);
-	begin_page_unless_fits(p, OWN * p->layout.scale + kept);
+	begin_page_unless_fits(p, OWN * p->scale + kept);
 	put_paragraph(p, d->part[i].text, &style);
 	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
 	move_down(p, 3);
@@ -471,32 +461,30 @@ pdf_put_part(struct press *p, size_t i)
 	}
 }
 
-/* Lays all parts out and returns the bytes of the file, or NULL if that
- * fails. */
+/* Lays all parts out at the scale of the press and returns the bytes of the
+ * file, or NULL if that fails. */
 static char *
-lay_out_pdf(const struct document *d, struct layout layout, size_t *n,
-    struct outcome *outcome)
+lay_out_pdf(struct press *p, size_t *n)
 {
+	const struct document *d = p->document;
 	char *bytes = NULL;
 	FILE *out = text_open_memory(&bytes, n);
-	struct press p = {.document = d,
-	    .layout = layout,
-	    .width = layout.across ? LONG_SIDE : SHORT_SIDE,
-	    .height = layout.across ? SHORT_SIDE : LONG_SIDE,
-	    .y = MARGIN,
-	    .page = 1};
-	p.pen =
-	    picture_new_pdf_pages(p.width, p.height, d->title, d->made_by, out);
-	bool ok = p.pen != NULL;
+	p->width = p->across ? LONG_SIDE : SHORT_SIDE;
+	p->height = p->across ? SHORT_SIDE : LONG_SIDE;
+	p->y = MARGIN;
+	p->page = 1;
+	p->shrunk = false;
+	p->pen = picture_new_pdf_pages(
+	    p->width, p->height, d->title, d->made_by, out);
+	bool ok = p->pen != NULL;
 	if (ok) {
-		struct pen_style title = text_style(&p, 16, true);
-		put_paragraph(&p, d->title, &title);
+		struct pen_style title = text_style(p, 16, true);
+		put_paragraph(p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
-			pdf_put_part(&p, i);
-		draw_foot(&p);
-		ok = p.pen->close(p.pen);
+			pdf_put_part(p, i);
+		draw_foot(p);
+		ok = p->pen->close(p->pen);
 	}
-	*outcome = (struct outcome){p.page, p.shrunk};
 	fclose(out);
 	if (!ok) {
 		free(bytes);
@@ -505,49 +493,44 @@ lay_out_pdf(const struct document *d, struct layout layout, size_t *n,
 	return bytes;
 }
 
-static struct outcome
-try_layout(const struct document *d, struct layout layout)
-{
-	size_t n;
-	struct outcome outcome;
-	free(lay_out_pdf(d, layout, &n, &outcome));
-	return outcome;
-}
-
-/* Returns the largest scale at which all fits on one page, upright or across,
- * without shrinking a table. */
-static struct layout
-largest_one_page_layout(const struct document *d)
+/* Sets the press to the largest scale at which all fits on one page, upright or
+ * across, without shrinking a table. */
+static void
+fit_on_one_page(struct press *p)
 {
 	enum { STEPS = 7 };
-	struct layout best = {0.3, false, 0};
+	size_t n;
+	double best = 0.3;
+	bool best_across = false;
 	for (int across = 0; across < 2; across++) {
-		double low = best.scale, high = 2;
+		double low = best, high = 2;
+		p->across = across == 1;
 		for (int i = 0; i < STEPS; i++) {
-			struct layout middle = {
-			    (low + high) / 2, across == 1, 0};
-			struct outcome o = try_layout(d, middle);
-			if (o.pages == 1 && !o.shrunk) {
-				low = middle.scale;
-				best = middle;
+			p->scale = (low + high) / 2;
+			free(lay_out_pdf(p, &n));
+			if (p->page == 1 && !p->shrunk) {
+				low = best = p->scale;
+				best_across = p->across;
 			} else {
-				high = middle.scale;
+				high = p->scale;
 			}
 		}
 	}
-	return best;
+	p->scale = best;
+	p->across = best_across;
 }
 
 char *
 document_to_pdf(const struct document *d, size_t *n, size_t *pages)
 {
-	struct layout layout = d->one_page ? largest_one_page_layout(d)
-					   : (struct layout){1, false, 0};
-	struct outcome outcome;
+	struct press p = {.document = d, .scale = 1};
 	if (!picture_can_draw_form(PICTURE_PDF))
 		return NULL;
-	layout.pages = try_layout(d, layout).pages;
-	char *bytes = lay_out_pdf(d, layout, n, &outcome);
-	*pages = outcome.pages;
+	if (d->one_page)
+		fit_on_one_page(&p);
+	free(lay_out_pdf(&p, n));
+	p.pages = p.page;
+	char *bytes = lay_out_pdf(&p, n);
+	*pages = p.page;
 	return bytes;
 }
