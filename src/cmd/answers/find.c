@@ -448,14 +448,6 @@ note_best_certain_speed(struct answer *r, const struct find_request *goal,
 }
 
 static void
-note_missed_condition(
-    struct answer *r, const char *words, double points, const char *value)
-{
-	answer_note(r, "%s: missed by %.*f points, %s", words,
-	    conditions_decimals_of_miss(points), points, value);
-}
-
-static void
 note_other_condition(
     struct answer *r, const struct find_request *goal, size_t i)
 {
@@ -470,7 +462,8 @@ note_other_condition(
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
-		note_missed_condition(r, words, missed, value);
+		answer_note(r, "%s: missed by %.*f points, %s", words,
+		    conditions_decimals_of_miss(missed), missed, value);
 }
 
 /* Notes whether each other condition holds at the speed found, and with what

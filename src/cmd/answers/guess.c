@@ -192,14 +192,14 @@ build_guess_answer(const struct site *site, const struct guess *guess)
 static char *
 size_range_text(const struct guess_range *range, const char *none)
 {
+	static const char *const AFTER[3] = {" (", "..", ")"};
 	const double v[3] = {range->middle, range->low, range->high};
-	char *word[3];
+	char *words = xstrdup("");
 	for (size_t i = 0; i < 3; i++)
-		word[i] = isfinite(v[i]) ? xasprintf("%.2f", 1000 * v[i])
-					 : xstrdup(none);
-	char *words = xasprintf("%s (%s..%s)", word[0], word[1], word[2]);
-	for (size_t i = 0; i < 3; i++)
-		free(word[i]);
+		if (isfinite(v[i]))
+			xappend(&words, "%.2f%s", 1000 * v[i], AFTER[i]);
+		else
+			xappend(&words, "%s%s", none, AFTER[i]);
 	return words;
 }
 
@@ -208,17 +208,15 @@ note_guessed_sizes(struct answer *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
 	FREED char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
-	char *words[ANSWERS_SIZES];
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		words[i] = size_range_text(
-		    &guess->size[i], i == ANSWERS_BREAK ? tr("none") : none);
 	FREED char *sizes = xstrdup("");
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		xappend_to_list(&sizes, ", ", "%s %s", PSD_NAME[i], words[i]);
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		FREED char *words = size_range_text(&guess->size[i], none);
+		xappend_to_list(&sizes, ", ", "%s %s", PSD_NAME[i], words);
+	}
+	FREED char *breaks =
+	    size_range_text(&guess->size[ANSWERS_BREAK], tr("none"));
 	answer_note(r, "%s mm", sizes);
-	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		free(words[i]);
+	answer_note(r, "break size %s mm", breaks);
 }
 
 /* Lists the names of the materials that are picked or, if `left`, left out. */

@@ -191,30 +191,6 @@ say_if_within_training_speeds(const struct subject *a)
 	    v, rpm, speeds, 100 * fabs(more), near);
 }
 
-static void
-say_poorly_determined_params(
-    const struct subject *a, const struct fit *fit, bool green)
-{
-	FREED char *flat = xstrdup("");
-	const struct breakage *of = breakage_model_of_params(&fit->params);
-	for (size_t j = 0; j < of->n; j++)
-		if (fit_is_param_in_flat_direction(fit, j))
-			xappend_to_list(
-			    &flat, tr(" and "), "%s", of->parameter[j].name);
-	if (flat[0] != '\0')
-		answer_note(a->answer,
-		    green
-			? N_("The data do not determine %s well: very "
-			     "different values, changed together, raise the "
-			     "misfit by only 10 %%; that is of no consequence "
-			     "to this answer")
-			: N_("The data do not determine %s well: very "
-			     "different values, changed together, raise the "
-			     "misfit by only 10 %%; rely on the curves, not "
-			     "on these values"),
-		    flat);
-}
-
 /* What the user can do about each cause; NULL if the reason says it itself. */
 static const char *const REMEDY[] = {
     [TRUST_PATTERN] =
@@ -312,7 +288,24 @@ say_origin_of_parameters(const struct subject *a, bool green)
 		    own ? "" : details, own ? "" : ")");
 		return;
 	}
-	say_poorly_determined_params(a, fit, green);
+	FREED char *flat = xstrdup("");
+	const struct breakage *of = breakage_model_of_params(&fit->params);
+	for (size_t j = 0; j < of->n; j++)
+		if (fit_is_param_in_flat_direction(fit, j))
+			xappend_to_list(
+			    &flat, tr(" and "), "%s", of->parameter[j].name);
+	if (flat[0] != '\0')
+		answer_note(a->answer,
+		    green
+			? N_("The data do not determine %s well: very "
+			     "different values, changed together, raise the "
+			     "misfit by only 10 %%; that is of no consequence "
+			     "to this answer")
+			: N_("The data do not determine %s well: very "
+			     "different values, changed together, raise the "
+			     "misfit by only 10 %%; rely on the curves, not "
+			     "on these values"),
+		    flat);
 }
 
 /* Compares with a measured product at exactly this speed that was not used for
@@ -530,17 +523,11 @@ note_correction(struct answer *r, const struct balance *b)
 }
 
 static void
-put_share_list(struct fields *o, const char *key, const double *share, size_t n)
-{
-	fields_put_numbers(o, key, share, n, units_pct);
-}
-
-static void
 put_balance_fields(struct fields *o, const struct balance *b)
 {
 	size_t n = b->feed->n;
 	fields_put_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
-	put_share_list(o, "feed_pct", b->of[0].feed, n);
+	fields_put_numbers(o, "feed_pct", b->of[0].feed, n, units_pct);
 	struct fields *list = fields_add_list(o, "at");
 	for (size_t k = 0; k < 2; k++) {
 		const struct mass_balance *l = &b->of[k];
@@ -549,11 +536,12 @@ put_balance_fields(struct fields *o, const struct balance *b)
 		    b->p[k].speed,
 		    answers_is_speed_extrapolated(b->entry, b->p[k].speed),
 		    100 * l->broken);
-		put_share_list(at, "unbroken_pct", l->unbroken, n);
-		put_share_list(at, "within_pct", l->within, n);
-		put_share_list(at, "left_pct", l->left, n);
-		put_share_list(at, "arrived_pct", l->arrived, n);
-		put_share_list(at, "product_pct", l->product, n);
+		fields_put_numbers(
+		    at, "unbroken_pct", l->unbroken, n, units_pct);
+		fields_put_numbers(at, "within_pct", l->within, n, units_pct);
+		fields_put_numbers(at, "left_pct", l->left, n, units_pct);
+		fields_put_numbers(at, "arrived_pct", l->arrived, n, units_pct);
+		fields_put_numbers(at, "product_pct", l->product, n, units_pct);
 	}
 }
 
