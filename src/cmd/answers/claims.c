@@ -114,20 +114,17 @@ static void
 check_claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 {
 	size_t most = c->n > c->paper.n ? c->n : c->paper.n;
-	double *x = xcalloc_doubles(most), *y = xcalloc_doubles(most), printed,
-	       fitted;
+	FREED double *x = xcalloc_doubles(most), *y = xcalloc_doubles(most);
 	for (size_t i = 0; i < c->paper.n; i++) {
 		x[i] = params_value_by_name(&c->paper.item[i].params, "f_mat");
 		y[i] = params_value_by_name(&c->paper.item[i].params, "e0_min");
 	}
-	printed = gsl_stats_correlation(x, 1, y, 1, c->paper.n);
+	double printed = gsl_stats_correlation(x, 1, y, 1, c->paper.n);
 	for (size_t i = 0; i < c->n; i++) {
 		x[i] = params_value_by_name(&c->fit[i]->params, "f_mat");
 		y[i] = params_value_by_name(&c->fit[i]->params, "e0_min");
 	}
-	fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
-	free(x);
-	free(y);
+	double fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
 	FREED char *fits =
 	    c->n > 2 ? xasprintf(tr(", %+.2f over the %zu fits"), fitted, c->n)
 		     : xstrdup("");

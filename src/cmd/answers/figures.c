@@ -59,19 +59,6 @@ add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
 		add_quantity_row(r, list, all, i, &q[i], speed, model);
 }
 
-/* Says how sure the one quantity asked about is.  Returns false without a
- * band. */
-static bool
-note_certainty_of_quantity(struct answer *r, const struct session *s,
-    const struct question *question, const struct quantity *q)
-{
-	FREED char *words =
-	    predict_certainty_words(s, question, q, question->speed);
-	if (words != NULL)
-		answer_note(r, "%s", words);
-	return words != NULL;
-}
-
 /* Says between which values a new belt cut may show each of several. */
 static void
 note_ranges_of_new_cut(struct answer *r, const struct session *s,
@@ -122,10 +109,14 @@ cmd_figures(struct session *s, const struct args *args,
 	    q, n, v, false);
 	answer_begin_table_for_programs(r);
 	add_quantity_rows(r, NULL, all, q, n, v, true);
+	FREED char *sure =
+	    named && n == 1 ? predict_certainty_words(s, question, q, v) : NULL;
 	if (named && n > 1)
 		note_ranges_of_new_cut(r, s, question, q, n);
-	else if (named && note_certainty_of_quantity(r, s, question, q))
+	if (sure != NULL) {
+		answer_note(r, "%s", sure);
 		band = predict_correction_is_worth_saying(s, entry);
+	}
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	return session_show_answer(s, r);

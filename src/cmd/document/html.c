@@ -63,6 +63,13 @@ html_put_escaped(
 }
 
 static void
+html_put_paragraph(const char *text, bool warning, FILE *out)
+{
+	html_put_escaped(
+	    warning ? "<p class=\"warning\">" : "<p>", text, "</p>\n", out);
+}
+
+static void
 html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 {
 	bool head = row == 0;
@@ -96,9 +103,7 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	for (size_t i = 0; i < v->n_sentence; i++) {
 		const struct answer_sentence *said = &v->sentence[i];
 		if ((said->grade == ANSWER_WARNING) == warnings)
-			html_put_escaped(
-			    warnings ? "<p class=\"warning\">" : "<p>",
-			    said->text, "</p>\n", out);
+			html_put_paragraph(said->text, warnings, out);
 	}
 }
 
@@ -139,11 +144,8 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		html_put_escaped("<h2>", p->text, "</h2>\n", out);
 		break;
 	case DOCUMENT_WORDS:
-		html_put_escaped("<p>", p->text, "</p>\n", out);
-		break;
 	case DOCUMENT_WARNING:
-		html_put_escaped(
-		    "<p class=\"warning\">", p->text, "</p>\n", out);
+		html_put_paragraph(p->text, p->kind == DOCUMENT_WARNING, out);
 		break;
 	case DOCUMENT_LIGHT:
 		fprintf(out, "<p class=\"light %s\">", LIGHT_NAME[p->light]);

@@ -29,10 +29,9 @@ struct energy_question {
  * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
  * they are the cut and 0. */
 static double
-k_of_selection(
-    const struct energy_question *q, const struct spectrum_size *of, double x)
+k_of_selection(const struct energy_question *q, const struct spectrum_size *of)
 {
-	double e0 = q->cut * q->scale, f = 0;
+	double e0 = q->cut * q->scale, f = 0, x = of->size;
 	if (!(q->E > 0))
 		return NAN;
 	if (q->entry != NULL && x > 0) {
@@ -87,8 +86,7 @@ energy_add_row(struct answer *r, const struct energy_question *q,
 	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_impact_energy_over_nominal(q, of, false),
-	    100 * share_of_first_impacts(q, of),
-	    k_of_selection(q, of, of->size));
+	    100 * share_of_first_impacts(q, of), k_of_selection(q, of));
 }
 
 static void
@@ -131,8 +129,7 @@ energy_put_fields(struct answer *r, const struct energy_question *q,
 	    q->spectrum->counted ? whole->mass : NAN,
 	    100 * share_of_impacts_below_cut(q, whole), q->scale * q->cut,
 	    spectrum_impacts_per_particle(q->spectrum, whole, q->cut),
-	    100 * share_of_first_impacts(q, whole),
-	    k_of_selection(q, whole, whole->size));
+	    100 * share_of_first_impacts(q, whole), k_of_selection(q, whole));
 	struct fields *list = fields_add_object(f, "spectrum");
 	fields_put_numbers(list, "j_kg", e, n, NULL);
 	fields_put_numbers(list, "mass_share", share, n, NULL);
@@ -186,7 +183,7 @@ note_whether_one_impact_is_fair(struct answer *r,
     const struct energy_question *q, const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = k_of_selection(q, whole, whole->size), ratio;
+	double k = k_of_selection(q, whole), ratio;
 	double first = share_of_first_impacts(q, whole);
 	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
@@ -222,7 +219,7 @@ note_site(struct answer *r, const struct energy_question *q)
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k = of->size > 0 ? k_of_selection(q, of, of->size) : NAN;
+		double k = of->size > 0 ? k_of_selection(q, of) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -322,15 +319,6 @@ check_one_file(const struct args *args, struct error *error)
 		   args->operand[0]);
 }
 
-static void
-energy_take_note(struct energies *e, const char *note)
-{
-	if (note == NULL)
-		return;
-	free(e->c.about);
-	e->c.about = xstrdup(note);
-}
-
 static bool
 energy_load_file(
     struct session *s, const struct args *args, struct error *error)
@@ -350,11 +338,13 @@ energy_load_file(
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies_path(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
-	bool read = energies_read(s, path, &way, cut, error) != NULL;
-	if (!read)
+	if (energies_read(s, path, &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
-	energy_take_note(e, args->note);
+	if (args->note != NULL) {
+		free(e->c.about);
+		e->c.about = xstrdup(args->note);
+	}
 	s->energy = e;
 	session_note(s,
 	    e->c.spectrum->speed > 0
