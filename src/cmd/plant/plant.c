@@ -512,7 +512,7 @@ add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 		const struct unit *unit = &p->circuit->unit[u];
 		double tph = flow_tph_into_unit_in_draw(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw += size_to_alpha_at(&p->power, d,
+			kw += power_of_draw(&p->power, d,
 			    plant_speed_of_unit(unit, o->speed),
 			    tph * plant_share_through_rotor(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))
