@@ -141,7 +141,7 @@ note_range_over_sampled_feeds(
 {
 	double range[2];
 	if (!predict_range_over_feeds(
-		s, w->question, &w->q, w->question->speed, range))
+		s, w->question, &w->q, NAN, w->question->speed, range))
 		return;
 	double low = quantities_value_in_shown_unit(&w->q, range[0]),
 	       high = quantities_value_in_shown_unit(&w->q, range[1]);

@@ -136,28 +136,6 @@ add_comparison_rows(struct answer *r, const struct side side[2],
 	}
 }
 
-/* Finds the smallest and the largest difference between the speeds that any of
- * the sampled feeds gives.  False if the answer is for one feed only. */
-static bool
-difference_range_over_feeds(const struct session *s, const struct side side[2],
-    const struct quantity *q, double range[static 2])
-{
-	size_t n_run = side[0].q.entry->site->n_run;
-	FREED double *a = xcalloc_doubles(n_run);
-	FREED double *b = xcalloc_doubles(n_run);
-	range[0] = INFINITY;
-	range[1] = -INFINITY;
-	if (are_two_sites(side) || side[0].q.feed != SITE_MEAN_FEED)
-		return false;
-	size_t n = predict_with_each_feed(s, &side[0].q, q, side[0].p.speed, a);
-	predict_with_each_feed(s, &side[0].q, q, side[1].p.speed, b);
-	for (size_t run = 0; run < n; run++) {
-		range[0] = fmin(range[0], b[run] - a[run]);
-		range[1] = fmax(range[1], b[run] - a[run]);
-	}
-	return range[0] <= range[1];
-}
-
 /* Returns a difference as it is shown: rounded, and never -0. */
 static double
 round_difference_as_shown(const struct quantity *q, double value)
@@ -192,8 +170,11 @@ note_difference(struct answer *r, const struct session *s,
 		    words, chance, digits, low, digits, high, unit);
 	else
 		answer_note(r, "%s: the same at both, as it is shown", words);
-	bool differ = low < 0 || high > 0;
-	if (differ && difference_range_over_feeds(s, side, q, range))
+	const struct question *asked = &side[0].q;
+	if ((low < 0 || high > 0) && !are_two_sites(side) &&
+	    asked->feed == SITE_MEAN_FEED &&
+	    predict_range_over_feeds(
+		s, asked, q, side[0].p.speed, side[1].p.speed, range))
 		answer_note(r,
 		    "with the feeds that were sampled, the difference in %s "
 		    "ranges from %+.*f to %+.*f%s",

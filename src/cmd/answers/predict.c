@@ -302,32 +302,24 @@ predicted_quantity_at_speed(const struct session *s, const struct question *q,
 	return value;
 }
 
-size_t
-predict_with_each_feed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double *value)
+bool
+predict_range_over_feeds(const struct session *s, const struct question *q,
+    const struct quantity *of, double from, double speed,
+    double range[static 2])
 {
 	const struct site *site = q->entry->site;
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	size_t n = site->individual_feeds && !other ? site->n_run : 0;
-	for (size_t run = 0; run < n; run++) {
-		struct question own = *q;
-		own.feed = run;
-		value[run] = predicted_quantity_at_speed(s, &own, of, speed);
-	}
-	return n;
-}
-
-bool
-predict_range_over_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double range[static 2])
-{
-	FREED double *fed = xcalloc_doubles(q->entry->site->n_run);
-	size_t n = predict_with_each_feed(s, q, of, speed, fed);
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	for (size_t run = 0; run < n; run++) {
-		range[0] = fmin(range[0], fed[run]);
-		range[1] = fmax(range[1], fed[run]);
+		struct question own = *q;
+		own.feed = run;
+		double value = predicted_quantity_at_speed(s, &own, of, speed);
+		if (!isnan(from))
+			value -= predicted_quantity_at_speed(s, &own, of, from);
+		range[0] = fmin(range[0], value);
+		range[1] = fmax(range[1], value);
 	}
 	return range[0] <= range[1];
 }
@@ -337,7 +329,7 @@ predict_largest_change_by_feed(const struct session *s,
     const struct question *q, const struct quantity *of, double speed)
 {
 	double range[2];
-	if (!predict_range_over_feeds(s, q, of, speed, range))
+	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
 		return 0;
 	double value = predicted_quantity_at_speed(s, q, of, speed);
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
@@ -351,7 +343,7 @@ append_range_over_feeds(const struct session *s, const struct question *q,
 {
 	int decimals = quantities_decimals(of);
 	double range[2];
-	if (!predict_range_over_feeds(s, q, of, speed, range))
+	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
 		return;
 	double most = fmax(value - range[0], range[1] - value);
 	if (!(quantities_value_in_shown_unit(of, most) >=

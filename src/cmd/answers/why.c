@@ -31,13 +31,15 @@ static const double MOST_BREAKS = 0.85; /* share of what could break */
 static const double SAMPLING = 0.01; /* passing that sampling can tell apart */
 static const double STILL = 0.001;   /* passing that 1 m/s changes */
 
-/* What is explained: the answer for a site at a speed. */
+/* What is explained: the answer for a site at a speed; rpm: that speed in
+ * brackets. */
 struct subject {
 	struct session *s;
 	const struct question *q;
 	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p;
+	const char *rpm;
 	struct answer *answer;
 };
 
@@ -54,8 +56,6 @@ say_what_breaks(const struct subject *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
-	FREED char *rpm =
-	    rotor_speed_rpm_text(a->entry->site->rotor, p->speed, NAN);
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
@@ -64,7 +64,7 @@ say_what_breaks(const struct subject *a)
 		answer_note(a->answer,
 		    "At %.4g m/s%s only particles of %.3g mm or more break, "
 		    "and the feed has none above %g mm: the feed is unchanged",
-		    p->speed, rpm, 1000 * p->break_size,
+		    p->speed, a->rpm, 1000 * p->break_size,
 		    units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(a->answer,
@@ -73,15 +73,15 @@ say_what_breaks(const struct subject *a)
 		    params_value_by_name(&a->entry->params, "e0_min") <= 0
 			? "e0_min = 0"
 			: tr("so low an alpha"),
-		    100 * does, p->speed, rpm);
+		    100 * does, p->speed, a->rpm);
 	else
 		answer_note(a->answer,
 		    "At %.4g m/s%s an impact has %.0f J/kg, which breaks "
 		    "particles of %.3g mm or more; %.0f %% of the feed is that "
 		    "coarse, "
 		    "and %.0f %% of the feed breaks",
-		    p->speed, rpm, p->energy, 1000 * p->break_size, 100 * can,
-		    100 * does);
+		    p->speed, a->rpm, p->energy, 1000 * p->break_size,
+		    100 * can, 100 * does);
 }
 
 static void
@@ -172,10 +172,9 @@ say_if_within_training_speeds(const struct subject *a)
 		return;
 	}
 	FREED char *speeds = answers_describe_speed_range(entry, slow, fast);
-	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	if (!answers_is_speed_extrapolated(entry, v)) {
-		answer_note(
-		    a->answer, "%.4g m/s%s is within the %s", v, rpm, speeds);
+		answer_note(a->answer, "%.4g m/s%s is within the %s", v, a->rpm,
+		    speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
@@ -188,7 +187,7 @@ say_if_within_training_speeds(const struct subject *a)
 		     : N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "less energy than at %g m/s, and no measurement "
 			  "shows the effect"),
-	    v, rpm, speeds, 100 * fabs(more), near);
+	    v, a->rpm, speeds, 100 * fabs(more), near);
 }
 
 /* What the user can do about each cause; NULL if the reason says it itself. */
@@ -237,12 +236,10 @@ say_trust_is_green(const struct subject *a, const struct trust *t)
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
 	if (t->n > 0)
 		return;
-	FREED char *rpm =
-	    rotor_speed_rpm_text(a->entry->site->rotor, a->p.speed, NAN);
 	answer_note(a->answer,
 	    "Trust is green: nothing to worry about in the answer at %.4g "
 	    "m/s%s",
-	    a->p.speed, rpm);
+	    a->p.speed, a->rpm);
 	if (t->remarks > 0)
 		answer_note(a->answer,
 		    "It lies between the measured speeds, where the "
@@ -360,7 +357,6 @@ say_data_provenance(const struct subject *a)
 struct balance {
 	struct session *s;
 	const struct question *q;
-	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p[2];
 	struct mass_balance of[2];
@@ -459,7 +455,7 @@ note_where_mass_goes(struct answer *r, const struct balance *b)
 	FREED char *from = class_label(b->feed, out),
 		   *to = class_label(b->feed, in);
 	FREED char *rpm = rotor_speed_rpm_text(
-	    b->entry->site->rotor, b->p[0].speed, b->p[1].speed);
+	    b->q->entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
 		    "From %g to %g m/s%s no more and no less of the feed "
@@ -534,7 +530,7 @@ put_balance_fields(struct fields *o, const struct balance *b)
 		struct fields *at = fields_add_object(list, NULL);
 		fields_put(at, "speed %g extrapolated %d broken_pct %g",
 		    b->p[k].speed,
-		    answers_is_speed_extrapolated(b->entry, b->p[k].speed),
+		    answers_is_speed_extrapolated(b->q->entry, b->p[k].speed),
 		    100 * l->broken);
 		fields_put_numbers(
 		    at, "unbroken_pct", l->unbroken, n, units_pct);
@@ -548,7 +544,7 @@ put_balance_fields(struct fields *o, const struct balance *b)
 static void
 show_mass_balance(struct balance *b)
 {
-	const struct entry *entry = b->entry;
+	const struct entry *entry = b->q->entry;
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	struct answer *r = answers_new(entry->site, "why",
@@ -592,10 +588,7 @@ explain_change_between_speeds(struct session *s, const struct args *args,
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to %d m/s, got %s",
 		    SITE_FASTEST, args->operand[0]);
-	struct balance b = {.s = s,
-	    .q = q,
-	    .entry = entry,
-	    .feed = site_feed_of_run(entry->site, q->feed)};
+	struct balance b = {.s = s, .q = q, .feed = question_feed(q)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
 		b.of[k] = mass_balance_new(b.feed, &entry->params,
@@ -620,13 +613,13 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 		return false;
 	const struct entry *entry = q->entry;
 	double v = q->speed;
-	size_t run = q->feed;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct subject a = {.s = s,
 	    .q = q,
 	    .entry = entry,
-	    .feed = site_feed_of_run(entry->site, run),
-	    .p = forecast_whole_product(s, entry, v, run),
+	    .feed = question_feed(q),
+	    .p = forecast_whole_product(s, entry, v, q->feed),
+	    .rpm = rpm,
 	    .answer =
 		answers_new(entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
 	struct trust trust = light_of_answer_or_fit(s, entry, &a.p);
@@ -641,7 +634,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_trust_light(&a, &trust);
 	say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
-	feed_add_note(a.answer, entry->site, run, NULL, 0);
+	feed_add_note(a.answer, entry->site, q->feed, NULL, 0);
 	trust_free(&trust);
 	prediction_free(&a.p);
 	return session_show_answer(s, a.answer);
