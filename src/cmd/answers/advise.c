@@ -14,7 +14,6 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/screened.h"
 #include "cmd/lang/parse.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"

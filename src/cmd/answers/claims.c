@@ -12,7 +12,6 @@
 #include "base/xalloc.h"
 #include "cmd/fit/trials.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/sites.h"
 #include "core/answer/predict.h"
 #include "core/model/breakage.h"
 

@@ -18,7 +18,6 @@
 #include "cmd/session/invocation.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"

@@ -5,7 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/energies.h"

@@ -18,7 +18,6 @@
 #include "cmd/draw/site_chart.h"
 #include "core/posterior/ensemble.h"
 #include "core/psd/rotor_speed.h"
-#include "io/sitefile/units.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
