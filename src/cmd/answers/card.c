@@ -216,7 +216,7 @@ struct card_column {
  * figure has its range beside it; cut: how far at most the range of a new belt
  * cut reaches from that figure.  measured: that figure of the samples is shown;
  * moved: by how much at most they were moved to the feed, 0..1 (moved.h). */
-struct page {
+struct card_table {
 	size_t n, rows, row, next;
 	struct card_column *column;
 	bool ranged, measured;
@@ -229,7 +229,7 @@ enum { NEEDED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
 /* Puts the next cell of the row; in the first row it adds the column.  Takes
  * ownership of the word, which is NULL for a number. */
 static void
-put_card_cell(struct page *page, const char *key, const char *head,
+put_card_cell(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number, char *word)
 {
 	size_t i = page->next++;
@@ -257,15 +257,15 @@ put_card_cell(struct page *page, const char *key, const char *head,
 }
 
 static void
-put_number_cell(struct page *page, const char *key, const char *head,
+put_number_cell(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number)
 {
 	put_card_cell(page, key, head, decimals, spare, number, NULL);
 }
 
 static void
-put_text_cell(
-    struct page *page, const char *key, const char *head, int spare, char *word)
+put_text_cell(struct card_table *page, const char *key, const char *head,
+    int spare, char *word)
 {
 	put_card_cell(page, key, head, AS_NEEDED, spare, NAN, word);
 }
@@ -338,7 +338,7 @@ mean_of_repeats_at_speed(const struct session *s,
 
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
-put_figure_cells(struct page *page, const struct session *s,
+put_figure_cells(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
 {
 	enum { P20, P50, P80, SIZES };
@@ -382,7 +382,7 @@ put_figure_cells(struct page *page, const struct session *s,
 /* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
 static void
 put_tonnage_cells(
-    struct page *page, const struct card_request *all, double speed)
+    struct card_table *page, const struct card_request *all, double speed)
 {
 	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool open = o.flow.open;
@@ -407,7 +407,7 @@ put_tonnage_cells(
 
 /* Programs are told "met" if that is the more likely. */
 static void
-put_limits_met_cells(struct page *page, const struct card_row *row)
+put_limits_met_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
 	bool met = drawn ? row->share >= 0.5 : row->holds;
@@ -422,7 +422,7 @@ put_limits_met_cells(struct page *page, const struct card_row *row)
 /* Puts the answer at one speed.  Beyond the measured speeds people see
  * "amber?". */
 static void
-put_card_row(struct page *page, struct session *s,
+put_card_row(struct card_table *page, struct session *s,
     const struct card_request *all, struct card_row *row, struct trust *worst)
 {
 	const struct entry *entry = all->question->entry;
@@ -456,7 +456,7 @@ put_card_row(struct page *page, struct session *s,
 }
 
 static void
-page_free(struct page *page)
+card_table_free(struct card_table *page)
 {
 	for (size_t i = 0; i < page->n; i++) {
 		struct card_column *c = &page->column[i];
@@ -498,7 +498,7 @@ set_card_title(struct answer *r, const struct site *site, const char *today)
 /* Returns the width of the columns that are shown.  *most: out, the one of
  * these that can be spared soonest. */
 static int
-width_of_shown_columns(const struct page *page, struct card_column **most)
+width_of_shown_columns(const struct card_table *page, struct card_column **most)
 {
 	enum { GAP = 2 };
 	int wide = 0;
@@ -518,7 +518,7 @@ width_of_shown_columns(const struct page *page, struct card_column **most)
  * enough, the table becomes wider rather than two.  Returns the headings of the
  * columns left out, or ""; the caller frees them. */
 static char *
-drop_columns_to_fit(struct page *page, struct answer *r)
+drop_columns_to_fit(struct card_table *page, struct answer *r)
 {
 	enum { ROOM = 79 };
 	struct card_column *most;
@@ -552,7 +552,7 @@ drop_columns_to_fit(struct page *page, struct answer *r)
 
 /* Adds a line for each speed, for people or for programs. */
 static void
-add_card_rows(struct answer *r, const struct page *page, bool people)
+add_card_rows(struct answer *r, const struct card_table *page, bool people)
 {
 	const struct card_column *end = page->column + page->n, *c;
 	for (c = page->column; c < end; c++)
@@ -688,7 +688,7 @@ note_meaning_of_trust_words(struct answer *r, const struct question *q,
 static void
 note_basis_of_card(struct answer *r, const struct session *s,
     const struct card_request *all, const char *dropped,
-    const struct page *page, const struct card_row *row)
+    const struct card_table *page, const struct card_row *row)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
@@ -768,7 +768,7 @@ build_card_answer(
 	set_card_title(r, entry->site, today);
 	struct trust light = light_of_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
-	struct page page = {.rows = n};
+	struct card_table page = {.rows = n};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
 		    page.measured || !isnan(mean_of_repeats_at_speed(
@@ -790,7 +790,7 @@ build_card_answer(
 	struct question q = *all->question;
 	q.moved = page.measured && page.moved > SHOWN ? page.moved : 0;
 	note_best_trust_light(r, s, &q, row, n, &light);
-	page_free(&page);
+	card_table_free(&page);
 	return r;
 }
 

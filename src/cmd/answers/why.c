@@ -33,7 +33,7 @@ static const double STILL = 0.001;   /* passing that 1 m/s changes */
 
 /* What is explained: the answer for a site at a speed; rpm: that speed in
  * brackets. */
-struct subject {
+struct explained {
 	struct session *s;
 	const struct question *q;
 	const struct entry *entry;
@@ -45,14 +45,14 @@ struct subject {
 
 /* Returns the share of the feed above the break size, 0..1. */
 static double
-breakable_share(const struct subject *a)
+breakable_share(const struct explained *a)
 {
 	double x = a->p.break_size;
 	return isfinite(x) && x > 0 ? 1 - psd_passing(a->feed, x) : x <= 0;
 }
 
 static void
-say_what_breaks(const struct subject *a)
+say_what_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
@@ -85,7 +85,7 @@ say_what_breaks(const struct subject *a)
 }
 
 static void
-say_if_little_breaks(const struct subject *a)
+say_if_little_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
@@ -112,7 +112,7 @@ say_if_little_breaks(const struct subject *a)
 
 /* Says if a change of speed by 1 m/s hardly matters. */
 static void
-say_if_speed_hardly_matters(const struct subject *a)
+say_if_speed_hardly_matters(const struct explained *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
@@ -136,7 +136,7 @@ say_if_speed_hardly_matters(const struct subject *a)
 /* Says how much of the product is in the fraction asked about, and what a
  * faster rotor does to it. */
 static void
-say_share_in_fraction(const struct subject *a)
+say_share_in_fraction(const struct explained *a)
 {
 	const struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = a->q->fraction};
@@ -162,7 +162,7 @@ say_share_in_fraction(const struct subject *a)
 }
 
 static void
-say_if_within_training_speeds(const struct subject *a)
+say_if_within_training_speeds(const struct explained *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
@@ -216,7 +216,7 @@ static const char *const REMEDY[] = {
 /* Gives reason i and, after the last reason with its cause, what to do about
  * it. */
 static void
-say_trust_reason(const struct subject *a, const struct trust *t, size_t i)
+say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 {
 	enum trust_cause cause = t->reason[i].cause;
 	answer_note(a->answer, "  %s: %s", tr(LIGHT_NAME[t->reason[i].light]),
@@ -231,7 +231,7 @@ say_trust_reason(const struct subject *a, const struct trust *t, size_t i)
 /* Says that there is nothing to worry about, before all that the answer rests
  * on. */
 static void
-say_trust_is_green(const struct subject *a, const struct trust *t)
+say_trust_is_green(const struct explained *a, const struct trust *t)
 {
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
 	if (t->n > 0)
@@ -255,7 +255,7 @@ say_trust_is_green(const struct subject *a, const struct trust *t)
 
 /* The light that is not green, each reason with its number, and remarks. */
 static void
-say_trust_light(const struct subject *a, const struct trust *t)
+say_trust_light(const struct explained *a, const struct trust *t)
 {
 	if (t->n > 0)
 		answer_say(a->answer,
@@ -271,7 +271,7 @@ say_trust_light(const struct subject *a, const struct trust *t)
 }
 
 static void
-say_origin_of_parameters(const struct subject *a, bool green)
+say_origin_of_parameters(const struct explained *a, bool green)
 {
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
@@ -308,7 +308,7 @@ say_origin_of_parameters(const struct subject *a, bool green)
 /* Compares with a measured product at exactly this speed that was not used for
  * training. */
 static void
-say_held_out_difference(const struct subject *a)
+say_held_out_difference(const struct explained *a)
 {
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at_speed(site, a->p.speed);
@@ -338,7 +338,7 @@ say_held_out_difference(const struct subject *a)
 
 /* Says what the site file states about its data. */
 static void
-say_data_provenance(const struct subject *a)
+say_data_provenance(const struct explained *a)
 {
 	FREED char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
@@ -354,7 +354,7 @@ say_data_provenance(const struct subject *a)
 }
 
 /* The site in use at two speeds with one feed. */
-struct balance {
+struct mass_change {
 	struct session *s;
 	const struct question *q;
 	const struct psd *feed;
@@ -386,7 +386,7 @@ add_balance_cells(
 /* For people: what stays in a class, broken or not, what leaves it and what
  * comes in, so that each row adds up to the feed and to the product. */
 static void
-add_balance_rows_for_people(struct answer *r, const struct balance *b)
+add_balance_rows_for_people(struct answer *r, const struct mass_change *b)
 {
 	double sum[2][3] = {{0}}, feed = 0, all = 0;
 	answer_columns(r, "class: on mm, feed_pct: feed %%");
@@ -424,7 +424,7 @@ add_balance_rows_for_people(struct answer *r, const struct balance *b)
 
 /* For programs: a row for each speed and class. */
 static void
-add_balance_rows_for_programs(struct answer *r, const struct balance *b)
+add_balance_rows_for_programs(struct answer *r, const struct mass_change *b)
 {
 	answer_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
 			  "within_pct, left_pct, arrived_pct, product_pct");
@@ -442,7 +442,7 @@ add_balance_rows_for_programs(struct answer *r, const struct balance *b)
 }
 
 static void
-note_where_mass_goes(struct answer *r, const struct balance *b)
+note_where_mass_goes(struct answer *r, const struct mass_change *b)
 {
 	const struct mass_balance *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
@@ -479,7 +479,7 @@ note_where_mass_goes(struct answer *r, const struct balance *b)
 /* Returns the largest difference between the answer's change and the model's,
  * and sets *sieve to where it is. */
 static double
-largest_correction_of_change(const struct balance *b, double *sieve)
+largest_correction_of_change(const struct mass_change *b, double *sieve)
 {
 	const struct prediction *p = b->p;
 	double most = 0;
@@ -496,7 +496,7 @@ largest_correction_of_change(const struct balance *b, double *sieve)
 }
 
 static void
-note_correction(struct answer *r, const struct balance *b)
+note_correction(struct answer *r, const struct mass_change *b)
 {
 	double sieve = 0, most = largest_correction_of_change(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
@@ -519,7 +519,7 @@ note_correction(struct answer *r, const struct balance *b)
 }
 
 static void
-put_balance_fields(struct fields *o, const struct balance *b)
+put_balance_fields(struct fields *o, const struct mass_change *b)
 {
 	size_t n = b->feed->n;
 	fields_put_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
@@ -542,7 +542,7 @@ put_balance_fields(struct fields *o, const struct balance *b)
 }
 
 static void
-show_mass_balance(struct balance *b)
+show_mass_balance(struct mass_change *b)
 {
 	const struct entry *entry = b->q->entry;
 	FREED char *rpm = rotor_speed_rpm_text(
@@ -588,7 +588,7 @@ explain_change_between_speeds(struct session *s, const struct args *args,
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to %d m/s, got %s",
 		    SITE_FASTEST, args->operand[0]);
-	struct balance b = {.s = s, .q = q, .feed = question_feed(q)};
+	struct mass_change b = {.s = s, .q = q, .feed = question_feed(q)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
 		b.of[k] = mass_balance_new(b.feed, &entry->params,
@@ -614,7 +614,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct subject a = {.s = s,
+	struct explained a = {.s = s,
 	    .q = q,
 	    .entry = entry,
 	    .feed = question_feed(q),

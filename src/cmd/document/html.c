@@ -85,7 +85,7 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 
 /* Puts a table of the first column and those from `from` to before `to`. */
 static void
-put_block(const struct answer_view *v, size_t from, size_t to, FILE *out)
+html_put_table(const struct answer_view *v, size_t from, size_t to, FILE *out)
 {
 	fputs("<div class=\"wide\"><table>\n<thead>", out);
 	for (size_t row = 0; row <= v->n_row; row++) {
@@ -119,7 +119,7 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0; document_next_columns(&v, false, &from, &to);)
-		put_block(&v, from, to, out);
+		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }
 

@@ -22,7 +22,7 @@ static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
  * horizontal.  pages: how many there are, 0 while that is unknown.  page: the
  * one in work, in the end the last.  shrunk: the letters of some table are
  * smaller than the scale asks for, because it is too wide for the page. */
-struct press {
+struct pdf_layout {
 	const struct document *document;
 	double scale;
 	bool across;
@@ -35,20 +35,20 @@ struct press {
 };
 
 static struct pen_style
-text_style(const struct press *p, double size, bool bold)
+text_style(const struct pdf_layout *p, double size, bool bold)
 {
 	return (struct pen_style){.size = size * p->scale, .bold = bold};
 }
 
 static double
-inner_width(const struct press *p)
+inner_width(const struct pdf_layout *p)
 {
 	return p->width - 2 * MARGIN;
 }
 
 /* Draws a line from the margin to an end. */
 static void
-pdf_draw_line(struct press *p, double end, double y, double width)
+pdf_draw_line(struct pdf_layout *p, double end, double y, double width)
 {
 	double x[] = {MARGIN, end}, at[] = {y, y};
 	p->pen->path(p->pen, x, at, 2,
@@ -56,7 +56,7 @@ pdf_draw_line(struct press *p, double end, double y, double width)
 }
 
 static void
-draw_foot(struct press *p)
+draw_page_foot(struct pdf_layout *p)
 {
 	struct pen_style style = {.size = 8};
 	double y = p->height - FOOT;
@@ -69,9 +69,9 @@ draw_foot(struct press *p)
 }
 
 static void
-next_page(struct press *p)
+next_page(struct pdf_layout *p)
 {
-	draw_foot(p);
+	draw_page_foot(p);
 	p->pen->next(p->pen);
 	p->page++;
 	p->y = MARGIN;
@@ -80,7 +80,7 @@ next_page(struct press *p)
 /* Begins a new page unless a part of that height fits on this one.  True if it
  * did. */
 static bool
-begin_page_unless_fits(struct press *p, double height)
+begin_page_unless_fits(struct pdf_layout *p, double height)
 {
 	if (p->y + height <= p->height - FOOT - 16 || p->y <= MARGIN)
 		return false;
@@ -89,7 +89,7 @@ begin_page_unless_fits(struct press *p, double height)
 }
 
 static void
-move_down(struct press *p, double points)
+move_down(struct pdf_layout *p, double points)
 {
 	if (p->y > MARGIN)
 		p->y += points * p->scale;
@@ -98,7 +98,7 @@ move_down(struct press *p, double points)
 /* Returns the number of bytes of a text that make its next line: whole words
  * or, if not even one fits, part of a word. */
 static size_t
-bytes_of_next_line(struct press *p, const char *text, double width,
+bytes_of_next_line(struct pdf_layout *p, const char *text, double width,
     const struct pen_style *style)
 {
 	size_t fits = 0;
@@ -124,7 +124,7 @@ struct lines {
 };
 
 static struct lines
-break_lines(struct press *p, const char *words, double width,
+break_lines(struct pdf_layout *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
@@ -153,7 +153,8 @@ lines_free(struct lines *lines)
 
 /* Puts a paragraph. */
 static void
-put_paragraph(struct press *p, const char *text, const struct pen_style *style)
+put_paragraph(
+    struct pdf_layout *p, const char *text, const struct pen_style *style)
 {
 	double line = LINE * style->size;
 	struct lines lines = break_lines(p, text, inner_width(p), style);
@@ -168,7 +169,7 @@ put_paragraph(struct press *p, const char *text, const struct pen_style *style)
 
 /* Puts a word in a frame, so that it is seen without its colour. */
 static void
-put_light(struct press *p, const struct document_part *part)
+put_trust_light(struct pdf_layout *p, const struct document_part *part)
 {
 	static const enum series INKS[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
@@ -198,7 +199,7 @@ put_light(struct press *p, const struct document_part *part)
 }
 
 static void
-put_lines(struct press *p, const char *text)
+put_lines(struct pdf_layout *p, const char *text)
 {
 	struct pen_style style = text_style(p, 7.5, false);
 	char *line;
@@ -211,14 +212,15 @@ put_lines(struct press *p, const char *text)
 
 /* Some columns of a table, `column` [n], side by side, with their widths and
  * the size of the letters. */
-struct grid {
+struct table_part {
 	const struct answer_view *view;
 	size_t n, *column;
 	double *width, size;
 };
 
 static double
-word_width(struct press *p, const char *text, const struct pen_style *style)
+word_width(
+    struct pdf_layout *p, const char *text, const struct pen_style *style)
 {
 	double most = 0;
 	char *copy = xstrdup(text), *save = NULL;
@@ -232,7 +234,7 @@ word_width(struct press *p, const char *text, const struct pen_style *style)
 /* Makes columns as wide as their numbers and the words of their headings.
  * Texts wider than `most` are broken.  Returns the total width. */
 static double
-measure_grid_columns(struct press *p, struct grid *g, double most)
+measure_column_widths(struct pdf_layout *p, struct table_part *g, double most)
 {
 	struct pen_style head = text_style(p, g->size, true);
 	struct pen_style body = text_style(p, g->size, false);
@@ -255,11 +257,11 @@ measure_grid_columns(struct press *p, struct grid *g, double most)
 /* Finds widths that fit the page: breaks texts first, then makes letters
  * smaller. */
 static void
-fit_column_widths(struct press *p, struct grid *g)
+fit_column_widths(struct pdf_layout *p, struct table_part *g)
 {
 	double room = inner_width(p), most = room;
 	g->size = 8.5;
-	while (measure_grid_columns(p, g, most) > room && g->size > 4) {
+	while (measure_column_widths(p, g, most) > room && g->size > 4) {
 		if (most > 0.25 * room) {
 			most *= 0.9;
 		} else {
@@ -271,7 +273,7 @@ fit_column_widths(struct press *p, struct grid *g)
 
 /* Puts a row; row 0 has the headings. */
 static void
-pdf_put_row(struct press *p, const struct grid *g, size_t row)
+pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 {
 	struct pen_style style = text_style(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
@@ -307,7 +309,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 }
 
 static double
-end_of_rule(const struct press *p, const struct grid *g)
+end_of_rule(const struct pdf_layout *p, const struct table_part *g)
 {
 	double x = MARGIN - GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++)
@@ -317,7 +319,7 @@ end_of_rule(const struct press *p, const struct grid *g)
 
 /* Puts the rows, with the headings again on every page. */
 static void
-put_grid(struct press *p, struct grid *g)
+put_table_part(struct pdf_layout *p, struct table_part *g)
 {
 	double line = LINE * g->size * p->scale;
 	fit_column_widths(p, g);
@@ -337,9 +339,9 @@ put_grid(struct press *p, struct grid *g)
 }
 
 static void
-put_table(struct press *p, const struct answer_view *v)
+put_table(struct pdf_layout *p, const struct answer_view *v)
 {
-	struct grid g = {.view = v,
+	struct table_part g = {.view = v,
 	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
 	    .width = xcalloc_doubles(v->n_column + 1)};
 	bool all = p->document->one_page;
@@ -348,14 +350,15 @@ put_table(struct press *p, const struct answer_view *v)
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
 			g.column[g.n++] = c;
-		put_grid(p, &g);
+		put_table_part(p, &g);
 	}
 	free(g.column);
 	free(g.width);
 }
 
 static void
-pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
+pdf_put_sentences(
+    struct pdf_layout *p, const struct answer_view *v, bool warnings)
 {
 	struct pen_style style = text_style(p, 9, warnings);
 	for (size_t i = 0; i < v->n_sentence; i++)
@@ -368,7 +371,7 @@ pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 /* Returns the height that has to fit on the page with a title: that of the
  * whole table, unless it is long. */
 static double
-height_kept_together(const struct press *p, const struct answer_view *v)
+height_kept_together(const struct pdf_layout *p, const struct answer_view *v)
 {
 	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
 	double table = p->scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
@@ -376,7 +379,7 @@ height_kept_together(const struct press *p, const struct answer_view *v)
 }
 
 static void
-pdf_put_answer(struct press *p, const struct answer *answer, bool top)
+pdf_put_answer(struct pdf_layout *p, const struct answer *answer, bool top)
 {
 	struct answer_view v = answer_view(answer);
 	struct pen_style title = text_style(p, 9.5, true);
@@ -397,7 +400,7 @@ pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 }
 
 static void
-put_picture(struct press *p, const struct chart *chart)
+put_picture(struct pdf_layout *p, const struct chart *chart)
 {
 	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
 	double scale = fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
@@ -413,7 +416,7 @@ put_picture(struct press *p, const struct chart *chart)
 /* Puts a heading on the page of what comes next, so that it is not the last on
  * its page. */
 static void
-put_heading(struct press *p, size_t i)
+put_heading(struct pdf_layout *p, size_t i)
 {
 	enum { OWN = 30, LEAST = 40 };
 	const struct document *d = p->document;
@@ -432,7 +435,7 @@ put_heading(struct press *p, size_t i)
 }
 
 static void
-pdf_put_part(struct press *p, size_t i)
+pdf_put_part(struct pdf_layout *p, size_t i)
 {
 	const struct document_part *part = &p->document->part[i];
 	struct pen_style style =
@@ -447,7 +450,7 @@ pdf_put_part(struct press *p, size_t i)
 		move_down(p, 2);
 		break;
 	case DOCUMENT_LIGHT:
-		put_light(p, part);
+		put_trust_light(p, part);
 		break;
 	case DOCUMENT_TEXT:
 		put_lines(p, part->text);
@@ -464,7 +467,7 @@ pdf_put_part(struct press *p, size_t i)
 /* Lays all parts out at the scale of the press and returns the bytes of the
  * file, or NULL if that fails. */
 static char *
-lay_out_pdf(struct press *p, size_t *n)
+lay_out_pdf(struct pdf_layout *p, size_t *n)
 {
 	const struct document *d = p->document;
 	char *bytes = NULL;
@@ -482,7 +485,7 @@ lay_out_pdf(struct press *p, size_t *n)
 		put_paragraph(p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
 			pdf_put_part(p, i);
-		draw_foot(p);
+		draw_page_foot(p);
 		ok = p->pen->close(p->pen);
 	}
 	fclose(out);
@@ -496,7 +499,7 @@ lay_out_pdf(struct press *p, size_t *n)
 /* Sets the press to the largest scale at which all fits on one page, upright or
  * across, without shrinking a table. */
 static void
-fit_on_one_page(struct press *p)
+fit_on_one_page(struct pdf_layout *p)
 {
 	enum { STEPS = 7 };
 	size_t n;
@@ -523,7 +526,7 @@ fit_on_one_page(struct press *p)
 char *
 document_to_pdf(const struct document *d, size_t *n, size_t *pages)
 {
-	struct press p = {.document = d, .scale = 1};
+	struct pdf_layout p = {.document = d, .scale = 1};
 	if (!picture_can_draw_form(PICTURE_PDF))
 		return NULL;
 	if (d->one_page)
