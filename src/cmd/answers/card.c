@@ -195,10 +195,12 @@ parse_card_request(struct session *s, struct card_request *all,
 	       find_stream_names(all, slowest, error);
 }
 
-/* What a row is judged by. */
+/* What a row is judged by.  share: of the draws in which the limits are met,
+ * NAN for a model alone; holds: the answer meets them.  beyond: the speed is
+ * beyond the measured ones. */
 struct card_row {
 	double speed, share;
-	bool holds;
+	bool holds, beyond;
 	enum light light;
 };
 
@@ -438,11 +440,11 @@ put_card_row(struct card_table *page, struct session *s,
 	put_figure_cells(page, s, all, v);
 	struct trust light = light_at_speed(s, entry, v, all->question->feed);
 	row->light = light.light;
+	row->beyond = answers_is_speed_extrapolated(entry, v);
 	light_keep_worse(worst, light);
 	const char *name = tr(LIGHT_NAME[row->light]);
 	put_text_cell(page, NULL, tr("trust"), NEEDED,
-	    xasprintf("%s%s", name,
-		answers_is_speed_extrapolated(entry, v) ? "?" : ""));
+	    xasprintf("%s%s", name, row->beyond ? "?" : ""));
 	if (all->plant.circuit != NULL)
 		put_tonnage_cells(page, all, v);
 	if (all->list.n > 0) {
@@ -652,7 +654,7 @@ note_meaning_of_range(
 
 /* Notes what the words under trust mean, of those that occur. */
 static void
-note_meaning_of_trust_words(struct answer *r, const struct question *q,
+note_meaning_of_trust_words(struct answer *r, const struct site *site,
     const struct card_row *row, size_t n)
 {
 	bool occurs[] = {
@@ -660,10 +662,8 @@ note_meaning_of_trust_words(struct answer *r, const struct question *q,
 	bool beyond = false;
 	for (size_t i = 0; i < n; i++) {
 		occurs[row[i].light] = true;
-		beyond = beyond ||
-			 answers_is_speed_extrapolated(q->entry, row[i].speed);
+		beyond = beyond || row[i].beyond;
 	}
-	const struct site *site = q->entry->site;
 	FREED char *speeds = session_speeds_text(site, ", ", NULL, true);
 	FREED char *rpm = session_rpm_in_brackets(site, NULL, true);
 	FREED char *words =
@@ -723,7 +723,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		answer_note(r, "feed: %s",
 		    site->feed_from[0] != '\0' ? site->feed_from
 					       : tr("as sampled"));
-	note_meaning_of_trust_words(r, q, row, page->rows);
+	note_meaning_of_trust_words(r, site, row, page->rows);
 }
 
 /* The rows show the lights.  If none is green, the best of them states its
@@ -735,12 +735,9 @@ note_best_trust_light(struct answer *r, const struct session *s,
 {
 	size_t best = 0;
 	for (size_t i = 1; i < n; i++) {
-		bool within =
-		    !answers_is_speed_extrapolated(q->entry, row[i].speed);
-		bool better = row[i].light < row[best].light;
-		if (better || (row[i].light == row[best].light && within &&
-				  answers_is_speed_extrapolated(
-				      q->entry, row[best].speed)))
+		bool alike = row[i].light == row[best].light;
+		if (row[i].light < row[best].light ||
+		    (alike && !row[i].beyond && row[best].beyond))
 			best = i;
 	}
 	answers_note_basis(s, r, q, 0, NULL, worst);
