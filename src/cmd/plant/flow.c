@@ -356,20 +356,12 @@ note_best_speed(const struct plant *p, const struct speed_trials *s,
 	range_of_best_speeds(p, s, best->flow.draws, range);
 	for (size_t i = 0; i < s->n; i++)
 		open += isnan(s->money[i]) ? 1 : 0;
-	if (isfinite(range[0]))
-		answer_note(r,
-		    end ? N_("best speed %.1f m/s%s (%.1f to %.1f), at the end "
-			     "of the range from %g to %g m/s")
-			: N_("best speed %.1f m/s%s (%.1f to %.1f) in the "
-			     "range from %g to %g m/s"),
-		    v, rpm, range[0], range[1], s->from, s->to);
-	else
-		answer_note(r,
-		    end ? N_("best speed %.1f m/s%s (no band), at the end of "
-			     "the range from %g to %g m/s")
-			: N_("best speed %.1f m/s%s (no band) in the range "
-			     "from %g to %g m/s"),
-		    v, rpm, s->from, s->to);
+	FREED char *band = quantities_band_text(range[0], range[1], 1);
+	answer_note(r,
+	    end ? N_("best speed %.1f m/s%s%s, at the end of the range from %g "
+		     "to %g m/s")
+		: N_("best speed %.1f m/s%s%s in the range from %g to %g m/s"),
+	    v, rpm, band[0] != '\0' ? band : tr(" (no band)"), s->from, s->to);
 	if (open > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "at %zu of %zu speeds there is no steady state", open,
