@@ -80,12 +80,14 @@ add_usual_passings(struct card_request *all, const struct psd *feed)
 	bool fines = psd_covers_size(feed, QUANTITIES_FINES);
 	struct quantity q = {
 	    .kind = QUANTITY_PASSING, .fraction = all->question->fraction};
-	q.x = feed->size[0];
+	double near = feed->size[0], finest = feed->size[feed->n - 1];
 	for (size_t i = 1; i < feed->n; i++)
-		if (fabs(log(feed->size[i] / 2e-3)) < fabs(log(q.x / 2e-3)))
-			q.x = feed->size[i];
+		if (fabs(log(feed->size[i] / 2e-3)) < fabs(log(near / 2e-3)))
+			near = feed->size[i];
+	/* The same number as that of a limit in mm. */
+	q.x = units_mm(near) / 1000;
 	all->ranged = add_quantity(all, q);
-	q.x = fines ? QUANTITIES_FINES : feed->size[feed->n - 1];
+	q.x = fines ? QUANTITIES_FINES : units_mm(finest) / 1000;
 	q.letter = fines ? 'f' : 0;
 	add_quantity(all, q);
 }
