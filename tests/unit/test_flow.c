@@ -341,7 +341,7 @@ throwing_takes_what_euler_says(void **state)
 	assert_true(none.least);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		expect_near(
-		    "none", size_to_alpha_at(&none, d, 72, 120), 172.8, 1e-12);
+		    "none", power_of_draw(&none, d, 72, 120), 172.8, 1e-12);
 }
 
 /* The mean and the least and most of the draws. */
@@ -352,7 +352,7 @@ power_mean(const struct power *p, double v, double tph, double range[2])
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	for (size_t d = 0; d < POWER_DRAWS; d++) {
-		double kw = size_to_alpha_at(p, d, v, tph);
+		double kw = power_of_draw(p, d, v, tph);
 		sum += kw / POWER_DRAWS;
 		range[0] = fmin(range[0], kw);
 		range[1] = fmax(range[1], kw);
@@ -383,7 +383,7 @@ idle_grows_as_the_empty_crusher_shows(void **state)
 	power_mean(&first, 60, 60, one);
 	assert_true(one[1] - one[0] > 10);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		assert_true(size_to_alpha_at(&first, d, 60, 100) >=
+		assert_true(power_of_draw(&first, d, 60, 100) >=
 			    power_to_accelerate_rock(60, 100));
 }
 

@@ -14,7 +14,6 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/screened.h"
 #include "cmd/lang/parse.h"
 #include "cmd/session/settings.h"
 #include "cmd/lang/table.h"
@@ -23,29 +22,34 @@
 #include "core/search/misfit.h"
 
 /* What is asked: the question, the quantity, its name, and the unit that
- * follows a width. */
+ * follows a width; and what follows: the draws of the quantity, in the units
+ * that people see, and the ends and the width of their band. */
 struct advice_request {
 	const struct question *question;
 	struct quantity q;
 	char *name;
 	const char *unit;
+	double draw[POSTERIOR_DRAWS], ends[2], width;
 };
 
-/* Puts the draws of the answer into value [POSTERIOR_DRAWS], in the units that
- * people see.  False if one lies outside the sieves. */
+/* Finds the draws of the answer and their band.  False if one lies outside the
+ * sieves. */
 static bool
-fill_draws_of_quantity(
-    const struct session *s, const struct advice_request *w, double *value)
+find_band_of_quantity(const struct session *s, struct advice_request *w)
 {
 	struct forecast *f = forecast_open(s, w->question, &w->q, 1);
 	bool known = true;
 	forecast_set_speed(f, w->question->speed);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
-		value[d] = quantities_value_in_shown_unit(
+		w->draw[d] = quantities_value_in_shown_unit(
 		    &w->q, forecast_draws(f, 0)[d]);
-		known = known && isfinite(value[d]);
+		known = known && isfinite(w->draw[d]);
 	}
 	forecast_close(f);
+	if (known)
+		ensemble_interval_with_answer(
+		    w->draw, w->question->level, NAN, w->ends);
+	w->width = w->ends[1] - w->ends[0];
 	return known;
 }
 
@@ -109,8 +113,7 @@ open_sample_forecast(
  * leave. */
 static void
 sort_by_expected_band_width(const struct session *s,
-    const struct advice_request *w, const double *answer, double width,
-    struct advised *c, size_t n)
+    const struct advice_request *w, struct advised *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
@@ -122,8 +125,8 @@ sort_by_expected_band_width(const struct session *s,
 			memcpy(sample + k * N, forecast_draws(f, k),
 			    N * sizeof *sample);
 		double share =
-		    advise_variance_share_removed(answer, sample, sieves);
-		c[i].width = width * sqrt(1 - share);
+		    advise_variance_share_removed(w->draw, sample, sieves);
+		c[i].width = w->width * sqrt(1 - share);
 	}
 	forecast_close(f);
 	qsort(c, n, sizeof *c, compare_band_widths);
@@ -137,7 +140,7 @@ note_range_over_sampled_feeds(
 {
 	double range[2];
 	if (!predict_range_over_feeds(
-		s, w->question, &w->q, w->question->speed, range))
+		s, w->question, &w->q, NAN, w->question->speed, range))
 		return;
 	double low = quantities_value_in_shown_unit(&w->q, range[0]),
 	       high = quantities_value_in_shown_unit(&w->q, range[1]);
@@ -152,8 +155,9 @@ note_range_over_sampled_feeds(
 
 static void
 note_best_sample_speed(struct answer *r, const struct advice_request *w,
-    const struct advised *best, double width)
+    const struct advised *best)
 {
+	double width = w->width;
 	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
 	FREED char *rpm = rotor_speed_rpm_text(
@@ -177,19 +181,17 @@ note_best_sample_speed(struct answer *r, const struct advice_request *w,
 		    best->width, w->unit, less);
 }
 
-/* Returns the candidates, best first, and the band as it is now; *n: how many.
- * Returns NULL if there is no band to narrow.  The caller frees them. */
+/* Returns the candidates, best first; *n: how many.  Returns NULL if there is
+ * no band to narrow.  The caller frees them. */
 static struct advised *
-rank_candidate_speeds(const struct session *s, const struct advice_request *w,
-    double *answer, double ends[2], size_t *n)
+rank_candidate_speeds(
+    const struct session *s, const struct advice_request *w, size_t *n)
 {
-	ensemble_interval_with_answer(answer, w->question->level, NAN, ends);
-	double width = ends[1] - ends[0];
-	if (!(width > 0))
+	if (!(w->width > 0))
 		return NULL;
 	struct advised *c = list_candidate_speeds(
 	    s, w->question->entry->site, w->question->speed, n);
-	sort_by_expected_band_width(s, w, answer, width, c, *n);
+	sort_by_expected_band_width(s, w, c, *n);
 	return c;
 }
 
@@ -197,32 +199,28 @@ bool
 advise_best_sample(const struct session *s, const struct question *q,
     const struct quantity *of, struct advised *best, double *width)
 {
-	const struct advice_request w = {.question = q, .q = *of};
-	double answer[POSTERIOR_DRAWS], ends[2];
+	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
-	if (!fill_draws_of_quantity(s, &w, answer))
-		return false;
-	FREED struct advised *c =
-	    rank_candidate_speeds(s, &w, answer, ends, &n);
+	FREED struct advised *c = find_band_of_quantity(s, &w)
+				      ? rank_candidate_speeds(s, &w, &n)
+				      : NULL;
 	if (c == NULL)
 		return false;
 	*best = c[0];
-	*width = ends[1] - ends[0];
+	*width = w.width;
 	return true;
 }
 
 /* Returns NULL if there is no band to narrow. */
 static struct answer *
-build_advice_answer(
-    const struct session *s, const struct advice_request *w, double *answer)
+build_advice_answer(const struct session *s, const struct advice_request *w)
 {
 	const struct entry *entry = w->question->entry;
+	double rotor = entry->site->rotor;
 	size_t n;
-	double ends[2];
-	FREED struct advised *c = rank_candidate_speeds(s, w, answer, ends, &n);
+	FREED struct advised *c = rank_candidate_speeds(s, w, &n);
 	if (c == NULL)
 		return NULL;
-	double width = ends[1] - ends[0], rotor = entry->site->rotor;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, w->question->speed, NAN);
 	struct answer *r = answers_new(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s%s", w->name,
@@ -244,14 +242,14 @@ build_advice_answer(
 			    r, "%.0f", rotor_speed_to_rpm(c[i].speed, rotor));
 		answer_add_cells(r, "%s %.3f %.0f",
 		    c[i].repeat ? tr("repeat") : tr("new"), c[i].width,
-		    100 * (1 - c[i].width / width));
+		    100 * (1 - c[i].width / w->width));
 	}
 	struct fields *o = answer_fields(r);
 	fields_put(o, "quantity %s speed %g low %g high %g width %g", w->name,
-	    w->question->speed, ends[0], ends[1], width);
+	    w->question->speed, w->ends[0], w->ends[1], w->width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
-	note_best_sample_speed(r, w, &c[0], width);
+	note_best_sample_speed(r, w, &c[0]);
 	note_range_over_sampled_feeds(r, s, w);
 	return r;
 }
@@ -283,18 +281,17 @@ static bool
 show_sampling_advice(
     struct session *s, struct advice_request *w, struct error *error)
 {
-	double answer[POSTERIOR_DRAWS];
 	const struct entry *entry = w->question->entry;
 	if (outlook_posterior_for_answers(s, entry, &entry->params) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
 		    outlook_why_no_band(s, entry),
 		    outlook_how_to_band(s, entry));
-	if (!fill_draws_of_quantity(s, w, answer))
+	if (!find_band_of_quantity(s, w))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",
 		    w->name, w->question->speed);
-	struct answer *r = build_advice_answer(s, w, answer);
+	struct answer *r = build_advice_answer(s, w);
 	if (r == NULL)
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s is the same in all draws: no sample can "

@@ -13,7 +13,7 @@ struct advised {
 	bool repeat;
 };
 
-/* If no single sample narrows the band by this share, several are advised. */
+/* If no single sample narrows the band by this share, take several. */
 #define ADVISE_WORTH 0.05
 
 /* Finds the best sample for a quantity of a question at its speed, and the

@@ -79,7 +79,7 @@ evaluate_assert_side(const struct session *s, const char *word, double *value,
 /* Returns 1 if the comparison holds, 0 if not, and -1 if there is no such
  * operator. */
 static int
-assert_holds(const char *op, double a, double b, double within)
+compare_asserted_values(const char *op, double a, double b, double within)
 {
 	if (strcmp(op, "=") == 0)
 		return fabs(a - b) <= within;
@@ -131,7 +131,7 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 	if (!evaluate_assert_side(s, word[0], &a, error) ||
 	    !evaluate_assert_side(s, word[2], &b, error))
 		return false;
-	int result = assert_holds(word[1], a, b, within);
+	int result = compare_asserted_values(word[1], a, b, within);
 	if (result < 0)
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected = < or > between two values, got '%s'",

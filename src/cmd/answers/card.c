@@ -25,11 +25,12 @@
 #include "io/cells/datetime.h"
 #include "io/sitefile/units.h"
 
-/* What is answered at every speed: P20, P50 and P80, then the user's figures,
- * the first of which is at `first`; whether the limits are met; and tonnes. */
+/* What is answered at every speed: P20, P50 and P80, then the user's figures;
+ * whether the limits are met; and tonnes.  ranged: the index of the figure
+ * whose range a page has room for. */
 struct card_request {
 	const struct question *question;
-	size_t n, first;
+	size_t n, ranged;
 	struct quantity *q;
 	struct forecast *forecast;
 	struct forecast *cut; /* of the ranged figure, in a new belt cut */
@@ -42,47 +43,53 @@ struct card_request {
 	char *power;
 };
 
-/* Adds the quantities of a text that are not in the list yet. */
+/* Adds a quantity that is not in the list yet.  Returns its index. */
+static size_t
+add_quantity(struct card_request *all, struct quantity q)
+{
+	size_t at = 0;
+	while (at < all->n && !quantity_same(&all->q[at], &q))
+		at++;
+	if (at < all->n)
+		return at;
+	all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
+	all->q[all->n++] = q;
+	return at;
+}
+
+/* Adds the quantities of a text.  The first of them has its range shown. */
 static bool
 add_listed_quantities(struct card_request *all, const char *text,
     const struct psd *feed, struct error *error)
 {
-	const struct fraction *fraction = &all->question->fraction;
 	size_t n;
 	FREED struct quantity *q = quantities_parse_list_for_feed(
-	    text, fraction, feed, true, &n, error);
+	    text, &all->question->fraction, feed, true, &n, error);
 	for (size_t i = 0; q != NULL && i < n; i++) {
-		size_t at = 0;
-		while (at < all->n && !quantity_same(&all->q[at], &q[i]))
-			at++;
-		all->first = i == 0 ? at : all->first;
-		if (at < all->n)
-			continue;
-		all->q = xrealloc(all->q, all->n + 1, sizeof *all->q);
-		all->q[all->n++] = q[i];
+		size_t at = add_quantity(all, q[i]);
+		all->ranged = i == 0 ? at : all->ranged;
 	}
 	return q != NULL;
 }
 
 /* Adds two passings: of the site's sieve nearest to 2 mm, and the fines or, if
  * the feed does not cover them, of the finest sieve. */
-static bool
-add_usual_passings(
-    struct card_request *all, const struct psd *feed, struct error *error)
+static void
+add_usual_passings(struct card_request *all, const struct psd *feed)
 {
-	size_t near = 0;
-	for (size_t i = 0; i < feed->n; i++)
-		if (fabs(log(feed->size[i] / 2e-3)) <
-		    fabs(log(feed->size[near] / 2e-3)))
-			near = i;
-	FREED char *middle =
-	    xasprintf("passing %.12g", units_mm(feed->size[near]));
-	FREED char *finest =
-	    psd_covers_size(feed, 6.3e-5)
-		? xstrdup("fines")
-		: xasprintf("passing %.12g", units_mm(feed->size[feed->n - 1]));
-	FREED char *both = xasprintf("%s,%s", middle, finest);
-	return add_listed_quantities(all, both, feed, error);
+	bool fines = psd_covers_size(feed, QUANTITIES_FINES);
+	struct quantity q = {
+	    .kind = QUANTITY_PASSING, .fraction = all->question->fraction};
+	double near = feed->size[0], finest = feed->size[feed->n - 1];
+	for (size_t i = 1; i < feed->n; i++)
+		if (fabs(log(feed->size[i] / 2e-3)) < fabs(log(near / 2e-3)))
+			near = feed->size[i];
+	/* The same number as that of a limit in mm. */
+	q.x = units_mm(near) / 1000;
+	all->ranged = add_quantity(all, q);
+	q.x = fines ? QUANTITIES_FINES : units_mm(finest) / 1000;
+	q.letter = fines ? 'f' : 0;
+	add_quantity(all, q);
 }
 
 static void
@@ -150,39 +157,39 @@ take_session_goal_limits(
 	return ok;
 }
 
-/* The figure whose range a page has room for: the first that has a limit, or
- * the first that was asked for. */
-static size_t
-index_of_figure_with_range(const struct card_request *all)
+/* Lets the first figure that has a limit have its range shown, if there is
+ * one. */
+static void
+choose_limited_figure_for_range(struct card_request *all)
 {
-	for (size_t c = 0; c < all->list.n; c++)
+	for (size_t c = all->list.n; c-- > 0;)
 		for (size_t i = 0; i < all->n; i++)
 			if (quantity_same(
 				&all->q[i], &all->list.at[c].quantity))
-				return i;
-	return all->first;
+				all->ranged = i;
 }
 
 static bool
 parse_card_request(struct session *s, struct card_request *all,
     const struct args *args, double slowest, struct error *error)
 {
-	const struct entry *entry = all->question->entry;
-	size_t run = all->question->feed;
-	const struct psd *feed = site_feed_of_run(entry->site, run);
-	bool ok = add_listed_quantities(all, ANSWERS_SIZE_LIST, feed, error) &&
-		  (args_is_given(args, &args->of)
-			  ? add_listed_quantities(all, args->of, feed, error)
-			  : add_usual_passings(all, feed, error)) &&
-		  conditions_add_from_args(
-		      s, args, all->question, &all->list, error) &&
-		  take_session_goal_limits(s, all, error) &&
-		  parse_plant_if_asked(s, all, args, error);
+	const struct psd *feed = question_feed(all->question);
+	bool named = args_is_given(args, &args->of);
+	if (!add_listed_quantities(all, ANSWERS_SIZE_LIST, feed, error))
+		return false;
+	if (!named)
+		add_usual_passings(all, feed);
+	bool ok =
+	    (!named || add_listed_quantities(all, args->of, feed, error)) &&
+	    conditions_add_from_args(
+		s, args, all->question, &all->list, error) &&
+	    take_session_goal_limits(s, all, error) &&
+	    parse_plant_if_asked(s, all, args, error);
 	if (!ok)
 		return false;
+	choose_limited_figure_for_range(all);
 	all->forecast = forecast_open(s, all->question, all->q, all->n);
-	all->cut = forecast_open(
-	    s, all->question, &all->q[index_of_figure_with_range(all)], 1);
+	all->cut = forecast_open(s, all->question, &all->q[all->ranged], 1);
 	if (all->list.n > 0)
 		all->wanted =
 		    conditions_open_search(s, all->question, &all->list, NULL);
@@ -190,10 +197,12 @@ parse_card_request(struct session *s, struct card_request *all,
 	       find_stream_names(all, slowest, error);
 }
 
-/* What a row is judged by. */
+/* What a row is judged by.  share: of the draws in which the limits are met,
+ * NAN for a model alone; holds: the answer meets them.  beyond: the speed is
+ * beyond the measured ones. */
 struct card_row {
 	double speed, share;
-	bool holds;
+	bool holds, beyond;
 	enum light light;
 };
 
@@ -211,7 +220,7 @@ struct card_column {
  * figure has its range beside it; cut: how far at most the range of a new belt
  * cut reaches from that figure.  measured: that figure of the samples is shown;
  * moved: by how much at most they were moved to the feed, 0..1 (moved.h). */
-struct page {
+struct card_table {
 	size_t n, rows, row, next;
 	struct card_column *column;
 	bool ranged, measured;
@@ -221,26 +230,24 @@ struct page {
 enum { AS_NEEDED = -1 };
 enum { NEEDED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
 
-static char *
-copy_or_null(const char *text)
-{
-	return text != NULL ? xstrdup(text) : NULL;
-}
-
 /* Puts the next cell of the row; in the first row it adds the column.  Takes
  * ownership of the word, which is NULL for a number. */
 static void
-put_card_cell(struct page *page, const char *key, const char *head,
+put_card_cell(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number, char *word)
 {
 	size_t i = page->next++;
 	if (i == page->n) {
 		page->column =
 		    xrealloc(page->column, ++page->n, sizeof *page->column);
-		page->column[i] = (struct card_column){copy_or_null(key),
-		    copy_or_null(head), xcalloc(page->rows, sizeof(char *)),
-		    xcalloc_doubles(page->rows), decimals, spare,
-		    head != NULL ? text_width_in_columns(head) : 0, false};
+		page->column[i] = (struct card_column){
+		    .key = key != NULL ? xstrdup(key) : NULL,
+		    .head = head != NULL ? xstrdup(head) : NULL,
+		    .word = xcalloc(page->rows, sizeof(char *)),
+		    .number = xcalloc_doubles(page->rows),
+		    .decimals = decimals,
+		    .spare = spare,
+		    .wide = head != NULL ? text_width_in_columns(head) : 0};
 	}
 	struct card_column *c = &page->column[i];
 	FREED char *shown = word != NULL ? xstrdup(word)
@@ -254,15 +261,15 @@ put_card_cell(struct page *page, const char *key, const char *head,
 }
 
 static void
-put_number_cell(struct page *page, const char *key, const char *head,
+put_number_cell(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number)
 {
 	put_card_cell(page, key, head, decimals, spare, number, NULL);
 }
 
 static void
-put_text_cell(
-    struct page *page, const char *key, const char *head, int spare, char *word)
+put_text_cell(struct card_table *page, const char *key, const char *head,
+    int spare, char *word)
 {
 	put_card_cell(page, key, head, AS_NEEDED, spare, NAN, word);
 }
@@ -293,20 +300,21 @@ static char *
 range_head(const struct card_request *all)
 {
 	enum { WIDE = 9 };
-	FREED char *head = card_heading_of_quantity(
-	    all, &all->q[index_of_figure_with_range(all)]);
+	FREED char *head = card_heading_of_quantity(all, &all->q[all->ranged]);
 	return text_width_in_columns(head) <= WIDE
 		   ? xasprintf(tr("%s band"), head)
 		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
 }
 
-/* Returns what was measured of a quantity at a speed, the mean of repeats,
- * moved to the feed of the card; NAN if nothing was, or with another feed or
- * machine.  Raises *moved to by how much. */
+/* Returns what was measured of the ranged figure at a speed, the mean of
+ * repeats, moved to the feed of the card; NAN if nothing was, or with another
+ * feed or machine.  Raises *moved to by how much. */
 static double
-mean_of_repeats_at_speed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double *moved)
+mean_of_repeats_at_speed(const struct session *s,
+    const struct card_request *all, double speed, double *moved)
 {
+	const struct question *q = all->question;
+	const struct quantity *of = &all->q[all->ranged];
 	const struct site *site = q->entry->site;
 	const struct params *params = &q->entry->params;
 	double sum = 0;
@@ -332,26 +340,16 @@ mean_of_repeats_at_speed(const struct session *s, const struct question *q,
 		     : NAN;
 }
 
-static void
-put_measured_cell(struct page *page, const struct session *s,
-    const struct card_request *all, double speed)
-{
-	const struct quantity *of = &all->q[index_of_figure_with_range(all)];
-	put_number_cell(page, NULL, tr("measured"), quantities_decimals(of),
-	    SAMPLE,
-	    mean_of_repeats_at_speed(
-		s, all->question, of, speed, &page->moved));
-}
-
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
-put_figure_cells(struct page *page, const struct session *s,
+put_figure_cells(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
 {
 	enum { P20, P50, P80, SIZES };
 	static const int SPARE[SIZES] = {
 	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
-	size_t ranged = index_of_figure_with_range(all);
+	size_t ranged = all->ranged;
+	FREED char *range = range_head(all);
 	if (page->row == 0)
 		page->ranged = !isnan(
 		    forecast_value_in_shown_unit(all->forecast, ranged).low);
@@ -362,7 +360,6 @@ put_figure_cells(struct page *page, const struct session *s,
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_field_name(q),
 			   *head = card_heading_of_quantity(all, q);
-		FREED char *range = range_head(all);
 		put_number_cell(page, key, head, digits,
 		    i < SIZES ? SPARE[i] : FIGURE, f.value);
 		if (i == ranged && page->ranged)
@@ -370,7 +367,10 @@ put_figure_cells(struct page *page, const struct session *s,
 			    xasprintf(
 				"%.*f..%.*f", digits, f.low, digits, f.high));
 		if (i == ranged && page->measured)
-			put_measured_cell(page, s, all, speed);
+			put_number_cell(page, NULL, tr("measured"), digits,
+			    SAMPLE,
+			    mean_of_repeats_at_speed(
+				s, all, speed, &page->moved));
 	}
 	struct figure p80 = forecast_value_in_shown_unit(all->forecast, P80);
 	put_number_cell(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
@@ -386,7 +386,7 @@ put_figure_cells(struct page *page, const struct session *s,
 /* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
 static void
 put_tonnage_cells(
-    struct page *page, const struct card_request *all, double speed)
+    struct card_table *page, const struct card_request *all, double speed)
 {
 	struct plant_result o = plant_solve_at(&all->plant, speed);
 	bool open = o.flow.open;
@@ -411,7 +411,7 @@ put_tonnage_cells(
 
 /* Programs are told "met" if that is the more likely. */
 static void
-put_limits_met_cells(struct page *page, const struct card_row *row)
+put_limits_met_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
 	bool met = drawn ? row->share >= 0.5 : row->holds;
@@ -426,7 +426,7 @@ put_limits_met_cells(struct page *page, const struct card_row *row)
 /* Puts the answer at one speed.  Beyond the measured speeds people see
  * "amber?". */
 static void
-put_card_row(struct page *page, struct session *s,
+put_card_row(struct card_table *page, struct session *s,
     const struct card_request *all, struct card_row *row, struct trust *worst)
 {
 	const struct entry *entry = all->question->entry;
@@ -442,11 +442,11 @@ put_card_row(struct page *page, struct session *s,
 	put_figure_cells(page, s, all, v);
 	struct trust light = light_at_speed(s, entry, v, all->question->feed);
 	row->light = light.light;
+	row->beyond = answers_is_speed_extrapolated(entry, v);
 	light_keep_worse(worst, light);
 	const char *name = tr(LIGHT_NAME[row->light]);
 	put_text_cell(page, NULL, tr("trust"), NEEDED,
-	    xasprintf("%s%s", name,
-		answers_is_speed_extrapolated(entry, v) ? "?" : ""));
+	    xasprintf("%s%s", name, row->beyond ? "?" : ""));
 	if (all->plant.circuit != NULL)
 		put_tonnage_cells(page, all, v);
 	if (all->list.n > 0) {
@@ -460,7 +460,7 @@ put_card_row(struct page *page, struct session *s,
 }
 
 static void
-page_free(struct page *page)
+card_table_free(struct card_table *page)
 {
 	for (size_t i = 0; i < page->n; i++) {
 		struct card_column *c = &page->column[i];
@@ -502,7 +502,7 @@ set_card_title(struct answer *r, const struct site *site, const char *today)
 /* Returns the width of the columns that are shown.  *most: out, the one of
  * these that can be spared soonest. */
 static int
-width_of_shown_columns(const struct page *page, struct card_column **most)
+width_of_shown_columns(const struct card_table *page, struct card_column **most)
 {
 	enum { GAP = 2 };
 	int wide = 0;
@@ -522,7 +522,7 @@ width_of_shown_columns(const struct page *page, struct card_column **most)
  * enough, the table becomes wider rather than two.  Returns the headings of the
  * columns left out, or ""; the caller frees them. */
 static char *
-drop_columns_to_fit(struct page *page, struct answer *r)
+drop_columns_to_fit(struct card_table *page, struct answer *r)
 {
 	enum { ROOM = 79 };
 	struct card_column *most;
@@ -556,7 +556,7 @@ drop_columns_to_fit(struct page *page, struct answer *r)
 
 /* Adds a line for each speed, for people or for programs. */
 static void
-add_card_rows(struct answer *r, const struct page *page, bool people)
+add_card_rows(struct answer *r, const struct card_table *page, bool people)
 {
 	const struct card_column *end = page->column + page->n, *c;
 	for (c = page->column; c < end; c++)
@@ -636,7 +636,7 @@ static void
 note_meaning_of_range(
     struct answer *r, const struct card_request *all, double cut)
 {
-	const struct quantity *of = &all->q[index_of_figure_with_range(all)];
+	const struct quantity *of = &all->q[all->ranged];
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
@@ -656,7 +656,7 @@ note_meaning_of_range(
 
 /* Notes what the words under trust mean, of those that occur. */
 static void
-note_meaning_of_trust_words(struct answer *r, const struct question *q,
+note_meaning_of_trust_words(struct answer *r, const struct site *site,
     const struct card_row *row, size_t n)
 {
 	bool occurs[] = {
@@ -664,10 +664,8 @@ note_meaning_of_trust_words(struct answer *r, const struct question *q,
 	bool beyond = false;
 	for (size_t i = 0; i < n; i++) {
 		occurs[row[i].light] = true;
-		beyond = beyond ||
-			 answers_is_speed_extrapolated(q->entry, row[i].speed);
+		beyond = beyond || row[i].beyond;
 	}
-	const struct site *site = q->entry->site;
 	FREED char *speeds = session_speeds_text(site, ", ", NULL, true);
 	FREED char *rpm = session_rpm_in_brackets(site, NULL, true);
 	FREED char *words =
@@ -692,7 +690,7 @@ note_meaning_of_trust_words(struct answer *r, const struct question *q,
 static void
 note_basis_of_card(struct answer *r, const struct session *s,
     const struct card_request *all, const char *dropped,
-    const struct page *page, const struct card_row *row)
+    const struct card_table *page, const struct card_row *row)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
@@ -713,8 +711,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 	if (page->ranged)
 		note_meaning_of_range(r, all, page->cut);
 	if (page->measured) {
-		FREED char *of =
-		    quantities_name(&all->q[index_of_figure_with_range(all)]);
+		FREED char *of = quantities_name(&all->q[all->ranged]);
 		answer_note(
 		    r, "measured: %s of the sample taken at that speed", of);
 	}
@@ -728,7 +725,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		answer_note(r, "feed: %s",
 		    site->feed_from[0] != '\0' ? site->feed_from
 					       : tr("as sampled"));
-	note_meaning_of_trust_words(r, q, row, page->rows);
+	note_meaning_of_trust_words(r, site, row, page->rows);
 }
 
 /* The rows show the lights.  If none is green, the best of them states its
@@ -740,12 +737,9 @@ note_best_trust_light(struct answer *r, const struct session *s,
 {
 	size_t best = 0;
 	for (size_t i = 1; i < n; i++) {
-		bool within =
-		    !answers_is_speed_extrapolated(q->entry, row[i].speed);
-		bool better = row[i].light < row[best].light;
-		if (better || (row[i].light == row[best].light && within &&
-				  answers_is_speed_extrapolated(
-				      q->entry, row[best].speed)))
+		bool alike = row[i].light == row[best].light;
+		if (row[i].light < row[best].light ||
+		    (alike && !row[i].beyond && row[best].beyond))
 			best = i;
 	}
 	answers_note_basis(s, r, q, 0, NULL, worst);
@@ -773,13 +767,11 @@ build_card_answer(
 	set_card_title(r, entry->site, today);
 	struct trust light = light_of_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
-	struct page page = {.rows = n};
+	struct card_table page = {.rows = n};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
-		    page.measured ||
-		    !isnan(mean_of_repeats_at_speed(s, all->question,
-			&all->q[index_of_figure_with_range(all)], speed[i],
-			&page.moved));
+		    page.measured || !isnan(mean_of_repeats_at_speed(
+					 s, all, speed[i], &page.moved));
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
 		put_card_row(&page, s, all, &row[i], &light);
@@ -797,7 +789,7 @@ build_card_answer(
 	struct question q = *all->question;
 	q.moved = page.measured && page.moved > SHOWN ? page.moved : 0;
 	note_best_trust_light(r, s, &q, row, n, &light);
-	page_free(&page);
+	card_table_free(&page);
 	return r;
 }
 

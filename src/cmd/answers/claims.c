@@ -12,13 +12,12 @@
 #include "base/xalloc.h"
 #include "cmd/fit/trials.h"
 #include "cmd/lang/table.h"
-#include "cmd/session/sites.h"
 #include "core/answer/predict.h"
 #include "core/model/breakage.h"
 
 /* The fits of the paper's model at loaded sites [n], their held-out runs, and
  * the rows of Table 3. */
-struct shown {
+struct claim_evidence {
 	size_t n;
 	const struct entry **fit;
 	struct trials runs;
@@ -27,7 +26,7 @@ struct shown {
 };
 
 static void
-collect_fitted_sites(struct shown *c, const struct session *s)
+collect_fitted_sites(struct claim_evidence *c, const struct session *s)
 {
 	c->settings = s->set.model;
 	stored_add_table3(&c->paper);
@@ -56,7 +55,8 @@ add_claim_verdict(
 }
 
 static void
-check_claim_params_within_bounds(struct answer *r, const struct shown *c)
+check_claim_params_within_bounds(
+    struct answer *r, const struct claim_evidence *c)
 {
 	size_t bound = 0;
 	double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {0};
@@ -81,7 +81,7 @@ check_claim_params_within_bounds(struct answer *r, const struct shown *c)
 }
 
 static void
-check_claim_p50_differs_least(struct answer *r, const struct shown *c)
+check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 {
 	double rms[PSD_SIZES];
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -111,23 +111,21 @@ is_correlation_negative(double r, size_t n)
 }
 
 static void
-check_claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
+check_claim_f_mat_opposes_e0_min(
+    struct answer *r, const struct claim_evidence *c)
 {
 	size_t most = c->n > c->paper.n ? c->n : c->paper.n;
-	double *x = xcalloc_doubles(most), *y = xcalloc_doubles(most), printed,
-	       fitted;
+	FREED double *x = xcalloc_doubles(most), *y = xcalloc_doubles(most);
 	for (size_t i = 0; i < c->paper.n; i++) {
 		x[i] = params_value_by_name(&c->paper.item[i].params, "f_mat");
 		y[i] = params_value_by_name(&c->paper.item[i].params, "e0_min");
 	}
-	printed = gsl_stats_correlation(x, 1, y, 1, c->paper.n);
+	double printed = gsl_stats_correlation(x, 1, y, 1, c->paper.n);
 	for (size_t i = 0; i < c->n; i++) {
 		x[i] = params_value_by_name(&c->fit[i]->params, "f_mat");
 		y[i] = params_value_by_name(&c->fit[i]->params, "e0_min");
 	}
-	fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
-	free(x);
-	free(y);
+	double fitted = gsl_stats_correlation(x, 1, y, 1, c->n);
 	FREED char *fits =
 	    c->n > 2 ? xasprintf(tr(", %+.2f over the %zu fits"), fitted, c->n)
 		     : xstrdup("");
@@ -142,7 +140,7 @@ check_claim_f_mat_opposes_e0_min(struct answer *r, const struct shown *c)
 
 /* Returns the row of Table 3 that has the name of the site, or NULL. */
 static const struct stored *
-table3_row_of_site(const struct shown *c, const struct entry *entry)
+table3_row_of_site(const struct claim_evidence *c, const struct entry *entry)
 {
 	FREED char *name = xasprintf("table3/%s", entry->key);
 	return stored_find(&c->paper, name);
@@ -151,7 +149,7 @@ table3_row_of_site(const struct shown *c, const struct entry *entry)
 /* For a reconstructed site the product at any speed is known: that of its
  * row. */
 static void
-check_claim_of_extrapolation(struct answer *r, const struct shown *c)
+check_claim_of_extrapolation(struct answer *r, const struct claim_evidence *c)
 {
 	static const double SPEED[] = {65, 85};
 	const double far = 1;
@@ -191,7 +189,8 @@ check_claim_of_extrapolation(struct answer *r, const struct shown *c)
 }
 
 static void
-check_claim_middle_speed_verifies(struct answer *r, const struct shown *c)
+check_claim_middle_speed_verifies(
+    struct answer *r, const struct claim_evidence *c)
 {
 	size_t wins = 0, n = 0;
 	double sum[2] = {0};
@@ -218,7 +217,7 @@ check_claim_middle_speed_verifies(struct answer *r, const struct shown *c)
 
 /* See D11. */
 static void
-check_claim_f_mat_resists(struct answer *r, const struct shown *c)
+check_claim_f_mat_resists(struct answer *r, const struct claim_evidence *c)
 {
 	size_t more = 0;
 	double sum = 0;
@@ -247,7 +246,7 @@ check_claim_f_mat_resists(struct answer *r, const struct shown *c)
 bool
 show_claims(struct session *s, const struct args *args, struct error *error)
 {
-	struct shown c = {0};
+	struct claim_evidence c = {0};
 	FREED char *about = xstrdup("");
 	(void)args;
 	collect_fitted_sites(&c, s);

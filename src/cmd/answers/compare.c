@@ -27,7 +27,7 @@
 
 /* One of the two products, and its name for people.  A pinned prediction stays
  * with the session. */
-struct side {
+struct compared {
 	const struct entry *entry;
 	struct question q;
 	struct prediction p;
@@ -38,7 +38,7 @@ struct side {
 static const char PIN[] = "pinned";
 
 static bool
-are_two_sites(const struct side side[2])
+are_two_sites(const struct compared side[2])
 {
 	return entry_without_variant(side[0].entry) !=
 	       entry_without_variant(side[1].entry);
@@ -46,7 +46,7 @@ are_two_sites(const struct side side[2])
 
 /* Returns the passing at a size, NAN if the side's sieves do not cover it. */
 static double
-compared_passing_at_size(const struct side *side, double x)
+compared_passing_at_size(const struct compared *side, double x)
 {
 	const struct psd *p = side->pinned ? &side->p.curve : &side->p.product;
 	return psd_covers_size(p, x) ? psd_passing(p, x) : NAN;
@@ -55,7 +55,7 @@ compared_passing_at_size(const struct side *side, double x)
 /* Returns the sieves of both, coarsest first.  If one is pinned, only the
  * sieves of the other count.  The caller frees them. */
 static double *
-merge_sieves_of_sides(const struct side side[2], size_t *n)
+merge_sieves_of_sides(const struct compared side[2], size_t *n)
 {
 	double *x = xcalloc_doubles(side[0].p.product.n + side[1].p.product.n);
 	*n = 0;
@@ -73,8 +73,8 @@ merge_sieves_of_sides(const struct side side[2], size_t *n)
 /* Forecasts the passings of sieves [n] and the sizes at the side's speed.
  * Returns NULL for a pinned prediction. */
 static struct forecast *
-open_side_forecast(
-    const struct session *s, const struct side *side, const double *x, size_t n)
+open_side_forecast(const struct session *s, const struct compared *side,
+    const double *x, size_t n)
 {
 	FREED struct quantity *q = xcalloc(n + PSD_SIZES, sizeof *q);
 	for (size_t i = 0; i < n + PSD_SIZES; i++)
@@ -101,7 +101,7 @@ add_difference_range_cells(
 }
 
 static void
-add_comparison_rows(struct answer *r, const struct side side[2],
+add_comparison_rows(struct answer *r, const struct compared side[2],
     struct forecast *const f[2], bool band, const double *x, size_t n)
 {
 	char key[40], head[24];
@@ -136,28 +136,6 @@ add_comparison_rows(struct answer *r, const struct side side[2],
 	}
 }
 
-/* Finds the smallest and the largest difference between the speeds that any of
- * the sampled feeds gives.  False if the answer is for one feed only. */
-static bool
-difference_range_over_feeds(const struct session *s, const struct side side[2],
-    const struct quantity *q, double range[static 2])
-{
-	size_t n_run = side[0].q.entry->site->n_run;
-	FREED double *a = xcalloc_doubles(n_run);
-	FREED double *b = xcalloc_doubles(n_run);
-	range[0] = INFINITY;
-	range[1] = -INFINITY;
-	if (are_two_sites(side) || side[0].q.feed != SITE_MEAN_FEED)
-		return false;
-	size_t n = predict_with_each_feed(s, &side[0].q, q, side[0].p.speed, a);
-	predict_with_each_feed(s, &side[0].q, q, side[1].p.speed, b);
-	for (size_t run = 0; run < n; run++) {
-		range[0] = fmin(range[0], b[run] - a[run]);
-		range[1] = fmax(range[1], b[run] - a[run]);
-	}
-	return range[0] <= range[1];
-}
-
 /* Returns a difference as it is shown: rounded, and never -0. */
 static double
 round_difference_as_shown(const struct quantity *q, double value)
@@ -170,7 +148,7 @@ round_difference_as_shown(const struct quantity *q, double value)
 /* Says which of the two has more, and whether the feeds change that. */
 static void
 note_difference(struct answer *r, const struct session *s,
-    const struct side side[2], const struct quantity *q, struct figure more)
+    const struct compared side[2], const struct quantity *q, struct figure more)
 {
 	int digits = quantities_decimals(q);
 	const char *unit = quantities_difference_suffix(q);
@@ -192,8 +170,11 @@ note_difference(struct answer *r, const struct session *s,
 		    words, chance, digits, low, digits, high, unit);
 	else
 		answer_note(r, "%s: the same at both, as it is shown", words);
-	bool differ = low < 0 || high > 0;
-	if (differ && difference_range_over_feeds(s, side, q, range))
+	const struct question *asked = &side[0].q;
+	if ((low < 0 || high > 0) && !are_two_sites(side) &&
+	    asked->feed == SITE_MEAN_FEED &&
+	    predict_range_over_feeds(
+		s, asked, q, side[0].p.speed, side[1].p.speed, range))
 		answer_note(r,
 		    "with the feeds that were sampled, the difference in %s "
 		    "ranges from %+.*f to %+.*f%s",
@@ -205,7 +186,7 @@ note_difference(struct answer *r, const struct session *s,
  * programs and a sentence. */
 static void
 add_compared_figures(struct answer *r, const struct session *s,
-    const struct side side[2], const struct quantity *q, size_t n)
+    const struct compared side[2], const struct quantity *q, size_t n)
 {
 	struct fields *list = fields_add_list(answer_fields(r), "figures");
 	struct forecast *f[2];
@@ -247,7 +228,7 @@ add_compared_figures(struct answer *r, const struct session *s,
 }
 
 static void
-put_side_fields(struct fields *o, const char *key, const struct side *side,
+put_side_fields(struct fields *o, const char *key, const struct compared *side,
     const double *x, size_t n)
 {
 	struct fields *one = fields_add_object(o, key);
@@ -265,7 +246,7 @@ put_side_fields(struct fields *o, const char *key, const struct side *side,
 
 /* Returns the provenance of both, once if it is the same. */
 static char *
-provenance_of_both(const struct side side[2])
+provenance_of_both(const struct compared side[2])
 {
 	char *first[2];
 	for (size_t i = 0; i < 2; i++)
@@ -282,7 +263,7 @@ provenance_of_both(const struct side side[2])
 /* Notes what breaks on each side, and warns of speeds outside the training
  * speeds. */
 static void
-note_broken_and_extrapolated(struct answer *r, const struct side side[2])
+note_broken_and_extrapolated(struct answer *r, const struct compared side[2])
 {
 	answer_note(r, "broken, %% of feed: %.1f and %.1f",
 	    100 * side[0].p.selected, 100 * side[1].p.selected);
@@ -297,7 +278,7 @@ note_broken_and_extrapolated(struct answer *r, const struct side side[2])
  * the two. */
 static void
 show_basis_of_both_sides(
-    const struct session *s, struct answer *r, const struct side side[2])
+    const struct session *s, struct answer *r, const struct compared side[2])
 {
 	bool two = are_two_sites(side);
 	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
@@ -321,7 +302,7 @@ show_basis_of_both_sides(
  * those of the other side, and the difference has no band. */
 static bool
 use_pinned_prediction(struct session *s, const struct args *args,
-    struct side *side, struct error *error)
+    struct compared *side, struct error *error)
 {
 	const struct pin *pin = s->pin;
 	size_t at = 0;
@@ -356,7 +337,7 @@ is_operand_pinned(const struct args *args, size_t i)
  * the feed is chosen as predict does. */
 static bool
 parse_side_and_predict(struct session *s, const struct args *args, bool sites,
-    double v, size_t i, struct side *side, struct error *error)
+    double v, size_t i, struct compared *side, struct error *error)
 {
 	const char *word = args->operand[i];
 	if (is_operand_pinned(args, i))
@@ -386,7 +367,7 @@ parse_side_and_predict(struct session *s, const struct args *args, bool sites,
 
 /* Names the columns by what the two sides differ in. */
 static void
-set_column_headings(bool sites, struct side side[2])
+set_column_headings(bool sites, struct compared side[2])
 {
 	bool two = are_two_sites(side);
 	for (size_t i = 0; i < 2; i++) {
@@ -407,7 +388,7 @@ set_column_headings(bool sites, struct side side[2])
 
 /* Sets the title of an answer about two sites. */
 static void
-set_title_of_two_sites(struct answer *r, const struct side side[2],
+set_title_of_two_sites(struct answer *r, const struct compared side[2],
     const char *passing, const char *fraction)
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
@@ -429,7 +410,7 @@ set_title_of_two_sites(struct answer *r, const struct side side[2],
 /* Adds the sieves, sizes and break sizes of both. */
 static void
 add_compared_curves(struct answer *r, const struct session *s,
-    const struct side side[2], const double *x, size_t n)
+    const struct compared side[2], const double *x, size_t n)
 {
 	struct forecast *f[2];
 	for (size_t i = 0; i < 2; i++)
@@ -449,7 +430,7 @@ add_compared_curves(struct answer *r, const struct session *s,
 
 /* q [n_q]: the figures that are shown; NULL shows the curves. */
 static struct answer *
-build_comparison_answer(const struct session *s, const struct side side[2],
+build_comparison_answer(const struct session *s, const struct compared side[2],
     const struct quantity *q, size_t n_q)
 {
 	size_t n;
@@ -481,10 +462,10 @@ build_comparison_answer(const struct session *s, const struct side side[2],
  * is pinned. */
 static bool
 draw_both_curves(
-    struct session *s, const struct side side[2], struct error *error)
+    struct session *s, const struct compared side[2], struct error *error)
 {
-	const struct side *one = &side[side[1].pinned ? 0 : 1];
-	const struct side *two = &side[side[1].pinned ? 1 : 0];
+	const struct compared *one = &side[side[1].pinned ? 0 : 1];
+	const struct compared *two = &side[side[1].pinned ? 1 : 0];
 	struct plot_request request = plots_default_request(PLOT_PSD);
 	request.entry = one->entry;
 	request.speed = one->p.speed;
@@ -502,8 +483,9 @@ draw_both_curves(
 /* Reads the figures of of=; leaves *q NULL if there are none.  The caller frees
  * it. */
 static bool
-parse_compared_quantities(const struct args *args, const struct side side[2],
-    struct quantity **q, size_t *n, struct error *error)
+parse_compared_quantities(const struct args *args,
+    const struct compared side[2], struct quantity **q, size_t *n,
+    struct error *error)
 {
 	if (args->of == NULL)
 		return true;
@@ -520,7 +502,7 @@ parse_compared_quantities(const struct args *args, const struct side side[2],
 bool
 cmd_compare(struct session *s, const struct args *args, struct error *error)
 {
-	struct side side[2] = {{0}};
+	struct compared side[2] = {{0}};
 	double v, speed = args->speed;
 	bool sites = false;
 	for (size_t i = 0; i < 2; i++)

@@ -31,7 +31,7 @@ static const struct {
 
 /* What the examples are worked out with: the site, its parameters, and the two
  * runs of Eq 5. */
-struct worked {
+struct equation_example {
 	const struct site *site;
 	const struct params *p;
 	struct model_settings settings;
@@ -41,7 +41,7 @@ struct worked {
 /* Returns the exponent of Eq 3 without its sign and its floor at 0; x in
  * whatever unit it is given in. */
 static double
-exponent_of_eq3(const struct worked *w, double x, double speed)
+exponent_of_eq3(const struct equation_example *w, double x, double speed)
 {
 	const struct params *p = w->p;
 	return p->f_mat * w->settings.k *
@@ -51,7 +51,8 @@ exponent_of_eq3(const struct worked *w, double x, double speed)
 /* Returns the middle, on log size, of the coarsest size class in which
  * something breaks or, if not `breaks`, in which nothing does, m. */
 static double
-midpoint_of_coarsest_class(const struct worked *w, double speed, bool breaks)
+midpoint_of_coarsest_class(
+    const struct equation_example *w, double speed, bool breaks)
 {
 	const struct psd *feed = site_feed_of_run(w->site, SITE_MEAN_FEED);
 	for (size_t i = 0; i + 1 < feed->n; i++) {
@@ -63,7 +64,8 @@ midpoint_of_coarsest_class(const struct worked *w, double speed, bool breaks)
 }
 
 static void
-say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
+say_sign_of_eq3(
+    struct answer *r, const struct equation_example *w, double speed)
 {
 	double coarse = midpoint_of_coarsest_class(w, speed, true),
 	       fine = midpoint_of_coarsest_class(w, speed, false);
@@ -90,7 +92,7 @@ say_sign_of_eq3(struct answer *r, const struct worked *w, double speed)
 
 /* Returns the share of the feed that would break if x were in millimetres. */
 static double
-broken_share_with_x_in_mm(const struct worked *w, double speed)
+broken_share_with_x_in_mm(const struct equation_example *w, double speed)
 {
 	const struct psd *feed = site_feed_of_run(w->site, SITE_MEAN_FEED);
 	double sum = 0;
@@ -104,7 +106,7 @@ broken_share_with_x_in_mm(const struct worked *w, double speed)
 }
 
 static void
-say_effect_of_millimetres(struct answer *r, const struct worked *w)
+say_effect_of_millimetres(struct answer *r, const struct equation_example *w)
 {
 	double speed[2] = {w->site->run[w->low].speed,
 	    w->site->run[w->high].speed},
@@ -129,8 +131,8 @@ say_effect_of_millimetres(struct answer *r, const struct worked *w)
 /* Returns the RMSE of the parameters at one run or, if run is n_run, at both,
  * in points. */
 static double
-rmse_of_params_at_run(const struct worked *w, struct model_settings settings,
-    const struct params *p, size_t run)
+rmse_of_params_at_run(const struct equation_example *w,
+    struct model_settings settings, const struct params *p, size_t run)
 {
 	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
 	train[w->low] = run != w->high;
@@ -144,7 +146,8 @@ rmse_of_params_at_run(const struct worked *w, struct model_settings settings,
 /* Says what the literal reading gives: each progeny class has the same share,
  * whatever beta is. */
 static void
-say_effect_of_literal_appearance(struct answer *r, const struct worked *w)
+say_effect_of_literal_appearance(
+    struct answer *r, const struct equation_example *w)
 {
 	struct model_settings literal = w->settings;
 	struct params other = *w->p;
@@ -180,7 +183,7 @@ say_effect_of_literal_appearance(struct answer *r, const struct worked *w)
  * as printed, and returns that value.  The search starts from the site's own
  * parameters. */
 static double
-best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
+best_params_of_printed_eq5(const struct equation_example *w, struct misfit *low,
     struct misfit *high, struct params *best)
 {
 	enum { STEPS = 8 };
@@ -205,7 +208,8 @@ best_params_of_printed_eq5(const struct worked *w, struct misfit *low,
 }
 
 static void
-say_effect_of_printed_eq5_minus(struct answer *r, const struct worked *w)
+say_effect_of_printed_eq5_minus(
+    struct answer *r, const struct equation_example *w)
 {
 	struct misfit *m[2];
 	for (size_t i = 0; i < 2; i++) {
@@ -237,7 +241,7 @@ say_effect_of_printed_eq5_minus(struct answer *r, const struct worked *w)
 /* Finds the slowest and the fastest run with a product.  False if there are not
  * two of them. */
 static bool
-find_slowest_and_fastest_run(struct worked *w)
+find_slowest_and_fastest_run(struct equation_example *w)
 {
 	FREED bool *train = xcalloc(w->site->n_run, sizeof *train);
 	size_t n = misfit_mark_default_training(w->site, train), found = 0;
@@ -258,7 +262,7 @@ work_out_equations_for_site(struct answer *r, const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
-	struct worked w = {.settings = s->set.model};
+	struct equation_example w = {.settings = s->set.model};
 	if (entry == NULL || !entry->has_params ||
 	    entry->params.breakage != 0) {
 		answer_note(r, "load and calibrate a site to see what the "

@@ -16,33 +16,9 @@
 /* The figures that are shown by default, as far as the feed covers them. */
 #define USUAL "P10,P20,P50,P80,P90,cu,cc,fines,fm EN,fm ASTM,fm IS,fm DIN,fm GB"
 
-/* Adds a row for people and, unless list is NULL, an object.  model: also add
- * the figure by the model alone, for programs, because people have no room for
- * it. */
-static void
-add_quantity_row(struct answer *r, struct fields *list, struct forecast *all,
-    size_t i, const struct quantity *q, double speed, bool model)
-{
-	struct figure f = forecast_value_in_shown_unit(all, i);
-	int decimals = quantities_decimals(q);
-	FREED char *words = quantities_name(q), *key = quantities_field_name(q);
-	answer_name(r, key, words);
-	answer_add_cells(r, "%.*f %s", decimals, f.value, quantities_unit(q));
-	if (forecast_draws(all, i) != NULL)
-		answer_add_cells(
-		    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
-	if (forecast_draws(all, i) != NULL && model)
-		answer_add_cells(r, "%g",
-		    quantities_value_in_shown_unit(
-			q, forecast_value_of_model_alone(all, i)));
-	if (model)
-		answer_add_cells(r, "%g", speed);
-	if (list != NULL)
-		fields_put(fields_add_object(list, NULL),
-		    "quantity %s value %g unit %s low %g high %g", key, f.value,
-		    quantities_unit(q), f.low, f.high);
-}
-
+/* Adds a row for each quantity and, unless list is NULL, an object.  model:
+ * also add the figure by the model alone, for programs, because people have no
+ * room for it. */
 static void
 add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
     const struct quantity *q, size_t n, double speed, bool model)
@@ -55,21 +31,28 @@ add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
 		answer_column(r, "model", "model");
 	if (model)
 		answer_column(r, "speed", "m/s");
-	for (size_t i = 0; i < n; i++)
-		add_quantity_row(r, list, all, i, &q[i], speed, model);
-}
-
-/* Says how sure the one quantity asked about is.  Returns false without a
- * band. */
-static bool
-note_certainty_of_quantity(struct answer *r, const struct session *s,
-    const struct question *question, const struct quantity *q)
-{
-	FREED char *words =
-	    predict_certainty_words(s, question, q, question->speed);
-	if (words != NULL)
-		answer_note(r, "%s", words);
-	return words != NULL;
+	for (size_t i = 0; i < n; i++) {
+		struct figure f = forecast_value_in_shown_unit(all, i);
+		int decimals = quantities_decimals(&q[i]);
+		const char *unit = quantities_unit(&q[i]);
+		FREED char *words = quantities_name(&q[i]);
+		FREED char *key = quantities_field_name(&q[i]);
+		answer_name(r, key, words);
+		answer_add_cells(r, "%.*f %s", decimals, f.value, unit);
+		if (band)
+			answer_add_cells(
+			    r, "%.*f %.*f", decimals, f.low, decimals, f.high);
+		if (band && model)
+			answer_add_cells(r, "%g",
+			    quantities_value_in_shown_unit(
+				&q[i], forecast_value_of_model_alone(all, i)));
+		if (model)
+			answer_add_cells(r, "%g", speed);
+		if (list != NULL)
+			fields_put(fields_add_object(list, NULL),
+			    "quantity %s value %g unit %s low %g high %g", key,
+			    f.value, unit, f.low, f.high);
+	}
 }
 
 /* Says between which values a new belt cut may show each of several. */
@@ -122,10 +105,14 @@ cmd_figures(struct session *s, const struct args *args,
 	    q, n, v, false);
 	answer_begin_table_for_programs(r);
 	add_quantity_rows(r, NULL, all, q, n, v, true);
+	FREED char *sure =
+	    named && n == 1 ? predict_certainty_words(s, question, q, v) : NULL;
 	if (named && n > 1)
 		note_ranges_of_new_cut(r, s, question, q, n);
-	else if (named && note_certainty_of_quantity(r, s, question, q))
+	if (sure != NULL) {
+		answer_note(r, "%s", sure);
 		band = predict_correction_is_worth_saying(s, entry);
+	}
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);
 	return session_show_answer(s, r);

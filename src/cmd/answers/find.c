@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -22,7 +21,8 @@
 
 /* What is wanted: a value of a quantity, or its maximum or minimum, and other
  * conditions that have to hold; on which feed, and between which speeds. n: the
- * number of goals that were named. */
+ * number of goals that were named.  search, speed: what was found; the speed is
+ * NAN if there is none. */
 struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
@@ -30,6 +30,8 @@ struct find_request {
 	struct condition_list others;
 	const struct question *question;
 	struct wanted wanted; /* the others, then the target */
+	struct speed_search *search;
+	double speed;
 };
 
 static void
@@ -220,9 +222,10 @@ finite_speed_or_nan(double speed)
 }
 
 static void
-put_goal_fields(struct fields *o, const struct find_request *goal, double speed,
-    const struct speed_search *f)
+put_goal_fields(struct fields *o, const struct find_request *goal)
 {
+	const struct speed_search *f = goal->search;
+	double speed = goal->speed;
 	const struct quantity *q = &goal->target.quantity;
 	bool passing =
 	    q->kind == QUANTITY_PASSING && !fraction_is_screened(&q->fraction);
@@ -246,15 +249,6 @@ put_goal_fields(struct fields *o, const struct find_request *goal, double speed,
 	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    finite_speed_or_nan(f->range[0]), finite_speed_or_nan(f->range[1]),
 	    finite_speed_or_nan(f->cut[0]), finite_speed_or_nan(f->cut[1]));
-}
-
-/* Returns the speed that was found, or NAN. */
-static double
-speed_found(const struct find_request *goal, const struct speed_search *f)
-{
-	return goal->kind == GOAL_VALUE ? f->found
-					: speed_search_speed_of_extreme(f,
-					      goal->kind == GOAL_MOST, false);
 }
 
 /* Returns "66.2 to 68.9 m/s (1290 to 1343 rpm)"; an end may lie beyond the
@@ -312,13 +306,13 @@ find_speed_with_feed_of_run(
 /* What the speed would be with each sampled feed in place of their mean, of
  * what rises or falls with the speed throughout. */
 static void
-note_speed_range_over_feeds(struct answer *r, const struct session *s,
-    const struct find_request *goal, double found)
+note_speed_range_over_feeds(
+    struct answer *r, const struct session *s, const struct find_request *goal)
 {
 	const double tells = 0.05;
 	const struct question *q = goal->question;
 	const struct quantity *of = &goal->target.quantity;
-	double range[2] = {found, found};
+	double range[2] = {goal->speed, goal->speed};
 	const struct site *site = q->entry->site;
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other || q->feed != SITE_MEAN_FEED ||
@@ -344,9 +338,10 @@ note_speed_range_over_feeds(struct answer *r, const struct session *s,
 /* Notes the speed found with its range, and the range in which a belt cut may
  * show the value. */
 static void
-note_speed_found(struct answer *r, const struct find_request *goal,
-    const struct speed_search *f, const char *words)
+note_speed_found(
+    struct answer *r, const struct find_request *goal, const char *words)
 {
+	const struct speed_search *f = goal->search;
 	const struct site *site = goal->wanted.site;
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, f->found, NAN);
 	if (isnan(f->range[0])) {
@@ -394,10 +389,11 @@ value_with_band_text(const struct find_request *goal, size_t i)
 /* Notes the extreme value and what keeps it from going further: a limit that
  * would be missed, or the end of the speeds searched. */
 static void
-note_extreme_value(struct answer *r, const struct find_request *goal,
-    const struct speed_search *f, double v)
+note_extreme_value(struct answer *r, const struct find_request *goal)
 {
 	const double near = 1e-3;
+	const struct speed_search *f = goal->search;
+	double v = goal->speed;
 	bool most = goal->kind == GOAL_MOST;
 	forecast_set_speed(goal->wanted.forecast, v);
 	char *words = value_with_band_text(goal, goal->wanted.n);
@@ -427,12 +423,11 @@ note_extreme_value(struct answer *r, const struct find_request *goal,
 /* Notes the best speed at which the conditions hold with the probability of the
  * bands.  At the speed of a binding limit that probability is only a half. */
 static void
-note_best_certain_speed(struct answer *r, const struct find_request *goal,
-    const struct speed_search *f)
+note_best_certain_speed(struct answer *r, const struct find_request *goal)
 {
 	double level = 100 * goal->wanted.level;
-	double v =
-	    speed_search_speed_of_extreme(f, goal->kind == GOAL_MOST, true);
+	double v = speed_search_speed_of_extreme(
+	    goal->search, goal->kind == GOAL_MOST, true);
 	if (isnan(v)) {
 		answer_note(r,
 		    "at no speed do the conditions hold with %.0f %% certainty",
@@ -445,14 +440,6 @@ note_best_certain_speed(struct answer *r, const struct find_request *goal,
 	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
 	answer_note(r, "with %.0f %% certainty at %.2f m/s%s: %s", level, v,
 	    rpm, words);
-}
-
-static void
-note_missed_condition(
-    struct answer *r, const char *words, double points, const char *value)
-{
-	answer_note(r, "%s: missed by %.*f points, %s", words,
-	    conditions_decimals_of_miss(points), points, value);
 }
 
 static void
@@ -470,15 +457,16 @@ note_other_condition(
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
 	else
-		note_missed_condition(r, words, missed, value);
+		answer_note(r, "%s: missed by %.*f points, %s", words,
+		    conditions_decimals_of_miss(missed), missed, value);
 }
 
 /* Notes whether each other condition holds at the speed found, and with what
  * certainty all of them do. */
 static void
-note_other_conditions(struct answer *r, const struct find_request *goal,
-    const struct speed_search *f, double v)
+note_other_conditions(struct answer *r, const struct find_request *goal)
 {
+	double v = goal->speed;
 	forecast_set_speed(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
 		note_other_condition(r, goal, i);
@@ -495,7 +483,7 @@ note_other_conditions(struct answer *r, const struct find_request *goal,
 		: N_("at %.2f m/s%s this condition holds with %s certainty"),
 	    v, rpm, words);
 	if (goal->kind != GOAL_VALUE && certain < goal->wanted.level)
-		note_best_certain_speed(r, goal, f);
+		note_best_certain_speed(r, goal);
 }
 
 /* Says why there is no such speed, with the values at both ends. */
@@ -538,36 +526,35 @@ note_goal_unattainable(
 
 static void
 note_search_result(struct answer *r, const struct session *s,
-    const struct find_request *goal, const struct speed_search *f,
-    const char *words)
+    const struct find_request *goal, const char *words)
 {
-	double v = speed_found(goal, f);
-	bool found = !isnan(v);
-	if (!found && goal->kind == GOAL_VALUE)
+	bool found = !isnan(goal->speed);
+	if (!found && goal->kind == GOAL_VALUE) {
 		note_goal_unattainable(r, goal, words);
-	else if (!found)
-		conditions_note_why_unmet(r, &goal->wanted, &goal->others, f);
-	else if (goal->kind == GOAL_VALUE)
-		note_speed_found(r, goal, f, words);
-	else
-		note_extreme_value(r, goal, f, v);
-	if (found && goal->kind == GOAL_VALUE)
-		note_speed_range_over_feeds(r, s, goal, v);
+	} else if (!found) {
+		conditions_note_why_unmet(
+		    r, &goal->wanted, &goal->others, goal->search);
+	} else if (goal->kind == GOAL_VALUE) {
+		note_speed_found(r, goal, words);
+		note_speed_range_over_feeds(r, s, goal);
+	} else {
+		note_extreme_value(r, goal);
+	}
 	if (found && goal->wanted.n > 0)
-		note_other_conditions(r, goal, f, v);
+		note_other_conditions(r, goal);
 	conditions_note_source_of_limits(r, &goal->others);
 }
 
 static void
-put_search_result(struct fields *o, const struct find_request *goal,
-    const struct speed_search *f)
+put_search_result(struct fields *o, const struct find_request *goal)
 {
-	double v = speed_found(goal, f);
-	put_goal_fields(o, goal, v, f);
+	double v = goal->speed;
+	put_goal_fields(o, goal);
 	if (goal->wanted.n == 0)
 		return;
-	forecast_set_speed(goal->wanted.forecast, isnan(v) ? f->best : v);
-	conditions_put_list(o, &goal->wanted, f);
+	forecast_set_speed(
+	    goal->wanted.forecast, isnan(v) ? goal->search->best : v);
+	conditions_put_list(o, &goal->wanted, goal->search);
 	fields_put(o, "holds %d",
 	    !isnan(v) && wanted_are_conditions_met(&goal->wanted, SIZE_MAX));
 }
@@ -575,14 +562,12 @@ put_search_result(struct fields *o, const struct find_request *goal,
 /* Returns, where nothing was found, the speed that comes nearest: the one that
  * misses the conditions by least or, for a value, one end of those searched. */
 static double
-speed_nearest_to_goal(
-    const struct find_request *goal, const struct speed_search *f)
+speed_nearest_to_goal(const struct find_request *goal)
 {
 	const struct wanted *w = &goal->wanted;
-	double wanted = quantities_value_in_shown_unit(
-	    &goal->target.quantity, goal->target.least);
+	double wanted = value_in_shown_unit(goal, goal->target.least);
 	if (goal->kind != GOAL_VALUE)
-		return f->best;
+		return goal->search->best;
 	return fabs(target_value_at_speed(goal, w->to) - wanted) <
 		       fabs(target_value_at_speed(goal, w->from) - wanted)
 		   ? w->to
@@ -592,15 +577,14 @@ speed_nearest_to_goal(
 /* The light of the speed found, or that of the nearest one, which is named: the
  * speed that 'why' explains, which is returned. */
 static double
-show_basis_at_speed_found(struct session *s, struct answer *r,
-    const struct find_request *goal, const struct speed_search *f)
+show_basis_at_speed_found(
+    struct session *s, struct answer *r, const struct find_request *goal)
 {
 	const struct question *q = goal->question;
-	double v = speed_found(goal, f);
-	bool found = !isnan(v);
-	double shown = found ? v : speed_nearest_to_goal(goal, f);
+	bool found = !isnan(goal->speed);
+	double shown = found ? goal->speed : speed_nearest_to_goal(goal);
 	struct trust light = light_at_speed(s, q->entry, shown, q->feed);
-	answers_note_basis(s, r, q, found ? v : 0, NULL, &light);
+	answers_note_basis(s, r, q, found ? shown : 0, NULL, &light);
 	light_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
@@ -625,14 +609,13 @@ begin_find_answer(
 /* Answers with the product at the speed found or, if there is none, with those
  * at both ends. */
 static void
-show_product_at_goal_speed(struct session *s, struct find_request *goal)
+show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 {
 	const struct question *q = goal->question;
 	const struct entry *entry = q->entry;
-	struct speed_search *f = speed_search_run(&goal->wanted);
-	double v = speed_found(goal, f);
-	bool found = !isnan(v);
-	double speed[2] = {found ? v : goal->wanted.from, goal->wanted.to};
+	bool found = !isnan(goal->speed);
+	double speed[2] = {
+	    found ? goal->speed : goal->wanted.from, goal->wanted.to};
 	size_t n = found ? 1 : 2;
 	struct prediction p[2];
 	for (size_t i = 0; i < n; i++)
@@ -641,11 +624,11 @@ show_product_at_goal_speed(struct session *s, struct find_request *goal)
 	FREED char *words = goal_to_text(goal);
 	struct answer *r = begin_find_answer(goal, found, words);
 	answers_add_prediction_rows(r, entry, p, n);
-	note_search_result(r, s, goal, f, words);
+	note_search_result(r, s, goal, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
-	double shown = show_basis_at_speed_found(s, r, goal, f);
-	put_search_result(answer_fields(r), goal, f);
+	double shown = show_basis_at_speed_found(s, r, goal);
+	put_search_result(answer_fields(r), goal);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
@@ -653,7 +636,6 @@ show_product_at_goal_speed(struct session *s, struct find_request *goal)
 	asked_keep_speed_and_quantity(s, shown, &goal->target.quantity);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
-	speed_search_free(f);
 }
 
 /* Notes the speeds that meet the envelope; if none does, what the nearest
@@ -737,7 +719,13 @@ find_speed_for_goal(struct session *s, const struct args *args,
 		    s, goal->question, &goal->others, &goal->target);
 		goal->wanted.from = from;
 		goal->wanted.to = to;
+		goal->search = speed_search_run(&goal->wanted);
+		goal->speed = goal->kind == GOAL_VALUE
+				  ? goal->search->found
+				  : speed_search_speed_of_extreme(goal->search,
+					goal->kind == GOAL_MOST, false);
 		show_product_at_goal_speed(s, goal);
+		speed_search_free(goal->search);
 		forecast_close(goal->wanted.forecast);
 	}
 	conditions_free(&goal->others);

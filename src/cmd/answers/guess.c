@@ -26,7 +26,7 @@ enum { MOST_OWN = 200 };
  * the list has at most MOST_OWN.  list: all materials, with Table 3 from index
  * `table3` on.  m [list.n]: the same for core.  pick [n]: those that are used.
  * error: that of guesses from as many materials. */
-struct basis {
+struct guess_sources {
 	struct stored_list list;
 	struct guess_material *m, wanted;
 	bool *leave_out;
@@ -36,7 +36,7 @@ struct basis {
 };
 
 static void
-basis_free(struct basis *b)
+guess_sources_free(struct guess_sources *b)
 {
 	stored_list_free(&b->list);
 	free(b->m);
@@ -45,7 +45,8 @@ basis_free(struct basis *b)
 }
 
 static bool
-load_guess_materials(struct basis *b, struct store *store, struct error *error)
+load_guess_materials(
+    struct guess_sources *b, struct store *store, struct error *error)
 {
 	struct store_query query = {0};
 	if (!store_count_materials(store, &b->own, error))
@@ -61,7 +62,7 @@ load_guess_materials(struct basis *b, struct store *store, struct error *error)
 }
 
 static void
-prepare_guess_materials(struct basis *b)
+prepare_guess_materials(struct guess_sources *b)
 {
 	size_t n = b->list.n;
 	b->m = xcalloc(n, sizeof *b->m);
@@ -83,7 +84,7 @@ prepare_guess_materials(struct basis *b)
  * leaving one site out gives the smallest error.  That number is found from
  * Table 3 alone, so that it is the same for everyone. */
 static void
-pick_nearest_materials(struct basis *b, uint64_t nearest, double speed)
+pick_nearest_materials(struct guess_sources *b, uint64_t nearest, double speed)
 {
 	size_t n = b->list.n, n_table = n - b->table3, most = n;
 	const struct guess_material *table = b->m + b->table3;
@@ -119,7 +120,7 @@ parse_wanted_material(const struct site *site, const struct args *args,
 }
 
 static void
-put_picked_materials(struct fields *o, const struct basis *b)
+put_picked_materials(struct fields *o, const struct guess_sources *b)
 {
 	struct fields *list = fields_add_list(o, "materials");
 	for (size_t i = 0; i < b->n; i++) {
@@ -135,13 +136,13 @@ put_picked_materials(struct fields *o, const struct basis *b)
 }
 
 static const char *
-name_of_worst_material(const struct basis *b)
+name_of_worst_material(const struct guess_sources *b)
 {
 	return b->list.item[b->table3 + b->error.worst_at].name;
 }
 
 static void
-put_leave_one_out_error(struct fields *o, const struct basis *b)
+put_leave_one_out_error(struct fields *o, const struct guess_sources *b)
 {
 	const struct guess_error *e = &b->error;
 	fields_put(fields_add_object(o, "leave_one_site_out"),
@@ -153,7 +154,7 @@ put_leave_one_out_error(struct fields *o, const struct basis *b)
 
 static void
 put_guess_fields(
-    struct answer *r, const struct basis *b, const struct guess *guess)
+    struct answer *r, const struct guess_sources *b, const struct guess *guess)
 {
 	struct fields *o = answer_fields(r);
 	double top = b->wanted.top_size;
@@ -192,14 +193,14 @@ build_guess_answer(const struct site *site, const struct guess *guess)
 static char *
 size_range_text(const struct guess_range *range, const char *none)
 {
+	static const char *const AFTER[3] = {" (", "..", ")"};
 	const double v[3] = {range->middle, range->low, range->high};
-	char *word[3];
+	char *words = xstrdup("");
 	for (size_t i = 0; i < 3; i++)
-		word[i] = isfinite(v[i]) ? xasprintf("%.2f", 1000 * v[i])
-					 : xstrdup(none);
-	char *words = xasprintf("%s (%s..%s)", word[0], word[1], word[2]);
-	for (size_t i = 0; i < 3; i++)
-		free(word[i]);
+		if (isfinite(v[i]))
+			xappend(&words, "%.2f%s", 1000 * v[i], AFTER[i]);
+		else
+			xappend(&words, "%s%s", none, AFTER[i]);
 	return words;
 }
 
@@ -208,22 +209,20 @@ note_guessed_sizes(struct answer *r, const struct guess *guess)
 {
 	const struct psd *psd = &guess->median;
 	FREED char *none = xasprintf("<%g", units_mm(psd->size[psd->n - 1]));
-	char *words[ANSWERS_SIZES];
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		words[i] = size_range_text(
-		    &guess->size[i], i == ANSWERS_BREAK ? tr("none") : none);
 	FREED char *sizes = xstrdup("");
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		xappend_to_list(&sizes, ", ", "%s %s", PSD_NAME[i], words[i]);
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		FREED char *words = size_range_text(&guess->size[i], none);
+		xappend_to_list(&sizes, ", ", "%s %s", PSD_NAME[i], words);
+	}
+	FREED char *breaks =
+	    size_range_text(&guess->size[ANSWERS_BREAK], tr("none"));
 	answer_note(r, "%s mm", sizes);
-	answer_note(r, "break size %s mm", words[ANSWERS_BREAK]);
-	for (size_t i = 0; i < ANSWERS_SIZES; i++)
-		free(words[i]);
+	answer_note(r, "break size %s mm", breaks);
 }
 
 /* Lists the names of the materials that are picked or, if `left`, left out. */
 static char *
-material_names(const struct basis *b, bool left)
+material_names(const struct guess_sources *b, bool left)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
@@ -237,7 +236,7 @@ material_names(const struct basis *b, bool left)
 
 /* Names the materials that were chosen. */
 static void
-note_nearest_materials(struct answer *r, const struct basis *b)
+note_nearest_materials(struct answer *r, const struct guess_sources *b)
 {
 	size_t same = 0;
 	for (size_t i = 0; i < b->n; i++)
@@ -259,7 +258,7 @@ note_nearest_materials(struct answer *r, const struct basis *b)
 
 /* The rock type may be a new one, or misspelt. */
 static void
-note_unknown_rock(struct answer *r, const struct basis *b)
+note_unknown_rock(struct answer *r, const struct guess_sources *b)
 {
 	bool known = b->wanted.rock[0] == '\0';
 	for (size_t i = 0; i < b->list.n && !known; i++)
@@ -272,7 +271,7 @@ note_unknown_rock(struct answer *r, const struct basis *b)
 }
 
 static void
-note_choice_of_materials(struct answer *r, const struct basis *b)
+note_choice_of_materials(struct answer *r, const struct guess_sources *b)
 {
 	const struct guess_choice *c = &b->choice;
 	if (c->all.n > 0 && !c->helps)
@@ -287,7 +286,7 @@ note_choice_of_materials(struct answer *r, const struct basis *b)
 }
 
 static void
-note_materials(struct answer *r, const struct basis *b)
+note_materials(struct answer *r, const struct guess_sources *b)
 {
 	bool measured = true, open = false;
 	for (size_t i = 0; i < b->n; i++) {
@@ -336,7 +335,7 @@ note_materials(struct answer *r, const struct basis *b)
  * Materials that do not state their speeds do not count. */
 static void
 note_beyond_training_speeds(
-    struct answer *r, const struct basis *b, double speed)
+    struct answer *r, const struct guess_sources *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
 	for (size_t i = 0; i < b->n; i++) {
@@ -364,7 +363,7 @@ note_beyond_training_speeds(
 /* Notes how far such guesses err.  The band of a few materials is too narrow,
  * and not by chance: see struct guess. */
 static void
-note_guess_error(struct answer *r, const struct basis *b)
+note_guess_error(struct answer *r, const struct guess_sources *b)
 {
 	const struct guess_error *e = &b->error;
 	if (b->n > 1 && e->held < 0.7)
@@ -392,7 +391,7 @@ note_guess_error(struct answer *r, const struct basis *b)
  * median of products has not. */
 static void
 note_best_material(
-    struct answer *r, const struct site *site, const struct basis *b)
+    struct answer *r, const struct site *site, const struct guess_sources *b)
 {
 	if (site_count_products(site) != 1)
 		return;
@@ -423,8 +422,8 @@ note_best_material(
 }
 
 static void
-show_guess(struct session *s, const struct site *site, const struct basis *b,
-    const struct guess *guess)
+show_guess(struct session *s, const struct site *site,
+    const struct guess_sources *b, const struct guess *guess)
 {
 	struct answer *r = build_guess_answer(site, guess);
 	note_guessed_sizes(r, guess);
@@ -442,7 +441,7 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct site *site = q->entry->site;
-	struct basis b = {.n = 0};
+	struct guess_sources b = {.n = 0};
 	question_use_last_speed(s, q);
 	bool ok = parse_wanted_material(site, args, &b.wanted, error) &&
 		  load_guess_materials(&b, s->store, error);
@@ -454,6 +453,6 @@ cmd_guess(struct session *s, const struct args *args, struct question *q,
 		show_guess(s, site, &b, &guess);
 		guess_free(&guess);
 	}
-	basis_free(&b);
+	guess_sources_free(&b);
 	return ok;
 }

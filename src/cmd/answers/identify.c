@@ -167,33 +167,30 @@ warn_if_threshold_unbounded(struct answer *r, const struct findings *f)
 		    100 * f->at[0].below);
 }
 
-/* Returns "5.72 +- 0.06, 4.31 +- 0.05 mm" for the speeds where the break size
- * is sharp, or where it is not, and appends these speeds to *speeds.  Returns
- * "" if there are none.  The caller frees the text. */
-static char *
-break_sizes_text(const struct findings *f, bool sharp, char **speeds)
+static bool
+is_break_size_sharp(const struct findings *f, size_t i)
 {
-	char *sizes = xstrdup("");
+	return f->at[i].sd <= SHARP * f->at[i].mean;
+}
+
+/* Appends the break sizes, "5.72 +- 0.06, 4.31 +- 0.05 mm", of the speeds where
+ * they are sharp, or where they are not. */
+static void
+append_break_sizes(char **text, const struct findings *f, bool sharp)
+{
+	FREED char *speeds = xstrdup(""), *sizes = xstrdup("");
 	size_t n = 0, left = 0;
 	for (size_t i = 0; i < f->n_speed; i++)
-		left += (f->at[i].sd <= SHARP * f->at[i].mean) == sharp;
+		left += is_break_size_sharp(f, i) == sharp;
 	for (size_t i = 0; i < f->n_speed; i++) {
-		if ((f->at[i].sd <= SHARP * f->at[i].mean) != sharp)
+		if (is_break_size_sharp(f, i) != sharp)
 			continue;
-		xappend_to_list(speeds, ++n == left ? tr(" and ") : ", ", "%g",
+		xappend_to_list(&speeds, ++n == left ? tr(" and ") : ", ", "%g",
 		    f->speed[i]);
 		xappend_to_list(&sizes, ", ", "%.2f +- %.2f",
 		    1000 * f->at[i].mean, 1000 * f->at[i].sd);
 	}
-	return sizes;
-}
-
-static void
-append_break_sizes(char **text, const struct findings *f, bool sharp)
-{
-	FREED char *speeds = xstrdup(""),
-		   *sizes = break_sizes_text(f, sharp, &speeds);
-	if (sizes[0] != '\0')
+	if (left > 0)
 		xappend_to_list(text, "; ",
 		    sharp ? tr("the data fix the break size at %s m/s: %s mm")
 			  : tr("the data leave the break size at %s m/s open: "

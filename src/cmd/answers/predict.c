@@ -18,7 +18,6 @@
 #include "cmd/session/invocation.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/ask/feed.h"
 #include "cmd/ask/moved.h"
 #include "core/answer/predict.h"
 #include "core/check/validate.h"
@@ -27,10 +26,10 @@
 
 /* Says in a sentence which sizes break at this speed. */
 static void
-note_breaking_sizes(struct answer *r, const struct params *params,
-    const struct psd *feed, const struct prediction *p)
+note_breaking_sizes(
+    struct answer *r, const struct question *q, const struct prediction *p)
 {
-	double top = feed->size[0];
+	double top = question_feed(q)->size[0];
 	if (p->no_daughters)
 		answer_note(r,
 		    "the appearance function gives no progeny: feed unchanged");
@@ -41,7 +40,7 @@ note_breaking_sizes(struct answer *r, const struct params *params,
 		    "unchanged",
 		    units_speed_decimals(p->speed), p->speed,
 		    1000 * p->break_size, units_mm(top));
-	else if (params_value_by_name(params, "e0_min") <= 0)
+	else if (params_value_by_name(q->params, "e0_min") <= 0)
 		answer_note(r,
 		    "all sizes can break (e0_min is 0: no threshold); %.1f %% "
 		    "of the feed breaks",
@@ -50,7 +49,8 @@ note_breaking_sizes(struct answer *r, const struct params *params,
 		answer_note(r,
 		    "all sizes can break (alpha is %.2g: size hardly matters); "
 		    "%.1f %% of the feed breaks",
-		    params_value_by_name(params, "alpha"), 100 * p->selected);
+		    params_value_by_name(q->params, "alpha"),
+		    100 * p->selected);
 	else
 		answer_note(r,
 		    p->break_size < 1e-4 ? N_("break size %.3g mm (nothing "
@@ -65,9 +65,8 @@ note_breaking_sizes(struct answer *r, const struct params *params,
 /* Names the sieves that the feed was not sieved on. */
 static void
 note_sieves_missing_in_feed(
-    struct answer *r, const struct site *site, const struct prediction *p)
+    struct answer *r, const struct psd *feed, const struct prediction *p)
 {
-	const struct psd *feed = site_feed_of_run(site, p->feed_run);
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->feed.n; i++)
 		if (isnan(psd_passing_at_sieve(feed, p->feed.size[i])))
@@ -95,17 +94,16 @@ note_wide_sieve_gap_in_feed(struct answer *r, const struct psd *feed)
  * squared at each sieve [n].  NULL unless measured runs with this feed and
  * machine lie on both sides of the speed. */
 static double *
-interpolate_measured_products(const struct session *s,
-    const struct entry *entry, const struct params *params,
+interpolate_measured_products(const struct session *s, const struct question *q,
     const struct prediction *p)
 {
-	if (entry->site->with[0] != '\0')
+	if (q->entry->site->with[0] != '\0')
 		return NULL;
-	struct site *site = site_copy(entry->site);
+	struct site *site = site_copy(q->entry->site);
 	for (size_t r = 0; r < site->n_run; r++) {
 		psd_free(&site->run[r].product);
 		site->run[r].product = psd_copy(moved_product_adjusted_to_feed(
-		    s, entry, params, r, p->feed_run));
+		    s, q->entry, q->params, r, q->feed));
 	}
 	FREED bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
@@ -121,35 +119,25 @@ interpolate_measured_products(const struct session *s,
 	return passing;
 }
 
-/* Returns how many runs have a product at a speed, repeats included, and sets
- * *first to the first of them.  With another feed or machine there are none. */
-static size_t
-find_runs_measured_at_speed(
-    const struct site *site, double speed, const struct run **first)
-{
-	size_t from = site_run_at_speed(site, speed), n = 0;
-	*first = &site->run[from];
-	while (site->with[0] == '\0' && from + n < site->n_run &&
-	       (*first)[n].product.n > 0 &&
-	       (*first)[n].speed == (*first)[0].speed)
-		n++;
-	return n;
-}
-
-/* Returns the measured products of the runs [n] for the feed and the fraction
- * asked about.  The caller frees them. */
+/* Returns the products measured at the speed, repeats included, for the feed
+ * and the fraction asked about, and sets *n to their number: none with another
+ * feed or machine.  The caller frees them. */
 static struct psd *
-measured_products_of_runs(const struct session *s, const struct entry *entry,
-    const struct params *params, const struct run *run, size_t n,
-    const struct prediction *p)
+measured_products_at_speed(
+    const struct session *s, const struct question *q, size_t *n)
 {
-	size_t first = (size_t)(run - entry->site->run);
-	struct psd *part = xcalloc(n, sizeof *part);
-	for (size_t k = 0; k < n; k++)
-		part[k] = screened_fraction_of_product(
+	const struct site *site = q->entry->site;
+	struct psd *part = xcalloc(site->n_run, sizeof *part);
+	size_t first = site_run_at_speed(site, q->speed);
+	*n = 0;
+	for (size_t r = first; site->with[0] == '\0' && r < site->n_run &&
+			       site->run[r].product.n > 0 &&
+			       site->run[r].speed == site->run[first].speed;
+	     r++)
+		part[(*n)++] = screened_fraction_of_product(
 		    moved_product_adjusted_to_feed(
-			s, entry, params, first + k, p->feed_run),
-		    &p->fraction);
+			s, q->entry, q->params, r, q->feed),
+		    &q->fraction);
 	return part;
 }
 
@@ -158,14 +146,11 @@ measured_products_of_runs(const struct session *s, const struct entry *entry,
  * as files want them.  alone: adds the passings by the model alone. */
 static void
 add_prediction_rows(struct answer *r, const struct session *s,
-    const struct entry *entry, const struct params *params,
-    const struct prediction *p, const double *between, const char *model,
-    bool alone)
+    const struct question *q, const struct prediction *p, const double *between,
+    const char *model, bool alone)
 {
-	const struct run *run;
-	size_t n = find_runs_measured_at_speed(entry->site, p->speed, &run);
-	FREED struct psd *part =
-	    measured_products_of_runs(s, entry, params, run, n, p);
+	size_t n;
+	FREED struct psd *part = measured_products_at_speed(s, q, &n);
 	answer_columns(r,
 	    "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: product %%");
 	if (p->low != NULL)
@@ -205,11 +190,11 @@ add_prediction_rows(struct answer *r, const struct session *s,
 }
 
 static struct answer *
-build_prediction_answer(const struct session *s, const struct entry *entry,
-    const struct prediction *p, const struct params *params,
-    const double *between, bool detail)
+build_prediction_answer(const struct session *s, const struct question *q,
+    const struct prediction *p, const double *between, bool detail)
 {
-	const char *model = breakage_model_of_params(params)->name;
+	const struct site *site = q->entry->site;
+	const char *model = breakage_model_of_params(q->params)->name;
 	FREED char *fraction = screened_title_suffix(&p->fraction);
 	FREED char *more =
 	    detail ? xasprintf(tr(" (%.0f J/kg)"), p->energy) : xstrdup("");
@@ -217,18 +202,17 @@ build_prediction_answer(const struct session *s, const struct entry *entry,
 			       ? xasprintf(tr(", %.0f %% band"),
 				     100 * settings_band_probability(&s->set))
 			       : xstrdup("");
-	FREED char *rpm =
-	    rotor_speed_rpm_text(entry->site->rotor, p->speed, NAN);
-	struct answer *r = answers_new(entry->site, "predict",
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p->speed, NAN);
+	struct answer *r = answers_new(site, "predict",
 	    "product at %.*f m/s%s%s%s%s", units_speed_decimals(p->speed),
 	    p->speed, rpm, more, fraction, band);
 	/* In a table that is read aloud, the numbers of a sieve belong in one
 	 * line. */
 	if (!s->linear)
 		answer_allow_transposed(r);
-	add_prediction_rows(r, s, entry, params, p, between, NULL, detail);
+	add_prediction_rows(r, s, q, p, between, NULL, detail);
 	answer_begin_table_for_programs(r);
-	add_prediction_rows(r, s, entry, params, p, between, model, true);
+	add_prediction_rows(r, s, q, p, between, model, true);
 	return r;
 }
 
@@ -317,32 +301,24 @@ predicted_quantity_at_speed(const struct session *s, const struct question *q,
 	return value;
 }
 
-size_t
-predict_with_each_feed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double *value)
+bool
+predict_range_over_feeds(const struct session *s, const struct question *q,
+    const struct quantity *of, double from, double speed,
+    double range[static 2])
 {
 	const struct site *site = q->entry->site;
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	size_t n = site->individual_feeds && !other ? site->n_run : 0;
-	for (size_t run = 0; run < n; run++) {
-		struct question own = *q;
-		own.feed = run;
-		value[run] = predicted_quantity_at_speed(s, &own, of, speed);
-	}
-	return n;
-}
-
-bool
-predict_range_over_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double range[static 2])
-{
-	FREED double *fed = xcalloc_doubles(q->entry->site->n_run);
-	size_t n = predict_with_each_feed(s, q, of, speed, fed);
 	range[0] = INFINITY;
 	range[1] = -INFINITY;
 	for (size_t run = 0; run < n; run++) {
-		range[0] = fmin(range[0], fed[run]);
-		range[1] = fmax(range[1], fed[run]);
+		struct question own = *q;
+		own.feed = run;
+		double value = predicted_quantity_at_speed(s, &own, of, speed);
+		if (!isnan(from))
+			value -= predicted_quantity_at_speed(s, &own, of, from);
+		range[0] = fmin(range[0], value);
+		range[1] = fmax(range[1], value);
 	}
 	return range[0] <= range[1];
 }
@@ -352,7 +328,7 @@ predict_largest_change_by_feed(const struct session *s,
     const struct question *q, const struct quantity *of, double speed)
 {
 	double range[2];
-	if (!predict_range_over_feeds(s, q, of, speed, range))
+	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
 		return 0;
 	double value = predicted_quantity_at_speed(s, q, of, speed);
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
@@ -366,7 +342,7 @@ append_range_over_feeds(const struct session *s, const struct question *q,
 {
 	int decimals = quantities_decimals(of);
 	double range[2];
-	if (!predict_range_over_feeds(s, q, of, speed, range))
+	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
 		return;
 	double most = fmax(value - range[0], range[1] - value);
 	if (!(quantities_value_in_shown_unit(of, most) >=
@@ -458,16 +434,14 @@ largest_adjustment_to_feed(const struct session *s, const struct question *q,
 /* Builds the answer with all notes.  wanted: with interpolated products. */
 static struct answer *
 build_prediction_with_notes(const struct session *s, const struct question *q,
-    const struct prediction *p, const struct params *params, bool wanted,
-    bool detail)
+    const struct prediction *p, bool wanted, bool detail)
 {
 	const struct entry *entry = q->entry;
 	FREED double *between =
-	    wanted ? interpolate_measured_products(s, entry, params, p) : NULL;
-	struct answer *r =
-	    build_prediction_answer(s, entry, p, params, between, detail);
+	    wanted ? interpolate_measured_products(s, q, p) : NULL;
+	struct answer *r = build_prediction_answer(s, q, p, between, detail);
 	struct fields *o = answer_fields(r);
-	answers_put_prediction(s, o, entry, params, p);
+	answers_put_prediction(s, o, entry, q->params, p);
 	note_certainty_of_passing(r, s, q, p);
 	screened_note_share(r, p);
 	answers_note_sizes(r, p);
@@ -476,12 +450,10 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 		answers_put_size_bands(o, s, p);
 	}
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
-		note_breaking_sizes(
-		    r, params, site_feed_of_run(entry->site, p->feed_run), p);
+		note_breaking_sizes(r, q, p);
 	note_sieves_limited_by_feed(r, q, p);
-	note_sieves_missing_in_feed(r, entry->site, p);
-	note_wide_sieve_gap_in_feed(
-	    r, site_feed_of_run(entry->site, p->feed_run));
+	note_sieves_missing_in_feed(r, question_feed(q), p);
+	note_wide_sieve_gap_in_feed(r, question_feed(q));
 	if (session_entry_being_fitted(s) == entry_without_variant(entry))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
@@ -560,18 +532,6 @@ predict_for_slider(struct session *s, const struct entry *entry, double speed,
 	return true;
 }
 
-/* Refuses interpolated= for a fraction, because it shows the whole product. */
-static bool
-refuse_interpolated_fraction(const struct args *args,
-    const struct fraction *fraction, struct error *error)
-{
-	if (!args->interpolated || !fraction_is_screened(fraction))
-		return true;
-	return error_set(error, ERROR_USAGE,
-	    "interpolated= shows the whole product, not a fraction\n"
-	    "leave out cut=, or write plot response");
-}
-
 bool
 cmd_predict(struct session *s, const struct args *args, struct question *q,
     struct error *error)
@@ -579,9 +539,13 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	struct params params;
 	question_use_last_speed(s, q);
-	if (!params_to_predict_with(s, entry, &params, error) ||
-	    !refuse_interpolated_fraction(args, &q->fraction, error) ||
-	    !screened_check_feed_covers(q, error))
+	if (!params_to_predict_with(s, entry, &params, error))
+		return false;
+	if (args->interpolated && fraction_is_screened(&q->fraction))
+		return error_set(error, ERROR_USAGE,
+		    "interpolated= shows the whole product, not a fraction\n"
+		    "leave out cut=, or write plot response");
+	if (!screened_check_feed_covers(q, error))
 		return false;
 	struct question at = *q;
 	at.params = &params;
@@ -590,7 +554,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	if (!args->band)
 		prediction_drop_band(&p);
 	struct answer *r = build_prediction_with_notes(
-	    s, &at, &p, &params, args->interpolated, args->detail);
+	    s, &at, &p, args->interpolated, args->detail);
 	if (args_is_given(args, &args->band) && args->band && p.low == NULL)
 		answer_note(r, "%s", outlook_why_no_band(s, entry));
 	bool picture = plot_is_image_wanted(s) && s->document == NULL;

@@ -15,18 +15,13 @@ bool predict_for_slider(struct session *s, const struct entry *entry,
     double speed, size_t feed_run, const char *line, struct prediction *p,
     struct error *error);
 
-/* Computes a quantity, in its own unit, at a speed, m/s, with the feed of each
- * run: value [n_run of the site] out, NAN if a curve does not reach it.
- * Returns n_run, or 0 if the site has one feed or the question gives
- * another. */
-size_t predict_with_each_feed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double *value);
-
 /* Finds the range of a quantity, in its own unit, at a speed, m/s, over the
- * feeds of the runs: range out.  Returns false if there are none, as
- * predict_with_each_feed. */
+ * feeds of the runs, or that of its change from another speed (from; NAN for
+ * none): range out.  Returns false if the site has one feed, if the question
+ * gives another, or if no curve reaches the quantity. */
 bool predict_range_over_feeds(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double range[static 2]);
+    const struct quantity *of, double from, double speed,
+    double range[static 2]);
 
 /* Returns the largest change of a quantity, in its own unit, at a speed, m/s,
  * when the question's feed is replaced with a sampled one: the band does not

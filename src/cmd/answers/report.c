@@ -313,7 +313,6 @@ static void
 write_reproducing_script(struct session *s, const struct report_request *ask)
 {
 	struct error error = {0};
-	char number[32];
 	document_say(
 	    s->document, DOCUMENT_HEADING, "The script that makes this again");
 	if (!journal_can_be_saved(s, &error)) {
@@ -326,9 +325,9 @@ write_reproducing_script(struct session *s, const struct report_request *ask)
 	    PACKAGE_VERSION);
 	journal_write_script(s, out);
 	FREED char *file = text_in_quotes(s->file);
-	fprintf(out, "report%s speed=%s%s%s%s%s > %s\n", ask->conditions,
-	    text_shortest_exact_number(ask->speed, number), ask->rate,
-	    ask->spec, ask->asked, ask->cut, file);
+	FREED char *line = fill_in_placeholders(
+	    "reportCONDITIONS speed=SPEEDRATESPECASKEDCUT", ask);
+	fprintf(out, "%s > %s\n", line, file);
 }
 
 static void

@@ -68,24 +68,6 @@ default_quantities_text(const struct prediction *p, bool sieves)
 	return list;
 }
 
-/* Adds a row, and an object for programs. */
-static void
-add_figure_ranges_row(struct answer *r, struct fields *list,
-    const struct quantity *q, struct figure answer, struct figure sample)
-{
-	int d = quantities_decimals(q);
-	FREED char *words = quantities_name(q), *key = quantities_field_name(q);
-	const char *unit = quantities_unit(q);
-	answer_name(r, key, words);
-	answer_add_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, answer.value,
-	    unit, d, answer.low, d, answer.high, d, sample.low, d, sample.high);
-	fields_put(fields_add_object(list, NULL),
-	    "quantity %s value %g unit %s low %g high %g cut_low %g cut_high "
-	    "%g",
-	    key, answer.value, unit, answer.low, answer.high, sample.low,
-	    sample.high);
-}
-
 /* Adds a row for each figure, with the range of the true value and that of a
  * new sample. */
 static void
@@ -99,11 +81,18 @@ add_figure_ranges(struct answer *r, const struct session *s,
 	forecast_set_speed_and_draws(sample, p->speed, ENSEMBLE_SAMPLE);
 	answer_columns(r, "quantity: figure, value, unit, low, high, "
 			  "cut_low: cut low, cut_high: cut high");
-	struct fields *list = fields_add_list(answer_fields(r), "figures");
-	for (size_t i = 0; i < n; i++)
-		add_figure_ranges_row(r, list, &q[i],
-		    forecast_value_in_shown_unit(answer, i),
-		    forecast_value_in_shown_unit(sample, i));
+	for (size_t i = 0; i < n; i++) {
+		struct figure a = forecast_value_in_shown_unit(answer, i);
+		struct figure cut = forecast_value_in_shown_unit(sample, i);
+		int d = quantities_decimals(&q[i]);
+		FREED char *words = quantities_name(&q[i]);
+		FREED char *key = quantities_field_name(&q[i]);
+		answer_name(r, key, words);
+		answer_add_cells(r, "%.*f %s %.*f %.*f %.*f %.*f", d, a.value,
+		    quantities_unit(&q[i]), d, a.low, d, a.high, d, cut.low, d,
+		    cut.high);
+	}
+	answer_put_rows(r, "figures");
 	forecast_close(answer);
 	forecast_close(sample);
 	FREED char *chance = predict_chance_words(question->level);

@@ -31,31 +31,31 @@ static const double MOST_BREAKS = 0.85; /* share of what could break */
 static const double SAMPLING = 0.01; /* passing that sampling can tell apart */
 static const double STILL = 0.001;   /* passing that 1 m/s changes */
 
-/* What is explained: the answer for a site at a speed. */
-struct subject {
+/* What is explained: the answer for a site at a speed; rpm: that speed in
+ * brackets. */
+struct explained {
 	struct session *s;
 	const struct question *q;
 	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p;
+	const char *rpm;
 	struct answer *answer;
 };
 
 /* Returns the share of the feed above the break size, 0..1. */
 static double
-breakable_share(const struct subject *a)
+breakable_share(const struct explained *a)
 {
 	double x = a->p.break_size;
 	return isfinite(x) && x > 0 ? 1 - psd_passing(a->feed, x) : x <= 0;
 }
 
 static void
-say_what_breaks(const struct subject *a)
+say_what_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
-	FREED char *rpm =
-	    rotor_speed_rpm_text(a->entry->site->rotor, p->speed, NAN);
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
@@ -64,7 +64,7 @@ say_what_breaks(const struct subject *a)
 		answer_note(a->answer,
 		    "At %.4g m/s%s only particles of %.3g mm or more break, "
 		    "and the feed has none above %g mm: the feed is unchanged",
-		    p->speed, rpm, 1000 * p->break_size,
+		    p->speed, a->rpm, 1000 * p->break_size,
 		    units_mm(a->feed->size[0]));
 	else if (p->break_size < ANSWERS_NO_SIZE)
 		answer_note(a->answer,
@@ -73,19 +73,19 @@ say_what_breaks(const struct subject *a)
 		    params_value_by_name(&a->entry->params, "e0_min") <= 0
 			? "e0_min = 0"
 			: tr("so low an alpha"),
-		    100 * does, p->speed, rpm);
+		    100 * does, p->speed, a->rpm);
 	else
 		answer_note(a->answer,
 		    "At %.4g m/s%s an impact has %.0f J/kg, which breaks "
 		    "particles of %.3g mm or more; %.0f %% of the feed is that "
 		    "coarse, "
 		    "and %.0f %% of the feed breaks",
-		    p->speed, rpm, p->energy, 1000 * p->break_size, 100 * can,
-		    100 * does);
+		    p->speed, a->rpm, p->energy, 1000 * p->break_size,
+		    100 * can, 100 * does);
 }
 
 static void
-say_if_little_breaks(const struct subject *a)
+say_if_little_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
@@ -112,7 +112,7 @@ say_if_little_breaks(const struct subject *a)
 
 /* Says if a change of speed by 1 m/s hardly matters. */
 static void
-say_if_speed_hardly_matters(const struct subject *a)
+say_if_speed_hardly_matters(const struct explained *a)
 {
 	double v = a->p.speed, n = (double)a->p.product.n, sum = 0;
 	struct prediction fast =
@@ -136,7 +136,7 @@ say_if_speed_hardly_matters(const struct subject *a)
 /* Says how much of the product is in the fraction asked about, and what a
  * faster rotor does to it. */
 static void
-say_share_in_fraction(const struct subject *a)
+say_share_in_fraction(const struct explained *a)
 {
 	const struct quantity share = {
 	    .kind = QUANTITY_SHARE, .fraction = a->q->fraction};
@@ -162,7 +162,7 @@ say_share_in_fraction(const struct subject *a)
 }
 
 static void
-say_if_within_training_speeds(const struct subject *a)
+say_if_within_training_speeds(const struct explained *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
@@ -172,10 +172,9 @@ say_if_within_training_speeds(const struct subject *a)
 		return;
 	}
 	FREED char *speeds = answers_describe_speed_range(entry, slow, fast);
-	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	if (!answers_is_speed_extrapolated(entry, v)) {
-		answer_note(
-		    a->answer, "%.4g m/s%s is within the %s", v, rpm, speeds);
+		answer_note(a->answer, "%.4g m/s%s is within the %s", v, a->rpm,
+		    speeds);
 		return;
 	}
 	double near = v > fast ? fast : slow;
@@ -188,31 +187,7 @@ say_if_within_training_speeds(const struct subject *a)
 		     : N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "less energy than at %g m/s, and no measurement "
 			  "shows the effect"),
-	    v, rpm, speeds, 100 * fabs(more), near);
-}
-
-static void
-say_poorly_determined_params(
-    const struct subject *a, const struct fit *fit, bool green)
-{
-	FREED char *flat = xstrdup("");
-	const struct breakage *of = breakage_model_of_params(&fit->params);
-	for (size_t j = 0; j < of->n; j++)
-		if (fit_is_param_in_flat_direction(fit, j))
-			xappend_to_list(
-			    &flat, tr(" and "), "%s", of->parameter[j].name);
-	if (flat[0] != '\0')
-		answer_note(a->answer,
-		    green
-			? N_("The data do not determine %s well: very "
-			     "different values, changed together, raise the "
-			     "misfit by only 10 %%; that is of no consequence "
-			     "to this answer")
-			: N_("The data do not determine %s well: very "
-			     "different values, changed together, raise the "
-			     "misfit by only 10 %%; rely on the curves, not "
-			     "on these values"),
-		    flat);
+	    v, a->rpm, speeds, 100 * fabs(more), near);
 }
 
 /* What the user can do about each cause; NULL if the reason says it itself. */
@@ -241,7 +216,7 @@ static const char *const REMEDY[] = {
 /* Gives reason i and, after the last reason with its cause, what to do about
  * it. */
 static void
-say_trust_reason(const struct subject *a, const struct trust *t, size_t i)
+say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 {
 	enum trust_cause cause = t->reason[i].cause;
 	answer_note(a->answer, "  %s: %s", tr(LIGHT_NAME[t->reason[i].light]),
@@ -256,17 +231,15 @@ say_trust_reason(const struct subject *a, const struct trust *t, size_t i)
 /* Says that there is nothing to worry about, before all that the answer rests
  * on. */
 static void
-say_trust_is_green(const struct subject *a, const struct trust *t)
+say_trust_is_green(const struct explained *a, const struct trust *t)
 {
 	const struct evidence *e = outlook_evidence(a->s, a->entry);
 	if (t->n > 0)
 		return;
-	FREED char *rpm =
-	    rotor_speed_rpm_text(a->entry->site->rotor, a->p.speed, NAN);
 	answer_note(a->answer,
 	    "Trust is green: nothing to worry about in the answer at %.4g "
 	    "m/s%s",
-	    a->p.speed, rpm);
+	    a->p.speed, a->rpm);
 	if (t->remarks > 0)
 		answer_note(a->answer,
 		    "It lies between the measured speeds, where the "
@@ -282,7 +255,7 @@ say_trust_is_green(const struct subject *a, const struct trust *t)
 
 /* The light that is not green, each reason with its number, and remarks. */
 static void
-say_trust_light(const struct subject *a, const struct trust *t)
+say_trust_light(const struct explained *a, const struct trust *t)
 {
 	if (t->n > 0)
 		answer_say(a->answer,
@@ -298,7 +271,7 @@ say_trust_light(const struct subject *a, const struct trust *t)
 }
 
 static void
-say_origin_of_parameters(const struct subject *a, bool green)
+say_origin_of_parameters(const struct explained *a, bool green)
 {
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
@@ -312,13 +285,30 @@ say_origin_of_parameters(const struct subject *a, bool green)
 		    own ? "" : details, own ? "" : ")");
 		return;
 	}
-	say_poorly_determined_params(a, fit, green);
+	FREED char *flat = xstrdup("");
+	const struct breakage *of = breakage_model_of_params(&fit->params);
+	for (size_t j = 0; j < of->n; j++)
+		if (fit_is_param_in_flat_direction(fit, j))
+			xappend_to_list(
+			    &flat, tr(" and "), "%s", of->parameter[j].name);
+	if (flat[0] != '\0')
+		answer_note(a->answer,
+		    green
+			? N_("The data do not determine %s well: very "
+			     "different values, changed together, raise the "
+			     "misfit by only 10 %%; that is of no consequence "
+			     "to this answer")
+			: N_("The data do not determine %s well: very "
+			     "different values, changed together, raise the "
+			     "misfit by only 10 %%; rely on the curves, not "
+			     "on these values"),
+		    flat);
 }
 
 /* Compares with a measured product at exactly this speed that was not used for
  * training. */
 static void
-say_held_out_difference(const struct subject *a)
+say_held_out_difference(const struct explained *a)
 {
 	const struct site *site = a->entry->site;
 	size_t r = site_run_at_speed(site, a->p.speed);
@@ -348,7 +338,7 @@ say_held_out_difference(const struct subject *a)
 
 /* Says what the site file states about its data. */
 static void
-say_data_provenance(const struct subject *a)
+say_data_provenance(const struct explained *a)
 {
 	FREED char *from = site_source(a->entry->site, "");
 	if (from[0] == '\0')
@@ -364,10 +354,9 @@ say_data_provenance(const struct subject *a)
 }
 
 /* The site in use at two speeds with one feed. */
-struct balance {
+struct mass_change {
 	struct session *s;
 	const struct question *q;
-	const struct entry *entry;
 	const struct psd *feed;
 	struct prediction p[2];
 	struct mass_balance of[2];
@@ -397,7 +386,7 @@ add_balance_cells(
 /* For people: what stays in a class, broken or not, what leaves it and what
  * comes in, so that each row adds up to the feed and to the product. */
 static void
-add_balance_rows_for_people(struct answer *r, const struct balance *b)
+add_balance_rows_for_people(struct answer *r, const struct mass_change *b)
 {
 	double sum[2][3] = {{0}}, feed = 0, all = 0;
 	answer_columns(r, "class: on mm, feed_pct: feed %%");
@@ -435,7 +424,7 @@ add_balance_rows_for_people(struct answer *r, const struct balance *b)
 
 /* For programs: a row for each speed and class. */
 static void
-add_balance_rows_for_programs(struct answer *r, const struct balance *b)
+add_balance_rows_for_programs(struct answer *r, const struct mass_change *b)
 {
 	answer_columns(r, "speed, from_mm, to_mm, feed_pct, unbroken_pct, "
 			  "within_pct, left_pct, arrived_pct, product_pct");
@@ -453,7 +442,7 @@ add_balance_rows_for_programs(struct answer *r, const struct balance *b)
 }
 
 static void
-note_where_mass_goes(struct answer *r, const struct balance *b)
+note_where_mass_goes(struct answer *r, const struct mass_change *b)
 {
 	const struct mass_balance *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
@@ -466,7 +455,7 @@ note_where_mass_goes(struct answer *r, const struct balance *b)
 	FREED char *from = class_label(b->feed, out),
 		   *to = class_label(b->feed, in);
 	FREED char *rpm = rotor_speed_rpm_text(
-	    b->entry->site->rotor, b->p[0].speed, b->p[1].speed);
+	    b->q->entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	if (fabs(more) < 5e-4)
 		answer_note(r,
 		    "From %g to %g m/s%s no more and no less of the feed "
@@ -490,7 +479,7 @@ note_where_mass_goes(struct answer *r, const struct balance *b)
 /* Returns the largest difference between the answer's change and the model's,
  * and sets *sieve to where it is. */
 static double
-largest_correction_of_change(const struct balance *b, double *sieve)
+largest_correction_of_change(const struct mass_change *b, double *sieve)
 {
 	const struct prediction *p = b->p;
 	double most = 0;
@@ -507,7 +496,7 @@ largest_correction_of_change(const struct balance *b, double *sieve)
 }
 
 static void
-note_correction(struct answer *r, const struct balance *b)
+note_correction(struct answer *r, const struct mass_change *b)
 {
 	double sieve = 0, most = largest_correction_of_change(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
@@ -530,37 +519,32 @@ note_correction(struct answer *r, const struct balance *b)
 }
 
 static void
-put_share_list(struct fields *o, const char *key, const double *share, size_t n)
-{
-	fields_put_numbers(o, key, share, n, units_pct);
-}
-
-static void
-put_balance_fields(struct fields *o, const struct balance *b)
+put_balance_fields(struct fields *o, const struct mass_change *b)
 {
 	size_t n = b->feed->n;
 	fields_put_numbers(o, "sieve_mm", b->feed->size, n, units_mm);
-	put_share_list(o, "feed_pct", b->of[0].feed, n);
+	fields_put_numbers(o, "feed_pct", b->of[0].feed, n, units_pct);
 	struct fields *list = fields_add_list(o, "at");
 	for (size_t k = 0; k < 2; k++) {
 		const struct mass_balance *l = &b->of[k];
 		struct fields *at = fields_add_object(list, NULL);
 		fields_put(at, "speed %g extrapolated %d broken_pct %g",
 		    b->p[k].speed,
-		    answers_is_speed_extrapolated(b->entry, b->p[k].speed),
+		    answers_is_speed_extrapolated(b->q->entry, b->p[k].speed),
 		    100 * l->broken);
-		put_share_list(at, "unbroken_pct", l->unbroken, n);
-		put_share_list(at, "within_pct", l->within, n);
-		put_share_list(at, "left_pct", l->left, n);
-		put_share_list(at, "arrived_pct", l->arrived, n);
-		put_share_list(at, "product_pct", l->product, n);
+		fields_put_numbers(
+		    at, "unbroken_pct", l->unbroken, n, units_pct);
+		fields_put_numbers(at, "within_pct", l->within, n, units_pct);
+		fields_put_numbers(at, "left_pct", l->left, n, units_pct);
+		fields_put_numbers(at, "arrived_pct", l->arrived, n, units_pct);
+		fields_put_numbers(at, "product_pct", l->product, n, units_pct);
 	}
 }
 
 static void
-show_mass_balance(struct balance *b)
+show_mass_balance(struct mass_change *b)
 {
-	const struct entry *entry = b->entry;
+	const struct entry *entry = b->q->entry;
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	struct answer *r = answers_new(entry->site, "why",
@@ -604,10 +588,7 @@ explain_change_between_speeds(struct session *s, const struct args *args,
 		return error_set(error, ERROR_USAGE,
 		    "why: expected speeds from 1 to %d m/s, got %s",
 		    SITE_FASTEST, args->operand[0]);
-	struct balance b = {.s = s,
-	    .q = q,
-	    .entry = entry,
-	    .feed = site_feed_of_run(entry->site, q->feed)};
+	struct mass_change b = {.s = s, .q = q, .feed = question_feed(q)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
 		b.of[k] = mass_balance_new(b.feed, &entry->params,
@@ -632,13 +613,13 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 		return false;
 	const struct entry *entry = q->entry;
 	double v = q->speed;
-	size_t run = q->feed;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct subject a = {.s = s,
+	struct explained a = {.s = s,
 	    .q = q,
 	    .entry = entry,
-	    .feed = site_feed_of_run(entry->site, run),
-	    .p = forecast_whole_product(s, entry, v, run),
+	    .feed = question_feed(q),
+	    .p = forecast_whole_product(s, entry, v, q->feed),
+	    .rpm = rpm,
 	    .answer =
 		answers_new(entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
 	struct trust trust = light_of_answer_or_fit(s, entry, &a.p);
@@ -653,7 +634,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_trust_light(&a, &trust);
 	say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
-	feed_add_note(a.answer, entry->site, run, NULL, 0);
+	feed_add_note(a.answer, entry->site, q->feed, NULL, 0);
 	trust_free(&trust);
 	prediction_free(&a.p);
 	return session_show_answer(s, a.answer);

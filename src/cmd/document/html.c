@@ -63,6 +63,13 @@ html_put_escaped(
 }
 
 static void
+html_put_paragraph(const char *text, bool warning, FILE *out)
+{
+	html_put_escaped(
+	    warning ? "<p class=\"warning\">" : "<p>", text, "</p>\n", out);
+}
+
+static void
 html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 {
 	bool head = row == 0;
@@ -78,7 +85,7 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 
 /* Puts a table of the first column and those from `from` to before `to`. */
 static void
-put_block(const struct answer_view *v, size_t from, size_t to, FILE *out)
+html_put_table(const struct answer_view *v, size_t from, size_t to, FILE *out)
 {
 	fputs("<div class=\"wide\"><table>\n<thead>", out);
 	for (size_t row = 0; row <= v->n_row; row++) {
@@ -96,9 +103,7 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	for (size_t i = 0; i < v->n_sentence; i++) {
 		const struct answer_sentence *said = &v->sentence[i];
 		if ((said->grade == ANSWER_WARNING) == warnings)
-			html_put_escaped(
-			    warnings ? "<p class=\"warning\">" : "<p>",
-			    said->text, "</p>\n", out);
+			html_put_paragraph(said->text, warnings, out);
 	}
 }
 
@@ -114,7 +119,7 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0; document_next_columns(&v, false, &from, &to);)
-		put_block(&v, from, to, out);
+		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }
 
@@ -139,11 +144,8 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		html_put_escaped("<h2>", p->text, "</h2>\n", out);
 		break;
 	case DOCUMENT_WORDS:
-		html_put_escaped("<p>", p->text, "</p>\n", out);
-		break;
 	case DOCUMENT_WARNING:
-		html_put_escaped(
-		    "<p class=\"warning\">", p->text, "</p>\n", out);
+		html_put_paragraph(p->text, p->kind == DOCUMENT_WARNING, out);
 		break;
 	case DOCUMENT_LIGHT:
 		fprintf(out, "<p class=\"light %s\">", LIGHT_NAME[p->light]);

@@ -18,46 +18,37 @@
 static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
 		    FOOT = 26, LINE = 1.3, GAP = 9;
 
-/* How pages are laid out.  scale: of letters and distances.  across: the long
- * side is horizontal.  pages: how many there are, 0 while that is unknown. */
-struct layout {
+/* scale: of letters and distances.  across: the long side of the page is
+ * horizontal.  pages: how many there are, 0 while that is unknown.  page: the
+ * one in work, in the end the last.  shrunk: the letters of some table are
+ * smaller than the scale asks for, because it is too wide for the page. */
+struct pdf_layout {
+	const struct document *document;
 	double scale;
 	bool across;
 	size_t pages;
-};
-
-/* What a layout leads to.  shrunk: the letters of some table are smaller than
- * in the layout, because it is too wide for the page. */
-struct outcome {
-	size_t pages;
-	bool shrunk;
-};
-
-struct press {
-	const struct document *document;
-	struct layout layout;
 	struct pen *pen;
 	double width, height; /* of the page */
 	double y;             /* where the next part begins */
 	size_t page;
-	bool shrunk; /* see outcome */
+	bool shrunk;
 };
 
 static struct pen_style
-text_style(const struct press *p, double size, bool bold)
+text_style(const struct pdf_layout *p, double size, bool bold)
 {
-	return (struct pen_style){.size = size * p->layout.scale, .bold = bold};
+	return (struct pen_style){.size = size * p->scale, .bold = bold};
 }
 
 static double
-inner_width(const struct press *p)
+inner_width(const struct pdf_layout *p)
 {
 	return p->width - 2 * MARGIN;
 }
 
 /* Draws a line from the margin to an end. */
 static void
-pdf_draw_line(struct press *p, double end, double y, double width)
+pdf_draw_line(struct pdf_layout *p, double end, double y, double width)
 {
 	double x[] = {MARGIN, end}, at[] = {y, y};
 	p->pen->path(p->pen, x, at, 2,
@@ -65,7 +56,7 @@ pdf_draw_line(struct press *p, double end, double y, double width)
 }
 
 static void
-draw_foot(struct press *p)
+draw_page_foot(struct pdf_layout *p)
 {
 	struct pen_style style = {.size = 8};
 	double y = p->height - FOOT;
@@ -73,14 +64,14 @@ draw_foot(struct press *p)
 	p->pen->text(p->pen, MARGIN, y, p->document->made_by, &style);
 	style.anchor = PEN_END;
 	FREED char *number =
-	    xasprintf(tr("page %zu of %zu"), p->page, p->layout.pages);
+	    xasprintf(tr("page %zu of %zu"), p->page, p->pages);
 	p->pen->text(p->pen, p->width - MARGIN, y, number, &style);
 }
 
 static void
-next_page(struct press *p)
+next_page(struct pdf_layout *p)
 {
-	draw_foot(p);
+	draw_page_foot(p);
 	p->pen->next(p->pen);
 	p->page++;
 	p->y = MARGIN;
@@ -89,7 +80,7 @@ next_page(struct press *p)
 /* Begins a new page unless a part of that height fits on this one.  True if it
  * did. */
 static bool
-begin_page_unless_fits(struct press *p, double height)
+begin_page_unless_fits(struct pdf_layout *p, double height)
 {
 	if (p->y + height <= p->height - FOOT - 16 || p->y <= MARGIN)
 		return false;
@@ -98,16 +89,16 @@ begin_page_unless_fits(struct press *p, double height)
 }
 
 static void
-move_down(struct press *p, double points)
+move_down(struct pdf_layout *p, double points)
 {
 	if (p->y > MARGIN)
-		p->y += points * p->layout.scale;
+		p->y += points * p->scale;
 }
 
 /* Returns the number of bytes of a text that make its next line: whole words
  * or, if not even one fits, part of a word. */
 static size_t
-bytes_of_next_line(struct press *p, const char *text, double width,
+bytes_of_next_line(struct pdf_layout *p, const char *text, double width,
     const struct pen_style *style)
 {
 	size_t fits = 0;
@@ -133,7 +124,7 @@ struct lines {
 };
 
 static struct lines
-break_lines(struct press *p, const char *words, double width,
+break_lines(struct pdf_layout *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
@@ -162,7 +153,8 @@ lines_free(struct lines *lines)
 
 /* Puts a paragraph. */
 static void
-put_paragraph(struct press *p, const char *text, const struct pen_style *style)
+put_paragraph(
+    struct pdf_layout *p, const char *text, const struct pen_style *style)
 {
 	double line = LINE * style->size;
 	struct lines lines = break_lines(p, text, inner_width(p), style);
@@ -177,7 +169,7 @@ put_paragraph(struct press *p, const char *text, const struct pen_style *style)
 
 /* Puts a word in a frame, so that it is seen without its colour. */
 static void
-put_light(struct press *p, const struct document_part *part)
+put_trust_light(struct pdf_layout *p, const struct document_part *part)
 {
 	static const enum series INKS[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
@@ -207,7 +199,7 @@ put_light(struct press *p, const struct document_part *part)
 }
 
 static void
-put_lines(struct press *p, const char *text)
+put_lines(struct pdf_layout *p, const char *text)
 {
 	struct pen_style style = text_style(p, 7.5, false);
 	char *line;
@@ -220,14 +212,15 @@ put_lines(struct press *p, const char *text)
 
 /* Some columns of a table, `column` [n], side by side, with their widths and
  * the size of the letters. */
-struct grid {
+struct table_part {
 	const struct answer_view *view;
 	size_t n, *column;
 	double *width, size;
 };
 
 static double
-word_width(struct press *p, const char *text, const struct pen_style *style)
+word_width(
+    struct pdf_layout *p, const char *text, const struct pen_style *style)
 {
 	double most = 0;
 	char *copy = xstrdup(text), *save = NULL;
@@ -241,11 +234,11 @@ word_width(struct press *p, const char *text, const struct pen_style *style)
 /* Makes columns as wide as their numbers and the words of their headings.
  * Texts wider than `most` are broken.  Returns the total width. */
 static double
-measure_grid_columns(struct press *p, struct grid *g, double most)
+measure_column_widths(struct pdf_layout *p, struct table_part *g, double most)
 {
 	struct pen_style head = text_style(p, g->size, true);
 	struct pen_style body = text_style(p, g->size, false);
-	double sum = -GAP * p->layout.scale;
+	double sum = -GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
 		double w = word_width(p, g->view->head[c], &head);
@@ -256,7 +249,7 @@ measure_grid_columns(struct press *p, struct grid *g, double most)
 			w = fmax(w, cell->is_text ? fmin(its, most) : its);
 		}
 		g->width[i] = w;
-		sum += w + GAP * p->layout.scale;
+		sum += w + GAP * p->scale;
 	}
 	return sum;
 }
@@ -264,11 +257,11 @@ measure_grid_columns(struct press *p, struct grid *g, double most)
 /* Finds widths that fit the page: breaks texts first, then makes letters
  * smaller. */
 static void
-fit_column_widths(struct press *p, struct grid *g)
+fit_column_widths(struct pdf_layout *p, struct table_part *g)
 {
 	double room = inner_width(p), most = room;
 	g->size = 8.5;
-	while (measure_grid_columns(p, g, most) > room && g->size > 4) {
+	while (measure_column_widths(p, g, most) > room && g->size > 4) {
 		if (most > 0.25 * room) {
 			most *= 0.9;
 		} else {
@@ -280,7 +273,7 @@ fit_column_widths(struct press *p, struct grid *g)
 
 /* Puts a row; row 0 has the headings. */
 static void
-pdf_put_row(struct press *p, const struct grid *g, size_t row)
+pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 {
 	struct pen_style style = text_style(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
@@ -308,7 +301,7 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 				    x + (right ? g->width[i] : 0),
 				    p->y - 0.28 * line, cell[i].line[k - from],
 				    &style);
-			x += g->width[i] + GAP * p->layout.scale;
+			x += g->width[i] + GAP * p->scale;
 		}
 	}
 	for (size_t i = 0; i < g->n; i++)
@@ -316,19 +309,19 @@ pdf_put_row(struct press *p, const struct grid *g, size_t row)
 }
 
 static double
-end_of_rule(const struct press *p, const struct grid *g)
+end_of_rule(const struct pdf_layout *p, const struct table_part *g)
 {
-	double x = MARGIN - GAP * p->layout.scale;
+	double x = MARGIN - GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++)
-		x += g->width[i] + GAP * p->layout.scale;
+		x += g->width[i] + GAP * p->scale;
 	return x;
 }
 
 /* Puts the rows, with the headings again on every page. */
 static void
-put_grid(struct press *p, struct grid *g)
+put_table_part(struct pdf_layout *p, struct table_part *g)
 {
-	double line = LINE * g->size * p->layout.scale;
+	double line = LINE * g->size * p->scale;
 	fit_column_widths(p, g);
 	begin_page_unless_fits(p, 5 * line);
 	for (size_t row = 0; row <= g->view->n_row; row++) {
@@ -346,9 +339,9 @@ put_grid(struct press *p, struct grid *g)
 }
 
 static void
-put_table(struct press *p, const struct answer_view *v)
+put_table(struct pdf_layout *p, const struct answer_view *v)
 {
-	struct grid g = {.view = v,
+	struct table_part g = {.view = v,
 	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
 	    .width = xcalloc_doubles(v->n_column + 1)};
 	bool all = p->document->one_page;
@@ -357,14 +350,15 @@ put_table(struct press *p, const struct answer_view *v)
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
 			g.column[g.n++] = c;
-		put_grid(p, &g);
+		put_table_part(p, &g);
 	}
 	free(g.column);
 	free(g.width);
 }
 
 static void
-pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
+pdf_put_sentences(
+    struct pdf_layout *p, const struct answer_view *v, bool warnings)
 {
 	struct pen_style style = text_style(p, 9, warnings);
 	for (size_t i = 0; i < v->n_sentence; i++)
@@ -377,16 +371,15 @@ pdf_put_sentences(struct press *p, const struct answer_view *v, bool warnings)
 /* Returns the height that has to fit on the page with a title: that of the
  * whole table, unless it is long. */
 static double
-height_kept_together(const struct press *p, const struct answer_view *v)
+height_kept_together(const struct pdf_layout *p, const struct answer_view *v)
 {
 	static const double TITLE = 40, ROW = 8.5, LEAST = 60, LONG = 0.45;
-	double table =
-	    p->layout.scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
-	return table > LONG * p->height ? LEAST * p->layout.scale : table;
+	double table = p->scale * (TITLE + LINE * ROW * (double)(v->n_row + 2));
+	return table > LONG * p->height ? LEAST * p->scale : table;
 }
 
 static void
-pdf_put_answer(struct press *p, const struct answer *answer, bool top)
+pdf_put_answer(struct pdf_layout *p, const struct answer *answer, bool top)
 {
 	struct answer_view v = answer_view(answer);
 	struct pen_style title = text_style(p, 9.5, true);
@@ -407,10 +400,10 @@ pdf_put_answer(struct press *p, const struct answer *answer, bool top)
 }
 
 static void
-put_picture(struct press *p, const struct chart *chart)
+put_picture(struct pdf_layout *p, const struct chart *chart)
 {
 	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
-	double scale = fmin(p->layout.scale, inner_width(p) / PICTURE_WIDTH);
+	double scale = fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
 	double height = scale * picture_height(chart, PROGRAM);
 	move_down(p, 6);
 	begin_page_unless_fits(p, height);
@@ -423,26 +416,26 @@ put_picture(struct press *p, const struct chart *chart)
 /* Puts a heading on the page of what comes next, so that it is not the last on
  * its page. */
 static void
-put_heading(struct press *p, size_t i)
+put_heading(struct pdf_layout *p, size_t i)
 {
 	enum { OWN = 30, LEAST = 40 };
 	const struct document *d = p->document;
 	const struct answer *next = i + 1 < d->n ? d->part[i + 1].answer : NULL;
 	struct pen_style style = text_style(p, 13, true);
-	double kept = LEAST * p->layout.scale;
+	double kept = LEAST * p->scale;
 	if (next != NULL) {
 		struct answer_view v = answer_view(next);
 		kept = height_kept_together(p, &v);
 	}
 	move_down(p, 14);
-	begin_page_unless_fits(p, OWN * p->layout.scale + kept);
+	begin_page_unless_fits(p, OWN * p->scale + kept);
 	put_paragraph(p, d->part[i].text, &style);
 	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
 	move_down(p, 3);
 }
 
 static void
-pdf_put_part(struct press *p, size_t i)
+pdf_put_part(struct pdf_layout *p, size_t i)
 {
 	const struct document_part *part = &p->document->part[i];
 	struct pen_style style =
@@ -457,7 +450,7 @@ pdf_put_part(struct press *p, size_t i)
 		move_down(p, 2);
 		break;
 	case DOCUMENT_LIGHT:
-		put_light(p, part);
+		put_trust_light(p, part);
 		break;
 	case DOCUMENT_TEXT:
 		put_lines(p, part->text);
@@ -471,32 +464,30 @@ pdf_put_part(struct press *p, size_t i)
 	}
 }
 
-/* Lays all parts out and returns the bytes of the file, or NULL if that
- * fails. */
+/* Lays all parts out at the scale of the press and returns the bytes of the
+ * file, or NULL if that fails. */
 static char *
-lay_out_pdf(const struct document *d, struct layout layout, size_t *n,
-    struct outcome *outcome)
+lay_out_pdf(struct pdf_layout *p, size_t *n)
 {
+	const struct document *d = p->document;
 	char *bytes = NULL;
 	FILE *out = text_open_memory(&bytes, n);
-	struct press p = {.document = d,
-	    .layout = layout,
-	    .width = layout.across ? LONG_SIDE : SHORT_SIDE,
-	    .height = layout.across ? SHORT_SIDE : LONG_SIDE,
-	    .y = MARGIN,
-	    .page = 1};
-	p.pen =
-	    picture_new_pdf_pages(p.width, p.height, d->title, d->made_by, out);
-	bool ok = p.pen != NULL;
+	p->width = p->across ? LONG_SIDE : SHORT_SIDE;
+	p->height = p->across ? SHORT_SIDE : LONG_SIDE;
+	p->y = MARGIN;
+	p->page = 1;
+	p->shrunk = false;
+	p->pen = picture_new_pdf_pages(
+	    p->width, p->height, d->title, d->made_by, out);
+	bool ok = p->pen != NULL;
 	if (ok) {
-		struct pen_style title = text_style(&p, 16, true);
-		put_paragraph(&p, d->title, &title);
+		struct pen_style title = text_style(p, 16, true);
+		put_paragraph(p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
-			pdf_put_part(&p, i);
-		draw_foot(&p);
-		ok = p.pen->close(p.pen);
+			pdf_put_part(p, i);
+		draw_page_foot(p);
+		ok = p->pen->close(p->pen);
 	}
-	*outcome = (struct outcome){p.page, p.shrunk};
 	fclose(out);
 	if (!ok) {
 		free(bytes);
@@ -505,49 +496,44 @@ lay_out_pdf(const struct document *d, struct layout layout, size_t *n,
 	return bytes;
 }
 
-static struct outcome
-try_layout(const struct document *d, struct layout layout)
-{
-	size_t n;
-	struct outcome outcome;
-	free(lay_out_pdf(d, layout, &n, &outcome));
-	return outcome;
-}
-
-/* Returns the largest scale at which all fits on one page, upright or across,
- * without shrinking a table. */
-static struct layout
-largest_one_page_layout(const struct document *d)
+/* Sets the press to the largest scale at which all fits on one page, upright or
+ * across, without shrinking a table. */
+static void
+fit_on_one_page(struct pdf_layout *p)
 {
 	enum { STEPS = 7 };
-	struct layout best = {0.3, false, 0};
+	size_t n;
+	double best = 0.3;
+	bool best_across = false;
 	for (int across = 0; across < 2; across++) {
-		double low = best.scale, high = 2;
+		double low = best, high = 2;
+		p->across = across == 1;
 		for (int i = 0; i < STEPS; i++) {
-			struct layout middle = {
-			    (low + high) / 2, across == 1, 0};
-			struct outcome o = try_layout(d, middle);
-			if (o.pages == 1 && !o.shrunk) {
-				low = middle.scale;
-				best = middle;
+			p->scale = (low + high) / 2;
+			free(lay_out_pdf(p, &n));
+			if (p->page == 1 && !p->shrunk) {
+				low = best = p->scale;
+				best_across = p->across;
 			} else {
-				high = middle.scale;
+				high = p->scale;
 			}
 		}
 	}
-	return best;
+	p->scale = best;
+	p->across = best_across;
 }
 
 char *
 document_to_pdf(const struct document *d, size_t *n, size_t *pages)
 {
-	struct layout layout = d->one_page ? largest_one_page_layout(d)
-					   : (struct layout){1, false, 0};
-	struct outcome outcome;
+	struct pdf_layout p = {.document = d, .scale = 1};
 	if (!picture_can_draw_form(PICTURE_PDF))
 		return NULL;
-	layout.pages = try_layout(d, layout).pages;
-	char *bytes = lay_out_pdf(d, layout, n, &outcome);
-	*pages = outcome.pages;
+	if (d->one_page)
+		fit_on_one_page(&p);
+	free(lay_out_pdf(&p, n));
+	p.pages = p.page;
+	char *bytes = lay_out_pdf(&p, n);
+	*pages = p.page;
 	return bytes;
 }

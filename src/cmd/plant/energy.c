@@ -5,7 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/session/energies.h"
@@ -29,10 +28,9 @@ struct energy_question {
  * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
  * they are the cut and 0. */
 static double
-k_of_selection(
-    const struct energy_question *q, const struct spectrum_size *of, double x)
+k_of_selection(const struct energy_question *q, const struct spectrum_size *of)
 {
-	double e0 = q->cut * q->scale, f = 0;
+	double e0 = q->cut * q->scale, f = 0, x = of->size;
 	if (!(q->E > 0))
 		return NAN;
 	if (q->entry != NULL && x > 0) {
@@ -74,7 +72,7 @@ share_of_impacts_below_cut(
 }
 
 static void
-energy_add_row(struct answer *r, const struct energy_question *q,
+add_energy_row(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
 	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, false);
@@ -87,12 +85,11 @@ energy_add_row(struct answer *r, const struct energy_question *q,
 	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_impact_energy_over_nominal(q, of, false),
-	    100 * share_of_first_impacts(q, of),
-	    k_of_selection(q, of, of->size));
+	    100 * share_of_first_impacts(q, of), k_of_selection(q, of));
 }
 
 static void
-energy_add_rows(struct answer *r, const struct energy_question *q,
+add_energy_rows(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	answer_columns(r,
@@ -100,15 +97,15 @@ energy_add_rows(struct answer *r, const struct energy_question *q,
 	    "the cut, mean_j_kg: mean J/kg, mean_ratio: of v^2/2, "
 	    "first_pct: in the first %%, k");
 	for (size_t i = 0; i < q->spectrum->n && q->spectrum->n > 1; i++)
-		energy_add_row(r, q, q->spectrum->size[i],
+		add_energy_row(r, q, q->spectrum->size[i],
 		    units_mm(q->spectrum->size[i]->size));
-	energy_add_row(r, q, whole, NAN);
+	add_energy_row(r, q, whole, NAN);
 }
 
 /* Adds the bins that hold impacts, for programs: the mean energy of each, and
  * its share of the impacts by mass. */
 static void
-energy_put_fields(struct answer *r, const struct energy_question *q,
+put_energy_fields(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	FREED double *e = xcalloc_doubles(SPECTRUM_BINS),
@@ -131,8 +128,7 @@ energy_put_fields(struct answer *r, const struct energy_question *q,
 	    q->spectrum->counted ? whole->mass : NAN,
 	    100 * share_of_impacts_below_cut(q, whole), q->scale * q->cut,
 	    spectrum_impacts_per_particle(q->spectrum, whole, q->cut),
-	    100 * share_of_first_impacts(q, whole),
-	    k_of_selection(q, whole, whole->size));
+	    100 * share_of_first_impacts(q, whole), k_of_selection(q, whole));
 	struct fields *list = fields_add_object(f, "spectrum");
 	fields_put_numbers(list, "j_kg", e, n, NULL);
 	fields_put_numbers(list, "mass_share", share, n, NULL);
@@ -186,7 +182,7 @@ note_whether_one_impact_is_fair(struct answer *r,
     const struct energy_question *q, const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = k_of_selection(q, whole, whole->size), ratio;
+	double k = k_of_selection(q, whole), ratio;
 	double first = share_of_first_impacts(q, whole);
 	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
@@ -217,12 +213,12 @@ note_whether_one_impact_is_fair(struct answer *r,
 /* Notes how the rock of a site breaks under the impacts, by Eq 3 with its
  * parameters. */
 static void
-note_site(struct answer *r, const struct energy_question *q)
+note_k_of_site(struct answer *r, const struct energy_question *q)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k = of->size > 0 ? k_of_selection(q, of, of->size) : NAN;
+		double k = of->size > 0 ? k_of_selection(q, of) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -239,7 +235,7 @@ note_site(struct answer *r, const struct energy_question *q)
 }
 
 static void
-note_basis(struct answer *r, const struct energy_question *q)
+note_basis_of_k(struct answer *r, const struct energy_question *q)
 {
 	if (q->entry != NULL)
 		answer_say(r, ANSWER_REMARK,
@@ -268,7 +264,7 @@ has_selection_params(const struct entry *entry)
 }
 
 static bool
-energy_show(struct session *s, const struct args *args, struct error *error)
+show_energies(struct session *s, const struct args *args, struct error *error)
 {
 	if (energies_last_read(s, error) == NULL)
 		return false;
@@ -299,16 +295,16 @@ energy_show(struct session *s, const struct args *args, struct error *error)
 			     "not known"),
 	    s->energy->name, q.scale * q.cut);
 	answer_set_sites(r, "", s->energy->c.about);
-	energy_add_rows(r, &q, whole);
+	add_energy_rows(r, &q, whole);
 	answer_note(r,
 	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_of_impacts_below_cut(&q, whole), q.scale * q.cut);
 	note_other_spectra(r, s, &q);
 	note_whether_one_impact_is_fair(r, &q, whole);
-	note_site(r, &q);
-	note_basis(r, &q);
-	energy_put_fields(r, &q, whole);
+	note_k_of_site(r, &q);
+	note_basis_of_k(r, &q);
+	put_energy_fields(r, &q, whole);
 	return session_show_answer(s, r);
 }
 
@@ -322,17 +318,8 @@ check_one_file(const struct args *args, struct error *error)
 		   args->operand[0]);
 }
 
-static void
-energy_take_note(struct energies *e, const char *note)
-{
-	if (note == NULL)
-		return;
-	free(e->c.about);
-	e->c.about = xstrdup(note);
-}
-
 static bool
-energy_load_file(
+load_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	struct collisions_way way = {.speed = NAN};
@@ -350,11 +337,13 @@ energy_load_file(
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies_path(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
-	bool read = energies_read(s, path, &way, cut, error) != NULL;
-	if (!read)
+	if (energies_read(s, path, &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
-	energy_take_note(e, args->note);
+	if (args->note != NULL) {
+		free(e->c.about);
+		e->c.about = xstrdup(args->note);
+	}
 	s->energy = e;
 	session_note(s,
 	    e->c.spectrum->speed > 0
@@ -367,14 +356,15 @@ energy_load_file(
 }
 
 static void
-energy_put_file(const void *data, FILE *out)
+print_energies(const void *data, FILE *out)
 {
 	const struct energies *e = data;
 	collisions_write(&e->c, e->name, out);
 }
 
 static bool
-energy_write(struct session *s, const struct args *args, struct error *error)
+write_energy_file(
+    struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
 	if (!check_one_file(args, error) ||
@@ -382,7 +372,7 @@ energy_write(struct session *s, const struct args *args, struct error *error)
 	    !files_may_write(s, path, error) ||
 	    !files_confirm_replace(s, path, error) ||
 	    !file_replace_by_output(
-		path, FILE_SHARED, energy_put_file, s->energy, error))
+		path, FILE_SHARED, print_energies, s->energy, error))
 		return false;
 	files_note_written(s, path);
 	session_note(s, "wrote %s", path);
@@ -395,9 +385,9 @@ cmd_energy(struct session *s, const struct args *args, struct error *error)
 	static const struct {
 		const char *verb;
 		command_run *run;
-	} VERBS[] = {{"load", energy_load_file}, {"write", energy_write}};
+	} VERBS[] = {{"load", load_energy_file}, {"write", write_energy_file}};
 	if (args->n_operand == 0)
-		return energy_show(s, args, error);
+		return show_energies(s, args, error);
 	for (size_t i = 0; i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);

@@ -18,7 +18,6 @@
 #include "cmd/draw/site_chart.h"
 #include "core/posterior/ensemble.h"
 #include "core/psd/rotor_speed.h"
-#include "io/sitefile/units.h"
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
@@ -94,7 +93,7 @@ add_stream_rows(
 
 /* Adds all streams, for programs. */
 static void
-put_streams(
+put_stream_fields(
     const struct plant *p, const struct plant_result *o, struct fields *all)
 {
 	struct fields *list = fields_add_list(all, "streams");
@@ -110,7 +109,7 @@ put_streams(
 
 /* Notes the circulating load and the mass balance. */
 static void
-note_balance(
+note_mass_balance(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2], tph = p->circuit->tph;
@@ -169,7 +168,7 @@ note_crushers(
 
 /* Warns of readings that no crusher can have. */
 static void
-warn_power(const struct plant *p, struct answer *r)
+warn_of_impossible_readings(const struct plant *p, struct answer *r)
 {
 	if (power_falls_with_speed(p->reading, p->n_reading))
 		answer_say(r, ANSWER_WARNING,
@@ -213,7 +212,7 @@ note_power(
 
 /* Notes the earnings; a product without a price adds nothing to them. */
 static void
-note_money(
+note_earnings(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	double range[2];
@@ -246,14 +245,15 @@ note_money(
 /* The speeds tried, m/s, and what each earns, on average and in each draw; NAN
  * if the circuit has no steady state. */
 enum { COARSE = 20, FINE = 10, LOOKED_AT = COARSE + 1 + FINE };
-struct search {
+struct speed_trials {
 	size_t n, best;
 	double from, to, step, speed[LOOKED_AT], money[LOOKED_AT];
 	double (*draw)[DRAWS];
 };
 
 static void
-try_speed(struct search *search, const struct plant *p, double speed)
+compute_earnings_at_speed(
+    struct speed_trials *search, const struct plant *p, double speed)
 {
 	struct plant_result o = plant_solve_at(p, speed);
 	size_t i = search->n++;
@@ -268,28 +268,29 @@ try_speed(struct search *search, const struct plant *p, double speed)
 
 /* Tries speeds over the whole range, then in tenths of a step around the
  * best. */
-static struct search
+static struct speed_trials
 search_best_speed(const struct plant *p, double from, double to)
 {
-	struct search s = {.from = from,
+	struct speed_trials s = {.from = from,
 	    .to = to,
 	    .step = (to - from) / COARSE,
 	    .draw = xcalloc(LOOKED_AT, sizeof *s.draw)};
 	for (int i = 0; i <= COARSE; i++)
-		try_speed(&s, p, i < COARSE ? from + i * s.step : to);
+		compute_earnings_at_speed(
+		    &s, p, i < COARSE ? from + i * s.step : to);
 	double middle = s.speed[s.best];
 	for (int i = -FINE / 2; i <= FINE / 2 && isfinite(s.money[s.best]);
 	     i++) {
 		double speed = middle + i * s.step / FINE;
 		if (i != 0 && speed >= from && speed <= to)
-			try_speed(&s, p, speed);
+			compute_earnings_at_speed(&s, p, speed);
 	}
 	return s;
 }
 
 /* Finds the range of the speeds at which the draws earn most. */
 static void
-range_of_best_speeds(const struct plant *p, const struct search *s,
+range_of_best_speeds(const struct plant *p, const struct speed_trials *s,
     size_t draws, double range[static 2])
 {
 	double best[DRAWS];
@@ -311,8 +312,9 @@ range_of_best_speeds(const struct plant *p, const struct search *s,
 /* Notes what the best speed gains over the usual one, and whether the gain
  * exceeds its uncertainty. */
 static void
-note_gain(const struct plant *p, const struct plant_result *best,
-    const struct plant_result *usual, struct answer *r)
+note_gain_over_usual_speed(const struct plant *p,
+    const struct plant_result *best, const struct plant_result *usual,
+    struct answer *r)
 {
 	double draw[DRAWS], gain = best->money - usual->money, range[2];
 	for (size_t d = 0; d < best->flow.draws; d++)
@@ -343,7 +345,7 @@ note_gain(const struct plant *p, const struct plant_result *best,
 }
 
 static void
-note_best_speed(const struct plant *p, const struct search *s,
+note_best_speed(const struct plant *p, const struct speed_trials *s,
     const struct plant_result *best, struct answer *r)
 {
 	double range[2], v = s->speed[s->best];
@@ -354,20 +356,12 @@ note_best_speed(const struct plant *p, const struct search *s,
 	range_of_best_speeds(p, s, best->flow.draws, range);
 	for (size_t i = 0; i < s->n; i++)
 		open += isnan(s->money[i]) ? 1 : 0;
-	if (isfinite(range[0]))
-		answer_note(r,
-		    end ? N_("best speed %.1f m/s%s (%.1f to %.1f), at the end "
-			     "of the range from %g to %g m/s")
-			: N_("best speed %.1f m/s%s (%.1f to %.1f) in the "
-			     "range from %g to %g m/s"),
-		    v, rpm, range[0], range[1], s->from, s->to);
-	else
-		answer_note(r,
-		    end ? N_("best speed %.1f m/s%s (no band), at the end of "
-			     "the range from %g to %g m/s")
-			: N_("best speed %.1f m/s%s (no band) in the range "
-			     "from %g to %g m/s"),
-		    v, rpm, s->from, s->to);
+	FREED char *band = quantities_band_text(range[0], range[1], 1);
+	answer_note(r,
+	    end ? N_("best speed %.1f m/s%s%s, at the end of the range from %g "
+		     "to %g m/s")
+		: N_("best speed %.1f m/s%s%s in the range from %g to %g m/s"),
+	    v, rpm, band[0] != '\0' ? band : tr(" (no band)"), s->from, s->to);
 	if (open > 0)
 		answer_say(r, ANSWER_REMARK,
 		    "at %zu of %zu speeds there is no steady state", open,
@@ -444,12 +438,12 @@ build_flow_answer(const struct plant *p, const struct plant_result *o)
 	    "circuit %s",
 	    o->speed, answers_is_speed_extrapolated(entry, o->speed),
 	    p->circuit->tph, what);
-	warn_power(p, r);
+	warn_of_impossible_readings(p, r);
 	add_stream_rows(p, o, r);
-	note_balance(p, o, r);
+	note_mass_balance(p, o, r);
 	note_crushers(p, o, r);
 	note_power(p, o, r);
-	note_money(p, o, r);
+	note_earnings(p, o, r);
 	return r;
 }
 
@@ -459,7 +453,7 @@ finish_flow_answer(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct entry *entry = p->question->entry;
-	put_streams(p, o, answer_fields(r));
+	put_stream_fields(p, o, answer_fields(r));
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
 		answer_say(
@@ -490,7 +484,7 @@ show_best_speed_for_flow(
 	if (!conditions_speed_range_of_args(
 		p->s, args, entry->site, &from, &to, error))
 		return false;
-	struct search search = search_best_speed(p, from, to);
+	struct speed_trials search = search_best_speed(p, from, to);
 	struct plant_result usual = plant_solve_at(p, p->question->speed),
 			    best = plant_solve_at(p, search.speed[search.best]);
 	bool ok =
@@ -499,7 +493,7 @@ show_best_speed_for_flow(
 		struct answer *r = build_flow_answer(p, &best);
 		note_best_speed(p, &search, &best, r);
 		if (!usual.flow.open)
-			note_gain(p, &best, &usual, r);
+			note_gain_over_usual_speed(p, &best, &usual, r);
 		finish_flow_answer(p, &best, r);
 	}
 	flow_free(&usual.flow);

@@ -35,7 +35,7 @@ next_list_part(const char **at)
 }
 
 /* The fractions asked for, and their edges, m, coarsest first, without 0. */
-struct cuts {
+struct fraction_list {
 	size_t n, n_edge;
 	struct fraction fraction[FRACTIONS];
 	double edge[EDGES];
@@ -48,7 +48,7 @@ do_fractions_overlap(const struct fraction *a, const struct fraction *b)
 }
 
 static bool
-parse_fractions(const char *text, struct cuts *c, struct error *error)
+parse_fractions(const char *text, struct fraction_list *c, struct error *error)
 {
 	char *part;
 	bool ok = true;
@@ -165,8 +165,8 @@ add_crusher(struct circuit *c, const struct args *args, size_t *crushed)
 /* Builds the crusher and a deck of screens.  The oversize of each screen is a
  * fraction, which goes back to the crusher or to a stockpile. */
 static bool
-build_circuit(const struct args *args, const struct cuts *cuts, struct plant *p,
-    struct error *error)
+build_circuit(const struct args *args, const struct fraction_list *cuts,
+    struct plant *p, struct error *error)
 {
 	struct circuit *c = p->circuit;
 	size_t taken = 0, now;
@@ -196,7 +196,7 @@ static bool
 parse_plant_options(
     const struct args *args, struct plant *p, struct error *error)
 {
-	struct cuts cuts = {0};
+	struct fraction_list cuts = {0};
 	if (!(args->tph > 0))
 		return error_set(error, ERROR_USAGE,
 		    "flow: expected tph, the new feed in t/h, got none\n"
@@ -251,11 +251,11 @@ drop_equal_sizes(double *size, size_t n)
  * the screens.  If a feed has very many sieves, only some of them are taken,
  * because the work grows with the third power of their number. */
 static void
-choose_class_sizes(const struct site *site, struct plant *p)
+choose_class_sizes(struct plant *p)
 {
 	enum { MOST = 120 };
-	const struct psd *feed = site_feed_of_run(site, p->question->feed);
-	struct psd sieves = predict_table_sizes(site, feed);
+	const struct psd *feed = question_feed(p->question);
+	struct psd sieves = predict_table_sizes(p->question->entry->site, feed);
 	struct psd all = psd_new_with_sizes_between(sieves.size, sieves.n);
 	struct circuit *c = p->circuit;
 	const struct psd *from = all.n <= MOST ? &all : feed;
@@ -276,10 +276,9 @@ choose_class_sizes(const struct site *site, struct plant *p)
 
 /* Refuses screens that are finer than the finest sieve of the feed. */
 static bool
-check_screens(
-    const struct site *site, const struct plant *p, struct error *error)
+check_screens_within_feed(const struct plant *p, struct error *error)
 {
-	const struct psd *feed = site_feed_of_run(site, p->question->feed);
+	const struct psd *feed = question_feed(p->question);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		double cut = unit->opening * unit->partition.cut_size;
@@ -411,9 +410,10 @@ parse_reading_of_note(struct plant *p, const char *note)
 }
 
 static bool
-parse_power_options(const struct args *args, const struct site *site,
-    struct plant *p, struct error *error)
+parse_power_options(
+    const struct args *args, struct plant *p, struct error *error)
 {
+	const struct site *site = p->question->entry->site;
 	char *part;
 	bool ok = true;
 	if (args->power != NULL) {
@@ -434,8 +434,7 @@ make_crusher_models(struct plant *p)
 {
 	const struct entry *entry = p->question->entry;
 	const struct breakage *of = breakage_model_of_params(&entry->params);
-	const struct psd *feed =
-	    site_feed_of_run(entry->site, p->question->feed);
+	const struct psd *feed = question_feed(p->question);
 	struct psd sieves = predict_table_sizes(entry->site, feed);
 	p->crusher = outlook_new_crusher(p->s, entry, p->size, p->n);
 	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
@@ -455,21 +454,20 @@ bool
 plant_parse_options(struct session *s, const struct args *args,
     const struct question *q, struct plant *plant, struct error *error)
 {
-	const struct site *site = q->entry->site;
 	*plant = (struct plant){.s = s, .question = q};
 	bool ok = args->circuit != NULL
 		      ? read_circuit_file(args, plant, error)
 		      : parse_plant_options(args, plant, error);
 	if (ok && args->tph > 0)
 		plant->circuit->tph = args->tph;
-	ok = ok && check_screens(site, plant, error) &&
+	ok = ok && check_screens_within_feed(plant, error) &&
 	     parse_prices(args, plant, error) &&
-	     parse_power_options(args, site, plant, error);
+	     parse_power_options(args, plant, error);
 	if (!ok) {
 		plant_free(plant);
 		return false;
 	}
-	choose_class_sizes(site, plant);
+	choose_class_sizes(plant);
 	make_crusher_models(plant);
 	return true;
 }
@@ -512,7 +510,7 @@ add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 		const struct unit *unit = &p->circuit->unit[u];
 		double tph = flow_tph_into_unit_in_draw(&o->flow, unit, of);
 		if (unit->kind == UNIT_CRUSHER)
-			kw += size_to_alpha_at(&p->power, d,
+			kw += power_of_draw(&p->power, d,
 			    plant_speed_of_unit(unit, o->speed),
 			    tph * plant_share_through_rotor(p, unit));
 		if (unit->kind == UNIT_STOCKPILE && isfinite(unit->price))

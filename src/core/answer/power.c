@@ -138,7 +138,7 @@ power_fit(const struct reading *reading, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		double off = reading[i].kw;
 		for (size_t d = 0; d < POWER_DRAWS; d++)
-			off -= size_to_alpha_at(
+			off -= power_of_draw(
 				   &p, d, reading[i].speed, reading[i].tph) /
 			       POWER_DRAWS;
 		p.rms += off * off / (double)n;
@@ -168,7 +168,7 @@ power_idle_of_draw(const struct power *p, size_t draw, double speed)
 }
 
 double
-size_to_alpha_at(const struct power *p, size_t draw, double speed, double tph)
+power_of_draw(const struct power *p, size_t draw, double speed, double tph)
 {
 	return power_idle_of_draw(p, draw, speed) +
 	       p->draw[draw % POWER_DRAWS].factor *

@@ -44,7 +44,7 @@ bool power_falls_with_speed(const struct reading *reading, size_t n);
 
 /* Return the power in a draw, kW, and its idle part.  draw is used modulo
  * POWER_DRAWS. */
-double size_to_alpha_at(
+double power_of_draw(
     const struct power *p, size_t draw, double speed, double tph);
 double power_idle_of_draw(const struct power *p, size_t draw, double speed);
 
