@@ -367,17 +367,9 @@ ods_read(struct archive *archive, struct grid *grid)
 {
 	static const struct xml_events EVENTS = {
 	    ods_begin_element, ods_end_element, ods_add_text};
-	size_t n;
-	char *wrong = NULL;
-	FREED char *bytes =
-	    archive_unpack_entry(archive, "content.xml", &n, &wrong);
-	if (bytes == NULL)
-		return wrong;
 	struct reading r = {.grid = grid};
-	FREED char *fault =
-	    xml_parse_document(bytes, n, &EVENTS, &r, grid->errors);
-	if (fault != NULL)
-		wrong = xasprintf("content.xml: %s", fault);
+	char *wrong =
+	    xml_parse_part(archive, "content.xml", &EVENTS, &r, grid->errors);
 	clear_cell_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
 		clear_cell_content(&r.kept[i].content);

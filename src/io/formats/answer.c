@@ -14,7 +14,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/cells/sheet.h"
 
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
@@ -165,10 +164,7 @@ static void
 answer_add_cell(struct answer *a, struct answer_cell cell)
 {
 	struct table *t = a->filled;
-	bool full = (t->n_cell & (t->n_cell - 1)) == 0; /* 0, 1, 2, 4, .. */
-	if (full)
-		t->cell = xrealloc(t->cell, t->n_cell > 0 ? 2 * t->n_cell : 1,
-		    sizeof *t->cell);
+	t->cell = xgrow(t->cell, t->n_cell, sizeof *t->cell);
 	t->cell[t->n_cell++] = cell;
 }
 
@@ -508,19 +504,6 @@ length_of_first_clause(const char *provenance)
 	return strcspn(provenance, ";");
 }
 
-/* Prints a number with a decimal point, or with a decimal comma between
- * semicolons.  A sieve of 22.4 mm stays 22.4, as people look it up. */
-static void
-print_csv_number(double value, char separator, FILE *out)
-{
-	char text[32];
-	text_shortest_exact_number(value, text);
-	char *point = strchr(text, '.');
-	if (separator == ';' && point != NULL)
-		*point = ',';
-	fputs(text, out);
-}
-
 /* Prints the columns before those of the answer. */
 static void
 print_csv_origin(const struct answer *a, char separator, FILE *out)
@@ -529,21 +512,21 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 	if (a->site == NULL)
 		return;
 	fputc(separator, out);
-	sheet_write_cell(a->site, separator, out);
+	text_write_sheet_cell(a->site, separator, out);
 	fputc(separator, out);
 	FREED char *kind =
 	    xstrndup(a->provenance, length_of_first_clause(a->provenance));
-	sheet_write_cell(kind, separator, out);
+	text_write_sheet_cell(kind, separator, out);
 }
 
 static void
 print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 {
 	if (cell->is_text)
-		sheet_write_cell(
+		text_write_sheet_cell(
 		    cell->key != NULL ? cell->key : cell->text, separator, out);
 	else if (isfinite(cell->number))
-		print_csv_number(cell->number, separator, out);
+		text_write_sheet_number(cell->number, separator, out);
 }
 
 static size_t
@@ -572,7 +555,8 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		}
 		if (told) {
 			fputc(separator, out);
-			sheet_write_cell(a->sentence[row].text, separator, out);
+			text_write_sheet_cell(
+			    a->sentence[row].text, separator, out);
 		}
 		fputc('\n', out);
 	}

@@ -50,7 +50,7 @@ struct reading {
 	struct error_list *errors;
 	struct sheet *sheet;
 	struct plant_log *log;
-	size_t n_column, first, date, clock, room;
+	size_t n_column, first, date, clock;
 	unsigned kind[MOST_COLUMNS];
 	struct head head[MOST_COLUMNS];
 	enum datetime_order order;
@@ -329,26 +329,18 @@ find_day_month_order(struct reading *r, bool *open)
 	    undecided.text, r->sheet->path);
 }
 
-/* Makes room for one more row. */
+/* Adds a row; several columns of a kind are added up. */
 static void
-add_room_for_row(struct reading *r)
+add_log_row(struct reading *r, double time, const struct row *row)
 {
 	struct plant_log *log = r->log;
-	if (log->n < r->room)
-		return;
-	r->room = 2 * r->room + 64;
-	log->time = xrealloc(log->time, r->room, sizeof *log->time);
-	for (size_t k = 0; k < LOG_COLUMNS; k++)
+	log->time = xgrow(log->time, log->n, sizeof *log->time);
+	log->time[log->n] = time;
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		log->value[k] =
-		    xrealloc(log->value[k], r->room, sizeof *log->value[k]);
-}
-
-static void
-read_numbers(struct reading *r, const struct row *row)
-{
-	struct plant_log *log = r->log;
-	for (size_t k = 0; k < LOG_COLUMNS; k++)
+		    xgrow(log->value[k], log->n, sizeof *log->value[k]);
 		log->value[k][log->n] = NAN;
+	}
 	for (size_t c = 0; c < r->n_column; c++) {
 		unsigned k = r->kind[c];
 		double v;
@@ -360,6 +352,7 @@ read_numbers(struct reading *r, const struct row *row)
 		double *slot = &log->value[k][log->n];
 		*slot = isnan(*slot) ? v : *slot + v;
 	}
+	log->n++;
 }
 
 static void
@@ -383,10 +376,7 @@ plant_log_read_rows(struct reading *r)
 			continue;
 		}
 		r->zone = r->zone || day.has_zone || clock.has_zone;
-		add_room_for_row(r);
-		r->log->time[r->log->n] = time;
-		read_numbers(r, &r->sheet->row[i]);
-		r->log->n++;
+		add_log_row(r, time, &r->sheet->row[i]);
 	}
 }
 

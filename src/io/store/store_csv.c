@@ -94,7 +94,7 @@ write_list(const void *data, FILE *out)
 			    column_value_to_text(&column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
-			sheet_write_cell(text, ',', out);
+			text_write_sheet_cell(text, ',', out);
 		}
 		fputc('\n', out);
 	}
