@@ -634,32 +634,6 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	return site;
 }
 
-/* A name to look for, and whether it was found. */
-struct remembered_name {
-	const char *name;
-	bool found;
-};
-
-static void
-match_remembered_name(void *data, const char *name)
-{
-	struct remembered_name *r = data;
-	r->found = r->found || text_same_folded(name, r->name);
-}
-
-/* If a file does not exist but a material has that name, says so. */
-static void
-hint_recall_material(
-    const struct session *s, const char *word, struct error *error)
-{
-	struct remembered_name r = {.name = word};
-	if (access(word, F_OK) != 0 &&
-	    store_visit_names(
-		s->store, STORE_NAMES, match_remembered_name, &r, NULL) &&
-	    r.found)
-		error_hint(error, "it is in the store: recall %s", word);
-}
-
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
@@ -670,8 +644,10 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
+	const char *word = args->operand[0];
 	bool good = load_files(s, args->n_operand, args->operand, args, error);
-	if (!good && args->n_operand == 1)
-		hint_recall_material(s, args->operand[0], error);
+	if (!good && args->n_operand == 1 && access(word, F_OK) != 0 &&
+	    store_has_material(s->store, word))
+		error_hint(error, "it is in the store: recall %s", word);
 	return good;
 }

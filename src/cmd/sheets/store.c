@@ -478,26 +478,14 @@ add_all_calibrated_sites(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
-/* Adds the user's material of that name to the list; true if there is one. */
-static bool
-find_own_material(struct session *s, const char *name, struct stored_list *own)
-{
-	const struct store_query query = {.name = name};
-	return store_find_materials(s->store, &query, own, NULL) && own->n > 0;
-}
-
 /* Returns a name that the store does not have yet: "tierp-2". */
 static char *
 find_free_material_name(struct session *s, const char *name)
 {
-	char *other = NULL;
-	bool taken = true;
-	for (size_t i = 2; taken; i++) {
-		struct stored_list own = {0};
+	char *other = xasprintf("%s-2", name);
+	for (size_t i = 3; store_has_material(s->store, other); i++) {
 		free(other);
 		other = xasprintf("%s-%zu", name, i);
-		taken = find_own_material(s, other, &own);
-		stored_list_free(&own);
 	}
 	return other;
 }
@@ -563,8 +551,10 @@ ask_to_replace_materials(struct session *s, const struct stored_list *list,
 {
 	bool asks = can_ask_to_confirm(s);
 	struct stored_list own = {0};
-	for (size_t i = 0; asks && i < list->n && own.n == 0; i++)
-		find_own_material(s, list->item[i].name, &own);
+	for (size_t i = 0; asks && i < list->n && own.n == 0; i++) {
+		const struct store_query query = {.name = list->item[i].name};
+		store_find_materials(s->store, &query, &own, NULL);
+	}
 	bool wanted = asks && !*replace && own.n > 0;
 	if (wanted && list->n == 1) {
 		*replace = ask_to_replace_material(

@@ -81,29 +81,19 @@ stored_integer_of_field(const struct stored *m, const struct field *f)
 	return value_at(m, f, FIELD_WHOLE);
 }
 
-void
-stored_set_text_field(struct stored *m, const struct field *f, const char *text)
+static void
+replace_string(char **text, char *value)
 {
-	char *copy = xstrdup(text);
-	free(*stored_text_of_field(m, f));
-	*stored_text_of_field(m, f) = copy;
+	free(*text);
+	*text = value;
 }
 
 struct stored
 stored_empty(void)
 {
 	struct stored m = {0};
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		const struct field *f = &FIELDS[i];
-		if (f->kind == FIELD_TEXT)
-			stored_set_text_field(&m, f, "");
-		else if (f->kind == FIELD_NUMBER)
-			*stored_number_of_field(&m, f) = NAN;
-		else if (f->kind == FIELD_WHOLE)
-			*stored_integer_of_field(&m, f) = -1;
-		else
-			stored_set_field_from_text(&m, f, "");
-	}
+	for (size_t i = 0; i < FIELD_COUNT; i++)
+		stored_set_field_from_text(&m, &FIELDS[i], "");
 	return m;
 }
 
@@ -220,21 +210,42 @@ find_param_in_text(const char *text, const char *name)
 	return NAN;
 }
 
+static void
+set_params_from_text(struct params *p, const char *text)
+{
+	memset(p->at, 0, sizeof p->at);
+	for (size_t j = 0; j < count_params(p); j++)
+		p->at[j] = find_param_in_text(
+		    text, breakage_model_of_params(p)->parameter[j].name);
+}
+
 void
 stored_set_field_from_text(
     struct stored *m, const struct field *f, const char *text)
 {
-	struct params *p = &m->params;
-	if (f->kind == FIELD_MODEL) {
-		p->breakage = breakage_find_by_name(text);
-		return;
+	uint64_t whole;
+	double number;
+	switch (f->kind) {
+	case FIELD_TEXT:
+		replace_string(stored_text_of_field(m, f), xstrdup(text));
+		break;
+	case FIELD_NUMBER:
+		*stored_number_of_field(m, f) =
+		    text_parse_number(text, &number) ? number : (double)NAN;
+		break;
+	case FIELD_WHOLE:
+		*stored_integer_of_field(m, f) =
+		    text_parse_whole_number(text, &whole) && whole <= INT64_MAX
+			? (int64_t)whole
+			: -1;
+		break;
+	case FIELD_MODEL:
+		m->params.breakage = breakage_find_by_name(text);
+		break;
+	case FIELD_PARAMS:
+		set_params_from_text(&m->params, text);
+		break;
 	}
-	assert(f->kind == FIELD_PARAMS);
-	for (size_t j = 0; j < PARAMS_MOST; j++)
-		p->at[j] = 0;
-	for (size_t j = 0; j < count_params(p); j++)
-		p->at[j] = find_param_in_text(
-		    text, breakage_model_of_params(p)->parameter[j].name);
 }
 
 char *
@@ -448,13 +459,6 @@ stored_is_one_line(const char *text)
 	while (*p != '\0' && !iscntrl((unsigned char)*p))
 		p++;
 	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
-}
-
-static void
-replace_string(char **text, char *value)
-{
-	free(*text);
-	*text = value;
 }
 
 /* Reads a row of a table such as data/table3.csv.  False if it shows that the
