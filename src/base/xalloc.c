@@ -94,6 +94,13 @@ xasprintf(const char *format, ...)
 	return s;
 }
 
+void
+xreplace(char **text, char *value)
+{
+	free(*text);
+	*text = value;
+}
+
 /* Takes what is added. */
 static void
 append_separated(char **text, const char *separator, char *more)

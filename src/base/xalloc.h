@@ -30,6 +30,9 @@ char *xvasprintf(const char *format, va_list ap)
 #define FREED __attribute__((cleanup(xfree_at)))
 void xfree_at(void *pointer);
 
+/* Frees a text and sets it to another, which it takes. */
+void xreplace(char **text, char *value);
+
 /* Append to a text returned by one of the functions above; xlist adds the
  * separator first if the list is not empty. */
 void xappend(char **text, const char *format, ...)

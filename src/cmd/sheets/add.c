@@ -154,10 +154,9 @@ look_up_time_in_log(struct session *s, const struct args *args,
 		error) ||
 	    !log_look_up_time(s, time, window / 2, rotor, &o->logged, error))
 		return false;
-	free(o->word);
-	free(o->when);
-	o->word = xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed);
-	o->when = datetime_to_text(time);
+	xreplace(
+	    &o->word, xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed));
+	xreplace(&o->when, datetime_to_text(time));
 	return true;
 }
 
@@ -222,10 +221,8 @@ use_date_of_header(
 	    !datetime_parse(said, &m))
 		return;
 	char *day = cut_day_text(&m, order);
-	if (day == NULL)
-		return;
-	free(all->file[0].when);
-	all->file[0].when = day;
+	if (day != NULL)
+		xreplace(&all->file[0].when, day);
 }
 
 /* Says how the first date was read that leaves open which number is the day, or

@@ -321,12 +321,9 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 	    file, ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
-	free(said->columns);
-	said->columns = xstrdup("");
-	if (ask->by_sample) {
-		free(said->samples);
-		said->samples = xstrdup("");
-	}
+	xreplace(&said->columns, xstrdup(""));
+	if (ask->by_sample)
+		xreplace(&said->samples, xstrdup(""));
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
@@ -417,8 +414,7 @@ parse_sheet_or_range_answer(
 	char **slot =
 	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
 	const char *from = said[0] != '\0' ? said : strchr(settle, '=') + 1;
-	free(*slot);
-	*slot = text_without_quotes(from, strlen(from));
+	xreplace(slot, text_without_quotes(from, strlen(from)));
 	return true;
 }
 

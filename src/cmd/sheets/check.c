@@ -230,15 +230,6 @@ check_products_by_speed(struct answer *r, const struct entry *entry)
 	return ok;
 }
 
-static bool
-has_sieve(const struct psd *psd, double x)
-{
-	size_t i = 0;
-	while (i < psd->n && psd->size[i] != x)
-		i++;
-	return i < psd->n;
-}
-
 /* Returns a sieve that curve `at` lacks within its range although all others of
  * the n have it; 0 if there is none. */
 static double
@@ -249,9 +240,10 @@ find_missing_sieve(const struct psd *const *curve, size_t n, size_t at)
 		double x = other->size[i];
 		size_t with = 0;
 		for (size_t k = 0; k < n; k++)
-			with += has_sieve(curve[k], x);
-		if (with == n - 1 && !has_sieve(own, x) && x < own->size[0] &&
-		    psd_covers_size(own, x))
+			with +=
+			    isnan(psd_passing_at_sieve(curve[k], x)) ? 0 : 1;
+		if (with == n - 1 && isnan(psd_passing_at_sieve(own, x)) &&
+		    x < own->size[0] && psd_covers_size(own, x))
 			return x;
 	}
 	return 0;

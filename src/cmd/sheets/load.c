@@ -482,8 +482,7 @@ sheet_with_closest_name(const char *path)
 		    (apart == least && !first))
 			continue;
 		least = apart;
-		free(nearest);
-		nearest = xasprintf("%.*s%s", head, path, e->d_name);
+		xreplace(&nearest, xasprintf("%.*s%s", head, path, e->d_name));
 	}
 	if (dir != NULL)
 		closedir(dir);

@@ -223,8 +223,7 @@ keep_nearest_name(void *data, const char *name)
 	size_t d = text_edit_distance(name + (paper ? 7 : 0), s->typed);
 	if (d >= s->least)
 		return;
-	free(s->best);
-	s->best = xstrdup(name);
+	xreplace(&s->best, xstrdup(name));
 	s->least = d;
 }
 
@@ -483,10 +482,8 @@ static char *
 find_free_material_name(struct session *s, const char *name)
 {
 	char *other = xasprintf("%s-2", name);
-	for (size_t i = 3; store_has_material(s->store, other); i++) {
-		free(other);
-		other = xasprintf("%s-%zu", name, i);
-	}
+	for (size_t i = 3; store_has_material(s->store, other); i++)
+		xreplace(&other, xasprintf("%s-%zu", name, i));
 	return other;
 }
 

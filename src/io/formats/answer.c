@@ -106,8 +106,7 @@ answer_title(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	free(a->title);
-	a->title = xvasprintf(tr(format), ap);
+	xreplace(&a->title, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -243,8 +242,7 @@ answer_add_pair(struct answer *a, const char *name, const char *format, ...)
 void
 answer_set_missing(struct answer *a, const char *words)
 {
-	free(a->missing);
-	a->missing = xstrdup(tr(words));
+	xreplace(&a->missing, xstrdup(tr(words)));
 }
 
 static size_t

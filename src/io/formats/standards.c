@@ -84,12 +84,9 @@ add_spec(struct standards *all, const char *standard, const char *name,
     const char *cut, const char *source)
 {
 	struct spec *spec = spec_new();
-	free(spec->name);
-	free(spec->source);
-	free(spec->standard);
-	spec->name = xstrdup(name);
-	spec->standard = xstrdup(standard);
-	spec->source = xstrdup(source);
+	xreplace(&spec->name, xstrdup(name));
+	xreplace(&spec->standard, xstrdup(standard));
+	xreplace(&spec->source, xstrdup(source));
 	bool ok = spec_parse_cut(cut, spec->cut);
 	assert(ok);
 	(void)ok;

@@ -81,13 +81,6 @@ stored_integer_of_field(const struct stored *m, const struct field *f)
 	return value_at(m, f, FIELD_WHOLE);
 }
 
-static void
-replace_string(char **text, char *value)
-{
-	free(*text);
-	*text = value;
-}
-
 struct stored
 stored_empty(void)
 {
@@ -227,7 +220,7 @@ stored_set_field_from_text(
 	double number;
 	switch (f->kind) {
 	case FIELD_TEXT:
-		replace_string(stored_text_of_field(m, f), xstrdup(text));
+		xreplace(stored_text_of_field(m, f), xstrdup(text));
 		break;
 	case FIELD_NUMBER:
 		*stored_number_of_field(m, f) =
@@ -492,8 +485,8 @@ material_read_row(
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
 	}
-	replace_string(&m.rock, xstrdup(row->cell[ROCK].text));
-	replace_string(&m.site, xstrdup(row->cell[SITE].text));
+	xreplace(&m.rock, xstrdup(row->cell[ROCK].text));
+	xreplace(&m.site, xstrdup(row->cell[SITE].text));
 	m.feed_source = xstrdup(row->cell[FEED_SOURCE].text);
 	stored_list_add(list, m);
 	return true;
@@ -548,10 +541,8 @@ table3_name(
 	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
 		   : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
-	for (int n = 2; stored_find(list, name) != NULL; n++) {
-		free(name);
-		name = xasprintf("%s/%d", stem, n);
-	}
+	for (int n = 2; stored_find(list, name) != NULL; n++)
+		xreplace(&name, xasprintf("%s/%d", stem, n));
 	return name;
 }
 
@@ -567,17 +558,17 @@ stored_add_table3(struct stored_list *list)
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {
 		struct stored m = rows.item[i];
-		replace_string(&m.name, table3_name(&rows, list, i));
-		replace_string(&m.machine, xstrdup("Metso Barmac 5100 SE"));
-		replace_string(&m.provenance,
+		xreplace(&m.name, table3_name(&rows, list, i));
+		xreplace(&m.machine, xstrdup("Metso Barmac 5100 SE"));
+		xreplace(&m.provenance,
 		    xasprintf("measured by the paper's authors and not public; "
 			      "Table 3 of Grunditz et al. (2021), %s; beta is "
 			      "not printed: default",
 			m.feed_source));
-		replace_string(&m.origin, xstrdup("table3"));
-		replace_string(&m.method, xstrdup("continuous"));
-		replace_string(&m.appearance, xstrdup("ratio"));
-		replace_string(&m.train_mps, xstrdup("69,79"));
+		xreplace(&m.origin, xstrdup("table3"));
+		xreplace(&m.method, xstrdup("continuous"));
+		xreplace(&m.appearance, xstrdup("ratio"));
+		xreplace(&m.train_mps, xstrdup("69,79"));
 		m.k = 1;
 		stored_list_add(list, m);
 	}
