@@ -131,7 +131,6 @@ show_blended_feed(
 	session_show_answer(s, r);
 }
 
-/* Shows the blend with the current site's product from it. */
 static void
 show_product_of_blend(
     struct session *s, const struct question *q, const struct blended *b)

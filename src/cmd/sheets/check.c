@@ -352,7 +352,6 @@ report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 	    v.worst_difference < 0 ? tr("above") : tr("below"));
 }
 
-/* Reports other loaded sites with the same numbers. */
 static void
 report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 {
@@ -367,7 +366,6 @@ report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 	}
 }
 
-/* Reports what was read and what was left out. */
 static void
 report_what_was_read(
     struct answer *r, struct fields *read, const struct entry *entry)

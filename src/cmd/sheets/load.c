@@ -152,7 +152,6 @@ note_loaded(struct session *s, const struct site *site)
 		    "adds a cut at another speed");
 }
 
-/* Replaces options of a request by the user's answers. */
 static void
 use_user_answers(const struct inquired *said, struct site_request *q)
 {
@@ -258,7 +257,6 @@ load_files_as_one_site(struct session *s, struct load *l, struct error *error)
 	return site != NULL && add_loaded_site(s, l, site, error);
 }
 
-/* Finds whether one file alone has only a feed, or only a product. */
 static void
 find_whether_feed_or_product(const struct session *s, struct load *l, size_t i,
     bool *feed, bool *product)
@@ -385,7 +383,6 @@ compare_file_names(const void *a, const void *b)
 	return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Removes tipspeed's own results from the files, from index `from` on. */
 static void
 remove_result_files(const struct session *s, struct load *l, size_t from)
 {
@@ -518,7 +515,6 @@ hint_closest_file_name(size_t n, const char *const *word,
 		error_hint(error, "did you mean '%s'?", line);
 }
 
-/* Takes the options of a call into the request. */
 static void
 parse_load_options(struct load *l, const struct args *args)
 {

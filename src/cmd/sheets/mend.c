@@ -215,7 +215,6 @@ find_mend_by_number(
 	return ok;
 }
 
-/* Returns how many of the options that state what to do were given. */
 static size_t
 count_mend_options(const struct args *args)
 {

@@ -102,7 +102,6 @@ runs_and_speeds_text(const struct site *site)
 				n, low);
 }
 
-/* Returns what a material keeps: its runs, or parameters alone. */
 static char *
 material_contents_text(const struct stored *m)
 {
@@ -115,7 +114,6 @@ material_contents_text(const struct stored *m)
 	return words;
 }
 
-/* Makes the entry as the calibration had left it. */
 static void
 restore_calibration(struct entry *entry, const struct basis *b,
     const struct stored *m, struct history *h)
@@ -282,7 +280,6 @@ set_text_copy(char **text, const char *value)
 	set_trimmed_text(text, xstrdup(value));
 }
 
-/* Sets the fields that only a calibration has. */
 static void
 set_fields_of_fit(struct stored *m, const struct entry *entry)
 {
@@ -461,7 +458,6 @@ add_material_to_list(struct session *s, const struct entry *entry,
 	return true;
 }
 
-/* Adds all sites that are calibrated. */
 static bool
 add_all_calibrated_sites(struct session *s, const struct args *args,
     struct stored_list *list, struct error *error)
@@ -669,7 +665,6 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 		session_note(s, "  likely, not stated: %s", site->assumed);
 }
 
-/* Notes a site that is as it was when it was remembered. */
 static void
 note_recalled_site(struct session *s, const struct entry *entry)
 {
@@ -747,7 +742,6 @@ recall_params_and_runs(struct session *s, const struct stored *m, size_t index,
 	return true;
 }
 
-/* True if the list has the name, ignoring case and accents. */
 static bool
 has_name_in_list(const char *names, const char *name)
 {
@@ -965,7 +959,6 @@ add_material_row(struct answer *r, const struct stored *m)
 	    site_data_kind(m->provenance));
 }
 
-/* Adds a rock to a list unless it is there. */
 static void
 add_rock_unless_listed(void *data, const char *rock)
 {

@@ -211,7 +211,6 @@ sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 		row->n = row->n_all;
 }
 
-/* Splits a line into cells.  False after a fault. */
 static bool
 split_line(struct sheet *sheet, const char *text, struct row *row)
 {
@@ -396,7 +395,6 @@ is_line_of_numbers(const char *line, char separator)
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
-/* True if a line has the sign outside quotes. */
 static bool
 has_sign_outside_quotes(const char *line, char sign)
 {

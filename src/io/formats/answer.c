@@ -383,7 +383,6 @@ fields_put_numbers(struct fields *fields, const char *key, const double *value,
 		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
 }
 
-/* Adds a cell of the table as a field. */
 static void
 add_cell_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
@@ -771,7 +770,6 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
-/* Adds the sentences that are warnings, or the others. */
 static void
 answer_put_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)

@@ -48,7 +48,6 @@ check_stream_name(struct reading_circuit *r, struct cell cell)
 	    "name streams as you like, without + and =");
 }
 
-/* Adds a stream that a unit makes, or that it takes. */
 static void
 add_stream(
     struct reading_circuit *r, struct unit *unit, struct cell cell, bool made)
@@ -315,7 +314,6 @@ parse_unit_row(struct reading_circuit *r, const struct row *row)
 	    "each line begins with what it is; see tipspeed-circuit(5)");
 }
 
-/* Reports streams without a source or a destination. */
 static void
 check_streams(struct reading_circuit *r)
 {

@@ -64,7 +64,6 @@ list_has(const char *words, const char *word, size_t n)
 	return strstr(words, wanted) != NULL;
 }
 
-/* True if a text contains one of the words. */
 static bool
 plant_log_has_word(const char *text, const char *words)
 {
@@ -81,7 +80,6 @@ plant_log_has_word(const char *text, const char *words)
 	return false;
 }
 
-/* Returns what a column has according to its heading. */
 static unsigned
 plant_log_kind_of(const char *text, const struct head *head)
 {

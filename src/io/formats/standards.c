@@ -289,7 +289,6 @@ standards_mark_matches(
 	return n;
 }
 
-/* Returns the envelope whose name is most like the words. */
 static const char *
 most_similar_name(const struct standards *all, const char *words)
 {

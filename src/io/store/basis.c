@@ -242,7 +242,6 @@ parse_training_runs(struct basis *b, const char *train)
 	return any;
 }
 
-/* Takes what the fields of a material state about its fit. */
 static void
 take_basis_from_fields(struct basis *b, const struct stored *m)
 {

@@ -120,7 +120,6 @@ is_required(const struct column *c)
 	       BREAKAGES[0]->n;
 }
 
-/* Finds the columns. */
 static void
 find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 {
@@ -161,7 +160,6 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 static const char EMPTY[] = "expected %s, got an empty cell\n"
 			    "fill it, or remove the row";
 
-/* Takes a parameter of the row's model. */
 static void
 parse_param_cell(struct sheet *sheet, struct cell cell,
     const struct param_info *info, struct stored *m)
