@@ -406,14 +406,21 @@ text_next_code_point(const char **text)
 }
 
 size_t
+text_length_within(const char *s, size_t most)
+{
+	size_t n = strnlen(s, most);
+	while (n > 0 && (s[n] & 0xC0) == 0x80)
+		n--;
+	return n;
+}
+
+size_t
 text_shared_prefix(const char *a, const char *b)
 {
 	size_t n = 0;
 	while (a[n] != '\0' && a[n] == b[n])
 		n++;
-	while (n > 0 && (a[n] & 0xC0) == 0x80)
-		n--;
-	return n;
+	return text_length_within(a, n);
 }
 
 FILE *

@@ -91,6 +91,10 @@ size_t text_edit_distance(const char *a, const char *b);
  * advances *text.  Must not be called at the end of a text. */
 uint32_t text_next_code_point(const char **text);
 
+/* Returns the length in bytes of s, or of its beginning of at most `most` bytes
+ * in whole characters. */
+size_t text_length_within(const char *s, size_t most);
+
 /* Returns the length in bytes of the common beginning of a and b, in whole
  * characters. */
 size_t text_shared_prefix(const char *a, const char *b);

@@ -113,7 +113,7 @@ mark_hidden_rows_or_columns(struct reading *r, const char *const *attribute)
 {
 	const char *seen = xml_attribute(attribute, "table:1.0 visibility");
 	if (seen != NULL && strcmp(seen, "visible") != 0 && r->visible)
-		grid_mark_hidden_cells(r->grid);
+		r->grid->hidden = true;
 }
 
 static void

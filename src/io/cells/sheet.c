@@ -67,10 +67,7 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 int
 sheet_bytes_to_show(const char *text)
 {
-	size_t n = strlen(text);
-	for (n = n > SHOWN ? SHOWN : n; (text[n] & 0xC0) == 0x80; n--)
-		;
-	return (int)n;
+	return (int)text_length_within(text, SHOWN);
 }
 
 bool

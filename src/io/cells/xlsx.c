@@ -210,7 +210,7 @@ xlsx_begin_row(struct reading *r, const char *const *attribute)
 	r->at.line = (int)(line > 0 ? line : next);
 	r->at.column = 0;
 	if (is_attribute_true(attribute, "hidden"))
-		grid_mark_hidden_cells(r->book->grid);
+		r->book->grid->hidden = true;
 }
 
 static void
@@ -224,7 +224,7 @@ begin_sheet_element(void *data, const char *name, const char *const *attribute)
 		xlsx_begin_cell(r, attribute);
 	else if (strcmp(name, "col") == 0 &&
 		 is_attribute_true(attribute, "hidden"))
-		grid_mark_hidden_cells(r->book->grid);
+		r->book->grid->hidden = true;
 	else if (!r->in_cell)
 		return;
 	else if (strcmp(name, "rPh") == 0)

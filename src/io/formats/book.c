@@ -150,12 +150,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
 	FREED char *shown = text_escaped(text);
-	if (strlen(shown) > MOST) {
-		size_t n = MOST;
-		while ((shown[n] & 0xC0) == 0x80)
-			n--;
-		shown[n] = '\0';
-	}
+	shown[text_length_within(shown, MOST)] = '\0';
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }

@@ -22,23 +22,23 @@ const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};
 /* The first rows tell what the columns are. */
 enum { MOST_COLUMNS = 256, MOST_HEADS = 4, LOOKED_AT = 2000 };
 
-/* Words of heads, as text_fold_case_and_accents has them, between spaces. */
+/* Words of heads, as text_fold_case_and_accents has them. */
 static const char
-    POWER[] = " kw power effekt motoreffekt leistung motorleistung "
+    POWER[] = "kw power effekt motoreffekt leistung motorleistung "
 	      "antriebsleistung wirkleistung puissance potencia potenza teho "
-	      "moottoriteho effekten ",
-    RATE[] = " t/h tph mtph ton/h tons/h t/tim t/std ton/tim feedrate "
+	      "moottoriteho effekten",
+    RATE[] = "t/h tph mtph ton/h tons/h t/tim t/std ton/tim feedrate "
 	     "throughput tonnage kapacitet produktion durchsatz "
 	     "durchsatzleistung aufgabeleistung debit caudal vazao "
-	     "kapasiteetti kapasitet ",
+	     "kapasiteetti kapasitet",
     /* Of other machines, and of quantities that only look like these. */
     OTHER[] =
-	" feeder matare syotin alimentador alimentateur aufgeber belt "
+	"feeder matare syotin alimentador alimentateur aufgeber belt "
 	"band conveyor transportor forderband fan flakt screen sikt pump "
 	"kwh % hz percent setpoint sp borvarde sollwert limit alarm a amp "
-	"stph ",
-    TIMES[] = " time tid zeit datum date timestamp datetime zeitstempel "
-	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan ";
+	"stph",
+    TIMES[] = "time tid zeit datum date timestamp datetime zeitstempel "
+	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan";
 
 /* What a column of a log holds. */
 enum kind { NO_KIND = LOG_COLUMNS, TIME };
@@ -58,26 +58,17 @@ struct reading {
 };
 
 static bool
-list_has(const char *words, const char *word, size_t n)
-{
-	FREED char *wanted = xasprintf(" %.*s ", (int)n, word);
-	return strstr(words, wanted) != NULL;
-}
-
-static bool
 plant_log_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	FREED char *folded = text_fold_case_and_accents(text);
-	if (strstr(folded, "feed rate") != NULL && words == RATE)
-		return true;
-	for (const char *p = folded; *p != '\0'; p += strspn(p, BREAKS)) {
-		size_t n = strcspn(p, BREAKS);
-		if (n > 0 && list_has(words, p, n))
-			return true;
-		p += n;
-	}
-	return false;
+	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
+	char *next = NULL;
+	size_t which;
+	for (char *word = strtok_r(folded, BREAKS, &next);
+	     word != NULL && !found; word = strtok_r(NULL, BREAKS, &next))
+		found = text_find_word(words, word, &which);
+	return found;
 }
 
 static unsigned

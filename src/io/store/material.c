@@ -521,7 +521,7 @@ stored_read_table3_file(
     const char *path, struct stored_list *list, struct error_list *errors)
 {
 	return read_materials_in_text(
-	    path, textfile_read(path, errors), list, errors);
+	    path, textfile_read(path, TEXTFILE_SHEET, errors), list, errors);
 }
 
 /* Names sites as a session does: a later one of the same name has its size, and

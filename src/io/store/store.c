@@ -79,10 +79,7 @@ name_as_typed(const char *name)
 {
 	enum { MOST = 60 };
 	char *label = text_escaped(name);
-	size_t n = strlen(label);
-	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
-		n--;
-	label[n] = '\0';
+	label[text_length_within(label, MOST)] = '\0';
 	for (char *p = label; (p = strchr(p, '"')) != NULL;)
 		*p = '\'';
 	return label;

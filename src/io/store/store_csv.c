@@ -260,7 +260,7 @@ bool
 store_csv_read_file(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors)
 {
-	FREED char *text = textfile_read_large(path, errors);
+	FREED char *text = textfile_read(path, TEXTFILE_OWN, errors);
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new_without_line_limit(path, text, errors);
