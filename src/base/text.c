@@ -253,6 +253,30 @@ text_in_quotes(const char *s)
 	return quoted;
 }
 
+void
+text_write_sheet_cell(const char *text, char separator, FILE *out)
+{
+	const char marks[] = {separator, '"', '\n', '\r', '\0'};
+	const char *guard = text_may_be_formula(text) ? "'" : "";
+	if (strpbrk(text, marks) == NULL) {
+		fprintf(out, "%s%s", guard, text);
+		return;
+	}
+	FREED char *quoted = text_in_quotes(text);
+	fprintf(out, "\"%s%s", guard, quoted + 1);
+}
+
+void
+text_write_sheet_number(double value, char separator, FILE *out)
+{
+	char text[32];
+	text_shortest_exact_number(value, text);
+	char *point = strchr(text, '.');
+	if (separator == ';' && point != NULL)
+		*point = ',';
+	fputs(text, out);
+}
+
 const char *
 text_column_letters(int column, char buf[static 8])
 {
@@ -382,14 +406,21 @@ text_next_code_point(const char **text)
 }
 
 size_t
+text_length_within(const char *s, size_t most)
+{
+	size_t n = strnlen(s, most);
+	while (n > 0 && (s[n] & 0xC0) == 0x80)
+		n--;
+	return n;
+}
+
+size_t
 text_shared_prefix(const char *a, const char *b)
 {
 	size_t n = 0;
 	while (a[n] != '\0' && a[n] == b[n])
 		n++;
-	while (n > 0 && (a[n] & 0xC0) == 0x80)
-		n--;
-	return n;
+	return text_length_within(a, n);
 }
 
 FILE *

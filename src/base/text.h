@@ -59,6 +59,14 @@ char *text_in_quotes(const char *s);
  * apostrophes before such a character gets one more. */
 bool text_may_be_formula(const char *s);
 
+/* Writes a cell of a sheet that reads back as the same text: quoted if
+ * necessary, and never as a formula. */
+void text_write_sheet_cell(const char *text, char separator, FILE *out);
+
+/* Writes a number with a decimal point, or with a decimal comma between
+ * semicolons. */
+void text_write_sheet_number(double value, char separator, FILE *out);
+
 /* Writes the letters of a spreadsheet's column, counted from 1: "AB". */
 const char *text_column_letters(int column, char buf[static 8]);
 
@@ -82,6 +90,10 @@ size_t text_edit_distance(const char *a, const char *b);
 /* Returns the code point at *text, or U+FFFD for a byte that is not UTF-8, and
  * advances *text.  Must not be called at the end of a text. */
 uint32_t text_next_code_point(const char **text);
+
+/* Returns the length in bytes of s, or of its beginning of at most `most` bytes
+ * in whole characters. */
+size_t text_length_within(const char *s, size_t most);
 
 /* Returns the length in bytes of the common beginning of a and b, in whole
  * characters. */

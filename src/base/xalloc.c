@@ -38,6 +38,12 @@ xrealloc(void *p, size_t n, size_t size)
 	return q;
 }
 
+void *
+xgrow(void *p, size_t n, size_t size)
+{
+	return (n & (n - 1)) == 0 ? xrealloc(p, n > 0 ? 2 * n : 1, size) : p;
+}
+
 /* Pointers of several types come here. */
 void
 xfree_at(void *pointer)
@@ -86,6 +92,13 @@ xasprintf(const char *format, ...)
 	char *s = xvasprintf(format, ap);
 	va_end(ap);
 	return s;
+}
+
+void
+xreplace(char **text, char *value)
+{
+	free(*text);
+	*text = value;
 }
 
 /* Takes what is added. */

@@ -15,6 +15,10 @@ enum { XALLOC_STATUS = 5 };
  * returns NULL; free the result with free().  On failure the program ends. */
 void *xcalloc(size_t n, size_t size);
 void *xrealloc(void *p, size_t n, size_t size);
+
+/* Makes room for one more object after the n of an array that starts as NULL
+ * and is enlarged by this function alone: it doubles at powers of two. */
+void *xgrow(void *p, size_t n, size_t size);
 char *xstrdup(const char *s);
 char *xstrndup(const char *s, size_t n);
 char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
@@ -25,6 +29,9 @@ char *xvasprintf(const char *format, va_list ap)
  * frees them where their block ends, after a return value has been computed. */
 #define FREED __attribute__((cleanup(xfree_at)))
 void xfree_at(void *pointer);
+
+/* Frees a text and sets it to another, which it takes. */
+void xreplace(char **text, char *value);
 
 /* Append to a text returned by one of the functions above; xlist adds the
  * separator first if the list is not empty. */

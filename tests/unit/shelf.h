@@ -66,7 +66,7 @@ put_text(struct stored *m, const char *name, const char *text)
 	size_t i = 0;
 	while (strcmp(FIELDS[i].name, name) != 0)
 		assert_true(++i < FIELD_COUNT);
-	stored_set_text_field(m, &FIELDS[i], text);
+	stored_set_field_from_text(m, &FIELDS[i], text);
 }
 
 /* A calibration with all there is to know of one. */

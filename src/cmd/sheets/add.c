@@ -14,7 +14,6 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
-#include "cmd/sheets/cut_day.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/invocation.h"
@@ -22,6 +21,7 @@
 #include "cmd/sheets/log.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
+#include "io/cells/datetime.h"
 #include "io/fs/file.h"
 #include "io/sitefile/column_header.h"
 
@@ -44,6 +44,74 @@ free_cut_origins(struct origins *o)
 		free(o->file[i].when);
 	}
 	free(o->file);
+}
+
+/* order: how dates are read that leave it open; why: how that is known, for
+ * people, or NULL.  now: it follows from today's date. */
+struct cut_day {
+	enum datetime_order order;
+	const char *why;
+	bool now;
+};
+
+/* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if the order
+ * leaves it open.  The caller frees it. */
+static char *
+cut_day_text(const struct datetime *m, enum datetime_order order)
+{
+	double time = datetime_seconds_since_1970(m, order);
+	if (isnan(time))
+		return NULL;
+	char *text = datetime_to_text(time);
+	if (!m->has_time)
+		text[strcspn(text, " ")] = '\0';
+	return text;
+}
+
+/* Returns the order in which none of the open dates is after today, if there
+ * are any after today in the other. */
+static enum datetime_order
+date_order_by_today(const struct site *cuts)
+{
+	FREED char *today = datetime_today();
+	struct datetime m, now;
+	bool after[2] = {false, false};
+	datetime_parse(today, &now);
+	double end =
+	    datetime_seconds_since_1970(&now, DATETIME_OPEN) + 24 * 3600;
+	for (size_t i = 0; i < cuts->n_note; i++) {
+		if (!cut_parse_date(&cuts->note[i], &m) || m.plain)
+			continue;
+		after[0] = after[0] || datetime_seconds_since_1970(
+					   &m, DATETIME_DAY_FIRST) >= end;
+		after[1] = after[1] || datetime_seconds_since_1970(
+					   &m, DATETIME_MONTH_FIRST) >= end;
+	}
+	if (after[0] == after[1])
+		return DATETIME_OPEN;
+	return after[0] ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
+}
+
+/* Finds the order of day and month in the dates of cuts: as their other dates
+ * show it, else those of the site that they are added to, else today, which no
+ * cut is taken after. */
+static struct cut_day
+cut_day_find_date_order(const struct site *cuts, const struct site *site)
+{
+	enum datetime_order order = cut_day_month_order(cuts);
+	if (order != DATETIME_OPEN)
+		return (struct cut_day){
+		    order, tr("as its other dates show"), false};
+	order = cut_day_month_order(site);
+	if (order != DATETIME_OPEN)
+		return (struct cut_day){
+		    order, tr("as the dates of earlier cuts show"), false};
+	order = date_order_by_today(cuts);
+	return (struct cut_day){order,
+	    order != DATETIME_OPEN
+		? tr("as the other way round it is still to come")
+		: NULL,
+	    order != DATETIME_OPEN};
 }
 
 /* Returns the moment as one word of the command: "2026-11-05T10:15". */
@@ -154,10 +222,9 @@ look_up_time_in_log(struct session *s, const struct args *args,
 		error) ||
 	    !log_look_up_time(s, time, window / 2, rotor, &o->logged, error))
 		return false;
-	free(o->word);
-	free(o->when);
-	o->word = xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed);
-	o->when = datetime_to_text(time);
+	xreplace(
+	    &o->word, xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed));
+	xreplace(&o->when, datetime_to_text(time));
 	return true;
 }
 
@@ -226,10 +293,8 @@ use_date_of_header(
 	if (all->n != 1 || all->file[0].when[0] != '\0' || n != 1)
 		return;
 	char *day = cut_day_text(&said, order);
-	if (day == NULL)
-		return;
-	free(all->file[0].when);
-	all->file[0].when = day;
+	if (day != NULL)
+		xreplace(&all->file[0].when, day);
 }
 
 /* Says how the first date was read that leaves open which number is the day, or
@@ -351,7 +416,6 @@ measured_vs_predicted_text(
 	return words;
 }
 
-/* Compares a new cut with the prediction and reports the result. */
 static enum verdict
 report_check_of_cut(struct session *s, size_t run)
 {
@@ -505,7 +569,6 @@ note_added_cuts(struct session *s, struct site *site, const struct site *cuts,
 	}
 }
 
-/* Replaces the current site with a copy that has the cuts. */
 static bool
 add_cuts_to_current_site(struct session *s, const struct args *args,
     const struct site *cuts, struct origins *all, struct error *error)

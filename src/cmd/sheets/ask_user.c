@@ -79,7 +79,6 @@ table_column_widths(
 	}
 }
 
-/* Adds a cell of a table, shortened or padded to its width. */
 static void
 append_padded_cell(char **line, const char *text, int width, bool right)
 {
@@ -125,7 +124,6 @@ inquiry_row_text(const struct inquiry *q, size_t row, int columns)
 	return line;
 }
 
-/* True if the guess is that the column has the sieves. */
 static bool
 is_guessed_sieve_column(const struct site_ask_column *c)
 {
@@ -180,7 +178,6 @@ parse_speed_answer(const struct site_ask_column *c, const struct head *head,
 	return guess_with_role(c, said);
 }
 
-/* Interprets words that state a role, a quantity or both. */
 static char *
 parse_role_answer(const struct site_ask_column *c, const char *said,
     const struct head *head, uint64_t means)
@@ -321,12 +318,9 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 	    file, ask->across ? tr("lines") : tr("columns"));
 	struct inquiry q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
-	free(said->columns);
-	said->columns = xstrdup("");
-	if (ask->by_sample) {
-		free(said->samples);
-		said->samples = xstrdup("");
-	}
+	xreplace(&said->columns, xstrdup(""));
+	if (ask->by_sample)
+		xreplace(&said->samples, xstrdup(""));
 	for (size_t i = 0; i < ask->n && good; i++) {
 		struct site_ask_column *c = &table.column[i];
 		q.at = i;
@@ -363,7 +357,6 @@ parse_rotor_answer(const char *said, struct inquired *into, char *wrong)
 	return good;
 }
 
-/* True if the answer is the word or an abbreviation of it. */
 static bool
 is_abbreviation_of(const char *said, const char *word)
 {
@@ -417,8 +410,7 @@ parse_sheet_or_range_answer(
 	char **slot =
 	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
 	const char *from = said[0] != '\0' ? said : strchr(settle, '=') + 1;
-	free(*slot);
-	*slot = text_without_quotes(from, strlen(from));
+	xreplace(slot, text_without_quotes(from, strlen(from)));
 	return true;
 }
 
@@ -517,7 +509,6 @@ top_size_question(const char *size, double further)
 		   : xasprintf(tr("take %s mm, the next sieve up"), size);
 }
 
-/* Asks for the value of one option. */
 static bool
 ask_for_option_value(struct session *s, const struct site_ask *ask,
     const struct error *trouble, struct inquired *said)

@@ -131,7 +131,6 @@ show_blended_feed(
 	session_show_answer(s, r);
 }
 
-/* Shows the blend with the current site's product from it. */
 static void
 show_product_of_blend(
     struct session *s, const struct question *q, const struct blended *b)
@@ -187,12 +186,9 @@ write_blend_as_sheet(struct session *s, const struct args *args,
 {
 	size_t rows;
 	struct site *site = site_new(1);
-	char *was[] = {site->name, site->rock, site->provenance};
-	for (size_t i = 0; i < ARRAY_LEN(was); i++)
-		free(was[i]);
-	site->name = xasprintf(tr("blend of %s"), b->words);
-	site->rock = xstrdup(b->rock);
-	site->provenance = xstrdup(b->of);
+	xreplace(&site->name, xasprintf(tr("blend of %s"), b->words));
+	xreplace(&site->rock, xstrdup(b->rock));
+	xreplace(&site->provenance, xstrdup(b->of));
 	site->run[0].feed = psd_copy(&b->feed);
 	bool good = files_may_overwrite(s, args, path, error) &&
 		    site_save(site, path, &rows, error);

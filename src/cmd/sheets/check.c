@@ -230,15 +230,6 @@ check_products_by_speed(struct answer *r, const struct entry *entry)
 	return ok;
 }
 
-static bool
-has_sieve(const struct psd *psd, double x)
-{
-	size_t i = 0;
-	while (i < psd->n && psd->size[i] != x)
-		i++;
-	return i < psd->n;
-}
-
 /* Returns a sieve that curve `at` lacks within its range although all others of
  * the n have it; 0 if there is none. */
 static double
@@ -249,9 +240,10 @@ find_missing_sieve(const struct psd *const *curve, size_t n, size_t at)
 		double x = other->size[i];
 		size_t with = 0;
 		for (size_t k = 0; k < n; k++)
-			with += has_sieve(curve[k], x);
-		if (with == n - 1 && !has_sieve(own, x) && x < own->size[0] &&
-		    psd_covers_size(own, x))
+			with +=
+			    isnan(psd_passing_at_sieve(curve[k], x)) ? 0 : 1;
+		if (with == n - 1 && isnan(psd_passing_at_sieve(own, x)) &&
+		    x < own->size[0] && psd_covers_size(own, x))
 			return x;
 	}
 	return 0;
@@ -360,7 +352,6 @@ report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 	    v.worst_difference < 0 ? tr("above") : tr("below"));
 }
 
-/* Reports other loaded sites with the same numbers. */
 static void
 report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 {
@@ -375,7 +366,6 @@ report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 	}
 }
 
-/* Reports what was read and what was left out. */
 static void
 report_what_was_read(
     struct answer *r, struct fields *read, const struct entry *entry)

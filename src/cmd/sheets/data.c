@@ -75,13 +75,10 @@ static void
 describe_synthetic_site(struct site *site, const struct stored *m,
     const struct synth *synth, const char *source)
 {
-	free(site->name);
-	free(site->rock);
-	free(site->machine);
+	xreplace(&site->name, xstrdup(m->site));
+	xreplace(&site->rock, xstrdup(m->rock));
+	xreplace(&site->machine, xstrdup("Metso Barmac 5100 SE"));
 	free(site->provenance);
-	site->name = xstrdup(m->site);
-	site->rock = xstrdup(m->rock);
-	site->machine = xstrdup("Metso Barmac 5100 SE");
 	site->provenance = xasprintf(
 	    "reconstructed from %s, not measured; f_mat %g, E0_min %g, alpha "
 	    "%g, default beta; %s; feed 100 %% at twice the top size, 90 %% "

@@ -152,7 +152,6 @@ note_loaded(struct session *s, const struct site *site)
 		    "adds a cut at another speed");
 }
 
-/* Replaces options of a request by the user's answers. */
 static void
 use_user_answers(const struct inquired *said, struct site_request *q)
 {
@@ -258,7 +257,6 @@ load_files_as_one_site(struct session *s, struct load *l, struct error *error)
 	return site != NULL && add_loaded_site(s, l, site, error);
 }
 
-/* Finds whether one file alone has only a feed, or only a product. */
 static void
 find_whether_feed_or_product(const struct session *s, struct load *l, size_t i,
     bool *feed, bool *product)
@@ -385,7 +383,6 @@ compare_file_names(const void *a, const void *b)
 	return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Removes tipspeed's own results from the files, from index `from` on. */
 static void
 remove_result_files(const struct session *s, struct load *l, size_t from)
 {
@@ -482,8 +479,7 @@ sheet_with_closest_name(const char *path)
 		    (apart == least && !first))
 			continue;
 		least = apart;
-		free(nearest);
-		nearest = xasprintf("%.*s%s", head, path, e->d_name);
+		xreplace(&nearest, xasprintf("%.*s%s", head, path, e->d_name));
 	}
 	if (dir != NULL)
 		closedir(dir);
@@ -519,7 +515,6 @@ hint_closest_file_name(size_t n, const char *const *word,
 		error_hint(error, "did you mean '%s'?", line);
 }
 
-/* Takes the options of a call into the request. */
 static void
 parse_load_options(struct load *l, const struct args *args)
 {
@@ -634,32 +629,6 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 	return site;
 }
 
-/* A name to look for, and whether it was found. */
-struct remembered_name {
-	const char *name;
-	bool found;
-};
-
-static void
-match_remembered_name(void *data, const char *name)
-{
-	struct remembered_name *r = data;
-	r->found = r->found || text_same_folded(name, r->name);
-}
-
-/* If a file does not exist but a material has that name, says so. */
-static void
-hint_recall_material(
-    const struct session *s, const char *word, struct error *error)
-{
-	struct remembered_name r = {.name = word};
-	if (access(word, F_OK) != 0 &&
-	    store_visit_names(
-		s->store, STORE_NAMES, match_remembered_name, &r, NULL) &&
-	    r.found)
-		error_hint(error, "it is in the store: recall %s", word);
-}
-
 bool
 cmd_load(struct session *s, const struct args *args, struct error *error)
 {
@@ -670,8 +639,10 @@ cmd_load(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "load: expected no dates=, which is for a log\n"
 		    "write: load FILE as=log dates=day-first");
+	const char *word = args->operand[0];
 	bool good = load_files(s, args->n_operand, args->operand, args, error);
-	if (!good && args->n_operand == 1)
-		hint_recall_material(s, args->operand[0], error);
+	if (!good && args->n_operand == 1 && access(word, F_OK) != 0 &&
+	    store_has_material(s->store, word))
+		error_hint(error, "it is in the store: recall %s", word);
 	return good;
 }

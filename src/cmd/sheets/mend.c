@@ -215,7 +215,6 @@ find_mend_by_number(
 	return ok;
 }
 
-/* Returns how many of the options that state what to do were given. */
 static size_t
 count_mend_options(const struct args *args)
 {
@@ -314,8 +313,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (site == NULL)
 		return false;
 	FREED char *words = mend_text(entry->site, &mend);
-	free(s->invocation->line);
-	s->invocation->line = mend_command_line(entry->site, &mend);
+	xreplace(&s->invocation->line, mend_command_line(entry->site, &mend));
 	bool fitted = session_replace_by_mended(s, s->current, site);
 	session_note(s, "mended: %s", words);
 	if (fitted)

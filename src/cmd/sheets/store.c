@@ -102,7 +102,6 @@ runs_and_speeds_text(const struct site *site)
 				n, low);
 }
 
-/* Returns what a material keeps: its runs, or parameters alone. */
 static char *
 material_contents_text(const struct stored *m)
 {
@@ -115,7 +114,6 @@ material_contents_text(const struct stored *m)
 	return words;
 }
 
-/* Makes the entry as the calibration had left it. */
 static void
 restore_calibration(struct entry *entry, const struct basis *b,
     const struct stored *m, struct history *h)
@@ -223,8 +221,7 @@ keep_nearest_name(void *data, const char *name)
 	size_t d = text_edit_distance(name + (paper ? 7 : 0), s->typed);
 	if (d >= s->least)
 		return;
-	free(s->best);
-	s->best = xstrdup(name);
+	xreplace(&s->best, xstrdup(name));
 	s->least = d;
 }
 
@@ -283,7 +280,6 @@ set_text_copy(char **text, const char *value)
 	set_trimmed_text(text, xstrdup(value));
 }
 
-/* Sets the fields that only a calibration has. */
 static void
 set_fields_of_fit(struct stored *m, const struct entry *entry)
 {
@@ -462,7 +458,6 @@ add_material_to_list(struct session *s, const struct entry *entry,
 	return true;
 }
 
-/* Adds all sites that are calibrated. */
 static bool
 add_all_calibrated_sites(struct session *s, const struct args *args,
     struct stored_list *list, struct error *error)
@@ -478,27 +473,13 @@ add_all_calibrated_sites(struct session *s, const struct args *args,
 		   "no loaded site is calibrated\nrun 'calibrate all'");
 }
 
-/* Adds the user's material of that name to the list; true if there is one. */
-static bool
-find_own_material(struct session *s, const char *name, struct stored_list *own)
-{
-	const struct store_query query = {.name = name};
-	return store_find_materials(s->store, &query, own, NULL) && own->n > 0;
-}
-
 /* Returns a name that the store does not have yet: "tierp-2". */
 static char *
 find_free_material_name(struct session *s, const char *name)
 {
-	char *other = NULL;
-	bool taken = true;
-	for (size_t i = 2; taken; i++) {
-		struct stored_list own = {0};
-		free(other);
-		other = xasprintf("%s-%zu", name, i);
-		taken = find_own_material(s, other, &own);
-		stored_list_free(&own);
-	}
+	char *other = xasprintf("%s-2", name);
+	for (size_t i = 3; store_has_material(s->store, other); i++)
+		xreplace(&other, xasprintf("%s-%zu", name, i));
 	return other;
 }
 
@@ -563,8 +544,10 @@ ask_to_replace_materials(struct session *s, const struct stored_list *list,
 {
 	bool asks = can_ask_to_confirm(s);
 	struct stored_list own = {0};
-	for (size_t i = 0; asks && i < list->n && own.n == 0; i++)
-		find_own_material(s, list->item[i].name, &own);
+	for (size_t i = 0; asks && i < list->n && own.n == 0; i++) {
+		const struct store_query query = {.name = list->item[i].name};
+		store_find_materials(s->store, &query, &own, NULL);
+	}
 	bool wanted = asks && !*replace && own.n > 0;
 	if (wanted && list->n == 1) {
 		*replace = ask_to_replace_material(
@@ -682,7 +665,6 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 		session_note(s, "  likely, not stated: %s", site->assumed);
 }
 
-/* Notes a site that is as it was when it was remembered. */
 static void
 note_recalled_site(struct session *s, const struct entry *entry)
 {
@@ -760,7 +742,6 @@ recall_params_and_runs(struct session *s, const struct stored *m, size_t index,
 	return true;
 }
 
-/* True if the list has the name, ignoring case and accents. */
 static bool
 has_name_in_list(const char *names, const char *name)
 {
@@ -978,7 +959,6 @@ add_material_row(struct answer *r, const struct stored *m)
 	    site_data_kind(m->provenance));
 }
 
-/* Adds a rock to a list unless it is there. */
 static void
 add_rock_unless_listed(void *data, const char *rock)
 {

@@ -36,20 +36,9 @@ struct form {
 static void
 write_template_remark(const struct form *f, const char *text)
 {
-	bool quote = strchr(text, f->separator) != NULL;
-	fprintf(
-	    f->sheet, "%s# %s%s\n", quote ? "\"" : "", text, quote ? "\"" : "");
-}
-
-static void
-write_template_number(const struct form *f, double value)
-{
-	char text[32];
-	text_shortest_exact_number(value, text);
-	char *point = strchr(text, '.');
-	if (f->separator == ';' && point != NULL)
-		*point = ',';
-	fputs(text, f->sheet);
+	FREED char *line = xasprintf("# %s", text);
+	text_write_sheet_cell(line, f->separator, f->sheet);
+	fputc('\n', f->sheet);
 }
 
 /* Writes a row for each sieve, with an empty cell for each column.  Returns the
@@ -63,7 +52,7 @@ write_rows_of_sieves(
 	memcpy(mm, sieves->n > 0 ? sieves->at : SIEVES, n * sizeof *mm);
 	n = psd_sort_distinct_sizes(mm, n, 0);
 	for (size_t i = 0; i < n; i++) {
-		write_template_number(f, mm[i]);
+		text_write_sheet_number(mm[i], f->separator, f->sheet);
 		for (size_t c = 0; c < columns; c++)
 			fputc(f->separator, f->sheet);
 		fputc('\n', f->sheet);
@@ -99,7 +88,7 @@ write_sieve_template(const struct form *f, const struct args *args)
 	fprintf(f->sheet, "size_mm%cfeed%s", f->separator, unit);
 	for (size_t i = 0; i < speeds->n; i++) {
 		fprintf(f->sheet, "%cproduct%s@", f->separator, unit);
-		write_template_number(f, speeds->at[i]);
+		text_write_sheet_number(speeds->at[i], f->separator, f->sheet);
 	}
 	fputc('\n', f->sheet);
 	size_t rows = write_rows_of_sieves(f, &args->sieves, speeds->n + 1);

@@ -37,7 +37,6 @@ is_valid_date(int year, int month, int day)
 	       day >= 1 && day <= days_in_month(year, month);
 }
 
-/* Returns the days since the beginning of 1970. */
 static int
 days_since_1970(int year, int month, int day)
 {

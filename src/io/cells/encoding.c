@@ -28,16 +28,6 @@ code_point_of_1252(char byte)
 	return c >= 0x80 && c < 0xA0 ? C1[c - 0x80] : c;
 }
 
-/* Returns the bytes of the character at i, or 0 if it is not UTF-8. */
-static size_t
-utf8_char_length(const char *bytes, size_t n, size_t i)
-{
-	for (size_t k = 1; k <= 4 && i + k <= n; k++)
-		if (text_is_utf8(bytes + i, k) || bytes[i] == '\0')
-			return k;
-	return 0;
-}
-
 static char *
 append_utf8_char(char *to, uint32_t code)
 {
@@ -72,12 +62,15 @@ decode_utf8_or_1252(const char *bytes, size_t n)
 {
 	size_t bad = n;
 	bool beyond_ascii = false;
-	for (size_t i = 0, k; i < n; i += k) {
-		k = utf8_char_length(bytes, n, i);
+	for (size_t i = 0; i < n;) {
+		utf8proc_int32_t code;
+		utf8proc_ssize_t k =
+		    utf8proc_iterate((const utf8proc_uint8_t *)bytes + i,
+			(utf8proc_ssize_t)(n - i), &code);
 		beyond_ascii = beyond_ascii || k > 1;
-		if (k == 0 && bad == n)
+		if (k < 1 && bad == n)
 			bad = i;
-		k += k == 0;
+		i += k > 0 ? (size_t)k : 1;
 	}
 	if (bad < n && !beyond_ascii)
 		return decode_windows_1252(bytes, n);

@@ -46,9 +46,7 @@ grid_note(struct grid *g, const char *format, ...)
 	va_start(ap, format);
 	FREED char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
-	size_t n = strlen(text);
-	for (n = n > MOST_NOTE ? MOST_NOTE : n; (text[n] & 0xC0) == 0x80; n--)
-		;
+	size_t n = text_length_within(text, MOST_NOTE);
 	xappend_to_list(&g->note, "; ", "%.*s%s", (int)n, text,
 	    text[n] != '\0' ? "..." : "");
 }
@@ -187,10 +185,4 @@ grid_put_formula_text(struct grid *g, struct cell where, const char *formula)
 	FREED char *text = xasprintf("=%s", formula + (formula[0] == '='));
 	g->unsolved = true;
 	return grid_put_text(g, where, text);
-}
-
-void
-grid_mark_hidden_cells(struct grid *g)
-{
-	g->hidden = true;
 }

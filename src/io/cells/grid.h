@@ -19,7 +19,8 @@ struct grid {
 	struct sheet *now;   /* the sheet being read */
 	const char *too_big; /* why `now` is skipped, or NULL */
 	size_t bytes;        /* of the texts of `now` */
-	bool unsolved, hidden;
+	bool unsolved;       /* `now` has formulas without results */
+	bool hidden;         /* it has hidden rows or columns, which are read */
 };
 
 struct grid grid_new(
@@ -48,9 +49,6 @@ bool grid_put_date(struct grid *grid, struct cell where, const char *text);
  * cell. */
 bool grid_put_formula_text(
     struct grid *grid, struct cell where, const char *formula);
-
-/* Notes that the sheet has hidden rows or columns (which are read). */
-void grid_mark_hidden_cells(struct grid *grid);
 
 /* grid_note adds a remark on the workbook.  After 20 remarks it only counts
  * them; grid_note_omitted_count adds that count at the end. */

@@ -107,7 +107,6 @@ remove_thousands_sign(char *s, char sign)
 	return true;
 }
 
-/* Reads a text as a number.  False if it is none. */
 static bool
 parse_number_text(const struct sheet *sheet, const char *text, double *value)
 {
@@ -251,7 +250,6 @@ number_value_of_cell(struct cell cell, double *value)
 	return cell.value == AS_NUMBER;
 }
 
-/* Returns what to do about a cell that is not a number. */
 static const char *
 hint_if_not_number(const char *s)
 {

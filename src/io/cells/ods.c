@@ -113,7 +113,7 @@ mark_hidden_rows_or_columns(struct reading *r, const char *const *attribute)
 {
 	const char *seen = xml_attribute(attribute, "table:1.0 visibility");
 	if (seen != NULL && strcmp(seen, "visible") != 0 && r->visible)
-		grid_mark_hidden_cells(r->grid);
+		r->grid->hidden = true;
 }
 
 static void
@@ -367,17 +367,9 @@ ods_read(struct archive *archive, struct grid *grid)
 {
 	static const struct xml_events EVENTS = {
 	    ods_begin_element, ods_end_element, ods_add_text};
-	size_t n;
-	char *wrong = NULL;
-	FREED char *bytes =
-	    archive_unpack_entry(archive, "content.xml", &n, &wrong);
-	if (bytes == NULL)
-		return wrong;
 	struct reading r = {.grid = grid};
-	FREED char *fault =
-	    xml_parse_document(bytes, n, &EVENTS, &r, grid->errors);
-	if (fault != NULL)
-		wrong = xasprintf("content.xml: %s", fault);
+	char *wrong =
+	    xml_parse_part(archive, "content.xml", &EVENTS, &r, grid->errors);
 	clear_cell_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
 		clear_cell_content(&r.kept[i].content);

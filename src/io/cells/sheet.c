@@ -67,10 +67,7 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 int
 sheet_bytes_to_show(const char *text)
 {
-	size_t n = strlen(text);
-	for (n = n > SHOWN ? SHOWN : n; (text[n] & 0xC0) == 0x80; n--)
-		;
-	return (int)n;
+	return (int)text_length_within(text, SHOWN);
 }
 
 bool
@@ -188,6 +185,15 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 	return true;
 }
 
+/* Takes ownership of the text. */
+static void
+append_cell(struct row *row, char *text, int column)
+{
+	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
+	row->cell[row->n_all++] =
+	    (struct cell){.text = text, .line = row->line, .column = column};
+}
+
 /* Adds the cell from its first character to before `end`. */
 static void
 sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
@@ -197,14 +203,11 @@ sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 					   : xstrndup(from->p, n);
 	const char *said = text_trim(text);
 	said += said[0] == '\'' && text_may_be_formula(said);
-	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
-	row->cell[row->n_all++] = (struct cell){
-	    .text = xstrdup(said), .line = row->line, .column = from->column};
+	append_cell(row, xstrdup(said), from->column);
 	if (row->cell[row->n_all - 1].text[0] != '\0')
 		row->n = row->n_all;
 }
 
-/* Splits a line into cells.  False after a fault. */
 static bool
 split_line(struct sheet *sheet, const char *text, struct row *row)
 {
@@ -235,16 +238,6 @@ free_row(struct row *row)
 	free(row->cell);
 }
 
-/* Makes room for one more row. */
-static void
-sheet_make_room_for_row(struct sheet *sheet)
-{
-	if (sheet->n_row < sheet->room)
-		return;
-	sheet->room = sheet->room > 0 ? 2 * sheet->room : 64;
-	sheet->row = xrealloc(sheet->row, sheet->room, sizeof *sheet->row);
-}
-
 static size_t
 cell_limit_of_sheet(const struct sheet *sheet)
 {
@@ -267,7 +260,7 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
-	sheet_make_room_for_row(sheet);
+	sheet->row = xgrow(sheet->row, sheet->n_row, sizeof *sheet->row);
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
 	bool good = split_line(sheet, line, row);
@@ -299,10 +292,7 @@ sheet_add_row_or_comment(struct sheet *sheet, const char *line, int number)
 	if (*first != '#')
 		return sheet_add_row(sheet, line, number);
 	size_t n = sheet->n_comment++;
-	/* Twice the room at each power of two: there may be millions. */
-	if ((n & (n - 1)) == 0)
-		sheet->comment =
-		    xrealloc(sheet->comment, 2 * n + 1, sizeof *sheet->comment);
+	sheet->comment = xgrow(sheet->comment, n, sizeof *sheet->comment);
 	sheet->comment[n] = (struct comment){.line = number, .text = line};
 	return true;
 }
@@ -328,7 +318,8 @@ sheet_turn_comment_into_row(struct sheet *sheet, size_t i)
 	if (comment.row.cell == NULL)
 		sheet_add_row(sheet, comment.text, comment.line);
 	else if (sheet->n_row < sheet->most.rows) {
-		sheet_make_room_for_row(sheet);
+		sheet->row =
+		    xgrow(sheet->row, sheet->n_row, sizeof *sheet->row);
 		sheet->row[sheet->n_row++] = comment.row;
 	} else
 		free_row(&comment.row);
@@ -401,7 +392,6 @@ is_line_of_numbers(const char *line, char separator)
 	       strspn(second, digits) >= strcspn(second, stop);
 }
 
-/* True if a line has the sign outside quotes. */
 static bool
 has_sign_outside_quotes(const char *line, char sign)
 {
@@ -528,7 +518,7 @@ static struct row *
 find_or_insert_row(struct sheet *sheet, int line)
 {
 	size_t n = count_rows_to_line(sheet, line);
-	sheet_make_room_for_row(sheet);
+	sheet->row = xgrow(sheet->row, sheet->n_row, sizeof *sheet->row);
 	struct row *row = &sheet->row[n];
 	if (n > 0 && row[-1].line == line)
 		return &row[-1];
@@ -542,11 +532,8 @@ sheet_put_cell(struct sheet *sheet, struct cell cell)
 {
 	struct row *row = find_or_insert_row(sheet, cell.line);
 	size_t at = (size_t)cell.column - 1;
-	if (row->n_all <= at)
-		row->cell = xrealloc(row->cell, at + 1, sizeof *row->cell);
-	for (; row->n_all <= at; row->end++, row->n_all++)
-		row->cell[row->n_all] = (struct cell){
-		    .text = xstrdup(""), .line = row->line, .column = row->end};
+	while (row->n_all <= at)
+		append_cell(row, xstrdup(""), row->end++);
 	free(row->cell[at].text);
 	row->cell[at] = cell;
 	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
@@ -566,23 +553,15 @@ is_remark_row(const struct row *row)
 	return text[0] == '#' && !failed;
 }
 
-/* Adds the cell of a key whose value was left empty. */
-static void
-add_empty_cell(struct row *row)
-{
-	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
-	row->cell[row->n_all++] = (struct cell){
-	    .text = xstrdup(""), .line = row->line, .column = row->end++};
-}
-
 void
 sheet_complete(struct sheet *sheet)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < sheet->n_row; i++) {
 		struct row row = sheet->row[i];
+		/* A key whose value was left empty. */
 		if (row.n_all == 1)
-			add_empty_cell(&row);
+			append_cell(&row, xstrdup(""), row.end++);
 		if (row.n == 0) {
 			free_row(&row);
 		} else if (is_remark_row(&row)) {
@@ -609,17 +588,4 @@ sheet_free(struct sheet *sheet)
 	free(sheet->path);
 	free(sheet->name);
 	free(sheet);
-}
-
-void
-sheet_write_cell(const char *text, char separator, FILE *out)
-{
-	const char marks[] = {separator, '"', '\n', '\r', '\0'};
-	const char *guard = text_may_be_formula(text) ? "'" : "";
-	if (strpbrk(text, marks) == NULL) {
-		fprintf(out, "%s%s", guard, text);
-		return;
-	}
-	FREED char *quoted = text_in_quotes(text);
-	fprintf(out, "\"%s%s", guard, quoted + 1);
 }

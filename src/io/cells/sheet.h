@@ -77,8 +77,8 @@ struct sheet {
 			   * thousands, 1,250; text NULL: none */
 	bool lost, too_large;
 	struct sheet_limits most;
-	size_t n_row, room, most_line, n_fault; /* room for rows */
-	size_t wide;                            /* cells of the longest row */
+	size_t n_row, most_line, n_fault;
+	size_t wide; /* cells of the longest row */
 	struct row *row;
 	size_t n_comment;
 	struct comment *comment;
@@ -137,9 +137,5 @@ int sheet_bytes_to_show(const char *text);
 bool sheet_fault_expected(struct sheet *sheet, struct cell found,
     const char *wanted, const char *hint, ...)
     __attribute__((format(printf, 4, 5)));
-
-/* Writes a cell that reads back as the same text: quoted if necessary, and
- * never as a formula. */
-void sheet_write_cell(const char *text, char separator, FILE *out);
 
 #endif

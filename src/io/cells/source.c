@@ -170,8 +170,7 @@ source_read_plain_text(const char *path, const char *bytes, size_t n,
 	source->text = textfile_decode(path, bytes, n, &note, errors);
 	if (source->text == NULL)
 		return false;
-	free(source->note);
-	source->note = xstrdup(note);
+	xreplace(&source->note, xstrdup(note));
 	source->sheet = xcalloc(1, sizeof(*source->sheet));
 	source->sheet[source->n++] =
 	    sheet_new_from_text(path, source->text, most, errors);

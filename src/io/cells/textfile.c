@@ -17,9 +17,6 @@
 #include "base/xalloc.h"
 #include "io/cells/encoding.h"
 
-static const size_t MOST_BYTES = 10 * 1000 * 1000,
-		    MOST_OWN = 1000 * 1000 * 1000;
-
 /* Returns the offset of the first control character, NUL among them, or n. */
 static size_t
 first_control_character(const char *text, size_t n)
@@ -223,29 +220,18 @@ read_file_bytes(
 char *
 textfile_read_bytes(const char *path, size_t *n, struct error_list *errors)
 {
-	return read_file_bytes(path, MOST_BYTES, n, errors);
+	return read_file_bytes(path, TEXTFILE_SHEET, n, errors);
 }
 
-static char *
-read_and_decode_file(const char *path, size_t most, struct error_list *errors)
+char *
+textfile_read(
+    const char *path, enum textfile_bytes most, struct error_list *errors)
 {
 	size_t n;
 	const char *note;
 	FREED char *bytes = read_file_bytes(path, most, &n, errors);
 	return bytes != NULL ? textfile_decode(path, bytes, n, &note, errors)
 			     : NULL;
-}
-
-char *
-textfile_read(const char *path, struct error_list *errors)
-{
-	return read_and_decode_file(path, MOST_BYTES, errors);
-}
-
-char *
-textfile_read_large(const char *path, struct error_list *errors)
-{
-	return read_and_decode_file(path, MOST_OWN, errors);
 }
 
 char *

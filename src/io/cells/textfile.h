@@ -26,12 +26,14 @@ char *textfile_read_bytes(
 char *textfile_decode(const char *path, const char *bytes, size_t n,
     const char **note, struct error_list *errors);
 
-/* Calls textfile_read_bytes and textfile_decode, without the note. */
-char *textfile_read(const char *path, struct error_list *errors);
-
-/* As textfile_read, but for a file of up to 1000 MB that the program itself may
- * have written. */
-char *textfile_read_large(const char *path, struct error_list *errors);
+/* Reads and decodes a file of at most so many bytes, without the note.
+ * TEXTFILE_OWN: of a file that the program itself may have written. */
+enum textfile_bytes {
+	TEXTFILE_SHEET = 10 * 1000 * 1000,
+	TEXTFILE_OWN = 1000 * 1000 * 1000
+};
+char *textfile_read(
+    const char *path, enum textfile_bytes most, struct error_list *errors);
 
 /* Returns the joined lines, up to NULL, of a file built into the program.  The
  * caller frees the text. */

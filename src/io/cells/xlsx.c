@@ -42,30 +42,6 @@ struct book {
 	int phonetic;
 };
 
-/* Parses a part of the archive. */
-static char *
-xlsx_parse_part(struct book *b, const char *name,
-    const struct xml_events *events, void *data)
-{
-	size_t n;
-	char *wrong = NULL;
-	FREED char *bytes = archive_unpack_entry(b->archive, name, &n, &wrong);
-	if (bytes == NULL)
-		return wrong;
-	FREED char *fault =
-	    xml_parse_document(bytes, n, events, data, b->grid->errors);
-	if (fault != NULL)
-		wrong = xasprintf("%s: %s", name, fault);
-	return wrong;
-}
-
-static void
-xlsx_ignore_end(void *data, const char *name)
-{
-	(void)data;
-	(void)name;
-}
-
 static bool
 is_attribute_true(const char *const *attribute, const char *name)
 {
@@ -128,9 +104,7 @@ begin_shared_string(void *data, const char *name, const char *const *attribute)
 	struct book *b = data;
 	(void)attribute;
 	if (strcmp(name, "si") == 0) {
-		if ((b->n_start & (b->n_start - 1)) == 0)
-			b->start = xrealloc(
-			    b->start, 2 * b->n_start + 1, sizeof *b->start);
+		b->start = xgrow(b->start, b->n_start, sizeof *b->start);
 		b->start[b->n_start++] = b->string.n;
 		xml_text_add(&b->string, "", 0);
 	}
@@ -182,9 +156,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	if (!b->in_styles || strcmp(name, "xf") != 0 ||
 	    b->n_style == MOST_FORMATS)
 		return;
-	if ((b->n_style & (b->n_style - 1)) == 0)
-		b->style =
-		    xrealloc(b->style, 2 * b->n_style + 1, sizeof *b->style);
+	b->style = xgrow(b->style, b->n_style, sizeof *b->style);
 	b->style[b->n_style++] = format_of_style(b, id);
 }
 
@@ -238,7 +210,7 @@ xlsx_begin_row(struct reading *r, const char *const *attribute)
 	r->at.line = (int)(line > 0 ? line : next);
 	r->at.column = 0;
 	if (is_attribute_true(attribute, "hidden"))
-		grid_mark_hidden_cells(r->book->grid);
+		r->book->grid->hidden = true;
 }
 
 static void
@@ -252,7 +224,7 @@ begin_sheet_element(void *data, const char *name, const char *const *attribute)
 		xlsx_begin_cell(r, attribute);
 	else if (strcmp(name, "col") == 0 &&
 		 is_attribute_true(attribute, "hidden"))
-		grid_mark_hidden_cells(r->book->grid);
+		r->book->grid->hidden = true;
 	else if (!r->in_cell)
 		return;
 	else if (strcmp(name, "rPh") == 0)
@@ -383,7 +355,8 @@ xlsx_read_sheet(struct book *b, const struct tab *tab)
 	    begin_sheet_element, end_sheet_element, append_sheet_text};
 	struct reading r = {.book = b};
 	grid_begin_sheet(b->grid, tab->name);
-	char *wrong = xlsx_parse_part(b, tab->part, &EVENTS, &r);
+	char *wrong =
+	    xml_parse_part(b->archive, tab->part, &EVENTS, &r, b->grid->errors);
 	free(r.value.text);
 	free(r.formula.text);
 	if (wrong == NULL && r.wrong != NULL)
@@ -409,37 +382,27 @@ read_visible_sheets(struct book *b)
 	return wrong;
 }
 
-/* Reads a part that a workbook may lack. */
-static char *
-read_optional_part(
-    struct book *b, const char *name, const struct xml_events *events)
-{
-	return archive_has_entry(b->archive, name)
-		   ? xlsx_parse_part(b, name, events, b)
-		   : NULL;
-}
+/* The parts that are read before the sheets. */
+static const struct {
+	const char *name;
+	bool may_lack;
+	struct xml_events events;
+} PARTS[] = {{"xl/workbook.xml", false, {.begin = begin_workbook_element}},
+    {"xl/_rels/workbook.xml.rels", false, {.begin = begin_relations_element}},
+    {"xl/sharedStrings.xml", true,
+	{begin_shared_string, end_shared_string, append_shared_string}},
+    {"xl/styles.xml", true, {xlsx_begin_style, xlsx_end_style, NULL}}};
 
 char *
 xlsx_read(struct archive *archive, struct grid *grid)
 {
-	static const struct xml_events WORKBOOK = {
-	    begin_workbook_element, xlsx_ignore_end, NULL};
-	static const struct xml_events RELATIONS = {
-	    begin_relations_element, xlsx_ignore_end, NULL};
-	static const struct xml_events STRINGS = {
-	    begin_shared_string, end_shared_string, append_shared_string};
-	static const struct xml_events STYLES = {
-	    xlsx_begin_style, xlsx_end_style, NULL};
 	struct book b = {.archive = archive, .grid = grid};
-	char *wrong = xlsx_parse_part(&b, "xl/workbook.xml", &WORKBOOK, &b);
-	if (wrong == NULL)
-		wrong = xlsx_parse_part(
-		    &b, "xl/_rels/workbook.xml.rels", &RELATIONS, &b);
-	if (wrong == NULL)
-		wrong =
-		    read_optional_part(&b, "xl/sharedStrings.xml", &STRINGS);
-	if (wrong == NULL)
-		wrong = read_optional_part(&b, "xl/styles.xml", &STYLES);
+	char *wrong = NULL;
+	for (size_t i = 0; i < ARRAY_LEN(PARTS) && wrong == NULL; i++)
+		if (!PARTS[i].may_lack ||
+		    archive_has_entry(archive, PARTS[i].name))
+			wrong = xml_parse_part(archive, PARTS[i].name,
+			    &PARTS[i].events, &b, grid->errors);
 	if (wrong == NULL)
 		wrong = read_visible_sheets(&b);
 	for (size_t i = 0; i < b.n_tab; i++) {

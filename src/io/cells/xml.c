@@ -95,7 +95,7 @@ xml_on_end(void *data, const XML_Char *name)
 {
 	struct reading *r = data;
 	r->depth--;
-	if (r->wrong == NULL)
+	if (r->wrong == NULL && r->events->end != NULL)
 		r->events->end(r->data, local_name(name));
 }
 
@@ -155,6 +155,19 @@ xml_parse_document(const char *bytes, size_t n, const struct xml_events *events,
 	if (events->text != NULL)
 		XML_SetCharacterDataHandler(parser, xml_on_text);
 	return run_xml_parser(&r, parser, xml_on_begin, bytes, n);
+}
+
+char *
+xml_parse_part(struct archive *archive, const char *name,
+    const struct xml_events *events, void *data, struct error_list *errors)
+{
+	size_t n;
+	char *wrong = NULL;
+	FREED char *bytes = archive_unpack_entry(archive, name, &n, &wrong);
+	if (bytes == NULL)
+		return wrong;
+	FREED char *fault = xml_parse_document(bytes, n, events, data, errors);
+	return fault != NULL ? xasprintf("%s: %s", name, fault) : NULL;
 }
 
 const char *

@@ -7,10 +7,11 @@
 #include <stddef.h>
 
 #include "base/error.h"
+#include "io/cells/archive.h"
 
 /* begin, end: called for an element, with its name without a prefix.  text:
  * called with n bytes of UTF-8, possibly only part of the text between two
- * tags; or NULL. */
+ * tags.  Both may be NULL, but not begin. */
 struct xml_events {
 	void (*begin)(
 	    void *data, const char *name, const char *const *attribute);
@@ -24,6 +25,11 @@ struct xml_events {
  * more than 200 letters, or has a document type, whose entities could expand
  * beyond the document; or error_should_stop(errors) is true. */
 char *xml_parse_document(const char *bytes, size_t n,
+    const struct xml_events *events, void *data, struct error_list *errors);
+
+/* As xml_parse_document, for a part of an archive, which is named in the
+ * description of a fault. */
+char *xml_parse_part(struct archive *archive, const char *name,
     const struct xml_events *events, void *data, struct error_list *errors);
 
 /* Returns the value of an attribute, or NULL.  name: "r" without a namespace,

@@ -14,7 +14,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "io/cells/sheet.h"
 
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
@@ -107,8 +106,7 @@ answer_title(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	free(a->title);
-	a->title = xvasprintf(tr(format), ap);
+	xreplace(&a->title, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -165,10 +163,7 @@ static void
 answer_add_cell(struct answer *a, struct answer_cell cell)
 {
 	struct table *t = a->filled;
-	bool full = (t->n_cell & (t->n_cell - 1)) == 0; /* 0, 1, 2, 4, .. */
-	if (full)
-		t->cell = xrealloc(t->cell, t->n_cell > 0 ? 2 * t->n_cell : 1,
-		    sizeof *t->cell);
+	t->cell = xgrow(t->cell, t->n_cell, sizeof *t->cell);
 	t->cell[t->n_cell++] = cell;
 }
 
@@ -247,8 +242,7 @@ answer_add_pair(struct answer *a, const char *name, const char *format, ...)
 void
 answer_set_missing(struct answer *a, const char *words)
 {
-	free(a->missing);
-	a->missing = xstrdup(tr(words));
+	xreplace(&a->missing, xstrdup(tr(words)));
 }
 
 static size_t
@@ -389,7 +383,6 @@ fields_put_numbers(struct fields *fields, const char *key, const double *value,
 		    list, NULL, shown != NULL ? shown(value[i]) : value[i]);
 }
 
-/* Adds a cell of the table as a field. */
 static void
 add_cell_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
@@ -508,19 +501,6 @@ length_of_first_clause(const char *provenance)
 	return strcspn(provenance, ";");
 }
 
-/* Prints a number with a decimal point, or with a decimal comma between
- * semicolons.  A sieve of 22.4 mm stays 22.4, as people look it up. */
-static void
-print_csv_number(double value, char separator, FILE *out)
-{
-	char text[32];
-	text_shortest_exact_number(value, text);
-	char *point = strchr(text, '.');
-	if (separator == ';' && point != NULL)
-		*point = ',';
-	fputs(text, out);
-}
-
 /* Prints the columns before those of the answer. */
 static void
 print_csv_origin(const struct answer *a, char separator, FILE *out)
@@ -529,21 +509,21 @@ print_csv_origin(const struct answer *a, char separator, FILE *out)
 	if (a->site == NULL)
 		return;
 	fputc(separator, out);
-	sheet_write_cell(a->site, separator, out);
+	text_write_sheet_cell(a->site, separator, out);
 	fputc(separator, out);
 	FREED char *kind =
 	    xstrndup(a->provenance, length_of_first_clause(a->provenance));
-	sheet_write_cell(kind, separator, out);
+	text_write_sheet_cell(kind, separator, out);
 }
 
 static void
 print_csv_cell(const struct answer_cell *cell, char separator, FILE *out)
 {
 	if (cell->is_text)
-		sheet_write_cell(
+		text_write_sheet_cell(
 		    cell->key != NULL ? cell->key : cell->text, separator, out);
 	else if (isfinite(cell->number))
-		print_csv_number(cell->number, separator, out);
+		text_write_sheet_number(cell->number, separator, out);
 }
 
 static size_t
@@ -572,7 +552,8 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		}
 		if (told) {
 			fputc(separator, out);
-			sheet_write_cell(a->sentence[row].text, separator, out);
+			text_write_sheet_cell(
+			    a->sentence[row].text, separator, out);
 		}
 		fputc('\n', out);
 	}
@@ -789,7 +770,6 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
-/* Adds the sentences that are warnings, or the others. */
 static void
 answer_put_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)

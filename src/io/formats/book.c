@@ -131,7 +131,6 @@ struct page {
 	lxw_row_t row;
 };
 
-/* Adds a sheet with a short and unique name. */
 static struct page
 add_page(struct book *b, const char *name)
 {
@@ -151,12 +150,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
 	FREED char *shown = text_escaped(text);
-	if (strlen(shown) > MOST) {
-		size_t n = MOST;
-		while ((shown[n] & 0xC0) == 0x80)
-			n--;
-		shown[n] = '\0';
-	}
+	shown[text_length_within(shown, MOST)] = '\0';
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }
@@ -205,7 +199,6 @@ set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
 	worksheet_set_column(p->sheet, column, column, (double)width + 2, NULL);
 }
 
-/* Returns the number of rows, from the first, that begin with a sieve. */
 static size_t
 count_sieve_rows(const struct answer_view *v)
 {
@@ -453,7 +446,6 @@ put_about(struct book *b)
 	worksheet_set_column(p.sheet, 1, 1, 80, NULL);
 }
 
-/* Returns the contents of the file. */
 static char *
 read_whole_file(int fd, size_t *n)
 {

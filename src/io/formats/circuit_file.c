@@ -48,40 +48,29 @@ check_stream_name(struct reading_circuit *r, struct cell cell)
 	    "name streams as you like, without + and =");
 }
 
-/* Adds a stream that a unit makes. */
 static void
-add_output_stream(
-    struct reading_circuit *r, struct unit *unit, struct cell cell)
+add_stream(
+    struct reading_circuit *r, struct unit *unit, struct cell cell, bool made)
 {
 	if (!check_stream_name(r, cell))
 		return;
 	size_t i = circuit_find_or_add_stream(r->circuit, cell.text);
-	if (r->made[i].text != NULL)
+	struct cell *first = made ? &r->made[i] : &r->used[i];
+	size_t *n = made ? &unit->n_out : &unit->n_in;
+	if (first->text != NULL)
 		sheet_fault(r->sheet, cell,
-		    "expected one source of '%.40s', got a second one\n"
-		    "line %d has the first: give one of the two another name, "
-		    "and join them where they are used: a + b",
-		    cell.text, r->made[i].line);
-	else if (unit->n_out < UNIT_STREAMS) {
-		r->made[i] = cell;
-		unit->out[unit->n_out++] = i;
-	}
-}
-
-static void
-add_input_stream(struct reading_circuit *r, struct unit *unit, struct cell cell)
-{
-	if (!check_stream_name(r, cell))
-		return;
-	size_t i = circuit_find_or_add_stream(r->circuit, cell.text);
-	if (r->used[i].text != NULL)
-		sheet_fault(r->sheet, cell,
-		    "expected one use of '%.40s', got a second one\n"
-		    "line %d has the first: a split line shares a stream out",
-		    cell.text, r->used[i].line);
-	else if (unit->n_in < UNIT_STREAMS) {
-		r->used[i] = cell;
-		unit->in[unit->n_in++] = i;
+		    made ? N_("expected one source of '%.40s', got a second "
+			      "one\n"
+			      "line %d has the first: give one of the two "
+			      "another name, and join them where they are "
+			      "used: a + b")
+			 : N_("expected one use of '%.40s', got a second one\n"
+			      "line %d has the first: a split line shares a "
+			      "stream out"),
+		    cell.text, first->line);
+	else if (*n < UNIT_STREAMS) {
+		*first = cell;
+		(made ? unit->out : unit->in)[(*n)++] = i;
 	}
 }
 
@@ -104,7 +93,7 @@ add_input_streams(
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_input_stream(r, unit, cell_with_part_of_text(r, cell, at));
+		add_stream(r, unit, cell_with_part_of_text(r, cell, at), false);
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
@@ -192,7 +181,7 @@ parse_feed_row(
 {
 	struct cell tph = sheet_cell(row, 2);
 	double value;
-	add_output_stream(r, unit, sheet_cell(row, 1));
+	add_stream(r, unit, sheet_cell(row, 1), true);
 	if (tph.text[0] != '\0' &&
 	    parse_number_between(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
@@ -205,7 +194,7 @@ parse_crusher_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	add_input_streams(r, unit, sheet_cell(row, 1));
-	add_output_stream(r, unit, sheet_cell(row, 2));
+	add_stream(r, unit, sheet_cell(row, 2), true);
 	parse_unit_options(r, unit, row, 3);
 }
 
@@ -218,8 +207,8 @@ parse_screen_row(
 	parse_number_between(r, sheet_cell(row, 2), tr("an opening in mm"),
 	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
 	unit->opening = mm / 1000;
-	add_output_stream(r, unit, sheet_cell(row, 3));
-	add_output_stream(r, unit, sheet_cell(row, 4));
+	add_stream(r, unit, sheet_cell(row, 3), true);
+	add_stream(r, unit, sheet_cell(row, 4), true);
 	parse_unit_options(r, unit, row, 5);
 }
 
@@ -239,7 +228,7 @@ parse_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		else
 			share = 0;
 	}
-	add_output_stream(r, unit, cell_with_part_of_text(r, cell, cell.text));
+	add_stream(r, unit, cell_with_part_of_text(r, cell, cell.text), true);
 	return share;
 }
 
@@ -286,9 +275,8 @@ parse_stockpile_row(
 {
 	struct cell from = sheet_cell(row, 1), name = sheet_cell(row, 2);
 	bool key = strchr(name.text, '=') != NULL;
-	free(unit->name);
-	unit->name =
-	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text);
+	xreplace(&unit->name,
+	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text));
 	add_input_streams(r, unit, from);
 	parse_unit_options(r, unit, row, key ? 2 : 3);
 }
@@ -302,8 +290,7 @@ parse_unit_row(struct reading_circuit *r, const struct row *row)
 	    parse_stockpile_row};
 	struct cell word = row->cell[0];
 	if (text_same_folded(word.text, "circuit")) {
-		free(r->circuit->name);
-		r->circuit->name = xstrdup(sheet_cell(row, 1).text);
+		xreplace(&r->circuit->name, xstrdup(sheet_cell(row, 1).text));
 		return;
 	}
 	for (size_t k = 0; k < UNIT_KINDS; k++) {
@@ -327,7 +314,6 @@ parse_unit_row(struct reading_circuit *r, const struct row *row)
 	    "each line begins with what it is; see tipspeed-circuit(5)");
 }
 
-/* Reports streams without a source or a destination. */
 static void
 check_streams(struct reading_circuit *r)
 {

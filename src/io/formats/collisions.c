@@ -349,8 +349,7 @@ read_line_above_headings(struct reading *r)
 		return true;
 	}
 	if (strcmp(key, "provenance") == 0) {
-		free(r->to->about);
-		r->to->about = xstrdup(value);
+		xreplace(&r->to->about, xstrdup(value));
 		return true;
 	}
 	return strcmp(key, "spectrum") == 0 ||

@@ -22,23 +22,23 @@ const char *const LOG_UNITS[LOG_COLUMNS] = {"rpm", "m/s", "kW", "t/h"};
 /* The first rows tell what the columns are. */
 enum { MOST_COLUMNS = 256, MOST_HEADS = 4, LOOKED_AT = 2000 };
 
-/* Words of heads, as text_fold_case_and_accents has them, between spaces. */
+/* Words of heads, as text_fold_case_and_accents has them. */
 static const char
-    POWER[] = " kw power effekt motoreffekt leistung motorleistung "
+    POWER[] = "kw power effekt motoreffekt leistung motorleistung "
 	      "antriebsleistung wirkleistung puissance potencia potenza teho "
-	      "moottoriteho effekten ",
-    RATE[] = " t/h tph mtph ton/h tons/h t/tim t/std ton/tim feedrate "
+	      "moottoriteho effekten",
+    RATE[] = "t/h tph mtph ton/h tons/h t/tim t/std ton/tim feedrate "
 	     "throughput tonnage kapacitet produktion durchsatz "
 	     "durchsatzleistung aufgabeleistung debit caudal vazao "
-	     "kapasiteetti kapasitet ",
+	     "kapasiteetti kapasitet",
     /* Of other machines, and of quantities that only look like these. */
     OTHER[] =
-	" feeder matare syotin alimentador alimentateur aufgeber belt "
+	"feeder matare syotin alimentador alimentateur aufgeber belt "
 	"band conveyor transportor forderband fan flakt screen sikt pump "
 	"kwh % hz percent setpoint sp borvarde sollwert limit alarm a amp "
-	"stph ",
-    TIMES[] = " time tid zeit datum date timestamp datetime zeitstempel "
-	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan ";
+	"stph",
+    TIMES[] = "time tid zeit datum date timestamp datetime zeitstempel "
+	      "tidpunkt uhrzeit fecha hora heure data aika pvm klockan";
 
 /* What a column of a log holds. */
 enum kind { NO_KIND = LOG_COLUMNS, TIME };
@@ -50,7 +50,7 @@ struct reading {
 	struct error_list *errors;
 	struct sheet *sheet;
 	struct plant_log *log;
-	size_t n_column, first, date, clock, room;
+	size_t n_column, first, date, clock;
 	unsigned kind[MOST_COLUMNS];
 	struct head head[MOST_COLUMNS];
 	enum datetime_order order;
@@ -58,30 +58,19 @@ struct reading {
 };
 
 static bool
-list_has(const char *words, const char *word, size_t n)
-{
-	FREED char *wanted = xasprintf(" %.*s ", (int)n, word);
-	return strstr(words, wanted) != NULL;
-}
-
-/* True if a text contains one of the words. */
-static bool
 plant_log_has_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	FREED char *folded = text_fold_case_and_accents(text);
-	if (strstr(folded, "feed rate") != NULL && words == RATE)
-		return true;
-	for (const char *p = folded; *p != '\0'; p += strspn(p, BREAKS)) {
-		size_t n = strcspn(p, BREAKS);
-		if (n > 0 && list_has(words, p, n))
-			return true;
-		p += n;
-	}
-	return false;
+	bool found = strstr(folded, "feed rate") != NULL && words == RATE;
+	char *next = NULL;
+	size_t which;
+	for (char *word = strtok_r(folded, BREAKS, &next);
+	     word != NULL && !found; word = strtok_r(NULL, BREAKS, &next))
+		found = text_find_word(words, word, &which);
+	return found;
 }
 
-/* Returns what a column has according to its heading. */
 static unsigned
 plant_log_kind_of(const char *text, const struct head *head)
 {
@@ -329,26 +318,18 @@ find_day_month_order(struct reading *r, bool *open)
 	    undecided.text, r->sheet->path);
 }
 
-/* Makes room for one more row. */
+/* Adds a row; several columns of a kind are added up. */
 static void
-add_room_for_row(struct reading *r)
+add_log_row(struct reading *r, double time, const struct row *row)
 {
 	struct plant_log *log = r->log;
-	if (log->n < r->room)
-		return;
-	r->room = 2 * r->room + 64;
-	log->time = xrealloc(log->time, r->room, sizeof *log->time);
-	for (size_t k = 0; k < LOG_COLUMNS; k++)
+	log->time = xgrow(log->time, log->n, sizeof *log->time);
+	log->time[log->n] = time;
+	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		log->value[k] =
-		    xrealloc(log->value[k], r->room, sizeof *log->value[k]);
-}
-
-static void
-read_numbers(struct reading *r, const struct row *row)
-{
-	struct plant_log *log = r->log;
-	for (size_t k = 0; k < LOG_COLUMNS; k++)
+		    xgrow(log->value[k], log->n, sizeof *log->value[k]);
 		log->value[k][log->n] = NAN;
+	}
 	for (size_t c = 0; c < r->n_column; c++) {
 		unsigned k = r->kind[c];
 		double v;
@@ -360,6 +341,7 @@ read_numbers(struct reading *r, const struct row *row)
 		double *slot = &log->value[k][log->n];
 		*slot = isnan(*slot) ? v : *slot + v;
 	}
+	log->n++;
 }
 
 static void
@@ -383,10 +365,7 @@ plant_log_read_rows(struct reading *r)
 			continue;
 		}
 		r->zone = r->zone || day.has_zone || clock.has_zone;
-		add_room_for_row(r);
-		r->log->time[r->log->n] = time;
-		read_numbers(r, &r->sheet->row[i]);
-		r->log->n++;
+		add_log_row(r, time, &r->sheet->row[i]);
 	}
 }
 

@@ -159,7 +159,6 @@ parts_free(struct parts *parts)
 	free(parts->part);
 }
 
-/* Checks what must be the same in all parts. */
 static bool
 check_parts_same(const struct part_file *a, const struct part_file *b,
     const char *what, const char *in_a, const char *in_b, struct error *error)

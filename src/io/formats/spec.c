@@ -54,11 +54,9 @@ spec_read_key(
 		read_cut(spec, sheet, value);
 		return true;
 	}
-	if (text == NULL)
-		return false;
-	free(*text);
-	*text = xstrdup(value.text);
-	return true;
+	if (text != NULL)
+		xreplace(text, xstrdup(value.text));
+	return text != NULL;
 }
 
 static void
@@ -224,13 +222,10 @@ spec_read_file(const char *path, struct error_list *errors)
 	struct spec *spec = NULL;
 	if (source_read_file(path, errors, &source)) {
 		spec = spec_new();
-		free(spec->note);
-		spec->note = xstrdup(source.note);
+		xreplace(&spec->note, xstrdup(source.note));
 		spec_read_sheet(spec, source.sheet[0]);
-		if (spec->name[0] == '\0') {
-			free(spec->name);
-			spec->name = xstrdup(path);
-		}
+		if (spec->name[0] == '\0')
+			xreplace(&spec->name, xstrdup(path));
 		if (source.sheet[0]->n_fault > 0 || errors->stopped) {
 			spec_free(spec);
 			spec = NULL;

@@ -84,12 +84,9 @@ add_spec(struct standards *all, const char *standard, const char *name,
     const char *cut, const char *source)
 {
 	struct spec *spec = spec_new();
-	free(spec->name);
-	free(spec->source);
-	free(spec->standard);
-	spec->name = xstrdup(name);
-	spec->standard = xstrdup(standard);
-	spec->source = xstrdup(source);
+	xreplace(&spec->name, xstrdup(name));
+	xreplace(&spec->standard, xstrdup(standard));
+	xreplace(&spec->source, xstrdup(source));
 	bool ok = spec_parse_cut(cut, spec->cut);
 	assert(ok);
 	(void)ok;
@@ -200,12 +197,13 @@ standards_free(struct standards *all)
 
 static const char BETWEEN[] = " :;,()";
 
-/* Looks for a word of n letters in a folded name: 0 if it is not there, 1 if a
- * word of the name begins with it, 2 if it is one. */
+/* Looks for a word in a folded name: 0 if it is not there, 1 if a word of the
+ * name begins with it, 2 if it is one. */
 static int
-score_word_match(const char *name, const char *word, size_t n)
+score_word_match(const char *name, const char *word)
 {
 	int best = 0;
+	size_t n = strlen(word);
 	for (const char *p = name + strspn(name, BETWEEN); *p != '\0';) {
 		size_t own = strcspn(p, BETWEEN);
 		if (own >= n && strncmp(p, word, n) == 0)
@@ -222,13 +220,12 @@ score_words_match(const char *name, const char *words)
 {
 	FREED char *folded = text_fold_case_and_accents(name),
 		   *all = text_fold_case_and_accents(words);
+	char *next = NULL;
 	int least = 2;
-	for (const char *p = all + strspn(all, BETWEEN); *p != '\0';) {
-		size_t n = strcspn(p, BETWEEN);
-		int in = score_word_match(folded, p, n);
+	for (char *word = strtok_r(all, BETWEEN, &next); word != NULL;
+	     word = strtok_r(NULL, BETWEEN, &next)) {
+		int in = score_word_match(folded, word);
 		least = in < least ? in : least;
-		p += n;
-		p += strspn(p, BETWEEN);
 	}
 	return least;
 }
@@ -292,7 +289,6 @@ standards_mark_matches(
 	return n;
 }
 
-/* Returns the envelope whose name is most like the words. */
 static const char *
 most_similar_name(const struct standards *all, const char *words)
 {

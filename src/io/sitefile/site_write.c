@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "io/fs/file.h"
-#include "io/cells/sheet.h"
 #include "io/sitefile/units.h"
 
 /* A curve to write and the first of its sieves not yet written. */
@@ -47,9 +46,9 @@ fraction_in_column_unit(const struct curve *c, double fraction)
 static void
 write_key_and_value(const char *key, const char *value, FILE *out)
 {
-	sheet_write_cell(key, ',', out);
+	text_write_sheet_cell(key, ',', out);
 	fputc(',', out);
-	sheet_write_cell(value, ',', out);
+	text_write_sheet_cell(value, ',', out);
 	fputc('\n', out);
 }
 

@@ -218,10 +218,8 @@ read_provenance(struct site *site, const char *lines)
 		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
-			if (strncmp(line, begin, head) == 0) {
-				free(*said);
-				*said = xstrndup(line + head, n - head);
-			}
+			if (strncmp(line, begin, head) == 0)
+				xreplace(said, xstrndup(line + head, n - head));
 			line += n + (line[n] == '\n');
 		}
 	}
@@ -244,7 +242,6 @@ parse_training_runs(struct basis *b, const char *train)
 	return any;
 }
 
-/* Takes what the fields of a material state about its fit. */
 static void
 take_basis_from_fields(struct basis *b, const struct stored *m)
 {

@@ -81,29 +81,12 @@ stored_integer_of_field(const struct stored *m, const struct field *f)
 	return value_at(m, f, FIELD_WHOLE);
 }
 
-void
-stored_set_text_field(struct stored *m, const struct field *f, const char *text)
-{
-	char *copy = xstrdup(text);
-	free(*stored_text_of_field(m, f));
-	*stored_text_of_field(m, f) = copy;
-}
-
 struct stored
 stored_empty(void)
 {
 	struct stored m = {0};
-	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		const struct field *f = &FIELDS[i];
-		if (f->kind == FIELD_TEXT)
-			stored_set_text_field(&m, f, "");
-		else if (f->kind == FIELD_NUMBER)
-			*stored_number_of_field(&m, f) = NAN;
-		else if (f->kind == FIELD_WHOLE)
-			*stored_integer_of_field(&m, f) = -1;
-		else
-			stored_set_field_from_text(&m, f, "");
-	}
+	for (size_t i = 0; i < FIELD_COUNT; i++)
+		stored_set_field_from_text(&m, &FIELDS[i], "");
 	return m;
 }
 
@@ -220,21 +203,42 @@ find_param_in_text(const char *text, const char *name)
 	return NAN;
 }
 
+static void
+set_params_from_text(struct params *p, const char *text)
+{
+	memset(p->at, 0, sizeof p->at);
+	for (size_t j = 0; j < count_params(p); j++)
+		p->at[j] = find_param_in_text(
+		    text, breakage_model_of_params(p)->parameter[j].name);
+}
+
 void
 stored_set_field_from_text(
     struct stored *m, const struct field *f, const char *text)
 {
-	struct params *p = &m->params;
-	if (f->kind == FIELD_MODEL) {
-		p->breakage = breakage_find_by_name(text);
-		return;
+	uint64_t whole;
+	double number;
+	switch (f->kind) {
+	case FIELD_TEXT:
+		xreplace(stored_text_of_field(m, f), xstrdup(text));
+		break;
+	case FIELD_NUMBER:
+		*stored_number_of_field(m, f) =
+		    text_parse_number(text, &number) ? number : (double)NAN;
+		break;
+	case FIELD_WHOLE:
+		*stored_integer_of_field(m, f) =
+		    text_parse_whole_number(text, &whole) && whole <= INT64_MAX
+			? (int64_t)whole
+			: -1;
+		break;
+	case FIELD_MODEL:
+		m->params.breakage = breakage_find_by_name(text);
+		break;
+	case FIELD_PARAMS:
+		set_params_from_text(&m->params, text);
+		break;
 	}
-	assert(f->kind == FIELD_PARAMS);
-	for (size_t j = 0; j < PARAMS_MOST; j++)
-		p->at[j] = 0;
-	for (size_t j = 0; j < count_params(p); j++)
-		p->at[j] = find_param_in_text(
-		    text, breakage_model_of_params(p)->parameter[j].name);
 }
 
 char *
@@ -450,13 +454,6 @@ stored_is_one_line(const char *text)
 	return *p == '\0' && text_is_utf8(text, (size_t)(p - text));
 }
 
-static void
-replace_string(char **text, char *value)
-{
-	free(*text);
-	*text = value;
-}
-
 /* Reads a row of a table such as data/table3.csv.  False if it shows that the
  * file is of another kind. */
 static bool
@@ -488,8 +485,8 @@ material_read_row(
 		    !(*number > 0 && *number <= column[i].most))
 			sheet_fault_expected(sheet, row->cell[i], wanted, NULL);
 	}
-	replace_string(&m.rock, xstrdup(row->cell[ROCK].text));
-	replace_string(&m.site, xstrdup(row->cell[SITE].text));
+	xreplace(&m.rock, xstrdup(row->cell[ROCK].text));
+	xreplace(&m.site, xstrdup(row->cell[SITE].text));
 	m.feed_source = xstrdup(row->cell[FEED_SOURCE].text);
 	stored_list_add(list, m);
 	return true;
@@ -524,7 +521,7 @@ stored_read_table3_file(
     const char *path, struct stored_list *list, struct error_list *errors)
 {
 	return read_materials_in_text(
-	    path, textfile_read(path, errors), list, errors);
+	    path, textfile_read(path, TEXTFILE_SHEET, errors), list, errors);
 }
 
 /* Names sites as a session does: a later one of the same name has its size, and
@@ -544,10 +541,8 @@ table3_name(
 	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
 		   : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
-	for (int n = 2; stored_find(list, name) != NULL; n++) {
-		free(name);
-		name = xasprintf("%s/%d", stem, n);
-	}
+	for (int n = 2; stored_find(list, name) != NULL; n++)
+		xreplace(&name, xasprintf("%s/%d", stem, n));
 	return name;
 }
 
@@ -563,17 +558,17 @@ stored_add_table3(struct stored_list *list)
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {
 		struct stored m = rows.item[i];
-		replace_string(&m.name, table3_name(&rows, list, i));
-		replace_string(&m.machine, xstrdup("Metso Barmac 5100 SE"));
-		replace_string(&m.provenance,
+		xreplace(&m.name, table3_name(&rows, list, i));
+		xreplace(&m.machine, xstrdup("Metso Barmac 5100 SE"));
+		xreplace(&m.provenance,
 		    xasprintf("measured by the paper's authors and not public; "
 			      "Table 3 of Grunditz et al. (2021), %s; beta is "
 			      "not printed: default",
 			m.feed_source));
-		replace_string(&m.origin, xstrdup("table3"));
-		replace_string(&m.method, xstrdup("continuous"));
-		replace_string(&m.appearance, xstrdup("ratio"));
-		replace_string(&m.train_mps, xstrdup("69,79"));
+		xreplace(&m.origin, xstrdup("table3"));
+		xreplace(&m.method, xstrdup("continuous"));
+		xreplace(&m.appearance, xstrdup("ratio"));
+		xreplace(&m.train_mps, xstrdup("69,79"));
 		m.k = 1;
 		stored_list_add(list, m);
 	}

@@ -80,21 +80,17 @@ const struct stored_name *stored_index_find(
     const struct stored_index *index, const char *fold);
 void stored_index_clear(struct stored_index *index);
 
-/* Return where the value of a field of this kind is kept in m.
- * stored_set_text_field copies the text. */
+/* Return where the value of a field of this kind is kept in m. */
 char **stored_text_of_field(const struct stored *m, const struct field *f);
 double *stored_number_of_field(const struct stored *m, const struct field *f);
 int64_t *stored_integer_of_field(const struct stored *m, const struct field *f);
-void stored_set_text_field(
-    struct stored *m, const struct field *f, const char *text);
-
 /* Returns any field as text that reads back as the same value, or "" if not
  * known.  The caller frees it. */
 char *stored_field_to_text(const struct stored *m, const struct field *f);
 
-/* Sets the model or the parameters from a text of stored_field_to_text; set the
- * model first.  Missing or unreadable numbers become NAN, which stored_is_valid
- * rejects. */
+/* Sets a field from a text of stored_field_to_text, the model before the
+ * parameters.  Numbers that cannot be read become unknown, and parameters NAN,
+ * which stored_is_valid rejects. */
 void stored_set_field_from_text(
     struct stored *m, const struct field *f, const char *text);
 

@@ -79,10 +79,7 @@ name_as_typed(const char *name)
 {
 	enum { MOST = 60 };
 	char *label = text_escaped(name);
-	size_t n = strlen(label);
-	for (n = n < MOST ? n : MOST; (label[n] & 0xC0) == 0x80;)
-		n--;
-	label[n] = '\0';
+	label[text_length_within(label, MOST)] = '\0';
 	for (char *p = label; (p = strchr(p, '"')) != NULL;)
 		*p = '\'';
 	return label;
@@ -226,16 +223,22 @@ run_migration_steps(sqlite3 *db, const char *path, struct error *error)
 	return ok;
 }
 
+/* Ends a transaction: keeps it all, or nothing when ok is false. */
+static bool
+commit_or_roll_back(sqlite3 *db, const char *path, bool ok, struct error *error)
+{
+	ok = ok && run_sql(db, path, "COMMIT", error);
+	if (!ok)
+		sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
+	return ok;
+}
+
 static bool
 migrate(sqlite3 *db, const char *path, struct error *error)
 {
-	if (!run_sql(db, path, "BEGIN IMMEDIATE", error))
-		return false;
-	if (run_migration_steps(db, path, error) &&
-	    run_sql(db, path, "COMMIT", error))
-		return true;
-	sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
-	return false;
+	return run_sql(db, path, "BEGIN IMMEDIATE", error) &&
+	       commit_or_roll_back(
+		   db, path, run_migration_steps(db, path, error), error);
 }
 
 /* Checks every page and index of a small store.  In a large one that takes
@@ -576,16 +579,14 @@ read_checked_row(const struct store *store, sqlite3_stmt *stmt,
 	*m = stored_empty();
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
-		bool none = sqlite3_column_type(stmt, i + 2) == SQLITE_NULL;
-		if (f->kind == FIELD_TEXT)
-			stored_set_text_field(m, f, column_text(stmt, i + 2));
-		else if (f->kind == FIELD_NUMBER && !none)
+		bool known = sqlite3_column_type(stmt, i + 2) != SQLITE_NULL;
+		if (f->kind == FIELD_NUMBER && known)
 			*stored_number_of_field(m, f) =
 			    sqlite3_column_double(stmt, i + 2);
-		else if (f->kind == FIELD_WHOLE && !none)
+		else if (f->kind == FIELD_WHOLE && known)
 			*stored_integer_of_field(m, f) =
 			    sqlite3_column_int64(stmt, i + 2);
-		else if (f->kind >= FIELD_MODEL)
+		else if (known)
 			stored_set_field_from_text(
 			    m, f, column_text(stmt, i + 2));
 	}
@@ -700,6 +701,17 @@ store_list_materials(
 }
 
 bool
+store_has_material(struct store *store, const char *name)
+{
+	struct stored_list own = {0};
+	const struct store_query query = {.name = name};
+	store_find_materials(store, &query, &own, NULL);
+	bool found = own.n > 0;
+	stored_list_free(&own);
+	return found;
+}
+
+bool
 store_count_materials(struct store *store, size_t *n, struct error *error)
 {
 	sqlite3 *db;
@@ -780,20 +792,13 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 	bind_text(stmt, 2, digest);
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
-		if (f->kind == FIELD_TEXT)
-			bind_text(stmt, i + 3, *stored_text_of_field(m, f));
-		else if (f->kind == FIELD_NUMBER &&
-			 isfinite(*stored_number_of_field(m, f)))
+		FREED char *text = stored_field_to_text(m, f);
+		bool number = f->kind == FIELD_NUMBER || f->kind == FIELD_WHOLE;
+		if (f->kind == FIELD_NUMBER && text[0] != '\0')
 			sqlite3_bind_double(
 			    stmt, i + 3, *stored_number_of_field(m, f));
-		else if (f->kind == FIELD_WHOLE &&
-			 *stored_integer_of_field(m, f) >= 0)
-			sqlite3_bind_int64(
-			    stmt, i + 3, *stored_integer_of_field(m, f));
-		if (f->kind < FIELD_MODEL)
-			continue;
-		FREED char *text = stored_field_to_text(m, f);
-		bind_text(stmt, i + 3, text);
+		else if (!number || text[0] != '\0')
+			bind_text(stmt, i + 3, text);
 	}
 }
 
@@ -833,17 +838,6 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 	return ok;
 }
 
-/* Ends a transaction: keeps it all, or nothing when ok is false. */
-static bool
-commit_or_roll_back(
-    struct store *store, sqlite3 *db, bool ok, struct error *error)
-{
-	ok = ok && run_sql(db, store->path, "COMMIT", error);
-	if (!ok)
-		sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
-	return ok;
-}
-
 bool
 store_put_materials(struct store *store, const struct stored *item, size_t n,
     bool replace, struct error *error)
@@ -851,11 +845,10 @@ store_put_materials(struct store *store, const struct stored *item, size_t n,
 	sqlite3 *db;
 	if (!store_connect(store, true, &db, error))
 		return false;
-	bool ok = run_sql(db, store->path, "BEGIN IMMEDIATE", error);
-	if (ok) {
-		ok = store_put_rows(store, db, item, n, replace, error);
-		ok = commit_or_roll_back(store, db, ok, error);
-	}
+	bool ok =
+	    run_sql(db, store->path, "BEGIN IMMEDIATE", error) &&
+	    commit_or_roll_back(db, store->path,
+		store_put_rows(store, db, item, n, replace, error), error);
 	close_unless_memory(store, db);
 	return ok;
 }

@@ -64,6 +64,9 @@ struct store_query {
 bool store_find_materials(struct store *store, const struct store_query *query,
     struct stored_list *list, struct error *error);
 
+/* True if the user has a material with this name, ignoring case and accents. */
+bool store_has_material(struct store *store, const char *name);
+
 /* Sets *n to the number of the user's materials. */
 bool store_count_materials(struct store *store, size_t *n, struct error *error);
 

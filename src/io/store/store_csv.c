@@ -94,7 +94,7 @@ write_list(const void *data, FILE *out)
 			    column_value_to_text(&column[c], &list->item[i]);
 			if (c > 0)
 				fputc(',', out);
-			sheet_write_cell(text, ',', out);
+			text_write_sheet_cell(text, ',', out);
 		}
 		fputc('\n', out);
 	}
@@ -120,7 +120,6 @@ is_required(const struct column *c)
 	       BREAKAGES[0]->n;
 }
 
-/* Finds the columns. */
 static void
 find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 {
@@ -158,28 +157,9 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 			    column_name(&column[c]));
 }
 
-/* Takes a value; one that cannot be read has been reported. */
-static void
-parse_value_cell(struct sheet *sheet, struct cell cell, const struct field *f,
-    struct stored *m)
-{
-	double value;
-	FREED char *wanted = stored_describe_valid_values(m, f);
-	bool read = true;
-	if (f->kind == FIELD_TEXT)
-		stored_set_text_field(m, f, cell.text);
-	else if (f->kind == FIELD_MODEL)
-		stored_set_field_from_text(m, f, cell.text);
-	else if ((read = number_read_cell(sheet, cell, wanted, &value)))
-		*stored_number_of_field(m, f) = value;
-	if (read && !stored_is_valid(m, f))
-		sheet_fault_expected(sheet, cell, wanted, NULL);
-}
-
 static const char EMPTY[] = "expected %s, got an empty cell\n"
 			    "fill it, or remove the row";
 
-/* Takes a parameter of the row's model. */
 static void
 parse_param_cell(struct sheet *sheet, struct cell cell,
     const struct param_info *info, struct stored *m)
@@ -202,19 +182,23 @@ static void
 parse_field_cell(struct sheet *sheet, struct cell cell, const struct field *f,
     struct stored *m)
 {
-	uint64_t whole;
+	double number;
 	if (cell.text[0] == '\0') {
 		if (f->needed)
 			sheet_fault(sheet, cell, EMPTY, f->name);
-	} else if (f->kind != FIELD_WHOLE) {
-		parse_value_cell(sheet, cell, f, m);
-	} else if (text_parse_whole_number(cell.text, &whole) &&
-		   whole <= INT64_MAX) {
-		*stored_integer_of_field(m, f) = (int64_t)whole;
-	} else {
-		sheet_fault_expected(
-		    sheet, cell, "a whole number below 2^63", NULL);
+		return;
 	}
+	FREED char *wanted = stored_describe_valid_values(m, f);
+	if (f->kind != FIELD_NUMBER)
+		stored_set_field_from_text(m, f, cell.text);
+	else if (number_read_cell(sheet, cell, wanted, &number))
+		*stored_number_of_field(m, f) = number;
+	else
+		return;
+	bool whole =
+	    f->kind != FIELD_WHOLE || *stored_integer_of_field(m, f) >= 0;
+	if (!whole || !stored_is_valid(m, f))
+		sheet_fault_expected(sheet, cell, wanted, NULL);
 }
 
 /* list: of the rows after the head; column: of their names. */
@@ -276,7 +260,7 @@ bool
 store_csv_read_file(const char *path, const struct stored_list *there,
     struct stored_list *list, struct error_list *errors)
 {
-	FREED char *text = textfile_read_large(path, errors);
+	FREED char *text = textfile_read(path, TEXTFILE_OWN, errors);
 	if (text == NULL)
 		return false;
 	struct sheet *sheet = sheet_new_without_line_limit(path, text, errors);
