@@ -38,9 +38,9 @@ is_condition_continued(
 
 /* Where the conditions begin; 0 where the command takes none. */
 static size_t
-find_first_condition_word(
-    const struct command *command, const struct words *words)
+find_first_condition_word(const struct words *words)
 {
+	const struct command *command = words->command;
 	bool takes =
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
@@ -54,9 +54,9 @@ find_first_condition_word(
  * The goal that is set is one word, with commas between conditions, which may
  * be quoted one by one. */
 static void
-join_words_of_condition(
-    const struct command *command, struct words *words, size_t i)
+join_words_of_condition(struct words *words, size_t i)
 {
+	const struct command *command = words->command;
 	FREED char *joined = xstrdup(words->text[i]);
 	size_t begin = 0, n = 1;
 	bool set = (command->flags & COMMAND_SETTINGS) != 0;
@@ -102,12 +102,12 @@ has_limit_among_words(const struct words *words)
 /* Makes "of=passing 2,P80" of the words that name quantities, where the command
  * or one that it stands for lists them. */
 static void
-join_quantity_words(const struct command *command, struct words *words)
+join_quantity_words(struct words *words)
 {
 	size_t i = 1, n = words->n;
 	while (i < n && !quantities_is_beginning_of_text(words->text[i]))
 		i++;
-	if (i == n || (command->flags & COMMAND_QUANTITIES) == 0)
+	if (i == n || (words->command->flags & COMMAND_QUANTITIES) == 0)
 		return;
 	FREED char *list = xasprintf("of=%s", words->text[i]);
 	bool fast = i > 1; /* the speed stands before them */
@@ -140,18 +140,16 @@ drop_comma_at_end(char *word)
 }
 
 void
-conditions_join_words(struct words *words, bool prompt)
+conditions_join_words(struct words *words)
 {
-	const struct command *command =
-	    words->n > 0 ? command_find_abbreviated(words->text[0], prompt)
-			 : NULL;
-	size_t from = find_first_condition_word(command, words);
-	if (command != NULL && (from == 0 || !has_limit_among_words(words)))
-		join_quantity_words(command, words);
+	size_t from = find_first_condition_word(words);
+	if (words->command != NULL &&
+	    (from == 0 || !has_limit_among_words(words)))
+		join_quantity_words(words);
 	if (from == 0)
 		return;
 	for (size_t i = from; i + 1 < words->n; i++)
 		drop_comma_at_end(words->text[i]);
 	for (size_t i = from; i < words->n; i++)
-		join_words_of_condition(command, words, i);
+		join_words_of_condition(words, i);
 }
