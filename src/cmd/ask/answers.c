@@ -349,7 +349,7 @@ note_other_feed(struct answer *r, const struct entry *entry)
 		    "finer than %g mm nothing is known: the feed was not "
 		    "sieved there",
 		    units_mm(feed->size[feed->n - 1]));
-	if (entry->variant->rock[0] == '\0' && site->rock[0] != '\0')
+	if (entry->scenario->feed->rock[0] == '\0' && site->rock[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "rock of the feed not stated; that of the site assumed "
 		    "(%s)",
@@ -360,15 +360,15 @@ note_other_feed(struct answer *r, const struct entry *entry)
 static void
 note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 {
-	const struct variant *v = entry->variant;
-	if (v == NULL)
+	const struct scenario *w = entry->scenario;
+	if (w == NULL)
 		return;
-	if (v->feed)
+	if (w->feed != NULL)
 		note_other_feed(r, entry);
-	if (v->rotor > 0 && !(v->measured_rotor > 0))
+	if (w->rotor > 0 && !(entry_measured_rotor(w->own) > 0))
 		answer_say(r, ANSWER_REMARK,
 		    "measured rotor not stated; %g mm assumed",
-		    units_mm(v->rotor));
+		    units_mm(w->rotor));
 }
 
 /* A speed beyond those that were measured, where the light does not say so. */

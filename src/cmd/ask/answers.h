@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "cmd/ask/asked.h"
+#include "cmd/ask/question.h"
 #include "cmd/lang/command.h"
 #include "core/model/breakage.h"
 #include "core/answer/predict.h"

@@ -8,7 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/ask/asked.h"
+#include "cmd/ask/question.h"
 #include "cmd/ask/quantity_words.h"
 
 /* Its draws are those of the question's other answers, which are kept until

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/ask/asked.h"
+#include "cmd/ask/question.h"
 
 /* What it was made for; product, most [n]: of each run that was asked for, and
  * how far it was moved. */

@@ -126,8 +126,8 @@ outlook_calibration_posterior(const struct session *s,
 enum correction
 outlook_correcting_runs(const struct session *s, const struct entry *entry)
 {
-	return entry->variant != NULL ? entry->variant->correction
-				      : s->set.correction;
+	return entry->scenario != NULL ? entry->scenario->correction
+				       : s->set.correction;
 }
 
 /* The runs that inform the entry's answers. */
@@ -228,11 +228,11 @@ struct model_settings
 outlook_model_settings(const struct session *s, const struct entry *entry)
 {
 	struct model_settings settings = s->set.model;
-	const struct variant *v = entry->variant;
-	if (v == NULL)
+	const struct scenario *w = entry->scenario;
+	if (w == NULL)
 		return settings;
-	settings.bypass = v->bypass;
-	settings.k = v->k > 0 ? v->k : settings.k;
+	settings.bypass = w->bypass;
+	settings.k = w->k > 0 ? w->k : settings.k;
 	return settings;
 }
 

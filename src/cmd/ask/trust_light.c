@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/blended.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/energies.h"
 #include "cmd/ask/fit.h"
@@ -162,38 +163,40 @@ static void
 judge_other_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
 {
-	const struct variant *v = entry->variant;
-	const char *rock = v->own->site->rock;
-	if (v->feed && v->rock[0] != '\0' && rock[0] != '\0' &&
-	    !text_same_folded(v->rock, rock))
+	const struct scenario *w = entry->scenario;
+	const char *rock = w->own->site->rock,
+		   *other = w->feed != NULL ? w->feed->rock : "";
+	double measured = entry_measured_rotor(w->own);
+	if (other[0] != '\0' && rock[0] != '\0' &&
+	    !text_same_folded(other, rock))
 		trust_add_reason(t, LIGHT_RED, TRUST_FEED,
 		    xasprintf(
 			tr("the feed is %s and the site's rock is %s: no "
 			   "measurement shows how the feed's rock breaks"),
-			v->rock, rock));
-	if (v->feed && evidence == NULL)
+			other, rock));
+	if (w->feed != NULL && evidence == NULL)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FEED,
 		    xstrdup(
 			tr("it is not known with which feeds the parameters "
 			   "were found: this feed may break differently")));
-	if (v->other_rotor)
+	if (w->rotor > 0 && measured > 0 && fabs(w->rotor - measured) > 5e-4)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(
 			tr("the runs were measured with a rotor of %g mm: "
 			   "no measurement shows the effect of another "
 			   "rotor diameter (%g mm)"),
-			units_mm(v->measured_rotor), units_mm(v->rotor)));
-	if (v->bypass > 0)
+			units_mm(measured), units_mm(w->rotor)));
+	if (w->bypass > 0)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "cascade share (%g %% of the feed, taken as "
 				 "uncrushed: the coarsest that can be)"),
-			100 * v->bypass));
-	if (v->k > 0 && v->k != s->set.model.k)
+			100 * w->bypass));
+	if (w->k > 0 && w->k != s->set.model.k)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "number of impacts (%g instead of %g)"),
-			v->k, s->set.model.k));
+			w->k, s->set.model.k));
 }
 
 /* Speeds of parameters that no calibration of this session found. */
@@ -222,12 +225,12 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 	const struct entry *own = entry_without_variant(entry);
 	if (later)
 		judge_cuts_added_later(&t, s, own);
-	if (entry->variant != NULL)
+	if (entry->scenario != NULL)
 		judge_other_feed_or_machine(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_band_width(p);
-	if (p != NULL && e != NULL && entry->variant != NULL &&
-	    entry->variant->feed)
+	if (p != NULL && e != NULL && entry->scenario != NULL &&
+	    entry->scenario->feed != NULL)
 		q.feed = outlook_nearest_feed_difference(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
 		find_bound_that_limits_answer(s, entry, p, &q);
