@@ -182,6 +182,21 @@ answers_speed_range_words(
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
 
+/* Returns the multiples of one of the steps [n_step] between two values, of the
+ * smallest that gives at most `most` of them [*n]. */
+static double *
+list_multiples(double from, double to, const double *steps, size_t n_step,
+    size_t most, size_t *n)
+{
+	size_t i = 0;
+	while (i + 1 < n_step && (to - from) / steps[i] >= (double)most)
+		i++;
+	double *at = xcalloc_doubles(most), first = ceil(from / steps[i]);
+	for (*n = 0; *n < most && (first + (double)*n) * steps[i] <= to; (*n)++)
+		at[*n] = (first + (double)*n) * steps[i];
+	return at;
+}
+
 double *
 answers_speeds_at_round_rpm(
     const struct site *site, double from, double to, size_t most, size_t *n)
@@ -190,18 +205,10 @@ answers_speeds_at_round_rpm(
 	double rotor = site->rotor;
 	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
-	double slow = rotor_speed_to_rpm(from, rotor),
-	       fast = rotor_speed_to_rpm(to, rotor),
-	       *speed = xcalloc_doubles(most);
-	size_t i = 0;
-	while (i + 1 < ARRAY_LEN(STEPS) &&
-	       (fast - slow) / STEPS[i] >= (double)most)
-		i++;
-	double first = ceil(slow / STEPS[i]);
-	for (*n = 0; *n < most && (first + (double)*n) * STEPS[i] <= fast;
-	     (*n)++)
-		speed[*n] = head_speed_to_mps(
-		    (first + (double)*n) * STEPS[i], SPEED_RPM, rotor);
+	double *speed = list_multiples(rotor_speed_to_rpm(from, rotor),
+	    rotor_speed_to_rpm(to, rotor), STEPS, ARRAY_LEN(STEPS), most, n);
+	for (size_t i = 0; i < *n; i++)
+		speed[i] = head_speed_to_mps(speed[i], SPEED_RPM, rotor);
 	return speed;
 }
 
@@ -214,16 +221,9 @@ answers_list_round_speeds(
 	double from, to;
 	settings_speed_range(&s->set, site, &from, &to);
 	double *speed = answers_speeds_at_round_rpm(site, from, to, MOST, n);
-	size_t i = 0;
-	if (speed != NULL)
-		return speed;
-	speed = xcalloc_doubles(MOST);
-	while (i + 1 < ARRAY_LEN(STEPS) && (to - from) / STEPS[i] >= MOST)
-		i++;
-	double step = STEPS[i], first = ceil(from / step);
-	for (*n = 0; *n < MOST && (first + (double)*n) * step <= to; (*n)++)
-		speed[*n] = (first + (double)*n) * step;
-	return speed;
+	return speed != NULL
+		   ? speed
+		   : list_multiples(from, to, STEPS, ARRAY_LEN(STEPS), MOST, n);
 }
 
 void
