@@ -20,18 +20,27 @@ fit_has_too_few_data(const struct fit *fit)
 }
 
 double
-fit_holdout_rmse(const struct entry *entry)
+fit_largest_rmse_of_runs(const struct entry *entry, const struct params *params,
+    struct model_settings settings, bool holdout)
 {
+	const struct site *site = entry->site;
 	double largest = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] || misfit_count_covered_sieves(run) == 0)
+	for (size_t r = 0; r < site->n_run; r++) {
+		if ((holdout && entry->train[r]) ||
+		    misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings, NULL);
+		struct validation v =
+		    validate_run(site, r, entry->train, params, settings, NULL);
 		largest = fmax(largest, v.rmse[VALIDATE_MODEL]);
 	}
 	return largest;
+}
+
+double
+fit_holdout_rmse(const struct entry *entry)
+{
+	return fit_largest_rmse_of_runs(
+	    entry, &entry->fit.params, entry->fit.settings, true);
 }
 
 struct validation

@@ -60,22 +60,6 @@ find_bound_that_limits_answer(const struct session *s,
 	}
 }
 
-/* The largest RMSE of the entry's parameters at a measured run, passing 0..1;
- * NAN where none was measured. */
-static double
-largest_rmse_of_runs(const struct session *s, const struct entry *entry)
-{
-	double most = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_count_covered_sieves(&entry->site->run[r]) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->params, s->set.model, NULL);
-		most = fmax(most, v.rmse[VALIDATE_MODEL]);
-	}
-	return most;
-}
-
 /* Parameters that no calibration on this site's data found in this session. */
 static void
 judge_origin_of_params(
@@ -83,7 +67,8 @@ judge_origin_of_params(
 {
 	const struct origin *o = entry->origin;
 	bool same = o->found && o->digest == entry->site->digest;
-	double error = largest_rmse_of_runs(s, entry);
+	double error = fit_largest_rmse_of_runs(
+	    entry, &entry->params, s->set.model, false);
 	if (same && origin_find_fit(entry) != NULL)
 		return;
 	if (same)
