@@ -32,8 +32,8 @@ moved_new_cache(void)
 	return xcalloc(1, sizeof(struct moved));
 }
 
-static void
-clear_cache_of_products(struct moved *m)
+void
+moved_drop_cached_products(struct moved *m)
 {
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
@@ -45,9 +45,7 @@ clear_cache_of_products(struct moved *m)
 void
 moved_free_cache(struct moved *m)
 {
-	if (m == NULL)
-		return;
-	clear_cache_of_products(m);
+	moved_drop_cached_products(m);
 	free(m);
 }
 
@@ -98,12 +96,6 @@ adjust_product_to_feed(struct moved *m, const struct session *s,
 	forecast_close(from);
 }
 
-void
-moved_drop_cached_products(struct moved *m)
-{
-	clear_cache_of_products(m);
-}
-
 static struct moved *
 product_cache_for_feed(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
@@ -121,7 +113,7 @@ product_cache_for_feed(const struct session *s, const struct entry *entry,
 	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
 	    model_settings_same(&m->settings, &settings))
 		return m;
-	clear_cache_of_products(m);
+	moved_drop_cached_products(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,
