@@ -32,6 +32,48 @@ list_runs_that_inform(
 	return use;
 }
 
+enum correction
+outlook_correcting_runs(const struct session *s, const struct entry *entry)
+{
+	return entry->scenario != NULL ? entry->scenario->correction
+				       : s->set.correction;
+}
+
+/* The runs that inform the entry's answers. */
+static enum correction
+correcting_or_training_runs(const struct session *s, const struct entry *entry)
+{
+	return outlook_correcting_runs(s, entry) == CORRECTION_ALL
+		   ? CORRECTION_ALL
+		   : CORRECTION_TRAIN;
+}
+
+/* Returns the runs of the calibration that inform the entry's answers, [n_run],
+ * which the caller frees, and the place where what they say is kept. */
+static bool *
+runs_that_inform_answers(
+    const struct session *s, const struct entry *entry, size_t *place)
+{
+	return list_runs_that_inform(entry->origin->history,
+	    correcting_or_training_runs(s, entry), place);
+}
+
+/* Returns how to draw from the runs in `use` [n_run] for the calibration that
+ * found the entry's parameters. */
+static struct posterior_options
+options_of_draws(
+    const struct session *s, const struct entry *entry, const bool *use)
+{
+	const struct history *h = entry->origin->history;
+	return (struct posterior_options){.use = use,
+	    .settings = h->fit.settings,
+	    .bounds = h->bounds,
+	    .seed = s->set.draw_seed,
+	    .threads = s->set.threads,
+	    .isa = s->isa,
+	    .noise = s->set.noise / 100};
+}
+
 /* Whether there is something to draw from, of a calibration that came to its
  * end. */
 static bool
@@ -49,7 +91,6 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
 {
 	struct history *h = entry->origin->history;
-	const struct fit *fit = origin_find_fit(entry);
 	if (h->drawing != NULL && h->drawn != place) {
 		posterior_free(posterior_end(h->drawing));
 		h->drawing = NULL;
@@ -58,14 +99,8 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
 		if (s->hooks.announce != NULL)
 			s->hooks.announce("posterior: drawing the parameters "
 					  "that the data allow");
-		struct posterior_options o = {.use = use,
-		    .settings = fit->settings,
-		    .bounds = h->bounds,
-		    .seed = s->set.draw_seed,
-		    .threads = s->set.threads,
-		    .isa = s->isa,
-		    .noise = s->set.noise / 100};
-		h->drawing = posterior_begin(h->site, &fit->params, &o);
+		struct posterior_options o = options_of_draws(s, entry, use);
+		h->drawing = posterior_begin(h->site, &h->fit.params, &o);
 		h->drawn = place;
 	}
 	bool done = false;
@@ -103,15 +138,9 @@ outlook_draw_training_posterior(
 	    outlook_correcting_runs(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->history;
-	const struct fit *fit = origin_find_fit(entry);
-	const struct posterior_options o = {.use = h->train,
-	    .settings = fit->settings,
-	    .bounds = h->bounds,
-	    .seed = s->set.draw_seed,
-	    .threads = 1,
-	    .isa = s->isa,
-	    .noise = s->set.noise / 100};
-	return posterior_new(h->site, &fit->params, &o);
+	struct posterior_options o = options_of_draws(s, entry, h->train);
+	o.threads = 1;
+	return posterior_new(h->site, &h->fit.params, &o);
 }
 
 const struct posterior *
@@ -121,22 +150,6 @@ outlook_calibration_posterior(const struct session *s,
 	return can_draw_posterior(entry)
 		   ? posterior_if_complete(s, entry, correction, 0)
 		   : NULL;
-}
-
-enum correction
-outlook_correcting_runs(const struct session *s, const struct entry *entry)
-{
-	return entry->scenario != NULL ? entry->scenario->correction
-				       : s->set.correction;
-}
-
-/* The runs that inform the entry's answers. */
-static enum correction
-correcting_or_training_runs(const struct session *s, const struct entry *entry)
-{
-	return outlook_correcting_runs(s, entry) == CORRECTION_ALL
-		   ? CORRECTION_ALL
-		   : CORRECTION_TRAIN;
 }
 
 bool
@@ -164,8 +177,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	struct evidence **e = &h->evidence[place];
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	bool first = *e == NULL;
@@ -185,8 +197,7 @@ outlook_evidence_without_draws(
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	return trust_gather_evidence(h->site, h->train, use,
 	    origin_find_fit(entry), &h->bounds, NULL, s->set.noise);
 }
@@ -198,8 +209,7 @@ outlook_nearest_feed_difference(
 	const struct history *h = entry->origin->history;
 	double least = INFINITY;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
 			least = fmin(least,
@@ -253,23 +263,16 @@ outlook_posterior_for_unseen_cuts(
 {
 	if (!has_settings_of_fit(s, entry) || has_poor_fit(s, entry))
 		return NULL;
-	return outlook_calibration_posterior(s, entry,
-	    training_only ? CORRECTION_TRAIN
-			  : correcting_or_training_runs(s, entry));
-}
-
-/* Whether these are the entry's own parameters. */
-static bool
-are_params_of_entry(const struct entry *entry, const struct params *params)
-{
-	return memcmp(params, &entry->params, sizeof *params) == 0;
+	return training_only
+		   ? outlook_calibration_posterior(s, entry, CORRECTION_TRAIN)
+		   : outlook_posterior_for_comparison(s, entry);
 }
 
 const struct posterior *
 outlook_posterior_for_answers(const struct session *s,
     const struct entry *entry, const struct params *params)
 {
-	return are_params_of_entry(entry, params)
+	return memcmp(params, &entry->params, sizeof *params) == 0
 		   ? posterior_unless_model_alone(s, entry)
 		   : NULL;
 }
@@ -353,8 +356,7 @@ has_too_many_runs(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->history;
 	size_t place, n = 0;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
 	return n > POSTERIOR_RUNS;
