@@ -130,8 +130,7 @@ check_share_and_add_feed(struct session *s, const char *at, size_t length,
 			     "100 %%) of each sheet, got that of '%s'\n"
 			     "write: feed=a.csv*0.6+b.csv*0.4"),
 		    file);
-	ok = ok && blended_add_feed(s, file, share, b, error);
-	return ok;
+	return ok && blended_add_feed(s, file, share, b, error);
 }
 
 bool

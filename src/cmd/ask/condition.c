@@ -73,15 +73,12 @@ conditions_parse_max_or_min(const char *text, bool *most)
 static bool
 error_expected_condition(const char *text, struct error *error)
 {
-	char *extreme = conditions_rewrite_superlative(text);
-	if (extreme != NULL) {
-		error_set(error, ERROR_USAGE,
+	FREED char *extreme = conditions_rewrite_superlative(text);
+	if (extreme != NULL)
+		return error_set(error, ERROR_USAGE,
 		    "expected max or min, got '%s'\n"
 		    "write: find \"%s\"",
 		    text, extreme);
-		free(extreme);
-		return false;
-	}
 	return error_set(error, ERROR_USAGE,
 	    "expected a condition: a quantity, then <, > or = and a limit, got "
 	    "'%s'\n"
@@ -99,11 +96,10 @@ error_limit_out_of_range(const char *text, const struct quantity *q,
 	FREED char *range = isfinite(most)
 				? xasprintf(tr("0 to %g %s"), most, unit)
 				: xstrdup(tr("0 or more"));
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "expected %s, got %s\nwrite a limit within that, or after = a "
 	    "range such as 40..50",
 	    range, text);
-	return false;
 }
 
 static bool
@@ -122,7 +118,8 @@ static bool
 parse_limit(const char *text, const struct quantity *q, double *limit,
     struct error *error)
 {
-	char *copy = xstrdup(text), *word = text_trim(copy);
+	FREED char *copy = xstrdup(text);
+	char *word = text_trim(copy);
 	const char *unit = quantities_unit(q);
 	if (unit[0] != '\0' && text_ends_with(word, unit))
 		word[strlen(word) - strlen(unit)] = '\0';
@@ -136,7 +133,6 @@ parse_limit(const char *text, const struct quantity *q, double *limit,
 	if (ok && (*limit < 0 || *limit > most))
 		ok = error_limit_out_of_range(word, q, most, error);
 	*limit /= one;
-	free(copy);
 	return ok;
 }
 
@@ -201,9 +197,8 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 	size_t all = n + 1 + strspn(comma + 1, DIGITS);
 	FREED char *got = xstrndup(from, all), *right = xstrdup(got);
 	right[n] = '.';
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
-	return false;
 }
 
 /* "passing 2 mm = 58" of "58 % passes 2 mm", as answers say it; NULL of other
@@ -245,50 +240,51 @@ replace_words_by_sign(const char *text)
 	return xstrdup(text);
 }
 
-/* A quantity and its limit with a blank between them; *name is the quantity. */
-static bool
-split_quantity_and_limit(const char *text, const struct fraction *fraction,
-    char **name, struct condition *c)
+/* Returns the quantity of a text in which a limit follows it after a blank, and
+ * the condition; NULL of other texts.  The caller frees it. */
+static char *
+split_quantity_and_limit(
+    const char *text, const struct fraction *fraction, struct condition *c)
 {
 	struct error none = {0};
-	*name = xstrdup(text);
+	FREED char *name = xstrdup(text);
 	for (size_t n = strlen(text); n-- > 0;) {
 		if (text[n] != ' ')
 			continue;
-		(*name)[n] = '\0';
+		name[n] = '\0';
 		if (quantities_parse_one(
-			*name, &fraction->partition, &c->quantity, &none) &&
+			name, &fraction->partition, &c->quantity, &none) &&
 		    parse_range_or_number(text + n, c, &none))
-			return true;
+			return xstrdup(text_trim(name));
 	}
-	free(*name);
-	return false;
+	return NULL;
 }
 
-/* A quantity and a limit without a sign between them: which is meant nobody
- * knows.  A size alone, "2 mm 42", is taken for what passes it. */
+/* Sets the error for a quantity and a limit without a sign between them, as it
+ * is not known which sign is meant.  A size alone, "2 mm 42", is taken for what
+ * passes it.  Returns false. */
 static bool
 error_missing_limit_sign(
     const char *text, const struct fraction *fraction, struct error *error)
 {
 	struct condition c;
-	char *name, *passing = xasprintf("passing %s", text);
-	bool found = split_quantity_and_limit(text, fraction, &name, &c) ||
-		     split_quantity_and_limit(passing, fraction, &name, &c);
-	free(passing);
-	if (!found)
+	FREED char *passing = xasprintf("passing %s", text);
+	FREED char *own = split_quantity_and_limit(text, fraction, &c);
+	FREED char *size = own == NULL
+			       ? split_quantity_and_limit(passing, fraction, &c)
+			       : NULL;
+	const char *name = own != NULL ? own : size;
+	if (name == NULL)
 		return error_expected_condition(text, error);
 	FREED char *limit = xasprintf(
 	    "%g", quantities_value_in_shown_unit(&c.quantity, c.least));
 	if (c.least != c.most)
 		xappend(&limit, "..%g",
 		    quantities_value_in_shown_unit(&c.quantity, c.most));
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "expected <, > or = after the quantity, got '%s'\n"
 	    "write: %s = %s",
-	    text, text_trim(name), limit);
-	free(name);
-	return false;
+	    text, name, limit);
 }
 
 static bool
@@ -328,8 +324,7 @@ conditions_parse_one(const char *text, const struct fraction *fraction,
 		     error_decimal_comma(with, at, error);
 		*at = '.';
 	}
-	ok = ok && parse_condition_with_sign(with, fraction, c, error);
-	return ok;
+	return ok && parse_condition_with_sign(with, fraction, c, error);
 }
 
 bool
@@ -342,19 +337,14 @@ conditions_is_likely_complete(const char *text)
 	if (of != NULL)
 		return quantities_parse_one(
 		    of, &(struct partition){0, 1}, &q, &none);
-	char *with = replace_words_by_sign(text);
-	size_t sign = strcspn(with, "<>=");
-	bool ends = with[sign] != '\0' && strpbrk(with + sign, DIGITS) != NULL;
+	static const struct fraction WHOLE = {.partition = {0, 1}};
+	FREED char *with = replace_words_by_sign(text);
+	const char *sign = strpbrk(with, "<>=");
+	if (sign != NULL)
+		return strpbrk(sign, DIGITS) != NULL;
 	struct condition c;
-	char *name = NULL;
-	if (with[sign] == '\0' &&
-	    split_quantity_and_limit(
-		with, &(struct fraction){.partition = {0, 1}}, &name, &c)) {
-		ends = true;
-		free(name);
-	}
-	free(with);
-	return ends;
+	FREED char *name = split_quantity_and_limit(with, &WHOLE, &c);
+	return name != NULL;
 }
 
 size_t
@@ -425,12 +415,7 @@ conditions_add_envelope(const struct spec *spec,
 	size_t before = list->n;
 	FREED char *unknown = add_limits_covered_by_feed(list, spec, &f, feed);
 	if (list->n == before)
-		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves\n"
-		    "use another envelope ('spec list' lists them), or a "
-		    "feed sieved that far",
-		    spec->name);
+		return grading_set_error_no_sieve(spec, error);
 	free(list->source);
 	list->source =
 	    spec->source[0] != '\0'
@@ -523,20 +508,16 @@ char *
 conditions_describe(const struct condition *c)
 {
 	const struct quantity *q = &c->quantity;
-	char *of = quantities_name(q), *words;
+	FREED char *of = quantities_name(q);
 	const char *unit = quantities_unit_suffix(q);
 	double least = quantities_value_in_shown_unit(q, c->least);
 	double most = quantities_value_in_shown_unit(q, c->most);
-	if (isnan(least))
-		words = xasprintf(tr("%s at most %g%s"), of, most, unit);
-	else if (isnan(most))
-		words = xasprintf(tr("%s at least %g%s"), of, least, unit);
-	else if (c->least == c->most)
-		words = xasprintf("%s %g%s", of, most, unit);
-	else
-		words = xasprintf(tr("%s %g to %g%s"), of, least, most, unit);
-	free(of);
-	return words;
+	return isnan(least) ? xasprintf(tr("%s at most %g%s"), of, most, unit)
+	       : isnan(most)
+		   ? xasprintf(tr("%s at least %g%s"), of, least, unit)
+	       : c->least == c->most
+		   ? xasprintf("%s %g%s", of, most, unit)
+		   : xasprintf(tr("%s %g to %g%s"), of, least, most, unit);
 }
 
 char *

@@ -16,11 +16,9 @@ static bool
 is_option_word(const struct command *command, const char *word)
 {
 	size_t n = strcspn(word, "=");
-	char *name = xstrndup(word, n);
-	bool is = command_option_index(command, name) < OPTIONS &&
-		  (word[n] == '=' || (command->flags & COMMAND_SETTINGS) != 0);
-	free(name);
-	return is;
+	FREED char *name = xstrndup(word, n);
+	return command_option_index(command, name) < OPTIONS &&
+	       (word[n] == '=' || (command->flags & COMMAND_SETTINGS) != 0);
 }
 
 /* Whether a word goes on with the condition before it. */
@@ -28,10 +26,9 @@ static bool
 is_condition_continued(
     const struct command *command, const char *before, const char *word)
 {
-	char *with = xasprintf("%s ", word);
+	FREED char *with = xasprintf("%s ", word);
 	bool most, begins = quantities_is_beginning_of_text(word) ||
 			    conditions_parse_max_or_min(with, &most) != NULL;
-	free(with);
 	return !is_option_word(command, word) && strchr(word, ' ') == NULL &&
 	       !(begins && conditions_is_likely_complete(before));
 }

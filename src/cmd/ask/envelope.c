@@ -241,7 +241,17 @@ open_limits_and_share(
 	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 }
 
-/* Its fraction is there already. */
+bool
+grading_set_error_no_sieve(const struct spec *spec, struct error *error)
+{
+	return error_set(error, ERROR_DATA,
+	    "%s: none of its sieves is in the range of the feed's sieves\n"
+	    "use another envelope ('spec list' lists them), or a feed sieved "
+	    "that far",
+	    spec->name);
+}
+
+/* The fraction of the grading is set already. */
 static bool
 open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
@@ -251,12 +261,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 	g->limits = grading_limits_of_envelope(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
 		free(g->limits.at);
-		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves\n"
-		    "use another envelope ('spec list' lists them), or a "
-		    "feed sieved that far",
-		    g->spec->name);
+		return grading_set_error_no_sieve(g->spec, error);
 	}
 	open_limits_and_share(s, q, g);
 	return true;
