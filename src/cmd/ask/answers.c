@@ -182,8 +182,8 @@ answers_speed_range_words(
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
 
-/* Returns the multiples of one of the steps [n_step] between two values, of the
- * smallest that gives at most `most` of them [*n]. */
+/* Returns the multiples of one of the steps [n_step] between two values, of
+ * the smallest that gives at most `most` of them [*n]. */
 static double *
 list_multiples(double from, double to, const double *steps, size_t n_step,
     size_t most, size_t *n)
@@ -301,7 +301,7 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 	answer_note(r, "%s", sizes);
 }
 
-/* Which model it is, where that is not the paper's. */
+/* Notes which model it is, unless it is the paper's. */
 static void
 note_model_if_not_of_paper(
     const struct session *s, struct answer *r, const struct entry *entry)
@@ -336,7 +336,7 @@ answers_describe_speed_range(
 	    slowest, rpm);
 }
 
-/* What the other feed's sheet does not tell. */
+/* Notes what the sheet of the other feed does not state. */
 static void
 note_other_feed(struct answer *r, const struct entry *entry)
 {
@@ -356,7 +356,7 @@ note_other_feed(struct answer *r, const struct entry *entry)
 		    site->rock);
 }
 
-/* What is to be said of another feed or machine beside title and light. */
+/* Notes about another feed or machine what title and light do not say. */
 static void
 note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 {
@@ -371,7 +371,7 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 		    units_mm(w->rotor));
 }
 
-/* A speed beyond those that were measured, where the light does not say so. */
+/* Warns of a speed beyond the measured ones, unless the light does. */
 static void
 warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
     double speed, const struct trust *light)
@@ -415,7 +415,7 @@ void
 answers_show_basis_at(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
-	/* Of a feed alone a search that found nothing has no speed. */
+	/* A search that found nothing has no speed. */
 	answers_show_basis(s, r, q, speed, band,
 	    speed > 0 ? light_at_speed(s, q->entry, speed, q->feed)
 		      : light_of_answer_or_fit(s, q->entry, NULL));

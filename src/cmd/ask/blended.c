@@ -29,7 +29,8 @@ blended_add_feed(struct session *s, const char *file, double share,
 	return true;
 }
 
-/* 0: made up, 1: not stated, 2: measured. */
+/* Returns 0 for data that are made up, 1 if it is not stated, 2 if they were
+ * measured. */
 static int
 rank_provenance(const struct site *sheet)
 {
@@ -39,8 +40,9 @@ rank_provenance(const struct site *sheet)
 						       : 2;
 }
 
-/* Their first clauses, each once, the worst first, as the first word says what
- * all are; "" where no sheet states any. */
+/* Returns the first clauses of the provenances, each once; "" if no sheet
+ * states any. The worst comes first, because the first word decides what the
+ * blend counts as. */
 static char *
 provenance_clauses(const struct blended *b)
 {
@@ -60,7 +62,8 @@ provenance_clauses(const struct blended *b)
 	return list;
 }
 
-/* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
+/* Returns "Granite", "Granite and Gneiss", or "" if no sheet states its
+ * rock. */
 static char *
 join_rock_names(const struct blended *b)
 {
@@ -97,7 +100,7 @@ blended_mix_feeds(struct blended *b)
 	b->rock = join_rock_names(b);
 }
 
-/* The feed of one sheet as it is. */
+/* Takes the feed of one sheet as it is. */
 static bool
 read_feed_of_sheet(
     struct session *s, const char *file, struct blended *b, struct error *error)

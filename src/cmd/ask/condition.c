@@ -87,7 +87,7 @@ error_expected_condition(const char *text, struct error *error)
 	    text);
 }
 
-/* What a limit may be: "0 to 100 %". */
+/* Sets the error for a limit that the quantity cannot have.  Returns false. */
 static bool
 error_limit_out_of_range(const char *text, const struct quantity *q,
     double most, struct error *error)
@@ -113,7 +113,8 @@ error_expected_limit(
 	    unit[0] != '\0' ? unit : tr("numbers"), text);
 }
 
-/* A number, which the quantity's unit may follow, in the unit of core. */
+/* Parses a number, which the quantity's unit may follow, as a value in core's
+ * unit. */
 static bool
 parse_limit(const char *text, const struct quantity *q, double *limit,
     struct error *error)
@@ -136,8 +137,8 @@ parse_limit(const char *text, const struct quantity *q, double *limit,
 	return ok;
 }
 
-/* What stands between the ends of a range, and its length; NULL where there is
- * one number only, which may have a sign of its own. */
+/* Returns what separates the two ends of a range, and its length; NULL if
+ * there is only one number, which may begin with a minus. */
 static const char *
 find_range_sign(const char *text, size_t *length)
 {
@@ -153,7 +154,7 @@ find_range_sign(const char *text, size_t *length)
 	return NULL;
 }
 
-/* "40..50", or a number that is both. */
+/* Parses "40..50", or one number as both limits. */
 static bool
 parse_range_or_number(
     const char *text, struct condition *c, struct error *error)
@@ -177,8 +178,8 @@ parse_range_or_number(
 	    least, most, most, least);
 }
 
-/* Whether what is at a place of a text is a comma that stands for a decimal
- * point: behind another a fraction may begin. */
+/* True if `at` is a comma that stands for a decimal point.  A comma before a
+ * fraction, as in "p80=6,0/2>=30", separates conditions. */
 static bool
 is_decimal_comma(const char *text, const char *at)
 {
@@ -201,8 +202,8 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
 }
 
-/* "passing 2 mm = 58" of "58 % passes 2 mm", as answers say it; NULL of other
- * words.  The caller frees. */
+/* Turns "58 % passes 2 mm", as answers put it, into "passing 2 mm = 58".
+ * Returns NULL for other words.  The caller frees it. */
 static char *
 move_limit_to_end(const char *text)
 {
@@ -219,7 +220,8 @@ move_limit_to_end(const char *text)
 	return NULL;
 }
 
-/* The same with a sign for the words that stand for one; the caller frees. */
+/* Returns the text with a sign in place of words such as " at least ".  The
+ * caller frees it. */
 static char *
 replace_words_by_sign(const char *text)
 {
@@ -240,8 +242,8 @@ replace_words_by_sign(const char *text)
 	return xstrdup(text);
 }
 
-/* Returns the quantity of a text in which a limit follows it after a blank, and
- * the condition; NULL of other texts.  The caller frees it. */
+/* Returns the quantity of a text in which a limit follows it after a blank,
+ * and the condition; NULL of other texts.  The caller frees it. */
 static char *
 split_quantity_and_limit(
     const char *text, const struct fraction *fraction, struct condition *c)
@@ -261,8 +263,8 @@ split_quantity_and_limit(
 }
 
 /* Sets the error for a quantity and a limit without a sign between them, as it
- * is not known which sign is meant.  A size alone, "2 mm 42", is taken for what
- * passes it.  Returns false. */
+ * is not known which sign is meant.  A size alone, "2 mm 42", is taken for
+ * what passes it.  Returns false. */
 static bool
 error_missing_limit_sign(
     const char *text, const struct fraction *fraction, struct error *error)
@@ -374,8 +376,8 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Adds those of an envelope that have a limit; what is said of those that the
- * feed does not tell, which the caller frees. */
+/* Adds the limits of an envelope on sieves that the feed covers.  Returns what
+ * is not checked, in words, or ""; the caller frees it. */
 static char *
 add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed)
@@ -603,8 +605,8 @@ conditions_margin_in_band_widths(
 		   : NAN;
 }
 
-/* How far the value at the forecast's speed is from the limit of a margin, in
- * the unit of its quantity; negative where that is missed. */
+/* Returns the distance of the value at the forecast's speed from the limit of
+ * a margin, in the quantity's unit; negative if the limit is missed. */
 static double
 margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
 {
@@ -662,8 +664,8 @@ conditions_put_list(struct fields *o, const struct wanted *wanted,
 		put_condition(fields_add_object(list, NULL), wanted, found, i);
 }
 
-/* The cells of the speeds at which condition i holds by itself: for people in
- * rpm where the site states the rotor, as wide as in m/s. */
+/* Adds the speeds at which a condition holds by itself, in rpm if the diameter
+ * of the rotor is given. */
 static void
 add_speed_range_cells(
     struct answer *r, const double speed[static 2], double rotor)
@@ -676,8 +678,8 @@ add_speed_range_cells(
 		answer_add_cells(r, "%.1f %.1f", speed[0], speed[1]);
 }
 
-/* A row a condition: people see the margin in the quantity's unit, programs in
- * points. */
+/* Adds a row for each condition.  People get the margin in the quantity's
+ * unit, programs in points. */
 static void
 add_condition_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found, bool people)
@@ -738,8 +740,8 @@ conditions_open_search(const struct session *s, const struct question *q,
 	return w;
 }
 
-/* The two limits in the way of the nearest speed; beyond the speeds searched
- * nothing is known. */
+/* Notes the limits that exclude slower and faster speeds than the nearest one.
+ * Nothing is known beyond the ends of the search. */
 static void
 note_conflicting_limits(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
@@ -773,9 +775,8 @@ conditions_decimals_of_miss(double points)
 	return fabs(points) < 0.1 ? 2 : 1;
 }
 
-/* Notes what the nearest measured speed misses by, where the nearest of all
- * lies beyond those measured, perhaps only where the search ends.  Leaves the
- * forecast at the best speed. */
+/* If the best speed lies beyond the measured ones, notes by how much the
+ * nearest measured speed misses.  Leaves the forecast at the best speed. */
 static void
 note_nearest_measured(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
@@ -841,8 +842,8 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 	}
 }
 
-/* The end of the range about the best speed that lies farthest beyond the
- * measured speeds; NAN where none does. */
+/* Returns the end of the range around the best speed that lies farthest beyond
+ * the measured speeds, or NAN if neither does. */
 static double
 farthest_extrapolated_end(
     const struct wanted *wanted, const struct speed_search *found)
@@ -887,8 +888,8 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	trust_free(&far);
 }
 
-/* Whether an end of the speeds searched is farther from the measured ones than
- * an answer can be relied on. */
+/* True if that end of the search is farther from the measured speeds than
+ * answers can be relied on. */
 static bool
 is_slow_end_unreliable(const struct wanted *wanted)
 {
@@ -901,8 +902,8 @@ is_fast_end_unreliable(const struct wanted *wanted)
 	return wanted->to > wanted->measured[1] + wanted->reach;
 }
 
-/* Returns an end of a search as a line to type has it: "100" or, for a sheet in
- * rpm, tens of them within that speed, "2010 rpm".  The caller frees it. */
+/* Returns the end of a search as it can be typed: "100" or, if the sheet is in
+ * rpm, the last multiple of ten before it, "2010 rpm".  The caller frees it. */
 static char *
 typed_end(const struct site *site, double speed, bool fastest)
 {

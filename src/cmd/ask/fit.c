@@ -46,9 +46,9 @@ fit_holdout_rmse(const struct entry *entry)
 struct validation
 fit_find_outlier(const struct entry *entry)
 {
-	/* With noise of 0.5 points none of 38 sites has more than 1.9; of 77
-	 * products with two digits changed by 9 points, 67 have more than 4.
-	 * Of a poor fit many cells lie off. */
+	/* With noise of 0.5 points, none of 38 sites has a difference of more
+	 * than 1.9 points; of 77 products with two digits changed by 9 points,
+	 * 67 have more than 4.  In a poor fit many cells are off. */
 	double rmse = entry->fit.rmse;
 	double far_off = rmse > FIT_POOR ? fmax(0.04, 3 * rmse) : 0.04;
 	struct validation farthest = {.worst_difference = 0};
@@ -113,7 +113,7 @@ fit_compute_param_band(const struct posterior *p, const struct session *s,
 		value[d] = params_value_by_name(&p->draw[d].params, name);
 	ensemble_middle_interval(
 	    value, settings_band_probability(&s->set), &range[0], &range[1]);
-	/* Of these only the direction counts, which no range shows. */
+	/* Only the direction of these matters, which no range shows. */
 	if (j < breakage_model_of_params(fit)->gauge)
 		range[0] = range[1] = NAN;
 }

@@ -12,13 +12,13 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/question.h"
 
-/* What it was made for; product, most [n]: of each run that was asked for, and
- * how far it was moved. */
+/* The products of one site, feed, parameters and settings.  product, most [n]:
+ * the moved product of each run that was asked for, and its largest move. */
 struct moved {
 	const struct site *site;
 	uint64_t digest;
 	const struct posterior *posterior;
-	struct params drawn; /* first of its draws, as addresses come again */
+	struct params drawn; /* its first draw, because addresses are reused */
 	struct params params;
 	struct model_settings settings;
 	size_t feed, n;
@@ -49,7 +49,7 @@ moved_free_cache(struct moved *m)
 	free(m);
 }
 
-/* Passings of sieves at a speed, formed of a feed. */
+/* Opens a forecast of the passings of sieves at a speed. */
 static struct forecast *
 open_forecast_of_passings(const struct session *s, const struct question *q,
     const struct psd *sieves, double speed)
@@ -63,7 +63,7 @@ open_forecast_of_passings(const struct session *s, const struct question *q,
 	return f;
 }
 
-/* Passings stay between 0 and 1, and fall with the size. */
+/* Keeps passings between 0 and 1, and falling with the size. */
 static void
 adjust_product_to_feed(struct moved *m, const struct session *s,
     const struct entry *entry, size_t run)

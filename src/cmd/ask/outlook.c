@@ -13,8 +13,9 @@
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 
-/* The runs of the calibration that inform an answer, [n_run], which the caller
- * frees, and the place where what they say is kept. */
+/* Returns the runs of the calibration that inform an answer, [n_run], which
+ * the caller frees.  place: out, the index of their posterior and evidence in
+ * the history. */
 static bool *
 list_runs_that_inform(
     const struct history *h, enum correction correction, size_t *place)
@@ -39,7 +40,8 @@ outlook_correcting_runs(const struct session *s, const struct entry *entry)
 				       : s->set.correction;
 }
 
-/* The runs that inform the entry's answers. */
+/* Returns which runs inform the entry's answers: the training runs if these
+ * are the model alone. */
 static enum correction
 correcting_or_training_runs(const struct session *s, const struct entry *entry)
 {
@@ -48,8 +50,7 @@ correcting_or_training_runs(const struct session *s, const struct entry *entry)
 		   : CORRECTION_TRAIN;
 }
 
-/* Returns the runs of the calibration that inform the entry's answers, [n_run],
- * which the caller frees, and the place where what they say is kept. */
+/* As list_runs_that_inform, for the entry's answers. */
 static bool *
 runs_that_inform_answers(
     const struct session *s, const struct entry *entry, size_t *place)
@@ -58,8 +59,8 @@ runs_that_inform_answers(
 	    correcting_or_training_runs(s, entry), place);
 }
 
-/* Returns how to draw from the runs in `use` [n_run] for the calibration that
- * found the entry's parameters. */
+/* Returns the options for drawing the posterior of the runs in `use`
+ * [n_run]. */
 static struct posterior_options
 options_of_draws(
     const struct session *s, const struct entry *entry, const bool *use)
@@ -74,8 +75,7 @@ options_of_draws(
 	    .noise = s->set.noise / 100};
 }
 
-/* Whether there is something to draw from, of a calibration that came to its
- * end. */
+/* True if the parameters are from a completed calibration with enough data. */
 static bool
 can_draw_posterior(const struct entry *entry)
 {
@@ -84,8 +84,9 @@ can_draw_posterior(const struct entry *entry)
 	       fit->stop != CALIBRATE_STOPPED;
 }
 
-/* Begins to draw for a place of the history, or goes on: until all is drawn,
- * or `stop` says that somebody waits.  steps: at most so many, 0: all. */
+/* Draws the posterior at a place of the history, or continues to, until it is
+ * complete or `stop` says that the user is waiting.  steps: at most so many;
+ * 0: all. */
 static void
 draw_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
@@ -115,7 +116,7 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
 	h->drawing = NULL;
 }
 
-/* The draws; NULL while they are not complete. */
+/* Returns the draws, or NULL if they are not complete after these steps. */
 static const struct posterior *
 posterior_if_complete(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
@@ -183,8 +184,8 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	bool first = *e == NULL;
 	if (first)
 		*e = xcalloc(1, sizeof **e);
-	/* Draws that were stopped may be complete by now.  Those who judge by
-	 * the evidence have its address. */
+	/* Draws that were stopped may be complete by now.  The evidence is
+	 * filled in again in place, because callers hold its address. */
 	if (first || (p != NULL && isnan((*e)->discrepancy)))
 		**e = trust_gather_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
@@ -225,7 +226,7 @@ has_poor_fit(const struct session *s, const struct entry *entry)
 	return e != NULL && trust_is_band_impossible(e->rmse, e->speeds);
 }
 
-/* Whether the settings are those of the fit. */
+/* True if the settings are those of the fit. */
 static bool
 has_settings_of_fit(const struct session *s, const struct entry *entry)
 {
@@ -246,7 +247,7 @@ outlook_model_settings(const struct session *s, const struct entry *entry)
 	return settings;
 }
 
-/* What answers are drawn from; NULL: they are the model alone. */
+/* Returns the posterior behind answers, or NULL if they are the model alone. */
 static const struct posterior *
 posterior_unless_model_alone(const struct session *s, const struct entry *entry)
 {
@@ -295,7 +296,7 @@ outlook_ensemble_of_products(
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t other = site_run_at_speed(entry->site, SITE_OTHER_FEED);
-	/* A feed that all runs share is the same whichever it is asked of. */
+	/* If all runs share a feed, any run stands for it. */
 	if (!entry->site->individual_feeds && other == entry->site->n_run)
 		feed_run = 0;
 	struct ensemble_of *kept = &h->kept[feed_run < entry->site->n_run];
@@ -350,7 +351,7 @@ outlook_how_to_band(const struct session *s, const struct entry *entry)
 		     : tr("'set' shows the settings");
 }
 
-/* Whether there are more runs to inform the answers than draws take. */
+/* True if more runs inform the answers than the draws can use. */
 static bool
 has_too_many_runs(const struct session *s, const struct entry *entry)
 {

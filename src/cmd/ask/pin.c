@@ -35,7 +35,7 @@ unpin_prediction(struct session *s, const char *word, struct error *error)
 	return true;
 }
 
-/* Also what a calibration under way has found so far. */
+/* During a calibration, pins a prediction with the best parameters so far. */
 static bool
 pin_prediction(struct session *s, const struct args *args, struct question *q,
     struct error *error)

@@ -41,7 +41,7 @@ asked_keep_speed_and_quantity(
 	s->last_asked.of = *of;
 }
 
-/* "feed b.csv, cascade 10 %". */
+/* Returns "feed b.csv, cascade 10 %".  The caller frees it. */
 static char *
 describe_scenario(const struct scenario *w)
 {
@@ -59,7 +59,8 @@ describe_scenario(const struct scenario *w)
 	return words;
 }
 
-/* A site with what is asked otherwise; it goes with the question. */
+/* Returns a copy of the site with the feed, machine and sieves of the
+ * scenario. */
 static struct site *
 copy_site_with_scenario(const struct site *own, const struct scenario *w)
 {
@@ -80,7 +81,8 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 	return site;
 }
 
-/* Makes the copy of the entry, with what differs from it. */
+/* If the scenario changes anything, makes the question one about a changed
+ * copy of its entry. */
 static void
 apply_scenario(const struct session *s, struct question *q)
 {
@@ -128,7 +130,8 @@ question_free(struct session *s, struct question *q)
 	free(changed->train);
 }
 
-/* Reads the speed of the call, where it names one, also in rpm. */
+/* Reads the speed from speed= or rpm=; without them, takes the default
+ * speed. */
 static bool
 parse_speed_or_rpm(
     const struct args *args, struct question *q, struct error *error)
@@ -160,7 +163,7 @@ parse_speed_or_rpm(
 		   name, SITE_FASTEST, q->speed, rpm, units_mm(diameter));
 }
 
-/* Returns what a text names after feed= or `set feed`. */
+/* Parses the text of feed= or `set feed`. */
 static struct value
 feed_value(const char *text)
 {
@@ -170,8 +173,8 @@ feed_value(const char *text)
 	return value;
 }
 
-/* Returns what the option feed names, or the setting where it is not given;
- * nothing of a command that has no such option. */
+/* Returns the value of feed= or, if it is not given, of the setting; an empty
+ * one if the command has no such option. */
 static struct value
 feed_option_or_setting(const struct session *s, const struct args *args)
 {
@@ -180,7 +183,7 @@ feed_option_or_setting(const struct session *s, const struct args *args)
 		   : feed_value(args->feed != NULL ? args->feed : s->set.feed);
 }
 
-/* Reads the sheets that are named, where any are. */
+/* Reads the sheets that feed= or the setting names, if any. */
 static bool
 read_named_feeds(struct session *s, const struct args *args, struct question *q,
     struct error *error)
@@ -196,7 +199,7 @@ read_named_feeds(struct session *s, const struct args *args, struct question *q,
 	return q->scenario.feed != NULL;
 }
 
-/* Takes the sieves of the user's own choice, which the feeds must cover. */
+/* Reads sieves=, which the feeds must cover. */
 static bool
 set_sieves_to_show(
     const struct args *args, struct question *q, struct error *error)
@@ -221,7 +224,7 @@ set_sieves_to_show(
 	return ok;
 }
 
-/* Takes the run of the site whose feed is named by its speed. */
+/* If feed= or the setting is a speed, takes the feed sampled at it. */
 static bool
 choose_sampled_feed(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
@@ -231,8 +234,8 @@ choose_sampled_feed(const struct session *s, const struct args *args,
 					 feed.number, &q->feed, error);
 }
 
-/* cut=off is the whole product, as it is where an envelope is for a fraction;
- * where one is asked for, screens without cut= are those of its fraction. */
+/* Reads cut= and the screens; cut=off is the whole product.  With an envelope,
+ * screens may be described without cut=: its fraction is meant. */
 static bool
 set_fraction_to_show(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
@@ -245,8 +248,8 @@ set_fraction_to_show(const struct session *s, const struct args *args,
 	return quantities_parse_cut_option(args, &q->fraction, envelope, error);
 }
 
-/* Takes what needs no file read: the changes of the scenario, the speeds, the
- * run with the feed, and the fraction. */
+/* Applies the scenario, and reads the options that need no file: the speeds,
+ * the run with the feed, and the fraction. */
 static bool
 complete_question(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
@@ -306,7 +309,8 @@ question_run_answer(struct session *s, const struct args *args,
 	return ok;
 }
 
-/* of: the loaded entry as it was then; text: the feed. */
+/* The question about the current site with the feed of `set feed`.  of: a copy
+ * of the loaded entry, to see whether it has changed; text: the setting. */
 struct standing {
 	struct entry of;
 	struct question q;
@@ -326,7 +330,7 @@ question_free_cached(struct session *s)
 	free(a);
 }
 
-/* The sheets that are set, NULL where none are. */
+/* Returns the feed from the sheets in `set feed`, or NULL if it names none. */
 static const struct blended *
 read_feed_of_setting(struct session *s)
 {
@@ -371,8 +375,8 @@ question_site_with_feed_setting(struct session *s)
 	return q->entry;
 }
 
-/* Returns the speeds from `from` to `to` by 1 m/s, or in round rpm of a sheet
- * in rpm [*n]. */
+/* Returns speeds [*n] in steps of 1 m/s or, for a sheet in rpm, of round
+ * rpm. */
 static double *
 list_every_round_speed(
     const struct site *site, double from, double to, size_t *n)
@@ -388,7 +392,7 @@ list_every_round_speed(
 	return at;
 }
 
-/* Returns these speeds, those measured and the last one asked about [*n]. */
+/* Returns round speeds, the measured ones and the last one asked about [*n]. */
 static double *
 merge_round_and_measured_speeds(
     const struct site *site, double from, double to, double last, size_t *n)

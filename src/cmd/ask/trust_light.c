@@ -19,8 +19,8 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* Below this width of a band, passing, no parameter moves the answer by what is
- * worth a word; and that. */
+/* In a band narrower than NARROW, no parameter moves the answer by more than
+ * MOVES, below which it is not worth mentioning; both passings. */
 static const double NARROW = 0.01, MOVES = 0.005;
 
 static double
@@ -32,7 +32,7 @@ mean_band_width(const struct prediction *p)
 	return sum;
 }
 
-/* The parameter on a bound that holds the answer back most. */
+/* Finds the parameter on a bound that limits the answer most. */
 static void
 find_bound_that_limits_answer(const struct session *s,
     const struct entry *entry, const struct prediction *p,
@@ -60,7 +60,8 @@ find_bound_that_limits_answer(const struct session *s,
 	}
 }
 
-/* Parameters that no calibration on this site's data found in this session. */
+/* Adds reasons about parameters that were not found by a calibration of this
+ * site in this session. */
 static void
 judge_origin_of_params(
     struct trust *t, const struct session *s, const struct entry *entry)
@@ -93,7 +94,7 @@ judge_origin_of_params(
 			origin_source_text(entry), 100 * error));
 }
 
-/* How the calibration was made. */
+/* Adds reasons about how the calibration was made. */
 static void
 judge_calibration(
     struct trust *t, const struct session *s, const struct fit *fit)
@@ -115,9 +116,9 @@ judge_calibration(
 			       "calibrate again")));
 }
 
-/* Cuts that were added since: all of them, and the one that is missed most.
- * Where they drift somebody should look at the crusher before a calibration
- * takes them up. */
+/* Adds reasons about cuts added after the calibration: that they drift, and
+ * the one that is missed most.  If they drift, the crusher should be looked at
+ * before a calibration includes them. */
 static void
 judge_cuts_added_later(
     struct trust *t, const struct session *s, const struct entry *entry)
@@ -143,7 +144,8 @@ judge_cuts_added_later(
 			later.speed, rpm, 100 * later.rms));
 }
 
-/* What is asked about that nobody measured.  evidence: of the fit, or NULL. */
+/* Adds reasons about a feed or machine that was not measured.  evidence: on
+ * the fit, or NULL. */
 static void
 judge_other_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
@@ -184,7 +186,8 @@ judge_other_feed_or_machine(struct trust *t, const struct session *s,
 			w->k, s->set.model.k));
 }
 
-/* Speeds of parameters that no calibration of this session found. */
+/* Returns evidence that has only the speeds, for parameters that were not
+ * found by a calibration in this session. */
 static struct evidence
 evidence_from_speeds_alone(const struct entry *entry)
 {
@@ -206,7 +209,7 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
 	struct evidence reach = evidence_from_speeds_alone(entry);
-	/* What was measured is judged as it was measured. */
+	/* What was measured is judged without the question's changes. */
 	const struct entry *own = entry_without_variant(entry);
 	if (later)
 		judge_cuts_added_later(&t, s, own);
@@ -265,7 +268,7 @@ light_worst_of_predictions(const struct session *s, const struct entry *entry,
 	return worst;
 }
 
-/* "amber: " and the first reason, or "green"; the caller frees. */
+/* Returns "amber: " and the first reason, or "green".  The caller frees it. */
 static char *
 describe_light(const struct trust *t)
 {
@@ -330,7 +333,7 @@ light_show(struct answer *r, struct trust t)
 	light_show_with_speed(r, NULL, 0, t);
 }
 
-/* What needs no light; NULL: that decides. */
+/* Returns a verdict that needs no light, or NULL if the light decides. */
 static const char *
 verdict_without_light(const struct fit *fit)
 {
@@ -363,7 +366,7 @@ light_verdict_without_draws(const struct session *s, const struct entry *entry)
 {
 	const char *plain = verdict_without_light(&entry->fit);
 	struct evidence e = outlook_evidence_without_draws(s, entry);
-	/* No cut was added since. */
+	/* No cut has been added since this calibration. */
 	return plain != NULL ? plain
 			     : verdict_of_light(judge_trust_in_answer(
 				   s, entry, NULL, &e, false));
