@@ -13,7 +13,7 @@
 #include "cmd/ask/fit.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/pin.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "tui/captured.h"
 #include "tui/pages.h"
 #include "tui/widgets/envelope_check.h"

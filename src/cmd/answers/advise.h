@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_ANSWERS_ADVISE_H
 #define TIPSPEED_CMD_ANSWERS_ADVISE_H
 
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "core/psd/quantity.h"
 
 /* A possible sample.  width: expected width of the band after it, in the units

@@ -260,13 +260,6 @@ answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
 	answer_add_cells(r, "%.2f", answers_product_size_mm(p, i));
 }
 
-void
-answers_add_size_columns(struct answer *r)
-{
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		answer_column(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
-}
-
 /* Adds "P50 2.81", or "P20 below 0.063 mm", to a list, whose first has the
  * unit; where there is a range, followed by " (2.75 to 2.90)", whose lower end
  * may lie below the finest sieve. */
@@ -349,7 +342,7 @@ note_other_feed(struct answer *r, const struct entry *entry)
 		    "finer than %g mm nothing is known: the feed was not "
 		    "sieved there",
 		    units_mm(feed->size[feed->n - 1]));
-	if (entry->scenario->feed->rock[0] == '\0' && site->rock[0] != '\0')
+	if (entry->scenario->rock[0] == '\0' && site->rock[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "rock of the feed not stated; that of the site assumed "
 		    "(%s)",
@@ -520,7 +513,8 @@ answers_add_prediction_rows(struct answer *r, const struct entry *entry,
 	if (rotor > 0)
 		answer_columns(r, "rpm");
 	answer_columns(r, "energy_j_kg: J/kg, break_mm: break mm");
-	answers_add_size_columns(r);
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		answer_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);
 	double size = p[0].product.size[p[0].product.n - 1];
 	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
 			       ? xstrdup(tr("fines %"))

@@ -136,13 +136,13 @@ check_share_and_add_feed(struct session *s, const char *at, size_t length,
 	return ok && blended_add_feed(s, file, share, b, error);
 }
 
-bool
-blended_read_feeds(
+/* Reads FILE, or a blend with shares that sum to 1, into an empty struct. */
+static bool
+read_feed_or_blend(
     struct session *s, const char *text, struct blended *b, struct error *error)
 {
 	double share, sum = 0;
 	size_t length;
-	*b = (struct blended){.text = xstrdup(text)};
 	value_parse_blend_feed(text, &length, &share);
 	if (isnan(share))
 		return read_feed_of_sheet(s, text, b, error);
@@ -161,6 +161,17 @@ blended_read_feeds(
 		    sum);
 	blended_mix_feeds(b);
 	return true;
+}
+
+struct blended *
+blended_read_feeds(struct session *s, const char *text, struct error *error)
+{
+	struct blended *b = xcalloc(1, sizeof *b);
+	b->text = xstrdup(text);
+	if (read_feed_or_blend(s, text, b, error))
+		return b;
+	blended_free(b);
+	return NULL;
 }
 
 void
@@ -199,11 +210,9 @@ blended_read_feed_setting(
 {
 	if (s->fed != NULL && strcmp(s->fed->text, text) == 0)
 		return s->fed;
-	struct blended *b = xcalloc(1, sizeof *b);
-	if (!blended_read_feeds(s, text, b, error)) {
-		blended_free(b);
+	struct blended *b = blended_read_feeds(s, text, error);
+	if (b == NULL)
 		return NULL;
-	}
 	blended_free(s->fed);
 	return s->fed = b;
 }

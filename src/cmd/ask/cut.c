@@ -10,7 +10,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/xalloc.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/quantity_words.h"
 
 /* It borrows the draws that are kept until another site or feed is asked

@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_ASK_FORECAST_H
 #define TIPSPEED_CMD_ASK_FORECAST_H
 
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "core/answer/predict.h"
 
 /* A quantity of the answer with its band.  The value is NAN beyond the ends of

@@ -13,7 +13,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "core/psd/rotor_speed.h"
 
 static const struct fraction WHOLE = {.partition = {0, 1}};

@@ -10,7 +10,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 
 /* The products of one site, feed, parameters and settings.  product, most [n]:
  * the moved product of each run that was asked for, and its largest move. */

@@ -21,26 +21,6 @@
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
-struct question
-question_of_whole_product(
-    const struct session *s, const struct entry *entry, size_t feed)
-{
-	return (struct question){.entry = entry,
-	    .feed = feed,
-	    .level = settings_band_probability(&s->set)};
-}
-
-void
-asked_keep_speed_and_quantity(
-    struct session *s, double speed, const struct quantity *of)
-{
-	s->last_asked = (struct last_asked){.speed = speed};
-	if (of == NULL || of->kind == QUANTITY_STEP)
-		return;
-	s->last_asked.named = true;
-	s->last_asked.of = *of;
-}
-
 /* Returns "feed b.csv, cascade 10 %".  The caller frees it. */
 static char *
 describe_scenario(const struct scenario *w)
@@ -94,6 +74,7 @@ apply_scenario(const struct session *s, struct question *q)
 	if (same_site && w->correction == s->set.correction)
 		return;
 	q->scenario.own = loaded;
+	q->scenario.rock = w->feed != NULL ? w->feed->rock : "";
 	q->changed = *loaded;
 	q->changed.scenario = w;
 	q->entry = &q->changed;
@@ -117,7 +98,7 @@ void
 question_free(struct session *s, struct question *q)
 {
 	const struct entry *changed = &q->changed;
-	blended_clear(&q->blend);
+	blended_free(q->blend);
 	free(q->sieves);
 	free(q->speeds);
 	if (q->site == NULL)
@@ -194,8 +175,9 @@ read_named_feeds(struct session *s, const struct args *args, struct question *q,
 	if (args->feed == NULL)
 		q->scenario.feed =
 		    blended_read_feed_setting(s, feed.text, error);
-	else if (blended_read_feeds(s, feed.text, &q->blend, error))
-		q->scenario.feed = &q->blend;
+	else
+		q->scenario.feed = q->blend =
+		    blended_read_feeds(s, feed.text, error);
 	return q->scenario.feed != NULL;
 }
 
@@ -371,6 +353,7 @@ question_site_with_feed_setting(struct session *s)
 	struct question *q = &s->standing->q;
 	q->scenario.own = loaded;
 	q->scenario.feed = feed;
+	q->scenario.rock = feed->rock;
 	q->scenario.correction = s->set.correction;
 	return q->entry;
 }

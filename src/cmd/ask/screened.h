@@ -3,7 +3,7 @@
 #ifndef TIPSPEED_CMD_ASK_SCREENED_H
 #define TIPSPEED_CMD_ASK_SCREENED_H
 
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "core/answer/predict.h"
 #include "core/psd/quantity.h"
 

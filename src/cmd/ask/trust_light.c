@@ -8,7 +8,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/blended.h"
 #include "cmd/ask/cut.h"
 #include "cmd/session/energies.h"
 #include "cmd/ask/fit.h"
@@ -151,8 +150,7 @@ judge_other_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
 {
 	const struct scenario *w = entry->scenario;
-	const char *rock = w->own->site->rock,
-		   *other = w->feed != NULL ? w->feed->rock : "";
+	const char *rock = w->own->site->rock, *other = w->rock;
 	double measured = entry_measured_rotor(w->own);
 	if (other[0] != '\0' && rock[0] != '\0' &&
 	    !text_same_folded(other, rock))

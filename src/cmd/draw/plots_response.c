@@ -17,7 +17,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/site_chart.h"
 #include "core/answer/predict.h"

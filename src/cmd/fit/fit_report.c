@@ -8,7 +8,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/fit.h"
 #include "cmd/ask/forecast.h"

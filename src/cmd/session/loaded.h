@@ -76,13 +76,15 @@ struct origin {
 
 /* What a question assumes that differs from the measurements; see
  * cmd/ask/question.h.  own: the entry without these changes.  feed: that of
- * other sheets, or NULL.  rotor: m; 0: as measured.  bypass: share of the feed
- * that bypasses the rotor; k: impacts; 0: as set.  correction: the runs that
- * inform the answer.  sieve [n_sieve]: sieves to show, m, coarsest first. */
+ * other sheets, or NULL; rock: its rock, or "".  rotor: m; 0: as measured.
+ * bypass: share of the feed that bypasses the rotor; k: impacts; 0: as set.
+ * correction: the runs that inform the answer.  sieve [n_sieve]: sieves to
+ * show, m, coarsest first. */
 struct blended;
 struct scenario {
 	const struct entry *own;
 	const struct blended *feed;
+	const char *rock;
 	double rotor, bypass, k;
 	enum correction correction;
 	size_t n_sieve;

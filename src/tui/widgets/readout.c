@@ -9,7 +9,7 @@
 #include "base/tr.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"

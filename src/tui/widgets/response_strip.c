@@ -12,7 +12,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/question.h"
+#include "cmd/ask/asked.h"
 #include "cmd/ask/screened.h"
 #include "plot/draw.h"
 #include "tui/acts.h"
