@@ -563,9 +563,10 @@ conditions_describe_speeds(const struct speed_search *found)
 	return words;
 }
 
-const char *
-conditions_describe_search_ends(
-    const struct wanted *wanted, double from, double to)
+/* Returns ", up to the fastest asked" and the like, to be translated, for a
+ * range with an end that is only that of the search; else "". */
+static const char *
+describe_search_ends(const struct wanted *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
 	return slowest && fastest ? N_(", all speeds asked")
@@ -582,8 +583,8 @@ conditions_describe_speeds_with_units(
 	size_t n = found->n_inside;
 	const char *ends =
 	    n == 0 ? ""
-		   : tr(conditions_describe_search_ends(wanted,
-			 found->inside[0].from, found->inside[n - 1].to));
+		   : tr(describe_search_ends(wanted, found->inside[0].from,
+			 found->inside[n - 1].to));
 	FREED char *mps = conditions_describe_speeds(found);
 	FREED char *rpm = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
@@ -988,7 +989,7 @@ conditions_note_certain_speeds(struct answer *r, const struct wanted *wanted,
 		answer_note(r,
 		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s%s",
 		    100 * wanted->level, found->sure[0], found->sure[1], rpm,
-		    tr(conditions_describe_search_ends(
+		    tr(describe_search_ends(
 			wanted, found->sure[0], found->sure[1])));
 	else
 		note_no_certain_speed(r, wanted, found);

@@ -138,11 +138,6 @@ void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 void conditions_note_certain_speeds(struct answer *r,
     const struct wanted *wanted, const struct speed_search *found);
 
-/* Returns ", up to the fastest asked" and the like, to be translated, for a
- * range with an end that is only that of the search; else "". */
-const char *conditions_describe_search_ends(
-    const struct wanted *wanted, double from, double to);
-
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, it is that
  * of the answer, and both are said. */

@@ -245,27 +245,6 @@ quantities_is_beginning_of_text(const char *text)
 	return quantities_parse_one(word, &SHARP, &q, &error);
 }
 
-struct quantity *
-quantities_parse_list(const char *text, const struct partition *partition,
-    size_t *n, struct error *error)
-{
-	struct quantity *list = xcalloc(strlen(text) + 1, sizeof *list);
-	*n = 0;
-	for (const char *at = text; *at != '\0';) {
-		size_t length = strcspn(at, ",;");
-		FREED char *word = xstrndup(at, length);
-		bool ok =
-		    quantities_parse_one(word, partition, &list[*n], error);
-		if (!ok) {
-			free(list);
-			return NULL;
-		}
-		++*n;
-		at += length + (at[length] != '\0');
-	}
-	return list;
-}
-
 bool
 quantities_apply_cut_option(
     struct quantity *q, const struct fraction *cut, struct error *error)
@@ -301,22 +280,23 @@ struct quantity *
 quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
     const struct psd *feed, bool all, size_t *n, struct error *error)
 {
-	struct quantity *list =
-	    quantities_parse_list(text, &cut->partition, n, error);
-	bool ok = list != NULL;
-	size_t kept = 0;
-	for (size_t i = 0; ok && i < *n; i++) {
+	struct quantity *list = xcalloc(strlen(text) + 1, sizeof *list);
+	bool ok = true;
+	*n = 0;
+	for (const char *at = text; ok && *at != '\0';) {
 		struct error none = {0};
-		ok = quantities_apply_cut_option(&list[i], cut, error);
-		if (!ok)
-			break;
-		if (quantities_check_feed_covers(
-			&list[i], feed, all ? error : &none))
-			list[kept++] = list[i];
+		size_t length = strcspn(at, ",;");
+		FREED char *word = xstrndup(at, length);
+		struct quantity *q = &list[*n];
+		ok = quantities_parse_one(word, &cut->partition, q, error) &&
+		     quantities_apply_cut_option(q, cut, error);
+		if (ok &&
+		    quantities_check_feed_covers(q, feed, all ? error : &none))
+			++*n;
 		else
-			ok = !all;
+			ok = ok && !all;
+		at += length + (at[length] != '\0');
 	}
-	*n = kept;
 	if (ok)
 		return list;
 	free(list);
