@@ -293,7 +293,7 @@ question_run_answer(struct session *s, const struct args *args,
 
 /* The question about the current site with the feed of `set feed`.  of: a copy
  * of the loaded entry, to see whether it has changed; text: the setting. */
-struct standing {
+struct site_with_feed {
 	struct entry of;
 	struct question q;
 	char *text;
@@ -302,13 +302,13 @@ struct standing {
 void
 question_free_cached(struct session *s)
 {
-	struct standing *a = s->standing;
+	struct site_with_feed *a = s->site_with_feed;
 	if (a == NULL)
 		return;
 	question_free(s, &a->q);
 	entry_clear(&a->of);
 	free(a->text);
-	s->standing = NULL;
+	s->site_with_feed = NULL;
 	free(a);
 }
 
@@ -328,7 +328,7 @@ make_question_of_feed_setting(struct session *s, const struct blended *feed)
 {
 	const struct scenario scenario = {
 	    .feed = feed, .correction = s->set.correction};
-	struct standing *a = s->standing = xcalloc(1, sizeof *a);
+	struct site_with_feed *a = s->site_with_feed = xcalloc(1, sizeof *a);
 	a->of = entry_copy(session_current_entry(s));
 	a->text = xstrdup(feed->text);
 	question_from_scenario(s, &a->of, &scenario, &a->q);
@@ -341,7 +341,7 @@ question_site_with_feed_setting(struct session *s)
 	    s->n_entry > 0 ? session_current_entry(s) : NULL;
 	const struct blended *feed =
 	    loaded != NULL ? read_feed_of_setting(s) : NULL;
-	const struct standing *was = s->standing;
+	const struct site_with_feed *was = s->site_with_feed;
 	if (feed == NULL)
 		return loaded;
 	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
@@ -350,7 +350,7 @@ question_site_with_feed_setting(struct session *s)
 		question_free_cached(s);
 		make_question_of_feed_setting(s, feed);
 	}
-	struct question *q = &s->standing->q;
+	struct question *q = &s->site_with_feed->q;
 	q->scenario.own = loaded;
 	q->scenario.feed = feed;
 	q->scenario.rock = feed->rock;
