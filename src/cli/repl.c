@@ -36,10 +36,10 @@
  * command that goes on, joined; given: bytes that key_that_ends_input made up;
  * offer: what Return alone does now; stage: of what was said of the next step
  * last, for which site and fit; declined: it was, and an empty line offers it
- * anew. */
+ * anew; command: typed in the place of yes or no, and run next, or NULL. */
 static struct {
 	struct session *session;
-	char *before;
+	char *before, *command;
 	size_t given;
 	struct next offer;
 	int stage;
@@ -348,25 +348,34 @@ run_offered_commands(struct session *s, int *number)
 	++*number;
 }
 
+enum reply { REPLY_YES, REPLY_NO, REPLY_EMPTY, REPLY_COMMAND };
+
+static enum reply
+classify_reply(const char *typed)
+{
+	size_t which;
+	FREED char *word = xstrdup(typed);
+	const char *said = text_trim(word);
+	return said[0] == '\0'                         ? REPLY_EMPTY
+	       : text_find_word("y yes", said, &which) ? REPLY_YES
+	       : text_find_word("n no", said, &which)  ? REPLY_NO
+						       : REPLY_COMMAND;
+}
+
 /* Returns true if a line answers the offer instead of being a command. */
 static bool
 handle_answer_to_offer(struct session *s, const char *typed, int *number)
 {
-	static const char YES[] = "y yes", NO[] = "n no";
-	size_t which;
-	FREED char *word = xstrdup(typed);
-	const char *said = text_trim(word);
-	bool empty = said[0] == '\0';
-	bool yes = empty || text_find_word(YES, said, &which);
-	bool no = text_find_word(NO, said, &which);
-	bool again = empty && prompt.declined && prompt.offer.line == NULL;
+	enum reply reply = classify_reply(typed);
+	bool offered = prompt.offer.line != NULL;
+	bool again = reply == REPLY_EMPTY && prompt.declined && !offered;
 	if (prompt.before[0] != '\0' ||
-	    !(again || (prompt.offer.line != NULL && (yes || no))))
+	    !(again || (offered && reply != REPLY_COMMAND)))
 		return false;
-	prompt.declined = no;
+	prompt.declined = reply == REPLY_NO;
 	if (again)
 		prompt.stage = -1;
-	else if (yes)
+	else if (reply != REPLY_NO)
 		run_offered_commands(s, number);
 	return true;
 }
@@ -475,6 +484,35 @@ repl_ask_question(struct session *s, const struct inquiry *q)
 	return ask_with_reader(s, q, read_line_of_answer);
 }
 
+/* A command in the place of an answer means no, and is run next. */
+static bool
+repl_confirm(struct session *s, const char *question, bool yes)
+{
+	(void)s;
+	FREED char *asks = xasprintf(
+	    yes ? tr("%s [Y/n, or a command]") : tr("%s [y/N, or a command]"),
+	    question);
+	xappend(&asks, " ");
+	FREED char *shown = text_escaped(asks);
+	char *typed = read_line(shown);
+	enum reply reply = typed != NULL ? classify_reply(typed) : REPLY_NO;
+	if (reply == REPLY_COMMAND)
+		prompt.command = typed;
+	else
+		free(typed);
+	return reply == REPLY_YES || (yes && reply == REPLY_EMPTY);
+}
+
+/* Returns the command that was typed at a question, or a line typed now. */
+static char *
+read_command(const struct session *s)
+{
+	char *command = prompt.command;
+	prompt.command = NULL;
+	FREED char *text = prompt_text(s);
+	return command != NULL ? command : read_line(text);
+}
+
 int
 repl_run(struct session *s)
 {
@@ -482,11 +520,11 @@ repl_run(struct session *s)
 	set_up_readline(s);
 	batch_begin_interactive(s);
 	s->hooks.ask = repl_ask_question;
+	s->hooks.confirm = repl_confirm;
 	while (!s->quit && !signals_is_end_wanted()) {
-		if (prompt.before[0] == '\0')
+		if (prompt.before[0] == '\0' && prompt.command == NULL)
 			print_next_step(s);
-		FREED char *text = prompt_text(s);
-		char *typed = read_line(text);
+		char *typed = read_command(s);
 		s->screen = terminal_describe();
 		if (typed != NULL) {
 			if (!clear_screen_if_asked(typed) &&
@@ -502,6 +540,7 @@ repl_run(struct session *s)
 	}
 	typed_history_close();
 	free(prompt.before);
+	free(prompt.command);
 	return signals_exit_status();
 }
 

@@ -726,7 +726,8 @@ note_basis_of_card(struct answer *r, const struct session *s,
 	    outlook_describe_correction(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
-		    site->with[0] != '\0' ? site->with : tr("as sampled"));
+		    site->feed_from[0] != '\0' ? site->feed_from
+					       : tr("as sampled"));
 	note_meaning_of_trust_words(r, q, row, page->rows);
 }
 

@@ -670,10 +670,8 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 		    conditions_describe_speeds_with_units(&g->conditions, w);
 		FREED char *table =
 		    rotor_speed_rpm_text(site->rotor, in->from, NAN);
-		answer_note(r,
-		    "meets the envelope at %s, most surely at %.1f m/s%s; "
-		    "table: %.1f m/s%s",
-		    speeds, w->best, best, in->from, table);
+		answer_note(r, "meets the envelope at %s; table: %.1f m/s%s",
+		    speeds, in->from, table);
 		return;
 	}
 	FREED char *range = rotor_speed_rpm_text(
@@ -705,12 +703,12 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speeds for %s", words);
 	grading_add_rows(r, &g, v);
+	conditions_note_best_speed(
+	    r, s, goal->question, &g.conditions, true, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);
-	if (forecast_draws(g.conditions.forecast, 0) != NULL) {
-		conditions_note_certain_speeds(r, &g.conditions, w);
+	if (forecast_draws(g.conditions.forecast, 0) != NULL)
 		answers_put_low_high(
 		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
-	}
 	grading_add_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
 	asked_keep_speed_and_quantity(s, v, NULL);

@@ -176,54 +176,6 @@ note_speeds_in_window(struct answer *r, const struct window_request *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
-/* Notes why the speed is the best, and the slowest that is safe. */
-static void
-note_why_speed_is_best(struct answer *r, const struct window_request *a)
-{
-	const struct speed_search *w = a->w;
-	const struct site *site = a->wanted.site;
-	FREED char *rpm = rotor_speed_rpm_text(site->rotor, w->best, NAN);
-	FREED char *slow = rotor_speed_rpm_text(site->rotor, w->safe, NAN);
-	FREED char *words =
-	    xasprintf(answers_is_speed_extrapolated(a->q->entry, w->best)
-			  ? tr("best %.1f m/s%s, beyond the measured speeds")
-			  : tr("best %.1f m/s%s of the measured range"),
-		w->best, rpm);
-	if (isnan(w->best_certain))
-		xappend(&words, tr(": it is farthest from the limits"));
-	else {
-		FREED char *times =
-		    conditions_probability_in_100(w->best_certain);
-		xappend(&words,
-		    a->list.n > 1 ? tr(": they hold most surely there, %s")
-				  : tr(": it holds most surely there, %s"),
-		    times);
-	}
-	if (w->safe < w->best)
-		xappend(&words,
-		    tr("; the slowest that is safe, 95 times in 100 or more: "
-		       "%.1f m/s%s, for less energy and wear"),
-		    w->safe, slow);
-	answer_note(r, "%s", words);
-}
-
-/* Notes the best speed, and how certain it and the speeds around it are. */
-static void
-note_certain_speeds(
-    struct answer *r, const struct session *s, const struct window_request *a)
-{
-	const struct speed_search *w = a->w;
-	bool drawn = !isnan(w->best_certain);
-	if (w->n_inside > 0) {
-		note_why_speed_is_best(r, a);
-		note_nearest_limit(r, a);
-	}
-	if (!drawn)
-		answer_note(r, "%s", outlook_why_no_band(s, a->q->entry));
-	else
-		conditions_note_certain_speeds(r, &a->wanted, w);
-}
-
 static void
 put_certain_speeds(struct fields *o, const struct window_request *a)
 {
@@ -281,6 +233,24 @@ note_equivalent_plot(struct answer *r, const struct args *args)
 		answer_note(r, "picture: plot response limits=\"%s\"", limits);
 }
 
+static void
+note_window(
+    struct answer *r, const struct session *s, const struct window_request *a)
+{
+	if (a->w->n_inside > 0) {
+		conditions_note_best_speed(
+		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
+		note_speeds_in_window(r, a);
+		note_nearest_limit(r, a);
+	} else {
+		conditions_note_why_unmet(r, &a->wanted, &a->list, a->w);
+		conditions_note_best_speed(
+		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
+	}
+	if (isnan(a->w->best_certain))
+		answer_note(r, "%s", outlook_why_no_band(s, a->q->entry));
+}
+
 static struct answer *
 begin_window_answer(const struct window_request *a)
 {
@@ -312,13 +282,9 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		struct answer *r = begin_window_answer(&a);
 		conditions_add_rows(r, &a.wanted, a.w);
 		conditions_put_list(answer_fields(r), &a.wanted, a.w);
-		if (a.w->n_inside > 0)
-			note_speeds_in_window(r, &a);
-		else
-			conditions_note_why_unmet(r, &a.wanted, &a.list, a.w);
+		note_window(r, s, &a);
 		put_window_fields(answer_fields(r), &a,
 		    answers_is_speed_extrapolated(entry, a.w->best));
-		note_certain_speeds(r, s, &a);
 		put_certain_speeds(answer_fields(r), &a);
 		note_equivalent_plot(r, args);
 		conditions_note_source_of_limits(r, &a.list);

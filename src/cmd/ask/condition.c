@@ -502,8 +502,9 @@ conditions_speed_range_of_args(const struct session *s, const struct args *args,
 	*to = args->to > 0 ? args->to : *to;
 	return *from < *to || error_set(error, ERROR_USAGE,
 				  "from= must be below to=, got %g and %g m/s\n"
-				  "write from=65 to=85",
-				  *from, *to);
+				  "write from=%g to=%g",
+				  *from, *to, *from > *to ? *to : 65,
+				  *from > *to ? *from : 85);
 }
 
 char *
@@ -951,50 +952,6 @@ conditions_note_no_reliable_speed(
 		conditions_note_unsearched_speeds(r, wanted, slower, faster);
 }
 
-static void
-note_no_certain_speed(
-    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
-{
-	double level = wanted->level;
-	size_t most = 0;
-	for (size_t k = 0; k < w->n; k++)
-		if (w->n_inside > 0 ? w->speed[k] == w->best
-				    : w->certain[k] > w->certain[most])
-			most = k;
-	FREED char *highest = conditions_probability_percent(w->certain[most]);
-	FREED char *rpm =
-	    rotor_speed_rpm_text(wanted->site->rotor, w->speed[most], NAN);
-	if (w->certain[most] <= 0)
-		answer_note(r,
-		    "at no speed does it hold with %.0f %% certainty; the "
-		    "certainty is under 1 %% at every speed",
-		    100 * level);
-	else
-		answer_note(r,
-		    w->n_inside > 0
-			? N_("at no speed does it hold with %.0f %% certainty; "
-			     "at the best, %.1f m/s%s, with %s")
-			: N_("at no speed does it hold with %.0f %% certainty; "
-			     "most at %.1f m/s%s, with %s"),
-		    100 * level, w->speed[most], rpm, highest);
-}
-
-void
-conditions_note_certain_speeds(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
-{
-	FREED char *rpm = rotor_speed_rpm_text(
-	    wanted->site->rotor, found->sure[0], found->sure[1]);
-	if (isfinite(found->sure[0]))
-		answer_note(r,
-		    "holds with %.0f %% certainty from %.1f to %.1f m/s%s%s",
-		    100 * wanted->level, found->sure[0], found->sure[1], rpm,
-		    tr(describe_search_ends(
-			wanted, found->sure[0], found->sure[1])));
-	else
-		note_no_certain_speed(r, wanted, found);
-}
-
 char *
 conditions_probability_percent(double share)
 {
@@ -1009,6 +966,101 @@ conditions_probability_in_100(double share)
 	return share > 0.99   ? xstrdup(tr("over 99 times in 100"))
 	       : share < 0.01 ? xstrdup(tr("less than once in 100"))
 			      : xasprintf(tr("%.0f times in 100"), 100 * share);
+}
+
+/* Returns "run at 73.3 m/s: they hold most surely there, over 99 times in 100",
+ * or "best 84.9 m/s, .." where that is not to be relied on. */
+static char *
+describe_best_speed(const struct session *s, const struct question *q,
+    const struct wanted *wanted, bool several, const struct speed_search *w)
+{
+	bool beyond = answers_is_speed_extrapolated(q->entry, w->best);
+	struct trust light = light_at_speed(s, q->entry, w->best, q->feed);
+	bool is_sure =
+	    light.light != LIGHT_RED && w->best_certain >= wanted->level;
+	FREED char *rpm =
+	    rotor_speed_rpm_text(wanted->site->rotor, w->best, NAN);
+	char *words =
+	    xasprintf(beyond    ? tr("best %.1f m/s%s, beyond the "
+					"measured speeds: ")
+		      : is_sure ? tr("run at %.1f m/s%s: ")
+				: tr("best %.1f m/s%s of the measured "
+				     "range: "),
+		w->best, rpm);
+	trust_free(&light);
+	if (isnan(w->best_certain)) {
+		xappend(&words, tr("it is farthest from the limits"));
+		return words;
+	}
+	FREED char *times = conditions_probability_in_100(w->best_certain);
+	xappend(&words,
+	    several ? tr("they hold most surely there, %s")
+		    : tr("it holds most surely there, %s"),
+	    times);
+	return words;
+}
+
+/* Notes which speed to run at, which others will do, and the slowest. */
+static void
+note_speed_to_run_at(struct answer *r, const struct session *s,
+    const struct question *q, const struct wanted *wanted, bool several,
+    const struct speed_search *w)
+{
+	double rotor = wanted->site->rotor, low = w->sure[0], high = w->sure[1];
+	FREED char *slow = rotor_speed_rpm_text(rotor, w->safe, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, low, high);
+	FREED char *words = describe_best_speed(s, q, wanted, several, w);
+	if (isfinite(low))
+		xappend(&words,
+		    tr("; at least %.0f times in 100 from %.1f to %.1f "
+		       "m/s%s%s"),
+		    100 * wanted->level, low, high, rpm,
+		    tr(describe_search_ends(wanted, low, high)));
+	else if (!isnan(w->best_certain))
+		xappend(&words, tr("; at no speed %.0f times in 100"),
+		    100 * wanted->level);
+	answer_note(r, "%s", words);
+	if (w->safe < w->best)
+		answer_note(r,
+		    "least energy and wear: %.1f m/s%s, the slowest that is "
+		    "safe, 95 times in 100 or more",
+		    w->safe, slow);
+}
+
+/* Notes how certain speeds are where the answer meets the conditions at none.
+ */
+static void
+note_certainty_where_unmet(
+    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
+{
+	size_t most = 0;
+	for (size_t k = 0; k < w->n; k++)
+		if (w->certain[k] > w->certain[most])
+			most = k;
+	FREED char *highest = conditions_probability_percent(w->certain[most]);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(wanted->site->rotor, w->speed[most], NAN);
+	if (w->certain[most] <= 0)
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty; the "
+		    "certainty is under 1 %% at every speed",
+		    100 * wanted->level);
+	else
+		answer_note(r,
+		    "at no speed does it hold with %.0f %% certainty; most at "
+		    "%.1f m/s%s, with %s",
+		    100 * wanted->level, w->speed[most], rpm, highest);
+}
+
+void
+conditions_note_best_speed(struct answer *r, const struct session *s,
+    const struct question *q, const struct wanted *wanted, bool several,
+    const struct speed_search *w)
+{
+	if (w->n_inside > 0)
+		note_speed_to_run_at(r, s, q, wanted, several, w);
+	else if (!isnan(w->best_certain) && !isfinite(w->sure[0]))
+		note_certainty_where_unmet(r, wanted, w);
 }
 
 char *

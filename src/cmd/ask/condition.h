@@ -132,11 +132,13 @@ int conditions_decimals_of_miss(double points);
 void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found);
 
-/* Notes the speeds at which the conditions hold with the certainty of a band,
- * or, without such speeds, where it is highest.  Call it only if there is a
- * band. */
-void conditions_note_certain_speeds(struct answer *r,
-    const struct wanted *wanted, const struct speed_search *found);
+/* Notes which speed to run at, from where to where the conditions hold with the
+ * certainty of a band, and the slowest that is safe; where the answer meets
+ * them at no speed, where they hold most surely.  several: there is more than
+ * one condition. */
+void conditions_note_best_speed(struct answer *r, const struct session *s,
+    const struct question *q, const struct wanted *wanted, bool several,
+    const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, it is that
