@@ -33,7 +33,7 @@ call_parse(const char *line)
 	bool split =
 	    words_split(line, 0, CALL_PLACE, &call->words, &call->error);
 	if (split)
-		conditions_join_words(&call->words, CALL_PLACE.prompt);
+		conditions_join_words(&call->words);
 	if (split)
 		call->command = parse_call(
 		    &call->words, CALL_PLACE, &call->args, &call->error);

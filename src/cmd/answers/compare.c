@@ -352,10 +352,10 @@ parse_side_and_predict(struct session *s, const struct args *args, bool sites,
 		    SITE_FASTEST, word);
 	const struct question *like = i > 0 ? &side[-1].q : NULL;
 	if (!answers_require_params(s, &s->entry[at], error) ||
-	    !(like != NULL && like->named != NULL
+	    !(like != NULL && like->entry != NULL
 		    ? question_repeat_for_site(
 			  s, &s->entry[at], args, like, &side->q, error)
-		    : question_from_args_for_site(
+		    : question_from_args(
 			  s, &s->entry[at], args, &side->q, error)))
 		return false;
 	side->entry = side->q.entry;

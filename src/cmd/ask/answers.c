@@ -182,6 +182,21 @@ answers_speed_range_words(
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
 
+/* Returns the multiples of one of the steps [n_step] between two values, of
+ * the smallest that gives at most `most` of them [*n]. */
+static double *
+list_multiples(double from, double to, const double *steps, size_t n_step,
+    size_t most, size_t *n)
+{
+	size_t i = 0;
+	while (i + 1 < n_step && (to - from) / steps[i] >= (double)most)
+		i++;
+	double *at = xcalloc_doubles(most), first = ceil(from / steps[i]);
+	for (*n = 0; *n < most && (first + (double)*n) * steps[i] <= to; (*n)++)
+		at[*n] = (first + (double)*n) * steps[i];
+	return at;
+}
+
 double *
 answers_speeds_at_round_rpm(
     const struct site *site, double from, double to, size_t most, size_t *n)
@@ -190,18 +205,10 @@ answers_speeds_at_round_rpm(
 	double rotor = site->rotor;
 	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
-	double slow = rotor_speed_to_rpm(from, rotor),
-	       fast = rotor_speed_to_rpm(to, rotor),
-	       *speed = xcalloc_doubles(most);
-	size_t i = 0;
-	while (i + 1 < ARRAY_LEN(STEPS) &&
-	       (fast - slow) / STEPS[i] >= (double)most)
-		i++;
-	double first = ceil(slow / STEPS[i]);
-	for (*n = 0; *n < most && (first + (double)*n) * STEPS[i] <= fast;
-	     (*n)++)
-		speed[*n] = head_speed_to_mps(
-		    (first + (double)*n) * STEPS[i], SPEED_RPM, rotor);
+	double *speed = list_multiples(rotor_speed_to_rpm(from, rotor),
+	    rotor_speed_to_rpm(to, rotor), STEPS, ARRAY_LEN(STEPS), most, n);
+	for (size_t i = 0; i < *n; i++)
+		speed[i] = head_speed_to_mps(speed[i], SPEED_RPM, rotor);
 	return speed;
 }
 
@@ -214,16 +221,9 @@ answers_list_round_speeds(
 	double from, to;
 	settings_speed_range(&s->set, site, &from, &to);
 	double *speed = answers_speeds_at_round_rpm(site, from, to, MOST, n);
-	size_t i = 0;
-	if (speed != NULL)
-		return speed;
-	speed = xcalloc_doubles(MOST);
-	while (i + 1 < ARRAY_LEN(STEPS) && (to - from) / STEPS[i] >= MOST)
-		i++;
-	double step = STEPS[i], first = ceil(from / step);
-	for (*n = 0; *n < MOST && (first + (double)*n) * step <= to; (*n)++)
-		speed[*n] = (first + (double)*n) * step;
-	return speed;
+	return speed != NULL
+		   ? speed
+		   : list_multiples(from, to, STEPS, ARRAY_LEN(STEPS), MOST, n);
 }
 
 void
@@ -260,13 +260,6 @@ answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
 	answer_add_cells(r, "%.2f", answers_product_size_mm(p, i));
 }
 
-void
-answers_add_size_columns(struct answer *r)
-{
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		answer_column(r, ANSWERS_SIZE[i].key, ANSWERS_SIZE[i].head);
-}
-
 /* Adds "P50 2.81", or "P20 below 0.063 mm", to a list, whose first has the
  * unit; where there is a range, followed by " (2.75 to 2.90)", whose lower end
  * may lie below the finest sieve. */
@@ -301,7 +294,7 @@ answers_note_sizes(struct answer *r, const struct prediction *p)
 	answer_note(r, "%s", sizes);
 }
 
-/* Which model it is, where that is not the paper's. */
+/* Notes which model it is, unless it is the paper's. */
 static void
 note_model_if_not_of_paper(
     const struct session *s, struct answer *r, const struct entry *entry)
@@ -336,7 +329,7 @@ answers_describe_speed_range(
 	    slowest, rpm);
 }
 
-/* What the other feed's sheet does not tell. */
+/* Notes what the sheet of the other feed does not state. */
 static void
 note_other_feed(struct answer *r, const struct entry *entry)
 {
@@ -349,29 +342,29 @@ note_other_feed(struct answer *r, const struct entry *entry)
 		    "finer than %g mm nothing is known: the feed was not "
 		    "sieved there",
 		    units_mm(feed->size[feed->n - 1]));
-	if (entry->variant->rock[0] == '\0' && site->rock[0] != '\0')
+	if (entry->scenario->rock[0] == '\0' && site->rock[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "rock of the feed not stated; that of the site assumed "
 		    "(%s)",
 		    site->rock);
 }
 
-/* What is to be said of another feed or machine beside title and light. */
+/* Notes about another feed or machine what title and light do not say. */
 static void
 note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 {
-	const struct variant *v = entry->variant;
-	if (v == NULL)
+	const struct scenario *w = entry->scenario;
+	if (w == NULL)
 		return;
-	if (v->feed)
+	if (w->feed != NULL)
 		note_other_feed(r, entry);
-	if (v->rotor > 0 && !(v->measured_rotor > 0))
+	if (w->rotor > 0 && !(entry_measured_rotor(w->own) > 0))
 		answer_say(r, ANSWER_REMARK,
 		    "measured rotor not stated; %g mm assumed",
-		    units_mm(v->rotor));
+		    units_mm(w->rotor));
 }
 
-/* A speed beyond those that were measured, where the light does not say so. */
+/* Warns of a speed beyond the measured ones, unless the light does. */
 static void
 warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
     double speed, const struct trust *light)
@@ -415,7 +408,7 @@ void
 answers_show_basis_at(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
-	/* Of a feed alone a search that found nothing has no speed. */
+	/* A search that found nothing has no speed. */
 	answers_show_basis(s, r, q, speed, band,
 	    speed > 0 ? light_at_speed(s, q->entry, speed, q->feed)
 		      : light_of_answer_or_fit(s, q->entry, NULL));
@@ -520,7 +513,8 @@ answers_add_prediction_rows(struct answer *r, const struct entry *entry,
 	if (rotor > 0)
 		answer_columns(r, "rpm");
 	answer_columns(r, "energy_j_kg: J/kg, break_mm: break mm");
-	answers_add_size_columns(r);
+	for (size_t k = 0; k < PSD_SIZES; k++)
+		answer_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);
 	double size = p[0].product.size[p[0].product.n - 1];
 	FREED char *head = fabs(size - QUANTITIES_FINES) < 1e-9
 			       ? xstrdup(tr("fines %"))

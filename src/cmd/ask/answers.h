@@ -96,9 +96,6 @@ extern const struct product_size {
 } ANSWERS_SIZE[ANSWERS_SIZES];
 #define ANSWERS_SIZE_LIST "P20,P50,P80"
 
-/* Adds a column for each size of PSD_PASSING. */
-void answers_add_size_columns(struct answer *r);
-
 /* Returns size i, mm, or NAN if it is outside the sieves or does not exist. */
 double answers_product_size_mm(const struct prediction *p, size_t i);
 

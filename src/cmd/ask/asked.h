@@ -8,11 +8,11 @@
 #include "core/psd/screening.h"
 
 /* entry: the site.  If the question changes the feed, the machine, the sieves
- * or the runs that correct the model, entry points to `own`, a copy with these
- * changes, which `variant` describes; so a question must not be copied.  feed:
- * for site_feed_of_run.  speed: m/s; speed_given: the call named it.  at
- * [n_at]: the speeds, for a command that answers at several, borrowed.  level:
- * of bands, 0..1.  fraction: all zeros for the whole product.  params: the
+ * or the runs that correct the model, entry points to `changed`, a copy with
+ * the changes of the scenario; so a question must not be copied.  feed: for
+ * site_feed_of_run.  speed: m/s; speed_given: the call named it.  at [n_at]:
+ * the speeds, for a command that answers at several, borrowed.  level: of
+ * bands, 0..1.  fraction: all zeros for the whole product.  params: the
  * parameters of the product (NULL: the entry's); with others, the answer is
  * that of the model alone.  moved: how far measured products shown with the
  * answer are moved to its feed, 0..1, see cmd/ask/moved.h; 0 if too little to
@@ -28,9 +28,12 @@ struct question {
 	double level;
 	struct fraction fraction;
 	double moved;
-	struct entry own;
-	struct variant variant;
-	struct named *named; /* what the call named */
+	struct scenario scenario;
+	struct entry changed;
+	/* Owned: the site of `changed`, and what the call named. */
+	struct site *site;
+	struct blended *blend;
+	double *sieves, *speeds;
 };
 
 /* Returns the question about the whole product of an unchanged entry with the

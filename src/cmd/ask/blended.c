@@ -29,7 +29,8 @@ blended_add_feed(struct session *s, const char *file, double share,
 	return true;
 }
 
-/* 0: made up, 1: not stated, 2: measured. */
+/* Returns 0 for data that are made up, 1 if it is not stated, 2 if they were
+ * measured. */
 static int
 rank_provenance(const struct site *sheet)
 {
@@ -39,8 +40,9 @@ rank_provenance(const struct site *sheet)
 						       : 2;
 }
 
-/* Their first clauses, each once, the worst first, as the first word says what
- * all are; "" where no sheet states any. */
+/* Returns the first clauses of the provenances, each once; "" if no sheet
+ * states any. The worst comes first, because the first word decides what the
+ * blend counts as. */
 static char *
 provenance_clauses(const struct blended *b)
 {
@@ -60,7 +62,8 @@ provenance_clauses(const struct blended *b)
 	return list;
 }
 
-/* "Granite", "Granite and Gneiss"; "" where no sheet states it. */
+/* Returns "Granite", "Granite and Gneiss", or "" if no sheet states its
+ * rock. */
 static char *
 join_rock_names(const struct blended *b)
 {
@@ -97,7 +100,7 @@ blended_mix_feeds(struct blended *b)
 	b->rock = join_rock_names(b);
 }
 
-/* The feed of one sheet as it is. */
+/* Takes the feed of one sheet as it is. */
 static bool
 read_feed_of_sheet(
     struct session *s, const char *file, struct blended *b, struct error *error)
@@ -130,17 +133,16 @@ check_share_and_add_feed(struct session *s, const char *at, size_t length,
 			     "100 %%) of each sheet, got that of '%s'\n"
 			     "write: feed=a.csv*0.6+b.csv*0.4"),
 		    file);
-	ok = ok && blended_add_feed(s, file, share, b, error);
-	return ok;
+	return ok && blended_add_feed(s, file, share, b, error);
 }
 
-bool
-blended_read_feeds(
+/* Reads FILE, or a blend with shares that sum to 1, into an empty struct. */
+static bool
+read_feed_or_blend(
     struct session *s, const char *text, struct blended *b, struct error *error)
 {
 	double share, sum = 0;
 	size_t length;
-	*b = (struct blended){.text = xstrdup(text)};
 	value_parse_blend_feed(text, &length, &share);
 	if (isnan(share))
 		return read_feed_of_sheet(s, text, b, error);
@@ -159,6 +161,17 @@ blended_read_feeds(
 		    sum);
 	blended_mix_feeds(b);
 	return true;
+}
+
+struct blended *
+blended_read_feeds(struct session *s, const char *text, struct error *error)
+{
+	struct blended *b = xcalloc(1, sizeof *b);
+	b->text = xstrdup(text);
+	if (read_feed_or_blend(s, text, b, error))
+		return b;
+	blended_free(b);
+	return NULL;
 }
 
 void
@@ -197,11 +210,9 @@ blended_read_feed_setting(
 {
 	if (s->fed != NULL && strcmp(s->fed->text, text) == 0)
 		return s->fed;
-	struct blended *b = xcalloc(1, sizeof *b);
-	if (!blended_read_feeds(s, text, b, error)) {
-		blended_free(b);
+	struct blended *b = blended_read_feeds(s, text, error);
+	if (b == NULL)
 		return NULL;
-	}
 	blended_free(s->fed);
 	return s->fed = b;
 }

@@ -32,9 +32,10 @@ bool blended_add_feed(struct session *s, const char *file, double share,
 void blended_mix_feeds(struct blended *b);
 
 /* Reads FILE, or a blend "a.csv*0.6+b.csv*0.4" with shares that sum to 1.  On
- * failure, returns false with an error.  Always free with blended_clear. */
-bool blended_read_feeds(struct session *s, const char *text, struct blended *b,
-    struct error *error);
+ * failure, returns NULL with an error.  Free with blended_free. */
+struct blended *blended_read_feeds(
+    struct session *s, const char *text, struct error *error);
+void blended_free(struct blended *b);
 void blended_clear(struct blended *b);
 
 /* Returns the source of the feed, for programs; borrowed. */
@@ -44,6 +45,5 @@ const char *blended_source_text(const struct blended *b);
  * failure, returns NULL with an error. */
 const struct blended *blended_read_feed_setting(
     struct session *s, const char *text, struct error *error);
-void blended_free(struct blended *b);
 
 #endif

@@ -73,15 +73,12 @@ conditions_parse_max_or_min(const char *text, bool *most)
 static bool
 error_expected_condition(const char *text, struct error *error)
 {
-	char *extreme = conditions_rewrite_superlative(text);
-	if (extreme != NULL) {
-		error_set(error, ERROR_USAGE,
+	FREED char *extreme = conditions_rewrite_superlative(text);
+	if (extreme != NULL)
+		return error_set(error, ERROR_USAGE,
 		    "expected max or min, got '%s'\n"
 		    "write: find \"%s\"",
 		    text, extreme);
-		free(extreme);
-		return false;
-	}
 	return error_set(error, ERROR_USAGE,
 	    "expected a condition: a quantity, then <, > or = and a limit, got "
 	    "'%s'\n"
@@ -90,7 +87,7 @@ error_expected_condition(const char *text, struct error *error)
 	    text);
 }
 
-/* What a limit may be: "0 to 100 %". */
+/* Sets the error for a limit that the quantity cannot have.  Returns false. */
 static bool
 error_limit_out_of_range(const char *text, const struct quantity *q,
     double most, struct error *error)
@@ -99,11 +96,10 @@ error_limit_out_of_range(const char *text, const struct quantity *q,
 	FREED char *range = isfinite(most)
 				? xasprintf(tr("0 to %g %s"), most, unit)
 				: xstrdup(tr("0 or more"));
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "expected %s, got %s\nwrite a limit within that, or after = a "
 	    "range such as 40..50",
 	    range, text);
-	return false;
 }
 
 static bool
@@ -117,12 +113,14 @@ error_expected_limit(
 	    unit[0] != '\0' ? unit : tr("numbers"), text);
 }
 
-/* A number, which the quantity's unit may follow, in the unit of core. */
+/* Parses a number, which the quantity's unit may follow, as a value in core's
+ * unit. */
 static bool
 parse_limit(const char *text, const struct quantity *q, double *limit,
     struct error *error)
 {
-	char *copy = xstrdup(text), *word = text_trim(copy);
+	FREED char *copy = xstrdup(text);
+	char *word = text_trim(copy);
 	const char *unit = quantities_unit(q);
 	if (unit[0] != '\0' && text_ends_with(word, unit))
 		word[strlen(word) - strlen(unit)] = '\0';
@@ -136,12 +134,11 @@ parse_limit(const char *text, const struct quantity *q, double *limit,
 	if (ok && (*limit < 0 || *limit > most))
 		ok = error_limit_out_of_range(word, q, most, error);
 	*limit /= one;
-	free(copy);
 	return ok;
 }
 
-/* What stands between the ends of a range, and its length; NULL where there is
- * one number only, which may have a sign of its own. */
+/* Returns what separates the two ends of a range, and its length; NULL if
+ * there is only one number, which may begin with a minus. */
 static const char *
 find_range_sign(const char *text, size_t *length)
 {
@@ -157,7 +154,7 @@ find_range_sign(const char *text, size_t *length)
 	return NULL;
 }
 
-/* "40..50", or a number that is both. */
+/* Parses "40..50", or one number as both limits. */
 static bool
 parse_range_or_number(
     const char *text, struct condition *c, struct error *error)
@@ -181,8 +178,8 @@ parse_range_or_number(
 	    least, most, most, least);
 }
 
-/* Whether what is at a place of a text is a comma that stands for a decimal
- * point: behind another a fraction may begin. */
+/* True if `at` is a comma that stands for a decimal point.  A comma before a
+ * fraction, as in "p80=6,0/2>=30", separates conditions. */
 static bool
 is_decimal_comma(const char *text, const char *at)
 {
@@ -201,13 +198,12 @@ error_decimal_comma(const char *text, const char *comma, struct error *error)
 	size_t all = n + 1 + strspn(comma + 1, DIGITS);
 	FREED char *got = xstrndup(from, all), *right = xstrdup(got);
 	right[n] = '.';
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "expected a number, got '%s'\nuse a decimal point: %s", got, right);
-	return false;
 }
 
-/* "passing 2 mm = 58" of "58 % passes 2 mm", as answers say it; NULL of other
- * words.  The caller frees. */
+/* Turns "58 % passes 2 mm", as answers put it, into "passing 2 mm = 58".
+ * Returns NULL for other words.  The caller frees it. */
 static char *
 move_limit_to_end(const char *text)
 {
@@ -224,7 +220,8 @@ move_limit_to_end(const char *text)
 	return NULL;
 }
 
-/* The same with a sign for the words that stand for one; the caller frees. */
+/* Returns the text with a sign in place of words such as " at least ".  The
+ * caller frees it. */
 static char *
 replace_words_by_sign(const char *text)
 {
@@ -245,50 +242,51 @@ replace_words_by_sign(const char *text)
 	return xstrdup(text);
 }
 
-/* A quantity and its limit with a blank between them; *name is the quantity. */
-static bool
-split_quantity_and_limit(const char *text, const struct fraction *fraction,
-    char **name, struct condition *c)
+/* Returns the quantity of a text in which a limit follows it after a blank,
+ * and the condition; NULL of other texts.  The caller frees it. */
+static char *
+split_quantity_and_limit(
+    const char *text, const struct fraction *fraction, struct condition *c)
 {
 	struct error none = {0};
-	*name = xstrdup(text);
+	FREED char *name = xstrdup(text);
 	for (size_t n = strlen(text); n-- > 0;) {
 		if (text[n] != ' ')
 			continue;
-		(*name)[n] = '\0';
+		name[n] = '\0';
 		if (quantities_parse_one(
-			*name, &fraction->partition, &c->quantity, &none) &&
+			name, &fraction->partition, &c->quantity, &none) &&
 		    parse_range_or_number(text + n, c, &none))
-			return true;
+			return xstrdup(text_trim(name));
 	}
-	free(*name);
-	return false;
+	return NULL;
 }
 
-/* A quantity and a limit without a sign between them: which is meant nobody
- * knows.  A size alone, "2 mm 42", is taken for what passes it. */
+/* Sets the error for a quantity and a limit without a sign between them, as it
+ * is not known which sign is meant.  A size alone, "2 mm 42", is taken for
+ * what passes it.  Returns false. */
 static bool
 error_missing_limit_sign(
     const char *text, const struct fraction *fraction, struct error *error)
 {
 	struct condition c;
-	char *name, *passing = xasprintf("passing %s", text);
-	bool found = split_quantity_and_limit(text, fraction, &name, &c) ||
-		     split_quantity_and_limit(passing, fraction, &name, &c);
-	free(passing);
-	if (!found)
+	FREED char *passing = xasprintf("passing %s", text);
+	FREED char *own = split_quantity_and_limit(text, fraction, &c);
+	FREED char *size = own == NULL
+			       ? split_quantity_and_limit(passing, fraction, &c)
+			       : NULL;
+	const char *name = own != NULL ? own : size;
+	if (name == NULL)
 		return error_expected_condition(text, error);
 	FREED char *limit = xasprintf(
 	    "%g", quantities_value_in_shown_unit(&c.quantity, c.least));
 	if (c.least != c.most)
 		xappend(&limit, "..%g",
 		    quantities_value_in_shown_unit(&c.quantity, c.most));
-	error_set(error, ERROR_USAGE,
+	return error_set(error, ERROR_USAGE,
 	    "expected <, > or = after the quantity, got '%s'\n"
 	    "write: %s = %s",
-	    text, text_trim(name), limit);
-	free(name);
-	return false;
+	    text, name, limit);
 }
 
 static bool
@@ -328,8 +326,7 @@ conditions_parse_one(const char *text, const struct fraction *fraction,
 		     error_decimal_comma(with, at, error);
 		*at = '.';
 	}
-	ok = ok && parse_condition_with_sign(with, fraction, c, error);
-	return ok;
+	return ok && parse_condition_with_sign(with, fraction, c, error);
 }
 
 bool
@@ -342,19 +339,14 @@ conditions_is_likely_complete(const char *text)
 	if (of != NULL)
 		return quantities_parse_one(
 		    of, &(struct partition){0, 1}, &q, &none);
-	char *with = replace_words_by_sign(text);
-	size_t sign = strcspn(with, "<>=");
-	bool ends = with[sign] != '\0' && strpbrk(with + sign, DIGITS) != NULL;
+	static const struct fraction WHOLE = {.partition = {0, 1}};
+	FREED char *with = replace_words_by_sign(text);
+	const char *sign = strpbrk(with, "<>=");
+	if (sign != NULL)
+		return strpbrk(sign, DIGITS) != NULL;
 	struct condition c;
-	char *name = NULL;
-	if (with[sign] == '\0' &&
-	    split_quantity_and_limit(
-		with, &(struct fraction){.partition = {0, 1}}, &name, &c)) {
-		ends = true;
-		free(name);
-	}
-	free(with);
-	return ends;
+	FREED char *name = split_quantity_and_limit(with, &WHOLE, &c);
+	return name != NULL;
 }
 
 size_t
@@ -384,8 +376,8 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Adds those of an envelope that have a limit; what is said of those that the
- * feed does not tell, which the caller frees. */
+/* Adds the limits of an envelope on sieves that the feed covers.  Returns what
+ * is not checked, in words, or ""; the caller frees it. */
 static char *
 add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed)
@@ -425,12 +417,7 @@ conditions_add_envelope(const struct spec *spec,
 	size_t before = list->n;
 	FREED char *unknown = add_limits_covered_by_feed(list, spec, &f, feed);
 	if (list->n == before)
-		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves\n"
-		    "use another envelope ('spec list' lists them), or a "
-		    "feed sieved that far",
-		    spec->name);
+		return grading_set_error_no_sieve(spec, error);
 	free(list->source);
 	list->source =
 	    spec->source[0] != '\0'
@@ -524,20 +511,16 @@ char *
 conditions_describe(const struct condition *c)
 {
 	const struct quantity *q = &c->quantity;
-	char *of = quantities_name(q), *words;
+	FREED char *of = quantities_name(q);
 	const char *unit = quantities_unit_suffix(q);
 	double least = quantities_value_in_shown_unit(q, c->least);
 	double most = quantities_value_in_shown_unit(q, c->most);
-	if (isnan(least))
-		words = xasprintf(tr("%s at most %g%s"), of, most, unit);
-	else if (isnan(most))
-		words = xasprintf(tr("%s at least %g%s"), of, least, unit);
-	else if (c->least == c->most)
-		words = xasprintf("%s %g%s", of, most, unit);
-	else
-		words = xasprintf(tr("%s %g to %g%s"), of, least, most, unit);
-	free(of);
-	return words;
+	return isnan(least) ? xasprintf(tr("%s at most %g%s"), of, most, unit)
+	       : isnan(most)
+		   ? xasprintf(tr("%s at least %g%s"), of, least, unit)
+	       : c->least == c->most
+		   ? xasprintf("%s %g%s", of, most, unit)
+		   : xasprintf(tr("%s %g to %g%s"), of, least, most, unit);
 }
 
 char *
@@ -581,9 +564,10 @@ conditions_describe_speeds(const struct speed_search *found)
 	return words;
 }
 
-const char *
-conditions_describe_search_ends(
-    const struct wanted *wanted, double from, double to)
+/* Returns ", up to the fastest asked" and the like, to be translated, for a
+ * range with an end that is only that of the search; else "". */
+static const char *
+describe_search_ends(const struct wanted *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
 	return slowest && fastest ? N_(", all speeds asked")
@@ -600,8 +584,8 @@ conditions_describe_speeds_with_units(
 	size_t n = found->n_inside;
 	const char *ends =
 	    n == 0 ? ""
-		   : tr(conditions_describe_search_ends(wanted,
-			 found->inside[0].from, found->inside[n - 1].to));
+		   : tr(describe_search_ends(wanted, found->inside[0].from,
+			 found->inside[n - 1].to));
 	FREED char *mps = conditions_describe_speeds(found);
 	FREED char *rpm = xstrdup("");
 	for (size_t k = 0; k < n; k++) {
@@ -623,8 +607,8 @@ conditions_margin_in_band_widths(
 		   : NAN;
 }
 
-/* How far the value at the forecast's speed is from the limit of a margin, in
- * the unit of its quantity; negative where that is missed. */
+/* Returns the distance of the value at the forecast's speed from the limit of
+ * a margin, in the quantity's unit; negative if the limit is missed. */
 static double
 margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
 {
@@ -682,8 +666,8 @@ conditions_put_list(struct fields *o, const struct wanted *wanted,
 		put_condition(fields_add_object(list, NULL), wanted, found, i);
 }
 
-/* The cells of the speeds at which condition i holds by itself: for people in
- * rpm where the site states the rotor, as wide as in m/s. */
+/* Adds the speeds at which a condition holds by itself, in rpm if the diameter
+ * of the rotor is given. */
 static void
 add_speed_range_cells(
     struct answer *r, const double speed[static 2], double rotor)
@@ -696,8 +680,8 @@ add_speed_range_cells(
 		answer_add_cells(r, "%.1f %.1f", speed[0], speed[1]);
 }
 
-/* A row a condition: people see the margin in the quantity's unit, programs in
- * points. */
+/* Adds a row for each condition.  People get the margin in the quantity's
+ * unit, programs in points. */
 static void
 add_condition_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found, bool people)
@@ -758,8 +742,8 @@ conditions_open_search(const struct session *s, const struct question *q,
 	return w;
 }
 
-/* The two limits in the way of the nearest speed; beyond the speeds searched
- * nothing is known. */
+/* Notes the limits that exclude slower and faster speeds than the nearest one.
+ * Nothing is known beyond the ends of the search. */
 static void
 note_conflicting_limits(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found)
@@ -793,9 +777,8 @@ conditions_decimals_of_miss(double points)
 	return fabs(points) < 0.1 ? 2 : 1;
 }
 
-/* Notes what the nearest measured speed misses by, where the nearest of all
- * lies beyond those measured, perhaps only where the search ends.  Leaves the
- * forecast at the best speed. */
+/* If the best speed lies beyond the measured ones, notes by how much the
+ * nearest measured speed misses.  Leaves the forecast at the best speed. */
 static void
 note_nearest_measured(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
@@ -861,8 +844,8 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 	}
 }
 
-/* The end of the range about the best speed that lies farthest beyond the
- * measured speeds; NAN where none does. */
+/* Returns the end of the range around the best speed that lies farthest beyond
+ * the measured speeds, or NAN if neither does. */
 static double
 farthest_extrapolated_end(
     const struct wanted *wanted, const struct speed_search *found)
@@ -907,8 +890,8 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	trust_free(&far);
 }
 
-/* Whether an end of the speeds searched is farther from the measured ones than
- * an answer can be relied on. */
+/* True if that end of the search is farther from the measured speeds than
+ * answers can be relied on. */
 static bool
 is_slow_end_unreliable(const struct wanted *wanted)
 {
@@ -921,8 +904,8 @@ is_fast_end_unreliable(const struct wanted *wanted)
 	return wanted->to > wanted->measured[1] + wanted->reach;
 }
 
-/* Returns an end of a search as a line to type has it: "100" or, for a sheet in
- * rpm, tens of them within that speed, "2010 rpm".  The caller frees it. */
+/* Returns the end of a search as it can be typed: "100" or, if the sheet is in
+ * rpm, the last multiple of ten before it, "2010 rpm".  The caller frees it. */
 static char *
 typed_end(const struct site *site, double speed, bool fastest)
 {
@@ -1032,7 +1015,7 @@ note_speed_to_run_at(struct answer *r, const struct session *s,
 		    tr("; at least %.0f times in 100 from %.1f to %.1f "
 		       "m/s%s%s"),
 		    100 * wanted->level, low, high, rpm,
-		    tr(conditions_describe_search_ends(wanted, low, high)));
+		    tr(describe_search_ends(wanted, low, high)));
 	else if (!isnan(w->best_certain))
 		xappend(&words, tr("; at no speed %.0f times in 100"),
 		    100 * wanted->level);

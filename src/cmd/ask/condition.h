@@ -140,11 +140,6 @@ void conditions_note_best_speed(struct answer *r, const struct session *s,
     const struct question *q, const struct wanted *wanted, bool several,
     const struct speed_search *w);
 
-/* Returns ", up to the fastest asked" and the like, to be translated, for a
- * range with an end that is only that of the search; else "". */
-const char *conditions_describe_search_ends(
-    const struct wanted *wanted, double from, double to);
-
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, it is that
  * of the answer, and both are said. */

@@ -11,36 +11,34 @@
 #include "cmd/ask/condition.h"
 #include "cmd/ask/quantity_words.h"
 
-/* Whether a word is that of an option, "speed=72", or of a setting. */
+/* True if a word is an option, "speed=72", or the name of a setting. */
 static bool
 is_option_word(const struct command *command, const char *word)
 {
 	size_t n = strcspn(word, "=");
-	char *name = xstrndup(word, n);
-	bool is = command_option_index(command, name) < OPTIONS &&
-		  (word[n] == '=' || (command->flags & COMMAND_SETTINGS) != 0);
-	free(name);
-	return is;
+	FREED char *name = xstrndup(word, n);
+	return command_option_index(command, name) < OPTIONS &&
+	       (word[n] == '=' || (command->flags & COMMAND_SETTINGS) != 0);
 }
 
-/* Whether a word goes on with the condition before it. */
+/* True if a word continues the condition before it. */
 static bool
 is_condition_continued(
     const struct command *command, const char *before, const char *word)
 {
-	char *with = xasprintf("%s ", word);
+	FREED char *with = xasprintf("%s ", word);
 	bool most, begins = quantities_is_beginning_of_text(word) ||
 			    conditions_parse_max_or_min(with, &most) != NULL;
-	free(with);
 	return !is_option_word(command, word) && strchr(word, ' ') == NULL &&
 	       !(begins && conditions_is_likely_complete(before));
 }
 
-/* Where the conditions begin; 0 where the command takes none. */
+/* Returns the index of the first word of a condition, or 0 if the command
+ * takes no conditions. */
 static size_t
-find_first_condition_word(
-    const struct command *command, const struct words *words)
+find_first_condition_word(const struct words *words)
 {
+	const struct command *command = words->command;
 	bool takes =
 	    command != NULL && (command->flags & COMMAND_CONDITIONS) != 0;
 	if (takes && (command->flags & COMMAND_SETTINGS) == 0)
@@ -50,13 +48,13 @@ find_first_condition_word(
 		   : 0;
 }
 
-/* Joins the words that go on with the condition at word i, unless it is quoted.
- * The goal that is set is one word, with commas between conditions, which may
- * be quoted one by one. */
+/* Joins the words that continue the condition at word i, unless it is quoted.
+ * For `set goal`, all conditions become one word, separated by commas; each of
+ * them may be quoted. */
 static void
-join_words_of_condition(
-    const struct command *command, struct words *words, size_t i)
+join_words_of_condition(struct words *words, size_t i)
 {
+	const struct command *command = words->command;
 	FREED char *joined = xstrdup(words->text[i]);
 	size_t begin = 0, n = 1;
 	bool set = (command->flags & COMMAND_SETTINGS) != 0;
@@ -75,7 +73,8 @@ join_words_of_condition(
 	words_replace(words, i, n, joined);
 }
 
-/* Whether a text is a quantity as it stands: "passing 2", but not "passing". */
+/* True if the last item of a list is a whole quantity: "passing 2", not
+ * "passing". */
 static bool
 is_complete_quantity(const char *text)
 {
@@ -87,7 +86,7 @@ is_complete_quantity(const char *text)
 	    comma != NULL ? comma + 1 : text, &SHARP, &q, &none);
 }
 
-/* Whether a limit, "< 5" or "= 40..50", is among the words. */
+/* True if one of the words has a limit, "< 5" or "= 40..50". */
 static bool
 has_limit_among_words(const struct words *words)
 {
@@ -99,18 +98,18 @@ has_limit_among_words(const struct words *words)
 	return false;
 }
 
-/* Makes "of=passing 2,P80" of the words that name quantities, where the command
- * or one that it stands for lists them. */
+/* Replaces the words that name quantities by "of=passing 2,P80", if the
+ * command has them form its of=. */
 static void
-join_quantity_words(const struct command *command, struct words *words)
+join_quantity_words(struct words *words)
 {
 	size_t i = 1, n = words->n;
 	while (i < n && !quantities_is_beginning_of_text(words->text[i]))
 		i++;
-	if (i == n || (command->flags & COMMAND_QUANTITIES) == 0)
+	if (i == n || (words->command->flags & COMMAND_QUANTITIES) == 0)
 		return;
 	FREED char *list = xasprintf("of=%s", words->text[i]);
-	bool fast = i > 1; /* the speed stands before them */
+	bool fast = i > 1; /* a speed precedes them */
 	size_t first = i++;
 	for (; i < n; i++) {
 		const char *word = words->text[i];
@@ -129,8 +128,8 @@ join_quantity_words(const struct command *command, struct words *words)
 	words_replace(words, first, i - first, list);
 }
 
-/* "passing 2 > 30, fines < 5": the comma between conditions says no more than
- * the blank does. */
+/* Removes the comma after a condition, as in "passing 2 > 30, fines < 5": the
+ * blank separates them already. */
 static void
 drop_comma_at_end(char *word)
 {
@@ -140,18 +139,16 @@ drop_comma_at_end(char *word)
 }
 
 void
-conditions_join_words(struct words *words, bool prompt)
+conditions_join_words(struct words *words)
 {
-	const struct command *command =
-	    words->n > 0 ? command_find_abbreviated(words->text[0], prompt)
-			 : NULL;
-	size_t from = find_first_condition_word(command, words);
-	if (command != NULL && (from == 0 || !has_limit_among_words(words)))
-		join_quantity_words(command, words);
+	size_t from = find_first_condition_word(words);
+	if (words->command != NULL &&
+	    (from == 0 || !has_limit_among_words(words)))
+		join_quantity_words(words);
 	if (from == 0)
 		return;
 	for (size_t i = from; i + 1 < words->n; i++)
 		drop_comma_at_end(words->text[i]);
 	for (size_t i = from; i < words->n; i++)
-		join_words_of_condition(command, words, i);
+		join_words_of_condition(words, i);
 }

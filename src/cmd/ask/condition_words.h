@@ -11,6 +11,6 @@
  * limit, before the next word that is a quantity.  If the command takes
  * quantities, "predict 70 passing 2 P80" becomes "predict 70 of='passing
  * 2,P80'". */
-void conditions_join_words(struct words *words, bool prompt);
+void conditions_join_words(struct words *words);
 
 #endif

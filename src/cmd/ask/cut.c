@@ -14,11 +14,11 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* A careful sample repeats to this, passing. */
+/* Careful samples agree to within this passing. */
 static const double CAREFUL = 0.01;
 
-/* Errors go along a curve together, so that half of the sieves outside alone
- * may be chance. */
+/* Errors of neighbouring sieves are alike, so chance alone may put half of the
+ * sieves outside. */
 static bool
 is_outside_band(const struct cut *c)
 {
@@ -35,8 +35,8 @@ is_partly_outside_band(const struct cut *c)
 		   (4 * c->inside < 3 * c->n && c->rms > CAREFUL));
 }
 
-/* The passings of a run's product at the sieves that crushing can change, [*n];
- * the caller frees. */
+/* Returns the passings of a run's product at the sieves that crushing can
+ * change, [*n].  The caller frees it. */
 static struct quantity *
 sieves_that_crushing_changes(const struct run *r, size_t *n)
 {
@@ -54,7 +54,7 @@ struct cut
 cut_compare_with_prediction(
     const struct session *s, const struct entry *entry, size_t run)
 {
-	/* To the hundredth of a point that sheets are rounded to. */
+	/* Half of the tenth of a point to which sheets are rounded. */
 	const double rounding = 5e-4;
 	const struct run *r = &entry->site->run[run];
 	const struct question q = question_of_whole_product(s, entry, run);

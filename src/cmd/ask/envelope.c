@@ -23,7 +23,7 @@ add_envelope_to_session(struct session *s, struct spec *spec)
 	return s->specs[s->n_spec++] = spec;
 }
 
-/* The envelope of that name that the session has already. */
+/* Returns the shipped envelope of that name if the session has it already. */
 static const struct spec *
 find_envelope_in_session(const struct session *s, const char *name)
 {
@@ -89,11 +89,12 @@ grading_find_envelope(struct session *s, const char *words, struct error *error)
 	return s->spec;
 }
 
-/* What a modulus has to be of a category, of which a buyer chooses one. */
+/* How the items begin that limit the modulus of a category, of which a buyer
+ * chooses one. */
 static const char CATEGORY[] = "FM category ";
 
-/* What the options say of screens; else the fraction that the envelope is
- * for. */
+/* Reads the fraction and the screens from the options; without cut=, the
+ * fraction is that of the envelope. */
 static bool
 fraction_from_options(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
@@ -116,7 +117,8 @@ begins_with_text(const char *text, const char *start)
 	return strncmp(text, start, strlen(start)) == 0;
 }
 
-/* The modulus of a standard's sieves where it is that of a sand. */
+/* Returns the fineness modulus by the envelope's standard if the envelope is
+ * for a sand, or NULL. */
 static const struct modulus *
 modulus_of_sand_standard(const struct spec *spec)
 {
@@ -129,8 +131,8 @@ modulus_of_sand_standard(const struct spec *spec)
 	return NULL;
 }
 
-/* The first limit of a standard on what begins so, or the one after another;
- * NULL at the end. */
+/* Returns the first limit of a standard on an item that begins so or, given
+ * one, the next; NULL after the last. */
 static const struct standard_limit *
 next_limit_of_standard(const struct standards *all, const char *standard,
     const char *item, const struct standard_limit *after)
@@ -143,8 +145,8 @@ next_limit_of_standard(const struct standards *all, const char *standard,
 	return NULL;
 }
 
-/* The limits on the modulus that a standard has of an aggregate as a whole, not
- * of categories to choose from; NULL where it has none. */
+/* Returns the standard's limits on the modulus that are not those of a
+ * category, or NULL. */
 static const struct standard_limit *
 fineness_modulus_limit(const struct standards *all, const char *standard)
 {
@@ -155,7 +157,8 @@ fineness_modulus_limit(const struct standards *all, const char *standard)
 	return NULL;
 }
 
-/* The limit of what stays between two neighbouring sieves, or NULL. */
+/* Returns the limit on what is retained between two neighbouring sieves, or
+ * NULL. */
 static const struct standard_limit *
 individual_retained_limit(const struct standards *all, const char *standard)
 {
@@ -241,7 +244,17 @@ open_limits_and_share(
 	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 }
 
-/* Its fraction is there already. */
+bool
+grading_set_error_no_sieve(const struct spec *spec, struct error *error)
+{
+	return error_set(error, ERROR_DATA,
+	    "%s: none of its sieves is in the range of the feed's sieves\n"
+	    "use another envelope ('spec list' lists them), or a feed sieved "
+	    "that far",
+	    spec->name);
+}
+
+/* The fraction of the grading is set already. */
 static bool
 open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
@@ -251,12 +264,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 	g->limits = grading_limits_of_envelope(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
 		free(g->limits.at);
-		return error_set(error, ERROR_DATA,
-		    "%s: none of its sieves is in the range of the feed's "
-		    "sieves\n"
-		    "use another envelope ('spec list' lists them), or a "
-		    "feed sieved that far",
-		    g->spec->name);
+		return grading_set_error_no_sieve(g->spec, error);
 	}
 	open_limits_and_share(s, q, g);
 	return true;
@@ -308,7 +316,7 @@ verdict_on_value(double value, double least, double most)
 	return value > most + exact ? tr("above") : "ok";
 }
 
-/* Of limit i at the speed the forecast is at. */
+/* Returns the verdict on limit i at the forecast's speed. */
 static const char *
 limit_verdict(const struct grading *g, size_t i)
 {
@@ -320,7 +328,8 @@ limit_verdict(const struct grading *g, size_t i)
 	return above ? tr("above") : tr("below");
 }
 
-/* The margin of the sieve that is furthest outside; how many are. */
+/* Computes the margin of the sieve that is furthest outside.  Returns how many
+ * sieves are outside. */
 static size_t
 find_worst_sieve(const struct grading *g, struct margin *worst)
 {
@@ -335,8 +344,8 @@ find_worst_sieve(const struct grading *g, struct margin *worst)
 	return out;
 }
 
-/* "fineness modulus (ASTM C136) 3.15 is above 3.1", with as many decimals as it
- * takes to tell the two apart; of a limit that is not on a sieve. */
+/* Returns "fineness modulus (ASTM C136) 3.15 is above 3.1" for a limit that is
+ * not on a sieve, with enough decimals to tell the two numbers apart. */
 static char *
 describe_missed_limit(const struct grading *g, size_t i)
 {
@@ -425,9 +434,8 @@ grading_add_rows(struct answer *r, struct grading *g, double v)
 	}
 }
 
-/* "ok" within the limits that are said of fine aggregate; of categories the
- * names of those it is in; NULL where the standard has neither.  The caller
- * frees. */
+/* Returns the verdict on a modulus by the standard's limits, or the categories
+ * that it is in; NULL if the standard has neither.  The caller frees it. */
 static char *
 fineness_modulus_verdict(
     const struct standards *all, const struct spec *spec, double fm)
@@ -481,8 +489,8 @@ note_fineness_modulus(
 	free(is);
 }
 
-/* The largest share between two neighbours of the envelope's sieves; at: the
- * coarser of the two. */
+/* Returns the largest share between two neighbouring sieves of the envelope.
+ * at: out, the coarser of the two. */
 static double
 largest_individual_retained(const struct grading *g, size_t *at)
 {
@@ -534,7 +542,7 @@ note_individual_retained(
 	    step, units_mm(g->spec->size[at]), is);
 }
 
-/* Tolerances are about a grading that somebody has declared. */
+/* Tolerances apply to a declared grading, which is not known. */
 static void
 note_tolerances_unchecked(
     struct answer *r, const struct spec *spec, const struct standards *all)

@@ -30,6 +30,10 @@ struct grading_limits {
 struct grading_limits grading_limits_of_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed);
 
+/* Sets the error that the feed covers no sieve of an envelope.  Returns
+ * false. */
+bool grading_set_error_no_sieve(const struct spec *spec, struct error *error);
+
 /* The limits as conditions on the fraction, then the fraction's share of the
  * product, and a fineness modulus if the standard has one, else NULL.  As no
  * screen is perfect, what rounds to 100.0 meets a limit of 100 %. */

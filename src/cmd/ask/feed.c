@@ -37,8 +37,8 @@ feed_sampling_speed(const struct site *site, size_t run)
 		   : NAN;
 }
 
-/* True if a run is a cut that was added without a feed and has a copy of that
- * of another run. */
+/* True if a run is a cut that was added without a feed and so has a copy of
+ * another run's feed. */
 static bool
 has_feed_of_other_run(const struct site *site, size_t run)
 {
@@ -51,8 +51,8 @@ has_feed_of_other_run(const struct site *site, size_t run)
 	return false;
 }
 
-/* "69, 74, 79": each speed once at which a feed was sampled, in rpm of a rotor
- * unless its diameter is 0. */
+/* Returns "69, 74, 79", the speeds at which feeds were sampled, each once; in
+ * rpm if the diameter of the rotor is not 0. */
 static char *
 format_sampling_speeds(const struct site *site, double diameter)
 {

@@ -20,26 +20,35 @@ fit_has_too_few_data(const struct fit *fit)
 }
 
 double
-fit_holdout_rmse(const struct entry *entry)
+fit_largest_rmse_of_runs(const struct entry *entry, const struct params *params,
+    struct model_settings settings, bool holdout)
 {
+	const struct site *site = entry->site;
 	double largest = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		const struct run *run = &entry->site->run[r];
-		if (entry->train[r] || misfit_count_covered_sieves(run) == 0)
+	for (size_t r = 0; r < site->n_run; r++) {
+		if ((holdout && entry->train[r]) ||
+		    misfit_count_covered_sieves(&site->run[r]) == 0)
 			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->fit.params, entry->fit.settings, NULL);
+		struct validation v =
+		    validate_run(site, r, entry->train, params, settings, NULL);
 		largest = fmax(largest, v.rmse[VALIDATE_MODEL]);
 	}
 	return largest;
 }
 
+double
+fit_holdout_rmse(const struct entry *entry)
+{
+	return fit_largest_rmse_of_runs(
+	    entry, &entry->fit.params, entry->fit.settings, true);
+}
+
 struct validation
 fit_find_outlier(const struct entry *entry)
 {
-	/* With noise of 0.5 points none of 38 sites has more than 1.9; of 77
-	 * products with two digits changed by 9 points, 67 have more than 4.
-	 * Of a poor fit many cells lie off. */
+	/* With noise of 0.5 points, none of 38 sites has a difference of more
+	 * than 1.9 points; of 77 products with two digits changed by 9 points,
+	 * 67 have more than 4.  In a poor fit many cells are off. */
 	double rmse = entry->fit.rmse;
 	double far_off = rmse > FIT_POOR ? fmax(0.04, 3 * rmse) : 0.04;
 	struct validation farthest = {.worst_difference = 0};
@@ -104,7 +113,7 @@ fit_compute_param_band(const struct posterior *p, const struct session *s,
 		value[d] = params_value_by_name(&p->draw[d].params, name);
 	ensemble_middle_interval(
 	    value, settings_band_probability(&s->set), &range[0], &range[1]);
-	/* Of these only the direction counts, which no range shows. */
+	/* Only the direction of these matters, which no range shows. */
 	if (j < breakage_model_of_params(fit)->gauge)
 		range[0] = range[1] = NAN;
 }

@@ -15,8 +15,11 @@ bool fit_is_no_better_than_feed(const struct fit *fit);
  * misfit hardly rises. */
 bool fit_is_param_in_flat_direction(const struct fit *fit, size_t j);
 
-/* Returns the largest RMSE, 0..1, of the entry's fit on held-out runs, or NAN
- * if there are none. */
+/* Return the largest RMSE, 0..1, at a measured run, or NAN if there is none:
+ * fit_largest_rmse_of_runs of these parameters, at all runs or the held-out
+ * ones; fit_holdout_rmse of the entry's fit at the held-out ones. */
+double fit_largest_rmse_of_runs(const struct entry *entry,
+    const struct params *params, struct model_settings settings, bool holdout);
 double fit_holdout_rmse(const struct entry *entry);
 
 /* Returns the product cell (worst_sieve) furthest from the entry's fit, if

@@ -11,8 +11,8 @@
 #include "cmd/ask/asked.h"
 #include "cmd/ask/quantity_words.h"
 
-/* Its draws are those of the question's other answers, which are kept until
- * another site or feed is asked about. */
+/* It borrows the draws that are kept until another site or feed is asked
+ * about. */
 struct forecast {
 	const struct session *s;
 	const struct entry *entry;

@@ -18,7 +18,7 @@
 
 static const struct fraction WHOLE = {.partition = {0, 1}};
 
-/* Speeds looked at in one go. */
+/* Speeds searched in one step. */
 enum { PART = 6 };
 
 bool
@@ -52,8 +52,8 @@ is_single_value(const struct condition *c)
 	return c->least == c->most;
 }
 
-/* An envelope's limits of 100 to 100 % and 0 to 0 % are no single values: what
- * rounds to them will do, and no more is there. */
+/* An envelope's limits of 100 to 100 % and 0 to 0 % are not single values to
+ * reach: they become a lower or an upper limit. */
 static bool
 add_limits_of_named_envelope(struct session *s, const char *name,
     const struct psd *feed, struct condition_list *list, struct error *error)
@@ -75,7 +75,7 @@ add_limits_of_named_envelope(struct session *s, const char *name,
 	return ok;
 }
 
-/* Adds one to the list, on that feed. */
+/* Adds a condition or the limits of an envelope to the list. */
 static bool
 parse_condition_or_envelope(struct session *s, const char *text,
     const struct psd *feed, struct condition_list *list, struct error *error)
@@ -90,7 +90,7 @@ parse_condition_or_envelope(struct session *s, const char *text,
 	return true;
 }
 
-/* The single value goes last: what is before it is a window's. */
+/* Moves the single value to the end, so that those before it are the ranges. */
 static bool
 move_single_value_last(
     struct condition_list *list, size_t *n_value, struct error *error)
@@ -139,8 +139,8 @@ goals_is_search_done(const struct session *s, const struct goal *g)
 	       g->found->done == g->found->n;
 }
 
-/* The speeds at which the single value is met, and the end that misses it
- * least. */
+/* Finds the speeds at which the single value is met, and the end of the search
+ * that misses it least. */
 static void
 find_speeds_that_meet_goal(struct goal *g, const struct wanted *w)
 {
@@ -161,8 +161,8 @@ find_speeds_that_meet_goal(struct goal *g, const struct wanted *w)
 	}
 }
 
-/* A speed at which one can see what binds: where a window ends within the
- * speeds looked at, or the best. */
+/* Returns a speed at which the binding limit shows: an end of the window
+ * within the search, or else the best speed. */
 static double
 speed_at_binding_limit(
     const struct goal *g, double best, double from, double to)
@@ -175,7 +175,8 @@ speed_at_binding_limit(
 	return best;
 }
 
-/* What a condition misses, with as many digits as show it. */
+/* Returns the value that misses a condition, with enough digits to show that
+ * it does. */
 static char *
 describe_missed_condition(const struct condition *c, double value, bool most)
 {
@@ -198,8 +199,8 @@ describe_missed_condition(const struct condition *c, double value, bool most)
 	return words;
 }
 
-/* Which condition binds, and what misses most where the goal is met at no
- * speed. */
+/* Finds which condition binds and, if no speed meets the goal, what misses
+ * most. */
 static void
 find_binding_condition(const struct session *s, const struct entry *entry,
     struct goal *g, struct wanted all)
@@ -221,7 +222,7 @@ find_binding_condition(const struct session *s, const struct entry *entry,
 		    margin.limit.most);
 }
 
-/* What is set is read again: another feed may not tell of it. */
+/* Reads the goal again, because another feed may not cover its sizes. */
 static void
 begin_goal_search(
     struct session *s, const struct site *site, struct goal *g, size_t feed)
@@ -287,9 +288,9 @@ goals_best_speed(const struct session *s, const struct goal *g, double speed)
 	return g->met[near];
 }
 
-/* "70.8 to 78.0"; an end of the speeds searched is no limit of the product:
- * "from 67.2 on".  at: "at" before two ends; site: with units, and in rpm if it
- * states the rotor; NULL: without. */
+/* Returns "70.8 to 78.0" or, because an end of the search is no limit of the
+ * product, "from 67.2 on".  at: write "at" before two ends.  site: add units,
+ * and rpm if it states the rotor; NULL: numbers only. */
 static char *
 describe_speed_range(const struct speed_search *found, double from, double to,
     bool at, const struct site *site)
@@ -311,7 +312,8 @@ describe_speed_range(const struct speed_search *found, double from, double to,
 			       from, to, unit);
 }
 
-/* "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6"; "" where it is met nowhere. */
+/* Returns "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6", or "" if no speed
+ * meets the goal. */
 static char *
 describe_met_speeds(const struct goal *g, const struct site *site)
 {
@@ -335,7 +337,7 @@ describe_met_speeds(const struct goal *g, const struct site *site)
 				      site != NULL ? " m/s" : "", rpm);
 }
 
-/* Whether the one window is as sure as its band at all of its speeds. */
+/* True if there is one window and the goal is certain at all of its speeds. */
 static bool
 is_window_certain(const struct goal *g)
 {
@@ -344,9 +346,9 @@ is_window_certain(const struct goal *g)
 	       in->from >= g->found->sure[0] && in->to <= g->found->sure[1];
 }
 
-/* "80 % certain 71.2 to 77.5", in full without the speeds where these are all
- * at which it is met; "" of a single value, without a band, and where it is met
- * nowhere. */
+/* Returns "80 % certain 71.2 to 77.5"; in the longer forms without the speeds
+ * if they are all that meet the goal; "" for a single value, without a band,
+ * and if no speed meets the goal. */
 static char *
 describe_certain_speeds(
     const struct session *s, const struct goal *g, enum goals_length length)
@@ -365,8 +367,7 @@ describe_certain_speeds(
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
-/* What of it lies beyond the speeds that were measured; "" where nothing
- * does. */
+/* Returns which part of the outcome lies beyond the measured speeds, or "". */
 static const char *
 describe_extrapolation(
     const struct entry *entry, const struct goal *g, double best)
@@ -383,8 +384,8 @@ describe_extrapolation(
 	return "";
 }
 
-/* That none of the speeds searched meets it, which others may, and the nearest
- * of them; in brief without that one. */
+/* Returns that no speed searched meets the goal, and the nearest one, which
+ * GOALS_SHORT omits. */
 static char *
 met_nowhere_words(const struct site *site, const struct goal *g, double best,
     enum goals_length length)
@@ -402,8 +403,9 @@ met_nowhere_words(const struct site *site, const struct goal *g, double best,
 	return words;
 }
 
-/* Where it is met, with how far to trust that, or in brief only where it is
- * certain; the nearest speed where it is not met. */
+/* Returns at which speeds the goal is met, and how certain that is; in the
+ * shorter forms only the certain speeds; or the nearest speed if none meets
+ * it. */
 static char *
 describe_goal_outcome(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)

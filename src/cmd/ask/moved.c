@@ -12,13 +12,13 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/asked.h"
 
-/* What it was made for; product, most [n]: of each run that was asked for, and
- * how far it was moved. */
+/* The products of one site, feed, parameters and settings.  product, most [n]:
+ * the moved product of each run that was asked for, and its largest move. */
 struct moved {
 	const struct site *site;
 	uint64_t digest;
 	const struct posterior *posterior;
-	struct params drawn; /* first of its draws, as addresses come again */
+	struct params drawn; /* its first draw, because addresses are reused */
 	struct params params;
 	struct model_settings settings;
 	size_t feed, n;
@@ -32,8 +32,8 @@ moved_new_cache(void)
 	return xcalloc(1, sizeof(struct moved));
 }
 
-static void
-clear_cache_of_products(struct moved *m)
+void
+moved_drop_cached_products(struct moved *m)
 {
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
@@ -45,13 +45,11 @@ clear_cache_of_products(struct moved *m)
 void
 moved_free_cache(struct moved *m)
 {
-	if (m == NULL)
-		return;
-	clear_cache_of_products(m);
+	moved_drop_cached_products(m);
 	free(m);
 }
 
-/* Passings of sieves at a speed, formed of a feed. */
+/* Opens a forecast of the passings of sieves at a speed. */
 static struct forecast *
 open_forecast_of_passings(const struct session *s, const struct question *q,
     const struct psd *sieves, double speed)
@@ -65,7 +63,7 @@ open_forecast_of_passings(const struct session *s, const struct question *q,
 	return f;
 }
 
-/* Passings stay between 0 and 1, and fall with the size. */
+/* Keeps passings between 0 and 1, and falling with the size. */
 static void
 adjust_product_to_feed(struct moved *m, const struct session *s,
     const struct entry *entry, size_t run)
@@ -98,12 +96,6 @@ adjust_product_to_feed(struct moved *m, const struct session *s,
 	forecast_close(from);
 }
 
-void
-moved_drop_cached_products(struct moved *m)
-{
-	clear_cache_of_products(m);
-}
-
 static struct moved *
 product_cache_for_feed(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
@@ -121,7 +113,7 @@ product_cache_for_feed(const struct session *s, const struct entry *entry,
 	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
 	    model_settings_same(&m->settings, &settings))
 		return m;
-	clear_cache_of_products(m);
+	moved_drop_cached_products(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,

@@ -13,8 +13,9 @@
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 
-/* The runs of the calibration that inform an answer, [n_run], which the caller
- * frees, and the place where what they say is kept. */
+/* Returns the runs of the calibration that inform an answer, [n_run], which
+ * the caller frees.  place: out, the index of their posterior and evidence in
+ * the history. */
 static bool *
 list_runs_that_inform(
     const struct history *h, enum correction correction, size_t *place)
@@ -32,8 +33,49 @@ list_runs_that_inform(
 	return use;
 }
 
-/* Whether there is something to draw from, of a calibration that came to its
- * end. */
+enum correction
+outlook_correcting_runs(const struct session *s, const struct entry *entry)
+{
+	return entry->scenario != NULL ? entry->scenario->correction
+				       : s->set.correction;
+}
+
+/* Returns which runs inform the entry's answers: the training runs if these
+ * are the model alone. */
+static enum correction
+correcting_or_training_runs(const struct session *s, const struct entry *entry)
+{
+	return outlook_correcting_runs(s, entry) == CORRECTION_ALL
+		   ? CORRECTION_ALL
+		   : CORRECTION_TRAIN;
+}
+
+/* As list_runs_that_inform, for the entry's answers. */
+static bool *
+runs_that_inform_answers(
+    const struct session *s, const struct entry *entry, size_t *place)
+{
+	return list_runs_that_inform(entry->origin->history,
+	    correcting_or_training_runs(s, entry), place);
+}
+
+/* Returns the options for drawing the posterior of the runs in `use`
+ * [n_run]. */
+static struct posterior_options
+options_of_draws(
+    const struct session *s, const struct entry *entry, const bool *use)
+{
+	const struct history *h = entry->origin->history;
+	return (struct posterior_options){.use = use,
+	    .settings = h->fit.settings,
+	    .bounds = h->bounds,
+	    .seed = s->set.draw_seed,
+	    .threads = s->set.threads,
+	    .isa = s->isa,
+	    .noise = s->set.noise / 100};
+}
+
+/* True if the parameters are from a completed calibration with enough data. */
 static bool
 can_draw_posterior(const struct entry *entry)
 {
@@ -42,14 +84,14 @@ can_draw_posterior(const struct entry *entry)
 	       fit->stop != CALIBRATE_STOPPED;
 }
 
-/* Begins to draw for a place of the history, or goes on: until all is drawn,
- * or `stop` says that somebody waits.  steps: at most so many, 0: all. */
+/* Draws the posterior at a place of the history, or continues to, until it is
+ * complete or `stop` says that the user is waiting.  steps: at most so many;
+ * 0: all. */
 static void
 draw_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
 {
 	struct history *h = entry->origin->history;
-	const struct fit *fit = origin_find_fit(entry);
 	if (h->drawing != NULL && h->drawn != place) {
 		posterior_free(posterior_end(h->drawing));
 		h->drawing = NULL;
@@ -58,14 +100,8 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
 		if (s->hooks.announce != NULL)
 			s->hooks.announce("posterior: drawing the parameters "
 					  "that the data allow");
-		struct posterior_options o = {.use = use,
-		    .settings = fit->settings,
-		    .bounds = h->bounds,
-		    .seed = s->set.draw_seed,
-		    .threads = s->set.threads,
-		    .isa = s->isa,
-		    .noise = s->set.noise / 100};
-		h->drawing = posterior_begin(h->site, &fit->params, &o);
+		struct posterior_options o = options_of_draws(s, entry, use);
+		h->drawing = posterior_begin(h->site, &h->fit.params, &o);
 		h->drawn = place;
 	}
 	bool done = false;
@@ -80,7 +116,7 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
 	h->drawing = NULL;
 }
 
-/* The draws; NULL while they are not complete. */
+/* Returns the draws, or NULL if they are not complete after these steps. */
 static const struct posterior *
 posterior_if_complete(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
@@ -103,15 +139,9 @@ outlook_draw_training_posterior(
 	    outlook_correcting_runs(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->history;
-	const struct fit *fit = origin_find_fit(entry);
-	const struct posterior_options o = {.use = h->train,
-	    .settings = fit->settings,
-	    .bounds = h->bounds,
-	    .seed = s->set.draw_seed,
-	    .threads = 1,
-	    .isa = s->isa,
-	    .noise = s->set.noise / 100};
-	return posterior_new(h->site, &fit->params, &o);
+	struct posterior_options o = options_of_draws(s, entry, h->train);
+	o.threads = 1;
+	return posterior_new(h->site, &h->fit.params, &o);
 }
 
 const struct posterior *
@@ -121,22 +151,6 @@ outlook_calibration_posterior(const struct session *s,
 	return can_draw_posterior(entry)
 		   ? posterior_if_complete(s, entry, correction, 0)
 		   : NULL;
-}
-
-enum correction
-outlook_correcting_runs(const struct session *s, const struct entry *entry)
-{
-	return entry->variant != NULL ? entry->variant->correction
-				      : s->set.correction;
-}
-
-/* The runs that inform the entry's answers. */
-static enum correction
-correcting_or_training_runs(const struct session *s, const struct entry *entry)
-{
-	return outlook_correcting_runs(s, entry) == CORRECTION_ALL
-		   ? CORRECTION_ALL
-		   : CORRECTION_TRAIN;
 }
 
 bool
@@ -164,15 +178,14 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	struct evidence **e = &h->evidence[place];
 	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
 	bool first = *e == NULL;
 	if (first)
 		*e = xcalloc(1, sizeof **e);
-	/* Draws that were stopped may be complete by now.  Those who judge by
-	 * the evidence have its address. */
+	/* Draws that were stopped may be complete by now.  The evidence is
+	 * filled in again in place, because callers hold its address. */
 	if (first || (p != NULL && isnan((*e)->discrepancy)))
 		**e = trust_gather_evidence(
 		    h->site, h->train, use, fit, &h->bounds, p, s->set.noise);
@@ -185,8 +198,7 @@ outlook_evidence_without_draws(
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	return trust_gather_evidence(h->site, h->train, use,
 	    origin_find_fit(entry), &h->bounds, NULL, s->set.noise);
 }
@@ -198,8 +210,7 @@ outlook_nearest_feed_difference(
 	const struct history *h = entry->origin->history;
 	double least = INFINITY;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
 			least = fmin(least,
@@ -215,7 +226,7 @@ has_poor_fit(const struct session *s, const struct entry *entry)
 	return e != NULL && trust_is_band_impossible(e->rmse, e->speeds);
 }
 
-/* Whether the settings are those of the fit. */
+/* True if the settings are those of the fit. */
 static bool
 has_settings_of_fit(const struct session *s, const struct entry *entry)
 {
@@ -228,15 +239,15 @@ struct model_settings
 outlook_model_settings(const struct session *s, const struct entry *entry)
 {
 	struct model_settings settings = s->set.model;
-	const struct variant *v = entry->variant;
-	if (v == NULL)
+	const struct scenario *w = entry->scenario;
+	if (w == NULL)
 		return settings;
-	settings.bypass = v->bypass;
-	settings.k = v->k > 0 ? v->k : settings.k;
+	settings.bypass = w->bypass;
+	settings.k = w->k > 0 ? w->k : settings.k;
 	return settings;
 }
 
-/* What answers are drawn from; NULL: they are the model alone. */
+/* Returns the posterior behind answers, or NULL if they are the model alone. */
 static const struct posterior *
 posterior_unless_model_alone(const struct session *s, const struct entry *entry)
 {
@@ -253,23 +264,16 @@ outlook_posterior_for_unseen_cuts(
 {
 	if (!has_settings_of_fit(s, entry) || has_poor_fit(s, entry))
 		return NULL;
-	return outlook_calibration_posterior(s, entry,
-	    training_only ? CORRECTION_TRAIN
-			  : correcting_or_training_runs(s, entry));
-}
-
-/* Whether these are the entry's own parameters. */
-static bool
-are_params_of_entry(const struct entry *entry, const struct params *params)
-{
-	return memcmp(params, &entry->params, sizeof *params) == 0;
+	return training_only
+		   ? outlook_calibration_posterior(s, entry, CORRECTION_TRAIN)
+		   : outlook_posterior_for_comparison(s, entry);
 }
 
 const struct posterior *
 outlook_posterior_for_answers(const struct session *s,
     const struct entry *entry, const struct params *params)
 {
-	return are_params_of_entry(entry, params)
+	return memcmp(params, &entry->params, sizeof *params) == 0
 		   ? posterior_unless_model_alone(s, entry)
 		   : NULL;
 }
@@ -292,7 +296,7 @@ outlook_ensemble_of_products(
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t other = site_run_at_speed(entry->site, SITE_OTHER_FEED);
-	/* A feed that all runs share is the same whichever it is asked of. */
+	/* If all runs share a feed, any run stands for it. */
 	if (!entry->site->individual_feeds && other == entry->site->n_run)
 		feed_run = 0;
 	struct ensemble_of *kept = &h->kept[feed_run < entry->site->n_run];
@@ -347,14 +351,13 @@ outlook_how_to_band(const struct session *s, const struct entry *entry)
 		     : tr("'set' shows the settings");
 }
 
-/* Whether there are more runs to inform the answers than draws take. */
+/* True if more runs inform the answers than the draws can use. */
 static bool
 has_too_many_runs(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->history;
 	size_t place, n = 0;
-	FREED bool *use = list_runs_that_inform(
-	    h, correcting_or_training_runs(s, entry), &place);
+	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
 	return n > POSTERIOR_RUNS;

@@ -35,7 +35,7 @@ unpin_prediction(struct session *s, const char *word, struct error *error)
 	return true;
 }
 
-/* Also what a calibration under way has found so far. */
+/* During a calibration, pins a prediction with the best parameters so far. */
 static bool
 pin_prediction(struct session *s, const struct args *args, struct question *q,
     struct error *error)
@@ -45,7 +45,7 @@ pin_prediction(struct session *s, const struct args *args, struct question *q,
 	bool forming = answers_best_params_so_far(s, entry, &params);
 	if (!forming && !answers_require_params_of_current(s, error))
 		return false;
-	if (q->variant.feed)
+	if (q->scenario.feed != NULL)
 		return error_set(error, ERROR_USAGE,
 		    "pin: expected a feed that was sampled at the site, got "
 		    "%s\n"

@@ -24,7 +24,7 @@ error_expected_quantity(const char *text, struct error *error)
 	    text);
 }
 
-/* A size in mm, which "mm" may follow, as m. */
+/* Parses a size in mm, which "mm" may follow, or the name of a sieve. */
 static bool
 parse_size_mm(const char *text, double *m)
 {
@@ -62,8 +62,8 @@ quantities_parse_fraction(
 	return true;
 }
 
-/* The readers of KINDS.  text: all that was typed, for the error; rest: what
- * follows the kind's word. */
+/* These parse the quantities of KINDS.  text: all that was typed, for the
+ * error; rest: what follows the kind's word. */
 static bool
 parse_passing_quantity(
     const char *text, const char *rest, struct quantity *q, struct error *error)
@@ -72,7 +72,7 @@ parse_passing_quantity(
 	       error_expected_quantity(text, error);
 }
 
-/* P80 or D80. */
+/* Parses P80 or D80. */
 static bool
 parse_size_at_passing(
     const char *text, const char *rest, struct quantity *q, struct error *error)
@@ -121,11 +121,10 @@ expect_end_of_quantity(
 	return rest[0] == '\0' || error_expected_quantity(text, error);
 }
 
-/* How each kind is written: for people, as a key, as it is typed, and the unit
- * behind a number.  %s: what tells it from others of its kind, see
- * quantity_argument_text.  word: what it begins with where it is typed; read:
- * reads the rest; NULL: it cannot be typed.  offers: what completion of a goal
- * offers. */
+/* How each kind is written: for people, as a key, as typed, and with which
+ * unit. %s: see quantity_argument_text.  word: how the typed quantity begins,
+ * or NULL; read: parses the rest; NULL: the kind cannot be typed.  offers:
+ * what completion of a goal offers. */
 enum { OFFERS = 3 };
 static const struct {
 	const char *words, *key, *typed, *unit, *word;
@@ -159,8 +158,9 @@ quantities_completion(size_t n)
 	return NULL;
 }
 
-/* What follows a kind's word, without the blanks between; NULL where the text
- * does not begin with it.  A word that nothing is to follow stands alone. */
+/* Returns what follows the kind's word, without blanks, or NULL if the text
+ * does not begin with it.  After the word of a kind without argument nothing
+ * may follow. */
 static const char *
 text_after_kind_word(const char *text, enum quantity_kind kind)
 {
@@ -173,8 +173,8 @@ text_after_kind_word(const char *text, enum quantity_kind kind)
 	return text + n + strspn(text + n, " _-");
 }
 
-/* The kind with the longest word at the beginning of a text.  Without any, "/"
- * makes it a fraction, and all else can only be a P80. */
+/* Returns the kind with the longest word at the beginning of a text.  Without
+ * one, a text with "/" is a fraction, and any other a size such as P80. */
 static enum quantity_kind
 find_quantity_kind(const char *text, const char **rest)
 {
@@ -245,27 +245,6 @@ quantities_is_beginning_of_text(const char *text)
 	return quantities_parse_one(word, &SHARP, &q, &error);
 }
 
-struct quantity *
-quantities_parse_list(const char *text, const struct partition *partition,
-    size_t *n, struct error *error)
-{
-	struct quantity *list = xcalloc(strlen(text) + 1, sizeof *list);
-	*n = 0;
-	for (const char *at = text; *at != '\0';) {
-		size_t length = strcspn(at, ",;");
-		FREED char *word = xstrndup(at, length);
-		bool ok =
-		    quantities_parse_one(word, partition, &list[*n], error);
-		if (!ok) {
-			free(list);
-			return NULL;
-		}
-		++*n;
-		at += length + (at[length] != '\0');
-	}
-	return list;
-}
-
 bool
 quantities_apply_cut_option(
     struct quantity *q, const struct fraction *cut, struct error *error)
@@ -301,22 +280,23 @@ struct quantity *
 quantities_parse_list_for_feed(const char *text, const struct fraction *cut,
     const struct psd *feed, bool all, size_t *n, struct error *error)
 {
-	struct quantity *list =
-	    quantities_parse_list(text, &cut->partition, n, error);
-	bool ok = list != NULL;
-	size_t kept = 0;
-	for (size_t i = 0; ok && i < *n; i++) {
+	struct quantity *list = xcalloc(strlen(text) + 1, sizeof *list);
+	bool ok = true;
+	*n = 0;
+	for (const char *at = text; ok && *at != '\0';) {
 		struct error none = {0};
-		ok = quantities_apply_cut_option(&list[i], cut, error);
-		if (!ok)
-			break;
-		if (quantities_check_feed_covers(
-			&list[i], feed, all ? error : &none))
-			list[kept++] = list[i];
+		size_t length = strcspn(at, ",;");
+		FREED char *word = xstrndup(at, length);
+		struct quantity *q = &list[*n];
+		ok = quantities_parse_one(word, &cut->partition, q, error) &&
+		     quantities_apply_cut_option(q, cut, error);
+		if (ok &&
+		    quantities_check_feed_covers(q, feed, all ? error : &none))
+			++*n;
 		else
-			ok = !all;
+			ok = ok && !all;
+		at += length + (at[length] != '\0');
 	}
-	*n = kept;
 	if (ok)
 		return list;
 	free(list);
@@ -332,8 +312,8 @@ quantities_fraction_text(const struct fraction *fraction)
 
 enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
 
-/* The size, percentage, fraction or standard of a quantity.  The caller
- * frees. */
+/* Returns the size, percentage, fraction or standard of a quantity, which the
+ * caller frees. */
 static char *
 quantity_argument_text(const struct quantity *q, enum form form)
 {
@@ -357,7 +337,8 @@ quantity_argument_text(const struct quantity *q, enum form form)
 	return xstrdup("");
 }
 
-/* Words of KINDS with the name in them.  The caller frees. */
+/* Returns words of KINDS with the argument in place of %s.  The caller frees
+ * it. */
 static char *
 fill_in_quantity_argument(
     const char *words, const struct quantity *q, enum form form)
@@ -369,7 +350,7 @@ fill_in_quantity_argument(
 				name, at + strlen("%s"));
 }
 
-/* " of 0/4" behind the words of what is not of the whole product. */
+/* Appends " of 0/4" if the quantity is one of a fraction. */
 static char *
 append_fraction_name(char *words, const struct quantity *q)
 {

@@ -21,11 +21,6 @@ bool quantities_is_beginning_of_text(const char *text);
  * each kind that can be typed; NULL after the last. */
 const char *quantities_completion(size_t n);
 
-/* Parses a list of quantities separated by commas.  The caller frees it.
- * Returns NULL with an error if one is not a quantity. */
-struct quantity *quantities_parse_list(const char *text,
-    const struct partition *partition, size_t *n, struct error *error);
-
 /* Parses a fraction, "0/4" or "4/8", mm. */
 bool quantities_parse_fraction(
     const char *text, struct fraction *fraction, struct error *error);
@@ -39,8 +34,9 @@ bool quantities_apply_cut_option(
 bool quantities_check_feed_covers(
     const struct quantity *q, const struct psd *feed, struct error *error);
 
-/* As quantities_parse_list, but applies cut= to each.  A quantity that the feed
- * does not cover is an error or, without `all`, omitted. */
+/* Parses a list of quantities separated by commas, [*n], and applies cut= to
+ * each.  A quantity that the feed does not cover is an error or, without `all`,
+ * omitted.  Returns NULL with an error.  The caller frees the list. */
 struct quantity *quantities_parse_list_for_feed(const char *text,
     const struct fraction *cut, const struct psd *feed, bool all, size_t *n,
     struct error *error);

@@ -21,16 +21,7 @@
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/units.h"
 
-/* The rotor that the parameters of an entry were measured with, m; 0: not
- * known. */
-static double
-measured_rotor_diameter(const struct entry *entry)
-{
-	bool known = entry->origin != NULL && entry->origin->history != NULL;
-	return known ? entry->origin->history->site->rotor : entry->site->rotor;
-}
-
-/* "feed b.csv, cascade 10 %". */
+/* Returns "feed b.csv, cascade 10 %".  The caller frees it. */
 static char *
 describe_scenario(const struct scenario *w)
 {
@@ -48,7 +39,8 @@ describe_scenario(const struct scenario *w)
 	return words;
 }
 
-/* A site with what is asked otherwise; it goes with the question. */
+/* Returns a copy of the site with the feed, machine and sieves of the
+ * scenario. */
 static struct site *
 copy_site_with_scenario(const struct site *own, const struct scenario *w)
 {
@@ -69,90 +61,72 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 	return site;
 }
 
+/* If the scenario changes anything, makes the question one about a changed
+ * copy of its entry. */
+static void
+apply_scenario(const struct session *s, struct question *q)
+{
+	const struct scenario *w = &q->scenario;
+	const struct entry *loaded = q->entry;
+	size_t runs = loaded->site->n_run;
+	bool same_site = w->feed == NULL && !(w->rotor > 0) &&
+			 !(w->bypass > 0) && !(w->k > 0) && w->n_sieve == 0;
+	if (same_site && w->correction == s->set.correction)
+		return;
+	q->scenario.own = loaded;
+	q->scenario.rock = w->feed != NULL ? w->feed->rock : "";
+	q->changed = *loaded;
+	q->changed.scenario = w;
+	q->entry = &q->changed;
+	if (same_site)
+		return;
+	q->changed.site = q->site = copy_site_with_scenario(loaded->site, w);
+	q->changed.train = xcalloc(runs + 1, sizeof *loaded->train);
+	memcpy(q->changed.train, loaded->train, runs * sizeof *loaded->train);
+}
+
 void
 question_from_scenario(const struct session *s, const struct entry *loaded,
     const struct scenario *w, struct question *q)
 {
-	bool feed = w->feed != NULL;
-	double rotor = measured_rotor_diameter(loaded);
-	bool machine = w->rotor > 0 || w->bypass > 0 || w->k > 0;
 	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
-	if (!feed && !machine && w->n_sieve == 0 &&
-	    w->correction == s->set.correction)
-		return;
-	q->variant = (struct variant){.own = loaded,
-	    .feed = feed,
-	    .rock = xstrdup(feed ? w->feed->rock : ""),
-	    .rotor = w->rotor,
-	    .measured_rotor = rotor,
-	    .other_rotor =
-		w->rotor > 0 && rotor > 0 && fabs(w->rotor - rotor) > 5e-4,
-	    .bypass = w->bypass,
-	    .k = w->k,
-	    .correction = w->correction};
-	q->own = *loaded;
-	q->own.variant = &q->variant;
-	q->entry = &q->own;
-	if (!feed && !machine && w->n_sieve == 0)
-		return;
-	size_t runs = loaded->site->n_run;
-	q->own.site = copy_site_with_scenario(loaded->site, w);
-	q->own.train = xcalloc(runs + 1, sizeof *q->own.train);
-	memcpy(q->own.train, loaded->train, runs * sizeof *q->own.train);
-}
-
-/* What the options name, with what is read for it; speed is 0 where none is
- * given.  usual: speeds where the call names none. */
-struct named {
-	struct scenario scenario;
-	struct blended blend;
-	double *sieve, *usual, speed;
-};
-
-static void
-free_named_options(struct named *r)
-{
-	if (r == NULL)
-		return;
-	blended_clear(&r->blend);
-	free(r->sieve);
-	free(r->usual);
-	free(r);
+	q->scenario = *w;
+	apply_scenario(s, q);
 }
 
 void
 question_free(struct session *s, struct question *q)
 {
-	const struct variant *v = &q->variant;
-	free_named_options(q->named);
-	if (v->own == NULL)
+	const struct entry *changed = &q->changed;
+	blended_free(q->blend);
+	free(q->sieves);
+	free(q->speeds);
+	if (q->site == NULL)
 		return;
-	if (q->own.site != v->own->site) {
-		moved_drop_cached_products(s->moved);
-		history_discard_cached(q->own.history, q->own.site);
-		if (q->own.origin != NULL)
-			history_discard_cached(
-			    q->own.origin->history, q->own.site);
-		site_free(q->own.site);
-		free(q->own.train);
-	}
-	free(q->variant.rock);
+	moved_drop_cached_products(s->moved);
+	history_discard_cached(changed->history, q->site);
+	if (changed->origin != NULL)
+		history_discard_cached(changed->origin->history, q->site);
+	site_free(q->site);
+	free(changed->train);
 }
 
-/* Turns of the rotor are a speed. */
+/* Reads the speed from speed= or rpm=; without them, takes the default
+ * speed. */
 static bool
-parse_speed_or_rpm(const struct args *args, const struct site *site,
-    struct named *r, struct error *error)
+parse_speed_or_rpm(
+    const struct args *args, struct question *q, struct error *error)
 {
-	struct scenario *w = &r->scenario;
-	w->rotor = args->rotor_mm / 1000;
-	double rpm = args->rpm;
-	r->speed = args->speed;
+	const struct site *site = q->entry->site;
+	double rpm = args->rpm, rotor = q->scenario.rotor;
+	q->speed_given = args->speed > 0 || rpm > 0;
+	q->speed =
+	    args->speed > 0 ? args->speed : answers_default_speed(q->entry);
 	if (!(rpm > 0))
 		return true;
-	double diameter = w->rotor > 0 ? w->rotor : site->rotor;
+	double diameter = rotor > 0 ? rotor : site->rotor;
 	const char *name = args->command->name;
-	if (r->speed > 0)
+	if (args->speed > 0)
 		return error_set(error, ERROR_USAGE,
 		    "%s: expected a speed or rpm, got both", name);
 	if (!(diameter > 0))
@@ -162,66 +136,67 @@ parse_speed_or_rpm(const struct args *args, const struct site *site,
 		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
 		    "the site file",
 		    name, site->name, name, rpm);
-	r->speed = head_speed_to_mps(rpm, SPEED_RPM, diameter);
-	return (r->speed >= 1 && r->speed <= SITE_FASTEST) ||
+	q->speed = head_speed_to_mps(rpm, SPEED_RPM, diameter);
+	return (q->speed >= 1 && q->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
 		   "rpm with a rotor of %g mm)",
-		   name, SITE_FASTEST, r->speed, rpm, units_mm(diameter));
+		   name, SITE_FASTEST, q->speed, rpm, units_mm(diameter));
 }
 
-/* What the option feed names, or the setting does where it is not given; NULL
- * of a command that has no such option. */
-static const char *
-feed_option_or_setting(
-    const struct session *s, const struct args *args, struct value *value)
+/* Parses the text of feed= or `set feed`. */
+static struct value
+feed_value(const char *text)
 {
-	size_t i = command_option_index(args->command, "feed");
+	struct value value = {.given = true};
 	struct error none = {0};
-	if (i == OPTIONS)
-		return NULL;
-	const struct command_option *option =
-	    command_option_at(args->command, i);
-	*value = (struct value){.given = true};
-	value_parse(option, args->feed != NULL ? args->feed : s->set.feed,
-	    value, &none);
-	return value->text;
+	value_parse(SHARED_FEED, text, &value, &none);
+	return value;
 }
 
-/* The sheets that are named, where any are. */
+/* Returns the value of feed= or, if it is not given, of the setting; an empty
+ * one if the command has no such option. */
+static struct value
+feed_option_or_setting(const struct session *s, const struct args *args)
+{
+	return command_option_index(args->command, "feed") == OPTIONS
+		   ? (struct value){.given = false}
+		   : feed_value(args->feed != NULL ? args->feed : s->set.feed);
+}
+
+/* Reads the sheets that feed= or the setting names, if any. */
 static bool
-read_named_feeds(struct session *s, const struct args *args, struct named *r,
+read_named_feeds(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct value feed;
-	const char *text = feed_option_or_setting(s, args, &feed);
-	size_t i = command_option_index(args->command, "feed");
-	if (text == NULL ||
-	    !value_is_file(command_option_at(args->command, i), &feed))
+	struct value feed = feed_option_or_setting(s, args);
+	if (!value_is_file(SHARED_FEED, &feed))
 		return true;
 	if (args->feed == NULL)
-		r->scenario.feed = blended_read_feed_setting(s, text, error);
-	else if (blended_read_feeds(s, text, &r->blend, error))
-		r->scenario.feed = &r->blend;
-	return r->scenario.feed != NULL;
+		q->scenario.feed =
+		    blended_read_feed_setting(s, feed.text, error);
+	else
+		q->scenario.feed = q->blend =
+		    blended_read_feeds(s, feed.text, error);
+	return q->scenario.feed != NULL;
 }
 
-/* Sieves of one's own choice, which the feeds have to tell of. */
+/* Reads sieves=, which the feeds must cover. */
 static bool
-set_sieves_to_show(const struct args *args, const struct site *site,
-    struct named *r, struct error *error)
+set_sieves_to_show(
+    const struct args *args, struct question *q, struct error *error)
 {
 	const struct number_list *sieves = &args->sieves;
-	struct scenario *w = &r->scenario;
+	const struct site *site = q->entry->site;
+	struct scenario *w = &q->scenario;
 	if (sieves->n == 0)
 		return true;
-	r->sieve = xcalloc_doubles(sieves->n);
+	w->sieve = q->sieves = xcalloc_doubles(sieves->n);
 	for (size_t i = 0; i < sieves->n; i++)
-		r->sieve[i] = sieves->at[i] / 1000;
-	w->n_sieve = psd_sort_distinct_sizes(r->sieve, sieves->n, 1e-12);
-	w->sieve = r->sieve;
+		q->sieves[i] = sieves->at[i] / 1000;
+	w->n_sieve = psd_sort_distinct_sizes(q->sieves, sieves->n, 1e-12);
 	struct quantity finest = {
-	    .kind = QUANTITY_PASSING, .x = r->sieve[w->n_sieve - 1]};
+	    .kind = QUANTITY_PASSING, .x = w->sieve[w->n_sieve - 1]};
 	bool ok = w->feed == NULL ||
 		  quantities_check_feed_covers(&finest, &w->feed->feed, error);
 	for (size_t i = 0; i < site->n_run && ok && w->feed == NULL; i++)
@@ -231,21 +206,18 @@ set_sieves_to_show(const struct args *args, const struct site *site,
 	return ok;
 }
 
-/* The run of the site whose feed is named by its speed. */
+/* If feed= or the setting is a speed, takes the feed sampled at it. */
 static bool
 choose_sampled_feed(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
-	struct value feed;
-	if (feed_option_or_setting(s, args, &feed) == NULL ||
-	    !(feed.number > 0))
-		return true;
-	return feed_find_run_at_speed(
-	    q->entry->site, feed.number, &q->feed, error);
+	struct value feed = feed_option_or_setting(s, args);
+	return !(feed.number > 0) || feed_find_run_at_speed(q->entry->site,
+					 feed.number, &q->feed, error);
 }
 
-/* cut=off is the whole product, as it is where an envelope is for a fraction;
- * where one is asked for, screens without cut= are those of its fraction. */
+/* Reads cut= and the screens; cut=off is the whole product.  With an envelope,
+ * screens may be described without cut=: its fraction is meant. */
 static bool
 set_fraction_to_show(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
@@ -258,17 +230,13 @@ set_fraction_to_show(const struct session *s, const struct args *args,
 	return quantities_parse_cut_option(args, &q->fraction, envelope, error);
 }
 
-/* The question, of what was read for it or for another one. */
+/* Applies the scenario, and reads the options that need no file: the speeds,
+ * the run with the feed, and the fraction. */
 static bool
-make_question(const struct session *s, const struct entry *loaded,
-    const struct args *args, const struct named *r, struct question *q,
-    struct error *error)
+complete_question(const struct session *s, const struct args *args,
+    struct question *q, struct error *error)
 {
-	struct named *own = q->named;
-	question_from_scenario(s, loaded, &r->scenario, q);
-	q->named = own;
-	q->speed_given = r->speed > 0;
-	q->speed = q->speed_given ? r->speed : answers_default_speed(loaded);
+	apply_scenario(s, q);
 	if (args_is_given(args, &args->speeds)) {
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
@@ -278,20 +246,20 @@ make_question(const struct session *s, const struct entry *loaded,
 }
 
 bool
-question_from_args_for_site(struct session *s, const struct entry *loaded,
+question_from_args(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error)
 {
-	struct named *r = xcalloc(1, sizeof *r);
-	*q = (struct question){.entry = loaded, .named = r};
-	r->scenario = (struct scenario){.bypass = args->cascade / 100,
+	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
+	q->scenario = (struct scenario){.rotor = args->rotor_mm / 1000,
+	    .bypass = args->cascade / 100,
 	    .k = args->k,
 	    .correction = args_is_given(args, &args->correction)
 			      ? (enum correction)args->correction
 			      : s->set.correction};
-	return parse_speed_or_rpm(args, loaded->site, r, error) &&
-	       read_named_feeds(s, args, r, error) &&
-	       set_sieves_to_show(args, loaded->site, r, error) &&
-	       make_question(s, loaded, args, r, q, error);
+	return parse_speed_or_rpm(args, q, error) &&
+	       read_named_feeds(s, args, q, error) &&
+	       set_sieves_to_show(args, q, error) &&
+	       complete_question(s, args, q, error);
 }
 
 bool
@@ -299,16 +267,12 @@ question_repeat_for_site(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,
     struct error *error)
 {
-	*q = (struct question){.entry = loaded};
-	return make_question(s, loaded, args, like->named, q, error);
-}
-
-bool
-question_from_args(struct session *s, const struct args *args,
-    struct question *q, struct error *error)
-{
-	return question_from_args_for_site(
-	    s, session_current_entry(s), args, q, error);
+	*q = question_of_whole_product(s, loaded, SITE_MEAN_FEED);
+	q->scenario = like->scenario;
+	q->speed_given = like->speed_given;
+	q->speed =
+	    like->speed_given ? like->speed : answers_default_speed(loaded);
+	return complete_question(s, args, q, error);
 }
 
 bool
@@ -317,17 +281,19 @@ question_run_answer(struct session *s, const struct args *args,
 {
 	struct question q = {.entry = NULL};
 	bool known = (args->command->flags & COMMAND_NEEDS_PARAMS) != 0;
-	bool ok = (!known || answers_require_params_of_current(s, error)) &&
-		  question_from_args(s, args, &q, error) &&
-		  answer(s, args, &q, error);
+	bool ok =
+	    (!known || answers_require_params_of_current(s, error)) &&
+	    question_from_args(s, session_current_entry(s), args, &q, error) &&
+	    answer(s, args, &q, error);
 	if (ok && q.speed_given)
 		s->last_asked.speed = q.speed;
 	question_free(s, &q);
 	return ok;
 }
 
-/* of: the loaded entry as it was then; text: the feed. */
-struct standing {
+/* The question about the current site with the feed of `set feed`.  of: a copy
+ * of the loaded entry, to see whether it has changed; text: the setting. */
+struct site_with_feed {
 	struct entry of;
 	struct question q;
 	char *text;
@@ -336,30 +302,23 @@ struct standing {
 void
 question_free_cached(struct session *s)
 {
-	struct standing *a = s->standing;
+	struct site_with_feed *a = s->site_with_feed;
 	if (a == NULL)
 		return;
-	a->q.variant.own = &a->of;
 	question_free(s, &a->q);
 	entry_clear(&a->of);
 	free(a->text);
-	s->standing = NULL;
+	s->site_with_feed = NULL;
 	free(a);
 }
 
-/* The sheets that are set, NULL where none are. */
+/* Returns the feed from the sheets in `set feed`, or NULL if it names none. */
 static const struct blended *
 read_feed_of_setting(struct session *s)
 {
 	struct error none = {0};
-	struct value value = {.given = true};
-	const struct command_option *row = SETTINGS;
-	if (s->set.feed[0] == '\0')
-		return NULL;
-	while (row->offset != offsetof(struct settings, feed))
-		row++;
-	return value_parse(row, s->set.feed, &value, &none) &&
-		       value_is_file(row, &value)
+	struct value value = feed_value(s->set.feed);
+	return s->set.feed[0] != '\0' && value_is_file(SHARED_FEED, &value)
 		   ? blended_read_feed_setting(s, s->set.feed, &none)
 		   : NULL;
 }
@@ -369,7 +328,7 @@ make_question_of_feed_setting(struct session *s, const struct blended *feed)
 {
 	const struct scenario scenario = {
 	    .feed = feed, .correction = s->set.correction};
-	struct standing *a = s->standing = xcalloc(1, sizeof *a);
+	struct site_with_feed *a = s->site_with_feed = xcalloc(1, sizeof *a);
 	a->of = entry_copy(session_current_entry(s));
 	a->text = xstrdup(feed->text);
 	question_from_scenario(s, &a->of, &scenario, &a->q);
@@ -382,7 +341,7 @@ question_site_with_feed_setting(struct session *s)
 	    s->n_entry > 0 ? session_current_entry(s) : NULL;
 	const struct blended *feed =
 	    loaded != NULL ? read_feed_of_setting(s) : NULL;
-	const struct standing *was = s->standing;
+	const struct site_with_feed *was = s->site_with_feed;
 	if (feed == NULL)
 		return loaded;
 	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
@@ -391,14 +350,16 @@ question_site_with_feed_setting(struct session *s)
 		question_free_cached(s);
 		make_question_of_feed_setting(s, feed);
 	}
-	struct question *q = &s->standing->q;
-	q->variant.own = loaded;
-	q->variant.correction = s->set.correction;
+	struct question *q = &s->site_with_feed->q;
+	q->scenario.own = loaded;
+	q->scenario.feed = feed;
+	q->scenario.rock = feed->rock;
+	q->scenario.correction = s->set.correction;
 	return q->entry;
 }
 
-/* Returns the speeds from `from` to `to` by 1 m/s, or in round rpm of a sheet
- * in rpm [*n]. */
+/* Returns speeds [*n] in steps of 1 m/s or, for a sheet in rpm, of round
+ * rpm. */
 static double *
 list_every_round_speed(
     const struct site *site, double from, double to, size_t *n)
@@ -414,7 +375,7 @@ list_every_round_speed(
 	return at;
 }
 
-/* Returns these speeds, those measured and the last one asked about [*n]. */
+/* Returns round speeds, the measured ones and the last one asked about [*n]. */
 static double *
 merge_round_and_measured_speeds(
     const struct site *site, double from, double to, double last, size_t *n)
@@ -454,12 +415,12 @@ question_use_default_speeds(
 	if (q->n_at > 0)
 		return;
 	if (!each) {
-		q->at = q->named->usual =
+		q->at = q->speeds =
 		    answers_list_round_speeds(s, site, &q->n_at);
 		return;
 	}
 	settings_speed_range(&s->set, site, &from, &to);
-	q->at = q->named->usual = merge_round_and_measured_speeds(
+	q->at = q->speeds = merge_round_and_measured_speeds(
 	    site, from, to, s->last_asked.speed, &q->n_at);
 }
 
@@ -490,7 +451,7 @@ question_use_last_speed_and_feed(
 	if (q->speed_given || (isnan(last) && !(s->last_asked.speed > 0)))
 		return;
 	q->speed = s->last_asked.speed > 0 ? s->last_asked.speed : last;
-	if (args->feed == NULL && !q->variant.feed && isfinite(fed) &&
+	if (args->feed == NULL && q->scenario.feed == NULL && isfinite(fed) &&
 	    site_run_at_speed(site, fed) < site->n_run)
 		q->feed = site_run_at_speed(site, fed);
 }

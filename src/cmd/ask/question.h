@@ -8,27 +8,13 @@
 #include "cmd/lang/command.h"
 #include "cmd/session/session.h"
 
-/* Differences of the question from the loaded site.  feed: NULL for the site's
- * own; rotor: m; 0: not given; bypass: 0..1; k: 0: as set.
- * sieve [n_sieve]: sieves to show, m, coarsest first. */
-struct scenario {
-	const struct blended *feed;
-	double rotor, bypass, k;
-	enum correction correction;
-	size_t n_sieve;
-	const double *sieve;
-};
-
-/* Read the options of SHARED_... (table_shared.c) that the command has:
- * question_from_args for the current site, question_from_args_for_site for any
- * loaded site. No other function chooses a feed or a machine for a command.
- * Always free with question_free. */
-bool question_from_args(struct session *s, const struct args *args,
-    struct question *q, struct error *error);
-bool question_from_args_for_site(struct session *s, const struct entry *loaded,
+/* Reads the options of SHARED_... (table_shared.c) that the command has.  No
+ * other function chooses a feed or a machine for a command.  Always free with
+ * question_free. */
+bool question_from_args(struct session *s, const struct entry *loaded,
     const struct args *args, struct question *q, struct error *error);
 
-/* As question_from_args_for_site, but repeats a question for another loaded
+/* As question_from_args, but repeats a question for another loaded
  * site without reading files again. */
 bool question_repeat_for_site(struct session *s, const struct entry *loaded,
     const struct args *args, const struct question *like, struct question *q,

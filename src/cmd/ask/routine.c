@@ -23,7 +23,8 @@ const char *const ROUTINE_STATE[5] = {[DRIFT_NONE] = "ok",
     [DRIFT_FLATTER] = N_("flatter"),
     [DRIFT_STEEPER] = N_("steeper")};
 
-/* The date of a cut, in words and seconds.  order: of one such as 5/11/2026. */
+/* Sets the date of a cut in words and seconds.  order: which number of a date
+ * such as 5/11/2026 is the day. */
 static void
 set_date_of_cut(struct routine_cut *c, const struct site_note *note,
     enum datetime_order order)
@@ -37,9 +38,9 @@ set_date_of_cut(struct routine_cut *c, const struct site_note *note,
 		c->when[strcspn(c->when, " ")] = '\0';
 }
 
-/* Whether a run is a cut to be followed.  One that the calibration had seen is
- * one where a note says so and it was not trained on: the training runs then
- * predict it. */
+/* True if a run is a routine cut.  A run that the calibration had is one only
+ * if a note says so and it was held out; *seen is then true, and the training
+ * runs predict it. */
 static bool
 is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 {
@@ -58,7 +59,8 @@ is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 	return noted ? !trained : entry->has_fit && !*seen;
 }
 
-/* The place of a run's note among the site's, which is that of its adding. */
+/* Returns the index of the cut's note in the site: notes are in the order in
+ * which the cuts were added. */
 static size_t
 note_index_of_cut(const struct site *site, const struct routine_cut *c)
 {
@@ -66,7 +68,7 @@ note_index_of_cut(const struct site *site, const struct routine_cut *c)
 	return note != NULL ? (size_t)(note - site->note) : site->n_note;
 }
 
-/* Few and nearly in order. */
+/* Sorts by insertion: the cuts are few and nearly in order. */
 static void
 sort_cuts_by_date(struct routine *r, const struct site *site)
 {
@@ -108,7 +110,7 @@ find_routine_cuts(struct routine *r, const struct entry *entry)
 	sort_cuts_by_date(r, site);
 }
 
-/* The sieves that crushing can change, with what was measured. */
+/* Sets the sieves that crushing can change and the passings measured there. */
 static void
 set_sieves_of_cut(struct routine_cut *c, const struct run *run)
 {
@@ -179,8 +181,8 @@ run_control_charts(struct routine *r)
 		free(residuals[j]);
 }
 
-/* How many of the last cuts lie on one side, and where these differ most, of
- * sieves that the last one has. */
+/* Counts how many of the last cuts are on the same side of the prediction, and
+ * finds the sieve of the last cut at which these differ most. */
 static void
 count_cuts_on_one_side(struct routine *r)
 {
@@ -282,7 +284,7 @@ routine_free(struct routine *r)
 	free(r);
 }
 
-/* "four times running". */
+/* Returns "four times running".  The caller frees it. */
 static char *
 format_times_running(size_t n)
 {

@@ -11,8 +11,8 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
-/* Crushing makes nothing coarser: where all of the feed passes the finer of
- * ideal screens, so does the product. */
+/* Crushing makes nothing coarser: if all of the feed passes the finer of two
+ * ideal screens, so does the product, and the fraction is empty. */
 static bool
 check_feed_exceeds_fraction(const struct fraction *fraction,
     const struct psd *feed, struct error *error)
@@ -38,7 +38,7 @@ screened_check_feed_covers(const struct question *q, struct error *error)
 	       check_feed_exceeds_fraction(&q->fraction, feed, error);
 }
 
-/* share: of the product that the part is. */
+/* share: out, the fraction's share of the product. */
 static struct psd
 screen_measured_product(
     const struct psd *product, const struct fraction *fraction, double *share)

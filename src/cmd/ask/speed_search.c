@@ -15,25 +15,27 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* A limit is met when it is missed by no more than arithmetic does. */
+/* A limit counts as met if it is missed by no more than rounding errors. */
 static const double EXACT = 1e-9;
 
-/* All that people see as 100.0 % or as 0.0 is all or nothing. */
+/* What is shown as 100.0 % or 0.0 % counts as all or nothing. */
 static const double ROUNDS = 5e-4;
 
-/* A band is no narrower than what sheets are rounded to. */
+/* A band is no narrower than the rounding of sheets. */
 static const double NARROW = 1e-3;
 
-/* What chance leaves of a share of the draws. */
+/* Shares of the draws that differ by less may do so by chance. */
 static const double CHANCE = 0.02;
 
-/* Who runs a crusher slowly for less energy and wear wants to be as sure. */
+/* The certainty that is required of a slow speed, chosen for less energy and
+ * wear. */
 static const double SAFE = 0.95;
 
 static const struct wanted_limit NONE = {SIZE_MAX, false};
 
-/* margin [n][conditions]; of the target: over and value [n], in the draws and
- * in samples [n]. */
+/* What was computed at each speed [n]: margin [n][n_condition]; value of the
+ * target's quantity and its excess over the target's value, in the answer
+ * (over), in the draws and in the draws of one more sample. */
 struct speed_table {
 	size_t n_condition;
 	struct margin *margin;
@@ -67,12 +69,12 @@ wanted_from_question(const struct session *s, const struct question *q,
 	return w;
 }
 
-/* What is above 0 where the value of quantity i is on the right side of a
- * limit: its distance, times the sign. */
+/* One limit of condition i.  sign: 1 for a lower limit, -1 for an upper one,
+ * so that sign times the excess over the limit is above 0 where it holds. */
 struct side {
 	size_t i;
 	double limit, sign;
-	bool tight; /* nothing lies beyond the limit */
+	bool tight; /* no value lies beyond the limit */
 };
 
 static double
@@ -84,7 +86,7 @@ room_to_limit(const struct side *side, double over)
 	return side->tight && over >= -ROUNDS ? INFINITY : over;
 }
 
-/* The sides of condition i.  Returns how many. */
+/* Lists the limits of condition i and returns their number. */
 static size_t
 limits_of_condition(
     const struct wanted *w, size_t i, struct side side[static 2])
@@ -101,7 +103,8 @@ limits_of_condition(
 	return n;
 }
 
-/* held [DRAWS]: whether all that was asked before holds in a draw, or NULL. */
+/* Returns the margin of a limit.  held [DRAWS], or NULL: set to false for each
+ * draw in which it does not hold. */
 static struct margin
 margin_of_limit(const struct wanted *w, const struct side *side, bool *held)
 {
@@ -126,15 +129,16 @@ margin_of_limit(const struct wanted *w, const struct side *side, bool *held)
 	return m;
 }
 
-/* By which margins compare: what is missed is less than what holds, and counts
- * by the points that it is missed by: a wide band makes a miss no smaller. */
+/* Returns a number by which margins compare.  A limit that is missed ranks
+ * below all that hold, by the points that it is missed by, because a wide band
+ * does not make a miss smaller. */
 static double
 margin_rank(struct margin m)
 {
 	return m.passing < -EXACT ? m.passing : fmax(m.widths, 0);
 }
 
-/* The lesser of two, of which the first may have no limit. */
+/* Returns the lesser of two margins, ignoring one without a limit. */
 static struct margin
 lesser_margin(struct margin least, struct margin m)
 {
@@ -168,7 +172,7 @@ wanted_margin_of_condition(const struct wanted *w, size_t i)
 	return least;
 }
 
-/* Without the draws, which tell nothing of that. */
+/* Does not compute draws, which are not needed for this. */
 bool
 wanted_are_conditions_met(const struct wanted *w, size_t i)
 {
@@ -187,7 +191,8 @@ wanted_are_conditions_met(const struct wanted *w, size_t i)
 	return true;
 }
 
-/* margin [w->n] out, or NULL. */
+/* Returns the share of draws in which all conditions hold, NAN for a model
+ * alone. margin [w->n]: out, or NULL. */
 static double
 share_of_draws_that_hold(const struct wanted *w, struct margin *margin)
 {
@@ -211,7 +216,8 @@ wanted_probability_met(const struct wanted *w)
 	return share_of_draws_that_hold(w, NULL);
 }
 
-/* Both ends of the speeds looked at, and the tenths between. */
+/* Returns both ends of the range of speeds and the tenths between them,
+ * [*n]. */
 static double *
 list_speeds_by_tenths(const struct wanted *w, size_t *n)
 {
@@ -269,7 +275,7 @@ speed_search_free(struct speed_search *s)
 	free(s);
 }
 
-/* The target's, at step k. */
+/* Stores what concerns the target, at step k, whose speed is v. */
 static void
 store_target_at_step(
     struct speed_table *t, const struct wanted *w, size_t k, double v)
@@ -318,7 +324,8 @@ are_conditions_met_at_step(const struct speed_search *s, size_t k)
 	return i == n;
 }
 
-/* Of what does not hold at step k; none beyond those looked at. */
+/* Returns the limit with the smallest margin at step k, or none for a step
+ * beyond the ends. */
 static struct wanted_limit
 missed_limit_at_step(const struct speed_search *s, size_t k)
 {
@@ -334,8 +341,9 @@ add_speed_interval(
 	    missed_limit_at_step(s, below), missed_limit_at_step(s, above)};
 }
 
-/* Whether a speed between steps k and k + 1, of which neither will do, is too
- * slow, -1, too fast, 1, or will do, 0: by what is missed at step k. */
+/* For a speed between steps k and k + 1, at neither of which all conditions
+ * hold: returns -1 if it is too slow, as it misses a limit that step k misses,
+ * 1 if it is too fast, and 0 if all conditions hold. */
 static int
 bisection_direction(
     const struct speed_search *s, const struct wanted *w, size_t k, double v)
@@ -352,7 +360,7 @@ bisection_direction(
 	return 0;
 }
 
-/* Whether what is missed at step k is another limit than at the next. */
+/* True if step k and the next miss different limits. */
 static bool
 may_conditions_hold_between(const struct speed_search *s, size_t k)
 {
@@ -365,7 +373,8 @@ may_conditions_hold_between(const struct speed_search *s, size_t k)
 	return true;
 }
 
-/* The speed nearest to `bad` that still will do, from one that does. */
+/* Returns the speed nearest to `bad` at which all conditions hold, as at
+ * `good`. */
 static double
 bisect_interval_end(const struct speed_search *s, const struct wanted *w,
     size_t k, double good, double bad)
@@ -414,8 +423,8 @@ find_speed_intervals(struct speed_search *s, const struct wanted *w)
 		while (
 		    last + 1 < s->n && are_conditions_met_at_step(s, last + 1))
 			last++;
-		/* Before the first step and after the last no limit is
-		 * missed: k - 1 wraps round to a step that there is not. */
+		/* For k = 0, k - 1 wraps round to a step beyond the last, which
+		 * has no limit. */
 		add_speed_interval(
 		    s, s->speed[k], s->speed[last], k - 1, last + 1);
 		k = last;
@@ -428,7 +437,7 @@ is_within_measured_speeds(const struct wanted *w, double v)
 	return v >= w->measured[0] - EXACT && v <= w->measured[1] + EXACT;
 }
 
-/* Whether any speed at which all holds lies where it was measured. */
+/* True if all conditions hold at some speed between the measured ones. */
 static bool
 is_met_within_measured_speeds(
     const struct speed_search *s, const struct wanted *w)
@@ -440,8 +449,9 @@ is_met_within_measured_speeds(
 	return false;
 }
 
-/* Steps that may be the best: where anything holds those at which it does,
- * measured ones where there are any, and as sure as `sure`. */
+/* Which steps may be the best.  inside: only those at which all conditions
+ * hold; measured: only those between the measured speeds; sure: the least
+ * certainty. */
 struct eligible {
 	bool inside, measured;
 	double sure;
@@ -456,8 +466,8 @@ may_be_best_step(const struct speed_search *s, const struct wanted *w, size_t k,
 	       !(s->certain[k] < e->sure);
 }
 
-/* The largest margin, of equals the one nearest to the middle; SIZE_MAX where
- * what holds lies between two steps. */
+/* Returns the step with the largest margin, of equals the one nearest to the
+ * middle; SIZE_MAX if the conditions hold only between two steps. */
 static size_t
 find_best_step(const struct speed_search *s, const struct wanted *w)
 {
@@ -515,8 +525,8 @@ find_best_speed(struct speed_search *s, const struct wanted *w)
 		    ROUNDS;
 }
 
-/* The steps about the best speed, or nearest to it, at which condition i alone
- * holds. */
+/* Finds the interval around the best speed, or nearest to it, in which
+ * condition i holds by itself. */
 static void
 find_interval_of_condition(
     const struct speed_search *s, size_t i, double ends[static 2])
@@ -587,9 +597,9 @@ target_excess_at(const struct wanted *w, double v)
 	return forecast_excess_over_limit(w->forecast, w->n, w->target->least);
 }
 
-/* Where it changes its sign between a and b, at which it is fa and fb: secants,
- * and halves where these gain little.  To 1e-9 m/s, so that predict at the
- * speed gives the value. */
+/* Returns the speed between a and b at which the target's excess, fa and fb
+ * there, changes its sign: by secants, and by bisection where these gain
+ * little.  To 1e-9 m/s, so that predict at that speed gives the value. */
 static double
 target_speed_between(
     const struct wanted *w, double a, double fa, double b, double fb)
@@ -599,7 +609,7 @@ target_speed_between(
 	while (b - a > close) {
 		double width = b - a, middle = (a + b) / 2;
 		double at = a - fa * (width / (fb - fa));
-		/* A little beyond the root, so that both ends close in. */
+		/* Go a little beyond the root, so that both ends close in. */
 		at += at < middle ? close / 4 : -close / 4;
 		for (int half = 0; half < 2 && b - a > width / 2; half++) {
 			double v =
@@ -639,7 +649,7 @@ find_target_speeds(struct speed_search *s, const struct wanted *w)
 				w, v[k - 1], f[k - 1], v[k], f[k]));
 }
 
-/* How far a speed is from those measured. */
+/* Returns how far a speed lies beyond the measured ones, or 0. */
 static double
 distance_beyond_measured_speeds(const struct wanted *w, double v)
 {
@@ -662,7 +672,8 @@ choose_target_speed(struct speed_search *s, const struct wanted *w)
 	s->found = best != NULL ? best->speed : NAN;
 }
 
-/* Where draw d of a table, times a sign, rises through 0 nearest to v. */
+/* Returns the speed nearest to v at which sign times draw d of a table rises
+ * through 0; 0 or INFINITY if it does so below or above the search. */
 static double
 target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
     double sign, double v)

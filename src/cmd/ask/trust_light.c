@@ -18,8 +18,8 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* Below this width of a band, passing, no parameter moves the answer by what is
- * worth a word; and that. */
+/* In a band narrower than NARROW, no parameter moves the answer by more than
+ * MOVES, below which it is not worth mentioning; both passings. */
 static const double NARROW = 0.01, MOVES = 0.005;
 
 static double
@@ -31,7 +31,7 @@ mean_band_width(const struct prediction *p)
 	return sum;
 }
 
-/* The parameter on a bound that holds the answer back most. */
+/* Finds the parameter on a bound that limits the answer most. */
 static void
 find_bound_that_limits_answer(const struct session *s,
     const struct entry *entry, const struct prediction *p,
@@ -59,30 +59,16 @@ find_bound_that_limits_answer(const struct session *s,
 	}
 }
 
-/* The largest RMSE of the entry's parameters at a measured run, passing 0..1;
- * NAN where none was measured. */
-static double
-largest_rmse_of_runs(const struct session *s, const struct entry *entry)
-{
-	double most = NAN;
-	for (size_t r = 0; r < entry->site->n_run; r++) {
-		if (misfit_count_covered_sieves(&entry->site->run[r]) == 0)
-			continue;
-		struct validation v = validate_run(entry->site, r, entry->train,
-		    &entry->params, s->set.model, NULL);
-		most = fmax(most, v.rmse[VALIDATE_MODEL]);
-	}
-	return most;
-}
-
-/* Parameters that no calibration on this site's data found in this session. */
+/* Adds reasons about parameters that were not found by a calibration of this
+ * site in this session. */
 static void
 judge_origin_of_params(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool same = o->found && o->digest == entry->site->digest;
-	double error = largest_rmse_of_runs(s, entry);
+	double error = fit_largest_rmse_of_runs(
+	    entry, &entry->params, s->set.model, false);
 	if (same && origin_find_fit(entry) != NULL)
 		return;
 	if (same)
@@ -107,7 +93,7 @@ judge_origin_of_params(
 			origin_source_text(entry), 100 * error));
 }
 
-/* How the calibration was made. */
+/* Adds reasons about how the calibration was made. */
 static void
 judge_calibration(
     struct trust *t, const struct session *s, const struct fit *fit)
@@ -129,9 +115,9 @@ judge_calibration(
 			       "calibrate again")));
 }
 
-/* Cuts that were added since: all of them, and the one that is missed most.
- * Where they drift somebody should look at the crusher before a calibration
- * takes them up. */
+/* Adds reasons about cuts added after the calibration: that they drift, and
+ * the one that is missed most.  If they drift, the crusher should be looked at
+ * before a calibration includes them. */
 static void
 judge_cuts_added_later(
     struct trust *t, const struct session *s, const struct entry *entry)
@@ -157,46 +143,49 @@ judge_cuts_added_later(
 			later.speed, rpm, 100 * later.rms));
 }
 
-/* What is asked about that nobody measured.  evidence: of the fit, or NULL. */
+/* Adds reasons about a feed or machine that was not measured.  evidence: on
+ * the fit, or NULL. */
 static void
 judge_other_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
 {
-	const struct variant *v = entry->variant;
-	const char *rock = v->own->site->rock;
-	if (v->feed && v->rock[0] != '\0' && rock[0] != '\0' &&
-	    !text_same_folded(v->rock, rock))
+	const struct scenario *w = entry->scenario;
+	const char *rock = w->own->site->rock, *other = w->rock;
+	double measured = entry_measured_rotor(w->own);
+	if (other[0] != '\0' && rock[0] != '\0' &&
+	    !text_same_folded(other, rock))
 		trust_add_reason(t, LIGHT_RED, TRUST_FEED,
 		    xasprintf(
 			tr("the feed is %s and the site's rock is %s: no "
 			   "measurement shows how the feed's rock breaks"),
-			v->rock, rock));
-	if (v->feed && evidence == NULL)
+			other, rock));
+	if (w->feed != NULL && evidence == NULL)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FEED,
 		    xstrdup(
 			tr("it is not known with which feeds the parameters "
 			   "were found: this feed may break differently")));
-	if (v->other_rotor)
+	if (w->rotor > 0 && measured > 0 && fabs(w->rotor - measured) > 5e-4)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(
 			tr("the runs were measured with a rotor of %g mm: "
 			   "no measurement shows the effect of another "
 			   "rotor diameter (%g mm)"),
-			units_mm(v->measured_rotor), units_mm(v->rotor)));
-	if (v->bypass > 0)
+			units_mm(measured), units_mm(w->rotor)));
+	if (w->bypass > 0)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "cascade share (%g %% of the feed, taken as "
 				 "uncrushed: the coarsest that can be)"),
-			100 * v->bypass));
-	if (v->k > 0 && v->k != s->set.model.k)
+			100 * w->bypass));
+	if (w->k > 0 && w->k != s->set.model.k)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_MACHINE,
 		    xasprintf(tr("no measurement shows the effect of another "
 				 "number of impacts (%g instead of %g)"),
-			v->k, s->set.model.k));
+			w->k, s->set.model.k));
 }
 
-/* Speeds of parameters that no calibration of this session found. */
+/* Returns evidence that has only the speeds, for parameters that were not
+ * found by a calibration in this session. */
 static struct evidence
 evidence_from_speeds_alone(const struct entry *entry)
 {
@@ -218,16 +207,16 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
 	struct evidence reach = evidence_from_speeds_alone(entry);
-	/* What was measured is judged as it was measured. */
+	/* What was measured is judged without the question's changes. */
 	const struct entry *own = entry_without_variant(entry);
 	if (later)
 		judge_cuts_added_later(&t, s, own);
-	if (entry->variant != NULL)
+	if (entry->scenario != NULL)
 		judge_other_feed_or_machine(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_band_width(p);
-	if (p != NULL && e != NULL && entry->variant != NULL &&
-	    entry->variant->feed)
+	if (p != NULL && e != NULL && entry->scenario != NULL &&
+	    entry->scenario->feed != NULL)
 		q.feed = outlook_nearest_feed_difference(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
 		find_bound_that_limits_answer(s, entry, p, &q);
@@ -277,7 +266,7 @@ light_worst_of_predictions(const struct session *s, const struct entry *entry,
 	return worst;
 }
 
-/* "amber: " and the first reason, or "green"; the caller frees. */
+/* Returns "amber: " and the first reason, or "green".  The caller frees it. */
 static char *
 describe_light(const struct trust *t)
 {
@@ -342,7 +331,7 @@ light_show(struct answer *r, struct trust t)
 	light_show_with_speed(r, NULL, 0, t);
 }
 
-/* What needs no light; NULL: that decides. */
+/* Returns a verdict that needs no light, or NULL if the light decides. */
 static const char *
 verdict_without_light(const struct fit *fit)
 {
@@ -375,7 +364,7 @@ light_verdict_without_draws(const struct session *s, const struct entry *entry)
 {
 	const char *plain = verdict_without_light(&entry->fit);
 	struct evidence e = outlook_evidence_without_draws(s, entry);
-	/* No cut was added since. */
+	/* No cut has been added since this calibration. */
 	return plain != NULL ? plain
 			     : verdict_of_light(judge_trust_in_answer(
 				   s, entry, NULL, &e, false));

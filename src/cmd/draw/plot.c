@@ -87,7 +87,7 @@ questions_of_plot_from_args(struct session *s, const struct args *args,
 	if (s->n_entry == 0 ||
 	    (r->site != NULL && !session_find_site(s, r->site, &at, &none)))
 		return true;
-	if (!question_from_args_for_site(s, &s->entry[at], args, &a->q, error))
+	if (!question_from_args(s, &s->entry[at], args, &a->q, error))
 		return false;
 	r->entry = a->q.entry;
 	r->feed = a->q.feed;

@@ -152,13 +152,10 @@ parse_redirection(const char *line, size_t *at, struct place place,
 
 /* True if the command takes > and | as words. */
 static bool
-are_redirections_words(const struct words *words, struct place place)
+are_redirections_words(const struct words *words)
 {
-	const struct command *command =
-	    words->n > 0
-		? command_find_abbreviated(words->text[0], place.prompt)
-		: NULL;
-	return command != NULL && (command->flags & COMMAND_VERBATIM) != 0;
+	return words->command != NULL &&
+	       (words->command->flags & COMMAND_VERBATIM) != 0;
 }
 
 void
@@ -181,15 +178,19 @@ static void
 join_command_name(struct words *words)
 {
 	FREED char *name = xasprintf("%s %s", words->text[0], words->text[1]);
-	if (command_find(name) != NULL)
-		words_replace(words, 0, 2, name);
+	const struct command *command = command_find(name);
+	if (command == NULL)
+		return;
+	words_replace(words, 0, 2, name);
+	words->command = command;
 }
 
 /* Joins a unit to the number before it: "72 m/s", and "1640 rpm" where m/s are
  * expected. */
 static void
-join_unit_to_number(const struct command *command, struct words *words)
+join_unit_to_number(struct words *words)
 {
+	const struct command *command = words->command;
 	const char *word = words->text[words->n - 2];
 	const char *unit = words->text[words->n - 1];
 	const char *equals = strchr(word, '=');
@@ -222,14 +223,13 @@ copy_and_add_word(const char *line, size_t *at, struct place place,
 	words->column[i] = column;
 	if (!copy_word_of_line(line, at, verbatim, &words->text[i]))
 		return error_open_quote(place, column, error);
+	if (i == 0)
+		words->command =
+		    command_find_abbreviated(words->text[0], place.prompt);
 	if (i == 1)
 		join_command_name(words);
-	const struct command *command =
-	    words->n > 2
-		? command_find_abbreviated(words->text[0], place.prompt)
-		: NULL;
-	if (command != NULL && !verbatim)
-		join_unit_to_number(command, words);
+	if (words->n > 2 && words->command != NULL && !verbatim)
+		join_unit_to_number(words);
 	return true;
 }
 
@@ -238,13 +238,9 @@ copy_and_add_word(const char *line, size_t *at, struct place place,
  * name.  After an unknown command >= is a limit, so that the error is about the
  * command. */
 static bool
-is_limit_sign(
-    const char *line, size_t at, const struct words *words, struct place place)
+is_limit_sign(const char *line, size_t at, const struct words *words)
 {
-	const struct command *command =
-	    words->n > 0
-		? command_find_abbreviated(words->text[0], place.prompt)
-		: NULL;
+	const struct command *command = words->command;
 	if (command == NULL)
 		return words->n > 1 && words->n < OPERANDS &&
 		       strncmp(line + at, ">=", 2) == 0;
@@ -279,6 +275,7 @@ words_split(const char *line, size_t from, struct place place,
 {
 	size_t i = skip_blanks(line, from), begin = i, end = i;
 	words->n = 0;
+	words->command = NULL;
 	words->typed = NULL;
 	words->to = TO_SCREEN;
 	words->target = NULL;
@@ -286,10 +283,10 @@ words_split(const char *line, size_t from, struct place place,
 	words->reached = place.column > 0 ? from : 0;
 	words->reached_column = place.column > 0 ? place.column : 1;
 	while (line[i] != '\0' && line[i] != '#' && line[i] != ';') {
-		bool verbatim = are_redirections_words(words, place);
+		bool verbatim = are_redirections_words(words);
 		bool sign = line[i] == '>' || line[i] == '|';
 		bool ok = true;
-		if (sign && is_limit_sign(line, i, words, place))
+		if (sign && is_limit_sign(line, i, words))
 			add_limit_sign_as_word(line, &i, words);
 		else if (sign && !verbatim)
 			ok = parse_redirection(line, &i, place, words, error);
@@ -836,13 +833,11 @@ parse_call(const struct words *words, struct place place, struct args *args,
 {
 	memset(args, 0, sizeof *args);
 	int column = words->column[0];
-	const struct command *command =
-	    command_find_abbreviated(words->text[0], place.prompt);
-	if (command == NULL) {
+	if (words->command == NULL) {
 		error_command_not_found(words->text[0], place.prompt, error);
 	} else {
 		args->command = command_meant_by_words(
-		    command, words->text + 1, words->n - 1);
+		    words->command, words->text + 1, words->n - 1);
 		if (parse_arguments(words, args, &column, error))
 			return args->command;
 		hint_spaces_around_equals(args->command, words, error);

@@ -22,8 +22,9 @@ struct place {
 /* Target of a command's results. */
 enum target { TO_SCREEN, TO_FILE, TO_APPEND, TO_PIPE };
 
-/* The words of one command and the columns where they start (from 1).  typed:
- * the words as typed in the line; NULL after an error.  next: the offset in the
+/* The words of one command and the columns where they start (from 1).  command:
+ * the one that the first word names, or NULL.  typed: the words as typed in the
+ * line; NULL after an error.  next: the offset in the
  * line at which the next command may begin.  target: the file for TO_FILE (">")
  * and TO_APPEND (">>"), or the shell command for TO_PIPE; to_column: the column
  * of > or |. */
@@ -31,6 +32,7 @@ struct words {
 	size_t n;
 	char *text[OPERANDS];
 	int column[OPERANDS];
+	const struct command *command;
 	char *typed;
 	size_t next;
 	enum target to;
@@ -52,8 +54,8 @@ void words_free(struct words *words);
 void words_replace(
     struct words *words, size_t first, size_t n, const char *text);
 
-/* Finds the command and checks every value against its table.  args borrows
- * from words; always free with args_free. */
+/* Checks every value against the table of the command that is meant.  args
+ * borrows from words; always free with args_free. */
 const struct command *parse_call(const struct words *words, struct place place,
     struct args *args, struct error *error);
 void args_free(struct args *args);

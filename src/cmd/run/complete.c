@@ -19,12 +19,12 @@
 #include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
-/* A completion in progress.  typed: the word so far, without quotes; quoted: it
- * began with a quote. */
+/* A completion in progress.  typed: the word so far, without quotes; folded:
+ * without case and accents, too; quoted: it began with a quote. */
 struct work {
 	const struct session *session;
 	struct completion *result;
-	char *typed;
+	char *typed, *folded;
 	bool quoted;
 };
 
@@ -44,6 +44,14 @@ offer_if_matching(struct work *w, const char *text, char append)
 {
 	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
 		put_candidate(w, text, append);
+}
+
+/* True if a name in small letters begins as typed, whose case and accents are
+ * ignored. */
+static bool
+begins_as_typed(const struct work *w, const char *name)
+{
+	return strncmp(name, w->folded, strlen(w->folded)) == 0;
 }
 
 /* Offers the first word of a name, once. */
@@ -105,12 +113,9 @@ offer_parameters(struct work *w)
 static void
 offer_sites(struct work *w)
 {
-	FREED char *folded = text_fold_case_and_accents(w->typed);
-	for (size_t i = 0; i < w->session->n_entry; i++) {
-		const char *key = w->session->entry[i].key;
-		if (strncmp(key, folded, strlen(folded)) == 0)
-			put_candidate(w, key, ' ');
-	}
+	for (size_t i = 0; i < w->session->n_entry; i++)
+		if (begins_as_typed(w, w->session->entry[i].key))
+			put_candidate(w, w->session->entry[i].key, ' ');
 }
 
 static void
@@ -148,9 +153,8 @@ offer_materials(struct work *w)
 	store_visit_names_beginning(w->session->store, w->typed, MOST,
 	    add_material_candidate, w, &error);
 	stored_add_table3(&paper);
-	FREED char *folded = text_fold_case_and_accents(w->typed);
 	for (size_t i = 0; i < paper.n; i++)
-		if (strncmp(paper.item[i].name, folded, strlen(folded)) == 0)
+		if (begins_as_typed(w, paper.item[i].name))
 			add_material_candidate(w, paper.item[i].name);
 	stored_list_free(&paper);
 }
@@ -160,12 +164,11 @@ static void
 offer_specs(struct work *w)
 {
 	struct standards *all = standards_read_built_in();
-	FREED char *folded = text_fold_case_and_accents(w->typed);
 	for (size_t i = 0; i < all->n; i++) {
 		FREED char *name =
 		    text_fold_case_and_accents(all->spec[i]->name);
 		FREED char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
-		if (strncmp(name, folded, strlen(folded)) == 0)
+		if (begins_as_typed(w, name))
 			put_candidate(w, quoted, ' ');
 	}
 	standards_free(all);
@@ -216,16 +219,14 @@ static void
 offer_shipped_sites(struct work *w)
 {
 	static const char END[] = ".csv";
-	FREED char *typed = text_fold_case_and_accents(w->typed);
-	bool other = w->session->safe || typed[0] == '\0';
+	bool other = w->session->safe || w->typed[0] == '\0';
 	for (size_t i = 0; i < w->result->n; i++)
 		other = other || w->result->candidate[i].append != '=';
 	FREED char *path = shipped_sites_folder();
 	DIR *dir = other ? NULL : opendir(path);
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
 		FREED char *name = xstrdup(e->d_name);
-		if (text_ends_with(name, END) &&
-		    strncmp(name, typed, strlen(typed)) == 0) {
+		if (text_ends_with(name, END) && begins_as_typed(w, name)) {
 			name[strlen(name) - strlen(END)] = '\0';
 			put_candidate(w, name, ' ');
 		}
@@ -312,14 +313,23 @@ offer_arguments(struct work *w, const struct args *used)
 	offer_operand_values(w, command, used->n_operand);
 }
 
+/* Takes a part of the line, in which a word begins, as what was typed. */
+static void
+set_typed_word(struct work *w, const char *word)
+{
+	free(w->typed);
+	free(w->folded);
+	w->quoted = word[0] == '"';
+	w->typed = text_without_quotes(word, strlen(word));
+	w->folded = text_fold_case_and_accents(w->typed);
+}
+
 /* Restricts the completion to the part of the word after `behind`. */
 static void
 complete_only_after(struct work *w, const char *line, const char *behind)
 {
 	w->result->start = (size_t)(behind - line) + 1;
-	w->quoted = behind[1] == '"';
-	free(w->typed);
-	w->typed = text_without_quotes(behind + 1, strlen(behind + 1));
+	set_typed_word(w, behind + 1);
 }
 
 /* Returns the option of which the word is a value, by name or as the bare
@@ -449,8 +459,7 @@ complete_last_word(struct work *w, const char *line)
 	if (!find_last_word(line, &from, &w->result->start))
 		return;
 	size_t start = w->result->start;
-	w->typed = text_without_quotes(line + start, strlen(line + start));
-	w->quoted = line[start] == '"';
+	set_typed_word(w, line + start);
 	FREED char *before = xstrndup(line + from, start - from);
 	struct words words;
 	struct error error = {0};
@@ -466,6 +475,7 @@ complete_last_word(struct work *w, const char *line)
 	}
 	words_free(&words);
 	free(w->typed);
+	free(w->folded);
 	sort_candidates(w->result);
 }
 

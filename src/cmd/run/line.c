@@ -92,8 +92,9 @@ is_existing_file_name(const char *word)
 /* Joins the words of "load belt cuts may.csv" if none of them is a file but all
  * together are. */
 static void
-join_file_name(struct words *words, const struct command *command)
+join_file_name(struct words *words)
 {
+	const struct command *command = words->command;
 	size_t n = 1;
 	if (command == NULL || (command->flags & COMMAND_FILES) == 0)
 		return;
@@ -114,8 +115,7 @@ run_command_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
-	join_file_name(
-	    words, command_find_abbreviated(words->text[0], place.prompt));
+	join_file_name(words);
 	if (!speeds_convert_from_rpm(s, words, place, error))
 		return false;
 	const struct command *command = parse_call(words, place, &args, error);
@@ -153,8 +153,8 @@ session_run_line(struct session *s, const char *line, size_t from,
 	while (from < end && !s->quit) {
 		struct words words;
 		bool ok = words_split(line, from, place, &words, error);
-		speeds_join_words_to_list(s, &words, place.prompt);
-		conditions_join_words(&words, place.prompt);
+		speeds_join_words_to_list(s, &words);
+		conditions_join_words(&words);
 		if (ok && words.n > 0)
 			ok = run_command_words(s, &words, place, error);
 		from = words.next;

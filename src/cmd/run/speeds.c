@@ -138,11 +138,11 @@ convert_rpm_to_mps(const char *turns, double diameter)
 
 /* Returns the number of words in rpm. */
 static size_t
-count_words_in_rpm(const struct command *command, const struct words *words)
+count_words_in_rpm(const struct words *words)
 {
 	size_t n = 0;
 	for (size_t i = 1; i < words->n; i++)
-		n += find_value_in_rpm(command, words->text[i]) != NULL;
+		n += find_value_in_rpm(words->command, words->text[i]) != NULL;
 	return n;
 }
 
@@ -151,13 +151,10 @@ static bool
 error_rotor_unknown(struct session *s, const struct words *words,
     struct place place, size_t i, struct error *error)
 {
-	static char ROTOR[] = "rotor_mm";
-	const struct command *command =
-	    command_find_abbreviated(words->text[0], place.prompt);
 	FREED char *line = xstrdup("");
 	for (size_t k = 0; k < words->n; k++)
 		xappend_to_list(&line, " ", "%s", words->text[k]);
-	bool has = command_option_index(command, ROTOR) < OPTIONS;
+	bool has = command_option_index(words->command, "rotor_mm") < OPTIONS;
 	error_at(error, ERROR_USAGE, place.file, place.line, words->column[i],
 	    "expected the rotor's diameter with rpm, which %s does not state",
 	    session_current_entry(s)->site->name);
@@ -171,9 +168,8 @@ bool
 speeds_convert_from_rpm(struct session *s, struct words *words,
     struct place place, struct error *error)
 {
-	const struct command *command =
-	    command_find_abbreviated(words->text[0], place.prompt);
-	size_t n = command != NULL ? count_words_in_rpm(command, words) : 0;
+	const struct command *command = words->command;
+	size_t n = command != NULL ? count_words_in_rpm(words) : 0;
 	double diameter = n > 0 ? rotor_diameter_m(s, words) : 0;
 	if (!(diameter > 0) && s->n_entry == 0)
 		return true;
@@ -268,16 +264,14 @@ join_speed_range(struct words *words)
 }
 
 void
-speeds_join_words_to_list(struct session *s, struct words *words, bool prompt)
+speeds_join_words_to_list(struct session *s, struct words *words)
 {
-	static char OPTION[] = "speeds=", NAME[] = "speeds";
+	static char OPTION[] = "speeds=";
 	char *const word[] = {OPTION};
-	const struct command *command =
-	    words->n > 1 ? command_find_abbreviated(words->text[0], prompt)
-			 : NULL;
+	const struct command *command = words->n > 1 ? words->command : NULL;
 	const struct command *lister =
 	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
-	if (lister == NULL || command_option_index(lister, NAME) == OPTIONS)
+	if (lister == NULL || command_option_index(lister, "speeds") == OPTIONS)
 		return;
 	join_speed_range(words);
 	bool lists = false, list;

@@ -14,16 +14,12 @@
 
 struct files {
 	size_t n;
-	struct known {
+	struct use_of_file {
 		char *path;
-		uint64_t digest; /* of the path: strings of many are slow */
 		bool written;    /* else read */
-	} * known;
-	size_t n_reading;
-	struct reading_of {
-		char *path;
+		bool has_digest; /* of what was read then */
 		uint64_t digest;
-	} * reading;
+	} * use;
 	char *holder; /* or NULL */
 	bool saved;
 };
@@ -36,19 +32,13 @@ session_files_or_new(struct session *s)
 	return s->files;
 }
 
-static void
-record_file(struct session *s, const char *path, bool written)
+static struct use_of_file *
+record_use_of_file(struct session *s, const char *path, bool written)
 {
 	struct files *f = session_files_or_new(s);
-	uint64_t digest =
-	    text_fnv1a_digest(TEXT_DIGEST_START, path, strlen(path));
-	for (size_t i = 0; i < f->n; i++)
-		if (f->known[i].digest == digest &&
-		    f->known[i].written == written &&
-		    strcmp(f->known[i].path, path) == 0)
-			return;
-	f->known = xrealloc(f->known, f->n + 1, sizeof *f->known);
-	f->known[f->n++] = (struct known){xstrdup(path), digest, written};
+	f->use = xrealloc(f->use, f->n + 1, sizeof *f->use);
+	f->use[f->n] = (struct use_of_file){xstrdup(path), written, false, 0};
+	return &f->use[f->n++];
 }
 
 bool
@@ -73,32 +63,28 @@ files_digest(const char *path, uint64_t *digest)
 void
 files_note_read(struct session *s, const char *path)
 {
-	uint64_t digest;
-	record_file(s, path, false);
-	if (!files_digest(path, &digest))
-		return;
-	struct files *f = s->files;
-	f->reading = xrealloc(f->reading, f->n_reading + 1, sizeof *f->reading);
-	f->reading[f->n_reading++] = (struct reading_of){xstrdup(path), digest};
+	struct use_of_file *use = record_use_of_file(s, path, false);
+	use->has_digest = files_digest(path, &use->digest);
 }
 
 size_t
-files_count_readings(const struct session *s)
+files_count_uses(const struct session *s)
 {
-	return s->files != NULL ? s->files->n_reading : 0;
+	return s->files != NULL ? s->files->n : 0;
 }
 
 const char *
 files_path_of_reading(const struct session *s, size_t i, uint64_t *digest)
 {
-	*digest = s->files->reading[i].digest;
-	return s->files->reading[i].path;
+	const struct use_of_file *use = &s->files->use[i];
+	*digest = use->digest;
+	return use->has_digest ? use->path : NULL;
 }
 
 void
 files_note_written(struct session *s, const char *path)
 {
-	record_file(s, path, true);
+	record_use_of_file(s, path, true);
 }
 
 void
@@ -128,11 +114,8 @@ files_free(struct files *files)
 		return;
 	free(files->holder);
 	for (size_t i = 0; i < files->n; i++)
-		free(files->known[i].path);
-	for (size_t i = 0; i < files->n_reading; i++)
-		free(files->reading[i].path);
-	free(files->reading);
-	free(files->known);
+		free(files->use[i].path);
+	free(files->use);
 	free(files);
 }
 
@@ -152,8 +135,8 @@ is_read_or_written_file(
 {
 	const struct files *f = s->files;
 	for (size_t i = 0; f != NULL && i < f->n; i++)
-		if (f->known[i].written == written &&
-		    is_file_at_path(f->known[i].path, file))
+		if (f->use[i].written == written &&
+		    is_file_at_path(f->use[i].path, file))
 			return true;
 	return false;
 }

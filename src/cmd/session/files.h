@@ -44,10 +44,10 @@ bool files_confirm_replace(
  * read. */
 bool files_digest(const char *path, uint64_t *digest);
 
-/* files_count_readings returns how many times files with known digests were
- * read; files_path_of_reading returns the path of reading i, and the digest at
- * that time. */
-size_t files_count_readings(const struct session *s);
+/* files_count_uses returns how many times files were read or written;
+ * files_path_of_reading returns the path in use i, and the digest at that time,
+ * or NULL if it was written or has no digest. */
+size_t files_count_uses(const struct session *s);
 const char *files_path_of_reading(
     const struct session *s, size_t i, uint64_t *digest);
 

@@ -85,7 +85,7 @@ invocation_begin(struct session *s, const struct args *args,
 	t->line = journal_line_of_call(args, words);
 	t->state = journal_current_place(s).state;
 	t->steps = undo_count_steps(s);
-	t->readings = files_count_readings(s);
+	t->uses = files_count_uses(s);
 	if (command->flags & COMMAND_CHANGES)
 		t->before = snapshot_take(s);
 	s->invocation = t;
@@ -134,13 +134,15 @@ record_digests_of_files(
     struct session *s, const struct invocation *t, const char *latest)
 {
 	uint64_t digest;
-	size_t n = files_count_readings(s);
+	size_t n = files_count_uses(s);
 	if (command_option_index(t->command, "digest") < OPTIONS)
 		return;
-	for (size_t i = t->readings; i < n; i++) {
+	for (size_t i = t->uses; i < n; i++) {
 		const char *path = files_path_of_reading(s, i, &digest);
-		journal_add_file_check(
-		    s, i == t->readings ? latest : NULL, path, digest);
+		if (path == NULL)
+			continue;
+		journal_add_file_check(s, latest, path, digest);
+		latest = NULL;
 	}
 }
 

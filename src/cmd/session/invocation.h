@@ -24,7 +24,7 @@ struct invocation {
 	struct snapshot *before; /* or NULL where it changes nothing */
 	size_t state;            /* of the journal when it began */
 	size_t steps;            /* that could be undone then */
-	size_t readings;         /* of files by then */
+	size_t uses;             /* of files by then */
 	bool joins;              /* is undone with the step before */
 	bool stopped;            /* its calibration was, after */
 	size_t stopped_at;       /* so many steps; 0: without a result */

@@ -51,7 +51,14 @@ history_discard_cached(struct history *h, const struct site *site)
 const struct entry *
 entry_without_variant(const struct entry *entry)
 {
-	return entry->variant != NULL ? entry->variant->own : entry;
+	return entry->scenario != NULL ? entry->scenario->own : entry;
+}
+
+double
+entry_measured_rotor(const struct entry *entry)
+{
+	bool known = entry->origin != NULL && entry->origin->history != NULL;
+	return known ? entry->origin->history->site->rotor : entry->site->rotor;
 }
 
 struct history *

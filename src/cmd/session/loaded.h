@@ -75,17 +75,20 @@ struct origin {
 };
 
 /* What a question assumes that differs from the measurements; see
- * cmd/ask/question.h.  own: the entry without these changes.  rock: that of
- * another feed, or "".  rotor: m; 0: not known; other_rotor: it is not the
- * rotor of the measurements.  bypass: share of the feed that bypasses the
- * rotor; k: impacts; 0: as set.  correction: the runs that inform the
- * answer. */
-struct variant {
+ * cmd/ask/question.h.  own: the entry without these changes.  feed: that of
+ * other sheets, or NULL; rock: its rock, or "".  rotor: m; 0: as measured.
+ * bypass: share of the feed that bypasses the rotor; k: impacts; 0: as set.
+ * correction: the runs that inform the answer.  sieve [n_sieve]: sieves to
+ * show, m, coarsest first. */
+struct blended;
+struct scenario {
 	const struct entry *own;
-	bool feed, other_rotor;
-	char *rock;
-	double rotor, measured_rotor, bypass, k;
+	const struct blended *feed;
+	const char *rock;
+	double rotor, bypass, k;
 	enum correction correction;
+	size_t n_sieve;
+	const double *sieve;
 };
 
 /* Lookup keys of a site: digests of its name (in the form used in keys), of its
@@ -108,7 +111,7 @@ struct entry {
 	struct fit fit;          /* that found the parameters */
 	struct history *history; /* of the last calibration, or NULL */
 	char options[400];       /* for the fit, as typed after calibrate */
-	const struct variant *variant; /* NULL: as measured */
+	const struct scenario *scenario; /* NULL: as measured */
 };
 
 /* Frees n entries and all that they own. */
@@ -121,8 +124,12 @@ struct entry entry_copy(const struct entry *from);
 /* Frees what the entry owns. */
 void entry_clear(struct entry *entry);
 
-/* Returns the loaded entry on which an entry with a variant is based. */
+/* Returns the loaded entry on which an entry with a scenario is based. */
 const struct entry *entry_without_variant(const struct entry *entry);
+
+/* Returns the diameter of the rotor that the entry's parameters were measured
+ * with, m; 0: not known. */
+double entry_measured_rotor(const struct entry *entry);
 
 /* Returns a history, without generations and with one holder, for a calibration
  * that found the fit on the runs marked in train [n_run] within the bounds.

@@ -101,7 +101,7 @@ struct plant_log;
 struct spec;
 struct energies;
 struct pin;
-struct standing;
+struct site_with_feed;
 struct blended;
 struct journal;
 struct autosave;
@@ -142,8 +142,8 @@ struct session {
 	struct moved *moved;          /* see moved.h */
 	struct blended *fed;          /* feed from the sheets in `set feed`, see
 			      * blended.h, or NULL */
-	struct standing
-	    *standing; /* see question_site_with_feed_setting; or NULL */
+	/* See question_site_with_feed_setting; or NULL. */
+	struct site_with_feed *site_with_feed;
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* all so far */

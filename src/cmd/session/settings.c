@@ -18,51 +18,44 @@ void
 settings_set_value(const struct command_option *row, const struct value *value,
     struct settings *set)
 {
-	char *place = (char *)set + row->offset;
-	/* cmd_set reads the file. */
-	if (row->kind == VALUE_FILE)
-		return;
-	if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED) {
+	void *place = (char *)set + row->offset;
+	if (row->kind == VALUE_FILE) {
+		/* cmd_set reads the file. */
+	} else if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED) {
 		bool none = strcmp(value->text, SETTINGS_NONE) == 0;
 		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
-		return;
+	} else if (row->kind == VALUE_NUMBERS) {
+		double *end = place;
+		end[0] = value->n > 0 ? value->list[0] : 0;
+		end[1] = value->n > 0 ? value->list[value->n - 1] : 0;
+	} else if (row->kind == VALUE_NUMBER) {
+		*(double *)place = value->number;
+	} else {
+		*(unsigned *)place =
+		    (unsigned)(row->kind == VALUE_CHOICE ? value->choice
+							 : value->whole);
 	}
-	if (row->kind == VALUE_NUMBERS) {
-		const double end[] = {value->n > 0 ? value->list[0] : 0,
-		    value->n > 0 ? value->list[value->n - 1] : 0};
-		memcpy(place, end, sizeof end);
-		return;
-	}
-	unsigned whole = (unsigned)(row->kind == VALUE_CHOICE ? value->choice
-							      : value->whole);
-	if (row->kind == VALUE_NUMBER)
-		memcpy(place, &value->number, sizeof value->number);
-	else
-		memcpy(place, &whole, sizeof whole);
 }
 
 char *
 settings_value_text(
     const struct command_option *row, const struct settings *set)
 {
-	const char *place = (const char *)set + row->offset;
+	const void *place = (const char *)set + row->offset;
 	const char *word = option_choices(row);
-	double number, end[2];
-	unsigned whole;
-	if (row->kind == VALUE_NUMBERS) {
-		memcpy(end, place, sizeof end);
-		return end[1] > 0 ? xasprintf("%.15g..%.15g", end[0], end[1])
-				  : xstrdup(word);
-	}
+	const double *number = place;
+	if (row->kind == VALUE_NUMBERS)
+		return number[1] > 0
+			   ? xasprintf("%.15g..%.15g", number[0], number[1])
+			   : xstrdup(word);
 	if (row->kind == VALUE_FILE)
 		return xstrdup(set->energy != NULL ? set->energy : "off");
 	if (row->kind == VALUE_TEXT || row->kind == VALUE_FEED)
-		return xstrdup(place[0] != '\0' ? place : SETTINGS_NONE);
-	if (row->kind == VALUE_NUMBER) {
-		memcpy(&number, place, sizeof number);
-		return xasprintf("%.15g", number);
-	}
-	memcpy(&whole, place, sizeof whole);
+		return xstrdup(
+		    *(const char *)place != '\0' ? place : SETTINGS_NONE);
+	if (row->kind == VALUE_NUMBER)
+		return xasprintf("%.15g", *number);
+	unsigned whole = *(const unsigned *)place;
 	if (row->kind == VALUE_WHOLE)
 		return xasprintf("%u", whole);
 	for (; whole > 0; whole--)
@@ -123,7 +116,7 @@ settings_speed_range(const struct settings *set, const struct site *site,
 bool
 settings_are_equal(const struct settings *a, const struct settings *b)
 {
-	bool same = a->seed == b->seed && a->energy == b->energy &&
+	bool same = a->seed == b->seed &&
 		    model_settings_same(&a->model, &b->model) &&
 		    a->energy == b->energy && a->timing == b->timing &&
 		    memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
