@@ -593,8 +593,7 @@ data_hints(const struct tui *t)
 		   : N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :");
 }
 
-const struct page_ops page_data = {.name = N_("Data"),
-    .hints_now = data_hints,
+const struct page_ops page_data = {.hints_now = data_hints,
     .update = update_doubtful_cells,
     .draw = data_draw,
     .move = data_move_cursor};

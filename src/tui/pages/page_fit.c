@@ -206,8 +206,7 @@ fit_plot_name(const struct tui *t)
 	return line;
 }
 
-const struct page_ops page_fit = {.name = N_("Fit"),
-    .hints_now = fit_hints,
+const struct page_ops page_fit = {.hints_now = fit_hints,
     .side = 40,
     .wide_side = 58,
     .draw = fit_draw,

@@ -330,7 +330,7 @@ parity_plot_name(const struct tui *t)
 	return xstrdup("parity");
 }
 
-const struct page_ops page_parity = {.name = N_("Parity"),
+const struct page_ops page_parity = {
     .hints = N_("Up/Down run  ?  q  1-5 pages  :"),
     .update = parity_update,
     .draw = parity_draw,

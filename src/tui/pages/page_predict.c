@@ -241,8 +241,7 @@ static const struct page_list LIST = {.n = predict_count_rows,
     .chosen = goal_show_chosen_quantity,
     .open = predict_open_row};
 
-const struct page_ops page_predict = {.name = N_("Predict"),
-    .hints_now = predict_hints,
+const struct page_ops page_predict = {.hints_now = predict_hints,
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,

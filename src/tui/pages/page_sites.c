@@ -531,8 +531,7 @@ sites_hints(const struct tui *t)
 		   : N_("Up/Down site  Enter  o  /  ?  q  x  :");
 }
 
-const struct page_ops page_sites = {.name = N_("Sites"),
-    .hints_now = sites_hints,
+const struct page_ops page_sites = {.hints_now = sites_hints,
     .update = update_site_rows,
     .draw = sites_draw,
     .list = &LIST};
