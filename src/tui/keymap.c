@@ -258,7 +258,8 @@ void
 act_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
-	t->ui.pace = pane_clamp_index(from, key->amount, PACE_COUNT);
+	t->ui.pace =
+	    (int)pane_clamp_index((size_t)from, key->amount, PACE_COUNT);
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,

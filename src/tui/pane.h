@@ -107,6 +107,6 @@ int pane_draw_search_word(struct tui *t, const struct area *area,
 int pane_draw_lines(const struct area *area, int row, const char *text);
 
 /* Returns an index in a list of n, moved by `by` and clamped. */
-int pane_clamp_index(int at, int by, size_t n);
+size_t pane_clamp_index(size_t at, int by, size_t n);
 
 #endif

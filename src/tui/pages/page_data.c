@@ -269,15 +269,13 @@ on_mouse_in_cells(struct tui *t, const struct touched *touched)
 	struct sheet *h = &t->view.sheet;
 	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
-		t->ui.cell.row = (size_t)pane_clamp_index(
-		    (int)t->ui.cell.row, touched->by, h->n);
+		t->ui.cell.row =
+		    pane_clamp_index(t->ui.cell.row, touched->by, h->n);
 		return;
 	}
 	int column = touched->column < 0 ? 0 : touched->column / h->width;
-	t->ui.cell.at =
-	    (size_t)pane_clamp_index((int)t->ui.cell.left, column, h->n_column);
-	t->ui.cell.row =
-	    (size_t)pane_clamp_index((int)t->ui.cell.top, touched->row, h->n);
+	t->ui.cell.at = pane_clamp_index(t->ui.cell.left, column, h->n_column);
+	t->ui.cell.row = pane_clamp_index(t->ui.cell.top, touched->row, h->n);
 }
 
 static void
@@ -533,10 +531,10 @@ move_sideways(struct tui *t, int amount)
 	int rows = (int)cells_that_fit(t, &area).rows;
 	int columns = abs(amount) == STEP ? STEP : COLUMNS;
 	if (abs(amount) == FAR)
-		t->ui.cell.row = (size_t)pane_clamp_index(
-		    (int)t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
+		t->ui.cell.row = pane_clamp_index(
+		    t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
 	else
-		t->ui.cell.at = (size_t)pane_clamp_index((int)t->ui.cell.at,
+		t->ui.cell.at = pane_clamp_index(t->ui.cell.at,
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
@@ -577,8 +575,8 @@ data_move_cursor(struct tui *t, const struct key *key)
 		t->ui.cell.row =
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
 	else if (key->act == act_move_in_list)
-		t->ui.cell.row = (size_t)pane_clamp_index(
-		    (int)t->ui.cell.row, key->amount, h->n);
+		t->ui.cell.row =
+		    pane_clamp_index(t->ui.cell.row, key->amount, h->n);
 	else
 		move_sideways(t, key->amount);
 	return true;

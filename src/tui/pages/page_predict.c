@@ -183,8 +183,8 @@ move_crosshair_by_key(struct tui *t, const struct key *key)
 		act_crosshair(t, key);
 		return true;
 	}
-	t->ui.crosshair_sieve = (size_t)pane_clamp_index(
-	    (int)t->ui.crosshair_sieve, key->amount, n);
+	t->ui.crosshair_sieve =
+	    pane_clamp_index(t->ui.crosshair_sieve, key->amount, n);
 	return true;
 }
 
