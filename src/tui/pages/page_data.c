@@ -424,9 +424,8 @@ draw_cell_description(const struct tui *t, const struct area *area, int row)
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
-	row = screen_draw_wrapped(
+	return screen_draw_wrapped(
 	    area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
-	return row;
 }
 
 /* Draws the source of the data and how the reader took it, as far as there is
@@ -443,7 +442,7 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 	row = screen_draw_wrapped(area, row, LOOK_DIM,
 	    tr("columns: feed and product at each speed, m/s, % passing; * "
 	       "training; PRED: at the slider"));
-	for (size_t i = 0; i < sizeof MORE / sizeof *MORE; i++) {
+	for (size_t i = 0; i < ARRAY_LEN(MORE); i++) {
 		if (MORE[i].text[0] == '\0' || row >= area->rows)
 			continue;
 		FREED char *line =
