@@ -4,26 +4,23 @@
 #ifndef TIPSPEED_TUI_ACTS_H
 #define TIPSPEED_TUI_ACTS_H
 
-/* Where a page has to be known besides: HACKING.md, To add. */
-enum page { PAGE_PREDICT, PAGE_FIT, PAGE_DATA, PAGE_PARITY, PAGE_SITES, PAGES };
+#include "cmd/session/screen_pages.h"
+
+#define PAGE_NUMBER(NUMBER, name, heading, key) PAGE_##NUMBER,
+enum page { SCREEN_PAGES(PAGE_NUMBER) PAGES };
 
 /* Keys without a name in curses. */
 enum { INTERRUPT = 3, SUSPEND = 26, ESCAPE = 27, DELETE = 127 };
 
-/* Where a key acts: bits of 1 << page, which need a name here only for a page
- * with keys of its own.  For a key that acts on all pages, the same bits,
- * shifted, name the pages that list it first.  AT_SPEED: it acts at the
- * slider's speed; if n, p or N still waits for the speeds of the goal
- * (act_go_to_goal_speed), the slider goes there first.  CHANGES: it changes
- * results, see viewer.c.  RUNS_COMMAND: its hint is the name of the command
- * that it runs. */
+/* Where a key acts: bits of 1 << page, ON_FIT for PAGE_FIT.  For a key that
+ * acts on all pages, the same bits, shifted, name the pages that list it first.
+ * AT_SPEED: it acts at the slider's speed; if n, p or N still waits for the
+ * speeds of the goal (act_go_to_goal_speed), the slider goes there first.
+ * CHANGES: it changes results, see viewer.c.  RUNS_COMMAND: its hint is the
+ * name of the command that it runs. */
+#define PAGE_BIT(NUMBER, name, heading, key) ON_##NUMBER = 1 << PAGE_##NUMBER,
 enum {
-	ON_PREDICT = 1 << PAGE_PREDICT,
-	ON_FIT = 1 << PAGE_FIT,
-	ON_DATA = 1 << PAGE_DATA,
-	ON_PARITY = 1 << PAGE_PARITY,
-	ON_SITES = 1 << PAGE_SITES,
-	ON_ALL = (1 << PAGES) - 1,
+	SCREEN_PAGES(PAGE_BIT) ON_ALL = (1 << PAGES) - 1,
 	FIRST_ON_PREDICT = ON_PREDICT << PAGES,
 	FIRST_ON_FIT = ON_FIT << PAGES,
 	FIRST_ON_LISTS = (ON_DATA | ON_SITES) << PAGES,

@@ -154,7 +154,8 @@ say_that_pages_keep_feed(struct tui *t, const char *line)
 /* Shows the output of a line that was run, except of a search that it started,
  * which the page shows. */
 static void
-show_result_message(struct tui *t, const char *line, bool ok, bool began)
+show_result_message(struct tui *t, const struct command *command,
+    const char *line, bool ok, bool began)
 {
 	bool moved_only = is_shown_by_page_predict(line);
 	fflush(t->captured);
@@ -163,13 +164,12 @@ show_result_message(struct tui *t, const char *line, bool ok, bool began)
 		text_wrap(t->message, 0, 78, t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
 		captured_show(t);
-	if (ok && !moved_only &&
-	    control_find_command(line) == command_find("predict"))
+	if (ok && !moved_only && command == command_find("predict"))
 		say_that_pages_keep_feed(t, line);
 }
 
 static void
-run_typed_line(struct tui *t, const char *line)
+run_typed_line(struct tui *t, const struct command *command, const char *line)
 {
 	if (line[strspn(line, " \t")] == '\0')
 		return;
@@ -178,7 +178,6 @@ run_typed_line(struct tui *t, const char *line)
 	const bool was_busy = session_is_calibrating(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
-	const struct command *command = control_find_command(line);
 	enum job_effect effect = effect_on_job(t, line, command);
 	if (command == command_find("screen")) {
 		run_screen_command(t, line);
@@ -207,7 +206,8 @@ run_typed_line(struct tui *t, const char *line)
 	if (ok && edited)
 		tui_say(t, false, "f calibrates within these bounds");
 	bool beside = was_busy && effect == JOB_GOES_ON;
-	show_result_message(t, line, ok, session_is_calibrating(s) && !beside);
+	show_result_message(
+	    t, command, line, ok, session_is_calibrating(s) && !beside);
 	/* The slider may have been meant. */
 	if (ok && command == command_find("undo"))
 		append_to_message(
@@ -246,23 +246,21 @@ has_speed_operand(const struct command *asked, const char *rest)
 	       strstr(asked->operands.usage, "SPEED") != NULL;
 }
 
-/* Returns a typed line with the slider's speed and feed (tui_options_at_slider)
- * added, if it asks about one speed and names none.  The caller frees it. */
+/* Returns a typed line of that command, or NULL, with the slider's speed and
+ * feed (tui_options_at_slider) added, if it asks about one speed and names
+ * none.  The caller frees it. */
 static char *
-line_with_slider_speed(const char *line, const char *where)
+line_with_slider_speed(
+    const char *line, const struct command *asked, const char *where)
 {
-	size_t from = strspn(line, " \t"), n = strcspn(line + from, " \t>|");
-	const char *word = line + from, *rest = word + n;
+	const char *rest = line + strspn(line, " \t");
+	rest += strcspn(rest, " \t>|");
 	rest += strspn(rest, " \t");
-	char *name = xstrndup(word, n);
-	const struct command *asked = command_find_abbreviated(name, true);
-	free(name);
 	if (asked == NULL || !is_command_for_one_speed(asked))
 		return xstrdup(line);
 	/* A speed may also stand alone. */
 	bool bare = asked->bare == NULL || strcmp(asked->bare, "speed") == 0;
-	bool said = strchr(line, ';') != NULL ||
-		    strstr(line, "speed=") != NULL ||
+	bool said = strstr(line, "speed=") != NULL ||
 		    strstr(line, "rpm=") != NULL ||
 		    (bare && *rest >= '0' && *rest <= '9') ||
 		    has_speed_operand(asked, rest);
@@ -279,17 +277,17 @@ void
 cmdline_run(struct tui *t, const char *line)
 {
 	FREED char *where = tui_options_at_slider(t);
-	FREED char *meant = line_with_slider_speed(line, where);
+	const struct command *command = control_find_command(line);
+	FREED char *meant = line_with_slider_speed(line, command, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_history_add(line);
-	const struct command *command = control_find_command(meant);
 	if (is_question_during_fit(t, command))
 		tui_say(t, false,
 		    "%s answers when the calibration ends; s stops it and "
 		    "keeps the best",
 		    command->name);
 	else
-		run_typed_line(t, meant);
+		run_typed_line(t, command, meant);
 	t->keep_message = t->message[0] != '\0';
 	viewer_show_long_message(t);
 }

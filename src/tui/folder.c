@@ -128,13 +128,12 @@ folder_item_free(struct folder_item *item)
 }
 
 void
-folder_filter_by_kind(struct folder *folder, enum folder_kind kind)
+folder_keep_kinds(struct folder *folder, unsigned kinds)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
-		if (item->kind == kind || item->kind == FOLDER_ABOVE ||
-		    item->kind == FOLDER_BELOW)
+		if (kinds & 1U << item->kind)
 			folder->item[n++] = *item;
 		else
 			folder_item_free(item);
@@ -177,18 +176,15 @@ folder_list_shipped(struct folder *folder)
 	char *path = shipped_sites_folder();
 	folder_list(folder, path);
 	free(path);
-	size_t n = 0;
 	for (size_t i = 0; i < folder->n; i++) {
 		struct folder_item *item = &folder->item[i];
 		if (item->kind == FOLDER_SHEET)
 			item->about = site_file_summary(item->path);
-		if (item->kind == FOLDER_SHEET && item->about != NULL)
-			folder->item[n++] = *item;
-		else
-			folder_item_free(item);
+		if (item->about == NULL)
+			item->kind = FOLDER_OTHER;
 	}
-	folder->n = n;
-	if (n == 0)
+	folder_keep_kinds(folder, 1U << FOLDER_SHEET);
+	if (folder->n == 0)
 		add_synthetic_sites(folder);
 }
 

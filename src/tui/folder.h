@@ -44,8 +44,8 @@ void folder_list(struct folder *folder, const char *path);
  * otherwise those installed. */
 void folder_list_shipped(struct folder *folder);
 
-/* Keeps only folders and items of that kind. */
-void folder_filter_by_kind(struct folder *folder, enum folder_kind kind);
+/* Keeps only the items of these kinds, bits of 1 << kind. */
+void folder_keep_kinds(struct folder *folder, unsigned kinds);
 
 void folder_free(struct folder *folder);
 

@@ -29,7 +29,7 @@ tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
 	bool here = p == t->ui.page;
 	const char *name = columns >= 76 || (here && columns >= 34)
-			       ? tr(PAGE_OPS[p]->name)
+			       ? tr(PAGE_HEADINGS[p])
 			       : "";
 	const char *gap = name[0] != '\0' ? " " : "";
 	const char *open = here ? "[" : columns >= 76 ? " " : "";

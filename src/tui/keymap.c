@@ -96,15 +96,6 @@ act_page(struct tui *t, const struct key *key)
 	pages_go_to(t, (enum page)key->amount);
 }
 
-/* Opens the command line with a command and the name of a file, which it frees,
- * proposed after it. */
-static void
-propose_file_name(struct tui *t, const char *line, char *name)
-{
-	edit_begin_with_proposal(&t->line, line, name);
-	free(name);
-}
-
 static char *
 default_file_name(const struct tui *t)
 {
@@ -121,18 +112,15 @@ act_propose_save(struct tui *t, const struct key *key)
 	(void)key;
 	bool saved;
 	const char *holder = files_session_script(t->session, &saved);
-	if (holder != NULL) {
-		propose_file_name(t, "save ",
-		    xasprintf("\"%s\"%s", holder, saved ? "" : " replace=on"));
-		return;
-	}
-	char *slug = default_file_name(t), *name = xasprintf("%s.tip", slug);
-	for (int i = 2; access(name, F_OK) == 0; i++) {
+	FREED char *slug = default_file_name(t);
+	FREED char *name = holder != NULL ? xasprintf("\"%s\"%s", holder,
+						saved ? "" : " replace=on")
+					  : xasprintf("%s.tip", slug);
+	for (int i = 2; holder == NULL && access(name, F_OK) == 0; i++) {
 		free(name);
 		name = xasprintf("%s-%d.tip", slug, i);
 	}
-	free(slug);
-	propose_file_name(t, "save ", name);
+	edit_begin_with_proposal(&t->line, "save ", name);
 }
 
 /* "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal sign. */
@@ -147,9 +135,9 @@ act_export(struct tui *t, const struct key *key)
 	}
 	FREED char *line = tui_command_at_slider(t),
 		   *slug = default_file_name(t);
+	FREED char *name = xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0);
 	xappend(&line, " > ");
-	propose_file_name(
-	    t, line, xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0));
+	edit_begin_with_proposal(&t->line, line, name);
 }
 
 void
@@ -258,7 +246,8 @@ void
 act_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
-	t->ui.pace = pane_clamp_index(from, key->amount, PACE_COUNT);
+	t->ui.pace =
+	    (int)pane_clamp_index((size_t)from, key->amount, PACE_COUNT);
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,

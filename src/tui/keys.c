@@ -16,6 +16,10 @@
 
 #define CONTROL(letter) ((letter)&0x1F)
 
+#define PAGE_KEY(NUMBER, name, heading, key)                              \
+	{key, (const char[]){key, '\0'}, ON_ALL, act_page, PAGE_##NUMBER, \
+	    "page " heading, PAGE_##NUMBER == 0 ? "pages" : NULL, NULL},
+
 const struct key KEYS[] = {
     {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP,
 	"slider of the page to the left: speed by 0.1 m/s, generation, cell",
@@ -61,11 +65,8 @@ const struct key KEYS[] = {
     {'y', "y", ON_PREDICT, act_next_quantity, 1,
 	"next quantity above the track: P80, P50 ..", "other quantity", NULL},
     {'Y', "Y", ON_PREDICT, act_next_quantity, -1, "the one before", NULL, NULL},
-    {'1', "1", ON_ALL, act_page, PAGE_PREDICT, "page Predict", "pages", NULL},
-    {'2', "2", ON_ALL, act_page, PAGE_FIT, "page Fit", NULL, NULL},
-    {'3', "3", ON_ALL, act_page, PAGE_DATA, "page Data", NULL, NULL},
-    {'4', "4", ON_ALL, act_page, PAGE_PARITY, "page Parity", NULL, NULL},
-    {'5', "5", ON_ALL, act_page, PAGE_SITES, "page Sites", NULL, NULL},
+    SCREEN_PAGES(PAGE_KEY)
+    /* Lists. */
     {KEY_UP, "Up, k", ON_ALL | FIRST_ON_LISTS, act_move_in_list, -1,
 	"up in a list; crosshair to a coarser sieve", "a row, the sieve read",
 	"sieve"},

@@ -1,19 +1,20 @@
-/* The table of pages.
+/* The open page.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pages.h"
 
 #include "tui/widgets/response_strip.h"
 
-const struct page_ops *const PAGE_OPS[PAGES] = {[PAGE_PREDICT] = &page_predict,
-    [PAGE_FIT] = &page_fit,
-    [PAGE_DATA] = &page_data,
-    [PAGE_PARITY] = &page_parity,
-    [PAGE_SITES] = &page_sites};
+#define PAGE_ADDRESS(NUMBER, name, heading, key) &page_##name,
+#define PAGE_HEADING(NUMBER, name, heading, key) heading,
+
+const char *const PAGE_HEADINGS[PAGES] = {SCREEN_PAGES(PAGE_HEADING)};
 
 const struct page_ops *
 pages_current(const struct tui *t)
 {
-	return PAGE_OPS[t->ui.page];
+	static const struct page_ops *const OF[PAGES] = {
+	    SCREEN_PAGES(PAGE_ADDRESS)};
+	return OF[t->ui.page];
 }
 
 void

@@ -1,11 +1,12 @@
-/* The pages of the full screen, in the order of their numbers.
+/* The open page, which is one of SCREEN_PAGES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_PAGES_H
 #define TIPSPEED_TUI_PAGES_H
 
 #include "tui/pane.h"
 
-extern const struct page_ops *const PAGE_OPS[PAGES];
+/* The names of the pages in the heading. */
+extern const char *const PAGE_HEADINGS[PAGES];
 
 /* pages_current returns the open page; pages_go_to opens a page. */
 const struct page_ops *pages_current(const struct tui *t);

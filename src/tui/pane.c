@@ -330,9 +330,9 @@ pane_draw_lines(const struct area *area, int row, const char *text)
 	return row;
 }
 
-int
-pane_clamp_index(int at, int by, size_t n)
+size_t
+pane_clamp_index(size_t at, int by, size_t n)
 {
-	int to = at + by;
-	return n == 0 || to < 0 ? 0 : to >= (int)n ? (int)n - 1 : to;
+	long to = (long)at + by;
+	return n == 0 || to < 0 ? 0 : to >= (long)n ? n - 1 : (size_t)to;
 }

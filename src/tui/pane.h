@@ -22,10 +22,9 @@ struct page_list {
 	const struct list_table *table;
 };
 
-/* The operations of a page, defined in its own file; pages.c lists the pages.
- * Operations that a page does not need are NULL. */
+/* The operations of a page, defined in its own file.  Those that a page does
+ * not need are NULL. */
 struct page_ops {
-	const char *name;  /* in the heading */
 	const char *hints; /* its keys, see keys_hint_row; or NULL: */
 	const char *(*hints_now)(const struct tui *t);
 	/* Columns of its side panel: by default; from 100 screen columns; from
@@ -63,8 +62,9 @@ struct page_ops {
 	char *(*words)(const struct tui *t);
 };
 
-extern const struct page_ops page_predict, page_fit, page_data, page_parity,
-    page_sites;
+#define PAGE_DECLARED(NUMBER, name, heading, key) \
+	extern const struct page_ops page_##name;
+SCREEN_PAGES(PAGE_DECLARED)
 
 /* Draws a plot in an area, or says why there is none.  A click on it says what
  * is there (see point in page_ops), unless the request names an entry; by
@@ -107,6 +107,6 @@ int pane_draw_search_word(struct tui *t, const struct area *area,
 int pane_draw_lines(const struct area *area, int row, const char *text);
 
 /* Returns an index in a list of n, moved by `by` and clamped. */
-int pane_clamp_index(int at, int by, size_t n);
+size_t pane_clamp_index(size_t at, int by, size_t n);
 
 #endif

@@ -205,7 +205,8 @@ draw_new_screen(
 	view_predict(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
-		press_key(&t, '0' + request->page, false);
+		press_key(&t, keys_code_of_page((enum page)(request->page - 1)),
+		    false);
 	} else {
 		pages_update(&t);
 		frame_draw(&t);

@@ -90,17 +90,16 @@ every_page_is_opened_and_saved(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	size_t words = 0, at;
-	for (const char *p = SETTINGS_PAGES; *p != '\0'; p++)
+	for (const char *p = SCREEN_PAGE_WORDS; *p != '\0'; p++)
 		words += p[0] == ' ' || p[1] == '\0';
 	assert_int_equal(words, PAGES);
 	for (enum page page = PAGES; page-- > 0;) {
-		assert_non_null(PAGE_OPS[page]);
 		FREED char *word =
-		    text_fold_case_and_accents(PAGE_OPS[page]->name);
-		assert_true(text_find_word(SETTINGS_PAGES, word, &at));
+		    text_fold_case_and_accents(PAGE_HEADINGS[page]);
+		assert_true(text_find_word(SCREEN_PAGE_WORDS, word, &at));
 		assert_int_equal(at, page);
 		int code = keys_code_of_page(page);
-		FREED char *what = xasprintf("page %s", PAGE_OPS[page]->name);
+		FREED char *what = xasprintf("page %s", PAGE_HEADINGS[page]);
 		assert_string_equal(keys_find(code, PAGE_PREDICT)->what, what);
 		keymap_handle_key(t, code, false);
 		turn(t);

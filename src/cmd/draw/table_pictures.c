@@ -4,6 +4,7 @@
 #include "cmd/lang/table.h"
 
 #include "cmd/draw/plot_request.h"
+#include "cmd/session/screen_pages.h"
 
 #define WHAT_OPTIONS                                                       \
 	{SPEED(speed), "tip speed; default: that last asked about"},       \
@@ -109,7 +110,7 @@ const struct command TABLE_PICTURES[] = {
 		"default: that of full-screen mode if it is open, else 100"},
 	    {NUMBER(height), "rows", 1, 1000, NULL, "",
 		"default: that of full-screen mode if it is open, else 30"},
-	    {CHOICE(page), SETTINGS_PAGES, "",
+	    {CHOICE(page), SCREEN_PAGE_WORDS, "",
 		"the page to show; default: the open page, else predict"},
 	    {CHOICE(charset), "auto ascii quadrants braille", "auto",
 		"characters"},

@@ -1,5 +1,6 @@
 /* Commands that set the model, as rows of the command table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/session/screen_pages.h"
 #include "cmd/session/session.h"
 #include "cmd/lang/rows.h"
 #include "cmd/lang/table.h"
@@ -45,8 +46,8 @@ const struct command_option SETTINGS[] = {
 	"what is wanted: p80=5.4, \"passing 2 = 40..50\", an envelope"},
     {SETTING("quantity", quantity, VALUE_TEXT), "", 0, 0, NULL, "p80",
 	"what full-screen mode shows above its track", .looks = true},
-    {SETTING("page", page, VALUE_CHOICE), "", 0, 0, SETTINGS_PAGES, "predict",
-	"page that full-screen mode opens on", .looks = true},
+    {SETTING("page", page, VALUE_CHOICE), "", 0, 0, SCREEN_PAGE_WORDS,
+	"predict", "page that full-screen mode opens on", .looks = true},
     {.name = NULL}};
 
 const struct command TABLE_MODEL[] = {

@@ -17,9 +17,6 @@ enum correction { CORRECTION_ALL, CORRECTION_TRAIN, CORRECTION_OFF };
 enum { SETTINGS_TEXT = 200 };
 #define SETTINGS_NONE "none"
 
-/* The pages of the full screen, in the order of enum page in tui/acts.h. */
-#define SETTINGS_PAGES "predict fit data parity sites"
-
 /* Values that are set rather than loaded: by bounds, seed, timing and the
  * SETTINGS. */
 struct settings {

@@ -269,15 +269,13 @@ on_mouse_in_cells(struct tui *t, const struct touched *touched)
 	struct sheet *h = &t->view.sheet;
 	t->ui.cell.on = true;
 	if (touched->kind != HIT_PRESS) {
-		t->ui.cell.row = (size_t)pane_clamp_index(
-		    (int)t->ui.cell.row, touched->by, h->n);
+		t->ui.cell.row =
+		    pane_clamp_index(t->ui.cell.row, touched->by, h->n);
 		return;
 	}
 	int column = touched->column < 0 ? 0 : touched->column / h->width;
-	t->ui.cell.at =
-	    (size_t)pane_clamp_index((int)t->ui.cell.left, column, h->n_column);
-	t->ui.cell.row =
-	    (size_t)pane_clamp_index((int)t->ui.cell.top, touched->row, h->n);
+	t->ui.cell.at = pane_clamp_index(t->ui.cell.left, column, h->n_column);
+	t->ui.cell.row = pane_clamp_index(t->ui.cell.top, touched->row, h->n);
 }
 
 static void
@@ -426,9 +424,8 @@ draw_cell_description(const struct tui *t, const struct area *area, int row)
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
-	row = screen_draw_wrapped(
+	return screen_draw_wrapped(
 	    area, row, doubtful ? LOOK_BOLD : LOOK_PLAIN, words);
-	return row;
 }
 
 /* Draws the source of the data and how the reader took it, as far as there is
@@ -445,7 +442,7 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 	row = screen_draw_wrapped(area, row, LOOK_DIM,
 	    tr("columns: feed and product at each speed, m/s, % passing; * "
 	       "training; PRED: at the slider"));
-	for (size_t i = 0; i < sizeof MORE / sizeof *MORE; i++) {
+	for (size_t i = 0; i < ARRAY_LEN(MORE); i++) {
 		if (MORE[i].text[0] == '\0' || row >= area->rows)
 			continue;
 		FREED char *line =
@@ -533,10 +530,10 @@ move_sideways(struct tui *t, int amount)
 	int rows = (int)cells_that_fit(t, &area).rows;
 	int columns = abs(amount) == STEP ? STEP : COLUMNS;
 	if (abs(amount) == FAR)
-		t->ui.cell.row = (size_t)pane_clamp_index(
-		    (int)t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
+		t->ui.cell.row = pane_clamp_index(
+		    t->ui.cell.row, amount < 0 ? rows : -rows, h->n);
 	else
-		t->ui.cell.at = (size_t)pane_clamp_index((int)t->ui.cell.at,
+		t->ui.cell.at = pane_clamp_index(t->ui.cell.at,
 		    amount < 0 ? -columns : columns, h->n_column);
 }
 
@@ -577,8 +574,8 @@ data_move_cursor(struct tui *t, const struct key *key)
 		t->ui.cell.row =
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
 	else if (key->act == act_move_in_list)
-		t->ui.cell.row = (size_t)pane_clamp_index(
-		    (int)t->ui.cell.row, key->amount, h->n);
+		t->ui.cell.row =
+		    pane_clamp_index(t->ui.cell.row, key->amount, h->n);
 	else
 		move_sideways(t, key->amount);
 	return true;
@@ -593,8 +590,7 @@ data_hints(const struct tui *t)
 		   : N_("<-/-> column  Up/Down  !  Enter  ?  q  1-5 pages  :");
 }
 
-const struct page_ops page_data = {.name = N_("Data"),
-    .hints_now = data_hints,
+const struct page_ops page_data = {.hints_now = data_hints,
     .update = update_doubtful_cells,
     .draw = data_draw,
     .move = data_move_cursor};

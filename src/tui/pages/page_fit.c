@@ -144,9 +144,9 @@ fit_hints(const struct tui *t)
 static void
 move_by_generations(struct tui *t, int by)
 {
-	int at = (int)tui_generation_shown(t) - 1;
+	size_t at = tui_generation_shown(t) - 1;
 	tui_show_generation(
-	    t, (size_t)pane_clamp_index(at, by, tui_count_generations(t)) + 1);
+	    t, pane_clamp_index(at, by, tui_count_generations(t)) + 1);
 }
 
 /* Runs the next generation of a running search; of one that is over, shows
@@ -206,8 +206,7 @@ fit_plot_name(const struct tui *t)
 	return line;
 }
 
-const struct page_ops page_fit = {.name = N_("Fit"),
-    .hints_now = fit_hints,
+const struct page_ops page_fit = {.hints_now = fit_hints,
     .side = 40,
     .wide_side = 58,
     .draw = fit_draw,

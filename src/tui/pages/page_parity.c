@@ -197,24 +197,19 @@ static const struct list_column COLUMN[COLUMNS] = {[SITE] = {N_("site"), 1, 0},
     [OFF_P20] = {N_("P20 off"), 9, 5, .right = true},
     [OFF_P80] = {N_("P80 off"), 9, 6, .right = true}};
 
-static void
-parity_cell_text(
-    const struct tui *t, size_t i, int column, char *text, size_t n)
+static char *
+parity_cell_text(const struct tui *t, size_t i, int column)
 {
 	static const size_t SIZE[COLUMNS] = {
 	    [OFF_P50] = 1, [OFF_P20] = 0, [OFF_P80] = 2};
 	const struct trial *p = &t->view.parity.runs.item[i];
-	if (column == SITE)
-		snprintf(text, n, "%s", p->key);
-	else if (column == SPEED)
-		snprintf(text, n, "%s", p->name);
-	else if (column == MEASURED)
-		snprintf(text, n, "%.2f", 1000 * p->v.measured[1]);
-	else if (column == MODEL)
-		snprintf(text, n, "%.2f", 1000 * p->v.size[VALIDATE_MODEL][1]);
-	else
-		snprintf(text, n, "%+.1f%%",
-		    size_error_percent(&p->v, SIZE[column]));
+	if (column == SITE || column == SPEED)
+		return xstrdup(column == SITE ? p->key : p->name);
+	if (column == MEASURED)
+		return xasprintf("%.2f", 1000 * p->v.measured[1]);
+	if (column == MODEL)
+		return xasprintf("%.2f", 1000 * p->v.size[VALIDATE_MODEL][1]);
+	return xasprintf("%+.1f%%", size_error_percent(&p->v, SIZE[column]));
 }
 
 static const struct list_table TABLE = {
@@ -330,7 +325,7 @@ parity_plot_name(const struct tui *t)
 	return xstrdup("parity");
 }
 
-const struct page_ops page_parity = {.name = N_("Parity"),
+const struct page_ops page_parity = {
     .hints = N_("Up/Down run  ?  q  1-5 pages  :"),
     .update = parity_update,
     .draw = parity_draw,

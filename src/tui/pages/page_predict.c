@@ -1,4 +1,5 @@
-/* The page Predict: the curves, and the numbers at the slider's speed.
+/* The page Predict: the curves, and the numbers at the slider's speed; without
+ * a site, ways to open one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pane.h"
 
@@ -13,7 +14,9 @@
 #include "cmd/ask/pin.h"
 #include "io/sitefile/units.h"
 #include "tui/acts.h"
-#include "tui/pages/start_page.h"
+#include "tui/screen.h"
+#include "tui/widgets/file_picker.h"
+#include "tui/widgets/list.h"
 #include "cmd/ask/quantity_words.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/widgets/goal.h"
@@ -22,6 +25,69 @@
 #include "tui/captured.h"
 #include "tui/control.h"
 #include "tui/widgets/panel.h"
+
+/* ---- Without a site ---- */
+
+/* The ways to open a site, each with the list of files that it opens. */
+static const struct {
+	const char *name, *what;
+	enum picker_list list;
+} WAYS[] = {{N_("Open a sheet"),
+		N_("Sieve analyses of the feed and of the product at two "
+		   "speeds or more, "
+		   "from Excel, LibreOffice or CSV. The list shows how each "
+		   "file would be "
+		   "read. The key o opens it later."),
+		PICK_FILES},
+    {N_("Go on with a saved session"),
+	N_("Brings back what the key w saved in a file that ends in .tip: "
+	   "sites with their fits, the goal and the pinned prediction."),
+	PICK_SESSIONS},
+    {N_("Try a site that comes with tipspeed"),
+	N_("Quarries of the paper with their rock and tip speeds; their curves "
+	   "are reconstructed from it."),
+	PICK_SHIPPED},
+    {N_("Estimate from rock type and top size"),
+	N_("Where only the feed was sampled: from the materials of other "
+	   "quarries, with a wide band. Choose the sheet with the feed, then "
+	   "complete the command."),
+	PICK_FEEDS}};
+
+static void
+draw_way_to_start(struct tui *t, const struct area *line, size_t i,
+    unsigned look, const void *of)
+{
+	(void)t, (void)of;
+	screen_text(line, 0, 1, look, "%s", tr(WAYS[i].name));
+}
+
+/* Draws the ways in the middle, with a description of the chosen one if there
+ * is room. */
+static void
+draw_ways_to_start(struct tui *t)
+{
+	enum { WIDEST = 64, GAPS = 3, WHAT = 4 };
+	struct area area = pane_list_area(t);
+	int n = ARRAY_LEN(WAYS);
+	if (area.columns > WIDEST) {
+		area.column += (area.columns - WIDEST) / 2;
+		area.columns = WIDEST;
+	}
+	bool title = area.rows >= n + 2, what = area.rows >= n + GAPS + WHAT;
+	int spare = area.rows - n - (title ? 2 : 0) - (what ? 1 + WHAT : 0);
+	int row = spare > 0 ? spare / 3 : 0;
+	if (title)
+		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
+	row += title ? 2 : 0;
+	area.row += row;
+	area.rows -= row;
+	row = rows_draw(t, &area, draw_way_to_start, NULL);
+	if (what)
+		screen_draw_wrapped(&area, row + 1, 0,
+		    tr(WAYS[t->ui.list[PAGE_PREDICT].at].what));
+}
+
+/* ---- The curves ---- */
 
 static void
 predict_draw_measured_curves(struct tui *t)
@@ -37,7 +103,7 @@ predict_draw(struct tui *t)
 	const struct prediction *p = &t->view.shown;
 	struct plot_request request = plots_default_request(PLOT_PSD);
 	if (tui_current_entry(t) == NULL) {
-		start_page_draw(t);
+		draw_ways_to_start(t);
 		return;
 	}
 	if (goal_is_viewed(t)) {
@@ -117,8 +183,8 @@ move_crosshair_by_key(struct tui *t, const struct key *key)
 		act_crosshair(t, key);
 		return true;
 	}
-	t->ui.crosshair_sieve = (size_t)pane_clamp_index(
-	    (int)t->ui.crosshair_sieve, key->amount, n);
+	t->ui.crosshair_sieve =
+	    pane_clamp_index(t->ui.crosshair_sieve, key->amount, n);
 	return true;
 }
 
@@ -195,7 +261,7 @@ predict_hints(const struct tui *t)
 {
 	bool undone = t->command != NULL && strcmp(t->command, "undo") == 0;
 	if (tui_current_entry(t) == NULL)
-		return START_HINTS;
+		return N_("Up/Down, Enter choose  ?  q  o open  :");
 	if (goal_is_viewed(t))
 		return N_("<-/->  n p  N  Up/Down condition  T back  t  ?  q  "
 			  "e  :");
@@ -227,22 +293,24 @@ predict_hints(const struct tui *t)
 static size_t
 predict_count_rows(const struct tui *t)
 {
-	return goal_is_viewed(t) ? t->view.goal.list.n : START_LIST.n(t);
+	return tui_current_entry(t) == NULL ? ARRAY_LEN(WAYS)
+	       : goal_is_viewed(t)          ? t->view.goal.list.n
+					    : 0;
 }
 
 static void
 predict_open_row(struct tui *t)
 {
-	if (tui_current_entry(t) == NULL)
-		START_LIST.open(t);
+	size_t at = t->ui.list[PAGE_PREDICT].at;
+	if (tui_current_entry(t) == NULL && at < ARRAY_LEN(WAYS))
+		picker_open(t, WAYS[at].list);
 }
 
 static const struct page_list LIST = {.n = predict_count_rows,
     .chosen = goal_show_chosen_quantity,
     .open = predict_open_row};
 
-const struct page_ops page_predict = {.name = N_("Predict"),
-    .hints_now = predict_hints,
+const struct page_ops page_predict = {.hints_now = predict_hints,
     .side = 24,
     .middle_side = 34,
     .wide_side = 36,

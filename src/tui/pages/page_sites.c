@@ -101,26 +101,23 @@ make_site_row(const struct session *s, size_t i)
 	return row;
 }
 
-/* Writes "69 o74 79", with o at held-out speeds like the signs of the track; "8
- * runs" if there are many. */
-static void
-run_speeds_text(const struct entry *e, char *text, size_t n)
+/* Returns "69 o74 79", with o at held-out speeds like the signs of the track;
+ * "8 runs" if there are many. */
+static char *
+run_speeds_text(const struct entry *e)
 {
 	enum { MOST = 16 };
-	size_t at = 0;
-	text[0] = '\0';
-	for (size_t r = 0; r < e->site->n_run && at + 1 < n; r++) {
-		const struct run *run = &e->site->run[r];
-		if (run->product.n == 0)
-			continue;
-		int more = snprintf(text + at, n - at, "%s%s%g",
-		    at > 0 ? " " : "", e->train[r] ? "" : "o", run->speed);
-		at += more > 0 ? (size_t)more : 0;
-	}
-	if (at > MOST)
-		snprintf(text, n, tr("%zu runs"), site_count_products(e->site));
-	if (text[0] == '\0')
-		snprintf(text, n, tr("feed only"));
+	char *text = xstrdup("");
+	for (size_t r = 0; r < e->site->n_run; r++)
+		if (e->site->run[r].product.n > 0)
+			xappend_to_list(&text, " ", "%s%g",
+			    e->train[r] ? "" : "o", e->site->run[r].speed);
+	if (text[0] != '\0' && strlen(text) <= MOST)
+		return text;
+	bool none = text[0] == '\0';
+	free(text);
+	return none ? xstrdup(tr("feed only"))
+		    : xasprintf(tr("%zu runs"), site_count_products(e->site));
 }
 
 static const char *
@@ -134,38 +131,24 @@ params_origin_text(const struct session *s, const struct site_row *row)
 						 : origin_source_text(e);
 }
 
-/* Writes the progress of a site, also if several are calibrated in turn.
- * Returns false if it is not concerned or its calibration is over. */
-static bool
-calibration_progress_text(const struct tui *t, size_t i, char *text, size_t n)
+/* Returns the progress of a site, also if several are calibrated in turn; NULL
+ * if it is not concerned or its calibration is over. */
+static char *
+calibration_progress_text(const struct tui *t, size_t i)
 {
 	const struct session *s = t->session;
 	const struct job *job = &s->job;
 	if (session_entry_being_fitted(s) == NULL || i < job->entry ||
 	    (i > job->entry && (job->type->alone ||
 				   site_count_products(s->entry[i].site) == 0)))
-		return false;
+		return NULL;
 	struct calibrate_status st = calibration_status(job->calibration);
-	if (i > job->entry)
-		snprintf(text, n, tr("waiting"));
-	else if (t->held)
-		snprintf(text, n, tr("paused"));
-	else if (st.state == CALIBRATE_POLISHING)
-		snprintf(text, n, tr("polish"));
-	else if (st.state > CALIBRATE_POLISHING)
-		snprintf(text, n, tr("draws"));
-	else
-		snprintf(text, n, tr("gen %zu"), st.generation);
-	return true;
-}
-
-static void
-light_text(
-    const struct tui *t, const struct site_row *row, char *text, size_t n)
-{
-	if (!calibration_progress_text(t, row->entry, text, n))
-		snprintf(text, n, "%s",
-		    row->has_light ? tr(LIGHT_NAME[row->light]) : "-");
+	if (i == job->entry && !t->held && st.state < CALIBRATE_POLISHING)
+		return xasprintf(tr("gen %zu"), st.generation);
+	return xstrdup(i > job->entry                    ? tr("waiting")
+		       : t->held                         ? tr("paused")
+		       : st.state == CALIBRATE_POLISHING ? tr("polish")
+							 : tr("draws"));
 }
 
 /* Returns the number in a column; NAN if there is none or it has words. */
@@ -197,51 +180,45 @@ number_in_column(
 	}
 }
 
-/* Writes the number, or "-". */
-static void
-number_text(const struct tui *t, const struct site_row *row, enum column column,
-    char *text, size_t n)
+static char *
+number_text(const struct tui *t, const struct site_row *row, enum column column)
 {
 	double x = number_in_column(t->session, row, column);
 	if (isnan(x))
-		snprintf(text, n, "-");
-	else if (column == TOP || column == GENERATIONS)
-		snprintf(text, n, "%g", x);
-	else if (column == MISFIT)
-		snprintf(text, n, "%.3g", x);
-	else
-		snprintf(text, n, "%.2f%s", x,
-		    column == P50 && row->beyond ? "?" : "");
+		return xstrdup("-");
+	if (column == TOP || column == GENERATIONS)
+		return xasprintf("%g", x);
+	if (column == MISFIT)
+		return xasprintf("%.3g", x);
+	return xasprintf("%.2f%s", x, column == P50 && row->beyond ? "?" : "");
 }
 
-static void
-site_cell_text(const struct tui *t, size_t i, int column, char *text, size_t n)
+static char *
+site_cell_text(const struct tui *t, size_t i, int column)
 {
 	const struct session *s = t->session;
 	const struct site_row *row = &t->view.row[i];
 	const struct entry *e = &s->entry[row->entry];
+	char *progress;
 	switch ((enum column)column) {
 	case LIGHT:
-		light_text(t, row, text, n);
-		break;
+		progress = calibration_progress_text(t, row->entry);
+		return progress != NULL ? progress
+		       : row->has_light ? xstrdup(tr(LIGHT_NAME[row->light]))
+					: xstrdup("-");
 	case NAME:
-		snprintf(text, n, "%c %s", row->entry == s->current ? '*' : ' ',
-		    e->key);
-		break;
+		return xasprintf(
+		    "%c %s", row->entry == s->current ? '*' : ' ', e->key);
 	case ROCK:
-		snprintf(text, n, "%s", e->site->rock);
-		break;
+		return xstrdup(e->site->rock);
 	case RUNS:
-		run_speeds_text(e, text, n);
-		break;
+		return run_speeds_text(e);
 	case PARAMETERS:
-		snprintf(text, n, "%s", params_origin_text(s, row));
-		break;
+		return xstrdup(params_origin_text(s, row));
 	case MACHINE:
-		snprintf(text, n, "%s", e->site->machine);
-		break;
+		return xstrdup(e->site->machine);
 	default:
-		number_text(t, row, (enum column)column, text, n);
+		return number_text(t, row, (enum column)column);
 	}
 }
 
@@ -531,8 +508,7 @@ sites_hints(const struct tui *t)
 		   : N_("Up/Down site  Enter  o  /  ?  q  x  :");
 }
 
-const struct page_ops page_sites = {.name = N_("Sites"),
-    .hints_now = sites_hints,
+const struct page_ops page_sites = {.hints_now = sites_hints,
     .update = update_site_rows,
     .draw = sites_draw,
     .list = &LIST};

@@ -38,8 +38,10 @@ list_files_in_folder(struct picker *c, const char *path)
 	else
 		folder_list(&c->folder, copy);
 	if (c->what == PICK_FEEDS || c->what == PICK_SESSIONS)
-		folder_filter_by_kind(&c->folder,
-		    c->what == PICK_FEEDS ? FOLDER_SHEET : FOLDER_SESSION);
+		folder_keep_kinds(&c->folder,
+		    1U << FOLDER_ABOVE | 1U << FOLDER_BELOW |
+			1U << (c->what == PICK_FEEDS ? FOLDER_SHEET
+						     : FOLDER_SESSION));
 	c->list = (struct list){0};
 	forget_preview(c);
 }

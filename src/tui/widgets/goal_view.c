@@ -51,19 +51,18 @@ are_goal_speeds_known(const struct tui *t)
 	       session_entry_being_fitted(t->session) != tui_current_entry(t);
 }
 
-/* Writes the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
+/* Returns the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
  * for a single value, which is last, those that give it. */
-static void
-condition_speeds_text(const struct tui *t, size_t i, char *text, size_t n)
+static char *
+condition_speeds_text(const struct tui *t, size_t i)
 {
 	const struct goal *g = &t->view.goal;
 	bool known = are_goal_speeds_known(t);
 	if (!known || i >= g->list.n - g->n_value) {
-		FREED char *met = xstrdup("");
+		char *met = xstrdup(known && g->n_met > 0 ? "" : "-");
 		for (size_t k = 0; known && k < g->n_met; k++)
 			xappend_to_list(&met, ", ", tr("%.1f m/s"), g->met[k]);
-		snprintf(text, n, "%s", met[0] != '\0' ? met : "-");
-		return;
+		return met;
 	}
 	const double *alone = g->found->alone[i];
 	const struct site *site = tui_current_entry(t)->site;
@@ -73,47 +72,37 @@ condition_speeds_text(const struct tui *t, size_t i, char *text, size_t n)
 	FREED char *rpm = isfinite(low)
 			      ? rotor_speed_rpm_text(site->rotor, low, high)
 			      : xstrdup("");
-	if (isfinite(alone[0]) && isfinite(alone[1]))
-		snprintf(
-		    text, n, tr("%.1f to %.1f m/s%s"), alone[0], alone[1], rpm);
-	else if (isfinite(alone[0]))
-		snprintf(text, n, tr("from %.1f m/s%s"), alone[0], rpm);
-	else if (isfinite(alone[1]))
-		snprintf(text, n, tr("up to %.1f m/s%s"), alone[1], rpm);
-	else {
-		FREED char *range = answers_speed_range_words(site,
-		    g->found->speed[0], g->found->speed[g->found->n - 1], true);
-		snprintf(text, n,
-		    is_condition_met_now(t, &g->list.at[i]) ? tr("all %s")
-							    : tr("none %s"),
-		    range);
-	}
+	if (isfinite(high))
+		return xasprintf(tr("%.1f to %.1f m/s%s"), low, high, rpm);
+	if (isfinite(low))
+		return xasprintf(isfinite(alone[0]) ? tr("from %.1f m/s%s")
+						    : tr("up to %.1f m/s%s"),
+		    low, rpm);
+	FREED char *range = answers_speed_range_words(
+	    site, g->found->speed[0], g->found->speed[g->found->n - 1], true);
+	return xasprintf(is_condition_met_now(t, &g->list.at[i])
+			     ? tr("all %s")
+			     : tr("none %s"),
+	    range);
 }
 
-static void
-condition_cell_text(
-    const struct tui *t, size_t i, int column, char *text, size_t n)
+static char *
+condition_cell_text(const struct tui *t, size_t i, int column)
 {
 	const struct condition *c = &t->view.goal.list.at[i];
 	double value = quantities_value_in_shown_unit(
 	    &c->quantity, condition_value_now(t, c));
-	if (column == CONDITION) {
-		FREED char *words = conditions_describe(c);
-		snprintf(text, n, "%s", words);
-	} else if (column == SPEEDS) {
-		condition_speeds_text(t, i, text, n);
-	} else if (column == HOLDS) {
-		bool range = c->least != c->most;
-		snprintf(text, n, "%s",
-		    !range                       ? ""
-		    : is_condition_met_now(t, c) ? tr("yes")
-						 : tr(" NO"));
-	} else if (isnan(value)) {
-		snprintf(text, n, "-");
-	} else {
-		snprintf(
-		    text, n, "%.*f", quantities_decimals(&c->quantity), value);
-	}
+	if (column == CONDITION)
+		return conditions_describe(c);
+	if (column == SPEEDS)
+		return condition_speeds_text(t, i);
+	if (column == HOLDS)
+		return xstrdup(c->least == c->most          ? ""
+			       : is_condition_met_now(t, c) ? tr("yes")
+							    : tr(" NO"));
+	return isnan(value) ? xstrdup("-")
+			    : xasprintf("%.*f",
+				  quantities_decimals(&c->quantity), value);
 }
 
 static const struct list_table TABLE = {

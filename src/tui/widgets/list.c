@@ -81,8 +81,7 @@ is_row_matching(const struct tui *t, size_t i)
 		return true;
 	FREED char *text = of->text != NULL ? of->text(t, i) : xstrdup("");
 	for (int c = 0; of->table != NULL && c < of->table->n; c++) {
-		char cell[128];
-		of->table->cell(t, i, c, cell, sizeof cell);
+		FREED char *cell = of->table->cell(t, i, c);
 		xappend(&text, " %s", cell);
 	}
 	return text_contains_word(text, word->text);
@@ -230,8 +229,7 @@ table_measure_columns(const struct tui *t, const struct list_table *table,
 		int most =
 		    text_width_in_columns(tr(column->head)) + column->indent;
 		for (size_t i = 0; i < rows; i++) {
-			char text[128];
-			table->cell(t, i, c, text, sizeof text);
+			FREED char *text = table->cell(t, i, c);
 			int width = text_width_in_columns(text);
 			most = width > most ? width : most;
 		}
@@ -314,9 +312,8 @@ static void
 table_draw_cell(const struct tui *t, const struct list_table *table,
     const struct area *cell, size_t i, int column, unsigned look)
 {
-	char text[128];
+	FREED char *text = table->cell(t, i, column);
 	enum series series;
-	table->cell(t, i, column, text, sizeof text);
 	if (table->column[column].right)
 		screen_text(cell, 0, 0, look, "%*s", cell->columns, text);
 	else if (table->series != NULL &&

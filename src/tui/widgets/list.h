@@ -32,14 +32,14 @@ struct list_column {
 	bool right, fixed;
 };
 
-/* The n columns of a list.  cell writes the text of a row in a column.  series
+/* The n columns of a list.  cell returns the text of a row in a column, which
+ * the caller frees.  series
  * finds the colour of a text, or returns false; sort handles a click on a
  * heading; with it, the column in ui.sort is marked.  These two may be NULL. */
 struct list_table {
 	const struct list_column *column;
 	int n;
-	void (*cell)(
-	    const struct tui *t, size_t i, int column, char *text, size_t n);
+	char *(*cell)(const struct tui *t, size_t i, int column);
 	bool (*series)(const struct tui *t, size_t i, int column,
 	    const char *text, enum series *series);
 	void (*sort)(struct tui *t, int column);

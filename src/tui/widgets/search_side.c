@@ -43,9 +43,11 @@ search_side_choose_parameter(struct tui *t, int by)
 	if (past.n == 0)
 		return;
 	/* The first key shows which one it is. */
-	int at = t->ui.param_at > 0 ? (int)t->ui.param_at - 1 : by > 0 ? -1 : 1;
-	t->ui.param_at =
-	    (size_t)pane_clamp_index(at, by, count_parameters(&past)) + 1;
+	if (t->ui.param_at == 0)
+		t->ui.param_at = 1;
+	else
+		t->ui.param_at = 1 + pane_clamp_index(t->ui.param_at - 1, by,
+					 count_parameters(&past));
 }
 
 void
