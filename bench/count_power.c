@@ -85,7 +85,7 @@ count_machine(const struct plan *plan, uint64_t number, struct sums sums[2])
 		double truth = taken(&m, ASKED[q]);
 		for (size_t d = 0; d < POWER_DRAWS; d++) {
 			draw[d] =
-			    size_to_alpha_at(&p, d, ASKED[q][0], ASKED[q][1]);
+			    power_of_draw(&p, d, ASKED[q][0], ASKED[q][1]);
 			mean += draw[d] / POWER_DRAWS;
 		}
 		ensemble_interval_with_answer(draw, 0.8, mean, range);
