@@ -247,7 +247,7 @@ evidence_stays_where_it_is(void **state)
 	    desk, "load data/sites/tierp.csv; calibrate population=200");
 	struct entry *entry = &s->entry[0];
 	struct history *h = entry->origin->history;
-	history_discard_draws(h, s->set.noise, s->set.draw_seed);
+	history_discard_draws(h, &s->set);
 	h->stop = at_once;
 	const struct evidence *e = outlook_evidence(s, entry);
 	assert_true(isnan(e->discrepancy));

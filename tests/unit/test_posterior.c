@@ -290,6 +290,55 @@ test_many_sieves(void **state)
 	site_free(k.site);
 }
 
+/* Returns the width of the band at a sieve; the mean answer at all, [n] out.  No
+ * draw rises towards finer sieves. */
+static double
+width_of_band(struct ensemble *e, double v, size_t sieve, double *mean)
+{
+	enum { N = POSTERIOR_DRAWS };
+	double low, high;
+	ensemble_set_speed(e, v);
+	ensemble_mean_answer(e, mean);
+	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
+	for (size_t i = N; i < ensemble_count_sizes(e) * N; i++)
+		assert_true(P[i] <= P[i - N]);
+	ensemble_row_interval(e, ENSEMBLE_ANSWER, sieve, 0.8, &low, &high);
+	return high - low;
+}
+
+/* Errors of the stated speeds widen the band by what they move, and leave the
+ * answer where it is. */
+static void
+errors_of_speeds_widen_the_band(void **state)
+{
+	(void)state;
+	enum { SIEVE = 5, MOST = 40 };
+	struct known k = known(TIERP, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[1].feed;
+	double exact[MOST], faster[MOST], slower[MOST], stated[MOST];
+	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
+	assert_true(feed->n <= MOST);
+	width_of_band(e, 71.28, SIEVE, slower);
+	width_of_band(e, 72.72, SIEVE, faster);
+	double own = width_of_band(e, 72, SIEVE, exact);
+	ensemble_free(e);
+	p->speed_sd = 0.01;
+	e = ensemble_new(p, feed, feed->size, feed->n);
+	double with = width_of_band(e, 72, SIEVE, stated);
+	double effect = ensemble_effect_of_speed_errors(p, 72);
+	assert_true(effect > 1.1 && effect < 1.3);
+	double moved = 1.2816 * effect * (faster[SIEVE] - slower[SIEVE]);
+	print_message("width %g, with errors of speeds %g, these alone %g\n",
+	    own, with, moved);
+	assert_true(fabs(with / hypot(own, moved) - 1) < 0.1);
+	for (size_t i = 0; i < feed->n; i++)
+		assert_true(fabs(stated[i] - exact[i]) < 0.0005);
+	ensemble_free(e);
+	posterior_free(p);
+	site_free(k.site);
+}
+
 /* Counts the sieves at 74 m/s whose true passing the middle 80 % holds; sieves
  * that pass all or next to nothing are left out. */
 static void
@@ -1011,6 +1060,7 @@ main(void)
 	    cmocka_unit_test(test_bounds),
 	    cmocka_unit_test(test_strengths),
 	    cmocka_unit_test(test_parts),
+	    cmocka_unit_test(errors_of_speeds_widen_the_band),
 	    cmocka_unit_test(test_many_sieves),
 	    cmocka_unit_test(test_bands_hold),
 	    cmocka_unit_test(test_many_runs),

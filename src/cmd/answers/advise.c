@@ -109,6 +109,22 @@ open_sample_forecast(
 	return forecast_open(s, q, asked, *n);
 }
 
+/* Takes out of a row of draws what it has in common with their errors of the
+ * stated speeds: the speed of another sample has an error of its own, so it
+ * tells nothing of theirs. */
+static void
+take_out_errors_of_speeds(double *row)
+{
+	double along = 0, squares = 0;
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		double error = ensemble_speed_error_of_draw(d);
+		along += error * row[d];
+		squares += error * error;
+	}
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		row[d] -= along / squares * ensemble_speed_error_of_draw(d);
+}
+
 /* Sorts the candidates by the width of the band that each is expected to
  * leave. */
 static void
@@ -121,9 +137,12 @@ sort_by_expected_band_width(const struct session *s,
 	FREED double *sample = xcalloc_doubles(sieves * N);
 	for (size_t i = 0; i < n; i++) {
 		forecast_set_speed_and_draws(f, c[i].speed, ENSEMBLE_SAMPLE);
-		for (size_t k = 0; k < sieves; k++)
+		for (size_t k = 0; k < sieves; k++) {
 			memcpy(sample + k * N, forecast_draws(f, k),
 			    N * sizeof *sample);
+			if (s->set.speed_sd > 0)
+				take_out_errors_of_speeds(sample + k * N);
+		}
 		double share =
 		    advise_variance_share_removed(w->draw, sample, sieves);
 		c[i].width = w->width * sqrt(1 - share);

@@ -371,9 +371,9 @@ const struct command TABLE_ANSWERS[] = {
 	    {NUMBER(noise), "points", 0, 10, NULL, "0",
 		"known standard deviation of a single passing around 50 %; 0: "
 		"as the data show it"},
-	    {NUMBER(speed_sd), "%", 0, 20, NULL, "0.5",
-		"standard deviation of the stated tip speeds: slip, worn tips, "
-		"rounding"},
+	    {NUMBER(speed_sd), "%", 0, 5, NULL, "0",
+		"standard deviation of stated tip speeds: slip, worn tips, "
+		"rounding; 0: exact"},
 	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SIEVES,
 	    SHARED_CUT, SHARED_SCREENS},
@@ -382,15 +382,16 @@ const struct command TABLE_ANSWERS[] = {
 	    "figures that are named, with the range in which the true value "
 	    "lies and the one in which a new belt cut is expected; if several "
 	    "runs have a feed sample, how far the product moves with the feed; "
-	    "what errors of the stated tip speeds add; and which further "
-	    "sample would help most, as 'uncertainty next' finds it. detail=on "
+	    "what errors of the stated tip speeds move, by 0.5 % unless "
+	    "stated; and which further sample would help most, as 'uncertainty "
+	    "next' finds it. detail=on "
 	    "shows half the width of the band sieve by sieve: of the model "
 	    "alone, which is what its parameters leave open; of the answer, "
 	    "with what the model leaves out, which is the band of predict; and "
 	    "of one more sample with its error. Below it are the sizes of "
-	    "these errors as the data show them. level= and noise= are "
-	    "settings, kept for the "
-	    "commands that follow. 'uncertainty draws > FILE.csv' writes the "
+	    "these errors as the data show them. level=, noise= and "
+	    "speed_sd= are settings, kept for the commands that follow. "
+	    "'uncertainty draws > FILE.csv' writes the "
 	    "draws: parameters, errors and product of each. See UNCERTAINTY in "
 	    "tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty 72 P80\n"

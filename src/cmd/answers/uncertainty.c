@@ -288,14 +288,16 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	fields_put(answer_fields(r), "next_mps %g", best.speed);
 }
 
-/* Notes what the band leaves out: the stated speeds are not exact.  sd: their
- * standard deviation, as a share of them. */
+/* Notes what errors of the stated speeds move: those that are in the band or,
+ * if none were stated, usual ones. */
 static void
 note_effect_of_speed_errors(struct answer *r, const struct session *s,
-    const struct question *q, const struct prediction *at, double sd)
+    const struct question *q, const struct posterior *p,
+    const struct prediction *at)
 {
-	const double step = 0.005;
-	double times = site_effect_of_speed_errors(q->entry->site, at->speed),
+	const double step = 0.005, usual = 0.005;
+	double sd = p->speed_sd > 0 ? p->speed_sd : usual;
+	double times = ensemble_effect_of_speed_errors(p, at->speed),
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
@@ -317,8 +319,13 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	if (!(most > 0 && isfinite(most)))
 		return;
 	answer_note(r,
-	    "beside the band: tip speeds known to %g %% (speed_sd=) move what "
-	    "passes %g mm by +- %.2f points, and other sizes by less",
+	    p->speed_sd > 0
+		? N_("in the band: tip speeds known to %g %% (speed_sd=) move "
+		     "what passes %g mm by +- %.2f points, and other sizes by "
+		     "less")
+		: N_("beside the band: tip speeds known to %g %% (speed_sd=) "
+		     "move what passes %g mm by +- %.2f points, and other "
+		     "sizes by less"),
 	    100 * sd, units_mm(at->product.size[worst]), 100 * most);
 	fields_put(answer_fields(r), "speed_sd_pct %g speeds_move_pct %g",
 	    100 * sd, 100 * most);
@@ -371,7 +378,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	add_hyperparameter_ranges(r, s, p, detail);
 	note_two_rock_strengths(r, p, detail);
 	note_effect_of_feeds(r, s, q, &of, at->speed);
-	note_effect_of_speed_errors(r, s, q, at, args->speed_sd / 100);
+	note_effect_of_speed_errors(r, s, q, p, at);
 	note_convergence_of_draws(r, p, outlook_evidence(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
@@ -386,6 +393,8 @@ apply_setting_options(struct session *s, const struct args *args)
 		s->set.level = args->probability;
 	if (args_is_given(args, &args->noise))
 		s->set.noise = args->noise;
+	if (args_is_given(args, &args->speed_sd))
+		s->set.speed_sd = args->speed_sd;
 }
 
 /* Reads a speed, as in predict, and "draws" or "next", in any order. */

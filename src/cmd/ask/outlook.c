@@ -72,7 +72,8 @@ options_of_draws(
 	    .seed = s->set.draw_seed,
 	    .threads = s->set.threads,
 	    .isa = s->isa,
-	    .noise = s->set.noise / 100};
+	    .noise = s->set.noise / 100,
+	    .speed_sd = s->set.speed_sd / 100};
 }
 
 /* True if the parameters are from a completed calibration with enough data. */
@@ -124,8 +125,9 @@ posterior_if_complete(const struct session *s, const struct entry *entry,
 	struct history *h = entry->origin->history;
 	size_t place;
 	FREED bool *use = list_runs_that_inform(h, correction, &place);
-	if (h->noise != s->set.noise || h->draw_seed != s->set.draw_seed)
-		history_discard_draws(h, s->set.noise, s->set.draw_seed);
+	if (h->noise != s->set.noise || h->speed_sd != s->set.speed_sd ||
+	    h->draw_seed != s->set.draw_seed)
+		history_discard_draws(h, &s->set);
 	if (h->posterior[place] == NULL)
 		draw_posterior_steps(s, entry, use, place, steps);
 	return h->posterior[place];

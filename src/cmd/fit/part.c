@@ -143,11 +143,12 @@ part_dependencies_text(const struct session *s,
 	char *words = xasprintf(
 	    "seed=%llu population=%zu generations=%zu tolerance=%.17g "
 	    "stall=%zu polish=%d plain=%d train=%s model=%s method=%d "
-	    "appearance=%d k=%.17g bypass=%.17g noise=%.17g correction=%d",
+	    "appearance=%d k=%.17g bypass=%.17g noise=%.17g speed_sd=%.17g "
+	    "correction=%d",
 	    (unsigned long long)o->seed, o->population, o->generations,
 	    o->tolerance, o->stall, o->polish, o->plain, more, of->name,
 	    (int)m->method, (int)m->appearance, m->k, m->bypass, s->set.noise,
-	    (int)s->set.correction);
+	    s->set.speed_sd, (int)s->set.correction);
 	append_digest_of_impacts(&words, &m->impacts);
 	for (size_t j = 0; j < of->n; j++)
 		xappend(&words, " %s=%.17g..%.17g", of->parameter[j].name,

@@ -26,6 +26,8 @@ const struct command_option SETTINGS[] = {
     {SETTING("noise", noise, VALUE_NUMBER), "points", 0, 10, NULL, "0",
 	"known standard deviation of a passing near 50 %; 0: as the data show "
 	"it"},
+    {SETTING("speed_sd", speed_sd, VALUE_NUMBER), "%", 0, 5, NULL, "0",
+	"standard deviation of stated tip speeds"},
     {SETTING("draw_seed", draw_seed, VALUE_WHOLE), "", 0, 999999, NULL, "1",
 	"seed of the draws of bands"},
     {SETTING("threads", threads, VALUE_WHOLE), "", 1, 64, NULL, "",
@@ -83,10 +85,13 @@ const struct command TABLE_MODEL[] = {
 	.flags = COMMAND_CHANGES | COMMAND_APPEARANCE | COMMAND_CONDITIONS |
 		 COMMAND_SETTINGS,
 	.option = SETTINGS,
-	.text = "Write 'set method classes' or 'set method=classes'. The "
-		"method classes follows the paper exactly; continuous, the "
-		"default, is its limit for fine size classes.",
-	.more = "The model is used for later calibrations; 'show models' lists "
+	.text = "Write 'set method classes' or 'set method=classes'. classes "
+		"follows the paper exactly; continuous is its limit for fine "
+		"size classes.",
+	.more = "With speed_sd, the bands of all answers have the errors of "
+		"the stated tip speeds in them, of the runs and of the speed "
+		"asked about; otherwise these count as exact. The model is "
+		"used for later calibrations; 'show models' lists "
 		"the models. continuous does not depend on the choice of "
 		"sieves. Choosing another model also sets its search bounds; "
 		"parameters that a site already has keep their model. "

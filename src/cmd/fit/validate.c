@@ -315,6 +315,7 @@ compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 	    .threads = c->all ? 1 : s->set.threads,
 	    .isa = s->isa,
 	    .noise = s->set.noise / 100,
+	    .speed_sd = s->set.speed_sd / 100,
 	    .stop = task->stop};
 	struct posterior *posterior =
 	    few ? NULL : posterior_new(site, &fit.params, &o);

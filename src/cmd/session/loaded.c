@@ -20,7 +20,7 @@ free_cached_ensembles(struct history *h)
 }
 
 void
-history_discard_draws(struct history *h, double noise, unsigned seed)
+history_discard_draws(struct history *h, const struct settings *set)
 {
 	for (size_t i = 0; i < ARRAY_LEN(h->posterior); i++) {
 		posterior_free(h->posterior[i]);
@@ -33,8 +33,9 @@ history_discard_draws(struct history *h, double noise, unsigned seed)
 	free_cached_ensembles(h);
 	h->later.site = NULL;
 	h->alarm.site = NULL;
-	h->noise = noise;
-	h->draw_seed = seed;
+	h->noise = set->noise;
+	h->speed_sd = set->speed_sd;
+	h->draw_seed = set->draw_seed;
 }
 
 void
@@ -81,7 +82,7 @@ history_release(struct history *h)
 {
 	if (h == NULL || --h->holders > 0)
 		return;
-	history_discard_draws(h, 0, 0);
+	history_discard_draws(h, &(struct settings){0});
 	free(h->generation);
 	free(h->train);
 	free(h);

@@ -33,8 +33,8 @@ struct history {
 	struct posterior_run *drawing;  /* for posterior[drawn], or NULL */
 	size_t drawn;
 	struct evidence *evidence[2];
-	double weight; /* see calibration_sum_of_weights */
-	double noise;  /* that of the draws, and their seed */
+	double weight;          /* see calibration_sum_of_weights */
+	double noise, speed_sd; /* those of the draws, and their seed */
 	unsigned draw_seed;
 	struct later {
 		const struct site *site; /* NULL: not compared yet */
@@ -140,9 +140,9 @@ struct history *history_new(const struct fit *fit, const struct bounds *bounds,
 /* Releases a share in the history, which may be NULL. */
 void history_release(struct history *history);
 
-/* Discards the draws; they will be redrawn with this noise and seed. */
-void history_discard_draws(
-    struct history *history, double noise, unsigned seed);
+/* Discards the draws; they will be redrawn with the errors and the seed that
+ * are set. */
+void history_discard_draws(struct history *history, const struct settings *set);
 
 /* Discards what was computed for a site that is being removed. */
 void history_discard_cached(struct history *history, const struct site *site);

@@ -29,6 +29,7 @@ single impact */
 	enum correction correction;
 	unsigned level;     /* of bands: 0: 80 %, 1: 90 % */
 	double noise;       /* points, for a passing of 50 %; 0: not known */
+	double speed_sd;    /* of stated tip speeds, %; 0: exact */
 	unsigned draw_seed; /* of the draws behind answers and bands (D24) */
 	enum answer_format format;
 	unsigned semicolon; /* 1: in csv, with decimal commas */

@@ -38,6 +38,7 @@ struct posterior {
 	 * (thin.h). */
 	size_t n_speed;
 	double speed[POSTERIOR_RUNS], straight;
+	double speed_sd; /* of stated tip speeds, as a share; 0: exact */
 	size_t n_knot;
 	double *knot; /* ln of sizes, coarsest first */
 	/* At the knots, [n_knot * POSTERIOR_DRAWS], a row of draws for each:

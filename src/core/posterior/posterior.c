@@ -1054,6 +1054,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	struct sampler *s = sampler_new(m, &p->fit, &bounds, o);
 	p->n_cell = s->n_cell;
 	p->middle = s->coordinates.middle;
+	p->speed_sd = o->speed_sd;
 	site_default_speed_range(site, &p->from, &p->to);
 	list_run_speeds(p, m);
 	make_knots(p, site, s);

@@ -18,7 +18,8 @@ struct posterior_options {
 	struct model_settings settings;
 	struct bounds bounds;
 	uint64_t seed;
-	double noise; /* known sigma_i, passing 0..1; 0: the prior's */
+	double noise;    /* known sigma_i, passing 0..1; 0: the prior's */
+	double speed_sd; /* of stated tip speeds, as a share; 0: exact */
 	unsigned threads;
 	enum isa isa;
 	bool (*stop)(void);

@@ -459,25 +459,6 @@ site_is_data_made_up(const char *provenance)
 }
 
 double
-site_effect_of_speed_errors(const struct site *site, double v)
-{
-	double n = 0, mean = 0, squares = 0;
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0) {
-			n++;
-			mean += site->run[r].speed * site->run[r].speed;
-		}
-	mean /= n;
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].product.n > 0) {
-			double v_r = site->run[r].speed;
-			squares += (v_r * v_r - mean) * (v_r * v_r - mean);
-		}
-	double off = (v * v - mean) * (v * v - mean);
-	return sqrt(1 + 1 / n + (off > 0 ? off / squares : 0));
-}
-
-double
 site_run_rotor(const struct site *site)
 {
 	return site->run_rotor > 0 ? site->run_rotor : site->rotor;

@@ -195,11 +195,4 @@ char *site_source(const struct site *site, const char *none);
  * there already. */
 void sources_add_site(char **list, const struct site *site);
 
-/* Returns the effect of errors in the stated speeds on the answer at tip speed
- * v, in multiples of the error of one speed.  It combines the errors of the
- * runs, as for a straight line through them in v^2, with the error of v itself:
- *   sqrt(1 + 1/n + (v^2 - m)^2 / sum (v_i^2 - m)^2),   m the mean of the v_i^2
- * Infinite if all runs have the same speed and v is another. */
-double site_effect_of_speed_errors(const struct site *site, double v);
-
 #endif
