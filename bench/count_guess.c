@@ -62,7 +62,7 @@ put_fragments(struct plant *p, enum fragments law, struct rng_key key)
 
 /* The row with its own strength, top size and law. */
 static struct plant
-rock_of(enum fragments law, const struct stored *row, uint64_t number)
+rock_of(enum fragments law, const struct material *row, uint64_t number)
 {
 	struct plant p = plant_of(RIGHT, number);
 	double top = row->top_size_mm / 1000;
@@ -78,12 +78,12 @@ rock_of(enum fragments law, const struct stored *row, uint64_t number)
 
 /* Which others there are to guess from. */
 static size_t
-others(const struct stored_list *table, const struct stored *row,
+others(const struct material_list *table, const struct material *row,
     struct guess_material *m, size_t *pick, bool open)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < ROWS; i++) {
-		const struct stored *r = &table->item[i];
+		const struct material *r = &table->item[i];
 		m[i] = (struct guess_material){r->site, r->rock,
 		    r->top_size_mm / 1000, r->params, model_settings_default(),
 		    open};
@@ -96,7 +96,7 @@ others(const struct stored_list *table, const struct stored *row,
 /* The share of the passings that the band holds; *error: RMSE of the guess. */
 static double
 held_of(const struct plant *p, const struct site *site,
-    const struct stored_list *table, size_t row, double v, bool open,
+    const struct material_list *table, size_t row, double v, bool open,
     double *error)
 {
 	struct guess_material m[ROWS];
@@ -124,7 +124,7 @@ count_guess(size_t n)
 {
 	bool ok = true;
 	double *error = xcalloc_doubles(n);
-	struct stored_list list = {0}, *table = &list;
+	struct material_list list = {0}, *table = &list;
 	stored_add_table3(table);
 	printf("%-22s %s\n", "fragments",
 	    "  held %    RMSE, median   at one "
@@ -156,6 +156,6 @@ count_guess(size_t n)
 						sum[0] - 3 * se < 0.92));
 	}
 	free(error);
-	stored_list_free(table);
+	material_list_free(table);
 	return ok;
 }

@@ -32,19 +32,19 @@ set(char **text, char *value)
 }
 
 /* One of Table 3 with other numbers, by its number alone. */
-static struct stored
-made_up(const struct stored_list *paper, size_t number)
+static struct material
+made_up(const struct material_list *paper, size_t number)
 {
-	const struct stored *of = &paper->item[number % paper->n];
+	const struct material *of = &paper->item[number % paper->n];
 	struct rng_key key = rng_make_key(1, number, 90);
-	struct stored m = stored_empty();
+	struct material m = material_empty();
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
 			stored_set_text_field(&m, &FIELDS[f],
-			    *stored_text_of_field(of, &FIELDS[f]));
+			    *material_text_of_field(of, &FIELDS[f]));
 		else if (FIELDS[f].kind == FIELD_NUMBER)
-			*stored_number_of_field(&m, &FIELDS[f]) =
-			    *stored_number_of_field(of, &FIELDS[f]);
+			*material_number_of_field(&m, &FIELDS[f]) =
+			    *material_number_of_field(of, &FIELDS[f]);
 	m.params = of->params;
 	for (size_t j = 4; j < 7; j++)
 		m.params.at[j] *= 0.9 + 0.2 * rng_uniform(key, (uint32_t)j);
@@ -61,20 +61,20 @@ static void
 fill(struct store *store, size_t n)
 {
 	struct error error = {0};
-	struct stored_list paper = {0};
+	struct material_list paper = {0};
 	stored_add_table3(&paper);
 	for (size_t from = 0; from < n; from += AT_ONCE) {
-		struct stored_list list = {0};
+		struct material_list list = {0};
 		for (size_t i = from; i < n && i < from + AT_ONCE; i++)
-			stored_list_add(&list, made_up(&paper, i));
+			material_list_add(&list, made_up(&paper, i));
 		if (!store_put_materials(
 			store, list.item, list.n, true, &error)) {
 			error_print(&error, stderr);
 			exit(1);
 		}
-		stored_list_free(&list);
+		material_list_free(&list);
 	}
-	stored_list_free(&paper);
+	material_list_free(&paper);
 }
 
 static void

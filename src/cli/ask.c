@@ -58,11 +58,11 @@ ask_confirm(struct session *s, const char *question, bool yes)
 
 /* Prints what stands above the questions about a table. */
 static void
-print_table_above_questions(const struct inquiry *q, int columns)
+print_table_above_questions(const struct user_question *q, int columns)
 {
 	text_wrap(q->about, 0, columns, stderr);
 	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
-		FREED char *line = inquiry_row_text(q, r, columns);
+		FREED char *line = user_question_row_text(q, r, columns);
 		text_print_escaped(line, stderr);
 		fputc('\n', stderr);
 	}
@@ -80,8 +80,8 @@ print_table_above_questions(const struct inquiry *q, int columns)
 /* On standard error, because the notes of the session wait for the end of the
  * command. */
 char *
-ask_with_reader(
-    struct session *s, const struct inquiry *q, char *(*read)(const char *text))
+ask_with_reader(struct session *s, const struct user_question *q,
+    char *(*read)(const char *text))
 {
 	int rows, columns;
 	(void)s;
@@ -113,7 +113,7 @@ prompt_for_line(const char *text)
 }
 
 char *
-ask_question(struct session *s, const struct inquiry *q)
+ask_question(struct session *s, const struct user_question *q)
 {
 	return ask_with_reader(s, q, prompt_for_line);
 }

@@ -15,8 +15,8 @@ int ask_wait_for_line(char **line);
  * with a text and returns the line without its end, which the caller frees, or
  * NULL at the end of input or on a signal. */
 bool ask_confirm(struct session *s, const char *question, bool yes);
-char *ask_question(struct session *s, const struct inquiry *inquiry);
-char *ask_with_reader(struct session *s, const struct inquiry *inquiry,
+char *ask_question(struct session *s, const struct user_question *inquiry);
+char *ask_with_reader(struct session *s, const struct user_question *inquiry,
     char *(*read)(const char *text));
 
 #endif

@@ -479,7 +479,7 @@ read_line_of_answer(const char *text)
 }
 
 static char *
-repl_ask_question(struct session *s, const struct inquiry *q)
+repl_ask_question(struct session *s, const struct user_question *q)
 {
 	return ask_with_reader(s, q, read_line_of_answer);
 }

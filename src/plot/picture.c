@@ -499,7 +499,7 @@ plot_height(const struct chart *chart)
 }
 
 double
-picture_height(const struct chart *chart, const char *program)
+chart_picture_height(const struct chart *chart, const char *program)
 {
 	FREED char *foot = foot_text(chart, program);
 	size_t rows = 1;
@@ -512,7 +512,8 @@ picture_height(const struct chart *chart, const char *program)
 }
 
 void
-picture_draw(const struct chart *chart, const char *program, struct pen *pen)
+chart_picture_draw(
+    const struct chart *chart, const char *program, struct pen *pen)
 {
 	struct chart_page p = {.pen = pen, .top = TOP};
 	FREED char *foot = foot_text(chart, program);
@@ -532,9 +533,9 @@ picture_write(const struct chart *chart, enum picture_form form,
 {
 	const struct pen_paper paper = white_paper(chart->theme);
 	struct pen *pen =
-	    new_pen_for_form(form, PAGE, picture_height(chart, program), &paper,
-		chart->title, chart->about, out);
-	picture_draw(chart, program, pen);
+	    new_pen_for_form(form, PAGE, chart_picture_height(chart, program),
+		&paper, chart->title, chart->about, out);
+	chart_picture_draw(chart, program, pen);
 	return pen->close(pen);
 }
 

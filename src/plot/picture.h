@@ -33,12 +33,12 @@ bool picture_write(const struct chart *chart, enum picture_form form,
 
 /* For callers that lay out the pages of a PDF, in points. picture_new_pdf_pages
  * returns a pen, or NULL if this program was built without cairo.
- * picture_height returns the height of a chart PICTURE_WIDTH wide.
- * picture_draw draws the chart from the pen's place. */
+ * chart_picture_height returns the height of a chart PICTURE_WIDTH wide.
+ * chart_picture_draw draws the chart from the pen's place. */
 struct pen *picture_new_pdf_pages(double width, double height,
     const char *title, const char *about, FILE *out);
-double picture_height(const struct chart *chart, const char *program);
-void picture_draw(
+double chart_picture_height(const struct chart *chart, const char *program);
+void chart_picture_draw(
     const struct chart *chart, const char *program, struct pen *pen);
 
 /* Writes cells as shown by a terminal with a dark background.  Lines, dots and

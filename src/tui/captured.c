@@ -13,7 +13,7 @@
 
 /* The next output is for this screen, without escape sequences. */
 void
-captured_clear(struct tui *t)
+captured_discard_output(struct tui *t)
 {
 	struct screen screen = {.drawing = screen_charset() != CHARSET_ASCII};
 	screen_size(&screen.rows, &screen.columns);
@@ -36,7 +36,7 @@ captured_show_error(
 }
 
 void
-captured_show(struct tui *t)
+captured_show_output(struct tui *t)
 {
 	fflush(t->captured);
 	size_t n = t->captured_n;

@@ -7,7 +7,7 @@
 #include "tui/tui_state.h"
 
 /* Discards earlier output. */
-void captured_clear(struct tui *t);
+void captured_discard_output(struct tui *t);
 
 /* See `fail` in struct driver; of: a struct tui *.  The line itself is already
  * on the screen. */
@@ -15,6 +15,6 @@ void captured_show_error(
     void *of, const struct error *e, const char *line, const char *name);
 
 /* Shows the output: a single line as a message, more on the whole screen. */
-void captured_show(struct tui *t);
+void captured_show_output(struct tui *t);
 
 #endif

@@ -28,7 +28,7 @@ run_screen_command(struct tui *t, const char *line)
 {
 	struct error error = {0};
 	size_t next;
-	captured_clear(t);
+	captured_discard_output(t);
 	bool ok = session_run_line(
 	    t->session, line, 0, ERROR_TYPED, 0, &next, &error);
 	free(t->command);
@@ -36,7 +36,7 @@ run_screen_command(struct tui *t, const char *line)
 	t->failed = !ok;
 	t->message[0] = '\0';
 	if (ok)
-		captured_show(t);
+		captured_show_output(t);
 	else
 		captured_show_error(t, &error, line, ERROR_TYPED);
 }
@@ -163,7 +163,7 @@ show_result_message(struct tui *t, const struct command *command,
 	if (!ok && t->captured_n > 0)
 		text_wrap(t->message, 0, 78, t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
-		captured_show(t);
+		captured_show_output(t);
 	if (ok && !moved_only && command == command_find("predict"))
 		say_that_pages_keep_feed(t, line);
 }

@@ -126,7 +126,7 @@ control_store_page_settings(struct tui *t)
 	FREED char *quantity = quantities_input_text(&t->ui.quantity);
 	FREED char *line =
 	    xasprintf("set page %s quantity \"%s\"", page, quantity);
-	captured_clear(t);
+	captured_discard_output(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_run_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
 }
@@ -199,7 +199,7 @@ control_run_line(struct tui *t, const char *line)
 	char site[sizeof t->view.current.site] = "";
 	if (tui_current_entry(t) != NULL)
 		snprintf(site, sizeof site, "%s", tui_current_entry(t)->key);
-	captured_clear(t);
+	captured_discard_output(t);
 	const struct driver d = {.session = s,
 	    .of = t,
 	    .fail = captured_show_error,
@@ -281,7 +281,7 @@ control_confirm(struct session *s, const char *question, bool yes)
 }
 
 static char *
-control_ask_question(struct session *s, const struct inquiry *q)
+control_ask_question(struct session *s, const struct user_question *q)
 {
 	return open->away ? ask_question(s, q) : dialog_ask(open, q);
 }

@@ -65,7 +65,7 @@ add_directory_entry(struct folder *folder, const char *name)
 	FREED char *path = xasprintf("%s%s", folder->path, name);
 	bool known = stat(path, &about) == 0;
 	FREED char *command = known && file_has_sheet_ending(name)
-				  ? results_command_in_file(path)
+				  ? command_that_made_file(path)
 				  : NULL;
 	if (known && S_ISDIR(about.st_mode)) {
 		folder_add_item(folder, FOLDER_BELOW, name);
@@ -146,10 +146,10 @@ folder_keep_kinds(struct folder *folder, unsigned kinds)
 static void
 add_synthetic_sites(struct folder *folder)
 {
-	struct stored_list paper = {0};
+	struct material_list paper = {0};
 	stored_add_table3(&paper);
 	for (size_t i = 0; i < paper.n; i++) {
-		const struct stored *row = &paper.item[i];
+		const struct material *row = &paper.item[i];
 		FREED char *slug = text_slug(row->site);
 		FREED char *name = xasprintf("%s.csv", slug);
 		bool again = false;
@@ -164,7 +164,7 @@ add_synthetic_sites(struct folder *folder)
 			    "synth table3 \"site=%s\" seed=9", row->site);
 		}
 	}
-	stored_list_free(&paper);
+	material_list_free(&paper);
 	free(folder->path);
 	folder->path = xstrdup(tr("from Table 3"));
 	folder->why = NULL;

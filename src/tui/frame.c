@@ -186,7 +186,7 @@ site_status_text(struct tui *t, int columns)
 	return entry->has_fit
 		   ? xasprintf("%s%s",
 			 fit_has_too_few_data(&entry->fit) ? "" : tr("fit "),
-			 light_verdict_on_fit(s, entry, NULL))
+			 verdict_on_fit(s, entry, NULL))
 		   : xasprintf(tr("parameters %s"), origin_source_text(entry));
 }
 
@@ -252,7 +252,7 @@ draw_completions(struct tui *t, const struct area *area)
 static void
 draw_filter(struct tui *t, const struct area *area)
 {
-	FREED char *found = xasprintf(tr("%zu of %zu"), rows_count_matching(t),
+	FREED char *found = xasprintf(tr("%zu of %zu"), list_count_matching(t),
 	    pages_current(t)->list->n(t));
 	int at = pane_draw_search_word(
 	    t, area, t->filter.text, found, tr("Enter keep it  Esc all rows"));
@@ -459,7 +459,7 @@ add_wheel_areas(struct tui *t, bool viewing)
 	for (size_t i = 0; !viewing && i < ARRAY_LEN(over); i++)
 		hits_add(hits, HIT_WHEEL, over[i], on_wheel_move_slider, 0);
 	if (!viewing && list_has_rows(t))
-		rows_add_wheel_area(t, l->body);
+		list_add_wheel_area(t, l->body);
 }
 
 void

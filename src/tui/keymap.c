@@ -41,7 +41,7 @@ move_within_page(struct tui *t, const struct key *key)
 	const struct page_ops *page = pages_current(t);
 	bool slides = page->strip && key->act != act_move_in_list;
 	return (page->move != NULL && (page->move)(t, key)) ||
-	       (!slides && rows_handle_move_key(t, key));
+	       (!slides && list_handle_move_key(t, key));
 }
 
 void
@@ -55,7 +55,7 @@ act_move(struct tui *t, const struct key *key)
 }
 
 void
-act_ends(struct tui *t, const struct key *key)
+act_move_to_end(struct tui *t, const struct key *key)
 {
 	const struct slider_range range = tui_slider_range(t);
 	if (move_within_page(t, key))
@@ -91,7 +91,7 @@ act_type_speed(struct tui *t, const struct key *key)
 }
 
 void
-act_page(struct tui *t, const struct key *key)
+act_open_page(struct tui *t, const struct key *key)
 {
 	pages_go_to(t, (enum page)key->amount);
 }
@@ -212,7 +212,7 @@ restart_calibration(struct tui *t, const char *line)
 }
 
 void
-act_fit(struct tui *t, const struct key *key)
+act_calibrate(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (tui_current_entry(t) == NULL) {
@@ -227,7 +227,7 @@ act_fit(struct tui *t, const struct key *key)
 
 /* Pauses or continues the calibration, also one that was stopped. */
 void
-act_pause(struct tui *t, const struct key *key)
+act_toggle_pause(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct session *s = t->session;
@@ -243,7 +243,7 @@ act_pause(struct tui *t, const struct key *key)
 }
 
 void
-act_pace(struct tui *t, const struct key *key)
+act_change_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
 	t->ui.pace =
@@ -263,7 +263,7 @@ act_pace(struct tui *t, const struct key *key)
 }
 
 void
-act_pin(struct tui *t, const struct key *key)
+act_toggle_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct numbers was = t->view.pinned;
@@ -290,7 +290,7 @@ act_pin(struct tui *t, const struct key *key)
 }
 
 void
-act_band(struct tui *t, const struct key *key)
+act_toggle_band(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
@@ -305,7 +305,7 @@ act_band(struct tui *t, const struct key *key)
 		    entry->has_fit && fit_has_too_few_data(&entry->fit)
 			? "%s"
 			: N_("%s; f calibrates"),
-		    outlook_why_no_band(t->session, entry));
+		    band_why_none(t->session, entry));
 }
 
 void
@@ -319,7 +319,7 @@ act_stop(struct tui *t, const struct key *key)
 }
 
 void
-act_mouse(struct tui *t, const struct key *key)
+act_toggle_mouse(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool on = !t->mouse && screen_set_mouse(true);
@@ -342,14 +342,14 @@ act_back(struct tui *t, const struct key *key)
 		t->pending_key = NULL;
 		return;
 	}
-	if (rows_clear_filter(t))
+	if (list_clear_filter(t))
 		return;
 	if (session_is_calibrating(t->session) && !t->session->job.fits)
 		watch_stop_fit(t);
 	else if (goal_is_viewed(t))
 		t->ui.goal_view = false;
 	else if (predict && t->ui.crosshair)
-		act_crosshair(t, key);
+		act_toggle_crosshair(t, key);
 	else if (predict && t->ui.runs)
 		t->ui.runs = false;
 	else if (!predict)
@@ -359,7 +359,7 @@ act_back(struct tui *t, const struct key *key)
 }
 
 void
-act_files(struct tui *t, const struct key *key)
+act_open_files(struct tui *t, const struct key *key)
 {
 	(void)key;
 	picker_open(t, PICK_FILES);
@@ -454,7 +454,7 @@ go_to_typed_speed(struct tui *t, const char *text)
 	bool read = value_parse_number(text, said ? "rpm" : "m/s", &v);
 	/* No tip speed is as high as turns are. */
 	bool turns = said || v > SITE_FASTEST;
-	double speed = turns ? head_speed_to_mps(v, SPEED_RPM, rotor) : v;
+	double speed = turns ? speed_in_unit_to_mps(v, SPEED_RPM, rotor) : v;
 	if (!read)
 		tui_say(t, true, "expected a speed as 72.5 or 1450 rpm, got %s",
 		    text);
@@ -582,7 +582,7 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [LINE] = handle_command_line_key,
     [TEXT] = handle_viewer_key,
     [FILES] = picker_handle_key,
-    [FILTER] = rows_handle_filter_key,
+    [FILTER] = list_handle_filter_key,
     [SPEED] = handle_typed_speed_key,
     [PAGE] = handle_page_key};
 

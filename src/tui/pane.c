@@ -88,7 +88,7 @@ draw_legend_name(const struct tui *t, int column, enum series series,
 static void
 draw_legend_limits(const struct tui *t, int column, bool ascii)
 {
-	char text[40], *words = plots_envelope_fraction_text(t->session);
+	char text[40], *words = chosen_cut_text(t->session);
 	snprintf(text, sizeof text, "%s %s", ascii ? "@" : "\u2501", words);
 	if (t->session->spec != NULL)
 		column = draw_legend_name(
@@ -171,7 +171,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		snprintf(sample, sizeof sample, "%s%s%s", line,
 		    dashed ? " " : line, line);
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
-		    outlook_legend_suffix(t->session,
+		    correction_in_legend(t->session,
 			tui_entry_for_prediction(t), &t->view.shown));
 		column = draw_legend_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);

@@ -95,7 +95,7 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 	/* A signal from elsewhere ends the program, unless a script runs. */
 	if ((t->of_script || t->stopping) && signals_pending() == SIGINT) {
 		signals_forget_interrupt();
-		captured_clear(t);
+		captured_discard_output(t);
 		if (t->of_script)
 			tui_say(t, false,
 			    "stopped at %s: what was done before stays, "
@@ -107,7 +107,7 @@ script_progress_end(struct tui *t, bool restores, bool ok)
 		const struct entry *entry = tui_current_entry(t);
 		const size_t n = t->session->n_entry;
 		if (restores)
-			captured_clear(t);
+			captured_discard_output(t);
 		FREED char *words =
 		    entry == NULL
 			? xstrdup(tr("no site is loaded"))

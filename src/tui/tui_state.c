@@ -106,18 +106,16 @@ const struct psd *
 tui_measured_product(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_product_adjusted_to_feed(t->session,
-	    tui_entry_for_prediction(t), moving_params(t, &room), run,
-	    tui_feed_run(t));
+	return product_moved_to_feed(t->session, tui_entry_for_prediction(t),
+	    moving_params(t, &room), run, tui_feed_run(t));
 }
 
 bool
 tui_is_product_moved(const struct tui *t, size_t run)
 {
 	struct params room;
-	return moved_largest_feed_adjustment(t->session,
-		   tui_entry_for_prediction(t), moving_params(t, &room), run,
-		   tui_feed_run(t)) > MOVED_TOLD;
+	return largest_move_to_feed(t->session, tui_entry_for_prediction(t),
+		   moving_params(t, &room), run, tui_feed_run(t)) > MOVED_TOLD;
 }
 
 void

@@ -131,7 +131,7 @@ struct picker {
 	char *preview;
 };
 
-struct inquiry;
+struct user_question;
 struct envelope_check;
 struct tui;
 
@@ -180,7 +180,7 @@ struct ui {
 
 /* Everything but speed and feed on which a prediction depends: while it is
  * unchanged, so are the answers.  origin: a share in it. */
-struct basis {
+struct fit_record {
 	const struct site *site;
 	struct origin *origin;
 	struct params params;
@@ -190,7 +190,7 @@ struct basis {
 /* Everything on which a prediction depends.  basis: number of its basis;
  * generation: in a running search, which has its own parameters; speed: m/s; 0:
  * no prediction. */
-struct view_key {
+struct prediction_key {
 	size_t basis, feed, generation;
 	double speed;
 };
@@ -208,10 +208,10 @@ struct strip {
 /* The content shown, computed from the session and the user's choices, see
  * view.h. */
 struct view {
-	struct basis basis;
+	struct fit_record basis;
 	size_t n_basis;
 	size_t revision; /* counts possible changes of the session */
-	struct view_key of;
+	struct prediction_key of;
 	double moved;            /* when the slider was last moved */
 	struct prediction shown; /* at the slider's speed; product.n 0: none */
 	bool from_search;        /* it is of a search that still runs */
@@ -291,11 +291,11 @@ struct tui {
 	/* The next prediction leaves the message, which is of the command
 	 * that moved the slider. */
 	bool keep_message;
-	bool reason_shown;             /* the panel shows the light's reason */
-	const char *question;          /* waiting for an answer, or NULL */
-	const struct inquiry *inquiry; /* waiting for a line, or NULL */
-	struct edit answer;            /* that line */
-	int inquiry_up;                /* rows by which its table is scrolled */
+	bool reason_shown;    /* the panel shows the light's reason */
+	const char *question; /* waiting for an answer, or NULL */
+	const struct user_question *inquiry; /* waiting for a line, or NULL */
+	struct edit answer;                  /* that line */
+	int inquiry_up; /* rows by which its table is scrolled */
 	struct {
 		bool is, special;
 		int code;
@@ -373,7 +373,7 @@ void tui_set_feed_from_answer(struct tui *t);
 void tui_set_feed_from_setting(struct tui *t);
 
 /* Returns the measured product of a run as shown with the prediction, see
- * moved_product_adjusted_to_feed. */
+ * product_moved_to_feed. */
 const struct psd *tui_measured_product(const struct tui *t, size_t run);
 
 /* True if the product was moved far enough that the page must say so. */

@@ -63,7 +63,7 @@ forget_prediction(struct tui *t)
 {
 	free_shown_prediction(t);
 	t->view.current = (struct numbers){0};
-	t->view.of = (struct view_key){0};
+	t->view.of = (struct prediction_key){0};
 }
 
 /* Notes the basis and, if it is another one, discards what was computed for the
@@ -71,7 +71,7 @@ forget_prediction(struct tui *t)
 static void
 discard_if_basis_changed(struct tui *t)
 {
-	struct basis *b = &t->view.basis;
+	struct fit_record *b = &t->view.basis;
 	const struct entry *entry = tui_current_entry(t);
 	const struct settings *set = &t->session->set;
 	if (entry != NULL && b->site == entry->site &&
@@ -82,7 +82,7 @@ discard_if_basis_changed(struct tui *t)
 	if (entry == NULL || b->site != entry->site)
 		t->view.of.speed = 0;
 	origin_release(b->origin);
-	*b = (struct basis){.set = *set};
+	*b = (struct fit_record){.set = *set};
 	if (entry != NULL) {
 		b->site = entry->site;
 		b->origin = entry->origin;
@@ -115,13 +115,13 @@ view_mark_changed(struct tui *t)
 			      : NAN;
 }
 
-static struct view_key
+static struct prediction_key
 make_prediction_key(const struct tui *t)
 {
 	const struct session *s = t->session;
 	bool searching =
 	    session_is_calibrating(s) && s->job.entry == s->current;
-	return (struct view_key){.basis = t->view.n_basis,
+	return (struct prediction_key){.basis = t->view.n_basis,
 	    .feed = tui_feed_run(t),
 	    .generation =
 		searching ? calibration_status(s->job.calibration).generation
@@ -139,7 +139,7 @@ view_predict(struct tui *t)
 	t->keep_message = false;
 	if (entry == NULL)
 		return;
-	struct view_key was = t->view.of, key = make_prediction_key(t);
+	struct prediction_key was = t->view.of, key = make_prediction_key(t);
 	bool forming = key.generation > 0;
 	bool moved = was.speed != key.speed || was.feed != key.feed;
 	bool other = was.speed == 0 || was.generation != key.generation,

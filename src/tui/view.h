@@ -1,5 +1,5 @@
 /* struct view, the content shown: one prediction and results derived from it,
- * recomputed when its struct view_key changes.
+ * recomputed when its struct prediction_key changes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_VIEW_H
 #define TIPSPEED_TUI_VIEW_H

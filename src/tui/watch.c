@@ -78,7 +78,7 @@ report_fit_end(struct tui *t, bool alone)
 			     "generations; 1 shows the prediction")
 			: N_("calibrated: %s, RMSE %.2f points, %zu "
 			     "generations"),
-		    light_verdict_on_fit(t->session, entry, NULL),
+		    verdict_on_fit(t->session, entry, NULL),
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
@@ -93,7 +93,7 @@ show_job_result(struct tui *t, const struct job_type *type)
 	}
 	t->held = false;
 	control_refresh(t);
-	captured_show(t);
+	captured_show_output(t);
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
 	else if (t->viewer.text != NULL) {
@@ -170,7 +170,7 @@ watch_run_due_fit_steps(struct tui *t)
 	do {
 		/* The output of a task is no part of the result. */
 		if (type->task_words != NULL)
-			captured_clear(t);
+			captured_discard_output(t);
 		session_step_job(s);
 	} while (session_is_calibrating(s) && signals_pending() == 0 &&
 		 entry == s->job.entry &&

@@ -49,7 +49,8 @@ word_delay_key(struct tui *t, int code, bool special, const struct key *key)
 	if (t->aside || !is_lower_case_letter(code, special))
 		return false;
 	bool moves = key == NULL || key->act == act_move ||
-		     key->act == act_ends || key->act == act_move_in_list;
+		     key->act == act_move_to_end ||
+		     key->act == act_move_in_list;
 	*w = (struct word){(char)code, t->clock, moves ? NULL : key, t->ui};
 	return !moves;
 }

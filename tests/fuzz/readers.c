@@ -150,9 +150,9 @@ static bool
 read_table3(const char *path)
 {
 	struct error_list errors = {0};
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	bool ok = stored_read_table3_file(path, &list, &errors);
-	stored_list_free(&list);
+	material_list_free(&list);
 	return ok;
 }
 
@@ -204,9 +204,9 @@ static bool
 read_materials(const char *path)
 {
 	struct error_list errors = {0};
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	bool ok = store_csv_read_file(path, NULL, &list, &errors);
-	stored_list_free(&list);
+	material_list_free(&list);
 	return ok;
 }
 
@@ -268,13 +268,13 @@ static bool
 read_store(const char *path)
 {
 	struct store *store = store_new(path);
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	struct error error = {0};
 	bool ok = store_list_materials(store, &list, &error);
 	if (ok && list.n > 0)
 		ok = store_put_materials(store, list.item, 1, true, &error) &&
 		     store_remove_material(store, list.item[0].name, &error);
-	stored_list_free(&list);
+	material_list_free(&list);
 	store_free(store);
 	return ok;
 }

@@ -125,7 +125,7 @@ struct tongue {
 };
 extern const struct tongue TONGUES[7];
 
-struct grid {
+struct sheets {
 	size_t n_row;
 	char *cell[MOST_ROWS][MOST_CELLS];
 };
@@ -171,7 +171,7 @@ struct plan {
 		size_t n;
 		double at; /* speed given on the command line; 0: none */
 		size_t n_sheet; /* of a workbook; 0: a text */
-		struct grid *sheet[MOST_CURVES];
+		struct sheets *sheet[MOST_CURVES];
 		char *title[MOST_CURVES];
 	} file[MOST_FILES];
 	size_t size_column; /* of the first table, from 1; 0: not known */
@@ -213,16 +213,16 @@ void truth_show(struct curve *curve, enum written quantity, int decimals,
     bool loss, bool washed);
 
 /* habits_grid.c */
-void grid_put(struct grid *grid, size_t row, size_t column, char *text);
-struct grid *grid_turned(const struct grid *grid);
-size_t grid_columns(const struct grid *grid);
-void grid_free(struct grid *grid);
-void grid_write(struct plan *plan, struct grid *grid, const char *name);
+void grid_put(struct sheets *grid, size_t row, size_t column, char *text);
+struct sheets *grid_turned(const struct sheets *grid);
+size_t grid_columns(const struct sheets *grid);
+void grid_free(struct sheets *grid);
+void grid_write(struct plan *plan, struct sheets *grid, const char *name);
 void file_clear(struct made_file *file);
 
 /* habits_book.c: adds a sheet to a workbook of the plan, and takes both; writes
  * a workbook. */
-void sheets_add(struct plan *plan, struct grid *grid, char *title, bool more);
+void sheets_add(struct plan *plan, struct sheets *grid, char *title, bool more);
 void sheets_save(const struct made_file *file, const char *path);
 void plan_text(struct plan *plan, const char *name, const char *text);
 
@@ -250,7 +250,7 @@ char *head_speed(const struct plan *plan, const struct curve *curve);
 char *head_sample(const struct plan *plan, const struct curve *curve);
 size_t head_rows(const struct plan *plan);
 void head_put(const struct plan *plan, const struct column_plan *column,
-    const struct column_plan *before, struct grid *grid, size_t row, size_t at);
+    const struct column_plan *before, struct sheets *grid, size_t row, size_t at);
 
 /* habits_sheet.c */
 void sheet_make(struct plan *plan);

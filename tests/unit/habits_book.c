@@ -10,7 +10,7 @@
 #include "habits.h"
 
 void
-sheets_add(struct plan *plan, struct grid *grid, char *title, bool more)
+sheets_add(struct plan *plan, struct sheets *grid, char *title, bool more)
 {
 	struct made_file *file = &plan->file[plan->n_file - more];
 	if (!more) {
@@ -54,7 +54,7 @@ sheets_save(const struct made_file *file, const char *path)
 	lxw_format *percent = workbook_add_format(book);
 	format_set_num_format(percent, "0.00%");
 	for (size_t i = 0; i < file->n_sheet; i++) {
-		const struct grid *grid = file->sheet[i];
+		const struct sheets *grid = file->sheet[i];
 		lxw_worksheet *sheet =
 		    workbook_add_worksheet(book, file->title[i]);
 		assert_non_null(sheet);

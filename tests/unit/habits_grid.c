@@ -8,7 +8,7 @@
 #include "habits.h"
 
 void
-grid_put(struct grid *grid, size_t row, size_t column, char *text)
+grid_put(struct sheets *grid, size_t row, size_t column, char *text)
 {
 	assert_true(row < MOST_ROWS && column < MOST_CELLS);
 	free(grid->cell[row][column]);
@@ -18,7 +18,7 @@ grid_put(struct grid *grid, size_t row, size_t column, char *text)
 }
 
 size_t
-grid_columns(const struct grid *grid)
+grid_columns(const struct sheets *grid)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < grid->n_row; r++)
@@ -28,10 +28,10 @@ grid_columns(const struct grid *grid)
 	return n;
 }
 
-struct grid *
-grid_turned(const struct grid *grid)
+struct sheets *
+grid_turned(const struct sheets *grid)
 {
-	struct grid *turned = xcalloc(1, sizeof *turned);
+	struct sheets *turned = xcalloc(1, sizeof *turned);
 	size_t columns = grid_columns(grid);
 	for (size_t r = 0; r < grid->n_row; r++)
 		for (size_t c = 0; c < columns; c++)
@@ -42,7 +42,7 @@ grid_turned(const struct grid *grid)
 }
 
 void
-grid_free(struct grid *grid)
+grid_free(struct sheets *grid)
 {
 	for (size_t r = 0; r < MOST_ROWS; r++)
 		for (size_t c = 0; c < MOST_CELLS; c++)
@@ -119,7 +119,7 @@ file_clear(struct made_file *file)
 
 /* Adds a file to the plan, and takes the grid. */
 void
-grid_write(struct plan *plan, struct grid *grid, const char *name)
+grid_write(struct plan *plan, struct sheets *grid, const char *name)
 {
 	if (plan->workbook) {
 		sheets_add(

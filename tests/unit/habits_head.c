@@ -224,7 +224,7 @@ broken(const struct plan *plan, char *text)
 
 static void
 curve_heads(const struct plan *plan, const struct curve *curve,
-    const struct curve *left, struct grid *grid, size_t row, size_t at)
+    const struct curve *left, struct sheets *grid, size_t row, size_t at)
 {
 	enum written q = curve->quantity;
 	char *unit = plan->plain_heads ? xstrdup(quantity_unit(plan, q))
@@ -270,7 +270,7 @@ curve_heads(const struct plan *plan, const struct curve *curve,
 }
 
 static void
-size_heads(const struct plan *plan, struct grid *grid, size_t row, size_t at)
+size_heads(const struct plan *plan, struct sheets *grid, size_t row, size_t at)
 {
 	if (plan->heads == HEADS_UNIT_ROW && plan->sizes <= SIZE_UM) {
 		grid_put(grid, row, at,
@@ -299,7 +299,8 @@ size_heads(const struct plan *plan, struct grid *grid, size_t row, size_t at)
 
 void
 head_put(const struct plan *plan, const struct column_plan *column,
-    const struct column_plan *before, struct grid *grid, size_t row, size_t at)
+    const struct column_plan *before, struct sheets *grid, size_t row,
+    size_t at)
 {
 	const struct tongue *t = plan->tongue;
 	const struct curve *curve = &plan->curve[column->curve];

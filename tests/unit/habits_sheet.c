@@ -273,7 +273,7 @@ total_cell(const struct plan *plan, const struct curve *curve)
 /* A row below the table: its name, and a number for each curve. */
 static void
 foot_row(struct plan *plan, const struct column_plan *column, size_t n,
-    struct grid *grid, size_t row, size_t at, const char *name,
+    struct sheets *grid, size_t row, size_t at, const char *name,
     char *(*number)(const struct plan *, const struct curve *))
 {
 	for (size_t i = 0; i < n; i++) {
@@ -350,7 +350,7 @@ remark_cell(const struct plan *plan, const struct curve *curve)
 /* Rows above the sieves: in lines of samples, columns before them. */
 static size_t
 rows_above(struct plan *plan, const struct column_plan *column, size_t n,
-    struct grid *grid, size_t row, size_t at)
+    struct sheets *grid, size_t row, size_t at)
 {
 	static const char *const COUNTS[] = {"No", "#", "Nr"};
 	if (plan->count_row)
@@ -365,7 +365,7 @@ rows_above(struct plan *plan, const struct column_plan *column, size_t n,
 /* What laboratories and crews write below a table. */
 static size_t
 other_rows(struct plan *plan, const struct column_plan *column, size_t n,
-    struct grid *grid, size_t row, size_t at)
+    struct sheets *grid, size_t row, size_t at)
 {
 	static const char *const NAMES[] = {"P80 mm", "D50", "Moisture %",
 	    "t/h", "Power kW", "% < 0.063", "Feed rate t/h", "FM"};
@@ -378,7 +378,7 @@ other_rows(struct plan *plan, const struct column_plan *column, size_t n,
 
 static size_t
 feet(struct plan *plan, const struct column_plan *column, size_t n,
-    struct grid *grid, size_t row, size_t at)
+    struct sheets *grid, size_t row, size_t at)
 {
 	const struct tongue *t = plan->tongue;
 	if (plan->total)
@@ -405,7 +405,7 @@ feet(struct plan *plan, const struct column_plan *column, size_t n,
 /* One table with its heads; the row after it. */
 static size_t
 table_put(
-    struct plan *plan, enum of of, struct grid *grid, size_t row, size_t at)
+    struct plan *plan, enum of of, struct sheets *grid, size_t row, size_t at)
 {
 	struct column_plan column[MOST_CELLS];
 	size_t n = choose_columns(plan, of, column);
@@ -439,7 +439,7 @@ table_put(
 }
 
 static size_t
-key_value(struct plan *plan, struct grid *grid, size_t row, const char *key,
+key_value(struct plan *plan, struct sheets *grid, size_t row, const char *key,
     const char *value)
 {
 	char *word = plan_upper(plan, key);
@@ -455,7 +455,7 @@ key_value(struct plan *plan, struct grid *grid, size_t row, const char *key,
 
 /* Lines above the table; the first row after them. */
 static size_t
-top_lines(struct plan *plan, struct grid *grid)
+top_lines(struct plan *plan, struct sheets *grid)
 {
 	const struct tongue *t = plan->tongue;
 	static const char *const LINES[] = {"Norrberga Krossar AB",
@@ -497,7 +497,7 @@ top_lines(struct plan *plan, struct grid *grid)
 }
 
 static void
-end_lines(struct plan *plan, struct grid *grid)
+end_lines(struct plan *plan, struct sheets *grid)
 {
 	if (!plan->remarks)
 		return;
@@ -508,7 +508,7 @@ end_lines(struct plan *plan, struct grid *grid)
 }
 
 static void
-copy_block(const struct grid *from, struct grid *to, size_t row)
+copy_block(const struct sheets *from, struct sheets *to, size_t row)
 {
 	size_t columns = grid_columns(from);
 	for (size_t r = 0; r < from->n_row; r++)
@@ -519,12 +519,12 @@ copy_block(const struct grid *from, struct grid *to, size_t row)
 }
 
 static void
-make_wide(struct plan *plan, struct grid *grid, size_t row)
+make_wide(struct plan *plan, struct sheets *grid, size_t row)
 {
-	struct grid *table = xcalloc(1, sizeof *table);
+	struct sheets *table = xcalloc(1, sizeof *table);
 	table_put(plan, OF_ALL, table, 0, 0);
 	if (plan->shape == SHAPE_ACROSS) {
-		struct grid *turned = grid_turned(table);
+		struct sheets *turned = grid_turned(table);
 		copy_block(turned, grid, row);
 		grid_free(turned);
 		plan->size_column = 0;
@@ -535,7 +535,7 @@ make_wide(struct plan *plan, struct grid *grid, size_t row)
 }
 
 static void
-make_apart(struct plan *plan, struct grid *grid, size_t row)
+make_apart(struct plan *plan, struct sheets *grid, size_t row)
 {
 	size_t end = table_put(plan, OF_FEED, grid, row, 0);
 	if (plan->shape == SHAPE_BELOW)
@@ -547,7 +547,7 @@ make_apart(struct plan *plan, struct grid *grid, size_t row)
 
 /* A table for each sample, beside or below each other. */
 static void
-make_each(struct plan *plan, struct grid *grid, size_t row)
+make_each(struct plan *plan, struct sheets *grid, size_t row)
 {
 	size_t order[MOST_CURVES], n = curve_order(plan, OF_ALL, order);
 	size_t at = 0, gap = pick(plan, 2);
@@ -570,7 +570,7 @@ make_sheets(struct plan *plan)
 	enum { LONGEST = 28 };
 	size_t order[MOST_CURVES], n = curve_order(plan, OF_ALL, order);
 	for (size_t i = 0; i < n; i++) {
-		struct grid *grid = xcalloc(1, sizeof *grid);
+		struct sheets *grid = xcalloc(1, sizeof *grid);
 		size_t row = i == 0 ? top_lines(plan, grid) : 0;
 		char *title = head_sample(plan, &plan->curve[order[i]]);
 		table_put(plan, OF_ONE + order[i], grid, row, 0);
@@ -647,7 +647,7 @@ long_cell(const struct plan *plan, const struct curve *c, size_t column,
 /* One row for each number, curve after curve, sieve after sieve, or in any
  * order. */
 static void
-make_long(struct plan *plan, struct grid *grid, size_t row)
+make_long(struct plan *plan, struct sheets *grid, size_t row)
 {
 	size_t order[5], by[MOST_CURVES * (MOST_SIEVES + 1)], n = 0;
 	size_t rows = plan->curve[0].n + has_pan(plan, &plan->curve[0]);
@@ -680,7 +680,7 @@ make_long(struct plan *plan, struct grid *grid, size_t row)
 
 /* A row for each speed and sieve: speed, sieve, feed, product. */
 static void
-make_pairs(struct plan *plan, struct grid *grid, size_t row)
+make_pairs(struct plan *plan, struct sheets *grid, size_t row)
 {
 	const struct curve *feed = &plan->curve[0];
 	size_t rows = feed->n + has_pan(plan, feed), order[4];
@@ -710,7 +710,7 @@ make_pairs(struct plan *plan, struct grid *grid, size_t row)
 }
 
 static void
-pairs_heads(struct plan *plan, struct grid *grid, size_t row)
+pairs_heads(struct plan *plan, struct sheets *grid, size_t row)
 {
 	struct draw again = plan->draw;
 	size_t order[4];
@@ -736,7 +736,7 @@ make_files(struct plan *plan)
 	size_t cut = 0;
 	for (size_t c = 0; c < plan->n_curve; c++) {
 		struct curve *curve = &plan->curve[c];
-		struct grid *grid = xcalloc(1, sizeof *grid);
+		struct sheets *grid = xcalloc(1, sizeof *grid);
 		size_t row = top_lines(plan, grid);
 		char *speed = head_speed(plan, curve);
 		char *role = plan_role(plan, curve->feed);
@@ -781,7 +781,7 @@ sheet_make(struct plan *plan)
 		make_sheets(plan);
 		return;
 	}
-	struct grid *grid = xcalloc(1, sizeof *grid);
+	struct sheets *grid = xcalloc(1, sizeof *grid);
 	size_t row = top_lines(plan, grid);
 	switch (plan->shape) {
 	case SHAPE_LONG:

@@ -224,7 +224,7 @@ sum_pct_plain(struct plan *p)
 static void
 no_heads_make(struct plan *p)
 {
-	struct grid *grid = xcalloc(1, sizeof *grid);
+	struct sheets *grid = xcalloc(1, sizeof *grid);
 	for (size_t i = 0; i < p->curve[0].n; i++) {
 		grid_put(grid, i, 0, size_cell(p, &p->curve[0], i));
 		for (size_t c = 0; c < p->n_curve; c++)
@@ -447,7 +447,7 @@ same_sieve_twice_make(struct plan *p)
 static void
 product_alone_make(struct plan *p)
 {
-	struct grid *grid = xcalloc(1, sizeof *grid);
+	struct sheets *grid = xcalloc(1, sizeof *grid);
 	const struct curve *c = &p->curve[1];
 	char *speed = head_speed(p, c);
 	grid_put(grid, 0, 0, head_size(p));

@@ -61,19 +61,19 @@ contents(const char *path)
 }
 
 static inline void
-put_text(struct stored *m, const char *name, const char *text)
+put_text(struct material *m, const char *name, const char *text)
 {
 	size_t i = 0;
 	while (strcmp(FIELDS[i].name, name) != 0)
 		assert_true(++i < FIELD_COUNT);
-	stored_set_field_from_text(m, &FIELDS[i], text);
+	material_set_field(m, &FIELDS[i], text);
 }
 
 /* A calibration with all there is to know of one. */
-static inline struct stored
+static inline struct material
 full(const char *name)
 {
-	struct stored m = stored_empty();
+	struct material m = material_empty();
 	put_text(&m, "name", name);
 	put_text(&m, "site", "Gävle, \"södra\"");
 	put_text(&m, "rock", "Granite");
@@ -103,10 +103,10 @@ full(const char *name)
 }
 
 /* Only what every one has. */
-static inline struct stored
+static inline struct material
 sparse(const char *name)
 {
-	struct stored m = stored_empty();
+	struct material m = material_empty();
 	put_text(&m, "name", name);
 	put_text(&m, "site", "Nowhere");
 	put_text(&m, "origin", "hand");
@@ -118,11 +118,11 @@ sparse(const char *name)
 }
 
 static inline void
-expect_same(const struct stored *a, const struct stored *b)
+expect_same(const struct material *a, const struct material *b)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
-		char *p = stored_field_to_text(a, &FIELDS[i]);
-		char *q = stored_field_to_text(b, &FIELDS[i]);
+		char *p = material_field_to_text(a, &FIELDS[i]);
+		char *q = material_field_to_text(b, &FIELDS[i]);
 		assert_string_equal(p, q);
 		free(p);
 		free(q);
@@ -132,17 +132,17 @@ expect_same(const struct stored *a, const struct stored *b)
 }
 
 static inline void
-put(struct shelf *shelf, struct stored m)
+put(struct shelf *shelf, struct material m)
 {
 	if (!store_put_materials(shelf->store, &m, 1, false, &shelf->error))
 		fail_msg("%s: %s", m.name, shelf->error.text);
-	stored_free(&m);
+	material_free(&m);
 }
 
-static inline struct stored_list
+static inline struct material_list
 list(struct shelf *shelf)
 {
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	if (!store_list_materials(shelf->store, &all, &shelf->error))
 		fail_msg("%s", shelf->error.text);
 	return all;
@@ -152,13 +152,13 @@ static inline void
 expect_names(struct shelf *shelf, const char *names)
 {
 	char words[256] = "";
-	struct stored_list all = list(shelf);
+	struct material_list all = list(shelf);
 	for (size_t i = 0; i < all.n; i++) {
 		strcat(words, i > 0 ? " " : "");
 		strcat(words, all.item[i].name);
 	}
 	assert_string_equal(words, names);
-	stored_list_free(&all);
+	material_list_free(&all);
 }
 
 static inline void

@@ -348,10 +348,10 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	assert_string_equal(t->session->set.goal, "p80=5.2");
 	assert_string_equal(t->command, "set goal \"p80=5.2\"");
 	assert_false(goal_is_known(t));
-	char *words = goal_text(t, GOALS_FULL);
+	char *words = goal_in_words(t, GOALS_FULL);
 	assert_string_equal(words, "goal p80=5.2: being worked out");
 	free(words);
-	words = goal_text(t, GOALS_SHORT);
+	words = goal_in_words(t, GOALS_SHORT);
 	assert_string_equal(words, "goal");
 	free(words);
 	draw_all(t);
@@ -365,10 +365,10 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
 	    session_answer_number(t->session, "find", "speed"), best, 1e-6);
-	words = goal_text(t, GOALS_SHORT);
+	words = goal_in_words(t, GOALS_SHORT);
 	assert_string_equal(words, "goal at 75.6");
 	free(words);
-	words = goal_text(t, GOALS_FULL);
+	words = goal_in_words(t, GOALS_FULL);
 	assert_string_equal(words, "goal p80=5.2: met at 75.6 m/s");
 	free(words);
 }
@@ -543,7 +543,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	assert_null(strstr(text, "beta2 >"));
 	struct search_shown past = tui_search_shown(t);
 	struct param_span span =
-	    plots_search_param_span(t->session, &past, 0, ALPHA - 1);
+	    param_span_of_generation(t->session, &past, 0, ALPHA - 1);
 	assert_true(span.near && !span.at_bound);
 	const char *alpha = strstr(text, "alpha ");
 	assert_non_null(alpha);
@@ -1113,7 +1113,7 @@ the_goal_fills_the_page(void **state)
 	control_refresh(t);
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.063e-3, 1e-9);
-	rows_handle_move_key(
+	list_handle_move_key(
 	    t, &(struct key){.act = act_move_in_list, .amount = 1});
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.8, 1e-9);

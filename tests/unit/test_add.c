@@ -531,7 +531,7 @@ static size_t asked;
 
 /* A first answer that is none is asked again. */
 static char *
-answer(struct session *s, const struct inquiry *q)
+answer(struct session *s, const struct user_question *q)
 {
 	(void)s;
 	asked++;

@@ -334,8 +334,8 @@ extensions_at_zero_change_nothing(void **state)
 
 /* Of the specific energies of the three speeds. */
 #define MEAN                                                            \
-	((energy_specific_at_speed(69) + energy_specific_at_speed(74) + \
-	     energy_specific_at_speed(79)) /                            \
+	((specific_energy_at_speed(69) + specific_energy_at_speed(74) + \
+	     specific_energy_at_speed(79)) /                            \
 	    3)
 
 static void

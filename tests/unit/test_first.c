@@ -240,9 +240,9 @@ letters_narrow_the_list(void **state)
 	type(t, "limestone");
 	assert_true(t->picker.on);
 	assert_true(shows("what has 'limestone'"));
-	assert_in_range(rows_count_matching(t), 1, all - 1);
+	assert_in_range(list_count_matching(t), 1, all - 1);
 	press(t, "Esc");
-	assert_int_equal(rows_count_matching(t), all);
+	assert_int_equal(list_count_matching(t), all);
 	type(t, "tierz");
 	assert_true(shows("nothing here has 'tierz'"));
 	assert_string_equal(t->picker.word.text, "tier");
@@ -253,7 +253,7 @@ letters_narrow_the_list(void **state)
 	type(t, "data");
 	press(t, "Enter");
 	type(t, "sit");
-	assert_int_equal(rows_count_matching(t), 1);
+	assert_int_equal(list_count_matching(t), 1);
 	press(t, "Left");
 	assert_string_equal(t->picker.folder.path, "");
 	assert_int_equal(t->picker.word.n, 0);

@@ -22,7 +22,7 @@ made_up(double spread)
 		q->at[BETA2] = 1;
 		q->at[ALPHA] = 0.9 + spread * (2 * t - 1);
 		q->at[E0_MIN] =
-		    energy_specific_at_speed(74) * pow(0.005, q->at[ALPHA]);
+		    specific_energy_at_speed(74) * pow(0.005, q->at[ALPHA]);
 		q->at[F_MAT] = 0.001 + 2.999 * fmod(89 * t, 1);
 	}
 	return p;

@@ -56,7 +56,7 @@ the_error_of_a_difference_is_that_of_made_up_samples(void **state)
 		a[i] = 0.5 + 0.01 * (double)(i % 3);
 		b[i] = 0.5;
 	}
-	struct league_pair want = league_compare_errors(cell, N, a, b);
+	struct league_difference want = league_compare_errors(cell, N, a, b);
 	for (size_t t = 0; t < TIMES; t++) {
 		struct rng_key key = rng_make_key(5, t, 1);
 		for (size_t i = 0; i < N; i++)

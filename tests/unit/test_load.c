@@ -16,7 +16,7 @@ static struct {
 } user;
 
 static char *
-answer(struct session *s, const struct inquiry *q)
+answer(struct session *s, const struct user_question *q)
 {
 	(void)s;
 	size_t used = strlen(user.asked);
@@ -364,11 +364,11 @@ rows_fit(void **state)
 	    {12, "Förkrossad produkt, prov nummer ett", "100 75,0 55,25 42,125",
 		"product@SPEED retained_cum_pct", true, {0}}};
 	struct site_ask ask = {.n = 2, .column = column};
-	struct inquiry q = {.ask = &ask};
+	struct user_question q = {.ask = &ask};
 	for (int columns = 38; columns <= 110; columns++) {
 		size_t at = 0;
 		for (size_t row = 0; row <= ask.n; row++) {
-			char *line = inquiry_row_text(&q, row, columns);
+			char *line = user_question_row_text(&q, row, columns);
 			assert_true(text_width_in_columns(line) <= columns);
 			if (row == 2)
 				at = strncmp(line, "? ", 2) == 0 ? 1 : 0;
@@ -376,7 +376,7 @@ rows_fit(void **state)
 		}
 		assert_int_equal(at, 1);
 	}
-	char *line = inquiry_row_text(&q, 2, 110);
+	char *line = user_question_row_text(&q, 2, 110);
 	assert_non_null(strstr(line, "prov nummer ett  100 75,0 55,25 42,125  "
 				     "product@SPEED retained_cum_pct"));
 	free(line);

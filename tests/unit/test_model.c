@@ -15,14 +15,14 @@ static void
 energy_is_half_v_squared(void **state)
 {
 	(void)state;
-	assert_true(energy_specific_at_speed(74) == 2738);
-	assert_true(energy_specific_at_speed(0) == 0);
+	assert_true(specific_energy_at_speed(74) == 2738);
+	assert_true(specific_energy_at_speed(0) == 0);
 	/* D10: 85 m/s is 15.8 % above 79 m/s, 65 is 11.3 % below 69. */
 	expect_near("85 over 79",
-	    energy_specific_at_speed(85) / energy_specific_at_speed(79), 1.158,
+	    specific_energy_at_speed(85) / specific_energy_at_speed(79), 1.158,
 	    5e-4);
 	expect_near("65 over 69",
-	    energy_specific_at_speed(65) / energy_specific_at_speed(69),
+	    specific_energy_at_speed(65) / specific_energy_at_speed(69),
 	    1 - 0.113, 5e-4);
 }
 
@@ -91,7 +91,7 @@ nothing_is_selected_below_the_break_size(void **state)
 	for (size_t row = 0; row < ARRAY_LEN(TABLE_3); row++)
 		for (size_t i = 0; i < ARRAY_LEN(SPEEDS); i++) {
 			struct params p = made_params(&TABLE_3[row]);
-			double E = energy_specific_at_speed(SPEEDS[i]);
+			double E = specific_energy_at_speed(SPEEDS[i]);
 			double x = params_break_size(&p, SPEEDS[i]);
 			assert_true(selected(&p, 1, E, x * (1 - 1e-9)) == 0);
 			assert_true(selected(&p, 1, E, x * (1 + 1e-9)) > 0);

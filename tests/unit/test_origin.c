@@ -88,8 +88,8 @@ parameters_keep_their_origin_in_use_by_another(void **state)
 	assert_string_equal(bro->origin->provenance, tierp->site->provenance);
 	assert_true(answers_is_speed_extrapolated(bro, 80));
 	assert_false(answers_is_speed_extrapolated(bro, 70));
-	assert_ptr_equal(outlook_posterior_for_comparison(s, bro),
-	    outlook_posterior_for_comparison(s, tierp));
+	assert_ptr_equal(posterior_for_comparison(s, bro),
+	    posterior_for_comparison(s, tierp));
 	/* From hand to hand they stay Tierp's. */
 	desk_expect(desk, "load data/sites/umea.csv; params use bro");
 	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
@@ -149,12 +149,10 @@ undo_and_redo_carry_the_origin(void **state)
 	desk_expect(desk, "params set f_mat=1");
 	assert_string_equal(
 	    session_current_entry(s)->origin->words, "set by hand");
-	assert_null(
-	    outlook_posterior_for_comparison(s, session_current_entry(s)));
+	assert_null(posterior_for_comparison(s, session_current_entry(s)));
 	desk_expect(desk, "undo");
 	assert_string_equal(session_current_entry(s)->origin->from, "tierp");
-	assert_non_null(
-	    outlook_posterior_for_comparison(s, session_current_entry(s)));
+	assert_non_null(posterior_for_comparison(s, session_current_entry(s)));
 	desk_expect(desk, "undo");
 	assert_null(session_current_entry(s)->origin);
 	desk_expect(desk, "redo; drop tierp; predict 90");
@@ -178,7 +176,7 @@ a_fit_of_few_cells_is_not_judged(void **state)
 	const struct entry *entry = session_current_entry(s);
 	assert_int_equal(entry->fit.n_residual, 12);
 	assert_int_equal(entry->fit.parameters, 7);
-	assert_non_null(outlook_posterior_for_comparison(s, entry));
+	assert_non_null(posterior_for_comparison(s, entry));
 	assert_int_equal(entry->fit.cells, 11);
 	/* One passing more than parameters is enough, as many are not; that of
 	 * the coarsest sieve is 100 % whatever is done. */
@@ -188,12 +186,11 @@ a_fit_of_few_cells_is_not_judged(void **state)
 		desk_expect(desk, "calibrate population=200 train=69");
 		assert_int_equal(entry->fit.n_residual, n + 1);
 		assert_int_equal(entry->fit.cells, n);
-		assert_int_equal(outlook_posterior_for_comparison(
+		assert_int_equal(posterior_for_comparison(
 				     s, session_current_entry(s)) != NULL,
 		    n > 7);
 	}
-	assert_string_equal(
-	    light_verdict_on_fit(s, entry, NULL), "too few data");
+	assert_string_equal(verdict_on_fit(s, entry, NULL), "too few data");
 	assert_false(desk_say(desk, "assert poor = 0"));
 	assert_int_equal(desk->error.kind, ERROR_CHECK);
 	desk_expect(desk, "bounds alpha 0.9; "
@@ -249,10 +246,10 @@ evidence_stays_where_it_is(void **state)
 	struct history *h = entry->origin->history;
 	history_discard_draws(h, &s->set);
 	h->stop = at_once;
-	const struct evidence *e = outlook_evidence(s, entry);
+	const struct evidence *e = evidence_on_calibration(s, entry);
 	assert_true(isnan(e->discrepancy));
 	h->stop = NULL;
-	assert_ptr_equal(outlook_evidence(s, entry), e);
+	assert_ptr_equal(evidence_on_calibration(s, entry), e);
 	assert_true(isfinite(e->discrepancy));
 }
 

@@ -300,10 +300,10 @@ parity_has_the_statistics_of_validate(void **state)
 	for (; *key != '\0'; key++)
 		keymap_handle_key(t, *key, false);
 	press(t, "Enter");
-	assert_int_equal(rows_count_matching(t), 1);
+	assert_int_equal(list_count_matching(t), 1);
 	assert_int_equal(t->ui.list[PAGE_PARITY].at, chosen);
 	press(t, "Esc");
-	assert_int_equal(rows_count_matching(t), 3);
+	assert_int_equal(list_count_matching(t), 3);
 	/* A step of the slider compares nothing. */
 	const struct trial *was = t->view.parity.runs.item;
 	press(t, "= 7 2 Enter");

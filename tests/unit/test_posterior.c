@@ -669,7 +669,7 @@ a_slow_correction_follows_the_draw(void **state)
 	all->params.f_mat = 3;
 	all->params.e0_min = 0;
 	all->params.alpha = 0.1;
-	none->params.e0_min = energy_specific_at_speed(40) *
+	none->params.e0_min = specific_energy_at_speed(40) *
 			      pow(feed->size[0], none->params.alpha);
 	struct ensemble *e = ensemble_new(p, feed, feed->size, feed->n);
 	double *before = xcalloc_doubles(feed->n),

@@ -95,7 +95,7 @@ an_ideal_screen_cuts_the_curve(void **state)
 	struct fraction f = {0.5e-3, 4e-3, PARTITION_IDEAL};
 	double kept[8];
 	fraction_kept_of_classes(&f, psd.size, psd.n, kept);
-	expect_near("share", screening_screen_product(&psd, kept, &part),
+	expect_near("share", screening_part_of_product(&psd, kept, &part),
 	    0.8 - 0.2, 1e-12);
 	expect_near("4", part.passing[1], 1, 1e-12);
 	expect_near("2", part.passing[2], (0.6 - 0.2) / 0.6, 1e-12);
@@ -130,7 +130,7 @@ a_real_screen_keeps_the_mass(void **state)
 		partition_oversize_of_classes(&p, 4e-3, psd.size, psd.n, other);
 		for (size_t k = 0; k < 8 && i == 0; k++)
 			kept[k] *= 1 - other[k];
-		sum += screening_screen_product(&psd, kept, &part);
+		sum += screening_part_of_product(&psd, kept, &part);
 	}
 	expect_near("sum", sum, 1, 1e-12);
 	psd_free(&psd);

@@ -25,10 +25,10 @@ open_with_site(void **state)
 	return 0;
 }
 
-static struct stored_list
+static struct material_list
 own(struct desk *desk)
 {
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	assert_true(
 	    store_list_materials(desk->session->store, &list, &desk->error));
 	return list;
@@ -42,9 +42,9 @@ a_fit_is_remembered_with_its_origin(void **state)
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "remember pit date=2026-11-21 note=\"wet feed\"");
 	const struct entry *entry = session_current_entry(desk->session);
-	struct stored_list list = own(desk);
+	struct material_list list = own(desk);
 	assert_int_equal(list.n, 1);
-	const struct stored *m = &list.item[0];
+	const struct material *m = &list.item[0];
 	assert_memory_equal(&m->params, &entry->params, sizeof m->params);
 	assert_true(m->misfit == entry->fit.misfit);
 	assert_true(m->rmse_pct == 100 * entry->fit.rmse);
@@ -58,7 +58,7 @@ a_fit_is_remembered_with_its_origin(void **state)
 	assert_string_equal(m->note, "wet feed");
 	assert_non_null(strstr(m->options, "population=200"));
 	assert_non_null(strstr(m->options, "bounds alpha 0.5..0.9"));
-	stored_list_free(&list);
+	material_list_free(&list);
 }
 
 static void
@@ -78,9 +78,9 @@ a_store_that_fails_costs_nothing(void **state)
 	store_free(s->store);
 	s->store = store_new(":memory:");
 	desk_expect(desk, "remember pit");
-	struct stored_list list = own(desk);
+	struct material_list list = own(desk);
 	assert_int_equal(list.n, 1);
-	stored_list_free(&list);
+	material_list_free(&list);
 }
 
 static void
@@ -115,7 +115,7 @@ what_is_forgotten_can_be_brought_back(void **state)
 	struct desk *desk = *state;
 	desk_expect(desk, CALIBRATE);
 	desk_expect(desk, "remember \"my pit\"; set format csv");
-	struct stored_list before = own(desk);
+	struct material_list before = own(desk);
 	desk_expect(desk, "forget \"my pit\"");
 	char *line = xstrdup(strstr(desk->out, "params set"));
 	for (char *p = line, *q = line;; p++) {
@@ -128,13 +128,13 @@ what_is_forgotten_can_be_brought_back(void **state)
 	}
 	desk_expect(desk, line);
 	free(line);
-	struct stored_list after = own(desk);
+	struct material_list after = own(desk);
 	assert_int_equal(after.n, 1);
 	assert_string_equal(after.item[0].origin, "hand");
 	assert_memory_equal(&after.item[0].params, &before.item[0].params,
 	    sizeof(struct params));
-	stored_list_free(&before);
-	stored_list_free(&after);
+	material_list_free(&before);
+	material_list_free(&after);
 }
 
 /* What predict says at 71.5 m/s and the state of drift, without the words on
@@ -291,7 +291,7 @@ runs_that_cannot_be_are_refused(void **state)
 	uint32_t x = 1;
 	desk_expect(desk, TIERP_CALIBRATED);
 	desk_expect(desk, "remember pit; reset");
-	struct stored_list list = own(desk);
+	struct material_list list = own(desk);
 	char *good = xstrdup(list.item[0].basis);
 	for (size_t i = 0; i < n; i++) {
 		char *bad = list.item[0].basis;
@@ -314,7 +314,7 @@ runs_that_cannot_be_are_refused(void **state)
 	}
 	assert_true(refused > n / 4);
 	free(good);
-	stored_list_free(&list);
+	material_list_free(&list);
 }
 
 int

@@ -131,14 +131,16 @@ a_rotor_is_measured_in_words(void **state)
 	    {"sieve 200 mm - rotor 1560 rpm", 0}, {"\u00D8 840-900, VSI", 0}};
 	(void)state;
 	for (size_t i = 0; i < sizeof SAID / sizeof *SAID; i++) {
-		double mm = rotor_size_mm(SAID[i].text, false);
+		double mm = rotor_diameter_mm_in_text(SAID[i].text, false);
 		if (fabs(mm - SAID[i].mm) > 1e-9)
 			fail_msg("%s: %g", SAID[i].text, mm);
 	}
 	/* What a machine is called needs no unit. */
-	assert_true(rotor_size_mm("VSI 4, rotor 840", true) == 840);
-	assert_true(rotor_size_mm("VSI 4, rotor 1560 rpm", true) == 0);
-	assert_true(rotor_size_mm("VSI, rotor 1560 1/min", true) == 0);
+	assert_true(rotor_diameter_mm_in_text("VSI 4, rotor 840", true) == 840);
+	assert_true(
+	    rotor_diameter_mm_in_text("VSI 4, rotor 1560 rpm", true) == 0);
+	assert_true(
+	    rotor_diameter_mm_in_text("VSI, rotor 1560 1/min", true) == 0);
 }
 
 int

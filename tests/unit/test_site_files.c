@@ -306,12 +306,12 @@ own_results_are_no_sheet(void **state)
 		assert_string_equal(errors.item[0].text,
 		    "expected a site file, got results of tipspeed's own "
 		    "(plot)");
-		char *command = results_command_in_file(path);
+		char *command = command_that_made_file(path);
 		assert_string_equal(command, "plot");
 		free(command);
 	}
 	const char *path = put_sheet(GOOD, strlen(GOOD));
-	assert_null(results_command_in_file(path));
+	assert_null(command_that_made_file(path));
 }
 
 int

@@ -161,7 +161,7 @@ check_certain(const struct asked *a, const struct speed_search *s)
 		    (double)held / POSTERIOR_DRAWS, 1.5 / POSTERIOR_DRAWS);
 	}
 	forecast_set_speed(a->w.forecast, s->best);
-	struct margin m = wanted_margin_of_condition(&a->w, SIZE_MAX);
+	struct margin m = condition_margin(&a->w, SIZE_MAX);
 	size_t i = m.limit.i;
 	if (i < CONDITIONS && a->at[i].quantity.kind == QUANTITY_PASSING &&
 	    isfinite(m.passing) && m.passing > 0) {

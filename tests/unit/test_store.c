@@ -9,19 +9,19 @@
 static void
 expect_refusal(struct shelf *shelf, enum error_kind kind, const char *words)
 {
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
-	stored_list_free(&all);
+	material_list_free(&all);
 	assert_int_equal(shelf->error.kind, kind);
 	assert_string_equal(shelf->error.file, shelf->path);
 	assert_true(shelf->error.hint[0] != '\0');
 	if (strstr(shelf->error.text, words) == NULL)
 		fail_msg("%s: no %s", shelf->error.text, words);
-	struct stored m = sparse("late");
+	struct material m = sparse("late");
 	assert_false(
 	    store_put_materials(shelf->store, &m, 1, true, &shelf->error));
 	assert_int_equal(shelf->error.kind, kind);
-	stored_free(&m);
+	material_free(&m);
 }
 
 /* SQL behind the store's back. */
@@ -41,14 +41,14 @@ what_is_put_comes_back_to_the_bit(void **state)
 	struct shelf *shelf = *state;
 	put(shelf, full("tierp"));
 	put(shelf, sparse("Åre/4"));
-	struct stored_list all = list(shelf);
-	struct stored a = sparse("Åre/4"), b = full("tierp");
+	struct material_list all = list(shelf);
+	struct material a = sparse("Åre/4"), b = full("tierp");
 	assert_int_equal(all.n, 2);
 	expect_same(&all.item[0], &a);
 	expect_same(&all.item[1], &b);
-	stored_free(&a);
-	stored_free(&b);
-	stored_list_free(&all);
+	material_free(&a);
+	material_free(&b);
+	material_list_free(&all);
 }
 
 static void
@@ -66,7 +66,7 @@ a_name_is_taken_once(void **state)
 {
 	struct shelf *shelf = *state;
 	put(shelf, full("Gävle"));
-	struct stored two[2] = {sparse("new"), sparse("GAVLE")};
+	struct material two[2] = {sparse("new"), sparse("GAVLE")};
 	assert_false(
 	    store_put_materials(shelf->store, two, 2, false, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_USAGE);
@@ -81,8 +81,8 @@ a_name_is_taken_once(void **state)
 	assert_false(
 	    store_remove_material(shelf->store, "gävle", &shelf->error));
 	expect_names(shelf, "new");
-	stored_free(&two[0]);
-	stored_free(&two[1]);
+	material_free(&two[0]);
+	material_free(&two[1]);
 }
 
 static void
@@ -122,7 +122,7 @@ the_default_place_is_made_for_this_user_alone(void **state)
 static void
 make_schema_1(struct shelf *shelf)
 {
-	struct stored m = sparse("old");
+	struct material m = sparse("old");
 	char *row = sqlite3_mprintf(
 	    "INSERT INTO about VALUES ('tipspeed 0.0.9');"
 	    "INSERT INTO material (fold, digest, name, site, origin, beta1,"
@@ -130,11 +130,11 @@ make_schema_1(struct shelf *shelf)
 	    " VALUES ('old', '%016llx', 'old', 'Nowhere', 'hand', 0, 1, -1,"
 	    " 0.5, 2.18, 16.74, 0.96, 'continuous', 'ratio', 1);"
 	    "PRAGMA application_id = %d; PRAGMA user_version = 1",
-	    (long long)stored_make_digest(&m), (int)SCHEMA_APPLICATION);
+	    (long long)material_make_digest(&m), (int)SCHEMA_APPLICATION);
 	meddle(shelf, SCHEMA_STEPS[0]);
 	meddle(shelf, row);
 	sqlite3_free(row);
-	stored_free(&m);
+	material_free(&m);
 }
 
 static void
@@ -143,14 +143,14 @@ an_older_schema_is_brought_up_to_date(void **state)
 	struct shelf *shelf = *state;
 	make_schema_1(shelf);
 	put(shelf, full("new"));
-	struct stored_list all = list(shelf);
-	struct stored old = sparse("old"), new = full("new");
+	struct material_list all = list(shelf);
+	struct material old = sparse("old"), new = full("new");
 	assert_int_equal(all.n, 2);
 	expect_same(&all.item[0], &new);
 	expect_same(&all.item[1], &old);
-	stored_free(&old);
-	stored_free(&new);
-	stored_list_free(&all);
+	material_free(&old);
+	material_free(&new);
+	material_list_free(&all);
 }
 
 /* A store that 0.1.0 made at schema 2: a digest that no longer holds would make
@@ -162,7 +162,7 @@ a_store_of_0_1_0_is_brought_up_to_date(void **state)
 	char *path = xasprintf("%s/tests/golden/store-2.sql", getenv("srcdir"));
 	char *sql = contents(path);
 	meddle(shelf, sql);
-	struct stored_list all = list(shelf);
+	struct material_list all = list(shelf);
 	assert_int_equal(all.n, 2);
 	const struct params *hand = &all.item[0].params;
 	assert_string_equal(all.item[1].name, "Tierp, May");
@@ -170,7 +170,7 @@ a_store_of_0_1_0_is_brought_up_to_date(void **state)
 	assert_int_equal(hand->breakage, 0);
 	assert_true(hand->beta[1] == 1.0 / 3 && hand->beta[3] == 1e-17);
 	assert_true(hand->f_mat == 2.18 && hand->alpha == 0.1 * 3);
-	stored_list_free(&all);
+	material_list_free(&all);
 	free(sql);
 	free(path);
 }
@@ -184,7 +184,7 @@ a_store_without_runs_is_brought_up_to_date(void **state)
 	char *sql = contents(path);
 	meddle(shelf, sql);
 	put(shelf, full("new"));
-	struct stored_list all = list(shelf);
+	struct material_list all = list(shelf);
 	assert_int_equal(all.n, 3);
 	assert_string_equal(all.item[0].name, "hand");
 	assert_string_equal(all.item[2].name, "Tierp, May");
@@ -192,7 +192,7 @@ a_store_without_runs_is_brought_up_to_date(void **state)
 	assert_string_equal(all.item[2].basis, "");
 	assert_true(params_value_by_name(&all.item[2].params, "beta3") ==
 		    -0.8797051575992627);
-	stored_list_free(&all);
+	material_list_free(&all);
 	free(sql);
 	free(path);
 }
@@ -204,7 +204,7 @@ a_failed_migration_changes_nothing(void **state)
 	struct shelf *shelf = *state;
 	make_schema_1(shelf);
 	meddle(shelf, "ALTER TABLE material ADD COLUMN train_mps REAL");
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
 	sqlite3 *db = NULL;
@@ -281,9 +281,9 @@ a_changed_number_is_noticed(void **state)
 	put(shelf, full("b"));
 	meddle(shelf, "UPDATE material SET params = replace(params, 'f_mat=2', "
 		      "'f_mat=1') WHERE name = 'b'");
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
-	stored_list_free(&all);
+	material_list_free(&all);
 	assert_int_equal(shelf->error.kind, ERROR_DATA);
 	assert_non_null(strstr(shelf->error.text, "'b'"));
 	assert_true(store_remove_material(shelf->store, "b", &shelf->error));
@@ -293,11 +293,11 @@ a_changed_number_is_noticed(void **state)
 /* A row as somebody else may make one: what SET says is of m too, and the digest
  * is right. */
 static void
-forge(struct shelf *shelf, const struct stored *m, const char *set)
+forge(struct shelf *shelf, const struct material *m, const char *set)
 {
 	char *sql = xasprintf("UPDATE material SET digest = '%016llx', %s "
 			      "WHERE fold = 'b'",
-	    (unsigned long long)stored_make_digest(m), set);
+	    (unsigned long long)material_make_digest(m), set);
 	put(shelf, full("b"));
 	meddle(shelf, sql);
 	free(sql);
@@ -307,9 +307,9 @@ forge(struct shelf *shelf, const struct stored *m, const char *set)
 static void
 expect_forged(struct shelf *shelf, const char *words, const char *name)
 {
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	assert_false(store_list_materials(shelf->store, &all, &shelf->error));
-	stored_list_free(&all);
+	material_list_free(&all);
 	assert_int_equal(shelf->error.kind, ERROR_DATA);
 	assert_string_equal(shelf->error.file, shelf->path);
 	char *hint = xasprintf("run 'forget \"%s\"', then", name);
@@ -347,9 +347,9 @@ rows_are_checked_as_an_import_is(void **state)
 	put(shelf, full("a"));
 	for (size_t i = 0; i < ARRAY_LEN(ROWS); i++) {
 		char *set = xasprintf("%s = %s", ROWS[i].field, ROWS[i].value);
-		struct stored m = full("b");
+		struct material m = full("b");
 		forge(shelf, &m, set);
-		stored_free(&m);
+		material_free(&m);
 		expect_forged(shelf, ROWS[i].words, "b");
 		free(set);
 	}
@@ -367,7 +367,7 @@ a_name_that_is_none_can_be_forgotten_as_it_is_shown(void **state)
 		"0123456789012345678901234567890123456789012345678901234567å"}};
 	put(shelf, full("a"));
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
-		struct stored m = full(NAMES[i][0]);
+		struct material m = full(NAMES[i][0]);
 		char *fold = text_fold_case_and_accents(m.name),
 		     set[400] = "fold = CAST(x'";
 		for (const char *p = fold; *p != '\0'; p++)
@@ -382,11 +382,11 @@ a_name_that_is_none_can_be_forgotten_as_it_is_shown(void **state)
 		expect_forged(
 		    shelf, "field name: expected a name", NAMES[i][1]);
 		free(fold);
-		stored_free(&m);
+		material_free(&m);
 	}
-	struct stored m = full("c");
+	struct material m = full("c");
 	forge(shelf, &m, "name = 'c'");
-	stored_free(&m);
+	material_free(&m);
 	expect_forged(shelf, "'c' is not what was remembered", "c");
 }
 
@@ -394,14 +394,14 @@ static void
 what_cannot_be_read_back_is_not_put(void **state)
 {
 	struct shelf *shelf = *state;
-	struct stored m = full("b");
+	struct material m = full("b");
 	put(shelf, full("a"));
 	m.params.alpha = 500;
 	assert_false(
 	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
 	assert_non_null(strstr(shelf->error.text, "0 to 100 for alpha"));
 	expect_names(shelf, "a");
-	stored_free(&m);
+	material_free(&m);
 }
 
 static void
@@ -412,7 +412,7 @@ a_locked_store_is_waited_for_and_then_told(void **state)
 	sqlite3 *db = NULL;
 	sqlite3_open(shelf->path, &db);
 	sqlite3_exec(db, "BEGIN IMMEDIATE", NULL, NULL, NULL);
-	struct stored m = full("b");
+	struct material m = full("b");
 	assert_false(
 	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
 	assert_int_equal(shelf->error.kind, ERROR_SYSTEM);
@@ -423,7 +423,7 @@ a_locked_store_is_waited_for_and_then_told(void **state)
 	sqlite3_close(db);
 	assert_true(
 	    store_put_materials(shelf->store, &m, 1, false, &shelf->error));
-	stored_free(&m);
+	material_free(&m);
 	expect_names(shelf, "a b");
 }
 

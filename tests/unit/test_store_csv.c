@@ -12,7 +12,7 @@ export_and_import_go_round(void **state)
 	struct error_list errors = {0};
 	put(shelf, full("b"));
 	put(shelf, sparse("a"));
-	struct stored_list all = list(shelf), again = {0};
+	struct material_list all = list(shelf), again = {0};
 	assert_true(store_csv_write_file(&all, shelf->csv, &shelf->error));
 	char *first = contents(shelf->csv);
 	if (!store_csv_read_file(shelf->csv, NULL, &again, &errors))
@@ -25,8 +25,8 @@ export_and_import_go_round(void **state)
 	assert_string_equal(first, second);
 	free(first);
 	free(second);
-	stored_list_free(&all);
-	stored_list_free(&again);
+	material_list_free(&all);
+	material_list_free(&again);
 }
 
 /* 12,000 materials, of which 500 have a note of 25,000 letters: 15 MB. */
@@ -36,15 +36,15 @@ a_large_export_is_imported(void **state)
 	enum { MANY = 12000, LONG = 500, LETTERS = 25000 };
 	struct shelf *shelf = *state;
 	struct error_list errors = {0};
-	struct stored_list all = {0}, again = {0};
+	struct material_list all = {0}, again = {0};
 	char *note = xcalloc(LETTERS + 1, 1), name[16];
 	memset(note, 'a', LETTERS);
 	for (size_t i = 0; i < MANY; i++) {
 		snprintf(name, sizeof name, "m%zu", i);
-		struct stored m = sparse(name);
+		struct material m = sparse(name);
 		if (i < LONG)
 			put_text(&m, "note", note);
-		stored_list_add(&all, m);
+		material_list_add(&all, m);
 	}
 	assert_true(store_csv_write_file(&all, shelf->csv, &shelf->error));
 	if (!store_csv_read_file(shelf->csv, NULL, &again, &errors))
@@ -53,8 +53,8 @@ a_large_export_is_imported(void **state)
 	expect_same(&all.item[0], &again.item[0]);
 	expect_same(&all.item[MANY - 1], &again.item[MANY - 1]);
 	free(note);
-	stored_list_free(&all);
-	stored_list_free(&again);
+	material_list_free(&all);
+	material_list_free(&again);
 }
 
 /* Head and one row of an export, with a word of the row replaced. */
@@ -62,10 +62,10 @@ static void
 expect_fault(struct shelf *shelf, const char *old, const char *new, int line,
     int column, const char *words)
 {
-	struct stored_list all = {0}, read = {0};
+	struct material_list all = {0}, read = {0};
 	struct error_list errors = {0};
 	bool there = strstr(words, "the store already has") != NULL;
-	stored_list_add(&all, sparse("a"));
+	material_list_add(&all, sparse("a"));
 	assert_true(store_csv_write_file(&all, shelf->csv, &shelf->error));
 	char *text = contents(shelf->csv), *at = strstr(text, old);
 	assert_non_null(at);
@@ -80,8 +80,8 @@ expect_fault(struct shelf *shelf, const char *old, const char *new, int line,
 		fail_msg("%d:%d: %s", e->line, e->column, e->text);
 	free(changed);
 	free(text);
-	stored_list_free(&all);
-	stored_list_free(&read);
+	material_list_free(&all);
+	material_list_free(&read);
 }
 
 static void
@@ -114,7 +114,7 @@ static void
 table_3_is_in_the_program(void **state)
 {
 	(void)state;
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	stored_add_table3(&all);
 	assert_int_equal(all.n, 19);
 	for (size_t i = 0; i < all.n; i++) {
@@ -124,9 +124,9 @@ table_3_is_in_the_program(void **state)
 		assert_true(all.item[i].top_size_mm == TABLE_3[i].top_mm);
 		assert_true(stored_is_table3(&all.item[i]));
 	}
-	assert_non_null(stored_find(&all, "table3/borlange"));
-	assert_non_null(stored_find(&all, "table3/GÄVLE/11.2/2"));
-	stored_list_free(&all);
+	assert_non_null(material_find(&all, "table3/borlange"));
+	assert_non_null(material_find(&all, "table3/GÄVLE/11.2/2"));
+	material_list_free(&all);
 }
 
 static void

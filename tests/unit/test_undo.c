@@ -195,11 +195,11 @@ undo_gives_back_the_former_fit(void **state)
 	desk_expect(desk, "calibrate seed=1 population=64 generations=3");
 	struct fit first = session_current_entry(desk->session)->fit;
 	desk_expect(desk, "calibrate seed=2 population=64 generations=3");
-	assert_false(snapshot_is_same_fit(
-	    &session_current_entry(desk->session)->fit, &first));
+	assert_false(
+	    fits_are_equal(&session_current_entry(desk->session)->fit, &first));
 	desk_expect(desk, "undo");
-	assert_true(snapshot_is_same_fit(
-	    &session_current_entry(desk->session)->fit, &first));
+	assert_true(
+	    fits_are_equal(&session_current_entry(desk->session)->fit, &first));
 	assert_non_null(strstr(desk->notes, "undone: calibrate seed=2"));
 }
 

@@ -139,22 +139,22 @@ a_verdict_is_that_of_the_envelope(void **state)
 		assert_non_null(g);
 		struct grading own;
 		struct error error = {0};
-		assert_true(grading_open_chosen_envelope(t->session,
+		assert_true(envelope_open_chosen(t->session,
 		    tui_current_entry(t), tui_feed_run(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
 		forecast_set_speed(
 		    own.conditions.forecast, t->ui.tenths / 10.0);
 		for (size_t i = 0; i < g->limits.n; i++, all++) {
-			bool in = wanted_are_conditions_met(&g->conditions, i);
+			bool in = conditions_are_met(&g->conditions, i);
 			assert_int_equal(
-			    in, wanted_are_conditions_met(&own.conditions, i));
+			    in, conditions_are_met(&own.conditions, i));
 			in_all += in;
 		}
 		assert_float_equal(
 		    forecast_value_with_band(g->conditions.forecast, 3).value,
 		    forecast_value_with_band(own.conditions.forecast, 3).value,
 		    0);
-		grading_close(&own);
+		envelope_close(&own);
 	}
 	assert_in_range(in_all, 1, all - 1);
 	t->ui.tenths = 740;

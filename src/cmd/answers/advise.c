@@ -55,26 +55,26 @@ find_band_of_quantity(const struct session *s, struct advice_request *w)
 
 static size_t
 add_candidate_speed(
-    const struct site *site, struct advised *c, size_t n, double v)
+    const struct site *site, struct sample_advice *c, size_t n, double v)
 {
 	for (size_t i = 0; i < n; i++)
 		if (fabs(c[i].speed - v) < 0.5)
 			return n;
 	size_t r = site_run_at_speed(site, v);
-	c[n] = (struct advised){.speed = v,
+	c[n] = (struct sample_advice){.speed = v,
 	    .repeat = r < site->n_run && site->run[r].product.n > 0};
 	return n + 1;
 }
 
 /* Returns the speeds to consider: a repeat at each measured speed, the speed
  * asked about and round ones.  *n: how many; the caller frees them. */
-static struct advised *
+static struct sample_advice *
 list_candidate_speeds(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
 	FREED double *round = answers_list_round_speeds(s, site, &more);
-	struct advised *c = xcalloc(site->n_run + more + 1, sizeof *c);
+	struct sample_advice *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (misfit_count_covered_sieves(&site->run[r]) > 0)
 			k = add_candidate_speed(site, c, k, site->run[r].speed);
@@ -88,8 +88,8 @@ list_candidate_speeds(
 static int
 compare_band_widths(const void *a, const void *b)
 {
-	double x = ((const struct advised *)a)->width;
-	double y = ((const struct advised *)b)->width;
+	double x = ((const struct sample_advice *)a)->width;
+	double y = ((const struct sample_advice *)b)->width;
 	return (x > y) - (x < y);
 }
 
@@ -129,7 +129,7 @@ take_out_errors_of_speeds(double *row)
  * leave. */
 static void
 sort_by_expected_band_width(const struct session *s,
-    const struct advice_request *w, struct advised *c, size_t n)
+    const struct advice_request *w, struct sample_advice *c, size_t n)
 {
 	enum { N = POSTERIOR_DRAWS };
 	size_t sieves;
@@ -174,7 +174,7 @@ note_range_over_sampled_feeds(
 
 static void
 note_best_sample_speed(struct answer *r, const struct advice_request *w,
-    const struct advised *best)
+    const struct sample_advice *best)
 {
 	double width = w->width;
 	double level = 100 * w->question->level;
@@ -202,27 +202,27 @@ note_best_sample_speed(struct answer *r, const struct advice_request *w,
 
 /* Returns the candidates, best first; *n: how many.  Returns NULL if there is
  * no band to narrow.  The caller frees them. */
-static struct advised *
+static struct sample_advice *
 rank_candidate_speeds(
     const struct session *s, const struct advice_request *w, size_t *n)
 {
 	if (!(w->width > 0))
 		return NULL;
-	struct advised *c = list_candidate_speeds(
+	struct sample_advice *c = list_candidate_speeds(
 	    s, w->question->entry->site, w->question->speed, n);
 	sort_by_expected_band_width(s, w, c, *n);
 	return c;
 }
 
 bool
-advise_best_sample(const struct session *s, const struct question *q,
-    const struct quantity *of, struct advised *best, double *width)
+advise_find_best_sample(const struct session *s, const struct question *q,
+    const struct quantity *of, struct sample_advice *best, double *width)
 {
 	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
-	FREED struct advised *c = find_band_of_quantity(s, &w)
-				      ? rank_candidate_speeds(s, &w, &n)
-				      : NULL;
+	FREED struct sample_advice *c = find_band_of_quantity(s, &w)
+					    ? rank_candidate_speeds(s, &w, &n)
+					    : NULL;
 	if (c == NULL)
 		return false;
 	*best = c[0];
@@ -237,7 +237,7 @@ build_advice_answer(const struct session *s, const struct advice_request *w)
 	const struct entry *entry = w->question->entry;
 	double rotor = entry->site->rotor;
 	size_t n;
-	FREED struct advised *c = rank_candidate_speeds(s, w, &n);
+	FREED struct sample_advice *c = rank_candidate_speeds(s, w, &n);
 	if (c == NULL)
 		return NULL;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, w->question->speed, NAN);
@@ -301,10 +301,9 @@ show_sampling_advice(
     struct session *s, struct advice_request *w, struct error *error)
 {
 	const struct entry *entry = w->question->entry;
-	if (outlook_posterior_for_answers(s, entry, &entry->params) == NULL)
+	if (posterior_for_answers(s, entry, &entry->params) == NULL)
 		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    outlook_why_no_band(s, entry),
-		    outlook_how_to_band(s, entry));
+		    band_why_none(s, entry), band_how_to_get(s, entry));
 	if (!find_band_of_quantity(s, w))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"

@@ -8,7 +8,7 @@
 
 /* A possible sample.  width: expected width of the band after it, in the units
  * shown; repeat: the speed was sampled before. */
-struct advised {
+struct sample_advice {
 	double speed, width;
 	bool repeat;
 };
@@ -18,7 +18,7 @@ struct advised {
 
 /* Finds the best sample for a quantity of a question at its speed, and the
  * current width of the band.  Returns false if there is no band. */
-bool advise_best_sample(const struct session *s, const struct question *q,
-    const struct quantity *of, struct advised *best, double *width);
+bool advise_find_best_sample(const struct session *s, const struct question *q,
+    const struct quantity *of, struct sample_advice *best, double *width);
 
 #endif

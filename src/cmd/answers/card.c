@@ -39,7 +39,7 @@ struct card_request {
 	struct wanted wanted;
 	struct plant plant; /* circuit NULL: no flow was asked for */
 	size_t n_line;
-	struct plant_line *line;
+	struct plant_stream_row *line;
 	char *power;
 };
 
@@ -130,7 +130,7 @@ static bool
 find_stream_names(struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
-	struct plant_result o = plant_solve_at(&all->plant, speed);
+	struct plant_result o = plant_compute_at_speed(&all->plant, speed);
 	bool ok =
 	    !o.flow.open || plant_set_error_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
@@ -326,15 +326,13 @@ mean_of_repeats_at_speed(const struct session *s,
 		if (site->run[r].product.n == 0)
 			continue;
 		double value = screened_quantity_of_product(
-		    moved_product_adjusted_to_feed(
-			s, q->entry, params, r, q->feed),
-		    of);
+		    product_moved_to_feed(s, q->entry, params, r, q->feed), of);
 		if (isnan(value))
 			continue;
 		sum += value;
 		n++;
-		*moved = fmax(*moved, moved_largest_feed_adjustment(
-					  s, q->entry, params, r, q->feed));
+		*moved = fmax(*moved,
+		    largest_move_to_feed(s, q->entry, params, r, q->feed));
 	}
 	return n > 0 ? quantities_value_in_shown_unit(of, sum / (double)n)
 		     : NAN;
@@ -388,10 +386,10 @@ static void
 put_tonnage_cells(
     struct card_table *page, const struct card_request *all, double speed)
 {
-	struct plant_result o = plant_solve_at(&all->plant, speed);
+	struct plant_result o = plant_compute_at_speed(&all->plant, speed);
 	bool open = o.flow.open;
 	for (size_t i = 0; i < all->n_line; i++) {
-		const struct plant_line *line = &all->line[i];
+		const struct plant_stream_row *line = &all->line[i];
 		bool back = line->unit == NULL;
 		double tph = back ? o.flow.tph[line->stream]
 				  : flow_tph_into_unit(&o.flow, line->unit);
@@ -440,10 +438,10 @@ put_card_row(struct card_table *page, struct session *s,
 		    rotor_speed_to_rpm(v, rotor));
 	forecast_set_speed(all->forecast, v);
 	put_figure_cells(page, s, all, v);
-	struct trust light = light_at_speed(s, entry, v, all->question->feed);
+	struct trust light = trust_at_speed(s, entry, v, all->question->feed);
 	row->light = light.light;
 	row->beyond = answers_is_speed_extrapolated(entry, v);
-	light_keep_worse(worst, light);
+	trust_keep_worse(worst, light);
 	const char *name = tr(LIGHT_NAME[row->light]);
 	put_text_cell(page, NULL, tr("trust"), NEEDED,
 	    xasprintf("%s%s", name, row->beyond ? "?" : ""));
@@ -451,8 +449,8 @@ put_card_row(struct card_table *page, struct session *s,
 		put_tonnage_cells(page, all, v);
 	if (all->list.n > 0) {
 		forecast_set_speed(all->wanted.forecast, v);
-		row->holds = wanted_are_conditions_met(&all->wanted, SIZE_MAX);
-		row->share = wanted_probability_met(&all->wanted);
+		row->holds = conditions_are_met(&all->wanted, SIZE_MAX);
+		row->share = conditions_probability(&all->wanted);
 		put_limits_met_cells(page, row);
 	}
 	put_text_cell(page, "light", NULL, NEEDED, xstrdup(name));
@@ -719,8 +717,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
 	    breakage_model_of_params(&q->entry->params)->source,
-	    origin_source_text(q->entry),
-	    outlook_describe_correction(s, q->entry));
+	    origin_source_text(q->entry), correction_in_words(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->feed_from[0] != '\0' ? site->feed_from
@@ -744,14 +741,14 @@ note_best_trust_light(struct answer *r, const struct session *s,
 	}
 	answers_note_basis(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
-		FREED char *said = light_describe_at_speed(
+		FREED char *said = trust_in_words_at_speed(
 		    s, q->entry, row[best].speed, q->feed);
 		answer_say(r,
 		    row[best].light == LIGHT_RED ? ANSWER_WARNING
 						 : ANSWER_REMARK,
 		    "%s", said);
 	}
-	light_put_fields(answer_fields(r), worst);
+	trust_put_fields(answer_fields(r), worst);
 	trust_free(worst);
 }
 
@@ -765,7 +762,7 @@ build_card_answer(
 	struct answer *r =
 	    answers_new(entry->site, "card", "card of %s", today);
 	set_card_title(r, entry->site, today);
-	struct trust light = light_of_answer_or_fit(s, entry, NULL);
+	struct trust light = trust_in_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
 	struct card_table page = {.rows = n};
 	for (size_t i = 0; i < n; i++)

@@ -22,7 +22,7 @@ struct claim_evidence {
 	const struct entry **fit;
 	struct trials runs;
 	struct model_settings settings;
-	struct stored_list paper;
+	struct material_list paper;
 };
 
 static void
@@ -139,11 +139,11 @@ check_claim_f_mat_opposes_e0_min(
 }
 
 /* Returns the row of Table 3 that has the name of the site, or NULL. */
-static const struct stored *
+static const struct material *
 table3_row_of_site(const struct claim_evidence *c, const struct entry *entry)
 {
 	FREED char *name = xasprintf("table3/%s", entry->key);
-	return stored_find(&c->paper, name);
+	return material_find(&c->paper, name);
 }
 
 /* For a reconstructed site the product at any speed is known: that of its
@@ -157,7 +157,7 @@ check_claim_of_extrapolation(struct answer *r, const struct claim_evidence *c)
 	size_t n = 0, well = 0;
 	for (size_t i = 0; i < c->n; i++) {
 		const struct site *site = c->fit[i]->site;
-		const struct stored *m = table3_row_of_site(c, c->fit[i]);
+		const struct material *m = table3_row_of_site(c, c->fit[i]);
 		for (size_t k = 0; m != NULL && k < ARRAY_LEN(SPEED); k++) {
 			struct prediction p = predict_with_model_alone(site,
 					      &c->fit[i]->params, c->settings,
@@ -276,7 +276,7 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 		    "this way");
 	free(c.fit);
 	trials_clear(&c.runs);
-	stored_list_free(&c.paper);
+	material_list_free(&c.paper);
 	if (any)
 		return session_show_answer(s, r);
 	answer_free(r);

@@ -40,8 +40,7 @@ static const char PIN[] = "pinned";
 static bool
 are_two_sites(const struct compared side[2])
 {
-	return entry_without_variant(side[0].entry) !=
-	       entry_without_variant(side[1].entry);
+	return entry_as_loaded(side[0].entry) != entry_as_loaded(side[1].entry);
 }
 
 /* Returns the passing at a size, NAN if the side's sieves do not cover it. */
@@ -153,7 +152,7 @@ note_difference(struct answer *r, const struct session *s,
 	int digits = quantities_decimals(q);
 	const char *unit = quantities_difference_suffix(q);
 	FREED char *words = quantities_name(q);
-	FREED char *chance = predict_chance_words(side[0].q.level);
+	FREED char *chance = predict_probability_words(side[0].q.level);
 	double range[2], low = round_difference_as_shown(q, more.low);
 	double high = round_difference_as_shown(q, more.high);
 	if (low > 0 || high < 0)
@@ -283,9 +282,9 @@ show_basis_of_both_sides(
 	bool two = are_two_sites(side);
 	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
 	struct trust light =
-	    light_of_answer_or_fit(s, side[0].entry, &side[0].p);
-	light_keep_worse(
-	    &light, light_of_answer_or_fit(s, side[1].entry, &side[1].p));
+	    trust_in_answer_or_fit(s, side[0].entry, &side[0].p);
+	trust_keep_worse(
+	    &light, trust_in_answer_or_fit(s, side[1].entry, &side[1].p));
 	for (size_t i = 0; i < 2; i++) {
 		const struct question q = question_of_whole_product(
 		    s, side[i].entry, side[i].p.feed_run);
@@ -295,7 +294,7 @@ show_basis_of_both_sides(
 		else if (feeds)
 			feed_add_note(r, q.entry->site, q.feed, whose, 0);
 	}
-	light_show(r, light);
+	trust_show(r, light);
 }
 
 /* A pinned prediction stays as it was.  Its draws are therefore not paired with

@@ -62,7 +62,7 @@ note_ranges_of_new_cut(struct answer *r, const struct session *s,
 {
 	struct forecast *f = forecast_open(s, question, q, n);
 	FREED char *list = xstrdup("");
-	FREED char *chance = predict_chance_words(question->level);
+	FREED char *chance = predict_probability_words(question->level);
 	forecast_set_speed_and_draws(f, question->speed, ENSEMBLE_SAMPLE);
 	for (size_t i = 0; i < n; i++) {
 		struct figure sample = forecast_value_in_shown_unit(f, i);
@@ -94,7 +94,7 @@ cmd_figures(struct session *s, const struct args *args,
 		return false;
 	struct forecast *all = forecast_open(s, question, q, n);
 	forecast_set_speed(all, v);
-	asked_keep_speed_and_quantity(s, v, named ? &q[0] : NULL);
+	session_keep_last_asked(s, v, named ? &q[0] : NULL);
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r = answers_new(entry->site, "figures",
@@ -111,7 +111,7 @@ cmd_figures(struct session *s, const struct args *args,
 		note_ranges_of_new_cut(r, s, question, q, n);
 	if (sure != NULL) {
 		answer_note(r, "%s", sure);
-		band = predict_correction_is_worth_saying(s, entry);
+		band = predict_should_say_correction(s, entry);
 	}
 	answers_show_basis_at(s, r, question, v, band);
 	forecast_close(all);

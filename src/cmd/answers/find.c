@@ -450,9 +450,8 @@ note_other_condition(
 	bool points = quantities_unit(&c->quantity)[0] == '%';
 	FREED char *words = conditions_describe(c),
 		   *value = value_with_band_text(goal, i);
-	double missed =
-	    -100 * wanted_margin_of_condition(&goal->wanted, i).passing;
-	if (wanted_are_conditions_met(&goal->wanted, i))
+	double missed = -100 * condition_margin(&goal->wanted, i).passing;
+	if (conditions_are_met(&goal->wanted, i))
 		answer_note(r, "%s: met, %s", words, value);
 	else if (!points)
 		answer_note(r, "%s: missed: %s", words, value);
@@ -470,7 +469,7 @@ note_other_conditions(struct answer *r, const struct find_request *goal)
 	forecast_set_speed(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
 		note_other_condition(r, goal, i);
-	double certain = wanted_probability_met(&goal->wanted);
+	double certain = conditions_probability(&goal->wanted);
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
 		return;
@@ -556,7 +555,7 @@ put_search_result(struct fields *o, const struct find_request *goal)
 	    goal->wanted.forecast, isnan(v) ? goal->search->best : v);
 	conditions_put_list(o, &goal->wanted, goal->search);
 	fields_put(o, "holds %d",
-	    !isnan(v) && wanted_are_conditions_met(&goal->wanted, SIZE_MAX));
+	    !isnan(v) && conditions_are_met(&goal->wanted, SIZE_MAX));
 }
 
 /* Returns, where nothing was found, the speed that comes nearest: the one that
@@ -583,9 +582,9 @@ show_basis_at_speed_found(
 	const struct question *q = goal->question;
 	bool found = !isnan(goal->speed);
 	double shown = found ? goal->speed : speed_nearest_to_goal(goal);
-	struct trust light = light_at_speed(s, q->entry, shown, q->feed);
+	struct trust light = trust_at_speed(s, q->entry, shown, q->feed);
 	answers_note_basis(s, r, q, found ? shown : 0, NULL, &light);
-	light_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
+	trust_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
 
@@ -633,7 +632,7 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	session_show_answer(s, r);
 	if (found)
 		answers_keep_prediction(s, entry, &entry->params, &p[0]);
-	asked_keep_speed_and_quantity(s, shown, &goal->target.quantity);
+	session_keep_last_asked(s, shown, &goal->target.quantity);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 }
@@ -662,7 +661,7 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 	    "no speed from %g to %g m/s%s meets the envelope; the nearest is "
 	    "%.1f m/s%s",
 	    goal->wanted.from, goal->wanted.to, range, w->best, best);
-	FREED char *missed = grading_describe_missed_limits(g);
+	FREED char *missed = envelope_missed_limits(g);
 	answer_note(r, "%s", missed);
 }
 
@@ -671,40 +670,40 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
     const struct find_request *goal, struct error *error)
 {
 	const struct entry *entry = goal->question->entry;
-	const struct spec *spec = grading_find_envelope(s, args->spec, error);
+	const struct spec *spec = envelope_find(s, args->spec, error);
 	struct grading g;
-	if (spec == NULL || !grading_open_for_envelope(
-				s, args, spec, goal->question, &g, error))
+	if (spec == NULL ||
+	    !envelope_open(s, args, spec, goal->question, &g, error))
 		return false;
 	g.conditions.from = goal->wanted.from;
 	g.conditions.to = goal->wanted.to;
 	struct speed_search *w = speed_search_run(&g.conditions);
 	const struct speed_range *in = speed_search_best_range(w);
 	double v = in != NULL ? in->from : w->best;
-	FREED char *words = grading_title(&g);
+	FREED char *words = envelope_title(&g);
 	struct answer *r =
 	    answers_new(entry->site, "find", "the speeds for %s", words);
-	grading_add_rows(r, &g, v);
+	envelope_add_rows(r, &g, v);
 	conditions_note_best_speed(
 	    r, s, goal->question, &g.conditions, true, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL)
 		answers_put_low_high(
 		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
-	grading_add_notes(r, &g);
+	envelope_add_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
-	asked_keep_speed_and_quantity(s, v, NULL);
+	session_keep_last_asked(s, v, NULL);
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",
 	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
 	    in != NULL ? in->from : NAN, in != NULL ? in->to : NAN, v, w->best);
-	grading_put_worst_sieve(answer_fields(r), &g);
-	grading_put_fields(r, &g);
+	envelope_put_worst_sieve(answer_fields(r), &g);
+	envelope_put_fields(r, &g);
 	session_forget_answers(s);
 	session_show_answer(s, r);
 	speed_search_free(w);
-	grading_close(&g);
+	envelope_close(&g);
 	return true;
 }
 

@@ -27,7 +27,7 @@ enum { MOST_OWN = 200 };
  * `table3` on.  m [list.n]: the same for core.  pick [n]: those that are used.
  * error: that of guesses from as many materials. */
 struct guess_sources {
-	struct stored_list list;
+	struct material_list list;
 	struct guess_material *m, wanted;
 	bool *leave_out;
 	size_t n, *pick, table3, own;
@@ -38,7 +38,7 @@ struct guess_sources {
 static void
 guess_sources_free(struct guess_sources *b)
 {
-	stored_list_free(&b->list);
+	material_list_free(&b->list);
 	free(b->m);
 	free(b->leave_out);
 	free(b->pick);
@@ -69,11 +69,11 @@ prepare_guess_materials(struct guess_sources *b)
 	b->leave_out = xcalloc(n, sizeof *b->leave_out);
 	b->pick = xcalloc(n, sizeof *b->pick);
 	for (size_t i = 0; i < n; i++) {
-		const struct stored *m = &b->list.item[i];
+		const struct material *m = &b->list.item[i];
 		double top_mm = m->top_size_mm;
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
-		    stored_model_settings(m), stored_is_table3(m)};
+		    material_model_settings(m), stored_is_table3(m)};
 		b->leave_out[i] = text_same_folded(m->site, b->wanted.site);
 	}
 	while (!stored_is_table3(&b->list.item[b->table3]))
@@ -124,7 +124,7 @@ put_picked_materials(struct fields *o, const struct guess_sources *b)
 {
 	struct fields *list = fields_add_list(o, "materials");
 	for (size_t i = 0; i < b->n; i++) {
-		const struct stored *m = &b->list.item[b->pick[i]];
+		const struct material *m = &b->list.item[b->pick[i]];
 		struct fields *one = fields_add_object(list, NULL);
 		fields_put(one,
 		    "name %s site %s rock %s top_size_mm %g origin %s "

@@ -276,12 +276,12 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	if (!answers_require_params_of_current(s, error))
 		return false;
 	const struct entry *entry = session_current_entry(s);
-	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_for_comparison(s, entry);
 	if (p == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "there are no draws to judge the parameters by (%s)\nrun "
 		    "'calibrate' first",
-		    outlook_why_no_band(s, entry));
+		    band_why_none(s, entry));
 	struct findings f = find_what_data_determine(p, entry->site);
 	struct answer *r =
 	    answers_new(entry->site, "identify", "what the data determine");

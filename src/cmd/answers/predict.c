@@ -102,8 +102,8 @@ interpolate_measured_products(const struct session *s, const struct question *q,
 	struct site *site = site_copy(q->entry->site);
 	for (size_t r = 0; r < site->n_run; r++) {
 		psd_free(&site->run[r].product);
-		site->run[r].product = psd_copy(moved_product_adjusted_to_feed(
-		    s, q->entry, q->params, r, q->feed));
+		site->run[r].product = psd_copy(
+		    product_moved_to_feed(s, q->entry, q->params, r, q->feed));
 	}
 	FREED bool *measured = xcalloc(site->n_run, sizeof *measured);
 	double *passing = NULL;
@@ -135,8 +135,7 @@ measured_products_at_speed(
 			       site->run[r].speed == site->run[first].speed;
 	     r++)
 		part[(*n)++] = screened_fraction_of_product(
-		    moved_product_adjusted_to_feed(
-			s, q->entry, q->params, r, q->feed),
+		    product_moved_to_feed(s, q->entry, q->params, r, q->feed),
 		    &q->fraction);
 	return part;
 }
@@ -223,7 +222,7 @@ note_fit_of_only_cut(
 {
 	size_t run;
 	if (session_is_calibrating(s) ||
-	    entry->site != entry_without_variant(entry)->site ||
+	    entry->site != entry_as_loaded(entry)->site ||
 	    !cut_is_only_check(entry, &run))
 		return;
 	struct cut cut = cut_compare_with_prediction(s, entry, run);
@@ -274,15 +273,14 @@ note_sieves_limited_by_feed(
 }
 
 bool
-predict_correction_is_worth_saying(
+predict_should_say_correction(
     const struct session *s, const struct entry *entry)
 {
-	return outlook_correcting_runs(s, entry) != CORRECTION_ALL ||
-	       !entry->has_fit;
+	return runs_that_correct(s, entry) != CORRECTION_ALL || !entry->has_fit;
 }
 
 char *
-predict_chance_words(double level)
+predict_probability_words(double level)
 {
 	double tenths = 10 * level;
 	return fabs(tenths - round(tenths)) < 1e-9
@@ -369,7 +367,7 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	forecast_close(f);
 	if (isnan(value) || isnan(answer.low) || isnan(sample.low))
 		return NULL;
-	FREED char *chance = predict_chance_words(q->level);
+	FREED char *chance = predict_probability_words(q->level);
 	FREED char *said = quantities_sentence_with_value(of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, speed, NAN);
@@ -394,7 +392,7 @@ add_other_sieve(const struct session *s, const struct question *q,
 	size_t other = said > 0 ? said - 1 : said + 1;
 	if (!s->prompt || s->scripts > s->typed_depth || other >= p->product.n)
 		return;
-	FREED char *speed = answers_format_speed(q->entry->site, p->speed);
+	FREED char *speed = speed_as_typed(q->entry->site, p->speed);
 	xappend(words, tr("; another sieve: predict %s passing %g"), speed,
 	    units_mm(p->product.size[other]));
 }
@@ -425,9 +423,8 @@ largest_adjustment_to_feed(const struct session *s, const struct question *q,
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
-			most = fmax(
-			    most, moved_largest_feed_adjustment(
-				      s, q->entry, q->params, k, p->feed_run));
+			most = fmax(most, largest_move_to_feed(s, q->entry,
+					      q->params, k, p->feed_run));
 	return most > SHOWN ? most : 0;
 }
 
@@ -454,7 +451,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	note_sieves_limited_by_feed(r, q, p);
 	note_sieves_missing_in_feed(r, question_feed(q), p);
 	note_wide_sieve_gap_in_feed(r, question_feed(q));
-	if (session_entry_being_fitted(s) == entry_without_variant(entry))
+	if (session_entry_being_fitted(s) == entry_as_loaded(entry))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
@@ -472,7 +469,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	at.moved = largest_adjustment_to_feed(s, q, p, between != NULL);
 	answers_show_basis_at(s, r, &at, p->speed,
 	    p->low != NULL &&
-		(detail || predict_correction_is_worth_saying(s, entry)));
+		(detail || predict_should_say_correction(s, entry)));
 	return r;
 }
 
@@ -550,13 +547,13 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	struct question at = *q;
 	at.params = &params;
 	struct prediction p = forecast_product(s, &at, at.speed);
-	asked_keep_speed_and_quantity(s, p.speed, NULL);
+	session_keep_last_asked(s, p.speed, NULL);
 	if (!args->band)
 		prediction_drop_band(&p);
 	struct answer *r = build_prediction_with_notes(
 	    s, &at, &p, args->interpolated, args->detail);
 	if (args_is_given(args, &args->band) && args->band && p.low == NULL)
-		answer_note(r, "%s", outlook_why_no_band(s, entry));
+		answer_note(r, "%s", band_why_none(s, entry));
 	bool picture = plot_is_image_wanted(s) && s->document == NULL;
 	bool curve = args->curve && s->set.format == ANSWER_TABLE;
 	if (picture)

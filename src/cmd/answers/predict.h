@@ -31,7 +31,7 @@ double predict_largest_change_by_feed(const struct session *s,
     const struct question *q, const struct quantity *of, double speed);
 
 /* Returns "8 times in 10" or "with 95 % probability".  The caller frees it. */
-char *predict_chance_words(double level);
+char *predict_probability_words(double level);
 
 /* Returns a sentence on the certainty of the answer for a quantity at a speed,
  * m/s, and on what a new belt cut may show (D22), or NULL without draws or
@@ -40,7 +40,7 @@ char *predict_certainty_words(const struct session *s, const struct question *q,
     const struct quantity *of, double speed);
 
 /* True if it is worth saying what corrects the model. */
-bool predict_correction_is_worth_saying(
+bool predict_should_say_correction(
     const struct session *s, const struct entry *entry);
 
 #endif

@@ -206,7 +206,7 @@ static void
 write_trust_light(struct session *s, const struct report_request *ask)
 {
 	const struct entry *entry = ask->q->entry;
-	struct trust t = light_at_speed(s, entry, ask->speed, ask->q->feed);
+	struct trust t = trust_at_speed(s, entry, ask->speed, ask->q->feed);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, ask->speed, NAN);
 	FREED char *words =
@@ -258,8 +258,8 @@ write_whether_conditions_met(
 	if (!has_what_section_needs(s, ask, NEED_CONDITIONS))
 		return;
 	forecast_set_speed(ask->wanted.forecast, ask->speed);
-	bool met = wanted_are_conditions_met(&ask->wanted, SIZE_MAX);
-	double share = wanted_probability_met(&ask->wanted);
+	bool met = conditions_are_met(&ask->wanted, SIZE_MAX);
+	double share = conditions_probability(&ask->wanted);
 	FREED char *list = conditions_describe_list(&ask->list);
 	FREED char *chance = conditions_describe_probability(share, met);
 	FREED char *rpm =

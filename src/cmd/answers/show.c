@@ -147,7 +147,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	const struct model_settings *set = &s->set.model;
 	struct fields *o = answer_fields(r);
 	fields_put(o, "what %s method %s appearance %s k %g", "model",
-	    answers_method_name(set->method), MODEL_FORMS[set->appearance],
+	    answers_method_name(set->method), APPEARANCE_NAMES[set->appearance],
 	    set->k);
 	if (entry->has_params)
 		fit_put_params(o, &entry->params);
@@ -169,11 +169,11 @@ show_model(struct session *s, const struct args *args, struct error *error)
 			prediction_free(&p);
 		}
 		answer_add_cells(r, "%g %.0f %.2f %.1f", v,
-		    energy_specific_at_speed(v), x, selected);
+		    specific_energy_at_speed(v), x, selected);
 	}
 	answer_put_rows(r, "runs");
 	answer_note(r, "method %s, appearance %s, k %g",
-	    answers_method_name(set->method), MODEL_FORMS[set->appearance],
+	    answers_method_name(set->method), APPEARANCE_NAMES[set->appearance],
 	    set->k);
 	if (entry->has_params)
 		note_equations_with_numbers(r, &entry->params, set->k);
@@ -330,7 +330,8 @@ static void
 put_appearance_fields(struct fields *o, enum appearance_form form, size_t n,
     const double *x, const double *a)
 {
-	fields_put(o, "what %s appearance %s", "appearance", MODEL_FORMS[form]);
+	fields_put(
+	    o, "what %s appearance %s", "appearance", APPEARANCE_NAMES[form]);
 	fields_put_numbers(o, "class_mm", x, n, units_mm);
 	struct fields *rows = fields_add_list(o, "share_pct");
 	for (size_t j = 0; j < n; j++)

@@ -42,7 +42,7 @@ use_spec(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "spec use: expected an envelope\n"
 		    "write spec use and a name of 'spec list', or a file");
-	const struct spec *spec = grading_find_envelope(s, words, error);
+	const struct spec *spec = envelope_find(s, words, error);
 	if (spec == NULL)
 		return false;
 	s->spec = spec;
@@ -179,8 +179,8 @@ static void
 note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 {
 	forecast_set_speed(g->conditions.forecast, v);
-	double certain = wanted_probability_met(&g->conditions);
-	FREED char *missed = grading_describe_missed_limits(g);
+	double certain = conditions_probability(&g->conditions);
+	FREED char *missed = envelope_missed_limits(g);
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	answer_note(
 	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
@@ -202,24 +202,24 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	double v = q->speed;
 	struct grading g;
 	FREED char *words = join_operands(args, 0);
-	const struct spec *spec = grading_find_envelope(s, words, error);
+	const struct spec *spec = envelope_find(s, words, error);
 	if (spec == NULL || !answers_require_params_of_current(s, error) ||
-	    !grading_open_for_envelope(s, args, spec, q, &g, error))
+	    !envelope_open(s, args, spec, q, &g, error))
 		return false;
-	FREED char *name = grading_title(&g);
+	FREED char *name = envelope_title(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r =
 	    answers_new(entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
-	grading_add_rows(r, &g, v);
+	envelope_add_rows(r, &g, v);
 	note_envelope_verdict(r, &g, v);
-	grading_add_notes(r, &g);
+	envelope_add_notes(r, &g);
 	answers_show_basis_at(s, r, q, v, false);
 	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
 	    answers_is_speed_extrapolated(entry, v),
-	    wanted_are_conditions_met(&g.conditions, SIZE_MAX));
-	grading_put_fields(r, &g);
+	    conditions_are_met(&g.conditions, SIZE_MAX));
+	envelope_put_fields(r, &g);
 	session_show_answer(s, r);
-	grading_close(&g);
+	envelope_close(&g);
 	return true;
 }
 

@@ -119,7 +119,7 @@ build_sweep_answer(const struct session *s, const struct question *q,
 	FREED char *fraction = screened_title_suffix(&p[0].fraction);
 	struct answer *r = answers_new(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
-	    band ? outlook_describe_correction(s, entry) : "");
+	    band ? correction_in_words(s, entry) : "");
 	(across ? add_rows_with_speeds_across : answers_add_prediction_rows)(
 	    r, entry, p, n);
 	answer_begin_table_for_programs(r);
@@ -127,8 +127,8 @@ build_sweep_answer(const struct session *s, const struct question *q,
 	if (outside && across)
 		answer_say(r, ANSWER_WARNING,
 		    "speeds marked * are outside the training speeds");
-	answers_show_basis(s, r, q, 0, band && across,
-	    light_worst_of_predictions(s, entry, p, n));
+	answers_show_basis(
+	    s, r, q, 0, band && across, trust_worst_of_several(s, entry, p, n));
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	return r;
 }

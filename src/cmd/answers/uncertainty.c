@@ -95,7 +95,7 @@ add_figure_ranges(struct answer *r, const struct session *s,
 	answer_put_rows(r, "figures");
 	forecast_close(answer);
 	forecast_close(sample);
-	FREED char *chance = predict_chance_words(question->level);
+	FREED char *chance = predict_probability_words(question->level);
 	answer_note(r,
 	    "low, high: the true value lies between them %s; cut low, cut "
 	    "high: the same for a new belt cut",
@@ -265,9 +265,9 @@ static void
 note_best_next_sample(struct answer *r, const struct session *s,
     const struct question *q, const struct quantity *of)
 {
-	struct advised best;
+	struct sample_advice best;
 	double width;
-	if (!advise_best_sample(s, q, of, &best, &width))
+	if (!advise_find_best_sample(s, q, of, &best, &width))
 		return;
 	double share = 1 - best.width / width;
 	FREED char *name = quantity_short_name(of);
@@ -337,7 +337,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
     const struct prediction *at, const struct args *args, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_for_comparison(s, entry);
 	bool detail = args->detail;
 	FREED char *fraction = screened_title_suffix(&at->fraction);
 	FREED char *usual = default_quantities_text(at, args->sieves.n > 0);
@@ -366,20 +366,20 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	add_band_width_rows(r, s, q, at);
 	fields_put(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
-	    outlook_correcting_runs(s, entry) == CORRECTION_ALL ? "all"
-								: "train");
+	    runs_that_correct(s, entry) == CORRECTION_ALL ? "all" : "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns(r, PARTS[i]);
 	answer_put_columns(r, "sieve_mm passing_pct");
 	screened_note_share(r, at);
 	screened_put_fields(answer_fields(r), at);
 	if (detail)
-		answer_note(r, "%s", outlook_describe_correction(s, entry));
+		answer_note(r, "%s", correction_in_words(s, entry));
 	add_hyperparameter_ranges(r, s, p, detail);
 	note_two_rock_strengths(r, p, detail);
 	note_effect_of_feeds(r, s, q, &of, at->speed);
 	note_effect_of_speed_errors(r, s, q, p, at);
-	note_convergence_of_draws(r, p, outlook_evidence(s, entry), detail);
+	note_convergence_of_draws(
+	    r, p, evidence_on_calibration(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);
 	answers_show_basis_at(s, r, q, at->speed, false);
 	return r;
@@ -443,13 +443,11 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	if (at.low == NULL) {
 		prediction_free(&at);
 		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    outlook_why_no_band(s, entry),
-		    outlook_how_to_band(s, entry));
+		    band_why_none(s, entry), band_how_to_get(s, entry));
 	}
 	struct answer *r =
-	    draws ? build_draws_answer(s, q,
-			outlook_posterior_for_comparison(s, entry), &at,
-			(size_t)args->n)
+	    draws ? build_draws_answer(s, q, posterior_for_comparison(s, entry),
+			&at, (size_t)args->n)
 		  : build_uncertainty_answer(s, q, &at, args, error);
 	prediction_free(&at);
 	return r != NULL && session_show_answer(s, r);

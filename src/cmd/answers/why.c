@@ -179,7 +179,7 @@ say_if_within_training_speeds(const struct explained *a)
 	}
 	double near = v > fast ? fast : slow;
 	double more =
-	    energy_specific_at_speed(v) / energy_specific_at_speed(near) - 1;
+	    specific_energy_at_speed(v) / specific_energy_at_speed(near) - 1;
 	answer_say(a->answer, ANSWER_WARNING,
 	    more > 0 ? N_("%.4g m/s%s is outside the %s: an impact has %.1f %% "
 			  "more energy than at %g m/s, and no measurement "
@@ -233,7 +233,7 @@ say_trust_reason(const struct explained *a, const struct trust *t, size_t i)
 static void
 say_trust_is_green(const struct explained *a, const struct trust *t)
 {
-	const struct evidence *e = outlook_evidence(a->s, a->entry);
+	const struct evidence *e = evidence_on_calibration(a->s, a->entry);
 	if (t->n > 0)
 		return;
 	answer_note(a->answer,
@@ -267,7 +267,7 @@ say_trust_light(const struct explained *a, const struct trust *t)
 		say_trust_reason(a, t, i);
 	for (size_t i = 0; i < t->remarks; i++)
 		answer_note(a->answer, "  remark: %s", t->remark[i]);
-	light_put_fields(answer_fields(a->answer), t);
+	trust_put_fields(answer_fields(a->answer), t);
 }
 
 static void
@@ -567,7 +567,7 @@ show_mass_balance(struct mass_change *b)
 	    b->p[1].speed);
 	put_balance_fields(answer_fields(r), b);
 	answers_show_basis(b->s, r, b->q, 0, false,
-	    light_worst_of_predictions(b->s, entry, b->p, 2));
+	    trust_worst_of_several(b->s, entry, b->p, 2));
 	session_show_answer(b->s, r);
 }
 
@@ -591,8 +591,8 @@ explain_change_between_speeds(struct session *s, const struct args *args,
 	struct mass_change b = {.s = s, .q = q, .feed = question_feed(q)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
-		b.of[k] = mass_balance_new(b.feed, &entry->params,
-		    outlook_model_settings(s, entry), v[k]);
+		b.of[k] = mass_balance_new(
+		    b.feed, &entry->params, settings_of_answer(s, entry), v[k]);
 	}
 	show_mass_balance(&b);
 	for (size_t k = 0; k < 2; k++) {
@@ -622,7 +622,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	    .rpm = rpm,
 	    .answer =
 		answers_new(entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
-	struct trust trust = light_of_answer_or_fit(s, entry, &a.p);
+	struct trust trust = trust_in_answer_or_fit(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_trust_is_green(&a, &trust);
 	say_what_breaks(&a);

@@ -248,7 +248,7 @@ note_window(
 		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
 	}
 	if (isnan(a->w->best_certain))
-		answer_note(r, "%s", outlook_why_no_band(s, a->q->entry));
+		answer_note(r, "%s", band_why_none(s, a->q->entry));
 }
 
 static struct answer *
@@ -289,8 +289,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		note_equivalent_plot(r, args);
 		conditions_note_source_of_limits(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
-		asked_keep_speed_and_quantity(
-		    s, a.w->best, &a.list.at[0].quantity);
+		session_keep_last_asked(s, a.w->best, &a.list.at[0].quantity);
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

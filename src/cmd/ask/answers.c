@@ -79,7 +79,7 @@ answers_best_params_so_far(
     const struct session *s, const struct entry *entry, struct params *params)
 {
 	const struct entry *fitting = session_entry_being_fitted(s);
-	if (fitting == NULL || fitting != entry_without_variant(entry))
+	if (fitting == NULL || fitting != entry_as_loaded(entry))
 		return false;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.generation > 0)
@@ -146,12 +146,12 @@ answers_default_passing_quantity(const struct psd *product)
 }
 
 char *
-answers_format_speed(const struct site *site, double speed)
+speed_as_typed(const struct site *site, double speed)
 {
 	double rotor = site->rotor;
 	double rpm = rotor > 0 ? round(rotor_speed_to_rpm(speed, rotor)) : 0;
 	bool same =
-	    fabs(head_speed_to_mps(rpm, SPEED_RPM, rotor) - speed) < 1e-6;
+	    fabs(speed_in_unit_to_mps(rpm, SPEED_RPM, rotor) - speed) < 1e-6;
 	return same ? xasprintf("%g rpm", rpm) : xasprintf("%g", speed);
 }
 
@@ -161,7 +161,7 @@ answers_is_sheet_in_rpm(const struct site *site)
 	bool tenths = true;
 	for (size_t r = 0; r < site->n_run; r++) {
 		double v = site->run[r].speed;
-		FREED char *typed = answers_format_speed(site, v);
+		FREED char *typed = speed_as_typed(site, v);
 		if (v > 0 && strstr(typed, "rpm") == NULL)
 			return false;
 		tenths = tenths && fabs(10 * v - round(10 * v)) < 1e-6;
@@ -208,7 +208,7 @@ answers_speeds_at_round_rpm(
 	double *speed = list_multiples(rotor_speed_to_rpm(from, rotor),
 	    rotor_speed_to_rpm(to, rotor), STEPS, ARRAY_LEN(STEPS), most, n);
 	for (size_t i = 0; i < *n; i++)
-		speed[i] = head_speed_to_mps(speed[i], SPEED_RPM, rotor);
+		speed[i] = speed_in_unit_to_mps(speed[i], SPEED_RPM, rotor);
 	return speed;
 }
 
@@ -233,7 +233,7 @@ answers_keep_prediction(struct session *s, const struct entry *entry,
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
 	session_keep_answer(s, answer);
-	asked_keep_speed_and_quantity(s, p->speed, NULL);
+	session_keep_last_asked(s, p->speed, NULL);
 }
 
 static char *
@@ -399,9 +399,9 @@ answers_show_basis(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band, struct trust light)
 {
 	if (band)
-		outlook_note_meaning_of_band(r, s, q->entry, true);
+		band_note_meaning(r, s, q->entry, true);
 	answers_note_basis(s, r, q, speed, NULL, &light);
-	light_show(r, light);
+	trust_show(r, light);
 }
 
 void
@@ -410,22 +410,22 @@ answers_show_basis_at(const struct session *s, struct answer *r,
 {
 	/* A search that found nothing has no speed. */
 	answers_show_basis(s, r, q, speed, band,
-	    speed > 0 ? light_at_speed(s, q->entry, speed, q->feed)
-		      : light_of_answer_or_fit(s, q->entry, NULL));
+	    speed > 0 ? trust_at_speed(s, q->entry, speed, q->feed)
+		      : trust_in_answer_or_fit(s, q->entry, NULL));
 }
 
 enum light
-answers_show_basis_of_fit(const struct session *s, struct answer *r,
+answers_show_fit_basis(const struct session *s, struct answer *r,
     const struct entry *entry, bool band)
 {
 	if (band)
-		outlook_note_meaning_of_band(r, s, entry, false);
+		band_note_meaning(r, s, entry, false);
 	origin_add_note(r, entry);
 	feed_note_assumed_top_size(r, entry->site, NULL);
 	note_model_if_not_of_paper(s, r, entry);
-	struct trust trust = light_of_answer_or_fit(s, entry, NULL);
+	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
 	enum light light = trust.light;
-	light_show(r, trust);
+	trust_show(r, trust);
 	return light;
 }
 
@@ -481,7 +481,7 @@ answers_put_prediction(const struct session *s, struct fields *o,
 	fields_put(
 	    o, ".feed_mps %g", feed_sampling_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
-		fields_put(o, "verdict %s", light_verdict_on_fit(s, entry, p));
+		fields_put(o, "verdict %s", verdict_on_fit(s, entry, p));
 	if (origin_is_from_store(entry->origin))
 		fields_put(o, "recalled %s", entry->origin->material);
 	origin_put_fields(o, entry);
@@ -498,8 +498,8 @@ answers_put_products(const struct session *s, struct fields *o,
 		    entry->site->name);
 		answers_put_prediction(
 		    s, product, entry, &entry->params, &p[i]);
-		struct trust light = light_of_answer_or_fit(s, entry, &p[i]);
-		light_put_fields(product, &light);
+		struct trust light = trust_in_answer_or_fit(s, entry, &p[i]);
+		trust_put_fields(product, &light);
 		trust_free(&light);
 	}
 }

@@ -114,7 +114,7 @@ char *answers_describe_speed_range(
 
 /* Returns a speed as a line to type has it: "75.16", or "1450 rpm" if the site
  * states the rotor and that is this speed.  The caller frees it. */
-char *answers_format_speed(const struct site *site, double speed);
+char *speed_as_typed(const struct site *site, double speed);
 
 /* Appends the basis of the answer, after everything else: for an answer with a
  * band, which runs correct it and what low and high mean; then the source of
@@ -129,7 +129,7 @@ void answers_show_basis_at(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band);
 
 /* Appends the basis of a fit and returns its light. */
-enum light answers_show_basis_of_fit(const struct session *s, struct answer *r,
+enum light answers_show_fit_basis(const struct session *s, struct answer *r,
     const struct entry *entry, bool band);
 
 /* As answers_show_basis, but without band and light, for one side of a

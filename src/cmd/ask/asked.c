@@ -12,7 +12,7 @@ question_of_whole_product(
 }
 
 void
-asked_keep_speed_and_quantity(
+session_keep_last_asked(
     struct session *s, double speed, const struct quantity *of)
 {
 	s->last_asked = (struct last_asked){.speed = speed};

@@ -43,7 +43,7 @@ struct question question_of_whole_product(
 
 /* Keeps what was asked about.  of: the quantity that was named, or NULL.  A
  * step between sieves, which borrows these, is not kept. */
-void asked_keep_speed_and_quantity(
+void session_keep_last_asked(
     struct session *s, double speed, const struct quantity *of);
 
 #endif

@@ -382,8 +382,7 @@ static char *
 add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed)
 {
-	struct grading_limits l =
-	    grading_limits_of_envelope(spec, fraction, feed);
+	struct envelope_limits l = envelope_conditions(spec, fraction, feed);
 	size_t unknown = 0;
 	for (size_t i = 0; i < l.n; i++)
 		if (!isnan(l.at[i].least) || !isnan(l.at[i].most))
@@ -417,7 +416,7 @@ conditions_add_envelope(const struct spec *spec,
 	size_t before = list->n;
 	FREED char *unknown = add_limits_covered_by_feed(list, spec, &f, feed);
 	if (list->n == before)
-		return grading_set_error_no_sieve(spec, error);
+		return envelope_error_no_sieve(spec, error);
 	free(list->source);
 	list->source =
 	    spec->source[0] != '\0'
@@ -435,7 +434,7 @@ conditions_add_envelope_option(struct session *s, const struct args *args,
 {
 	if (args->spec == NULL)
 		return true;
-	const struct spec *spec = grading_find_envelope(s, args->spec, error);
+	const struct spec *spec = envelope_find(s, args->spec, error);
 	return spec != NULL && conditions_add_envelope(spec, &q->fraction,
 				   question_feed(q), list, error);
 }
@@ -643,7 +642,7 @@ put_condition(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
 	const struct quantity *q = &wanted->at[i].quantity;
-	struct margin margin = wanted_margin_of_condition(wanted, i);
+	struct margin margin = condition_margin(wanted, i);
 	struct figure f = forecast_value_in_shown_unit(wanted->forecast, i);
 	FREED char *key = quantities_field_name(q);
 	fields_put(o,
@@ -714,7 +713,7 @@ add_condition_rows(struct answer *r, const struct wanted *wanted,
 		if (drawn)
 			answer_add_cells(
 			    r, "%.*f %.*f", digits, f.low, digits, f.high);
-		struct margin margin = wanted_margin_of_condition(wanted, i);
+		struct margin margin = condition_margin(wanted, i);
 		answer_add_cells(r, "%.*f", people ? digits : 1,
 		    people ? margin_in_quantity_unit(wanted, margin)
 			   : 100 * margin.passing);
@@ -796,7 +795,7 @@ note_nearest_measured(struct answer *r, const struct wanted *wanted,
 	    (found->best > slowest - 0.05 && found->best < fastest + 0.05))
 		return;
 	forecast_set_speed(wanted->forecast, near);
-	struct margin margin = wanted_margin_of_condition(wanted, SIZE_MAX);
+	struct margin margin = condition_margin(wanted, SIZE_MAX);
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, near, NAN);
 	if (isfinite(margin.passing)) {
 		FREED char *misses = conditions_describe_margin(wanted, margin);
@@ -866,10 +865,10 @@ conditions_show_basis(const struct session *s, struct answer *r,
     const struct speed_search *found, double speed)
 {
 	double end = farthest_extrapolated_end(wanted, found);
-	struct trust light = light_at_speed(s, q->entry, speed, q->feed);
+	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
 	struct trust far = {0};
 	if (!isnan(end))
-		far = light_at_speed(s, q->entry, end, q->feed);
+		far = trust_at_speed(s, q->entry, end, q->feed);
 	if (far.light <= light.light) {
 		trust_free(&far);
 		answers_show_basis(s, r, q, speed, false, light);
@@ -879,13 +878,13 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	const double at[] = {speed, end};
 	for (size_t k = 0; k < 2; k++) {
 		FREED char *words =
-		    light_describe_at_speed(s, q->entry, at[k], q->feed);
+		    trust_in_words_at_speed(s, q->entry, at[k], q->feed);
 		answer_say(r,
 		    k == 1 && far.light == LIGHT_RED ? ANSWER_WARNING
 						     : ANSWER_REMARK,
 		    "%s", words);
 	}
-	light_put_fields(answer_fields(r), &far);
+	trust_put_fields(answer_fields(r), &far);
 	trust_free(&light);
 	trust_free(&far);
 }
@@ -907,7 +906,7 @@ is_fast_end_unreliable(const struct wanted *wanted)
 /* Returns the end of a search as it can be typed: "100" or, if the sheet is in
  * rpm, the last multiple of ten before it, "2010 rpm".  The caller frees it. */
 static char *
-typed_end(const struct site *site, double speed, bool fastest)
+end_as_typed(const struct site *site, double speed, bool fastest)
 {
 	if (!answers_is_sheet_in_rpm(site))
 		return xasprintf("%g", speed);
@@ -923,9 +922,10 @@ conditions_note_unsearched_speeds(
 	const struct site *site = wanted->site;
 	FREED char *slow = rotor_speed_rpm_text(site->rotor, wanted->from, NAN);
 	FREED char *fast = rotor_speed_rpm_text(site->rotor, wanted->to, NAN);
-	FREED char *from = typed_end(site, fmax(1, wanted->from - more), false);
+	FREED char *from =
+	    end_as_typed(site, fmax(1, wanted->from - more), false);
 	FREED char *to =
-	    typed_end(site, fmin(SITE_FASTEST, wanted->to + more), true);
+	    end_as_typed(site, fmin(SITE_FASTEST, wanted->to + more), true);
 	if (slower && wanted->from > 1 && !is_slow_end_unreliable(wanted))
 		answer_note(r,
 		    "slower than %g m/s%s was not searched: add from=%s",
@@ -975,7 +975,7 @@ describe_best_speed(const struct session *s, const struct question *q,
     const struct wanted *wanted, bool several, const struct speed_search *w)
 {
 	bool beyond = answers_is_speed_extrapolated(q->entry, w->best);
-	struct trust light = light_at_speed(s, q->entry, w->best, q->feed);
+	struct trust light = trust_at_speed(s, q->entry, w->best, q->feed);
 	bool is_sure =
 	    light.light != LIGHT_RED && w->best_certain >= wanted->level;
 	FREED char *rpm =

@@ -51,7 +51,7 @@ bool conditions_parse_list(const char *text, const struct fraction *fraction,
 bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
-/* Adds the limits of an envelope (grading_limits) for a fraction or, given the
+/* Adds the limits of an envelope (envelope_limits) for a fraction or, given the
  * whole product, for the envelope's own fraction. */
 bool conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,

@@ -75,7 +75,7 @@ read_envelope_file(struct session *s, const char *path, struct error *error)
 }
 
 const struct spec *
-grading_find_envelope(struct session *s, const char *words, struct error *error)
+envelope_find(struct session *s, const char *words, struct error *error)
 {
 	if (words != NULL)
 		return standards_is_file_path(words)
@@ -167,7 +167,7 @@ individual_retained_limit(const struct standards *all, const char *standard)
 }
 
 static void
-add_fineness_modulus_limit(struct grading_limits *l, const struct spec *spec,
+add_fineness_modulus_limit(struct envelope_limits *l, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     const struct standards *all)
 {
@@ -188,8 +188,9 @@ add_fineness_modulus_limit(struct grading_limits *l, const struct spec *spec,
 }
 
 static void
-add_individual_retained_limit(struct grading_limits *l, const struct spec *spec,
-    const struct fraction *fraction, const struct standards *all)
+add_individual_retained_limit(struct envelope_limits *l,
+    const struct spec *spec, const struct fraction *fraction,
+    const struct standards *all)
 {
 	const struct standard_limit *step =
 	    individual_retained_limit(all, spec->standard);
@@ -203,12 +204,12 @@ add_individual_retained_limit(struct grading_limits *l, const struct spec *spec,
 	    .most = step->most / 100};
 }
 
-struct grading_limits
-grading_limits_of_envelope(const struct spec *spec,
-    const struct fraction *fraction, const struct psd *feed)
+struct envelope_limits
+envelope_conditions(const struct spec *spec, const struct fraction *fraction,
+    const struct psd *feed)
 {
 	enum { OTHERS = 2 };
-	struct grading_limits l = {
+	struct envelope_limits l = {
 	    .at = xcalloc(spec->n + OTHERS, sizeof *l.at)};
 	for (; l.n < spec->n && psd_covers_size(feed, spec->size[l.n]); l.n++)
 		l.at[l.n] =
@@ -245,7 +246,7 @@ open_limits_and_share(
 }
 
 bool
-grading_set_error_no_sieve(const struct spec *spec, struct error *error)
+envelope_error_no_sieve(const struct spec *spec, struct error *error)
 {
 	return error_set(error, ERROR_DATA,
 	    "%s: none of its sieves is in the range of the feed's sieves\n"
@@ -261,17 +262,17 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 {
 	const struct psd *from = question_feed(q);
 	g->modulus = modulus_of_sand_standard(g->spec);
-	g->limits = grading_limits_of_envelope(g->spec, &g->fraction, from);
+	g->limits = envelope_conditions(g->spec, &g->fraction, from);
 	if (g->limits.n_sieve == 0) {
 		free(g->limits.at);
-		return grading_set_error_no_sieve(g->spec, error);
+		return envelope_error_no_sieve(g->spec, error);
 	}
 	open_limits_and_share(s, q, g);
 	return true;
 }
 
 bool
-grading_open_for_envelope(const struct session *s, const struct args *args,
+envelope_open(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *g,
     struct error *error)
 {
@@ -281,7 +282,7 @@ grading_open_for_envelope(const struct session *s, const struct args *args,
 }
 
 bool
-grading_open_chosen_envelope(const struct session *s, const struct entry *entry,
+envelope_open_chosen(const struct session *s, const struct entry *entry,
     size_t feed, struct grading *g, struct error *error)
 {
 	const struct spec *spec = s->spec;
@@ -292,14 +293,14 @@ grading_open_chosen_envelope(const struct session *s, const struct entry *entry,
 }
 
 void
-grading_close(struct grading *g)
+envelope_close(struct grading *g)
 {
 	forecast_close(g->conditions.forecast);
 	free(g->limits.at);
 }
 
 char *
-grading_title(const struct grading *g)
+envelope_title(const struct grading *g)
 {
 	FREED char *fraction = quantities_fraction_text(&g->fraction);
 	return fraction_is_screened(&g->fraction)
@@ -322,9 +323,9 @@ limit_verdict(const struct grading *g, size_t i)
 {
 	if (i >= g->limits.n_sieve && i < g->spec->n)
 		return tr("not known");
-	if (wanted_are_conditions_met(&g->conditions, i))
+	if (conditions_are_met(&g->conditions, i))
 		return "ok";
-	bool above = wanted_margin_of_condition(&g->conditions, i).limit.most;
+	bool above = condition_margin(&g->conditions, i).limit.most;
 	return above ? tr("above") : tr("below");
 }
 
@@ -336,8 +337,8 @@ find_worst_sieve(const struct grading *g, struct margin *worst)
 	size_t out = 0;
 	worst->passing = INFINITY;
 	for (size_t i = 0; i < g->limits.n_sieve; i++) {
-		struct margin m = wanted_margin_of_condition(&g->conditions, i);
-		out += !wanted_are_conditions_met(&g->conditions, i);
+		struct margin m = condition_margin(&g->conditions, i);
+		out += !conditions_are_met(&g->conditions, i);
 		if (m.passing < worst->passing)
 			*worst = m;
 	}
@@ -352,8 +353,7 @@ describe_missed_limit(const struct grading *g, size_t i)
 	const struct condition *c = &g->limits.at[i];
 	struct quantity q = c->quantity;
 	const double near = 0.005;
-	struct wanted_limit limit =
-	    wanted_margin_of_condition(&g->conditions, i).limit;
+	struct wanted_limit limit = condition_margin(&g->conditions, i).limit;
 	double most =
 	    quantities_value_in_shown_unit(&q, limit.most ? c->most : c->least);
 	double is = quantities_value_in_shown_unit(
@@ -367,7 +367,7 @@ describe_missed_limit(const struct grading *g, size_t i)
 }
 
 char *
-grading_describe_missed_limits(const struct grading *g)
+envelope_missed_limits(const struct grading *g)
 {
 	struct margin worst = {0};
 	size_t out = find_worst_sieve(g, &worst);
@@ -382,7 +382,7 @@ grading_describe_missed_limits(const struct grading *g)
 		    -100 * worst.passing,
 		    worst.limit.most ? tr("above max") : tr("below min"));
 	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
-		if (!wanted_are_conditions_met(&g->conditions, i)) {
+		if (!conditions_are_met(&g->conditions, i)) {
 			FREED char *one = describe_missed_limit(g, i);
 			bool first = words[0] == '\0';
 			xappend_to_list(&words, "; ",
@@ -393,7 +393,7 @@ grading_describe_missed_limits(const struct grading *g)
 }
 
 void
-grading_put_worst_sieve(struct fields *o, const struct grading *g)
+envelope_put_worst_sieve(struct fields *o, const struct grading *g)
 {
 	struct margin worst = {0};
 	bool out = find_worst_sieve(g, &worst) > 0;
@@ -405,7 +405,7 @@ grading_put_worst_sieve(struct fields *o, const struct grading *g)
 }
 
 void
-grading_add_rows(struct answer *r, struct grading *g, double v)
+envelope_add_rows(struct answer *r, struct grading *g, double v)
 {
 	const struct spec *spec = g->spec;
 	struct forecast *all = g->conditions.forecast;
@@ -559,7 +559,7 @@ note_tolerances_unchecked(
 }
 
 void
-grading_add_notes(struct answer *r, const struct grading *g)
+envelope_add_notes(struct answer *r, const struct grading *g)
 {
 	const struct spec *spec = g->spec;
 	struct standards *all = standards_read_built_in();
@@ -588,7 +588,7 @@ grading_add_notes(struct answer *r, const struct grading *g)
 }
 
 void
-grading_put_fields(struct answer *r, const struct grading *g)
+envelope_put_fields(struct answer *r, const struct grading *g)
 {
 	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
 	    g->spec->source);

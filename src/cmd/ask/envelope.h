@@ -13,7 +13,7 @@
 /* Returns the envelope named by words, one that comes with the program or a
  * file, or for NULL the one chosen by `spec use`.  The session owns it.  On
  * failure, returns NULL with an error, after reporting any faults of a file. */
-const struct spec *grading_find_envelope(
+const struct spec *envelope_find(
     struct session *s, const char *words, struct error *error);
 
 /* The limits of an envelope as conditions [n] on a fraction: first those
@@ -22,24 +22,24 @@ const struct spec *grading_find_envelope(
  * limits these.  All questions about an envelope use these limits.  The caller
  * frees `at`, which points into the envelope.  modulus_unknown: the modulus is
  * limited, but the feed's sieves do not reach far enough. */
-struct grading_limits {
+struct envelope_limits {
 	size_t n_sieve, n;
 	struct condition *at;
 	bool modulus_unknown;
 };
-struct grading_limits grading_limits_of_envelope(const struct spec *spec,
+struct envelope_limits envelope_conditions(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed);
 
 /* Sets the error that the feed covers no sieve of an envelope.  Returns
  * false. */
-bool grading_set_error_no_sieve(const struct spec *spec, struct error *error);
+bool envelope_error_no_sieve(const struct spec *spec, struct error *error);
 
 /* The limits as conditions on the fraction, then the fraction's share of the
  * product, and a fineness modulus if the standard has one, else NULL.  As no
  * screen is perfect, what rounds to 100.0 meets a limit of 100 %. */
 struct grading {
 	const struct spec *spec;
-	struct grading_limits limits;
+	struct envelope_limits limits;
 	struct fraction fraction;
 	const struct modulus *modulus;
 	struct wanted conditions;
@@ -47,40 +47,39 @@ struct grading {
 
 /* Opens the comparison with an envelope.  The options cut, sharpness and
  * cut_size of the call describe the screens; cut=off: no screens. */
-bool grading_open_for_envelope(const struct session *s, const struct args *args,
+bool envelope_open(const struct session *s, const struct args *args,
     const struct spec *spec, const struct question *q, struct grading *grading,
     struct error *error);
 
-/* As grading_open_for_envelope, with the chosen envelope, its own fraction,
+/* As envelope_open, with the chosen envelope, its own fraction,
  * perfect screens, and the feed of a run of the entry. */
-bool grading_open_chosen_envelope(const struct session *s,
-    const struct entry *entry, size_t feed, struct grading *grading,
-    struct error *error);
-void grading_close(struct grading *grading);
+bool envelope_open_chosen(const struct session *s, const struct entry *entry,
+    size_t feed, struct grading *grading, struct error *error);
+void envelope_close(struct grading *grading);
 
 /* Returns "ASTM C33 fine aggregate, fraction 0/4.75".  The caller frees it. */
-char *grading_title(const struct grading *grading);
+char *envelope_title(const struct grading *grading);
 
 /* Adds columns and a row for each sieve at speed v: limits, passing and "ok",
  * "above", "below" or "not known". */
-void grading_add_rows(struct answer *r, struct grading *grading, double v);
+void envelope_add_rows(struct answer *r, struct grading *grading, double v);
 
 /* Returns the limits missed at the forecast's speed, "outside on 2 of 7 sieves;
  * worst at 4 mm: 3.1 points above max", "inside on all sieves, but fineness
  * modulus (ASTM C136) 3.15 is above 3.1", or "" if all limits hold.  The caller
  * frees it. */
-char *grading_describe_missed_limits(const struct grading *grading);
+char *envelope_missed_limits(const struct grading *grading);
 
 /* Puts worst_mm, the worst sieve at that speed, and outside_pct, how far
  * outside it is: 0 if no sieve is. */
-void grading_put_worst_sieve(struct fields *o, const struct grading *grading);
+void envelope_put_worst_sieve(struct fields *o, const struct grading *grading);
 
 /* Notes the fineness modulus and the steps between sieves at that speed, if the
  * standard limits them, the source of the limits, and what is not checked. */
-void grading_add_notes(struct answer *r, const struct grading *grading);
+void envelope_add_notes(struct answer *r, const struct grading *grading);
 
-/* Puts spec, source, cut and the columns of grading_add_rows into the answer's
+/* Puts spec, source, cut and the columns of envelope_add_rows into the answer's
  * JSON. */
-void grading_put_fields(struct answer *r, const struct grading *grading);
+void envelope_put_fields(struct answer *r, const struct grading *grading);
 
 #endif

@@ -36,7 +36,7 @@ forecast_open(const struct session *s, const struct question *q,
 	    .params = q->params != NULL ? q->params : &entry->params,
 	    .level = q->level};
 	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
-	    f->params, outlook_model_settings(s, entry));
+	    f->params, settings_of_answer(s, entry));
 	psd_free(&sizes);
 	return f;
 }
@@ -65,8 +65,8 @@ forecast_set_speed_and_draws(
     struct forecast *f, double speed, enum ensemble_part part)
 {
 	struct ensemble *e =
-	    outlook_posterior_for_answers(f->s, f->entry, f->params) != NULL
-		? outlook_ensemble_of_products(f->s, f->entry, f->feed)
+	    posterior_for_answers(f->s, f->entry, f->params) != NULL
+		? ensemble_for_answers(f->s, f->entry, f->feed)
 		: NULL;
 	response_set_speed(f->response, e, part, speed);
 }

@@ -58,7 +58,7 @@ static bool
 add_limits_of_named_envelope(struct session *s, const char *name,
     const struct psd *feed, struct condition_list *list, struct error *error)
 {
-	const struct spec *spec = grading_find_envelope(s, name, error);
+	const struct spec *spec = envelope_find(s, name, error);
 	size_t i = list->n;
 	bool ok = spec != NULL &&
 		  (feed == NULL ||
@@ -212,7 +212,7 @@ find_binding_condition(const struct session *s, const struct entry *entry,
 	if (isnan(at))
 		return;
 	forecast_set_speed(all.forecast, at);
-	struct margin margin = wanted_margin_of_condition(&all, SIZE_MAX);
+	struct margin margin = condition_margin(&all, SIZE_MAX);
 	if (!isfinite(margin.passing))
 		return;
 	g->binds = margin.limit.i;

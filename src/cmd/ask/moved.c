@@ -27,13 +27,13 @@ struct moved {
 };
 
 struct moved *
-moved_new_cache(void)
+moved_products_new(void)
 {
 	return xcalloc(1, sizeof(struct moved));
 }
 
 void
-moved_drop_cached_products(struct moved *m)
+moved_products_drop(struct moved *m)
 {
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
@@ -43,9 +43,9 @@ moved_drop_cached_products(struct moved *m)
 }
 
 void
-moved_free_cache(struct moved *m)
+moved_products_free(struct moved *m)
 {
-	moved_drop_cached_products(m);
+	moved_products_drop(m);
 	free(m);
 }
 
@@ -103,8 +103,8 @@ product_cache_for_feed(const struct session *s, const struct entry *entry,
 	struct moved *m = s->moved;
 	const struct site *site = entry->site;
 	const struct posterior *posterior =
-	    outlook_posterior_for_answers(s, entry, params);
-	struct model_settings settings = outlook_model_settings(s, entry);
+	    posterior_for_answers(s, entry, params);
+	struct model_settings settings = settings_of_answer(s, entry);
 	const struct params *drawn =
 	    posterior != NULL ? &posterior->draw[0].params : params;
 	if (m->site == site && m->digest == site->digest &&
@@ -113,7 +113,7 @@ product_cache_for_feed(const struct session *s, const struct entry *entry,
 	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
 	    model_settings_same(&m->settings, &settings))
 		return m;
-	moved_drop_cached_products(m);
+	moved_products_drop(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,
@@ -128,9 +128,8 @@ product_cache_for_feed(const struct session *s, const struct entry *entry,
 }
 
 const struct psd *
-moved_product_adjusted_to_feed(const struct session *s,
-    const struct entry *entry, const struct params *params, size_t run,
-    size_t feed_run)
+product_moved_to_feed(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t run, size_t feed_run)
 {
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
@@ -142,13 +141,12 @@ moved_product_adjusted_to_feed(const struct session *s,
 }
 
 double
-moved_largest_feed_adjustment(const struct session *s,
-    const struct entry *entry, const struct params *params, size_t run,
-    size_t feed_run)
+largest_move_to_feed(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t run, size_t feed_run)
 {
 	const struct site *site = entry->site;
 	if (params == NULL || !site->individual_feeds || site->with[0] != '\0')
 		return 0;
-	moved_product_adjusted_to_feed(s, entry, params, run, feed_run);
+	product_moved_to_feed(s, entry, params, run, feed_run);
 	return s->moved->most[run];
 }

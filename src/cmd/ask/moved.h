@@ -17,25 +17,24 @@ struct moved;
 /* A larger move, 0..1, is mentioned beside a plot. */
 #define MOVED_TOLD 0.003
 
-struct moved *moved_new_cache(void);
-void moved_free_cache(struct moved *moved);
+struct moved *moved_products_new(void);
+void moved_products_free(struct moved *moved);
 
 /* Discards cached products; call it when a site is removed. */
-void moved_drop_cached_products(struct moved *moved);
+void moved_products_drop(struct moved *moved);
 
 /* Returns the product of a run moved to a feed (see site_feed_of_run) with
  * these parameters.  It is unchanged if params is NULL or the feeds are the
  * same, and at sieves that the run's feed lacks.  Valid until the next call
  * with another site, feed or parameters. */
-const struct psd *moved_product_adjusted_to_feed(const struct session *s,
+const struct psd *product_moved_to_feed(const struct session *s,
     const struct entry *entry, const struct params *params, size_t run,
     size_t feed_run);
 
 /* Returns the largest move of a passing of that product, 0..1; 0 for a feed
  * from another sheet or another machine, with which no measured product is
  * shown. */
-double moved_largest_feed_adjustment(const struct session *s,
-    const struct entry *entry, const struct params *params, size_t run,
-    size_t feed_run);
+double largest_move_to_feed(const struct session *s, const struct entry *entry,
+    const struct params *params, size_t run, size_t feed_run);
 
 #endif

@@ -34,7 +34,7 @@ list_runs_that_inform(
 }
 
 enum correction
-outlook_correcting_runs(const struct session *s, const struct entry *entry)
+runs_that_correct(const struct session *s, const struct entry *entry)
 {
 	return entry->scenario != NULL ? entry->scenario->correction
 				       : s->set.correction;
@@ -45,9 +45,8 @@ outlook_correcting_runs(const struct session *s, const struct entry *entry)
 static enum correction
 correcting_or_training_runs(const struct session *s, const struct entry *entry)
 {
-	return outlook_correcting_runs(s, entry) == CORRECTION_ALL
-		   ? CORRECTION_ALL
-		   : CORRECTION_TRAIN;
+	return runs_that_correct(s, entry) == CORRECTION_ALL ? CORRECTION_ALL
+							     : CORRECTION_TRAIN;
 }
 
 /* As list_runs_that_inform, for the entry's answers. */
@@ -134,11 +133,10 @@ posterior_if_complete(const struct session *s, const struct entry *entry,
 }
 
 struct posterior *
-outlook_draw_training_posterior(
-    const struct session *s, const struct entry *entry)
+posterior_of_training_runs(const struct session *s, const struct entry *entry)
 {
 	if (!can_draw_posterior(entry) ||
-	    outlook_correcting_runs(s, entry) == CORRECTION_OFF)
+	    runs_that_correct(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->history;
 	struct posterior_options o = options_of_draws(s, entry, h->train);
@@ -147,8 +145,8 @@ outlook_draw_training_posterior(
 }
 
 const struct posterior *
-outlook_calibration_posterior(const struct session *s,
-    const struct entry *entry, enum correction correction)
+posterior_of_calibration(const struct session *s, const struct entry *entry,
+    enum correction correction)
 {
 	return can_draw_posterior(entry)
 		   ? posterior_if_complete(s, entry, correction, 0)
@@ -156,7 +154,7 @@ outlook_calibration_posterior(const struct session *s,
 }
 
 bool
-outlook_draw_posterior_steps(const struct session *s, const struct entry *entry)
+posterior_draw_a_part(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
 	return !can_draw_posterior(entry) ||
@@ -165,15 +163,14 @@ outlook_draw_posterior_steps(const struct session *s, const struct entry *entry)
 }
 
 const struct posterior *
-outlook_posterior_for_comparison(
-    const struct session *s, const struct entry *entry)
+posterior_for_comparison(const struct session *s, const struct entry *entry)
 {
-	return outlook_calibration_posterior(
+	return posterior_of_calibration(
 	    s, entry, correcting_or_training_runs(s, entry));
 }
 
 const struct evidence *
-outlook_evidence(const struct session *s, const struct entry *entry)
+evidence_on_calibration(const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = origin_find_fit(entry);
 	if (fit == NULL)
@@ -182,7 +179,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 	size_t place;
 	FREED bool *use = runs_that_inform_answers(s, entry, &place);
 	struct evidence **e = &h->evidence[place];
-	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_for_comparison(s, entry);
 	bool first = *e == NULL;
 	if (first)
 		*e = xcalloc(1, sizeof **e);
@@ -195,8 +192,7 @@ outlook_evidence(const struct session *s, const struct entry *entry)
 }
 
 struct evidence
-outlook_evidence_without_draws(
-    const struct session *s, const struct entry *entry)
+evidence_without_draws(const struct session *s, const struct entry *entry)
 {
 	struct history *h = entry->origin->history;
 	size_t place;
@@ -206,7 +202,7 @@ outlook_evidence_without_draws(
 }
 
 double
-outlook_nearest_feed_difference(
+nearest_feed_difference(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
 	const struct history *h = entry->origin->history;
@@ -224,7 +220,7 @@ outlook_nearest_feed_difference(
 static bool
 has_poor_fit(const struct session *s, const struct entry *entry)
 {
-	const struct evidence *e = outlook_evidence(s, entry);
+	const struct evidence *e = evidence_on_calibration(s, entry);
 	return e != NULL && trust_is_band_impossible(e->rmse, e->speeds);
 }
 
@@ -238,7 +234,7 @@ has_settings_of_fit(const struct session *s, const struct entry *entry)
 }
 
 struct model_settings
-outlook_model_settings(const struct session *s, const struct entry *entry)
+settings_of_answer(const struct session *s, const struct entry *entry)
 {
 	struct model_settings settings = s->set.model;
 	const struct scenario *w = entry->scenario;
@@ -253,27 +249,27 @@ outlook_model_settings(const struct session *s, const struct entry *entry)
 static const struct posterior *
 posterior_unless_model_alone(const struct session *s, const struct entry *entry)
 {
-	bool off = outlook_correcting_runs(s, entry) == CORRECTION_OFF ||
+	bool off = runs_that_correct(s, entry) == CORRECTION_OFF ||
 		   session_entry_being_fitted(s) != NULL;
 	bool none =
 	    off || !has_settings_of_fit(s, entry) || has_poor_fit(s, entry);
-	return none ? NULL : outlook_posterior_for_comparison(s, entry);
+	return none ? NULL : posterior_for_comparison(s, entry);
 }
 
 const struct posterior *
-outlook_posterior_for_unseen_cuts(
+posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only)
 {
 	if (!has_settings_of_fit(s, entry) || has_poor_fit(s, entry))
 		return NULL;
 	return training_only
-		   ? outlook_calibration_posterior(s, entry, CORRECTION_TRAIN)
-		   : outlook_posterior_for_comparison(s, entry);
+		   ? posterior_of_calibration(s, entry, CORRECTION_TRAIN)
+		   : posterior_for_comparison(s, entry);
 }
 
 const struct posterior *
-outlook_posterior_for_answers(const struct session *s,
-    const struct entry *entry, const struct params *params)
+posterior_for_answers(const struct session *s, const struct entry *entry,
+    const struct params *params)
 {
 	return memcmp(params, &entry->params, sizeof *params) == 0
 		   ? posterior_unless_model_alone(s, entry)
@@ -281,16 +277,16 @@ outlook_posterior_for_answers(const struct session *s,
 }
 
 struct crusher *
-outlook_new_crusher(const struct session *s, const struct entry *entry,
+crusher_new_for_answers(const struct session *s, const struct entry *entry,
     const double *size, size_t n)
 {
 	return crusher_new(size, n, &entry->params,
-	    outlook_model_settings(s, entry),
+	    settings_of_answer(s, entry),
 	    posterior_unless_model_alone(s, entry));
 }
 
 struct ensemble *
-outlook_ensemble_of_products(
+ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
 	const struct posterior *p = posterior_unless_model_alone(s, entry);
@@ -310,13 +306,13 @@ outlook_ensemble_of_products(
 	struct psd sizes = predict_table_sizes(entry->site, feed);
 	*kept = (struct ensemble_of){p, entry->site, feed_run,
 	    ensemble_new(p, feed, sizes.size, sizes.n)};
-	ensemble_set_machine(kept->ensemble, outlook_model_settings(s, entry));
+	ensemble_set_machine(kept->ensemble, settings_of_answer(s, entry));
 	psd_free(&sizes);
 	return kept->ensemble;
 }
 
 const char *
-outlook_why_no_band(const struct session *s, const struct entry *entry)
+band_why_none(const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = origin_find_fit(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
@@ -325,7 +321,7 @@ outlook_why_no_band(const struct session *s, const struct entry *entry)
 	       : fit_has_too_few_data(fit)
 		   ? tr("no uncertainty band: too few data for the number of "
 			"parameters")
-	       : outlook_correcting_runs(s, entry) == CORRECTION_OFF
+	       : runs_that_correct(s, entry) == CORRECTION_OFF
 		   ? tr("no uncertainty band for the model alone: 'set "
 			"correction "
 			"all' has one")
@@ -343,9 +339,9 @@ outlook_why_no_band(const struct session *s, const struct entry *entry)
 }
 
 const char *
-outlook_how_to_band(const struct session *s, const struct entry *entry)
+band_how_to_get(const struct session *s, const struct entry *entry)
 {
-	bool off = outlook_correcting_runs(s, entry) == CORRECTION_OFF;
+	bool off = runs_that_correct(s, entry) == CORRECTION_OFF;
 	return origin_find_fit(entry) == NULL ? tr("run 'calibrate' first")
 	       : off && s->set.correction != CORRECTION_OFF
 		   ? tr("leave out correction=off")
@@ -365,10 +361,10 @@ has_too_many_runs(const struct session *s, const struct entry *entry)
 	return n > POSTERIOR_RUNS;
 }
 
-_Static_assert(POSTERIOR_RUNS == 40, "the text of outlook_describe_correction");
+_Static_assert(POSTERIOR_RUNS == 40, "the text of correction_in_words");
 
 const char *
-outlook_describe_correction(const struct session *s, const struct entry *entry)
+correction_in_words(const struct session *s, const struct entry *entry)
 {
 	if (posterior_unless_model_alone(s, entry) == NULL)
 		return tr("the model alone");
@@ -377,7 +373,7 @@ outlook_describe_correction(const struct session *s, const struct entry *entry)
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
 		      entry->history->site->digest != entry->site->digest;
-	return outlook_correcting_runs(s, entry) == CORRECTION_TRAIN
+	return runs_that_correct(s, entry) == CORRECTION_TRAIN
 		   ? tr("model corrected by the training runs")
 	       : former ? tr("model corrected by the runs measured before the "
 			     "calibration, not by those added since")
@@ -385,19 +381,19 @@ outlook_describe_correction(const struct session *s, const struct entry *entry)
 }
 
 const char *
-outlook_legend_suffix(const struct session *s, const struct entry *entry,
+correction_in_legend(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),
 	    [CORRECTION_TRAIN] = N_(", training runs"),
 	    [CORRECTION_OFF] = N_(", model")};
-	enum correction asked = outlook_correcting_runs(s, entry);
+	enum correction asked = runs_that_correct(s, entry);
 	return p->low != NULL || asked == CORRECTION_OFF ? tr(WORDS[asked])
 							 : "";
 }
 
 void
-outlook_note_meaning_of_band(struct answer *r, const struct session *s,
+band_note_meaning(struct answer *r, const struct session *s,
     const struct entry *entry, bool product)
 {
 	if (!product) {
@@ -414,8 +410,7 @@ outlook_note_meaning_of_band(struct answer *r, const struct session *s,
 			    "included");
 		return;
 	}
-	answer_say(
-	    r, ANSWER_REMARK, "%s", outlook_describe_correction(s, entry));
+	answer_say(r, ANSWER_REMARK, "%s", correction_in_words(s, entry));
 	answer_say(r, ANSWER_REMARK,
 	    entry->has_fit
 		? N_("low, high: the true value lies between them with %.0f "

@@ -12,7 +12,7 @@
 
 /* Returns which runs inform the entry's answers, as set or as the question
  * says. */
-enum correction outlook_correcting_runs(
+enum correction runs_that_correct(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior, informed by all measured runs or only by the training
@@ -20,93 +20,90 @@ enum correction outlook_correcting_runs(
  * another.  The first call draws it, which takes 0.1 s.  NULL if no calibration
  * in this session found them, if it had too few data, or if the user stopped
  * it. */
-const struct posterior *outlook_calibration_posterior(const struct session *s,
+const struct posterior *posterior_of_calibration(const struct session *s,
     const struct entry *entry, enum correction correction);
 
 /* Draws the posterior of the training runs and returns it without caching it.
  * May be called in several threads at once.  NULL also if answers are the model
  * alone.  Free with posterior_free. */
-struct posterior *outlook_draw_training_posterior(
+struct posterior *posterior_of_training_runs(
     const struct session *s, const struct entry *entry);
 
-/* Draws a part of the posterior that outlook_posterior_for_comparison returns.
+/* Draws a part of the posterior that posterior_for_comparison returns.
  * Returns true if all of it is drawn or there is nothing to draw from. */
-bool outlook_draw_posterior_steps(
-    const struct session *s, const struct entry *entry);
+bool posterior_draw_a_part(const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of the runs set to inform answers, or that of the
  * training runs if answers are the model alone. */
-const struct posterior *outlook_posterior_for_comparison(
+const struct posterior *posterior_for_comparison(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of a calibration, for comparison with cuts that it has
- * not seen: that of outlook_posterior_for_comparison or, with training_only,
+ * not seen: that of posterior_for_comparison or, with training_only,
  * that of the training runs.  NULL if answers lack a band for a reason other
  * than `set correction off`. */
-const struct posterior *outlook_posterior_for_unseen_cuts(
+const struct posterior *posterior_for_unseen_cuts(
     const struct session *s, const struct entry *entry, bool training_only);
 
 /* Returns the evidence on the calibration that found the entry's parameters,
  * from the runs that inform the answers, or NULL if no calibration in this
  * session did.  Cached with the calibration. */
-const struct evidence *outlook_evidence(
+const struct evidence *evidence_on_calibration(
     const struct session *s, const struct entry *entry);
 
-/* As outlook_evidence, but for a calibrated entry and without draws. */
-struct evidence outlook_evidence_without_draws(
+/* As evidence_on_calibration, but for a calibrated entry and without draws. */
+struct evidence evidence_without_draws(
     const struct session *s, const struct entry *entry);
 
 /* Returns the largest difference, passing 0..1, between the feed of that run
  * and the most similar feed that informs the answers.  Call it only if
- * outlook_evidence is not NULL. */
-double outlook_nearest_feed_difference(
+ * evidence_on_calibration is not NULL. */
+double nearest_feed_difference(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the products of the draws for the entry's feed of that run, at
  * predict_table_sizes, or NULL without draws, if answers are the model alone,
  * or for a fit made with other settings.  Cached until another is requested. */
-struct ensemble *outlook_ensemble_of_products(
+struct ensemble *ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the current settings, with the changes for another machine. */
-struct model_settings outlook_model_settings(
+struct model_settings settings_of_answer(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior behind the entry's answers with these parameters, or
  * NULL if they are the model alone. */
-const struct posterior *outlook_posterior_for_answers(const struct session *s,
+const struct posterior *posterior_for_answers(const struct session *s,
     const struct entry *entry, const struct params *params);
 
 /* Returns the crusher for the entry's answers, for any feed, with classes
  * between sizes [n].  Free with crusher_free. */
-struct crusher *outlook_new_crusher(const struct session *s,
+struct crusher *crusher_new_for_answers(const struct session *s,
     const struct entry *entry, const double *size, size_t n);
 
 /* Returns why there is no band, as a sentence.  Do not call it if there is a
  * band. */
-const char *outlook_why_no_band(
-    const struct session *s, const struct entry *entry);
+const char *band_why_none(const struct session *s, const struct entry *entry);
 
 /* Returns what to do for answers with a band, as a hint. */
-const char *outlook_how_to_band(
-    const struct session *s, const struct entry *entry);
+const char *band_how_to_get(const struct session *s, const struct entry *entry);
 
 /* Returns which runs inform the answer, in words for a heading or a title:
  * "model corrected by all measured runs", "model corrected by the training
  * runs" or "the model alone". */
-const char *outlook_describe_correction(
+const char *correction_in_words(
     const struct session *s, const struct entry *entry);
 
 /* Notes what low and high mean, for parameters or a product, and which runs
  * correct a product.  With another site's parameters, they show what that
  * site's data leave open, not how the two sites differ. */
-void outlook_note_meaning_of_band(struct answer *r, const struct session *s,
+void band_note_meaning(struct answer *r, const struct session *s,
     const struct entry *entry, bool product);
 
-/* Returns the words of outlook_describe_correction to follow a name in a
+/* Returns the words of correction_in_words to follow a name in a
  * legend: ", all runs"; ", training runs"; ", model" if the model alone was
  * requested; "" if the prediction is the model alone without such a request. */
-const char *outlook_legend_suffix(const struct session *s,
+const char *correction_in_legend(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
 #endif

@@ -103,7 +103,7 @@ question_free(struct session *s, struct question *q)
 	free(q->speeds);
 	if (q->site == NULL)
 		return;
-	moved_drop_cached_products(s->moved);
+	moved_products_drop(s->moved);
 	history_discard_cached(changed->history, q->site);
 	if (changed->origin != NULL)
 		history_discard_cached(changed->origin->history, q->site);
@@ -136,7 +136,7 @@ parse_speed_or_rpm(
 		    "write: %s rpm=%g rotor_mm=DIAMETER, or a line rotor_mm in "
 		    "the site file",
 		    name, site->name, name, rpm);
-	q->speed = head_speed_to_mps(rpm, SPEED_RPM, diameter);
+	q->speed = speed_in_unit_to_mps(rpm, SPEED_RPM, diameter);
 	return (q->speed >= 1 && q->speed <= SITE_FASTEST) ||
 	       error_set(error, ERROR_USAGE,
 		   "%s: expected a tip speed from 1 to %d m/s, got %g (%g "
@@ -346,7 +346,7 @@ question_site_with_feed_setting(struct session *s)
 		return loaded;
 	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
 	    was->of.history != loaded->history ||
-	    !snapshot_is_same_entry(&was->of, loaded)) {
+	    !entries_are_equal(&was->of, loaded)) {
 		question_free_cached(s);
 		make_question_of_feed_setting(s, feed);
 	}

@@ -246,7 +246,7 @@ routine_chart_cuts(const struct session *s, const struct entry *entry,
 	if (r->n == 0)
 		return error_cuts_not_charted(r, entry, error);
 	const struct posterior *p =
-	    outlook_posterior_for_unseen_cuts(s, entry, r->training_only);
+	    posterior_for_unseen_cuts(s, entry, r->training_only);
 	r->drawn = p != NULL;
 	if (!r->drawn && !(s->set.noise > 0))
 		return error_cuts_not_charted(r, entry, error);
@@ -298,7 +298,7 @@ format_times_running(size_t n)
 }
 
 char *
-routine_describe_state(const struct routine *r)
+drift_in_words(const struct routine *r)
 {
 	static const char *const LOOK[] = {
 	    [DRIFT_COARSER] = N_("look at rotor tips, feed or screen cloth"),
@@ -334,14 +334,13 @@ routine_describe_state(const struct routine *r)
 }
 
 char *
-routine_describe_alarm(const struct session *s, const struct entry *entry)
+drift_alarm_in_words(const struct session *s, const struct entry *entry)
 {
 	struct error error = {0};
 	if (!entry->has_fit || entry->history == NULL)
 		return NULL;
 	struct alarm *a = &entry->history->alarm;
-	const struct posterior *p =
-	    outlook_posterior_for_unseen_cuts(s, entry, false);
+	const struct posterior *p = posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return NULL;
 	if (a->site != entry->site || a->posterior != p) {

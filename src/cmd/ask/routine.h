@@ -45,13 +45,12 @@ void routine_free(struct routine *r);
 
 /* Returns "coarser than predicted four times running, most at 4 mm (-3.1 points
  * on average): look at ..", or that nothing drifts.  The caller frees it. */
-char *routine_describe_state(const struct routine *r);
+char *drift_in_words(const struct routine *r);
 
 /* If the entry's charts are beyond a limit after the last cut, returns "the
  * last cuts are coarser than predicted: see 'drift'", which the caller frees;
  * otherwise NULL.  Computed once for a site and cached with the calibration. */
-char *routine_describe_alarm(
-    const struct session *s, const struct entry *entry);
+char *drift_alarm_in_words(const struct session *s, const struct entry *entry);
 
 extern const char *const ROUTINE_STATE[5];
 

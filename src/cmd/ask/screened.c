@@ -57,7 +57,7 @@ screen_measured_product(
 	struct psd part = psd_copy(&whole);
 	FREED double *kept = xcalloc_doubles(whole.n);
 	fraction_kept_of_classes(fraction, whole.size, whole.n, kept);
-	*share = screening_screen_product(&whole, kept, &part);
+	*share = screening_part_of_product(&whole, kept, &part);
 	psd_free(&whole);
 	return part;
 }

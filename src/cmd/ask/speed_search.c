@@ -162,7 +162,7 @@ margin_of_condition(const struct wanted *w, size_t i, bool *held)
 }
 
 struct margin
-wanted_margin_of_condition(const struct wanted *w, size_t i)
+condition_margin(const struct wanted *w, size_t i)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
@@ -174,7 +174,7 @@ wanted_margin_of_condition(const struct wanted *w, size_t i)
 
 /* Does not compute draws, which are not needed for this. */
 bool
-wanted_are_conditions_met(const struct wanted *w, size_t i)
+conditions_are_met(const struct wanted *w, size_t i)
 {
 	struct side side[2];
 	size_t first = i == SIZE_MAX ? 0 : i,
@@ -211,7 +211,7 @@ share_of_draws_that_hold(const struct wanted *w, struct margin *margin)
 }
 
 double
-wanted_probability_met(const struct wanted *w)
+conditions_probability(const struct wanted *w)
 {
 	return share_of_draws_that_hold(w, NULL);
 }
@@ -350,7 +350,7 @@ bisection_direction(
 {
 	forecast_set_speed(w->forecast, v);
 	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = wanted_margin_of_condition(w, i),
+		struct margin m = condition_margin(w, i),
 			      at = margins_of_step(s, k)[i];
 		if (!(m.passing < -EXACT))
 			continue;
@@ -504,8 +504,8 @@ find_best_speed(struct speed_search *s, const struct wanted *w)
 	if (k == SIZE_MAX) {
 		s->best = (s->inside[0].from + s->inside[0].to) / 2;
 		forecast_set_speed(w->forecast, s->best);
-		s->margin = wanted_margin_of_condition(w, SIZE_MAX);
-		s->best_certain = wanted_probability_met(w);
+		s->margin = condition_margin(w, SIZE_MAX);
+		s->best_certain = conditions_probability(w);
 	} else {
 		s->best = s->speed[k];
 		s->margin = least_margin_at_step(s, k);
@@ -633,7 +633,7 @@ add_target_speed(struct speed_search *s, const struct wanted *w, double v)
 	forecast_set_speed(w->forecast, v);
 	s->root = xrealloc(s->root, s->n_root + 1, sizeof *s->root);
 	s->root[s->n_root++] =
-	    (struct speed_root){v, wanted_are_conditions_met(w, SIZE_MAX)};
+	    (struct speed_root){v, conditions_are_met(w, SIZE_MAX)};
 }
 
 static void

@@ -120,12 +120,12 @@ const struct speed_range *speed_search_best_range(const struct speed_search *s);
 double speed_search_speed_of_extreme(
     const struct speed_search *s, bool most, bool sure);
 
-/* These do not change the forecast's speed.  wanted_margin_of_condition returns
+/* These do not change the forecast's speed.  condition_margin returns
  * the margin of a condition's nearer limit, or for SIZE_MAX that of all
- * conditions; wanted_are_conditions_met returns true if these hold;
- * wanted_probability_met returns the share of draws in which all do. */
-struct margin wanted_margin_of_condition(const struct wanted *w, size_t i);
-bool wanted_are_conditions_met(const struct wanted *w, size_t i);
-double wanted_probability_met(const struct wanted *w);
+ * conditions; conditions_are_met returns true if these hold;
+ * conditions_probability returns the share of draws in which all do. */
+struct margin condition_margin(const struct wanted *w, size_t i);
+bool conditions_are_met(const struct wanted *w, size_t i);
+double conditions_probability(const struct wanted *w);
 
 #endif

@@ -38,20 +38,18 @@ find_bound_that_limits_answer(const struct session *s,
     struct trust_question *q)
 {
 	const struct fit *fit = origin_find_fit(entry);
-	struct ensemble *e =
-	    outlook_ensemble_of_products(s, entry, p->feed_run);
+	struct ensemble *e = ensemble_for_answers(s, entry, p->feed_run);
 	if (e == NULL)
 		return;
 	ensemble_set_speed(e, p->speed);
 	for (size_t j = 0; j < breakage_model_of_params(&fit->params)->n; j++) {
 		const char *name =
 		    breakage_model_of_params(&fit->params)->parameter[j].name;
-		double moves =
-		    fit->on_bound[j]
-			? trust_change_per_parameter_sd(
-			      outlook_posterior_for_comparison(s, entry), e,
-			      ensemble_count_sizes(e), name)
-			: 0;
+		double moves = fit->on_bound[j]
+				   ? trust_change_per_parameter_sd(
+					 posterior_for_comparison(s, entry), e,
+					 ensemble_count_sizes(e), name)
+				   : 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;
 			q->bound_moves = moves;
@@ -123,7 +121,7 @@ judge_cuts_added_later(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	struct later later = cut_compare_runs_since_fit(s, entry);
-	char *alarm = routine_describe_alarm(s, entry);
+	char *alarm = drift_alarm_in_words(s, entry);
 	bool drifts = alarm != NULL;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, later.speed, NAN);
@@ -202,13 +200,13 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
-	bool off = outlook_correcting_runs(s, entry) == CORRECTION_OFF;
+	bool off = runs_that_correct(s, entry) == CORRECTION_OFF;
 	struct trust_question q = {.speed = p != NULL ? p->speed : 0,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
 	struct evidence reach = evidence_from_speeds_alone(entry);
 	/* What was measured is judged without the question's changes. */
-	const struct entry *own = entry_without_variant(entry);
+	const struct entry *own = entry_as_loaded(entry);
 	if (later)
 		judge_cuts_added_later(&t, s, own);
 	if (entry->scenario != NULL)
@@ -217,7 +215,7 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 		q.width = mean_band_width(p);
 	if (p != NULL && e != NULL && entry->scenario != NULL &&
 	    entry->scenario->feed != NULL)
-		q.feed = outlook_nearest_feed_difference(s, entry, p->feed_run);
+		q.feed = nearest_feed_difference(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
 		find_bound_that_limits_answer(s, entry, p, &q);
 	if (!entry->has_fit)
@@ -232,22 +230,22 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 }
 
 struct trust
-light_of_answer_or_fit(const struct session *s, const struct entry *entry,
+trust_in_answer_or_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	struct trust t = {0};
 	if (p != NULL &&
-	    session_entry_being_fitted(s) == entry_without_variant(entry)) {
+	    session_entry_being_fitted(s) == entry_as_loaded(entry)) {
 		trust_add_reason(&t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(tr("a calibration is running: parameters change")));
 		return t;
 	}
 	return judge_trust_in_answer(
-	    s, entry, p, outlook_evidence(s, entry), true);
+	    s, entry, p, evidence_on_calibration(s, entry), true);
 }
 
 void
-light_keep_worse(struct trust *worst, struct trust t)
+trust_keep_worse(struct trust *worst, struct trust t)
 {
 	struct trust less = t.light > worst->light ? *worst : t;
 	if (t.light > worst->light)
@@ -256,13 +254,13 @@ light_keep_worse(struct trust *worst, struct trust t)
 }
 
 struct trust
-light_worst_of_predictions(const struct session *s, const struct entry *entry,
+trust_worst_of_several(const struct session *s, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
-	struct trust worst = light_of_answer_or_fit(s, entry, &p[0]);
+	struct trust worst = trust_in_answer_or_fit(s, entry, &p[0]);
 	for (size_t i = 1; i < n; i++)
-		light_keep_worse(
-		    &worst, light_of_answer_or_fit(s, entry, &p[i]));
+		trust_keep_worse(
+		    &worst, trust_in_answer_or_fit(s, entry, &p[i]));
 	return worst;
 }
 
@@ -276,20 +274,20 @@ describe_light(const struct trust *t)
 }
 
 struct trust
-light_at_speed(const struct session *s, const struct entry *entry, double speed,
+trust_at_speed(const struct session *s, const struct entry *entry, double speed,
     size_t feed)
 {
 	struct prediction p = forecast_whole_product(s, entry, speed, feed);
-	struct trust t = light_of_answer_or_fit(s, entry, &p);
+	struct trust t = trust_in_answer_or_fit(s, entry, &p);
 	prediction_free(&p);
 	return t;
 }
 
 char *
-light_describe_at_speed(const struct session *s, const struct entry *entry,
+trust_in_words_at_speed(const struct session *s, const struct entry *entry,
     double speed, size_t feed)
 {
-	struct trust t = light_at_speed(s, entry, speed, feed);
+	struct trust t = trust_at_speed(s, entry, speed, feed);
 	FREED char *words = describe_light(&t);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
 	char *said = xasprintf(tr("trust at %g m/s%s: %s"), speed, rpm, words);
@@ -298,7 +296,7 @@ light_describe_at_speed(const struct session *s, const struct entry *entry,
 }
 
 void
-light_put_fields(struct fields *o, const struct trust *t)
+trust_put_fields(struct fields *o, const struct trust *t)
 {
 	fields_put(o, "trust %s", LIGHT_NAME[t->light]);
 	struct fields *list = fields_add_list(o, "reasons");
@@ -307,7 +305,7 @@ light_put_fields(struct fields *o, const struct trust *t)
 }
 
 void
-light_show_with_speed(
+trust_show_with_speed(
     struct answer *r, const struct site *site, double speed, struct trust t)
 {
 	static const enum answer_grade GRADE[] = {
@@ -321,14 +319,14 @@ light_show_with_speed(
 		    rpm, words, why);
 	else
 		answer_say(r, GRADE[t.light], "trust: %s%s", words, why);
-	light_put_fields(answer_fields(r), &t);
+	trust_put_fields(answer_fields(r), &t);
 	trust_free(&t);
 }
 
 void
-light_show(struct answer *r, struct trust t)
+trust_show(struct answer *r, struct trust t)
 {
-	light_show_with_speed(r, NULL, 0, t);
+	trust_show_with_speed(r, NULL, 0, t);
 }
 
 /* Returns a verdict that needs no light, or NULL if the light decides. */
@@ -350,20 +348,20 @@ verdict_of_light(struct trust t)
 }
 
 const char *
-light_verdict_on_fit(const struct session *s, const struct entry *entry,
+verdict_on_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
 	const char *plain = verdict_without_light(&entry->fit);
 	return plain != NULL
 		   ? plain
-		   : verdict_of_light(light_of_answer_or_fit(s, entry, p));
+		   : verdict_of_light(trust_in_answer_or_fit(s, entry, p));
 }
 
 const char *
-light_verdict_without_draws(const struct session *s, const struct entry *entry)
+verdict_without_draws(const struct session *s, const struct entry *entry)
 {
 	const char *plain = verdict_without_light(&entry->fit);
-	struct evidence e = outlook_evidence_without_draws(s, entry);
+	struct evidence e = evidence_without_draws(s, entry);
 	/* No cut has been added since this calibration. */
 	return plain != NULL ? plain
 			     : verdict_of_light(judge_trust_in_answer(

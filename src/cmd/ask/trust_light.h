@@ -9,43 +9,43 @@
 
 /* Returns the light of the entry's answer p or, for NULL, that of its fit.
  * Free with trust_free. */
-struct trust light_of_answer_or_fit(const struct session *s,
+struct trust trust_in_answer_or_fit(const struct session *s,
     const struct entry *entry, const struct prediction *p);
 
-/* light_keep_worse keeps the worse of two lights and frees the other;
- * light_worst_of_predictions returns the worst of several answers [n]. */
-void light_keep_worse(struct trust *worst, struct trust t);
-struct trust light_worst_of_predictions(const struct session *s,
+/* trust_keep_worse keeps the worse of two lights and frees the other;
+ * trust_worst_of_several returns the worst of several answers [n]. */
+void trust_keep_worse(struct trust *worst, struct trust t);
+struct trust trust_worst_of_several(const struct session *s,
     const struct entry *entry, const struct prediction *p, size_t n);
 
-/* light_at_speed returns the light of the answer at a speed with the feed of a
- * run; light_describe_at_speed returns, for charts, "trust at 74 m/s: amber: "
+/* trust_at_speed returns the light of the answer at a speed with the feed of a
+ * run; trust_in_words_at_speed returns, for charts, "trust at 74 m/s: amber: "
  * and the first reason, which the caller frees. */
-struct trust light_at_speed(const struct session *s, const struct entry *entry,
+struct trust trust_at_speed(const struct session *s, const struct entry *entry,
     double speed, size_t feed);
-char *light_describe_at_speed(const struct session *s,
+char *trust_in_words_at_speed(const struct session *s,
     const struct entry *entry, double speed, size_t feed);
 
 /* Puts "trust" and "reasons". */
-void light_put_fields(struct fields *o, const struct trust *t);
+void trust_put_fields(struct fields *o, const struct trust *t);
 
-/* light_show adds the light to the answer's fields and the sentence about it,
- * as a warning if it is red; light_show_with_speed names the speed it is of,
+/* trust_show adds the light to the answer's fields and the sentence about it,
+ * as a warning if it is red; trust_show_with_speed names the speed it is of,
  * for an answer that is not that speed's product.  They free the light. */
-void light_show(struct answer *r, struct trust t);
-void light_show_with_speed(
+void trust_show(struct answer *r, struct trust t);
+void trust_show_with_speed(
     struct answer *r, const struct site *site, double speed, struct trust t);
 
 /* Returns the verdict on the fit behind an answer p, or on the fit alone for
  * NULL: "poor", "too few data", "nothing breaks", "good" if the light is green,
  * or else "doubtful". */
-const char *light_verdict_on_fit(const struct session *s,
-    const struct entry *entry, const struct prediction *p);
+const char *verdict_on_fit(const struct session *s, const struct entry *entry,
+    const struct prediction *p);
 
-/* As light_verdict_on_fit for a fit, but without draws from its posterior,
+/* As verdict_on_fit for a fit, but without draws from its posterior,
  * which take three times as long as the calibration.  With draws, "good" may
  * become "doubtful". */
-const char *light_verdict_without_draws(
+const char *verdict_without_draws(
     const struct session *s, const struct entry *entry);
 
 #endif

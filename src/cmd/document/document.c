@@ -136,7 +136,7 @@ document_finish(struct document *d)
 }
 
 char *
-document_extent_text(const struct document *d)
+document_contents_text(const struct document *d)
 {
 	size_t tables = 0, images = 0, lines = 0;
 	for (size_t i = 0; i < d->n; i++) {
@@ -191,7 +191,7 @@ column_width(const struct answer_view *v, size_t column)
 }
 
 bool
-document_next_columns(
+document_columns_that_fit(
     const struct answer_view *v, bool all, size_t *from, size_t *to)
 {
 	enum { WIDEST = 120, GAP = 2 };
@@ -209,7 +209,7 @@ document_next_columns(
 }
 
 bool
-document_is_number(const struct answer_view *v, size_t column)
+document_is_number_column(const struct answer_view *v, size_t column)
 {
 	for (size_t i = 0; i < v->n_row; i++)
 		if (v->cell[i * v->n_column + column].is_text)

@@ -68,16 +68,16 @@ bool document_finish(struct document *document);
 
 /* Returns "3 tables, 1 image" or, without either, the number of lines of text.
  * The caller frees it. */
-char *document_extent_text(const struct document *document);
+char *document_contents_text(const struct document *document);
 
 /* Finds the next columns of a table that fit on a page beside the first one:
  * from `to` on, which is 0 before the first call.  Returns false if none is
  * left.  all: however wide they are. */
-bool document_next_columns(
+bool document_columns_that_fit(
     const struct answer_view *view, bool all, size_t *from, size_t *to);
 
 /* True if a column contains only numbers, which are right-aligned. */
-bool document_is_number(const struct answer_view *view, size_t column);
+bool document_is_number_column(const struct answer_view *view, size_t column);
 
 /* Returns the next line of a text, without its line end, or NULL at the end of
  * the text.  The caller frees it. */

@@ -78,7 +78,7 @@ html_put_cell(const struct answer_view *v, size_t row, size_t column, FILE *out)
 			       : v->cell[(row - 1) * v->n_column + column].text;
 	fprintf(out, "<%s%s%s>", head ? "th" : "td",
 	    head ? " scope=\"col\"" : "",
-	    document_is_number(v, column) ? " class=\"n\"" : "");
+	    document_is_number_column(v, column) ? " class=\"n\"" : "");
 	text_print_xml(text, out);
 	fputs(head ? "</th>" : "</td>", out);
 }
@@ -118,7 +118,8 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 		html_put_escaped(
 		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
 	html_put_sentences(&v, true, out);
-	for (size_t from, to = 0; document_next_columns(&v, false, &from, &to);)
+	for (size_t from, to = 0;
+	     document_columns_that_fit(&v, false, &from, &to);)
 		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }

@@ -292,7 +292,8 @@ pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 		begin_page_unless_fits(p, line);
 		p->y += line;
 		for (size_t i = 0; i < g->n; i++) {
-			bool right = document_is_number(g->view, g->column[i]);
+			bool right =
+			    document_is_number_column(g->view, g->column[i]);
 			/* Headings stand at the foot of their row. */
 			size_t from = row == 0 ? most - cell[i].n : 0;
 			style.anchor = right ? PEN_END : PEN_START;
@@ -345,7 +346,8 @@ put_table(struct pdf_layout *p, const struct answer_view *v)
 	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
 	    .width = xcalloc_doubles(v->n_column + 1)};
 	bool all = p->document->one_page;
-	for (size_t from, to = 0; document_next_columns(v, all, &from, &to);) {
+	for (size_t from, to = 0;
+	     document_columns_that_fit(v, all, &from, &to);) {
 		g.n = 0;
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
@@ -404,11 +406,11 @@ put_picture(struct pdf_layout *p, const struct chart *chart)
 {
 	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
 	double scale = fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
-	double height = scale * picture_height(chart, PROGRAM);
+	double height = scale * chart_picture_height(chart, PROGRAM);
 	move_down(p, 6);
 	begin_page_unless_fits(p, height);
 	p->pen->place(p->pen, MARGIN, p->y, scale);
-	picture_draw(chart, PROGRAM, p->pen);
+	chart_picture_draw(chart, PROGRAM, p->pen);
 	p->pen->place(p->pen, 0, 0, 1);
 	p->y += height;
 }

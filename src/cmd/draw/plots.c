@@ -83,7 +83,7 @@ residuals_chart(
 {
 	const struct site *site = q->entry->site;
 	struct params params;
-	if (!search_shown_params(s, q, &params, error))
+	if (!params_to_plot(s, q, &params, error))
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
@@ -223,7 +223,7 @@ add_selection_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     struct chart_series look)
 {
-	struct model_settings settings = outlook_model_settings(s, entry);
+	struct model_settings settings = settings_of_answer(s, entry);
 	struct chart_series *series =
 	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
 	struct breaker b;
@@ -248,7 +248,7 @@ selection_chart(
 	const struct site *site = q->entry->site;
 	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
 	struct params params;
-	if (!search_shown_params(s, q, &params, error))
+	if (!params_to_plot(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = site_feed_of_run(site, q->feed);
 	struct chart *chart =
@@ -270,7 +270,7 @@ appearance_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct params params;
-	if (!search_shown_params(s, q, &params, error))
+	if (!params_to_plot(s, q, &params, error))
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,

@@ -21,12 +21,12 @@ posterior_or_error(
 {
 	if (!answers_require_params(s, entry, error))
 		return NULL;
-	const struct posterior *p = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *p = posterior_for_comparison(s, entry);
 	if (p == NULL)
 		error_set(error, ERROR_USAGE,
 		    "there are no draws to plot (%s)\n"
 		    "run 'calibrate' first",
-		    outlook_why_no_band(s, entry));
+		    band_why_none(s, entry));
 	return p;
 }
 
@@ -144,7 +144,7 @@ prepare_profile(const struct session *s, const struct entry *entry,
 		    "session\n"
 		    "run 'calibrate' first");
 	*a = (struct profile_data){.h = entry->origin->history,
-	    .p = outlook_posterior_for_comparison(s, entry)};
+	    .p = posterior_for_comparison(s, entry)};
 	a->fit = a->h->fit.params;
 	a->bounds = a->h->bounds;
 	struct model_settings settings = a->h->fit.settings;

@@ -44,7 +44,7 @@ static void
 note_drift_state(struct chart *chart, const struct routine *r)
 {
 	const char *from = r->cut[0].when, *to = r->cut[r->n - 1].when;
-	FREED char *words = routine_describe_state(r);
+	FREED char *words = drift_in_words(r);
 	if (r->dated)
 		chart_note(chart, "cuts 1 to %zu: %s to %s", r->n, from, to);
 	chart_note(chart, "up: finer than predicted; down: coarser");
@@ -56,7 +56,7 @@ struct chart *
 plots_control_charts(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = entry_without_variant(q->entry);
+	const struct entry *entry = entry_as_loaded(q->entry);
 	if (!answers_require_params(s, entry, error))
 		return NULL;
 	struct routine *r = routine_chart_cuts(s, entry, &DRIFT_RULE, error);

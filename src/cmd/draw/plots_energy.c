@@ -65,7 +65,7 @@ plots_impact_energies(
 	if (e == NULL)
 		return NULL;
 	const struct spectrum *of = e->c.spectrum;
-	double E = of->speed > 0 ? energy_specific_at_speed(of->speed) : NAN;
+	double E = of->speed > 0 ? specific_energy_at_speed(of->speed) : NAN;
 	struct chart *chart = chart_new(tr("collision energies"),
 	    e->c.about[0] != '\0' ? e->c.about : tr("origin not stated"),
 	    axis_new_log(

@@ -40,14 +40,14 @@ add_material_series(struct chart *chart, struct chart_series look, size_t most,
 /* Adds the materials of one rock as a series of their own. */
 static void
 add_materials_of_rock(
-    struct chart *chart, const struct stored_list *list, const char *rock)
+    struct chart *chart, const struct material_list *list, const char *rock)
 {
 	struct chart_series look = site_chart_series_style(chart->n);
 	look.line = CHART_MARKS;
 	struct chart_series *series = add_material_series(chart, look, list->n,
 	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
-		const struct stored *m = &list->item[i];
+		const struct material *m = &list->item[i];
 		if (text_same_folded(m->rock, rock))
 			add_material_point(series, &m->params, xstrdup(m->name),
 			    xstrdup(m->site), xstrdup(m->provenance));
@@ -56,7 +56,7 @@ add_materials_of_rock(
 
 /* True for the first material of its rock in the list. */
 static bool
-is_first_of_rock(const struct stored_list *list, size_t at)
+is_first_of_rock(const struct material_list *list, size_t at)
 {
 	for (size_t i = 0; i < at; i++)
 		if (text_same_folded(list->item[i].rock, list->item[at].rock))
@@ -103,7 +103,7 @@ add_loaded_sites_to_map(
 /* Lists the materials of the store.  Of a large store it takes only every so
  * many-th, as many as a chart can show. */
 static bool
-list_every_nth_material(const struct session *s, struct stored_list *list,
+list_every_nth_material(const struct session *s, struct material_list *list,
     size_t *apart, struct error *error)
 {
 	enum { MOST = 1000 };
@@ -146,7 +146,7 @@ struct chart *
 plots_material_map(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	size_t apart;
 	(void)q;
 	if (!list_every_nth_material(s, &list, &apart, error))
@@ -162,6 +162,6 @@ plots_material_map(
 	struct chart_extent e = chart_find_extent(chart);
 	chart->x = axis_new_linear("f_mat, kg/(J m)", 0, e.x[1]);
 	chart->y = axis_new_linear("e0_min, J m/kg", e.y[0], e.y[1]);
-	stored_list_free(&list);
+	material_list_free(&list);
 	return chart;
 }

@@ -73,7 +73,7 @@ add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
 		return;
 	add_envelope_limit_series(chart, spec, true);
 	add_envelope_limit_series(chart, spec, false);
-	FREED char *cut = plots_envelope_fraction_text(s);
+	FREED char *cut = chosen_cut_text(s);
 	const char *source =
 	    spec->source[0] != '\0' ? spec->source : spec->name;
 	if (notes && cut[0] != '\0')
@@ -89,7 +89,7 @@ static bool
 cut_product_to_envelope(const struct session *s, const struct entry *entry,
     const struct prediction *whole, struct prediction *part)
 {
-	struct fraction fraction = plots_envelope_fraction(s);
+	struct fraction fraction = chosen_cut(s);
 	if (!fraction_is_screened(&fraction))
 		return false;
 	/* The sizes of the cut are included, so that the curve ends there. */
@@ -350,7 +350,7 @@ mark_break_size(struct chart *chart, const struct session *s,
 		xappend_to_list(&text, "; ", "%s", tr("extrapolated"));
 	if (whose != NULL && p->low != NULL)
 		xappend_to_list(
-		    &text, "; ", "%s", outlook_describe_correction(s, whose));
+		    &text, "; ", "%s", correction_in_words(s, whose));
 	chart_note(chart, "%s", text);
 	if (whose == NULL || origin_site_key(whose) == whose->key)
 		return;
@@ -366,7 +366,7 @@ shade_prediction_band(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *p)
 {
 	if (p->low == NULL) {
-		chart_note(chart, "%s", outlook_why_no_band(s, entry));
+		chart_note(chart, "%s", band_why_none(s, entry));
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
@@ -433,8 +433,7 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 		second->whose = q->entry;
 	if (kept)
 		return true;
-	if (entry_without_variant(second->whose) !=
-	    entry_without_variant(q->entry)) {
+	if (entry_as_loaded(second->whose) != entry_as_loaded(q->entry)) {
 		if (!answers_require_params(s, second->whose, error))
 			return false;
 		own = &second->whose->params;
@@ -499,7 +498,7 @@ add_feed_curve(struct chart *chart, const struct site *site, size_t run)
 
 /* Adds what was measured, or the fraction of it that is drawn.  Adds nothing if
  * the question is about another feed or machine.  Returns the largest distance
- * by which any of it is moved, see moved_largest_feed_adjustment. */
+ * by which any of it is moved, see largest_move_to_feed. */
 static double
 add_measured_curves(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params, double speed)
@@ -512,8 +511,8 @@ add_measured_curves(struct chart *chart, const struct session *s,
 		struct chart_series look =
 		    site_chart_run_style(site, i, !q->entry->train[i]);
 		look.compared = site_run_is_near_speed(site, i, speed, 1);
-		const struct psd *product = moved_product_adjusted_to_feed(
-		    s, q->entry, params, i, q->feed);
+		const struct psd *product =
+		    product_moved_to_feed(s, q->entry, params, i, q->feed);
 		struct psd part =
 		    fraction_is_screened(&q->fraction)
 			? screened_fraction_of_product(product, &q->fraction)
@@ -522,8 +521,8 @@ add_measured_curves(struct chart *chart, const struct session *s,
 		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
 			site->run[i].repeat));
 		psd_free(&part);
-		moved = fmax(moved, moved_largest_feed_adjustment(
-					s, q->entry, params, i, q->feed));
+		moved = fmax(moved,
+		    largest_move_to_feed(s, q->entry, params, i, q->feed));
 	}
 	return moved;
 }
@@ -536,7 +535,7 @@ add_product_cut_to_envelope(struct chart *chart, const struct session *s,
 	struct prediction part;
 	if (!cut_product_to_envelope(s, entry, whole, &part))
 		return;
-	FREED char *words = plots_envelope_fraction_text(s);
+	FREED char *words = chosen_cut_text(s);
 	add_product_curve(
 	    chart, &part, xasprintf(tr("fraction %s"), words), PART);
 	prediction_free(&part);
@@ -553,7 +552,7 @@ add_first_prediction(struct chart *chart, const struct session *s,
 	add_product_curve(chart, p,
 	    q->words & CHART_NOTES ? xasprintf(tr("predicted %g m/s"), p->speed)
 				   : xasprintf(tr("predicted%s"),
-					 outlook_legend_suffix(s, q->entry, p)),
+					 correction_in_legend(s, q->entry, p)),
 	    look);
 }
 
@@ -578,7 +577,7 @@ find_predictions(struct session *s, const struct plot_request *q,
 	*p = (struct psd_plot){.speed = isnan(q->speed)
 					    ? site_middle_speed(entry->site)
 					    : q->speed};
-	bool known = search_shown_params(s, q, &p->params, &p->unknown);
+	bool known = params_to_plot(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
 		return false;
@@ -652,7 +651,7 @@ plots_sweep(
 	const struct site *site = q->entry->site;
 	size_t n = q->n_speed;
 	struct params params;
-	if (!search_shown_params(s, q, &params, error))
+	if (!params_to_plot(s, q, &params, error))
 		return NULL;
 	if (n > MOST) {
 		error_set(error, ERROR_USAGE,

@@ -25,7 +25,7 @@
 
 /* The quantities [n] that are drawn, and the limits on them.  moved: the
  * largest distance by which a measured product is moved, see
- * moved_largest_feed_adjustment. fraction: that of the quantities that name
+ * largest_move_to_feed. fraction: that of the quantities that name
  * none. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
@@ -149,8 +149,8 @@ add_measured_quantity(struct chart *chart, const struct session *s,
 	    chart_add(chart, look, site->n_run, "measured %s", name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *product = moved_product_adjusted_to_feed(
-		    s, entry, &entry->params, r, d->feed);
+		const struct psd *product =
+		    product_moved_to_feed(s, entry, &entry->params, r, d->feed);
 		double value = product->n > 0
 				   ? screened_quantity_of_product(product, q)
 				   : NAN;
@@ -159,9 +159,8 @@ add_measured_quantity(struct chart *chart, const struct session *s,
 		points->x[points->n] = site->run[r].speed;
 		points->y[points->n++] =
 		    quantities_value_in_shown_unit(q, value);
-		d->moved =
-		    fmax(d->moved, moved_largest_feed_adjustment(
-				       s, entry, &entry->params, r, d->feed));
+		d->moved = fmax(d->moved,
+		    largest_move_to_feed(s, entry, &entry->params, r, d->feed));
 	}
 }
 
@@ -338,11 +337,11 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		chart_note(last, "shaded: %.0f %% uncertainty band",
 		    100 * settings_band_probability(&s->set));
 	else
-		chart_note(last, "%s", outlook_why_no_band(s, entry));
+		chart_note(last, "%s", band_why_none(s, entry));
 	/* The lines reach beyond the measured speeds, which
 	 * mark_measured_speeds marks. This is the light of the middle speed,
 	 * where it is at its best. */
-	FREED char *light = light_describe_at_speed(
+	FREED char *light = trust_in_words_at_speed(
 	    s, entry, site_middle_speed(entry->site), d->feed);
 	chart_note(last, "%s", light);
 	return first;

@@ -60,7 +60,7 @@ add_predicted_product(struct chart *chart, const struct session *s,
     size_t feed, struct chart_series look, const char *repeat)
 {
 	struct prediction p = predict_with_model_alone(
-	    entry->site, params, outlook_model_settings(s, entry), speed, feed);
+	    entry->site, params, settings_of_answer(s, entry), speed, feed);
 	site_chart_add_psd(chart, look, &p.product, NULL,
 	    xasprintf(tr("predicted %g m/s%s"), speed, repeat));
 	prediction_free(&p);
@@ -114,7 +114,7 @@ add_predictions_at_speeds(struct chart *chart, const struct session *s,
 static bool
 are_plot_speeds_refused(const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_without_variant(q->entry)->site;
+	const struct site *site = entry_as_loaded(q->entry)->site;
 	if (q->n_speed > FURTHER)
 		return !error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
@@ -134,7 +134,7 @@ static void
 add_all_runs(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
-	const struct entry *entry = entry_without_variant(q->entry);
+	const struct entry *entry = entry_as_loaded(q->entry);
 	const struct site *site = entry->site;
 	double middle = site_middle_speed(site);
 	add_distinct_feed_curves(chart, site);
@@ -158,10 +158,10 @@ add_all_runs(struct chart *chart, const struct session *s,
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_without_variant(q->entry)->site;
+	const struct site *site = entry_as_loaded(q->entry)->site;
 	struct params params;
 	struct error unknown = {0};
-	bool known = search_shown_params(s, q, &params, &unknown);
+	bool known = params_to_plot(s, q, &params, &unknown);
 	if (are_plot_speeds_refused(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->n_speed > 0)) {

@@ -22,7 +22,7 @@ bool
 search_shown_is_running(const struct session *s, const struct entry *entry)
 {
 	return s->job.calibration != NULL && s->job.fits &&
-	       &s->entry[s->job.entry] == entry_without_variant(entry);
+	       &s->entry[s->job.entry] == entry_as_loaded(entry);
 }
 
 static void
@@ -64,7 +64,7 @@ search_shown_of_site(const struct session *s, const struct entry *entry)
 }
 
 size_t
-search_shown_generation_index(const struct entry *entry,
+find_generation_index(const struct entry *entry,
     const struct search_shown *past, size_t generation, struct error *error)
 {
 	if (past->n == 0)
@@ -82,21 +82,21 @@ search_shown_generation_index(const struct entry *entry,
 }
 
 struct params
-search_shown_best_params(const struct search_shown *past, size_t generation)
+best_params_of_generation(const struct search_shown *past, size_t generation)
 {
 	return generation > 0 ? past->generation[generation - 1].params
 			      : past->best;
 }
 
 double
-search_shown_rmse_points(const struct search_shown *past, double misfit)
+misfit_as_rmse_points(const struct search_shown *past, double misfit)
 {
 	bool good = isfinite(misfit) && misfit > 0 && past->weight > 0;
 	return good ? 100 * sqrt(misfit / past->weight) : NAN;
 }
 
 bool
-search_shown_params(const struct session *s, const struct plot_request *request,
+params_to_plot(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error)
 {
 	const struct entry *entry = request->entry;
@@ -104,10 +104,10 @@ search_shown_params(const struct session *s, const struct plot_request *request,
 	bool search =
 	    request->generation > 0 || search_shown_is_running(s, entry);
 	if (search && past.n > 0) {
-		if (search_shown_generation_index(
+		if (find_generation_index(
 			entry, &past, request->generation, error) == past.n)
 			return false;
-		*params = search_shown_best_params(&past, request->generation);
+		*params = best_params_of_generation(&past, request->generation);
 		return true;
 	}
 	if (!answers_require_params(s, entry, error))
@@ -121,7 +121,7 @@ candidates_of_generation(
     const struct session *s, const struct search_shown *past, size_t generation)
 {
 	size_t at = generation > 0 ? generation : past->n;
-	struct params best = search_shown_best_params(past, generation);
+	struct params best = best_params_of_generation(past, generation);
 	return candidates_with_residuals(past->site, past->train,
 	    past->settings, s->isa, &past->generation[at - 1], &best);
 }
@@ -241,8 +241,8 @@ plots_search_residuals(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct search_shown past = search_shown_of_site(s, q->entry);
-	size_t at = search_shown_generation_index(
-		   q->entry, &past, q->generation, error),
+	size_t at =
+		   find_generation_index(q->entry, &past, q->generation, error),
 	       runs = 0;
 	if (at == past.n)
 		return NULL;
@@ -259,7 +259,7 @@ plots_search_residuals(
 	for (size_t k = 0, nth = 0; k < c.n;
 	     k += count_cells_of_run(&c, k), nth++)
 		add_candidates_at_run(chart, &c, past.site, k, nth, runs);
-	FREED char *words = plots_search_progress_text(s, &past, q->generation);
+	FREED char *words = search_progress_text(s, &past, q->generation);
 	chart_note(chart, "%s", words);
 	candidates_clear(&c);
 	return chart;
@@ -273,10 +273,10 @@ convergence_rmse_axis(const struct search_shown *past)
 	double low = 0.1, high = 30;
 	for (size_t i = 0; i < past->n; i++) {
 		const struct calibrate_generation *g = &past->generation[i];
-		low = fmin(low, search_shown_rmse_points(past, g->best));
-		high = fmax(high, search_shown_rmse_points(past, g->median));
+		low = fmin(low, misfit_as_rmse_points(past, g->best));
+		high = fmax(high, misfit_as_rmse_points(past, g->median));
 	}
-	low = fmin(low, search_shown_rmse_points(past, past->misfit));
+	low = fmin(low, misfit_as_rmse_points(past, past->misfit));
 	return axis_new_log(tr("difference, points RMS"), low, high);
 }
 
@@ -285,8 +285,8 @@ plots_search_convergence(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct search_shown past = search_shown_of_site(s, q->entry);
-	size_t at = search_shown_generation_index(
-	    q->entry, &past, q->generation, error);
+	size_t at =
+	    find_generation_index(q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	struct chart *chart = site_chart(past.site,
@@ -300,15 +300,15 @@ plots_search_convergence(
 	for (size_t i = 0; i < past.n; i++) {
 		const struct calibrate_generation *g = &past.generation[i];
 		median->x[i] = best->x[i] = (double)(i + 1);
-		median->y[i] = search_shown_rmse_points(&past, g->median);
-		best->y[i] = search_shown_rmse_points(&past, g->best);
+		median->y[i] = misfit_as_rmse_points(&past, g->median);
+		best->y[i] = misfit_as_rmse_points(&past, g->best);
 	}
 	if (past.polished)
 		chart_add_points(chart,
 		    (struct chart_series){
 			.series = SERIES_PREDICTED, .mark = '*'},
 		    1, (double[]){(double)past.n},
-		    (double[]){search_shown_rmse_points(&past, past.misfit)},
+		    (double[]){misfit_as_rmse_points(&past, past.misfit)},
 		    tr("polished"));
 	if (q->generation > 0)
 		chart_add_rule(chart, SERIES_CROSSHAIR, (double)q->generation,
@@ -326,7 +326,7 @@ set_range_of_draws(struct session *s, const char *name, struct param_span *span)
 		    entry->origin != NULL &&
 		    entry->origin->history == entry->history;
 	const struct posterior *p =
-	    over ? outlook_posterior_for_comparison(s, entry) : NULL;
+	    over ? posterior_for_comparison(s, entry) : NULL;
 	double value[POSTERIOR_DRAWS];
 	if (p == NULL)
 		return;
@@ -336,14 +336,14 @@ set_range_of_draws(struct session *s, const char *name, struct param_span *span)
 }
 
 struct param_span
-plots_search_param_span(struct session *s, const struct search_shown *past,
+param_span_of_generation(struct session *s, const struct search_shown *past,
     size_t generation, size_t j)
 {
 	const double outer = 0.05;
 	size_t at = generation > 0 ? generation : past->n;
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	const struct breakage *of = breakage_model_of_params(&g->params);
-	struct params best = search_shown_best_params(past, generation);
+	struct params best = best_params_of_generation(past, generation);
 	struct param_span span = {.lower = past->bounds->lower[j],
 	    .upper = past->bounds->upper[j],
 	    .p10 = g->p10[j],
@@ -398,8 +398,8 @@ plots_search_spread(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct search_shown past = search_shown_of_site(s, q->entry);
-	size_t at = search_shown_generation_index(
-	    q->entry, &past, q->generation, error);
+	size_t at =
+	    find_generation_index(q->entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	const struct breakage *of =
@@ -418,7 +418,7 @@ plots_search_spread(
 	    q->generation == 0 && past.polished ? N_("polished") : N_("best"));
 	for (size_t j = 0; j < of->n; j++) {
 		struct param_span span =
-		    plots_search_param_span(s, &past, q->generation, j);
+		    param_span_of_generation(s, &past, q->generation, j);
 		double row = span.fixed ? NAN : (double)(of->n - j);
 		double end[3] = {position_within_bounds_pct(&span, span.p10),
 		    position_within_bounds_pct(&span, span.p90), NAN};
@@ -482,10 +482,10 @@ describe_polish(const struct session *s, double points)
 }
 
 char *
-plots_search_progress_text(
+search_progress_text(
     struct session *s, const struct search_shown *past, size_t generation)
 {
-	double points = search_shown_rmse_points(past, past->misfit);
+	double points = misfit_as_rmse_points(past, past->misfit);
 	bool runs = generation == 0 && past->runs;
 	enum calibrate_state state =
 	    runs ? calibration_status(s->job.calibration).state

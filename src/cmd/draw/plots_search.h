@@ -32,22 +32,21 @@ bool search_shown_is_running(
 
 /* Returns the index of generation 1..n, or of the last for 0.  Returns n with
  * an error if there is none. */
-size_t search_shown_generation_index(const struct entry *entry,
+size_t find_generation_index(const struct entry *entry,
     const struct search_shown *past, size_t generation, struct error *error);
 
 /* Returns the best candidate of generation 1..n, or for 0 the final result. */
-struct params search_shown_best_params(
+struct params best_params_of_generation(
     const struct search_shown *past, size_t generation);
 
 /* Returns a misfit as RMSE, points, or NAN if it is not finite and positive. */
-double search_shown_rmse_points(const struct search_shown *past, double misfit);
+double misfit_as_rmse_points(const struct search_shown *past, double misfit);
 
 /* Finds the parameters for drawing the request's entry: those of the requested
  * generation, the best so far of a calibration in progress, or the site's.
  * Returns false with an error if there are none. */
-bool search_shown_params(const struct session *s,
-    const struct plot_request *request, struct params *params,
-    struct error *error);
+bool params_to_plot(const struct session *s, const struct plot_request *request,
+    struct params *params, struct error *error);
 
 plot_make plots_search_residuals, plots_search_convergence, plots_search_spread;
 
@@ -59,12 +58,12 @@ struct param_span {
 	double lower, upper, p10, p90, best, drawn[2];
 	bool fixed, near, at_bound;
 };
-struct param_span plots_search_param_span(struct session *s,
+struct param_span param_span_of_generation(struct session *s,
     const struct search_shown *past, size_t generation, size_t j);
 
 /* Returns a sentence on what happens at that generation, which must exist.  The
  * caller frees it. */
-char *plots_search_progress_text(
+char *search_progress_text(
     struct session *s, const struct search_shown *past, size_t generation);
 
 #endif

@@ -189,7 +189,7 @@ site_chart_count_speeds_left_out(const struct site *site)
 }
 
 struct fraction
-plots_envelope_fraction(const struct session *s)
+chosen_cut(const struct session *s)
 {
 	const struct spec *spec = s->spec;
 	return (struct fraction){.fine = spec != NULL ? spec->cut[0] : 0,
@@ -198,9 +198,9 @@ plots_envelope_fraction(const struct session *s)
 }
 
 char *
-plots_envelope_fraction_text(const struct session *s)
+chosen_cut_text(const struct session *s)
 {
-	struct fraction fraction = plots_envelope_fraction(s);
+	struct fraction fraction = chosen_cut(s);
 	return fraction_is_screened(&fraction)
 		   ? quantities_fraction_text(&fraction)
 		   : xstrdup("");

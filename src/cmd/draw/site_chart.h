@@ -56,7 +56,7 @@ struct chart_series site_chart_run_style(
 void site_chart_note_run_marks(struct chart *chart, const struct site *site);
 
 /* Notes below a chart that its measured products were moved to the feed, if the
- * largest move, 0..1 (moved_largest_feed_adjustment), is large enough to
+ * largest move, 0..1 (largest_move_to_feed), is large enough to
  * mention. */
 void site_chart_note_feed_adjustment(struct chart *chart, double most);
 
@@ -66,9 +66,9 @@ enum { SITE_CHART_RUNS = 12 };
 size_t site_chart_count_speeds_left_out(const struct site *site);
 
 /* Returns the fraction of the product to which the chosen envelope applies, all
- * of it if none is chosen; plots_envelope_fraction_text returns "0/4.75" for
+ * of it if none is chosen; chosen_cut_text returns "0/4.75" for
  * it, or "" for all.  The caller frees the text. */
-struct fraction plots_envelope_fraction(const struct session *s);
-char *plots_envelope_fraction_text(const struct session *s);
+struct fraction chosen_cut(const struct session *s);
+char *chosen_cut_text(const struct session *s);
 
 #endif

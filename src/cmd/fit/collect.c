@@ -72,8 +72,8 @@ join_validated_sites(const struct parts *parts,
 
 /* The contents of all stores.  path, used: one for each material. */
 struct stores_read {
-	struct stored_list list;
-	struct stored_index index;
+	struct material_list list;
+	struct material_index index;
 	const char **path;
 	bool *used;
 };
@@ -102,10 +102,10 @@ read_stores_of_parts(struct stores_read *shelf, const char *const *path,
 		if (!read_store_materials(path[k], shelf, error))
 			return false;
 	shelf->used = xcalloc(shelf->list.n + 1, sizeof *shelf->used);
-	shelf->index = stored_make_index(&shelf->list);
+	shelf->index = material_make_index(&shelf->list);
 	for (size_t i = 1; i < shelf->index.n; i++) {
-		const struct stored_name *a = &shelf->index.name[i - 1],
-					 *b = a + 1;
+		const struct material_index_name *a = &shelf->index.name[i - 1],
+						 *b = a + 1;
 		if (strcmp(a->fold, b->fold) == 0)
 			return error_at(error, ERROR_DATA, shelf->path[b->at],
 			    0, 0,
@@ -118,22 +118,22 @@ read_stores_of_parts(struct stores_read *shelf, const char *const *path,
 static void
 free_stores_of_parts(struct stores_read *shelf)
 {
-	stored_index_clear(&shelf->index);
-	stored_list_free(&shelf->list);
+	material_index_clear(&shelf->index);
+	material_list_free(&shelf->list);
 	free(shelf->path);
 	free(shelf->used);
 }
 
 /* Returns the material of a site.  It must come from the very same calibration,
  * which its misfit shows to the last bit. */
-static const struct stored *
+static const struct material *
 find_calibrated_material(const struct stores_read *shelf,
     const struct part_site *site, const char *version, struct error *error)
 {
 	enum { MISFIT = 3 };
 	FREED char *fold = text_fold_case_and_accents(site->text[0]);
-	const struct stored_name *found =
-	    stored_index_find(&shelf->index, fold);
+	const struct material_index_name *found =
+	    material_index_find(&shelf->index, fold);
 	if (found == NULL) {
 		error_set(error, ERROR_DATA,
 		    "%s was calibrated by a part, but is in none of the "
@@ -143,7 +143,7 @@ find_calibrated_material(const struct stores_read *shelf,
 		    site->text[0]);
 		return NULL;
 	}
-	const struct stored *m = &shelf->list.item[found->at];
+	const struct material *m = &shelf->list.item[found->at];
 	shelf->used[found->at] = true;
 	if (m->misfit == site->number[MISFIT] &&
 	    strcmp(m->version, version) == 0)
@@ -163,10 +163,10 @@ store_collected_materials(struct session *s, const struct stores_read *shelf,
     const struct parts *parts, const struct part_site *const *site, size_t n,
     bool replace, struct error *error)
 {
-	FREED struct stored *item = xcalloc(n + 1, sizeof *item);
+	FREED struct material *item = xcalloc(n + 1, sizeof *item);
 	bool ok = true;
 	for (size_t i = 0; ok && i < n; i++) {
-		const struct stored *m = find_calibrated_material(
+		const struct material *m = find_calibrated_material(
 		    shelf, site[i], parts->part[0].version, error);
 		ok = m != NULL;
 		if (ok)

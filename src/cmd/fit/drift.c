@@ -280,7 +280,7 @@ say_whether_drifting(
     struct answer *a, const struct routine *r, const struct later *later)
 {
 	bool drifts = r->point[r->n - 1].state != DRIFT_NONE;
-	FREED char *words = routine_describe_state(r);
+	FREED char *words = drift_in_words(r);
 	if (!drifts && later->missed)
 		answer_say(a, ANSWER_WARNING,
 		    "no drift, but the cut at %g m/s is not as expected",
@@ -315,7 +315,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	say_when_drift_began(a, r);
 	say_control_limits(a, r, args->detail);
 	say_basis_of_control_charts(a, r);
-	answers_show_basis_of_fit(s, a, entry, false);
+	answers_show_fit_basis(s, a, entry, false);
 	say_when_to_recalibrate(a, entry, r, &later);
 	routine_free(r);
 	return session_show_answer(s, a);

@@ -328,7 +328,7 @@ add_fit_summary(
     struct answer *r, const struct session *s, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	const char *verdict = light_verdict_on_fit(s, entry, NULL);
+	const char *verdict = verdict_on_fit(s, entry, NULL);
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	FREED char *held =
 	    session_speeds_text(entry->site, ", ", entry->train, false);
@@ -355,7 +355,7 @@ static struct answer *
 build_detailed_fit_report(const struct session *s, const struct entry *entry,
     const struct bounds *bounds, double seconds, const char *command)
 {
-	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *u = posterior_for_comparison(s, entry);
 	struct answer *r =
 	    answers_new(entry->site, command, "calibrated parameters");
 	struct fields *o = answer_fields(r);
@@ -363,8 +363,8 @@ build_detailed_fit_report(const struct session *s, const struct entry *entry,
 	add_search_summary(r, entry, bounds);
 	if (strcmp(command, "show") == 0)
 		fields_put(o, "what %s", "fit");
-	fit_put_fields(o, entry, light_verdict_on_fit(s, entry, NULL), seconds);
-	answers_show_basis_of_fit(s, r, entry, u != NULL);
+	fit_put_fields(o, entry, verdict_on_fit(s, entry, NULL), seconds);
+	answers_show_fit_basis(s, r, entry, u != NULL);
 	fit_put_param_bands(o, s, u, &entry->fit.params);
 	return r;
 }
@@ -415,7 +415,7 @@ note_change_of_answer(
 	FREED char *words = quantities_sentence_with_value(&was->of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, was->speed, NAN);
-	bool all = outlook_correcting_runs(s, entry) == CORRECTION_ALL;
+	bool all = runs_that_correct(s, entry) == CORRECTION_ALL;
 	bool checks = all && isfinite(fit_holdout_rmse(entry));
 	if (isfinite(value) && isfinite(was->value))
 		answer_note(r,
@@ -439,13 +439,13 @@ fit_build_report(const struct session *s, const struct entry *entry,
 		return build_detailed_fit_report(
 		    s, entry, bounds, seconds, "calibrate");
 	const struct fit *fit = &entry->fit;
-	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *u = posterior_for_comparison(s, entry);
 	FREED char *speeds =
 	    session_speeds_text(entry->site, ", ", entry->train, true);
 	FREED char *rpm =
 	    session_rpm_in_brackets(entry->site, entry->train, true);
 	FREED char *next =
-	    answers_format_speed(entry->site, answers_default_speed(entry));
+	    speed_as_typed(entry->site, answers_default_speed(entry));
 	struct answer *r = answers_new(
 	    entry->site, "calibrate", "calibrated on %s m/s%s", speeds, rpm);
 	answer_begin_table_for_programs(r);
@@ -455,9 +455,9 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	note_misfit_of_polished_search(r, fit);
 	note_bounds_edited(r, fit);
 	add_warnings_of_fit(r, entry);
-	fit_put_fields(answer_fields(r), entry,
-	    light_verdict_on_fit(s, entry, NULL), seconds);
-	if (answers_show_basis_of_fit(s, r, entry, false) == LIGHT_RED)
+	fit_put_fields(
+	    answer_fields(r), entry, verdict_on_fit(s, entry, NULL), seconds);
+	if (answers_show_fit_basis(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else
 		answer_note(r,
@@ -543,7 +543,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");
-	answers_show_basis_of_fit(s, r, entry, false);
+	answers_show_fit_basis(s, r, entry, false);
 	if (entry->fit.edits > 0)
 		answer_say(r, ANSWER_REMARK,
 		    entry->fit.edits > 1

@@ -254,7 +254,7 @@ sample_posterior_of_fit(struct session *s)
 		return false;
 	if (!s->job.taken)
 		set_params_from_fit(s);
-	return outlook_draw_posterior_steps(s, &s->entry[s->job.entry]);
+	return posterior_draw_a_part(s, &s->entry[s->job.entry]);
 }
 
 /* draw: judge the fit by its draws, too. */
@@ -268,8 +268,8 @@ set_and_judge_fit(struct session *s, bool draw)
 	 * these fields. */
 	struct answer *answer = answer_new("calibrate");
 	fit_put_fields(answer_fields(answer), entry,
-	    draw ? light_verdict_on_fit(s, entry, NULL)
-		 : light_verdict_without_draws(s, entry),
+	    draw ? verdict_on_fit(s, entry, NULL)
+		 : verdict_without_draws(s, entry),
 	    session_clock() - s->job.started);
 	session_keep_answer(s, answer);
 }
@@ -308,7 +308,7 @@ remarks_on_fit(const struct session *s, const struct entry *entry)
 			xappend_to_list(
 			    &text, "; ", tr("same data as %s"), other->key);
 	}
-	const char *verdict = light_verdict_without_draws(s, entry);
+	const char *verdict = verdict_without_draws(s, entry);
 	if (strcmp(verdict, "good") != 0)
 		xappend_to_list(&text, "; ", "%s", verdict);
 	return text;
@@ -880,7 +880,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 		    args->operand[0]);
 	if (!fit_check_settings_agree(
 		&s->set.model, s->set.model.breakage, error) ||
-	    !part_choose_from_args(args, all, &part, error) ||
+	    !part_from_args(args, all, &part, error) ||
 	    !(all ? check_options_of_calibrate_all(args, error)
 		  : choose_training_runs(site, args, &job, error))) {
 		job_free(&job);

@@ -407,7 +407,7 @@ put_league_fields(struct fields *o, const struct verdict *v)
 		    model_name_of_row(m), 100 * v->model[m].rmse,
 		    v->model[m].aicc, v->misfit[m], v->parameters[m], v->cells,
 		    standing_of_model_text(v, m), model_weight_pct(v, m));
-	scores_put_null_rmse(o, v->rmse);
+	put_null_model_rmse(o, v->rmse);
 	if (v->ranked)
 		fields_put(o, "best %s", model_name_of_row(v->best));
 	fields_put(o, "can_tell %d", v->can_tell);
@@ -578,9 +578,9 @@ find_model_weights(
     struct verdict *v, const struct session *s, const struct entry *entry)
 {
 	const struct posterior *p =
-	    outlook_correcting_runs(s, entry) == CORRECTION_OFF
+	    runs_that_correct(s, entry) == CORRECTION_OFF
 		? NULL
-		: outlook_posterior_for_unseen_cuts(s, entry, false);
+		: posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
 		return;
 	v->in_use = entry->params.breakage;

@@ -15,7 +15,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 
-const char *const MODEL_FORMS[3] = {"ratio", "progeny_mm", "parent_mm"};
+const char *const APPEARANCE_NAMES[3] = {"ratio", "progeny_mm", "parent_mm"};
 
 bool
 show_params(struct session *s, const struct args *args, struct error *error)
@@ -23,7 +23,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	(void)args;
 	(void)error;
 	const struct entry *entry = session_current_entry(s);
-	const struct posterior *u = outlook_posterior_for_comparison(s, entry);
+	const struct posterior *u = posterior_for_comparison(s, entry);
 	const struct breakage *of =
 	    entry->has_params ? breakage_model_of_params(&entry->params)
 			      : BREAKAGES[s->set.model.breakage];
@@ -49,14 +49,14 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		answer_add_cells(r, "%s %s", info->unit, tr(info->meaning));
 	}
 	if (u != NULL)
-		outlook_note_meaning_of_band(r, s, entry, false);
+		band_note_meaning(r, s, entry, false);
 	origin_add_note(r, entry);
 	return session_show_answer(s, r);
 }
 
 void
-model_set_site_params(struct session *s, struct entry *entry,
-    const struct params *p, struct origin *origin)
+set_site_params(struct session *s, struct entry *entry, const struct params *p,
+    struct origin *origin)
 {
 	session_forget_answers(s);
 	entry->params = *p;
@@ -114,8 +114,7 @@ set_params(struct session *s, const struct args *args, struct error *error)
 		    "params set: expected %s as well: %s has no parameters for "
 		    "the model %s yet",
 		    missing, entry->site->name, of->name);
-	model_set_site_params(
-	    s, session_current_entry(s), &p, origin_new_by_hand());
+	set_site_params(s, session_current_entry(s), &p, origin_new_by_hand());
 	return true;
 }
 
@@ -155,7 +154,7 @@ copy_params_of_site(
 		return error_set(error, ERROR_USAGE,
 		    "%s is the site in use: its parameters are already in use",
 		    from->key);
-	model_set_site_params(s, session_current_entry(s), &from->params,
+	set_site_params(s, session_current_entry(s), &from->params,
 	    origin_of_params_taken(from));
 	session_note(s, "%s now has the parameters of %s (%s)",
 	    session_current_entry(s)->key, from->key, origin_source_text(from));

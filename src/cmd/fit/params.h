@@ -6,11 +6,11 @@
 #include "cmd/session/session.h"
 
 /* Names of the appearance forms, in the order of the enum. */
-extern const char *const MODEL_FORMS[3];
+extern const char *const APPEARANCE_NAMES[3];
 
 /* Gives a site parameters that were not fitted to it and takes ownership of the
  * share in their origin. */
-void model_set_site_params(struct session *s, struct entry *entry,
+void set_site_params(struct session *s, struct entry *entry,
     const struct params *p, struct origin *origin);
 
 #endif

@@ -83,7 +83,7 @@ parse_part_or_environment(
 }
 
 bool
-part_choose_from_args(
+part_from_args(
     const struct args *args, bool all, struct part *part, struct error *error)
 {
 	if (all)

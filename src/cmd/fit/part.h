@@ -18,7 +18,7 @@ struct part {
 /* Reads the part from part= in the call, or else from the environment set by
  * Slurm for tasks of a job array or by Open MPI for ranks.  all: the call is
  * for all sites; other calls have no part. */
-bool part_choose_from_args(
+bool part_from_args(
     const struct args *args, bool all, struct part *part, struct error *error);
 
 /* True if the part contains site `index`, from 0. */

@@ -26,7 +26,7 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed")}};
 
 void
-scores_put_null_rmse(struct fields *o, const double rmse[static VALIDATE_WAYS])
+put_null_model_rmse(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
 	struct fields *null = fields_add_object(o, "null");
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
@@ -52,7 +52,7 @@ rmse_over_runs(const struct trials *c, double rmse[static VALIDATE_WAYS])
 static void
 put_null_rmse_fields(struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
-	scores_put_null_rmse(o, rmse);
+	put_null_model_rmse(o, rmse);
 	fields_put(o, "winner %s", SCORES_WAYS[validate_best_way(rmse)].key);
 }
 

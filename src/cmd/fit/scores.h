@@ -15,7 +15,7 @@ struct scores_way {
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
 
 /* Puts "null": {"feed_rmse_pct": ..}: the errors of the null models, 0..1. */
-void scores_put_null_rmse(
+void put_null_model_rmse(
     struct fields *o, const double rmse[static VALIDATE_WAYS]);
 
 /* Returns the answer on the runs of this site: fields, tables, and which way

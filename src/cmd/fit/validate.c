@@ -129,7 +129,7 @@ compare_site_in_thread(void *data, size_t piece, unsigned thread)
 	if (s->hooks.stop != NULL && s->hooks.stop())
 		return;
 	struct posterior *p =
-	    outlook_draw_training_posterior(s, &s->entry[b->entry]);
+	    posterior_of_training_runs(s, &s->entry[b->entry]);
 	compare_held_out_runs(s, b->entry, p, &b->found);
 	b->done = true;
 	posterior_free(p);
@@ -267,13 +267,12 @@ validate_current_site(
 		return false;
 	const struct entry *entry = session_current_entry(s);
 	compare_held_out_runs(s, s->current,
-	    outlook_calibration_posterior(s, entry, CORRECTION_TRAIN),
-	    &c->runs);
+	    posterior_of_calibration(s, entry, CORRECTION_TRAIN), &c->runs);
 	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
 	if (entry->has_fit)
 		fields_put(answer_fields(r), "verdict %s",
-		    light_verdict_on_fit(s, entry, NULL));
-	answers_show_basis_of_fit(s, r, entry, false);
+		    verdict_on_fit(s, entry, NULL));
+	answers_show_fit_basis(s, r, entry, false);
 	return session_show_answer(s, r);
 }
 
@@ -427,7 +426,7 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "validate all: expected no sieves=on; it sums up over the "
 		    "sites");
-	if (!part_choose_from_args(args, all, &part, error) ||
+	if (!part_from_args(args, all, &part, error) ||
 	    (each && !fit_check_settings_agree(
 			 &s->set.model, s->set.model.breakage, error)))
 		return false;

@@ -284,7 +284,7 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 		q.scale = spectrum_energy_factor(spectrum, q.speed);
 		q.cut /= q.scale;
 	}
-	q.E = q.speed > 0 ? energy_specific_at_speed(q.speed) : NAN;
+	q.E = q.speed > 0 ? specific_energy_at_speed(q.speed) : NAN;
 	if (s->n_entry > 0 && has_selection_params(session_current_entry(s)))
 		q.entry = session_current_entry(s);
 	FREED struct spectrum_size *whole = spectrum_merge_sizes(spectrum);

@@ -54,7 +54,7 @@ add_stream_rows(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct circuit *c = p->circuit;
-	FREED struct plant_line *line =
+	FREED struct plant_stream_row *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
 	struct fields *list = fields_add_list(answer_fields(r), "fractions");
 	size_t n = plant_list_streams(p, o, line);
@@ -255,7 +255,7 @@ static void
 compute_earnings_at_speed(
     struct speed_trials *search, const struct plant *p, double speed)
 {
-	struct plant_result o = plant_solve_at(p, speed);
+	struct plant_result o = plant_compute_at_speed(p, speed);
 	size_t i = search->n++;
 	search->speed[i] = speed;
 	search->money[i] = o.flow.open ? NAN : o.money;
@@ -402,7 +402,7 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind != UNIT_CRUSHER)
 			continue;
-		struct trust t = light_at_speed(p->s, entry,
+		struct trust t = trust_at_speed(p->s, entry,
 		    plant_speed_of_unit(unit, o->speed), p->question->feed);
 		double off = difference_from_site_feed(p, o, unit);
 		if (off > other)
@@ -413,7 +413,7 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 				   "up to %.0f points from the site's "
 				   "feed: it may break differently"),
 				100 * off));
-		light_keep_worse(&worst, t);
+		trust_keep_worse(&worst, t);
 	}
 	return worst;
 }
@@ -456,8 +456,7 @@ finish_flow_answer(
 	put_stream_fields(p, o, answer_fields(r));
 	bool band = o->flow.draws == DRAWS;
 	if (!band)
-		answer_say(
-		    r, ANSWER_REMARK, "%s", outlook_why_no_band(p->s, entry));
+		answer_say(r, ANSWER_REMARK, "%s", band_why_none(p->s, entry));
 	if (p->s->set.model.method == METHOD_CLASSES)
 		answer_say(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
@@ -485,8 +484,10 @@ show_best_speed_for_flow(
 		p->s, args, entry->site, &from, &to, error))
 		return false;
 	struct speed_trials search = search_best_speed(p, from, to);
-	struct plant_result usual = plant_solve_at(p, p->question->speed),
-			    best = plant_solve_at(p, search.speed[search.best]);
+	struct plant_result usual =
+				plant_compute_at_speed(p, p->question->speed),
+			    best = plant_compute_at_speed(
+				p, search.speed[search.best]);
 	bool ok =
 	    !best.flow.open || plant_set_error_not_steady(p, &best, error);
 	if (ok) {
@@ -505,7 +506,7 @@ show_best_speed_for_flow(
 static bool
 show_flow_at_speed(const struct plant *p, double speed, struct error *error)
 {
-	struct plant_result o = plant_solve_at(p, speed);
+	struct plant_result o = plant_compute_at_speed(p, speed);
 	bool ok = !o.flow.open || plant_set_error_not_steady(p, &o, error);
 	if (ok)
 		finish_flow_answer(p, &o, build_flow_answer(p, &o));
@@ -523,7 +524,7 @@ add_products(struct chart *chart, const struct plant *p,
     const struct plant_result *o, const struct unit **unit)
 {
 	const struct circuit *c = p->circuit;
-	FREED struct plant_line *line =
+	FREED struct plant_stream_row *line =
 	    xcalloc(c->n_stream + c->n_unit, sizeof *line);
 	size_t n = plant_list_streams(p, o, line), products = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -565,7 +566,7 @@ flow_chart(const struct plant *p, double from, double to)
 	size_t n = 0;
 	for (size_t k = 0; k < POINTS; k++) {
 		double v = from + (to - from) * (double)k / (POINTS - 1);
-		struct plant_result o = plant_solve_at(p, v);
+		struct plant_result o = plant_compute_at_speed(p, v);
 		if (k == 0)
 			n = add_products(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
@@ -579,7 +580,7 @@ flow_chart(const struct plant *p, double from, double to)
 		chart_note(chart, "band: %.0f %% uncertainty",
 		    100 * p->question->level);
 	/* The light at the middle speed; further out it is no better. */
-	FREED char *light = light_describe_at_speed(
+	FREED char *light = trust_in_words_at_speed(
 	    p->s, p->question->entry, (from + to) / 2, p->question->feed);
 	chart_note(chart, "%s", light);
 	return chart;

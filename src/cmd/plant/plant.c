@@ -436,7 +436,7 @@ make_crusher_models(struct plant *p)
 	const struct breakage *of = breakage_model_of_params(&entry->params);
 	const struct psd *feed = question_feed(p->question);
 	struct psd sieves = predict_table_sizes(entry->site, feed);
-	p->crusher = outlook_new_crusher(p->s, entry, p->size, p->n);
+	p->crusher = crusher_new_for_answers(p->s, entry, p->size, p->n);
 	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
 	p->power = power_fit(p->reading, p->n_reading);
 	p->bypass = of->bypass ? entry->params.at[of->n - 1] : 0;
@@ -523,7 +523,7 @@ add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 }
 
 struct plant_result
-plant_solve_at(const struct plant *p, double speed)
+plant_compute_at_speed(const struct plant *p, double speed)
 {
 	struct plant_result o = {.speed = speed};
 	struct transfer *t = crusher_transfer_at_speed(p->crusher, speed);
@@ -539,23 +539,24 @@ plant_solve_at(const struct plant *p, double speed)
 
 size_t
 plant_list_streams(const struct plant *p, const struct plant_result *o,
-    struct plant_line *line)
+    struct plant_stream_row *line)
 {
 	const struct circuit *c = p->circuit;
 	size_t n = 0;
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_STOCKPILE)
-			line[n++] = (struct plant_line){
+			line[n++] = (struct plant_stream_row){
 			    c->unit[u].name, &c->unit[u], c->unit[u].in[0]};
 	for (size_t i = 0; i < c->n_stream; i++)
 		if (o->flow.back[i])
-			line[n++] = (struct plant_line){c->stream[i], NULL, i};
+			line[n++] =
+			    (struct plant_stream_row){c->stream[i], NULL, i};
 	/* The streams of the deck were made from coarse to fine; they are
 	 * listed from fine to coarse. */
 	for (size_t i = 1; i < n && !p->from_file; i++)
 		for (size_t k = i; k > 0 && line[k - 1].stream < line[k].stream;
 		     k--) {
-			struct plant_line other = line[k];
+			struct plant_stream_row other = line[k];
 			line[k] = line[k - 1];
 			line[k - 1] = other;
 		}

@@ -53,10 +53,10 @@ double plant_share_through_rotor(
 double plant_speed_of_unit(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
-struct plant_result plant_solve_at(const struct plant *p, double speed);
+struct plant_result plant_compute_at_speed(const struct plant *p, double speed);
 
 /* A row of the table: a product (unit), or a returned stream (unit NULL). */
-struct plant_line {
+struct plant_stream_row {
 	const char *name;
 	const struct unit *unit;
 	size_t stream;
@@ -65,7 +65,7 @@ struct plant_line {
 /* Lists products and returned streams, [n_stream + n_unit] out, from fine to
  * coarse, or for a circuit from a file in its order.  Returns their number. */
 size_t plant_list_streams(const struct plant *p, const struct plant_result *o,
-    struct plant_line *line);
+    struct plant_stream_row *line);
 
 /* Sets the error for an outcome that did not become steady.  Returns false. */
 bool plant_set_error_not_steady(

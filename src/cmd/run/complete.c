@@ -148,7 +148,7 @@ static void
 offer_materials(struct work *w)
 {
 	enum { MOST = 200 };
-	struct stored_list paper = {0};
+	struct material_list paper = {0};
 	struct error error = {0};
 	store_visit_names_beginning(w->session->store, w->typed, MOST,
 	    add_material_candidate, w, &error);
@@ -156,7 +156,7 @@ offer_materials(struct work *w)
 	for (size_t i = 0; i < paper.n; i++)
 		if (begins_as_typed(w, paper.item[i].name))
 			add_material_candidate(w, paper.item[i].name);
-	stored_list_free(&paper);
+	material_list_free(&paper);
 }
 
 /* Ignores case.  Names contain spaces. */

@@ -35,7 +35,7 @@ session_new(FILE *out, FILE *notes)
 	s->notes = notes;
 	s->journal = journal_new();
 	s->undo = undo_new();
-	s->moved = moved_new_cache();
+	s->moved = moved_products_new();
 	s->store = store_new(":memory:");
 	return s;
 }
@@ -51,7 +51,7 @@ session_free(struct session *s)
 	session_end_finished_commands(s, false, &stopped);
 	autosave_end(s);
 	question_free_cached(s);
-	moved_free_cache(s->moved);
+	moved_products_free(s->moved);
 	blended_free(s->fed);
 	entries_free(s->entry, s->n_entry);
 	for (size_t i = 0; i < s->n_site; i++)

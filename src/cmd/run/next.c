@@ -158,7 +158,7 @@ note_predictable_speeds(const struct session *s, const struct entry *entry)
 	if (!origin_speed_range(entry, &from, &to))
 		return;
 	FREED char *usual =
-	    answers_format_speed(entry->site, answers_default_speed(entry));
+	    speed_as_typed(entry->site, answers_default_speed(entry));
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, from, to);
 	session_note(s,
 	    from < to ? N_("now 'predict %s', or any speed from %g to %g m/s%s")

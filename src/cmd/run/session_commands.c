@@ -306,7 +306,7 @@ undo_or_redo(struct session *s, const char *(*where)(struct session *))
 		return NULL;
 	for (size_t i = 0; i < s->n_entry && paused; i++) {
 		if (s->entry[i].site != held.site ||
-		    !snapshot_is_same_fit(&s->entry[i].fit, &held.fit))
+		    !fits_are_equal(&s->entry[i].fit, &held.fit))
 			continue;
 		s->job.entry = i;
 		return label;

@@ -127,7 +127,7 @@ convert_rpm_to_mps(const char *turns, double diameter)
 		FREED char *number = xstrndup(turns, n);
 		if (n > 0)
 			xappend(&text, "%g",
-			    head_speed_to_mps(
+			    speed_in_unit_to_mps(
 				strtod(number, NULL), SPEED_RPM, diameter));
 		else
 			xappend(&text, "%c", *turns);

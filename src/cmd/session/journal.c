@@ -40,10 +40,11 @@ append_journal_line(struct journal *j, char *line)
 	j->line[j->n++] = line;
 }
 
-struct cut_lines
-journal_cut_after(struct session *s, struct mark mark)
+struct removed_lines
+journal_remove_after(struct session *s, struct mark mark)
 {
-	struct cut_lines tail = {.from = mark, .to = journal_current_place(s)};
+	struct removed_lines tail = {
+	    .from = mark, .to = journal_current_place(s)};
 	struct journal *j = s->journal;
 	tail.line = xcalloc(j->n + 1, sizeof *tail.line);
 	for (size_t i = mark.n; i < j->n; i++)
@@ -55,7 +56,7 @@ journal_cut_after(struct session *s, struct mark mark)
 }
 
 void
-journal_put_back_lines(struct session *s, struct cut_lines *tail)
+journal_put_back_lines(struct session *s, struct removed_lines *tail)
 {
 	struct journal *j = s->journal;
 	/* Lines may have been added since these were cut off. */
@@ -65,11 +66,11 @@ journal_put_back_lines(struct session *s, struct cut_lines *tail)
 	for (size_t i = 0; i < tail->n; i++)
 		append_journal_line(j, tail->line[i]);
 	free(tail->line);
-	*tail = (struct cut_lines){0};
+	*tail = (struct removed_lines){0};
 }
 
 void
-cut_lines_free(struct cut_lines *tail)
+removed_lines_free(struct removed_lines *tail)
 {
 	for (size_t i = 0; i < tail->n; i++)
 		free(tail->line[i]);

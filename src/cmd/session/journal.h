@@ -21,15 +21,15 @@ struct mark {
 struct mark journal_current_place(const struct session *s);
 
 /* Lines removed from the end of the journal, to be put back later. */
-struct cut_lines {
+struct removed_lines {
 	size_t n;
 	char **line;
 	struct mark from, to; /* places before and after the lines */
 };
 
-struct cut_lines journal_cut_after(struct session *s, struct mark mark);
-void journal_put_back_lines(struct session *s, struct cut_lines *tail);
-void cut_lines_free(struct cut_lines *tail);
+struct removed_lines journal_remove_after(struct session *s, struct mark mark);
+void journal_put_back_lines(struct session *s, struct removed_lines *tail);
+void removed_lines_free(struct removed_lines *tail);
 
 /* Adds a line.  latest: the name of a command whose line is replaced if it is
  * the last; or NULL. */

@@ -50,7 +50,7 @@ history_discard_cached(struct history *h, const struct site *site)
 }
 
 const struct entry *
-entry_without_variant(const struct entry *entry)
+entry_as_loaded(const struct entry *entry)
 {
 	return entry->scenario != NULL ? entry->scenario->own : entry;
 }
@@ -162,7 +162,7 @@ origin_of_params_taken(const struct entry *from)
 }
 
 static void
-set_material_of_origin(struct origin *o, const struct stored *m)
+set_material_of_origin(struct origin *o, const struct material *m)
 {
 	free(o->material);
 	free(o->date);
@@ -171,7 +171,7 @@ set_material_of_origin(struct origin *o, const struct stored *m)
 }
 
 struct origin *
-origin_of_remembered_fit(const struct entry *entry, const struct stored *m)
+origin_of_remembered_fit(const struct entry *entry, const struct material *m)
 {
 	struct origin *o = origin_of_fit(entry);
 	free(o->words);
@@ -191,7 +191,7 @@ origin_is_from_store(const struct origin *o)
 }
 
 struct origin *
-origin_from_store(const struct stored *m)
+origin_from_store(const struct material *m)
 {
 	struct origin *o = origin_new(
 	    xasprintf(tr("from store: %s"), m->name), m->name, m->provenance);

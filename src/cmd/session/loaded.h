@@ -125,7 +125,7 @@ struct entry entry_copy(const struct entry *from);
 void entry_clear(struct entry *entry);
 
 /* Returns the loaded entry on which an entry with a scenario is based. */
-const struct entry *entry_without_variant(const struct entry *entry);
+const struct entry *entry_as_loaded(const struct entry *entry);
 
 /* Returns the diameter of the rotor that the entry's parameters were measured
  * with, m; 0: not known. */
@@ -153,9 +153,9 @@ void history_discard_cached(struct history *history, const struct site *site);
 struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_new_by_hand(void);
 struct origin *origin_of_params_taken(const struct entry *from);
-struct origin *origin_from_store(const struct stored *m);
+struct origin *origin_from_store(const struct material *m);
 struct origin *origin_of_remembered_fit(
-    const struct entry *entry, const struct stored *m);
+    const struct entry *entry, const struct material *m);
 
 /* True if the parameters were recalled from the store. */
 bool origin_is_from_store(const struct origin *origin);

@@ -13,7 +13,7 @@
 #include "io/store/store.h"
 
 struct canvas;
-struct inquiry;
+struct user_question;
 struct job_type;
 struct screen_request;
 struct session;
@@ -41,7 +41,7 @@ struct hooks {
 	bool (*confirm)(struct session *s, const char *question, bool yes);
 	/* Asks the user for a line about a sheet, which the caller frees;
 	 * returns NULL if the user gives up.  NULL if not interactive. */
-	char *(*ask)(struct session *s, const struct inquiry *inquiry);
+	char *(*ask)(struct session *s, const struct user_question *inquiry);
 };
 
 /* A calibration in progress, or several in succession.  The driver calls
@@ -138,7 +138,7 @@ struct session {
 	const struct spec *spec; /* chosen envelope, or NULL */
 	size_t n_spec;
 	struct spec **specs;          /* all so far */
-	struct last_asked last_asked; /* see asked_keep_speed_and_quantity */
+	struct last_asked last_asked; /* see session_keep_last_asked */
 	struct moved *moved;          /* see moved.h */
 	struct blended *fed;          /* feed from the sheets in `set feed`, see
 			      * blended.h, or NULL */

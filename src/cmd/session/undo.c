@@ -75,7 +75,7 @@ restore_snapshot(struct session *s, const struct snapshot *snapshot)
 }
 
 bool
-snapshot_is_same_fit(const struct fit *a, const struct fit *b)
+fits_are_equal(const struct fit *a, const struct fit *b)
 {
 	return memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
 	       a->misfit == b->misfit && a->stop == b->stop &&
@@ -85,7 +85,7 @@ snapshot_is_same_fit(const struct fit *a, const struct fit *b)
 }
 
 bool
-snapshot_is_same_entry(const struct entry *a, const struct entry *b)
+entries_are_equal(const struct entry *a, const struct entry *b)
 {
 	return a->site == b->site && strcmp(a->key, b->key) == 0 &&
 	       memcmp(a->train, b->train, a->site->n_run * sizeof *a->train) ==
@@ -93,7 +93,7 @@ snapshot_is_same_entry(const struct entry *a, const struct entry *b)
 	       a->has_params == b->has_params && a->has_fit == b->has_fit &&
 	       memcmp(&a->params, &b->params, sizeof a->params) == 0 &&
 	       origin_is_same(a->origin, b->origin) &&
-	       snapshot_is_same_fit(&a->fit, &b->fit);
+	       fits_are_equal(&a->fit, &b->fit);
 }
 
 bool
@@ -106,7 +106,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 	    !settings_are_equal(&snapshot->set, &s->set))
 		return true;
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (!snapshot_is_same_entry(&snapshot->entry[i], &s->entry[i]))
+		if (!entries_are_equal(&snapshot->entry[i], &s->entry[i]))
 			return true;
 	return false;
 }
@@ -114,7 +114,7 @@ snapshot_differs(const struct snapshot *snapshot, const struct session *s)
 struct step {
 	char *label;
 	struct snapshot *before, *after; /* after: of undone steps */
-	struct cut_lines tail;           /* likewise */
+	struct removed_lines tail;       /* likewise */
 };
 
 /* The first `done` of the n steps can be undone, the others redone. */
@@ -129,7 +129,7 @@ undo_step_free(struct step *step)
 	free(step->label);
 	snapshot_free(step->before);
 	snapshot_free(step->after);
-	cut_lines_free(&step->tail);
+	removed_lines_free(&step->tail);
 }
 
 static void
@@ -185,7 +185,7 @@ undo_last_step(struct session *s)
 		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
-	step->tail = journal_cut_after(s, step->before->mark);
+	step->tail = journal_remove_after(s, step->before->mark);
 	restore_snapshot(s, step->before);
 	return step->label;
 }

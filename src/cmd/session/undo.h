@@ -20,10 +20,10 @@ void snapshot_free(struct snapshot *snapshot);
 bool snapshot_differs(const struct snapshot *snapshot, const struct session *s);
 
 /* True if both entries have the same site, parameters and fit. */
-bool snapshot_is_same_entry(const struct entry *a, const struct entry *b);
+bool entries_are_equal(const struct entry *a, const struct entry *b);
 
 /* True if both fits are the same result of the same search. */
-bool snapshot_is_same_fit(const struct fit *a, const struct fit *b);
+bool fits_are_equal(const struct fit *a, const struct fit *b);
 
 /* Returns the number of steps that can be undone. */
 size_t undo_count_steps(const struct session *s);

@@ -200,9 +200,8 @@ find_at_sign_of_speed(const char *word)
 /* Looks up the time of "cut.csv@2026-05-03T10:15" in the log:
  * "cut.csv@64.2". */
 static bool
-look_up_time_in_log(struct session *s, const struct args *args,
-    const char *word, double day, double rotor, struct cut_origin *o,
-    struct error *error)
+find_speed_in_log(struct session *s, const struct args *args, const char *word,
+    double day, double rotor, struct cut_origin *o, struct error *error)
 {
 	const char *at = find_at_sign_of_speed(word);
 	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
@@ -214,13 +213,13 @@ look_up_time_in_log(struct session *s, const struct args *args,
 	if (!isnan(day))
 		o->when[strcspn(o->when, " ")] = '\0';
 	o->logged = (struct logged){NAN, NAN, NAN};
-	if (at == NULL || head_parse(at).speed > 0)
+	if (at == NULL || heading_parse(at).speed > 0)
 		return true;
 	double window = 60 * args->window;
 	if (!parse_cut_time(at + 1,
 		cut_day_month_order(session_current_entry(s)->site), day, &time,
 		error) ||
-	    !log_look_up_time(s, time, window / 2, rotor, &o->logged, error))
+	    !log_find_speed_at(s, time, window / 2, rotor, &o->logged, error))
 		return false;
 	xreplace(
 	    &o->word, xasprintf("%.*s@%.1f", (int)n, word, o->logged.speed));
@@ -417,7 +416,7 @@ measured_vs_predicted_text(
 }
 
 static enum verdict
-report_check_of_cut(struct session *s, size_t run)
+compare_cut_and_note(struct session *s, size_t run)
 {
 	const struct entry *entry = session_current_entry(s);
 	const struct site *site = entry->site;
@@ -451,7 +450,7 @@ report_check_of_cut(struct session *s, size_t run)
 /* Compares each new run, or counts them if there are many; from: see
  * site_copy_with_cuts.  Returns the worst verdict. */
 static enum verdict
-report_checks_of_cuts(
+compare_cuts_and_note(
     struct session *s, const struct site *old, const size_t *from, size_t n)
 {
 	enum { FEW = 3 };
@@ -463,7 +462,7 @@ report_checks_of_cuts(
 		    (from[r] != SIZE_MAX && old->run[from[r]].product.n > 0))
 			continue;
 		if (n <= FEW) {
-			one = report_check_of_cut(s, r);
+			one = compare_cut_and_note(s, r);
 			worst = one > worst ? one : worst;
 		} else if (entry->has_params) {
 			compared++;
@@ -597,7 +596,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 	session_replace_by_extended(s, site, from);
 	check_warn_coarser_product(s, site);
 	note_speeds_of_products(s);
-	enum verdict worst = report_checks_of_cuts(s, old, from, cuts->n_run);
+	enum verdict worst = compare_cuts_and_note(s, old, from, cuts->n_run);
 	suggest_what_to_do_next(s, worst, cuts->n_run);
 	return true;
 }
@@ -614,8 +613,8 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
-		good = look_up_time_in_log(s, args, args->operand[i], day,
-		    rotor, &all.file[all.n++], error);
+		good = find_speed_in_log(s, args, args->operand[i], day, rotor,
+		    &all.file[all.n++], error);
 		word[i] = all.file[i].word;
 	}
 	struct site *cuts =

@@ -24,8 +24,8 @@ enum { CELLS = 4 };
 /* Gets the cells of a row, which last as long as the question.  number: a
  * buffer of at least 24 bytes. */
 static void
-table_row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
-    const char *cell[static CELLS])
+table_row_cells(const struct user_question *q, size_t row, bool narrow,
+    char *number, const char *cell[static CELLS])
 {
 	bool tables = q->ask->tables;
 	const char *const HEADS[] = {"", tables ? tr("title") : tr("head"),
@@ -53,7 +53,7 @@ table_row_cells(const struct inquiry *q, size_t row, bool narrow, char *number,
  * headings. */
 static void
 table_column_widths(
-    const struct inquiry *q, int room, bool narrow, int width[CELLS])
+    const struct user_question *q, int room, bool narrow, int width[CELLS])
 {
 	static const int LEAST[CELLS] = {0, 9, 6, 8};
 	static const int GIVES[] = {2, 1, 3};
@@ -102,7 +102,7 @@ append_padded_cell(char **line, const char *text, int width, bool right)
 }
 
 char *
-inquiry_row_text(const struct inquiry *q, size_t row, int columns)
+user_question_row_text(const struct user_question *q, size_t row, int columns)
 {
 	bool narrow = columns < 60;
 	const char *gap = narrow ? " " : "  ";
@@ -189,7 +189,7 @@ parse_role_answer(const struct site_ask_column *c, const char *said,
 	char number[32];
 	if (!role && said[0] >= '0' && said[0] <= '9')
 		return xasprintf(
-		    "product%s%s", head_has_speed(head) ? " " : "@", said);
+		    "product%s%s", heading_has_speed(head) ? " " : "@", said);
 	if (!role) {
 		char *text = xstrndup(c->guess, strcspn(c->guess, " "));
 		xappend(&text, " %s", said);
@@ -233,12 +233,12 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 	for (char *p = said; *p != '\0'; p++)
 		if (*p == ',' && (p[1] < '0' || p[1] > '9'))
 			*p = ' ';
-	struct head head = head_parse(said);
+	struct head head = heading_parse(said);
 	uint64_t means = head.means | lexicon_meanings(said, NULL);
 	uint64_t known = WORD_FEED | WORD_PRODUCT | WORD_SD | WORD_PASSES |
 			 WORD_STAYS | WORD_SUMS | WORD_SHARE | WORD_PERCENT |
 			 WORD_GRAMS | WORD_MASS;
-	bool speed = head_has_speed(&head) || head.n_number > 0;
+	bool speed = heading_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
 	if (said[0] == '\0' && lacks_speed(c))
 		snprintf(wrong, WRONG,
@@ -269,7 +269,7 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
  * up. */
 static bool
 ask_about_column(
-    struct session *s, struct inquiry *q, struct site_ask_column *c)
+    struct session *s, struct user_question *q, struct site_ask_column *c)
 {
 	char wrong[WRONG] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
@@ -306,7 +306,7 @@ ask_about_column(
 /* The answers go into a copy of the table, which the next question shows. */
 static bool
 ask_about_columns(struct session *s, const struct site_ask *ask,
-    const char *file, struct inquired *said)
+    const char *file, struct user_answers *said)
 {
 	struct site_ask table = *ask;
 	table.column = xcalloc(ask->n, sizeof *table.column);
@@ -316,7 +316,7 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 	}
 	FREED char *about = xasprintf(tr("%s: what are the %s marked with ?"),
 	    file, ask->across ? tr("lines") : tr("columns"));
-	struct inquiry q = {.about = about, .ask = &table, .first = true};
+	struct user_question q = {.about = about, .ask = &table, .first = true};
 	bool good = true;
 	xreplace(&said->columns, xstrdup(""));
 	if (ask->by_sample)
@@ -344,7 +344,7 @@ ask_about_columns(struct session *s, const struct site_ask *ask,
 }
 
 static bool
-parse_rotor_answer(const char *said, struct inquired *into, char *wrong)
+parse_rotor_answer(const char *said, struct user_answers *into, char *wrong)
 {
 	double mm;
 	bool good = text_parse_typed_number(said, &mm) &&
@@ -365,8 +365,8 @@ is_abbreviation_of(const char *said, const char *word)
 
 /* Y or Enter accepts the size offered; a number replaces it. */
 static bool
-parse_top_size_answer(
-    const char *settle, const char *said, struct inquired *into, char *wrong)
+parse_top_size_answer(const char *settle, const char *said,
+    struct user_answers *into, char *wrong)
 {
 	bool yes = said[0] == '\0' || is_abbreviation_of(said, "yes");
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
@@ -380,7 +380,8 @@ parse_top_size_answer(
 }
 
 static bool
-parse_decimal_mark_answer(const char *said, struct inquired *into, char *wrong)
+parse_decimal_mark_answer(
+    const char *said, struct user_answers *into, char *wrong)
 {
 	bool comma = strcmp(said, ",") == 0 || text_same_folded(said, "comma");
 	bool point = strcmp(said, ".") == 0 || text_same_folded(said, "point");
@@ -392,7 +393,8 @@ parse_decimal_mark_answer(const char *said, struct inquired *into, char *wrong)
 }
 
 static bool
-parse_date_order_answer(const char *said, struct inquired *into, char *wrong)
+parse_date_order_answer(
+    const char *said, struct user_answers *into, char *wrong)
 {
 	into->month_first = is_abbreviation_of(said, "month");
 	if (is_abbreviation_of(said, "day") || into->month_first)
@@ -405,7 +407,7 @@ parse_date_order_answer(const char *said, struct inquired *into, char *wrong)
 /* Takes a sheet or range as typed, or for "" the one offered. */
 static bool
 parse_sheet_or_range_answer(
-    const char *settle, const char *said, struct inquired *into)
+    const char *settle, const char *said, struct user_answers *into)
 {
 	char **slot =
 	    strncmp(settle, "sheet=", 6) == 0 ? &into->sheet : &into->range;
@@ -418,7 +420,7 @@ parse_sheet_or_range_answer(
  * offered. */
 static bool
 parse_tables_answer(const struct site_ask *ask, const char *said,
-    struct inquired *into, char *wrong)
+    struct user_answers *into, char *wrong)
 {
 	struct site_box box;
 	char *end;
@@ -449,7 +451,7 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 
 static bool
 parse_option_answer(const struct site_ask *ask, const char *said,
-    struct inquired *into, char *wrong)
+    struct user_answers *into, char *wrong)
 {
 	const char *settle = ask->settle;
 	if (ask->tables)
@@ -469,7 +471,7 @@ parse_option_answer(const struct site_ask *ask, const char *said,
  * size that is offered does so too. */
 static bool
 ask_until_valid_answer(
-    struct session *s, struct inquiry *q, struct inquired *said)
+    struct session *s, struct user_question *q, struct user_answers *said)
 {
 	char wrong[WRONG] = "";
 	bool top = strncmp(q->ask->settle, "top=", 4) == 0;
@@ -511,7 +513,7 @@ top_size_question(const char *size, double further)
 
 static bool
 ask_for_option_value(struct session *s, const struct site_ask *ask,
-    const struct error *trouble, struct inquired *said)
+    const struct error *trouble, struct user_answers *said)
 {
 	const char *value = strchr(ask->settle, '=') + 1;
 	FREED char *about = xasprintf("%s: %s", trouble->file, trouble->text);
@@ -520,7 +522,7 @@ ask_for_option_value(struct session *s, const struct site_ask *ask,
 	    ask->first < ask->last
 		? xasprintf("%zu-%zu", ask->first + 1, ask->last + 1)
 		: xasprintf("%zu", ask->first + 1);
-	struct inquiry q = {.about = about,
+	struct user_question q = {.about = about,
 	    .ask = ask,
 	    .text = passes,
 	    .offered = "Y/n",
@@ -554,7 +556,7 @@ ask_date_order(
 {
 	static char SETTLE[] = "dates=";
 	const struct site_ask ask = {.settle = SETTLE};
-	struct inquired said = {0};
+	struct user_answers said = {0};
 	bool good = can_ask_for_answers(s) &&
 		    ask_for_option_value(s, &ask, trouble, &said);
 	*month_first = said.month_first;
@@ -563,7 +565,7 @@ ask_date_order(
 
 bool
 ask_open_questions(struct session *s, const struct site_ask *ask,
-    const struct error *trouble, struct inquired *said)
+    const struct error *trouble, struct user_answers *said)
 {
 	if (!can_ask_for_answers(s) || ask->settle == NULL)
 		return false;

@@ -11,7 +11,7 @@
  * the question; offered: the answer for an empty line, or "".  hint: other
  * possible answers.  wrong: why the last answer was not accepted, or "".
  * first: this is the first question about the table. */
-struct inquiry {
+struct user_question {
 	const char *about;
 	const struct site_ask *ask;
 	size_t at;
@@ -21,7 +21,7 @@ struct inquiry {
 
 /* The user's answers, as options of load; NULL or 0 if not asked.  The caller
  * frees the texts. */
-struct inquired {
+struct user_answers {
 	char *columns, *samples, *sheet, *range;
 	char decimal;
 	double rotor, top; /* m, mm */
@@ -32,7 +32,7 @@ struct inquired {
  * Returns false if there is no user or the user gives up.  trouble: the fault
  * that says what is open.  said: the answers so far. */
 bool ask_open_questions(struct session *s, const struct site_ask *ask,
-    const struct error *trouble, struct inquired *said);
+    const struct error *trouble, struct user_answers *said);
 
 /* Asks whether the day or the month comes first in dates; the first letter
  * suffices.  Returns false if there is no user or the user gives up. */
@@ -42,6 +42,7 @@ bool ask_date_order(
 /* Returns row 0..ask->n of the table, of which row 0 is the headings, as a line
  * of at most `columns` screen columns; text that is too long ends in "..".  The
  * caller frees it. */
-char *inquiry_row_text(const struct inquiry *q, size_t row, int columns);
+char *user_question_row_text(
+    const struct user_question *q, size_t row, int columns);
 
 #endif

@@ -415,7 +415,7 @@ check_site(
 		    "%zu passings are too many to compare each with every "
 		    "other (check does so for up to %d), so single wrong "
 		    "values are not looked for; check fewer runs at a time",
-		    d.unseen, DOCTOR_CELLS);
+		    d.unseen, OUTLIERS_CELLS_MOST);
 	if (!mend_is_calibrated(s, entry))
 		report_worst_cell_of_fit(r, entry);
 	report_sites_with_same_data(s, r, index);

@@ -72,7 +72,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 /* Fills in the names, and states that nothing was measured and that the middle
  * speed is an assumption (D8). */
 static void
-describe_synthetic_site(struct site *site, const struct stored *m,
+describe_synthetic_site(struct site *site, const struct material *m,
     const struct synth *synth, const char *source)
 {
 	xreplace(&site->name, xstrdup(m->site));
@@ -91,7 +91,7 @@ describe_synthetic_site(struct site *site, const struct stored *m,
 }
 
 static struct site *
-synth_site_of_material(const struct stored *m, const struct args *args)
+synth_site_of_material(const struct material *m, const struct args *args)
 {
 	struct synth synth = {.top_size = m->top_size_mm / 1000,
 	    .params = m->params,
@@ -126,7 +126,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	bool built_in = strcmp(args->operand[0], "table3") == 0;
 	if (!built_in)
 		files_note_read(s, args->operand[0]);
-	struct stored_list rows = {0};
+	struct material_list rows = {0};
 	bool read = true;
 	if (built_in)
 		stored_add_table3(&rows);
@@ -135,13 +135,13 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 		    stored_read_table3_file(args->operand[0], &rows, &errors);
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
-		const struct stored *row = &rows.item[i];
+		const struct material *row = &rows.item[i];
 		if (wanted != NULL && !text_same_folded(wanted, row->site))
 			continue;
 		session_add_site(s, synth_site_of_material(row, args));
 		made++;
 	}
-	stored_list_free(&rows);
+	material_list_free(&rows);
 	if (!read)
 		return session_report_faults(
 		    s, args->operand[0], &errors, error);

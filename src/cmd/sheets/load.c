@@ -31,7 +31,7 @@ struct load {
 	struct site_request request;
 	char **path;
 	double *speed;
-	struct inquired said;
+	struct user_answers said;
 	const char *digest;
 };
 
@@ -47,7 +47,7 @@ split_file_and_speed(
 	if (at == NULL || at == word || access(word, F_OK) == 0 ||
 	    strchr(at, '/') != NULL)
 		return true;
-	struct head head = head_parse(at);
+	struct head head = heading_parse(at);
 	char **copy = path;
 	(*copy)[at - word] = '\0';
 	*speed = head.speed;
@@ -60,7 +60,7 @@ split_file_and_speed(
 }
 
 static void
-free_user_answers(struct inquired *said)
+free_user_answers(struct user_answers *said)
 {
 	free(said->columns);
 	free(said->samples);
@@ -153,7 +153,7 @@ note_loaded(struct session *s, const struct site *site)
 }
 
 static void
-use_user_answers(const struct inquired *said, struct site_request *q)
+use_user_answers(const struct user_answers *said, struct site_request *q)
 {
 	q->columns = said->columns != NULL ? said->columns : q->columns;
 	q->samples = said->samples != NULL ? said->samples : q->samples;
@@ -388,7 +388,7 @@ remove_result_files(const struct session *s, struct load *l, size_t from)
 {
 	size_t n = from;
 	for (size_t i = from; i < l->request.n; i++) {
-		FREED char *command = results_command_in_file(l->path[i]);
+		FREED char *command = command_that_made_file(l->path[i]);
 		if (command == NULL) {
 			l->path[n++] = l->path[i];
 			continue;

@@ -167,7 +167,7 @@ tip_speed_of_window(
 	double v =
 	    log->value[LOG_SPEED] != NULL
 		? w->median[LOG_SPEED]
-		: head_speed_to_mps(w->median[LOG_RPM], SPEED_RPM, rotor);
+		: speed_in_unit_to_mps(w->median[LOG_RPM], SPEED_RPM, rotor);
 	return round(10 * v) / 10;
 }
 
@@ -202,7 +202,7 @@ note_speed_from_log(struct session *s, const struct plant_log *log, double time,
 }
 
 static bool
-set_error_no_log_row(const struct plant_log *log, double time, double within,
+fail_without_log_row(const struct plant_log *log, double time, double within,
     struct error *error)
 {
 	double near = log->time[plant_log_row_nearest_time(log, time)];
@@ -218,7 +218,7 @@ set_error_no_log_row(const struct plant_log *log, double time, double within,
 }
 
 bool
-log_look_up_time(struct session *s, double time, double within, double rotor,
+log_find_speed_at(struct session *s, double time, double within, double rotor,
     struct logged *found, struct error *error)
 {
 	const struct plant_log *log = s->log;
@@ -241,7 +241,7 @@ log_look_up_time(struct session *s, double time, double within, double rotor,
 	struct log_window w =
 	    plant_log_summarise_window(log, time - within, time + within);
 	if (w.n == 0)
-		return set_error_no_log_row(log, time, within, error);
+		return fail_without_log_row(log, time, within, error);
 	double v = tip_speed_of_window(log, &w, rotor);
 	if (!(v >= 1 && v <= SITE_FASTEST)) {
 		FREED char *at = datetime_to_text(time);

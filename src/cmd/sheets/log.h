@@ -16,7 +16,7 @@ bool log_load(struct session *s, const struct args *args, struct error *error);
 struct logged {
 	double speed, power, rate;
 };
-bool log_look_up_time(struct session *s, double time, double within,
+bool log_find_speed_at(struct session *s, double time, double within,
     double rotor, struct logged *found, struct error *error);
 
 #endif

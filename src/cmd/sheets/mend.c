@@ -23,7 +23,7 @@ posterior_of_site(const struct session *s, const struct entry *entry)
 	if (origin_find_fit(entry) == NULL || session_is_calibrating(s) ||
 	    entry->origin->history->site != entry->site)
 		return NULL;
-	return outlook_calibration_posterior(s, entry, CORRECTION_ALL);
+	return posterior_of_calibration(s, entry, CORRECTION_ALL);
 }
 
 bool
@@ -242,7 +242,7 @@ parse_kind_of_mend(const struct args *args, struct mend *mend)
 }
 
 static bool
-set_error_no_column(
+fail_without_column(
     const struct site *site, const char *name, struct error *error)
 {
 	FREED char *list = xstrdup("");
@@ -269,7 +269,7 @@ parse_mend_options(const struct site *site, const struct args *args,
 	const char *name = args->operand[0], *with = args->with;
 	bool feed = false;
 	if (!mend_find_column(site, name, &mend->feed, &mend->run))
-		return set_error_no_column(site, name, error);
+		return fail_without_column(site, name, error);
 	if (count_mend_options(args) != 1 || !parse_kind_of_mend(args, mend))
 		return error_set(error, ERROR_USAGE,
 		    "expected what to do with %s\n"
@@ -281,7 +281,7 @@ parse_mend_options(const struct site *site, const struct args *args,
 		return true;
 	if (!mend_find_column(site, with, &feed, &mend->other) || feed ||
 	    mend->other == mend->run)
-		return set_error_no_column(site, with, error);
+		return fail_without_column(site, with, error);
 	return true;
 }
 

@@ -29,20 +29,20 @@
  * The fit is stored with its runs but without draws, which follow from runs,
  * fit and seed. */
 static char *
-basis_of_fit_text(const struct entry *entry)
+fit_record_text(const struct entry *entry)
 {
 	const struct history *h = entry->history;
 	const struct site *site = entry->site;
 	bool grown = h->site->digest != site->digest;
-	struct basis basis = {.fit = entry->fit,
+	struct fit_record basis = {.fit = entry->fit,
 	    .bounds = h->bounds,
 	    .weight = h->weight,
 	    .train = h->train,
 	    .then = site_copy(h->site),
 	    .now = grown ? site_copy(site) : NULL};
-	char *text = basis_to_text(&basis);
+	char *text = fit_record_to_text(&basis);
 	basis.train = NULL;
-	basis_clear(&basis);
+	fit_record_clear(&basis);
 	return text;
 }
 
@@ -75,7 +75,7 @@ has_all_runs_of(const struct site *site, const struct site *of)
 }
 
 static bool
-has_digest_of_material(const struct site *site, const struct stored *m)
+has_digest_of_material(const struct site *site, const struct material *m)
 {
 	return strtoull(m->site_digest, NULL, 16) == site->digest;
 }
@@ -103,20 +103,20 @@ runs_and_speeds_text(const struct site *site)
 }
 
 static char *
-material_contents_text(const struct stored *m)
+material_contents_text(const struct material *m)
 {
-	struct basis b;
-	bool runs = basis_from_material(m, &b, NULL);
+	struct fit_record b;
+	bool runs = fit_record_of_material(m, &b, NULL);
 	char *words = runs
 			  ? runs_and_speeds_text(b.now != NULL ? b.now : b.then)
 			  : xstrdup(tr("parameters"));
-	basis_clear(&b);
+	fit_record_clear(&b);
 	return words;
 }
 
 static void
-restore_calibration(struct entry *entry, const struct basis *b,
-    const struct stored *m, struct history *h)
+restore_calibration(struct entry *entry, const struct fit_record *b,
+    const struct material *m, struct history *h)
 {
 	entry->fit = b->fit;
 	entry->params = m->params;
@@ -136,7 +136,7 @@ restore_calibration(struct entry *entry, const struct basis *b,
 
 static void
 set_params_from_material(
-    struct entry *entry, const struct stored *m, struct history *h)
+    struct entry *entry, const struct material *m, struct history *h)
 {
 	entry->params = m->params;
 	entry->has_params = true;
@@ -158,13 +158,13 @@ enum remembered {
  * *index has its runs, it becomes the site's own.  If no site is loaded, the
  * material's is, at *index.  Runs added to either since are kept. */
 static enum remembered
-recall_calibration(struct session *s, const struct stored *m, size_t *index,
+recall_calibration(struct session *s, const struct material *m, size_t *index,
     struct error *error)
 {
-	struct basis b;
+	struct fit_record b;
 	error->kind = ERROR_NONE;
-	if (!basis_from_material(m, &b, error)) {
-		basis_clear(&b);
+	if (!fit_record_of_material(m, &b, error)) {
+		fit_record_clear(&b);
 		return error->kind == ERROR_NONE ? REMEMBERED_NONE
 						 : REMEMBERED_FAILED;
 	}
@@ -199,7 +199,7 @@ recall_calibration(struct session *s, const struct stored *m, size_t *index,
 
 /* Returns "fit", "set by hand" or "Table 3". */
 static const char *
-material_origin_text(const struct stored *m)
+material_origin_text(const struct material *m)
 {
 	return stored_is_table3(m)             ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
@@ -226,7 +226,7 @@ keep_nearest_name(void *data, const char *name)
 }
 
 static bool
-set_error_no_material(struct store *store, const struct stored_list *paper,
+fail_without_material(struct store *store, const struct material_list *paper,
     const char *name, struct error *error)
 {
 	struct spelling s = {name, xstrdup(""), 3};
@@ -250,19 +250,20 @@ set_error_no_material(struct store *store, const struct stored_list *paper,
  * suggests the closest name. */
 static bool
 find_material_by_name(struct store *store, const char *name,
-    struct stored_list *list, const struct stored **found, struct error *error)
+    struct material_list *list, const struct material **found,
+    struct error *error)
 {
 	const struct store_query query = {.name = name};
 	if (!store_find_materials(store, &query, list, error))
 		return false;
 	stored_add_table3(list);
-	*found = stored_find(list, name);
+	*found = material_find(list, name);
 	if (*found == NULL) {
 		FREED char *paper = xasprintf("table3/%s", name);
-		*found = stored_find(list, paper);
+		*found = material_find(list, paper);
 	}
 	return *found != NULL ||
-	       set_error_no_material(store, list, name, error);
+	       fail_without_material(store, list, name, error);
 }
 
 static void
@@ -281,10 +282,10 @@ set_text_copy(char **text, const char *value)
 }
 
 static void
-set_fields_of_fit(struct stored *m, const struct entry *entry)
+set_fields_of_fit(struct material *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
-	set_trimmed_text(&m->basis, basis_of_fit_text(entry));
+	set_trimmed_text(&m->basis, fit_record_text(entry));
 	set_text_copy(&m->options, entry->options);
 	set_text_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
@@ -297,7 +298,7 @@ set_fields_of_fit(struct stored *m, const struct entry *entry)
 /* Parameters from another site keep its speeds and provenance: synthetic data
  * do not become measured by being used. */
 static void
-set_fields_of_origin(struct stored *m, const struct entry *entry)
+set_fields_of_origin(struct material *m, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool own = o->from[0] == '\0';
@@ -317,20 +318,20 @@ set_fields_of_origin(struct stored *m, const struct entry *entry)
 				  site_assumed_top_size(entry->site)));
 }
 
-static struct stored
+static struct material
 make_material_from_entry(const struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const struct model_settings *settings =
 	    entry->has_fit ? &entry->fit.settings : &s->set.model;
-	struct stored m = stored_empty();
+	struct material m = material_empty();
 	set_text_copy(&m.site, site->name);
 	set_text_copy(&m.rock, site->rock);
 	set_text_copy(&m.machine, site->machine);
 	set_fields_of_origin(&m, entry);
 	set_text_copy(&m.origin, entry->has_fit ? "fit" : "hand");
 	set_text_copy(&m.method, answers_method_name(settings->method));
-	set_text_copy(&m.appearance, MODEL_FORMS[settings->appearance]);
+	set_text_copy(&m.appearance, APPEARANCE_NAMES[settings->appearance]);
 	set_text_copy(&m.version, PACKAGE_VERSION);
 	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
 	m.k = settings->k;
@@ -364,7 +365,7 @@ check_can_remember(
 	if (args->date != NULL && !datetime_is_iso_date(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
-	return args->note == NULL || stored_is_one_line(args->note) ||
+	return args->note == NULL || material_is_one_line(args->note) ||
 	       error_set(error, ERROR_USAGE,
 		   "note: expected one line without control characters");
 }
@@ -378,12 +379,12 @@ can_ask_to_confirm(const struct session *s)
 /* Notes other materials with the same runs, as after a sheet was renamed. */
 static void
 note_materials_with_same_runs(
-    struct session *s, struct answer *r, const struct stored *m)
+    struct session *s, struct answer *r, const struct material *m)
 {
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	store_list_materials(s->store, &list, NULL);
 	for (size_t i = 0; i < list.n && m->site_digest[0] != '\0'; i++) {
-		const struct stored *other = &list.item[i];
+		const struct material *other = &list.item[i];
 		if (strcmp(other->name, m->name) == 0 ||
 		    strcmp(other->site_digest, m->site_digest) != 0)
 			continue;
@@ -394,13 +395,13 @@ note_materials_with_same_runs(
 		    "'%s' removes that",
 		    other->name, other->date, line);
 	}
-	stored_list_free(&list);
+	material_list_free(&list);
 }
 
 /* Shows what was stored, which confirms that it is on disk. */
 static void
 show_remembered_materials(
-    struct session *s, const struct stored *item, size_t n)
+    struct session *s, const struct material *item, size_t n)
 {
 	struct answer *r = answer_new("remember");
 	FREED char *about = xstrdup("");
@@ -411,7 +412,7 @@ show_remembered_materials(
 	answer_columns(r, "name, origin, data, rmse_pct: RMSE, holdout_pct: "
 			  "hold-out RMSE, date");
 	for (size_t i = 0; i < n; i++) {
-		const struct stored *m = &item[i];
+		const struct material *m = &item[i];
 		if (strstr(about, m->provenance) == NULL)
 			xappend_to_list(&about, "; ", "%s", m->provenance);
 		answer_add_cells(r, "%s %s %s %.2f %.2f %s", m->name,
@@ -442,25 +443,25 @@ show_remembered_materials(
  * remembered. */
 static bool
 add_material_to_list(struct session *s, const struct entry *entry,
-    const char *name, const struct args *args, struct stored_list *list,
+    const char *name, const struct args *args, struct material_list *list,
     struct error *error)
 {
 	if (!check_can_remember(entry, args, error) ||
-	    !stored_check_name(name, error))
+	    !material_check_name(name, error))
 		return false;
-	struct stored m = make_material_from_entry(s, entry);
+	struct material m = make_material_from_entry(s, entry);
 	set_text_copy(&m.name, name);
 	set_trimmed_text(&m.date,
 	    args->date != NULL ? xstrdup(args->date) : datetime_today());
 	if (args->note != NULL)
 		set_text_copy(&m.note, args->note);
-	stored_list_add(list, m);
+	material_list_add(list, m);
 	return true;
 }
 
 static bool
 add_all_calibrated_sites(struct session *s, const struct args *args,
-    struct stored_list *list, struct error *error)
+    struct material_list *list, struct error *error)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
@@ -509,10 +510,10 @@ replacement_text(const struct entry *entry, const struct site *old)
  * Return means yes. */
 static bool
 ask_to_replace_material(struct session *s, const struct entry *entry,
-    const struct stored *m, struct error *error)
+    const struct material *m, struct error *error)
 {
-	struct basis b;
-	bool runs = basis_from_material(m, &b, NULL);
+	struct fit_record b;
+	bool runs = fit_record_of_material(m, &b, NULL);
 	const struct site *site = b.now != NULL ? b.now : b.then;
 	bool earlier =
 	    runs && entry->has_fit && has_all_runs_of(entry->site, site) &&
@@ -523,7 +524,7 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	    xasprintf(tr("the store has %s: %s, remembered on %s; replace it "
 			 "by %s?"),
 		m->name, old, m->date, new);
-	basis_clear(&b);
+	fit_record_clear(&b);
 	if (s->hooks.confirm(s, question, earlier))
 		return true;
 	FREED char *free_name = find_free_material_name(s, m->name);
@@ -539,11 +540,11 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 /* Asks the user whether to replace materials that the store has, and sets
  * *replace.  In a script store_put_materials refuses instead. */
 static bool
-ask_to_replace_materials(struct session *s, const struct stored_list *list,
+ask_to_replace_materials(struct session *s, const struct material_list *list,
     bool *replace, struct error *error)
 {
 	bool asks = can_ask_to_confirm(s);
-	struct stored_list own = {0};
+	struct material_list own = {0};
 	for (size_t i = 0; asks && i < list->n && own.n == 0; i++) {
 		const struct store_query query = {.name = list->item[i].name};
 		store_find_materials(s->store, &query, &own, NULL);
@@ -563,7 +564,7 @@ ask_to_replace_materials(struct session *s, const struct stored_list *list,
 			       "has what it had\n"
 			       "to replace it: remember all replace=on");
 	}
-	stored_list_free(&own);
+	material_list_free(&own);
 	return !wanted || *replace;
 }
 
@@ -574,7 +575,7 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	const char *name = args->n_operand > 0 ? args->operand[0] : entry->key;
 	bool all = strcmp(name, "all") == 0 && args->n_operand > 0;
 	bool replace = args->replace;
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	bool ok =
 	    all ? add_all_calibrated_sites(s, args, &list, error)
 		: add_material_to_list(s, entry, name, args, &list, error);
@@ -584,14 +585,14 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 		s->entry[i].remembered |= all || &s->entry[i] == entry;
 	if (ok)
 		show_remembered_materials(s, list.item, list.n);
-	stored_list_free(&list);
+	material_list_free(&list);
 	return ok;
 }
 
 /* Notes what to know before relying on another site's parameters. */
 static void
 note_recalled_params(
-    struct session *s, const struct entry *entry, const struct stored *m)
+    struct session *s, const struct entry *entry, const struct material *m)
 {
 	session_note(s, "%s: parameters from store: %s (%s, %s; %s)",
 	    entry->site->name, m->name, m->site,
@@ -626,7 +627,7 @@ cuts_are_in_answers(const struct session *s, const struct entry *entry)
 {
 	return entry->history != NULL &&
 	       entry->history->site->digest == entry->site->digest &&
-	       outlook_correcting_runs(s, entry) == CORRECTION_ALL;
+	       runs_that_correct(s, entry) == CORRECTION_ALL;
 }
 
 /* Lists what came back with a site besides its products: feeds, training runs,
@@ -686,9 +687,9 @@ note_recalled_site(struct session *s, const struct entry *entry)
  * calibration. */
 static void
 note_recalled_material(
-    struct session *s, const struct entry *entry, const struct stored *m)
+    struct session *s, const struct entry *entry, const struct material *m)
 {
-	struct model_settings set_to = stored_model_settings(m);
+	struct model_settings set_to = material_model_settings(m);
 	if (entry->has_fit)
 		note_recalled_site(s, entry);
 	else
@@ -707,11 +708,11 @@ note_recalled_material(
  * line. */
 static bool
 check_recalled_digest(struct session *s, const struct args *args,
-    const struct stored *m, struct error *error)
+    const struct material *m, struct error *error)
 {
 	const char *wanted = args->digest;
 	char found[17];
-	snprintf(found, sizeof found, "%016" PRIx64, stored_make_digest(m));
+	snprintf(found, sizeof found, "%016" PRIx64, material_make_digest(m));
 	if (wanted == NULL)
 		invocation_add_options(s, " digest=%s", found);
 	if (wanted == NULL || strcmp(wanted, found) == 0)
@@ -727,8 +728,8 @@ check_recalled_digest(struct session *s, const struct args *args,
  * these: the site's answers are then those of that day, and those of another
  * site take the runs into account. */
 static bool
-recall_params_and_runs(struct session *s, const struct stored *m, size_t index,
-    struct error *error)
+recall_params_and_runs(struct session *s, const struct material *m,
+    size_t index, struct error *error)
 {
 	enum remembered how = recall_calibration(s, m, &index, error);
 	if (how == REMEMBERED_FAILED ||
@@ -736,8 +737,7 @@ recall_params_and_runs(struct session *s, const struct stored *m, size_t index,
 		return false;
 	struct entry *entry = &s->entry[index];
 	if (how == REMEMBERED_NONE)
-		model_set_site_params(
-		    s, entry, &m->params, origin_from_store(m));
+		set_site_params(s, entry, &m->params, origin_from_store(m));
 	note_recalled_material(s, entry, m);
 	return true;
 }
@@ -753,7 +753,7 @@ has_name_in_list(const char *names, const char *name)
 /* Returns the materials for an error: "pit (3 runs at 69 to 79 m/s,
  * 2026-11-24); ..". */
 static char *
-materials_text(const struct stored_list *list)
+materials_text(const struct material_list *list)
 {
 	enum { MOST = 6 };
 	char *words = xstrdup("");
@@ -769,15 +769,15 @@ materials_text(const struct stored_list *list)
 
 /* Returns the material with the runs of the site in use, whatever it is called,
  * or with its name; NULL if there is none. */
-static const struct stored *
-find_material_of_site(const struct session *s, const struct stored_list *list)
+static const struct material *
+find_material_of_site(const struct session *s, const struct material_list *list)
 {
-	const struct stored *named = NULL, *same = NULL;
+	const struct material *named = NULL, *same = NULL;
 	if (s->n_entry == 0)
 		return NULL;
 	const struct entry *entry = &s->entry[s->current];
 	for (size_t i = 0; i < list->n; i++) {
-		const struct stored *m = &list->item[i];
+		const struct material *m = &list->item[i];
 		bool is_named = text_same_folded(m->name, entry->key);
 		if (has_digest_of_material(entry->site, m) &&
 		    (same == NULL || is_named))
@@ -793,11 +793,11 @@ find_material_of_site(const struct session *s, const struct stored_list *list)
 static char *
 choose_name_to_recall(struct session *s, struct error *error)
 {
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	char *name = NULL;
 	if (!store_list_materials(s->store, &list, error))
 		return NULL;
-	const struct stored *m =
+	const struct material *m =
 	    list.n == 1 ? &list.item[0] : find_material_of_site(s, &list);
 	if (m != NULL) {
 		name = xstrdup(m->name);
@@ -812,7 +812,7 @@ choose_name_to_recall(struct session *s, struct error *error)
 		    "recall: expected a name, and nothing was remembered yet\n"
 		    "'store list' has the materials of Table 3");
 	}
-	stored_list_free(&list);
+	material_list_free(&list);
 	return name;
 }
 
@@ -826,20 +826,20 @@ cmd_recall(struct session *s, const struct args *args, struct error *error)
 	FREED char *name = args->n_operand > 0
 			       ? xstrdup(args->operand[0])
 			       : choose_name_to_recall(s, error);
-	struct stored_list list = {0};
-	const struct stored *m;
+	struct material_list list = {0};
+	const struct material *m;
 	bool ok = name != NULL &&
 		  find_material_by_name(s->store, name, &list, &m, error) &&
 		  check_recalled_digest(s, args, m, error) &&
 		  recall_params_and_runs(s, m, index, error);
-	stored_list_free(&list);
+	material_list_free(&list);
 	return ok;
 }
 
 /* Returns commands that would store the material again, except for its origin:
  * "params set beta1=.. ..; remember NAME". */
 static char *
-commands_to_store_again(const struct stored *m)
+commands_to_store_again(const struct material *m)
 {
 	const struct breakage *of = breakage_model_of_params(&m->params);
 	char *line = m->params.breakage > 0
@@ -854,7 +854,7 @@ commands_to_store_again(const struct stored *m)
 }
 
 static void
-show_forgotten_material(struct session *s, const struct stored *m)
+show_forgotten_material(struct session *s, const struct material *m)
 {
 	struct answer *r = answer_new("forget");
 	FREED char *line = commands_to_store_again(m);
@@ -870,17 +870,17 @@ bool
 cmd_forget(struct session *s, const struct args *args, struct error *error)
 {
 	const char *name = args->operand[0];
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	const struct store_query query = {.name = name};
 	/* A damaged row cannot be read, but it can be deleted. */
 	bool listed = store_find_materials(s->store, &query, &list, NULL);
-	const struct stored *m = listed ? stored_find(&list, name) : NULL;
+	const struct material *m = listed ? material_find(&list, name) : NULL;
 	bool ok = store_remove_material(s->store, name, error);
 	if (ok && m != NULL)
 		show_forgotten_material(s, m);
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
-	stored_list_free(&list);
+	material_list_free(&list);
 	if (!ok && stored_is_table3_name(name))
 		error_set(error, ERROR_USAGE,
 		    "%s is part of the program and cannot be forgotten\n"
@@ -893,7 +893,7 @@ bool
 cmd_export(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
-	struct stored_list list = {0};
+	struct material_list list = {0};
 	bool ok = files_may_overwrite(s, args, path, error) &&
 		  store_list_materials(s->store, &list, error) &&
 		  store_csv_write_file(&list, path, error);
@@ -904,7 +904,7 @@ cmd_export(struct session *s, const struct args *args, struct error *error)
 			"wrote %s: %zu materials of your own", list.n),
 		    path, list.n);
 	}
-	stored_list_free(&list);
+	material_list_free(&list);
 	return ok;
 }
 
@@ -913,7 +913,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[0];
 	struct error_list errors = {.stop = s->hooks.stop};
-	struct stored_list there = {0}, list = {0};
+	struct material_list there = {0}, list = {0};
 	bool ok = store_list_materials(s->store, &there, error);
 	files_note_read(s, path);
 	if (ok && !store_csv_read_file(
@@ -926,14 +926,14 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 		    tr_n("imported %zu material from %s",
 			"imported %zu materials from %s", list.n),
 		    list.n, path);
-	stored_list_free(&there);
-	stored_list_free(&list);
+	material_list_free(&there);
+	material_list_free(&list);
 	return ok;
 }
 
 /* Sizes are nominal: within 5 % they are the same, so that 11 matches 11.2. */
 static bool
-has_top_size(const struct stored *m, double top_mm)
+has_top_size(const struct material *m, double top_mm)
 {
 	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
 }
@@ -941,7 +941,7 @@ has_top_size(const struct stored *m, double top_mm)
 enum { ALL, TABLE3, OWN };
 
 static bool
-is_material_asked_for(const struct stored *m, const struct args *args)
+is_material_asked_for(const struct material *m, const struct args *args)
 {
 	return (args->rock == NULL || text_same_folded(m->rock, args->rock)) &&
 	       (!(args->top > 0) || has_top_size(m, args->top)) &&
@@ -950,7 +950,7 @@ is_material_asked_for(const struct stored *m, const struct args *args)
 }
 
 static void
-add_material_row(struct answer *r, const struct stored *m)
+add_material_row(struct answer *r, const struct material *m)
 {
 	answer_add_cells(r, "%s %s %g %.2f %.2f %.2f %s %s", m->name, m->rock,
 	    m->top_size_mm, params_value_by_name(&m->params, "f_mat"),
@@ -970,7 +970,7 @@ add_rock_unless_listed(void *data, const char *rock)
 /* Lists the rocks that there are, if none is the one asked for. */
 static bool
 note_available_rocks(struct answer *r, struct store *store,
-    const struct stored_list *paper, struct error *error)
+    const struct material_list *paper, struct error *error)
 {
 	FREED char *rocks = xstrdup("");
 	bool ok = store_visit_names(
@@ -983,7 +983,7 @@ note_available_rocks(struct answer *r, struct store *store,
 
 /* Returns a query for those of the user's materials that may match. */
 static struct store_query
-parse_materials_query(const struct args *args)
+query_of_materials(const struct args *args)
 {
 	return (struct store_query){.rock = args->rock,
 	    .top_least = 0.94 * args->top,
@@ -993,7 +993,7 @@ parse_materials_query(const struct args *args)
 
 static struct answer *
 build_materials_answer(
-    const struct args *args, const struct stored_list *list, size_t *n)
+    const struct args *args, const struct material_list *list, size_t *n)
 {
 	struct answer *r = answer_new("materials");
 	bool models = false;
@@ -1019,7 +1019,7 @@ build_materials_answer(
 
 /* A row of Table 3 as printed, with its spelling and feeds. */
 static void
-add_printed_table3_row(struct answer *r, const struct stored *m)
+add_printed_table3_row(struct answer *r, const struct material *m)
 {
 	answer_add_cells(r, "%s %s %s %g %.2f %.2f %.2f %s", m->name, m->site,
 	    m->rock, m->top_size_mm, m->params.f_mat, m->params.e0_min,
@@ -1030,7 +1030,7 @@ add_printed_table3_row(struct answer *r, const struct stored *m)
  * Programs get the columns of all lists first. */
 static struct answer *
 build_table3_answer(const struct session *s, const struct args *args,
-    const struct stored_list *paper, size_t *n)
+    const struct material_list *paper, size_t *n)
 {
 	enum { WIDE = 100 };
 	struct answer *r = answer_new("materials");
@@ -1060,8 +1060,8 @@ static bool
 show_materials_list(
     struct session *s, const struct args *args, struct error *error)
 {
-	struct stored_list list = {0}, paper = {0};
-	struct store_query query = parse_materials_query(args);
+	struct material_list list = {0}, paper = {0};
+	struct store_query query = query_of_materials(args);
 	size_t n, own = 0;
 	stored_add_table3(&paper);
 	bool ok = store_count_materials(s->store, &own, error) &&
@@ -1081,8 +1081,8 @@ show_materials_list(
 		    listed);
 	if (ok && n == 0 && query.rock != NULL)
 		ok = note_available_rocks(r, s->store, &paper, error);
-	stored_list_free(&list);
-	stored_list_free(&paper);
+	material_list_free(&list);
+	material_list_free(&paper);
 	if (ok)
 		return session_show_answer(s, r);
 	answer_free(r);
@@ -1099,13 +1099,13 @@ add_stored_field_row(void *data, const char *name, const char *text)
 }
 
 static void
-show_material(struct session *s, const struct stored *m)
+show_material(struct session *s, const struct material *m)
 {
 	struct answer *r = answer_new("materials");
 	answer_title(r, "%s: %s", m->name, material_origin_text(m));
 	answer_set_site(r, m->site, m->provenance);
 	answer_columns(r, "field, value");
-	stored_visit_fields(m, add_stored_field_row, r);
+	material_visit_fields(m, add_stored_field_row, r);
 	session_show_answer(s, r);
 }
 
@@ -1114,7 +1114,7 @@ show_store_summary(
     struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
-	struct stored_list all = {0};
+	struct material_list all = {0};
 	size_t own;
 	if (!store_count_materials(s->store, &own, error))
 		return false;
@@ -1136,7 +1136,7 @@ show_store_summary(
 	answer_add_pair(r, "own materials", "%zu", own);
 	answer_add_pair(r, "of Table 3", "%zu, read only", all.n);
 	answer_note(r, "run 'materials' to list them");
-	stored_list_free(&all);
+	material_list_free(&all);
 	return session_show_answer(s, r);
 }
 
@@ -1145,12 +1145,12 @@ cmd_materials(struct session *s, const struct args *args, struct error *error)
 {
 	if (args->n_operand == 0)
 		return show_materials_list(s, args, error);
-	struct stored_list list = {0};
-	const struct stored *m;
+	struct material_list list = {0};
+	const struct material *m;
 	bool ok =
 	    find_material_by_name(s->store, args->operand[0], &list, &m, error);
 	if (ok)
 		show_material(s, m);
-	stored_list_free(&list);
+	material_list_free(&list);
 	return ok;
 }

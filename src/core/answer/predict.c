@@ -104,7 +104,7 @@ predict_table(const struct site *site, size_t feed_run,
 	const struct psd *feed = site_feed_of_run(site, feed_run);
 	double speed = response_speed(r);
 	struct prediction p = {.speed = speed,
-	    .energy = energy_specific_at_speed(speed),
+	    .energy = specific_energy_at_speed(speed),
 	    .feed_run = feed_run,
 	    .share = 1,
 	    .share_range = {NAN, NAN},

@@ -186,7 +186,7 @@ fraction_of_curve(
 	*share = 1;
 	if (r->kept[i] == NULL)
 		return curve;
-	*share = screening_screen_product(curve, r->kept[i], &r->part);
+	*share = screening_part_of_product(curve, r->kept[i], &r->part);
 	return &r->part;
 }
 

@@ -63,7 +63,7 @@ league_rmse_over_runs(
 
 /* The difference is (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m); an error of
  * m therefore counts -2 (a - b) times. */
-struct league_pair
+struct league_difference
 league_compare_errors(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
@@ -85,14 +85,14 @@ league_compare_errors(
 				    (a[j] - b[j]) * cell[j].noise;
 		}
 	}
-	return (struct league_pair){difference, 2 * sqrt(variance)};
+	return (struct league_difference){difference, 2 * sqrt(variance)};
 }
 
 bool
 league_errs_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
-	struct league_pair p = league_compare_errors(cell, n, a, b);
+	struct league_difference p = league_compare_errors(cell, n, a, b);
 	return p.difference > ERRORS * p.error &&
 	       league_rmse_over_runs(cell, n, a) >
 		   league_rmse_over_runs(cell, n, b) + LEAST;

@@ -39,14 +39,14 @@ double league_rmse_over_runs(
  * error: the standard error of this sum, from the sampling errors of the cells
  * alone.  Errors are partly shared along the curve of a run, in proportion to
  * the priors in HYPER (D13). */
-struct league_pair {
+struct league_difference {
 	double difference, error;
 };
-struct league_pair league_compare_errors(
+struct league_difference league_compare_errors(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
 /* True if the errors of a exceed those of b by more than both twice
- * league_pair's error and 0.1 points of RMSE. */
+ * league_difference's error and 0.1 points of RMSE. */
 bool league_errs_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 

@@ -347,7 +347,7 @@ shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 }
 
 struct leave_out_shift
-leave_out_shift_of(struct leave_out *l, size_t cell)
+leave_out_shift_of_cell(struct leave_out *l, size_t cell)
 {
 	return shift_of_free_cell(
 	    l, cell, minus_log_posterior_at_best_hypers(l));

@@ -63,7 +63,8 @@ struct leave_out_shift {
 struct leave_out_shift leave_out_worst_shift(struct leave_out *l);
 
 /* Returns the shift of the given cell. */
-struct leave_out_shift leave_out_shift_of(struct leave_out *l, size_t cell);
+struct leave_out_shift leave_out_shift_of_cell(
+    struct leave_out *l, size_t cell);
 
 /* Leaves the cell out from now on. */
 void leave_out_remove_cell(struct leave_out *l, size_t cell);

@@ -454,7 +454,7 @@ shift_along_curves(
 		struct leave_out_cell c = leave_out_get_cell(l, i);
 		if (c.feed == cell->feed && c.run == cell->run &&
 		    c.sieve == cell->sieve)
-			s = leave_out_shift_of(l, i);
+			s = leave_out_shift_of_cell(l, i);
 	}
 	leave_out_free(l);
 	return s;
@@ -499,7 +499,7 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 	refit_without_cell(p, site, m);
 	l = leave_out_without(site, p, noise, found, n);
 	double gain = s.gain;
-	s = leave_out_shift_of(l, s.cell);
+	s = leave_out_shift_of_cell(l, s.cell);
 	leave_out_free(l);
 	if (!(fabs(s.expected - passing_of_cell(site, &c)) > WORTH))
 		return false;
@@ -613,7 +613,7 @@ outliers_find(
 	bool columns = d.n > 0;
 	find_copied_products(&d, site);
 	size_t cells = count_cells(site);
-	if (cells > DOCTOR_CELLS)
+	if (cells > OUTLIERS_CELLS_MOST)
 		d.unseen = cells;
 	bool look = !columns && d.unseen == 0;
 	if (look && posterior != NULL)

@@ -26,10 +26,10 @@ struct finding {
 	double off[2], rmse[2];
 };
 
-/* unseen: the number of passings if it exceeds DOCTOR_CELLS, as none is then
- * compared with all others (their covariance matrix would be too large); else
- * 0. */
-enum { DOCTOR_CELLS = 1000 };
+/* unseen: the number of passings if it exceeds OUTLIERS_CELLS_MOST, as none is
+ * then compared with all others (their covariance matrix would be too large);
+ * else 0. */
+enum { OUTLIERS_CELLS_MOST = 1000 };
 struct outlier_findings {
 	size_t n;
 	struct finding *finding;

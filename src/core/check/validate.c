@@ -107,9 +107,9 @@ validate_interpolated_passing(
 	find_speeds_to_interpolate(site, train, speed, line);
 	double a = mean_passing_at_speed(site, train, line[0], x);
 	double b = mean_passing_at_speed(site, train, line[1], x);
-	double E_a = energy_specific_at_speed(line[0]),
-	       E_b = energy_specific_at_speed(line[1]);
-	double t = (energy_specific_at_speed(speed) - E_a) / (E_b - E_a);
+	double E_a = specific_energy_at_speed(line[0]),
+	       E_b = specific_energy_at_speed(line[1]);
+	double t = (specific_energy_at_speed(speed) - E_a) / (E_b - E_a);
 	return a + t * (b - a);
 }
 

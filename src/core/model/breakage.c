@@ -132,13 +132,13 @@ params_start_values(size_t breakage)
 }
 
 double
-energy_specific_at_speed(double v)
+specific_energy_at_speed(double v)
 {
 	return v * v / 2;
 }
 
 size_t
-params_index_of_largest_gauge(const struct params *p)
+params_index_of_largest(const struct params *p)
 {
 	size_t largest = 0, gauge = breakage_model_of_params(p)->gauge;
 	for (size_t j = 1; j < gauge; j++)
@@ -148,16 +148,16 @@ params_index_of_largest_gauge(const struct params *p)
 }
 
 double
-params_largest_gauge(const struct params *p)
+params_largest_of_gauge(const struct params *p)
 {
-	size_t j = params_index_of_largest_gauge(p);
+	size_t j = params_index_of_largest(p);
 	return j < PARAMS_MOST ? fabs(p->at[j]) : 0;
 }
 
 void
 params_scale_to_1(struct params *p)
 {
-	double largest = params_largest_gauge(p);
+	double largest = params_largest_of_gauge(p);
 	for (size_t j = 0;
 	     largest > 0 && j < breakage_model_of_params(p)->gauge; j++)
 		p->at[j] /= largest;
@@ -179,7 +179,7 @@ bounds_range_of_param(
     const struct bounds *bounds, const struct params *p, size_t j)
 {
 	return j < breakage_model_of_params(p)->gauge
-		   ? 2 * params_largest_gauge(p)
+		   ? 2 * params_largest_of_gauge(p)
 		   : bounds->upper[j] - bounds->lower[j];
 }
 
@@ -197,7 +197,7 @@ void
 breaker_set_speed(struct breaker *b, double v)
 {
 	b->v = v;
-	b->E = energy_specific_at_speed(v);
+	b->E = specific_energy_at_speed(v);
 	b->model->prepare(b);
 }
 

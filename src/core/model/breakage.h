@@ -139,14 +139,14 @@ struct params params_start_values(size_t breakage);
 /* Returns the specific energy, J/kg, of a particle thrown at tip speed v, m/s.
  *   E = v^2 / 2
  * Source: paper Eq 4. */
-double energy_specific_at_speed(double v);
+double specific_energy_at_speed(double v);
 
 /* Returns the index of the parameter in the gauge with the largest absolute
  * value, the first of several, or PARAMS_MOST if there is no gauge. */
-size_t params_index_of_largest_gauge(const struct params *p);
+size_t params_index_of_largest(const struct params *p);
 
 /* Returns that largest absolute value, or 0 if there is no gauge. */
-double params_largest_gauge(const struct params *p);
+double params_largest_of_gauge(const struct params *p);
 
 /* Scales the gauge's parameters to a largest absolute value of 1 (D4), unless
  * all are 0. */

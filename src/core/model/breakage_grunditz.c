@@ -35,7 +35,7 @@ grunditz_share_finer(const struct breaker *b, double log_u, double *d)
 	double B = sum / a->total;
 	if (d == NULL)
 		return B;
-	double scale = 1 / (a->total * params_largest_gauge(&b->p));
+	double scale = 1 / (a->total * params_largest_of_gauge(&b->p));
 	for (size_t i = 0; i < 4; i++)
 		d[i] += (parts[i] - B * a->whole[i]) * scale;
 	return B;
@@ -243,7 +243,7 @@ fill_derivative_row(const struct continuous_solver *c, double broken,
     double total, const double T[static 4], double Q[SHAPES][4], double *row)
 {
 	const struct appearance *a = &c->b->appearance;
-	double scale = params_largest_gauge(&c->b->p);
+	double scale = params_largest_of_gauge(&c->b->p);
 	for (size_t b = 0; b < 4; b++)
 		row[b] = (Q[0][b] - broken * T[b]) / total / scale;
 	for (size_t i = 1; i < SHAPES; i++)

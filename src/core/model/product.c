@@ -90,7 +90,7 @@ static double
 finite_difference_step(const struct params *p, size_t i)
 {
 	double scale = i < breakage_model_of_params(p)->gauge
-			   ? params_largest_gauge(p)
+			   ? params_largest_of_gauge(p)
 			   : 1e-2;
 	return 1e-6 * fmax(fabs(p->at[i]), scale);
 }

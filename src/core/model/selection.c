@@ -47,7 +47,7 @@ selection_break_size(const struct params *p, double E)
 double
 params_break_size(const struct params *p, double v)
 {
-	return selection_break_size(p, energy_specific_at_speed(v));
+	return selection_break_size(p, specific_energy_at_speed(v));
 }
 
 double
@@ -56,7 +56,7 @@ params_break_size_by_impacts(
 {
 	const struct impacts *i = &settings->impacts;
 	double most = i->n > 0 ? i->ratio[i->n - 1] : 1;
-	return selection_break_size(p, most * energy_specific_at_speed(v));
+	return selection_break_size(p, most * specific_energy_at_speed(v));
 }
 
 char *

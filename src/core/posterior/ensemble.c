@@ -299,7 +299,7 @@ selection_of_coarsest_size(
 	    draw->params.at + breakage_model_of_params(&draw->params)->strength;
 	double harder[] = {f[0], rock->harder * f[1], f[2]};
 	double softer[] = {f[0], rock->softer * f[1], f[2]};
-	double k = p->settings.k, E = energy_specific_at_speed(v),
+	double k = p->settings.k, E = specific_energy_at_speed(v),
 	       size = p->knot[0];
 	double share = strengths_softer_share(rock),
 	       S = selection_by_impacts(by, harder, k, E, size, NULL);

@@ -803,7 +803,7 @@ mean_energy(const struct misfit *m)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += energy_specific_at_speed(m->run[r].speed);
+		sum += specific_energy_at_speed(m->run[r].speed);
 	return sum / (double)m->n_run;
 }
 

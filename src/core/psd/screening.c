@@ -88,7 +88,7 @@ fraction_kept_of_classes(
 }
 
 double
-screening_screen_product(
+screening_part_of_product(
     const struct psd *product, const double *kept, struct psd *part)
 {
 	size_t n = product->n;

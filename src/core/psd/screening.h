@@ -49,7 +49,7 @@ void fraction_kept_of_classes(
  * and writes its curve to part, which has the same n.  Returns its share of the
  * product's mass; if that is 0, the curve is 0.  Mass above the coarsest size
  * is kept like the class below it. */
-double screening_screen_product(
+double screening_part_of_product(
     const struct psd *product, const double *kept, struct psd *part);
 
 #endif

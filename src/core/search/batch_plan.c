@@ -264,7 +264,7 @@ void
 batch_plan_set_speed(struct batch_plan *plan, size_t run, double v)
 {
 	plan->run[run].v = v;
-	plan->run[run].E = energy_specific_at_speed(v);
+	plan->run[run].E = specific_energy_at_speed(v);
 	plan->run[run].log_E = el_log(plan->run[run].E);
 }
 

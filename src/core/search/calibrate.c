@@ -131,7 +131,7 @@ fix_reference_energy(const struct misfit *m, struct bounds *b)
 	size_t j = m->of->reference;
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
-		sum += energy_specific_at_speed(m->run[r].speed);
+		sum += specific_energy_at_speed(m->run[r].speed);
 	if (j < m->of->n && !(b->upper[j] > 0))
 		b->lower[j] = b->upper[j] = sum / (double)m->n_run;
 }

@@ -19,15 +19,16 @@ enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };
 /* Of a cell, which in Excel has 32,767 letters at most; and of notes. */
 enum { MOST_CELL = 100 * 1000, MOST_NOTES = 20, MOST_NOTE = 400 };
 
-struct grid
-grid_new(const char *path, struct sheet_limits most, struct error_list *errors)
+struct sheets
+sheets_new(
+    const char *path, struct sheet_limits most, struct error_list *errors)
 {
-	return (struct grid){
+	return (struct sheets){
 	    .path = path, .most = most, .errors = errors, .note = xstrdup("")};
 }
 
 void
-grid_clear(struct grid *g)
+sheets_clear(struct sheets *g)
 {
 	if (g->now != NULL)
 		sheet_free(g->now);
@@ -38,7 +39,7 @@ grid_clear(struct grid *g)
 }
 
 void
-grid_note(struct grid *g, const char *format, ...)
+sheets_note(struct sheets *g, const char *format, ...)
 {
 	if (g->n_note++ >= MOST_NOTES)
 		return;
@@ -52,7 +53,7 @@ grid_note(struct grid *g, const char *format, ...)
 }
 
 void
-grid_note_omitted_count(struct grid *g)
+sheets_note_omitted_count(struct sheets *g)
 {
 	if (g->n_note > MOST_NOTES)
 		xappend_to_list(&g->note, "; ",
@@ -61,13 +62,13 @@ grid_note_omitted_count(struct grid *g)
 }
 
 void
-grid_note_more_sheets(struct grid *g, int most)
+sheets_note_more_sheets(struct sheets *g, int most)
 {
-	grid_note(g, "more than %d sheets: the others are not read", most);
+	sheets_note(g, "more than %d sheets: the others are not read", most);
 }
 
 void
-grid_begin_sheet(struct grid *g, const char *name)
+sheets_begin_sheet(struct sheets *g, const char *name)
 {
 	g->now = sheet_new_empty(g->path, name, g->most, g->errors);
 	g->too_big = g->n == MOST_SHEETS ? tr("more than 200 sheets") : NULL;
@@ -76,21 +77,21 @@ grid_begin_sheet(struct grid *g, const char *name)
 }
 
 void
-grid_end_sheet(struct grid *g)
+sheets_end_sheet(struct sheets *g)
 {
 	struct sheet *sheet = g->now;
 	g->now = NULL;
 	sheet_complete(sheet);
 	bool empty = sheet->n_row == 0 && sheet->n_comment == 0;
 	if (g->too_big != NULL)
-		grid_note(
+		sheets_note(
 		    g, "sheet %s is not read: %s", sheet->name, g->too_big);
 	else if (!empty && g->hidden)
-		grid_note(g,
+		sheets_note(g,
 		    "hidden rows and columns of sheet %s are also read",
 		    sheet->name);
 	if (!empty && g->unsolved && g->too_big == NULL)
-		grid_note(g,
+		sheets_note(g,
 		    "sheet %s has formulas without results: open and save "
 		    "the workbook in a spreadsheet program",
 		    sheet->name);
@@ -104,7 +105,7 @@ grid_end_sheet(struct grid *g)
 
 /* Takes ownership of the cell's text.  False if it is empty. */
 static bool
-grid_put_cell(struct grid *g, struct cell cell)
+sheets_put_cell(struct sheets *g, struct cell cell)
 {
 	bool filled = cell.text[0] != '\0';
 	g->bytes += strlen(cell.text);
@@ -124,7 +125,7 @@ grid_put_cell(struct grid *g, struct cell cell)
 }
 
 bool
-grid_put_text(struct grid *g, struct cell where, const char *text)
+sheets_put_text(struct sheets *g, struct cell where, const char *text)
 {
 	if (g->too_big == NULL && strlen(text) > MOST_CELL)
 		g->too_big = tr("more than 100 kB of text in a cell");
@@ -143,7 +144,7 @@ grid_put_text(struct grid *g, struct cell where, const char *text)
 	said += said[0] == '\'' && text_may_be_formula(said);
 	where.text = xstrdup(said);
 	where.kind = CELL_TEXT;
-	return grid_put_cell(g, where);
+	return sheets_put_cell(g, where);
 }
 
 /* Returns 97.5 for 0.975, without the error in the last bit. */
@@ -158,8 +159,8 @@ fraction_to_percent(double value)
 }
 
 bool
-grid_put_number(
-    struct grid *g, struct cell where, double value, const char *unit)
+sheets_put_number(
+    struct sheets *g, struct cell where, double value, const char *unit)
 {
 	char text[32];
 	where.kind = CELL_NUMBER;
@@ -168,21 +169,21 @@ grid_put_number(
 	where.text =
 	    xasprintf("%s%s%s", text_shortest_exact_number(where.number, text),
 		unit[0] != '\0' ? " " : "", unit);
-	return grid_put_cell(g, where);
+	return sheets_put_cell(g, where);
 }
 
 bool
-grid_put_date(struct grid *g, struct cell where, const char *text)
+sheets_put_date(struct sheets *g, struct cell where, const char *text)
 {
 	where.text = xstrdup(text);
 	where.kind = CELL_DATE;
-	return grid_put_cell(g, where);
+	return sheets_put_cell(g, where);
 }
 
 bool
-grid_put_formula_text(struct grid *g, struct cell where, const char *formula)
+sheets_put_formula(struct sheets *g, struct cell where, const char *formula)
 {
 	FREED char *text = xasprintf("=%s", formula + (formula[0] == '='));
 	g->unsolved = true;
-	return grid_put_text(g, where, text);
+	return sheets_put_text(g, where, text);
 }

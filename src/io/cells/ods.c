@@ -24,7 +24,7 @@ struct content {
 };
 
 struct reading {
-	struct grid *grid;
+	struct sheets *grid;
 	char *style; /* of sheets, that is being read, or NULL */
 	size_t n_table, n_hidden;
 	char **hidden; /* styles of sheets that are not shown */
@@ -101,11 +101,11 @@ ods_begin_table(struct reading *r, const char *const *attribute)
 	r->visible = !more && !is_style_hidden(r, style);
 	r->at = (struct cell){.line = 1};
 	if (r->visible)
-		grid_begin_sheet(r->grid, name);
+		sheets_begin_sheet(r->grid, name);
 	else if (more && r->n_table == MOST_TABLES + 1)
-		grid_note_more_sheets(r->grid, MOST_TABLES);
+		sheets_note_more_sheets(r->grid, MOST_TABLES);
 	else if (!more)
-		grid_note(r->grid, "sheet %s is hidden and not read", name);
+		sheets_note(r->grid, "sheet %s is hidden and not read", name);
 }
 
 static void
@@ -210,22 +210,23 @@ ods_add_text(void *data, const char *text, size_t n)
 
 /* Puts "PT10H15M00S" as 10:15. */
 static bool
-put_duration_as_time(struct grid *grid, struct cell at, const char *value)
+put_duration_as_time(struct sheets *grid, struct cell at, const char *value)
 {
 	int h, m, n = 0;
 	char text[32], second[8] = "";
 	if (sscanf(value, "PT%4dH%2dM%n", &h, &m, &n) != 2 || n == 0)
-		return grid_put_date(grid, at, value);
+		return sheets_put_date(grid, at, value);
 	if (strncmp(value + n, "00", 2) != 0 && strlen(value + n) > 2)
 		snprintf(second, sizeof second, ":%.2s", value + n);
 	snprintf(text, sizeof text, "%02d:%02d%s", h, m, second);
-	return grid_put_date(grid, at, text);
+	return sheets_put_date(grid, at, text);
 }
 
 /* Puts a date, without seconds if they are zero, as Excel's workbooks have
  * it. */
 static bool
-put_date_without_zero_time(struct grid *grid, struct cell at, const char *value)
+put_date_without_zero_time(
+    struct sheets *grid, struct cell at, const char *value)
 {
 	const char *t = strchr(value, 'T');
 	char text[32];
@@ -235,7 +236,7 @@ put_date_without_zero_time(struct grid *grid, struct cell at, const char *value)
 	else if (t != NULL && n >= 19 && strncmp(t + 6, ":00", 3) == 0)
 		n = (size_t)(t - value) + 6;
 	snprintf(text, sizeof text, "%.*s", (int)(n < 31 ? n : 31), value);
-	return grid_put_date(grid, at, text);
+	return sheets_put_date(grid, at, text);
 }
 
 /* Returns "m/s" for a cell that shows "69 m/s"; "" if there is no unit. */
@@ -253,7 +254,7 @@ copy_unit_after_number(const char *said, char unit[static 16])
 
 /* Puts a cell.  False if it is empty. */
 static bool
-put_cell_content(struct grid *grid, struct cell at, const struct content *c)
+put_cell_content(struct sheets *grid, struct cell at, const struct content *c)
 {
 	double number;
 	char unit[16];
@@ -263,12 +264,12 @@ put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 		       strcmp(type, "currency") == 0 ||
 		       strcmp(type, "percentage") == 0;
 	if (c->failed)
-		return grid_put_text(
+		return sheets_put_text(
 		    grid, at, said[0] != '\0' ? said : "#VALUE!");
 	if (numeric && c->value != NULL &&
 	    text_parse_number(c->value, &number)) {
 		copy_unit_after_number(said, unit);
-		return grid_put_number(
+		return sheets_put_number(
 		    grid, at, number, type[0] == 'p' ? "%" : unit);
 	}
 	if (strcmp(type, "date") == 0 && c->value != NULL)
@@ -276,15 +277,15 @@ put_cell_content(struct grid *grid, struct cell at, const struct content *c)
 	if (strcmp(type, "time") == 0 && c->value != NULL)
 		return put_duration_as_time(grid, at, c->value);
 	if (strcmp(type, "boolean") == 0 && c->value != NULL)
-		return grid_put_text(
+		return sheets_put_text(
 		    grid, at, strcmp(c->value, "true") == 0 ? "TRUE" : "FALSE");
 	if (strcmp(type, "string") == 0 && c->value != NULL)
-		return grid_put_text(grid, at, c->value);
+		return sheets_put_text(grid, at, c->value);
 	if (c->formula != NULL && type[0] == '\0' && said[0] == '\0')
-		return grid_put_formula_text(grid, at,
+		return sheets_put_formula(grid, at,
 		    strchr(c->formula, '=') != NULL ? strchr(c->formula, '=')
 						    : c->formula);
-	return grid_put_text(grid, at, said);
+	return sheets_put_text(grid, at, said);
 }
 
 /* Keeps the cell until its row ends; most cells are empty. */
@@ -358,12 +359,12 @@ ods_end_element(void *data, const char *name)
 	} else if (r->table > 0 && strcmp(name, "table") == 0) {
 		r->table = 0;
 		if (r->visible)
-			grid_end_sheet(r->grid);
+			sheets_end_sheet(r->grid);
 	}
 }
 
 char *
-ods_read(struct archive *archive, struct grid *grid)
+ods_read(struct archive *archive, struct sheets *grid)
 {
 	static const struct xml_events EVENTS = {
 	    ods_begin_element, ods_end_element, ods_add_text};

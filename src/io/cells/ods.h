@@ -8,6 +8,6 @@
 
 /* Reads all visible sheets.  Returns NULL, or a description of the fault, which
  * the caller frees. */
-char *ods_read(struct archive *archive, struct grid *grid);
+char *ods_read(struct archive *archive, struct sheets *grid);
 
 #endif

@@ -40,7 +40,7 @@ is_workbook(const char *bytes, size_t n)
 }
 
 static bool
-refuse_workbook(const struct grid *grid, const char *what, const char *step)
+refuse_workbook(const struct sheets *grid, const char *what, const char *step)
 {
 	return error_at(error_add(grid->errors), ERROR_DATA, grid->path, 0, 0,
 	    "%s\n"
@@ -63,7 +63,7 @@ is_password_protected(struct archive *archive)
 }
 
 static bool
-refuse_other_file_type(struct archive *archive, const struct grid *grid)
+refuse_other_file_type(struct archive *archive, const struct sheets *grid)
 {
 	static const char *const NAMES[][2] = {
 	    {"xl/workbook.bin", N_("expected .xlsx, .ods or text, got .xlsb")},
@@ -82,7 +82,7 @@ refuse_other_file_type(struct archive *archive, const struct grid *grid)
 }
 
 static bool
-refuse_damaged_workbook(const struct grid *grid, const char *wrong)
+refuse_damaged_workbook(const struct sheets *grid, const char *wrong)
 {
 	FREED char *what =
 	    xasprintf(tr("expected a workbook, got a damaged one: %s"), wrong);
@@ -99,7 +99,7 @@ is_ods(struct archive *archive)
 }
 
 static bool
-read_workbook_archive(struct archive *archive, struct grid *grid)
+read_workbook_archive(struct archive *archive, struct sheets *grid)
 {
 	bool xlsx = archive_has_entry(archive, "xl/workbook.xml");
 	if (!xlsx && !is_ods(archive))
@@ -111,7 +111,7 @@ read_workbook_archive(struct archive *archive, struct grid *grid)
 		    tr("save it without a password"));
 	FREED char *wrong =
 	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);
-	grid_note_omitted_count(grid);
+	sheets_note_omitted_count(grid);
 	if (wrong != NULL)
 		refuse_damaged_workbook(grid, wrong);
 	else if (grid->n == 0 && grid->note[0] != '\0')
@@ -127,7 +127,7 @@ read_workbook_archive(struct archive *archive, struct grid *grid)
 /* Reads an .xlsx, .xlsm or .ods file, recognised by its content.  False with
  * one fault if it is of another kind, damaged, encrypted or without content. */
 static bool
-read_workbook_to_grid(const char *bytes, size_t n, struct grid *grid)
+read_workbook_to_grid(const char *bytes, size_t n, struct sheets *grid)
 {
 	FREED char *wrong = NULL;
 	if (begins_with_bytes(bytes, n, OLE))
@@ -148,9 +148,9 @@ static bool
 read_workbook_to_source(const char *path, const char *bytes, size_t n,
     struct sheet_limits most, struct error_list *errors, struct source *source)
 {
-	struct grid grid = grid_new(path, most, errors);
+	struct sheets grid = sheets_new(path, most, errors);
 	if (!read_workbook_to_grid(bytes, n, &grid)) {
-		grid_clear(&grid);
+		sheets_clear(&grid);
 		return false;
 	}
 	free(source->note);

@@ -28,7 +28,7 @@ struct code {
 
 struct book {
 	struct archive *archive;
-	struct grid *grid;
+	struct sheets *grid;
 	bool from_1904;
 	size_t n_tab, more; /* more: those left out */
 	struct tab *tab;
@@ -67,7 +67,7 @@ begin_workbook_element(
 		return;
 	if (b->n_tab == MOST_TABS) {
 		if (b->more++ == 0)
-			grid_note_more_sheets(b->grid, MOST_TABS);
+			sheets_note_more_sheets(b->grid, MOST_TABS);
 		return;
 	}
 	b->tab = xrealloc(b->tab, b->n_tab + 1, sizeof *b->tab);
@@ -269,7 +269,7 @@ xlsx_put_unescaped_text(struct reading *r, const char *text)
 		}
 	}
 	*to = '\0';
-	grid_put_text(r->book->grid, r->at, copy);
+	sheets_put_text(r->book->grid, r->at, copy);
 }
 
 static void
@@ -285,9 +285,9 @@ xlsx_put_number(struct reading *r)
 	else if (shown.kind != FORMAT_NUMBER &&
 		 cell_format_serial_to_text(
 		     value, b->from_1904, shown.kind, date))
-		grid_put_date(b->grid, r->at, date);
+		sheets_put_date(b->grid, r->at, date);
 	else
-		grid_put_number(b->grid, r->at, value, shown.unit);
+		sheets_put_number(b->grid, r->at, value, shown.unit);
 }
 
 static void
@@ -309,7 +309,7 @@ put_iso_date(struct reading *r)
 	char *t = strchr(r->value.text, 'T');
 	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
 		*t = '\0';
-	grid_put_date(r->book->grid, r->at, r->value.text);
+	sheets_put_date(r->book->grid, r->at, r->value.text);
 }
 
 static void
@@ -319,7 +319,7 @@ xlsx_put_cell(struct reading *r)
 	    strcmp(r->type, "str") == 0 || strcmp(r->type, "inlineStr") == 0;
 	bool empty = r->value.n == 0;
 	if (r->has_formula && (!r->has_value || (empty && !is_text)))
-		grid_put_formula_text(r->book->grid, r->at, r->formula.text);
+		sheets_put_formula(r->book->grid, r->at, r->formula.text);
 	else if (!r->has_value || empty)
 		return;
 	else if (strcmp(r->type, "s") == 0)
@@ -354,7 +354,7 @@ xlsx_read_sheet(struct book *b, const struct tab *tab)
 	static const struct xml_events EVENTS = {
 	    begin_sheet_element, end_sheet_element, append_sheet_text};
 	struct reading r = {.book = b};
-	grid_begin_sheet(b->grid, tab->name);
+	sheets_begin_sheet(b->grid, tab->name);
 	char *wrong =
 	    xml_parse_part(b->archive, tab->part, &EVENTS, &r, b->grid->errors);
 	free(r.value.text);
@@ -362,7 +362,7 @@ xlsx_read_sheet(struct book *b, const struct tab *tab)
 	if (wrong == NULL && r.wrong != NULL)
 		wrong = xasprintf("%s: %s", tab->part, r.wrong);
 	else if (wrong == NULL)
-		grid_end_sheet(b->grid);
+		sheets_end_sheet(b->grid);
 	free(r.wrong);
 	return wrong;
 }
@@ -374,7 +374,7 @@ read_visible_sheets(struct book *b)
 	for (size_t i = 0; i < b->n_tab && wrong == NULL; i++) {
 		const struct tab *tab = &b->tab[i];
 		if (tab->part != NULL && tab->hidden)
-			grid_note(b->grid, "sheet %s is hidden and not read",
+			sheets_note(b->grid, "sheet %s is hidden and not read",
 			    tab->name);
 		else if (tab->part != NULL)
 			wrong = xlsx_read_sheet(b, tab);
@@ -394,7 +394,7 @@ static const struct {
     {"xl/styles.xml", true, {xlsx_begin_style, xlsx_end_style, NULL}}};
 
 char *
-xlsx_read(struct archive *archive, struct grid *grid)
+xlsx_read(struct archive *archive, struct sheets *grid)
 {
 	struct book b = {.archive = archive, .grid = grid};
 	char *wrong = NULL;

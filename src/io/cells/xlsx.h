@@ -8,6 +8,6 @@
 
 /* Reads all visible worksheets.  Returns NULL, or a description of the fault,
  * which the caller frees. */
-char *xlsx_read(struct archive *archive, struct grid *grid);
+char *xlsx_read(struct archive *archive, struct sheets *grid);
 
 #endif

@@ -176,7 +176,7 @@ parse_column_choice(struct reading *r, const char *columns)
 		good = number > 0 && number <= r->n_column && *end == '=';
 		if (!good)
 			break;
-		r->head[number - 1] = head_parse(end + 1);
+		r->head[number - 1] = heading_parse(end + 1);
 		r->kind[number - 1] =
 		    plant_log_kind_of(end + 1, &r->head[number - 1]);
 		good = r->kind[number - 1] != NO_KIND;
@@ -257,7 +257,7 @@ plant_log_find_columns(struct reading *r)
 {
 	for (size_t c = 0; c < r->n_column; c++) {
 		FREED char *text = plant_log_head_text(r, c);
-		r->head[c] = head_parse(text);
+		r->head[c] = heading_parse(text);
 		bool time = c == r->date || c == r->clock;
 		r->kind[c] = time ? TIME : plant_log_kind_of(text, &r->head[c]);
 	}
@@ -337,7 +337,7 @@ add_log_row(struct reading *r, double time, const struct row *row)
 		    !number_value_of_cell(sheet_cell(row, c), &v) || v < 0)
 			continue;
 		if (k == LOG_SPEED)
-			v = head_speed_to_mps(v, r->head[c].unit, 0);
+			v = speed_in_unit_to_mps(v, r->head[c].unit, 0);
 		double *slot = &log->value[k][log->n];
 		*slot = isnan(*slot) ? v : *slot + v;
 	}

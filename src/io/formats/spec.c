@@ -184,7 +184,7 @@ spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
 static void
 spec_read_table(struct spec *spec, struct table *t)
 {
-	enum sieve_certainty certainty = site_sieve_find_and_sort(t, 0);
+	enum sieve_certainty certainty = site_sieve_find_unit_and_sort(t, 0);
 	size_t at[2];
 	spec_read_heads(t, at);
 	site_sieve_check_sizes(t);

@@ -59,7 +59,7 @@ add_from_heading_above(
 	 * own, only the feed is meant. */
 	bool mean = !own && (said->means & WORD_MEAN) != 0;
 	bool feed =
-	    !own && (more->means & WORD_FEED) != 0 && head_has_speed(said);
+	    !own && (more->means & WORD_FEED) != 0 && heading_has_speed(said);
 	for (size_t i = feed ? 1 : 0; i < ARRAY_LEN(group); i++)
 		if ((said->means & group[i]) == 0)
 			said->means |= more->means & group[i];
@@ -70,7 +70,7 @@ add_from_heading_above(
 	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
 		said->speed = more->speed;
 		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
-		if (head_has_speed(more))
+		if (heading_has_speed(more))
 			said->spread = !own;
 		said->unit =
 		    said->unit == SPEED_NO_UNIT ? more->unit : said->unit;
@@ -91,7 +91,7 @@ use_number_as_speed(struct head *head, enum speed_unit unit)
 	if (unit == SPEED_RPM)
 		head->rpm = head->number[0];
 	else
-		head->speed = head_speed_to_mps(head->number[0], unit, 0);
+		head->speed = speed_in_unit_to_mps(head->number[0], unit, 0);
 	head->n_number = 0;
 }
 
@@ -100,18 +100,18 @@ use_number_as_speed(struct head *head, enum speed_unit unit)
 static void
 apply_row_label(const struct cell *label, struct head *head)
 {
-	struct head row = head_parse(label->text);
+	struct head row = heading_parse(label->text);
 	bool sample = (row.means & WORD_SAMPLE) != 0 ||
 		      (head->unknown == 0 &&
 			  ((head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-			      head_has_speed(head)));
+			      heading_has_speed(head)));
 	/* "ID" above "Feed" and "69 m/s" tells samples apart. */
 	if ((row.means & (WORD_OTHER | WORD_ROTOR)) != 0 && !sample &&
 	    (row.means & WORD_SPEED) == 0 && row.unit == SPEED_NO_UNIT) {
 		*head = (struct head){0};
 		return;
 	}
-	enum speed_unit unit = head_speed_unit(&row);
+	enum speed_unit unit = heading_speed_unit(&row);
 	bool speed = unit != SPEED_NO_UNIT || (row.means & WORD_SPEED) != 0;
 	/* "Speed (Hz)", "Belt speed m/s", "t/h": another quantity. */
 	bool other =
@@ -146,7 +146,7 @@ combine_headings(const struct table *t, size_t c)
 		const struct cell *cell = find_heading_cell(t, r, c, &own);
 		if (cell == NULL || cell->kind == CELL_DATE)
 			continue;
-		struct head one = head_parse(cell->text);
+		struct head one = heading_parse(cell->text);
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
 			apply_row_label(&t->head[r].cell[0], &one);
@@ -175,7 +175,7 @@ shape_of_column(const struct column *c)
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
 	for (size_t i = 0; i < t->n_row; i++) {
-		double v = site_column_raw_number(c, i);
+		double v = site_column_number_in_row(c, i);
 		if (isnan(v))
 			continue;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
@@ -573,7 +573,7 @@ find_speed_of_column(struct column *c, const struct surroundings *near)
 		c->speed = said->speed;
 	} else if (said->rpm > 0 || told_rpm) {
 		c->rpm = told_rpm ? near->rpm : said->rpm;
-		c->speed = head_speed_to_mps(c->rpm, SPEED_RPM, near->rotor);
+		c->speed = speed_in_unit_to_mps(c->rpm, SPEED_RPM, near->rotor);
 	} else if (speed_without_unit(said) > 0 && said->unknown == 0) {
 		c->speed = speed_without_unit(said);
 		/* A speed that spreads over the feed may not be the feed's. */
@@ -597,7 +597,7 @@ find_role_of_column(struct column *c, const struct surroundings *near)
 {
 	uint64_t role = c->said.means & ROLE_WORDS;
 	uint64_t context = near->context & (WORD_FEED | WORD_PRODUCT);
-	bool speed = head_has_speed(&c->said);
+	bool speed = heading_has_speed(&c->said);
 	c->role = NO_ROLE;
 	if ((role & WORD_SD) != 0)
 		c->role = SD;
@@ -654,9 +654,9 @@ static bool
 is_count_or_constant(const struct column *c)
 {
 	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
-	double first = site_column_raw_number(c, 0), last = NAN;
+	double first = site_column_number_in_row(c, 0), last = NAN;
 	for (size_t i = 0; i < n; i++) {
-		double v = site_column_raw_number(c, i);
+		double v = site_column_number_in_row(c, i);
 		pairs += !isnan(v) && !isnan(last);
 		steps += fabs(v - last) == 1;
 		same += v == last;
@@ -715,18 +715,19 @@ take_constant_speed(const struct column *c, struct surroundings *near)
 					WORD_PRODUCT;
 	bool about =
 	    (c->said.means & WORD_SPEED) != 0 || c->said.unit != SPEED_NO_UNIT;
-	if (!about || head_has_speed(&c->said) ||
+	if (!about || heading_has_speed(&c->said) ||
 	    (c->said.means & COUNTED) != 0)
 		return;
 	double v = NAN;
 	bool same = true;
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		double raw = site_column_raw_number(c, i);
+		double raw = site_column_number_in_row(c, i);
 		v = isnan(v) ? raw : v;
 		same = same && !(raw < v) && !(raw > v);
 	}
 	if (same && v > 0)
-		near->speed = head_speed_to_mps(v, c->said.unit, near->rotor);
+		near->speed =
+		    speed_in_unit_to_mps(v, c->said.unit, near->rotor);
 }
 
 /* Finds the least and the largest number of a column; the least is -1 if one is
@@ -737,7 +738,7 @@ column_bounds(const struct column *c, double *least, double *most)
 	*least = INFINITY;
 	*most = 0;
 	for (size_t i = 0; i < c->table->n_row; i++) {
-		double raw = site_column_raw_number(c, i),
+		double raw = site_column_number_in_row(c, i),
 		       v = isnan(raw) ? -1 : raw;
 		*least = fmin(*least, v);
 		*most = fmax(*most, v);
@@ -1099,7 +1100,7 @@ guess_feed(struct columns *all, size_t feeds)
 }
 
 void
-classify_roles(
+classify_columns_together(
     struct columns *all, struct site *site, bool told, bool *wants_rotor)
 {
 	size_t feeds = site_column_count_role(all, NULL, FEED);

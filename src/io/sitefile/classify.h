@@ -33,7 +33,7 @@ void classify_columns(struct table *t, const struct surroundings *near,
  * sample to use, the role of a column that states none, the order of repeats.
  * told: the headings were given by the user.  wants_rotor: out, true if a speed
  * is in rpm and the rotor's diameter is not stated. */
-void classify_roles(
+void classify_columns_together(
     struct columns *all, struct site *site, bool told, bool *wants_rotor);
 
 /* Returns the description of a column as used in columns=, "product@69

@@ -35,7 +35,7 @@ static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
     "t", "kw", "h", "hz", "a", "s", "v", "bar", "min", "pct", "\xC2\xB0"};
 
 bool
-head_is_letter(char c)
+text_is_letter_byte(char c)
 {
 	return isalpha((unsigned char)c) || (c & 0x80) != 0;
 }
@@ -47,7 +47,7 @@ speed_unit_at(const char *text, size_t *n)
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*n = strlen(UNITS[i].text);
 		if (strncmp(text, UNITS[i].text, *n) == 0 &&
-		    !head_is_letter(text[*n]))
+		    !text_is_letter_byte(text[*n]))
 			return UNITS[i].unit;
 	}
 	*n = 0;
@@ -60,20 +60,20 @@ is_unit_other_than_speed(const char *text)
 	for (size_t i = 0; i < ARRAY_LEN(OTHER_UNITS); i++) {
 		size_t n = strlen(OTHER_UNITS[i]);
 		if (strncmp(text, OTHER_UNITS[i], n) == 0 &&
-		    !head_is_letter(text[n]))
+		    !text_is_letter_byte(text[n]))
 			return true;
 	}
 	return false;
 }
 
 bool
-head_has_speed(const struct head *head)
+heading_has_speed(const struct head *head)
 {
 	return head->speed > 0 || head->rpm > 0;
 }
 
 enum speed_unit
-head_speed_unit(const struct head *head)
+heading_speed_unit(const struct head *head)
 {
 	bool turns =
 	    head->unit == SPEED_NO_UNIT && (head->means & WORD_RPM) != 0;
@@ -81,7 +81,7 @@ head_speed_unit(const struct head *head)
 }
 
 double
-head_speed_to_mps(double number, enum speed_unit unit, double rotor)
+speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor)
 {
 	switch (unit) {
 	case SPEED_KMH:
@@ -171,7 +171,8 @@ static const char *
 skip_unit_of_mass(const char *text)
 {
 	size_t n = strspn(text, "k") + 1;
-	bool grams = n <= 2 && text[n - 1] == 'g' && !head_is_letter(text[n]);
+	bool grams =
+	    n <= 2 && text[n - 1] == 'g' && !text_is_letter_byte(text[n]);
 	return grams ? text + n : text;
 }
 
@@ -199,7 +200,7 @@ add_number_to_heading(
 	*text = n > 0 ? p + n : *text;
 	double *slot = unit == SPEED_RPM ? &head->rpm : &head->speed;
 	double said =
-	    unit == SPEED_RPM ? value : head_speed_to_mps(value, unit, 0);
+	    unit == SPEED_RPM ? value : speed_in_unit_to_mps(value, unit, 0);
 	head->several =
 	    head->several || (*slot > 0 && fabs(*slot - said) > 0.05);
 	/* Of 12520 ft/min (63.6 m/s) the later, which is in m/s, is closer. */
@@ -286,7 +287,7 @@ is_within_other_number(
 	if (from > text && from[-1] == '+')
 		return true;
 	if (from > text && from[-1] == '.' &&
-	    (from == text + 1 || !head_is_letter(from[-2])))
+	    (from == text + 1 || !text_is_letter_byte(from[-2])))
 		return true;
 	return at && *to != '\0' && strchr(" ,;:()[]_\"", *to) == NULL &&
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
@@ -300,7 +301,7 @@ parse_heading_number(struct head *head, const char *start, const char **text,
 	const char *from = *text;
 	double value;
 	size_t n;
-	bool inside = from > start && head_is_letter(from[-1]);
+	bool inside = from > start && text_is_letter_byte(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
 	bool good = parse_number_at(text, &value);
 	const char *to = *text;
@@ -372,7 +373,7 @@ split_off_speeds(const char *folded, char *words, char *rest)
 	size_t n = 0, m = 0, k;
 	bool at = false;
 	for (const char *p = folded; *p != '\0';) {
-		bool inside = p > folded && head_is_letter(p[-1]);
+		bool inside = p > folded && text_is_letter_byte(p[-1]);
 		enum speed_unit unit =
 		    inside ? SPEED_NO_UNIT : speed_unit_at(p, &k);
 		if (unit != SPEED_NO_UNIT) {
@@ -417,13 +418,13 @@ parse_heading_text(const char *text, char **left)
 }
 
 struct head
-head_parse(const char *text)
+heading_parse(const char *text)
 {
 	return parse_heading_text(text, NULL);
 }
 
 char *
-head_without_speeds(const char *text)
+heading_without_speeds(const char *text)
 {
 	char *left;
 	parse_heading_text(text, &left);

@@ -32,23 +32,23 @@ struct head {
 };
 
 /* Parses one cell of a heading. */
-struct head head_parse(const char *text);
+struct head heading_parse(const char *text);
 
 /* True if a heading states a speed, in whatever unit. */
-bool head_has_speed(const struct head *head);
+bool heading_has_speed(const struct head *head);
 
 /* Returns the unit of speed that a heading states, if only by a word for turns;
  * SPEED_NO_UNIT if it states none. */
-enum speed_unit head_speed_unit(const struct head *head);
+enum speed_unit heading_speed_unit(const struct head *head);
 
 /* Returns the text, folded by text_fold_case_and_accents, without speeds and
  * their units.  The caller frees it. */
-char *head_without_speeds(const char *text);
+char *heading_without_speeds(const char *text);
 
 /* True if a byte is a letter or part of one; all beyond ASCII are. */
-bool head_is_letter(char c);
+bool text_is_letter_byte(char c);
 
 /* Converts a speed to m/s.  SPEED_RPM needs the rotor's diameter, m. */
-double head_speed_to_mps(double number, enum speed_unit unit, double rotor);
+double speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor);
 
 #endif

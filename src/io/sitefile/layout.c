@@ -51,7 +51,7 @@ struct place {
  * the first column from there on that has a number, n_col: none has.  phi
  * [n_col]: the column has sizes in phi, of which 0 and less are some.  place
  * [n_place]: the tables found. */
-struct grid {
+struct sheets {
 	struct sheet *sheet;
 	bool across;
 	size_t n_row, n_col, down, right;
@@ -65,34 +65,34 @@ struct grid {
 };
 
 static void
-add_place(struct grid *g, struct place p)
+add_place(struct sheets *g, struct place p)
 {
 	if (g->n_place < MOST_TABLES)
 		g->place[g->n_place++] = p;
 }
 
 static size_t
-cell_index_at(const struct grid *g, size_t r, size_t c)
+cell_index_at(const struct sheets *g, size_t r, size_t c)
 {
 	return r * g->down + c * g->right;
 }
 
 static struct cell *
-layout_cell_at(const struct grid *g, size_t r, size_t c)
+cell_at(const struct sheets *g, size_t r, size_t c)
 {
 	return &g->at[cell_index_at(g, r, c)];
 }
 
 static struct nature *
-cell_nature_at(const struct grid *g, size_t r, size_t c)
+cell_nature_at(const struct sheets *g, size_t r, size_t c)
 {
 	return &g->nature[cell_index_at(g, r, c)];
 }
 
 static bool
-is_cell_filled(const struct grid *g, size_t r, size_t c)
+is_cell_filled(const struct sheets *g, size_t r, size_t c)
 {
-	return layout_cell_at(g, r, c)->text[0] != '\0';
+	return cell_at(g, r, c)->text[0] != '\0';
 }
 
 /* True if only comments are between two lines of a sheet.  *i: the comment from
@@ -167,17 +167,17 @@ guess_cell_nature(const struct sheet *sheet, const struct cell *cell)
 
 /* Fills the natures of all cells. */
 static void
-fill_cell_natures(struct grid *g)
+fill_cell_natures(struct sheets *g)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
 		for (size_t c = 0; c < g->n_col; c++)
-			*cell_nature_at(g, r, c) = guess_cell_nature(
-			    g->sheet, layout_cell_at(g, r, c));
+			*cell_nature_at(g, r, c) =
+			    guess_cell_nature(g->sheet, cell_at(g, r, c));
 }
 
 static void
-find_next_number_columns(struct grid *g)
+find_next_number_columns(struct sheets *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
@@ -185,17 +185,17 @@ find_next_number_columns(struct grid *g)
 	     r++) {
 		unsigned next = (unsigned)g->n_col;
 		for (size_t c = g->n_col; c-- > 0;) {
-			if (number_value_of_cell(*layout_cell_at(g, r, c), &v))
+			if (number_value_of_cell(*cell_at(g, r, c), &v))
 				next = (unsigned)c;
 			g->number[r * g->n_col + c] = next;
 		}
 	}
 }
 
-static struct grid
-layout_grid_new(struct sheet *sheet, struct layout_range range)
+static struct sheets
+copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 {
-	struct grid g = {.sheet = sheet, .n_row = sheet->n_row, .right = 1};
+	struct sheets g = {.sheet = sheet, .n_row = sheet->n_row, .right = 1};
 	size_t comment = 0;
 	for (size_t r = 0; r < g.n_row; r++)
 		g.n_col = sheet->row[r].n > g.n_col ? sheet->row[r].n : g.n_col;
@@ -218,7 +218,7 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 			struct cell cell = sheet_cell(row, c);
 			if (!is_in_box(range.box, row->line, c + 1))
 				cell = sheet_cell(row, row->n_all);
-			*layout_cell_at(&g, r, c) = cell;
+			*cell_at(&g, r, c) = cell;
 		}
 	}
 	return g;
@@ -226,20 +226,19 @@ layout_grid_new(struct sheet *sheet, struct layout_range range)
 
 /* Reads "In" beside "Out" as a feed; elsewhere it is an inch. */
 static void
-mark_in_beside_out_as_feed(struct grid *g)
+mark_in_beside_out_as_feed(struct sheets *g)
 {
 	static char feed[] = "feed";
 	for (size_t r = 0; r < g->n_row; r++) {
 		bool out = false;
 		for (size_t c = 0; c < g->n_col; c++) {
-			const char *text = layout_cell_at(g, r, c)->text;
+			const char *text = cell_at(g, r, c)->text;
 			out = out || strcasecmp(text, "out") == 0 ||
 			      strcasecmp(text, "ut") == 0;
 		}
 		for (size_t c = 0; c < g->n_col && out; c++)
-			if (strcasecmp(layout_cell_at(g, r, c)->text, "in") ==
-			    0)
-				layout_cell_at(g, r, c)->text = feed;
+			if (strcasecmp(cell_at(g, r, c)->text, "in") == 0)
+				cell_at(g, r, c)->text = feed;
 	}
 }
 
@@ -270,15 +269,14 @@ count_distinct_size_below(struct sizes_below *below, const char *size)
 /* "< 16", "< 11.2", "< 8" in one line or column: the sieves of what passes
  * them; one alone, or again and again in a long table, is the pan. */
 static void
-mark_sizes_below_as_sieves(struct grid *g)
+mark_sizes_below_as_sieves(struct sheets *g)
 {
 	enum { LEAST = 3 };
 	FREED struct sizes_below *row = xcalloc(g->n_row + 1, sizeof *row);
 	FREED struct sizes_below *col = xcalloc(g->n_col + 1, sizeof *col);
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			char *size =
-			    size_after_less_sign(layout_cell_at(g, r, c));
+			char *size = size_after_less_sign(cell_at(g, r, c));
 			if (size == NULL)
 				continue;
 			count_distinct_size_below(&row[r], size);
@@ -286,7 +284,7 @@ mark_sizes_below_as_sieves(struct grid *g)
 		}
 	for (size_t r = 0; r < g->n_row; r++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			struct cell *cell = layout_cell_at(g, r, c);
+			struct cell *cell = cell_at(g, r, c);
 			char *size = size_after_less_sign(cell);
 			if (size != NULL &&
 			    (row[r].n >= LEAST || col[c].n >= LEAST))
@@ -298,7 +296,7 @@ mark_sizes_below_as_sieves(struct grid *g)
 /* Shifts the headings of tables written by R, which does not head its column of
  * row numbers: a line one cell short, above lines that begin with 1, 2, 3. */
 static void
-shift_headings_by_one(struct grid *g)
+shift_headings_by_one(struct sheets *g)
 {
 	size_t h = 0, wide = g->n_col;
 	double v;
@@ -308,20 +306,20 @@ shift_headings_by_one(struct grid *g)
 		return;
 	for (size_t r = 1; r < g->n_row; r++)
 		if (!is_cell_filled(g, r, wide - 1) ||
-		    !number_value_of_cell(*layout_cell_at(g, r, 0), &v) ||
+		    !number_value_of_cell(*cell_at(g, r, 0), &v) ||
 		    v != (double)r)
 			return;
-	struct cell none = *layout_cell_at(g, 0, wide - 1);
+	struct cell none = *cell_at(g, 0, wide - 1);
 	for (size_t c = wide - 1; c > 0; c--)
-		*layout_cell_at(g, 0, c) = *layout_cell_at(g, 0, c - 1);
-	*layout_cell_at(g, 0, 0) = none;
+		*cell_at(g, 0, c) = *cell_at(g, 0, c - 1);
+	*cell_at(g, 0, 0) = none;
 }
 
 /* Returns the transposed grid, which has the same cells. */
-static struct grid
-transpose_grid(const struct grid *g)
+static struct sheets
+transpose_grid(const struct sheets *g)
 {
-	struct grid t = {.sheet = g->sheet,
+	struct sheets t = {.sheet = g->sheet,
 	    .across = true,
 	    .n_row = g->n_col,
 	    .n_col = g->n_row,
@@ -339,7 +337,7 @@ transpose_grid(const struct grid *g)
 }
 
 static void
-layout_grid_clear(struct grid *g)
+free_grid(struct sheets *g)
 {
 	free(g->gap);
 	free(g->phi);
@@ -356,12 +354,12 @@ layout_grid_clear(struct grid *g)
 /* True if the numbers below a heading that only says number are those of ASTM
  * E11 sieves: 4, 8, 16, but not 4, 5, 6, which count something. */
 static bool
-has_astm_sieve_numbers(const struct grid *g, size_t r, size_t c)
+has_astm_sieve_numbers(const struct sheets *g, size_t r, size_t c)
 {
 	size_t n = 0;
 	double v, last = NAN, step = 0;
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
-		const struct cell *cell = layout_cell_at(g, r, c);
+		const struct cell *cell = cell_at(g, r, c);
 		if (!number_value_of_cell(*cell, &v))
 			break;
 		if (isnan(sieve_name_mm(cell->text, SIEVE_ASTM)))
@@ -376,7 +374,7 @@ has_astm_sieve_numbers(const struct grid *g, size_t r, size_t c)
 /* True for the unit of a value, "Rotor diameter | 990 | mm": the last of three
  * cells, the only ones of their line. */
 static bool
-is_unit_after_value(const struct grid *g, size_t r, size_t c)
+is_unit_after_value(const struct sheets *g, size_t r, size_t c)
 {
 	double v;
 	size_t filled = 0;
@@ -385,11 +383,11 @@ is_unit_after_value(const struct grid *g, size_t r, size_t c)
 	return filled == 3 && c >= 2 && c < g->n_col &&
 	       cell_nature_at(g, r, c)->head && is_cell_filled(g, r, c - 2) &&
 	       !cell_nature_at(g, r, c - 2)->head &&
-	       number_value_of_cell(*layout_cell_at(g, r, c - 1), &v);
+	       number_value_of_cell(*cell_at(g, r, c - 1), &v);
 }
 
 static bool
-is_sieve_head(const struct grid *g, size_t r, size_t c)
+is_sieve_head(const struct sheets *g, size_t r, size_t c)
 {
 	const struct nature *n = cell_nature_at(g, r, c);
 	bool number = (n->means & ~(uint64_t)WORD_SAMPLE) == WORD_NUMBER;
@@ -400,32 +398,31 @@ is_sieve_head(const struct grid *g, size_t r, size_t c)
 /* True if a heading states phi, whose letter also means a diameter, above
  * numbers that can be phi. */
 static bool
-is_phi_head(const struct grid *g, size_t r, size_t c)
+is_phi_head(const struct sheets *g, size_t r, size_t c)
 {
 	double v;
 	if (!is_sieve_head(g, r, c) ||
 	    (cell_nature_at(g, r, c)->means & WORD_PHI) == 0)
 		return false;
 	for (r++; r < g->n_row && !g->gap[r]; r++)
-		if (number_value_of_cell(*layout_cell_at(g, r, c), &v) &&
+		if (number_value_of_cell(*cell_at(g, r, c), &v) &&
 		    fabs(v) > SIEVE_MOST_PHI)
 			return false;
 	return true;
 }
 
 static enum sieve_kind
-sieve_kind_of_cell(const struct grid *g, size_t r, size_t c, double *mm)
+sieve_kind_of_cell(const struct sheets *g, size_t r, size_t c, double *mm)
 {
 	const struct sieve_unit phi = {0, SIEVE_PHI};
 	if (g->phi[c])
-		return sieve_read_size(
-		    g->sheet, *layout_cell_at(g, r, c), phi, mm);
+		return sieve_read_size(g->sheet, *cell_at(g, r, c), phi, mm);
 	*mm = cell_nature_at(g, r, c)->mm;
 	return cell_nature_at(g, r, c)->kind;
 }
 
 static bool
-layout_is_sieve(const struct grid *g, size_t r, size_t c)
+is_cell_of_sieve(const struct sheets *g, size_t r, size_t c)
 {
 	double mm;
 	return sieve_kind_of_cell(g, r, c, &mm) != SIEVE_IS_NONE;
@@ -433,7 +430,7 @@ layout_is_sieve(const struct grid *g, size_t r, size_t c)
 
 /* True if one of the columns after c and before `end` has a number. */
 static bool
-has_number_beside(const struct grid *g, size_t r, size_t c, size_t end)
+has_number_beside(const struct sheets *g, size_t r, size_t c, size_t end)
 {
 	return c + 1 < end && g->number[r * g->n_col + c + 1] < end;
 }
@@ -441,12 +438,13 @@ has_number_beside(const struct grid *g, size_t r, size_t c, size_t end)
 /* Returns the next row below, without a gap, that is a sieve with numbers;
  * n_row if there is none. */
 static size_t
-next_sieve_row(const struct grid *g, size_t r, size_t c, size_t end)
+next_sieve_row(const struct sheets *g, size_t r, size_t c, size_t end)
 {
 	for (r++; r < g->n_row && !g->gap[r]; r++) {
 		if (is_sieve_head(g, r, c))
 			break;
-		if (layout_is_sieve(g, r, c) && has_number_beside(g, r, c, end))
+		if (is_cell_of_sieve(g, r, c) &&
+		    has_number_beside(g, r, c, end))
 			return r;
 	}
 	return g->n_row;
@@ -455,9 +453,9 @@ next_sieve_row(const struct grid *g, size_t r, size_t c, size_t end)
 /* True if a row immediately below the sieves has numbers but no sieve, and is
  * not a remark. */
 static bool
-is_row_without_sieve(const struct grid *g, size_t r, size_t c, size_t end)
+is_row_without_sieve(const struct sheets *g, size_t r, size_t c, size_t end)
 {
-	const char *text = layout_cell_at(g, r, c)->text;
+	const char *text = cell_at(g, r, c)->text;
 	bool word =
 	    text[0] != '\0' && strchr("-<>#+0123456789", text[0]) == NULL;
 	return !g->gap[r] && !word && has_number_beside(g, r, c, end);
@@ -466,7 +464,7 @@ is_row_without_sieve(const struct grid *g, size_t r, size_t c, size_t end)
 /* Finds the last sieve of a table: a blank line ends it unless another sieve
  * follows; sums and the heading of another table end it likewise. */
 static void
-find_table_end(const struct grid *g, struct place *p)
+find_table_end(const struct sheets *g, struct place *p)
 {
 	int standard = 0;
 	size_t known = 0; /* it goes on to there */
@@ -486,12 +484,11 @@ find_table_end(const struct grid *g, struct place *p)
 		if (kind == SIEVE_IS_NONE)
 			continue;
 		p->last = r + 1;
-		standard +=
-		    kind == SIEVE_IS_SIZE &&
-		    (isnan(mm) || sieve_is_standard(mm) ||
-			sieve_is_standard(mm / 1000) ||
-			sieve_name_series(layout_cell_at(g, r, p->c)->text) !=
-			    SIEVE_NONE);
+		standard += kind == SIEVE_IS_SIZE &&
+			    (isnan(mm) || sieve_is_standard(mm) ||
+				sieve_is_standard(mm / 1000) ||
+				sieve_name_series(cell_at(g, r, p->c)->text) !=
+				    SIEVE_NONE);
 	}
 	while (p->last < g->n_row &&
 	       is_row_without_sieve(g, p->last, p->c, p->end))
@@ -502,7 +499,7 @@ find_table_end(const struct grid *g, struct place *p)
 /* Returns the column of the next heading of sieves in a row, or n_col.  One
  * immediately beside it is skipped: it has the same sieves in other words. */
 static size_t
-next_sieve_heading(const struct grid *g, size_t r, size_t c)
+next_sieve_heading(const struct sheets *g, size_t r, size_t c)
 {
 	size_t k = c + 2;
 	while (k < g->n_col && !is_sieve_head(g, r, k))
@@ -517,7 +514,7 @@ struct sequence {
 };
 
 static struct sequence
-sequence_of_sizes(const struct grid *g, const struct place *p)
+sequence_of_sizes(const struct sheets *g, const struct place *p)
 {
 	struct sequence s = {0};
 	double mm, last = NAN;
@@ -543,18 +540,17 @@ are_tables_overlapping(const struct place *a, const struct place *b)
  * classes: mass is retained on the lower. */
 static bool
 are_ends_of_classes(
-    const struct grid *g, const struct place *low, const struct place *up)
+    const struct sheets *g, const struct place *low, const struct place *up)
 {
 	double a, b, last = NAN;
 	size_t n = 0, joined = 0;
 	for (size_t r = low->first; r < low->last; r++) {
-		if (!number_value_of_cell(*layout_cell_at(g, r, low->c), &a) ||
-		    !number_value_of_cell(*layout_cell_at(g, r, up->c), &b) ||
-		    a >= b)
+		if (!number_value_of_cell(*cell_at(g, r, low->c), &a) ||
+		    !number_value_of_cell(*cell_at(g, r, up->c), &b) || a >= b)
 			return false;
 		double before = r > low->first ? last : (double)NAN;
 		joined += b == before;
-		number_value_of_cell(*layout_cell_at(g, r, low->c), &last);
+		number_value_of_cell(*cell_at(g, r, low->c), &last);
 		n++;
 	}
 	return n > 2 && joined + 1 == n;
@@ -564,7 +560,7 @@ are_ends_of_classes(
  * adjacent columns of sieves (No. and mm), the one with more openings; the
  * other becomes a column of its table. */
 static void
-drop_duplicate_headings(struct grid *g)
+drop_duplicate_headings(struct sheets *g)
 {
 	size_t kept = 0;
 	for (size_t i = 0; i < g->n_place; i++) {
@@ -590,7 +586,7 @@ drop_duplicate_headings(struct grid *g)
 
 /* Finds the tables below headings of sieves. */
 static void
-find_tables_with_headings(struct grid *g)
+find_tables_with_headings(struct sheets *g)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
@@ -601,11 +597,11 @@ find_tables_with_headings(struct grid *g)
 			    next_sieve_heading(g, r, c), 0, false};
 			g->phi[c] = g->phi[c] || is_phi_head(g, r, c);
 			while (p.first < g->n_row && p.first < r + 4 &&
-			       !layout_is_sieve(g, p.first, c) &&
+			       !is_cell_of_sieve(g, p.first, c) &&
 			       !is_sieve_head(g, p.first, c))
 				p.first++;
 			if (p.first == g->n_row ||
-			    !layout_is_sieve(g, p.first, c))
+			    !is_cell_of_sieve(g, p.first, c))
 				continue;
 			find_table_end(g, &p);
 			/* "Sieve analysis" is the title of other heads. */
@@ -621,20 +617,19 @@ find_tables_with_headings(struct grid *g)
 /* Whether the first cells of a line are heads of their columns, and not the
  * head of the line: there are several, or a number or a feed is below. */
 static bool
-are_column_headings(const struct grid *g, size_t r, size_t c)
+are_column_headings(const struct sheets *g, size_t r, size_t c)
 {
 	if (r > 1 && is_cell_filled(g, r - 1, c))
 		return true;
 	return c + 1 < g->n_col &&
-	       (strpbrk(layout_cell_at(g, 0, c + 1)->text, "0123456789") !=
-		       NULL ||
+	       (strpbrk(cell_at(g, 0, c + 1)->text, "0123456789") != NULL ||
 		   (cell_nature_at(g, 0, c + 1)->means & WORD_FEED) != 0);
 }
 
 /* True if the cell above the numbers, or at the start of their line, says that
  * they are times, remarks or speeds. */
 static bool
-is_heading_of_no_sieves(const struct grid *g, size_t r, size_t c)
+is_heading_of_no_sieves(const struct sheets *g, size_t r, size_t c)
 {
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
 	if (r == 0 || (g->across && are_column_headings(g, r, c)))
@@ -644,7 +639,7 @@ is_heading_of_no_sieves(const struct grid *g, size_t r, size_t c)
 }
 
 static bool
-is_pan_row(const struct grid *g, size_t r, size_t c)
+is_pan_row(const struct sheets *g, size_t r, size_t c)
 {
 	double mm;
 	return sieve_kind_of_cell(g, r, c, &mm) == SIEVE_IS_PAN &&
@@ -654,7 +649,7 @@ is_pan_row(const struct grid *g, size_t r, size_t c)
 /* Numbers that fall, or rise, but not as a count does, and nearly all are
  * openings of real sieves: a table without a head. */
 static void
-find_headless_table(struct grid *g)
+find_headless_table(struct sheets *g)
 {
 	for (size_t c = 0; c < g->n_col && g->n_place == 0; c++)
 		for (size_t r = 0;
@@ -686,13 +681,13 @@ find_headless_table(struct grid *g)
  * phi, some below 0. */
 static size_t
 end_of_ordered_numbers(
-    const struct grid *g, size_t r, size_t c, bool *sizes, bool *phi)
+    const struct sheets *g, size_t r, size_t c, bool *sizes, bool *phi)
 {
 	double v, first = NAN, last = NAN, step = NAN, least = INFINITY,
 		  most = 0;
 	bool even = true, quarters = true;
 	for (; r < g->n_row && !g->gap[r]; r++) {
-		if (!number_value_of_cell(*layout_cell_at(g, r, c), &v) ||
+		if (!number_value_of_cell(*cell_at(g, r, c), &v) ||
 		    (!isnan(step) && (v - last) * step <= 0) || v == last ||
 		    !has_number_beside(g, r, c, g->n_col))
 			break;
@@ -713,11 +708,11 @@ end_of_ordered_numbers(
 
 /* True if two columns have the same heading in the row above their numbers. */
 static bool
-has_same_heading(const struct grid *g, size_t r, size_t c, size_t other)
+has_same_heading(const struct sheets *g, size_t r, size_t c, size_t other)
 {
 	return r > 0 && is_cell_filled(g, r - 1, c) &&
-	       strcmp(layout_cell_at(g, r - 1, c)->text,
-		   layout_cell_at(g, r - 1, other)->text) == 0;
+	       strcmp(cell_at(g, r - 1, c)->text,
+		   cell_at(g, r - 1, other)->text) == 0;
 }
 
 /* What no head and no sieve tells: the first column of numbers in order that
@@ -725,7 +720,7 @@ has_same_heading(const struct grid *g, size_t r, size_t c, size_t other)
  * else.  below: of those only that have numbers below 0, so that the others,
  * in phi, are not taken for sieves. */
 static void
-find_tables_of_ordered_numbers(struct grid *g, bool below)
+find_tables_of_ordered_numbers(struct sheets *g, bool below)
 {
 	for (size_t c = 0; c + 1 < g->n_col; c++)
 		for (size_t r = 0;
@@ -747,7 +742,7 @@ find_tables_of_ordered_numbers(struct grid *g, bool below)
 				continue;
 			bool head = first > 0 &&
 				    is_cell_filled(g, first - 1, c) &&
-				    !layout_is_sieve(g, first - 1, c);
+				    !is_cell_of_sieve(g, first - 1, c);
 			add_place(
 			    g, (struct place){c, head ? first - 1 : g->n_row,
 				   first, end, g->n_col, (int)(end - first),
@@ -758,13 +753,13 @@ find_tables_of_ordered_numbers(struct grid *g, bool below)
 }
 
 static void
-find_tables_of_numbers_below_0(struct grid *g)
+find_tables_of_numbers_below_0(struct sheets *g)
 {
 	find_tables_of_ordered_numbers(g, true);
 }
 
 static void
-find_tables_of_any_numbers(struct grid *g)
+find_tables_of_any_numbers(struct sheets *g)
 {
 	find_tables_of_ordered_numbers(g, false);
 }
@@ -772,7 +767,7 @@ find_tables_of_any_numbers(struct grid *g)
 /* Finds the tables in a column that the user says has sieves, each from the
  * first sieve with numbers beside it. */
 static void
-find_tables_in_column(struct grid *g, size_t c)
+find_tables_in_column(struct sheets *g, size_t c)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++) {
@@ -791,7 +786,7 @@ find_tables_in_column(struct grid *g, size_t c)
 }
 
 static void
-find_tables_in_given_columns(struct grid *g, const struct layout_range *range)
+find_tables_in_given_columns(struct sheets *g, const struct layout_range *range)
 {
 	g->n_place = 0;
 	for (size_t i = 0; i < range->n_sieves; i++)
@@ -807,7 +802,7 @@ find_tables_in_given_columns(struct grid *g, const struct layout_range *range)
  * columns: heads may go on above it. */
 static bool
 is_heading_of_all_columns(
-    const struct grid *g, size_t r, const struct place *p, size_t end)
+    const struct sheets *g, size_t r, const struct place *p, size_t end)
 {
 	const uint64_t all =
 	    WORD_PASSES | WORD_STAYS | WORD_PERCENT | WORD_GRAMS | WORD_MASS;
@@ -821,7 +816,7 @@ is_heading_of_all_columns(
 /* True if a row above the heading of the sieves is a heading too: it describes
  * the columns and is neither a key with its value nor a title. */
 static bool
-is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
+is_head_row(const struct sheets *g, size_t r, const struct place *p, size_t end)
 {
 	size_t filled = 0;
 	for (size_t k = p->c + 1; k < end; k++)
@@ -832,14 +827,14 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 		return true;
 	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
 		return false;
-	const char *key = layout_cell_at(g, r, p->c)->text;
+	const char *key = cell_at(g, r, p->c)->text;
 	if (lexicon_key_from_text(key) != N_KEY)
 		return false;
 	/* A line that `add` writes: cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&
-	    strstr(layout_cell_at(g, r, p->c + 1)->text, ", ") != NULL)
+	    strstr(cell_at(g, r, p->c + 1)->text, ", ") != NULL)
 		return false;
-	struct head first = head_parse(layout_cell_at(g, r, p->c)->text);
+	struct head first = heading_parse(cell_at(g, r, p->c)->text);
 	bool of_columns =
 	    first.unit != SPEED_NO_UNIT ||
 	    (first.means & (WORD_SPEED | WORD_SAMPLE | WORD_SIZE)) != 0;
@@ -847,19 +842,19 @@ is_head_row(const struct grid *g, size_t r, const struct place *p, size_t end)
 }
 
 static struct row
-make_table_row(const struct grid *g, size_t r, const size_t *col, size_t n)
+make_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n)
 {
 	struct row row = {.n = n, .n_all = n};
 	row.cell = xcalloc(n, sizeof *row.cell);
 	for (size_t i = 0; i < n; i++)
-		row.cell[i] = *layout_cell_at(g, r, col[i]);
+		row.cell[i] = *cell_at(g, r, col[i]);
 	row.line = row.cell[0].line;
 	row.end = row.cell[n - 1].column;
 	return row;
 }
 
 static void
-layout_add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
+add_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n,
     struct row **list, size_t *n_list)
 {
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
@@ -871,7 +866,7 @@ layout_add_row(const struct grid *g, size_t r, const size_t *col, size_t n,
 /* Lists the columns of a table that have anything below the headings: from its
  * sieves to before `end` and, for the first table, those to the left. */
 static size_t
-layout_list_columns(const struct grid *g, const struct place *p, size_t from,
+list_filled_columns(const struct sheets *g, const struct place *p, size_t from,
     size_t end, size_t *col)
 {
 	size_t n = 0;
@@ -924,17 +919,17 @@ complete_sieve_names(struct table *t)
  * columns, with its last row of headings: "m/s" beside "Rotor tip speed", and
  * the speed of the only sample, "Ekeby; belt cut; 73 m/s", above both. */
 static void
-join_cells_beside_headings(const struct grid *g, const struct place *p,
+join_cells_beside_headings(const struct sheets *g, const struct place *p,
     size_t r, size_t end, bool above, struct table *t)
 {
 	struct row *head = &t->head[t->n_head - 1];
 	bool one = t->n_col == 2 && above;
 	for (size_t c = p->c + 1; c < end; c++) {
-		const char *text = layout_cell_at(g, r, c)->text;
-		struct head said = head_parse(text);
-		bool speed = one && head_has_speed(&said) && !said.several;
+		const char *text = cell_at(g, r, c)->text;
+		struct head said = heading_parse(text);
+		bool speed = one && heading_has_speed(&said) && !said.several;
 		bool unit = c == p->c + 1 && said.unit != SPEED_NO_UNIT &&
-			    !head_has_speed(&said) && said.n_number == 0 &&
+			    !heading_has_speed(&said) && said.n_number == 0 &&
 			    head->cell[0].text[0] != '\0';
 		if (g->used[cell_index_at(g, r, c)] || (!speed && !unit))
 			continue;
@@ -946,11 +941,11 @@ join_cells_beside_headings(const struct grid *g, const struct place *p,
 }
 
 static void
-add_layout_table(const struct grid *g, const struct place *p, size_t from,
+add_table_found(const struct sheets *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
 {
 	FREED size_t *col = xcalloc(g->n_col + 1, sizeof *col);
-	size_t n = layout_list_columns(g, p, from, end, col);
+	size_t n = list_filled_columns(g, p, from, end, col);
 	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
 	    .n_col = n,
@@ -968,7 +963,7 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 		bool mass = cell_nature_at(g, r, p->c)->foot &&
 			    has_number_beside(g, r, p->c, p->end);
 		if (!mass)
-			layout_add_row(g, r, col, n, &t.head, &t.n_head);
+			add_table_row(g, r, col, n, &t.head, &t.n_head);
 		if (!mass)
 			join_cells_beside_headings(g, p, r, end, r < own, &t);
 		t.titles += !mass && r < own;
@@ -976,12 +971,12 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 	for (size_t r = top; r < p->first; r++)
 		if (cell_nature_at(g, r, p->c)->foot &&
 		    has_number_beside(g, r, p->c, p->end))
-			layout_add_row(g, r, col, n, &t.foot, &t.n_foot);
+			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
 	for (size_t r = p->first; r < p->last; r++)
-		layout_add_row(g, r, col, n, &t.row, &t.n_row);
+		add_table_row(g, r, col, n, &t.row, &t.n_row);
 	for (size_t r = p->last;
 	     r < g->n_row && cell_nature_at(g, r, p->c)->foot; r++)
-		layout_add_row(g, r, col, n, &t.foot, &t.n_foot);
+		add_table_row(g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
 		t.number[i] = g->col_number[col[i]];
@@ -992,7 +987,7 @@ add_layout_table(const struct grid *g, const struct place *p, size_t from,
 }
 
 static void
-add_tables_to_layout(const struct grid *g, struct layout *layout)
+add_tables_to_layout(const struct sheets *g, struct layout *layout)
 {
 	for (size_t i = 0; i < g->n_place; i++) {
 		const struct place *p = &g->place[i];
@@ -1006,12 +1001,12 @@ add_tables_to_layout(const struct grid *g, struct layout *layout)
 			if (other->c < p->c)
 				from = p->c;
 		}
-		add_layout_table(g, p, from, end, layout);
+		add_table_found(g, p, from, end, layout);
 	}
 }
 
 static int
-total_table_score(const struct grid *g)
+total_table_score(const struct sheets *g)
 {
 	int score = 0;
 	for (size_t i = 0; i < g->n_place; i++)
@@ -1020,7 +1015,7 @@ total_table_score(const struct grid *g)
 }
 
 static void
-list_rows_outside_tables(const struct grid *g, struct layout *layout)
+list_rows_outside_tables(const struct sheets *g, struct layout *layout)
 {
 	layout->heading = xcalloc(g->n_row + 1, sizeof(*layout->heading));
 	for (size_t r = 0; r < g->n_row; r++) {
@@ -1083,7 +1078,7 @@ layout_heading_text(const struct table *t, size_t c)
 }
 
 /* Ways to find tables, each tried if those before it found none. */
-static void (*const FINDERS[])(struct grid *) = {find_tables_with_headings,
+static void (*const FINDERS[])(struct sheets *) = {find_tables_with_headings,
     find_tables_of_numbers_below_0, find_headless_table,
     find_tables_of_any_numbers};
 
@@ -1091,13 +1086,13 @@ struct layout *
 layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 {
 	struct layout *layout = xcalloc(1, sizeof *layout);
-	struct grid g = layout_grid_new(sheet, range);
+	struct sheets g = copy_sheet_to_grid(sheet, range);
 	shift_headings_by_one(&g);
 	mark_in_beside_out_as_feed(&g);
 	mark_sizes_below_as_sieves(&g);
 	fill_cell_natures(&g);
 	find_next_number_columns(&g);
-	struct grid t = transpose_grid(&g);
+	struct sheets t = transpose_grid(&g);
 	size_t ways = range.n_sieves > 0 ? 1 : ARRAY_LEN(FINDERS);
 	for (size_t i = 0; i < ways && g.n_place + t.n_place == 0; i++) {
 		FINDERS[i](&g);
@@ -1112,8 +1107,8 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	list_rows_outside_tables(&g, layout);
 	for (size_t b = 0; b < layout->n; b++)
 		find_end_of_tables_above(layout, &layout->table[b]);
-	layout_grid_clear(&t);
-	layout_grid_clear(&g);
+	free_grid(&t);
+	free_grid(&g);
 	return layout;
 }
 

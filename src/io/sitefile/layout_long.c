@@ -63,7 +63,7 @@ guess_column_use(const struct table *t, size_t c, const struct head *head)
 		return UNUSED;
 	if (!numeric)
 		return KEY;
-	bool speed = head_has_speed(head);
+	bool speed = heading_has_speed(head);
 	bool percent = (head->means & WORD_PERCENT) != 0;
 	if (!speed && !percent &&
 	    (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0))
@@ -273,7 +273,7 @@ sample_heading(const struct longer *l, size_t sample, size_t value)
 		if (l->use[c] != KEY || cell.value == AS_ABSENT)
 			continue;
 		bool number = number_value_of_cell(cell, &v);
-		enum speed_unit unit = head_speed_unit(&l->head[c]);
+		enum speed_unit unit = heading_speed_unit(&l->head[c]);
 		if (number && v == 0)
 			continue;
 		if (number && unit == SPEED_NO_UNIT &&
@@ -419,7 +419,7 @@ is_long_by_id_or_date(struct longer *l)
 }
 
 bool
-layout_widen_long_table(struct table *t, uint64_t told)
+layout_long_to_wide(struct table *t, uint64_t told)
 {
 	size_t n = t->n_row;
 	bool good = true;
@@ -435,7 +435,7 @@ layout_widen_long_table(struct table *t, uint64_t told)
 	for (size_t c = 0; c < t->n_col && !error_should_stop(t->sheet->errors);
 	     c++) {
 		FREED char *text = layout_heading_text(t, c);
-		l.head[c] = head_parse(text);
+		l.head[c] = heading_parse(text);
 		l.use[c] = c > 0 ? guess_column_use(t, c, &l.head[c]) : UNUSED;
 	}
 	list_distinct_sizes(&l);

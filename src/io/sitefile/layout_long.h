@@ -12,6 +12,6 @@
 /* Turns a long table into one with a column for each sample and leaves other
  * tables unchanged.  Returns false with a fault if there are too many samples.
  * told: the meanings of a sieve heading given by the user, or 0. */
-bool layout_widen_long_table(struct table *t, uint64_t told);
+bool layout_long_to_wide(struct table *t, uint64_t told);
 
 #endif

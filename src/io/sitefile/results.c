@@ -44,7 +44,7 @@ command_on_about_sheet(const struct sheet *sheet)
 }
 
 char *
-results_command_of_sheet(const struct sheet *sheet)
+command_that_made_sheet(const struct sheet *sheet)
 {
 	bool table = is_cell_text(sheet, 0, 0, "command") &&
 		     sheet->row[0].n > 1 && sheet->n_row > 1;
@@ -60,13 +60,13 @@ command_in_workbook(const char *path)
 	char *command = NULL;
 	bool read = source_read_file(path, &errors, &source);
 	for (size_t i = 0; read && i < source.n && command == NULL; i++)
-		command = results_command_of_sheet(source.sheet[i]);
+		command = command_that_made_sheet(source.sheet[i]);
 	source_free(&source);
 	return command;
 }
 
 char *
-results_command_in_file(const char *path)
+command_that_made_file(const char *path)
 {
 	enum { ENOUGH = 4096, MOST = 100 * 1000 };
 	char bytes[ENOUGH], *text = NULL, *command = NULL;
@@ -91,7 +91,7 @@ results_command_in_file(const char *path)
 		const struct sheet_limits most = {.rows = ENOUGH};
 		struct sheet *sheet =
 		    sheet_new_from_text(path, text, most, &errors);
-		command = results_command_of_sheet(sheet);
+		command = command_that_made_sheet(sheet);
 		sheet_free(sheet);
 	}
 	free(text);

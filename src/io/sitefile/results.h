@@ -10,11 +10,11 @@ struct sheet;
  * the heading of tables for programs or from the sheet "About" of workbooks.
  * Returns NULL for other sheets and for a template to be filled in.  The caller
  * frees it. */
-char *results_command_of_sheet(const struct sheet *sheet);
+char *command_that_made_sheet(const struct sheet *sheet);
 
-/* As results_command_of_sheet, for a file: a text by its first lines only, a
+/* As command_that_made_sheet, for a file: a text by its first lines only, a
  * workbook only if it is small, which is fast for many files.  Returns NULL if
  * it cannot be read. */
-char *results_command_in_file(const char *path);
+char *command_that_made_file(const char *path);
 
 #endif

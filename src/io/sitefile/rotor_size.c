@@ -19,7 +19,7 @@ static const double LEAST_MM = 100, MOST_MM = 5000;
  * of another thing after.  unit: mm in a unit that came after them, or 0.
  * ahead: mm, of a number that nothing but blanks and words for a diameter
  * follow.  alone: a diameter can be the rotor's though the rotor is not named.
- * found: as rotor_size_mm returns it. */
+ * found: as rotor_diameter_mm_in_text returns it. */
 struct search {
 	bool machine, alone, rotor, diameter;
 	double unit, ahead, found;
@@ -38,8 +38,9 @@ replace_diameter_signs(const char *text)
 		for (size_t i = 0; i < ARRAY_LEN(SIGNS); i++)
 			if (strncmp(p, SIGNS[i], strlen(SIGNS[i])) == 0)
 				n = strlen(SIGNS[i]);
-		bool sign = n > 0 && (p == text || !head_is_letter(p[-1])) &&
-			    !head_is_letter(p[n]);
+		bool sign = n > 0 &&
+			    (p == text || !text_is_letter_byte(p[-1])) &&
+			    !text_is_letter_byte(p[n]);
 		if (sign)
 			xappend(&plain, " diameter ");
 		else
@@ -64,7 +65,7 @@ static size_t
 word_bytes(const char *p)
 {
 	size_t n = 0;
-	while (head_is_letter(p[n]))
+	while (text_is_letter_byte(p[n]))
 		n++;
 	return n;
 }
@@ -93,7 +94,7 @@ is_possible_rotor_mm(double mm)
 }
 
 static void
-store_rotor_found(struct search *s, double mm)
+note_diameter(struct search *s, double mm)
 {
 	if (!is_possible_rotor_mm(mm))
 		return;
@@ -154,12 +155,11 @@ parse_rotor_number(struct search *s, const char **text)
 	bool meant = s->rotor || (s->diameter && s->alone);
 	double mm = parse_number_in_mm(text, n, unit > 0 ? unit : 1);
 	if (meant && unit > 0)
-		store_rotor_found(s, mm);
+		note_diameter(s, mm);
 	else if (meant && s->unit > 0 && bare)
-		store_rotor_found(s, mm * s->unit);
+		note_diameter(s, mm * s->unit);
 	else if (bare && meant && (s->diameter || s->machine))
-		store_rotor_found(
-		    s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
+		note_diameter(s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
 	s->ahead = !meant && unit > 0 ? mm : 0;
 	s->rotor = s->diameter = false;
 	s->unit = 0;
@@ -174,7 +174,7 @@ rotor_parse_word(struct search *s, const char *word, size_t n)
 	if (is_word_for_diameter(word, n)) {
 		s->diameter = true;
 	} else if ((means & WORD_ROTOR) != 0) {
-		store_rotor_found(s, s->ahead);
+		note_diameter(s, s->ahead);
 		s->ahead = s->unit = 0;
 		s->rotor = true;
 		s->diameter = (means & WORD_SIZE) != 0;
@@ -192,7 +192,7 @@ rotor_parse_word(struct search *s, const char *word, size_t n)
 static bool
 is_rotor_though_unnamed(const char *text, const char *folded)
 {
-	struct head head = head_parse(text);
+	struct head head = heading_parse(text);
 	for (const char *p = folded; *p != '\0';) {
 		size_t n = word_bytes(p);
 		if (n > 1 && !is_word_for_diameter(p, n) &&
@@ -202,11 +202,11 @@ is_rotor_though_unnamed(const char *text, const char *folded)
 		p += n > 0 ? n : 1;
 	}
 	return (head.means & (WORD_MACHINE | WORD_ROTOR)) != 0 ||
-	       head_has_speed(&head);
+	       heading_has_speed(&head);
 }
 
 double
-rotor_size_mm(const char *text, bool machine)
+rotor_diameter_mm_in_text(const char *text, bool machine)
 {
 	FREED char *folded = replace_diameter_signs(text);
 	struct search s = {.machine = machine};

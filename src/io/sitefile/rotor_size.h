@@ -9,6 +9,6 @@
  * 1560 rpm", "rotor diameter 0.84 m" or "VSI, \u00D8 840"; 0: none; -1: several
  * that differ.  machine: the text is the name of a machine, in which the
  * rotor's number needs no unit; below 10 it is in m. */
-double rotor_size_mm(const char *text, bool machine);
+double rotor_diameter_mm_in_text(const char *text, bool machine);
 
 #endif

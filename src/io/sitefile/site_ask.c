@@ -244,7 +244,7 @@ is_table_of_same_site(
     const struct tables *s, size_t k, size_t feed, const struct table *like)
 {
 	const struct table *t = s->table[k];
-	if (!has_only_products(t, s->all) || title_is_of_limits_or_mean(t))
+	if (!has_only_products(t, s->all) || title_tells_limits_or_mean(t))
 		return false;
 	FREED char *line = title_feed_or_last_line(s->table[feed]),
 		   *own = title_feed_or_last_line(t);
@@ -323,7 +323,7 @@ describe_table_contents(const struct table *t, const struct columns *all)
 	enum { MOST = 3 };
 	size_t n = 0;
 	char *list = xstrdup("");
-	for (size_t i = 0; i < all->n && !title_is_of_limits_or_mean(t); i++) {
+	for (size_t i = 0; i < all->n && !title_tells_limits_or_mean(t); i++) {
 		const struct column *c = &all->column[i];
 		if (c->table != t || c->twin > 0 || c->role == NO_ROLE)
 			continue;
@@ -339,7 +339,7 @@ describe_table_contents(const struct table *t, const struct columns *all)
 		xappend(&list, ", ..");
 	if (n == 0)
 		xappend(&list, "%s",
-		    title_is_of_limits_or_mean(t) ? tr("limits or a mean")
+		    title_tells_limits_or_mean(t) ? tr("limits or a mean")
 						  : tr("not said"));
 	return list;
 }

@@ -144,7 +144,7 @@ is_in_mass(const struct column *c)
 }
 
 double
-site_column_raw_number(const struct column *c, size_t row)
+site_column_number_in_row(const struct column *c, size_t row)
 {
 	return c->table->row[row].cell[c->at].number;
 }

@@ -84,7 +84,7 @@ struct column *site_column_find(
 size_t site_column_count_values(const struct column *c);
 
 /* Returns the number in a row of the sheet, or NAN. */
-double site_column_raw_number(const struct column *c, size_t row);
+double site_column_number_in_row(const struct column *c, size_t row);
 
 /* Returns the passing of a row, %, with the digits of the sheet or, if computed
  * from masses, with enough digits to distinguish it from `other`. */

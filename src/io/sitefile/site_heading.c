@@ -64,7 +64,7 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 {
 	uint64_t means = lexicon_meanings(key.text, NULL);
 	if ((means & (WORD_ROTOR | WORD_SPEED)) == 0) {
-		double said = rotor_size_mm(value.text, true);
+		double said = rotor_diameter_mm_in_text(value.text, true);
 		site->rotor = said > 0 ? said / 1000 : site->rotor;
 		return said > 0;
 	}
@@ -90,15 +90,15 @@ static bool
 site_heading_take_speed(const struct sheet *sheet, struct cell key,
     struct cell value, struct heading_speed *speed)
 {
-	struct head k = head_parse(key.text), v = head_parse(value.text);
+	struct head k = heading_parse(key.text), v = heading_parse(value.text);
 	double number;
-	enum speed_unit unit = head_speed_unit(&k);
+	enum speed_unit unit = heading_speed_unit(&k);
 	bool about = (k.means & WORD_SPEED) != 0 || k.unit != SPEED_NO_UNIT;
 	/* "Product 70 m/s" is the title of a table. */
-	about = about && !head_has_speed(&k);
+	about = about && !heading_has_speed(&k);
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
-	if (head_has_speed(&v)) {
+	if (heading_has_speed(&v)) {
 		speed->mps = v.speed > 0 ? v.speed : speed->mps;
 		speed->rpm = v.rpm > 0 ? v.rpm : speed->rpm;
 		return true;
@@ -108,7 +108,7 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	if (unit == SPEED_RPM)
 		speed->rpm = number;
 	else if (unit != SPEED_NO_UNIT || number < 150)
-		speed->mps = head_speed_to_mps(number, unit, 0);
+		speed->mps = speed_in_unit_to_mps(number, unit, 0);
 	else
 		return false;
 	return true;
@@ -323,7 +323,7 @@ site_heading_merge_rotor(
 		char *line = xstrdup("");
 		for (size_t c = 0; c < row->n; c++)
 			xappend_to_list(&line, ", ", "%s", row->cell[c].text);
-		double mm = rotor_size_mm(line, false);
+		double mm = rotor_diameter_mm_in_text(line, false);
 		free(line);
 		bool differs = mm < 0 || said->mm < 0 ||
 			       (said->mm > 0 && fabs(mm - said->mm) > 0.5);

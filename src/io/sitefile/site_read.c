@@ -320,7 +320,7 @@ make_psd(const struct column *c)
 
 /* Fills the curves of a run, the nth of those at its speed. */
 static void
-fill_run_curves(const struct columns *t, const struct column *shared,
+fill_curves_of_run(const struct columns *t, const struct column *shared,
     struct run *run, size_t nth)
 {
 	double v = run->speed;
@@ -373,7 +373,7 @@ make_runs(struct site *site, const struct columns *t)
 	qsort(site->run, site->n_run, sizeof *site->run, compare_runs_by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats_speed(site, r) ? first : r;
-		fill_run_curves(t, shared, &site->run[r], r - first);
+		fill_curves_of_run(t, shared, &site->run[r], r - first);
 	}
 	site_update_digest_and_mean_feed(site);
 }
@@ -455,7 +455,7 @@ note_left_out_sums(struct reading *r, const struct page *page)
 static bool
 states_rotor(const struct site *site, const char *text)
 {
-	double mm = rotor_size_mm(text, false);
+	double mm = rotor_diameter_mm_in_text(text, false);
 	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
 }
 
@@ -524,7 +524,7 @@ is_line_read(
 	FREED char *day = cut ? site_heading_date_of_line(row) : NULL;
 	return day != NULL || row->line <= layout->table[0].row[0].line ||
 	       states_rotor(r->site, words) ||
-	       title_heads_any_table(layout, row);
+	       title_says_sample_or_speed(layout, row);
 }
 
 /* Notes lines that were not read, from the ith on, with the table that they
@@ -653,7 +653,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	near.speed = told.mps;
 	near.rpm = told.rpm;
 	near.context =
-	    title_context_meanings(page->layout, t, q->path[page->file], &near);
+	    title_words_and_speed(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
@@ -661,11 +661,12 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	if (given > 0)
 		near.speed = given;
 	uint64_t sieve = samples_head_columns(&r->columns, t);
-	if (!layout_widen_long_table(t, sieve)) {
+	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;
 		return;
 	}
-	enum sieve_certainty certainty = site_sieve_find_and_sort(t, sieve);
+	enum sieve_certainty certainty =
+	    site_sieve_find_unit_and_sort(t, sieve);
 	t->lost = page->sheet->lost;
 	r->table = xrealloc(r->table, r->n_table + 1, sizeof(*r->table));
 	r->table[r->n_table++] = t;
@@ -715,7 +716,7 @@ check_not_predicted(const struct source *source)
 	char *command = NULL;
 	size_t i = 0;
 	while (i < source->n && command == NULL)
-		command = results_command_of_sheet(source->sheet[i++]);
+		command = command_that_made_sheet(source->sheet[i++]);
 	if (command != NULL)
 		sheet_fault(source->sheet[i - 1],
 		    source->sheet[i - 1]->row[0].cell[0],
@@ -933,10 +934,10 @@ static void
 accept_tables_as_one_site(struct reading *r)
 {
 	bool parts = r->request->parts;
-	bool tests = title_are_separate_tests(r->table, r->n_table, &r->all);
+	bool tests = titles_are_separate_tests(r->table, r->n_table, &r->all);
 	if (!tests &&
 	    (r->open.other == NULL ||
-		!title_is_speed_series(r->table, r->n_table, &r->all, parts)))
+		!titles_are_speed_series(r->table, r->n_table, &r->all, parts)))
 		return;
 	if (tests)
 		give_feeds_product_speeds(&r->all);
@@ -1064,7 +1065,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 			choose_feed_column(&r);
 		if (r.n_table > 0)
 			samples_report_missing(&r.samples, r.table[0]);
-		classify_roles(&r.all, r.site,
+		classify_columns_together(&r.all, r.site,
 		    r.columns.others || r.samples.n > 0, &r.open.rotor);
 		accept_tables_as_one_site(&r);
 		bool open = count_faults(&r) == 0 &&

@@ -243,8 +243,8 @@ apply_sample_text(struct column *c, const char *text)
 	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
 	    WORD_PERCENT | WORD_GRAMS | WORD_SHARE};
-	struct head own = head_parse(text), *said = &c->said;
-	bool speed = head_has_speed(&own);
+	struct head own = heading_parse(text), *said = &c->said;
+	bool speed = heading_has_speed(&own);
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)

@@ -371,11 +371,11 @@ site_sieve_check_order(struct table *t)
 }
 
 enum sieve_certainty
-site_sieve_find_and_sort(struct table *t, uint64_t told)
+site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 {
 	FREED char *head = layout_heading_text(t, 0);
 	/* A head of speeds, beside sieves that nothing heads, tells no unit. */
-	struct head said = head_parse(head);
+	struct head said = heading_parse(head);
 	bool speeds =
 	    (said.unit != SPEED_NO_UNIT || (said.means & WORD_SPEED) != 0) &&
 	    (said.means & WORD_SIZE) == 0;

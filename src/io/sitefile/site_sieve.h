@@ -17,7 +17,8 @@ enum sieve_certainty {
 
 /* Finds the unit of a table's sieves and sorts its rows, coarsest first.  told:
  * the meanings of a heading given by the user (lexicon.h), or 0. */
-enum sieve_certainty site_sieve_find_and_sort(struct table *t, uint64_t told);
+enum sieve_certainty site_sieve_find_unit_and_sort(
+    struct table *t, uint64_t told);
 
 /* Returns the heading cell of the sieves, or the cell of the first sieve. */
 struct cell site_sieve_heading(const struct table *t);

@@ -22,7 +22,7 @@ static bool
 is_title_of_sample(const struct head *head)
 {
 	return (head->means & (WORD_FEED | WORD_PRODUCT)) != 0 ||
-	       head_has_speed(head);
+	       heading_has_speed(head);
 }
 
 /* True for the value of "Sample; Feed", the two cells of a line. */
@@ -33,7 +33,7 @@ is_named_sample(const struct row *row, size_t c)
 	while (first < c && row->cell[first].text[0] == '\0')
 		first++;
 	uint64_t means = lexicon_meanings(row->cell[first].text, &unknown);
-	struct head value = head_parse(row->cell[c].text);
+	struct head value = heading_parse(row->cell[c].text);
 	return first < c && (means & ~WORD_NUMBER) == WORD_SAMPLE &&
 	       unknown == 0 && is_title_of_sample(&value);
 }
@@ -72,7 +72,7 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 }
 
 bool
-title_heads_any_table(const struct layout *layout, const struct row *row)
+title_says_sample_or_speed(const struct layout *layout, const struct row *row)
 {
 	struct heading_speed speed;
 	for (size_t b = 0; b < layout->n; b++) {
@@ -83,7 +83,7 @@ title_heads_any_table(const struct layout *layout, const struct row *row)
 		for (size_t c = 0; c < row->n; c++) {
 			if (!can_head_table(t, row, c))
 				continue;
-			struct head title = head_parse(row->cell[c].text);
+			struct head title = heading_parse(row->cell[c].text);
 			if (is_title_of_sample(&title))
 				return true;
 		}
@@ -188,7 +188,7 @@ take_basis(struct table *t)
 	for (const char *p = t->title; *p != '\0';) {
 		size_t n = strcspn(p, "\n");
 		FREED char *line = xstrndup(p, n);
-		FREED char *bare = head_without_speeds(line);
+		FREED char *bare = heading_without_speeds(line);
 		uint64_t means = lexicon_meanings(line, NULL);
 		all |= means & BASIS_WORDS;
 		stated = stated || (is_basis(means) && (means & ELSE) == 0 &&
@@ -199,11 +199,11 @@ take_basis(struct table *t)
 }
 
 uint64_t
-title_context_meanings(const struct layout *layout, struct table *t,
+title_words_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near)
 {
 	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
-	struct head name = head_parse(t->sheet->name);
+	struct head name = heading_parse(t->sheet->name);
 	struct heading_speed own = {0};
 	if (take_speed_above_table(layout, t, &own)) {
 		near->speed = own.mps;
@@ -218,14 +218,14 @@ title_context_meanings(const struct layout *layout, struct table *t,
 		for (size_t c = 0; c < row->n; c++) {
 			if (!can_head_table(t, row, c))
 				continue;
-			struct head title = head_parse(row->cell[c].text);
+			struct head title = heading_parse(row->cell[c].text);
 			append_title_line(t, row, c, &title);
 			if (!is_title_of_sample(&title))
 				continue;
 			uint64_t role =
 			    title.means & (WORD_FEED | WORD_PRODUCT);
 			means = role != 0 ? role : means;
-			if (!title.several && head_has_speed(&title)) {
+			if (!title.several && heading_has_speed(&title)) {
 				near->speed = title.speed;
 				near->rpm = title.rpm;
 			}
@@ -316,8 +316,8 @@ has_name_not_in(const char *a, const char *b)
 bool
 title_names_differ(const char *a, const char *b)
 {
-	FREED char *one = head_without_speeds(a),
-		   *other = head_without_speeds(b);
+	FREED char *one = heading_without_speeds(a),
+		   *other = heading_without_speeds(b);
 	return has_name_not_in(one, other) && has_name_not_in(other, one);
 }
 
@@ -338,8 +338,9 @@ last_lines(const char *title, const char *other)
 bool
 title_differs_only_in_speed(const struct table *a, const struct table *b)
 {
-	FREED char *one = head_without_speeds(last_lines(a->title, b->title));
-	FREED char *other = head_without_speeds(b->title);
+	FREED char *one =
+	    heading_without_speeds(last_lines(a->title, b->title));
+	FREED char *other = heading_without_speeds(b->title);
 	return strcmp(one, other) == 0;
 }
 
@@ -360,9 +361,9 @@ only_sample_of_table(const struct columns *all, const struct table *t)
 }
 
 bool
-title_is_of_limits_or_mean(const struct table *t)
+title_tells_limits_or_mean(const struct table *t)
 {
-	return (head_parse(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
+	return (heading_parse(t->title).means & (WORD_LIMIT | WORD_MEAN)) != 0;
 }
 
 /* True if a table has one product, with its speed in the title or in a line
@@ -370,10 +371,10 @@ title_is_of_limits_or_mean(const struct table *t)
 static bool
 has_one_product_with_speed(const struct table *t, const struct column *c)
 {
-	struct head head = head_parse(t->title);
-	bool speed = head_has_speed(&head) || c->speed > 0 || c->rpm > 0;
+	struct head head = heading_parse(t->title);
+	bool speed = heading_has_speed(&head) || c->speed > 0 || c->rpm > 0;
 	return c->role == PRODUCT && !c->said.several && speed &&
-	       !head.several && !title_is_of_limits_or_mean(t);
+	       !head.several && !title_tells_limits_or_mean(t);
 }
 
 /* True if product k has the same title as those before it, but another
@@ -394,7 +395,7 @@ is_same_title_other_speed(
 }
 
 bool
-title_is_speed_series(
+titles_are_speed_series(
     struct table *const *table, size_t n, const struct columns *all, bool parts)
 {
 	const struct table *feed = NULL;
@@ -411,7 +412,7 @@ title_is_speed_series(
 	}
 	if (feed == NULL)
 		return parts;
-	if (title_is_of_limits_or_mean(feed))
+	if (title_tells_limits_or_mean(feed))
 		return false;
 	FREED char *line = title_feed_or_last_line(feed);
 	bool one = true;
@@ -438,7 +439,7 @@ name_of_test(const char *text, const struct column *c)
 {
 	static const char *const COUNTED[] = {"ark", "blad", "feuil", "hoja",
 	    "prov", "run", "sheet", "tabelle", "test", "trial", "versuch"};
-	FREED char *from = head_without_speeds(text);
+	FREED char *from = heading_without_speeds(text);
 	char *name = xstrdup("");
 	bool counts = false;
 	for (const char *p = from; *p != '\0';) {
@@ -492,7 +493,7 @@ product_of_test(const struct columns *all, const struct table *t,
 }
 
 bool
-title_are_separate_tests(
+titles_are_separate_tests(
     struct table *const *table, size_t n, const struct columns *all)
 {
 	const struct column *feed;
@@ -501,7 +502,7 @@ title_are_separate_tests(
 		const struct column *c = product_of_test(all, t, &feed);
 		const struct column *one = product_of_test(all, first, &feed);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
-		    title_is_of_limits_or_mean(t) ||
+		    title_tells_limits_or_mean(t) ||
 		    !has_same_test_name(
 			first->sheet->name, one, t->sheet->name, c) ||
 		    !has_same_test_name(

@@ -7,7 +7,8 @@
 
 /* True if a line states which sample one of the layout's tables has, or its
  * speed. */
-bool title_heads_any_table(const struct layout *layout, const struct row *row);
+bool title_says_sample_or_speed(
+    const struct layout *layout, const struct row *row);
 
 /* Returns the table that a line stands above, below those before it; NULL if
  * there is none. */
@@ -28,7 +29,7 @@ bool title_has_speed_per_table(const struct layout *layout);
 /* Returns the meanings of the words around a table (its title, the name of its
  * sheet or of the file at path) that distinguish feed from product.  near: its
  * speed and rpm are set if the title states them. */
-uint64_t title_context_meanings(const struct layout *layout, struct table *t,
+uint64_t title_words_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near);
 
 /* True if two titles contain different names of machines, days and the like:
@@ -40,7 +41,7 @@ bool title_names_differ(const char *a, const char *b);
 bool title_differs_only_in_speed(const struct table *a, const struct table *b);
 
 /* True if a title mentions limits or a mean, so the table has no sample. */
-bool title_is_of_limits_or_mean(const struct table *t);
+bool title_tells_limits_or_mean(const struct table *t);
 
 /* Returns the line of the table's title that mentions the feed, or its last
  * line.  The caller frees it. */
@@ -50,13 +51,13 @@ char *title_feed_or_last_line(const struct table *t);
  * one has the feed (not needed if parts), and each other one has a product,
  * with a title that differs from those of the other products only in a speed
  * with its unit. */
-bool title_is_speed_series(struct table *const *table, size_t n,
+bool titles_are_speed_series(struct table *const *table, size_t n,
     const struct columns *all, bool parts);
 
 /* True if each of several tables is a test, with its own feed and product and
  * with a speed stated in the title or the name of the sheet, and these differ
  * only in speeds, dates and test numbers. */
-bool title_are_separate_tests(
+bool titles_are_separate_tests(
     struct table *const *table, size_t n, const struct columns *all);
 
 #endif

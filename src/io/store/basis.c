@@ -21,25 +21,25 @@ static const struct item {
 	const char *name;
 	enum kind kind;
 	size_t offset, n;
-} ITEMS[] = {{"rmse", REAL, offsetof(struct basis, fit.rmse), 1},
-    {"feed_misfit", REAL, offsetof(struct basis, fit.feed_misfit), 1},
-    {"passings", COUNT, offsetof(struct basis, fit.n_residual), 1},
-    {"cells", COUNT, offsetof(struct basis, fit.cells), 1},
-    {"searched", COUNT, offsetof(struct basis, fit.parameters), 1},
-    {"on_bound", FLAG, offsetof(struct basis, fit.on_bound), PARAMS_MOST},
-    {"flat", REAL, offsetof(struct basis, fit.flat.part), PARAMS_MOST},
-    {"reach", REAL, offsetof(struct basis, fit.flat.reach), 1},
-    {"converged", FLAG, offsetof(struct basis, fit.converged), 1},
-    {"plain", FLAG, offsetof(struct basis, fit.plain), 1},
-    {"lowest", REAL, offsetof(struct basis, fit.lowest), 1},
-    {"evaluations", COUNT, offsetof(struct basis, fit.evaluations), 1},
-    {"perturbations", COUNT, offsetof(struct basis, fit.perturbations), 1},
-    {"edits", COUNT, offsetof(struct basis, fit.edits), 1},
-    {"edited_at", COUNT, offsetof(struct basis, fit.edited_at), 1},
-    {"population", COUNT, offsetof(struct basis, fit.population), 1},
-    {"lower", REAL, offsetof(struct basis, bounds.lower), PARAMS_MOST},
-    {"upper", REAL, offsetof(struct basis, bounds.upper), PARAMS_MOST},
-    {"weight", REAL, offsetof(struct basis, weight), 1}};
+} ITEMS[] = {{"rmse", REAL, offsetof(struct fit_record, fit.rmse), 1},
+    {"feed_misfit", REAL, offsetof(struct fit_record, fit.feed_misfit), 1},
+    {"passings", COUNT, offsetof(struct fit_record, fit.n_residual), 1},
+    {"cells", COUNT, offsetof(struct fit_record, fit.cells), 1},
+    {"searched", COUNT, offsetof(struct fit_record, fit.parameters), 1},
+    {"on_bound", FLAG, offsetof(struct fit_record, fit.on_bound), PARAMS_MOST},
+    {"flat", REAL, offsetof(struct fit_record, fit.flat.part), PARAMS_MOST},
+    {"reach", REAL, offsetof(struct fit_record, fit.flat.reach), 1},
+    {"converged", FLAG, offsetof(struct fit_record, fit.converged), 1},
+    {"plain", FLAG, offsetof(struct fit_record, fit.plain), 1},
+    {"lowest", REAL, offsetof(struct fit_record, fit.lowest), 1},
+    {"evaluations", COUNT, offsetof(struct fit_record, fit.evaluations), 1},
+    {"perturbations", COUNT, offsetof(struct fit_record, fit.perturbations), 1},
+    {"edits", COUNT, offsetof(struct fit_record, fit.edits), 1},
+    {"edited_at", COUNT, offsetof(struct fit_record, fit.edited_at), 1},
+    {"population", COUNT, offsetof(struct fit_record, fit.population), 1},
+    {"lower", REAL, offsetof(struct fit_record, bounds.lower), PARAMS_MOST},
+    {"upper", REAL, offsetof(struct fit_record, bounds.upper), PARAMS_MOST},
+    {"weight", REAL, offsetof(struct fit_record, weight), 1}};
 
 /* What a sheet was taken for, which its own words do not say. */
 static const struct taken {
@@ -57,7 +57,8 @@ field_of_provenance(struct site *site, const struct taken *taken)
 }
 
 static double
-basis_number_at(const struct basis *b, const struct item *item, size_t i)
+fit_record_number_at(
+    const struct fit_record *b, const struct item *item, size_t i)
 {
 	const char *at = (const char *)b + item->offset;
 	return item->kind == REAL ? ((const double *)(const void *)at)[i]
@@ -67,8 +68,8 @@ basis_number_at(const struct basis *b, const struct item *item, size_t i)
 }
 
 static bool
-basis_put_number(
-    struct basis *b, const struct item *item, size_t i, double value)
+fit_record_put_number(
+    struct fit_record *b, const struct item *item, size_t i, double value)
 {
 	char *at = (char *)b + item->offset;
 	bool count = value >= 0 && value <= 1e15 && value == floor(value);
@@ -84,7 +85,7 @@ basis_put_number(
 }
 
 static void
-write_fit(const struct basis *b, FILE *out)
+write_fit(const struct fit_record *b, FILE *out)
 {
 	char number[32];
 	for (size_t k = 0; k < ARRAY_LEN(ITEMS); k++) {
@@ -92,7 +93,7 @@ write_fit(const struct basis *b, FILE *out)
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
 			    text_shortest_exact_number(
-				basis_number_at(b, &ITEMS[k], i), number));
+				fit_record_number_at(b, &ITEMS[k], i), number));
 		fputc(' ', out);
 	}
 	fputs("train=", out);
@@ -128,7 +129,7 @@ unescape_line_ends(const char *line)
 }
 
 char *
-basis_to_text(const struct basis *b)
+fit_record_to_text(const struct fit_record *b)
 {
 	FREED char *text = NULL;
 	size_t n = 0;
@@ -152,7 +153,7 @@ basis_to_text(const struct basis *b)
 /* Reads the numbers of "name=1,2,3"; unknown names, from a later version, are
  * ignored. */
 static bool
-parse_named_numbers(struct basis *b, const char *name, char *list)
+parse_named_numbers(struct fit_record *b, const char *name, char *list)
 {
 	size_t k = 0, i = 0;
 	while (k < ARRAY_LEN(ITEMS) && strcmp(ITEMS[k].name, name) != 0)
@@ -161,7 +162,7 @@ parse_named_numbers(struct basis *b, const char *name, char *list)
 	for (; k < ARRAY_LEN(ITEMS) && word != NULL; i++) {
 		double value;
 		if (i == ITEMS[k].n || !text_parse_number(word, &value) ||
-		    !basis_put_number(b, &ITEMS[k], i, value))
+		    !fit_record_put_number(b, &ITEMS[k], i, value))
 			return false;
 		word = strtok_r(NULL, ",", &next);
 	}
@@ -170,7 +171,7 @@ parse_named_numbers(struct basis *b, const char *name, char *list)
 
 /* *train out: what is after train=, within the line. */
 static bool
-read_fit(struct basis *b, char *line, const char **train)
+read_fit(struct fit_record *b, char *line, const char **train)
 {
 	char *next = NULL;
 	for (char *word = strtok_r(line, " ", &next); word != NULL;
@@ -188,7 +189,7 @@ read_fit(struct basis *b, char *line, const char **train)
 }
 
 static struct site *
-basis_read_sheet(const char *text)
+fit_record_read_sheet(const char *text)
 {
 	const char *path = "";
 	const struct site_request request = {
@@ -227,7 +228,7 @@ read_provenance(struct site *site, const char *lines)
 
 /* Reads which runs were trained on, "1,0,1". */
 static bool
-parse_training_runs(struct basis *b, const char *train)
+parse_training_runs(struct fit_record *b, const char *train)
 {
 	const struct site *site = b->then;
 	bool any = false;
@@ -243,14 +244,14 @@ parse_training_runs(struct basis *b, const char *train)
 }
 
 static void
-take_basis_from_fields(struct basis *b, const struct stored *m)
+fit_record_take_fields(struct fit_record *b, const struct material *m)
 {
 	struct fit *fit = &b->fit;
 	fit->params = m->params;
 	fit->misfit = m->misfit;
 	fit->seed = (uint64_t)m->seed;
 	fit->generations = (size_t)m->generations;
-	fit->settings = stored_model_settings(m);
+	fit->settings = material_model_settings(m);
 	fit->settings.breakage = (unsigned)m->params.breakage;
 	fit->site_digest = b->then->digest;
 	fit->stop = CALIBRATE_TOLERANCE;
@@ -261,7 +262,7 @@ take_basis_from_fields(struct basis *b, const struct stored *m)
 
 /* True if a calibration can have written this. */
 static bool
-basis_is_possible(const struct basis *b)
+fit_record_is_possible(const struct fit_record *b)
 {
 	const struct breakage *of = breakage_model_of_params(&b->fit.params);
 	bool good = b->fit.misfit >= 0 && b->fit.rmse >= 0 && b->weight > 0;
@@ -273,7 +274,7 @@ basis_is_possible(const struct basis *b)
 }
 
 static bool
-basis_read_text(struct basis *b, char *text)
+fit_record_read_text(struct fit_record *b, char *text)
 {
 	const char *train = NULL;
 	char *sheet = cut_at_empty_line(text), *said = strchr(text, '\n');
@@ -281,8 +282,8 @@ basis_read_text(struct basis *b, char *text)
 	if (sheet == NULL || said == NULL)
 		return false;
 	*said++ = '\0';
-	b->then = basis_read_sheet(sheet);
-	b->now = later != NULL ? basis_read_sheet(later) : NULL;
+	b->then = fit_record_read_sheet(sheet);
+	b->now = later != NULL ? fit_record_read_sheet(later) : NULL;
 	if (!read_fit(b, text, &train) || b->then == NULL ||
 	    (later != NULL && b->now == NULL) || !parse_training_runs(b, train))
 		return false;
@@ -293,17 +294,17 @@ basis_read_text(struct basis *b, char *text)
 }
 
 bool
-basis_from_material(
-    const struct stored *m, struct basis *b, struct error *error)
+fit_record_of_material(
+    const struct material *m, struct fit_record *b, struct error *error)
 {
-	*b = (struct basis){.weight = 0};
+	*b = (struct fit_record){.weight = 0};
 	if (m->basis[0] == '\0')
 		return false;
 	FREED char *text = unescape_line_ends(m->basis);
-	bool good = basis_read_text(b, text);
+	bool good = fit_record_read_text(b, text);
 	if (good)
-		take_basis_from_fields(b, m);
-	return (good && basis_is_possible(b)) ||
+		fit_record_take_fields(b, m);
+	return (good && fit_record_is_possible(b)) ||
 	       error_set(error, ERROR_DATA,
 		   "the runs remembered with '%s' cannot be read\n"
 		   "calibrate on its sheet and remember it again",
@@ -311,7 +312,7 @@ basis_from_material(
 }
 
 void
-basis_clear(struct basis *b)
+fit_record_clear(struct fit_record *b)
 {
 	free(b->train);
 	site_free(b->then);

@@ -10,7 +10,7 @@
 /* then: the site at the time of calibration, on the runs marked in train
  * [n_run]; now: the site with runs added since, or NULL.  weight: see
  * calibration_sum_of_weights. */
-struct basis {
+struct fit_record {
 	struct fit fit;
 	struct bounds bounds;
 	double weight;
@@ -21,15 +21,15 @@ struct basis {
 /* Returns the basis as one line of text without control characters: the numbers
  * of the fit that are not fields of a material, and the sheets as site_write
  * prints them.  The caller frees it. */
-char *basis_to_text(const struct basis *basis);
+char *fit_record_to_text(const struct fit_record *basis);
 
 /* Reads the basis of a material, with other numbers of the fit from the
- * material's fields.  A basis from basis_to_text reads back bit for bit.
+ * material's fields.  A basis from fit_record_to_text reads back bit for bit.
  * Returns false without an error if the material has no basis, and with
  * ERROR_DATA for a text that no calibration writes, as a store may come from
  * another user.  Always clear the basis. */
-bool basis_from_material(
-    const struct stored *m, struct basis *basis, struct error *error);
-void basis_clear(struct basis *basis);
+bool fit_record_of_material(
+    const struct material *m, struct fit_record *basis, struct error *error);
+void fit_record_clear(struct fit_record *basis);
 
 #endif

@@ -21,7 +21,7 @@
 /* Made from data/table3.csv at build time: its rows without the remarks. */
 extern const char *const TABLE3_TEXT[];
 
-#define AT(member) offsetof(struct stored, member)
+#define AT(member) offsetof(struct material, member)
 #define BEYOND 1e300
 
 const struct field FIELDS[FIELD_COUNT] = {
@@ -56,7 +56,7 @@ const struct field FIELDS[FIELD_COUNT] = {
 };
 
 static void *
-value_at(const struct stored *m, const struct field *f, enum field_kind kind)
+value_at(const struct material *m, const struct field *f, enum field_kind kind)
 {
 	assert(f->kind == kind);
 	(void)kind;
@@ -64,59 +64,59 @@ value_at(const struct stored *m, const struct field *f, enum field_kind kind)
 }
 
 char **
-stored_text_of_field(const struct stored *m, const struct field *f)
+material_text_of_field(const struct material *m, const struct field *f)
 {
 	return value_at(m, f, FIELD_TEXT);
 }
 
 double *
-stored_number_of_field(const struct stored *m, const struct field *f)
+material_number_of_field(const struct material *m, const struct field *f)
 {
 	return value_at(m, f, FIELD_NUMBER);
 }
 
 int64_t *
-stored_integer_of_field(const struct stored *m, const struct field *f)
+material_integer_of_field(const struct material *m, const struct field *f)
 {
 	return value_at(m, f, FIELD_WHOLE);
 }
 
-struct stored
-stored_empty(void)
+struct material
+material_empty(void)
 {
-	struct stored m = {0};
+	struct material m = {0};
 	for (size_t i = 0; i < FIELD_COUNT; i++)
-		stored_set_field_from_text(&m, &FIELDS[i], "");
+		material_set_field(&m, &FIELDS[i], "");
 	return m;
 }
 
 void
-stored_free(struct stored *m)
+material_free(struct material *m)
 {
 	for (size_t i = 0; i < FIELD_COUNT; i++)
 		if (FIELDS[i].kind == FIELD_TEXT)
-			free(*stored_text_of_field(m, &FIELDS[i]));
+			free(*material_text_of_field(m, &FIELDS[i]));
 	free(m->feed_source);
 }
 
 void
-stored_list_free(struct stored_list *list)
+material_list_free(struct material_list *list)
 {
 	for (size_t i = 0; i < list->n; i++)
-		stored_free(&list->item[i]);
+		material_free(&list->item[i]);
 	free(list->item);
-	*list = (struct stored_list){0};
+	*list = (struct material_list){0};
 }
 
 void
-stored_list_add(struct stored_list *list, struct stored m)
+material_list_add(struct material_list *list, struct material m)
 {
 	list->item = xrealloc(list->item, list->n + 1, sizeof m);
 	list->item[list->n++] = m;
 }
 
-const struct stored *
-stored_find(const struct stored_list *list, const char *name)
+const struct material *
+material_find(const struct material_list *list, const char *name)
 {
 	for (size_t i = 0; i < list->n; i++)
 		if (text_same_folded(list->item[i].name, name))
@@ -127,7 +127,7 @@ stored_find(const struct stored_list *list, const char *name)
 static int
 compare_names(const void *a, const void *b)
 {
-	const struct stored_name *x = a, *y = b;
+	const struct material_index_name *x = a, *y = b;
 	int order = strcmp(x->fold, y->fold);
 	return order != 0 ? order : (x->at > y->at) - (x->at < y->at);
 }
@@ -135,30 +135,30 @@ compare_names(const void *a, const void *b)
 static int
 compare_fold_to_name(const void *fold, const void *name)
 {
-	return strcmp(fold, ((const struct stored_name *)name)->fold);
+	return strcmp(fold, ((const struct material_index_name *)name)->fold);
 }
 
-struct stored_index
-stored_make_index(const struct stored_list *list)
+struct material_index
+material_make_index(const struct material_list *list)
 {
-	struct stored_index index = {
+	struct material_index index = {
 	    list->n, xcalloc(list->n + 1, sizeof *index.name)};
 	for (size_t i = 0; i < list->n; i++)
-		index.name[i] = (struct stored_name){
+		index.name[i] = (struct material_index_name){
 		    text_fold_case_and_accents(list->item[i].name), i};
 	qsort(index.name, index.n, sizeof *index.name, compare_names);
 	return index;
 }
 
-const struct stored_name *
-stored_index_find(const struct stored_index *index, const char *fold)
+const struct material_index_name *
+material_index_find(const struct material_index *index, const char *fold)
 {
 	return bsearch(fold, index->name, index->n, sizeof *index->name,
 	    compare_fold_to_name);
 }
 
 void
-stored_index_clear(struct stored_index *index)
+material_index_clear(struct material_index *index)
 {
 	for (size_t i = 0; i < index->n; i++)
 		free(index->name[i].fold);
@@ -213,21 +213,20 @@ set_params_from_text(struct params *p, const char *text)
 }
 
 void
-stored_set_field_from_text(
-    struct stored *m, const struct field *f, const char *text)
+material_set_field(struct material *m, const struct field *f, const char *text)
 {
 	uint64_t whole;
 	double number;
 	switch (f->kind) {
 	case FIELD_TEXT:
-		xreplace(stored_text_of_field(m, f), xstrdup(text));
+		xreplace(material_text_of_field(m, f), xstrdup(text));
 		break;
 	case FIELD_NUMBER:
-		*stored_number_of_field(m, f) =
+		*material_number_of_field(m, f) =
 		    text_parse_number(text, &number) ? number : (double)NAN;
 		break;
 	case FIELD_WHOLE:
-		*stored_integer_of_field(m, f) =
+		*material_integer_of_field(m, f) =
 		    text_parse_whole_number(text, &whole) && whole <= INT64_MAX
 			? (int64_t)whole
 			: -1;
@@ -242,7 +241,7 @@ stored_set_field_from_text(
 }
 
 char *
-stored_field_to_text(const struct stored *m, const struct field *f)
+material_field_to_text(const struct material *m, const struct field *f)
 {
 	char number[32];
 	const struct params *params = &m->params;
@@ -253,24 +252,27 @@ stored_field_to_text(const struct stored *m, const struct field *f)
 	if (f->kind == FIELD_PARAMS)
 		return params_to_text(params);
 	if (f->kind == FIELD_TEXT)
-		return xstrdup(*stored_text_of_field(m, f));
+		return xstrdup(*material_text_of_field(m, f));
 	if (f->kind == FIELD_NUMBER)
-		return xstrdup(isfinite(*stored_number_of_field(m, f))
-				   ? text_shortest_exact_number(
-					 *stored_number_of_field(m, f), number)
-				   : "");
-	int64_t whole = *stored_integer_of_field(m, f);
+		return xstrdup(
+		    isfinite(*material_number_of_field(m, f))
+			? text_shortest_exact_number(
+			      *material_number_of_field(m, f), number)
+			: "");
+	int64_t whole = *material_integer_of_field(m, f);
 	return whole < 0 ? xstrdup("") : xasprintf("%" PRId64, whole);
 }
 
 void
-stored_visit_fields(const struct stored *m, stored_take *take, void *data)
+material_visit_fields(
+    const struct material *m, material_take_field *take, void *data)
 {
 	char number[32];
 	for (size_t i = 0; i < FIELD_COUNT; i++) {
 		const struct params *p = &m->params;
 		if (FIELDS[i].kind != FIELD_PARAMS) {
-			FREED char *text = stored_field_to_text(m, &FIELDS[i]);
+			FREED char *text =
+			    material_field_to_text(m, &FIELDS[i]);
 			take(data, FIELDS[i].name, text);
 			continue;
 		}
@@ -296,15 +298,15 @@ digest_one(void *data, const char *name, const char *text)
 }
 
 uint64_t
-stored_make_digest(const struct stored *m)
+material_make_digest(const struct material *m)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	stored_visit_fields(m, digest_one, &h);
+	material_visit_fields(m, digest_one, &h);
 	return h;
 }
 
 struct model_settings
-stored_model_settings(const struct stored *m)
+material_model_settings(const struct material *m)
 {
 	struct model_settings s = model_settings_default();
 	if (strcmp(m->method, "classes") == 0)
@@ -351,7 +353,7 @@ model_names(void)
 }
 
 char *
-stored_describe_valid_values(const struct stored *m, const struct field *f)
+material_valid_values_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_MODEL)
@@ -366,7 +368,7 @@ stored_describe_valid_values(const struct stored *m, const struct field *f)
 	}
 	if (f->choices != NULL)
 		return xasprintf(tr("one of: %s"), f->choices);
-	if (f == &FIELDS[FIELD_NAME])
+	if (f == &FIELDS[FIELD_OF_NAME])
 		return xasprintf(
 		    tr("a name of 1 to %d bytes on one line, "
 		       "without quotes and not beginning with # or "
@@ -382,19 +384,19 @@ stored_describe_valid_values(const struct stored *m, const struct field *f)
 }
 
 char *
-stored_value_text(const struct stored *m, const struct field *f)
+material_value_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
-		return xasprintf("%g", *stored_number_of_field(m, f));
+		return xasprintf("%g", *material_number_of_field(m, f));
 	if (f->kind == FIELD_PARAMS &&
 	    index_of_impossible_param(p) < count_params(p))
 		return xasprintf("%g", p->at[index_of_impossible_param(p)]);
-	return stored_field_to_text(m, f);
+	return material_field_to_text(m, f);
 }
 
 bool
-stored_is_valid(const struct stored *m, const struct field *f)
+material_is_valid(const struct material *m, const struct field *f)
 {
 	size_t choice;
 	if (f->kind == FIELD_MODEL)
@@ -403,25 +405,25 @@ stored_is_valid(const struct stored *m, const struct field *f)
 		return index_of_impossible_param(&m->params) ==
 		       count_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
-		return *stored_integer_of_field(m, f) >= -1;
+		return *material_integer_of_field(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
-		double value = *stored_number_of_field(m, f);
+		double value = *material_number_of_field(m, f);
 		return isnan(value) ? !f->needed
 				    : value >= f->least && value <= f->most;
 	}
-	const char *text = *stored_text_of_field(m, f);
+	const char *text = *material_text_of_field(m, f);
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
 		return text_find_word(f->choices, text, &choice);
-	if (f == &FIELDS[FIELD_NAME])
-		return stored_check_name(text, NULL);
-	return stored_is_one_line(text) &&
+	if (f == &FIELDS[FIELD_OF_NAME])
+		return material_check_name(text, NULL);
+	return material_is_one_line(text) &&
 	       (strcmp(f->name, "date") != 0 || datetime_is_iso_date(text));
 }
 
 bool
-stored_check_name(const char *name, struct error *error)
+material_check_name(const char *name, struct error *error)
 {
 	FREED char *copy = xstrdup(name);
 	bool trimmed = strlen(text_trim(copy)) == strlen(name);
@@ -431,7 +433,7 @@ stored_check_name(const char *name, struct error *error)
 		    "3, which does not change\nchoose another name",
 		    TABLE3);
 	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST_NAME &&
-	    trimmed && stored_is_one_line(name) && strchr(name, '"') == NULL)
+	    trimmed && material_is_one_line(name) && strchr(name, '"') == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected a name of 1 to %d bytes on one line, without quotes and "
@@ -440,13 +442,13 @@ stored_check_name(const char *name, struct error *error)
 }
 
 bool
-stored_is_table3(const struct stored *m)
+stored_is_table3(const struct material *m)
 {
 	return strcmp(m->origin, "table3") == 0;
 }
 
 bool
-stored_is_one_line(const char *text)
+material_is_one_line(const char *text)
 {
 	const char *p = text;
 	while (*p != '\0' && !iscntrl((unsigned char)*p))
@@ -458,7 +460,7 @@ stored_is_one_line(const char *text)
  * file is of another kind. */
 static bool
 material_read_row(
-    struct sheet *sheet, const struct row *row, struct stored_list *list)
+    struct sheet *sheet, const struct row *row, struct material_list *list)
 {
 	enum { ROCK, SITE, TOP, F_MAT, FEED_SOURCE, E0_MIN, ALPHA, CELLS };
 	if (row->n != CELLS)
@@ -467,7 +469,7 @@ material_read_row(
 		    "use the columns of data/table3.csv; read a site file with "
 		    "load",
 		    (int)CELLS, row->n);
-	struct stored m = stored_empty();
+	struct material m = material_empty();
 	m.params = params_start_values(0); /* beta is not printed */
 	const struct {
 		double *number, most;
@@ -488,13 +490,13 @@ material_read_row(
 	xreplace(&m.rock, xstrdup(row->cell[ROCK].text));
 	xreplace(&m.site, xstrdup(row->cell[SITE].text));
 	m.feed_source = xstrdup(row->cell[FEED_SOURCE].text);
-	stored_list_add(list, m);
+	material_list_add(list, m);
 	return true;
 }
 
 /* Consumes the text.  False after a fault, which is reported. */
 static bool
-read_materials_in_text(const char *path, char *text, struct stored_list *list,
+read_materials_in_text(const char *path, char *text, struct material_list *list,
     struct error_list *errors)
 {
 	if (text == NULL)
@@ -518,7 +520,7 @@ read_materials_in_text(const char *path, char *text, struct stored_list *list,
 
 bool
 stored_read_table3_file(
-    const char *path, struct stored_list *list, struct error_list *errors)
+    const char *path, struct material_list *list, struct error_list *errors)
 {
 	return read_materials_in_text(
 	    path, textfile_read(path, TEXTFILE_SHEET, errors), list, errors);
@@ -527,10 +529,10 @@ stored_read_table3_file(
 /* Names sites as a session does: a later one of the same name has its size, and
  * one of the same name and size a number. */
 static char *
-table3_name(
-    const struct stored_list *rows, const struct stored_list *list, size_t i)
+table3_name(const struct material_list *rows, const struct material_list *list,
+    size_t i)
 {
-	const struct stored *row = &rows->item[i];
+	const struct material *row = &rows->item[i];
 	FREED char *slug = text_slug(row->site);
 	bool shared = false;
 	for (size_t j = 0; j < rows->n; j++)
@@ -541,15 +543,15 @@ table3_name(
 	    shared ? xasprintf("%s%s/%g", TABLE3, slug, row->top_size_mm)
 		   : xasprintf("%s%s", TABLE3, slug);
 	char *name = xstrdup(stem);
-	for (int n = 2; stored_find(list, name) != NULL; n++)
+	for (int n = 2; material_find(list, name) != NULL; n++)
 		xreplace(&name, xasprintf("%s/%d", stem, n));
 	return name;
 }
 
 void
-stored_add_table3(struct stored_list *list)
+stored_add_table3(struct material_list *list)
 {
-	struct stored_list rows = {0};
+	struct material_list rows = {0};
 	struct error_list none = {0};
 	bool good = read_materials_in_text(
 	    "Table 3", textfile_join_lines(TABLE3_TEXT), &rows, &none);
@@ -557,7 +559,7 @@ stored_add_table3(struct stored_list *list)
 	assert(good);
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {
-		struct stored m = rows.item[i];
+		struct material m = rows.item[i];
 		xreplace(&m.name, table3_name(&rows, list, i));
 		xreplace(&m.machine, xstrdup("Metso Barmac 5100 SE"));
 		xreplace(&m.provenance,
@@ -570,7 +572,7 @@ stored_add_table3(struct stored_list *list)
 		xreplace(&m.appearance, xstrdup("ratio"));
 		xreplace(&m.train_mps, xstrdup("69,79"));
 		m.k = 1;
-		stored_list_add(list, m);
+		material_list_add(list, m);
 	}
 	free(rows.item);
 }

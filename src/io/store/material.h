@@ -16,7 +16,7 @@
  * synthetic data are never mistaken for measured data.  origin: "fit", "hand"
  * or, for Table 3, "table3".  rmse_pct: points, on the training runs;
  * holdout_pct: the largest on the other runs.  basis: see basis.h. */
-struct stored {
+struct material {
 	char *name, *site, *rock, *machine, *provenance, *site_digest;
 	char *origin, *method, *appearance, *options, *stop, *train_mps;
 	char *date, *note, *version, *basis, *feed_source;
@@ -25,9 +25,9 @@ struct stored {
 	int64_t seed, generations;
 };
 
-struct stored_list {
+struct material_list {
 	size_t n;
-	struct stored *item;
+	struct material *item;
 };
 
 /* FIELD_MODEL: the name of the breakage model; FIELD_PARAMS: all its
@@ -51,81 +51,85 @@ struct field {
 	double least, most;
 };
 
-enum { FIELD_COUNT = 25, FIELD_NAME = 0 };
+enum { FIELD_COUNT = 25, FIELD_OF_NAME = 0 };
 extern const struct field FIELDS[FIELD_COUNT];
 
 /* Returns a material with no field known. */
-struct stored stored_empty(void);
-void stored_free(struct stored *m);
-void stored_list_free(struct stored_list *list);
+struct material material_empty(void);
+void material_free(struct material *m);
+void material_list_free(struct material_list *list);
 
 /* Moves m to the end of the list. */
-void stored_list_add(struct stored_list *list, struct stored m);
+void material_list_add(struct material_list *list, struct material m);
 
 /* Returns the material with this name, ignoring case and accents, or NULL. */
-const struct stored *stored_find(
-    const struct stored_list *list, const char *name);
+const struct material *material_find(
+    const struct material_list *list, const char *name);
 
 /* The sorted names of a list, folded to ignore case and accents; equal names
  * are in the order of the list.  at: index of the material. */
-struct stored_index {
+struct material_index {
 	size_t n;
-	struct stored_name {
+	struct material_index_name {
 		char *fold;
 		size_t at;
 	} * name;
 };
-struct stored_index stored_make_index(const struct stored_list *list);
-const struct stored_name *stored_index_find(
-    const struct stored_index *index, const char *fold);
-void stored_index_clear(struct stored_index *index);
+struct material_index material_make_index(const struct material_list *list);
+const struct material_index_name *material_index_find(
+    const struct material_index *index, const char *fold);
+void material_index_clear(struct material_index *index);
 
 /* Return where the value of a field of this kind is kept in m. */
-char **stored_text_of_field(const struct stored *m, const struct field *f);
-double *stored_number_of_field(const struct stored *m, const struct field *f);
-int64_t *stored_integer_of_field(const struct stored *m, const struct field *f);
+char **material_text_of_field(const struct material *m, const struct field *f);
+double *material_number_of_field(
+    const struct material *m, const struct field *f);
+int64_t *material_integer_of_field(
+    const struct material *m, const struct field *f);
 /* Returns any field as text that reads back as the same value, or "" if not
  * known.  The caller frees it. */
-char *stored_field_to_text(const struct stored *m, const struct field *f);
+char *material_field_to_text(const struct material *m, const struct field *f);
 
-/* Sets a field from a text of stored_field_to_text, the model before the
+/* Sets a field from a text of material_field_to_text, the model before the
  * parameters.  Numbers that cannot be read become unknown, and parameters NAN,
- * which stored_is_valid rejects. */
-void stored_set_field_from_text(
-    struct stored *m, const struct field *f, const char *text);
+ * which material_is_valid rejects. */
+void material_set_field(
+    struct material *m, const struct field *f, const char *text);
 
 /* Calls take for each known field and parameter of m, in the order of
  * FIELDS. */
-typedef void stored_take(void *data, const char *name, const char *text);
-void stored_visit_fields(const struct stored *m, stored_take *take, void *data);
+typedef void material_take_field(
+    void *data, const char *name, const char *text);
+void material_visit_fields(
+    const struct material *m, material_take_field *take, void *data);
 
 /* Returns a digest of all known fields of m, to detect a row damaged on
  * disk. */
-uint64_t stored_make_digest(const struct stored *m);
+uint64_t material_make_digest(const struct material *m);
 
 /* Returns method, appearance and k as settings. */
-struct model_settings stored_model_settings(const struct stored *m);
+struct model_settings material_model_settings(const struct material *m);
 
 /* For imports and rows of a file, which may come from other users.
- * stored_describe_valid_values describes valid values of a field, "a number
+ * material_valid_values_text describes valid values of a field, "a number
  * from 0 to 100 for alpha"; for the parameters, those of the first invalid one
- * in m. stored_value_text returns the value in m.  The caller frees both.
- * stored_is_valid is true if the value in m is valid. */
-char *stored_describe_valid_values(
-    const struct stored *m, const struct field *f);
-char *stored_value_text(const struct stored *m, const struct field *f);
-bool stored_is_valid(const struct stored *m, const struct field *f);
+ * in m. material_value_text returns the value in m.  The caller frees both.
+ * material_is_valid is true if the value in m is valid. */
+char *material_valid_values_text(
+    const struct material *m, const struct field *f);
+char *material_value_text(const struct material *m, const struct field *f);
+bool material_is_valid(const struct material *m, const struct field *f);
 
 /* True if a name is one line of 1 to 60 bytes without a double quote, does not
  * begin with # and is not a name from Table 3 ("table3/..."). */
-bool stored_check_name(const char *name, struct error *error);
+bool material_check_name(const char *name, struct error *error);
 
 /* True for the rows of Table 3, which are read-only, and for their names. */
-bool stored_is_table3(const struct stored *m);
+bool stored_is_table3(const struct material *m);
 bool stored_is_table3_name(const char *name);
 
 /* True if a text is one line of UTF-8 without control characters. */
-bool stored_is_one_line(const char *text);
+bool material_is_one_line(const char *text);
 
 /* Adds the rows of a file such as data/table3.csv, whose columns are rock,
  * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order; beta,
@@ -133,10 +137,10 @@ bool stored_is_one_line(const char *text);
  * faults of the sheet in errors, zeroed by the caller; ERROR_SYSTEM if the file
  * cannot be read. */
 bool stored_read_table3_file(
-    const char *path, struct stored_list *list, struct error_list *errors);
+    const char *path, struct material_list *list, struct error_list *errors);
 
 /* Adds the built-in rows of Table 3, named "table3/tierp", "table3/gavle/11.2",
  * "table3/gavle/11.2/2". */
-void stored_add_table3(struct stored_list *list);
+void stored_add_table3(struct material_list *list);
 
 #endif

@@ -24,7 +24,7 @@
 enum { WAIT_MS = 5000, PAUSE_MS = 20 };
 
 /* fold: the name without case and accents.  digest: of the row, see
- * stored_make_digest.  about: the program that made this schema. */
+ * material_make_digest.  about: the program that made this schema. */
 const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "CREATE TABLE about (program TEXT NOT NULL);CREATE TABLE material ( fold "
     "TEXT PRIMARY KEY NOT NULL, digest TEXT NOT NULL, name TEXT NOT NULL, site "
@@ -127,7 +127,7 @@ static const struct problem {
 /* Sets the error for the latest failure of db, which may be NULL.  Returns
  * false. */
 static bool
-set_error_of_sqlite(sqlite3 *db, const char *path, struct error *error)
+fail_by_sqlite(sqlite3 *db, const char *path, struct error *error)
 {
 	int code = db != NULL ? sqlite3_errcode(db) & 0xFF : SQLITE_NOMEM;
 	int reason = db != NULL ? sqlite3_system_errno(db) : 0;
@@ -152,7 +152,7 @@ static bool
 run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
 {
 	return sqlite3_exec(db, sql, NULL, NULL, NULL) == SQLITE_OK ||
-	       set_error_of_sqlite(db, path, error);
+	       fail_by_sqlite(db, path, error);
 }
 
 /* Returns the first value of the first row as text, which the caller frees;
@@ -195,7 +195,7 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 		if (done)
 			return true;
 		if (!busy || waited >= WAIT_MS)
-			return set_error_of_sqlite(db, path, error);
+			return fail_by_sqlite(db, path, error);
 		nanosleep(&pause, NULL);
 	}
 }
@@ -207,7 +207,7 @@ run_migration_steps(sqlite3 *db, const char *path, struct error *error)
 {
 	long version = query_integer(db, "PRAGMA user_version");
 	if (version < 0)
-		return set_error_of_sqlite(db, path, error);
+		return fail_by_sqlite(db, path, error);
 	for (long i = version; i < STORE_SCHEMA; i++)
 		if (!run_sql(db, path, SCHEMA_STEPS[i], error))
 			return false;
@@ -253,7 +253,7 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 	FREED char *found = query_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
-		set_error_of_sqlite(db, path, error);
+		fail_by_sqlite(db, path, error);
 	else if (!ok)
 		error_at(error, ERROR_DATA, path, 0, 0,
 		    "the store is damaged: %.200s\n"
@@ -282,10 +282,10 @@ check_database(
     sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
-		return set_error_of_sqlite(db, path, error);
+		return fail_by_sqlite(db, path, error);
 	long tables = query_integer(db, "SELECT count(*) FROM sqlite_master");
 	if (tables < 0)
-		return set_error_of_sqlite(db, path, error);
+		return fail_by_sqlite(db, path, error);
 	long application = query_integer(db, "PRAGMA application_id");
 	*version = query_integer(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
@@ -527,23 +527,23 @@ column_text(sqlite3_stmt *stmt, int i)
 }
 
 static char *
-digest_text(const struct stored *m)
+digest_text(const struct material *m)
 {
-	return xasprintf("%016" PRIx64, stored_make_digest(m));
+	return xasprintf("%016" PRIx64, material_make_digest(m));
 }
 
 /* False for a material that no import would accept. */
 static bool
-check_fields(const struct stored *m, struct error *error)
+check_fields(const struct material *m, struct error *error)
 {
 	const struct field *f = FIELDS;
-	while (f < FIELDS + FIELD_COUNT && stored_is_valid(m, f))
+	while (f < FIELDS + FIELD_COUNT && material_is_valid(m, f))
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
 	FREED char *label = name_as_typed(m->name),
-		   *wanted = stored_describe_valid_values(m, f),
-		   *found = stored_value_text(m, f);
+		   *wanted = material_valid_values_text(m, f),
+		   *found = material_value_text(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct the source of this material",
@@ -554,7 +554,7 @@ check_fields(const struct stored *m, struct error *error)
 /* True if a row is unchanged since it was stored.  Its name is also stored
  * folded, by which it is found. */
 static bool
-is_row_as_put(const struct stored *m, const char *fold, const char *digest,
+is_row_as_put(const struct material *m, const char *fold, const char *digest,
     struct error *error)
 {
 	FREED char *of_name = text_fold_case_and_accents(m->name),
@@ -574,27 +574,26 @@ is_row_as_put(const struct stored *m, const char *fold, const char *digest,
 /* Reads the row of stmt.  False if it is not as it was stored. */
 static bool
 read_checked_row(const struct store *store, sqlite3_stmt *stmt,
-    struct stored *m, struct error *error)
+    struct material *m, struct error *error)
 {
-	*m = stored_empty();
+	*m = material_empty();
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		bool known = sqlite3_column_type(stmt, i + 2) != SQLITE_NULL;
 		if (f->kind == FIELD_NUMBER && known)
-			*stored_number_of_field(m, f) =
+			*material_number_of_field(m, f) =
 			    sqlite3_column_double(stmt, i + 2);
 		else if (f->kind == FIELD_WHOLE && known)
-			*stored_integer_of_field(m, f) =
+			*material_integer_of_field(m, f) =
 			    sqlite3_column_int64(stmt, i + 2);
 		else if (known)
-			stored_set_field_from_text(
-			    m, f, column_text(stmt, i + 2));
+			material_set_field(m, f, column_text(stmt, i + 2));
 	}
 	if (is_row_as_put(m, column_text(stmt, 0), column_text(stmt, 1), error))
 		return true;
 	if (error != NULL)
 		error_set_place(error, store->path, 0, 0);
-	stored_free(m);
+	material_free(m);
 	return false;
 }
 
@@ -657,7 +656,7 @@ bind_query(sqlite3_stmt *stmt, const struct store_query *q)
 
 static bool
 store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
-    struct stored_list *list, struct error *error)
+    struct material_list *list, struct error *error)
 {
 	FREED char *where = where_clause(q),
 		   *after = xasprintf("%s ORDER BY fold", where);
@@ -665,24 +664,23 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 	    sql_listing_fields("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok =
-	    code == SQLITE_OK || set_error_of_sqlite(db, store->path, error);
+	bool ok = code == SQLITE_OK || fail_by_sqlite(db, store->path, error);
 	bind_query(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
-		struct stored m;
+		struct material m;
 		ok = read_checked_row(store, stmt, &m, error);
 		if (ok)
-			stored_list_add(list, m);
+			material_list_add(list, m);
 	}
 	if (ok && code != SQLITE_DONE)
-		ok = set_error_of_sqlite(db, store->path, error);
+		ok = fail_by_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
 
 bool
 store_find_materials(struct store *store, const struct store_query *query,
-    struct stored_list *list, struct error *error)
+    struct material_list *list, struct error *error)
 {
 	sqlite3 *db;
 	if (!store_connect(store, false, &db, error))
@@ -694,7 +692,7 @@ store_find_materials(struct store *store, const struct store_query *query,
 
 bool
 store_list_materials(
-    struct store *store, struct stored_list *list, struct error *error)
+    struct store *store, struct material_list *list, struct error *error)
 {
 	return store_find_materials(
 	    store, &(struct store_query){0}, list, error);
@@ -703,11 +701,11 @@ store_list_materials(
 bool
 store_has_material(struct store *store, const char *name)
 {
-	struct stored_list own = {0};
+	struct material_list own = {0};
 	const struct store_query query = {.name = name};
 	store_find_materials(store, &query, &own, NULL);
 	bool found = own.n > 0;
-	stored_list_free(&own);
+	material_list_free(&own);
 	return found;
 }
 
@@ -720,7 +718,7 @@ store_count_materials(struct store *store, size_t *n, struct error *error)
 		return false;
 	long found =
 	    db != NULL ? query_integer(db, "SELECT count(*) FROM material") : 0;
-	bool ok = found >= 0 || set_error_of_sqlite(db, store->path, error);
+	bool ok = found >= 0 || fail_by_sqlite(db, store->path, error);
 	*n = ok ? (size_t)found : 0;
 	close_unless_memory(store, db);
 	return ok;
@@ -749,8 +747,7 @@ visit_texts_of_query(struct store *store, const char *sql, const char *fold,
 	}
 	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
 		take(data, column_text(stmt, 0));
-	bool ok =
-	    code == SQLITE_DONE || set_error_of_sqlite(db, store->path, error);
+	bool ok = code == SQLITE_DONE || fail_by_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	close_unless_memory(store, db);
 	return ok;
@@ -782,7 +779,7 @@ store_visit_names_beginning(struct store *store, const char *beginning,
 
 /* Binds a material to a row; unknown values stay NULL. */
 static void
-bind_row(sqlite3_stmt *stmt, const struct stored *m)
+bind_row(sqlite3_stmt *stmt, const struct material *m)
 {
 	FREED char *fold = text_fold_case_and_accents(m->name),
 		   *digest = digest_text(m);
@@ -792,11 +789,11 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 	bind_text(stmt, 2, digest);
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
-		FREED char *text = stored_field_to_text(m, f);
+		FREED char *text = material_field_to_text(m, f);
 		bool number = f->kind == FIELD_NUMBER || f->kind == FIELD_WHOLE;
 		if (f->kind == FIELD_NUMBER && text[0] != '\0')
 			sqlite3_bind_double(
-			    stmt, i + 3, *stored_number_of_field(m, f));
+			    stmt, i + 3, *material_number_of_field(m, f));
 		else if (!number || text[0] != '\0')
 			bind_text(stmt, i + 3, text);
 	}
@@ -804,13 +801,13 @@ bind_row(sqlite3_stmt *stmt, const struct stored *m)
 
 static bool
 store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
-    const struct stored *m, struct error *error)
+    const struct material *m, struct error *error)
 {
 	bind_row(stmt, m);
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
-		return set_error_of_sqlite(db, store->path, error);
+		return fail_by_sqlite(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
 	    "add replace=on to the line",
@@ -818,7 +815,7 @@ store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 }
 
 static bool
-store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
+store_put_rows(struct store *store, sqlite3 *db, const struct material *item,
     size_t n, bool replace, struct error *error)
 {
 	FREED char *head =
@@ -829,8 +826,7 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 	FREED char *sql = sql_listing_fields(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok =
-	    code == SQLITE_OK || set_error_of_sqlite(db, store->path, error);
+	bool ok = code == SQLITE_OK || fail_by_sqlite(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
 		ok = check_fields(&item[i], error) &&
 		     store_put_row(store, db, stmt, &item[i], error);
@@ -839,7 +835,7 @@ store_put_rows(struct store *store, sqlite3 *db, const struct stored *item,
 }
 
 bool
-store_put_materials(struct store *store, const struct stored *item, size_t n,
+store_put_materials(struct store *store, const struct material *item, size_t n,
     bool replace, struct error *error)
 {
 	sqlite3 *db;
@@ -867,7 +863,7 @@ delete_row(
 		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
 		bind_text(stmt, 1, fold);
 		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-			  set_error_of_sqlite(db, store->path, error);
+			  fail_by_sqlite(db, store->path, error);
 		sqlite3_finalize(stmt);
 		if (!ok || sqlite3_changes(db) > 0)
 			return ok;

@@ -47,7 +47,7 @@ extern const char *const SCHEMA_STEPS[STORE_SCHEMA];
  * damaged, not tipspeed's or of a newer version.  The file is then
  * unchanged. */
 bool store_list_materials(
-    struct store *store, struct stored_list *list, struct error *error);
+    struct store *store, struct material_list *list, struct error *error);
 
 /* Selects from the user's own materials; zeros select all.  most: at most this
  * many, nearest to rock ("": any) and to the top size top, mm; if most is 0,
@@ -62,7 +62,7 @@ struct store_query {
 
 /* Adds the selected materials to the list, in the order of their names. */
 bool store_find_materials(struct store *store, const struct store_query *query,
-    struct stored_list *list, struct error *error);
+    struct material_list *list, struct error *error);
 
 /* True if the user has a material with this name, ignoring case and accents. */
 bool store_has_material(struct store *store, const char *name);
@@ -87,7 +87,7 @@ bool store_visit_names_beginning(struct store *store, const char *beginning,
 /* Stores n materials, all or none, and makes the file and, for the default
  * path, its folders.  A material with the same name (ignoring case and accents)
  * is replaced or, without replace, causes ERROR_USAGE. */
-bool store_put_materials(struct store *store, const struct stored *item,
+bool store_put_materials(struct store *store, const struct material *item,
     size_t n, bool replace, struct error *error);
 
 /* Removes the material with this name; ERROR_USAGE if there is none. */

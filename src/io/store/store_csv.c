@@ -66,11 +66,11 @@ column_name(const struct column *c)
 }
 
 static char *
-column_value_to_text(const struct column *c, const struct stored *m)
+column_value_to_text(const struct column *c, const struct material *m)
 {
 	char number[32];
 	if (c->field != NULL)
-		return stored_field_to_text(m, c->field);
+		return material_field_to_text(m, c->field);
 	double value = params_value_by_name(&m->params, c->param->name);
 	return xstrdup(
 	    isfinite(value) ? text_shortest_exact_number(value, number) : "");
@@ -79,7 +79,7 @@ column_value_to_text(const struct column *c, const struct stored *m)
 static void
 write_list(const void *data, FILE *out)
 {
-	const struct stored_list *list = data;
+	const struct material_list *list = data;
 	struct column column[COLUMNS];
 	FREED bool *model = xcalloc(breakage_count_models(), sizeof *model);
 	for (size_t i = 0; i < list->n; i++)
@@ -102,7 +102,7 @@ write_list(const void *data, FILE *out)
 
 bool
 store_csv_write_file(
-    const struct stored_list *list, const char *path, struct error *error)
+    const struct material_list *list, const char *path, struct error *error)
 {
 	return file_replace_by_output(
 	    path, FILE_SHARED, write_list, list, error);
@@ -162,7 +162,7 @@ static const char EMPTY[] = "expected %s, got an empty cell\n"
 
 static void
 parse_param_cell(struct sheet *sheet, struct cell cell,
-    const struct param_info *info, struct stored *m)
+    const struct param_info *info, struct material *m)
 {
 	double value;
 	FREED char *wanted = xasprintf("a number from %g to %g for %s",
@@ -180,7 +180,7 @@ parse_param_cell(struct sheet *sheet, struct cell cell,
 
 static void
 parse_field_cell(struct sheet *sheet, struct cell cell, const struct field *f,
-    struct stored *m)
+    struct material *m)
 {
 	double number;
 	if (cell.text[0] == '\0') {
@@ -188,30 +188,30 @@ parse_field_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 			sheet_fault(sheet, cell, EMPTY, f->name);
 		return;
 	}
-	FREED char *wanted = stored_describe_valid_values(m, f);
+	FREED char *wanted = material_valid_values_text(m, f);
 	if (f->kind != FIELD_NUMBER)
-		stored_set_field_from_text(m, f, cell.text);
+		material_set_field(m, f, cell.text);
 	else if (number_read_cell(sheet, cell, wanted, &number))
-		*stored_number_of_field(m, f) = number;
+		*material_number_of_field(m, f) = number;
 	else
 		return;
 	bool whole =
-	    f->kind != FIELD_WHOLE || *stored_integer_of_field(m, f) >= 0;
-	if (!whole || !stored_is_valid(m, f))
+	    f->kind != FIELD_WHOLE || *material_integer_of_field(m, f) >= 0;
+	if (!whole || !material_is_valid(m, f))
 		sheet_fault_expected(sheet, cell, wanted, NULL);
 }
 
 /* list: of the rows after the head; column: of their names. */
 static void
-check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
-    const struct stored_list *list)
+check_names(struct sheet *sheet, size_t column,
+    const struct material_list *there, const struct material_list *list)
 {
-	const struct stored_list none = {0};
-	struct stored_index own = stored_make_index(list),
-			    others = stored_make_index(
-				there != NULL ? there : &none);
+	const struct material_list none = {0};
+	struct material_index own = material_make_index(list),
+			      others = material_make_index(
+				  there != NULL ? there : &none);
 	for (size_t i = 0; i < own.n; i++) {
-		const struct stored_name *name = &own.name[i];
+		const struct material_index_name *name = &own.name[i];
 		struct cell cell =
 		    sheet_cell(&sheet->row[1 + name->at], column);
 		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
@@ -219,23 +219,23 @@ check_names(struct sheet *sheet, size_t column, const struct stored_list *there,
 			    "duplicate name: %.60s\n"
 			    "leave out one of the rows, or rename it",
 			    cell.text);
-		else if (stored_index_find(&others, name->fold) != NULL)
+		else if (material_index_find(&others, name->fold) != NULL)
 			sheet_fault(sheet, cell,
 			    "expected a new name, but the store already has "
 			    "'%.60s'\n"
 			    "use replace=on to replace it",
 			    cell.text);
 	}
-	stored_index_clear(&own);
-	stored_index_clear(&others);
+	material_index_clear(&own);
+	material_index_clear(&others);
 }
 
 /* Reads the model first, because its parameters depend on it. */
 static void
 store_csv_read_row(struct sheet *sheet, const struct row *row,
-    const struct column *column, size_t n, struct stored_list *list)
+    const struct column *column, size_t n, struct material_list *list)
 {
-	struct stored m = stored_empty();
+	struct material m = material_empty();
 	if (row->n > sheet->row[0].n)
 		sheet_fault(sheet, row->cell[sheet->row[0].n],
 		    "expected %zu cells, got more\n"
@@ -253,12 +253,12 @@ store_csv_read_row(struct sheet *sheet, const struct row *row,
 			 !isnan(params_value_by_name(&m.params, param->name)))
 			parse_param_cell(sheet, cell, param, &m);
 	}
-	stored_list_add(list, m);
+	material_list_add(list, m);
 }
 
 bool
-store_csv_read_file(const char *path, const struct stored_list *there,
-    struct stored_list *list, struct error_list *errors)
+store_csv_read_file(const char *path, const struct material_list *there,
+    struct material_list *list, struct error_list *errors)
 {
 	FREED char *text = textfile_read(path, TEXTFILE_OWN, errors);
 	if (text == NULL)

@@ -12,13 +12,13 @@
  * numbers, to a file, entirely or not at all.  Reading such a sheet and saving
  * it gives the same bytes. */
 bool store_csv_write_file(
-    const struct stored_list *list, const char *path, struct error *error);
+    const struct material_list *list, const char *path, struct error *error);
 
 /* Reads such a sheet, with its columns in any order.  there: materials whose
  * names must not occur, or NULL.  On failure, returns false and all faults of
  * the sheet in errors, zeroed by the caller, each with line and column; list
  * then contains some of the rows. */
-bool store_csv_read_file(const char *path, const struct stored_list *there,
-    struct stored_list *list, struct error_list *errors);
+bool store_csv_read_file(const char *path, const struct material_list *there,
+    struct material_list *list, struct error_list *errors);
 
 #endif

@@ -539,7 +539,7 @@ move_sideways(struct tui *t, int amount)
 
 /* A first Enter shows the cursor, the next one mends the cell. */
 void
-act_mend(struct tui *t, const struct key *key)
+act_mend_cell(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!has_cells(t))
@@ -570,7 +570,7 @@ data_move_cursor(struct tui *t, const struct key *key)
 	t->ui.cell.on = true;
 	if (!here)
 		return true;
-	if (key->act == act_ends)
+	if (key->act == act_move_to_end)
 		t->ui.cell.row =
 		    key->amount == TO_MOST && h->n > 0 ? h->n - 1 : 0;
 	else if (key->act == act_move_in_list)

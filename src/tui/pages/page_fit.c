@@ -184,7 +184,7 @@ fit_move_by_key(struct tui *t, const struct key *key)
 		search_side_choose_parameter(t, key->amount);
 	else if (tui_search_shown(t).n == 0)
 		return false;
-	else if (key->act == act_ends)
+	else if (key->act == act_move_to_end)
 		tui_show_generation(
 		    t, key->amount == TO_LEAST ? 1 : tui_count_generations(t));
 	else

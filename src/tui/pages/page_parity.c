@@ -30,7 +30,7 @@ compare_heldout_runs(const struct session *s, size_t index)
 	struct trials found = {.n = 0};
 	if (entry->has_params && answers_require_params(s, entry, &error))
 		trials_add_held_out_of_entry(&found, s, index,
-		    outlook_calibration_posterior(s, entry, CORRECTION_TRAIN));
+		    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
 	return found;
 }
 

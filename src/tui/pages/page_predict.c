@@ -81,7 +81,7 @@ draw_ways_to_start(struct tui *t)
 	row += title ? 2 : 0;
 	area.row += row;
 	area.rows -= row;
-	row = rows_draw(t, &area, draw_way_to_start, NULL);
+	row = list_draw_rows(t, &area, draw_way_to_start, NULL);
 	if (what)
 		screen_draw_wrapped(&area, row + 1, 0,
 		    tr(WAYS[t->ui.list[PAGE_PREDICT].at].what));
@@ -143,7 +143,7 @@ act_crosshair_passing(struct tui *t, const struct key *key)
 
 /* Shows all numbers; before a calibration, starts that. */
 void
-act_numbers(struct tui *t, const struct key *key)
+act_show_all_numbers(struct tui *t, const struct key *key)
 {
 	if (tui_current_entry(t) == NULL) {
 		act_open_row(t, key);
@@ -152,18 +152,18 @@ act_numbers(struct tui *t, const struct key *key)
 	if (!tui_current_entry(t)->has_params &&
 	    site_count_products(tui_current_entry(t)->site) > 0 &&
 	    !session_is_calibrating(t->session)) {
-		act_fit(t, key);
+		act_calibrate(t, key);
 		return;
 	}
 	FREED char *line = tui_command_at_slider(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
 	else if (control_run(t, line))
-		captured_show(t);
+		captured_show_output(t);
 }
 
 void
-act_runs(struct tui *t, const struct key *key)
+act_show_all_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->ui.runs = tui_current_entry(t) != NULL && !t->ui.runs;
@@ -180,7 +180,7 @@ move_crosshair_by_key(struct tui *t, const struct key *key)
 	if (goal_is_viewed(t) || key->act != act_move_in_list || n == 0)
 		return false;
 	if (!t->ui.crosshair) {
-		act_crosshair(t, key);
+		act_toggle_crosshair(t, key);
 		return true;
 	}
 	t->ui.crosshair_sieve =
@@ -190,7 +190,7 @@ move_crosshair_by_key(struct tui *t, const struct key *key)
 
 /* Turns the crosshair on, which opens the page, or off. */
 void
-act_crosshair(struct tui *t, const struct key *key)
+act_toggle_crosshair(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->ui.crosshair = !t->ui.crosshair && t->view.shown.product.n > 0;
@@ -227,7 +227,7 @@ put_crosshair_at_click(struct tui *t, enum plot_kind kind, double x, double y)
 	if (kind != PLOT_PSD)
 		return;
 	if (!t->ui.crosshair)
-		act_crosshair(t, NULL);
+		act_toggle_crosshair(t, NULL);
 	if (!t->ui.crosshair)
 		return;
 	pages_go_to(t, PAGE_PREDICT);

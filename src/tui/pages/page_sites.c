@@ -92,10 +92,9 @@ make_site_row(const struct session *s, size_t i)
 	/* The light of a site that is being calibrated is not known yet. */
 	row.has_light = row.has_light && session_entry_being_fitted(s) != e;
 	if (row.has_light) {
-		struct trust t = light_of_answer_or_fit(s, e, NULL);
+		struct trust t = trust_in_answer_or_fit(s, e, NULL);
 		row.light = t.light;
-		row.verdict =
-		    e->has_fit ? light_verdict_on_fit(s, e, NULL) : NULL;
+		row.verdict = e->has_fit ? verdict_on_fit(s, e, NULL) : NULL;
 		trust_free(&t);
 	}
 	return row;
@@ -413,7 +412,7 @@ sites_draw(struct tui *t)
 		return;
 	}
 	table_draw(t, &area, &TABLE, t->view.site_width);
-	int first = (int)rows_count_matching(t) + HEAD;
+	int first = (int)list_count_matching(t) + HEAD;
 	if (first == HEAD)
 		screen_text(&area, HEAD, 2, 0, "no site has this word: Esc");
 	if (first == HEAD || first + 1 >= area.rows)
@@ -483,7 +482,7 @@ sort_by_next_column(struct tui *t)
 }
 
 void
-act_sort(struct tui *t, const struct key *key)
+act_sort_sites(struct tui *t, const struct key *key)
 {
 	if (t->session->n_entry == 0)
 		picker_open(t, PICK_FILES);

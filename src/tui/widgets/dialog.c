@@ -33,7 +33,7 @@ dialog_handle_key(struct tui *t, int code, bool special)
 }
 
 char *
-dialog_ask(struct tui *t, const struct inquiry *q)
+dialog_ask(struct tui *t, const struct user_question *q)
 {
 	int code;
 	bool special;
@@ -62,14 +62,14 @@ take_rows_at_most(int n, int *left)
 }
 
 static const char *
-text_above_question(const struct inquiry *q)
+text_above_question(const struct user_question *q)
 {
 	return q->wrong[0] != '\0' ? q->wrong : q->about;
 }
 
 static struct parts
 dialog_share_rows(
-    const struct inquiry *q, const char *asks, int room, int columns)
+    const struct user_question *q, const char *asks, int room, int columns)
 {
 	enum { LEAST = 5 };
 	int table = q->ask->n > 0 ? (int)q->ask->n + 1 : 0, left = room;
@@ -120,7 +120,7 @@ on_wheel_scroll_table(struct tui *t, const struct touched *touched)
 static void
 draw_question_table(struct tui *t, const struct area *area)
 {
-	const struct inquiry *q = t->inquiry;
+	const struct user_question *q = t->inquiry;
 	int shown = area->rows - 1, n = (int)q->ask->n, at = (int)q->at;
 	if (shown < 1)
 		return;
@@ -130,7 +130,8 @@ draw_question_table(struct tui *t, const struct area *area)
 	t->inquiry_up += top - fit;
 	for (int r = 0; r < area->rows; r++) {
 		size_t row = r == 0 ? 0 : (size_t)(fit + r);
-		FREED char *line = inquiry_row_text(q, row, area->columns);
+		FREED char *line =
+		    user_question_row_text(q, row, area->columns);
 		screen_text(area, r, 0,
 		    r == 0               ? LOOK_DIM
 		    : (int)row - 1 == at ? LOOK_REVERSE
@@ -152,7 +153,7 @@ static void
 draw_dialog_parts(struct tui *t, const struct area *inner,
     const struct parts *p, const char *asks)
 {
-	const struct inquiry *q = t->inquiry;
+	const struct user_question *q = t->inquiry;
 	struct area area = *inner;
 	area.rows = p->about;
 	if (p->about > 0)
@@ -178,7 +179,7 @@ void
 dialog_draw(struct tui *t, int rows, int columns)
 {
 	enum { MOST_COLUMNS = 100, FRAME_ROWS = 9, FRAME_COLUMNS = 32 };
-	const struct inquiry *q = t->inquiry;
+	const struct user_question *q = t->inquiry;
 	bool frame = rows >= FRAME_ROWS && columns >= FRAME_COLUMNS;
 	bool offers = q->offered[0] != '\0';
 	int edge = frame ? 1 : 0, side = columns >= 60 ? 2 * edge : edge;

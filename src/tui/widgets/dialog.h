@@ -8,7 +8,7 @@
 #include "tui/tui_state.h"
 
 /* See session->hooks.ask. */
-char *dialog_ask(struct tui *t, const struct inquiry *q);
+char *dialog_ask(struct tui *t, const struct user_question *q);
 
 /* Handles a key of the open dialogue. */
 enum edit_result dialog_handle_key(struct tui *t, int code, bool special);

@@ -32,7 +32,7 @@ envelope_check_free(struct tui *t)
 {
 	struct envelope_check *l = t->view.envelope_check;
 	if (l != NULL && l->open)
-		grading_close(&l->grading);
+		envelope_close(&l->grading);
 	free(l);
 	t->view.envelope_check = NULL;
 }
@@ -58,7 +58,7 @@ envelope_check_update(struct tui *t)
 		t->view.envelope_check = l = xcalloc(1, sizeof *l);
 		l->revision = t->view.revision;
 		l->feed = tui_feed_run(t);
-		l->open = grading_open_chosen_envelope(t->session,
+		l->open = envelope_open_chosen(t->session,
 		    tui_entry_for_prediction(t), l->feed, &l->grading, &error);
 	}
 	if (l->open && l->speed != tui_slider_speed(t))

@@ -193,12 +193,12 @@ filter_files_by_letter(struct tui *t, int code, bool special)
 	t->message[0] = '\0';
 	c->list = (struct list){0};
 	if (code == ESCAPE)
-		rows_clear_filter(t);
+		list_clear_filter(t);
 	else
-		rows_handle_filter_key(t, code, false);
-	if (rows_count_matching(t) == 0) {
+		list_handle_filter_key(t, code, false);
+	if (list_count_matching(t) == 0) {
 		FREED char *word = xstrdup(c->word.text);
-		rows_handle_filter_key(t, DELETE, false);
+		list_handle_filter_key(t, DELETE, false);
 		tui_say(t, false, "nothing here has '%s'", word);
 	}
 	return true;
@@ -212,7 +212,7 @@ picker_handle_key(struct tui *t, int code, bool special)
 	const struct key *key = keys_find(code, t->ui.page);
 	key_action *act = key != NULL ? key->act : NULL;
 	bool aside = act == act_move && abs(key->amount) == STEP;
-	bool moves = !aside && (act == act_move || act == act_ends ||
+	bool moves = !aside && (act == act_move || act == act_move_to_end ||
 				   act == act_move_in_list);
 	if (moves)
 		t->message[0] = '\0';
@@ -220,7 +220,7 @@ picker_handle_key(struct tui *t, int code, bool special)
 		open_chosen_file(t);
 	else if (code == DELETE || code == '\b' || aside)
 		go_to_folder_above(t);
-	else if (!moves || !rows_handle_move_key(t, key)) {
+	else if (!moves || !list_handle_move_key(t, key)) {
 		close_picker(t);
 		return code == ESCAPE || code == INTERRUPT;
 	}
@@ -263,7 +263,7 @@ draw_picker_title(const struct tui *t, const struct area *area)
 	    folder);
 	if (c->word.n > 0)
 		screen_text(area, 0, column, 0, ": what has '%s', %zu",
-		    c->word.text, rows_count_matching(t));
+		    c->word.text, list_count_matching(t));
 	else if (c->folder.why != NULL)
 		screen_text(area, 0, column, 0, ": %s", c->folder.why);
 	else if (c->folder.more)
@@ -313,7 +313,7 @@ picker_draw(struct tui *t)
 		preview.row = list.row + list.rows;
 		preview.rows = body.row + body.rows - preview.row;
 	}
-	rows_draw(t, &list, draw_file_row, NULL);
+	list_draw_rows(t, &list, draw_file_row, NULL);
 	if (t->picker.preview != NULL)
 		pane_draw_lines(&preview, 0, t->picker.preview);
 	if (t->message[0] != '\0') {

@@ -47,7 +47,7 @@ goal_best_speed(const struct tui *t)
 }
 
 char *
-goal_text(const struct tui *t, enum goals_length length)
+goal_in_words(const struct tui *t, enum goals_length length)
 {
 	return goals_describe(t->session, tui_entry_for_prediction(t),
 	    &t->view.goal, tui_slider_speed(t), length);
@@ -129,7 +129,7 @@ goal_show_chosen_quantity(struct tui *t)
 }
 
 void
-act_goal_view(struct tui *t, const struct key *key)
+act_toggle_goal_view(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool opens = !goal_is_viewed(t);
@@ -148,7 +148,7 @@ act_goal_view(struct tui *t, const struct key *key)
 }
 
 void
-act_goal(struct tui *t, const struct key *key)
+act_type_goal(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);

@@ -31,7 +31,7 @@ void goal_show_chosen_quantity(struct tui *t);
 double goal_probability_at(const struct tui *t, double speed);
 
 /* Returns the goal in words, see goals_describe. */
-char *goal_text(const struct tui *t, enum goals_length length);
+char *goal_in_words(const struct tui *t, enum goals_length length);
 
 /* Returns the best speed, or NAN if not known. */
 double goal_best_speed(const struct tui *t);

@@ -99,7 +99,7 @@ next_matching_row(const struct tui *t, size_t i, int by)
 }
 
 size_t
-rows_count_matching(const struct tui *t)
+list_count_matching(const struct tui *t)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < count_all_rows(t); i++)
@@ -192,7 +192,7 @@ on_wheel_move_cursor(struct tui *t, const struct touched *touched)
 }
 
 int
-rows_draw(
+list_draw_rows(
     struct tui *t, const struct area *area, row_drawer *draw, const void *of)
 {
 	int row = 0;
@@ -356,13 +356,13 @@ table_draw(struct tui *t, const struct area *area,
 	rows.rows--;
 	table_fit_columns(table, area->columns, wanted, drawn.width);
 	table_draw_row(t, area, SIZE_MAX, LOOK_PLAIN, &drawn);
-	rows_draw(t, &rows, table_draw_row, &drawn);
+	list_draw_rows(t, &rows, table_draw_row, &drawn);
 }
 
 /* ---- Keys ---- */
 
 void
-rows_add_wheel_area(struct tui *t, struct area area)
+list_add_wheel_area(struct tui *t, struct area area)
 {
 	hits_add(&t->hits, HIT_WHEEL, area, on_wheel_move_cursor, 0);
 }
@@ -377,14 +377,14 @@ update_list_rows(struct tui *t)
 }
 
 bool
-rows_handle_move_key(struct tui *t, const struct key *key)
+list_handle_move_key(struct tui *t, const struct key *key)
 {
 	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
 	update_list_rows(t);
 	if (!list_has_rows(t) || (key->act == act_move && steps == FAST))
 		return false;
-	if (key->act == act_ends)
+	if (key->act == act_move_to_end)
 		move_cursor_by_rows(
 		    t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
 	else if (key->act == act_move && steps == FAR)
@@ -420,7 +420,7 @@ act_filter(struct tui *t, const struct key *key)
 }
 
 bool
-rows_handle_filter_key(struct tui *t, int code, bool special)
+list_handle_filter_key(struct tui *t, int code, bool special)
 {
 	if (current_list(t) == NULL)
 		return false;
@@ -436,7 +436,7 @@ rows_handle_filter_key(struct tui *t, int code, bool special)
 }
 
 bool
-rows_clear_filter(struct tui *t)
+list_clear_filter(struct tui *t)
 {
 	struct edit *word = current_filter_word(t);
 	if (!word->active && word->n == 0)

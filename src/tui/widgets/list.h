@@ -6,20 +6,21 @@
 
 #include "tui/pane.h"
 
-/* list_has_rows returns true if there is a list with rows; rows_count_matching
+/* list_has_rows returns true if there is a list with rows; list_count_matching
  * returns the number of rows that contain the search word, or of all without a
  * word. */
 bool list_has_rows(const struct tui *t);
-size_t rows_count_matching(const struct tui *t);
+size_t list_count_matching(const struct tui *t);
 
-/* Draws row i of a list.  look: of its text; of: as passed to rows_draw. */
+/* Draws row i of a list.  look: of its text; of: as passed to list_draw_rows.
+ */
 typedef void row_drawer(struct tui *t, const struct area *line, size_t i,
     unsigned look, const void *of);
 
 /* Draws as many rows as fit, including the one under the cursor.  A click
  * selects a row; a click on the selected row opens it.  Returns the number
  * drawn. */
-int rows_draw(
+int list_draw_rows(
     struct tui *t, const struct area *area, row_drawer *draw, const void *of);
 
 /* A column of a list.  least: minimum width, if its texts need that much; with
@@ -57,16 +58,16 @@ void table_draw(struct tui *t, const struct area *area,
     const struct list_table *table, const int wanted[static LIST_COLUMNS]);
 
 /* The wheel scrolls the list in the area. */
-void rows_add_wheel_area(struct tui *t, struct area area);
+void list_add_wheel_area(struct tui *t, struct area area);
 
 /* See move in page_ops. */
-bool rows_handle_move_key(struct tui *t, const struct key *key);
+bool list_handle_move_key(struct tui *t, const struct key *key);
 
 /* Handles a key while the word is typed.  Returns false if it is not for the
  * word. */
-bool rows_handle_filter_key(struct tui *t, int code, bool special);
+bool list_handle_filter_key(struct tui *t, int code, bool special);
 
 /* Clears the word.  Returns false if there was none. */
-bool rows_clear_filter(struct tui *t);
+bool list_clear_filter(struct tui *t);
 
 #endif

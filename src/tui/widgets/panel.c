@@ -96,7 +96,7 @@ draw_size(const struct area *area, int row, unsigned look, double mm)
 	char text[24];
 	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
 		screen_text(area, row, VALUE + 1, look, "%s",
-		    readout_size_text(mm, text));
+		    readout_size_or_reason(mm, text));
 	else
 		screen_text(area, row, VALUE, look, "%6.2f mm", mm);
 }
@@ -345,7 +345,7 @@ panel_draw_limit(
 	char name[16], limits[32] = "";
 	double least = quantities_value_in_shown_unit(&q, c->least),
 	       most = quantities_value_in_shown_unit(&q, c->most);
-	bool in = wanted_are_conditions_met(&g->conditions, i);
+	bool in = conditions_are_met(&g->conditions, i);
 	short_quantity_name(&q, name, sizeof name);
 	if (isnan(most))
 		snprintf(limits, sizeof limits, ">= %g", least);
@@ -388,7 +388,7 @@ panel_draw_limits(struct tui *t, const struct area *area)
 	name.columns -= 4;
 	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 1);
 	/* With the fraction, if there is room for it. */
-	FREED char *words = plots_envelope_fraction_text(t->session);
+	FREED char *words = chosen_cut_text(t->session);
 	xappend_to_list(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width_in_columns(words) <= name.columns;
 	screen_text(
@@ -400,15 +400,14 @@ panel_draw_limits(struct tui *t, const struct area *area)
 			: N_("not on the feed's sieves"));
 		return;
 	}
-	bool in = wanted_are_conditions_met(&g->conditions, SIZE_MAX);
+	bool in = conditions_are_met(&g->conditions, SIZE_MAX);
 	screen_text(area, 0, area->columns - 3, in ? LOOK_BOLD : LOOK_REVERSE,
 	    in ? N_(" in") : N_("OUT"));
 	int row = 1;
 	size_t n = g->limits.n;
 	FREED double *margin = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++)
-		margin[i] =
-		    wanted_margin_of_condition(&g->conditions, i).passing;
+		margin[i] = condition_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
 		if ((int)rank_of_limit(margin, n, i) < area->rows - 1)
 			panel_draw_limit(area, row++, g, i);
@@ -450,7 +449,7 @@ light_of_shown_prediction(struct tui *t)
 	struct view *v = &t->view;
 	if (!v->light_known) {
 		trust_free(&v->light);
-		v->light = light_of_answer_or_fit(
+		v->light = trust_in_answer_or_fit(
 		    t->session, tui_entry_for_prediction(t), &v->shown);
 		v->light_known = true;
 	}
@@ -698,7 +697,7 @@ panel_trust_text(struct tui *t, int columns, int most)
 	FREED char *limits = xstrdup("");
 	if (g != NULL && !side)
 		xappend(&limits,
-		    wanted_are_conditions_met(&g->conditions, SIZE_MAX)
+		    conditions_are_met(&g->conditions, SIZE_MAX)
 			? tr(", in %s")
 			: tr(", out of %s"),
 		    t->session->spec->name);
@@ -755,7 +754,8 @@ panel_draw_number_row(struct tui *t)
 		    units_mm(p->product.size[t->ui.crosshair_sieve]),
 		    100 * p->product.passing[t->ui.crosshair_sieve],
 		    t->ui.crosshair_passing,
-		    narrow ? short_size_text(mm, a) : readout_size_text(mm, a));
+		    narrow ? short_size_text(mm, a)
+			   : readout_size_or_reason(mm, a));
 	} else if (area->columns < 34)
 		screen_text(area, 0, 0, LOOK_BOLD, "P50 %s P80 %s mm",
 		    short_size_text(t->view.current.size[1], b),
@@ -768,8 +768,8 @@ panel_draw_number_row(struct tui *t)
 	else
 		screen_text(area, 0, 0, LOOK_BOLD,
 		    "P20 %s  P50 %s  P80 %s  break size %s",
-		    readout_size_text(t->view.current.size[0], a),
-		    readout_size_text(t->view.current.size[1], b),
-		    readout_size_text(t->view.current.size[2], c),
-		    readout_size_text(t->view.current.break_mm, d));
+		    readout_size_or_reason(t->view.current.size[0], a),
+		    readout_size_or_reason(t->view.current.size[1], b),
+		    readout_size_or_reason(t->view.current.size[2], c),
+		    readout_size_or_reason(t->view.current.break_mm, d));
 }

@@ -16,7 +16,7 @@
 #include "tui/screen.h"
 
 const char *
-readout_size_text(double mm, char text[static 24])
+readout_size_or_reason(double mm, char text[static 24])
 {
 	if (isnan(mm))
 		snprintf(text, 24, tr("off sieves"));
@@ -41,7 +41,7 @@ draw_curve_reading(const struct tui *t, const struct area *area, int row,
 	double mm =
 	    1000 * psd_size_at_passing(finer, t->ui.crosshair_passing / 100.0);
 	if (isfinite(mm))
-		readout_size_text(mm, size);
+		readout_size_or_reason(mm, size);
 	screen_text(area, row, 0, look, "%-8.8s", name);
 	if (psd_covers_size(psd, x))
 		screen_text(

@@ -13,6 +13,6 @@ int readout_count_rows(const struct tui *t);
 void readout_draw(struct tui *t, const struct area *area);
 
 /* Returns "2.81 mm", or why there is no such number. */
-const char *readout_size_text(double mm, char text[static 24]);
+const char *readout_size_or_reason(double mm, char text[static 24]);
 
 #endif

@@ -143,7 +143,7 @@ compute_part_of_goal(struct tui *t)
 	if (!pending || goal_is_pending(t) || t->view.goal.missed == NULL ||
 	    t->message[0] != '\0')
 		return;
-	FREED char *words = goal_text(t, GOALS_FULL);
+	FREED char *words = goal_in_words(t, GOALS_FULL);
 	tui_say(t, false, "%s", words);
 }
 

@@ -51,7 +51,7 @@ search_side_choose_parameter(struct tui *t, int by)
 }
 
 void
-act_bounds(struct tui *t, const struct key *key)
+act_type_bounds(struct tui *t, const struct key *key)
 {
 	(void)key;
 	struct search_shown past = tui_search_shown(t);
@@ -80,7 +80,7 @@ static void
 on_click_parameter(struct tui *t, const struct touched *touched)
 {
 	t->ui.param_at = touched->item;
-	act_bounds(t, NULL);
+	act_type_bounds(t, NULL);
 }
 
 /* Returns the cell of a bar at which a value stands between its bounds. */
@@ -188,7 +188,7 @@ draw_parameters(struct tui *t, const struct search_shown *past, int row)
 	    wide ? "" : tr("  ! bound"));
 	r.width = r.width < 3 ? 3 : r.width;
 	for (size_t j = 0; j < of->n && r.row + 1 < side->rows; j++) {
-		struct param_span span = plots_search_param_span(
+		struct param_span span = param_span_of_generation(
 		    t->session, past, t->ui.generation, j);
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
@@ -231,12 +231,12 @@ draw_pace(const struct tui *t, int row)
 static char *
 fit_verdict_text(const struct tui *t, const struct entry *entry)
 {
-	struct trust light = light_of_answer_or_fit(t->session, entry, NULL);
+	struct trust light = trust_in_answer_or_fit(t->session, entry, NULL);
 	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
 	    stop_reason_text(entry->fit.stop),
 	    (unsigned long long)entry->fit.seed,
-	    light_verdict_on_fit(t->session, entry, NULL),
-	    light.n > 0 ? ": " : "", light.n > 0 ? light.reason[0].text : "");
+	    verdict_on_fit(t->session, entry, NULL), light.n > 0 ? ": " : "",
+	    light.n > 0 ? light.reason[0].text : "");
 	trust_free(&light);
 	if (!search_shown_is_running(t->session, tui_current_entry(t)) ||
 	    !t->session->job.held_back)
@@ -263,8 +263,7 @@ draw_search_result(const struct tui *t, int row)
 	const struct area *side = &t->layout.side;
 	if (!entry->has_fit || t->ui.generation > 0)
 		return row;
-	const struct posterior *p =
-	    outlook_posterior_for_comparison(t->session, entry);
+	const struct posterior *p = posterior_for_comparison(t->session, entry);
 	int heads = 1 + (int)breakage_model_of_params(&entry->params)->n;
 	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
 	char *words = fit_verdict_text(t, entry);
@@ -275,7 +274,8 @@ draw_search_result(const struct tui *t, int row)
 	if (p == NULL)
 		return row;
 	room -= row - from;
-	words = posterior_draws_text(outlook_evidence(t->session, entry));
+	words =
+	    posterior_draws_text(evidence_on_calibration(t->session, entry));
 	row = screen_draw_wrapped(side, row, 0, words);
 	free(words);
 	return row;
@@ -289,8 +289,7 @@ draw_search_state(const struct tui *t, const struct search_shown *past)
 	size_t at = tui_generation_without_polish(t);
 	const struct calibrate_generation *g = &past->generation[at - 1];
 	bool end = t->ui.generation == 0 && past->polished;
-	double best =
-	    search_shown_rmse_points(past, end ? past->misfit : g->best);
+	double best = misfit_as_rmse_points(past, end ? past->misfit : g->best);
 	int row = 0;
 	screen_text(side, row++, 0, LOOK_BOLD,
 	    end ? N_("%sgeneration %zu of %zu, polished")
@@ -298,11 +297,11 @@ draw_search_state(const struct tui *t, const struct search_shown *past)
 	    session_is_calibrating(t->session) && t->held ? tr("PAUSED ") : "",
 	    at, past->n);
 	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
-	    best, search_shown_rmse_points(past, g->median));
-	FREED char *words = t->computing != NULL
-				? xstrdup(t->computing)
-				: plots_search_progress_text(
-				      t->session, past, t->ui.generation);
+	    best, misfit_as_rmse_points(past, g->median));
+	FREED char *words =
+	    t->computing != NULL
+		? xstrdup(t->computing)
+		: search_progress_text(t->session, past, t->ui.generation);
 	row = screen_draw_wrapped(side, row, LOOK_BOLD, words);
 	return session_entry_being_fitted(t->session)
 		   ? draw_pace(t, row)
@@ -329,7 +328,7 @@ parameters_text(const struct tui *t, const struct search_shown *past)
 	const struct breakage *of = breakage_model_of_params(&past->best);
 	char *words = xstrdup(""), text[24];
 	for (size_t j = 0; j < of->n; j++) {
-		struct param_span span = plots_search_param_span(
+		struct param_span span = param_span_of_generation(
 		    t->session, past, t->ui.generation, j);
 		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
 		    of->parameter[j].name,
@@ -351,14 +350,13 @@ draw_params_in_words(const struct tui *t, const struct search_shown *past)
 	double points = t->ui.generation == 0 ? past->misfit
 					      : past->generation[at - 1].best;
 	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
-	    at, search_shown_rmse_points(past, points));
+	    at, misfit_as_rmse_points(past, points));
 	char *words = parameters_text(t, past);
 	int row =
 	    screen_draw_wrapped_rows(side, 1, side->rows - 1, 0, words, " ..");
 	free(words);
 	words = over ? fit_verdict_text(t, entry)
-		     : plots_search_progress_text(
-			   t->session, past, t->ui.generation);
+		     : search_progress_text(t->session, past, t->ui.generation);
 	screen_draw_wrapped_rows(
 	    side, row, side->rows - row, 0, words, over ? " .. :why" : " ..");
 	free(words);

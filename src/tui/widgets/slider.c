@@ -87,7 +87,7 @@ mark_label(const struct slider_mark *mark, bool words, char label[static 32])
 {
 	double v = mark->tenths / 10.0;
 	return words ? snprintf(label, 32, "%g m/s %.0f J/kg", v,
-			   energy_specific_at_speed(v))
+			   specific_energy_at_speed(v))
 		     : snprintf(label, 32, "%g", v);
 }
 

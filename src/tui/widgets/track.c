@@ -209,7 +209,8 @@ static void
 add_goal_texts(const struct tui *t, struct part *part)
 {
 	for (int length = 0; length < GOALS_LENGTHS; length++)
-		add_heading_text(part, goal_text(t, (enum goals_length)length));
+		add_heading_text(
+		    part, goal_in_words(t, (enum goals_length)length));
 	add_heading_text(part, xstrdup(""));
 	part->look = LOOK_BOLD;
 }
@@ -222,7 +223,7 @@ add_speed_texts(const struct tui *t, struct part *part)
 	double v = tui_slider_speed(t);
 	double rotor = tui_current_entry(t)->site->rotor;
 	FREED char *words = xasprintf(
-	    tr("%.1f m/s  %.0f J/kg"), v, energy_specific_at_speed(v));
+	    tr("%.1f m/s  %.0f J/kg"), v, specific_energy_at_speed(v));
 	FREED char *turns = rotor > 0 ? xasprintf(tr("  %.0f rpm"),
 					    rotor_speed_to_rpm(v, rotor))
 				      : xstrdup("");

@@ -57,7 +57,7 @@ viewer_show_text(struct tui *t, char *text)
 }
 
 void
-act_last_text(struct tui *t, const struct key *key)
+act_show_last_text(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (t->closed != NULL)
@@ -84,7 +84,7 @@ show_list_of_keys(struct tui *t)
 }
 
 void
-act_help(struct tui *t, const struct key *key)
+act_list_keys(struct tui *t, const struct key *key)
 {
 	(void)key;
 	show_list_of_keys(t);
@@ -258,7 +258,7 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 		viewer_scroll(t, key->amount < 0 ? page : -page);
 	else if (code == ' ')
 		viewer_scroll(t, page);
-	else if (act == act_ends)
+	else if (act == act_move_to_end)
 		viewer_scroll(
 		    t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
@@ -279,7 +279,7 @@ is_changing_key(const struct tui *t, const struct key *key)
 	const struct entry *entry = tui_current_entry(t);
 	bool first = entry != NULL && !entry->has_params &&
 		     !session_is_calibrating(t->session);
-	return key->where & CHANGES && !(key->act == act_fit && first);
+	return key->where & CHANGES && !(key->act == act_calibrate && first);
 }
 
 /* Returns true if a key that has closed the text does nothing else. */
@@ -290,7 +290,7 @@ is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 		return true;
 	if (key == NULL)
 		return false;
-	if (key->act == act_leave || (keys && key->act == act_help))
+	if (key->act == act_leave || (keys && key->act == act_list_keys))
 		return true;
 	if (is_changing_key(t, key) && code != INTERRUPT)
 		tui_say(t, false, "%s again: %s", key->name, key->what);
