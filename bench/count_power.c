@@ -88,7 +88,7 @@ count_machine(const struct plan *plan, uint64_t number, struct sums sums[2])
 			    power_of_draw(&p, d, ASKED[q][0], ASKED[q][1]);
 			mean += draw[d] / POWER_DRAWS;
 		}
-		ensemble_interval_with_answer(draw, 0.8, mean, range);
+		ensemble_interval_around_answer(draw, 0.8, mean, range);
 		double off = mean / truth - 1,
 		       other = constant_idle(r, plan->n, ASKED[q]) / truth - 1;
 		sums[q].inside += range[0] <= truth && truth <= range[1];

@@ -30,7 +30,7 @@ stop_line_on_signal(
     const struct driver *d, const char *line, const char *name, int number)
 {
 	pager_hold_notes(d->pager);
-	session_pause_job(d->session);
+	session_stop_job_for_user(d->session);
 	end_started_commands(d, 0, line, name);
 	pager_show_new_output(d->pager);
 	if (d->interrupted != NULL)

@@ -6,7 +6,7 @@
 #include "cmd/session/session.h"
 
 /* Runs the job to its end.  On a signal, returns false with the job unchanged,
- * for session_pause_job. */
+ * for session_stop_job_for_user. */
 bool progress_run_job(struct session *s);
 
 #endif

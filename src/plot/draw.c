@@ -300,7 +300,7 @@ draw_chart_y_axis(struct layout *l)
 }
 
 static void
-draw_chart_x_axis(struct layout *l)
+draw_chart_x_axis_line(struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
 	bool ascii = l->charset == CHARSET_ASCII;
@@ -372,7 +372,7 @@ draw_titles_and_axes(struct layout *l)
 	draw_titles(l);
 	if (l->left > 0)
 		draw_chart_y_axis(l);
-	draw_chart_x_axis(l);
+	draw_chart_x_axis_line(l);
 	draw_chart_labels(l);
 	if (l->legend >= 0)
 		lay_out_legend_and_notes(l, l->legend);

@@ -184,7 +184,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 		return;
 	}
 	if (effect != JOB_GOES_ON)
-		stopped = watch_stop_fit(t);
+		stopped = tui_stop_fit(t);
 	bool paused = s->job.paused;
 	if (command == command_find("save"))
 		control_store_page_settings(t);

@@ -358,7 +358,7 @@ control_close_screen(struct tui *t)
 	s->typed_depth = t->before.typed_at;
 	s->screen = t->before.screen;
 	if (session_is_calibrating(s)) {
-		session_pause_job(s);
+		session_stop_job_for_user(s);
 		session_end_finished_commands(s, true, &error);
 	}
 	free_state(t);

@@ -207,7 +207,7 @@ confirm_replace_params(struct tui *t)
 static void
 restart_calibration(struct tui *t, const char *line)
 {
-	watch_stop_fit(t);
+	tui_stop_fit(t);
 	control_run(t, line);
 }
 
@@ -313,7 +313,7 @@ act_stop(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (session_is_calibrating(t->session))
-		watch_stop_fit(t);
+		tui_stop_fit(t);
 	else
 		tui_say(t, false, "no calibration to stop: q quits");
 }
@@ -345,7 +345,7 @@ act_back(struct tui *t, const struct key *key)
 	if (list_clear_filter(t))
 		return;
 	if (session_is_calibrating(t->session) && !t->session->job.fits)
-		watch_stop_fit(t);
+		tui_stop_fit(t);
 	else if (goal_is_viewed(t))
 		t->ui.goal_view = false;
 	else if (predict && t->ui.crosshair)

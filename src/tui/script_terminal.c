@@ -216,7 +216,7 @@ draw_new_screen(
 		request->picture = plot_name_of_page(&t);
 	/* While the output is still captured: what an ending search says is no
 	 * part of the picture. */
-	watch_stop_fit(&t);
+	tui_stop_fit(&t);
 	control_close_screen(&t);
 	return ok;
 }

@@ -32,7 +32,7 @@ static const struct {
 	   "and stay; :accept takes the stopped ones")}};
 
 const char *
-watch_stop_fit(struct tui *t)
+tui_stop_fit(struct tui *t)
 {
 	struct session *s = t->session;
 	if (!session_is_calibrating(s))
@@ -40,7 +40,7 @@ watch_stop_fit(struct tui *t)
 	struct error error = {0};
 	bool alone = s->job.type->alone;
 	const char *useless = s->job.type->useless;
-	enum stopped stopped = session_pause_job(s);
+	enum stopped stopped = session_stop_job_for_user(s);
 	session_end_finished_commands(s, true, &error);
 	t->ran = tui_search_seconds(t);
 	t->held = false;

@@ -13,8 +13,9 @@ void watch_run_due_fit_steps(struct tui *t);
 void watch_set_fit_paused(struct tui *t, bool hold);
 void watch_run_fit_step(struct tui *t);
 
-/* Stops the running calibration (session_pause_job) and shows the outcome.
- * Returns it in words to append to another message, or "" if none ran. */
-const char *watch_stop_fit(struct tui *t);
+/* Stops the running calibration (session_stop_job_for_user) and shows the
+ * outcome. Returns it in words to append to another message, or "" if none ran.
+ */
+const char *tui_stop_fit(struct tui *t);
 
 #endif

@@ -222,7 +222,7 @@ run_line(struct session *s, const char *line, struct place place, int *steps)
 		    s, line, at, place.file, place.line, &at, &error);
 		while (session_is_calibrating(s) && (*steps)-- > 0)
 			session_step_job(s);
-		session_pause_job(s);
+		session_stop_job_for_user(s);
 		s->wants_tui = false;
 	} while (ok && at > 0 && !s->quit);
 	return session_end_finished_commands(s, ok, &error);

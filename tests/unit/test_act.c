@@ -1240,7 +1240,7 @@ what_is_left_is_found_again(void **state)
 	assert_true(session_is_calibrating(s));
 	type(t, "tp80<5.3\n");
 	assert_true(session_is_calibrating(s));
-	watch_stop_fit(t);
+	tui_stop_fit(t);
 	char *text = NULL;
 	size_t n = 0;
 	FILE *memory = open_memstream(&text, &n);

@@ -67,7 +67,7 @@ fields_keep_their_order_and_kinds(void **state)
 	struct fields *o = answer_fields(a);
 	fields_put(o, "speed %g outside %d .poor %g n %zu name %s none %g",
 	    74.0, true, 1.0, (size_t)3, "x\"y", NAN);
-	answer_put_columns(a, "passing_pct");
+	answer_put_columns_as_lists(a, "passing_pct");
 	struct fields *runs = fields_add_list(o, "runs");
 	fields_put(runs, "%g %g", 69.0, 79.0);
 	fields_put(fields_add_object(o, "params"), "f_mat %g", 2.5);

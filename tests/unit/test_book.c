@@ -59,7 +59,7 @@ results_are_read_back(void **state)
 	struct source source;
 	struct error_list errors = {0};
 	char *bytes = new_bytes(&n);
-	assert_true(source_read_file(put_sheet(bytes, n), &errors, &source));
+	assert_true(source_read_sheets(put_sheet(bytes, n), &errors, &source));
 	free(bytes);
 	assert_int_equal(source.n, 3);
 	const struct sheet *sheet = source.sheet[0];
@@ -140,7 +140,7 @@ text_becomes_cells(void **state)
 	assert_non_null(bytes);
 	struct source source;
 	struct error_list errors = {0};
-	assert_true(source_read_file(put_sheet(bytes, n), &errors, &source));
+	assert_true(source_read_sheets(put_sheet(bytes, n), &errors, &source));
 	free(bytes);
 	const struct sheet *sheet = source.sheet[0];
 	assert_int_equal(sheet->n_comment, 1);

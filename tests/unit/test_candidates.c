@@ -74,7 +74,7 @@ percentiles_are_those_of_the_candidates(void **state)
 	       *best = xcalloc_doubles(m->n_residual);
 	assert_int_equal(n, GENERATIONS);
 	for (size_t at = 0; at < n; at += 3) {
-		struct candidates c = candidates_with_residuals(
+		struct candidates c = candidates_residual_spread(
 		    s.site, s.train, settings, ISA_BEST, &g[at], &g[at].params);
 		assert_int_equal(c.n, m->n_residual);
 		assert_int_equal(g[at].n_kept, CALIBRATE_KEPT);
@@ -113,7 +113,7 @@ cells_are_of_the_training_runs(void **state)
 	struct searched s = search(1, POPULATION);
 	size_t n;
 	const struct calibrate_generation *g = calibration_history(s.c, &n);
-	struct candidates c = candidates_with_residuals(
+	struct candidates c = candidates_residual_spread(
 	    s.site, s.train, model_settings_default(), ISA_BEST, g, &g->params);
 	const struct candidates_cell *worst = candidates_worst_cell(&c);
 	for (size_t k = 0; k < c.n; k++) {
@@ -160,7 +160,7 @@ a_small_population_keeps_what_it_has(void **state)
 	size_t n;
 	const struct calibrate_generation *g = calibration_history(s.c, &n);
 	assert_in_range(g[2].n_kept, 8, 15);
-	struct candidates c = candidates_with_residuals(s.site, s.train,
+	struct candidates c = candidates_residual_spread(s.site, s.train,
 	    model_settings_default(), ISA_BEST, &g[2], &g[2].params);
 	for (size_t k = 0; k < c.n; k++)
 		assert_true(c.cell[k].p10 <= c.cell[k].median &&

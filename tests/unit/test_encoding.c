@@ -88,7 +88,7 @@ a_guess_is_noted(void **state)
 		struct source source;
 		const char *path =
 		    put_sheet(texts[i].text, strlen(texts[i].text));
-		assert_true(source_read_file(path, &errors, &source));
+		assert_true(source_read_sheets(path, &errors, &source));
 		assert_int_equal(source.note[0] != '\0', texts[i].noted);
 		assert_true(!texts[i].noted ||
 			    strstr(source.note, "Windows-1252") != NULL);

@@ -72,7 +72,7 @@ a_stopped_calibration_goes_on_to_the_same_bits(void **state)
 		desk_expect(desk, "undo");
 		start(desk, SEARCH);
 		steps(desk, at[i]);
-		session_pause_job(desk->session);
+		session_stop_job_for_user(desk->session);
 		assert_false(session_is_calibrating(desk->session));
 		struct fit half = session_current_entry(desk->session)->fit;
 		assert_int_equal(half.stop, CALIBRATE_STOPPED);
@@ -161,7 +161,7 @@ a_validation_needs_three_speeds_and_no_fit(void **state)
 	desk_expect(desk, HELD);
 	start(desk, "validate holdout=each");
 	steps(desk, 5);
-	session_pause_job(s);
+	session_stop_job_for_user(s);
 	assert_false(
 	    session_is_calibrating(s) || session_current_entry(s)->has_params);
 	assert_null(s->job.calibration);
@@ -185,7 +185,7 @@ a_paused_calibration_can_be_accepted(void **state)
 	struct desk *desk = *state;
 	start(desk, SEARCH);
 	steps(desk, 5);
-	session_pause_job(desk->session);
+	session_stop_job_for_user(desk->session);
 	struct fit half = session_current_entry(desk->session)->fit;
 	assert_true(desk_say(desk, "accept"));
 	expect_same(&session_current_entry(desk->session)->fit, &half);
@@ -199,7 +199,7 @@ a_pause_before_the_first_generation_keeps_nothing(void **state)
 {
 	struct desk *desk = *state;
 	start(desk, SEARCH);
-	session_pause_job(desk->session);
+	session_stop_job_for_user(desk->session);
 	assert_false(session_current_entry(desk->session)->has_fit);
 	assert_false(desk_say(desk, "continue"));
 }
@@ -211,7 +211,7 @@ a_new_calibration_replaces_a_paused_one(void **state)
 	struct fit want = whole(desk);
 	start(desk, "calibrate seed=8 population=600");
 	steps(desk, 5);
-	session_pause_job(desk->session);
+	session_stop_job_for_user(desk->session);
 	struct fit got = whole(desk);
 	expect_same(&got, &want);
 }
@@ -336,7 +336,7 @@ edited_bounds_are_told(void **state)
 	entry = session_current_entry(desk->session);
 	start(desk, SEARCH);
 	steps(desk, 5);
-	session_pause_job(desk->session);
+	session_stop_job_for_user(desk->session);
 	desk_expect(desk, "bounds f_mat 0.5..0.6; continue pause=9; "
 			  "bounds f_mat 0.5..0.7; continue pause=12");
 	assert_true(entry->fit.params.f_mat <= 0.7);
@@ -356,7 +356,7 @@ bounds_come_too_late_for_what_has_ended(void **state)
 	    calibration_status(s->job.calibration).state < CALIBRATE_TOLERANCE)
 		session_step_job(s);
 	assert_true(session_is_calibrating(s));
-	assert_int_equal(session_pause_job(s), STOPPED_TAKEN);
+	assert_int_equal(session_stop_job_for_user(s), STOPPED_TAKEN);
 	struct fit want = session_current_entry(s)->fit;
 	desk_expect(desk, "bounds e0_min 0..9; continue");
 	expect_same(&session_current_entry(s)->fit, &want);
@@ -456,7 +456,7 @@ all_that_are_stopped_keep_a_better_fit(void **state)
 	while (s->job.entry == 0)
 		session_step_job(s);
 	steps(desk, 2);
-	assert_int_equal(session_pause_job(s), STOPPED_WORSE);
+	assert_int_equal(session_stop_job_for_user(s), STOPPED_WORSE);
 	fflush(desk->notes_file);
 	assert_non_null(strstr(desk->notes, "bro: stopped at generation 2"));
 	assert_true(s->entry[0].fit.misfit > first.misfit);
@@ -541,7 +541,7 @@ a_league_leaves_the_fit_alone(void **state)
 	start(desk, "league");
 	steps(desk, 70);
 	assert_true(session_is_calibrating(s));
-	session_pause_job(s);
+	session_stop_job_for_user(s);
 	assert_false(session_is_calibrating(s));
 	assert_null(s->job.calibration);
 	fflush(desk->notes_file);

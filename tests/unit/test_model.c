@@ -190,7 +190,7 @@ passing(const struct appearance *a, double u)
 	double parts[4], sum = 0;
 	if (u >= 1)
 		return 1;
-	appearance_integrals_up_to(a, log(u), parts);
+	appearance_power_integrals_up_to(a, log(u), parts);
 	for (size_t i = 0; i < 4; i++)
 		sum += a->beta[i] * parts[i];
 	return a->total > 0 ? sum / a->total : 0;

@@ -300,7 +300,7 @@ width_of_band(struct ensemble *e, double v, size_t sieve, double *mean)
 	ensemble_set_speed(e, v);
 	ensemble_mean_answer(e, mean);
 	const double *P = ensemble_products(e, ENSEMBLE_ANSWER);
-	for (size_t i = N; i < ensemble_count_sizes(e) * N; i++)
+	for (size_t i = N; i < ensemble_count_sieves(e) * N; i++)
 		assert_true(P[i] <= P[i - N]);
 	ensemble_row_interval(e, ENSEMBLE_ANSWER, sieve, 0.8, &low, &high);
 	return high - low;

@@ -176,7 +176,7 @@ size_of_draws(
 	}
 	ensemble_mean_answer(e, curve.passing);
 	double mean = psd_size_at_passing(&curve, 0.8);
-	ensemble_interval_with_answer(size, 0.8, mean, range);
+	ensemble_interval_around_answer(size, 0.8, mean, range);
 	psd_free(&curve);
 	return mean;
 }

@@ -355,7 +355,7 @@ a_stopped_job_is_kept_or_dropped(void **state)
 		session_step_job(s);
 		session_step_job(s);
 		if (keep == 1)
-			session_pause_job(s);
+			session_stop_job_for_user(s);
 		else
 			session_abort_job(s);
 		assert_false(session_is_calibrating(s));

@@ -53,7 +53,7 @@ expect(const struct part *part, const char *cells, const char *note)
 	struct error_list errors = {0};
 	struct source source;
 	put_parts(part);
-	bool good = source_read_file(BOOK, &errors, &source);
+	bool good = source_read_sheets(BOOK, &errors, &source);
 	for (size_t i = 0; i < errors.n; i++)
 		error_print(&errors.item[i], stderr);
 	assert_true(good);
@@ -71,7 +71,7 @@ refuse(const struct part *part, const char *wrong)
 	struct error_list errors = {0};
 	struct source source;
 	put_parts(part);
-	assert_false(source_read_file(BOOK, &errors, &source));
+	assert_false(source_read_sheets(BOOK, &errors, &source));
 	source_free(&source);
 	assert_int_equal(errors.n, 1);
 	const struct error *e = &errors.item[0];
@@ -152,7 +152,7 @@ numbers_are_what_their_formats_show(void **state)
 	struct source source;
 	put_parts(PARTS(
 	    XLSX_WORKBOOK(""), XLSX_RELATIONS(""), STYLES, XLSX_SHEET(ROW)));
-	assert_true(source_read_file(BOOK, &errors, &source));
+	assert_true(source_read_sheets(BOOK, &errors, &source));
 	double v = 0;
 	struct sheet *sheet = source.sheet[0];
 	assert_true(number_value_of_cell(sheet->row[0].cell[0], &v));
@@ -318,7 +318,7 @@ remarks_are_rows_that_begin_with_a_cross(void **state)
 	    "May: A2=#N/A B2=#x 1# wet, see log! 3#4", "");
 	struct error_list errors = {0};
 	struct source source;
-	assert_true(source_read_file(BOOK, &errors, &source));
+	assert_true(source_read_sheets(BOOK, &errors, &source));
 	struct sheet *sheet = source.sheet[0];
 	sheet_turn_comment_into_row(sheet, 1);
 	sheet_turn_comment_into_row(sheet, 0);
@@ -504,7 +504,7 @@ every_prefix_and_change_is_read_or_refused(void **state)
 		fwrite(bytes, 1, i < n ? i : n, out);
 		fclose(out);
 		bytes[at] = was;
-		bool good = source_read_file(BOOK, &errors, &source);
+		bool good = source_read_sheets(BOOK, &errors, &source);
 		assert_int_equal(errors.n, good ? 0 : 1);
 		assert_true(good || errors.item[0].kind == ERROR_DATA);
 		source_free(&source);

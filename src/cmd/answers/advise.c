@@ -47,7 +47,7 @@ find_band_of_quantity(const struct session *s, struct advice_request *w)
 	}
 	forecast_close(f);
 	if (known)
-		ensemble_interval_with_answer(
+		ensemble_interval_around_answer(
 		    w->draw, w->question->level, NAN, w->ends);
 	w->width = w->ends[1] - w->ends[0];
 	return known;
@@ -241,7 +241,7 @@ build_advice_answer(const struct session *s, const struct advice_request *w)
 	if (c == NULL)
 		return NULL;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, w->question->speed, NAN);
-	struct answer *r = answers_new(entry->site, "advise",
+	struct answer *r = answer_about_site(entry->site, "advise",
 	    "what to sample next, for %s at %g m/s%s", w->name,
 	    w->question->speed, rpm);
 	answer_columns(r, "speed: sample at m/s");

@@ -760,7 +760,7 @@ build_card_answer(
 	const struct entry *entry = all->question->entry;
 	FREED char *today = datetime_today();
 	struct answer *r =
-	    answers_new(entry->site, "card", "card of %s", today);
+	    answer_about_site(entry->site, "card", "card of %s", today);
 	set_card_title(r, entry->site, today);
 	struct trust light = trust_in_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);

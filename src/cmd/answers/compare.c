@@ -436,11 +436,11 @@ build_comparison_answer(const struct session *s, const struct compared side[2],
 	FREED double *x = merge_sieves_of_sides(side, &n);
 	FREED char *fraction = screened_title_suffix(&side[0].p.fraction);
 	const char *passing = q != NULL ? "" : tr(", % passing");
-	struct answer *r =
-	    are_two_sites(side)
-		? answer_new("compare")
-		: answers_new(side[0].entry->site, "compare", "%s and %s%s%s",
-		      side[0].words, side[1].words, passing, fraction);
+	struct answer *r = are_two_sites(side)
+			       ? answer_new("compare")
+			       : answer_about_site(side[0].entry->site,
+				     "compare", "%s and %s%s%s", side[0].words,
+				     side[1].words, passing, fraction);
 	if (are_two_sites(side))
 		set_title_of_two_sites(r, side, passing, fraction);
 	if (q != NULL) {

@@ -284,10 +284,11 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
-	struct answer *r = s->n_entry > 0
-			       ? answers_new(s->entry[s->current].site, "show",
-				     "the equations, as printed and as used")
-			       : answer_new("show");
+	struct answer *r =
+	    s->n_entry > 0
+		? answer_about_site(s->entry[s->current].site, "show",
+		      "the equations, as printed and as used")
+		: answer_new("show");
 	answer_columns(r, "equation, as: , formula");
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++) {
 		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,

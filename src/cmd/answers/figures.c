@@ -97,7 +97,7 @@ cmd_figures(struct session *s, const struct args *args,
 	session_keep_last_asked(s, v, named ? &q[0] : NULL);
 	bool band = n > 0 && forecast_draws(all, 0) != NULL;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct answer *r = answers_new(entry->site, "figures",
+	struct answer *r = answer_about_site(entry->site, "figures",
 	    "figures of the product at %g m/s%s", v, rpm);
 	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
 	    answers_is_speed_extrapolated(entry, v));

@@ -595,11 +595,12 @@ begin_find_answer(
 {
 	const struct site *site = goal->question->entry->site;
 	if (found)
-		return answers_new(site, "find", "the speed for %s", words);
+		return answer_about_site(
+		    site, "find", "the speed for %s", words);
 	if (goal->kind == GOAL_VALUE)
-		return answers_new(site, "find",
+		return answer_about_site(site, "find",
 		    "no speed gives %s; at the ends searched", words);
-	return answers_new(site, "find",
+	return answer_about_site(site, "find",
 	    goal->others.n > 1
 		? N_("no speed meets the conditions; at the ends searched")
 		: N_("no speed meets the condition; at the ends searched"));
@@ -631,7 +632,7 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
-		answers_keep_prediction(s, entry, &entry->params, &p[0]);
+		answers_keep_newest_prediction(s, entry, &entry->params, &p[0]);
 	session_keep_last_asked(s, shown, &goal->target.quantity);
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
@@ -682,7 +683,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	double v = in != NULL ? in->from : w->best;
 	FREED char *words = envelope_title(&g);
 	struct answer *r =
-	    answers_new(entry->site, "find", "the speeds for %s", words);
+	    answer_about_site(entry->site, "find", "the speeds for %s", words);
 	envelope_add_rows(r, &g, v);
 	conditions_note_best_speed(
 	    r, s, goal->question, &g.conditions, true, w);

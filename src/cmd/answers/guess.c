@@ -160,7 +160,7 @@ put_guess_fields(
 	double top = b->wanted.top_size;
 	fields_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
 	    b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
-	answer_put_columns(r, "sieve_mm passing_pct low_pct high_pct");
+	answer_put_columns_as_lists(r, "sieve_mm passing_pct low_pct high_pct");
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		const struct guess_range *range = &guess->size[i];
 		fields_put_number(o, ANSWERS_SIZE[i].key, 1000 * range->middle);
@@ -174,7 +174,7 @@ static struct answer *
 build_guess_answer(const struct site *site, const struct guess *guess)
 {
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, guess->speed, NAN);
-	struct answer *r = answers_new(site, "guess",
+	struct answer *r = answer_about_site(site, "guess",
 	    "estimated product at %.*f m/s%s, not calibrated",
 	    units_speed_decimals(guess->speed), guess->speed, rpm);
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%, passing_pct: "

@@ -283,8 +283,8 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 		    "'calibrate' first",
 		    band_why_none(s, entry));
 	struct findings f = find_what_data_determine(p, entry->site);
-	struct answer *r =
-	    answers_new(entry->site, "identify", "what the data determine");
+	struct answer *r = answer_about_site(
+	    entry->site, "identify", "what the data determine");
 	FREED char *text = identifiability_summary_text(&f);
 	add_identifiability_rows(r, &f);
 	put_identifiability_fields(answer_fields(r), &f, text);

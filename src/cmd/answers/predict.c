@@ -202,7 +202,7 @@ build_prediction_answer(const struct session *s, const struct question *q,
 				     100 * settings_band_probability(&s->set))
 			       : xstrdup("");
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p->speed, NAN);
-	struct answer *r = answers_new(site, "predict",
+	struct answer *r = answer_about_site(site, "predict",
 	    "product at %.*f m/s%s%s%s%s", units_speed_decimals(p->speed),
 	    p->speed, rpm, more, fraction, band);
 	/* In a table that is read aloud, the numbers of a sieve belong in one
@@ -443,7 +443,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	screened_note_share(r, p);
 	answers_note_sizes(r, p);
 	if (p->low != NULL) {
-		answer_put_columns(r, "low_pct high_pct");
+		answer_put_columns_as_lists(r, "low_pct high_pct");
 		answers_put_size_bands(o, s, p);
 	}
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
@@ -455,7 +455,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
-		answer_put_columns(r, "interpolated_pct");
+		answer_put_columns_as_lists(r, "interpolated_pct");
 	else if (wanted)
 		answer_say(r, ANSWER_REMARK,
 		    entry->site->with[0] != '\0'
@@ -524,7 +524,7 @@ predict_for_slider(struct session *s, const struct entry *entry, double speed,
 	struct question q = question_of_whole_product(s, entry, feed_run);
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
-	answers_keep_prediction(s, entry, &params, p);
+	answers_keep_newest_prediction(s, entry, &params, p);
 	invocation_record_question(s, "predict", line);
 	return true;
 }

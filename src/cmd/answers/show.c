@@ -108,7 +108,7 @@ show_feed_or_product(
 	const struct site *site = session_current_entry(s)->site;
 	bool feed = strcmp(args->operand[0], "feed") == 0;
 	FREED const struct psd **curve = xcalloc(site->n_run, sizeof(*curve));
-	struct answer *r = answers_new(site, "show",
+	struct answer *r = answer_about_site(site, "show",
 	    feed ? N_("feed, %% passing")
 		 : N_("measured products, %% passing"));
 	answer_columns(r, "sieve_mm: sieve mm");
@@ -143,7 +143,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	(void)error;
 	const struct entry *entry = session_current_entry(s);
 	const struct site *site = entry->site;
-	struct answer *r = answers_new(site, "show", "the model");
+	struct answer *r = answer_about_site(site, "show", "the model");
 	const struct model_settings *set = &s->set.model;
 	struct fields *o = answer_fields(r);
 	fields_put(o, "what %s method %s appearance %s k %g", "model",
@@ -242,7 +242,7 @@ show_selection_at_speed(struct session *s, const struct args *args,
 	    feed, &entry->params, s->set.model, q->speed, S);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, q->speed, NAN);
-	struct answer *r = answers_new(entry->site, "show",
+	struct answer *r = answer_about_site(entry->site, "show",
 	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
 	add_selection_rows(r, feed, S);
 	answer_put_rows(r, "rows");
@@ -355,7 +355,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 		     *a = xcalloc_doubles(feed->n * feed->n);
 	classes_sizes(feed, x);
 	classes_appearance_matrix(&b, s->set.model.appearance, x, feed->n, a);
-	struct answer *r = answers_new(entry->site, "show",
+	struct answer *r = answer_about_site(entry->site, "show",
 	    "appearance function (Eq 1), %% of each broken size class");
 	add_appearance_rows_across(r, feed, a);
 	answer_begin_table_for_programs(r);

@@ -208,8 +208,8 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 		return false;
 	FREED char *name = envelope_title(&g);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
-	struct answer *r =
-	    answers_new(entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
+	struct answer *r = answer_about_site(
+	    entry->site, "spec", "%s at %g m/s%s", name, v, rpm);
 	envelope_add_rows(r, &g, v);
 	note_envelope_verdict(r, &g, v);
 	envelope_add_notes(r, &g);

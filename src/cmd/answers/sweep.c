@@ -117,7 +117,7 @@ build_sweep_answer(const struct session *s, const struct question *q,
 	enum { ACROSS = 7 };
 	bool band = p[0].low != NULL, across = n <= ACROSS;
 	FREED char *fraction = screened_title_suffix(&p[0].fraction);
-	struct answer *r = answers_new(entry->site, "sweep",
+	struct answer *r = answer_about_site(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? correction_in_words(s, entry) : "");
 	(across ? add_rows_with_speeds_across : answers_add_prediction_rows)(

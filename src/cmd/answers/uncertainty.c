@@ -115,7 +115,7 @@ add_hyperparameter_ranges(struct answer *r, const struct session *s,
 		double unit = size ? 100 : 1;
 		for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 			value[d] = unit * p->draw[d].hyper[h];
-		ensemble_interval_with_answer(
+		ensemble_interval_around_answer(
 		    value, settings_band_probability(&s->set), NAN, range);
 		ensemble_middle_interval(value, 0, &median, &unused);
 		struct fields *one = fields_add_object(o, HYPER[h].name);
@@ -185,9 +185,9 @@ build_draws_answer(const struct session *s, const struct question *q,
 	FREED char *fraction = screened_title_suffix(&at->fraction);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, at->speed, NAN);
-	struct answer *r =
-	    answers_new(q->entry->site, "uncertainty", "draws at %.*f m/s%s%s",
-		units_speed_decimals(at->speed), at->speed, rpm, fraction);
+	struct answer *r = answer_about_site(q->entry->site, "uncertainty",
+	    "draws at %.*f m/s%s%s", units_speed_decimals(at->speed), at->speed,
+	    rpm, fraction);
 	answer_columns(r, "draw: draw");
 	for (size_t j = 0; j < of->n; j++)
 		answer_columns(r, "%s", of->parameter[j].name);
@@ -351,7 +351,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	    rotor_speed_rpm_text(entry->site->rotor, at->speed, NAN);
 	const struct quantity of =
 	    choose_quantity_for_notes(q, args, at, figures);
-	struct answer *r = answers_new(entry->site, "uncertainty",
+	struct answer *r = answer_about_site(entry->site, "uncertainty",
 	    detail
 		? N_("half width of the %.0f %% band at %.*f m/s%s%s, points")
 		: N_("how sure, %.0f %% bands at %.*f m/s%s%s"),
@@ -368,8 +368,8 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	    at->speed, 100 * q->level,
 	    runs_that_correct(s, entry) == CORRECTION_ALL ? "all" : "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
-		answer_put_columns(r, PARTS[i]);
-	answer_put_columns(r, "sieve_mm passing_pct");
+		answer_put_columns_as_lists(r, PARTS[i]);
+	answer_put_columns_as_lists(r, "sieve_mm passing_pct");
 	screened_note_share(r, at);
 	screened_put_fields(answer_fields(r), at);
 	if (detail)

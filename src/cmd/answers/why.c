@@ -547,7 +547,7 @@ show_mass_balance(struct mass_change *b)
 	const struct entry *entry = b->q->entry;
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, b->p[0].speed, b->p[1].speed);
-	struct answer *r = answers_new(entry->site, "why",
+	struct answer *r = answer_about_site(entry->site, "why",
 	    "where the mass goes, %g and %g m/s%s", b->p[0].speed,
 	    b->p[1].speed, rpm);
 	add_balance_rows_for_people(r, b);
@@ -620,8 +620,8 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	    .feed = question_feed(q),
 	    .p = forecast_whole_product(s, entry, v, q->feed),
 	    .rpm = rpm,
-	    .answer =
-		answers_new(entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
+	    .answer = answer_about_site(
+		entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
 	struct trust trust = trust_in_answer_or_fit(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_trust_is_green(&a, &trust);

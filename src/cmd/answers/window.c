@@ -259,9 +259,9 @@ begin_window_answer(const struct window_request *a)
 	bool several = a->list.n > 1;
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, v, NAN);
 	if (a->w->n_inside > 0)
-		return answers_new(site, "window", "%s at %.1f m/s%s",
+		return answer_about_site(site, "window", "%s at %.1f m/s%s",
 		    several ? tr("conditions") : tr("the condition"), v, rpm);
-	return answers_new(site, "window",
+	return answer_about_site(site, "window",
 	    several ? N_("no speed meets the conditions; at %.1f m/s%s")
 		    : N_("no speed meets the condition; at %.1f m/s%s"),
 	    v, rpm);

@@ -35,7 +35,7 @@ answers_put_feed_and_machine(struct answer *r, const struct site *site)
 }
 
 struct answer *
-answers_new(
+answer_about_site(
     const struct site *site, const char *command, const char *format, ...)
 {
 	struct answer *r = answer_new(command);
@@ -227,7 +227,7 @@ answers_list_round_speeds(
 }
 
 void
-answers_keep_prediction(struct session *s, const struct entry *entry,
+answers_keep_newest_prediction(struct session *s, const struct entry *entry,
     const struct params *params, const struct prediction *p)
 {
 	struct answer *answer = answer_new("predict");

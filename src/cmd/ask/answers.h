@@ -15,11 +15,11 @@
 
 /* Returns an answer about a site, with the title "Tierp, Granite, 11.2 mm: "
  * and the formatted text. */
-struct answer *answers_new(const struct site *site, const char *command,
+struct answer *answer_about_site(const struct site *site, const char *command,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Puts "feed" and "with" if the question assumes another feed or machine;
- * answers_new calls it. */
+ * answer_about_site calls it. */
 void answers_put_feed_and_machine(struct answer *r, const struct site *site);
 
 /* Return false, with an error that says what to do next, if the (current) site
@@ -74,8 +74,9 @@ size_t answers_default_sieve(const struct psd *product);
 struct quantity answers_default_passing_quantity(const struct psd *product);
 
 /* Keeps a prediction as the newest answer of `predict`. */
-void answers_keep_prediction(struct session *s, const struct entry *entry,
-    const struct params *params, const struct prediction *p);
+void answers_keep_newest_prediction(struct session *s,
+    const struct entry *entry, const struct params *params,
+    const struct prediction *p);
 
 /* The sizes in every prediction: those of PSD_PASSING and the break size. */
 enum { ANSWERS_BREAK = PSD_SIZES, ANSWERS_SIZES };

@@ -28,7 +28,7 @@ is_outside_band(const struct cut *c)
 }
 
 static bool
-is_partly_outside_band(const struct cut *c)
+are_too_many_outside_band(const struct cut *c)
 {
 	return !c->no_band &&
 	       (2 * c->inside < c->n ||
@@ -78,7 +78,7 @@ cut_compare_with_prediction(
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
 	c.missed = is_outside_band(&c);
-	c.off = !c.missed && is_partly_outside_band(&c);
+	c.off = !c.missed && are_too_many_outside_band(&c);
 	forecast_close(f);
 	return c;
 }

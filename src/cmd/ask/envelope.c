@@ -518,7 +518,7 @@ individual_retained_band(const struct grading *g, size_t at, double range[2])
 	const double *fine = forecast_draws(f, at + 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		step[d] = 100 * (coarse[d] - fine[d]);
-	ensemble_interval_with_answer(step, g->conditions.level, NAN, range);
+	ensemble_interval_around_answer(step, g->conditions.level, NAN, range);
 }
 
 static void
@@ -596,5 +596,6 @@ envelope_put_fields(struct answer *r, const struct grading *g)
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		fields_put(answer_fields(r), "cut %s", words);
 	}
-	answer_put_columns(r, "sieve_mm min_pct max_pct passing_pct verdict");
+	answer_put_columns_as_lists(
+	    r, "sieve_mm min_pct max_pct passing_pct verdict");
 }

@@ -131,7 +131,7 @@ forecast_difference(
 	for (size_t d = 0; d < POSTERIOR_DRAWS && a != NULL && b != NULL; d++)
 		more[d] = b[d] - a[d];
 	if (a != NULL && b != NULL)
-		ensemble_interval_with_answer(more, one->level, NAN, range);
+		ensemble_interval_around_answer(more, one->level, NAN, range);
 	return (struct figure){response_value_of_quantity(two->response, i) -
 				   response_value_of_quantity(one->response, i),
 	    range[0], range[1]};

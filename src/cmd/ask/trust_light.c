@@ -48,7 +48,7 @@ find_bound_that_limits_answer(const struct session *s,
 		double moves = fit->on_bound[j]
 				   ? trust_change_per_parameter_sd(
 					 posterior_for_comparison(s, entry), e,
-					 ensemble_count_sizes(e), name)
+					 ensemble_count_sieves(e), name)
 				   : 0;
 		if (moves > fmax(q->bound_moves, MOVES)) {
 			q->bound = name;

@@ -136,7 +136,7 @@ document_finish(struct document *d)
 }
 
 char *
-document_contents_text(const struct document *d)
+document_size_text(const struct document *d)
 {
 	size_t tables = 0, images = 0, lines = 0;
 	for (size_t i = 0; i < d->n; i++) {

@@ -122,7 +122,7 @@ candidates_of_generation(
 {
 	size_t at = generation > 0 ? generation : past->n;
 	struct params best = best_params_of_generation(past, generation);
-	return candidates_with_residuals(past->site, past->train,
+	return candidates_residual_spread(past->site, past->train,
 	    past->settings, s->isa, &past->generation[at - 1], &best);
 }
 
@@ -332,7 +332,7 @@ set_range_of_draws(struct session *s, const char *name, struct param_span *span)
 		return;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
 		value[d] = params_value_by_name(&p->draw[d].params, name);
-	ensemble_interval_with_answer(value, 0.8, NAN, span->drawn);
+	ensemble_interval_around_answer(value, 0.8, NAN, span->drawn);
 }
 
 struct param_span

@@ -302,7 +302,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	struct routine *r = routine_chart_cuts(s, entry, &rule, error);
 	if (r == NULL)
 		return false;
-	struct answer *a = answers_new(entry->site, "drift",
+	struct answer *a = answer_about_site(entry->site, "drift",
 	    tr_n("%zu routine cut against its prediction",
 		"%zu routine cuts against their predictions", r->n),
 	    r->n);

@@ -357,7 +357,7 @@ build_detailed_fit_report(const struct session *s, const struct entry *entry,
 {
 	const struct posterior *u = posterior_for_comparison(s, entry);
 	struct answer *r =
-	    answers_new(entry->site, command, "calibrated parameters");
+	    answer_about_site(entry->site, command, "calibrated parameters");
 	struct fields *o = answer_fields(r);
 	add_parameter_rows(r, s, &entry->fit, u, bounds);
 	add_search_summary(r, entry, bounds);
@@ -446,7 +446,7 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	    session_rpm_in_brackets(entry->site, entry->train, true);
 	FREED char *next =
 	    speed_as_typed(entry->site, answers_default_speed(entry));
-	struct answer *r = answers_new(
+	struct answer *r = answer_about_site(
 	    entry->site, "calibrate", "calibrated on %s m/s%s", speeds, rpm);
 	answer_begin_table_for_programs(r);
 	add_parameter_rows(r, s, fit, u, bounds);
@@ -535,7 +535,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	size_t step =
 	    args->every > 0 ? (size_t)args->every : (h->n + ROWS - 1) / ROWS;
 	struct answer *r =
-	    answers_new(entry->site, "history", "%zu generations", h->n);
+	    answer_about_site(entry->site, "history", "%zu generations", h->n);
 	add_generation_rows(r, h, step, false);
 	answer_begin_table_for_programs(r);
 	add_generation_rows(r, h, step, true);

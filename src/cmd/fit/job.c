@@ -477,7 +477,7 @@ session_step_job(struct session *s)
 	if (over)
 		begin_next_task_or_end_job(s);
 	if (session_is_calibrating(s) && s->job.step == s->job.pause_at)
-		session_pause_job(s);
+		session_stop_job_for_user(s);
 }
 
 /* A task that runs in parallel with others.  found: see job_type.follow. */
@@ -662,7 +662,7 @@ take_best_fit_on_stop(struct session *s)
 }
 
 enum stopped
-session_pause_job(struct session *s)
+session_stop_job_for_user(struct session *s)
 {
 	if (!session_is_calibrating(s))
 		return STOPPED_EMPTY;
@@ -734,7 +734,7 @@ mark_runs_at_given_speeds(const struct site *site, const struct args *args,
 
 /* True if each training run has a sieve to compare. */
 static bool
-check_runs_have_sieves(
+check_training_sieves(
     const struct site *site, const bool *train, struct error *error)
 {
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -856,7 +856,7 @@ choose_training_runs(const struct site *site, const struct args *args,
 {
 	job->train = xcalloc(site->n_run, sizeof *job->train);
 	return mark_runs_at_given_speeds(site, args, job->train, error) &&
-	       check_runs_have_sieves(site, job->train, error) &&
+	       check_training_sieves(site, job->train, error) &&
 	       (args->weights != WEIGHTS_SD ||
 		   check_runs_have_deviations(site, job->train, error)) &&
 	       assign_weights_to_runs(site, job->train, &args->run_weights,

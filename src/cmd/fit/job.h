@@ -82,7 +82,7 @@ void session_discard_paused_job(struct session *s);
  * then kept, and `accept` takes the result.  A job without a generation, or
  * useless when stopped, gives no result. */
 enum stopped { STOPPED_EMPTY, STOPPED_TAKEN, STOPPED_WORSE };
-enum stopped session_pause_job(struct session *s);
+enum stopped session_stop_job_for_user(struct session *s);
 
 /* Ends the job and discards its results. */
 void session_abort_job(struct session *s);

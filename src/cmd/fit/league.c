@@ -607,7 +607,7 @@ build_league_answer_of_site(
 	struct verdict v = judge_models_on_sites(g, 1);
 	find_model_weights(&v, s, &s->entry[g->entry]);
 	struct answer *r =
-	    answers_new(g->site, "league", "breakage models compared");
+	    answer_about_site(g->site, "league", "breakage models compared");
 	add_model_rows(r, &v, false);
 	answer_begin_table_for_programs(r);
 	add_model_rows(r, &v, true);

@@ -27,12 +27,12 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	const struct breakage *of =
 	    entry->has_params ? breakage_model_of_params(&entry->params)
 			      : BREAKAGES[s->set.model.breakage];
-	struct answer *r =
-	    of == BREAKAGES[0]
-		? answers_new(entry->site, "params", "parameters %s",
-		      origin_source_text(entry))
-		: answers_new(entry->site, "params", "parameters %s; model %s",
-		      origin_source_text(entry), of->name);
+	struct answer *r = of == BREAKAGES[0]
+			       ? answer_about_site(entry->site, "params",
+				     "parameters %s", origin_source_text(entry))
+			       : answer_about_site(entry->site, "params",
+				     "parameters %s; model %s",
+				     origin_source_text(entry), of->name);
 	answer_columns(r, "parameter, value");
 	if (u != NULL)
 		answer_columns(r, "low, high");
@@ -181,7 +181,7 @@ compare_params_of_sites(
 		    breakage_model_of_params(&b)->name);
 	params_scale_to_1(&a);
 	params_scale_to_1(&b);
-	struct answer *r = answers_new(mine->site, "params",
+	struct answer *r = answer_about_site(mine->site, "params",
 	    "parameters compared with those of %s", other->key);
 	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
 	    mine->key, other->key);

@@ -404,7 +404,7 @@ struct answer *
 scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 {
 	double rmse[VALIDATE_WAYS];
-	struct answer *r = answers_new(site, "validate", "%s",
+	struct answer *r = answer_about_site(site, "validate", "%s",
 	    c->each ? tr("each speed held out, the others calibrated on")
 		    : tr("speeds kept as a check, measured and predicted"));
 	add_validation_table(r, c, sieves, false);

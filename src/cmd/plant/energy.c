@@ -337,7 +337,7 @@ load_energy_file(
 	FREED char *shipped =
 	    access(asked, F_OK) != 0 ? shipped_energies_path(asked) : NULL;
 	const char *path = shipped != NULL ? shipped : asked;
-	if (energies_read(s, path, &way, cut, error) == NULL)
+	if (energies_read_file(s, path, &way, cut, error) == NULL)
 		return false;
 	struct energies *e = s->energies[s->n_energies - 1];
 	if (args->note != NULL) {

@@ -29,7 +29,7 @@ range_of_draws(const struct plant *p, const struct plant_result *o,
 {
 	range[0] = range[1] = NAN;
 	if (o->flow.draws == DRAWS)
-		ensemble_interval_with_answer(
+		ensemble_interval_around_answer(
 		    draw, p->question->level, answer, range);
 }
 
@@ -190,7 +190,7 @@ note_power(
 	FREED char *words = plant_power_basis_text(p, o);
 	struct fields *f = answer_fields(r);
 	if (!p->power.least)
-		ensemble_interval_with_answer(
+		ensemble_interval_around_answer(
 		    o->kw_draw, p->question->level, o->kw, range);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
 		factor += p->power.draw[d].factor / POWER_DRAWS;
@@ -305,7 +305,7 @@ range_of_best_speeds(const struct plant *p, const struct speed_trials *s,
 				at = i;
 		best[d] = s->speed[at];
 	}
-	ensemble_interval_with_answer(
+	ensemble_interval_around_answer(
 	    best, p->question->level, s->speed[s->best], range);
 }
 
@@ -429,7 +429,7 @@ build_flow_answer(const struct plant *p, const struct plant_result *o)
 						      : "circuit of a file")
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
-	struct answer *r = answers_new(entry->site, "flow",
+	struct answer *r = answer_about_site(entry->site, "flow",
 	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");

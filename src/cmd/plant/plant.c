@@ -584,7 +584,7 @@ plant_idle_power(const struct plant *p, double speed, double range[static 2])
 		draw[d] = power_idle_of_draw(&p->power, d, speed);
 		mean += draw[d] / POWER_DRAWS;
 	}
-	ensemble_interval_with_answer(draw, p->question->level, mean, range);
+	ensemble_interval_around_answer(draw, p->question->level, mean, range);
 	return mean;
 }
 

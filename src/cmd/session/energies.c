@@ -56,7 +56,7 @@ file_name_without_extension(const char *path)
 }
 
 const struct energies *
-energies_read(struct session *s, const char *path,
+energies_read_file(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error)
 {
 	struct error_list errors = {.stop = s->hooks.stop};
@@ -93,7 +93,7 @@ energies_use_file(struct session *s, const char *path, struct error *error)
 		    strcmp(s->energies[i]->name, path) == 0)
 			found = s->energies[i];
 	if (found == NULL)
-		found = energies_read(s, path,
+		found = energies_read_file(s, path,
 		    &(struct collisions_way){.speed = NAN}, ENERGIES_CUT,
 		    error);
 	if (found == NULL)

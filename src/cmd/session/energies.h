@@ -20,7 +20,7 @@ struct energies {
 
 /* Reads a file and keeps it until the session ends.  A file already read in the
  * same way is not read again.  On failure, returns NULL with an error. */
-const struct energies *energies_read(struct session *s, const char *path,
+const struct energies *energies_read_file(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error);
 
 void energies_free(struct energies *e);

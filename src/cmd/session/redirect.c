@@ -251,7 +251,7 @@ output_size_text(const struct redirect *r, size_t rows)
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
 	if (r->document != NULL) {
-		char *text = document_contents_text(r->document);
+		char *text = document_size_text(r->document);
 		if (r->pages > 0)
 			xappend_to_list(&text, ", ",
 			    tr_n("%zu page", "%zu pages", r->pages), r->pages);

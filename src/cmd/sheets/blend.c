@@ -138,7 +138,7 @@ show_product_of_blend(
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	struct prediction p = forecast_whole_product(s, entry, v, q->feed);
-	struct answer *r = answers_new(
+	struct answer *r = answer_about_site(
 	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
 	add_blend_rows(r, b, &p.product, &p);
 	put_blend_component_fields(answer_fields(r), b);
@@ -146,7 +146,7 @@ show_product_of_blend(
 	note_blend_components(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
-		answer_put_columns(r, "low_pct high_pct");
+		answer_put_columns_as_lists(r, "low_pct high_pct");
 		answers_put_size_bands(answer_fields(r), s, &p);
 	}
 	answers_show_basis_at(s, r, q, v, p.low != NULL);

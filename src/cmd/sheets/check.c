@@ -99,7 +99,7 @@ feed_or_speed_of_run(const struct run *run, char buf[static 40])
 }
 
 static bool
-check_curves_of_run(
+check_product_against_feed(
     struct answer *r, const struct entry *entry, const struct run *run)
 {
 	struct coarser c = compare_product_with_feed(run);
@@ -402,7 +402,9 @@ check_site(
 	bool ok = true;
 	report_what_was_read(r, read, entry);
 	for (size_t i = 0; i < entry->site->n_run; i++)
-		ok = check_curves_of_run(r, entry, &entry->site->run[i]) && ok;
+		ok = check_product_against_feed(
+			 r, entry, &entry->site->run[i]) &&
+		     ok;
 	ok = check_products_by_speed(r, entry) && ok;
 	check_site_repeats(r, entry);
 	report_columns_entered_twice(r, entry);

@@ -383,7 +383,7 @@ response_band_of_quantity(
 	double to_hold = r->of == ENSEMBLE_ANSWER ? r->value[i] : NAN;
 	range[0] = range[1] = NAN;
 	if (r->draw[i] != NULL)
-		ensemble_interval_with_answer(
+		ensemble_interval_around_answer(
 		    r->draw[i], level, to_hold, range);
 }
 

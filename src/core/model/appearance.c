@@ -150,7 +150,7 @@ appearance_argument(enum appearance_form form, double parent, double daughter)
 }
 
 void
-appearance_integrals_up_to(
+appearance_power_integrals_up_to(
     const struct appearance *a, double log_u, double parts[static 4])
 {
 	size_t i = a->n;

@@ -27,8 +27,8 @@ struct appearance {
 	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
 	double total;
 	double log_lower[APPEARANCE_PIECES], log_upper[APPEARANCE_PIECES];
-	/* For appearance_integrals_up_to: its values at the upper end of each
-	 * piece, and those at the lower end minus the primitive there. */
+	/* For appearance_power_integrals_up_to: its values at the upper end of
+	 * each piece, and those at the lower end minus the primitive there. */
 	double full[APPEARANCE_PIECES][4], base[APPEARANCE_PIECES][4];
 	double whole[4]; /* at u = 1 */
 };
@@ -57,7 +57,7 @@ appearance_power_integral(size_t power, double log_u, double u)
 /* Computes the integral of u^(m - 1) over the pieces of p up to u: parts [4]
  * for m = 0 to 3, with ln u for m = 0.  B(u) is their sum weighted by beta,
  * divided by the same sum at u = 1. */
-void appearance_integrals_up_to(
+void appearance_power_integrals_up_to(
     const struct appearance *a, double log_u, double parts[static 4]);
 
 #endif

@@ -29,7 +29,7 @@ grunditz_share_finer(const struct breaker *b, double log_u, double *d)
 	double parts[4], sum = 0;
 	if (a->n == 0)
 		return 0;
-	appearance_integrals_up_to(a, log_u, parts);
+	appearance_power_integrals_up_to(a, log_u, parts);
 	for (size_t i = 0; i < 4; i++)
 		sum += a->beta[i] * parts[i];
 	double B = sum / a->total;

@@ -276,7 +276,7 @@ ensemble_free(struct ensemble *e)
 }
 
 size_t
-ensemble_count_sizes(const struct ensemble *e)
+ensemble_count_sieves(const struct ensemble *e)
 {
 	return e->n;
 }
@@ -770,7 +770,7 @@ ensemble_middle_interval(double *value, double level, double *low, double *high)
 }
 
 void
-ensemble_interval_with_answer(
+ensemble_interval_around_answer(
     const double *draw, double level, double answer, double range[static 2])
 {
 	double value[DRAWS];

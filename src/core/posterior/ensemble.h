@@ -32,7 +32,7 @@ enum ensemble_part {
 };
 
 /* Returns the number of the ensemble's sizes. */
-size_t ensemble_count_sizes(const struct ensemble *e);
+size_t ensemble_count_sieves(const struct ensemble *e);
 
 /* Moves to tip speed v, m/s; does nothing if that is the speed already. */
 void ensemble_set_speed(struct ensemble *e, double v);
@@ -78,7 +78,7 @@ void ensemble_middle_interval(
 
 /* As ensemble_middle_interval, but keeps the order of the values and widens the
  * range to contain the answer, unless that is NAN. */
-void ensemble_interval_with_answer(
+void ensemble_interval_around_answer(
     const double *draw, double level, double answer, double range[static 2]);
 
 /* Returns the difference at speed v between the two halves of the draws, which

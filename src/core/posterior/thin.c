@@ -209,7 +209,7 @@ static void
 find_mean_model_and_answer(
     struct ensemble *e, double v, double *model, double *answer)
 {
-	size_t n = ensemble_count_sizes(e);
+	size_t n = ensemble_count_sieves(e);
 	ensemble_set_speed_as_drawn(e, v);
 	const double *M = ensemble_products(e, ENSEMBLE_MODEL);
 	ensemble_mean_answer(e, answer);

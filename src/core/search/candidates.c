@@ -73,7 +73,7 @@ find_break_sizes_of_candidates(
 }
 
 struct candidates
-candidates_with_residuals(const struct site *site, const bool *train,
+candidates_residual_spread(const struct site *site, const bool *train,
     struct model_settings settings, enum isa isa,
     const struct calibrate_generation *g, const struct params *best)
 {

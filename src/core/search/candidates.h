@@ -28,7 +28,7 @@ struct candidates {
  * and not during the search.  settings, train [n_run]: of the search.  best is
  * evaluated with the accurate product, the others with the search's scheme.
  * The caller frees the result with candidates_clear. */
-struct candidates candidates_with_residuals(const struct site *site,
+struct candidates candidates_residual_spread(const struct site *site,
     const bool *train, struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);

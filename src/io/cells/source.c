@@ -196,7 +196,7 @@ source_read_within_limits(const char *path, struct sheet_limits most,
 }
 
 bool
-source_read_file(
+source_read_sheets(
     const char *path, struct error_list *errors, struct source *source)
 {
 	return source_read_within_limits(path, SITE, errors, source);

@@ -13,20 +13,22 @@ struct source {
 	char *note, *text;
 };
 
-/* The largest sheet that source_read_file accepts, see struct sheet_limits. */
+/* The largest sheet that source_read_sheets accepts, see struct sheet_limits.
+ */
 enum { SOURCE_MOST_CELLS = 2000 * 256 };
 
 /* Reads a file.  errors: as for site_read; the sheets continue to add to it.
  * Returns false after a fault that leaves nothing to read.  The caller always
  * frees *source. */
-bool source_read_file(
+bool source_read_sheets(
     const char *path, struct error_list *errors, struct source *source);
 
-/* As source_read_file, but for a text in memory.  path: its name in faults. */
+/* As source_read_sheets, but for a text in memory.  path: its name in faults.
+ */
 bool source_read_from_memory(const char *path, const char *text,
     struct error_list *errors, struct source *source);
 
-/* As source_read_file, but for a plant's log, which may have many more lines.
+/* As source_read_sheets, but for a plant's log, which may have many more lines.
  */
 bool source_read_plant_log(
     const char *path, struct error_list *errors, struct source *source);

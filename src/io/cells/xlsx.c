@@ -79,8 +79,7 @@ begin_workbook_element(
 /* xl/_rels/workbook.xml.rels: the part in which a sheet is.  Sheets that are
  * charts or macros have other types. */
 static void
-begin_relations_element(
-    void *data, const char *name, const char *const *attribute)
+read_sheet_relation(void *data, const char *name, const char *const *attribute)
 {
 	struct book *b = data;
 	const char *id = xml_attribute(attribute, "Id");
@@ -182,7 +181,7 @@ struct reading {
 };
 
 static void
-xlsx_begin_cell(struct reading *r, const char *const *attribute)
+xlsx_read_cell_start(struct reading *r, const char *const *attribute)
 {
 	const char *place = xml_attribute(attribute, "r");
 	const char *type = xml_attribute(attribute, "t");
@@ -203,7 +202,7 @@ xlsx_begin_cell(struct reading *r, const char *const *attribute)
 }
 
 static void
-xlsx_begin_row(struct reading *r, const char *const *attribute)
+xlsx_read_row_start(struct reading *r, const char *const *attribute)
 {
 	size_t next = (size_t)r->at.line + 1;
 	size_t line = xml_attribute_as_integer(attribute, "r", next);
@@ -219,9 +218,9 @@ begin_sheet_element(void *data, const char *name, const char *const *attribute)
 	struct reading *r = data;
 	r->in = IN_NOTHING;
 	if (strcmp(name, "row") == 0)
-		xlsx_begin_row(r, attribute);
+		xlsx_read_row_start(r, attribute);
 	else if (strcmp(name, "c") == 0)
-		xlsx_begin_cell(r, attribute);
+		xlsx_read_cell_start(r, attribute);
 	else if (strcmp(name, "col") == 0 &&
 		 is_attribute_true(attribute, "hidden"))
 		r->book->grid->hidden = true;
@@ -388,7 +387,7 @@ static const struct {
 	bool may_lack;
 	struct xml_events events;
 } PARTS[] = {{"xl/workbook.xml", false, {.begin = begin_workbook_element}},
-    {"xl/_rels/workbook.xml.rels", false, {.begin = begin_relations_element}},
+    {"xl/_rels/workbook.xml.rels", false, {.begin = read_sheet_relation}},
     {"xl/sharedStrings.xml", true,
 	{begin_shared_string, end_shared_string, append_shared_string}},
     {"xl/styles.xml", true, {xlsx_begin_style, xlsx_end_style, NULL}}};

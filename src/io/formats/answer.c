@@ -411,7 +411,7 @@ answer_put_rows(struct answer *a, const char *key)
 }
 
 void
-answer_put_columns(struct answer *a, const char *keys)
+answer_put_columns_as_lists(struct answer *a, const char *keys)
 {
 	const struct table *t = a->filled;
 	size_t which;

@@ -157,10 +157,10 @@ void fields_put_numbers(struct fields *fields, const char *key,
     const double *value, size_t n, double (*shown)(double));
 
 /* answer_put_rows adds the rows so far as objects, under `key`;
- * answer_put_columns adds the columns named in `keys`, separated by spaces, as
- * lists. */
+ * answer_put_columns_as_lists adds the columns named in `keys`, separated by
+ * spaces, as lists. */
 void answer_put_rows(struct answer *answer, const char *key);
-void answer_put_columns(struct answer *answer, const char *keys);
+void answer_put_columns_as_lists(struct answer *answer, const char *keys);
 
 /* Returns the number in a field, such as "p50_mm" or "params.f_mat", or NAN if
  * there is none.  For a list, such as "holdout.rmse_pct", it is the largest

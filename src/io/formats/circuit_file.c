@@ -391,7 +391,7 @@ circuit_file_read(const char *path, struct error_list *errors)
 {
 	struct source source;
 	struct circuit *circuit = NULL;
-	if (source_read_file(path, errors, &source)) {
+	if (source_read_sheets(path, errors, &source)) {
 		struct reading_circuit r = {.sheet = source.sheet[0],
 		    .circuit = circuit_new(),
 		    .made = xcalloc(STREAMS, sizeof *r.made),

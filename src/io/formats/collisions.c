@@ -224,7 +224,7 @@ use_column_names(struct reading *r, const char *heads, char separator)
 }
 
 static bool
-has_energy(const struct reading *r)
+columns_give_energy(const struct reading *r)
 {
 	return r->has[COL_VELOCITY] || r->has[COL_SPECIFIC] ||
 	       (r->has[COL_ENERGY] && r->has[COL_MASS]) ||
@@ -236,7 +236,7 @@ has_energy(const struct reading *r)
 static bool
 check_columns_give_energy(struct reading *r)
 {
-	if (has_energy(r))
+	if (columns_give_energy(r))
 		return true;
 	bool joules = r->has[COL_ENERGY] && !r->has[COL_MASS];
 	return fault(r, ERROR_DATA,

@@ -110,7 +110,7 @@ spec_read_heads(const struct table *t, size_t at[static 2])
 			    "tipspeed-spec(5)");
 	}
 	if (at[0] == 0 && at[1] == 0 && t->n_col < 2)
-		sheet_fault(t->sheet, site_sieve_heading(t),
+		sheet_fault(t->sheet, site_sieve_heading_cell(t),
 		    "expected a column min_pct or max_pct, got none\n"
 		    "write this line as size_mm,min_pct,max_pct");
 }
@@ -189,7 +189,7 @@ spec_read_table(struct spec *spec, struct table *t)
 	spec_read_heads(t, at);
 	site_sieve_check_sizes(t);
 	if (certainty == SIEVES_OPEN)
-		sheet_fault_expected(t->sheet, site_sieve_heading(t),
+		sheet_fault_expected(t->sheet, site_sieve_heading_cell(t),
 		    "the unit of the sieves", "write size_mm");
 	spec_read_rows(spec, t, at);
 }
@@ -220,7 +220,7 @@ spec_read_file(const char *path, struct error_list *errors)
 {
 	struct source source;
 	struct spec *spec = NULL;
-	if (source_read_file(path, errors, &source)) {
+	if (source_read_sheets(path, errors, &source)) {
 		spec = spec_new();
 		xreplace(&spec->note, xstrdup(source.note));
 		spec_read_sheet(spec, source.sheet[0]);

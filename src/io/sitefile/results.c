@@ -58,7 +58,7 @@ command_in_workbook(const char *path)
 	struct error_list errors = {0};
 	struct source source = {0};
 	char *command = NULL;
-	bool read = source_read_file(path, &errors, &source);
+	bool read = source_read_sheets(path, &errors, &source);
 	for (size_t i = 0; read && i < source.n && command == NULL; i++)
 		command = command_that_made_sheet(source.sheet[i]);
 	source_free(&source);

@@ -120,7 +120,7 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 			xappend_to_list(
 			    &text, ", ", "%zu=%s", t->number[0], sieve);
 		add_column_to_question(
-		    ask, t, 0, site_sieve_heading(t).text, sieve, sieves);
+		    ask, t, 0, site_sieve_heading_cell(t).text, sieve, sieves);
 		for (size_t i = 0; i < all->n; i++) {
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)

@@ -201,7 +201,7 @@ static struct cell
 cell_where_numbers_begin(const struct table *t)
 {
 	const struct row *row = &t->row[0];
-	return row->n_all > 1 ? row->cell[1] : site_sieve_heading(t);
+	return row->n_all > 1 ? row->cell[1] : site_sieve_heading_cell(t);
 }
 
 /* Reports a missing feed, product or number. */
@@ -216,13 +216,15 @@ report_missing_roles(struct reading *r)
 		    "the columns from this cell on; leave a cell empty only "
 		    "where a sieve was not used");
 	else if (site_column_count_role(&r->all, NULL, FEED) == 0 && !parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
+		sheet_fault(r->table[0]->sheet,
+		    site_sieve_heading_cell(r->table[0]),
 		    "expected a feed column, got none\n"
 		    "add a column feed, or load the feed's file with it: load "
 		    "feed.csv %s@SPEED",
 		    r->request->path[0]);
 	else if (site_column_count_role(&r->all, NULL, PRODUCT) == 0 && parts)
-		sheet_fault(r->table[0]->sheet, site_sieve_heading(r->table[0]),
+		sheet_fault(r->table[0]->sheet,
+		    site_sieve_heading_cell(r->table[0]),
 		    "expected a product, got a feed only\n"
 		    "add takes samples of product; load this file as a site");
 }
@@ -453,7 +455,7 @@ note_left_out_sums(struct reading *r, const struct page *page)
 
 /* True if a remark states the known rotor diameter. */
 static bool
-states_rotor(const struct site *site, const char *text)
+repeats_known_rotor(const struct site *site, const char *text)
 {
 	double mm = rotor_diameter_mm_in_text(text, false);
 	return mm > 0 && fabs(mm - 1000 * site->rotor) < 0.5;
@@ -523,7 +525,7 @@ is_line_read(
 	bool cut = r->request->parts && title_table_below(layout, row) != NULL;
 	FREED char *day = cut ? site_heading_date_of_line(row) : NULL;
 	return day != NULL || row->line <= layout->table[0].row[0].line ||
-	       states_rotor(r->site, words) ||
+	       repeats_known_rotor(r->site, words) ||
 	       title_says_sample_or_speed(layout, row);
 }
 
@@ -738,7 +740,7 @@ read_site_file(struct reading *r, size_t file)
 	bool read = q->text != NULL
 			? source_read_from_memory(
 			      q->path[file], q->text, r->errors, source)
-			: source_read_file(q->path[file], r->errors, source);
+			: source_read_sheets(q->path[file], r->errors, source);
 	if (!read || !check_not_predicted(source))
 		return false;
 	size_t before = r->n_page;
@@ -771,7 +773,7 @@ read_site_file(struct reading *r, size_t file)
 
 /* True if a page has a table; pages without one are ignored. */
 static bool
-has_tables(struct reading *r)
+check_any_table(struct reading *r)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < r->n_page; i++)
@@ -1043,7 +1045,7 @@ read_files(struct reading *r)
 	for (size_t i = 0; i < r->request->n; i++)
 		if (!read_site_file(r, i) || error_should_stop(r->errors))
 			return false;
-	return has_tables(r);
+	return check_any_table(r);
 }
 
 struct site *

@@ -335,7 +335,7 @@ is_finest_first(const struct table *t)
 }
 
 struct cell
-site_sieve_heading(const struct table *t)
+site_sieve_heading_cell(const struct table *t)
 {
 	return t->n_head > t->titles ? t->head[t->titles].cell[0]
 				     : t->row[0].cell[0];
@@ -392,7 +392,7 @@ site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 		certainty = SIEVES_OPEN;
 	if (split && certainty == SIEVES_SAID)
 		certainty = SIEVES_ASSUMED;
-	bool own = strncmp(site_sieve_heading(t).text, "size_", 5) == 0;
+	bool own = strncmp(site_sieve_heading_cell(t).text, "size_", 5) == 0;
 	bool unit = stated.mm > 0 || stated.series != SIEVE_NONE;
 	if ((told != 0 || own) && certainty == SIEVES_OPEN && unit) {
 		t->unit = stated;

@@ -21,7 +21,7 @@ enum sieve_certainty site_sieve_find_unit_and_sort(
     struct table *t, uint64_t told);
 
 /* Returns the heading cell of the sieves, or the cell of the first sieve. */
-struct cell site_sieve_heading(const struct table *t);
+struct cell site_sieve_heading_cell(const struct table *t);
 
 /* Reports sizes that are wrong, out of order or duplicate. */
 void site_sieve_check_sizes(struct table *t);

@@ -214,7 +214,7 @@ mend_cell_at_cursor(struct tui *t)
 	}
 	FREED char *line = mend_command_line(h->site, &f->mend);
 	FREED char *words = mend_text(h->site, &f->mend);
-	watch_stop_fit(t);
+	tui_stop_fit(t);
 	if (control_run(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "

@@ -460,7 +460,7 @@ open_chosen_site(struct tui *t)
 	    xasprintf("use %s", t->ui.list[PAGE_SITES].at < s->n_entry
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
-	watch_stop_fit(t);
+	tui_stop_fit(t);
 	bool used = control_run(t, line);
 	if (used)
 		pages_go_to(t, PAGE_PREDICT);

@@ -79,7 +79,7 @@ propose_guess_command(struct tui *t)
 static bool
 run_open_command(struct tui *t, const char *line, bool estimates)
 {
-	watch_stop_fit(t);
+	tui_stop_fit(t);
 	if (!control_run(t, line) || tui_current_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_current_entry(t);

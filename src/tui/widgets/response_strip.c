@@ -163,7 +163,7 @@ strip_update(struct tui *t)
 }
 
 static double
-response_strip_value_at(const struct strip *a, double share)
+response_strip_value_at_share(const struct strip *a, double share)
 {
 	double at = share * (STRIP_POINTS - 1);
 	size_t i = at < STRIP_POINTS - 2 ? (size_t)at : STRIP_POINTS - 2;
@@ -464,7 +464,7 @@ response_strip_draw_marks(
 		    track_is_run_trained(entry, r) ? signs.trained
 						   : signs.held_out);
 	}
-	double value = response_strip_value_at(&t->view.strip, share);
+	double value = response_strip_value_at_share(&t->view.strip, share);
 	if (isfinite(value))
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),

@@ -211,7 +211,7 @@ stop_reason_text(enum calibrate_state stop)
 /* Draws "1.2 s  350000 candidates  pace auto".  The time left is not known,
  * because the polish ends when it finds nothing better. */
 static int
-draw_pace(const struct tui *t, int row)
+draw_search_effort(const struct tui *t, int row)
 {
 	struct calibrate_status st =
 	    calibration_status(t->session->job.calibration);
@@ -304,7 +304,7 @@ draw_search_state(const struct tui *t, const struct search_shown *past)
 		: search_progress_text(t->session, past, t->ui.generation);
 	row = screen_draw_wrapped(side, row, LOOK_BOLD, words);
 	return session_entry_being_fitted(t->session)
-		   ? draw_pace(t, row)
+		   ? draw_search_effort(t, row)
 		   : draw_search_result(t, row);
 }
 
