@@ -488,13 +488,12 @@ repl_ask_question(struct session *s, const struct user_question *q)
 static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {
+	int rows, columns;
 	(void)s;
-	FREED char *asks = xasprintf(
-	    yes ? tr("%s [Y/n, or a command]") : tr("%s [y/N, or a command]"),
-	    question);
-	xappend(&asks, " ");
-	FREED char *shown = text_escaped(asks);
-	char *typed = read_line(shown);
+	terminal_size(&rows, &columns);
+	text_wrap(question, 0, columns < 100 ? columns - 1 : 99, stderr);
+	char *typed = read_line(
+	    yes ? tr("[Y/n, or a command] ") : tr("[y/N, or a command] "));
 	enum reply reply = typed != NULL ? classify_reply(typed) : REPLY_NO;
 	if (reply == REPLY_COMMAND)
 		prompt.command = typed;
