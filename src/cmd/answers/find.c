@@ -519,6 +519,10 @@ note_goal_unattainable(
 		answer_note(r,
 		    "it is %.2f%s at %g m/s%s and %.2f%s at %g m/s%s", low,
 		    unit, c->from, slow, high, unit, c->to, fast);
+	if (finer &&
+	    conditions_note_feed_is_finer(
+		r, question_feed(goal->question), q, goal->target.least, !size))
+		return;
 	if (falls)
 		conditions_note_no_reliable_speed(r, c, finer, !finer);
 }
@@ -531,8 +535,8 @@ note_search_result(struct answer *r, const struct session *s,
 	if (!found && goal->kind == GOAL_VALUE) {
 		note_goal_unattainable(r, goal, words);
 	} else if (!found) {
-		conditions_note_why_unmet(
-		    r, &goal->wanted, &goal->others, goal->search);
+		conditions_note_why_unmet(r, &goal->wanted, &goal->others,
+		    goal->search, question_feed(goal->question));
 	} else if (goal->kind == GOAL_VALUE) {
 		note_speed_found(r, goal, words);
 		note_speed_range_over_feeds(r, s, goal);

@@ -243,7 +243,8 @@ note_window(
 		note_speeds_in_window(r, a);
 		note_nearest_limit(r, a);
 	} else {
-		conditions_note_why_unmet(r, &a->wanted, &a->list, a->w);
+		conditions_note_why_unmet(
+		    r, &a->wanted, &a->list, a->w, question_feed(a->q));
 		conditions_note_best_speed(
 		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
 	}

@@ -741,12 +741,36 @@ conditions_open_search(const struct session *s, const struct question *q,
 	return w;
 }
 
+bool
+conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
+    const struct quantity *q, double limit, bool most)
+{
+	bool size = quantities_is_size(q);
+	if (fraction_is_screened(&q->fraction) || most == size ||
+	    (!size && q->kind != QUANTITY_PASSING))
+		return false;
+	double own = quantity_read_off_curve(q, feed, 1);
+	if (!(size ? own < limit : own > limit))
+		return false;
+	answer_note(r,
+	    "the feed itself has %.*f%s: no speed gives a coarser product",
+	    quantities_decimals(q), quantities_value_in_shown_unit(q, own),
+	    quantities_unit_suffix(q));
+	return true;
+}
+
 /* Notes the limits that exclude slower and faster speeds than the nearest one.
  * Nothing is known beyond the ends of the search. */
 static void
 note_conflicting_limits(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found)
+    const struct condition_list *list, const struct speed_search *found,
+    const struct psd *feed)
 {
+	const struct wanted_limit missed = found->margin.limit;
+	const struct condition *c = &list->at[missed.i];
+	if (conditions_note_feed_is_finer(r, feed, &c->quantity,
+		missed.most ? c->most : c->least, missed.most))
+		return;
 	const struct wanted_limit limit[] = {found->low, found->high};
 	const double end[] = {wanted->from, wanted->to};
 	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
@@ -808,7 +832,8 @@ note_nearest_measured(struct answer *r, const struct wanted *wanted,
 
 void
 conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found)
+    const struct condition_list *list, const struct speed_search *found,
+    const struct psd *feed)
 {
 	const char *what =
 	    list->n > 1 ? tr("all conditions") : tr("the condition");
@@ -839,7 +864,7 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
 		note_nearest_measured(r, wanted, found);
-		note_conflicting_limits(r, wanted, list, found);
+		note_conflicting_limits(r, wanted, list, found, feed);
 	}
 }
 

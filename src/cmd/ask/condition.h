@@ -127,10 +127,16 @@ char *conditions_rewrite_superlative(const char *text);
  * than 0.0. */
 int conditions_decimals_of_miss(double points);
 
-/* If no speed meets all conditions, notes which of them prevent it.  Moves the
- * forecast to the best speed. */
+/* If no speed meets all conditions, notes which of them prevent it, and whether
+ * the feed alone does.  Moves the forecast to the best speed. */
 void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found);
+    const struct condition_list *list, const struct speed_search *found,
+    const struct psd *feed);
+
+/* Notes that the feed alone is finer than a limit allows, which no speed mends.
+ * most: the limit is an upper one.  Returns false if it is not so. */
+bool conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
+    const struct quantity *q, double limit, bool most);
 
 /* Notes which speed to run at, from where to where the conditions hold with the
  * certainty of a band, and the slowest that is safe; where the answer meets
