@@ -159,8 +159,9 @@ feed_value(const char *text)
 static struct value
 feed_option_or_setting(const struct session *s, const struct args *args)
 {
+	struct value none = {.given = false};
 	return command_option_index(args->command, "feed") == OPTIONS
-		   ? (struct value){.given = false}
+		   ? none
 		   : feed_value(args->feed != NULL ? args->feed : s->set.feed);
 }
 

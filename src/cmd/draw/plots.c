@@ -298,6 +298,18 @@ appearance_chart(
 	return chart;
 }
 
+/* The chart is handed back by an argument: cppcheck takes one that is returned
+ * for the request. */
+static void
+make_chart_in_theme(plot_make *make, struct session *s,
+    const struct plot_request *request, struct chart **chart,
+    struct error *error)
+{
+	*chart = make(s, request, error);
+	if (*chart != NULL)
+		(*chart)->theme = (enum theme)s->set.theme;
+}
+
 struct chart *
 plots_make_chart(
     struct session *s, const struct plot_request *request, struct error *error)
@@ -331,9 +343,8 @@ plots_make_chart(
 	struct plot_request as = *request;
 	if (as.entry == NULL && s->n_entry > 0)
 		as.entry = &s->entry[at];
-	struct chart *chart = KINDS[as.kind].make(s, &as, error);
-	if (chart != NULL)
-		chart->theme = (enum theme)s->set.theme;
+	struct chart *chart = NULL;
+	make_chart_in_theme(KINDS[as.kind].make, s, &as, &chart, error);
 	return chart;
 }
 
