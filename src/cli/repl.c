@@ -36,7 +36,7 @@
  * command that goes on, joined; given: bytes that key_that_ends_input made up;
  * offer: what Return alone does now; stage: of what was said of the next step
  * last, for which site and fit; declined: it was, and an empty line offers it
- * anew; command: typed in the place of yes or no, and run next, or NULL. */
+ * anew; command: typed in the place of yes or no, or NULL. */
 static struct {
 	struct session *session;
 	char *before, *command;
@@ -264,6 +264,7 @@ read_line(const char *text)
 	return line;
 }
 
+/* Runs a line, and then what was typed at a question that it asked. */
 static void
 run_line_with_pager(struct session *s, const char *line, int number)
 {
@@ -272,6 +273,10 @@ run_line_with_pager(struct session *s, const char *line, int number)
 	pager_begin_capture(&pager, s);
 	batch_run_line(s, line, number, &pager);
 	pager_end_capture(&pager);
+	FREED char *command = prompt.command;
+	prompt.command = NULL;
+	if (command != NULL)
+		run_line_with_pager(s, command, number);
 }
 
 /* Runs what was typed up to Return: one line, or several that were pasted. */
@@ -484,7 +489,7 @@ repl_ask_question(struct session *s, const struct user_question *q)
 	return ask_with_reader(s, q, read_line_of_answer);
 }
 
-/* A command in the place of an answer means no, and is run next. */
+/* A command in the place of an answer means no. */
 static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {
@@ -502,16 +507,6 @@ repl_confirm(struct session *s, const char *question, bool yes)
 	return reply == REPLY_YES || (yes && reply == REPLY_EMPTY);
 }
 
-/* Returns the command that was typed at a question, or a line typed now. */
-static char *
-read_command(const struct session *s)
-{
-	char *command = prompt.command;
-	prompt.command = NULL;
-	FREED char *text = prompt_text(s);
-	return command != NULL ? command : read_line(text);
-}
-
 int
 repl_run(struct session *s)
 {
@@ -521,9 +516,10 @@ repl_run(struct session *s)
 	s->hooks.ask = repl_ask_question;
 	s->hooks.confirm = repl_confirm;
 	while (!s->quit && !signals_is_end_wanted()) {
-		if (prompt.before[0] == '\0' && prompt.command == NULL)
+		if (prompt.before[0] == '\0')
 			print_next_step(s);
-		char *typed = read_command(s);
+		FREED char *text = prompt_text(s);
+		char *typed = read_line(text);
 		s->screen = terminal_describe();
 		if (typed != NULL) {
 			if (!clear_screen_if_asked(typed) &&
@@ -539,7 +535,6 @@ repl_run(struct session *s)
 	}
 	typed_history_close();
 	free(prompt.before);
-	free(prompt.command);
 	return signals_exit_status();
 }
 

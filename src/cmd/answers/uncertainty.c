@@ -425,18 +425,11 @@ parse_speed_and_keywords(const struct args *args, struct question *q,
 	return true;
 }
 
-bool
-cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
-    struct error *error)
+static bool
+show_uncertainty(struct session *s, const struct args *args,
+    const struct question *q, bool draws, struct error *error)
 {
 	const struct entry *entry = q->entry;
-	bool draws = false, next = false;
-	if (!parse_speed_and_keywords(args, q, &draws, &next, error))
-		return false;
-	if (next)
-		return cmd_advise(s, args, q, error);
-	question_use_last_speed_and_feed(s, args, q);
-	apply_setting_options(s, args);
 	if (!screened_check_feed_covers(q, error))
 		return false;
 	struct prediction at = forecast_product(s, q, q->speed);
@@ -451,4 +444,22 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		  : build_uncertainty_answer(s, q, &at, args, error);
 	prediction_free(&at);
 	return r != NULL && session_show_answer(s, r);
+}
+
+bool
+cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
+    struct error *error)
+{
+	bool draws = false, next = false;
+	if (!parse_speed_and_keywords(args, q, &draws, &next, error))
+		return false;
+	if (next)
+		return cmd_advise(s, args, q, error);
+	question_use_last_speed_and_feed(s, args, q);
+	const struct settings was = s->set;
+	apply_setting_options(s, args);
+	bool ok = show_uncertainty(s, args, q, draws, error);
+	if (!ok)
+		s->set = was;
+	return ok;
 }

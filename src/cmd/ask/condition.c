@@ -499,11 +499,12 @@ conditions_speed_range_of_args(const struct session *s, const struct args *args,
 	settings_speed_range(&s->set, site, from, to);
 	*from = args->from > 0 ? args->from : *from;
 	*to = args->to > 0 ? args->to : *to;
-	return *from < *to || error_set(error, ERROR_USAGE,
-				  "from= must be below to=, got %g and %g m/s\n"
-				  "write from=%g to=%g",
-				  *from, *to, *from > *to ? *to : 65,
-				  *from > *to ? *from : 85);
+	bool swap = args->from > 0 && args->to > 0 && args->from > args->to;
+	return *from < *to ||
+	       error_set(error, ERROR_USAGE,
+		   "from= must be below to=, got %g and %g m/s\n"
+		   "write from=%g to=%g",
+		   *from, *to, swap ? *to : 65, swap ? *from : 85);
 }
 
 char *
@@ -1041,7 +1042,7 @@ note_speed_to_run_at(struct answer *r, const struct session *s,
 		       "m/s%s%s"),
 		    100 * wanted->level, low, high, rpm,
 		    tr(describe_search_ends(wanted, low, high)));
-	else if (!isnan(w->best_certain))
+	else if (round(100 * w->best_certain) < round(100 * wanted->level))
 		xappend(&words, tr("; at no speed %.0f times in 100"),
 		    100 * wanted->level);
 	answer_note(r, "%s", words);
