@@ -56,6 +56,14 @@ ask_confirm(struct session *s, const char *question, bool yes)
 	return c == 'y' || c == 'Y' || (yes && c == '\n');
 }
 
+int
+ask_columns(void)
+{
+	int rows, columns;
+	terminal_size(&rows, &columns);
+	return columns < 100 ? columns - 1 : 99;
+}
+
 /* Prints what stands above the questions about a table. */
 static void
 print_table_above_questions(const struct user_question *q, int columns)
@@ -83,10 +91,8 @@ char *
 ask_with_reader(struct session *s, const struct user_question *q,
     char *(*read)(const char *text))
 {
-	int rows, columns;
+	int columns = ask_columns();
 	(void)s;
-	terminal_size(&rows, &columns);
-	columns = columns < 100 ? columns - 1 : 99;
 	if (q->wrong[0] != '\0')
 		text_wrap(q->wrong, 0, columns, stderr);
 	if (q->first)

@@ -493,10 +493,8 @@ repl_ask_question(struct session *s, const struct user_question *q)
 static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {
-	int rows, columns;
 	(void)s;
-	terminal_size(&rows, &columns);
-	text_wrap(question, 0, columns < 100 ? columns - 1 : 99, stderr);
+	text_wrap(question, 0, ask_columns(), stderr);
 	char *typed = read_line(
 	    yes ? tr("[Y/n, or a command] ") : tr("[y/N, or a command] "));
 	enum reply reply = typed != NULL ? classify_reply(typed) : REPLY_NO;
