@@ -1048,7 +1048,7 @@ set_feed_for_all_runs(struct columns *all)
 }
 
 /* Feed, product, feed, product ..: makes each feed that of the product to its
- * right. */
+ * right, also where the speed above the product before spreads over it. */
 static void
 pair_feeds_with_products(struct columns *all)
 {
@@ -1056,8 +1056,10 @@ pair_feeds_with_products(struct columns *all)
 	for (size_t i = 0; pairs && i < all->n; i += 2) {
 		const struct column *feed = &all->column[i];
 		const struct column *product = feed + 1;
-		pairs = feed->role == FEED && !(feed->speed > 0) &&
+		pairs = feed->role == FEED &&
+			(!(feed->speed > 0) || feed->said.spread) &&
 			product->role == PRODUCT && product->speed > 0 &&
+			!product->said.spread &&
 			feed->table == all->column[0].table &&
 			product->table == feed->table;
 	}
