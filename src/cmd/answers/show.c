@@ -49,9 +49,13 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "feeds",
 	    site->individual_feeds ? N_("one for each speed")
 				   : N_("one for all speeds"));
-	for (size_t i = 0; i < site->n_note; i++)
-		answer_add_cells(
-		    r, "%s %s", site->note[i].key, site->note[i].value);
+	for (size_t i = 0; i < site->n_note; i++) {
+		const struct site_note *note = &site->note[i];
+		if (note->value[0] == '\0')
+			answer_add_pair(r, "remark", "%s", note->key);
+		else
+			answer_add_cells(r, "%s %s", note->key, note->value);
+	}
 	return session_show_answer(s, r);
 }
 
