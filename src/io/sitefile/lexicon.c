@@ -263,6 +263,25 @@ meanings_of_contained_word(
 	return best < ARRAY_LEN(PARTS) ? PARTS[best].means : 0;
 }
 
+/* Returns the meanings that all words share that begin with an abbreviation,
+ * "umfangsgeschw." without its point, or 0. */
+static uint64_t
+meanings_of_abbreviation(const char *start, size_t n)
+{
+	enum { LEAST = 4 }; /* "apr" and "mar" are months */
+	const struct index *index = word_index();
+	uint64_t shared = 0;
+	bool any = false;
+	for (size_t i = 0; n >= LEAST && i < index->n; i++) {
+		const struct known *known = &index->word[i];
+		if (known->n <= n || memcmp(known->word, start, n) != 0)
+			continue;
+		shared = any ? shared & known->means : known->means;
+		any = true;
+	}
+	return shared;
+}
+
 uint64_t
 lexicon_word_meanings(const char *word, size_t n)
 {
@@ -301,6 +320,9 @@ lexicon_meanings(const char *text, size_t *unknown)
 			uint64_t one = micro ? WORD_UM
 					     : lexicon_word_meanings(
 						   word, (size_t)(p - word));
+			if (one == 0 && *p == '.')
+				one = meanings_of_abbreviation(
+				    word, (size_t)(p - word));
 			bool digits =
 			    strspn(word, "0123456789") >= (size_t)(p - word);
 			none += one == 0 && !digits;

@@ -590,20 +590,37 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	return ask_about_open_column(q, first, all->n == 1, ask);
 }
 
+/* Returns the next sieve above `mm`, of the series of the column's sieves. */
+static double
+next_sieve_up(const struct column *c, double mm)
+{
+	const struct table *t = c->table;
+	const char *name = t->row[c->below - 1].cell[0].text;
+	bool astm = t->unit.series == SIEVE_ASTM ||
+		    t->unit.series == SIEVE_INCH ||
+		    sieve_name_series(name) != SIEVE_NONE;
+	return sieve_next_coarser(mm, astm);
+}
+
+double
+site_ask_size_above_feed(const struct column *c)
+{
+	/* Sieve analyses are stated to 0.1 %: this is 100.0. */
+	const double ALL_BUT = 99.95;
+	size_t at = c->below - 1;
+	return c->pct[at] >= ALL_BUT ? next_sieve_up(c, c->table->mm[at]) : 0;
+}
+
 void
 site_ask_top_size(
     const struct column *c, const struct site_request *q, struct site_ask *ask)
 {
 	const struct table *t = c->table;
 	size_t at = c->below - 1;
-	const struct cell *name = &t->row[at].cell[0];
-	bool astm = t->unit.series == SIEVE_ASTM ||
-		    t->unit.series == SIEVE_INCH ||
-		    sieve_name_series(name->text) != SIEVE_NONE;
-	double coarser = sieve_next_coarser(t->mm[at], astm);
+	double coarser = next_sieve_up(c, t->mm[at]);
 	bool alone = t->sheet->errors->n == 0;
 	bool much = c->pct[at] < 90;
-	double further = much ? sieve_next_coarser(coarser, astm) : 0;
+	double further = much ? next_sieve_up(c, coarser) : 0;
 	char p[32];
 	char *settle = xasprintf("top=%g", coarser);
 	FREED char *passes =

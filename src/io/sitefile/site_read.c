@@ -246,7 +246,8 @@ feed_with_unknown_top_size(const struct columns *all)
 }
 
 /* Sets the size that all of a feed passes if its coarsest sieve does not pass
- * everything: as given by the user; otherwise asks for it. */
+ * everything: as given by the user; the next sieve up if next to nothing is
+ * coarser; otherwise asks for it. */
 static void
 assume_top_size(struct reading *r, struct site_ask *ask)
 {
@@ -255,6 +256,8 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 	char p[32], mm[32];
 	if (c == NULL)
 		return;
+	if (!(top > 0))
+		top = site_ask_size_above_feed(c);
 	if (!(top > 0)) {
 		site_ask_top_size(c, r->request, ask);
 		return;
