@@ -615,10 +615,12 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 /* How a table is set, found once for all rows: width and number [n_column].
  * wraps: the last column holds sentences, wrapped from indent on.  room: of the
  * screen, in columns.  gap: blanks between two columns.  even: the blocks of a
- * table that is too wide are alike. */
+ * table that is too wide are alike.  n_key: the first columns, which tell rows
+ * apart and stand in each block. */
 struct form {
 	int *width, indent, room, gap;
 	bool *number, wraps, even;
+	size_t n_key;
 };
 
 /* True for a column of numbers, which is set flush right. */
@@ -651,6 +653,33 @@ print_padded(const char *text, int width, bool right, bool last, FILE *out)
 	    right || last ? 0 : pad, "");
 }
 
+static bool
+rows_have_equal_cells(
+    const struct table *t, size_t row, size_t other, size_t columns)
+{
+	for (size_t c = 0; c < columns; c++)
+		if (strcmp(t->cell[row * t->n_column + c].text,
+			t->cell[other * t->n_column + c].text) != 0)
+			return false;
+	return true;
+}
+
+/* Returns how many columns tell neighbouring rows apart; 1 if none do, or if
+ * they would fill half the screen. */
+static size_t
+count_key_columns(const struct table *t, const struct form *f)
+{
+	size_t n = 1;
+	int width = 0;
+	for (size_t row = 1; row < count_table_rows(t); row++)
+		while (n < t->n_column &&
+		       rows_have_equal_cells(t, row - 1, row, n))
+			n++;
+	for (size_t c = 0; c < n; c++)
+		width += f->width[c] + f->gap;
+	return n < t->n_column && 2 * width <= f->room ? n : 1;
+}
+
 /* Wraps the last column if it holds sentences that would not fit the screen
  * after the other columns.  A single column is not wrapped, as it may be
  * copied. */
@@ -668,6 +697,7 @@ lay_out_table(const struct table *t, int room)
 	}
 	f.wraps = t->n_column >= 2 && f.indent < room - LEAST &&
 		  f.indent + f.width[t->n_column - 1] > room;
+	f.n_key = count_key_columns(t, &f);
 	return f;
 }
 
@@ -691,18 +721,26 @@ print_sentence(const char *text, int indent, int room, FILE *out)
 		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
 }
 
-/* Columns of a table that stand side by side: the first one and those from
- * `from` to before `to`. */
+/* Columns of a table that stand side by side: those that tell rows apart and
+ * those from `from` to before `to`. */
 struct block {
 	size_t from, to;
 };
+
+static size_t
+next_column_of_block(const struct form *f, struct block b, size_t column)
+{
+	return column + 1 == f->n_key ? b.from : column + 1;
+}
 
 /* Returns as many columns as fit the screen.  A table that ends in sentences
  * wraps them instead. */
 static struct block
 columns_that_fit(const struct table *t, const struct form *f, size_t from)
 {
-	int width = 2 + f->gap + f->width[0];
+	int width = 2;
+	for (size_t c = 0; c < f->n_key; c++)
+		width += f->width[c] + f->gap;
 	struct block b = {from, t->n_column};
 	if (f->wraps)
 		return b;
@@ -729,8 +767,8 @@ wrap_column(const struct table *t, const struct form *f, struct block b)
 		return f->indent;
 	if (last == 0 || b.from == 0 || b.to <= last || f->number[last])
 		return 0;
-	int indent = 4 + f->width[0];
-	for (size_t c = b.from; c < last; c++)
+	int indent = 2;
+	for (size_t c = 0; c < last; c = next_column_of_block(f, b, c))
 		indent += f->width[c] + 2;
 	return indent + f->width[last] > f->room ? indent : 0;
 }
@@ -740,7 +778,8 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
     bool head, struct block block, const char *between, FILE *out)
 {
 	int indent = between[1] != '|' ? wrap_column(t, f, block) : 0;
-	for (size_t c = 0; c < block.to; c = c == 0 ? block.from : c + 1) {
+	for (size_t c = 0; c < block.to;
+	     c = next_column_of_block(f, block, c)) {
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (indent > 0 && c + 1 == t->n_column) {
@@ -858,8 +897,9 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 		fprintf(out, "%s\n", a->title);
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
-	size_t rows = count_table_rows(t), from = 1;
+	size_t rows = count_table_rows(t);
 	struct form f = lay_out_table(t, a->room);
+	size_t from = f.n_key;
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
@@ -926,7 +966,7 @@ print_markdown_rows(const struct table *t, FILE *out)
 	for (size_t row = 0; row <= count_table_rows(t); row++) {
 		fputs("| ", out);
 		answer_print_row(t, &f, row - 1, row == 0,
-		    (struct block){1, t->n_column}, " | ", out);
+		    (struct block){f.n_key, t->n_column}, " | ", out);
 		fputs(" |\n", out);
 		if (row > 0)
 			continue;
