@@ -578,7 +578,7 @@ find_speed_of_column(struct column *c, const struct surroundings *near)
 		c->speed = speed_without_unit(said);
 		/* A speed that spreads over the feed may not be the feed's. */
 		if (c->role != FEED || !said->spread)
-			assume(c, "%g as m/s", c->speed);
+			assume(c, "tip speeds in m/s");
 	} else if (near->speed > 0 && c->role == PRODUCT) {
 		c->speed = near->speed;
 	}
@@ -1047,27 +1047,45 @@ set_feed_for_all_runs(struct columns *all)
 		only->speed = only->rpm = 0;
 }
 
-/* Feed, product, feed, product ..: makes each feed that of the product to its
- * right, also where the speed above the product before spreads over it. */
+/* True if feeds without a speed, or with that of the product before as it
+ * spreads over them, stand in turn with as many products, or all of them, three
+ * or more, before or after all products. */
+static bool
+are_feeds_in_order_of_products(const struct columns *all)
+{
+	size_t feeds = 0, changes = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool feed = c->role == FEED &&
+			    (!(c->speed > 0) || (feeds > 0 && c->said.spread));
+		bool product =
+		    c->role == PRODUCT && c->speed > 0 && !c->said.spread;
+		if ((!feed && !product) || c->table != all->column[0].table)
+			return false;
+		feeds += feed;
+		changes += i > 0 && c->role != c[-1].role;
+	}
+	return 2 * feeds == all->n && ((feeds >= 2 && changes + 1 == all->n) ||
+					  (feeds >= 3 && changes == 1));
+}
+
+/* Makes each feed that of one product, in their order. */
 static void
 pair_feeds_with_products(struct columns *all)
 {
-	bool pairs = all->n >= 4 && all->n % 2 == 0;
-	for (size_t i = 0; pairs && i < all->n; i += 2) {
-		const struct column *feed = &all->column[i];
-		const struct column *product = feed + 1;
-		pairs = feed->role == FEED &&
-			(!(feed->speed > 0) || feed->said.spread) &&
-			product->role == PRODUCT && product->speed > 0 &&
-			!product->said.spread &&
-			feed->table == all->column[0].table &&
-			product->table == feed->table;
-	}
-	for (size_t i = 0; pairs && i < all->n; i += 2) {
+	if (!are_feeds_in_order_of_products(all))
+		return;
+	struct column *product = all->column;
+	for (size_t i = 0; i < all->n; i++) {
 		struct column *feed = &all->column[i];
-		feed->speed = feed[1].speed;
-		feed->rpm = feed[1].rpm;
-		assume(feed, "each the feed of the product at its right");
+		if (feed->role != FEED)
+			continue;
+		while (product->role != PRODUCT)
+			product++;
+		feed->speed = product->speed;
+		feed->rpm = product->rpm;
+		assume(feed, "feeds of the products, in their order");
+		product++;
 	}
 }
 

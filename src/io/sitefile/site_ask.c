@@ -662,8 +662,8 @@ site_ask_refuse_second_feed(const struct column *further,
 	xappend(&columns, "\"");
 	FREED char *line = load_command_with_answer(q, columns);
 	sheet_fault(t->sheet, further->head,
-	    "expected one feed, or a feed at the left of each product, got %s "
-	    "beside %s\n"
+	    "expected one feed, or one for each product, got %s beside "
+	    "%s\n"
 	    "keep the first%s: %s",
 	    further->head.text, first->head.text, hint_to_write_feed_again(q),
 	    line);
