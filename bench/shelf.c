@@ -40,7 +40,7 @@ made_up(const struct material_list *paper, size_t number)
 	struct material m = material_empty();
 	for (size_t f = 0; f < FIELD_COUNT; f++)
 		if (FIELDS[f].kind == FIELD_TEXT)
-			stored_set_text_field(&m, &FIELDS[f],
+			material_set_field(&m, &FIELDS[f],
 			    *material_text_of_field(of, &FIELDS[f]));
 		else if (FIELDS[f].kind == FIELD_NUMBER)
 			*material_number_of_field(&m, &FIELDS[f]) =
