@@ -306,8 +306,9 @@ width_of_band(struct ensemble *e, double v, size_t sieve, double *mean)
 	return high - low;
 }
 
-/* Errors of the stated speeds widen the band by what they move, and leave the
- * answer where it is. */
+/* Errors of the stated speeds widen the band by what they move, and hardly move
+ * the answer: where a curve is bent at the break size, by less than a tenth of
+ * a point. */
 static void
 errors_of_speeds_widen_the_band(void **state)
 {
@@ -326,14 +327,14 @@ errors_of_speeds_widen_the_band(void **state)
 	p->speed_sd = 0.01;
 	e = ensemble_new(p, feed, feed->size, feed->n);
 	double with = width_of_band(e, 72, SIEVE, stated);
-	double effect = ensemble_effect_of_speed_errors(p, 72);
+	double effect = ensemble_effect_of_speed_errors(p);
 	assert_true(effect > 1.1 && effect < 1.3);
 	double moved = 1.2816 * effect * (faster[SIEVE] - slower[SIEVE]);
 	print_message("width %g, with errors of speeds %g, these alone %g\n",
 	    own, with, moved);
 	assert_true(fabs(with / hypot(own, moved) - 1) < 0.1);
 	for (size_t i = 0; i < feed->n; i++)
-		assert_true(fabs(stated[i] - exact[i]) < 0.0005);
+		assert_true(fabs(stated[i] - exact[i]) < 0.001);
 	ensemble_free(e);
 	posterior_free(p);
 	site_free(k.site);
@@ -723,6 +724,112 @@ faster_is_never_coarser(void **state)
 	site_free(k.site);
 }
 
+/* The draws, the answer and the ends of the band, a row for each sieve. */
+struct rows {
+	double draw[40][POSTERIOR_DRAWS], mean[40], low[40], high[40];
+};
+
+static void
+read_rows(struct ensemble *e, double v, struct rows *r)
+{
+	size_t n = ensemble_count_sieves(e);
+	ensemble_set_speed(e, v);
+	memcpy(r->draw, ensemble_products(e, ENSEMBLE_ANSWER),
+	    n * sizeof *r->draw);
+	ensemble_mean_answer(e, r->mean);
+	for (size_t i = 0; i < n; i++)
+		ensemble_row_interval(
+		    e, ENSEMBLE_ANSWER, i, 0.8, &r->low[i], &r->high[i]);
+}
+
+static double
+largest_fall(const double *slow, const double *fast, size_t n)
+{
+	double most = 0;
+	for (size_t i = 0; i < n; i++)
+		most = fmax(most, slow[i] - fast[i]);
+	return most;
+}
+
+/* D23 with errors of the stated speeds, where the grid does and does not reach;
+ * the band lies within those of exact speeds that the rotor may have. */
+static void
+faster_is_never_coarser_where_speeds_err(void **state)
+{
+	(void)state;
+	enum { KIRUNA = 17 };
+	struct known k = known(KIRUNA, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[0].feed;
+	struct posterior stated = *p;
+	stated.speed_sd = 0.05;
+	size_t n = feed->n;
+	struct ensemble *e = ensemble_new(&stated, feed, feed->size, n),
+			*exact = ensemble_new(p, feed, feed->size, n);
+	struct rows *row = xcalloc(4, sizeof *row), *slow = row + 2;
+	double most = 0, speed[] = {50, 65, 72, 85, 120};
+	assert_true(n <= 40);
+	read_rows(e, 50, &row[0]);
+	for (size_t j = 1; j <= 280; j++) {
+		struct rows *a = &row[(j - 1) % 2], *b = &row[j % 2];
+		read_rows(e, 50 + 0.25 * (double)j, b);
+		most = fmax(most,
+		    largest_fall(a->draw[0], b->draw[0], n * POSTERIOR_DRAWS));
+		most = fmax(most, largest_fall(a->mean, b->mean, n));
+		most = fmax(most, largest_fall(a->low, b->low, n));
+		most = fmax(most, largest_fall(a->high, b->high, n));
+	}
+	expect_near("fall", most, 0, 1e-12);
+	for (size_t j = 0; j < ARRAY_LEN(speed); j++) {
+		double off = 2.9 * 0.05 * ensemble_effect_of_speed_errors(p);
+		read_rows(e, speed[j], &row[0]);
+		read_rows(exact, speed[j] * (1 - off), &slow[0]);
+		read_rows(exact, speed[j] * (1 + off), &slow[1]);
+		most = fmax(most, largest_fall(slow[0].low, row[0].low, n));
+		most = fmax(most, largest_fall(row[0].high, slow[1].high, n));
+	}
+	expect_near("beyond all speeds", most, 0, 1e-12);
+	free(row);
+	ensemble_free(e);
+	ensemble_free(exact);
+	posterior_free(p);
+	site_free(k.site);
+}
+
+/* Where speeds err, each draw is what it is at the speed that the rotor has by
+ * it.  Between two speeds of the grid a curve may be bent at the break size. */
+static void
+draws_are_read_at_their_own_speeds(void **state)
+{
+	(void)state;
+	struct known k = known(TIERP, 0.005, 3);
+	struct posterior *p = posterior_of(&k, 1, ISA_BEST);
+	const struct psd *feed = &k.site->run[0].feed;
+	struct posterior stated = *p;
+	stated.speed_sd = 0.05;
+	stated.straight = p->straight = 0.5;
+	struct ensemble *e = ensemble_new(&stated, feed, feed->size, feed->n),
+			*exact = ensemble_new(p, feed, feed->size, feed->n);
+	struct rows *row = xcalloc(2, sizeof *row);
+	double speed[] = {55, 72, 110}, most = 0;
+	for (size_t j = 0; j < ARRAY_LEN(speed); j++)
+		for (size_t d = j; d < POSTERIOR_DRAWS; d += 17) {
+			read_rows(e, speed[j], &row[0]);
+			read_rows(exact,
+			    ensemble_true_speed_of_draw(&stated, d, speed[j]),
+			    &row[1]);
+			for (size_t i = 0; i < feed->n; i++)
+				most = fmax(most, fabs(row[0].draw[i][d] -
+						       row[1].draw[i][d]));
+		}
+	expect_near("off", most, 0, 1e-3);
+	free(row);
+	ensemble_free(e);
+	ensemble_free(exact);
+	posterior_free(p);
+	site_free(k.site);
+}
+
 /* Answer and ends of the band at each sieve, three numbers each. */
 static double *
 answers_of(const struct known *k, size_t n, double speed)
@@ -1071,6 +1178,8 @@ main(void)
 	    cmocka_unit_test(what_nothing_breaks_is_not_corrected),
 	    cmocka_unit_test(a_slow_correction_follows_the_draw),
 	    cmocka_unit_test(faster_is_never_coarser),
+	    cmocka_unit_test(faster_is_never_coarser_where_speeds_err),
+	    cmocka_unit_test(draws_are_read_at_their_own_speeds),
 	    cmocka_unit_test(test_straight),
 	    cmocka_unit_test(test_no_law),
 	    cmocka_unit_test(

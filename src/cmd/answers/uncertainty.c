@@ -297,7 +297,7 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 {
 	const double step = 0.005, usual = 0.005;
 	double sd = p->speed_sd > 0 ? p->speed_sd : usual;
-	double times = ensemble_effect_of_speed_errors(p, at->speed),
+	double times = ensemble_effect_of_speed_errors(p),
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];

@@ -35,10 +35,6 @@ enum {
  * others. */
 static const double HELD = 1000;
 
-/* The slope of the answer with the speed is taken over so much of the speed on
- * either side. */
-static const double SLOPE_STEP = 0.01;
-
 struct ensemble {
 	const struct posterior *of;
 	size_t n;
@@ -585,9 +581,7 @@ compute_rising_answers_at(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
 		make_rising_grid(e);
-	double around = e->of->speed_sd > 0 ? SLOPE_STEP : 0;
-	extend_rising_grid(e, v * (1 - around));
-	extend_rising_grid(e, v * (1 + around));
+	extend_rising_grid(e, v);
 	ensemble_set_speed_as_drawn(e, v);
 	limit_answers_by_grid(e, v);
 }
@@ -629,17 +623,9 @@ straighten_some_draws_between_runs(struct ensemble *e, double v, size_t k)
 }
 
 double
-ensemble_effect_of_speed_errors(const struct posterior *p, double v)
+ensemble_effect_of_speed_errors(const struct posterior *p)
 {
-	double n = (double)p->n_speed, mean = 0, squares = 0;
-	for (size_t r = 0; r < p->n_speed; r++)
-		mean += p->speed[r] * p->speed[r] / n;
-	for (size_t r = 0; r < p->n_speed; r++) {
-		double off = p->speed[r] * p->speed[r] - mean;
-		squares += off * off;
-	}
-	double off = (v * v - mean) * (v * v - mean);
-	return sqrt(1 + 1 / n + (squares > 0 ? off / squares : 0));
+	return sqrt(1 + 1 / (double)p->n_speed);
 }
 
 double
@@ -655,40 +641,60 @@ ensemble_speed_error_of_draw(size_t draw)
 	return share < 0.5 ? -z : z;
 }
 
-/* Returns the mean of the answers at a size by the grid, linear in the speed.
- */
-static double
-mean_of_grid_at(const struct ensemble *e, double v, size_t i)
+double
+ensemble_true_speed_of_draw(const struct posterior *p, size_t draw, double v)
 {
-	size_t k = grid_index_below_speed(e, v);
-	double t = (v - e->speed[k]) / (e->speed[k + 1] - e->speed[k]), sum = 0;
-	const double *below = e->rising[k] + i * DRAWS,
-		     *above = e->rising[k + 1] + i * DRAWS;
-	for (size_t d = 0; d < DRAWS; d++)
-		sum += below[d] + t * (above[d] - below[d]);
-	return sum / DRAWS;
+	return v * (1 + p->speed_sd * ensemble_effect_of_speed_errors(p) *
+			    ensemble_speed_error_of_draw(draw));
 }
 
-/* Moves each draw by its error of the speeds, along the slope of the answer. */
+/* Reads the answers of a draw off the grid at speed w, linear between two of
+ * its speeds, or between measured ones as D25 has it.  Beyond the grid they are
+ * those at the ensemble's speed, limited by the end of the grid. */
 static void
-add_errors_of_speeds(struct ensemble *e, double v)
+read_draw_off_grid(struct ensemble *e, size_t draw, double w)
 {
 	const struct posterior *p = e->of;
-	double *answer = e->part[ENSEMBLE_ANSWER], sd[DRAWS];
-	double slower = v * (1 - SLOPE_STEP), faster = v * (1 + SLOPE_STEP);
-	for (size_t d = 0; d < DRAWS; d++)
-		sd[d] = p->speed_sd * ensemble_effect_of_speed_errors(p, v) *
-			ensemble_speed_error_of_draw(d);
-	for (size_t i = e->n; i-- > 0;) {
-		double slope = (mean_of_grid_at(e, faster, i) -
-				   mean_of_grid_at(e, slower, i)) /
-			       (2 * SLOPE_STEP);
-		for (size_t d = 0; d < DRAWS; d++) {
-			double *P = &answer[i * DRAWS + d];
-			*P = discrepancy_clamp_passing(
-			    *P + sd[d] * slope, fmax(P[DRAWS], e->feed[i]));
-		}
+	size_t k, at = grid_index_below_speed(e, w), next = at + 1;
+	double from = e->speed[at], to = e->speed[next];
+	double t = (w - from) / (to - from);
+	double *answer = e->part[ENSEMBLE_ANSWER];
+	if (is_draw_straight(p, draw) && is_between_measured_speeds(p, w, &k)) {
+		at = e->measured[k];
+		next = e->measured[k + 1];
+		from = p->speed[k] * p->speed[k];
+		to = p->speed[k + 1] * p->speed[k + 1];
+		t = (w * w - from) / (to - from);
 	}
+	const double *below = e->rising[at], *above = e->rising[next];
+	for (size_t i = draw; i < e->n * DRAWS; i += DRAWS) {
+		if (t < 0)
+			answer[i] = fmin(answer[i], below[i]);
+		else if (t > 1)
+			answer[i] = fmax(answer[i], above[i]);
+		else
+			answer[i] = below[i] + t * (above[i] - below[i]);
+	}
+}
+
+/* Computes the answer of each draw at the speed that the rotor has by it where
+ * v is stated.  That speed rises with v, and so does the answer. */
+static void
+compute_answers_at_true_speeds(struct ensemble *e, double v)
+{
+	double speed[DRAWS], slowest = v, fastest = v;
+	for (size_t d = 0; d < DRAWS; d++) {
+		speed[d] = ensemble_true_speed_of_draw(e->of, d, v);
+		slowest = fmin(slowest, speed[d]);
+		fastest = fmax(fastest, speed[d]);
+	}
+	if (e->rising[SLOWEST] == NULL)
+		make_rising_grid(e);
+	extend_rising_grid(e, slowest);
+	extend_rising_grid(e, fastest);
+	ensemble_set_speed_as_drawn(e, v);
+	for (size_t d = 0; d < DRAWS; d++)
+		read_draw_off_grid(e, d, speed[d]);
 }
 
 void
@@ -697,12 +703,12 @@ ensemble_set_speed(struct ensemble *e, double v)
 	size_t k;
 	if (v == e->at)
 		return;
-	if (is_between_measured_speeds(e->of, v, &k))
+	if (e->of->speed_sd > 0)
+		compute_answers_at_true_speeds(e, v);
+	else if (is_between_measured_speeds(e->of, v, &k))
 		straighten_some_draws_between_runs(e, v, k);
 	else
 		compute_rising_answers_at(e, v);
-	if (e->of->speed_sd > 0)
-		add_errors_of_speeds(e, v);
 	if (e->bypass > 0) {
 		make_samples(e);
 		ensemble_add_bypass(e);

@@ -42,14 +42,18 @@ void ensemble_set_speed(struct ensemble *e, double v);
  * differences. */
 void ensemble_set_speed_as_drawn(struct ensemble *e, double v);
 
-/* Returns by how much an error of the stated tip speeds counts in the answer
- * at v, m/s: 1 for the speed asked about alone, and more with those of the runs
- * that inform the draws, through which a straight line in v^2 is laid. */
-double ensemble_effect_of_speed_errors(const struct posterior *p, double v);
+/* Returns by how much an error of the stated tip speeds counts in an answer: 1
+ * for the speed asked about alone, and more with the mean of those of the runs
+ * that inform the draws. */
+double ensemble_effect_of_speed_errors(const struct posterior *p);
 
-/* Returns the error of the stated speeds by a draw, in standard deviations.
- * One error moves the answers of a draw at all speeds. */
+/* Returns the error of the stated speeds by a draw, in standard deviations. */
 double ensemble_speed_error_of_draw(size_t draw);
+
+/* Returns the speed that the rotor has by a draw where v is stated, m/s.  The
+ * error is the same share of all speeds. */
+double ensemble_true_speed_of_draw(
+    const struct posterior *p, size_t draw, double v);
 
 /* Returns the products at the ensemble's speed, [n * POSTERIOR_DRAWS], a row
  * for each size, borrowed.  Except for samples, no product is coarser than the
