@@ -23,14 +23,38 @@
 
 /* What is asked: the question, the quantity, its name, and the unit that
  * follows a width; and what follows: the draws of the quantity, in the units
- * that people see, and the ends and the width of their band. */
+ * that people see, the ends and the width of their band, and its width if the
+ * stated speeds were exact. */
 struct advice_request {
 	const struct question *question;
 	struct quantity q;
 	char *name;
 	const char *unit;
-	double draw[POSTERIOR_DRAWS], ends[2], width;
+	double draw[POSTERIOR_DRAWS], ends[2], width, exact_width;
 };
+
+/* Takes out of a row of draws what it has in common with their errors of the
+ * stated speeds: the speed of another sample has an error of its own, so it
+ * tells nothing of theirs. */
+static void
+take_out_errors_of_speeds(double *row)
+{
+	double along = 0, squares = 0;
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
+		double error = ensemble_speed_error_of_draw(d);
+		along += error * row[d];
+		squares += error * error;
+	}
+	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
+		row[d] -= along / squares * ensemble_speed_error_of_draw(d);
+}
+
+static double
+width_of_band(const double *draw, double level, double ends[static 2])
+{
+	ensemble_interval_around_answer(draw, level, NAN, ends);
+	return ends[1] - ends[0];
+}
 
 /* Finds the draws of the answer and their band.  False if one lies outside the
  * sieves. */
@@ -46,11 +70,15 @@ find_band_of_quantity(const struct session *s, struct advice_request *w)
 		known = known && isfinite(w->draw[d]);
 	}
 	forecast_close(f);
-	if (known)
-		ensemble_interval_around_answer(
-		    w->draw, w->question->level, NAN, w->ends);
-	w->width = w->ends[1] - w->ends[0];
-	return known;
+	if (!known)
+		return false;
+	double level = w->question->level, ends[2], exact[POSTERIOR_DRAWS];
+	w->width = width_of_band(w->draw, level, w->ends);
+	memcpy(exact, w->draw, sizeof exact);
+	if (s->set.speed_sd > 0)
+		take_out_errors_of_speeds(exact);
+	w->exact_width = width_of_band(exact, level, ends);
+	return true;
 }
 
 static size_t
@@ -109,22 +137,6 @@ open_sample_forecast(
 	return forecast_open(s, q, asked, *n);
 }
 
-/* Takes out of a row of draws what it has in common with their errors of the
- * stated speeds: the speed of another sample has an error of its own, so it
- * tells nothing of theirs. */
-static void
-take_out_errors_of_speeds(double *row)
-{
-	double along = 0, squares = 0;
-	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
-		double error = ensemble_speed_error_of_draw(d);
-		along += error * row[d];
-		squares += error * error;
-	}
-	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		row[d] -= along / squares * ensemble_speed_error_of_draw(d);
-}
-
 /* Sorts the candidates by the width of the band that each is expected to
  * leave. */
 static void
@@ -173,15 +185,24 @@ note_range_over_sampled_feeds(
 }
 
 static void
-note_best_sample_speed(struct answer *r, const struct advice_request *w,
-    const struct sample_advice *best)
+note_best_sample_speed(struct answer *r, const struct session *s,
+    const struct advice_request *w, const struct sample_advice *best)
 {
 	double width = w->width;
 	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    w->question->entry->site->rotor, best->speed, NAN);
-	if (less < 100 * ADVISE_WORTH)
+	if (w->exact_width < best->width)
+		answer_note(r,
+		    "no sample narrows the %.0f %% band of %s at %g m/s as "
+		    "much as tip speeds that are known better than to %g %% "
+		    "(speed_sd=): exact ones would narrow it from %.2g to "
+		    "%.2g%s, by %.0f %%",
+		    level, w->name, w->question->speed, s->set.speed_sd, width,
+		    w->exact_width, w->unit,
+		    100 * (1 - w->exact_width / width));
+	else if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
 		    "m/s (%.2g%s wide) by more than %.0f %%: take several",
@@ -216,7 +237,8 @@ rank_candidate_speeds(
 
 bool
 advise_find_best_sample(const struct session *s, const struct question *q,
-    const struct quantity *of, struct sample_advice *best, double *width)
+    const struct quantity *of, struct sample_advice *best, double *width,
+    double *exact_width)
 {
 	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
@@ -227,6 +249,7 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 		return false;
 	*best = c[0];
 	*width = w.width;
+	*exact_width = w.exact_width;
 	return true;
 }
 
@@ -268,7 +291,7 @@ build_advice_answer(const struct session *s, const struct advice_request *w)
 	    w->question->speed, w->ends[0], w->ends[1], w->width);
 	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows(r, "samples");
-	note_best_sample_speed(r, w, &c[0]);
+	note_best_sample_speed(r, s, w, &c[0]);
 	note_range_over_sampled_feeds(r, s, w);
 	return r;
 }
