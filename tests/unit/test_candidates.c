@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 
+#include "core/model/selection.h"
 #include "core/search/candidates.h"
 #include "core/search/misfit.h"
 
@@ -127,6 +128,37 @@ cells_are_of_the_training_runs(void **state)
 	end(&s);
 }
 
+/* With measured collision energies the strongest impact breaks the finest rock,
+ * as in all other answers. */
+static void
+break_sizes_are_those_of_the_impacts(void **state)
+{
+	(void)state;
+	struct searched s = search(6, POPULATION);
+	size_t n;
+	const struct calibrate_generation *g = calibration_history(s.c, &n) + 5;
+	struct model_settings settings = model_settings_default();
+	settings.impacts = (struct impacts){
+	    .n = 2, .number = 4, .share = {0.7, 0.3}, .ratio = {0.2, 1.6}};
+	double size[CALIBRATE_KEPT];
+	for (size_t i = 0; i < CALIBRATE_KEPT; i++) {
+		struct params p = candidate(g, i);
+		size[i] = params_break_size_by_impacts(
+		    &p, &settings, s.site->run[0].speed);
+	}
+	qsort(size, CALIBRATE_KEPT, sizeof *size, compare);
+	struct candidates c = candidates_residual_spread(
+	    s.site, s.train, settings, ISA_BEST, g, &g->params);
+	assert_int_equal(g->n_kept, CALIBRATE_KEPT);
+	for (size_t k = 0; k < 3; k++) {
+		size_t at = (k + 1) * CALIBRATE_KEPT / 4;
+		assert_true(c.break_size[k] >= size[at - 1]);
+		assert_true(c.break_size[k] <= size[at + 1]);
+	}
+	candidates_clear(&c);
+	end(&s);
+}
+
 /* Beta is told over its largest, so that it does not jump when polished. */
 static void
 beta_is_scaled_as_it_is_reported(void **state)
@@ -175,6 +207,7 @@ main(void)
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(percentiles_are_those_of_the_candidates),
 	    cmocka_unit_test(cells_are_of_the_training_runs),
+	    cmocka_unit_test(break_sizes_are_those_of_the_impacts),
 	    cmocka_unit_test(beta_is_scaled_as_it_is_reported),
 	    cmocka_unit_test(a_small_population_keeps_what_it_has)};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,7 +33,8 @@ break_sizes_of_tierp(void **state)
 	static const double mm[] = {6.48, 5.72, 4.94, 4.31, 3.70};
 	struct params p = made_params(&TABLE_3[TIERP]);
 	for (size_t i = 0; i < 5; i++) {
-		double x = params_break_size(&p, SPEEDS[i]);
+		double x = selection_break_size(
+		    &p, specific_energy_at_speed(SPEEDS[i]));
 		expect_near("break size, mm", x * 1000, mm[i], 0.005);
 		double E = SPEEDS[i] * SPEEDS[i] / 2;
 		expect_near("x^alpha E", pow(x, p.alpha) * E, p.e0_min, 1e-12);
@@ -45,18 +46,25 @@ break_sizes_at_the_edges(void **state)
 {
 	(void)state;
 	struct params p = made_params(&TABLE_3[TIERP]);
-	assert_true(isinf(params_break_size(&p, 0)));
+	assert_true(
+	    isinf(selection_break_size(&p, specific_energy_at_speed(0))));
 	p.e0_min = 0;
-	assert_true(params_break_size(&p, 74) == 0);
-	assert_true(isinf(params_break_size(&p, 0)));
+	assert_true(
+	    selection_break_size(&p, specific_energy_at_speed(74)) == 0);
+	assert_true(
+	    isinf(selection_break_size(&p, specific_energy_at_speed(0))));
 	p = (struct params){.f_mat = 1, .e0_min = 2738, .alpha = 0};
-	assert_true(isinf(params_break_size(&p, 74)));
-	assert_true(params_break_size(&p, 75) == 0);
+	assert_true(
+	    isinf(selection_break_size(&p, specific_energy_at_speed(74))));
+	assert_true(
+	    selection_break_size(&p, specific_energy_at_speed(75)) == 0);
 	p.alpha = 1e-6;
-	assert_true(params_break_size(&p, 75) == 0);
-	assert_true(isinf(params_break_size(&p, 73)));
+	assert_true(
+	    selection_break_size(&p, specific_energy_at_speed(75)) == 0);
+	assert_true(
+	    isinf(selection_break_size(&p, specific_energy_at_speed(73))));
 	p.alpha = 1e-3;
-	double x = params_break_size(&p, 74.5);
+	double x = selection_break_size(&p, specific_energy_at_speed(74.5));
 	assert_true(x > 0 && x < 1);
 }
 
@@ -92,7 +100,8 @@ nothing_is_selected_below_the_break_size(void **state)
 		for (size_t i = 0; i < ARRAY_LEN(SPEEDS); i++) {
 			struct params p = made_params(&TABLE_3[row]);
 			double E = specific_energy_at_speed(SPEEDS[i]);
-			double x = params_break_size(&p, SPEEDS[i]);
+			double x = selection_break_size(
+			    &p, specific_energy_at_speed(SPEEDS[i]));
 			assert_true(selected(&p, 1, E, x * (1 - 1e-9)) == 0);
 			assert_true(selected(&p, 1, E, x * (1 + 1e-9)) > 0);
 			assert_true(selected(&p, 1, E, x / 10) == 0);

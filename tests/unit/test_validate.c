@@ -170,7 +170,8 @@ a_prediction_is_on_all_sieves_the_feed_covers(void **state)
 	assert_int_equal(a.product.n, site->run[1].feed.n + 1);
 	assert_true(keeps_rules(&a.product));
 	assert_true(keeps_rules(&a.feed));
-	double exact[20], x = params_break_size(&p, 77);
+	double exact[20],
+	    x = selection_break_size(&p, specific_energy_at_speed(77));
 	naive_continuous(&site->run[1].feed, a.product.size, a.product.n, &p,
 	    77, 20000, exact);
 	for (size_t i = 0; i < a.product.n; i++) {

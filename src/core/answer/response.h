@@ -35,8 +35,8 @@ double response_value_of_model(struct response *r, size_t i);
 
 double response_speed(const struct response *r);
 
-/* Return the break size at the response's speed, m (see params_break_size), and
- * the band of the draws' break sizes. */
+/* Return the break size at the response's speed, m (see
+ * params_break_size_by_impacts), and the band of the draws' break sizes. */
 double response_break_size(const struct response *r);
 void response_break_size_band(
     const struct response *r, double level, double range[static 2]);

@@ -45,12 +45,6 @@ selection_break_size(const struct params *p, double E)
 }
 
 double
-params_break_size(const struct params *p, double v)
-{
-	return selection_break_size(p, specific_energy_at_speed(v));
-}
-
-double
 params_break_size_by_impacts(
     const struct params *p, const struct model_settings *settings, double v)
 {

@@ -103,12 +103,8 @@ double selection_size_at_exponent(const struct breaker *b, double exponent);
 double selection_break_size(const struct params *p, double E);
 
 /* Returns the break size x*, m: the smallest size that can break at tip speed
- * v, m/s, in the parameters' model; 0 if every size breaks, INFINITY if none
- * does. */
-double params_break_size(const struct params *p, double v);
-
-/* As params_break_size, but for the strongest of the impacts in the
- * settings. */
+ * v, m/s, by the strongest of the impacts in the settings, in the parameters'
+ * model; 0 if every size breaks, INFINITY if none does. */
 double params_break_size_by_impacts(
     const struct params *p, const struct model_settings *settings, double v);
 

@@ -57,14 +57,15 @@ evaluate_kept_candidates(const struct misfit *m, enum isa isa,
 }
 
 static void
-find_break_sizes_of_candidates(
-    struct candidates *c, const struct calibrate_generation *g, double speed)
+find_break_sizes_of_candidates(struct candidates *c,
+    const struct model_settings *settings, const struct calibrate_generation *g,
+    double speed)
 {
 	double size[MOST] = {0};
 	c->speed = speed;
 	for (size_t i = 0; i < g->n_kept; i++) {
 		struct params p = params_of_kept_candidate(g, i);
-		size[i] = params_break_size(&p, speed);
+		size[i] = params_break_size_by_impacts(&p, settings, speed);
 	}
 	gsl_sort(size, 1, g->n_kept);
 	for (size_t k = 0; k < 3; k++)
@@ -98,7 +99,7 @@ candidates_residual_spread(const struct site *site, const bool *train,
 			    .p90 = sort_and_find_quantile(d, g->n_kept, 0.9),
 			    .best = of_best[k]};
 		}
-	find_break_sizes_of_candidates(&c, g, m->run[0].speed);
+	find_break_sizes_of_candidates(&c, &settings, g, m->run[0].speed);
 	misfit_free(m);
 	return c;
 }
