@@ -190,7 +190,8 @@ double
 chart_value_at(const struct chart *chart, const struct chart_series *series,
     const double *value, double x)
 {
-	return interpolate(series->x, chart->x.log, value, false, series->n, x);
+	return interpolate(
+	    series->x, chart->x.log, value, chart->y.log, series->n, x);
 }
 
 double

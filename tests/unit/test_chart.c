@@ -559,6 +559,23 @@ values_are_read_off_straight_on_the_log(void **state)
 	chart_free(chart);
 }
 
+/* A line on a log axis is straight there, as it is drawn: half way from 1 to 100
+ * it is at 10. */
+static void
+values_are_read_off_a_log_axis_as_drawn(void **state)
+{
+	(void)state;
+	struct chart *chart = chart_new("search", "",
+	    axis_new_linear("x", 0, 2), axis_new_log("y", 0.1, 100));
+	struct chart_series *s = chart_add(chart, SOLID, 2, "curve");
+	const double x[] = {0, 1}, y[] = {100, 1};
+	memcpy(s->x, x, sizeof x);
+	memcpy(s->y, y, sizeof y);
+	assert_true(fabs(chart_y_at(chart, s, 0.5) - 10) < 1e-9);
+	assert_true(fabs(chart_x_at(chart, s, 10) - 0.5) < 1e-9);
+	chart_free(chart);
+}
+
 /* Two fields side by side: shaded by the size of their values, labelled. */
 static void
 fields_are_shaded_and_labelled(void **state)
@@ -645,6 +662,7 @@ main(void)
 	    cmocka_unit_test(a_band_is_no_thicker_than_it_is),
 	    cmocka_unit_test(a_strip_lies_below_its_chart),
 	    cmocka_unit_test(values_are_read_off_straight_on_the_log),
+	    cmocka_unit_test(values_are_read_off_a_log_axis_as_drawn),
 	    cmocka_unit_test(fields_are_shaded_and_labelled),
 	    cmocka_unit_test(bare_data_have_all_cells)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
