@@ -9,6 +9,7 @@
 #include "made.h"
 
 #include "cmd/lang/command.h"
+#include "cmd/session/files.h"
 #include "cmd/session/sites.h"
 #include "cmd/fit/job.h"
 #include "io/store/material.h"
@@ -366,6 +367,25 @@ a_stopped_job_is_kept_or_dropped(void **state)
 	assert_int_equal(fit->generations, 2);
 }
 
+/* A file that is read again is the same use of it, at a later time. */
+static void
+a_file_that_is_read_twice_is_noted_once(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	const char *path = "Makefile";
+	uint64_t digest, found;
+	assert_true(files_digest(path, &digest));
+	files_note_read(s, path);
+	files_note_written(s, path);
+	files_note_read(s, path);
+	assert_int_equal(files_count_uses(s), 3);
+	assert_null(files_path_of_reading(s, 0, &found));
+	assert_null(files_path_of_reading(s, 1, &found));
+	assert_string_equal(files_path_of_reading(s, 2, &found), path);
+	assert_true(found == digest);
+}
+
 /* The seed of a result is the seed that was given, to the last digit. */
 static void
 the_seed_in_json_is_the_seed_given(void **state)
@@ -465,6 +485,7 @@ main(void)
 	    at_desk(a_calibration_is_a_job_in_the_midst_of_a_line),
 	    at_desk(a_stopped_job_is_kept_or_dropped),
 	    at_desk(the_seed_in_json_is_the_seed_given),
+	    at_desk(a_file_that_is_read_twice_is_noted_once),
 	    at_desk(parameters_without_set_are_not_passed_over),
 	    at_desk(every_command_has_the_same_limits_of_a_parameter),
 	};

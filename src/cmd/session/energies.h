@@ -18,8 +18,9 @@ struct energies {
 	struct collisions c;
 };
 
-/* Reads a file and keeps it until the session ends.  A file already read in the
- * same way is not read again.  On failure, returns NULL with an error. */
+/* Reads a file, again if it was read before, because it may have changed, and
+ * keeps what it read until the session ends.  On failure, returns NULL with an
+ * error. */
 const struct energies *energies_read_file(struct session *s, const char *path,
     const struct collisions_way *way, double cut, struct error *error);
 
@@ -29,9 +30,9 @@ void energies_free(struct energies *e);
 const struct energies *energies_last_read(
     const struct session *s, struct error *error);
 
-/* Makes the model use the energies in a file instead of the single energy
- * (D15), or, for "off", the single energy again.  On failure, or if the file
- * has no speed, returns false with an error. */
+/* Makes the model use the energies in a file, as last read, instead of the
+ * single energy (D15), or, for "off", the single energy again.  On failure, or
+ * if the file has no speed, returns false with an error. */
 bool energies_use_file(
     struct session *s, const char *path, struct error *error);
 

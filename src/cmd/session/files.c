@@ -12,10 +12,13 @@
 #include "base/xalloc.h"
 #include "io/fs/file.h"
 
+/* Each path has one entry for reading and one for writing; number: of its last
+ * use, in the order of all uses. */
 struct files {
-	size_t n;
+	size_t n, uses;
 	struct use_of_file {
 		char *path;
+		size_t number;
 		bool written;    /* else read */
 		bool has_digest; /* of what was read then */
 		uint64_t digest;
@@ -36,9 +39,17 @@ static struct use_of_file *
 record_use_of_file(struct session *s, const char *path, bool written)
 {
 	struct files *f = session_files_or_new(s);
-	f->use = xrealloc(f->use, f->n + 1, sizeof *f->use);
-	f->use[f->n] = (struct use_of_file){xstrdup(path), written, false, 0};
-	return &f->use[f->n++];
+	size_t i = 0;
+	while (i < f->n && (f->use[i].written != written ||
+			       strcmp(f->use[i].path, path) != 0))
+		i++;
+	if (i == f->n) {
+		f->use = xrealloc(f->use, ++f->n, sizeof *f->use);
+		f->use[i] = (struct use_of_file){
+		    .path = xstrdup(path), .written = written};
+	}
+	f->use[i].number = f->uses++;
+	return &f->use[i];
 }
 
 bool
@@ -70,15 +81,19 @@ files_note_read(struct session *s, const char *path)
 size_t
 files_count_uses(const struct session *s)
 {
-	return s->files != NULL ? s->files->n : 0;
+	return s->files != NULL ? s->files->uses : 0;
 }
 
 const char *
-files_path_of_reading(const struct session *s, size_t i, uint64_t *digest)
+files_path_of_reading(const struct session *s, size_t number, uint64_t *digest)
 {
-	const struct use_of_file *use = &s->files->use[i];
-	*digest = use->digest;
-	return use->has_digest ? use->path : NULL;
+	const struct use_of_file *use = s->files->use;
+	for (size_t i = 0; i < s->files->n; i++, use++)
+		if (use->number == number && use->has_digest) {
+			*digest = use->digest;
+			return use->path;
+		}
+	return NULL;
 }
 
 void

@@ -45,11 +45,12 @@ bool files_confirm_replace(
 bool files_digest(const char *path, uint64_t *digest);
 
 /* files_count_uses returns how many times files were read or written;
- * files_path_of_reading returns the path in use i, and the digest at that time,
- * or NULL if it was written or has no digest. */
+ * files_path_of_reading returns the path in use `number`, counted from 0, and
+ * the digest at that time, or NULL if it was written, has no digest, or was
+ * read again later. */
 size_t files_count_uses(const struct session *s);
 const char *files_path_of_reading(
-    const struct session *s, size_t i, uint64_t *digest);
+    const struct session *s, size_t number, uint64_t *digest);
 
 void files_free(struct files *files);
 
