@@ -468,6 +468,20 @@ feed_of_a_sheet_gives_the_same(void **state)
 	assert_true(fabs(other.size[1] - own.size[1]) > 0.02);
 }
 
+/* Errors of the stated speeds are in each band in the same way. */
+static void
+errors_of_speeds_give_the_same(void **state)
+{
+	struct desk *desk = *state;
+	struct draw draw = draw_start(32);
+	struct question inside = {.v = 72.25, .with = ""},
+			outside = {.v = 84, .with = " cascade=5"};
+	desk_expect(desk, "load data/sites/kiruna.csv; calibrate "
+			  "population=200; set format csv; set speed_sd 3");
+	ask_all(desk, &inside, &draw);
+	ask_all(desk, &outside, &draw);
+}
+
 /* Whether the range of a kind that find stated has a speed. */
 static bool
 range_has(const struct session *s, const char *kind, double v)
@@ -531,6 +545,8 @@ main(void)
 		all_give_the_same, desk_open, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		feed_of_a_sheet_gives_the_same, desk_open, desk_close),
+	    cmocka_unit_test_setup_teardown(
+		errors_of_speeds_give_the_same, desk_open, desk_close),
 	    cmocka_unit_test_setup_teardown(
 		find_holds_what_was_measured, desk_open, desk_close),
 	};
