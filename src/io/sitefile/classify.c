@@ -13,6 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/lexicon.h"
+#include "io/cells/datetime.h"
 #include "io/cells/number.h"
 
 static const uint64_t ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
@@ -780,6 +781,9 @@ column_from_heads(struct table *t, size_t at)
 		const struct cell *cell = find_heading_cell(t, r, at, &own);
 		c.head = cell != NULL ? *cell : c.head;
 	}
+	const struct cell *name = samples_name_of_column(t, at);
+	if (t->across && name != NULL)
+		c.head = *name;
 	c.said = combine_headings(t, at);
 	return c;
 }
@@ -906,8 +910,9 @@ mark_as_comparison_only(struct column *c, const struct column *other)
 }
 
 /* Returns the unknown words in the headings of a column and ranges such as 0/4,
- * which distinguish its sample from others; signs of samples, at most two
- * letters, are omitted.  The caller frees the text. */
+ * which distinguish its sample from others.  Signs of samples, at most two
+ * letters, are omitted, and what says when they were taken.  The caller frees
+ * the text. */
 static char *
 distinctive_words_of_sample(const struct column *c)
 {
@@ -921,13 +926,16 @@ distinctive_words_of_sample(const struct column *c)
 			     strspn(word, "0123456789/.") == n && n > 2;
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
 			       strcmp(word, "iii") != 0;
+		struct datetime m;
+		bool time =
+		    datetime_parse(word, &m) || lexicon_is_word_of_time(word);
 		size_t unknown;
 		lexicon_meanings(word, &unknown);
 		char *end = word + strcspn(word, "0123456789");
 		bool machine = *end != '\0' && (lexicon_word_meanings(word,
 						    (size_t)(end - word)) &
 						   WORD_MACHINE) != 0;
-		if (range || machine || (letters && unknown > 0))
+		if (!time && (range || machine || (letters && unknown > 0)))
 			xappend_to_list(&words, " ", "%s", word);
 		p += n + (p[n] != '\0');
 	}
@@ -947,6 +955,44 @@ is_possible_repeat(const struct column *a, const char *x,
 		   a->said.number[0] != b->said.number[0]);
 }
 
+/* Opens the products of a table that row r of its headings gives to another
+ * site or machine than the first. */
+static void
+open_if_other_site(struct columns *all, const struct table *t, size_t r)
+{
+	const struct cell *cell = t->head[r].cell;
+	struct column *first = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		if (c->table != t || c->role != PRODUCT ||
+		    cell[c->at].text[0] == '\0')
+			continue;
+		first = first != NULL ? first : c;
+		if (text_same_folded(cell[first->at].text, cell[c->at].text))
+			continue;
+		c->open = first->open = true;
+		c->whose = cell[c->at].text;
+		first->whose = cell[first->at].text;
+	}
+}
+
+static void
+ask_about_other_sites(struct columns *all)
+{
+	const struct table *t = NULL;
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+		if (all->column[i].table == t)
+			continue;
+		t = all->column[i].table;
+		for (size_t r = 0; r < t->n_head; r++) {
+			enum lexicon_key key =
+			    lexicon_key_from_text(t->head[r].cell[0].text);
+			if (key == KEY_SITE || key == KEY_MACHINE)
+				open_if_other_site(all, t, r);
+		}
+	}
+}
+
 static void
 ask_about_repeats(struct columns *all)
 {
@@ -963,7 +1009,7 @@ ask_about_repeats(struct columns *all)
 			    a->table != b->table ||
 			    is_possible_repeat(a, words[i], b, words[k]))
 				continue;
-			a->open = b->open = true;
+			a->open = b->open = a->unlike = b->unlike = true;
 		}
 	}
 	for (size_t i = 0; i < all->n; i++)
@@ -1147,8 +1193,10 @@ classify_columns_together(
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
-	if (!told)
+	if (!told) {
 		ask_about_repeats(all);
+		ask_about_other_sites(all);
+	}
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
