@@ -18,9 +18,11 @@
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
 
+/* spare [n_column]: see answer_column_to_spare. */
 struct table {
 	size_t n_column, n_cell;
 	char **key, **head;
+	int *spare;
 	struct answer_cell *cell; /* row by row */
 };
 
@@ -73,6 +75,7 @@ free_table(struct table *t)
 	}
 	free(t->key);
 	free(t->head);
+	free(t->spare);
 	free(t->cell);
 }
 
@@ -84,8 +87,10 @@ answer_free(struct answer *a)
 	free_table(&a->table[0]);
 	free_table(&a->table[1]);
 	json_decref(a->fields);
-	for (size_t i = 0; i < a->n_sentence; i++)
+	for (size_t i = 0; i < a->n_sentence; i++) {
 		free(a->sentence[i].text);
+		free(a->sentence[i].column);
+	}
 	free(a->sentence);
 	free(a->command);
 	free(a->title);
@@ -131,13 +136,34 @@ answer_begin_table_for_programs(struct answer *a)
 }
 
 void
-answer_column(struct answer *a, const char *key, const char *head)
+answer_resume_table_for_people(struct answer *a)
+{
+	a->filled = &a->table[0];
+}
+
+static void
+add_column(struct answer *a, const char *key, const char *head, int spare)
 {
 	struct table *t = a->filled;
-	t->key = xrealloc(t->key, t->n_column + 1, sizeof *t->key);
-	t->head = xrealloc(t->head, t->n_column + 1, sizeof *t->head);
-	t->key[t->n_column] = xstrdup(key);
-	t->head[t->n_column++] = xstrdup(tr(head));
+	size_t n = t->n_column++;
+	t->key = xrealloc(t->key, n + 1, sizeof *t->key);
+	t->head = xrealloc(t->head, n + 1, sizeof *t->head);
+	t->spare = xrealloc(t->spare, n + 1, sizeof *t->spare);
+	t->key[n] = xstrdup(key);
+	t->head[n] = xstrdup(head);
+	t->spare[n] = spare;
+}
+
+void
+answer_column(struct answer *a, const char *key, const char *head)
+{
+	add_column(a, key, tr(head), 0);
+}
+
+void
+answer_column_to_spare(struct answer *a, const char *name, int spare)
+{
+	add_column(a, name, name, spare);
 }
 
 void
@@ -263,7 +289,8 @@ add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
 	a->sentence =
 	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
-	a->sentence[a->n_sentence++] = (struct answer_sentence){grade, text};
+	a->sentence[a->n_sentence++] =
+	    (struct answer_sentence){grade, text, NULL};
 }
 
 void
@@ -272,6 +299,16 @@ answer_note(struct answer *a, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
+	va_end(ap);
+}
+
+void
+answer_note_column(struct answer *a, const char *name, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
+	a->sentence[a->n_sentence - 1].column = xstrdup(name);
 	va_end(ap);
 }
 
@@ -823,6 +860,9 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 					   : tr("warning: "),
 		    said->text, is_sentences_only(a) ? "." : "");
 		add_sentence(copy, said->grade, way(text));
+		if (said->column != NULL)
+			copy->sentence[copy->n_sentence - 1].column =
+			    xstrdup(said->column);
 	}
 }
 
@@ -841,7 +881,7 @@ copy_with_converted_texts(char *(*way)(const char *), const struct answer *a)
 	}
 	for (size_t c = 0; c < from->n_column; c++) {
 		FREED char *head = way(from->head[c]);
-		answer_column(copy, from->key[c], head);
+		add_column(copy, from->key[c], head, from->spare[c]);
 	}
 	for (size_t i = 0; i < from->n_cell; i++)
 		answer_add_cell(
@@ -884,12 +924,76 @@ answer_transpose(struct answer *a)
 	free_table(&from);
 }
 
+/* Removes the columns that are not shown.  Returns their headings, or "". */
+static char *
+remove_columns(struct table *t, const bool *shown)
+{
+	size_t n = 0, n_cell = 0;
+	char *removed = xstrdup("");
+	for (size_t i = 0; i < t->n_cell; i++)
+		if (shown[i % t->n_column]) {
+			t->cell[n_cell++] = t->cell[i];
+		} else {
+			free(t->cell[i].text);
+			free(t->cell[i].key);
+		}
+	for (size_t c = 0; c < t->n_column; c++)
+		if (shown[c]) {
+			t->key[n] = t->key[c];
+			t->head[n++] = t->head[c];
+		} else {
+			xappend_to_list(&removed, ", ", "%s", t->head[c]);
+			free(t->key[c]);
+			free(t->head[c]);
+		}
+	t->n_cell = n_cell;
+	t->n_column = n;
+	return removed;
+}
+
+/* Leaves out the columns that can be spared and for which there is no room.
+ * Returns their headings, or "". */
+static char *
+leave_out_columns(struct answer *a)
+{
+	enum { GAP = 2 };
+	struct table *t = &a->table[0];
+	FREED bool *shown = xcalloc(t->n_column + 1, sizeof *shown);
+	int width = 0, most = 0;
+	for (size_t c = 0; c < t->n_column; c++)
+		most = t->spare[c] > most ? t->spare[c] : most;
+	if (most == 0)
+		return xstrdup("");
+	for (int spare = 0; spare <= most; spare++)
+		for (size_t c = 0; c < t->n_column; c++) {
+			int wide = width + GAP + column_width(t, c);
+			shown[c] =
+			    shown[c] || (t->spare[c] == spare &&
+					    (spare == 0 || wide <= a->room));
+			width = t->spare[c] == spare && shown[c] ? wide : width;
+		}
+	a->room = width > a->room ? width : a->room;
+	return remove_columns(t, shown);
+}
+
+/* True unless a sentence is about a column that was left out. */
+static bool
+is_about_what_is_shown(
+    const struct table *t, const struct answer_sentence *said)
+{
+	bool shown = said->column == NULL;
+	for (size_t c = 0; c < t->n_column && !shown; c++)
+		shown = strcmp(t->key[c], said->column) == 0;
+	return shown;
+}
+
 static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	struct answer *a = answer_copy_escaped(answer);
 	const struct table *t = &a->table[0];
+	FREED char *left_out = leave_out_columns(a);
 	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
 		answer_transpose(a);
@@ -912,8 +1016,14 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 		fputc('\n', out);
 	}
 	free_column_widths(&f);
+	if (left_out[0] != '\0') {
+		FREED char *said = xasprintf(
+		    tr("left out, as there is no room: %s"), left_out);
+		text_wrap(said, 0, SCREEN, out);
+	}
 	for (size_t i = 0; i < a->n_sentence; i++)
-		text_wrap(a->sentence[i].text, 0, SCREEN, out);
+		if (is_about_what_is_shown(t, &a->sentence[i]))
+			text_wrap(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
 	return rows;
 }
