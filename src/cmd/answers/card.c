@@ -695,6 +695,7 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct card_request all = {.question = q};
+	question_add_measured_speeds_to_range(q);
 	question_use_default_speeds(s, q, true);
 	bool ok = parse_card_request(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)

@@ -111,9 +111,9 @@ const struct command TABLE_ANSWERS[] = {
 		 COMMAND_CONDITIONS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
-		"rotor tip speeds; default 65..85 by 1, or round rpm of a "
-		"sheet in rpm, extended or moved to cover the runs, and the "
-		"speeds measured and last asked about"},
+		"rotor tip speeds; a range has the speeds measured in it too; "
+		"default 65..85 by 1, or round rpm of a sheet in rpm, extended "
+		"or moved to cover the runs, and the speed last asked about"},
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
