@@ -219,7 +219,7 @@ struct card_table {
 };
 
 /* What is left out for want of room: the last of these first. */
-enum { NEEDED, ENERGY, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
+enum { NEEDED, ASKED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
 enum { AS_NEEDED = -1 };
 
 /* Adds a cell that people see under `head` and programs under `key`, each
@@ -327,14 +327,23 @@ mean_of_repeats_at_speed(const struct session *s,
 		     : NAN;
 }
 
+enum { P20, P50, P80 };
+
+static int
+spare_of_figure(const struct card_request *all, size_t i)
+{
+	return i == all->ranged ? NEEDED
+	       : i == P80       ? ASKED
+	       : i == P50       ? MEDIAN
+	       : i == P20       ? FINE
+				: FIGURE;
+}
+
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
 put_figure_cells(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
 {
-	enum { P20, P50, P80, SIZES };
-	static const int SPARE[SIZES] = {
-	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
 	size_t ranged = all->ranged;
 	FREED char *range = range_head(all);
 	if (page->row == 0)
@@ -347,8 +356,8 @@ put_figure_cells(struct card_table *page, const struct session *s,
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_field_name(q),
 			   *head = card_heading_of_quantity(all, q);
-		put_number_cell(page, key, head, digits,
-		    i < SIZES ? SPARE[i] : FIGURE, f.value);
+		put_number_cell(
+		    page, key, head, digits, spare_of_figure(all, i), f.value);
 		if (i == ranged && page->ranged)
 			put_text_cell(page, NULL, range, RANGE,
 			    xasprintf(
@@ -388,7 +397,7 @@ put_tonnage_cells(
 		    xasprintf(back ? tr("%s back") : "%s", line->name);
 		put_number_cell(page, key, head, 1, NEEDED, open ? NAN : tph);
 	}
-	put_number_cell(page, "kwh_per_t", "kWh/t", 2, ENERGY,
+	put_number_cell(page, "kwh_per_t", "kWh/t", 2, ASKED,
 	    open ? NAN : o.kw / all->plant.circuit->tph);
 	if (all->plant.priced)
 		put_number_cell(page, "earnings", tr("earned/h"), 0, NEEDED,
@@ -398,12 +407,20 @@ put_tonnage_cells(
 
 /* Programs are told "met" if that is the more likely. */
 static void
-put_limits_met_cells(struct card_table *page, const struct card_row *row)
+put_limits_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
 	bool met = drawn ? row->share >= 0.5 : row->holds;
-	put_text_cell(page, NULL, tr("limits met"), NEEDED,
-	    conditions_describe_probability(row->share, row->holds));
+	put_text_cell(page, NULL, tr("limits"), NEEDED,
+	    xstrdup(conditions_verdict(row->share, row->holds)));
+	if (drawn) {
+		bool sure = row->share < 0.01 || row->share > 0.99;
+		answer_set_missing(
+		    page->answer, row->share < 0.5 ? "<1" : ">99");
+		put_number_cell(page, NULL, tr("met in 100"), 0, NEEDED,
+		    sure ? NAN : 100 * row->share);
+		answer_set_missing(page->answer, "-");
+	}
 	put_text_cell(page, "limits", NULL, NEEDED,
 	    xstrdup(met ? tr("met") : tr("missed")));
 	put_text_cell(page, "certain", NULL, NEEDED,
@@ -439,7 +456,7 @@ put_card_row(struct card_table *page, struct session *s,
 		forecast_set_speed(all->wanted.forecast, v);
 		row->holds = conditions_are_met(&all->wanted, SIZE_MAX);
 		row->share = conditions_probability(&all->wanted);
-		put_limits_met_cells(page, row);
+		put_limits_cells(page, row);
 	}
 	put_text_cell(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
@@ -500,15 +517,15 @@ note_unmet_limits(struct answer *r, const struct site *site,
 			best = i;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(site->rotor, row[best].speed, NAN);
-	FREED char *share = conditions_probability_percent(row[best].share);
+	FREED char *often = conditions_probability_in_100(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page meets the limits");
 	else if (row[best].share < 0.5)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page is likely to meet the limits: the "
-		    "surest, %g m/s%s, does with %s probability",
-		    row[best].speed, rpm, share);
+		    "surest, %g m/s%s, does %s",
+		    row[best].speed, rpm, often);
 }
 
 static void
@@ -523,6 +540,9 @@ note_limits(struct answer *r, const struct card_request *all,
 				 : N_("limits: %s"),
 		    words);
 		note_unmet_limits(r, all->question->entry->site, row, n);
+		answer_note_column(r, tr("met in 100"),
+		    "met in 100: how many times in 100 all limits are met at "
+		    "that speed");
 	}
 	conditions_note_source_of_limits(r, &all->list);
 }
