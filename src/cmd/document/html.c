@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
 #include "config.h"
 #include "plot/picture.h"
 
@@ -114,9 +116,10 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 	struct answer_view v = answer_view(answer);
 	if (v.title != NULL && !top)
 		html_put_escaped("<h3>", v.title, "</h3>\n", out);
-	if (v.provenance != NULL)
-		html_put_escaped(
-		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
+	if (v.provenance != NULL) {
+		FREED char *text = xasprintf(tr("Data: %s"), v.provenance);
+		html_put_escaped("<p class=\"about\">", text, "</p>\n", out);
+	}
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0;
 	     document_columns_that_fit(&v, false, &from, &to);)
@@ -174,11 +177,12 @@ document_to_html(const struct document *d, size_t *n)
 	FILE *out = text_open_memory(&text, n);
 	fprintf(out,
 	    "<!DOCTYPE html>\n"
-	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"
+	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"%s\">\n"
 	    "<head>\n<meta charset=\"utf-8\"/>\n"
 	    "<meta http-equiv=\"Content-Security-Policy\" "
 	    "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
-	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n");
+	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n",
+	    tr("en")); /* the code of the language */
 	html_put_escaped("<title>", d->title, "</title>\n", out);
 	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
 	html_put_escaped("<h1>", d->title, "</h1>\n", out);
