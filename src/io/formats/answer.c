@@ -967,10 +967,11 @@ leave_out_columns(struct answer *a)
 	for (int spare = 0; spare <= most; spare++)
 		for (size_t c = 0; c < t->n_column; c++) {
 			int wide = width + GAP + column_width(t, c);
-			shown[c] =
-			    shown[c] || (t->spare[c] == spare &&
-					    (spare == 0 || wide <= a->room));
-			width = t->spare[c] == spare && shown[c] ? wide : width;
+			if (t->spare[c] != spare ||
+			    (spare > 0 && wide > a->room))
+				continue;
+			shown[c] = true;
+			width = wide;
 		}
 	a->room = width > a->room ? width : a->room;
 	return remove_columns(t, shown);
