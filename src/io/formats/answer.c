@@ -846,13 +846,25 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
+/* True unless a sentence is about a column that was left out. */
+static bool
+is_about_what_is_shown(
+    const struct table *t, const struct answer_sentence *said)
+{
+	bool shown = said->column == NULL;
+	for (size_t c = 0; c < t->n_column && !shown; c++)
+		shown = strcmp(t->key[c], said->column) == 0;
+	return shown;
+}
+
 static void
 answer_put_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)
 {
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		const struct answer_sentence *said = &a->sentence[i];
-		if ((said->grade == ANSWER_WARNING) != warnings)
+		if ((said->grade == ANSWER_WARNING) != warnings ||
+		    !is_about_what_is_shown(&copy->table[0], said))
 			continue;
 		FREED char *text = xasprintf("%s%s%s",
 		    !warnings              ? ""
@@ -860,35 +872,49 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 					   : tr("warning: "),
 		    said->text, is_sentences_only(a) ? "." : "");
 		add_sentence(copy, said->grade, way(text));
-		if (said->column != NULL)
-			copy->sentence[copy->n_sentence - 1].column =
-			    xstrdup(said->column);
 	}
 }
 
+/* Adds the columns that are shown, all if that is NULL, and a sentence that
+ * names the others. */
+static void
+copy_columns(char *(*way)(const char *), const struct table *from,
+    const bool *shown, struct answer *copy)
+{
+	FREED char *left_out = xstrdup("");
+	for (size_t c = 0; c < from->n_column; c++) {
+		FREED char *head = way(from->head[c]);
+		if (shown == NULL || shown[c])
+			add_column(copy, from->key[c], head, from->spare[c]);
+		else
+			xappend_to_list(&left_out, ", ", "%s", head);
+	}
+	for (size_t i = 0; i < from->n_cell; i++)
+		if (shown == NULL || shown[i % from->n_column])
+			answer_add_cell(copy,
+			    (struct answer_cell){from->cell[i].is_text,
+				from->cell[i].number, from->cell[i].decimals,
+				way(from->cell[i].text), NULL});
+	if (left_out[0] != '\0')
+		answer_note(
+		    copy, "left out, as there is no room: %s", left_out);
+}
+
 /* Returns what people see, with all texts converted: as shown, or as markdown.
- * Only the first clause of the provenance is included. */
+ * Only the first clause of the provenance is included.  shown: see
+ * copy_columns. */
 static struct answer *
-copy_with_converted_texts(char *(*way)(const char *), const struct answer *a)
+copy_with_converted_texts(
+    char *(*way)(const char *), const struct answer *a, const bool *shown)
 {
 	struct answer *copy = answer_new(a->command);
-	const struct table *from = &a->table[0];
 	copy->title = a->title != NULL ? way(a->title) : NULL;
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
 		FREED char *first = xstrndup(
 		    a->provenance, length_of_first_clause(a->provenance));
 		copy->provenance = way(first);
 	}
-	for (size_t c = 0; c < from->n_column; c++) {
-		FREED char *head = way(from->head[c]);
-		add_column(copy, from->key[c], head, from->spare[c]);
-	}
-	for (size_t i = 0; i < from->n_cell; i++)
-		answer_add_cell(
-		    copy, (struct answer_cell){from->cell[i].is_text,
-			      from->cell[i].number, from->cell[i].decimals,
-			      way(from->cell[i].text), NULL});
-	copy->room = a->room;
+	copy_columns(way, &a->table[0], shown, copy);
 	copy->across = a->across;
 	answer_put_sentences(way, a, true, copy);
 	answer_put_sentences(way, a, false, copy);
@@ -898,7 +924,7 @@ copy_with_converted_texts(char *(*way)(const char *), const struct answer *a)
 struct answer *
 answer_copy_escaped(const struct answer *a)
 {
-	return copy_with_converted_texts(text_escaped, a);
+	return copy_with_converted_texts(text_escaped, a, NULL);
 }
 
 /* Exchanges the headings and the first column. */
@@ -924,67 +950,26 @@ answer_transpose(struct answer *a)
 	free_table(&from);
 }
 
-/* Removes the columns that are not shown.  Returns their headings, or "". */
-static char *
-remove_columns(struct table *t, const bool *shown)
-{
-	size_t n = 0, n_cell = 0;
-	char *removed = xstrdup("");
-	for (size_t i = 0; i < t->n_cell; i++)
-		if (shown[i % t->n_column]) {
-			t->cell[n_cell++] = t->cell[i];
-		} else {
-			free(t->cell[i].text);
-			free(t->cell[i].key);
-		}
-	for (size_t c = 0; c < t->n_column; c++)
-		if (shown[c]) {
-			t->key[n] = t->key[c];
-			t->head[n++] = t->head[c];
-		} else {
-			xappend_to_list(&removed, ", ", "%s", t->head[c]);
-			free(t->key[c]);
-			free(t->head[c]);
-		}
-	t->n_cell = n_cell;
-	t->n_column = n;
-	return removed;
-}
-
-/* Leaves out the columns that can be spared and for which there is no room.
- * Returns their headings, or "". */
-static char *
-leave_out_columns(struct answer *a)
+/* Chooses the columns that are shown [n_column]: all but those that can be
+ * spared and for which there is no room, *room, which grows if the others need
+ * more. */
+static bool *
+choose_columns(const struct table *t, int *room)
 {
 	enum { GAP = 2 };
-	struct table *t = &a->table[0];
-	FREED bool *shown = xcalloc(t->n_column + 1, sizeof *shown);
+	bool *shown = xcalloc(t->n_column + 1, sizeof *shown);
 	int width = 0, most = 0;
 	for (size_t c = 0; c < t->n_column; c++)
 		most = t->spare[c] > most ? t->spare[c] : most;
-	if (most == 0)
-		return xstrdup("");
 	for (int spare = 0; spare <= most; spare++)
 		for (size_t c = 0; c < t->n_column; c++) {
 			int wide = width + GAP + column_width(t, c);
-			if (t->spare[c] != spare ||
-			    (spare > 0 && wide > a->room))
+			if (t->spare[c] != spare || (spare > 0 && wide > *room))
 				continue;
 			shown[c] = true;
 			width = wide;
 		}
-	a->room = width > a->room ? width : a->room;
-	return remove_columns(t, shown);
-}
-
-/* True unless a sentence is about a column that was left out. */
-static bool
-is_about_what_is_shown(
-    const struct table *t, const struct answer_sentence *said)
-{
-	bool shown = said->column == NULL;
-	for (size_t c = 0; c < t->n_column && !shown; c++)
-		shown = strcmp(t->key[c], said->column) == 0;
+	*room = most > 0 && width > *room ? width : *room;
 	return shown;
 }
 
@@ -992,9 +977,11 @@ static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = answer_copy_escaped(answer);
+	int room = answer->room;
+	FREED bool *shown = choose_columns(&answer->table[0], &room);
+	struct answer *a =
+	    copy_with_converted_texts(text_escaped, answer, shown);
 	const struct table *t = &a->table[0];
-	FREED char *left_out = leave_out_columns(a);
 	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
 		answer_transpose(a);
@@ -1003,7 +990,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = count_table_rows(t);
-	struct form f = lay_out_table(t, a->room);
+	struct form f = lay_out_table(t, room);
 	size_t from = f.n_key;
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
@@ -1017,14 +1004,8 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 		fputc('\n', out);
 	}
 	free_column_widths(&f);
-	if (left_out[0] != '\0') {
-		FREED char *said = xasprintf(
-		    tr("left out, as there is no room: %s"), left_out);
-		text_wrap(said, 0, SCREEN, out);
-	}
 	for (size_t i = 0; i < a->n_sentence; i++)
-		if (is_about_what_is_shown(t, &a->sentence[i]))
-			text_wrap(a->sentence[i].text, 0, SCREEN, out);
+		text_wrap(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
 	return rows;
 }
@@ -1093,7 +1074,7 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	struct answer *a =
-	    copy_with_converted_texts(escape_for_markdown, answer);
+	    copy_with_converted_texts(escape_for_markdown, answer, NULL);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
 		fprintf(out, "**%s**\n\n", a->title);
