@@ -109,11 +109,12 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	}
 }
 
-/* top: the answer's title is that of the document and is left out. */
+/* The answer's title is left out if it is that of the document. */
 static void
-html_put_answer(const struct answer *answer, bool top, FILE *out)
+html_put_answer(const struct document *d, size_t i, FILE *out)
 {
-	struct answer_view v = answer_view(answer);
+	struct answer_view v = answer_view(d->part[i].answer);
+	bool top = i == d->titled_by;
 	if (v.title != NULL && !top)
 		html_put_escaped("<h3>", v.title, "</h3>\n", out);
 	if (v.provenance != NULL) {
@@ -122,7 +123,7 @@ html_put_answer(const struct answer *answer, bool top, FILE *out)
 	}
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0;
-	     document_columns_that_fit(&v, false, &from, &to);)
+	     document_columns_that_fit(&v, d->one_page, &from, &to);)
 		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }
@@ -159,7 +160,7 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		put_lines(p->text, out);
 		break;
 	case DOCUMENT_ANSWER:
-		html_put_answer(p->answer, i == d->titled_by, out);
+		html_put_answer(d, i, out);
 		break;
 	case DOCUMENT_PICTURE:
 		fputs("<figure>\n", out);
