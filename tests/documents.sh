@@ -68,16 +68,16 @@ report_top() {
 		sed -n '/<h1>/,/<h2>/p' top.html >top.txt
 }
 report_top '"passing 2 = 31..36" "passing 0.063 < 3"' &&
-	grep -q '<p>Conditions: passing 2 mm 31 to 36 %, .*: at [0-9.]* m/s .*, met; ' \
+	grep -q '<p>Conditions: passing 2 mm 31 to 36 %, .*: at [0-9.]* m/s met over 99 times in 100; ' \
 		top.txt && grep -q '; met at [0-9.]* to [0-9.]* m/s\.' top.txt &&
 	speed=$(sed -n 's/.*<h2>Product at \(.*\) m.s<.*/\1/p' top.txt) &&
 	grep -q ": at $speed m/s " top.txt && [ "$speed" != 74 ] &&
 	grep -q '<p>at .* passes 2 mm: 8 times in 10' top.txt &&
-	grep -q '<th[^>]*>limits met<' top.html &&
+	grep -q '<th[^>]*>met in 100<' top.html &&
 	grep -q '<footer>.*: report "passing 2 = 31..36" "passing 0.063' top.html
 result $? "a report says first that its conditions are met, at their best speed"
 report_top '"passing 2 = 31..36" speed=84' &&
-	grep -q 'class="warning">Conditions: .*: at 84.0 m/s .*, missed' top.txt &&
+	grep -q 'class="warning">Conditions: .*: at 84.0 m/s met less than once in 100' top.txt &&
 	grep -q '; met at ' top.txt && report_top '"passing 2 > 95"' &&
 	grep -q 'class="warning">Conditions: .*no speed from 65 to 85' top.txt
 result $? "and that they are missed"

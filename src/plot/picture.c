@@ -211,8 +211,8 @@ picture_draw_mark(
 	else if (sides > 0)
 		draw_shape(p, sides, start,
 		    s->mark == '#' ? PEN_FULL : PEN_PAPER, s->series, x, y);
-	else
-		p->pen->text(p->pen, x, y + 3, text,
+	else /* a star is the upper half of its letter */
+		p->pen->text(p->pen, x, y + (s->mark == '*' ? 5 : 3), text,
 		    &(struct pen_style){.size = 9,
 			.anchor = PEN_MIDDLE,
 			.bold = true,

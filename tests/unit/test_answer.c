@@ -175,11 +175,43 @@ differences_have_a_sign(void **state)
 	answer_free(a);
 }
 
+/* Text has room for the columns that are needed and for the first of the two
+ * that are not; a sentence about the other goes with it.  Files have both. */
+static void
+text_leaves_out_columns_that_can_be_spared(void **state)
+{
+	(void)state;
+	enum { WIDE = 36 };
+	static const char FIRST[] = "first", SECOND[] = "second";
+	struct answer *a = answer_new("try");
+	FREED char *wide = xcalloc(WIDE + 1, 1);
+	for (int i = 0; i < WIDE; i++)
+		wide[i] = 'w';
+	answer_column_to_spare(a, SECOND, 2);
+	answer_column_to_spare(a, FIRST, 1);
+	answer_column_to_spare(a, "needed", 0);
+	answer_add_cells(a, "%s %s %g", wide, wide, 1.0);
+	answer_note_column(a, SECOND, "of the second");
+	answer_note_column(a, FIRST, "of the first");
+	FREED char *text = xasprintf("  first%*s  needed\n  %s       1\n"
+				     "left out, as there is no room: second\n"
+				     "of the first\n",
+	    WIDE - 5, "", wide);
+	prints(a, ANSWER_TABLE, 1, text);
+	struct answer *copy = answer_copy_escaped(a);
+	struct answer_view v = answer_view(copy);
+	assert_int_equal(v.n_column, 3);
+	assert_int_equal(v.n_sentence, 2);
+	answer_free(copy);
+	answer_free(a);
+}
+
 int
 main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(rows_are_what_a_table_is_to_all),
+	    cmocka_unit_test(text_leaves_out_columns_that_can_be_spared),
 	    cmocka_unit_test(fields_keep_their_order_and_kinds),
 	    cmocka_unit_test(fields_are_found_by_their_paths),
 	    cmocka_unit_test(sentences_alone_are_told_to_all),

@@ -206,58 +206,45 @@ struct card_row {
 	enum light light;
 };
 
-/* A column of the card.  key: NULL if only people see it.  head: NULL if only
- * programs see it, or if there was no room.  word [rows]: NULL for a number.
- * spare: the larger it is, the sooner the column is dropped, left out. */
-struct card_column {
-	char *key, *head, **word;
-	double *number;
-	int decimals, spare, wide;
-	bool dropped;
-};
-
-/* Columns [n] that are filled row by row, from left to right.  ranged: one
- * figure has its range beside it; cut: how far at most the range of a new belt
- * cut reaches from that figure.  measured: that figure of the samples is shown;
- * moved: by how much at most they were moved to the feed, 0..1 (moved.h). */
+/* The rows of the card, in its answer.  row: the index of the one that is being
+ * added.  ranged: one figure has its range beside it; cut: how far at most the
+ * range of a new belt cut reaches from that figure.  measured: that figure of
+ * the samples is shown; moved: by how much at most they were moved to the feed,
+ * 0..1 (moved.h). */
 struct card_table {
-	size_t n, rows, row, next;
-	struct card_column *column;
+	struct answer *answer;
+	size_t row;
 	bool ranged, measured;
 	double cut, moved;
 };
 
+/* What is left out for want of room: the last of these first. */
+enum { NEEDED, ASKED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
 enum { AS_NEEDED = -1 };
-enum { NEEDED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
 
-/* Puts the next cell of the row; in the first row it adds the column.  Takes
- * ownership of the word, which is NULL for a number. */
+/* Adds a cell that people see under `head` and programs under `key`, each
+ * unless it is NULL; with the first row, its column.  word: NULL for a
+ * number. */
 static void
 put_card_cell(struct card_table *page, const char *key, const char *head,
-    int decimals, int spare, double number, char *word)
+    int decimals, int spare, double number, const char *word)
 {
-	size_t i = page->next++;
-	if (i == page->n) {
-		page->column =
-		    xrealloc(page->column, ++page->n, sizeof *page->column);
-		page->column[i] = (struct card_column){
-		    .key = key != NULL ? xstrdup(key) : NULL,
-		    .head = head != NULL ? xstrdup(head) : NULL,
-		    .word = xcalloc(page->rows, sizeof(char *)),
-		    .number = xcalloc_doubles(page->rows),
-		    .decimals = decimals,
-		    .spare = spare,
-		    .wide = head != NULL ? text_width_in_columns(head) : 0};
+	struct answer *r = page->answer;
+	for (int programs = 0; programs < 2; programs++) {
+		const char *name = programs ? key : head;
+		if (name == NULL)
+			continue;
+		if (programs)
+			answer_begin_table_for_programs(r);
+		else
+			answer_resume_table_for_people(r);
+		if (page->row == 0)
+			answer_column_to_spare(r, name, spare);
+		if (word != NULL)
+			answer_text(r, "%s", word);
+		else
+			answer_add_cells(r, "%.*f", decimals, number);
 	}
-	struct card_column *c = &page->column[i];
-	FREED char *shown = word != NULL ? xstrdup(word)
-			    : decimals < 0
-				? xasprintf("%g", number)
-				: xasprintf("%.*f", decimals, number);
-	int wide = text_width_in_columns(shown);
-	c->wide = wide > c->wide ? wide : c->wide;
-	c->number[page->row] = number;
-	c->word[page->row] = word;
 }
 
 static void
@@ -267,11 +254,13 @@ put_number_cell(struct card_table *page, const char *key, const char *head,
 	put_card_cell(page, key, head, decimals, spare, number, NULL);
 }
 
+/* Takes ownership of the word. */
 static void
 put_text_cell(struct card_table *page, const char *key, const char *head,
     int spare, char *word)
 {
 	put_card_cell(page, key, head, AS_NEEDED, spare, NAN, word);
+	free(word);
 }
 
 /* Returns "<2 mm", which is short enough for a page on a wall.  A note below
@@ -338,14 +327,23 @@ mean_of_repeats_at_speed(const struct session *s,
 		     : NAN;
 }
 
+enum { P20, P50, P80 };
+
+static int
+spare_of_figure(const struct card_request *all, size_t i)
+{
+	return i == all->ranged ? NEEDED
+	       : i == P80       ? ASKED
+	       : i == P50       ? MEDIAN
+	       : i == P20       ? FINE
+				: FIGURE;
+}
+
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
 put_figure_cells(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
 {
-	enum { P20, P50, P80, SIZES };
-	static const int SPARE[SIZES] = {
-	    [P20] = FINE, [P50] = MEDIAN, [P80] = NEEDED};
 	size_t ranged = all->ranged;
 	FREED char *range = range_head(all);
 	if (page->row == 0)
@@ -358,8 +356,8 @@ put_figure_cells(struct card_table *page, const struct session *s,
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_field_name(q),
 			   *head = card_heading_of_quantity(all, q);
-		put_number_cell(page, key, head, digits,
-		    i < SIZES ? SPARE[i] : FIGURE, f.value);
+		put_number_cell(
+		    page, key, head, digits, spare_of_figure(all, i), f.value);
 		if (i == ranged && page->ranged)
 			put_text_cell(page, NULL, range, RANGE,
 			    xasprintf(
@@ -399,7 +397,7 @@ put_tonnage_cells(
 		    xasprintf(back ? tr("%s back") : "%s", line->name);
 		put_number_cell(page, key, head, 1, NEEDED, open ? NAN : tph);
 	}
-	put_number_cell(page, "kwh_per_t", "kWh/t", 2, FIGURE,
+	put_number_cell(page, "kwh_per_t", "kWh/t", 2, ASKED,
 	    open ? NAN : o.kw / all->plant.circuit->tph);
 	if (all->plant.priced)
 		put_number_cell(page, "earnings", tr("earned/h"), 0, NEEDED,
@@ -409,12 +407,20 @@ put_tonnage_cells(
 
 /* Programs are told "met" if that is the more likely. */
 static void
-put_limits_met_cells(struct card_table *page, const struct card_row *row)
+put_limits_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
 	bool met = drawn ? row->share >= 0.5 : row->holds;
-	put_text_cell(page, NULL, tr("limits met"), NEEDED,
-	    conditions_describe_probability(row->share, row->holds));
+	put_text_cell(page, NULL, tr("limits"), NEEDED,
+	    xstrdup(conditions_verdict(row->share, row->holds)));
+	if (drawn) {
+		bool sure = row->share < 0.01 || row->share > 0.99;
+		answer_set_missing(
+		    page->answer, row->share < 0.5 ? "<1" : ">99");
+		put_number_cell(page, NULL, tr("met in 100"), 0, NEEDED,
+		    sure ? NAN : 100 * row->share);
+		answer_set_missing(page->answer, "-");
+	}
 	put_text_cell(page, "limits", NULL, NEEDED,
 	    xstrdup(met ? tr("met") : tr("missed")));
 	put_text_cell(page, "certain", NULL, NEEDED,
@@ -429,7 +435,6 @@ put_card_row(struct card_table *page, struct session *s,
 {
 	const struct entry *entry = all->question->entry;
 	double v = row->speed, rotor = entry->site->rotor;
-	page->next = 0;
 	put_number_cell(
 	    page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
 	put_number_cell(page, "speed", NULL, AS_NEEDED, NEEDED, v);
@@ -451,25 +456,10 @@ put_card_row(struct card_table *page, struct session *s,
 		forecast_set_speed(all->wanted.forecast, v);
 		row->holds = conditions_are_met(&all->wanted, SIZE_MAX);
 		row->share = conditions_probability(&all->wanted);
-		put_limits_met_cells(page, row);
+		put_limits_cells(page, row);
 	}
 	put_text_cell(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
-}
-
-static void
-card_table_free(struct card_table *page)
-{
-	for (size_t i = 0; i < page->n; i++) {
-		struct card_column *c = &page->column[i];
-		for (size_t k = 0; k < page->rows; k++)
-			free(c->word[k]);
-		free(c->word);
-		free(c->number);
-		free(c->key);
-		free(c->head);
-	}
-	free(page->column);
 }
 
 /* Titles the card "hollow_lane (Hollow Lane Quarry): card of 2026-11-27".  A
@@ -495,81 +485,6 @@ set_card_title(struct answer *r, const struct site *site, const char *today)
 		answer_title(r, "%s (%s): card of %s", label, line, today);
 		return;
 	}
-}
-
-/* Returns the width of the columns that are shown.  *most: out, the one of
- * these that can be spared soonest. */
-static int
-width_of_shown_columns(const struct card_table *page, struct card_column **most)
-{
-	enum { GAP = 2 };
-	int wide = 0;
-	*most = NULL;
-	for (size_t i = 0; i < page->n; i++) {
-		struct card_column *c = &page->column[i];
-		if (c->head == NULL || c->dropped)
-			continue;
-		wide += GAP + c->wide;
-		*most = *most == NULL || c->spare > (*most)->spare ? c : *most;
-	}
-	return wide;
-}
-
-/* Leaves out columns that can be spared until a row fits into 80 characters,
- * and takes back those for which there is room after all.  If that is not
- * enough, the table becomes wider rather than two.  Returns the headings of the
- * columns left out, or ""; the caller frees them. */
-static char *
-drop_columns_to_fit(struct card_table *page, struct answer *r)
-{
-	enum { ROOM = 79 };
-	struct card_column *most;
-	int wide = width_of_shown_columns(page, &most);
-	for (; wide > ROOM && most->spare != NEEDED;
-	     wide = width_of_shown_columns(page, &most))
-		most->dropped = true;
-	for (int spare = FIGURE; spare <= FINE; spare++)
-		for (size_t i = 0; i < page->n; i++) {
-			struct card_column *c = &page->column[i];
-			if (!c->dropped || c->spare != spare)
-				continue;
-			c->dropped = false;
-			c->dropped = width_of_shown_columns(page, &most) > ROOM;
-		}
-	if (wide > ROOM)
-		answer_set_width(r, wide + 1);
-	char *dropped = xstrdup("");
-	for (size_t i = 0; i < page->n; i++) {
-		struct card_column *c = &page->column[i];
-		if (!c->dropped)
-			continue;
-		page->ranged = page->ranged && c->spare != RANGE;
-		page->measured = page->measured && c->spare != SAMPLE;
-		xappend_to_list(&dropped, ", ", "%s", c->head);
-		free(c->head);
-		c->head = NULL;
-	}
-	return dropped;
-}
-
-/* Adds a line for each speed, for people or for programs. */
-static void
-add_card_rows(struct answer *r, const struct card_table *page, bool people)
-{
-	const struct card_column *end = page->column + page->n, *c;
-	for (c = page->column; c < end; c++)
-		if ((people ? c->head : c->key) != NULL)
-			answer_column(r, people ? c->head : c->key,
-			    people ? c->head : c->key);
-	for (size_t k = 0; k < page->rows; k++)
-		for (c = page->column; c < end; c++)
-			if ((people ? c->head : c->key) == NULL)
-				continue;
-			else if (c->word[k] != NULL)
-				answer_text(r, "%s", c->word[k]);
-			else
-				answer_add_cells(
-				    r, "%.*f", c->decimals, c->number[k]);
 }
 
 static void
@@ -602,15 +517,15 @@ note_unmet_limits(struct answer *r, const struct site *site,
 			best = i;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(site->rotor, row[best].speed, NAN);
-	FREED char *share = conditions_probability_percent(row[best].share);
+	FREED char *often = conditions_probability_in_100(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page meets the limits");
 	else if (row[best].share < 0.5)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page is likely to meet the limits: the "
-		    "surest, %g m/s%s, does with %s probability",
-		    row[best].speed, rpm, share);
+		    "surest, %g m/s%s, does %s",
+		    row[best].speed, rpm, often);
 }
 
 static void
@@ -625,6 +540,9 @@ note_limits(struct answer *r, const struct card_request *all,
 				 : N_("limits: %s"),
 		    words);
 		note_unmet_limits(r, all->question->entry->site, row, n);
+		answer_note_column(r, tr("met in 100"),
+		    "met in 100: how many times in 100 all limits are met at "
+		    "that speed");
 	}
 	conditions_note_source_of_limits(r, &all->list);
 }
@@ -638,18 +556,33 @@ note_meaning_of_range(
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
-	FREED char *head = range_head(all);
-	answer_note(r,
+	FREED char *range = range_head(all);
+	FREED char *figure = card_heading_of_quantity(all, of);
+	answer_note_column(r, range,
 	    "%s: of the figure at its left; the true value lies in it with "
 	    "%.0f %% probability",
-	    head, level);
+	    range, level);
 	FREED char *words = quantities_name(of);
 	if (isfinite(cut))
-		answer_note(r,
+		answer_note_column(r, figure,
 		    "%s: a new belt cut may show up to %.*f%s more or less "
 		    "than that figure, in %.0f %% of all cuts",
 		    words, digits, step * ceil(cut / step),
 		    quantities_difference_suffix(of), level);
+}
+
+static void
+note_meaning_of_measured(
+    struct answer *r, const struct card_request *all, double moved)
+{
+	const double SHOWN = 5e-4; /* changes a tenth of a point */
+	FREED char *of = quantities_name(&all->q[all->ranged]);
+	answer_note_column(r, tr("measured"),
+	    moved > SHOWN
+		? N_("measured: %s of the sample taken at that speed, moved to "
+		     "the feed of this card, by up to %.1f points")
+		: N_("measured: %s of the sample taken at that speed"),
+	    of, 100 * moved);
 }
 
 /* Notes what the words under trust mean, of those that occur. */
@@ -687,8 +620,8 @@ note_meaning_of_trust_words(struct answer *r, const struct site *site,
 /* Notes what the figures mean, the machine, and how they were found. */
 static void
 note_basis_of_card(struct answer *r, const struct session *s,
-    const struct card_request *all, const char *dropped,
-    const struct card_table *page, const struct card_row *row)
+    const struct card_request *all, const struct card_table *page,
+    const struct card_row *row, size_t n)
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
@@ -704,15 +637,10 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		FREED char *cut = quantities_fraction_text(&q->fraction);
 		answer_note(r, "all of these of the fraction %s", cut);
 	}
-	if (dropped[0] != '\0')
-		answer_note(r, "left out, as there is no room: %s", dropped);
 	if (page->ranged)
 		note_meaning_of_range(r, all, page->cut);
-	if (page->measured) {
-		FREED char *of = quantities_name(&all->q[all->ranged]);
-		answer_note(
-		    r, "measured: %s of the sample taken at that speed", of);
-	}
+	if (page->measured)
+		note_meaning_of_measured(r, all, page->moved);
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
 	answer_note(r, "model: %s, %s; %s",
@@ -722,7 +650,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		answer_note(r, "feed: %s",
 		    site->feed_from[0] != '\0' ? site->feed_from
 					       : tr("as sampled"));
-	note_meaning_of_trust_words(r, site, row, page->rows);
+	note_meaning_of_trust_words(r, site, row, n);
 }
 
 /* The rows show the lights.  If none is green, the best of them states its
@@ -756,7 +684,6 @@ static struct answer *
 build_card_answer(
     struct session *s, struct card_request *all, const double *speed, size_t n)
 {
-	const double SHOWN = 5e-4; /* changes a tenth of a point */
 	const struct entry *entry = all->question->entry;
 	FREED char *today = datetime_today();
 	struct answer *r =
@@ -764,7 +691,7 @@ build_card_answer(
 	set_card_title(r, entry->site, today);
 	struct trust light = trust_in_answer_or_fit(s, entry, NULL);
 	FREED struct card_row *row = xcalloc(n, sizeof *row);
-	struct card_table page = {.rows = n};
+	struct card_table page = {.answer = r};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
 		    page.measured || !isnan(mean_of_repeats_at_speed(
@@ -773,20 +700,13 @@ build_card_answer(
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
 		put_card_row(&page, s, all, &row[i], &light);
 	}
-	FREED char *dropped = drop_columns_to_fit(&page, r);
-	add_card_rows(r, &page, true);
-	answer_begin_table_for_programs(r);
-	add_card_rows(r, &page, false);
 	fields_put(answer_fields(r), "date %s machine %s model %s", today,
 	    entry->site->machine,
 	    breakage_model_of_params(&entry->params)->name);
 	note_limits(r, all, row, n);
 	note_plant_and_power(r, all);
-	note_basis_of_card(r, s, all, dropped, &page, row);
-	struct question q = *all->question;
-	q.moved = page.measured && page.moved > SHOWN ? page.moved : 0;
-	note_best_trust_light(r, s, &q, row, n, &light);
-	card_table_free(&page);
+	note_basis_of_card(r, s, all, &page, row, n);
+	note_best_trust_light(r, s, all->question, row, n, &light);
 	return r;
 }
 
@@ -795,6 +715,7 @@ cmd_card(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	struct card_request all = {.question = q};
+	question_add_measured_speeds_to_range(q);
 	question_use_default_speeds(s, q, true);
 	bool ok = parse_card_request(s, &all, args, q->at[q->n_at - 1], error);
 	if (ok && s->document != NULL)

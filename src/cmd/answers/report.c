@@ -261,7 +261,10 @@ write_whether_conditions_met(
 	bool met = conditions_are_met(&ask->wanted, SIZE_MAX);
 	double share = conditions_probability(&ask->wanted);
 	FREED char *list = conditions_describe_list(&ask->list);
-	FREED char *chance = conditions_describe_probability(share, met);
+	FREED char *often = conditions_probability_in_100(share);
+	FREED char *chance = isnan(share)
+				 ? xstrdup(conditions_verdict(share, met))
+				 : xasprintf(tr("met %s"), often);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(ask->q->entry->site->rotor, ask->speed, NAN);
 	FREED char *words = xasprintf(tr("Conditions: %s: at %.*f m/s%s %s"),

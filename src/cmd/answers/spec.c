@@ -7,6 +7,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/condition.h"
 #include "cmd/ask/question.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
@@ -184,11 +185,10 @@ note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	answer_note(
 	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
+	FREED char *often = conditions_probability_in_100(certain);
 	if (isfinite(certain))
-		answer_note(r,
-		    "the true product meets the checked limits with %.0f %% "
-		    "probability",
-		    100 * certain);
+		answer_note(
+		    r, "the true product meets the checked limits %s", often);
 }
 
 /* Compares the product at a speed with the envelope named, or with the one in

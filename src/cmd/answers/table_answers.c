@@ -111,9 +111,9 @@ const struct command TABLE_ANSWERS[] = {
 		 COMMAND_CONDITIONS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST(
 	    {NUMBERS(speeds), "m/s", 1, SITE_FASTEST, NULL, "",
-		"rotor tip speeds; default 65..85 by 1, or round rpm of a "
-		"sheet in rpm, extended or moved to cover the runs, and the "
-		"speeds measured and last asked about"},
+		"rotor tip speeds; a range has the speeds measured in it too; "
+		"default 65..85 by 1, or round rpm of a sheet in rpm, extended "
+		"or moved to cover the runs, and the speed last asked about"},
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
@@ -129,10 +129,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "window, spec= or a goal that is "
 	    "set, it also has how certain it is that they are met. Below it: "
 	    "the date, the feed, the machine, the model, and whether each "
-	    "speed rests on measurements or on the model alone. Columns that "
-	    "do not fit into 80 characters are left out, with a note; csv and "
-	    "json have all of them. 'card > card.pdf' is a page to be pinned "
-	    "up.",
+	    "speed rests on measurements or on the model alone. Text leaves "
+	    "out columns that do not fit into 80 characters, and names them; "
+	    "files have all. 'card > card.pdf' is a page to be pinned up.",
 	.example = "load data/sites/tierp.csv\ncalibrate\n"
 		   "card 65..85:5 0/2 fines tph=120 fractions=0/2,2/5,5/8\n"
 		   "card 66..81:5 passing 2 >= 33",

@@ -1089,16 +1089,15 @@ conditions_note_best_speed(struct answer *r, const struct session *s,
 		note_certainty_where_unmet(r, wanted, w);
 }
 
-char *
-conditions_describe_probability(double share, bool holds)
+const char *
+conditions_verdict(double share, bool holds)
 {
+	double percent = round(100 * share); /* as it is shown */
 	if (isnan(share))
-		return xstrdup(holds ? tr("met") : tr("missed"));
-	const char *words = share >= 0.9   ? tr("met")
-			    : share >= 0.7 ? tr("likely met")
-			    : share > 0.3  ? tr("as likely as not")
-			    : share > 0.1  ? tr("likely missed")
-					   : tr("missed");
-	FREED char *percent = conditions_probability_percent(share);
-	return xasprintf("%s, %s", percent, words);
+		return holds ? tr("met") : tr("missed");
+	return percent >= 90   ? tr("met")
+	       : percent >= 70 ? tr("likely met")
+	       : percent > 30  ? tr("about even")
+	       : percent > 10  ? tr("likely missed")
+			       : tr("missed");
 }

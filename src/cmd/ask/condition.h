@@ -169,9 +169,8 @@ char *conditions_probability_percent(double share);
 /* Returns "92 times in 100", "over 99 times in 100".  The caller frees it. */
 char *conditions_probability_in_100(double share);
 
-/* Returns the probability that conditions are met, with a verdict: "over 99 %,
- * met", "47 %, as likely as not"; if share is NAN, "met" or "missed", according
- * to the answer.  The caller frees it. */
-char *conditions_describe_probability(double share, bool holds);
+/* Returns in words whether conditions are met, given the probability that they
+ * are, "likely met", or, if that is NAN, whether the answer meets them. */
+const char *conditions_verdict(double share, bool holds);
 
 #endif

@@ -376,28 +376,41 @@ list_every_round_speed(
 	return at;
 }
 
-/* Returns round speeds, the measured ones and the last one asked about [*n]. */
+/* Returns speeds and the measured ones from `from` to `to`, in order [*n], with
+ * room for one more.  A measured one replaces what is nearer to it than
+ * `same`. */
 static double *
-merge_round_and_measured_speeds(
-    const struct site *site, double from, double to, double last, size_t *n)
+merge_with_measured_speeds(const struct site *site, const double *speed,
+    size_t n_speed, double from, double to, double same, size_t *n)
 {
-	const double same = 0.1;
-	size_t n_round, n_own = 0;
-	FREED double *round = list_every_round_speed(site, from, to, &n_round);
-	double *at = xcalloc_doubles(n_round + site->n_run + 1);
+	size_t n_own = 0;
+	double *at = xcalloc_doubles(n_speed + site->n_run + 1);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && site->run[r].speed >= from &&
 		    site->run[r].speed <= to &&
 		    !site_run_repeats_speed(site, r))
 			at[n_own++] = site->run[r].speed;
 	*n = n_own;
-	for (size_t i = 0; i < n_round; i++) {
+	for (size_t i = 0; i < n_speed; i++) {
 		bool near = false;
 		for (size_t k = 0; k < n_own; k++)
-			near = near || fabs(at[k] - round[i]) < same;
+			near = near || fabs(at[k] - speed[i]) < same;
 		if (!near)
-			at[(*n)++] = round[i];
+			at[(*n)++] = speed[i];
 	}
+	gsl_sort(at, 1, *n);
+	return at;
+}
+
+/* Returns round speeds, the measured ones and the last one asked about [*n]. */
+static double *
+list_round_and_measured_speeds(
+    const struct site *site, double from, double to, double last, size_t *n)
+{
+	size_t n_round;
+	FREED double *round = list_every_round_speed(site, from, to, &n_round);
+	double *at =
+	    merge_with_measured_speeds(site, round, n_round, from, to, 0.1, n);
 	bool there = !(last > from) || !(last < to);
 	for (size_t i = 0; i < *n; i++)
 		there = there || fabs(at[i] - last) < 1e-9;
@@ -421,8 +434,24 @@ question_use_default_speeds(
 		return;
 	}
 	settings_speed_range(&s->set, site, &from, &to);
-	q->at = q->speeds = merge_round_and_measured_speeds(
+	q->at = q->speeds = list_round_and_measured_speeds(
 	    site, from, to, s->last_asked.speed, &q->n_at);
+}
+
+/* Speeds of a range in rpm, too, have equal steps only roughly. */
+void
+question_add_measured_speeds_to_range(struct question *q)
+{
+	const double shown = 0.005; /* speeds have two decimals at most */
+	const double *at = q->at;
+	size_t n = q->n_at, i = 1;
+	while (i + 1 < n && at[i] > at[i - 1] &&
+	       fabs(at[i + 1] - 2 * at[i] + at[i - 1]) < shown)
+		i++;
+	if (n < 3 || i + 1 < n)
+		return;
+	q->at = q->speeds = merge_with_measured_speeds(
+	    q->entry->site, at, n, at[0], at[n - 1], shown, &q->n_at);
 }
 
 double

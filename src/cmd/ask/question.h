@@ -41,6 +41,10 @@ void question_free_cached(struct session *s);
 void question_use_default_speeds(
     const struct session *s, struct question *q, bool each);
 
+/* If the speeds of the call have equal steps, as those of a range have, adds
+ * the measured ones between the first and the last. */
+void question_add_measured_speeds_to_range(struct question *q);
+
 /* Returns the speed last asked about by any command or on the screen, which it
  * saves with the call; if there is none, the usual one. */
 double question_last_speed(struct session *s, double usual);

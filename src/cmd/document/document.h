@@ -34,7 +34,7 @@ struct document_part {
 /* title: if NULL, that of the first answer or picture; titled_by is then the
  * index of that part, else SIZE_MAX.  made_by: the program and the command.
  * one_page: a document with a single part is printed on one page, portrait or
- * landscape, in the largest letters that fit. */
+ * landscape, in the largest letters that fit, and its table is not broken. */
 struct document {
 	char *title, *made_by;
 	bool one_page;

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 
 #include "base/text.h"
+#include "base/tr.h"
+#include "base/xalloc.h"
 #include "config.h"
 #include "plot/picture.h"
 
@@ -107,19 +109,21 @@ html_put_sentences(const struct answer_view *v, bool warnings, FILE *out)
 	}
 }
 
-/* top: the answer's title is that of the document and is left out. */
+/* The answer's title is left out if it is that of the document. */
 static void
-html_put_answer(const struct answer *answer, bool top, FILE *out)
+html_put_answer(const struct document *d, size_t i, FILE *out)
 {
-	struct answer_view v = answer_view(answer);
+	struct answer_view v = answer_view(d->part[i].answer);
+	bool top = i == d->titled_by;
 	if (v.title != NULL && !top)
 		html_put_escaped("<h3>", v.title, "</h3>\n", out);
-	if (v.provenance != NULL)
-		html_put_escaped(
-		    "<p class=\"about\">Data: ", v.provenance, "</p>\n", out);
+	if (v.provenance != NULL) {
+		FREED char *text = xasprintf(tr("Data: %s"), v.provenance);
+		html_put_escaped("<p class=\"about\">", text, "</p>\n", out);
+	}
 	html_put_sentences(&v, true, out);
 	for (size_t from, to = 0;
-	     document_columns_that_fit(&v, false, &from, &to);)
+	     document_columns_that_fit(&v, d->one_page, &from, &to);)
 		html_put_table(&v, from, to, out);
 	html_put_sentences(&v, false, out);
 }
@@ -156,7 +160,7 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		put_lines(p->text, out);
 		break;
 	case DOCUMENT_ANSWER:
-		html_put_answer(p->answer, i == d->titled_by, out);
+		html_put_answer(d, i, out);
 		break;
 	case DOCUMENT_PICTURE:
 		fputs("<figure>\n", out);
@@ -174,11 +178,12 @@ document_to_html(const struct document *d, size_t *n)
 	FILE *out = text_open_memory(&text, n);
 	fprintf(out,
 	    "<!DOCTYPE html>\n"
-	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n"
+	    "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"%s\">\n"
 	    "<head>\n<meta charset=\"utf-8\"/>\n"
 	    "<meta http-equiv=\"Content-Security-Policy\" "
 	    "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
-	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n");
+	    "<meta name=\"viewport\" content=\"width=device-width\"/>\n",
+	    tr("en")); /* the code of the language */
 	html_put_escaped("<title>", d->title, "</title>\n", out);
 	fprintf(out, "<style>\n%s</style>\n</head>\n<body>\n", STYLE);
 	html_put_escaped("<h1>", d->title, "</h1>\n", out);

@@ -401,15 +401,27 @@ pdf_put_answer(struct pdf_layout *p, const struct answer *answer, bool top)
 	pdf_put_sentences(p, &v, false);
 }
 
+static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
+
+static double
+picture_scale(const struct pdf_layout *p)
+{
+	return fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
+}
+
+static double
+picture_height(const struct pdf_layout *p, const struct chart *chart)
+{
+	return picture_scale(p) * chart_picture_height(chart, PROGRAM);
+}
+
 static void
 put_picture(struct pdf_layout *p, const struct chart *chart)
 {
-	static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
-	double scale = fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
-	double height = scale * chart_picture_height(chart, PROGRAM);
+	double height = picture_height(p, chart);
 	move_down(p, 6);
 	begin_page_unless_fits(p, height);
-	p->pen->place(p->pen, MARGIN, p->y, scale);
+	p->pen->place(p->pen, MARGIN, p->y, picture_scale(p));
 	chart_picture_draw(chart, PROGRAM, p->pen);
 	p->pen->place(p->pen, 0, 0, 1);
 	p->y += height;
@@ -422,12 +434,15 @@ put_heading(struct pdf_layout *p, size_t i)
 {
 	enum { OWN = 30, LEAST = 40 };
 	const struct document *d = p->document;
-	const struct answer *next = i + 1 < d->n ? d->part[i + 1].answer : NULL;
+	const struct document_part *next =
+	    i + 1 < d->n ? &d->part[i + 1] : &d->part[i];
 	struct pen_style style = text_style(p, 13, true);
 	double kept = LEAST * p->scale;
-	if (next != NULL) {
-		struct answer_view v = answer_view(next);
+	if (next->answer != NULL) {
+		struct answer_view v = answer_view(next->answer);
 		kept = height_kept_together(p, &v);
+	} else if (next->chart != NULL) {
+		kept = picture_height(p, next->chart);
 	}
 	move_down(p, 14);
 	begin_page_unless_fits(p, OWN * p->scale + kept);

@@ -130,10 +130,12 @@ struct chart_series
 site_chart_series_style(size_t i)
 {
 	static const char MARKS[] = "v^ox*+@&$%szNHKTUYAEMRW", ASCII[] = "=-~_";
+	static const enum chart_line LINES[] = {
+	    CHART_SOLID, CHART_DASHED, CHART_LONG};
 	enum { COLOURS = sizeof ASCII - 1 };
 	return (struct chart_series){
 	    .series = (enum series)(SERIES_KIND_1 + i % COLOURS),
-	    .line = CHART_SOLID,
+	    .line = LINES[i / COLOURS % ARRAY_LEN(LINES)],
 	    .ascii = ASCII[i % COLOURS],
 	    .mark = MARKS[i % (sizeof MARKS - 1)]};
 }

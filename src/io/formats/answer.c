@@ -18,9 +18,11 @@
 /* Columns of a terminal, less two for its edges. */
 enum { SCREEN = 79 };
 
+/* spare [n_column]: see answer_column_to_spare. */
 struct table {
 	size_t n_column, n_cell;
 	char **key, **head;
+	int *spare;
 	struct answer_cell *cell; /* row by row */
 };
 
@@ -73,6 +75,7 @@ free_table(struct table *t)
 	}
 	free(t->key);
 	free(t->head);
+	free(t->spare);
 	free(t->cell);
 }
 
@@ -84,8 +87,10 @@ answer_free(struct answer *a)
 	free_table(&a->table[0]);
 	free_table(&a->table[1]);
 	json_decref(a->fields);
-	for (size_t i = 0; i < a->n_sentence; i++)
+	for (size_t i = 0; i < a->n_sentence; i++) {
 		free(a->sentence[i].text);
+		free(a->sentence[i].column);
+	}
 	free(a->sentence);
 	free(a->command);
 	free(a->title);
@@ -131,13 +136,34 @@ answer_begin_table_for_programs(struct answer *a)
 }
 
 void
-answer_column(struct answer *a, const char *key, const char *head)
+answer_resume_table_for_people(struct answer *a)
+{
+	a->filled = &a->table[0];
+}
+
+static void
+add_column(struct answer *a, const char *key, const char *head, int spare)
 {
 	struct table *t = a->filled;
-	t->key = xrealloc(t->key, t->n_column + 1, sizeof *t->key);
-	t->head = xrealloc(t->head, t->n_column + 1, sizeof *t->head);
-	t->key[t->n_column] = xstrdup(key);
-	t->head[t->n_column++] = xstrdup(tr(head));
+	size_t n = t->n_column++;
+	t->key = xrealloc(t->key, n + 1, sizeof *t->key);
+	t->head = xrealloc(t->head, n + 1, sizeof *t->head);
+	t->spare = xrealloc(t->spare, n + 1, sizeof *t->spare);
+	t->key[n] = xstrdup(key);
+	t->head[n] = xstrdup(head);
+	t->spare[n] = spare;
+}
+
+void
+answer_column(struct answer *a, const char *key, const char *head)
+{
+	add_column(a, key, tr(head), 0);
+}
+
+void
+answer_column_to_spare(struct answer *a, const char *name, int spare)
+{
+	add_column(a, name, name, spare);
 }
 
 void
@@ -263,7 +289,8 @@ add_sentence(struct answer *a, enum answer_grade grade, char *text)
 {
 	a->sentence =
 	    xrealloc(a->sentence, a->n_sentence + 1, sizeof *a->sentence);
-	a->sentence[a->n_sentence++] = (struct answer_sentence){grade, text};
+	a->sentence[a->n_sentence++] =
+	    (struct answer_sentence){grade, text, NULL};
 }
 
 void
@@ -272,6 +299,16 @@ answer_note(struct answer *a, const char *format, ...)
 	va_list ap;
 	va_start(ap, format);
 	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
+	va_end(ap);
+}
+
+void
+answer_note_column(struct answer *a, const char *name, const char *format, ...)
+{
+	va_list ap;
+	va_start(ap, format);
+	add_sentence(a, ANSWER_PLAIN, xvasprintf(tr(format), ap));
+	a->sentence[a->n_sentence - 1].column = xstrdup(name);
 	va_end(ap);
 }
 
@@ -809,13 +846,25 @@ print_trimmed(const struct table *t, const struct form *f, size_t row,
 	fprintf(out, "  %.*s\n", (int)n, line);
 }
 
+/* True unless a sentence is about a column that was left out. */
+static bool
+is_about_what_is_shown(
+    const struct table *t, const struct answer_sentence *said)
+{
+	bool shown = said->column == NULL;
+	for (size_t c = 0; c < t->n_column && !shown; c++)
+		shown = strcmp(t->key[c], said->column) == 0;
+	return shown;
+}
+
 static void
 answer_put_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)
 {
 	for (size_t i = 0; i < a->n_sentence; i++) {
 		const struct answer_sentence *said = &a->sentence[i];
-		if ((said->grade == ANSWER_WARNING) != warnings)
+		if ((said->grade == ANSWER_WARNING) != warnings ||
+		    !is_about_what_is_shown(&copy->table[0], said))
 			continue;
 		FREED char *text = xasprintf("%s%s%s",
 		    !warnings              ? ""
@@ -826,29 +875,46 @@ answer_put_sentences(char *(*way)(const char *), const struct answer *a,
 	}
 }
 
+/* Adds the columns that are shown, all if that is NULL, and a sentence that
+ * names the others. */
+static void
+copy_columns(char *(*way)(const char *), const struct table *from,
+    const bool *shown, struct answer *copy)
+{
+	FREED char *left_out = xstrdup("");
+	for (size_t c = 0; c < from->n_column; c++) {
+		FREED char *head = way(from->head[c]);
+		if (shown == NULL || shown[c])
+			add_column(copy, from->key[c], head, from->spare[c]);
+		else
+			xappend_to_list(&left_out, ", ", "%s", head);
+	}
+	for (size_t i = 0; i < from->n_cell; i++)
+		if (shown == NULL || shown[i % from->n_column])
+			answer_add_cell(copy,
+			    (struct answer_cell){from->cell[i].is_text,
+				from->cell[i].number, from->cell[i].decimals,
+				way(from->cell[i].text), NULL});
+	if (left_out[0] != '\0')
+		answer_note(
+		    copy, "left out, as there is no room: %s", left_out);
+}
+
 /* Returns what people see, with all texts converted: as shown, or as markdown.
- * Only the first clause of the provenance is included. */
+ * Only the first clause of the provenance is included.  shown: see
+ * copy_columns. */
 static struct answer *
-copy_with_converted_texts(char *(*way)(const char *), const struct answer *a)
+copy_with_converted_texts(
+    char *(*way)(const char *), const struct answer *a, const bool *shown)
 {
 	struct answer *copy = answer_new(a->command);
-	const struct table *from = &a->table[0];
 	copy->title = a->title != NULL ? way(a->title) : NULL;
 	if (a->provenance != NULL && a->provenance[0] != '\0') {
 		FREED char *first = xstrndup(
 		    a->provenance, length_of_first_clause(a->provenance));
 		copy->provenance = way(first);
 	}
-	for (size_t c = 0; c < from->n_column; c++) {
-		FREED char *head = way(from->head[c]);
-		answer_column(copy, from->key[c], head);
-	}
-	for (size_t i = 0; i < from->n_cell; i++)
-		answer_add_cell(
-		    copy, (struct answer_cell){from->cell[i].is_text,
-			      from->cell[i].number, from->cell[i].decimals,
-			      way(from->cell[i].text), NULL});
-	copy->room = a->room;
+	copy_columns(way, &a->table[0], shown, copy);
 	copy->across = a->across;
 	answer_put_sentences(way, a, true, copy);
 	answer_put_sentences(way, a, false, copy);
@@ -858,7 +924,7 @@ copy_with_converted_texts(char *(*way)(const char *), const struct answer *a)
 struct answer *
 answer_copy_escaped(const struct answer *a)
 {
-	return copy_with_converted_texts(text_escaped, a);
+	return copy_with_converted_texts(text_escaped, a, NULL);
 }
 
 /* Exchanges the headings and the first column. */
@@ -884,11 +950,37 @@ answer_transpose(struct answer *a)
 	free_table(&from);
 }
 
+/* Chooses the columns that are shown [n_column]: all but those that can be
+ * spared and for which there is no room, *room, which grows if the others need
+ * more. */
+static bool *
+choose_columns(const struct table *t, int *room)
+{
+	enum { GAP = 2 };
+	bool *shown = xcalloc(t->n_column + 1, sizeof *shown);
+	int width = 0, most = 0;
+	for (size_t c = 0; c < t->n_column; c++)
+		most = t->spare[c] > most ? t->spare[c] : most;
+	for (int spare = 0; spare <= most; spare++)
+		for (size_t c = 0; c < t->n_column; c++) {
+			int wide = width + GAP + column_width(t, c);
+			if (t->spare[c] != spare || (spare > 0 && wide > *room))
+				continue;
+			shown[c] = true;
+			width = wide;
+		}
+	*room = most > 0 && width > *room ? width : *room;
+	return shown;
+}
+
 static size_t
 print_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
-	struct answer *a = answer_copy_escaped(answer);
+	int room = answer->room;
+	FREED bool *shown = choose_columns(&answer->table[0], &room);
+	struct answer *a =
+	    copy_with_converted_texts(text_escaped, answer, shown);
 	const struct table *t = &a->table[0];
 	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
@@ -898,7 +990,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = count_table_rows(t);
-	struct form f = lay_out_table(t, a->room);
+	struct form f = lay_out_table(t, room);
 	size_t from = f.n_key;
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
@@ -982,7 +1074,7 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	struct answer *a =
-	    copy_with_converted_texts(escape_for_markdown, answer);
+	    copy_with_converted_texts(escape_for_markdown, answer, NULL);
 	const struct table *t = &a->table[0];
 	if (a->title != NULL)
 		fprintf(out, "**%s**\n\n", a->title);

@@ -60,6 +60,12 @@ void answer_columns(struct answer *answer, const char *format, ...)
 /* Adds a column whose heading may contain any character. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
+/* Adds a column with one name for key and heading, already translated.  Where
+ * a text of 80 columns has no room, columns whose `spare` is not 0 are left
+ * out, those with the largest first, and the text says so; what remains is not
+ * continued in a second block.  Files have all columns. */
+void answer_column_to_spare(struct answer *answer, const char *name, int spare);
+
 /* Sets the width of a table for people; 80 by default. */
 void answer_set_width(struct answer *answer, int columns);
 
@@ -67,9 +73,12 @@ void answer_set_width(struct answer *answer, int columns);
  * headings and a row for each other column. */
 void answer_allow_transposed(struct answer *answer);
 
-/* Begins another table, with the columns and cells that follow, for csv and
- * json to print instead of the previous table. */
+/* Begins another table, or goes on with it: columns and cells that follow are
+ * for csv and json to print instead of the table that people see. */
 void answer_begin_table_for_programs(struct answer *answer);
+
+/* Goes on with the table that people see. */
+void answer_resume_table_for_people(struct answer *answer);
 
 /* Adds cells, which fill the columns from left to right, row by row: "%s %.2f
  * %g", separated by spaces.  %s: a text; %.2f: a number, with 2 decimals for
@@ -105,6 +114,10 @@ void answer_say(struct answer *answer, enum answer_grade grade,
 void answer_note(struct answer *answer, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* Adds a plain sentence about a column, left out with it. */
+void answer_note_column(struct answer *answer, const char *name,
+    const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 /* The answer as people see it, borrowed: title, site and provenance or NULL, a
  * table row by row (the table for programs if there is no other), sentences.
  * In a cell, text is what people see; number is exact, NAN if missing, shown
@@ -118,7 +131,8 @@ struct answer_cell {
 };
 struct answer_sentence {
 	enum answer_grade grade;
-	char *text;
+	char *text,
+	    *column; /* the name of the column that it is about, or NULL */
 };
 struct answer_view {
 	const char *title, *site, *provenance;
