@@ -147,6 +147,7 @@ refused 'a material that has changed' 3 'it has changed' \
 refused 'a material that is gone' 2 "no material 'pit'" 'source ../pit.tip'
 refused 'a script that is there' 2 'already exists' 'save ../undone.tip'
 refused 'another name' 2 'ends in .tip' 'save results.csv'
+refused 'a device' 2 'ends in .tip, got ./dev/full.' 'save /dev/full'
 refused 'a folder that is not there' 5 'cannot write' 'save no/such.tip'
 refused 'a digest for two files' 2 'one file' 'load a b digest=1'
 name=$(printf 'line\nbreak.csv')

@@ -2,6 +2,7 @@
  * undo, redo and small ones.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/text.h"
@@ -75,14 +76,18 @@ restore_script(struct session *s, const char *path, struct error *error)
 	return true;
 }
 
-/* Returns the name typed, with .tip if it has no ending.  The caller frees
+/* Returns the name typed, with .tip if it has no ending and is not that of a
+ * device or pipe: nobody means a file beside /dev/full.  The caller frees
  * it. */
 static char *
 add_script_ending(const char *typed)
 {
+	struct stat about;
 	const char *name = file_name_without_folders(typed);
 	bool bare = name[0] != '\0' && strchr(name, '.') == NULL;
-	return xasprintf("%s%s", typed, bare ? ".tip" : "");
+	bool device = stat(typed, &about) == 0 && !S_ISREG(about.st_mode) &&
+		      !S_ISDIR(about.st_mode);
+	return xasprintf("%s%s", typed, bare && !device ? ".tip" : "");
 }
 
 bool
