@@ -12,6 +12,7 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/asked.h"
 #include "core/search/misfit.h"
+#include "io/sitefile/lexicon.h"
 #include "io/sitefile/units.h"
 
 /* Careful samples agree to within this passing. */
@@ -140,25 +141,12 @@ cut_find_note(const struct site *site, size_t run)
 	return NULL;
 }
 
-/* True if the key of a line says that its value is a date. */
-static bool
-is_date_heading(const char *key)
-{
-	static const char *const WORDS[] = {"date", "datum", "dato", "fecha",
-	    "data", "sampled", "provtag", "probenahme"};
-	FREED char *folded = text_fold_case_and_accents(key);
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
-		if (strstr(folded, WORDS[i]) != NULL)
-			return true;
-	return false;
-}
-
 bool
 cut_parse_date(const struct site_note *note, struct datetime *m)
 {
 	bool cut = strcmp(note->key, "cut") == 0;
 	const char *at = cut ? strstr(note->value, ", ") : note->value;
-	if (at == NULL || (!cut && !is_date_heading(note->key)))
+	if (at == NULL || (!cut && !lexicon_is_label_of_day(note->key)))
 		return false;
 	at += cut ? strlen(", ") : 0;
 	FREED char *text = xstrndup(at, cut ? strcspn(at, ",") : strlen(at));

@@ -92,12 +92,17 @@ date_order_by_today(const struct site *cuts)
 	return after[0] ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
 }
 
-/* Finds the order of day and month in the dates of cuts: as their other dates
- * show it, else those of the site that they are added to, else today, which no
- * cut is taken after. */
+/* Finds the order of day and month in the dates of cuts: as dates= says it,
+ * else as their other dates show it, else those of the site that they are added
+ * to, else today, which no cut is taken after. */
 static struct cut_day
-cut_day_find_date_order(const struct site *cuts, const struct site *site)
+cut_day_find_date_order(
+    const struct args *args, const struct site *cuts, const struct site *site)
 {
+	if (args_is_given(args, &args->dates))
+		return (struct cut_day){args->dates == 0 ? DATETIME_DAY_FIRST
+							 : DATETIME_MONTH_FIRST,
+		    tr("as dates= says"), false};
 	enum datetime_order order = cut_day_month_order(cuts);
 	if (order != DATETIME_OPEN)
 		return (struct cut_day){
@@ -312,17 +317,27 @@ note_ambiguous_date(struct session *s, const struct site *cuts,
 	FREED char *day = cut_day_text(&m, DATETIME_DAY_FIRST);
 	FREED char *month = cut_day_text(&m, DATETIME_MONTH_FIRST);
 	FREED char *said = xasprintf("%02d/%02d/%d", m.day, m.month, m.year);
-	if (how->order == DATETIME_OPEN)
+	bool one = cuts->n_run == 1 && all->n == 1;
+	bool day_first = how->order == DATETIME_DAY_FIRST;
+	if (how->order == DATETIME_OPEN && one)
 		session_note(s,
 		    "  warning: the date %s can be %s or %s, so the cut has "
 		    "none: 'undo', then add it with date=%s",
 		    said, day, month, day);
+	else if (how->order == DATETIME_OPEN)
+		session_note(s,
+		    "  warning: the date %s can be %s or %s, so the cut has "
+		    "none: 'undo', then add the cuts with dates=day-first or "
+		    "dates=month-first",
+		    said, day, month);
 	else
 		session_note(s, "  the date %s is read as %s, %s", said,
-		    how->order == DATETIME_DAY_FIRST ? day : month, how->why);
-	if (how->now && cuts->n_run == 1 && all->n == 1)
-		invocation_add_options(s, " date=%s",
-		    how->order == DATETIME_DAY_FIRST ? day : month);
+		    day_first ? day : month, how->why);
+	if (how->now && one)
+		invocation_add_options(s, " date=%s", day_first ? day : month);
+	else if (how->now)
+		invocation_add_options(
+		    s, " dates=%s-first", day_first ? "day" : "month");
 }
 
 /* Returns the file that a cut is from: the only one, or the one with its
@@ -573,7 +588,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
     const struct site *cuts, struct origins *all, struct error *error)
 {
 	const struct site *old = session_current_entry(s)->site;
-	const struct cut_day how = cut_day_find_date_order(cuts, old);
+	const struct cut_day how = cut_day_find_date_order(args, cuts, old);
 	FREED size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
 	struct site *site = site_copy_with_cuts(old, cuts, from);
 	char number[32];

@@ -73,8 +73,9 @@ const struct command TABLE_DATA[] = {
 		 COMMAND_DAILY,
 	.option = OPTION_LIST(SHEET_OPTIONS,
 	    {TEXT(date), NULL, "",
-		"day of the cuts, such as 2026-05-03; default: that stated "
-		"above their table; not set from the clock"},
+		"day of the cuts: 2026-05-03; default: as their sheet has it"},
+	    {CHOICE(dates), "day-first month-first", "",
+		"order in dates like 5/3/2026"},
 	    {NUMBER(window), "min", 0.1, 600, NULL, "10",
 		"minutes of the log, half before the time and half after it"},
 	    {TEXT(digest), NULL, "",
@@ -84,10 +85,9 @@ const struct command TABLE_DATA[] = {
 		"site in use as one more run: at the speed after @, or at that "
 		"of the sheet. After 'load LOG as=log' it may be a time, as in "
 		"cut.csv@2026-05-03T10:15: the speed is then the median of the "
-		"log around it, and its power and feed rate are noted. A date "
-		"above the table of a sheet is taken too; of 5/11/2026 other "
-		"dates show which number is the day. A cut "
-		"has the site's feed unless its sheet has one. The parameters "
+		"log around it, and its power and feed rate are noted. A "
+		"cut has the day of its line or heading, or above the table, "
+		"and the site's feed unless its sheet has one. The parameters "
 		"stay, and the cut is compared at once with what they predict; "
 		"'calibrate train=all' also includes the cut. The site's own "
 		"file stays as it is: 'write' saves the site with its cuts, "

@@ -838,7 +838,7 @@ is_head_row(const struct sheets *g, size_t r, const struct place *p, size_t end)
 	bool of_columns =
 	    first.unit != SPEED_NO_UNIT ||
 	    (first.means & (WORD_SPEED | WORD_SAMPLE | WORD_SIZE)) != 0;
-	return filled > 1 || (of_columns && end == p->c + 2);
+	return filled > 1 || g->across || (of_columns && end == p->c + 2);
 }
 
 static struct row
@@ -977,6 +977,10 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 	for (size_t r = p->last;
 	     r < g->n_row && cell_nature_at(g, r, p->c)->foot; r++)
 		add_table_row(g, r, col, n, &t.foot, &t.n_foot);
+	for (size_t r = p->last; r < g->n_row && g->across; r++)
+		if (lexicon_is_label_of_day(cell_at(g, r, p->c)->text) &&
+		    !g->used[cell_index_at(g, r, p->c)])
+			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
 		t.number[i] = g->col_number[col[i]];
@@ -1122,6 +1126,7 @@ layout_table_clear(struct table *t)
 		free(t->text[i]);
 	free(t->text);
 	free(t->name);
+	free(t->day);
 	free(t->title);
 	free(t->number);
 	free(t->mm);

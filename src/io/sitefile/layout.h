@@ -15,6 +15,8 @@
  * above, with the remarks that follow them without a blank line, or 0.  text
  * [n_text]: headings made for a
  * long table; name [n_col]: the names of the samples in a long table, or NULL.
+ * day [n_col]: the days of the samples, NULL where none is stated, of a table
+ * whose headings were replaced; or NULL.
  *
  * site_title.h sets title, the single-cell lines immediately above the table,
  * in the order of the sheet, and strange, true if their words may mean another
@@ -36,7 +38,7 @@ struct table {
 	struct row *head, *row, *foot;
 	size_t *number;
 	size_t n_text;
-	char **text, **name, *title;
+	char **text, **name, **day, *title;
 	uint64_t basis;
 	struct sieve_unit unit;
 	double *mm;

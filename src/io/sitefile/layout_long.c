@@ -14,6 +14,7 @@
 #include "io/cells/number.h"
 #include "io/cells/source.h"
 #include "io/sitefile/sieve_size.h"
+#include "io/sitefile/site_day.h"
 #include "io/sitefile/lexicon.h"
 
 /* What a column of a long table is for: KEY tells samples apart and what they
@@ -334,22 +335,39 @@ has_room_for_samples(const struct longer *l)
 		   most, l->n_sample, values, t->sheet->path);
 }
 
-/* Writes the headings and names of all samples. */
+/* True if all rows of a sample have the same in column c. */
+static bool
+is_same_in_all_rows(const struct longer *l, size_t sample, size_t c)
+{
+	const struct row *row = l->table->row;
+	const char *text = row[l->lead[sample]].cell[c].text;
+	for (size_t r = 0; r < l->table->n_row; r++)
+		if (l->sample[r] == sample &&
+		    strcmp(row[r].cell[c].text, text) != 0)
+			return false;
+	return true;
+}
+
+/* Writes the headings, names and days of all samples.  days: the column with
+ * them, or 0. */
 static void
-write_sample_headings(const struct longer *l, struct table *wide)
+write_sample_headings(const struct longer *l, struct table *wide, size_t days)
 {
 	const struct table *t = l->table;
 	size_t at = 1;
 	for (size_t s = 0; s < l->n_sample; s++) {
 		char *name = layout_adopt_text(wide, sample_name(l, s));
+		const struct cell *lead = t->row[l->lead[s]].cell;
+		bool day = days > 0 && is_same_in_all_rows(l, s, days);
 		for (size_t c = 1; c < t->n_col; c++) {
 			if (l->use[c] != VALUE)
 				continue;
-			struct cell head = t->row[l->lead[s]].cell[c];
 			char *text =
 			    layout_adopt_text(wide, sample_heading(l, s, c));
 			wide->head[0].cell[at] =
-			    number_cell_from_text(t->sheet, head, text);
+			    number_cell_from_text(t->sheet, lead[c], text);
+			if (day)
+				wide->day[at] = lead[days].text;
 			wide->name[at] = name;
 			wide->number[at++] = t->number[c];
 		}
@@ -372,6 +390,7 @@ widen_table(struct longer *l)
 	wide.row = xcalloc(wide.n_row, sizeof *wide.row);
 	wide.number = xcalloc(wide.n_col, sizeof *wide.number);
 	wide.name = xcalloc(wide.n_col, sizeof(*wide.name));
+	wide.day = xcalloc(wide.n_col, sizeof(*wide.day));
 	const struct row *above =
 	    t->n_head > 0 ? &t->head[t->n_head - 1] : &t->row[0];
 	wide.head[0] = new_empty_row(wide.n_col, above);
@@ -381,7 +400,7 @@ widen_table(struct longer *l)
 	wide.head[0].cell[0].text = layout_adopt_text(&wide, size);
 	wide.number[0] = t->number[0];
 	wide.name[0] = size;
-	write_sample_headings(l, &wide);
+	write_sample_headings(l, &wide, site_day_column(t));
 	for (size_t r = 0; r < t->n_row; r++) {
 		struct cell *to =
 		    &wide.row[l->size[r]].cell[1 + values * l->sample[r]];

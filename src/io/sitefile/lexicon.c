@@ -116,7 +116,7 @@ static const struct {
 	"moisture fukt fukthalt feuchte humidite humedad umidade kosteus "
 	"temperature temperatur operateur bediener uhrzeit heure hora "
 	"initials sampler sampled signature"},
-    {WORD_OTHER | WORD_DATE, "date datum dato fecha data dnia pvm paivamaara"},
+    {WORD_OTHER, "date datum dato fecha data dnia pvm paivamaara"},
     {WORD_MEAN,
 	"mean average avg mw moy ka median gj medel medelvarde snitt "
 	"mittel mittelwert moyenne "
@@ -332,6 +332,43 @@ lexicon_meanings(const char *text, size_t *unknown)
 	if (unknown != NULL)
 		*unknown = none;
 	return means;
+}
+
+/* Parts of the labels of dates: of all; of the day of sampling; of others. */
+static const char *const DAYS[] = {"date", "datum", "dato", "fecha", "data",
+    "dnia", "pvm", "paivamaara", "sampled", "provta", "provdat", "probenahme",
+    "entnahme"};
+static const char *const SAMPLING[] = {
+    "sampl", "provta", "provdat", "probenahme", "entnahme", "taken", "cut"};
+static const char *const OTHER_DAYS[] = {"analy", "siev", "sikt", "sieb",
+    "pruf", "report", "rapport", "receiv", "ankom", "eingang", "print",
+    "utskr"};
+
+static bool
+has_any_part(const char *folded, const char *const *part, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		if (strstr(folded, part[i]) != NULL)
+			return true;
+	return false;
+}
+
+enum lexicon_day
+lexicon_day_of_label(const char *label)
+{
+	FREED char *folded = text_fold_case_and_accents(label);
+	if (has_any_part(folded, OTHER_DAYS, ARRAY_LEN(OTHER_DAYS)))
+		return DAY_OTHER;
+	if (!has_any_part(folded, DAYS, ARRAY_LEN(DAYS)))
+		return DAY_NONE;
+	return has_any_part(folded, SAMPLING, ARRAY_LEN(SAMPLING)) ? DAY_SAMPLED
+								   : DAY_ANY;
+}
+
+bool
+lexicon_is_label_of_day(const char *label)
+{
+	return lexicon_day_of_label(label) >= DAY_ANY;
 }
 
 /* In the words of text_fold_case_and_accents; the first of each is that of

@@ -3,6 +3,7 @@
 #ifndef TIPSPEED_IO_SITEFILE_LEXICON_H
 #define TIPSPEED_IO_SITEFILE_LEXICON_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -42,7 +43,15 @@
 #define WORD_MEAN (UINT64_C(1) << 31) /* of several samples */
 #define WORD_PHI (UINT64_C(1) << 33)
 #define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
-#define WORD_DATE (UINT64_C(1) << 35)
+
+/* What the label of a date says of it: that it is another day than that of
+ * sampling, as that of the analysis; nothing; that it is a day; that it is the
+ * day of sampling. */
+enum lexicon_day { DAY_OTHER, DAY_NONE, DAY_ANY, DAY_SAMPLED };
+enum lexicon_day lexicon_day_of_label(const char *label);
+
+/* True for "Date", "Provtagen", "Sample date", not for "Date of analysis". */
+bool lexicon_is_label_of_day(const char *label);
 
 /* Returns the meanings of one word, n bytes folded by
  * text_fold_case_and_accents, or 0 if unknown. */

@@ -180,15 +180,6 @@ site_heading_speed_of_line(const struct sheet *sheet, const struct row *row,
 	       site_heading_take_speed(sheet, key, value, speed);
 }
 
-/* True for "Date", "Sample date:". */
-static bool
-is_key_for_date(const char *key)
-{
-	size_t unknown;
-	uint64_t means = lexicon_meanings(key, &unknown);
-	return (means & WORD_DATE) != 0 && unknown == 0;
-}
-
 char *
 site_heading_date_of_line(const struct row *row)
 {
@@ -200,7 +191,7 @@ site_heading_date_of_line(const struct row *row)
 		if (n == 0)
 			break;
 		double seconds =
-		    n > 1 && is_key_for_date(key.text) &&
+		    n > 1 && lexicon_is_label_of_day(key.text) &&
 			    datetime_parse(value.text, &m) && m.has_date
 			? datetime_seconds_since_1970(&m, DATETIME_OPEN)
 			: (double)NAN;

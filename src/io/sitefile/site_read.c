@@ -18,6 +18,7 @@
 #include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_ask.h"
 #include "io/sitefile/site_column.h"
+#include "io/sitefile/site_day.h"
 #include "io/sitefile/site_describe.h"
 #include "io/sitefile/site_heading.h"
 #include "io/sitefile/site_samples.h"
@@ -962,40 +963,101 @@ count_faults(const struct reading *r)
 	return r->errors->n + r->errors->more;
 }
 
-/* Notes the day of each cut whose sheet states it above its table. */
+/* Returns the day of a sample: its own, or that stated above its table.  NULL:
+ * none is stated. */
+static char *
+find_day_of_sample(const struct reading *r, const struct column *c)
+{
+	size_t p = 0;
+	bool differ = false;
+	char *day = site_day_of_sample(c->table, c->at);
+	if (day != NULL)
+		return day;
+	while (r->page[p].sheet != c->table->sheet)
+		p++;
+	return title_find_day(r->page[p].layout, c->table, NULL, &differ);
+}
+
+/* True if a column is a product as read, no other quantity of one. */
+static bool
+is_product(const struct column *c)
+{
+	return c->role == PRODUCT && c->twin == 0;
+}
+
+/* Notes the days of the cuts, of which those at one speed are told apart by
+ * their order: if one has a day, the others have a note too. */
 static void
 note_days_of_cuts(struct reading *r)
 {
+	const struct columns *all = &r->all;
+	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
+	for (size_t i = 0; i < all->n; i++)
+		if (is_product(&all->column[i]))
+			day[i] = find_day_of_sample(r, &all->column[i]);
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		bool any = false;
+		for (size_t k = 0; k < all->n; k++)
+			any = any || (day[k] != NULL &&
+					 all->column[k].speed == c->speed);
+		if (!is_product(c) || !any)
+			continue;
+		FREED char *note = xasprintf("%g m/s%s%s", c->speed,
+		    day[i] != NULL ? ", " : "", day[i] != NULL ? day[i] : "");
+		site_add_note(&r->site->note, &r->site->n_note, "cut", note);
+	}
+	for (size_t i = 0; i < all->n; i++)
+		free(day[i]);
+}
+
+/* Notes the cuts whose day is stated in a form that is not read. */
+static void
+note_days_not_read(struct reading *r)
+{
 	for (size_t i = 0; i < r->all.n; i++) {
 		const struct column *c = &r->all.column[i];
-		size_t p = 0;
-		bool differ = false;
-		if (c->role != PRODUCT || c->twin > 0)
-			continue;
-		while (r->page[p].sheet != c->table->sheet)
-			p++;
-		FREED char *day =
-		    title_find_day(r->page[p].layout, c->table, NULL, &differ);
-		if (day == NULL)
-			continue;
-		FREED char *note = xasprintf("%g m/s, %s", c->speed, day);
-		site_add_note(&r->site->note, &r->site->n_note, "cut", note);
+		const char *day = site_day_unread(c->table, c->at);
+		if (is_product(c) && day != NULL)
+			leave_out(r->site, c->head.line,
+			    "the day '%.*s' of the cut at %g m/s: write year, "
+			    "month, day",
+			    sheet_bytes_to_show(day), day, c->speed);
 	}
 }
 
-/* If nothing says where the data are from, but one day is stated outside the
- * tables, the provenance has that day; see site_data_kind. */
+/* Returns the days of all samples, "2026-05-03 to 2026-05-05", or NULL. */
+static char *
+find_days_of_all_samples(const struct reading *r)
+{
+	const struct columns *all = &r->all;
+	FREED char **day = xcalloc(all->n + 1, sizeof(*day));
+	for (size_t i = 0; i < all->n; i++)
+		day[i] =
+		    site_day_of_sample(all->column[i].table, all->column[i].at);
+	char *days = site_day_range_text(day, all->n);
+	for (size_t i = 0; i < all->n; i++)
+		free(day[i]);
+	return days;
+}
+
+/* If nothing says where the data are from, the provenance has the days of the
+ * samples or, if none has one, the only day stated outside the tables; see
+ * site_data_kind. */
 static void
 take_day_for_provenance(struct reading *r)
 {
+	FREED char *days = find_days_of_all_samples(r);
 	FREED char *day = NULL;
 	bool differ = false;
 	for (size_t p = 0; p < r->n_page; p++)
 		day = title_find_day(r->page[p].layout, NULL, day, &differ);
-	if (day == NULL || differ || r->site->provenance[0] != '\0')
+	bool stated = days != NULL || (day != NULL && !differ);
+	if (!stated || r->site->provenance[0] != '\0')
 		return;
 	free(r->site->provenance);
-	r->site->provenance = xasprintf("sheet of %s", day);
+	r->site->provenance =
+	    xasprintf("sheet of %s", days != NULL ? days : day);
 }
 
 static struct site *
@@ -1010,10 +1072,12 @@ finish_site(struct reading *r)
 	}
 	note_speeds_from_rpm(r);
 	make_runs(r->site, &r->all);
-	if (q->parts)
+	if (q->parts) {
 		note_days_of_cuts(r);
-	else
+		note_days_not_read(r);
+	} else {
 		take_day_for_provenance(r);
+	}
 	note_left_out(r);
 	note_sieve_names(r);
 	site_describe_columns(r->table, r->n_table, &r->all, r->site);

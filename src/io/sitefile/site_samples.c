@@ -15,6 +15,7 @@
 #include "base/tr.h"
 #include "io/cells/number.h"
 #include "io/sitefile/lexicon.h"
+#include "io/sitefile/site_day.h"
 
 /* Cuts off the next part of a list that commas separate, and returns it, or
  * NULL after the last; *rest moves after it.  The comma of a number, as in
@@ -130,6 +131,18 @@ move_cell(struct row *row, size_t n_row, size_t c, size_t n)
 	}
 }
 
+/* Keeps the days that the headings of all columns state. */
+static void
+keep_days(struct table *t)
+{
+	char **day = xcalloc(t->n_col, sizeof(*day));
+	for (size_t c = 1; c < t->n_col; c++) {
+		char *own = site_day_of_sample(t, c);
+		day[c] = own != NULL ? layout_adopt_text(t, own) : NULL;
+	}
+	t->day = day;
+}
+
 /* Heads the columns anew and drops those without a name. */
 static void
 replace_headings(const struct samples *columns, struct table *t)
@@ -137,6 +150,7 @@ replace_headings(const struct samples *columns, struct table *t)
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
 	head.cell = xcalloc(t->n_col, sizeof *head.cell);
+	keep_days(t);
 	for (size_t c = 0; c < t->n_col; c++) {
 		const struct sample *named =
 		    find_named_column(columns, t->number[c]);
@@ -149,6 +163,7 @@ replace_headings(const struct samples *columns, struct table *t)
 		    t, xstrdup(named != NULL ? named->text : ""));
 		head.cell[n] = number_cell_from_text(t->sheet, cell, text);
 		t->number[n] = t->number[c];
+		t->day[n] = t->day[c];
 		move_cell(t->row, t->n_row, c, n);
 		move_cell(t->foot, t->n_foot, c, n);
 		n++;

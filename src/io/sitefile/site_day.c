@@ -1,0 +1,182 @@
+/* Finds the day on which each sample was taken: in a heading of days beside the
+ * samples, "Date", "Provtagen", or in the heading of the sample itself.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/sitefile/site_day.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "base/xalloc.h"
+#include "io/cells/datetime.h"
+#include "io/sitefile/lexicon.h"
+
+static bool
+is_date(const char *text, struct datetime *m)
+{
+	return datetime_parse(text, m) && m->has_date;
+}
+
+/* Returns the one word of a heading that is a date, "Cut 2026-05-03, 72 m/s",
+ * or NULL.  The caller frees it. */
+static char *
+date_among_words(const char *heading)
+{
+	struct datetime m;
+	FREED char *copy = xstrdup(heading);
+	char *rest = copy, *found = NULL;
+	for (char *word; (word = strtok_r(rest, " ,;()[]@\n", &rest));) {
+		if (!is_date(word, &m))
+			continue;
+		if (found != NULL) {
+			free(found);
+			return NULL;
+		}
+		found = xstrdup(word);
+	}
+	return found;
+}
+
+/* Returns a date as a site keeps it.  Of 25/3/2026 the form is kept, because it
+ * shows how 5/3/2026 beside it is to be read. */
+static char *
+date_to_keep(const char *text)
+{
+	struct datetime m;
+	is_date(text, &m);
+	if (!m.plain)
+		return xstrdup(text);
+	char *day =
+	    datetime_to_text(datetime_seconds_since_1970(&m, DATETIME_OPEN));
+	if (!m.has_time)
+		day[strcspn(day, " ")] = '\0';
+	return day;
+}
+
+/* Returns the text of column c in a row of headings.  A cell that spreads over
+ * the columns at its right is that of all of them; but below a day an empty
+ * cell of a line may be the same, or forgotten. */
+static const char *
+heading_text(const struct table *t, size_t r, size_t c)
+{
+	const struct cell *cell = t->head[r].cell;
+	while (!t->across && c > 1 && cell[c].text[0] == '\0')
+		c--;
+	return cell[c].text;
+}
+
+/* Takes the day that a row of a table states with `text` for a sample, into
+ * *stated if its label says that it is that of sampling, else into *other.
+ * Two that differ are "". */
+static void
+take_day(char **stated, char **other, const struct row *row, const char *text)
+{
+	struct datetime m;
+	bool whole = is_date(text, &m);
+	FREED char *word = whole ? xstrdup(text) : date_among_words(text);
+	enum lexicon_day label = lexicon_day_of_label(row->cell[0].text);
+	if (word == NULL || (whole && label == DAY_OTHER))
+		return;
+	char *day = date_to_keep(word);
+	char **slot = whole && label == DAY_SAMPLED ? stated : other;
+	if (*slot != NULL && strcmp(*slot, day) != 0)
+		day[0] = '\0';
+	free(*slot);
+	*slot = day;
+}
+
+char *
+site_day_of_sample(const struct table *t, size_t c)
+{
+	char *stated = NULL, *other = NULL;
+	struct datetime m;
+	if (t->day != NULL && t->day[c] != NULL && is_date(t->day[c], &m))
+		return date_to_keep(t->day[c]);
+	for (size_t r = 0; r < t->n_head; r++)
+		take_day(&stated, &other, &t->head[r], heading_text(t, r, c));
+	for (size_t r = 0; r < t->n_foot; r++)
+		if (lexicon_is_label_of_day(t->foot[r].cell[0].text))
+			take_day(&stated, &other, &t->foot[r],
+			    t->foot[r].cell[c].text);
+	FREED char *first = stated != NULL ? stated : other;
+	if (stated != NULL)
+		free(other);
+	return first != NULL && first[0] != '\0' ? xstrdup(first) : NULL;
+}
+
+const char *
+site_day_unread(const struct table *t, size_t c)
+{
+	struct datetime m;
+	for (size_t r = 0; r < t->n_head + t->n_foot; r++) {
+		const struct row *row =
+		    r < t->n_head ? &t->head[r] : &t->foot[r - t->n_head];
+		const char *text = row->cell[c].text;
+		if (lexicon_is_label_of_day(row->cell[0].text) &&
+		    strpbrk(text, "0123456789") != NULL && !is_date(text, &m))
+			return text;
+	}
+	return NULL;
+}
+
+static bool
+is_column_of_dates(const struct table *t, size_t c)
+{
+	size_t n = 0;
+	struct datetime m;
+	for (size_t r = 0; r < t->n_row; r++) {
+		const struct cell *cell = &t->row[r].cell[c];
+		if (cell->value == AS_ABSENT)
+			continue;
+		if (!is_date(cell->text, &m))
+			return false;
+		n++;
+	}
+	return n > 0;
+}
+
+size_t
+site_day_column(const struct table *t)
+{
+	enum lexicon_day best = DAY_OTHER;
+	size_t found = 0;
+	for (size_t c = 1; c < t->n_col; c++) {
+		FREED char *label = layout_heading_text(t, c);
+		enum lexicon_day own = lexicon_day_of_label(label);
+		if (own < best || own == DAY_OTHER || !is_column_of_dates(t, c))
+			continue;
+		/* Of two the same nothing tells which is meant. */
+		found = own > best ? c : 0;
+		best = own;
+	}
+	return found;
+}
+
+char *
+site_day_range_text(char *const *day, size_t n)
+{
+	enum datetime_order order = DATETIME_OPEN;
+	struct datetime m;
+	double from = INFINITY, to = -INFINITY;
+	for (size_t i = 0; i < n; i++)
+		if (day[i] != NULL && is_date(day[i], &m) && !m.plain &&
+		    m.order != DATETIME_OPEN)
+			order = m.order;
+	for (size_t i = 0; i < n; i++) {
+		if (day[i] == NULL || !is_date(day[i], &m))
+			continue;
+		double time = datetime_seconds_since_1970(&m, order);
+		if (isnan(time))
+			return NULL;
+		from = fmin(from, time);
+		to = fmax(to, time);
+	}
+	if (from > to)
+		return NULL;
+	FREED char *first = datetime_to_text(from),
+		   *last = datetime_to_text(to);
+	first[strcspn(first, " ")] = last[strcspn(last, " ")] = '\0';
+	return strcmp(first, last) == 0 ? xstrdup(first)
+					: xasprintf("%s to %s", first, last);
+}
