@@ -80,6 +80,9 @@ print_table_above_questions(const struct user_question *q, int columns)
 		      ? tr("Enter accepts what is in [ ]; or type the numbers "
 			   "of tables, as 2 or 1-2, or cells, as A5:B17; ^C "
 			   "gives up")
+		  : q->ask->across
+		      ? tr("Enter accepts what is in [ ], - leaves a line out, "
+			   "^C gives up")
 		      : tr("Enter accepts what is in [ ], - leaves a column "
 			   "out, ^C gives up"),
 	    0, columns, stderr);

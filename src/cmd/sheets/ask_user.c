@@ -28,7 +28,10 @@ table_row_cells(const struct user_question *q, size_t row, bool narrow,
     char *number, const char *cell[static CELLS])
 {
 	bool tables = q->ask->tables;
-	const char *const HEADS[] = {"", tables ? tr("title") : tr("head"),
+	const char *const HEADS[] = {"",
+	    tables           ? tr("title")
+	    : q->ask->across ? tr("sample")
+			     : tr("head"),
 	    tables   ? tr("lines")
 	    : narrow ? tr("values")
 		     : tr("first values"),
@@ -242,16 +245,15 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 	wrong[0] = '\0';
 	if (said[0] == '\0' && lacks_speed(c))
 		snprintf(wrong, WRONG,
-		    tr("expected a tip speed in m/s, got nothing; - leaves the "
-		       "column out"));
+		    tr("expected a tip speed in m/s, got nothing; - leaves it "
+		       "out"));
 	else if (said[0] == '\0')
 		text = xstrdup(c->guess);
 	else if (is_guessed_sieve_column(c))
 		text = parse_sieve_answer(said, means, wrong);
 	else if (strcmp(said, "-") != 0 && strpbrk(said, "\"=") != NULL)
 		snprintf(wrong, WRONG,
-		    tr("expected a description of this column, got '%.40s'"),
-		    said);
+		    tr("expected words for what it is, got '%.40s'"), said);
 	else if ((means & known) != 0)
 		text = parse_role_answer(c, said, &head, means);
 	else if (speed && head.unknown == 0)

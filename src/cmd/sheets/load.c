@@ -116,7 +116,9 @@ load_note_files_read(const struct session *s, const struct site *site)
 	if (site->assumed[0] != '\0')
 		session_note(s, "  likely, not stated: %s", site->assumed);
 	else if (site->read_as[0] != '\0')
-		session_note(s, "  certain: the file states all of it");
+		session_note(s,
+		    site->told ? N_("  certain: the file states it, or you did")
+			       : N_("  certain: the file states all of it"));
 	if (site->remark[0] != '\0')
 		session_note(s, "  %s", site->remark);
 	for (size_t i = 0; i < site->n_left_out && i < MOST; i++, more--)

@@ -56,7 +56,8 @@ struct site {
 		};
 		char *text[SITE_TEXTS];
 	};
-	char *remark;    /* on how its file was read, or ""; not copied */
+	char *remark; /* on how its file was read, or ""; not copied */
+	bool told;    /* by the user, what the file may not state; likewise */
 	double top_size; /* m; 0 if not stated */
 	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;

@@ -13,6 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/sitefile/lexicon.h"
+#include "io/cells/datetime.h"
 #include "io/cells/number.h"
 
 static const uint64_t ROLE_WORDS = WORD_FEED | WORD_PRODUCT | WORD_SD;
@@ -906,8 +907,9 @@ mark_as_comparison_only(struct column *c, const struct column *other)
 }
 
 /* Returns the unknown words in the headings of a column and ranges such as 0/4,
- * which distinguish its sample from others; signs of samples, at most two
- * letters, are omitted.  The caller frees the text. */
+ * which distinguish its sample from others.  Signs of samples, at most two
+ * letters, are omitted, and what says when they were taken.  The caller frees
+ * the text. */
 static char *
 distinctive_words_of_sample(const struct column *c)
 {
@@ -921,13 +923,16 @@ distinctive_words_of_sample(const struct column *c)
 			     strspn(word, "0123456789/.") == n && n > 2;
 		bool letters = strpbrk(word, "0123456789") == NULL && n > 2 &&
 			       strcmp(word, "iii") != 0;
+		struct datetime m;
+		bool time =
+		    datetime_parse(word, &m) || lexicon_is_word_of_time(word);
 		size_t unknown;
 		lexicon_meanings(word, &unknown);
 		char *end = word + strcspn(word, "0123456789");
 		bool machine = *end != '\0' && (lexicon_word_meanings(word,
 						    (size_t)(end - word)) &
 						   WORD_MACHINE) != 0;
-		if (range || machine || (letters && unknown > 0))
+		if (!time && (range || machine || (letters && unknown > 0)))
 			xappend_to_list(&words, " ", "%s", word);
 		p += n + (p[n] != '\0');
 	}
@@ -963,7 +968,7 @@ ask_about_repeats(struct columns *all)
 			    a->table != b->table ||
 			    is_possible_repeat(a, words[i], b, words[k]))
 				continue;
-			a->open = b->open = true;
+			a->open = b->open = a->unlike = b->unlike = true;
 		}
 	}
 	for (size_t i = 0; i < all->n; i++)

@@ -334,6 +334,26 @@ lexicon_meanings(const char *text, size_t *unknown)
 	return means;
 }
 
+/* In English, Swedish and German. */
+static const char TIMES[] =
+    " mon monday tue tues tuesday wed wednesday thu thur thurs thursday fri "
+    "friday sat saturday sun sunday mandag tis tisdag ons onsdag tor tors "
+    "torsdag fre fredag lor lordag son sondag montag dienstag mittwoch "
+    "donnerstag freitag samstag sonnabend sonntag jan january januari januar "
+    "feb february februari februar mar march mars marz apr april may maj mai "
+    "jun june juni jul july juli aug august augusti sep sept september oct "
+    "okt october oktober nov november dec dez december dezember morning noon "
+    "afternoon evening night morgon formiddag eftermiddag kvall natt morgen "
+    "vormittag nachmittag abend nacht shift skift schicht week vecka woche "
+    "day dag tag again igen nochmal ";
+
+bool
+lexicon_is_word_of_time(const char *word)
+{
+	FREED char *whole = xasprintf(" %s ", word);
+	return strstr(TIMES, whole) != NULL;
+}
+
 /* Parts of the labels of dates: of all; of the day of sampling; of others. */
 static const char *const DAYS[] = {"date", "datum", "dato", "fecha", "data",
     "dnia", "pvm", "paivamaara", "sampled", "provta", "provdat", "probenahme",

@@ -44,6 +44,10 @@
 #define WORD_PHI (UINT64_C(1) << 33)
 #define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
 
+/* True for a word, folded, that says when a sample was taken, not of what:
+ * "tue", "november", "morning", "skift". */
+bool lexicon_is_word_of_time(const char *word);
+
 /* What the label of a date says of it: that it is another day than that of
  * sampling, as that of the analysis; nothing; that it is a day; that it is the
  * day of sampling. */

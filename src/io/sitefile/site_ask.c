@@ -48,6 +48,15 @@ first_values_text(const struct table *t, size_t at)
 	return list;
 }
 
+/* Returns the name of a sample in its sheet or, if no heading names samples,
+ * the lowest of its own. */
+static const char *
+name_of_sample(const struct column *c)
+{
+	const char *name = samples_name_of_column(c->table, c->at);
+	return name != NULL ? name : c->head.text;
+}
+
 static void
 add_column_to_question(struct site_ask *ask, const struct table *t, size_t at,
     const char *head, char *guess, bool open)
@@ -134,7 +143,8 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 				xappend_to_list(&text, ", ", "%s=%s", name,
 				    at != NULL ? at : guess);
 			add_column_to_question(ask, t, c->at,
-			    by_sample ? name : c->head.text, guess, c->open);
+			    by_sample ? name : name_of_sample(c), guess,
+			    c->open);
 		}
 	}
 	FREED char *settle =
@@ -500,33 +510,72 @@ suggest_speed_of_file(
 	error_hint(error, "say its speed: load %s", files);
 }
 
+/* Asks whether two samples at one speed, first and the next like it, are
+ * repeats. */
+static bool
+ask_about_unlike_samples(const struct site_request *q,
+    const struct columns *all, const struct column *first, struct site_ask *ask)
+{
+	const struct column *other = first + 1;
+	while (other < all->column + all->n - 1 &&
+	       (!other->unlike || other->speed != first->speed))
+		other++;
+	const char *one = name_of_sample(first), *two = name_of_sample(other);
+	return refuse_with_question(q, first->table, first->head, ask,
+	    tr("expected repeats of one product at %g m/s, got '%.*s' and "
+	       "'%.*s'"),
+	    first->speed, sheet_bytes_to_show(one), one,
+	    sheet_bytes_to_show(two), two);
+}
+
+/* Asks what a column is, or a line, where the sheet lies on its side. */
+static bool
+ask_what_it_is(const struct site_request *q, const struct column *c, bool speed,
+    struct site_ask *ask)
+{
+	const struct table *t = c->table;
+	const char *name = name_of_sample(c);
+	FREED char *values = first_values_text(t, c->at);
+	return refuse_with_question(q, t, c->head, ask,
+	    t->across ? speed ? tr("expected headings and numbers that tell "
+				   "what line %zu is, and its tip speed, got "
+				   "'%.*s' before %s")
+			      : tr("expected headings and numbers that tell "
+				   "what line %zu is, got '%.*s' before %s")
+	    : speed ? tr("expected headings and numbers that tell what "
+			 "column %zu is, and its tip speed, got '%.*s' above "
+			 "%s")
+		      : tr("expected headings and numbers that tell what "
+			     "column %zu is, got '%.*s' above %s"),
+	    t->number[c->at], sheet_bytes_to_show(name), name, values);
+}
+
 /* Asks about the first open column and, if need be, its speed. */
 static bool
 ask_about_open_column(const struct site_request *q, const struct column *first,
-    bool alone, struct site_ask *ask)
+    const struct columns *all, struct site_ask *ask)
 {
 	const struct table *t = first->table;
 	struct error *error = &t->sheet->errors->item[0];
-	FREED char *values = first_values_text(t, first->at);
 	bool speed = first->role == PRODUCT && !(first->speed > 0);
 	const struct cell *above = only_number_above_100(first);
 	if (above != NULL)
 		return refuse_with_question(q, t, *above, ask,
-		    tr("expected at most 100 %% passing, got '%.*s': column "
-		       "%zu has no other number above 100; correct it if it is "
-		       "a typing error"),
+		    t->across
+			? tr("expected at most 100 %% passing, got '%.*s': "
+			     "line %zu has no other number above 100; correct "
+			     "it if it is a typing error")
+			: tr("expected at most 100 %% passing, got '%.*s': "
+			     "column %zu has no other number above 100; "
+			     "correct it if it is a typing error"),
 		    sheet_bytes_to_show(above->text), above->text,
 		    t->number[first->at]);
-	refuse_with_question(q, t, first->head, ask,
-	    speed ? tr("expected headings and numbers that tell what column "
-		       "%zu is, and its tip speed, got '%.*s' above %s")
-		  : tr("expected headings and numbers that tell what column "
-		       "%zu is, got '%.*s' above %s"),
-	    t->number[first->at], sheet_bytes_to_show(first->head.text),
-	    first->head.text, values);
+	if (first->unlike)
+		return ask_about_unlike_samples(q, all, first, ask);
+	ask_what_it_is(q, first, speed, ask);
 	if (q->n > 1 && speed && !q->parts)
 		suggest_speed_of_file(q, t->sheet->path, error);
-	if (q->parts && speed && q->n == 1 && alone)
+	if (q->parts && speed && q->n == 1 && all->n == 1)
 		error_hint(error,
 		    "say its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
@@ -587,7 +636,7 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 		    table[0]->row[0].cell[0], ask,
 		    tr("expected the unit of the sieves, got none that "
 		       "fits their numbers"));
-	return ask_about_open_column(q, first, all->n == 1, ask);
+	return ask_about_open_column(q, first, all, ask);
 }
 
 /* Returns the next sieve above `mm`, of the series of the column's sieves. */

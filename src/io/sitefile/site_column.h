@@ -35,10 +35,11 @@ size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
  * percentage points; NAN if the cell is empty or has a fault.  pan: the amount
  * below the finest sieve, in the column's unit, or NAN.  faulty: a cell has a
  * fault, so missing values cannot be judged.  open: the meaning of the column
- * is open.  assumed: assumptions not stated in the sheet, as lines after an
- * empty one, or NULL.  below: for a feed whose coarsest sieve passes less than
- * all, 1 + the row of that sieve, and top: the size, mm, then assumed to pass
- * all; else 0. */
+ * is open.  unlike: so it is because its name and that of another product at
+ * its speed may be those of different products.  assumed: assumptions not
+ * stated in the sheet, as lines after an empty one, or NULL.  below: for a feed
+ * whose coarsest sieve passes less than all, 1 + the row of that sieve, and
+ * top: the size, mm, then assumed to pass all; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;
@@ -52,7 +53,7 @@ struct column {
 	double *pct, top;
 	size_t below;
 	double pan;
-	bool faulty, told_percent, open;
+	bool faulty, told_percent, open, unlike;
 	char *assumed;
 	struct head said; /* stated in its heading */
 };

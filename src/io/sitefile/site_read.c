@@ -1060,6 +1060,17 @@ take_day_for_provenance(struct reading *r)
 	    xasprintf("sheet of %s", days != NULL ? days : day);
 }
 
+/* True if the user said what the files may not state. */
+static bool
+is_told_by_user(const struct site_request *q)
+{
+	bool told = q->columns != NULL || q->samples != NULL || q->rotor > 0 ||
+		    q->decimal != '\0';
+	for (size_t i = 0; i < q->n && q->speed != NULL; i++)
+		told = told || q->speed[i] > 0;
+	return told;
+}
+
 static struct site *
 finish_site(struct reading *r)
 {
@@ -1070,6 +1081,7 @@ finish_site(struct reading *r)
 		free(r->site->name);
 		r->site->name = site_heading_name_from_path(q->path[0]);
 	}
+	r->site->told = is_told_by_user(q);
 	note_speeds_from_rpm(r);
 	make_runs(r->site, &r->all);
 	if (q->parts) {

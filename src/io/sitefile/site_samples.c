@@ -211,11 +211,35 @@ samples_have_distinct_names(const struct table *t)
 	return t->name != NULL || r < t->n_head;
 }
 
+/* True if a row of headings names the samples: "Sample", "Prov nr". */
+static bool
+is_row_of_names(const struct row *row)
+{
+	static const uint64_t ELSE = WORD_SPEED | WORD_PASSES | WORD_STAYS |
+				     WORD_GRAMS | WORD_MASS | WORD_SIZE;
+	uint64_t means = lexicon_meanings(row->cell[0].text, NULL);
+	return (means & WORD_SAMPLE) != 0 && (means & ELSE) == 0 &&
+	       !lexicon_is_label_of_day(row->cell[0].text);
+}
+
+const char *
+samples_name_of_column(const struct table *t, size_t c)
+{
+	for (size_t r = 0; r < t->n_head; r++)
+		if (is_row_of_names(&t->head[r]) &&
+		    t->head[r].cell[c].text[0] != '\0')
+			return t->head[r].cell[c].text;
+	return NULL;
+}
+
 char *
 samples_label_of_column(const struct table *t, size_t c)
 {
 	if (t->name != NULL)
 		return xstrdup(t->name[c]);
+	for (size_t r = 0; r < t->n_head; r++)
+		if (is_row_of_names(&t->head[r]) && has_distinct_cells(t, r))
+			return xstrdup(t->head[r].cell[c].text);
 	for (size_t r = 0; r < t->n_head; r++)
 		if (has_distinct_cells(t, r))
 			return xstrdup(t->head[r].cell[c].text);

@@ -34,9 +34,13 @@ void samples_clear(struct samples *samples);
  * Returns the meanings of the heading of its sieves, or 0. */
 uint64_t samples_head_columns(const struct samples *columns, struct table *t);
 
+/* Returns the name of the sample in column c, from a row of headings labelled
+ * "Sample" or the like; NULL if there is none. */
+const char *samples_name_of_column(const struct table *t, size_t c);
+
 /* Returns the text that distinguishes the sample in column c from others in the
- * table: its name in a long table, else its cell in the first heading row whose
- * cells all differ, or its whole heading.  The caller frees it. */
+ * table: its name if those of all differ, else its cell in the first heading
+ * row whose cells all differ, or its whole heading.  The caller frees it. */
 char *samples_label_of_column(const struct table *t, size_t c);
 
 /* True if each sample in a table has a distinct name. */
