@@ -238,8 +238,13 @@ say_control_limits(struct answer *a, const struct routine *r, bool detail)
 
 /* What the cuts are compared with, and in which order. */
 static void
-say_basis_of_control_charts(struct answer *a, const struct routine *r)
+say_basis_of_control_charts(
+    struct answer *a, const struct session *s, const struct routine *r)
 {
+	if (r->drawn && s->set.correction == CORRECTION_OFF)
+		answer_say(a, ANSWER_REMARK,
+		    "compared with the answer that the runs correct, which "
+		    "'set correction off' leaves out elsewhere");
 	if (!r->drawn)
 		answer_say(a, ANSWER_WARNING,
 		    "limits are from 'set noise' alone: parameter uncertainty "
@@ -252,10 +257,12 @@ say_basis_of_control_charts(struct answer *a, const struct routine *r)
 		answer_say(a, ANSWER_REMARK,
 		    r->n == 1
 			? N_("this cut was known to the calibration: it is "
-			     "compared with the answer of the other runs")
+			     "compared with the answer of the other runs, not "
+			     "with that which 'add' compared it with")
 			: N_("some of these cuts were known to the "
 			     "calibration: all are compared with the answer "
-			     "of the other runs"));
+			     "of the other runs, not with that which 'add' "
+			     "compared them with"));
 }
 
 static void
@@ -314,7 +321,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	say_whether_drifting(a, r, &later);
 	say_when_drift_began(a, r);
 	say_control_limits(a, r, args->detail);
-	say_basis_of_control_charts(a, r);
+	say_basis_of_control_charts(a, s, r);
 	answers_show_fit_basis(s, a, entry, false);
 	say_when_to_recalibrate(a, entry, r, &later);
 	routine_free(r);
