@@ -952,6 +952,44 @@ is_possible_repeat(const struct column *a, const char *x,
 		   a->said.number[0] != b->said.number[0]);
 }
 
+/* Opens the products of a table that row r of its headings gives to another
+ * site or machine than the first. */
+static void
+open_if_other_site(struct columns *all, const struct table *t, size_t r)
+{
+	const struct cell *cell = t->head[r].cell;
+	struct column *first = NULL;
+	for (size_t i = 0; i < all->n; i++) {
+		struct column *c = &all->column[i];
+		if (c->table != t || c->role != PRODUCT ||
+		    cell[c->at].text[0] == '\0')
+			continue;
+		first = first != NULL ? first : c;
+		if (text_same_folded(cell[first->at].text, cell[c->at].text))
+			continue;
+		c->open = first->open = true;
+		c->whose = cell[c->at].text;
+		first->whose = cell[first->at].text;
+	}
+}
+
+static void
+ask_about_other_sites(struct columns *all)
+{
+	const struct table *t = NULL;
+	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+		if (all->column[i].table == t)
+			continue;
+		t = all->column[i].table;
+		for (size_t r = 0; r < t->n_head; r++) {
+			enum lexicon_key key =
+			    lexicon_key_from_text(t->head[r].cell[0].text);
+			if (key == KEY_SITE || key == KEY_MACHINE)
+				open_if_other_site(all, t, r);
+		}
+	}
+}
+
 static void
 ask_about_repeats(struct columns *all)
 {
@@ -1152,8 +1190,10 @@ classify_columns_together(
 	guess_feed(all, feeds);
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
-	if (!told)
+	if (!told) {
 		ask_about_repeats(all);
+		ask_about_other_sites(all);
+	}
 	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)

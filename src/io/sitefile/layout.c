@@ -828,7 +828,7 @@ is_head_row(const struct sheets *g, size_t r, const struct place *p, size_t end)
 	if (filled == 2 && is_unit_after_value(g, r, p->c + 2))
 		return false;
 	const char *key = cell_at(g, r, p->c)->text;
-	if (lexicon_key_from_text(key) != N_KEY)
+	if (!g->across && lexicon_key_from_text(key) != N_KEY)
 		return false;
 	/* A line that `add` writes: cut, "72 m/s, 2026-05-04". */
 	if (strcmp(key, "cut") == 0 && filled == 1 &&

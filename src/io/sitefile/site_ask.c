@@ -108,8 +108,17 @@ describe_guessed_role(const struct column *c, bool *feed)
 	return xasprintf("feed%s", role + strcspn(role, " "));
 }
 
+/* False if two samples are known to be of different sites or machines. */
+static bool
+is_of_same_site(const struct column *a, const struct column *b)
+{
+	return a->whose == NULL || b->whose == NULL ||
+	       text_same_folded(a->whose, b->whose);
+}
+
 /* Lists the columns in the words of columns= or, if they are better asked about
- * by sample, of samples=, whose first two show how to name all. */
+ * by sample, of samples=, whose first two show how to name all.  Of several
+ * sites the first is proposed. */
 static void
 list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
@@ -118,6 +127,7 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 	bool by_sample = is_better_asked_by_sample(table, n_table, all);
 	bool feed = site_column_count_role(all, NULL, FEED) > 0;
 	FREED char *text = xstrdup("");
+	const struct column *own = NULL;
 	size_t shown = 0;
 	ask->by_sample = by_sample;
 	for (size_t k = 0; k < n_table; k++) {
@@ -139,7 +149,9 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 			    by_sample ? samples_label_of_column(t, c->at)
 				      : xasprintf("%zu", t->number[c->at]);
 			const char *at = by_sample ? strchr(guess, '@') : NULL;
-			if (!by_sample || shown++ < SHOWN)
+			own = own != NULL || c->whose == NULL ? own : c;
+			bool mine = own == NULL || is_of_same_site(own, c);
+			if (mine && (!by_sample || shown++ < SHOWN))
 				xappend_to_list(&text, ", ", "%s=%s", name,
 				    at != NULL ? at : guess);
 			add_column_to_question(ask, t, c->at,
@@ -528,6 +540,23 @@ ask_about_unlike_samples(const struct site_request *q,
 	    sheet_bytes_to_show(two), two);
 }
 
+/* Asks which samples are meant, of several sites or machines. */
+static bool
+ask_whose_samples(const struct site_request *q, const struct columns *all,
+    const struct column *first, struct site_ask *ask)
+{
+	const struct column *other = first + 1;
+	while (other < all->column + all->n - 1 &&
+	       (other->whose == NULL || is_of_same_site(first, other)))
+		other++;
+	const char *two = other->whose != NULL ? other->whose : "";
+	return refuse_with_question(q, first->table, first->head, ask,
+	    tr("expected samples of one site and machine, got those of '%.*s' "
+	       "and '%.*s'"),
+	    sheet_bytes_to_show(first->whose), first->whose,
+	    sheet_bytes_to_show(two), two);
+}
+
 /* Asks what a column is, or a line, where the sheet lies on its side. */
 static bool
 ask_what_it_is(const struct site_request *q, const struct column *c, bool speed,
@@ -570,6 +599,8 @@ ask_about_open_column(const struct site_request *q, const struct column *first,
 			     "correct it if it is a typing error"),
 		    sheet_bytes_to_show(above->text), above->text,
 		    t->number[first->at]);
+	if (first->whose != NULL)
+		return ask_whose_samples(q, all, first, ask);
 	if (first->unlike)
 		return ask_about_unlike_samples(q, all, first, ask);
 	ask_what_it_is(q, first, speed, ask);

@@ -36,7 +36,9 @@ size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
  * below the finest sieve, in the column's unit, or NAN.  faulty: a cell has a
  * fault, so missing values cannot be judged.  open: the meaning of the column
  * is open.  unlike: so it is because its name and that of another product at
- * its speed may be those of different products.  assumed: assumptions not
+ * its speed may be those of different products.  whose: so it is because this
+ * site or machine, of a row "Quarry" or "Crusher", is another than that of some
+ * other product; or NULL.  assumed: assumptions not
  * stated in the sheet, as lines after an empty one, or NULL.  below: for a feed
  * whose coarsest sieve passes less than all, 1 + the row of that sieve, and
  * top: the size, mm, then assumed to pass all; else 0. */
@@ -55,6 +57,7 @@ struct column {
 	double pan;
 	bool faulty, told_percent, open, unlike;
 	char *assumed;
+	const char *whose;
 	struct head said; /* stated in its heading */
 };
 
