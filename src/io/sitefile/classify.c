@@ -781,6 +781,9 @@ column_from_heads(struct table *t, size_t at)
 		const struct cell *cell = find_heading_cell(t, r, at, &own);
 		c.head = cell != NULL ? *cell : c.head;
 	}
+	const struct cell *name = samples_name_of_column(t, at);
+	if (t->across && name != NULL)
+		c.head = *name;
 	c.said = combine_headings(t, at);
 	return c;
 }

@@ -53,8 +53,8 @@ first_values_text(const struct table *t, size_t at)
 static const char *
 name_of_sample(const struct column *c)
 {
-	const char *name = samples_name_of_column(c->table, c->at);
-	return name != NULL ? name : c->head.text;
+	const struct cell *name = samples_name_of_column(c->table, c->at);
+	return name != NULL ? name->text : c->head.text;
 }
 
 static void

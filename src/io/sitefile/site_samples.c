@@ -222,13 +222,13 @@ is_row_of_names(const struct row *row)
 	       !lexicon_is_label_of_day(row->cell[0].text);
 }
 
-const char *
+const struct cell *
 samples_name_of_column(const struct table *t, size_t c)
 {
 	for (size_t r = 0; r < t->n_head; r++)
 		if (is_row_of_names(&t->head[r]) &&
 		    t->head[r].cell[c].text[0] != '\0')
-			return t->head[r].cell[c].text;
+			return &t->head[r].cell[c];
 	return NULL;
 }
 

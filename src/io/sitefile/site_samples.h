@@ -34,9 +34,9 @@ void samples_clear(struct samples *samples);
  * Returns the meanings of the heading of its sieves, or 0. */
 uint64_t samples_head_columns(const struct samples *columns, struct table *t);
 
-/* Returns the name of the sample in column c, from a row of headings labelled
- * "Sample" or the like; NULL if there is none. */
-const char *samples_name_of_column(const struct table *t, size_t c);
+/* Returns the cell with the name of the sample in column c, of a row of
+ * headings labelled "Sample" or the like; NULL if there is none. */
+const struct cell *samples_name_of_column(const struct table *t, size_t c);
 
 /* Returns the text that distinguishes the sample in column c from others in the
  * table: its name if those of all differ, else its cell in the first heading
