@@ -583,12 +583,63 @@ note_added_cuts(struct session *s, struct site *site, const struct site *cuts,
 	}
 }
 
+/* Returns the start of the day that the note of a run states, or NAN. */
+static double
+day_of_run(const struct site *site, size_t run, enum datetime_order order)
+{
+	struct datetime m;
+	const struct site_note *note = cut_find_note(site, run);
+	return note != NULL && cut_parse_date(note, &m)
+		   ? datetime_start_of_day(
+			 datetime_seconds_since_1970(&m, order))
+		   : (double)NAN;
+}
+
+/* Drops a cut and the note about it. */
+static void
+drop_cut(struct site *cuts, size_t run)
+{
+	const struct site_note *note = cut_find_note(cuts, run);
+	size_t at = (size_t)(note - cuts->note);
+	free(cuts->note[at].key);
+	free(cuts->note[at].value);
+	cuts->n_note--;
+	memmove(&cuts->note[at], &cuts->note[at + 1],
+	    (cuts->n_note - at) * sizeof *cuts->note);
+	site_drop_run(cuts, run);
+}
+
+/* Drops cuts that the site has, with the same day and numbers: a laboratory may
+ * write the cuts of each week below those of the last. */
+static void
+drop_known_cuts(struct session *s, const struct site *site, struct site *cuts,
+    enum datetime_order order)
+{
+	for (size_t k = 0; k < cuts->n_run; k++) {
+		double day = day_of_run(cuts, k, order);
+		size_t r = 0;
+		while (r < site->n_run &&
+		       (!cut_is_duplicate(&site->run[r], &cuts->run[k]) ||
+			   day_of_run(site, r, order) != day))
+			r++;
+		if (r == site->n_run || isnan(day))
+			continue;
+		session_note(s, "not added, as %s has it: %s",
+		    session_current_entry(s)->key,
+		    cut_find_note(site, r)->value);
+		drop_cut(cuts, k--);
+	}
+}
+
 static bool
 add_cuts_to_current_site(struct session *s, const struct args *args,
-    const struct site *cuts, struct origins *all, struct error *error)
+    struct site *cuts, struct origins *all, struct error *error)
 {
 	const struct site *old = session_current_entry(s)->site;
 	const struct cut_day how = cut_day_find_date_order(args, cuts, old);
+	drop_known_cuts(s, old, cuts, how.order);
+	if (cuts->n_run == 0)
+		return true;
 	FREED size_t *from = xcalloc(old->n_run + cuts->n_run, sizeof *from);
 	struct site *site = site_copy_with_cuts(old, cuts, from);
 	char number[32];
