@@ -55,6 +55,12 @@ static const struct {
 	"what column 3 is", "columns="},
     {"size_mm,feed,product@401,product@79\n" ROWS, 1, 14, "its tip speed",
 	"@SPEED"},
+    {"Tip speed 65 m/s\nTip speed 71 m/s\nmm,Feed,S1,S2\n" ROWS, 3, 9,
+	"what column 3 is", "3=product@SPEED"},
+    {"Tip speed,65\nTip speed,71\nmm,Feed,S1,S2\n" ROWS, 3, 9,
+	"what column 3 is", "3=product@SPEED"},
+    {"Max tip speed 85 m/s\nmm,Feed,Product A,Product B\n" ROWS, 2, 9,
+	"its tip speed", "3=product@SPEED"},
     {"size_mm,feed,product@79,retained_pct@79\n8,100,100,0\n4,60,80,5\n"
      "1,10,20,95\n",
 	3, 9, "the sample of column 3 again, got 80 % passing and 95 %",

@@ -656,8 +656,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
 	struct surroundings near = {
 	    .rotor = rotor, .told = r->columns.others, .samples = &r->samples};
-	near.speed = told.mps;
-	near.rpm = told.rpm;
+	near.speed = told.differ ? 0 : told.mps;
+	near.rpm = told.differ ? 0 : told.rpm;
 	near.context =
 	    title_words_and_speed(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_title.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,7 +75,7 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 bool
 title_says_sample_or_speed(const struct layout *layout, const struct row *row)
 {
-	struct heading_speed speed;
+	struct heading_speed speed = {0};
 	for (size_t b = 0; b < layout->n; b++) {
 		const struct table *t = &layout->table[b];
 		if (is_line_above_table(t, row) &&
@@ -148,7 +149,7 @@ take_speed_above_table(const struct layout *layout, const struct table *t,
 bool
 title_has_speed_per_table(const struct layout *layout)
 {
-	struct heading_speed speed;
+	struct heading_speed speed = {0};
 	for (size_t b = 1; b < layout->n; b++)
 		if (take_speed_above_table(layout, &layout->table[b], &speed))
 			return true;
@@ -198,21 +199,37 @@ take_basis(struct table *t)
 	t->basis = stated && is_basis(all) ? all : 0;
 }
 
-uint64_t
-title_words_and_speed(const struct layout *layout, struct table *t,
-    const char *path, struct surroundings *near)
+/* What the lines above a table say of all of its samples.  differ: they state
+ * several speeds, so each is that of one sample. */
+struct title_says {
+	uint64_t role;
+	double speed, rpm;
+	bool differ;
+};
+
+/* Takes what a line says.  A greatest or least speed is that of no sample. */
+static void
+take_title(const struct head *title, struct title_says *says)
 {
-	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
-	struct head name = heading_parse(t->sheet->name);
-	struct heading_speed own = {0};
-	if (take_speed_above_table(layout, t, &own)) {
-		near->speed = own.mps;
-		near->rpm = own.rpm;
-	}
-	if (!(near->speed > 0)) {
-		near->speed = name.speed;
-		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
-	}
+	uint64_t role = title->means & (WORD_FEED | WORD_PRODUCT);
+	says->role = role != 0 ? role : says->role;
+	if (title->several || !heading_has_speed(title) ||
+	    (title->means & WORD_LIMIT) != 0)
+		return;
+	says->differ = says->differ ||
+		       (says->speed > 0 && title->speed > 0 &&
+			   fabs(says->speed - title->speed) > 1e-3) ||
+		       (says->rpm > 0 && title->rpm > 0 &&
+			   fabs(says->rpm - title->rpm) > 1e-3);
+	says->speed = title->speed;
+	says->rpm = title->rpm;
+}
+
+/* Takes the lines above a table that are its title. */
+static struct title_says
+take_title_lines(const struct layout *layout, struct table *t)
+{
+	struct title_says says = {0};
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
@@ -222,18 +239,38 @@ title_words_and_speed(const struct layout *layout, struct table *t,
 			append_title_line(t, row, c, &title);
 			if (!is_title_of_sample(&title))
 				continue;
-			uint64_t role =
-			    title.means & (WORD_FEED | WORD_PRODUCT);
-			means = role != 0 ? role : means;
-			if (!title.several && heading_has_speed(&title)) {
-				near->speed = title.speed;
-				near->rpm = title.rpm;
-			}
+			take_title(&title, &says);
 			break;
 		}
 	}
+	return says;
+}
+
+uint64_t
+title_words_and_speed(const struct layout *layout, struct table *t,
+    const char *path, struct surroundings *near)
+{
+	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
+	struct head name = heading_parse(t->sheet->name);
+	struct heading_speed own = {0};
+	if (take_speed_above_table(layout, t, &own)) {
+		near->speed = own.differ ? 0 : own.mps;
+		near->rpm = own.differ ? 0 : own.rpm;
+	}
+	if (!(near->speed > 0)) {
+		near->speed = name.speed;
+		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
+	}
+	struct title_says says = take_title_lines(layout, t);
+	means = says.role != 0 ? says.role : means;
+	if (says.speed > 0 || says.rpm > 0) {
+		near->speed = says.differ ? 0 : says.speed;
+		near->rpm = says.differ ? 0 : says.rpm;
+	}
+	if (says.differ)
+		means &= ~(uint64_t)(WORD_FEED | WORD_PRODUCT);
 	take_basis(t);
-	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
+	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0 && !says.differ) {
 		FREED char *stem = site_heading_name_from_path(path);
 		means |= lexicon_meanings(stem, NULL);
 	}
