@@ -92,6 +92,16 @@ static const char *const SAME[] = {
     "Sikt mm;Feed g;69 m/s g;79 m/s g\n8,0;0 g;0g;0\n4,0;80 g;1,25 g;10\n"
     "1,0;100 g;3,75;60\ntr\xC3\xA5g;20 g;1,25;30\n"
     "Summa;200 g;6,25;100\nDiff %;0,5;;\nKommentar;;;\n",
+    "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
+    " mm                   69 m/s     79 m/s\n"
+    "--------------------------------------\n"
+    "  8      100.0       100.0      100.0\n"
+    "  4       60          80         90\n"
+    "  1       10.0        20.0       30.0\n"
+    "--------------------------------------\n",
+    "Sieve analysis, 3 May\n\n| Sieve mm | Feed | 69 m/s | 79 m/s |\n"
+    "|---:|:---|---|---|\n| 8 | 100 | 100 | 100 |\n| 4 | 60 | 80 | 90 |\n"
+    "| 1 | 10 | 20 | 30 |\n",
     "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };

@@ -573,6 +573,13 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 			: note_left_out_lines(r, layout, i);
 }
 
+/* True if a comment only rules off what is above it from what is below. */
+static bool
+is_rule(const struct comment *c)
+{
+	return c->text[strspn(c->text, "#-=_+:| \t")] == '\0';
+}
+
 /* Notes what is in the table or below it and was not read.  A line that begins
  * with # may be a sieve that the user excluded. */
 static void
@@ -587,7 +594,7 @@ note_left_out(struct reading *r)
 		    first->n_head > 0 ? first->head[first->n_head - 1].line : 0;
 		for (size_t i = 0; i < page->sheet->n_comment; i++) {
 			const struct comment *c = &page->sheet->comment[i];
-			if (c->line <= head)
+			if (c->line <= head || is_rule(c))
 				continue;
 			int shown = sheet_bytes_to_show(c->text);
 			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
