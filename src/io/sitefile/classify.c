@@ -608,10 +608,12 @@ find_role_of_column(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 	else if (role != 0)
 		c->open = true;
-	else if (speed || near->speed > 0 || near->rpm > 0)
+	else if (speed)
 		c->role = PRODUCT;
 	else if (context == WORD_FEED)
 		c->role = FEED;
+	else if (near->speed > 0 || near->rpm > 0)
+		c->role = PRODUCT;
 	else if (context == WORD_PRODUCT)
 		c->role = PRODUCT;
 	else if (speed_without_unit(&c->said) > 0 && c->said.unknown == 0)

@@ -423,6 +423,33 @@ heading_parse(const char *text)
 	return parse_heading_text(text, NULL);
 }
 
+struct head
+heading_parse_name(const char *name)
+{
+	static const char *const WRITTEN[] = {"ms", "m s", "m-s", "m.s"};
+	FREED char *text = text_fold_case_and_accents(name);
+	for (char *p = text; *p != '\0'; p++)
+		*p = *p == '_' ? ' ' : *p;
+	FREED char *said = xstrdup("");
+	for (const char *p = text; *p != '\0';) {
+		const char *unit = p + (*p == ' ');
+		bool after = p > text && isdigit((unsigned char)p[-1]);
+		size_t n = 0;
+		for (size_t i = 0; i < ARRAY_LEN(WRITTEN) && after; i++) {
+			size_t length = strlen(WRITTEN[i]);
+			if (strncmp(unit, WRITTEN[i], length) == 0 &&
+			    !text_is_letter_byte(unit[length]))
+				n = length;
+		}
+		if (n > 0)
+			xappend(&said, " m/s");
+		else
+			xappend(&said, "%c", *p);
+		p = n > 0 ? unit + n : p + 1;
+	}
+	return heading_parse(said);
+}
+
 char *
 heading_without_speeds(const char *text)
 {

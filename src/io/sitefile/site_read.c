@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "io/sitefile/layout_long.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
 #include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_ask.h"
@@ -654,6 +655,23 @@ has_sieves_twice(struct reading *r, const struct table *t)
 	return true;
 }
 
+/* Of several files that are one site, the name may state the speed:
+ * "cut_60ms.csv". */
+static void
+take_speed_of_file_name(
+    struct reading *r, const char *path, struct surroundings *near)
+{
+	FREED char *stem = site_heading_name_from_path(path);
+	struct head name = heading_parse_name(stem);
+	if (near->speed > 0 || near->rpm > 0 || name.several ||
+	    !heading_has_speed(&name))
+		return;
+	near->speed = name.speed;
+	near->rpm = name.rpm;
+	xappend_to_list(
+	    &r->site->assumed, "; ", tr("the speed in the name of %s"), stem);
+}
+
 static void
 read_site_table(struct reading *r, const struct page *page, struct table *t,
     struct heading_speed told)
@@ -673,6 +691,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
+	else if (q->n > 1 && !q->parts)
+		take_speed_of_file_name(r, q->path[page->file], &near);
 	uint64_t sieve = samples_head_columns(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;

@@ -251,7 +251,7 @@ title_words_and_speed(const struct layout *layout, struct table *t,
     const char *path, struct surroundings *near)
 {
 	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
-	struct head name = heading_parse(t->sheet->name);
+	struct head name = heading_parse_name(t->sheet->name);
 	struct heading_speed own = {0};
 	if (take_speed_above_table(layout, t, &own)) {
 		near->speed = own.differ ? 0 : own.mps;
