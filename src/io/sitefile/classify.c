@@ -812,9 +812,10 @@ classify_columns(struct table *t, const struct surroundings *near,
 		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
-		if (around.samples->n > 0
-			? !samples_apply_to_column(around.samples, &c)
-			: is_no_sample(&c, site))
+		bool named = around.samples->n > 0;
+		bool sheet = samples_name_sheet(around.samples, t->sheet);
+		if (((!named || sheet) && is_no_sample(&c, site)) ||
+		    (named && !samples_apply_to_column(around.samples, &c)))
 			continue;
 		find_role_of_column(&c, &around);
 		find_speed_of_column(&c, &around);
