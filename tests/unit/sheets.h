@@ -92,6 +92,14 @@ static const char *const SAME[] = {
     "Sikt mm;Feed g;69 m/s g;79 m/s g\n8,0;0 g;0g;0\n4,0;80 g;1,25 g;10\n"
     "1,0;100 g;3,75;60\ntr\xC3\xA5g;20 g;1,25;30\n"
     "Summa;200 g;6,25;100\nDiff %;0,5;;\nKommentar;;;\n",
+    "Setaccio mm;Alimentazione;Prodotto 69 m/s;Prodotto 79 m/s\n"
+    ";Passante %;Passante %;Passante %\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n",
+    "Сито, мм;Питание;Продукт 69 м/с;Продукт 79 м/с\n"
+    ";Проход, %;Проход, %;Проход, %\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n",
+    "筛孔(mm),给料,产品 69 m/s,产品 79 m/s\n,通过率(%),通过率(%),通过率(%)\n"
+    "8,100,100,100\n4,60,80,90\n1,10,20,30\n",
     "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
     " mm                   69 m/s     79 m/s\n"
     "--------------------------------------\n"

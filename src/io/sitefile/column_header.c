@@ -27,7 +27,8 @@ static const struct {
     {"rev/min", SPEED_RPM}, {"r/min", SPEED_RPM}, {"varv/min", SPEED_RPM},
     {"v/min", SPEED_RPM}, {"u/min", SPEED_RPM}, {"upm", SPEED_RPM},
     {"tr/min", SPEED_RPM}, {"kierr/min", SPEED_RPM}, {"1/min", SPEED_RPM},
-    {"min-1", SPEED_RPM}};
+    {"min-1", SPEED_RPM}, {"giri/min", SPEED_RPM}, {"об/мин", SPEED_RPM},
+    {"м/с", SPEED_MPS}};
 
 /* Units of other things: a number before one of them is no speed. */
 static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",

@@ -407,7 +407,11 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		*mm = mm_from_unit(cell.number, unit.mm);
 		return SIEVE_IS_SIZE;
 	}
-	if (is_pan(cell.text))
+	/* -200 of mesh numbers is what passes the last. */
+	bool mesh = unit.series != SIEVE_NONE && unit.series != SIEVE_PHI &&
+		    unit.series != SIEVE_INCH && cell.text[0] == '-' &&
+		    sieve_name_mm(cell.text + 1, unit.series) > 0;
+	if (mesh || is_pan(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
 		if (!number_value_of_cell(cell, &value) ||
