@@ -100,6 +100,8 @@ static const char *const SAME[] = {
     "1;10;20;30\n",
     "筛孔(mm),给料,产品 69 m/s,产品 79 m/s\n,通过率(%),通过率(%),通过率(%)\n"
     "8,100,100,100\n4,60,80,90\n1,10,20,30\n",
+    "Class mm,Feed % retained,69 m/s % retained,79 m/s % retained\n"
+    "4-8,40,20,10\n1-4,50,60,60\n<1,10,20,30\n",
     "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
     " mm                   69 m/s     79 m/s\n"
     "--------------------------------------\n"
