@@ -55,6 +55,9 @@ static const struct {
 	"what column 3 is", "columns="},
     {"size_mm,feed,product@401,product@79\n" ROWS, 1, 14, "its tip speed",
 	"@SPEED"},
+    {"Class,Feed %,69 m/s %,79 m/s %\n<16 mm,0,0,0\n<8 mm,60,30,20\n"
+     "<4 mm,30,50,60\n<1 mm,10,20,20\n",
+	1, 7, "what column 2 is", "2=feed retained_pct"},
     {"Tip speed 65 m/s\nTip speed 71 m/s\nmm,Feed,S1,S2\n" ROWS, 3, 9,
 	"what column 3 is", "3=product@SPEED"},
     {"Tip speed,65\nTip speed,71\nmm,Feed,S1,S2\n" ROWS, 3, 9,

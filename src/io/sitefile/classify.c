@@ -475,7 +475,8 @@ find_unit_by_numbers(
 	if (!title && (kind != PASSING || scale != OF_100 || scales == 0))
 		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
 	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED);
+		  (has_size_classes(c->table) && kind != RETAINED) ||
+		  (c->table->below && kind != PASSING);
 }
 
 /* Takes the quantity that the headings state. */
@@ -502,7 +503,8 @@ find_unit_by_words(
 		sure = false;
 	c->unit = site_unit_index(kind, scale);
 	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED);
+		  (has_size_classes(c->table) && kind != RETAINED) ||
+		  (c->table->below && kind != PASSING);
 }
 
 static void

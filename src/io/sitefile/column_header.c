@@ -364,6 +364,19 @@ has_size_range(const char *text)
 	return false;
 }
 
+/* True for the 3 of m3 and cm3, no unit of length. */
+static bool
+is_power_of_length(const char *text, const char *p)
+{
+	bool alone = !isalnum((unsigned char)p[1]) && (*p == '2' || *p == '3');
+	const char *from = p;
+	while (from > text && text_is_letter_byte(from[-1]))
+		from--;
+	size_t n = (size_t)(p - from);
+	return alone && n > 0 && n <= 2 && p[-1] == 'm' &&
+	       (n == 1 || strchr("cdm", from[0]) != NULL);
+}
+
 /* Reads a folded text.  words: out, the text without numbers and units of
  * speed; rest: out, the text without speeds; each as large as the text. */
 static struct head
@@ -384,8 +397,9 @@ split_off_speeds(const char *folded, char *words, char *rest)
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
 			const char *from = p;
+			bool power = is_power_of_length(folded, p);
 			parse_heading_number(&head, folded, &p, at, &before);
-			words[n++] = ' ';
+			words[n++] = power ? *from : ' ';
 			bool speed = before.at || before.unit;
 			while (!speed && from < p)
 				rest[m++] = *from++;

@@ -44,7 +44,8 @@ struct place {
 };
 
 /* at, nature, used [n_row * n_col]: cells, what they can be, and whether a
- * table has taken them; a row is `down` after the one above, a column `right`
+ * table has taken them; below: it is the size below which material passes a
+ * sieve; a row is `down` after the one above, a column `right`
  * after the one before, so that the grid turned over has the same.  row_number
  * [n_row]: in the sheet, or the column's where the grid is turned over.  gap
  * [n_row]: something empty is above it.  number [n_row * n_col], row by row:
@@ -58,7 +59,7 @@ struct sheets {
 	struct cell *at;
 	struct nature *nature;
 	size_t *row_number, *col_number;
-	bool *gap, *used, *phi;
+	bool *gap, *used, *phi, *below;
 	unsigned *number;
 	size_t n_place;
 	struct place place[MOST_TABLES];
@@ -206,6 +207,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	g.col_number = xcalloc(g.n_col + 1, sizeof *g.col_number);
 	g.gap = xcalloc(g.n_row + 1, sizeof *g.gap);
 	g.used = xcalloc(g.n_row * g.n_col + 1, sizeof *g.used);
+	g.below = xcalloc(g.n_row * g.n_col + 1, sizeof *g.below);
 	g.phi = xcalloc(g.n_col + 1, sizeof *g.phi);
 	for (size_t c = 0; c < g.n_col; c++)
 		g.col_number[c] = c + 1;
@@ -242,13 +244,17 @@ mark_in_beside_out_as_feed(struct sheets *g)
 	}
 }
 
-/* The one number of "< 16", below which material passes a sieve; NULL: none. */
+/* The one number of "< 16" and "-16 mm", below which material passes a sieve;
+ * NULL: none.  -2 may be in phi, and -16+11.2 mm is a class. */
 static char *
 size_after_less_sign(const struct cell *cell)
 {
-	if (cell->kind != CELL_TEXT || cell->text[0] != '<')
+	const char *text = cell->text;
+	bool minus = text[0] == '-' && strpbrk(text + 1, "-+/") == NULL &&
+		     (lexicon_meanings(text, NULL) & (WORD_MM | WORD_UM)) != 0;
+	if (cell->kind != CELL_TEXT || (text[0] != '<' && !minus))
 		return NULL;
-	char *size = cell->text + 1 + strspn(cell->text + 1, " =");
+	char *size = cell->text + 1 + strspn(text + 1, " =");
 	return isdigit((unsigned char)size[0]) ? size : NULL;
 }
 
@@ -286,10 +292,11 @@ mark_sizes_below_as_sieves(struct sheets *g)
 		for (size_t c = 0; c < g->n_col; c++) {
 			struct cell *cell = cell_at(g, r, c);
 			char *size = size_after_less_sign(cell);
-			if (size != NULL &&
-			    (row[r].n >= LEAST || col[c].n >= LEAST))
-				*cell = number_cell_from_text(
-				    g->sheet, *cell, size);
+			if (size == NULL ||
+			    (row[r].n < LEAST && col[c].n < LEAST))
+				continue;
+			*cell = number_cell_from_text(g->sheet, *cell, size);
+			g->below[cell_index_at(g, r, c)] = true;
 		}
 }
 
@@ -329,7 +336,8 @@ transpose_grid(const struct sheets *g)
 	    .nature = g->nature,
 	    .row_number = g->col_number,
 	    .col_number = g->row_number,
-	    .used = g->used};
+	    .used = g->used,
+	    .below = g->below};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
 	find_next_number_columns(&t);
@@ -349,6 +357,7 @@ free_grid(struct sheets *g)
 	free(g->row_number);
 	free(g->col_number);
 	free(g->used);
+	free(g->below);
 }
 
 /* True if the numbers below a heading that only says number are those of ASTM
@@ -972,8 +981,10 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 		if (cell_nature_at(g, r, p->c)->foot &&
 		    has_number_beside(g, r, p->c, p->end))
 			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
-	for (size_t r = p->first; r < p->last; r++)
+	for (size_t r = p->first; r < p->last; r++) {
 		add_table_row(g, r, col, n, &t.row, &t.n_row);
+		t.below = t.below || g->below[cell_index_at(g, r, p->c)];
+	}
 	for (size_t r = p->last;
 	     r < g->n_row && cell_nature_at(g, r, p->c)->foot; r++)
 		add_table_row(g, r, col, n, &t.foot, &t.n_foot);

@@ -31,6 +31,7 @@ struct table {
 	struct sheet *sheet;
 	bool across, lost, finest_first;
 	bool strange;
+	bool below;  /* its sieves are written "< 16", "< 8" */
 	bool unsure; /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
 	size_t left, end;
