@@ -278,6 +278,16 @@ with open('awk.csv', 'w') as f:
          'same.is'], capture_output=True, text=True).stdout)
 
 
+# --- samples in lines, sizes as what passes them
+put('rows-minus.csv', [['Test', 'Tip speed (m/s)', 'Density t/m3']
+                       + ['-%g mm' % s for s in MM] + ['FM']]
+    + [[n, v, 2.7] + c + [3.1] for n, v, c in
+       zip(['Feed', 'T1', 'T2'], [None, 69, 79], CURVES)])
+
+# --- files whose names state the speed
+for name, curve in zip(['cut_69ms.csv', 'cut_79_m-s.csv'], CURVES[1:]):
+    put(name, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))
+
 # --- workbooks by openpyxl
 def book(name, fill):
     wb = openpyxl.Workbook()
@@ -402,6 +412,19 @@ def tab_each(wb):
         append(ws, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))
 
 
+def rotor_tab(wb):
+    """The rotor stands on a sheet without a table, the rpm in names."""
+    append(wb.create_sheet('Info'), [['Rotor diameter', '900 mm']])
+    for name, curve in zip(['Feed', '1464 rpm', '1676 rpm'], CURVES):
+        append(wb.create_sheet(name), rows_of(['mm', '% passing'], [curve]))
+
+
+def named_tabs(wb):
+    """The names of sheets tell samples apart, and nothing states a speed."""
+    for name, curve in zip(['Mating', 'Prov A', 'Prov B'], CURVES):
+        append(wb.create_sheet(name), rows_of(['mm', 'Pass. %'], [curve]))
+
+
 def range_of(wb):
     ws = wb.active
     append(ws, [['May']] + rows_of(HEADS_SV) + [[], ['June']] +
@@ -432,7 +455,9 @@ for name, fill in (('openpyxl-plain', plain), ('habit-17', speed_row),
                    ('openpyxl-tabs', two_tabs), ('openpyxl-readme', readme_tab),
                    ('openpyxl-merged', merged), ('openpyxl-across', across),
                    ('openpyxl-tidy', tidy), ('openpyxl-text', as_text),
-                   ('openpyxl-cuts', tab_each), ('openpyxl-range', range_of),
+                   ('openpyxl-cuts', tab_each), ('openpyxl-rotor', rotor_tab),
+                   ('openpyxl-named', named_tabs),
+                   ('openpyxl-range', range_of),
                    ('openpyxl-dates', date_sieves)):
     book(name + '.xlsx', fill)
 

@@ -855,8 +855,7 @@ read_all_tables(struct reading *r)
 {
 	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
-		if (r->page[i].layout->n > 0)
-			site_heading_merge_rotor(r->page[i].layout, &rotor);
+		site_heading_merge_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
