@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "io/cells/datetime.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_heading.h"
@@ -507,6 +508,17 @@ has_same_test_name(const char *a, const struct column *first, const char *b,
 	return strcmp(one, other) == 0;
 }
 
+/* True if two sheets are of one series of tests: their names are days, or
+ * differ only as those of tests do. */
+static bool
+has_same_sheet_name(const struct sheet *a, const struct column *first,
+    const struct sheet *b, const struct column *c)
+{
+	return has_same_test_name(a->name, first, b->name, c) ||
+	       (datetime_is_day_in_words(a->name) &&
+		   datetime_is_day_in_words(b->name));
+}
+
 /* Returns the product of a table that has one product and one feed, and sets
  * *feed; otherwise NULL. */
 static const struct column *
@@ -540,8 +552,7 @@ titles_are_separate_tests(
 		const struct column *one = product_of_test(all, first, &feed);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_tells_limits_or_mean(t) ||
-		    !has_same_test_name(
-			first->sheet->name, one, t->sheet->name, c) ||
+		    !has_same_sheet_name(first->sheet, one, t->sheet, c) ||
 		    !has_same_test_name(
 			last_lines(first->title, t->title), one, t->title, c))
 			return false;
