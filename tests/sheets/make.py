@@ -8,6 +8,7 @@
 # those of the last run stands in MADE-BY.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import datetime
+import math
 import os
 import subprocess
 import tempfile
@@ -425,6 +426,16 @@ def named_tabs(wb):
         append(wb.create_sheet(name), rows_of(['mm', 'Pass. %'], [curve]))
 
 
+def chart_tab(wb):
+    """Feed and products have sheets, and again one for their chart."""
+    append(wb.create_sheet('Feed'), rows_of(['mm', '% passing'], [FEED]))
+    head = ['mm', '69 m/s', '79 m/s']
+    append(wb.create_sheet('Products'), rows_of(head, CURVES[1:]))
+    append(wb.create_sheet('Chart data'), rows_of(
+        ['log d', 'Feed'] + head[1:],
+        sizes=[round(math.log10(s), 3) for s in MM]))
+
+
 def range_of(wb):
     ws = wb.active
     append(ws, [['May']] + rows_of(HEADS_SV) + [[], ['June']] +
@@ -457,6 +468,7 @@ for name, fill in (('openpyxl-plain', plain), ('habit-17', speed_row),
                    ('openpyxl-tidy', tidy), ('openpyxl-text', as_text),
                    ('openpyxl-cuts', tab_each), ('openpyxl-rotor', rotor_tab),
                    ('openpyxl-named', named_tabs),
+                   ('openpyxl-chart', chart_tab),
                    ('openpyxl-range', range_of),
                    ('openpyxl-dates', date_sieves)):
     book(name + '.xlsx', fill)

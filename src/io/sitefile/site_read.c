@@ -706,7 +706,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	if (has_sieves_twice(r, t))
 		return;
 	site_sieve_check_sizes(t);
-	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
+	t->unit_open = certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)
 		xappend_to_list(&r->site->assumed, "; ", tr("sieves in %s"),
 		    site_sieve_unit_text(t));
@@ -869,6 +869,88 @@ read_all_tables(struct reading *r)
 		     b < page->layout->n && !error_should_stop(r->errors); b++)
 			read_site_table(r, page, &page->layout->table[b], told);
 	}
+}
+
+/* Lists the numbers of a column that are not of the pan.  Returns how many. */
+static size_t
+numbers_of_column(const struct column *c, double *list)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		double v = site_column_number_in_row(c, i);
+		bool pan = c->table->mm != NULL && c->table->mm[i] == 0;
+		if (!isnan(v) && !pan)
+			list[n++] = v;
+	}
+	return n;
+}
+
+/* True if two columns are one sample with the same numbers, perhaps in the
+ * other order. */
+static bool
+has_same_numbers(const struct column *a, const struct column *b)
+{
+	if (a->role != b->role || a->role == NO_ROLE ||
+	    fabs(a->speed - b->speed) > 1e-3 || a->rpm != b->rpm)
+		return false;
+	FREED double *x = xcalloc_doubles(a->table->n_row);
+	FREED double *y = xcalloc_doubles(b->table->n_row);
+	size_t n = numbers_of_column(a, x), same = 0, back = 0;
+	if (n != numbers_of_column(b, y))
+		return false;
+	for (size_t i = 0; i < n; i++) {
+		same += fabs(x[i] - y[i]) > 0 ? 0 : 1;
+		back += fabs(x[i] - y[n - 1 - i]) > 0 ? 0 : 1;
+	}
+	return n > 0 && (same == n || back == n);
+}
+
+/* True if all samples of a table are in other sheets before it, as in one from
+ * which a chart is drawn; on its own sheet the copy may be meant as another. */
+static bool
+is_table_again(const struct reading *r, size_t k)
+{
+	size_t own = 0;
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		bool found = c->table != r->table[k];
+		own += !found;
+		for (size_t j = 0; j < i && !found; j++)
+			found =
+			    r->all.column[j].table->sheet != c->table->sheet &&
+			    has_same_numbers(c, &r->all.column[j]);
+		if (!found)
+			return false;
+	}
+	return own > 0;
+}
+
+/* Leaves out tables that only repeat samples. */
+static void
+drop_tables_again(struct reading *r)
+{
+	for (size_t k = r->n_table; k-- > 1;) {
+		struct table *t = r->table[k];
+		if (r->columns.n > 0 || !is_table_again(r, k))
+			continue;
+		leave_out(r->site, t->row[0].line, "%s: samples again",
+		    samples_sheet_label(t->sheet));
+		size_t n = 0;
+		for (size_t i = 0; i < r->all.n; i++) {
+			struct column *c = &r->all.column[i];
+			if (c->table == t)
+				free(c->assumed);
+			else
+				r->all.column[n++] = *c;
+		}
+		r->all.n = n;
+		r->n_table--;
+		memmove(&r->table[k], &r->table[k + 1],
+		    (r->n_table - k) * sizeof(*r->table));
+		r->open.other = r->open.other == t ? NULL : r->open.other;
+	}
+	for (size_t k = 0; k < r->n_table; k++)
+		r->open.sieves = r->open.sieves || r->table[k]->unit_open;
 }
 
 static size_t
@@ -1165,6 +1247,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 	r.source = xcalloc(request->n, sizeof *r.source);
 	if (parse_request_options(&r) && read_files(&r)) {
 		read_all_tables(&r);
+		drop_tables_again(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
 		give_feeds_speed_of_file(&r);
