@@ -102,6 +102,11 @@ static const char *const SAME[] = {
     "8,100,100,100\n4,60,80,90\n1,10,20,30\n",
     "Class mm,Feed % retained,69 m/s % retained,79 m/s % retained\n"
     "4-8,40,20,10\n1-4,50,60,60\n<1,10,20,30\n",
+    "S1: feed\nS2: VSI product at 69 m/s\nS3: VSI product at 79 m/s\n\n"
+    "Sieve mm,S1,S2,S3\n" ROWS,
+    "Sieve mm;Prov A;Prov B;Prov C\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n\nProv A;Ing\xC3\xA5"
+    "ende\nProv B;Produkt;69 m/s\nProv C;Produkt;79 m/s\n",
     "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
     " mm                   69 m/s     79 m/s\n"
     "--------------------------------------\n"

@@ -855,6 +855,8 @@ read_all_tables(struct reading *r)
 {
 	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
+		title_take_key_of_samples(r->page[i].layout);
+	for (size_t i = 0; i < r->n_page; i++)
 		site_heading_merge_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];

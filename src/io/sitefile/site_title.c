@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
 #include "io/cells/datetime.h"
 #include "io/sitefile/column_header.h"
@@ -198,6 +199,85 @@ take_basis(struct table *t)
 		p += n + (size_t)(p[n] == '\n');
 	}
 	t->basis = stated && is_basis(all) ? all : 0;
+}
+
+/* True if a name tells one sample from others: S1, Prov A, Berga. */
+static bool
+is_name_of_one_sample(const char *name)
+{
+	size_t unknown;
+	lexicon_meanings(name, &unknown);
+	const char *last = strrchr(name, ' ');
+	last = last != NULL ? last + 1 : name;
+	return unknown > 0 || strpbrk(name, "0123456789") != NULL ||
+	       strlen(last) == 1;
+}
+
+/* Splits a line, "S2: product at 65 m/s" or "S2 | product | 65 m/s", into the
+ * name of a sample and what is said of it.  False if it has no such parts.  The
+ * caller frees both. */
+static bool
+split_key_of_sample(const struct row *row, char **name, char **said)
+{
+	const char *text = row->cell[0].text;
+	size_t n = strcspn(text, ":=");
+	*said = xstrdup(text[n] != '\0' ? text + n + 1 : "");
+	FREED char *before = xstrndup(text, n);
+	*name = xstrdup(text_trim(before));
+	for (size_t c = 1; c < row->n; c++)
+		if (row->cell[c].text[0] != '\0')
+			xappend_to_list(said, " ", "%s", row->cell[c].text);
+	return (*said)[0] != '\0' && is_name_of_one_sample(*name);
+}
+
+/* Returns the only heading of a table that is a name and says less than `said`;
+ * NULL: none. */
+static struct cell *
+heading_to_explain(struct table *t, const char *name, const struct head *said)
+{
+	struct cell *found = NULL;
+	for (size_t r = 0; r < t->n_head; r++)
+		for (size_t c = 1; c < t->n_col; c++) {
+			struct cell *cell = &t->head[r].cell[c];
+			if (!text_same_folded(cell->text, name))
+				continue;
+			if (found != NULL)
+				return NULL;
+			found = cell;
+		}
+	if (found == NULL)
+		return NULL;
+	struct head own = heading_parse(found->text);
+	bool role = (own.means & (WORD_FEED | WORD_PRODUCT)) != 0;
+	return heading_has_speed(&own) || (role && !heading_has_speed(said))
+		   ? NULL
+		   : found;
+}
+
+void
+title_take_key_of_samples(struct layout *layout)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		FREED char *name = NULL, *said = NULL;
+		bool key = split_key_of_sample(row, &name, &said),
+		     taken = false;
+		struct head head = heading_parse(said);
+		key = key && is_title_of_sample(&head) && !head.several;
+		for (size_t b = 0; b < layout->n && key; b++) {
+			struct table *t = &layout->table[b];
+			struct cell *cell = heading_to_explain(t, name, &head);
+			if (cell == NULL)
+				continue;
+			cell->text = layout_adopt_text(
+			    t, xasprintf("%s %s", cell->text, said));
+			taken = true;
+		}
+		if (!taken)
+			layout->heading[n++] = row;
+	}
+	layout->n_heading = n;
 }
 
 /* What the lines above a table say of all of its samples.  differ: they state
