@@ -285,6 +285,11 @@ put('rows-minus.csv', [['Test', 'Tip speed (m/s)', 'Density t/m3']
     + [[n, v, 2.7] + c + [3.1] for n, v, c in
        zip(['Feed', 'T1', 'T2'], [None, 69, 79], CURVES)])
 
+# --- samples in lines, their speeds at the end
+put('rows-speed.csv', [['Sample'] + MM + ['Speed m/s']]
+    + [[n] + c + [v] for n, v, c in
+       zip(['Feed', 'P1', 'P2'], [None, 69, 79], CURVES)])
+
 # --- files whose names state the speed
 for name, curve in zip(['cut_69ms.csv', 'cut_79_m-s.csv'], CURVES[1:]):
     put(name, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))

@@ -107,6 +107,8 @@ static const char *const SAME[] = {
     "Sieve mm;Prov A;Prov B;Prov C\n8;100;100;100\n4;60;80;90\n"
     "1;10;20;30\n\nProv A;Ing\xC3\xA5"
     "ende\nProv B;Produkt;69 m/s\nProv C;Produkt;79 m/s\n",
+    "Sikt mm;Matning;Prov 1;Prov 2\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\nPeriferihastighet m/s;;69;79\n",
     "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
     " mm                   69 m/s     79 m/s\n"
     "--------------------------------------\n"

@@ -949,6 +949,40 @@ join_cells_beside_headings(const struct sheets *g, const struct place *p,
 	}
 }
 
+/* True if the row below the sieves has the speeds of the samples. */
+static bool
+is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
+{
+	struct head first = heading_parse(cell_at(g, r, p->c)->text);
+	bool speed =
+	    (first.means & WORD_SPEED) != 0 || first.unit != SPEED_NO_UNIT;
+	return speed && !heading_has_speed(&first) && first.n_number == 0 &&
+	       (first.means & (WORD_LIMIT | WORD_MEAN)) == 0 &&
+	       has_number_beside(g, r, p->c, p->end);
+}
+
+/* Adds the rows below the sieves: sums and the like, and speeds, which head the
+ * samples as those above do. */
+static void
+add_rows_below(const struct sheets *g, const struct place *p, const size_t *col,
+    size_t n, struct table *t)
+{
+	for (size_t r = p->last; r < g->n_row; r++) {
+		if (cell_nature_at(g, r, p->c)->foot) {
+			add_table_row(g, r, col, n, &t->foot, &t->n_foot);
+			continue;
+		}
+		if (t->n_head == 0 || !is_row_of_speeds(g, r, p))
+			break;
+		size_t at = t->titles < t->n_head ? t->titles + 1 : t->n_head;
+		add_table_row(g, r, col, n, &t->head, &t->n_head);
+		struct row speeds = t->head[t->n_head - 1];
+		struct row *below = &t->head[at];
+		memmove(below + 1, below, (t->n_head - 1 - at) * sizeof *below);
+		*below = speeds;
+	}
+}
+
 static void
 add_table_found(const struct sheets *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
@@ -985,9 +1019,7 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 		add_table_row(g, r, col, n, &t.row, &t.n_row);
 		t.below = t.below || g->below[cell_index_at(g, r, p->c)];
 	}
-	for (size_t r = p->last;
-	     r < g->n_row && cell_nature_at(g, r, p->c)->foot; r++)
-		add_table_row(g, r, col, n, &t.foot, &t.n_foot);
+	add_rows_below(g, p, col, n, &t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
 		if (lexicon_is_label_of_day(cell_at(g, r, p->c)->text) &&
 		    !g->used[cell_index_at(g, r, p->c)])

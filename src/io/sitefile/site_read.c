@@ -591,8 +591,7 @@ note_left_out(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		const struct table *first = &page->layout->table[0];
-		int head =
-		    first->n_head > 0 ? first->head[first->n_head - 1].line : 0;
+		int head = first->n_head > 0 ? first->row[0].line - 1 : 0;
 		for (size_t i = 0; i < page->sheet->n_comment; i++) {
 			const struct comment *c = &page->sheet->comment[i];
 			if (c->line <= head || is_rule(c))
