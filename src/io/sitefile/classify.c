@@ -467,8 +467,12 @@ find_unit_by_numbers(
 		sure = false;
 	if (scales != 0) {
 		enum unit_scale told_scale = scale;
-		sure =
-		    choose_unit_scale(c, s, kind, total, &told_scale) && sure;
+		/* Grams that rise and fall are what each sieve retained. */
+		bool grams = (scales & WORD_GRAMS) != 0 &&
+			     (scales & WORD_PERCENT) == 0 && kind == RETAINED &&
+			     s->rises > 0 && s->falls > 0;
+		sure = choose_unit_scale(c, s, kind, total, &told_scale) &&
+		       (sure || grams);
 		scale = told_scale;
 	}
 	c->unit = site_unit_index(kind, scale);
