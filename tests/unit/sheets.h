@@ -109,6 +109,9 @@ static const char *const SAME[] = {
     "ende\nProv B;Produkt;69 m/s\nProv C;Produkt;79 m/s\n",
     "Sikt mm;Matning;Prov 1;Prov 2\n8;100;100;100\n4;60;80;90\n"
     "1;10;20;30\nPeriferihastighet m/s;;69;79\n",
+    "Feed sample,,\nmm,g retained,\n8,0,\n4,40,\n1,50,\nPan,10,\n,,\n"
+    "VSI products of May,,\nmm,69 m/s %,79 m/s %\n8,100,100\n4,80,90\n"
+    "1,20,30\n",
     "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
     " mm                   69 m/s     79 m/s\n"
     "--------------------------------------\n"

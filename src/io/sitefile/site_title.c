@@ -512,10 +512,48 @@ is_same_title_other_speed(
 	return true;
 }
 
+/* True if a table has only products, with their speeds. */
+static bool
+has_only_products_with_speeds(const struct table *t, const struct columns *all)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		if (c->role != PRODUCT || c->open ||
+		    !(c->speed > 0 || c->rpm > 0))
+			return false;
+		n++;
+	}
+	return n > 0;
+}
+
+/* True if of two tables one has the feed and the other all products, and no
+ * name in their titles speaks against it. */
+static bool
+are_feed_and_products(
+    struct table *const *table, size_t n, const struct columns *all)
+{
+	for (size_t k = 0; k < 2 && n == 2; k++) {
+		const struct column *feed = only_sample_of_table(all, table[k]);
+		const struct table *products = table[1 - k];
+		if (feed != NULL && feed->role == FEED && !(feed->speed > 0) &&
+		    has_only_products_with_speeds(products, all))
+			return !title_tells_limits_or_mean(table[0]) &&
+			       !title_tells_limits_or_mean(table[1]) &&
+			       !title_names_differ(
+				   table[0]->title, table[1]->title);
+	}
+	return false;
+}
+
 bool
 titles_are_speed_series(
     struct table *const *table, size_t n, const struct columns *all, bool parts)
 {
+	if (are_feed_and_products(table, n, all))
+		return true;
 	const struct table *feed = NULL;
 	for (size_t k = 0; k < n; k++) {
 		const struct column *c = only_sample_of_table(all, table[k]);
