@@ -300,7 +300,7 @@ parse_heading_number(struct head *head, const char *start, const char **text,
     bool at, struct before *before)
 {
 	const char *from = *text;
-	double value;
+	double value = 0;
 	size_t n;
 	bool inside = from > start && text_is_letter_byte(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
