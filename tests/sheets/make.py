@@ -290,6 +290,11 @@ put('rows-speed.csv', [['Sample'] + MM + ['Speed m/s']]
     + [[n] + c + [v] for n, v, c in
        zip(['Feed', 'P1', 'P2'], [None, 69, 79], CURVES)])
 
+# --- a table that goes on on the next page, with its headings again
+rows = rows_of(['mm', 'Feed', '69 m/s', '79 m/s'])
+put('page-break.csv', [['Percent passing']] + rows[:8] + [[], ['Page 2 of 2']]
+    + rows[:1] + rows[8:])
+
 # --- files whose names state the speed
 for name, curve in zip(['cut_69ms.csv', 'cut_79_m-s.csv'], CURVES[1:]):
     put(name, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))

@@ -1081,6 +1081,70 @@ list_rows_outside_tables(const struct sheets *g, struct layout *layout)
 	}
 }
 
+/* Whether the second of two tables has the headings of the first, those of its
+ * columns from that of the sieves on. */
+static bool
+has_same_headings(const struct table *a, const struct table *b)
+{
+	size_t heads = a->n_head - a->titles;
+	if (a->n_col != b->n_col || a->across || heads == 0 ||
+	    heads != b->n_head - b->titles)
+		return false;
+	for (size_t c = 0; c < a->n_col; c++)
+		for (size_t r = 0; r < heads; r++)
+			if (a->number[c] != b->number[c] ||
+			    strcmp(a->head[a->titles + r].cell[c].text,
+				b->head[b->titles + r].cell[c].text) != 0)
+				return false;
+	return true;
+}
+
+/* True if the numbers of a column go only up, or only down, from the rows of
+ * one table through those of another. */
+static bool
+goes_on_in_order(const struct table *a, const struct table *b, size_t c)
+{
+	double v, last = NAN;
+	bool up = false, down = false;
+	for (size_t i = 0; i < a->n_row + b->n_row; i++) {
+		const struct row *row =
+		    i < a->n_row ? &a->row[i] : &b->row[i - a->n_row];
+		if (!number_value_of_cell(row->cell[c], &v))
+			return false;
+		up = up || v > last;
+		down = down || v < last;
+		last = v;
+	}
+	return up != down;
+}
+
+/* Joins a table that a page ended with its rest on the next: the same headings
+ * again, and sieves and cumulative numbers that go on in order. */
+static void
+join_continued_tables(struct layout *layout)
+{
+	for (size_t b = 1; b < layout->n; b++) {
+		struct table *t = &layout->table[b - 1],
+			     *rest = &layout->table[b];
+		bool goes_on = t->n_foot == 0 && has_same_headings(t, rest);
+		for (size_t c = 0; c < t->n_col && goes_on; c++)
+			goes_on = goes_on_in_order(t, rest, c);
+		if (!goes_on)
+			continue;
+		t->row =
+		    xrealloc(t->row, t->n_row + rest->n_row, sizeof *t->row);
+		memcpy(
+		    &t->row[t->n_row], rest->row, rest->n_row * sizeof *t->row);
+		t->n_row += rest->n_row;
+		rest->n_row = 0;
+		layout_table_clear(rest);
+		layout->n--;
+		memmove(
+		    rest, rest + 1, (layout->n - b) * sizeof *layout->table);
+		b--;
+	}
+}
+
 /* Sets the line after which lines may be about a table alone. */
 static void
 find_end_of_tables_above(const struct layout *layout, struct table *t)
@@ -1152,6 +1216,7 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	bool turned = total_table_score(&t) > total_table_score(&g);
 	add_tables_to_layout(turned ? &t : &g, layout);
 	list_rows_outside_tables(&g, layout);
+	join_continued_tables(layout);
 	for (size_t b = 0; b < layout->n; b++)
 		find_end_of_tables_above(layout, &layout->table[b]);
 	free_grid(&t);
