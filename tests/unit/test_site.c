@@ -58,6 +58,8 @@ static const struct {
     {"Class,Feed %,69 m/s %,79 m/s %\n<16 mm,0,0,0\n<8 mm,60,30,20\n"
      "<4 mm,30,50,60\n<1 mm,10,20,20\n",
 	1, 7, "what column 2 is", "2=feed retained_pct"},
+    {"mm,Feed %,66 m/s %,72 m/s %\n" ROWS "Tip speed m/s,,65,71\n", 5, 16,
+	"what column 3 is", "3=product@65"},
     {"Tip speed 65 m/s\nTip speed 71 m/s\nmm,Feed,S1,S2\n" ROWS, 3, 9,
 	"what column 3 is", "3=product@SPEED"},
     {"Tip speed,65\nTip speed,71\nmm,Feed,S1,S2\n" ROWS, 3, 9,
@@ -77,7 +79,7 @@ static const struct {
     {"size_mm,feed,product (2),product@79\n" ROWS, 1, 14, "its tip speed",
 	"product@SPEED"},
     {"size_mm,feed,siktrest@69,product@79\n" ROWS, 1, 14, "what column 3 is",
-	"3=product@69 retained"},
+	"3=product@69 passing_pct"},
     {"size_mm,feed,product m/s,product@79\n" ROWS, 1, 14, "tip speed",
 	"product@SPEED"},
     {"size_mm,feed,Passerande %,product@79\n" ROWS, 1, 14, "what column 3 is",

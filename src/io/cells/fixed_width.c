@@ -195,6 +195,22 @@ put_tabs_in_line(struct line *line, const struct grid_columns *g)
 	}
 }
 
+/* Widens the columns by a line of heads that has one for each, which may begin
+ * far to the left of the numbers. */
+static void
+widen_columns_to_heads(struct grid_columns *g, const struct line *head)
+{
+	struct span cell[MOST_CELLS];
+	if (head->rule || split_at_blanks(head, cell) != g->n)
+		return;
+	for (size_t i = 0; i < g->n; i++) {
+		struct span *own = &g->column[i];
+		own->left = cell[i].left < own->left ? cell[i].left : own->left;
+		own->right =
+		    cell[i].right > own->right ? cell[i].right : own->right;
+	}
+}
+
 /* Puts tabs into the lines of numbers from the ith on and into their heads,
  * which are above without an empty line.  Returns the line after them. */
 static size_t
@@ -207,6 +223,8 @@ put_tabs_in_table(struct line *line, size_t i, size_t n)
 	while (top > 0 && i - top < MOST_HEADS && line[top - 1].n > 0 &&
 	       !line[top - 1].numbers)
 		top--;
+	for (size_t k = top; k < i; k++)
+		widen_columns_to_heads(&g, &line[k]);
 	for (size_t k = top; k < end; k++)
 		if (!line[k].rule)
 			put_tabs_in_line(&line[k], &g);

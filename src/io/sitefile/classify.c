@@ -68,6 +68,9 @@ add_from_heading_above(
 		said->means |= more->means & rest;
 	if (own && !titles)
 		said->unknown += more->unknown;
+	said->several =
+	    said->several || (own && said->speed > 0 && more->speed > 0 &&
+				 fabs(said->speed - more->speed) > 0.5);
 	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
 		said->speed = more->speed;
 		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
@@ -498,7 +501,10 @@ find_unit_by_words(
 	if (kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
 		sure = choose_mass_or_cumulative(c, s, total, &kind);
 	sure = choose_unit_scale(c, s, kind, total, &scale) && sure;
-	sure = sure && !both && (told || is_possible_quantity(s, kind));
+	bool possible = told || is_possible_quantity(s, kind);
+	sure = sure && !both && possible;
+	if (!possible) /* propose what the numbers say */
+		guess_quantity_from_numbers(s, total, &kind, &scale);
 	if ((c->said.means & SCALE_WORDS) == 0)
 		assume(c, "as %s",
 		    tr(SITE_UNITS[site_unit_index(kind, scale)].words));

@@ -956,8 +956,10 @@ is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
 	struct head first = heading_parse(cell_at(g, r, p->c)->text);
 	bool speed =
 	    (first.means & WORD_SPEED) != 0 || first.unit != SPEED_NO_UNIT;
+	static const uint64_t ELSE =
+	    WORD_LIMIT | WORD_MEAN | WORD_SAMPLE | WORD_FEED | WORD_PERCENT;
 	return speed && !heading_has_speed(&first) && first.n_number == 0 &&
-	       (first.means & (WORD_LIMIT | WORD_MEAN)) == 0 &&
+	       first.unknown == 0 && (first.means & ELSE) == 0 &&
 	       has_number_beside(g, r, p->c, p->end);
 }
 
