@@ -655,18 +655,33 @@ has_sieves_twice(struct reading *r, const struct table *t)
 }
 
 /* Of several files that are one site, the name may state the speed:
- * "cut_60ms.csv". */
-static void
+ * "cut_60ms.csv".  False if it does not, or the sheet states one itself. */
+static bool
 take_speed_of_file_name(
-    struct reading *r, const char *path, struct surroundings *near)
+    const struct site_request *q, const char *path, struct surroundings *near)
 {
 	FREED char *stem = site_heading_name_from_path(path);
 	struct head name = heading_parse_name(stem);
-	if (near->speed > 0 || near->rpm > 0 || name.several ||
-	    !heading_has_speed(&name))
-		return;
+	if (q->n < 2 || q->parts || near->speed > 0 || near->rpm > 0 ||
+	    name.several || !heading_has_speed(&name))
+		return false;
 	near->speed = name.speed;
 	near->rpm = name.rpm;
+	return true;
+}
+
+/* Notes that the columns from the ith on have the speed in the name of their
+ * file, unless their headings state one. */
+static void
+note_speed_of_file_name(struct reading *r, const char *path, size_t i)
+{
+	bool used = false;
+	for (; i < r->all.n; i++)
+		used = used || (r->all.column[i].role == PRODUCT &&
+				   !heading_has_speed(&r->all.column[i].said));
+	if (!used)
+		return;
+	FREED char *stem = site_heading_name_from_path(path);
 	xappend_to_list(
 	    &r->site->assumed, "; ", tr("the speed in the name of %s"), stem);
 }
@@ -690,8 +705,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
-	else if (q->n > 1 && !q->parts)
-		take_speed_of_file_name(r, q->path[page->file], &near);
+	bool named = take_speed_of_file_name(q, q->path[page->file], &near);
 	uint64_t sieve = samples_head_columns(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;
@@ -712,6 +726,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	classify_columns(t, &near, &r->all, r->site);
+	if (named)
+		note_speed_of_file_name(r, q->path[page->file], first);
 	bool lone = q->feed && r->all.n == first + 1;
 	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
 	     i++)
