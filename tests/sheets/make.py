@@ -295,6 +295,14 @@ rows = rows_of(['mm', 'Feed', '69 m/s', '79 m/s'])
 put('page-break.csv', [['Percent passing']] + rows[:8] + [[], ['Page 2 of 2']]
     + rows[:1] + rows[8:])
 
+# --- tables of an instrument, one below the other, titles for samples
+lines = []
+for name, grams in zip(['Feed', 'Product 69 m/s', 'Product 79 m/s'], GRAMS):
+    lines += [['Sample', name], ['mm', 'Mass [g]', '1-Q3 [%]']]
+    lines += [[s, g, round(100 * sum(grams[:i + 1]) / sum(grams), 1)]
+              for i, (s, g) in enumerate(zip(MM + ['Pan'], grams))] + [[]]
+put('titles-print.csv', lines)
+
 # --- files whose names state the speed
 for name, curve in zip(['cut_69ms.csv', 'cut_79_m-s.csv'], CURVES[1:]):
     put(name, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))

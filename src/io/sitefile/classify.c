@@ -902,10 +902,13 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
-	bool numbers =
-	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
-				(a->said.n_number == 0 ||
-				    a->said.number[0] == b->said.number[0]));
+	/* Under a title the heads say quantities: "1-Q3" numbers no sample. */
+	bool titled = a->role != NO_ROLE &&
+		      ((a->said.means | b->said.means) & ROLE_WORDS) == 0;
+	bool numbers = titled || a->speed > 0 ||
+		       (a->said.n_number == b->said.n_number &&
+			   (a->said.n_number == 0 ||
+			       a->said.number[0] == b->said.number[0]));
 	bool same = a->table == b->table && a->role == b->role &&
 		    a->role != SD && fabs(a->speed - b->speed) < 1e-3 &&
 		    a->rpm == b->rpm && numbers &&

@@ -13,6 +13,7 @@
 #include "base/xalloc.h"
 #include "io/fs/file.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/column_header.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/site_title.h"
@@ -144,6 +145,58 @@ add_sieves_to_question(struct site_ask *ask, const struct table *t, bool open)
 	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
 	add_column_to_question(
 	    ask, t, 0, site_sieve_heading_cell(t).text, sieve, open);
+}
+
+/* True if tables on one sheet have the same columns, and their titles say of
+ * which sample each is: then columns= says for all what the numbers are. */
+static bool
+have_titles_for_samples(
+    struct table *const *table, size_t n_table, const struct columns *all)
+{
+	static const uint64_t ROLES = WORD_FEED | WORD_PRODUCT | WORD_SD;
+	bool same = n_table > 1;
+	for (size_t k = 1; k < n_table && same; k++) {
+		same = table[k]->sheet == table[0]->sheet &&
+		       table[k]->n_col == table[0]->n_col;
+		for (size_t c = 0; c < table[0]->n_col && same; c++)
+			same = table[k]->number[c] == table[0]->number[c];
+	}
+	for (size_t i = 0; i < all->n && same; i++) {
+		const struct column *c = &all->column[i];
+		same = c->twin > 0 ||
+		       ((c->said.means & ROLES) == 0 &&
+			   !heading_has_speed(&c->said) && c->role != NO_ROLE);
+	}
+	return same;
+}
+
+/* Lists the quantities of the columns of a table, without those that are open
+ * where another one has the sample. */
+static void
+list_quantities(
+    struct site_ask *ask, const struct table *t, const struct columns *all)
+{
+	size_t sure = 0;
+	for (size_t i = 0; i < all->n; i++)
+		sure += all->column[i].table == t && !all->column[i].open &&
+			all->column[i].twin == 0;
+	add_sieves_to_question(ask, t, false);
+	FREED char *text =
+	    xasprintf("%zu=%s", t->number[0], ask->column[0].guess);
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		FREED char *words = classify_describe_column(c);
+		bool out = c->open && sure > 0;
+		char *guess = xstrdup(out ? "-" : strchr(words, ' ') + 1);
+		if (!out)
+			xappend_to_list(
+			    &text, ", ", "%zu=%s", t->number[c->at], guess);
+		add_column_to_question(
+		    ask, t, c->at, c->head.text, guess, c->open);
+	}
+	ask->settle = xasprintf("columns=\"%s\"", text);
 }
 
 /* Lists the columns in the words of columns= or, if they are better asked about
@@ -703,7 +756,10 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	}
 	if (first == NULL && !open->sieves)
 		return false;
-	list_columns_to_name(ask, table, n_table, all, open->sieves);
+	if (!open->sieves && have_titles_for_samples(table, n_table, all))
+		list_quantities(ask, table[0], all);
+	else
+		list_columns_to_name(ask, table, n_table, all, open->sieves);
 	if (first == NULL)
 		return refuse_with_question(q, table[0],
 		    table[0]->row[0].cell[0], ask,
