@@ -133,6 +133,37 @@ text_trim(char *s)
 static const char LATIN1[] = "aaaaaaaceeeeiiiidnooooo*ouuuuyts"
 			     "aaaaaaaceeeeiiiidnooooo*ouuuuyty";
 
+/* The letters of U+0100 to U+017F, of Polish, Czech, Turkish and others,
+ * without case and accents; * stays as it is. */
+static const char LATIN_A[] = "aaaaaaccccccccddddeeeeeeeeeegggggggghhhh"
+			      "iiiiiiiiii**jjkkkllllllllllnnnnnnnnnoooooo**"
+			      "rrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+
+/* Returns the letter of two bytes without case and accents; '*': it is kept. */
+static char
+plain_letter(unsigned char c, unsigned char d)
+{
+	if (d < 0x80 || d > 0xBF)
+		return '*';
+	if (c == 0xC3)
+		return LATIN1[d - 0x80];
+	if (c == 0xC4 || c == 0xC5)
+		return LATIN_A[(c - 0xC4) * 64 + d - 0x80];
+	return '*';
+}
+
+/* Makes a Cyrillic capital, of the two bytes at s, small at `to`. */
+static bool
+copy_small_cyrillic(const unsigned char *s, char *to)
+{
+	if (s[0] != 0xD0 || s[1] < 0x90 || s[1] > 0xAF)
+		return false;
+	bool first = s[1] < 0xA0;
+	to[0] = (char)(first ? 0xD0 : 0xD1);
+	to[1] = (char)(first ? s[1] + 0x20 : s[1] - 0x20);
+	return true;
+}
+
 char *
 text_fold_case_and_accents(const char *s)
 {
@@ -141,13 +172,15 @@ text_fold_case_and_accents(const char *s)
 	while (*s != '\0') {
 		unsigned char c = (unsigned char)s[0];
 		unsigned char d = (unsigned char)s[1];
-		char plain = '*';
-		if (c == 0xC3 && d >= 0x80 && d <= 0xBF)
-			plain = LATIN1[d - 0x80];
+		char plain = plain_letter(c, d);
 		bool accent = c == 0xCC || (c == 0xCD && d < 0xB0);
 		if (plain != '*')
 			folded[n++] = plain;
 		if (plain != '*' || (accent && d >= 0x80)) {
+			s += 2;
+		} else if (copy_small_cyrillic(
+			       (const unsigned char *)s, &folded[n])) {
+			n += 2;
 			s += 2;
 		} else {
 			folded[n++] = to_lower((char)c);

@@ -36,8 +36,8 @@ const char *text_number_to_tell_apart(
 char *text_trim(char *s);
 
 /* Returns a copy in lower case without the accents of Latin letters: "Borlänge"
- * becomes "borlange", however its dots are encoded.  Other bytes are unchanged.
- * The caller frees it. */
+ * becomes "borlange", however its dots are encoded.  Cyrillic letters are made
+ * small; other bytes are unchanged.  The caller frees it. */
 char *text_fold_case_and_accents(const char *s);
 
 /* As text_fold_case_and_accents, but with every run of characters other than

@@ -8,6 +8,7 @@
 # those of the last run stands in MADE-BY.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import datetime
+import math
 import os
 import subprocess
 import tempfile
@@ -278,6 +279,34 @@ with open('awk.csv', 'w') as f:
          'same.is'], capture_output=True, text=True).stdout)
 
 
+# --- samples in lines, sizes as what passes them
+put('rows-minus.csv', [['Test', 'Tip speed (m/s)', 'Density t/m3']
+                       + ['-%g mm' % s for s in MM] + ['FM']]
+    + [[n, v, 2.7] + c + [3.1] for n, v, c in
+       zip(['Feed', 'T1', 'T2'], [None, 69, 79], CURVES)])
+
+# --- samples in lines, their speeds at the end
+put('rows-speed.csv', [['Sample'] + MM + ['Speed m/s']]
+    + [[n] + c + [v] for n, v, c in
+       zip(['Feed', 'P1', 'P2'], [None, 69, 79], CURVES)])
+
+# --- a table that goes on on the next page, with its headings again
+rows = rows_of(['mm', 'Feed', '69 m/s', '79 m/s'])
+put('page-break.csv', [['Percent passing']] + rows[:8] + [[], ['Page 2 of 2']]
+    + rows[:1] + rows[8:])
+
+# --- tables of an instrument, one below the other, titles for samples
+lines = []
+for name, grams in zip(['Feed', 'Product 69 m/s', 'Product 79 m/s'], GRAMS):
+    lines += [['Sample', name], ['mm', 'Mass [g]', '1-Q3 [%]']]
+    lines += [[s, g, round(100 * sum(grams[:i + 1]) / sum(grams), 1)]
+              for i, (s, g) in enumerate(zip(MM + ['Pan'], grams))] + [[]]
+put('titles-print.csv', lines)
+
+# --- files whose names state the speed
+for name, curve in zip(['cut_69ms.csv', 'cut_79_m-s.csv'], CURVES[1:]):
+    put(name, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))
+
 # --- workbooks by openpyxl
 def book(name, fill):
     wb = openpyxl.Workbook()
@@ -402,6 +431,29 @@ def tab_each(wb):
         append(ws, rows_of(['Sieve (mm)', 'Passing (%)'], [curve]))
 
 
+def rotor_tab(wb):
+    """The rotor stands on a sheet without a table, the rpm in names."""
+    append(wb.create_sheet('Info'), [['Rotor diameter', '900 mm']])
+    for name, curve in zip(['Feed', '1464 rpm', '1676 rpm'], CURVES):
+        append(wb.create_sheet(name), rows_of(['mm', '% passing'], [curve]))
+
+
+def named_tabs(wb):
+    """The names of sheets tell samples apart, and nothing states a speed."""
+    for name, curve in zip(['Mating', 'Prov A', 'Prov B'], CURVES):
+        append(wb.create_sheet(name), rows_of(['mm', 'Pass. %'], [curve]))
+
+
+def chart_tab(wb):
+    """Feed and products have sheets, and again one for their chart."""
+    append(wb.create_sheet('Feed'), rows_of(['mm', '% passing'], [FEED]))
+    head = ['mm', '69 m/s', '79 m/s']
+    append(wb.create_sheet('Products'), rows_of(head, CURVES[1:]))
+    append(wb.create_sheet('Chart data'), rows_of(
+        ['log d', 'Feed'] + head[1:],
+        sizes=[round(math.log10(s), 3) for s in MM]))
+
+
 def range_of(wb):
     ws = wb.active
     append(ws, [['May']] + rows_of(HEADS_SV) + [[], ['June']] +
@@ -432,7 +484,10 @@ for name, fill in (('openpyxl-plain', plain), ('habit-17', speed_row),
                    ('openpyxl-tabs', two_tabs), ('openpyxl-readme', readme_tab),
                    ('openpyxl-merged', merged), ('openpyxl-across', across),
                    ('openpyxl-tidy', tidy), ('openpyxl-text', as_text),
-                   ('openpyxl-cuts', tab_each), ('openpyxl-range', range_of),
+                   ('openpyxl-cuts', tab_each), ('openpyxl-rotor', rotor_tab),
+                   ('openpyxl-named', named_tabs),
+                   ('openpyxl-chart', chart_tab),
+                   ('openpyxl-range', range_of),
                    ('openpyxl-dates', date_sieves)):
     book(name + '.xlsx', fill)
 

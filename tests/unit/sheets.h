@@ -92,6 +92,36 @@ static const char *const SAME[] = {
     "Sikt mm;Feed g;69 m/s g;79 m/s g\n8,0;0 g;0g;0\n4,0;80 g;1,25 g;10\n"
     "1,0;100 g;3,75;60\ntr\xC3\xA5g;20 g;1,25;30\n"
     "Summa;200 g;6,25;100\nDiff %;0,5;;\nKommentar;;;\n",
+    "Setaccio mm;Alimentazione;Prodotto 69 m/s;Prodotto 79 m/s\n"
+    ";Passante %;Passante %;Passante %\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n",
+    "Сито, мм;Питание;Продукт 69 м/с;Продукт 79 м/с\n"
+    ";Проход, %;Проход, %;Проход, %\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n",
+    "筛孔(mm),给料,产品 69 m/s,产品 79 m/s\n,通过率(%),通过率(%),通过率(%)\n"
+    "8,100,100,100\n4,60,80,90\n1,10,20,30\n",
+    "Class mm,Feed % retained,69 m/s % retained,79 m/s % retained\n"
+    "4-8,40,20,10\n1-4,50,60,60\n<1,10,20,30\n",
+    "S1: feed\nS2: VSI product at 69 m/s\nS3: VSI product at 79 m/s\n\n"
+    "Sieve mm,S1,S2,S3\n" ROWS,
+    "Sieve mm;Prov A;Prov B;Prov C\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\n\nProv A;Ing\xC3\xA5"
+    "ende\nProv B;Produkt;69 m/s\nProv C;Produkt;79 m/s\n",
+    "Sikt mm;Matning;Prov 1;Prov 2\n8;100;100;100\n4;60;80;90\n"
+    "1;10;20;30\nPeriferihastighet m/s;;69;79\n",
+    "Feed sample,,\nmm,g retained,\n8,0,\n4,40,\n1,50,\nPan,10,\n,,\n"
+    "VSI products of May,,\nmm,69 m/s %,79 m/s %\n8,100,100\n4,80,90\n"
+    "1,20,30\n",
+    "Sieve print 4471\n\nSieve      Feed     Product    Product\n"
+    " mm                   69 m/s     79 m/s\n"
+    "--------------------------------------\n"
+    "  8      100.0       100.0      100.0\n"
+    "  4       60          80         90\n"
+    "  1       10.0        20.0       30.0\n"
+    "--------------------------------------\n",
+    "Sieve analysis, 3 May\n\n| Sieve mm | Feed | 69 m/s | 79 m/s |\n"
+    "|---:|:---|---|---|\n| 8 | 100 | 100 | 100 |\n| 4 | 60 | 80 | 90 |\n"
+    "| 1 | 10 | 20 | 30 |\n",
     "Sieve size mm,feed (g),69 m/s g,Product (g retained) 79 m/s\n8,0,0,0\n"
     "4,80,1.25,10\n1,100,3.75,60\npan,20,1.25,30\n",
 };

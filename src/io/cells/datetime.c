@@ -314,3 +314,23 @@ datetime_today(void)
 	return xasprintf(
 	    "%04d-%02d-%02d", tm->tm_year + 1900, tm->tm_mon + 1, tm->tm_mday);
 }
+
+bool
+datetime_is_day_in_words(const char *text)
+{
+	FREED char *folded = text_fold_case_and_accents(text);
+	size_t numbers = 0, months = 0, n;
+	for (const char *p = folded; *p != '\0'; p += n) {
+		n = strspn(p, "0123456789");
+		numbers += n > 0;
+		if (n > 0)
+			continue;
+		while (isalpha((unsigned char)p[n]))
+			n++;
+		if (n > 0 && month_from_name(p) == 0)
+			return false;
+		months += n > 0;
+		n += n == 0;
+	}
+	return months == 1 && numbers > 0 && numbers <= 2;
+}

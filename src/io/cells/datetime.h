@@ -51,4 +51,7 @@ char *datetime_date_from_days(long days);
  * it. */
 char *datetime_today(void);
 
+/* True for a day in words, as sheets are called: "4 May", "Mai 4, 2026". */
+bool datetime_is_day_in_words(const char *text);
+
 #endif

@@ -25,8 +25,9 @@ number_thousands_separator_bytes(const char *s)
 	return 0;
 }
 
-/* Copies a text without separators of thousands: 1 010,5 becomes 1010,5. False
- * for a text too long to be a number. */
+/* Copies a text without separators of thousands, and without blanks that do not
+ * break at its ends: 1 010,5 becomes 1010,5.  False for a text too long to be a
+ * number. */
 static bool
 copy_without_thousands_blanks(const char *s, char copy[static LONGEST])
 {
@@ -35,8 +36,9 @@ copy_without_thousands_blanks(const char *s, char copy[static LONGEST])
 		return false;
 	for (const char *p = s; *p != '\0';) {
 		size_t n = number_thousands_separator_bytes(p);
-		if (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
-		    strspn(p + n, "0123456789") == 3)
+		bool end = n > 1 && (p == s || p[n] == '\0');
+		if (end || (n > 0 && p > s && isdigit((unsigned char)p[-1]) &&
+			       strspn(p + n, "0123456789") == 3))
 			p += n;
 		else
 			*to++ = *p++;
@@ -158,9 +160,21 @@ is_mark_for_missing(const char *text)
 	static const char *const ABSENT[] = {"", "-", "--", "---",
 	    "\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "n/a", "na", "n.a.",
 	    "nan", "#n/a", "none", "null", "nd", "n.d.", "ej", "k.a.", "?",
-	    "not used", "saknas"};
+	    "not used", "saknas", "s/d", "bdl", "brak", "n.b."};
 	for (size_t i = 0; i < ARRAY_LEN(ABSENT); i++)
 		if (strcasecmp(text, ABSENT[i]) == 0)
+			return true;
+	return false;
+}
+
+/* True for a word that means too little to weigh. */
+static bool
+is_word_for_trace(const char *text)
+{
+	static const char *const TRACE[] = {"trace", "traces", "tr", "tr.",
+	    "sp\xC3\xA5r", "spuren", "trazas", "tracce"};
+	for (size_t i = 0; i < ARRAY_LEN(TRACE); i++)
+		if (strcasecmp(text, TRACE[i]) == 0)
 			return true;
 	return false;
 }
@@ -179,6 +193,8 @@ find_number_in_cell(const struct sheet *sheet, struct cell *cell)
 			cell->value = less ? AS_TRACE : AS_NUMBER;
 		else if (is_mark_for_missing(cell->text))
 			cell->value = AS_ABSENT;
+		else if (is_word_for_trace(cell->text))
+			cell->value = AS_TRACE;
 		else
 			cell->value =
 			    parse_number_with_unit(sheet, cell->text, &number);

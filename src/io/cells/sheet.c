@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "io/cells/fixed_width.h"
 
 /* A sheet has a few kB; the limits keep time and memory small when the file is
  * something else. */
@@ -449,7 +450,9 @@ sheet_from_text(const char *path, char *text, struct sheet_limits most,
 	sheet->errors = errors;
 	sheet->most = most;
 	sheet->most_line = most_line;
-	sheet->separator = find_cell_separator(text, errors);
+	sheet->separator = fixed_width_put_tabs(text)
+			       ? '\t'
+			       : find_cell_separator(text, errors);
 	split_text_into_lines(sheet, text);
 	return sheet;
 }

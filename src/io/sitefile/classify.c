@@ -68,6 +68,9 @@ add_from_heading_above(
 		said->means |= more->means & rest;
 	if (own && !titles)
 		said->unknown += more->unknown;
+	said->several =
+	    said->several || (own && said->speed > 0 && more->speed > 0 &&
+				 fabs(said->speed - more->speed) > 0.5);
 	if (!mean && said->speed == 0 && (said->rpm == 0 || more->speed > 0)) {
 		said->speed = more->speed;
 		said->rpm = said->rpm > 0 ? said->rpm : more->rpm;
@@ -467,15 +470,20 @@ find_unit_by_numbers(
 		sure = false;
 	if (scales != 0) {
 		enum unit_scale told_scale = scale;
-		sure =
-		    choose_unit_scale(c, s, kind, total, &told_scale) && sure;
+		/* Grams that rise and fall are what each sieve retained. */
+		bool grams = (scales & WORD_GRAMS) != 0 &&
+			     (scales & WORD_PERCENT) == 0 && kind == RETAINED &&
+			     s->rises > 0 && s->falls > 0;
+		sure = choose_unit_scale(c, s, kind, total, &told_scale) &&
+		       (sure || grams);
 		scale = told_scale;
 	}
 	c->unit = site_unit_index(kind, scale);
 	if (!title && (kind != PASSING || scale != OF_100 || scales == 0))
 		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
 	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED);
+		  (has_size_classes(c->table) && kind != RETAINED) ||
+		  (c->table->below && kind != PASSING);
 }
 
 /* Takes the quantity that the headings state. */
@@ -493,7 +501,10 @@ find_unit_by_words(
 	if (kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
 		sure = choose_mass_or_cumulative(c, s, total, &kind);
 	sure = choose_unit_scale(c, s, kind, total, &scale) && sure;
-	sure = sure && !both && (told || is_possible_quantity(s, kind));
+	bool possible = told || is_possible_quantity(s, kind);
+	sure = sure && !both && possible;
+	if (!possible) /* propose what the numbers say */
+		guess_quantity_from_numbers(s, total, &kind, &scale);
 	if ((c->said.means & SCALE_WORDS) == 0)
 		assume(c, "as %s",
 		    tr(SITE_UNITS[site_unit_index(kind, scale)].words));
@@ -502,7 +513,8 @@ find_unit_by_words(
 		sure = false;
 	c->unit = site_unit_index(kind, scale);
 	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED);
+		  (has_size_classes(c->table) && kind != RETAINED) ||
+		  (c->table->below && kind != PASSING);
 }
 
 static void
@@ -608,10 +620,12 @@ find_role_of_column(struct column *c, const struct surroundings *near)
 		c->role = PRODUCT;
 	else if (role != 0)
 		c->open = true;
-	else if (speed || near->speed > 0 || near->rpm > 0)
+	else if (speed)
 		c->role = PRODUCT;
 	else if (context == WORD_FEED)
 		c->role = FEED;
+	else if (near->speed > 0 || near->rpm > 0)
+		c->role = PRODUCT;
 	else if (context == WORD_PRODUCT)
 		c->role = PRODUCT;
 	else if (speed_without_unit(&c->said) > 0 && c->said.unknown == 0)
@@ -810,9 +824,10 @@ classify_columns(struct table *t, const struct surroundings *near,
 		struct column c = column[i];
 		if (around.counted && c.said.n_number == 1)
 			c.said.n_number = 0;
-		if (around.samples->n > 0
-			? !samples_apply_to_column(around.samples, &c)
-			: is_no_sample(&c, site))
+		bool named = around.samples->n > 0;
+		bool sheet = samples_name_sheet(around.samples, t->sheet);
+		if (((!named || sheet) && is_no_sample(&c, site)) ||
+		    (named && !samples_apply_to_column(around.samples, &c)))
 			continue;
 		find_role_of_column(&c, &around);
 		find_speed_of_column(&c, &around);
@@ -887,10 +902,13 @@ is_same_sample_in_other_quantity(const struct column *a, const struct column *b)
 {
 	bool stated =
 	    ((a->said.means | b->said.means) & (KIND_WORDS | SCALE_WORDS)) != 0;
-	bool numbers =
-	    a->speed > 0 || (a->said.n_number == b->said.n_number &&
-				(a->said.n_number == 0 ||
-				    a->said.number[0] == b->said.number[0]));
+	/* Under a title the heads say quantities: "1-Q3" numbers no sample. */
+	bool titled = a->role != NO_ROLE &&
+		      ((a->said.means | b->said.means) & ROLE_WORDS) == 0;
+	bool numbers = titled || a->speed > 0 ||
+		       (a->said.n_number == b->said.n_number &&
+			   (a->said.n_number == 0 ||
+			       a->said.number[0] == b->said.number[0]));
 	bool same = a->table == b->table && a->role == b->role &&
 		    a->role != SD && fabs(a->speed - b->speed) < 1e-3 &&
 		    a->rpm == b->rpm && numbers &&

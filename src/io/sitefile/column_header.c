@@ -27,7 +27,8 @@ static const struct {
     {"rev/min", SPEED_RPM}, {"r/min", SPEED_RPM}, {"varv/min", SPEED_RPM},
     {"v/min", SPEED_RPM}, {"u/min", SPEED_RPM}, {"upm", SPEED_RPM},
     {"tr/min", SPEED_RPM}, {"kierr/min", SPEED_RPM}, {"1/min", SPEED_RPM},
-    {"min-1", SPEED_RPM}};
+    {"min-1", SPEED_RPM}, {"giri/min", SPEED_RPM}, {"об/мин", SPEED_RPM},
+    {"м/с", SPEED_MPS}};
 
 /* Units of other things: a number before one of them is no speed. */
 static const char *const OTHER_UNITS[] = {"mm", "um", "\xC2\xB5m", "\xCE\xBCm",
@@ -299,7 +300,7 @@ parse_heading_number(struct head *head, const char *start, const char **text,
     bool at, struct before *before)
 {
 	const char *from = *text;
-	double value;
+	double value = 0;
 	size_t n;
 	bool inside = from > start && text_is_letter_byte(from[-1]);
 	bool minus = from > start + 1 && from[-1] == '-' && at;
@@ -363,6 +364,19 @@ has_size_range(const char *text)
 	return false;
 }
 
+/* True for the 3 of m3 and cm3, no unit of length. */
+static bool
+is_power_of_length(const char *text, const char *p)
+{
+	bool alone = !isalnum((unsigned char)p[1]) && (*p == '2' || *p == '3');
+	const char *from = p;
+	while (from > text && text_is_letter_byte(from[-1]))
+		from--;
+	size_t n = (size_t)(p - from);
+	return alone && n > 0 && n <= 2 && p[-1] == 'm' &&
+	       (n == 1 || strchr("cdm", from[0]) != NULL);
+}
+
 /* Reads a folded text.  words: out, the text without numbers and units of
  * speed; rest: out, the text without speeds; each as large as the text. */
 static struct head
@@ -383,8 +397,9 @@ split_off_speeds(const char *folded, char *words, char *rest)
 			words[n++] = ' ';
 		} else if (isdigit((unsigned char)*p)) {
 			const char *from = p;
+			bool power = is_power_of_length(folded, p);
 			parse_heading_number(&head, folded, &p, at, &before);
-			words[n++] = ' ';
+			words[n++] = power ? *from : ' ';
 			bool speed = before.at || before.unit;
 			while (!speed && from < p)
 				rest[m++] = *from++;
@@ -421,6 +436,33 @@ struct head
 heading_parse(const char *text)
 {
 	return parse_heading_text(text, NULL);
+}
+
+struct head
+heading_parse_name(const char *name)
+{
+	static const char *const WRITTEN[] = {"ms", "m s", "m-s", "m.s"};
+	FREED char *text = text_fold_case_and_accents(name);
+	for (char *p = text; *p != '\0'; p++)
+		*p = *p == '_' ? ' ' : *p;
+	FREED char *said = xstrdup("");
+	for (const char *p = text; *p != '\0';) {
+		const char *unit = p + (*p == ' ');
+		bool after = p > text && isdigit((unsigned char)p[-1]);
+		size_t n = 0;
+		for (size_t i = 0; i < ARRAY_LEN(WRITTEN) && after; i++) {
+			size_t length = strlen(WRITTEN[i]);
+			if (strncmp(unit, WRITTEN[i], length) == 0 &&
+			    !text_is_letter_byte(unit[length]))
+				n = length;
+		}
+		if (n > 0)
+			xappend(&said, " m/s");
+		else
+			xappend(&said, "%c", *p);
+		p = n > 0 ? unit + n : p + 1;
+	}
+	return heading_parse(said);
 }
 
 char *

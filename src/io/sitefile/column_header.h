@@ -34,6 +34,10 @@ struct head {
 /* Parses one cell of a heading. */
 struct head heading_parse(const char *text);
 
+/* Parses the name of a sheet or file, in which / cannot be: of "cut_60ms" and
+ * "VSI 60 m-s" the speed is 60 m/s. */
+struct head heading_parse_name(const char *name);
+
 /* True if a heading states a speed, in whatever unit. */
 bool heading_has_speed(const struct head *head);
 

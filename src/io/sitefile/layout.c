@@ -44,7 +44,8 @@ struct place {
 };
 
 /* at, nature, used [n_row * n_col]: cells, what they can be, and whether a
- * table has taken them; a row is `down` after the one above, a column `right`
+ * table has taken them; below: it is the size below which material passes a
+ * sieve; a row is `down` after the one above, a column `right`
  * after the one before, so that the grid turned over has the same.  row_number
  * [n_row]: in the sheet, or the column's where the grid is turned over.  gap
  * [n_row]: something empty is above it.  number [n_row * n_col], row by row:
@@ -58,7 +59,7 @@ struct sheets {
 	struct cell *at;
 	struct nature *nature;
 	size_t *row_number, *col_number;
-	bool *gap, *used, *phi;
+	bool *gap, *used, *phi, *below;
 	unsigned *number;
 	size_t n_place;
 	struct place place[MOST_TABLES];
@@ -206,6 +207,7 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	g.col_number = xcalloc(g.n_col + 1, sizeof *g.col_number);
 	g.gap = xcalloc(g.n_row + 1, sizeof *g.gap);
 	g.used = xcalloc(g.n_row * g.n_col + 1, sizeof *g.used);
+	g.below = xcalloc(g.n_row * g.n_col + 1, sizeof *g.below);
 	g.phi = xcalloc(g.n_col + 1, sizeof *g.phi);
 	for (size_t c = 0; c < g.n_col; c++)
 		g.col_number[c] = c + 1;
@@ -242,13 +244,17 @@ mark_in_beside_out_as_feed(struct sheets *g)
 	}
 }
 
-/* The one number of "< 16", below which material passes a sieve; NULL: none. */
+/* The one number of "< 16" and "-16 mm", below which material passes a sieve;
+ * NULL: none.  -2 may be in phi, and -16+11.2 mm is a class. */
 static char *
 size_after_less_sign(const struct cell *cell)
 {
-	if (cell->kind != CELL_TEXT || cell->text[0] != '<')
+	const char *text = cell->text;
+	bool minus = text[0] == '-' && strpbrk(text + 1, "-+/") == NULL &&
+		     (lexicon_meanings(text, NULL) & (WORD_MM | WORD_UM)) != 0;
+	if (cell->kind != CELL_TEXT || (text[0] != '<' && !minus))
 		return NULL;
-	char *size = cell->text + 1 + strspn(cell->text + 1, " =");
+	char *size = cell->text + 1 + strspn(text + 1, " =");
 	return isdigit((unsigned char)size[0]) ? size : NULL;
 }
 
@@ -286,10 +292,11 @@ mark_sizes_below_as_sieves(struct sheets *g)
 		for (size_t c = 0; c < g->n_col; c++) {
 			struct cell *cell = cell_at(g, r, c);
 			char *size = size_after_less_sign(cell);
-			if (size != NULL &&
-			    (row[r].n >= LEAST || col[c].n >= LEAST))
-				*cell = number_cell_from_text(
-				    g->sheet, *cell, size);
+			if (size == NULL ||
+			    (row[r].n < LEAST && col[c].n < LEAST))
+				continue;
+			*cell = number_cell_from_text(g->sheet, *cell, size);
+			g->below[cell_index_at(g, r, c)] = true;
 		}
 }
 
@@ -329,7 +336,8 @@ transpose_grid(const struct sheets *g)
 	    .nature = g->nature,
 	    .row_number = g->col_number,
 	    .col_number = g->row_number,
-	    .used = g->used};
+	    .used = g->used,
+	    .below = g->below};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
 	find_next_number_columns(&t);
@@ -349,6 +357,7 @@ free_grid(struct sheets *g)
 	free(g->row_number);
 	free(g->col_number);
 	free(g->used);
+	free(g->below);
 }
 
 /* True if the numbers below a heading that only says number are those of ASTM
@@ -940,6 +949,42 @@ join_cells_beside_headings(const struct sheets *g, const struct place *p,
 	}
 }
 
+/* True if the row below the sieves has the speeds of the samples. */
+static bool
+is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
+{
+	struct head first = heading_parse(cell_at(g, r, p->c)->text);
+	bool speed =
+	    (first.means & WORD_SPEED) != 0 || first.unit != SPEED_NO_UNIT;
+	static const uint64_t ELSE =
+	    WORD_LIMIT | WORD_MEAN | WORD_SAMPLE | WORD_FEED | WORD_PERCENT;
+	return speed && !heading_has_speed(&first) && first.n_number == 0 &&
+	       first.unknown == 0 && (first.means & ELSE) == 0 &&
+	       has_number_beside(g, r, p->c, p->end);
+}
+
+/* Adds the rows below the sieves: sums and the like, and speeds, which head the
+ * samples as those above do. */
+static void
+add_rows_below(const struct sheets *g, const struct place *p, const size_t *col,
+    size_t n, struct table *t)
+{
+	for (size_t r = p->last; r < g->n_row; r++) {
+		if (cell_nature_at(g, r, p->c)->foot) {
+			add_table_row(g, r, col, n, &t->foot, &t->n_foot);
+			continue;
+		}
+		if (t->n_head == 0 || !is_row_of_speeds(g, r, p))
+			break;
+		size_t at = t->titles < t->n_head ? t->titles + 1 : t->n_head;
+		add_table_row(g, r, col, n, &t->head, &t->n_head);
+		struct row speeds = t->head[t->n_head - 1];
+		struct row *below = &t->head[at];
+		memmove(below + 1, below, (t->n_head - 1 - at) * sizeof *below);
+		*below = speeds;
+	}
+}
+
 static void
 add_table_found(const struct sheets *g, const struct place *p, size_t from,
     size_t end, struct layout *layout)
@@ -972,11 +1017,11 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 		if (cell_nature_at(g, r, p->c)->foot &&
 		    has_number_beside(g, r, p->c, p->end))
 			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
-	for (size_t r = p->first; r < p->last; r++)
+	for (size_t r = p->first; r < p->last; r++) {
 		add_table_row(g, r, col, n, &t.row, &t.n_row);
-	for (size_t r = p->last;
-	     r < g->n_row && cell_nature_at(g, r, p->c)->foot; r++)
-		add_table_row(g, r, col, n, &t.foot, &t.n_foot);
+		t.below = t.below || g->below[cell_index_at(g, r, p->c)];
+	}
+	add_rows_below(g, p, col, n, &t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
 		if (lexicon_is_label_of_day(cell_at(g, r, p->c)->text) &&
 		    !g->used[cell_index_at(g, r, p->c)])
@@ -1035,6 +1080,70 @@ list_rows_outside_tables(const struct sheets *g, struct layout *layout)
 			layout->heading[layout->n_heading++] = row;
 		else if (beside != NULL && layout->beside.text == NULL)
 			layout->beside = *beside;
+	}
+}
+
+/* Whether the second of two tables has the headings of the first, those of its
+ * columns from that of the sieves on. */
+static bool
+has_same_headings(const struct table *a, const struct table *b)
+{
+	size_t heads = a->n_head - a->titles;
+	if (a->n_col != b->n_col || a->across || heads == 0 ||
+	    heads != b->n_head - b->titles)
+		return false;
+	for (size_t c = 0; c < a->n_col; c++)
+		for (size_t r = 0; r < heads; r++)
+			if (a->number[c] != b->number[c] ||
+			    strcmp(a->head[a->titles + r].cell[c].text,
+				b->head[b->titles + r].cell[c].text) != 0)
+				return false;
+	return true;
+}
+
+/* True if the numbers of a column go only up, or only down, from the rows of
+ * one table through those of another. */
+static bool
+goes_on_in_order(const struct table *a, const struct table *b, size_t c)
+{
+	double v, last = NAN;
+	bool up = false, down = false;
+	for (size_t i = 0; i < a->n_row + b->n_row; i++) {
+		const struct row *row =
+		    i < a->n_row ? &a->row[i] : &b->row[i - a->n_row];
+		if (!number_value_of_cell(row->cell[c], &v))
+			return false;
+		up = up || v > last;
+		down = down || v < last;
+		last = v;
+	}
+	return up != down;
+}
+
+/* Joins a table that a page ended with its rest on the next: the same headings
+ * again, and sieves and cumulative numbers that go on in order. */
+static void
+join_continued_tables(struct layout *layout)
+{
+	for (size_t b = 1; b < layout->n; b++) {
+		struct table *t = &layout->table[b - 1],
+			     *rest = &layout->table[b];
+		bool goes_on = t->n_foot == 0 && has_same_headings(t, rest);
+		for (size_t c = 0; c < t->n_col && goes_on; c++)
+			goes_on = goes_on_in_order(t, rest, c);
+		if (!goes_on)
+			continue;
+		t->row =
+		    xrealloc(t->row, t->n_row + rest->n_row, sizeof *t->row);
+		memcpy(
+		    &t->row[t->n_row], rest->row, rest->n_row * sizeof *t->row);
+		t->n_row += rest->n_row;
+		rest->n_row = 0;
+		layout_table_clear(rest);
+		layout->n--;
+		memmove(
+		    rest, rest + 1, (layout->n - b) * sizeof *layout->table);
+		b--;
 	}
 }
 
@@ -1109,6 +1218,7 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	bool turned = total_table_score(&t) > total_table_score(&g);
 	add_tables_to_layout(turned ? &t : &g, layout);
 	list_rows_outside_tables(&g, layout);
+	join_continued_tables(layout);
 	for (size_t b = 0; b < layout->n; b++)
 		find_end_of_tables_above(layout, &layout->table[b]);
 	free_grid(&t);

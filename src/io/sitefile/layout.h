@@ -31,7 +31,9 @@ struct table {
 	struct sheet *sheet;
 	bool across, lost, finest_first;
 	bool strange;
-	bool unsure; /* only its ordered numbers suggest a sieve table */
+	bool below;     /* its sieves are written "< 16", "< 8" */
+	bool unit_open; /* of its sieves */
+	bool unsure;    /* only its ordered numbers suggest a sieve table */
 	size_t n_col, n_head, n_row, n_foot, titles;
 	size_t left, end;
 	int after;

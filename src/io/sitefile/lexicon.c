@@ -1,5 +1,6 @@
 /* Looks words up in one table: English, Swedish, German, French, Spanish,
- * Portuguese, Finnish, Polish and some Norwegian, without accents.
+ * Portuguese, Finnish, Polish, Italian and some Norwegian, Dutch, Russian and
+ * Chinese, without accents.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/lexicon.h"
 
@@ -25,14 +26,16 @@ static const struct {
 	"aufgabematerial zulauf beschickung vorher alimentation entree avant "
 	"alimentacion entrada antes alimentacao syote syotto ennen pagang "
 	"nadawa nadawy "
-	"tilgang"},
+	"tilgang "
+	"alimentazione ingang voeding питание исходное исходный 给料 进料"},
     {WORD_PRODUCT,
 	"product products prod produkt produkte produkter krossprodukt "
 	"utgaende ut out output outlet discharge after crushed krossat krossad "
 	"efter "
 	"austrag brechgut endprodukt nachher produit produits sortie apres "
 	"concasse broye producto productos salida triturado despues produto "
-	"produtos produktu saida britado depois tuote tuotteen murske jalkeen"},
+	"produtos produktu saida britado depois tuote tuotteen murske jalkeen "
+	"prodotto prodotti продукт 产品 出料"},
     {WORD_SD, "sd stdev stddev std standardavvikelse standardabweichung "
 	      "keskihajonta desviacion desvio"},
     {WORD_PASSES,
@@ -41,29 +44,38 @@ static const struct {
 	"siebdurchgang durchgange siebdurchgange tamisat tamisats passant "
 	"passants pasa pasan pasante pasantes passante passantes passa "
 	"przechodzi przechodzace przesiew lapaisy lapaisee lapaiseva lapaissyt "
-	"gjennomgang gennemfald"},
+	"gjennomgang gennemfald "
+	"passanti doorval zeefdoorval проход прошло 通过 通过率"},
     {WORD_STAYS,
 	"retained retaining ret oversize siktrest kvar stannat stannar "
 	"ruckstand siebruckstand ruckstande siebruckstande refus retenu "
 	"retenido retenidos retenida retido retida retidos jaanyt jaannos "
-	"pozostalosc pozostaje odsiew seulajaannos seulalle rest coarser"},
+	"pozostalosc pozostaje odsiew seulajaannos seulalle rest coarser "
+	"trattenuto trattenuti zeefrest остаток остатки 筛余 筛余量 "
+	"分计筛余"},
     {WORD_SUMS,
 	"cum cumul cumulative cumulated accumulated ack ackumulerad "
 	"ackumulerat kum kumulativ kumuliert kumulierte kumulierter cumule "
 	"cumules cumulee cumulees acum acumulado acumulada acumulados "
 	"acumuladas skumulowana skumulowany skumulowane kumulatiivinen "
-	"kumulatiivisesti summen kertyma"},
+	"kumulatiivisesti summen kertyma "
+	"cumulato cumulata cumulativo cumulativa progressivo cumulatief полный "
+	"суммарный"},
     {WORD_SHARE,
-	"fraction fractions udzial andel anteil anteile fraccion fracao osuus"},
+	"fraction fractions udzial andel anteil anteile fraccion fracao osuus "
+	"frazione"},
     {WORD_PERCENT,
 	"% pct percent percents percentage perc procent procentuell prozent "
 	"procenty pourcent pourcentage porcentaje porciento ciento porcentagem "
-	"prosentti prosenttia prosent"},
+	"prosentti prosenttia prosent "
+	"percento percentuale"},
     {WORD_GRAMS, "g gr grm gms gram grams gramme grammes gramm gramos gramas "
-		 "grammaa kg kilo kilogram kilograms"},
+		 "grammaa kg kilo kilogram kilograms "
+		 "г"},
     {WORD_MASS,
 	"mass masses weight weights vikt massa masse massen poids peso pesos "
-	"paino gewicht masa masy waga"},
+	"paino gewicht masa masy waga "
+	"масса 质量"},
     {WORD_SIZE,
 	"size sizes sieve sieves sievesize aperture apertures opening "
 	"openings screen screens particle grain diameter sikt siktar "
@@ -78,13 +90,16 @@ static const struct {
 	"peneira peneiras malha malhas seula seulan seulat seulakoko raekoko "
 	"sito sita sit oczko oczka otwor silmakoko aukko aukkokoko dimension "
 	"maskevidde kornstorrelse sikte d "
-	"luz"},
+	"luz "
+	"setaccio setacci vaglio vagli maglia maglie luce zeef zeven zeefmaat "
+	"apning сито сита 筛孔 筛孔尺寸 孔径 粒径 筛"},
     {WORD_SIZE | WORD_MESH, "mesh meshes"},
     {WORD_TYLER, "tyler"},
     {WORD_BS, "bs bss"},
     {WORD_ASTM, "astm us ussieve"},
     {WORD_PHI, "phi \xCF\x86 \xCE\xA6 \xCF\x95"},
-    {WORD_MM, "mm millimeter millimetre millimetres millimetro milimetro"},
+    {WORD_MM, "mm millimeter millimetre millimetres millimetro milimetro "
+	      "мм"},
     {WORD_UM, "um micron microns mikron micrometer micrometers micrometre "
 	      "micrometres mikrometer mikrometri micro micra micras my"},
     {WORD_M, "m meter metre"},
@@ -93,12 +108,14 @@ static const struct {
     {WORD_SPEED,
 	"speed velocity tip tipspeed hastighet periferihastighet "
 	"rotorhastighet geschwindigkeit umfangsgeschwindigkeit vitesse "
-	"predkosc velocidad velocidade nopeus kehanopeus"},
+	"predkosc velocidad velocidade nopeus kehanopeus "
+	"velocita snelheid скорость 速度 线速度"},
     {WORD_SPEED | WORD_RPM, "rpm varvtal drehzahl upm umin pyorimisnopeus "
 			    "obroty obrotow kierrosluku omdrejningstal"
-			    " turtall"},
-    {WORD_ROTOR,
-	"rotor rotorn rotors wirnik wirnika rotora roottori roottorin"},
+			    " turtall "
+			    "giri toerental 转速"},
+    {WORD_ROTOR, "rotor rotorn rotors wirnik wirnika rotora roottori roottorin "
+		 "rotore ротор ротора 转子"},
     {WORD_ROTOR | WORD_SIZE,
 	"rotordiameter rotordurchmesser rotordiam rotorhalkaisija"},
     {WORD_LIMIT,
@@ -125,7 +142,8 @@ static const struct {
 	"sample samples prov provet provnr probe proben cut belt beltcut "
 	"run "
 	"runs test trial forsok versuch essai echantillon muestra ensayo "
-	"probka proba amostra ensaio nayte koe bandprov band repeat rep"},
+	"probka proba amostra ensaio nayte koe bandprov band repeat rep "
+	"campione prova monster проба 样品 试样"},
     {WORD_SAMPLE | WORD_NUMBER,
 	"no nr n num nummer number numero # n\xC2\xB0 n\xC2\xBA"},
     {WORD_PAN,
@@ -134,15 +152,18 @@ static const struct {
 	"denko auffangschale pfanne fond fondo fundo charola bandeja cazuela "
 	"pohja "
 	"bund "
-	"receptor receptaculo recipiente panela"},
+	"receptor receptaculo recipiente panela "
+	"bodem поддон дно 筛底 底盘"},
     {WORD_TOTAL,
 	"sum total totals totalt summa summe gesamt insgesamt somme suma "
-	"razem soma totale yhteensa"},
+	"razem soma totale yhteensa "
+	"totali totaal итого сумма 合计 总计"},
     {WORD_TOTAL | WORD_WEIGHED, "einwaage invagt m1"},
 
     {WORD_LOSS,
 	"loss losses forlust siktforlust verlust siebverlust perte pertes "
-	"strata straty perdida perdidas perda perdas havio havikki difference"},
+	"strata straty perdida perdidas perda perdas havio havikki difference "
+	"perdita perdite verlies потери 损失"},
     {WORD_WASHED, "washed washing wash tvatt tvattforlust tvattat abschlammbar "
 		  "abschlammbare abgeschlammt lavage lave lavado lavagem pesu "
 		  "pesty pesun waschen "
@@ -162,7 +183,8 @@ static const struct {
 	"kohti p v ms s mps peripheral periferi peripherique periferica "
 	"periferico "
 	"analysis siktning each per je single individual einzeln parcial "
-	"partiel simple enskild nominal"},
+	"partiel simple enskild nominal "
+	"mtrl periferica на di in частный"},
 };
 
 /* Parts of compounds that say enough: Siebdurchgangsanteil. */
@@ -183,7 +205,8 @@ static const struct {
     {"produkt", WORD_PRODUCT}, {"retained", WORD_STAYS},
     {"passing", WORD_PASSES}, {"product", WORD_PRODUCT}, {"feed", WORD_FEED},
     {"syote", WORD_FEED}, {"jaav", WORD_STAYS}, {"tuote", WORD_PRODUCT},
-    {"gewicht", WORD_MASS}};
+    {"gewicht", WORD_MASS}, {"einwaage", WORD_TOTAL | WORD_WEIGHED},
+    {"累计筛余", WORD_STAYS | WORD_SUMS}};
 
 struct known {
 	const char *word;

@@ -164,6 +164,7 @@ parse_rotor_number(struct search *s, const char **text)
 	s->rotor = s->diameter = false;
 	s->unit = 0;
 	*text = unit > 0 ? after + word : *text;
+	*text += unit > 0 && **text == '.'; /* of in. */
 }
 
 static void

@@ -349,12 +349,14 @@ sieve_size_cut_unit(
 }
 
 /* Makes the cell the lower of the two sizes of a class, "11,2/16", "11,2 - 16"
- * or "-16 +11.2", or the size in "> 22,4" or "+22.4". */
+ * or "-16 +11.2", or the size in "> 22,4" or "+22.4".  upper: out, the other
+ * size; 0: none. */
 static bool
-cut_class_to_one_size(
-    const struct sheet *sheet, struct cell *cell, char copy[static 40])
+cut_class_to_one_size(const struct sheet *sheet, struct cell *cell,
+    char copy[static 40], double *upper)
 {
 	size_t n = strlen(cell->text);
+	*upper = 0;
 	if (cell->kind != CELL_TEXT || n >= 40)
 		return false;
 	memcpy(copy, cell->text, n + 1);
@@ -374,15 +376,9 @@ cut_class_to_one_size(
 	if (a.value != AS_NUMBER || b.value != AS_NUMBER ||
 	    a.number == b.number)
 		return false;
+	*upper = fmax(a.number, b.number);
 	*cell = a.number < b.number ? a : b;
 	return true;
-}
-
-bool
-sieve_size_is_class(const struct sheet *sheet, struct cell cell)
-{
-	char copy[40];
-	return cut_class_to_one_size(sheet, &cell, copy);
 }
 
 /* Converts a size to mm, with 9 decimals; unit: mm, or 0 for mm. */
@@ -390,6 +386,25 @@ static double
 mm_from_unit(double value, double unit)
 {
 	return round(value * (unit > 0 ? unit : 1) * 1e9) / 1e9;
+}
+
+bool
+sieve_size_is_class(const struct sheet *sheet, struct cell cell)
+{
+	char copy[40];
+	double upper;
+	return cut_class_to_one_size(sheet, &cell, copy, &upper);
+}
+
+double
+sieve_upper_mm_of_class(
+    const struct sheet *sheet, struct cell cell, struct sieve_unit unit)
+{
+	char copy[40];
+	double upper;
+	bool length = unit.mm > 0 && unit.series == SIEVE_NONE;
+	bool both = length && cut_class_to_one_size(sheet, &cell, copy, &upper);
+	return both ? mm_from_unit(upper, unit.mm) : 0;
 }
 
 enum sieve_kind
@@ -407,7 +422,11 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		*mm = mm_from_unit(cell.number, unit.mm);
 		return SIEVE_IS_SIZE;
 	}
-	if (is_pan(cell.text))
+	/* -200 of mesh numbers is what passes the last. */
+	bool mesh = unit.series != SIEVE_NONE && unit.series != SIEVE_PHI &&
+		    unit.series != SIEVE_INCH && cell.text[0] == '-' &&
+		    sieve_name_mm(cell.text + 1, unit.series) > 0;
+	if (mesh || is_pan(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
 		if (!number_value_of_cell(cell, &value) ||
@@ -422,8 +441,9 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		return SIEVE_IS_SIZE;
 	}
 	char bounds[40];
+	double upper;
 	if (unit.mm > 0 && unit.series == SIEVE_NONE)
-		cut_class_to_one_size(sheet, &cell, bounds);
+		cut_class_to_one_size(sheet, &cell, bounds, &upper);
 	double own = sieve_size_cut_unit(sheet, &cell, copy);
 	if (!number_value_of_cell(cell, &value) || value < 0)
 		return SIEVE_IS_NONE;

@@ -70,4 +70,9 @@ enum sieve_kind sieve_read_size(const struct sheet *sheet, struct cell cell,
  */
 bool sieve_size_is_class(const struct sheet *sheet, struct cell cell);
 
+/* Returns the upper sieve of a class between two, mm, which all of the class
+ * passes; 0 if the cell is none. */
+double sieve_upper_mm_of_class(
+    const struct sheet *sheet, struct cell cell, struct sieve_unit unit);
+
 #endif

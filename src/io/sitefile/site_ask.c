@@ -13,6 +13,7 @@
 #include "base/xalloc.h"
 #include "io/fs/file.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/column_header.h"
 #include "io/sitefile/site_samples.h"
 #include "io/sitefile/site_sieve.h"
 #include "io/sitefile/site_title.h"
@@ -95,6 +96,28 @@ is_better_asked_by_sample(
 	return true;
 }
 
+/* True if each table is alone on a sheet with a name of its own, and has one
+ * sample, so that the names of the sheets tell the samples apart. */
+static bool
+is_better_asked_by_sheet(
+    struct table *const *table, size_t n_table, const struct columns *all)
+{
+	for (size_t k = 0; k < n_table; k++) {
+		const char *name = samples_sheet_label(table[k]->sheet);
+		size_t samples = 0;
+		for (size_t i = 0; i < all->n; i++)
+			samples += all->column[i].table == table[k] &&
+				   all->column[i].twin == 0;
+		if (samples != 1 || strpbrk(name, "\",=") != NULL)
+			return false;
+		for (size_t i = 0; i < k; i++)
+			if (text_same_folded(
+				samples_sheet_label(table[i]->sheet), name))
+				return false;
+	}
+	return n_table > 1;
+}
+
 /* Describes what a column seems to be; the first without a role is the feed if
  * there is no other, and then sets *feed. */
 static char *
@@ -116,15 +139,77 @@ is_of_same_site(const struct column *a, const struct column *b)
 	       text_same_folded(a->whose, b->whose);
 }
 
+static void
+add_sieves_to_question(struct site_ask *ask, const struct table *t, bool open)
+{
+	char *sieve = xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
+	add_column_to_question(
+	    ask, t, 0, site_sieve_heading_cell(t).text, sieve, open);
+}
+
+/* True if tables on one sheet have the same columns, and their titles say of
+ * which sample each is: then columns= says for all what the numbers are. */
+static bool
+have_titles_for_samples(
+    struct table *const *table, size_t n_table, const struct columns *all)
+{
+	static const uint64_t ROLES = WORD_FEED | WORD_PRODUCT | WORD_SD;
+	bool same = n_table > 1;
+	for (size_t k = 1; k < n_table && same; k++) {
+		same = table[k]->sheet == table[0]->sheet &&
+		       table[k]->n_col == table[0]->n_col;
+		for (size_t c = 0; c < table[0]->n_col && same; c++)
+			same = table[k]->number[c] == table[0]->number[c];
+	}
+	for (size_t i = 0; i < all->n && same; i++) {
+		const struct column *c = &all->column[i];
+		same = c->twin > 0 ||
+		       ((c->said.means & ROLES) == 0 &&
+			   !heading_has_speed(&c->said) && c->role != NO_ROLE);
+	}
+	return same;
+}
+
+/* Lists the quantities of the columns of a table, without those that are open
+ * where another one has the sample. */
+static void
+list_quantities(
+    struct site_ask *ask, const struct table *t, const struct columns *all)
+{
+	size_t sure = 0;
+	for (size_t i = 0; i < all->n; i++)
+		sure += all->column[i].table == t && !all->column[i].open &&
+			all->column[i].twin == 0;
+	add_sieves_to_question(ask, t, false);
+	FREED char *text =
+	    xasprintf("%zu=%s", t->number[0], ask->column[0].guess);
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		FREED char *words = classify_describe_column(c);
+		bool out = c->open && sure > 0;
+		char *guess = xstrdup(out ? "-" : strchr(words, ' ') + 1);
+		if (!out)
+			xappend_to_list(
+			    &text, ", ", "%zu=%s", t->number[c->at], guess);
+		add_column_to_question(
+		    ask, t, c->at, c->head.text, guess, c->open);
+	}
+	ask->settle = xasprintf("columns=\"%s\"", text);
+}
+
 /* Lists the columns in the words of columns= or, if they are better asked about
- * by sample, of samples=, whose first two show how to name all.  Of several
- * sites the first is proposed. */
+ * by sample or sheet, of samples=; of many samples the first two show how to
+ * name all.  Of several sites the first is proposed. */
 static void
 list_columns_to_name(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
 	enum { SHOWN = 2 };
-	bool by_sample = is_better_asked_by_sample(table, n_table, all);
+	bool by_sheet = is_better_asked_by_sheet(table, n_table, all);
+	bool by_sample =
+	    by_sheet || is_better_asked_by_sample(table, n_table, all);
 	bool feed = site_column_count_role(all, NULL, FEED) > 0;
 	FREED char *text = xstrdup("");
 	const struct column *own = NULL;
@@ -132,26 +217,27 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 	ask->by_sample = by_sample;
 	for (size_t k = 0; k < n_table; k++) {
 		const struct table *t = table[k];
-		char *sieve =
-		    xasprintf(tr("sieve %s"), site_sieve_unit_text(t));
 		ask->across = t->across && !by_sample;
+		if (!by_sample || k == 0)
+			add_sieves_to_question(ask, t, sieves);
 		if (!by_sample)
-			xappend_to_list(
-			    &text, ", ", "%zu=%s", t->number[0], sieve);
-		add_column_to_question(
-		    ask, t, 0, site_sieve_heading_cell(t).text, sieve, sieves);
+			xappend_to_list(&text, ", ", "%zu=%s", t->number[0],
+			    ask->column[ask->n - 1].guess);
 		for (size_t i = 0; i < all->n; i++) {
 			const struct column *c = &all->column[i];
 			if (c->table != t || c->twin > 0)
 				continue;
 			char *guess = describe_guessed_role(c, &feed);
+			if (by_sheet) /* its columns state their quantities */
+				guess[strcspn(guess, " ")] = '\0';
 			FREED char *name =
-			    by_sample ? samples_label_of_column(t, c->at)
-				      : xasprintf("%zu", t->number[c->at]);
+			    by_sheet    ? xstrdup(samples_sheet_label(t->sheet))
+			    : by_sample ? samples_label_of_column(t, c->at)
+					: xasprintf("%zu", t->number[c->at]);
 			const char *at = by_sample ? strchr(guess, '@') : NULL;
 			own = own != NULL || c->whose == NULL ? own : c;
 			bool mine = own == NULL || is_of_same_site(own, c);
-			if (mine && (!by_sample || shown++ < SHOWN))
+			if (mine && (!by_sample || by_sheet || shown++ < SHOWN))
 				xappend_to_list(&text, ", ", "%s=%s", name,
 				    at != NULL ? at : guess);
 			add_column_to_question(ask, t, c->at,
@@ -506,20 +592,28 @@ only_number_above_100(const struct column *c)
 	return n >= 4 && n_above == 1 && !mass ? above : NULL;
 }
 
-/* Suggests @SPEED after a file: numbers of columns do not distinguish files. */
+/* Suggests @SPEED after the files that have no feed: numbers of columns do not
+ * distinguish files.  Without any feed, the first may have it. */
 static void
-suggest_speed_of_file(
-    const struct site_request *q, const char *path, struct error *error)
+suggest_speeds_of_files(const struct site_request *q, const struct columns *all,
+    struct error *error)
 {
 	FREED char *files = xstrdup("");
+	bool none = site_column_count_role(all, NULL, FEED) == 0;
 	for (size_t i = 0; i < q->n; i++) {
+		bool feed = none && i == 0;
+		for (size_t k = 0; k < all->n; k++)
+			feed = feed ||
+			       (all->column[k].role == FEED &&
+				   strcmp(all->column[k].table->sheet->path,
+				       q->path[i]) == 0);
 		xappend_to_list(&files, " ", "%s", q->path[i]);
 		if (q->speed != NULL && q->speed[i] > 0)
 			xappend(&files, "@%g", q->speed[i]);
-		else if (strcmp(q->path[i], path) == 0)
+		else if (!feed)
 			xappend(&files, "@SPEED");
 	}
-	error_hint(error, "say its speed: load %s", files);
+	error_hint(error, "say their speeds: load %s", files);
 }
 
 /* Asks whether two samples at one speed, first and the next like it, are
@@ -604,8 +698,9 @@ ask_about_open_column(const struct site_request *q, const struct column *first,
 	if (first->unlike)
 		return ask_about_unlike_samples(q, all, first, ask);
 	ask_what_it_is(q, first, speed, ask);
-	if (q->n > 1 && speed && !q->parts)
-		suggest_speed_of_file(q, t->sheet->path, error);
+	bool known = first->speed > 0 || first->rpm > 0;
+	if (q->n > 1 && !known && !q->parts)
+		suggest_speeds_of_files(q, all, error);
 	if (q->parts && speed && q->n == 1 && all->n == 1)
 		error_hint(error,
 		    "say its speed: add %s@SPEED, or with a log its time: add "
@@ -661,7 +756,10 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	}
 	if (first == NULL && !open->sieves)
 		return false;
-	list_columns_to_name(ask, table, n_table, all, open->sieves);
+	if (!open->sieves && have_titles_for_samples(table, n_table, all))
+		list_quantities(ask, table[0], all);
+	else
+		list_columns_to_name(ask, table, n_table, all, open->sieves);
 	if (first == NULL)
 		return refuse_with_question(q, table[0],
 		    table[0]->row[0].cell[0], ask,

@@ -457,16 +457,41 @@ check_passing_never_rises(struct column *c)
 	}
 }
 
-/* Notes the coarsest sieve of a feed if it does not pass everything: the size
- * of the largest grains must be known. */
-static void
-note_row_if_feed_below_100(struct column *c)
+/* Returns the row of the coarsest sieve that has a number, or n_row. */
+static size_t
+coarsest_row(const struct column *c)
 {
 	const struct table *t = c->table;
 	size_t i = 0;
 	while (i < t->n_row && (isnan(c->pct[i]) || !(t->mm[i] > 0)))
 		i++;
-	c->below = i < t->n_row && c->pct[i] < 100 ? i + 1 : 0;
+	return i;
+}
+
+/* Takes the size that all of a sample passes from its coarsest class, 11.2/16.
+ * False if the coarsest sieve passes all, or nothing is said of a larger
+ * one. */
+static bool
+take_top_of_class(struct column *c)
+{
+	const struct table *t = c->table;
+	size_t i = coarsest_row(c);
+	if (i == t->n_row || !(c->pct[i] < 100) ||
+	    SITE_UNITS[c->unit].kind != RETAINED)
+		return false;
+	double upper =
+	    sieve_upper_mm_of_class(t->sheet, t->row[i].cell[0], t->unit);
+	c->top = upper > t->mm[i] ? upper : 0;
+	return c->top > 0;
+}
+
+/* Notes the coarsest sieve of a feed if it does not pass everything: the size
+ * of the largest grains must be known. */
+static void
+note_row_if_feed_below_100(struct column *c)
+{
+	size_t i = coarsest_row(c);
+	c->below = i < c->table->n_row && c->pct[i] < 100 ? i + 1 : 0;
 }
 
 void
@@ -481,7 +506,8 @@ site_column_read_values(struct column *c)
 		convert_to_passing(c);
 		check_passing_never_rises(c);
 	}
-	if (c->role == FEED && !c->faulty && !t->lost)
+	bool whole = c->role != SD && !c->faulty && !t->lost;
+	if (whole && !take_top_of_class(c) && c->role == FEED)
 		note_row_if_feed_below_100(c);
 	size_t least = c->role == FEED ? 2 : 1;
 	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||

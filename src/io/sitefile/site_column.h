@@ -40,8 +40,9 @@ size_t site_unit_index(enum unit_kind kind, enum unit_scale scale);
  * site or machine, of a row "Quarry" or "Crusher", is another than that of some
  * other product; or NULL.  assumed: assumptions not
  * stated in the sheet, as lines after an empty one, or NULL.  below: for a feed
- * whose coarsest sieve passes less than all, 1 + the row of that sieve, and
- * top: the size, mm, then assumed to pass all; else 0. */
+ * whose coarsest sieve passes less than all, 1 + the row of that sieve, else 0.
+ * top: the size, mm, that then is assumed to pass all, or the upper one of the
+ * coarsest class; else 0. */
 struct column {
 	struct table *table;
 	struct cell head;

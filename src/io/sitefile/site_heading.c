@@ -85,7 +85,20 @@ site_heading_take_rotor(struct site *site, const struct sheet *sheet,
 	return true;
 }
 
-/* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350". */
+/* Takes a speed in m/s or rpm; 0: none.  Another one differs. */
+static void
+note_speed(struct heading_speed *speed, double mps, double rpm)
+{
+	speed->differ =
+	    speed->differ ||
+	    (speed->mps > 0 && mps > 0 && fabs(speed->mps - mps) > 1e-3) ||
+	    (speed->rpm > 0 && rpm > 0 && fabs(speed->rpm - rpm) > 1e-3);
+	speed->mps = mps > 0 ? mps : speed->mps;
+	speed->rpm = rpm > 0 ? rpm : speed->rpm;
+}
+
+/* Takes a speed from "tip speed; 70 m/s" or "varvtal; 1350", not the greatest
+ * that a machine has. */
 static bool
 site_heading_take_speed(const struct sheet *sheet, struct cell key,
     struct cell value, struct heading_speed *speed)
@@ -95,20 +108,19 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 	enum speed_unit unit = heading_speed_unit(&k);
 	bool about = (k.means & WORD_SPEED) != 0 || k.unit != SPEED_NO_UNIT;
 	/* "Product 70 m/s" is the title of a table. */
-	about = about && !heading_has_speed(&k);
+	about = about && !heading_has_speed(&k) && (k.means & WORD_LIMIT) == 0;
 	if (!about || (v.several && v.unit != SPEED_NO_UNIT))
 		return false;
 	if (heading_has_speed(&v)) {
-		speed->mps = v.speed > 0 ? v.speed : speed->mps;
-		speed->rpm = v.rpm > 0 ? v.rpm : speed->rpm;
+		note_speed(speed, v.speed, v.rpm);
 		return true;
 	}
 	if (!read_first_number(sheet, value, &number) || number <= 0)
 		return false;
 	if (unit == SPEED_RPM)
-		speed->rpm = number;
+		note_speed(speed, 0, number);
 	else if (unit != SPEED_NO_UNIT || number < 150)
-		speed->mps = speed_in_unit_to_mps(number, unit, 0);
+		note_speed(speed, speed_in_unit_to_mps(number, unit, 0), 0);
 	else
 		return false;
 	return true;

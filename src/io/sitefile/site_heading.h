@@ -8,9 +8,11 @@
 
 /* Reads the lines above the tables into the site: name, rock, rotor, others as
  * notes.  speed: set if a speed in m/s or rpm is stated for all samples;
- * otherwise unchanged. */
+ * otherwise unchanged.  differ: several are stated, so neither is that of
+ * all. */
 struct heading_speed {
 	double mps, rpm;
+	bool differ;
 };
 void site_heading_read(const struct layout *layout, struct sheet *sheet,
     struct site *site, struct heading_speed *speed);

@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "io/sitefile/layout_long.h"
 #include "io/sitefile/classify.h"
+#include "io/sitefile/column_header.h"
 #include "io/sitefile/results.h"
 #include "io/sitefile/rotor_size.h"
 #include "io/sitefile/site_ask.h"
@@ -573,6 +574,13 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 			: note_left_out_lines(r, layout, i);
 }
 
+/* True if a comment only rules off what is above it from what is below. */
+static bool
+is_rule(const struct comment *c)
+{
+	return c->text[strspn(c->text, "#-=_+:| \t")] == '\0';
+}
+
 /* Notes what is in the table or below it and was not read.  A line that begins
  * with # may be a sieve that the user excluded. */
 static void
@@ -583,11 +591,10 @@ note_left_out(struct reading *r)
 		if (page->layout->n == 0)
 			continue;
 		const struct table *first = &page->layout->table[0];
-		int head =
-		    first->n_head > 0 ? first->head[first->n_head - 1].line : 0;
+		int head = first->n_head > 0 ? first->row[0].line - 1 : 0;
 		for (size_t i = 0; i < page->sheet->n_comment; i++) {
 			const struct comment *c = &page->sheet->comment[i];
-			if (c->line <= head)
+			if (c->line <= head || is_rule(c))
 				continue;
 			int shown = sheet_bytes_to_show(c->text);
 			leave_out(r->site, c->line, "a comment: %.*s%s", shown,
@@ -647,6 +654,38 @@ has_sieves_twice(struct reading *r, const struct table *t)
 	return true;
 }
 
+/* Of several files that are one site, the name may state the speed:
+ * "cut_60ms.csv".  False if it does not, or the sheet states one itself. */
+static bool
+take_speed_of_file_name(
+    const struct site_request *q, const char *path, struct surroundings *near)
+{
+	FREED char *stem = site_heading_name_from_path(path);
+	struct head name = heading_parse_name(stem);
+	if (q->n < 2 || q->parts || near->speed > 0 || near->rpm > 0 ||
+	    name.several || !heading_has_speed(&name))
+		return false;
+	near->speed = name.speed;
+	near->rpm = name.rpm;
+	return true;
+}
+
+/* Notes that the columns from the ith on have the speed in the name of their
+ * file, unless their headings state one. */
+static void
+note_speed_of_file_name(struct reading *r, const char *path, size_t i)
+{
+	bool used = false;
+	for (; i < r->all.n; i++)
+		used = used || (r->all.column[i].role == PRODUCT &&
+				   !heading_has_speed(&r->all.column[i].said));
+	if (!used)
+		return;
+	FREED char *stem = site_heading_name_from_path(path);
+	xappend_to_list(
+	    &r->site->assumed, "; ", tr("the speed in the name of %s"), stem);
+}
+
 static void
 read_site_table(struct reading *r, const struct page *page, struct table *t,
     struct heading_speed told)
@@ -656,8 +695,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	double rotor = r->site->rotor > 0 ? r->site->rotor : q->site_rotor;
 	struct surroundings near = {
 	    .rotor = rotor, .told = r->columns.others, .samples = &r->samples};
-	near.speed = told.mps;
-	near.rpm = told.rpm;
+	near.speed = told.differ ? 0 : told.mps;
+	near.rpm = told.differ ? 0 : told.rpm;
 	near.context =
 	    title_words_and_speed(page->layout, t, q->path[page->file], &near);
 	/* "Specification", "VSI 2" above a further table of the sheet. */
@@ -666,6 +705,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 		r->open.other = t;
 	if (given > 0)
 		near.speed = given;
+	bool named = take_speed_of_file_name(q, q->path[page->file], &near);
 	uint64_t sieve = samples_head_columns(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;
@@ -679,13 +719,15 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	if (has_sieves_twice(r, t))
 		return;
 	site_sieve_check_sizes(t);
-	r->open.sieves = r->open.sieves || certainty == SIEVES_OPEN;
+	t->unit_open = certainty == SIEVES_OPEN;
 	if (certainty == SIEVES_ASSUMED)
 		xappend_to_list(&r->site->assumed, "; ", tr("sieves in %s"),
 		    site_sieve_unit_text(t));
 	r->lost = r->lost || t->lost;
 	size_t first = r->all.n;
 	classify_columns(t, &near, &r->all, r->site);
+	if (named)
+		note_speed_of_file_name(r, q->path[page->file], first);
 	bool lone = q->feed && r->all.n == first + 1;
 	for (size_t i = first; (given > 0 || q->parts || lone) && i < r->all.n;
 	     i++)
@@ -828,8 +870,9 @@ read_all_tables(struct reading *r)
 {
 	struct heading_rotor rotor = {0};
 	for (size_t i = 0; i < r->n_page; i++)
-		if (r->page[i].layout->n > 0)
-			site_heading_merge_rotor(r->page[i].layout, &rotor);
+		title_take_key_of_samples(r->page[i].layout);
+	for (size_t i = 0; i < r->n_page; i++)
+		site_heading_merge_rotor(r->page[i].layout, &rotor);
 	for (size_t i = 0; i < r->n_page; i++) {
 		const struct page *page = &r->page[i];
 		struct heading_speed told = {0};
@@ -843,6 +886,88 @@ read_all_tables(struct reading *r)
 		     b < page->layout->n && !error_should_stop(r->errors); b++)
 			read_site_table(r, page, &page->layout->table[b], told);
 	}
+}
+
+/* Lists the numbers of a column that are not of the pan.  Returns how many. */
+static size_t
+numbers_of_column(const struct column *c, double *list)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < c->table->n_row; i++) {
+		double v = site_column_number_in_row(c, i);
+		bool pan = c->table->mm != NULL && c->table->mm[i] == 0;
+		if (!isnan(v) && !pan)
+			list[n++] = v;
+	}
+	return n;
+}
+
+/* True if two columns are one sample with the same numbers, perhaps in the
+ * other order. */
+static bool
+has_same_numbers(const struct column *a, const struct column *b)
+{
+	if (a->role != b->role || a->role == NO_ROLE ||
+	    fabs(a->speed - b->speed) > 1e-3 || a->rpm != b->rpm)
+		return false;
+	FREED double *x = xcalloc_doubles(a->table->n_row);
+	FREED double *y = xcalloc_doubles(b->table->n_row);
+	size_t n = numbers_of_column(a, x), same = 0, back = 0;
+	if (n != numbers_of_column(b, y))
+		return false;
+	for (size_t i = 0; i < n; i++) {
+		same += fabs(x[i] - y[i]) > 0 ? 0 : 1;
+		back += fabs(x[i] - y[n - 1 - i]) > 0 ? 0 : 1;
+	}
+	return n > 0 && (same == n || back == n);
+}
+
+/* True if all samples of a table are in other sheets before it, as in one from
+ * which a chart is drawn; on its own sheet the copy may be meant as another. */
+static bool
+is_table_again(const struct reading *r, size_t k)
+{
+	size_t own = 0;
+	for (size_t i = 0; i < r->all.n; i++) {
+		const struct column *c = &r->all.column[i];
+		bool found = c->table != r->table[k];
+		own += !found;
+		for (size_t j = 0; j < i && !found; j++)
+			found =
+			    r->all.column[j].table->sheet != c->table->sheet &&
+			    has_same_numbers(c, &r->all.column[j]);
+		if (!found)
+			return false;
+	}
+	return own > 0;
+}
+
+/* Leaves out tables that only repeat samples. */
+static void
+drop_tables_again(struct reading *r)
+{
+	for (size_t k = r->n_table; k-- > 1;) {
+		struct table *t = r->table[k];
+		if (r->columns.n > 0 || !is_table_again(r, k))
+			continue;
+		leave_out(r->site, t->row[0].line, "%s: samples again",
+		    samples_sheet_label(t->sheet));
+		size_t n = 0;
+		for (size_t i = 0; i < r->all.n; i++) {
+			struct column *c = &r->all.column[i];
+			if (c->table == t)
+				free(c->assumed);
+			else
+				r->all.column[n++] = *c;
+		}
+		r->all.n = n;
+		r->n_table--;
+		memmove(&r->table[k], &r->table[k + 1],
+		    (r->n_table - k) * sizeof(*r->table));
+		r->open.other = r->open.other == t ? NULL : r->open.other;
+	}
+	for (size_t k = 0; k < r->n_table; k++)
+		r->open.sieves = r->open.sieves || r->table[k]->unit_open;
 }
 
 static size_t
@@ -1139,6 +1264,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 	r.source = xcalloc(request->n, sizeof *r.source);
 	if (parse_request_options(&r) && read_files(&r)) {
 		read_all_tables(&r);
+		drop_tables_again(&r);
 		if (request->rotor > 0)
 			r.site->rotor = request->rotor;
 		give_feeds_speed_of_file(&r);

@@ -14,6 +14,7 @@
 #include "base/xalloc.h"
 #include "base/tr.h"
 #include "io/cells/number.h"
+#include "io/fs/file.h"
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_day.h"
 
@@ -302,13 +303,32 @@ apply_sample_text(struct column *c, const char *text)
 	said->means &= ~(uint64_t)(WORD_SAMPLE | WORD_NUMBER | WORD_OTHER);
 }
 
+const char *
+samples_sheet_label(const struct sheet *sheet)
+{
+	return sheet->name[0] != '\0' ? sheet->name
+				      : file_name_without_folders(sheet->path);
+}
+
+bool
+samples_name_sheet(const struct samples *s, const struct sheet *sheet)
+{
+	for (size_t i = 0; i < s->n; i++)
+		if (text_same_folded(
+			s->item[i].name, samples_sheet_label(sheet)))
+			return true;
+	return false;
+}
+
 bool
 samples_apply_to_column(struct samples *s, struct column *c)
 {
 	FREED char *label = samples_label_of_column(c->table, c->at);
 	for (size_t i = 0; i < s->n; i++) {
 		struct sample *one = &s->item[i];
-		if (!is_name_of_column(c->table, c->at, label, one->name))
+		if (!is_name_of_column(c->table, c->at, label, one->name) &&
+		    !text_same_folded(
+			samples_sheet_label(c->table->sheet), one->name))
 			continue;
 		one->found = true;
 		apply_sample_text(c, one->text);

@@ -46,6 +46,14 @@ char *samples_label_of_column(const struct table *t, size_t c);
 /* True if each sample in a table has a distinct name. */
 bool samples_have_distinct_names(const struct table *t);
 
+/* Returns the name of a sheet or, if it is a file of text, that of the file. */
+const char *samples_sheet_label(const struct sheet *sheet);
+
+/* True if a sample has the name of a sheet: all columns of it are of that
+ * sample. */
+bool samples_name_sheet(
+    const struct samples *samples, const struct sheet *sheet);
+
 /* Gives a column the role, speed and quantity of its sample.  Other facts in
  * its headings remain; a contradiction is a fault.  Returns false if the sample
  * is not named. */

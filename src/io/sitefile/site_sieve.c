@@ -427,7 +427,7 @@ check_columns_have_headings(struct table *t)
 		sheet_fault(t->sheet, t->row[i].cell[heads],
 		    "expected %zu cells as in line %d, got %zu\n"
 		    "%s",
-		    heads, t->head[t->n_head - 1].line, n,
+		    heads, t->head[t->titles].line, n,
 		    t->sheet->separator == ','
 			? "use ; between the cells if they have decimal "
 			  "commas; otherwise remove the last cells"

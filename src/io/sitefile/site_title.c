@@ -2,10 +2,13 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/sitefile/site_title.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "base/xalloc.h"
+#include "io/cells/datetime.h"
 #include "io/sitefile/column_header.h"
 #include "io/sitefile/lexicon.h"
 #include "io/sitefile/site_heading.h"
@@ -74,7 +77,7 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 bool
 title_says_sample_or_speed(const struct layout *layout, const struct row *row)
 {
-	struct heading_speed speed;
+	struct heading_speed speed = {0};
 	for (size_t b = 0; b < layout->n; b++) {
 		const struct table *t = &layout->table[b];
 		if (is_line_above_table(t, row) &&
@@ -148,7 +151,7 @@ take_speed_above_table(const struct layout *layout, const struct table *t,
 bool
 title_has_speed_per_table(const struct layout *layout)
 {
-	struct heading_speed speed;
+	struct heading_speed speed = {0};
 	for (size_t b = 1; b < layout->n; b++)
 		if (take_speed_above_table(layout, &layout->table[b], &speed))
 			return true;
@@ -198,21 +201,116 @@ take_basis(struct table *t)
 	t->basis = stated && is_basis(all) ? all : 0;
 }
 
-uint64_t
-title_words_and_speed(const struct layout *layout, struct table *t,
-    const char *path, struct surroundings *near)
+/* True if a name tells one sample from others: S1, Prov A, Berga. */
+static bool
+is_name_of_one_sample(const char *name)
 {
-	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
-	struct head name = heading_parse(t->sheet->name);
-	struct heading_speed own = {0};
-	if (take_speed_above_table(layout, t, &own)) {
-		near->speed = own.mps;
-		near->rpm = own.rpm;
+	size_t unknown;
+	lexicon_meanings(name, &unknown);
+	const char *last = strrchr(name, ' ');
+	last = last != NULL ? last + 1 : name;
+	return unknown > 0 || strpbrk(name, "0123456789") != NULL ||
+	       strlen(last) == 1;
+}
+
+/* Splits a line, "S2: product at 65 m/s" or "S2 | product | 65 m/s", into the
+ * name of a sample and what is said of it.  False if it has no such parts.  The
+ * caller frees both. */
+static bool
+split_key_of_sample(const struct row *row, char **name, char **said)
+{
+	const char *text = row->cell[0].text;
+	size_t n = strcspn(text, ":=");
+	*said = xstrdup(text[n] != '\0' ? text + n + 1 : "");
+	FREED char *before = xstrndup(text, n);
+	*name = xstrdup(text_trim(before));
+	for (size_t c = 1; c < row->n; c++)
+		if (row->cell[c].text[0] != '\0')
+			xappend_to_list(said, " ", "%s", row->cell[c].text);
+	return (*said)[0] != '\0' && is_name_of_one_sample(*name);
+}
+
+/* Returns the only heading of a table that is a name and says less than `said`;
+ * NULL: none. */
+static struct cell *
+heading_to_explain(struct table *t, const char *name, const struct head *said)
+{
+	struct cell *found = NULL;
+	for (size_t r = 0; r < t->n_head; r++)
+		for (size_t c = 1; c < t->n_col; c++) {
+			struct cell *cell = &t->head[r].cell[c];
+			if (!text_same_folded(cell->text, name))
+				continue;
+			if (found != NULL)
+				return NULL;
+			found = cell;
+		}
+	if (found == NULL)
+		return NULL;
+	struct head own = heading_parse(found->text);
+	bool role = (own.means & (WORD_FEED | WORD_PRODUCT)) != 0;
+	return heading_has_speed(&own) || (role && !heading_has_speed(said))
+		   ? NULL
+		   : found;
+}
+
+void
+title_take_key_of_samples(struct layout *layout)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		FREED char *name = NULL, *said = NULL;
+		bool key = split_key_of_sample(row, &name, &said),
+		     taken = false;
+		struct head head = heading_parse(said);
+		key = key && is_title_of_sample(&head) && !head.several;
+		for (size_t b = 0; b < layout->n && key; b++) {
+			struct table *t = &layout->table[b];
+			struct cell *cell = heading_to_explain(t, name, &head);
+			if (cell == NULL)
+				continue;
+			cell->text = layout_adopt_text(
+			    t, xasprintf("%s %s", cell->text, said));
+			taken = true;
+		}
+		if (!taken)
+			layout->heading[n++] = row;
 	}
-	if (!(near->speed > 0)) {
-		near->speed = name.speed;
-		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
-	}
+	layout->n_heading = n;
+}
+
+/* What the lines above a table say of all of its samples.  differ: they state
+ * several speeds, so each is that of one sample. */
+struct title_says {
+	uint64_t role;
+	double speed, rpm;
+	bool differ;
+};
+
+/* Takes what a line says.  A greatest or least speed is that of no sample. */
+static void
+take_title(const struct head *title, struct title_says *says)
+{
+	uint64_t role = title->means & (WORD_FEED | WORD_PRODUCT);
+	says->role = role != 0 ? role : says->role;
+	if (title->several || !heading_has_speed(title) ||
+	    (title->means & WORD_LIMIT) != 0)
+		return;
+	says->differ = says->differ ||
+		       (says->speed > 0 && title->speed > 0 &&
+			   fabs(says->speed - title->speed) > 1e-3) ||
+		       (says->rpm > 0 && title->rpm > 0 &&
+			   fabs(says->rpm - title->rpm) > 1e-3);
+	says->speed = title->speed;
+	says->rpm = title->rpm;
+}
+
+/* Takes the lines above a table that are its title. */
+static struct title_says
+take_title_lines(const struct layout *layout, struct table *t)
+{
+	struct title_says says = {0};
 	for (size_t i = 0; i < layout->n_heading; i++) {
 		const struct row *row = layout->heading[i];
 		for (size_t c = 0; c < row->n; c++) {
@@ -222,18 +320,38 @@ title_words_and_speed(const struct layout *layout, struct table *t,
 			append_title_line(t, row, c, &title);
 			if (!is_title_of_sample(&title))
 				continue;
-			uint64_t role =
-			    title.means & (WORD_FEED | WORD_PRODUCT);
-			means = role != 0 ? role : means;
-			if (!title.several && heading_has_speed(&title)) {
-				near->speed = title.speed;
-				near->rpm = title.rpm;
-			}
+			take_title(&title, &says);
 			break;
 		}
 	}
+	return says;
+}
+
+uint64_t
+title_words_and_speed(const struct layout *layout, struct table *t,
+    const char *path, struct surroundings *near)
+{
+	uint64_t means = lexicon_meanings(t->sheet->name, NULL);
+	struct head name = heading_parse_name(t->sheet->name);
+	struct heading_speed own = {0};
+	if (take_speed_above_table(layout, t, &own)) {
+		near->speed = own.differ ? 0 : own.mps;
+		near->rpm = own.differ ? 0 : own.rpm;
+	}
+	if (!(near->speed > 0)) {
+		near->speed = name.speed;
+		near->rpm = name.rpm > 0 ? name.rpm : near->rpm;
+	}
+	struct title_says says = take_title_lines(layout, t);
+	means = says.role != 0 ? says.role : means;
+	if (says.speed > 0 || says.rpm > 0) {
+		near->speed = says.differ ? 0 : says.speed;
+		near->rpm = says.differ ? 0 : says.rpm;
+	}
+	if (says.differ)
+		means &= ~(uint64_t)(WORD_FEED | WORD_PRODUCT);
 	take_basis(t);
-	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0) {
+	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0 && !says.differ) {
 		FREED char *stem = site_heading_name_from_path(path);
 		means |= lexicon_meanings(stem, NULL);
 	}
@@ -394,10 +512,48 @@ is_same_title_other_speed(
 	return true;
 }
 
+/* True if a table has only products, with their speeds. */
+static bool
+has_only_products_with_speeds(const struct table *t, const struct columns *all)
+{
+	size_t n = 0;
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		if (c->role != PRODUCT || c->open ||
+		    !(c->speed > 0 || c->rpm > 0))
+			return false;
+		n++;
+	}
+	return n > 0;
+}
+
+/* True if of two tables one has the feed and the other all products, and no
+ * name in their titles speaks against it. */
+static bool
+are_feed_and_products(
+    struct table *const *table, size_t n, const struct columns *all)
+{
+	for (size_t k = 0; k < 2 && n == 2; k++) {
+		const struct column *feed = only_sample_of_table(all, table[k]);
+		const struct table *products = table[1 - k];
+		if (feed != NULL && feed->role == FEED && !(feed->speed > 0) &&
+		    has_only_products_with_speeds(products, all))
+			return !title_tells_limits_or_mean(table[0]) &&
+			       !title_tells_limits_or_mean(table[1]) &&
+			       !title_names_differ(
+				   table[0]->title, table[1]->title);
+	}
+	return false;
+}
+
 bool
 titles_are_speed_series(
     struct table *const *table, size_t n, const struct columns *all, bool parts)
 {
+	if (are_feed_and_products(table, n, all))
+		return true;
 	const struct table *feed = NULL;
 	for (size_t k = 0; k < n; k++) {
 		const struct column *c = only_sample_of_table(all, table[k]);
@@ -470,6 +626,17 @@ has_same_test_name(const char *a, const struct column *first, const char *b,
 	return strcmp(one, other) == 0;
 }
 
+/* True if two sheets are of one series of tests: their names are days, or
+ * differ only as those of tests do. */
+static bool
+has_same_sheet_name(const struct sheet *a, const struct column *first,
+    const struct sheet *b, const struct column *c)
+{
+	return has_same_test_name(a->name, first, b->name, c) ||
+	       (datetime_is_day_in_words(a->name) &&
+		   datetime_is_day_in_words(b->name));
+}
+
 /* Returns the product of a table that has one product and one feed, and sets
  * *feed; otherwise NULL. */
 static const struct column *
@@ -503,8 +670,7 @@ titles_are_separate_tests(
 		const struct column *one = product_of_test(all, first, &feed);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_tells_limits_or_mean(t) ||
-		    !has_same_test_name(
-			first->sheet->name, one, t->sheet->name, c) ||
+		    !has_same_sheet_name(first->sheet, one, t->sheet, c) ||
 		    !has_same_test_name(
 			last_lines(first->title, t->title), one, t->title, c))
 			return false;

@@ -5,6 +5,10 @@
 
 #include "io/sitefile/classify.h"
 
+/* Moves what lines outside the tables say of single samples, "S2: product at 65
+ * m/s", into the headings S2, and takes these lines out of the layout. */
+void title_take_key_of_samples(struct layout *layout);
+
 /* True if a line states which sample one of the layout's tables has, or its
  * speed. */
 bool title_says_sample_or_speed(

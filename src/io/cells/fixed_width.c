@@ -1,0 +1,296 @@
+/* Finds the columns of a plain text where all lines of numbers that follow each
+ * other have them, and sorts the words of the lines above by what they stand
+ * over.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/cells/fixed_width.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "base/xalloc.h"
+
+enum {
+	MOST_CELLS = 64,
+	MOST_WIDE = 400,
+	MOST_HEADS = 4,
+	LEAST_LINES = 3 /* of numbers, that make a table */
+};
+
+/* A cell of a line: its bytes, and the same in characters. */
+struct span {
+	size_t from, end, left, right;
+};
+
+/* A line, without its end.  numbers: it has a word or number and numbers beside
+ * it; rule: it has only signs that rule off. */
+struct line {
+	char *text;
+	size_t n;
+	bool numbers, rule;
+};
+
+/* Columns of a table, in characters. */
+struct grid_columns {
+	size_t n;
+	struct span column[MOST_CELLS];
+};
+
+/* Splits a line where two blanks or more are.  Returns the number of cells, 0
+ * if they are too many. */
+static size_t
+split_at_blanks(const struct line *line, struct span *cell)
+{
+	size_t n = 0, at = 0, characters = 0, blanks = 2;
+	for (; at < line->n; at++) {
+		unsigned char c = (unsigned char)line->text[at];
+		characters += (c & 0xC0) != 0x80;
+		if (c == ' ') {
+			blanks++;
+			continue;
+		}
+		if (blanks >= 2 && n == MOST_CELLS)
+			return 0;
+		if (blanks >= 2)
+			cell[n++] =
+			    (struct span){.from = at, .left = characters};
+		cell[n - 1].end = at + 1;
+		cell[n - 1].right = characters + 1;
+		blanks = 0;
+	}
+	return n;
+}
+
+/* True for 97,5 and 97.5 %, and for the signs of an absent number; not for what
+ * a comma or semicolon ends, which then separates cells. */
+static bool
+is_like_number(const char *text, size_t n)
+{
+	const char *end = text + n - 1;
+	bool digits = strcspn(text, "0123456789") < n;
+	bool dash = n == 1 && *text == '-';
+	return dash ||
+	       (digits && strspn(text, "<>+-.,0123456789 %") >= n &&
+		   strchr(",;", *text) == NULL && strchr(",;", *end) == NULL);
+}
+
+static bool
+is_line_of_numbers(const struct line *line)
+{
+	struct span cell[MOST_CELLS];
+	size_t n = split_at_blanks(line, cell);
+	for (size_t i = 1; i < n; i++)
+		if (!is_like_number(
+			line->text + cell[i].from, cell[i].end - cell[i].from))
+			return false;
+	return n > 1 && strchr(",;", line->text[cell[0].end - 1]) == NULL &&
+	       memchr(line->text, ';', line->n) == NULL;
+}
+
+static bool
+is_rule(const struct line *line)
+{
+	size_t dashes = 0;
+	for (size_t i = 0; i < line->n; i++) {
+		if (strchr("-=_+:| ", line->text[i]) == NULL)
+			return false;
+		dashes += strchr("-=_", line->text[i]) != NULL;
+	}
+	return dashes > 2;
+}
+
+/* Lists the lines of a text, without blank ones: these have n 0. */
+static struct line *
+list_lines(char *text, size_t *n)
+{
+	size_t ends = 1;
+	for (const char *p = text; *p != '\0'; p++)
+		ends += *p == '\n' || *p == '\r';
+	struct line *line = xcalloc(ends, sizeof *line);
+	*n = 0;
+	for (char *p = text; *p != '\0';) {
+		struct line *own = &line[(*n)++];
+		size_t length = strcspn(p, "\r\n");
+		own->text = p;
+		own->n = strspn(p, " ") < length ? length : 0;
+		own->rule = own->n > 0 && is_rule(own);
+		own->numbers =
+		    own->n > 0 && !own->rule && is_line_of_numbers(own);
+		p += length;
+		p += p[0] == '\r' && p[1] == '\n' ? 2 : p[0] != '\0';
+	}
+	return line;
+}
+
+/* Finds the columns of lines of numbers: characters that at least one of them
+ * fills. */
+static struct grid_columns
+find_columns(const struct line *line, size_t n)
+{
+	bool filled[MOST_WIDE + 1] = {false};
+	struct grid_columns g = {0};
+	struct span cell[MOST_CELLS];
+	for (size_t i = 0; i < n; i++) {
+		size_t cells = split_at_blanks(&line[i], cell);
+		for (size_t k = 0; k < cells; k++)
+			for (size_t c = cell[k].left;
+			     c < cell[k].right && c < MOST_WIDE; c++)
+				filled[c] = true;
+	}
+	for (size_t c = 1; c < MOST_WIDE && g.n < MOST_CELLS; c++) {
+		if (filled[c] && !filled[c - 1])
+			g.column[g.n++].left = c;
+		if (filled[c])
+			g.column[g.n - 1].right = c + 1;
+	}
+	return g;
+}
+
+static size_t
+distance(const struct span *a, const struct span *b)
+{
+	return a->left >= b->right   ? a->left - b->right + 1
+	       : b->left >= a->right ? b->left - a->right + 1
+				     : 0;
+}
+
+/* Returns the column that a cell stands in or nearest to, by its middle where
+ * it stands in several. */
+static size_t
+column_of_cell(const struct grid_columns *g, const struct span *cell)
+{
+	size_t best = 0, least = SIZE_MAX;
+	for (size_t i = 0; i < g->n; i++) {
+		size_t a = cell->left + cell->right;
+		size_t b = g->column[i].left + g->column[i].right;
+		size_t off = distance(cell, &g->column[i]) * MOST_WIDE * 4 +
+			     (a > b ? a - b : b - a);
+		if (off < least) {
+			least = off;
+			best = i;
+		}
+	}
+	return best;
+}
+
+/* Puts tabs between the cells of a line: one each, or as many as there are
+ * columns from one to the next. */
+static void
+put_tabs_in_line(struct line *line, const struct grid_columns *g)
+{
+	struct span cell[MOST_CELLS];
+	size_t n = split_at_blanks(line, cell), at[MOST_CELLS];
+	bool sorted = g != NULL && n <= g->n;
+	for (size_t i = 0; i < n && sorted; i++) {
+		at[i] = column_of_cell(g, &cell[i]);
+		sorted = i == 0 || at[i] > at[i - 1];
+	}
+	for (size_t i = 0; i < n; i++) {
+		size_t before = i == 0 ? 0 : cell[i - 1].end;
+		size_t tabs = !sorted  ? i > 0
+			      : i == 0 ? at[0]
+				       : at[i] - at[i - 1];
+		for (size_t k = 0; k < tabs && before + k < cell[i].from; k++)
+			line->text[before + k] = '\t';
+	}
+}
+
+/* Widens the columns by a line of heads that has one for each, which may begin
+ * far to the left of the numbers. */
+static void
+widen_columns_to_heads(struct grid_columns *g, const struct line *head)
+{
+	struct span cell[MOST_CELLS];
+	if (head->rule || split_at_blanks(head, cell) != g->n)
+		return;
+	for (size_t i = 0; i < g->n; i++) {
+		struct span *own = &g->column[i];
+		own->left = cell[i].left < own->left ? cell[i].left : own->left;
+		own->right =
+		    cell[i].right > own->right ? cell[i].right : own->right;
+	}
+}
+
+/* Puts tabs into the lines of numbers from the ith on and into their heads,
+ * which are above without an empty line.  Returns the line after them. */
+static size_t
+put_tabs_in_table(struct line *line, size_t i, size_t n)
+{
+	size_t end = i, top = i;
+	while (end < n && line[end].numbers)
+		end++;
+	struct grid_columns g = find_columns(&line[i], end - i);
+	while (top > 0 && i - top < MOST_HEADS && line[top - 1].n > 0 &&
+	       !line[top - 1].numbers)
+		top--;
+	for (size_t k = top; k < i; k++)
+		widen_columns_to_heads(&g, &line[k]);
+	for (size_t k = top; k < end; k++)
+		if (!line[k].rule)
+			put_tabs_in_line(&line[k], &g);
+	return end;
+}
+
+static void
+put_tabs_for_bars(struct line *line)
+{
+	char *p = line->text, *last = line->text + line->n;
+	while (last > p && last[-1] == ' ')
+		last--;
+	p += strspn(p, " ");
+	if (*p == '|')
+		*p++ = ' ';
+	if (last > p && last[-1] == '|')
+		*--last = ' ';
+	for (; p < last; p++)
+		*p = *p == '|' ? '\t' : *p;
+}
+
+/* True if most lines have bars, which separate cells. */
+static bool
+has_bars(const struct line *line, size_t n)
+{
+	size_t bars = 0, filled = 0;
+	for (size_t i = 0; i < n; i++) {
+		filled += line[i].n > 0;
+		bars += line[i].n > 0 &&
+			memchr(line[i].text, '|', line[i].n) != NULL;
+	}
+	return bars > LEAST_LINES && 2 * bars > filled;
+}
+
+static bool
+has_aligned_numbers(const struct line *line, size_t n)
+{
+	size_t numbers = 0;
+	for (size_t i = 0; i < n; i++)
+		numbers += line[i].numbers &&
+			   strcspn(line[i].text, "0123456789") < line[i].n;
+	return numbers >= LEAST_LINES;
+}
+
+bool
+fixed_width_put_tabs(char *text)
+{
+	if (strchr(text, '\t') != NULL)
+		return false;
+	size_t n;
+	FREED struct line *line = list_lines(text, &n);
+	bool bars = has_bars(line, n);
+	if (!bars && !has_aligned_numbers(line, n))
+		return false;
+	for (size_t i = 0; i < n; i++)
+		if (line[i].rule)
+			line[i].text[0] = '#';
+		else if (bars)
+			put_tabs_for_bars(&line[i]);
+	for (size_t i = 0; i < n && !bars; i++)
+		if (line[i].numbers)
+			i = put_tabs_in_table(line, i, n) - 1;
+	/* What is left is not of a table. */
+	for (size_t i = 0; i < n && !bars; i++)
+		if (!line[i].rule &&
+		    memchr(line[i].text, '\t', line[i].n) == NULL)
+			put_tabs_in_line(&line[i], NULL);
+	return true;
+}
