@@ -185,7 +185,7 @@ move_slider_to_answer(struct tui *t, const char *line, bool ok)
 	else if (isfinite(said) && ok && asks)
 		control_say_speed_off_slider(t, said);
 	if (tui_current_entry(t) != NULL &&
-	    !slider_has_speed(range, t->ui.tenths / 10.0))
+	    !slider_has_speed(range, t->ui.speed))
 		tui_move_slider_to(
 		    t, answers_default_speed(tui_current_entry(t)));
 }

@@ -425,8 +425,7 @@ frame_draw_page(struct tui *t)
 static void
 on_wheel_move_slider(struct tui *t, const struct touched *touched)
 {
-	t->ui.tenths =
-	    slider_clamp(tui_slider_range(t), t->ui.tenths - touched->by);
+	tui_step_slider_to(t, tui_slider_position(t) - touched->by);
 }
 
 /* The wheel scrolls text. */

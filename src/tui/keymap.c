@@ -50,8 +50,7 @@ act_move(struct tui *t, const struct key *key)
 	if (move_within_page(t, key))
 		return;
 	t->pending_key = NULL;
-	t->ui.tenths =
-	    slider_clamp(tui_slider_range(t), t->ui.tenths + key->amount);
+	tui_step_slider_to(t, tui_slider_position(t) + key->amount);
 }
 
 void
@@ -61,7 +60,8 @@ act_move_to_end(struct tui *t, const struct key *key)
 	if (move_within_page(t, key))
 		return;
 	t->pending_key = NULL;
-	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
+	tui_step_slider_to(
+	    t, key->amount == TO_LEAST ? range.least : range.most);
 }
 
 void
@@ -135,7 +135,7 @@ act_export(struct tui *t, const struct key *key)
 	}
 	FREED char *line = tui_command_at_slider(t),
 		   *slug = default_file_name(t);
-	FREED char *name = xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0);
+	FREED char *name = xasprintf("%s-%.1f.xlsx", slug, tui_slider_speed(t));
 	xappend(&line, " > ");
 	edit_begin_with_proposal(&t->line, line, name);
 }

@@ -46,9 +46,9 @@ speeds_become_tenths_exactly(void **state)
 {
 	(void)state;
 	for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST; tenths++)
-		assert_int_equal(slider_tenths(ALL, tenths / 10.0), tenths);
-	assert_int_equal(slider_tenths(ALL, 12), SLIDER_LEAST);
-	assert_int_equal(slider_tenths(ALL, 1e6), SLIDER_MOST);
+		assert_int_equal(slider_position(ALL, tenths / 10.0), tenths);
+	assert_int_equal(slider_position(ALL, 12), SLIDER_LEAST);
+	assert_int_equal(slider_position(ALL, 1e6), SLIDER_MOST);
 	assert_int_equal(slider_clamp(ALL, SLIDER_MOST + 1), SLIDER_MOST);
 }
 
@@ -60,21 +60,21 @@ a_column_and_its_value_agree(void **state)
 	enum { WIDTH = SLIDER_MOST - SLIDER_LEAST + 1 };
 	for (int c = 0; c < WIDTH; c++) {
 		assert_int_equal(
-		    slider_value_at_column(ALL, c, WIDTH), SLIDER_LEAST + c);
+		    slider_position_at_column(ALL, c, WIDTH), SLIDER_LEAST + c);
 		assert_int_equal(
 		    slider_column(ALL, SLIDER_LEAST + c, WIDTH), c);
 	}
 	for (int width = 2; width < 300; width++)
 		for (int c = 0; c < width; c++)
 			if (width <= WIDTH)
-				assert_int_equal(
-				    slider_column(ALL,
-					slider_value_at_column(ALL, c, width),
-					width),
+				assert_int_equal(slider_column(ALL,
+						     slider_position_at_column(
+							 ALL, c, width),
+						     width),
 				    c);
-	assert_int_equal(slider_value_at_column(ALL, -5, 40), SLIDER_LEAST);
-	assert_int_equal(slider_value_at_column(ALL, 900, 40), SLIDER_MOST);
-	assert_int_equal(slider_value_at_column(ALL, 3, 1), SLIDER_LEAST);
+	assert_int_equal(slider_position_at_column(ALL, -5, 40), SLIDER_LEAST);
+	assert_int_equal(slider_position_at_column(ALL, 900, 40), SLIDER_MOST);
+	assert_int_equal(slider_position_at_column(ALL, 3, 1), SLIDER_LEAST);
 }
 
 static void
@@ -111,7 +111,7 @@ the_range_holds_the_runs_of_the_site(void **state)
 	struct slider_range range = range_of(&site);
 	assert_int_equal(range.least, 620);
 	assert_int_equal(range.most, 880);
-	assert_int_equal(slider_tenths(range, 62.4), 624);
+	assert_int_equal(slider_position(range, 62.4), 624);
 	assert_true(slider_has_speed(range, 62.4));
 	assert_false(slider_has_speed(range, 61.9));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
