@@ -343,6 +343,10 @@ double tui_search_seconds(const struct tui *t);
 /* Returns the current site, or NULL. */
 const struct entry *tui_current_entry(const struct tui *t);
 
+/* Returns its site, or NULL; and the diameter of its rotor, m, or 0. */
+const struct site *tui_site(const struct tui *t);
+double tui_known_rotor(const struct tui *t);
+
 /* Returns the current site as used for the slider's predictions, or NULL: with
  * the feed from the sheet in `set feed`, unless a run's feed is used. */
 const struct entry *tui_entry_for_prediction(const struct tui *t);
@@ -365,6 +369,9 @@ void tui_step_slider_to(struct tui *t, int position);
 double tui_slider_speed(const struct tui *t);
 int tui_slider_position(const struct tui *t);
 
+/* Returns the site of the pinned prediction, or NULL if it is not loaded. */
+const struct site *tui_pinned_site(const struct tui *t);
+
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed_run returns its run: that of the last
  * prediction if it used a run's feed, or else that of `set feed`; for a sheet,
@@ -382,8 +389,9 @@ const struct psd *tui_measured_product(const struct tui *t, size_t run);
 /* True if the product was moved far enough that the page must say so. */
 bool tui_is_product_moved(const struct tui *t, size_t run);
 
-/* Returns the slider's speed as options of predict, "speed=77.0 feed=74", with
- * the feed if predict would otherwise use another.  The caller frees it. */
+/* Returns the slider's speed as options of predict, "speed=77.0 feed=74" or
+ * "speed=1650rpm", with the feed if predict would otherwise use another.  The
+ * caller frees it. */
 char *tui_options_at_slider(const struct tui *t);
 
 /* Returns the command for everything shown at the slider's speed: predict, or

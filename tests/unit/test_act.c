@@ -16,6 +16,7 @@
 #include "cmd/session/journal.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/ask/pin.h"
+#include "core/psd/rotor_speed.h"
 #include "tui/widgets/response_strip.h"
 #include "tui/keymap.h"
 #include "tui/control.h"
@@ -135,6 +136,41 @@ a_speed_is_typed_with_its_unit(void **state)
 	type(t, "=7.2.\n");
 	assert_non_null(strstr(t->message, "expected a speed"));
 	assert_int_equal(tui_slider_position(t), 707);
+}
+
+/* Steps are whole rpm, and what is run and kept says them. */
+static void
+a_sheet_in_rpm_is_stepped_in_rpm(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	struct site *site = session_current_entry(t->session)->site;
+	site->rotor = 0.9;
+	for (size_t r = 0; r < site->n_run; r++)
+		site->run[r].speed =
+		    rotor_speed_from_rpm(1464 + 106 * (double)r, 0.9);
+	control_refresh(t);
+	type(t, "=1650\nl");
+	assert_int_equal(tui_slider_position(t), 1651);
+	FREED char *where = tui_options_at_slider(t);
+	assert_string_equal(where, "speed=1651rpm");
+	type(t, "L");
+	assert_int_equal(tui_slider_position(t), 1661);
+	assert_true(tui_slider_speed(t) == rotor_speed_from_rpm(1661, 0.9));
+	type(t, "=1600 rpm\n");
+	assert_int_equal(tui_slider_position(t), 1600);
+	type(t, "=72\n");
+	assert_true(fabs(tui_slider_speed(t) - 72) < 1e-9);
+	type(t, "=1900\n");
+	assert_non_null(strstr(t->message, ":set slider 1379..1900rpm"));
+	type(t, ":set slider 1380..1900rpm\n=1900\n");
+	assert_int_equal(tui_slider_position(t), 1900);
+	/* Another site is in m/s, and the slider stays at its speed. */
+	double speed = tui_slider_speed(t);
+	site->rotor = 0;
+	type(t, ":set slider 20..120\n");
+	assert_true(fabs(tui_slider_speed(t) - speed) < 0.05);
 }
 
 /* Speeds of crushers are from 60 to 99 m/s: no page may take their digits. */
@@ -1994,6 +2030,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),
     ON_STAGE(a_speed_is_typed_with_its_unit),
+    ON_STAGE(a_sheet_in_rpm_is_stepped_in_rpm),
     ON_STAGE(a_digit_that_is_no_page_begins_a_speed),
     ON_STAGE(a_word_too_long_to_find_does_nothing_else),
     ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),

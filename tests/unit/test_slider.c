@@ -13,7 +13,7 @@
 #include "tui/widgets/slider.h"
 
 enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
-static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST};
+static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST, 0};
 
 static const struct slider_mark MARKS[] = {
     {690, true}, {740, false}, {790, true}};
@@ -23,7 +23,7 @@ range_of(const struct site *site)
 {
 	double from, to;
 	site_default_speed_range(site, &from, &to);
-	return slider_range(from, to);
+	return slider_range(from, to, 0);
 }
 
 /* The signs of the track as text. */
@@ -182,6 +182,33 @@ a_slow_machine_has_a_track_of_its_own(void **state)
 	assert_int_equal(range.most, SLIDER_MOST);
 }
 
+/* A sheet in rpm: each end is that of a run there. */
+static void
+a_sheet_in_rpm_has_a_track_in_rpm(void **state)
+{
+	(void)state;
+	enum { WIDTH = 60 };
+	char text[WIDTH + 1];
+	const double rotor = 0.9;
+	struct slider_range range = slider_range(65, 85, rotor);
+	assert_int_equal(range.least, 1379);
+	assert_int_equal(range.most, 1804);
+	for (int rpm = range.least; rpm <= range.most; rpm++) {
+		double v = slider_speed(range, rpm);
+		assert_int_equal(slider_position(range, v), rpm);
+		assert_true(slider_has_speed(range, v));
+		struct slider_range from = slider_range(v, 85, rotor);
+		struct slider_range to = slider_range(65, v, rotor);
+		assert_int_equal(from.least, rpm);
+		assert_int_equal(to.most, rpm);
+	}
+	const struct slider_mark mark[] = {{1380, true}, {1600, true}};
+	draw(text, WIDTH, range, 1500, mark, 2, NULL, "extrapolated");
+	assert_string_equal(text,
+	    "|1380---------[1500]-----------|1600 rpm 2843 "
+	    "J/kg xxxxxxxxx");
+}
+
 static void
 any_width_is_drawn(void **state)
 {
@@ -208,6 +235,7 @@ main(void)
 	    cmocka_unit_test(no_label_covers_the_ends_of_a_window),
 	    cmocka_unit_test(the_range_holds_the_runs_of_the_site),
 	    cmocka_unit_test(a_slow_machine_has_a_track_of_its_own),
+	    cmocka_unit_test(a_sheet_in_rpm_has_a_track_in_rpm),
 	    cmocka_unit_test(any_width_is_drawn),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -190,7 +190,7 @@ add_validation_table(
 {
 	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
 	bool rpm = !exact && c->n > 0 && c->item[0].rotor > 0;
-	answer_columns(r, rpm      ? N_("speed: m/s, rpm, of: ")
+	answer_columns(r, rpm      ? N_("speed: m/s, rpm: rpm, of: ")
 			  : !exact ? N_("speed: m/s, of: ")
 			  : sieves ? N_("speed, run, sieve_mm")
 				   : N_("speed, run, size"));

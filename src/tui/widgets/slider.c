@@ -7,12 +7,18 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "core/model/breakage.h"
+#include "core/psd/rotor_speed.h"
 
 struct slider_range
-slider_range(double from, double to)
+slider_range(double from, double to, double rotor)
 {
-	return (struct slider_range){10 * (int)from, 10 * (int)to};
+	if (!(rotor > 0))
+		return (struct slider_range){10 * (int)from, 10 * (int)to, 0};
+	return (struct slider_range){
+	    (int)lround(rotor_speed_to_rpm(from, rotor)),
+	    (int)lround(rotor_speed_to_rpm(to, rotor)), rotor};
 }
 
 int
@@ -26,14 +32,16 @@ slider_clamp(struct slider_range range, int position)
 int
 slider_position(struct slider_range range, double speed)
 {
-	return slider_clamp(range, (int)lround(10 * speed));
+	return slider_clamp(range,
+	    (int)lround(range.rotor > 0 ? rotor_speed_to_rpm(speed, range.rotor)
+					: 10 * speed));
 }
 
 double
 slider_speed(struct slider_range range, double position)
 {
-	(void)range;
-	return position / 10;
+	return range.rotor > 0 ? rotor_speed_from_rpm(position, range.rotor)
+			       : position / 10;
 }
 
 bool
@@ -97,6 +105,10 @@ mark_label(struct slider_range range, const struct slider_mark *mark,
     bool words, char label[static 32])
 {
 	double v = slider_speed(range, mark->position);
+	if (range.rotor > 0)
+		return words ? snprintf(label, 32, tr("%d rpm %.0f J/kg"),
+				   mark->position, specific_energy_at_speed(v))
+			     : snprintf(label, 32, "%d", mark->position);
 	return words ? snprintf(label, 32, "%g m/s %.0f J/kg", v,
 			   specific_energy_at_speed(v))
 		     : snprintf(label, 32, "%g", v);
@@ -176,8 +188,10 @@ slider_fill_cells(struct slider_cell *cell, int width,
 		cell[slider_column(range, mark[i].position, width)] =
 		    (struct slider_cell){
 			mark[i].trained ? '|' : 'o', true, false};
-	int length = snprintf(
-	    label, sizeof label, "[%.1f]", slider_speed(range, position));
+	int length = range.rotor > 0
+			 ? snprintf(label, sizeof label, "[%d]", position)
+			 : snprintf(label, sizeof label, "[%.1f]",
+			       slider_speed(range, position));
 	if (length > width)
 		length = snprintf(label, sizeof label, "#");
 	int at = slider_column(range, position, width) - length / 2;

@@ -1,4 +1,5 @@
-/* The slider and its track.  Its position is a whole number of 0.1 m/s.
+/* The slider and its track.  Its position is a whole number of 0.1 m/s or, of a
+ * sheet in rpm, of rpm.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_SLIDER_H
 #define TIPSPEED_TUI_WIDGETS_SLIDER_H
@@ -8,6 +9,7 @@
 
 struct slider_range {
 	int least, most; /* positions */
+	double rotor;    /* m: its diameter, of a sheet in rpm; else 0 */
 };
 
 /* A measured speed, and whether it is a training speed. */
@@ -16,8 +18,9 @@ struct slider_mark {
 	bool trained;
 };
 
-/* Returns the range between two speeds, m/s, truncated to whole m/s. */
-struct slider_range slider_range(double from, double to);
+/* Returns the range between two speeds, m/s: truncated to whole m/s, or rounded
+ * to whole rpm of a rotor of that diameter, m. */
+struct slider_range slider_range(double from, double to, double rotor);
 
 /* Returns the nearest position in the range. */
 int slider_clamp(struct slider_range range, int position);
@@ -44,9 +47,9 @@ struct slider_cell {
 
 /* Makes the cells [width] of the track: labels after the marks, "69" or, on a
  * long track, "69 m/s 2380 J/kg"; the word `beyond` outside the training
- * speeds; the speed as "[74.0]" on top.  kept [width]: cells that no label may
- * cover, or NULL; if there are any, labels are short.  Returns the column of
- * the '['. */
+ * speeds; the speed as "[74.0]" or "[1650]" on top.  kept [width]: cells that
+ * no label may cover, or NULL; if there are any, labels are short.  Returns the
+ * column of the '['. */
 int slider_fill_cells(struct slider_cell *cell, int width,
     struct slider_range range, int position, const struct slider_mark *mark,
     size_t n, const bool *kept, const char *beyond);

@@ -167,9 +167,13 @@ track_draw(struct tui *t)
 		screen_text(&track, 0, c, acts ? LOOK_REVERSE : LOOK_BOLD, "%c",
 		    cell[c].sign);
 	if (track.column > 0) {
-		screen_text(&t->layout.track, 0, 0, 0, "%3d", range.least / 10);
-		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
-		    "%d", range.most / 10);
+		const int per_unit = range.rotor > 0 ? 1 : 10,
+			  digits = t->layout.end_columns - 1;
+		const struct area *row = &t->layout.track;
+		screen_text(
+		    row, 0, 0, 0, "%*d", digits, range.least / per_unit);
+		screen_text(row, 0, row->columns - digits, 0, "%d",
+		    range.most / per_unit);
 	}
 	/* On its bracket, because a cursor on the number would hide a digit. */
 	t->cursor.column = track.column + at;
@@ -222,7 +226,7 @@ static void
 add_speed_texts(const struct tui *t, struct part *part)
 {
 	double v = tui_slider_speed(t);
-	double rotor = tui_current_entry(t)->site->rotor;
+	double rotor = tui_known_rotor(t);
 	FREED char *words = xasprintf(
 	    tr("%.1f m/s  %.0f J/kg"), v, specific_energy_at_speed(v));
 	FREED char *turns = rotor > 0 ? xasprintf(tr("  %.0f rpm"),
@@ -235,10 +239,7 @@ add_speed_texts(const struct tui *t, struct part *part)
 		add_heading_text(part, xasprintf(tr("%.1f m/s%s"), v, turns));
 	else
 		add_heading_text(part, xstrdup(words));
-	FREED char *brief =
-	    answers_is_sheet_in_rpm(tui_current_entry(t)->site)
-		? xasprintf(tr("%.0f rpm"), rotor_speed_to_rpm(v, rotor))
-		: xasprintf("%.1f m/s", v);
+	FREED char *brief = answers_speed_text(tui_site(t), v, 1);
 	add_heading_text(part, xstrdup(brief));
 	add_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
 }
@@ -357,12 +358,15 @@ move_slider_to_limit(struct tui *t, int by)
 	const struct slider_range range = tui_slider_range(t);
 	const int from = tui_slider_position(t);
 	int best = from;
+	double speed = NAN;
 	size_t n = list_slider_stops(t, stop);
 	for (size_t i = 0; i < n; i++) {
 		int at = slider_position(range, stop[i]);
 		if (by * (at - from) > 0 &&
-		    (best == from || by * (best - at) > 0))
+		    (best == from || by * (best - at) > 0)) {
 			best = at;
+			speed = stop[i];
+		}
 	}
 	if (tui_current_entry(t) == NULL)
 		tui_say(t, true, TUI_NO_SITE);
@@ -375,7 +379,11 @@ move_slider_to_limit(struct tui *t, int by)
 				       "one, N to the best speed"))
 		    : by > 0 ? N_("no faster run: t sets a goal")
 			     : N_("no slower run: t sets a goal"));
-	tui_step_slider_to(t, best);
+	else if (range.rotor > 0)
+		/* Not the nearest rpm, at which the goal may be missed. */
+		tui_move_slider_to(t, speed);
+	else
+		tui_step_slider_to(t, best);
 }
 
 /* Says that no speed searched meets the goal, and which is nearest. */
@@ -406,8 +414,7 @@ move_slider_to_best(struct tui *t)
 	}
 	tui_move_slider_to(t, best);
 	t->keep_message = true;
-	FREED char *rpm =
-	    rotor_speed_rpm_text(tui_current_entry(t)->site->rotor, best, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), best, NAN);
 	if (g->missed != NULL)
 		say_nearest(t, best, rpm);
 	else if (g->n_value > 0)
