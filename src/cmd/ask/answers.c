@@ -177,6 +177,12 @@ answers_speed_number(const struct site *site, double speed)
 		   : speed;
 }
 
+const char *
+answers_speed_unit(const struct site *site)
+{
+	return answers_is_sheet_in_rpm(site) ? tr("rpm") : "m/s";
+}
+
 char *
 answers_speed_text(const struct site *site, double speed, int decimals)
 {
@@ -191,10 +197,9 @@ char *
 answers_speed_range_words(
     const struct site *site, double from, double to, bool brief)
 {
-	bool in_rpm = answers_is_sheet_in_rpm(site);
 	double low = answers_speed_number(site, from),
 	       high = answers_speed_number(site, to);
-	const char *unit = in_rpm ? tr("rpm") : "m/s";
+	const char *unit = answers_speed_unit(site);
 	return brief ? xasprintf("%g..%g %s", low, high, unit)
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
