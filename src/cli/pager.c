@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/pager.h"
 
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,6 +83,15 @@ run_pager(const char *command, const char *text)
 	       !(WIFEXITED(status) && WEXITSTATUS(status) == NO_PROGRAM);
 }
 
+/* True if a line was typed ahead.  A pager would take its letters for keys of
+ * its own, and the prompt would not get it. */
+static bool
+is_line_typed_ahead(void)
+{
+	struct pollfd typed = {.fd = STDIN_FILENO, .events = POLLIN};
+	return poll(&typed, 1, 0) > 0 && (typed.revents & POLLIN) != 0;
+}
+
 void
 pager_begin_capture(struct pager *pager, struct session *s)
 {
@@ -115,6 +125,7 @@ pager_show_new_output(struct pager *pager)
 		     command[0] != '\0' && !terminal_is_dumb();
 	/* The prompt takes a row, too. */
 	bool tall = paged && !signals_is_end_wanted() &&
+		    !is_line_typed_ahead() &&
 		    count_folded_rows(text, columns) >= rows;
 	if (!tall || !run_pager(command, text))
 		fputs(text, stdout);

@@ -162,13 +162,17 @@ void
 control_say_speed_off_slider(struct tui *t, double speed)
 {
 	struct slider_range range = tui_slider_range(t);
-	const struct entry *entry = tui_current_entry(t);
-	FREED char *rpm = rotor_speed_rpm_text(
-	    entry != NULL ? entry->site->rotor : 0, speed, NAN);
+	const bool in_rpm = range.rotor > 0;
+	const double per_unit = in_rpm ? 1 : 10;
+	double typed = answers_speed_number(tui_site(t), speed);
+	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
 	tui_say(t, true,
-	    "%.1f m/s%s is off the slider: type :set slider %.0f..%.0f", speed,
-	    rpm, fmin(floor(speed), range.least / 10.0),
-	    fmax(ceil(speed), range.most / 10.0));
+	    in_rpm ? N_("%.1f m/s%s is off the slider: type :set slider "
+			"%.0f..%.0frpm")
+		   : N_("%.1f m/s%s is off the slider: type :set slider "
+			"%.0f..%.0f"),
+	    speed, rpm, fmin(floor(typed), range.least / per_unit),
+	    fmax(ceil(typed), range.most / per_unit));
 }
 
 static void
@@ -185,7 +189,7 @@ move_slider_to_answer(struct tui *t, const char *line, bool ok)
 	else if (isfinite(said) && ok && asks)
 		control_say_speed_off_slider(t, said);
 	if (tui_current_entry(t) != NULL &&
-	    !slider_has_speed(range, t->ui.tenths / 10.0))
+	    !slider_has_speed(range, t->ui.speed))
 		tui_move_slider_to(
 		    t, answers_default_speed(tui_current_entry(t)));
 }

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/session/session.h"
 #include "io/cells/archive.h"
 #include "io/sitefile/results.h"
@@ -111,9 +112,12 @@ site_file_summary(const char *path)
 	struct site *site = site_read(path, &errors);
 	if (site == NULL)
 		return NULL;
-	FREED char *speeds = session_speeds_text(site, " ", NULL, false);
-	char *about = xasprintf("%-16s %5.4g mm  %s m/s", site->rock,
-	    units_mm(site->top_size), speeds);
+	bool in_rpm = answers_is_sheet_in_rpm(site);
+	FREED char *speeds = in_rpm
+				 ? session_rpm_list_text(site, " ", NULL, false)
+				 : session_speeds_text(site, " ", NULL, false);
+	char *about = xasprintf("%-16s %5.4g mm  %s %s", site->rock,
+	    units_mm(site->top_size), speeds, answers_speed_unit(site));
 	site_free(site);
 	return about;
 }
@@ -243,13 +247,14 @@ print_site_summary(const struct site *site, FILE *out)
 	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds_text(site, ", ", NULL, false);
+	FREED char *rpm = session_rpm_in_brackets(site, NULL, false);
 	FREED double *sieve = site_all_sieves(site, &n);
 	fprintf(out, "%s\n", label);
 	if (products > 0)
 		fprintf(out,
-		    tr_n(
-			"%zu run: %s m/s\n", "%zu runs: %s m/s\n", site->n_run),
-		    site->n_run, speeds);
+		    tr_n("%zu run: %s m/s%s\n", "%zu runs: %s m/s%s\n",
+			site->n_run),
+		    site->n_run, speeds, rpm);
 	else
 		fprintf(out, tr("a feed, no product\n"));
 	if (n > 0)

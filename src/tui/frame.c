@@ -311,8 +311,11 @@ draw_typed_speed(struct tui *t, const struct area *note)
 	bool narrow = note->columns < 24;
 	const char *typed = t->speed.text + (t->speed.text[0] == '=');
 	/* No tip speed is as high as turns are. */
+	struct slider_range range = tui_slider_range(t);
+	bool part = range.rotor > 0 && !slider_has_speed(range, atof(typed));
 	const char *unit = strpbrk(typed, "rpms") != NULL ? ""
 			   : atof(typed) > SITE_FASTEST   ? " rpm"
+			   : part                         ? ""
 							  : " m/s";
 	int at = screen_text(
 	    note, 0, 0, LOOK_BOLD, narrow ? "%s" : N_("speed: %s"), typed);
@@ -425,8 +428,7 @@ frame_draw_page(struct tui *t)
 static void
 on_wheel_move_slider(struct tui *t, const struct touched *touched)
 {
-	t->ui.tenths =
-	    slider_clamp(tui_slider_range(t), t->ui.tenths - touched->by);
+	tui_step_slider_to(t, tui_slider_position(t) - touched->by);
 }
 
 /* The wheel scrolls text. */
@@ -475,7 +477,8 @@ frame_draw(struct tui *t)
 	bool site = tui_current_entry(t) != NULL;
 	const struct layout_ask ask = {
 	    beside && site ? side_panel_columns(page, columns) : 0,
-	    beside && page->differences, site && page->strip, !site, list_rows};
+	    beside && page->differences, site && page->strip, !site,
+	    tui_slider_range(t).rotor > 0, list_rows};
 	t->layout = viewing || list ? layout_make_for_text(rows, columns)
 				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);

@@ -50,8 +50,7 @@ act_move(struct tui *t, const struct key *key)
 	if (move_within_page(t, key))
 		return;
 	t->pending_key = NULL;
-	t->ui.tenths =
-	    slider_clamp(tui_slider_range(t), t->ui.tenths + key->amount);
+	tui_step_slider_to(t, tui_slider_position(t) + key->amount);
 }
 
 void
@@ -61,7 +60,8 @@ act_move_to_end(struct tui *t, const struct key *key)
 	if (move_within_page(t, key))
 		return;
 	t->pending_key = NULL;
-	t->ui.tenths = key->amount == TO_LEAST ? range.least : range.most;
+	tui_step_slider_to(
+	    t, key->amount == TO_LEAST ? range.least : range.most);
 }
 
 void
@@ -135,7 +135,9 @@ act_export(struct tui *t, const struct key *key)
 	}
 	FREED char *line = tui_command_at_slider(t),
 		   *slug = default_file_name(t);
-	FREED char *name = xasprintf("%s-%.1f.xlsx", slug, t->ui.tenths / 10.0);
+	bool in_rpm = answers_is_sheet_in_rpm(entry->site);
+	FREED char *name = xasprintf("%s-%.*f.xlsx", slug, in_rpm ? 0 : 1,
+	    answers_speed_number(entry->site, tui_slider_speed(t)));
 	xappend(&line, " > ");
 	edit_begin_with_proposal(&t->line, line, name);
 }
@@ -267,26 +269,29 @@ act_toggle_pin(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct numbers was = t->view.pinned;
+	const bool pinned = was.site[0] != '\0';
 	FREED char *where = tui_options_at_slider(t),
 		   *line = xasprintf("pin %s", where);
-	if (was.site[0] == '\0' && t->view.current.site[0] == '\0')
+	FREED char *speed =
+	    answers_speed_text(pinned ? tui_pinned_site(t) : tui_site(t),
+		pinned ? was.speed : tui_slider_speed(t), 1);
+	if (!pinned && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (!control_run(t, was.site[0] != '\0' ? "pin off" : line))
+	else if (!control_run(t, pinned ? "pin off" : line))
 		; /* it has said why */
-	else if (was.site[0] != '\0')
+	else if (pinned)
 		tui_say(t, false,
-		    "unpinned %s at %.1f m/s: u pins it again, x what is "
-		    "shown now",
-		    was.site, was.speed);
+		    "unpinned %s at %s: u pins it again, x what is shown now",
+		    was.site, speed);
 	else
 		tui_say(t, false,
 		    session_is_calibrating(t->session)
-			? N_("pinned %s at %.1f m/s: go to another speed or "
+			? N_("pinned %s at %s: go to another speed or "
 			     "site; e exports both; from a running search, so "
 			     "it is not saved")
-			: N_("pinned %s at %.1f m/s: go to another speed or "
+			: N_("pinned %s at %s: go to another speed or "
 			     "site; e exports both"),
-		    t->view.pinned.site, t->view.pinned.speed);
+		    t->view.pinned.site, speed);
 }
 
 void
@@ -448,8 +453,7 @@ is_speed_letter(const struct edit *y, int code)
 static void
 go_to_typed_speed(struct tui *t, const char *text)
 {
-	const struct entry *entry = tui_current_entry(t);
-	double rotor = entry != NULL ? entry->site->rotor : 0, v = NAN;
+	double rotor = tui_known_rotor(t), v = NAN;
 	bool said = strstr(text, "rpm") != NULL;
 	bool read = value_parse_number(text, said ? "rpm" : "m/s", &v);
 	/* No tip speed is as high as turns are. */

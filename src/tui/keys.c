@@ -282,13 +282,39 @@ keys_hint_row(const char *hints, enum page page)
 	return bar;
 }
 
+/* What is said of a speed in m/s, and instead of it for a sheet in rpm. */
+static const char *const IN_RPM[][2] = {
+    {"slider of the page to the left: speed by 0.1 m/s, generation, cell",
+	N_("slider of the page to the left: speed by 1 rpm, generation, cell")},
+    {"speed down by 1 m/s; or ten generations",
+	N_("speed down by 10 rpm; or ten generations")},
+    {"speed up by 1 m/s; or ten generations",
+	N_("speed up by 10 rpm; or ten generations")},
+    {"by 1 m/s, 10 generations", N_("10 rpm, 10 generations")},
+    {"speed down by 5 m/s; or fifty generations",
+	N_("speed down by 50 rpm; or fifty generations")},
+    {"speed up by 5 m/s; or fifty generations",
+	N_("speed up by 50 rpm; or fifty generations")},
+    {"by 5 m/s, 50 generations", N_("50 rpm, 50 generations")},
+    {"type a speed: =72.5 Enter", N_("type a speed: =1450 Enter")},
+    {"a speed: =72.5 Enter", N_("a speed: =1450 Enter")}};
+
+const char *
+keys_words(const char *words, bool in_rpm)
+{
+	for (size_t i = 0; in_rpm && i < ARRAY_LEN(IN_RPM); i++)
+		if (strcmp(words, IN_RPM[i][0]) == 0)
+			words = IN_RPM[i][1];
+	return tr(words);
+}
+
 /* Returns what the key does, and " (page Fit)" if that is the only page on
  * which it acts.  The caller frees. */
 static char *
-key_description(const struct key *k)
+key_description(const struct key *k, bool in_rpm)
 {
 	unsigned pages = k->where & ON_ALL;
-	char *words = xstrdup(tr(k->what));
+	char *words = xstrdup(keys_words(k->what, in_rpm));
 	for (enum page page = 0; page < PAGES; page++)
 		if (pages == 1U << page)
 			xappend(&words, " (%s)",
@@ -310,7 +336,7 @@ is_key_of_page(const struct key *k, enum page page)
 /* Returns "  Up Down       a row": a key, with those that go with it as far as
  * there is room. */
 static char *
-brief_help_line(const struct key *k)
+brief_help_line(const struct key *k, bool in_rpm)
 {
 	enum { ROOM = 13 };
 	FREED char *names = xstrndup(k->name, strcspn(k->name, ","));
@@ -320,20 +346,21 @@ brief_help_line(const struct key *k)
 		if (strlen(names) + 1 + n <= ROOM)
 			xappend(&names, " %.*s", (int)n, next->name);
 	}
-	return xasprintf("  %-*s %s", ROOM, names, tr(k->brief));
+	return xasprintf(
+	    "  %-*s %s", ROOM, names, keys_words(k->brief, in_rpm));
 }
 
 static char *
-full_help_line(const struct key *k)
+full_help_line(const struct key *k, bool in_rpm)
 {
-	FREED char *words = key_description(k);
+	FREED char *words = key_description(k, in_rpm);
 	return xasprintf("  %-15s %s", k->name, words);
 }
 
 static bool
 has_word_in_help_line(const struct key *k, const char *word)
 {
-	FREED char *line = full_help_line(k);
+	FREED char *line = full_help_line(k, false);
 	return text_contains_word(line, word);
 }
 
@@ -361,13 +388,14 @@ find_listed_keys(enum page page, const char *word,
 }
 
 void
-keys_print_list(enum page page, const char *word, FILE *out)
+keys_print_list(enum page page, const char *word, bool in_rpm, FILE *out)
 {
 	const struct key *line[ARRAY_LEN(KEYS)];
 	size_t n = find_listed_keys(page, word, line);
 	for (size_t i = 0; i < n; i++) {
-		FREED char *text = word[0] == '\0' ? brief_help_line(line[i])
-						   : full_help_line(line[i]);
+		FREED char *text = word[0] == '\0'
+				       ? brief_help_line(line[i], in_rpm)
+				       : full_help_line(line[i], in_rpm);
 		fprintf(out, "%s\n", text);
 	}
 	if (n == 0)
@@ -400,7 +428,7 @@ keys_print_manual(FILE *out)
 	fputs(".Bl -tag -width Shift-Right\n", out);
 	for (const struct key *k = KEYS; k->code != 0; k++) {
 		/* A single character might be one that mdoc interprets. */
-		FREED char *words = key_description(k);
+		FREED char *words = key_description(k, false);
 		fprintf(out, ".It %s%s\n%s.\n", k->name[1] == '\0' ? "\\&" : "",
 		    k->name, words);
 		if (k->where & RUNS_COMMAND)

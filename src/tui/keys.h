@@ -38,11 +38,15 @@ char *keys_hint_row(const char *hints, enum page page);
 
 /* For the ? page: keys_print_list prints a line for each key whose line
  * contains the word, ignoring case, the page's own keys first; if the word is
- * "", it prints all keys of the page, in brief.  keys_listed_at returns the key
+ * "", it prints all keys of the page, in brief; in_rpm: with speeds in rpm.
+ * keys_listed_at returns the key
  * of line n, or NULL; keys_count_listed returns the number of lines. */
-void keys_print_list(enum page page, const char *word, FILE *out);
+void keys_print_list(enum page page, const char *word, bool in_rpm, FILE *out);
 const struct key *keys_listed_at(enum page page, const char *word, size_t n);
 size_t keys_count_listed(enum page page, const char *word);
+
+/* Returns the words of a key, translated; in_rpm: with speeds in rpm. */
+const char *keys_words(const char *words, bool in_rpm);
 
 /* Prints the keys for tipspeed-tui(1), as mdoc. */
 void keys_print_manual(FILE *out);

@@ -103,7 +103,9 @@ split_body(struct layout *l, int rows, int side_columns)
 struct layout
 layout_make(int rows, int columns, struct layout_ask ask)
 {
-	struct layout l = {.wall = -1, .body = {0, 0, rows, columns}};
+	struct layout l = {.wall = -1,
+	    .end_columns = ask.in_rpm ? 5 : 4,
+	    .body = {0, 0, rows, columns}};
 	struct area *left = &l.body;
 	bool track = !ask.no_site || rows < FOR_COMMAND;
 	if (rows >= FOR_HEADER) {
@@ -162,8 +164,8 @@ layout_track_area(const struct layout *l)
 {
 	struct area track = l->track;
 	bool ends = track.columns >= 30;
-	track.column += ends ? 4 : 0;
-	track.columns -= ends ? 8 : 0;
+	track.column += ends ? l->end_columns : 0;
+	track.columns -= ends ? 2 * l->end_columns : 0;
 	return track;
 }
 

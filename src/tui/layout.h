@@ -10,10 +10,11 @@
  * list_rows: 0, or the rows of a list to which the body is reduced, for a strip
  * at full height with a row of certainty; no_site: there is nothing at any
  * speed, so neither numbers, caption nor track, but the row of the track where
- * it is the only one for messages. */
+ * it is the only one for messages; in_rpm: the ends of the track are in rpm, of
+ * four digits. */
 struct layout_ask {
 	int side_columns;
-	bool differences, strip, no_site;
+	bool differences, strip, no_site, in_rpm;
 	int list_rows;
 };
 
@@ -24,9 +25,9 @@ struct area {
 
 /* body: everything between the header and the caption, which is a rule with
  * words; plot and side are its parts.  wall: the column of the line before
- * side, or -1. */
+ * side, or -1; end_columns: of either end of the track, with a blank. */
 struct layout {
-	int wall;
+	int wall, end_columns;
 	struct area header, body, plot, side, legend, differences, numbers,
 	    caption, strip, certainty, track, command, status, hints;
 };

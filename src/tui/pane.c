@@ -118,7 +118,8 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 		FREED char *sample =
 		    chart_legend_sample(&look, screen_charset());
 		snprintf(text, sizeof text, "%s %g%s", sample,
-		    site->run[r].speed, held_out ? tr(" held out") : "");
+		    answers_speed_number(site, site->run[r].speed),
+		    held_out ? tr(" held out") : "");
 		column =
 		    draw_legend_name(t, column, look.series, LOOK_BOLD, text);
 		*moved = *moved || tui_is_product_moved(t, r);
@@ -137,7 +138,10 @@ static int
 draw_legend_feed(
     const struct tui *t, int column, const char *line, bool own, bool moved)
 {
-	FREED char *which = own ? xasprintf(" %g", t->ui.feed) : xstrdup("");
+	FREED char *which =
+	    own ? xasprintf(" %g", answers_speed_number(
+				       tui_current_entry(t)->site, t->ui.feed))
+		: xstrdup("");
 	FREED char *feed = xasprintf(tr("%s feed%s"), line, which);
 	FREED char *words = xasprintf(tr("moved to %s"), feed);
 	int after = column;

@@ -26,6 +26,19 @@ tui_current_entry(const struct tui *t)
 	return s->n_entry > 0 ? &s->entry[s->current] : NULL;
 }
 
+const struct site *
+tui_site(const struct tui *t)
+{
+	const struct entry *entry = tui_current_entry(t);
+	return entry != NULL ? entry->site : NULL;
+}
+
+double
+tui_known_rotor(const struct tui *t)
+{
+	return tui_site(t) != NULL ? tui_site(t)->rotor : 0;
+}
+
 const struct entry *
 tui_entry_for_prediction(const struct tui *t)
 {
@@ -44,33 +57,56 @@ tui_why_no_prediction(const struct tui *t)
 struct slider_range
 tui_slider_range(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
+	const struct site *site = tui_site(t);
 	double from, to;
-	settings_speed_range(
-	    &t->session->set, entry != NULL ? entry->site : NULL, &from, &to);
-	return slider_range(from, to);
+	settings_speed_range(&t->session->set, site, &from, &to);
+	return slider_range(
+	    from, to, answers_is_sheet_in_rpm(site) ? site->rotor : 0);
 }
 
 void
 tui_move_slider_to(struct tui *t, double speed)
 {
-	t->ui.tenths = slider_tenths(tui_slider_range(t), speed);
-	t->ui.told = round(100 * speed) / 100;
+	t->ui.speed = speed;
+}
+
+void
+tui_step_slider_to(struct tui *t, int position)
+{
+	struct slider_range range = tui_slider_range(t);
+	position = slider_clamp(range, position);
+	t->ui.speed = slider_speed(range, position);
+	if (!(tui_known_rotor(t) > 0))
+		return;
+	const struct site *site = tui_site(t);
+	for (size_t r = site->n_run; r-- > 0;)
+		if (slider_position(range, site->run[r].speed) == position)
+			t->ui.speed = site->run[r].speed;
+}
+
+int
+tui_slider_position(const struct tui *t)
+{
+	return slider_position(tui_slider_range(t), t->ui.speed);
+}
+
+const struct site *
+tui_pinned_site(const struct tui *t)
+{
+	const struct session *s = t->session;
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (strcmp(s->entry[i].key, t->view.pinned.site) == 0)
+			return s->entry[i].site;
+	return NULL;
 }
 
 double
 tui_slider_speed(const struct tui *t)
 {
-	const struct entry *entry = tui_current_entry(t);
-	const struct site *site = entry != NULL ? entry->site : NULL;
-	if (site == NULL || !(site->rotor > 0))
-		return t->ui.tenths / 10.0;
-	if (lround(10 * t->ui.told) == t->ui.tenths)
-		return t->ui.told;
-	for (size_t r = 0; r < site->n_run; r++)
-		if (lround(10 * site->run[r].speed) == t->ui.tenths)
-			return site->run[r].speed;
-	return t->ui.tenths / 10.0;
+	struct slider_range range = tui_slider_range(t);
+	return tui_known_rotor(t) > 0 && slider_has_speed(range, t->ui.speed)
+		   ? round(100 * t->ui.speed) / 100
+		   : slider_speed(range, tui_slider_position(t));
 }
 
 size_t
@@ -140,8 +176,13 @@ tui_options_at_slider(const struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	double speed = tui_slider_speed(t);
-	bool tenth = speed == t->ui.tenths / 10.0;
-	FREED char *at = xasprintf(tenth ? "speed=%.1f" : "speed=%g", speed);
+	bool tenth = speed == round(10 * speed) / 10;
+	struct slider_range range = tui_slider_range(t);
+	int position = tui_slider_position(t);
+	bool turns = range.rotor > 0 && speed == slider_speed(range, position);
+	FREED char *at =
+	    turns ? xasprintf("speed=%drpm", position)
+		  : xasprintf(tenth ? "speed=%.1f" : "speed=%g", speed);
 	/* A sheet that is set, but cannot be read. */
 	bool mean = !(t->ui.feed > 0) && tui_entry_for_prediction(t) == entry &&
 		    t->session->set.feed[0] != '\0' &&

@@ -153,8 +153,8 @@ struct tui_callbacks {
  * the open screen starts with a copy. */
 struct ui {
 	enum page page;
-	int tenths;  /* slider position */
-	double told; /* m/s: the speed that it was last told to go to */
+	double
+	    speed;   /* m/s: the slider was moved to it, see tui_slider_speed */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
 	bool quantity_of_goal;    /* it goes with what binds of the goal */
@@ -257,7 +257,7 @@ struct tui {
 	/* A key that waits for the goal's speeds, or NULL, and the slider's
 	 * position when it was pressed. */
 	const struct key *pending_key;
-	int pending_from;
+	double pending_from;
 	bool mouse;
 	struct hits hits; /* in the frame shown */
 	struct {
@@ -343,6 +343,10 @@ double tui_search_seconds(const struct tui *t);
 /* Returns the current site, or NULL. */
 const struct entry *tui_current_entry(const struct tui *t);
 
+/* Returns its site, or NULL; and the diameter of its rotor, m, or 0. */
+const struct site *tui_site(const struct tui *t);
+double tui_known_rotor(const struct tui *t);
+
 /* Returns the current site as used for the slider's predictions, or NULL: with
  * the feed from the sheet in `set feed`, unless a run's feed is used. */
 const struct entry *tui_entry_for_prediction(const struct tui *t);
@@ -355,12 +359,18 @@ const char *tui_why_no_prediction(const struct tui *t);
 /* Returns the range of the slider for the site. */
 struct slider_range tui_slider_range(const struct tui *t);
 
-/* tui_move_slider_to moves the slider to a speed, m/s.  tui_slider_speed
- * returns that at which it is: to a tenth of a m/s, but where the rotor is
- * known the speed that it was told or that was measured in this tenth, which
- * may be whole rpm. */
+/* tui_move_slider_to moves the slider to a speed, m/s; tui_step_slider_to to a
+ * position, or where the rotor is known to the speed that was measured there,
+ * which may be whole rpm.  tui_slider_speed returns the speed at which it is:
+ * that of its position, but where the rotor is known that which it was moved
+ * to. */
 void tui_move_slider_to(struct tui *t, double speed);
+void tui_step_slider_to(struct tui *t, int position);
 double tui_slider_speed(const struct tui *t);
+int tui_slider_position(const struct tui *t);
+
+/* Returns the site of the pinned prediction, or NULL if it is not loaded. */
+const struct site *tui_pinned_site(const struct tui *t);
 
 /* The feed for the slider's predictions is the same at all speeds, so that only
  * the speed changes them.  tui_feed_run returns its run: that of the last
@@ -379,8 +389,9 @@ const struct psd *tui_measured_product(const struct tui *t, size_t run);
 /* True if the product was moved far enough that the page must say so. */
 bool tui_is_product_moved(const struct tui *t, size_t run);
 
-/* Returns the slider's speed as options of predict, "speed=77.0 feed=74", with
- * the feed if predict would otherwise use another.  The caller frees it. */
+/* Returns the slider's speed as options of predict, "speed=77.0 feed=74" or
+ * "speed=1650rpm", with the feed if predict would otherwise use another.  The
+ * caller frees it. */
 char *tui_options_at_slider(const struct tui *t);
 
 /* Returns the command for everything shown at the slider's speed: predict, or

@@ -16,6 +16,7 @@
 #include "cmd/session/journal.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/ask/pin.h"
+#include "core/psd/rotor_speed.h"
 #include "tui/widgets/response_strip.h"
 #include "tui/keymap.h"
 #include "tui/control.h"
@@ -91,10 +92,10 @@ the_keypad_has_an_enter(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	type(t, "72.3");
 	keymap_handle_key(t, KEY_ENTER, true);
-	assert_int_equal(t->ui.tenths, 723);
+	assert_int_equal(tui_slider_position(t), 723);
 	type(t, "?/up by 5");
 	keymap_handle_key(t, KEY_ENTER, true);
-	assert_int_equal(t->ui.tenths, 773);
+	assert_int_equal(tui_slider_position(t), 773);
 	type(t, ":set k 1");
 	keymap_handle_key(t, KEY_ENTER, true);
 	assert_false(t->line.active);
@@ -112,29 +113,64 @@ a_speed_is_typed_with_its_unit(void **state)
 	assert_non_null(strstr(t->message, "diameter is not known"));
 	session_current_entry(t->session)->site->rotor = 0.9;
 	type(t, "=1500 rpm\n");
-	assert_int_equal(t->ui.tenths, 707);
+	assert_int_equal(tui_slider_position(t), 707);
 	/* Rpm come back as typed, and so do those that were measured. */
 	assert_true(fabs(tui_slider_speed(t) - 70.69) < 1e-9);
 	type(t, "=1501\n");
-	assert_int_equal(t->ui.tenths, 707);
+	assert_int_equal(tui_slider_position(t), 707);
 	assert_true(fabs(tui_slider_speed(t) - 70.73) < 1e-9);
 	type(t, "=72,5 m/s\n");
-	assert_int_equal(t->ui.tenths, 725);
+	assert_int_equal(tui_slider_position(t), 725);
 	session_current_entry(t->session)->site->run[0].speed = 72.46;
 	type(t, "=72,6 m/s\n");
-	t->ui.tenths = 725;
+	tui_step_slider_to(t, 725);
 	assert_true(fabs(tui_slider_speed(t) - 72.46) < 1e-9);
 	session_current_entry(t->session)->site->run[0].speed = 69;
 	type(t, "=1500\n");
-	assert_int_equal(t->ui.tenths, 707);
+	assert_int_equal(tui_slider_position(t), 707);
 	type(t, "=99999\n");
 	assert_non_null(strstr(t->message, "expected a speed from 1"));
-	assert_int_equal(t->ui.tenths, 707);
+	assert_int_equal(tui_slider_position(t), 707);
 	type(t, "=64.9\n");
 	assert_non_null(strstr(t->message, ":set slider 64..85"));
 	type(t, "=7.2.\n");
 	assert_non_null(strstr(t->message, "expected a speed"));
-	assert_int_equal(t->ui.tenths, 707);
+	assert_int_equal(tui_slider_position(t), 707);
+}
+
+/* Steps are whole rpm, and what is run and kept says them. */
+static void
+a_sheet_in_rpm_is_stepped_in_rpm(void **state)
+{
+	struct stage *stage = *state;
+	struct tui *t = &stage->t;
+	desk_expect(stage->desk, TIERP_CALIBRATED);
+	struct site *site = session_current_entry(t->session)->site;
+	site->rotor = 0.9;
+	for (size_t r = 0; r < site->n_run; r++)
+		site->run[r].speed =
+		    rotor_speed_from_rpm(1464 + 106 * (double)r, 0.9);
+	control_refresh(t);
+	type(t, "=1650\nl");
+	assert_int_equal(tui_slider_position(t), 1651);
+	FREED char *where = tui_options_at_slider(t);
+	assert_string_equal(where, "speed=1651rpm");
+	type(t, "L");
+	assert_int_equal(tui_slider_position(t), 1661);
+	assert_true(tui_slider_speed(t) == rotor_speed_from_rpm(1661, 0.9));
+	type(t, "=1600 rpm\n");
+	assert_int_equal(tui_slider_position(t), 1600);
+	type(t, "=72\n");
+	assert_true(fabs(tui_slider_speed(t) - 72) < 1e-9);
+	type(t, "=1900\n");
+	assert_non_null(strstr(t->message, ":set slider 1379..1900rpm"));
+	type(t, ":set slider 1380..1900rpm\n=1900\n");
+	assert_int_equal(tui_slider_position(t), 1900);
+	/* Another site is in m/s, and the slider stays at its speed. */
+	double speed = tui_slider_speed(t);
+	site->rotor = 0;
+	type(t, ":set slider 20..120\n");
+	assert_true(fabs(tui_slider_speed(t) - speed) < 0.05);
 }
 
 /* Speeds of crushers are from 60 to 99 m/s: no page may take their digits. */
@@ -150,7 +186,7 @@ a_digit_that_is_no_page_begins_a_speed(void **state)
 		char typed[] = {(char)('0' + tens), '9', '\n', '\0'};
 		type(t, typed);
 		assert_int_equal(t->ui.page, PAGE_PREDICT);
-		assert_int_equal(t->ui.tenths, 100 * tens + 90);
+		assert_int_equal(tui_slider_position(t), 100 * tens + 90);
 	}
 	type(t, "5");
 	assert_int_equal(t->ui.page, PAGE_SITES);
@@ -261,7 +297,7 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
 	type(t, "2");
 	size_t n = tui_search_shown(t).n;
-	int tenths = t->ui.tenths;
+	int tenths = tui_slider_position(t);
 	press(t, "Home");
 	assert_int_equal(tui_generation_without_polish(t), 1);
 	press(t, "L");
@@ -274,11 +310,11 @@ the_scrubber_has_the_keys_of_the_slider(void **state)
 	/* The polish is a step of its own behind the last. */
 	assert_int_equal(tui_count_generations(t), n + 1);
 	assert_int_equal(tui_generation_without_polish(t), n - 9);
-	assert_int_equal(t->ui.tenths, tenths);
+	assert_int_equal(tui_slider_position(t), tenths);
 	type(t, "1");
 	press(t, "Home");
 	assert_int_equal(tui_generation_without_polish(t), n - 9);
-	assert_int_equal(t->ui.tenths, tui_slider_range(t).least);
+	assert_int_equal(tui_slider_position(t), tui_slider_range(t).least);
 }
 
 static bool
@@ -359,7 +395,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	double best = goal_best_speed(t);
 	type(t, "N");
 	assert_int_equal(
-	    t->ui.tenths, slider_tenths(tui_slider_range(t), best));
+	    tui_slider_position(t), slider_position(tui_slider_range(t), best));
 	view_predict(t);
 	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
 	type(t, ":find p80=5.2\n");
@@ -388,28 +424,28 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(AWAY); i++) {
 		type(t, "074.1\nN");
 		assert_non_null(strstr(t->message, "being worked out"));
-		assert_int_equal(t->ui.tenths, 741);
+		assert_int_equal(tui_slider_position(t), 741);
 		type(t, AWAY[i]);
-		int there = t->ui.tenths;
+		int there = tui_slider_position(t);
 		track_run_pending_key(t, true);
-		assert_int_equal(t->ui.tenths, there);
+		assert_int_equal(tui_slider_position(t), there);
 	}
-	t->ui.tenths = 741;
+	t->ui.speed = 74.1;
 	type(t, "N");
 	view_predict(t);
-	assert_int_equal(t->ui.tenths, 741);
+	assert_int_equal(tui_slider_position(t), 741);
 	t->aside = true;
 	pages_update(t);
 	assert_true(strip_seconds_to_wait(t) <= 0);
 	view_predict(t);
-	int best = slider_tenths(tui_slider_range(t), goal_best_speed(t));
+	int best = slider_position(tui_slider_range(t), goal_best_speed(t));
 	assert_int_not_equal(best, 741);
-	assert_int_equal(t->ui.tenths, best);
+	assert_int_equal(tui_slider_position(t), best);
 	assert_non_null(strstr(t->message, "best speed of the goal"));
 	/* Before that it is worked out for who will not wait. */
 	type(t, ":set level 90\n");
 	assert_false(goal_is_known(t));
-	t->ui.tenths = 741;
+	t->ui.speed = 74.1;
 	t->aside = false;
 	type(t, "Nx");
 	keymap_run_delayed_key(t);
@@ -502,7 +538,7 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	control_refresh(t);
 	draw_all(t);
 	type(t, "c");
-	int tenths = t->ui.tenths;
+	int tenths = tui_slider_position(t);
 	size_t n = t->view.shown.product.n;
 	for (size_t i = 0; i <= n; i++)
 		press(t, "Down");
@@ -512,10 +548,10 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	assert_int_equal(t->ui.crosshair_sieve, 0);
 	type(t, ">><");
 	assert_int_equal(t->ui.crosshair_passing, 55);
-	assert_int_equal(t->ui.tenths, tenths);
+	assert_int_equal(tui_slider_position(t), tenths);
 	press(t, "Left");
 	assert_int_equal(t->ui.crosshair_sieve, 0);
-	assert_int_equal(t->ui.tenths, tenths - 1);
+	assert_int_equal(tui_slider_position(t), tenths - 1);
 }
 
 /* What is near a bound of a wide range is not at it. */
@@ -572,28 +608,28 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	assert_float_equal(
 	    session_answer_number(s, "window", "best"), goal_best_speed(t), 0);
 	assert_int_equal(t->view.goal.found->n_inside, 1);
-	t->ui.tenths = 650;
+	t->ui.speed = 65;
 	type(t, "n");
-	assert_int_equal(
-	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[0]));
+	assert_int_equal(tui_slider_position(t),
+	    slider_position(tui_slider_range(t), limit[0]));
 	type(t, "n");
-	assert_int_equal(
-	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[1]));
+	assert_int_equal(tui_slider_position(t),
+	    slider_position(tui_slider_range(t), limit[1]));
 	type(t, "n");
-	assert_int_equal(
-	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[1]));
+	assert_int_equal(tui_slider_position(t),
+	    slider_position(tui_slider_range(t), limit[1]));
 	type(t, "p");
-	assert_int_equal(
-	    t->ui.tenths, slider_tenths(tui_slider_range(t), limit[0]));
+	assert_int_equal(tui_slider_position(t),
+	    slider_position(tui_slider_range(t), limit[0]));
 	bool certain;
 	assert_true(goal_is_met_between(t, limit[0], limit[1], &certain));
 	assert_false(goal_is_met_between(t, 80, 85, &certain));
 	/* Nothing is wanted any more: runs are where they go. */
 	type(t, "t\025\n");
 	assert_string_equal(t->session->set.goal, "");
-	t->ui.tenths = 650;
+	t->ui.speed = 65;
 	type(t, "nn");
-	assert_int_equal(t->ui.tenths, 740);
+	assert_int_equal(tui_slider_position(t), 740);
 }
 
 static void
@@ -687,7 +723,7 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	struct area above = t->layout.strip;
 	assert_true(mouse(
 	    t, HIT_PRESS, above.row, layout_track_area(&t->layout).column));
-	assert_int_equal(t->ui.tenths, tui_slider_range(t).least);
+	assert_int_equal(tui_slider_position(t), tui_slider_range(t).least);
 	hits_end_drag(&t->hits);
 }
 
@@ -1171,7 +1207,7 @@ what_is_shown_is_saved_and_shown_again(void **state)
 	type(t, ":predict 74 feed=69\n");
 	view_predict(t);
 	type(t, "xt5.2\n");
-	t->ui.tenths = 712;
+	t->ui.speed = 71.2;
 	view_predict(t);
 	type(t, "yya");
 	for (size_t i = 0; i < pages; i++) {
@@ -1496,15 +1532,16 @@ a_step_predicts_once_and_says_nothing(void **state)
 	FILE *said = s->out,
 	     *heard = s->out = s->notes = text_open_memory(&text, &n);
 	for (int i = 0; i < 30; i++) {
-		int before = t->ui.tenths;
+		int before = tui_slider_position(t);
 		press(t, i < 20 ? "L" : "H");
 		predictions = 0;
 		view_predict(t);
 		frame_draw(t);
-		assert_int_equal(predictions, t->ui.tenths != before);
-		assert_true(t->view.shown.speed == t->ui.tenths / 10.0);
+		assert_int_equal(predictions, tui_slider_position(t) != before);
+		assert_true(
+		    t->view.shown.speed == tui_slider_position(t) / 10.0);
 		assert_true(session_answer_number(s, "predict", "speed") ==
-			    t->ui.tenths / 10.0);
+			    tui_slider_position(t) / 10.0);
 	}
 	fflush(heard);
 	assert_int_equal(n, 0);
@@ -1563,7 +1600,7 @@ a_size_is_one_number_everywhere(void **state)
 	draw_all(t);
 	type(t, "cb");
 	for (int v = 70; v <= 84; v += 2) {
-		t->ui.tenths = 10 * v;
+		t->ui.speed = v;
 		draw_all(t);
 		double p50 = t->view.current.size[1];
 		apart = fmax(
@@ -1803,7 +1840,7 @@ a_word_begins_a_line(void **state)
 		assert_string_equal(t->line.text, WORDS[i]);
 		assert_true(t->line.active);
 		type(t, "\033");
-		assert_int_equal(t->ui.tenths, 740);
+		assert_int_equal(tui_slider_position(t), 740);
 		assert_false(t->ui.crosshair || t->leave || t->picker.on);
 	}
 	t->aside = true;
@@ -1819,7 +1856,7 @@ single_letters_are_keys(void **state)
 	view_predict(t);
 	t->aside = false;
 	type(t, "l");
-	assert_int_equal(t->ui.tenths, 741);
+	assert_int_equal(tui_slider_position(t), 741);
 	t->clock += 0.5;
 	type(t, "c");
 	assert_false(t->ui.crosshair);
@@ -1879,7 +1916,7 @@ what_is_pasted_is_no_keys(void **state)
 	input_handle_paste(t, SCREEN_PASTE, true);
 	assert_true(input_handle_paste(t, KEY_PPAGE, true));
 	input_end_paste(t);
-	assert_int_equal(t->ui.tenths, 740);
+	assert_int_equal(tui_slider_position(t), 740);
 }
 
 static void
@@ -1993,6 +2030,7 @@ static const struct CMUnitTest TESTS[] = {
     ON_STAGE(what_is_completed_is_whole_letters),
     ON_STAGE(the_keypad_has_an_enter),
     ON_STAGE(a_speed_is_typed_with_its_unit),
+    ON_STAGE(a_sheet_in_rpm_is_stepped_in_rpm),
     ON_STAGE(a_digit_that_is_no_page_begins_a_speed),
     ON_STAGE(a_word_too_long_to_find_does_nothing_else),
     ON_STAGE(a_smaller_screen_shows_the_key_under_the_cursor),

@@ -60,7 +60,7 @@ the_list_has_every_name(void **state)
 	size_t n = 0;
 	FILE *out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_print_list(PAGE_FIT, "", out);
+	keys_print_list(PAGE_FIT, "", false, out);
 	fclose(out);
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if (k->brief != NULL && (k->where & (1U << PAGE_FIT)) != 0)
@@ -73,12 +73,24 @@ the_list_has_every_name(void **state)
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 40);
 	free(text);
+	/* So they are where speeds are in rpm. */
+	out = open_memstream(&text, &n);
+	assert_non_null(out);
+	keys_print_list(PAGE_PREDICT, "", true, out);
+	fclose(out);
+	assert_null(strstr(text, "m/s"));
+	assert_non_null(strstr(text, "=1450"));
+	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
+		assert_true(strcspn(p, "\n") <= 40);
+	free(text);
+	assert_string_equal(keys_words(keys_find('=', PAGE_FIT)->what, false),
+	    keys_find('=', PAGE_FIT)->what);
 	assert_int_equal(
 	    keys_listed_at(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');
 	assert_null(keys_listed_at(PAGE_FIT, "no such word", 0));
 	out = open_memstream(&text, &n);
 	assert_non_null(out);
-	keys_print_list(PAGE_FIT, "grading", out);
+	keys_print_list(PAGE_FIT, "grading", false, out);
 	fclose(out);
 	assert_non_null(strstr(text, "no key for 'grading'"));
 	assert_non_null(strstr(text, ":apropos grading"));

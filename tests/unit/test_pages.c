@@ -256,7 +256,7 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 	/* The slider is there by its number. */
 	press(t, "= 7 2 . 5 Enter");
 	assert_int_equal(t->ui.cell.at, 5);
-	assert_int_equal(t->ui.tenths, 725);
+	assert_int_equal(tui_slider_position(t), 725);
 }
 
 /* ---- Parity ---- */
@@ -385,10 +385,10 @@ an_extrapolated_size_says_so(void **state)
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
 	control_refresh(t);
-	t->ui.tenths = 840;
+	t->ui.speed = 84;
 	press(t, "5 g");
 	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
-	t->ui.tenths = 740;
+	t->ui.speed = 74;
 	control_refresh(t);
 	press(t, "5");
 	assert_false(frame_has(stage, 24, "? extrapolated:"));

@@ -13,7 +13,7 @@
 #include "tui/widgets/slider.h"
 
 enum { SLIDER_LEAST = 650, SLIDER_MOST = 850 };
-static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST};
+static const struct slider_range ALL = {SLIDER_LEAST, SLIDER_MOST, 0};
 
 static const struct slider_mark MARKS[] = {
     {690, true}, {740, false}, {790, true}};
@@ -23,7 +23,7 @@ range_of(const struct site *site)
 {
 	double from, to;
 	site_default_speed_range(site, &from, &to);
-	return slider_range(from, to);
+	return slider_range(from, to, 0);
 }
 
 /* The signs of the track as text. */
@@ -46,9 +46,9 @@ speeds_become_tenths_exactly(void **state)
 {
 	(void)state;
 	for (int tenths = SLIDER_LEAST; tenths <= SLIDER_MOST; tenths++)
-		assert_int_equal(slider_tenths(ALL, tenths / 10.0), tenths);
-	assert_int_equal(slider_tenths(ALL, 12), SLIDER_LEAST);
-	assert_int_equal(slider_tenths(ALL, 1e6), SLIDER_MOST);
+		assert_int_equal(slider_position(ALL, tenths / 10.0), tenths);
+	assert_int_equal(slider_position(ALL, 12), SLIDER_LEAST);
+	assert_int_equal(slider_position(ALL, 1e6), SLIDER_MOST);
 	assert_int_equal(slider_clamp(ALL, SLIDER_MOST + 1), SLIDER_MOST);
 }
 
@@ -60,21 +60,21 @@ a_column_and_its_value_agree(void **state)
 	enum { WIDTH = SLIDER_MOST - SLIDER_LEAST + 1 };
 	for (int c = 0; c < WIDTH; c++) {
 		assert_int_equal(
-		    slider_value_at_column(ALL, c, WIDTH), SLIDER_LEAST + c);
+		    slider_position_at_column(ALL, c, WIDTH), SLIDER_LEAST + c);
 		assert_int_equal(
 		    slider_column(ALL, SLIDER_LEAST + c, WIDTH), c);
 	}
 	for (int width = 2; width < 300; width++)
 		for (int c = 0; c < width; c++)
 			if (width <= WIDTH)
-				assert_int_equal(
-				    slider_column(ALL,
-					slider_value_at_column(ALL, c, width),
-					width),
+				assert_int_equal(slider_column(ALL,
+						     slider_position_at_column(
+							 ALL, c, width),
+						     width),
 				    c);
-	assert_int_equal(slider_value_at_column(ALL, -5, 40), SLIDER_LEAST);
-	assert_int_equal(slider_value_at_column(ALL, 900, 40), SLIDER_MOST);
-	assert_int_equal(slider_value_at_column(ALL, 3, 1), SLIDER_LEAST);
+	assert_int_equal(slider_position_at_column(ALL, -5, 40), SLIDER_LEAST);
+	assert_int_equal(slider_position_at_column(ALL, 900, 40), SLIDER_MOST);
+	assert_int_equal(slider_position_at_column(ALL, 3, 1), SLIDER_LEAST);
 }
 
 static void
@@ -111,7 +111,7 @@ the_range_holds_the_runs_of_the_site(void **state)
 	struct slider_range range = range_of(&site);
 	assert_int_equal(range.least, 620);
 	assert_int_equal(range.most, 880);
-	assert_int_equal(slider_tenths(range, 62.4), 624);
+	assert_int_equal(slider_position(range, 62.4), 624);
 	assert_true(slider_has_speed(range, 62.4));
 	assert_false(slider_has_speed(range, 61.9));
 	static const struct slider_mark marks[] = {{624, true}, {880, true}};
@@ -182,6 +182,33 @@ a_slow_machine_has_a_track_of_its_own(void **state)
 	assert_int_equal(range.most, SLIDER_MOST);
 }
 
+/* A sheet in rpm: each end is that of a run there. */
+static void
+a_sheet_in_rpm_has_a_track_in_rpm(void **state)
+{
+	(void)state;
+	enum { WIDTH = 60 };
+	char text[WIDTH + 1];
+	const double rotor = 0.9;
+	struct slider_range range = slider_range(65, 85, rotor);
+	assert_int_equal(range.least, 1379);
+	assert_int_equal(range.most, 1804);
+	for (int rpm = range.least; rpm <= range.most; rpm++) {
+		double v = slider_speed(range, rpm);
+		assert_int_equal(slider_position(range, v), rpm);
+		assert_true(slider_has_speed(range, v));
+		struct slider_range from = slider_range(v, 85, rotor);
+		struct slider_range to = slider_range(65, v, rotor);
+		assert_int_equal(from.least, rpm);
+		assert_int_equal(to.most, rpm);
+	}
+	const struct slider_mark mark[] = {{1380, true}, {1600, true}};
+	draw(text, WIDTH, range, 1500, mark, 2, NULL, "extrapolated");
+	assert_string_equal(text,
+	    "|1380---------[1500]-----------|1600 rpm 2843 "
+	    "J/kg xxxxxxxxx");
+}
+
 static void
 any_width_is_drawn(void **state)
 {
@@ -208,6 +235,7 @@ main(void)
 	    cmocka_unit_test(no_label_covers_the_ends_of_a_window),
 	    cmocka_unit_test(the_range_holds_the_runs_of_the_site),
 	    cmocka_unit_test(a_slow_machine_has_a_track_of_its_own),
+	    cmocka_unit_test(a_sheet_in_rpm_has_a_track_in_rpm),
 	    cmocka_unit_test(any_width_is_drawn),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

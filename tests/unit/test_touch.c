@@ -177,11 +177,11 @@ the_wheel_moves_what_is_under_it(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct layout *l = &t->layout;
-	int tenths = t->ui.tenths;
+	int tenths = tui_slider_position(t);
 	assert_true(mouse(stage, HIT_UP, l->plot.row + 2, 20));
-	assert_int_equal(t->ui.tenths, tenths + 1);
+	assert_int_equal(tui_slider_position(t), tenths + 1);
 	assert_true(mouse(stage, HIT_DOWN, l->track.row, 20));
-	assert_int_equal(t->ui.tenths, tenths);
+	assert_int_equal(tui_slider_position(t), tenths);
 	assert_false(mouse(stage, HIT_UP, l->header.row, 1));
 	assert_false(mouse(stage, HIT_UP, l->hints.row, 1));
 	press(stage, "5");
@@ -191,7 +191,7 @@ the_wheel_moves_what_is_under_it(void **state)
 	int at = t->viewer.at;
 	assert_true(mouse(stage, HIT_DOWN, l->body.row + 2, 20));
 	assert_int_equal(t->viewer.at, at + 1);
-	assert_int_equal(t->ui.tenths, tenths);
+	assert_int_equal(tui_slider_position(t), tenths);
 }
 
 /* Every mark of a run that is drawn in the middle of the plot says what it is,
@@ -331,7 +331,7 @@ a_key_that_closes_a_text_is_not_lost(void **state)
 	press(stage, "? ?");
 	assert_null(t->viewer.text);
 	press(stage, "? 7 8 Enter");
-	assert_int_equal(t->ui.tenths, 780);
+	assert_int_equal(tui_slider_position(t), 780);
 }
 
 static void

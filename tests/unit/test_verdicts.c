@@ -132,8 +132,9 @@ a_verdict_is_that_of_the_envelope(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	size_t in_all = 0, all = 0;
 	press(t, ":spec use ASTM C33 fine aggregate\n\033");
-	t->ui.tenths = tui_slider_range(t).least;
-	for (; t->ui.tenths <= tui_slider_range(t).most; t->ui.tenths++) {
+	struct slider_range range = tui_slider_range(t);
+	for (int at = range.least; at <= range.most; at++) {
+		tui_step_slider_to(t, at);
 		view_update(t);
 		const struct grading *g = envelope_check_at_slider(t);
 		assert_non_null(g);
@@ -143,7 +144,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 		    tui_current_entry(t), tui_feed_run(t), &own, &error));
 		assert_in_range(g->limits.n, 1, 32);
 		forecast_set_speed(
-		    own.conditions.forecast, t->ui.tenths / 10.0);
+		    own.conditions.forecast, tui_slider_speed(t));
 		for (size_t i = 0; i < g->limits.n; i++, all++) {
 			bool in = conditions_are_met(&g->conditions, i);
 			assert_int_equal(
@@ -157,7 +158,7 @@ a_verdict_is_that_of_the_envelope(void **state)
 		envelope_close(&own);
 	}
 	assert_in_range(in_all, 1, all - 1);
-	t->ui.tenths = 740;
+	t->ui.speed = 74;
 	expect(t, 30, 100, "| 0/4.75 ASTM C33 fine aggregate");
 	expect(t, 30, 100, "OUT");
 	expect(t, 50, 160, "| FM");

@@ -269,7 +269,7 @@ build_advice_answer(const struct session *s, const struct advice_request *w)
 	    w->question->speed, rpm);
 	answer_columns(r, "speed: sample at m/s");
 	if (rotor > 0)
-		answer_columns(r, "rpm");
+		answer_columns(r, "rpm: rpm");
 	answer_columns(r,
 	    "kind, width%s: band after%s, "
 	    "narrower_pct: narrower %%",

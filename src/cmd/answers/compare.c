@@ -364,24 +364,32 @@ parse_side_and_predict(struct session *s, const struct args *args, bool sites,
 	return true;
 }
 
+/* Returns what names a side, with its speed unless its site is enough. */
+static char *
+name_of_side(
+    const struct compared *side, bool sites, bool two, const char *speed)
+{
+	const char *key = side->entry->key;
+	FREED char *words =
+	    side->pinned ? xasprintf(tr("pinned %s"), speed) : xstrdup(speed);
+	return sites && !side->pinned ? xstrdup(key)
+	       : two                  ? xasprintf("%s %s", key, words)
+				      : xstrdup(words);
+}
+
 /* Names the columns by what the two sides differ in. */
 static void
 set_column_headings(bool sites, struct compared side[2])
 {
 	bool two = are_two_sites(side);
 	for (size_t i = 0; i < 2; i++) {
-		const char *key = side[i].entry->key;
+		const struct site *site = side[i].entry->site;
 		double v = side[i].p.speed;
-		FREED char *speed = side[i].pinned
-					? xasprintf(tr("pinned %g m/s"), v)
-					: xasprintf("%g m/s", v);
-		side[i].head = sites && !side[i].pinned ? xstrdup(key)
-			       : two ? xasprintf("%s %s", key, speed)
-				     : xstrdup(speed);
-		bool names_speed = !sites || side[i].pinned;
-		FREED char *rpm = rotor_speed_rpm_text(
-		    names_speed ? side[i].entry->site->rotor : 0, v, NAN);
-		side[i].words = xasprintf("%s%s", side[i].head, rpm);
+		FREED char *column = answers_speed_text(site, v, -1);
+		FREED char *rpm = rotor_speed_rpm_text(site->rotor, v, NAN);
+		FREED char *speed = xasprintf("%g m/s%s", v, rpm);
+		side[i].head = name_of_side(&side[i], sites, two, column);
+		side[i].words = name_of_side(&side[i], sites, two, speed);
 	}
 }
 
@@ -393,15 +401,17 @@ set_title_of_two_sites(struct answer *r, const struct compared side[2],
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
 	FREED char *data = provenance_of_both(side);
+	FREED char *rpm = rotor_speed_rpm_text(
+	    a->rotor == b->rotor ? a->rotor : 0, side[0].p.speed, NAN);
 	if (side[0].p.speed != side[1].p.speed)
 		answer_title(r, "%s and %s%s%s", side[0].words, side[1].words,
 		    passing, fraction);
 	else if (a->with[0] != '\0')
-		answer_title(r, "%s and %s, with %s, at %g m/s%s%s", a->name,
-		    b->name, a->with, side[0].p.speed, passing, fraction);
+		answer_title(r, "%s and %s, with %s, at %g m/s%s%s%s", a->name,
+		    b->name, a->with, side[0].p.speed, rpm, passing, fraction);
 	else
-		answer_title(r, "%s and %s at %g m/s%s%s", a->name, b->name,
-		    side[0].p.speed, passing, fraction);
+		answer_title(r, "%s and %s at %g m/s%s%s%s", a->name, b->name,
+		    side[0].p.speed, rpm, passing, fraction);
 	answers_put_feed_and_machine(r, a);
 	answer_set_sites(r, both, data);
 }

@@ -30,15 +30,17 @@ note_breaking_sizes(
     struct answer *r, const struct question *q, const struct prediction *p)
 {
 	double top = question_feed(q)->size[0];
+	FREED char *rpm =
+	    rotor_speed_rpm_text(q->entry->site->rotor, p->speed, NAN);
 	if (p->no_daughters)
 		answer_note(r,
 		    "the appearance function gives no progeny: feed unchanged");
 	else if (p->break_size >= top)
 		answer_note(r,
-		    "nothing breaks at %.*f m/s: only particles of %.3g mm or "
-		    "more would, and the feed has none above %g mm: feed "
+		    "nothing breaks at %.*f m/s%s: only particles of %.3g mm "
+		    "or more would, and the feed has none above %g mm: feed "
 		    "unchanged",
-		    units_speed_decimals(p->speed), p->speed,
+		    units_speed_decimals(p->speed), p->speed, rpm,
 		    1000 * p->break_size, units_mm(top));
 	else if (params_value_by_name(q->params, "e0_min") <= 0)
 		answer_note(r,
@@ -446,6 +448,8 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 		answer_put_columns_as_lists(r, "low_pct high_pct");
 		answers_put_size_bands(o, s, p);
 	}
+	FREED char *rpm =
+	    rotor_speed_rpm_text(entry->site->rotor, p->speed, NAN);
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breaking_sizes(r, q, p);
 	note_sieves_limited_by_feed(r, q, p);
@@ -459,11 +463,11 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	else if (wanted)
 		answer_say(r, ANSWER_REMARK,
 		    entry->site->with[0] != '\0'
-			? N_("no interpolation: at %g m/s nothing was measured "
-			     "with this feed and machine")
-			: N_("no interpolation: %g m/s is not between measured "
-			     "runs"),
-		    p->speed);
+			? N_("no interpolation: at %g m/s%s nothing was "
+			     "measured with this feed and machine")
+			: N_("no interpolation: %g m/s%s is not between "
+			     "measured runs"),
+		    p->speed, rpm);
 	note_fit_of_only_cut(r, s, entry);
 	struct question at = *q;
 	at.moved = largest_adjustment_to_feed(s, q, p, between != NULL);

@@ -235,10 +235,13 @@ append_speeds_meeting_conditions(char **words, const struct report_request *ask)
 		xappend_to_list(words, "; ", tr("met at %s"), speeds);
 	if (w->n_inside > 0)
 		return;
+	FREED char *range = rotor_speed_rpm_text(
+	    ask->q->entry->site->rotor, ask->wanted.from, ask->wanted.to);
 	xappend_to_list(words, "; ",
-	    ask->list.n > 1 ? tr("no speed from %g to %g m/s meets all of them")
-			    : tr("no speed from %g to %g m/s meets it"),
-	    ask->wanted.from, ask->wanted.to);
+	    ask->list.n > 1
+		? tr("no speed from %g to %g m/s%s meets all of them")
+		: tr("no speed from %g to %g m/s%s meets it"),
+	    ask->wanted.from, ask->wanted.to, range);
 	if (!isfinite(w->margin.passing))
 		return;
 	forecast_set_speed(ask->wanted.forecast, w->best);

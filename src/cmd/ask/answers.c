@@ -159,25 +159,47 @@ bool
 answers_is_sheet_in_rpm(const struct site *site)
 {
 	bool tenths = true;
-	for (size_t r = 0; r < site->n_run; r++) {
+	for (size_t r = 0; site != NULL && r < site->n_run; r++) {
 		double v = site->run[r].speed;
 		FREED char *typed = speed_as_typed(site, v);
 		if (v > 0 && strstr(typed, "rpm") == NULL)
 			return false;
 		tenths = tenths && fabs(10 * v - round(10 * v)) < 1e-6;
 	}
-	return site->rotor > 0 && !tenths;
+	return site != NULL && site->rotor > 0 && !tenths;
+}
+
+double
+answers_speed_number(const struct site *site, double speed)
+{
+	return answers_is_sheet_in_rpm(site)
+		   ? round(rotor_speed_to_rpm(speed, site->rotor))
+		   : speed;
+}
+
+const char *
+answers_speed_unit(const struct site *site)
+{
+	return answers_is_sheet_in_rpm(site) ? tr("rpm") : "m/s";
+}
+
+char *
+answers_speed_text(const struct site *site, double speed, int decimals)
+{
+	double number = answers_speed_number(site, speed);
+	if (answers_is_sheet_in_rpm(site))
+		return xasprintf(tr("%.0f rpm"), number);
+	return decimals < 0 ? xasprintf("%g m/s", number)
+			    : xasprintf("%.*f m/s", decimals, number);
 }
 
 char *
 answers_speed_range_words(
     const struct site *site, double from, double to, bool brief)
 {
-	bool in_rpm = answers_is_sheet_in_rpm(site);
-	double low =
-		   in_rpm ? round(rotor_speed_to_rpm(from, site->rotor)) : from,
-	       high = in_rpm ? round(rotor_speed_to_rpm(to, site->rotor)) : to;
-	const char *unit = in_rpm ? tr("rpm") : "m/s";
+	double low = answers_speed_number(site, from),
+	       high = answers_speed_number(site, to);
+	const char *unit = answers_speed_unit(site);
 	return brief ? xasprintf("%g..%g %s", low, high, unit)
 		     : xasprintf(tr("%g to %g %s"), low, high, unit);
 }
@@ -511,7 +533,7 @@ answers_add_prediction_rows(struct answer *r, const struct entry *entry,
 	double rotor = entry->site->rotor;
 	answer_columns(r, "speed: m/s");
 	if (rotor > 0)
-		answer_columns(r, "rpm");
+		answer_columns(r, "rpm: rpm");
 	answer_columns(r, "energy_j_kg: J/kg, break_mm: break mm");
 	for (size_t k = 0; k < PSD_SIZES; k++)
 		answer_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);

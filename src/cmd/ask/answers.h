@@ -48,8 +48,16 @@ double answers_breakage_function(
 double answers_default_speed(const struct entry *entry);
 
 /* True if the site's sheet is in rpm: its speeds are whole rpm of its rotor,
- * and not all of them tenths of a m/s. */
+ * and not all of them tenths of a m/s.  site: or NULL. */
 bool answers_is_sheet_in_rpm(const struct site *site);
+
+/* Return a speed as the site's sheet has it: 1500, "rpm" and "1500 rpm" of a
+ * sheet in rpm; else 70.69 and "70.69 m/s" or, with one decimal, "70.7 m/s".
+ * site: or NULL, in m/s.  decimals: of m/s; -1: as many as it has.  The caller
+ * frees the text. */
+double answers_speed_number(const struct site *site, double speed);
+const char *answers_speed_unit(const struct site *site);
+char *answers_speed_text(const struct site *site, double speed, int decimals);
 
 /* Returns "65 to 85 m/s", or in brief "65..85 m/s"; "1307 to 1709 rpm" of a
  * sheet in rpm.  The caller frees it. */

@@ -546,8 +546,24 @@ conditions_describe_limit(
 	return conditions_describe(&one);
 }
 
-char *
-conditions_describe_speeds(const struct speed_search *found)
+/* Returns them in rpm: "1319 to 1434".  The caller frees it. */
+static char *
+describe_speeds_in_rpm(const struct speed_search *found, double rotor)
+{
+	char *words = xstrdup("");
+	for (size_t k = 0; k < found->n_inside; k++) {
+		double from = rotor_speed_to_rpm(found->inside[k].from, rotor),
+		       to = rotor_speed_to_rpm(found->inside[k].to, rotor);
+		xappend_to_list(&words, tr(" and "),
+		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
+	}
+	return words;
+}
+
+/* Returns them in m/s: "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller
+ * frees it. */
+static char *
+describe_speeds_in_mps(const struct speed_search *found)
 {
 	const double tenth = 0.1, hair = 1e-6;
 	char *words = xstrdup("");
@@ -562,6 +578,15 @@ conditions_describe_speeds(const struct speed_search *found)
 			    from, to);
 	}
 	return words;
+}
+
+char *
+conditions_describe_speeds(
+    const struct speed_search *found, const struct site *site)
+{
+	return answers_is_sheet_in_rpm(site)
+		   ? describe_speeds_in_rpm(found, site->rotor)
+		   : describe_speeds_in_mps(found);
 }
 
 /* Returns ", up to the fastest asked" and the like, to be translated, for a
@@ -586,14 +611,9 @@ conditions_describe_speeds_with_units(
 	    n == 0 ? ""
 		   : tr(describe_search_ends(wanted, found->inside[0].from,
 			 found->inside[n - 1].to));
-	FREED char *mps = conditions_describe_speeds(found);
-	FREED char *rpm = xstrdup("");
-	for (size_t k = 0; k < n; k++) {
-		double from = rotor_speed_to_rpm(found->inside[k].from, rotor),
-		       to = rotor_speed_to_rpm(found->inside[k].to, rotor);
-		xappend_to_list(&rpm, tr(" and "),
-		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
-	}
+	FREED char *mps = describe_speeds_in_mps(found);
+	FREED char *rpm =
+	    rotor > 0 ? describe_speeds_in_rpm(found, rotor) : xstrdup("");
 	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)%s"), mps, rpm, ends)
 			 : xasprintf(tr("%s m/s%s"), mps, ends);
 }

@@ -102,11 +102,12 @@ struct wanted conditions_open_search(const struct session *s,
     const struct question *q, const struct condition_list *list,
     const struct condition *target);
 
-/* Return the speeds at which all conditions hold, in words: "69.0 to 77.9",
- * "69.0 to 70.1 and 74.4", "74.42 to 74.47"; or with units, and in rpm if the
- * site states the rotor: "67.7 to 73.6 m/s (1319 to 1434 rpm)".  The caller
- * frees it. */
-char *conditions_describe_speeds(const struct speed_search *found);
+/* Return the speeds at which all conditions hold, in words: as the sheet has
+ * them, "69.0 to 77.9" or "1319 to 1434"; or with units, and in rpm if the site
+ * states the rotor: "67.7 to 73.6 m/s (1319 to 1434 rpm)".  site: or NULL, in
+ * m/s.  The caller frees it. */
+char *conditions_describe_speeds(
+    const struct speed_search *found, const struct site *site);
 char *conditions_describe_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found);
 

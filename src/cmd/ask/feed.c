@@ -21,12 +21,14 @@ bool
 feed_find_run_at_speed(
     const struct site *site, double speed, size_t *feed, struct error *error)
 {
+	FREED char *rpm =
+	    rotor_speed_rpm_text(site_run_rotor(site), speed, NAN);
 	*feed = feed_run_at_speed_or_mean(site, speed);
 	return *feed != SITE_MEAN_FEED ||
 	       error_set(error, ERROR_USAGE,
-		   "%s has no feed sampled at %g m/s\n"
+		   "%s has no feed sampled at %g m/s%s\n"
 		   "run 'show feed' for its feeds",
-		   site->name, speed);
+		   site->name, speed, rpm);
 }
 
 double

@@ -288,53 +288,59 @@ goals_best_speed(const struct session *s, const struct goal *g, double speed)
 	return g->met[near];
 }
 
-/* Returns "70.8 to 78.0" or, because an end of the search is no limit of the
- * product, "from 67.2 on".  at: write "at" before two ends.  site: add units,
- * and rpm if it states the rotor; NULL: numbers only. */
+/* Returns "70.8 to 78.0", "1413 to 1513" of a sheet in rpm, or, because an end
+ * of the search is no limit of the product, "from 67.2 on".  at: write "at"
+ * before two ends.  units: m/s, and rpm beside it if the site states the
+ * rotor. */
 static char *
 describe_speed_range(const struct speed_search *found, double from, double to,
-    bool at, const struct site *site)
+    bool at, const struct site *site, bool units)
 {
 	bool slowest = from <= found->speed[0],
 	     fastest = to >= found->speed[found->n - 1];
 	if (slowest && fastest)
 		return xstrdup(tr("at all speeds"));
-	FREED char *rpm =
-	    site != NULL
-		? rotor_speed_rpm_text(site->rotor, slowest ? to : from,
-		      slowest || fastest ? (double)NAN : to)
-		: xstrdup("");
-	FREED char *unit = xasprintf("%s%s", site != NULL ? " m/s" : "", rpm);
-	return slowest   ? xasprintf(tr("up to %.1f%s"), to, unit)
-	       : fastest ? xasprintf(tr("from %.1f%s on"), from, unit)
-			 : xasprintf(at ? tr("at %.1f to %.1f%s")
-					: tr("%.1f to %.1f%s"),
-			       from, to, unit);
+	FREED char *rpm = rotor_speed_rpm_text(units ? site->rotor : 0,
+	    slowest ? to : from, slowest || fastest ? (double)NAN : to);
+	FREED char *unit = xasprintf("%s%s", units ? " m/s" : "", rpm);
+	int decimals = 1;
+	if (!units && answers_is_sheet_in_rpm(site)) {
+		decimals = 0;
+		from = answers_speed_number(site, from);
+		to = answers_speed_number(site, to);
+	}
+	return slowest   ? xasprintf(tr("up to %.*f%s"), decimals, to, unit)
+	       : fastest ? xasprintf(tr("from %.*f%s on"), decimals, from, unit)
+			 : xasprintf(at ? tr("at %.*f to %.*f%s")
+					: tr("%.*f to %.*f%s"),
+			       decimals, from, decimals, to, unit);
 }
 
 /* Returns "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6", or "" if no speed
  * meets the goal. */
 static char *
-describe_met_speeds(const struct goal *g, const struct site *site)
+describe_met_speeds(const struct goal *g, const struct site *site, bool units)
 {
 	const double narrow = 0.09;
 	const struct speed_range *in = g->found->inside;
 	if (g->n_value == 0 && g->found->n_inside == 1 &&
 	    in->to - in->from > narrow)
 		return describe_speed_range(
-		    g->found, in->from, in->to, true, site);
-	FREED char *words = g->n_value == 0
-				? conditions_describe_speeds(g->found)
-				: xstrdup("");
+		    g->found, in->from, in->to, true, site, units);
+	bool in_rpm = !units && answers_is_sheet_in_rpm(site);
+	FREED char *words = g->n_value == 0 ? conditions_describe_speeds(
+						  g->found, units ? NULL : site)
+					    : xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
-		xappend_to_list(&words, tr(" and "), "%.1f", g->met[i]);
+		xappend_to_list(&words, tr(" and "), "%.*f", in_rpm ? 0 : 1,
+		    in_rpm ? answers_speed_number(site, g->met[i]) : g->met[i]);
 	FREED char *rpm =
-	    site != NULL && g->n_met == 1
+	    units && g->n_met == 1
 		? rotor_speed_rpm_text(site->rotor, g->met[0], NAN)
 		: xstrdup("");
 	return words[0] == '\0' ? xstrdup("")
 				: xasprintf(tr("at %s%s%s"), words,
-				      site != NULL ? " m/s" : "", rpm);
+				      units ? " m/s" : "", rpm);
 }
 
 /* True if there is one window and the goal is certain at all of its speeds. */
@@ -350,9 +356,10 @@ is_window_certain(const struct goal *g)
  * if they are all that meet the goal; "" for a single value, without a band,
  * and if no speed meets the goal. */
 static char *
-describe_certain_speeds(
-    const struct session *s, const struct goal *g, enum goals_length length)
+describe_certain_speeds(const struct session *s, const struct goal *g,
+    const struct site *site, enum goals_length length)
 {
+	bool units = length < GOALS_PLAIN && answers_is_sheet_in_rpm(site);
 	double level = 100 * settings_band_probability(&s->set);
 	const double *sure = g->found->sure;
 	if (g->n_value > 0 || g->found->n_inside == 0 ||
@@ -362,8 +369,8 @@ describe_certain_speeds(
 		return xasprintf(tr("%.0f %% certain"), level);
 	if (!isfinite(sure[0]))
 		return xasprintf(tr("no speed is %.0f %% certain"), level);
-	FREED char *range =
-	    describe_speed_range(g->found, sure[0], sure[1], false, NULL);
+	FREED char *range = describe_speed_range(
+	    g->found, sure[0], sure[1], false, site, units);
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
@@ -390,7 +397,6 @@ static char *
 met_nowhere_words(const struct site *site, const struct goal *g, double best,
     enum goals_length length)
 {
-	bool in_rpm = answers_is_sheet_in_rpm(site);
 	double from = g->found->speed[0], to = g->found->speed[g->found->n - 1];
 	FREED char *range =
 	    answers_speed_range_words(site, from, to, length == GOALS_SHORT);
@@ -398,8 +404,9 @@ met_nowhere_words(const struct site *site, const struct goal *g, double best,
 		return xasprintf(tr("at no speed %s"), range);
 	char *words = xasprintf(tr("at no speed from %s"), range);
 	if (isfinite(best))
-		xappend(&words, tr(", nearest %.*f"), in_rpm ? 0 : 1,
-		    in_rpm ? rotor_speed_to_rpm(best, site->rotor) : best);
+		xappend(&words, tr(", nearest %.*f"),
+		    answers_is_sheet_in_rpm(site) ? 0 : 1,
+		    answers_speed_number(site, best));
 	return words;
 }
 
@@ -413,8 +420,9 @@ describe_goal_outcome(const struct session *s, const struct entry *entry,
 	bool full = length < GOALS_PLAIN;
 	double best = goals_best_speed(s, g, speed);
 	const char *beyond = describe_extrapolation(entry, g, best);
-	FREED char *certain = describe_certain_speeds(s, g, length);
-	char *words = describe_met_speeds(g, full ? entry->site : NULL);
+	FREED char *certain =
+	    describe_certain_speeds(s, g, entry->site, length);
+	char *words = describe_met_speeds(g, entry->site, full);
 	if (words[0] == '\0') {
 		free(words);
 		words = met_nowhere_words(entry->site, g, best, length);

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/document/document.h"
 #include "cmd/ask/goals.h"
 #include "cmd/ask/question.h"
@@ -20,6 +21,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/ask/feed.h"
 #include "config.h"
+#include "core/psd/rotor_speed.h"
 #include "plot/picture.h"
 #include "io/sitefile/units.h"
 
@@ -372,10 +374,12 @@ write_screen_image(struct session *s, const struct canvas *canvas, int colours,
 	FREED char *label = entry != NULL ? session_site_label(entry->site)
 					  : xstrdup(tr("no site loaded"));
 	double speed = session_answer_number(s, "predict", "speed");
+	FREED char *rpm = rotor_speed_rpm_text(
+	    entry != NULL ? entry->site->rotor : 0, speed, NAN);
 	FREED char *title =
 	    isfinite(speed)
-		? xasprintf(tr("tipspeed, full-screen mode: %s at %.*f m/s"),
-		      label, units_speed_decimals(speed), speed)
+		? xasprintf(tr("tipspeed, full-screen mode: %s at %.*f m/s%s"),
+		      label, units_speed_decimals(speed), speed, rpm)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	FREED char *from =
 	    entry != NULL ? site_source(entry->site, "") : xstrdup("");

@@ -51,9 +51,10 @@ add_residuals(struct chart *chart, const struct session *s,
 	const struct psd *product = &r->product;
 	struct prediction p = predict_with_model_alone(
 	    entry->site, params, s->set.model, r->speed, run);
+	FREED char *speed = answers_speed_text(entry->site, r->speed, -1);
 	struct chart_series *series =
-	    chart_add(chart, look, product->n, "%g m/s%s%s", r->speed,
-		r->repeat, entry->train[run] ? "" : tr(" (held out)"));
+	    chart_add(chart, look, product->n, "%s%s%s", speed, r->repeat,
+		entry->train[run] ? "" : tr(" (held out)"));
 	for (size_t i = 0; i < product->n; i++) {
 		double predicted = psd_passing(&p.product, product->size[i]);
 		series->x[i] = units_mm(product->size[i]);
@@ -224,8 +225,8 @@ add_selection_curve(struct chart *chart, const struct session *s,
     struct chart_series look)
 {
 	struct model_settings settings = settings_of_answer(s, entry);
-	struct chart_series *series =
-	    chart_add(chart, look, SAMPLES, "%g m/s", speed);
+	FREED char *at = answers_speed_text(entry->site, speed, -1);
+	struct chart_series *series = chart_add(chart, look, SAMPLES, "%s", at);
 	struct breaker b;
 	breaker_set_params(&b, params, &settings);
 	breaker_set_speed(&b, speed);
@@ -238,7 +239,7 @@ add_selection_curve(struct chart *chart, const struct session *s,
 	    1000 * params_break_size_by_impacts(params, &settings, speed);
 	chart_add_rule(chart,
 	    look.series == SERIES_OTHER ? SERIES_OTHER : SERIES_BREAK, mm,
-	    "break size %.2f mm at %g m/s", mm, speed);
+	    "break size %.2f mm at %s", mm, at);
 }
 
 static struct chart *

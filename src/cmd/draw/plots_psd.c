@@ -22,6 +22,7 @@
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/session/sites.h"
+#include "core/psd/rotor_speed.h"
 #include "core/answer/predict.h"
 #include "io/formats/spec.h"
 #include "io/sitefile/units.h"
@@ -329,6 +330,7 @@ mark_break_size(struct chart *chart, const struct session *s,
     const struct prediction *p, const char *name, enum series series)
 {
 	double mm = 1000 * p->break_size;
+	FREED char *speed = answers_speed_text(q->entry->site, p->speed, -1);
 	if (!(q->words & CHART_NOTES))
 		chart_add_rule(chart, series, mm, "%sbreak size",
 		    series == SERIES_OTHER ? tr("pin ") : "");
@@ -336,8 +338,8 @@ mark_break_size(struct chart *chart, const struct session *s,
 		chart_add_rule(
 		    chart, series, mm, "%s: break size %.2f mm", q->beside, mm);
 	else
-		chart_add_rule(chart, series, mm,
-		    "break size %.2f mm at %g m/s", mm, p->speed);
+		chart_add_rule(
+		    chart, series, mm, "break size %.2f mm at %s", mm, speed);
 	char p20[32], p50[32], p80[32];
 	char *const words[] = {p20, p50, p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
@@ -455,15 +457,17 @@ add_second_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct second_prediction *second)
 {
 	bool beside = q->beside != NULL;
-	if (second->p != NULL)
-		add_product_curve(chart, second->p,
-		    xasprintf("%s %s%s%g m/s",
-			s->pin != NULL && q->kept == &s->pin->p
-			    ? tr("pin")
-			    : tr("predicted"),
-			beside ? q->beside : "", beside ? " " : "",
-			second->p->speed),
-		    OTHER);
+	if (second->p == NULL)
+		return;
+	FREED char *speed = answers_speed_text(
+	    second->whose != NULL ? second->whose->site : NULL,
+	    second->p->speed, -1);
+	add_product_curve(chart, second->p,
+	    xasprintf("%s %s%s%s",
+		s->pin != NULL && q->kept == &s->pin->p ? tr("pin")
+							: tr("predicted"),
+		beside ? q->beside : "", beside ? " " : "", speed),
+	    OTHER);
 }
 
 /* Adds the notes about the two curves, which are the last of the chart. */
@@ -489,10 +493,11 @@ static void
 add_feed_curve(struct chart *chart, const struct site *site, size_t run)
 {
 	bool one = run < site->n_run && site->individual_feeds;
+	FREED char *speed =
+	    one ? answers_speed_text(site, site->run[run].speed, -1) : NULL;
 	site_chart_add_psd(chart, SITE_CHART_FEED, site_feed_of_run(site, run),
 	    NULL,
-	    one ? xasprintf(tr("feed %g m/s%s"), site->run[run].speed,
-		      site->run[run].repeat)
+	    one ? xasprintf(tr("feed %s%s"), speed, site->run[run].repeat)
 		: xstrdup(tr("feed")));
 }
 
@@ -517,9 +522,10 @@ add_measured_curves(struct chart *chart, const struct session *s,
 		    fraction_is_screened(&q->fraction)
 			? screened_fraction_of_product(product, &q->fraction)
 			: psd_copy(product);
+		FREED char *at =
+		    answers_speed_text(site, site->run[i].speed, -1);
 		site_chart_add_psd(chart, look, &part, NULL,
-		    xasprintf(tr("measured %g m/s%s"), site->run[i].speed,
-			site->run[i].repeat));
+		    xasprintf(tr("measured %s%s"), at, site->run[i].repeat));
 		psd_free(&part);
 		moved = fmax(moved,
 		    largest_move_to_feed(s, q->entry, params, i, q->feed));
@@ -549,8 +555,9 @@ add_first_prediction(struct chart *chart, const struct session *s,
 	struct chart_series look = SITE_CHART_PREDICTED;
 	if (answers_is_speed_extrapolated(q->entry, p->speed))
 		look.line = CHART_LONG;
+	FREED char *speed = answers_speed_text(q->entry->site, p->speed, -1);
 	add_product_curve(chart, p,
-	    q->words & CHART_NOTES ? xasprintf(tr("predicted %g m/s"), p->speed)
+	    q->words & CHART_NOTES ? xasprintf(tr("predicted %s"), speed)
 				   : xasprintf(tr("predicted%s"),
 					 correction_in_legend(s, q->entry, p)),
 	    look);
@@ -631,12 +638,13 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 	if (!find_predictions(s, q, &p, error))
 		return NULL;
 	FREED char *fraction = screened_title_suffix(&q->fraction);
+	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p.speed, NAN);
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    axis_new_percent(tr("passing, %")),
-	    p.one != NULL                   ? N_("product at %.*f m/s%s")
+	    p.one != NULL                   ? N_("product at %.*f m/s%s%s")
 	    : site_count_products(site) > 0 ? N_("feed and products")
 					    : N_("feed"),
-	    units_speed_decimals(p.speed), p.speed, fraction);
+	    units_speed_decimals(p.speed), p.speed, rpm, fraction);
 	fill_psd_chart(chart, s, q, &p);
 	prediction_free(&p.made);
 	prediction_free(&p.two.made);
@@ -672,8 +680,8 @@ plots_sweep(
 	for (size_t i = 0; i < n; i++) {
 		struct prediction p = predict_for_plot(
 		    s, q, q->entry, &params, speed[i], q->feed);
-		add_product_curve(chart, &p,
-		    xasprintf(tr("predicted %g m/s"), speed[i]),
+		FREED char *at = answers_speed_text(site, speed[i], -1);
+		add_product_curve(chart, &p, xasprintf(tr("predicted %s"), at),
 		    site_chart_series_style(i));
 		prediction_free(&p);
 	}

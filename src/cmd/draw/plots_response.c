@@ -20,6 +20,7 @@
 #include "cmd/ask/asked.h"
 #include "cmd/ask/screened.h"
 #include "cmd/draw/site_chart.h"
+#include "core/psd/rotor_speed.h"
 #include "core/answer/predict.h"
 #include "io/sitefile/units.h"
 
@@ -210,9 +211,11 @@ mark_measured_speeds(struct chart *chart, const struct entry *entry)
 		chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
 		return;
 	}
-	chart_add_rule(chart, SERIES_BREAK, slowest, "%.*s from %g m/s",
-	    (int)strcspn(words, ","), words, slowest);
-	chart_add_rule(chart, SERIES_BREAK, fastest, "to %g m/s", fastest);
+	FREED char *from = answers_speed_text(entry->site, slowest, -1);
+	FREED char *to = answers_speed_text(entry->site, fastest, -1);
+	chart_add_rule(chart, SERIES_BREAK, slowest, "%.*s from %s",
+	    (int)strcspn(words, ","), words, from);
+	chart_add_rule(chart, SERIES_BREAK, fastest, "to %s", to);
 }
 
 /* Marks where all conditions hold, and the best speed. */
@@ -220,22 +223,28 @@ static void
 mark_speed_window(
     struct chart *chart, const struct drawn *d, const struct speed_search *w)
 {
+	const struct site *site = d->entry->site;
 	for (size_t k = 0; k < w->n_inside; k++) {
 		const struct speed_range *in = &w->inside[k];
-		chart_add_rule(chart, SERIES_OTHER, in->from,
-		    "limits met from %.1f m/s", in->from);
+		FREED char *from = answers_speed_text(site, in->from, 1);
+		FREED char *to = answers_speed_text(site, in->to, 1);
 		chart_add_rule(
-		    chart, SERIES_OTHER, in->to, "to %.1f m/s", in->to);
+		    chart, SERIES_OTHER, in->from, "limits met from %s", from);
+		chart_add_rule(chart, SERIES_OTHER, in->to, "to %s", to);
 	}
-	if (d->limits.n > 0 && isfinite(w->margin.passing))
-		chart_add_rule(chart, SERIES_CROSSHAIR, w->best, "%s %.1f m/s",
-		    w->n_inside > 0 ? tr("best") : tr("nearest"), w->best);
+	if (d->limits.n == 0 || !isfinite(w->margin.passing))
+		return;
+	FREED char *best = answers_speed_text(site, w->best, 1);
+	chart_add_rule(chart, SERIES_CROSSHAIR, w->best, "%s %s",
+	    w->n_inside > 0 ? tr("best") : tr("nearest"), best);
 }
 
 static void
-note_certainty_of_window(
-    struct chart *chart, double level, const struct speed_search *w)
+note_certainty_of_window(struct chart *chart, const struct site *site,
+    double level, const struct speed_search *w)
 {
+	FREED char *rpm =
+	    rotor_speed_rpm_text(site->rotor, w->sure[0], w->sure[1]);
 	if (w->n_inside == 0)
 		chart_note(chart, "at no speed are all limits met");
 	if (isnan(w->best_certain))
@@ -243,8 +252,8 @@ note_certainty_of_window(
 	if (isfinite(w->sure[0]))
 		chart_note(chart,
 		    "all limits met with %.0f %% certainty from %.1f to %.1f "
-		    "m/s",
-		    100 * level, w->sure[0], w->sure[1]);
+		    "m/s%s",
+		    100 * level, w->sure[0], w->sure[1], rpm);
 	else
 		chart_note(chart,
 		    "at no speed are all limits met with %.0f %% certainty",
@@ -274,7 +283,9 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 		}
 	struct chart *chart = site_chart(site,
 	    axis_new_linear(tr("tip speed, m/s"), d->from, d->to),
-	    (struct axis){.title = xstrdup(title)}, "%s against tip speed",
+	    (struct axis){.title = xstrdup(title)},
+	    answers_is_sheet_in_rpm(site) ? N_("%s against rotor speed")
+					  : N_("%s against tip speed"),
 	    about);
 	chart->mixed = true;
 	for (size_t i = 0; i < d->n; i++)
@@ -287,6 +298,30 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 		}
 	mark_measured_speeds(chart, d->entry);
 	return chart;
+}
+
+/* Turns the axis of a chart of a sheet in rpm from m/s to rpm, and all that is
+ * drawn along it. */
+static void
+show_speeds_in_rpm(struct chart *chart, const struct site *site)
+{
+	const double rpm = rotor_speed_to_rpm(1, site->rotor);
+	struct axis axis = axis_new_linear(
+	    tr("rotor speed, rpm"), rpm * chart->x.low, rpm * chart->x.high);
+	size_t n = 0;
+	axis.low = rpm * chart->x.low;
+	axis.high = rpm * chart->x.high;
+	for (size_t i = 0; i < axis.n; i++)
+		if (axis.tick[i].at >= axis.low && axis.tick[i].at <= axis.high)
+			axis.tick[n++] = axis.tick[i];
+	axis.n = n;
+	axis_free(&chart->x);
+	chart->x = axis;
+	for (size_t i = 0; i < chart->n; i++)
+		for (size_t k = 0; k < chart->series[i]->n; k++)
+			chart->series[i]->x[k] *= rpm;
+	for (size_t i = 0; i < chart->n_rule; i++)
+		chart->rule[i].x *= rpm;
 }
 
 static void
@@ -325,7 +360,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		struct speed_search *w = speed_search_run(&wanted);
 		for (struct chart *c = first; c != NULL; c = c->below)
 			mark_speed_window(c, d, w);
-		note_certainty_of_window(last, wanted.level, w);
+		note_certainty_of_window(last, entry->site, wanted.level, w);
 		speed_search_free(w);
 		forecast_close(wanted.forecast);
 	}
@@ -344,6 +379,9 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	FREED char *light = trust_in_words_at_speed(
 	    s, entry, site_middle_speed(entry->site), d->feed);
 	chart_note(last, "%s", light);
+	for (struct chart *c = first; c != NULL; c = c->below)
+		if (answers_is_sheet_in_rpm(entry->site))
+			show_speeds_in_rpm(c, entry->site);
 	return first;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/ask/feed.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/plots_search.h"
@@ -40,13 +41,14 @@ add_distinct_feed_curves(struct chart *chart, const struct site *site)
 		if (is_feed_drawn_already(site, i))
 			continue;
 		const struct run *r = &site->run[i];
+		FREED char *speed = answers_speed_text(site, r->speed, -1);
 		site_chart_add_psd(chart,
 		    (struct chart_series){.series = SERIES_FEED,
 			.line = LINES[kind],
 			.ascii = ASCII[kind]},
 		    &r->feed, NULL,
 		    site->individual_feeds && r->speed > 0
-			? xasprintf(tr("feed %g m/s%s"), r->speed, r->repeat)
+			? xasprintf(tr("feed %s%s"), speed, r->repeat)
 			: xstrdup(tr("feed")));
 		n++;
 	}
@@ -61,8 +63,9 @@ add_predicted_product(struct chart *chart, const struct session *s,
 {
 	struct prediction p = predict_with_model_alone(
 	    entry->site, params, settings_of_answer(s, entry), speed, feed);
+	FREED char *at = answers_speed_text(entry->site, speed, -1);
 	site_chart_add_psd(chart, look, &p.product, NULL,
-	    xasprintf(tr("predicted %g m/s%s"), speed, repeat));
+	    xasprintf(tr("predicted %s%s"), at, repeat));
 	prediction_free(&p);
 }
 
@@ -82,10 +85,11 @@ add_run_and_prediction(struct chart *chart, const struct session *s,
 	    .ascii = ASCII[run % (sizeof ASCII - 1)]};
 	look.line = CHART_SOLID;
 	look.ascii = '-';
+	FREED char *speed = answers_speed_text(site, r->speed, -1);
 	site_chart_add_psd(chart, look, &r->product, NULL,
-	    xasprintf(held_out ? tr("measured %g m/s%s (held out)")
-			       : tr("measured %g m/s%s"),
-		r->speed, r->repeat));
+	    xasprintf(
+		held_out ? tr("measured %s%s (held out)") : tr("measured %s%s"),
+		speed, r->repeat));
 	if (params != NULL &&
 	    (!site_run_repeats_speed(site, run) ||
 		!psd_same(&site->run[run - 1].feed, &r->feed)))

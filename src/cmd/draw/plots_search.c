@@ -180,8 +180,9 @@ add_candidates_at_run(struct chart *chart, const struct candidates *c,
 	look.bars = true;
 	look.line = LINES[kind];
 	look.ascii = ASCII[kind];
-	struct chart_series *bars = chart_add(
-	    chart, look, n, "%g m/s%s: middle 80 %%", run->speed, run->repeat);
+	FREED char *speed = answers_speed_text(site, run->speed, -1);
+	struct chart_series *bars =
+	    chart_add(chart, look, n, "%s%s: middle 80 %%", speed, run->repeat);
 	chart_add_band(bars);
 	for (size_t i = 0; i < n; i++) {
 		bars->x[i] = units_mm(c->cell[from + i].size);
@@ -194,8 +195,8 @@ add_candidates_at_run(struct chart *chart, const struct candidates *c,
 	look.line = CHART_MARKS;
 	look.series = SERIES_PREDICTED;
 	look.lifted = true;
-	struct chart_series *best = chart_add(
-	    chart, look, n, "%g m/s%s: best", run->speed, run->repeat);
+	struct chart_series *best =
+	    chart_add(chart, look, n, "%s%s: best", speed, run->repeat);
 	for (size_t i = 0; i < n; i++) {
 		best->x[i] = units_mm(c->cell[from + i].size);
 		best->y[i] = units_pct(c->cell[from + i].best);
@@ -449,21 +450,23 @@ describe_candidates_progress(
 	double miss = units_pct(fabs(worst->median));
 	const double *x = c.break_size;
 	char *words;
+	FREED char *at = answers_speed_text(past->site, c.speed, -1);
+	FREED char *missed = answers_speed_text(
+	    past->site, past->site->run[worst->run].speed, -1);
 	if (x[2] < agreed * x[0] && x[0] > 0)
 		words = xasprintf(tr("half of the candidates agree on a break "
-				     "size of %.*f mm at %g m/s"),
-		    x[1] < 0.001 ? 2 : 1, units_mm(x[1]), c.speed);
+				     "size of %.*f mm at %s"),
+		    x[1] < 0.001 ? 2 : 1, units_mm(x[1]), at);
 	else if (miss > noise)
-		words =
-		    xasprintf(tr("most candidates still miss %.3g mm by %.*f "
-				 "points at %g m/s"),
-			units_mm(worst->size), miss < 9.95 ? 1 : 0, miss,
-			past->site->run[worst->run].speed);
+		words = xasprintf(
+		    tr("most candidates still miss %.3g mm by %.*f "
+		       "points at %s"),
+		    units_mm(worst->size), miss < 9.95 ? 1 : 0, miss, missed);
 	else
 		words = xasprintf(tr("most candidates match all sieves to "
 				     "within %.2g points, with break sizes "
-				     "from %.2f to %.2f mm at %g m/s"),
-		    fmax(miss, 0.01), units_mm(x[0]), units_mm(x[2]), c.speed);
+				     "from %.2f to %.2f mm at %s"),
+		    fmax(miss, 0.01), units_mm(x[0]), units_mm(x[2]), at);
 	candidates_clear(&c);
 	return words;
 }

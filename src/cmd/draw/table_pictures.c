@@ -10,7 +10,7 @@
 	{SPEED(speed), "tip speed; default: that last asked about"},       \
 	    {SPEED(other), "another speed for comparison"},                \
 	    {SPEED(other_feed),                                            \
-		"psd: the feed of other= is that of this speed"},          \
+		"psd: with other=, the feed of this speed"},          \
 	    {TEXT(beside), "SITE", "",                                     \
 		"psd: with the product of this site, or pinned"},          \
 	    {TEXT(site), "SITE", "",                                       \

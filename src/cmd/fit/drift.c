@@ -283,15 +283,16 @@ drift_put_fields(struct answer *a, const struct routine *r)
 
 /* A cut that is missed is no drift, but not in order either. */
 static void
-say_whether_drifting(
-    struct answer *a, const struct routine *r, const struct later *later)
+say_whether_drifting(struct answer *a, const struct routine *r,
+    const struct later *later, double rotor)
 {
 	bool drifts = r->point[r->n - 1].state != DRIFT_NONE;
 	FREED char *words = drift_in_words(r);
+	FREED char *rpm = rotor_speed_rpm_text(rotor, later->speed, NAN);
 	if (!drifts && later->missed)
 		answer_say(a, ANSWER_WARNING,
-		    "no drift, but the cut at %g m/s is not as expected",
-		    later->speed);
+		    "no drift, but the cut at %g m/s%s is not as expected",
+		    later->speed, rpm);
 	else
 		answer_say(
 		    a, drifts ? ANSWER_WARNING : ANSWER_PLAIN, "%s", words);
@@ -318,7 +319,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	add_rows_of_cuts(a, r, true, true);
 	drift_put_fields(a, r);
 	struct later later = cut_compare_runs_since_fit(s, entry);
-	say_whether_drifting(a, r, &later);
+	say_whether_drifting(a, r, &later, entry->site->rotor);
 	say_when_drift_began(a, r);
 	say_control_limits(a, r, args->detail);
 	say_basis_of_control_charts(a, s, r);

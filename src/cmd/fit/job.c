@@ -17,6 +17,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/invocation.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
 /* Notes what the job is about to do. */
@@ -719,11 +720,13 @@ mark_runs_at_given_speeds(const struct site *site, const struct args *args,
 			   site->name);
 	for (size_t i = 0; i < args->train.n; i++) {
 		size_t r = site_run_at_speed(site, speed[i]);
+		FREED char *rpm =
+		    rotor_speed_rpm_text(site->rotor, speed[i], NAN);
 		if (r == site->n_run || site->run[r].product.n == 0)
 			return error_set(error, ERROR_USAGE,
-			    "%s has no product at %g m/s\n"
+			    "%s has no product at %g m/s%s\n"
 			    "run 'show' for its speeds",
-			    site->name, speed[i]);
+			    site->name, speed[i], rpm);
 		for (train[r] = true;
 		     r + 1 < site->n_run && site_run_repeats_speed(site, r + 1);
 		     r++)

@@ -190,7 +190,7 @@ add_validation_table(
 {
 	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
 	bool rpm = !exact && c->n > 0 && c->item[0].rotor > 0;
-	answer_columns(r, rpm      ? N_("speed: m/s, rpm, of: ")
+	answer_columns(r, rpm      ? N_("speed: m/s, rpm: rpm, of: ")
 			  : !exact ? N_("speed: m/s, of: ")
 			  : sieves ? N_("speed, run, sieve_mm")
 				   : N_("speed, run, size"));
@@ -255,13 +255,19 @@ way_with_least_rmse(const double rmse[static VALIDATE_WAYS])
 		worse && own > 1.1 * rmse[best] && own - rmse[best] > CLEARLY};
 }
 
-/* Between the run and the slower training speed, where nothing was measured:
- * in whole m/s if there are such. */
-static double
-speed_between_runs(const struct validation *v)
+/* Returns a speed to type, between the run and the slower training speed, where
+ * nothing was measured: in whole m/s if there are such, or whole rpm of a sheet
+ * in rpm. */
+static char *
+speed_between_runs(const struct trial *item)
 {
+	const struct validation *v = &item->v;
 	double middle = (v->line[0] + v->speed) / 2, whole = round(middle);
-	return whole > v->line[0] && whole < v->speed ? whole : middle;
+	if (item->in_rpm)
+		return xasprintf(
+		    "%.0f rpm", rotor_speed_to_rpm(middle, item->rotor));
+	return xasprintf(
+	    "%g", whole > v->line[0] && whole < v->speed ? whole : middle);
 }
 
 /* Warns if a null model predicts a run clearly better. */
@@ -279,9 +285,10 @@ warn_if_null_model_is_better(
 		xappend(&who, ", %g m/s%s", v->nearest, near);
 	FREED char *words =
 	    xasprintf(tr("at %s the model errs more than %s"), run, who);
+	FREED char *between = speed_between_runs(item);
 	if (w.best == VALIDATE_INTERPOLATION && !validation_extrapolates(v))
-		xappend(&words, tr(": 'predict %g interpolated=on' shows both"),
-		    speed_between_runs(v));
+		xappend(&words, tr(": 'predict %s interpolated=on' shows both"),
+		    between);
 	answer_say(r, ANSWER_WARNING, "%s", words);
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "core/posterior/ensemble.h"
 #include "core/search/misfit.h"
 #include "core/check/trust.h"
@@ -107,6 +108,7 @@ add_trial_of_run(struct trials *c, const struct predicted_by *by, size_t r)
 	    .source = site_source(site, "provenance not stated"),
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
 	    .rotor = by->site->rotor,
+	    .in_rpm = answers_is_sheet_in_rpm(site),
 	    .run = run,
 	    .open = trust_is_band_impossible(
 		by->rmse, site_count_speeds(site, by->train))};

@@ -21,6 +21,7 @@ struct trial {
 	bool has_band, open; /* open: see trust_is_band_impossible */
 	size_t within;
 	double rotor;
+	bool in_rpm; /* its site's sheet is */
 	struct validation v;
 };
 

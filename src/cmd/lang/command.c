@@ -360,7 +360,9 @@ command_option_limits(const struct command_option *o)
 		? xasprintf(tr("%s to %s%s%s"), least, most, blank, o->unit)
 		: xasprintf(tr("%s or more%s%s"), least, blank, o->unit);
 	return o->kind == VALUE_FEED ? xasprintf(tr("%s, or file"), range)
-				     : xstrdup(range);
+	       : strcmp(o->unit, "m/s") == 0
+		   ? xasprintf(tr("%s or rpm"), range)
+		   : xstrdup(range);
 }
 
 char *

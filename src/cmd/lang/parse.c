@@ -195,10 +195,12 @@ join_unit_to_number(struct words *words)
 	const char *unit = words->text[words->n - 1];
 	const char *equals = strchr(word, '=');
 	const char *number = equals != NULL ? equals + 1 : word;
-	FREED char *name =
-	    equals != NULL
-		? xstrndup(word, (size_t)(equals - word))
-		: xstrdup(command->bare != NULL ? command->bare : "");
+	const char *before = (command->flags & COMMAND_SETTINGS) != 0
+				 ? words->text[words->n - 3]
+				 : command->bare;
+	FREED char *name = equals != NULL
+			       ? xstrndup(word, (size_t)(equals - word))
+			       : xstrdup(before != NULL ? before : "");
 	size_t i = command_option_index(command, name);
 	const char *wanted = i < OPTIONS ? command_option_at(command, i)->unit
 			     : command->operands.most > 0 ? "m/s"

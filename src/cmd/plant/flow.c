@@ -226,13 +226,15 @@ note_earnings(
 			xappend_to_list(&none, ", ", "%s", unit->name);
 	}
 	FREED char *band = quantities_band_text(range[0], range[1], 2);
+	FREED char *rpm = rotor_speed_rpm_text(
+	    p->question->entry->site->rotor, o->speed, NAN);
 	answer_note(r,
-	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s")
+	    !(p->kwh > 0) ? N_("earnings %.2f an hour%s at %.4g m/s%s")
 	    : !p->power.least
-		? N_("earnings %.2f an hour%s at %.4g m/s, less the power")
-		: N_("earnings %.2f an hour%s at %.4g m/s, less the lowest "
+		? N_("earnings %.2f an hour%s at %.4g m/s%s, less the power")
+		: N_("earnings %.2f an hour%s at %.4g m/s%s, less the lowest "
 		     "possible power"),
-	    o->money, band, o->speed);
+	    o->money, band, o->speed, rpm);
 	if (none[0] != '\0')
 		answer_say(
 		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
@@ -324,13 +326,15 @@ note_gain_over_usual_speed(const struct plant *p,
 	    "compared_speed %g compared_earnings %g gain %g gain_low %g "
 	    "gain_high %g",
 	    usual->speed, usual->money, gain, range[0], range[1]);
+	FREED char *rpm = rotor_speed_rpm_text(
+	    p->question->entry->site->rotor, usual->speed, NAN);
 	if (isnan(range[0])) {
-		answer_note(r, "%.2f an hour more than at %.4g m/s, no band",
-		    gain, usual->speed);
+		answer_note(r, "%.2f an hour more than at %.4g m/s%s, no band",
+		    gain, usual->speed, rpm);
 		return;
 	}
-	answer_note(r, "%.2f an hour more than at %.4g m/s (%.2f to %.2f)",
-	    gain, usual->speed, range[0], range[1]);
+	answer_note(r, "%.2f an hour more (%.2f to %.2f) than at %.4g m/s%s",
+	    gain, range[0], range[1], usual->speed, rpm);
 	double own[2];
 	range_of_draws(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)

@@ -12,6 +12,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/session/files.h"
 #include "cmd/ask/quantity_words.h"
+#include "core/psd/rotor_speed.h"
 #include "core/posterior/ensemble.h"
 #include "core/answer/predict.h"
 #include "io/formats/circuit_file.h"
@@ -597,14 +598,16 @@ plant_power_basis_text(const struct plant *p, const struct plant_result *o)
 		return xstrdup(tr("no motor readings: Q v2 alone, the power "
 				  "that brings the rock to the tip speed: a "
 				  "lower limit; give power=m/s:kW:t/h"));
+	FREED char *rpm = rotor_speed_rpm_text(
+	    p->question->entry->site->rotor, o->speed, NAN);
 	char *words =
 	    xasprintf(tr_n("engineering estimate from %zu reading %s, idle "
-			   "%.0f kW (%.0f to %.0f) at %g m/s",
+			   "%.0f kW (%.0f to %.0f) at %g m/s%s",
 			  "engineering estimate from %zu readings %s, idle "
-			  "%.0f kW (%.0f to %.0f) at %g m/s",
+			  "%.0f kW (%.0f to %.0f) at %g m/s%s",
 			  w->n),
 		w->n, p->of_cuts ? tr("of the belt cuts") : tr("given"), idle,
-		range[0], range[1], o->speed);
+		range[0], range[1], o->speed, rpm);
 	if (w->n > 3)
 		xappend_to_list(&words, "; ",
 		    tr("the readings differ from it by %.1f kW (RMS)"), w->rms);

@@ -56,21 +56,26 @@ is_one_number(const char *value)
 	return *end == '\0' || strcmp(end, RPM) == 0;
 }
 
-/* Returns the value in a word, after "from=" or from its beginning, if it is a
+/* Returns the value in word i, after "from=" or from its beginning, if it is a
  * number, list or range in rpm for an option in m/s; else NULL. */
 static const char *
-find_value_in_rpm(const struct command *command, char *word)
+find_value_in_rpm(const struct words *words, size_t i)
 {
+	const struct command *command = words->command;
+	char *word = words->text[i];
 	const char *equals = strchr(word, '=');
 	const char *value = equals != NULL ? equals + 1 : word;
 	char *const one[] = {word};
 	const struct command *of = command_meant_by_words(command, one, 1);
 	bool bare = equals == NULL || is_speed_list_in_rpm(of, word);
+	const char *before = (command->flags & COMMAND_SETTINGS) != 0
+				 ? words->text[i - 1]
+				 : of->bare;
 	FREED char *name = !bare ? xstrndup(word, (size_t)(equals - word))
-				 : xstrdup(of->bare != NULL ? of->bare : "");
-	size_t i = command_option_index(of, name);
-	bool speed = i < OPTIONS
-			 ? strcmp(command_option_at(of, i)->unit, "m/s") == 0
+				 : xstrdup(before != NULL ? before : "");
+	size_t at = command_option_index(of, name);
+	bool speed = at < OPTIONS
+			 ? strcmp(command_option_at(of, at)->unit, "m/s") == 0
 			 : bare && has_speed_operands(command);
 	return speed && is_in_rpm(value) ? value : NULL;
 }
@@ -142,7 +147,7 @@ count_words_in_rpm(const struct words *words)
 {
 	size_t n = 0;
 	for (size_t i = 1; i < words->n; i++)
-		n += find_value_in_rpm(words->command, words->text[i]) != NULL;
+		n += find_value_in_rpm(words, i) != NULL;
 	return n;
 }
 
@@ -175,7 +180,7 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 		return true;
 	for (size_t i = 1; i < words->n && n > 0; i++) {
 		char *word = words->text[i];
-		const char *turns = find_value_in_rpm(command, word);
+		const char *turns = find_value_in_rpm(words, i);
 		if (turns == NULL)
 			continue;
 		bool bare =

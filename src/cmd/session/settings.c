@@ -26,8 +26,12 @@ settings_set_value(const struct command_option *row, const struct value *value,
 		snprintf(place, SETTINGS_TEXT, "%s", none ? "" : value->text);
 	} else if (row->kind == VALUE_NUMBERS) {
 		double *end = place;
+		/* Its steps may not reach the end of a range. */
+		const char *dots = strstr(value->text, "..");
 		end[0] = value->n > 0 ? value->list[0] : 0;
-		end[1] = value->n > 0 ? value->list[value->n - 1] : 0;
+		end[1] = value->n == 0  ? 0
+			 : dots != NULL ? strtod(dots + 2, NULL)
+					: value->list[value->n - 1];
 	} else if (row->kind == VALUE_NUMBER) {
 		*(double *)place = value->number;
 	} else {

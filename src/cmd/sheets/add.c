@@ -364,6 +364,10 @@ warn_of_duplicate_cuts(
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		const struct run *cut = &cuts->run[k];
 		size_t at = site_run_nearest_speed(site, cut->speed);
+		FREED char *rpm =
+		    rotor_speed_rpm_text(site->rotor, cut->speed, NAN);
+		FREED char *other =
+		    rotor_speed_rpm_text(site->rotor, site->run[at].speed, NAN);
 		for (size_t r = 0; r < site->n_run; r++) {
 			const struct psd *p = &site->run[r].product;
 			bool same = site->run[r].speed == cut->speed &&
@@ -373,17 +377,17 @@ warn_of_duplicate_cuts(
 			if (same)
 				session_note(s,
 				    "  warning: these numbers are identical to "
-				    "the product at %g m/s%s: was the cut "
+				    "the product at %g m/s%s%s: was the cut "
 				    "added before?",
-				    cut->speed, site->run[r].repeat);
+				    cut->speed, site->run[r].repeat, rpm);
 		}
 		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
 		if (cut->feed.n == 0 && site->individual_feeds && !told &&
 		    site->run[at].speed != cut->speed)
 			session_note(s,
-			    "  feed of the cut at %g m/s: that of the site at "
-			    "%g m/s",
-			    cut->speed, site->run[at].speed);
+			    "  feed of the cut at %g m/s%s: that of the site "
+			    "at %g m/s%s",
+			    cut->speed, rpm, site->run[at].speed, other);
 		double apart = 0;
 		for (size_t i = 0; i < cut->feed.n; i++) {
 			double is = psd_passing_at_sieve(
@@ -394,10 +398,10 @@ warn_of_duplicate_cuts(
 		}
 		if (apart > 0)
 			session_note(s,
-			    "  the cut at %g m/s has a feed of its own, up to "
-			    "%.1f points from that of the site: it is used for "
-			    "this cut",
-			    cut->speed, 100 * apart);
+			    "  the cut at %g m/s%s has a feed of its own, up "
+			    "to %.1f points from that of the site: it is used "
+			    "for this cut",
+			    cut->speed, rpm, 100 * apart);
 	}
 }
 

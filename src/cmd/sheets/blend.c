@@ -13,6 +13,7 @@
 #include "cmd/lang/table.h"
 #include "cmd/ask/blended.h"
 #include "cmd/ask/question.h"
+#include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
 #include "io/sitefile/site_write.h"
 #include "io/sitefile/units.h"
@@ -138,8 +139,9 @@ show_product_of_blend(
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	struct prediction p = forecast_whole_product(s, entry, v, q->feed);
-	struct answer *r = answer_about_site(
-	    entry->site, "blend", "product at %g m/s (%.0f J/kg)", v, p.energy);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
+	struct answer *r = answer_about_site(entry->site, "blend",
+	    "product at %g m/s%s (%.0f J/kg)", v, rpm, p.energy);
 	add_blend_rows(r, b, &p.product, &p);
 	put_blend_component_fields(answer_fields(r), b);
 	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);

@@ -9,6 +9,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/session/sites.h"
 #include "cmd/ask/fit.h"
 #include "cmd/sheets/mend.h"
@@ -87,14 +88,16 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 	    fault ? tr("FAULT") : tr("remark"), where, text);
 }
 
-/* Returns where a finding is: "69 m/s", or "feed" for the feed of all runs,
- * NULL. */
+/* Returns where a finding is: "69 m/s", "1500 rpm", or "feed" for the feed of
+ * all runs, NULL. */
 static const char *
-feed_or_speed_of_run(const struct run *run, char buf[static 40])
+feed_or_speed_of_run(
+    const struct site *site, const struct run *run, char buf[static 40])
 {
 	if (run == NULL || !(run->speed > 0))
 		return tr("feed");
-	snprintf(buf, 40, "%g m/s%s", run->speed, run->repeat);
+	FREED char *speed = answers_speed_text(site, run->speed, -1);
+	snprintf(buf, 40, "%s%s", speed, run->repeat);
 	return buf;
 }
 
@@ -104,7 +107,7 @@ check_product_against_feed(
 {
 	struct coarser c = compare_product_with_feed(run);
 	char buf[40];
-	const char *where = feed_or_speed_of_run(run, buf);
+	const char *where = feed_or_speed_of_run(entry->site, run, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -137,10 +140,12 @@ check_product_against_feed(
 
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
-speeds_of_two_runs(const struct run *a, const struct run *b)
+speeds_of_two_runs(
+    const struct site *site, const struct run *a, const struct run *b)
 {
-	return xasprintf(
-	    "%g%s, %g%s m/s", a->speed, a->repeat, b->speed, b->repeat);
+	return xasprintf("%g%s, %g%s %s", answers_speed_number(site, a->speed),
+	    a->repeat, answers_speed_number(site, b->speed), b->repeat,
+	    answers_speed_unit(site));
 }
 
 /* Reports columns entered twice: no two samples have the same numbers. */
@@ -153,7 +158,8 @@ report_columns_entered_twice(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k], *b = &site->run[i];
 			if (!psd_same(&a->product, &b->product))
 				continue;
-			FREED char *where = speeds_of_two_runs(a, b);
+			FREED char *where =
+			    speeds_of_two_runs(entry->site, a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
@@ -178,7 +184,8 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 				fall = rise;
 			if (fall.most <= far)
 				continue;
-			FREED char *where = speeds_of_two_runs(a, b);
+			FREED char *where =
+			    speeds_of_two_runs(entry->site, a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
@@ -199,7 +206,7 @@ check_faster_is_finer(struct answer *r, const struct entry *entry,
 	bool fault = !site->individual_feeds && trust_is_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
-	FREED char *where = speeds_of_two_runs(slow, fast);
+	FREED char *where = speeds_of_two_runs(entry->site, slow, fast);
 	const char *why =
 	    site->individual_feeds ? tr("its feed may have been coarser")
 	    : fault ? tr("were speeds swapped or digits transposed?")
@@ -299,7 +306,7 @@ report_empty_cells(struct answer *r, const struct entry *entry)
 		double x = find_missing_sieve(curve, n, i);
 		if (x > 0)
 			finding(r, entry, false,
-			    feed_or_speed_of_run(run[i], buf),
+			    feed_or_speed_of_run(site, run[i], buf),
 			    i < feeds
 				? N_("the feed's cell at %g mm is empty, and "
 				     "no other in its row: if it was weighed "
@@ -328,7 +335,7 @@ report_suspect_cells(struct answer *r, const struct entry *entry,
 			continue;
 		FREED char *words = mend_finding_text(entry->site, f);
 		finding(r, entry, false,
-		    feed_or_speed_of_run(
+		    feed_or_speed_of_run(entry->site,
 			shared ? NULL : &entry->site->run[m->run], buf),
 		    "%s", words);
 	}
@@ -344,7 +351,7 @@ report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 		return;
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
-	finding(r, entry, false, feed_or_speed_of_run(run, buf),
+	finding(r, entry, false, feed_or_speed_of_run(entry->site, run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),

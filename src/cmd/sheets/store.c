@@ -20,6 +20,7 @@
 #include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"
 #include "config.h"
+#include "core/psd/rotor_speed.h"
 #include "io/cells/datetime.h"
 #include "io/store/store_csv.h"
 #include "io/sitefile/units.h"
@@ -94,12 +95,14 @@ runs_and_speeds_text(const struct site *site)
 	}
 	if (n == 0)
 		return xstrdup(tr("a feed, no product"));
-	return low < high ? xasprintf(tr_n("%zu run at %g to %g m/s",
-					  "%zu runs at %g to %g m/s", n),
-				n, low, high)
-			  : xasprintf(tr_n("%zu run at %g m/s",
-					  "%zu runs at %g m/s", n),
-				n, low);
+	FREED char *rpm = rotor_speed_rpm_text(
+	    site_run_rotor(site), low, low < high ? high : (double)NAN);
+	return low < high ? xasprintf(tr_n("%zu run at %g to %g m/s%s",
+					  "%zu runs at %g to %g m/s%s", n),
+				n, low, high, rpm)
+			  : xasprintf(tr_n("%zu run at %g m/s%s",
+					  "%zu runs at %g m/s%s", n),
+				n, low, rpm);
 }
 
 static char *
@@ -641,12 +644,14 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 	size_t sieves, cuts = 0;
 	free(site_all_sieves(site, &sieves));
 	FREED char *train = session_speeds_text(site, ", ", entry->train, true);
+	FREED char *rpm = session_rpm_in_brackets(site, entry->train, true);
 	session_note(s,
 	    site->individual_feeds
-		? N_("  a feed for each run, %zu sieves; calibrated on %s m/s")
+		? N_("  a feed for each run, %zu sieves; calibrated on %s "
+		     "m/s%s")
 		: N_("  one feed for all runs, %zu sieves; calibrated on %s "
-		     "m/s"),
-	    sieves, train);
+		     "m/s%s"),
+	    sieves, train, rpm);
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, "cut") == 0) {
 			last = site->note[i].value;
@@ -672,11 +677,12 @@ note_recalled_site(struct session *s, const struct entry *entry)
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
 	FREED char *speeds = session_speeds_text(site, ", ", NULL, false);
+	FREED char *rpm = session_rpm_in_brackets(site, NULL, false);
 	if (site_count_products(site) > 0)
 		session_note(s,
-		    tr_n("%s: %zu run at %s m/s, %s",
-			"%s: %zu runs at %s m/s, %s", site->n_run),
-		    label, site->n_run, speeds, origin_source_text(entry));
+		    tr_n("%s: %zu run at %s m/s%s, %s",
+			"%s: %zu runs at %s m/s%s, %s", site->n_run),
+		    label, site->n_run, speeds, rpm, origin_source_text(entry));
 	else
 		session_note(s, "%s: a feed, no product, %s", label,
 		    origin_source_text(entry));

@@ -4,6 +4,8 @@
 #ifndef TIPSPEED_CORE_PSD_ROTOR_SPEED_H
 #define TIPSPEED_CORE_PSD_ROTOR_SPEED_H
 
+#include <math.h>
+
 /* Converts a tip speed, m/s, to rpm.  (C11 has no pi.) */
 static inline double
 rotor_speed_to_rpm(double v, double diameter)
@@ -11,11 +13,13 @@ rotor_speed_to_rpm(double v, double diameter)
 	return 60 * v / (3.14159265358979323846 * diameter);
 }
 
-/* Converts rpm to a tip speed, m/s. */
+/* Converts rpm to a tip speed, m/s, to a hundredth: rpm are known to one in a
+ * thousand. */
 static inline double
 rotor_speed_from_rpm(double rpm, double diameter)
 {
-	return 3.14159265358979323846 * diameter * rpm / 60;
+	double v = 3.14159265358979323846 * diameter * rpm / 60;
+	return round(100 * v) / 100;
 }
 
 /* Returns " (1376 rpm)" or, for a range of tip speeds, " (1329 to 1425 rpm)",

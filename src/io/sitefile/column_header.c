@@ -92,8 +92,7 @@ speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor)
 	case SPEED_FT_S:
 		return number * 0.3048;
 	case SPEED_RPM:
-		/* To a hundredth: rpm are known to one in a thousand. */
-		return round(100 * rotor_speed_from_rpm(number, rotor)) / 100;
+		return rotor_speed_from_rpm(number, rotor);
 	default:
 		return number;
 	}

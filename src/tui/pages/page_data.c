@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/sheets/mend.h"
 #include "io/sitefile/units.h"
 #include "tui/acts.h"
@@ -68,7 +69,7 @@ column_heading_text(const struct tui *t, size_t column, char text[static 48])
 		snprintf(text, 48, tr("feed %%"));
 	else
 		snprintf(text, 48, "%s%g%s%s", feed ? tr("feed@") : "",
-		    run->speed, run->repeat,
+		    answers_speed_number(h->site, run->speed), run->repeat,
 		    !feed && tui_current_entry(t)->train[h->column[column].run]
 			? "*"
 			: "");
@@ -440,8 +441,11 @@ draw_data_source(const struct tui *t, const struct area *area, int row)
 	    {N_("read as"), site->read_as}, {N_("assumed"), site->assumed},
 	    {N_("remark"), site->remark}, {N_("data"), site->provenance}};
 	row = screen_draw_wrapped(area, row, LOOK_DIM,
-	    tr("columns: feed and product at each speed, m/s, % passing; * "
-	       "training; PRED: at the slider"));
+	    answers_is_sheet_in_rpm(site)
+		? tr("columns: feed and product at each speed, rpm, % passing; "
+		     "* training; PRED: at the slider")
+		: tr("columns: feed and product at each speed, m/s, % passing; "
+		     "* training; PRED: at the slider"));
 	for (size_t i = 0; i < ARRAY_LEN(MORE); i++) {
 		if (MORE[i].text[0] == '\0' || row >= area->rows)
 			continue;

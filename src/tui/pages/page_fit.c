@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "core/search/misfit.h"
@@ -79,8 +80,10 @@ fit_draw_legend(const struct tui *t)
 		    site_chart_run_style(past.site, r, false);
 		FREED char *mark = chart_legend_sample(&look, screen_charset());
 		size_t kind = nth++ % ARRAY_LEN(BARS);
-		snprintf(text, sizeof text, tr("%s %g m/s%s: middle 80 %% "),
-		    ascii ? ASCII[kind] : BARS[kind], run->speed, run->repeat);
+		FREED char *speed =
+		    answers_speed_text(past.site, run->speed, -1);
+		snprintf(text, sizeof text, tr("%s %s%s: middle 80 %% "),
+		    ascii ? ASCII[kind] : BARS[kind], speed, run->repeat);
 		snprintf(best, sizeof best, tr("%s best  "), mark);
 		if (column + text_width_in_columns(text) +
 			text_width_in_columns(best) >

@@ -203,6 +203,9 @@ parity_cell_text(const struct tui *t, size_t i, int column)
 	static const size_t SIZE[COLUMNS] = {
 	    [OFF_P50] = 1, [OFF_P20] = 0, [OFF_P80] = 2};
 	const struct trial *p = &t->view.parity.runs.item[i];
+	const struct site *site = t->session->entry[p->entry].site;
+	if (column == SPEED && answers_is_sheet_in_rpm(site))
+		return answers_speed_text(site, p->v.speed, -1);
 	if (column == SITE || column == SPEED)
 		return xstrdup(column == SITE ? p->key : p->name);
 	if (column == MEASURED)

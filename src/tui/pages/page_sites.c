@@ -101,18 +101,25 @@ make_site_row(const struct session *s, size_t i)
 }
 
 /* Returns "69 o74 79", with o at held-out speeds like the signs of the track;
- * "8 runs" if there are many. */
+ * "1380 1500 rpm" of a sheet in rpm, "8 runs" if there are many. */
 static char *
 run_speeds_text(const struct entry *e)
 {
-	enum { MOST = 16 };
+	enum { MOST = 16, ROOM = 20 };
 	char *text = xstrdup("");
 	for (size_t r = 0; r < e->site->n_run; r++)
 		if (e->site->run[r].product.n > 0)
 			xappend_to_list(&text, " ", "%s%g",
-			    e->train[r] ? "" : "o", e->site->run[r].speed);
-	if (text[0] != '\0' && strlen(text) <= MOST)
+			    e->train[r] ? "" : "o",
+			    answers_speed_number(
+				e->site, e->site->run[r].speed));
+	if (text[0] != '\0' && strlen(text) <= MOST) {
+		const char *unit =
+		    answers_is_sheet_in_rpm(e->site) ? tr("rpm") : "";
+		if (strlen(text) + strlen(unit) < ROOM)
+			xappend(&text, unit[0] != '\0' ? " %s" : "%s", unit);
 		return text;
+	}
 	bool none = text[0] == '\0';
 	free(text);
 	return none ? xstrdup(tr("feed only"))
@@ -339,11 +346,12 @@ describe_site(const struct tui *t, char *text[static ABOUT])
 	const struct breakage *of = breakage_model_of_params(&e->params);
 	bool beyond = e->has_params &&
 		      answers_is_speed_extrapolated(e, tui_slider_speed(t));
-	text[0] = beyond
-		      ? xasprintf(tr("? extrapolated: %.1f m/s is outside the "
-				     "speeds measured"),
-			    tui_slider_speed(t))
-		      : xstrdup("");
+	FREED char *speed = answers_speed_text(
+	    tui_current_entry(t)->site, tui_slider_speed(t), 1);
+	text[0] = beyond ? xasprintf(tr("? extrapolated: %s is outside the "
+					"speeds measured"),
+			       speed)
+			 : xstrdup("");
 	text[1] = xstrdup("");
 	for (size_t j = 0; e->has_params && j < of->n; j++)
 		xappend(&text[1], "%s%s=%.4g", j > 0 ? "  " : "",

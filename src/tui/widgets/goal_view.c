@@ -51,6 +51,13 @@ are_goal_speeds_known(const struct tui *t)
 	       session_entry_being_fitted(t->session) != tui_current_entry(t);
 }
 
+static void
+append_speed_to_list(char **list, const struct site *site, double speed)
+{
+	FREED char *text = answers_speed_text(site, speed, 1);
+	xappend_to_list(list, ", ", "%s", text);
+}
+
 /* Returns the speeds at which condition i holds by itself, "70.8 to 78.0 m/s";
  * for a single value, which is last, those that give it. */
 static char *
@@ -61,7 +68,7 @@ condition_speeds_text(const struct tui *t, size_t i)
 	if (!known || i >= g->list.n - g->n_value) {
 		char *met = xstrdup(known && g->n_met > 0 ? "" : "-");
 		for (size_t k = 0; known && k < g->n_met; k++)
-			xappend_to_list(&met, ", ", tr("%.1f m/s"), g->met[k]);
+			append_speed_to_list(&met, tui_site(t), g->met[k]);
 		return met;
 	}
 	const double *alone = g->found->alone[i];
@@ -128,8 +135,7 @@ draw_goal_probability(const struct tui *t, const struct area *area)
 	if (isnan(certain))
 		return;
 	FREED char *percent = conditions_probability_percent(certain);
-	FREED char *rpm =
-	    rotor_speed_rpm_text(tui_current_entry(t)->site->rotor, speed, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
 	    g->list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
 			  : N_("met at %.1f m/s%s: chance %s"),

@@ -14,7 +14,6 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/ask/quantity_words.h"
-#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/pane.h"
@@ -127,21 +126,19 @@ panel_draw_speed(struct tui *t, const struct area *area)
 {
 	const struct numbers *now = &t->view.current,
 			     *was = numbers_to_compare_with(t);
-	const struct site *site = tui_current_entry(t)->site;
 	bool other =
-		 has_pinned_prediction(t) && strcmp(was->site, now->site) != 0,
-	     in_rpm = !other && answers_is_sheet_in_rpm(site);
-	double part = in_rpm ? rotor_speed_to_rpm(1, site->rotor) : 1;
-	int decimals = in_rpm ? 0 : 1;
+	    has_pinned_prediction(t) && strcmp(was->site, now->site) != 0;
+	const struct site *site = other ? NULL : tui_current_entry(t)->site;
+	int decimals = answers_is_sheet_in_rpm(site) ? 0 : 1;
+	FREED char *speed = answers_speed_text(site, now->speed, 1);
 	enum { FROM = 10 };
-	screen_text(area, 0, 0, LOOK_BOLD, in_rpm ? N_("%.0f rpm") : "%.1f m/s",
-	    now->speed * part);
+	screen_text(area, 0, 0, LOOK_BOLD, "%s", speed);
 	if (has_pinned_prediction(t))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs pinned %.*f", decimals,
-		    was->speed * part);
+		    answers_speed_number(site, was->speed));
 	else if (was != NULL && was->speed != now->speed)
 		screen_text(area, 0, FROM, LOOK_DIM, "vs %.*f", decimals,
-		    was->speed * part);
+		    answers_speed_number(site, was->speed));
 	else if (was != NULL && are_sizes_changed(now, was))
 		screen_text(area, 0, FROM, LOOK_DIM, "vs last answer");
 	if (area->rows > 1)
@@ -633,8 +630,10 @@ draw_why_nothing_predicted(const struct tui *t)
 		pane_draw_lines(side, row, read);
 		return;
 	}
-	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %.1f m/s %s",
-	    t->view.pinned.speed, t->view.pinned.site);
+	FREED char *speed =
+	    answers_speed_text(tui_pinned_site(t), t->view.pinned.speed, 1);
+	screen_text(side, row++, 0, LOOK_BOLD, "pinned: %s %s", speed,
+	    t->view.pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
 		draw_size(side, row + i, LOOK_PLAIN, t->view.pinned.size[i]);

@@ -112,8 +112,8 @@ compute_strip_points(struct tui *t)
 	for (int i = 0; i < IN_ONE_GO && a->n < STRIP_POINTS; i++, a->n++) {
 		double *value = a->value[a->n];
 		double share = (double)a->n / (STRIP_POINTS - 1);
-		a->speed[a->n] =
-		    (range.least + share * (range.most - range.least)) / 10;
+		a->speed[a->n] = slider_speed(
+		    range, range.least + share * (range.most - range.least));
 		forecast_set_speed(f, a->speed[a->n]);
 		struct figure at = forecast_value_in_shown_unit(f, 0);
 		value[0] = at.value;
@@ -449,8 +449,9 @@ response_strip_draw_marks(
 	struct track_signs signs = track_signs();
 	struct slider_range range = tui_slider_range(t);
 	const struct entry *entry = tui_current_entry(t);
+	int position = tui_slider_position(t);
 	double share =
-	    (double)(t->ui.tenths - range.least) / (range.most - range.least);
+	    (double)(position - range.least) / (range.most - range.least);
 	for (size_t r = 0; r < entry->site->n_run; r++) {
 		double value = measured_value_of_run(t, r);
 		if (isnan(value))
@@ -458,7 +459,7 @@ response_strip_draw_marks(
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),
 		    slider_column(range,
-			slider_tenths(range, entry->site->run[r].speed),
+			slider_position(range, entry->site->run[r].speed),
 			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
 		    track_is_run_trained(entry, r) ? signs.trained
@@ -468,7 +469,7 @@ response_strip_draw_marks(
 	if (isfinite(value))
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),
-		    slider_column(range, t->ui.tenths, area->columns),
+		    slider_column(range, position, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
 		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
 }
@@ -496,6 +497,7 @@ draw_goal_certainty(struct tui *t, const struct area *track)
 	static const char *const EIGHTH[] = {"\u2581", "\u2582", "\u2583",
 	    "\u2584", "\u2585", "\u2586", "\u2587", "\u2588"};
 	struct area area = t->layout.certainty;
+	const struct slider_range range = tui_slider_range(t);
 	const struct goal *g = &t->view.goal;
 	if (area.rows == 0 || !goal_is_known(t) || g->n_value > 0 ||
 	    isnan(g->found->best_certain))
@@ -505,10 +507,9 @@ draw_goal_certainty(struct tui *t, const struct area *track)
 	area.column = track->column;
 	area.columns = track->columns;
 	for (int c = 0; c < area.columns; c++) {
-		double speed = slider_value_at_column(
-				   tui_slider_range(t), c, area.columns) /
-			       10.0,
-		       certain = goal_probability_at(t, speed);
+		double speed = slider_speed(
+		    range, slider_position_at_column(range, c, area.columns));
+		double certain = goal_probability_at(t, speed);
 		bool blocks = screen_charset() == CHARSET_BRAILLE;
 		if (!(certain > 0))
 			continue;

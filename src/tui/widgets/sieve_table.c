@@ -14,7 +14,6 @@
 #include "cmd/ask/answers.h"
 #include "cmd/draw/site_chart.h"
 #include "cmd/ask/pin.h"
-#include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -46,15 +45,12 @@ find_compared_product(
 	}
 	if (nearest == NULL)
 		return NULL;
-	bool in_rpm = answers_is_sheet_in_rpm(site);
-	double rpm =
-	    in_rpm ? rotor_speed_to_rpm(nearest->speed, site->rotor) : 0;
-	snprintf(name, 40,
-	    fabs(nearest->speed - t->view.current.speed) < 0.05
-		? tr("vs %g measured")
-	    : in_rpm ? tr("vs %g rpm")
-		     : tr("vs %g m/s"),
-	    in_rpm ? round(rpm) : nearest->speed);
+	FREED char *speed = answers_speed_text(site, nearest->speed, -1);
+	if (fabs(nearest->speed - t->view.current.speed) < 0.05)
+		snprintf(name, 40, tr("vs %g measured"),
+		    answers_speed_number(site, nearest->speed));
+	else
+		snprintf(name, 40, tr("vs %s"), speed);
 	size_t run = (size_t)(nearest - site->run);
 	*series = site_chart_run_style(site, run, false).series;
 	return tui_measured_product(t, run);

@@ -7,44 +7,60 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "core/model/breakage.h"
+#include "core/psd/rotor_speed.h"
 
 struct slider_range
-slider_range(double from, double to)
+slider_range(double from, double to, double rotor)
 {
-	return (struct slider_range){10 * (int)from, 10 * (int)to};
+	if (!(rotor > 0))
+		return (struct slider_range){10 * (int)from, 10 * (int)to, 0};
+	return (struct slider_range){
+	    (int)lround(rotor_speed_to_rpm(from, rotor)),
+	    (int)lround(rotor_speed_to_rpm(to, rotor)), rotor};
 }
 
 int
-slider_clamp(struct slider_range range, int tenths)
+slider_clamp(struct slider_range range, int position)
 {
-	return tenths < range.least  ? range.least
-	       : tenths > range.most ? range.most
-				     : tenths;
+	return position < range.least  ? range.least
+	       : position > range.most ? range.most
+				       : position;
 }
 
 int
-slider_tenths(struct slider_range range, double speed)
+slider_position(struct slider_range range, double speed)
 {
-	return slider_clamp(range, (int)lround(10 * speed));
+	return slider_clamp(range,
+	    (int)lround(range.rotor > 0 ? rotor_speed_to_rpm(speed, range.rotor)
+					: 10 * speed));
+}
+
+double
+slider_speed(struct slider_range range, double position)
+{
+	return range.rotor > 0 ? rotor_speed_from_rpm(position, range.rotor)
+			       : position / 10;
 }
 
 bool
 slider_has_speed(struct slider_range range, double speed)
 {
-	return speed >= range.least / 10.0 && speed <= range.most / 10.0;
+	return speed >= slider_speed(range, range.least) &&
+	       speed <= slider_speed(range, range.most);
 }
 
 int
-slider_column(struct slider_range range, int tenths, int width)
+slider_column(struct slider_range range, int position, int width)
 {
-	double share = (double)(slider_clamp(range, tenths) - range.least) /
+	double share = (double)(slider_clamp(range, position) - range.least) /
 		       (range.most - range.least);
 	return width > 1 ? (int)lround(share * (width - 1)) : 0;
 }
 
 int
-slider_value_at_column(struct slider_range range, int column, int width)
+slider_position_at_column(struct slider_range range, int column, int width)
 {
 	if (width < 2)
 		return range.least;
@@ -55,12 +71,14 @@ slider_value_at_column(struct slider_range range, int column, int width)
 
 /* Returns true if a value is outside the training speeds. */
 static bool
-is_outside_training(int tenths, const struct slider_mark *mark, size_t n)
+is_outside_training(int position, const struct slider_mark *mark, size_t n)
 {
 	bool below = false, above = false;
 	for (size_t i = 0; i < n; i++) {
-		below = below || (mark[i].trained && mark[i].tenths <= tenths);
-		above = above || (mark[i].trained && mark[i].tenths >= tenths);
+		below =
+		    below || (mark[i].trained && mark[i].position <= position);
+		above =
+		    above || (mark[i].trained && mark[i].position >= position);
 	}
 	return !below || !above;
 }
@@ -83,9 +101,14 @@ write_text_in_cells(struct slider_cell *cell, const char *text)
 
 /* Writes "69" or, with words, "69 m/s 2381 J/kg".  Returns its length. */
 static int
-mark_label(const struct slider_mark *mark, bool words, char label[static 32])
+mark_label(struct slider_range range, const struct slider_mark *mark,
+    bool words, char label[static 32])
 {
-	double v = mark->tenths / 10.0;
+	double v = slider_speed(range, mark->position);
+	if (range.rotor > 0)
+		return words ? snprintf(label, 32, tr("%d rpm %.0f J/kg"),
+				   mark->position, specific_energy_at_speed(v))
+			     : snprintf(label, 32, "%d", mark->position);
 	return words ? snprintf(label, 32, "%g m/s %.0f J/kg", v,
 			   specific_energy_at_speed(v))
 		     : snprintf(label, 32, "%g", v);
@@ -100,8 +123,8 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 	enum { BETWEEN = 5 };
 	char label[32];
 	for (size_t i = 0; i < n; i++) {
-		int from = slider_column(range, mark[i].tenths, width) + 1;
-		int length = mark_label(&mark[i], true, label);
+		int from = slider_column(range, mark[i].position, width) + 1;
+		int length = mark_label(range, &mark[i], true, label);
 		if (!are_cells_free(cell, width, from, length + BETWEEN))
 			return false;
 	}
@@ -111,13 +134,14 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 /* Writes the speed after a mark, if nothing else stands there. handle: the cell
  * after the handle of the slider. */
 static void
-write_mark_label(struct slider_cell *cell, int width, int column,
+write_mark_label(struct slider_cell *cell, int width, struct slider_range range,
     const struct slider_mark *mark, bool words, int handle)
 {
 	char label[32];
-	int from = column + 1, wanted = mark_label(mark, words, label);
+	int from = slider_column(range, mark->position, width) + 1;
+	int wanted = mark_label(range, mark, words, label);
 	if (words && !are_cells_free(cell, width, from, wanted + 1))
-		wanted = mark_label(mark, false, label);
+		wanted = mark_label(range, mark, false, label);
 	if (from == handle || !are_cells_free(cell, width, from, wanted + 1))
 		return;
 	write_text_in_cells(cell + from, label);
@@ -146,14 +170,14 @@ write_beyond_training(struct slider_cell *cell, int width, const char *word)
 
 int
 slider_fill_cells(struct slider_cell *cell, int width,
-    struct slider_range range, int tenths, const struct slider_mark *mark,
+    struct slider_range range, int position, const struct slider_mark *mark,
     size_t n, const bool *kept, const char *beyond)
 {
 	char label[16];
 	bool any = false;
 	for (int c = 0; c < width; c++) {
 		bool outside = is_outside_training(
-		    slider_value_at_column(range, c, width), mark, n);
+		    slider_position_at_column(range, c, width), mark, n);
 		cell[c] = (struct slider_cell){
 		    outside ? 'x' : '-', kept != NULL && kept[c], false};
 		any = any || cell[c].taken;
@@ -161,22 +185,24 @@ slider_fill_cells(struct slider_cell *cell, int width,
 	if (width < 1)
 		return 0;
 	for (size_t i = 0; i < n; i++)
-		cell[slider_column(range, mark[i].tenths, width)] =
+		cell[slider_column(range, mark[i].position, width)] =
 		    (struct slider_cell){
 			mark[i].trained ? '|' : 'o', true, false};
-	int length = snprintf(label, sizeof label, "[%.1f]", tenths / 10.0);
+	int length = range.rotor > 0
+			 ? snprintf(label, sizeof label, "[%d]", position)
+			 : snprintf(label, sizeof label, "[%.1f]",
+			       slider_speed(range, position));
 	if (length > width)
 		length = snprintf(label, sizeof label, "#");
-	int at = slider_column(range, tenths, width) - length / 2;
+	int at = slider_column(range, position, width) - length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
 	bool words =
 	    !any && has_room_for_long_labels(cell, width, range, mark, n);
 	for (int c = at; c < at + length; c++)
 		cell[c].taken = true;
 	for (size_t i = 0; i < n; i++)
-		write_mark_label(cell, width,
-		    slider_column(range, mark[i].tenths, width), &mark[i],
-		    words, at + length);
+		write_mark_label(
+		    cell, width, range, &mark[i], words, at + length);
 	write_beyond_training(cell, width, beyond);
 	write_text_in_cells(cell + at, label);
 	return at;

@@ -51,13 +51,13 @@ list_speed_marks(const struct entry *entry, struct slider_range range,
 	size_t n = 0;
 	for (size_t i = 0; trained && i < o->n_speed && n < MOST_MARKS; i++)
 		mark[n++] = (struct slider_mark){
-		    slider_tenths(range, o->speed[i]), true};
+		    slider_position(range, o->speed[i]), true};
 	for (size_t r = 0; r < entry->site->n_run && n < MOST_MARKS; r++) {
 		const struct run *run = &entry->site->run[r];
 		bool known = track_is_run_trained(entry, r);
 		if (run->product.n > 0 && (!trained || !known))
 			mark[n++] = (struct slider_mark){
-			    slider_tenths(range, run->speed), known};
+			    slider_position(range, run->speed), known};
 	}
 	return n;
 }
@@ -66,9 +66,9 @@ void
 track_on_mouse(struct tui *t, const struct touched *touched)
 {
 	struct area track = layout_track_area(&t->layout);
-	t->ui.tenths = slider_value_at_column(tui_slider_range(t),
-	    touched->area.column + touched->column - track.column,
-	    track.columns);
+	int column = touched->area.column + touched->column - track.column;
+	tui_step_slider_to(t, slider_position_at_column(
+				  tui_slider_range(t), column, track.columns));
 }
 
 /* Returns true if the goal is met somewhere in a cell of the track. */
@@ -78,9 +78,10 @@ is_goal_met_in_cell(
 {
 	struct slider_range range = tui_slider_range(t);
 	double cells = fmax(1, track->columns - 1),
-	       half = (range.most - range.least) / 20.0 / cells;
-	double speed = range.least / 10.0 + 2 * half * column;
-	return goal_is_met_between(t, speed - half, speed + half, certain);
+	       half = (range.most - range.least) / 2.0 / cells;
+	double middle = range.least + 2 * half * column;
+	return goal_is_met_between(t, slider_speed(range, middle - half),
+	    slider_speed(range, middle + half), certain);
 }
 
 /* Marks the cells in which a window begins or ends, and those in which its
@@ -141,8 +142,8 @@ make_track_cells(const struct tui *t, const struct area *track,
 	struct slider_range range = tui_slider_range(t);
 	struct slider_mark mark[MOST_MARKS];
 	size_t n = list_speed_marks(entry, range, mark);
-	return slider_fill_cells(cell, track->columns, range, t->ui.tenths,
-	    mark, n, kept, tr("extrapolated"));
+	return slider_fill_cells(cell, track->columns, range,
+	    tui_slider_position(t), mark, n, kept, tr("extrapolated"));
 }
 
 void
@@ -166,9 +167,13 @@ track_draw(struct tui *t)
 		screen_text(&track, 0, c, acts ? LOOK_REVERSE : LOOK_BOLD, "%c",
 		    cell[c].sign);
 	if (track.column > 0) {
-		screen_text(&t->layout.track, 0, 0, 0, "%3d", range.least / 10);
-		screen_text(&t->layout.track, 0, t->layout.track.columns - 3, 0,
-		    "%d", range.most / 10);
+		const int per_unit = range.rotor > 0 ? 1 : 10,
+			  digits = t->layout.end_columns - 1;
+		const struct area *row = &t->layout.track;
+		screen_text(
+		    row, 0, 0, 0, "%*d", digits, range.least / per_unit);
+		screen_text(row, 0, row->columns - digits, 0, "%d",
+		    range.most / per_unit);
 	}
 	/* On its bracket, because a cursor on the number would hide a digit. */
 	t->cursor.column = track.column + at;
@@ -221,7 +226,7 @@ static void
 add_speed_texts(const struct tui *t, struct part *part)
 {
 	double v = tui_slider_speed(t);
-	double rotor = tui_current_entry(t)->site->rotor;
+	double rotor = tui_known_rotor(t);
 	FREED char *words = xasprintf(
 	    tr("%.1f m/s  %.0f J/kg"), v, specific_energy_at_speed(v));
 	FREED char *turns = rotor > 0 ? xasprintf(tr("  %.0f rpm"),
@@ -234,10 +239,7 @@ add_speed_texts(const struct tui *t, struct part *part)
 		add_heading_text(part, xasprintf(tr("%.1f m/s%s"), v, turns));
 	else
 		add_heading_text(part, xstrdup(words));
-	FREED char *brief =
-	    answers_is_sheet_in_rpm(tui_current_entry(t)->site)
-		? xasprintf(tr("%.0f rpm"), rotor_speed_to_rpm(v, rotor))
-		: xasprintf("%.1f m/s", v);
+	FREED char *brief = answers_speed_text(tui_site(t), v, 1);
 	add_heading_text(part, xstrdup(brief));
 	add_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
 }
@@ -336,36 +338,39 @@ track_draw_heading(struct tui *t)
 /* Lists the speeds to which keys move, in no order: the limits of the goal, or
  * the measured speeds.  Returns their number. */
 static size_t
-list_slider_stops(const struct tui *t, int tenths[static MOST_MARKS])
+list_slider_stops(const struct tui *t, double speed[static MOST_MARKS])
 {
-	double speed[MOST_MARKS];
 	struct slider_mark mark[MOST_MARKS];
 	struct slider_range range = tui_slider_range(t);
 	size_t n = goal_limit_speeds(t, speed, MOST_MARKS);
-	for (size_t i = 0; i < n; i++)
-		tenths[i] = slider_tenths(range, speed[i]);
 	if (n > 0 || tui_current_entry(t) == NULL)
 		return n;
 	n = list_speed_marks(tui_current_entry(t), range, mark);
 	for (size_t i = 0; i < n; i++)
-		tenths[i] = mark[i].tenths;
+		speed[i] = slider_speed(range, mark[i].position);
 	return n;
 }
 
 static void
 move_slider_to_limit(struct tui *t, int by)
 {
-	int tenths[MOST_MARKS], best = t->ui.tenths;
-	size_t n = list_slider_stops(t, tenths);
+	double stop[MOST_MARKS];
+	const struct slider_range range = tui_slider_range(t);
+	const int from = tui_slider_position(t);
+	int best = from;
+	double speed = NAN;
+	size_t n = list_slider_stops(t, stop);
 	for (size_t i = 0; i < n; i++) {
-		bool beyond = by * (tenths[i] - t->ui.tenths) > 0;
-		if (beyond &&
-		    (best == t->ui.tenths || by * (best - tenths[i]) > 0))
-			best = tenths[i];
+		int at = slider_position(range, stop[i]);
+		if (by * (at - from) > 0 &&
+		    (best == from || by * (best - at) > 0)) {
+			best = at;
+			speed = stop[i];
+		}
 	}
 	if (tui_current_entry(t) == NULL)
 		tui_say(t, true, TUI_NO_SITE);
-	else if (best == t->ui.tenths)
+	else if (best == from)
 		tui_say(t, false,
 		    goals_is_set(t->session)
 			? (by > 0 ? N_("no faster limit: p goes to a slower "
@@ -374,7 +379,11 @@ move_slider_to_limit(struct tui *t, int by)
 				       "one, N to the best speed"))
 		    : by > 0 ? N_("no faster run: t sets a goal")
 			     : N_("no slower run: t sets a goal"));
-	t->ui.tenths = best;
+	else if (range.rotor > 0)
+		/* Not the nearest rpm, at which the goal may be missed. */
+		tui_move_slider_to(t, speed);
+	else
+		tui_step_slider_to(t, best);
 }
 
 /* Says that no speed searched meets the goal, and which is nearest. */
@@ -405,8 +414,7 @@ move_slider_to_best(struct tui *t)
 	}
 	tui_move_slider_to(t, best);
 	t->keep_message = true;
-	FREED char *rpm =
-	    rotor_speed_rpm_text(tui_current_entry(t)->site->rotor, best, NAN);
+	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), best, NAN);
 	if (g->missed != NULL)
 		say_nearest(t, best, rpm);
 	else if (g->n_value > 0)
@@ -440,7 +448,7 @@ act_go_to_goal_speed(struct tui *t, const struct key *key)
 		return;
 	}
 	t->pending_key = key;
-	t->pending_from = t->ui.tenths;
+	t->pending_from = t->ui.speed;
 	track_run_pending_key(t, t->aside);
 	if (t->pending_key != NULL)
 		tui_say(t, false,
@@ -452,7 +460,7 @@ void
 track_run_pending_key(struct tui *t, bool now)
 {
 	const struct key *key = t->pending_key;
-	if (key == NULL || t->ui.tenths != t->pending_from) {
+	if (key == NULL || t->ui.speed != t->pending_from) {
 		t->pending_key = NULL;
 		return;
 	}

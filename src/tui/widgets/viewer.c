@@ -74,7 +74,8 @@ show_list_of_keys(struct tui *t)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	keys_print_list(t->ui.page, word.text, out);
+	keys_print_list(
+	    t->ui.page, word.text, tui_slider_range(t).rotor > 0, out);
 	fclose(out);
 	viewer_show_text(t, text);
 	t->viewer.keys = true;
@@ -414,7 +415,8 @@ draw_what_enter_does(struct tui *t)
 		    : NULL;
 	if (key == NULL)
 		return false;
-	FREED char *words = xasprintf(tr("Enter: %s"), tr(key->what));
+	FREED char *words = xasprintf(tr("Enter: %s"),
+	    keys_words(key->what, tui_slider_range(t).rotor > 0));
 	bool room = text_width_in_columns(words) <= t->layout.hints.columns;
 	if (room)
 		pane_hints(t, words);
