@@ -60,7 +60,7 @@ sites_of_any_name_have_keys_of_their_own(void **state)
 	static const char *const names[] = {
 	    "採石場", "محجر", "Łódź", "→", "→ 2"};
 	static const char *const keys[] = {
-	    "採石場", "محجر", "Łodź", "unnamed", "2"};
+	    "採石場", "محجر", "lodz", "unnamed", "2"};
 	for (size_t i = 0; i < ARRAY_LEN(names); i++) {
 		struct site *site = made_site(&TABLE_3[0], 0.005, 9);
 		free(site->name);
