@@ -492,19 +492,17 @@ note_goal_unattainable(
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
-	bool size = quantities_is_size(q);
-	bool falls = (size || q->kind == QUANTITY_PASSING) &&
-		     !fraction_is_screened(&q->fraction);
+	int rises = quantity_change_if_finer(q);
 	double high = target_value_at_speed(goal, c->to),
 	       low = target_value_at_speed(goal, c->from);
 	double over =
 	    forecast_excess_over_limit(c->forecast, c->n, goal->target.least);
-	bool finer = size ? over < 0 : over > 0;
+	bool finer = rises > 0 ? over > 0 : over < 0;
 	double rotor = c->site->rotor;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, c->from, c->to);
 	FREED char *slow = rotor_speed_rpm_text(rotor, c->from, NAN);
 	FREED char *fast = rotor_speed_rpm_text(rotor, c->to, NAN);
-	if (falls)
+	if (rises != 0)
 		answer_note(r,
 		    "no speed from %g to %g m/s%s gives %s: the product is "
 		    "still %s at %g m/s%s",
@@ -520,10 +518,10 @@ note_goal_unattainable(
 		    "it is %.2f%s at %g m/s%s and %.2f%s at %g m/s%s", low,
 		    unit, c->from, slow, high, unit, c->to, fast);
 	if (finer &&
-	    conditions_note_feed_is_finer(
-		r, question_feed(goal->question), q, goal->target.least, !size))
+	    conditions_note_feed_is_finer(r, question_feed(goal->question), q,
+		goal->target.least, rises > 0))
 		return;
-	if (falls)
+	if (rises != 0)
 		conditions_note_no_reliable_speed(r, c, finer, !finer);
 }
 
