@@ -485,6 +485,38 @@ note_other_conditions(struct answer *r, const struct find_request *goal)
 		note_best_certain_speed(r, goal);
 }
 
+/* Returns, where nothing was found, the speed that comes nearest: the one that
+ * misses the conditions by least or, for a value, one end of those searched. */
+static double
+speed_nearest_to_goal(const struct find_request *goal)
+{
+	const struct wanted *w = &goal->wanted;
+	double wanted = value_in_shown_unit(goal, goal->target.least);
+	if (goal->kind != GOAL_VALUE)
+		return goal->search->best;
+	return fabs(target_value_at_speed(goal, w->to) - wanted) <
+		       fabs(target_value_at_speed(goal, w->from) - wanted)
+		   ? w->to
+		   : w->from;
+}
+
+/* If that speed lies beyond the measured ones, notes what the nearest of these
+ * gives. */
+static void
+note_value_at_nearest_measured(
+    struct answer *r, const struct find_request *goal, double speed)
+{
+	const struct wanted *w = &goal->wanted;
+	double near = conditions_nearest_measured_speed(w, speed);
+	if (isnan(near))
+		return;
+	forecast_set_speed(w->forecast, near);
+	FREED char *words = value_with_band_text(goal, w->n);
+	FREED char *rpm = rotor_speed_rpm_text(w->site->rotor, near, NAN);
+	answer_note(r, "the nearest measured speed, %.*f m/s%s, gives %s",
+	    units_speed_decimals(near), near, rpm, words);
+}
+
 /* Says why there is no such speed, with the values at both ends. */
 static void
 note_goal_unattainable(
@@ -517,6 +549,7 @@ note_goal_unattainable(
 		answer_note(r,
 		    "it is %.2f%s at %g m/s%s and %.2f%s at %g m/s%s", low,
 		    unit, c->from, slow, high, unit, c->to, fast);
+	note_value_at_nearest_measured(r, goal, speed_nearest_to_goal(goal));
 	if (finer &&
 	    conditions_note_feed_is_finer(r, question_feed(goal->question), q,
 		goal->target.least, rises > 0))
@@ -537,9 +570,11 @@ note_search_result(struct answer *r, const struct session *s,
 		    goal->search, question_feed(goal->question));
 	} else if (goal->kind == GOAL_VALUE) {
 		note_speed_found(r, goal, words);
+		note_value_at_nearest_measured(r, goal, goal->speed);
 		note_speed_range_over_feeds(r, s, goal);
 	} else {
 		note_extreme_value(r, goal);
+		note_value_at_nearest_measured(r, goal, goal->speed);
 	}
 	if (found && goal->wanted.n > 0)
 		note_other_conditions(r, goal);
@@ -558,21 +593,6 @@ put_search_result(struct fields *o, const struct find_request *goal)
 	conditions_put_list(o, &goal->wanted, goal->search);
 	fields_put(o, "holds %d",
 	    !isnan(v) && conditions_are_met(&goal->wanted, SIZE_MAX));
-}
-
-/* Returns, where nothing was found, the speed that comes nearest: the one that
- * misses the conditions by least or, for a value, one end of those searched. */
-static double
-speed_nearest_to_goal(const struct find_request *goal)
-{
-	const struct wanted *w = &goal->wanted;
-	double wanted = value_in_shown_unit(goal, goal->target.least);
-	if (goal->kind != GOAL_VALUE)
-		return goal->search->best;
-	return fabs(target_value_at_speed(goal, w->to) - wanted) <
-		       fabs(target_value_at_speed(goal, w->from) - wanted)
-		   ? w->to
-		   : w->from;
 }
 
 /* The light of the speed found, or that of the nearest one, which is named: the
