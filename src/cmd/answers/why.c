@@ -201,8 +201,6 @@ static const char *const REMEDY[] = {
 			"the crusher goes, 'add' it and calibrate again"),
     [TRUST_SLOW] = N_("take a belt cut slower than all others, 'add' it and "
 		      "calibrate again"),
-    [TRUST_BAND] = N_("'uncertainty next' names the sample that narrows the "
-		      "band most"),
     [TRUST_FEED] = N_("take a belt cut with this feed, 'add' it and calibrate "
 		      "again"),
     [TRUST_BOUND] = N_("widen it with 'params bounds', if the rock allows, and "
@@ -635,6 +633,10 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
 	feed_add_note(a.answer, entry->site, q->feed, NULL, 0);
+	if (a.p.low != NULL)
+		answer_note(a.answer,
+		    "'advise' names the sample that would narrow the band "
+		    "most");
 	trust_free(&trust);
 	prediction_free(&a.p);
 	return session_show_answer(s, a.answer);
