@@ -656,6 +656,7 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	if (found)
 		answers_keep_newest_prediction(s, entry, &entry->params, &p[0]);
 	session_keep_last_asked(s, shown, &goal->target.quantity);
+	s->last_asked.found_by = "find";
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 }
@@ -716,6 +717,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	envelope_add_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
 	session_keep_last_asked(s, v, NULL);
+	s->last_asked.found_by = "find";
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

@@ -612,14 +612,18 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
+	const char *by = q->speed_given ? NULL : s->last_asked.found_by;
 	struct explained a = {.s = s,
 	    .q = q,
 	    .entry = entry,
 	    .feed = question_feed(q),
 	    .p = forecast_whole_product(s, entry, v, q->feed),
 	    .rpm = rpm,
-	    .answer = answer_about_site(
-		entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
+	    .answer = answer_about_site(entry->site, "why",
+		by != NULL
+		    ? N_("why, at %.4g m/s%s, the speed that '%s' showed")
+		    : N_("why, at %.4g m/s%s"),
+		v, rpm, by)};
 	struct trust trust = trust_in_answer_or_fit(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
 	say_trust_is_green(&a, &trust);
