@@ -51,6 +51,26 @@ quantities_by_hand(void **state)
 	expect_near("finer", read_one(QUANTITY_PASSING, 1e-6, NULL), 0, 1e-12);
 }
 
+/* What passes a screen of 4 mm, and so the share of 0/4, only rises as a
+ * product gets finer; that of 2/4 may do either. */
+static void
+quantities_say_how_they_change_with_fineness(void **state)
+{
+	(void)state;
+	struct quantity q = {.kind = QUANTITY_PASSING, .x = 4e-3};
+	assert_int_equal(quantity_change_if_finer(&q), 1);
+	q = (struct quantity){.kind = QUANTITY_SIZE, .x = 0.8};
+	assert_int_equal(quantity_change_if_finer(&q), -1);
+	q.fraction = (struct fraction){0, 4e-3, PARTITION_IDEAL};
+	assert_int_equal(quantity_change_if_finer(&q), 0);
+	q.kind = QUANTITY_SHARE;
+	assert_int_equal(quantity_change_if_finer(&q), 1);
+	q.fraction.fine = 2e-3;
+	assert_int_equal(quantity_change_if_finer(&q), 0);
+	q.fraction.coarse = 0;
+	assert_int_equal(quantity_change_if_finer(&q), 0);
+}
+
 /* Between 8 and 4, 4 and 1, 1 and 0.5 mm: 0.2, 0.4, 0.2. */
 static void
 the_largest_step_is_between_neighbours_of_the_list(void **state)
@@ -267,6 +287,7 @@ main(void)
 {
 	const struct CMUnitTest tests[] = {
 	    cmocka_unit_test(quantities_by_hand),
+	    cmocka_unit_test(quantities_say_how_they_change_with_fineness),
 	    cmocka_unit_test(
 		the_largest_step_is_between_neighbours_of_the_list),
 	    cmocka_unit_test(the_chinese_modulus_leaves_out_gravel),

@@ -209,6 +209,37 @@ test_exchanged(void **state)
 	site_free(site);
 }
 
+/* Products equal to the feed within a point, or coarser, are no finer; one that
+ * is finer at one sieve by more makes them finer.  What a fit to them does
+ * wrong beside is then no reason of its own. */
+static void
+nothing_breaks_where_no_product_is_finer(void **state)
+{
+	(void)state;
+	struct site *site = made_site(&TABLE_3[TIERP], 0, 1);
+	assert_false(trust_is_no_product_finer(site));
+	for (size_t r = 0; r < site->n_run; r++) {
+		psd_free(&site->run[r].product);
+		site->run[r].product = psd_copy(&site->run[r].feed);
+	}
+	assert_true(trust_is_no_product_finer(site));
+	struct psd *one = &site->run[1].product;
+	one->passing[3] += 0.009;
+	one->passing[4] -= 0.05;
+	assert_true(trust_is_no_product_finer(site));
+	one->passing[3] += 0.002;
+	assert_false(trust_is_no_product_finer(site));
+	site_free(site);
+	struct evidence e = SOUND;
+	e.alike = 2.5;
+	e.like_feed = true;
+	struct trust t = asked(&e, (struct trust_question){.speed = 74});
+	assert_int_equal(t.light, LIGHT_AMBER);
+	assert_int_equal(t.n, 1);
+	assert_true(names(&t, "not measurably finer"));
+	trust_free(&t);
+}
+
 /* Two weak signs make what one does not. */
 static void
 test_signs(void **state)
@@ -296,6 +327,7 @@ main(void)
 	    cmocka_unit_test(test_reasons),
 	    cmocka_unit_test(test_sense),
 	    cmocka_unit_test(test_exchanged),
+	    cmocka_unit_test(nothing_breaks_where_no_product_is_finer),
 	    cmocka_unit_test(test_signs),
 	    cmocka_unit_test(measurements_answer_between_their_speeds),
 	    cmocka_unit_test(test_order),

@@ -485,6 +485,38 @@ note_other_conditions(struct answer *r, const struct find_request *goal)
 		note_best_certain_speed(r, goal);
 }
 
+/* Returns, where nothing was found, the speed that comes nearest: the one that
+ * misses the conditions by least or, for a value, one end of those searched. */
+static double
+speed_nearest_to_goal(const struct find_request *goal)
+{
+	const struct wanted *w = &goal->wanted;
+	double wanted = value_in_shown_unit(goal, goal->target.least);
+	if (goal->kind != GOAL_VALUE)
+		return goal->search->best;
+	return fabs(target_value_at_speed(goal, w->to) - wanted) <
+		       fabs(target_value_at_speed(goal, w->from) - wanted)
+		   ? w->to
+		   : w->from;
+}
+
+/* If that speed lies beyond the measured ones, notes what the nearest of these
+ * gives. */
+static void
+note_value_at_nearest_measured(
+    struct answer *r, const struct find_request *goal, double speed)
+{
+	const struct wanted *w = &goal->wanted;
+	double near = conditions_nearest_measured_speed(w, speed);
+	if (isnan(near))
+		return;
+	forecast_set_speed(w->forecast, near);
+	FREED char *words = value_with_band_text(goal, w->n);
+	FREED char *rpm = rotor_speed_rpm_text(w->site->rotor, near, NAN);
+	answer_note(r, "the nearest measured speed, %.*f m/s%s, gives %s",
+	    units_speed_decimals(near), near, rpm, words);
+}
+
 /* Says why there is no such speed, with the values at both ends. */
 static void
 note_goal_unattainable(
@@ -492,19 +524,17 @@ note_goal_unattainable(
 {
 	const struct quantity *q = &goal->target.quantity;
 	const struct wanted *c = &goal->wanted;
-	bool size = quantities_is_size(q);
-	bool falls = (size || q->kind == QUANTITY_PASSING) &&
-		     !fraction_is_screened(&q->fraction);
+	int rises = quantity_change_if_finer(q);
 	double high = target_value_at_speed(goal, c->to),
 	       low = target_value_at_speed(goal, c->from);
 	double over =
 	    forecast_excess_over_limit(c->forecast, c->n, goal->target.least);
-	bool finer = size ? over < 0 : over > 0;
+	bool finer = rises > 0 ? over > 0 : over < 0;
 	double rotor = c->site->rotor;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, c->from, c->to);
 	FREED char *slow = rotor_speed_rpm_text(rotor, c->from, NAN);
 	FREED char *fast = rotor_speed_rpm_text(rotor, c->to, NAN);
-	if (falls)
+	if (rises != 0)
 		answer_note(r,
 		    "no speed from %g to %g m/s%s gives %s: the product is "
 		    "still %s at %g m/s%s",
@@ -519,11 +549,12 @@ note_goal_unattainable(
 		answer_note(r,
 		    "it is %.2f%s at %g m/s%s and %.2f%s at %g m/s%s", low,
 		    unit, c->from, slow, high, unit, c->to, fast);
+	note_value_at_nearest_measured(r, goal, speed_nearest_to_goal(goal));
 	if (finer &&
-	    conditions_note_feed_is_finer(
-		r, question_feed(goal->question), q, goal->target.least, !size))
+	    conditions_note_feed_is_finer(r, question_feed(goal->question), q,
+		goal->target.least, rises > 0))
 		return;
-	if (falls)
+	if (rises != 0)
 		conditions_note_no_reliable_speed(r, c, finer, !finer);
 }
 
@@ -539,9 +570,11 @@ note_search_result(struct answer *r, const struct session *s,
 		    goal->search, question_feed(goal->question));
 	} else if (goal->kind == GOAL_VALUE) {
 		note_speed_found(r, goal, words);
+		note_value_at_nearest_measured(r, goal, goal->speed);
 		note_speed_range_over_feeds(r, s, goal);
 	} else {
 		note_extreme_value(r, goal);
+		note_value_at_nearest_measured(r, goal, goal->speed);
 	}
 	if (found && goal->wanted.n > 0)
 		note_other_conditions(r, goal);
@@ -560,21 +593,6 @@ put_search_result(struct fields *o, const struct find_request *goal)
 	conditions_put_list(o, &goal->wanted, goal->search);
 	fields_put(o, "holds %d",
 	    !isnan(v) && conditions_are_met(&goal->wanted, SIZE_MAX));
-}
-
-/* Returns, where nothing was found, the speed that comes nearest: the one that
- * misses the conditions by least or, for a value, one end of those searched. */
-static double
-speed_nearest_to_goal(const struct find_request *goal)
-{
-	const struct wanted *w = &goal->wanted;
-	double wanted = value_in_shown_unit(goal, goal->target.least);
-	if (goal->kind != GOAL_VALUE)
-		return goal->search->best;
-	return fabs(target_value_at_speed(goal, w->to) - wanted) <
-		       fabs(target_value_at_speed(goal, w->from) - wanted)
-		   ? w->to
-		   : w->from;
 }
 
 /* The light of the speed found, or that of the nearest one, which is named: the
@@ -638,6 +656,7 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	if (found)
 		answers_keep_newest_prediction(s, entry, &entry->params, &p[0]);
 	session_keep_last_asked(s, shown, &goal->target.quantity);
+	s->last_asked.found_by = "find";
 	for (size_t i = 0; i < n; i++)
 		prediction_free(&p[i]);
 }
@@ -698,6 +717,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	envelope_add_notes(r, &g);
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
 	session_keep_last_asked(s, v, NULL);
+	s->last_asked.found_by = "find";
 	fields_put(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",

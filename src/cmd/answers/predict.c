@@ -142,6 +142,19 @@ measured_products_at_speed(
 	return part;
 }
 
+/* The least difference that changes a tenth of a per cent, passing 0..1. */
+static const double SHOWN_PASSING = 5e-4;
+
+/* True if at sieve i the answer, or the low end of its band, is the passing of
+ * the feed. */
+static bool
+is_held_at_feed(const struct question *q, const struct prediction *p, size_t i)
+{
+	double fed = psd_passing_at_sieve(question_feed(q), p->product.size[i]);
+	double least = p->low != NULL ? p->low[i] : p->product.passing[i];
+	return fed > 0 && fed < 1 && least - fed < SHOWN_PASSING;
+}
+
 /* Adds a row for each sieve.  between: the interpolated products, or NULL.
  * model: NULL, or the model for a column of its own, beside one for the speed,
  * as files want them.  alone: adds the passings by the model alone. */
@@ -243,35 +256,68 @@ note_fit_of_only_cut(
 	    100 * cut.rms, cut.n);
 }
 
-/* Names the sieves at which measured products pass clearly less than their
- * feeds, while the answer equals the passing of the feed: breakage cannot bring
- * it any lower. */
-static void
-note_sieves_limited_by_feed(
-    struct answer *r, const struct question *q, const struct prediction *p)
+/* Returns "44.7 % at 2 mm, 11.1 % at 0.5 mm": what was measured at the speed
+ * and lies below a band that the feed keeps from going lower, no more than
+ * MOST of them; or "".  The caller frees it. */
+static char *
+list_measured_below_feed(const struct session *s, const struct question *q,
+    const struct prediction *p)
 {
-	const double shown = 5e-4;
+	enum { MOST = 3 };
+	size_t n, found = 0;
+	FREED struct psd *part = measured_products_at_speed(s, q, &n);
+	char *list = xstrdup("");
+	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
+		for (size_t k = 0; k < n; k++) {
+			double x = p->product.size[i];
+			double own = psd_passing_at_sieve(&part[k], x);
+			if (is_held_at_feed(q, p, i) &&
+			    own < p->low[i] - SHOWN_PASSING && found++ < MOST)
+				xappend_to_list(&list, ", ",
+				    tr("%.1f %% at %g mm"), units_pct(own),
+				    units_mm(x));
+		}
+	for (size_t k = 0; k < n; k++)
+		psd_free(&part[k]);
+	if (found > MOST)
+		xappend(&list, "%s", tr(", among others"));
+	return list;
+}
+
+/* Names the sieves at which measured products pass clearly less than their
+ * feeds, while the answer, or its band, goes down to the passing of the feed:
+ * breakage cannot bring it any lower. */
+static void
+note_sieves_limited_by_feed(struct answer *r, const struct session *s,
+    const struct question *q, const struct prediction *p)
+{
 	const struct site *site = q->entry->site;
-	const struct psd *feed = question_feed(q);
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < p->product.n; i++) {
-		double x = p->product.size[i],
-		       fed = psd_passing_at_sieve(feed, x);
+		double x = p->product.size[i];
 		double least = INFINITY;
 		for (size_t k = 0; k < site->n_run; k++)
 			least = fmin(least,
 			    psd_passing_at_sieve(&site->run[k].product, x) -
 				psd_passing_at_sieve(&site->run[k].feed, x));
-		if (fed > 0 && fed < 1 && least < -shown &&
-		    p->product.passing[i] - fed < shown)
+		if (is_held_at_feed(q, p, i) && least < -SHOWN_PASSING)
 			xappend_to_list(&list, ", ", "%g", units_mm(x));
 	}
-	if (list[0] != '\0' && !fraction_is_screened(&p->fraction))
+	if (list[0] == '\0' || fraction_is_screened(&p->fraction))
+		return;
+	FREED char *below = list_measured_below_feed(s, q, p);
+	answer_say(r, ANSWER_REMARK,
+	    p->low != NULL
+		? N_("at %s mm the feed has more than measured products, which "
+		     "crushing cannot cause: there answer and band do not go "
+		     "below the feed; sample the feed again")
+		: N_("at %s mm the feed has more than measured products, which "
+		     "crushing cannot cause: there the answer is the feed; "
+		     "sample the feed again"),
+	    list);
+	if (below[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
-		    "at %s mm the feed has more than measured products, which "
-		    "crushing cannot cause: there the answer is the feed; "
-		    "sample the feed again",
-		    list);
+		    "measured at this speed, below the band: %s", below);
 }
 
 bool
@@ -420,14 +466,13 @@ static double
 largest_adjustment_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
-	const double SHOWN = 5e-4; /* changes a tenth of a point */
 	const struct site *site = q->entry->site;
 	double most = 0;
 	for (size_t k = 0; k < site->n_run; k++)
 		if (between || fabs(site->run[k].speed - p->speed) <= 1e-3)
 			most = fmax(most, largest_move_to_feed(s, q->entry,
 					      q->params, k, p->feed_run));
-	return most > SHOWN ? most : 0;
+	return most > SHOWN_PASSING ? most : 0;
 }
 
 /* Builds the answer with all notes.  wanted: with interpolated products. */
@@ -452,7 +497,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	    rotor_speed_rpm_text(entry->site->rotor, p->speed, NAN);
 	if (detail || p->no_daughters || p->break_size >= p->feed.size[0])
 		note_breaking_sizes(r, q, p);
-	note_sieves_limited_by_feed(r, q, p);
+	note_sieves_limited_by_feed(r, s, q, p);
 	note_sieves_missing_in_feed(r, question_feed(q), p);
 	note_wide_sieve_gap_in_feed(r, question_feed(q));
 	if (session_entry_being_fitted(s) == entry_as_loaded(entry))

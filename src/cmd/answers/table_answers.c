@@ -382,9 +382,9 @@ const struct command TABLE_ANSWERS[] = {
 	    "lies and the one in which a new belt cut is expected; if several "
 	    "runs have a feed sample, how far the product moves with the feed; "
 	    "what errors of the stated tip speeds move, by 0.5 % unless "
-	    "stated; and which further sample would help most, as 'uncertainty "
-	    "next' finds it. detail=on "
-	    "shows half the width of the band sieve by sieve: of the model "
+	    "stated; and which further sample would help most, as 'advise' "
+	    "finds it. detail=on shows half the width of the band sieve by "
+	    "sieve: of the model "
 	    "alone, which is what its parameters leave open; of the answer, "
 	    "with what the model leaves out, which is the band of predict; and "
 	    "of one more sample with its error. Below it are the sizes of "
@@ -397,8 +397,8 @@ const struct command TABLE_ANSWERS[] = {
 		   "uncertainty 85 detail=on",
 	.answer = cmd_uncertainty},
     {.name = "advise",
-	.alias = "uncertainty next",
-	.brief = "which sample next narrows a band most",
+	.alias = "next",
+	.brief = "which sample to take next, to narrow a band most",
 	.bare = "speed",
 	.flags = COMMAND_NEEDS_SITE | COMMAND_NEEDS_PARAMS | COMMAND_QUANTITIES,
 	.option = OPTION_LIST({LAST_SPEED},
@@ -409,10 +409,10 @@ const struct command TABLE_ANSWERS[] = {
 	    "For a repeat at each measured speed, and a sample at each round "
 	    "speed, shows the expected width of the band of one figure of the "
 	    "product at a speed; see UNCERTAINTY in tipspeed-model(7). If "
-	    "several feeds were sampled, also shows what they change.",
-	.example =
-	    "load data/sites/tierp.csv\ncalibrate\nuncertainty next p80\n"
-	    "uncertainty next 85 passing 2",
+	    "several feeds were sampled, also shows what they change. "
+	    "'uncertainty next' does the same.",
+	.example = "load data/sites/tierp.csv\ncalibrate\nadvise p80\n"
+		   "advise 85 passing 2",
 	.answer = cmd_advise},
     {.name = "league",
 	.brief = "compare all breakage models on the site's runs",

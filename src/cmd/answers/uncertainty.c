@@ -291,10 +291,10 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	    : best.repeat
 		? N_("what would help %s at %.4g m/s most: another sample at "
 		     "%.4g m/s%s; it is expected to narrow its band by %.0f "
-		     "%%; 'uncertainty next' is about other figures")
+		     "%%; 'advise' is about other figures")
 		: N_("what would help %s at %.4g m/s most: a sample at %.4g "
 		     "m/s%s; it is expected to narrow its band by %.0f %%; "
-		     "'uncertainty next' is about other figures"),
+		     "'advise' is about other figures"),
 	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 }
 
@@ -463,12 +463,11 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 	bool draws = false, next = false;
 	if (!parse_speed_and_keywords(args, q, &draws, &next, error))
 		return false;
-	if (next)
-		return cmd_advise(s, args, q, error);
 	question_use_last_speed_and_feed(s, args, q);
 	const struct settings was = s->set;
 	apply_setting_options(s, args);
-	bool ok = show_uncertainty(s, args, q, draws, error);
+	bool ok = next ? cmd_advise(s, args, q, error)
+		       : show_uncertainty(s, args, q, draws, error);
 	if (!ok)
 		s->set = was;
 	return ok;

@@ -89,6 +89,8 @@ say_if_little_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
 	double can = breakable_share(a), does = p->selected;
+	if (p->no_daughters)
+		return;
 	double moved = psd_rms_difference(
 	    p->feed.passing, p->product.passing, p->feed.n, NULL);
 	if (can > 0 && can < FEW)
@@ -102,8 +104,7 @@ say_if_little_breaks(const struct explained *a)
 		    "threshold survive",
 		    100 * does / can,
 		    params_value_by_name(&a->entry->params, "f_mat"));
-	bool some = !p->no_daughters && p->break_size < a->feed->size[0];
-	if (some && moved < SAMPLING)
+	if (p->break_size < a->feed->size[0] && moved < SAMPLING)
 		answer_note(a->answer,
 		    "Product and feed differ by %.2f points (RMSE), less than "
 		    "two samples from the same belt differ",
@@ -201,8 +202,6 @@ static const char *const REMEDY[] = {
 			"the crusher goes, 'add' it and calibrate again"),
     [TRUST_SLOW] = N_("take a belt cut slower than all others, 'add' it and "
 		      "calibrate again"),
-    [TRUST_BAND] = N_("'uncertainty next' names the sample that narrows the "
-		      "band most"),
     [TRUST_FEED] = N_("take a belt cut with this feed, 'add' it and calibrate "
 		      "again"),
     [TRUST_BOUND] = N_("widen it with 'params bounds', if the rock allows, and "
@@ -614,27 +613,41 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	const struct entry *entry = q->entry;
 	double v = q->speed;
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
+	const char *by = q->speed_given ? NULL : s->last_asked.found_by;
 	struct explained a = {.s = s,
 	    .q = q,
 	    .entry = entry,
 	    .feed = question_feed(q),
 	    .p = forecast_whole_product(s, entry, v, q->feed),
 	    .rpm = rpm,
-	    .answer = answer_about_site(
-		entry->site, "why", "why, at %.4g m/s%s", v, rpm)};
+	    .answer = answer_about_site(entry->site, "why",
+		by != NULL
+		    ? N_("why, at %.4g m/s%s, the speed that '%s' showed")
+		    : N_("why, at %.4g m/s%s"),
+		v, rpm, by)};
 	struct trust trust = trust_in_answer_or_fit(s, entry, &a.p);
 	fields_put(answer_fields(a.answer), "speed %g", v);
+	bool breaks = !fit_nothing_breaks(entry_as_loaded(entry));
+	answers_warn_if_nothing_breaks(a.answer, entry);
 	say_trust_is_green(&a, &trust);
-	say_what_breaks(&a);
-	say_if_little_breaks(&a);
-	say_if_speed_hardly_matters(&a);
+	if (breaks) {
+		say_what_breaks(&a);
+		say_if_little_breaks(&a);
+		say_if_speed_hardly_matters(&a);
+	}
 	say_share_in_fraction(&a);
 	say_if_within_training_speeds(&a);
-	say_held_out_difference(&a);
+	if (breaks)
+		say_held_out_difference(&a);
 	say_trust_light(&a, &trust);
-	say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
+	if (breaks)
+		say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
 	feed_add_note(a.answer, entry->site, q->feed, NULL, 0);
+	if (breaks && a.p.low != NULL)
+		answer_note(a.answer,
+		    "'advise' names the sample that would narrow the band "
+		    "most");
 	trust_free(&trust);
 	prediction_free(&a.p);
 	return session_show_answer(s, a.answer);

@@ -291,6 +291,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		conditions_note_source_of_limits(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
 		session_keep_last_asked(s, a.w->best, &a.list.at[0].quantity);
+		s->last_asked.found_by = "window";
 		forecast_close(a.wanted.forecast);
 		speed_search_free(a.w);
 		ok = session_show_answer(s, r);

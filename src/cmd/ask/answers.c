@@ -386,6 +386,13 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 		    units_mm(w->rotor));
 }
 
+void
+answers_warn_if_nothing_breaks(struct answer *r, const struct entry *entry)
+{
+	if (fit_nothing_breaks(entry_as_loaded(entry)))
+		answer_say(r, ANSWER_WARNING, "%s", tr(FIT_NOTHING_BREAKS));
+}
+
 /* Warns of a speed beyond the measured ones, unless the light does. */
 static void
 warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
@@ -408,6 +415,8 @@ answers_note_basis(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light)
 {
+	if (whose == NULL)
+		answers_warn_if_nothing_breaks(r, q->entry);
 	warn_beyond_measured_speeds(r, q->entry, speed, light);
 	origin_add_note(r, q->entry);
 	feed_add_note(r, q->entry->site, q->feed, whose, q->moved);
@@ -442,6 +451,7 @@ answers_show_fit_basis(const struct session *s, struct answer *r,
 {
 	if (band)
 		band_note_meaning(r, s, entry, false);
+	answers_warn_if_nothing_breaks(r, entry);
 	origin_add_note(r, entry);
 	feed_note_assumed_top_size(r, entry->site, NULL);
 	note_model_if_not_of_paper(s, r, entry);

@@ -137,6 +137,10 @@ void answers_show_basis(const struct session *s, struct answer *r,
 void answers_show_basis_at(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band);
 
+/* Warns if nothing measurable breaks at the site, and says what to do. */
+void answers_warn_if_nothing_breaks(
+    struct answer *r, const struct entry *entry);
+
 /* Appends the basis of a fit and returns its light. */
 enum light answers_show_fit_basis(const struct session *s, struct answer *r,
     const struct entry *entry, bool band);

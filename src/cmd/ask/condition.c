@@ -15,6 +15,7 @@
 #include "cmd/ask/answers.h"
 #include "cmd/ask/envelope.h"
 #include "cmd/ask/quantity_words.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/trust_light.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
@@ -766,18 +767,29 @@ bool
 conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
     const struct quantity *q, double limit, bool most)
 {
-	bool size = quantities_is_size(q);
-	if (fraction_is_screened(&q->fraction) || most == size ||
-	    (!size && q->kind != QUANTITY_PASSING))
+	int rises = quantity_change_if_finer(q);
+	if (rises == 0 || most != (rises > 0))
 		return false;
-	double own = quantity_read_off_curve(q, feed, 1);
-	if (!(size ? own < limit : own > limit))
+	double own = screened_quantity_of_product(feed, q);
+	if (!(rises > 0 ? own > limit : own < limit))
 		return false;
 	answer_note(r,
 	    "the feed itself has %.*f%s: no speed gives a coarser product",
 	    quantities_decimals(q), quantities_value_in_shown_unit(q, own),
 	    quantities_unit_suffix(q));
 	return true;
+}
+
+/* As conditions_note_feed_is_finer, about the limit that the nearest speed
+ * misses. */
+static bool
+note_feed_misses_limit(struct answer *r, const struct condition_list *list,
+    const struct speed_search *found, const struct psd *feed)
+{
+	const struct wanted_limit missed = found->margin.limit;
+	const struct condition *c = &list->at[missed.i];
+	return conditions_note_feed_is_finer(r, feed, &c->quantity,
+	    missed.most ? c->most : c->least, missed.most);
 }
 
 /* Notes the limits that exclude slower and faster speeds than the nearest one.
@@ -787,10 +799,7 @@ note_conflicting_limits(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found,
     const struct psd *feed)
 {
-	const struct wanted_limit missed = found->margin.limit;
-	const struct condition *c = &list->at[missed.i];
-	if (conditions_note_feed_is_finer(r, feed, &c->quantity,
-		missed.most ? c->most : c->least, missed.most))
+	if (note_feed_misses_limit(r, list, found, feed))
 		return;
 	const struct wanted_limit limit[] = {found->low, found->high};
 	const double end[] = {wanted->from, wanted->to};
@@ -821,11 +830,8 @@ conditions_decimals_of_miss(double points)
 	return fabs(points) < 0.1 ? 2 : 1;
 }
 
-/* If the best speed lies beyond the measured ones, notes by how much the
- * nearest measured speed misses.  Leaves the forecast at the best speed. */
-static void
-note_nearest_measured(struct answer *r, const struct wanted *wanted,
-    const struct speed_search *found)
+double
+conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
 {
 	const struct site *site = wanted->site;
 	double near = NAN, slowest = INFINITY, fastest = -INFINITY;
@@ -833,11 +839,22 @@ note_nearest_measured(struct answer *r, const struct wanted *wanted,
 		double v = site->run[i].speed;
 		slowest = fmin(slowest, v);
 		fastest = fmax(fastest, v);
-		if (!(fabs(v - found->best) >= fabs(near - found->best)))
+		if (!(fabs(v - speed) >= fabs(near - speed)))
 			near = v;
 	}
-	if (!isfinite(wanted->reach) || !(near > 0) ||
-	    (found->best > slowest - 0.05 && found->best < fastest + 0.05))
+	bool beyond = speed < slowest - 0.05 || speed > fastest + 0.05;
+	return isfinite(wanted->reach) && near > 0 && beyond ? near : NAN;
+}
+
+/* If the best speed lies beyond the measured ones, notes by how much the
+ * nearest measured speed misses.  Leaves the forecast at the best speed. */
+static void
+note_nearest_measured(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
+{
+	const struct site *site = wanted->site;
+	double near = conditions_nearest_measured_speed(wanted, found->best);
+	if (isnan(near))
 		return;
 	forecast_set_speed(wanted->forecast, near);
 	struct margin margin = condition_margin(wanted, SIZE_MAX);
@@ -876,6 +893,7 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s alike, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
+		note_feed_misses_limit(r, list, found, feed);
 	} else {
 		FREED char *rpm =
 		    rotor_speed_rpm_text(wanted->site->rotor, found->best, NAN);

@@ -128,6 +128,11 @@ char *conditions_rewrite_superlative(const char *text);
  * than 0.0. */
 int conditions_decimals_of_miss(double points);
 
+/* Returns the measured speed nearest to one beyond the measured speeds, m/s;
+ * NAN if it lies between them or none were measured. */
+double conditions_nearest_measured_speed(
+    const struct wanted *wanted, double speed);
+
 /* If no speed meets all conditions, notes which of them prevent it, and whether
  * the feed alone does.  Moves the forecast to the best speed. */
 void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,

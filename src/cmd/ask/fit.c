@@ -5,12 +5,22 @@
 
 #include <math.h>
 
+#include "base/tr.h"
 #include "core/check/validate.h"
 
+const char *const FIT_NOTHING_BREAKS =
+    N_("the products are not measurably finer than the feed: there is nothing "
+       "to calibrate on; is it their feed, and are these the right lines of "
+       "the sheet ('show data' has both)? if so, measure with a coarser feed "
+       "or at a higher speed");
+
 bool
-fit_is_no_better_than_feed(const struct fit *fit)
+fit_nothing_breaks(const struct entry *entry)
 {
-	return fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit;
+	const struct fit *fit = &entry->fit;
+	return entry->has_fit &&
+	       (trust_is_no_product_finer(entry->site) ||
+		   fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit);
 }
 
 bool

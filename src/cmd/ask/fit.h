@@ -8,8 +8,11 @@
 #include "cmd/session/session.h"
 #include "core/check/trust.h"
 
-/* True if the fit explains little that product = feed does not. */
-bool fit_is_no_better_than_feed(const struct fit *fit);
+/* True if the entry was calibrated on products that are not measurably finer
+ * than the feed, or its fit explains little that product = feed does not.
+ * FIT_NOTHING_BREAKS: that in a sentence, with what to do, to be translated. */
+extern const char *const FIT_NOTHING_BREAKS;
+bool fit_nothing_breaks(const struct entry *entry);
 
 /* True if parameter j is part of a notable flat direction, along which the
  * misfit hardly rises. */

@@ -286,8 +286,10 @@ question_run_answer(struct session *s, const struct args *args,
 	    (!known || answers_require_params_of_current(s, error)) &&
 	    question_from_args(s, session_current_entry(s), args, &q, error) &&
 	    answer(s, args, &q, error);
-	if (ok && q.speed_given)
+	if (ok && q.speed_given) {
 		s->last_asked.speed = q.speed;
+		s->last_asked.found_by = NULL;
+	}
 	question_free(s, &q);
 	return ok;
 }

@@ -220,7 +220,7 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 		find_bound_that_limits_answer(s, entry, p, &q);
 	if (!entry->has_fit)
 		judge_origin_of_params(&t, s, own);
-	if (e != NULL)
+	if (e != NULL && !e->like_feed)
 		judge_calibration(&t, s, origin_find_fit(entry));
 	char *energies = energies_trust_reason(s);
 	if (energies != NULL)
@@ -331,12 +331,13 @@ trust_show(struct answer *r, struct trust t)
 
 /* Returns a verdict that needs no light, or NULL if the light decides. */
 static const char *
-verdict_without_light(const struct fit *fit)
+verdict_without_light(const struct entry *entry)
 {
-	return fit->rmse > FIT_POOR              ? tr("poor")
-	       : fit_has_too_few_data(fit)       ? tr("too few data")
-	       : fit_is_no_better_than_feed(fit) ? tr("nothing breaks")
-						 : NULL;
+	const struct fit *fit = &entry->fit;
+	return fit->rmse > FIT_POOR        ? tr("poor")
+	       : fit_has_too_few_data(fit) ? tr("too few data")
+	       : fit_nothing_breaks(entry) ? tr("nothing breaks")
+					   : NULL;
 }
 
 static const char *
@@ -351,7 +352,7 @@ const char *
 verdict_on_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	const char *plain = verdict_without_light(&entry->fit);
+	const char *plain = verdict_without_light(entry);
 	return plain != NULL
 		   ? plain
 		   : verdict_of_light(trust_in_answer_or_fit(s, entry, p));
@@ -360,7 +361,7 @@ verdict_on_fit(const struct session *s, const struct entry *entry,
 const char *
 verdict_without_draws(const struct session *s, const struct entry *entry)
 {
-	const char *plain = verdict_without_light(&entry->fit);
+	const char *plain = verdict_without_light(entry);
 	struct evidence e = evidence_without_draws(s, entry);
 	/* No cut has been added since this calibration. */
 	return plain != NULL ? plain

@@ -64,29 +64,30 @@ fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
 					: 0);
 }
 
-/* Explains by the break size and the feed why nothing breaks. */
+/* Adds what the fit is worth where nothing breaks, and whether the break size
+ * explains that. */
 static void
 explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 {
+	const double few = 0.05; /* of the feed */
 	const struct run *fastest = &entry->site->run[entry->site->n_run - 1];
 	double x = params_break_size_by_impacts(
 	    &entry->fit.params, &entry->fit.settings, fastest->speed);
 	double coarser =
-	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : 0;
+	    isfinite(x) && x > 0 ? 1 - psd_passing(&fastest->feed, x) : x <= 0;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, fastest->speed, NAN);
-	answer_say(r, ANSWER_WARNING,
-	    "nothing breaks: the products do not differ measurably from the "
-	    "feed (RMSE of the unchanged feed %.2f points, of the fit %.2f), "
-	    "so the parameters fit sampling error",
+	answer_say(r, ANSWER_REMARK,
+	    "RMSE of the unchanged feed %.2f points, of the fit %.2f: the "
+	    "parameters fit sampling errors",
 	    100 * sqrt(entry->fit.feed_misfit / (double)entry->fit.n_residual),
 	    100 * entry->fit.rmse);
-	answer_say(r, ANSWER_REMARK,
-	    "only particles coarser than the break size break; at %g m/s%s "
-	    "that "
-	    "is %.3g mm or more, and %.1f %% of the feed is coarser: measure "
-	    "with a coarser feed or a higher speed",
-	    fastest->speed, rpm, units_mm(x), 100 * coarser);
+	if (coarser < few)
+		answer_say(r, ANSWER_REMARK,
+		    "only particles coarser than the break size break; at %g "
+		    "m/s%s that is %.3g mm or more, and %.1f %% of the feed is "
+		    "coarser",
+		    fastest->speed, rpm, units_mm(x), 100 * coarser);
 }
 
 /* Returns the range of a parameter: that of its bounds, or 2 in the gauge,
@@ -183,7 +184,7 @@ add_warnings_of_fit(struct answer *r, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	if (fit->rmse <= FIT_POOR && !fit_has_too_few_data(fit) &&
-	    fit_is_no_better_than_feed(fit))
+	    fit_nothing_breaks(entry))
 		explain_why_nothing_breaks(r, entry);
 	struct validation far = fit_find_outlier(entry);
 	FREED char *rpm =
@@ -459,6 +460,9 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	    answer_fields(r), entry, verdict_on_fit(s, entry, NULL), seconds);
 	if (answers_show_fit_basis(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
+	else if (fit_nothing_breaks(entry))
+		answer_note(r, "next: 'show data' has feed and products side "
+			       "by side");
 	else
 		answer_note(r,
 		    "next: 'predict %s', or any speed; 'show fit' "

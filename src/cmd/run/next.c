@@ -179,22 +179,6 @@ is_already_said(const struct session *s, const char *text)
 	return false;
 }
 
-/* Returns how many of the remarks of check, about the site in use or all, load
- * has not told. */
-static size_t
-count_new_remarks(const struct session *s, const struct answer *check)
-{
-	bool all = answer_find_number(check, "read.n") > 1;
-	size_t n = answer_view(check).n_row, told = 0;
-	for (size_t i = 0; i < s->n_entry; i++) {
-		const struct site *site = s->entry[i].site;
-		if (all || i == s->current)
-			told += site->n_left_out +
-				(size_t)(site_assumed_top_size(site) > 0);
-	}
-	return n > told ? n - told : 0;
-}
-
 void
 next_note_results(const struct session *s)
 {
@@ -208,7 +192,7 @@ next_note_results(const struct session *s)
 	for (size_t i = check; i + 1 < view.n_sentence; i++)
 		if (!is_already_said(s, view.sentence[i].text))
 			session_note(s, "%s", view.sentence[i].text);
-	size_t n = check ? count_new_remarks(s, a) : 0;
+	size_t n = check ? view.n_row : 0;
 	if (check)
 		session_note(s,
 		    n == 0

@@ -82,9 +82,11 @@ struct job {
 };
 
 /* What was last asked about: a speed, m/s, or 0 before the first question, and
- * a quantity, if one was named. */
+ * a quantity, if one was named.  found_by: the command that found the speed, or
+ * NULL for one that the user named. */
 struct last_asked {
 	double speed;
+	const char *found_by;
 	bool named;
 	struct quantity of;
 };

@@ -26,9 +26,6 @@ static const double COARSER_FAULT = 0.02;
  * little for the binary fractions. */
 static const double ROUNDING = 0.001 + 1e-9;
 
-/* If a product is this close to its feed on every sieve, nothing breaks. */
-static const double NOTHING = 0.01;
-
 /* Where a run's product is coarser than its feed: the number of such sieves
  * among those compared, and the largest excess. */
 struct coarser {
@@ -61,11 +58,12 @@ compare_product_with_feed(const struct run *run)
 void
 check_warn_coarser_product(struct session *s, const struct site *site)
 {
+	bool none_finer = trust_is_no_product_finer(site);
 	for (size_t r = 0; r < site->n_run; r++) {
 		struct coarser c = compare_product_with_feed(&site->run[r]);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, site->run[r].speed, NAN);
-		if (c.sieves > 0)
+		if (c.most > (none_finer ? COARSER_FAULT : 0))
 			session_note(s,
 			    "  at %g m/s%s%s the product is coarser than the "
 			    "feed on %zu of %zu sieves, by up to %.2f points "
@@ -120,11 +118,10 @@ check_product_against_feed(
 			       "crushing cannot coarsen; sampling error may "
 			       "explain it"),
 		    c.sieves, c.compared, 100 * c.most, units_mm(c.at));
-	if (run->product.n > 0 && c.farthest < NOTHING)
+	if (run->product.n > 0 && c.farthest < SAMPLES_AGREE)
 		finding(r, entry, false, where,
-		    "product equals feed within %.2f points: nothing breaks at "
-		    "this speed, because the feed has hardly anything above "
-		    "the break size",
+		    "product equals feed within %.2f points: nothing "
+		    "measurable breaks at this speed; is it the right feed?",
 		    100 * c.farthest);
 	if (run->product.n > c.compared)
 		finding(r, entry, false, where,

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/fit.h"
 #include "cmd/sheets/check.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
@@ -146,6 +147,8 @@ note_loaded(struct session *s, const struct site *site)
 		    "loaded %s: a feed on %zu sieves, no product; run 'guess' "
 		    "for an estimate",
 		    label, n);
+	if (trust_is_no_product_finer(site))
+		session_note(s, "  %s", tr(FIT_NOTHING_BREAKS));
 	load_note_files_read(s, site);
 	if (products == 1)
 		session_note(s,

@@ -301,7 +301,8 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	struct evidence e = {.cells = fit->cells,
 	    .parameters = fit->parameters,
 	    .rmse = fit->rmse,
-	    .like_feed = fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit,
+	    .like_feed = trust_is_no_product_finer(site) ||
+			 fit->misfit > (1 - FIT_NOTHING) * fit->feed_misfit,
 	    .discrepancy = NAN,
 	    .sampling = NAN,
 	    .more = NAN,
@@ -381,17 +382,13 @@ judge_data(struct trust *t, const struct evidence *e, double rotor)
 			    "reveal a wrong model; add sieves or a run",
 			    e->parameters),
 			e->cells, e->parameters));
-	else if (e->like_feed && !(e->rmse > FIT_POOR))
-		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
-		    xstrdup(tr("the training products hardly differ from their "
-			       "feed: the parameters fit sampling errors")));
 	if (e->speeds == 1)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xasprintf(
 			tr("one speed, %g m/s%s, was measured: nothing shows "
 			   "what the speed does; add a cut at another"),
 			e->slowest, rpm));
-	if (e->halves > DRAWS_SETTLED)
+	if (e->halves > DRAWS_SETTLED && !e->like_feed)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
 			tr("the band has not settled (two halves of its draws "
@@ -417,7 +414,7 @@ judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 			e->against.fast, fast, e->against.slow, slow,
 			100 * e->against.order.most,
 			1e3 * e->against.order.at));
-	if (e->all_break)
+	if (e->all_break && !e->like_feed)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xasprintf(
 			tr("the fit has no break size: in it particles of "
@@ -611,13 +608,21 @@ void
 trust_judge_answer(
     struct trust *t, const struct evidence *e, const struct trust_question *q)
 {
+	/* What else is wrong with a fit to sampling errors follows from this.
+	 */
+	if (e->like_feed)
+		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
+		    xstrdup(tr("the products are not measurably finer than the "
+			       "feed: there is nothing to calibrate on")));
 	judge_data(t, e, q->rotor);
 	judge_contradictions(t, e, q->rotor);
-	judge_holdout(t, e, q->rotor);
+	if (!e->like_feed)
+		judge_holdout(t, e, q->rotor);
 	/* An answer shows its first reason. */
 	if (q->speed > 0)
 		judge_speed(t, e, q->speed, q->rotor);
-	judge_pattern(t, e, is_measured_around(e, q));
+	if (!e->like_feed)
+		judge_pattern(t, e, is_measured_around(e, q));
 	judge_question(t, q);
 }
 
@@ -688,6 +693,22 @@ trust_compare_order(const struct psd *slow, const struct psd *fast)
 	}
 	o.mean = n > 0 ? sum / n : 0;
 	return o;
+}
+
+bool
+trust_is_no_product_finer(const struct site *site)
+{
+	size_t n = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		const struct run *run = &site->run[r];
+		if (misfit_count_covered_sieves(run) == 0)
+			continue;
+		n++;
+		if (trust_compare_order(&run->product, &run->feed).most >
+		    SAMPLES_AGREE)
+			return false;
+	}
+	return n > 0;
 }
 
 bool

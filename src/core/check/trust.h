@@ -24,6 +24,9 @@ extern const char *const LIGHT_NAME[3];
  * careful repeat samples agree within 0.005 or 0.01. */
 #define FIT_POOR 0.02
 
+/* Two samples from one belt agree within this, passing 0..1. */
+#define SAMPLES_AGREE 0.01
+
 /* If the fit lowers the null model's misfit by less than this share, the
  * products cannot be distinguished from the feed. */
 #define FIT_NOTHING 0.5
@@ -48,12 +51,17 @@ struct passing_order trust_compare_order(
 #define ORDER_NOTABLE 0.02
 bool trust_is_order_wrong(const struct passing_order *o);
 
+/* True if there are products, and none is finer than its feed on any sieve by
+ * more than two samples from one belt may differ. */
+bool trust_is_no_product_finer(const struct site *site);
+
 /* The evidence on the fit itself, independent of the question; gathered once
  * for each fit. */
 struct evidence {
 	size_t cells, parameters; /* of the fit */
 	double rmse;              /* of the fit, passing 0..1 */
-	bool like_feed;           /* products do not differ from the feed */
+	/* The products are not measurably finer than the feed. */
+	bool like_feed;
 	/* Residuals at all runs used, less the part that a step of the
 	 * parameters explains.  size: mean square over that of usual sampling
 	 * errors; alike: correlation of neighbours on a curve, in its standard

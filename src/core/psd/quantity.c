@@ -46,6 +46,17 @@ largest_step_of_curve(const struct quantity *q, const struct psd *curve)
 	return most;
 }
 
+int
+quantity_change_if_finer(const struct quantity *q)
+{
+	const struct fraction *f = &q->fraction;
+	if (q->kind == QUANTITY_SHARE)
+		return f->coarse > 0 && !(f->fine > 0);
+	if (fraction_is_screened(f))
+		return 0;
+	return q->kind == QUANTITY_PASSING ? 1 : -(q->kind == QUANTITY_SIZE);
+}
+
 bool
 quantity_same(const struct quantity *a, const struct quantity *b)
 {
