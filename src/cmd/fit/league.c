@@ -699,9 +699,12 @@ name_of_model_task(const struct session *s)
 			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
-static const struct job_type LEAGUE = {begin_next_model_or_site, NULL,
-    add_model_result, show_league_and_end, league_free, false,
-    name_of_model_task, N_("stopped before all models were calibrated"), NULL};
+static const struct job_type LEAGUE = {.next = begin_next_model_or_site,
+    .take = add_model_result,
+    .end = show_league_and_end,
+    .drop = league_free,
+    .task_words = name_of_model_task,
+    .useless = N_("stopped before all models were calibrated")};
 
 bool
 cmd_league(struct session *s, const struct args *args, struct error *error)
