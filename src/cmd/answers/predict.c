@@ -481,10 +481,8 @@ draw_prediction_curves(struct session *s, const struct question *q,
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_default_request(PLOT_PSD);
-	request.entry = q->entry;
-	request.speed = p->speed;
-	request.fraction = p->fraction;
-	request.feed = p->feed_run;
+	request.asked = *q;
+	request.asked.speed = p->speed;
 	request.band = plot_is_image_wanted(s) && p->low != NULL;
 	if (!plot_is_image_wanted(s))
 		request.strip = 0;
