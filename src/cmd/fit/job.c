@@ -259,23 +259,6 @@ sample_posterior_of_fit(struct session *s)
 	return posterior_draw_a_part(s, &s->entry[s->job.entry]);
 }
 
-/* draw: judge the fit by its draws, too. */
-static void
-set_and_judge_fit(struct session *s, bool draw)
-{
-	const struct entry *entry = &s->entry[s->job.entry];
-	if (!s->job.taken)
-		set_params_from_fit(s);
-	/* `calibrate all` answers with a table of sites, which has none of
-	 * these fields. */
-	struct answer *answer = answer_new("calibrate");
-	fit_put_fields(answer_fields(answer), entry,
-	    draw ? verdict_on_fit(s, entry, NULL)
-		 : verdict_without_draws(s, entry),
-	    session_clock() - s->job.started);
-	session_keep_answer(s, answer);
-}
-
 static void
 show_fit_report(struct session *s)
 {
@@ -340,7 +323,8 @@ has_single_fit_to_run(struct session *s)
 static void
 set_and_show_single_fit(struct session *s)
 {
-	set_and_judge_fit(s, true);
+	if (!s->job.taken)
+		set_params_from_fit(s);
 	show_fit_report(s);
 }
 
@@ -418,7 +402,13 @@ set_fit_and_add_row(struct session *s)
 {
 	struct all_fits *fits = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
-	set_and_judge_fit(s, false);
+	if (!s->job.taken)
+		set_params_from_fit(s);
+	/* The table of sites has none of these fields. */
+	struct answer *answer = answer_new("calibrate");
+	fit_put_fields(answer_fields(answer), entry,
+	    verdict_without_draws(s, entry), session_clock() - s->job.started);
+	session_keep_answer(s, answer);
 	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
 	    entry->fit.misfit, 100 * entry->fit.rmse);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
