@@ -179,14 +179,12 @@ add_model_result(struct session *s)
 		t->aicc =
 		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 	}
-	trials_add_held_out_runs(
-	    &t->runs, &(struct predicted_by){.entry = g->entry,
-			  .key = s->entry[g->entry].key,
-			  .site = g->site,
-			  .train = job->train,
-			  .params = t->last.params,
-			  .settings = t->last.settings,
-			  .rmse = t->last.rmse});
+	trials_add_held_out_runs(&t->runs, s,
+	    &(struct predicted_by){.entry = g->entry,
+		.train = job->train,
+		.params = t->last.params,
+		.settings = t->last.settings,
+		.rmse = t->last.rmse});
 }
 
 /* Returns the sampling error of a passing at a site: the residual error of the

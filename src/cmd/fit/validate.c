@@ -158,9 +158,9 @@ compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 	struct validating *found = xcalloc(1, sizeof *found);
 	found->runs.one = c->runs.one;
 	found->runs.level = c->runs.level;
-	trials_add_held_out_runs(&found->runs,
-	    &(struct predicted_by){task->entry, s->entry[task->entry].key, site,
-		task->train, fit.params, fit.settings, posterior, fit.rmse});
+	trials_add_held_out_runs(&found->runs, s,
+	    &(struct predicted_by){task->entry, task->train, fit.params,
+		fit.settings, posterior, fit.rmse});
 	posterior_free(posterior);
 	return found;
 }
