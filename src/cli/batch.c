@@ -195,6 +195,8 @@ batch_run_typed_lines(struct session *s)
 		enum text_line got = text_read_line(&line, &n, &room, stdin);
 		bool more =
 		    got == TEXT_LINE && script_line_continues(line + from);
+		if (got == TEXT_LINE)
+			script_remove_line_end(line + from);
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/tr.h"
+#include "base/xalloc.h"
 #include "cmd/draw/plots.h"
 #include "cmd/fit/job.h"
 #include "cli/signals.h"
@@ -46,7 +47,10 @@ print_progress_line(const struct session *s, struct progress *p,
 		return;
 	p->shown = now;
 	char text[128];
-	if (st->state == CALIBRATE_POLISHING)
+	if (s->job.calibration == NULL) {
+		FREED char *at = s->job.type->task_words(s);
+		snprintf(text, sizeof text, "  %s", at);
+	} else if (st->state == CALIBRATE_POLISHING)
 		snprintf(text, sizeof text,
 		    "  calibrating: polishing, misfit %.4g", st->best);
 	else
@@ -161,6 +165,11 @@ print_report_on_signal(const struct session *s)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	clear_progress_line();
+	if (s->job.calibration == NULL) {
+		FREED char *at = s->job.type->task_words(s);
+		fprintf(stderr, "%s\n", at);
+		return;
+	}
 	fprintf(stderr,
 	    st.state == CALIBRATE_POLISHING
 		? tr("%s: generation %zu of %zu, best %.4g, median %.4g, %.1f "

@@ -294,6 +294,7 @@ run_pasted_lines(struct session *s, char *typed, int *number)
 		if (end != NULL)
 			*end++ = '\0';
 		bool more = script_line_continues(line);
+		script_remove_line_end(line);
 		FREED char *joined = xasprintf("%s%s", prompt.before, line);
 		free(prompt.before);
 		prompt.before = xstrdup(more ? joined : "");

@@ -30,7 +30,7 @@ on_click_plot(struct tui *t, const struct touched *touched)
 	if (touched->item >= t->n_drawn)
 		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
-	request->entry = tui_entry_for_prediction(t);
+	request->asked.entry = tui_entry_for_prediction(t);
 	if (!plots_find_at_cell(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
@@ -52,14 +52,14 @@ pane_draw_plot(
 	if (area->rows < 1 || area->columns < 1)
 		return;
 	r.charset = screen_charset();
-	if (r.entry == NULL)
-		r.entry = tui_entry_for_prediction(t);
+	if (r.asked.entry == NULL)
+		r.asked.entry = tui_entry_for_prediction(t);
 	struct canvas *canvas = plots_draw_canvas(
 	    t->session, &r, area->columns, area->rows, &error);
 	if (canvas != NULL) {
 		screen_draw_canvas(area, canvas);
 		canvas_free(canvas);
-		if (request->entry != NULL || t->n_drawn == PLOTS_DRAWN)
+		if (request->asked.entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
 		t->drawn[t->n_drawn].request = r;
 		hits_add(

@@ -25,7 +25,7 @@ running_line_text(const struct tui *t)
 		FREED char *at = s->job.type->task_words(s);
 		xappend(&words, "\n%s", at);
 	}
-	if (session_is_calibrating(s)) {
+	if (s->job.calibration != NULL && !s->job.paused) {
 		xappend_to_list(&words, "\n", tr("generation %zu of %zu"),
 		    calibration_status(s->job.calibration).generation,
 		    s->job.options.generations);

@@ -18,7 +18,7 @@ enum { COLUMNS = 40 };
 
 /* What is asked, at tip speed v, m/s: with options beside it; and what predict
  * answers to it, in % and mm. */
-struct question {
+struct tested {
 	double v;
 	const char *with;
 	struct psd product;
@@ -107,7 +107,7 @@ ask(struct desk *desk, const char *format, ...)
 }
 
 static void
-same(const struct question *q, const char *view, const char *what, double got,
+same(const struct tested *q, const char *view, const char *what, double got,
     double want)
 {
 	if (!(fabs(got - want) <= 1e-9) && !(isnan(got) && isnan(want)))
@@ -116,7 +116,7 @@ same(const struct question *q, const char *view, const char *what, double got,
 }
 
 static void
-ask_predict(struct desk *desk, struct question *q)
+ask_predict(struct desk *desk, struct tested *q)
 {
 	ask(desk, "predict %.17g%s", q->v, q->with);
 	static const char *const SIZE[PSD_SIZES] = {
@@ -145,7 +145,7 @@ ask_predict(struct desk *desk, struct question *q)
 }
 
 static void
-ask_sweep(struct desk *desk, const struct question *q)
+ask_sweep(struct desk *desk, const struct tested *q)
 {
 	ask(desk, "sweep speeds=%.17g%s", q->v, q->with);
 	for (size_t i = 0; i < q->product.n; i++) {
@@ -162,7 +162,7 @@ ask_sweep(struct desk *desk, const struct question *q)
 
 /* What is asked of a sieve, and of a size, by figures, card, compare, flow. */
 static void
-ask_figures(struct desk *desk, const struct question *q, size_t i)
+ask_figures(struct desk *desk, const struct tested *q, size_t i)
 {
 	double mm = 1000 * q->product.size[i];
 	ask(desk, "figures %.17g of=\"passing %g\"%s", q->v, mm, q->with);
@@ -201,7 +201,7 @@ ask_figures(struct desk *desk, const struct question *q, size_t i)
 
 /* The balance of masses is that of the model alone. */
 static void
-ask_why(struct desk *desk, const struct question *q)
+ask_why(struct desk *desk, const struct tested *q)
 {
 	ask(desk, "why %.17g 77%s", q->v, q->with);
 	double below = 0;
@@ -216,7 +216,7 @@ ask_why(struct desk *desk, const struct question *q)
 
 /* There and back: at the speed that is found the goal is met. */
 static void
-ask_find(struct desk *desk, const struct question *q)
+ask_find(struct desk *desk, const struct tested *q)
 {
 	if (q->v < 66 || q->v > 84)
 		return;
@@ -231,7 +231,7 @@ ask_find(struct desk *desk, const struct question *q)
 /* Both ends of a window are tenths at which predict says the same, and it does
  * not a tenth further on. */
 static void
-ask_ends(struct desk *desk, const struct question *q, size_t i)
+ask_ends(struct desk *desk, const struct tested *q, size_t i)
 {
 	double mm = 1000 * q->product.size[i], least = q->product.passing[i];
 	ask(desk, "window \"passing %g > %.17g\"%s", mm, least, q->with);
@@ -250,7 +250,7 @@ ask_ends(struct desk *desk, const struct question *q, size_t i)
 
 /* As printed: a report has no more digits. */
 static void
-ask_report(struct desk *desk, const struct question *q, size_t i)
+ask_report(struct desk *desk, const struct tested *q, size_t i)
 {
 	char folder[] = "/tmp/agreeXXXXXX", line[2000], row[120], path[40];
 	assert_non_null(mkdtemp(folder));
@@ -279,7 +279,7 @@ ask_report(struct desk *desk, const struct question *q, size_t i)
 }
 
 static void
-ask_spec(struct desk *desk, const struct question *q, size_t i)
+ask_spec(struct desk *desk, const struct tested *q, size_t i)
 {
 	char path[] = "/tmp/agreeXXXXXX";
 	int fd = mkstemp(path);
@@ -301,7 +301,7 @@ ask_spec(struct desk *desk, const struct question *q, size_t i)
 
 /* Those that took fewer options once: what they say of one sieve. */
 static void
-ask_others(struct desk *desk, const struct question *q, size_t i)
+ask_others(struct desk *desk, const struct tested *q, size_t i)
 {
 	double mm = 1000 * q->product.size[i];
 	ask(desk, "plot response of=\"passing %g\"%s", mm, q->with);
@@ -337,12 +337,12 @@ predicted(const struct chart *chart)
 }
 
 static void
-ask_plot_sweep(struct desk *desk, const struct question *q)
+ask_plot_sweep(struct desk *desk, const struct tested *q)
 {
 	struct error error = {0};
 	struct plot_request request = plots_default_request(PLOT_SWEEP);
-	request.speeds = &q->v;
-	request.n_speed = 1;
+	request.asked.at = &q->v;
+	request.asked.n_at = 1;
 	struct chart *chart = plots_make_chart(desk->session, &request, &error);
 	const struct chart_series *line = predicted(chart);
 	for (size_t k = 0; k < line->n; k++)
@@ -354,12 +354,12 @@ ask_plot_sweep(struct desk *desk, const struct question *q)
 /* Pictures and steps of the slider, which know of no other feed than the
  * site's. */
 static void
-ask_plots(struct desk *desk, const struct question *q, size_t i)
+ask_plots(struct desk *desk, const struct tested *q, size_t i)
 {
 	struct session *s = desk->session;
 	struct error error = {0};
 	struct plot_request request = plots_default_request(PLOT_PSD);
-	request.speed = q->v;
+	request.asked.speed = q->v;
 	struct chart *chart = plots_make_chart(s, &request, &error);
 	const struct chart_series *line = predicted(chart);
 	for (size_t k = 0; k < line->n; k++)
@@ -397,7 +397,7 @@ below(struct draw *draw, size_t n)
 }
 
 static void
-ask_all(struct desk *desk, struct question *q, struct draw *draw)
+ask_all(struct desk *desk, struct tested *q, struct draw *draw)
 {
 	ask_predict(desk, q);
 	size_t i;
@@ -440,7 +440,7 @@ all_give_the_same(void **state)
 		    SITE[n], 1 + (unsigned)below(&draw, 1000));
 		desk_expect(desk, line);
 		for (size_t k = 0; k < times; k++) {
-			struct question q = {
+			struct tested q = {
 			    .v = 65 + 0.25 * (double)below(&draw, 81),
 			    .with = WITH[(n * times + k) % ARRAY_LEN(WITH)]};
 			if (n == 2)
@@ -458,9 +458,9 @@ feed_of_a_sheet_gives_the_same(void **state)
 {
 	struct desk *desk = *state;
 	struct draw draw = draw_start(31);
-	struct question own = {.v = 72, .with = ""},
-			other = {.v = 72,
-			    .with = " feed=data/sites/sunderbyn.csv@69"};
+	struct tested own = {.v = 72, .with = ""},
+		      other = {
+			  .v = 72, .with = " feed=data/sites/sunderbyn.csv@69"};
 	desk_expect(desk, "load data/sites/borlange.csv; "
 			  "calibrate population=200; set format csv");
 	ask_all(desk, &own, &draw);
@@ -474,8 +474,8 @@ errors_of_speeds_give_the_same(void **state)
 {
 	struct desk *desk = *state;
 	struct draw draw = draw_start(32);
-	struct question inside = {.v = 72.25, .with = ""},
-			outside = {.v = 84, .with = " cascade=5"};
+	struct tested inside = {.v = 72.25, .with = ""},
+		      outside = {.v = 84, .with = " cascade=5"};
 	desk_expect(desk, "load data/sites/kiruna.csv; calibrate "
 			  "population=200; set format csv; set speed_sd 3");
 	ask_all(desk, &inside, &draw);

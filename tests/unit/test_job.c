@@ -180,6 +180,25 @@ a_validation_needs_three_speeds_and_no_fit(void **state)
 }
 
 static void
+calibrated_sites_are_compared_step_by_step(void **state)
+{
+	struct desk *desk = *state;
+	struct session *s = desk->session;
+	desk_expect(desk, "synth data/table3.csv site=Bro");
+	desk_expect(desk, "calibrate all population=100 generations=5");
+	start(desk, "validate all");
+	steps(desk, 1);
+	assert_true(session_is_calibrating(s));
+	session_stop_job_for_user(s);
+	assert_false(session_is_calibrating(s));
+	assert_non_null(strstr(desk->notes, "before all sites"));
+	start(desk, "validate all");
+	steps(desk, 2);
+	assert_false(session_is_calibrating(s));
+	assert_true(session_answer_number(s, "validate", "runs") == 2);
+}
+
+static void
 a_paused_calibration_can_be_accepted(void **state)
 {
 	struct desk *desk = *state;
@@ -564,6 +583,7 @@ main(void)
 	    WITH_SITE(run_weights_pull_the_fit_to_a_run),
 	    WITH_SITE(each_speed_is_predicted_from_the_others),
 	    WITH_SITE(a_validation_needs_three_speeds_and_no_fit),
+	    WITH_SITE(calibrated_sites_are_compared_step_by_step),
 	    WITH_SITE(a_paused_calibration_can_be_accepted),
 	    WITH_SITE(a_pause_before_the_first_generation_keeps_nothing),
 	    WITH_SITE(a_new_calibration_replaces_a_paused_one),

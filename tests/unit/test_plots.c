@@ -178,7 +178,7 @@ a_running_search_shows_its_best_so_far(void **state)
 	chart_free(c);
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_default_request(PLOT_PSD);
-	q.entry = session_current_entry(s);
+	q.asked.entry = session_current_entry(s);
 	assert_true(params_to_plot(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_is_calibrating(s))
@@ -196,7 +196,7 @@ a_generation_shows_its_own_best(void **state)
 	const struct history *h = session_current_entry(desk->session)->history;
 	struct plot_request q = plots_default_request(PLOT_PSD);
 	struct params p = {0};
-	q.entry = session_current_entry(desk->session);
+	q.asked.entry = session_current_entry(desk->session);
 	q.generation = 7;
 	assert_true(params_to_plot(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
@@ -221,7 +221,7 @@ what_is_extrapolated_is_dashed(void **state)
 	desk_expect(desk, PARAMS_SET);
 	struct plot_request q = plots_default_request(PLOT_PSD);
 	for (int k = 0; k < 2; k++) {
-		q.speed = k == 0 ? 74 : 84;
+		q.asked.speed = k == 0 ? 74 : 84;
 		struct chart *c = chart_of(desk, &q);
 		size_t lines = 0;
 		for (size_t i = 0; i < c->n; i++) {
@@ -310,7 +310,7 @@ a_second_site_has_a_curve_of_its_own(void **state)
 	struct desk *desk = *state;
 	struct session *s = desk->session;
 	struct plot_request q = plots_default_request(PLOT_PSD);
-	q.speed = 74;
+	q.asked.speed = 74;
 	q.other_speed = 70;
 	q.beside = "tierp";
 	desk_expect(desk, PARAMS_SET);
@@ -350,7 +350,7 @@ a_second_prediction_has_its_own_feed(void **state)
 	static const double FEEDS[] = {0, 69};
 	desk_expect(desk, PARAMS_SET);
 	struct plot_request q = plots_default_request(PLOT_PSD);
-	q.speed = 79;
+	q.asked.speed = 79;
 	q.other_speed = 74;
 	for (size_t i = 0; i < 2; i++) {
 		const struct entry *entry = session_current_entry(s);
@@ -380,7 +380,7 @@ differences_have_a_strip(void **state)
 	struct desk *desk = *state;
 	desk_expect(desk, PARAMS_SET);
 	struct plot_request q = plots_default_request(PLOT_PSD);
-	q.speed = 74.3;
+	q.asked.speed = 74.3;
 	struct chart *c = chart_of(desk, &q);
 	assert_non_null(c->below);
 	assert_int_equal(c->below->n, 1);
@@ -439,7 +439,7 @@ all_runs_are_drawn(void **state)
 	unlink(path);
 	desk_expect(desk, PARAMS_SET);
 	struct plot_request q = plots_default_request(PLOT_PSD);
-	q.speed = 61;
+	q.asked.speed = 61;
 	struct chart *c = chart_of(desk, &q);
 	size_t marks = 0;
 	for (size_t i = 0; i < c->n; i++)
@@ -530,8 +530,8 @@ runs_are_drawn_with_their_own_feeds(void **state)
 	const struct entry *entry = session_current_entry(desk->session);
 	const struct site *site = entry->site;
 	struct plot_request q = plots_default_request(PLOT_RUNS);
-	q.n_speed = ARRAY_LEN(FURTHER);
-	q.speeds = FURTHER;
+	q.asked.n_at = ARRAY_LEN(FURTHER);
+	q.asked.at = FURTHER;
 	struct chart *c = chart_of(desk, &q);
 	for (size_t r = 0; r < ARRAY_LEN(NAMES); r++) {
 		const struct chart_series *m = series_of(c, NAMES[r][0]);

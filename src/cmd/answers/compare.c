@@ -476,10 +476,10 @@ draw_both_curves(
 	const struct compared *one = &side[side[1].pinned ? 0 : 1];
 	const struct compared *two = &side[side[1].pinned ? 1 : 0];
 	struct plot_request request = plots_default_request(PLOT_PSD);
-	request.entry = one->entry;
-	request.speed = one->p.speed;
-	request.fraction = one->p.fraction;
-	request.feed = one->p.feed_run;
+	request.asked.entry = one->entry;
+	request.asked.speed = one->p.speed;
+	request.asked.fraction = one->p.fraction;
+	request.asked.feed = one->p.feed_run;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
 	if (are_two_sites(side))

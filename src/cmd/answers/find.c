@@ -732,28 +732,19 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	return true;
 }
 
-static bool
-find_speed_for_goal(struct session *s, const struct args *args,
-    struct find_request *goal, struct error *error)
+static void
+find_speed_for_goal(const struct session *s, struct find_request *goal)
 {
 	double from = goal->wanted.from, to = goal->wanted.to;
-	bool ok = parse_goal(s, args, goal, error);
-	if (ok) {
-		goal->wanted = conditions_open_search(
-		    s, goal->question, &goal->others, &goal->target);
-		goal->wanted.from = from;
-		goal->wanted.to = to;
-		goal->search = speed_search_run(&goal->wanted);
-		goal->speed = goal->kind == GOAL_VALUE
-				  ? goal->search->found
-				  : speed_search_speed_of_extreme(goal->search,
-					goal->kind == GOAL_MOST, false);
-		show_product_at_goal_speed(s, goal);
-		speed_search_free(goal->search);
-		forecast_close(goal->wanted.forecast);
-	}
-	conditions_free(&goal->others);
-	return ok;
+	goal->wanted = conditions_open_search(
+	    s, goal->question, &goal->others, &goal->target);
+	goal->wanted.from = from;
+	goal->wanted.to = to;
+	goal->search = speed_search_run(&goal->wanted);
+	goal->speed = goal->kind == GOAL_VALUE
+			  ? goal->search->found
+			  : speed_search_speed_of_extreme(
+				goal->search, goal->kind == GOAL_MOST, false);
 }
 
 bool
@@ -766,7 +757,15 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 		return false;
 	parse_goal_options(args, &q->fraction, &goal);
 	bool named = goal.n > 0 || args->n_operand > 0;
-	return !named && (args->spec != NULL || s->spec != NULL)
-		   ? show_speeds_for_envelope(s, args, &goal, error)
-		   : find_speed_for_goal(s, args, &goal, error);
+	if (!named && (args->spec != NULL || s->spec != NULL))
+		return show_speeds_for_envelope(s, args, &goal, error);
+	bool ok = parse_goal(s, args, &goal, error);
+	if (ok) {
+		find_speed_for_goal(s, &goal);
+		show_product_at_goal_speed(s, &goal);
+		speed_search_free(goal.search);
+		forecast_close(goal.wanted.forecast);
+	}
+	conditions_free(&goal.others);
+	return ok;
 }

@@ -336,17 +336,6 @@ predict_probability_words(double level)
 		   : xasprintf(tr("with %g %% probability"), 100 * level);
 }
 
-static double
-predicted_quantity_at_speed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed)
-{
-	struct forecast *f = forecast_open(s, q, of, 1);
-	forecast_set_speed(f, speed);
-	double value = forecast_value_with_band(f, 0).value;
-	forecast_close(f);
-	return value;
-}
-
 bool
 predict_range_over_feeds(const struct session *s, const struct question *q,
     const struct quantity *of, double from, double speed,
@@ -360,9 +349,9 @@ predict_range_over_feeds(const struct session *s, const struct question *q,
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
 		own.feed = run;
-		double value = predicted_quantity_at_speed(s, &own, of, speed);
+		double value = forecast_quantity_at_speed(s, &own, of, speed);
 		if (!isnan(from))
-			value -= predicted_quantity_at_speed(s, &own, of, from);
+			value -= forecast_quantity_at_speed(s, &own, of, from);
 		range[0] = fmin(range[0], value);
 		range[1] = fmax(range[1], value);
 	}
@@ -376,7 +365,7 @@ predict_largest_change_by_feed(const struct session *s,
 	double range[2];
 	if (!predict_range_over_feeds(s, q, of, NAN, speed, range))
 		return 0;
-	double value = predicted_quantity_at_speed(s, q, of, speed);
+	double value = forecast_quantity_at_speed(s, q, of, speed);
 	return fmax(fabs(range[0] - value), fabs(range[1] - value));
 }
 
@@ -530,10 +519,8 @@ draw_prediction_curves(struct session *s, const struct question *q,
 {
 	enum { WIDTH = 78, HEIGHT = 24 };
 	struct plot_request request = plots_default_request(PLOT_PSD);
-	request.entry = q->entry;
-	request.speed = p->speed;
-	request.fraction = p->fraction;
-	request.feed = p->feed_run;
+	request.asked = *q;
+	request.asked.speed = p->speed;
 	request.band = plot_is_image_wanted(s) && p->low != NULL;
 	if (!plot_is_image_wanted(s))
 		request.strip = 0;

@@ -15,6 +15,8 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/cut.h"
 #include "cmd/document/document.h"
+#include "cmd/fit/job.h"
+#include "cmd/session/invocation.h"
 #include "cmd/session/journal.h"
 #include "cmd/ask/trust_light.h"
 #include "cmd/run/line.h"
@@ -162,8 +164,14 @@ run_report_line(struct session *s, const char *line)
 {
 	struct error error = {0};
 	size_t next;
-	if (session_run_line(s, line, 0, "report", 1, &next, &error) ||
-	    error.kind == ERROR_CHECK)
+	/* A stopped calibration can still be continued afterwards. */
+	const struct job stopped = s->job;
+	s->job = (struct job){0};
+	bool ok = session_run_line(s, line, 0, "report", 1, &next, &error);
+	session_run_job_to_end(s);
+	ok = ok && session_end_finished_commands(s, true, &error);
+	s->job = stopped;
+	if (ok || error.kind == ERROR_CHECK)
 		return;
 	document_say(s->document, DOCUMENT_WORDS, "No '%s' here: %s%s%s", line,
 	    error.text, error.hint[0] != '\0' ? "; " : "", error.hint);

@@ -329,20 +329,25 @@ limit_verdict(const struct grading *g, size_t i)
 	return above ? tr("above") : tr("below");
 }
 
-/* Computes the margin of the sieve that is furthest outside.  Returns how many
- * sieves are outside. */
 static size_t
-find_worst_sieve(const struct grading *g, struct margin *worst)
+count_sieves_outside(const struct grading *g)
 {
 	size_t out = 0;
-	worst->passing = INFINITY;
+	for (size_t i = 0; i < g->limits.n_sieve; i++)
+		out += !conditions_are_met(&g->conditions, i);
+	return out;
+}
+
+/* Returns the margin of the sieve that is furthest outside. */
+static struct margin
+find_worst_sieve(const struct grading *g)
+{
+	struct margin worst = {.passing = INFINITY};
 	for (size_t i = 0; i < g->limits.n_sieve; i++) {
 		struct margin m = condition_margin(&g->conditions, i);
-		out += !conditions_are_met(&g->conditions, i);
-		if (m.passing < worst->passing)
-			*worst = m;
+		worst = m.passing < worst.passing ? m : worst;
 	}
-	return out;
+	return worst;
 }
 
 /* Returns "fineness modulus (ASTM C136) 3.15 is above 3.1" for a limit that is
@@ -369,8 +374,8 @@ describe_missed_limit(const struct grading *g, size_t i)
 char *
 envelope_missed_limits(const struct grading *g)
 {
-	struct margin worst = {0};
-	size_t out = find_worst_sieve(g, &worst);
+	struct margin worst = find_worst_sieve(g);
+	size_t out = count_sieves_outside(g);
 	char *words = xstrdup("");
 	if (out > 0)
 		xappend(&words,
@@ -395,8 +400,8 @@ envelope_missed_limits(const struct grading *g)
 void
 envelope_put_worst_sieve(struct fields *o, const struct grading *g)
 {
-	struct margin worst = {0};
-	bool out = find_worst_sieve(g, &worst) > 0;
+	struct margin worst = find_worst_sieve(g);
+	bool out = count_sieves_outside(g) > 0;
 	fields_put(o, "worst_mm %g outside_pct %g",
 	    out ? units_mm(g->spec->size[worst.limit.i]) : NAN,
 	    !out               ? 0

@@ -149,6 +149,17 @@ forecast_product(
 	return p;
 }
 
+double
+forecast_quantity_at_speed(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed)
+{
+	struct forecast *f = forecast_open(s, q, of, 1);
+	forecast_set_speed(f, speed);
+	double value = forecast_value_with_band(f, 0).value;
+	forecast_close(f);
+	return value;
+}
+
 struct prediction
 forecast_whole_product(const struct session *s, const struct entry *entry,
     double speed, size_t feed_run)

@@ -66,6 +66,10 @@ struct figure forecast_difference(
 struct prediction forecast_product(
     const struct session *s, const struct question *q, double speed);
 
+/* Returns the value of a quantity at a speed, m/s. */
+double forecast_quantity_at_speed(const struct session *s,
+    const struct question *q, const struct quantity *of, double speed);
+
 /* As forecast_product, but for the entry's whole product with the feed of a
  * run. */
 struct prediction forecast_whole_product(const struct session *s,

@@ -181,12 +181,10 @@ run_control_charts(struct routine *r)
 		free(residuals[j]);
 }
 
-/* Counts how many of the last cuts are on the same side of the prediction, and
- * finds the sieve of the last cut at which these differ most. */
+/* Counts how many of the last cuts are on the same side of the prediction. */
 static void
 count_cuts_on_one_side(struct routine *r)
 {
-	const struct routine_cut *last = &r->cut[r->n - 1];
 	bool above = r->point[r->n - 1].chart[DRIFT_LEVEL].value > 0;
 	while (r->running < r->n) {
 		const struct drift_point *p = &r->point[r->n - 1 - r->running];
@@ -194,6 +192,13 @@ count_cuts_on_one_side(struct routine *r)
 			break;
 		r->running++;
 	}
+}
+
+/* Finds the sieve of the last cut at which these cuts differ most. */
+static void
+find_sieve_of_largest_shift(struct routine *r)
+{
+	const struct routine_cut *last = &r->cut[r->n - 1];
 	for (size_t i = 0; i < last->n; i++) {
 		double sum = 0;
 		size_t n = 0;
@@ -262,6 +267,7 @@ routine_chart_cuts(const struct session *s, const struct entry *entry,
 	}
 	run_control_charts(r);
 	count_cuts_on_one_side(r);
+	find_sieve_of_largest_shift(r);
 	return r;
 }
 

@@ -41,7 +41,6 @@ parse_plotted_sites(const struct session *s, const struct args *args,
 		    "keep one first: pin speed=74");
 	request->site = own ? s->pin->key : of;
 	request->made = own ? &s->pin->p : NULL;
-	request->speed = own ? s->pin->p.speed : request->speed;
 	request->beside = second ? s->pin->key : beside;
 	request->kept = second ? &s->pin->p : NULL;
 	return true;
@@ -57,7 +56,6 @@ parse_plot_request(const struct session *s, const struct args *args,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
 	*request = plots_default_request((enum plot_kind)kind);
-	request->speed = args->speed > 0 ? args->speed : NAN;
 	request->other_speed = args->other > 0 ? args->other : NAN;
 	request->other_feed = args->other_feed;
 	request->crosshair_mm = args->at > 0 ? args->at : NAN;
@@ -70,68 +68,52 @@ parse_plot_request(const struct session *s, const struct args *args,
 	return parse_plotted_sites(s, args, request, error);
 }
 
-/* The chart that a call asks for, and the questions about its site and about
- * the site beside it. */
-struct plot_questions {
-	struct plot_request request;
-	struct question q, second;
-};
-
 /* Leaves the error about a site that is not loaded to plots_make_chart.  A
- * speed given as feed= names a sample of the first site only. */
+ * speed given as feed= names a sample of the first site only.  second: the
+ * question about the site beside. */
 static bool
 questions_of_plot_from_args(struct session *s, const struct args *args,
-    struct plot_questions *a, struct error *error)
+    struct plot_request *r, struct question *second, struct error *error)
 {
-	struct plot_request *r = &a->request;
 	struct error none = {0};
 	size_t at = s->current, beside;
 	if (s->n_entry == 0 ||
 	    (r->site != NULL && !session_find_site(s, r->site, &at, &none)))
 		return true;
-	if (!question_from_args(s, &s->entry[at], args, &a->q, error))
-		return false;
-	r->entry = a->q.entry;
-	r->feed = a->q.feed;
-	r->fraction = a->q.fraction;
-	r->n_speed = a->q.n_at;
-	r->speeds = a->q.at;
-	if (!screened_check_feed_covers(&a->q, error))
+	struct question *q = &r->asked;
+	if (!question_from_args(s, &s->entry[at], args, q, error) ||
+	    !screened_check_feed_covers(q, error))
 		return false;
 	bool one_speed = r->kind == PLOT_PSD || r->kind == PLOT_SELECTION ||
 			 r->kind == PLOT_APPEARANCE;
 	if (one_speed && r->made == NULL)
-		question_use_last_speed(s, &a->q);
-	if ((one_speed || a->q.speed_given) && r->made == NULL)
-		r->speed = a->q.speed;
+		question_use_last_speed(s, q);
+	if (r->made != NULL)
+		q->speed = r->made->speed;
+	else if (!one_speed && !q->speed_given)
+		q->speed = NAN;
 	if (r->beside == NULL ||
 	    !session_find_site(s, r->beside, &beside, &none))
 		return true;
-	question_repeat_for_site(
-	    s, &s->entry[beside], args, &a->q, &a->second, &none);
-	r->second = a->second.entry;
+	question_repeat_for_site(s, &s->entry[beside], args, q, second, &none);
+	r->second = second->entry;
 	return true;
 }
 
 /* Makes the chart that the call asks for, from its kind and the options that
- * plot and describe share; see plots_make_chart.  The caller frees the
- * questions with plot_questions_free, even if the chart is NULL. */
+ * plot and describe share; see plots_make_chart.  The caller frees both
+ * questions, even if the chart is NULL. */
 static struct chart *
 make_requested_chart(struct session *s, const struct args *args,
-    struct plot_questions *a, struct error *error)
+    struct plot_request *request, struct question *second, struct error *error)
 {
-	*a = (struct plot_questions){0};
-	return parse_plot_request(s, args, &a->request, error) &&
-		       questions_of_plot_from_args(s, args, a, error)
-		   ? plots_make_chart(s, &a->request, error)
+	*second = (struct question){0};
+	*request = (struct plot_request){0};
+	return parse_plot_request(s, args, request, error) &&
+		       questions_of_plot_from_args(
+			   s, args, request, second, error)
+		   ? plots_make_chart(s, request, error)
 		   : NULL;
-}
-
-static void
-plot_questions_free(struct session *s, struct plot_questions *a)
-{
-	question_free(s, &a->q);
-	question_free(s, &a->second);
 }
 
 /* Returns "passing_pct" for "passing, %".  The caller frees it. */
@@ -703,18 +685,18 @@ static void
 describe_speeds_meeting_goal(
     struct answer *r, struct session *s, const struct plot_request *request)
 {
-	const struct entry *entry = request->entry;
+	const struct entry *entry = request->asked.entry;
 	struct goal goal = {.n_value = 0};
 	if (request->kind != PLOT_PSD || !goals_is_set(s) ||
 	    session_is_calibrating(s) || request->site != NULL ||
 	    !entry->has_params)
 		return;
 	const struct site *site = entry->site;
-	double speed =
-	    isnan(request->speed) ? site_middle_speed(site) : request->speed;
-	while (goals_is_search_needed(s, &goal, request->feed) &&
+	double speed = isnan(request->asked.speed) ? site_middle_speed(site)
+						   : request->asked.speed;
+	while (goals_is_search_needed(s, &goal, request->asked.feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
-		goals_step_search(s, entry, &goal, request->feed);
+		goals_step_search(s, entry, &goal, request->asked.feed);
 	FREED char *words = goals_describe(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(r, "%s", words);
 	fields_put(answer_fields(r), "goal %s", words);
@@ -724,8 +706,10 @@ describe_speeds_meeting_goal(
 bool
 cmd_describe(struct session *s, const struct args *args, struct error *error)
 {
-	struct plot_questions a;
-	struct chart *chart = make_requested_chart(s, args, &a, error);
+	struct plot_request request;
+	struct question second;
+	struct chart *chart =
+	    make_requested_chart(s, args, &request, &second, error);
 	bool ok = chart != NULL;
 	if (ok) {
 		struct answer *r = answer_new("describe");
@@ -737,23 +721,27 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 		    args->operand[0], chart->title, chart->about);
 		for (const struct chart *c = chart; c != NULL; c = c->below)
 			describe_chart(r, c);
-		describe_speeds_meeting_goal(r, s, &a.request);
+		describe_speeds_meeting_goal(r, s, &request);
 		ok = session_show_answer(s, r);
 	}
 	chart_free(chart);
-	plot_questions_free(s, &a);
+	question_free(s, &request.asked);
+	question_free(s, &second);
 	return ok;
 }
 
 bool
 cmd_plot(struct session *s, const struct args *args, struct error *error)
 {
-	struct plot_questions a;
+	struct plot_request request;
+	struct question second;
 	bool grid = s->file == NULL && s->set.format == ANSWER_TABLE;
 	if (grid && s->linear && s->screen.columns > 0)
 		return cmd_describe(s, args, error);
-	struct chart *chart = make_requested_chart(s, args, &a, error);
-	plot_questions_free(s, &a);
+	struct chart *chart =
+	    make_requested_chart(s, args, &request, &second, error);
+	question_free(s, &request.asked);
+	question_free(s, &second);
 	if (chart == NULL)
 		return false;
 	enum charset charset = charset_asked(args, s->screen.drawing);

@@ -3,8 +3,8 @@
 #ifndef TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
 #define TIPSPEED_CMD_DRAW_PLOT_REQUEST_H
 
+#include "cmd/ask/asked.h"
 #include "cmd/session/session.h"
-#include "core/psd/screening.h"
 #include "plot/draw.h"
 
 enum plot_kind {
@@ -33,13 +33,15 @@ enum plot_kind {
 
 struct plot_request {
 	enum plot_kind kind;
-	const char *site;          /* the loaded site; NULL: the current one */
-	const struct entry *entry, /* the site as in the question, see
-				    * question.h; NULL: as loaded */
-	    *second;               /* the same for `beside` */
-	double speed;              /* psd, selection; NAN: the middle of the
-			      * site's speeds */
-	double other_speed;        /* of a second prediction, or NAN */
+	const char *site;      /* the loaded site; NULL: the current one */
+	struct question asked; /* entry NULL: the site as loaded; speed, for
+				* psd and selection, NAN: the middle of the
+				* site's; at: for sweep, none:
+				* answers_list_round_speeds; for runs, besides
+				* the measured ones */
+	const struct entry *second; /* the site `beside` as in the question;
+				     * NULL: as loaded */
+	double other_speed;         /* of a second prediction, or NAN */
 	double other_feed;  /* psd: speed at which the feed of the second was
 			    * sampled; 0: the feed of the first or, at
 			    * another site, that nearest to its speed */
@@ -60,17 +62,10 @@ struct plot_request {
 	unsigned words; /* bits of CHART_ALL: texts around the chart.  Without
 			 * CHART_NOTES, the names in psd contain no numbers that
 			 * change with the speed */
-	size_t
-	    n_speed; /* sweep: number of speeds; 0: answers_list_round_speeds.
-		      * runs: speeds besides the measured ones */
-	const double *speeds;
-	const char *param;        /* profile: the parameter; NULL: e0_min */
-	const char *of, *limits;  /* response: quantities and conditions in
+	const char *param;       /* profile: the parameter; NULL: e0_min */
+	const char *of, *limits; /* response: quantities and conditions in
 				  * words, separated by commas; NULL: the usual;
 				  * none */
-	struct fraction fraction; /* psd, sweep, response: of the product;
-				   * zeros: all of it */
-	size_t feed;              /* psd, sweep: as for site_feed_of_run */
 };
 
 /* Makes a chart, which the caller frees with chart_free.  Returns NULL with an

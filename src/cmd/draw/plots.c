@@ -28,14 +28,14 @@ plots_default_request(enum plot_kind kind)
 {
 	enum { STRIP = 6 }; /* rows, with the title */
 	return (struct plot_request){.kind = kind,
-	    .feed = SITE_MEAN_FEED,
-	    .speed = NAN,
+	    .asked = {.feed = SITE_MEAN_FEED,
+		.speed = NAN,
+		.fraction = {.partition = PARTITION_IDEAL}},
 	    .other_speed = NAN,
 	    .crosshair_mm = NAN,
 	    .level = 50,
 	    .charset = CHARSET_ASCII,
 	    .words = CHART_ALL,
-	    .fraction = {.partition = PARTITION_IDEAL},
 	    .strip = STRIP};
 }
 
@@ -82,7 +82,7 @@ static struct chart *
 residuals_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = q->entry->site;
+	const struct site *site = q->asked.entry->site;
 	struct params params;
 	if (!params_to_plot(s, q, &params, error))
 		return NULL;
@@ -109,10 +109,10 @@ residuals_chart(
 		    misfit_count_covered_sieves(&site->run[i]) == 0)
 			continue;
 		struct chart_series look =
-		    site_chart_run_style(site, i, !q->entry->train[i]);
+		    site_chart_run_style(site, i, !q->asked.entry->train[i]);
 		look.line = CHART_SOLID;
 		look.ascii = look.mark;
-		add_residuals(chart, s, q->entry, i, &params, look);
+		add_residuals(chart, s, q->asked.entry, i, &params, look);
 	}
 	site_chart_set_sieve_axis(chart);
 	chart->y = axis_with_zero(chart, "difference, points");
@@ -246,23 +246,25 @@ static struct chart *
 selection_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = q->entry->site;
-	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
+	const struct site *site = q->asked.entry->site;
+	double speed =
+	    isnan(q->asked.speed) ? site_middle_speed(site) : q->asked.speed;
 	struct params params;
 	if (!params_to_plot(s, q, &params, error))
 		return NULL;
-	const struct psd *feed = site_feed_of_run(site, q->feed);
+	const struct psd *feed = site_feed_of_run(site, q->asked.feed);
 	struct chart *chart =
 	    site_chart(site, site_chart_sieve_axis(feed->size, feed->n),
 		axis_new_percent(tr("share that breaks S(x), %")),
 		"selection function (Eq 3)");
 	if (!isnan(q->other_speed))
-		add_selection_curve(chart, s, q->entry, &params, q->other_speed,
+		add_selection_curve(chart, s, q->asked.entry, &params,
+		    q->other_speed,
 		    (struct chart_series){.series = SERIES_OTHER,
 			.line = CHART_LONG,
 			.ascii = '%'});
 	add_selection_curve(
-	    chart, s, q->entry, &params, speed, SITE_CHART_PREDICTED);
+	    chart, s, q->asked.entry, &params, speed, SITE_CHART_PREDICTED);
 	return chart;
 }
 
@@ -280,8 +282,9 @@ appearance_chart(
 		    "run 'show appearance' for the matrix of any form");
 		return NULL;
 	}
-	const struct site *site = q->entry->site;
-	double speed = isnan(q->speed) ? site_middle_speed(site) : q->speed;
+	const struct site *site = q->asked.entry->site;
+	double speed =
+	    isnan(q->asked.speed) ? site_middle_speed(site) : q->asked.speed;
 	struct breaker b;
 	breaker_set_params(&b, &params, &s->set.model);
 	breaker_set_speed(&b, speed);
@@ -342,8 +345,9 @@ plots_make_chart(
 	    !session_find_site(s, request->site, &at, error))
 		return NULL;
 	struct plot_request as = *request;
-	if (as.entry == NULL && s->n_entry > 0)
-		as.entry = &s->entry[at];
+	if (as.asked.entry == NULL && s->n_entry > 0)
+		as.asked.entry = &s->entry[at];
+	as.asked.level = settings_band_probability(&s->set);
 	struct chart *chart = NULL;
 	make_chart_in_theme(KINDS[as.kind].make, s, &as, &chart, error);
 	return chart;

@@ -94,7 +94,8 @@ plots_parameter_correlations(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	size_t column[PARAMS_MOST];
-	const struct posterior *p = posterior_or_error(s, q->entry, error);
+	const struct posterior *p =
+	    posterior_or_error(s, q->asked.entry, error);
 	if (p == NULL)
 		return NULL;
 	size_t n = list_free_parameters(p, column);
@@ -106,10 +107,10 @@ plots_parameter_correlations(
 		    n);
 		return NULL;
 	}
-	struct chart *chart =
-	    site_chart(q->entry->site, parameter_name_axis(p, column, n, false),
-		parameter_name_axis(p, column, n, true),
-		"correlations of %d draws", POSTERIOR_DRAWS);
+	struct chart *chart = site_chart(q->asked.entry->site,
+	    parameter_name_axis(p, column, n, false),
+	    parameter_name_axis(p, column, n, true), "correlations of %d draws",
+	    POSTERIOR_DRAWS);
 	add_correlation_cells(chart, p, column, n, true);
 	add_correlation_cells(chart, p, column, n, false);
 	chart_note(chart,
@@ -287,8 +288,8 @@ plots_parameter_profile(
 {
 	struct profile_data a;
 	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
-	if (!prepare_profile(
-		s, q->entry, q->param != NULL ? q->param : "e0_min", &a, error))
+	if (!prepare_profile(s, q->asked.entry,
+		q->param != NULL ? q->param : "e0_min", &a, error))
 		return NULL;
 	for (size_t d = 0; a.p != NULL && d < POSTERIOR_DRAWS; d++) {
 		draw = draws;
@@ -296,7 +297,7 @@ plots_parameter_profile(
 	}
 	find_profile_range(&a, draw, reach);
 	FREED char *title = xasprintf("%s, %s", a.info->name, a.info->unit);
-	struct chart *chart = site_chart(q->entry->site,
+	struct chart *chart = site_chart(q->asked.entry->site,
 	    axis_new_linear(title, reach[0], reach[1]),
 	    axis_new_percent(tr("relative to the most probable, %")),
 	    "what the data say of %s", a.info->name);

@@ -56,7 +56,7 @@ struct chart *
 plots_control_charts(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = entry_as_loaded(q->entry);
+	const struct entry *entry = entry_as_loaded(q->asked.entry);
 	if (!answers_require_params(s, entry, error))
 		return NULL;
 	struct routine *r = routine_chart_cuts(s, entry, &DRIFT_RULE, error);

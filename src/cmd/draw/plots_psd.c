@@ -273,15 +273,14 @@ compute_crosshair_bands(const struct session *s, const struct plot_request *q,
     const struct params *params, const struct prediction *p,
     struct figure band[static 2])
 {
-	struct question question =
-	    question_of_whole_product(s, q->entry, p->feed_run);
+	struct question question = q->asked;
 	question.params = params;
 	const struct quantity asked[] = {{.kind = QUANTITY_PASSING,
 					     .x = q->crosshair_mm / 1000,
-					     .fraction = q->fraction},
+					     .fraction = q->asked.fraction},
 	    {.kind = QUANTITY_SIZE,
 		.x = q->level / 100,
-		.fraction = q->fraction}};
+		.fraction = q->asked.fraction}};
 	struct forecast *f = forecast_open(s, &question, asked, 2);
 	forecast_set_speed(f, p->speed);
 	for (size_t i = 0; i < 2; i++)
@@ -330,7 +329,8 @@ mark_break_size(struct chart *chart, const struct session *s,
     const struct prediction *p, const char *name, enum series series)
 {
 	double mm = 1000 * p->break_size;
-	FREED char *speed = answers_speed_text(q->entry->site, p->speed, -1);
+	FREED char *speed =
+	    answers_speed_text(q->asked.entry->site, p->speed, -1);
 	if (!(q->words & CHART_NOTES))
 		chart_add_rule(chart, series, mm, "%sbreak size",
 		    series == SERIES_OTHER ? tr("pin ") : "");
@@ -402,8 +402,9 @@ predict_for_plot(const struct session *s, const struct plot_request *q,
     const struct entry *entry, const struct params *params, double speed,
     size_t feed)
 {
-	struct question question = question_of_whole_product(s, entry, feed);
-	question.fraction = q->fraction;
+	struct question question = q->asked;
+	question.entry = entry;
+	question.feed = feed;
 	question.params = params;
 	return forecast_product(s, &question, speed);
 }
@@ -423,7 +424,7 @@ find_second_prediction(struct session *s, const struct plot_request *q,
     const struct params *own, double speed, struct second_prediction *second,
     struct error *error)
 {
-	size_t i, feed = q->feed;
+	size_t i, feed = q->asked.feed;
 	struct error gone = {0};
 	bool beside = q->beside != NULL, kept = q->kept != NULL;
 	*second = (struct second_prediction){.p = q->kept};
@@ -432,10 +433,10 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 	else if (beside && !kept)
 		return false;
 	else if (!beside)
-		second->whose = q->entry;
+		second->whose = q->asked.entry;
 	if (kept)
 		return true;
-	if (entry_as_loaded(second->whose) != entry_as_loaded(q->entry)) {
+	if (entry_as_loaded(second->whose) != entry_as_loaded(q->asked.entry)) {
 		if (!answers_require_params(s, second->whose, error))
 			return false;
 		own = &second->whose->params;
@@ -476,7 +477,7 @@ note_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
     const struct second_prediction *two, bool shade)
 {
-	const struct entry *entry = q->entry;
+	const struct entry *entry = q->asked.entry;
 	struct chart_series **last = &chart->series[chart->n - 1];
 	if (one != NULL)
 		mark_break_size(
@@ -508,27 +509,27 @@ static double
 add_measured_curves(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params, double speed)
 {
-	const struct site *site = q->entry->site;
+	const struct site *site = q->asked.entry->site;
 	double moved = 0;
 	for (size_t i = 0; i < site->n_run && site->with[0] == '\0'; i++) {
 		if (!site_run_is_near_speed(site, i, speed, SITE_CHART_RUNS))
 			continue;
 		struct chart_series look =
-		    site_chart_run_style(site, i, !q->entry->train[i]);
+		    site_chart_run_style(site, i, !q->asked.entry->train[i]);
 		look.compared = site_run_is_near_speed(site, i, speed, 1);
-		const struct psd *product =
-		    product_moved_to_feed(s, q->entry, params, i, q->feed);
-		struct psd part =
-		    fraction_is_screened(&q->fraction)
-			? screened_fraction_of_product(product, &q->fraction)
-			: psd_copy(product);
+		const struct psd *product = product_moved_to_feed(
+		    s, q->asked.entry, params, i, q->asked.feed);
+		struct psd part = fraction_is_screened(&q->asked.fraction)
+				      ? screened_fraction_of_product(
+					    product, &q->asked.fraction)
+				      : psd_copy(product);
 		FREED char *at =
 		    answers_speed_text(site, site->run[i].speed, -1);
 		site_chart_add_psd(chart, look, &part, NULL,
 		    xasprintf(tr("measured %s%s"), at, site->run[i].repeat));
 		psd_free(&part);
-		moved = fmax(moved,
-		    largest_move_to_feed(s, q->entry, params, i, q->feed));
+		moved = fmax(moved, largest_move_to_feed(s, q->asked.entry,
+					params, i, q->asked.feed));
 	}
 	return moved;
 }
@@ -553,13 +554,15 @@ add_first_prediction(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
 	struct chart_series look = SITE_CHART_PREDICTED;
-	if (answers_is_speed_extrapolated(q->entry, p->speed))
+	if (answers_is_speed_extrapolated(q->asked.entry, p->speed))
 		look.line = CHART_LONG;
-	FREED char *speed = answers_speed_text(q->entry->site, p->speed, -1);
+	FREED char *speed =
+	    answers_speed_text(q->asked.entry->site, p->speed, -1);
 	add_product_curve(chart, p,
-	    q->words & CHART_NOTES ? xasprintf(tr("predicted %s"), speed)
-				   : xasprintf(tr("predicted%s"),
-					 correction_in_legend(s, q->entry, p)),
+	    q->words & CHART_NOTES
+		? xasprintf(tr("predicted %s"), speed)
+		: xasprintf(tr("predicted%s"),
+		      correction_in_legend(s, q->asked.entry, p)),
 	    look);
 }
 
@@ -580,10 +583,10 @@ static bool
 find_predictions(struct session *s, const struct plot_request *q,
     struct psd_plot *p, struct error *error)
 {
-	const struct entry *entry = q->entry;
-	*p = (struct psd_plot){.speed = isnan(q->speed)
+	const struct entry *entry = q->asked.entry;
+	*p = (struct psd_plot){.speed = isnan(q->asked.speed)
 					    ? site_middle_speed(entry->site)
-					    : q->speed};
+					    : q->asked.speed};
 	bool known = params_to_plot(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
@@ -595,7 +598,7 @@ find_predictions(struct session *s, const struct plot_request *q,
 	p->one = q->made;
 	if (known && p->one == NULL) {
 		p->made = predict_for_plot(
-		    s, q, entry, &p->params, p->speed, q->feed);
+		    s, q, entry, &p->params, p->speed, q->asked.feed);
 		p->one = &p->made;
 	}
 	return true;
@@ -606,12 +609,12 @@ static void
 fill_psd_chart(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct psd_plot *p)
 {
-	const struct entry *entry = q->entry;
+	const struct entry *entry = q->asked.entry;
 	const struct prediction *one = p->one;
-	add_feed_curve(chart, entry->site, q->feed);
+	add_feed_curve(chart, entry->site, q->asked.feed);
 	double moved = add_measured_curves(
 	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
-	if (one != NULL && !fraction_is_screened(&q->fraction))
+	if (one != NULL && !fraction_is_screened(&q->asked.fraction))
 		add_product_cut_to_envelope(chart, s, entry, one);
 	add_second_prediction(chart, s, q, &p->two);
 	if (one != NULL)
@@ -633,11 +636,11 @@ fill_psd_chart(struct chart *chart, struct session *s,
 struct chart *
 plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = q->entry->site;
+	const struct site *site = q->asked.entry->site;
 	struct psd_plot p;
 	if (!find_predictions(s, q, &p, error))
 		return NULL;
-	FREED char *fraction = screened_title_suffix(&q->fraction);
+	FREED char *fraction = screened_title_suffix(&q->asked.fraction);
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p.speed, NAN);
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    axis_new_percent(tr("passing, %")),
@@ -656,8 +659,8 @@ plots_sweep(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	enum { MOST = 8 };
-	const struct site *site = q->entry->site;
-	size_t n = q->n_speed;
+	const struct site *site = q->asked.entry->site;
+	size_t n = q->asked.n_at;
 	struct params params;
 	if (!params_to_plot(s, q, &params, error))
 		return NULL;
@@ -670,16 +673,16 @@ plots_sweep(
 	}
 	FREED double *usual =
 	    n == 0 ? answers_list_round_speeds(s, site, &n) : NULL;
-	const double *speed = usual != NULL ? usual : q->speeds;
-	FREED char *fraction = screened_title_suffix(&q->fraction);
+	const double *speed = usual != NULL ? usual : q->asked.at;
+	FREED char *fraction = screened_title_suffix(&q->asked.fraction);
 	struct chart *chart = site_chart(site, (struct axis){0},
 	    axis_new_percent(tr("passing, %")), "products at %zu speeds%s", n,
 	    fraction);
 	site_chart_add_psd(chart, SITE_CHART_FEED,
-	    site_feed_of_run(site, q->feed), NULL, xstrdup(tr("feed")));
+	    site_feed_of_run(site, q->asked.feed), NULL, xstrdup(tr("feed")));
 	for (size_t i = 0; i < n; i++) {
 		struct prediction p = predict_for_plot(
-		    s, q, q->entry, &params, speed[i], q->feed);
+		    s, q, q->asked.entry, &params, speed[i], q->asked.feed);
 		FREED char *at = answers_speed_text(site, speed[i], -1);
 		add_product_curve(chart, &p, xasprintf(tr("predicted %s"), at),
 		    site_chart_series_style(i));

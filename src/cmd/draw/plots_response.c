@@ -26,16 +26,15 @@
 
 /* The quantities [n] that are drawn, and the limits on them.  moved: the
  * largest distance by which a measured product is moved, see
- * largest_move_to_feed. fraction: that of the quantities that name
- * none. */
+ * largest_move_to_feed.  The fraction asked about is that of the quantities
+ * that name none. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
-	const struct entry *entry;
-	size_t n, feed;
+	const struct question *asked;
+	size_t n;
 	struct quantity q[MOST];
 	struct condition_list limits;
 	double from, to, moved;
-	struct fraction fraction;
 	struct chart_series *line[MOST];
 };
 
@@ -45,10 +44,8 @@ static void
 choose_response_sieves(struct session *s, struct drawn *d)
 {
 	static const double WANTED[] = {0.8, 0.5, 0.2, 0};
-	struct question asked = question_of_whole_product(s, d->entry, d->feed);
-	asked.fraction = d->fraction;
-	struct prediction p =
-	    forecast_product(s, &asked, site_middle_speed(d->entry->site));
+	struct prediction p = forecast_product(
+	    s, d->asked, site_middle_speed(d->asked->entry->site));
 	const struct psd *product = &p.product;
 	size_t first = 0;
 	while (first + 1 < product->n && product->passing[first] >= 1)
@@ -61,7 +58,7 @@ choose_response_sieves(struct session *s, struct drawn *d)
 				best = i;
 		struct quantity q = {.kind = QUANTITY_PASSING,
 		    .x = product->size[best],
-		    .fraction = d->fraction};
+		    .fraction = d->asked->fraction};
 		if (d->n == 0 || d->q[d->n - 1].x > q.x)
 			d->q[d->n++] = q;
 	}
@@ -95,10 +92,11 @@ static bool
 parse_drawn_quantities(struct session *s, const char *of_words,
     const char *limits, struct drawn *d, struct error *error)
 {
-	const struct psd *feed = site_feed_of_run(d->entry->site, d->feed);
+	const struct psd *feed =
+	    site_feed_of_run(d->asked->entry->site, d->asked->feed);
 	size_t n = 0;
-	if (limits != NULL &&
-	    !conditions_parse_list(limits, &d->fraction, &d->limits, error))
+	if (limits != NULL && !conditions_parse_list(limits,
+				  &d->asked->fraction, &d->limits, error))
 		return false;
 	for (size_t i = 0; i < d->limits.n; i++)
 		if (!conditions_check_feed_covers(
@@ -106,7 +104,7 @@ parse_drawn_quantities(struct session *s, const char *of_words,
 			return false;
 	FREED struct quantity *of =
 	    of_words != NULL ? quantities_parse_list_for_feed(of_words,
-				   &d->fraction, feed, true, &n, error)
+				   &d->asked->fraction, feed, true, &n, error)
 			     : NULL;
 	if (of_words != NULL && of == NULL)
 		return false;
@@ -150,8 +148,8 @@ add_measured_quantity(struct chart *chart, const struct session *s,
 	    chart_add(chart, look, site->n_run, "measured %s", name);
 	points->n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *product =
-		    product_moved_to_feed(s, entry, &entry->params, r, d->feed);
+		const struct psd *product = product_moved_to_feed(
+		    s, entry, &entry->params, r, d->asked->feed);
 		double value = product->n > 0
 				   ? screened_quantity_of_product(product, q)
 				   : NAN;
@@ -160,8 +158,9 @@ add_measured_quantity(struct chart *chart, const struct session *s,
 		points->x[points->n] = site->run[r].speed;
 		points->y[points->n++] =
 		    quantities_value_in_shown_unit(q, value);
-		d->moved = fmax(d->moved,
-		    largest_move_to_feed(s, entry, &entry->params, r, d->feed));
+		d->moved =
+		    fmax(d->moved, largest_move_to_feed(s, entry,
+				       &entry->params, r, d->asked->feed));
 	}
 }
 
@@ -223,7 +222,7 @@ static void
 mark_speed_window(
     struct chart *chart, const struct drawn *d, const struct speed_search *w)
 {
-	const struct site *site = d->entry->site;
+	const struct site *site = d->asked->entry->site;
 	for (size_t k = 0; k < w->n_inside; k++) {
 		const struct speed_range *in = &w->inside[k];
 		FREED char *from = answers_speed_text(site, in->from, 1);
@@ -270,7 +269,7 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 	} TITLES[] = {{"%", N_("share, %"), N_("shares")},
 	    {"mm", N_("size, mm"), N_("sizes")}};
 	const char *title = tr("value, -"), *about = tr("single figures");
-	const struct site *site = d->entry->site;
+	const struct site *site = d->asked->entry->site;
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++)
 		n += strcmp(quantities_unit(&d->q[i]), unit) == 0;
@@ -293,10 +292,10 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 			FREED char *name = quantities_name(&d->q[i]);
 			d->line[i] = chart_add(
 			    chart, quantity_line_style(i), POINTS, "%s", name);
-			add_measured_quantity(chart, s, d->entry, d, i);
+			add_measured_quantity(chart, s, d->asked->entry, d, i);
 			add_limit_lines(chart, d, i);
 		}
-	mark_measured_speeds(chart, d->entry);
+	mark_measured_speeds(chart, d->asked->entry);
 	return chart;
 }
 
@@ -327,9 +326,7 @@ show_speeds_in_rpm(struct chart *chart, const struct site *site)
 static void
 fill_quantity_lines(struct session *s, struct drawn *d, struct chart *first)
 {
-	const struct question q =
-	    question_of_whole_product(s, d->entry, d->feed);
-	struct forecast *f = forecast_open(s, &q, d->q, d->n);
+	struct forecast *f = forecast_open(s, d->asked, d->q, d->n);
 	site_chart_fill_over_speed(f, d->n, d->from, d->to, d->line);
 	forecast_close(f);
 	for (struct chart *c = first; c != NULL; c = c->below)
@@ -340,7 +337,7 @@ static struct chart *
 make_chart_for_each_unit(struct session *s, struct drawn *d)
 {
 	static const char *const UNITS[] = {"%", "mm", ""};
-	const struct entry *entry = d->entry;
+	const struct entry *entry = d->asked->entry;
 	struct chart *first = NULL, **next = &first, *last = NULL;
 	for (size_t i = 0; i < ARRAY_LEN(UNITS); i++) {
 		*next = make_chart_of_unit(s, d, UNITS[i]);
@@ -351,10 +348,8 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	}
 	fill_quantity_lines(s, d, first);
 	if (d->limits.n > 0) {
-		struct question q =
-		    question_of_whole_product(s, entry, d->feed);
 		struct wanted wanted =
-		    conditions_open_search(s, &q, &d->limits, NULL);
+		    conditions_open_search(s, d->asked, &d->limits, NULL);
 		wanted.from = d->from;
 		wanted.to = d->to;
 		struct speed_search *w = speed_search_run(&wanted);
@@ -364,7 +359,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		speed_search_free(w);
 		forecast_close(wanted.forecast);
 	}
-	FREED char *feed = feed_describe(entry->site, d->feed);
+	FREED char *feed = feed_describe(entry->site, d->asked->feed);
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	site_chart_note_feed_adjustment(last, d->moved);
@@ -377,7 +372,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 	 * mark_measured_speeds marks. This is the light of the middle speed,
 	 * where it is at its best. */
 	FREED char *light = trust_in_words_at_speed(
-	    s, entry, site_middle_speed(entry->site), d->feed);
+	    s, entry, site_middle_speed(entry->site), d->asked->feed);
 	chart_note(last, "%s", light);
 	for (struct chart *c = first; c != NULL; c = c->below)
 		if (answers_is_sheet_in_rpm(entry->site))
@@ -392,9 +387,8 @@ struct chart *
 plots_response(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = q->entry;
-	struct drawn d = {
-	    .entry = entry, .feed = q->feed, .fraction = q->fraction};
+	const struct entry *entry = q->asked.entry;
+	struct drawn d = {.asked = &q->asked};
 	struct chart *chart = NULL;
 	if (!answers_require_params(s, entry, error))
 		return NULL;

@@ -101,16 +101,16 @@ static void
 add_predictions_at_speeds(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
-	const struct site *site = q->entry->site;
-	for (size_t i = 0; i < q->n_speed; i++) {
+	const struct site *site = q->asked.entry->site;
+	for (size_t i = 0; i < q->asked.n_at; i++) {
 		struct chart_series look = site_chart_series_style(i);
 		look.line = CHART_LONG;
 		look.mark = MARKS[i];
-		add_predicted_product(chart, s, q->entry, params, q->speeds[i],
-		    q->feed, look, "");
+		add_predicted_product(chart, s, q->asked.entry, params,
+		    q->asked.at[i], q->asked.feed, look, "");
 	}
-	FREED char *words = feed_describe(site, q->feed);
-	if (q->n_speed > 0 && words != NULL)
+	FREED char *words = feed_describe(site, q->asked.feed);
+	if (q->asked.n_at > 0 && words != NULL)
 		chart_note(
 		    chart, "feed at speeds that were not measured: %s", words);
 }
@@ -118,18 +118,18 @@ add_predictions_at_speeds(struct chart *chart, const struct session *s,
 static bool
 are_plot_speeds_refused(const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_as_loaded(q->entry)->site;
-	if (q->n_speed > FURTHER)
+	const struct site *site = entry_as_loaded(q->asked.entry)->site;
+	if (q->asked.n_at > FURTHER)
 		return !error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
 		    "use at most %zu, so that the curves can be distinguished",
-		    q->n_speed, (size_t)FURTHER);
-	for (size_t i = 0; i < q->n_speed; i++)
-		if (site_run_at_speed(site, q->speeds[i]) < site->n_run)
+		    q->asked.n_at, (size_t)FURTHER);
+	for (size_t i = 0; i < q->asked.n_at; i++)
+		if (site_run_at_speed(site, q->asked.at[i]) < site->n_run)
 			return !error_set(error, ERROR_USAGE,
 			    "%g m/s was measured and is drawn already\n"
 			    "speeds= adds speeds that were not measured",
-			    q->speeds[i]);
+			    q->asked.at[i]);
 	return false;
 }
 
@@ -138,7 +138,7 @@ static void
 add_all_runs(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
-	const struct entry *entry = entry_as_loaded(q->entry);
+	const struct entry *entry = entry_as_loaded(q->asked.entry);
 	const struct site *site = entry->site;
 	double middle = site_middle_speed(site);
 	add_distinct_feed_curves(chart, site);
@@ -162,13 +162,13 @@ add_all_runs(struct chart *chart, const struct session *s,
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_as_loaded(q->entry)->site;
+	const struct site *site = entry_as_loaded(q->asked.entry)->site;
 	struct params params;
 	struct error unknown = {0};
 	bool known = params_to_plot(s, q, &params, &unknown);
 	if (are_plot_speeds_refused(q, error))
 		return NULL;
-	if (!known && (q->generation > 0 || q->n_speed > 0)) {
+	if (!known && (q->generation > 0 || q->asked.n_at > 0)) {
 		*error = unknown;
 		return NULL;
 	}

@@ -99,7 +99,7 @@ bool
 params_to_plot(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error)
 {
-	const struct entry *entry = request->entry;
+	const struct entry *entry = request->asked.entry;
 	struct search_shown past = search_shown_of_site(s, entry);
 	bool search =
 	    request->generation > 0 || search_shown_is_running(s, entry);
@@ -241,9 +241,9 @@ struct chart *
 plots_search_residuals(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct search_shown past = search_shown_of_site(s, q->entry);
-	size_t at =
-		   find_generation_index(q->entry, &past, q->generation, error),
+	struct search_shown past = search_shown_of_site(s, q->asked.entry);
+	size_t at = find_generation_index(
+		   q->asked.entry, &past, q->generation, error),
 	       runs = 0;
 	if (at == past.n)
 		return NULL;
@@ -285,9 +285,9 @@ struct chart *
 plots_search_convergence(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct search_shown past = search_shown_of_site(s, q->entry);
+	struct search_shown past = search_shown_of_site(s, q->asked.entry);
 	size_t at =
-	    find_generation_index(q->entry, &past, q->generation, error);
+	    find_generation_index(q->asked.entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	struct chart *chart = site_chart(past.site,
@@ -398,9 +398,9 @@ struct chart *
 plots_search_spread(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	struct search_shown past = search_shown_of_site(s, q->entry);
+	struct search_shown past = search_shown_of_site(s, q->asked.entry);
 	size_t at =
-	    find_generation_index(q->entry, &past, q->generation, error);
+	    find_generation_index(q->asked.entry, &past, q->generation, error);
 	if (at == past.n)
 		return NULL;
 	const struct breakage *of =

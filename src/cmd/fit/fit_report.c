@@ -370,20 +370,6 @@ build_detailed_fit_report(const struct session *s, const struct entry *entry,
 	return r;
 }
 
-/* Returns the value of a quantity at a speed, m/s, with the mean feed. */
-static double
-quantity_value_at_speed(const struct session *s, const struct entry *entry,
-    const struct quantity *of, double speed)
-{
-	const struct question q =
-	    question_of_whole_product(s, entry, SITE_MEAN_FEED);
-	struct forecast *f = forecast_open(s, &q, of, 1);
-	forecast_set_speed(f, speed);
-	double value = forecast_value_with_band(f, 0).value;
-	forecast_close(f);
-	return value;
-}
-
 struct former
 fit_answer_last_question(const struct session *s, const struct entry *entry)
 {
@@ -394,13 +380,14 @@ fit_answer_last_question(const struct session *s, const struct entry *entry)
 	double speed =
 	    asked->speed > 0 ? asked->speed : answers_default_speed(entry);
 	struct former former = {.speed = speed, .of = asked->of};
+	const struct question q =
+	    question_of_whole_product(s, entry, SITE_MEAN_FEED);
 	if (!asked->named) {
-		struct prediction p =
-		    forecast_whole_product(s, entry, speed, SITE_MEAN_FEED);
+		struct prediction p = forecast_product(s, &q, speed);
 		former.of = answers_default_passing_quantity(&p.product);
 		prediction_free(&p);
 	}
-	former.value = quantity_value_at_speed(s, entry, &former.of, speed);
+	former.value = forecast_quantity_at_speed(s, &q, &former.of, speed);
 	return former;
 }
 
@@ -412,7 +399,9 @@ note_change_of_answer(
 	const struct former *was = &s->job.former;
 	if (!(was->speed > 0))
 		return;
-	double value = quantity_value_at_speed(s, entry, &was->of, was->speed);
+	const struct question q =
+	    question_of_whole_product(s, entry, SITE_MEAN_FEED);
+	double value = forecast_quantity_at_speed(s, &q, &was->of, was->speed);
 	FREED char *words = quantities_sentence_with_value(&was->of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, was->speed, NAN);

@@ -63,11 +63,13 @@ can_run_tasks_in_parallel(const struct job *job)
 	return job->apart && job->pause_at == 0;
 }
 
-/* Starts to calibrate job.entry on job.train. */
+/* Starts to calibrate job.entry on job.train, if the job calibrates. */
 static void
 begin_calibration_task(struct session *s)
 {
 	struct job *job = &s->job;
+	if (job->train == NULL)
+		return;
 	const struct site *site = s->entry[job->entry].site;
 	calibration_free(job->calibration);
 	job->options.train = job->train;
@@ -258,23 +260,6 @@ sample_posterior_of_fit(struct session *s)
 	return posterior_draw_a_part(s, &s->entry[s->job.entry]);
 }
 
-/* draw: judge the fit by its draws, too. */
-static void
-set_and_judge_fit(struct session *s, bool draw)
-{
-	const struct entry *entry = &s->entry[s->job.entry];
-	if (!s->job.taken)
-		set_params_from_fit(s);
-	/* `calibrate all` answers with a table of sites, which has none of
-	 * these fields. */
-	struct answer *answer = answer_new("calibrate");
-	fit_put_fields(answer_fields(answer), entry,
-	    draw ? verdict_on_fit(s, entry, NULL)
-		 : verdict_without_draws(s, entry),
-	    session_clock() - s->job.started);
-	session_keep_answer(s, answer);
-}
-
 static void
 show_fit_report(struct session *s)
 {
@@ -339,7 +324,8 @@ has_single_fit_to_run(struct session *s)
 static void
 set_and_show_single_fit(struct session *s)
 {
-	set_and_judge_fit(s, true);
+	if (!s->job.taken)
+		set_params_from_fit(s);
 	show_fit_report(s);
 }
 
@@ -350,9 +336,12 @@ end_without_answer(struct session *s, void *of)
 	(void)of;
 }
 
-static const struct job_type ONE_SITE = {has_single_fit_to_run,
-    sample_posterior_of_fit, set_and_show_single_fit, end_without_answer, free,
-    true, NULL, NULL, NULL};
+static const struct job_type ONE_SITE = {.next = has_single_fit_to_run,
+    .draw = sample_posterior_of_fit,
+    .take = set_and_show_single_fit,
+    .end = end_without_answer,
+    .drop = free,
+    .alone = true};
 
 /* The results of `calibrate all`. */
 struct all_fits {
@@ -414,7 +403,13 @@ set_fit_and_add_row(struct session *s)
 {
 	struct all_fits *fits = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
-	set_and_judge_fit(s, false);
+	if (!s->job.taken)
+		set_params_from_fit(s);
+	/* The table of sites has none of these fields. */
+	struct answer *answer = answer_new("calibrate");
+	fit_put_fields(answer_fields(answer), entry,
+	    verdict_without_draws(s, entry), session_clock() - s->job.started);
+	session_keep_answer(s, answer);
 	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
 	    entry->fit.misfit, 100 * entry->fit.rmse);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
@@ -436,9 +431,11 @@ show_table_of_all_fits(struct session *s, void *of)
 	all_fits_free(fits);
 }
 
-static const struct job_type ALL_SITES = {next_site_to_fit,
-    sample_posterior_of_fit, set_fit_and_add_row, show_table_of_all_fits,
-    all_fits_free, false, NULL, NULL, NULL};
+static const struct job_type ALL_SITES = {.next = next_site_to_fit,
+    .draw = sample_posterior_of_fit,
+    .take = set_fit_and_add_row,
+    .end = show_table_of_all_fits,
+    .drop = all_fits_free};
 
 static void
 end_job(struct session *s)
@@ -461,6 +458,13 @@ begin_next_task_or_end_job(struct session *s)
 		end_job(s);
 }
 
+/* Runs a step of a task's search.  Returns true if there is no more to do. */
+static bool
+is_search_over_after_step(struct calibration *c)
+{
+	return c == NULL || calibration_step(c) >= CALIBRATE_TOLERANCE;
+}
+
 void
 session_step_job(struct session *s)
 {
@@ -468,7 +472,7 @@ session_step_job(struct session *s)
 	struct calibrate_status before = calibration_status(c);
 	if (before.state < CALIBRATE_TOLERANCE)
 		s->job.taken = false;
-	bool over = calibration_step(c) >= CALIBRATE_TOLERANCE;
+	bool over = is_search_over_after_step(c);
 	s->job.step += calibration_status(c).step - before.step;
 	if (over && s->job.type->draw != NULL && !s->job.type->draw(s))
 		return;
@@ -477,7 +481,8 @@ session_step_job(struct session *s)
 		    s, &(struct job_task){s->job.entry, s->job.train, c, NULL});
 	if (over)
 		begin_next_task_or_end_job(s);
-	if (session_is_calibrating(s) && s->job.step == s->job.pause_at)
+	if (session_is_calibrating(s) && s->job.pause_at > 0 &&
+	    s->job.step == s->job.pause_at)
 		session_stop_job_for_user(s);
 }
 
@@ -498,8 +503,7 @@ run_task_to_end(void *data, size_t piece, unsigned thread)
 	bool (*stop)(void) = a->task.stop;
 	(void)thread;
 	do
-		a->over = calibration_step(a->task.calibration) >=
-			  CALIBRATE_TOLERANCE;
+		a->over = is_search_over_after_step(a->task.calibration);
 	while (!a->over && (stop == NULL || !stop()));
 	if (a->over && type->follow != NULL) {
 		a->found = type->follow(a->s, &a->task);
@@ -686,6 +690,16 @@ session_stop_job_for_user(struct session *s)
 }
 
 void
+session_run_job_to_end(struct session *s)
+{
+	while (session_is_calibrating(s))
+		if (s->hooks.stop != NULL && s->hooks.stop())
+			session_stop_job_for_user(s);
+		else
+			session_run_parallel_tasks(s);
+}
+
+void
 session_abort_job(struct session *s)
 {
 	if (session_is_calibrating(s))
@@ -696,7 +710,7 @@ session_abort_job(struct session *s)
 void
 session_discard_paused_job(struct session *s)
 {
-	if (s->job.calibration == NULL)
+	if (s->job.type == NULL)
 		return;
 	session_abort_job(s);
 	session_note(
@@ -914,7 +928,7 @@ static bool
 require_paused_calibration(
     const struct session *s, const char *name, struct error *error)
 {
-	if (s->job.calibration != NULL && s->job.paused)
+	if (s->job.paused)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "%s: no calibration was stopped\n"

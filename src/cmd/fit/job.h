@@ -14,10 +14,11 @@ struct job_task {
 	bool (*stop)(void);
 };
 
-/* What a job calibrates, task by task. */
+/* What a job does, task by task. */
 struct job_type {
 	/* Prepares the first or the next task: job.entry, and job.train for
-	 * that site.  Returns false if none is left. */
+	 * that site; without it, nothing is calibrated, and `follow` is all of
+	 * the task.  Returns false if none is left. */
 	bool (*next)(struct session *s);
 	/* Called after the task's calibration, to compute further results in
 	 * steps; returns true when done.  NULL: there are none. */
@@ -73,6 +74,10 @@ void session_step_job(struct session *s);
 /* As session_step_job, for drivers that need not respond meanwhile: runs
  * several independent tasks to their ends in parallel. */
 void session_run_parallel_tasks(struct session *s);
+
+/* For a command that runs others: runs the job, if any, until it is over or
+ * the user stops it. */
+void session_run_job_to_end(struct session *s);
 
 /* Discards a stopped calibration and says so. */
 void session_discard_paused_job(struct session *s);

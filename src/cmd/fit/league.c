@@ -179,14 +179,12 @@ add_model_result(struct session *s)
 		t->aicc =
 		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
 	}
-	trials_add_held_out_runs(
-	    &t->runs, &(struct predicted_by){.entry = g->entry,
-			  .key = s->entry[g->entry].key,
-			  .site = g->site,
-			  .train = job->train,
-			  .params = t->last.params,
-			  .settings = t->last.settings,
-			  .rmse = t->last.rmse});
+	trials_add_held_out_runs(&t->runs, s,
+	    &(struct predicted_by){.entry = g->entry,
+		.train = job->train,
+		.params = t->last.params,
+		.settings = t->last.settings,
+		.rmse = t->last.rmse});
 }
 
 /* Returns the sampling error of a passing at a site: the residual error of the
@@ -699,9 +697,12 @@ name_of_model_task(const struct session *s)
 			    : xasprintf(tr("league: %s, model %s"), key, model);
 }
 
-static const struct job_type LEAGUE = {begin_next_model_or_site, NULL,
-    add_model_result, show_league_and_end, league_free, false,
-    name_of_model_task, N_("stopped before all models were calibrated"), NULL};
+static const struct job_type LEAGUE = {.next = begin_next_model_or_site,
+    .take = add_model_result,
+    .end = show_league_and_end,
+    .drop = league_free,
+    .task_words = name_of_model_task,
+    .useless = N_("stopped before all models were calibrated")};
 
 bool
 cmd_league(struct session *s, const struct args *args, struct error *error)

@@ -99,15 +99,16 @@ corrected_passings_of_run(const struct run *run,
 }
 
 static void
-add_trial_of_run(struct trials *c, const struct predicted_by *by, size_t r)
+add_trial_of_run(struct trials *c, const struct entry *entry,
+    const struct predicted_by *by, size_t r)
 {
-	const struct site *site = by->site;
+	const struct site *site = entry->site;
 	const struct run *run = &site->run[r];
 	struct trial trial = {.entry = by->entry,
-	    .key = xstrdup(by->key),
+	    .key = xstrdup(entry->key),
 	    .source = site_source(site, "provenance not stated"),
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
-	    .rotor = by->site->rotor,
+	    .rotor = site->rotor,
 	    .in_rpm = answers_is_sheet_in_rpm(site),
 	    .run = run,
 	    .open = trust_is_band_impossible(
@@ -125,12 +126,14 @@ add_trial_of_run(struct trials *c, const struct predicted_by *by, size_t r)
 }
 
 void
-trials_add_held_out_runs(struct trials *c, const struct predicted_by *by)
+trials_add_held_out_runs(
+    struct trials *c, const struct session *s, const struct predicted_by *by)
 {
-	for (size_t r = 0; r < by->site->n_run; r++)
+	const struct entry *entry = &s->entry[by->entry];
+	for (size_t r = 0; r < entry->site->n_run; r++)
 		if (!by->train[r] &&
-		    misfit_count_covered_sieves(&by->site->run[r]) > 0)
-			add_trial_of_run(c, by, r);
+		    misfit_count_covered_sieves(&entry->site->run[r]) > 0)
+			add_trial_of_run(c, entry, by, r);
 }
 
 void
@@ -139,8 +142,7 @@ trials_add_held_out_of_entry(struct trials *c, const struct session *s,
 {
 	const struct entry *entry = &s->entry[index];
 	const struct fit *fit = origin_find_fit(entry);
-	trials_add_held_out_runs(
-	    c, &(struct predicted_by){index, entry->key, entry->site,
-		   entry->train, entry->params, s->set.model, posterior,
-		   fit != NULL ? fit->rmse : 0});
+	trials_add_held_out_runs(c, s,
+	    &(struct predicted_by){index, entry->train, entry->params,
+		s->set.model, posterior, fit != NULL ? fit->rmse : 0});
 }

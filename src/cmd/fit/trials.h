@@ -35,11 +35,10 @@ struct trials {
 	struct trial *item;
 };
 
-/* The basis for predicting the runs of a site.  rmse: of the fit, 0..1. */
+/* The basis for predicting the runs of a loaded site.  rmse: of the fit,
+ * 0..1. */
 struct predicted_by {
 	size_t entry;
-	const char *key;
-	const struct site *site;
 	const bool *train;
 	struct params params;
 	struct model_settings settings;
@@ -48,7 +47,8 @@ struct predicted_by {
 };
 
 /* Adds all held-out runs of the site that have a product. */
-void trials_add_held_out_runs(struct trials *c, const struct predicted_by *by);
+void trials_add_held_out_runs(
+    struct trials *c, const struct session *s, const struct predicted_by *by);
 
 /* As trials_add_held_out_runs, but predicted by the entry's parameters and
  * corrected by the posterior, or NULL. */

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/pool.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
@@ -18,9 +17,10 @@
 #include "cmd/fit/scores.h"
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
+#include "core/search/misfit.h"
 
-/* The state of one `validate`.  at, end, speed: for holdout=each, the present
- * site, the site to stop before, and the speed held out last. */
+/* The state of one `validate`.  at, end: the present site and the one
+ * to stop before; speed: with holdout=each, the one held out last. */
 struct validating {
 	bool all, sieves;
 	struct part part;
@@ -37,16 +37,6 @@ free_validation(void *of)
 	trials_clear(&c->runs);
 	free(c->options);
 	free(c);
-}
-
-/* Compares the held-out runs of an entry, or counts the entry as left out. */
-static void
-compare_held_out_runs(const struct session *s, size_t index,
-    const struct posterior *posterior, struct trials *c)
-{
-	size_t before = c->n;
-	trials_add_held_out_of_entry(c, s, index, posterior);
-	c->left_out += c->n == before;
 }
 
 /* Notes the result of each run of a site. */
@@ -88,103 +78,6 @@ show_validation_of_all(struct session *s, const struct validating *c)
 	session_show_answer(s, r);
 }
 
-/* Calibrated sites that `validate all` could not compare. */
-struct failed {
-	size_t n;
-	char *keys;
-	struct error first;
-};
-
-/* Fails after the answer, which is about the other sites. */
-static void
-set_error_after_answer(struct session *s, struct failed *failed, size_t n)
-{
-	if (failed->n > 0) {
-		struct error e = failed->first;
-		error_set(&e, failed->first.kind,
-		    "%zu of %zu calibrated sites could not be compared (%s): "
-		    "%s\n%s",
-		    failed->n, n + failed->n, failed->keys, failed->first.text,
-		    failed->first.hint);
-		if (s->invocation != NULL)
-			s->invocation->late = e;
-	}
-	free(failed->keys);
-}
-
-/* A site that is compared in parallel with others. */
-struct compared_site {
-	const struct session *s;
-	size_t entry;
-	bool done; /* false if the user stopped it */
-	struct trials found;
-};
-
-static void
-compare_site_in_thread(void *data, size_t piece, unsigned thread)
-{
-	struct compared_site *b = &((struct compared_site *)data)[piece];
-	const struct session *s = b->s;
-	(void)thread;
-	if (s->hooks.stop != NULL && s->hooks.stop())
-		return;
-	struct posterior *p =
-	    posterior_of_training_runs(s, &s->entry[b->entry]);
-	compare_held_out_runs(s, b->entry, p, &b->found);
-	b->done = true;
-	posterior_free(p);
-}
-
-/* Compares sites [n] in parallel.  Returns false if the user stopped it. */
-static bool
-compare_sites_in_parallel(
-    struct session *s, struct trials *c, const size_t *index, size_t n)
-{
-	enum { EACH_THREAD = 2 };
-	size_t most = EACH_THREAD * s->set.threads;
-	FREED struct compared_site *beside = xcalloc(most, sizeof *beside);
-	struct pool *pool = pool_new(s->set.threads);
-	bool all = true;
-	for (size_t from = 0; all && from < n; from += most) {
-		size_t m = n - from < most ? n - from : most;
-		for (size_t i = 0; i < m; i++)
-			beside[i] = (struct compared_site){
-			    .s = s, .entry = index[from + i]};
-		pool_run(pool, m, compare_site_in_thread, beside);
-		for (size_t i = 0; i < m; i++) {
-			all = all && beside[i].done;
-			note_rmse_of_each_run(s, &beside[i].found);
-			trials_append(c, &beside[i].found);
-		}
-	}
-	pool_free(pool);
-	return all;
-}
-
-/* Lists the calibrated sites of the part in index [n_entry]. */
-static size_t
-list_calibrated_sites(const struct session *s, struct validating *c,
-    size_t *index, struct failed *failed)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < s->n_entry; i++) {
-		struct error error = {0};
-		if (!part_has_site(&c->part, i))
-			continue;
-		if (!s->entry[i].has_fit) {
-			c->runs.left_out++;
-		} else if (answers_require_params(s, &s->entry[i], &error)) {
-			index[n++] = i;
-		} else {
-			if (failed->n++ == 0)
-				failed->first = error;
-			xappend_to_list(
-			    &failed->keys, ", ", "%s", s->entry[i].key);
-		}
-	}
-	return n;
-}
-
 /* True if the site has enough speeds to hold one out. */
 static bool
 has_speeds_to_hold_out(const struct entry *entry)
@@ -192,106 +85,48 @@ has_speeds_to_hold_out(const struct entry *entry)
 	return job_count_speeds(entry->site) >= JOB_FOR_EACH;
 }
 
-/* True if a part may be empty: all of its sites that could be calibrated
- * are, and other parts have sites to compare. */
 static bool
-may_part_be_empty(const struct session *s, const struct part *part)
+has_held_out_run(const struct entry *entry)
 {
-	bool others = false, forgotten = false;
-	for (size_t i = 0; i < s->n_entry; i++) {
-		const struct entry *entry = &s->entry[i];
-		others =
-		    others || entry->has_fit || has_speeds_to_hold_out(entry);
-		forgotten =
-		    forgotten || (part_has_site(part, i) && !entry->has_fit &&
-				     has_speeds_to_hold_out(entry));
+	bool any = false;
+	for (size_t r = 0; r < entry->site->n_run; r++) {
+		const struct run *run = &entry->site->run[r];
+		any = any || (!entry->train[r] &&
+				 misfit_count_covered_sieves(run) > 0);
 	}
-	return part->of > 0 && others && !forgotten;
+	return any;
 }
 
-/* Returns the seeds and options of the fits, each once: other parts must
- * have the same. */
-static char *
-seeds_and_options_of_fits(
-    const struct session *s, const size_t *index, size_t n)
-{
-	char *words = xstrdup("fits");
-	for (size_t i = 0; i < n; i++) {
-		const struct entry *entry = &s->entry[index[i]];
-		FREED char *own = xasprintf(" [seed=%llu model=%s %s]",
-		    (unsigned long long)entry->fit.seed,
-		    breakage_model_of_params(&entry->fit.params)->name,
-		    entry->options);
-		if (strstr(words, own) == NULL)
-			xappend(&words, "%s", own);
-	}
-	return words;
-}
-
+/* True if runs of the site can be compared. */
 static bool
-validate_all_sites(struct session *s, struct validating *c, struct error *error)
+is_compared(const struct session *s, const struct validating *c, size_t index)
 {
-	struct failed failed = {.keys = xstrdup("")};
-	FREED size_t *index = xcalloc(s->n_entry + 1, sizeof *index);
-	size_t n = list_calibrated_sites(s, c, index, &failed);
-	FREED char *fits = seeds_and_options_of_fits(s, index, n);
-	struct calibrate_options o = job_default_options(s);
-	bool whole = compare_sites_in_parallel(s, &c->runs, index, n);
-	c->options = part_dependencies_text(s, &o, fits);
-	if (!whole)
-		session_note(s, "stopped before all sites were compared");
-	else if (c->runs.n > 0 || may_part_be_empty(s, &c->part))
-		show_validation_of_all(s, c);
-	else if (failed.n > 0)
-		*error = failed.first;
-	else if (c->part.of > 0)
-		error_set(error, ERROR_USAGE,
-		    "no site of part %zu/%zu has both a calibration and a "
-		    "held-out run\n"
-		    "run 'calibrate all part=%zu/%zu' before it",
-		    c->part.number, c->part.of, c->part.number, c->part.of);
-	else
-		error_set(error, ERROR_USAGE,
-		    "no loaded site has both a calibration and a held-out run\n"
-		    "load sites with three speeds, then run 'calibrate', or "
-		    "'calibrate all' for all of them");
-	set_error_after_answer(s, &failed, n);
-	return error->kind == ERROR_NONE;
-}
-
-static bool
-validate_current_site(
-    struct session *s, struct validating *c, struct error *error)
-{
-	if (!answers_require_params_of_current(s, error))
+	struct error none = {0};
+	const struct entry *entry = &s->entry[index];
+	if (!part_has_site(&c->part, index))
 		return false;
-	const struct entry *entry = session_current_entry(s);
-	compare_held_out_runs(s, s->current,
-	    posterior_of_calibration(s, entry, CORRECTION_TRAIN), &c->runs);
-	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
-	if (entry->has_fit)
-		fields_put(answer_fields(r), "verdict %s",
-		    verdict_on_fit(s, entry, NULL));
-	answers_show_fit_basis(s, r, entry, false);
-	return session_show_answer(s, r);
+	return c->runs.each ? has_speeds_to_hold_out(entry)
+			    : entry->has_fit && has_held_out_run(entry) &&
+				  answers_require_params(s, entry, &none);
 }
 
-/* Finds the next speed to hold out, at a site that has enough. */
+/* Finds the next site to compare or, with holdout=each, the next speed of a
+ * site to hold out. */
 static bool
-find_next_held_out_speed(struct session *s)
+find_next_comparison(struct session *s)
 {
 	struct validating *c = s->job.of;
 	for (; c->at < c->end; c->at++, c->speed = 0) {
 		const struct site *site = s->entry[c->at].site;
-		if (!part_has_site(&c->part, c->at))
+		if (!is_compared(s, c, c->at))
 			continue;
-		if (job_count_speeds(site) < JOB_FOR_EACH) {
-			c->runs.left_out++;
-			continue;
+		s->job.entry = c->at;
+		if (!c->runs.each) {
+			c->at++;
+			return true;
 		}
 		free(s->job.train);
 		s->job.train = xcalloc(site->n_run, sizeof *s->job.train);
-		s->job.entry = c->at;
 		if (job_hold_out_next_speed(site, &c->speed, s->job.train))
 			return true;
 	}
@@ -323,9 +158,23 @@ compare_at_held_out_speed(const struct session *s, const struct job_task *task)
 	struct validating *found = xcalloc(1, sizeof *found);
 	found->runs.one = c->runs.one;
 	found->runs.level = c->runs.level;
-	trials_add_held_out_runs(&found->runs,
-	    &(struct predicted_by){task->entry, s->entry[task->entry].key, site,
-		task->train, fit.params, fit.settings, posterior, fit.rmse});
+	trials_add_held_out_runs(&found->runs, s,
+	    &(struct predicted_by){task->entry, task->train, fit.params,
+		fit.settings, posterior, fit.rmse});
+	posterior_free(posterior);
+	return found;
+}
+
+/* Compares the runs held out from a calibrated site. */
+static void *
+compare_at_calibrated_site(const struct session *s, const struct job_task *task)
+{
+	if (task->stop != NULL && task->stop())
+		return NULL;
+	struct posterior *posterior =
+	    posterior_of_training_runs(s, &s->entry[task->entry]);
+	struct validating *found = xcalloc(1, sizeof *found);
+	trials_add_held_out_of_entry(&found->runs, s, task->entry, posterior);
 	posterior_free(posterior);
 	return found;
 }
@@ -341,10 +190,12 @@ append_held_out_results(struct session *s)
 }
 
 static char *
-name_of_held_out_task(const struct session *s)
+name_of_comparison(const struct session *s)
 {
 	const struct validating *c = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
+	if (!c->runs.each)
+		return xasprintf("validate: %s", entry->key);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, c->speed, NAN);
 	return xasprintf(
@@ -364,52 +215,140 @@ show_held_out_results(struct session *s, void *of)
 	free_validation(c);
 }
 
-static const struct job_type EACH = {find_next_held_out_speed, NULL,
-    append_held_out_results, show_held_out_results, free_validation, false,
-    name_of_held_out_task, N_("stopped before all speeds were predicted"),
-    compare_at_held_out_speed};
+static const struct job_type EACH = {.next = find_next_comparison,
+    .take = append_held_out_results,
+    .end = show_held_out_results,
+    .drop = free_validation,
+    .task_words = name_of_comparison,
+    .useless = N_("stopped before all speeds were predicted"),
+    .follow = compare_at_held_out_speed};
 
-/* True if no site of the part has enough speeds but sites of other parts
- * have.  *left_out: those of the part. */
+static const struct job_type CALIBRATED = {.next = find_next_comparison,
+    .take = append_held_out_results,
+    .end = show_held_out_results,
+    .drop = free_validation,
+    .task_words = name_of_comparison,
+    .useless = N_("stopped before all sites were compared"),
+    .follow = compare_at_calibrated_site};
+
+/* True if a part may be empty: all of its sites that could be calibrated
+ * are, and other parts have sites to compare. */
 static bool
-has_part_no_usable_site(
-    const struct session *s, const struct part *part, size_t *left_out)
+may_part_be_empty(const struct session *s, const struct validating *c)
 {
-	size_t n = 0, all = 0;
-	*left_out = 0;
+	bool others = false, forgotten = false;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		bool able = has_speeds_to_hold_out(&s->entry[i]);
-		all += able;
-		n += able && part_has_site(part, i);
-		*left_out += !able && part_has_site(part, i);
+		const struct entry *entry = &s->entry[i];
+		bool able = has_speeds_to_hold_out(entry);
+		others = others || able || (entry->has_fit && !c->runs.each);
+		forgotten = forgotten || (part_has_site(&c->part, i) &&
+					     !entry->has_fit && able);
 	}
-	return part->of > 0 && n == 0 && all > 0;
+	return c->part.of > 0 && others && !forgotten;
 }
 
-/* Calibrates without each speed in turn.  The job owns c. */
-static bool
-calibrate_without_each_speed(
-    struct session *s, struct validating *c, struct error *error)
+/* Adds the seed and the options of a fit, which other parts must have, unless
+ * they are in the list already. */
+static void
+append_options_of_fit(char **list, const struct entry *entry)
 {
-	c->at = c->all ? 0 : s->current;
-	c->end = c->all ? s->n_entry : s->current + 1;
-	session_discard_paused_job(s);
-	const struct job job = {.type = &EACH,
+	FREED char *own = xasprintf(" [seed=%llu model=%s %s]",
+	    (unsigned long long)entry->fit.seed,
+	    breakage_model_of_params(&entry->fit.params)->name, entry->options);
+	if (strstr(*list, own) == NULL)
+		xappend(list, "%s", own);
+}
+
+/* Answers for a part that may be empty, or fails.  refused: the error about the
+ * first calibrated site that cannot be compared, if there is one. */
+static bool
+show_empty_part(struct session *s, struct validating *c,
+    const struct error *refused, struct error *error)
+{
+	const struct part *part = &c->part;
+	if (may_part_be_empty(s, c))
+		show_validation_of_all(s, c);
+	else if (c->runs.each)
+		error_set(error, ERROR_DATA,
+		    "holdout=each: expected products at three or more speeds, "
+		    "so that two are left to calibrate on\n"
+		    "measure another speed");
+	else if (refused->kind != ERROR_NONE)
+		*error = *refused;
+	else if (part->of > 0)
+		error_set(error, ERROR_USAGE,
+		    "no site of part %zu/%zu has both a calibration and a "
+		    "held-out run\n"
+		    "run 'calibrate all part=%zu/%zu' before it",
+		    part->number, part->of, part->number, part->of);
+	else
+		error_set(error, ERROR_USAGE,
+		    "no loaded site has both a calibration and a held-out run\n"
+		    "load sites with three speeds, then run 'calibrate', or "
+		    "'calibrate all' for all of them");
+	free_validation(c);
+	return error->kind == ERROR_NONE;
+}
+
+/* Compares site after site.  The job owns c.  Calibrated sites whose parameters
+ * the settings do not allow are an error after the answer, which is about the
+ * others. */
+static bool
+begin_comparisons(struct session *s, struct validating *c, struct error *error)
+{
+	struct error refused = {0};
+	size_t n = 0, n_fit = 0, n_refused = 0;
+	FREED char *keys = xstrdup(""), *fits = xstrdup("fits");
+	const struct job job = {.type = c->runs.each ? &EACH : &CALIBRATED,
 	    .of = c,
 	    .apart = c->all,
 	    .options = job_default_options(s)};
-	c->options = part_dependencies_text(s, &job.options, "each");
-	size_t left_out;
-	if (has_part_no_usable_site(s, &c->part, &left_out)) {
-		c->runs.left_out = left_out;
-		show_held_out_results(s, c);
-		return true;
+	for (size_t i = c->at; i < c->end; i++) {
+		struct error e = {0};
+		const struct entry *entry = &s->entry[i];
+		bool fit = entry->has_fit && !c->runs.each,
+		     compared = is_compared(s, c, i);
+		if (!part_has_site(&c->part, i))
+			continue;
+		n_fit += fit;
+		if (fit && !answers_require_params(s, entry, &e)) {
+			refused = n_refused++ == 0 ? e : refused;
+			xappend_to_list(&keys, ", ", "%s", entry->key);
+			continue;
+		}
+		if (fit)
+			append_options_of_fit(&fits, entry);
+		n += compared;
+		c->runs.left_out += !compared;
 	}
-	return job_start(s, &job) ||
-	       error_set(error, ERROR_DATA,
-		   "holdout=each: expected products at three or more speeds, "
-		   "so that two are left to calibrate on\n"
-		   "measure another speed");
+	c->options = part_dependencies_text(
+	    s, &job.options, c->runs.each ? "each" : fits);
+	if (n_refused > 0 && s->invocation != NULL)
+		error_set(&s->invocation->late, refused.kind,
+		    "%zu of %zu calibrated sites could not be compared (%s): "
+		    "%s\n%s",
+		    n_refused, n_fit, keys, refused.text, refused.hint);
+	if (n == 0)
+		return show_empty_part(s, c, &refused, error);
+	session_discard_paused_job(s);
+	return job_start(s, &job);
+}
+
+static bool
+validate_current_site(
+    struct session *s, struct validating *c, struct error *error)
+{
+	if (!answers_require_params_of_current(s, error))
+		return false;
+	const struct entry *entry = session_current_entry(s);
+	trials_add_held_out_of_entry(&c->runs, s, s->current,
+	    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
+	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
+	if (entry->has_fit)
+		fields_put(answer_fields(r), "verdict %s",
+		    verdict_on_fit(s, entry, NULL));
+	answers_show_fit_basis(s, r, entry, false);
+	return session_show_answer(s, r);
 }
 
 bool
@@ -432,15 +371,16 @@ cmd_validate(struct session *s, const struct args *args, struct error *error)
 		return false;
 	struct validating *c = xcalloc(1, sizeof *c);
 	*c = (struct validating){.all = all,
+	    .at = all ? 0 : s->current,
+	    .end = all ? s->n_entry : s->current + 1,
 	    .sieves = args->by_sieve,
 	    .part = part,
 	    .runs = {.one = !all,
 		.each = each,
 		.level = settings_band_probability(&s->set)}};
-	if (each)
-		return calibrate_without_each_speed(s, c, error);
-	bool ok =
-	    (all ? validate_all_sites : validate_current_site)(s, c, error);
+	if (all || each)
+		return begin_comparisons(s, c, error);
+	bool ok = validate_current_site(s, c, error);
 	free_validation(c);
 	return ok;
 }

@@ -648,15 +648,14 @@ parse_argument(
 	return true;
 }
 
-/* Returns true with an error if a setting's name stands at the end: "set
- * method". */
+/* The last word must not be a setting's name: "set method". */
 static bool
-is_setting_without_value(
-    const struct command *command, const char *name, struct error *error)
+check_is_no_setting(
+    const struct command *command, const char *word, struct error *error)
 {
-	size_t i = command_option_index(command, name);
-	return i < OPTIONS &&
-	       !error_missing_value(command_option_at(command, i), error);
+	size_t i = command_option_index(command, word);
+	return i == OPTIONS ||
+	       error_missing_value(command_option_at(command, i), error);
 }
 
 /* Reads "method classes", which means "method=classes". */
@@ -712,28 +711,25 @@ store_values_in_members(struct args *args, struct error *error)
 	return ok;
 }
 
-/* Returns true with an error for "p80", and for "P80=5.5" as in a table's
- * heading. */
+/* An operand must be neither "p80" nor "P80=5.5" as in a table's heading. */
 static bool
-is_option_without_value(
+check_is_no_option(
     const struct command *command, const char *word, struct error *error)
 {
 	size_t n = strcspn(word, "=");
 	FREED char *cut = xstrndup(word, n),
 		   *name = text_fold_case_and_accents(cut);
-	bool is = command_option_index(command, name) < OPTIONS;
-	if (is && word[n] == '=') {
-		error_set(error, ERROR_USAGE,
+	if (command_option_index(command, name) == OPTIONS)
+		return true;
+	if (word[n] == '=')
+		return error_set(error, ERROR_USAGE,
 		    "expected an option in lower case, got '%s'\n"
 		    "write %s%s",
 		    word, name, word + n);
-	} else if (is) {
-		error_set(error, ERROR_USAGE,
-		    "expected a value for %s\n"
-		    "write %s=VALUE",
-		    name, name);
-	}
-	return is;
+	return error_set(error, ERROR_USAGE,
+	    "expected a value for %s\n"
+	    "write %s=VALUE",
+	    name, name);
 }
 
 static bool
@@ -745,7 +741,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 			       : NULL;
 	if (more == NULL && args->n_operand >= command->operands.least)
 		return true;
-	if (more != NULL && is_option_without_value(command, more, error))
+	if (more != NULL && !check_is_no_option(command, more, error))
 		return false;
 	FREED char *usage = command_usage(command);
 	error_set(error, ERROR_USAGE,
@@ -812,12 +808,11 @@ parse_arguments(const struct words *words, struct args *args, int *column,
 		bool pair = set && !last && strchr(word, '=') == NULL;
 		*column = words->column[i];
 		bool ok =
-		    pair
-			? parse_option_as_two_words(
-			      word, words->text[i + 1], args, error)
-			: !(set && last &&
-			      is_setting_without_value(command, word, error)) &&
-			      parse_argument(word, *column, args, error);
+		    pair ? parse_option_as_two_words(
+			       word, words->text[i + 1], args, error)
+			 : (!set || !last ||
+			       check_is_no_setting(command, word, error)) &&
+			       parse_argument(word, *column, args, error);
 		if (!ok)
 			return false;
 		i += pair;

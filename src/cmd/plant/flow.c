@@ -451,9 +451,9 @@ build_flow_answer(const struct plant *p, const struct plant_result *o)
 	return r;
 }
 
-/* Adds the rest of the answer and shows it. */
-static bool
-finish_flow_answer(
+/* Adds the numbers of the streams and what the answer rests on. */
+static void
+add_streams_and_basis(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	const struct entry *entry = p->question->entry;
@@ -468,10 +468,16 @@ finish_flow_answer(
 	fields_put(answer_fields(r), "level %g", 100 * p->question->level);
 	answers_show_basis(
 	    p->s, r, p->question, 0, band, worst_trust_of_crushers(p, o));
+}
+
+/* A flow sheet that is drawn as an image needs no words. */
+static void
+show_flow_answer(const struct plant *p, struct answer *r)
+{
 	if (!plot_is_image_wanted(p->s) || p->s->document != NULL)
-		return session_show_answer(p->s, r);
-	session_keep_answer(p->s, r);
-	return true;
+		session_show_answer(p->s, r);
+	else
+		session_keep_answer(p->s, r);
 }
 
 static bool
@@ -499,7 +505,8 @@ show_best_speed_for_flow(
 		note_best_speed(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain_over_usual_speed(p, &best, &usual, r);
-		finish_flow_answer(p, &best, r);
+		add_streams_and_basis(p, &best, r);
+		show_flow_answer(p, r);
 	}
 	flow_free(&usual.flow);
 	flow_free(&best.flow);
@@ -512,8 +519,11 @@ show_flow_at_speed(const struct plant *p, double speed, struct error *error)
 {
 	struct plant_result o = plant_compute_at_speed(p, speed);
 	bool ok = !o.flow.open || plant_set_error_not_steady(p, &o, error);
-	if (ok)
-		finish_flow_answer(p, &o, build_flow_answer(p, &o));
+	if (ok) {
+		struct answer *r = build_flow_answer(p, &o);
+		add_streams_and_basis(p, &o, r);
+		show_flow_answer(p, r);
+	}
 	flow_free(&o.flow);
 	return ok;
 }

@@ -430,21 +430,25 @@ parse_power_options(
 	return true;
 }
 
+/* Makes the crusher with the feed of the question. */
 static void
-make_crusher_models(struct plant *p)
+make_crusher_model(struct plant *p)
 {
 	const struct entry *entry = p->question->entry;
-	const struct breakage *of = breakage_model_of_params(&entry->params);
 	const struct psd *feed = question_feed(p->question);
 	struct psd sieves = predict_table_sizes(entry->site, feed);
 	p->crusher = crusher_new_for_answers(p->s, entry, p->size, p->n);
-	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
-	p->power = power_fit(p->reading, p->n_reading);
-	p->bypass = of->bypass ? entry->params.at[of->n - 1] : 0;
 	p->feed = xcalloc_doubles(p->n);
 	crusher_class_masses_of_feed(p->crusher, feed, p->feed);
 	crusher_set_feed(p->crusher, feed, sieves.size, sieves.n);
 	psd_free(&sieves);
+}
+
+/* Makes the models of the units that run at a speed of their own. */
+static void
+make_models_of_units(struct plant *p)
+{
+	p->own = xcalloc(p->circuit->n_unit, sizeof(*p->own));
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		if (p->circuit->unit[u].speed > 0)
 			p->own[u] = crusher_transfer_at_speed(
@@ -469,7 +473,12 @@ plant_parse_options(struct session *s, const struct args *args,
 		return false;
 	}
 	choose_class_sizes(plant);
-	make_crusher_models(plant);
+	make_crusher_model(plant);
+	make_models_of_units(plant);
+	plant->power = power_fit(plant->reading, plant->n_reading);
+	const struct params *params = &q->entry->params;
+	const struct breakage *of = breakage_model_of_params(params);
+	plant->bypass = of->bypass ? params->at[of->n - 1] : 0;
 	return true;
 }
 

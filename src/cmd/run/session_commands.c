@@ -303,7 +303,7 @@ static const char *
 undo_or_redo(struct session *s, const char *(*where)(struct session *))
 {
 	struct entry held = {0};
-	bool paused = s->job.calibration != NULL && s->job.paused;
+	bool paused = s->job.paused;
 	if (paused)
 		held = s->entry[s->job.entry];
 	const char *label = where(s);

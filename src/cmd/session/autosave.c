@@ -112,16 +112,15 @@ remove_restored_file(struct autosave *k)
 	k->restored = NULL;
 }
 
-/* A session that was restored only in part does not become the newest. */
-static bool
-was_restored_in_part(struct autosave *k, bool ok)
+/* whole: the session that was being restored, if any, was restored whole. */
+static void
+keep_restored_path(struct autosave *k, bool whole)
 {
 	if (k->restoring == NULL)
-		return false;
-	free(ok ? k->restored : k->restoring);
-	k->restored = ok ? k->restoring : k->restored;
+		return;
+	free(whole ? k->restored : k->restoring);
+	k->restored = whole ? k->restoring : k->restored;
 	k->restoring = NULL;
-	return !ok;
 }
 
 /* Consecutive predictions, as the slider makes, are one line of the journal and
@@ -139,7 +138,13 @@ autosave_after_command(struct session *s, bool ok, bool saved)
 			remove_restored_file(k);
 	}
 	/* A script is saved as one step, as in undo. */
-	if (s->scripts > s->typed_depth || was_restored_in_part(k, ok))
+	if (s->scripts > s->typed_depth)
+		return;
+	/* A session that was restored only in part does not become the newest.
+	 */
+	bool in_part = k->restoring != NULL && !ok;
+	keep_restored_path(k, ok);
+	if (in_part)
 		return;
 	if (saved || now.n != k->written.n || now.start != k->written.start ||
 	    now.state != k->written.state)

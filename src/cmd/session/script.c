@@ -114,14 +114,19 @@ script_close_to_depth(struct session *s, size_t depth)
 }
 
 bool
-script_line_continues(char *line)
+script_line_continues(const char *line)
 {
 	size_t n = strcspn(line, "\r\n");
+	return n > 0 && line[n - 1] == '\\';
+}
+
+void
+script_remove_line_end(char *line)
+{
+	size_t n = strcspn(line, "\r\n");
+	if (script_line_continues(line))
+		line[n - 1] = ' ';
 	line[n] = '\0';
-	if (n == 0 || line[n - 1] != '\\')
-		return false;
-	line[n - 1] = ' ';
-	return true;
 }
 
 static bool
@@ -166,6 +171,7 @@ read_continued_line(struct script *script, int *first, struct error *error)
 			*first = script->number;
 		any = true;
 		more = good && script_line_continues(line + from);
+		script_remove_line_end(line + from);
 		n = from += strlen(line + from);
 	}
 	if (got == TEXT_TOO_LONG)

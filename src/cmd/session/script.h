@@ -38,8 +38,10 @@ void script_close_to_depth(struct session *s, size_t depth);
 /* Sets the error of a line that is too long.  Returns false. */
 bool script_set_error_too_long(const char *name, int line, struct error *error);
 
-/* Removes the line end.  Returns true if the line is continued (it ended in
- * \). */
-bool script_line_continues(char *line);
+/* Returns true if the line is continued: before its end is \. */
+bool script_line_continues(const char *line);
+
+/* Removes the end of a line; a \ before it becomes a space. */
+void script_remove_line_end(char *line);
 
 #endif

@@ -185,7 +185,7 @@ session_site_label(const struct site *site)
 bool
 session_is_calibrating(const struct session *s)
 {
-	return s->job.calibration != NULL && !s->job.paused;
+	return s->job.type != NULL && !s->job.paused;
 }
 
 const struct entry *

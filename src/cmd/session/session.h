@@ -44,13 +44,13 @@ struct hooks {
 	char *(*ask)(struct session *s, const struct user_question *inquiry);
 };
 
-/* A calibration in progress, or several in succession.  The driver calls
- * session_step_job until session_is_calibrating is false. */
+/* Work in progress: a calibration, or several tasks in succession.  The driver
+ * calls session_step_job until session_is_calibrating is false. */
 struct job {
 	const struct job_type *type; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
 	void *found;                 /* returned by type->follow; owned */
-	struct calibration *calibration;
+	struct calibration *calibration; /* NULL if the task is none */
 	struct calibration *lowest; /* reference for a plain search, or NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
@@ -205,7 +205,7 @@ void session_set_language(const struct session *s);
 void session_note(const struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* True if a calibration is in progress and not stopped. */
+/* True if a job is in progress and not stopped. */
 bool session_is_calibrating(const struct session *s);
 
 /* Returns the site that will receive the fit of the calibration in progress, or

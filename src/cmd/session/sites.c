@@ -125,7 +125,7 @@ insert_site_entry(struct session *s, struct site *site, size_t place)
 	memmove(&s->entry[place + 1], &s->entry[place],
 	    (s->n_entry++ - place) * sizeof entry);
 	s->entry[place] = entry;
-	if (s->job.calibration != NULL && s->job.entry >= place)
+	if (s->job.type != NULL && s->job.entry >= place)
 		s->job.entry++;
 	s->current = place;
 	s->last_asked = (struct last_asked){0};
@@ -167,9 +167,9 @@ session_add_site(struct session *s, struct site *site)
 void
 session_drop_site(struct session *s, size_t index)
 {
-	if (s->job.calibration != NULL && s->job.entry == index)
+	if (s->job.type != NULL && s->job.entry == index)
 		session_discard_paused_job(s);
-	else if (s->job.calibration != NULL && s->job.entry > index)
+	else if (s->job.type != NULL && s->job.entry > index)
 		s->job.entry--;
 	entry_clear(&s->entry[index]);
 	s->n_entry--;
@@ -189,7 +189,7 @@ session_replace_by_mended(struct session *s, size_t index, struct site *site)
 	bool own =
 	    entry->has_fit || (entry->origin != NULL && entry->origin->found &&
 				  entry->origin->from[0] == '\0');
-	if (s->job.calibration != NULL && s->job.entry == index)
+	if (s->job.type != NULL && s->job.entry == index)
 		session_discard_paused_job(s);
 	if (site->n_run != entry->site->n_run) {
 		free(entry->train);
@@ -219,7 +219,7 @@ session_replace_by_extended(
     struct session *s, struct site *site, const size_t *from)
 {
 	struct entry *entry = session_current_entry(s);
-	if (s->job.calibration != NULL && s->job.entry == s->current)
+	if (s->job.type != NULL && s->job.entry == s->current)
 		session_discard_paused_job(s);
 	bool *train = xcalloc(site->n_run, sizeof *train);
 	if (!entry->has_fit)

@@ -187,7 +187,7 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 	    &b.fit, &b.bounds, b.weight, made ? entry->site : b.then, b.train);
 	h->stop = s->hooks.stop;
 	bool own = has_all_runs_of(entry->site, h->site);
-	if (s->job.calibration != NULL && s->job.entry == *index)
+	if (s->job.type != NULL && s->job.entry == *index)
 		session_discard_paused_job(s);
 	if (own && b.now != NULL && !has_all_runs_of(entry->site, b.now))
 		entry->site = b.now;

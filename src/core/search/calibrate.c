@@ -314,17 +314,25 @@ end_phase(struct calibration *c)
 	c->state = CALIBRATE_SEARCHING;
 }
 
+/* Keeps what a search has found, unless the best so far is better. */
+static void
+keep_if_best(struct calibration *c, const struct params *found)
+{
+	double misfit = misfit_of_params(c->misfit, found);
+	if (c->best_misfit < misfit)
+		return;
+	c->best = *found;
+	c->best_misfit = misfit;
+	c->converged = false;
+}
+
+/* Goes on to the polish, which starts from what was found, too. */
 static void
 end_search(struct calibration *c, enum calibrate_state why)
 {
 	struct params found = best_params_of_search(c);
-	double misfit = misfit_of_params(c->misfit, &found);
 	c->stop = why;
-	if (!(c->best_misfit < misfit)) {
-		c->best = found;
-		c->best_misfit = misfit;
-		c->converged = false;
-	}
+	keep_if_best(c, &found);
 	c->start[c->n_start++] = found;
 	c->state = CALIBRATE_POLISHING;
 	if (!c->options.polish)
@@ -610,6 +618,8 @@ best_params_so_far(const struct calibration *c, double searched)
 struct calibrate_status
 calibration_status(const struct calibration *c)
 {
+	if (c == NULL)
+		return (struct calibrate_status){.generation = 0};
 	struct ga_status s = ga_status(c->ga);
 	struct calibrate_status status = {.state = c->state,
 	    .generation = s.generation,

@@ -99,6 +99,7 @@ struct calibrate_status {
 	struct params params;       /* the best so far */
 };
 
+/* Returns the state of a search; zeros for NULL. */
 struct calibrate_status calibration_status(const struct calibration *c);
 
 /* The record of a generation.  p10, p90: the middle 80 % of the values of each

@@ -687,9 +687,10 @@ is_count_or_constant(const struct column *c)
 	       ((steps == pairs && small) || same == pairs);
 }
 
-/* True if a column is no sample, which is then noted for the user. */
+/* Leaves out a column that is no sample and notes why.  Returns true if it
+ * did. */
 static bool
-is_no_sample(const struct column *c, struct site *site)
+leave_out_no_sample(const struct column *c, struct site *site)
 {
 	size_t filled;
 	bool words = has_mostly_words(c, &filled);
@@ -826,7 +827,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 			c.said.n_number = 0;
 		bool named = around.samples->n > 0;
 		bool sheet = samples_name_sheet(around.samples, t->sheet);
-		if (((!named || sheet) && is_no_sample(&c, site)) ||
+		if (((!named || sheet) && leave_out_no_sample(&c, site)) ||
 		    (named && !samples_apply_to_column(around.samples, &c)))
 			continue;
 		find_role_of_column(&c, &around);

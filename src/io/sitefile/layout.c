@@ -724,53 +724,65 @@ has_same_heading(const struct sheets *g, size_t r, size_t c, size_t other)
 		   cell_at(g, r - 1, other)->text) == 0;
 }
 
-/* What no head and no sieve tells: the first column of numbers in order that
- * has numbers beside it, and further ones with its head.  It may be something
- * else.  below: of those only that have numbers below 0, so that the others,
- * in phi, are not taken for sieves. */
-static void
-find_tables_of_ordered_numbers(struct sheets *g, bool below)
+/* Finds the next numbers in order in a column, from row p->last on, that may be
+ * sizes and have numbers beside them.  *phi: they may be in phi. */
+static bool
+find_next_ordered_numbers(
+    const struct sheets *g, size_t c, struct place *p, bool *phi)
 {
-	for (size_t c = 0; c + 1 < g->n_col; c++)
-		for (size_t r = 0;
-		     r < g->n_row && !error_should_stop(g->sheet->errors);
-		     r++) {
-			bool sizes, phi;
-			size_t first = r;
-			size_t end =
-			    end_of_ordered_numbers(g, r, c, &sizes, &phi);
-			r = end > r ? end - 1 : r;
-			const struct place *upper = &g->place[0];
-			bool like =
-			    g->n_place == 0 ||
+	for (size_t r = p->last;
+	     r < g->n_row && !error_should_stop(g->sheet->errors); r++) {
+		bool sizes;
+		size_t first = r;
+		size_t end = end_of_ordered_numbers(g, r, c, &sizes, phi);
+		r = end > r ? end - 1 : r;
+		const struct place *upper = &g->place[0];
+		bool like = g->n_place == 0 ||
 			    (first == upper->first &&
 				has_same_heading(g, first, c, upper->c));
-			if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
-			    is_heading_of_no_sieves(g, first, c) ||
-			    (below && !phi) || !like)
-				continue;
-			bool head = first > 0 &&
-				    is_cell_filled(g, first - 1, c) &&
-				    !is_cell_of_sieve(g, first - 1, c);
-			add_place(
-			    g, (struct place){c, head ? first - 1 : g->n_row,
-				   first, end, g->n_col, (int)(end - first),
-				   true});
-			g->phi[c] = g->phi[c] || phi;
-			break;
-		}
+		if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
+		    is_heading_of_no_sieves(g, first, c) || !like)
+			continue;
+		bool head = first > 0 && is_cell_filled(g, first - 1, c) &&
+			    !is_cell_of_sieve(g, first - 1, c);
+		*p = (struct place){c, head ? first - 1 : g->n_row, first, end,
+		    g->n_col, (int)(end - first), true};
+		return true;
+	}
+	return false;
 }
 
-static void
-find_tables_of_numbers_below_0(struct sheets *g)
-{
-	find_tables_of_ordered_numbers(g, true);
-}
-
+/* What no head and no sieve tells: the first column of numbers in order that
+ * has numbers beside it, and further ones with its head.  It may be something
+ * else. */
 static void
 find_tables_of_any_numbers(struct sheets *g)
 {
-	find_tables_of_ordered_numbers(g, false);
+	for (size_t c = 0; c + 1 < g->n_col; c++) {
+		struct place p = {.last = 0};
+		bool phi;
+		if (!find_next_ordered_numbers(g, c, &p, &phi))
+			continue;
+		add_place(g, p);
+		g->phi[c] = g->phi[c] || phi;
+	}
+}
+
+/* The same, of those only that have numbers below 0, so that the others, in
+ * phi, are not taken for sieves. */
+static void
+find_tables_of_numbers_below_0(struct sheets *g)
+{
+	for (size_t c = 0; c + 1 < g->n_col; c++) {
+		struct place p = {.last = 0};
+		bool phi = false, any = true;
+		while (any && !phi)
+			any = find_next_ordered_numbers(g, c, &p, &phi);
+		if (!any)
+			continue;
+		add_place(g, p);
+		g->phi[c] = true;
+	}
 }
 
 /* Finds the tables in a column that the user says has sieves, each from the

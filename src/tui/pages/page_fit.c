@@ -116,8 +116,8 @@ fit_draw(struct tui *t)
 	struct plot_request request =
 	    plots_default_request(any ? t->ui.picture : PLOT_PSD);
 	request.words = CHART_TITLE;
-	request.speed = tui_slider_speed(t);
-	request.feed = tui_feed_run(t);
+	request.asked.speed = tui_slider_speed(t);
+	request.asked.feed = tui_feed_run(t);
 	request.generation = t->ui.generation;
 	bool own = request.kind == PLOT_SEARCH && t->layout.plot.rows < TALL;
 	if (own)

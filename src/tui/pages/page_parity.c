@@ -63,16 +63,19 @@ add_marks_of_chosen_run(struct chart *chart)
 }
 
 static void
-finish_parity_chart(struct tui *t)
+compute_scores(struct parity *y)
 {
-	struct parity *y = &t->view.parity;
-	struct plot_request request = plots_default_request(PLOT_PARITY);
 	for (enum validate_way way = 0; way < VALIDATE_NULL; way++)
 		for (size_t i = 0; i < PSD_SIZES; i++)
 			y->score[way][i] =
 			    trials_score_at_size(&y->runs, way, i);
-	if (t->ui.list[PAGE_PARITY].at >= y->runs.n)
-		t->ui.list[PAGE_PARITY].at = 0;
+}
+
+static void
+make_parity_chart(struct tui *t)
+{
+	struct parity *y = &t->view.parity;
+	struct plot_request request = plots_default_request(PLOT_PARITY);
 	y->chart = plots_make_chart(t->session, &request, &y->error);
 	if (y->chart == NULL || y->runs.n == 0)
 		return;
@@ -102,7 +105,10 @@ parity_update(struct tui *t)
 		trials_append(&y->runs, &found);
 		y->next++;
 	}
-	finish_parity_chart(t);
+	compute_scores(y);
+	if (t->ui.list[PAGE_PARITY].at >= y->runs.n)
+		t->ui.list[PAGE_PARITY].at = 0;
+	make_parity_chart(t);
 }
 
 /* Returns the newest comparison with each speed held out in turn, or NULL. */

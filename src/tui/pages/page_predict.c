@@ -116,10 +116,10 @@ predict_draw(struct tui *t)
 		return;
 	}
 	request.words = 0;
-	request.speed = tui_slider_speed(t);
-	request.feed = tui_feed_run(t);
+	request.asked.speed = tui_slider_speed(t);
+	request.asked.feed = tui_feed_run(t);
 	request.band = t->ui.band;
-	if (p->product.n > 0 && t->view.of.speed == request.speed)
+	if (p->product.n > 0 && t->view.of.speed == request.asked.speed)
 		request.made = p;
 	request.level = t->ui.crosshair_passing;
 	if (t->view.pinned.site[0] != '\0') {

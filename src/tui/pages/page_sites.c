@@ -375,11 +375,12 @@ draw_curves_of_site(struct tui *t, struct area area)
 	if (area.rows < LEAST)
 		return;
 	area.rows = area.rows > MOST ? MOST : area.rows;
-	request.entry = at == t->session->current ? tui_entry_for_prediction(t)
-						  : &t->session->entry[at];
+	request.asked.entry = at == t->session->current
+				  ? tui_entry_for_prediction(t)
+				  : &t->session->entry[at];
 	request.words = area.rows < NAMES ? 0 : CHART_TITLE | CHART_LEGEND;
 	request.strip = 0;
-	request.speed = tui_slider_speed(t);
+	request.asked.speed = tui_slider_speed(t);
 	pane_draw_plot(t, &request, &area);
 }
 
