@@ -115,15 +115,15 @@ drive(const struct site *site, const struct calibrate_options *full)
 	double *told = xcalloc_doubles(o.population);
 	struct parts parts = {.kernel = 0};
 	for (size_t g = 0; g < full->generations; g++) {
-		const double *const *gene = ga_ask(ga);
+		const double *const *gene = ga_next_candidates(ga);
 		double start = measure_now();
 		herd_evaluate(kernel, pool, gene, o.population, told);
 		parts.kernel += measure_now() - start;
-		ga_tell(ga, told);
+		ga_take_misfits(ga, told);
 	}
 	for (size_t j = 0; j < BREAKAGES[0]->n; j++)
 		parts.best.at[j] = ga_best_genes(ga)[j];
-	params_scale_to_1(&parts.best);
+	params_scale_gauge_to_1(&parts.best);
 	free(told);
 	ga_free(ga);
 	kernel_free(kernel);

@@ -125,7 +125,7 @@ count_guess(size_t n)
 	bool ok = true;
 	double *error = xcalloc_doubles(n);
 	struct material_list list = {0}, *table = &list;
-	stored_add_table3(table);
+	material_add_table3(table);
 	printf("%-22s %s\n", "fragments",
 	    "  held %    RMSE, median   at one "
 	    "law, held %");

@@ -62,7 +62,7 @@ fill(struct store *store, size_t n)
 {
 	struct error error = {0};
 	struct material_list paper = {0};
-	stored_add_table3(&paper);
+	material_add_table3(&paper);
 	for (size_t from = 0; from < n; from += AT_ONCE) {
 		struct material_list list = {0};
 		for (size_t i = from; i < n && i < from + AT_ONCE; i++)

@@ -59,7 +59,7 @@ take_format(const char *word, enum answer_format *format, struct error *error)
 static bool
 take_language(const char *word, struct error *error)
 {
-	return tr_begin(word) ||
+	return tr_set_language(word) ||
 	       error_set(error, ERROR_USAGE,
 		   "expected --lang with a language that tipspeed has, got "
 		   "'%s'",
@@ -176,7 +176,7 @@ open_files(struct session *s, char *const *path, size_t n, bool stays)
 		for (k = i; k < n && !text_ends_with(path[k], ".tip"); k++)
 			;
 		if (k == i) {
-			status = batch_run_file(s, path[k++]);
+			status = batch_run_script_file(s, path[k++]);
 		} else if (!load_files(s, k - i, (const char *const *)path + i,
 			       NULL, &error)) {
 			if (error.kind == ERROR_SYSTEM &&
@@ -199,11 +199,13 @@ run_actions(struct session *s, const struct command_line *in)
 	for (size_t i = 0; status == 0 && i < in->n_action && !s->quit; i++) {
 		const struct action *a = &in->action[i];
 		if (a->kind == 'f')
-			status = strcmp(a->value, "-") == 0
-				     ? batch_run_stream(s, stdin, "stdin")
-				     : batch_run_file(s, a->value);
+			status =
+			    strcmp(a->value, "-") == 0
+				? batch_run_script_stream(s, stdin, "stdin")
+				: batch_run_script_file(s, a->value);
 		else
-			status = batch_run_text(s, a->value, "-c", ++commands);
+			status = batch_run_script_text(
+			    s, a->value, "-c", ++commands);
 	}
 	return status;
 }
@@ -229,7 +231,7 @@ main_run(
 		return repl_run(s);
 	if (isatty(STDIN_FILENO))
 		return batch_run_typed_lines(s);
-	return batch_run_stream(s, stdin, "stdin");
+	return batch_run_script_stream(s, stdin, "stdin");
 }
 
 /* A full disk or a closed pipe must not look like success. */
@@ -264,7 +266,7 @@ main(int argc, char **argv)
 	open_missing();
 	/* Not LC_NUMERIC: under sv_SE it would read 11.2 as 11. */
 	setlocale(LC_CTYPE, "");
-	tr_begin(NULL);
+	tr_set_language(NULL);
 	gsl_set_error_handler_off();
 	struct command_line in = {.seed = 1};
 	in.action = xcalloc((size_t)argc, sizeof *in.action);
@@ -279,7 +281,7 @@ main(int argc, char **argv)
 	} else if (understood) {
 		struct session *s = session_new(stdout, stderr);
 		s->set.format = in.format;
-		session_set_language(s);
+		session_set_translation(s);
 		s->set.seed = in.seed;
 		s->isa = isa_from_name(getenv("TIPSPEED_ISA"));
 		s->safe = in.safe;
@@ -296,7 +298,7 @@ main(int argc, char **argv)
 		s->hooks.stop = signals_is_stop_wanted;
 		s->linear = in.linear;
 		if (in.help)
-			usage_print_help(stdout);
+			usage_print_program_help(stdout);
 		if (in.version)
 			printf("tipspeed %s\n", PACKAGE_VERSION);
 		status =

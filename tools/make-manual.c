@@ -60,7 +60,7 @@ print_brief_as_sentence(const struct command *c, FILE *out)
 static void
 print_mdoc_option(const struct command_option *o, FILE *out)
 {
-	FREED char *words = command_describe_option(o);
+	FREED char *words = command_option_text(o);
 	fprintf(out, ".It Cm %s\n", o->name);
 	print_mdoc_paragraph(words, out);
 }
@@ -109,14 +109,14 @@ print_groups_with_commands(FILE *out)
 	FREED char *names = xstrdup("");
 	fputs(".Bl -tag -width calibration -compact\n", out);
 	for (const struct command *c = command_next(NULL); c != NULL;) {
-		if (strcmp(group, command_group(c)) != 0) {
-			group = command_group(c);
+		if (strcmp(group, command_group_name(c)) != 0) {
+			group = command_group_name(c);
 			fputs(".It Sx ", out);
 			print_group_heading(group, out);
 		}
-		xappend_to_list(&names, ", ", "%s", command_title(c));
+		xappend_to_list(&names, ", ", "%s", command_shown_name(c));
 		c = command_next(c);
-		if (c != NULL && strcmp(group, command_group(c)) == 0)
+		if (c != NULL && strcmp(group, command_group_name(c)) == 0)
 			continue;
 		print_mdoc_paragraph(names, out);
 		names[0] = '\0';
@@ -131,7 +131,7 @@ print_commands(FILE *out)
 	print_groups_with_commands(out);
 	print_shared_options(out);
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const char *its = command_group(c);
+		const char *its = command_group_name(c);
 		if (strcmp(group, its) != 0) {
 			if (group[0] != '\0')
 				fputs(".El\n", out);
@@ -140,7 +140,7 @@ print_commands(FILE *out)
 			fputs(".Bl -tag -width Ds\n", out);
 		}
 		group = its;
-		FREED char *usage = command_usage(c);
+		FREED char *usage = command_usage_text(c);
 		/* Quoted, so that no letter is a macro. */
 		FREED char *quoted = text_in_quotes(usage);
 		fprintf(out, ".It %s\n", quoted);
@@ -333,7 +333,7 @@ static void
 print_texts(FILE *out)
 {
 	print_table_texts_for_xgettext(out);
-	keys_print_texts(print_text_for_xgettext, out);
+	keys_print_for_translators(print_text_for_xgettext, out);
 }
 
 static const struct {

@@ -22,7 +22,7 @@ error_set_place(struct error *e, const char *file, int line, int column)
 }
 
 void
-error_prefix_place(struct error *e, const char *file, int line, int column)
+error_prefix_file_name(struct error *e, const char *file, int line, int column)
 {
 	if (e->file[0] != '\0') {
 		FREED char *text = xasprintf("%s: %s", e->file, e->text);

@@ -67,7 +67,7 @@ void error_set_place(struct error *e, const char *file, int line, int column);
 
 /* As error_set_place, for an error about a whole file: puts the file's name
  * before the text and sets the position in the script. */
-void error_prefix_place(
+void error_prefix_file_name(
     struct error *e, const char *file, int line, int column);
 
 /* Changes the hint of an error already set.  Returns false. */

@@ -44,7 +44,7 @@ static const uint64_t CLOSED = UINT32_MAX;
 
 /* Takes and runs one piece; false when there is none. */
 static bool
-run_next_piece(struct pool *pool, unsigned number)
+run_next_pool_piece(struct pool *pool, unsigned number)
 {
 	uint_fast64_t ticket = atomic_load(&pool->ticket);
 	size_t piece = (size_t)(ticket & CLOSED);
@@ -63,7 +63,7 @@ run_next_piece(struct pool *pool, unsigned number)
 }
 
 static bool
-is_idle(struct pool *pool)
+is_pool_idle(struct pool *pool)
 {
 	size_t piece = (size_t)(atomic_load(&pool->ticket) & CLOSED);
 	return piece == CLOSED || piece >= atomic_load(&pool->n);
@@ -74,7 +74,7 @@ sleep_until_work(struct pool *pool)
 {
 	pthread_mutex_lock(&pool->lock);
 	atomic_fetch_add(&pool->sleepers, 1);
-	while (is_idle(pool) && !atomic_load(&pool->quit))
+	while (is_pool_idle(pool) && !atomic_load(&pool->quit))
 		pthread_cond_wait(&pool->wake, &pool->lock);
 	atomic_fetch_sub(&pool->sleepers, 1);
 	pthread_mutex_unlock(&pool->lock);
@@ -87,7 +87,7 @@ run_pool_thread(void *argument)
 	struct pool *pool = worker->pool;
 	int idle = 0;
 	while (!atomic_load(&pool->quit)) {
-		if (run_next_piece(pool, worker->number)) {
+		if (run_next_pool_piece(pool, worker->number)) {
 			idle = 0;
 		} else if (++idle > SPINS) {
 			sleep_until_work(pool);
@@ -98,7 +98,7 @@ run_pool_thread(void *argument)
 }
 
 static void
-wake_all(struct pool *pool)
+wake_all_threads(struct pool *pool)
 {
 	if (atomic_load(&pool->sleepers) == 0)
 		return;
@@ -110,7 +110,7 @@ wake_all(struct pool *pool)
 /* Signals are for the thread that knows what to do about them, and holds them
  * back while it writes a file; a fault is where it happens. */
 static void
-block_signals(sigset_t *before)
+block_signals_for_threads(sigset_t *before)
 {
 	static const int FAULTS[] = {
 	    SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP};
@@ -132,7 +132,7 @@ pool_new(unsigned threads)
 	pool->thread = xcalloc(threads, sizeof *pool->thread);
 	pool->worker = xcalloc(threads, sizeof *pool->worker);
 	pool->threads = 1;
-	block_signals(&before);
+	block_signals_for_threads(&before);
 	while (pool->threads < threads) {
 		unsigned i = pool->threads;
 		pool->worker[i] = (struct worker){pool, i};
@@ -164,7 +164,7 @@ pool_free(struct pool *pool)
 }
 
 unsigned
-pool_threads(const struct pool *pool)
+pool_count_threads(const struct pool *pool)
 {
 	return pool != NULL ? pool->threads : 1;
 }
@@ -173,7 +173,7 @@ void
 pool_run(struct pool *pool, size_t n,
     void (*run)(void *data, size_t piece, unsigned thread), void *data)
 {
-	if (pool_threads(pool) == 1) {
+	if (pool_count_threads(pool) == 1) {
 		for (size_t i = 0; i < n; i++)
 			run(data, i, 0);
 		return;
@@ -184,8 +184,8 @@ pool_run(struct pool *pool, size_t n,
 	atomic_store(&pool->data, data);
 	atomic_store(&pool->done, 0);
 	atomic_store(&pool->ticket, job << 32);
-	wake_all(pool);
-	while (run_next_piece(pool, 0))
+	wake_all_threads(pool);
+	while (run_next_pool_piece(pool, 0))
 		;
 	while (atomic_load(&pool->done) < n)
 		sched_yield();

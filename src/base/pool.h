@@ -17,12 +17,12 @@ struct pool *pool_new(unsigned threads);
 void pool_free(struct pool *pool);
 
 /* Returns the number of threads including the caller; 1 for NULL. */
-unsigned pool_threads(const struct pool *pool);
+unsigned pool_count_threads(const struct pool *pool);
 
 /* Calls run(data, piece, thread) for each piece from 0 to n-1, n < 2^32 - 1,
- * once each and in any order; thread is less than pool_threads and unique among
- * concurrent pieces.  Returns when all pieces are done.  pool NULL: runs them
- * one after the other. */
+ * once each and in any order; thread is less than pool_count_threads and unique
+ * among concurrent pieces.  Returns when all pieces are done.  pool NULL: runs
+ * them one after the other. */
 void pool_run(struct pool *pool, size_t n,
     void (*run)(void *data, size_t piece, unsigned thread), void *data);
 

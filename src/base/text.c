@@ -22,13 +22,13 @@ is_digit(char c)
 }
 
 static bool
-text_is_blank(char c)
+text_is_blank_character(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 static char
-to_lower(char c)
+ascii_to_lower(char c)
 {
 	return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
@@ -121,10 +121,10 @@ text_number_to_tell_apart(double value, double other, char buf[static 32])
 char *
 text_trim(char *s)
 {
-	while (text_is_blank(*s))
+	while (text_is_blank_character(*s))
 		s++;
 	size_t n = strlen(s);
-	while (n > 0 && text_is_blank(s[n - 1]))
+	while (n > 0 && text_is_blank_character(s[n - 1]))
 		s[--n] = '\0';
 	return s;
 }
@@ -183,7 +183,7 @@ text_fold_case_and_accents(const char *s)
 			n += 2;
 			s += 2;
 		} else {
-			folded[n++] = to_lower((char)c);
+			folded[n++] = ascii_to_lower((char)c);
 			s++;
 		}
 	}
@@ -194,7 +194,7 @@ text_fold_case_and_accents(const char *s)
  * characters and the two that are none.  Joiners (U+200C, U+200D) are letters'
  * business in Persian and Hindi. */
 static bool
-text_is_hidden(uint32_t code)
+text_is_hidden_character(uint32_t code)
 {
 	static const uint32_t RANGES[][2] = {{0, 0x1F}, {0x7F, 0x9F},
 	    {0xAD, 0xAD}, {0x61C, 0x61C}, {0x180E, 0x180E}, {0x200B, 0x200B},
@@ -223,7 +223,9 @@ letter_bytes(const char *p)
 		return 0;
 	const char *end = p;
 	uint32_t code = text_next_code_point(&end);
-	return text_is_hidden(code) || code == 0xFFFD ? 0 : (size_t)(end - p);
+	return text_is_hidden_character(code) || code == 0xFFFD
+		   ? 0
+		   : (size_t)(end - p);
 }
 
 char *
@@ -345,7 +347,7 @@ text_contains_word(const char *text, const char *word)
 }
 
 bool
-text_find_word(const char *list, const char *word, size_t *index)
+text_find_word_in_list(const char *list, const char *word, size_t *index)
 {
 	size_t n = strlen(word);
 	for (*index = 0; *list != '\0'; ++*index) {
@@ -439,7 +441,7 @@ text_next_code_point(const char **text)
 }
 
 size_t
-text_length_within(const char *s, size_t most)
+text_bytes_within(const char *s, size_t most)
 {
 	size_t n = strnlen(s, most);
 	while (n > 0 && (s[n] & 0xC0) == 0x80)
@@ -448,12 +450,12 @@ text_length_within(const char *s, size_t most)
 }
 
 size_t
-text_shared_prefix(const char *a, const char *b)
+text_shared_prefix_bytes(const char *a, const char *b)
 {
 	size_t n = 0;
 	while (a[n] != '\0' && a[n] == b[n])
 		n++;
-	return text_length_within(a, n);
+	return text_bytes_within(a, n);
 }
 
 FILE *
@@ -502,15 +504,15 @@ text_columns_of_character(uint32_t code)
 }
 
 int
-text_escape_next(const char **text, char shown[static TEXT_SHOWN])
+text_escape_next_character(const char **text, char shown[static TEXT_SHOWN])
 {
 	const char *from = *text;
 	uint32_t code = text_next_code_point(text);
 	int n = (int)(*text - from);
-	if (n == 1 && (code >= 0x80 || text_is_hidden(code)))
+	if (n == 1 && (code >= 0x80 || text_is_hidden_character(code)))
 		return snprintf(shown, TEXT_SHOWN, "\\x%02x",
 		    (unsigned)(unsigned char)*from);
-	if (text_is_hidden(code))
+	if (text_is_hidden_character(code))
 		return snprintf(shown, TEXT_SHOWN,
 		    code > 0xFFFF ? "\\U%08x" : "\\u%04x", (unsigned)code);
 	memcpy(shown, from, (size_t)n);
@@ -525,7 +527,7 @@ text_escaped(const char *s)
 	char *whole = xcalloc(4 * strlen(s) + 1, 1), *end = whole;
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
-		text_escape_next(&s, shown);
+		text_escape_next_character(&s, shown);
 		end = stpcpy(end, shown);
 	}
 	return whole;
@@ -536,7 +538,7 @@ text_print_escaped(const char *s, FILE *out)
 {
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
-		text_escape_next(&s, shown);
+		text_escape_next_character(&s, shown);
 		fputs(shown, out);
 	}
 }
@@ -563,7 +565,7 @@ text_width_in_columns(const char *s)
 	int width = 0;
 	char shown[TEXT_SHOWN];
 	while (*s != '\0')
-		width += text_escape_next(&s, shown);
+		width += text_escape_next_character(&s, shown);
 	return width;
 }
 
@@ -585,7 +587,7 @@ text_cut_to_width(const char *s, int columns)
 		size_t at = (size_t)(p - s);
 		if (*p == ' ' && at > blank + LEAST && width + more <= columns)
 			word = p[-1] == ' ' ? word : at;
-		width += text_escape_next(&p, shown);
+		width += text_escape_next_character(&p, shown);
 		if (width + more - 1 > columns)
 			continue;
 		start = s[at] == ' ' ? at + 1 : start;
@@ -602,7 +604,7 @@ text_cut_to_width(const char *s, int columns)
 }
 
 bool
-text_is_plain(const char *s)
+text_needs_no_escape(const char *s)
 {
 	FREED char *shown = text_escaped(s);
 	return strcmp(shown, s) == 0;
@@ -634,7 +636,7 @@ text_print_hanging(
 }
 
 void
-text_wrap(const char *text, int margin, int width, FILE *out)
+text_print_wrapped(const char *text, int margin, int width, FILE *out)
 {
 	margin += (int)strspn(text, " ");
 	text_print_hanging(text, margin, margin, width, out);
@@ -646,7 +648,7 @@ text_wrapped(const char *text, int width)
 	char *lines = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&lines, &n);
-	text_wrap(text, 0, width, out);
+	text_print_wrapped(text, 0, width, out);
 	fclose(out);
 	return lines;
 }

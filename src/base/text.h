@@ -81,7 +81,7 @@ bool text_contains_word(const char *text, const char *word);
 
 /* Finds the index of a word in a list separated by spaces.  Returns false if it
  * is not in the list. */
-bool text_find_word(const char *list, const char *word, size_t *index);
+bool text_find_word_in_list(const char *list, const char *word, size_t *index);
 
 /* Returns the number of single-letter edits between a and b
  * (Damerau-Levenshtein). */
@@ -93,11 +93,11 @@ uint32_t text_next_code_point(const char **text);
 
 /* Returns the length in bytes of s, or of its beginning of at most `most` bytes
  * in whole characters. */
-size_t text_length_within(const char *s, size_t most);
+size_t text_bytes_within(const char *s, size_t most);
 
 /* Returns the length in bytes of the common beginning of a and b, in whole
  * characters. */
-size_t text_shared_prefix(const char *a, const char *b);
+size_t text_shared_prefix_bytes(const char *a, const char *b);
 
 /* Returns the width of a character on a terminal, in columns: 1 if the locale
  * does not know it, 0 for combining marks. */
@@ -110,13 +110,14 @@ int text_columns_of_character(uint32_t code);
  * \u202e or \U000e0001.  Everything printed for people goes through these
  * functions, and their output is allowed in XML.
  *
- * text_escape_next writes the character at *text as shown, advances *text, and
- * returns the character's columns.  text_escaped returns a whole text, which
- * the caller frees; text_print_escaped prints it; text_print_xml prints it with
- * < > & as entities, for the text of an element; text_width_in_columns returns
- * its columns. */
+ * text_escape_next_character writes the character at *text as shown, advances
+ * *text, and returns the character's columns.  text_escaped returns a whole
+ * text, which the caller frees; text_print_escaped prints it; text_print_xml
+ * prints it with < > & as entities, for the text of an element;
+ * text_width_in_columns returns its columns. */
 enum { TEXT_SHOWN = 12 };
-int text_escape_next(const char **text, char shown[static TEXT_SHOWN]);
+int text_escape_next_character(
+    const char **text, char shown[static TEXT_SHOWN]);
 char *text_escaped(const char *s);
 void text_print_escaped(const char *s, FILE *out);
 void text_print_xml(const char *s, FILE *out);
@@ -128,19 +129,19 @@ int text_width_in_columns(const char *s);
 char *text_cut_to_width(const char *s, int columns);
 
 /* True if text_escaped changes nothing. */
-bool text_is_plain(const char *s);
+bool text_needs_no_escape(const char *s);
 
 /* Prints text, escaped as by text_escaped, in lines of at most width columns,
  * broken at spaces, each after margin spaces.  Spaces at the start of the text
  * widen the margin. */
-void text_wrap(const char *text, int margin, int width, FILE *out);
+void text_print_wrapped(const char *text, int margin, int width, FILE *out);
 
-/* As text_wrap, but the first line follows `first` spaces. */
+/* As text_print_wrapped, but the first line follows `first` spaces. */
 void text_print_hanging(
     const char *text, int first, int margin, int width, FILE *out);
 
-/* text_wrapped returns the lines of text_wrap as one string, which the caller
- * frees; text_count_rows returns their number, 0 for an empty text. */
+/* text_wrapped returns the lines of text_print_wrapped as one string, which the
+ * caller frees; text_count_rows returns their number, 0 for an empty text. */
 char *text_wrapped(const char *text, int width);
 int text_count_rows(const char *text, int width);
 

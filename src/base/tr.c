@@ -57,7 +57,7 @@ set_message_language(const char *language)
 }
 
 bool
-tr_begin(const char *language)
+tr_set_language(const char *language)
 {
 	const char *wanted = getenv("LANGUAGE");
 	if (language != NULL && is_path_not_language(language))
@@ -87,7 +87,7 @@ tr_n(const char *one, const char *several, unsigned long n)
 }
 
 bool
-tr_switch(bool on)
+tr_switch_on(bool on)
 {
 	bool was = strcmp(textdomain(NULL), ON) == 0;
 	textdomain(on ? ON : OFF);
@@ -97,7 +97,7 @@ tr_switch(bool on)
 #else
 
 bool
-tr_begin(const char *language)
+tr_set_language(const char *language)
 {
 	return language == NULL || strcmp(language, "en") == 0 ||
 	       strcmp(language, "C") == 0;
@@ -116,7 +116,7 @@ tr_n(const char *one, const char *several, unsigned long n)
 }
 
 bool
-tr_switch(bool on)
+tr_switch_on(bool on)
 {
 	return on;
 }

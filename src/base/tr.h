@@ -11,7 +11,7 @@
 
 /* Chooses the language, such as "sv", or for NULL that of the locale.  Returns
  * false if there is no catalogue for it. */
-bool tr_begin(const char *language);
+bool tr_set_language(const char *language);
 
 /* Returns the text in that language, or unchanged if the catalogue lacks it. */
 const char *tr(const char *text) __attribute__((format_arg(1)));
@@ -22,6 +22,6 @@ const char *tr_n(const char *one, const char *several, unsigned long n)
 
 /* Turns translation on or off, because results for programs are always in
  * English.  Returns the previous setting. */
-bool tr_switch(bool on);
+bool tr_switch_on(bool on);
 
 #endif

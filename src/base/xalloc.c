@@ -39,7 +39,7 @@ xrealloc(void *p, size_t n, size_t size)
 }
 
 void *
-xgrow(void *p, size_t n, size_t size)
+xgrow_by_one(void *p, size_t n, size_t size)
 {
 	return (n & (n - 1)) == 0 ? xrealloc(p, n > 0 ? 2 * n : 1, size) : p;
 }

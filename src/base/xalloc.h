@@ -18,7 +18,7 @@ void *xrealloc(void *p, size_t n, size_t size);
 
 /* Makes room for one more object after the n of an array that starts as NULL
  * and is enlarged by this function alone: it doubles at powers of two. */
-void *xgrow(void *p, size_t n, size_t size);
+void *xgrow_by_one(void *p, size_t n, size_t size);
 char *xstrdup(const char *s);
 char *xstrndup(const char *s, size_t n);
 char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));

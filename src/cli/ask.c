@@ -57,7 +57,7 @@ ask_confirm(struct session *s, const char *question, bool yes)
 }
 
 int
-ask_columns(void)
+question_columns(void)
 {
 	int rows, columns;
 	terminal_size(&rows, &columns);
@@ -68,7 +68,7 @@ ask_columns(void)
 static void
 print_table_above_questions(const struct user_question *q, int columns)
 {
-	text_wrap(q->about, 0, columns, stderr);
+	text_print_wrapped(q->about, 0, columns, stderr);
 	for (size_t r = 0; q->ask->n > 0 && r <= q->ask->n; r++) {
 		FREED char *line = user_question_row_text(q, r, columns);
 		text_print_escaped(line, stderr);
@@ -76,15 +76,16 @@ print_table_above_questions(const struct user_question *q, int columns)
 	}
 	if (q->ask->n == 0)
 		return;
-	text_wrap(q->ask->tables
-		      ? tr("Enter accepts what is in [ ]; or type the numbers "
-			   "of tables, as 2 or 1-2, or cells, as A5:B17; ^C "
-			   "gives up")
-		  : q->ask->across
-		      ? tr("Enter accepts what is in [ ], - leaves a line out, "
-			   "^C gives up")
-		      : tr("Enter accepts what is in [ ], - leaves a column "
-			   "out, ^C gives up"),
+	text_print_wrapped(
+	    q->ask->tables
+		? tr("Enter accepts what is in [ ]; or type the numbers "
+		     "of tables, as 2 or 1-2, or cells, as A5:B17; ^C "
+		     "gives up")
+	    : q->ask->across
+		? tr("Enter accepts what is in [ ], - leaves a line out, "
+		     "^C gives up")
+		: tr("Enter accepts what is in [ ], - leaves a column "
+		     "out, ^C gives up"),
 	    0, columns, stderr);
 }
 
@@ -94,10 +95,10 @@ char *
 ask_with_reader(struct session *s, const struct user_question *q,
     char *(*read)(const char *text))
 {
-	int columns = ask_columns();
+	int columns = question_columns();
 	(void)s;
 	if (q->wrong[0] != '\0')
-		text_wrap(q->wrong, 0, columns, stderr);
+		text_print_wrapped(q->wrong, 0, columns, stderr);
 	if (q->first)
 		print_table_above_questions(q, columns);
 	fflush(stderr);

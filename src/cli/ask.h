@@ -12,7 +12,7 @@
 int ask_wait_for_line(char **line);
 
 /* Returns the columns in which questions are wrapped. */
-int ask_columns(void);
+int question_columns(void);
 
 /* Ask at the prompt, for session->hooks.confirm and .question.  read: prompts
  * with a text and returns the line without its end, which the caller frees, or

@@ -33,7 +33,7 @@ print_caret(const char *line, int column, FILE *out)
 	fputs("  ", out);
 	for (; *p != '\0' && wide < room; i++) {
 		bool tab = *p == '\t';
-		int its = text_escape_next(&p, shown);
+		int its = text_escape_next_character(&p, shown);
 		wide += tab ? 1 : its;
 		at = i < column ? wide : at;
 		fputs(tab ? " " : shown, out);
@@ -42,7 +42,8 @@ print_caret(const char *line, int column, FILE *out)
 }
 
 static void
-print_error(void *of, const struct error *e, const char *line, const char *name)
+print_error_and_line(
+    void *of, const struct error *e, const char *line, const char *name)
 {
 	struct error bare = *e;
 	(void)of;
@@ -62,10 +63,10 @@ print_interrupted(const char *name, int number)
 }
 
 static struct driver
-make_plain_driver(struct session *s)
+make_batch_driver(struct session *s)
 {
 	return (struct driver){.session = s,
-	    .fail = print_error,
+	    .fail = print_error_and_line,
 	    .interrupted = print_interrupted,
 	    .work = progress_run_job};
 }
@@ -74,7 +75,7 @@ int
 batch_run_line(
     struct session *s, const char *line, int number, struct pager *pager)
 {
-	struct driver d = make_plain_driver(s);
+	struct driver d = make_batch_driver(s);
 	d.pager = pager;
 	d.interrupted = pager != NULL ? NULL : print_interrupted;
 	return driver_run_line(&d, line, ERROR_TYPED, number);
@@ -102,14 +103,14 @@ print_messages_and_error(
     void *of, const struct error *e, const char *line, const char *name)
 {
 	print_captured_messages(of);
-	print_error(NULL, e, line, name);
+	print_error_and_line(NULL, e, line, name);
 }
 
 int
 batch_run_line_quietly(struct session *s, const char *line, int number)
 {
 	struct quiet q = {.shown = false};
-	struct driver d = make_plain_driver(s);
+	struct driver d = make_batch_driver(s);
 	FILE *out = s->out, *notes = s->notes;
 	d.of = &q;
 	d.fail = print_messages_and_error;
@@ -126,35 +127,36 @@ batch_run_line_quietly(struct session *s, const char *line, int number)
 }
 
 static int
-run_scripts(struct session *s, size_t depth)
+run_open_scripts(struct session *s, size_t depth)
 {
-	const struct driver d = make_plain_driver(s);
+	const struct driver d = make_batch_driver(s);
 	return driver_run_scripts(&d, depth);
 }
 
 int
-batch_run_stream(struct session *s, FILE *in, const char *name)
+batch_run_script_stream(struct session *s, FILE *in, const char *name)
 {
 	size_t depth = s->scripts;
 	script_open_stream(s, in, name);
-	return run_scripts(s, depth);
+	return run_open_scripts(s, depth);
 }
 
 int
-batch_run_text(struct session *s, const char *text, const char *name, int line)
+batch_run_script_text(
+    struct session *s, const char *text, const char *name, int line)
 {
 	size_t depth = s->scripts;
 	script_open_text(s, text, name, line);
-	return run_scripts(s, depth);
+	return run_open_scripts(s, depth);
 }
 
 int
-batch_run_file(struct session *s, const char *path)
+batch_run_script_file(struct session *s, const char *path)
 {
 	size_t depth = s->scripts;
 	struct error error = {0};
 	if (script_open(s, path, &error))
-		return run_scripts(s, depth);
+		return run_open_scripts(s, depth);
 	error_print(&error, stderr);
 	return (int)error.kind;
 }
@@ -200,7 +202,7 @@ batch_run_typed_lines(struct session *s)
 		if (got != TEXT_LINE)
 			fputc('\n', stderr);
 		if (got == TEXT_TOO_LONG) {
-			script_set_error_too_long(ERROR_TYPED, number, &error);
+			script_set_error_long_line(ERROR_TYPED, number, &error);
 			error_print(&error, stderr);
 		}
 		if (got != TEXT_LINE && signals_pending() != SIGINT)

@@ -28,7 +28,7 @@ stop_saving_history(const char *why)
 }
 
 static void
-append_to_history(const char *bytes)
+append_to_history_file(const char *bytes)
 {
 	struct error error = {0};
 	if (path != NULL && !file_append_bytes(path, FILE_PRIVATE, bytes,
@@ -51,7 +51,7 @@ typed_history_open(bool with_file)
 	}
 	free(xdg_make_parent_folders(path));
 	read_history(path);
-	append_to_history("");
+	append_to_history_file("");
 }
 
 void
@@ -65,7 +65,7 @@ typed_history_add(const char *line)
 		return;
 	add_history(line);
 	FREED char *whole = xasprintf("%s\n", line);
-	append_to_history(whole);
+	append_to_history_file(whole);
 }
 
 void

@@ -71,7 +71,7 @@ static const struct {
 };
 
 static bool
-is_search_continued(void)
+is_history_search_continued(void)
 {
 	size_t i = 0;
 	while (i < ARRAY_LEN(SEARCHES) && SEARCHES[i].ours != rl_last_func)
@@ -82,9 +82,9 @@ is_search_continued(void)
 /* Goes to the next line that begins with what is wanted, or has it anywhere;
  * on: to a newer one. */
 static int
-go_to_next_match(bool on, bool anywhere)
+go_to_next_history_match(bool on, bool anywhere)
 {
-	if (!is_search_continued())
+	if (!is_history_search_continued())
 		history_search_begin();
 	int step = on ? 1 : -1, place = search.place + step;
 	for (; place >= 0 && place < history_length; place += step) {
@@ -108,28 +108,28 @@ static int
 search_prefix_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return go_to_next_match(false, false);
+	return go_to_next_history_match(false, false);
 }
 
 static int
 search_prefix_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return go_to_next_match(true, false);
+	return go_to_next_history_match(true, false);
 }
 
 static int
 search_anywhere_backward(int count, int key)
 {
 	(void)count, (void)key;
-	return go_to_next_match(false, true);
+	return go_to_next_history_match(false, true);
 }
 
 static int
 search_anywhere_forward(int count, int key)
 {
 	(void)count, (void)key;
-	return go_to_next_match(true, true);
+	return go_to_next_history_match(true, true);
 }
 
 void
@@ -141,7 +141,7 @@ history_search_name_functions(void)
 }
 
 static void
-replace_bindings_in(Keymap map, size_t i)
+replace_key_bindings_in(Keymap map, size_t i)
 {
 	char **keys = rl_invoking_keyseqs_in_map(SEARCHES[i].theirs, map);
 	for (size_t k = 0; keys != NULL && keys[k] != NULL; k++) {
@@ -155,8 +155,8 @@ void
 history_search_bind_keys(void)
 {
 	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++) {
-		replace_bindings_in(emacs_standard_keymap, i);
-		replace_bindings_in(vi_movement_keymap, i);
-		replace_bindings_in(vi_insertion_keymap, i);
+		replace_key_bindings_in(emacs_standard_keymap, i);
+		replace_key_bindings_in(vi_movement_keymap, i);
+		replace_key_bindings_in(vi_insertion_keymap, i);
 	}
 }

@@ -54,7 +54,7 @@ shared_prefix_bytes(char **text, size_t n)
 {
 	size_t shared = strlen(text[0]);
 	for (size_t i = 1; i < n; i++) {
-		size_t same = text_shared_prefix(text[0], text[i]);
+		size_t same = text_shared_prefix_bytes(text[0], text[i]);
 		shared = same < shared ? same : shared;
 	}
 	return shared;
@@ -78,7 +78,7 @@ fit_candidate_to_word(
 
 /* For readline: returns NULL, or what all candidates share followed by each. */
 static char **
-on_complete(const char *text, int start, int end)
+on_readline_complete(const char *text, int start, int end)
 {
 	(void)text;
 	size_t before = strlen(prompt.before), n = 0;
@@ -160,11 +160,11 @@ wrap_prompt_to_columns(void)
 static void
 handle_terminal_signals(void)
 {
-	int news = signals_take_events();
+	int news = signals_take_terminal_events();
 	if (news & SIGNALS_STOP) {
 		rl_deprep_terminal();
 		signals_suspend_program();
-		news |= signals_take_events() | SIGNALS_WAKE;
+		news |= signals_take_terminal_events() | SIGNALS_WAKE;
 	}
 	if (news & SIGNALS_WAKE) {
 		/* The shell may have set the terminal to its liking. */
@@ -220,7 +220,7 @@ key_that_ends_input(void)
  * here, and readline's own reading would then wait for a key with signals held.
  */
 static int
-on_getc(FILE *in)
+on_readline_getc(FILE *in)
 {
 	unsigned char c;
 	/* With it readline 8.2 frees what it undoes twice; a file of settings
@@ -245,16 +245,17 @@ on_getc(FILE *in)
  * a signal.  Not by the callbacks of readline: those of 8.2 jump to where they
  * no longer are when an unknown sequence of keys ends a search. */
 static char *
-read_line(const char *text)
+read_prompt_line(const char *text)
 {
 	struct sigaction was[3];
 	signals_block();
 	signals_take_terminal(was);
 	prompt.given = 0;
 	set_readline_size(text);
-	restore_arm_prompt(is_bracketed_paste_on() ? "\033[?2004l\r\n" : "\n");
+	restore_prepare_for_prompt(
+	    is_bracketed_paste_on() ? "\033[?2004l\r\n" : "\n");
 	char *line = readline(text);
-	restore_disarm();
+	restore_cancel();
 	/* readline ends the line itself, but only where it turns bracketed
 	 * paste off. */
 	if (line == NULL && !is_bracketed_paste_on())
@@ -348,7 +349,7 @@ run_offered_commands(struct session *s, int *number)
 		FREED char *command = xstrndup(line, n);
 		status = batch_run_line_quietly(s, command, *number);
 		if (status == 0)
-			next_note_results(s);
+			next_print_result_lines(s);
 		line += n + strspn(line + n, "; ");
 	}
 	++*number;
@@ -357,22 +358,22 @@ run_offered_commands(struct session *s, int *number)
 enum reply { REPLY_YES, REPLY_NO, REPLY_EMPTY, REPLY_COMMAND };
 
 static enum reply
-classify_reply(const char *typed)
+classify_reply_to_offer(const char *typed)
 {
 	size_t which;
 	FREED char *word = xstrdup(typed);
 	const char *said = text_trim(word);
-	return said[0] == '\0'                         ? REPLY_EMPTY
-	       : text_find_word("y yes", said, &which) ? REPLY_YES
-	       : text_find_word("n no", said, &which)  ? REPLY_NO
-						       : REPLY_COMMAND;
+	return said[0] == '\0'                                 ? REPLY_EMPTY
+	       : text_find_word_in_list("y yes", said, &which) ? REPLY_YES
+	       : text_find_word_in_list("n no", said, &which)  ? REPLY_NO
+							       : REPLY_COMMAND;
 }
 
 /* Returns true if a line answers the offer instead of being a command. */
 static bool
 handle_answer_to_offer(struct session *s, const char *typed, int *number)
 {
-	enum reply reply = classify_reply(typed);
+	enum reply reply = classify_reply_to_offer(typed);
 	bool offered = prompt.offer.line != NULL;
 	bool again = reply == REPLY_EMPTY && prompt.declined && !offered;
 	if (prompt.before[0] != '\0' ||
@@ -427,8 +428,8 @@ set_up_readline(struct session *s)
 	rl_catch_sigwinch = 0;
 	/* A pager must not see sizes of before a change. */
 	rl_change_environment = 0;
-	rl_getc_function = on_getc;
-	rl_attempted_completion_function = on_complete;
+	rl_getc_function = on_readline_getc;
+	rl_attempted_completion_function = on_readline_complete;
 	rl_completer_word_break_characters = " \t\n;=,";
 	rl_completer_quote_characters = "";
 	if (s->safe)
@@ -452,12 +453,12 @@ repl_greet(struct session *s)
 	    tr("tipspeed %s: help lists the commands, tui is full-screen mode, "
 	       "quit exits\n"),
 	    PACKAGE_VERSION);
-	s->hooks.show_page = manpage_show;
+	s->hooks.show_manual_page = manpage_show;
 	FREED char *path = s->safe ? NULL
 				   : xdg_user_file_path("XDG_CONFIG_HOME",
 					 ".config", "init.tip");
 	if (path != NULL && access(path, F_OK) == 0)
-		batch_run_file(s, path);
+		batch_run_script_file(s, path);
 	signals_forget_interrupt();
 	/* Questions about files on the command line are asked too. */
 	s->hooks.ask = ask_question;
@@ -476,8 +477,8 @@ static char *
 read_line_of_answer(const char *text)
 {
 	rl_attempted_completion_function = complete_nothing;
-	char *line = read_line(text);
-	rl_attempted_completion_function = on_complete;
+	char *line = read_prompt_line(text);
+	rl_attempted_completion_function = on_readline_complete;
 	if (line == NULL || text_is_utf8(line, strlen(line)))
 		return line;
 	free(line);
@@ -495,10 +496,11 @@ static bool
 repl_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
-	text_wrap(question, 0, ask_columns(), stderr);
-	char *typed = read_line(
+	text_print_wrapped(question, 0, question_columns(), stderr);
+	char *typed = read_prompt_line(
 	    yes ? tr("[Y/n, or a command] ") : tr("[y/N, or a command] "));
-	enum reply reply = typed != NULL ? classify_reply(typed) : REPLY_NO;
+	enum reply reply =
+	    typed != NULL ? classify_reply_to_offer(typed) : REPLY_NO;
 	if (reply == REPLY_COMMAND)
 		prompt.command = typed;
 	else
@@ -518,7 +520,7 @@ repl_run(struct session *s)
 		if (prompt.before[0] == '\0')
 			print_next_step(s);
 		FREED char *text = prompt_text(s);
-		char *typed = read_line(text);
+		char *typed = read_prompt_line(text);
 		s->screen = terminal_describe();
 		if (typed != NULL) {
 			if (!clear_screen_if_asked(typed) &&

@@ -117,7 +117,7 @@ catch_fatal_signals(void)
 }
 
 void
-restore_arm_screen(void)
+restore_prepare_for_screen(void)
 {
 	terminal.n = 0;
 	terminal.full = true;
@@ -138,7 +138,7 @@ restore_arm_screen(void)
 }
 
 void
-restore_arm_prompt(const char *bytes)
+restore_prepare_for_prompt(const char *bytes)
 {
 	restore_record_settings();
 	terminal.n = 0;
@@ -148,7 +148,7 @@ restore_arm_prompt(const char *bytes)
 }
 
 void
-restore_disarm(void)
+restore_cancel(void)
 {
 	terminal.open = 0;
 	for (size_t i = 0; i < ARRAY_LEN(FAULTS); i++)

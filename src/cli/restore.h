@@ -10,15 +10,15 @@ void restore_record_settings(void);
  * it.  From now on, these are written if a fault, a failed assertion, an
  * uncaught signal (SEGV, ABRT, QUIT, ..) or lack of memory ends the program.
  * SIGTERM, SIGHUP and SIGINT end it in the usual way. */
-void restore_arm_screen(void);
+void restore_prepare_for_screen(void);
 
-/* As restore_arm_screen, but restores the terminal's current settings, while
- * readline controls it.  bytes: written as well. */
-void restore_arm_prompt(const char *bytes);
+/* As restore_prepare_for_screen, but restores the terminal's current settings,
+ * while readline controls it.  bytes: written as well. */
+void restore_prepare_for_prompt(const char *bytes);
 
 /* Ends the need to restore the terminal: called when the screen has been closed
  * or the prompt has its line. */
-void restore_disarm(void);
+void restore_cancel(void);
 
 /* Restores a terminal after a program was killed; for --reset-tty. */
 void restore_reset_terminal(void);

@@ -110,7 +110,7 @@ signals_deliver_blocked(void)
 }
 
 void
-signals_record_stop(bool note)
+signals_record_suspend(bool note)
 {
 	struct sigaction now,
 	    action = {.sa_handler = note ? on_terminal_signal : SIG_DFL};
@@ -126,7 +126,7 @@ signals_take_terminal(struct sigaction was[static 3])
 	sigaction(SIGTSTP, NULL, &was[0]);
 	sigaction(SIGCONT, &action, &was[1]);
 	sigaction(SIGWINCH, &action, &was[2]);
-	signals_record_stop(true);
+	signals_record_suspend(true);
 }
 
 void
@@ -138,7 +138,7 @@ signals_give_terminal(const struct sigaction was[static 3])
 }
 
 int
-signals_take_events(void)
+signals_take_terminal_events(void)
 {
 	int news = (stopped ? SIGNALS_STOP : 0) | (woken ? SIGNALS_WAKE : 0) |
 		   (resized ? SIGNALS_SIZE : 0);

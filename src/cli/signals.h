@@ -26,15 +26,16 @@ bool signals_wait_with_mask(const sigset_t *mask, double seconds);
 void signals_deliver_blocked(void);
 
 /* Between take and give, ^Z, a continue and a resize are recorded;
- * signals_take_events returns those since the last call, as these bits. */
+ * signals_take_terminal_events returns those since the last call, as these
+ * bits. */
 enum { SIGNALS_STOP = 1, SIGNALS_WAKE = 2, SIGNALS_SIZE = 4 };
 void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
-int signals_take_events(void);
+int signals_take_terminal_events(void);
 
 /* note: between take and give, record ^Z; otherwise it stops the program with
  * its child processes. */
-void signals_record_stop(bool note);
+void signals_record_suspend(bool note);
 
 /* Stops the program, as ^Z does by default, and returns when it continues.  The
  * caller restores the terminal. */

@@ -19,7 +19,7 @@ bool
 terminal_parse_colour(const char *word, enum colour *colour)
 {
 	size_t i;
-	bool known = text_find_word("auto always never", word, &i);
+	bool known = text_find_word_in_list("auto always never", word, &i);
 	if (known)
 		*colour = (enum colour)i;
 	return known;

@@ -73,7 +73,7 @@ compare_ticks(const void *a, const void *b)
 }
 
 static bool
-has_tick(const struct axis *axis, double at)
+axis_has_tick_at(const struct axis *axis, double at)
 {
 	for (size_t i = 0; i < axis->n; i++)
 		if (axis_is_same_size(axis->tick[i].at, at))
@@ -86,7 +86,7 @@ axis_new_sieves(const char *title, const double *size, size_t n)
 {
 	struct axis a = {.title = xstrdup(title), .log = true};
 	for (size_t i = 0; i < n; i++)
-		if (!has_tick(&a, size[i]))
+		if (!axis_has_tick_at(&a, size[i]))
 			axis_add_number(&a, size[i], rank_of_sieve(size[i]));
 	if (a.n == 0)
 		axis_add_number(&a, 1, 0);
@@ -246,8 +246,8 @@ is_row_free_for_label(const char *taken, int columns, int from, int length)
 }
 
 static bool
-place_label(const struct axis_tick *tick, double share, int columns, int rows,
-    char *taken, int *column, int *row)
+place_axis_label(const struct axis_tick *tick, double share, int columns,
+    int rows, char *taken, int *column, int *row)
 {
 	int length = (int)strlen(tick->label);
 	int middle = axis_index_of_share(share, columns);
@@ -280,8 +280,9 @@ axis_place_labels(
 		for (size_t i = 0; i < axis->n; i++) {
 			const struct axis_tick *t = &axis->tick[i];
 			if (t->rank == rank &&
-			    place_label(t, axis_relative_position(axis, t->at),
-				columns, rows, taken, &column[i], &row[i]) &&
+			    place_axis_label(t,
+				axis_relative_position(axis, t->at), columns,
+				rows, taken, &column[i], &row[i]) &&
 			    row[i] + 1 > used)
 				used = row[i] + 1;
 		}

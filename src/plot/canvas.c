@@ -89,7 +89,7 @@ canvas_same_style(const struct canvas_cell *a, const struct canvas_cell *b)
 }
 
 static void
-print_style(const struct canvas *canvas, const struct canvas_cell *cell,
+print_cell_style(const struct canvas *canvas, const struct canvas_cell *cell,
     int depth, FILE *out)
 {
 	int colour =
@@ -137,7 +137,7 @@ canvas_print_row(const struct canvas *canvas, int row, int depth, FILE *out)
 	for (int i = 0; i < columns; i++) {
 		if (depth > 0 && cell[i].code != 0 &&
 		    !canvas_same_style(&cell[i], &style)) {
-			print_style(canvas, &cell[i], depth, out);
+			print_cell_style(canvas, &cell[i], depth, out);
 			style = cell[i];
 		}
 		if (cell[i].code != 0)

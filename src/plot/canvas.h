@@ -35,8 +35,8 @@ void canvas_free(struct canvas *canvas);
 /* Returns a cell; asserts that it is on the canvas. */
 struct canvas_cell *canvas_cell_at(struct canvas *canvas, int column, int row);
 
-/* Writes text, as shown by text_escape_next (base/text.h), from a cell to the
- * right, clipped at the edges of the canvas. */
+/* Writes text, as shown by text_escape_next_character (base/text.h), from a
+ * cell to the right, clipped at the edges of the canvas. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text,
     enum series series, unsigned attribute);
 

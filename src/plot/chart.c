@@ -118,7 +118,7 @@ chart_add_finer_points(struct chart_series *series, size_t n)
 }
 
 void
-chart_add_point_sites(struct chart_series *series)
+chart_add_point_names(struct chart_series *series)
 {
 	series->whose = xcalloc(series->n, sizeof *series->whose);
 }
@@ -212,7 +212,7 @@ chart_x_at(
 }
 
 static void
-extend_to_include(double extent[2], double low, double high)
+extend_range_to_include(double extent[2], double low, double high)
 {
 	extent[0] = fmin(extent[0], low);
 	extent[1] = fmax(extent[1], high);
@@ -225,10 +225,11 @@ chart_find_extent(const struct chart *chart)
 	for (size_t i = 0; i < chart->n; i++) {
 		const struct chart_series *s = chart->series[i];
 		for (size_t k = 0; k < s->n; k++) {
-			extend_to_include(e.x, s->x[k], s->x[k]);
-			extend_to_include(e.y, s->y[k], s->y[k]);
+			extend_range_to_include(e.x, s->x[k], s->x[k]);
+			extend_range_to_include(e.y, s->y[k], s->y[k]);
 			if (s->low != NULL)
-				extend_to_include(e.y, s->low[k], s->high[k]);
+				extend_range_to_include(
+				    e.y, s->low[k], s->high[k]);
 		}
 	}
 	return e;

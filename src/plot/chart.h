@@ -109,7 +109,7 @@ void chart_move_last_series_to_back(struct chart *chart);
 
 /* Adds an array `whose` to a series, to be filled with strings that the series
  * will own. */
-void chart_add_point_sites(struct chart_series *series);
+void chart_add_point_names(struct chart_series *series);
 
 /* chart_add_band adds arrays low and high to a series, for its band;
  * chart_drop_band removes them. */

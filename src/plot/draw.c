@@ -43,7 +43,7 @@ row_of_y(const struct layout *l, double y, int parts)
 
 /* The character of a rule across the plot. */
 static uint32_t
-vertical_line_code(enum series series, enum charset charset)
+code_of_rule(enum series series, enum charset charset)
 {
 	bool ascii = charset == CHARSET_ASCII;
 	switch (series) {
@@ -132,7 +132,7 @@ lay_out_legend(struct layout *l, int row)
 		if (row >= 0 && rule != NULL && column < l->canvas->columns)
 			*canvas_cell_at(l->canvas, column, row + rows - 1) =
 			    (struct canvas_cell){
-				vertical_line_code(series, l->charset),
+				code_of_rule(series, l->charset),
 				(unsigned char)series, 0};
 		column += wide + GAP;
 	}
@@ -169,7 +169,7 @@ lay_out_legend_and_notes(struct layout *l, int row)
 
 /* Where the data are from. */
 static int
-lay_out_source(struct layout *l, int row)
+lay_out_data_source(struct layout *l, int row)
 {
 	FREED char *text = xasprintf(tr("data: %s"), l->chart->about);
 	return draw_wrapped_text(l, row, text, CELL_DIM);
@@ -235,7 +235,7 @@ lay_out_chart(const struct chart *chart, struct canvas *canvas, int left,
 	    [SECOND] = rows_of_x_labels(&l) - 1,
 	    [FOOT] = words & CHART_LEGEND &&
 			     (chart->below == NULL || chart->below->strip > 0)
-			 ? lay_out_source(&l, -1)
+			 ? lay_out_data_source(&l, -1)
 			 : 0,
 	    [TITLE] = words & CHART_TITLE ? 1 : 0,
 	    [LABELS] = 1,
@@ -316,7 +316,7 @@ draw_chart_x_axis_line(struct layout *l)
 }
 
 static void
-draw_chart_labels(struct layout *l)
+draw_chart_x_axis_labels(struct layout *l)
 {
 	const struct axis *a = &l->chart->x;
 	FREED int *column = xcalloc(a->n, sizeof *column);
@@ -334,7 +334,7 @@ draw_chart_labels(struct layout *l)
 /* "Tierp, Granite, 11.2 mm: product", where that is too wide "Tierp: product",
  * or "product". */
 static char *
-short_title(const char *title, int columns)
+title_that_fits(const char *title, int columns)
 {
 	const char *rest = strstr(title, ": ");
 	if (text_width_in_columns(title) <= columns || rest == NULL)
@@ -348,14 +348,14 @@ short_title(const char *title, int columns)
 }
 
 static void
-draw_titles(struct layout *l)
+draw_chart_titles(struct layout *l)
 {
 	const struct chart *c = l->chart;
 	int columns = l->canvas->columns;
 	FREED char *axes =
 	    xasprintf(tr("%s  against  %s"), c->y.title, c->x.title);
-	FREED char *title =
-	    c->strip > 0 ? xstrdup(c->title) : short_title(c->title, columns);
+	FREED char *title = c->strip > 0 ? xstrdup(c->title)
+					 : title_that_fits(c->title, columns);
 	if (l->title >= 0)
 		put_text_cut_to_width(l, 0, l->title, title, SERIES_TEXT,
 		    c->strip > 0 ? CELL_DIM : CELL_BOLD);
@@ -367,23 +367,23 @@ draw_titles(struct layout *l)
 
 /* Titles, axes, labels, legend and foot: all but the data. */
 static void
-draw_titles_and_axes(struct layout *l)
+draw_chart_titles_and_axes(struct layout *l)
 {
-	draw_titles(l);
+	draw_chart_titles(l);
 	if (l->left > 0)
 		draw_chart_y_axis(l);
 	draw_chart_x_axis_line(l);
-	draw_chart_labels(l);
+	draw_chart_x_axis_labels(l);
 	if (l->legend >= 0)
 		lay_out_legend_and_notes(l, l->legend);
 	if (l->foot >= 0)
-		lay_out_source(l, l->foot);
+		lay_out_data_source(l, l->foot);
 }
 
 /* Whether a line is drawn at this step of its path.  In ASCII a cell is a step,
  * and the character tells most. */
 static bool
-is_drawn_at_step(enum chart_line line, enum charset charset, int step)
+is_line_drawn_at_step(enum chart_line line, enum charset charset, int step)
 {
 	int on, off;
 	chart_dash_lengths(line, &on, &off);
@@ -428,7 +428,7 @@ put_dot(struct layout *l, const struct chart_series *s, int x, int y)
 
 /* From point i to the next, dot by dot, if both have a value. */
 static void
-draw_segment(struct layout *l, const struct chart_series *s, size_t i)
+draw_line_segment(struct layout *l, const struct chart_series *s, size_t i)
 {
 	int across = canvas_cell_dots_across(l->charset),
 	    down = canvas_cell_dots_down(l->charset);
@@ -442,7 +442,7 @@ draw_segment(struct layout *l, const struct chart_series *s, size_t i)
 	for (int k = 0; k <= n; k++) {
 		double t = n > 0 ? (double)k / n : 0;
 		int step = dx < 0 ? x0 + dx + n - k : x0 + k;
-		if (is_drawn_at_step(s->line, l->charset, step))
+		if (is_line_drawn_at_step(s->line, l->charset, step))
 			put_dot(l, s, x0 + (int)lround(t * dx),
 			    y0 + (int)lround(t * dy));
 	}
@@ -517,7 +517,7 @@ draw_chart_mark(struct layout *l, const struct chart_series *s, size_t i)
 }
 
 static bool
-has_dots(const struct layout *l, int column, int row)
+has_cell_dots(const struct layout *l, int column, int row)
 {
 	return row >= 0 && row < l->height &&
 	       l->dots[row * l->width + column] != 0;
@@ -532,15 +532,15 @@ clear_around_marks(struct layout *l, const struct chart_series *s)
 		for (int by = -1; by <= 1 && isfinite(s->y[i]); by += 2) {
 			int column = column_of_point(l, s, i);
 			int row = row_of_y(l, s->y[i], 1);
-			if (has_dots(l, column, row) &&
-			    has_dots(l, column, row + 2 * by))
+			if (has_cell_dots(l, column, row) &&
+			    has_cell_dots(l, column, row + 2 * by))
 				put_code_in_plot(
 				    l, column, row + by, ' ', SERIES_TEXT, 0);
 		}
 }
 
 static bool
-is_hollow(const struct chart_series *s)
+is_mark_hollow(const struct chart_series *s)
 {
 	const struct mark *mark = s->fine ? mark_of_character(s->mark) : NULL;
 	return mark != NULL && mark->hollow;
@@ -585,7 +585,7 @@ value_of_axis_part(const struct axis *a, int i, int n)
 
 /* Rows that the band fills from their foot to their top. */
 static void
-fill_band(
+fill_band_column(
     struct layout *l, int column, double low, double high, enum series tint)
 {
 	double top =
@@ -638,14 +638,14 @@ draw_chart_band(struct layout *l, const struct chart_series *s)
 		if (l->charset == CHARSET_BRAILLE)
 			stipple_band(l, i, low, high, s->series);
 		else if (i % across == 0)
-			fill_band(l, i / across, low, high, s->series);
+			fill_band_column(l, i / across, low, high, s->series);
 	}
 }
 
 /* Faint, and only where the plot is tall enough for them not to crowd it; in a
  * strip seldom: its marks stand on them and move. */
 static void
-draw_guides(struct layout *l)
+draw_chart_guides(struct layout *l)
 {
 	enum { TALL = 12, EVERY = 4, SELDOM = 12 };
 	bool braille = l->charset == CHARSET_BRAILLE;
@@ -669,7 +669,7 @@ draw_guides(struct layout *l)
 /* A break size moves with the slider: in every second row of a tall plot it is
  * seen as well, and half as much is written. */
 static void
-draw_vertical_lines(struct layout *l)
+draw_chart_rules(struct layout *l)
 {
 	enum { TALL = 12 };
 	for (size_t i = 0; i < l->chart->n_rule; i++) {
@@ -679,8 +679,7 @@ draw_vertical_lines(struct layout *l)
 		for (int row = 0; row < l->height;
 		     row += thin && l->height >= TALL ? 2 : 1)
 			put_code_in_plot(l, column, row,
-			    vertical_line_code(r->series, l->charset),
-			    r->series, 0);
+			    code_of_rule(r->series, l->charset), r->series, 0);
 	}
 }
 
@@ -699,7 +698,7 @@ is_blank_around(struct layout *l, int column, int row, int wide)
 
 /* Right of the mark, or left of it, or not at all. */
 static void
-draw_chart_name(struct layout *l, const struct chart_series *s, size_t i)
+draw_chart_point_name(struct layout *l, const struct chart_series *s, size_t i)
 {
 	const char *label = s->whose[i].label;
 	if (label == NULL || !isfinite(s->y[i]))
@@ -723,25 +722,25 @@ draw_chart_data(struct layout *l)
 		if (!c->series[i]->bars)
 			draw_chart_band(l, c->series[i]);
 	make_bands_faint(l);
-	draw_guides(l);
-	draw_vertical_lines(l);
+	draw_chart_guides(l);
+	draw_chart_rules(l);
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
 			draw_chart_bars(l, c->series[i]);
 		else
 			for (size_t k = 0; k + 1 < c->series[i]->n; k++)
-				draw_segment(l, c->series[i], k);
+				draw_line_segment(l, c->series[i], k);
 	for (size_t i = 0; i < c->n; i++)
 		clear_around_marks(l, c->series[i]);
 	/* In a cell that two marks share a hollow one is seen. */
 	for (int hollow = 0; hollow <= 1; hollow++)
 		for (size_t i = 0; i < c->n; i++)
-			if (is_hollow(c->series[i]) == hollow)
+			if (is_mark_hollow(c->series[i]) == hollow)
 				draw_chart_marks(l, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i]->n && c->series[i]->named;
 		     j++)
-			draw_chart_name(l, c->series[i], j);
+			draw_chart_point_name(l, c->series[i], j);
 }
 
 /* The mark nearest to a cell of the data, among those next to it. */
@@ -792,7 +791,8 @@ find_line_at_cell(const struct layout *l, int row, struct chart_found *f)
 }
 
 static bool
-find_in_plot(const struct layout *l, int column, int row, struct chart_found *f)
+find_at_plot_cell(
+    const struct layout *l, int column, int row, struct chart_found *f)
 {
 	*f = (struct chart_found){.chart = l->chart};
 	column -= l->left;
@@ -807,7 +807,7 @@ find_in_plot(const struct layout *l, int column, int row, struct chart_found *f)
 }
 
 static int
-count_charts(const struct chart *chart)
+count_stacked_charts(const struct chart *chart)
 {
 	int n = 0;
 	for (const struct chart *c = chart; c != NULL; c = c->below)
@@ -834,7 +834,7 @@ chart_find_at_cell(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words, int column, int row,
     struct chart_found *found)
 {
-	int n = count_charts(chart), top = 0;
+	int n = count_stacked_charts(chart), top = 0;
 	int left = y_label_columns(chart, columns, words);
 	for (const struct chart *c = chart; c != NULL && top < rows;
 	     c = c->below) {
@@ -842,7 +842,7 @@ chart_find_at_cell(const struct chart *chart, int columns, int rows,
 		    .rows = rows_of_chart(c, rows - top, n--)};
 		struct layout l = lay_out_chart(c, &own, left, charset, words);
 		if (row < top + own.rows)
-			return find_in_plot(&l, column, row - top, found);
+			return find_at_plot_cell(&l, column, row - top, found);
 		top += own.rows;
 	}
 	return false;
@@ -853,7 +853,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words)
 {
 	struct canvas *all = canvas_new(columns, rows);
-	int n = count_charts(chart), top = 0,
+	int n = count_stacked_charts(chart), top = 0,
 	    left = y_label_columns(chart, columns, words);
 	all->theme = chart->theme;
 	/* Where there is no room for all the first ones are drawn. */
@@ -863,7 +863,7 @@ chart_draw(const struct chart *chart, int columns, int rows,
 		    .rows = rows_of_chart(c, rows - top, n--),
 		    .cell = all->cell + top * columns};
 		struct layout l = lay_out_chart(c, &own, left, charset, words);
-		draw_titles_and_axes(&l);
+		draw_chart_titles_and_axes(&l);
 		l.dots = xcalloc((size_t)(l.width * l.height), 1);
 		draw_chart_data(&l);
 		free(l.dots);

@@ -4,7 +4,7 @@
 
 /* Of few colours the dark ones; no yellow. */
 static int
-dark_colour(int colour)
+dark_version_of_colour(int colour)
 {
 	enum { BRIGHT = 8, YELLOW = 3 };
 	int dark = colour >= BRIGHT ? colour - BRIGHT : colour;
@@ -42,7 +42,7 @@ palette_colour(enum series series, int depth, enum theme theme)
 	int few = depth < 16 ? COLOURS[series].of8 : COLOURS[series].of16;
 	return depth <= 0             ? -1
 	       : depth >= 256         ? COLOURS[series].of256[theme]
-	       : theme == THEME_LIGHT ? dark_colour(few)
+	       : theme == THEME_LIGHT ? dark_version_of_colour(few)
 				      : few;
 }
 

@@ -29,7 +29,7 @@ write_cairo_bytes(void *out, const unsigned char *bytes, unsigned n)
 }
 
 static void
-set_colour(cairo_t *c, unsigned rgb, double opacity)
+cairo_pen_set_colour(cairo_t *c, unsigned rgb, double opacity)
 {
 	cairo_set_source_rgba(c, (rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0,
 	    (rgb & 255) / 255.0, opacity);
@@ -50,12 +50,12 @@ cairo_pen_draw_path(struct pen *pen, const double *x, const double *y, size_t n,
 		cairo_line_to(c, x[i], y[i]);
 	if (stroke->fill != PEN_OPEN) {
 		cairo_close_path(c);
-		set_colour(c,
+		cairo_pen_set_colour(c,
 		    stroke->fill == PEN_PAPER ? p->paper.colour : colour,
 		    stroke->fill == PEN_TINT ? 0.2 : 1);
 		cairo_fill_preserve(c);
 	}
-	set_colour(c, colour, 1);
+	cairo_pen_set_colour(c, colour, 1);
 	cairo_set_dash(c, dash, off > 0 ? 2 : 0, 0);
 	cairo_set_line_width(c, stroke->width);
 	if (stroke->width > 0)
@@ -73,7 +73,7 @@ cairo_pen_draw_bars(struct pen *pen, const double *x, const double *y, size_t n,
 		cairo_move_to(c, x[i], y[i]);
 		cairo_line_to(c, x[i + 1], y[i + 1]);
 	}
-	set_colour(c, p->paper.ink[bar->series], bar->opacity);
+	cairo_pen_set_colour(c, p->paper.ink[bar->series], bar->opacity);
 	cairo_set_dash(c, NULL, 0, 0);
 	cairo_set_line_width(c, bar->width);
 	cairo_set_line_cap(
@@ -83,7 +83,7 @@ cairo_pen_draw_bars(struct pen *pen, const double *x, const double *y, size_t n,
 }
 
 static void
-set_font(const struct picture *p, const struct pen_style *style)
+cairo_pen_set_font(const struct picture *p, const struct pen_style *style)
 {
 	cairo_select_font_face(p->cairo,
 	    p->paper.mono || style->mono ? "monospace" : "sans-serif",
@@ -99,7 +99,7 @@ cairo_pen_measure_text(
 	const struct picture *p = (struct picture *)pen;
 	cairo_text_extents_t size;
 	FREED char *text = text_escaped(words);
-	set_font(p, style);
+	cairo_pen_set_font(p, style);
 	cairo_text_extents(p->cairo, text, &size);
 	return size.x_advance;
 }
@@ -129,9 +129,9 @@ cairo_pen_draw_text(struct pen *pen, double x, double y, const char *words,
 	cairo_text_extents_t size;
 	/* cairo draws nothing more after text that is not UTF-8. */
 	FREED char *text = text_escaped(words);
-	set_font(p, style);
+	cairo_pen_set_font(p, style);
 	cairo_text_extents(c, text, &size);
-	set_colour(c,
+	cairo_pen_set_colour(c,
 	    style->inverse ? paper->colour : paper->ink[style->series],
 	    style->faint ? PEN_FAINT : 1);
 	cairo_save(c);
@@ -203,7 +203,7 @@ pen_new_cairo(double width, double height, const struct pen_paper *paper,
 	p->cairo = cairo_create(p->surface);
 	if (!pdf)
 		cairo_scale(p->cairo, PNG_SCALE, PNG_SCALE);
-	set_colour(p->cairo, paper->colour, 1);
+	cairo_pen_set_colour(p->cairo, paper->colour, 1);
 	cairo_paint(p->cairo);
 	return &p->pen;
 }

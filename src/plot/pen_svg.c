@@ -105,7 +105,7 @@ svg_close(struct pen *pen)
 }
 
 static void
-put_background(const struct svg *svg, double width, double height)
+svg_put_background(const struct svg *svg, double width, double height)
 {
 	const struct pen_paper *p = &svg->paper;
 	if (p->corner > 0)
@@ -142,6 +142,6 @@ pen_new_svg(double width, double height, const struct pen_paper *paper,
 	fputs("</title>\n<desc>", out);
 	text_print_xml(about, out);
 	fputs("</desc>\n", out);
-	put_background(svg, width, height);
+	svg_put_background(svg, width, height);
 	return &svg->pen;
 }

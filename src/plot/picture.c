@@ -88,21 +88,21 @@ new_pen_for_form(enum picture_form form, double width, double height,
 }
 
 static double
-page_x(const struct chart_page *p, double x)
+page_x_of_value(const struct chart_page *p, double x)
 {
 	return LEFT + WIDTH * axis_relative_position(&p->chart->x, x);
 }
 
 static double
-page_y(const struct chart_page *p, double y)
+page_y_of_value(const struct chart_page *p, double y)
 {
 	return p->top +
 	       p->height * (1 - axis_relative_position(&p->chart->y, y));
 }
 
 static void
-draw_rule(struct chart_page *p, double x0, double y0, double x1, double y1,
-    struct pen_stroke stroke)
+draw_straight_line(struct chart_page *p, double x0, double y0, double x1,
+    double y1, struct pen_stroke stroke)
 {
 	double x[2] = {x0, x1}, y[2] = {y0, y1};
 	p->pen->path(p->pen, x, y, 2, &stroke);
@@ -124,9 +124,9 @@ picture_draw_x_axis(struct chart_page *p)
 	double end[ROWS] = {0};
 	axis_place_labels(a, WIDTH / COLUMN, ROWS, column, row);
 	for (size_t i = 0; i < a->n; i++) {
-		double x = page_x(p, a->tick[i].at);
+		double x = page_x_of_value(p, a->tick[i].at);
 		double half = DIGIT * (double)strlen(a->tick[i].label) / 2;
-		draw_rule(p, x, foot, x, foot + 4, THIN);
+		draw_straight_line(p, x, foot, x, foot + 4, THIN);
 		if (row[i] == AXIS_DROPPED || x - half < end[row[i]] + 1)
 			continue;
 		end[row[i]] = x + half;
@@ -158,12 +158,13 @@ picture_draw_y_axis(struct chart_page *p)
 	for (int rank = 0; rank < RANKS; rank++)
 		for (size_t i = 0; i < a->n; i++) {
 			const struct axis_tick *t = &a->tick[i];
-			double y = page_y(p, t->at);
+			double y = page_y_of_value(p, t->at);
 			if (t->rank != rank)
 				continue;
-			draw_rule(p, LEFT - 4, y, LEFT, y, THIN);
+			draw_straight_line(p, LEFT - 4, y, LEFT, y, THIN);
 			if (t->guide)
-				draw_rule(p, LEFT, y, LEFT + WIDTH, y, GUIDE);
+				draw_straight_line(
+				    p, LEFT, y, LEFT + WIDTH, y, GUIDE);
 			if (!is_label_place_free(placed, n, y))
 				continue;
 			placed[n++] = y;
@@ -178,7 +179,7 @@ picture_draw_y_axis(struct chart_page *p)
 
 /* A shape with so many corners around a point. */
 static void
-draw_shape(struct chart_page *p, int sides, double start, enum pen_fill fill,
+draw_polygon(struct chart_page *p, int sides, double start, enum pen_fill fill,
     enum series series, double x, double y)
 {
 	enum { MOST = 16 };
@@ -206,10 +207,10 @@ picture_draw_mark(
 	double start = s->mark == 'v' ? 0.25 : s->mark == '^' ? 0.75 : 0.125;
 	char text[2] = {s->mark, '\0'};
 	if (fine != NULL)
-		draw_shape(p, fine->sides, fine->turn,
+		draw_polygon(p, fine->sides, fine->turn,
 		    fine->hollow ? PEN_PAPER : PEN_FULL, s->series, x, y);
 	else if (sides > 0)
-		draw_shape(p, sides, start,
+		draw_polygon(p, sides, start,
 		    s->mark == '#' ? PEN_FULL : PEN_PAPER, s->series, x, y);
 	else /* a star is the upper half of its letter */
 		p->pen->text(p->pen, x, y + (s->mark == '*' ? 5 : 3), text,
@@ -228,9 +229,9 @@ picture_draw_band(struct chart_page *p, const struct chart_series *s)
 		     *y = xcalloc_doubles(2 * s->n);
 	for (size_t i = 0; i < s->n; i++) {
 		size_t back = 2 * s->n - 1 - i;
-		x[i] = x[back] = page_x(p, s->x[i]);
-		y[i] = page_y(p, s->low[i]);
-		y[back] = page_y(p, s->high[i]);
+		x[i] = x[back] = page_x_of_value(p, s->x[i]);
+		y[i] = page_y_of_value(p, s->low[i]);
+		y[back] = page_y_of_value(p, s->high[i]);
 	}
 	p->pen->path(p->pen, x, y, 2 * s->n,
 	    &(struct pen_stroke){s->series, CHART_SOLID, 0, PEN_TINT});
@@ -242,7 +243,7 @@ page_x_of_point(
     const struct chart_page *p, const struct chart_series *s, size_t i)
 {
 	enum { CELL = 4 };
-	return page_x(p, s->x[i]) + CELL * s->beside;
+	return page_x_of_value(p, s->x[i]) + CELL * s->beside;
 }
 
 static struct pen_stroke
@@ -259,8 +260,8 @@ draw_spans(struct chart_page *p, const struct chart_series *s)
 	struct pen_stroke stroke = stroke_of_bar(s);
 	for (size_t i = 0; i < s->n; i++) {
 		double x = page_x_of_point(p, s, i);
-		draw_rule(p, x, page_y(p, s->low[i]), x, page_y(p, s->high[i]),
-		    stroke);
+		draw_straight_line(p, x, page_y_of_value(p, s->low[i]), x,
+		    page_y_of_value(p, s->high[i]), stroke);
 	}
 }
 
@@ -273,8 +274,8 @@ picture_draw_line(struct chart_page *p, const struct chart_series *s)
 	size_t n = 0;
 	for (size_t i = 0; i <= s->n && s->line != CHART_MARKS; i++) {
 		if (i < s->n && isfinite(s->y[i])) {
-			x[n] = page_x(p, s->x[i]);
-			y[n++] = page_y(p, s->y[i]);
+			x[n] = page_x_of_value(p, s->x[i]);
+			y[n++] = page_y_of_value(p, s->y[i]);
 			continue;
 		}
 		if (n > 1)
@@ -284,7 +285,7 @@ picture_draw_line(struct chart_page *p, const struct chart_series *s)
 }
 
 static struct pen_stroke
-rule_stroke(const struct chart_rule *rule)
+stroke_of_rule(const struct chart_rule *rule)
 {
 	enum chart_line line = rule->series == SERIES_OTHER ? CHART_DASHED
 			       : rule->series == SERIES_CROSSHAIR
@@ -297,9 +298,11 @@ rule_stroke(const struct chart_rule *rule)
 static void
 draw_area_square(struct chart_page *p, const struct chart_series *s, size_t i)
 {
-	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
-	double width = page_x(p, s->x[i] + 0.5) - page_x(p, s->x[i] - 0.5);
-	double height = page_y(p, s->y[i] - 0.5) - page_y(p, s->y[i] + 0.5);
+	double x = page_x_of_value(p, s->x[i]), y = page_y_of_value(p, s->y[i]);
+	double width = page_x_of_value(p, s->x[i] + 0.5) -
+		       page_x_of_value(p, s->x[i] - 0.5);
+	double height = page_y_of_value(p, s->y[i] - 0.5) -
+			page_y_of_value(p, s->y[i] + 0.5);
 	double share = 0.95 * sqrt(fabs(s->field[i].value)) / 2;
 	double w = share * width, h = share * height;
 	double px[] = {x - w, x + w, x + w, x - w};
@@ -320,7 +323,7 @@ struct taken {
 };
 
 static bool
-is_free_on_page(
+is_box_free_on_page(
     const struct chart_page *p, const struct taken *taken, struct box box)
 {
 	if (box.left < LEFT || box.right > LEFT + WIDTH || box.top < p->top ||
@@ -336,7 +339,7 @@ is_free_on_page(
 }
 
 static void
-reserve_box(struct taken *taken, struct box box)
+mark_box_taken(struct taken *taken, struct box box)
 {
 	taken->box = xrealloc(taken->box, taken->n + 1, sizeof *taken->box);
 	taken->box[taken->n++] = box;
@@ -344,13 +347,13 @@ reserve_box(struct taken *taken, struct box box)
 
 /* Right of the mark, left of it, above or below; else not at all. */
 static void
-picture_draw_name(struct chart_page *p, const struct chart_series *s, size_t i,
-    struct taken *taken)
+picture_draw_point_name(struct chart_page *p, const struct chart_series *s,
+    size_t i, struct taken *taken)
 {
 	enum { LETTERS_HIGH = 7, APART = 5 };
 	const double letter = 4.2;
 	const char *label = s->whose[i].label;
-	double x = page_x(p, s->x[i]), y = page_y(p, s->y[i]);
+	double x = page_x_of_value(p, s->x[i]), y = page_y_of_value(p, s->y[i]);
 	double wide = letter * text_width_in_columns(label);
 	const double left[] = {
 	    x + APART, x - APART - wide, x - wide / 2, x - wide / 2};
@@ -359,9 +362,9 @@ picture_draw_name(struct chart_page *p, const struct chart_series *s, size_t i,
 	for (size_t k = 0; k < ARRAY_LEN(left); k++) {
 		struct box box = {
 		    left[k], foot[k] - LETTERS_HIGH, left[k] + wide, foot[k]};
-		if (!is_free_on_page(p, taken, box))
+		if (!is_box_free_on_page(p, taken, box))
 			continue;
-		reserve_box(taken, box);
+		mark_box_taken(taken, box);
 		p->pen->text(p->pen, left[k], foot[k], label,
 		    &(struct pen_style){
 			.size = LETTERS_HIGH, .series = s->series});
@@ -370,17 +373,17 @@ picture_draw_name(struct chart_page *p, const struct chart_series *s, size_t i,
 }
 
 static void
-picture_draw_names(struct chart_page *p)
+picture_draw_point_names(struct chart_page *p)
 {
 	const double half = 3;
 	const struct chart *c = p->chart;
 	struct taken taken = {0};
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i]->n; j++) {
-			double x = page_x(p, c->series[i]->x[j]),
-			       y = page_y(p, c->series[i]->y[j]);
+			double x = page_x_of_value(p, c->series[i]->x[j]),
+			       y = page_y_of_value(p, c->series[i]->y[j]);
 			if (c->series[i]->mark != 0)
-				reserve_box(
+				mark_box_taken(
 				    &taken, (struct box){x - half, y - half,
 						x + half, y + half});
 		}
@@ -388,7 +391,8 @@ picture_draw_names(struct chart_page *p)
 		for (size_t j = 0; j < c->series[i]->n && c->series[i]->named;
 		     j++)
 			if (c->series[i]->whose[j].label != NULL)
-				picture_draw_name(p, c->series[i], j, &taken);
+				picture_draw_point_name(
+				    p, c->series[i], j, &taken);
 	free(taken.box);
 }
 
@@ -401,8 +405,9 @@ picture_draw_data(struct chart_page *p)
 		if (!c->series[i]->bars)
 			picture_draw_band(p, c->series[i]);
 	for (size_t i = 0; i < c->n_rule; i++) {
-		double x = page_x(p, c->rule[i].x);
-		draw_rule(p, x, p->top, x, foot, rule_stroke(&c->rule[i]));
+		double x = page_x_of_value(p, c->rule[i].x);
+		draw_straight_line(
+		    p, x, p->top, x, foot, stroke_of_rule(&c->rule[i]));
 	}
 	for (size_t i = 0; i < c->n; i++)
 		if (c->series[i]->bars)
@@ -417,9 +422,9 @@ picture_draw_data(struct chart_page *p)
 			else if (s->mark != 0 && isfinite(s->y[j]))
 				picture_draw_mark(p, s,
 				    page_x_of_point(p, s, j),
-				    page_y(p, s->y[j]));
+				    page_y_of_value(p, s->y[j]));
 		}
-	picture_draw_names(p);
+	picture_draw_point_names(p);
 }
 
 static void
@@ -434,9 +439,9 @@ picture_draw_legend(struct chart_page *p)
 		struct pen_stroke stroke =
 		    s != NULL
 			? (struct pen_stroke){s->series, s->line, 1.2, PEN_OPEN}
-			: rule_stroke(r);
+			: stroke_of_rule(r);
 		if (stroke.line != CHART_MARKS)
-			draw_rule(p, LEGEND, y, LEGEND + SAMPLE, y,
+			draw_straight_line(p, LEGEND, y, LEGEND + SAMPLE, y,
 			    s != NULL && s->bars ? stroke_of_bar(s) : stroke);
 		if (s != NULL && s->mark != 0)
 			picture_draw_mark(p, s, LEGEND + SAMPLE / 2.0, y);
@@ -447,7 +452,7 @@ picture_draw_legend(struct chart_page *p)
 
 /* Notes, where the data are from, and the program, a line each or more. */
 static char *
-foot_text(const struct chart *chart, const char *program)
+chart_foot_text(const struct chart *chart, const char *program)
 {
 	char *text = NULL;
 	size_t n = 0;
@@ -456,14 +461,14 @@ foot_text(const struct chart *chart, const char *program)
 	    xasprintf("data: %s; drawn by %s", chart->about, program);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
-			text_wrap(c->note[i], 0, FOOT_COLUMNS, memory);
-	text_wrap(about, 0, FOOT_COLUMNS, memory);
+			text_print_wrapped(c->note[i], 0, FOOT_COLUMNS, memory);
+	text_print_wrapped(about, 0, FOOT_COLUMNS, memory);
 	fclose(memory);
 	return text;
 }
 
 static void
-draw_foot(struct chart_page *p, char *text)
+picture_draw_foot(struct chart_page *p, char *text)
 {
 	char *save = NULL;
 	double y = p->top + p->height + BELOW;
@@ -492,7 +497,7 @@ picture_draw_page(struct chart_page *p)
 }
 
 static double
-plot_height(const struct chart *chart)
+plot_height_of_chart(const struct chart *chart)
 {
 	return fmax(chart->strip > 0 ? STRIP_HEIGHT : LEAST_HEIGHT,
 	    ROW * (double)(chart->n + chart->n_rule));
@@ -501,13 +506,13 @@ plot_height(const struct chart *chart)
 double
 chart_picture_height(const struct chart *chart, const char *program)
 {
-	FREED char *foot = foot_text(chart, program);
+	FREED char *foot = chart_foot_text(chart, program);
 	size_t rows = 1;
 	for (const char *c = foot; *c != '\0'; c++)
 		rows += *c == '\n';
 	double height = FOOT_ROW * (double)rows;
 	for (const struct chart *c = chart; c != NULL; c = c->below)
-		height += TOP + plot_height(c) + BELOW;
+		height += TOP + plot_height_of_chart(c) + BELOW;
 	return height;
 }
 
@@ -516,15 +521,15 @@ chart_picture_draw(
     const struct chart *chart, const char *program, struct pen *pen)
 {
 	struct chart_page p = {.pen = pen, .top = TOP};
-	FREED char *foot = foot_text(chart, program);
+	FREED char *foot = chart_foot_text(chart, program);
 	for (p.chart = chart;; p.chart = p.chart->below) {
-		p.height = plot_height(p.chart);
+		p.height = plot_height_of_chart(p.chart);
 		picture_draw_page(&p);
 		if (p.chart->below == NULL)
 			break;
 		p.top += p.height + BELOW + TOP;
 	}
-	draw_foot(&p, foot);
+	picture_draw_foot(&p, foot);
 }
 
 bool
@@ -640,7 +645,7 @@ struct cells_page {
 
 /* The places of bars are multiples of 3/4. */
 static bool
-picture_is_same(double a, double b)
+is_same_place(double a, double b)
 {
 	return fabs(a - b) < 0.1;
 }
@@ -656,9 +661,9 @@ picture_add_or_join_bar(
 	double y0 = top + bar->y0 * CELL_HEIGHT / 8;
 	size_t last = s->n > 0 ? 2 * s->n - 1 : 0;
 	bool joins = s->n > 0 && bar->y0 == bar->y1 && bar->x1 > bar->x0 &&
-		     picture_is_same(s->x[last], x0) &&
-		     picture_is_same(s->y[last], y0) &&
-		     picture_is_same(s->y[last - 1], y0);
+		     is_same_place(s->x[last], x0) &&
+		     is_same_place(s->y[last], y0) &&
+		     is_same_place(s->y[last - 1], y0);
 	if (!joins) {
 		s->x[2 * s->n] = x0;
 		s->y[2 * s->n] = y0;
@@ -701,7 +706,7 @@ picture_draw_bars(
 }
 
 static bool
-is_text(const struct canvas_cell *cell)
+is_text_cell(const struct canvas_cell *cell)
 {
 	enum kind kind;
 	struct bar bar[BARS];
@@ -719,7 +724,7 @@ end_of_alike_cells(const struct cells_page *s, int from, int row)
 	int end = from + 1;
 	for (int c = from + 1; c < s->canvas->columns; c++) {
 		bool wide = cell[c].code == 0;
-		bool text = is_text(&cell[c]) &&
+		bool text = is_text_cell(&cell[c]) &&
 			    canvas_same_style(&cell[c], &cell[from]);
 		if (!wide && !text && (cell[c].code != ' ' || end < c))
 			break;
@@ -729,7 +734,7 @@ end_of_alike_cells(const struct cells_page *s, int from, int row)
 }
 
 static void
-draw_text(struct cells_page *s, int row)
+draw_text_of_row(struct cells_page *s, int row)
 {
 	FREED char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
 	const struct canvas_cell *first =
@@ -738,7 +743,7 @@ draw_text(struct cells_page *s, int row)
 		const struct canvas_cell *cell = first + c;
 		char *at = text, code[5];
 		end = c + 1;
-		if (!is_text(cell))
+		if (!is_text_cell(cell))
 			continue;
 		end = end_of_alike_cells(s, c, row);
 		for (int i = 0; i < end - c; i++)
@@ -778,7 +783,7 @@ paper_for_cells(const struct canvas *canvas, int depth, double size[2])
 }
 
 static void
-draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
+draw_canvas_cells(const struct canvas *canvas, int depth, struct pen *pen)
 {
 	size_t n = (size_t)(canvas->columns * canvas->rows);
 	struct cells_page s = {.canvas = canvas,
@@ -795,7 +800,7 @@ draw_cells(const struct canvas *canvas, int depth, struct pen *pen)
 				picture_draw_bars(&s, (enum kind)kind,
 				    (enum series)i, faint == 1);
 	for (int row = 0; row < canvas->rows; row++)
-		draw_text(&s, row);
+		draw_text_of_row(&s, row);
 	free(s.x);
 	free(s.y);
 }
@@ -808,6 +813,6 @@ picture_write_screen(const struct canvas *canvas, int depth,
 	struct pen_paper paper = paper_for_cells(canvas, depth, size);
 	struct pen *pen =
 	    new_pen_for_form(form, size[0], size[1], &paper, title, about, out);
-	draw_cells(canvas, depth, pen);
+	draw_canvas_cells(canvas, depth, pen);
 	return pen->close(pen);
 }

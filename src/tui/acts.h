@@ -46,13 +46,13 @@ struct key {
 	const char *what, *brief, *hint;
 };
 
-/* Amounts of act_move, and of act_move_to_end. */
+/* Amounts of act_move_list_or_slider, and of act_move_to_end. */
 enum { STEP = 1, FAST = 10, FAR = 50 };
 enum { TO_LEAST = -1, TO_MOST = 1 };
 
 /* Move within the page, or else the slider: by the amount, to an end; up and
  * down. */
-key_action act_move, act_move_to_end, act_move_in_list;
+key_action act_move_list_or_slider, act_move_to_end, act_move_in_list;
 
 /* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
  * fastest); to the next limit of the goal or, without a goal, the next run, or
@@ -60,21 +60,22 @@ key_action act_move, act_move_to_end, act_move_in_list;
  * speeds are known. */
 key_action act_type_speed, act_go_to_run_speed, act_go_to_goal_speed;
 
-key_action act_open_page, act_back, act_open_row, act_filter;
+key_action act_open_page, act_go_back, act_open_row, act_type_filter;
 
 /* Lines: run the key's command or describe; open the command line, empty, with
  * `save` or with a command to export. */
-key_action act_run_hint_command, act_describe, act_type_command,
-    act_propose_save, act_export;
+key_action act_run_hint_command, act_describe_plot, act_type_command,
+    act_propose_save, act_export_prediction;
 
 /* The calibration. */
-key_action act_calibrate, act_toggle_pause, act_stop, act_change_pace;
+key_action act_calibrate, act_toggle_pause, act_stop_fit,
+    act_change_search_pace;
 
 /* Change what is predicted and shown.  act_type_goal opens a field that starts
  * with the quantity above the track, act_toggle_goal_view shows the goal at
  * full height. */
-key_action act_next_correction, act_toggle_band, act_toggle_pin,
-    act_toggle_crosshair, act_crosshair_passing, act_next_quantity,
+key_action act_next_correcting_runs, act_toggle_band, act_toggle_pin,
+    act_toggle_crosshair, act_move_crosshair_passing, act_next_quantity,
     act_type_goal, act_toggle_goal_view;
 
 /* For single pages. */
@@ -83,6 +84,6 @@ key_action act_show_all_runs, act_show_all_numbers, act_next_plot,
     act_sort_sites;
 
 key_action act_open_files, act_show_last_text, act_list_keys, act_toggle_mouse,
-    act_redraw, act_suspend, act_leave;
+    act_redraw_screen, act_suspend_program, act_leave_screen;
 
 #endif

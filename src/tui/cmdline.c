@@ -91,7 +91,7 @@ is_shown_by_page_predict(const char *line)
 enum job_effect { JOB_GOES_ON, JOB_TAKES_BOUNDS, JOB_STOPS };
 
 static enum job_effect
-effect_on_job(
+effect_of_line_on_job(
     const struct tui *t, const char *line, const struct command *command)
 {
 	if (!session_is_calibrating(t->session))
@@ -123,7 +123,8 @@ static void
 resume_search_within_bounds(struct tui *t, bool edited)
 {
 	bool on = t->session->job.paused;
-	if (control_run(t, on ? "continue" : "calibrate") && on && edited)
+	if (control_run_and_show(t, on ? "continue" : "calibrate") && on &&
+	    edited)
 		tui_say(t, false, "continues within the new bounds");
 }
 
@@ -161,7 +162,7 @@ show_result_message(struct tui *t, const struct command *command,
 	fflush(t->captured);
 	/* The faults that a check or a sheet has beside the error. */
 	if (!ok && t->captured_n > 0)
-		text_wrap(t->message, 0, 78, t->captured);
+		text_print_wrapped(t->message, 0, 78, t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
 		captured_show_output(t);
 	if (ok && !moved_only && command == command_find("predict"))
@@ -178,7 +179,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	const bool was_busy = session_is_calibrating(s);
 	const char *stopped = "";
 	bool searching = was_busy && !t->held;
-	enum job_effect effect = effect_on_job(t, line, command);
+	enum job_effect effect = effect_of_line_on_job(t, line, command);
 	if (command == command_find("screen")) {
 		run_screen_command(t, line);
 		return;
@@ -192,7 +193,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	bool aside = strchr(line, '|') != NULL && !t->aside && !s->safe;
 	if (aside)
 		t->callbacks->leave(t);
-	bool ok = control_run(t, line);
+	bool ok = control_run_and_show(t, line);
 	if (aside) {
 		wait_for_return_key();
 		t->callbacks->come_back(t);
@@ -223,7 +224,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 static bool
 is_command_for_one_speed(const struct command *command)
 {
-	const char *group = command_group(command);
+	const char *group = command_group_name(command);
 	return command_option_index(command, "speed") < OPTIONS &&
 	       strcmp(group, "pictures") != 0 && strcmp(group, "data") != 0 &&
 	       !(command->flags & COMMAND_CHANGES);
@@ -274,10 +275,10 @@ line_with_slider_speed(
 }
 
 void
-cmdline_run(struct tui *t, const char *line)
+cmdline_run_line(struct tui *t, const char *line)
 {
 	FREED char *where = tui_options_at_slider(t);
-	const struct command *command = control_find_command(line);
+	const struct command *command = control_command_of_line(line);
 	FREED char *meant = line_with_slider_speed(line, command, where);
 	if (!t->aside && line[strspn(line, " \t")] != '\0')
 		typed_history_add(line);

@@ -8,6 +8,6 @@
 
 /* Runs a typed line and shows its output, except a prediction that the page
  * shows anyway. */
-void cmdline_run(struct tui *t, const char *line);
+void cmdline_run_line(struct tui *t, const char *line);
 
 #endif

@@ -61,7 +61,7 @@ control_is_stop_wanted(void)
 }
 
 const struct command *
-control_find_command(const char *line)
+control_command_of_line(const char *line)
 {
 	static const char ENDS[] = " \t>|";
 	if (strchr(line, ';') != NULL)
@@ -78,7 +78,7 @@ control_find_command(const char *line)
 }
 
 void
-control_refresh(struct tui *t)
+control_refresh_screen(struct tui *t)
 {
 	const struct session *s = t->session;
 	t->session->wants_tui = false;
@@ -123,7 +123,7 @@ control_store_page_settings(struct tui *t)
 	struct error error = {0};
 	size_t next;
 	FREED char *page = page_setting_text(t->ui.page);
-	FREED char *quantity = quantities_input_text(&t->ui.quantity);
+	FREED char *quantity = quantities_typed_text(&t->ui.quantity);
 	FREED char *line =
 	    xasprintf("set page %s quantity \"%s\"", page, quantity);
 	captured_discard_output(t);
@@ -144,7 +144,7 @@ differs_in_page_or_quantity(
 static void
 show_job_begun(struct tui *t, const char *line)
 {
-	const struct command *command = control_find_command(line);
+	const struct command *command = control_command_of_line(line);
 	const struct job *job = &t->session->job;
 	t->job = command != NULL ? command->name : NULL;
 	t->held = false;
@@ -176,12 +176,12 @@ control_say_speed_off_slider(struct tui *t, double speed)
 }
 
 static void
-move_slider_to_answer(struct tui *t, const char *line, bool ok)
+move_slider_to_answer_speed(struct tui *t, const char *line, bool ok)
 {
 	struct slider_range range = tui_slider_range(t);
 	double said =
 	    session_answer_number(t->session, "predict find", "speed");
-	const struct command *ran = control_find_command(line);
+	const struct command *ran = control_command_of_line(line);
 	bool asks =
 	    ran == command_find("predict") || ran == command_find("find");
 	if (slider_has_speed(range, said))
@@ -210,13 +210,13 @@ control_run_line(struct tui *t, const char *line)
 	    .begins = script_progress_start_line,
 	    .work = run_job_to_end,
 	    .watches = true};
-	script_progress_start_typed(t, line);
+	script_progress_start_typed_line(t, line);
 	/* A signal is no error: what was found before it stays. */
 	bool ok = driver_run_line(&d, line, ERROR_TYPED, 0) == 0 ||
 		  signals_pending() != 0;
 	script_progress_end(
-	    t, control_find_command(line) == command_find("restore"), ok);
-	move_slider_to_answer(t, line, ok);
+	    t, control_command_of_line(line) == command_find("restore"), ok);
+	move_slider_to_answer_speed(t, line, ok);
 	bool other = tui_current_entry(t) != NULL &&
 		     strcmp(site, tui_current_entry(t)->key);
 	if (other) {
@@ -229,14 +229,14 @@ control_run_line(struct tui *t, const char *line)
 	tui_set_feed_from_answer(t);
 	if (strcmp(s->set.feed, was.feed) != 0)
 		tui_set_feed_from_setting(t);
-	control_refresh(t);
+	control_refresh_screen(t);
 	if (session_is_calibrating(s) && !was_busy)
 		show_job_begun(t, line);
 	return ok;
 }
 
 bool
-control_run(struct tui *t, const char *line)
+control_run_and_show(struct tui *t, const char *line)
 {
 	free(t->command);
 	t->command = xstrdup(line);
@@ -256,7 +256,7 @@ control_current_screen(void)
 
 /* Frees all that a state owns. */
 static void
-free_state(struct tui *t)
+free_tui_state(struct tui *t)
 {
 	if (t->captured != NULL)
 		fclose(t->captured);
@@ -293,7 +293,7 @@ control_ask_question(struct session *s, const struct user_question *q)
 /* For hooks.announce: draws page Fit before the draws are computed with which a
  * search ends. */
 static void
-announce_posterior_draws(const char *what)
+show_fit_page_before_draws(const char *what)
 {
 	if (open->callbacks->show == NULL || open->ui.page != PAGE_FIT ||
 	    !session_is_calibrating(open->session) || open->computing != NULL)
@@ -335,15 +335,15 @@ control_open_screen(
 	s->hooks.ask = control_ask_question;
 	s->prompt = true;
 	s->typed_depth = s->scripts;
-	s->hooks.show_page = NULL;
-	s->hooks.announce = announce_posterior_draws;
+	s->hooks.show_manual_page = NULL;
+	s->hooks.announce = show_fit_page_before_draws;
 	s->hooks.stop = control_is_stop_wanted;
 	s->hooks.run_screen = NULL;
 	tui_set_feed_from_answer(t);
 	t->captured = text_open_memory(&t->captured_text, &t->captured_n);
 	s->out = s->notes = t->captured;
 	apply_page_settings(t);
-	control_refresh(t);
+	control_refresh_screen(t);
 	open = t;
 }
 
@@ -365,5 +365,5 @@ control_close_screen(struct tui *t)
 		session_stop_job_for_user(s);
 		session_end_finished_commands(s, true, &error);
 	}
-	free_state(t);
+	free_tui_state(t);
 }

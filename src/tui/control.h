@@ -18,16 +18,16 @@ struct tui *control_current_screen(void);
 
 /* Runs a line composed by a key and shows it.  On failure, returns false with a
  * message. */
-bool control_run(struct tui *t, const char *line);
+bool control_run_and_show(struct tui *t, const char *line);
 
 /* Updates the screen after a command that was run elsewhere. */
-void control_refresh(struct tui *t);
+void control_refresh_screen(struct tui *t);
 
 /* ---- For cmdline.c ---- */
 
 /* Returns the command in a line, or NULL if there are several or it is
  * unknown. */
-const struct command *control_find_command(const char *line);
+const struct command *control_command_of_line(const char *line);
 
 /* Stores the page and the quantity shown as settings, for save and restore. */
 void control_store_page_settings(struct tui *t);

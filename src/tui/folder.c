@@ -32,7 +32,7 @@ enum { MOST_ITEMS = 2000 };
 enum { MOST_BYTES = 300 * 1000, UNPACKED_TIMES = 10 };
 
 static bool
-is_script(const char *name)
+is_script_name(const char *name)
 {
 	return text_ends_with(name, ".tip");
 }
@@ -74,7 +74,7 @@ add_directory_entry(struct folder *folder, const char *name)
 		folder_add_item(folder, FOLDER_RESULTS, name);
 		folder->item[folder->n - 1].about =
 		    xasprintf(tr("results of %s"), command);
-	} else if (known && S_ISREG(about.st_mode) && is_script(name)) {
+	} else if (known && S_ISREG(about.st_mode) && is_script_name(name)) {
 		folder_add_item(folder, FOLDER_SESSION, name);
 		folder->item[folder->n - 1].about =
 		    xstrdup(tr("a saved session"));
@@ -113,9 +113,9 @@ site_file_summary(const char *path)
 	if (site == NULL)
 		return NULL;
 	bool in_rpm = answers_is_sheet_in_rpm(site);
-	FREED char *speeds = in_rpm
-				 ? session_rpm_list_text(site, " ", NULL, false)
-				 : session_speeds_text(site, " ", NULL, false);
+	FREED char *speeds =
+	    in_rpm ? session_run_rpm_text(site, " ", NULL, false)
+		   : session_run_speeds_text(site, " ", NULL, false);
 	char *about = xasprintf("%-16s %5.4g mm  %s %s", site->rock,
 	    units_mm(site->top_size), speeds, answers_speed_unit(site));
 	site_free(site);
@@ -151,7 +151,7 @@ static void
 add_synthetic_sites(struct folder *folder)
 {
 	struct material_list paper = {0};
-	stored_add_table3(&paper);
+	material_add_table3(&paper);
 	for (size_t i = 0; i < paper.n; i++) {
 		const struct material *row = &paper.item[i];
 		FREED char *slug = text_slug(row->site);
@@ -228,9 +228,9 @@ folder_open_command(const struct folder_item *item, bool anew)
 	bool plain = strchr(item->path, '/') != NULL ||
 		     strpbrk(item->path, "=@-") == NULL;
 	return xasprintf("%s \"%s%s\"",
-	    !is_script(item->name) ? "load"
-	    : anew                 ? "restore"
-				   : "source",
+	    !is_script_name(item->name) ? "load"
+	    : anew                      ? "restore"
+					: "source",
 	    plain ? "" : "./", item->path);
 }
 
@@ -246,8 +246,8 @@ print_site_summary(const struct site *site, FILE *out)
 {
 	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds_text(site, ", ", NULL, false);
-	FREED char *rpm = session_rpm_in_brackets(site, NULL, false);
+	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, false);
+	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, false);
 	FREED double *sieve = site_all_sieves(site, &n);
 	fprintf(out, "%s\n", label);
 	if (products > 0)
@@ -281,7 +281,7 @@ folder_describe_site(const struct site *site)
 }
 
 static void
-print_faults(
+print_faults_of_sheet(
     const struct error_list *errors, const struct site_ask *ask, FILE *out)
 {
 	enum { MOST = 3 };
@@ -314,7 +314,7 @@ print_sheet_preview(const char *path, FILE *out)
 	if (site != NULL)
 		print_site_summary(site, out);
 	else
-		print_faults(&errors, &ask, out);
+		print_faults_of_sheet(&errors, &ask, out);
 	site_ask_clear(&ask);
 	site_free(site);
 }
@@ -351,7 +351,7 @@ folder_preview(const struct folder_item *item)
 	if (item->made != NULL)
 		return xstrdup(tr("made from the parameters of Table 3, not "
 				  "measured\n"));
-	if (is_script(item->name))
+	if (is_script_name(item->name))
 		return xstrdup(tr("a script of commands, which Enter runs\n"));
 	if (stat(item->path, &about) != 0)
 		return xasprintf("%s\n", strerror(errno));

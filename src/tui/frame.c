@@ -25,7 +25,7 @@
 /* Writes a page's key and name for the heading; on a narrow screen without the
  * names of the pages that are not open, or without any. */
 static const char *
-tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
+page_tab_text(const struct tui *t, size_t p, int columns, char text[static 24])
 {
 	bool here = p == t->ui.page;
 	const char *name = columns >= 76 || (here && columns >= 34)
@@ -46,7 +46,8 @@ draw_header(struct tui *t)
 	char text[24];
 	int help = area->columns >= 76 ? 8 : 0, column = area->columns - help;
 	for (size_t p = 0; p < PAGES; p++)
-		column -= (int)strlen(tab_text(t, p, area->columns, text)) + 1;
+		column -=
+		    (int)strlen(page_tab_text(t, p, area->columns, text)) + 1;
 	struct area left = *area;
 	left.columns = column < 1 ? 0 : column - 1;
 	FREED char *label =
@@ -64,7 +65,7 @@ draw_header(struct tui *t)
 		int from = column;
 		column = screen_text(area, 0, column,
 		    p == t->ui.page ? LOOK_REVERSE : LOOK_PLAIN, "%s",
-		    tab_text(t, p, area->columns, text));
+		    page_tab_text(t, p, area->columns, text));
 		hits_add_key(&t->hits,
 		    area_part_of_row(area, 0, from, column - from),
 		    keys_code_of_page((enum page)p));
@@ -79,12 +80,12 @@ draw_header(struct tui *t)
 /* Moves the cursor to where the line is clicked. item: offset of the first byte
  * shown. */
 static void
-on_click_line(struct tui *t, const struct touched *touched)
+on_click_typed_line(struct tui *t, const struct touched *touched)
 {
 	const char *at = t->line.text + touched->item;
 	char left[TEXT_SHOWN];
 	for (int c = 1; c < touched->column && *at != '\0';)
-		c += text_escape_next(&at, left);
+		c += text_escape_next_character(&at, left);
 	t->line.at = (size_t)(at - t->line.text);
 }
 
@@ -97,7 +98,7 @@ draw_command_line(struct tui *t, const struct area *area)
 		size_t from;
 		int at = pane_draw_typed_line(
 		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
-		hits_add(&t->hits, HIT_PRESS, *area, on_click_line, from);
+		hits_add(&t->hits, HIT_PRESS, *area, on_click_typed_line, from);
 		return at;
 	}
 	hits_add_key(&t->hits, *area, ':');
@@ -250,7 +251,7 @@ draw_completions(struct tui *t, const struct area *area)
 /* Draws the word by which rows are filtered, and the number of rows that
  * contain it. */
 static void
-draw_filter(struct tui *t, const struct area *area)
+draw_filter_word(struct tui *t, const struct area *area)
 {
 	FREED char *found = xasprintf(tr("%zu of %zu"), list_count_matching(t),
 	    pages_current(t)->list->n(t));
@@ -293,7 +294,7 @@ frame_draw_hints(struct tui *t)
 	const struct page_ops *page = pages_current(t);
 	const char *typing = hints_while_typing(t);
 	if (typing == NULL && is_filter_shown(t)) {
-		draw_filter(t, &t->layout.hints);
+		draw_filter_word(t, &t->layout.hints);
 		return;
 	}
 	const char *keys =
@@ -348,7 +349,7 @@ draw_message_row(struct tui *t, const struct area *note)
 		draw_completions(t, note);
 	} else if (is_filter_shown(t) && l->hints.rows == 0) {
 		screen_clear_area(note);
-		draw_filter(t, note);
+		draw_filter_word(t, note);
 	} else if (t->message[0] != '\0' && note != &l->track) {
 		return frame_draw_message(t, note);
 	} else if (note == &l->status || is_status_in_command_row(t)) {
@@ -493,7 +494,7 @@ frame_draw(struct tui *t)
 	if (viewing)
 		viewer_draw(t);
 	else if (list)
-		picker_draw(t);
+		file_picker_draw(t);
 	else
 		frame_draw_page(t);
 	if (t->question != NULL && !viewing)

@@ -71,7 +71,7 @@ input_handle_paste(struct tui *t, int code, bool special)
 /* Reads a key with signals unblocked, because ncurses waits for the rest of
  * what begins like a click, even if it never comes. */
 static int
-read_key(wint_t *code)
+read_curses_key(wint_t *code)
 {
 	signals_unblock();
 	int got = get_wch(code);
@@ -86,11 +86,11 @@ static bool
 skip_escape_sequence(void)
 {
 	wint_t code = 0;
-	int got = read_key(&code);
+	int got = read_curses_key(&code);
 	if (got == OK && (code == '[' || code == 'O')) {
 		bool long_one = code == '[';
 		do
-			got = read_key(&code);
+			got = read_curses_key(&code);
 		while (got == OK && long_one && code < '@');
 		if (got == KEY_CODE_YES)
 			ungetch((int)code);
@@ -123,7 +123,7 @@ input_next_key(struct tui *t, int *code, bool *special)
 		return true;
 	}
 	while (signals_pending() == 0) {
-		int got = read_key(&c);
+		int got = read_curses_key(&c);
 		if (got == ERR && !is_input_waiting())
 			return false;
 		if (got == ERR || (got == KEY_CODE_YES && c == KEY_RESIZE))

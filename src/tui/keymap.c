@@ -45,7 +45,7 @@ move_within_page(struct tui *t, const struct key *key)
 }
 
 void
-act_move(struct tui *t, const struct key *key)
+act_move_list_or_slider(struct tui *t, const struct key *key)
 {
 	if (move_within_page(t, key))
 		return;
@@ -125,7 +125,7 @@ act_propose_save(struct tui *t, const struct key *key)
 
 /* "tierp-74.0.xlsx", which a spreadsheet opens whatever its decimal sign. */
 void
-act_export(struct tui *t, const struct key *key)
+act_export_prediction(struct tui *t, const struct key *key)
 {
 	(void)key;
 	const struct entry *entry = tui_current_entry(t);
@@ -153,21 +153,21 @@ act_type_command(struct tui *t, const struct key *key)
 void
 act_run_hint_command(struct tui *t, const struct key *key)
 {
-	cmdline_run(t, key->hint);
+	cmdline_run_line(t, key->hint);
 }
 
 void
-act_describe(struct tui *t, const struct key *key)
+act_describe_plot(struct tui *t, const struct key *key)
 {
 	char *(*words)(const struct tui *) = pages_current(t)->words;
 	FREED char *of = words != NULL ? words(t) : pane_curves_plot_name(t);
 	FREED char *line = xasprintf("%s %s", key->hint, of);
-	cmdline_run(t, line);
+	cmdline_run_line(t, line);
 }
 
 /* Sets the next choice of the runs that correct the answer. */
 void
-act_next_correction(struct tui *t, const struct key *key)
+act_next_correcting_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
 	static const char *const SAID[] = {
@@ -182,7 +182,7 @@ act_next_correction(struct tui *t, const struct key *key)
 	    [CORRECTION_OFF] = "all"};
 	FREED char *line =
 	    xasprintf("set correction %s", NEXT[t->session->set.correction]);
-	cmdline_run(t, line);
+	cmdline_run_line(t, line);
 	if (!t->failed && t->viewer.text == NULL)
 		tui_say(t, false, "%s", tr(SAID[t->session->set.correction]));
 }
@@ -210,7 +210,7 @@ static void
 restart_calibration(struct tui *t, const char *line)
 {
 	tui_stop_fit(t);
-	control_run(t, line);
+	control_run_and_show(t, line);
 }
 
 void
@@ -245,7 +245,7 @@ act_toggle_pause(struct tui *t, const struct key *key)
 }
 
 void
-act_change_pace(struct tui *t, const struct key *key)
+act_change_search_pace(struct tui *t, const struct key *key)
 {
 	int from = t->ui.pace == PACE_AUTO ? PACE_USUAL : t->ui.pace;
 	t->ui.pace =
@@ -277,7 +277,7 @@ act_toggle_pin(struct tui *t, const struct key *key)
 		pinned ? was.speed : tui_slider_speed(t), 1);
 	if (!pinned && t->view.current.site[0] == '\0')
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (!control_run(t, pinned ? "pin off" : line))
+	else if (!control_run_and_show(t, pinned ? "pin off" : line))
 		; /* it has said why */
 	else if (pinned)
 		tui_say(t, false,
@@ -314,7 +314,7 @@ act_toggle_band(struct tui *t, const struct key *key)
 }
 
 void
-act_stop(struct tui *t, const struct key *key)
+act_stop_fit(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (session_is_calibrating(t->session))
@@ -339,7 +339,7 @@ act_toggle_mouse(struct tui *t, const struct key *key)
 
 /* Esc: goes back one step. */
 void
-act_back(struct tui *t, const struct key *key)
+act_go_back(struct tui *t, const struct key *key)
 {
 	(void)key;
 	bool predict = t->ui.page == PAGE_PREDICT;
@@ -367,11 +367,11 @@ void
 act_open_files(struct tui *t, const struct key *key)
 {
 	(void)key;
-	picker_open(t, PICK_FILES);
+	file_picker_open(t, PICK_FILES);
 }
 
 void
-act_redraw(struct tui *t, const struct key *key)
+act_redraw_screen(struct tui *t, const struct key *key)
 {
 	(void)t, (void)key;
 	screen_resize();
@@ -379,14 +379,14 @@ act_redraw(struct tui *t, const struct key *key)
 
 /* The loop of the screen handles the signal. */
 void
-act_suspend(struct tui *t, const struct key *key)
+act_suspend_program(struct tui *t, const struct key *key)
 {
 	(void)t, (void)key;
 	raise(SIGTSTP);
 }
 
 void
-act_leave(struct tui *t, const struct key *key)
+act_leave_screen(struct tui *t, const struct key *key)
 {
 	(void)key;
 	t->leave = true;
@@ -408,7 +408,7 @@ handle_goal_field_key(struct tui *t, int code, bool special)
 {
 	FREED char *line = goal_handle_key(t, code, special);
 	if (line != NULL)
-		control_run(t, line);
+		control_run_and_show(t, line);
 	return true;
 }
 
@@ -421,7 +421,7 @@ handle_command_line_key(struct tui *t, int code, bool special)
 		return true;
 	edit_end(y);
 	if (result == EDIT_DONE)
-		cmdline_run(t, y->text);
+		cmdline_run_line(t, y->text);
 	return true;
 }
 
@@ -440,7 +440,7 @@ handle_viewer_key(struct tui *t, int code, bool special)
 /* Returns true if a key continues the typed speed; after "=" units do so as
  * well: "72.5 m/s" or "1450 rpm". */
 static bool
-is_speed_letter(const struct edit *y, int code)
+is_letter_of_typed_speed(const struct edit *y, int code)
 {
 	static const char UNITS[] = " rpm/s";
 	bool unit = y->text[0] == '=' && y->n > 1 && code > 0 && code < 128 &&
@@ -478,10 +478,10 @@ go_to_typed_speed(struct tui *t, const char *text)
 /* Returns true if a digit begins a speed: it does unless it opens a page, so
  * that speeds from 50 to 59 m/s need the =. */
 static bool
-is_speed_start(const struct tui *t, int code)
+is_start_of_typed_speed(const struct tui *t, int code)
 {
 	return code >= '0' && code <= '9' &&
-	       keys_find(code, t->ui.page) == NULL;
+	       keys_find_by_code(code, t->ui.page) == NULL;
 }
 
 /* Handles a key of a typed speed, which = or a digit begins. */
@@ -490,11 +490,11 @@ handle_typed_speed_key(struct tui *t, int code, bool special)
 {
 	struct edit *y = &t->speed;
 	bool back = code == DELETE || code == '\b';
-	if (y->n == 0 && !is_speed_start(t, code))
+	if (y->n == 0 && !is_start_of_typed_speed(t, code))
 		return false;
 	if (code == ',')
 		code = '.';
-	if (back || (!special && is_speed_letter(y, code)))
+	if (back || (!special && is_letter_of_typed_speed(y, code)))
 		return edit_type_letter(y, code, special, SPEED_LETTERS);
 	if (code == '\n' || code == '\r') {
 		const char *text = y->text + (y->text[0] == '=');
@@ -560,7 +560,7 @@ keymap_handle_answer_mouse(struct tui *t)
 static bool
 handle_page_key(struct tui *t, int code, bool special)
 {
-	const struct key *key = keys_find(code, t->ui.page);
+	const struct key *key = keys_find_by_code(code, t->ui.page);
 	if (word_delay_key(t, code, special, key))
 		return true;
 	run_key_action(t, key);
@@ -585,13 +585,13 @@ static bool (*const MODES[])(struct tui *t, int code, bool special) = {
     [GOAL] = handle_goal_field_key,
     [LINE] = handle_command_line_key,
     [TEXT] = handle_viewer_key,
-    [FILES] = picker_handle_key,
+    [FILES] = file_picker_handle_key,
     [FILTER] = list_handle_filter_key,
     [SPEED] = handle_typed_speed_key,
     [PAGE] = handle_page_key};
 
 static enum mode
-first_open_mode_from(const struct tui *t, enum mode from)
+first_open_input_mode_from(const struct tui *t, enum mode from)
 {
 	const bool open[] = {[ANSWER] = t->inquiry != NULL,
 	    [QUESTION] = t->question != NULL,
@@ -610,7 +610,7 @@ first_open_mode_from(const struct tui *t, enum mode from)
 bool
 keymap_is_typed_as_text(const struct tui *t, int code)
 {
-	switch (first_open_mode_from(t, ANSWER)) {
+	switch (first_open_input_mode_from(t, ANSWER)) {
 	case ANSWER:
 	case GOAL:
 	case LINE:
@@ -619,8 +619,8 @@ keymap_is_typed_as_text(const struct tui *t, int code)
 	case TEXT:
 		return t->viewer.word.active;
 	case SPEED:
-		return t->speed.n > 0 &&
-		       is_speed_letter(&t->speed, code == ',' ? '.' : code);
+		return t->speed.n > 0 && is_letter_of_typed_speed(&t->speed,
+					     code == ',' ? '.' : code);
 	default:
 		return false;
 	}
@@ -629,7 +629,7 @@ keymap_is_typed_as_text(const struct tui *t, int code)
 void
 keymap_open_command_line(struct tui *t)
 {
-	if (first_open_mode_from(t, ANSWER) == SPEED && t->speed.n == 0)
+	if (first_open_input_mode_from(t, ANSWER) == SPEED && t->speed.n == 0)
 		act_type_command(t, NULL);
 }
 
@@ -643,7 +643,7 @@ keymap_run_delayed_key(struct tui *t)
  * again.  The question reads the next key, and that is this one.  Returns true
  * if it was read. */
 static bool
-is_read_by_delayed_key(struct tui *t, int code, bool special)
+run_delayed_key_before(struct tui *t, int code, bool special)
 {
 	put_key_back(t, code, special);
 	keymap_run_delayed_key(t);
@@ -656,7 +656,7 @@ void
 keymap_handle_key(struct tui *t, int code, bool special)
 {
 	if (word_begin_command_line(t, code, special) ||
-	    is_read_by_delayed_key(t, code, special))
+	    run_delayed_key_before(t, code, special))
 		return;
 	if (special && (code == KEY_ENTER || code == KEY_BACKSPACE)) {
 		code = code == KEY_ENTER ? '\n' : DELETE;
@@ -664,17 +664,17 @@ keymap_handle_key(struct tui *t, int code, bool special)
 	}
 	/* A character beyond ASCII is no key, though its code may equal that of
 	 * one. */
-	enum mode mode = first_open_mode_from(t, ANSWER);
+	enum mode mode = first_open_input_mode_from(t, ANSWER);
 	if (!special && code > DELETE && mode != ANSWER && mode != GOAL &&
 	    mode != LINE)
 		return;
-	const struct key *key = keys_find(code, t->ui.page);
+	const struct key *key = keys_find_by_code(code, t->ui.page);
 	if (special && code == KEY_MOUSE) {
 		translate_mouse_event(t, handle_mouse_action);
 		return;
 	}
-	if (key != NULL &&
-	    (key->act == act_suspend || key->act == act_redraw)) {
+	if (key != NULL && (key->act == act_suspend_program ||
+			       key->act == act_redraw_screen)) {
 		run_key_action(t, key);
 		return;
 	}
@@ -683,5 +683,5 @@ keymap_handle_key(struct tui *t, int code, bool special)
 	if (mode >= FILTER)
 		t->message[0] = '\0';
 	while (MODES[mode] != NULL && !MODES[mode](t, code, special))
-		mode = first_open_mode_from(t, mode + 1);
+		mode = first_open_input_mode_from(t, mode + 1);
 }

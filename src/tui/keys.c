@@ -21,20 +21,23 @@
 	    "page " heading, PAGE_##NUMBER == 0 ? "pages" : NULL, NULL},
 
 const struct key KEYS[] = {
-    {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move, -STEP,
+    {KEY_LEFT, "Left, h", ON_ALL | FIRST_ON_PREDICT, act_move_list_or_slider,
+	-STEP,
 	"slider of the page to the left: speed by 0.1 m/s, generation, cell",
 	"the slider of the page", "speed"},
-    {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move, STEP,
-	"slider of the page to the right", NULL, NULL},
-    {KEY_SLEFT, "Shift-Left, H", ON_ALL | FIRST_ON_PREDICT, act_move, -FAST,
+    {KEY_RIGHT, "Right, l", ON_ALL | FIRST_ON_PREDICT, act_move_list_or_slider,
+	STEP, "slider of the page to the right", NULL, NULL},
+    {KEY_SLEFT, "Shift-Left, H", ON_ALL | FIRST_ON_PREDICT,
+	act_move_list_or_slider, -FAST,
 	"speed down by 1 m/s; or ten generations", "by 1 m/s, 10 generations",
 	NULL},
-    {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT, act_move, FAST,
-	"speed up by 1 m/s; or ten generations", NULL, NULL},
-    {KEY_NPAGE, "PgDn", ON_ALL | FIRST_ON_PREDICT, act_move, -FAR,
-	"speed down by 5 m/s; or fifty generations", "by 5 m/s, 50 generations",
-	NULL},
-    {KEY_PPAGE, "PgUp", ON_ALL | FIRST_ON_PREDICT, act_move, FAR,
+    {KEY_SRIGHT, "Shift-Right, L", ON_ALL | FIRST_ON_PREDICT,
+	act_move_list_or_slider, FAST, "speed up by 1 m/s; or ten generations",
+	NULL, NULL},
+    {KEY_NPAGE, "PgDn", ON_ALL | FIRST_ON_PREDICT, act_move_list_or_slider,
+	-FAR, "speed down by 5 m/s; or fifty generations",
+	"by 5 m/s, 50 generations", NULL},
+    {KEY_PPAGE, "PgUp", ON_ALL | FIRST_ON_PREDICT, act_move_list_or_slider, FAR,
 	"speed up by 5 m/s; or fifty generations", NULL, NULL},
     {KEY_HOME, "Home, g", ON_ALL | FIRST_ON_PREDICT, act_move_to_end, TO_LEAST,
 	"to the slow end of the track; to the first of a list", "to its ends",
@@ -92,10 +95,10 @@ const struct key KEYS[] = {
 	"sort by the next column, or click a heading", "sort", NULL},
     {'O', "O", ON_SITES, act_sort_sites, -1, "sort the other way round", NULL,
 	NULL},
-    {'/', "/", ON_ALL | FIRST_ON_LISTS, act_filter, 0,
+    {'/', "/", ON_ALL | FIRST_ON_LISTS, act_type_filter, 0,
 	"show the rows of a list that have a word; search a text",
 	"find a word", "filter"},
-    {ESCAPE, "Esc", ON_ALL, act_back, 0,
+    {ESCAPE, "Esc", ON_ALL, act_go_back, 0,
 	"one step back: from a word, the crosshair, a page; never quits",
 	"back", NULL},
     {'o', "o", ON_ALL & ~ON_SITES, act_open_files, 0,
@@ -103,14 +106,14 @@ const struct key KEYS[] = {
 	NULL},
     {'c', "c", ON_ALL | FIRST_ON_PREDICT, act_toggle_crosshair, 0,
 	"crosshair on or off: reads the curves at a sieve", "crosshair", NULL},
-    {'<', "<", ON_PREDICT, act_crosshair_passing, -5,
+    {'<', "<", ON_PREDICT, act_move_crosshair_passing, -5,
 	"sizes of the crosshair at a passing 5 % lower", "its passing",
 	"passing"},
-    {'>', ">", ON_PREDICT, act_crosshair_passing, 5, "at one 5 % higher", NULL,
-	NULL},
+    {'>', ">", ON_PREDICT, act_move_crosshair_passing, 5, "at one 5 % higher",
+	NULL, NULL},
     {'b', "b", ON_ALL | FIRST_ON_PREDICT, act_toggle_band, 0,
 	"uncertainty band on or off, if known", "band", NULL},
-    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_next_correction, 0,
+    {'a', "a", ON_ALL | FIRST_ON_PREDICT | CHANGES, act_next_correcting_runs, 0,
 	"runs that correct the answer: all, the training runs, none",
 	"runs that correct it", NULL},
     {'x', "x", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_toggle_pin, 0,
@@ -126,18 +129,18 @@ const struct key KEYS[] = {
     {' ', "Space", ON_ALL | FIRST_ON_FIT, act_toggle_pause, 0,
 	"pause or resume the calibration; once stopped: continue",
 	"pause, continue", "pause"},
-    {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop, 0,
+    {'s', "s", ON_ALL | FIRST_ON_FIT | CHANGES, act_stop_fit, 0,
 	"stop the calibration and keep the best", "stop, keep the best",
 	"stop, keep"},
-    {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop, 0,
+    {INTERRUPT, "^C", ON_ALL | CHANGES, act_stop_fit, 0,
 	"stop the calibration and keep the best", NULL, NULL},
-    {'+', "+", ON_ALL | FIRST_ON_FIT, act_change_pace, 1,
+    {'+', "+", ON_ALL | FIRST_ON_FIT, act_change_search_pace, 1,
 	"more generations a second", "faster, slower display", "pace"},
-    {'-', "-", ON_ALL | FIRST_ON_FIT, act_change_pace, -1,
+    {'-', "-", ON_ALL | FIRST_ON_FIT, act_change_search_pace, -1,
 	"fewer generations a second", NULL, NULL},
-    {'d', "d", ON_ALL | AT_SPEED | RUNS_COMMAND, act_describe, 0,
+    {'d', "d", ON_ALL | AT_SPEED | RUNS_COMMAND, act_describe_plot, 0,
 	"describe the plot of the page in words", "plot in words", "describe"},
-    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export, 0,
+    {'e', "e", ON_ALL | FIRST_ON_PREDICT | AT_SPEED, act_export_prediction, 0,
 	"export the prediction, a pinned one too: .xlsx, .csv, .svg", "export",
 	NULL},
     {':', ":", ON_ALL | AT_SPEED, act_type_command, 0,
@@ -157,15 +160,17 @@ const struct key KEYS[] = {
 	"keys"},
     {'M', "M", ON_ALL, act_toggle_mouse, 0,
 	"mouse on or off; Shift and drag selects text", "mouse", NULL},
-    {CONTROL('L'), "^L", ON_ALL, act_redraw, 0, "redraw", "redraw", NULL},
-    {SUSPEND, "^Z", ON_ALL, act_suspend, 0, "to the shell; fg comes back",
-	"to the shell", NULL},
-    {'q', "q", ON_ALL, act_leave, 0, "quit full-screen mode", "quit", NULL},
+    {CONTROL('L'), "^L", ON_ALL, act_redraw_screen, 0, "redraw", "redraw",
+	NULL},
+    {SUSPEND, "^Z", ON_ALL, act_suspend_program, 0,
+	"to the shell; fg comes back", "to the shell", NULL},
+    {'q', "q", ON_ALL, act_leave_screen, 0, "quit full-screen mode", "quit",
+	NULL},
     {.code = 0}};
 
 /* Returns true if the names of a row, "Left, h", include this one. */
 static bool
-has_key_name(const char *names, const char *name)
+key_names_include(const char *names, const char *name)
 {
 	size_t n = strlen(name);
 	while (names != NULL) {
@@ -179,7 +184,7 @@ has_key_name(const char *names, const char *name)
 }
 
 const struct key *
-keys_find(int code, enum page page)
+keys_find_by_code(int code, enum page page)
 {
 	if (code == '\r')
 		code = '\n';
@@ -187,7 +192,8 @@ keys_find(int code, enum page page)
 	for (const struct key *k = KEYS; k->code != 0; k++)
 		if ((k->where & (1U << page)) &&
 		    (k->code == code ||
-			(letter[0] > ' ' && has_key_name(k->name, letter))))
+			(letter[0] > ' ' &&
+			    key_names_include(k->name, letter))))
 			return k;
 	return NULL;
 }
@@ -222,7 +228,7 @@ keys_code_of_name(const char *name, int *code)
 	if (name[0] != '\0' && name[1] == '\0')
 		return *code > ' ' && *code < 127;
 	for (const struct key *k = KEYS; k->code != 0; k++)
-		if (has_key_name(k->name, name)) {
+		if (key_names_include(k->name, name)) {
 			*code = k->code;
 			return true;
 		}
@@ -246,7 +252,7 @@ what_keys_of_hint_do(const char *hint, enum page page)
 		FREED char *name = xstrndup(hint, n);
 		if (!keys_code_of_name(name, &code))
 			return "";
-		const struct key *k = keys_find(code, page);
+		const struct key *k = keys_find_by_code(code, page);
 		if (words[0] == '\0' && k != NULL && (k->hint || k->brief))
 			words = tr(k->hint != NULL ? k->hint : k->brief);
 	}
@@ -445,7 +451,8 @@ keys_print_manual(FILE *out)
 }
 
 void
-keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out)
+keys_print_for_translators(
+    void (*print)(const char *text, FILE *out), FILE *out)
 {
 	for (const struct key *k = KEYS; k->code != 0; k++) {
 		print(k->what, out);

@@ -14,7 +14,7 @@
 extern const struct key KEYS[];
 
 /* Returns the row of a key on a page, or NULL. */
-const struct key *keys_find(int code, enum page page);
+const struct key *keys_find_by_code(int code, enum page page);
 
 /* Returns the code of the key that opens a page. */
 int keys_code_of_page(enum page page);
@@ -52,6 +52,7 @@ const char *keys_words(const char *words, bool in_rpm);
 void keys_print_manual(FILE *out);
 
 /* Calls print on the text that describes each key, for translators. */
-void keys_print_texts(void (*print)(const char *text, FILE *out), FILE *out);
+void keys_print_for_translators(
+    void (*print)(const char *text, FILE *out), FILE *out);
 
 #endif

@@ -21,7 +21,7 @@ area_part_of_row(const struct area *area, int row, int column, int columns)
 }
 
 struct area
-area_row(const struct area *area, int row)
+area_of_row(const struct area *area, int row)
 {
 	return area_part_of_row(area, row, 0, area->columns);
 }
@@ -80,7 +80,7 @@ take_tall_strip(struct layout *l, int list_rows)
 }
 
 static void
-split_body(struct layout *l, int rows, int side_columns)
+split_off_side_panel(struct layout *l, int rows, int side_columns)
 {
 	bool side = rows >= FOR_SIDE && side_columns > 0 &&
 		    l->body.columns - side_columns >= PLOT_COLUMNS;
@@ -135,7 +135,7 @@ layout_make(int rows, int columns, struct layout_ask ask)
 	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS &&
 	    ask.list_rows == 0)
 		l.legend = take_bottom_row(left);
-	split_body(&l, rows, ask.side_columns);
+	split_off_side_panel(&l, rows, ask.side_columns);
 	if (ask.differences && rows >= FOR_DIFFERENCES) {
 		l.differences = take_bottom_rows(
 		    &l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);

@@ -53,7 +53,7 @@ int layout_message_rows(const struct layout *l);
 bool area_has_cell(const struct area *area, int row, int column);
 
 /* Return a row of an area, or some columns of a row. */
-struct area area_row(const struct area *area, int row);
+struct area area_of_row(const struct area *area, int row);
 struct area area_part_of_row(
     const struct area *area, int row, int column, int columns);
 

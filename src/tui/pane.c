@@ -31,7 +31,7 @@ on_click_plot(struct tui *t, const struct touched *touched)
 		return;
 	struct plot_request *request = &t->drawn[touched->item].request;
 	request->asked.entry = tui_entry_for_prediction(t);
-	if (!plots_find_at_cell(t->session, request, touched->area.columns,
+	if (!plots_find_mark_at_cell(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
@@ -74,7 +74,7 @@ pane_draw_plot(
 /* Draws the name of a curve after those to its left, if there is room for all
  * of it.  Returns the column after it. */
 static int
-draw_legend_name(const struct tui *t, int column, enum series series,
+draw_legend_curve_name(const struct tui *t, int column, enum series series,
     unsigned look, const char *text)
 {
 	const struct area *area = &t->layout.legend;
@@ -88,13 +88,13 @@ draw_legend_name(const struct tui *t, int column, enum series series,
 static void
 draw_legend_limits(const struct tui *t, int column, bool ascii)
 {
-	char text[40], *words = chosen_cut_text(t->session);
+	char text[40], *words = session_spec_fraction_text(t->session);
 	snprintf(text, sizeof text, "%s %s", ascii ? "@" : "\u2501", words);
 	if (t->session->spec != NULL)
-		column = draw_legend_name(
+		column = draw_legend_curve_name(
 		    t, column, SERIES_TEXT, 0, tr("T L limits"));
 	if (words[0] != '\0')
-		draw_legend_name(t, column, SERIES_PREDICTED, 0, text);
+		draw_legend_curve_name(t, column, SERIES_PREDICTED, 0, text);
 	free(words);
 }
 
@@ -120,14 +120,15 @@ draw_legend_runs(const struct tui *t, int column, bool *moved)
 		snprintf(text, sizeof text, "%s %g%s", sample,
 		    answers_speed_number(site, site->run[r].speed),
 		    held_out ? tr(" held out") : "");
-		column =
-		    draw_legend_name(t, column, look.series, LOOK_BOLD, text);
-		*moved = *moved || tui_is_product_moved(t, r);
+		column = draw_legend_curve_name(
+		    t, column, look.series, LOOK_BOLD, text);
+		*moved = *moved || tui_is_product_moved_to_feed(t, r);
 	}
 	if (site_chart_count_speeds_left_out(site) > 0) {
 		snprintf(text, sizeof text, tr("+%zu not drawn"),
 		    site_chart_count_speeds_left_out(site));
-		column = draw_legend_name(t, column, SERIES_TEXT, 0, text);
+		column =
+		    draw_legend_curve_name(t, column, SERIES_TEXT, 0, text);
 	}
 	return column;
 }
@@ -146,10 +147,11 @@ draw_legend_feed(
 	FREED char *words = xasprintf(tr("moved to %s"), feed);
 	int after = column;
 	if (moved)
-		after = draw_legend_name(t, column, SERIES_FEED, 0, words);
+		after =
+		    draw_legend_curve_name(t, column, SERIES_FEED, 0, words);
 	return after > column
 		   ? after
-		   : draw_legend_name(t, column, SERIES_FEED, 0, feed);
+		   : draw_legend_curve_name(t, column, SERIES_FEED, 0, feed);
 }
 
 /* Draws a legend of one row, as that of the plot itself would leave it little
@@ -166,7 +168,7 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	const struct site *site = entry->site;
 	bool runs = request->kind == PLOT_RUNS;
 	if (runs && entry->has_params)
-		column = draw_legend_name(t, column, SERIES_TEXT, 0,
+		column = draw_legend_curve_name(t, column, SERIES_TEXT, 0,
 		    ascii ? tr("=~_ predicted") : tr("\u254C predicted"));
 	else if (!runs && t->view.current.site[0] != '\0') {
 		bool dashed =
@@ -177,11 +179,11 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 		snprintf(text, sizeof text, tr("%s predicted%s"), sample,
 		    correction_in_legend(t->session,
 			tui_entry_for_prediction(t), &t->view.shown));
-		column = draw_legend_name(
+		column = draw_legend_curve_name(
 		    t, column, SERIES_PREDICTED, LOOK_BOLD, text);
 	}
 	if (request->kept != NULL)
-		column = draw_legend_name(t, column, SERIES_OTHER, 0,
+		column = draw_legend_curve_name(t, column, SERIES_OTHER, 0,
 		    ascii ? tr("% pinned") : tr("\u254C pinned"));
 	bool moved, own = site->individual_feeds && t->ui.feed > 0 && !runs;
 	column = draw_legend_runs(t, column, &moved);
@@ -192,10 +194,10 @@ pane_draw_legend(const struct tui *t, const struct plot_request *request)
 	    own, moved && !runs);
 	if (runs || t->view.current.site[0] == '\0')
 		return;
-	int after = draw_legend_name(t, column, SERIES_BREAK, 0,
+	int after = draw_legend_curve_name(t, column, SERIES_BREAK, 0,
 	    ascii ? tr(": break size") : tr("\u250A break size"));
 	if (after == column)
-		after = draw_legend_name(t, column, SERIES_BREAK, 0,
+		after = draw_legend_curve_name(t, column, SERIES_BREAK, 0,
 		    ascii ? tr(": break") : tr("\u250A break"));
 	draw_legend_limits(t, after, ascii);
 }
@@ -290,7 +292,7 @@ pane_draw_typed_line(const struct area *area, const char *prompt,
 	const char *shown = typing->text;
 	free(till);
 	while (before > area->columns - width - 1 && *shown != '\0')
-		before -= text_escape_next(&shown, left);
+		before -= text_escape_next_character(&shown, left);
 	screen_text(area, 0, 0, LOOK_BOLD, "%s", prompt);
 	screen_draw_clipped_text(area, 0, width, SERIES_TEXT, LOOK_BOLD, shown);
 	*from = (size_t)(shown - typing->text);

@@ -49,8 +49,9 @@ struct page_ops {
 	/* Its list, for keys and the mouse. */
 	const struct page_list *list;
 
-	/* Handles act_move, act_move_to_end and act_move_in_list on the page.
-	 * If it returns false, they act on its list, or else on the slider. */
+	/* Handles act_move_list_or_slider, act_move_to_end and act_move_in_list
+	 * on the page. If it returns false, they act on its list, or else on
+	 * the slider. */
 	bool (*move)(struct tui *t, const struct key *key);
 
 	/* Handles a click on its plot of that kind, at these values of the

@@ -42,7 +42,7 @@ forget_shown_frame(void)
 /* Series of one colour share a pair: ncurses would write the colour again from
  * one to the other. */
 static void
-set_colours(bool colour)
+set_curses_colours(bool colour)
 {
 	forget_shown_frame();
 	display.depth = 0;
@@ -105,7 +105,7 @@ screen_set_theme(enum theme theme)
 	bool other = theme != display.theme;
 	display.theme = theme;
 	if (other && display.screen != NULL && display.depth > 0)
-		set_colours(true);
+		set_curses_colours(true);
 }
 
 bool
@@ -121,12 +121,12 @@ screen_open(bool colour)
 		delscreen(display.screen);
 		return false;
 	}
-	restore_arm_screen();
+	restore_prepare_for_screen();
 	display.utf8 = terminal_is_utf8();
 	display.charset =
 	    terminal_has_line_drawing() ? CHARSET_BRAILLE : CHARSET_ASCII;
 	set_terminal_modes();
-	set_colours(colour);
+	set_curses_colours(colour);
 	set_bracketed_paste(true);
 	return true;
 }
@@ -446,7 +446,7 @@ add_cell_to_curses(int row, int column, const struct canvas_cell *from)
 }
 
 static bool
-are_cells_same(const struct canvas_cell *a, const struct canvas_cell *b)
+are_screen_cells_same(const struct canvas_cell *a, const struct canvas_cell *b)
 {
 	return a->code == b->code && a->series == b->series &&
 	       a->attribute == b->attribute;
@@ -481,7 +481,7 @@ screen_show_frame(int row, int column)
 		for (int c = 0; c < display.columns; c++) {
 			int i = r * display.columns + c;
 			if (was == NULL ||
-			    !are_cells_same(
+			    !are_screen_cells_same(
 				&display.frame->cell[i], &was->cell[i]))
 				update_curses_cell(r, c);
 		}

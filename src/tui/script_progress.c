@@ -57,7 +57,7 @@ draw_progress_if_due(struct tui *t, bool begins)
 }
 
 void
-script_progress_start_typed(struct tui *t, const char *line)
+script_progress_start_typed_line(struct tui *t, const char *line)
 {
 	t->ran_from = session_clock();
 	free(t->running_line);

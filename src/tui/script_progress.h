@@ -6,7 +6,7 @@
 #include "tui/tui_state.h"
 
 /* Notes that a typed line starts running. */
-void script_progress_start_typed(struct tui *t, const char *line);
+void script_progress_start_typed_line(struct tui *t, const char *line);
 
 /* See `begins` in struct driver; of: a struct tui *.  Shows the line, then
  * checks for Esc again. */

@@ -26,7 +26,7 @@ static bool asks;     /* a question stands on the picture */
 /* Does what the loop does between two keys.  The clock advances by a second, so
  * that the same keys give the same picture on any machine. */
 static void
-press_key(struct tui *t, int code, bool special)
+press_key_in_script(struct tui *t, int code, bool special)
 {
 	keymap_handle_key(t, code, special);
 	t->clock++;
@@ -117,7 +117,7 @@ press_keys_of_word(
 		return false;
 	if (key) {
 		for (; n > 0 && !t->leave && signals_pending() == 0; n--)
-			press_key(t, code, code > 255);
+			press_key_in_script(t, code, code > 255);
 		return true;
 	}
 	if (!is_typed_word(t, word)) {
@@ -128,7 +128,8 @@ press_keys_of_word(
 	}
 	const char *letter = word;
 	while (*letter != '\0')
-		press_key(t, (int)text_next_code_point(&letter), false);
+		press_key_in_script(
+		    t, (int)text_next_code_point(&letter), false);
 	return true;
 }
 
@@ -178,7 +179,7 @@ draw_open_screen(struct screen_request *request, struct error *error)
 	t->aside = true;
 	t->picker.on = false;
 	if (stale) {
-		control_refresh(t);
+		control_refresh_screen(t);
 		view_predict_unrecorded(t);
 	}
 	if (request->page > 0)
@@ -202,11 +203,11 @@ draw_new_screen(
 {
 	struct tui t;
 	control_open_screen(&t, s, &SCRIPT_CALLBACKS);
-	view_predict(&t);
+	view_predict_at_slider(&t);
 	if (request->page > 0) {
 		frame_draw(&t);
-		press_key(&t, keys_code_of_page((enum page)(request->page - 1)),
-		    false);
+		press_key_in_script(&t,
+		    keys_code_of_page((enum page)(request->page - 1)), false);
 	} else {
 		pages_update(&t);
 		frame_draw(&t);

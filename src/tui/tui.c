@@ -55,7 +55,7 @@ leave_screen(struct tui *t)
 {
 	t->away = true;
 	screen_suspend_curses();
-	signals_record_stop(false);
+	signals_record_suspend(false);
 	signals_unblock();
 }
 
@@ -63,7 +63,7 @@ static void
 return_to_screen(struct tui *t)
 {
 	signals_block();
-	signals_record_stop(true);
+	signals_record_suspend(true);
 	signals_forget_interrupt();
 	screen_resume_curses();
 	t->away = false;
@@ -120,10 +120,10 @@ draw_and_wait(struct tui *t)
 	signals_watch_keys(false);
 	signals_wait_for_input(seconds_to_wait(t));
 	end_if_terminal_is_gone();
-	int news = signals_take_events();
+	int news = signals_take_terminal_events();
 	if (news & SIGNALS_STOP) {
 		suspend_program(t);
-		news = signals_take_events();
+		news = signals_take_terminal_events();
 	}
 	if (news & (SIGNALS_WAKE | SIGNALS_SIZE))
 		screen_resize();
@@ -163,7 +163,7 @@ is_stop_key_pressed(struct tui *t)
 }
 
 static void
-run_loop(struct tui *t)
+run_screen_loop(struct tui *t)
 {
 	while (!t->leave && !t->session->quit && signals_pending() == 0) {
 		t->clock = session_clock();
@@ -180,7 +180,7 @@ run_loop(struct tui *t)
 
 /* man(1) wants the terminal for itself. */
 static bool
-show_page(const char *page)
+show_manual_page(const char *page)
 {
 	leave_screen(control_current_screen());
 	bool shown = manpage_show(page);
@@ -206,14 +206,14 @@ tui_run(struct session *s)
 	bool opened = screen_open(terminal_has_colour());
 	if (opened) {
 		control_open_screen(&t, s, &ON_TERMINAL);
-		s->hooks.show_page = show_page;
+		s->hooks.show_manual_page = show_manual_page;
 		FREED char *offer = autosave_begin(s);
 		if (offer != NULL)
 			tui_say(&t, false, "%s", offer);
-		run_loop(&t);
+		run_screen_loop(&t);
 		control_close_screen(&t);
 		screen_close();
-		restore_disarm();
+		restore_cancel();
 	}
 	signals_give_terminal(was);
 	signals_unblock();

@@ -59,7 +59,7 @@ tui_slider_range(const struct tui *t)
 {
 	const struct site *site = tui_site(t);
 	double from, to;
-	settings_speed_range(&t->session->set, site, &from, &to);
+	settings_default_speed_range(&t->session->set, site, &from, &to);
 	return slider_range(
 	    from, to, answers_is_sheet_in_rpm(site) ? site->rotor : 0);
 }
@@ -128,7 +128,7 @@ tui_feed_curve(const struct tui *t)
 /* What measured products are moved by: the parameters of the prediction beside
  * them, in room for them; or NULL. */
 static const struct params *
-moving_params(const struct tui *t, struct params *room)
+params_moving_products(const struct tui *t, struct params *room)
 {
 	const struct entry *entry = tui_entry_for_prediction(t);
 	*room = entry->params;
@@ -143,15 +143,16 @@ tui_measured_product(const struct tui *t, size_t run)
 {
 	struct params room;
 	return product_moved_to_feed(t->session, tui_entry_for_prediction(t),
-	    moving_params(t, &room), run, tui_feed_run(t));
+	    params_moving_products(t, &room), run, tui_feed_run(t));
 }
 
 bool
-tui_is_product_moved(const struct tui *t, size_t run)
+tui_is_product_moved_to_feed(const struct tui *t, size_t run)
 {
 	struct params room;
 	return largest_move_to_feed(t->session, tui_entry_for_prediction(t),
-		   moving_params(t, &room), run, tui_feed_run(t)) > MOVED_TOLD;
+		   params_moving_products(t, &room), run,
+		   tui_feed_run(t)) > MOVED_TOLD;
 }
 
 void

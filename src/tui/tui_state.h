@@ -387,7 +387,7 @@ void tui_set_feed_from_setting(struct tui *t);
 const struct psd *tui_measured_product(const struct tui *t, size_t run);
 
 /* True if the product was moved far enough that the page must say so. */
-bool tui_is_product_moved(const struct tui *t, size_t run);
+bool tui_is_product_moved_to_feed(const struct tui *t, size_t run);
 
 /* Returns the slider's speed as options of predict, "speed=77.0 feed=74" or
  * "speed=1650rpm", with the feed if predict would otherwise use another.  The

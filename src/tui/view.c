@@ -130,7 +130,7 @@ make_prediction_key(const struct tui *t)
 }
 
 void
-view_predict(struct tui *t)
+view_predict_at_slider(struct tui *t)
 {
 	struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
@@ -198,7 +198,7 @@ view_predict_unrecorded(struct tui *t)
 void
 view_update(struct tui *t)
 {
-	view_predict(t);
+	view_predict_at_slider(t);
 	pages_update(t);
 }
 

@@ -15,9 +15,10 @@ void view_mark_changed(struct tui *t);
 void view_update(struct tui *t);
 
 /* Computes the prediction alone. */
-void view_predict(struct tui *t);
+void view_predict_at_slider(struct tui *t);
 
-/* As view_predict, but without an answer for the session, until the next. */
+/* As view_predict_at_slider, but without an answer for the session, until the
+ * next. */
 void view_predict_unrecorded(struct tui *t);
 
 void view_free(struct tui *t);

@@ -44,7 +44,7 @@ tui_stop_fit(struct tui *t)
 	session_end_finished_commands(s, true, &error);
 	t->ran = tui_search_seconds(t);
 	t->held = false;
-	control_refresh(t);
+	control_refresh_screen(t);
 	const char *said =
 	    useless != NULL ? useless
 	    : alone
@@ -63,7 +63,7 @@ report_fit_end(struct tui *t, bool alone)
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
 	t->held = false;
-	control_refresh(t);
+	control_refresh_screen(t);
 	const struct entry *entry = tui_current_entry(t);
 	if (error.kind != ERROR_NONE)
 		return;
@@ -84,7 +84,7 @@ report_fit_end(struct tui *t, bool alone)
 
 /* Ends a job and shows its result. */
 static void
-show_job_result(struct tui *t, const struct job_type *type)
+end_job_and_show_result(struct tui *t, const struct job_type *type)
 {
 	struct error error = {0};
 	if (type->task_words == NULL) {
@@ -92,7 +92,7 @@ show_job_result(struct tui *t, const struct job_type *type)
 		return;
 	}
 	t->held = false;
-	control_refresh(t);
+	control_refresh_screen(t);
 	captured_show_output(t);
 	if (!session_end_finished_commands(t->session, true, &error))
 		captured_show_error(t, &error, "", "");
@@ -133,7 +133,7 @@ watch_run_fit_step(struct tui *t)
 	while (session_is_calibrating(t->session) &&
 	       is_sampling_posterior(t->session));
 	if (!session_is_calibrating(t->session))
-		show_job_result(t, type);
+		end_job_and_show_result(t, type);
 }
 
 /* Returns the generations per second: fewer after one that gained much. */
@@ -180,7 +180,7 @@ watch_run_due_fit_steps(struct tui *t)
 	if (pace < PACE_FULL)
 		t->due = t->clock + 1 / generations_per_second(t);
 	if (!session_is_calibrating(s))
-		show_job_result(t, type);
+		end_job_and_show_result(t, type);
 	else if (type->task_words == NULL && entry != s->job.entry)
-		control_refresh(t);
+		control_refresh_screen(t);
 }

@@ -48,7 +48,7 @@ word_delay_key(struct tui *t, int code, bool special, const struct key *key)
 	*w = (struct word){0};
 	if (t->aside || !is_lower_case_letter(code, special))
 		return false;
-	bool moves = key == NULL || key->act == act_move ||
+	bool moves = key == NULL || key->act == act_move_list_or_slider ||
 		     key->act == act_move_to_end ||
 		     key->act == act_move_in_list;
 	*w = (struct word){(char)code, t->clock, moves ? NULL : key, t->ui};

@@ -151,7 +151,7 @@ read_table3(const char *path)
 {
 	struct error_list errors = {0};
 	struct material_list list = {0};
-	bool ok = stored_read_table3_file(path, &list, &errors);
+	bool ok = material_read_table3_file(path, &list, &errors);
 	material_list_free(&list);
 	return ok;
 }

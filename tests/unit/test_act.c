@@ -108,7 +108,7 @@ a_speed_is_typed_with_its_unit(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "=1500 rpm\n");
 	assert_non_null(strstr(t->message, "diameter is not known"));
 	session_current_entry(t->session)->site->rotor = 0.9;
@@ -150,7 +150,7 @@ a_sheet_in_rpm_is_stepped_in_rpm(void **state)
 	for (size_t r = 0; r < site->n_run; r++)
 		site->run[r].speed =
 		    rotor_speed_from_rpm(1464 + 106 * (double)r, 0.9);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "=1650\nl");
 	assert_int_equal(tui_slider_position(t), 1651);
 	FREED char *where = tui_options_at_slider(t);
@@ -181,7 +181,7 @@ a_digit_that_is_no_page_begins_a_speed(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv; set slider 60..99");
-	control_refresh(t);
+	control_refresh_screen(t);
 	for (int tens = 6; tens <= 9; tens++) {
 		char typed[] = {(char)('0' + tens), '9', '\n', '\0'};
 		type(t, typed);
@@ -340,7 +340,7 @@ a_goal_outlives_its_site(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; params set f_mat=1 e0_min=16 alpha=1");
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	type(t, "tp80=5.4\n");
 	draw_all(t);
@@ -365,7 +365,7 @@ an_envelope_waits_for_parameters(void **state)
 	assert_non_null(
 	    strstr(stage->desk->error.text, "has no parameters yet"));
 	assert_false(desk_say(stage->desk, "spec EN 12620 0/4"));
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "f..:spec\n");
 	draw_all(t);
 	assert_false(t->failed && t->message[0] == '\0');
@@ -378,7 +378,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "t5.2\n");
 	assert_false(t->line.active);
 	assert_string_equal(t->session->set.goal, "p80=5.2");
@@ -396,7 +396,7 @@ a_goal_takes_five_keys_and_is_met_where_find_says(void **state)
 	type(t, "N");
 	assert_int_equal(
 	    tui_slider_position(t), slider_position(tui_slider_range(t), best));
-	view_predict(t);
+	view_predict_at_slider(t);
 	assert_string_equal(t->message, "the goal is met at 75.6 m/s");
 	type(t, ":find p80=5.2\n");
 	assert_float_equal(
@@ -417,7 +417,7 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "tpassing 2 = 33..35\n");
 	static const char *const AWAY[] = {"l", "\033", "073.1\n"};
 	t->aside = false;
@@ -432,12 +432,12 @@ a_key_of_the_goal_waits_for_its_speeds(void **state)
 	}
 	t->ui.speed = 74.1;
 	type(t, "N");
-	view_predict(t);
+	view_predict_at_slider(t);
 	assert_int_equal(tui_slider_position(t), 741);
 	t->aside = true;
 	pages_update(t);
 	assert_true(strip_seconds_to_wait(t) <= 0);
-	view_predict(t);
+	view_predict_at_slider(t);
 	int best = slider_position(tui_slider_range(t), goal_best_speed(t));
 	assert_int_not_equal(best, 741);
 	assert_int_equal(tui_slider_position(t), best);
@@ -465,7 +465,7 @@ a_goal_stays_known_until_something_else_is_asked(void **state)
 				     ":set k 0.9\n", ":params set alpha=0.5\n",
 				     ":set goal p80<5.1\n"};
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "tp80<5.2\n");
 	draw_all(t);
 	for (size_t i = 0; i < ARRAY_LEN(SAME); i++) {
@@ -505,7 +505,7 @@ a_report_that_was_closed_is_shown_again(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	type(t, "V");
 	assert_null(t->viewer.text);
@@ -535,7 +535,7 @@ the_crosshair_goes_to_both_ends_of_the_sieves(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	type(t, "c");
 	int tenths = tui_slider_position(t);
@@ -564,7 +564,7 @@ the_chosen_parameter_and_those_at_bounds_are_marked(void **state)
 	desk_expect(stage->desk,
 	    "load data/sites/tierp.csv; bounds alpha 0..60; "
 	    "calibrate generations=3");
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "2");
 	press(t, "Down");
 	type(t, "\n\033");
@@ -599,7 +599,7 @@ the_limits_of_a_window_are_where_n_and_p_go(void **state)
 	struct tui *t = &stage->t;
 	double limit[8];
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "tpassing 2 = 33..35, p80 > 5\n");
 	draw_all(t);
 	assert_int_equal(goal_limit_speeds(t, limit, 8), 2);
@@ -641,7 +641,7 @@ what_is_no_goal_stays_in_its_field(void **state)
 	assert_false(t->line.active);
 	assert_true(t->bad);
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	static const char *const BAD[] = {"p80 = few", "p80=5,p50=2",
 	    "passing 2 < 140", "no such envelope", "p80=-1"};
 	for (size_t i = 0; i < ARRAY_LEN(BAD); i++) {
@@ -690,14 +690,14 @@ an_envelope_shows_what_binds(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "t\025EN 12620 0/4\n");
 	while (goal_is_pending(t))
 		goal_compute_step(t);
 	const struct goal *g = &t->view.goal;
 	assert_true(g->n_value == 0 && g->found->n_inside == 1);
 	assert_true(
-	    quantity_same(&t->ui.quantity, &g->list.at[g->binds].quantity));
+	    quantity_is_same(&t->ui.quantity, &g->list.at[g->binds].quantity));
 }
 
 static void
@@ -706,7 +706,7 @@ y_goes_round_the_quantities_above_the_track(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	for (int i = 0; i < 8; i++) {
 		assert_true((t->ui.quantity.kind == QUANTITY_SIZE &&
 				t->ui.quantity.x == 0.8) == (i == 0));
@@ -734,7 +734,7 @@ a_feed_that_is_set_is_the_sliders(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed 79\n");
@@ -758,7 +758,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 	struct tui *t = &stage->t;
 	const struct strip *strip = &t->view.strip;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	double mean = t->view.shown.p50;
 	type(t, ":set feed data/sites/bro.csv@69\n");
@@ -776,7 +776,7 @@ a_sheet_that_is_set_feeds_the_slider(void **state)
 		prediction_free(&p);
 		desk_expect(
 		    stage->desk, "calibrate train=69,74,79 population=200");
-		control_refresh(t);
+		control_refresh_screen(t);
 	}
 	type(t, "tp50=2.66\n");
 	draw_all(t);
@@ -796,7 +796,7 @@ a_band_is_of_the_level_that_is_set(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	const double *range = t->view.shown.range[1];
 	double width = range[1] - range[0];
@@ -814,7 +814,7 @@ the_curve_above_the_track_is_what_predict_says(void **state)
 	struct tui *t = &stage->t;
 	const struct strip *strip = &t->view.strip;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	assert_int_equal(strip->n, STRIP_POINTS);
 	for (size_t i = 0; i < strip->n; i++) {
@@ -836,7 +836,7 @@ a_point_makes_one_generation(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "f...");
 	assert_true(t->held);
 	assert_int_equal(tui_search_shown(t).n, 3);
@@ -867,7 +867,7 @@ bounds_are_typed_on_their_strip(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    "load data/sites/tierp.csv; calibrate population=100 "
 	    "generations=9");
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "2");
 	press(t, "Down");
 	press(t, "Enter");
@@ -894,7 +894,7 @@ generations_are_slow_while_the_best_gains(void **state)
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(
 	    ((struct stage *)*state)->desk, "load data/sites/tierp.csv");
-	control_refresh(t);
+	control_refresh_screen(t);
 	assert_int_equal(t->ui.pace, PACE_AUTO);
 	type(t, "f");
 	bool slow = false, quick = false;
@@ -945,7 +945,7 @@ the_list_has_the_keys_of_other_pages(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "load data/sites/tierp.csv data/sites/bro.csv");
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "5");
 	t->ui.list[PAGE_SITES].at = 0;
 	type(t, "?/use a site\n");
@@ -997,7 +997,7 @@ labels_are_evenly_apart_on_the_tallest_screen(void **state)
 	canvas_free(screen_end_offscreen(stage->was));
 	stage->was = screen_begin_offscreen(1000, 100, CHARSET_ASCII, 0);
 	desk_expect(stage->desk, "load data/sites/tierp.csv; calibrate");
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	char *text = frame_text();
 	int row = 0, from = t->layout.strip.row,
@@ -1058,7 +1058,7 @@ a_picture_of_the_open_screen_owns_its_own(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "pin speed=70; use bro; calibrate");
 	t->session->hooks.confirm = says_yes;
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	/* On a terminal a goal is worked out part by part. */
 	t->aside = false;
@@ -1122,7 +1122,7 @@ the_goal_fills_the_page(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	type(t, "T");
 	assert_non_null(strstr(t->message, "no goal yet"));
 	assert_false(goal_is_viewed(t));
@@ -1146,7 +1146,7 @@ the_goal_fills_the_page(void **state)
 	free(screen);
 	t->ui.list[PAGE_PREDICT].at = 0;
 	desk_expect(stage->desk, "set goal \"fines<3, p80=5.2\"");
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	assert_float_equal(t->ui.quantity.x, 0.063e-3, 1e-9);
 	list_handle_move_key(
@@ -1205,10 +1205,10 @@ what_is_shown_is_saved_and_shown_again(void **state)
 	size_t pages = often(1, ARRAY_LEN(PAGES_OF));
 	desk_expect(stage->desk, TIERP_CALIBRATED);
 	type(t, ":predict 74 feed=69\n");
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "xt5.2\n");
 	t->ui.speed = 71.2;
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "yya");
 	for (size_t i = 0; i < pages; i++) {
 		/* What was read cannot be overwritten. */
@@ -1250,8 +1250,8 @@ what_is_left_is_found_again(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
-	view_predict(t);
+	control_refresh_screen(t);
+	view_predict_at_slider(t);
 	type(t, "xtp80<5.2\ny4");
 	t->aside = false; /* as where somebody looks */
 	control_close_screen(t);
@@ -1300,7 +1300,7 @@ go_through(struct tui *t, const char *at)
 		if (frames % 10 < 2) {
 			double p80 = t->view.current.size[2];
 			type(t, frames % 2 == 0 ? "H" : "L");
-			view_predict(t);
+			view_predict_at_slider(t);
 			assert_true(t->view.current.size[2] != p80);
 			assert_non_null(t->view.shown.low);
 		}
@@ -1337,7 +1337,7 @@ long_commands_leave_the_screen_live(void **state)
 		desk_expect(stage->desk, plain);
 		double want = session_answer_number(s, name, LONG[i].field);
 		session_forget_answers(s);
-		control_refresh(t);
+		control_refresh_screen(t);
 		draw_all(t);
 		t->aside = false; /* as where somebody looks */
 		type(t, LONG[i].line);
@@ -1371,7 +1371,7 @@ the_draws_after_a_fit_can_be_watched(void **state)
 	struct tui *t = &stage->t;
 	struct session *s = stage->desk->session;
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
-	control_refresh(t);
+	control_refresh_screen(t);
 	t->aside = false; /* as where somebody looks */
 	t->ui.pace = PACE_FULL;
 	type(t, "f");
@@ -1403,7 +1403,7 @@ e_proposes_a_file(void **state)
 	assert_string_equal(
 	    t->line.text, "predict speed=74.0 > tierp-74.0.xlsx");
 	type(t, "\033");
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "xe");
 	assert_string_equal(
 	    t->line.text, "compare pinned 74.0 > tierp-74.0.xlsx");
@@ -1438,10 +1438,10 @@ d_tells_the_picture_of_the_page(void **state)
 	type(t, "\033vd");
 	assert_string_equal(t->command, "describe spread");
 	type(t, "\0331");
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "cbx");
 	type(t, "76\n");
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "d");
 	assert_string_equal(t->command,
 	    "describe psd speed=76.0 beside=pinned band=on at=5.6 level=50");
@@ -1458,12 +1458,12 @@ a_pinned_answer_keeps_its_feed(void **state)
 	char want[40];
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
 	type(t, ":predict 74 feed=69\n");
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "x");
 	assert_int_equal(t->session->pin->p.feed_run, 0);
 	type(t, "\033");
 	type(t, ":predict 79 feed=79\n");
-	view_predict(t);
+	view_predict_at_slider(t);
 	assert_int_equal(t->view.shown.feed_run, 2);
 	type(t, "d");
 	assert_non_null(strstr(t->command, "beside=pinned"));
@@ -1483,17 +1483,17 @@ another_feed_than_that_of_the_pages_is_told(void **state)
 {
 	struct tui *t = &((struct stage *)*state)->t;
 	desk_expect(((struct stage *)*state)->desk, TIERP_CALIBRATED);
-	view_predict(t);
+	view_predict_at_slider(t);
 	struct numbers before = t->view.current;
 	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
 	assert_non_null(t->viewer.text);
 	assert_non_null(
 	    strstr(t->message, ":set feed data/sites/bro.csv@69 has"));
 	type(t, "\033");
-	view_predict(t);
+	view_predict_at_slider(t);
 	assert_true(t->view.current.size[1] == before.size[1]);
 	type(t, ":set feed data/sites/bro.csv@69\n");
-	view_predict(t);
+	view_predict_at_slider(t);
 	assert_true(t->view.current.size[1] != before.size[1]);
 	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
 	assert_string_equal(t->message, "");
@@ -1526,7 +1526,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 	size_t n = 0;
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
-	view_predict(t);
+	view_predict_at_slider(t);
 	type(t, "xbc");
 	frame_draw(t); /* what was measured is moved to the feed once */
 	FILE *said = s->out,
@@ -1535,7 +1535,7 @@ a_step_predicts_once_and_says_nothing(void **state)
 		int before = tui_slider_position(t);
 		press(t, i < 20 ? "L" : "H");
 		predictions = 0;
-		view_predict(t);
+		view_predict_at_slider(t);
 		frame_draw(t);
 		assert_int_equal(predictions, tui_slider_position(t) != before);
 		assert_true(
@@ -1702,7 +1702,7 @@ a_line_stops_no_search_unsaid(void **state)
 	desk_expect(((struct stage *)*state)->desk,
 	    TIERP_CALIBRATED "; predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_refresh(t);
+	control_refresh_screen(t);
 	const double best = tui_current_entry(t)->fit.misfit;
 	type(t, "f.. ");
 	static const char *const BESIDE[] = {":help\n\033", ":hlep\n", "d\033",
@@ -1741,7 +1741,7 @@ no_way_to_stop_a_search_loses_a_better_fit(void **state)
 	    "load data/sites/bro.csv data/sites/tierp.csv; calibrate; "
 	    "predict speed=74");
 	t->session->hooks.confirm = says_yes;
-	control_refresh(t);
+	control_refresh_screen(t);
 	draw_all(t);
 	const double best = tui_current_entry(t)->fit.misfit;
 	/* "55" is Sites, and no speed; Enter there uses the site: the one in
@@ -1829,7 +1829,7 @@ a_word_begins_a_line(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	t->aside = false;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
 		t->clock += 5;
@@ -1852,8 +1852,8 @@ single_letters_are_keys(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
-	view_predict(t);
+	control_refresh_screen(t);
+	view_predict_at_slider(t);
 	t->aside = false;
 	type(t, "l");
 	assert_int_equal(tui_slider_position(t), 741);
@@ -1878,7 +1878,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	desk_expect(stage->desk, TIERP_CALIBRATED);
-	control_refresh(t);
+	control_refresh_screen(t);
 	const struct origin *origin = t->session->entry[0].origin;
 	type(t, "f");
 	assert_string_equal(t->message, "not calibrated: the parameters stay");

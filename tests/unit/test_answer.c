@@ -65,12 +65,13 @@ fields_keep_their_order_and_kinds(void **state)
 	(void)state;
 	struct answer *a = two_sieves();
 	struct fields *o = answer_fields(a);
-	fields_put(o, "speed %g outside %d .poor %g n %zu name %s none %g",
-	    74.0, true, 1.0, (size_t)3, "x\"y", NAN);
+	fields_put_values(o,
+	    "speed %g outside %d .poor %g n %zu name %s none %g", 74.0, true,
+	    1.0, (size_t)3, "x\"y", NAN);
 	answer_put_columns_as_lists(a, "passing_pct");
 	struct fields *runs = fields_add_list(o, "runs");
-	fields_put(runs, "%g %g", 69.0, 79.0);
-	fields_put(fields_add_object(o, "params"), "f_mat %g", 2.5);
+	fields_put_values(runs, "%g %g", 69.0, 79.0);
+	fields_put_values(fields_add_object(o, "params"), "f_mat %g", 2.5);
 	prints(a, ANSWER_JSON, 2,
 	    "{\"command\":\"try\",\"site\":\"Bro\",\"speed\":74.0,"
 	    "\"outside\":true,\"n\":3,\"name\":\"x\\\"y\",\"none\":null,"
@@ -88,12 +89,12 @@ fields_are_found_by_their_paths(void **state)
 	struct answer *a = answer_new("try");
 	assert_false(answer_has_fields(a));
 	struct fields *o = answer_fields(a);
-	fields_put(o, "ok %d verdict %s n %zu", true, "good", (size_t)7);
+	fields_put_values(o, "ok %d verdict %s n %zu", true, "good", (size_t)7);
 	struct fields *list = fields_add_list(o, "holdout");
-	fields_put(fields_add_object(list, NULL), "rmse_pct %g", 0.25);
-	fields_put(fields_add_object(list, NULL), "rmse_pct %g", 0.75);
-	fields_put(fields_add_object(list, NULL), "rmse_pct %g", NAN);
-	fields_put(
+	fields_put_values(fields_add_object(list, NULL), "rmse_pct %g", 0.25);
+	fields_put_values(fields_add_object(list, NULL), "rmse_pct %g", 0.75);
+	fields_put_values(fields_add_object(list, NULL), "rmse_pct %g", NAN);
+	fields_put_values(
 	    fields_add_object(fields_add_object(o, "a"), "b"), "c %g", -2.0);
 	assert_true(answer_has_fields(a));
 	assert_true(answer_find_number(a, "ok") == 1);

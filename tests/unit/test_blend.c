@@ -116,7 +116,7 @@ another_machine(void **state)
 		    0.75 * product[0][k] + 0.25 * feed->passing[k], 1e-12);
 		expect_near("impacts", product[2][k], product[3][k], 1e-12);
 	}
-	assert_false(model_settings_same(&as, &led));
+	assert_false(model_settings_are_same(&as, &led));
 	for (size_t k = 0; k < 4; k++)
 		free(product[k]);
 	site_free(site);
@@ -144,7 +144,7 @@ the_mean_of_feeds(void **state)
 	    "spread", blend_largest_difference(feed, 3, &sieve), 0.2, 1e-12);
 	psd_free(&mean);
 	mean = blend_mean_of_feeds(&feed[1], 2);
-	assert_true(psd_same(&mean, &b));
+	assert_true(psd_is_same(&mean, &b));
 	expect_near(
 	    "none", blend_largest_difference(&feed[1], 2, &sieve), 0, 0);
 	psd_free(&mean);

@@ -47,7 +47,7 @@ text_at(const struct sheet *sheet, int line, size_t column)
 {
 	for (size_t i = 0; i < sheet->n_row; i++)
 		if (sheet->row[i].line == line)
-			return sheet_cell(&sheet->row[i], column).text;
+			return row_cell_at(&sheet->row[i], column).text;
 	return "";
 }
 

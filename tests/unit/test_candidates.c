@@ -67,7 +67,7 @@ percentiles_are_those_of_the_candidates(void **state)
 	(void)state;
 	struct searched s = search(GENERATIONS, POPULATION);
 	size_t n;
-	const struct calibrate_generation *g = calibration_history(s.c, &n);
+	const struct calibrate_generation *g = calibration_generations(s.c, &n);
 	struct model_settings settings = model_settings_default();
 	struct misfit *m = misfit_new(s.site, s.train, NULL, false, settings);
 	double *d = xcalloc_doubles(m->n_residual * CALIBRATE_KEPT);
@@ -113,7 +113,7 @@ cells_are_of_the_training_runs(void **state)
 	(void)state;
 	struct searched s = search(1, POPULATION);
 	size_t n;
-	const struct calibrate_generation *g = calibration_history(s.c, &n);
+	const struct calibrate_generation *g = calibration_generations(s.c, &n);
 	struct candidates c = candidates_residual_spread(
 	    s.site, s.train, model_settings_default(), ISA_BEST, g, &g->params);
 	const struct candidates_cell *worst = candidates_worst_cell(&c);
@@ -136,7 +136,8 @@ break_sizes_are_those_of_the_impacts(void **state)
 	(void)state;
 	struct searched s = search(6, POPULATION);
 	size_t n;
-	const struct calibrate_generation *g = calibration_history(s.c, &n) + 5;
+	const struct calibrate_generation *g =
+	    calibration_generations(s.c, &n) + 5;
 	struct model_settings settings = model_settings_default();
 	settings.impacts = (struct impacts){
 	    .n = 2, .number = 4, .share = {0.7, 0.3}, .ratio = {0.2, 1.6}};
@@ -166,7 +167,8 @@ beta_is_scaled_as_it_is_reported(void **state)
 	(void)state;
 	struct searched s = search(6, POPULATION);
 	size_t n;
-	const struct calibrate_generation *g = calibration_history(s.c, &n) + 5;
+	const struct calibrate_generation *g =
+	    calibration_generations(s.c, &n) + 5;
 	double low, high, least = INFINITY, most = -INFINITY;
 	for (size_t j = 0; j < 4; j++) {
 		candidates_middle_range_of_param(g, j, &low, &high);
@@ -190,7 +192,7 @@ a_small_population_keeps_what_it_has(void **state)
 	(void)state;
 	struct searched s = search(3, 16);
 	size_t n;
-	const struct calibrate_generation *g = calibration_history(s.c, &n);
+	const struct calibrate_generation *g = calibration_generations(s.c, &n);
 	assert_in_range(g[2].n_kept, 8, 15);
 	struct candidates c = candidates_residual_spread(s.site, s.train,
 	    model_settings_default(), ISA_BEST, &g[2], &g[2].params);

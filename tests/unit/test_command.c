@@ -42,7 +42,7 @@ words_for_people_are_there(void **state)
 		assert_false(isupper((unsigned char)c->brief[0]));
 		assert_true(end > 0 && c->text[end - 1] == '.');
 		assert_true(c->example[0] != '\0');
-		assert_non_null(strstr(c->example, command_title(c)));
+		assert_non_null(strstr(c->example, command_shown_name(c)));
 		assert_true(c->operands.least <= c->operands.most &&
 			    c->operands.most < OPERANDS);
 		assert_true(
@@ -171,9 +171,9 @@ usage_names_operands_and_options(void **state)
 {
 	(void)state;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		char *usage = command_usage(c);
-		assert_true(strncmp(usage, command_title(c),
-				strlen(command_title(c))) == 0);
+		char *usage = command_usage_text(c);
+		assert_true(strncmp(usage, command_shown_name(c),
+				strlen(command_shown_name(c))) == 0);
 		if (c->operands.usage != NULL)
 			assert_non_null(strstr(usage, c->operands.usage));
 		const struct command_option *o;

@@ -117,7 +117,7 @@ a_quantity_is_no_envelope_and_no_envelope_a_quantity(void **state)
 static char *
 offered(size_t n)
 {
-	char *text = xstrdup(quantities_completion(n));
+	char *text = xstrdup(quantities_completion_offer(n));
 	text[strcspn(text, "<>=")] = '\0';
 	if (text[strlen(text) - 1] == ' ')
 		xappend(&text, "2 mm");
@@ -131,7 +131,7 @@ read_as_typed(const char *text)
 	struct error error = {0};
 	if (!quantities_parse_one(text, &WHOLE.partition, &q, &error))
 		fail_msg("%s: %s", text, error.text);
-	FREED char *typed = quantities_input_text(&q);
+	FREED char *typed = quantities_typed_text(&q);
 	assert_string_equal(typed, text);
 	return q;
 }
@@ -143,12 +143,12 @@ every_kind_is_offered_and_typed_as_it_is_read(void **state)
 	    "abcdefghijklmnopqrstuvwxyz_0123456789.EN";
 	bool seen[QUANTITY_STEP] = {false};
 	(void)state;
-	for (size_t n = 0; quantities_completion(n) != NULL; n++) {
+	for (size_t n = 0; quantities_completion_offer(n) != NULL; n++) {
 		FREED char *text = offered(n);
 		struct quantity q = read_as_typed(text);
 		seen[q.kind] = true;
-		assert_true(
-		    quantities_is_beginning_of_text(quantities_completion(n)));
+		assert_true(quantities_is_beginning_of_text(
+		    quantities_completion_offer(n)));
 		assert_true(goals_is_condition(text));
 		FREED char *key = quantities_field_name(&q);
 		assert_int_equal(strspn(key, IN_KEYS), strlen(key));
@@ -158,7 +158,7 @@ every_kind_is_offered_and_typed_as_it_is_read(void **state)
 		for (size_t i = 0; i < n; i++) {
 			FREED char *before = offered(i);
 			struct quantity other = read_as_typed(before);
-			assert_false(quantity_same(&q, &other));
+			assert_false(quantity_is_same(&q, &other));
 		}
 	}
 	for (size_t kind = 0; kind < QUANTITY_STEP; kind++)

@@ -197,6 +197,15 @@ transposed_digits_are_read(void **state)
 	assert_int_equal(tried, 3);
 }
 
+static void
+assert_curves_equal(const struct psd *p, const struct psd *right)
+{
+	for (size_t i = 0; i < right->n; i++) {
+		assert_true(p->passing[i] == right->passing[i]);
+		assert_true(fabs(p->size[i] / right->size[i] - 1) < 1e-9);
+	}
+}
+
 /* Two products at each other's speed; a column one row too low; a product in
  * the feed's column; a copy; micrometres.  Each mend brings the site back. */
 static void
@@ -230,17 +239,13 @@ columns_are_put_right(void **state)
 		struct outlier_findings d = outliers_find(site, NULL, 0);
 		assert_int_equal(d.n, 1);
 		assert_int_equal(d.finding[0].mend.kind, KIND[kind]);
-		struct site *mended = mend_site(site, &d.finding[0].mend, NULL);
+		struct site *mended =
+		    site_with_mend(site, &d.finding[0].mend, NULL);
 		assert_non_null(mended);
 		struct site *right = site_of(2);
 		for (size_t r = 0; r < mended->n_run && kind != 1; r++)
-			for (size_t i = 0; i < right->run[r].product.n; i++) {
-				const struct psd *p = &mended->run[r].product;
-				const struct psd *q = &right->run[r].product;
-				assert_true(p->passing[i] == q->passing[i]);
-				assert_true(
-				    fabs(p->size[i] / q->size[i] - 1) < 1e-9);
-			}
+			assert_curves_equal(
+			    &mended->run[r].product, &right->run[r].product);
 		struct outlier_findings none = outliers_find(mended, NULL, 0);
 		assert_int_equal(none.n, 0);
 		assert_non_null(strstr(mended->provenance, "; mended: "));
@@ -262,22 +267,22 @@ mends_say_what_they_did(void **state)
 	struct error error = {.kind = ERROR_NONE};
 	double size = site->run[1].product.size[4];
 	struct mend m = {.kind = MEND_READ, .run = 1, .size = size, .value = 2};
-	assert_null(mend_site(site, &m, &error));
+	assert_null(site_with_mend(site, &m, &error));
 	assert_int_equal(error.kind, ERROR_USAGE);
 	m.kind = MEND_OUT;
-	struct site *one = mend_site(site, &m, NULL);
+	struct site *one = site_with_mend(site, &m, NULL);
 	assert_int_equal(one->run[1].product.n + 1, site->run[1].product.n);
 	assert_true(one->digest != site->digest);
 	assert_true(one->digest == site_digest(one));
 	assert_string_equal(site_data_kind(one->provenance), "not stated");
-	assert_null(mend_site(one, &m, NULL));
+	assert_null(site_with_mend(one, &m, NULL));
 	m.run = 2;
-	struct site *two = mend_site(one, &m, NULL);
-	char *source = site_source(two, "");
+	struct site *two = site_with_mend(one, &m, NULL);
+	char *source = site_source_clause(two, "");
 	assert_string_equal(source, "not stated, mended");
 	free(source);
 	m.feed = true;
-	struct site *three = mend_site(two, &m, NULL);
+	struct site *three = site_with_mend(two, &m, NULL);
 	for (size_t r = 0; r < 3; r++)
 		assert_int_equal(three->run[r].feed.n + 1, site->run[r].feed.n);
 	site_free(three);
@@ -331,7 +336,7 @@ little_is_looked_at_too(void **state)
 	struct site *site = site_of(4);
 	for (size_t n = 3; n-- > 1;) {
 		struct mend m = {.kind = MEND_DROP, .run = n};
-		struct site *less = mend_site(site, &m, NULL);
+		struct site *less = site_with_mend(site, &m, NULL);
 		site_free(site);
 		site = less;
 	}

@@ -181,7 +181,7 @@ oversize_that_breaks_by_half_circulates_once(void **state)
 	struct transfer *t = crusher_transfer_at_speed(crusher, 85);
 	struct transfer *const of[4] = {NULL, t, NULL, NULL};
 	double product[3];
-	transfer_product(t, 0, feed, product);
+	transfer_compute_product(t, 0, feed, product);
 	double stays = product[0];
 	struct flow f = circuit_compute_flow(c, feed, size, 3, of);
 	/* With `stays` of it left by the rotor, (1 + stays) / 2 goes back. */
@@ -232,7 +232,7 @@ classes_add_up_to_the_product_of_the_feed(void **state)
 		       *out = xcalloc_doubles(sizes.n);
 		double below = 0;
 		crusher_class_masses_of_feed(c, feed, in);
-		transfer_product(t, 0, in, out);
+		transfer_compute_product(t, 0, in, out);
 		for (size_t i = sizes.n; i-- > 0;) {
 			below += out[i];
 			expect_near("passing", below,
@@ -268,7 +268,7 @@ expect_products(struct transfer *t, const double *in, const struct psd *sizes,
 	double *out = xcalloc_doubles(sizes->n);
 	for (size_t d = 0; d < D; d++) {
 		double below = 0;
-		transfer_product(t, d, in, out);
+		transfer_compute_product(t, d, in, out);
 		for (size_t i = sizes->n, k = sieves->n; i-- > 0;) {
 			below += out[i];
 			if (k > 0 && sieves->size[k - 1] == sizes->size[i])

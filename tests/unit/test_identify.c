@@ -97,14 +97,15 @@ a_ridge_is_a_correlation(void **state)
 {
 	(void)state;
 	struct posterior p = made_up(0.1);
-	struct identify_pair pair = identify_correlate_pair(&p, E0_MIN, ALPHA);
+	struct identify_pair pair =
+	    identify_correlate_params(&p, E0_MIN, ALPHA);
 	/* e0_min is a bent function of alpha: of the ranks it is straight. */
 	expect_near("rank", pair.rank, -1, 1e-9);
 	assert_true(pair.linear < -0.95 && pair.linear > -1 + 1e-6);
 	assert_true(identify_stronger_correlation(pair) == pair.rank);
 	assert_true(fabs(identify_stronger_correlation(
-			identify_correlate_pair(&p, F_MAT, ALPHA))) < 0.2);
-	assert_true(isnan(identify_correlate_pair(&p, GAMMA, ALPHA).linear));
+			identify_correlate_params(&p, F_MAT, ALPHA))) < 0.2);
+	assert_true(isnan(identify_correlate_params(&p, GAMMA, ALPHA).linear));
 	struct identify_pair other = {-0.9, 0.5};
 	assert_true(identify_stronger_correlation(other) == -0.9);
 }
@@ -114,17 +115,17 @@ break_sizes_are_those_of_the_draws(void **state)
 {
 	(void)state;
 	struct posterior p = made_up(0.1);
-	struct identify_break at = identify_break_size(&p, 74, 0.004);
+	struct identify_break at = identify_summarise_break_size(&p, 74, 0.004);
 	expect_near("mean", at.mean, 0.005, 1e-12);
 	assert_true(at.sd < 1e-9 && at.below == 0);
-	at = identify_break_size(&p, 85, 0.00375);
+	at = identify_summarise_break_size(&p, 85, 0.00375);
 	assert_true(at.mean < 0.005 && at.sd > 1e-6);
 	assert_true(at.low < at.mean && at.mean < at.high);
 	assert_true(at.below > 0 && at.below < 1);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d += 4)
 		p.draw[d].params.at[E0_MIN] = 0;
-	expect_near(
-	    "below", identify_break_size(&p, 74, 0.004).below, 0.25, 1e-12);
+	expect_near("below", identify_summarise_break_size(&p, 74, 0.004).below,
+	    0.25, 1e-12);
 }
 
 int

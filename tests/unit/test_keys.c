@@ -29,13 +29,14 @@ every_key_is_found_on_its_pages_only(void **state)
 		for (int page = 0; page < PAGES; page++)
 			if (k->where & (1U << page))
 				assert_ptr_equal(
-				    keys_find(k->code, (enum page)page), k);
-	assert_null(keys_find('v', PAGE_DATA));
-	assert_null(keys_find('v', PAGE_PREDICT));
-	assert_non_null(keys_find('v', PAGE_FIT));
-	assert_ptr_equal(
-	    keys_find('\r', PAGE_SITES), keys_find('\n', PAGE_SITES));
-	assert_null(keys_find(1, PAGE_FIT));
+				    keys_find_by_code(k->code, (enum page)page),
+				    k);
+	assert_null(keys_find_by_code('v', PAGE_DATA));
+	assert_null(keys_find_by_code('v', PAGE_PREDICT));
+	assert_non_null(keys_find_by_code('v', PAGE_FIT));
+	assert_ptr_equal(keys_find_by_code('\r', PAGE_SITES),
+	    keys_find_by_code('\n', PAGE_SITES));
+	assert_null(keys_find_by_code(1, PAGE_FIT));
 }
 
 /* A second way to press a key does what the row above does. */
@@ -83,8 +84,9 @@ the_list_has_every_name(void **state)
 	for (const char *p = text; *p != '\0'; p += strcspn(p, "\n") + 1)
 		assert_true(strcspn(p, "\n") <= 40);
 	free(text);
-	assert_string_equal(keys_words(keys_find('=', PAGE_FIT)->what, false),
-	    keys_find('=', PAGE_FIT)->what);
+	assert_string_equal(
+	    keys_words(keys_find_by_code('=', PAGE_FIT)->what, false),
+	    keys_find_by_code('=', PAGE_FIT)->what);
 	assert_int_equal(
 	    keys_listed_at(PAGE_FIT, "CALIBRATE, or", 0)->code, 'f');
 	assert_null(keys_listed_at(PAGE_FIT, "no such word", 0));
@@ -138,7 +140,7 @@ keys_are_called_by_every_name(void **state)
 			enum page page = PAGE_PREDICT;
 			while (!(k->where & (1U << page)))
 				page++;
-			const struct key *found = keys_find(code, page);
+			const struct key *found = keys_find_by_code(code, page);
 			assert_non_null(found);
 			assert_true(found->act == k->act);
 			assert_int_equal(found->amount, k->amount);

@@ -153,11 +153,11 @@ runs_held_out_count_more(void **state)
 	m[0].predicted = good;
 	league_rank_models(m, 2, cell, N);
 	assert_int_equal(m[0].standing, LEAGUE_BEST);
-	assert_true(league_errs_more(cell, N, bad, good));
-	assert_false(league_errs_more(cell, N, good, bad));
+	assert_true(league_errs_clearly_more(cell, N, bad, good));
+	assert_false(league_errs_clearly_more(cell, N, good, bad));
 	for (size_t i = 0; i < N; i++)
 		cell[i].noise = 0.1;
-	assert_false(league_errs_more(cell, N, bad, good));
+	assert_false(league_errs_clearly_more(cell, N, bad, good));
 }
 
 static void
@@ -237,10 +237,10 @@ the_scale_of_beta_does_not_count(void **state)
 	(void)state;
 	struct fit fit = {.parameters = 7};
 	struct bounds b = bounds_default(0);
-	assert_int_equal(league_count_fitted(&fit, &b), 6);
+	assert_int_equal(league_count_fitted_params(&fit, &b), 6);
 	b.lower[2] = b.upper[2] = 1;
 	fit.parameters = 6;
-	assert_int_equal(league_count_fitted(&fit, &b), 6);
+	assert_int_equal(league_count_fitted_params(&fit, &b), 6);
 }
 
 int

@@ -264,7 +264,7 @@ only_the_direction_of_beta_matters(void **state)
 	struct draw draw = draw_start(26);
 	for (int k = 0; k < 200; k++) {
 		struct params p = made_any_params(&draw), q = p;
-		params_scale_to_1(&q);
+		params_scale_gauge_to_1(&q);
 		double largest = 0;
 		for (size_t b = 0; b < 4; b++)
 			largest = fmax(largest, fabs(q.beta[b]));
@@ -381,7 +381,7 @@ the_table_of_parameters_is_whole(void **state)
 	assert_int_equal(
 	    breakage_parameter_index(BREAKAGES[0], "beta5"), PARAM_COUNT);
 	struct params none = {0};
-	params_scale_to_1(&none);
+	params_scale_gauge_to_1(&none);
 	assert_true(none.beta[0] == 0 && none.beta[3] == 0);
 }
 

@@ -96,11 +96,13 @@ every_page_is_opened_and_saved(void **state)
 	for (enum page page = PAGES; page-- > 0;) {
 		FREED char *word =
 		    text_fold_case_and_accents(PAGE_HEADINGS[page]);
-		assert_true(text_find_word(SCREEN_PAGE_WORDS, word, &at));
+		assert_true(
+		    text_find_word_in_list(SCREEN_PAGE_WORDS, word, &at));
 		assert_int_equal(at, page);
 		int code = keys_code_of_page(page);
 		FREED char *what = xasprintf("page %s", PAGE_HEADINGS[page]);
-		assert_string_equal(keys_find(code, PAGE_PREDICT)->what, what);
+		assert_string_equal(
+		    keys_find_by_code(code, PAGE_PREDICT)->what, what);
 		keymap_handle_key(t, code, false);
 		turn(t);
 		assert_int_equal(t->ui.page, page);
@@ -118,7 +120,7 @@ all_sites_are_calibrated_while_keys_are_taken(void **state)
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
 	const struct session *s = t->session;
-	cmdline_run(t, "calibrate all");
+	cmdline_run_line(t, "calibrate all");
 	assert_true(session_is_calibrating(s));
 	turn(t);
 	assert_int_equal(t->ui.page, PAGE_SITES);
@@ -151,7 +153,7 @@ what_it_ends_with_is_what_calibrate_all_says(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	cmdline_run(t, "calibrate all");
+	cmdline_run_line(t, "calibrate all");
 	for (int i = 0; i < 3; i++)
 		turn(t);
 	assert_false(session_is_calibrating(t->session));
@@ -218,7 +220,7 @@ a_doubtful_cell_is_marked_and_mended_by_a_key(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(stage->desk, "mend product@74 sieve=1 value=15.82");
 	desk_expect(stage->desk, "calibrate");
-	control_refresh(t);
+	control_refresh_screen(t);
 	press(t, "3");
 	const char *row = row_of(stage, 9);
 	assert_non_null(strstr(row, "15.82!"));
@@ -243,7 +245,7 @@ all_columns_of_a_sheet_can_be_reached(void **state)
 {
 	struct stage *stage = *state;
 	struct tui *t = &stage->t;
-	cmdline_run(t, "use tierp");
+	cmdline_run_line(t, "use tierp");
 	resize(stage, 12, 40);
 	press(t, "3");
 	assert_non_null(strstr(row_of(stage, 1), "feed@69"));
@@ -270,7 +272,7 @@ parity_has_the_statistics_of_validate(void **state)
 	assert_non_null(strstr(row_of(stage, 6), "no loaded site has"));
 	desk_expect(stage->desk, "calibrate all");
 	desk_expect(stage->desk, "validate all");
-	control_refresh(t);
+	control_refresh_screen(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.runs.n, 3);
 	const struct session *s = t->session;
@@ -321,7 +323,7 @@ one_run_has_a_mark_for_each_size(void **state)
 	desk_expect(stage->desk, "load data/sites/tierp.csv");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_refresh(t);
+	control_refresh_screen(t);
 	press(t, "4");
 	assert_int_equal(t->view.parity.runs.n, 1);
 	size_t n = 0;
@@ -350,7 +352,7 @@ small_screens_say_all_or_that_they_cut(void **state)
 	struct tui *t = &stage->t;
 	desk_expect(
 	    stage->desk, "use tierp; calibrate generations=20 population=100");
-	control_refresh(t);
+	control_refresh_screen(t);
 	resize(stage, 12, 40);
 	press(t, "1");
 	assert_non_null(strstr(row_of(stage, 11), "? keys"));
@@ -384,12 +386,12 @@ an_extrapolated_size_says_so(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_refresh(t);
+	control_refresh_screen(t);
 	t->ui.speed = 84;
 	press(t, "5 g");
 	assert_true(frame_has(stage, 24, "? extrapolated: 84.0 m/s"));
 	t->ui.speed = 74;
-	control_refresh(t);
+	control_refresh_screen(t);
 	press(t, "5");
 	assert_false(frame_has(stage, 24, "? extrapolated:"));
 }
@@ -403,7 +405,7 @@ the_sieve_asked_about_has_a_row(void **state)
 	desk_expect(stage->desk, "use tierp");
 	desk_expect(
 	    stage->desk, "params set f_mat=2.18 e0_min=16.74 alpha=0.96");
-	control_refresh(t);
+	control_refresh_screen(t);
 	resize(stage, 30, 100);
 	press(t, "1");
 	for (size_t i = 1; i < 4; i++) {

@@ -144,7 +144,7 @@ settling_ends_at_the_same_bits(void **state)
 				bool held = j == PARAM_ALPHA && k == 1;
 				q.at[j] *= held ? 1 : 1 + by;
 			}
-			params_scale_to_1(&q);
+			params_scale_gauge_to_1(&q);
 			assert_true(settle_at_stationary_point(m, &b, &q));
 			assert_true(
 			    misfit_of_params(m, &q) <= r.misfit * (1 + 1e-12));

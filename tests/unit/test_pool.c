@@ -48,7 +48,7 @@ every_piece_is_done_once(void **state)
 	(void)state;
 	for (unsigned threads = 1; threads <= 16; threads *= 2) {
 		struct pool *pool = pool_new(threads);
-		assert_int_equal(pool_threads(pool), threads);
+		assert_int_equal(pool_count_threads(pool), threads);
 		for (size_t n = 0; n <= PIECES; n += 50)
 			expect_once(pool, n);
 		pool_free(pool);
@@ -69,7 +69,7 @@ static void
 no_pool_is_the_caller_alone(void **state)
 {
 	(void)state;
-	assert_int_equal(pool_threads(NULL), 1);
+	assert_int_equal(pool_count_threads(NULL), 1);
 	expect_once(NULL, PIECES);
 }
 

@@ -28,7 +28,7 @@ a_profile_is_what_calibrations_find(void **state)
 	struct bounds b = bounds_default(0);
 	struct fit fit = calibrated(site, &b);
 	struct calibrate_options o = calibrate_options_default();
-	struct misfit *m = calibrate_misfit(site, &o);
+	struct misfit *m = calibrate_make_misfit(site, &o);
 	double x[VALUES], E[VALUES];
 	for (size_t i = 0; i < VALUES; i++)
 		x[i] = fit.params.e0_min + 1.5 * ((double)i - VALUES / 2);
@@ -53,7 +53,7 @@ a_profile_of_beta_holds_its_scale(void **state)
 	struct bounds b = bounds_default(0);
 	struct fit fit = calibrated(site, &b);
 	struct calibrate_options o = calibrate_options_default();
-	struct misfit *m = calibrate_misfit(site, &o);
+	struct misfit *m = calibrate_make_misfit(site, &o);
 	size_t j = fabs(fit.params.beta[BETA3]) == 1 ? BETA2 : BETA3;
 	double x[3] = {-1, fit.params.beta[j], 1}, E[3];
 	profile_misfit(m, &fit.params, &b, j, x, 3, E);

@@ -69,11 +69,11 @@ a_curve_is_smooth_where_sieves_lie_far_apart(void **state)
 	psd_free(&curve);
 	psd.n = 2;
 	curve = psd_smooth_curve(&psd);
-	assert_true(psd_same(&psd, &curve));
+	assert_true(psd_is_same(&psd, &curve));
 	psd_free(&curve);
 	struct psd upper = {4, SIZES, PASSINGS};
 	curve = psd_smooth_curve(&upper);
-	assert_true(psd_same(&upper, &curve));
+	assert_true(psd_is_same(&upper, &curve));
 	psd_free(&curve);
 }
 

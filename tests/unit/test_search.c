@@ -61,14 +61,14 @@ static void
 generation(struct ga *ga, size_t n, double (*f)(const double *))
 {
 	double *misfit = xcalloc_doubles(n);
-	const double *const *gene = ga_ask(ga);
+	const double *const *gene = ga_next_candidates(ga);
 	for (size_t i = 0; i < n; i++) {
 		double x[GENES];
 		for (size_t g = 0; g < GENES; g++)
 			x[g] = gene[g][i];
 		misfit[i] = f(x);
 	}
-	ga_tell(ga, misfit);
+	ga_take_misfits(ga, misfit);
 	free(misfit);
 }
 
@@ -86,7 +86,7 @@ the_box_is_respected(void **state)
 	for (size_t t = 0; t < ARRAY_LEN(target); t++) {
 		struct ga *ga = ga_of(N, 5, lower, upper);
 		for (int k = 0; k < 40; k++) {
-			const double *const *gene = ga_ask(ga);
+			const double *const *gene = ga_next_candidates(ga);
 			for (size_t g = 0; g < GENES; g++)
 				for (size_t i = 0; i < N; i++)
 					if (!(gene[g][i] >= lower[g] &&
@@ -106,7 +106,7 @@ the_first_generation_fills_the_box(void **state)
 	(void)state;
 	enum { N = 4000 };
 	struct ga *ga = ga_of(N, 9, LOWER, UPPER);
-	const double *const *gene = ga_ask(ga);
+	const double *const *gene = ga_next_candidates(ga);
 	for (size_t g = 0; g < GENES; g++) {
 		double sum = 0, squares = 0;
 		for (size_t i = 0; i < N; i++) {
@@ -125,7 +125,8 @@ static bool
 same_genes(struct ga *a, struct ga *b, size_t n)
 {
 	for (size_t g = 0; g < GENES; g++)
-		if (memcmp(ga_ask(a)[g], ga_ask(b)[g], n * sizeof(double)) != 0)
+		if (memcmp(ga_next_candidates(a)[g], ga_next_candidates(b)[g],
+			n * sizeof(double)) != 0)
 			return false;
 	return true;
 }
@@ -167,10 +168,11 @@ parts_and_instructions_breed_the_same_bits(void **state)
 			generation(a, N, rosenbrock);
 			generation(b, N, rosenbrock);
 			for (size_t i = N / PART + 1; i-- > 0;)
-				ga_ask_part(b, i * PART,
+				ga_next_candidates_part(b, i * PART,
 				    (i + 1) * PART < N ? (i + 1) * PART : N);
-			const double *const *x = ga_ask(a);
-			const double *const *y = ga_ask_part(b, 0, 0);
+			const double *const *x = ga_next_candidates(a);
+			const double *const *y =
+			    ga_next_candidates_part(b, 0, 0);
 			for (size_t g = 0; g < GENES; g++)
 				assert_memory_equal(
 				    x[g], y[g], N * sizeof(double));
@@ -202,16 +204,17 @@ each_generation_draws_anew(void **state)
 	struct ga *ga = ga_new(&options, GENES, LOWER, UPPER);
 	double first[N];
 	size_t parent[N], moved = 0;
-	memcpy(first, ga_ask(ga)[0], sizeof first);
+	memcpy(first, ga_next_candidates(ga)[0], sizeof first);
 	generation(ga, N, flat);
 	for (size_t i = 0; i < N; i++) {
 		parent[i] = 0;
-		while (first[parent[i]] != ga_ask(ga)[0][i])
+		while (first[parent[i]] != ga_next_candidates(ga)[0][i])
 			parent[i]++;
 	}
 	generation(ga, N, flat);
 	for (size_t i = 0; i < N; i++)
-		moved += ga_ask(ga)[0][i] != first[parent[parent[i]]];
+		moved +=
+		    ga_next_candidates(ga)[0][i] != first[parent[parent[i]]];
 	assert_true(moved > N / 2);
 	ga_free(ga);
 }
@@ -236,7 +239,7 @@ genes_mutate_as_often_as_asked(void **state)
 			size_t parent = 0;
 			while (parent < N &&
 			       ga_genes_of_last_generation(ga)[g][parent] !=
-				   ga_ask(ga)[g][i])
+				   ga_next_candidates(ga)[g][i])
 				parent++;
 			mutated += parent == N;
 		}
@@ -276,8 +279,8 @@ a_fixed_gene_stays(void **state)
 	struct ga *ga = ga_of(N, 4, lower, upper);
 	for (int k = 0; k < 30; k++) {
 		for (size_t i = 0; i < N; i++) {
-			assert_true(ga_ask(ga)[3][i] == 0.1);
-			assert_true(ga_ask(ga)[5][i] == 0);
+			assert_true(ga_next_candidates(ga)[3][i] == 0.1);
+			assert_true(ga_next_candidates(ga)[5][i] == 0);
 		}
 		generation(ga, N, sphere);
 	}
@@ -343,7 +346,7 @@ leaders_and_spread_are_those_of_the_generation(void **state)
 	struct ga *ga = ga_of(N, 7, LOWER, UPPER);
 	for (int k = 0; k < 5; k++)
 		generation(ga, N, rosenbrock);
-	const uint32_t *index = ga_ranking(ga);
+	const uint32_t *index = ga_ranked_candidates(ga);
 	double before = -1, at[N];
 	for (size_t i = 0; i < N; i++) {
 		double x[GENES];

@@ -375,14 +375,14 @@ a_file_that_is_read_twice_is_noted_once(void **state)
 	struct session *s = desk->session;
 	const char *path = "Makefile";
 	uint64_t digest, found;
-	assert_true(files_digest(path, &digest));
+	assert_true(files_compute_digest(path, &digest));
 	files_note_read(s, path);
 	files_note_written(s, path);
 	files_note_read(s, path);
 	assert_int_equal(files_count_uses(s), 3);
-	assert_null(files_path_of_reading(s, 0, &found));
-	assert_null(files_path_of_reading(s, 1, &found));
-	assert_string_equal(files_path_of_reading(s, 2, &found), path);
+	assert_null(files_path_if_read(s, 0, &found));
+	assert_null(files_path_if_read(s, 1, &found));
+	assert_string_equal(files_path_if_read(s, 2, &found), path);
 	assert_true(found == digest);
 }
 

@@ -41,7 +41,7 @@ what_a_terminal_acts_on_is_shown(void **state)
 		assert_string_equal(shown, wanted);
 		assert_string_equal(put, wanted);
 		assert_int_equal(
-		    text_is_plain(SHOWN[i][0]), SHOWN[i][1] == NULL);
+		    text_needs_no_escape(SHOWN[i][0]), SHOWN[i][1] == NULL);
 		assert_int_equal(text_width_in_columns(SHOWN[i][0]),
 		    text_width_in_columns(wanted));
 		free(shown);

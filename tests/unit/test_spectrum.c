@@ -142,7 +142,7 @@ summed(const struct psd *feed, const struct params *p,
 		double t = (a + z) / 2;
 		double dF =
 		    psd_passing(feed, exp(z)) - psd_passing(feed, exp(a));
-		sum += dF * selection_by_breaker(&b, t, NULL) *
+		sum += dF * selection_at_log_size(&b, t, NULL) *
 		       b.model->finer(&b, low - t, NULL);
 	}
 	return sum;

@@ -36,17 +36,19 @@ a_name_in_brackets_goes_on_from_the_one_before(void **state)
 	(void)state;
 	struct standards *all = standards_read_built_in();
 	struct error error = {0};
-	const struct spec *base = standards_find(all, "astm c33", &error);
+	const struct spec *base =
+	    standards_find_envelope(all, "astm c33", &error);
 	assert_non_null(base);
 	assert_string_equal(base->name, "ASTM C33 fine aggregate");
 	assert_int_equal(base->n, 7);
 	assert_true(base->cut[0] == 0 && base->cut[1] == 0.00475);
-	const struct spec *dust = standards_find(all, "c33 abrasion", &error);
+	const struct spec *dust =
+	    standards_find_envelope(all, "c33 abrasion", &error);
 	assert_non_null(dust);
 	assert_int_equal(dust->n, 8);
 	assert_true(dust->size[7] == 0.075e-3 && dust->most[7] == 0.05);
 	const struct spec *stone =
-	    standards_find(all, "IS zone II crushed", &error);
+	    standards_find_envelope(all, "IS zone II crushed", &error);
 	assert_non_null(stone);
 	assert_int_equal(stone->n, 7);
 	assert_true(stone->size[6] == 0.15e-3 && stone->most[6] == 0.2);
@@ -68,7 +70,7 @@ names_are_found_by_their_words(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(FOUND); i++) {
 		struct error error = {0};
 		const struct spec *s =
-		    standards_find(all, FOUND[i].words, &error);
+		    standards_find_envelope(all, FOUND[i].words, &error);
 		if (s == NULL)
 			fail_msg("%s: %s", FOUND[i].words, error.text);
 		assert_string_equal(s->name, FOUND[i].name);
@@ -82,13 +84,13 @@ what_is_none_or_several_says_so(void **state)
 	(void)state;
 	struct standards *all = standards_read_built_in();
 	struct error error = {0};
-	assert_null(standards_find(all, "BS 882", &error));
+	assert_null(standards_find_envelope(all, "BS 882", &error));
 	assert_string_equal(error.text, "'BS 882' matches 5 envelopes");
 	assert_non_null(strstr(error.hint, "BS 882:1992 M"));
-	assert_null(standards_find(all, "zone", &error));
-	assert_null(standards_find(all, "ASTM", &error));
+	assert_null(standards_find_envelope(all, "zone", &error));
+	assert_null(standards_find_envelope(all, "ASTM", &error));
 	assert_string_equal(error.text, "'ASTM' matches 3 envelopes");
-	assert_null(standards_find(all, "ASTM C34", &error));
+	assert_null(standards_find_envelope(all, "ASTM C34", &error));
 	assert_non_null(
 	    strstr(error.hint, "did you mean 'ASTM C33 fine aggregate'?"));
 	standards_free(all);

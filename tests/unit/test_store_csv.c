@@ -115,14 +115,14 @@ table_3_is_in_the_program(void **state)
 {
 	(void)state;
 	struct material_list all = {0};
-	stored_add_table3(&all);
+	material_add_table3(&all);
 	assert_int_equal(all.n, 19);
 	for (size_t i = 0; i < all.n; i++) {
 		struct params p = made_params(&TABLE_3[i]);
 		assert_string_equal(all.item[i].site, TABLE_3[i].site);
 		assert_memory_equal(&all.item[i].params, &p, sizeof p);
 		assert_true(all.item[i].top_size_mm == TABLE_3[i].top_mm);
-		assert_true(stored_is_table3(&all.item[i]));
+		assert_true(material_is_table3(&all.item[i]));
 	}
 	assert_non_null(material_find(&all, "table3/borlange"));
 	assert_non_null(material_find(&all, "table3/GÄVLE/11.2/2"));

@@ -337,8 +337,8 @@ text_wraps_between_words(void **state)
 	char *text = NULL;
 	size_t n = 0;
 	FILE *out = open_memstream(&text, &n);
-	text_wrap("Åäö åäö one two", 2, 9, out);
-	text_wrap("  in a-word-too-long", 1, 9, out);
+	text_print_wrapped("Åäö åäö one two", 2, 9, out);
+	text_print_wrapped("  in a-word-too-long", 1, 9, out);
 	fclose(out);
 	assert_string_equal(
 	    text, "  Åäö åäö\n  one two\n   in\n   a-word-too-long\n");

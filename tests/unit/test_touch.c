@@ -129,7 +129,8 @@ hints_are_their_keys(void **state)
 			if (at->area.row != t->layout.hints.row ||
 			    at->way != NULL)
 				continue;
-			assert_non_null(keys_find(at->code, t->ui.page));
+			assert_non_null(
+			    keys_find_by_code(at->code, t->ui.page));
 			keys++;
 		}
 		assert_in_range(keys, 3, 20);

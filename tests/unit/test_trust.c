@@ -311,9 +311,10 @@ test_feeds(void **state)
 	(void)state;
 	struct site *a = made_site(&TABLE_3[TIERP], 0.005, 1);
 	struct psd *feed = &a->run[0].feed, other = psd_copy(feed);
-	assert_true(trust_feed_difference(feed, &other) == 0);
+	assert_true(trust_largest_feed_difference(feed, &other) == 0);
 	other.passing[3] -= 0.07;
-	assert_true(fabs(trust_feed_difference(feed, &other) - 0.07) < 1e-12);
+	assert_true(
+	    fabs(trust_largest_feed_difference(feed, &other) - 0.07) < 1e-12);
 	psd_free(&other);
 	site_free(a);
 }

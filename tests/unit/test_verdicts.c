@@ -33,7 +33,7 @@ stage_open(void **state)
 	struct display *was = screen_begin_offscreen(24, 80, CHARSET_ASCII, 0);
 	control_open_screen(&stage->t, stage->desk->session, &SCRIPT_CALLBACKS);
 	canvas_free(screen_end_offscreen(was));
-	view_predict(&stage->t);
+	view_predict_at_slider(&stage->t);
 	*state = stage;
 	return 0;
 }

@@ -37,7 +37,7 @@ struct advice_request {
  * stated speeds: the speed of another sample has an error of its own, so it
  * tells nothing of theirs. */
 static void
-take_out_errors_of_speeds(double *row)
+remove_speed_errors_of_draws(double *row)
 {
 	double along = 0, squares = 0;
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++) {
@@ -76,7 +76,7 @@ find_band_of_quantity(const struct session *s, struct advice_request *w)
 	w->width = width_of_band(w->draw, level, w->ends);
 	memcpy(exact, w->draw, sizeof exact);
 	if (s->set.speed_sd > 0)
-		take_out_errors_of_speeds(exact);
+		remove_speed_errors_of_draws(exact);
 	w->exact_width = width_of_band(exact, level, ends);
 	return true;
 }
@@ -101,7 +101,7 @@ list_candidate_speeds(
     const struct session *s, const struct site *site, double asked, size_t *n)
 {
 	size_t more, k = 0;
-	FREED double *round = answers_list_round_speeds(s, site, &more);
+	FREED double *round = answers_list_few_round_speeds(s, site, &more);
 	struct sample_advice *c = xcalloc(site->n_run + more + 1, sizeof *c);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (misfit_count_covered_sieves(&site->run[r]) > 0)
@@ -153,7 +153,7 @@ sort_by_expected_band_width(const struct session *s,
 			memcpy(sample + k * N, forecast_draws(f, k),
 			    N * sizeof *sample);
 			if (s->set.speed_sd > 0)
-				take_out_errors_of_speeds(sample + k * N);
+				remove_speed_errors_of_draws(sample + k * N);
 		}
 		double share =
 		    advise_variance_share_removed(w->draw, sample, sieves);
@@ -166,7 +166,7 @@ sort_by_expected_band_width(const struct session *s,
 /* Warns if each run has a feed of its own, because the product is then as
  * uncertain as the feed. */
 static void
-note_range_over_sampled_feeds(
+warn_of_range_over_feeds(
     struct answer *r, const struct session *s, const struct advice_request *w)
 {
 	double range[2];
@@ -181,7 +181,8 @@ note_range_over_sampled_feeds(
 	    "with the feeds that were sampled %s ranges from %.3g to %.3g%s: "
 	    "sample the feed together with the product",
 	    w->name, low, high, quantities_unit_suffix(&w->q));
-	fields_put(answer_fields(r), "feeds_low %g feeds_high %g", low, high);
+	fields_put_values(
+	    answer_fields(r), "feeds_low %g feeds_high %g", low, high);
 }
 
 static void
@@ -255,7 +256,7 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 
 /* Returns NULL if there is no band to narrow. */
 static struct answer *
-build_advice_answer(const struct session *s, const struct advice_request *w)
+build_sampling_answer(const struct session *s, const struct advice_request *w)
 {
 	const struct entry *entry = w->question->entry;
 	double rotor = entry->site->rotor;
@@ -287,12 +288,13 @@ build_advice_answer(const struct session *s, const struct advice_request *w)
 		    100 * (1 - c[i].width / w->width));
 	}
 	struct fields *o = answer_fields(r);
-	fields_put(o, "quantity %s speed %g low %g high %g width %g", w->name,
-	    w->question->speed, w->ends[0], w->ends[1], w->width);
-	fields_put(o, "best_mps %g best_width %g", c[0].speed, c[0].width);
-	answer_put_rows(r, "samples");
+	fields_put_values(o, "quantity %s speed %g low %g high %g width %g",
+	    w->name, w->question->speed, w->ends[0], w->ends[1], w->width);
+	fields_put_values(
+	    o, "best_mps %g best_width %g", c[0].speed, c[0].width);
+	answer_put_rows_as_objects(r, "samples");
 	note_best_sample_speed(r, s, w, &c[0]);
-	note_range_over_sampled_feeds(r, s, w);
+	warn_of_range_over_feeds(r, s, w);
 	return r;
 }
 
@@ -332,13 +334,14 @@ show_sampling_advice(
 		    "%s at %g m/s lies outside the sieves\n"
 		    "ask for another size",
 		    w->name, w->question->speed);
-	struct answer *r = build_advice_answer(s, w);
+	struct answer *r = build_sampling_answer(s, w);
 	if (r == NULL)
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s is the same in all draws: no sample can "
 		    "narrow its band",
 		    w->name, w->question->speed);
-	answers_show_basis_at(s, r, w->question, w->question->speed, false);
+	answers_show_basis_at_speed(
+	    s, r, w->question, w->question->speed, false);
 	return session_show_answer(s, r);
 }
 

@@ -92,7 +92,7 @@ compare_asserted_values(const char *op, double a, double b, double within)
 
 /* Checks "FILE is DIGEST": that the file has not changed. */
 static bool
-file_has_digest(const struct session *s, const char *path, const char *wanted,
+check_file_digest(const struct session *s, const char *path, const char *wanted,
     struct error *error)
 {
 	uint64_t digest = 0;
@@ -100,7 +100,7 @@ file_has_digest(const struct session *s, const char *path, const char *wanted,
 		return error_set(error, ERROR_USAGE,
 		    "assert FILE is off: it names a file\n"
 		    "start the program without --safe to allow it");
-	if (!files_digest(path, &digest))
+	if (!files_compute_digest(path, &digest))
 		return error_set(error, ERROR_DATA,
 		    "%s cannot be read, and the session needs it\n"
 		    "put it back where it was, or take out its lines",
@@ -127,7 +127,7 @@ cmd_assert(struct session *s, const struct args *args, struct error *error)
 		return error_set(error, ERROR_USAGE,
 		    "assert: expected 'within NUMBER' after the comparison");
 	if (strcmp(word[1], "is") == 0)
-		return file_has_digest(s, word[0], word[2], error);
+		return check_file_digest(s, word[0], word[2], error);
 	if (!evaluate_assert_side(s, word[0], &a, error) ||
 	    !evaluate_assert_side(s, word[2], &b, error))
 		return false;

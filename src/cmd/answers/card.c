@@ -45,10 +45,10 @@ struct card_request {
 
 /* Adds a quantity that is not in the list yet.  Returns its index. */
 static size_t
-add_quantity(struct card_request *all, struct quantity q)
+add_card_quantity(struct card_request *all, struct quantity q)
 {
 	size_t at = 0;
-	while (at < all->n && !quantity_same(&all->q[at], &q))
+	while (at < all->n && !quantity_is_same(&all->q[at], &q))
 		at++;
 	if (at < all->n)
 		return at;
@@ -59,14 +59,14 @@ add_quantity(struct card_request *all, struct quantity q)
 
 /* Adds the quantities of a text.  The first of them has its range shown. */
 static bool
-add_listed_quantities(struct card_request *all, const char *text,
+parse_card_quantities(struct card_request *all, const char *text,
     const struct psd *feed, struct error *error)
 {
 	size_t n;
 	FREED struct quantity *q = quantities_parse_list_for_feed(
 	    text, &all->question->fraction, feed, true, &n, error);
 	for (size_t i = 0; q != NULL && i < n; i++) {
-		size_t at = add_quantity(all, q[i]);
+		size_t at = add_card_quantity(all, q[i]);
 		all->ranged = i == 0 ? at : all->ranged;
 	}
 	return q != NULL;
@@ -75,7 +75,7 @@ add_listed_quantities(struct card_request *all, const char *text,
 /* Adds two passings: of the site's sieve nearest to 2 mm, and the fines or, if
  * the feed does not cover them, of the finest sieve. */
 static void
-add_usual_passings(struct card_request *all, const struct psd *feed)
+add_usual_card_passings(struct card_request *all, const struct psd *feed)
 {
 	bool fines = psd_covers_size(feed, QUANTITIES_FINES);
 	struct quantity q = {
@@ -86,10 +86,10 @@ add_usual_passings(struct card_request *all, const struct psd *feed)
 			near = feed->size[i];
 	/* The same number as that of a limit in mm. */
 	q.x = units_mm(near) / 1000;
-	all->ranged = add_quantity(all, q);
+	all->ranged = add_card_quantity(all, q);
 	q.x = fines ? QUANTITIES_FINES : units_mm(finest) / 1000;
 	q.letter = fines ? 'f' : 0;
-	add_quantity(all, q);
+	add_card_quantity(all, q);
 }
 
 static void
@@ -127,10 +127,11 @@ parse_plant_if_asked(struct session *s, struct card_request *all,
 /* Solves the circuit once, because only that gives the names of the
  * products. */
 static bool
-find_stream_names(struct card_request *all, double speed, struct error *error)
+solve_for_stream_names(
+    struct card_request *all, double speed, struct error *error)
 {
 	const struct circuit *c = all->plant.circuit;
-	struct plant_result o = plant_compute_at_speed(&all->plant, speed);
+	struct plant_result o = plant_compute_flow_at_speed(&all->plant, speed);
 	bool ok =
 	    !o.flow.open || plant_set_error_not_steady(&all->plant, &o, error);
 	all->line = xcalloc(c->n_stream + c->n_unit, sizeof *all->line);
@@ -164,7 +165,7 @@ choose_limited_figure_for_range(struct card_request *all)
 {
 	for (size_t c = all->list.n; c-- > 0;)
 		for (size_t i = 0; i < all->n; i++)
-			if (quantity_same(
+			if (quantity_is_same(
 				&all->q[i], &all->list.at[c].quantity))
 				all->ranged = i;
 }
@@ -175,12 +176,12 @@ parse_card_request(struct session *s, struct card_request *all,
 {
 	const struct psd *feed = question_feed(all->question);
 	bool named = args_is_given(args, &args->of);
-	if (!add_listed_quantities(all, ANSWERS_SIZE_LIST, feed, error))
+	if (!parse_card_quantities(all, ANSWERS_SIZE_LIST, feed, error))
 		return false;
 	if (!named)
-		add_usual_passings(all, feed);
+		add_usual_card_passings(all, feed);
 	bool ok =
-	    (!named || add_listed_quantities(all, args->of, feed, error)) &&
+	    (!named || parse_card_quantities(all, args->of, feed, error)) &&
 	    conditions_add_from_args(
 		s, args, all->question, &all->list, error) &&
 	    take_session_goal_limits(s, all, error) &&
@@ -194,7 +195,7 @@ parse_card_request(struct session *s, struct card_request *all,
 		all->wanted =
 		    conditions_open_search(s, all->question, &all->list, NULL);
 	return all->plant.circuit == NULL ||
-	       find_stream_names(all, slowest, error);
+	       solve_for_stream_names(all, slowest, error);
 }
 
 /* What a row is judged by.  share: of the draws in which the limits are met,
@@ -248,7 +249,7 @@ put_card_cell(struct card_table *page, const char *key, const char *head,
 }
 
 static void
-put_number_cell(struct card_table *page, const char *key, const char *head,
+put_card_number(struct card_table *page, const char *key, const char *head,
     int decimals, int spare, double number)
 {
 	put_card_cell(page, key, head, decimals, spare, number, NULL);
@@ -256,7 +257,7 @@ put_number_cell(struct card_table *page, const char *key, const char *head,
 
 /* Takes ownership of the word. */
 static void
-put_text_cell(struct card_table *page, const char *key, const char *head,
+put_card_text(struct card_table *page, const char *key, const char *head,
     int spare, char *word)
 {
 	put_card_cell(page, key, head, AS_NEEDED, spare, NAN, word);
@@ -286,7 +287,7 @@ card_heading_of_quantity(
 /* Returns the heading of the range, which names its figure, lest it be taken
  * for that of P80, unless the name is much wider than the range. */
 static char *
-range_head(const struct card_request *all)
+range_column_heading(const struct card_request *all)
 {
 	enum { WIDE = 9 };
 	FREED char *head = card_heading_of_quantity(all, &all->q[all->ranged]);
@@ -299,8 +300,8 @@ range_head(const struct card_request *all)
  * repeats, moved to the feed of the card; NAN if nothing was, or with another
  * feed or machine.  Raises *moved to by how much. */
 static double
-mean_of_repeats_at_speed(const struct session *s,
-    const struct card_request *all, double speed, double *moved)
+measured_mean_at_speed(const struct session *s, const struct card_request *all,
+    double speed, double *moved)
 {
 	const struct question *q = all->question;
 	const struct quantity *of = &all->q[all->ranged];
@@ -341,11 +342,11 @@ spare_of_figure(const struct card_request *all, size_t i)
 
 /* A size that the feed does not reach at this speed leaves its cell empty. */
 static void
-put_figure_cells(struct card_table *page, const struct session *s,
+put_card_figures(struct card_table *page, const struct session *s,
     const struct card_request *all, double speed)
 {
 	size_t ranged = all->ranged;
-	FREED char *range = range_head(all);
+	FREED char *range = range_column_heading(all);
 	if (page->row == 0)
 		page->ranged = !isnan(
 		    forecast_value_in_shown_unit(all->forecast, ranged).low);
@@ -356,21 +357,21 @@ put_figure_cells(struct card_table *page, const struct session *s,
 		int digits = quantities_decimals(q);
 		FREED char *key = quantities_field_name(q),
 			   *head = card_heading_of_quantity(all, q);
-		put_number_cell(
+		put_card_number(
 		    page, key, head, digits, spare_of_figure(all, i), f.value);
 		if (i == ranged && page->ranged)
-			put_text_cell(page, NULL, range, RANGE,
+			put_card_text(page, NULL, range, RANGE,
 			    xasprintf(
 				"%.*f..%.*f", digits, f.low, digits, f.high));
 		if (i == ranged && page->measured)
-			put_number_cell(page, NULL, tr("measured"), digits,
+			put_card_number(page, NULL, tr("measured"), digits,
 			    SAMPLE,
-			    mean_of_repeats_at_speed(
+			    measured_mean_at_speed(
 				s, all, speed, &page->moved));
 	}
 	struct figure p80 = forecast_value_in_shown_unit(all->forecast, P80);
-	put_number_cell(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
-	put_number_cell(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
+	put_card_number(page, "p80_low_mm", NULL, 2, NEEDED, p80.low);
+	put_card_number(page, "p80_high_mm", NULL, 2, NEEDED, p80.high);
 	if (!page->ranged)
 		return;
 	forecast_set_speed_and_draws(all->cut, speed, ENSEMBLE_SAMPLE);
@@ -381,10 +382,10 @@ put_figure_cells(struct card_table *page, const struct session *s,
 
 /* Puts the tonnes of the plant's lines, NAN if it has no steady state. */
 static void
-put_tonnage_cells(
+put_card_tonnages(
     struct card_table *page, const struct card_request *all, double speed)
 {
-	struct plant_result o = plant_compute_at_speed(&all->plant, speed);
+	struct plant_result o = plant_compute_flow_at_speed(&all->plant, speed);
 	bool open = o.flow.open;
 	for (size_t i = 0; i < all->n_line; i++) {
 		const struct plant_stream_row *line = &all->line[i];
@@ -395,12 +396,12 @@ put_tonnage_cells(
 		    xasprintf("%s_%s", back ? "back_tph" : "tph", line->name);
 		FREED char *head =
 		    xasprintf(back ? tr("%s back") : "%s", line->name);
-		put_number_cell(page, key, head, 1, NEEDED, open ? NAN : tph);
+		put_card_number(page, key, head, 1, NEEDED, open ? NAN : tph);
 	}
-	put_number_cell(page, "kwh_per_t", "kWh/t", 2, ASKED,
+	put_card_number(page, "kwh_per_t", "kWh/t", 2, ASKED,
 	    open ? NAN : o.kw / all->plant.circuit->tph);
 	if (all->plant.priced)
-		put_number_cell(page, "earnings", tr("earned/h"), 0, NEEDED,
+		put_card_number(page, "earnings", tr("earned/h"), 0, NEEDED,
 		    open ? NAN : o.money);
 	flow_free(&o.flow);
 }
@@ -411,20 +412,20 @@ put_limits_cells(struct card_table *page, const struct card_row *row)
 {
 	bool drawn = !isnan(row->share);
 	bool met = drawn ? row->share >= 0.5 : row->holds;
-	put_text_cell(page, NULL, tr("limits"), NEEDED,
+	put_card_text(page, NULL, tr("limits"), NEEDED,
 	    xstrdup(conditions_verdict(row->share, row->holds)));
 	if (drawn) {
 		bool sure = row->share < 0.01 || row->share > 0.99;
 		answer_set_missing(
 		    page->answer, row->share < 0.5 ? "<1" : ">99");
-		put_number_cell(page, NULL, tr("met in 100"), 0, NEEDED,
+		put_card_number(page, NULL, tr("met in 100"), 0, NEEDED,
 		    sure ? NAN : 100 * row->share);
 		answer_set_missing(page->answer, "-");
 	}
-	put_text_cell(page, "limits", NULL, NEEDED,
+	put_card_text(page, "limits", NULL, NEEDED,
 	    xstrdup(met ? tr("met") : tr("missed")));
-	put_text_cell(page, "certain", NULL, NEEDED,
-	    drawn ? conditions_probability_percent(row->share) : xstrdup("-"));
+	put_card_text(page, "certain", NULL, NEEDED,
+	    drawn ? conditions_probability_text(row->share) : xstrdup("-"));
 }
 
 /* Puts the answer at one speed.  Beyond the measured speeds people see
@@ -435,30 +436,30 @@ put_card_row(struct card_table *page, struct session *s,
 {
 	const struct entry *entry = all->question->entry;
 	double v = row->speed, rotor = entry->site->rotor;
-	put_number_cell(
+	put_card_number(
 	    page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
-	put_number_cell(page, "speed", NULL, AS_NEEDED, NEEDED, v);
+	put_card_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
 	if (rotor > 0)
-		put_number_cell(page, "rpm", "rpm", 0, NEEDED,
+		put_card_number(page, "rpm", "rpm", 0, NEEDED,
 		    rotor_speed_to_rpm(v, rotor));
 	forecast_set_speed(all->forecast, v);
-	put_figure_cells(page, s, all, v);
+	put_card_figures(page, s, all, v);
 	struct trust light = trust_at_speed(s, entry, v, all->question->feed);
 	row->light = light.light;
 	row->beyond = answers_is_speed_extrapolated(entry, v);
 	trust_keep_worse(worst, light);
 	const char *name = tr(LIGHT_NAME[row->light]);
-	put_text_cell(page, NULL, tr("trust"), NEEDED,
+	put_card_text(page, NULL, tr("trust"), NEEDED,
 	    xasprintf("%s%s", name, row->beyond ? "?" : ""));
 	if (all->plant.circuit != NULL)
-		put_tonnage_cells(page, all, v);
+		put_card_tonnages(page, all, v);
 	if (all->list.n > 0) {
 		forecast_set_speed(all->wanted.forecast, v);
 		row->holds = conditions_are_met(&all->wanted, SIZE_MAX);
 		row->share = conditions_probability(&all->wanted);
 		put_limits_cells(page, row);
 	}
-	put_text_cell(page, "light", NULL, NEEDED, xstrdup(name));
+	put_card_text(page, "light", NULL, NEEDED, xstrdup(name));
 	page->row++;
 }
 
@@ -508,7 +509,7 @@ note_plant_and_power(struct answer *r, const struct card_request *all)
 
 /* Warns if no row is likely to meet the limits.  Otherwise the rows show it. */
 static void
-note_unmet_limits(struct answer *r, const struct site *site,
+warn_if_limits_never_met(struct answer *r, const struct site *site,
     const struct card_row *row, size_t n)
 {
 	size_t best = 0;
@@ -517,7 +518,7 @@ note_unmet_limits(struct answer *r, const struct site *site,
 			best = i;
 	FREED char *rpm =
 	    rotor_speed_rpm_text(site->rotor, row[best].speed, NAN);
-	FREED char *often = conditions_probability_in_100(row[best].share);
+	FREED char *often = conditions_times_in_100_text(row[best].share);
 	if (row[best].share < 0.01)
 		answer_say(r, ANSWER_WARNING,
 		    "no speed on this page meets the limits");
@@ -529,17 +530,17 @@ note_unmet_limits(struct answer *r, const struct site *site,
 }
 
 static void
-note_limits(struct answer *r, const struct card_request *all,
+note_limits_of_card(struct answer *r, const struct card_request *all,
     const struct card_row *row, size_t n)
 {
-	FREED char *words = conditions_describe_list(&all->list);
+	FREED char *words = conditions_list_text(&all->list);
 	if (all->list.n > 0) {
 		answer_note(r,
 		    all->of_goal ? N_("limits: %s, the goal that is set; 'set "
 				      "goal none' leaves them out")
 				 : N_("limits: %s"),
 		    words);
-		note_unmet_limits(r, all->question->entry->site, row, n);
+		warn_if_limits_never_met(r, all->question->entry->site, row, n);
 		answer_note_column(r, tr("met in 100"),
 		    "met in 100: how many times in 100 all limits are met at "
 		    "that speed");
@@ -556,7 +557,7 @@ note_meaning_of_range(
 	double level = 100 * all->question->level;
 	int digits = quantities_decimals(of);
 	double step = pow(10, -digits);
-	FREED char *range = range_head(all);
+	FREED char *range = range_column_heading(all);
 	FREED char *figure = card_heading_of_quantity(all, of);
 	answer_note_column(r, range,
 	    "%s: of the figure at its left; the true value lies in it with "
@@ -597,8 +598,8 @@ note_meaning_of_trust_words(struct answer *r, const struct site *site,
 		occurs[row[i].light] = true;
 		beyond = beyond || row[i].beyond;
 	}
-	FREED char *speeds = session_speeds_text(site, ", ", NULL, true);
-	FREED char *rpm = session_rpm_in_brackets(site, NULL, true);
+	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, true);
+	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, true);
 	FREED char *words =
 	    xasprintf(occurs[LIGHT_GREEN]
 			  ? tr("green: confirmed by measurements at %s m/s%s")
@@ -625,7 +626,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 {
 	const struct question *q = all->question;
 	const struct site *site = q->entry->site;
-	FREED char *feed = feed_describe(site, q->feed);
+	FREED char *feed = feed_sampling_text(site, q->feed);
 	bool fines = false;
 	for (size_t i = 0; i < all->n; i++)
 		fines = fines || (all->q[i].kind == QUANTITY_PASSING &&
@@ -667,7 +668,7 @@ note_best_trust_light(struct answer *r, const struct session *s,
 		    (alike && !row[i].beyond && row[best].beyond))
 			best = i;
 	}
-	answers_note_basis(s, r, q, 0, NULL, worst);
+	answers_note_basis_of_side(s, r, q, 0, NULL, worst);
 	if (n > 0 && row[best].light != LIGHT_GREEN) {
 		FREED char *said = trust_in_words_at_speed(
 		    s, q->entry, row[best].speed, q->feed);
@@ -694,16 +695,16 @@ build_card_answer(
 	struct card_table page = {.answer = r};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
-		    page.measured || !isnan(mean_of_repeats_at_speed(
+		    page.measured || !isnan(measured_mean_at_speed(
 					 s, all, speed[i], &page.moved));
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};
 		put_card_row(&page, s, all, &row[i], &light);
 	}
-	fields_put(answer_fields(r), "date %s machine %s model %s", today,
-	    entry->site->machine,
+	fields_put_values(answer_fields(r), "date %s machine %s model %s",
+	    today, entry->site->machine,
 	    breakage_model_of_params(&entry->params)->name);
-	note_limits(r, all, row, n);
+	note_limits_of_card(r, all, row, n);
 	note_plant_and_power(r, all);
 	note_basis_of_card(r, s, all, &page, row, n);
 	note_best_trust_light(r, s, all->question, row, n, &light);

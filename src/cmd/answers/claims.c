@@ -29,7 +29,7 @@ static void
 collect_fitted_sites(struct claim_evidence *c, const struct session *s)
 {
 	c->settings = s->set.model;
-	stored_add_table3(&c->paper);
+	material_add_table3(&c->paper);
 	c->fit = xcalloc(s->n_entry + 1, sizeof(*c->fit));
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *e = &s->entry[i];
@@ -104,7 +104,7 @@ check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 /* True if a correlation is so far below 0 that chance alone reaches it once in
  * 20 times (t is about 2). */
 static bool
-is_correlation_negative(double r, size_t n)
+is_correlation_surely_negative(double r, size_t n)
 {
 	const double t = 2.1;
 	return n > 2 && r < -t / sqrt(t * t + (double)n - 2);
@@ -131,7 +131,7 @@ check_claim_f_mat_opposes_e0_min(
 		     : xstrdup("");
 	add_claim_verdict(r,
 	    N_("high f_mat goes with low e0_min, and the reverse"),
-	    is_correlation_negative(printed, c->paper.n),
+	    is_correlation_surely_negative(printed, c->paper.n),
 	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3%s; "
 			 "chance alone is beyond %.2f once in 20"),
 		printed, c->paper.n, fits,
@@ -217,7 +217,8 @@ check_claim_middle_speed_verifies(
 
 /* See D11. */
 static void
-check_claim_f_mat_resists(struct answer *r, const struct claim_evidence *c)
+check_claim_f_mat_is_resistance(
+    struct answer *r, const struct claim_evidence *c)
 {
 	size_t more = 0;
 	double sum = 0;
@@ -258,17 +259,17 @@ show_claims(struct session *s, const struct args *args, struct error *error)
 		sources_add_site(&about, c.fit[i]->site);
 	answer_title(r,
 	    "claims of Grunditz et al. (2021), at %zu calibrated sites", c.n);
-	answer_set_sites(r, "", about);
+	answer_set_site_names(r, "", about);
 	if (any) {
 		check_claim_params_within_bounds(r, &c);
 		check_claim_middle_speed_verifies(r, &c);
 		check_claim_p50_differs_least(r, &c);
 		check_claim_of_extrapolation(r, &c);
 		check_claim_f_mat_opposes_e0_min(r, &c);
-		check_claim_f_mat_resists(r, &c);
+		check_claim_f_mat_is_resistance(r, &c);
 	}
-	answer_put_rows(r, "claims");
-	fields_put(answer_fields(r), "what %s sites %zu", "claims", c.n);
+	answer_put_rows_as_objects(r, "claims");
+	fields_put_values(answer_fields(r), "what %s sites %zu", "claims", c.n);
 	if (strstr(about, "reconstructed") != NULL)
 		answer_say(r, ANSWER_REMARK,
 		    "reconstructed data are made by the model itself: they can "

@@ -38,9 +38,10 @@ struct compared {
 static const char PIN[] = "pinned";
 
 static bool
-are_two_sites(const struct compared side[2])
+are_sides_two_sites(const struct compared side[2])
 {
-	return entry_as_loaded(side[0].entry) != entry_as_loaded(side[1].entry);
+	return entry_without_scenario(side[0].entry) !=
+	       entry_without_scenario(side[1].entry);
 }
 
 /* Returns the passing at a size, NAN if the side's sieves do not cover it. */
@@ -146,7 +147,7 @@ round_difference_as_shown(const struct quantity *q, double value)
 
 /* Says which of the two has more, and whether the feeds change that. */
 static void
-note_difference(struct answer *r, const struct session *s,
+note_which_side_has_more(struct answer *r, const struct session *s,
     const struct compared side[2], const struct quantity *q, struct figure more)
 {
 	int digits = quantities_decimals(q);
@@ -170,7 +171,7 @@ note_difference(struct answer *r, const struct session *s,
 	else
 		answer_note(r, "%s: the same at both, as it is shown", words);
 	const struct question *asked = &side[0].q;
-	if ((low < 0 || high > 0) && !are_two_sites(side) &&
+	if ((low < 0 || high > 0) && !are_sides_two_sites(side) &&
 	    asked->feed == SITE_MEAN_FEED &&
 	    predict_range_over_feeds(
 		s, asked, q, side[0].p.speed, side[1].p.speed, range))
@@ -215,12 +216,12 @@ add_compared_figures(struct answer *r, const struct session *s,
 		if (band)
 			answer_add_cells(
 			    r, "%+.*f %+.*f", decimals, low, decimals, high);
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "quantity %s unit %s a %g b %g difference %g low %g high "
 		    "%g",
 		    key, unit, a, b, b - a, low, high);
 		if (band)
-			note_difference(r, s, side, &q[i], more);
+			note_which_side_has_more(r, s, side, &q[i], more);
 	}
 	for (size_t i = 0; i < 2; i++)
 		forecast_close(f[i]);
@@ -231,12 +232,12 @@ put_side_fields(struct fields *o, const char *key, const struct compared *side,
     const double *x, size_t n)
 {
 	struct fields *one = fields_add_object(o, key);
-	fields_put(one, "site %s speed %g extrapolated %d",
+	fields_put_values(one, "site %s speed %g extrapolated %d",
 	    side->entry->site->name, side->p.speed,
 	    answers_is_speed_extrapolated(side->entry, side->p.speed));
 	struct fields *passing = fields_add_list(one, "passing_pct");
 	for (size_t i = 0; i < n; i++)
-		fields_put(passing, "%g",
+		fields_put_values(passing, "%g",
 		    units_pct(compared_passing_at_size(side, x[i])));
 	answers_put_sizes(one, &side->p);
 	screened_put_fields(one, &side->p);
@@ -245,11 +246,12 @@ put_side_fields(struct fields *o, const char *key, const struct compared *side,
 
 /* Returns the provenance of both, once if it is the same. */
 static char *
-provenance_of_both(const struct compared side[2])
+provenance_of_both_sides(const struct compared side[2])
 {
 	char *first[2];
 	for (size_t i = 0; i < 2; i++)
-		first[i] = site_source(side[i].entry->site, "not stated");
+		first[i] =
+		    site_source_clause(side[i].entry->site, "not stated");
 	bool same = strcmp(first[0], first[1]) == 0;
 	char *both = same ? xstrdup(first[0])
 			  : xasprintf("%s: %s, %s: %s", side[0].head, first[0],
@@ -279,7 +281,7 @@ static void
 show_basis_of_both_sides(
     const struct session *s, struct answer *r, const struct compared side[2])
 {
-	bool two = are_two_sites(side);
+	bool two = are_sides_two_sites(side);
 	bool feeds = two || side[0].p.feed_run != side[1].p.feed_run;
 	struct trust light =
 	    trust_in_answer_or_fit(s, side[0].entry, &side[0].p);
@@ -290,9 +292,9 @@ show_basis_of_both_sides(
 		    s, side[i].entry, side[i].p.feed_run);
 		const char *whose = feeds ? side[i].words : NULL;
 		if (i == 0 || two)
-			answers_note_basis(s, r, &q, 0, whose, &light);
+			answers_note_basis_of_side(s, r, &q, 0, whose, &light);
 		else if (feeds)
-			feed_add_note(r, q.entry->site, q.feed, whose, 0);
+			feed_note_in_answer(r, q.entry->site, q.feed, whose, 0);
 	}
 	trust_show(r, light);
 }
@@ -300,7 +302,7 @@ show_basis_of_both_sides(
 /* A pinned prediction stays as it was.  Its draws are therefore not paired with
  * those of the other side, and the difference has no band. */
 static bool
-use_pinned_prediction(struct session *s, const struct args *args,
+use_pin_as_side(struct session *s, const struct args *args,
     struct compared *side, struct error *error)
 {
 	const struct pin *pin = s->pin;
@@ -326,7 +328,7 @@ use_pinned_prediction(struct session *s, const struct args *args,
 }
 
 static bool
-is_operand_pinned(const struct args *args, size_t i)
+is_operand_pin(const struct args *args, size_t i)
 {
 	return strcmp(args->operand[i], PIN) == 0;
 }
@@ -339,8 +341,8 @@ parse_side_and_predict(struct session *s, const struct args *args, bool sites,
     double v, size_t i, struct compared *side, struct error *error)
 {
 	const char *word = args->operand[i];
-	if (is_operand_pinned(args, i))
-		return use_pinned_prediction(s, args, side, error);
+	if (is_operand_pin(args, i))
+		return use_pin_as_side(s, args, side, error);
 	size_t at = s->current;
 	if (sites && !session_find_site(s, word, &at, error))
 		return false;
@@ -379,9 +381,9 @@ name_of_side(
 
 /* Names the columns by what the two sides differ in. */
 static void
-set_column_headings(bool sites, struct compared side[2])
+set_headings_of_sides(bool sites, struct compared side[2])
 {
-	bool two = are_two_sites(side);
+	bool two = are_sides_two_sites(side);
 	for (size_t i = 0; i < 2; i++) {
 		const struct site *site = side[i].entry->site;
 		double v = side[i].p.speed;
@@ -400,7 +402,7 @@ set_title_of_two_sites(struct answer *r, const struct compared side[2],
 {
 	const struct site *a = side[0].entry->site, *b = side[1].entry->site;
 	FREED char *both = xasprintf("%s, %s", a->name, b->name);
-	FREED char *data = provenance_of_both(side);
+	FREED char *data = provenance_of_both_sides(side);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    a->rotor == b->rotor ? a->rotor : 0, side[0].p.speed, NAN);
 	if (side[0].p.speed != side[1].p.speed)
@@ -413,12 +415,12 @@ set_title_of_two_sites(struct answer *r, const struct compared side[2],
 		answer_title(r, "%s and %s at %g m/s%s%s%s", a->name, b->name,
 		    side[0].p.speed, rpm, passing, fraction);
 	answers_put_feed_and_machine(r, a);
-	answer_set_sites(r, both, data);
+	answer_set_site_names(r, both, data);
 }
 
 /* Adds the sieves, sizes and break sizes of both. */
 static void
-add_compared_curves(struct answer *r, const struct session *s,
+add_compared_sieves_and_sizes(struct answer *r, const struct session *s,
     const struct compared side[2], const double *x, size_t n)
 {
 	struct forecast *f[2];
@@ -446,17 +448,17 @@ build_comparison_answer(const struct session *s, const struct compared side[2],
 	FREED double *x = merge_sieves_of_sides(side, &n);
 	FREED char *fraction = screened_title_suffix(&side[0].p.fraction);
 	const char *passing = q != NULL ? "" : tr(", % passing");
-	struct answer *r = are_two_sites(side)
+	struct answer *r = are_sides_two_sites(side)
 			       ? answer_new("compare")
 			       : answer_about_site(side[0].entry->site,
 				     "compare", "%s and %s%s%s", side[0].words,
 				     side[1].words, passing, fraction);
-	if (are_two_sites(side))
+	if (are_sides_two_sites(side))
 		set_title_of_two_sites(r, side, passing, fraction);
 	if (q != NULL) {
 		add_compared_figures(r, s, side, q, n_q);
 	} else {
-		add_compared_curves(r, s, side, x, n);
+		add_compared_sieves_and_sizes(r, s, side, x, n);
 		note_broken_and_extrapolated(r, side);
 	}
 	show_basis_of_both_sides(s, r, side);
@@ -482,7 +484,7 @@ draw_both_curves(
 	request.asked.feed = one->p.feed_run;
 	request.made = &one->p;
 	request.kept = two->pinned ? &s->pin->p : &two->p;
-	if (are_two_sites(side))
+	if (are_sides_two_sites(side))
 		request.beside = two->entry->key;
 	request.band = one->p.low != NULL;
 	struct chart *chart = plots_make_chart(s, &request, error);
@@ -516,7 +518,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	bool sites = false;
 	for (size_t i = 0; i < 2; i++)
 		sites = sites ||
-			(!is_operand_pinned(args, i) &&
+			(!is_operand_pin(args, i) &&
 			    !value_parse_number(args->operand[i], "m/s", &v));
 	if (!sites && args->speed > 0)
 		return error_set(error, ERROR_USAGE,
@@ -535,7 +537,7 @@ cmd_compare(struct session *s, const struct args *args, struct error *error)
 	if (ok && plot_is_image_wanted(s)) {
 		ok = draw_both_curves(s, side, error);
 	} else if (ok) {
-		set_column_headings(sites, side);
+		set_headings_of_sides(sites, side);
 		session_show_answer(s, build_comparison_answer(s, side, q, n));
 	}
 	for (size_t i = 0; i < 2; i++) {

@@ -72,7 +72,7 @@ say_sign_of_eq3(
 	struct fields *o = fields_add_object(answer_fields(r), "d1");
 	if (!isnan(coarse)) {
 		double t = exponent_of_eq3(w, coarse, speed);
-		fields_put(o, "coarse_mm %g used_pct %g printed_pct %g",
+		fields_put_values(o, "coarse_mm %g used_pct %g printed_pct %g",
 		    units_mm(coarse), -100 * expm1(-t), -100 * expm1(t));
 		answer_note(r,
 		    "D1, the sign: at %g m/s S of %.3g mm is %.1f %%; as "
@@ -81,8 +81,8 @@ say_sign_of_eq3(
 	}
 	if (!isnan(fine)) {
 		double t = exponent_of_eq3(w, fine, speed);
-		fields_put(o, "fine_mm %g no_floor_pct %g", units_mm(fine),
-		    -100 * expm1(-t));
+		fields_put_values(o, "fine_mm %g no_floor_pct %g",
+		    units_mm(fine), -100 * expm1(-t));
 		answer_note(r,
 		    "D1, the floor: %.3g mm is below the break size and does "
 		    "not break; without the floor its S is %.3g %%",
@@ -118,7 +118,7 @@ say_effect_of_millimetres(struct answer *r, const struct equation_example *w)
 		mm[i] = 100 * broken_share_with_x_in_mm(w, speed[i]);
 		prediction_free(&p);
 	}
-	fields_put(fields_add_object(answer_fields(r), "d2"),
+	fields_put_values(fields_add_object(answer_fields(r), "d2"),
 	    "low_pct %g high_pct %g mm_low_pct %g mm_high_pct %g", metres[0],
 	    metres[1], mm[0], mm[1]);
 	answer_note(r,
@@ -168,7 +168,7 @@ say_effect_of_literal_appearance(
 	double off = rmse_of_params_at_run(w, literal, w->p, w->site->n_run),
 	       used =
 		   rmse_of_params_at_run(w, w->settings, w->p, w->site->n_run);
-	fields_put(fields_add_object(answer_fields(r), "d3"),
+	fields_put_values(fields_add_object(answer_fields(r), "d3"),
 	    "beta_moves_pct %g literal_rmse_pct %g used_rmse_pct %g", most, off,
 	    used);
 	answer_note(r,
@@ -224,7 +224,7 @@ say_effect_of_printed_eq5_minus(
 	double off[2];
 	for (size_t i = 0; i < 2; i++)
 		off[i] = 100 * misfit_rmse(m[i], &best);
-	fields_put(fields_add_object(answer_fields(r), "d6"),
+	fields_put_values(fields_add_object(answer_fields(r), "d6"),
 	    "own %g least %g low_rmse_pct %g high_rmse_pct %g", own, least,
 	    off[0], off[1]);
 	answer_note(r,
@@ -301,8 +301,8 @@ show_equations(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < ARRAY_LEN(EQUATIONS); i++)
 		answer_add_cells(r, "%s %s %s", EQUATIONS[i].equation,
 		    EQUATIONS[i].printed, EQUATIONS[i].used);
-	answer_put_rows(r, "equations");
-	fields_put(answer_fields(r), "what %s", "equations");
+	answer_put_rows_as_objects(r, "equations");
+	fields_put_values(answer_fields(r), "what %s", "equations");
 	work_out_equations_for_site(r, s);
 	answer_note(r, "'man model' lists the departures D1, D2 ..");
 	return session_show_answer(s, r);

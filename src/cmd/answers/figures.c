@@ -49,7 +49,7 @@ add_quantity_rows(struct answer *r, struct fields *list, struct forecast *all,
 		if (model)
 			answer_add_cells(r, "%g", speed);
 		if (list != NULL)
-			fields_put(fields_add_object(list, NULL),
+			fields_put_values(fields_add_object(list, NULL),
 			    "quantity %s value %g unit %s low %g high %g", key,
 			    f.value, unit, f.low, f.high);
 	}
@@ -99,7 +99,7 @@ cmd_figures(struct session *s, const struct args *args,
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
 	struct answer *r = answer_about_site(entry->site, "figures",
 	    "figures of the product at %g m/s%s", v, rpm);
-	fields_put(answer_fields(r), "speed %g extrapolated %d", v,
+	fields_put_values(answer_fields(r), "speed %g extrapolated %d", v,
 	    answers_is_speed_extrapolated(entry, v));
 	add_quantity_rows(r, fields_add_list(answer_fields(r), "figures"), all,
 	    q, n, v, false);
@@ -113,7 +113,7 @@ cmd_figures(struct session *s, const struct args *args,
 		answer_note(r, "%s", sure);
 		band = predict_should_say_correction(s, entry);
 	}
-	answers_show_basis_at(s, r, question, v, band);
+	answers_show_basis_at_speed(s, r, question, v, band);
 	forecast_close(all);
 	return session_show_answer(s, r);
 }

@@ -35,7 +35,7 @@ struct find_request {
 };
 
 static void
-set_goal_target(struct find_request *goal, struct quantity q, double value)
+set_goal_value(struct find_request *goal, struct quantity q, double value)
 {
 	goal->n++;
 	goal->target = (struct condition){q, value, value};
@@ -49,13 +49,13 @@ parse_goal_options(const struct args *args, const struct fraction *fraction,
 	const double mm[PSD_SIZES] = {args->p20, args->p50, args->p80};
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		if (mm[i] > 0)
-			set_goal_target(goal,
+			set_goal_value(goal,
 			    (struct quantity){.kind = QUANTITY_SIZE,
 				.x = PSD_PASSING[i],
 				.fraction = *fraction},
 			    mm[i] / 1000);
 	if (args_is_given(args, &args->passing))
-		set_goal_target(goal,
+		set_goal_value(goal,
 		    (struct quantity){.kind = QUANTITY_PASSING,
 			.x = args->at / 1000,
 			.fraction = *fraction},
@@ -81,7 +81,7 @@ parse_goal_operand(const char *text, const struct fraction *fraction,
 		return true;
 	}
 	goal->kind = of == NULL ? GOAL_VALUE : most ? GOAL_MOST : GOAL_LEAST;
-	set_goal_target(goal, c.quantity, c.least);
+	set_goal_value(goal, c.quantity, c.least);
 	return true;
 }
 
@@ -148,7 +148,7 @@ take_session_goal_value(
 		    s->set.goal);
 	if (ok) {
 		const struct condition *last = &all.at[all.n - 1];
-		set_goal_target(goal, last->quantity, last->least);
+		set_goal_value(goal, last->quantity, last->least);
 		for (size_t i = 0; i + 1 < all.n; i++)
 			conditions_add(&goal->others, all.at[i]);
 	}
@@ -183,7 +183,7 @@ parse_goal(struct session *s, const struct args *args,
 
 /* Returns a value of the target in the unit that people see. */
 static double
-value_in_shown_unit(const struct find_request *goal, double value)
+target_in_shown_unit(const struct find_request *goal, double value)
 {
 	return quantities_value_in_shown_unit(&goal->target.quantity, value);
 }
@@ -198,7 +198,7 @@ target_value_at_speed(const struct find_request *goal, double v)
 
 /* Returns "P80 5 mm", "40 % passing 2 mm" or "the largest passing 2 mm". */
 static char *
-goal_to_text(const struct find_request *goal)
+goal_text(const struct find_request *goal)
 {
 	const struct quantity *q = &goal->target.quantity;
 	char *name = quantities_name(q), *words;
@@ -208,9 +208,9 @@ goal_to_text(const struct find_request *goal)
 		    name);
 	else if (q->kind == QUANTITY_PASSING)
 		words = xasprintf("%g %% %s",
-		    value_in_shown_unit(goal, goal->target.least), name);
+		    target_in_shown_unit(goal, goal->target.least), name);
 	else
-		words = conditions_describe(&goal->target);
+		words = conditions_one_text(&goal->target);
 	free(name);
 	return words;
 }
@@ -237,16 +237,17 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 	    : goal->kind == GOAL_MOST ? "max "
 				      : "min ",
 	    key);
-	fields_put(o,
+	fields_put_values(o,
 	    "wanted %s value %g at_mm %g from %g to %g value_from %g "
 	    "value_to %g speed %g",
 	    wanted,
-	    value ? value_in_shown_unit(goal, goal->target.least)
+	    value ? target_in_shown_unit(goal, goal->target.least)
 		  : target_value_at_speed(goal, speed),
 	    passing ? units_mm(q->x) : NAN, goal->wanted.from, goal->wanted.to,
 	    target_value_at_speed(goal, goal->wanted.from),
 	    target_value_at_speed(goal, goal->wanted.to), speed);
-	fields_put(o, "speed_low %g speed_high %g cut_low %g cut_high %g",
+	fields_put_values(o,
+	    "speed_low %g speed_high %g cut_low %g cut_high %g",
 	    finite_speed_or_nan(f->range[0]), finite_speed_or_nan(f->range[1]),
 	    finite_speed_or_nan(f->cut[0]), finite_speed_or_nan(f->cut[1]));
 }
@@ -324,7 +325,7 @@ note_speed_range_over_feeds(
 		range[0] = fmin(range[0], v);
 		range[1] = fmax(range[1], v);
 	}
-	fields_put(answer_fields(r), "feeds_low %g feeds_high %g",
+	fields_put_values(answer_fields(r), "feeds_low %g feeds_high %g",
 	    finite_speed_or_nan(range[0]), finite_speed_or_nan(range[1]));
 	if (range[1] - range[0] < tells)
 		return;
@@ -411,7 +412,7 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
 			binds = in->high;
 	}
 	if (binds.i != SIZE_MAX) {
-		words = conditions_describe_limit(&goal->others, binds);
+		words = conditions_limit_text(&goal->others, binds);
 		answer_note(r, "what binds: %s", words);
 		free(words);
 	} else {
@@ -443,12 +444,12 @@ note_best_certain_speed(struct answer *r, const struct find_request *goal)
 }
 
 static void
-note_other_condition(
+note_if_condition_holds(
     struct answer *r, const struct find_request *goal, size_t i)
 {
 	const struct condition *c = &goal->wanted.at[i];
 	bool points = quantities_unit(&c->quantity)[0] == '%';
-	FREED char *words = conditions_describe(c),
+	FREED char *words = conditions_one_text(c),
 		   *value = value_with_band_text(goal, i);
 	double missed = -100 * condition_margin(&goal->wanted, i).passing;
 	if (conditions_are_met(&goal->wanted, i))
@@ -463,17 +464,17 @@ note_other_condition(
 /* Notes whether each other condition holds at the speed found, and with what
  * certainty all of them do. */
 static void
-note_other_conditions(struct answer *r, const struct find_request *goal)
+note_if_conditions_hold(struct answer *r, const struct find_request *goal)
 {
 	double v = goal->speed;
 	forecast_set_speed(goal->wanted.forecast, v);
 	for (size_t i = 0; i < goal->wanted.n; i++)
-		note_other_condition(r, goal, i);
+		note_if_condition_holds(r, goal, i);
 	double certain = conditions_probability(&goal->wanted);
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	if (isnan(certain))
 		return;
-	FREED char *words = conditions_probability_percent(certain);
+	FREED char *words = conditions_probability_text(certain);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
 	answer_note(r,
@@ -491,7 +492,7 @@ static double
 speed_nearest_to_goal(const struct find_request *goal)
 {
 	const struct wanted *w = &goal->wanted;
-	double wanted = value_in_shown_unit(goal, goal->target.least);
+	double wanted = target_in_shown_unit(goal, goal->target.least);
 	if (goal->kind != GOAL_VALUE)
 		return goal->search->best;
 	return fabs(target_value_at_speed(goal, w->to) - wanted) <
@@ -577,12 +578,12 @@ note_search_result(struct answer *r, const struct session *s,
 		note_value_at_nearest_measured(r, goal, goal->speed);
 	}
 	if (found && goal->wanted.n > 0)
-		note_other_conditions(r, goal);
+		note_if_conditions_hold(r, goal);
 	conditions_note_source_of_limits(r, &goal->others);
 }
 
 static void
-put_search_result(struct fields *o, const struct find_request *goal)
+put_search_fields(struct fields *o, const struct find_request *goal)
 {
 	double v = goal->speed;
 	put_goal_fields(o, goal);
@@ -591,7 +592,7 @@ put_search_result(struct fields *o, const struct find_request *goal)
 	forecast_set_speed(
 	    goal->wanted.forecast, isnan(v) ? goal->search->best : v);
 	conditions_put_list(o, &goal->wanted, goal->search);
-	fields_put(o, "holds %d",
+	fields_put_values(o, "holds %d",
 	    !isnan(v) && conditions_are_met(&goal->wanted, SIZE_MAX));
 }
 
@@ -605,7 +606,7 @@ show_basis_at_speed_found(
 	bool found = !isnan(goal->speed);
 	double shown = found ? goal->speed : speed_nearest_to_goal(goal);
 	struct trust light = trust_at_speed(s, q->entry, shown, q->feed);
-	answers_note_basis(s, r, q, found ? shown : 0, NULL, &light);
+	answers_note_basis_of_side(s, r, q, found ? shown : 0, NULL, &light);
 	trust_show_with_speed(r, q->entry->site, found ? 0 : shown, light);
 	return shown;
 }
@@ -643,14 +644,14 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	for (size_t i = 0; i < n; i++)
 		p[i] = forecast_whole_product(s, entry, speed[i], q->feed);
 	session_forget_answers(s);
-	FREED char *words = goal_to_text(goal);
+	FREED char *words = goal_text(goal);
 	struct answer *r = begin_find_answer(goal, found, words);
-	answers_add_prediction_rows(r, entry, p, n);
+	answers_add_row_per_prediction(r, entry, p, n);
 	note_search_result(r, s, goal, words);
 	if (found)
 		answers_note_sizes(r, &p[0]);
 	double shown = show_basis_at_speed_found(s, r, goal);
-	put_search_result(answer_fields(r), goal);
+	put_search_fields(answer_fields(r), goal);
 	answers_put_products(s, answer_fields(r), entry, p, n);
 	session_show_answer(s, r);
 	if (found)
@@ -672,7 +673,7 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 	FREED char *best = rotor_speed_rpm_text(site->rotor, w->best, NAN);
 	if (in != NULL) {
 		FREED char *speeds =
-		    conditions_describe_speeds_with_units(&g->conditions, w);
+		    conditions_met_speeds_with_units(&g->conditions, w);
 		FREED char *table =
 		    rotor_speed_rpm_text(site->rotor, in->from, NAN);
 		answer_note(r, "meets the envelope at %s; table: %.1f m/s%s",
@@ -685,7 +686,7 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 	    "no speed from %g to %g m/s%s meets the envelope; the nearest is "
 	    "%.1f m/s%s",
 	    goal->wanted.from, goal->wanted.to, range, w->best, best);
-	FREED char *missed = envelope_missed_limits(g);
+	FREED char *missed = envelope_missed_limits_text(g);
 	answer_note(r, "%s", missed);
 }
 
@@ -718,7 +719,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
 	session_keep_last_asked(s, v, NULL);
 	s->last_asked.found_by = "find";
-	fields_put(answer_fields(r),
+	fields_put_values(answer_fields(r),
 	    "wanted %s from %g to %g inside %d slowest %g fastest %g "
 	    "speed %g best %g",
 	    "spec", goal->wanted.from, goal->wanted.to, in != NULL,
@@ -733,7 +734,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 }
 
 static void
-find_speed_for_goal(const struct session *s, struct find_request *goal)
+find_and_show_goal_speed(const struct session *s, struct find_request *goal)
 {
 	double from = goal->wanted.from, to = goal->wanted.to;
 	goal->wanted = conditions_open_search(
@@ -761,7 +762,7 @@ cmd_find(struct session *s, const struct args *args, struct question *q,
 		return show_speeds_for_envelope(s, args, &goal, error);
 	bool ok = parse_goal(s, args, &goal, error);
 	if (ok) {
-		find_speed_for_goal(s, &goal);
+		find_and_show_goal_speed(s, &goal);
 		show_product_at_goal_speed(s, &goal);
 		speed_search_free(goal.search);
 		forecast_close(goal.wanted.forecast);

@@ -57,7 +57,7 @@ load_guess_materials(
 		    .most = MOST_OWN};
 	if (!store_find_materials(store, &query, &b->list, error))
 		return false;
-	stored_add_table3(&b->list);
+	material_add_table3(&b->list);
 	return true;
 }
 
@@ -73,10 +73,10 @@ prepare_guess_materials(struct guess_sources *b)
 		double top_mm = m->top_size_mm;
 		b->m[i] = (struct guess_material){m->site, m->rock,
 		    isfinite(top_mm) ? top_mm / 1000 : 0, m->params,
-		    material_model_settings(m), stored_is_table3(m)};
+		    material_model_settings(m), material_is_table3(m)};
 		b->leave_out[i] = text_same_folded(m->site, b->wanted.site);
 	}
-	while (!stored_is_table3(&b->list.item[b->table3]))
+	while (!material_is_table3(&b->list.item[b->table3]))
 		b->table3++;
 }
 
@@ -126,7 +126,7 @@ put_picked_materials(struct fields *o, const struct guess_sources *b)
 	for (size_t i = 0; i < b->n; i++) {
 		const struct material *m = &b->list.item[b->pick[i]];
 		struct fields *one = fields_add_object(list, NULL);
-		fields_put(one,
+		fields_put_values(one,
 		    "name %s site %s rock %s top_size_mm %g origin %s "
 		    "provenance %s train_mps %s",
 		    m->name, m->site, m->rock, m->top_size_mm, m->origin,
@@ -136,7 +136,7 @@ put_picked_materials(struct fields *o, const struct guess_sources *b)
 }
 
 static const char *
-name_of_worst_material(const struct guess_sources *b)
+name_of_worst_guess(const struct guess_sources *b)
 {
 	return b->list.item[b->table3 + b->error.worst_at].name;
 }
@@ -145,11 +145,11 @@ static void
 put_leave_one_out_error(struct fields *o, const struct guess_sources *b)
 {
 	const struct guess_error *e = &b->error;
-	fields_put(fields_add_object(o, "leave_one_site_out"),
+	fields_put_values(fields_add_object(o, "leave_one_site_out"),
 	    "data %s sites %zu median_rmse_pct %g worst_rmse_pct %g worst %s "
 	    "feed_rmse_pct %g held_pct %g",
 	    "reconstructed from Table 3", e->n, 100 * e->median, 100 * e->worst,
-	    name_of_worst_material(b), 100 * e->feed, 100 * e->held);
+	    name_of_worst_guess(b), 100 * e->feed, 100 * e->held);
 }
 
 static void
@@ -158,8 +158,8 @@ put_guess_fields(
 {
 	struct fields *o = answer_fields(r);
 	double top = b->wanted.top_size;
-	fields_put(o, "calibrated %d rock %s top_size_mm %g speed %g", false,
-	    b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
+	fields_put_values(o, "calibrated %d rock %s top_size_mm %g speed %g",
+	    false, b->wanted.rock, top > 0 ? units_mm(top) : NAN, guess->speed);
 	answer_put_columns_as_lists(r, "sieve_mm passing_pct low_pct high_pct");
 	for (size_t i = 0; i < ANSWERS_SIZES; i++) {
 		const struct guess_range *range = &guess->size[i];
@@ -222,7 +222,7 @@ note_guessed_sizes(struct answer *r, const struct guess *guess)
 
 /* Lists the names of the materials that are picked or, if `left`, left out. */
 static char *
-material_names(const struct guess_sources *b, bool left)
+guess_material_names(const struct guess_sources *b, bool left)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < (left ? b->list.n : b->n); i++) {
@@ -236,13 +236,13 @@ material_names(const struct guess_sources *b, bool left)
 
 /* Names the materials that were chosen. */
 static void
-note_nearest_materials(struct answer *r, const struct guess_sources *b)
+note_picked_materials(struct answer *r, const struct guess_sources *b)
 {
 	size_t same = 0;
 	for (size_t i = 0; i < b->n; i++)
 		same += text_same_folded(
 		    b->list.item[b->pick[i]].rock, b->wanted.rock);
-	FREED char *picked = material_names(b, false);
+	FREED char *picked = guess_material_names(b, false);
 	if (b->wanted.rock[0] == '\0')
 		answer_note(
 		    r, "nearest by top size (no rock type stated): %s", picked);
@@ -282,11 +282,11 @@ note_choice_of_materials(struct answer *r, const struct guess_sources *b)
 		    "(%.1f)",
 		    c->few.nearest, 100 * c->few.median, 100 * c->all.median);
 	else
-		note_nearest_materials(r, b);
+		note_picked_materials(r, b);
 }
 
 static void
-note_materials(struct answer *r, const struct guess_sources *b)
+note_basis_of_guess(struct answer *r, const struct guess_sources *b)
 {
 	bool measured = true, open = false;
 	for (size_t i = 0; i < b->n; i++) {
@@ -325,7 +325,7 @@ note_materials(struct answer *r, const struct guess_sources *b)
 		answer_say(r, ANSWER_WARNING,
 		    "some of these materials were not calibrated on measured "
 		    "data");
-	FREED char *left = material_names(b, true);
+	FREED char *left = guess_material_names(b, true);
 	if (left[0] != '\0')
 		answer_say(r, ANSWER_REMARK,
 		    "left out because they are this site's own: %s", left);
@@ -334,7 +334,7 @@ note_materials(struct answer *r, const struct guess_sources *b)
 /* Warns if one or more of the materials were not trained at the speed.
  * Materials that do not state their speeds do not count. */
 static void
-note_beyond_training_speeds(
+warn_beyond_material_speeds(
     struct answer *r, const struct guess_sources *b, double speed)
 {
 	double slowest = 0, fastest = INFINITY;
@@ -352,7 +352,7 @@ note_beyond_training_speeds(
 		origin_release(o);
 	}
 	bool beyond = speed < slowest - 1e-9 || speed > fastest + 1e-9;
-	fields_put(answer_fields(r), "extrapolated %d", beyond);
+	fields_put_values(answer_fields(r), "extrapolated %d", beyond);
 	if (beyond)
 		answer_say(r, ANSWER_WARNING,
 		    "%.*f m/s is outside the training speeds common to these "
@@ -377,7 +377,7 @@ note_guess_error(struct answer *r, const struct guess_sources *b)
 	    "all): median %.1f points, worst %.1f (%s); feed unchanged %.1f. "
 	    "These are reconstructed data on synthetic feeds without sampling "
 	    "error: with another beta expect 5 to 12 points",
-	    e->n, 100 * e->median, 100 * e->worst, name_of_worst_material(b),
+	    e->n, 100 * e->median, 100 * e->worst, name_of_worst_guess(b),
 	    100 * e->feed);
 	if (b->n > 1)
 		answer_say(r, ANSWER_REMARK,
@@ -390,7 +390,7 @@ note_guess_error(struct answer *r, const struct guess_sources *b)
  * product of all materials.  That material has parameters to use, which a
  * median of products has not. */
 static void
-note_best_material(
+note_best_material_at_cut(
     struct answer *r, const struct site *site, const struct guess_sources *b)
 {
 	if (site_count_products(site) != 1)
@@ -427,9 +427,9 @@ show_guess(struct session *s, const struct site *site,
 {
 	struct answer *r = build_guess_answer(site, guess);
 	note_guessed_sizes(r, guess);
-	note_materials(r, b);
-	note_best_material(r, site, b);
-	note_beyond_training_speeds(r, b, guess->speed);
+	note_basis_of_guess(r, b);
+	note_best_material_at_cut(r, site, b);
+	warn_beyond_material_speeds(r, b, guess->speed);
 	note_guess_error(r, b);
 	put_guess_fields(r, b, guess);
 	put_leave_one_out_error(answer_fields(r), b);

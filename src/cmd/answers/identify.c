@@ -37,7 +37,7 @@ struct findings {
 };
 
 static void
-list_speeds_measured(struct findings *f, const struct site *site)
+find_speeds_measured(struct findings *f, const struct site *site)
 {
 	f->finest = INFINITY;
 	f->speed = xcalloc_doubles(site->n_run);
@@ -57,10 +57,11 @@ find_what_data_determine(const struct posterior *p, const struct site *site)
 {
 	struct findings f = {.p = p, .of = BREAKAGES[p->settings.breakage]};
 	size_t threshold = breakage_parameter_index(f.of, "e0_min");
-	list_speeds_measured(&f, site);
+	find_speeds_measured(&f, site);
 	f.at = xcalloc(f.n_speed + 1, sizeof *f.at);
 	for (size_t i = 0; i < f.n_speed; i++)
-		f.at[i] = identify_break_size(p, f.speed[i], f.finest);
+		f.at[i] =
+		    identify_summarise_break_size(p, f.speed[i], f.finest);
 	for (size_t j = 0; j < f.of->n; j++)
 		f.param[j] = identify_summarise_param(p, j);
 	f.open = (f.n_speed > 0 && f.at[0].below > OPEN) ||
@@ -116,7 +117,7 @@ find_correlated_pairs(const struct findings *f, size_t pair[RIDGES][2])
 		for (size_t i = 0; i < f->of->n; i++)
 			for (size_t j = i + 1; j < f->of->n; j++) {
 				double r = fabs(identify_stronger_correlation(
-				    identify_correlate_pair(f->p, i, j)));
+				    identify_correlate_params(f->p, i, j)));
 				if (!(r > most && r < last))
 					continue;
 				most = r;
@@ -139,11 +140,11 @@ say_correlated_pairs(struct answer *r, const struct findings *f)
 	struct fields *list = fields_add_list(answer_fields(r), "ridges");
 	for (size_t k = 0; k < n; k++) {
 		struct identify_pair c =
-		    identify_correlate_pair(f->p, pair[k][0], pair[k][1]);
+		    identify_correlate_params(f->p, pair[k][0], pair[k][1]);
 		const char *a = f->of->parameter[pair[k][0]].name;
 		const char *b = f->of->parameter[pair[k][1]].name;
 		double most = identify_stronger_correlation(c);
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "a %s b %s linear %g rank %g", a, b, c.linear, c.rank);
 		answer_note(r,
 		    most > 0
@@ -248,7 +249,7 @@ put_identifiability_fields(
 {
 	struct fields *list = fields_add_list(o, "break_size");
 	for (size_t i = 0; i < f->n_speed; i++)
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "speed %g mean_mm %g sd_mm %g low_mm %g high_mm %g "
 		    "below_sieves_share %g",
 		    f->speed[i], 1000 * f->at[i].mean, 1000 * f->at[i].sd,
@@ -256,7 +257,7 @@ put_identifiability_fields(
 	list = fields_add_list(o, "parameters");
 	for (size_t j = 0; j < f->of->n; j++) {
 		const struct identify_param *a = &f->param[j];
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "name %s mean %g sd %g prior_sd %g share_pct %g grade %s "
 		    "bound %s",
 		    f->of->parameter[j].name, a->mean, a->sd, a->prior,
@@ -265,8 +266,8 @@ put_identifiability_fields(
 		    : a->bound > 0 ? "upper"
 				   : "none");
 	}
-	fields_put(o, "model %s threshold_open %d sentence %s", f->of->name,
-	    f->open, text);
+	fields_put_values(o, "model %s threshold_open %d sentence %s",
+	    f->of->name, f->open, text);
 }
 
 bool

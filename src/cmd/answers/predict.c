@@ -159,7 +159,7 @@ is_held_at_feed(const struct question *q, const struct prediction *p, size_t i)
  * model: NULL, or the model for a column of its own, beside one for the speed,
  * as files want them.  alone: adds the passings by the model alone. */
 static void
-add_prediction_rows(struct answer *r, const struct session *s,
+add_prediction_sieve_rows(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p, const double *between,
     const char *model, bool alone)
 {
@@ -224,9 +224,9 @@ build_prediction_answer(const struct session *s, const struct question *q,
 	 * line. */
 	if (!s->linear)
 		answer_allow_transposed(r);
-	add_prediction_rows(r, s, q, p, between, NULL, detail);
+	add_prediction_sieve_rows(r, s, q, p, between, NULL, detail);
 	answer_begin_table_for_programs(r);
-	add_prediction_rows(r, s, q, p, between, model, true);
+	add_prediction_sieve_rows(r, s, q, p, between, model, true);
 	return r;
 }
 
@@ -237,11 +237,11 @@ note_fit_of_only_cut(
 {
 	size_t run;
 	if (session_is_calibrating(s) ||
-	    entry->site != entry_as_loaded(entry)->site ||
+	    entry->site != entry_without_scenario(entry)->site ||
 	    !cut_is_only_check(entry, &run))
 		return;
 	struct cut cut = cut_compare_with_prediction(s, entry, run);
-	FREED char *words = cut_describe(&cut);
+	FREED char *words = cut_comparison_text(&cut);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, entry->site->run[run].speed, NAN);
 	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
@@ -251,7 +251,7 @@ note_fit_of_only_cut(
 		: N_("the prediction meets the cut at %g m/s%s, the one "
 		     "product of this site: %s"),
 	    entry->site->run[run].speed, rpm, words);
-	fields_put(fields_add_object(answer_fields(r), "cut"),
+	fields_put_values(fields_add_object(answer_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,
 	    100 * cut.rms, cut.n);
 }
@@ -324,7 +324,7 @@ bool
 predict_should_say_correction(
     const struct session *s, const struct entry *entry)
 {
-	return runs_that_correct(s, entry) != CORRECTION_ALL || !entry->has_fit;
+	return correction_in_use(s, entry) != CORRECTION_ALL || !entry->has_fit;
 }
 
 char *
@@ -422,7 +422,7 @@ predict_certainty_words(const struct session *s, const struct question *q,
 /* Adds, for a user who types, the line that asks for the next sieve, because
  * the rows of the table have no range for a belt cut. */
 static void
-add_other_sieve(const struct session *s, const struct question *q,
+append_hint_at_other_sieve(const struct session *s, const struct question *q,
     const struct prediction *p, char **words)
 {
 	size_t said = answers_default_sieve(&p->product);
@@ -445,14 +445,14 @@ note_certainty_of_passing(struct answer *r, const struct session *s,
 	FREED char *words = predict_certainty_words(s, q, &of, p->speed);
 	if (words == NULL)
 		return;
-	add_other_sieve(s, q, p, &words);
+	append_hint_at_other_sieve(s, q, p, &words);
 	answer_note(r, "%s", words);
 }
 
 /* Returns how far the measured products that stand beside the answer were
  * moved, the largest distance, passing 0..1; 0 if that does not show. */
 static double
-largest_adjustment_to_feed(const struct session *s, const struct question *q,
+largest_shown_move_to_feed(const struct session *s, const struct question *q,
     const struct prediction *p, bool between)
 {
 	const struct site *site = q->entry->site;
@@ -489,7 +489,7 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 	note_sieves_limited_by_feed(r, s, q, p);
 	note_sieves_missing_in_feed(r, question_feed(q), p);
 	note_wide_sieve_gap_in_feed(r, question_feed(q));
-	if (session_entry_being_fitted(s) == entry_as_loaded(entry))
+	if (session_entry_being_fitted(s) == entry_without_scenario(entry))
 		answer_say(r, ANSWER_REMARK,
 		    "predicted with the best parameters so far");
 	if (between != NULL)
@@ -504,8 +504,8 @@ build_prediction_with_notes(const struct session *s, const struct question *q,
 		    p->speed, rpm);
 	note_fit_of_only_cut(r, s, entry);
 	struct question at = *q;
-	at.moved = largest_adjustment_to_feed(s, q, p, between != NULL);
-	answers_show_basis_at(s, r, &at, p->speed,
+	at.moved = largest_shown_move_to_feed(s, q, p, between != NULL);
+	answers_show_basis_at_speed(s, r, &at, p->speed,
 	    p->low != NULL &&
 		(detail || predict_should_say_correction(s, entry)));
 	return r;
@@ -561,7 +561,7 @@ predict_for_slider(struct session *s, const struct entry *entry, double speed,
 	q.params = &params;
 	*p = forecast_product(s, &q, speed);
 	answers_keep_newest_prediction(s, entry, &params, p);
-	invocation_record_question(s, "predict", line);
+	invocation_journal_question(s, "predict", line);
 	return true;
 }
 
@@ -593,7 +593,7 @@ cmd_predict(struct session *s, const struct args *args, struct question *q,
 	bool picture = plot_is_image_wanted(s) && s->document == NULL;
 	bool curve = args->curve && s->set.format == ANSWER_TABLE;
 	if (picture)
-		session_keep_answer(s, r);
+		session_keep_newest_answer(s, r);
 	else
 		session_show_answer(s, r);
 	bool ok =

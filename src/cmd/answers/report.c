@@ -93,7 +93,7 @@ static const struct section {
 
 /* True if parameters are all that the section may lack. */
 static bool
-is_section_wanted(const struct report_request *ask, enum need need)
+lacks_section_only_params(const struct report_request *ask, enum need need)
 {
 	return need == NEED_PARAMS ||
 	       (need == NEED_CONDITIONS && ask->list.n > 0) ||
@@ -112,9 +112,10 @@ has_what_section_needs(
 	case NEED_PARAMS:
 	case NEED_CONDITIONS:
 	case NEED_TPH:
-		return entry->has_params && is_section_wanted(ask, need);
+		return entry->has_params &&
+		       lacks_section_only_params(ask, need);
 	case NEED_FIT:
-		return entry->has_params && origin_find_fit(entry) != NULL;
+		return entry->has_params && origin_source_fit(entry) != NULL;
 	case NEED_NONE:
 		return !entry->has_params;
 	case NEED_SEVERAL:
@@ -199,7 +200,7 @@ write_report_sections(struct session *s, const struct report_request *ask)
 static void
 write_data_provenance(struct document *d, const struct site *site)
 {
-	FREED char *from = site_source(site, "");
+	FREED char *from = site_source_clause(site, "");
 	if (from[0] == '\0')
 		document_say(d, DOCUMENT_WARNING,
 		    "The site file does not state where its data are from.");
@@ -237,8 +238,7 @@ static void
 append_speeds_meeting_conditions(char **words, const struct report_request *ask)
 {
 	const struct speed_search *w = ask->found;
-	FREED char *speeds =
-	    conditions_describe_speeds_with_units(&ask->wanted, w);
+	FREED char *speeds = conditions_met_speeds_with_units(&ask->wanted, w);
 	if (w->n_inside > 0)
 		xappend_to_list(words, "; ", tr("met at %s"), speeds);
 	if (w->n_inside > 0)
@@ -253,8 +253,7 @@ append_speeds_meeting_conditions(char **words, const struct report_request *ask)
 	if (!isfinite(w->margin.passing))
 		return;
 	forecast_set_speed(ask->wanted.forecast, w->best);
-	FREED char *misses =
-	    conditions_describe_margin(&ask->wanted, w->margin);
+	FREED char *misses = conditions_margin_text(&ask->wanted, w->margin);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(ask->q->entry->site->rotor, w->best, NAN);
 	xappend_to_list(words, "; ",
@@ -271,8 +270,8 @@ write_whether_conditions_met(
 	forecast_set_speed(ask->wanted.forecast, ask->speed);
 	bool met = conditions_are_met(&ask->wanted, SIZE_MAX);
 	double share = conditions_probability(&ask->wanted);
-	FREED char *list = conditions_describe_list(&ask->list);
-	FREED char *often = conditions_probability_in_100(share);
+	FREED char *list = conditions_list_text(&ask->list);
+	FREED char *often = conditions_times_in_100_text(share);
 	FREED char *chance = isnan(share)
 				 ? xstrdup(conditions_verdict(share, met))
 				 : xasprintf(tr("met %s"), often);
@@ -311,7 +310,8 @@ write_list_of_missing_sections(
 	FREED char *list = xstrdup("");
 	for (size_t i = 0; i < ARRAY_LEN(SECTIONS); i++) {
 		const struct section *row = &SECTIONS[i];
-		if (row->heading == NULL || !is_section_wanted(ask, row->need))
+		if (row->heading == NULL ||
+		    !lacks_section_only_params(ask, row->need))
 			continue;
 		FREED char *heading =
 		    fill_in_placeholders(tr(row->heading), ask);
@@ -388,7 +388,7 @@ given_options_text(const struct args *args, const void *const *option, size_t n)
 }
 
 static void
-compose_command_options(const struct args *args, struct report_request *ask)
+compose_section_options(const struct args *args, struct report_request *ask)
 {
 	const void *const cut[] = {
 	    &args->cut, &args->sharpness, &args->cut_size};
@@ -418,7 +418,7 @@ static bool
 parse_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)
 {
-	compose_command_options(args, ask);
+	compose_section_options(args, ask);
 	if (!conditions_add_from_args(s, args, ask->q, &ask->list, error))
 		return false;
 	ask->speed = ask->q->speed;

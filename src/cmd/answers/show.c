@@ -29,7 +29,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	const struct site *site = session_current_entry(s)->site;
 	struct answer *r = answer_new("show");
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds_text(site, " ", NULL, true);
+	FREED char *speeds = session_run_speeds_text(site, " ", NULL, true);
 	answer_title(r, "%s", label);
 	answer_set_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
@@ -43,7 +43,7 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "machine", "%s", site->machine);
 	answer_add_pair(r, "file", "%s", site->path);
 	answer_add_pair(r, "speeds m/s", "%s", speeds);
-	FREED char *rpm = session_rpm_list_text(site, " ", NULL, true);
+	FREED char *rpm = session_run_rpm_text(site, " ", NULL, true);
 	if (rpm[0] != '\0')
 		answer_add_pair(r, "speeds rpm", "%s", rpm);
 	answer_add_pair(r, "feeds",
@@ -150,13 +150,13 @@ show_model(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_about_site(site, "show", "the model");
 	const struct model_settings *set = &s->set.model;
 	struct fields *o = answer_fields(r);
-	fields_put(o, "what %s method %s appearance %s k %g", "model",
+	fields_put_values(o, "what %s method %s appearance %s k %g", "model",
 	    answers_method_name(set->method), APPEARANCE_NAMES[set->appearance],
 	    set->k);
 	if (entry->has_params)
 		fit_put_params(o, &entry->params);
 	else
-		fields_put(o, "params %g", NAN);
+		fields_put_values(o, "params %g", NAN);
 	answer_set_missing(r, entry->has_params ? N_("none") : "-");
 	answer_columns(r, "speed: m/s, energy_j_kg: E J/kg, break_mm: break "
 			  "size mm, selected_pct: broken %% of feed");
@@ -175,7 +175,7 @@ show_model(struct session *s, const struct args *args, struct error *error)
 		answer_add_cells(r, "%g %.0f %.2f %.1f", v,
 		    specific_energy_at_speed(v), x, selected);
 	}
-	answer_put_rows(r, "runs");
+	answer_put_rows_as_objects(r, "runs");
 	answer_note(r, "method %s, appearance %s, k %g",
 	    answers_method_name(set->method), APPEARANCE_NAMES[set->appearance],
 	    set->k);
@@ -249,8 +249,8 @@ show_selection_at_speed(struct session *s, const struct args *args,
 	struct answer *r = answer_about_site(entry->site, "show",
 	    "selection function at %g m/s%s (Eq 3)", q->speed, rpm);
 	add_selection_rows(r, feed, S);
-	answer_put_rows(r, "rows");
-	fields_put(answer_fields(r),
+	answer_put_rows_as_objects(r, "rows");
+	fields_put_values(answer_fields(r),
 	    "what %s speed %g selected_pct %g break_mm %g", "selection",
 	    q->speed, 100 * p.selected, 1000 * p.break_size);
 	answer_note(r,
@@ -260,7 +260,7 @@ show_selection_at_speed(struct session *s, const struct args *args,
 	if (isfinite(p.break_size) && p.break_size > 0)
 		answer_note(r, "particles of %.3g mm or more can break",
 		    1000 * p.break_size);
-	feed_add_note(r, entry->site, q->feed, NULL, 0);
+	feed_note_in_answer(r, entry->site, q->feed, NULL, 0);
 	prediction_free(&p);
 	return session_show_answer(s, r);
 }
@@ -269,12 +269,13 @@ static bool
 show_selection(struct session *s, const struct args *args, struct error *error)
 {
 	return answers_require_params_of_current(s, error) &&
-	       question_run_answer(s, args, show_selection_at_speed, error);
+	       question_read_and_answer(
+		   s, args, show_selection_at_speed, error);
 }
 
 /* Returns the name of a class, which is that of the sieve it lies on. */
 static const char *
-class_heading(const struct psd *feed, size_t i, char buf[static 32])
+sieve_heading_of_class(const struct psd *feed, size_t i, char buf[static 32])
 {
 	if (i + 1 == feed->n)
 		return "pan";
@@ -285,15 +286,16 @@ class_heading(const struct psd *feed, size_t i, char buf[static 32])
 /* Puts parents across and progeny down.  a: laid out as in
  * appearance_matrix. */
 static void
-add_appearance_rows_across(
+add_appearance_parents_across(
     struct answer *r, const struct psd *feed, const double *a)
 {
 	char name[32];
 	answer_columns(r, "daughter: daughter");
 	for (size_t i = 0; i < feed->n; i++)
-		answer_columns(r, "%s", class_heading(feed, i, name));
+		answer_columns(r, "%s", sieve_heading_of_class(feed, i, name));
 	for (size_t j = 0; j < feed->n; j++) {
-		answer_add_cells(r, "%s", class_heading(feed, j, name));
+		answer_add_cells(
+		    r, "%s", sieve_heading_of_class(feed, j, name));
 		answer_set_missing(r, "");
 		for (size_t i = 0; i < feed->n; i++)
 			answer_add_cells(
@@ -322,7 +324,7 @@ note_cumulative_appearance(
 	FREED char *text = xstrdup("");
 	for (int i = 1; i < 10; i++)
 		xappend_to_list(&text, ", ", "1/%d: %.1f %%", 1 << i,
-		    100 * answers_breakage_function(b, ldexp(1, -i), site));
+		    100 * answers_breakage_at_ratio(b, ldexp(1, -i), site));
 	answer_note(r,
 	    "B(u), the share of a broken particle finer than u times its size, "
 	    "as used by the method continuous: %s; nothing is finer than "
@@ -334,7 +336,7 @@ static void
 put_appearance_fields(struct fields *o, enum appearance_form form, size_t n,
     const double *x, const double *a)
 {
-	fields_put(
+	fields_put_values(
 	    o, "what %s appearance %s", "appearance", APPEARANCE_NAMES[form]);
 	fields_put_numbers(o, "class_mm", x, n, units_mm);
 	struct fields *rows = fields_add_list(o, "share_pct");
@@ -357,11 +359,11 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	breaker_set_speed(&b, site_middle_speed(entry->site));
 	FREED double *x = xcalloc_doubles(feed->n),
 		     *a = xcalloc_doubles(feed->n * feed->n);
-	classes_sizes(feed, x);
+	classes_compute_sizes(feed, x);
 	classes_appearance_matrix(&b, s->set.model.appearance, x, feed->n, a);
 	struct answer *r = answer_about_site(entry->site, "show",
 	    "appearance function (Eq 1), %% of each broken size class");
-	add_appearance_rows_across(r, feed, a);
+	add_appearance_parents_across(r, feed, a);
 	answer_begin_table_for_programs(r);
 	add_appearance_pair_rows(r, feed, x, a);
 	answer_say(r, ANSWER_REMARK,
@@ -437,7 +439,7 @@ cmd_show(struct session *s, const struct args *args, struct error *error)
 		    "show %s: expected no every=\n"
 		    "generations are those of 'show search every=50'",
 		    what);
-	if (WHAT[i].at_site && !session_need_site(s, "show", error))
+	if (WHAT[i].at_site && !session_require_site(s, "show", error))
 		return false;
 	return WHAT[i].show(s, args, error);
 }

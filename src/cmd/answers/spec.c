@@ -97,7 +97,7 @@ add_standard_limit_rows(struct answer *r, const struct standards *all)
 }
 
 static bool
-list_standard_limits(struct session *s, const struct standards *all)
+show_standard_limits(struct session *s, const struct standards *all)
 {
 	struct answer *r = answer_new("spec");
 	answer_title(r, "limits of standards that are not on a passing");
@@ -111,7 +111,7 @@ list_standard_limits(struct session *s, const struct standards *all)
 
 /* Lists the limits of one envelope, sieve by sieve. */
 static bool
-list_limits_of_spec(struct session *s, const struct spec *spec)
+show_envelope_limits(struct session *s, const struct spec *spec)
 {
 	struct answer *r = answer_new("spec");
 	FREED char *cut = envelope_fraction_text(spec);
@@ -126,7 +126,7 @@ list_limits_of_spec(struct session *s, const struct spec *spec)
 }
 
 static bool
-list_envelopes(
+show_envelope_list(
     struct session *s, const struct standards *all, const bool *match)
 {
 	struct answer *r = answer_new("spec");
@@ -151,7 +151,7 @@ list_envelopes(
 }
 
 static bool
-list_specs(struct session *s, const struct args *args, struct error *error)
+show_spec_list(struct session *s, const struct args *args, struct error *error)
 {
 	FREED char *words = join_operands(args, 1);
 	struct standards *all = standards_read_built_in();
@@ -162,14 +162,14 @@ list_specs(struct session *s, const struct args *args, struct error *error)
 	while (at < all->n && !match[at])
 		at++;
 	if (words == NULL)
-		ok = list_envelopes(s, all, NULL);
+		ok = show_envelope_list(s, all, NULL);
 	else if (strcmp(words, "limits") == 0)
-		ok = list_standard_limits(s, all);
+		ok = show_standard_limits(s, all);
 	else if (n == 0)
-		ok = standards_find(all, words, error) != NULL;
+		ok = standards_find_envelope(all, words, error) != NULL;
 	else
-		ok = n == 1 ? list_limits_of_spec(s, all->spec[at])
-			    : list_envelopes(s, all, match);
+		ok = n == 1 ? show_envelope_limits(s, all->spec[at])
+			    : show_envelope_list(s, all, match);
 	free(match);
 	standards_free(all);
 	return ok;
@@ -181,11 +181,11 @@ note_envelope_verdict(struct answer *r, const struct grading *g, double v)
 {
 	forecast_set_speed(g->conditions.forecast, v);
 	double certain = conditions_probability(&g->conditions);
-	FREED char *missed = envelope_missed_limits(g);
+	FREED char *missed = envelope_missed_limits_text(g);
 	fields_put_number(answer_fields(r), "certainty_pct", 100 * certain);
 	answer_note(
 	    r, "%s", missed[0] != '\0' ? missed : tr("meets the envelope"));
-	FREED char *often = conditions_probability_in_100(certain);
+	FREED char *often = conditions_times_in_100_text(certain);
 	if (isfinite(certain))
 		answer_note(
 		    r, "the true product meets the checked limits %s", often);
@@ -213,8 +213,9 @@ compare_product_with_envelope(struct session *s, const struct args *args,
 	envelope_add_rows(r, &g, v);
 	note_envelope_verdict(r, &g, v);
 	envelope_add_notes(r, &g);
-	answers_show_basis_at(s, r, q, v, false);
-	fields_put(answer_fields(r), "speed %g extrapolated %d inside %d", v,
+	answers_show_basis_at_speed(s, r, q, v, false);
+	fields_put_values(answer_fields(r),
+	    "speed %g extrapolated %d inside %d", v,
 	    answers_is_speed_extrapolated(entry, v),
 	    conditions_are_met(&g.conditions, SIZE_MAX));
 	envelope_put_fields(r, &g);
@@ -229,12 +230,12 @@ cmd_spec(struct session *s, const struct args *args, struct error *error)
 	static const struct {
 		const char *verb;
 		command_run *run;
-	} VERBS[] = {
-	    {"use", use_spec}, {"list", list_specs}, {"off", stop_using_spec}};
+	} VERBS[] = {{"use", use_spec}, {"list", show_spec_list},
+	    {"off", stop_using_spec}};
 	for (size_t i = 0; args->n_operand > 0 && i < ARRAY_LEN(VERBS); i++)
 		if (strcmp(args->operand[0], VERBS[i].verb) == 0)
 			return VERBS[i].run(s, args, error);
-	return session_need_site(s, "spec", error) &&
-	       question_run_answer(
+	return session_require_site(s, "spec", error) &&
+	       question_read_and_answer(
 		   s, args, compare_product_with_envelope, error);
 }

@@ -120,7 +120,7 @@ build_sweep_answer(const struct session *s, const struct question *q,
 	struct answer *r = answer_about_site(entry->site, "sweep",
 	    "products, %% passing%s%s%s", fraction, band ? ", " : "",
 	    band ? correction_in_words(s, entry) : "");
-	(across ? add_rows_with_speeds_across : answers_add_prediction_rows)(
+	(across ? add_rows_with_speeds_across : answers_add_row_per_prediction)(
 	    r, entry, p, n);
 	answer_begin_table_for_programs(r);
 	add_rows_by_speed_and_sieve(r, entry, p, n);

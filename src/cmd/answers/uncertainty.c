@@ -29,7 +29,7 @@ static const char *const PARTS[ENSEMBLE_PARTS] = {
  * narrower than that of the parameters, because the discrepancy that the runs
  * show is correlated with the parameters. */
 static void
-add_band_width_rows(struct answer *r, const struct session *s,
+add_half_band_width_rows(struct answer *r, const struct session *s,
     const struct question *q, const struct prediction *p)
 {
 	struct forecast *of[ENSEMBLE_PARTS];
@@ -71,7 +71,7 @@ default_quantities_text(const struct prediction *p, bool sieves)
 /* Adds a row for each figure, with the range of the true value and that of a
  * new sample. */
 static void
-add_figure_ranges(struct answer *r, const struct session *s,
+add_figure_rows(struct answer *r, const struct session *s,
     const struct question *question, const struct prediction *p,
     const struct quantity *q, size_t n)
 {
@@ -92,7 +92,7 @@ add_figure_ranges(struct answer *r, const struct session *s,
 		    quantities_unit(&q[i]), d, a.low, d, a.high, d, cut.low, d,
 		    cut.high);
 	}
-	answer_put_rows(r, "figures");
+	answer_put_rows_as_objects(r, "figures");
 	forecast_close(answer);
 	forecast_close(sample);
 	FREED char *chance = predict_probability_words(question->level);
@@ -105,7 +105,7 @@ add_figure_ranges(struct answer *r, const struct session *s,
 /* Adds the median and the range of each hyperparameter; also for people if
  * `words`. */
 static void
-add_hyperparameter_ranges(struct answer *r, const struct session *s,
+add_hyperparameter_rows(struct answer *r, const struct session *s,
     const struct posterior *p, bool words)
 {
 	double value[POSTERIOR_DRAWS], range[2], median, unused;
@@ -119,8 +119,8 @@ add_hyperparameter_ranges(struct answer *r, const struct session *s,
 		    value, settings_band_probability(&s->set), NAN, range);
 		ensemble_middle_interval(value, 0, &median, &unused);
 		struct fields *one = fields_add_object(o, HYPER[h].name);
-		fields_put(one, "median %g low %g high %g", median, range[0],
-		    range[1]);
+		fields_put_values(one, "median %g low %g high %g", median,
+		    range[0], range[1]);
 		if (words)
 			answer_note(r,
 			    size ? N_("%s: %.2f points (%.2f to %.2f): %s")
@@ -144,7 +144,7 @@ note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 		ratio += rock->harder / rock->softer;
 	}
 	struct fields *o = fields_add_object(answer_fields(r), "two_strengths");
-	fields_put(o, "draws_pct %g harder_share_pct %g ratio %g",
+	fields_put_values(o, "draws_pct %g harder_share_pct %g ratio %g",
 	    100 * two / POSTERIOR_DRAWS, 100 * share / two, ratio / two);
 	if (words && two > 0)
 		answer_note(r,
@@ -159,7 +159,7 @@ note_convergence_of_draws(struct answer *r, const struct posterior *p,
     const struct evidence *e, bool words)
 {
 	bool settled = !(e->halves > DRAWS_SETTLED);
-	fields_put(answer_fields(r),
+	fields_put_values(answer_fields(r),
 	    "draws %g halves_pct %g ratio %g drift %g accepted %g",
 	    (double)POSTERIOR_DRAWS, 100 * e->halves, p->ratio, p->drift,
 	    p->accepted);
@@ -257,7 +257,7 @@ note_effect_of_feeds(struct answer *r, const struct session *s,
 	    name, quantities_decimals(of), shown,
 	    quantities_difference_suffix(of));
 	if (of->kind == QUANTITY_PASSING)
-		fields_put(answer_fields(r), "feeds_move_pct %g", shown);
+		fields_put_values(answer_fields(r), "feeds_move_pct %g", shown);
 }
 
 /* Notes which next sample would narrow the band of a figure most, or that
@@ -274,7 +274,7 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	FREED char *name = quantity_short_name(of);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, best.speed, NAN);
-	fields_put(answer_fields(r), "next_mps %g", best.speed);
+	fields_put_values(answer_fields(r), "next_mps %g", best.speed);
 	if (exact_width < best.width) {
 		answer_note(r,
 		    "what would help %s at %.4g m/s most: tip speeds that are "
@@ -337,8 +337,8 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 		     "move what passes %g mm by +- %.2f points, and other "
 		     "sizes by less"),
 	    100 * sd, units_mm(at->product.size[worst]), 100 * most);
-	fields_put(answer_fields(r), "speed_sd_pct %g speeds_move_pct %g",
-	    100 * sd, 100 * most);
+	fields_put_values(answer_fields(r),
+	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);
 }
 
 /* Shows people the figures; with detail=, the table that programs get. */
@@ -370,13 +370,13 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	if (detail && !s->linear)
 		answer_allow_transposed(r);
 	if (!detail) {
-		add_figure_ranges(r, s, q, at, figures, n);
+		add_figure_rows(r, s, q, at, figures, n);
 		answer_begin_table_for_programs(r);
 	}
-	add_band_width_rows(r, s, q, at);
-	fields_put(answer_fields(r), "speed %g level %g correction %s",
+	add_half_band_width_rows(r, s, q, at);
+	fields_put_values(answer_fields(r), "speed %g level %g correction %s",
 	    at->speed, 100 * q->level,
-	    runs_that_correct(s, entry) == CORRECTION_ALL ? "all" : "train");
+	    correction_in_use(s, entry) == CORRECTION_ALL ? "all" : "train");
 	for (size_t i = 0; i < ENSEMBLE_PARTS; i++)
 		answer_put_columns_as_lists(r, PARTS[i]);
 	answer_put_columns_as_lists(r, "sieve_mm passing_pct");
@@ -384,14 +384,14 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	screened_put_fields(answer_fields(r), at);
 	if (detail)
 		answer_note(r, "%s", correction_in_words(s, entry));
-	add_hyperparameter_ranges(r, s, p, detail);
+	add_hyperparameter_rows(r, s, p, detail);
 	note_two_rock_strengths(r, p, detail);
 	note_effect_of_feeds(r, s, q, &of, at->speed);
 	note_effect_of_speed_errors(r, s, q, p, at);
 	note_convergence_of_draws(
 	    r, p, evidence_on_calibration(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);
-	answers_show_basis_at(s, r, q, at->speed, false);
+	answers_show_basis_at_speed(s, r, q, at->speed, false);
 	return r;
 }
 

@@ -45,7 +45,7 @@ struct explained {
 
 /* Returns the share of the feed above the break size, 0..1. */
 static double
-breakable_share(const struct explained *a)
+share_above_break_size(const struct explained *a)
 {
 	double x = a->p.break_size;
 	return isfinite(x) && x > 0 ? 1 - psd_passing(a->feed, x) : x <= 0;
@@ -55,7 +55,7 @@ static void
 say_what_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
-	double can = breakable_share(a), does = p->selected;
+	double can = share_above_break_size(a), does = p->selected;
 	if (p->no_daughters)
 		answer_note(a->answer,
 		    "The appearance function gives no progeny, so "
@@ -88,7 +88,7 @@ static void
 say_if_little_breaks(const struct explained *a)
 {
 	const struct prediction *p = &a->p;
-	double can = breakable_share(a), does = p->selected;
+	double can = share_above_break_size(a), does = p->selected;
 	if (p->no_daughters)
 		return;
 	double moved = psd_rms_difference(
@@ -167,12 +167,12 @@ say_if_within_training_speeds(const struct explained *a)
 {
 	const struct entry *entry = a->entry;
 	double slow, fast, v = a->p.speed;
-	if (!origin_speed_range(entry, &slow, &fast)) {
+	if (!origin_known_speed_range(entry, &slow, &fast)) {
 		answer_say(a->answer, ANSWER_WARNING,
 		    "The training speeds of these parameters are not known");
 		return;
 	}
-	FREED char *speeds = answers_describe_speed_range(entry, slow, fast);
+	FREED char *speeds = answers_known_speeds_text(entry, slow, fast);
 	if (!answers_is_speed_extrapolated(entry, v)) {
 		answer_note(a->answer, "%.4g m/s%s is within the %s", v, a->rpm,
 		    speeds);
@@ -275,7 +275,7 @@ say_origin_of_parameters(const struct explained *a, bool green)
 	const struct entry *entry = a->entry;
 	const struct fit *fit = &entry->fit;
 	if (!entry->has_fit) {
-		FREED char *details = origin_details_text(entry->origin);
+		FREED char *details = origin_training_text(entry->origin);
 		bool own = entry->origin->from[0] == '\0';
 		answer_note(a->answer,
 		    "The parameters were %s%s%s%s, not calibrated on this "
@@ -339,7 +339,7 @@ say_held_out_difference(const struct explained *a)
 static void
 say_data_provenance(const struct explained *a)
 {
-	FREED char *from = site_source(a->entry->site, "");
+	FREED char *from = site_source_clause(a->entry->site, "");
 	if (from[0] == '\0')
 		answer_note(a->answer,
 		    "The site file does not state where its data are from");
@@ -363,7 +363,7 @@ struct mass_change {
 
 /* Returns "8/11.2" or "0/0.063" for class i. */
 static char *
-class_label(const struct psd *feed, size_t i)
+size_class_text(const struct psd *feed, size_t i)
 {
 	double finer = i + 1 < feed->n ? units_mm(feed->size[i + 1]) : 0;
 	return xasprintf("%g/%g", finer, units_mm(feed->size[i]));
@@ -451,8 +451,8 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 	size_t out = mass_balance_class_of_largest(high->left, low->left, a->n);
 	size_t in =
 	    mass_balance_class_of_largest(high->arrived, low->arrived, a->n);
-	FREED char *from = class_label(b->feed, out),
-		   *to = class_label(b->feed, in);
+	FREED char *from = size_class_text(b->feed, out),
+		   *to = size_class_text(b->feed, in);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    b->q->entry->site->rotor, b->p[0].speed, b->p[1].speed);
 	if (fabs(more) < 5e-4)
@@ -472,7 +472,7 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 			     "missing in %s mm"),
 		    b->p[0].speed, b->p[1].speed, rpm, 100 * fabs(more),
 		    100 * a->broken, 100 * z->broken, from, to);
-	fields_put(answer_fields(r), "broken_change_pct %g", 100 * more);
+	fields_put_values(answer_fields(r), "broken_change_pct %g", 100 * more);
 }
 
 /* Returns the largest difference between the answer's change and the model's,
@@ -495,7 +495,7 @@ largest_correction_of_change(const struct mass_change *b, double *sieve)
 }
 
 static void
-note_correction(struct answer *r, const struct mass_change *b)
+note_correction_of_change(struct answer *r, const struct mass_change *b)
 {
 	double sieve = 0, most = largest_correction_of_change(b, &sieve);
 	bool corrected = b->p[0].low != NULL;
@@ -513,7 +513,7 @@ note_correction(struct answer *r, const struct mass_change *b)
 	else
 		answer_say(
 		    r, ANSWER_REMARK, "The mass balance is of the model alone");
-	fields_put(answer_fields(r), "answer_differs_pct %g",
+	fields_put_values(answer_fields(r), "answer_differs_pct %g",
 	    corrected ? 100 * most : NAN);
 }
 
@@ -527,7 +527,7 @@ put_balance_fields(struct fields *o, const struct mass_change *b)
 	for (size_t k = 0; k < 2; k++) {
 		const struct mass_balance *l = &b->of[k];
 		struct fields *at = fields_add_object(list, NULL);
-		fields_put(at, "speed %g extrapolated %d broken_pct %g",
+		fields_put_values(at, "speed %g extrapolated %d broken_pct %g",
 		    b->p[k].speed,
 		    answers_is_speed_extrapolated(b->q->entry, b->p[k].speed),
 		    100 * l->broken);
@@ -553,7 +553,7 @@ show_mass_balance(struct mass_change *b)
 	answer_begin_table_for_programs(r);
 	add_balance_rows_for_programs(r, b);
 	note_where_mass_goes(r, b);
-	note_correction(r, b);
+	note_correction_of_change(r, b);
 	for (size_t k = 0; k < 2; k++) {
 		double v = b->p[k].speed;
 		FREED char *own =
@@ -590,8 +590,8 @@ explain_change_between_speeds(struct session *s, const struct args *args,
 	struct mass_change b = {.s = s, .q = q, .feed = question_feed(q)};
 	for (size_t k = 0; k < 2; k++) {
 		b.p[k] = forecast_whole_product(s, entry, v[k], q->feed);
-		b.of[k] = mass_balance_new(
-		    b.feed, &entry->params, settings_of_answer(s, entry), v[k]);
+		b.of[k] = mass_balance_new(b.feed, &entry->params,
+		    model_settings_of_answer(s, entry), v[k]);
 	}
 	show_mass_balance(&b);
 	for (size_t k = 0; k < 2; k++) {
@@ -626,8 +626,8 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 		    : N_("why, at %.4g m/s%s"),
 		v, rpm, by)};
 	struct trust trust = trust_in_answer_or_fit(s, entry, &a.p);
-	fields_put(answer_fields(a.answer), "speed %g", v);
-	bool breaks = !fit_nothing_breaks(entry_as_loaded(entry));
+	fields_put_values(answer_fields(a.answer), "speed %g", v);
+	bool breaks = !fit_nothing_breaks(entry_without_scenario(entry));
 	answers_warn_if_nothing_breaks(a.answer, entry);
 	say_trust_is_green(&a, &trust);
 	if (breaks) {
@@ -643,7 +643,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	if (breaks)
 		say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
-	feed_add_note(a.answer, entry->site, q->feed, NULL, 0);
+	feed_note_in_answer(a.answer, entry->site, q->feed, NULL, 0);
 	if (breaks && a.p.low != NULL)
 		answer_note(a.answer,
 		    "'advise' names the sample that would narrow the band "

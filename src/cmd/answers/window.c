@@ -110,14 +110,14 @@ note_binding_conditions(struct answer *r, const struct window_request *a)
 
 /* Notes "1.2 points away, 0.9 times the width of its band". */
 static void
-note_nearest_limit(struct answer *r, const struct window_request *a)
+note_margin_to_limit(struct answer *r, const struct window_request *a)
 {
 	const struct margin *m = &a->w->margin;
 	double widths = conditions_margin_in_band_widths(&a->wanted, *m);
 	if (!isfinite(m->passing))
 		return;
-	FREED char *limit = conditions_describe_limit(&a->list, m->limit);
-	FREED char *distance = conditions_describe_margin(&a->wanted, *m);
+	FREED char *limit = conditions_limit_text(&a->list, m->limit);
+	FREED char *distance = conditions_margin_text(&a->wanted, *m);
 	if (isfinite(widths))
 		answer_note(r,
 		    "nearest limit there: %s, %s away, %.1f times the width of "
@@ -130,7 +130,7 @@ note_nearest_limit(struct answer *r, const struct window_request *a)
 
 /* Whether the conditions hold somewhere, but at none of the site's runs. */
 static bool
-is_beyond_all_measured(const struct window_request *a)
+is_window_without_run(const struct window_request *a)
 {
 	const struct site *site = a->wanted.site;
 	const struct speed_search *w = a->w;
@@ -147,10 +147,9 @@ static void
 note_speeds_in_window(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_best_range(a->w);
-	FREED char *speeds =
-	    conditions_describe_speeds_with_units(&a->wanted, a->w);
+	FREED char *speeds = conditions_met_speeds_with_units(&a->wanted, a->w);
 	bool several = a->list.n > 1;
-	if (is_beyond_all_measured(a))
+	if (is_window_without_run(a))
 		answer_note(r,
 		    several ? N_("no measured speed will do: by the model all "
 				 "conditions hold at %s")
@@ -167,11 +166,11 @@ note_speeds_in_window(struct answer *r, const struct window_request *a)
 	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
 	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
 	double slowest, fastest;
-	if (!origin_speed_range(a->q->entry, &slowest, &fastest) ||
+	if (!origin_known_speed_range(a->q->entry, &slowest, &fastest) ||
 	    (in->from >= slowest && in->to <= fastest))
 		return;
 	FREED char *reach =
-	    answers_describe_speed_range(a->q->entry, slowest, fastest);
+	    answers_known_speeds_text(a->q->entry, slowest, fastest);
 	answer_say(
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
@@ -184,7 +183,7 @@ put_certain_speeds(struct fields *o, const struct window_request *a)
 		answers_put_low_high(o, "certain", w->sure[0], w->sure[1]);
 	else
 		fields_put_number(o, "certain", NAN);
-	fields_put(o, "certainty_pct %g level %g slowest_safe %g",
+	fields_put_values(o, "certainty_pct %g level %g slowest_safe %g",
 	    100 * w->best_certain, 100 * a->wanted.level, w->safe);
 }
 
@@ -198,9 +197,9 @@ put_binding_limits(struct fields *o, const struct window_request *a)
 			    o, k == 0 ? "binds_low" : "binds_high", NAN);
 			continue;
 		}
-		FREED char *words =
-		    conditions_describe_limit(&a->list, limit[k]);
-		fields_put(o, k == 0 ? "binds_low %s" : "binds_high %s", words);
+		FREED char *words = conditions_limit_text(&a->list, limit[k]);
+		fields_put_values(
+		    o, k == 0 ? "binds_low %s" : "binds_high %s", words);
 	}
 }
 
@@ -211,9 +210,9 @@ put_window_fields(
 	const struct speed_search *w = a->w;
 	struct fields *inside = fields_add_list(o, "inside");
 	for (size_t k = 0; k < w->n_inside; k++)
-		fields_put(fields_add_list(inside, NULL), "%g %g",
+		fields_put_values(fields_add_list(inside, NULL), "%g %g",
 		    w->inside[k].from, w->inside[k].to);
-	fields_put(o,
+	fields_put_values(o,
 	    "best %g margin_pct %g margin_widths %g from %g to %g "
 	    "extrapolated %d",
 	    w->best, 100 * w->margin.passing,
@@ -234,14 +233,14 @@ note_equivalent_plot(struct answer *r, const struct args *args)
 }
 
 static void
-note_window(
+note_window_result(
     struct answer *r, const struct session *s, const struct window_request *a)
 {
 	if (a->w->n_inside > 0) {
 		conditions_note_best_speed(
 		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
 		note_speeds_in_window(r, a);
-		note_nearest_limit(r, a);
+		note_margin_to_limit(r, a);
 	} else {
 		conditions_note_why_unmet(
 		    r, &a->wanted, &a->list, a->w, question_feed(a->q));
@@ -283,7 +282,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		struct answer *r = begin_window_answer(&a);
 		conditions_add_rows(r, &a.wanted, a.w);
 		conditions_put_list(answer_fields(r), &a.wanted, a.w);
-		note_window(r, s, &a);
+		note_window_result(r, s, &a);
 		put_window_fields(answer_fields(r), &a,
 		    answers_is_speed_extrapolated(entry, a.w->best));
 		put_certain_speeds(answer_fields(r), &a);

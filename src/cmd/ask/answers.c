@@ -29,9 +29,9 @@ void
 answers_put_feed_and_machine(struct answer *r, const struct site *site)
 {
 	if (site->feed_from[0] != '\0')
-		fields_put(answer_fields(r), "feed %s", site->feed_from);
+		fields_put_values(answer_fields(r), "feed %s", site->feed_from);
 	if (site->with[0] != '\0')
-		fields_put(answer_fields(r), "with %s", site->with);
+		fields_put_values(answer_fields(r), "with %s", site->with);
 }
 
 struct answer *
@@ -79,7 +79,7 @@ answers_best_params_so_far(
     const struct session *s, const struct entry *entry, struct params *params)
 {
 	const struct entry *fitting = session_entry_being_fitted(s);
-	if (fitting == NULL || fitting != entry_as_loaded(entry))
+	if (fitting == NULL || fitting != entry_without_scenario(entry))
 		return false;
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.generation > 0)
@@ -91,12 +91,12 @@ bool
 answers_is_speed_extrapolated(const struct entry *entry, double speed)
 {
 	double slowest, fastest;
-	return !origin_speed_range(entry, &slowest, &fastest) ||
+	return !origin_known_speed_range(entry, &slowest, &fastest) ||
 	       speed < slowest - 1e-9 || speed > fastest + 1e-9;
 }
 
 double
-answers_breakage_function(
+answers_breakage_at_ratio(
     const struct breaker *b, double u, const struct site *site)
 {
 	double log_u = el_log(u), log_x = el_log(site->run[0].feed.size[0]);
@@ -207,8 +207,8 @@ answers_speed_range_words(
 /* Returns the multiples of one of the steps [n_step] between two values, of
  * the smallest that gives at most `most` of them [*n]. */
 static double *
-list_multiples(double from, double to, const double *steps, size_t n_step,
-    size_t most, size_t *n)
+list_multiples_of_step(double from, double to, const double *steps,
+    size_t n_step, size_t most, size_t *n)
 {
 	size_t i = 0;
 	while (i + 1 < n_step && (to - from) / steps[i] >= (double)most)
@@ -227,7 +227,7 @@ answers_speeds_at_round_rpm(
 	double rotor = site->rotor;
 	if (!answers_is_sheet_in_rpm(site))
 		return NULL;
-	double *speed = list_multiples(rotor_speed_to_rpm(from, rotor),
+	double *speed = list_multiples_of_step(rotor_speed_to_rpm(from, rotor),
 	    rotor_speed_to_rpm(to, rotor), STEPS, ARRAY_LEN(STEPS), most, n);
 	for (size_t i = 0; i < *n; i++)
 		speed[i] = speed_in_unit_to_mps(speed[i], SPEED_RPM, rotor);
@@ -235,17 +235,17 @@ answers_speeds_at_round_rpm(
 }
 
 double *
-answers_list_round_speeds(
+answers_list_few_round_speeds(
     const struct session *s, const struct site *site, size_t *n)
 {
 	enum { MOST = 7 };
 	static const double STEPS[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
 	double from, to;
-	settings_speed_range(&s->set, site, &from, &to);
+	settings_default_speed_range(&s->set, site, &from, &to);
 	double *speed = answers_speeds_at_round_rpm(site, from, to, MOST, n);
-	return speed != NULL
-		   ? speed
-		   : list_multiples(from, to, STEPS, ARRAY_LEN(STEPS), MOST, n);
+	return speed != NULL ? speed
+			     : list_multiples_of_step(
+				   from, to, STEPS, ARRAY_LEN(STEPS), MOST, n);
 }
 
 void
@@ -254,12 +254,12 @@ answers_keep_newest_prediction(struct session *s, const struct entry *entry,
 {
 	struct answer *answer = answer_new("predict");
 	answers_put_prediction(s, answer_fields(answer), entry, params, p);
-	session_keep_answer(s, answer);
+	session_keep_newest_answer(s, answer);
 	session_keep_last_asked(s, p->speed, NULL);
 }
 
 static char *
-format_size_beyond_sieves(const struct psd *psd, double passing)
+size_beyond_sieves_text(const struct psd *psd, double passing)
 {
 	bool fine = psd->passing[psd->n - 1] >= passing;
 	return xasprintf("%s %g", fine ? tr("below") : tr("above"),
@@ -276,7 +276,7 @@ void
 answers_add_size_cell(struct answer *r, const struct prediction *p, size_t i)
 {
 	FREED char *words = i == ANSWERS_BREAK ? xstrdup(tr("none"))
-					       : format_size_beyond_sieves(
+					       : size_beyond_sieves_text(
 						     &p->curve, PSD_PASSING[i]);
 	answer_set_missing(r, words);
 	answer_add_cells(r, "%.2f", answers_product_size_mm(p, i));
@@ -290,9 +290,8 @@ append_size_with_range(
     char **list, const struct psd *psd, size_t i, const double *range)
 {
 	double x = psd_size_at_passing(psd, PSD_PASSING[i]);
-	char *size = isfinite(x)
-			 ? xasprintf("%.2f", 1000 * x)
-			 : format_size_beyond_sieves(psd, PSD_PASSING[i]);
+	char *size = isfinite(x) ? xasprintf("%.2f", 1000 * x)
+				 : size_beyond_sieves_text(psd, PSD_PASSING[i]);
 	bool first = *list[0] == '\0';
 	xappend_to_list(list, ", ", "%s %s%s", PSD_NAME[i], size,
 	    first || size[0] > '9' ? " mm" : "");
@@ -334,13 +333,14 @@ note_model_if_not_of_paper(
 }
 
 char *
-answers_describe_speed_range(
+answers_known_speeds_text(
     const struct entry *entry, double slowest, double fastest)
 {
 	bool trained = origin_has_training_speeds(entry),
 	     several = slowest < fastest;
-	FREED char *rpm = rotor_speed_rpm_text(
-	    site_run_rotor(entry->site), slowest, several ? fastest : NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(site_run_rotor_diameter(entry->site), slowest,
+		several ? fastest : NAN);
 	if (several)
 		return xasprintf(trained
 				     ? tr("training speeds, %g to %g m/s%s")
@@ -353,7 +353,7 @@ answers_describe_speed_range(
 
 /* Notes what the sheet of the other feed does not state. */
 static void
-note_other_feed(struct answer *r, const struct entry *entry)
+note_other_feed_unstated(struct answer *r, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	const struct psd *feed = &site->run[site->n_run - 1].feed;
@@ -379,8 +379,8 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 	if (w == NULL)
 		return;
 	if (w->feed != NULL)
-		note_other_feed(r, entry);
-	if (w->rotor > 0 && !(entry_measured_rotor(w->own) > 0))
+		note_other_feed_unstated(r, entry);
+	if (w->rotor > 0 && !(entry_rotor_of_params(w->own) > 0))
 		answer_say(r, ANSWER_REMARK,
 		    "measured rotor not stated; %g mm assumed",
 		    units_mm(w->rotor));
@@ -389,7 +389,7 @@ note_other_feed_or_machine(struct answer *r, const struct entry *entry)
 void
 answers_warn_if_nothing_breaks(struct answer *r, const struct entry *entry)
 {
-	if (fit_nothing_breaks(entry_as_loaded(entry)))
+	if (fit_nothing_breaks(entry_without_scenario(entry)))
 		answer_say(r, ANSWER_WARNING, "%s", tr(FIT_NOTHING_BREAKS));
 }
 
@@ -400,26 +400,26 @@ warn_beyond_measured_speeds(struct answer *r, const struct entry *entry,
 {
 	double slowest, fastest;
 	if ((light->n > 0 && light->reason[0].cause == TRUST_BEYOND) ||
-	    !(speed > 0) || !origin_speed_range(entry, &slowest, &fastest) ||
+	    !(speed > 0) ||
+	    !origin_known_speed_range(entry, &slowest, &fastest) ||
 	    !answers_is_speed_extrapolated(entry, speed))
 		return;
-	FREED char *speeds =
-	    answers_describe_speed_range(entry, slowest, fastest);
+	FREED char *speeds = answers_known_speeds_text(entry, slowest, fastest);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
 	answer_say(r, ANSWER_WARNING, "%.*f m/s%s is outside the %s",
 	    units_speed_decimals(speed), speed, rpm, speeds);
 }
 
 void
-answers_note_basis(const struct session *s, struct answer *r,
+answers_note_basis_of_side(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light)
 {
 	if (whose == NULL)
 		answers_warn_if_nothing_breaks(r, q->entry);
 	warn_beyond_measured_speeds(r, q->entry, speed, light);
-	origin_add_note(r, q->entry);
-	feed_add_note(r, q->entry->site, q->feed, whose, q->moved);
+	origin_note_in_answer(r, q->entry);
+	feed_note_in_answer(r, q->entry->site, q->feed, whose, q->moved);
 	feed_note_assumed_top_size(r, q->entry->site, whose);
 	note_other_feed_or_machine(r, q->entry);
 	note_model_if_not_of_paper(s, r, q->entry);
@@ -431,12 +431,12 @@ answers_show_basis(const struct session *s, struct answer *r,
 {
 	if (band)
 		band_note_meaning(r, s, q->entry, true);
-	answers_note_basis(s, r, q, speed, NULL, &light);
+	answers_note_basis_of_side(s, r, q, speed, NULL, &light);
 	trust_show(r, light);
 }
 
 void
-answers_show_basis_at(const struct session *s, struct answer *r,
+answers_show_basis_at_speed(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band)
 {
 	/* A search that found nothing has no speed. */
@@ -452,7 +452,7 @@ answers_show_fit_basis(const struct session *s, struct answer *r,
 	if (band)
 		band_note_meaning(r, s, entry, false);
 	answers_warn_if_nothing_breaks(r, entry);
-	origin_add_note(r, entry);
+	origin_note_in_answer(r, entry);
 	feed_note_assumed_top_size(r, entry->site, NULL);
 	note_model_if_not_of_paper(s, r, entry);
 	struct trust trust = trust_in_answer_or_fit(s, entry, NULL);
@@ -470,7 +470,7 @@ answers_method_name(enum method method)
 void
 answers_put_low_high(struct fields *o, const char *key, double low, double high)
 {
-	fields_put(fields_add_list(o, key), "%g %g", low, high);
+	fields_put_values(fields_add_list(o, key), "%g %g", low, high);
 }
 
 void
@@ -489,7 +489,7 @@ answers_put_size_bands(
 		answers_put_low_high(o, ANSWERS_SIZE[i].range_key,
 		    1000 * p->range[i][0], 1000 * p->range[i][1]);
 	if (p->low != NULL)
-		fields_put(
+		fields_put_values(
 		    o, "level %g", 100 * settings_band_probability(&s->set));
 }
 
@@ -499,7 +499,7 @@ answers_put_prediction(const struct session *s, struct fields *o,
     const struct prediction *p)
 {
 	const struct psd *product = &p->product;
-	fields_put(o, "speed %g extrapolated %d method %s", p->speed,
+	fields_put_values(o, "speed %g extrapolated %d method %s", p->speed,
 	    answers_is_speed_extrapolated(entry, p->speed),
 	    answers_method_name(s->set.model.method));
 	fields_put_numbers(o, "sieve_mm", product->size, product->n, units_mm);
@@ -508,14 +508,15 @@ answers_put_prediction(const struct session *s, struct fields *o,
 	fields_put_numbers(o, "model_pct", p->model, product->n, units_pct);
 	answers_put_sizes(o, p);
 	screened_put_fields(o, p);
-	fields_put(o, "model %s", breakage_model_of_params(params)->name);
+	fields_put_values(
+	    o, "model %s", breakage_model_of_params(params)->name);
 	fit_put_params(o, params);
-	fields_put(
+	fields_put_values(
 	    o, ".feed_mps %g", feed_sampling_speed(entry->site, p->feed_run));
 	if (entry->has_fit)
-		fields_put(o, "verdict %s", verdict_on_fit(s, entry, p));
+		fields_put_values(o, "verdict %s", verdict_on_fit(s, entry, p));
 	if (origin_is_from_store(entry->origin))
-		fields_put(o, "recalled %s", entry->origin->material);
+		fields_put_values(o, "recalled %s", entry->origin->material);
 	origin_put_fields(o, entry);
 }
 
@@ -526,7 +527,7 @@ answers_put_products(const struct session *s, struct fields *o,
 	struct fields *list = fields_add_list(o, "products");
 	for (size_t i = 0; i < n; i++) {
 		struct fields *product = fields_add_object(list, NULL);
-		fields_put(product, "command %s site %s", "predict",
+		fields_put_values(product, "command %s site %s", "predict",
 		    entry->site->name);
 		answers_put_prediction(
 		    s, product, entry, &entry->params, &p[i]);
@@ -537,7 +538,7 @@ answers_put_products(const struct session *s, struct fields *o,
 }
 
 void
-answers_add_prediction_rows(struct answer *r, const struct entry *entry,
+answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n)
 {
 	double rotor = entry->site->rotor;

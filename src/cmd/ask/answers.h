@@ -39,7 +39,7 @@ bool answers_is_speed_extrapolated(const struct entry *entry, double speed);
 
 /* Returns B(u) at the breaker's speed.  If B depends on the parent's size, the
  * site's top size is the parent. */
-double answers_breakage_function(
+double answers_breakage_at_ratio(
     const struct breaker *b, double u, const struct site *site);
 
 /* Returns the default speed of a call: that of the held-out run nearest to the
@@ -71,7 +71,7 @@ double *answers_speeds_at_round_rpm(
 
 /* Returns at most seven round speeds over site_default_speed_range.  The caller
  * frees it. */
-double *answers_list_round_speeds(
+double *answers_list_few_round_speeds(
     const struct session *s, const struct site *site, size_t *n);
 
 /* Returns the sieve for a sentence that quotes one passing: 2 mm, else the
@@ -118,7 +118,7 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 
 /* Returns "training speeds, 69 to 79 m/s" or "one measured speed, 72 m/s".  The
  * caller frees it. */
-char *answers_describe_speed_range(
+char *answers_known_speeds_text(
     const struct entry *entry, double slowest, double fastest);
 
 /* Returns a speed as a line to type has it: "75.16", or "1450 rpm" if the site
@@ -134,7 +134,7 @@ void answers_show_basis(const struct session *s, struct answer *r,
 
 /* As answers_show_basis, with the light of the answer at that speed or, for 0,
  * that of the fit. */
-void answers_show_basis_at(const struct session *s, struct answer *r,
+void answers_show_basis_at_speed(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band);
 
 /* Warns if nothing measurable breaks at the site, and says what to do. */
@@ -147,13 +147,13 @@ enum light answers_show_fit_basis(const struct session *s, struct answer *r,
 
 /* As answers_show_basis, but without band and light, for one side of a
  * comparison.  whose: the owner of the feed in words, or NULL. */
-void answers_note_basis(const struct session *s, struct answer *r,
+void answers_note_basis_of_side(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light);
 
 /* Adds columns and a row for each prediction: energy, break size, P20, P50,
  * P80. */
-void answers_add_prediction_rows(struct answer *r, const struct entry *entry,
+void answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n);
 
 /* answers_put_low_high puts [low, high]; answers_put_sizes puts "p20_mm" to

@@ -32,7 +32,7 @@ blended_add_feed(struct session *s, const char *file, double share,
 /* Returns 0 for data that are made up, 1 if it is not stated, 2 if they were
  * measured. */
 static int
-rank_provenance(const struct site *sheet)
+provenance_rank(const struct site *sheet)
 {
 	const char *kind = site_data_kind(sheet->provenance);
 	return site_is_data_made_up(sheet->provenance) ? 0
@@ -51,11 +51,12 @@ provenance_clauses(const struct blended *b)
 	for (int rank = 0; rank <= 2; rank++)
 		for (size_t i = 0; i < b->n; i++) {
 			const struct site *sheet = b->part[i].sheet;
-			FREED char *one = site_source(sheet, "not stated");
-			if (rank_provenance(sheet) == rank &&
+			FREED char *one =
+			    site_source_clause(sheet, "not stated");
+			if (provenance_rank(sheet) == rank &&
 			    strstr(list, one) == NULL)
 				xappend_to_list(&list, ", ", "%s", one);
-			any = any || rank_provenance(sheet) != 1;
+			any = any || provenance_rank(sheet) != 1;
 		}
 	if (!any)
 		list[0] = '\0';

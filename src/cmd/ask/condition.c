@@ -497,7 +497,7 @@ bool
 conditions_speed_range_of_args(const struct session *s, const struct args *args,
     const struct site *site, double *from, double *to, struct error *error)
 {
-	settings_speed_range(&s->set, site, from, to);
+	settings_default_speed_range(&s->set, site, from, to);
 	*from = args->from > 0 ? args->from : *from;
 	*to = args->to > 0 ? args->to : *to;
 	bool swap = args->from > 0 && args->to > 0 && args->from > args->to;
@@ -509,7 +509,7 @@ conditions_speed_range_of_args(const struct session *s, const struct args *args,
 }
 
 char *
-conditions_describe(const struct condition *c)
+conditions_one_text(const struct condition *c)
 {
 	const struct quantity *q = &c->quantity;
 	FREED char *of = quantities_name(q);
@@ -525,18 +525,18 @@ conditions_describe(const struct condition *c)
 }
 
 char *
-conditions_describe_list(const struct condition_list *list)
+conditions_list_text(const struct condition_list *list)
 {
 	char *words = xstrdup("");
 	for (size_t i = 0; i < list->n; i++) {
-		FREED char *one = conditions_describe(&list->at[i]);
+		FREED char *one = conditions_one_text(&list->at[i]);
 		xappend_to_list(&words, ", ", "%s", one);
 	}
 	return words;
 }
 
 char *
-conditions_describe_limit(
+conditions_limit_text(
     const struct condition_list *list, struct wanted_limit limit)
 {
 	struct condition one = list->at[limit.i];
@@ -544,7 +544,7 @@ conditions_describe_limit(
 		one.least = NAN;
 	else
 		one.most = NAN;
-	return conditions_describe(&one);
+	return conditions_one_text(&one);
 }
 
 /* Returns them in rpm: "1319 to 1434".  The caller frees it. */
@@ -582,7 +582,7 @@ describe_speeds_in_mps(const struct speed_search *found)
 }
 
 char *
-conditions_describe_speeds(
+conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site)
 {
 	return answers_is_sheet_in_rpm(site)
@@ -593,7 +593,7 @@ conditions_describe_speeds(
 /* Returns ", up to the fastest asked" and the like, to be translated, for a
  * range with an end that is only that of the search; else "". */
 static const char *
-describe_search_ends(const struct wanted *wanted, double from, double to)
+search_end_suffix(const struct wanted *wanted, double from, double to)
 {
 	bool slowest = from <= wanted->from, fastest = to >= wanted->to;
 	return slowest && fastest ? N_(", all speeds asked")
@@ -603,14 +603,14 @@ describe_search_ends(const struct wanted *wanted, double from, double to)
 }
 
 char *
-conditions_describe_speeds_with_units(
+conditions_met_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found)
 {
 	double rotor = wanted->site->rotor;
 	size_t n = found->n_inside;
 	const char *ends =
 	    n == 0 ? ""
-		   : tr(describe_search_ends(wanted, found->inside[0].from,
+		   : tr(search_end_suffix(wanted, found->inside[0].from,
 			 found->inside[n - 1].to));
 	FREED char *mps = describe_speeds_in_mps(found);
 	FREED char *rpm =
@@ -646,7 +646,7 @@ margin_in_quantity_unit(const struct wanted *wanted, struct margin margin)
 }
 
 char *
-conditions_describe_margin(const struct wanted *wanted, struct margin margin)
+conditions_margin_text(const struct wanted *wanted, struct margin margin)
 {
 	const struct quantity *q = &wanted->at[margin.limit.i].quantity;
 	double points = fabs(100 * margin.passing);
@@ -660,14 +660,14 @@ conditions_describe_margin(const struct wanted *wanted, struct margin margin)
 }
 
 static void
-put_condition(struct fields *o, const struct wanted *wanted,
+put_condition_fields(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found, size_t i)
 {
 	const struct quantity *q = &wanted->at[i].quantity;
 	struct margin margin = condition_margin(wanted, i);
 	struct figure f = forecast_value_in_shown_unit(wanted->forecast, i);
 	FREED char *key = quantities_field_name(q);
-	fields_put(o,
+	fields_put_values(o,
 	    "quantity %s unit %s min %g max %g value %g low %g high %g "
 	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
 	    key, quantities_unit(q),
@@ -684,7 +684,8 @@ conditions_put_list(struct fields *o, const struct wanted *wanted,
 {
 	struct fields *list = fields_add_list(o, "conditions");
 	for (size_t i = 0; i < wanted->n; i++)
-		put_condition(fields_add_object(list, NULL), wanted, found, i);
+		put_condition_fields(
+		    fields_add_object(list, NULL), wanted, found, i);
 }
 
 /* Adds the speeds at which a condition holds by itself, in rpm if the diameter
@@ -806,7 +807,7 @@ note_conflicting_limits(struct answer *r, const struct wanted *wanted,
 	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
 	    limit[0].i != SIZE_MAX && found->best > end[0] + 1e-3 &&
 	    found->best < end[1] - 1e-3) {
-		FREED char *words = conditions_describe_limit(list, limit[0]);
+		FREED char *words = conditions_limit_text(list, limit[0]);
 		answer_note(r, "what is in the way: %s", words);
 		return;
 	}
@@ -815,7 +816,7 @@ note_conflicting_limits(struct answer *r, const struct wanted *wanted,
 		at[k] = fabs(found->best - end[k]) < 1e-3;
 		if (at[k] || limit[k].i == SIZE_MAX)
 			continue;
-		FREED char *words = conditions_describe_limit(list, limit[k]);
+		FREED char *words = conditions_limit_text(list, limit[k]);
 		answer_note(r,
 		    k == 0 ? N_("limiting at lower speeds: %s")
 			   : N_("limiting at higher speeds: %s"),
@@ -849,7 +850,7 @@ conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
 /* If the best speed lies beyond the measured ones, notes by how much the
  * nearest measured speed misses.  Leaves the forecast at the best speed. */
 static void
-note_nearest_measured(struct answer *r, const struct wanted *wanted,
+note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
 	const struct site *site = wanted->site;
@@ -860,7 +861,7 @@ note_nearest_measured(struct answer *r, const struct wanted *wanted,
 	struct margin margin = condition_margin(wanted, SIZE_MAX);
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, near, NAN);
 	if (isfinite(margin.passing)) {
-		FREED char *misses = conditions_describe_margin(wanted, margin);
+		FREED char *misses = conditions_margin_text(wanted, margin);
 		answer_note(r,
 		    "the nearest measured speed, %.*f m/s%s, misses by %s",
 		    units_speed_decimals(near), near, rpm, misses);
@@ -885,10 +886,10 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 		return;
 	}
 	forecast_set_speed(wanted->forecast, found->best);
-	FREED char *misses = conditions_describe_margin(wanted, found->margin);
+	FREED char *misses = conditions_margin_text(wanted, found->margin);
 	if (found->alike) {
 		FREED char *words =
-		    conditions_describe_limit(list, found->margin.limit);
+		    conditions_limit_text(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s alike, by %s",
@@ -902,7 +903,7 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 		    "%.1f m/s%s, which misses by %s",
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
-		note_nearest_measured(r, wanted, found);
+		note_nearest_measured_speed(r, wanted, found);
 		note_conflicting_limits(r, wanted, list, found, feed);
 	}
 }
@@ -938,7 +939,7 @@ conditions_show_basis(const struct session *s, struct answer *r,
 		answers_show_basis(s, r, q, speed, false, light);
 		return;
 	}
-	answers_note_basis(s, r, q, speed, NULL, &light);
+	answers_note_basis_of_side(s, r, q, speed, NULL, &light);
 	const double at[] = {speed, end};
 	for (size_t k = 0; k < 2; k++) {
 		FREED char *words =
@@ -970,7 +971,7 @@ is_fast_end_unreliable(const struct wanted *wanted)
 /* Returns the end of a search as it can be typed: "100" or, if the sheet is in
  * rpm, the last multiple of ten before it, "2010 rpm".  The caller frees it. */
 static char *
-end_as_typed(const struct site *site, double speed, bool fastest)
+search_end_as_typed(const struct site *site, double speed, bool fastest)
 {
 	if (!answers_is_sheet_in_rpm(site))
 		return xasprintf("%g", speed);
@@ -987,9 +988,9 @@ conditions_note_unsearched_speeds(
 	FREED char *slow = rotor_speed_rpm_text(site->rotor, wanted->from, NAN);
 	FREED char *fast = rotor_speed_rpm_text(site->rotor, wanted->to, NAN);
 	FREED char *from =
-	    end_as_typed(site, fmax(1, wanted->from - more), false);
-	FREED char *to =
-	    end_as_typed(site, fmin(SITE_FASTEST, wanted->to + more), true);
+	    search_end_as_typed(site, fmax(1, wanted->from - more), false);
+	FREED char *to = search_end_as_typed(
+	    site, fmin(SITE_FASTEST, wanted->to + more), true);
 	if (slower && wanted->from > 1 && !is_slow_end_unreliable(wanted))
 		answer_note(r,
 		    "slower than %g m/s%s was not searched: add from=%s",
@@ -1017,7 +1018,7 @@ conditions_note_no_reliable_speed(
 }
 
 char *
-conditions_probability_percent(double share)
+conditions_probability_text(double share)
 {
 	return share > 0.99   ? xstrdup(tr("over 99 %"))
 	       : share < 0.01 ? xstrdup(tr("under 1 %"))
@@ -1025,7 +1026,7 @@ conditions_probability_percent(double share)
 }
 
 char *
-conditions_probability_in_100(double share)
+conditions_times_in_100_text(double share)
 {
 	return share > 0.99   ? xstrdup(tr("over 99 times in 100"))
 	       : share < 0.01 ? xstrdup(tr("less than once in 100"))
@@ -1035,7 +1036,7 @@ conditions_probability_in_100(double share)
 /* Returns "run at 73.3 m/s: they hold most surely there, over 99 times in 100",
  * or "best 84.9 m/s, .." where that is not to be relied on. */
 static char *
-describe_best_speed(const struct session *s, const struct question *q,
+speed_to_run_at_text(const struct session *s, const struct question *q,
     const struct wanted *wanted, bool several, const struct speed_search *w)
 {
 	bool beyond = answers_is_speed_extrapolated(q->entry, w->best);
@@ -1056,7 +1057,7 @@ describe_best_speed(const struct session *s, const struct question *q,
 		xappend(&words, tr("it is farthest from the limits"));
 		return words;
 	}
-	FREED char *times = conditions_probability_in_100(w->best_certain);
+	FREED char *times = conditions_times_in_100_text(w->best_certain);
 	xappend(&words,
 	    several ? tr("they hold most surely there, %s")
 		    : tr("it holds most surely there, %s"),
@@ -1073,13 +1074,13 @@ note_speed_to_run_at(struct answer *r, const struct session *s,
 	double rotor = wanted->site->rotor, low = w->sure[0], high = w->sure[1];
 	FREED char *slow = rotor_speed_rpm_text(rotor, w->safe, NAN);
 	FREED char *rpm = rotor_speed_rpm_text(rotor, low, high);
-	FREED char *words = describe_best_speed(s, q, wanted, several, w);
+	FREED char *words = speed_to_run_at_text(s, q, wanted, several, w);
 	if (isfinite(low))
 		xappend(&words,
 		    tr("; at least %.0f times in 100 from %.1f to %.1f "
 		       "m/s%s%s"),
 		    100 * wanted->level, low, high, rpm,
-		    tr(describe_search_ends(wanted, low, high)));
+		    tr(search_end_suffix(wanted, low, high)));
 	else if (round(100 * w->best_certain) < round(100 * wanted->level))
 		xappend(&words, tr("; at no speed %.0f times in 100"),
 		    100 * wanted->level);
@@ -1101,7 +1102,7 @@ note_certainty_where_unmet(
 	for (size_t k = 0; k < w->n; k++)
 		if (w->certain[k] > w->certain[most])
 			most = k;
-	FREED char *highest = conditions_probability_percent(w->certain[most]);
+	FREED char *highest = conditions_probability_text(w->certain[most]);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(wanted->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)

@@ -77,13 +77,13 @@ bool conditions_speed_range_of_args(const struct session *s,
     const struct args *args, const struct site *site, double *from, double *to,
     struct error *error);
 
-/* conditions_describe returns "passing 2 mm 40 to 50 %" or "P80 at least 5 mm";
- * conditions_describe_list all conditions, separated by commas;
- * conditions_describe_limit a limit from the list, "passing 2 mm at most 50 %".
+/* conditions_one_text returns "passing 2 mm 40 to 50 %" or "P80 at least 5 mm";
+ * conditions_list_text all conditions, separated by commas;
+ * conditions_limit_text a limit from the list, "passing 2 mm at most 50 %".
  * The caller frees it. */
-char *conditions_describe(const struct condition *condition);
-char *conditions_describe_list(const struct condition_list *list);
-char *conditions_describe_limit(
+char *conditions_one_text(const struct condition *condition);
+char *conditions_list_text(const struct condition_list *list);
+char *conditions_limit_text(
     const struct condition_list *list, struct wanted_limit limit);
 
 /* For each condition, conditions_add_rows adds a row to an answer,
@@ -106,9 +106,9 @@ struct wanted conditions_open_search(const struct session *s,
  * them, "69.0 to 77.9" or "1319 to 1434"; or with units, and in rpm if the site
  * states the rotor: "67.7 to 73.6 m/s (1319 to 1434 rpm)".  site: or NULL, in
  * m/s.  The caller frees it. */
-char *conditions_describe_speeds(
+char *conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site);
-char *conditions_describe_speeds_with_units(
+char *conditions_met_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found);
 
 /* Returns a margin in widths of the band, or NAN for a model alone. */
@@ -117,8 +117,7 @@ double conditions_margin_in_band_widths(
 
 /* Returns how far the value at the forecast's speed is from the limit of a
  * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
-char *conditions_describe_margin(
-    const struct wanted *wanted, struct margin margin);
+char *conditions_margin_text(const struct wanted *wanted, struct margin margin);
 
 /* Returns the words that find understands, "max 2/5", for words such as "most
  * 2/5"; NULL for others.  The caller frees it. */
@@ -170,10 +169,10 @@ void conditions_note_no_reliable_speed(
 
 /* Returns "92 %", but "over 99 %" or "under 1 %" instead of 100 and 0, because
  * draws never prove certainty.  The caller frees it. */
-char *conditions_probability_percent(double share);
+char *conditions_probability_text(double share);
 
 /* Returns "92 times in 100", "over 99 times in 100".  The caller frees it. */
-char *conditions_probability_in_100(double share);
+char *conditions_times_in_100_text(double share);
 
 /* Returns in words whether conditions are met, given the probability that they
  * are, "likely met", or, if that is NAN, whether the answer meets them. */

@@ -23,7 +23,7 @@ is_option_word(const struct command *command, const char *word)
 
 /* True if a word continues the condition before it. */
 static bool
-is_condition_continued(
+does_word_continue_condition(
     const struct command *command, const char *before, const char *word)
 {
 	FREED char *with = xasprintf("%s ", word);
@@ -63,20 +63,21 @@ join_words_of_condition(struct words *words, size_t i)
 		return;
 	for (; i + n < words->n; n++) {
 		const char *word = words->text[i + n];
-		bool on = is_condition_continued(command, joined + begin, word);
+		bool on =
+		    does_word_continue_condition(command, joined + begin, word);
 		if (!on && (!set || is_option_word(command, word)))
 			break;
 		if (!on)
 			begin = strlen(joined) + strlen(", ");
 		xappend(&joined, on ? " %s" : ", %s", word);
 	}
-	words_replace(words, i, n, joined);
+	words_replace_by_one(words, i, n, joined);
 }
 
 /* True if the last item of a list is a whole quantity: "passing 2", not
  * "passing". */
 static bool
-is_complete_quantity(const char *text)
+is_last_quantity_complete(const char *text)
 {
 	static const struct partition SHARP = {0, 1};
 	const char *comma = strrchr(text, ',');
@@ -101,7 +102,7 @@ has_limit_among_words(const struct words *words)
 /* Replaces the words that name quantities by "of=passing 2,P80", if the
  * command has them form its of=. */
 static void
-join_quantity_words(struct words *words)
+join_quantities_to_option(struct words *words)
 {
 	size_t i = 1, n = words->n;
 	while (i < n && !quantities_is_beginning_of_text(words->text[i]))
@@ -113,7 +114,7 @@ join_quantity_words(struct words *words)
 	size_t first = i++;
 	for (; i < n; i++) {
 		const char *word = words->text[i];
-		bool whole = is_complete_quantity(list + strlen("of="));
+		bool whole = is_last_quantity_complete(list + strlen("of="));
 		bool begins = quantities_is_beginning_of_text(word);
 		if (strchr(word, '=') != NULL ||
 		    (whole && !begins && !fast &&
@@ -125,7 +126,7 @@ join_quantity_words(struct words *words)
 			: " %s",
 		    word);
 	}
-	words_replace(words, first, i - first, list);
+	words_replace_by_one(words, first, i - first, list);
 }
 
 /* Removes the comma after a condition, as in "passing 2 > 30, fines < 5": the
@@ -144,7 +145,7 @@ conditions_join_words(struct words *words)
 	size_t from = find_first_condition_word(words);
 	if (words->command != NULL &&
 	    (from == 0 || !has_limit_among_words(words)))
-		join_quantity_words(words);
+		join_quantities_to_option(words);
 	if (from == 0)
 		return;
 	for (size_t i = from; i + 1 < words->n; i++)

@@ -21,7 +21,7 @@ static const double CAREFUL = 0.01;
 /* Errors of neighbouring sieves are alike, so chance alone may put half of the
  * sieves outside. */
 static bool
-is_outside_band(const struct cut *c)
+is_cut_outside_band(const struct cut *c)
 {
 	return c->n > 0 &&
 	       (c->no_band ? c->rms > FIT_POOR
@@ -29,7 +29,7 @@ is_outside_band(const struct cut *c)
 }
 
 static bool
-are_too_many_outside_band(const struct cut *c)
+are_too_many_sieves_outside(const struct cut *c)
 {
 	return !c->no_band &&
 	       (2 * c->inside < c->n ||
@@ -78,14 +78,14 @@ cut_compare_with_prediction(
 			    passing <= at.high + rounding;
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
-	c.missed = is_outside_band(&c);
-	c.off = !c.missed && are_too_many_outside_band(&c);
+	c.missed = is_cut_outside_band(&c);
+	c.off = !c.missed && are_too_many_sieves_outside(&c);
 	forecast_close(f);
 	return c;
 }
 
 char *
-cut_describe(const struct cut *c)
+cut_comparison_text(const struct cut *c)
 {
 	const double off = 100 * c->rms, worst = 100 * fabs(c->worst),
 		     mm = units_mm(c->worst_sieve);

@@ -43,7 +43,7 @@ enum datetime_order cut_day_month_order(const struct site *site);
 /* Returns "11 of 12 sieves are within the range for a belt cut; 0.8 points off
  * (RMS), most at 4 mm, where the answer is 1.9 above the cut".  The caller
  * frees it. */
-char *cut_describe(const struct cut *cut);
+char *cut_comparison_text(const struct cut *cut);
 
 /* Returns the number of runs with a product that were added to the site after
  * its parameters were calibrated, and of these the run that the prediction

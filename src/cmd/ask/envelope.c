@@ -38,7 +38,7 @@ static const struct spec *
 find_shipped_envelope(struct session *s, const char *words, struct error *error)
 {
 	struct standards *all = standards_read_built_in();
-	const struct spec *found = standards_find(all, words, error);
+	const struct spec *found = standards_find_envelope(all, words, error);
 	const struct spec *same =
 	    found != NULL ? find_envelope_in_session(s, found->name) : NULL;
 	for (size_t i = 0; found != NULL && same == NULL && i < all->n; i++) {
@@ -66,7 +66,7 @@ read_envelope_file(struct session *s, const char *path, struct error *error)
 	files_note_read(s, path);
 	struct spec *spec = spec_read_file(path, &errors);
 	if (spec == NULL) {
-		session_report_faults(s, path, &errors, error);
+		session_report_file_faults(s, path, &errors, error);
 		return NULL;
 	}
 	if (spec->note[0] != '\0')
@@ -96,7 +96,7 @@ static const char CATEGORY[] = "FM category ";
 /* Reads the fraction and the screens from the options; without cut=, the
  * fraction is that of the envelope. */
 static bool
-fraction_from_options(const struct args *args, const struct spec *spec,
+parse_envelope_fraction(const struct args *args, const struct spec *spec,
     struct fraction *f, struct error *error)
 {
 	const char *cut = args->cut;
@@ -227,13 +227,13 @@ envelope_conditions(const struct spec *spec, const struct fraction *fraction,
 }
 
 static double
-forecast_value_of_quantity(const struct grading *g, size_t i)
+value_of_grading_quantity(const struct grading *g, size_t i)
 {
 	return forecast_value_with_band(g->conditions.forecast, i).value;
 }
 
 static void
-open_limits_and_share(
+forecast_limits_and_share(
     const struct session *s, const struct question *q, struct grading *g)
 {
 	const struct quantity more[] = {
@@ -267,7 +267,7 @@ open_forecast_of_limits(const struct session *s, const struct question *q,
 		free(g->limits.at);
 		return envelope_error_no_sieve(g->spec, error);
 	}
-	open_limits_and_share(s, q, g);
+	forecast_limits_and_share(s, q, g);
 	return true;
 }
 
@@ -277,7 +277,7 @@ envelope_open(const struct session *s, const struct args *args,
     struct error *error)
 {
 	*g = (struct grading){.spec = spec};
-	return fraction_from_options(args, spec, &g->fraction, error) &&
+	return parse_envelope_fraction(args, spec, &g->fraction, error) &&
 	       open_forecast_of_limits(s, q, g, error);
 }
 
@@ -309,7 +309,7 @@ envelope_title(const struct grading *g)
 }
 
 static const char *
-verdict_on_value(double value, double least, double most)
+verdict_within_limits(double value, double least, double most)
 {
 	const double exact = 1e-9;
 	if (value < least - exact)
@@ -353,7 +353,7 @@ find_worst_sieve(const struct grading *g)
 /* Returns "fineness modulus (ASTM C136) 3.15 is above 3.1" for a limit that is
  * not on a sieve, with enough decimals to tell the two numbers apart. */
 static char *
-describe_missed_limit(const struct grading *g, size_t i)
+missed_limit_text(const struct grading *g, size_t i)
 {
 	const struct condition *c = &g->limits.at[i];
 	struct quantity q = c->quantity;
@@ -361,8 +361,8 @@ describe_missed_limit(const struct grading *g, size_t i)
 	struct wanted_limit limit = condition_margin(&g->conditions, i).limit;
 	double most =
 	    quantities_value_in_shown_unit(&q, limit.most ? c->most : c->least);
-	double is = quantities_value_in_shown_unit(
-	    &q, forecast_value_of_quantity(g, i));
+	double is =
+	    quantities_value_in_shown_unit(&q, value_of_grading_quantity(g, i));
 	const char *unit = quantities_unit_suffix(&q);
 	q.fraction = (struct fraction){0};
 	FREED char *name = quantities_name(&q);
@@ -372,7 +372,7 @@ describe_missed_limit(const struct grading *g, size_t i)
 }
 
 char *
-envelope_missed_limits(const struct grading *g)
+envelope_missed_limits_text(const struct grading *g)
 {
 	struct margin worst = find_worst_sieve(g);
 	size_t out = count_sieves_outside(g);
@@ -388,7 +388,7 @@ envelope_missed_limits(const struct grading *g)
 		    worst.limit.most ? tr("above max") : tr("below min"));
 	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
 		if (!conditions_are_met(&g->conditions, i)) {
-			FREED char *one = describe_missed_limit(g, i);
+			FREED char *one = missed_limit_text(g, i);
 			bool first = words[0] == '\0';
 			xappend_to_list(&words, "; ",
 			    first ? tr("inside on all sieves, but %s") : "%s",
@@ -402,7 +402,7 @@ envelope_put_worst_sieve(struct fields *o, const struct grading *g)
 {
 	struct margin worst = find_worst_sieve(g);
 	bool out = count_sieves_outside(g) > 0;
-	fields_put(o, "worst_mm %g outside_pct %g",
+	fields_put_values(o, "worst_mm %g outside_pct %g",
 	    out ? units_mm(g->spec->size[worst.limit.i]) : NAN,
 	    !out               ? 0
 	    : worst.limit.most ? -100 * worst.passing
@@ -459,8 +459,8 @@ fineness_modulus_verdict(
 	char *words = NULL;
 	if (own != NULL)
 		words = xasprintf(tr("%s; limits %g to %g"),
-		    verdict_on_value(fm, own->least, own->most), own->least,
-		    own->most);
+		    verdict_within_limits(fm, own->least, own->most),
+		    own->least, own->most);
 	else if (categories)
 		words = in[0] == '\0' ? xstrdup(tr("in no category"))
 				      : xasprintf(tr("category %s"), in);
@@ -489,8 +489,9 @@ note_fineness_modulus(
 	FREED char *band = quantities_band_text(fm.low, fm.high, 2);
 	answer_note(r, "fineness modulus (%s) %.2f%s: %s", g->modulus->standard,
 	    fm.value, band, is);
-	fields_put(answer_fields(r), "fm %g fm_standard %s fm_verdict %s",
-	    fm.value, g->modulus->standard, is);
+	fields_put_values(answer_fields(r),
+	    "fm %g fm_standard %s fm_verdict %s", fm.value,
+	    g->modulus->standard, is);
 	free(is);
 }
 
@@ -501,8 +502,8 @@ largest_individual_retained(const struct grading *g, size_t *at)
 {
 	double most = 0;
 	for (size_t i = 0; i + 1 < g->limits.n_sieve; i++) {
-		double step = forecast_value_of_quantity(g, i) -
-			      forecast_value_of_quantity(g, i + 1);
+		double step = value_of_grading_quantity(g, i) -
+			      value_of_grading_quantity(g, i + 1);
 		if (step <= most)
 			continue;
 		most = step;
@@ -538,13 +539,14 @@ note_individual_retained(
 	double range[2], step = 100 * largest_individual_retained(g, &at);
 	individual_retained_band(g, at, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
-	const char *is = verdict_on_value(step, -INFINITY, l->most);
+	const char *is = verdict_within_limits(step, -INFINITY, l->most);
 	answer_note(r,
 	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
 	    step, band, units_mm(g->spec->size[at]),
 	    units_mm(g->spec->size[at + 1]), is, l->most);
-	fields_put(answer_fields(r), "step_pct %g step_mm %g step_verdict %s",
-	    step, units_mm(g->spec->size[at]), is);
+	fields_put_values(answer_fields(r),
+	    "step_pct %g step_mm %g step_verdict %s", step,
+	    units_mm(g->spec->size[at]), is);
 }
 
 /* Tolerances apply to a declared grading, which is not known. */
@@ -571,7 +573,7 @@ envelope_add_notes(struct answer *r, const struct grading *g)
 	note_fineness_modulus(r, g, all);
 	note_individual_retained(r, g, all);
 	if (fraction_is_screened(&g->fraction)) {
-		double share = 100 * forecast_value_of_quantity(g, g->limits.n);
+		double share = 100 * value_of_grading_quantity(g, g->limits.n);
 		FREED char *words = quantities_fraction_text(&g->fraction);
 		answer_note(r,
 		    g->fraction.partition.sharpness > 0
@@ -579,7 +581,7 @@ envelope_add_notes(struct answer *r, const struct grading *g)
 			: N_("the fraction %s is %.1f %% of the product, by "
 			     "ideal screens"),
 		    words, share);
-		fields_put(answer_fields(r), "share_pct %g", share);
+		fields_put_values(answer_fields(r), "share_pct %g", share);
 	}
 	if (g->limits.n_sieve < spec->n)
 		answer_say(r, ANSWER_REMARK,
@@ -595,11 +597,11 @@ envelope_add_notes(struct answer *r, const struct grading *g)
 void
 envelope_put_fields(struct answer *r, const struct grading *g)
 {
-	fields_put(answer_fields(r), "spec %s source %s", g->spec->name,
+	fields_put_values(answer_fields(r), "spec %s source %s", g->spec->name,
 	    g->spec->source);
 	if (fraction_is_screened(&g->fraction)) {
 		FREED char *words = quantities_fraction_text(&g->fraction);
-		fields_put(answer_fields(r), "cut %s", words);
+		fields_put_values(answer_fields(r), "cut %s", words);
 	}
 	answer_put_columns_as_lists(
 	    r, "sieve_mm min_pct max_pct passing_pct verdict");

@@ -68,7 +68,7 @@ void envelope_add_rows(struct answer *r, struct grading *grading, double v);
  * worst at 4 mm: 3.1 points above max", "inside on all sieves, but fineness
  * modulus (ASTM C136) 3.15 is above 3.1", or "" if all limits hold.  The caller
  * frees it. */
-char *envelope_missed_limits(const struct grading *grading);
+char *envelope_missed_limits_text(const struct grading *grading);
 
 /* Puts worst_mm, the worst sieve at that speed, and outside_pct, how far
  * outside it is: 0 if no sieve is. */

@@ -22,7 +22,7 @@ feed_find_run_at_speed(
     const struct site *site, double speed, size_t *feed, struct error *error)
 {
 	FREED char *rpm =
-	    rotor_speed_rpm_text(site_run_rotor(site), speed, NAN);
+	    rotor_speed_rpm_text(site_run_rotor_diameter(site), speed, NAN);
 	*feed = feed_run_at_speed_or_mean(site, speed);
 	return *feed != SITE_MEAN_FEED ||
 	       error_set(error, ERROR_USAGE,
@@ -48,7 +48,7 @@ has_feed_of_other_run(const struct site *site, size_t run)
 		return false;
 	for (size_t r = 0; r < site->n_run; r++)
 		if (r != run && cut_find_note(site, r) == NULL &&
-		    psd_same(&site->run[r].feed, &site->run[run].feed))
+		    psd_is_same(&site->run[r].feed, &site->run[run].feed))
 			return true;
 	return false;
 }
@@ -56,7 +56,7 @@ has_feed_of_other_run(const struct site *site, size_t run)
 /* Returns "69, 74, 79", the speeds at which feeds were sampled, each once; in
  * rpm if the diameter of the rotor is not 0. */
 static char *
-format_sampling_speeds(const struct site *site, double diameter)
+sampling_speeds_text(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
 	for (size_t r = 0; r < site->n_run; r++)
@@ -72,33 +72,31 @@ format_sampling_speeds(const struct site *site, double diameter)
 }
 
 static char *
-describe_sampling_speed(
-    const struct site *site, double speed, const char *repeat)
+sampling_speed_text(const struct site *site, double speed, const char *repeat)
 {
 	FREED char *rpm =
-	    rotor_speed_rpm_text(site_run_rotor(site), speed, NAN);
+	    rotor_speed_rpm_text(site_run_rotor_diameter(site), speed, NAN);
 	return xasprintf(tr("sampled at %g m/s%s%s"), speed, repeat, rpm);
 }
 
 char *
-feed_describe(const struct site *site, size_t run)
+feed_sampling_text(const struct site *site, size_t run)
 {
 	double sieve, most;
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other)
 		return NULL;
 	if (run < site->n_run && site->run[run].feed_speed > 0)
-		return describe_sampling_speed(
-		    site, site->run[run].feed_speed, "");
+		return sampling_speed_text(site, site->run[run].feed_speed, "");
 	if (run < site->n_run)
-		return describe_sampling_speed(
+		return sampling_speed_text(
 		    site, site->run[run].speed, site->run[run].repeat);
 	most = site_largest_feed_difference(site, &sieve);
 	if (!(most > 0))
 		return NULL;
-	FREED char *speeds = format_sampling_speeds(site, 0);
-	double rotor = site_run_rotor(site);
-	FREED char *list = format_sampling_speeds(site, rotor);
+	FREED char *speeds = sampling_speeds_text(site, 0);
+	double rotor = site_run_rotor_diameter(site);
+	FREED char *list = sampling_speeds_text(site, rotor);
 	FREED char *rpm =
 	    rotor > 0 ? xasprintf(tr(" (%s rpm)"), list) : xstrdup("");
 	return xasprintf(tr("mean of those sampled at %s m/s%s, which "
@@ -107,10 +105,10 @@ feed_describe(const struct site *site, size_t run)
 }
 
 void
-feed_add_note(struct answer *r, const struct site *site, size_t run,
+feed_note_in_answer(struct answer *r, const struct site *site, size_t run,
     const char *whose, double moved)
 {
-	FREED char *words = feed_describe(site, run);
+	FREED char *words = feed_sampling_text(site, run);
 	if (words != NULL && whose != NULL) {
 		answer_say(r, ANSWER_REMARK, "feed of %s: %s", whose, words);
 	} else if (words != NULL && moved > 0) {
@@ -122,7 +120,7 @@ feed_add_note(struct answer *r, const struct site *site, size_t run,
 		answer_say(r, ANSWER_REMARK, "feed: %s", words);
 	}
 	if (words != NULL && whose == NULL)
-		fields_put(answer_fields(r), "feed %s", words);
+		fields_put_values(answer_fields(r), "feed %s", words);
 }
 
 void
@@ -136,5 +134,6 @@ feed_note_assumed_top_size(
 	    "assumed%s%s: all of the feed passes %g mm",
 	    whose != NULL ? tr(" of ") : "", whose != NULL ? whose : "", top);
 	if (whose == NULL)
-		fields_put(answer_fields(r), SITE_ASSUMED_TOP " %g", top);
+		fields_put_values(
+		    answer_fields(r), SITE_ASSUMED_TOP " %g", top);
 }

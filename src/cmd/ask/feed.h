@@ -26,16 +26,17 @@ double feed_sampling_speed(const struct site *site, size_t run);
  * points at 8 mm", or "sampled at 69 m/s"; NULL if the site has only one feed
  * or the feed is from another sheet, which titles name.  The caller frees
  * it. */
-char *feed_describe(const struct site *site, size_t run);
+char *feed_sampling_text(const struct site *site, size_t run);
 
 /* Adds the note "feed: ", or "feed of tierp: " for one of two products (whose),
- * with the words of feed_describe, which also become the answer's field "feed";
- * if moved > 0, adds how far measured products are moved (struct question). */
-void feed_add_note(struct answer *r, const struct site *site, size_t run,
+ * with the words of feed_sampling_text, which also become the answer's field
+ * "feed"; if moved > 0, adds how far measured products are moved (struct
+ * question). */
+void feed_note_in_answer(struct answer *r, const struct site *site, size_t run,
     const char *whose, double moved);
 
-/* Notes, like feed_add_note, the size that all of the site's feeds are assumed
- * to pass, if there is one; without whose, also as assumed_top_mm. */
+/* Notes, like feed_note_in_answer, the size that all of the site's feeds are
+ * assumed to pass, if there is one; without whose, also as assumed_top_mm. */
 void feed_note_assumed_top_size(
     struct answer *r, const struct site *site, const char *whose);
 

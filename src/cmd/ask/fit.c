@@ -54,7 +54,7 @@ fit_holdout_rmse(const struct entry *entry)
 }
 
 struct validation
-fit_find_outlier(const struct entry *entry)
+fit_find_outlier_cell(const struct entry *entry)
 {
 	/* With noise of 0.5 points, none of 38 sites has a difference of more
 	 * than 1.9 points; of 77 products with two digits changed by 9 points,
@@ -134,14 +134,15 @@ fit_put_param_bands(struct fields *o, const struct session *s,
 {
 	const struct breakage *of = breakage_model_of_params(fit);
 	if (posterior == NULL) {
-		fields_put(o, "interval %g", NAN);
+		fields_put_values(o, "interval %g", NAN);
 		return;
 	}
 	struct fields *interval = fields_add_object(o, "interval");
 	for (size_t j = of->gauge; j < of->n; j++) {
 		double range[2];
 		fit_compute_param_band(posterior, s, fit, j, range);
-		fields_put(fields_add_list(interval, of->parameter[j].name),
-		    "%g %g", range[0], range[1]);
+		fields_put_values(
+		    fields_add_list(interval, of->parameter[j].name), "%g %g",
+		    range[0], range[1]);
 	}
 }

@@ -27,7 +27,7 @@ double fit_holdout_rmse(const struct entry *entry);
 
 /* Returns the product cell (worst_sieve) furthest from the entry's fit, if
  * further than a careful sample would be; otherwise worst_difference is 0. */
-struct validation fit_find_outlier(const struct entry *entry);
+struct validation fit_find_outlier_cell(const struct entry *entry);
 
 /* Returns false with an error if an appearance other than ratio is combined
  * with a method other than classes. */

@@ -36,7 +36,7 @@ forecast_open(const struct session *s, const struct question *q,
 	    .params = q->params != NULL ? q->params : &entry->params,
 	    .level = q->level};
 	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
-	    f->params, settings_of_answer(s, entry));
+	    f->params, model_settings_of_answer(s, entry));
 	psd_free(&sizes);
 	return f;
 }
@@ -89,7 +89,7 @@ forecast_value_with_band(const struct forecast *f, size_t i)
 struct figure
 forecast_value_in_shown_unit(const struct forecast *f, size_t i)
 {
-	const struct quantity *q = response_quantity(f->response, i);
+	const struct quantity *q = response_asked_quantity(f->response, i);
 	struct figure at = forecast_value_with_band(f, i);
 	return (struct figure){quantities_value_in_shown_unit(q, at.value),
 	    quantities_value_in_shown_unit(q, at.low),

@@ -178,7 +178,7 @@ speed_at_binding_limit(
 /* Returns the value that misses a condition, with enough digits to show that
  * it does. */
 static char *
-describe_missed_condition(const struct condition *c, double value, bool most)
+missed_value_text(const struct condition *c, double value, bool most)
 {
 	const struct quantity *q = &c->quantity;
 	const char *unit = quantities_unit(q);
@@ -217,7 +217,7 @@ find_binding_condition(const struct session *s, const struct entry *entry,
 		return;
 	g->binds = margin.limit.i;
 	if (!met)
-		g->missed = describe_missed_condition(&g->list.at[g->binds],
+		g->missed = missed_value_text(&g->list.at[g->binds],
 		    forecast_value_with_band(all.forecast, g->binds).value,
 		    margin.limit.most);
 }
@@ -293,7 +293,7 @@ goals_best_speed(const struct session *s, const struct goal *g, double speed)
  * before two ends.  units: m/s, and rpm beside it if the site states the
  * rotor. */
 static char *
-describe_speed_range(const struct speed_search *found, double from, double to,
+goal_speed_range_text(const struct speed_search *found, double from, double to,
     bool at, const struct site *site, bool units)
 {
 	bool slowest = from <= found->speed[0],
@@ -319,16 +319,16 @@ describe_speed_range(const struct speed_search *found, double from, double to,
 /* Returns "at 71.2", "at 65.0 to 70.1 and 73.0 to 75.6", or "" if no speed
  * meets the goal. */
 static char *
-describe_met_speeds(const struct goal *g, const struct site *site, bool units)
+goal_met_speeds_text(const struct goal *g, const struct site *site, bool units)
 {
 	const double narrow = 0.09;
 	const struct speed_range *in = g->found->inside;
 	if (g->n_value == 0 && g->found->n_inside == 1 &&
 	    in->to - in->from > narrow)
-		return describe_speed_range(
+		return goal_speed_range_text(
 		    g->found, in->from, in->to, true, site, units);
 	bool in_rpm = !units && answers_is_sheet_in_rpm(site);
-	FREED char *words = g->n_value == 0 ? conditions_describe_speeds(
+	FREED char *words = g->n_value == 0 ? conditions_met_speeds_text(
 						  g->found, units ? NULL : site)
 					    : xstrdup("");
 	for (size_t i = 0; i < g->n_met; i++)
@@ -356,7 +356,7 @@ is_window_certain(const struct goal *g)
  * if they are all that meet the goal; "" for a single value, without a band,
  * and if no speed meets the goal. */
 static char *
-describe_certain_speeds(const struct session *s, const struct goal *g,
+certain_speeds_text(const struct session *s, const struct goal *g,
     const struct site *site, enum goals_length length)
 {
 	bool units = length < GOALS_PLAIN && answers_is_sheet_in_rpm(site);
@@ -369,14 +369,14 @@ describe_certain_speeds(const struct session *s, const struct goal *g,
 		return xasprintf(tr("%.0f %% certain"), level);
 	if (!isfinite(sure[0]))
 		return xasprintf(tr("no speed is %.0f %% certain"), level);
-	FREED char *range = describe_speed_range(
+	FREED char *range = goal_speed_range_text(
 	    g->found, sure[0], sure[1], false, site, units);
 	return xasprintf(tr("%.0f %% certain %s"), level, range);
 }
 
 /* Returns which part of the outcome lies beyond the measured speeds, or "". */
 static const char *
-describe_extrapolation(
+extrapolated_part_text(
     const struct entry *entry, const struct goal *g, double best)
 {
 	bool window = g->n_value == 0 && g->found->n_inside > 0;
@@ -394,8 +394,8 @@ describe_extrapolation(
 /* Returns that no speed searched meets the goal, and the nearest one, which
  * GOALS_SHORT omits. */
 static char *
-met_nowhere_words(const struct site *site, const struct goal *g, double best,
-    enum goals_length length)
+goal_met_nowhere_text(const struct site *site, const struct goal *g,
+    double best, enum goals_length length)
 {
 	double from = g->found->speed[0], to = g->found->speed[g->found->n - 1];
 	FREED char *range =
@@ -414,18 +414,17 @@ met_nowhere_words(const struct site *site, const struct goal *g, double best,
  * shorter forms only the certain speeds; or the nearest speed if none meets
  * it. */
 static char *
-describe_goal_outcome(const struct session *s, const struct entry *entry,
+goal_outcome_text(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length < GOALS_PLAIN;
 	double best = goals_best_speed(s, g, speed);
-	const char *beyond = describe_extrapolation(entry, g, best);
-	FREED char *certain =
-	    describe_certain_speeds(s, g, entry->site, length);
-	char *words = describe_met_speeds(g, entry->site, full);
+	const char *beyond = extrapolated_part_text(entry, g, best);
+	FREED char *certain = certain_speeds_text(s, g, entry->site, length);
+	char *words = goal_met_speeds_text(g, entry->site, full);
 	if (words[0] == '\0') {
 		free(words);
-		words = met_nowhere_words(entry->site, g, best, length);
+		words = goal_met_nowhere_text(entry->site, g, best, length);
 	}
 	if (g->missed != NULL && full)
 		xappend(&words, ": %s", g->missed);
@@ -440,7 +439,7 @@ describe_goal_outcome(const struct session *s, const struct entry *entry,
 }
 
 char *
-goals_describe(const struct session *s, const struct entry *entry,
+goals_outcome_text(const struct session *s, const struct entry *entry,
     const struct goal *g, double speed, enum goals_length length)
 {
 	bool full = length == GOALS_FULL;
@@ -458,7 +457,7 @@ goals_describe(const struct session *s, const struct entry *entry,
 			   ? xstrdup(tr("goal"))
 			   : xasprintf(tr("goal%s%s: being worked out"),
 				 full ? " " : "", full ? text : "");
-	FREED char *end = describe_goal_outcome(s, entry, g, speed, length);
+	FREED char *end = goal_outcome_text(s, entry, g, speed, length);
 	return full ? xasprintf(tr("goal %s: met %s"), text, end)
 		    : xasprintf(tr("goal %s"), end);
 }

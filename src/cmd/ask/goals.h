@@ -68,7 +68,7 @@ enum goals_length {
 	GOALS_SHORT,
 	GOALS_LENGTHS
 };
-char *goals_describe(const struct session *s, const struct entry *entry,
+char *goals_outcome_text(const struct session *s, const struct entry *entry,
     const struct goal *goal, double speed, enum goals_length length);
 
 #endif

@@ -33,7 +33,7 @@ moved_products_new(void)
 }
 
 void
-moved_products_drop(struct moved *m)
+moved_products_discard(struct moved *m)
 {
 	for (size_t r = 0; r < m->n; r++)
 		psd_free(&m->product[r]);
@@ -45,7 +45,7 @@ moved_products_drop(struct moved *m)
 void
 moved_products_free(struct moved *m)
 {
-	moved_products_drop(m);
+	moved_products_discard(m);
 	free(m);
 }
 
@@ -65,14 +65,14 @@ open_forecast_of_passings(const struct session *s, const struct question *q,
 
 /* Keeps passings between 0 and 1, and falling with the size. */
 static void
-adjust_product_to_feed(struct moved *m, const struct session *s,
+compute_moved_product(struct moved *m, const struct session *s,
     const struct entry *entry, size_t run)
 {
 	const struct run *r = &entry->site->run[run];
 	struct psd *product = &m->product[run];
 	*product = psd_copy(&r->product);
 	if (product->n == 0 ||
-	    psd_same(&r->feed, site_feed_of_run(m->site, m->feed)))
+	    psd_is_same(&r->feed, site_feed_of_run(m->site, m->feed)))
 		return;
 	struct question q = question_of_whole_product(s, entry, m->feed);
 	q.params = &m->params;
@@ -97,23 +97,23 @@ adjust_product_to_feed(struct moved *m, const struct session *s,
 }
 
 static struct moved *
-product_cache_for_feed(const struct session *s, const struct entry *entry,
+moved_products_for_feed(const struct session *s, const struct entry *entry,
     const struct params *params, size_t feed_run)
 {
 	struct moved *m = s->moved;
 	const struct site *site = entry->site;
 	const struct posterior *posterior =
 	    posterior_for_answers(s, entry, params);
-	struct model_settings settings = settings_of_answer(s, entry);
+	struct model_settings settings = model_settings_of_answer(s, entry);
 	const struct params *drawn =
 	    posterior != NULL ? &posterior->draw[0].params : params;
 	if (m->site == site && m->digest == site->digest &&
 	    m->feed == feed_run && m->posterior == posterior &&
 	    memcmp(&m->params, params, sizeof *params) == 0 &&
 	    memcmp(&m->drawn, drawn, sizeof *drawn) == 0 &&
-	    model_settings_same(&m->settings, &settings))
+	    model_settings_are_same(&m->settings, &settings))
 		return m;
-	moved_products_drop(m);
+	moved_products_discard(m);
 	*m = (struct moved){.site = site,
 	    .digest = site->digest,
 	    .posterior = posterior,
@@ -134,9 +134,9 @@ product_moved_to_feed(const struct session *s, const struct entry *entry,
 	const struct psd *measured = &entry->site->run[run].product;
 	if (params == NULL || !entry->site->individual_feeds)
 		return measured;
-	struct moved *m = product_cache_for_feed(s, entry, params, feed_run);
+	struct moved *m = moved_products_for_feed(s, entry, params, feed_run);
 	if (measured->n > 0 && m->product[run].n == 0)
-		adjust_product_to_feed(m, s, entry, run);
+		compute_moved_product(m, s, entry, run);
 	return &m->product[run];
 }
 

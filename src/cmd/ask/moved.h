@@ -21,7 +21,7 @@ struct moved *moved_products_new(void);
 void moved_products_free(struct moved *moved);
 
 /* Discards cached products; call it when a site is removed. */
-void moved_products_drop(struct moved *moved);
+void moved_products_discard(struct moved *moved);
 
 /* Returns the product of a run moved to a feed (see site_feed_of_run) with
  * these parameters.  It is unchanged if params is NULL or the feeds are the

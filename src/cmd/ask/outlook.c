@@ -17,7 +17,7 @@
  * the caller frees.  place: out, the index of their posterior and evidence in
  * the history. */
 static bool *
-list_runs_that_inform(
+mark_runs_that_inform(
     const struct history *h, enum correction correction, size_t *place)
 {
 	size_t n = h->site->n_run;
@@ -34,7 +34,7 @@ list_runs_that_inform(
 }
 
 enum correction
-runs_that_correct(const struct session *s, const struct entry *entry)
+correction_in_use(const struct session *s, const struct entry *entry)
 {
 	return entry->scenario != NULL ? entry->scenario->correction
 				       : s->set.correction;
@@ -43,25 +43,25 @@ runs_that_correct(const struct session *s, const struct entry *entry)
 /* Returns which runs inform the entry's answers: the training runs if these
  * are the model alone. */
 static enum correction
-correcting_or_training_runs(const struct session *s, const struct entry *entry)
+correction_for_comparison(const struct session *s, const struct entry *entry)
 {
-	return runs_that_correct(s, entry) == CORRECTION_ALL ? CORRECTION_ALL
+	return correction_in_use(s, entry) == CORRECTION_ALL ? CORRECTION_ALL
 							     : CORRECTION_TRAIN;
 }
 
-/* As list_runs_that_inform, for the entry's answers. */
+/* As mark_runs_that_inform, for the entry's answers. */
 static bool *
-runs_that_inform_answers(
+mark_runs_that_inform_answers(
     const struct session *s, const struct entry *entry, size_t *place)
 {
-	return list_runs_that_inform(entry->origin->history,
-	    correcting_or_training_runs(s, entry), place);
+	return mark_runs_that_inform(
+	    entry->origin->history, correction_for_comparison(s, entry), place);
 }
 
 /* Returns the options for drawing the posterior of the runs in `use`
  * [n_run]. */
 static struct posterior_options
-options_of_draws(
+posterior_options_of_runs(
     const struct session *s, const struct entry *entry, const bool *use)
 {
 	const struct history *h = entry->origin->history;
@@ -77,9 +77,9 @@ options_of_draws(
 
 /* True if the parameters are from a completed calibration with enough data. */
 static bool
-can_draw_posterior(const struct entry *entry)
+can_sample_posterior(const struct entry *entry)
 {
-	const struct fit *fit = origin_find_fit(entry);
+	const struct fit *fit = origin_source_fit(entry);
 	return fit != NULL && !fit_has_too_few_data(fit) &&
 	       fit->stop != CALIBRATE_STOPPED;
 }
@@ -88,7 +88,7 @@ can_draw_posterior(const struct entry *entry)
  * complete or `stop` says that the user is waiting.  steps: at most so many;
  * 0: all. */
 static void
-draw_posterior_steps(const struct session *s, const struct entry *entry,
+sample_posterior_steps(const struct session *s, const struct entry *entry,
     const bool *use, size_t place, size_t steps)
 {
 	struct history *h = entry->origin->history;
@@ -100,7 +100,8 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
 		if (s->hooks.announce != NULL)
 			s->hooks.announce("posterior: drawing the parameters "
 					  "that the data allow");
-		struct posterior_options o = options_of_draws(s, entry, use);
+		struct posterior_options o =
+		    posterior_options_of_runs(s, entry, use);
 		h->drawing = posterior_begin(h->site, &h->fit.params, &o);
 		h->drawn = place;
 	}
@@ -118,28 +119,30 @@ draw_posterior_steps(const struct session *s, const struct entry *entry,
 
 /* Returns the draws, or NULL if they are not complete after these steps. */
 static const struct posterior *
-posterior_if_complete(const struct session *s, const struct entry *entry,
+posterior_after_steps(const struct session *s, const struct entry *entry,
     enum correction correction, size_t steps)
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = list_runs_that_inform(h, correction, &place);
+	FREED bool *use = mark_runs_that_inform(h, correction, &place);
 	if (h->noise != s->set.noise || h->speed_sd != s->set.speed_sd ||
 	    h->draw_seed != s->set.draw_seed)
 		history_discard_draws(h, &s->set);
 	if (h->posterior[place] == NULL)
-		draw_posterior_steps(s, entry, use, place, steps);
+		sample_posterior_steps(s, entry, use, place, steps);
 	return h->posterior[place];
 }
 
 struct posterior *
-posterior_of_training_runs(const struct session *s, const struct entry *entry)
+posterior_new_of_training_runs(
+    const struct session *s, const struct entry *entry)
 {
-	if (!can_draw_posterior(entry) ||
-	    runs_that_correct(s, entry) == CORRECTION_OFF)
+	if (!can_sample_posterior(entry) ||
+	    correction_in_use(s, entry) == CORRECTION_OFF)
 		return NULL;
 	const struct history *h = entry->origin->history;
-	struct posterior_options o = options_of_draws(s, entry, h->train);
+	struct posterior_options o =
+	    posterior_options_of_runs(s, entry, h->train);
 	o.threads = 1;
 	return posterior_new(h->site, &h->fit.params, &o);
 }
@@ -148,36 +151,36 @@ const struct posterior *
 posterior_of_calibration(const struct session *s, const struct entry *entry,
     enum correction correction)
 {
-	return can_draw_posterior(entry)
-		   ? posterior_if_complete(s, entry, correction, 0)
+	return can_sample_posterior(entry)
+		   ? posterior_after_steps(s, entry, correction, 0)
 		   : NULL;
 }
 
 bool
-posterior_draw_a_part(const struct session *s, const struct entry *entry)
+posterior_sample_a_part(const struct session *s, const struct entry *entry)
 {
 	enum { STEPS = 16 };
-	return !can_draw_posterior(entry) ||
-	       posterior_if_complete(s, entry,
-		   correcting_or_training_runs(s, entry), STEPS) != NULL;
+	return !can_sample_posterior(entry) ||
+	       posterior_after_steps(s, entry,
+		   correction_for_comparison(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *
 posterior_for_comparison(const struct session *s, const struct entry *entry)
 {
 	return posterior_of_calibration(
-	    s, entry, correcting_or_training_runs(s, entry));
+	    s, entry, correction_for_comparison(s, entry));
 }
 
 const struct evidence *
 evidence_on_calibration(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_find_fit(entry);
+	const struct fit *fit = origin_source_fit(entry);
 	if (fit == NULL)
 		return NULL;
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = runs_that_inform_answers(s, entry, &place);
+	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
 	struct evidence **e = &h->evidence[place];
 	const struct posterior *p = posterior_for_comparison(s, entry);
 	bool first = *e == NULL;
@@ -196,23 +199,23 @@ evidence_without_draws(const struct session *s, const struct entry *entry)
 {
 	struct history *h = entry->origin->history;
 	size_t place;
-	FREED bool *use = runs_that_inform_answers(s, entry, &place);
+	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
 	return trust_gather_evidence(h->site, h->train, use,
-	    origin_find_fit(entry), &h->bounds, NULL, s->set.noise);
+	    origin_source_fit(entry), &h->bounds, NULL, s->set.noise);
 }
 
 double
-nearest_feed_difference(
+difference_from_nearest_feed(
     const struct session *s, const struct entry *entry, size_t feed_run)
 {
 	const struct history *h = entry->origin->history;
 	double least = INFINITY;
 	size_t place;
-	FREED bool *use = runs_that_inform_answers(s, entry, &place);
+	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		if (use[r])
 			least = fmin(least,
-			    trust_feed_difference(&h->site->run[r].feed,
+			    trust_largest_feed_difference(&h->site->run[r].feed,
 				site_feed_of_run(entry->site, feed_run)));
 	return least;
 }
@@ -228,13 +231,13 @@ has_poor_fit(const struct session *s, const struct entry *entry)
 static bool
 has_settings_of_fit(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_find_fit(entry);
+	const struct fit *fit = origin_source_fit(entry);
 	return fit != NULL &&
-	       model_settings_same(&s->set.model, &fit->settings);
+	       model_settings_are_same(&s->set.model, &fit->settings);
 }
 
 struct model_settings
-settings_of_answer(const struct session *s, const struct entry *entry)
+model_settings_of_answer(const struct session *s, const struct entry *entry)
 {
 	struct model_settings settings = s->set.model;
 	const struct scenario *w = entry->scenario;
@@ -249,7 +252,7 @@ settings_of_answer(const struct session *s, const struct entry *entry)
 static const struct posterior *
 posterior_unless_model_alone(const struct session *s, const struct entry *entry)
 {
-	bool off = runs_that_correct(s, entry) == CORRECTION_OFF ||
+	bool off = correction_in_use(s, entry) == CORRECTION_OFF ||
 		   session_entry_being_fitted(s) != NULL;
 	bool none =
 	    off || !has_settings_of_fit(s, entry) || has_poor_fit(s, entry);
@@ -281,7 +284,7 @@ crusher_new_for_answers(const struct session *s, const struct entry *entry,
     const double *size, size_t n)
 {
 	return crusher_new(size, n, &entry->params,
-	    settings_of_answer(s, entry),
+	    model_settings_of_answer(s, entry),
 	    posterior_unless_model_alone(s, entry));
 }
 
@@ -306,7 +309,8 @@ ensemble_for_answers(
 	struct psd sizes = predict_table_sizes(entry->site, feed);
 	*kept = (struct ensemble_of){p, entry->site, feed_run,
 	    ensemble_new(p, feed, sizes.size, sizes.n)};
-	ensemble_set_machine(kept->ensemble, settings_of_answer(s, entry));
+	ensemble_set_machine(
+	    kept->ensemble, model_settings_of_answer(s, entry));
 	psd_free(&sizes);
 	return kept->ensemble;
 }
@@ -314,14 +318,14 @@ ensemble_for_answers(
 const char *
 band_why_none(const struct session *s, const struct entry *entry)
 {
-	const struct fit *fit = origin_find_fit(entry);
+	const struct fit *fit = origin_source_fit(entry);
 	return fit == NULL ? tr("no uncertainty band: the parameters do not "
 				"come from a "
 				"calibration in this session")
 	       : fit_has_too_few_data(fit)
 		   ? tr("no uncertainty band: too few data for the number of "
 			"parameters")
-	       : runs_that_correct(s, entry) == CORRECTION_OFF
+	       : correction_in_use(s, entry) == CORRECTION_OFF
 		   ? tr("no uncertainty band for the model alone: 'set "
 			"correction "
 			"all' has one")
@@ -341,8 +345,8 @@ band_why_none(const struct session *s, const struct entry *entry)
 const char *
 band_how_to_get(const struct session *s, const struct entry *entry)
 {
-	bool off = runs_that_correct(s, entry) == CORRECTION_OFF;
-	return origin_find_fit(entry) == NULL ? tr("run 'calibrate' first")
+	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
+	return origin_source_fit(entry) == NULL ? tr("run 'calibrate' first")
 	       : off && s->set.correction != CORRECTION_OFF
 		   ? tr("leave out correction=off")
 	       : off ? tr("write: set correction all")
@@ -351,11 +355,11 @@ band_how_to_get(const struct session *s, const struct entry *entry)
 
 /* True if more runs inform the answers than the draws can use. */
 static bool
-has_too_many_runs(const struct session *s, const struct entry *entry)
+do_too_many_runs_inform(const struct session *s, const struct entry *entry)
 {
 	const struct history *h = entry->origin->history;
 	size_t place, n = 0;
-	FREED bool *use = runs_that_inform_answers(s, entry, &place);
+	FREED bool *use = mark_runs_that_inform_answers(s, entry, &place);
 	for (size_t r = 0; r < h->site->n_run; r++)
 		n += use[r];
 	return n > POSTERIOR_RUNS;
@@ -368,12 +372,12 @@ correction_in_words(const struct session *s, const struct entry *entry)
 {
 	if (posterior_unless_model_alone(s, entry) == NULL)
 		return tr("the model alone");
-	if (has_too_many_runs(s, entry))
+	if (do_too_many_runs_inform(s, entry))
 		return tr("model corrected by 40 of the runs, from the "
 			  "slowest to the fastest");
 	bool former = entry->has_fit &&
 		      entry->history->site->digest != entry->site->digest;
-	return runs_that_correct(s, entry) == CORRECTION_TRAIN
+	return correction_in_use(s, entry) == CORRECTION_TRAIN
 		   ? tr("model corrected by the training runs")
 	       : former ? tr("model corrected by the runs measured before the "
 			     "calibration, not by those added since")
@@ -387,7 +391,7 @@ correction_in_legend(const struct session *s, const struct entry *entry,
 	static const char *const WORDS[] = {[CORRECTION_ALL] = N_(", all runs"),
 	    [CORRECTION_TRAIN] = N_(", training runs"),
 	    [CORRECTION_OFF] = N_(", model")};
-	enum correction asked = runs_that_correct(s, entry);
+	enum correction asked = correction_in_use(s, entry);
 	return p->low != NULL || asked == CORRECTION_OFF ? tr(WORDS[asked])
 							 : "";
 }

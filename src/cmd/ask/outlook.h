@@ -12,7 +12,7 @@
 
 /* Returns which runs inform the entry's answers, as set or as the question
  * says. */
-enum correction runs_that_correct(
+enum correction correction_in_use(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior, informed by all measured runs or only by the training
@@ -26,12 +26,13 @@ const struct posterior *posterior_of_calibration(const struct session *s,
 /* Draws the posterior of the training runs and returns it without caching it.
  * May be called in several threads at once.  NULL also if answers are the model
  * alone.  Free with posterior_free. */
-struct posterior *posterior_of_training_runs(
+struct posterior *posterior_new_of_training_runs(
     const struct session *s, const struct entry *entry);
 
 /* Draws a part of the posterior that posterior_for_comparison returns.
  * Returns true if all of it is drawn or there is nothing to draw from. */
-bool posterior_draw_a_part(const struct session *s, const struct entry *entry);
+bool posterior_sample_a_part(
+    const struct session *s, const struct entry *entry);
 
 /* Returns the posterior of the runs set to inform answers, or that of the
  * training runs if answers are the model alone. */
@@ -58,7 +59,7 @@ struct evidence evidence_without_draws(
 /* Returns the largest difference, passing 0..1, between the feed of that run
  * and the most similar feed that informs the answers.  Call it only if
  * evidence_on_calibration is not NULL. */
-double nearest_feed_difference(
+double difference_from_nearest_feed(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the products of the draws for the entry's feed of that run, at
@@ -68,7 +69,7 @@ struct ensemble *ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
 /* Returns the current settings, with the changes for another machine. */
-struct model_settings settings_of_answer(
+struct model_settings model_settings_of_answer(
     const struct session *s, const struct entry *entry);
 
 /* Returns the posterior behind the entry's answers with these parameters, or

@@ -76,6 +76,7 @@ cmd_pin(struct session *s, const struct args *args, struct error *error)
 {
 	return args->n_operand > 0
 		   ? unpin_prediction(s, args->operand[0], error)
-		   : session_need_site(s, "pin", error) &&
-			 question_run_answer(s, args, pin_prediction, error);
+		   : session_require_site(s, "pin", error) &&
+			 question_read_and_answer(
+			     s, args, pin_prediction, error);
 }

@@ -149,7 +149,7 @@ static const struct {
 };
 
 const char *
-quantities_completion(size_t n)
+quantities_completion_offer(size_t n)
 {
 	for (size_t kind = 0; kind < ARRAY_LEN(KINDS); kind++)
 		for (size_t i = 0; i < OFFERS; i++)
@@ -390,7 +390,7 @@ quantities_sentence_with_value(const struct quantity *q, double value)
 }
 
 char *
-quantities_input_text(const struct quantity *q)
+quantities_typed_text(const struct quantity *q)
 {
 	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
 	return append_fraction_name(

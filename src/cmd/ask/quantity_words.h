@@ -19,7 +19,7 @@ bool quantities_is_beginning_of_text(const char *text);
 
 /* Returns offer n of those that complete a goal, "p80=", "passing ": some of
  * each kind that can be typed; NULL after the last. */
-const char *quantities_completion(size_t n);
+const char *quantities_completion_offer(size_t n);
 
 /* Parses a fraction, "0/4" or "4/8", mm. */
 bool quantities_parse_fraction(
@@ -53,7 +53,7 @@ char *quantities_sentence_with_value(const struct quantity *q, double value);
 
 /* Returns the quantity as typed: "p80", "passing 2 mm".  The caller frees
  * it. */
-char *quantities_input_text(const struct quantity *q);
+char *quantities_typed_text(const struct quantity *q);
 
 /* Returns "0/4".  The caller frees it. */
 char *quantities_fraction_text(const struct fraction *fraction);

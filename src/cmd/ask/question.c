@@ -23,7 +23,7 @@
 
 /* Returns "feed b.csv, cascade 10 %".  The caller frees it. */
 static char *
-describe_scenario(const struct scenario *w)
+scenario_text(const struct scenario *w)
 {
 	char *words = xstrdup("");
 	if (w->feed != NULL)
@@ -49,7 +49,7 @@ copy_site_with_scenario(const struct site *own, const struct scenario *w)
 					    blended_source_text(f), f->of)
 				      : site_copy(own);
 	free(site->with);
-	site->with = describe_scenario(w);
+	site->with = scenario_text(w);
 	if (w->rotor > 0) {
 		site->run_rotor = own->rotor;
 		site->rotor = w->rotor;
@@ -103,10 +103,10 @@ question_free(struct session *s, struct question *q)
 	free(q->speeds);
 	if (q->site == NULL)
 		return;
-	moved_products_drop(s->moved);
-	history_discard_cached(changed->history, q->site);
+	moved_products_discard(s->moved);
+	history_discard_for_site(changed->history, q->site);
 	if (changed->origin != NULL)
-		history_discard_cached(changed->origin->history, q->site);
+		history_discard_for_site(changed->origin->history, q->site);
 	site_free(q->site);
 	free(changed->train);
 }
@@ -146,7 +146,7 @@ parse_speed_or_rpm(
 
 /* Parses the text of feed= or `set feed`. */
 static struct value
-feed_value(const char *text)
+parse_feed_value(const char *text)
 {
 	struct value value = {.given = true};
 	struct error none = {0};
@@ -162,7 +162,8 @@ feed_option_or_setting(const struct session *s, const struct args *args)
 	struct value none = {.given = false};
 	return command_option_index(args->command, "feed") == OPTIONS
 		   ? none
-		   : feed_value(args->feed != NULL ? args->feed : s->set.feed);
+		   : parse_feed_value(
+			 args->feed != NULL ? args->feed : s->set.feed);
 }
 
 /* Reads the sheets that feed= or the setting names, if any. */
@@ -184,7 +185,7 @@ read_named_feeds(struct session *s, const struct args *args, struct question *q,
 
 /* Reads sieves=, which the feeds must cover. */
 static bool
-set_sieves_to_show(
+parse_sieves_option(
     const struct args *args, struct question *q, struct error *error)
 {
 	const struct number_list *sieves = &args->sieves;
@@ -209,7 +210,7 @@ set_sieves_to_show(
 
 /* If feed= or the setting is a speed, takes the feed sampled at it. */
 static bool
-choose_sampled_feed(const struct session *s, const struct args *args,
+choose_feed_by_speed(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	struct value feed = feed_option_or_setting(s, args);
@@ -220,7 +221,7 @@ choose_sampled_feed(const struct session *s, const struct args *args,
 /* Reads cut= and the screens; cut=off is the whole product.  With an envelope,
  * screens may be described without cut=: its fraction is meant. */
 static bool
-set_fraction_to_show(const struct session *s, const struct args *args,
+parse_fraction_options(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	bool envelope = (args->command->flags & COMMAND_SPEC) != 0 ||
@@ -234,7 +235,7 @@ set_fraction_to_show(const struct session *s, const struct args *args,
 /* Applies the scenario, and reads the options that need no file: the speeds,
  * the run with the feed, and the fraction. */
 static bool
-complete_question(const struct session *s, const struct args *args,
+read_question_without_files(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
 	apply_scenario(s, q);
@@ -242,8 +243,8 @@ complete_question(const struct session *s, const struct args *args,
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
 	}
-	return choose_sampled_feed(s, args, q, error) &&
-	       set_fraction_to_show(s, args, q, error);
+	return choose_feed_by_speed(s, args, q, error) &&
+	       parse_fraction_options(s, args, q, error);
 }
 
 bool
@@ -259,8 +260,8 @@ question_from_args(struct session *s, const struct entry *loaded,
 			      : s->set.correction};
 	return parse_speed_or_rpm(args, q, error) &&
 	       read_named_feeds(s, args, q, error) &&
-	       set_sieves_to_show(args, q, error) &&
-	       complete_question(s, args, q, error);
+	       parse_sieves_option(args, q, error) &&
+	       read_question_without_files(s, args, q, error);
 }
 
 bool
@@ -273,11 +274,11 @@ question_repeat_for_site(struct session *s, const struct entry *loaded,
 	q->speed_given = like->speed_given;
 	q->speed =
 	    like->speed_given ? like->speed : answers_default_speed(loaded);
-	return complete_question(s, args, q, error);
+	return read_question_without_files(s, args, q, error);
 }
 
 bool
-question_run_answer(struct session *s, const struct args *args,
+question_read_and_answer(struct session *s, const struct args *args,
     command_answer *answer, struct error *error)
 {
 	struct question q = {.entry = NULL};
@@ -320,7 +321,7 @@ static const struct blended *
 read_feed_of_setting(struct session *s)
 {
 	struct error none = {0};
-	struct value value = feed_value(s->set.feed);
+	struct value value = parse_feed_value(s->set.feed);
 	return s->set.feed[0] != '\0' && value_is_file(SHARED_FEED, &value)
 		   ? blended_read_feed_setting(s, s->set.feed, &none)
 		   : NULL;
@@ -432,10 +433,10 @@ question_use_default_speeds(
 		return;
 	if (!each) {
 		q->at = q->speeds =
-		    answers_list_round_speeds(s, site, &q->n_at);
+		    answers_list_few_round_speeds(s, site, &q->n_at);
 		return;
 	}
-	settings_speed_range(&s->set, site, &from, &to);
+	settings_default_speed_range(&s->set, site, &from, &to);
 	q->at = q->speeds = list_round_and_measured_speeds(
 	    site, from, to, s->last_asked.speed, &q->n_at);
 }
@@ -462,7 +463,7 @@ question_last_speed(struct session *s, double usual)
 	double last = s->last_asked.speed;
 	if (!(last > 0))
 		return usual;
-	invocation_add_options(s, " speed=%.12g", last);
+	invocation_journal_options(s, " speed=%.12g", last);
 	return last;
 }
 

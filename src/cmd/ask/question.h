@@ -21,7 +21,7 @@ bool question_repeat_for_site(struct session *s, const struct entry *loaded,
     struct error *error);
 
 /* Reads the question of a call, lets the command answer it, and frees it. */
-bool question_run_answer(struct session *s, const struct args *args,
+bool question_read_and_answer(struct session *s, const struct args *args,
     command_answer *answer, struct error *error);
 
 /* Makes the question about a loaded site, with the mean of its feeds or the

@@ -46,7 +46,7 @@ is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 {
 	const struct site *site = entry->site;
 	const struct history *h =
-	    origin_find_fit(entry) != NULL ? entry->origin->history : NULL;
+	    origin_source_fit(entry) != NULL ? entry->origin->history : NULL;
 	bool noted = cut_find_note(site, run) != NULL, trained = false;
 	*seen = false;
 	if (misfit_count_covered_sieves(&site->run[run]) == 0)
@@ -62,7 +62,7 @@ is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 /* Returns the index of the cut's note in the site: notes are in the order in
  * which the cuts were added. */
 static size_t
-note_index_of_cut(const struct site *site, const struct routine_cut *c)
+index_of_cut_note(const struct site *site, const struct routine_cut *c)
 {
 	const struct site_note *note = cut_find_note(site, c->run);
 	return note != NULL ? (size_t)(note - site->note) : site->n_note;
@@ -78,8 +78,8 @@ sort_cuts_by_date(struct routine *r, const struct site *site)
 	for (size_t i = 1; i < r->n; i++)
 		for (size_t j = i; j > 0; j--) {
 			struct routine_cut *a = &r->cut[j - 1], *b = a + 1;
-			size_t one = note_index_of_cut(site, a),
-			       two = note_index_of_cut(site, b);
+			size_t one = index_of_cut_note(site, a),
+			       two = index_of_cut_note(site, b);
 			bool later = r->dated && a->time != b->time
 					 ? a->time > b->time
 					 : one > two;
@@ -242,7 +242,7 @@ error_cuts_not_charted(
 }
 
 struct routine *
-routine_chart_cuts(const struct session *s, const struct entry *entry,
+routine_compute_charts(const struct session *s, const struct entry *entry,
     const struct drift_rule *rule, struct error *error)
 {
 	struct routine *r = xcalloc(1, sizeof *r);
@@ -292,7 +292,7 @@ routine_free(struct routine *r)
 
 /* Returns "four times running".  The caller frees it. */
 static char *
-format_times_running(size_t n)
+times_running_text(size_t n)
 {
 	static const char *const WORDS[] = {"", N_("once"), N_("twice running"),
 	    N_("three times running"), N_("four times running"),
@@ -331,7 +331,7 @@ drift_in_words(const struct routine *r)
 	    xasprintf(tr("most at %g mm (%+.1f points on average)"),
 		units_mm(r->worst), -100 * r->by);
 	bool tilt = state == DRIFT_FLATTER || state == DRIFT_STEEPER;
-	FREED char *count = format_times_running(r->running);
+	FREED char *count = times_running_text(r->running);
 	return tilt ? xasprintf(tr("a %s curve than predicted, %s: %s"),
 			  tr(ROUTINE_STATE[state]), most, tr(LOOK[state]))
 		    : xasprintf(tr("%s than predicted %s, %s: %s"),
@@ -351,7 +351,7 @@ drift_alarm_in_words(const struct session *s, const struct entry *entry)
 		return NULL;
 	if (a->site != entry->site || a->posterior != p) {
 		struct routine *r =
-		    routine_chart_cuts(s, entry, &DRIFT_RULE, &error);
+		    routine_compute_charts(s, entry, &DRIFT_RULE, &error);
 		a->site = entry->site;
 		a->posterior = p;
 		a->state = r != NULL ? r->point[r->n - 1].state : DRIFT_NONE;

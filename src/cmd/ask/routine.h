@@ -38,7 +38,7 @@ enum { ROUTINE_FEW = 5 };
 
 /* Charts the cuts of an entry.  Returns NULL with an error if there are no cuts
  * or no basis for limits. */
-struct routine *routine_chart_cuts(const struct session *s,
+struct routine *routine_compute_charts(const struct session *s,
     const struct entry *entry, const struct drift_rule *rule,
     struct error *error);
 void routine_free(struct routine *r);

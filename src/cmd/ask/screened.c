@@ -124,7 +124,7 @@ screened_put_fields(struct fields *o, const struct prediction *p)
 	if (!fraction_is_screened(&p->fraction))
 		return;
 	FREED char *words = quantities_fraction_text(&p->fraction);
-	fields_put(o,
+	fields_put_values(o,
 	    "fraction %s share_pct %g share_low_pct %g share_high_pct %g "
 	    "sharpness %g cut_size_pct %g",
 	    words, units_pct(p->share), units_pct(p->share_range[0]),

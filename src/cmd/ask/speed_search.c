@@ -58,14 +58,15 @@ wanted_from_question(const struct session *s, const struct question *q,
 	    .at = at,
 	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
-	settings_speed_range(&s->set, q->entry->site, &w.from, &w.to);
+	settings_default_speed_range(&s->set, q->entry->site, &w.from, &w.to);
 	bool known =
-	    origin_speed_range(q->entry, &w.measured[0], &w.measured[1]);
+	    origin_known_speed_range(q->entry, &w.measured[0], &w.measured[1]);
 	if (!known)
 		w.measured[0] = w.measured[1] =
 		    site_middle_speed(q->entry->site);
-	w.reach =
-	    known ? trust_speed_reach(w.measured[0], w.measured[1]) : INFINITY;
+	w.reach = known
+		      ? trust_reach_beyond_speeds(w.measured[0], w.measured[1])
+		      : INFINITY;
 	return w;
 }
 
@@ -106,7 +107,8 @@ limits_of_condition(
 /* Returns the margin of a limit.  held [DRAWS], or NULL: set to false for each
  * draw in which it does not hold. */
 static struct margin
-margin_of_limit(const struct wanted *w, const struct side *side, bool *held)
+limit_margin_and_draws(
+    const struct wanted *w, const struct side *side, bool *held)
 {
 	double over[DRAWS], low, high;
 	struct forecast *f = w->forecast;
@@ -150,14 +152,14 @@ lesser_margin(struct margin least, struct margin m)
 }
 
 static struct margin
-margin_of_condition(const struct wanted *w, size_t i, bool *held)
+condition_margin_and_draws(const struct wanted *w, size_t i, bool *held)
 {
 	struct side side[2];
 	struct margin least = {INFINITY, INFINITY, NONE};
 	size_t n = limits_of_condition(w, i, side);
 	for (size_t k = 0; k < n; k++)
-		least =
-		    lesser_margin(least, margin_of_limit(w, &side[k], held));
+		least = lesser_margin(
+		    least, limit_margin_and_draws(w, &side[k], held));
 	return least;
 }
 
@@ -166,9 +168,10 @@ condition_margin(const struct wanted *w, size_t i)
 {
 	struct margin least = {INFINITY, INFINITY, NONE};
 	if (i != SIZE_MAX)
-		return margin_of_condition(w, i, NULL);
+		return condition_margin_and_draws(w, i, NULL);
 	for (i = 0; i < w->n; i++)
-		least = lesser_margin(least, margin_of_condition(w, i, NULL));
+		least = lesser_margin(
+		    least, condition_margin_and_draws(w, i, NULL));
 	return least;
 }
 
@@ -200,7 +203,7 @@ share_of_draws_that_hold(const struct wanted *w, struct margin *margin)
 	size_t n = 0;
 	memset(held, true, sizeof held);
 	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = margin_of_condition(w, i, held);
+		struct margin m = condition_margin_and_draws(w, i, held);
 		if (margin != NULL)
 			margin[i] = m;
 	}
@@ -591,7 +594,7 @@ find_slowest_safe_speed(struct speed_search *s, const struct wanted *w)
 /* ---- the target's value */
 
 static double
-target_excess_at(const struct wanted *w, double v)
+target_excess_at_speed(const struct wanted *w, double v)
 {
 	forecast_set_speed(w->forecast, v);
 	return forecast_excess_over_limit(w->forecast, w->n, w->target->least);
@@ -614,7 +617,7 @@ target_speed_between(
 		for (int half = 0; half < 2 && b - a > width / 2; half++) {
 			double v =
 			    half == 0 && at > a && at < b ? at : (a + b) / 2;
-			double f = target_excess_at(w, v);
+			double f = target_excess_at_speed(w, v);
 			if ((f >= 0) == rises) {
 				b = v;
 				fb = f;
@@ -716,7 +719,7 @@ find_target_speed_bands(struct speed_search *s, const struct wanted *w)
 }
 
 static void
-finish_search(struct speed_search *s, const struct wanted *w)
+finish_speed_search(struct speed_search *s, const struct wanted *w)
 {
 	find_speed_intervals(s, w);
 	find_best_speed(s, w);
@@ -745,7 +748,7 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 		store_target_at_step(s->table, w, k, s->speed[k]);
 	if (++s->done < s->n)
 		return false;
-	finish_search(s, w);
+	finish_speed_search(s, w);
 	return true;
 }
 

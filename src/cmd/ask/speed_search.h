@@ -19,9 +19,9 @@ struct condition {
  * limits if the largest or smallest value is sought.  from, to: range of
  * speeds, m/s; measured: the slowest and fastest of those that inform the
  * answer; reach: how far beyond them an answer can be relied on
- * (trust_speed_reach), INFINITY if they are not known; level: of bands; site:
- * the one asked about. Unless stated otherwise, functions move the forecast to
- * other speeds. */
+ * (trust_reach_beyond_speeds), INFINITY if they are not known; level: of bands;
+ * site: the one asked about. Unless stated otherwise, functions move the
+ * forecast to other speeds. */
 struct wanted {
 	const struct site *site;
 	struct forecast *forecast;

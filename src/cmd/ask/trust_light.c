@@ -37,7 +37,7 @@ find_bound_that_limits_answer(const struct session *s,
     const struct entry *entry, const struct prediction *p,
     struct trust_question *q)
 {
-	const struct fit *fit = origin_find_fit(entry);
+	const struct fit *fit = origin_source_fit(entry);
 	struct ensemble *e = ensemble_for_answers(s, entry, p->feed_run);
 	if (e == NULL)
 		return;
@@ -60,14 +60,14 @@ find_bound_that_limits_answer(const struct session *s,
 /* Adds reasons about parameters that were not found by a calibration of this
  * site in this session. */
 static void
-judge_origin_of_params(
+add_reasons_of_origin(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool same = o->found && o->digest == entry->site->digest;
 	double error = fit_largest_rmse_of_runs(
 	    entry, &entry->params, s->set.model, false);
-	if (same && origin_find_fit(entry) != NULL)
+	if (same && origin_source_fit(entry) != NULL)
 		return;
 	if (same)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_ORIGIN,
@@ -93,7 +93,7 @@ judge_origin_of_params(
 
 /* Adds reasons about how the calibration was made. */
 static void
-judge_calibration(
+add_reasons_of_calibration(
     struct trust *t, const struct session *s, const struct fit *fit)
 {
 	if (fit->stop == CALIBRATE_STOPPED)
@@ -107,7 +107,7 @@ judge_calibration(
 			tr("the calibration has not converged: the misfit can "
 			   "still fall, so that another seed may give other "
 			   "parameters")));
-	if (!model_settings_same(&s->set.model, &fit->settings))
+	if (!model_settings_are_same(&s->set.model, &fit->settings))
 		trust_add_reason(t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(tr("the site was calibrated with other settings: "
 			       "calibrate again")));
@@ -117,7 +117,7 @@ judge_calibration(
  * the one that is missed most.  If they drift, the crusher should be looked at
  * before a calibration includes them. */
 static void
-judge_cuts_added_later(
+add_reasons_of_later_cuts(
     struct trust *t, const struct session *s, const struct entry *entry)
 {
 	struct later later = cut_compare_runs_since_fit(s, entry);
@@ -144,12 +144,12 @@ judge_cuts_added_later(
 /* Adds reasons about a feed or machine that was not measured.  evidence: on
  * the fit, or NULL. */
 static void
-judge_other_feed_or_machine(struct trust *t, const struct session *s,
+add_reasons_of_feed_or_machine(struct trust *t, const struct session *s,
     const struct entry *entry, const struct evidence *evidence)
 {
 	const struct scenario *w = entry->scenario;
 	const char *rock = w->own->site->rock, *other = w->rock;
-	double measured = entry_measured_rotor(w->own);
+	double measured = entry_rotor_of_params(w->own);
 	if (other[0] != '\0' && rock[0] != '\0' &&
 	    !text_same_folded(other, rock))
 		trust_add_reason(t, LIGHT_RED, TRUST_FEED,
@@ -188,7 +188,7 @@ static struct evidence
 evidence_from_speeds_alone(const struct entry *entry)
 {
 	struct evidence e = {.speeds = 2, .cells = 100};
-	if (!origin_speed_range(entry, &e.slowest, &e.fastest)) {
+	if (!origin_known_speed_range(entry, &e.slowest, &e.fastest)) {
 		e.slowest = 0;
 		e.fastest = INFINITY;
 	}
@@ -200,28 +200,28 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
     const struct prediction *p, const struct evidence *e, bool later)
 {
 	struct trust t = {0};
-	bool off = runs_that_correct(s, entry) == CORRECTION_OFF;
+	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
 	struct trust_question q = {.speed = p != NULL ? p->speed : 0,
 	    .rotor = entry->site->run_rotor > 0 ? 0 : entry->site->rotor,
 	    .corrected = !off};
 	struct evidence reach = evidence_from_speeds_alone(entry);
 	/* What was measured is judged without the question's changes. */
-	const struct entry *own = entry_as_loaded(entry);
+	const struct entry *own = entry_without_scenario(entry);
 	if (later)
-		judge_cuts_added_later(&t, s, own);
+		add_reasons_of_later_cuts(&t, s, own);
 	if (entry->scenario != NULL)
-		judge_other_feed_or_machine(&t, s, entry, e);
+		add_reasons_of_feed_or_machine(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_band_width(p);
 	if (p != NULL && e != NULL && entry->scenario != NULL &&
 	    entry->scenario->feed != NULL)
-		q.feed = nearest_feed_difference(s, entry, p->feed_run);
+		q.feed = difference_from_nearest_feed(s, entry, p->feed_run);
 	if (q.width > NARROW && e != NULL)
 		find_bound_that_limits_answer(s, entry, p, &q);
 	if (!entry->has_fit)
-		judge_origin_of_params(&t, s, own);
+		add_reasons_of_origin(&t, s, own);
 	if (e != NULL && !e->like_feed)
-		judge_calibration(&t, s, origin_find_fit(entry));
+		add_reasons_of_calibration(&t, s, origin_source_fit(entry));
 	char *energies = energies_trust_reason(s);
 	if (energies != NULL)
 		trust_add_reason(&t, LIGHT_AMBER, TRUST_MACHINE, energies);
@@ -235,7 +235,7 @@ trust_in_answer_or_fit(const struct session *s, const struct entry *entry,
 {
 	struct trust t = {0};
 	if (p != NULL &&
-	    session_entry_being_fitted(s) == entry_as_loaded(entry)) {
+	    session_entry_being_fitted(s) == entry_without_scenario(entry)) {
 		trust_add_reason(&t, LIGHT_AMBER, TRUST_FIT,
 		    xstrdup(tr("a calibration is running: parameters change")));
 		return t;
@@ -266,7 +266,7 @@ trust_worst_of_several(const struct session *s, const struct entry *entry,
 
 /* Returns "amber: " and the first reason, or "green".  The caller frees it. */
 static char *
-describe_light(const struct trust *t)
+light_and_reason_text(const struct trust *t)
 {
 	const char *name = tr(LIGHT_NAME[t->light]);
 	return t->n == 0 ? xstrdup(name)
@@ -288,7 +288,7 @@ trust_in_words_at_speed(const struct session *s, const struct entry *entry,
     double speed, size_t feed)
 {
 	struct trust t = trust_at_speed(s, entry, speed, feed);
-	FREED char *words = describe_light(&t);
+	FREED char *words = light_and_reason_text(&t);
 	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, speed, NAN);
 	char *said = xasprintf(tr("trust at %g m/s%s: %s"), speed, rpm, words);
 	trust_free(&t);
@@ -298,10 +298,10 @@ trust_in_words_at_speed(const struct session *s, const struct entry *entry,
 void
 trust_put_fields(struct fields *o, const struct trust *t)
 {
-	fields_put(o, "trust %s", LIGHT_NAME[t->light]);
+	fields_put_values(o, "trust %s", LIGHT_NAME[t->light]);
 	struct fields *list = fields_add_list(o, "reasons");
 	for (size_t i = 0; i < t->n; i++)
-		fields_put(list, "%s", t->reason[i].text);
+		fields_put_values(list, "%s", t->reason[i].text);
 }
 
 void
@@ -310,7 +310,7 @@ trust_show_with_speed(
 {
 	static const enum answer_grade GRADE[] = {
 	    ANSWER_PLAIN, ANSWER_REMARK, ANSWER_WARNING};
-	FREED char *words = describe_light(&t);
+	FREED char *words = light_and_reason_text(&t);
 	const char *why = t.n > 0 ? tr(" ('why' explains)") : "";
 	FREED char *rpm =
 	    rotor_speed_rpm_text(speed > 0 ? site->rotor : 0, speed, NAN);
@@ -331,7 +331,7 @@ trust_show(struct answer *r, struct trust t)
 
 /* Returns a verdict that needs no light, or NULL if the light decides. */
 static const char *
-verdict_without_light(const struct entry *entry)
+verdict_needing_no_light(const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	return fit->rmse > FIT_POOR        ? tr("poor")
@@ -352,7 +352,7 @@ const char *
 verdict_on_fit(const struct session *s, const struct entry *entry,
     const struct prediction *p)
 {
-	const char *plain = verdict_without_light(entry);
+	const char *plain = verdict_needing_no_light(entry);
 	return plain != NULL
 		   ? plain
 		   : verdict_of_light(trust_in_answer_or_fit(s, entry, p));
@@ -361,7 +361,7 @@ verdict_on_fit(const struct session *s, const struct entry *entry,
 const char *
 verdict_without_draws(const struct session *s, const struct entry *entry)
 {
-	const char *plain = verdict_without_light(entry);
+	const char *plain = verdict_needing_no_light(entry);
 	struct evidence e = evidence_without_draws(s, entry);
 	/* No cut has been added since this calibration. */
 	return plain != NULL ? plain

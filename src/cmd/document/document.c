@@ -43,7 +43,7 @@ document_free(struct document *d)
 }
 
 static void
-document_append(struct document *d, struct document_part part)
+append_part(struct document *d, struct document_part part)
 {
 	d->part = xrealloc(d->part, d->n + 1, sizeof *d->part);
 	d->part[d->n++] = part;
@@ -62,16 +62,15 @@ take_printed_text(struct document *d)
 	while (from < n && d->text[from] == '\n')
 		from++;
 	if (n > from)
-		document_append(
-		    d, (struct document_part){.kind = DOCUMENT_TEXT,
-			   .text = xstrndup(d->text + from, n - from)});
+		append_part(d, (struct document_part){.kind = DOCUMENT_TEXT,
+				   .text = xstrndup(d->text + from, n - from)});
 }
 
 static void
-document_add(struct document *d, struct document_part part)
+document_add_part(struct document *d, struct document_part part)
 {
 	take_printed_text(d);
-	document_append(d, part);
+	append_part(d, part);
 }
 
 void
@@ -87,8 +86,8 @@ document_say(
 {
 	va_list ap;
 	va_start(ap, format);
-	document_add(d, (struct document_part){
-			    .kind = kind, .text = xvasprintf(tr(format), ap)});
+	document_add_part(d, (struct document_part){.kind = kind,
+				 .text = xvasprintf(tr(format), ap)});
 	va_end(ap);
 }
 
@@ -96,23 +95,23 @@ void
 document_add_trust_light(
     struct document *d, enum light light, const char *words)
 {
-	document_add(d, (struct document_part){.kind = DOCUMENT_LIGHT,
-			    .light = light,
-			    .text = xstrdup(words)});
+	document_add_part(d, (struct document_part){.kind = DOCUMENT_LIGHT,
+				 .light = light,
+				 .text = xstrdup(words)});
 }
 
 size_t
 document_add_answer(struct document *d, const struct answer *answer)
 {
-	document_add(d, (struct document_part){.kind = DOCUMENT_ANSWER,
-			    .answer = answer_copy_escaped(answer)});
+	document_add_part(d, (struct document_part){.kind = DOCUMENT_ANSWER,
+				 .answer = answer_copy_escaped(answer)});
 	return answer_view(answer).n_row;
 }
 
 void
 document_add_chart(struct document *d, struct chart *chart)
 {
-	document_add(d,
+	document_add_part(d,
 	    (struct document_part){.kind = DOCUMENT_PICTURE, .chart = chart});
 }
 
@@ -136,7 +135,7 @@ document_finish(struct document *d)
 }
 
 char *
-document_size_text(const struct document *d)
+document_part_counts_text(const struct document *d)
 {
 	size_t tables = 0, images = 0, lines = 0;
 	for (size_t i = 0; i < d->n; i++) {
@@ -162,7 +161,7 @@ document_size_text(const struct document *d)
 
 /* Returns the width of the longest word. */
 static int
-word_width(const char *text)
+longest_word_width(const char *text)
 {
 	int most = 0;
 	char *copy = xstrdup(text), *save = NULL;
@@ -178,10 +177,10 @@ word_width(const char *text)
 /* Returns the width of a column, of which headings are broken between words,
  * and sentences too. */
 static int
-column_width(const struct answer_view *v, size_t column)
+document_column_width(const struct answer_view *v, size_t column)
 {
 	enum { MOST = 40 };
-	int width = word_width(v->head[column]);
+	int width = longest_word_width(v->head[column]);
 	for (size_t i = 0; i < v->n_row; i++) {
 		int w = text_width_in_columns(
 		    v->cell[i * v->n_column + column].text);
@@ -199,9 +198,9 @@ document_columns_that_fit(
 	*from = first ? 1 : *to;
 	if (v->n_row == 0 || (!first && *from >= v->n_column))
 		return false;
-	int width = column_width(v, 0);
+	int width = document_column_width(v, 0);
 	for (*to = *from; *to < v->n_column; ++*to) {
-		width += GAP + column_width(v, *to);
+		width += GAP + document_column_width(v, *to);
 		if (!all && width > WIDEST && *to > *from)
 			break;
 	}

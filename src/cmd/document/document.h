@@ -68,7 +68,7 @@ bool document_finish(struct document *document);
 
 /* Returns "3 tables, 1 image" or, without either, the number of lines of text.
  * The caller frees it. */
-char *document_size_text(const struct document *document);
+char *document_part_counts_text(const struct document *document);
 
 /* Finds the next columns of a table that fit on a page beside the first one:
  * from `to` on, which is 0 before the first call.  Returns false if none is

@@ -129,7 +129,7 @@ html_put_answer(const struct document *d, size_t i, FILE *out)
 }
 
 static void
-put_lines(const char *text, FILE *out)
+html_put_text_lines(const char *text, FILE *out)
 {
 	char *line;
 	fputs("<pre>", out);
@@ -157,7 +157,7 @@ html_put_part(const struct document *d, size_t i, FILE *out)
 		html_put_escaped("", p->text, "</p>\n", out);
 		break;
 	case DOCUMENT_TEXT:
-		put_lines(p->text, out);
+		html_put_text_lines(p->text, out);
 		break;
 	case DOCUMENT_ANSWER:
 		html_put_answer(d, i, out);

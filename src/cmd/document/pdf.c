@@ -35,13 +35,13 @@ struct pdf_layout {
 };
 
 static struct pen_style
-text_style(const struct pdf_layout *p, double size, bool bold)
+scaled_text_style(const struct pdf_layout *p, double size, bool bold)
 {
 	return (struct pen_style){.size = size * p->scale, .bold = bold};
 }
 
 static double
-inner_width(const struct pdf_layout *p)
+width_within_margins(const struct pdf_layout *p)
 {
 	return p->width - 2 * MARGIN;
 }
@@ -56,7 +56,7 @@ pdf_draw_line(struct pdf_layout *p, double end, double y, double width)
 }
 
 static void
-draw_page_foot(struct pdf_layout *p)
+pdf_draw_page_foot(struct pdf_layout *p)
 {
 	struct pen_style style = {.size = 8};
 	double y = p->height - FOOT;
@@ -69,9 +69,9 @@ draw_page_foot(struct pdf_layout *p)
 }
 
 static void
-next_page(struct pdf_layout *p)
+pdf_next_page(struct pdf_layout *p)
 {
-	draw_page_foot(p);
+	pdf_draw_page_foot(p);
 	p->pen->next(p->pen);
 	p->page++;
 	p->y = MARGIN;
@@ -84,12 +84,12 @@ begin_page_unless_fits(struct pdf_layout *p, double height)
 {
 	if (p->y + height <= p->height - FOOT - 16 || p->y <= MARGIN)
 		return false;
-	next_page(p);
+	pdf_next_page(p);
 	return true;
 }
 
 static void
-move_down(struct pdf_layout *p, double points)
+pdf_move_down(struct pdf_layout *p, double points)
 {
 	if (p->y > MARGIN)
 		p->y += points * p->scale;
@@ -124,7 +124,7 @@ struct lines {
 };
 
 static struct lines
-break_lines(struct pdf_layout *p, const char *words, double width,
+break_into_lines(struct pdf_layout *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
@@ -153,11 +153,12 @@ lines_free(struct lines *lines)
 
 /* Puts a paragraph. */
 static void
-put_paragraph(
+pdf_put_paragraph(
     struct pdf_layout *p, const char *text, const struct pen_style *style)
 {
 	double line = LINE * style->size;
-	struct lines lines = break_lines(p, text, inner_width(p), style);
+	struct lines lines =
+	    break_into_lines(p, text, width_within_margins(p), style);
 	for (size_t i = 0; i < lines.n; i++) {
 		begin_page_unless_fits(p, line);
 		p->y += line;
@@ -169,17 +170,17 @@ put_paragraph(
 
 /* Puts a word in a frame, so that it is seen without its colour. */
 static void
-put_trust_light(struct pdf_layout *p, const struct document_part *part)
+pdf_put_trust_light(struct pdf_layout *p, const struct document_part *part)
 {
 	static const enum series INKS[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
 	enum { PAD = 8 };
-	struct pen_style style = text_style(p, 11, true);
+	struct pen_style style = scaled_text_style(p, 11, true);
 	double left = MARGIN, right = p->width - MARGIN;
-	struct lines lines =
-	    break_lines(p, part->text, inner_width(p) - 4 * PAD, &style);
+	struct lines lines = break_into_lines(
+	    p, part->text, width_within_margins(p) - 4 * PAD, &style);
 	double height = (double)lines.n * LINE * style.size + 2 * PAD;
-	move_down(p, 4);
+	pdf_move_down(p, 4);
 	begin_page_unless_fits(p, height);
 	double x[] = {left, right, right, left, left};
 	double y[] = {p->y, p->y, p->y + height, p->y + height, p->y};
@@ -194,18 +195,18 @@ put_trust_light(struct pdf_layout *p, const struct document_part *part)
 		    p->y + PAD + ((double)i + 0.78) * LINE * style.size,
 		    lines.line[i], &style);
 	p->y += height;
-	move_down(p, 6);
+	pdf_move_down(p, 6);
 	lines_free(&lines);
 }
 
 static void
-put_lines(struct pdf_layout *p, const char *text)
+pdf_put_text_lines(struct pdf_layout *p, const char *text)
 {
-	struct pen_style style = text_style(p, 7.5, false);
+	struct pen_style style = scaled_text_style(p, 7.5, false);
 	char *line;
 	style.mono = true;
 	while ((line = document_take_next_line(&text)) != NULL) {
-		put_paragraph(p, line, &style);
+		pdf_put_paragraph(p, line, &style);
 		free(line);
 	}
 }
@@ -219,7 +220,7 @@ struct table_part {
 };
 
 static double
-word_width(
+longest_word_width(
     struct pdf_layout *p, const char *text, const struct pen_style *style)
 {
 	double most = 0;
@@ -236,12 +237,12 @@ word_width(
 static double
 measure_column_widths(struct pdf_layout *p, struct table_part *g, double most)
 {
-	struct pen_style head = text_style(p, g->size, true);
-	struct pen_style body = text_style(p, g->size, false);
+	struct pen_style head = scaled_text_style(p, g->size, true);
+	struct pen_style body = scaled_text_style(p, g->size, false);
 	double sum = -GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
-		double w = word_width(p, g->view->head[c], &head);
+		double w = longest_word_width(p, g->view->head[c], &head);
 		for (size_t r = 0; r < g->view->n_row; r++) {
 			const struct answer_cell *cell =
 			    &g->view->cell[r * g->view->n_column + c];
@@ -257,9 +258,9 @@ measure_column_widths(struct pdf_layout *p, struct table_part *g, double most)
 /* Finds widths that fit the page: breaks texts first, then makes letters
  * smaller. */
 static void
-fit_column_widths(struct pdf_layout *p, struct table_part *g)
+fit_column_widths_to_page(struct pdf_layout *p, struct table_part *g)
 {
-	double room = inner_width(p), most = room;
+	double room = width_within_margins(p), most = room;
 	g->size = 8.5;
 	while (measure_column_widths(p, g, most) > room && g->size > 4) {
 		if (most > 0.25 * room) {
@@ -275,13 +276,13 @@ fit_column_widths(struct pdf_layout *p, struct table_part *g)
 static void
 pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 {
-	struct pen_style style = text_style(p, g->size, row == 0);
+	struct pen_style style = scaled_text_style(p, g->size, row == 0);
 	double line = LINE * style.size, x = MARGIN;
 	FREED struct lines *cell = xcalloc(g->n, sizeof *cell);
 	size_t most = 1;
 	for (size_t i = 0; i < g->n; i++) {
 		size_t c = g->column[i];
-		cell[i] = break_lines(p,
+		cell[i] = break_into_lines(p,
 		    row == 0
 			? g->view->head[c]
 			: g->view->cell[(row - 1) * g->view->n_column + c].text,
@@ -310,7 +311,7 @@ pdf_put_row(struct pdf_layout *p, const struct table_part *g, size_t row)
 }
 
 static double
-end_of_rule(const struct pdf_layout *p, const struct table_part *g)
+table_rule_end_x(const struct pdf_layout *p, const struct table_part *g)
 {
 	double x = MARGIN - GAP * p->scale;
 	for (size_t i = 0; i < g->n; i++)
@@ -320,27 +321,27 @@ end_of_rule(const struct pdf_layout *p, const struct table_part *g)
 
 /* Puts the rows, with the headings again on every page. */
 static void
-put_table_part(struct pdf_layout *p, struct table_part *g)
+pdf_put_table_columns(struct pdf_layout *p, struct table_part *g)
 {
 	double line = LINE * g->size * p->scale;
-	fit_column_widths(p, g);
+	fit_column_widths_to_page(p, g);
 	begin_page_unless_fits(p, 5 * line);
 	for (size_t row = 0; row <= g->view->n_row; row++) {
 		bool again = row > 0 && begin_page_unless_fits(p, line);
 		if (again)
 			pdf_put_row(p, g, 0);
 		if (again || row == 1) {
-			pdf_draw_line(p, end_of_rule(p, g), p->y, 0.7);
-			move_down(p, 1.5);
+			pdf_draw_line(p, table_rule_end_x(p, g), p->y, 0.7);
+			pdf_move_down(p, 1.5);
 		}
 		pdf_put_row(p, g, row);
 	}
-	pdf_draw_line(p, end_of_rule(p, g), p->y + 1, 0.3);
-	move_down(p, 5);
+	pdf_draw_line(p, table_rule_end_x(p, g), p->y + 1, 0.3);
+	pdf_move_down(p, 5);
 }
 
 static void
-put_table(struct pdf_layout *p, const struct answer_view *v)
+pdf_put_table(struct pdf_layout *p, const struct answer_view *v)
 {
 	struct table_part g = {.view = v,
 	    .column = xcalloc(v->n_column + 1, sizeof *g.column),
@@ -352,7 +353,7 @@ put_table(struct pdf_layout *p, const struct answer_view *v)
 		g.size = 8.5;
 		for (size_t c = 0; c < to; c = c == 0 ? from : c + 1)
 			g.column[g.n++] = c;
-		put_table_part(p, &g);
+		pdf_put_table_columns(p, &g);
 	}
 	free(g.column);
 	free(g.width);
@@ -362,11 +363,11 @@ static void
 pdf_put_sentences(
     struct pdf_layout *p, const struct answer_view *v, bool warnings)
 {
-	struct pen_style style = text_style(p, 9, warnings);
+	struct pen_style style = scaled_text_style(p, 9, warnings);
 	for (size_t i = 0; i < v->n_sentence; i++)
 		if ((v->sentence[i].grade == ANSWER_WARNING) == warnings) {
-			put_paragraph(p, v->sentence[i].text, &style);
-			move_down(p, 1.5);
+			pdf_put_paragraph(p, v->sentence[i].text, &style);
+			pdf_move_down(p, 1.5);
 		}
 }
 
@@ -384,20 +385,20 @@ static void
 pdf_put_answer(struct pdf_layout *p, const struct answer *answer, bool top)
 {
 	struct answer_view v = answer_view(answer);
-	struct pen_style title = text_style(p, 9.5, true);
-	struct pen_style about = text_style(p, 8, false);
+	struct pen_style title = scaled_text_style(p, 9.5, true);
+	struct pen_style about = scaled_text_style(p, 8, false);
 	about.series = SERIES_FEED;
-	move_down(p, 6);
+	pdf_move_down(p, 6);
 	begin_page_unless_fits(p, height_kept_together(p, &v));
 	if (v.title != NULL && !top)
-		put_paragraph(p, v.title, &title);
+		pdf_put_paragraph(p, v.title, &title);
 	if (v.provenance != NULL) {
 		FREED char *text = xasprintf(tr("Data: %s"), v.provenance);
-		put_paragraph(p, text, &about);
+		pdf_put_paragraph(p, text, &about);
 	}
 	pdf_put_sentences(p, &v, true);
-	move_down(p, 3);
-	put_table(p, &v);
+	pdf_move_down(p, 3);
+	pdf_put_table(p, &v);
 	pdf_put_sentences(p, &v, false);
 }
 
@@ -406,7 +407,7 @@ static const char PROGRAM[] = "tipspeed " PACKAGE_VERSION;
 static double
 picture_scale(const struct pdf_layout *p)
 {
-	return fmin(p->scale, inner_width(p) / PICTURE_WIDTH);
+	return fmin(p->scale, width_within_margins(p) / PICTURE_WIDTH);
 }
 
 static double
@@ -416,10 +417,10 @@ picture_height(const struct pdf_layout *p, const struct chart *chart)
 }
 
 static void
-put_picture(struct pdf_layout *p, const struct chart *chart)
+pdf_put_chart(struct pdf_layout *p, const struct chart *chart)
 {
 	double height = picture_height(p, chart);
-	move_down(p, 6);
+	pdf_move_down(p, 6);
 	begin_page_unless_fits(p, height);
 	p->pen->place(p->pen, MARGIN, p->y, picture_scale(p));
 	chart_picture_draw(chart, PROGRAM, p->pen);
@@ -430,13 +431,13 @@ put_picture(struct pdf_layout *p, const struct chart *chart)
 /* Puts a heading on the page of what comes next, so that it is not the last on
  * its page. */
 static void
-put_heading(struct pdf_layout *p, size_t i)
+pdf_put_heading(struct pdf_layout *p, size_t i)
 {
 	enum { OWN = 30, LEAST = 40 };
 	const struct document *d = p->document;
 	const struct document_part *next =
 	    i + 1 < d->n ? &d->part[i + 1] : &d->part[i];
-	struct pen_style style = text_style(p, 13, true);
+	struct pen_style style = scaled_text_style(p, 13, true);
 	double kept = LEAST * p->scale;
 	if (next->answer != NULL) {
 		struct answer_view v = answer_view(next->answer);
@@ -444,11 +445,11 @@ put_heading(struct pdf_layout *p, size_t i)
 	} else if (next->chart != NULL) {
 		kept = picture_height(p, next->chart);
 	}
-	move_down(p, 14);
+	pdf_move_down(p, 14);
 	begin_page_unless_fits(p, OWN * p->scale + kept);
-	put_paragraph(p, d->part[i].text, &style);
+	pdf_put_paragraph(p, d->part[i].text, &style);
 	pdf_draw_line(p, p->width - MARGIN, p->y + 1, 0.7);
-	move_down(p, 3);
+	pdf_move_down(p, 3);
 }
 
 static void
@@ -456,27 +457,27 @@ pdf_put_part(struct pdf_layout *p, size_t i)
 {
 	const struct document_part *part = &p->document->part[i];
 	struct pen_style style =
-	    text_style(p, 9, part->kind == DOCUMENT_WARNING);
+	    scaled_text_style(p, 9, part->kind == DOCUMENT_WARNING);
 	switch (part->kind) {
 	case DOCUMENT_HEADING:
-		put_heading(p, i);
+		pdf_put_heading(p, i);
 		break;
 	case DOCUMENT_WORDS:
 	case DOCUMENT_WARNING:
-		put_paragraph(p, part->text, &style);
-		move_down(p, 2);
+		pdf_put_paragraph(p, part->text, &style);
+		pdf_move_down(p, 2);
 		break;
 	case DOCUMENT_LIGHT:
-		put_trust_light(p, part);
+		pdf_put_trust_light(p, part);
 		break;
 	case DOCUMENT_TEXT:
-		put_lines(p, part->text);
+		pdf_put_text_lines(p, part->text);
 		break;
 	case DOCUMENT_ANSWER:
 		pdf_put_answer(p, part->answer, i == p->document->titled_by);
 		break;
 	case DOCUMENT_PICTURE:
-		put_picture(p, part->chart);
+		pdf_put_chart(p, part->chart);
 		break;
 	}
 }
@@ -498,11 +499,11 @@ lay_out_pdf(struct pdf_layout *p, size_t *n)
 	    p->width, p->height, d->title, d->made_by, out);
 	bool ok = p->pen != NULL;
 	if (ok) {
-		struct pen_style title = text_style(p, 16, true);
-		put_paragraph(p, d->title, &title);
+		struct pen_style title = scaled_text_style(p, 16, true);
+		pdf_put_paragraph(p, d->title, &title);
 		for (size_t i = 0; i < d->n; i++)
 			pdf_put_part(p, i);
-		draw_page_foot(p);
+		pdf_draw_page_foot(p);
 		ok = p->pen->close(p->pen);
 	}
 	fclose(out);

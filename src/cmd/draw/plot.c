@@ -51,7 +51,7 @@ parse_plot_request(const struct session *s, const struct args *args,
     struct plot_request *request, struct error *error)
 {
 	size_t kind;
-	if (!text_find_word(PLOT_KINDS, args->operand[0], &kind))
+	if (!text_find_word_in_list(PLOT_KINDS, args->operand[0], &kind))
 		return error_set(error, ERROR_USAGE,
 		    "there is no plot '%s'\nthe plots are: %s",
 		    args->operand[0], PLOT_KINDS);
@@ -72,7 +72,7 @@ parse_plot_request(const struct session *s, const struct args *args,
  * speed given as feed= names a sample of the first site only.  second: the
  * question about the site beside. */
 static bool
-questions_of_plot_from_args(struct session *s, const struct args *args,
+parse_plot_questions(struct session *s, const struct args *args,
     struct plot_request *r, struct question *second, struct error *error)
 {
 	struct error none = {0};
@@ -110,8 +110,7 @@ make_requested_chart(struct session *s, const struct args *args,
 	*second = (struct question){0};
 	*request = (struct plot_request){0};
 	return parse_plot_request(s, args, request, error) &&
-		       questions_of_plot_from_args(
-			   s, args, request, second, error)
+		       parse_plot_questions(s, args, request, second, error)
 		   ? plots_make_chart(s, request, error)
 		   : NULL;
 }
@@ -136,7 +135,8 @@ json_key_of_axis(const struct axis *axis)
 /* If points belong to several sites, or to a line that is common to all sites,
  * each row names its site. */
 static void
-add_site_of_point(struct answer *r, const struct chart_series *series, size_t i)
+add_site_cells_of_point(
+    struct answer *r, const struct chart_series *series, size_t i)
 {
 	const struct chart_whose *whose = series->whose;
 	answer_add_cells(r, "%s %s", whose != NULL ? whose[i].site : "",
@@ -179,7 +179,7 @@ add_series_rows(struct answer *r, const struct chart_series *p, bool several,
 		if (isnan(p->y[j]))
 			continue;
 		if (several)
-			add_site_of_point(r, p, j);
+			add_site_cells_of_point(r, p, j);
 		answer_add_cells(r, "%s %g", p->name, p->x[j]);
 		if (of != NULL)
 			answer_text(r, "%s", of);
@@ -236,7 +236,7 @@ build_chart_answer(const struct session *s, const struct chart *chart)
 /* Returns the size asked for, or one that leaves room for the prompt on the
  * screen. */
 static int
-size_asked_or_fitting(double asked, int screen, int most, int elsewhere)
+cells_asked_or_fitting(double asked, int screen, int most, int elsewhere)
 {
 	if (asked > 0)
 		return (int)asked;
@@ -259,17 +259,17 @@ print_chart(struct session *s, const struct args *args,
 	enum { WIDTH = 78, WIDEST = 100, HEIGHT = 24 };
 	const struct screen *screen = &s->screen;
 	int columns =
-	    size_asked_or_fitting(args->width, screen->columns, WIDEST, WIDTH);
+	    cells_asked_or_fitting(args->width, screen->columns, WIDEST, WIDTH);
 	int strip = chart->below != NULL ? chart->below->strip : 0;
 	int most = HEIGHT + strip;
 	int rows =
-	    size_asked_or_fitting(args->height, screen->rows - 2, most, most);
+	    cells_asked_or_fitting(args->height, screen->rows - 2, most, most);
 	/* If there are several charts, each is as high as a single one. */
 	for (const struct chart *c = next_chart_below(chart); c != NULL;
 	     c = next_chart_below(c))
 		rows += args->height > 0
 			    ? 0
-			    : size_asked_or_fitting(
+			    : cells_asked_or_fitting(
 				  0, screen->rows - 2, HEIGHT, HEIGHT);
 	struct canvas *canvas =
 	    chart_draw(chart, columns, rows, charset, CHART_ALL);
@@ -364,7 +364,7 @@ write_screen_image(struct session *s, const struct canvas *canvas, int colours,
 		      label, units_speed_decimals(speed), speed, rpm)
 		: xasprintf(tr("tipspeed, full-screen mode: %s"), label);
 	FREED char *from =
-	    entry != NULL ? site_source(entry->site, "") : xstrdup("");
+	    entry != NULL ? site_source_clause(entry->site, "") : xstrdup("");
 	FREED char *about = xasprintf(
 	    from[0] ? tr("A text screen of %d columns and %d rows. Data: %s")
 		    : tr("A text screen of %d columns and %d rows.%s"),
@@ -403,7 +403,7 @@ print_row_for_screen_reader(
 
 /* Prints all that the screen shows, row by row, and then describes its plot. */
 static bool
-print_for_screen_reader(struct session *s, const struct canvas *canvas,
+print_screen_for_screen_reader(struct session *s, const struct canvas *canvas,
     const char *picture, struct error *error)
 {
 	for (int row = 0; row < canvas->rows; row++)
@@ -433,7 +433,8 @@ cmd_screen(struct session *s, const struct args *args, struct error *error)
 	if (picture)
 		ok = write_screen_image(s, canvas, r.colours, error);
 	else if (r.words)
-		ok = print_for_screen_reader(s, canvas, r.picture, error);
+		ok =
+		    print_screen_for_screen_reader(s, canvas, r.picture, error);
 	else if (s->set.format == ANSWER_TABLE)
 		canvas_print(canvas, r.colours, s->out);
 	else
@@ -697,9 +698,10 @@ describe_speeds_meeting_goal(
 	while (goals_is_search_needed(s, &goal, request->asked.feed) &&
 	       (s->hooks.stop == NULL || !s->hooks.stop()))
 		goals_step_search(s, entry, &goal, request->asked.feed);
-	FREED char *words = goals_describe(s, entry, &goal, speed, GOALS_FULL);
+	FREED char *words =
+	    goals_outcome_text(s, entry, &goal, speed, GOALS_FULL);
 	answer_note(r, "%s", words);
-	fields_put(answer_fields(r), "goal %s", words);
+	fields_put_values(answer_fields(r), "goal %s", words);
 	goals_discard_results(&goal);
 }
 
@@ -714,10 +716,10 @@ cmd_describe(struct session *s, const struct args *args, struct error *error)
 	if (ok) {
 		struct answer *r = answer_new("describe");
 		answer_title(r, "%s", chart->title);
-		answer_set_sites(r,
+		answer_set_site_names(r,
 		    s->n_entry > 0 ? session_current_entry(s)->site->name : "",
 		    chart->about);
-		fields_put(answer_fields(r), "kind %s title %s data %s",
+		fields_put_values(answer_fields(r), "kind %s title %s data %s",
 		    args->operand[0], chart->title, chart->about);
 		for (const struct chart *c = chart; c != NULL; c = c->below)
 			describe_chart(r, c);

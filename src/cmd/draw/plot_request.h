@@ -37,8 +37,8 @@ struct plot_request {
 	struct question asked; /* entry NULL: the site as loaded; speed, for
 				* psd and selection, NAN: the middle of the
 				* site's; at: for sweep, none:
-				* answers_list_round_speeds; for runs, besides
-				* the measured ones */
+				* answers_list_few_round_speeds; for runs,
+				* besides the measured ones */
 	const struct entry *second; /* the site `beside` as in the question;
 				     * NULL: as loaded */
 	double other_speed;         /* of a second prediction, or NAN */

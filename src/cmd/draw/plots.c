@@ -43,7 +43,7 @@ plots_default_request(enum plot_kind kind)
  * that its feed covers.  The other sieves, which the axis shows too, have a
  * gap. */
 static void
-add_residuals(struct chart *chart, const struct session *s,
+add_residual_series(struct chart *chart, const struct session *s,
     const struct entry *entry, size_t run, const struct params *params,
     struct chart_series look)
 {
@@ -112,7 +112,7 @@ residuals_chart(
 		    site_chart_run_style(site, i, !q->asked.entry->train[i]);
 		look.line = CHART_SOLID;
 		look.ascii = look.mark;
-		add_residuals(chart, s, q->asked.entry, i, &params, look);
+		add_residual_series(chart, s, q->asked.entry, i, &params, look);
 	}
 	site_chart_set_sieve_axis(chart);
 	chart->y = axis_with_zero(chart, "difference, points");
@@ -131,12 +131,12 @@ add_parity_points(struct chart *chart, const struct session *s,
 		look.line = CHART_MARKS;
 		struct chart_series *p =
 		    chart_add(chart, look, pairs->n, "%s", PSD_NAME[i]);
-		chart_add_point_sites(p);
+		chart_add_point_names(p);
 		for (size_t j = 0; j < pairs->n; j++) {
 			const struct trial *of = &pairs->item[j];
 			const struct site *site = s->entry[of->entry].site;
-			p->whose[j] = (struct chart_whose){
-			    xstrdup(of->key), site_source(site, ""), NULL};
+			p->whose[j] = (struct chart_whose){xstrdup(of->key),
+			    site_source_clause(site, ""), NULL};
 			p->x[j] = 1000 * of->v.measured[i];
 			p->y[j] = isnan(p->x[j])
 				      ? NAN
@@ -224,7 +224,7 @@ add_selection_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     struct chart_series look)
 {
-	struct model_settings settings = settings_of_answer(s, entry);
+	struct model_settings settings = model_settings_of_answer(s, entry);
 	FREED char *at = answers_speed_text(entry->site, speed, -1);
 	struct chart_series *series = chart_add(chart, look, SAMPLES, "%s", at);
 	struct breaker b;
@@ -232,7 +232,7 @@ add_selection_curve(struct chart *chart, const struct session *s,
 	breaker_set_speed(&b, speed);
 	for (size_t i = 0; i < SAMPLES; i++) {
 		series->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
-		series->y[i] = 100 * selection_by_breaker(
+		series->y[i] = 100 * selection_at_log_size(
 					 &b, el_log(series->x[i] / 1000), NULL);
 	}
 	double mm =
@@ -297,7 +297,7 @@ appearance_chart(
 	for (size_t i = 0; i < SAMPLES; i++) {
 		curve->x[i] = log_spaced_value(chart->x.low, chart->x.high, i);
 		curve->y[i] =
-		    100 * answers_breakage_function(&b, curve->x[i], site);
+		    100 * answers_breakage_at_ratio(&b, curve->x[i], site);
 	}
 	return chart;
 }
@@ -338,7 +338,7 @@ plots_make_chart(
 	    [PLOT_SEARCH] = {plots_search_residuals},
 	    [PLOT_ENERGY] = {plots_impact_energies, true}};
 	if (!KINDS[request->kind].any_site &&
-	    !session_need_site(s, "this plot", error))
+	    !session_require_site(s, "this plot", error))
 		return NULL;
 	size_t at = s->current;
 	if (request->site != NULL &&
@@ -355,7 +355,7 @@ plots_make_chart(
 
 /* Returns "82.1 %". */
 static char *
-value_with_unit(const struct axis *axis, double value)
+value_with_unit_text(const struct axis *axis, double value)
 {
 	const char *unit = axis_unit_suffix(axis);
 	return xasprintf(
@@ -368,8 +368,8 @@ text_of_found_mark(const struct chart_found *f)
 	const struct chart_series *of = f->series;
 	if (of == NULL)
 		return NULL;
-	FREED char *x = value_with_unit(&f->chart->x, of->x[f->point]),
-		   *y = value_with_unit(&f->chart->y, of->y[f->point]);
+	FREED char *x = value_with_unit_text(&f->chart->x, of->x[f->point]),
+		   *y = value_with_unit_text(&f->chart->y, of->y[f->point]);
 	bool whose = of->whose != NULL && of->whose[f->point].site != NULL;
 	return xasprintf("%s%s%s: %s, %s",
 	    whose ? of->whose[f->point].site : "", whose ? ", " : "", of->name,
@@ -377,7 +377,7 @@ text_of_found_mark(const struct chart_found *f)
 }
 
 bool
-plots_find_at_cell(struct session *s, const struct plot_request *request,
+plots_find_mark_at_cell(struct session *s, const struct plot_request *request,
     int columns, int rows, int column, int row, struct plots_found *found)
 {
 	struct error error = {0};

@@ -32,7 +32,8 @@ struct plots_found {
 	double x, y;
 	char *words;
 };
-bool plots_find_at_cell(struct session *s, const struct plot_request *request,
-    int columns, int rows, int column, int row, struct plots_found *found);
+bool plots_find_mark_at_cell(struct session *s,
+    const struct plot_request *request, int columns, int rows, int column,
+    int row, struct plots_found *found);
 
 #endif

@@ -32,7 +32,7 @@ posterior_or_error(
 
 /* Finds the parameters that are not held fixed and returns their number. */
 static size_t
-list_free_parameters(
+find_free_parameters(
     const struct posterior *p, size_t column[static PARAMS_MOST])
 {
 	size_t n = 0;
@@ -77,7 +77,7 @@ add_correlation_cells(struct chart *chart, const struct posterior *p,
 		for (size_t j = 0; j < n; j++) {
 			double r = i == j ? 1
 					  : identify_stronger_correlation(
-						identify_correlate_pair(
+						identify_correlate_params(
 						    p, column[i], column[j]));
 			if ((r >= 0) != positive)
 				continue;
@@ -98,7 +98,7 @@ plots_parameter_correlations(
 	    posterior_or_error(s, q->asked.entry, error);
 	if (p == NULL)
 		return NULL;
-	size_t n = list_free_parameters(p, column);
+	size_t n = find_free_parameters(p, column);
 	if (n < 2) {
 		error_set(error, ERROR_USAGE,
 		    "correlation: expected two free parameters or more, got "
@@ -134,12 +134,12 @@ struct profile_data {
 };
 
 static bool
-prepare_profile(const struct session *s, const struct entry *entry,
+prepare_param_profile(const struct session *s, const struct entry *entry,
     const char *name, struct profile_data *a, struct error *error)
 {
 	if (!answers_require_params(s, entry, error))
 		return false;
-	if (origin_find_fit(entry) == NULL)
+	if (origin_source_fit(entry) == NULL)
 		return error_set(error, ERROR_USAGE,
 		    "the parameters do not come from a calibration in this "
 		    "session\n"
@@ -228,7 +228,7 @@ choose_profile_values(const struct chart *chart, const struct profile_data *a,
 /* Draws the refitted misfits as a likelihood with errors of unknown size,
  * E^(-n/2). */
 static void
-add_likelihood_profile(struct chart *chart, const struct profile_data *a)
+add_likelihood_curve(struct chart *chart, const struct profile_data *a)
 {
 	enum { VALUES = 31 };
 	double x[VALUES], misfit[VALUES], least = INFINITY, near[2];
@@ -259,7 +259,7 @@ add_likelihood_profile(struct chart *chart, const struct profile_data *a)
 }
 
 static void
-add_density_of_draws(
+add_draw_density_curve(
     struct chart *chart, const struct profile_data *a, const double *draw)
 {
 	enum { POINTS = 101 };
@@ -288,7 +288,7 @@ plots_parameter_profile(
 {
 	struct profile_data a;
 	double draws[POSTERIOR_DRAWS], reach[2], *draw = NULL;
-	if (!prepare_profile(s, q->asked.entry,
+	if (!prepare_param_profile(s, q->asked.entry,
 		q->param != NULL ? q->param : "e0_min", &a, error))
 		return NULL;
 	for (size_t d = 0; a.p != NULL && d < POSTERIOR_DRAWS; d++) {
@@ -301,9 +301,9 @@ plots_parameter_profile(
 	    axis_new_linear(title, reach[0], reach[1]),
 	    axis_new_percent(tr("relative to the most probable, %")),
 	    "what the data say of %s", a.info->name);
-	add_likelihood_profile(chart, &a);
+	add_likelihood_curve(chart, &a);
 	if (draw != NULL)
-		add_density_of_draws(chart, &a, draw);
+		add_draw_density_curve(chart, &a, draw);
 	chart_add_rule(chart, SERIES_BREAK, a.fit.at[a.j], "calibrated %.4g",
 	    a.fit.at[a.j]);
 	misfit_free(a.misfit);

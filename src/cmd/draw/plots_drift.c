@@ -28,8 +28,8 @@ static const struct {
 
 /* Computes the share of its limit for each of these. */
 static void
-shares_of_limits(const struct drift_point *p, const struct drift_rule *rule,
-    double share[static ARRAY_LEN(SHOWN)])
+shares_of_control_limits(const struct drift_point *p,
+    const struct drift_rule *rule, double share[static ARRAY_LEN(SHOWN)])
 {
 	const struct drift_chart *level = &p->chart[DRIFT_LEVEL];
 	const struct drift_chart *tilt = &p->chart[DRIFT_TILT];
@@ -56,16 +56,17 @@ struct chart *
 plots_control_charts(
     struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct entry *entry = entry_as_loaded(q->asked.entry);
+	const struct entry *entry = entry_without_scenario(q->asked.entry);
 	if (!answers_require_params(s, entry, error))
 		return NULL;
-	struct routine *r = routine_chart_cuts(s, entry, &DRIFT_RULE, error);
+	struct routine *r =
+	    routine_compute_charts(s, entry, &DRIFT_RULE, error);
 	if (r == NULL)
 		return NULL;
 	double low = -1.2, high = 1.2, last = (double)r->n + 1;
 	double share[ARRAY_LEN(SHOWN)];
 	for (size_t j = 0; j < r->n; j++) {
-		shares_of_limits(&r->point[j], &r->rule, share);
+		shares_of_control_limits(&r->point[j], &r->rule, share);
 		for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 			low = fmin(low, share[i]);
 			high = fmax(high, share[i]);
@@ -86,7 +87,7 @@ plots_control_charts(
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++)
 		chart_add(chart, SHOWN[i].look, r->n, "%s", tr(SHOWN[i].name));
 	for (size_t j = 0; j < r->n; j++) {
-		shares_of_limits(&r->point[j], &r->rule, share);
+		shares_of_control_limits(&r->point[j], &r->rule, share);
 		for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 			chart->series[i + 1]->x[j] = (double)(j + 1);
 			chart->series[i + 1]->y[j] = share[i];

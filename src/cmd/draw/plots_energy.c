@@ -33,7 +33,7 @@ fill_impact_energy_series(struct chart_series *series, const struct spectrum *s,
 }
 
 static void
-add_impact_energies(
+add_impact_energy_curves(
     struct chart *chart, const struct energies *e, bool main, size_t place)
 {
 	const struct spectrum *s = e->c.spectrum;
@@ -74,8 +74,9 @@ plots_impact_energies(
 	for (size_t i = 0; i < s->n_energies; i++)
 		if (s->energies[i] != e &&
 		    s->energies[i]->c.spectrum->counted == of->counted)
-			add_impact_energies(chart, s->energies[i], false, i);
-	add_impact_energies(chart, e, true, 0);
+			add_impact_energy_curves(
+			    chart, s->energies[i], false, i);
+	add_impact_energy_curves(chart, e, true, 0);
 	axis_free(&chart->y);
 	chart->y =
 	    axis_new_linear(of->counted ? tr("impacts a particle in half an "

@@ -27,11 +27,11 @@ add_material_point(struct chart_series *series, const struct params *p,
 }
 
 static struct chart_series *
-add_material_series(struct chart *chart, struct chart_series look, size_t most,
-    bool named, const char *name)
+add_empty_material_series(struct chart *chart, struct chart_series look,
+    size_t most, bool named, const char *name)
 {
 	struct chart_series *series = chart_add(chart, look, most, "%s", name);
-	chart_add_point_sites(series);
+	chart_add_point_names(series);
 	series->named = named;
 	series->n = 0;
 	return series;
@@ -39,13 +39,14 @@ add_material_series(struct chart *chart, struct chart_series look, size_t most,
 
 /* Adds the materials of one rock as a series of their own. */
 static void
-add_materials_of_rock(
+add_points_of_rock(
     struct chart *chart, const struct material_list *list, const char *rock)
 {
 	struct chart_series look = site_chart_series_style(chart->n);
 	look.line = CHART_MARKS;
-	struct chart_series *series = add_material_series(chart, look, list->n,
-	    list->n <= NAMED, rock[0] != '\0' ? rock : tr("not stated"));
+	struct chart_series *series =
+	    add_empty_material_series(chart, look, list->n, list->n <= NAMED,
+		rock[0] != '\0' ? rock : tr("not stated"));
 	for (size_t i = 0; i < list->n; i++) {
 		const struct material *m = &list->item[i];
 		if (text_same_folded(m->rock, rock))
@@ -89,14 +90,15 @@ add_loaded_sites_to_map(
 		    has_parameter_on_bound(entry) != bound)
 			continue;
 		if (series == NULL)
-			series = add_material_series(chart,
+			series = add_empty_material_series(chart,
 			    (struct chart_series){.series = SERIES_PREDICTED,
 				.mark = bound ? 'X' : '#'},
 			    s->n_entry, s->n_entry <= NAMED,
 			    bound ? tr("loaded, a parameter at its bound")
 				  : tr("loaded sites"));
 		add_material_point(series, &entry->params, xstrdup(entry->key),
-		    xstrdup(entry->site->name), site_source(entry->site, ""));
+		    xstrdup(entry->site->name),
+		    site_source_clause(entry->site, ""));
 	}
 }
 
@@ -113,7 +115,7 @@ list_every_nth_material(const struct session *s, struct material_list *list,
 	*apart = 1 + (n > 0 ? (n - 1) / MOST : 0);
 	const struct store_query query = {.apart = *apart};
 	bool ok = store_find_materials(s->store, &query, list, error);
-	stored_add_table3(list);
+	material_add_table3(list);
 	return ok;
 }
 
@@ -156,7 +158,7 @@ plots_material_map(
 	    tr("materials by rock"), about, (struct axis){0}, (struct axis){0});
 	for (size_t i = 0; i < list.n; i++)
 		if (is_first_of_rock(&list, i))
-			add_materials_of_rock(chart, &list, list.item[i].rock);
+			add_points_of_rock(chart, &list, list.item[i].rock);
 	add_loaded_sites_to_map(chart, s, false);
 	add_loaded_sites_to_map(chart, s, true);
 	struct chart_extent e = chart_find_extent(chart);

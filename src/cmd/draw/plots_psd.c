@@ -74,7 +74,7 @@ add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
 		return;
 	add_envelope_limit_series(chart, spec, true);
 	add_envelope_limit_series(chart, spec, false);
-	FREED char *cut = chosen_cut_text(s);
+	FREED char *cut = session_spec_fraction_text(s);
 	const char *source =
 	    spec->source[0] != '\0' ? spec->source : spec->name;
 	if (notes && cut[0] != '\0')
@@ -90,7 +90,7 @@ static bool
 cut_product_to_envelope(const struct session *s, const struct entry *entry,
     const struct prediction *whole, struct prediction *part)
 {
-	struct fraction fraction = chosen_cut(s);
+	struct fraction fraction = session_spec_fraction(s);
 	if (!fraction_is_screened(&fraction))
 		return false;
 	/* The sizes of the cut are included, so that the curve ends there. */
@@ -146,7 +146,7 @@ difference_strip_axis(const struct chart *chart)
 /* Adds the difference of two curves at each point of the first, where the other
  * has a value. */
 static void
-add_difference_of_curves(struct chart *strip, const struct chart *chart,
+add_difference_curve(struct chart *strip, const struct chart *chart,
     const struct chart_series *a, const struct chart_series *b,
     struct chart_series look)
 {
@@ -171,7 +171,7 @@ axis_copy(const struct axis *from)
 
 /* Returns the length of "measured 74 m/s" in "measured 74 m/s (2)". */
 static int
-short_name_length(const struct chart_series *s)
+series_short_name_length(const struct chart_series *s)
 {
 	return (int)strcspn(s->name, ",(") -
 	       (s->name[strcspn(s->name, ",(")] == '(');
@@ -193,7 +193,7 @@ title_of_difference_strip(
 		xappend_to_list(&title, "; ",
 		    other != NULL ? tr("marks: %.*s less it")
 				  : tr("marks: %.*s less predicted"),
-		    short_name_length(measured), measured->name);
+		    series_short_name_length(measured), measured->name);
 	return title;
 }
 
@@ -211,10 +211,10 @@ add_difference_strip(struct chart *chart, int rows)
 		const struct chart_series *s = chart->series[i];
 		if (s->compared && s->series == SERIES_OTHER) {
 			other = s;
-			add_difference_of_curves(strip, chart, last, s, *last);
+			add_difference_curve(strip, chart, last, s, *last);
 		} else if (s->compared) {
 			measured = s;
-			add_difference_of_curves(strip, chart, s, last, *s);
+			add_difference_curve(strip, chart, s, last, *s);
 		}
 	}
 	free(strip->title);
@@ -254,8 +254,8 @@ append_curve_value(char **note, const struct chart *chart,
 /* A pinned prediction has bands only at its sieves and of its P20, P50 and
  * P80. */
 static void
-find_bands_of_pinned(const struct plot_request *q, const struct prediction *p,
-    struct figure band[static 2])
+find_crosshair_bands_of_pin(const struct plot_request *q,
+    const struct prediction *p, struct figure band[static 2])
 {
 	for (size_t i = 0; i < p->product.n && p->low != NULL; i++)
 		if (fabs(units_mm(p->product.size[i]) - q->crosshair_mm) < 1e-9)
@@ -302,7 +302,7 @@ add_crosshair(struct chart *chart, const struct session *s,
 	if (!(q->words & CHART_NOTES))
 		return;
 	if (p != NULL && p == q->made)
-		find_bands_of_pinned(q, p, band);
+		find_crosshair_bands_of_pin(q, p, band);
 	else if (p != NULL)
 		compute_crosshair_bands(s, q, params, p, band);
 	FREED char *at = xasprintf(tr("at %g mm:"), x);
@@ -356,7 +356,7 @@ mark_break_size(struct chart *chart, const struct session *s,
 	chart_note(chart, "%s", text);
 	if (whose == NULL || origin_site_key(whose) == whose->key)
 		return;
-	FREED char *from = origin_sentence(whose);
+	FREED char *from = origin_params_from_sentence(whose);
 	chart_note(chart, "%s%s",
 	    origin_is_other_site(whose) ? tr("warning: ") : "", from);
 }
@@ -436,7 +436,8 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 		second->whose = q->asked.entry;
 	if (kept)
 		return true;
-	if (entry_as_loaded(second->whose) != entry_as_loaded(q->asked.entry)) {
+	if (entry_without_scenario(second->whose) !=
+	    entry_without_scenario(q->asked.entry)) {
 		if (!answers_require_params(s, second->whose, error))
 			return false;
 		own = &second->whose->params;
@@ -454,7 +455,7 @@ find_second_prediction(struct session *s, const struct plot_request *q,
 }
 
 static void
-add_second_prediction(struct chart *chart, const struct session *s,
+add_second_predicted_curve(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct second_prediction *second)
 {
 	bool beside = q->beside != NULL;
@@ -473,7 +474,7 @@ add_second_prediction(struct chart *chart, const struct session *s,
 
 /* Adds the notes about the two curves, which are the last of the chart. */
 static void
-note_curves(struct chart *chart, struct session *s,
+note_prediction_curves(struct chart *chart, struct session *s,
     const struct plot_request *q, const struct prediction *one,
     const struct second_prediction *two, bool shade)
 {
@@ -536,13 +537,13 @@ add_measured_curves(struct chart *chart, const struct session *s,
 
 /* Adds the fraction that the envelope in use is for. */
 static void
-add_product_cut_to_envelope(struct chart *chart, const struct session *s,
+add_curve_cut_to_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)
 {
 	struct prediction part;
 	if (!cut_product_to_envelope(s, entry, whole, &part))
 		return;
-	FREED char *words = chosen_cut_text(s);
+	FREED char *words = session_spec_fraction_text(s);
 	add_product_curve(
 	    chart, &part, xasprintf(tr("fraction %s"), words), PART);
 	prediction_free(&part);
@@ -550,7 +551,7 @@ add_product_cut_to_envelope(struct chart *chart, const struct session *s,
 
 /* The line is dashed if the prediction is extrapolated. */
 static void
-add_first_prediction(struct chart *chart, const struct session *s,
+add_first_predicted_curve(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct prediction *p)
 {
 	struct chart_series look = SITE_CHART_PREDICTED;
@@ -580,7 +581,7 @@ struct psd_plot {
 
 /* Without parameters the measured curves are still worth a look. */
 static bool
-find_predictions(struct session *s, const struct plot_request *q,
+find_plotted_predictions(struct session *s, const struct plot_request *q,
     struct psd_plot *p, struct error *error)
 {
 	const struct entry *entry = q->asked.entry;
@@ -615,14 +616,14 @@ fill_psd_chart(struct chart *chart, struct session *s,
 	double moved = add_measured_curves(
 	    chart, s, q, one != NULL ? &p->params : NULL, p->speed);
 	if (one != NULL && !fraction_is_screened(&q->asked.fraction))
-		add_product_cut_to_envelope(chart, s, entry, one);
-	add_second_prediction(chart, s, q, &p->two);
+		add_curve_cut_to_envelope(chart, s, entry, one);
+	add_second_predicted_curve(chart, s, q, &p->two);
 	if (one != NULL)
-		add_first_prediction(chart, s, q, one);
+		add_first_predicted_curve(chart, s, q, one);
 	site_chart_set_sieve_axis(chart);
 	add_envelope_limits(chart, s, (q->words & CHART_NOTES) != 0);
 	bool own = memcmp(&entry->params, &p->params, sizeof p->params) == 0;
-	note_curves(chart, s, q, one, &p->two, q->band && own);
+	note_prediction_curves(chart, s, q, one, &p->two, q->band && own);
 	if (one == NULL)
 		chart_note(chart, "no prediction: %s", p->unknown.text);
 	else if (q->strip > 0)
@@ -638,7 +639,7 @@ plots_psd(struct session *s, const struct plot_request *q, struct error *error)
 {
 	const struct site *site = q->asked.entry->site;
 	struct psd_plot p;
-	if (!find_predictions(s, q, &p, error))
+	if (!find_plotted_predictions(s, q, &p, error))
 		return NULL;
 	FREED char *fraction = screened_title_suffix(&q->asked.fraction);
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, p.speed, NAN);
@@ -672,7 +673,7 @@ plots_sweep(
 		return NULL;
 	}
 	FREED double *usual =
-	    n == 0 ? answers_list_round_speeds(s, site, &n) : NULL;
+	    n == 0 ? answers_list_few_round_speeds(s, site, &n) : NULL;
 	const double *speed = usual != NULL ? usual : q->asked.at;
 	FREED char *fraction = screened_title_suffix(&q->asked.fraction);
 	struct chart *chart = site_chart(site, (struct axis){0},

@@ -70,7 +70,7 @@ static bool
 add_quantity_once(struct drawn *d, const struct quantity *q)
 {
 	for (size_t i = 0; i < d->n; i++)
-		if (quantity_same(&d->q[i], q))
+		if (quantity_is_same(&d->q[i], q))
 			return true;
 	if (d->n == MOST)
 		return false;
@@ -134,7 +134,7 @@ quantity_line_style(size_t i)
 }
 
 static void
-add_measured_quantity(struct chart *chart, const struct session *s,
+add_measured_quantity_marks(struct chart *chart, const struct session *s,
     const struct entry *entry, struct drawn *d, size_t i)
 {
 	const struct site *site = entry->site;
@@ -175,9 +175,9 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 	for (size_t k = 0; k < 2 * d->limits.n; k++) {
 		const struct condition *c = &d->limits.at[k / 2];
 		double limit = k % 2 == 0 ? c->least : c->most;
-		if (!quantity_same(&c->quantity, &d->q[i]) || isnan(limit))
+		if (!quantity_is_same(&c->quantity, &d->q[i]) || isnan(limit))
 			continue;
-		FREED char *words = conditions_describe_limit(
+		FREED char *words = conditions_limit_text(
 		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
 		double y = quantities_value_in_shown_unit(&c->quantity, limit);
 		chart_add_points(chart, look, 2, (double[]){d->from, d->to},
@@ -187,7 +187,7 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 
 /* Sets an axis with round limits that holds all of the chart. */
 static void
-set_y_axis(struct chart *chart)
+set_round_y_axis(struct chart *chart)
 {
 	struct chart_extent e = chart_find_extent(chart);
 	bool any = isfinite(e.y[0]);
@@ -202,10 +202,9 @@ static void
 mark_measured_speeds(struct chart *chart, const struct entry *entry)
 {
 	double slowest, fastest;
-	if (!origin_speed_range(entry, &slowest, &fastest))
+	if (!origin_known_speed_range(entry, &slowest, &fastest))
 		return;
-	FREED char *words =
-	    answers_describe_speed_range(entry, slowest, fastest);
+	FREED char *words = answers_known_speeds_text(entry, slowest, fastest);
 	if (!(fastest > slowest)) {
 		chart_add_rule(chart, SERIES_BREAK, slowest, "%s", words);
 		return;
@@ -292,7 +291,8 @@ make_chart_of_unit(struct session *s, struct drawn *d, const char *unit)
 			FREED char *name = quantities_name(&d->q[i]);
 			d->line[i] = chart_add(
 			    chart, quantity_line_style(i), POINTS, "%s", name);
-			add_measured_quantity(chart, s, d->asked->entry, d, i);
+			add_measured_quantity_marks(
+			    chart, s, d->asked->entry, d, i);
 			add_limit_lines(chart, d, i);
 		}
 	mark_measured_speeds(chart, d->asked->entry);
@@ -327,10 +327,10 @@ static void
 fill_quantity_lines(struct session *s, struct drawn *d, struct chart *first)
 {
 	struct forecast *f = forecast_open(s, d->asked, d->q, d->n);
-	site_chart_fill_over_speed(f, d->n, d->from, d->to, d->line);
+	site_chart_fill_speed_lines(f, d->n, d->from, d->to, d->line);
 	forecast_close(f);
 	for (struct chart *c = first; c != NULL; c = c->below)
-		set_y_axis(c);
+		set_round_y_axis(c);
 }
 
 static struct chart *
@@ -359,7 +359,7 @@ make_chart_for_each_unit(struct session *s, struct drawn *d)
 		speed_search_free(w);
 		forecast_close(wanted.forecast);
 	}
-	FREED char *feed = feed_describe(entry->site, d->asked->feed);
+	FREED char *feed = feed_sampling_text(entry->site, d->asked->feed);
 	if (feed != NULL)
 		chart_note(last, "feed: %s", feed);
 	site_chart_note_feed_adjustment(last, d->moved);
@@ -392,7 +392,7 @@ plots_response(
 	struct chart *chart = NULL;
 	if (!answers_require_params(s, entry, error))
 		return NULL;
-	settings_speed_range(&s->set, entry->site, &d.from, &d.to);
+	settings_default_speed_range(&s->set, entry->site, &d.from, &d.to);
 	if (parse_drawn_quantities(s, q->of, q->limits, &d, error))
 		chart = make_chart_for_each_unit(s, &d);
 	conditions_free(&d.limits);

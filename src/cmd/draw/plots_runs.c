@@ -23,7 +23,7 @@ static bool
 is_feed_drawn_already(const struct site *site, size_t run)
 {
 	for (size_t i = 0; i < run; i++)
-		if (psd_same(&site->run[i].feed, &site->run[run].feed))
+		if (psd_is_same(&site->run[i].feed, &site->run[run].feed))
 			return true;
 	return false;
 }
@@ -57,12 +57,12 @@ add_distinct_feed_curves(struct chart *chart, const struct site *site)
 /* Adds what the model alone predicts, because that is what a held-out run
  * tests. */
 static void
-add_predicted_product(struct chart *chart, const struct session *s,
+add_predicted_product_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, double speed,
     size_t feed, struct chart_series look, const char *repeat)
 {
-	struct prediction p = predict_with_model_alone(
-	    entry->site, params, settings_of_answer(s, entry), speed, feed);
+	struct prediction p = predict_with_model_alone(entry->site, params,
+	    model_settings_of_answer(s, entry), speed, feed);
 	FREED char *at = answers_speed_text(entry->site, speed, -1);
 	site_chart_add_psd(chart, look, &p.product, NULL,
 	    xasprintf(tr("predicted %s%s"), at, repeat));
@@ -72,7 +72,7 @@ add_predicted_product(struct chart *chart, const struct session *s,
 /* Adds the product of a run and its prediction, unless the prediction equals
  * that for the run before. */
 static void
-add_run_and_prediction(struct chart *chart, const struct session *s,
+add_run_and_predicted_curve(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct params *params, size_t run)
 {
 	static const char ASCII[] = "=~_\"`;";
@@ -92,13 +92,13 @@ add_run_and_prediction(struct chart *chart, const struct session *s,
 		speed, r->repeat));
 	if (params != NULL &&
 	    (!site_run_repeats_speed(site, run) ||
-		!psd_same(&site->run[run - 1].feed, &r->feed)))
-		add_predicted_product(
+		!psd_is_same(&site->run[run - 1].feed, &r->feed)))
+		add_predicted_product_curve(
 		    chart, s, entry, params, r->speed, run, dashed, r->repeat);
 }
 
 static void
-add_predictions_at_speeds(struct chart *chart, const struct session *s,
+add_predicted_curves_at_speeds(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
 	const struct site *site = q->asked.entry->site;
@@ -106,19 +106,19 @@ add_predictions_at_speeds(struct chart *chart, const struct session *s,
 		struct chart_series look = site_chart_series_style(i);
 		look.line = CHART_LONG;
 		look.mark = MARKS[i];
-		add_predicted_product(chart, s, q->asked.entry, params,
+		add_predicted_product_curve(chart, s, q->asked.entry, params,
 		    q->asked.at[i], q->asked.feed, look, "");
 	}
-	FREED char *words = feed_describe(site, q->asked.feed);
+	FREED char *words = feed_sampling_text(site, q->asked.feed);
 	if (q->asked.n_at > 0 && words != NULL)
 		chart_note(
 		    chart, "feed at speeds that were not measured: %s", words);
 }
 
 static bool
-are_plot_speeds_refused(const struct plot_request *q, struct error *error)
+refuse_plot_speeds(const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_as_loaded(q->asked.entry)->site;
+	const struct site *site = entry_without_scenario(q->asked.entry)->site;
 	if (q->asked.n_at > FURTHER)
 		return !error_set(error, ERROR_USAGE,
 		    "%zu speeds are too many to draw\n"
@@ -135,16 +135,16 @@ are_plot_speeds_refused(const struct plot_request *q, struct error *error)
 
 /* Adds all runs on one axis.  params may be NULL. */
 static void
-add_all_runs(struct chart *chart, const struct session *s,
+add_curves_of_all_runs(struct chart *chart, const struct session *s,
     const struct plot_request *q, const struct params *params)
 {
-	const struct entry *entry = entry_as_loaded(q->asked.entry);
+	const struct entry *entry = entry_without_scenario(q->asked.entry);
 	const struct site *site = entry->site;
 	double middle = site_middle_speed(site);
 	add_distinct_feed_curves(chart, site);
 	for (size_t i = 0; i < site->n_run; i++)
 		if (site_run_is_near_speed(site, i, middle, SITE_CHART_RUNS))
-			add_run_and_prediction(chart, s, entry, params, i);
+			add_run_and_predicted_curve(chart, s, entry, params, i);
 	site_chart_note_run_marks(chart, site);
 	if (params == NULL)
 		return;
@@ -152,7 +152,7 @@ add_all_runs(struct chart *chart, const struct session *s,
 	    site->individual_feeds
 		? N_("predicted: the model alone, each run from its own feed")
 		: N_("predicted: the model alone"));
-	add_predictions_at_speeds(chart, s, q, params);
+	add_predicted_curves_at_speeds(chart, s, q, params);
 }
 
 /* Draws the paper's figure 7: each run's product as measured, solid, and as the
@@ -162,11 +162,11 @@ add_all_runs(struct chart *chart, const struct session *s,
 struct chart *
 plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 {
-	const struct site *site = entry_as_loaded(q->asked.entry)->site;
+	const struct site *site = entry_without_scenario(q->asked.entry)->site;
 	struct params params;
 	struct error unknown = {0};
 	bool known = params_to_plot(s, q, &params, &unknown);
-	if (are_plot_speeds_refused(q, error))
+	if (refuse_plot_speeds(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->asked.n_at > 0)) {
 		*error = unknown;
@@ -179,7 +179,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	    site_count_products(site) == 0 ? N_("feed")
 	    : known ? N_("products measured and predicted")
 		    : N_("feed and products"));
-	add_all_runs(chart, s, q, known ? &params : NULL);
+	add_curves_of_all_runs(chart, s, q, known ? &params : NULL);
 	if (!known)
 		chart_note(chart, "no prediction: %s", unknown.text);
 	return chart;

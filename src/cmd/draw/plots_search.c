@@ -22,7 +22,7 @@ bool
 search_shown_is_running(const struct session *s, const struct entry *entry)
 {
 	return s->job.calibration != NULL && s->job.fits &&
-	       &s->entry[s->job.entry] == entry_as_loaded(entry);
+	       &s->entry[s->job.entry] == entry_without_scenario(entry);
 }
 
 static void
@@ -31,7 +31,7 @@ fill_from_running_search(struct search_shown *past, const struct session *s,
 {
 	const struct job *job = &s->job;
 	struct calibrate_status st = calibration_status(job->calibration);
-	past->generation = calibration_history(job->calibration, &past->n);
+	past->generation = calibration_generations(job->calibration, &past->n);
 	past->bounds = calibration_bounds(job->calibration);
 	past->site = entry->site;
 	past->train = job->train;
@@ -58,7 +58,7 @@ search_shown_of_site(const struct session *s, const struct entry *entry)
 	if (past.n == 0 || !past.polished)
 		return past;
 	struct params last = past.generation[past.n - 1].params;
-	params_scale_to_1(&last);
+	params_scale_gauge_to_1(&last);
 	past.polished = memcmp(&last, &past.best, sizeof last) != 0;
 	return past;
 }
@@ -117,7 +117,7 @@ params_to_plot(const struct session *s, const struct plot_request *request,
 }
 
 static struct candidates
-candidates_of_generation(
+residuals_of_generation(
     const struct session *s, const struct search_shown *past, size_t generation)
 {
 	size_t at = generation > 0 ? generation : past->n;
@@ -164,7 +164,7 @@ count_cells_of_run(const struct candidates *c, size_t from)
 
 /* Adds a run, which is number nth of `runs` side by side. */
 static void
-add_candidates_at_run(struct chart *chart, const struct candidates *c,
+add_candidate_bars_of_run(struct chart *chart, const struct candidates *c,
     const struct site *site, size_t from, size_t nth, size_t runs)
 {
 	static const enum chart_line LINES[] = {
@@ -204,7 +204,7 @@ add_candidates_at_run(struct chart *chart, const struct candidates *c,
 }
 
 static struct axis
-axis_of_sieves(const struct candidates *c)
+sieve_axis_of_candidates(const struct candidates *c)
 {
 	const double margin = 1.1;
 	FREED double *size = xcalloc_doubles(c->n);
@@ -220,7 +220,7 @@ axis_of_sieves(const struct candidates *c)
 /* Returns an axis as far as the candidates reach.  Its limits are few, so that
  * it changes seldom while a search converges. */
 static struct axis
-axis_of_differences(const struct candidates *c)
+difference_axis_of_candidates(const struct candidates *c)
 {
 	static const double MOST[] = {1, 3, 10, 30, 100};
 	const double straight = 0.1;
@@ -247,19 +247,19 @@ plots_search_residuals(
 	       runs = 0;
 	if (at == past.n)
 		return NULL;
-	struct candidates c = candidates_of_generation(s, &past, q->generation);
-	struct chart *chart =
-	    site_chart(past.site, axis_of_sieves(&c), axis_of_differences(&c),
-		q->generation == 0 && past.polished
-		    ? N_("generation %zu of %zu, polished")
-		    : N_("generation %zu of %zu"),
-		at + 1, past.n);
+	struct candidates c = residuals_of_generation(s, &past, q->generation);
+	struct chart *chart = site_chart(past.site,
+	    sieve_axis_of_candidates(&c), difference_axis_of_candidates(&c),
+	    q->generation == 0 && past.polished
+		? N_("generation %zu of %zu, polished")
+		: N_("generation %zu of %zu"),
+	    at + 1, past.n);
 	draw_noise_stripe(chart, s);
 	for (size_t k = 0; k < c.n; k += count_cells_of_run(&c, k))
 		runs++;
 	for (size_t k = 0, nth = 0; k < c.n;
 	     k += count_cells_of_run(&c, k), nth++)
-		add_candidates_at_run(chart, &c, past.site, k, nth, runs);
+		add_candidate_bars_of_run(chart, &c, past.site, k, nth, runs);
 	FREED char *words = search_progress_text(s, &past, q->generation);
 	chart_note(chart, "%s", words);
 	candidates_clear(&c);
@@ -320,7 +320,7 @@ plots_search_convergence(
 /* Sets span->drawn from the posterior of the calibration that found the
  * parameters, once that is over. */
 static void
-set_range_of_draws(struct session *s, const char *name, struct param_span *span)
+set_span_of_draws(struct session *s, const char *name, struct param_span *span)
 {
 	const struct entry *entry = session_current_entry(s);
 	bool over = !session_is_calibrating(s) && entry->has_fit &&
@@ -353,7 +353,7 @@ param_span_of_generation(struct session *s, const struct search_shown *past,
 	    .at_bound = sensitivity_is_on_bound(past->bounds, &best, j)};
 	double range = span.upper - span.lower;
 	span.fixed = !(range > 0);
-	params_scale_to_1(&best);
+	params_scale_gauge_to_1(&best);
 	span.best = best.at[j];
 	if (j < of->gauge && !span.fixed) {
 		candidates_middle_range_of_param(g, j, &span.p10, &span.p90);
@@ -364,7 +364,7 @@ param_span_of_generation(struct session *s, const struct search_shown *past,
 		    !span.fixed && (span.best - span.lower < outer * range ||
 				       span.upper - span.best < outer * range);
 	if (generation == 0)
-		set_range_of_draws(s, of->parameter[j].name, &span);
+		set_span_of_draws(s, of->parameter[j].name, &span);
 	return span;
 }
 
@@ -372,7 +372,7 @@ param_span_of_generation(struct session *s, const struct search_shown *past,
  * It is slightly less than half, so that rounding does not put two into one row
  * of cells. */
 static struct axis
-parameter_axis(const struct breakage *of)
+parameter_row_axis(const struct breakage *of)
 {
 	const double margin = 0.45;
 	struct axis axis = {.title = xstrdup("parameter"),
@@ -407,7 +407,7 @@ plots_search_spread(
 	    breakage_model_of_params(&past.generation[at].params);
 	struct chart *chart = site_chart(past.site,
 	    axis_new_linear(tr("position between the bounds, %"), 0, 100),
-	    parameter_axis(of), "candidates of generation %zu", at + 1);
+	    parameter_row_axis(of), "candidates of generation %zu", at + 1);
 	/* Two ends, and a gap that lifts the pen. */
 	struct chart_series *spread = chart_add(chart,
 	    (struct chart_series){
@@ -439,13 +439,13 @@ plots_search_spread(
 /* Returns "most candidates still miss 4 mm by 5.2 points at 69 m/s", or a
  * sentence on the break size once half of the candidates agree on it. */
 static char *
-describe_candidates_progress(
+candidates_progress_text(
     const struct session *s, const struct search_shown *past, size_t generation)
 {
 	const double agreed = 1.1;
 	bool assumed;
 	double noise = sampling_noise_near_50_percent(s, &assumed);
-	struct candidates c = candidates_of_generation(s, past, generation);
+	struct candidates c = residuals_of_generation(s, past, generation);
 	const struct candidates_cell *worst = candidates_worst_cell(&c);
 	double miss = units_pct(fabs(worst->median));
 	const double *x = c.break_size;
@@ -472,7 +472,7 @@ describe_candidates_progress(
 }
 
 static char *
-describe_polish(const struct session *s, double points)
+polish_progress_text(const struct session *s, double points)
 {
 	struct calibrate_status st = calibration_status(s->job.calibration);
 	if (st.starts_done < st.starts)
@@ -494,11 +494,11 @@ search_progress_text(
 	    runs ? calibration_status(s->job.calibration).state
 		 : CALIBRATE_SEARCHING;
 	if (state == CALIBRATE_POLISHING)
-		return describe_polish(s, points);
+		return polish_progress_text(s, points);
 	if (session_is_calibrating(s) && state >= CALIBRATE_TOLERANCE)
 		return xstrdup(tr("posterior: drawing the parameters that the "
 				  "data allow"));
 	if (generation == 0 && past->polished && !past->runs)
 		return xasprintf(tr("polished: %.2f points RMS"), points);
-	return describe_candidates_progress(s, past, generation);
+	return candidates_progress_text(s, past, generation);
 }

@@ -25,7 +25,7 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 		   *label = session_site_label(site);
 	va_end(ap);
 	FREED char *title = xasprintf("%s: %s", label, words);
-	FREED char *about = site_source(site, "provenance not stated");
+	FREED char *about = site_source_clause(site, "provenance not stated");
 	return chart_new(title, about, x, y);
 }
 
@@ -75,7 +75,7 @@ site_chart_set_sieve_axis(struct chart *chart)
 }
 
 void
-site_chart_set_figure(
+site_chart_set_figure_point(
     struct chart_series *s, size_t k, double x, struct figure at)
 {
 	if (s->low == NULL)
@@ -100,8 +100,8 @@ site_chart_finish_band(struct chart_series *s)
 }
 
 void
-site_chart_fill_over_speed(struct forecast *f, size_t n, double from, double to,
-    struct chart_series *const *line)
+site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
+    double to, struct chart_series *const *line)
 {
 	size_t points = line[0]->n;
 	for (size_t k = 0; k < points; k++) {
@@ -109,7 +109,7 @@ site_chart_fill_over_speed(struct forecast *f, size_t n, double from, double to,
 		    from + (to - from) * (double)k / (double)(points - 1);
 		forecast_set_speed(f, speed);
 		for (size_t i = 0; i < n; i++)
-			site_chart_set_figure(line[i], k, speed,
+			site_chart_set_figure_point(line[i], k, speed,
 			    forecast_value_in_shown_unit(f, i));
 	}
 	for (size_t i = 0; i < n; i++)
@@ -191,7 +191,7 @@ site_chart_count_speeds_left_out(const struct site *site)
 }
 
 struct fraction
-chosen_cut(const struct session *s)
+session_spec_fraction(const struct session *s)
 {
 	const struct spec *spec = s->spec;
 	return (struct fraction){.fine = spec != NULL ? spec->cut[0] : 0,
@@ -200,9 +200,9 @@ chosen_cut(const struct session *s)
 }
 
 char *
-chosen_cut_text(const struct session *s)
+session_spec_fraction_text(const struct session *s)
 {
-	struct fraction fraction = chosen_cut(s);
+	struct fraction fraction = session_spec_fraction(s);
 	return fraction_is_screened(&fraction)
 		   ? quantities_fraction_text(&fraction)
 		   : xstrdup("");

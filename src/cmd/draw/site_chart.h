@@ -25,7 +25,7 @@ void site_chart_add_psd(struct chart *chart, struct chart_series look,
 void site_chart_set_sieve_axis(struct chart *chart);
 
 /* Sets point k of a series to a figure, as people see it, at x. */
-void site_chart_set_figure(
+void site_chart_set_figure_point(
     struct chart_series *s, size_t k, double x, struct figure at);
 
 /* Ends a series of figures: its band is its line where a figure has none, and
@@ -34,7 +34,7 @@ void site_chart_finish_band(struct chart_series *s);
 
 /* Fills series [n], of as many points each, with the first n quantities of a
  * forecast at speeds from..to, evenly. */
-void site_chart_fill_over_speed(struct forecast *f, size_t n, double from,
+void site_chart_fill_speed_lines(struct forecast *f, size_t n, double from,
     double to, struct chart_series *const *line);
 
 /* The styles of a feed, of a line to compare others with, and of a
@@ -66,9 +66,9 @@ enum { SITE_CHART_RUNS = 12 };
 size_t site_chart_count_speeds_left_out(const struct site *site);
 
 /* Returns the fraction of the product to which the chosen envelope applies, all
- * of it if none is chosen; chosen_cut_text returns "0/4.75" for
+ * of it if none is chosen; session_spec_fraction_text returns "0/4.75" for
  * it, or "" for all.  The caller frees the text. */
-struct fraction chosen_cut(const struct session *s);
-char *chosen_cut_text(const struct session *s);
+struct fraction session_spec_fraction(const struct session *s);
+char *session_spec_fraction_text(const struct session *s);
 
 #endif

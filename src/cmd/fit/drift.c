@@ -232,8 +232,9 @@ say_control_limits(struct answer *a, const struct routine *r, bool detail)
 		say_how_soon_shift_shows(a, shift, found);
 	if (r->n < ROUTINE_FEW)
 		say_what_few_cuts_show(a, r);
-	fields_put(answer_fields(a), "false_signal_every %g found_after %g",
-	    quiet, isfinite(found) ? found : (double)NAN);
+	fields_put_values(answer_fields(a),
+	    "false_signal_every %g found_after %g", quiet,
+	    isfinite(found) ? found : (double)NAN);
 }
 
 /* What the cuts are compared with, and in which order. */
@@ -270,14 +271,14 @@ drift_put_fields(struct answer *a, const struct routine *r)
 {
 	struct fields *o = answer_fields(a);
 	enum drift_state state = r->point[r->n - 1].state;
-	answer_put_rows(a, "cuts");
-	fields_put(o, "state %s signal %d k %g h %g lambda %g width %g",
+	answer_put_rows_as_objects(a, "cuts");
+	fields_put_values(o, "state %s signal %d k %g h %g lambda %g width %g",
 	    ROUTINE_STATE[state], state != DRIFT_NONE, r->rule.k, r->rule.h,
 	    r->rule.lambda, r->rule.width);
-	fields_put(o, "first_signal %g since %g running %zu",
+	fields_put_values(o, "first_signal %g since %g running %zu",
 	    r->first < r->n ? (double)(r->first + 1) : (double)NAN,
 	    r->since < r->n ? (double)(r->since + 1) : (double)NAN, r->running);
-	fields_put(o, "worst_mm %g worst_points %g limits %s",
+	fields_put_values(o, "worst_mm %g worst_points %g limits %s",
 	    units_mm(r->worst), 100 * r->by, r->drawn ? "posterior" : "noise");
 }
 
@@ -307,7 +308,7 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	rule.h = args->h;
 	if (!answers_require_params_of_current(s, error))
 		return false;
-	struct routine *r = routine_chart_cuts(s, entry, &rule, error);
+	struct routine *r = routine_compute_charts(s, entry, &rule, error);
 	if (r == NULL)
 		return false;
 	struct answer *a = answer_about_site(entry->site, "drift",

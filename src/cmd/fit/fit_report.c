@@ -24,7 +24,7 @@
 
 /* Puts the training speeds, or the other speeds. */
 static void
-put_speeds_field(
+put_run_speeds_field(
     struct fields *o, const char *key, const struct entry *entry, bool trained)
 {
 	struct fields *list = fields_add_list(o, key);
@@ -32,7 +32,7 @@ put_speeds_field(
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].product.n > 0 && entry->train[r] == trained &&
 		    !site_run_repeats_speed(site, r))
-			fields_put(list, "%g", site->run[r].speed);
+			fields_put_values(list, "%g", site->run[r].speed);
 }
 
 void
@@ -41,22 +41,23 @@ fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
 {
 	const struct fit *fit = &entry->fit;
 	bool poor = fit->rmse > FIT_POOR;
-	fields_put(o,
+	fields_put_values(o,
 	    "seed %llu population %zu generations %zu evaluations %zu",
 	    (unsigned long long)fit->seed, fit->population, fit->generations,
 	    fit->evaluations);
 	if (fit->edits > 0)
-		fields_put(o, "bounds_edited_at %zu", fit->edited_at);
-	fields_put(o, "stop %s converged %d misfit %g seconds %g",
+		fields_put_values(o, "bounds_edited_at %zu", fit->edited_at);
+	fields_put_values(o, "stop %s converged %d misfit %g seconds %g",
 	    calibrate_state_name(fit->stop), fit->converged, fit->misfit,
 	    seconds);
 	if (fit->lowest > 0)
-		fields_put(o, "lowest_misfit %g", fit->lowest);
-	fields_put(o, "model %s", breakage_model_of_params(&fit->params)->name);
+		fields_put_values(o, "lowest_misfit %g", fit->lowest);
+	fields_put_values(
+	    o, "model %s", breakage_model_of_params(&fit->params)->name);
 	fit_put_params(o, &fit->params);
-	put_speeds_field(o, "train", entry, true);
-	put_speeds_field(o, "holdout", entry, false);
-	fields_put(o,
+	put_run_speeds_field(o, "train", entry, true);
+	put_run_speeds_field(o, "holdout", entry, false);
+	fields_put_values(o,
 	    "cells %zu parameters %zu rmse_pct %g verdict %s .poor %g",
 	    fit->cells, fit->parameters, fit->rmse * 100, verdict,
 	    poor                        ? 1
@@ -104,7 +105,7 @@ width_of_parameter_bounds(
 /* True if all poorly determined parameters stay within their bounds after
  * the step (sign 1) or its reverse (-1). */
 static bool
-is_step_within_bounds(
+is_flat_step_within_bounds(
     const struct fit *fit, const struct bounds *bounds, double sign)
 {
 	const struct breakage *of = breakage_model_of_params(&fit->params);
@@ -152,8 +153,8 @@ note_undetermined_parameters(
 {
 	FREED char *list = xstrdup("");
 	size_t n = 0;
-	bool ahead = is_step_within_bounds(fit, bounds, 1),
-	     back = is_step_within_bounds(fit, bounds, -1);
+	bool ahead = is_flat_step_within_bounds(fit, bounds, 1),
+	     back = is_flat_step_within_bounds(fit, bounds, -1);
 	bool silent = fit->flat.reach > 1 || (!ahead && !back);
 	const struct breakage *of = breakage_model_of_params(&fit->params);
 	for (size_t j = 0; j < of->n; j++) {
@@ -186,7 +187,7 @@ add_warnings_of_fit(struct answer *r, const struct entry *entry)
 	if (fit->rmse <= FIT_POOR && !fit_has_too_few_data(fit) &&
 	    fit_nothing_breaks(entry))
 		explain_why_nothing_breaks(r, entry);
-	struct validation far = fit_find_outlier(entry);
+	struct validation far = fit_find_outlier_cell(entry);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, far.speed, NAN);
 	if (far.worst_difference != 0)
@@ -332,9 +333,9 @@ add_fit_summary(
 	const char *verdict = verdict_on_fit(s, entry, NULL);
 	bool of_fit = strchr(verdict, ' ') == NULL;
 	FREED char *held =
-	    session_speeds_text(entry->site, ", ", entry->train, false);
+	    session_run_speeds_text(entry->site, ", ", entry->train, false);
 	FREED char *rpm =
-	    session_rpm_in_brackets(entry->site, entry->train, false);
+	    session_run_rpm_in_brackets(entry->site, entry->train, false);
 	double holdout = fit_holdout_rmse(entry);
 	FREED char *words = xasprintf(
 	    of_fit ? tr("%s fit: misses its products by %.2f points on average")
@@ -363,7 +364,7 @@ build_detailed_fit_report(const struct session *s, const struct entry *entry,
 	add_parameter_rows(r, s, &entry->fit, u, bounds);
 	add_search_summary(r, entry, bounds);
 	if (strcmp(command, "show") == 0)
-		fields_put(o, "what %s", "fit");
+		fields_put_values(o, "what %s", "fit");
 	fit_put_fields(o, entry, verdict_on_fit(s, entry, NULL), seconds);
 	answers_show_fit_basis(s, r, entry, u != NULL);
 	fit_put_param_bands(o, s, u, &entry->fit.params);
@@ -371,7 +372,7 @@ build_detailed_fit_report(const struct session *s, const struct entry *entry,
 }
 
 struct former
-fit_answer_last_question(const struct session *s, const struct entry *entry)
+fit_last_asked_answer(const struct session *s, const struct entry *entry)
 {
 	const struct last_asked *asked = &s->last_asked;
 	bool mean = s->set.feed[0] == '\0' || strcmp(s->set.feed, "mean") == 0;
@@ -405,7 +406,7 @@ note_change_of_answer(
 	FREED char *words = quantities_sentence_with_value(&was->of, value);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, was->speed, NAN);
-	bool all = runs_that_correct(s, entry) == CORRECTION_ALL;
+	bool all = correction_in_use(s, entry) == CORRECTION_ALL;
 	bool checks = all && isfinite(fit_holdout_rmse(entry));
 	if (isfinite(value) && isfinite(was->value))
 		answer_note(r,
@@ -431,9 +432,9 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	const struct fit *fit = &entry->fit;
 	const struct posterior *u = posterior_for_comparison(s, entry);
 	FREED char *speeds =
-	    session_speeds_text(entry->site, ", ", entry->train, true);
+	    session_run_speeds_text(entry->site, ", ", entry->train, true);
 	FREED char *rpm =
-	    session_rpm_in_brackets(entry->site, entry->train, true);
+	    session_run_rpm_in_brackets(entry->site, entry->train, true);
 	FREED char *next =
 	    speed_as_typed(entry->site, answers_default_speed(entry));
 	struct answer *r = answer_about_site(
@@ -532,7 +533,7 @@ cmd_history(struct session *s, const struct args *args, struct error *error)
 	add_generation_rows(r, h, step, false);
 	answer_begin_table_for_programs(r);
 	add_generation_rows(r, h, step, true);
-	answer_put_rows(r, "rows");
+	answer_put_rows_as_objects(r, "rows");
 	answer_say(r, ANSWER_REMARK,
 	    "best and median misfit of the search, then the spread of each "
 	    "parameter in %% of its bounds");

@@ -16,7 +16,7 @@ struct answer *fit_build_report(const struct session *s,
 /* Returns the answer to what was last asked about: by default, the passing of
  * predict's first sentence at the usual speed of the site.  All 0 if the entry
  * is not calibrated or answers are about another feed. */
-struct former fit_answer_last_question(
+struct former fit_last_asked_answer(
     const struct session *s, const struct entry *entry);
 
 /* Puts the JSON fields of an entry's fit, except its ranges. */

@@ -28,13 +28,13 @@ note_calibration_begun(struct session *s)
 	const struct calibrate_options *o = &s->job.options;
 	size_t model = o->settings.breakage;
 	FREED char *train =
-	    session_speeds_text(entry->site, ", ", s->job.train, true);
+	    session_run_speeds_text(entry->site, ", ", s->job.train, true);
 	FREED char *holdout =
-	    session_speeds_text(entry->site, ", ", s->job.train, false);
+	    session_run_speeds_text(entry->site, ", ", s->job.train, false);
 	FREED char *rpm =
-	    session_rpm_in_brackets(entry->site, s->job.train, true);
+	    session_run_rpm_in_brackets(entry->site, s->job.train, true);
 	FREED char *held_rpm =
-	    session_rpm_in_brackets(entry->site, s->job.train, false);
+	    session_run_rpm_in_brackets(entry->site, s->job.train, false);
 	FREED char *words = xasprintf(
 	    holdout[0] == '\0' ? tr("calibrating %s on %s m/s%s")
 	    : rpm[0] == '\0'
@@ -121,7 +121,7 @@ job_mark_training_runs(const struct site *site, bool all, bool *train)
 }
 
 size_t
-job_count_speeds(const struct site *site)
+job_count_usable_speeds(const struct site *site)
 {
 	FREED bool *use = xcalloc(site->n_run + 1, sizeof *use);
 	job_mark_training_runs(site, true, use);
@@ -152,7 +152,7 @@ copy_search_history(struct entry *entry, const struct job *job)
 {
 	size_t n, size = sizeof(struct calibrate_generation);
 	const struct calibrate_generation *g =
-	    calibration_history(job->calibration, &n);
+	    calibration_generations(job->calibration, &n);
 	struct history *h =
 	    history_new(&entry->fit, calibration_bounds(job->calibration),
 		calibration_sum_of_weights(job->calibration), entry->site,
@@ -204,7 +204,7 @@ calibrate_options_text(const struct session *s, const struct fit *fit)
 
 /* Makes the job's result the fit of its site. */
 static void
-set_params_from_fit(struct session *s)
+set_site_fit_from_job(struct session *s)
 {
 	struct entry *entry = &s->entry[s->job.entry];
 	entry->fit = calibration_best_fit(s->job.calibration);
@@ -251,13 +251,13 @@ step_polished_search(struct session *s)
 /* Drawing the posterior, which the light needs, takes longer than many
  * generations. */
 static bool
-sample_posterior_of_fit(struct session *s)
+step_posterior_of_fit(struct session *s)
 {
 	if (!s->job.taken && !step_polished_search(s))
 		return false;
 	if (!s->job.taken)
-		set_params_from_fit(s);
-	return posterior_draw_a_part(s, &s->entry[s->job.entry]);
+		set_site_fit_from_job(s);
+	return posterior_sample_a_part(s, &s->entry[s->job.entry]);
 }
 
 static void
@@ -278,7 +278,7 @@ show_fit_report(struct session *s)
 
 /* "alpha at bound; same data as ubbarp; poor". */
 static char *
-remarks_on_fit(const struct session *s, const struct entry *entry)
+fit_remarks_text(const struct session *s, const struct entry *entry)
 {
 	char *text = xstrdup("");
 	const struct breakage *of =
@@ -304,7 +304,7 @@ static void
 add_calibrated_site_row(
     struct session *s, struct answer *r, const struct entry *entry)
 {
-	FREED char *words = remarks_on_fit(s, entry);
+	FREED char *words = fit_remarks_text(s, entry);
 	const struct params *p = &entry->fit.params;
 	const double number[] = {params_value_by_name(p, "f_mat"),
 	    params_value_by_name(p, "e0_min"), params_value_by_name(p, "alpha"),
@@ -325,7 +325,7 @@ static void
 set_and_show_single_fit(struct session *s)
 {
 	if (!s->job.taken)
-		set_params_from_fit(s);
+		set_site_fit_from_job(s);
 	show_fit_report(s);
 }
 
@@ -337,7 +337,7 @@ end_without_answer(struct session *s, void *of)
 }
 
 static const struct job_type ONE_SITE = {.next = has_single_fit_to_run,
-    .draw = sample_posterior_of_fit,
+    .draw = step_posterior_of_fit,
     .take = set_and_show_single_fit,
     .end = end_without_answer,
     .drop = free,
@@ -379,7 +379,7 @@ all_fits_free(void *of)
 
 /* Finds the next site that can be calibrated. */
 static bool
-next_site_to_fit(struct session *s)
+find_next_site_to_fit(struct session *s)
 {
 	struct job *job = &s->job;
 	const struct all_fits *fits = job->of;
@@ -404,12 +404,12 @@ set_fit_and_add_row(struct session *s)
 	struct all_fits *fits = s->job.of;
 	const struct entry *entry = &s->entry[s->job.entry];
 	if (!s->job.taken)
-		set_params_from_fit(s);
+		set_site_fit_from_job(s);
 	/* The table of sites has none of these fields. */
 	struct answer *answer = answer_new("calibrate");
 	fit_put_fields(answer_fields(answer), entry,
 	    verdict_without_draws(s, entry), session_clock() - s->job.started);
-	session_keep_answer(s, answer);
+	session_keep_newest_answer(s, answer);
 	session_note(s, "  %s: misfit %.4g, RMSE %.2f points", entry->key,
 	    entry->fit.misfit, 100 * entry->fit.rmse);
 	fits->index = xrealloc(fits->index, fits->n + 1, sizeof *fits->index);
@@ -424,15 +424,15 @@ show_table_of_all_fits(struct session *s, void *of)
 	if (fits->part.of > 0) {
 		part_put_collect_fields(fits->summary, s, &fits->part,
 		    fits->index, fits->n, fits->options);
-		answer_put_rows(fits->summary, "rows");
+		answer_put_rows_as_objects(fits->summary, "rows");
 	}
 	session_show_answer(s, fits->summary);
 	fits->summary = NULL;
 	all_fits_free(fits);
 }
 
-static const struct job_type ALL_SITES = {.next = next_site_to_fit,
-    .draw = sample_posterior_of_fit,
+static const struct job_type ALL_SITES = {.next = find_next_site_to_fit,
+    .draw = step_posterior_of_fit,
     .take = set_fit_and_add_row,
     .end = show_table_of_all_fits,
     .drop = all_fits_free};
@@ -513,7 +513,7 @@ run_task_to_end(void *data, size_t piece, unsigned thread)
 
 /* Lists the present task and those after it, at most `most`. */
 static size_t
-begin_next_tasks(struct session *s, struct running_task *ahead, size_t most)
+list_next_tasks(struct session *s, struct running_task *ahead, size_t most)
 {
 	struct job *job = &s->job;
 	size_t n = 0;
@@ -577,7 +577,7 @@ session_run_parallel_tasks(struct session *s)
 	unsigned threads = s->job.options.threads;
 	size_t most = EACH_THREAD * threads;
 	FREED struct running_task *ahead = xcalloc(most, sizeof *ahead);
-	size_t n = begin_next_tasks(s, ahead, most);
+	size_t n = list_next_tasks(s, ahead, most);
 	struct pool *pool = pool_new(threads);
 	pool_run(pool, n, run_task_to_end, ahead);
 	pool_free(pool);
@@ -600,7 +600,7 @@ misfit_of_present_params(const struct session *s)
 	if (!entry->has_params ||
 	    !fit_check_settings_agree(&options.settings, breakage, &error))
 		return INFINITY;
-	struct misfit *m = calibrate_misfit(entry->site, &options);
+	struct misfit *m = calibrate_make_misfit(entry->site, &options);
 	double misfit = misfit_of_params(m, &entry->params);
 	misfit_free(m);
 	return misfit;
@@ -909,8 +909,7 @@ cmd_calibrate(struct session *s, const struct args *args, struct error *error)
 	if (all)
 		job.of = all_fits_new(s, train_all, part, &job.options);
 	else
-		job.former =
-		    fit_answer_last_question(s, session_current_entry(s));
+		job.former = fit_last_asked_answer(s, session_current_entry(s));
 	if (job_start(s, &job))
 		return true;
 	if (part.of == 0)

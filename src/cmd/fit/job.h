@@ -60,7 +60,7 @@ size_t job_mark_training_runs(const struct site *site, bool all, bool *train);
 /* Returns the number of speeds with a product that the feed covers.  Holding
  * out each in turn needs JOB_FOR_EACH, which leaves at least two. */
 enum { JOB_FOR_EACH = 3 };
-size_t job_count_speeds(const struct site *site);
+size_t job_count_usable_speeds(const struct site *site);
 
 /* Advances `speed` to the next of these speeds (0: before the first) and marks
  * the runs at all others in train.  Returns false if none is left. */

@@ -153,7 +153,7 @@ begin_next_model_or_site(struct session *s)
 	struct site_models *g = first ? NULL : &l->sites[l->n - 1];
 	if (!first && l->speed == 0)
 		g->each = g->model[0].runs.n == 0 &&
-			  job_count_speeds(g->site) >= JOB_FOR_EACH;
+			  job_count_usable_speeds(g->site) >= JOB_FOR_EACH;
 	if (!first && g->each &&
 	    job_hold_out_next_speed(g->site, &l->speed, s->job.train))
 		return begin_fit_of_model(s);
@@ -174,7 +174,7 @@ add_model_result(struct session *s)
 	t->last = calibration_best_fit(job->calibration);
 	if (l->speed == 0) {
 		t->fit = t->last;
-		t->parameters = league_count_fitted(
+		t->parameters = league_count_fitted_params(
 		    &t->fit, calibration_bounds(job->calibration));
 		t->aicc =
 		    league_aicc(t->fit.misfit, t->fit.cells, t->parameters);
@@ -243,7 +243,7 @@ verdict_free(struct verdict *v)
 /* Adds the cells of a site's runs that were held out.  Their sampling error is
  * larger in the middle of a curve than at its ends, as h is (D13). */
 static void
-add_held_out_sieves(struct verdict *v, const struct site_models *g)
+add_held_out_cells(struct verdict *v, const struct site_models *g)
 {
 	const struct trials *runs = &g->model[0].runs;
 	double sd = sampling_error_at_site(g), h = 0;
@@ -299,7 +299,7 @@ add_site_to_verdict(struct verdict *v, const struct site_models *g, bool alone)
 	for (enum validate_way way = VALIDATE_NULL; way < VALIDATE_WAYS; way++)
 		append_predicted_passings(
 		    &v->null[way], v->n, &g->model[0].runs, way);
-	add_held_out_sieves(v, g);
+	add_held_out_cells(v, g);
 	v->cells += g->model[0].fit.cells;
 }
 
@@ -337,7 +337,7 @@ judge_models_on_sites(const struct site_models *g, size_t n)
 	const double *least = v.predicted[v.best];
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
 		v.rmse[way] = league_rmse_over_runs(v.cell, v.n, v.null[way]);
-		if (!league_errs_more(v.cell, v.n, least, v.null[way]))
+		if (!league_errs_clearly_more(v.cell, v.n, least, v.null[way]))
 			continue;
 		least = v.null[way];
 		v.winner = (enum validate_way)way;
@@ -399,7 +399,7 @@ put_league_fields(struct fields *o, const struct verdict *v)
 {
 	struct fields *list = fields_add_list(o, "models");
 	for (size_t m = 0; m < v->n_model; m++)
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "model %s holdout_rmse_pct %g aicc %g misfit %g "
 		    "parameters %zu cells %zu standing %s weight_pct %g",
 		    model_name_of_row(m), 100 * v->model[m].rmse,
@@ -407,14 +407,17 @@ put_league_fields(struct fields *o, const struct verdict *v)
 		    standing_of_model_text(v, m), model_weight_pct(v, m));
 	put_null_model_rmse(o, v->rmse);
 	if (v->ranked)
-		fields_put(o, "best %s", model_name_of_row(v->best));
-	fields_put(o, "can_tell %d", v->can_tell);
+		fields_put_values(o, "best %s", model_name_of_row(v->best));
+	fields_put_values(o, "can_tell %d", v->can_tell);
 	if (v->can_tell)
-		fields_put(o, "simplest %s", model_name_of_row(v->simplest));
+		fields_put_values(
+		    o, "simplest %s", model_name_of_row(v->simplest));
 	if (v->winner != VALIDATE_MODEL)
-		fields_put(o, "beaten_by %s", SCORES_WAYS[v->winner].key);
+		fields_put_values(
+		    o, "beaten_by %s", SCORES_WAYS[v->winner].key);
 	if (!isnan(v->straight))
-		fields_put(o, "interpolation_weight_pct %g", 100 * v->straight);
+		fields_put_values(
+		    o, "interpolation_weight_pct %g", 100 * v->straight);
 }
 
 /* Adds the models, then the null models.  programs: with the difference in AICc
@@ -564,7 +567,7 @@ note_model_in_use(
 	const char *name = BREAKAGES[entry->has_params ? entry->params.breakage
 						       : s->set.model.breakage]
 			       ->name;
-	fields_put(answer_fields(r), "in_use %s", name);
+	fields_put_values(answer_fields(r), "in_use %s", name);
 	answer_say(r, ANSWER_REMARK,
 	    "answers use %s; 'set model NAME', then 'calibrate', for another",
 	    name);
@@ -576,7 +579,7 @@ find_model_weights(
     struct verdict *v, const struct session *s, const struct entry *entry)
 {
 	const struct posterior *p =
-	    runs_that_correct(s, entry) == CORRECTION_OFF
+	    correction_in_use(s, entry) == CORRECTION_OFF
 		? NULL
 		: posterior_for_unseen_cuts(s, entry, false);
 	if (p == NULL)
@@ -620,7 +623,7 @@ build_league_answer_of_site(
 	note_how_to_read_table(r, &v, g->each, true);
 	put_league_fields(answer_fields(r), &v);
 	if (g->each)
-		fields_put(answer_fields(r), "holdout_each %d", true);
+		fields_put_values(answer_fields(r), "holdout_each %d", true);
 	verdict_free(&v);
 	return r;
 }
@@ -661,7 +664,8 @@ build_league_answer_of_all(const struct session *s, const struct league *l)
 		answer_text(r, "%s", open);
 		if (g != NULL) {
 			struct fields *own = fields_add_object(sites, NULL);
-			fields_put(own, "site %s key %s", g->site->name, key);
+			fields_put_values(
+			    own, "site %s key %s", g->site->name, key);
 			put_league_fields(own, &v);
 			sources_add_site(&about, g->site);
 		} else {
@@ -671,7 +675,7 @@ build_league_answer_of_all(const struct session *s, const struct league *l)
 		}
 		verdict_free(&v);
 	}
-	answer_set_sites(r, "all", about);
+	answer_set_site_names(r, "all", about);
 	return r;
 }
 

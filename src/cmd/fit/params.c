@@ -50,7 +50,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 	}
 	if (u != NULL)
 		band_note_meaning(r, s, entry, false);
-	origin_add_note(r, entry);
+	origin_note_in_answer(r, entry);
 	return session_show_answer(s, r);
 }
 
@@ -90,7 +90,8 @@ check_params_are_of_model(
  * site has none yet, get their starting value; those without one must be
  * named. */
 static bool
-set_params(struct session *s, const struct args *args, struct error *error)
+set_named_params(
+    struct session *s, const struct args *args, struct error *error)
 {
 	const struct entry *entry = session_current_entry(s);
 	size_t model = s->set.model.breakage;
@@ -179,8 +180,8 @@ compare_params_of_sites(
 		    "run 'compare' to see the difference between the products",
 		    mine->key, of->name, other->key,
 		    breakage_model_of_params(&b)->name);
-	params_scale_to_1(&a);
-	params_scale_to_1(&b);
+	params_scale_gauge_to_1(&a);
+	params_scale_gauge_to_1(&b);
 	struct answer *r = answer_about_site(mine->site, "params",
 	    "parameters compared with those of %s", other->key);
 	answer_columns(r, "parameter, value: %s, other: %s, difference, unit",
@@ -190,8 +191,8 @@ compare_params_of_sites(
 		answer_add_cells(r, "%s %.4f %.4f %.4f %s",
 		    of->parameter[j].name, x, y, y - x, of->parameter[j].unit);
 	}
-	answer_put_rows(r, "rows");
-	fields_put(answer_fields(r), "other_site %s", other->site->name);
+	answer_put_rows_as_objects(r, "rows");
+	fields_put_values(answer_fields(r), "other_site %s", other->site->name);
 	answer_note(r, "%s: %s; %s: %s%s%s%s", mine->key,
 	    origin_source_text(mine), other->key, origin_source_text(other),
 	    of->gauge > 0 ? "; " : "", of->gauge > 0 ? of->gauge_name : "",
@@ -207,7 +208,8 @@ static const struct {
 	bool values;
 	size_t operands;
 	command_run *run;
-} VERBS[] = {{"list", false, 1, show_params}, {"set", true, 1, set_params},
+} VERBS[] = {{"list", false, 1, show_params},
+    {"set", true, 1, set_named_params},
     {"diff", false, 2, compare_params_of_sites},
     {"use", false, 2, copy_params_of_site}};
 

@@ -159,7 +159,7 @@ part_dependencies_text(const struct session *s,
 /* Returns a digest of the names and the data of all loaded sites, in their
  * order. */
 static uint64_t
-digest_loaded_sites(const struct session *s)
+digest_of_loaded_sites(const struct session *s)
 {
 	uint64_t digest = 0xcbf29ce484222325;
 	for (size_t i = 0; i < s->n_entry; i++) {
@@ -176,13 +176,14 @@ part_put_collect_fields(struct answer *answer, const struct session *s,
 {
 	char digest[17];
 	struct fields *o = fields_add_object(answer_fields(answer), "part");
-	snprintf(digest, sizeof digest, "%016" PRIx64, digest_loaded_sites(s));
-	fields_put(o,
+	snprintf(
+	    digest, sizeof digest, "%016" PRIx64, digest_of_loaded_sites(s));
+	fields_put_values(o,
 	    "number %zu of %zu loaded %zu sites %s version %s "
 	    "options %s",
 	    part->number, part->of, s->n_entry, digest, PACKAGE_VERSION,
 	    options);
 	struct fields *list = fields_add_list(o, "index");
 	for (size_t i = 0; i < n; i++)
-		fields_put(list, "%zu", index[i]);
+		fields_put_values(list, "%zu", index[i]);
 }

@@ -50,18 +50,20 @@ rmse_over_runs(const struct trials *c, double rmse[static VALIDATE_WAYS])
 
 /* Puts the RMSE of the null models and the way that predicts best. */
 static void
-put_null_rmse_fields(struct fields *o, const double rmse[static VALIDATE_WAYS])
+put_null_rmse_and_winner(
+    struct fields *o, const double rmse[static VALIDATE_WAYS])
 {
 	put_null_model_rmse(o, rmse);
-	fields_put(o, "winner %s", SCORES_WAYS[validate_best_way(rmse)].key);
+	fields_put_values(
+	    o, "winner %s", SCORES_WAYS[validate_best_way(rmse)].key);
 }
 
 static void
-put_size_fields(struct fields *o, const struct validation *v)
+put_run_size_fields(struct fields *o, const struct validation *v)
 {
 	for (size_t i = 0; i < PSD_SIZES; i++) {
 		struct fields *size = fields_add_object(o, PSD_KEY[i]);
-		fields_put(size,
+		fields_put_values(size,
 		    "measured_mm %g predicted_mm %g corrected_mm %g",
 		    1000 * v->measured[i], 1000 * v->size[VALIDATE_MODEL][i],
 		    1000 * v->size[VALIDATE_CORRECTED][i]);
@@ -74,7 +76,7 @@ put_size_fields(struct fields *o, const struct validation *v)
 }
 
 static void
-put_sieve_fields(struct fields *o, const struct trial *item)
+put_run_sieve_fields(struct fields *o, const struct trial *item)
 {
 	const struct psd *product = &item->run->product;
 	size_t n = item->v.n_sieve;
@@ -88,23 +90,23 @@ put_sieve_fields(struct fields *o, const struct trial *item)
 }
 
 static void
-put_run_fields(struct fields *o, const struct trial *item)
+put_held_out_run_fields(struct fields *o, const struct trial *item)
 {
 	const struct validation *v = &item->v;
 	fields_put_number(o, "speed", v->speed);
 	if (item->run->repeat[0] != '\0')
-		fields_put(o, "run %s", item->name);
+		fields_put_values(o, "run %s", item->name);
 	fields_put_number(o, "rmse_pct", 100 * v->rmse[VALIDATE_MODEL]);
 	fields_put_number(
 	    o, "corrected_rmse_pct", 100 * v->rmse[VALIDATE_CORRECTED]);
 	if (item->has_band)
 		fields_put_number(o, "within", (double)item->within);
-	put_size_fields(o, v);
-	put_null_rmse_fields(o, v->rmse);
-	fields_put(o, "loses_to_interpolation %d nearest_mps %g",
+	put_run_size_fields(o, v);
+	put_null_rmse_and_winner(o, v->rmse);
+	fields_put_values(o, "loses_to_interpolation %d nearest_mps %g",
 	    validation_loses_to_interpolation(v), v->nearest);
 	fields_put_numbers(o, "interpolation_mps", v->line, 2, NULL);
-	put_sieve_fields(o, item);
+	put_run_sieve_fields(o, item);
 }
 
 static void
@@ -113,9 +115,10 @@ put_validation_fields(struct fields *o, const struct trials *c)
 	struct fields *list = fields_add_list(o, "holdout");
 	double rmse[VALIDATE_WAYS];
 	for (size_t i = 0; i < c->n; i++)
-		put_run_fields(fields_add_object(list, NULL), &c->item[i]);
+		put_held_out_run_fields(
+		    fields_add_object(list, NULL), &c->item[i]);
 	if (c->each)
-		fields_put(o, "holdout_each %d", true);
+		fields_put_values(o, "holdout_each %d", true);
 	if (c->n == 0)
 		return;
 	rmse_over_runs(c, rmse);
@@ -123,7 +126,7 @@ put_validation_fields(struct fields *o, const struct trials *c)
 	fields_put_number(o, "rmse_pct", 100 * rmse[VALIDATE_MODEL]);
 	fields_put_number(
 	    o, "corrected_rmse_pct", 100 * rmse[VALIDATE_CORRECTED]);
-	put_null_rmse_fields(o, rmse);
+	put_null_rmse_and_winner(o, rmse);
 }
 
 /* Begins a row with the run; exact: with its speed before it, otherwise with
@@ -140,7 +143,7 @@ begin_row_of_run(struct answer *r, const struct trial *item, bool exact)
 }
 
 static void
-add_rows_of_sieves(struct answer *r, const struct trial *item, bool exact)
+add_sieve_rows_of_run(struct answer *r, const struct trial *item, bool exact)
 {
 	const struct psd *product = &item->run->product;
 	answer_set_missing(r, "-");
@@ -168,7 +171,7 @@ add_rmse_cells(struct answer *r, const double *rmse)
 }
 
 static void
-add_rows_of_sizes(struct answer *r, const struct trial *item, bool exact)
+add_size_rows_of_run(struct answer *r, const struct trial *item, bool exact)
 {
 	const struct validation *v = &item->v;
 	answer_set_missing(r, "outside");
@@ -201,13 +204,13 @@ add_validation_table(
 	for (size_t i = 0; i < c->n; i++) {
 		const struct trial *item = &c->item[i];
 		if (sieves)
-			add_rows_of_sieves(r, item, exact);
+			add_sieve_rows_of_run(r, item, exact);
 		if (!exact) {
 			begin_row_of_run(r, item, exact);
 			add_rmse_cells(r, item->v.rmse);
 		}
 		if (!exact || !sieves)
-			add_rows_of_sizes(r, item, exact);
+			add_size_rows_of_run(r, item, exact);
 	}
 }
 
@@ -370,7 +373,7 @@ worst_sieve_words(const struct trial *item, const char *run, bool sampled)
 }
 
 static void
-note_run_result(
+note_held_out_run(
     struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
 	const struct trial *item = &c->item[i];
@@ -426,12 +429,12 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 	answer_begin_table_for_programs(r);
 	add_validation_table(r, c, sieves, true);
 	for (size_t i = 0; i < c->n; i++)
-		note_run_result(r, c, i, site->individual_feeds);
+		note_held_out_run(r, c, i, site->individual_feeds);
 	if (c->n > 1)
 		note_best_way_to_predict(r, c);
 	if (c->n == 0)
 		answer_say(r, ANSWER_REMARK,
-		    job_count_speeds(site) < JOB_FOR_EACH
+		    job_count_usable_speeds(site) < JOB_FOR_EACH
 			? N_("no run was held out; measure another speed to "
 			     "test "
 			     "the model")
@@ -446,7 +449,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 static void
 put_score_fields(struct fields *o, size_t i, struct validate_score score)
 {
-	fields_put(fields_add_object(o, PSD_KEY[i]),
+	fields_put_values(fields_add_object(o, PSD_KEY[i]),
 	    "n %zu bias_pct %g rms_pct %g r2 %g", score.n, 100 * score.bias,
 	    100 * score.rms, score.r2);
 }
@@ -516,12 +519,12 @@ scores_all_sites_answer(const struct trials *c)
 		: tr_n("sizes at held-out speeds, %zu site",
 		      "sizes at held-out speeds, %zu sites", sites),
 	    sites);
-	answer_set_sites(r, "all", about);
-	fields_put(answer_fields(r), "sites %zu runs %zu", sites, c->n);
+	answer_set_site_names(r, "all", about);
+	fields_put_values(answer_fields(r), "sites %zu runs %zu", sites, c->n);
 	add_rows_of_scores(r, c);
 	note_runs_won_by_each_way(r, c);
 	if (c->each)
-		fields_put(answer_fields(r), "holdout_each %d", true);
+		fields_put_values(answer_fields(r), "holdout_each %d", true);
 	if (c->left_out > 0)
 		answer_say(r, ANSWER_REMARK,
 		    c->each ? tr_n("%zu loaded site with fewer than three "
@@ -540,7 +543,7 @@ scores_all_sites_answer(const struct trials *c)
 
 /* Points to the numbers of a run that a score needs, in a fixed order. */
 static void
-list_addresses_of_scores(
+point_to_score_numbers(
     struct validation *v, double *number[static PART_NUMBERS])
 {
 	_Static_assert(
@@ -563,10 +566,10 @@ scores_put_part_rows(struct fields *o, const struct trials *c)
 		struct validation v = c->item[k].v;
 		double *at[PART_NUMBERS], number[PART_NUMBERS];
 		struct fields *row = fields_add_object(list, NULL);
-		list_addresses_of_scores(&v, at);
+		point_to_score_numbers(&v, at);
 		for (size_t i = 0; i < PART_NUMBERS; i++)
 			number[i] = *at[i];
-		fields_put(row, "site %s source %s", c->item[k].key,
+		fields_put_values(row, "site %s source %s", c->item[k].key,
 		    c->item[k].source);
 		fields_put_numbers(row, "numbers", number, PART_NUMBERS, NULL);
 	}
@@ -579,7 +582,7 @@ scores_add_runs_of_part(struct trials *c, const struct part_site *site)
 	    .key = xstrdup(site->text[0]),
 	    .source = xstrdup(site->text[1])};
 	double *at[PART_NUMBERS];
-	list_addresses_of_scores(&trial.v, at);
+	point_to_score_numbers(&trial.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
 		*at[i] = site->number[i];
 	trials_add_trial(c, trial);

@@ -106,7 +106,7 @@ add_trial_of_run(struct trials *c, const struct entry *entry,
 	const struct run *run = &site->run[r];
 	struct trial trial = {.entry = by->entry,
 	    .key = xstrdup(entry->key),
-	    .source = site_source(site, "provenance not stated"),
+	    .source = site_source_clause(site, "provenance not stated"),
 	    .name = xasprintf("%g%s", run->speed, run->repeat),
 	    .rotor = site->rotor,
 	    .in_rpm = answers_is_sheet_in_rpm(site),
@@ -141,7 +141,7 @@ trials_add_held_out_of_entry(struct trials *c, const struct session *s,
     size_t index, const struct posterior *posterior)
 {
 	const struct entry *entry = &s->entry[index];
-	const struct fit *fit = origin_find_fit(entry);
+	const struct fit *fit = origin_source_fit(entry);
 	trials_add_held_out_runs(c, s,
 	    &(struct predicted_by){index, entry->train, entry->params,
 		s->set.model, posterior, fit != NULL ? fit->rmse : 0});

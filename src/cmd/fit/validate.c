@@ -71,7 +71,7 @@ show_validation_of_all(struct session *s, const struct validating *c)
 			index[i] = runs->item[i].entry;
 		part_put_collect_fields(
 		    r, s, &c->part, index, runs->n, c->options);
-		fields_put(answer_fields(r), "left_out %zu each %zu",
+		fields_put_values(answer_fields(r), "left_out %zu each %zu",
 		    runs->left_out, (size_t)runs->each);
 		scores_put_part_rows(answer_fields(r), runs);
 	}
@@ -82,7 +82,7 @@ show_validation_of_all(struct session *s, const struct validating *c)
 static bool
 has_speeds_to_hold_out(const struct entry *entry)
 {
-	return job_count_speeds(entry->site) >= JOB_FOR_EACH;
+	return job_count_usable_speeds(entry->site) >= JOB_FOR_EACH;
 }
 
 static bool
@@ -172,7 +172,7 @@ compare_at_calibrated_site(const struct session *s, const struct job_task *task)
 	if (task->stop != NULL && task->stop())
 		return NULL;
 	struct posterior *posterior =
-	    posterior_of_training_runs(s, &s->entry[task->entry]);
+	    posterior_new_of_training_runs(s, &s->entry[task->entry]);
 	struct validating *found = xcalloc(1, sizeof *found);
 	trials_add_held_out_of_entry(&found->runs, s, task->entry, posterior);
 	posterior_free(posterior);
@@ -345,7 +345,7 @@ validate_current_site(
 	    posterior_of_calibration(s, entry, CORRECTION_TRAIN));
 	struct answer *r = scores_site_answer(&c->runs, entry->site, c->sieves);
 	if (entry->has_fit)
-		fields_put(answer_fields(r), "verdict %s",
+		fields_put_values(answer_fields(r), "verdict %s",
 		    verdict_on_fit(s, entry, NULL));
 	answers_show_fit_basis(s, r, entry, false);
 	return session_show_answer(s, r);

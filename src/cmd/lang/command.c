@@ -37,7 +37,7 @@ command_next(const struct command *after)
 }
 
 const char *
-command_group(const struct command *command)
+command_group_name(const struct command *command)
 {
 	for (size_t g = 0; g < ARRAY_LEN(GROUPS); g++)
 		for (const struct command *c = GROUPS[g].command;
@@ -48,21 +48,21 @@ command_group(const struct command *command)
 }
 
 static bool
-has_two_word_title(const struct command *command)
+has_two_word_alias(const struct command *command)
 {
 	return command->alias != NULL && strchr(command->alias, ' ') != NULL;
 }
 
 const char *
-command_title(const struct command *command)
+command_shown_name(const struct command *command)
 {
-	return has_two_word_title(command) ? command->alias : command->name;
+	return has_two_word_alias(command) ? command->alias : command->name;
 }
 
 const char *
 command_other_name(const struct command *command)
 {
-	return has_two_word_title(command) ? command->name : command->alias;
+	return has_two_word_alias(command) ? command->name : command->alias;
 }
 
 /* True if a word is one of the command's options, or a range for its bare
@@ -117,7 +117,7 @@ has_name_beginning_with(const struct command *c, const char *start)
 {
 	size_t n = strlen(start);
 	return strncmp(c->name, start, n) == 0 ||
-	       (c->alias != NULL && !has_two_word_title(c) &&
+	       (c->alias != NULL && !has_two_word_alias(c) &&
 		   strncmp(c->alias, start, n) == 0);
 }
 
@@ -209,7 +209,7 @@ add_parameter_options(const struct breakage *model, struct command_option *row)
 
 /* Returns the parameters of all models as options, made on first use. */
 static const struct command_option *
-command_parameter_option(size_t i)
+command_parameter_option_at(size_t i)
 {
 	static struct command_option row[OPTIONS + 1];
 	bool made = row[0].name != NULL;
@@ -222,7 +222,7 @@ const struct command_option *
 command_own_option(const struct command *command, size_t i)
 {
 	const struct command_option *o =
-	    command->flags & COMMAND_PARAMS ? command_parameter_option(i)
+	    command->flags & COMMAND_PARAMS ? command_parameter_option_at(i)
 	    : command->option != NULL       ? &command->option[i]
 					    : NULL;
 	return o != NULL && o->name != NULL ? o : NULL;
@@ -304,9 +304,9 @@ option_placeholder(const struct command_option *o)
 }
 
 char *
-command_usage(const struct command *command)
+command_usage_text(const struct command *command)
 {
-	char *usage = xstrdup(command_title(command));
+	char *usage = xstrdup(command_shown_name(command));
 	if (command->operands.usage != NULL)
 		xappend(&usage, " %s", command->operands.usage);
 	const struct command_option *o;
@@ -323,7 +323,7 @@ command_usage(const struct command *command)
 
 /* Returns a limit, whole numbers in full; "" if it is too large to matter. */
 static char *
-format_limit(double limit)
+option_limit_text(double limit)
 {
 	if (fabs(limit) > 1e15)
 		return xstrdup("");
@@ -338,7 +338,7 @@ option_choices(const struct command_option *o)
 }
 
 char *
-command_option_limits(const struct command_option *o)
+command_option_limits_text(const struct command_option *o)
 {
 	if (o->kind == VALUE_TEXT)
 		return xstrdup("text");
@@ -352,23 +352,22 @@ command_option_limits(const struct command_option *o)
 			xappend(&list, *c == ' ' ? ", " : "%c", *c);
 		return list;
 	}
-	FREED char *least = format_limit(o->least),
-		   *most = format_limit(o->most);
+	FREED char *least = option_limit_text(o->least),
+		   *most = option_limit_text(o->most);
 	const char *blank = o->unit[0] != '\0' ? " " : "";
 	FREED char *range =
 	    most[0] != '\0'
 		? xasprintf(tr("%s to %s%s%s"), least, most, blank, o->unit)
 		: xasprintf(tr("%s or more%s%s"), least, blank, o->unit);
 	return o->kind == VALUE_FEED ? xasprintf(tr("%s, or file"), range)
-	       : strcmp(o->unit, "m/s") == 0
-		   ? xasprintf(tr("%s or rpm"), range)
-		   : xstrdup(range);
+	       : strcmp(o->unit, "m/s") == 0 ? xasprintf(tr("%s or rpm"), range)
+					     : xstrdup(range);
 }
 
 char *
-command_describe_option(const struct command_option *o)
+command_option_text(const struct command_option *o)
 {
-	FREED char *limits = command_option_limits(o);
+	FREED char *limits = command_option_limits_text(o);
 	return xasprintf(
 	    o->fallback[0] != '\0' ? tr("%s (%s), default %s") : "%s (%s)%s",
 	    tr(o->brief), limits, o->fallback);

@@ -198,10 +198,10 @@ extern const struct command_option SETTINGS[];
 const struct command *command_next(const struct command *after);
 
 /* Returns the group of a command, such as "answers". */
-const char *command_group(const struct command *command);
+const char *command_group_name(const struct command *command);
 
 /* Return the name shown to people, and the other name, or NULL. */
-const char *command_title(const struct command *command);
+const char *command_shown_name(const struct command *command);
 const char *command_other_name(const struct command *command);
 
 /* Returns the command, or one of its `others` if the words call for that. */
@@ -240,11 +240,11 @@ size_t command_option_index(const struct command *command, const char *name);
 
 /* Returns the call as shown in help, with the command's own options: "predict
  * [speed=V]".  The caller frees it. */
-char *command_usage(const struct command *command);
+char *command_usage_text(const struct command *command);
 
 /* Returns an option in words: "brief (limits), default D".  The caller frees
  * it. */
-char *command_describe_option(const struct command_option *option);
+char *command_option_text(const struct command_option *option);
 
 /* Returns the words of an option, "on off"; for a text, as in `expect` of
  * operands; for numbers, the words allowed instead; or NULL.  A choice without
@@ -253,7 +253,7 @@ const char *option_choices(const struct command_option *option);
 
 /* Returns the allowed values of an option: "1 to 200 m/s", "on, off".  The
  * caller frees it. */
-char *command_option_limits(const struct command_option *option);
+char *command_option_limits_text(const struct command_option *option);
 
 /* True if the value names a file. */
 bool value_is_file(

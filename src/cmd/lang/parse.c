@@ -159,7 +159,8 @@ are_redirections_words(const struct words *words)
 }
 
 void
-words_replace(struct words *words, size_t first, size_t n, const char *text)
+words_replace_by_one(
+    struct words *words, size_t first, size_t n, const char *text)
 {
 	size_t rest = words->n - first - n;
 	char *joined = xstrdup(text);
@@ -181,7 +182,7 @@ join_command_name(struct words *words)
 	const struct command *command = command_find(name);
 	if (command == NULL)
 		return;
-	words_replace(words, 0, 2, name);
+	words_replace_by_one(words, 0, 2, name);
 	words->command = command;
 }
 
@@ -210,7 +211,7 @@ join_unit_to_number(struct words *words)
 	    *number < '0' || *number > '9')
 		return;
 	FREED char *joined = xasprintf("%s%s", word, unit);
-	words_replace(words, words->n - 2, 2, joined);
+	words_replace_by_one(words, words->n - 2, 2, joined);
 }
 
 static bool
@@ -474,7 +475,7 @@ parse_list_of_numbers(const struct command_option *option, const char *word,
 {
 	size_t all;
 	if (option->choices != NULL &&
-	    text_find_word(option->choices, word, &all))
+	    text_find_word_in_list(option->choices, word, &all))
 		return true;
 	FREED char *text = xstrdup(word);
 	char *dots = strstr(text, "..");
@@ -503,7 +504,7 @@ static bool
 error_expected_whole_number(
     const struct command_option *option, const char *word, struct error *error)
 {
-	FREED char *limits = command_option_limits(option);
+	FREED char *limits = command_option_limits_text(option);
 	error_set(error, ERROR_USAGE,
 	    "%s: expected a whole number, %s; got '%s'", option->name, limits,
 	    word);
@@ -514,7 +515,7 @@ error_expected_whole_number(
 static bool
 error_missing_value(const struct command_option *option, struct error *error)
 {
-	FREED char *limits = command_option_limits(option);
+	FREED char *limits = command_option_limits_text(option);
 	error_set(error, ERROR_USAGE, "%s: expected a value: %s", option->name,
 	    limits);
 	return false;
@@ -561,7 +562,7 @@ value_parse(const struct command_option *option, const char *word,
 			return true;
 		return error_expected_whole_number(option, word, error);
 	case VALUE_CHOICE:
-		if (text_find_word(
+		if (text_find_word_in_list(
 			option_choices(option), word, &value->choice))
 			return true;
 		return error_wrong_choice(option, word, error);
@@ -586,14 +587,14 @@ error_unknown_option(
 		error_hint(error, "did you mean '%s'?", o->name);
 		return;
 	}
-	FREED char *usage = command_usage(command);
+	FREED char *usage = command_usage_text(command);
 	error_hint(error, "usage: %s", usage);
 }
 
 /* Returns the index of an option; OPTIONS, with an error, if there is none of
  * that name or it was already given. */
 static size_t
-find_option_to_set(
+find_option_not_given(
     const struct args *args, const char *name, struct error *error)
 {
 	size_t i = command_option_index(args->command, name);
@@ -633,7 +634,7 @@ parse_argument(
 	size_t i = OPTIONS;
 	if (is_key && command_option_at(command, 0) != NULL) {
 		FREED char *name = xstrndup(word, key);
-		i = find_option_to_set(args, name, error);
+		i = find_option_not_given(args, name, error);
 		if (i == OPTIONS)
 			return false;
 		word = equals + 1;
@@ -663,7 +664,7 @@ static bool
 parse_option_as_two_words(
     const char *name, const char *word, struct args *args, struct error *error)
 {
-	size_t i = find_option_to_set(args, name, error);
+	size_t i = find_option_not_given(args, name, error);
 	return i < OPTIONS && parse_option_value(i, word, args, error);
 }
 
@@ -743,7 +744,7 @@ check_number_of_operands(const struct args *args, struct error *error)
 		return true;
 	if (more != NULL && !check_is_no_option(command, more, error))
 		return false;
-	FREED char *usage = command_usage(command);
+	FREED char *usage = command_usage_text(command);
 	error_set(error, ERROR_USAGE,
 	    more != NULL ? N_("%s: unexpected word '%s'\n"
 			      "usage: %s")

@@ -51,7 +51,7 @@ bool words_split(const char *line, size_t from, struct place place,
 void words_free(struct words *words);
 
 /* Puts a copy of one text in the place of the n words from `first` on. */
-void words_replace(
+void words_replace_by_one(
     struct words *words, size_t first, size_t n, const char *text);
 
 /* Checks every value against the table of the command that is meant.  args

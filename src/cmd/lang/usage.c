@@ -96,7 +96,8 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
 void
 usage_print_brief(const struct command *c, FILE *out)
 {
-	const char *title = command_title(c), *other = command_other_name(c);
+	const char *title = command_shown_name(c),
+		   *other = command_other_name(c);
 	FREED char *name = other != NULL && title == c->name
 			       ? xasprintf("%s, %s", title, other)
 			       : xstrdup(title);
@@ -108,7 +109,7 @@ usage_print_command_list(const char *group, FILE *out)
 {
 	const char *last = "";
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
-		const char *its = command_group(c);
+		const char *its = command_group_name(c);
 		if (group != NULL && strcmp(group, its) != 0)
 			continue;
 		/* The English name can be typed: help store. */
@@ -128,10 +129,10 @@ static void
 print_option_help(const struct command_option *o, FILE *out)
 {
 	enum { MARGIN = 15 };
-	FREED char *words = command_describe_option(o), *lines = NULL;
+	FREED char *words = command_option_text(o), *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&lines, &n);
-	text_wrap(words, MARGIN, 78, memory);
+	text_print_wrapped(words, MARGIN, 78, memory);
 	fclose(memory);
 	fprintf(out, "  %-*s%s", MARGIN - 2, o->name, lines + MARGIN);
 }
@@ -153,7 +154,7 @@ print_shared_option_names(const struct command *c, FILE *out)
 	FREED char *names = command_shared_option_names(c);
 	FREED char *line = xasprintf(tr("also takes %s: help options"), names);
 	if (names[0] != '\0')
-		text_wrap(line, 2, 78, out);
+		text_print_wrapped(line, 2, 78, out);
 }
 
 void
@@ -168,12 +169,12 @@ usage_print_shared_options(FILE *out)
 }
 
 void
-usage_print_command(const struct command *c, FILE *out)
+usage_print_command_help(const struct command *c, FILE *out)
 {
 	const char *operands = c->operands.usage;
 	const struct command_option *o = command_option_at(c, 0);
-	fprintf(out, "%s - %s\n\n", command_title(c), tr(c->brief));
-	FREED char *usage = xstrdup(command_title(c));
+	fprintf(out, "%s - %s\n\n", command_shown_name(c), tr(c->brief));
+	FREED char *usage = xstrdup(command_shown_name(c));
 	if (operands != NULL)
 		xappend(&usage, " %s", operands);
 	if (c->bare != NULL)
@@ -185,7 +186,7 @@ usage_print_command(const struct command *c, FILE *out)
 		fprintf(out, tr("  also called %s\n"), command_other_name(c));
 	print_shared_option_names(c, out);
 	fputc('\n', out);
-	text_wrap(tr(c->text), 2, 78, out);
+	text_print_wrapped(tr(c->text), 2, 78, out);
 	if (c->more != NULL)
 		fputs(tr("  tipspeed(1) says more.\n"), out);
 	for (size_t i = 0; (o = command_own_option(c, i)) != NULL; i++) {
@@ -223,30 +224,32 @@ print_words_with_meanings(
 	fprintf(out, "\n%s\n", tr(title));
 	for (; word->name != NULL; word++) {
 		fprintf(out, "  %s\n", tr(word->name));
-		text_wrap(tr(word->meaning), 6, 78, out);
+		text_print_wrapped(tr(word->meaning), 6, 78, out);
 	}
 }
 
 void
 usage_print_trust_lights(FILE *out)
 {
-	text_wrap(tr("Every answer ends in a light, which says whether it can "
-		     "be trusted, and the worst reason. 'why' lists all "
-		     "reasons, and what to do about each."),
+	text_print_wrapped(
+	    tr("Every answer ends in a light, which says whether it can "
+	       "be trusted, and the worst reason. 'why' lists all "
+	       "reasons, and what to do about each."),
 	    0, 78, out);
 	print_words_with_meanings(N_("trust"), USAGE_TRUST, out);
 	fputs("\n", out);
-	text_wrap(tr("Between three or more measured speeds the measurements "
-		     "correct the model, and the light is green unless they "
-		     "contradict each other or are too few. Beyond them it is "
-		     "amber, and far beyond red: no measurement shows what the "
-		     "machine does there. 'man model' has the rules, and how "
-		     "often each light was right."),
+	text_print_wrapped(
+	    tr("Between three or more measured speeds the measurements "
+	       "correct the model, and the light is green unless they "
+	       "contradict each other or are too few. Beyond them it is "
+	       "amber, and far beyond red: no measurement shows what the "
+	       "machine does there. 'man model' has the rules, and how "
+	       "often each light was right."),
 	    0, 78, out);
 }
 
 void
-usage_print_help(FILE *out)
+usage_print_program_help(FILE *out)
 {
 	fputs(
 	    tr("usage: tipspeed [-c CMD]... [-f FILE]... [OPTION]... "

@@ -51,11 +51,11 @@ void usage_print_trust_lights(FILE *out);
 /* Print a command on one line; everything in the table about it; the lines of
  * its example, each after the margin. */
 void usage_print_brief(const struct command *command, FILE *out);
-void usage_print_command(const struct command *command, FILE *out);
+void usage_print_command_help(const struct command *command, FILE *out);
 void usage_print_example(
     const struct command *command, const char *margin, FILE *out);
 
 /* Prints the text of --help. */
-void usage_print_help(FILE *out);
+void usage_print_program_help(FILE *out);
 
 #endif

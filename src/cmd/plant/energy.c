@@ -28,7 +28,8 @@ struct energy_question {
  * E0_min / x^alpha, J/kg, and the strength f_mat x^alpha.  Without parameters
  * they are the cut and 0. */
 static double
-k_of_selection(const struct energy_question *q, const struct spectrum_size *of)
+k_of_size_by_eq3(
+    const struct energy_question *q, const struct spectrum_size *of)
 {
 	double e0 = q->cut * q->scale, f = 0, x = of->size;
 	if (!(q->E > 0))
@@ -72,7 +73,7 @@ share_of_impacts_below_cut(
 }
 
 static void
-add_energy_row(struct answer *r, const struct energy_question *q,
+add_energy_row_of_size(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *of, double size)
 {
 	struct spectrum_bin above = spectrum_impacts_above(of, q->cut, false);
@@ -85,11 +86,11 @@ add_energy_row(struct answer *r, const struct energy_question *q,
 	    spectrum_impacts_per_particle(q->spectrum, of, q->cut),
 	    above.mass > 0 ? q->scale * above.energy / above.mass : NAN,
 	    mean_impact_energy_over_nominal(q, of, false),
-	    100 * share_of_first_impacts(q, of), k_of_selection(q, of));
+	    100 * share_of_first_impacts(q, of), k_of_size_by_eq3(q, of));
 }
 
 static void
-add_energy_rows(struct answer *r, const struct energy_question *q,
+add_energy_rows_of_sizes(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	answer_columns(r,
@@ -97,15 +98,15 @@ add_energy_rows(struct answer *r, const struct energy_question *q,
 	    "the cut, mean_j_kg: mean J/kg, mean_ratio: of v^2/2, "
 	    "first_pct: in the first %%, k");
 	for (size_t i = 0; i < q->spectrum->n && q->spectrum->n > 1; i++)
-		add_energy_row(r, q, q->spectrum->size[i],
+		add_energy_row_of_size(r, q, q->spectrum->size[i],
 		    units_mm(q->spectrum->size[i]->size));
-	add_energy_row(r, q, whole, NAN);
+	add_energy_row_of_size(r, q, whole, NAN);
 }
 
 /* Adds the bins that hold impacts, for programs: the mean energy of each, and
  * its share of the impacts by mass. */
 static void
-put_energy_fields(struct answer *r, const struct energy_question *q,
+put_energy_bins(struct answer *r, const struct energy_question *q,
     const struct spectrum_size *whole)
 {
 	FREED double *e = xcalloc_doubles(SPECTRUM_BINS),
@@ -120,7 +121,7 @@ put_energy_fields(struct answer *r, const struct energy_question *q,
 		share[n++] = bin->mass / all;
 	}
 	struct fields *f = answer_fields(r);
-	fields_put(f,
+	fields_put_values(f,
 	    "name %s speed %g impacts %llu rows %llu mass_kg %g "
 	    "share_below_pct %g cut_j_kg %g per_particle %g first_pct %g k %g",
 	    q->e->name, q->speed, (unsigned long long)q->e->c.impacts,
@@ -128,11 +129,11 @@ put_energy_fields(struct answer *r, const struct energy_question *q,
 	    q->spectrum->counted ? whole->mass : NAN,
 	    100 * share_of_impacts_below_cut(q, whole), q->scale * q->cut,
 	    spectrum_impacts_per_particle(q->spectrum, whole, q->cut),
-	    100 * share_of_first_impacts(q, whole), k_of_selection(q, whole));
+	    100 * share_of_first_impacts(q, whole), k_of_size_by_eq3(q, whole));
 	struct fields *list = fields_add_object(f, "spectrum");
 	fields_put_numbers(list, "j_kg", e, n, NULL);
 	fields_put_numbers(list, "mass_share", share, n, NULL);
-	answer_put_rows(r, "sizes");
+	answer_put_rows_as_objects(r, "sizes");
 }
 
 /* Returns how many of the impacts can be taken as independent. */
@@ -147,7 +148,7 @@ count_independent_impacts(const struct energies *e)
 
 /* Compares the other spectra with this one, each scaled to its speed. */
 static void
-note_other_spectra(
+note_comparison_of_spectra(
     struct answer *r, const struct session *s, const struct energy_question *q)
 {
 	for (size_t i = 0; i < s->n_energies; i++) {
@@ -182,7 +183,7 @@ note_whether_one_impact_is_fair(struct answer *r,
     const struct energy_question *q, const struct spectrum_size *whole)
 {
 	const double within = 0.8;
-	double k = k_of_selection(q, whole), ratio;
+	double k = k_of_size_by_eq3(q, whole), ratio;
 	double first = share_of_first_impacts(q, whole);
 	ratio = mean_impact_energy_over_nominal(q, whole, q->spectrum->ordered);
 	if (!isfinite(k)) {
@@ -213,12 +214,12 @@ note_whether_one_impact_is_fair(struct answer *r,
 /* Notes how the rock of a site breaks under the impacts, by Eq 3 with its
  * parameters. */
 static void
-note_k_of_site(struct answer *r, const struct energy_question *q)
+note_k_with_site_params(struct answer *r, const struct energy_question *q)
 {
 	double low = INFINITY, high = -INFINITY;
 	for (size_t i = 0; q->entry != NULL && i < q->spectrum->n; i++) {
 		const struct spectrum_size *of = q->spectrum->size[i];
-		double k = of->size > 0 ? k_of_selection(q, of) : NAN;
+		double k = of->size > 0 ? k_of_size_by_eq3(q, of) : NAN;
 		low = fmin(low, isfinite(k) ? k : INFINITY);
 		high = fmax(high, isfinite(k) ? k : -INFINITY);
 	}
@@ -281,7 +282,7 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 		    "none\nload them with it: energy load FILE speed=V");
 	if (args->speed > 0) {
 		q.speed = args->speed;
-		q.scale = spectrum_energy_factor(spectrum, q.speed);
+		q.scale = spectrum_energy_factor_at_speed(spectrum, q.speed);
 		q.cut /= q.scale;
 	}
 	q.E = q.speed > 0 ? specific_energy_at_speed(q.speed) : NAN;
@@ -294,22 +295,22 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 			: N_("%s: collision energies above %g J/kg, tip speed "
 			     "not known"),
 	    s->energy->name, q.scale * q.cut);
-	answer_set_sites(r, "", s->energy->c.about);
-	add_energy_rows(r, &q, whole);
+	answer_set_site_names(r, "", s->energy->c.about);
+	add_energy_rows_of_sizes(r, &q, whole);
 	answer_note(r,
 	    "%llu impacts, %.1f %% below %g J/kg (by mass of the particles)",
 	    (unsigned long long)s->energy->c.impacts,
 	    100 * share_of_impacts_below_cut(&q, whole), q.scale * q.cut);
-	note_other_spectra(r, s, &q);
+	note_comparison_of_spectra(r, s, &q);
 	note_whether_one_impact_is_fair(r, &q, whole);
-	note_k_of_site(r, &q);
+	note_k_with_site_params(r, &q);
 	note_basis_of_k(r, &q);
-	put_energy_fields(r, &q, whole);
+	put_energy_bins(r, &q, whole);
 	return session_show_answer(s, r);
 }
 
 static bool
-check_one_file(const struct args *args, struct error *error)
+check_file_operand(const struct args *args, struct error *error)
 {
 	return args->n_operand == 2 ||
 	       error_set(error, ERROR_USAGE,
@@ -323,7 +324,7 @@ load_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	struct collisions_way way = {.speed = NAN};
-	if (!check_one_file(args, error))
+	if (!check_file_operand(args, error))
 		return false;
 	way.columns = args->columns;
 	if (args_is_given(args, &args->unit))
@@ -356,7 +357,7 @@ load_energy_file(
 }
 
 static void
-print_energies(const void *data, FILE *out)
+print_energy_file(const void *data, FILE *out)
 {
 	const struct energies *e = data;
 	collisions_write(&e->c, e->name, out);
@@ -367,12 +368,12 @@ write_energy_file(
     struct session *s, const struct args *args, struct error *error)
 {
 	const char *path = args->operand[1];
-	if (!check_one_file(args, error) ||
+	if (!check_file_operand(args, error) ||
 	    energies_last_read(s, error) == NULL ||
 	    !files_may_write(s, path, error) ||
 	    !files_confirm_replace(s, path, error) ||
 	    !file_replace_by_output(
-		path, FILE_SHARED, print_energies, s->energy, error))
+		path, FILE_SHARED, print_energy_file, s->energy, error))
 		return false;
 	files_note_written(s, path);
 	session_note(s, "wrote %s", path);

@@ -24,7 +24,7 @@ enum { DRAWS = POSTERIOR_DRAWS };
 /* Finds the middle share of the draws, widened to hold the answer; NAN if there
  * is a model alone. */
 static void
-range_of_draws(const struct plant *p, const struct plant_result *o,
+band_of_draws(const struct plant *p, const struct plant_result *o,
     const double *draw, double answer, double range[static 2])
 {
 	range[0] = range[1] = NAN;
@@ -35,7 +35,7 @@ range_of_draws(const struct plant *p, const struct plant_result *o,
 
 /* Finds the range of t/h that enter a unit or, if that is NULL, of a stream. */
 static void
-range_of_tph(const struct plant *p, const struct plant_result *o,
+band_of_inflow_tph(const struct plant *p, const struct plant_result *o,
     const struct unit *unit, size_t stream, double range[static 2])
 {
 	double draw[DRAWS];
@@ -43,7 +43,7 @@ range_of_tph(const struct plant *p, const struct plant_result *o,
 		draw[d] = unit != NULL
 			      ? flow_tph_into_unit_in_draw(&o->flow, unit, d)
 			      : o->flow.tph_draw[d * o->flow.n_stream + stream];
-	range_of_draws(p, o, draw,
+	band_of_draws(p, o, draw,
 	    unit != NULL ? flow_tph_into_unit(&o->flow, unit)
 			 : o->flow.tph[stream],
 	    range);
@@ -73,7 +73,7 @@ add_stream_rows(
 					  : 0,
 		       around = unit != NULL ? 0 : o->flow.tph[line[i].stream];
 		if (unit != NULL)
-			range_of_tph(p, o, unit, 0, range);
+			band_of_inflow_tph(p, o, unit, 0, range);
 		else if (!band)
 			range[0] = range[1] = NAN;
 		double share = 100 * tph / c->tph;
@@ -83,7 +83,7 @@ add_stream_rows(
 		answer_add_cells(r, "%.1f", share);
 		if (back)
 			answer_add_cells(r, "%.1f", around);
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "name %s tph %g share_pct %g low_tph %g high_tph %g "
 		    "circulating_tph %g price %g",
 		    line[i].name, tph, share, range[0], range[1], around,
@@ -99,8 +99,8 @@ put_stream_fields(
 	struct fields *list = fields_add_list(all, "streams");
 	for (size_t i = 0; i < p->circuit->n_stream; i++) {
 		double range[2];
-		range_of_tph(p, o, NULL, i, range);
-		fields_put(fields_add_object(list, NULL),
+		band_of_inflow_tph(p, o, NULL, i, range);
+		fields_put_values(fields_add_object(list, NULL),
 		    "name %s tph %g low_tph %g high_tph %g back %d",
 		    p->circuit->stream[i], o->flow.tph[i], range[0], range[1],
 		    o->flow.back[i]);
@@ -114,7 +114,7 @@ note_mass_balance(
 {
 	double range[2], tph = p->circuit->tph;
 	struct fields *f = answer_fields(r);
-	range_of_draws(
+	band_of_draws(
 	    p, o, o->flow.circulating_draw, o->flow.circulating, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
 	if (o->flow.circulating > 0)
@@ -123,14 +123,14 @@ note_mass_balance(
 		    o->flow.circulating, band, 100 * o->flow.circulating / tph);
 	answer_note(r, "balance: %g t/h in, %g t/h out", tph,
 	    round((tph - o->flow.balance) * 1e6) / 1e6);
-	fields_put(f, "circulating_tph %g balance_tph %g passes %zu",
+	fields_put_values(f, "circulating_tph %g balance_tph %g passes %zu",
 	    o->flow.circulating, o->flow.balance, o->flow.passes);
 	answers_put_low_high(f, "circulating_range_tph", range[0], range[1]);
 }
 
 /* Notes the rotor and the cascade of each crusher. */
 static void
-note_crushers(
+note_rotor_of_each_crusher(
     const struct plant *p, const struct plant_result *o, struct answer *r)
 {
 	struct fields *list = fields_add_list(answer_fields(r), "crushers");
@@ -142,7 +142,7 @@ note_crushers(
 		       rotor = all * plant_share_through_rotor(p, unit),
 		       range[2];
 		double speed = plant_speed_of_unit(unit, o->speed);
-		range_of_tph(p, o, unit, 0, range);
+		band_of_inflow_tph(p, o, unit, 0, range);
 		FREED char *rpm = rotor_speed_rpm_text(
 		    p->question->entry->site->rotor, speed, NAN);
 		if (all > rotor)
@@ -159,7 +159,7 @@ note_crushers(
 			    "crusher at %.4g m/s%s: %.1f t/h, all through the "
 			    "rotor",
 			    speed, rpm, all);
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "speed %g tph %g low_tph %g high_tph %g rotor_tph %g "
 		    "cascade_tph %g",
 		    speed, all, range[0], range[1], rotor, all - rotor);
@@ -201,7 +201,7 @@ note_power(
 		answer_note(r,
 		    "power at least %.0f kW, %.2f kWh/t, no band: %s", o->kw,
 		    o->kw / t, words);
-	fields_put(f,
+	fields_put_values(f,
 	    "power_kw %g power_low_kw %g power_high_kw %g kwh_per_t %g "
 	    "power_from %s readings %zu idle_kw %g euler_factor %g",
 	    o->kw, range[0], range[1], o->kw / t,
@@ -219,7 +219,7 @@ note_earnings(
 	if (!p->priced)
 		return;
 	FREED char *none = xstrdup("");
-	range_of_draws(p, o, o->money_draw, o->money, range);
+	band_of_draws(p, o, o->money_draw, o->money, range);
 	for (size_t u = 0; u < p->circuit->n_unit; u++) {
 		const struct unit *unit = &p->circuit->unit[u];
 		if (unit->kind == UNIT_STOCKPILE && isnan(unit->price))
@@ -238,7 +238,7 @@ note_earnings(
 	if (none[0] != '\0')
 		answer_say(
 		    r, ANSWER_REMARK, "no price, counted as 0: %s", none);
-	fields_put(answer_fields(r),
+	fields_put_values(answer_fields(r),
 	    "earnings %g earnings_low %g "
 	    "earnings_high %g",
 	    o->money, range[0], range[1]);
@@ -257,7 +257,7 @@ static void
 compute_earnings_at_speed(
     struct speed_trials *search, const struct plant *p, double speed)
 {
-	struct plant_result o = plant_compute_at_speed(p, speed);
+	struct plant_result o = plant_compute_flow_at_speed(p, speed);
 	size_t i = search->n++;
 	search->speed[i] = speed;
 	search->money[i] = o.flow.open ? NAN : o.money;
@@ -271,7 +271,7 @@ compute_earnings_at_speed(
 /* Tries speeds over the whole range, then in tenths of a step around the
  * best. */
 static struct speed_trials
-search_best_speed(const struct plant *p, double from, double to)
+search_best_earning_speed(const struct plant *p, double from, double to)
 {
 	struct speed_trials s = {.from = from,
 	    .to = to,
@@ -321,8 +321,8 @@ note_gain_over_usual_speed(const struct plant *p,
 	double draw[DRAWS], gain = best->money - usual->money, range[2];
 	for (size_t d = 0; d < best->flow.draws; d++)
 		draw[d] = best->money_draw[d] - usual->money_draw[d];
-	range_of_draws(p, best, draw, gain, range);
-	fields_put(answer_fields(r),
+	band_of_draws(p, best, draw, gain, range);
+	fields_put_values(answer_fields(r),
 	    "compared_speed %g compared_earnings %g gain %g gain_low %g "
 	    "gain_high %g",
 	    usual->speed, usual->money, gain, range[0], range[1]);
@@ -336,7 +336,7 @@ note_gain_over_usual_speed(const struct plant *p,
 	answer_note(r, "%.2f an hour more (%.2f to %.2f) than at %.4g m/s%s",
 	    gain, range[0], range[1], usual->speed, rpm);
 	double own[2];
-	range_of_draws(p, best, best->money_draw, best->money, own);
+	band_of_draws(p, best, best->money_draw, best->money, own);
 	if (range[0] < 0)
 		answer_say(r, ANSWER_WARNING,
 		    "the gain is not certain: it may be a loss");
@@ -349,7 +349,7 @@ note_gain_over_usual_speed(const struct plant *p,
 }
 
 static void
-note_best_speed(const struct plant *p, const struct speed_trials *s,
+note_best_earning_speed(const struct plant *p, const struct speed_trials *s,
     const struct plant_result *best, struct answer *r)
 {
 	double range[2], v = s->speed[s->best];
@@ -370,7 +370,7 @@ note_best_speed(const struct plant *p, const struct speed_trials *s,
 		answer_say(r, ANSWER_REMARK,
 		    "at %zu of %zu speeds there is no steady state", open,
 		    s->n);
-	fields_put(
+	fields_put_values(
 	    answer_fields(r), "best_speed %g from %g to %g", v, s->from, s->to);
 	answers_put_low_high(
 	    answer_fields(r), "best_speed_range", range[0], range[1]);
@@ -379,8 +379,8 @@ note_best_speed(const struct plant *p, const struct speed_trials *s,
 /* Returns the largest difference in passing, 0..1, between what enters a
  * crusher and the feed of the site. */
 static double
-difference_from_site_feed(const struct plant *p, const struct plant_result *o,
-    const struct unit *unit)
+largest_difference_from_feed(const struct plant *p,
+    const struct plant_result *o, const struct unit *unit)
 {
 	size_t n = p->n;
 	double most = 0, in = 0, feed = 0,
@@ -408,7 +408,7 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 			continue;
 		struct trust t = trust_at_speed(p->s, entry,
 		    plant_speed_of_unit(unit, o->speed), p->question->feed);
-		double off = difference_from_site_feed(p, o, unit);
+		double off = largest_difference_from_feed(p, o, unit);
 		if (off > other)
 			trust_add_reason(&t,
 			    off > strange ? LIGHT_RED : LIGHT_AMBER, TRUST_FEED,
@@ -423,7 +423,7 @@ worst_trust_of_crushers(const struct plant *p, const struct plant_result *o)
 }
 
 static struct answer *
-build_flow_answer(const struct plant *p, const struct plant_result *o)
+begin_flow_answer(const struct plant *p, const struct plant_result *o)
 {
 	const struct entry *entry = p->question->entry;
 	const char *back = p->back != NULL ? p->back : "";
@@ -437,7 +437,7 @@ build_flow_answer(const struct plant *p, const struct plant_result *o)
 	    "%g t/h at %.4g m/s%s%s", p->circuit->tph, o->speed,
 	    p->from_file || back[0] != '\0' ? ", " : "",
 	    p->from_file || back[0] != '\0' ? what : "");
-	fields_put(answer_fields(r),
+	fields_put_values(answer_fields(r),
 	    "speed %g extrapolated %d feed_tph %g "
 	    "circuit %s",
 	    o->speed, answers_is_speed_extrapolated(entry, o->speed),
@@ -445,7 +445,7 @@ build_flow_answer(const struct plant *p, const struct plant_result *o)
 	warn_of_impossible_readings(p, r);
 	add_stream_rows(p, o, r);
 	note_mass_balance(p, o, r);
-	note_crushers(p, o, r);
+	note_rotor_of_each_crusher(p, o, r);
 	note_power(p, o, r);
 	note_earnings(p, o, r);
 	return r;
@@ -465,7 +465,8 @@ add_streams_and_basis(
 		answer_say(r, ANSWER_REMARK,
 		    "method classes takes the classes of the screens here, "
 		    "which are finer than those of predict");
-	fields_put(answer_fields(r), "level %g", 100 * p->question->level);
+	fields_put_values(
+	    answer_fields(r), "level %g", 100 * p->question->level);
 	answers_show_basis(
 	    p->s, r, p->question, 0, band, worst_trust_of_crushers(p, o));
 }
@@ -477,7 +478,7 @@ show_flow_answer(const struct plant *p, struct answer *r)
 	if (!plot_is_image_wanted(p->s) || p->s->document != NULL)
 		session_show_answer(p->s, r);
 	else
-		session_keep_answer(p->s, r);
+		session_keep_newest_answer(p->s, r);
 }
 
 static bool
@@ -493,16 +494,16 @@ show_best_speed_for_flow(
 	if (!conditions_speed_range_of_args(
 		p->s, args, entry->site, &from, &to, error))
 		return false;
-	struct speed_trials search = search_best_speed(p, from, to);
-	struct plant_result usual =
-				plant_compute_at_speed(p, p->question->speed),
-			    best = plant_compute_at_speed(
+	struct speed_trials search = search_best_earning_speed(p, from, to);
+	struct plant_result usual = plant_compute_flow_at_speed(
+				p, p->question->speed),
+			    best = plant_compute_flow_at_speed(
 				p, search.speed[search.best]);
 	bool ok =
 	    !best.flow.open || plant_set_error_not_steady(p, &best, error);
 	if (ok) {
-		struct answer *r = build_flow_answer(p, &best);
-		note_best_speed(p, &search, &best, r);
+		struct answer *r = begin_flow_answer(p, &best);
+		note_best_earning_speed(p, &search, &best, r);
 		if (!usual.flow.open)
 			note_gain_over_usual_speed(p, &best, &usual, r);
 		add_streams_and_basis(p, &best, r);
@@ -517,10 +518,10 @@ show_best_speed_for_flow(
 static bool
 show_flow_at_speed(const struct plant *p, double speed, struct error *error)
 {
-	struct plant_result o = plant_compute_at_speed(p, speed);
+	struct plant_result o = plant_compute_flow_at_speed(p, speed);
 	bool ok = !o.flow.open || plant_set_error_not_steady(p, &o, error);
 	if (ok) {
-		struct answer *r = build_flow_answer(p, &o);
+		struct answer *r = begin_flow_answer(p, &o);
 		add_streams_and_basis(p, &o, r);
 		show_flow_answer(p, r);
 	}
@@ -534,7 +535,7 @@ enum { POINTS = 21 };
 /* Adds a series for each product, in the order of the table, which is the same
  * at all speeds.  Returns their number. */
 static size_t
-add_products(struct chart *chart, const struct plant *p,
+add_product_series(struct chart *chart, const struct plant *p,
     const struct plant_result *o, const struct unit **unit)
 {
 	const struct circuit *c = p->circuit;
@@ -559,7 +560,7 @@ tph_of_product(const struct plant *p, const struct plant_result *o,
 	double range[2];
 	if (o->flow.open)
 		return (struct figure){NAN, NAN, NAN};
-	range_of_tph(p, o, unit, 0, range);
+	band_of_inflow_tph(p, o, unit, 0, range);
 	return (struct figure){
 	    flow_tph_into_unit(&o->flow, unit), range[0], range[1]};
 }
@@ -568,7 +569,7 @@ tph_of_product(const struct plant *p, const struct plant_result *o,
  * with a gap where the circuit has no steady state.  The caller frees it with
  * chart_free. */
 static struct chart *
-flow_chart(const struct plant *p, double from, double to)
+flow_chart_by_speed(const struct plant *p, double from, double to)
 {
 	const struct circuit *c = p->circuit;
 	struct chart *chart = site_chart(p->question->entry->site,
@@ -580,12 +581,12 @@ flow_chart(const struct plant *p, double from, double to)
 	size_t n = 0;
 	for (size_t k = 0; k < POINTS; k++) {
 		double v = from + (to - from) * (double)k / (POINTS - 1);
-		struct plant_result o = plant_compute_at_speed(p, v);
+		struct plant_result o = plant_compute_flow_at_speed(p, v);
 		if (k == 0)
-			n = add_products(chart, p, &o, unit);
+			n = add_product_series(chart, p, &o, unit);
 		for (size_t i = 0; i < n; i++)
-			site_chart_set_figure(chart->series[i], k, o.speed,
-			    tph_of_product(p, &o, unit[i]));
+			site_chart_set_figure_point(chart->series[i], k,
+			    o.speed, tph_of_product(p, &o, unit[i]));
 		flow_free(&o.flow);
 	}
 	for (size_t i = 0; i < n; i++)
@@ -614,7 +615,8 @@ cmd_flow(struct session *s, const struct args *args, struct question *q,
 		double from, to;
 		ok = conditions_speed_range_of_args(
 			 s, args, q->entry->site, &from, &to, error) &&
-		     plot_write_image(s, flow_chart(&p, from, to), error);
+		     plot_write_image(
+			 s, flow_chart_by_speed(&p, from, to), error);
 	}
 	plant_free(&p);
 	return ok;

@@ -194,7 +194,7 @@ build_circuit(const struct args *args, const struct fraction_list *cuts,
 }
 
 static bool
-parse_plant_options(
+read_circuit_options(
     const struct args *args, struct plant *p, struct error *error)
 {
 	struct fraction_list cuts = {0};
@@ -225,7 +225,7 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	p->from_file = true;
 	p->circuit = circuit_file_read(path, &errors);
 	if (p->circuit == NULL)
-		return session_report_faults(p->s, path, &errors, error);
+		return session_report_file_faults(p->s, path, &errors, error);
 	if (p->circuit->tph > 0 || args->tph > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
@@ -321,7 +321,7 @@ set_price_of_product(struct circuit *c, const char *name, double price,
 
 /* Reads "0/2:12". */
 static bool
-parse_price(
+parse_product_price(
     struct circuit *c, const char *part, bool *priced, struct error *error)
 {
 	char *name = xstrdup(part), *colon = strrchr(name, ':');
@@ -349,7 +349,8 @@ parse_prices(const struct args *args, struct plant *p, struct error *error)
 	if (args->prices != NULL)
 		for (const char *at = args->prices;
 		     ok && (part = next_list_part(&at)) != NULL; free(part))
-			ok = parse_price(p->circuit, part, priced, error);
+			ok = parse_product_price(
+			    p->circuit, part, priced, error);
 	for (size_t u = 0; u < p->circuit->n_unit; u++)
 		p->priced = p->priced || isfinite(p->circuit->unit[u].price);
 	p->kwh = args->kwh;
@@ -357,7 +358,7 @@ parse_prices(const struct args *args, struct plant *p, struct error *error)
 }
 
 static void
-add_reading(struct plant *p, struct reading reading)
+add_power_reading(struct plant *p, struct reading reading)
 {
 	p->reading = xrealloc(p->reading, p->n_reading + 1, sizeof *p->reading);
 	p->reading[p->n_reading++] = reading;
@@ -365,7 +366,7 @@ add_reading(struct plant *p, struct reading reading)
 
 /* Reads "72:187:121", or "66:52:0" for an empty crusher. */
 static bool
-parse_reading(struct plant *p, const char *part, struct error *error)
+parse_power_reading(struct plant *p, const char *part, struct error *error)
 {
 	double value[3];
 	char *copy = xstrdup(part), *at = copy;
@@ -384,14 +385,14 @@ parse_reading(struct plant *p, const char *part, struct error *error)
 		    "expected a reading of the motor, m/s:kW:t/h, got '%s'\n"
 		    "write: power=72:187:121,79:221:118",
 		    part);
-	add_reading(p, (struct reading){value[0], value[1], value[2]});
+	add_power_reading(p, (struct reading){value[0], value[1], value[2]});
 	return true;
 }
 
 /* Reads "72 m/s, 2026-05-03 10:15, 187 kW, 121 t/h, cut.csv", which add
  * writes. */
 static void
-parse_reading_of_note(struct plant *p, const char *note)
+parse_power_reading_of_note(struct plant *p, const char *note)
 {
 	static const char *const UNITS[3] = {" m/s", " kW", " t/h"};
 	double value[3] = {NAN, NAN, NAN};
@@ -407,7 +408,8 @@ parse_reading_of_note(struct plant *p, const char *note)
 				value[i] = v;
 		}
 	if (isfinite(value[0] + value[1] + value[2]))
-		add_reading(p, (struct reading){value[0], value[1], value[2]});
+		add_power_reading(
+		    p, (struct reading){value[0], value[1], value[2]});
 }
 
 static bool
@@ -420,12 +422,12 @@ parse_power_options(
 	if (args->power != NULL) {
 		for (const char *at = args->power;
 		     ok && (part = next_list_part(&at)) != NULL; free(part))
-			ok = parse_reading(p, part, error);
+			ok = parse_power_reading(p, part, error);
 		return ok;
 	}
 	for (size_t i = 0; i < site->n_note; i++)
 		if (strcmp(site->note[i].key, "cut") == 0)
-			parse_reading_of_note(p, site->note[i].value);
+			parse_power_reading_of_note(p, site->note[i].value);
 	p->of_cuts = p->n_reading > 0;
 	return true;
 }
@@ -462,7 +464,7 @@ plant_parse_options(struct session *s, const struct args *args,
 	*plant = (struct plant){.s = s, .question = q};
 	bool ok = args->circuit != NULL
 		      ? read_circuit_file(args, plant, error)
-		      : parse_plant_options(args, plant, error);
+		      : read_circuit_options(args, plant, error);
 	if (ok && args->tph > 0)
 		plant->circuit->tph = args->tph;
 	ok = ok && check_screens_within_feed(plant, error) &&
@@ -512,7 +514,8 @@ plant_speed_of_unit(const struct unit *unit, double speed)
 /* Adds the power and the earnings of a draw.  A model alone has a single
  * product, which serves all draws of the power. */
 static void
-add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
+compute_power_and_earnings(
+    const struct plant *p, struct plant_result *o, size_t d)
 {
 	double kw = 0, money = 0;
 	size_t of = d % o->flow.draws;
@@ -533,7 +536,7 @@ add_power_and_earnings(const struct plant *p, struct plant_result *o, size_t d)
 }
 
 struct plant_result
-plant_compute_at_speed(const struct plant *p, double speed)
+plant_compute_flow_at_speed(const struct plant *p, double speed)
 {
 	struct plant_result o = {.speed = speed};
 	struct transfer *t = crusher_transfer_at_speed(p->crusher, speed);
@@ -542,7 +545,7 @@ plant_compute_at_speed(const struct plant *p, double speed)
 		of[u] = p->own[u] != NULL ? p->own[u] : t;
 	o.flow = circuit_compute_flow(p->circuit, p->feed, p->size, p->n, of);
 	for (size_t d = 0; d < POWER_DRAWS; d++)
-		add_power_and_earnings(p, &o, d);
+		compute_power_and_earnings(p, &o, d);
 	transfer_free(t);
 	return o;
 }

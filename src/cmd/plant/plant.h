@@ -53,7 +53,8 @@ double plant_share_through_rotor(
 double plant_speed_of_unit(const struct unit *unit, double speed);
 
 /* Returns the outcome at a speed; free its flow with flow_free. */
-struct plant_result plant_compute_at_speed(const struct plant *p, double speed);
+struct plant_result plant_compute_flow_at_speed(
+    const struct plant *p, double speed);
 
 /* A row of the table: a product (unit), or a returned stream (unit NULL). */
 struct plant_stream_row {

@@ -30,10 +30,10 @@ struct work {
 
 /* readline would print candidates unescaped. */
 static void
-put_candidate(struct work *w, const char *text, char append)
+add_candidate(struct work *w, const char *text, char append)
 {
 	struct completion *c = w->result;
-	if (!text_is_plain(text))
+	if (!text_needs_no_escape(text))
 		return;
 	c->candidate = xrealloc(c->candidate, c->n + 1, sizeof *c->candidate);
 	c->candidate[c->n++] = (struct candidate){xstrdup(text), append};
@@ -43,7 +43,7 @@ static void
 offer_if_matching(struct work *w, const char *text, char append)
 {
 	if (strncmp(text, w->typed, strlen(w->typed)) == 0)
-		put_candidate(w, text, append);
+		add_candidate(w, text, append);
 }
 
 /* True if a name in small letters begins as typed, whose case and accents are
@@ -88,14 +88,14 @@ offer_second_words(struct work *w, const char *first)
 }
 
 static void
-offer_groups(struct work *w)
+offer_command_groups(struct work *w)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		offer_if_matching(w, command_group(c), ' ');
+		offer_if_matching(w, command_group_name(c), ' ');
 }
 
 static void
-offer_answer_values(struct work *w)
+offer_quantities_to_assert(struct work *w)
 {
 	for (size_t i = 0; i < ANSWERS_ASSERTED; i++)
 		offer_if_matching(w, ANSWERS_NAMES[i].name, ' ');
@@ -111,15 +111,15 @@ offer_parameters(struct work *w)
 
 /* Ignores case and accents, as `use` does. */
 static void
-offer_sites(struct work *w)
+offer_loaded_sites(struct work *w)
 {
 	for (size_t i = 0; i < w->session->n_entry; i++)
 		if (begins_as_typed(w, w->session->entry[i].key))
-			put_candidate(w, w->session->entry[i].key, ' ');
+			add_candidate(w, w->session->entry[i].key, ' ');
 }
 
 static void
-offer_speeds(struct work *w)
+offer_run_speeds(struct work *w)
 {
 	if (w->session->n_entry == 0)
 		return;
@@ -139,7 +139,7 @@ add_material_candidate(void *data, const char *name)
 	struct work *w = data;
 	bool quotes = w->quoted || name[strcspn(name, " ;|<>")] != '\0';
 	FREED char *text = quotes ? xasprintf("\"%s\"", name) : xstrdup(name);
-	put_candidate(w, text, ' ');
+	add_candidate(w, text, ' ');
 }
 
 /* Ignores case and accents, as `recall` does.  Offers no more than a user would
@@ -152,7 +152,7 @@ offer_materials(struct work *w)
 	struct error error = {0};
 	store_visit_names_beginning(w->session->store, w->typed, MOST,
 	    add_material_candidate, w, &error);
-	stored_add_table3(&paper);
+	material_add_table3(&paper);
 	for (size_t i = 0; i < paper.n; i++)
 		if (begins_as_typed(w, paper.item[i].name))
 			add_material_candidate(w, paper.item[i].name);
@@ -161,7 +161,7 @@ offer_materials(struct work *w)
 
 /* Ignores case.  Names contain spaces. */
 static void
-offer_specs(struct work *w)
+offer_envelope_names(struct work *w)
 {
 	struct standards *all = standards_read_built_in();
 	for (size_t i = 0; i < all->n; i++) {
@@ -169,7 +169,7 @@ offer_specs(struct work *w)
 		    text_fold_case_and_accents(all->spec[i]->name);
 		FREED char *quoted = xasprintf("\"%s\"", all->spec[i]->name);
 		if (begins_as_typed(w, name))
-			put_candidate(w, quoted, ' ');
+			add_candidate(w, quoted, ' ');
 	}
 	standards_free(all);
 }
@@ -184,7 +184,7 @@ add_file_candidate(struct work *w, const char *path)
 	/* After a folder the quote stays open for the rest of the path. */
 	FREED char *text = xasprintf("%s%s%s%s", quotes ? "\"" : "", path,
 	    folder ? "/" : "", quotes && !folder ? "\"" : "");
-	put_candidate(w, text, folder ? '\0' : ' ');
+	add_candidate(w, text, folder ? '\0' : ' ');
 }
 
 static void
@@ -228,7 +228,7 @@ offer_shipped_sites(struct work *w)
 		FREED char *name = xstrdup(e->d_name);
 		if (text_ends_with(name, END) && begins_as_typed(w, name)) {
 			name[strlen(name) - strlen(END)] = '\0';
-			put_candidate(w, name, ' ');
+			add_candidate(w, name, ' ');
 		}
 	}
 	if (dir != NULL)
@@ -239,11 +239,12 @@ offer_shipped_sites(struct work *w)
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);
-} KINDS[] = {{"ANSWER", offer_answer_values}, {"COMMAND", offer_commands},
-    {"FILE", offer_files}, {"GROUP", offer_groups},
-    {"MATERIAL", offer_materials}, {"PARAMETER", offer_parameters},
-    {"SHIPPED", offer_shipped_sites}, {"SITE", offer_sites},
-    {"SPEC", offer_specs}, {"SPEED", offer_speeds}};
+} KINDS[] = {{"ANSWER", offer_quantities_to_assert},
+    {"COMMAND", offer_commands}, {"FILE", offer_files},
+    {"GROUP", offer_command_groups}, {"MATERIAL", offer_materials},
+    {"PARAMETER", offer_parameters}, {"SHIPPED", offer_shipped_sites},
+    {"SITE", offer_loaded_sites}, {"SPEC", offer_envelope_names},
+    {"SPEED", offer_run_speeds}};
 
 static void
 offer_words_of_kind(struct work *w, const char *word)
@@ -257,7 +258,7 @@ offer_words_of_kind(struct work *w, const char *word)
 
 /* Offers the words of a list: those in capitals are kinds. */
 static void
-offer_words(struct work *w, const char *list)
+offer_words_of_list(struct work *w, const char *list)
 {
 	FREED char *copy = xstrdup(list);
 	char *save = NULL;
@@ -277,27 +278,28 @@ offer_operand_values(struct work *w, const struct command *command, size_t i)
 		last++;
 	const char *list = command->operands.expect[i < last ? i : last];
 	if (i < command->operands.most && list != NULL)
-		offer_words(w, list);
+		offer_words_of_list(w, list);
 }
 
 /* further: after a comma, where a word that stands for all numbers is not
  * allowed. */
 static void
-offer_values(struct work *w, const struct command_option *o, bool further)
+offer_option_values(
+    struct work *w, const struct command_option *o, bool further)
 {
 	if (option_choices(o) != NULL && !further)
-		offer_words(w, option_choices(o));
+		offer_words_of_list(w, option_choices(o));
 	else if (o->kind == VALUE_FILE || o->kind == VALUE_FEED ||
 		 o->kind == VALUE_SPEC)
 		offer_files(w);
 	if (o->kind == VALUE_SPEC)
-		offer_specs(w);
+		offer_envelope_names(w);
 	if (strcmp(o->unit, "m/s") == 0)
-		offer_speeds(w);
+		offer_run_speeds(w);
 }
 
 static void
-offer_arguments(struct work *w, const struct args *used)
+offer_unused_options(struct work *w, const struct args *used)
 {
 	const struct command *command = used->command;
 	const struct command_option *o;
@@ -308,7 +310,7 @@ offer_arguments(struct work *w, const struct args *used)
 		    (command->flags & COMMAND_SETTINGS) != 0 ? ' ' : '=');
 		if (command->bare != NULL &&
 		    strcmp(o->name, command->bare) == 0)
-			offer_values(w, o, false);
+			offer_option_values(w, o, false);
 	}
 	offer_operand_values(w, command, used->n_operand);
 }
@@ -326,7 +328,7 @@ set_typed_word(struct work *w, const char *word)
 
 /* Restricts the completion to the part of the word after `behind`. */
 static void
-complete_only_after(struct work *w, const char *line, const char *behind)
+set_typed_part_after(struct work *w, const char *line, const char *behind)
 {
 	w->result->start = (size_t)(behind - line) + 1;
 	set_typed_word(w, behind + 1);
@@ -362,7 +364,7 @@ setting_awaiting_value(const struct args *used, const char *last)
 }
 
 static void
-offer_arguments_or_values(
+offer_options_or_values(
     struct work *w, const struct args *used, const char *line, const char *last)
 {
 	bool named;
@@ -370,19 +372,19 @@ offer_arguments_or_values(
 	    option_of_value(used, w->typed, &named);
 	const char *word = line + w->result->start;
 	if (named)
-		complete_only_after(w, line, strchr(word, '='));
+		set_typed_part_after(w, line, strchr(word, '='));
 	bool further =
 	    o != NULL && o->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	if (further)
-		complete_only_after(w, line, strrchr(word, ','));
+		set_typed_part_after(w, line, strrchr(word, ','));
 	const struct command_option *setting =
 	    setting_awaiting_value(used, last);
 	if (named)
-		offer_values(w, o, further);
+		offer_option_values(w, o, further);
 	else if (setting != NULL)
-		offer_values(w, setting, false);
+		offer_option_values(w, setting, false);
 	else
-		offer_arguments(w, used);
+		offer_unused_options(w, used);
 }
 
 static void
@@ -395,7 +397,7 @@ offer_after_words(struct work *w, const struct words *words, struct place place,
 		offer_second_words(w, words->text[0]);
 	parse_call(words, place, &used, &none);
 	if (used.command != NULL)
-		offer_arguments_or_values(
+		offer_options_or_values(
 		    w, &used, line, words->text[words->n - 1]);
 	args_free(&used);
 }
@@ -403,7 +405,7 @@ offer_after_words(struct work *w, const struct words *words, struct place place,
 /* Finds where the last command of a line, and its last word, begin.  Returns
  * false in a comment. */
 static bool
-find_last_word(const char *line, size_t *command, size_t *word)
+find_start_of_last_word(const char *line, size_t *command, size_t *word)
 {
 	bool quoted = false, inside = false;
 	size_t i = 0;
@@ -436,7 +438,7 @@ compare_candidates(const void *a, const void *b)
 }
 
 static void
-sort_candidates(struct completion *c)
+sort_distinct_candidates(struct completion *c)
 {
 	size_t kept = 0;
 	if (c->n > 1)
@@ -456,7 +458,7 @@ static void
 complete_last_word(struct work *w, const char *line)
 {
 	size_t from;
-	if (!find_last_word(line, &from, &w->result->start))
+	if (!find_start_of_last_word(line, &from, &w->result->start))
 		return;
 	size_t start = w->result->start;
 	set_typed_word(w, line + start);
@@ -476,7 +478,7 @@ complete_last_word(struct work *w, const char *line)
 	words_free(&words);
 	free(w->typed);
 	free(w->folded);
-	sort_candidates(w->result);
+	sort_distinct_candidates(w->result);
 }
 
 struct completion *

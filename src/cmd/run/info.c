@@ -30,9 +30,10 @@ print_getting_started(FILE *out)
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;) {
 		if (c->flags & COMMAND_DAILY)
 			usage_print_brief(c, out);
-		if (strcmp(command_group(c), last) != 0)
-			xappend_to_list(&groups, ", ", "%s", command_group(c));
-		last = command_group(c);
+		if (strcmp(command_group_name(c), last) != 0)
+			xappend_to_list(
+			    &groups, ", ", "%s", command_group_name(c));
+		last = command_group_name(c);
 	}
 	fprintf(out, tr("\ngroups: %s\n"), groups);
 	fputs(tr("help all lists all commands, help GROUP those of a group, "
@@ -55,7 +56,7 @@ static bool
 is_command_group(const char *name)
 {
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (strcmp(command_group(c), name) == 0)
+		if (strcmp(command_group_name(c), name) == 0)
 			return true;
 	return false;
 }
@@ -71,7 +72,7 @@ folded_text_contains(const char *text, const char *folded)
 /* True if the word occurs in anything that the table states about a
  * command. */
 static bool
-help_has_word(const struct command *c, const char *folded)
+command_help_has_word(const struct command *c, const char *folded)
 {
 	const char *const text[] = {
 	    c->name, c->brief, c->text, c->more, c->operands.usage, c->alias};
@@ -88,12 +89,12 @@ help_has_word(const struct command *c, const char *folded)
 
 /* Lists the commands whose help contains a word.  Returns their number. */
 static size_t
-list_commands_with_word(const struct session *s, const char *word)
+print_commands_with_word(const struct session *s, const char *word)
 {
 	FREED char *folded = text_fold_case_and_accents(word);
 	size_t found = 0;
 	for (const struct command *c = NULL; (c = command_next(c)) != NULL;)
-		if (help_has_word(c, folded)) {
+		if (command_help_has_word(c, folded)) {
 			usage_print_brief(c, stream_for_help(s));
 			found++;
 		}
@@ -149,7 +150,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 	if (command != NULL && example)
 		usage_print_example(command, "", out);
 	else if (command != NULL)
-		usage_print_command(command, out);
+		usage_print_command_help(command, out);
 	else if (name == NULL)
 		print_getting_started(out);
 	else if (strcmp(name, "all") == 0 && !example)
@@ -162,7 +163,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 		usage_print_command_list(name, out);
 	else
 		return (!example && command_nearest_name(name) == NULL &&
-			   list_commands_with_word(s, name) > 0) ||
+			   print_commands_with_word(s, name) > 0) ||
 		       error_unknown_command(name, error);
 	return true;
 }
@@ -170,7 +171,7 @@ cmd_help(struct session *s, const struct args *args, struct error *error)
 bool
 cmd_apropos(struct session *s, const struct args *args, struct error *error)
 {
-	if (list_commands_with_word(s, args->operand[0]) > 0)
+	if (print_commands_with_word(s, args->operand[0]) > 0)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "nothing in the help mentions '%s'\n"
@@ -180,14 +181,14 @@ cmd_apropos(struct session *s, const struct args *args, struct error *error)
 
 /* Shows the help of a command that has no page of its own. */
 static bool
-show_command_help_for_man(const struct session *s,
+show_help_for_missing_page(const struct session *s,
     const struct command_option *page, const char *name, struct error *error)
 {
 	struct value value;
 	const struct command *command = command_find(name);
 	const char *near = command_nearest_name(name);
 	if (command != NULL) {
-		usage_print_command(command, stream_for_help(s));
+		usage_print_command_help(command, stream_for_help(s));
 		return true;
 	}
 	value_parse(page, name, &value, error);
@@ -208,11 +209,12 @@ cmd_man(struct session *s, const struct args *args, struct error *error)
 	const struct command_option *page = command_option_at(args->command, 0);
 	const char *word = args->n_operand > 0 ? args->operand[0] : NULL;
 	size_t i = args->page;
-	if (word != NULL && !text_find_word(option_choices(page), word, &i))
-		return show_command_help_for_man(s, page, word, error);
+	if (word != NULL &&
+	    !text_find_word_in_list(option_choices(page), word, &i))
+		return show_help_for_missing_page(s, page, word, error);
 	assert(i < ARRAY_LEN(PAGES));
-	if (!s->safe && s->hooks.show_page != NULL &&
-	    s->hooks.show_page(PAGES[i]))
+	if (!s->safe && s->hooks.show_manual_page != NULL &&
+	    s->hooks.show_manual_page(PAGES[i]))
 		return true;
 	usage_print_command_list(NULL, stream_for_help(s));
 	if (s->safe)
@@ -240,7 +242,7 @@ cmd_version(struct session *s, const struct args *args, struct error *error)
 	answer_add_pair(r, "pictures", "%s", picture_list_forms());
 	answer_add_pair(
 	    r, "instructions", "%s", isa_name(isa_usable_or_best(s->isa)));
-	fields_put(answer_fields(r), "version %s", PACKAGE_VERSION);
+	fields_put_values(answer_fields(r), "version %s", PACKAGE_VERSION);
 	return session_show_answer(s, r);
 }
 

@@ -92,7 +92,7 @@ is_existing_file_name(const char *word)
 /* Joins the words of "load belt cuts may.csv" if none of them is a file but all
  * together are. */
 static void
-join_file_name(struct words *words)
+join_words_to_file_name(struct words *words)
 {
 	const struct command *command = words->command;
 	size_t n = 1;
@@ -107,7 +107,7 @@ join_file_name(struct words *words)
 		xappend_to_list(&whole, " ", "%s", words->text[i]);
 	}
 	if (n > 2 && is_existing_file_name(whole))
-		words_replace(words, 1, n - 1, whole);
+		words_replace_by_one(words, 1, n - 1, whole);
 }
 
 static bool
@@ -115,26 +115,27 @@ run_command_words(struct session *s, struct words *words, struct place place,
     struct error *error)
 {
 	struct args args;
-	join_file_name(words);
+	join_words_to_file_name(words);
 	if (!speeds_convert_from_rpm(s, words, place, error))
 		return false;
 	const struct command *command = parse_call(words, place, &args, error);
 	bool ok = command != NULL &&
 		  (!(command->flags & COMMAND_NEEDS_SITE) ||
-		      session_need_site(s, command->name, error)) &&
+		      session_require_site(s, command->name, error)) &&
 		  invocation_begin(s, &args, words, place, error);
 	if (ok) {
 		ok = command->answer != NULL
-			 ? question_run_answer(s, &args, command->answer, error)
+			 ? question_read_and_answer(
+			       s, &args, command->answer, error)
 			 : command->run(s, &args, error);
 		s->invocation->running = false;
 		if (!ok || invocation_is_over(s))
 			ok = invocation_end(s, ok, error);
 	}
 	args_free(&args);
-	session_set_language(s);
+	session_set_translation(s);
 	if (!ok && error->line == 0 && strcmp(error->file, place.file) != 0)
-		error_prefix_place(error, place.file, place.line,
+		error_prefix_file_name(error, place.file, place.line,
 		    error->column > 0 ? error->column : words->column[0]);
 	return ok;
 }

@@ -155,7 +155,7 @@ static void
 note_predictable_speeds(const struct session *s, const struct entry *entry)
 {
 	double from, to;
-	if (!origin_speed_range(entry, &from, &to))
+	if (!origin_known_speed_range(entry, &from, &to))
 		return;
 	FREED char *usual =
 	    speed_as_typed(entry->site, answers_default_speed(entry));
@@ -168,7 +168,7 @@ note_predictable_speeds(const struct session *s, const struct entry *entry)
 
 /* True if the answer before the newest has said this. */
 static bool
-is_already_said(const struct session *s, const char *text)
+was_in_previous_answer(const struct session *s, const char *text)
 {
 	if (s->n_answer < 2)
 		return false;
@@ -180,7 +180,7 @@ is_already_said(const struct session *s, const char *text)
 }
 
 void
-next_note_results(const struct session *s)
+next_print_result_lines(const struct session *s)
 {
 	if (s->n_answer == 0)
 		return;
@@ -190,7 +190,7 @@ next_note_results(const struct session *s)
 	/* load has reported what was read, next_step suggests what to do, and
 	 * check ends with a sentence about remarks that are not shown here. */
 	for (size_t i = check; i + 1 < view.n_sentence; i++)
-		if (!is_already_said(s, view.sentence[i].text))
+		if (!was_in_previous_answer(s, view.sentence[i].text))
 			session_note(s, "%s", view.sentence[i].text);
 	size_t n = check ? view.n_row : 0;
 	if (check)

@@ -7,8 +7,8 @@
 
 /* The next step: a command line, or NULL if none fits, and a sentence for
  * people: a question or, without a line, what to type.  brief:
- * next_note_results reports the results of the line's commands.  stage: how far
- * the session has progressed; another fit restarts it. */
+ * next_print_result_lines reports the results of the line's commands.  stage:
+ * how far the session has progressed; another fit restarts it. */
 struct next {
 	const char *line, *words;
 	bool brief;
@@ -25,6 +25,6 @@ struct next {
 struct next next_step(const struct session *s);
 
 /* Prints the results of check, calibrate and validate in a few lines. */
-void next_note_results(const struct session *s);
+void next_print_result_lines(const struct session *s);
 
 #endif

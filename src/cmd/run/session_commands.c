@@ -52,7 +52,7 @@ reset_session(struct session *s, const struct settings *choices)
 	s->last_asked = (struct last_asked){0};
 	s->set = *choices;
 	session_forget_answers(s);
-	journal_discard_lines(s);
+	journal_discard_all_lines(s);
 }
 
 bool
@@ -67,7 +67,7 @@ cmd_reset(struct session *s, const struct args *args, struct error *error)
 
 /* The script itself sets what the command line had set when it was saved. */
 static bool
-restore_script(struct session *s, const char *path, struct error *error)
+restore_from_script(struct session *s, const char *path, struct error *error)
 {
 	struct settings plain = settings_default();
 	if (!script_open(s, path, error))
@@ -103,7 +103,7 @@ cmd_restore(struct session *s, const struct args *args, struct error *error)
 			       : add_script_ending(typed);
 	if (!last)
 		s->invocation->saved = true;
-	bool ok = path != NULL && restore_script(s, path, error);
+	bool ok = path != NULL && restore_from_script(s, path, error);
 	if (ok && !last)
 		files_set_session_script(s, path, false);
 	return ok;
@@ -118,7 +118,7 @@ cmd_echo(struct session *s, const struct args *args, struct error *error)
 		xappend(&text, i > 0 ? " %s" : "%s", args->operand[i]);
 	if (s->set.format == ANSWER_JSON) {
 		struct answer *r = answer_new("echo");
-		fields_put(answer_fields(r), "text %s", text);
+		fields_put_values(answer_fields(r), "text %s", text);
 		session_show_answer(s, r);
 	} else {
 		text_print_escaped(text, s->out);
@@ -203,7 +203,7 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		if (!args->value[i].given)
 			continue;
 		if (SETTINGS[i].kind == VALUE_FILE &&
-		    !energies_use_file(s, args->value[i].text, error))
+		    !energies_use_file_in_model(s, args->value[i].text, error))
 			return false;
 		if (!check_setting_value(
 			s, &SETTINGS[i], &args->value[i], error))
@@ -211,11 +211,11 @@ cmd_set(struct session *s, const struct args *args, struct error *error)
 		settings_set_value(&SETTINGS[i], &args->value[i], &s->set);
 		any = true;
 	}
-	if (!model_settings_same(&before, &s->set.model))
+	if (!model_settings_are_same(&before, &s->set.model))
 		session_forget_answers(s);
 	/* Settings alone are not worth keeping, but a goal is. */
 	if (strcmp(was.goal, s->set.goal) != 0)
-		journal_renumber_state(s);
+		journal_number_new_state(s);
 	/* The parameters of loaded sites are not changed. */
 	if (s->set.model.breakage != before.breakage) {
 		const struct bounds usual = bounds_default(before.breakage);

@@ -17,7 +17,7 @@ static const char RPM[] = "rpm", RPM_IS[] = "rpm=";
 
 /* True if the operands of a command are speeds. */
 static bool
-has_speed_operands(const struct command *command)
+takes_speed_operands(const struct command *command)
 {
 	const char *usage = command->operands.usage;
 	return usage != NULL && strstr(usage, "SPEED") != NULL &&
@@ -37,7 +37,7 @@ is_speed_list_in_rpm(const struct command *of, const char *word)
 /* True for a number, list or range that ends with rpm, or begins with a number
  * that no tip speed reaches. */
 static bool
-is_in_rpm(const char *value)
+is_value_in_rpm(const char *value)
 {
 	enum { MOST_RPM = 20000 };
 	double first = strtod(value, NULL);
@@ -76,8 +76,8 @@ find_value_in_rpm(const struct words *words, size_t i)
 	size_t at = command_option_index(of, name);
 	bool speed = at < OPTIONS
 			 ? strcmp(command_option_at(of, at)->unit, "m/s") == 0
-			 : bare && has_speed_operands(command);
-	return speed && is_in_rpm(value) ? value : NULL;
+			 : bare && takes_speed_operands(command);
+	return speed && is_value_in_rpm(value) ? value : NULL;
 }
 
 /* Returns the diameter of rotor_mm= or else of the site, m; 0 if neither states
@@ -99,7 +99,7 @@ rotor_diameter_m(struct session *s, const struct words *words)
  * not be round steps in m/s.  Returns other text unchanged.  The caller frees
  * it. */
 static char *
-expand_range_of_rpm(const char *turns)
+expand_rpm_range_text(const char *turns)
 {
 	enum { MOST = 200 };
 	const char *dots = strstr(turns, "..");
@@ -118,7 +118,7 @@ expand_range_of_rpm(const char *turns)
 /* Converts each number in the text from rpm to m/s and removes the units.  The
  * caller frees the result. */
 static char *
-convert_rpm_to_mps(const char *turns, double diameter)
+convert_rpm_text_to_mps(const char *turns, double diameter)
 {
 	char *text = xstrdup("");
 	while (*turns != '\0') {
@@ -185,13 +185,14 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 			continue;
 		bool bare =
 		    turns == word || is_speed_list_in_rpm(command, word);
-		bool option = n == 1 && bare && !has_speed_operands(command) &&
+		bool option = n == 1 && bare &&
+			      !takes_speed_operands(command) &&
 			      command_option_index(command, RPM) < OPTIONS &&
 			      is_one_number(turns);
 		if (!option && !(diameter > 0))
 			return error_rotor_unknown(s, words, place, i, error);
-		FREED char *steps = expand_range_of_rpm(turns);
-		FREED char *speeds = convert_rpm_to_mps(steps, diameter);
+		FREED char *steps = expand_rpm_range_text(turns);
+		FREED char *speeds = convert_rpm_text_to_mps(steps, diameter);
 		FREED char *now =
 		    option ? xasprintf("rpm=%.*s",
 				 (int)strspn(turns, "0123456789."), turns)
@@ -199,7 +200,7 @@ speeds_convert_from_rpm(struct session *s, struct words *words,
 			? xasprintf("speeds=%s", speeds)
 			: xasprintf(
 			      "%.*s%s", (int)(turns - word), word, speeds);
-		words_replace(words, i, 1, now);
+		words_replace_by_one(words, i, 1, now);
 	}
 	return true;
 }
@@ -222,7 +223,7 @@ is_speed_range_or_list(const char *word, bool *list)
 
 /* Returns a word as part of a list, in which commas separate numbers. */
 static char *
-text_as_list_item(const char *word, bool list)
+speed_as_list_item(const char *word, bool list)
 {
 	size_t n = strlen(word);
 	if (text_ends_with(word, "m/s"))
@@ -243,7 +244,7 @@ note_decimal_comma(struct session *s, const struct words *words)
 	if (sscanf(words->text[1], "%3u,%3u%n", &whole, &decimals, &n) != 2 ||
 	    words->text[1][n] != '\0' || whole < 10 || decimals < 10)
 		return;
-	FREED char *number = text_as_list_item(words->text[1], false);
+	FREED char *number = speed_as_list_item(words->text[1], false);
 	const struct site *site =
 	    s->n_entry > 0 ? session_current_entry(s)->site : NULL;
 	double speed;
@@ -256,16 +257,16 @@ note_decimal_comma(struct session *s, const struct words *words)
 
 /* Makes "68..78" of "68 to 78" at the beginning. */
 static void
-join_speed_range(struct words *words)
+join_words_to_speed_range(struct words *words)
 {
 	bool list;
 	if (words->n < 4 || !text_same_folded(words->text[2], "to") ||
 	    !is_speed_range_or_list(words->text[1], &list) || list ||
 	    !is_speed_range_or_list(words->text[3], &list))
 		return;
-	FREED char *from = text_as_list_item(words->text[1], false);
+	FREED char *from = speed_as_list_item(words->text[1], false);
 	FREED char *range = xasprintf("%s..%s", from, words->text[3]);
-	words_replace(words, 1, 3, range);
+	words_replace_by_one(words, 1, 3, range);
 }
 
 void
@@ -278,13 +279,13 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	    command != NULL ? command_meant_by_words(command, word, 1) : NULL;
 	if (lister == NULL || command_option_index(lister, "speeds") == OPTIONS)
 		return;
-	join_speed_range(words);
+	join_words_to_speed_range(words);
 	bool lists = false, list;
 	size_t n = 1;
 	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
 	     n++) {
-		FREED char *part = text_as_list_item(words->text[n], list);
+		FREED char *part = speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
@@ -293,5 +294,5 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	if (n == 2 && !lists && (alone || lister != command))
 		note_decimal_comma(s, words);
 	if (n > 2 || lists || (n > 1 && alone))
-		words_replace(words, 1, n - 1, joined);
+		words_replace_by_one(words, 1, n - 1, joined);
 }

@@ -66,7 +66,7 @@ energies_read_file(struct session *s, const char *path,
 	told.data = s;
 	files_note_read(s, path);
 	if (!collisions_read(path, &told, &c, &errors)) {
-		session_report_faults(s, path, &errors, error);
+		session_report_file_faults(s, path, &errors, error);
 		return NULL;
 	}
 	struct energies *e = xcalloc(1, sizeof *e);
@@ -80,7 +80,8 @@ energies_read_file(struct session *s, const char *path,
 }
 
 bool
-energies_use_file(struct session *s, const char *path, struct error *error)
+energies_use_file_in_model(
+    struct session *s, const char *path, struct error *error)
 {
 	const struct energies *found = NULL;
 	if (text_same_folded(path, "off")) {

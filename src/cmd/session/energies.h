@@ -33,7 +33,7 @@ const struct energies *energies_last_read(
 /* Makes the model use the energies in a file, as last read, instead of the
  * single energy (D15), or, for "off", the single energy again.  On failure, or
  * if the file has no speed, returns false with an error. */
-bool energies_use_file(
+bool energies_use_file_in_model(
     struct session *s, const char *path, struct error *error);
 
 /* Returns a reason for the light that names what Eq 3 uses instead of the

@@ -53,7 +53,7 @@ record_use_of_file(struct session *s, const char *path, bool written)
 }
 
 bool
-files_digest(const char *path, uint64_t *digest)
+files_compute_digest(const char *path, uint64_t *digest)
 {
 	struct stat file;
 	char piece[1 << 14];
@@ -75,7 +75,7 @@ void
 files_note_read(struct session *s, const char *path)
 {
 	struct use_of_file *use = record_use_of_file(s, path, false);
-	use->has_digest = files_digest(path, &use->digest);
+	use->has_digest = files_compute_digest(path, &use->digest);
 }
 
 size_t
@@ -85,7 +85,7 @@ files_count_uses(const struct session *s)
 }
 
 const char *
-files_path_of_reading(const struct session *s, size_t number, uint64_t *digest)
+files_path_if_read(const struct session *s, size_t number, uint64_t *digest)
 {
 	const struct use_of_file *use = s->files->use;
 	for (size_t i = 0; i < s->files->n; i++, use++)
@@ -145,7 +145,7 @@ is_file_at_path(const char *path, const struct stat *file)
 
 /* True if the file is among those read, or written. */
 static bool
-is_read_or_written_file(
+was_file_read_or_written(
     const struct session *s, const struct stat *file, bool written)
 {
 	const struct files *f = s->files;
@@ -177,7 +177,7 @@ files_may_write(const struct session *s, const char *path, struct error *error)
 		return file_check_writable(path, error);
 	bool store = is_store_file(s, &file);
 	bool script = is_file_at_path(files_session_script(s, NULL), &file);
-	if (store || script || is_read_or_written_file(s, &file, false))
+	if (store || script || was_file_read_or_written(s, &file, false))
 		return error_set(error, ERROR_SYSTEM,
 		    store ? N_("%s is the store and cannot be overwritten by a "
 			       "result\nuse another file name")
@@ -209,7 +209,7 @@ files_confirm_replace(struct session *s, const char *path, struct error *error)
 	struct stat file;
 	if (s->hooks.confirm == NULL || s->scripts > s->typed_depth ||
 	    stat(path, &file) != 0 || !S_ISREG(file.st_mode) ||
-	    file.st_size == 0 || is_read_or_written_file(s, &file, true))
+	    file.st_size == 0 || was_file_read_or_written(s, &file, true))
 		return true;
 	FREED char *question = xasprintf(tr("%s exists: replace it?"), path);
 	bool yes = s->hooks.confirm(s, question, false);

@@ -42,14 +42,14 @@ bool files_confirm_replace(
 
 /* Computes the digest of a regular file's bytes.  Returns false if it cannot be
  * read. */
-bool files_digest(const char *path, uint64_t *digest);
+bool files_compute_digest(const char *path, uint64_t *digest);
 
 /* files_count_uses returns how many times files were read or written;
- * files_path_of_reading returns the path in use `number`, counted from 0, and
+ * files_path_if_read returns the path in use `number`, counted from 0, and
  * the digest at that time, or NULL if it was written, has no digest, or was
  * read again later. */
 size_t files_count_uses(const struct session *s);
-const char *files_path_of_reading(
+const char *files_path_if_read(
     const struct session *s, size_t number, uint64_t *digest);
 
 void files_free(struct files *files);

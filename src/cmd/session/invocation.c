@@ -103,7 +103,7 @@ invocation_note_job_stopped(struct session *s, size_t steps)
 }
 
 void
-invocation_add_options(struct session *s, const char *format, ...)
+invocation_journal_options(struct session *s, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -114,7 +114,7 @@ invocation_add_options(struct session *s, const char *format, ...)
 
 /* True if the results of the command, or of its script, are redirected. */
 static bool
-is_redirected(const struct invocation *t)
+is_result_redirected(const struct invocation *t)
 {
 	while (t != NULL && t->redirect == NULL)
 		t = t->outer;
@@ -130,7 +130,7 @@ was_stopped_without_result(const struct invocation *t)
 /* Saves a check that the files the command read are unchanged.  Commands with
  * digest= check the numbers themselves. */
 static void
-record_digests_of_files(
+record_digest_checks(
     struct session *s, const struct invocation *t, const char *latest)
 {
 	uint64_t digest;
@@ -138,7 +138,7 @@ record_digests_of_files(
 	if (command_option_index(t->command, "digest") < OPTIONS)
 		return;
 	for (size_t i = t->uses; i < n; i++) {
-		const char *path = files_path_of_reading(s, i, &digest);
+		const char *path = files_path_if_read(s, i, &digest);
 		if (path == NULL)
 			continue;
 		journal_add_file_check(s, latest, path, digest);
@@ -152,7 +152,7 @@ static void
 record_line_in_journal(
     struct session *s, const struct invocation *t, bool changed)
 {
-	bool elsewhere = is_redirected(t);
+	bool elsewhere = is_result_redirected(t);
 	const char *latest =
 	    t->command->flags & COMMAND_KEEPS_LAST ? t->command->name : NULL;
 	/* Answers given during a calibration depend on the moment; settings do
@@ -165,16 +165,16 @@ record_line_in_journal(
 	char pause[32] = "";
 	if (t->stopped)
 		snprintf(pause, sizeof pause, " pause=%zu", t->stopped_at);
-	record_digests_of_files(s, t, latest);
+	record_digest_checks(s, t, latest);
 	journal_add_line(s, latest, "%s%s%s", t->line, pause,
 	    elsewhere ? " > /dev/null" : "");
 }
 
 void
-invocation_record_question(
+invocation_journal_question(
     struct session *s, const char *command, const char *line)
 {
-	if (!is_redirected(s->invocation) && !session_is_calibrating(s))
+	if (!is_result_redirected(s->invocation) && !session_is_calibrating(s))
 		journal_add_line(s, command, "%s", line);
 	autosave_after_command(s, true, false);
 }
@@ -222,7 +222,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 		redirect_close(s, t->redirect, keep, &t->late);
 	if (ok && t->late.kind != ERROR_NONE) {
 		*error = t->late;
-		error_prefix_place(
+		error_prefix_file_name(
 		    error, t->place.file, t->place.line, t->column);
 		ok = false;
 	}
@@ -239,7 +239,7 @@ invocation_end(struct session *s, bool ok, struct error *error)
 	/* The commands of a script may already have given it a new number. */
 	if (changed && !(t->command->flags & COMMAND_APPEARANCE) &&
 	    journal_current_place(s).state == t->state)
-		journal_renumber_state(s);
+		journal_number_new_state(s);
 	autosave_after_command(s, ok, t->saved);
 	invocation_free(t);
 	return ok;

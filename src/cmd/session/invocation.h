@@ -52,12 +52,12 @@ bool invocation_is_over(const struct session *s);
 void invocation_note_job_stopped(struct session *s, size_t steps);
 
 /* Adds options, " digest=HEX", to the running command's line in the journal. */
-void invocation_add_options(struct session *s, const char *format, ...)
+void invocation_journal_options(struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Saves the line of a question that ran without an invocation of its own; it
  * replaces an immediately preceding line of that command. */
-void invocation_record_question(
+void invocation_journal_question(
     struct session *s, const char *command, const char *line);
 
 /* Ends the innermost command and delivers its results.  ok: it succeeded;

@@ -28,7 +28,7 @@ journal_current_place(const struct session *s)
 }
 
 void
-journal_renumber_state(struct session *s)
+journal_number_new_state(struct session *s)
 {
 	s->journal->state = ++s->journal->states;
 }
@@ -41,7 +41,7 @@ append_journal_line(struct journal *j, char *line)
 }
 
 struct removed_lines
-journal_remove_after(struct session *s, struct mark mark)
+journal_remove_lines_after(struct session *s, struct mark mark)
 {
 	struct removed_lines tail = {
 	    .from = mark, .to = journal_current_place(s)};
@@ -104,7 +104,7 @@ is_call_of(const char *line, const char *name)
 /* Removes the last line if it is a call of that name, and the assert lines that
  * check its files. */
 static void
-remove_latest_call(struct journal *j, const char *latest)
+remove_last_call_of(struct journal *j, const char *latest)
 {
 	if (latest == NULL || j->n <= j->start ||
 	    !is_call_of(j->line[j->n - 1], latest))
@@ -118,7 +118,7 @@ void
 journal_add_line(struct session *s, const char *latest, const char *line, ...)
 {
 	struct journal *j = s->journal;
-	remove_latest_call(j, latest);
+	remove_last_call_of(j, latest);
 	va_list ap;
 	va_start(ap, line);
 	append_journal_line(j, xvasprintf(line, ap));
@@ -126,7 +126,7 @@ journal_add_line(struct session *s, const char *latest, const char *line, ...)
 }
 
 void
-journal_discard_lines(struct session *s)
+journal_discard_all_lines(struct session *s)
 {
 	s->journal->start = s->journal->n;
 }
@@ -188,7 +188,7 @@ journal_add_file_check(
 	char *line = xstrdup("assert");
 	append_path_of_option(&line, NULL, path);
 	xappend(&line, " is %016" PRIx64, digest);
-	remove_latest_call(j, latest);
+	remove_last_call_of(j, latest);
 	bool known = false;
 	for (size_t i = j->start; i < j->n; i++)
 		known = known || strcmp(j->line[i], line) == 0;
@@ -223,11 +223,12 @@ is_path_operand(const struct args *args, const char *word)
 		return false;
 	const char *verbs = args->command->operands.expect[0];
 	bool verb = i == 0 && islower((unsigned char)word[0]) &&
-		    verbs != NULL && text_find_word(verbs, word, &which);
+		    verbs != NULL &&
+		    text_find_word_in_list(verbs, word, &which);
 	if (args->command->flags & COMMAND_FILES)
 		return !verb;
 	return (args->command->flags & COMMAND_SPEC) &&
-	       !text_find_word("use list off", word, &which) &&
+	       !text_find_word_in_list("use list off", word, &which) &&
 	       standards_is_file_path(word);
 }
 
@@ -317,9 +318,9 @@ journal_call_as_typed(const struct command *command, const struct words *words)
 /* Writes the site's provenance for readers of the script, without characters
  * that would end or continue the comment. */
 static void
-write_provenance_comment(FILE *out, const struct site *site)
+write_script_provenance(FILE *out, const struct site *site)
 {
-	FREED char *kind = site_source(site, "provenance not stated");
+	FREED char *kind = site_source_clause(site, "provenance not stated");
 	FREED char *line = xasprintf("# %s: %s", site->name, kind);
 	for (char *p = line; *p != '\0'; p++)
 		*p = *p == '\\' ? ' ' : *p;
@@ -333,7 +334,7 @@ journal_write_script(const struct session *s, FILE *out)
 	const struct journal *j = s->journal;
 	fputs("# A site file whose numbers have changed is refused.\n", out);
 	for (size_t i = 0; i < s->n_entry; i++)
-		write_provenance_comment(out, s->entry[i].site);
+		write_script_provenance(out, s->entry[i].site);
 	for (size_t i = j->start; i < j->n; i++)
 		fprintf(out, "%s\n", j->line[i]);
 }

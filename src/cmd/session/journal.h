@@ -27,7 +27,8 @@ struct removed_lines {
 	struct mark from, to; /* places before and after the lines */
 };
 
-struct removed_lines journal_remove_after(struct session *s, struct mark mark);
+struct removed_lines journal_remove_lines_after(
+    struct session *s, struct mark mark);
 void journal_put_back_lines(struct session *s, struct removed_lines *tail);
 void removed_lines_free(struct removed_lines *tail);
 
@@ -42,10 +43,10 @@ void journal_add_file_check(
     struct session *s, const char *latest, const char *path, uint64_t digest);
 
 /* Gives the session's state a new number. */
-void journal_renumber_state(struct session *s);
+void journal_number_new_state(struct session *s);
 
 /* Discards all earlier lines, which are no longer part of the session. */
-void journal_discard_lines(struct session *s);
+void journal_discard_all_lines(struct session *s);
 
 /* Adds lines for the options of the command line. */
 void journal_add_settings(struct session *s);

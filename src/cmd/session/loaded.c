@@ -39,7 +39,7 @@ history_discard_draws(struct history *h, const struct settings *set)
 }
 
 void
-history_discard_cached(struct history *h, const struct site *site)
+history_discard_for_site(struct history *h, const struct site *site)
 {
 	if (h == NULL)
 		return;
@@ -50,13 +50,13 @@ history_discard_cached(struct history *h, const struct site *site)
 }
 
 const struct entry *
-entry_as_loaded(const struct entry *entry)
+entry_without_scenario(const struct entry *entry)
 {
 	return entry->scenario != NULL ? entry->scenario->own : entry;
 }
 
 double
-entry_measured_rotor(const struct entry *entry)
+entry_rotor_of_params(const struct entry *entry)
 {
 	bool known = entry->origin != NULL && entry->origin->history != NULL;
 	return known ? entry->origin->history->site->rotor : entry->site->rotor;
@@ -232,7 +232,7 @@ origin_is_same(const struct origin *a, const struct origin *b)
 }
 
 const struct fit *
-origin_find_fit(const struct entry *entry)
+origin_source_fit(const struct entry *entry)
 {
 	bool known = entry->origin != NULL && entry->origin->history != NULL;
 	return known ? &entry->origin->history->fit : NULL;
@@ -252,7 +252,8 @@ origin_has_training_speeds(const struct entry *entry)
 }
 
 bool
-origin_speed_range(const struct entry *entry, double *slowest, double *fastest)
+origin_known_speed_range(
+    const struct entry *entry, double *slowest, double *fastest)
 {
 	const struct origin *o = entry->origin;
 	const struct site *site = entry->site;
@@ -271,7 +272,7 @@ origin_speed_range(const struct entry *entry, double *slowest, double *fastest)
 }
 
 char *
-origin_details_text(const struct origin *o)
+origin_training_text(const struct origin *o)
 {
 	if (!o->found)
 		return xstrdup(tr("set by hand"));
@@ -303,7 +304,7 @@ origin_is_other_site(const struct entry *entry)
 }
 
 char *
-origin_sentence(const struct entry *entry)
+origin_params_from_sentence(const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	if (o == NULL || (entry->has_fit && !origin_is_from_store(o)))
@@ -311,7 +312,7 @@ origin_sentence(const struct entry *entry)
 	if (o->from[0] == '\0')
 		return xasprintf(tr("parameters %s"), o->words);
 	bool own = !origin_is_other_site(entry);
-	FREED char *details = origin_details_text(o);
+	FREED char *details = origin_training_text(o);
 	return xasprintf(
 	    own && origin_is_from_store(o)
 		? tr("parameters from the store: %s (%s), calibrated on the "
@@ -327,9 +328,9 @@ origin_sentence(const struct entry *entry)
 }
 
 void
-origin_add_note(struct answer *r, const struct entry *entry)
+origin_note_in_answer(struct answer *r, const struct entry *entry)
 {
-	FREED char *sentence = origin_sentence(entry);
+	FREED char *sentence = origin_params_from_sentence(entry);
 	const struct origin *o = entry->origin;
 	bool whose =
 	    o != NULL && (o->from[0] != '\0' || origin_is_from_store(o));
@@ -347,7 +348,7 @@ origin_put_fields(struct fields *o, const struct entry *entry)
 	if (from == NULL)
 		return;
 	struct fields *object = fields_add_object(o, "params_from");
-	fields_put(
+	fields_put_values(
 	    object, "origin %s provenance %s", from->words, from->provenance);
 	fields_put_numbers(
 	    object, "trained_mps", from->speed, from->n_speed, NULL);

@@ -125,11 +125,11 @@ struct entry entry_copy(const struct entry *from);
 void entry_clear(struct entry *entry);
 
 /* Returns the loaded entry on which an entry with a scenario is based. */
-const struct entry *entry_as_loaded(const struct entry *entry);
+const struct entry *entry_without_scenario(const struct entry *entry);
 
 /* Returns the diameter of the rotor that the entry's parameters were measured
  * with, m; 0: not known. */
-double entry_measured_rotor(const struct entry *entry);
+double entry_rotor_of_params(const struct entry *entry);
 
 /* Returns a history, without generations and with one holder, for a calibration
  * that found the fit on the runs marked in train [n_run] within the bounds.
@@ -145,7 +145,7 @@ void history_release(struct history *history);
 void history_discard_draws(struct history *history, const struct settings *set);
 
 /* Discards what was computed for a site that is being removed. */
-void history_discard_cached(struct history *history, const struct site *site);
+void history_discard_for_site(struct history *history, const struct site *site);
 
 /* Return the origin of parameters: just found by the entry's fit; set by hand;
  * taken from another entry; a material in the store; the site's own fit, kept
@@ -168,34 +168,34 @@ const char *origin_source_text(const struct entry *entry);
 
 /* Returns the fit in this session, on any site, that found the entry's
  * parameters, or NULL. */
-const struct fit *origin_find_fit(const struct entry *entry);
+const struct fit *origin_source_fit(const struct entry *entry);
 
-/* Returns the key of the site to which the fit of origin_find_fit belongs. */
+/* Returns the key of the site to which the fit of origin_source_fit belongs. */
 const char *origin_site_key(const struct entry *entry);
 
 /* Computes the slowest and fastest training speeds of the parameters or, if
  * unknown, the slowest and fastest speeds measured on the site.  Returns false
  * if neither are known. */
-bool origin_speed_range(
+bool origin_known_speed_range(
     const struct entry *entry, double *slowest, double *fastest);
 
-/* True if the speeds of origin_speed_range are training speeds. */
+/* True if the speeds of origin_known_speed_range are training speeds. */
 bool origin_has_training_speeds(const struct entry *entry);
 
 /* Returns "trained at 69 and 79 m/s; reconstructed, not measured" or "set by
  * hand".  The caller frees it. */
-char *origin_details_text(const struct origin *origin);
+char *origin_training_text(const struct origin *origin);
 
 /* True if the parameters were calibrated on data other than the site's, which
  * deserves a warning. */
 bool origin_is_other_site(const struct entry *entry);
 
-/* origin_sentence returns "parameters from tierp (..), not calibrated on this
- * site", or "" if they were found on it; the caller frees it.  origin_add_note
- * adds it as a note for parameters from another site or the store; the light
- * reports parameters set by hand. */
-char *origin_sentence(const struct entry *entry);
-void origin_add_note(struct answer *r, const struct entry *entry);
+/* origin_params_from_sentence returns "parameters from tierp (..), not
+ * calibrated on this site", or "" if they were found on it; the caller frees
+ * it.  origin_note_in_answer adds it as a note for parameters from another site
+ * or the store; the light reports parameters set by hand. */
+char *origin_params_from_sentence(const struct entry *entry);
+void origin_note_in_answer(struct answer *r, const struct entry *entry);
 
 /* Puts "params_from": {"origin", "trained_mps", "provenance"}. */
 void origin_put_fields(struct fields *o, const struct entry *entry);

@@ -95,7 +95,7 @@ set_error_draws_nothing(
     const struct command *command, const char *target, struct error *error)
 {
 	size_t kind;
-	if (text_find_word(
+	if (text_find_word_in_list(
 		command_find("plot")->operands.expect[0], command->name, &kind))
 		return error_set(error, ERROR_USAGE,
 		    "%s makes no image for %s\n"
@@ -222,7 +222,7 @@ redirect_open(struct session *s, const struct command *command,
 	s->file = r->to == TO_PIPE ? NULL : r->target;
 	s->out = r->document != NULL ? r->document->out : r->memory;
 	s->set.format = r->form;
-	session_set_language(s);
+	session_set_translation(s);
 	return r;
 }
 
@@ -246,12 +246,12 @@ add_byte_order_mark(struct redirect *r)
 
 /* Returns "12 rows" for a table, "24 lines" for other text. */
 static char *
-output_size_text(const struct redirect *r, size_t rows)
+output_amount_text(const struct redirect *r, size_t rows)
 {
 	if (r->kind == OUTPUT_PICTURE)
 		return xstrdup(tr("an image"));
 	if (r->document != NULL) {
-		char *text = document_size_text(r->document);
+		char *text = document_part_counts_text(r->document);
 		if (r->pages > 0)
 			xappend_to_list(&text, ", ",
 			    tr_n("%zu page", "%zu pages", r->pages), r->pages);
@@ -280,7 +280,7 @@ write_output_file(struct session *s, struct redirect *r, struct error *error)
 	struct stat about;
 	if (stat(r->target, &about) != 0 || !S_ISREG(about.st_mode))
 		return true;
-	FREED char *what = output_size_text(r, s->rows);
+	FREED char *what = output_amount_text(r, s->rows);
 	files_note_written(s, r->target);
 	session_note(s, whole ? N_("wrote %s: %s") : N_("added to %s: %s"),
 	    r->target, what);
@@ -298,7 +298,7 @@ add_about_sheet(struct session *s, const struct redirect *r)
 	const struct entry *entry = session_current_entry(s);
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds_text(site, ", ", NULL, true);
+	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, true);
 	book_add_about_line(r->book, "site", label);
 	book_add_about_line(r->book, "file", site->path);
 	book_add_about_line(r->book, "provenance", site->provenance);
@@ -319,7 +319,8 @@ add_about_sheet(struct session *s, const struct redirect *r)
 
 /* Replaces the printed text by the workbook. */
 static bool
-finish_workbook(struct session *s, struct redirect *r, struct error *error)
+replace_text_by_workbook(
+    struct session *s, struct redirect *r, struct error *error)
 {
 	if (book_count_sheets(r->book) == 0)
 		return error_set(error, ERROR_USAGE,
@@ -335,7 +336,7 @@ finish_workbook(struct session *s, struct redirect *r, struct error *error)
 
 /* Replaces the printed text by the document. */
 static bool
-finish_document(struct redirect *r, struct error *error)
+replace_text_by_document(struct redirect *r, struct error *error)
 {
 	if (!document_finish(r->document))
 		return error_set(error, ERROR_USAGE,
@@ -406,12 +407,12 @@ redirect_close(
 	/* Not if the command itself has set the format. */
 	if (s->set.format == r->form)
 		s->set.format = r->before;
-	session_set_language(s);
+	session_set_translation(s);
 	bool whole = fclose(r->memory) == 0, ok = true;
 	if (keep && r->book != NULL)
-		keep = ok = finish_workbook(s, r, error);
+		keep = ok = replace_text_by_workbook(s, r, error);
 	else if (keep && r->document != NULL)
-		keep = ok = finish_document(r, error);
+		keep = ok = replace_text_by_document(r, error);
 	else if (r->to != TO_PIPE && r->form == ANSWER_CSV &&
 		 s->set.semicolon && r->n > 0)
 		add_byte_order_mark(r);

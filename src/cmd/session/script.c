@@ -141,7 +141,7 @@ check_script_is_text(const struct script *script, const char *piece, size_t n,
 }
 
 bool
-script_set_error_too_long(const char *name, int line, struct error *error)
+script_set_error_long_line(const char *name, int line, struct error *error)
 {
 	return error_at(error, ERROR_USAGE, name, line, 1,
 	    "expected lines of at most 10 MB, got a longer one\n"
@@ -175,7 +175,7 @@ read_continued_line(struct script *script, int *first, struct error *error)
 		n = from += strlen(line + from);
 	}
 	if (got == TEXT_TOO_LONG)
-		good = script_set_error_too_long(
+		good = script_set_error_long_line(
 		    script->name, script->number + !script->one_number, error);
 	else if (good && more && ferror(script->in))
 		good = error_at(error, ERROR_SYSTEM, script->name, 0, 0,

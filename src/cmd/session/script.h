@@ -36,7 +36,8 @@ struct script_place script_position(const struct session *s);
 void script_close_to_depth(struct session *s, size_t depth);
 
 /* Sets the error of a line that is too long.  Returns false. */
-bool script_set_error_too_long(const char *name, int line, struct error *error);
+bool script_set_error_long_line(
+    const char *name, int line, struct error *error);
 
 /* Returns true if the line is continued: before its end is \. */
 bool script_line_continues(const char *line);

@@ -25,7 +25,7 @@ session_current_entry(struct session *s)
 }
 
 bool
-session_report_faults(const struct session *s, const char *path,
+session_report_file_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error)
 {
 	if (errors->stopped) /* what was found on the way is not all */
@@ -42,7 +42,7 @@ session_report_faults(const struct session *s, const char *path,
 /* Exact results are printed unchanged to files and pipes, but escaped on a
  * terminal. */
 static size_t
-print_exact_answer(struct session *s, const struct answer_form *form,
+print_answer_for_programs(struct session *s, const struct answer_form *form,
     const struct answer *answer)
 {
 	char *text = NULL, *save = NULL;
@@ -76,7 +76,7 @@ session_forget_answers(struct session *s)
 }
 
 void
-session_keep_answer(struct session *s, struct answer *answer)
+session_keep_newest_answer(struct session *s, struct answer *answer)
 {
 	const char *command = answer_command(answer);
 	if (!answer_has_fields(answer)) {
@@ -97,7 +97,7 @@ session_answer_number(
 	size_t which;
 	double value = NAN;
 	for (size_t i = s->n_answer; i-- > 0 && isnan(value);)
-		if (text_find_word(
+		if (text_find_word_in_list(
 			commands, answer_command(s->answer[i]), &which))
 			value = answer_find_number(s->answer[i], path);
 	return value;
@@ -115,17 +115,17 @@ session_show_answer(struct session *s, struct answer *answer)
 		s->rows += document_add_answer(s->document, answer);
 	else
 		s->rows += form->exact && s->screen.columns > 0
-			       ? print_exact_answer(s, form, answer)
+			       ? print_answer_for_programs(s, form, answer)
 			       : form->print(answer, s->set.semicolon, s->out);
 	fflush(s->out);
-	session_keep_answer(s, answer);
+	session_keep_newest_answer(s, answer);
 	return true;
 }
 
 void
-session_set_language(const struct session *s)
+session_set_translation(const struct session *s)
 {
-	tr_switch(!ANSWER_FORMATS[s->set.format].exact);
+	tr_switch_on(!ANSWER_FORMATS[s->set.format].exact);
 }
 
 void
@@ -140,11 +140,11 @@ session_note(const struct session *s, const char *format, ...)
 	va_end(ap);
 	if (s->hooks.clear_progress != NULL)
 		s->hooks.clear_progress();
-	text_wrap(text, 0, 78, s->notes);
+	text_print_wrapped(text, 0, 78, s->notes);
 }
 
 bool
-session_need_site(
+session_require_site(
     const struct session *s, const char *what, struct error *error)
 {
 	size_t own = 0;
@@ -197,7 +197,7 @@ session_entry_being_fitted(const struct session *s)
 }
 
 char *
-session_speeds_text(
+session_run_speeds_text(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *list = xstrdup("");
@@ -217,11 +217,11 @@ session_speeds_text(
 }
 
 char *
-session_rpm_list_text(
+session_run_rpm_text(
     const struct site *site, const char *between, const bool *mark, bool marked)
 {
 	char *rpm = xstrdup("");
-	double rotor = site_run_rotor(site);
+	double rotor = site_run_rotor_diameter(site);
 	for (size_t r = 0; r < site->n_run && rotor > 0; r++)
 		if (site->run[r].product.n > 0 &&
 		    !site_run_repeats_speed(site, r) &&
@@ -232,8 +232,9 @@ session_rpm_list_text(
 }
 
 char *
-session_rpm_in_brackets(const struct site *site, const bool *mark, bool marked)
+session_run_rpm_in_brackets(
+    const struct site *site, const bool *mark, bool marked)
 {
-	FREED char *rpm = session_rpm_list_text(site, ", ", mark, marked);
+	FREED char *rpm = session_run_rpm_text(site, ", ", mark, marked);
 	return rpm[0] != '\0' ? xasprintf(tr(" (%s rpm)"), rpm) : xstrdup("");
 }

@@ -29,7 +29,7 @@ struct hooks {
 	 * the user; NULL if not interactive. */
 	void (*announce)(const char *what);
 	/* Shows a page of the manual; NULL without a terminal. */
-	bool (*show_page)(const char *page);
+	bool (*show_manual_page)(const char *page);
 	/* Draws the full screen, see plot.h; NULL if not available. */
 	struct canvas *(*draw_screen)(
 	    struct session *, struct screen_request *, struct error *);
@@ -128,7 +128,8 @@ struct session {
 	struct document *document; /* document that collects results, or NULL */
 	size_t rows;               /* rows written to the current target */
 	size_t n_answer;
-	struct answer **answer; /* newest last, see session_keep_answer */
+	struct answer *
+	    *answer; /* newest last, see session_keep_newest_answer */
 	struct job job;
 	struct hooks hooks;  /* functions of the driver */
 	struct files *files; /* those read and written, see files.h; or NULL */
@@ -170,7 +171,7 @@ struct entry *session_current_entry(struct session *s);
 
 /* Returns false, with an error that says what to do next, if no site is loaded.
  * what: the command that needs one. */
-bool session_need_site(
+bool session_require_site(
     const struct session *s, const char *what, struct error *error);
 
 /* Discards the answers kept, because the site or its parameters have
@@ -180,7 +181,7 @@ void session_forget_answers(struct session *s);
 /* Reports the faults of a file in order: prints all but the last to notes and
  * makes the last the error.  If reading was interrupted, reports only that.
  * Returns false. */
-bool session_report_faults(const struct session *s, const char *path,
+bool session_report_file_faults(const struct session *s, const char *path,
     const struct error_list *errors, struct error *error);
 
 /* Prints an answer in the chosen format and keeps it.  Returns true, so that a
@@ -189,7 +190,7 @@ bool session_show_answer(struct session *s, struct answer *answer);
 
 /* Keeps an answer as the newest of its command and takes ownership of it.
  * Frees an answer without fields, from which nothing could be read. */
-void session_keep_answer(struct session *s, struct answer *answer);
+void session_keep_newest_answer(struct session *s, struct answer *answer);
 
 /* Returns the number in a field (see answer_find_number) of the newest answer
  * that has it and is from one of the commands, which are separated by spaces,
@@ -199,7 +200,7 @@ double session_answer_number(
 
 /* Turns translation on, or off if results are for programs.  Call it after each
  * change of the results' format. */
-void session_set_language(const struct session *s);
+void session_set_translation(const struct session *s);
 
 /* Prints a line to notes. */
 void session_note(const struct session *s, const char *format, ...)
@@ -221,15 +222,15 @@ char *session_site_label(const struct site *site);
 /* Returns "69, 79 (2 runs)": the speeds of the runs with a product whose mark
  * [n_run] equals `marked`, or of all if mark is NULL.  between: the separator.
  * The caller frees it. */
-char *session_speeds_text(const struct site *site, const char *between,
+char *session_run_speeds_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
 
-/* Returns these speeds in rpm, "1569, 1796", or as session_rpm_in_brackets to
- * follow m/s in a sentence, " (1569, 1796 rpm)"; "" unless the site states the
- * rotor.  The caller frees it. */
-char *session_rpm_list_text(const struct site *site, const char *between,
+/* Returns these speeds in rpm, "1569, 1796", or as session_run_rpm_in_brackets
+ * to follow m/s in a sentence, " (1569, 1796 rpm)"; "" unless the site states
+ * the rotor.  The caller frees it. */
+char *session_run_rpm_text(const struct site *site, const char *between,
     const bool *mark, bool marked);
-char *session_rpm_in_brackets(
+char *session_run_rpm_in_brackets(
     const struct site *site, const bool *mark, bool marked);
 
 #endif

@@ -107,8 +107,8 @@ settings_band_probability(const struct settings *set)
 }
 
 void
-settings_speed_range(const struct settings *set, const struct site *site,
-    double *from, double *to)
+settings_default_speed_range(const struct settings *set,
+    const struct site *site, double *from, double *to)
 {
 	site_default_speed_range(site, from, to);
 	if (set->slider[1] > 0) {
@@ -121,7 +121,7 @@ bool
 settings_are_equal(const struct settings *a, const struct settings *b)
 {
 	bool same = a->seed == b->seed &&
-		    model_settings_same(&a->model, &b->model) &&
+		    model_settings_are_same(&a->model, &b->model) &&
 		    a->energy == b->energy && a->timing == b->timing &&
 		    memcmp(&a->bounds, &b->bounds, sizeof a->bounds) == 0;
 	for (const struct command_option *r = SETTINGS; r->name != NULL; r++) {

@@ -59,8 +59,8 @@ double settings_band_probability(const struct settings *set);
 
 /* Computes the default range of speeds, m/s, of commands: as set, else from
  * site_default_speed_range.  site may be NULL. */
-void settings_speed_range(const struct settings *set, const struct site *site,
-    double *from, double *to);
+void settings_default_speed_range(const struct settings *set,
+    const struct site *site, double *from, double *to);
 
 /* Stores a value given to `set`. */
 void settings_set_value(const struct command_option *row,

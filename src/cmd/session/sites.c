@@ -22,7 +22,7 @@ digest_of_text(const char *text)
 
 /* True if the key is in use.  Only sites of that name can have it. */
 static bool
-is_key_taken(const struct session *s, uint64_t name, const char *key)
+is_site_key_taken(const struct session *s, uint64_t name, const char *key)
 {
 	for (size_t i = 0; i < s->n_entry; i++)
 		if (s->entry[i].lookup.name == name &&
@@ -77,7 +77,7 @@ new_key_of_site(struct session *s, const struct site *site)
 		key = key_with_top_size(slug, site);
 	}
 	FREED char *stem = xstrdup(key);
-	for (int i = 2; is_key_taken(s, name, key); i++) {
+	for (int i = 2; is_site_key_taken(s, name, key); i++) {
 		free(key);
 		key = xasprintf("%s/%d", stem, i);
 	}
@@ -86,7 +86,7 @@ new_key_of_site(struct session *s, const struct site *site)
 }
 
 void
-session_adopt_site(struct session *s, struct site *site)
+session_adopt_unloaded_site(struct session *s, struct site *site)
 {
 	s->site = xrealloc(s->site, s->n_site + 1, sizeof *s->site);
 	s->site[s->n_site++] = site;
@@ -102,7 +102,7 @@ digest_of_file_inode(const struct stat *file)
 }
 
 static struct lookup_keys
-lookup_keys_of(const struct site *site)
+lookup_keys_of_site(const struct site *site)
 {
 	struct stat file;
 	FREED char *slug = name_slug(site->name);
@@ -116,7 +116,7 @@ lookup_keys_of(const struct site *site)
 static void
 insert_site_entry(struct session *s, struct site *site, size_t place)
 {
-	struct entry entry = {.lookup = lookup_keys_of(site),
+	struct entry entry = {.lookup = lookup_keys_of_site(site),
 	    .site = site,
 	    .key = new_key_of_site(s, site)};
 	entry.train = xcalloc(site->n_run, sizeof *entry.train);
@@ -129,7 +129,7 @@ insert_site_entry(struct session *s, struct site *site, size_t place)
 		s->job.entry++;
 	s->current = place;
 	s->last_asked = (struct last_asked){0};
-	session_adopt_site(s, site);
+	session_adopt_unloaded_site(s, site);
 }
 
 /* Finds the site that was read from the same file, by its path or under another
@@ -208,7 +208,7 @@ session_replace_by_mended(struct session *s, size_t index, struct site *site)
 		entry->has_params = false;
 		entry->params = (struct params){.breakage = 0};
 	}
-	session_adopt_site(s, site);
+	session_adopt_unloaded_site(s, site);
 	return own;
 }
 
@@ -230,12 +230,12 @@ session_replace_by_extended(
 	free(entry->train);
 	entry->train = train;
 	entry->site = site;
-	session_adopt_site(s, site);
+	session_adopt_unloaded_site(s, site);
 }
 
 /* As name_slug, with '-' for '_': the name as typed from memory. */
 static char *
-slug_with_dashes(const char *name)
+slug_of_typed_name(const char *name)
 {
 	char *slug = name_slug(name);
 	for (char *p = slug; *p != '\0'; p++)
@@ -246,14 +246,14 @@ slug_with_dashes(const char *name)
 /* Returns how well a site matches a name: 0 not at all, 1 its name, 2 name and
  * top size, 3 its key. */
 static int
-match_site_name(const struct entry *entry, const char *wanted)
+site_name_match_grade(const struct entry *entry, const char *wanted)
 {
 	FREED char *name = name_slug(entry->site->name);
 	FREED char *sized =
 	    xasprintf("%s/%g", name, units_mm(entry->site->top_size));
 	FREED char *folded = text_fold_case_and_accents(wanted),
-		   *slug = slug_with_dashes(wanted);
-	FREED char *loose = slug_with_dashes(entry->site->name);
+		   *slug = slug_of_typed_name(wanted);
+	FREED char *loose = slug_of_typed_name(entry->site->name);
 	int match = 0;
 	if (strcmp(entry->key, folded) == 0)
 		match = 3;
@@ -266,11 +266,12 @@ match_site_name(const struct entry *entry, const char *wanted)
 
 /* Returns "gavle/4, gavle/11.2": the sites that match, or all for NULL. */
 static char *
-list_matching_site_keys(const struct session *s, const char *wanted)
+matching_site_keys_text(const struct session *s, const char *wanted)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < s->n_entry; i++)
-		if (wanted == NULL || match_site_name(&s->entry[i], wanted) > 0)
+		if (wanted == NULL ||
+		    site_name_match_grade(&s->entry[i], wanted) > 0)
 			xappend_to_list(&list, ", ", "%s", s->entry[i].key);
 	return list;
 }
@@ -282,7 +283,7 @@ session_find_site(
 	int best = 0;
 	size_t found = 0, last = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
-		int match = match_site_name(&s->entry[i], name);
+		int match = site_name_match_grade(&s->entry[i], name);
 		if (match == 0 || match < best)
 			continue;
 		found = match > best ? 1 : found + 1;
@@ -293,7 +294,7 @@ session_find_site(
 		*index = last;
 		return true;
 	}
-	FREED char *keys = list_matching_site_keys(s, best > 0 ? name : NULL);
+	FREED char *keys = matching_site_keys_text(s, best > 0 ? name : NULL);
 	error_set(error, ERROR_USAGE,
 	    best > 0 ? N_("several sites are called '%s'\nuse one of: %s")
 	    : keys[0] != '\0'

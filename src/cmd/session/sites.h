@@ -10,7 +10,7 @@
 void session_add_site(struct session *s, struct site *site);
 
 /* Takes ownership of a site until the session ends, without loading it. */
-void session_adopt_site(struct session *s, struct site *site);
+void session_adopt_unloaded_site(struct session *s, struct site *site);
 
 /* Unloads a site and discards a calibration of it. */
 void session_drop_site(struct session *s, size_t index);

@@ -185,7 +185,7 @@ undo_last_step(struct session *s)
 		return NULL;
 	struct step *step = &s->undo->step[--s->undo->done];
 	step->after = snapshot_take(s);
-	step->tail = journal_remove_after(s, step->before->mark);
+	step->tail = journal_remove_lines_after(s, step->before->mark);
 	restore_snapshot(s, step->before);
 	return step->label;
 }

@@ -57,7 +57,7 @@ struct cut_day {
 /* Returns a moment as "2026-05-03" or "2026-05-03 10:15", or NULL if the order
  * leaves it open.  The caller frees it. */
 static char *
-cut_day_text(const struct datetime *m, enum datetime_order order)
+cut_moment_text(const struct datetime *m, enum datetime_order order)
 {
 	double time = datetime_seconds_since_1970(m, order);
 	if (isnan(time))
@@ -123,7 +123,7 @@ cut_day_find_date_order(
 static char *
 datetime_as_word(const struct datetime *m, enum datetime_order order)
 {
-	char *text = cut_day_text(m, order);
+	char *text = cut_moment_text(m, order);
 	for (char *p = text; p != NULL && *p != '\0'; p++)
 		if (*p == ' ')
 			*p = 'T';
@@ -133,7 +133,7 @@ datetime_as_word(const struct datetime *m, enum datetime_order order)
 /* Sets an error if the order leaves open which day is meant.  before: what
  * stands before the date in the call. */
 static bool
-is_date_unambiguous(const struct datetime *m, const char *text,
+check_date_unambiguous(const struct datetime *m, const char *text,
     const char *before, enum datetime_order order, struct error *error)
 {
 	FREED char *day = datetime_as_word(m, DATETIME_DAY_FIRST);
@@ -160,7 +160,7 @@ parse_cut_date(const char *date, enum datetime_order order, double *day,
 		    "write year, month, day: date=2026-05-03",
 		    date);
 	*day = datetime_seconds_since_1970(&m, order) - m.seconds;
-	return is_date_unambiguous(&m, date, "date=", order, error);
+	return check_date_unambiguous(&m, date, "date=", order, error);
 }
 
 /* Reads the time after @, on the day of date= if it states none. */
@@ -182,7 +182,7 @@ parse_cut_time(const char *text, enum datetime_order order, double day,
 		    text, text);
 	*time = m.has_date ? datetime_seconds_since_1970(&m, order)
 			   : day + m.seconds;
-	if (m.has_date && !is_date_unambiguous(&m, text, "@", order, error))
+	if (m.has_date && !check_date_unambiguous(&m, text, "@", order, error))
 		return false;
 	return isnan(day) || day == datetime_start_of_day(*time) ||
 	       error_set(error, ERROR_USAGE,
@@ -205,8 +205,9 @@ find_at_sign_of_speed(const char *word)
 /* Looks up the time of "cut.csv@2026-05-03T10:15" in the log:
  * "cut.csv@64.2". */
 static bool
-find_speed_in_log(struct session *s, const struct args *args, const char *word,
-    double day, double rotor, struct cut_origin *o, struct error *error)
+look_up_cut_time_in_log(struct session *s, const struct args *args,
+    const char *word, double day, double rotor, struct cut_origin *o,
+    struct error *error)
 {
 	const char *at = find_at_sign_of_speed(word);
 	size_t n = at != NULL ? (size_t)(at - word) : strlen(word);
@@ -256,7 +257,7 @@ site_note_with_iso_date(const struct site_note *note, enum datetime_order order)
 	struct datetime m;
 	if (!cut_parse_date(note, &m) || m.plain || m.order != DATETIME_OPEN)
 		return xstrdup(note->value);
-	FREED char *day = cut_day_text(&m, order);
+	FREED char *day = cut_moment_text(&m, order);
 	const char *at = strstr(note->value, ", ") + strlen(", ");
 	return day == NULL ? xstrdup(note->value)
 			   : xasprintf("%.*s%s%s", (int)(at - note->value),
@@ -296,7 +297,7 @@ use_date_of_header(
 	}
 	if (all->n != 1 || all->file[0].when[0] != '\0' || n != 1)
 		return;
-	char *day = cut_day_text(&said, order);
+	char *day = cut_moment_text(&said, order);
 	if (day != NULL)
 		xreplace(&all->file[0].when, day);
 }
@@ -314,8 +315,8 @@ note_ambiguous_date(struct session *s, const struct site *cuts,
 		i++;
 	if (i == cuts->n_note)
 		return;
-	FREED char *day = cut_day_text(&m, DATETIME_DAY_FIRST);
-	FREED char *month = cut_day_text(&m, DATETIME_MONTH_FIRST);
+	FREED char *day = cut_moment_text(&m, DATETIME_DAY_FIRST);
+	FREED char *month = cut_moment_text(&m, DATETIME_MONTH_FIRST);
 	FREED char *said = xasprintf("%02d/%02d/%d", m.day, m.month, m.year);
 	bool one = cuts->n_run == 1 && all->n == 1;
 	bool day_first = how->order == DATETIME_DAY_FIRST;
@@ -334,16 +335,17 @@ note_ambiguous_date(struct session *s, const struct site *cuts,
 		session_note(s, "  the date %s is read as %s, %s", said,
 		    day_first ? day : month, how->why);
 	if (how->now && one)
-		invocation_add_options(s, " date=%s", day_first ? day : month);
+		invocation_journal_options(
+		    s, " date=%s", day_first ? day : month);
 	else if (how->now)
-		invocation_add_options(
+		invocation_journal_options(
 		    s, " dates=%s-first", day_first ? "day" : "month");
 }
 
 /* Returns the file that a cut is from: the only one, or the one with its
  * speed. */
 static const struct cut_origin *
-find_origin_of_cut(const struct origins *all, double speed)
+find_file_of_cut(const struct origins *all, double speed)
 {
 	const struct cut_origin *found = all->n == 1 ? &all->file[0] : NULL;
 	for (size_t i = 0; i < all->n && found == NULL; i++) {
@@ -444,12 +446,11 @@ compare_cut_and_note(struct session *s, size_t run)
 		return CUTS_UNKNOWN;
 	struct cut cut = cut_compare_with_prediction(s, entry, run);
 	FREED char *both = measured_vs_predicted_text(s, entry, run);
-	FREED char *words = cut_describe(&cut);
+	FREED char *words = cut_comparison_text(&cut);
 	double from, to;
 	if (answers_is_speed_extrapolated(entry, site->run[run].speed) &&
-	    origin_speed_range(entry, &from, &to)) {
-		FREED char *reach =
-		    answers_describe_speed_range(entry, from, to);
+	    origin_known_speed_range(entry, &from, &to)) {
+		FREED char *reach = answers_known_speeds_text(entry, from, to);
 		xappend_to_list(&words, "; ",
 		    tr("it lies outside the %s, where the answer rests on the "
 		       "model"),
@@ -506,8 +507,9 @@ static void
 note_speeds_of_products(struct session *s)
 {
 	const struct entry *entry = session_current_entry(s);
-	FREED char *speeds = session_speeds_text(entry->site, ", ", NULL, true);
-	FREED char *rpm = session_rpm_in_brackets(entry->site, NULL, true);
+	FREED char *speeds =
+	    session_run_speeds_text(entry->site, ", ", NULL, true);
+	FREED char *rpm = session_run_rpm_in_brackets(entry->site, NULL, true);
 	session_note(
 	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
@@ -515,7 +517,7 @@ note_speeds_of_products(struct session *s)
 /* Suggests what to do after n cuts have been compared: of a calibrated site, as
  * next_step does, after all cuts since its calibration. */
 static void
-suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
+suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 {
 	const struct entry *entry = session_current_entry(s);
 	struct later later = cut_compare_runs_since_fit(s, entry);
@@ -545,7 +547,7 @@ suggest_what_to_do_next(struct session *s, enum verdict worst, size_t n)
 }
 
 static bool
-has_expected_digest(const struct site *site, const char *digest,
+check_site_digest(const struct site *site, const char *digest,
     struct session *s, struct error *error)
 {
 	FREED char *found = xasprintf("%016" PRIx64, site->digest);
@@ -558,14 +560,15 @@ has_expected_digest(const struct site *site, const char *digest,
 		    "leave out digest= to add them anyway; results will change",
 		    digest, found);
 	if (good && digest == NULL)
-		invocation_add_options(s, " digest=%s", found);
+		invocation_journal_options(s, " digest=%s", found);
 	return good;
 }
 
 /* In the order of the sheet, which drift follows for cuts without a date. */
 static void
-note_added_cuts(struct session *s, struct site *site, const struct site *cuts,
-    const struct origins *all, enum datetime_order order)
+add_cut_notes_to_site(struct session *s, struct site *site,
+    const struct site *cuts, const struct origins *all,
+    enum datetime_order order)
 {
 	FREED size_t *place = xcalloc(cuts->n_run + 1, sizeof *place);
 	for (size_t k = 0; k < cuts->n_run; k++) {
@@ -581,7 +584,7 @@ note_added_cuts(struct session *s, struct site *site, const struct site *cuts,
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		double v = cuts->run[place[k]].speed;
 		FREED char *note = cut_note_of_run(
-		    cuts, place[k], find_origin_of_cut(all, v), order);
+		    cuts, place[k], find_file_of_cut(all, v), order);
 		site_add_note(&site->note, &site->n_note, "cut", note);
 		session_note(s, "added a cut: %s", note);
 	}
@@ -651,23 +654,23 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 		site_add_note(&site->note, &site->n_note, SITE_ASSUMED_TOP,
 		    text_shortest_exact_number(
 			site_assumed_top_size(cuts), number));
-	if (!has_expected_digest(site, args->digest, s, error)) {
+	if (!check_site_digest(site, args->digest, s, error)) {
 		site_free(site);
 		return false;
 	}
 	if (!(site->rotor > 0))
 		site->rotor = args->rotor_mm / 1000;
 	use_date_of_header(cuts, how.order, all);
-	note_added_cuts(s, site, cuts, all, how.order);
+	add_cut_notes_to_site(s, site, cuts, all, how.order);
 	if (args->date == NULL)
 		note_ambiguous_date(s, cuts, &how, all);
-	load_note_files_read(s, cuts);
+	load_note_how_read(s, cuts);
 	warn_of_duplicate_cuts(s, old, cuts);
 	session_replace_by_extended(s, site, from);
 	check_warn_coarser_product(s, site);
 	note_speeds_of_products(s);
 	enum verdict worst = compare_cuts_and_note(s, old, from, cuts->n_run);
-	suggest_what_to_do_next(s, worst, cuts->n_run);
+	suggest_step_after_cuts(s, worst, cuts->n_run);
 	return true;
 }
 
@@ -683,8 +686,8 @@ cmd_add(struct session *s, const struct args *args, struct error *error)
 	if (args->rotor_mm > 0)
 		rotor = args->rotor_mm / 1000;
 	for (size_t i = 0; i < args->n_operand && good; i++) {
-		good = find_speed_in_log(s, args, args->operand[i], day, rotor,
-		    &all.file[all.n++], error);
+		good = look_up_cut_time_in_log(s, args, args->operand[i], day,
+		    rotor, &all.file[all.n++], error);
 		word[i] = all.file[i].word;
 	}
 	struct site *cuts =

@@ -24,7 +24,7 @@ enum { CELLS = 4 };
 /* Gets the cells of a row, which last as long as the question.  number: a
  * buffer of at least 24 bytes. */
 static void
-table_row_cells(const struct user_question *q, size_t row, bool narrow,
+question_row_cells(const struct user_question *q, size_t row, bool narrow,
     char *number, const char *cell[static CELLS])
 {
 	bool tables = q->ask->tables;
@@ -55,7 +55,7 @@ table_row_cells(const struct user_question *q, size_t row, bool narrow,
 /* Finds widths at which all rows fit: values are shortened first, then
  * headings. */
 static void
-table_column_widths(
+question_column_widths(
     const struct user_question *q, int room, bool narrow, int width[CELLS])
 {
 	static const int LEAST[CELLS] = {0, 9, 6, 8};
@@ -65,7 +65,7 @@ table_column_widths(
 	for (int i = 0; i < CELLS; i++)
 		width[i] = 0;
 	for (size_t r = 0; r <= q->ask->n; r++) {
-		table_row_cells(q, r, narrow, number, cell);
+		question_row_cells(q, r, narrow, number, cell);
 		for (int i = 0; i < CELLS; i++) {
 			int w = text_width_in_columns(cell[i]);
 			width[i] = w > width[i] ? w : width[i];
@@ -95,7 +95,7 @@ append_padded_cell(char **line, const char *text, int width, bool right)
 	char shown[TEXT_SHOWN];
 	int at = 0, most = width - 2;
 	for (const char *p = text; *p != '\0';) {
-		int w = text_escape_next(&p, shown);
+		int w = text_escape_next_character(&p, shown);
 		if (at + w > most)
 			break;
 		xappend(line, "%s", shown);
@@ -112,9 +112,9 @@ user_question_row_text(const struct user_question *q, size_t row, int columns)
 	int width[CELLS], mark = 2;
 	char number[24];
 	const char *cell[CELLS];
-	table_column_widths(
+	question_column_widths(
 	    q, columns - mark - (CELLS - 1) * (narrow ? 1 : 2), narrow, width);
-	table_row_cells(q, row, narrow, number, cell);
+	question_row_cells(q, row, narrow, number, cell);
 	bool open = row > 0 && q->ask->column[row - 1].open;
 	char *line = xstrdup(open ? "? " : "  ");
 	for (int i = 0; i < CELLS; i++) {
@@ -134,7 +134,7 @@ is_guessed_sieve_column(const struct site_ask_column *c)
 }
 
 static bool
-lacks_speed(const struct site_ask_column *c)
+does_guess_lack_speed(const struct site_ask_column *c)
 {
 	return strstr(c->guess, "@SPEED") != NULL;
 }
@@ -243,7 +243,7 @@ parse_column_answer(const struct site_ask_column *c, const char *answer,
 			 WORD_GRAMS | WORD_MASS;
 	bool speed = heading_has_speed(&head) || head.n_number > 0;
 	wrong[0] = '\0';
-	if (said[0] == '\0' && lacks_speed(c))
+	if (said[0] == '\0' && does_guess_lack_speed(c))
 		snprintf(wrong, WRONG,
 		    tr("expected a tip speed in m/s, got nothing; - leaves it "
 		       "out"));
@@ -275,7 +275,7 @@ ask_about_column(
 {
 	char wrong[WRONG] = "";
 	const char *kind = q->ask->across ? tr("line") : tr("column");
-	bool speed = lacks_speed(c);
+	bool speed = does_guess_lack_speed(c);
 	FREED char *question =
 	    speed ? xasprintf(tr("%s %zu '%s': tip speed, m/s"), kind,
 			c->number, c->head)
@@ -447,7 +447,7 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 	}
 	free(into->range);
 	into->range =
-	    site_box_text(site_ask_box_of_tables(ask, from - 1, to - 1));
+	    site_box_text(site_box_around_tables(ask, from - 1, to - 1));
 	return true;
 }
 

@@ -76,7 +76,7 @@ put_blend_component_fields(struct fields *o, const struct blended *b)
 {
 	struct fields *list = fields_add_list(o, "parts");
 	for (size_t i = 0; i < b->n; i++)
-		fields_put(fields_add_object(list, NULL),
+		fields_put_values(fields_add_object(list, NULL),
 		    "file %s part %g share_pct %g rock %s provenance %s",
 		    b->part[i].file, b->part[i].share,
 		    100 * b->part[i].share / b->sum, b->part[i].sheet->rock,
@@ -88,7 +88,7 @@ put_blend_component_fields(struct fields *o, const struct blended *b)
 }
 
 static void
-note_blend_components(struct answer *r, const struct blended *b)
+note_sum_of_blend_parts(struct answer *r, const struct blended *b)
 {
 	if (fabs(b->sum - 100) > 1e-9 && fabs(b->sum - 1) > 1e-9)
 		answer_note(r,
@@ -124,10 +124,10 @@ show_blended_feed(
 	answer_title(r, "blend of %s", b->words);
 	answer_set_site(r, "blend", b->of);
 	add_blend_rows(r, b, &b->feed, NULL);
-	note_blend_components(r, b);
+	note_sum_of_blend_parts(r, b);
 	note_feeds_limiting_fines(r, b);
 	answer_note(r, "no product is predicted: %s", why_not);
-	fields_put(answer_fields(r), "feed %s", b->words);
+	fields_put_values(answer_fields(r), "feed %s", b->words);
 	put_blend_component_fields(answer_fields(r), b);
 	session_show_answer(s, r);
 }
@@ -145,13 +145,13 @@ show_product_of_blend(
 	add_blend_rows(r, b, &p.product, &p);
 	put_blend_component_fields(answer_fields(r), b);
 	answers_put_prediction(s, answer_fields(r), entry, &entry->params, &p);
-	note_blend_components(r, b);
+	note_sum_of_blend_parts(r, b);
 	answers_note_sizes(r, &p);
 	if (p.low != NULL) {
 		answer_put_columns_as_lists(r, "low_pct high_pct");
 		answers_put_size_bands(answer_fields(r), s, &p);
 	}
-	answers_show_basis_at(s, r, q, v, p.low != NULL);
+	answers_show_basis_at_speed(s, r, q, v, p.low != NULL);
 	prediction_free(&p);
 	session_show_answer(s, r);
 }

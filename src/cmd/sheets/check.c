@@ -35,7 +35,7 @@ struct coarser {
 };
 
 static struct coarser
-compare_product_with_feed(const struct run *run)
+find_sieves_coarser_than_feed(const struct run *run)
 {
 	struct coarser found = {0};
 	found.compared = misfit_count_covered_sieves(run);
@@ -60,7 +60,7 @@ check_warn_coarser_product(struct session *s, const struct site *site)
 {
 	bool none_finer = trust_is_no_product_finer(site);
 	for (size_t r = 0; r < site->n_run; r++) {
-		struct coarser c = compare_product_with_feed(&site->run[r]);
+		struct coarser c = find_sieves_coarser_than_feed(&site->run[r]);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, site->run[r].speed, NAN);
 		if (c.most > (none_finer ? COARSER_FAULT : 0))
@@ -89,7 +89,7 @@ finding(struct answer *r, const struct entry *entry, bool fault,
 /* Returns where a finding is: "69 m/s", "1500 rpm", or "feed" for the feed of
  * all runs, NULL. */
 static const char *
-feed_or_speed_of_run(
+feed_or_speed_text(
     const struct site *site, const struct run *run, char buf[static 40])
 {
 	if (run == NULL || !(run->speed > 0))
@@ -103,9 +103,9 @@ static bool
 check_product_against_feed(
     struct answer *r, const struct entry *entry, const struct run *run)
 {
-	struct coarser c = compare_product_with_feed(run);
+	struct coarser c = find_sieves_coarser_than_feed(run);
 	char buf[40];
-	const char *where = feed_or_speed_of_run(entry->site, run, buf);
+	const char *where = feed_or_speed_text(entry->site, run, buf);
 	bool fault = c.most > COARSER_FAULT;
 	if (c.sieves > 0)
 		finding(r, entry, fault, where,
@@ -137,7 +137,7 @@ check_product_against_feed(
 
 /* "69, 79 m/s", "69 (1), 69 (2) m/s".  The caller frees. */
 static char *
-speeds_of_two_runs(
+two_run_speeds_text(
     const struct site *site, const struct run *a, const struct run *b)
 {
 	return xasprintf("%g%s, %g%s %s", answers_speed_number(site, a->speed),
@@ -153,10 +153,10 @@ report_columns_entered_twice(struct answer *r, const struct entry *entry)
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++) {
 			const struct run *a = &site->run[k], *b = &site->run[i];
-			if (!psd_same(&a->product, &b->product))
+			if (!psd_is_same(&a->product, &b->product))
 				continue;
 			FREED char *where =
-			    speeds_of_two_runs(entry->site, a, b);
+			    two_run_speeds_text(entry->site, a, b);
 			finding(r, entry, false, where,
 			    "the two products have identical numbers: was a "
 			    "column copied?");
@@ -165,7 +165,7 @@ report_columns_entered_twice(struct answer *r, const struct entry *entry)
 
 /* Reports repeats that differ by more than two samples from one belt do. */
 static void
-check_site_repeats(struct answer *r, const struct entry *entry)
+check_repeats_agree(struct answer *r, const struct entry *entry)
 {
 	const double far = 0.05;
 	const struct site *site = entry->site;
@@ -174,15 +174,17 @@ check_site_repeats(struct answer *r, const struct entry *entry)
 			const struct run *a = &site->run[k - 1];
 			const struct run *b = &site->run[i];
 			struct passing_order fall =
-			    trust_compare_order(&a->product, &b->product);
+			    trust_compare_slow_with_fast(
+				&a->product, &b->product);
 			struct passing_order rise =
-			    trust_compare_order(&b->product, &a->product);
+			    trust_compare_slow_with_fast(
+				&b->product, &a->product);
 			if (rise.most > fall.most)
 				fall = rise;
 			if (fall.most <= far)
 				continue;
 			FREED char *where =
-			    speeds_of_two_runs(entry->site, a, b);
+			    two_run_speeds_text(entry->site, a, b);
 			finding(r, entry, false, where,
 			    "two products at one speed differ by %.2f points "
 			    "at %g mm, where repeat samples agree within 1: "
@@ -199,11 +201,11 @@ check_faster_is_finer(struct answer *r, const struct entry *entry,
 {
 	const struct site *site = entry->site;
 	struct passing_order fall =
-	    trust_compare_order(&slow->product, &fast->product);
+	    trust_compare_slow_with_fast(&slow->product, &fast->product);
 	bool fault = !site->individual_feeds && trust_is_order_wrong(&fall);
 	if (fall.most <= ORDER_NOTABLE)
 		return true;
-	FREED char *where = speeds_of_two_runs(entry->site, slow, fast);
+	FREED char *where = two_run_speeds_text(entry->site, slow, fast);
 	const char *why =
 	    site->individual_feeds ? tr("its feed may have been coarser")
 	    : fault ? tr("were speeds swapped or digits transposed?")
@@ -237,7 +239,7 @@ check_products_by_speed(struct answer *r, const struct entry *entry)
 /* Returns a sieve that curve `at` lacks within its range although all others of
  * the n have it; 0 if there is none. */
 static double
-find_missing_sieve(const struct psd *const *curve, size_t n, size_t at)
+find_sieve_curve_lacks(const struct psd *const *curve, size_t n, size_t at)
 {
 	const struct psd *own = curve[at], *other = curve[(at + 1) % n];
 	for (size_t i = 0; i < other->n; i++) {
@@ -256,7 +258,7 @@ find_missing_sieve(const struct psd *const *curve, size_t n, size_t at)
 /* Appends the feeds of a site, or its products, to the n curves, with the run
  * of each (NULL: of all). Returns the new number. */
 static size_t
-append_curves_of_site(const struct site *site, bool feed,
+append_feeds_or_products(const struct site *site, bool feed,
     const struct psd **curve, const struct run **run, size_t n)
 {
 	for (size_t i = 0; i < site->n_run; i++) {
@@ -297,13 +299,13 @@ report_empty_cells(struct answer *r, const struct entry *entry)
 	FREED const struct psd **curve =
 	    xcalloc(2 * site->n_run, sizeof(*curve));
 	FREED const struct run **run = xcalloc(2 * site->n_run, sizeof(*run));
-	size_t feeds = append_curves_of_site(site, true, curve, run, 0);
-	size_t n = append_curves_of_site(site, false, curve, run, feeds);
+	size_t feeds = append_feeds_or_products(site, true, curve, run, 0);
+	size_t n = append_feeds_or_products(site, false, curve, run, feeds);
 	for (size_t i = 0; i < n && n > 2; i++) {
-		double x = find_missing_sieve(curve, n, i);
+		double x = find_sieve_curve_lacks(curve, n, i);
 		if (x > 0)
 			finding(r, entry, false,
-			    feed_or_speed_of_run(site, run[i], buf),
+			    feed_or_speed_text(site, run[i], buf),
 			    i < feeds
 				? N_("the feed's cell at %g mm is empty, and "
 				     "no other in its row: if it was weighed "
@@ -332,7 +334,7 @@ report_suspect_cells(struct answer *r, const struct entry *entry,
 			continue;
 		FREED char *words = mend_finding_text(entry->site, f);
 		finding(r, entry, false,
-		    feed_or_speed_of_run(entry->site,
+		    feed_or_speed_text(entry->site,
 			shared ? NULL : &entry->site->run[m->run], buf),
 		    "%s", words);
 	}
@@ -343,12 +345,12 @@ report_suspect_cells(struct answer *r, const struct entry *entry,
 static void
 report_worst_cell_of_fit(struct answer *r, const struct entry *entry)
 {
-	struct validation v = fit_find_outlier(entry);
+	struct validation v = fit_find_outlier_cell(entry);
 	if (v.worst_difference == 0)
 		return;
 	const struct run *run = &entry->site->run[v.run];
 	char buf[40];
-	finding(r, entry, false, feed_or_speed_of_run(entry->site, run, buf),
+	finding(r, entry, false, feed_or_speed_text(entry->site, run, buf),
 	    "product passing %g %% at %g mm is %.1f points %s the calibrated "
 	    "product: were digits transposed, here or in a neighbouring cell?",
 	    units_pct(psd_passing(&run->product, v.worst_sieve)),
@@ -393,7 +395,7 @@ report_what_was_read(
 	    entry->key, n, in, runs);
 	if (site->named[0] != '\0')
 		answer_note(r, "  by ASTM E11, mm: %s", site->named);
-	fields_put(fields_add_object(read, NULL),
+	fields_put_values(fields_add_object(read, NULL),
 	    "site %s runs %zu sieves %zu columns %zu left_out %zu", entry->key,
 	    site->n_run, n, columns, site->n_left_out);
 }
@@ -410,7 +412,7 @@ check_site(
 			 r, entry, &entry->site->run[i]) &&
 		     ok;
 	ok = check_products_by_speed(r, entry) && ok;
-	check_site_repeats(r, entry);
+	check_repeats_agree(r, entry);
 	report_columns_entered_twice(r, entry);
 	report_empty_cells(r, entry);
 	report_wide_gap_in_feed(r, entry);
@@ -422,7 +424,7 @@ check_site(
 		    "other (check does so for up to %d), so single wrong "
 		    "values are not looked for; check fewer runs at a time",
 		    d.unseen, OUTLIERS_CELLS_MOST);
-	if (!mend_is_calibrated(s, entry))
+	if (!mend_can_use_calibration(s, entry))
 		report_worst_cell_of_fit(r, entry);
 	report_sites_with_same_data(s, r, index);
 	if (index == s->current)
@@ -459,8 +461,8 @@ cmd_check(struct session *s, const struct args *args, struct error *error)
 	bool ok = true;
 	for (size_t i = first; i <= last; i++)
 		ok = check_site(s, r, read, i) && ok;
-	answer_put_rows(r, "rows");
-	fields_put(answer_fields(r), "ok %d", ok);
+	answer_put_rows_as_objects(r, "rows");
+	fields_put_values(answer_fields(r), "ok %d", ok);
 	answer_note(r, "%s",
 	    !ok ? tr("there are faults")
 	    : answer_count_rows(r) == 0

@@ -30,7 +30,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
 		FREED char *speeds =
-		    session_speeds_text(entry->site, " ", NULL, true);
+		    session_run_speeds_text(entry->site, " ", NULL, true);
 		FREED char *marked =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
 		answer_name(r, entry->key, marked);
@@ -72,7 +72,7 @@ cmd_use(struct session *s, const struct args *args, struct error *error)
 /* Fills in the names, and states that nothing was measured and that the middle
  * speed is an assumption (D8). */
 static void
-describe_synthetic_site(struct site *site, const struct material *m,
+fill_in_synthetic_site(struct site *site, const struct material *m,
     const struct synth *synth, const char *source)
 {
 	xreplace(&site->name, xstrdup(m->site));
@@ -103,7 +103,7 @@ synth_site_of_material(const struct material *m, const struct args *args)
 	    .speed = args->speeds.at};
 	struct site *site = synth_site(&synth);
 	const char *file = file_name_without_folders(args->operand[0]);
-	describe_synthetic_site(site, m, &synth,
+	fill_in_synthetic_site(site, m, &synth,
 	    strcmp(file, "table3.csv") == 0 || strcmp(file, "table3") == 0
 		? "Table 3"
 		: file);
@@ -129,10 +129,10 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	struct material_list rows = {0};
 	bool read = true;
 	if (built_in)
-		stored_add_table3(&rows);
+		material_add_table3(&rows);
 	else
 		read =
-		    stored_read_table3_file(args->operand[0], &rows, &errors);
+		    material_read_table3_file(args->operand[0], &rows, &errors);
 	size_t made = 0;
 	for (size_t i = 0; i < rows.n && read; i++) {
 		const struct material *row = &rows.item[i];
@@ -143,7 +143,7 @@ cmd_synth(struct session *s, const struct args *args, struct error *error)
 	}
 	material_list_free(&rows);
 	if (!read)
-		return session_report_faults(
+		return session_report_file_faults(
 		    s, args->operand[0], &errors, error);
 	if (made == 0)
 		return error_set(error, ERROR_USAGE,

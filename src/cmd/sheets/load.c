@@ -108,7 +108,7 @@ load_add_file(struct load *l, const char *word, struct error *error)
 }
 
 void
-load_note_files_read(const struct session *s, const struct site *site)
+load_note_how_read(const struct session *s, const struct site *site)
 {
 	enum { MOST = 4 };
 	size_t more = site->n_left_out;
@@ -132,7 +132,7 @@ load_note_files_read(const struct session *s, const struct site *site)
 /* Reports what was loaded in one line, how it was read in two, and more only if
  * something was left out. */
 static void
-note_loaded(struct session *s, const struct site *site)
+note_loaded_site(struct session *s, const struct site *site)
 {
 	size_t n, products = site_count_products(site);
 	FREED char *label = session_site_label(site);
@@ -149,7 +149,7 @@ note_loaded(struct session *s, const struct site *site)
 		    label, n);
 	if (trust_is_no_product_finer(site))
 		session_note(s, "  %s", tr(FIT_NOTHING_BREAKS));
-	load_note_files_read(s, site);
+	load_note_how_read(s, site);
 	if (products == 1)
 		session_note(s,
 		    "  one product: it cannot show what the speed does; "
@@ -158,7 +158,8 @@ note_loaded(struct session *s, const struct site *site)
 }
 
 static void
-use_user_answers(const struct user_answers *said, struct site_request *q)
+put_user_answers_in_request(
+    const struct user_answers *said, struct site_request *q)
 {
 	q->columns = said->columns != NULL ? said->columns : q->columns;
 	q->samples = said->samples != NULL ? said->samples : q->samples;
@@ -176,7 +177,7 @@ ask_user_about_load(struct session *s, struct load *l,
 {
 	bool good = errors->n > 0 &&
 		    ask_open_questions(s, ask, &errors->item[0], &l->said);
-	use_user_answers(&l->said, &l->request);
+	put_user_answers_in_request(&l->said, &l->request);
 	return good;
 }
 
@@ -230,7 +231,7 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 			return site;
 		if (again)
 			continue;
-		session_report_faults(s, l->path[0], &errors, error);
+		session_report_file_faults(s, l->path[0], &errors, error);
 		if (cuts && !l->request.parts && !l->request.feed)
 			hint_how_to_add_products(s, l, error);
 		return NULL;
@@ -238,13 +239,13 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 }
 
 static bool
-add_loaded_site(
+add_site_just_read(
     struct session *s, struct load *l, struct site *site, struct error *error)
 {
 	if (!session_add_if_digest_matches(s, site, l->digest, error))
 		return false;
 	const struct entry *entry = session_current_entry(s);
-	note_loaded(s, entry->site);
+	note_loaded_site(s, entry->site);
 	check_warn_coarser_product(s, entry->site);
 	FREED char *line = journal_load_line(entry->site->digest, l->request.n,
 	    l->request.path, l->request.speed);
@@ -259,11 +260,11 @@ load_files_as_one_site(struct session *s, struct load *l, struct error *error)
 	for (size_t i = 0; i < l->request.n; i++)
 		files_note_read(s, l->path[i]);
 	struct site *site = read_site_or_ask_user(s, l, error);
-	return site != NULL && add_loaded_site(s, l, site, error);
+	return site != NULL && add_site_just_read(s, l, site, error);
 }
 
 static void
-find_whether_feed_or_product(const struct session *s, struct load *l, size_t i,
+find_feed_and_product_in_file(const struct session *s, struct load *l, size_t i,
     bool *feed, bool *product)
 {
 	struct site_request one = l->request;
@@ -289,7 +290,7 @@ are_files_parts_of_site(const struct session *s, struct load *l)
 			return true; /* it was said so */
 	for (size_t i = 0; i < n; i++) {
 		bool feed, product;
-		find_whether_feed_or_product(s, l, i, &feed, &product);
+		find_feed_and_product_in_file(s, l, i, &feed, &product);
 		if (!feed && !product)
 			return false;
 		feeds += feed;
@@ -389,7 +390,7 @@ compare_file_names(const void *a, const void *b)
 }
 
 static void
-remove_result_files(const struct session *s, struct load *l, size_t from)
+skip_result_files(const struct session *s, struct load *l, size_t from)
 {
 	size_t n = from;
 	for (size_t i = from; i < l->request.n; i++) {
@@ -420,7 +421,7 @@ load_add_folder(const struct session *s, struct load *l, DIR *dir,
 	if (l->request.n > before)
 		qsort(&l->path[before], l->request.n - before, sizeof(*l->path),
 		    compare_file_names);
-	remove_result_files(s, l, before);
+	skip_result_files(s, l, before);
 	return l->request.n > before ||
 	       error_at(error, ERROR_DATA, path, 0, 0,
 		   "expected sheets in this folder (.csv .tsv .txt .xlsx "
@@ -564,9 +565,9 @@ load_cuts(struct session *s, const struct args *args, const char *const *word,
 	for (size_t i = 0; i < l.request.n && good; i++)
 		files_note_read(s, l.path[i]);
 	struct site *site = good ? read_site_or_ask_user(s, &l, error) : NULL;
-	use_user_answers(&l.said, &answers);
+	put_user_answers_in_request(&l.said, &answers);
 	FREED char *options = journal_load_options_text(&answers);
-	invocation_add_options(s, "%s", options);
+	invocation_journal_options(s, "%s", options);
 	free_load_request(&l);
 	return site;
 }
@@ -629,7 +630,7 @@ load_feed(struct session *s, const char *word, size_t *run, struct error *error)
 		site = NULL;
 	}
 	if (site != NULL)
-		load_note_files_read(s, site);
+		load_note_how_read(s, site);
 	free_load_request(&l);
 	return site;
 }

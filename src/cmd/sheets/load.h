@@ -27,6 +27,6 @@ struct site *load_feed(
     struct session *s, const char *word, size_t *run, struct error *error);
 
 /* Notes the files from which a site was read, as load does. */
-void load_note_files_read(const struct session *s, const struct site *site);
+void load_note_how_read(const struct session *s, const struct site *site);
 
 #endif

@@ -24,7 +24,7 @@ row_count_text(size_t n)
 
 /* "1180 to 1420" */
 static char *
-range_text(double least, double most)
+number_range_text(double least, double most)
 {
 	return most > least ? xasprintf(tr("%.4g to %.4g"), least, most)
 			    : xasprintf("%.4g", least);
@@ -50,7 +50,8 @@ log_contents_text(const struct plant_log *log)
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
-		FREED char *range = range_text(all.least[k], all.most[k]);
+		FREED char *range =
+		    number_range_text(all.least[k], all.most[k]);
 		xappend_to_list(&text, ", ", "%s %s", LOG_UNITS[k], range);
 	}
 	return text;
@@ -58,7 +59,7 @@ log_contents_text(const struct plant_log *log)
 
 /* A gap is reported if it is longer than ten rows and than five minutes. */
 static bool
-has_time_gap(const struct plant_log *log)
+has_log_time_gap(const struct plant_log *log)
 {
 	return log->gap > 10 * log->apart && log->gap > 300;
 }
@@ -76,7 +77,7 @@ note_log_contents(struct session *s, const struct plant_log *log)
 	if (log->passed > 0)
 		session_note(
 		    s, "  not read: %zu rows without a time", log->passed);
-	if (has_time_gap(log)) {
+	if (has_log_time_gap(log)) {
 		FREED char *gap =
 		    time_span_text(log->gap_from, log->gap_from + log->gap);
 		session_note(s, "  the longest gap: %s", gap);
@@ -84,7 +85,7 @@ note_log_contents(struct session *s, const struct plant_log *log)
 }
 
 static void
-write_log_to_journal(
+add_log_line_to_journal(
     struct session *s, const struct log_request *q, const struct plant_log *log)
 {
 	const struct site_request of = {
@@ -98,7 +99,8 @@ write_log_to_journal(
 }
 
 static struct plant_log *
-read_plant_log(struct session *s, struct log_request *q, struct error *error)
+read_log_or_ask_user(
+    struct session *s, struct log_request *q, struct error *error)
 {
 	for (;;) {
 		struct error_list errors = {.stop = s->hooks.stop};
@@ -108,7 +110,8 @@ read_plant_log(struct session *s, struct log_request *q, struct error *error)
 			return log;
 		if (!open || q->order != DATETIME_OPEN ||
 		    !ask_date_order(s, &errors.item[0], &month)) {
-			session_report_faults(s, q->path[0], &errors, error);
+			session_report_file_faults(
+			    s, q->path[0], &errors, error);
 			return NULL;
 		}
 		q->order = month ? DATETIME_MONTH_FIRST : DATETIME_DAY_FIRST;
@@ -144,7 +147,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 					   : DATETIME_MONTH_FIRST;
 	for (size_t i = 0; i < q.n; i++)
 		files_note_read(s, q.path[i]);
-	struct plant_log *log = read_plant_log(s, &q, error);
+	struct plant_log *log = read_log_or_ask_user(s, &q, error);
 	if (log == NULL)
 		return false;
 	s->logs = xrealloc(s->logs, s->n_log + 1, sizeof(*s->logs));
@@ -155,7 +158,7 @@ log_load(struct session *s, const struct args *args, struct error *error)
 		session_note(s, "replaced the log loaded earlier");
 	s->log = log;
 	note_log_contents(s, log);
-	write_log_to_journal(s, &q, log);
+	add_log_line_to_journal(s, &q, log);
 	return true;
 }
 
@@ -180,7 +183,7 @@ note_speed_from_log(struct session *s, const struct plant_log *log, double time,
 	enum log_column k = log->value[LOG_SPEED] != NULL ? LOG_SPEED : LOG_RPM;
 	FREED char *at = datetime_to_text(time);
 	FREED char *span = time_span_text(time - within, time + within);
-	FREED char *range = range_text(w->least[k], w->most[k]),
+	FREED char *range = number_range_text(w->least[k], w->most[k]),
 		   *more = xstrdup("");
 	if (k == LOG_RPM)
 		xappend(&more, tr(" = %.1f m/s with a rotor of %g mm"),
@@ -281,12 +284,13 @@ show_log(struct session *s, const struct args *args, struct error *error)
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		if (log->value[k] == NULL)
 			continue;
-		FREED char *range = range_text(all.least[k], all.most[k]);
+		FREED char *range =
+		    number_range_text(all.least[k], all.most[k]);
 		answer_add_pair(
 		    r, LOG_UNITS[k], "%s, median %.4g", range, all.median[k]);
 	}
 	answer_add_pair(r, "read", "%s", log->read_as);
-	if (has_time_gap(log)) {
+	if (has_log_time_gap(log)) {
 		FREED char *gap =
 		    time_span_text(log->gap_from, log->gap_from + log->gap);
 		answer_add_pair(r, "longest gap", "%s", gap);

@@ -18,25 +18,25 @@
 /* Returns the posterior if the site was calibrated with these very data, or
  * NULL. */
 static const struct posterior *
-posterior_of_site(const struct session *s, const struct entry *entry)
+posterior_of_same_data(const struct session *s, const struct entry *entry)
 {
-	if (origin_find_fit(entry) == NULL || session_is_calibrating(s) ||
+	if (origin_source_fit(entry) == NULL || session_is_calibrating(s) ||
 	    entry->origin->history->site != entry->site)
 		return NULL;
 	return posterior_of_calibration(s, entry, CORRECTION_ALL);
 }
 
 bool
-mend_is_calibrated(const struct session *s, const struct entry *entry)
+mend_can_use_calibration(const struct session *s, const struct entry *entry)
 {
-	return posterior_of_site(s, entry) != NULL;
+	return posterior_of_same_data(s, entry) != NULL;
 }
 
 struct outlier_findings
 mend_find_faults(const struct session *s, const struct entry *entry)
 {
 	return outliers_find(
-	    entry->site, posterior_of_site(s, entry), s->set.noise / 100);
+	    entry->site, posterior_of_same_data(s, entry), s->set.noise / 100);
 }
 
 /* ---- Reporting ---- */
@@ -132,13 +132,13 @@ put_numbered_mend(struct answer *r, struct fields *list,
 	    effect[0] != '\0' ? "mend %zu: %s; %s" : "mend %zu: %s%s", number,
 	    words, effect);
 	struct fields *o = fields_add_object(list, NULL);
-	fields_put(o, "n %zu kind %s run %s sieve_mm %g from %g to %g", number,
-	    KINDS[m->kind], name, cell ? units_mm(m->size) : NAN,
+	fields_put_values(o, "n %zu kind %s run %s sieve_mm %g from %g to %g",
+	    number, KINDS[m->kind], name, cell ? units_mm(m->size) : NAN,
 	    units_pct(f->measured),
 	    m->kind == MEND_READ ? units_pct(m->value) : NAN);
-	fields_put(o, "expected %g sd %g surprise %g", units_pct(f->expected),
-	    100 * f->sd, f->surprise);
-	fields_put(o, "rmse_pct %g mended_rmse_pct %g words %s call %s",
+	fields_put_values(o, "expected %g sd %g surprise %g",
+	    units_pct(f->expected), 100 * f->sd, f->surprise);
+	fields_put_values(o, "rmse_pct %g mended_rmse_pct %g words %s call %s",
 	    100 * f->rmse[0], 100 * f->rmse[1], words, call);
 }
 
@@ -164,7 +164,8 @@ mend_put_numbered_list(struct answer *r, const struct entry *entry,
 	struct fields *list = fields_add_list(answer_fields(r), "mends");
 	for (size_t i = 0; i < d->n; i++)
 		put_numbered_mend(r, list, entry, &d->finding[i], i + 1);
-	fields_put(answer_fields(r), ".mark %g", digest_of_mend_list(entry, d));
+	fields_put_values(
+	    answer_fields(r), ".mark %g", digest_of_mend_list(entry, d));
 	if (d->n > 0)
 		answer_note(r, "'mend N' makes one of these corrections, once "
 			       "the laboratory's sheet confirms it; 'undo' "
@@ -286,7 +287,7 @@ parse_mend_options(const struct site *site, const struct args *args,
 }
 
 static bool
-list_mends(struct session *s)
+show_proposed_mends(struct session *s)
 {
 	const struct entry *entry = session_current_entry(s);
 	struct answer *r = answer_new("mend");
@@ -304,12 +305,13 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	struct mend mend = {.kind = MEND_READ};
 	const struct entry *entry = session_current_entry(s);
 	if (args->n_operand == 0)
-		return list_mends(s);
+		return show_proposed_mends(s);
 	const char *word = args->operand[0];
 	bool found = has_only_digits(word)
 			 ? find_mend_by_number(s, word, &mend, error)
 			 : parse_mend_options(entry->site, args, &mend, error);
-	struct site *site = found ? mend_site(entry->site, &mend, error) : NULL;
+	struct site *site =
+	    found ? site_with_mend(entry->site, &mend, error) : NULL;
 	if (site == NULL)
 		return false;
 	FREED char *words = mend_text(entry->site, &mend);

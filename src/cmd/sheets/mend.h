@@ -13,7 +13,8 @@ struct outlier_findings mend_find_faults(
     const struct session *s, const struct entry *entry);
 
 /* True if there is a calibration with which to find the entry's faults. */
-bool mend_is_calibrated(const struct session *s, const struct entry *entry);
+bool mend_can_use_calibration(
+    const struct session *s, const struct entry *entry);
 
 /* Adds the mends to an answer, numbered, as sentences and as the list "mends"
  * in its fields, each with a mark that identifies it. */

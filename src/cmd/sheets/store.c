@@ -50,7 +50,7 @@ fit_record_text(const struct entry *entry)
 static bool
 are_curves_equal(const struct psd *a, const struct psd *b)
 {
-	return psd_same(a, b) || (a->n == 0 && b->n == 0);
+	return psd_is_same(a, b) || (a->n == 0 && b->n == 0);
 }
 
 /* Returns the index of an identical run in a site, or n_run. */
@@ -95,8 +95,8 @@ runs_and_speeds_text(const struct site *site)
 	}
 	if (n == 0)
 		return xstrdup(tr("a feed, no product"));
-	FREED char *rpm = rotor_speed_rpm_text(
-	    site_run_rotor(site), low, low < high ? high : (double)NAN);
+	FREED char *rpm = rotor_speed_rpm_text(site_run_rotor_diameter(site),
+	    low, low < high ? high : (double)NAN);
 	return low < high ? xasprintf(tr_n("%zu run at %g to %g m/s%s",
 					  "%zu runs at %g to %g m/s%s", n),
 				n, low, high, rpm)
@@ -118,7 +118,7 @@ material_contents_text(const struct material *m)
 }
 
 static void
-restore_calibration(struct entry *entry, const struct fit_record *b,
+set_calibration_from_record(struct entry *entry, const struct fit_record *b,
     const struct material *m, struct history *h)
 {
 	entry->fit = b->fit;
@@ -176,10 +176,10 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 		session_add_site(s, now);
 		*index = s->current;
 	} else {
-		session_adopt_site(s, now);
+		session_adopt_unloaded_site(s, now);
 	}
 	if (now != b.then)
-		session_adopt_site(s, b.then);
+		session_adopt_unloaded_site(s, b.then);
 	struct entry *entry = &s->entry[*index];
 	/* A site made by synth has more digits than its sheet. */
 	bool made = b.now == NULL && has_digest_of_material(entry->site, m);
@@ -192,7 +192,7 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 	if (own && b.now != NULL && !has_all_runs_of(entry->site, b.now))
 		entry->site = b.now;
 	if (own)
-		restore_calibration(entry, &b, m, h);
+		set_calibration_from_record(entry, &b, m, h);
 	else
 		set_params_from_material(entry, m, h);
 	session_forget_answers(s);
@@ -204,7 +204,7 @@ recall_calibration(struct session *s, const struct material *m, size_t *index,
 static const char *
 material_origin_text(const struct material *m)
 {
-	return stored_is_table3(m)             ? "Table 3"
+	return material_is_table3(m)           ? "Table 3"
 	       : strcmp(m->origin, "fit") == 0 ? "fit"
 					       : "set by hand";
 }
@@ -217,10 +217,10 @@ struct spelling {
 };
 
 static void
-keep_nearest_name(void *data, const char *name)
+keep_nearest_material_name(void *data, const char *name)
 {
 	struct spelling *s = data;
-	bool paper = stored_is_table3_name(name);
+	bool paper = material_is_table3_name(name);
 	size_t d = text_edit_distance(name + (paper ? 7 : 0), s->typed);
 	if (d >= s->least)
 		return;
@@ -233,10 +233,10 @@ fail_without_material(struct store *store, const struct material_list *paper,
     const char *name, struct error *error)
 {
 	struct spelling s = {name, xstrdup(""), 3};
-	bool ok =
-	    store_visit_names(store, STORE_NAMES, keep_nearest_name, &s, error);
+	bool ok = store_visit_words(
+	    store, STORE_NAMES, keep_nearest_material_name, &s, error);
 	for (size_t i = 0; i < paper->n; i++)
-		keep_nearest_name(&s, paper->item[i].name);
+		keep_nearest_material_name(&s, paper->item[i].name);
 	if (ok)
 		error_set(error, ERROR_USAGE,
 		    s.least < 3 ? "the store has no material '%s'\n"
@@ -259,7 +259,7 @@ find_material_by_name(struct store *store, const char *name,
 	const struct store_query query = {.name = name};
 	if (!store_find_materials(store, &query, list, error))
 		return false;
-	stored_add_table3(list);
+	material_add_table3(list);
 	*found = material_find(list, name);
 	if (*found == NULL) {
 		FREED char *paper = xasprintf("table3/%s", name);
@@ -279,18 +279,18 @@ set_trimmed_text(char **text, char *value)
 }
 
 static void
-set_text_copy(char **text, const char *value)
+set_trimmed_copy(char **text, const char *value)
 {
 	set_trimmed_text(text, xstrdup(value));
 }
 
 static void
-set_fields_of_fit(struct material *m, const struct entry *entry)
+set_material_fit_fields(struct material *m, const struct entry *entry)
 {
 	const struct fit *fit = &entry->fit;
 	set_trimmed_text(&m->basis, fit_record_text(entry));
-	set_text_copy(&m->options, entry->options);
-	set_text_copy(&m->stop, calibrate_state_name(fit->stop));
+	set_trimmed_copy(&m->options, entry->options);
+	set_trimmed_copy(&m->stop, calibrate_state_name(fit->stop));
 	m->misfit = fit->misfit;
 	m->rmse_pct = 100 * fit->rmse;
 	m->holdout_pct = 100 * fit_holdout_rmse(entry);
@@ -301,7 +301,7 @@ set_fields_of_fit(struct material *m, const struct entry *entry)
 /* Parameters from another site keep its speeds and provenance: synthetic data
  * do not become measured by being used. */
 static void
-set_fields_of_origin(struct material *m, const struct entry *entry)
+set_material_origin_fields(struct material *m, const struct entry *entry)
 {
 	const struct origin *o = entry->origin;
 	bool own = o->from[0] == '\0';
@@ -310,11 +310,11 @@ set_fields_of_origin(struct material *m, const struct entry *entry)
 		xappend_to_list(&speeds, ",", "%s",
 		    text_shortest_exact_number(o->speed[i], number));
 	set_trimmed_text(&m->train_mps, speeds);
-	set_text_copy(
+	set_trimmed_copy(
 	    &m->provenance, own ? entry->site->provenance : o->provenance);
 	set_trimmed_text(&m->site_digest,
 	    xasprintf("%016" PRIx64, own ? entry->site->digest : o->digest));
-	set_text_copy(&m->note, own ? "" : o->words);
+	set_trimmed_copy(&m->note, own ? "" : o->words);
 	if (own && site_assumed_top_size(entry->site) > 0)
 		set_trimmed_text(
 		    &m->note, xasprintf(SITE_ASSUMED_TOP " %g",
@@ -328,19 +328,19 @@ make_material_from_entry(const struct session *s, const struct entry *entry)
 	const struct model_settings *settings =
 	    entry->has_fit ? &entry->fit.settings : &s->set.model;
 	struct material m = material_empty();
-	set_text_copy(&m.site, site->name);
-	set_text_copy(&m.rock, site->rock);
-	set_text_copy(&m.machine, site->machine);
-	set_fields_of_origin(&m, entry);
-	set_text_copy(&m.origin, entry->has_fit ? "fit" : "hand");
-	set_text_copy(&m.method, answers_method_name(settings->method));
-	set_text_copy(&m.appearance, APPEARANCE_NAMES[settings->appearance]);
-	set_text_copy(&m.version, PACKAGE_VERSION);
+	set_trimmed_copy(&m.site, site->name);
+	set_trimmed_copy(&m.rock, site->rock);
+	set_trimmed_copy(&m.machine, site->machine);
+	set_material_origin_fields(&m, entry);
+	set_trimmed_copy(&m.origin, entry->has_fit ? "fit" : "hand");
+	set_trimmed_copy(&m.method, answers_method_name(settings->method));
+	set_trimmed_copy(&m.appearance, APPEARANCE_NAMES[settings->appearance]);
+	set_trimmed_copy(&m.version, PACKAGE_VERSION);
 	m.top_size_mm = site->top_size > 0 ? units_mm(site->top_size) : NAN;
 	m.k = settings->k;
 	m.params = entry->params;
 	if (entry->has_fit)
-		set_fields_of_fit(&m, entry);
+		set_material_fit_fields(&m, entry);
 	return m;
 }
 
@@ -368,7 +368,7 @@ check_can_remember(
 	if (args->date != NULL && !datetime_is_iso_date(args->date))
 		return error_set(error, ERROR_USAGE,
 		    "expected a date such as 2026-11-21, got '%s'", args->date);
-	return args->note == NULL || material_is_one_line(args->note) ||
+	return args->note == NULL || material_is_printable_line(args->note) ||
 	       error_set(error, ERROR_USAGE,
 		   "note: expected one line without control characters");
 }
@@ -425,7 +425,7 @@ show_remembered_materials(
 	if (n == 1)
 		answer_set_site(r, item->site, item->provenance);
 	else
-		answer_set_sites(r, "all", about);
+		answer_set_site_names(r, "all", about);
 	answer_note(r, "in %s", store_path(s->store));
 	if (n == 1) {
 		FREED char *line = xstrdup("recall");
@@ -445,7 +445,7 @@ show_remembered_materials(
 /* Adds a material with that name to the list; false if it cannot be
  * remembered. */
 static bool
-add_material_to_list(struct session *s, const struct entry *entry,
+add_entry_as_material(struct session *s, const struct entry *entry,
     const char *name, const struct args *args, struct material_list *list,
     struct error *error)
 {
@@ -453,22 +453,22 @@ add_material_to_list(struct session *s, const struct entry *entry,
 	    !material_check_name(name, error))
 		return false;
 	struct material m = make_material_from_entry(s, entry);
-	set_text_copy(&m.name, name);
+	set_trimmed_copy(&m.name, name);
 	set_trimmed_text(&m.date,
 	    args->date != NULL ? xstrdup(args->date) : datetime_today());
 	if (args->note != NULL)
-		set_text_copy(&m.note, args->note);
+		set_trimmed_copy(&m.note, args->note);
 	material_list_add(list, m);
 	return true;
 }
 
 static bool
-add_all_calibrated_sites(struct session *s, const struct args *args,
+add_calibrated_as_materials(struct session *s, const struct args *args,
     struct material_list *list, struct error *error)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		if (entry->has_fit && !add_material_to_list(s, entry,
+		if (entry->has_fit && !add_entry_as_material(s, entry,
 					  entry->key, args, list, error))
 			return false;
 	}
@@ -520,7 +520,7 @@ ask_to_replace_material(struct session *s, const struct entry *entry,
 	const struct site *site = b.now != NULL ? b.now : b.then;
 	bool earlier =
 	    runs && entry->has_fit && has_all_runs_of(entry->site, site) &&
-	    model_settings_same(&b.fit.settings, &entry->fit.settings);
+	    model_settings_are_same(&b.fit.settings, &entry->fit.settings);
 	FREED char *old = material_contents_text(m);
 	FREED char *new = replacement_text(entry, runs ? site : NULL);
 	FREED char *question =
@@ -580,8 +580,8 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	bool replace = args->replace;
 	struct material_list list = {0};
 	bool ok =
-	    all ? add_all_calibrated_sites(s, args, &list, error)
-		: add_material_to_list(s, entry, name, args, &list, error);
+	    all ? add_calibrated_as_materials(s, args, &list, error)
+		: add_entry_as_material(s, entry, name, args, &list, error);
 	ok = ok && ask_to_replace_materials(s, &list, &replace, error) &&
 	     store_put_materials(s->store, list.item, list.n, replace, error);
 	for (size_t i = 0; ok && i < s->n_entry; i++)
@@ -602,7 +602,7 @@ note_recalled_params(
 	    m->rock[0] != '\0' ? m->rock : tr("rock not stated"),
 	    material_origin_text(m));
 	const struct origin *o = entry->origin;
-	FREED char *details = origin_details_text(o);
+	FREED char *details = origin_training_text(o);
 	bool same = o->found && o->digest == entry->site->digest;
 	bool place = !same && m->basis[0] != '\0' &&
 		     text_same_folded(m->site, entry->site->name);
@@ -626,11 +626,11 @@ note_recalled_params(
 /* True if the calibration knew all runs of the site, and all correct its
  * answers. */
 static bool
-cuts_are_in_answers(const struct session *s, const struct entry *entry)
+do_all_cuts_correct_answers(const struct session *s, const struct entry *entry)
 {
 	return entry->history != NULL &&
 	       entry->history->site->digest == entry->site->digest &&
-	       runs_that_correct(s, entry) == CORRECTION_ALL;
+	       correction_in_use(s, entry) == CORRECTION_ALL;
 }
 
 /* Lists what came back with a site besides its products: feeds, training runs,
@@ -643,8 +643,9 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 	const char *last = "";
 	size_t sieves, cuts = 0;
 	free(site_all_sieves(site, &sieves));
-	FREED char *train = session_speeds_text(site, ", ", entry->train, true);
-	FREED char *rpm = session_rpm_in_brackets(site, entry->train, true);
+	FREED char *train =
+	    session_run_speeds_text(site, ", ", entry->train, true);
+	FREED char *rpm = session_run_rpm_in_brackets(site, entry->train, true);
 	session_note(s,
 	    site->individual_feeds
 		? N_("  a feed for each run, %zu sieves; calibrated on %s "
@@ -659,7 +660,7 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 		}
 	if (cuts > 0)
 		session_note(s,
-		    cuts_are_in_answers(s, entry)
+		    do_all_cuts_correct_answers(s, entry)
 			? tr_n("  %zu cut added, and in the answers: %s",
 			      "  %zu cuts added, and in the answers; the "
 			      "last: %s",
@@ -676,8 +677,8 @@ note_recalled_site(struct session *s, const struct entry *entry)
 {
 	const struct site *site = entry->site;
 	FREED char *label = session_site_label(site);
-	FREED char *speeds = session_speeds_text(site, ", ", NULL, false);
-	FREED char *rpm = session_rpm_in_brackets(site, NULL, false);
+	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, false);
+	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, false);
 	if (site_count_products(site) > 0)
 		session_note(s,
 		    tr_n("%s: %zu run at %s m/s%s, %s",
@@ -700,13 +701,13 @@ note_recalled_material(
 		note_recalled_site(s, entry);
 	else
 		note_recalled_params(s, entry, m);
-	if (!model_settings_same(&set_to, &s->set.model))
+	if (!model_settings_are_same(&set_to, &s->set.model))
 		session_note(s,
 		    "  the parameters were calibrated with other settings: run "
 		    "set "
 		    "method=%s appearance=%s k=%g",
 		    m->method, m->appearance, m->k);
-	if (stored_is_table3(m))
+	if (material_is_table3(m))
 		session_note(s, "  Table 3 has no beta: the default is used");
 }
 
@@ -720,7 +721,7 @@ check_recalled_digest(struct session *s, const struct args *args,
 	char found[17];
 	snprintf(found, sizeof found, "%016" PRIx64, material_make_digest(m));
 	if (wanted == NULL)
-		invocation_add_options(s, " digest=%s", found);
+		invocation_journal_options(s, " digest=%s", found);
 	if (wanted == NULL || strcmp(wanted, found) == 0)
 		return true;
 	return error_set(error, ERROR_DATA,
@@ -739,7 +740,8 @@ recall_params_and_runs(struct session *s, const struct material *m,
 {
 	enum remembered how = recall_calibration(s, m, &index, error);
 	if (how == REMEMBERED_FAILED ||
-	    (how == REMEMBERED_NONE && !session_need_site(s, "recall", error)))
+	    (how == REMEMBERED_NONE &&
+		!session_require_site(s, "recall", error)))
 		return false;
 	struct entry *entry = &s->entry[index];
 	if (how == REMEMBERED_NONE)
@@ -887,7 +889,7 @@ cmd_forget(struct session *s, const struct args *args, struct error *error)
 	else if (ok)
 		session_note(s, "forgot %s, which could not be read", name);
 	material_list_free(&list);
-	if (!ok && stored_is_table3_name(name))
+	if (!ok && material_is_table3_name(name))
 		error_set(error, ERROR_USAGE,
 		    "%s is part of the program and cannot be forgotten\n"
 		    "run 'materials origin=own' for your own",
@@ -924,7 +926,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 	files_note_read(s, path);
 	if (ok && !store_csv_read_file(
 		      path, args->replace ? NULL : &there, &list, &errors))
-		ok = session_report_faults(s, path, &errors, error);
+		ok = session_report_file_faults(s, path, &errors, error);
 	ok = ok && store_put_materials(
 		       s->store, list.item, list.n, args->replace, error);
 	if (ok)
@@ -939,7 +941,7 @@ cmd_import(struct session *s, const struct args *args, struct error *error)
 
 /* Sizes are nominal: within 5 % they are the same, so that 11 matches 11.2. */
 static bool
-has_top_size(const struct material *m, double top_mm)
+has_material_top_size(const struct material *m, double top_mm)
 {
 	return fabs(m->top_size_mm - top_mm) <= 0.05 * top_mm;
 }
@@ -950,9 +952,9 @@ static bool
 is_material_asked_for(const struct material *m, const struct args *args)
 {
 	return (args->rock == NULL || text_same_folded(m->rock, args->rock)) &&
-	       (!(args->top > 0) || has_top_size(m, args->top)) &&
+	       (!(args->top > 0) || has_material_top_size(m, args->top)) &&
 	       (args->origin == ALL ||
-		   (args->origin == TABLE3) == stored_is_table3(m));
+		   (args->origin == TABLE3) == material_is_table3(m));
 }
 
 static void
@@ -979,7 +981,7 @@ note_available_rocks(struct answer *r, struct store *store,
     const struct material_list *paper, struct error *error)
 {
 	FREED char *rocks = xstrdup("");
-	bool ok = store_visit_names(
+	bool ok = store_visit_words(
 	    store, STORE_ROCKS, add_rock_unless_listed, &rocks, error);
 	for (size_t i = 0; i < paper->n; i++)
 		add_rock_unless_listed(&rocks, paper->item[i].rock);
@@ -1069,11 +1071,11 @@ show_materials_list(
 	struct material_list list = {0}, paper = {0};
 	struct store_query query = query_of_materials(args);
 	size_t n, own = 0;
-	stored_add_table3(&paper);
+	material_add_table3(&paper);
 	bool ok = store_count_materials(s->store, &own, error) &&
 		  store_find_materials(s->store, &query, &list, error);
 	size_t listed = list.n;
-	stored_add_table3(&list);
+	material_add_table3(&list);
 	bool printed = args->origin == TABLE3;
 	struct answer *r = printed ? build_table3_answer(s, args, &paper, &n)
 				   : build_materials_answer(args, &list, &n);
@@ -1105,7 +1107,7 @@ add_stored_field_row(void *data, const char *name, const char *text)
 }
 
 static void
-show_material(struct session *s, const struct material *m)
+show_material_fields(struct session *s, const struct material *m)
 {
 	struct answer *r = answer_new("materials");
 	answer_title(r, "%s: %s", m->name, material_origin_text(m));
@@ -1124,7 +1126,7 @@ show_store_summary(
 	size_t own;
 	if (!store_count_materials(s->store, &own, error))
 		return false;
-	stored_add_table3(&all);
+	material_add_table3(&all);
 	const char *path = store_path(s->store);
 	int64_t bytes = store_file_bytes(s->store);
 	struct answer *r = answer_new("show");
@@ -1156,7 +1158,7 @@ cmd_materials(struct session *s, const struct args *args, struct error *error)
 	bool ok =
 	    find_material_by_name(s->store, args->operand[0], &list, &m, error);
 	if (ok)
-		show_material(s, m);
+		show_material_fields(s, m);
 	material_list_free(&list);
 	return ok;
 }

@@ -101,7 +101,7 @@ struct unit_walk {
 
 /* Recurses at most as deep as there are units. */
 static void
-order_units_from(struct unit_walk *w, size_t u)
+order_circuit_units_from(struct unit_walk *w, size_t u)
 {
 	const struct unit *unit = &w->c->unit[u];
 	w->state[u] = WALK_UNDER_WAY;
@@ -112,7 +112,7 @@ order_units_from(struct unit_walk *w, size_t u)
 		if (w->state[next] == WALK_UNDER_WAY)
 			w->back[unit->out[i]] = true;
 		else if (w->state[next] == WALK_NEW)
-			order_units_from(w, next);
+			order_circuit_units_from(w, next);
 	}
 	w->state[u] = WALK_DONE;
 	w->order[--w->first] = u;
@@ -120,12 +120,12 @@ order_units_from(struct unit_walk *w, size_t u)
 
 /* back [n_stream] out. */
 static struct unit_walk
-order_units(const struct circuit *c, bool *back)
+order_circuit_units(const struct circuit *c, bool *back)
 {
 	struct unit_walk w = {.c = c, .first = c->n_unit, .back = back};
 	for (size_t u = 0; u < c->n_unit; u++)
 		if (c->unit[u].kind == UNIT_FEED)
-			order_units_from(&w, u);
+			order_circuit_units_from(&w, u);
 	return w;
 }
 
@@ -133,7 +133,7 @@ size_t
 circuit_find_unfed_unit(const struct circuit *c)
 {
 	FREED bool *back = xcalloc(c->n_stream + 1, sizeof *back);
-	struct unit_walk w = order_units(c, back);
+	struct unit_walk w = order_circuit_units(c, back);
 	size_t u = 0;
 	while (u < c->n_unit && w.state[u] != WALK_NEW)
 		u++;
@@ -217,7 +217,7 @@ pass_through_crusher(
 {
 	for (size_t i = 0; i < s->classes; i++)
 		s->rotor[i] = s->in[i] * (1 - unit->cascade);
-	transfer_product(s->transfer[u], draw, s->rotor, s->out);
+	transfer_compute_product(s->transfer[u], draw, s->rotor, s->out);
 	for (size_t i = 0; i < s->classes; i++)
 		s->out[i] += s->in[i] * unit->cascade;
 	return update_stream_masses(s, unit->out[0], s->out, NULL, 1);
@@ -225,7 +225,7 @@ pass_through_crusher(
 
 /* Computes one unit.  Returns the change of the streams that close loops. */
 static double
-compute_unit(struct circuit_solver *s, size_t u, size_t draw)
+compute_circuit_unit(struct circuit_solver *s, size_t u, size_t draw)
 {
 	const struct unit *unit = &s->c->unit[u];
 	double change = 0;
@@ -267,7 +267,8 @@ circuit_solve(struct circuit_solver *s, size_t draw)
 	for (size_t pass = 1; pass <= CIRCUIT_PASSES; pass++) {
 		double change = 0;
 		for (size_t k = s->walk.first; k < s->c->n_unit; k++)
-			change += compute_unit(s, s->walk.order[k], draw);
+			change +=
+			    compute_circuit_unit(s, s->walk.order[k], draw);
 		since = change < least ? 0 : since + 1;
 		least = fmin(least, change);
 		if (change <= steady * s->c->tph ||
@@ -312,7 +313,7 @@ circuit_solver_new(const struct circuit *c, const double *feed,
 	struct circuit_solver s = {.c = c,
 	    .feed = feed,
 	    .classes = classes,
-	    .walk = order_units(c, back),
+	    .walk = order_circuit_units(c, back),
 	    .over = xcalloc_doubles(c->n_unit * classes),
 	    .mass = xcalloc_doubles(c->n_stream * classes),
 	    .in = xcalloc_doubles(classes),

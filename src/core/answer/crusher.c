@@ -60,7 +60,7 @@ open_feed_products(const struct crusher *c, const struct psd *feed,
 }
 
 static void
-close_feed_products(struct feed_products *of)
+free_feed_products(struct feed_products *of)
 {
 	ensemble_free(of->draws);
 	model_free(of->model);
@@ -93,8 +93,8 @@ crusher_free(struct crusher *c)
 	if (c == NULL)
 		return;
 	for (size_t i = 0; i < c->n; i++)
-		close_feed_products(&c->class[i]);
-	close_feed_products(&c->whole);
+		free_feed_products(&c->class[i]);
+	free_feed_products(&c->whole);
 	free(c->feed);
 	free(c->at);
 	free(c->class);
@@ -124,7 +124,7 @@ crusher_set_feed(
 /* Copies the products of a class from an ensemble, which has a row for each
  * size, to rows for each draw. */
 static void
-put_products_of_class(struct transfer *t, size_t class, const double *P)
+copy_products_of_class(struct transfer *t, size_t class, const double *P)
 {
 	for (size_t d = 0; d < t->draws; d++) {
 		double *row = t->passing + (d * (t->n - 1) + class) * t->n;
@@ -150,11 +150,11 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
  * all sizes.  Between sieves it is linear in log size, but the passing stays
  * between theirs. */
 static void
-transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
+transfer_correct_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
 {
 	double *more = t->more + d * c->n;
-	transfer_product(t, d, c->feed, out);
+	transfer_compute_product(t, d, c->feed, out);
 	cumulate_from_finest_class(out, c->n, out);
 	for (size_t i = 0; i < c->n_sieve; i++)
 		more[c->at[i]] = P[i * apart] - out[c->at[i]];
@@ -173,7 +173,7 @@ transfer_match_draw(const struct crusher *c, struct transfer *t, size_t d,
 }
 
 static void
-transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
+transfer_correct_to_prediction(struct crusher *c, struct transfer *t, double v)
 {
 	FREED double *P = xcalloc_doubles(c->n_sieve),
 		     *out = xcalloc_doubles(c->n);
@@ -186,7 +186,7 @@ transfer_match_prediction(struct crusher *c, struct transfer *t, double v)
 		model_product(c->whole.model, v, P);
 	}
 	for (size_t d = 0; d < t->draws; d++)
-		transfer_match_draw(c, t, d, draws + d, t->draws, out);
+		transfer_correct_draw(c, t, d, draws + d, t->draws, out);
 }
 
 struct transfer *
@@ -205,7 +205,7 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 		}
 		struct ensemble *draws = c->class[i].draws;
 		ensemble_set_speed_as_drawn(draws, v);
-		put_products_of_class(
+		copy_products_of_class(
 		    t, i, ensemble_products(draws, ENSEMBLE_MODEL));
 	}
 	if (c->posterior != NULL && n > 1) {
@@ -215,7 +215,7 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 			    c->class[0].draws, d, t->delta + d * n);
 	}
 	if (c->feed != NULL)
-		transfer_match_prediction(c, t, v);
+		transfer_correct_to_prediction(c, t, v);
 	return t;
 }
 
@@ -238,7 +238,7 @@ transfer_count_draws(const struct transfer *t)
 }
 
 void
-transfer_product(
+transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out)
 {
 	size_t n = t->n;

@@ -41,7 +41,7 @@ size_t transfer_count_draws(const struct transfer *t);
 /* Computes the product, out [n], of the masses in [n] by class, in one draw.
  * It conserves mass, and nothing becomes coarser.  in and out must not overlap.
  * Not thread-safe. */
-void transfer_product(
+void transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
 /* Computes the masses of the crusher's classes in a feed, [n] out, with sum 1.

@@ -27,12 +27,12 @@ has_same_parameters(
 		if (a->params.at[j] != b->params.at[j])
 			return false;
 	return a->top_size == b->top_size &&
-	       model_settings_same(&a->settings, &b->settings);
+	       model_settings_are_same(&a->settings, &b->settings);
 }
 
 /* Returns how far the top size of m is from the wanted one. */
 static double
-size_distance(
+top_size_distance(
     const struct guess_material *m, const struct guess_material *wanted)
 {
 	if (wanted->top_size <= 0)
@@ -70,7 +70,7 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 		near[i] = (struct nearness){
 		    m[i].rock[0] != '\0' &&
 			text_same_folded(m[i].rock, wanted->rock),
-		    size_distance(&m[i], wanted)};
+		    top_size_distance(&m[i], wanted)};
 	while (picked < most) {
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)
@@ -102,7 +102,7 @@ interpolate_sorted_values(const double *v, size_t n, double place)
 
 /* Sorts v, which has no NAN. */
 static struct guess_range
-range_of_values(double *v, size_t n)
+sort_and_find_range(double *v, size_t n)
 {
 	double places = (double)n + 1;
 	gsl_sort(v, 1, n);
@@ -115,15 +115,15 @@ range_of_values(double *v, size_t n)
 /* A size that lies outside the sieves is finer than they are, as some sieve
  * passes all of the feed and of the product. */
 static struct guess_range
-range_of_sizes(const struct psd *median, const struct prediction *p, size_t n,
-    double passing)
+range_of_size_at_passing(const struct psd *median, const struct prediction *p,
+    size_t n, double passing)
 {
 	FREED double *v = xcalloc_doubles(n);
 	for (size_t i = 0; i < n; i++) {
 		v[i] = psd_size_at_passing(&p[i].curve, passing);
 		v[i] = isnan(v[i]) ? -INFINITY : v[i];
 	}
-	struct guess_range range = range_of_values(v, n);
+	struct guess_range range = sort_and_find_range(v, n);
 	range.middle = psd_size_at_passing(median, passing);
 	range.low = isfinite(range.low) ? range.low : NAN;
 	range.high = isfinite(range.high) ? range.high : NAN;
@@ -139,7 +139,7 @@ median_curve(const struct prediction *p, size_t n)
 	for (size_t s = 0; s < median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].curve.passing[s];
-		median.passing[s] = range_of_values(v, n).middle;
+		median.passing[s] = sort_and_find_range(v, n).middle;
 	}
 	return median;
 }
@@ -156,14 +156,14 @@ fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 	for (size_t s = 0; s < guess->median.n; s++) {
 		for (size_t i = 0; i < n; i++)
 			v[i] = p[i].product.passing[s];
-		struct guess_range range = range_of_values(v, n);
+		struct guess_range range = sort_and_find_range(v, n);
 		guess->median.passing[s] = range.middle;
 		guess->low.passing[s] = range.low;
 		guess->high.passing[s] = range.high;
 	}
 	for (size_t i = 0; i < n; i++)
 		v[i] = p[i].break_size;
-	guess->break_size = range_of_values(v, n);
+	guess->break_size = sort_and_find_range(v, n);
 }
 
 static struct guess
@@ -173,7 +173,8 @@ guess_from_products(const struct prediction *p, size_t n, double v)
 	fill_median_and_range(&guess, p, n);
 	struct psd median = median_curve(p, n);
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		guess.size[i] = range_of_sizes(&median, p, n, PSD_PASSING[i]);
+		guess.size[i] =
+		    range_of_size_at_passing(&median, p, n, PSD_PASSING[i]);
 	psd_free(&median);
 	return guess;
 }
@@ -306,7 +307,7 @@ mark_materials_left_out(
 }
 
 static struct guess_error
-leave_one_out(const struct pairs *pairs, size_t nearest)
+leave_one_material_out(const struct pairs *pairs, size_t nearest)
 {
 	const struct guess_material *m = pairs->m;
 	size_t n = pairs->n;
@@ -334,8 +335,8 @@ leave_one_out(const struct pairs *pairs, size_t nearest)
 		error[out.n++] = trial.error;
 	}
 	if (out.n > 0) {
-		out.median = range_of_values(error, out.n).middle;
-		out.feed = range_of_values(feed, out.n).middle;
+		out.median = sort_and_find_range(error, out.n).middle;
+		out.feed = sort_and_find_range(feed, out.n).middle;
 		out.held = cells > 0 ? (double)held / (double)cells : NAN;
 	}
 	return out;
@@ -346,7 +347,7 @@ guess_leave_one_out(
     const struct guess_material *m, size_t n, size_t nearest, double v)
 {
 	struct pairs pairs = pairs_new(m, n, v);
-	struct guess_error e = leave_one_out(&pairs, nearest);
+	struct guess_error e = leave_one_material_out(&pairs, nearest);
 	pairs_free(&pairs);
 	return e;
 }
@@ -355,10 +356,10 @@ struct guess_choice
 guess_choose_nearest_count(const struct guess_material *m, size_t n, double v)
 {
 	struct pairs pairs = pairs_new(m, n, v);
-	struct guess_choice choice = {.all = leave_one_out(&pairs, n)};
-	choice.few = leave_one_out(&pairs, 1);
+	struct guess_choice choice = {.all = leave_one_material_out(&pairs, n)};
+	choice.few = leave_one_material_out(&pairs, 1);
 	for (size_t k = 2; k + 1 < n; k++) {
-		struct guess_error e = leave_one_out(&pairs, k);
+		struct guess_error e = leave_one_material_out(&pairs, k);
 		choice.few = e.median < choice.few.median ? e : choice.few;
 	}
 	choice.helps = choice.few.median < 0.8 * choice.all.median;

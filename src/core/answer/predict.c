@@ -27,7 +27,7 @@ list_covered_sizes(const double *size, size_t n, const struct psd *feed)
 
 /* Those that a table of the product shows. */
 static struct psd
-product_sieves(const struct site *site, const struct psd *feed)
+sieves_of_product_table(const struct site *site, const struct psd *feed)
 {
 	return site->n_shown > 0
 		   ? list_covered_sizes(site->shown, site->n_shown, feed)
@@ -60,7 +60,7 @@ struct quantity *
 predict_table_quantities(const struct site *site, const struct psd *feed,
     const struct fraction *fraction, size_t *n)
 {
-	struct psd sieves = product_sieves(site, feed);
+	struct psd sieves = sieves_of_product_table(site, feed);
 	struct quantity *asked =
 	    xcalloc(sieves.n + 1 + PSD_SIZES, sizeof *asked);
 	*n = 0;
@@ -102,7 +102,7 @@ predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct response *r, double level)
 {
 	const struct psd *feed = site_feed_of_run(site, feed_run);
-	double speed = response_speed(r);
+	double speed = response_tip_speed(r);
 	struct prediction p = {.speed = speed,
 	    .energy = specific_energy_at_speed(speed),
 	    .feed_run = feed_run,
@@ -110,7 +110,7 @@ predict_table(const struct site *site, size_t feed_run,
 	    .share_range = {NAN, NAN},
 	    .fraction = fraction_is_screened(fraction) ? *fraction
 						       : (struct fraction){0},
-	    .product = product_sieves(site, feed),
+	    .product = sieves_of_product_table(site, feed),
 	    .selected = response_share_selected(r),
 	    .no_daughters = !response_breaks_feed(r)};
 	size_t n = p.product.n;

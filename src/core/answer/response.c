@@ -44,8 +44,8 @@ struct response {
 
 /* The sizes of both lists, coarsest first. */
 static double *
-merge_sizes(const struct psd *feed, const double *size, size_t *n,
-    const struct quantity *asked, size_t n_asked)
+merge_sieve_and_asked_sizes(const struct psd *feed, const double *size,
+    size_t *n, const struct quantity *asked, size_t n_asked)
 {
 	double *all = xcalloc_doubles(*n + n_asked * QUANTITY_POINTS);
 	memcpy(all, size, *n * sizeof *size);
@@ -62,7 +62,7 @@ merge_sizes(const struct psd *feed, const double *size, size_t *n,
 
 /* Where the sizes of the product lie among the sieves. */
 static void
-locate_product_sizes(struct response *r, const double *sieve, size_t n)
+find_sieves_of_product_sizes(struct response *r, const double *sieve, size_t n)
 {
 	for (size_t k = 0, i = 0; k < r->product.n; k++) {
 		double x = r->product.size[k];
@@ -98,7 +98,7 @@ interpolate_curve(
 /* The place of a passing of the whole product among the sizes; n for others,
  * which are read off a curve. */
 static size_t
-row_of_passing(const struct quantity *q, const double *size, size_t n)
+row_of_passing_quantity(const struct quantity *q, const double *size, size_t n)
 {
 	size_t k = 0;
 	if (q->kind != QUANTITY_PASSING || fraction_is_screened(&q->fraction))
@@ -115,7 +115,8 @@ response_new(const struct psd *feed, const double *size, size_t n,
 {
 	struct response *r = xcalloc(1, sizeof *r);
 	size_t n_sieve = n;
-	FREED double *all = merge_sizes(feed, size, &n, asked, n_asked);
+	FREED double *all =
+	    merge_sieve_and_asked_sizes(feed, size, &n, asked, n_asked);
 	*r =
 	    (struct response){.model = model_new(feed, size, n_sieve, settings),
 		.params = *p,
@@ -137,12 +138,12 @@ response_new(const struct psd *feed, const double *size, size_t n,
 	model_use_params(r->model, p);
 	memcpy(r->product.size, all, n * sizeof *all);
 	memcpy(r->part.size, all, n * sizeof *all);
-	locate_product_sizes(r, size, n_sieve);
+	find_sieves_of_product_sizes(r, size, n_sieve);
 	r->curve = psd_copy(&r->product);
 	r->alone = psd_copy(&r->product);
 	for (size_t i = 0; i < n_asked; i++) {
 		r->asked[i] = asked[i];
-		r->row[i] = row_of_passing(&asked[i], all, n);
+		r->row[i] = row_of_passing_quantity(&asked[i], all, n);
 		if (!fraction_is_screened(&asked[i].fraction))
 			continue;
 		r->kept[i] = xcalloc_doubles(n);
@@ -180,7 +181,7 @@ response_free(struct response *r)
 /* The curve of the fraction that quantity i is of, and its share of the
  * product. */
 static const struct psd *
-fraction_of_curve(
+curve_of_fraction(
     struct response *r, size_t i, const struct psd *curve, double *share)
 {
 	*share = 1;
@@ -197,7 +198,7 @@ quantity_of_curve(struct response *r, size_t i, const struct psd *curve)
 	double share;
 	if (r->row[i] < curve->n)
 		return curve->passing[r->row[i]];
-	curve = fraction_of_curve(r, i, curve, &share);
+	curve = curve_of_fraction(r, i, curve, &share);
 	return quantity_read_off_curve(&r->asked[i], curve, share);
 }
 
@@ -236,7 +237,7 @@ curve_of_model(struct response *r)
 }
 
 static void
-compute_answer_at(struct response *r, double v)
+compute_answer_at_speed(struct response *r, double v)
 {
 	r->speed = v;
 	if (r->ensemble == NULL) {
@@ -252,7 +253,7 @@ compute_answer_at(struct response *r, double v)
 }
 
 static void
-response_read_draws(struct response *r)
+response_fill_quantity_draws(struct response *r)
 {
 	bool curves = false;
 	for (size_t i = 0; i < r->n; i++) {
@@ -278,13 +279,13 @@ response_set_speed(
 {
 	r->ensemble = e;
 	r->of = of;
-	compute_answer_at(r, v);
+	compute_answer_at_speed(r, v);
 	if (e != NULL)
-		response_read_draws(r);
+		response_fill_quantity_draws(r);
 }
 
 const struct quantity *
-response_quantity(const struct response *r, size_t i)
+response_asked_quantity(const struct response *r, size_t i)
 {
 	return &r->asked[i];
 }
@@ -302,7 +303,7 @@ response_value_of_model(struct response *r, size_t i)
 }
 
 double
-response_speed(const struct response *r)
+response_tip_speed(const struct response *r)
 {
 	return r->speed;
 }
@@ -348,12 +349,12 @@ response_draws_of_quantity(const struct response *r, size_t i)
 
 /* Of a curve of the product that has this value. */
 static double
-excess_of_curve(struct response *r, size_t i, double limit, double value,
-    const struct psd *curve)
+excess_of_curve_over_limit(struct response *r, size_t i, double limit,
+    double value, const struct psd *curve)
 {
 	double share;
 	curve = quantity_excess_needs_curve(&r->asked[i])
-		    ? fraction_of_curve(r, i, curve, &share)
+		    ? curve_of_fraction(r, i, curve, &share)
 		    : NULL;
 	return quantity_excess_over_limit(&r->asked[i], limit, value, curve);
 }
@@ -361,7 +362,8 @@ excess_of_curve(struct response *r, size_t i, double limit, double value,
 double
 response_excess_over_limit(struct response *r, size_t i, double limit)
 {
-	return excess_of_curve(r, i, limit, r->value[i], &r->product);
+	return excess_of_curve_over_limit(
+	    r, i, limit, r->value[i], &r->product);
 }
 
 void
@@ -371,8 +373,8 @@ response_excess_of_draws(struct response *r, size_t i, double limit,
 	for (size_t d = 0; d < DRAWS; d++) {
 		if (quantity_excess_needs_curve(&r->asked[i]))
 			fill_curve_of_draw(r, d, &r->curve);
-		over[d] =
-		    excess_of_curve(r, i, limit, r->draw[i][d], &r->curve);
+		over[d] = excess_of_curve_over_limit(
+		    r, i, limit, r->draw[i][d], &r->curve);
 	}
 }
 
@@ -391,5 +393,5 @@ struct psd
 response_screened_curve(struct response *r, size_t i)
 {
 	double share;
-	return psd_copy(fraction_of_curve(r, i, &r->product, &share));
+	return psd_copy(curve_of_fraction(r, i, &r->product, &share));
 }

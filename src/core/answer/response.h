@@ -26,14 +26,15 @@ void response_set_speed(
     struct response *r, struct ensemble *e, enum ensemble_part of, double v);
 
 /* Returns quantity i as it was asked; borrowed. */
-const struct quantity *response_quantity(const struct response *r, size_t i);
+const struct quantity *response_asked_quantity(
+    const struct response *r, size_t i);
 
 /* Return quantity i at the response's speed, for the answer and for the model
  * alone; NAN if the curve does not reach that far. */
 double response_value_of_quantity(const struct response *r, size_t i);
 double response_value_of_model(struct response *r, size_t i);
 
-double response_speed(const struct response *r);
+double response_tip_speed(const struct response *r);
 
 /* Return the break size at the response's speed, m (see
  * params_break_size_by_impacts), and the band of the draws' break sizes. */

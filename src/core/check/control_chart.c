@@ -65,7 +65,7 @@ struct component {
 };
 
 static void
-fill_values_of_draws(const struct drift_cut *c, struct component *w)
+fill_component_of_draws(const struct drift_cut *c, struct component *w)
 {
 	double mean = 0;
 	for (size_t d = 0; d < c->n_draw; d++) {
@@ -80,7 +80,7 @@ fill_values_of_draws(const struct drift_cut *c, struct component *w)
 }
 
 static double
-shared_covariance(
+covariance_over_draws(
     const struct component *a, const struct component *b, size_t n)
 {
 	return n > 0 ? el_dot(a->draw, b->draw, n) / (double)n : 0;
@@ -91,7 +91,7 @@ static double
 covariance_of_components(const struct drift_cut *c, const struct component *a,
     const struct component *b)
 {
-	double sum = shared_covariance(a, b, c->n_draw);
+	double sum = covariance_over_draws(a, b, c->n_draw);
 	for (size_t i = 0; i < c->n; i++)
 		sum +=
 		    a->weight[i] * el_dot(b->weight, c->error + i * c->n, c->n);
@@ -127,28 +127,28 @@ fill_component_weights(
 	for (size_t i = 0; i < c->n; i++)
 		level->weight[i] = 1 / (double)c->n;
 	fill_tilt_weights(c, tilt->weight);
-	fill_values_of_draws(c, level);
-	fill_values_of_draws(c, tilt);
+	fill_component_of_draws(c, level);
+	fill_component_of_draws(c, tilt);
 	double share = covariance_of_components(c, level, tilt) /
 		       covariance_of_components(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
-	fill_values_of_draws(c, tilt);
+	fill_component_of_draws(c, tilt);
 }
 
 /* Returns the factor, in the upper triangle, of the covariance of a component's
  * values [n * n]; w [n * DRIFT_COMPONENTS]. */
 static double *
-factor_of_component(const struct drift_cut *cut, const struct component *w,
-    size_t n, size_t component)
+covariance_factor_of_component(const struct drift_cut *cut,
+    const struct component *w, size_t n, size_t component)
 {
 	double *U = xcalloc_doubles(n * n);
 	for (size_t i = 0; i < n; i++) {
 		const struct component *a =
 		    &w[i * DRIFT_COMPONENTS + component];
 		for (size_t j = 0; j < i; j++)
-			U[j * n + i] = shared_covariance(a,
+			U[j * n + i] = covariance_over_draws(a,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
 		double own = covariance_of_components(&cut[i], a, a);
@@ -162,7 +162,8 @@ factor_of_component(const struct drift_cut *cut, const struct component *w,
 /* Advances the charts of a component by its score, the n-th one.  Returns the
  * side on which it is beyond a limit, -1 or 1, or 0. */
 static int
-advance_charts(struct drift_chart *c, const struct drift_rule *r, size_t n)
+advance_component_charts(
+    struct drift_chart *c, const struct drift_rule *r, size_t n)
 {
 	double share = r->lambda / (2 - r->lambda) *
 		       -expm1(2 * (double)n * log1p(-r->lambda));
@@ -207,10 +208,10 @@ find_cusum_start(const struct drift_point *point, size_t i)
 }
 
 /* Returns how far value i is off, in standard deviations, given the first
- * `known` values.  U: see factor_of_component. */
+ * `known` values.  U: see covariance_factor_of_component. */
 static double
-z_given_earlier(const double *U, size_t n, size_t i, size_t known, size_t k,
-    const struct drift_point *point)
+z_of_value_given_earlier(const double *U, size_t n, size_t i, size_t known,
+    size_t k, const struct drift_point *point)
 {
 	double expected = 0, variance = 0;
 	for (size_t j = 0; j < known; j++)
@@ -232,6 +233,15 @@ normal_score(
 	return copysign(gsl_cdf_ugaussian_Qinv(beyond), t);
 }
 
+static void
+free_component_arrays(struct component *w, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		free(w[i].weight);
+		free(w[i].draw);
+	}
+}
+
 size_t
 drift_run_charts(const struct drift_cut *cut, size_t n,
     const struct drift_rule *rule, struct drift_point *point, size_t *since)
@@ -243,7 +253,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 	for (size_t i = 0; i < n; i++)
 		fill_component_weights(&cut[i], &w[i * DRIFT_COMPONENTS]);
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
-		U[k] = factor_of_component(cut, w, n, k);
+		U[k] = covariance_factor_of_component(cut, w, n, k);
 	*since = n;
 	for (size_t i = 0; i < n; i++) {
 		int side[DRIFT_COMPONENTS];
@@ -257,18 +267,19 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			    el_dot(own->weight, cut[i].residual, cut[i].n);
 			size_t known = i < *since ? i : *since;
 			double truth =
-			    shared_covariance(own, own, cut[i].n_draw);
+			    covariance_over_draws(own, own, cut[i].n_draw);
 			c->truth = sqrt(truth);
 			c->error =
 			    sqrt(covariance_of_components(&cut[i], own, own) -
 				 truth);
-			c->off = z_given_earlier(U[k], n, i, known, k, point);
+			c->off = z_of_value_given_earlier(
+			    U[k], n, i, known, k, point);
 			double squares = 0;
 			for (size_t j = 0; j < known; j++)
 				squares += point[j].chart[k].off *
 					   point[j].chart[k].off;
 			c->score = normal_score(rule, c->off, known, squares);
-			side[k] = advance_charts(c, rule, i + 1);
+			side[k] = advance_component_charts(c, rule, i + 1);
 		}
 		point[i].state = drift_state_of_sides(side);
 		if (first == n && point[i].state != DRIFT_NONE) {
@@ -278,10 +289,7 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 	}
 	for (size_t k = 0; k < DRIFT_COMPONENTS; k++)
 		free(U[k]);
-	for (size_t i = 0; i < n * DRIFT_COMPONENTS; i++) {
-		free(w[i].weight);
-		free(w[i].draw);
-	}
+	free_component_arrays(w, n * DRIFT_COMPONENTS);
 	return first;
 }
 
@@ -301,7 +309,8 @@ drift_mean_run_length(
 				size_t at = n * DRIFT_COMPONENTS + k;
 				chart[k].score = rng_normal(key, (uint32_t)at) +
 						 (k == DRIFT_LEVEL ? shift : 0);
-				if (advance_charts(&chart[k], rule, n + 1) != 0)
+				if (advance_component_charts(
+					&chart[k], rule, n + 1) != 0)
 					signal = true;
 			}
 			n++;
@@ -322,7 +331,7 @@ struct simulated_level {
 
 /* Takes a sample.  True if the chart signals. */
 static bool
-update_level_charts(
+update_simulated_level_charts(
     struct simulated_level *l, const struct drift_rule *r, double value)
 {
 	double sum = l->variance + l->error * l->error;
@@ -332,7 +341,7 @@ update_level_charts(
 	l->mean += share * (value - l->mean);
 	l->variance *= 1 - share;
 	l->squares += l->chart.off * l->chart.off;
-	return advance_charts(&l->chart, r, ++l->known) != 0;
+	return advance_component_charts(&l->chart, r, ++l->known) != 0;
 }
 
 /* Simulates `quiet` samples, then shifted ones.  Returns the number of the
@@ -346,7 +355,7 @@ simulate_samples_until_signal(const struct drift_rule *rule,
 	double truth = sqrt(l.variance) * rng_normal(key, 0);
 	for (uint32_t at = 1; at <= quiet + LONGEST; at++) {
 		double value = truth + l.actual * rng_normal(key, at);
-		if (update_level_charts(
+		if (update_simulated_level_charts(
 			&l, rule, at > quiet ? value + shift : value))
 			return at > quiet ? at - quiet : 0;
 	}

@@ -52,18 +52,20 @@ mend_find_column(
 
 /* Returns a passing in per cent, with as many digits as were written. */
 static char *
-percent_text(double passing)
+passing_percent_text(double passing)
 {
 	return xasprintf("%.6g", 100 * passing);
 }
 
 static char *
-text_of_cell(const struct site *site, const struct mend *m, const char *name)
+mended_cell_text(
+    const struct site *site, const struct mend *m, const char *name)
 {
-	const struct psd *psd = site_curve(site, m->run, m->feed);
+	const struct psd *psd = site_feed_or_product(site, m->run, m->feed);
 	size_t i = index_of_mended_sieve(psd, m->size);
-	FREED char *was = percent_text(i < psd->n ? psd->passing[i] : NAN);
-	FREED char *now = percent_text(m->value);
+	FREED char *was =
+	    passing_percent_text(i < psd->n ? psd->passing[i] : NAN);
+	FREED char *now = passing_percent_text(m->value);
 	return xasprintf(tr("%s at %g mm: %s %s%s"), name, 1000 * m->size, was,
 	    m->kind == MEND_READ ? tr("read as ") : tr("left out"),
 	    m->kind == MEND_READ ? now : "");
@@ -79,7 +81,7 @@ mend_text(const struct site *site, const struct mend *m)
 	switch (m->kind) {
 	case MEND_READ:
 	case MEND_OUT:
-		return text_of_cell(site, m, name);
+		return mended_cell_text(site, m, name);
 	case MEND_SWAP:
 	case MEND_WITH:
 		return xasprintf(tr("%s and %s exchanged"), name, with);
@@ -99,7 +101,7 @@ mend_text(const struct site *site, const struct mend *m)
 /* ---- Mending ---- */
 
 static void
-drop_cell(struct run *run, struct psd *psd, size_t i)
+drop_sieve_of_curve(struct run *run, struct psd *psd, size_t i)
 {
 	size_t after = psd->n - i - 1;
 	memmove(psd->size + i, psd->size + i + 1, after * sizeof *psd->size);
@@ -132,7 +134,7 @@ shift_column_by_a_sieve(
 		while (k < n && size[k] != psd->size[i])
 			k++;
 		if (up ? k == 0 : k + 1 >= n)
-			drop_cell(run, psd, i);
+			drop_sieve_of_curve(run, psd, i);
 		else
 			psd->size[i] = size[up ? k - 1 : k + 1];
 	}
@@ -149,7 +151,7 @@ apply_mend_to_column(
 		psd->passing[i] = m->value;
 		break;
 	case MEND_OUT:
-		drop_cell(run, psd, i);
+		drop_sieve_of_curve(run, psd, i);
 		break;
 	case MEND_UP:
 	case MEND_DOWN:
@@ -249,9 +251,11 @@ apply_mend(struct site *site, const struct site *from, const struct mend *m)
 }
 
 struct site *
-mend_site(const struct site *from, const struct mend *mend, struct error *error)
+site_with_mend(
+    const struct site *from, const struct mend *mend, struct error *error)
 {
-	const struct psd *psd = site_curve(from, mend->run, mend->feed);
+	const struct psd *psd =
+	    site_feed_or_product(from, mend->run, mend->feed);
 	bool cell = mend->kind == MEND_READ || mend->kind == MEND_OUT;
 	if (cell && index_of_mended_sieve(psd, mend->size) == psd->n) {
 		error_set(error, ERROR_USAGE,

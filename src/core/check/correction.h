@@ -34,7 +34,7 @@ struct mend {
  * error if the result would not be a valid site: if passings rise on finer
  * sieves, not all of a feed passes its coarsest sieve, or a curve has fewer
  * than two sieves. */
-struct site *mend_site(
+struct site *site_with_mend(
     const struct site *site, const struct mend *mend, struct error *error);
 
 /* Return the name of a column, "product@79", "feed", "product@79(2)", and the

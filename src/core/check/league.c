@@ -27,7 +27,7 @@ league_aicc(double misfit, size_t cells, size_t parameters)
 }
 
 size_t
-league_count_fitted(const struct fit *fit, const struct bounds *bounds)
+league_count_fitted_params(const struct fit *fit, const struct bounds *bounds)
 {
 	size_t gauge = breakage_model_of_params(&fit->params)->gauge;
 	bool scale = gauge > 0;
@@ -89,7 +89,7 @@ league_compare_errors(
 }
 
 bool
-league_errs_more(
+league_errs_clearly_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
 {
 	struct league_difference p = league_compare_errors(cell, n, a, b);
@@ -111,7 +111,7 @@ league_misses_held_out_runs(
 
 /* Compares by AICc; two models without it by their RMSE at held-out runs. */
 static bool
-is_better(const struct league_model *a, const struct league_model *b)
+is_better_model(const struct league_model *a, const struct league_model *b)
 {
 	if (isnan(a->aicc) || isnan(b->aicc))
 		return isnan(a->aicc) && isnan(b->aicc) ? a->rmse < b->rmse
@@ -131,7 +131,7 @@ find_best_model(struct league_model *model, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		bool errs =
 		    isfinite(least) && !(model[i].rmse <= least + LEAST);
-		if (!errs && (best == NULL || is_better(&model[i], best)))
+		if (!errs && (best == NULL || is_better_model(&model[i], best)))
 			best = &model[i];
 	}
 	return best;
@@ -139,7 +139,7 @@ find_best_model(struct league_model *model, size_t n)
 
 /* True if all models that remain extend the one with the fewest parameters. */
 static bool
-do_all_extend_the_smallest(const struct league_model *model, size_t n)
+do_all_models_extend_smallest(const struct league_model *model, size_t n)
 {
 	const struct league_model *least = NULL;
 	for (size_t i = 0; i < n; i++)
@@ -167,12 +167,12 @@ league_rank_models(struct league_model *model, size_t n_model,
 		const double *p = m->predicted, *q = best->predicted;
 		bool spared = m->rmse < best->rmse - ROUNDING;
 		m->standing =
-		    m == best                               ? LEAGUE_BEST
-		    : league_errs_more(cell, n, p, q)       ? LEAGUE_OUT_ERROR
-		    : m->aicc > best->aicc + FAR && !spared ? LEAGUE_OUT_AICC
-							    : LEAGUE_POSSIBLE;
-		agree = agree && !league_errs_more(cell, n, q, p) &&
+		    m == best                                 ? LEAGUE_BEST
+		    : league_errs_clearly_more(cell, n, p, q) ? LEAGUE_OUT_ERROR
+		    : m->aicc > best->aicc + FAR && !spared   ? LEAGUE_OUT_AICC
+							      : LEAGUE_POSSIBLE;
+		agree = agree && !league_errs_clearly_more(cell, n, q, p) &&
 			!(best->aicc > m->aicc + FAR);
 	}
-	return agree && do_all_extend_the_smallest(model, n_model);
+	return agree && do_all_models_extend_smallest(model, n_model);
 }

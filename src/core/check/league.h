@@ -20,7 +20,8 @@ double league_aicc(double misfit, size_t cells, size_t parameters);
 
 /* Returns the number of parameters fitted: all that were searched, less one for
  * the scale of a gauge if no bound fixes it. */
-size_t league_count_fitted(const struct fit *fit, const struct bounds *bounds);
+size_t league_count_fitted_params(
+    const struct fit *fit, const struct bounds *bounds);
 
 /* A passing, 0..1, of a held-out run.  log_size: ln of its sieve, m; noise:
  * standard deviation of its sampling error.  The cells of a run are
@@ -47,7 +48,7 @@ struct league_difference league_compare_errors(
 
 /* True if the errors of a exceed those of b by more than both twice
  * league_difference's error and 0.1 points of RMSE. */
-bool league_errs_more(
+bool league_errs_clearly_more(
     const struct league_cell *cell, size_t n, const double *a, const double *b);
 
 /* True if the predictions miss the held-out runs by more than both FIT_POOR and
@@ -76,13 +77,13 @@ struct league_model {
 /* Ranks models [n_model] and returns true if the data can tell them apart.  The
  * best model has the smallest AICc of those whose held-out RMSE is within 0.1
  * points of the smallest, or of all if no run was held out.  A model is ruled
- * out if its held-out error is larger than the best's (league_errs_more), or if
- * its AICc is more than 10 above the best's, unless its held-out RMSE is
- * smaller, however slightly: AICc assumes independent errors of equal size, and
- * the errors of sieves are neither.  The data can tell the models apart if
- * those that remain are the simplest of them and extensions of it, none has a
- * smaller error than the best by more than sampling explains, and none has an
- * AICc more than 10 below the best's. */
+ * out if its held-out error is larger than the best's
+ * (league_errs_clearly_more), or if its AICc is more than 10 above the best's,
+ * unless its held-out RMSE is smaller, however slightly: AICc assumes
+ * independent errors of equal size, and the errors of sieves are neither.  The
+ * data can tell the models apart if those that remain are the simplest of them
+ * and extensions of it, none has a smaller error than the best by more than
+ * sampling explains, and none has an AICc more than 10 below the best's. */
 bool league_rank_models(struct league_model *model, size_t n_model,
     const struct league_cell *cell, size_t n);
 

@@ -76,7 +76,7 @@ struct leave_out {
 static const struct psd *
 curve_of_cell(const struct leave_out *l, const struct leave_out_cell *c)
 {
-	return site_curve(l->site, c->run, c->feed);
+	return site_feed_or_product(l->site, c->run, c->feed);
 }
 
 /* ---- The covariance and its hyperparameters ---- */
@@ -392,7 +392,7 @@ leave_out_get_cell(const struct leave_out *l, size_t i)
 /* ---- Making it ---- */
 
 static void
-list_one_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
+add_checkable_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
 {
 	struct leave_out_cell c = {feed, run, sieve};
 	l->of = xrealloc(l->of, l->n + 1, sizeof *l->of);
@@ -400,7 +400,7 @@ list_one_cell(struct leave_out *l, bool feed, size_t run, size_t sieve)
 }
 
 static void
-list_cells(struct leave_out *l, const struct posterior *posterior)
+list_checkable_cells(struct leave_out *l, const struct posterior *posterior)
 {
 	const struct site *site = l->site;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -410,7 +410,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 			if (posterior != NULL
 				? i < covered
 				: is_neither_0_nor_100_percent(psd->passing[i]))
-				list_one_cell(l, false, r, i);
+				add_checkable_cell(l, false, r, i);
 	}
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -419,7 +419,7 @@ list_cells(struct leave_out *l, const struct posterior *posterior)
 			break;
 		for (size_t i = 0; i < psd->n; i++)
 			if (is_neither_0_nor_100_percent(psd->passing[i]))
-				list_one_cell(l, true, r, i);
+				add_checkable_cell(l, true, r, i);
 	}
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }
@@ -448,7 +448,7 @@ mean_log_energy(const struct site *site)
 
 /* Fills a block with cells, values and covariance of smooth curves. */
 static void
-block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
+fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 {
 	double middle = mean_log_energy(l->site);
 	for (size_t i = 0; i < b->n; i++) {
@@ -502,7 +502,7 @@ add_covariance_of_parameter(
 }
 
 static void
-block_of_residuals(
+fill_block_of_residuals(
     struct leave_out *l, struct block *b, const struct posterior *p)
 {
 	struct misfit *m = misfit_new(l->site, NULL, NULL, false, p->settings);
@@ -613,7 +613,7 @@ leave_out_new(
 	struct leave_out *l = xcalloc(1, sizeof *l);
 	l->site = site;
 	l->noise = noise;
-	list_cells(l, posterior);
+	list_checkable_cells(l, posterior);
 	block_init(&l->block[PRODUCTS], posterior == NULL);
 	block_init(&l->block[FEEDS], true);
 	l->passing = xcalloc_doubles(l->n);
@@ -623,12 +623,12 @@ leave_out_new(
 	for (size_t i = 0; i < l->n; i++)
 		l->passing[i] =
 		    curve_of_cell(l, &l->of[i])->passing[l->of[i].sieve];
-	block_of_smooth_curves(l, &l->block[FEEDS], true);
+	fill_block_of_smooth_curves(l, &l->block[FEEDS], true);
 	if (posterior == NULL) {
-		block_of_smooth_curves(l, &l->block[PRODUCTS], false);
+		fill_block_of_smooth_curves(l, &l->block[PRODUCTS], false);
 		return l;
 	}
-	block_of_residuals(l, &l->block[PRODUCTS], posterior);
+	fill_block_of_residuals(l, &l->block[PRODUCTS], posterior);
 	for (size_t c = l->block[FEEDS].first; c < l->n; c++)
 		fill_products_response_to_feed(l, c, posterior);
 	add_feed_errors(l);

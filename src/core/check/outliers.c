@@ -37,7 +37,7 @@ static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 enum { CELLS = 3 };
 
 static struct finding *
-add_finding(struct outlier_findings *d, struct mend mend)
+add_outlier_finding(struct outlier_findings *d, struct mend mend)
 {
 	d->finding = xrealloc(d->finding, d->n + 1, sizeof *d->finding);
 	struct finding *f = &d->finding[d->n++];
@@ -54,10 +54,10 @@ add_finding(struct outlier_findings *d, struct mend mend)
 /* ---- Columns ---- */
 
 static bool
-is_coarser(const struct psd *product, const struct psd *feed)
+is_coarser_than_feed(const struct psd *product, const struct psd *feed)
 {
 	const double sampling = 0.02, on_the_whole = 0.01;
-	struct passing_order o = trust_compare_order(feed, product);
+	struct passing_order o = trust_compare_slow_with_fast(feed, product);
 	return o.most > sampling && o.mean > on_the_whole;
 }
 
@@ -68,7 +68,7 @@ are_products_finer_than_feeds(const struct site *site)
 	bool ok = true;
 	for (size_t r = 0; r < site->n_run; r++)
 		ok = ok && (site->run[r].product.n == 0 ||
-			       !is_coarser(
+			       !is_coarser_than_feed(
 				   &site->run[r].product, &site->run[r].feed));
 	return ok;
 }
@@ -81,19 +81,20 @@ find_feeds_swapped_with_products(
 		const struct run *run = &site->run[r];
 		struct mend m = {.kind = MEND_SWAP, .run = r};
 		if (run->product.n == 0 ||
-		    !is_coarser(&run->product, &run->feed))
+		    !is_coarser_than_feed(&run->product, &run->feed))
 			continue;
-		struct site *other = mend_site(site, &m, NULL);
+		struct site *other = site_with_mend(site, &m, NULL);
 		if (other != NULL &&
 		    (site->individual_feeds ||
 			are_products_finer_than_feeds(other))) {
-			struct finding *f = add_finding(d, m);
+			struct finding *f = add_outlier_finding(d, m);
 			const struct run *now = &other->run[r];
-			f->off[0] =
-			    trust_compare_order(&run->feed, &run->product).mean;
-			f->off[1] = fmax(
-			    0, trust_compare_order(&now->feed, &now->product)
-				   .mean);
+			f->off[0] = trust_compare_slow_with_fast(
+			    &run->feed, &run->product)
+					.mean;
+			f->off[1] = fmax(0, trust_compare_slow_with_fast(
+						&now->feed, &now->product)
+						.mean);
 		}
 		site_free(other);
 	}
@@ -102,7 +103,7 @@ find_feeds_swapped_with_products(
 /* Returns the sum, over neighbouring speeds, of how much coarser the faster
  * product is on average. */
 static double
-speed_disorder(const struct site *site)
+coarsening_with_speed(const struct site *site)
 {
 	double sum = 0;
 	const struct run *slow = NULL;
@@ -111,9 +112,9 @@ speed_disorder(const struct site *site)
 		if (run->product.n == 0)
 			continue;
 		if (slow != NULL && slow->speed < run->speed)
-			sum += fmax(0,
-			    trust_compare_order(&slow->product, &run->product)
-				.mean);
+			sum += fmax(0, trust_compare_slow_with_fast(
+					   &slow->product, &run->product)
+					   .mean);
 		slow = run;
 	}
 	return sum;
@@ -141,7 +142,7 @@ find_exchanged_products(struct outlier_findings *d, const struct site *site)
 {
 	/* Above this, check reports a fault. */
 	const double much = 0.003, share = 0.2;
-	double before = speed_disorder(site), least = share * before;
+	double before = coarsening_with_speed(site), least = share * before;
 	struct mend best = {.kind = MEND_READ};
 	for (size_t i = 0; i < site->n_run && before > much; i++)
 		for (size_t k = i + 1; k < site->n_run; k++) {
@@ -153,9 +154,9 @@ find_exchanged_products(struct outlier_findings *d, const struct site *site)
 			    !is_slower_product_finer(
 				&site->run[i].product, &site->run[k].product))
 				continue;
-			struct site *other = mend_site(site, &m, NULL);
+			struct site *other = site_with_mend(site, &m, NULL);
 			double after =
-			    other != NULL ? speed_disorder(other) : 1;
+			    other != NULL ? coarsening_with_speed(other) : 1;
 			site_free(other);
 			if (after < least) {
 				least = after;
@@ -164,7 +165,7 @@ find_exchanged_products(struct outlier_findings *d, const struct site *site)
 		}
 	if (best.kind != MEND_WITH)
 		return;
-	struct finding *f = add_finding(d, best);
+	struct finding *f = add_outlier_finding(d, best);
 	f->off[0] = before;
 	f->off[1] = least;
 }
@@ -175,7 +176,7 @@ struct line_sums {
 };
 
 static double
-line_value_at(const struct line_sums *l, double e)
+line_value_at_energy(const struct line_sums *l, double e)
 {
 	double mean = l->e / l->n, about = l->ee / l->n - mean * mean;
 	double slope = about > 1e-9 * mean * mean
@@ -209,7 +210,7 @@ distance_from_other_products(const struct site *site, size_t at)
 		if (l.n < 2)
 			continue;
 		double by = run->product.passing[i] -
-			    line_value_at(&l, run->speed * run->speed);
+			    line_value_at_energy(&l, run->speed * run->speed);
 		squares += by * by;
 		n++;
 	}
@@ -232,7 +233,7 @@ find_column_moved_by_a_sieve(
 		m.kind = i % 2 == 0 ? MEND_UP : MEND_DOWN;
 		if (!(before > far))
 			continue;
-		struct site *other = mend_site(site, &m, NULL);
+		struct site *other = site_with_mend(site, &m, NULL);
 		double after = other != NULL
 				   ? distance_from_other_products(other, m.run)
 				   : NAN;
@@ -245,14 +246,14 @@ find_column_moved_by_a_sieve(
 		off[1] = after;
 	}
 	if (mend.kind != MEND_READ)
-		memcpy(add_finding(d, mend)->off, off, sizeof off);
+		memcpy(add_outlier_finding(d, mend)->off, off, sizeof off);
 }
 
 /* Returns, after a mend, the distance of the run that fits the others least. */
 static double
 largest_distance_after_mend(const struct site *site, const struct mend *m)
 {
-	struct site *other = mend_site(site, m, NULL);
+	struct site *other = site_with_mend(site, m, NULL);
 	double most = 0;
 	for (size_t r = 0; other != NULL && r < other->n_run; r++)
 		if (other->run[r].product.n > 0)
@@ -296,7 +297,7 @@ find_column_in_wrong_unit(struct outlier_findings *d, const struct site *site)
 			m.value = m.feed ? 1 / factor : factor;
 		} else
 			continue;
-		add_finding(d, m);
+		add_outlier_finding(d, m);
 		if (m.feed && !site->individual_feeds)
 			return;
 	}
@@ -307,9 +308,9 @@ find_copied_products(struct outlier_findings *d, const struct site *site)
 {
 	for (size_t i = 1; i < site->n_run; i++)
 		for (size_t k = 0; k < i; k++)
-			if (psd_same(
+			if (psd_is_same(
 				&site->run[k].product, &site->run[i].product)) {
-				add_finding(d,
+				add_outlier_finding(d,
 				    (struct mend){.kind = MEND_DROP, .run = i});
 				break;
 			}
@@ -327,7 +328,7 @@ distance_from_expected(const struct finding *f, double passing)
  * deviations of what the others expect, and nearer to it than the measured
  * passing and any reading before. */
 static void
-consider_reading(struct finding *f, double passing)
+consider_reading_as_mend(struct finding *f, double passing)
 {
 	double least = 0.001, near = 3 * f->sd + least;
 	bool taken = f->mend.kind == MEND_READ;
@@ -383,16 +384,17 @@ consider_digit_errors(struct finding *f)
 		other[i] = digits[i + 1];
 		other[i + 1] = digits[i];
 		if (digits[i] != digits[i + 1])
-			consider_reading(f, passing_of_digits(other, point));
+			consider_reading_as_mend(
+			    f, passing_of_digits(other, point));
 		memmove(other + i, digits + i + 1, n - i);
 		memcpy(other, digits, i);
 		if (digits[i] == digits[i + 1])
-			consider_reading(
+			consider_reading_as_mend(
 			    f, passing_of_digits(other, point - (i < point)));
 	}
 	if (n > 0) {
-		consider_reading(f, round(f->measured * 1e13) / 1e12);
-		consider_reading(f, round(f->measured * 1e11) / 1e12);
+		consider_reading_as_mend(f, round(f->measured * 1e13) / 1e12);
+		consider_reading_as_mend(f, round(f->measured * 1e11) / 1e12);
 	}
 }
 
@@ -404,14 +406,14 @@ add_finding_of_cell(struct outlier_findings *d, const struct site *site,
 {
 	struct mend m = {
 	    .kind = MEND_OUT, .feed = cell->feed, .run = cell->run};
-	const struct psd *psd = site_curve(site, m.run, m.feed);
+	const struct psd *psd = site_feed_or_product(site, m.run, m.feed);
 	m.size = psd->size[cell->sieve];
-	struct finding *f = add_finding(d, m);
+	struct finding *f = add_outlier_finding(d, m);
 	f->measured = psd->passing[cell->sieve];
 	f->expected = s->expected;
 	f->sd = s->sd;
 	consider_digit_errors(f);
-	struct site *other = mend_site(site, &f->mend, NULL);
+	struct site *other = site_with_mend(site, &f->mend, NULL);
 	if (other == NULL)
 		f->mend = m;
 	site_free(other);
@@ -424,14 +426,14 @@ refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 {
 	enum { MOST = 100 };
 	m.kind = MEND_OUT;
-	struct site *less = mend_site(site, &m, NULL);
+	struct site *less = site_with_mend(site, &m, NULL);
 	if (less == NULL)
 		return;
 	struct misfit *misfit =
 	    misfit_new(less, NULL, NULL, false, p->settings);
 	struct polish *polish = polish_new(misfit);
 	polish_run(polish, &p->bounds, MOST, NULL, &p->fit);
-	params_scale_to_1(&p->fit);
+	params_scale_gauge_to_1(&p->fit);
 	polish_free(polish);
 	misfit_free(misfit);
 	site_free(less);
@@ -440,12 +442,12 @@ refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 static double
 passing_of_cell(const struct site *site, const struct leave_out_cell *c)
 {
-	return site_curve(site, c->run, c->feed)->passing[c->sieve];
+	return site_feed_or_product(site, c->run, c->feed)->passing[c->sieve];
 }
 
 /* Returns how far a cell is off its curve, whatever the model. */
 static struct leave_out_shift
-shift_along_curves(
+shift_of_cell_off_curve(
     const struct site *site, double noise, const struct leave_out_cell *cell)
 {
 	struct leave_out *l = leave_out_new(site, NULL, noise);
@@ -461,7 +463,7 @@ shift_along_curves(
 }
 
 static struct leave_out *
-leave_out_without(const struct site *site, const struct posterior *p,
+leave_out_new_without_cells(const struct site *site, const struct posterior *p,
     double noise, const size_t *cell, size_t n)
 {
 	struct leave_out *l = leave_out_new(site, p, noise);
@@ -476,7 +478,8 @@ static bool
 find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
     struct posterior *p, double noise, size_t *found, size_t n)
 {
-	struct leave_out *l = leave_out_without(site, p, noise, found, n);
+	struct leave_out *l =
+	    leave_out_new_without_cells(site, p, noise, found, n);
 	struct leave_out_shift s = {.gain = 0};
 	if (leave_out_count_cells(l) > n)
 		s = leave_out_worst_shift(l);
@@ -491,13 +494,13 @@ find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
 		return false;
 	found[n] = s.cell;
 	if (c.feed &&
-	    !(shift_along_curves(site, noise, &c).z * copysign(1, s.z) >
+	    !(shift_of_cell_off_curve(site, noise, &c).z * copysign(1, s.z) >
 		FEED_OFF))
 		return true;
 	struct mend m = {.feed = c.feed, .run = c.run};
-	m.size = site_curve(site, m.run, m.feed)->size[c.sieve];
+	m.size = site_feed_or_product(site, m.run, m.feed)->size[c.sieve];
 	refit_without_cell(p, site, m);
-	l = leave_out_without(site, p, noise, found, n);
+	l = leave_out_new_without_cells(site, p, noise, found, n);
 	double gain = s.gain;
 	s = leave_out_shift_of_cell(l, s.cell);
 	leave_out_free(l);
@@ -523,12 +526,12 @@ find_surprising_cells(struct outlier_findings *d, const struct site *site,
 
 /* Lists the curves of the feeds, or of the products, and their runs. */
 static size_t
-gather_curves(
+list_feed_or_product_curves(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
-		const struct psd *psd = site_curve(site, r, feed);
+		const struct psd *psd = site_feed_or_product(site, r, feed);
 		if (psd->n == 0 || (feed && r > 0 && !site->individual_feeds))
 			continue;
 		run[n] = r;
@@ -543,13 +546,13 @@ find_most_bent_cell(struct outlier_findings *d, const struct site *site,
 {
 	FREED const struct psd **curve = xcalloc(site->n_run, sizeof *curve);
 	FREED size_t *run = xcalloc(site->n_run, sizeof *run);
-	size_t n = gather_curves(site, feed, curve, run);
+	size_t n = list_feed_or_product_curves(site, feed, curve, run);
 	struct psd_outlier o = psd_find_outlier(curve, n);
 	double most = o.others == 0 ? OFF_ALONE : feed ? OFF_FEED : OFF_PRODUCT;
 	struct leave_out_cell cell = {feed, run[o.curve], o.sieve};
 	if (!(fabs(o.off) > most))
 		return;
-	struct leave_out_shift s = shift_along_curves(site, noise, &cell);
+	struct leave_out_shift s = shift_of_cell_off_curve(site, noise, &cell);
 	add_finding_of_cell(d, site, &cell, &s);
 }
 
@@ -565,7 +568,7 @@ rmse_of_fit(const struct site *site, const struct posterior *p)
 }
 
 static size_t
-count_cells(const struct site *site)
+count_cells_of_site(const struct site *site)
 {
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -584,7 +587,7 @@ keep_possible_mends(struct outlier_findings *d, const struct site *site,
 	size_t n = 0;
 	for (size_t i = 0; i < d->n; i++) {
 		struct finding f = d->finding[i];
-		struct site *other = mend_site(site, &f.mend, NULL);
+		struct site *other = site_with_mend(site, &f.mend, NULL);
 		if (other == NULL)
 			continue;
 		if (p != NULL) {
@@ -612,7 +615,7 @@ outliers_find(
 	}
 	bool columns = d.n > 0;
 	find_copied_products(&d, site);
-	size_t cells = count_cells(site);
+	size_t cells = count_cells_of_site(site);
 	if (cells > OUTLIERS_CELLS_MOST)
 		d.unseen = cells;
 	bool look = !columns && d.unseen == 0;

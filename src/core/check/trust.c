@@ -65,8 +65,8 @@ remove_parameter_steps(struct misfit *m, const struct fit *fit,
 /* Compares the residuals with the sampling errors that the priors expect: the
  * sum of squares, and that of the products of neighbours. */
 static void
-weigh_residuals(struct evidence *e, const struct misfit *m, const double *d,
-    double parameters, double noise)
+compare_residuals_with_errors(struct evidence *e, const struct misfit *m,
+    const double *d, double parameters, double noise)
 {
 	double error = hypot(HYPER[HYPER_SHARED].median,
 	    noise > 0 ? noise : HYPER[HYPER_OWN].median);
@@ -107,13 +107,13 @@ broken_share_of_breakable(const struct misfit *m, const struct params *p)
 }
 
 static double
-trust_median(double *value)
+trust_median_of_draws(double *value)
 {
 	return gsl_stats_median(value, 1, POSTERIOR_DRAWS);
 }
 
 static void
-trust_read_draws(struct evidence *e, const struct posterior *p,
+trust_summarise_draws(struct evidence *e, const struct posterior *p,
     const struct fit *fit, double finest)
 {
 	enum { N = POSTERIOR_DRAWS };
@@ -136,14 +136,14 @@ trust_read_draws(struct evidence *e, const struct posterior *p,
 	}
 	e->finer = gsl_stats_mean(finer, 1, N);
 	e->finer_sd = gsl_stats_sd(finer, 1, N);
-	e->discrepancy = trust_median(off);
-	e->sampling = trust_median(error);
+	e->discrepancy = trust_median_of_draws(off);
+	e->sampling = trust_median_of_draws(error);
 }
 
 /* Returns the largest difference between the halves at the slowest and the
  * fastest measured speed and midway. */
 static double
-largest_difference_between_halves(const struct evidence *e,
+largest_difference_of_draw_halves(const struct evidence *e,
     const struct posterior *p, const struct site *site, const double *sieve,
     size_t n)
 {
@@ -174,7 +174,7 @@ find_worst_holdout(struct evidence *e, const struct site *site,
 }
 
 static void
-find_measured_speeds(struct evidence *e, const struct misfit *m)
+find_measured_speed_range(struct evidence *e, const struct misfit *m)
 {
 	e->slowest = INFINITY;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -204,7 +204,8 @@ add_weighted_product(double *passing, const struct psd *feed,
 /* Returns a run's product as the fit moves it to the site's mean feed (D19), at
  * the sieves that both feeds cover.  The caller frees it with psd_free. */
 static struct psd
-product_of_mean_feed(const struct site *site, size_t r, const struct fit *fit)
+product_moved_to_mean_feed(
+    const struct site *site, size_t r, const struct fit *fit)
 {
 	const struct run *run = &site->run[r];
 	const struct psd *mean = site_feed_of_run(site, SITE_MEAN_FEED);
@@ -266,19 +267,19 @@ trust_feeds_mislead(
 }
 
 static void
-find_contradictions(struct evidence *e, const struct site *site,
+find_contradicting_runs(struct evidence *e, const struct site *site,
     const bool *use, const struct fit *fit)
 {
 	struct psd *moved = xcalloc(site->n_run, sizeof *moved);
 	for (size_t r = 0; r < site->n_run; r++)
 		if (use[r])
-			moved[r] = product_of_mean_feed(site, r, fit);
+			moved[r] = product_moved_to_mean_feed(site, r, fit);
 	for (size_t r = 0; r < site->n_run; r++)
 		for (size_t k = 0; k < r; k++) {
 			const struct run *slow = &site->run[k],
 					 *fast = &site->run[r];
 			struct passing_order o =
-			    trust_compare_order(&moved[k], &moved[r]);
+			    trust_compare_slow_with_fast(&moved[k], &moved[r]);
 			if (slow->speed < fast->speed &&
 			    trust_is_order_wrong(&o) &&
 			    o.most > e->against.order.most) {
@@ -315,17 +316,17 @@ trust_gather_evidence(const struct site *site, const bool *train,
 	size_t n;
 	double *sieve = site_all_sieves(site, &n);
 	misfit_weighted_differences(m, &fit->params, d);
-	weigh_residuals(
+	compare_residuals_with_errors(
 	    &e, m, d, remove_parameter_steps(m, fit, bounds, d), noise);
-	find_measured_speeds(&e, m);
+	find_measured_speed_range(&e, m);
 	find_worst_holdout(&e, site, train, fit);
-	find_contradictions(&e, site, use, fit);
+	find_contradicting_runs(&e, site, use, fit);
 	e.all_break = !isnan(params_value_by_name(&fit->params, "e0_min")) &&
 		      params_break_size_by_impacts(&fit->params, &fit->settings,
 			  e.slowest) < sieve[n - 1];
 	if (posterior != NULL) {
-		trust_read_draws(&e, posterior, fit, sieve[n - 1]);
-		e.halves = largest_difference_between_halves(
+		trust_summarise_draws(&e, posterior, fit, sieve[n - 1]);
+		e.halves = largest_difference_of_draw_halves(
 		    &e, posterior, site, sieve, n);
 	}
 	free(sieve);
@@ -351,7 +352,7 @@ trust_add_reason(
 }
 
 static void
-judge_data(struct trust *t, const struct evidence *e, double rotor)
+judge_fit_and_data(struct trust *t, const struct evidence *e, double rotor)
 {
 	FREED char *rpm = rotor_speed_rpm_text(rotor, e->slowest, NAN);
 	size_t spare =
@@ -426,7 +427,7 @@ judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 }
 
 static int
-grade_sign(double value, struct warning_sign sign)
+grade_of_warning_sign(double value, struct warning_sign sign)
 {
 	return (value > sign.weak) + (value > sign.strong);
 }
@@ -435,7 +436,8 @@ grade_sign(double value, struct warning_sign sign)
  * show how the product changes there, and is corrected by them.  It then holds
  * even if the model does not. */
 static bool
-is_measured_around(const struct evidence *e, const struct trust_question *q)
+is_supported_by_measurements(
+    const struct evidence *e, const struct trust_question *q)
 {
 	bool between =
 	    q->speed >= e->slowest - 1e-9 && q->speed <= e->fastest + 1e-9;
@@ -444,7 +446,7 @@ is_measured_around(const struct evidence *e, const struct trust_question *q)
 
 /* Adds the reason that a pattern in the residuals gives, or a remark. */
 static void
-add_pattern(struct trust *t, bool remark, char *text)
+add_pattern_reason(struct trust *t, bool remark, char *text)
 {
 	if (remark)
 		t->remark[t->remarks++] = text;
@@ -453,37 +455,38 @@ add_pattern(struct trust *t, bool remark, char *text)
 }
 
 static void
-judge_pattern(struct trust *t, const struct evidence *e, bool remark)
+judge_residual_pattern(struct trust *t, const struct evidence *e, bool remark)
 {
 	double finer = fabs(e->finer) / e->finer_sd;
-	int size = grade_sign(e->size, SIZE),
-	    alike = grade_sign(e->alike, ALIKE);
-	int more = grade_sign(e->more, MORE), drift = grade_sign(finer, FINER);
+	int size = grade_of_warning_sign(e->size, SIZE),
+	    alike = grade_of_warning_sign(e->alike, ALIKE);
+	int more = grade_of_warning_sign(e->more, MORE),
+	    drift = grade_of_warning_sign(finer, FINER);
 	if (size + alike + more + drift < 2)
 		return;
 	if (size > 0)
-		add_pattern(t, remark,
+		add_pattern_reason(t, remark,
 		    xasprintf(
 			tr("the residuals are %.1f times as large as usual "
 			   "sampling errors: the model misses something, or "
 			   "the samples are biased"),
 			sqrt(e->size)));
 	if (alike > 0)
-		add_pattern(t, remark,
+		add_pattern_reason(t, remark,
 		    xasprintf(
 			tr("residuals of neighbouring sieves are alike "
 			   "(%.1f sd more than by chance): the model misses "
 			   "something, or whole samples are biased"),
 			e->alike));
 	if (more > 0)
-		add_pattern(t, remark,
+		add_pattern_reason(t, remark,
 		    xasprintf(
 			tr("what the model leaves out (%.1f points) is no "
 			   "smaller than the sampling errors (%.1f): the "
 			   "answer is as much correction as model"),
 			100 * e->discrepancy, 100 * e->sampling));
 	if (drift > 0)
-		add_pattern(t, remark,
+		add_pattern_reason(t, remark,
 		    xasprintf(
 			tr("the residuals follow the speed, as if fragments "
 			   "got %s with energy (gamma + kappa %.2f "
@@ -537,18 +540,19 @@ judge_threshold_bounds(struct trust *t, const struct evidence *e, double rotor)
 }
 
 double
-trust_speed_reach(double slowest, double fastest)
+trust_reach_beyond_speeds(double slowest, double fastest)
 {
 	double span = fastest - slowest;
 	return span > 0 ? span : SPAN_OF_ONE * slowest;
 }
 
 static void
-judge_speed(struct trust *t, const struct evidence *e, double v, double rotor)
+judge_extrapolated_speed(
+    struct trust *t, const struct evidence *e, double v, double rotor)
 {
 	bool slow = v<e->slowest - 1e-9, fast = v> e->fastest + 1e-9;
 	double end = slow ? e->slowest : e->fastest;
-	double span = trust_speed_reach(e->slowest, e->fastest);
+	double span = trust_reach_beyond_speeds(e->slowest, e->fastest);
 	double beyond = fabs(v - end);
 	bool far = beyond > span + 1e-9;
 	if (!slow && !fast)
@@ -614,15 +618,16 @@ trust_judge_answer(
 		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xstrdup(tr("the products are not measurably finer than the "
 			       "feed: there is nothing to calibrate on")));
-	judge_data(t, e, q->rotor);
+	judge_fit_and_data(t, e, q->rotor);
 	judge_contradictions(t, e, q->rotor);
 	if (!e->like_feed)
 		judge_holdout(t, e, q->rotor);
 	/* An answer shows its first reason. */
 	if (q->speed > 0)
-		judge_speed(t, e, q->speed, q->rotor);
+		judge_extrapolated_speed(t, e, q->speed, q->rotor);
 	if (!e->like_feed)
-		judge_pattern(t, e, is_measured_around(e, q));
+		judge_residual_pattern(
+		    t, e, is_supported_by_measurements(e, q));
 	judge_question(t, q);
 }
 
@@ -660,7 +665,7 @@ trust_change_per_parameter_sd(const struct posterior *p, struct ensemble *e,
 }
 
 double
-trust_feed_difference(const struct psd *a, const struct psd *b)
+trust_largest_feed_difference(const struct psd *a, const struct psd *b)
 {
 	double most = 0;
 	for (size_t i = 0; i < a->n; i++)
@@ -675,7 +680,7 @@ trust_feed_difference(const struct psd *a, const struct psd *b)
 }
 
 struct passing_order
-trust_compare_order(const struct psd *slow, const struct psd *fast)
+trust_compare_slow_with_fast(const struct psd *slow, const struct psd *fast)
 {
 	struct passing_order o = {0};
 	double sum = 0, n = 0;
@@ -704,8 +709,8 @@ trust_is_no_product_finer(const struct site *site)
 		if (misfit_count_covered_sieves(run) == 0)
 			continue;
 		n++;
-		if (trust_compare_order(&run->product, &run->feed).most >
-		    SAMPLES_AGREE)
+		if (trust_compare_slow_with_fast(&run->product, &run->feed)
+			.most > SAMPLES_AGREE)
 			return false;
 	}
 	return n > 0;

@@ -41,7 +41,7 @@ bool trust_is_band_impossible(double rmse, size_t speeds);
 struct passing_order {
 	double most, at, mean;
 };
-struct passing_order trust_compare_order(
+struct passing_order trust_compare_slow_with_fast(
     const struct psd *slow, const struct psd *fast);
 
 /* Above ORDER_NOTABLE the difference deserves a remark, but sampling may
@@ -151,7 +151,7 @@ struct trust {
 
 /* Returns how far beyond the slowest and the fastest measured speed, m/s, an
  * answer is not red for that alone. */
-double trust_speed_reach(double slowest, double fastest);
+double trust_reach_beyond_speeds(double slowest, double fastest);
 
 /* Adds a reason and takes ownership of the text. */
 void trust_add_reason(
@@ -168,7 +168,7 @@ double trust_change_per_parameter_sd(const struct posterior *p,
     struct ensemble *e, size_t n, const char *parameter);
 
 /* Returns the largest difference between two feeds, passing 0..1. */
-double trust_feed_difference(const struct psd *a, const struct psd *b);
+double trust_largest_feed_difference(const struct psd *a, const struct psd *b);
 
 /* Computes the RMSE of a fit over all products of a site that has a feed for
  * each, passing 0..1: with these feeds, and with their mean for all.  Returns

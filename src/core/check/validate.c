@@ -36,7 +36,7 @@ next_training_speed(
 
 /* Returns the training speed nearest to a speed, the slower one of two. */
 static double
-nearest_speed(const struct site *site, const bool *train, double speed)
+nearest_training_speed(const struct site *site, const bool *train, double speed)
 {
 	double below = next_training_speed(site, train, speed, false);
 	double above = next_training_speed(site, train, speed, true);
@@ -68,7 +68,7 @@ find_speeds_to_interpolate(const struct site *site, const bool *train,
 /* Returns the passing of a run's product at a size; NAN below its finest sieve,
  * and above its coarsest one unless all of the feed passes there. */
 static double
-measured_passing(const struct run *run, double x)
+measured_passing_at_size(const struct run *run, double x)
 {
 	const struct psd *product = &run->product;
 	bool above = x > product->size[0];
@@ -90,7 +90,7 @@ mean_passing_at_speed(
 		if (site->run[r].speed != speed ||
 		    !is_training_product(site, train, r))
 			continue;
-		double passing = measured_passing(&site->run[r], x);
+		double passing = measured_passing_at_size(&site->run[r], x);
 		if (isnan(passing))
 			continue;
 		sum += passing;
@@ -130,7 +130,7 @@ validate_predict_by_way(const struct site *site, size_t run, const bool *train,
     enum validate_way way, double *out)
 {
 	const struct run *at = &site->run[run];
-	double nearest = nearest_speed(site, train, at->speed);
+	double nearest = nearest_training_speed(site, train, at->speed);
 	if (way == VALIDATE_MODEL) {
 		fill_model_passings(at, p, settings, out);
 		return;
@@ -148,7 +148,7 @@ validate_predict_by_way(const struct site *site, size_t run, const bool *train,
 
 /* Reads P20, P50 and P80 off the part of a curve that is known. */
 static void
-read_p_sizes(const struct psd *sieves, const double *passing, size_t n,
+read_p20_p50_p80(const struct psd *sieves, const double *passing, size_t n,
     double size[static PSD_SIZES])
 {
 	struct psd known = psd_new(n);
@@ -166,13 +166,13 @@ read_p_sizes(const struct psd *sieves, const double *passing, size_t n,
 
 /* Scores what a way predicts at the covered sieves. */
 static void
-score_way(struct validation *v, const struct site *site, enum validate_way way,
-    const double *passing)
+score_validation_way(struct validation *v, const struct site *site,
+    enum validate_way way, const double *passing)
 {
 	const struct psd *product = &site->run[v->run].product;
 	size_t worst = 0, n = v->n_sieve;
 	v->rmse[way] = psd_rms_difference(passing, product->passing, n, &worst);
-	read_p_sizes(product, passing, n, v->size[way]);
+	read_p20_p50_p80(product, passing, n, v->size[way]);
 	if (way != VALIDATE_MODEL)
 		return;
 	v->misfit = v->rmse[way] * v->rmse[way] * (double)n;
@@ -209,13 +209,13 @@ validate_run_from_predictions(const struct site *site, size_t run,
 	    .holdout = !train[run],
 	    .n_sieve = n,
 	    .n_left_out = at->product.n - n,
-	    .nearest = nearest_speed(site, train, at->speed)};
+	    .nearest = nearest_training_speed(site, train, at->speed)};
 	find_speeds_to_interpolate(site, train, at->speed, v.line);
 	for (size_t i = 0; i < PSD_SIZES; i++)
 		v.measured[i] =
 		    psd_size_at_passing(&at->product, PSD_PASSING[i]);
 	for (enum validate_way way = 0; way < VALIDATE_WAYS; way++)
-		score_way(&v, site, way, passing + way * n);
+		score_validation_way(&v, site, way, passing + way * n);
 	return v;
 }
 

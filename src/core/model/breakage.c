@@ -155,7 +155,7 @@ params_largest_of_gauge(const struct params *p)
 }
 
 void
-params_scale_to_1(struct params *p)
+params_scale_gauge_to_1(struct params *p)
 {
 	double largest = params_largest_of_gauge(p);
 	for (size_t j = 0;
@@ -216,7 +216,7 @@ model_settings_default(void)
 }
 
 bool
-model_settings_same(
+model_settings_are_same(
     const struct model_settings *a, const struct model_settings *b)
 {
 	return a->method == b->method && a->appearance == b->appearance &&

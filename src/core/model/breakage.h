@@ -150,7 +150,7 @@ double params_largest_of_gauge(const struct params *p);
 
 /* Scales the gauge's parameters to a largest absolute value of 1 (D4), unless
  * all are 0. */
-void params_scale_to_1(struct params *p);
+void params_scale_gauge_to_1(struct params *p);
 
 struct bounds bounds_default(size_t breakage);
 
@@ -162,7 +162,7 @@ double bounds_range_of_param(
 struct model_settings model_settings_default(void);
 
 /* True if equal parameters give equal products with both settings. */
-bool model_settings_same(
+bool model_settings_are_same(
     const struct model_settings *a, const struct model_settings *b);
 
 /* Prepare b for parameters, with k and the impacts from the settings, and for a

@@ -18,7 +18,7 @@ void
 grunditz_prepare_breaker(struct breaker *b)
 {
 	struct params scaled = b->p;
-	params_scale_to_1(&scaled);
+	params_scale_gauge_to_1(&scaled);
 	b->appearance = appearance_with_beta(scaled.beta);
 }
 

@@ -21,7 +21,7 @@ struct classes_solver {
 };
 
 void
-classes_sizes(const struct psd *feed, double *x)
+classes_compute_sizes(const struct psd *feed, double *x)
 {
 	size_t pan = feed->n - 1;
 	for (size_t i = 0; i < pan; i++)
@@ -65,7 +65,7 @@ classes_solver_new(const struct breaker *b, const struct psd *feed,
 	c->f = xcalloc_doubles(feed->n);
 	c->S = xcalloc_doubles(feed->n);
 	c->matrix = xcalloc_doubles(feed->n * feed->n);
-	classes_sizes(feed, c->x);
+	classes_compute_sizes(feed, c->x);
 	for (size_t i = 0; i + 1 < feed->n; i++)
 		c->f[i] = feed->passing[i] - feed->passing[i + 1];
 	c->f[feed->n - 1] = feed->passing[feed->n - 1];
@@ -92,7 +92,7 @@ compute_matrix_and_selection(struct classes_solver *c)
 {
 	classes_appearance_matrix(c->b, c->form, c->x, c->feed.n, c->matrix);
 	for (size_t i = 0; i < c->feed.n; i++)
-		c->S[i] = selection_by_breaker(c->b, el_log(c->x[i]), NULL);
+		c->S[i] = selection_at_log_size(c->b, el_log(c->x[i]), NULL);
 }
 
 void

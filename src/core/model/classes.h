@@ -25,7 +25,7 @@ double classes_solver_share_selected(struct classes_solver *c);
 
 /* Computes the sizes x, m, of the n feed classes, coarsest first, the pan last
  * (D5). */
-void classes_sizes(const struct psd *feed, double *x);
+void classes_compute_sizes(const struct psd *feed, double *x);
 
 /* Computes the appearance matrix of Table 1 for size classes.
  *   a_ij share of class i that falls into class j, j at or below i; columns

@@ -110,7 +110,7 @@ find_panel_ends_for_impacts(struct continuous_solver *c)
 }
 
 static void
-find_ends_of_panels(struct continuous_solver *c)
+find_quadrature_panel_ends(struct continuous_solver *c)
 {
 	for (size_t i = 0; i < STOPS; i++)
 		c->stop[i] = selection_size_at_exponent(c->b, STOP_AT[i]);
@@ -140,7 +140,7 @@ make_quadrature_points(struct continuous_solver *c, bool gradient)
 		    c->density[e], add_quadrature_points, &c->n_point);
 	for (size_t i = 0; i < c->n_point; i++) {
 		struct point *p = &c->point[i];
-		p->S = selection_by_breaker(b, p->t, gradient ? p->dS : NULL);
+		p->S = selection_at_log_size(b, p->t, gradient ? p->dS : NULL);
 	}
 }
 
@@ -251,7 +251,7 @@ void
 continuous_solver_product(
     struct continuous_solver *c, double *passing, double *d_passing)
 {
-	find_ends_of_panels(c);
+	find_quadrature_panel_ends(c);
 	size_t n = c->b->model->n;
 	if (d_passing != NULL)
 		memset(d_passing, 0, c->n_sieve * n * sizeof *d_passing);
@@ -277,7 +277,7 @@ double
 continuous_solver_share_selected(struct continuous_solver *c)
 {
 	double sum = 0;
-	find_ends_of_panels(c);
+	find_quadrature_panel_ends(c);
 	make_quadrature_points(c, false);
 	for (size_t i = 0; i < c->n_point; i++)
 		sum += c->point[i].mass * c->point[i].S;

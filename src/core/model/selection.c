@@ -7,7 +7,7 @@
 #include "base/xalloc.h"
 
 double
-selection_by_breaker(const struct breaker *b, double log_x, double *d)
+selection_at_log_size(const struct breaker *b, double log_x, double *d)
 {
 	size_t f = b->model->strength;
 	return selection_by_impacts(&b->impacts, b->p.at + f, b->k, b->E, log_x,

@@ -89,7 +89,7 @@ selection_by_impacts(const struct impacts *impacts, const double q[static 3],
 
 /* Returns S at ln x, x in m, and adds its derivatives with respect to all
  * parameters of the model to d, if not NULL. */
-double selection_by_breaker(const struct breaker *b, double log_x, double *d);
+double selection_at_log_size(const struct breaker *b, double log_x, double *d);
 
 /* Returns the ln x at which -ln(1 - S) has the value `exponent`, for the ends
  * of panels in integrals of S.  It rises with the exponent; at 0 it is the

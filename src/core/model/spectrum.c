@@ -184,7 +184,7 @@ spectrum_impacts_per_particle(
 }
 
 double
-spectrum_energy_factor(const struct spectrum *s, double speed)
+spectrum_energy_factor_at_speed(const struct spectrum *s, double speed)
 {
 	double ratio = speed / s->speed;
 	return ratio * ratio;

@@ -87,7 +87,7 @@ double spectrum_equivalent_k(const struct spectrum *s,
 
 /* Returns the factor that scales the energies to another speed, by v^2; the
  * spectrum's speed must be known. */
-double spectrum_energy_factor(const struct spectrum *s, double speed);
+double spectrum_energy_factor_at_speed(const struct spectrum *s, double speed);
 
 /* Returns the Kolmogorov-Smirnov distance, 0..1, between two spectra with
  * energies divided by v^2/2: the largest difference in the share of impacts

@@ -32,7 +32,7 @@ struct covariance {
 
 /* Numbers the sizes of the cells.  False if there are too many. */
 static bool
-number_sizes_of_cells(struct covariance *c)
+enumerate_cell_sizes(struct covariance *c)
 {
 	c->sizes = 0;
 	for (size_t i = 0; i < c->n; i++) {
@@ -65,7 +65,7 @@ move_sizes_to_grid(struct cell *cell, size_t n)
 }
 
 static void
-find_blocks(struct covariance *c)
+find_blocks_of_runs(struct covariance *c)
 {
 	c->first = xcalloc(c->n + 1, sizeof *c->first);
 	c->at = xcalloc(c->n + 1, sizeof *c->at);
@@ -94,12 +94,12 @@ covariance_new(enum isa isa, struct cell *cell, size_t n)
 	if (!c->many)
 		return c;
 	c->size = xcalloc(n, sizeof *c->size);
-	if (!number_sizes_of_cells(c)) {
+	if (!enumerate_cell_sizes(c)) {
 		move_sizes_to_grid(cell, n);
 		memcpy(c->cell, cell, n * sizeof *cell);
-		number_sizes_of_cells(c);
+		enumerate_cell_sizes(c);
 	}
-	find_blocks(c);
+	find_blocks_of_runs(c);
 	return c;
 }
 
@@ -142,7 +142,7 @@ fill_size_pairs(const struct covariance *c, const double hyper[static HYPERS],
 }
 
 static void
-factor_block(const struct covariance *c, size_t b,
+factor_block_of_run(const struct covariance *c, size_t b,
     const struct size_pairs *pairs, double own, double *U)
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first;
@@ -190,7 +190,7 @@ add_run_to_coupling(const struct covariance *c, size_t b, const double *U,
 
 /* Computes to = U G U', [n * n]; U is an upper triangle. */
 static void
-multiply_between(
+multiply_on_both_sides(
     const double *U, const double *G, size_t n, double *work, double *to)
 {
 	for (size_t i = 0; i < n; i++)
@@ -216,7 +216,8 @@ slope_factor_of_process(
 }
 
 static void
-factor_coupling(const struct covariance *c, const double *G, double *factor)
+factor_coupling_matrix(
+    const struct covariance *c, const double *G, double *factor)
 {
 	size_t S = c->sizes, m = TERMS * S;
 	double *A = factor + c->at_A;
@@ -225,7 +226,8 @@ factor_coupling(const struct covariance *c, const double *G, double *factor)
 		for (size_t k = j; k < TERMS; k++, G += S * S) {
 			double scale = slope_factor_of_process(c, factor, j) *
 				       slope_factor_of_process(c, factor, k);
-			multiply_between(factor + c->at_K, G, S, work, part);
+			multiply_on_both_sides(
+			    factor + c->at_K, G, S, work, part);
 			for (size_t i = 0; i < S * S; i++)
 				A[(j * S + i / S) * m + k * S + i % S] =
 				    scale * part[i];
@@ -252,10 +254,10 @@ factor_by_woodbury(const struct covariance *c,
 	double *work = xcalloc_doubles(c->largest * c->largest);
 	for (size_t b = 0; b < c->blocks; b++) {
 		double *U = factor + c->at[b];
-		factor_block(c, b, &pairs, hyper[HYPER_OWN], U);
+		factor_block_of_run(c, b, &pairs, hyper[HYPER_OWN], U);
 		add_run_to_coupling(c, b, U, G, work);
 	}
-	factor_coupling(c, G, factor);
+	factor_coupling_matrix(c, G, factor);
 	free(G);
 	free(work);
 }
@@ -346,7 +348,7 @@ covariance_minus_log_density(
 
 /* Computes E^-1 d of a run in place. */
 static void
-solve_block(
+solve_block_of_run(
     const struct covariance *c, const double *factor, size_t b, double *d)
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first;
@@ -362,7 +364,7 @@ solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 	double f[TERMS * SIZES] = {0}, *less = xcalloc_doubles(c->n);
 	size_t m = TERMS * c->sizes;
 	for (size_t b = 0; b < c->blocks; b++) {
-		solve_block(c, factor, b, d);
+		solve_block_of_run(c, factor, b, d);
 		add_cells_to_processes(c, b, d, f);
 	}
 	multiply_processes_by_upper(c, factor, f);
@@ -371,7 +373,7 @@ solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 	multiply_processes_by_lower(c, factor, f);
 	for (size_t b = 0; b < c->blocks; b++) {
 		add_processes_to_cells(c, b, f, less);
-		solve_block(c, factor, b, less);
+		solve_block_of_run(c, factor, b, less);
 	}
 	for (size_t i = 0; i < c->n; i++)
 		d[i] -= less[i];

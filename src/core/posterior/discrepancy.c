@@ -124,7 +124,7 @@ discrepancy_solve_upper(const double *U, size_t n, double *z)
 /* Numbers the sizes of the cells, equal sizes alike, and returns how many sizes
  * there are. */
 static size_t
-discrepancy_number_sizes(const struct cell *cell, size_t n, int64_t *size)
+discrepancy_enumerate_sizes(const struct cell *cell, size_t n, int64_t *size)
 {
 	size_t sizes = 0;
 	for (size_t i = 0; i < n; i++) {
@@ -159,7 +159,7 @@ discrepancy_fill_covariance(enum isa isa, const struct cell *cell, size_t n,
 		c.term[k] = column + (4 + k) * n;
 	c.pair[0] = column + (4 + DISCREPANCY_TERMS) * n;
 	c.pair[1] = c.pair[0] + pairs;
-	c.sizes = discrepancy_number_sizes(cell, n, c.size);
+	c.sizes = discrepancy_enumerate_sizes(cell, n, c.size);
 	for (size_t i = 0; i < n; i++) {
 		c.run[i] = (int64_t)cell[i].run;
 		c.h[i] = cell[i].h;

@@ -328,7 +328,7 @@ share_of_correction_left(const struct posterior *p, double v, double *left)
  * linear in v^2 between measured speeds, constant beyond them; 0 until it has
  * been found. */
 static double
-lack_of_fit_at(const struct posterior *p, double v, size_t knot)
+lack_of_fit_at_knot(const struct posterior *p, double v, size_t knot)
 {
 	if (p->lack == NULL)
 		return 0;
@@ -357,7 +357,7 @@ fill_discrepancy_at_knots(struct ensemble *e, double v)
 			factor[j][d] = left[d] * term[j];
 	}
 	for (size_t i = 0; i < p->n_knot * DRAWS; i += DRAWS) {
-		double lack = lack_of_fit_at(p, at, i / DRAWS);
+		double lack = lack_of_fit_at_knot(p, at, i / DRAWS);
 		for (size_t d = 0; d < DRAWS; d++) {
 			double sum = left[d] * lack;
 			for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
@@ -413,7 +413,7 @@ fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 
 /* Makes the samples on request only: few callers need them. */
 static void
-make_samples(struct ensemble *e)
+make_ensemble_samples(struct ensemble *e)
 {
 	if (e->sampled)
 		return;
@@ -577,7 +577,7 @@ limit_answers_by_grid(struct ensemble *e, double v)
 
 /* Computes the answers as drawn, except that none falls with the speed. */
 static void
-compute_rising_answers_at(struct ensemble *e, double v)
+compute_rising_answers_at_speed(struct ensemble *e, double v)
 {
 	if (e->rising[SLOWEST] == NULL)
 		make_rising_grid(e);
@@ -607,13 +607,13 @@ is_draw_straight(const struct posterior *p, size_t draw)
 
 /* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
-straighten_some_draws_between_runs(struct ensemble *e, double v, size_t k)
+compute_answers_between_runs(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
 	double a = p->speed[k], b = p->speed[k + 1];
 	double t = (v * v - a * a) / (b * b - a * a);
 	double *answer = e->part[ENSEMBLE_ANSWER];
-	compute_rising_answers_at(e, v);
+	compute_rising_answers_at_speed(e, v);
 	const double *below = e->rising[e->measured[k]],
 		     *above = e->rising[e->measured[k + 1]];
 	for (size_t d = 0; d < DRAWS; d++)
@@ -706,11 +706,11 @@ ensemble_set_speed(struct ensemble *e, double v)
 	if (e->of->speed_sd > 0)
 		compute_answers_at_true_speeds(e, v);
 	else if (is_between_measured_speeds(e->of, v, &k))
-		straighten_some_draws_between_runs(e, v, k);
+		compute_answers_between_runs(e, v, k);
 	else
-		compute_rising_answers_at(e, v);
+		compute_rising_answers_at_speed(e, v);
 	if (e->bypass > 0) {
-		make_samples(e);
+		make_ensemble_samples(e);
 		ensemble_add_bypass(e);
 	}
 	e->at = v;
@@ -720,7 +720,7 @@ const double *
 ensemble_products(struct ensemble *e, enum ensemble_part part)
 {
 	if (part == ENSEMBLE_SAMPLE)
-		make_samples(e);
+		make_ensemble_samples(e);
 	return e->part[part];
 }
 

@@ -55,7 +55,8 @@ guide_add_generation(struct guide *g, const double *const *x, size_t chains,
 }
 
 void
-guide_add_other(struct guide *g, const struct guide *other, double generations)
+guide_merge_other(
+    struct guide *g, const struct guide *other, double generations)
 {
 	g->n += generations;
 	blend_moments(g, generations / g->n, &other->of);

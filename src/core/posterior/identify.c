@@ -53,7 +53,7 @@ direction_of_draw(const struct posterior *p, size_t d, size_t n, double *unit)
  * parameters of which only the direction counts: the RMS of the sine, divided
  * by that of random directions. */
 static double
-scatter_of_direction(const struct posterior *p, size_t n)
+scatter_of_draw_directions(const struct posterior *p, size_t n)
 {
 	double mean[PARAMS_MOST] = {0}, unit[PARAMS_MOST], length = 0, sum = 0;
 	for (size_t d = 0; d < DRAWS; d++) {
@@ -91,7 +91,7 @@ identify_summarise_param(const struct posterior *p, size_t j)
 	/* Scaling may make one of them 1 in all draws, which does not mean that
 	 * the data determine it. */
 	if (j < of->gauge) {
-		a.ratio = scatter_of_direction(p, of->gauge);
+		a.ratio = scatter_of_draw_directions(p, of->gauge);
 		moves = a.ratio > 1e-9;
 	}
 	a.grade = !moves                 ? IDENTIFY_FIXED
@@ -105,7 +105,7 @@ identify_summarise_param(const struct posterior *p, size_t j)
 }
 
 struct identify_pair
-identify_correlate_pair(const struct posterior *p, size_t i, size_t j)
+identify_correlate_params(const struct posterior *p, size_t i, size_t j)
 {
 	double a[DRAWS], b[DRAWS], work[2 * DRAWS];
 	copy_draws_of_parameter(p, i, a);
@@ -123,7 +123,7 @@ identify_stronger_correlation(struct identify_pair pair)
 }
 
 struct identify_break
-identify_break_size(const struct posterior *p, double v, double size)
+identify_summarise_break_size(const struct posterior *p, double v, double size)
 {
 	double value[DRAWS], sum[3] = {0};
 	struct identify_break a = {0};

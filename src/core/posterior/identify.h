@@ -37,7 +37,7 @@ struct identify_param identify_summarise_param(
 struct identify_pair {
 	double linear, rank;
 };
-struct identify_pair identify_correlate_pair(
+struct identify_pair identify_correlate_params(
     const struct posterior *p, size_t i, size_t j);
 
 /* Returns the correlation with the larger absolute value. */
@@ -49,7 +49,7 @@ double identify_stronger_correlation(struct identify_pair pair);
 struct identify_break {
 	double mean, sd, low, high, below;
 };
-struct identify_break identify_break_size(
+struct identify_break identify_summarise_break_size(
     const struct posterior *p, double v, double size);
 
 #endif

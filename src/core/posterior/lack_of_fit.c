@@ -13,7 +13,7 @@
 /* Computes the residuals of the mean answer at a run, r [n] out, and h at the
  * middle between answer and measurement (discrepancy.h). */
 static void
-find_residuals(const struct posterior *p, const struct misfit_run *run,
+compute_run_residuals(const struct posterior *p, const struct misfit_run *run,
     double *r, double *h)
 {
 	struct ensemble *e = ensemble_new(p, &run->feed, run->sieve, run->n);
@@ -123,7 +123,7 @@ residuals_of_runs(const struct posterior *p, const struct misfit *m)
 {
 	double *r = xcalloc_doubles(2 * m->n_residual), *at = r;
 	for (size_t j = 0; j < m->n_run; at += m->run[j++].n)
-		find_residuals(p, &m->run[j], at, at + m->n_residual);
+		compute_run_residuals(p, &m->run[j], at, at + m->n_residual);
 	return r;
 }
 

@@ -263,7 +263,7 @@ index_of_strength_kind(const struct sampler *s, const double *x)
 	return s->two && x[STRENGTHS] > 0;
 }
 
-/* Returns ln of the density from which propose_guided draws, up to a
+/* Returns ln of the density from which propose_guided_move draws, up to a
  * constant. */
 static double
 log_guided_density(const struct sampler *s, const double *x)
@@ -295,7 +295,7 @@ draw_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
  * whether the rock has one strength or two.  Small steps hardly ever change
  * that, and each kind has its own mean and covariance. */
 static void
-propose_guided(struct sampler *s, size_t i, struct rng_key key)
+propose_guided_move(struct sampler *s, size_t i, struct rng_key key)
 {
 	const double half = 0.5;
 	const double *now = s->chain[s->first + i].x;
@@ -335,12 +335,12 @@ list_moving_coordinates(const struct sampler *s, size_t *at)
 /* A kind with few chains is blended with all chains, which tell more than these
  * few alone. */
 static void
-factor_guides(struct sampler *s)
+factor_guide_covariances(struct sampler *s)
 {
 	const double generations = 2, least = 0.05;
 	size_t at[COORDINATES], n = list_moving_coordinates(s, at);
 	struct guide all = s->guide[0];
-	guide_add_other(&all, &s->guide[1], s->guide[1].n);
+	guide_merge_other(&all, &s->guide[1], s->guide[1].n);
 	if (s->hyper) {
 		guide_factor_subset(&all, at, n, &s->hypers);
 		return;
@@ -348,7 +348,7 @@ factor_guides(struct sampler *s)
 	for (size_t kind = 0; kind < 2; kind++) {
 		struct guide g = s->guide[kind];
 		double share = g.n / all.n;
-		guide_add_other(&g, &all, generations);
+		guide_merge_other(&g, &all, generations);
 		guide_factor_subset(&g, at,
 		    s->two && kind == 0 ? n - STRENGTHS_COORDINATES : n,
 		    &s->kind[kind]);
@@ -369,7 +369,7 @@ choose_kind_of_move(struct sampler *s)
 				    s->generation % ALONG_EVERY != 0);
 	s->guided = s->guided && s->generation >= RUNG;
 	if (s->guided && s->first == 0)
-		factor_guides(s);
+		factor_guide_covariances(s);
 }
 
 static void
@@ -395,7 +395,7 @@ accept_trial(struct chain *chain, struct chain *trial, bool hyper)
 }
 
 static void
-accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
+accept_or_reject_trial(struct sampler *s, size_t i, struct rng_key key)
 {
 	struct chain *now = &s->chain[s->first + i], *trial = &s->trial[i];
 	double rise = s->share * (trial->likelihood - now->likelihood) +
@@ -411,7 +411,7 @@ accept_or_reject(struct sampler *s, size_t i, struct rng_key key)
 
 /* Changes to the other half.  True if both have moved. */
 static bool
-switch_halves(struct sampler *s)
+switch_to_other_half(struct sampler *s)
 {
 	s->first = HALF - s->first;
 	return s->first == 0;
@@ -419,17 +419,17 @@ switch_halves(struct sampler *s)
 
 /* Moves a half.  True if that completes a generation. */
 static bool
-move_half(struct sampler *s)
+move_half_of_chains(struct sampler *s)
 {
 	struct rng_key key = rng_make_key(s->seed, s->generation, USE_MOVE);
 	choose_kind_of_move(s);
 	for (size_t i = 0; i < HALF; i++)
-		(s->guided ? propose_guided : propose_along_difference)(
+		(s->guided ? propose_guided_move : propose_along_difference)(
 		    s, i, key);
 	evaluate_all_trials(s);
 	for (size_t i = 0; i < HALF; i++)
-		accept_or_reject(s, i, key);
-	if (!switch_halves(s))
+		accept_or_reject_trial(s, i, key);
+	if (!switch_to_other_half(s))
 		return false;
 	s->generation++;
 	return true;
@@ -438,7 +438,8 @@ move_half(struct sampler *s)
 /* Puts a chain near the fit, at a random distance along each direction of the
  * sensitivities, as far as the data leave that direction open. */
 static void
-start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
+place_chain_near_fit(
+    const struct sampler *s, struct rng_key key, struct chain *c)
 {
 	const struct sensitivity *of = &s->sensitivity;
 	struct params p = s->fit;
@@ -467,20 +468,20 @@ start_chain(const struct sampler *s, struct rng_key key, struct chain *c)
 }
 
 static void
-start_half(struct sampler *s)
+start_sampling_half(struct sampler *s)
 {
 	s->hyper = false;
 	s->share = FIRST_RUNG;
 	for (size_t i = 0; i < HALF; i++) {
 		struct chain *c = &s->chain[s->first + i];
-		start_chain(
+		place_chain_near_fit(
 		    s, rng_make_key(s->seed, s->first + i, USE_START), c);
 		memcpy(s->trial[i].x, c->x, sizeof c->x);
 	}
 	evaluate_all_trials(s);
 	for (size_t i = 0; i < HALF; i++)
 		accept_trial(&s->chain[s->first + i], &s->trial[i], false);
-	s->started = switch_halves(s);
+	s->started = switch_to_other_half(s);
 }
 
 static void
@@ -564,7 +565,7 @@ gelman_rubin(const struct sums *sums, size_t j)
 /* Returns the difference between the means of the two halves of the draws, in
  * standard deviations. */
 static double
-difference_of_halves(const struct posterior *p, size_t j)
+difference_of_draw_halves(const struct posterior *p, size_t j)
 {
 	double sum[2] = {0}, squares = 0;
 	for (size_t i = 0; i < POSTERIOR_DRAWS; i++) {
@@ -588,7 +589,7 @@ measure_convergence(
 		if (j < s->of->n || j >= PARAMS_MOST)
 			p->ratio = fmax(p->ratio, gelman_rubin(sums, j));
 	for (size_t j = 0; j < s->of->n; j++)
-		p->drift = fmax(p->drift, difference_of_halves(p, j));
+		p->drift = fmax(p->drift, difference_of_draw_halves(p, j));
 }
 
 /* Puts knots at the sizes of the cells and the ends of the feeds, and more in
@@ -659,7 +660,7 @@ draw_random_normals(struct noise *noise, size_t n, double *z)
 
 /* Draws a Gaussian process at the knots.  Its covariance is U' U. */
 static void
-draw_gaussian_process(
+sample_gaussian_process(
     const double *U, size_t n, struct noise *noise, double *f, double *work)
 {
 	draw_random_normals(noise, n, work);
@@ -712,7 +713,7 @@ knot_pairs_clear(struct knot_pairs *k)
 /* Simulates the differences of an artificial plant, d [n_cell] out: the
  * processes as drawn from the prior, and errors drawn likewise. */
 static void
-simulate_differences(const struct sampler *s, const struct posterior *p,
+simulate_plant_differences(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
     const double *shared, struct noise *noise, double *d)
 {
@@ -724,7 +725,7 @@ simulate_differences(const struct sampler *s, const struct posterior *p,
 		const struct cell *c = &s->cell[i];
 		size_t k = index_of_knot(p, c->log_size);
 		if (i == 0 || c->run != s->cell[i - 1].run)
-			draw_gaussian_process(shared, m, noise, error, work);
+			sample_gaussian_process(shared, m, noise, error, work);
 		double sum = error[k] + draw->hyper[HYPER_OWN] * d[i];
 		discrepancy_speed_terms(c->t, draw->hyper[HYPER_SLOPE], term);
 		for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
@@ -739,7 +740,7 @@ simulate_differences(const struct sampler *s, const struct posterior *p,
  * the data show beyond those of the artificial plant.  pair: knot_pairs.f,
  * because the sizes of the cells are among the knots. */
 static void
-condition_on_data(const struct sampler *s, const struct posterior *p,
+condition_processes_on_data(const struct sampler *s, const struct posterior *p,
     const struct chain *chain, const double *pair, double slope,
     double *const *process, double *d)
 {
@@ -762,7 +763,7 @@ condition_on_data(const struct sampler *s, const struct posterior *p,
 
 /* Makes draw number `at`. */
 static void
-make_draw(const struct sampler *s, struct posterior *p,
+make_posterior_draw(const struct sampler *s, struct posterior *p,
     const struct chain *chain, struct noise noise, size_t at)
 {
 	struct posterior_draw *draw = &p->draw[at];
@@ -771,7 +772,7 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *process[DISCREPANCY_TERMS], *next = room;
 	draw->params = s->fit;
 	coordinates_to_params(&s->coordinates, chain->x, draw->params.at);
-	params_scale_to_1(&draw->params);
+	params_scale_gauge_to_1(&draw->params);
 	draw->strengths = strengths_of_trial(s, chain->x);
 	for (size_t j = 0; j < HYPERS; j++)
 		draw->hyper[j] = el_exp(chain->x[PARAMS_MOST + j]);
@@ -780,13 +781,15 @@ make_draw(const struct sampler *s, struct posterior *p,
 	double *error = next, *work = error + m, *d = work + m;
 	struct knot_pairs pairs = knot_pairs_new(s->isa, p, draw->hyper);
 	for (size_t j = 0; j < DISCREPANCY_TERMS; j++)
-		draw_gaussian_process(pairs.wide, m, &noise, process[j], work);
-	draw_gaussian_process(pairs.shared, m, &noise, error, work);
+		sample_gaussian_process(
+		    pairs.wide, m, &noise, process[j], work);
+	sample_gaussian_process(pairs.shared, m, &noise, error, work);
 	draw_random_normals(&noise, m, work);
 	for (size_t k = 0; k < m; k++)
 		error[k] += draw->hyper[HYPER_OWN] * work[k];
-	simulate_differences(s, p, draw, process, pairs.shared, &noise, d);
-	condition_on_data(
+	simulate_plant_differences(
+	    s, p, draw, process, pairs.shared, &noise, d);
+	condition_processes_on_data(
 	    s, p, chain, pairs.f, draw->hyper[HYPER_SLOPE], process, d);
 	for (size_t k = 0; k < m; k++) {
 		size_t place = k * POSTERIOR_DRAWS + at;
@@ -799,7 +802,7 @@ make_draw(const struct sampler *s, struct posterior *p,
 }
 
 static double
-mean_energy(const struct misfit *m)
+mean_energy_of_runs(const struct misfit *m)
 {
 	double sum = 0;
 	for (size_t r = 0; r < m->n_run; r++)
@@ -838,7 +841,7 @@ widen_to_model_with_gamma(const struct params *p, double energy,
 	}
 	settings->breakage = (unsigned)wide;
 	*bounds = b;
-	params_scale_to_1(&q);
+	params_scale_gauge_to_1(&q);
 	return q;
 }
 
@@ -920,7 +923,7 @@ sampler_new(struct misfit *m, const struct params *fit,
 	s->noise = o->noise;
 	s->isa = isa_usable_or_best(o->isa);
 	s->coordinates = coordinates_new_about_fit(
-	    fit, bounds, &m->settings, el_log(mean_energy(m)));
+	    fit, bounds, &m->settings, el_log(mean_energy_of_runs(m)));
 	s->two = bounds->upper[f + 1] > bounds->lower[f + 1];
 	s->sensitivity = sensitivity_at_params(m, fit, bounds, true, NULL);
 	double squares = misfit_weighted_differences(m, fit, d);
@@ -1044,7 +1047,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	struct misfit *m = misfit_new(site, use, NULL, false, o->settings);
 	p->settings = o->settings;
 	p->fit = widen_to_model_with_gamma(
-	    fit, mean_energy(m), &p->settings, &bounds);
+	    fit, mean_energy_of_runs(m), &p->settings, &bounds);
 	p->bounds = bounds;
 	misfit_free(m);
 	m = misfit_new(site, use, NULL, false, p->settings);
@@ -1078,7 +1081,7 @@ count_draws_due(const struct sampler *s)
 }
 
 static void
-make_some_draws(void *data, size_t part, unsigned thread)
+make_draws_of_some_chains(void *data, size_t part, unsigned thread)
 {
 	struct posterior_run *run = data;
 	struct sampler *s = run->s;
@@ -1088,7 +1091,7 @@ make_some_draws(void *data, size_t part, unsigned thread)
 		struct noise noise = {s->isa,
 		    rng_make_key(s->seed, which / 2 * CHAINS + i, USE_DRAW), 0,
 		    first == 0 ? 1 : -1};
-		make_draw(
+		make_posterior_draw(
 		    s, &run->batch[which / 2], &s->chain[i], noise, first + i);
 	}
 }
@@ -1096,14 +1099,14 @@ make_some_draws(void *data, size_t part, unsigned thread)
 static void
 make_draws_of_each_chain(struct posterior_run *run)
 {
-	pool_run(run->s->pool, CHAINS / PART, make_some_draws, run);
+	pool_run(run->s->pool, CHAINS / PART, make_draws_of_some_chains, run);
 	size_t n = count_draws_due(run->s);
 	if (n % 2 == 0)
 		thin_add_batch(run->thin, &run->batch[n / 2 - 1]);
 }
 
 static void
-choose_draws(struct posterior_run *run)
+choose_posterior_draws(struct posterior_run *run)
 {
 	enum { N = POSTERIOR_DRAWS };
 	struct posterior *p = run->p;
@@ -1146,10 +1149,10 @@ posterior_step(struct posterior_run *run)
 	if (s->generation == WARM_UP + KEPT)
 		return true;
 	if (!s->started) {
-		start_half(s);
+		start_sampling_half(s);
 		return false;
 	}
-	if (!move_half(s))
+	if (!move_half_of_chains(s))
 		return false;
 	if (s->generation % RUNG == 0 && s->share < 1)
 		temper_chains(s, fmin(1, RISE * s->share));
@@ -1163,7 +1166,7 @@ posterior_step(struct posterior_run *run)
 		make_draws_of_each_chain(run);
 	if (s->generation < WARM_UP + KEPT)
 		return false;
-	choose_draws(run);
+	choose_posterior_draws(run);
 	lack_of_fit_find(run->p, run->m);
 	thin_set_straight_share(run->thin, run->p);
 	lack_of_fit_add_smooth(run->p, run->m);

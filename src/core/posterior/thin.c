@@ -14,7 +14,7 @@
 #include "core/posterior/ensemble.h"
 
 /* An answer has three features: its value, and on which side of each end of the
- * band it is, see add_features. */
+ * band it is, see add_answer_features. */
 enum { SPEEDS = 5, SIEVES = 16, FEATURES = 3 };
 
 struct thin {
@@ -86,7 +86,7 @@ soft_sign_of_distance(double off)
 /* Adds the features of an answer to the rows [n][width] of the candidates, and
  * the answer itself to `by`, by which they are sorted. */
 static void
-add_features(
+add_answer_features(
     const double *answer, size_t n, double *row, size_t width, double *by)
 {
 	const double end = 1.28; /* standard deviations, for a band of 80 % */
@@ -109,7 +109,7 @@ add_features(
  * those kept nearer to those of the others: 1 is the first, -1 the second.
  * *sign holds the earlier choice, or 0.  True if the choice changed. */
 static bool
-choose_one_of_pair(const double *one, const double *two, size_t width,
+choose_draw_of_pair(const double *one, const double *two, size_t width,
     double *sum, double *sign)
 {
 	double product = 0, square = 0, was = *sign;
@@ -126,7 +126,7 @@ choose_one_of_pair(const double *one, const double *two, size_t width,
 
 /* Keeps one of each pair.  The pairs choose in turn until no choice changes. */
 static void
-keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
+keep_draw_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 {
 	enum { TURNS = 8 };
 	double *sum = xcalloc_doubles(width + 1),
@@ -135,9 +135,10 @@ keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 	for (size_t turn = 0; turn < TURNS && changed; turn++) {
 		changed = false;
 		for (size_t i = 0; i < n / 2; i++)
-			changed |= choose_one_of_pair(row + list[2 * i] * width,
-			    row + list[2 * i + 1] * width, width, sum,
-			    &sign[i]);
+			changed |=
+			    choose_draw_of_pair(row + list[2 * i] * width,
+				row + list[2 * i + 1] * width, width, sum,
+				&sign[i]);
 	}
 	for (size_t i = 0; i < n / 2; i++)
 		list[i] = list[sign[i] < 0 ? 2 * i + 1 : 2 * i];
@@ -148,7 +149,7 @@ keep_one_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 /* Sorts the first and the second half of the candidates, each from the coarsest
  * to the finest, so that neighbours are alike. */
 static void
-sort_each_half(const double *by, size_t n, size_t *list)
+sort_halves_by_value(const double *by, size_t n, size_t *list)
 {
 	size_t half = n / 2;
 	gsl_sort_index(list, by, 1, half);
@@ -185,11 +186,11 @@ thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
 	double *row = xcalloc_doubles(n * width + 1), *by = xcalloc_doubles(n);
 	keep_answers_from_falling(t);
 	for (size_t k = 0; k < answers; k++)
-		add_features(
+		add_answer_features(
 		    t->answer + k * n, n, row + k * FEATURES, width, by);
-	sort_each_half(by, n, list);
+	sort_halves_by_value(by, n, list);
 	for (; n > POSTERIOR_DRAWS; n /= 2)
-		keep_one_of_each_pair(row, width, list, n);
+		keep_draw_of_each_pair(row, width, list, n);
 	memcpy(chosen, list, POSTERIOR_DRAWS * sizeof *list);
 	free(list);
 	free(row);

@@ -52,7 +52,7 @@ find_distinct_feeds(
 	size_t kept = 0;
 	for (size_t i = 0; i < n; i++) {
 		size_t k = 0;
-		while (k < kept && !psd_same(out[k], feed[i]))
+		while (k < kept && !psd_is_same(out[k], feed[i]))
 			k++;
 		if (k == kept && feed[i]->n > 0)
 			out[kept++] = feed[i];

@@ -156,7 +156,7 @@ psd_new_with_sizes_between(const double *size, size_t n)
 }
 
 bool
-psd_same(const struct psd *a, const struct psd *b)
+psd_is_same(const struct psd *a, const struct psd *b)
 {
 	size_t i = 0;
 	while (i < a->n && i < b->n && a->size[i] == b->size[i] &&
@@ -266,8 +266,7 @@ psd_deviation_from_chord(const struct psd *psd, size_t i)
 /* The bend of a curve at sieve i of another; NAN where it has not the same
  * three sieves side by side. */
 static double
-deviation_at_same_sieves(
-    const struct psd *curve, const struct psd *of, size_t i)
+bend_at_same_sieves(const struct psd *curve, const struct psd *of, size_t i)
 {
 	for (size_t j = 1; j + 1 < curve->n; j++)
 		if (curve->size[j - 1] == of->size[i - 1] &&
@@ -286,8 +285,7 @@ deviation_less_mean_of_others(
 	double sum = 0;
 	for (size_t o = 0; o < n; o++) {
 		double bend =
-		    o == c ? NAN
-			   : deviation_at_same_sieves(curve[o], curve[c], i);
+		    o == c ? NAN : bend_at_same_sieves(curve[o], curve[c], i);
 		if (isnan(bend))
 			continue;
 		out.others++;

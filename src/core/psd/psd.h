@@ -41,7 +41,7 @@ struct psd psd_smooth_curve(const struct psd *psd);
 struct psd psd_new_with_sizes_between(const double *size, size_t n);
 
 /* True if both are identical to the last bit and not empty. */
-bool psd_same(const struct psd *a, const struct psd *b);
+bool psd_is_same(const struct psd *a, const struct psd *b);
 
 /* Returns the passing measured at x, or NAN if x is not a sieve. */
 double psd_passing_at_sieve(const struct psd *psd, double x);

@@ -58,7 +58,7 @@ quantity_change_if_finer(const struct quantity *q)
 }
 
 bool
-quantity_same(const struct quantity *a, const struct quantity *b)
+quantity_is_same(const struct quantity *a, const struct quantity *b)
 {
 	return a->kind == b->kind && a->x == b->x && a->modulus == b->modulus &&
 	       a->sieve == b->sieve &&

@@ -54,7 +54,7 @@ struct quantity {
 int quantity_change_if_finer(const struct quantity *q);
 
 /* True if both are the same quantity. */
-bool quantity_same(const struct quantity *a, const struct quantity *b);
+bool quantity_is_same(const struct quantity *a, const struct quantity *b);
 
 /* Returns the value read off the curve of the fraction, or NAN if the curve
  * does not reach that far.  share: the fraction's share of the product. */

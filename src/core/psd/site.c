@@ -150,7 +150,7 @@ site_digest(const struct site *site)
 
 /* Which of several at its speed each run is. */
 static void
-number_repeat_runs(struct site *site)
+assign_repeat_numbers(struct site *site)
 {
 	for (size_t r = 0, nth = 0; r < site->n_run; r++) {
 		nth = site_run_repeats_speed(site, r) ? nth + 1 : 1;
@@ -241,8 +241,8 @@ site_copy_with_cuts(
 			fed = &to->run[at];
 		const struct psd *feed = &fed->feed;
 		bool own = run.feed.n > 0;
-		to->individual_feeds =
-		    to->individual_feeds || (own && !psd_same(&run.feed, feed));
+		to->individual_feeds = to->individual_feeds ||
+				       (own && !psd_is_same(&run.feed, feed));
 		if (!own) {
 			psd_free(&run.feed);
 			run.feed = psd_copy(feed);
@@ -257,7 +257,7 @@ site_copy_with_cuts(
 		site_drop_run(to, 0);
 		memmove(from, from + 1, to->n_run * sizeof *from);
 	}
-	number_repeat_runs(to);
+	assign_repeat_numbers(to);
 	site_update_digest_and_mean_feed(to);
 	return to;
 }
@@ -312,7 +312,7 @@ site_all_sieves(const struct site *site, size_t *n)
 	FREED const struct psd **curve =
 	    xcalloc(2 * site->n_run, sizeof *curve);
 	for (size_t i = 0; i < 2 * site->n_run; i++)
-		curve[i] = site_curve(site, i / 2, i % 2 == 0);
+		curve[i] = site_feed_or_product(site, i / 2, i % 2 == 0);
 	struct psd all = blend_all_sieves(curve, 2 * site->n_run);
 	free(all.passing);
 	*n = all.n;
@@ -320,7 +320,7 @@ site_all_sieves(const struct site *site, size_t *n)
 }
 
 struct psd *
-site_curve(const struct site *site, size_t run, bool feed)
+site_feed_or_product(const struct site *site, size_t run, bool feed)
 {
 	return feed ? &site->run[run].feed : &site->run[run].product;
 }
@@ -408,7 +408,7 @@ site_default_speed_range(const struct site *site, double *from, double *to)
 }
 
 char *
-site_source(const struct site *site, const char *none)
+site_source_clause(const struct site *site, const char *none)
 {
 	size_t n = strcspn(site->provenance, ";");
 	return n > 0 ? xstrndup(site->provenance, n) : xstrdup(none);
@@ -417,7 +417,7 @@ site_source(const struct site *site, const char *none)
 void
 sources_add_site(char **list, const struct site *site)
 {
-	FREED char *clause = site_source(site, "provenance not stated");
+	FREED char *clause = site_source_clause(site, "provenance not stated");
 	if (strstr(*list, clause) == NULL)
 		xappend_to_list(list, "; ", "%s", clause);
 }
@@ -459,7 +459,7 @@ site_is_data_made_up(const char *provenance)
 }
 
 double
-site_run_rotor(const struct site *site)
+site_run_rotor_diameter(const struct site *site)
 {
 	return site->run_rotor > 0 ? site->run_rotor : site->rotor;
 }

@@ -102,7 +102,7 @@ struct site *site_copy_with_cuts(
 
 /* Returns the diameter of the rotor that the runs were made with, m; 0 if it is
  * not stated. */
-double site_run_rotor(const struct site *site);
+double site_run_rotor_diameter(const struct site *site);
 
 /* Returns the digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
@@ -130,7 +130,8 @@ void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
 /* Returns the feed or the product of a run. */
-struct psd *site_curve(const struct site *site, size_t run, bool feed);
+struct psd *site_feed_or_product(
+    const struct site *site, size_t run, bool feed);
 
 /* Takes a run out. */
 void site_drop_run(struct site *site, size_t run);
@@ -190,7 +191,7 @@ bool site_is_data_made_up(const char *provenance);
 
 /* Returns the first clause of the provenance, or a copy of `none` if the sheet
  * does not state it.  The caller frees it. */
-char *site_source(const struct site *site, const char *none);
+char *site_source_clause(const struct site *site, const char *none);
 
 /* Adds the first clause of the site's provenance to a list "a; b", unless it is
  * there already. */

@@ -64,7 +64,7 @@ plan_integration_classes(struct batch_plan *plan, const double *edge, size_t n)
 
 /* dF / d ln x of a feed at ln x = t. */
 static double
-feed_density_at(const struct psd *feed, double t)
+feed_density_at_log_size(const struct psd *feed, double t)
 {
 	for (size_t i = 0; i + 1 < feed->n; i++) {
 		double upper = el_log(feed->size[i]);
@@ -87,7 +87,7 @@ depth_of_node(size_t j)
 }
 
 static void
-plan_nodes(struct batch_plan *plan)
+fill_plan_nodes(struct batch_plan *plan)
 {
 	for (size_t j = 0; j < KERNEL_NODES; j++) {
 		plan->log_u[j] = -depth_of_node(j);
@@ -98,7 +98,7 @@ plan_nodes(struct batch_plan *plan)
 }
 
 static struct node_interpolation
-interpolation_at_depth(double depth)
+node_interpolation_at_depth(double depth)
 {
 	struct node_interpolation v = {.node = KERNEL_NODES - 2};
 	if (depth > depth_of_node(KERNEL_NODES - 1))
@@ -124,7 +124,8 @@ plan_set_sieve(
 		if (plan->lower[c] < log_s - 1e-12)
 			break;
 		s->n_above = c + 1;
-		s->view[c] = interpolation_at_depth(plan->middle[c] - log_s);
+		s->view[c] =
+		    node_interpolation_at_depth(plan->middle[c] - log_s);
 	}
 }
 
@@ -168,14 +169,14 @@ plan_continuous_runs(struct batch_plan *plan, const struct misfit *m)
 	plan->one_feed = true;
 	FREED double *edge = xcalloc_doubles(room);
 	plan_integration_classes(plan, edge, collect_sieve_edges(m, edge));
-	plan_nodes(plan);
+	fill_plan_nodes(plan);
 	for (size_t r = 0; r < m->n_run; r++) {
 		struct plan_run *run = &plan->run[r];
 		run->mass = xcalloc_doubles(plan->n_class);
 		run->whole = xcalloc_doubles(plan->n_class);
 		for (size_t c = 0; c < plan->n_class; c++) {
-			run->mass[c] =
-			    feed_density_at(&m->run[r].feed, plan->middle[c]);
+			run->mass[c] = feed_density_at_log_size(
+			    &m->run[r].feed, plan->middle[c]);
 			run->whole[c] =
 			    run->mass[c] * (plan->upper[c] - plan->lower[c]);
 			plan->one_feed = plan->one_feed &&
@@ -188,13 +189,13 @@ plan_continuous_runs(struct batch_plan *plan, const struct misfit *m)
 }
 
 static void
-plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
+plan_one_run_by_classes(struct plan_run *run, const struct misfit_run *from,
     enum appearance_form form, size_t first)
 {
 	const struct psd *feed = &from->feed;
 	size_t n = run->n_size = feed->n;
 	FREED double *x = xcalloc_doubles(n);
-	classes_sizes(feed, x);
+	classes_compute_sizes(feed, x);
 	run->mass = xcalloc_doubles(n);
 	run->log_size = xcalloc_doubles(n);
 	run->argument = xcalloc_doubles(n * n);
@@ -208,7 +209,8 @@ plan_run_by_classes(struct plan_run *run, const struct misfit_run *from,
 			    appearance_argument(form, x[i], x[j]);
 			if (j >= i)
 				run->view[i * n + j] =
-				    interpolation_at_depth(el_log(x[i] / x[j]));
+				    node_interpolation_at_depth(
+					el_log(x[i] / x[j]));
 		}
 	}
 	run->n_target = from->n;
@@ -234,13 +236,13 @@ plan_runs_by_classes(struct batch_plan *plan, const struct misfit *m)
 {
 	size_t widest = 0, cell = 0;
 	for (size_t r = 0; r < m->n_run; r++) {
-		plan_run_by_classes(
+		plan_one_run_by_classes(
 		    &plan->run[r], &m->run[r], m->settings.appearance, cell);
 		cell += m->run[r].n;
 		if (plan->run[r].n_size > widest)
 			widest = plan->run[r].n_size;
 	}
-	plan_nodes(plan);
+	fill_plan_nodes(plan);
 	plan->scratch =
 	    KERNEL_LANES * (3 * widest + 2 * plan->n_run * KERNEL_NODES);
 }

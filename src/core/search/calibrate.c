@@ -110,7 +110,7 @@ calibrate_state_name(enum calibrate_state state)
 }
 
 struct misfit *
-calibrate_misfit(
+calibrate_make_misfit(
     const struct site *site, const struct calibrate_options *options)
 {
 	FREED bool *train = xcalloc(site->n_run, sizeof *train);
@@ -167,7 +167,7 @@ rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
 		reach = fmin(reach, fmin(b->upper[j], -b->lower[j]));
 	if (!(reach > 0))
 		return;
-	params_scale_to_1(p);
+	params_scale_gauge_to_1(p);
 	for (size_t j = 0; j < gauge; j++)
 		p->at[j] *= reach / 2;
 }
@@ -205,10 +205,11 @@ calibration_new(
 	c->best_misfit = INFINITY;
 	c->pool = pool_new(options->threads);
 	c->site_digest = site->digest;
-	c->misfit = calibrate_misfit(site, options);
+	c->misfit = calibrate_make_misfit(site, options);
 	fix_reference_energy(c->misfit, &c->options.bounds);
 	assert(c->misfit->n_residual > 0);
-	c->kernel = kernel_new(c->misfit, options->isa, pool_threads(c->pool));
+	c->kernel =
+	    kernel_new(c->misfit, options->isa, pool_count_threads(c->pool));
 	if (options->plain)
 		ga = ga_options_textbook();
 	ga.population = options->population;
@@ -222,7 +223,7 @@ calibration_new(
 	c->elite = ga.elite;
 	c->ga = ga_new(&ga, c->misfit->of->n, c->box.lower, c->box.upper);
 	for (size_t i = 0; i < BATCH; i++) {
-		c->worker[i].misfit = calibrate_misfit(site, options);
+		c->worker[i].misfit = calibrate_make_misfit(site, options);
 		c->worker[i].polish = polish_new(c->worker[i].misfit);
 	}
 	c->told = xcalloc_doubles(options->population);
@@ -277,9 +278,9 @@ params_of_genes(
 }
 
 static void
-keep_polish_starts(struct calibration *c)
+keep_starts_for_polish(struct calibration *c)
 {
-	const uint32_t *ranking = ga_ranking(c->ga);
+	const uint32_t *ranking = ga_ranked_candidates(c->ga);
 	size_t n = c->options.population;
 	size_t leaders = n < LEADERS ? n : LEADERS;
 	for (size_t i = 0; i < SCOUTS; i++)
@@ -291,7 +292,7 @@ keep_polish_starts(struct calibration *c)
 /* Ends the calibration or, after the first phase, continues from its result
  * with all parameters. */
 static void
-end_phase(struct calibration *c)
+end_search_phase(struct calibration *c)
 {
 	bool used = ga_status(c->ga).generation >= c->options.generations;
 	if (!c->nested || used) {
@@ -328,7 +329,7 @@ keep_if_best(struct calibration *c, const struct params *found)
 
 /* Goes on to the polish, which starts from what was found, too. */
 static void
-end_search(struct calibration *c, enum calibrate_state why)
+end_search_begin_polish(struct calibration *c, enum calibrate_state why)
 {
 	struct params found = best_params_of_search(c);
 	c->stop = why;
@@ -336,7 +337,7 @@ end_search(struct calibration *c, enum calibrate_state why)
 	c->start[c->n_start++] = found;
 	c->state = CALIBRATE_POLISHING;
 	if (!c->options.polish)
-		end_phase(c);
+		end_search_phase(c);
 }
 
 static void
@@ -362,7 +363,7 @@ record_generation(struct calibration *c, const struct ga_status *s)
 }
 
 const struct calibrate_generation *
-calibration_history(const struct calibration *c, size_t *n)
+calibration_generations(const struct calibration *c, size_t *n)
 {
 	*n = c->n_history;
 	return c->history;
@@ -379,8 +380,9 @@ evaluate_generation_part(void *data, size_t part, unsigned thread)
 	if (atomic_load(&c->stopped))
 		return;
 	to = to < c->options.population ? to : c->options.population;
-	kernel_evaluate_part(c->kernel, ga_ask_part(c->ga, from, to), from, to,
-	    thread, &(struct kernel_out){.misfit = c->told});
+	kernel_evaluate_part(c->kernel,
+	    ga_next_candidates_part(c->ga, from, to), from, to, thread,
+	    &(struct kernel_out){.misfit = c->told});
 }
 
 static void
@@ -391,7 +393,7 @@ run_generation(struct calibration *c)
 	pool_run(c->pool, parts, evaluate_generation_part, c);
 	if (atomic_load(&c->stopped))
 		return;
-	ga_tell(c->ga, c->told);
+	ga_take_misfits(c->ga, c->told);
 	struct ga_status s = ga_status(c->ga);
 	record_generation(c, &s);
 	c->evaluations += o->population;
@@ -402,7 +404,7 @@ run_generation(struct calibration *c)
 	}
 	for (size_t i = 0; i < 2 && o->polish; i++)
 		if (s.generation == c->phase_from + SCOUT_GENERATION[i])
-			keep_polish_starts(c);
+			keep_starts_for_polish(c);
 	/* Where the misfit is flat all candidates are alike at once, before the
 	 * search has looked around; and a perfect fit leaves both misfits near
 	 * 0, where the last term ends it. */
@@ -411,17 +413,17 @@ run_generation(struct calibration *c)
 	    c->edited_at > c->phase_from ? c->edited_at : c->phase_from;
 	bool early = s.generation - since < EARLIEST;
 	if (s.generation >= o->generations)
-		end_search(c, CALIBRATE_GENERATIONS);
+		end_search_begin_polish(c, CALIBRATE_GENERATIONS);
 	else if (!early && o->tolerance > 0 && together)
-		end_search(c, CALIBRATE_TOLERANCE);
+		end_search_begin_polish(c, CALIBRATE_TOLERANCE);
 	else if (!early && o->stall > 0 && c->stall >= o->stall)
-		end_search(c, CALIBRATE_STALLED);
+		end_search_begin_polish(c, CALIBRATE_STALLED);
 }
 
 /* Returns a point at some distance from the best: most parameters move little,
  * a few far. */
 static struct params
-perturb_best(const struct calibration *c, size_t number)
+perturb_best_params(const struct calibration *c, size_t number)
 {
 	const struct bounds *b = &c->box;
 	struct rng_key key =
@@ -480,7 +482,8 @@ perturb_with_one_fixed(
 }
 
 static void
-keep_if_better(struct calibration *c, const struct worker *w, bool perturbing)
+keep_result_if_better(
+    struct calibration *c, const struct worker *w, bool perturbing)
 {
 	double gain = c->best_misfit - w->result.misfit;
 	double next_to_nothing = 1e-9 * c->best_misfit;
@@ -542,7 +545,7 @@ polish_one_start(void *data, size_t i, unsigned thread)
 /* Polishes the next starts, or perturbations from the best, a batch at a time:
  * always the same batch, so that the number of threads changes nothing. */
 static void
-polish_batch(struct calibration *c)
+polish_next_batch(struct calibration *c)
 {
 	bool perturbing = c->done >= c->n_start;
 	size_t left = c->n_start - c->done;
@@ -555,18 +558,18 @@ polish_batch(struct calibration *c)
 		if (!perturbing)
 			w->p = c->start[c->done + i];
 		else if (!w->holds)
-			w->p = perturb_best(c, c->perturbations + i);
+			w->p = perturb_best_params(c, c->perturbations + i);
 	}
 	pool_run(c->pool, n, polish_one_start, c);
 	if (atomic_load(&c->stopped))
 		return;
 	for (size_t i = 0; i < n; i++)
-		keep_if_better(c, &c->worker[i], perturbing);
+		keep_result_if_better(c, &c->worker[i], perturbing);
 	c->done += n;
 	if (c->best_misfit < before * (1 - 1e-7))
 		c->fruitless = 0;
 	if (c->fruitless >= limit_of_fruitless_perturbations(c))
-		end_phase(c);
+		end_search_phase(c);
 }
 
 enum calibrate_state
@@ -576,7 +579,7 @@ calibration_step(struct calibration *c)
 	if (c->state == CALIBRATE_SEARCHING)
 		run_generation(c);
 	else if (c->state == CALIBRATE_POLISHING)
-		polish_batch(c);
+		polish_next_batch(c);
 	return c->state;
 }
 
@@ -638,7 +641,7 @@ calibration_status(const struct calibration *c)
 	 */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_of_params(c->misfit, &status.params);
-	params_scale_to_1(&status.params);
+	params_scale_gauge_to_1(&status.params);
 	return status;
 }
 
@@ -687,7 +690,7 @@ calibration_best_fit(struct calibration *c)
 		fit.on_bound[j] = sensitivity_is_on_bound(b, &p, j);
 		fit.parameters += b->lower[j] < b->upper[j];
 	}
-	params_scale_to_1(&p);
+	params_scale_gauge_to_1(&p);
 	fit.flat =
 	    sensitivity_flattest_direction(c->misfit, &p, &c->options.bounds);
 	fit.params = p;

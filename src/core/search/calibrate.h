@@ -41,7 +41,7 @@ struct calibrate_options calibrate_options_default(void);
 
 /* Returns the misfit that a calibration with these options minimises.  The site
  * must outlive it.  Free with misfit_free. */
-struct misfit *calibrate_misfit(
+struct misfit *calibrate_make_misfit(
     const struct site *site, const struct calibrate_options *options);
 
 /* The stage of a search, or the reason why it ended. */
@@ -115,12 +115,12 @@ struct calibrate_generation {
 };
 
 /* Returns all generations so far, [*n].  Valid until the next step. */
-const struct calibrate_generation *calibration_history(
+const struct calibrate_generation *calibration_generations(
     const struct calibration *c, size_t *n);
 
 /* The result of a calibration, with its origin. */
 struct fit {
-	struct params params; /* scaled, see params_scale_to_1 (D4) */
+	struct params params; /* scaled, see params_scale_gauge_to_1 (D4) */
 	double misfit;        /* of model_product on the training runs */
 	double rmse;          /* of passing on the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */

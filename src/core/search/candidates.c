@@ -128,7 +128,7 @@ candidates_middle_range_of_param(
 	double value[MOST] = {0};
 	for (size_t i = 0; i < g->n_kept; i++) {
 		struct params p = params_of_kept_candidate(g, i);
-		params_scale_to_1(&p);
+		params_scale_gauge_to_1(&p);
 		value[i] = p.at[j];
 	}
 	gsl_sort(value, 1, g->n_kept);

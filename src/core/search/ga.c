@@ -67,7 +67,7 @@ random_stream_key(const struct ga *ga, enum use use, size_t i)
 }
 
 static void
-draw_first_generation(struct ga *ga)
+sample_first_generation(struct ga *ga)
 {
 	for (size_t g = 0; g < ga->breed.n_gene; g++) {
 		struct rng_key key = random_stream_key(ga, USE_START, g);
@@ -141,7 +141,7 @@ ga_new(const struct ga_options *options, size_t n_gene, const double *lower,
 	plan_tournaments(ga);
 	ga->status.best = INFINITY;
 	ga->status.median = ga->status.worst = INFINITY;
-	draw_first_generation(ga);
+	sample_first_generation(ga);
 	return ga;
 }
 
@@ -215,7 +215,7 @@ ga_rank_candidates(struct ga *ga, uint64_t best, uint64_t typical)
 }
 
 static void
-update_status(struct ga *ga)
+update_ga_status(struct ga *ga)
 {
 	struct ga_status *s = &ga->status;
 	size_t n = ga->options.population, best = 0;
@@ -275,7 +275,7 @@ prepare_breeding(struct ga *ga)
 }
 
 const double *const *
-ga_ask_part(const struct ga *ga, size_t from, size_t to)
+ga_next_candidates_part(const struct ga *ga, size_t from, size_t to)
 {
 	const double *const *asked = (const double *const *)ga->breed.asked;
 	if (ga->ready)
@@ -290,21 +290,22 @@ ga_ask_part(const struct ga *ga, size_t from, size_t to)
 }
 
 const double *const *
-ga_ask(struct ga *ga)
+ga_next_candidates(struct ga *ga)
 {
-	const double *const *asked = ga_ask_part(ga, 0, ga->options.population);
+	const double *const *asked =
+	    ga_next_candidates_part(ga, 0, ga->options.population);
 	ga->ready = true;
 	return asked;
 }
 
 void
-ga_tell(struct ga *ga, const double *misfit)
+ga_take_misfits(struct ga *ga, const double *misfit)
 {
 	double **swap = ga->breed.told;
 	ga->breed.told = ga->breed.asked;
 	ga->breed.asked = swap;
 	memcpy(ga->misfit, misfit, ga->options.population * sizeof *misfit);
-	update_status(ga);
+	update_ga_status(ga);
 	update_scale_of_mutation(ga);
 	prepare_breeding(ga);
 }
@@ -312,7 +313,7 @@ ga_tell(struct ga *ga, const double *misfit)
 void
 ga_set_bounds(struct ga *ga, const double *lower, const double *upper)
 {
-	ga_ask(ga);
+	ga_next_candidates(ga);
 	for (size_t g = 0; g < ga->breed.n_gene; g++) {
 		double low = lower[g], high = upper[g];
 		double best = fmin(fmax(ga->best[g], low), high);
@@ -340,7 +341,7 @@ ga_best_genes(const struct ga *ga)
 }
 
 const uint32_t *
-ga_ranking(const struct ga *ga)
+ga_ranked_candidates(const struct ga *ga)
 {
 	return ga->rank;
 }

@@ -42,26 +42,28 @@ void ga_free(struct ga *ga);
 
 /* Returns this generation's candidates: one array [population] per gene,
  * aligned to 64 bytes and readable up to the next multiple of 64.  Valid until
- * ga_tell. */
-const double *const *ga_ask(struct ga *ga);
+ * ga_take_misfits. */
+const double *const *ga_next_candidates(struct ga *ga);
 
-/* As ga_ask, but makes only the candidates from..to-1, for threads that each
- * evaluate a part.  from: a multiple of GA_PART; to: at most the population. */
+/* As ga_next_candidates, but makes only the candidates from..to-1, for threads
+ * that each evaluate a part.  from: a multiple of GA_PART; to: at most the
+ * population. */
 enum { GA_PART = 8 };
-const double *const *ga_ask_part(const struct ga *ga, size_t from, size_t to);
+const double *const *ga_next_candidates_part(
+    const struct ga *ga, size_t from, size_t to);
 
 /* Takes the misfits of this generation's candidates, all of which must have
  * been asked for: lower is better, INFINITY for a candidate without a
  * misfit. */
-void ga_tell(struct ga *ga, const double *misfit);
+void ga_take_misfits(struct ga *ga, const double *misfit);
 
 /* Changes the box from the next generation on; its candidates are moved to the
  * limits.  If the best candidate so far lies outside, it is moved too, and its
- * misfit is INFINITY until the next ga_tell.  Redrawing half of the candidates
- * when the box had grown was tried: none came near the best. */
+ * misfit is INFINITY until the next ga_take_misfits.  Redrawing half of the
+ * candidates when the box had grown was tried: none came near the best. */
 void ga_set_bounds(struct ga *ga, const double *lower, const double *upper);
 
-/* The state after the last ga_tell.  worst and median include infinite
+/* The state after the last ga_take_misfits.  worst and median include infinite
  * misfits. */
 struct ga_status {
 	size_t generation;    /* generations completed */
@@ -77,7 +79,7 @@ const double *ga_best_genes(const struct ga *ga);
 /* Returns the indices of the candidates in the last completed generation by
  * increasing misfit, of which only the better half is sorted exactly, and their
  * genes. */
-const uint32_t *ga_ranking(const struct ga *ga);
+const uint32_t *ga_ranked_candidates(const struct ga *ga);
 const double *const *ga_genes_of_last_generation(const struct ga *ga);
 
 /* Computes the 10 % and 90 % quantiles of a gene over at most 256 candidates of

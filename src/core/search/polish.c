@@ -234,7 +234,8 @@ is_rival_better(const struct descent *d)
 	return d->rival != NULL && !(d->result.misfit < d->rival->misfit);
 }
 
-/* Returns the misfit at q and keeps its r and J for continue_from_trial. */
+/* Returns the misfit at q and keeps its r and J for
+ * continue_descent_from_trial. */
 static double
 evaluate_trial_step(struct descent *d, const struct params *q)
 {
@@ -251,7 +252,8 @@ evaluate_trial_step(struct descent *d, const struct params *q)
 
 /* Continues from q, the point tried last. */
 static void
-continue_from_trial(struct descent *d, const struct params *q, double trial)
+continue_descent_from_trial(
+    struct descent *d, const struct params *q, double trial)
 {
 	struct polish *s = d->s;
 	double *r = s->r, *J = s->J;
@@ -270,7 +272,7 @@ continue_from_trial(struct descent *d, const struct params *q, double trial)
 /* Takes Levenberg's and Marquardt's steps until they gain nothing or the number
  * of evaluations is reached. */
 static void
-descend_damped(struct descent *d, int evaluations)
+descend_by_damped_steps(struct descent *d, int evaluations)
 {
 	const double least_damping = 1e-14, most_damping = 1e12;
 	double damping = 1e-2, grow = 2, step[PARAMS_MOST];
@@ -288,7 +290,7 @@ descend_damped(struct descent *d, int evaluations)
 		    params_after_step(d->p, step, d->bounds, &cut);
 		double trial = evaluate_trial_step(d, &q);
 		if (trial < d->result.misfit) {
-			continue_from_trial(d, &q, trial);
+			continue_descent_from_trial(d, &q, trial);
 			damping = fmax(damping / 5, least_damping);
 			grow = 2;
 		} else {
@@ -376,7 +378,7 @@ search_along_line(struct descent *d, const struct secant *q, struct move *m)
 		} else if (!m->cut && there < 0.9 * slope) {
 			low = t;
 		} else {
-			continue_from_trial(d, &p, trial);
+			continue_descent_from_trial(d, &p, trial);
 			return true;
 		}
 		t = isinf(high) ? 2 * low : (low + high) / 2;
@@ -440,7 +442,7 @@ polish_run(struct polish *s, const struct bounds *bounds, int most,
 	d.result.evaluations = 1;
 	d.given_up = !isfinite(d.result.misfit);
 	update_column_scale(s);
-	descend_damped(&d, DAMPED);
+	descend_by_damped_steps(&d, DAMPED);
 	d.given_up = d.given_up || (d.small >= 3 && is_rival_better(&d));
 	descend_to_rest(&d);
 	return d.result;

@@ -27,7 +27,7 @@ struct newton {
 	size_t n, column[PARAMS_MOST]; /* those that move */
 	double range[PARAMS_MOST];     /* of all */
 	double *r, *J, *r_beside, *J_beside;
-	double H[PARAMS_MOST][PARAMS_MOST]; /* see find_curvature */
+	double H[PARAMS_MOST][PARAMS_MOST]; /* see compute_curvature */
 };
 
 /* Moves parameters that are on a bound, except for rounding, onto it. */
@@ -62,7 +62,7 @@ list_moving_columns(struct newton *w, const struct params *p)
 /* Computes half the gradient, with parameters in units of their ranges, g [n],
  * and returns the misfit. */
 static double
-find_gradient(struct newton *w, const struct params *p, double *g)
+compute_gradient(struct newton *w, const struct params *p, double *g)
 {
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	double misfit = misfit_jacobian(w->misfit, p, w->r, w->J);
@@ -99,7 +99,7 @@ add_curvature_column(struct newton *w, const struct params *p, size_t c)
 /* Computes H, half the derivative of the gradient at the point of r and J, with
  * parameters in units of their ranges. */
 static void
-find_curvature(struct newton *w, const struct params *p)
+compute_curvature(struct newton *w, const struct params *p)
 {
 	size_t rows = w->misfit->n_residual, width = w->misfit->of->n;
 	memset(w->H, 0, sizeof w->H);
@@ -159,8 +159,8 @@ static bool
 newton_descend(struct newton *w, struct params *p)
 {
 	double g[PARAMS_MOST], before = INFINITY;
-	double misfit = find_gradient(w, p, g);
-	find_curvature(w, p);
+	double misfit = compute_gradient(w, p, g);
+	compute_curvature(w, p);
 	if (!isfinite(misfit) || !factor_curvature(w))
 		return false;
 	for (int i = 0; i < STEPS; i++) {
@@ -179,14 +179,14 @@ newton_descend(struct newton *w, struct params *p)
 		if (most < AT_REST && most > before / 4)
 			return true;
 		before = most;
-		find_gradient(w, p, g);
+		compute_gradient(w, p, g);
 	}
 	return before < AT_REST;
 }
 
 /* Returns the nearest parameters with few digits. */
 static struct params
-round_params(const struct newton *w, const struct params *p)
+round_params_to_few_digits(const struct newton *w, const struct params *p)
 {
 	struct params q = *p;
 	for (size_t c = 0; c < w->n; c++) {
@@ -213,7 +213,7 @@ settle_at_stationary_point(
 	snap_to_bounds(bounds, &near);
 	list_moving_columns(&w, &near);
 	bool found = w.n > 0 && rows >= w.n && newton_descend(&w, &near);
-	struct params q = round_params(&w, &near);
+	struct params q = round_params_to_few_digits(&w, &near);
 	found = found && newton_descend(&w, &q) &&
 		misfit_of_params(m, &q) <=
 		    misfit_of_params(m, p) * (1 + NOTHING) + EXACT;

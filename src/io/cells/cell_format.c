@@ -21,7 +21,7 @@ struct said {
 };
 
 static void
-append_unit_char(struct said *said, char c)
+append_format_unit_char(struct said *said, char c)
 {
 	if (said->n + 1 < sizeof said->unit)
 		said->unit[said->n++] = c;
@@ -35,7 +35,7 @@ parse_quoted_or_bracketed(const char *p, struct said *said)
 	const char *from = ++p;
 	while (*p != '\0' && *p != close) {
 		if (close == '"')
-			append_unit_char(said, *p);
+			append_format_unit_char(said, *p);
 		p++;
 	}
 	/* Of elapsed time: a letter alone, once or twice. */
@@ -53,7 +53,7 @@ parse_format_char(const char *p, struct said *said)
 	switch (tolower((unsigned char)*p)) {
 	case '\\':
 		if (p[1] != '\0')
-			append_unit_char(said, *++p);
+			append_format_unit_char(said, *++p);
 		break;
 	case '_':
 	case '*':
@@ -124,7 +124,7 @@ cell_format_of_code(const char *code)
 }
 
 struct cell_format
-cell_format_builtin(unsigned id)
+cell_format_of_builtin_id(unsigned id)
 {
 	bool day = (id >= 14 && id <= 17) || id == 22 ||
 		   (id >= 27 && id <= 36) || (id >= 50 && id <= 58);

@@ -21,7 +21,7 @@ struct cell_format cell_format_of_code(const char *code);
 /* As cell_format_of_code, but for a format given only by its number.
  * Source: ECMA-376 part 1, 18.8.30, numFmt; 27 to 36 and 50 to 58 are East
  * Asian date formats. */
-struct cell_format cell_format_builtin(unsigned id);
+struct cell_format cell_format_of_builtin_id(unsigned id);
 
 /* Writes "2026-05-03", "2026-05-03T10:15" or, for a time, "10:15", with seconds
  * if they are not zero.  serial: days since 1899-12-30, or since 1904-01-01.

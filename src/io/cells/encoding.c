@@ -82,7 +82,7 @@ decode_utf8_or_1252(const char *bytes, size_t n)
 }
 
 static unsigned
-utf16_unit(const char *bytes, bool big)
+read_utf16_unit(const char *bytes, bool big)
 {
 	unsigned a = (unsigned char)bytes[!big], b = (unsigned char)bytes[big];
 	return a << 8 | b;
@@ -95,11 +95,11 @@ decode_next_utf16_char(const char *bytes, size_t n, bool big, size_t *i)
 {
 	if (*i + 2 > n)
 		return UINT32_MAX;
-	unsigned first = utf16_unit(bytes + *i, big);
+	unsigned first = read_utf16_unit(bytes + *i, big);
 	*i += 2;
 	if (first < 0xD800 || first > 0xDFFF)
 		return first;
-	unsigned second = *i + 2 <= n ? utf16_unit(bytes + *i, big) : 0;
+	unsigned second = *i + 2 <= n ? read_utf16_unit(bytes + *i, big) : 0;
 	if (first > 0xDBFF || second < 0xDC00 || second > 0xDFFF)
 		return UINT32_MAX;
 	*i += 2;
@@ -143,7 +143,7 @@ encoding_decode(const char *bytes, size_t n)
 /* False for a letter with very many accents: utf8proc sorts them by exchanging
  * neighbours, which for a million of them would take too long. */
 static bool
-may_be_composed(const char *text)
+has_few_enough_accents(const char *text)
 {
 	enum { MOST_MARKS = 30 };
 	bool plain = true;
@@ -163,8 +163,9 @@ char *
 encoding_to_nfc(const char *text)
 {
 	utf8proc_uint8_t *composed =
-	    may_be_composed(text) ? utf8proc_NFC((const utf8proc_uint8_t *)text)
-				  : NULL;
+	    has_few_enough_accents(text)
+		? utf8proc_NFC((const utf8proc_uint8_t *)text)
+		: NULL;
 	if (composed == NULL)
 		return xstrdup(text);
 	return (char *)composed;

@@ -47,7 +47,7 @@ sheets_note(struct sheets *g, const char *format, ...)
 	va_start(ap, format);
 	FREED char *text = xvasprintf(tr(format), ap);
 	va_end(ap);
-	size_t n = text_length_within(text, MOST_NOTE);
+	size_t n = text_bytes_within(text, MOST_NOTE);
 	xappend_to_list(&g->note, "; ", "%.*s%s", (int)n, text,
 	    text[n] != '\0' ? "..." : "");
 }
@@ -81,7 +81,7 @@ sheets_end_sheet(struct sheets *g)
 {
 	struct sheet *sheet = g->now;
 	g->now = NULL;
-	sheet_complete(sheet);
+	sheet_finish_rows(sheet);
 	bool empty = sheet->n_row == 0 && sheet->n_comment == 0;
 	if (g->too_big != NULL)
 		sheets_note(

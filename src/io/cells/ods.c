@@ -369,8 +369,8 @@ ods_read(struct archive *archive, struct sheets *grid)
 	static const struct xml_events EVENTS = {
 	    ods_begin_element, ods_end_element, ods_add_text};
 	struct reading r = {.grid = grid};
-	char *wrong =
-	    xml_parse_part(archive, "content.xml", &EVENTS, &r, grid->errors);
+	char *wrong = xml_parse_archive_part(
+	    archive, "content.xml", &EVENTS, &r, grid->errors);
 	clear_cell_content(&r.content);
 	for (size_t i = 0; i < r.n_kept; i++)
 		clear_cell_content(&r.kept[i].content);

@@ -24,7 +24,7 @@ enum {
 };
 
 static bool
-is_later_in_file(const struct error *a, const struct error *b)
+is_fault_later_in_file(const struct error *a, const struct error *b)
 {
 	if (strcmp(a->file, b->file) != 0)
 		return false;
@@ -34,15 +34,15 @@ is_later_in_file(const struct error *a, const struct error *b)
 
 /* Returns the place of a new fault, in order among those of the same file. */
 static struct error *
-insert_fault(struct sheet *sheet, const struct error *e)
+insert_fault_in_order(struct sheet *sheet, const struct error *e)
 {
 	struct error_list *list = sheet->errors;
 	struct error *slot = error_add(list);
 	size_t i = list->n - 1;
 	sheet->n_fault++;
-	if (list->more > 0 && !is_later_in_file(&list->item[i], e))
+	if (list->more > 0 && !is_fault_later_in_file(&list->item[i], e))
 		return slot;
-	for (; i > 0 && is_later_in_file(&list->item[i - 1], e); i--)
+	for (; i > 0 && is_fault_later_in_file(&list->item[i - 1], e); i--)
 		list->item[i] = list->item[i - 1];
 	return &list->item[i];
 }
@@ -61,14 +61,14 @@ sheet_fault(struct sheet *sheet, struct cell where, const char *format, ...)
 	    &e, ERROR_DATA, file, where.line, where.column, format, ap);
 	e.in_grid = sheet->name[0] != '\0';
 	va_end(ap);
-	*insert_fault(sheet, &e) = e;
+	*insert_fault_in_order(sheet, &e) = e;
 	return false;
 }
 
 int
 sheet_bytes_to_show(const char *text)
 {
-	return (int)text_length_within(text, SHOWN);
+	return (int)text_bytes_within(text, SHOWN);
 }
 
 bool
@@ -96,7 +96,7 @@ sheet_fault_expected(struct sheet *sheet, struct cell found, const char *wanted,
 }
 
 struct cell
-sheet_cell(const struct row *row, size_t i)
+row_cell_at(const struct row *row, size_t i)
 {
 	if (i < row->n_all)
 		return row->cell[i];
@@ -115,7 +115,7 @@ struct cursor {
 };
 
 static void
-step_character(struct cursor *c)
+move_to_next_character(struct cursor *c)
 {
 	do
 		c->p++;
@@ -127,13 +127,13 @@ static void
 sheet_skip_blanks(struct cursor *c, char separator)
 {
 	while ((*c->p == ' ' || *c->p == '\t') && *c->p != separator)
-		step_character(c);
+		move_to_next_character(c);
 }
 
 /* Whether a text is within quotes after its ith character, as it was before
  * that: a quote outside quotes behind a digit is the inches of 3/4". */
 static bool
-is_quoted_after(const char *text, size_t i, bool before)
+is_in_quotes_after(const char *text, size_t i, bool before)
 {
 	bool inches = !before && i > 0 && isdigit((unsigned char)text[i - 1]);
 	return text[i] == '"' && !inches ? !before : before;
@@ -142,29 +142,29 @@ is_quoted_after(const char *text, size_t i, bool before)
 /* Moves from the opening quote to after the closing one.  False if it is
  * missing. */
 static bool
-skip_quoted(struct cursor *c)
+skip_quoted_text(struct cursor *c)
 {
-	step_character(c);
+	move_to_next_character(c);
 	while (*c->p != '\0' && (c->p[0] != '"' || c->p[1] == '"')) {
 		if (*c->p == '"')
-			step_character(c);
-		step_character(c);
+			move_to_next_character(c);
+		move_to_next_character(c);
 	}
 	if (*c->p == '\0')
 		return false;
-	step_character(c);
+	move_to_next_character(c);
 	return true;
 }
 
 /* Moves to the separator or the end of the line.  A misplaced quote is a fault,
  * but for the inches of 3/4". */
 static bool
-skip_cell(struct sheet *sheet, struct cursor *c, int line)
+skip_to_end_of_cell(struct sheet *sheet, struct cursor *c, int line)
 {
 	struct cell start = {.line = line, .column = c->column};
 	const char *first = c->p;
 	bool quoted = *c->p == '"';
-	if (quoted && !skip_quoted(c))
+	if (quoted && !skip_quoted_text(c))
 		return sheet_fault(sheet, start,
 		    "the quote is not closed at the end of the line\n"
 		    "close it on the same line; write a quote inside a cell as "
@@ -172,7 +172,7 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 	sheet_skip_blanks(c, sheet->separator);
 	while (*c->p != '\0' && *c->p != sheet->separator) {
 		size_t at = (size_t)(c->p - first);
-		if (quoted || is_quoted_after(first, at, false)) {
+		if (quoted || is_in_quotes_after(first, at, false)) {
 			start.column = c->column;
 			return sheet_fault(sheet, start,
 			    "%s\n"
@@ -181,14 +181,14 @@ skip_cell(struct sheet *sheet, struct cursor *c, int line)
 			    quoted ? tr("text after the closing quote")
 				   : tr("a quote inside a cell"));
 		}
-		step_character(c);
+		move_to_next_character(c);
 	}
 	return true;
 }
 
 /* Takes ownership of the text. */
 static void
-append_cell(struct row *row, char *text, int column)
+append_cell_to_row(struct row *row, char *text, int column)
 {
 	row->cell = xrealloc(row->cell, row->n_all + 1, sizeof *row->cell);
 	row->cell[row->n_all++] =
@@ -204,25 +204,25 @@ sheet_add_cell(struct row *row, const struct cursor *from, const char *end)
 					   : xstrndup(from->p, n);
 	const char *said = text_trim(text);
 	said += said[0] == '\'' && text_may_be_formula(said);
-	append_cell(row, xstrdup(said), from->column);
+	append_cell_to_row(row, xstrdup(said), from->column);
 	if (row->cell[row->n_all - 1].text[0] != '\0')
 		row->n = row->n_all;
 }
 
 static bool
-split_line(struct sheet *sheet, const char *text, struct row *row)
+split_line_into_cells(struct sheet *sheet, const char *text, struct row *row)
 {
 	struct cursor c = {text, 1};
 	while (row->n_all < MOST_CELLS) {
 		sheet_skip_blanks(&c, sheet->separator);
 		struct cursor from = c;
-		if (!skip_cell(sheet, &c, row->line))
+		if (!skip_to_end_of_cell(sheet, &c, row->line))
 			return false;
 		sheet_add_cell(row, &from, c.p);
 		row->end = c.column;
 		if (*c.p == '\0')
 			return true;
-		step_character(&c);
+		move_to_next_character(&c);
 	}
 	struct cell end = {.line = row->line, .column = c.column};
 	return sheet_fault(sheet, end,
@@ -232,7 +232,7 @@ split_line(struct sheet *sheet, const char *text, struct row *row)
 }
 
 static void
-free_row(struct row *row)
+free_row_cells(struct row *row)
 {
 	for (size_t i = 0; i < row->n_all; i++)
 		free(row->cell[i].text);
@@ -261,13 +261,13 @@ sheet_add_row(struct sheet *sheet, const char *line, int number)
 		sheet->lost = sheet->too_large = true;
 		return false;
 	}
-	sheet->row = xgrow(sheet->row, sheet->n_row, sizeof *sheet->row);
+	sheet->row = xgrow_by_one(sheet->row, sheet->n_row, sizeof *sheet->row);
 	struct row *row = &sheet->row[sheet->n_row];
 	*row = (struct row){.line = number, .end = 1};
-	bool good = split_line(sheet, line, row);
+	bool good = split_line_into_cells(sheet, line, row);
 	sheet->lost = sheet->lost || !good;
 	if (!good || row->n == 0) {
-		free_row(row);
+		free_row_cells(row);
 		return true;
 	}
 	sheet->n_row++;
@@ -293,7 +293,8 @@ sheet_add_row_or_comment(struct sheet *sheet, const char *line, int number)
 	if (*first != '#')
 		return sheet_add_row(sheet, line, number);
 	size_t n = sheet->n_comment++;
-	sheet->comment = xgrow(sheet->comment, n, sizeof *sheet->comment);
+	sheet->comment =
+	    xgrow_by_one(sheet->comment, n, sizeof *sheet->comment);
 	sheet->comment[n] = (struct comment){.line = number, .text = line};
 	return true;
 }
@@ -320,10 +321,10 @@ sheet_turn_comment_into_row(struct sheet *sheet, size_t i)
 		sheet_add_row(sheet, comment.text, comment.line);
 	else if (sheet->n_row < sheet->most.rows) {
 		sheet->row =
-		    xgrow(sheet->row, sheet->n_row, sizeof *sheet->row);
+		    xgrow_by_one(sheet->row, sheet->n_row, sizeof *sheet->row);
 		sheet->row[sheet->n_row++] = comment.row;
 	} else
-		free_row(&comment.row);
+		free_row_cells(&comment.row);
 	if (sheet->n_row == last)
 		return;
 	struct row row = sheet->row[last];
@@ -347,7 +348,7 @@ join_quoted_lines(char *text, int *ends)
 		if (end && !open)
 			break;
 		lines += end;
-		open = is_quoted_after(text, n, open);
+		open = is_in_quotes_after(text, n, open);
 	}
 	*ends = 0;
 	if (open || lines == MOST_LINES || n == first)
@@ -399,7 +400,7 @@ has_sign_outside_quotes(const char *line, char sign)
 	bool quoted = false;
 	size_t n = strcspn(line, "\r\n");
 	for (size_t i = 0; i < n; i++) {
-		quoted = is_quoted_after(line, i, quoted);
+		quoted = is_in_quotes_after(line, i, quoted);
 		if (line[i] == sign && !quoted)
 			return true;
 	}
@@ -521,7 +522,7 @@ static struct row *
 find_or_insert_row(struct sheet *sheet, int line)
 {
 	size_t n = count_rows_to_line(sheet, line);
-	sheet->row = xgrow(sheet->row, sheet->n_row, sizeof *sheet->row);
+	sheet->row = xgrow_by_one(sheet->row, sheet->n_row, sizeof *sheet->row);
 	struct row *row = &sheet->row[n];
 	if (n > 0 && row[-1].line == line)
 		return &row[-1];
@@ -536,7 +537,7 @@ sheet_put_cell(struct sheet *sheet, struct cell cell)
 	struct row *row = find_or_insert_row(sheet, cell.line);
 	size_t at = (size_t)cell.column - 1;
 	while (row->n_all <= at)
-		append_cell(row, xstrdup(""), row->end++);
+		append_cell_to_row(row, xstrdup(""), row->end++);
 	free(row->cell[at].text);
 	row->cell[at] = cell;
 	sheet->wide = row->n_all > sheet->wide ? row->n_all : sheet->wide;
@@ -557,16 +558,16 @@ is_remark_row(const struct row *row)
 }
 
 void
-sheet_complete(struct sheet *sheet)
+sheet_finish_rows(struct sheet *sheet)
 {
 	size_t n = 0;
 	for (size_t i = 0; i < sheet->n_row; i++) {
 		struct row row = sheet->row[i];
 		/* A key whose value was left empty. */
 		if (row.n_all == 1)
-			append_cell(&row, xstrdup(""), row.end++);
+			append_cell_to_row(&row, xstrdup(""), row.end++);
 		if (row.n == 0) {
-			free_row(&row);
+			free_row_cells(&row);
 		} else if (is_remark_row(&row)) {
 			sheet->comment = xrealloc(sheet->comment,
 			    sheet->n_comment + 1, sizeof *sheet->comment);
@@ -583,9 +584,9 @@ void
 sheet_free(struct sheet *sheet)
 {
 	for (size_t i = 0; i < sheet->n_row; i++)
-		free_row(&sheet->row[i]);
+		free_row_cells(&sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++)
-		free_row(&sheet->comment[i].row);
+		free_row_cells(&sheet->comment[i].row);
 	free(sheet->row);
 	free(sheet->comment);
 	free(sheet->path);

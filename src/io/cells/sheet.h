@@ -100,12 +100,12 @@ struct sheet *sheet_new_without_line_limit(
 
 /* Make a sheet of a workbook; messages show its rows with tabs between cells.
  * sheet_put_cell adds a cell, in any order, and takes ownership of its text.
- * sheet_complete completes the sheet after the last cell; only then do rows
+ * sheet_finish_rows completes the sheet after the last cell; only then do rows
  * become comments. */
 struct sheet *sheet_new_empty(const char *path, const char *name,
     struct sheet_limits most, struct error_list *errors);
 void sheet_put_cell(struct sheet *sheet, struct cell cell);
-void sheet_complete(struct sheet *sheet);
+void sheet_finish_rows(struct sheet *sheet);
 
 /* True if adding the cell would not exceed the limits. */
 bool sheet_has_room_for_cell(const struct sheet *sheet, struct cell cell);
@@ -120,7 +120,7 @@ void sheet_turn_comment_into_row(struct sheet *sheet, size_t i);
 
 /* Returns cell i of a row, or an empty cell at the end of the line if the row
  * is shorter. */
-struct cell sheet_cell(const struct row *row, size_t i);
+struct cell row_cell_at(const struct row *row, size_t i);
 
 /* Adds a fault of kind ERROR_DATA, with text and hint as for error_set, in file
  * order among the faults of the same file, so the list holds the first faults

@@ -31,7 +31,7 @@ begins_with_bytes(const char *bytes, size_t n, const char *with)
 /* True for workbooks, including old ones and those with a password.  An empty
  * archive begins with its end, a split one with PK78. */
 static bool
-is_workbook(const char *bytes, size_t n)
+is_workbook_content(const char *bytes, size_t n)
 {
 	return begins_with_bytes(bytes, n, "PK\3\4") ||
 	       begins_with_bytes(bytes, n, "PK\5\6") ||
@@ -92,17 +92,17 @@ refuse_damaged_workbook(const struct sheets *grid, const char *wrong)
 }
 
 static bool
-is_ods(struct archive *archive)
+is_ods_archive(struct archive *archive)
 {
 	return archive_has_entry(archive, "content.xml") ||
 	       archive_has_entry(archive, "encrypted-package");
 }
 
 static bool
-read_workbook_archive(struct archive *archive, struct sheets *grid)
+read_archive_to_grid(struct archive *archive, struct sheets *grid)
 {
 	bool xlsx = archive_has_entry(archive, "xl/workbook.xml");
-	if (!xlsx && !is_ods(archive))
+	if (!xlsx && !is_ods_archive(archive))
 		return refuse_other_file_type(archive, grid);
 	if (!xlsx && is_password_protected(archive))
 		return refuse_workbook(grid,
@@ -136,7 +136,7 @@ read_workbook_to_grid(const char *bytes, size_t n, struct sheets *grid)
 		       "workbook with a password"),
 		    tr("save it as .xlsx without a password"));
 	struct archive *archive = archive_open(bytes, n, &wrong);
-	bool good = archive != NULL && read_workbook_archive(archive, grid);
+	bool good = archive != NULL && read_archive_to_grid(archive, grid);
 	if (archive == NULL)
 		refuse_damaged_workbook(grid, wrong);
 	archive_close(archive);
@@ -189,10 +189,11 @@ source_read_within_limits(const char *path, struct sheet_limits most,
 	FREED char *bytes = textfile_read_bytes(path, &n, errors);
 	if (bytes == NULL)
 		return false;
-	return is_workbook(bytes, n) ? read_workbook_to_source(
-					   path, bytes, n, most, errors, source)
-				     : source_read_plain_text(path, bytes, n,
-					   most, errors, source);
+	return is_workbook_content(bytes, n)
+		   ? read_workbook_to_source(
+			 path, bytes, n, most, errors, source)
+		   : source_read_plain_text(
+			 path, bytes, n, most, errors, source);
 }
 
 bool

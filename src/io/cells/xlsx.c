@@ -103,7 +103,7 @@ begin_shared_string(void *data, const char *name, const char *const *attribute)
 	struct book *b = data;
 	(void)attribute;
 	if (strcmp(name, "si") == 0) {
-		b->start = xgrow(b->start, b->n_start, sizeof *b->start);
+		b->start = xgrow_by_one(b->start, b->n_start, sizeof *b->start);
 		b->start[b->n_start++] = b->string.n;
 		xml_text_add(&b->string, "", 0);
 	}
@@ -136,7 +136,7 @@ format_of_style(const struct book *b, unsigned id)
 	for (size_t i = 0; i < b->n_code; i++)
 		if (b->code[i].id == id)
 			return b->code[i].shown;
-	return cell_format_builtin(id);
+	return cell_format_of_builtin_id(id);
 }
 
 static void
@@ -155,7 +155,7 @@ xlsx_begin_style(void *data, const char *name, const char *const *attribute)
 	if (!b->in_styles || strcmp(name, "xf") != 0 ||
 	    b->n_style == MOST_FORMATS)
 		return;
-	b->style = xgrow(b->style, b->n_style, sizeof *b->style);
+	b->style = xgrow_by_one(b->style, b->n_style, sizeof *b->style);
 	b->style[b->n_style++] = format_of_style(b, id);
 }
 
@@ -277,8 +277,9 @@ xlsx_put_number(struct reading *r)
 	const struct book *b = r->book;
 	double value;
 	char date[32];
-	struct cell_format shown =
-	    r->style < b->n_style ? b->style[r->style] : cell_format_builtin(0);
+	struct cell_format shown = r->style < b->n_style
+				       ? b->style[r->style]
+				       : cell_format_of_builtin_id(0);
 	if (!text_parse_number(r->value.text, &value))
 		xlsx_put_unescaped_text(r, r->value.text);
 	else if (shown.kind != FORMAT_NUMBER &&
@@ -303,7 +304,7 @@ put_shared_string(struct reading *r)
 
 /* Puts an ISO date of a strict workbook; one at midnight is a date alone. */
 static void
-put_iso_date(struct reading *r)
+xlsx_put_iso_date(struct reading *r)
 {
 	char *t = strchr(r->value.text, 'T');
 	if (t != NULL && strncmp(t, "T00:00:00", 9) == 0)
@@ -327,7 +328,7 @@ xlsx_put_cell(struct reading *r)
 		xlsx_put_unescaped_text(
 		    r, strcmp(r->value.text, "1") == 0 ? "TRUE" : "FALSE");
 	else if (strcmp(r->type, "d") == 0)
-		put_iso_date(r);
+		xlsx_put_iso_date(r);
 	else if (strcmp(r->type, "n") == 0)
 		xlsx_put_number(r);
 	else
@@ -354,8 +355,8 @@ xlsx_read_sheet(struct book *b, const struct tab *tab)
 	    begin_sheet_element, end_sheet_element, append_sheet_text};
 	struct reading r = {.book = b};
 	sheets_begin_sheet(b->grid, tab->name);
-	char *wrong =
-	    xml_parse_part(b->archive, tab->part, &EVENTS, &r, b->grid->errors);
+	char *wrong = xml_parse_archive_part(
+	    b->archive, tab->part, &EVENTS, &r, b->grid->errors);
 	free(r.value.text);
 	free(r.formula.text);
 	if (wrong == NULL && r.wrong != NULL)
@@ -400,7 +401,7 @@ xlsx_read(struct archive *archive, struct sheets *grid)
 	for (size_t i = 0; i < ARRAY_LEN(PARTS) && wrong == NULL; i++)
 		if (!PARTS[i].may_lack ||
 		    archive_has_entry(archive, PARTS[i].name))
-			wrong = xml_parse_part(archive, PARTS[i].name,
+			wrong = xml_parse_archive_part(archive, PARTS[i].name,
 			    &PARTS[i].events, &b, grid->errors);
 	if (wrong == NULL)
 		wrong = read_visible_sheets(&b);

@@ -32,7 +32,7 @@ struct reading {
 };
 
 static void
-xml_give_up(struct reading *r, const char *wrong)
+xml_stop_with_fault(struct reading *r, const char *wrong)
 {
 	r->wrong = wrong;
 	XML_StopParser(r->parser, XML_FALSE);
@@ -43,7 +43,7 @@ stop_parsing_if_interrupted(struct reading *r)
 {
 	if (r->wrong == NULL && ++r->n % OFTEN == 0 &&
 	    error_should_stop(r->errors))
-		xml_give_up(r, tr("interrupted"));
+		xml_stop_with_fault(r, tr("interrupted"));
 }
 
 /* Refuses elements with many or long namespaces.  A namespace is copied into
@@ -64,39 +64,40 @@ refuse_long_namespaces(
 		    (strncmp(attribute[0], NAMESPACE, strlen(NAMESPACE)) == 0 &&
 			strlen(attribute[1]) > MOST_NAME);
 	if (many && r->wrong == NULL)
-		xml_give_up(
+		xml_stop_with_fault(
 		    r, tr("an element has more names than a spreadsheet "
 			  "program writes"));
 	stop_parsing_if_interrupted(r);
 }
 
 static const char *
-local_name(const char *name)
+xml_local_name(const char *name)
 {
 	const char *blank = strrchr(name, ' ');
 	return blank != NULL ? blank + 1 : name;
 }
 
 static void XMLCALL
-xml_on_begin(void *data, const XML_Char *name, const XML_Char **attribute)
+xml_on_element_begin(
+    void *data, const XML_Char *name, const XML_Char **attribute)
 {
 	struct reading *r = data;
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
-		xml_give_up(
+		xml_stop_with_fault(
 		    r, tr("its elements are too deep within each other"));
 	stop_parsing_if_interrupted(r);
 	if (r->wrong == NULL)
-		r->events->begin(
-		    r->data, local_name(name), (const char *const *)attribute);
+		r->events->begin(r->data, xml_local_name(name),
+		    (const char *const *)attribute);
 }
 
 static void XMLCALL
-xml_on_end(void *data, const XML_Char *name)
+xml_on_element_end(void *data, const XML_Char *name)
 {
 	struct reading *r = data;
 	r->depth--;
 	if (r->wrong == NULL && r->events->end != NULL)
-		r->events->end(r->data, local_name(name));
+		r->events->end(r->data, xml_local_name(name));
 }
 
 static void XMLCALL
@@ -115,7 +116,7 @@ refuse_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	(void)system;
 	(void)public;
 	(void)internal;
-	xml_give_up(data, tr("it has a document type"));
+	xml_stop_with_fault(data, tr("it has a document type"));
 }
 
 /* Returns a description of the fault, or NULL. */
@@ -151,14 +152,14 @@ xml_parse_document(const char *bytes, size_t n, const struct xml_events *events,
 		return wrong;
 	free(wrong); /* and told again, with what else there is */
 	XML_Parser parser = XML_ParserCreateNS(NULL, ' ');
-	XML_SetEndElementHandler(parser, xml_on_end);
+	XML_SetEndElementHandler(parser, xml_on_element_end);
 	if (events->text != NULL)
 		XML_SetCharacterDataHandler(parser, xml_on_text);
-	return run_xml_parser(&r, parser, xml_on_begin, bytes, n);
+	return run_xml_parser(&r, parser, xml_on_element_begin, bytes, n);
 }
 
 char *
-xml_parse_part(struct archive *archive, const char *name,
+xml_parse_archive_part(struct archive *archive, const char *name,
     const struct xml_events *events, void *data, struct error_list *errors)
 {
 	size_t n;

@@ -29,7 +29,7 @@ char *xml_parse_document(const char *bytes, size_t n,
 
 /* As xml_parse_document, for a part of an archive, which is named in the
  * description of a fault. */
-char *xml_parse_part(struct archive *archive, const char *name,
+char *xml_parse_archive_part(struct archive *archive, const char *name,
     const struct xml_events *events, void *data, struct error_list *errors);
 
 /* Returns the value of an attribute, or NULL.  name: "r" without a namespace,

@@ -123,7 +123,8 @@ answer_set_site(struct answer *a, const char *name, const char *provenance)
 }
 
 void
-answer_set_sites(struct answer *a, const char *names, const char *provenance)
+answer_set_site_names(
+    struct answer *a, const char *names, const char *provenance)
 {
 	answer_set_site(a, names, provenance);
 	a->names_sites = true;
@@ -189,12 +190,12 @@ static void
 answer_add_cell(struct answer *a, struct answer_cell cell)
 {
 	struct table *t = a->filled;
-	t->cell = xgrow(t->cell, t->n_cell, sizeof *t->cell);
+	t->cell = xgrow_by_one(t->cell, t->n_cell, sizeof *t->cell);
 	t->cell[t->n_cell++] = cell;
 }
 
 static void
-add_text(struct answer *a, char *text)
+add_text_cell(struct answer *a, char *text)
 {
 	answer_add_cell(a, (struct answer_cell){true, NAN, -1, text, NULL});
 }
@@ -228,7 +229,7 @@ answer_add_cells(struct answer *a, const char *format, ...)
 		p += sign;
 		assert(p[1] == 's' || p[1] == '.' || p[1] == 'g');
 		if (p[1] == 's') {
-			add_text(a, xstrdup(va_arg(ap, char *)));
+			add_text_cell(a, xstrdup(va_arg(ap, char *)));
 			continue;
 		}
 		int decimals = p[1] != '.'   ? -1
@@ -244,7 +245,7 @@ answer_text(struct answer *a, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_text(a, xvasprintf(tr(format), ap));
+	add_text_cell(a, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -260,8 +261,8 @@ answer_add_pair(struct answer *a, const char *name, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
-	add_text(a, xstrdup(tr(name)));
-	add_text(a, xvasprintf(tr(format), ap));
+	add_text_cell(a, xstrdup(tr(name)));
+	add_text_cell(a, xvasprintf(tr(format), ap));
 	va_end(ap);
 }
 
@@ -329,7 +330,7 @@ answer_fields(struct answer *a)
 
 /* Takes ownership of the value.  key: NULL in a list. */
 static struct fields *
-put_value(struct fields *fields, const char *key, json_t *value)
+put_json_value(struct fields *fields, const char *key, json_t *value)
 {
 	json_t *in = (json_t *)(void *)fields;
 	if (key == NULL)
@@ -342,7 +343,7 @@ put_value(struct fields *fields, const char *key, json_t *value)
 /* Returns a text in UTF-8; the name of a file that is not UTF-8 as it is
  * shown. */
 static json_t *
-text_json(const char *text)
+json_of_text(const char *text)
 {
 	if (text_is_utf8(text, strlen(text)))
 		return json_string(text);
@@ -351,18 +352,18 @@ text_json(const char *text)
 }
 
 static json_t *
-number_json(double value)
+json_of_number(double value)
 {
 	return isfinite(value) ? json_real(value) : json_null();
 }
 
-/* Returns the next value of fields_put, according to its conversion. */
+/* Returns the next value of fields_put_values, according to its conversion. */
 static json_t *
-json_of_argument(const char *conversion, va_list *ap)
+json_of_next_argument(const char *conversion, va_list *ap)
 {
 	switch (conversion[1]) {
 	case 's':
-		return text_json(va_arg(*ap, char *));
+		return json_of_text(va_arg(*ap, char *));
 	case 'd':
 		return json_boolean(va_arg(*ap, int) != 0);
 	case 'z':
@@ -372,12 +373,12 @@ json_of_argument(const char *conversion, va_list *ap)
 		    (json_int_t)va_arg(*ap, unsigned long long));
 	default:
 		assert(conversion[1] == 'g');
-		return number_json(va_arg(*ap, double));
+		return json_of_number(va_arg(*ap, double));
 	}
 }
 
 void
-fields_put(struct fields *fields, const char *format, ...)
+fields_put_values(struct fields *fields, const char *format, ...)
 {
 	va_list ap;
 	va_start(ap, format);
@@ -386,7 +387,7 @@ fields_put(struct fields *fields, const char *format, ...)
 	     word = strtok_r(NULL, " ", &save)) {
 		const char *key = word[0] != '%' ? word : NULL;
 		word = key != NULL ? strtok_r(NULL, " ", &save) : word;
-		put_value(fields, key, json_of_argument(word, &ap));
+		put_json_value(fields, key, json_of_next_argument(word, &ap));
 	}
 	free(copy);
 	va_end(ap);
@@ -395,19 +396,19 @@ fields_put(struct fields *fields, const char *format, ...)
 void
 fields_put_number(struct fields *fields, const char *key, double value)
 {
-	put_value(fields, key, number_json(value));
+	put_json_value(fields, key, json_of_number(value));
 }
 
 struct fields *
 fields_add_object(struct fields *fields, const char *key)
 {
-	return put_value(fields, key, json_object());
+	return put_json_value(fields, key, json_object());
 }
 
 struct fields *
 fields_add_list(struct fields *fields, const char *key)
 {
-	return put_value(fields, key, json_array());
+	return put_json_value(fields, key, json_array());
 }
 
 void
@@ -421,30 +422,31 @@ fields_put_numbers(struct fields *fields, const char *key, const double *value,
 }
 
 static void
-add_cell_field(
+add_cell_as_field(
     struct fields *fields, const char *key, const struct answer_cell *cell)
 {
 	const char *text = cell->key != NULL ? cell->key : cell->text;
-	put_value(fields, key,
-	    cell->is_text ? text_json(text) : number_json(cell->number));
+	put_json_value(fields, key,
+	    cell->is_text ? json_of_text(text) : json_of_number(cell->number));
 }
 
 static void
-answer_add_rows(struct fields *fields, const char *key, const struct table *t)
+fields_add_table_rows(
+    struct fields *fields, const char *key, const struct table *t)
 {
 	struct fields *list = fields_add_list(fields, key);
 	for (size_t row = 0; row < count_table_rows(t); row++) {
 		struct fields *object = fields_add_object(list, NULL);
 		for (size_t c = 0; c < t->n_column; c++)
-			add_cell_field(
+			add_cell_as_field(
 			    object, t->key[c], &t->cell[row * t->n_column + c]);
 	}
 }
 
 void
-answer_put_rows(struct answer *a, const char *key)
+answer_put_rows_as_objects(struct answer *a, const char *key)
 {
-	answer_add_rows(answer_fields(a), key, a->filled);
+	fields_add_table_rows(answer_fields(a), key, a->filled);
 }
 
 void
@@ -453,12 +455,12 @@ answer_put_columns_as_lists(struct answer *a, const char *keys)
 	const struct table *t = a->filled;
 	size_t which;
 	for (size_t c = 0; c < t->n_column; c++) {
-		if (!text_find_word(keys, t->key[c], &which))
+		if (!text_find_word_in_list(keys, t->key[c], &which))
 			continue;
 		struct fields *list =
 		    fields_add_list(answer_fields(a), t->key[c]);
 		for (size_t i = c; i < t->n_cell; i += t->n_column)
-			add_cell_field(list, NULL, &t->cell[i]);
+			add_cell_as_field(list, NULL, &t->cell[i]);
 	}
 }
 
@@ -540,7 +542,7 @@ length_of_first_clause(const char *provenance)
 
 /* Prints the columns before those of the answer. */
 static void
-print_csv_origin(const struct answer *a, char separator, FILE *out)
+print_csv_command_and_site(const struct answer *a, char separator, FILE *out)
 {
 	fputs(a->command, out);
 	if (a->site == NULL)
@@ -581,7 +583,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 		fprintf(out, "%csentence", separator);
 	fputc('\n', out);
 	for (size_t row = 0; row < rows; row++) {
-		print_csv_origin(a, separator, out);
+		print_csv_command_and_site(a, separator, out);
 		for (size_t c = 0; c < t->n_column; c++) {
 			fputc(separator, out);
 			print_csv_cell(
@@ -629,20 +631,20 @@ print_json(const struct answer *a, bool semicolon, FILE *out)
 	const struct table *t = table_for_programs(a);
 	json_t *o = json_object(), *own = json_without_hidden(a->fields);
 	struct fields *all = (struct fields *)(void *)o;
-	fields_put(all, "command %s", a->command);
+	fields_put_values(all, "command %s", a->command);
 	if (a->site != NULL && !a->names_sites)
-		fields_put(all, "site %s", a->site);
+		fields_put_values(all, "site %s", a->site);
 	json_object_update(o, own);
 	json_decref(own);
 	if (is_sentences_only(a)) {
 		struct fields *list = fields_add_list(all, "sentences");
 		for (size_t i = 0; i < a->n_sentence; i++)
-			fields_put(list, "%s", a->sentence[i].text);
+			fields_put_values(list, "%s", a->sentence[i].text);
 	} else if (!answer_has_fields(a)) {
-		answer_add_rows(all, "rows", t);
+		fields_add_table_rows(all, "rows", t);
 	}
 	if (a->provenance != NULL)
-		fields_put(all, "provenance %s", a->provenance);
+		fields_put_values(all, "provenance %s", a->provenance);
 	json_dumpf(o, out, JSON_COMPACT | JSON_REAL_PRECISION(17));
 	fputc('\n', out);
 	json_decref(o);
@@ -671,7 +673,7 @@ is_number_column(const struct table *t, size_t column)
 }
 
 static int
-column_width(const struct table *t, size_t column)
+table_column_width(const struct table *t, size_t column)
 {
 	int width = text_width_in_columns(t->head[column]);
 	for (size_t row = 0; row < count_table_rows(t); row++) {
@@ -683,7 +685,7 @@ column_width(const struct table *t, size_t column)
 }
 
 static void
-print_padded(const char *text, int width, bool right, bool last, FILE *out)
+print_padded_text(const char *text, int width, bool right, bool last, FILE *out)
 {
 	int pad = width - text_width_in_columns(text);
 	fprintf(out, "%*s%s%*s", right ? pad : 0, "", text,
@@ -721,14 +723,14 @@ count_key_columns(const struct table *t, const struct form *f)
  * after the other columns.  A single column is not wrapped, as it may be
  * copied. */
 static struct form
-lay_out_table(const struct table *t, int room)
+lay_out_table_columns(const struct table *t, int room)
 {
 	enum { LEAST = 24 };
 	struct form f = {.indent = 2, .room = room, .gap = 2};
 	f.width = xcalloc(t->n_column + 1, sizeof *f.width);
 	f.number = xcalloc(t->n_column + 1, sizeof *f.number);
 	for (size_t c = 0; c < t->n_column; c++) {
-		f.width[c] = column_width(t, c);
+		f.width[c] = table_column_width(t, c);
 		f.number[c] = is_number_column(t, c);
 		f.indent += c + 1 < t->n_column ? f.width[c] + 2 : 0;
 	}
@@ -747,12 +749,12 @@ free_column_widths(struct form *f)
 
 /* Prints the last cell of a row, wrapped under itself. */
 static void
-print_sentence(const char *text, int indent, int room, FILE *out)
+print_wrapped_cell(const char *text, int indent, int room, FILE *out)
 {
 	FREED char *lines = NULL;
 	size_t n = 0;
 	FILE *memory = text_open_memory(&lines, &n);
-	text_wrap(text, indent, room, memory);
+	text_print_wrapped(text, indent, room, memory);
 	fclose(memory);
 	if (n > (size_t)indent)
 		fprintf(out, "%.*s", (int)n - indent - 1, lines + indent);
@@ -773,7 +775,8 @@ next_column_of_block(const struct form *f, struct block b, size_t column)
 /* Returns as many columns as fit the screen.  A table that ends in sentences
  * wraps them instead. */
 static struct block
-columns_that_fit(const struct table *t, const struct form *f, size_t from)
+columns_that_fit_screen(
+    const struct table *t, const struct form *f, size_t from)
 {
 	int width = 2;
 	for (size_t c = 0; c < f->n_key; c++)
@@ -797,7 +800,7 @@ columns_that_fit(const struct table *t, const struct form *f, size_t from)
 /* Returns the column where the last cell is wrapped in a block that ends with
  * it; 0 if it is not. */
 static int
-wrap_column(const struct table *t, const struct form *f, struct block b)
+wrap_start_column(const struct table *t, const struct form *f, struct block b)
 {
 	size_t last = t->n_column - 1;
 	if (f->wraps)
@@ -814,17 +817,17 @@ static void
 answer_print_row(const struct table *t, const struct form *f, size_t row,
     bool head, struct block block, const char *between, FILE *out)
 {
-	int indent = between[1] != '|' ? wrap_column(t, f, block) : 0;
+	int indent = between[1] != '|' ? wrap_start_column(t, f, block) : 0;
 	for (size_t c = 0; c < block.to;
 	     c = next_column_of_block(f, block, c)) {
 		const char *text =
 		    head ? t->head[c] : t->cell[row * t->n_column + c].text;
 		if (indent > 0 && c + 1 == t->n_column) {
-			print_sentence(text, indent, f->room, out);
+			print_wrapped_cell(text, indent, f->room, out);
 			return;
 		}
 		bool last = c + 1 == block.to && between[1] != '|';
-		print_padded(text, f->width[c], f->number[c], last, out);
+		print_padded_text(text, f->width[c], f->number[c], last, out);
 		if (c + 1 < block.to)
 			fputs(between, out);
 	}
@@ -832,7 +835,7 @@ answer_print_row(const struct table *t, const struct form *f, size_t row,
 
 /* Prints a row of a table (0: the headings) without trailing spaces. */
 static void
-print_trimmed(const struct table *t, const struct form *f, size_t row,
+print_trimmed_row(const struct table *t, const struct form *f, size_t row,
     struct block block, FILE *out)
 {
 	FREED char *line = NULL;
@@ -858,7 +861,7 @@ is_about_what_is_shown(
 }
 
 static void
-answer_put_sentences(char *(*way)(const char *), const struct answer *a,
+copy_converted_sentences(char *(*way)(const char *), const struct answer *a,
     bool warnings, struct answer *copy)
 {
 	for (size_t i = 0; i < a->n_sentence; i++) {
@@ -916,8 +919,8 @@ copy_with_converted_texts(
 	}
 	copy_columns(way, &a->table[0], shown, copy);
 	copy->across = a->across;
-	answer_put_sentences(way, a, true, copy);
-	answer_put_sentences(way, a, false, copy);
+	copy_converted_sentences(way, a, true, copy);
+	copy_converted_sentences(way, a, false, copy);
 	return copy;
 }
 
@@ -939,7 +942,7 @@ answer_transpose(struct answer *a)
 		answer_column(
 		    a, from.key[0], from.cell[row * from.n_column].text);
 	for (size_t c = 1; c < from.n_column; c++) {
-		add_text(a, xstrdup(from.head[c]));
+		add_text_cell(a, xstrdup(from.head[c]));
 		for (size_t row = 0; row < rows; row++) {
 			struct answer_cell cell =
 			    from.cell[row * from.n_column + c];
@@ -963,7 +966,7 @@ choose_columns(const struct table *t, int *room)
 		most = t->spare[c] > most ? t->spare[c] : most;
 	for (int spare = 0; spare <= most; spare++)
 		for (size_t c = 0; c < t->n_column; c++) {
-			int wide = width + GAP + column_width(t, c);
+			int wide = width + GAP + table_column_width(t, c);
 			if (t->spare[c] != spare || (spare > 0 && wide > *room))
 				continue;
 			shown[c] = true;
@@ -974,7 +977,7 @@ choose_columns(const struct table *t, int *room)
 }
 
 static size_t
-print_table(const struct answer *answer, bool semicolon, FILE *out)
+print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 {
 	(void)semicolon;
 	int room = answer->room;
@@ -990,14 +993,14 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	if (a->provenance != NULL)
 		fprintf(out, tr("data: %s\n"), a->provenance);
 	size_t rows = count_table_rows(t);
-	struct form f = lay_out_table(t, room);
+	struct form f = lay_out_table_columns(t, room);
 	size_t from = f.n_key;
 	f.even = turned;
 	f.gap = turned ? 1 : 2;
 	while (rows > 0) {
-		struct block block = columns_that_fit(t, &f, from);
+		struct block block = columns_that_fit_screen(t, &f, from);
 		for (size_t row = 0; row <= rows; row++)
-			print_trimmed(t, &f, row, block, out);
+			print_trimmed_row(t, &f, row, block, out);
 		from = block.to;
 		if (from >= t->n_column)
 			break;
@@ -1005,7 +1008,7 @@ print_table(const struct answer *answer, bool semicolon, FILE *out)
 	}
 	free_column_widths(&f);
 	for (size_t i = 0; i < a->n_sentence; i++)
-		text_wrap(a->sentence[i].text, 0, SCREEN, out);
+		text_print_wrapped(a->sentence[i].text, 0, SCREEN, out);
 	answer_free(a);
 	return rows;
 }
@@ -1054,7 +1057,7 @@ escape_for_markdown(const char *text)
 static void
 print_markdown_rows(const struct table *t, FILE *out)
 {
-	struct form f = lay_out_table(t, SCREEN);
+	struct form f = lay_out_table_columns(t, SCREEN);
 	for (size_t row = 0; row <= count_table_rows(t); row++) {
 		fputs("| ", out);
 		answer_print_row(t, &f, row - 1, row == 0,
@@ -1090,6 +1093,6 @@ print_markdown(const struct answer *answer, bool semicolon, FILE *out)
 	return rows;
 }
 
-const struct answer_form ANSWER_FORMATS[4] = {{"table", false, print_table},
-    {"csv", true, print_csv}, {"json", true, print_json},
-    {"markdown", false, print_markdown}};
+const struct answer_form ANSWER_FORMATS[4] = {
+    {"table", false, print_text_table}, {"csv", true, print_csv},
+    {"json", true, print_json}, {"markdown", false, print_markdown}};

@@ -49,7 +49,7 @@ void answer_set_site(
 
 /* As answer_set_site, but json omits the site: sites, if any, are among the
  * fields. */
-void answer_set_sites(
+void answer_set_site_names(
     struct answer *answer, const char *names, const char *provenance);
 
 /* Adds columns.  In "speed: m/s, size", each column has a key for csv and json
@@ -155,7 +155,7 @@ struct fields *answer_fields(struct answer *answer);
  * is not finite; %d true or false; %zu and %llu a whole number; %s text.  For a
  * list, the format has no keys: "%g %g".  json omits values whose keys begin
  * with a dot, ".poor %g". */
-void fields_put(struct fields *fields, const char *format, ...)
+void fields_put_values(struct fields *fields, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 void fields_put_number(struct fields *fields, const char *key, double value);
@@ -170,10 +170,10 @@ struct fields *fields_add_list(struct fields *fields, const char *key);
 void fields_put_numbers(struct fields *fields, const char *key,
     const double *value, size_t n, double (*shown)(double));
 
-/* answer_put_rows adds the rows so far as objects, under `key`;
+/* answer_put_rows_as_objects adds the rows so far as objects, under `key`;
  * answer_put_columns_as_lists adds the columns named in `keys`, separated by
  * spaces, as lists. */
-void answer_put_rows(struct answer *answer, const char *key);
+void answer_put_rows_as_objects(struct answer *answer, const char *key);
 void answer_put_columns_as_lists(struct answer *answer, const char *keys);
 
 /* Returns the number in a field, such as "p50_mm" or "params.f_mat", or NAN if

@@ -106,7 +106,7 @@ book_new(struct error *error)
 }
 
 static void
-free_about(struct book *b)
+free_about_lines(struct book *b)
 {
 	for (size_t i = 0; i < 2 * b->n_about; i++)
 		free(b->about[i]);
@@ -121,7 +121,7 @@ book_free(struct book *b)
 	if (b == NULL)
 		return;
 	lxw_workbook_free(b->workbook);
-	free_about(b);
+	free_about_lines(b);
 }
 
 /* A sheet on which rows are written from the top. */
@@ -132,7 +132,7 @@ struct page {
 };
 
 static struct page
-add_page(struct book *b, const char *name)
+book_add_page(struct book *b, const char *name)
 {
 	char tab[32];
 	snprintf(tab, sizeof tab, "%.20s", name);
@@ -150,7 +150,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
 	FREED char *shown = text_escaped(text);
-	shown[text_length_within(shown, MOST)] = '\0';
+	shown[text_bytes_within(shown, MOST)] = '\0';
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
 }
@@ -158,7 +158,8 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
 /* True if the text in a column of sieves is a sieve: there are also rows such
  * as "P80 mm". */
 static bool
-book_is_sieve(const char *head, const struct answer_cell *cell, double *value)
+book_is_sieve_column(
+    const char *head, const struct answer_cell *cell, double *value)
 {
 	return strncmp(head, "sieve", 5) == 0 && cell->is_text &&
 	       text_parse_number(cell->text, value);
@@ -175,7 +176,7 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 	if (!cell->is_text && isfinite(value))
 		text_parse_number(
 		    text_shortest_exact_number(value, text), &value);
-	if (book_is_sieve(head, cell, &value) ||
+	if (book_is_sieve_column(head, cell, &value) ||
 	    (!cell->is_text && isfinite(value)))
 		worksheet_write_number(p->sheet, p->row, column, value,
 		    fixed ? b->number[cell->decimals] : NULL);
@@ -186,7 +187,8 @@ book_put_cell(struct book *b, const struct page *p, lxw_col_t column,
 /* Makes a column as wide as its numbers; text of the last column may extend to
  * the right. */
 static void
-set_width(const struct page *p, const struct answer_view *v, lxw_col_t column)
+set_column_width(
+    const struct page *p, const struct answer_view *v, lxw_col_t column)
 {
 	enum { LEAST = 9, MOST = 60 };
 	int width = text_width_in_columns(v->head[column]);
@@ -209,7 +211,7 @@ count_sieve_rows(const struct answer_view *v)
 	for (; n < v->n_row; n++) {
 		const struct answer_cell *cell = &v->cell[n * v->n_column];
 		mm = cell->number;
-		if (!book_is_sieve(v->head[0], cell, &mm) &&
+		if (!book_is_sieve_column(v->head[0], cell, &mm) &&
 		    !(!cell->is_text && mm > 0))
 			break;
 	}
@@ -219,7 +221,7 @@ count_sieve_rows(const struct answer_view *v)
 /* True if a column is a curve: numbers from 0 to 100 that are not
  * differences. */
 static bool
-book_is_curve(const struct answer_view *v, size_t rows, size_t column)
+book_is_curve_column(const struct answer_view *v, size_t rows, size_t column)
 {
 	static const char *const OTHERS[] = {
 	    "differ", "error", "outside", "points", "sd", "share"};
@@ -244,7 +246,7 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 	for (size_t i = 0; i < rows; i++) {
 		const struct answer_cell *cell = &v->cell[i * v->n_column];
 		mm = cell->number;
-		book_is_sieve(v->head[0], cell, &mm);
+		book_is_sieve_column(v->head[0], cell, &mm);
 		least = fmin(least, mm);
 		most = fmax(most, mm);
 	}
@@ -260,18 +262,19 @@ set_size_axis(lxw_chart *chart, const struct answer_view *v, size_t rows)
 /* Draws passing over sieve size, beside the table that begins at the page's
  * row. */
 static void
-add_chart(struct book *b, const struct page *p, const struct answer_view *v)
+book_add_chart(
+    struct book *b, const struct page *p, const struct answer_view *v)
 {
 	size_t rows = count_sieve_rows(v), curves = 0;
 	lxw_row_t from = p->row + 1, to = p->row + (lxw_row_t)rows;
 	for (size_t c = 1; rows > 1 && c < v->n_column; c++)
-		curves += book_is_curve(v, rows, c);
+		curves += book_is_curve_column(v, rows, c);
 	if (curves == 0)
 		return;
 	lxw_chart *chart = workbook_add_chart(
 	    b->workbook, LXW_CHART_SCATTER_STRAIGHT_WITH_MARKERS);
 	for (size_t c = 1; c < v->n_column; c++) {
-		if (!book_is_curve(v, rows, c))
+		if (!book_is_curve_column(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
 		FREED char *name = text_escaped(v->head[c]);
@@ -292,14 +295,14 @@ add_chart(struct book *b, const struct page *p, const struct answer_view *v)
 }
 
 static void
-put_table(struct book *b, struct page *p, const struct answer_view *v)
+book_put_table(struct book *b, struct page *p, const struct answer_view *v)
 {
 	for (size_t c = 0; c < v->n_column; c++) {
 		book_put_text(p, (lxw_col_t)c, v->head[c], b->head);
-		set_width(p, v, (lxw_col_t)c);
+		set_column_width(p, v, (lxw_col_t)c);
 	}
 	worksheet_freeze_panes(p->sheet, p->row + 1, 1);
-	add_chart(b, p, v);
+	book_add_chart(b, p, v);
 	p->row++;
 	for (size_t i = 0; i < v->n_row; i++, p->row++)
 		for (size_t c = 0; c < v->n_column; c++)
@@ -344,7 +347,7 @@ size_t
 book_add_answer(struct book *b, const struct answer *answer)
 {
 	struct answer_view v = answer_view(answer);
-	struct page p = add_page(b, answer_command(answer));
+	struct page p = book_add_page(b, answer_command(answer));
 	if (v.title != NULL) {
 		book_put_text(&p, 0, v.title, b->title);
 		p.row++;
@@ -357,7 +360,7 @@ book_add_answer(struct book *b, const struct answer *answer)
 	}
 	p.row += p.row > 0;
 	if (v.n_column > 0)
-		put_table(b, &p, &v);
+		book_put_table(b, &p, &v);
 	book_put_sentences(b, &p, &v, true);
 	book_put_sentences(b, &p, &v, false);
 	b->has_site = b->has_site || v.site != NULL;
@@ -367,7 +370,7 @@ book_add_answer(struct book *b, const struct answer *answer)
 /* Writes a row of a text.  Headings, which are more than a key and a value, are
  * bold. */
 static void
-book_put_row(struct book *b, struct page *p, const struct row *row)
+book_put_text_row(struct book *b, struct page *p, const struct row *row)
 {
 	double value;
 	bool head = row->n > 2 && !number_value_of_cell(row->cell[0], &value);
@@ -395,9 +398,9 @@ book_add_text(struct book *b, const char *name, const char *text)
 	const struct sheet_limits most = {.rows = MOST_ROWS};
 	struct sheet *sheet = sheet_new_from_text("", copy, most, &errors);
 	number_find_in_all_cells(sheet);
-	struct page p = add_page(b, name);
+	struct page p = book_add_page(b, name);
 	for (size_t i = 0; i < sheet->n_row; i++)
-		book_put_row(b, &p, &sheet->row[i]);
+		book_put_text_row(b, &p, &sheet->row[i]);
 	for (size_t i = 0; i < sheet->n_comment; i++) {
 		const char *said = sheet->comment[i].text;
 		FREED char *plain = text_without_quotes(said, strlen(said));
@@ -428,7 +431,7 @@ book_has_site(const struct book *b)
 }
 
 static void
-put_about(struct book *b)
+book_put_about_sheet(struct book *b)
 {
 	struct page p = {.sheet = workbook_add_worksheet(b->workbook, "About")};
 	lxw_format *left = add_format(b, false, 0, 0);
@@ -468,7 +471,7 @@ read_whole_file(int fd, size_t *n)
 char *
 book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 {
-	put_about(b);
+	book_put_about_sheet(b);
 	errno = 0;
 	lxw_error code = workbook_close(b->workbook);
 	char *bytes = code == LXW_NO_ERROR ? read_whole_file(b->fd, n) : NULL;
@@ -477,6 +480,6 @@ book_finish_to_bytes(struct book *b, size_t *n, struct error *error)
 		    "cannot put the workbook together: %s\n"
 		    "set TMPDIR to a folder with free space",
 		    errno != 0 ? strerror(errno) : lxw_strerror(code));
-	free_about(b);
+	free_about_lines(b);
 	return bytes;
 }

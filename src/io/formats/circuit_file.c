@@ -49,7 +49,7 @@ check_stream_name(struct reading_circuit *r, struct cell cell)
 }
 
 static void
-add_stream(
+add_stream_of_unit(
     struct reading_circuit *r, struct unit *unit, struct cell cell, bool made)
 {
 	if (!check_stream_name(r, cell))
@@ -93,7 +93,8 @@ add_input_streams(
 		char *plus = strchr(at, '+');
 		if (plus != NULL)
 			*plus = '\0';
-		add_stream(r, unit, cell_with_part_of_text(r, cell, at), false);
+		add_stream_of_unit(
+		    r, unit, cell_with_part_of_text(r, cell, at), false);
 		at = plus != NULL ? plus + 1 : NULL;
 	}
 }
@@ -142,7 +143,7 @@ static const char *const HINTS[UNIT_KINDS] = {
 
 /* Reads one cell key=value. */
 static void
-parse_unit_option(
+parse_circuit_unit_key(
     struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
@@ -167,55 +168,56 @@ parse_unit_option(
 }
 
 static void
-parse_unit_options(struct reading_circuit *r, struct unit *unit,
+parse_circuit_unit_keys(struct reading_circuit *r, struct unit *unit,
     const struct row *row, size_t from)
 {
 	for (size_t i = from; i < row->n; i++)
 		if (row->cell[i].text[0] != '\0')
-			parse_unit_option(r, unit, row->cell[i]);
+			parse_circuit_unit_key(r, unit, row->cell[i]);
 }
 
 static void
-parse_feed_row(
+parse_circuit_feed_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
-	struct cell tph = sheet_cell(row, 2);
+	struct cell tph = row_cell_at(row, 2);
 	double value;
-	add_stream(r, unit, sheet_cell(row, 1), true);
+	add_stream_of_unit(r, unit, row_cell_at(row, 1), true);
 	if (tph.text[0] != '\0' &&
 	    parse_number_between(
 		r, tph, tr("a feed above 0, up to 1e5 t/h"), 1e-3, 1e5, &value))
 		r->circuit->tph = value;
-	parse_unit_options(r, unit, row, 3);
+	parse_circuit_unit_keys(r, unit, row, 3);
 }
 
 static void
-parse_crusher_row(
+parse_circuit_crusher_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
-	add_input_streams(r, unit, sheet_cell(row, 1));
-	add_stream(r, unit, sheet_cell(row, 2), true);
-	parse_unit_options(r, unit, row, 3);
+	add_input_streams(r, unit, row_cell_at(row, 1));
+	add_stream_of_unit(r, unit, row_cell_at(row, 2), true);
+	parse_circuit_unit_keys(r, unit, row, 3);
 }
 
 static void
-parse_screen_row(
+parse_circuit_screen_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	double mm = 1;
-	add_input_streams(r, unit, sheet_cell(row, 1));
-	parse_number_between(r, sheet_cell(row, 2), tr("an opening in mm"),
+	add_input_streams(r, unit, row_cell_at(row, 1));
+	parse_number_between(r, row_cell_at(row, 2), tr("an opening in mm"),
 	    SIZE_LEAST_MM, SIZE_MOST_MM, &mm);
 	unit->opening = mm / 1000;
-	add_stream(r, unit, sheet_cell(row, 3), true);
-	add_stream(r, unit, sheet_cell(row, 4), true);
-	parse_unit_options(r, unit, row, 5);
+	add_stream_of_unit(r, unit, row_cell_at(row, 3), true);
+	add_stream_of_unit(r, unit, row_cell_at(row, 4), true);
+	parse_circuit_unit_keys(r, unit, row, 5);
 }
 
 /* Reads "a=60", or "a", which takes the rest.  Returns its share; NAN for the
  * rest. */
 static double
-parse_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
+parse_share_of_split(
+    struct reading_circuit *r, struct unit *unit, struct cell cell)
 {
 	char *sign = strchr(cell.text, '=');
 	double share = NAN;
@@ -228,18 +230,19 @@ parse_share(struct reading_circuit *r, struct unit *unit, struct cell cell)
 		else
 			share = 0;
 	}
-	add_stream(r, unit, cell_with_part_of_text(r, cell, cell.text), true);
+	add_stream_of_unit(
+	    r, unit, cell_with_part_of_text(r, cell, cell.text), true);
 	return share;
 }
 
 static void
-parse_split_row(
+parse_circuit_split_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
 	const double exact = 1e-6;
 	double sum = 0;
 	size_t open = 0, n = row->n > 2 ? row->n - 2 : 0;
-	add_input_streams(r, unit, sheet_cell(row, 1));
+	add_input_streams(r, unit, row_cell_at(row, 1));
 	if (n < 2 || n > UNIT_STREAMS) {
 		sheet_fault(r->sheet, row->cell[0],
 		    "expected a split into 2 to %d streams, got %zu\n%s",
@@ -247,7 +250,7 @@ parse_split_row(
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
-		double share = parse_share(r, unit, row->cell[i + 2]);
+		double share = parse_share_of_split(r, unit, row->cell[i + 2]);
 		unit->share[i] = share;
 		open += isnan(share) ? 1 : 0;
 		sum += isnan(share) ? 0 : share;
@@ -270,27 +273,27 @@ parse_split_row(
 }
 
 static void
-parse_stockpile_row(
+parse_circuit_stockpile_row(
     struct reading_circuit *r, struct unit *unit, const struct row *row)
 {
-	struct cell from = sheet_cell(row, 1), name = sheet_cell(row, 2);
+	struct cell from = row_cell_at(row, 1), name = row_cell_at(row, 2);
 	bool key = strchr(name.text, '=') != NULL;
 	xreplace(&unit->name,
 	    xstrdup(name.text[0] != '\0' && !key ? name.text : from.text));
 	add_input_streams(r, unit, from);
-	parse_unit_options(r, unit, row, key ? 2 : 3);
+	parse_circuit_unit_keys(r, unit, row, key ? 2 : 3);
 }
 
 static void
-parse_unit_row(struct reading_circuit *r, const struct row *row)
+parse_circuit_unit_row(struct reading_circuit *r, const struct row *row)
 {
 	static void (*const READ[UNIT_KINDS])(struct reading_circuit *,
-	    struct unit *, const struct row *) = {parse_feed_row,
-	    parse_crusher_row, parse_screen_row, parse_split_row,
-	    parse_stockpile_row};
+	    struct unit *, const struct row *) = {parse_circuit_feed_row,
+	    parse_circuit_crusher_row, parse_circuit_screen_row,
+	    parse_circuit_split_row, parse_circuit_stockpile_row};
 	struct cell word = row->cell[0];
 	if (text_same_folded(word.text, "circuit")) {
-		xreplace(&r->circuit->name, xstrdup(sheet_cell(row, 1).text));
+		xreplace(&r->circuit->name, xstrdup(row_cell_at(row, 1).text));
 		return;
 	}
 	for (size_t k = 0; k < UNIT_KINDS; k++) {
@@ -315,7 +318,7 @@ parse_unit_row(struct reading_circuit *r, const struct row *row)
 }
 
 static void
-check_streams(struct reading_circuit *r)
+check_streams_connected(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->circuit->n_stream; i++) {
 		if (r->made[i].text == NULL)
@@ -334,7 +337,7 @@ check_streams(struct reading_circuit *r)
 }
 
 static void
-check_feeds(struct reading_circuit *r)
+check_one_feed(struct reading_circuit *r)
 {
 	size_t feeds = 0;
 	struct row none = {.line = 1, .end = 1};
@@ -343,7 +346,7 @@ check_feeds(struct reading_circuit *r)
 		if (r->circuit->unit[u].kind == UNIT_FEED && feeds++ == 1)
 			second = r->row[u];
 	if (feeds == 0 && !r->sheet->lost)
-		sheet_fault(r->sheet, sheet_cell(&none, 0),
+		sheet_fault(r->sheet, row_cell_at(&none, 0),
 		    "expected a line that begins with feed, got none\n%s",
 		    HINTS[UNIT_FEED]);
 	if (feeds > 1)
@@ -378,10 +381,10 @@ static void
 read_circuit_sheet(struct reading_circuit *r)
 {
 	for (size_t i = 0; i < r->sheet->n_row; i++)
-		parse_unit_row(r, &r->sheet->row[i]);
-	check_feeds(r);
+		parse_circuit_unit_row(r, &r->sheet->row[i]);
+	check_one_feed(r);
 	if (r->sheet->n_fault == 0)
-		check_streams(r);
+		check_streams_connected(r);
 	if (r->sheet->n_fault == 0)
 		check_paths_through_circuit(r);
 }

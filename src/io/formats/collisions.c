@@ -96,7 +96,7 @@ fault(
 
 /* Reads the next line, without its end.  False at the end of the file. */
 static bool
-next_line(struct reading *r)
+read_next_line(struct reading *r)
 {
 	r->length = 0;
 	enum text_line read =
@@ -112,7 +112,7 @@ next_line(struct reading *r)
 /* Returns the field at *s, ended by a NUL, and moves *s after it; NULL after
  * the last. */
 static char *
-next_field(const struct reading *r, char **s)
+next_field_of_line(const struct reading *r, char **s)
 {
 	char *begin = *s;
 	if (begin == NULL)
@@ -168,7 +168,7 @@ find_column_by_identifier(const char *plain)
 
 /* Returns what a column has according to its heading.  *scale: to SI. */
 static enum column
-collisions_column_of(const char *head, double *scale)
+collisions_column_of_heading(const char *head, double *scale)
 {
 	FREED char *plain = heading_to_identifier(head);
 	enum column column = find_column_by_identifier(plain);
@@ -197,10 +197,10 @@ collisions_column_of(const char *head, double *scale)
 }
 
 static void
-add_column_with_heading(struct reading *r, const char *head)
+add_collision_column(struct reading *r, const char *head)
 {
 	double scale = 1;
-	enum column column = collisions_column_of(head, &scale);
+	enum column column = collisions_column_of_heading(head, &scale);
 	if (r->n >= FIELDS_MOST)
 		return;
 	if (column != COL_NONE && r->has[column])
@@ -211,15 +211,15 @@ add_column_with_heading(struct reading *r, const char *head)
 }
 
 static void
-use_column_names(struct reading *r, const char *heads, char separator)
+set_columns_from_names(struct reading *r, const char *heads, char separator)
 {
 	FREED char *copy = xstrdup(heads);
 	char *rest = copy, *head, was = r->separator;
 	r->separator = separator;
 	r->n = 0;
 	memset(r->has, 0, sizeof r->has);
-	while ((head = next_field(r, &rest)) != NULL)
-		add_column_with_heading(r, head);
+	while ((head = next_field_of_line(r, &rest)) != NULL)
+		add_collision_column(r, head);
 	r->separator = was;
 }
 
@@ -255,7 +255,7 @@ read_numbers_of_row(struct reading *r)
 {
 	char *rest = r->line;
 	for (size_t i = 0; i < r->n; i++) {
-		char *field = next_field(r, &rest), *end = NULL;
+		char *field = next_field_of_line(r, &rest), *end = NULL;
 		if (field == NULL)
 			return fault(r, ERROR_DATA,
 			    "expected a number in each column, got fewer",
@@ -290,7 +290,7 @@ report_rows_read_so_far(struct reading *r)
 
 /* Returns the energy of a row, J/kg. */
 static double
-energy_of_row(const struct reading *r)
+collision_energy_of_row(const struct reading *r)
 {
 	const double *v = r->value;
 	if (r->has[COL_SPECIFIC])
@@ -315,7 +315,7 @@ add_impact_of_row(struct reading *r)
 	double mass = r->has[COL_WEIGHT] ? v[COL_WEIGHT]
 		      : r->has[COL_MASS] ? v[COL_MASS]
 					 : 1;
-	double e = energy_of_row(r);
+	double e = collision_energy_of_row(r);
 	if (!(e >= 0) || !(mass >= 0))
 		return fault(r, ERROR_DATA,
 		    "expected an energy and a weight of at least 0, got less",
@@ -339,7 +339,8 @@ read_line_above_headings(struct reading *r)
 {
 	FREED char *copy = xstrdup(r->line);
 	char *rest = copy;
-	const char *key = next_field(r, &rest), *value = next_field(r, &rest);
+	const char *key = next_field_of_line(r, &rest),
+		   *value = next_field_of_line(r, &rest);
 	double v;
 	if (key == NULL || value == NULL)
 		return key != NULL && strcmp(key, "spectrum") == 0;
@@ -368,24 +369,24 @@ guess_separator_of_line(const char *line)
 
 /* Reads the headings of a table, or what a list without them has. */
 static bool
-find_table_columns(struct reading *r, bool *is_row)
+read_table_headings(struct reading *r, bool *is_row)
 {
 	FREED char *copy = xstrdup(r->line);
 	char *rest = copy;
 	double v;
-	const char *first = next_field(r, &rest);
+	const char *first = next_field_of_line(r, &rest);
 	*is_row = first != NULL && text_parse_number(first, &v);
-	bool two = next_field(r, &rest) != NULL;
+	bool two = next_field_of_line(r, &rest) != NULL;
 	if (r->way->columns != NULL)
-		use_column_names(r, r->way->columns, ',');
+		set_columns_from_names(r, r->way->columns, ',');
 	else if (!*is_row)
-		use_column_names(r, r->line, r->separator);
+		set_columns_from_names(r, r->line, r->separator);
 	else if (r->way->unit == NULL)
 		return fault(r, ERROR_USAGE,
 		    "expected headings above the numbers, got none",
 		    "say what they are: unit=j_kg or unit=m_s, or columns=");
 	else
-		use_column_names(r,
+		set_columns_from_names(r,
 		    strcmp(r->way->unit, "m/s") == 0
 			? two ? "velocity,weight" : "velocity"
 		    : two ? "specific_energy,weight"
@@ -400,13 +401,13 @@ collisions_read_table(struct reading *r)
 	bool ok = true, is_row = false;
 	r->separator = guess_separator_of_line(r->line);
 	while (read_line_above_headings(r))
-		if (!next_line(r))
+		if (!read_next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
 			    "is the file whole?");
-	ok = find_table_columns(r, &is_row);
+	ok = read_table_headings(r, &is_row);
 	if (ok && is_row)
 		ok = read_numbers_of_row(r) && add_impact_of_row(r);
-	while (ok && next_line(r))
+	while (ok && read_next_line(r))
 		ok = r->length == 0 ||
 		     (read_numbers_of_row(r) && add_impact_of_row(r) &&
 			 report_rows_read_so_far(r));
@@ -420,9 +421,9 @@ collisions_read_table(struct reading *r)
 }
 
 static bool
-read_open_file(struct reading *r)
+read_open_collisions(struct reading *r)
 {
-	if (!next_line(r))
+	if (!read_next_line(r))
 		return fault(r, ERROR_DATA, "expected collisions, got nothing",
 		    "is it the right file?");
 	if (strncmp(r->line, "ITEM:", 5) == 0)
@@ -448,7 +449,7 @@ collisions_read(const char *path, const struct collisions_way *way,
 		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 		    "cannot be read: %s\ncheck the name and the permissions",
 		    why);
-	ok = ok && read_open_file(&r);
+	ok = ok && read_open_collisions(&r);
 	if (ok && ferror(r.in))
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
 		    "check the disk");
@@ -474,7 +475,7 @@ collisions_clear(struct collisions *c)
 }
 
 static void
-write_rows(const struct spectrum_size *of, FILE *out)
+write_spectrum_rows(const struct spectrum_size *of, FILE *out)
 {
 	bool begun = false;
 	for (size_t b = 0; b < SPECTRUM_BINS; b++) {
@@ -507,5 +508,5 @@ collisions_write(const struct collisions *c, const char *name, FILE *out)
 	      "impacts_j,first_kg,first_j\n",
 	    out);
 	for (size_t i = 0; i < s->n; i++)
-		write_rows(s->size[i], out);
+		write_spectrum_rows(s->size[i], out);
 }

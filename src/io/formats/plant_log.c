@@ -58,7 +58,7 @@ struct reading {
 };
 
 static bool
-plant_log_has_word(const char *text, const char *words)
+plant_log_has_any_word(const char *text, const char *words)
 {
 	static const char BREAKS[] = " ()[],;:_-.\t\n";
 	FREED char *folded = text_fold_case_and_accents(text);
@@ -67,31 +67,31 @@ plant_log_has_word(const char *text, const char *words)
 	size_t which;
 	for (char *word = strtok_r(folded, BREAKS, &next);
 	     word != NULL && !found; word = strtok_r(NULL, BREAKS, &next))
-		found = text_find_word(words, word, &which);
+		found = text_find_word_in_list(words, word, &which);
 	return found;
 }
 
 static unsigned
-plant_log_kind_of(const char *text, const struct head *head)
+plant_log_kind_of_heading(const char *text, const struct head *head)
 {
-	if (plant_log_has_word(text, RATE))
+	if (plant_log_has_any_word(text, RATE))
 		return LOG_RATE;
-	if (plant_log_has_word(text, OTHER))
+	if (plant_log_has_any_word(text, OTHER))
 		return NO_KIND;
-	if (plant_log_has_word(text, POWER))
+	if (plant_log_has_any_word(text, POWER))
 		return LOG_POWER;
 	if (head->unit == SPEED_RPM || (head->means & WORD_RPM) != 0)
 		return LOG_RPM;
 	if (head->unit != SPEED_NO_UNIT || (head->means & WORD_SPEED) != 0)
 		return LOG_SPEED;
-	return plant_log_has_word(text, TIMES) ? TIME : NO_KIND;
+	return plant_log_has_any_word(text, TIMES) ? TIME : NO_KIND;
 }
 
 static bool
 read_date_or_time_at(
     const struct reading *r, size_t row, size_t column, struct datetime *m)
 {
-	struct cell cell = sheet_cell(&r->sheet->row[row], column);
+	struct cell cell = row_cell_at(&r->sheet->row[row], column);
 	return cell.text[0] != '\0' && datetime_parse(cell.text, m);
 }
 
@@ -137,7 +137,7 @@ find_time_columns(struct reading *r)
 		    "without as=log");
 	if (full == 0 && clocks[r->clock] == 0)
 		return sheet_fault(r->sheet,
-		    sheet_cell(&r->sheet->row[r->first], r->date),
+		    row_cell_at(&r->sheet->row[r->first], r->date),
 		    "expected times of day with the dates, got none\n"
 		    "a log needs the time of each row: 2026-05-03 10:15");
 	return true;
@@ -145,13 +145,13 @@ find_time_columns(struct reading *r)
 
 /* Returns the words above a column.  Lines with one cell are titles. */
 static char *
-plant_log_head_text(const struct reading *r, size_t c)
+plant_log_column_heading(const struct reading *r, size_t c)
 {
 	char *text = xstrdup("");
 	size_t from = r->first > MOST_HEADS ? r->first - MOST_HEADS : 0;
 	for (size_t i = from; i < r->first; i++) {
 		const struct row *row = &r->sheet->row[i];
-		const char *cell = sheet_cell(row, c).text;
+		const char *cell = row_cell_at(row, c).text;
 		size_t filled = 0;
 		for (size_t k = 0; k < row->n; k++)
 			filled += row->cell[k].text[0] != '\0';
@@ -178,7 +178,7 @@ parse_column_choice(struct reading *r, const char *columns)
 			break;
 		r->head[number - 1] = heading_parse(end + 1);
 		r->kind[number - 1] =
-		    plant_log_kind_of(end + 1, &r->head[number - 1]);
+		    plant_log_kind_of_heading(end + 1, &r->head[number - 1]);
 		good = r->kind[number - 1] != NO_KIND;
 	}
 	if (!good)
@@ -194,7 +194,7 @@ parse_column_choice(struct reading *r, const char *columns)
 /* Keeps the only column of a kind, or of those that name the rotor; several
  * that cannot be told apart are a fault. */
 static bool
-choose_column_of_kind(struct reading *r, unsigned kind)
+keep_only_column_of_kind(struct reading *r, unsigned kind)
 {
 	size_t n = 0, rotors = 0, last = 0, rotor = 0;
 	for (size_t c = 0; c < r->n_column; c++) {
@@ -215,7 +215,7 @@ choose_column_of_kind(struct reading *r, unsigned kind)
 		return true;
 	}
 	size_t head = r->first > 0 ? r->first - 1 : 0;
-	return sheet_fault(r->sheet, sheet_cell(&r->sheet->row[head], last),
+	return sheet_fault(r->sheet, row_cell_at(&r->sheet->row[head], last),
 	    "expected one column of %s, got %zu\n"
 	    "name the columns to read: load %s as=log columns=\"%zu=time, "
 	    "%zu=%s, ..\"; two of kW are added up",
@@ -226,7 +226,7 @@ choose_column_of_kind(struct reading *r, unsigned kind)
 /* Finds the unit of a speed by its size: no rotor of a crusher has less than
  * 400 rpm, or more than 150 m/s at its tip. */
 static bool
-choose_speed_unit(struct reading *r, size_t c)
+guess_speed_unit_by_size(struct reading *r, size_t c)
 {
 	double sum = 0, v;
 	size_t n = 0;
@@ -234,14 +234,14 @@ choose_speed_unit(struct reading *r, size_t c)
 		return true;
 	for (size_t i = r->first; i < r->sheet->n_row; i++)
 		if (number_value_of_cell(
-			sheet_cell(&r->sheet->row[i], c), &v) &&
+			row_cell_at(&r->sheet->row[i], c), &v) &&
 		    v > 0) {
 			sum += v;
 			n++;
 		}
 	if (n == 0 || sum / (double)n < 400)
 		return sheet_fault(r->sheet,
-		    sheet_cell(&r->sheet->row[r->first], c),
+		    row_cell_at(&r->sheet->row[r->first], c),
 		    "expected a speed in rpm or m/s, got numbers without a "
 		    "unit\n"
 		    "say which: load %s as=log columns=\"%zu=time, %zu=m/s, "
@@ -253,28 +253,29 @@ choose_speed_unit(struct reading *r, size_t c)
 }
 
 static bool
-plant_log_find_columns(struct reading *r)
+plant_log_find_column_kinds(struct reading *r)
 {
 	for (size_t c = 0; c < r->n_column; c++) {
-		FREED char *text = plant_log_head_text(r, c);
+		FREED char *text = plant_log_column_heading(r, c);
 		r->head[c] = heading_parse(text);
 		bool time = c == r->date || c == r->clock;
-		r->kind[c] = time ? TIME : plant_log_kind_of(text, &r->head[c]);
+		r->kind[c] =
+		    time ? TIME : plant_log_kind_of_heading(text, &r->head[c]);
 	}
 	const char *columns = r->request->columns;
 	if (columns != NULL && !parse_column_choice(r, columns))
 		return false;
 	bool good = true, speed = false, any = false;
 	for (size_t c = 0; c < r->n_column && good; c++) {
-		good = choose_speed_unit(r, c);
+		good = guess_speed_unit_by_size(r, c);
 		speed = speed || r->kind[c] == LOG_SPEED;
 		any = any || r->kind[c] < LOG_COLUMNS;
 	}
 	for (unsigned k = 0; k < LOG_COLUMNS && good; k++)
-		good = choose_column_of_kind(r, k);
+		good = keep_only_column_of_kind(r, k);
 	if (!any && good)
 		return sheet_fault(r->sheet,
-		    sheet_cell(&r->sheet->row[r->first > 0 ? r->first - 1 : 0],
+		    row_cell_at(&r->sheet->row[r->first > 0 ? r->first - 1 : 0],
 			r->date),
 		    "expected headings that name rpm, m/s, kW or t/h, got none "
 		    "that does\nname the columns: load %s as=log "
@@ -296,11 +297,11 @@ find_day_month_order(struct reading *r, bool *open)
 		if (!read_date_or_time_at(r, i, r->date, &m) || m.plain)
 			continue;
 		if (m.order == DATETIME_OPEN)
-			undecided = sheet_cell(&r->sheet->row[i], r->date);
+			undecided = row_cell_at(&r->sheet->row[i], r->date);
 		else if (r->order == DATETIME_OPEN)
 			r->order = m.order;
 		else if (m.order != r->order)
-			other = sheet_cell(&r->sheet->row[i], r->date);
+			other = row_cell_at(&r->sheet->row[i], r->date);
 	}
 	if (other.text != NULL)
 		return sheet_fault(r->sheet, other,
@@ -323,18 +324,18 @@ static void
 add_log_row(struct reading *r, double time, const struct row *row)
 {
 	struct plant_log *log = r->log;
-	log->time = xgrow(log->time, log->n, sizeof *log->time);
+	log->time = xgrow_by_one(log->time, log->n, sizeof *log->time);
 	log->time[log->n] = time;
 	for (size_t k = 0; k < LOG_COLUMNS; k++) {
 		log->value[k] =
-		    xgrow(log->value[k], log->n, sizeof *log->value[k]);
+		    xgrow_by_one(log->value[k], log->n, sizeof *log->value[k]);
 		log->value[k][log->n] = NAN;
 	}
 	for (size_t c = 0; c < r->n_column; c++) {
 		unsigned k = r->kind[c];
 		double v;
 		if (k >= LOG_COLUMNS ||
-		    !number_value_of_cell(sheet_cell(row, c), &v) || v < 0)
+		    !number_value_of_cell(row_cell_at(row, c), &v) || v < 0)
 			continue;
 		if (k == LOG_SPEED)
 			v = speed_in_unit_to_mps(v, r->head[c].unit, 0);
@@ -372,12 +373,12 @@ plant_log_read_rows(struct reading *r)
 /* Reports numbers such as 1,250 if the sheet does not show what the comma
  * is. */
 static bool
-check_numbers(struct reading *r)
+refuse_ambiguous_numbers(struct reading *r)
 {
 	for (size_t i = r->first;
 	     i < r->sheet->n_row && !error_should_stop(r->errors); i++)
 		for (size_t c = 0; c < r->n_column; c++) {
-			struct cell cell = sheet_cell(&r->sheet->row[i], c);
+			struct cell cell = row_cell_at(&r->sheet->row[i], c);
 			if (r->kind[c] < LOG_COLUMNS &&
 			    number_is_ambiguous(r->sheet, cell))
 				return sheet_fault(r->sheet, cell,
@@ -392,7 +393,7 @@ check_numbers(struct reading *r)
 }
 
 static void
-write_columns_text(struct reading *r)
+describe_log_columns(struct reading *r)
 {
 	FREED char *text = xasprintf(tr("time in column %zu"), r->date + 1);
 	if (r->clock != r->date)
@@ -417,11 +418,11 @@ plant_log_read_sheet(struct reading *r, struct sheet *sheet, bool *open)
 		number_set_decimal_sign(sheet, r->request->decimal);
 	if (!find_time_columns(r))
 		return false;
-	if (!plant_log_find_columns(r) || !find_day_month_order(r, open) ||
-	    !check_numbers(r))
+	if (!plant_log_find_column_kinds(r) || !find_day_month_order(r, open) ||
+	    !refuse_ambiguous_numbers(r))
 		return false;
 	plant_log_read_rows(r);
-	write_columns_text(r);
+	describe_log_columns(r);
 	return true;
 }
 
@@ -495,7 +496,7 @@ plant_log_median(double *value, size_t n)
 
 /* Computes what concerns all rows, and drops columns without numbers. */
 static void
-finish_columns_of_log(struct reading *r)
+sort_and_trim_plant_log(struct reading *r)
 {
 	struct plant_log *log = r->log;
 	plant_log_sort_rows(log);
@@ -550,7 +551,7 @@ plant_log_read(
 		    "write times as 2026-05-03 10:15",
 		    r.log->passed, r.log->n);
 	if (good) {
-		finish_columns_of_log(&r);
+		sort_and_trim_plant_log(&r);
 		return r.log;
 	}
 	plant_log_free(r.log);

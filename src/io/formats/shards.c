@@ -32,7 +32,7 @@ refuse_parts_file(const char *path, struct error *error)
 /* Returns number i of a row, from its list of numbers or by key.  *there: it
  * must be present. */
 static const json_t *
-shards_number_of(
+shards_number_in_row(
     const json_t *row, const struct kind *kind, size_t i, bool *there)
 {
 	const char *key = kind->number[i];
@@ -44,8 +44,8 @@ shards_number_of(
 }
 
 static bool
-read_site_of_part(json_t *row, const json_t *index, const struct kind *kind,
-    struct part_site *site)
+read_site_of_shard_row(json_t *row, const json_t *index,
+    const struct kind *kind, struct part_site *site)
 {
 	const char *name, *text;
 	if (!json_is_integer(index) || json_unpack(row, "{s:s, s:s}", "site",
@@ -56,7 +56,8 @@ read_site_of_part(json_t *row, const json_t *index, const struct kind *kind,
 	site->text[0] = xstrdup(name);
 	site->text[1] = xstrdup(text);
 	for (size_t i = 0; i < PART_NUMBERS; i++) {
-		const json_t *value = shards_number_of(row, kind, i, &there);
+		const json_t *value =
+		    shards_number_in_row(row, kind, i, &there);
 		site->number[i] =
 		    json_is_number(value) ? json_number_value(value) : NAN;
 		good = good &&
@@ -66,7 +67,7 @@ read_site_of_part(json_t *row, const json_t *index, const struct kind *kind,
 }
 
 static const struct kind *
-shards_kind_of(const char *command)
+shards_kind_of_command(const char *command)
 {
 	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++)
 		if (strcmp(KINDS[i].command, command) == 0)
@@ -75,7 +76,7 @@ shards_kind_of(const char *command)
 }
 
 static bool
-read_part_of_json(json_t *o, const char *path, struct part_file *part)
+read_part_from_json(json_t *o, const char *path, struct part_file *part)
 {
 	const char *command, *sites, *version, *options;
 	json_int_t number, of, loaded, left_out = 0, each = 0;
@@ -89,7 +90,7 @@ read_part_of_json(json_t *o, const char *path, struct part_file *part)
 		"loaded", &loaded, "index", &index, "rows", &rows, "left_out",
 		&left_out, "each", &each) != 0)
 		return false;
-	const struct kind *kind = shards_kind_of(command);
+	const struct kind *kind = shards_kind_of_command(command);
 	if (kind == NULL || number < 0 || of < 1 || loaded < 0 ||
 	    json_array_size(index) != json_array_size(rows))
 		return false;
@@ -105,7 +106,7 @@ read_part_of_json(json_t *o, const char *path, struct part_file *part)
 	part->site = xcalloc(json_array_size(rows) + 1, sizeof *part->site);
 	for (size_t i = 0; i < json_array_size(rows); i++) {
 		struct part_site *site = &part->site[part->n++];
-		if (!read_site_of_part(json_array_get(rows, i),
+		if (!read_site_of_shard_row(json_array_get(rows, i),
 			json_array_get(index, i), kind, site) ||
 		    site->index >= part->loaded ||
 		    site->index % part->of != part->number - 1)
@@ -129,7 +130,7 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 	       (o = json_loadf(in, JSON_DISABLE_EOF_CHECK, &about)) != NULL) {
 		parts->part =
 		    xrealloc(parts->part, parts->n + 1, sizeof *parts->part);
-		good = read_part_of_json(o, path, &parts->part[parts->n++]);
+		good = read_part_from_json(o, path, &parts->part[parts->n++]);
 		json_decref(o);
 	}
 	/* After the last there is nothing but its end of line. */
@@ -160,7 +161,7 @@ parts_free(struct parts *parts)
 }
 
 static bool
-check_parts_same(const struct part_file *a, const struct part_file *b,
+check_part_texts_same(const struct part_file *a, const struct part_file *b,
     const char *what, const char *in_a, const char *in_b, struct error *error)
 {
 	return strcmp(in_a, in_b) == 0 ||
@@ -174,10 +175,13 @@ static bool
 check_options_same(
     const struct part_file *a, const struct part_file *b, struct error *error)
 {
-	if (!check_parts_same(a, b, "command", a->command, b->command, error) ||
-	    !check_parts_same(a, b, "version", a->version, b->version, error) ||
-	    !check_parts_same(a, b, "options", a->options, b->options, error) ||
-	    !check_parts_same(a, b, "sites", a->sites, b->sites, error))
+	if (!check_part_texts_same(
+		a, b, "command", a->command, b->command, error) ||
+	    !check_part_texts_same(
+		a, b, "version", a->version, b->version, error) ||
+	    !check_part_texts_same(
+		a, b, "options", a->options, b->options, error) ||
+	    !check_part_texts_same(a, b, "sites", a->sites, b->sites, error))
 		return false;
 	return (a->of == b->of && a->loaded == b->loaded) ||
 	       error_at(error, ERROR_DATA, b->path, 0, 0,

@@ -34,7 +34,7 @@ spec_parse_cut(const char *text, double cut[static 2])
 }
 
 static void
-read_cut(struct spec *spec, struct sheet *sheet, struct cell value)
+read_spec_cut(struct spec *spec, struct sheet *sheet, struct cell value)
 {
 	if (!spec_parse_cut(value.text, spec->cut))
 		sheet_fault_expected(sheet, value,
@@ -51,7 +51,7 @@ spec_read_key(
 		      : text_same_folded(key.text, "source") ? &spec->source
 							     : NULL;
 	if (text_same_folded(key.text, "cut")) {
-		read_cut(spec, sheet, value);
+		read_spec_cut(spec, sheet, value);
 		return true;
 	}
 	if (text != NULL)
@@ -60,7 +60,7 @@ spec_read_key(
 }
 
 static void
-read_heading(
+read_spec_heading(
     struct spec *spec, struct sheet *sheet, const struct layout *layout)
 {
 	for (size_t i = 0; i < layout->n_heading; i++) {
@@ -69,7 +69,7 @@ read_heading(
 			sheet_fault_expected(sheet, row->cell[2],
 			    "the end of the line after key and value",
 			    "quote a value that contains the separator");
-		spec_read_key(spec, sheet, row->cell[0], sheet_cell(row, 1));
+		spec_read_key(spec, sheet, row->cell[0], row_cell_at(row, 1));
 	}
 }
 
@@ -77,12 +77,13 @@ read_heading(
  * "cut,0/4", makes look like its headings.  False with a fault if one is
  * unknown. */
 static bool
-read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
+read_keys_above_table(
+    struct spec *spec, struct sheet *sheet, const struct table *t)
 {
 	for (size_t i = 0; i < t->titles; i++) {
 		const struct row *row = &t->head[i];
 		if (row->n == 2 && spec_read_key(spec, sheet, row->cell[0],
-				       sheet_cell(row, 1)))
+				       row_cell_at(row, 1)))
 			continue;
 		return sheet_fault_expected(sheet,
 		    t->head[0].cell[t->n_col - 1],
@@ -94,7 +95,7 @@ read_titles(struct spec *spec, struct sheet *sheet, const struct table *t)
 
 /* at: place of min_pct and max_pct in a row, 0 where there is none. */
 static void
-spec_read_heads(const struct table *t, size_t at[static 2])
+spec_find_limit_columns(const struct table *t, size_t at[static 2])
 {
 	at[0] = at[1] = 0;
 	for (size_t i = 1; i < t->n_col; i++) {
@@ -121,7 +122,7 @@ static double
 parse_limit_of_row(const struct table *t, size_t row, size_t at)
 {
 	double v;
-	struct cell cell = sheet_cell(&t->row[row], at);
+	struct cell cell = row_cell_at(&t->row[row], at);
 	if (at == 0 || cell.text[0] == '\0' ||
 	    !number_read_cell(t->sheet, cell, tr("a number"), &v))
 		return NAN;
@@ -144,7 +145,7 @@ check_limits_fall(
 		if (isnan(limit[i]))
 			continue;
 		if (limit[i] > last)
-			sheet_fault(t->sheet, sheet_cell(&t->row[i], at),
+			sheet_fault(t->sheet, row_cell_at(&t->row[i], at),
 			    "%s rises from %g to %g at %s mm (finer sieve, "
 			    "more passing)\n"
 			    "check this row and the one above: a limit cannot "
@@ -156,7 +157,8 @@ check_limits_fall(
 }
 
 static void
-spec_read_rows(struct spec *spec, struct table *t, const size_t at[static 2])
+spec_read_limit_rows(
+    struct spec *spec, struct table *t, const size_t at[static 2])
 {
 	spec->n = t->n_row;
 	spec->size = xcalloc_doubles(t->n_row);
@@ -186,12 +188,12 @@ spec_read_table(struct spec *spec, struct table *t)
 {
 	enum sieve_certainty certainty = site_sieve_find_unit_and_sort(t, 0);
 	size_t at[2];
-	spec_read_heads(t, at);
+	spec_find_limit_columns(t, at);
 	site_sieve_check_sizes(t);
 	if (certainty == SIEVES_OPEN)
 		sheet_fault_expected(t->sheet, site_sieve_heading_cell(t),
 		    "the unit of the sieves", "write size_mm");
-	spec_read_rows(spec, t, at);
+	spec_read_limit_rows(spec, t, at);
 }
 
 static void
@@ -200,13 +202,13 @@ spec_read_sheet(struct spec *spec, struct sheet *sheet)
 	struct layout_range all = {0};
 	site_sieve_uncomment_numbers(sheet);
 	struct layout *layout = layout_new_of_sheet(sheet, all);
-	read_heading(spec, sheet, layout);
+	read_spec_heading(spec, sheet, layout);
 	if (layout->n > 0 && layout->table[0].n_head > 0) {
-		read_titles(spec, sheet, &layout->table[0]);
+		read_keys_above_table(spec, sheet, &layout->table[0]);
 		spec_read_table(spec, &layout->table[0]);
 	} else if (!sheet->lost) {
 		struct row none = {.line = 1, .end = 1};
-		sheet_fault_expected(sheet, sheet_cell(&none, 0),
+		sheet_fault_expected(sheet, row_cell_at(&none, 0),
 		    "a line that begins with size_mm, and rows of sieves below "
 		    "it",
 		    "begin the table with size_mm,min_pct,max_pct and go on "

@@ -30,7 +30,7 @@ static double
 read_limit_cell(struct sheet *sheet, const struct row *row, size_t at)
 {
 	double value;
-	struct cell cell = sheet_cell(row, at);
+	struct cell cell = row_cell_at(row, at);
 	if (cell.text[0] == '\0' ||
 	    !number_read_cell(sheet, cell, tr("a number"), &value))
 		return NAN;
@@ -80,7 +80,7 @@ find_base_envelope(const struct standards *all, const char *name)
 }
 
 static struct spec *
-add_spec(struct standards *all, const char *standard, const char *name,
+add_envelope(struct standards *all, const char *standard, const char *name,
     const char *cut, const char *source)
 {
 	struct spec *spec = spec_new();
@@ -102,7 +102,7 @@ add_spec(struct standards *all, const char *standard, const char *name,
 /* Adds what a row's source says beyond that of the envelope's first row, with
  * its sieve: "0.15 mm: crushed stone sand: up to 20". */
 static void
-add_remark(struct spec *spec, const char *source, double mm)
+add_source_remark(struct spec *spec, const char *source, double mm)
 {
 	size_t n = strcspn(spec->source, ";");
 	size_t more = strlen(source);
@@ -114,42 +114,43 @@ add_remark(struct spec *spec, const char *source, double mm)
 }
 
 static void
-read_envelope(struct standards *all, struct sheet *sheet, const struct row *row)
+read_envelope_row(
+    struct standards *all, struct sheet *sheet, const struct row *row)
 {
 	enum { STANDARD, NAME, CUT, SIZE, LEAST, MOST, SOURCE };
-	const char *standard = sheet_cell(row, STANDARD).text;
-	const char *source = sheet_cell(row, SOURCE).text;
+	const char *standard = row_cell_at(row, STANDARD).text;
+	const char *source = row_cell_at(row, SOURCE).text;
 	FREED char *name =
-	    xasprintf("%s %s", standard, sheet_cell(row, NAME).text);
+	    xasprintf("%s %s", standard, row_cell_at(row, NAME).text);
 	double mm = read_limit_cell(sheet, row, SIZE);
 	struct spec *spec = find_spec_by_name(all, name);
 	if (spec == NULL)
-		spec = add_spec(
-		    all, standard, name, sheet_cell(row, CUT).text, source);
+		spec = add_envelope(
+		    all, standard, name, row_cell_at(row, CUT).text, source);
 	insert_limit_row(spec, mm / 1000,
 	    read_limit_cell(sheet, row, LEAST) / 100,
 	    read_limit_cell(sheet, row, MOST) / 100);
-	add_remark(spec, source, mm);
+	add_source_remark(spec, source, mm);
 }
 
 static void
-standards_read_limit(
+standards_read_limit_row(
     struct standards *all, struct sheet *sheet, const struct row *row)
 {
 	enum { STANDARD, ITEM, LEAST, MOST, UNIT, NOTE };
 	all->limit = xrealloc(all->limit, all->n_limit + 1, sizeof *all->limit);
 	all->limit[all->n_limit++] = (struct standard_limit){
-	    .standard = xstrdup(sheet_cell(row, STANDARD).text),
-	    .item = xstrdup(sheet_cell(row, ITEM).text),
-	    .unit = xstrdup(sheet_cell(row, UNIT).text),
-	    .note = xstrdup(sheet_cell(row, NOTE).text),
+	    .standard = xstrdup(row_cell_at(row, STANDARD).text),
+	    .item = xstrdup(row_cell_at(row, ITEM).text),
+	    .unit = xstrdup(row_cell_at(row, UNIT).text),
+	    .note = xstrdup(row_cell_at(row, NOTE).text),
 	    .least = read_limit_cell(sheet, row, LEAST),
 	    .most = read_limit_cell(sheet, row, MOST)};
 }
 
 /* Reads a built-in table row by row, without its heading. */
 static void
-standards_read_text(struct standards *all, const char *name,
+standards_read_built_in_table(struct standards *all, const char *name,
     const char *const *line,
     void (*read)(struct standards *, struct sheet *, const struct row *))
 {
@@ -169,9 +170,10 @@ struct standards *
 standards_read_built_in(void)
 {
 	struct standards *all = xcalloc(1, sizeof *all);
-	standards_read_text(all, "envelopes", ENVELOPES_TEXT, read_envelope);
-	standards_read_text(
-	    all, "scalars", ENVELOPE_SCALARS_TEXT, standards_read_limit);
+	standards_read_built_in_table(
+	    all, "envelopes", ENVELOPES_TEXT, read_envelope_row);
+	standards_read_built_in_table(
+	    all, "scalars", ENVELOPE_SCALARS_TEXT, standards_read_limit_row);
 	for (size_t i = 0; i < all->n; i++)
 		xappend(&all->spec[i]->source, "; %s", tr(COPY));
 	return all;
@@ -243,7 +245,7 @@ do_words_mean_plain_variant(const struct spec *spec, const char *folded)
 
 /* True if a name is another one, of `length` letters, or continues it. */
 static bool
-standards_begins_with_name(const char *name, const char *other, size_t length)
+standards_is_or_extends_name(const char *name, const char *other, size_t length)
 {
 	return strncmp(name, other, length) == 0 &&
 	       (name[length] == '\0' || name[length] == ' ');
@@ -252,7 +254,7 @@ standards_begins_with_name(const char *name, const char *other, size_t length)
 /* If the names of all those marked begin with the name of one of them, and the
  * words mean that one, keeps it alone.  Returns how many are left. */
 static size_t
-keep_base_envelope(
+keep_only_base_envelope(
     const struct standards *all, const char *folded, bool *match, size_t n)
 {
 	for (size_t i = 0; i < all->n; i++) {
@@ -260,7 +262,7 @@ keep_base_envelope(
 		size_t length = strlen(name), begin = 0;
 		for (size_t j = 0; j < all->n; j++)
 			begin +=
-			    match[j] && standards_begins_with_name(
+			    match[j] && standards_is_or_extends_name(
 					    all->spec[j]->name, name, length);
 		if (!match[i] || begin < n ||
 		    !do_words_mean_plain_variant(all->spec[i], folded))
@@ -285,12 +287,12 @@ standards_mark_matches(
 	}
 	for (size_t i = 0; i < all->n; i++)
 		n += match[i] = in[i] >= (full > 0 ? 2 : 1);
-	n = n > 1 ? keep_base_envelope(all, folded, match, n) : n;
+	n = n > 1 ? keep_only_base_envelope(all, folded, match, n) : n;
 	return n;
 }
 
 static const char *
-most_similar_name(const struct standards *all, const char *words)
+most_similar_envelope_name(const struct standards *all, const char *words)
 {
 	const char *best = all->spec[0]->name;
 	size_t least = SIZE_MAX;
@@ -311,7 +313,7 @@ most_similar_name(const struct standards *all, const char *words)
 }
 
 const struct spec *
-standards_find(
+standards_find_envelope(
     const struct standards *all, const char *words, struct error *error)
 {
 	FREED bool *match = xcalloc(all->n, sizeof *match);
@@ -326,7 +328,7 @@ standards_find(
 		error_set(error, ERROR_USAGE,
 		    "there is no envelope '%s', and no such file\n"
 		    "did you mean '%s'? 'spec list' lists them",
-		    words, most_similar_name(all, words));
+		    words, most_similar_envelope_name(all, words));
 	else if (n > 1)
 		error_set(error, ERROR_USAGE,
 		    "'%s' matches %zu envelopes\ngive more of the name: %s",

@@ -38,7 +38,7 @@ size_t standards_mark_matches(
 
 /* Returns the envelope that the words name, or NULL with an error that lists
  * the candidates. */
-const struct spec *standards_find(
+const struct spec *standards_find_envelope(
     const struct standards *standards, const char *words, struct error *error);
 
 /* True if a word is a path rather than the name of an envelope: the file

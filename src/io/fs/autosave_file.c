@@ -27,7 +27,7 @@ struct autosave_file {
 };
 
 static char *
-state_path(const char *name)
+autosave_state_path(const char *name)
 {
 	return xdg_user_file_path("XDG_STATE_HOME", ".local/state", name);
 }
@@ -94,7 +94,7 @@ read_autosave_details(struct autosave_left *file)
 }
 
 static int
-compare_newer_first(const void *a, const void *b)
+compare_files_newer_first(const void *a, const void *b)
 {
 	const struct timespec *x = &((const struct autosave_left *)a)->when;
 	const struct timespec *y = &((const struct autosave_left *)b)->when;
@@ -107,7 +107,7 @@ struct autosave_left *
 autosave_list_left_files(size_t *n)
 {
 	struct autosave_left *file = NULL;
-	FREED char *folder = state_path("");
+	FREED char *folder = autosave_state_path("");
 	DIR *dir = folder != NULL ? opendir(folder) : NULL;
 	*n = 0;
 	for (struct dirent *e; dir != NULL && (e = readdir(dir)) != NULL;) {
@@ -126,7 +126,7 @@ autosave_list_left_files(size_t *n)
 	if (dir != NULL)
 		closedir(dir);
 	if (*n > 0)
-		qsort(file, *n, sizeof *file, compare_newer_first);
+		qsort(file, *n, sizeof *file, compare_files_newer_first);
 	return file;
 }
 
@@ -141,7 +141,7 @@ autosave_left_free(struct autosave_left *file, size_t n)
 }
 
 static void
-remove_oldest(void)
+remove_oldest_autosaves(void)
 {
 	size_t n;
 	struct autosave_left *file = autosave_list_left_files(&n);
@@ -151,7 +151,7 @@ remove_oldest(void)
 }
 
 static bool
-cannot_make(const char *what, int reason, struct error *error)
+report_cannot_make(const char *what, int reason, struct error *error)
 {
 	return error_at(
 	    error, ERROR_SYSTEM, what, 0, 0, "%s", strerror(reason));
@@ -160,7 +160,7 @@ cannot_make(const char *what, int reason, struct error *error)
 /* Makes an empty file with a new name, for the user alone; it keeps its
  * permissions when it is replaced. */
 static bool
-make_file(struct autosave_file *kept, struct error *error)
+make_autosave_file(struct autosave_file *kept, struct error *error)
 {
 	time_t now = time(NULL);
 	int fd = -1;
@@ -170,21 +170,23 @@ make_file(struct autosave_file *kept, struct error *error)
 		snprintf(name, sizeof name, "session-%s-%ld.tip", day,
 		    (long)getpid());
 		free(kept->path);
-		kept->path = state_path(name);
+		kept->path = autosave_state_path(name);
 		if (kept->path == NULL)
 			return error_set(
 			    error, ERROR_SYSTEM, "HOME is not set");
 		FREED char *closed = xdg_make_parent_folders(kept->path);
-		bool made = closed == NULL || cannot_make(closed, errno, error);
+		bool made =
+		    closed == NULL || report_cannot_make(closed, errno, error);
 		if (made)
 			fd = open(kept->path,
 			    O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
 		if (!made || (fd < 0 && errno != EEXIST))
-			return made && cannot_make(kept->path, errno, error);
+			return made &&
+			       report_cannot_make(kept->path, errno, error);
 	}
 	kept->fd = fd;
 	flock(fd, LOCK_EX);
-	remove_oldest();
+	remove_oldest_autosaves();
 	return true;
 }
 
@@ -194,7 +196,7 @@ autosave_file_write(struct autosave_file *kept,
     struct error *error)
 {
 	bool first = kept->fd < 0;
-	if (first && !make_file(kept, error)) {
+	if (first && !make_autosave_file(kept, error)) {
 		autosave_file_close(kept);
 		return false;
 	}

@@ -25,7 +25,7 @@
 static const char PREFIX[] = ".tipspeed-", SUFFIX[] = ".tmp";
 
 static bool
-cannot_write(const char *path, int reason, struct error *error)
+report_cannot_write(const char *path, int reason, struct error *error)
 {
 	return error_set(error, ERROR_SYSTEM,
 	    "cannot write %s: %s\n"
@@ -42,7 +42,7 @@ file_name_without_folders(const char *path)
 
 /* Returns the folder of a path with its slash; "" for a name alone. */
 static char *
-folder_of(const char *path)
+folder_of_path(const char *path)
 {
 	return xstrndup(path, (size_t)(file_name_without_folders(path) - path));
 }
@@ -50,7 +50,7 @@ folder_of(const char *path)
 /* Returns where a symbolic link leads, relative to its own folder; NULL if path
  * is none. */
 static char *
-link_target(const char *path)
+symlink_target(const char *path)
 {
 	char to[4096];
 	ssize_t n = readlink(path, to, sizeof to - 1);
@@ -59,17 +59,17 @@ link_target(const char *path)
 	to[n] = '\0';
 	if (to[0] == '/')
 		return xstrdup(to);
-	FREED char *folder = folder_of(path);
+	FREED char *folder = folder_of_path(path);
 	return xasprintf("%s%s", folder, to);
 }
 
 /* Returns the file after all links; it need not exist. */
 static char *
-resolve_links(const char *path)
+resolve_symlinks(const char *path)
 {
 	enum { MOST = 40 }; /* as the system follows */
 	char *at = xstrdup(path), *next;
-	for (int i = 0; i < MOST && (next = link_target(at)) != NULL; i++) {
+	for (int i = 0; i < MOST && (next = symlink_target(at)) != NULL; i++) {
 		free(at);
 		at = next;
 	}
@@ -77,7 +77,7 @@ resolve_links(const char *path)
 }
 
 static bool
-write_all(int fd, const char *bytes, size_t n)
+write_all_bytes(int fd, const char *bytes, size_t n)
 {
 	while (n > 0) {
 		ssize_t written = write(fd, bytes, n);
@@ -196,13 +196,13 @@ static bool
 write_and_rename(const char *path, const struct stat *old,
     enum file_rights rights, const char *bytes, size_t n)
 {
-	char *folder = folder_of(path), *name = NULL;
+	char *folder = folder_of_path(path), *name = NULL;
 	mode_t mode = old != NULL ? old->st_mode & 0777 : rights;
 	remove_left_over_files(folder);
 	int fd = open_new_locked_file(folder, mode, &name);
 	/* Renamed before it is closed: that gives the lock up. */
 	bool good = fd >= 0 && (old == NULL || copy_owner_and_mode(fd, old)) &&
-		    write_all(fd, bytes, n) && sync_file(fd);
+		    write_all_bytes(fd, bytes, n) && sync_file(fd);
 	bool renamed = good && rename(name, path) == 0;
 	int reason = errno;
 	if (fd >= 0 && !renamed)
@@ -237,13 +237,13 @@ file_replace_contents(const char *path, enum file_rights rights,
 	struct stat about;
 	bool there;
 	if (!stat_file_not_folder(path, &about, &there))
-		return cannot_write(path, errno, error);
+		return report_cannot_write(path, errno, error);
 	if (there && !S_ISREG(about.st_mode))
 		return file_append_bytes(path, rights, bytes, n, error);
 	/* A rename asks the folder only. */
 	if (there && access(path, W_OK) != 0)
-		return cannot_write(path, errno, error);
-	FREED char *target = resolve_links(path);
+		return report_cannot_write(path, errno, error);
+	FREED char *target = resolve_symlinks(path);
 	sigset_t all, before;
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &before);
@@ -251,7 +251,7 @@ file_replace_contents(const char *path, enum file_rights rights,
 	    write_and_rename(target, there ? &about : NULL, rights, bytes, n);
 	int reason = errno;
 	sigprocmask(SIG_SETMASK, &before, NULL);
-	return good || cannot_write(path, reason, error);
+	return good || report_cannot_write(path, reason, error);
 }
 
 bool
@@ -265,19 +265,19 @@ file_replace_by_output(const char *path, enum file_rights rights,
 	write(data, memory);
 	return fclose(memory) == 0
 		   ? file_replace_contents(path, rights, text, n, error)
-		   : cannot_write(path, ENOMEM, error);
+		   : report_cannot_write(path, ENOMEM, error);
 }
 
 /* Appends to the open file.  What was written before a full disk is cut off
  * again, unless somebody else has appended meanwhile. */
 static bool
-append_bytes(int fd, const char *bytes, size_t n)
+append_bytes_or_undo(int fd, const char *bytes, size_t n)
 {
 	struct stat before, after;
 	if (fstat(fd, &before) != 0)
 		return false;
 	bool file = S_ISREG(before.st_mode);
-	if (write_all(fd, bytes, n) && (!file || sync_file(fd)))
+	if (write_all_bytes(fd, bytes, n) && (!file || sync_file(fd)))
 		return true;
 	int reason = errno;
 	if (file && fstat(fd, &after) == 0 && after.st_size > before.st_size &&
@@ -298,13 +298,13 @@ file_append_bytes(const char *path, enum file_rights rights, const char *bytes,
 		    O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOCTTY,
 		    rights);
 	while (fd < 0 && errno == EINTR);
-	bool good = fd >= 0 && append_bytes(fd, bytes, n);
+	bool good = fd >= 0 && append_bytes_or_undo(fd, bytes, n);
 	int reason = errno;
 	if (fd >= 0 && close(fd) != 0 && errno != EINTR && good) {
 		good = false;
 		reason = errno;
 	}
-	return good || cannot_write(path, reason, error);
+	return good || report_cannot_write(path, reason, error);
 }
 
 bool
@@ -325,11 +325,12 @@ file_check_writable(const char *path, struct error *error)
 	struct stat about;
 	bool there;
 	if (!stat_file_not_folder(path, &about, &there))
-		return cannot_write(path, errno, error);
-	FREED char *target = resolve_links(path), *folder = folder_of(target);
+		return report_cannot_write(path, errno, error);
+	FREED char *target = resolve_symlinks(path),
+		   *folder = folder_of_path(target);
 	bool ok =
 	    there ? access(path, W_OK) == 0
 		  : access(folder[0] != '\0' ? folder : ".", W_OK | X_OK) == 0;
 	int reason = errno;
-	return ok || cannot_write(path, reason, error);
+	return ok || report_cannot_write(path, reason, error);
 }

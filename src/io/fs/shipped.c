@@ -46,7 +46,7 @@ shipped_sites_folder(void)
 
 /* Returns a file in a folder relative to that of the sites. */
 static char *
-shipped_path_in(const char *name, const char *from)
+shipped_file_in_folder(const char *name, const char *from)
 {
 	if (strchr(name, '/') != NULL)
 		return NULL;
@@ -61,11 +61,11 @@ shipped_path_in(const char *name, const char *from)
 char *
 shipped_site_path(const char *name)
 {
-	return shipped_path_in(name, "");
+	return shipped_file_in_folder(name, "");
 }
 
 char *
 shipped_energies_path(const char *name)
 {
-	return shipped_path_in(name, "../energy/");
+	return shipped_file_in_folder(name, "../energy/");
 }

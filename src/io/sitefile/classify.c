@@ -51,7 +51,7 @@ find_heading_cell(const struct table *t, size_t r, size_t c, bool *own)
 
 /* Adds what the heading lacks from a cell above it. */
 static void
-add_from_heading_above(
+add_words_from_heading_above(
     struct head *said, const struct head *more, bool own, bool titles)
 {
 	const uint64_t group[] = {ROLE_WORDS, KIND_WORDS, SCALE_WORDS};
@@ -90,7 +90,7 @@ add_from_heading_above(
 
 /* Makes the number in a heading a speed, in a unit stated elsewhere. */
 static void
-use_number_as_speed(struct head *head, enum speed_unit unit)
+use_heading_number_as_speed(struct head *head, enum speed_unit unit)
 {
 	if (unit == SPEED_RPM)
 		head->rpm = head->number[0];
@@ -102,7 +102,7 @@ use_number_as_speed(struct head *head, enum speed_unit unit)
 /* Applies the label in the first cell of a row of headings: "Speed (m/s)",
  * "Sample", "Date". */
 static void
-apply_row_label(const struct cell *label, struct head *head)
+apply_label_of_heading_row(const struct cell *label, struct head *head)
 {
 	struct head row = heading_parse(label->text);
 	bool sample = (row.means & WORD_SAMPLE) != 0 ||
@@ -134,7 +134,7 @@ apply_row_label(const struct cell *label, struct head *head)
 			return;
 		}
 		head->unit = unit;
-		use_number_as_speed(head, unit);
+		use_heading_number_as_speed(head, unit);
 	} else if ((row.means & WORD_SAMPLE) != 0 && !speed) {
 		head->n_number = 0;
 	}
@@ -142,7 +142,7 @@ apply_row_label(const struct cell *label, struct head *head)
 
 /* Combines all headings of a column. */
 static struct head
-combine_headings(const struct table *t, size_t c)
+combine_column_headings(const struct table *t, size_t c)
 {
 	struct head said = {0};
 	for (size_t r = t->n_head; r-- > 0;) {
@@ -153,15 +153,15 @@ combine_headings(const struct table *t, size_t c)
 		struct head one = heading_parse(cell->text);
 		bool anchor = r == t->titles;
 		if (!anchor && t->head[r].cell[0].text[0] != '\0')
-			apply_row_label(&t->head[r].cell[0], &one);
-		add_from_heading_above(&said, &one, own, r < t->titles);
+			apply_label_of_heading_row(&t->head[r].cell[0], &one);
+		add_words_from_heading_above(&said, &one, own, r < t->titles);
 	}
 	/* "speed 69" of a long table, "tip speed (m/s) 69" in one cell. */
 	bool number = said.speed == 0 && said.rpm == 0 && said.n_number == 1;
 	if (number && said.unit != SPEED_NO_UNIT)
-		use_number_as_speed(&said, said.unit);
+		use_heading_number_as_speed(&said, said.unit);
 	else if (number && (said.means & WORD_RPM) != 0 && said.number[0] > 200)
-		use_number_as_speed(&said, SPEED_RPM);
+		use_heading_number_as_speed(&said, SPEED_RPM);
 	return said;
 }
 
@@ -174,7 +174,7 @@ struct shape {
 };
 
 static struct shape
-shape_of_column(const struct column *c)
+summarise_column_numbers(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
@@ -208,7 +208,7 @@ is_within_percent(double value, double whole, double percent)
 /* Returns the sum stated in a line below the table, in the column's own unit,
  * or NAN. */
 static double
-stated_total(const struct column *c)
+stated_total_of_column(const struct column *c)
 {
 	const struct table *t = c->table;
 	double v;
@@ -422,7 +422,7 @@ has_size_classes(const struct table *t)
 	/* 3/8 of an inch is none. */
 	bool named = t->unit.series != SIEVE_NONE;
 	for (size_t i = 0; i < t->n_row && !named; i++)
-		if (sieve_size_is_class(t->sheet, t->row[i].cell[0]))
+		if (sieve_cell_is_class(t->sheet, t->row[i].cell[0]))
 			return true;
 	return false;
 }
@@ -445,7 +445,7 @@ refuse_small_percentages(struct column *c, const struct shape *s)
 /* Lets the title say what the numbers of a column are whose headings do not.
  * False if the numbers are clearly something else. */
 static bool
-take_unit_of_title(struct column *c, const struct shape *s, double total)
+take_unit_from_title(struct column *c, const struct shape *s, double total)
 {
 	uint64_t title = c->table->basis;
 	enum unit_kind kind;
@@ -458,7 +458,7 @@ take_unit_of_title(struct column *c, const struct shape *s, double total)
 /* Guesses the quantity of a column whose headings state none, with their unit,
  * if any.  title: that of the table says it. */
 static void
-find_unit_by_numbers(
+guess_column_unit_by_numbers(
     struct column *c, const struct shape *s, double total, bool title)
 {
 	uint64_t kinds = c->said.means & KIND_WORDS;
@@ -488,7 +488,7 @@ find_unit_by_numbers(
 
 /* Takes the quantity that the headings state. */
 static void
-find_unit_by_words(
+read_column_unit_from_words(
     struct column *c, const struct shape *s, double total, bool told)
 {
 	uint64_t kinds = c->said.means & KIND_WORDS;
@@ -520,8 +520,8 @@ find_unit_by_words(
 static void
 find_unit_of_column(struct column *c, bool told)
 {
-	struct shape s = shape_of_column(c);
-	double total = stated_total(c);
+	struct shape s = summarise_column_numbers(c);
+	double total = stated_total_of_column(c);
 	if (c->role == SD || s.n == 0)
 		return;
 	if (!has_size_classes(c->table) &&
@@ -534,11 +534,11 @@ find_unit_of_column(struct column *c, bool told)
 	bool title = !told && c->table->basis != 0 &&
 		     (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 	if (title)
-		c->open = !take_unit_of_title(c, &s, total) || c->open;
+		c->open = !take_unit_from_title(c, &s, total) || c->open;
 	if ((c->said.means & (WORD_PASSES | WORD_STAYS)) == 0)
-		find_unit_by_numbers(c, &s, total, title);
+		guess_column_unit_by_numbers(c, &s, total, title);
 	else
-		find_unit_by_words(c, &s, total, told);
+		read_column_unit_from_words(c, &s, total, told);
 }
 
 /* Returns the only number without a unit that can be a tip speed in m/s: 63.6,
@@ -567,7 +567,7 @@ speed_without_unit(const struct head *said)
 /* True if a heading is only a number that cannot be a tip speed: then its
  * neighbours, such as minutes, are not speeds either. */
 static bool
-is_number_but_no_speed(const struct head *said)
+is_number_heading_but_no_speed(const struct head *said)
 {
 	uint64_t words = said->means & ~(uint64_t)WORD_FILLER;
 	return said->n_number == 1 && said->unknown == 0 && words == 0 &&
@@ -666,7 +666,7 @@ has_mostly_words(const struct column *c, size_t *filled)
 /* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
  * is no curve. */
 static bool
-is_count_or_constant(const struct column *c)
+is_column_count_or_constant(const struct column *c)
 {
 	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
 	double first = site_column_number_in_row(c, 0), last = NAN;
@@ -697,7 +697,7 @@ leave_out_no_sample(const struct column *c, struct site *site)
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
-	if (is_count_or_constant(c)) {
+	if (is_column_count_or_constant(c)) {
 		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
@@ -724,7 +724,8 @@ leave_out_no_sample(const struct column *c, struct site *site)
 /* Takes the speed of all samples from a column that repeats it in each row, as
  * in a long table with one sample. */
 static void
-take_constant_speed(const struct column *c, struct surroundings *near)
+take_speed_from_constant_column(
+    const struct column *c, struct surroundings *near)
 {
 	static const uint64_t COUNTED = WORD_PASSES | WORD_STAYS |
 					WORD_PERCENT | WORD_GRAMS | WORD_FEED |
@@ -749,7 +750,7 @@ take_constant_speed(const struct column *c, struct surroundings *near)
 /* Finds the least and the largest number of a column; the least is -1 if one is
  * missing. */
 static void
-column_bounds(const struct column *c, double *least, double *most)
+column_number_range(const struct column *c, double *least, double *most)
 {
 	*least = INFINITY;
 	*most = 0;
@@ -771,7 +772,7 @@ refuse_tare_column(const struct column *column, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		const struct column *c = &column[i];
 		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		column_bounds(c, &least, &most);
+		column_number_range(c, &least, &most);
 		if (!told && tare > 0 && least >= tare && most > tare)
 			sheet_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
@@ -787,7 +788,7 @@ refuse_tare_column(const struct column *column, size_t n)
 
 /* Returns the column with what its headings state. */
 static struct column
-column_from_heads(struct table *t, size_t at)
+column_from_headings(struct table *t, size_t at)
 {
 	struct column c = {.table = t, .at = at, .pan = NAN};
 	bool own = false;
@@ -799,7 +800,7 @@ column_from_heads(struct table *t, size_t at)
 	const struct cell *name = samples_name_of_column(t, at);
 	if (t->across && name != NULL)
 		c.head = *name;
-	c.said = combine_headings(t, at);
+	c.said = combine_column_headings(t, at);
 	return c;
 }
 
@@ -812,10 +813,11 @@ classify_columns(struct table *t, const struct surroundings *near,
 	FREED struct column *column = xcalloc(t->n_col, sizeof *column);
 	size_t n = 0;
 	for (; n + 1 < t->n_col && !error_should_stop(errors); n++) {
-		column[n] = column_from_heads(t, n + 1);
-		take_constant_speed(&column[n], &around);
+		column[n] = column_from_headings(t, n + 1);
+		take_speed_from_constant_column(&column[n], &around);
 		around.counted =
-		    around.counted || is_number_but_no_speed(&column[n].said);
+		    around.counted ||
+		    is_number_heading_but_no_speed(&column[n].said);
 	}
 	if (!around.told)
 		refuse_tare_column(column, n);
@@ -842,7 +844,7 @@ classify_columns(struct table *t, const struct surroundings *near,
 
 /* True if the user has interrupted the reading. */
 static bool
-is_stopped(const struct columns *all)
+is_reading_interrupted(const struct columns *all)
 {
 	return all->n > 0 &&
 	       error_should_stop(all->column[0].table->sheet->errors);
@@ -965,7 +967,7 @@ distinctive_words_of_sample(const struct column *c)
  * (distinctive_words_of_sample of each) and do not come from machines with
  * different numbers. */
 static bool
-is_possible_repeat(const struct column *a, const char *x,
+are_possible_repeats(const struct column *a, const char *x,
     const struct column *b, const char *y)
 {
 	bool machine = ((a->said.means | b->said.means) & WORD_MACHINE) != 0;
@@ -999,7 +1001,7 @@ static void
 ask_about_other_sites(struct columns *all)
 {
 	const struct table *t = NULL;
-	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		if (all->column[i].table == t)
 			continue;
 		t = all->column[i].table;
@@ -1016,7 +1018,7 @@ static void
 ask_about_repeats(struct columns *all)
 {
 	FREED char **words = xcalloc(all->n, sizeof(*words));
-	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *a = &all->column[i];
 		if (a->role != PRODUCT || !(a->speed > 0))
 			continue;
@@ -1026,7 +1028,7 @@ ask_about_repeats(struct columns *all)
 			if (words[k] == NULL ||
 			    fabs(a->speed - b->speed) > 1e-3 ||
 			    a->table != b->table ||
-			    is_possible_repeat(a, words[i], b, words[k]))
+			    are_possible_repeats(a, words[i], b, words[k]))
 				continue;
 			a->open = b->open = a->unlike = b->unlike = true;
 		}
@@ -1040,7 +1042,7 @@ ask_about_repeats(struct columns *all)
 static void
 drop_mean_columns(struct columns *all, struct site *site)
 {
-	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		const struct column *c = &all->column[i];
 		size_t others = 0;
 		for (size_t k = 0; k < all->n; k++) {
@@ -1064,7 +1066,7 @@ drop_mean_columns(struct columns *all, struct site *site)
 static void
 drop_duplicate_quantities(struct columns *all, struct site *site)
 {
-	for (size_t i = 0; i < all->n && !is_stopped(all); i++)
+	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++)
 		for (size_t k = 0; k < all->n; k++) {
 			const struct column *a = &all->column[i];
 			const struct column *b = &all->column[k];
@@ -1088,9 +1090,9 @@ drop_duplicate_quantities(struct columns *all, struct site *site)
 /* True if the numbers look like a curve; others are dropped if no heading
  * explains them. */
 static bool
-looks_like_curve(const struct column *c)
+column_looks_like_curve(const struct column *c)
 {
-	struct shape s = shape_of_column(c);
+	struct shape s = summarise_column_numbers(c);
 	enum unit_kind kind;
 	enum unit_scale scale;
 	return s.n > 2 && guess_quantity_from_numbers(&s, NAN, &kind, &scale);
@@ -1156,7 +1158,7 @@ pair_feeds_with_products(struct columns *all)
 
 /* If no column is called feed, takes the only one without a role for it. */
 static void
-guess_feed(struct columns *all, size_t feeds)
+guess_feed_column(struct columns *all, size_t feeds)
 {
 	struct column *only = NULL;
 	size_t n = 0;
@@ -1194,12 +1196,12 @@ classify_columns_together(
 	for (size_t i = 0; i < all->n; i++)
 		*wants_rotor = *wants_rotor || (all->column[i].rpm > 0 &&
 						   !(all->column[i].speed > 0));
-	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->role != NO_ROLE)
 			continue;
 		bool unknown =
-		    c->said.unknown > 0 && !looks_like_curve(c) &&
+		    c->said.unknown > 0 && !column_looks_like_curve(c) &&
 		    (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
 		if (unknown && feeds + products > 0) {
 			leave_out(site, c, "%s: neither feed nor product",
@@ -1209,14 +1211,14 @@ classify_columns_together(
 	}
 	drop_mean_columns(all, site);
 	drop_duplicate_quantities(all, site);
-	guess_feed(all, feeds);
+	guess_feed_column(all, feeds);
 	set_feed_for_all_runs(all);
 	pair_feeds_with_products(all);
 	if (!told) {
 		ask_about_repeats(all);
 		ask_about_other_sites(all);
 	}
-	for (size_t i = 0; i < all->n && !is_stopped(all); i++) {
+	for (size_t i = 0; i < all->n && !is_reading_interrupted(all); i++) {
 		struct column *c = &all->column[i];
 		if (c->twin > 0)
 			continue;

@@ -100,7 +100,7 @@ speed_in_unit_to_mps(double number, enum speed_unit unit, double rotor)
 
 /* True if speeds in a unit have four digits or more. */
 static bool
-is_speed_in_thousands(enum speed_unit unit)
+are_unit_speeds_in_thousands(enum speed_unit unit)
 {
 	return unit == SPEED_RPM || unit == SPEED_FT_MIN;
 }
@@ -153,13 +153,13 @@ parse_number_at(const char **text, double *value)
 	if (parts == 1 && after == 0 && group > 0 && n <= 3 &&
 	    strspn(p + group, DIGITS) == 3) {
 		const char *end = p + group + 3;
-		if (is_speed_in_thousands(
+		if (are_unit_speeds_in_thousands(
 			speed_unit_at(end + strspn(end, " "), &k))) {
 			strncat(copy, end - 3, 3);
 			*text = end;
 		}
 	} else if (after == 3 &&
-		   is_speed_in_thousands(speed_unit_at(blank, &k))) {
+		   are_unit_speeds_in_thousands(speed_unit_at(blank, &k))) {
 		memmove(strchr(copy, '.'), strchr(copy, '.') + 1, 4);
 	}
 	return parts == 1 && text_parse_number(copy, value);
@@ -276,7 +276,7 @@ is_part_of_speed(
 /* True if the characters around a number make it another number: 7.4e1, .69,
  * 1E+02.  from, to: its digits in the text; at: @ precedes it. */
 static bool
-is_within_other_number(
+is_part_of_other_number(
     const char *text, const char *from, const char *to, bool at)
 {
 	const char *p = from;
@@ -310,7 +310,7 @@ parse_heading_number(struct head *head, const char *start, const char **text,
 	head->several =
 	    head->several || minus ||
 	    (good && (at || speed) &&
-		is_within_other_number(start, from, to, at && !speed)) ||
+		is_part_of_other_number(start, from, to, at && !speed)) ||
 	    (good && is_part_of_speed(before, from, value, speed)) ||
 	    (good && !inside && !speed &&
 		!is_unit_other_than_speed(to + strspn(to, " ")) &&

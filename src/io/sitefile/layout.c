@@ -66,7 +66,7 @@ struct sheets {
 };
 
 static void
-add_place(struct sheets *g, struct place p)
+add_table_place(struct sheets *g, struct place p)
 {
 	if (g->n_place < MOST_TABLES)
 		g->place[g->n_place++] = p;
@@ -109,7 +109,7 @@ has_only_comments_between(
 }
 
 static bool
-is_in_box(struct site_box box, int line, size_t column)
+is_cell_in_box(struct site_box box, int line, size_t column)
 {
 	return box.bottom == 0 ||
 	       (line >= box.top && line <= box.bottom &&
@@ -178,7 +178,7 @@ fill_cell_natures(struct sheets *g)
 }
 
 static void
-find_next_number_columns(struct sheets *g)
+find_next_number_beside_cells(struct sheets *g)
 {
 	double v;
 	g->number = xcalloc(g->n_row * g->n_col + 1, sizeof *g->number);
@@ -217,9 +217,9 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 		g.gap[r] = r > 0 && !has_only_comments_between(sheet,
 					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
-			struct cell cell = sheet_cell(row, c);
-			if (!is_in_box(range.box, row->line, c + 1))
-				cell = sheet_cell(row, row->n_all);
+			struct cell cell = row_cell_at(row, c);
+			if (!is_cell_in_box(range.box, row->line, c + 1))
+				cell = row_cell_at(row, row->n_all);
 			*cell_at(&g, r, c) = cell;
 		}
 	}
@@ -340,7 +340,7 @@ transpose_grid(const struct sheets *g)
 	    .below = g->below};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
-	find_next_number_columns(&t);
+	find_next_number_beside_cells(&t);
 	return t;
 }
 
@@ -618,7 +618,7 @@ find_tables_with_headings(struct sheets *g)
 			bool title =
 			    p.first > r + 1 && size.steps + 1 == size.n;
 			if (p.last > p.first && !title)
-				add_place(g, p);
+				add_table_place(g, p);
 		}
 	drop_duplicate_headings(g);
 }
@@ -638,7 +638,7 @@ are_column_headings(const struct sheets *g, size_t r, size_t c)
 /* True if the cell above the numbers, or at the start of their line, says that
  * they are times, remarks or speeds. */
 static bool
-is_heading_of_no_sieves(const struct sheets *g, size_t r, size_t c)
+is_heading_of_other_than_sieves(const struct sheets *g, size_t r, size_t c)
 {
 	const uint64_t other = WORD_OTHER | WORD_SPEED;
 	if (r == 0 || (g->across && are_column_headings(g, r, c)))
@@ -677,9 +677,9 @@ find_headless_table(struct sheets *g)
 				       size.falls + 1 == size.n;
 			if (size.n >= LEAST_WITHOUT_HEAD && ordered &&
 			    size.steps + 1 != size.n &&
-			    !is_heading_of_no_sieves(g, p.first, c) &&
+			    !is_heading_of_other_than_sieves(g, p.first, c) &&
 			    p.score * 5 >= (int)size.n * 4)
-				add_place(g, p);
+				add_table_place(g, p);
 			r = p.last > r ? p.last - 1 : r;
 		}
 }
@@ -741,7 +741,7 @@ find_next_ordered_numbers(
 			    (first == upper->first &&
 				has_same_heading(g, first, c, upper->c));
 		if (end < first + LEAST_WITHOUT_HEAD || !sizes ||
-		    is_heading_of_no_sieves(g, first, c) || !like)
+		    is_heading_of_other_than_sieves(g, first, c) || !like)
 			continue;
 		bool head = first > 0 && is_cell_filled(g, first - 1, c) &&
 			    !is_cell_of_sieve(g, first - 1, c);
@@ -763,7 +763,7 @@ find_tables_of_any_numbers(struct sheets *g)
 		bool phi;
 		if (!find_next_ordered_numbers(g, c, &p, &phi))
 			continue;
-		add_place(g, p);
+		add_table_place(g, p);
 		g->phi[c] = g->phi[c] || phi;
 	}
 }
@@ -771,7 +771,7 @@ find_tables_of_any_numbers(struct sheets *g)
 /* The same, of those only that have numbers below 0, so that the others, in
  * phi, are not taken for sieves. */
 static void
-find_tables_of_numbers_below_0(struct sheets *g)
+find_tables_of_phi_numbers(struct sheets *g)
 {
 	for (size_t c = 0; c + 1 < g->n_col; c++) {
 		struct place p = {.last = 0};
@@ -780,7 +780,7 @@ find_tables_of_numbers_below_0(struct sheets *g)
 			any = find_next_ordered_numbers(g, c, &p, &phi);
 		if (!any)
 			continue;
-		add_place(g, p);
+		add_table_place(g, p);
 		g->phi[c] = true;
 	}
 }
@@ -801,7 +801,7 @@ find_tables_in_column(struct sheets *g, size_t c)
 		p.head = r > 0 ? r - 1 : g->n_row;
 		p.score += (int)(p.last - p.first);
 		if (p.last >= p.first + 2)
-			add_place(g, p);
+			add_table_place(g, p);
 		r = p.last > r ? p.last - 1 : r;
 	}
 }
@@ -837,7 +837,8 @@ is_heading_of_all_columns(
 /* True if a row above the heading of the sieves is a heading too: it describes
  * the columns and is neither a key with its value nor a title. */
 static bool
-is_head_row(const struct sheets *g, size_t r, const struct place *p, size_t end)
+is_further_heading_row(
+    const struct sheets *g, size_t r, const struct place *p, size_t end)
 {
 	size_t filled = 0;
 	for (size_t k = p->c + 1; k < end; k++)
@@ -913,7 +914,7 @@ list_filled_columns(const struct sheets *g, const struct place *p, size_t from,
 /* If the sieves are listed twice, as names and in mm, completes rows that have
  * only one of the two. */
 static void
-complete_sieve_names(struct table *t)
+fill_missing_sieve_cells(struct table *t)
 {
 	static const uint64_t ELSE =
 	    WORD_PASSES | WORD_STAYS | WORD_FEED | WORD_PRODUCT;
@@ -1012,7 +1013,7 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
-	       (is_head_row(g, top - 1, p, end) ||
+	       (is_further_heading_row(g, top - 1, p, end) ||
 		   is_heading_of_all_columns(g, top - 1, p, end)) &&
 	       !g->used[cell_index_at(g, top - 1, p->c)])
 		top--;
@@ -1041,7 +1042,7 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
 		t.number[i] = g->col_number[col[i]];
-	complete_sieve_names(&t);
+	fill_missing_sieve_cells(&t);
 	layout->table =
 	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
 	layout->table[layout->n++] = t;
@@ -1204,7 +1205,7 @@ layout_heading_text(const struct table *t, size_t c)
 
 /* Ways to find tables, each tried if those before it found none. */
 static void (*const FINDERS[])(struct sheets *) = {find_tables_with_headings,
-    find_tables_of_numbers_below_0, find_headless_table,
+    find_tables_of_phi_numbers, find_headless_table,
     find_tables_of_any_numbers};
 
 struct layout *
@@ -1216,7 +1217,7 @@ layout_new_of_sheet(struct sheet *sheet, struct layout_range range)
 	mark_in_beside_out_as_feed(&g);
 	mark_sizes_below_as_sieves(&g);
 	fill_cell_natures(&g);
-	find_next_number_columns(&g);
+	find_next_number_beside_cells(&g);
 	struct sheets t = transpose_grid(&g);
 	size_t ways = range.n_sieves > 0 ? 1 : ARRAY_LEN(FINDERS);
 	for (size_t i = 0; i < ways && g.n_place + t.n_place == 0; i++) {

@@ -201,7 +201,7 @@ numbers_of_all_samples(const struct longer *l, size_t *n)
 
 /* Sorts the samples by their numbers. */
 static void
-sort_samples(struct longer *l)
+sort_samples_by_number(struct longer *l)
 {
 	size_t n, n_sample = l->n_sample;
 	FREED double *number = numbers_of_all_samples(l, &n);
@@ -312,7 +312,7 @@ new_empty_row(size_t n, const struct row *from)
 	    .cell = xcalloc(n, sizeof(struct cell)),
 	    .line = from->line};
 	for (size_t c = 0; c < n; c++)
-		row.cell[c] = sheet_cell(from, from->n_all);
+		row.cell[c] = row_cell_at(from, from->n_all);
 	row.cell[0] = from->cell[0];
 	return row;
 }
@@ -461,7 +461,7 @@ layout_long_to_wide(struct table *t, uint64_t told)
 	list_distinct_samples(&l);
 	if ((is_long_table(&l) || is_long_by_id_or_date(&l)) &&
 	    (good = has_room_for_samples(&l))) {
-		sort_samples(&l);
+		sort_samples_by_number(&l);
 		widen_table(&l);
 	}
 	free(l.use);

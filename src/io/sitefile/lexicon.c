@@ -224,14 +224,14 @@ struct index {
 
 /* Returns the only index, which lexicon_word_meanings fills. */
 static struct index *
-word_index(void)
+lexicon_index(void)
 {
 	static struct index index;
 	return &index;
 }
 
 static int
-compare_words(const void *a, const void *b)
+compare_known_words(const void *a, const void *b)
 {
 	const struct known *x = a, *y = b;
 	int order = memcmp(x->word, y->word, x->n < y->n ? x->n : y->n);
@@ -239,9 +239,9 @@ compare_words(const void *a, const void *b)
 }
 
 static void
-fill_word_index(void)
+fill_lexicon_index(void)
 {
-	struct index *index = word_index();
+	struct index *index = lexicon_index();
 	struct known *word = index->word;
 	size_t n = 0, all = 0;
 	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++)
@@ -253,9 +253,9 @@ fill_word_index(void)
 				index->longest = length;
 			p += length + (p[length] == ' ');
 		}
-	qsort(word, all, sizeof *word, compare_words);
+	qsort(word, all, sizeof *word, compare_known_words);
 	for (size_t i = 0; i < all; i++)
-		if (n > 0 && compare_words(&word[n - 1], &word[i]) == 0)
+		if (n > 0 && compare_known_words(&word[n - 1], &word[i]) == 0)
 			word[n - 1].means |= word[i].means;
 		else
 			word[n++] = word[i];
@@ -292,7 +292,7 @@ static uint64_t
 meanings_of_abbreviation(const char *start, size_t n)
 {
 	enum { LEAST = 4 }; /* "apr" and "mar" are months */
-	const struct index *index = word_index();
+	const struct index *index = lexicon_index();
 	uint64_t shared = 0;
 	bool any = false;
 	for (size_t i = 0; n >= LEAST && i < index->n; i++) {
@@ -309,12 +309,12 @@ uint64_t
 lexicon_word_meanings(const char *word, size_t n)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
-	const struct index *index = word_index();
+	const struct index *index = lexicon_index();
 	const struct known wanted = {word, n, 0}, *found = NULL;
-	pthread_once(&once, fill_word_index);
+	pthread_once(&once, fill_lexicon_index);
 	if (n > 0 && n <= index->longest)
 		found = bsearch(&wanted, index->word, index->n,
-		    sizeof index->word[0], compare_words);
+		    sizeof index->word[0], compare_known_words);
 	return found != NULL ? found->means
 			     : meanings_of_contained_word(index, word, n);
 }

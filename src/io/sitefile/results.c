@@ -14,10 +14,11 @@
 #include "io/cells/textfile.h"
 
 static bool
-is_cell_text(const struct sheet *sheet, size_t row, size_t i, const char *text)
+is_cell_text_equal(
+    const struct sheet *sheet, size_t row, size_t i, const char *text)
 {
 	return row < sheet->n_row &&
-	       strcmp(sheet_cell(&sheet->row[row], i).text, text) == 0;
+	       strcmp(row_cell_at(&sheet->row[row], i).text, text) == 0;
 }
 
 static char *
@@ -32,21 +33,22 @@ command_on_about_sheet(const struct sheet *sheet)
 {
 	static const char OURS[] = "tipspeed ";
 	size_t site = 0;
-	while (site < sheet->n_row && !is_cell_text(sheet, site, 0, "site"))
+	while (
+	    site < sheet->n_row && !is_cell_text_equal(sheet, site, 0, "site"))
 		site++;
-	bool ours = is_cell_text(sheet, 0, 0, "program") &&
-		    strncmp(sheet_cell(&sheet->row[0], 1).text, OURS,
+	bool ours = is_cell_text_equal(sheet, 0, 0, "program") &&
+		    strncmp(row_cell_at(&sheet->row[0], 1).text, OURS,
 			strlen(OURS)) == 0;
-	return ours && is_cell_text(sheet, 1, 0, "command") &&
+	return ours && is_cell_text_equal(sheet, 1, 0, "command") &&
 		       site < sheet->n_row
-		   ? first_word(sheet_cell(&sheet->row[1], 1).text)
+		   ? first_word(row_cell_at(&sheet->row[1], 1).text)
 		   : NULL;
 }
 
 char *
 command_that_made_sheet(const struct sheet *sheet)
 {
-	bool table = is_cell_text(sheet, 0, 0, "command") &&
+	bool table = is_cell_text_equal(sheet, 0, 0, "command") &&
 		     sheet->row[0].n > 1 && sheet->n_row > 1;
 	return table ? first_word(sheet->row[1].cell[0].text)
 		     : command_on_about_sheet(sheet);

@@ -94,7 +94,7 @@ is_possible_rotor_mm(double mm)
 }
 
 static void
-note_diameter(struct search *s, double mm)
+record_rotor_diameter(struct search *s, double mm)
 {
 	if (!is_possible_rotor_mm(mm))
 		return;
@@ -155,11 +155,12 @@ parse_rotor_number(struct search *s, const char **text)
 	bool meant = s->rotor || (s->diameter && s->alone);
 	double mm = parse_number_in_mm(text, n, unit > 0 ? unit : 1);
 	if (meant && unit > 0)
-		note_diameter(s, mm);
+		record_rotor_diameter(s, mm);
 	else if (meant && s->unit > 0 && bare)
-		note_diameter(s, mm * s->unit);
+		record_rotor_diameter(s, mm * s->unit);
 	else if (bare && meant && (s->diameter || s->machine))
-		note_diameter(s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
+		record_rotor_diameter(
+		    s, mm < 10 && mm != floor(mm) ? 1000 * mm : mm);
 	s->ahead = !meant && unit > 0 ? mm : 0;
 	s->rotor = s->diameter = false;
 	s->unit = 0;
@@ -175,7 +176,7 @@ rotor_parse_word(struct search *s, const char *word, size_t n)
 	if (is_word_for_diameter(word, n)) {
 		s->diameter = true;
 	} else if ((means & WORD_ROTOR) != 0) {
-		note_diameter(s, s->ahead);
+		record_rotor_diameter(s, s->ahead);
 		s->ahead = s->unit = 0;
 		s->rotor = true;
 		s->diameter = (means & WORD_SIZE) != 0;
@@ -191,7 +192,7 @@ rotor_parse_word(struct search *s, const char *word, size_t n)
  * line is about a machine or a speed, and not about sieves, which have
  * diameters too. */
 static bool
-is_rotor_though_unnamed(const char *text, const char *folded)
+is_unnamed_rotor_diameter(const char *text, const char *folded)
 {
 	struct head head = heading_parse(text);
 	for (const char *p = folded; *p != '\0';) {
@@ -211,7 +212,7 @@ rotor_diameter_mm_in_text(const char *text, bool machine)
 {
 	FREED char *folded = replace_diameter_signs(text);
 	struct search s = {.machine = machine};
-	s.alone = is_rotor_though_unnamed(text, folded);
+	s.alone = is_unnamed_rotor_diameter(text, folded);
 	for (const char *p = folded; *p != '\0';) {
 		size_t n = word_bytes(p);
 		if (isdigit((unsigned char)*p)) {

@@ -173,7 +173,7 @@ find_astm_opening(enum sieve_series wanted, double number)
 /* Returns the opening of a real sieve that is nearest to a size and differs
  * from it by less than a share of it; NAN if there is none. */
 static double
-nearest_opening(double mm, double share)
+nearest_sieve_opening(double mm, double share)
 {
 	double nearest = NAN, off = share * mm;
 	for (size_t i = 0; i < ARRAY_LEN(ASTM) + ARRAY_LEN(OTHERS); i++) {
@@ -192,7 +192,7 @@ nearest_opening(double mm, double share)
 static double
 mm_of_inches(double inches)
 {
-	double mm = 25.4 * inches, nearest = nearest_opening(mm, 0.015);
+	double mm = 25.4 * inches, nearest = nearest_sieve_opening(mm, 0.015);
 	return isnan(nearest) ? mm : nearest;
 }
 
@@ -239,7 +239,7 @@ sieve_name_mm(const char *text, enum sieve_series head)
 bool
 sieve_is_standard(double mm)
 {
-	return !isnan(nearest_opening(mm, 0.01));
+	return !isnan(nearest_sieve_opening(mm, 0.01));
 }
 
 double
@@ -304,7 +304,7 @@ static const double LEAST_PHI = 0.25;
 /* True for what remains below the finest sieve, as laboratories call it in
  * several languages: pan, Botten, <0.063. */
 static bool
-is_pan(const char *text)
+is_pan_name(const char *text)
 {
 	size_t unknown;
 	double below;
@@ -383,13 +383,13 @@ cut_class_to_one_size(const struct sheet *sheet, struct cell *cell,
 
 /* Converts a size to mm, with 9 decimals; unit: mm, or 0 for mm. */
 static double
-mm_from_unit(double value, double unit)
+mm_of_value_in_unit(double value, double unit)
 {
 	return round(value * (unit > 0 ? unit : 1) * 1e9) / 1e9;
 }
 
 bool
-sieve_size_is_class(const struct sheet *sheet, struct cell cell)
+sieve_cell_is_class(const struct sheet *sheet, struct cell cell)
 {
 	char copy[40];
 	double upper;
@@ -404,7 +404,7 @@ sieve_upper_mm_of_class(
 	double upper;
 	bool length = unit.mm > 0 && unit.series == SIEVE_NONE;
 	bool both = length && cut_class_to_one_size(sheet, &cell, copy, &upper);
-	return both ? mm_from_unit(upper, unit.mm) : 0;
+	return both ? mm_of_value_in_unit(upper, unit.mm) : 0;
 }
 
 enum sieve_kind
@@ -419,14 +419,14 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 	/* A number alone is a name only where the head says so. */
 	if (unit.series == SIEVE_NONE && cell.kind == CELL_TEXT &&
 	    cell.value == AS_NUMBER && cell.number > 0) {
-		*mm = mm_from_unit(cell.number, unit.mm);
+		*mm = mm_of_value_in_unit(cell.number, unit.mm);
 		return SIEVE_IS_SIZE;
 	}
 	/* -200 of mesh numbers is what passes the last. */
 	bool mesh = unit.series != SIEVE_NONE && unit.series != SIEVE_PHI &&
 		    unit.series != SIEVE_INCH && cell.text[0] == '-' &&
 		    sieve_name_mm(cell.text + 1, unit.series) > 0;
-	if (mesh || is_pan(cell.text))
+	if (mesh || is_pan_name(cell.text))
 		return SIEVE_IS_PAN;
 	if (unit.series == SIEVE_PHI) {
 		if (!number_value_of_cell(cell, &value) ||
@@ -449,6 +449,6 @@ sieve_read_size(const struct sheet *sheet, struct cell cell,
 		return SIEVE_IS_NONE;
 	if (value == 0)
 		return SIEVE_IS_PAN;
-	*mm = mm_from_unit(value, own > 0 ? own : unit.mm);
+	*mm = mm_of_value_in_unit(value, own > 0 ? own : unit.mm);
 	return SIEVE_IS_SIZE;
 }

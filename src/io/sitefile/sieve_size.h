@@ -68,7 +68,7 @@ enum sieve_kind sieve_read_size(const struct sheet *sheet, struct cell cell,
 /* True if a cell is a class between two sieves, "11,2/16", or above one, ">
  * 22,4".  sieve_read_size then returns the lower sieve if the unit is a length.
  */
-bool sieve_size_is_class(const struct sheet *sheet, struct cell cell);
+bool sieve_cell_is_class(const struct sheet *sheet, struct cell cell);
 
 /* Returns the upper sieve of a class between two, mm, which all of the class
  * passes; 0 if the cell is none. */

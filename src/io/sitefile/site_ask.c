@@ -203,7 +203,7 @@ list_quantities(
  * by sample or sheet, of samples=; of many samples the first two show how to
  * name all.  Of several sites the first is proposed. */
 static void
-list_columns_to_name(struct site_ask *ask, struct table *const *table,
+list_columns_to_ask_about(struct site_ask *ask, struct table *const *table,
     size_t n_table, const struct columns *all, bool sieves)
 {
 	enum { SHOWN = 2 };
@@ -256,7 +256,7 @@ list_columns_to_name(struct site_ask *ask, struct table *const *table,
 
 /* Returns the files and options of the request, as `load` takes them. */
 static char *
-list_files_and_options(const struct site_request *q, const char *settle)
+files_and_options_text(const struct site_request *q, const char *settle)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < q->n; i++) {
@@ -289,7 +289,7 @@ list_files_and_options(const struct site_request *q, const char *settle)
 static char *
 load_command_with_answer(const struct site_request *q, const char *settle)
 {
-	FREED char *files = list_files_and_options(q, settle);
+	FREED char *files = files_and_options_text(q, settle);
 	char *line =
 	    xasprintf("%s %s %s", q->parts ? "add" : "load", files, settle);
 	const char *name = file_name_without_folders(q->path[0]);
@@ -364,7 +364,7 @@ is_table_of_same_site(
 /* Proposes the tables that are most likely one site: the first with a feed, and
  * the tables of products next to it whose titles differ only in speed. */
 static void
-propose_tables(struct tables *s)
+propose_tables_of_site(struct tables *s)
 {
 	size_t feed = 0;
 	const struct table *like = NULL;
@@ -388,7 +388,7 @@ propose_tables(struct tables *s)
 }
 
 static void
-extend_box_by_row(struct site_box *box, const struct row *row, size_t n)
+extend_box_by_rows(struct site_box *box, const struct row *row, size_t n)
 {
 	for (size_t r = 0; r < n; r++) {
 		int line = row[r].line;
@@ -415,10 +415,10 @@ box_of_table_rows(const struct table *t, size_t n_row)
 				wide = (int)t->sheet->row[r].n_all;
 		return (struct site_box){least, 1, most, wide};
 	}
-	extend_box_by_row(&box, t->head, t->n_head);
-	extend_box_by_row(&box, t->row, n_row);
+	extend_box_by_rows(&box, t->head, t->n_head);
+	extend_box_by_rows(&box, t->row, n_row);
 	if (n_row == t->n_row)
-		extend_box_by_row(&box, t->foot, t->n_foot);
+		extend_box_by_rows(&box, t->foot, t->n_foot);
 	box.left = least;
 	box.right = most;
 	return box;
@@ -454,7 +454,7 @@ describe_table_contents(const struct table *t, const struct columns *all)
 
 /* Fills *ask with the tables and the proposed range. */
 static void
-list_tables(const struct tables *s, struct site_ask *ask)
+list_tables_in_question(const struct tables *s, struct site_ask *ask)
 {
 	ask->tables = true;
 	ask->n = s->n;
@@ -472,7 +472,7 @@ list_tables(const struct tables *s, struct site_ask *ask)
 		    .box = box};
 	}
 	FREED char *range =
-	    site_box_text(site_ask_box_of_tables(ask, s->first, s->last));
+	    site_box_text(site_box_around_tables(ask, s->first, s->last));
 	ask->settle = xasprintf("range=%s", range);
 }
 
@@ -517,8 +517,8 @@ ask_which_table(const struct site_request *q, struct table *const *table,
 		    ask, tr("expected one site, got sheets with a feed each"));
 	}
 	struct tables tables = {.table = table, .n = n_table, .all = all};
-	propose_tables(&tables);
-	list_tables(&tables, ask);
+	propose_tables_of_site(&tables);
+	list_tables_in_question(&tables, ask);
 	return refuse_with_question(q, first, second->row[0].cell[0], ask,
 	    tr("expected one site, got several tables that may be of different "
 	       "machines, days or limits"));
@@ -541,7 +541,7 @@ ask_about_sieves_listed_twice(
  * proposes the one with most sieves, from which the others may be extracts.
  * False if there is one table, or something distinguishes them. */
 static bool
-guess_largest_table(struct tables *s)
+propose_largest_table(struct tables *s)
 {
 	bool below = false;
 	for (size_t i = 0; i < s->all->n; i++)
@@ -747,9 +747,9 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	if (second != NULL)
 		return ask_which_table(q, table, n_table, second, all, ask);
 	struct tables tables = {.table = table, .n = n_table, .all = all};
-	if (guess_largest_table(&tables)) {
+	if (propose_largest_table(&tables)) {
 		const struct table *most = tables.table[tables.first];
-		list_tables(&tables, ask);
+		list_tables_in_question(&tables, ask);
 		return refuse_with_question(q, most, most->row[0].cell[0], ask,
 		    tr("expected one table, got several: that with most sieves "
 		       "is proposed"));
@@ -759,7 +759,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 	if (!open->sieves && have_titles_for_samples(table, n_table, all))
 		list_quantities(ask, table[0], all);
 	else
-		list_columns_to_name(ask, table, n_table, all, open->sieves);
+		list_columns_to_ask_about(
+		    ask, table, n_table, all, open->sieves);
 	if (first == NULL)
 		return refuse_with_question(q, table[0],
 		    table[0]->row[0].cell[0], ask,

@@ -66,7 +66,7 @@ site_column_count_role(
 }
 
 size_t
-site_column_count_repeats(
+site_column_count_at_speed(
     const struct columns *all, enum role role, double speed)
 {
 	size_t n = 0;
@@ -80,7 +80,7 @@ site_column_find(
     const struct columns *all, enum role role, double speed, size_t nth)
 {
 	size_t wanted =
-	    site_column_count_repeats(all, role, speed) > 1 ? nth : 0;
+	    site_column_count_at_speed(all, role, speed) > 1 ? nth : 0;
 	for (size_t i = 0; i < all->n; i++)
 		if (has_role_and_speed(&all->column[i], role, speed) &&
 		    all->column[i].nth == wanted)
@@ -95,7 +95,7 @@ static const double SUM_TOLERANCE = 0.5;
 static const double MASS_TOLERANCE = 0.01;
 
 double
-site_column_round_value(double v, double per_unit)
+site_column_round_to_step(double v, double per_unit)
 {
 	return round(v * per_unit) / per_unit + 0.0;
 }
@@ -127,7 +127,8 @@ site_column_passing_text(
 
 /* Returns the heading of c with another unit: "product_fraction@69". */
 static const char *
-head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
+column_heading_in_unit(
+    const struct column *c, const char *suffix, char buf[static 64])
 {
 	char speed[32] = "";
 	if (c->speed > 0)
@@ -138,7 +139,7 @@ head_with_unit(const struct column *c, const char *suffix, char buf[static 64])
 }
 
 static bool
-is_in_mass(const struct column *c)
+is_column_in_mass(const struct column *c)
 {
 	return SITE_UNITS[c->unit].scale == OF_MASS;
 }
@@ -154,7 +155,8 @@ check_value_in_range(struct column *c, struct cell cell, double v)
 {
 	struct sheet *sheet = c->table->sheet;
 	char head[64];
-	if (c->role == SD && (v > 100 || site_column_round_value(v, 1e12) <= 0))
+	if (c->role == SD &&
+	    (v > 100 || site_column_round_to_step(v, 1e12) <= 0))
 		return sheet_fault_expected(sheet, cell,
 		    "a standard deviation above 0, up to 100",
 		    "write it in percentage points of passing");
@@ -168,7 +170,7 @@ check_value_in_range(struct column *c, struct cell cell, double v)
 	return sheet_fault_expected(sheet, cell, SITE_UNITS[c->unit].wanted,
 	    percent ? N_("change the column heading to %s")
 		    : N_("check the number%.0s"),
-	    head_with_unit(c, "", head));
+	    column_heading_in_unit(c, "", head));
 }
 
 /* Reads the cell of the pan, which holds what passes all sieves; a curve of
@@ -196,7 +198,7 @@ read_column_cells(struct column *c)
 {
 	struct table *t = c->table;
 	bool retained = SITE_UNITS[c->unit].kind == RETAINED;
-	enum cell_value own = is_in_mass(c) ? AS_GRAMS : AS_PERCENT;
+	enum cell_value own = is_column_in_mass(c) ? AS_GRAMS : AS_PERCENT;
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[c->at];
 		double v = 0;
@@ -221,7 +223,7 @@ read_column_cells(struct column *c)
 /* Sets empty cells and dashes above the first mass retained to 0: nothing
  * stayed on these sieves. */
 static void
-fill_top_with_zero(struct column *c)
+zero_cells_above_first_mass(struct column *c)
 {
 	struct table *t = c->table;
 	size_t first = 0;
@@ -246,7 +248,7 @@ struct foot {
 };
 
 static struct foot
-read_foot(const struct column *c, double sum)
+read_totals_below_column(const struct column *c, double sum)
 {
 	struct foot foot = {.total = NAN, .washed = 0, .where = c->head};
 	double before = NAN, after = NAN;
@@ -302,7 +304,7 @@ sum_of_column(const struct column *c)
 static bool
 add_washed_mass_to_pan(struct column *c, struct foot *foot)
 {
-	*foot = read_foot(c, sum_of_column(c));
+	*foot = read_totals_below_column(c, sum_of_column(c));
 	if (foot->odd.text != NULL)
 		return sheet_fault(c->table->sheet, foot->odd,
 		    "expected the masses before and after washing, or what was "
@@ -326,7 +328,7 @@ check_stated_total(
 	    "expected %.9g g, the sum of column %s, got %s\n"
 	    "up to %g %% may be lost in sieving: were digits transposed, or a "
 	    "sieve forgotten?",
-	    site_column_round_value(sum, 1e6), c->head.text, where.text,
+	    site_column_round_to_step(sum, 1e6), c->head.text, where.text,
 	    100 * MASS_TOLERANCE);
 }
 
@@ -343,7 +345,7 @@ fault_no_pan(struct column *c)
 
 /* Returns the mass put on the sieves, in the column's unit; 0 after a fault. */
 static double
-total_mass(struct column *c)
+total_mass_on_sieves(struct column *c)
 {
 	struct foot foot;
 	if (!add_washed_mass_to_pan(c, &foot))
@@ -379,7 +381,7 @@ total_mass(struct column *c)
 /* Returns the whole of which percentages or fractions retained are parts; 0
  * after a fault. */
 static double
-total_of_shares(struct column *c)
+total_of_retained_shares(struct column *c)
 {
 	char head[64];
 	struct foot foot;
@@ -397,15 +399,15 @@ total_of_shares(struct column *c)
 	    "expected retained %s that sum to %g, got %g in column %s\n"
 	    "check the numbers, or change the column heading to %s",
 	    whole > 1 ? tr("percentages") : tr("fractions"), whole,
-	    site_column_round_value(sum, 1e9), c->head.text,
-	    head_with_unit(c, "_cum_retained_pct", head));
+	    site_column_round_to_step(sum, 1e9), c->head.text,
+	    column_heading_in_unit(c, "_cum_retained_pct", head));
 	return 0;
 }
 
 /* Converts the column to percent passing with 12 decimals, as site_write prints
  * them. */
 static void
-convert_to_passing(struct column *c)
+convert_column_to_passing(struct column *c)
 {
 	const struct site_unit *unit = &SITE_UNITS[c->unit];
 	struct table *t = c->table;
@@ -413,9 +415,9 @@ convert_to_passing(struct column *c)
 	if (c->faulty || t->lost)
 		total = 0;
 	else if (unit->scale == OF_MASS)
-		total = total_mass(c);
+		total = total_mass_on_sieves(c);
 	else if (unit->kind == RETAINED)
-		total = total_of_shares(c);
+		total = total_of_retained_shares(c);
 	double left = total;
 	c->faulty = c->faulty || total <= 0;
 	for (size_t i = 0; i < t->n_row; i++) {
@@ -427,7 +429,7 @@ convert_to_passing(struct column *c)
 			v = 100 * v / unit->most;
 		else
 			v = total > 0 ? 100 * fmax(left, 0) / total : NAN;
-		c->pct[i] = site_column_round_value(v, 1e12);
+		c->pct[i] = site_column_round_to_step(v, 1e12);
 	}
 }
 
@@ -488,7 +490,7 @@ take_top_of_class(struct column *c)
 /* Notes the coarsest sieve of a feed if it does not pass everything: the size
  * of the largest grains must be known. */
 static void
-note_row_if_feed_below_100(struct column *c)
+find_row_of_feed_below_100(struct column *c)
 {
 	size_t i = coarsest_row(c);
 	c->below = i < c->table->n_row && c->pct[i] < 100 ? i + 1 : 0;
@@ -501,14 +503,14 @@ site_column_read_values(struct column *c)
 	c->pct = xcalloc_doubles(t->n_row);
 	c->pan = NAN;
 	read_column_cells(c);
-	fill_top_with_zero(c);
+	zero_cells_above_first_mass(c);
 	if (c->role != SD) {
-		convert_to_passing(c);
+		convert_column_to_passing(c);
 		check_passing_never_rises(c);
 	}
 	bool whole = c->role != SD && !c->faulty && !t->lost;
 	if (whole && !take_top_of_class(c) && c->role == FEED)
-		note_row_if_feed_below_100(c);
+		find_row_of_feed_below_100(c);
 	size_t least = c->role == FEED ? 2 : 1;
 	if (c->role == SD || c->twin > 0 || c->faulty || t->lost ||
 	    site_column_count_values(c) >= least)

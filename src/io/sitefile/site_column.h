@@ -77,7 +77,7 @@ size_t site_column_count_role(
     const struct columns *all, const struct table *t, enum role role);
 
 /* Returns the number of columns with that role and speed. */
-size_t site_column_count_repeats(
+size_t site_column_count_at_speed(
     const struct columns *all, enum role role, double speed);
 
 /* Returns the nth column with that role and speed, or the only one, which then
@@ -97,6 +97,6 @@ const char *site_column_passing_text(
     const struct column *c, size_t row, double other, char buf[static 32]);
 
 /* Returns v rounded to whole steps of 1 / per_unit, never -0. */
-double site_column_round_value(double v, double per_unit);
+double site_column_round_to_step(double v, double per_unit);
 
 #endif

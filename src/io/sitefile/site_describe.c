@@ -51,7 +51,7 @@ append_role_text(
 }
 
 static void
-append_unless_repeated(size_t *number, size_t *n, size_t next)
+append_number_unless_repeated(size_t *number, size_t *n, size_t next)
 {
 	if (*n == 0 || number[*n - 1] != next)
 		number[(*n)++] = next;
@@ -87,7 +87,7 @@ describe_samples(const struct table *t, const struct columns *all, char **text)
 		if (c == NULL)
 			break;
 		append_role_text(&roles, c, before);
-		append_unless_repeated(number, &n, t->number[c->at]);
+		append_number_unless_repeated(number, &n, t->number[c->at]);
 		before = c;
 	}
 	free(roles);
@@ -164,7 +164,8 @@ append_note_once(
 		if (k < i)
 			return;
 		has++;
-		append_unless_repeated(number, &n, c->table->number[c->at]);
+		append_number_unless_repeated(
+		    number, &n, c->table->number[c->at]);
 	}
 	FREED char *list = numbers_to_ranges_text(number, n);
 	bool across = all->column[i].table->across;

@@ -23,7 +23,7 @@ static const char *const NAMES[N_KEY] = {
     "site", "rock", "machine", "provenance", "top_size_mm"};
 
 static void
-site_heading_take_value(struct site *site, enum lexicon_key key,
+site_heading_set_value(struct site *site, enum lexicon_key key,
     struct sheet *sheet, struct cell cell)
 {
 	char **text[] = {
@@ -129,7 +129,7 @@ site_heading_take_speed(const struct sheet *sheet, struct cell key,
 /* Splits "Speed: 70 m/s" in one cell into key and value, of *copy, which the
  * caller frees.  False if it has no value. */
 static bool
-split_at_colon(struct cell *key, struct cell *value, char **copy)
+split_key_at_colon(struct cell *key, struct cell *value, char **copy)
 {
 	*copy = xstrdup(key->text);
 	char *colon = strchr(*copy, ':');
@@ -145,7 +145,7 @@ split_at_colon(struct cell *key, struct cell *value, char **copy)
 
 /* True for a key with its value in one cell, "Stone: gabbro". */
 static bool
-has_colon(struct cell cell)
+has_key_with_colon(struct cell cell)
 {
 	const char *colon = strchr(cell.text, ':');
 	return colon != NULL && colon > cell.text && colon[1] == ' ' &&
@@ -165,11 +165,12 @@ next_key_and_value(const struct row *row, size_t *at, struct cell *key,
 	*key = (struct cell){0};
 	while (i < row->n && row->cell[i].text[0] == '\0')
 		i++;
-	*value = sheet_cell(row, row->n_all);
+	*value = row_cell_at(row, row->n_all);
 	for (; i < row->n && (row->cell[i].text[0] != '\0' || n == 1); i++) {
 		if (row->cell[i].text[0] == '\0')
 			continue;
-		if (n == 1 && has_colon(*key) && has_colon(row->cell[i]))
+		if (n == 1 && has_key_with_colon(*key) &&
+		    has_key_with_colon(row->cell[i]))
 			break;
 		struct cell *slot[] = {key, value, third};
 		if (n < 3)
@@ -177,7 +178,7 @@ next_key_and_value(const struct row *row, size_t *at, struct cell *key,
 		n++;
 	}
 	*at = i;
-	return n == 1 && split_at_colon(key, value, copy) ? 2 : n;
+	return n == 1 && split_key_at_colon(key, value, copy) ? 2 : n;
 }
 
 bool
@@ -239,10 +240,10 @@ leave_out_line(struct site *site, const struct cell *key)
 /* Takes the value of a known key.  The name of a machine may state its
  * rotor. */
 static void
-take_value_of_key(struct site *site, enum lexicon_key k, struct sheet *sheet,
-    struct cell key, struct cell value)
+set_site_value_of_key(struct site *site, enum lexicon_key k,
+    struct sheet *sheet, struct cell key, struct cell value)
 {
-	site_heading_take_value(site, k, sheet, value);
+	site_heading_set_value(site, k, sheet, value);
 	if (k == KEY_MACHINE && !(site->rotor > 0))
 		site_heading_take_rotor(site, sheet, key, value);
 }
@@ -279,7 +280,7 @@ read_key_and_value(struct site *site, struct sheet *sheet,
 		    "remove one of the two lines",
 		    key.text, seen[k]);
 	} else if (k < N_KEY) {
-		take_value_of_key(site, k, sheet, key, value);
+		set_site_value_of_key(site, k, sheet, key, value);
 	} else {
 		bool taken =
 		    n > 1 &&

@@ -66,7 +66,7 @@ fault_no_table(struct sheet *sheet)
 {
 	struct row none = {.line = 1, .end = 1};
 	struct cell found =
-	    sheet->n_row > 0 ? sheet->row[0].cell[0] : sheet_cell(&none, 0);
+	    sheet->n_row > 0 ? sheet->row[0].cell[0] : row_cell_at(&none, 0);
 	for (size_t i = sheet->n_row;
 	     i-- > 0 && !error_should_stop(sheet->errors);) {
 		struct cell cell = sheet->row[i].cell[0];
@@ -94,12 +94,12 @@ fault_no_table(struct sheet *sheet)
 /* Checks repeats at one speed: one feed serves all, or each product has its
  * own; likewise for standard deviations. */
 static void
-check_column_repeats(const struct columns *t, const struct column *c)
+check_feeds_match_repeats(const struct columns *t, const struct column *c)
 {
 	if (!(c->speed > 0))
 		return;
-	size_t own = site_column_count_repeats(t, c->role, c->speed);
-	size_t products = site_column_count_repeats(t, PRODUCT, c->speed);
+	size_t own = site_column_count_at_speed(t, c->role, c->speed);
+	size_t products = site_column_count_at_speed(t, PRODUCT, c->speed);
 	if (c->role == PRODUCT || c->nth != 1 || own == products)
 		return;
 	sheet_fault(c->table->sheet, c->head,
@@ -120,8 +120,8 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
     const struct site_request *request)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
-	bool alone = site_column_count_repeats(t, PRODUCT, c->speed) == 0;
-	check_column_repeats(t, c);
+	bool alone = site_column_count_at_speed(t, PRODUCT, c->speed) == 0;
+	check_feeds_match_repeats(t, c);
 	if (c->role == FEED && !(c->speed > 0) && c->nth == 1)
 		site_ask_refuse_second_feed(c, t, request);
 	if (c->role == FEED && c->speed > 0 && shared != NULL)
@@ -136,7 +136,7 @@ check_feed_or_product_exists(const struct columns *t, const struct column *c,
 		    c->head.text);
 	if (c->role == PRODUCT && shared == NULL &&
 	    site_column_count_role(t, NULL, FEED) > 0 &&
-	    site_column_count_repeats(t, FEED, c->speed) == 0)
+	    site_column_count_at_speed(t, FEED, c->speed) == 0)
 		sheet_fault(c->table->sheet, c->head,
 		    "expected a feed for %s, got none\n"
 		    "add a feed@ column with this speed",
@@ -254,7 +254,7 @@ static void
 assume_top_size(struct reading *r, struct site_ask *ask)
 {
 	const struct column *c = feed_with_unknown_top_size(&r->all);
-	double top = site_column_round_value(r->request->top, 1e9);
+	double top = site_column_round_to_step(r->request->top, 1e9);
 	char p[32], mm[32];
 	if (c == NULL)
 		return;
@@ -307,7 +307,7 @@ read_and_check_columns(struct reading *r)
 }
 
 static struct psd
-make_psd(const struct column *c)
+psd_of_column(const struct column *c)
 {
 	const struct table *t = c->table;
 	struct psd psd = psd_new(site_column_count_values(c) + (c->top > 0));
@@ -334,18 +334,18 @@ fill_curves_of_run(const struct columns *t, const struct column *shared,
 	const struct column *own = site_column_find(t, FEED, v, nth);
 	const struct column *product = site_column_find(t, PRODUCT, v, nth);
 	const struct column *sd = site_column_find(t, SD, v, nth);
-	if (site_column_count_repeats(t, PRODUCT, v) > 1)
+	if (site_column_count_at_speed(t, PRODUCT, v) > 1)
 		snprintf(run->repeat, sizeof run->repeat, " (%u)",
 		    (unsigned)nth + 1);
 	if (shared != NULL || own != NULL)
-		run->feed = make_psd(shared != NULL ? shared : own);
+		run->feed = psd_of_column(shared != NULL ? shared : own);
 	if (product != NULL) {
-		run->product = make_psd(product);
+		run->product = psd_of_column(product);
 		run->place = (size_t)(product - t->column);
 	}
 	if (sd == NULL)
 		return;
-	struct psd deviation = make_psd(sd);
+	struct psd deviation = psd_of_column(sd);
 	run->product_sd = deviation.passing;
 	free(deviation.size);
 }
@@ -360,14 +360,14 @@ compare_runs_by_speed(const void *a, const void *b)
 /* Makes a run for each product, and for each speed that only has a feed; if
  * there is only the feed of all runs, one run without a speed. */
 static void
-make_runs(struct site *site, const struct columns *t)
+make_runs_of_site(struct site *site, const struct columns *t)
 {
 	const struct column *shared = site_column_find(t, FEED, 0, 0);
 	site->individual_feeds = shared == NULL;
 	site->run = xrealloc(site->run, t->n, sizeof *site->run);
 	for (size_t i = 0; i < t->n; i++) {
 		const struct column *c = &t->column[i];
-		size_t n = site_column_count_repeats(t, PRODUCT, c->speed);
+		size_t n = site_column_count_at_speed(t, PRODUCT, c->speed);
 		if (c->role == SD || !(c->speed > 0) ||
 		    site_run_at_speed(site, c->speed) < site->n_run)
 			continue;
@@ -468,7 +468,7 @@ repeats_known_rotor(const struct site *site, const char *text)
 
 /* Returns "feed" or "product@64, product@72", the samples of a table. */
 static char *
-samples_of_table(const struct columns *all, const struct table *t)
+samples_of_table_text(const struct columns *all, const struct table *t)
 {
 	char *list = xstrdup("");
 	for (size_t i = 0; i < all->n; i++) {
@@ -509,7 +509,7 @@ add_words_of_line(char **list, const struct row *row, size_t n)
 
 /* Returns the last table that ends above a line, or NULL. */
 static const struct table *
-table_above(const struct layout *layout, const struct row *row)
+last_table_above_row(const struct layout *layout, const struct row *row)
 {
 	const struct table *found = NULL;
 	for (size_t b = 0; b < layout->n; b++) {
@@ -523,7 +523,7 @@ table_above(const struct layout *layout, const struct row *row)
 /* True if a line was read: the heading of the first table, the title of one,
  * the day of a cut, or the rotor's diameter. */
 static bool
-is_line_read(
+is_line_already_read(
     const struct reading *r, const struct layout *layout, const struct row *row)
 {
 	FREED char *words = words_of_line(row);
@@ -541,17 +541,17 @@ note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 {
 	const struct row *first = layout->heading[i];
 	const struct table *below = title_table_below(layout, first);
-	const struct table *above = table_above(layout, first);
+	const struct table *above = last_table_above_row(layout, first);
 	FREED char *words = xstrdup("");
 	size_t n = 0;
 	do
 		add_words_of_line(&words, layout->heading[i + n], n);
 	while (++n + i < layout->n_heading &&
 	       title_table_below(layout, layout->heading[i + n]) == below &&
-	       table_above(layout, layout->heading[i + n]) == above &&
-	       !is_line_read(r, layout, layout->heading[i + n]));
+	       last_table_above_row(layout, layout->heading[i + n]) == above &&
+	       !is_line_already_read(r, layout, layout->heading[i + n]));
 	FREED char *samples =
-	    samples_of_table(&r->all, below != NULL ? below : above);
+	    samples_of_table_text(&r->all, below != NULL ? below : above);
 	if (samples[0] == '\0' || layout->n == 1)
 		leave_out(
 		    r->site, first->line, "remark below the table: %s", words);
@@ -569,7 +569,7 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 	const struct layout *layout = page->layout;
 	note_left_out_sums(r, page);
 	for (size_t i = 0, n; i < layout->n_heading; i += n)
-		n = is_line_read(r, layout, layout->heading[i])
+		n = is_line_already_read(r, layout, layout->heading[i])
 			? 1
 			: note_left_out_lines(r, layout, i);
 }
@@ -584,7 +584,7 @@ is_rule(const struct comment *c)
 /* Notes what is in the table or below it and was not read.  A line that begins
  * with # may be a sieve that the user excluded. */
 static void
-note_left_out(struct reading *r)
+note_all_left_out(struct reading *r)
 {
 	for (size_t p = 0; p < r->n_page; p++) {
 		const struct page *page = &r->page[p];
@@ -706,7 +706,7 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	if (given > 0)
 		near.speed = given;
 	bool named = take_speed_of_file_name(q, q->path[page->file], &near);
-	uint64_t sieve = samples_head_columns(&r->columns, t);
+	uint64_t sieve = samples_set_column_headings(&r->columns, t);
 	if (!layout_long_to_wide(t, sieve)) {
 		r->lost = true;
 		return;
@@ -743,8 +743,9 @@ parse_request_options(struct reading *r)
 	const struct site_request *q = r->request;
 	struct error e;
 	bool good =
-	    samples_parse_columns(&r->columns, q->columns, &r->range, &e) &&
-	    samples_parse(&r->samples, q->samples, &e) &&
+	    samples_parse_columns_option(
+		&r->columns, q->columns, &r->range, &e) &&
+	    samples_parse_option(&r->samples, q->samples, &e) &&
 	    (q->range == NULL || site_box_parse(q->range, &r->range.box) ||
 		error_set(&e, ERROR_USAGE,
 		    "expected a range such as A3:F20, got '%s'\n"
@@ -971,7 +972,7 @@ drop_tables_again(struct reading *r)
 }
 
 static size_t
-file_of_column(const struct reading *r, const struct column *c)
+file_index_of_column(const struct reading *r, const struct column *c)
 {
 	size_t i = 0;
 	while (r->page[i].sheet != c->table->sheet)
@@ -991,14 +992,14 @@ give_feeds_speed_of_file(struct reading *r)
 		if (c->role != FEED || c->speed > 0)
 			continue;
 		first = first != NULL ? first : c;
-		several =
-		    several || file_of_column(r, c) != file_of_column(r, first);
-		all = all && speed[file_of_column(r, c)] > 0;
+		several = several || file_index_of_column(r, c) !=
+					 file_index_of_column(r, first);
+		all = all && speed[file_index_of_column(r, c)] > 0;
 	}
 	for (size_t i = 0; i < r->all.n && several && all; i++) {
 		struct column *c = &r->all.column[i];
 		if (c->role == FEED && !(c->speed > 0))
-			c->speed = speed[file_of_column(r, c)];
+			c->speed = speed[file_index_of_column(r, c)];
 	}
 }
 
@@ -1197,7 +1198,7 @@ is_told_by_user(const struct site_request *q)
 }
 
 static struct site *
-finish_site(struct reading *r)
+finish_site_reading(struct reading *r)
 {
 	const struct site_request *q = r->request;
 	free(r->site->path);
@@ -1208,14 +1209,14 @@ finish_site(struct reading *r)
 	}
 	r->site->told = is_told_by_user(q);
 	note_speeds_from_rpm(r);
-	make_runs(r->site, &r->all);
+	make_runs_of_site(r->site, &r->all);
 	if (q->parts) {
 		note_days_of_cuts(r);
 		note_days_not_read(r);
 	} else {
 		take_day_for_provenance(r);
 	}
-	note_left_out(r);
+	note_all_left_out(r);
 	note_sieve_names(r);
 	site_describe_columns(r->table, r->n_table, &r->all, r->site);
 	struct site *site = r->site;
@@ -1244,7 +1245,7 @@ reading_clear(struct reading *r)
 }
 
 static bool
-read_files(struct reading *r)
+read_site_files(struct reading *r)
 {
 	for (size_t i = 0; i < r->request->n; i++)
 		if (!read_site_file(r, i) || error_should_stop(r->errors))
@@ -1262,7 +1263,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 	    .request = request, .errors = errors, .site = site_new(0)};
 	r.site->rotor = request->rotor;
 	r.source = xcalloc(request->n, sizeof *r.source);
-	if (parse_request_options(&r) && read_files(&r)) {
+	if (parse_request_options(&r) && read_site_files(&r)) {
 		read_all_tables(&r);
 		drop_tables_again(&r);
 		if (request->rotor > 0)
@@ -1289,7 +1290,7 @@ site_read_request(const struct site_request *request, struct error_list *errors,
 			    site_column_count_role(&r.all, NULL, PRODUCT) == 0;
 		}
 		if (count_faults(&r) == 0)
-			site = finish_site(&r);
+			site = finish_site_reading(&r);
 	}
 	reading_clear(&r);
 	site_ask_clear(&none);

@@ -27,7 +27,7 @@ site_box_parse(const char *text, struct site_box *box)
 }
 
 struct site_box
-site_ask_box_of_tables(const struct site_ask *ask, size_t from, size_t to)
+site_box_around_tables(const struct site_ask *ask, size_t from, size_t to)
 {
 	struct site_box all = ask->column[from].box;
 	for (size_t i = from + 1; i <= to; i++) {

@@ -62,7 +62,7 @@ bool site_box_parse(const char *text, struct site_box *box);
 char *site_box_text(struct site_box box);
 
 /* Returns the smallest box that contains tables from..to of *ask, from 0. */
-struct site_box site_ask_box_of_tables(
+struct site_box site_box_around_tables(
     const struct site_ask *ask, size_t from, size_t to);
 
 /* Frees the members of *ask. */

@@ -22,7 +22,7 @@
  * NULL after the last; *rest moves after it.  The comma of a number, as in
  * @63,6, separates nothing. */
 static char *
-next_item(char **rest)
+next_list_item(char **rest)
 {
 	char *part = *rest, *comma = part != NULL ? strchr(part, ',') : NULL;
 	while (comma != NULL && comma > part &&
@@ -38,7 +38,8 @@ next_item(char **rest)
 
 /* Adds "3=feed", whose column has a number, or "S01=feed". */
 static bool
-add_item(struct samples *s, bool numbers, char *part, struct error *error)
+add_sample_item(
+    struct samples *s, bool numbers, char *part, struct error *error)
 {
 	char *text = text_trim(part), *cut = strrchr(text, '=');
 	unsigned long number = numbers ? strtoul(text, &cut, 10) : 0;
@@ -60,30 +61,30 @@ add_item(struct samples *s, bool numbers, char *part, struct error *error)
 }
 
 static bool
-parse_items(
+parse_sample_items(
     struct samples *s, bool numbers, const char *text, struct error *error)
 {
 	FREED char *copy = xstrdup(text != NULL ? text : "");
 	char *rest = text != NULL ? copy : NULL;
-	for (char *part; (part = next_item(&rest)) != NULL;)
-		if (!add_item(s, numbers, part, error))
+	for (char *part; (part = next_list_item(&rest)) != NULL;)
+		if (!add_sample_item(s, numbers, part, error))
 			return false;
 	return true;
 }
 
 bool
-samples_parse(struct samples *s, const char *text, struct error *error)
+samples_parse_option(struct samples *s, const char *text, struct error *error)
 {
-	return parse_items(s, false, text, error);
+	return parse_sample_items(s, false, text, error);
 }
 
 bool
-samples_parse_columns(struct samples *s, const char *text,
+samples_parse_columns_option(struct samples *s, const char *text,
     struct layout_range *range, struct error *error)
 {
 	static const uint64_t ELSE =
 	    WORD_FEED | WORD_PRODUCT | WORD_PASSES | WORD_STAYS;
-	if (!parse_items(s, true, text, error))
+	if (!parse_sample_items(s, true, text, error))
 		return false;
 	for (size_t i = 0; i < s->n; i++) {
 		uint64_t means = lexicon_meanings(s->item[i].text, NULL);
@@ -114,7 +115,7 @@ samples_clear(struct samples *s)
 }
 
 static const struct sample *
-find_named_column(const struct samples *columns, size_t number)
+find_sample_of_column(const struct samples *columns, size_t number)
 {
 	for (size_t i = 0; i < columns->n; i++)
 		if (columns->item[i].number == number)
@@ -124,7 +125,7 @@ find_named_column(const struct samples *columns, size_t number)
 
 /* Makes column c of some rows the nth, and for now the last. */
 static void
-move_cell(struct row *row, size_t n_row, size_t c, size_t n)
+move_column_of_rows(struct row *row, size_t n_row, size_t c, size_t n)
 {
 	for (size_t r = 0; r < n_row; r++) {
 		row[r].cell[n] = row[r].cell[c];
@@ -146,7 +147,7 @@ keep_days(struct table *t)
 
 /* Heads the columns anew and drops those without a name. */
 static void
-replace_headings(const struct samples *columns, struct table *t)
+replace_headings_by_names(const struct samples *columns, struct table *t)
 {
 	size_t n = 0;
 	struct row head = {.line = t->row[0].line};
@@ -154,7 +155,7 @@ replace_headings(const struct samples *columns, struct table *t)
 	keep_days(t);
 	for (size_t c = 0; c < t->n_col; c++) {
 		const struct sample *named =
-		    find_named_column(columns, t->number[c]);
+		    find_sample_of_column(columns, t->number[c]);
 		if (named == NULL && c > 0)
 			continue;
 		struct cell cell = t->n_head > 0
@@ -165,8 +166,8 @@ replace_headings(const struct samples *columns, struct table *t)
 		head.cell[n] = number_cell_from_text(t->sheet, cell, text);
 		t->number[n] = t->number[c];
 		t->day[n] = t->day[c];
-		move_cell(t->row, t->n_row, c, n);
-		move_cell(t->foot, t->n_foot, c, n);
+		move_column_of_rows(t->row, t->n_row, c, n);
+		move_column_of_rows(t->foot, t->n_foot, c, n);
 		n++;
 	}
 	for (size_t r = 0; r < t->n_head; r++)
@@ -180,17 +181,18 @@ replace_headings(const struct samples *columns, struct table *t)
 }
 
 uint64_t
-samples_head_columns(const struct samples *columns, struct table *t)
+samples_set_column_headings(const struct samples *columns, struct table *t)
 {
-	const struct sample *sieves = find_named_column(columns, t->number[0]);
+	const struct sample *sieves =
+	    find_sample_of_column(columns, t->number[0]);
 	if (columns->others)
-		replace_headings(columns, t);
+		replace_headings_by_names(columns, t);
 	return sieves != NULL ? lexicon_meanings(sieves->text, NULL) : 0;
 }
 
 /* True if the cells of a row of headings are all different. */
 static bool
-has_distinct_cells(const struct table *t, size_t r)
+are_headings_distinct(const struct table *t, size_t r)
 {
 	const struct cell *cell = t->head[r].cell;
 	for (size_t c = 1; c < t->n_col; c++) {
@@ -207,7 +209,7 @@ bool
 samples_have_distinct_names(const struct table *t)
 {
 	size_t r = 0;
-	while (r < t->n_head && t->name == NULL && !has_distinct_cells(t, r))
+	while (r < t->n_head && t->name == NULL && !are_headings_distinct(t, r))
 		r++;
 	return t->name != NULL || r < t->n_head;
 }
@@ -239,10 +241,10 @@ samples_label_of_column(const struct table *t, size_t c)
 	if (t->name != NULL)
 		return xstrdup(t->name[c]);
 	for (size_t r = 0; r < t->n_head; r++)
-		if (is_row_of_names(&t->head[r]) && has_distinct_cells(t, r))
+		if (is_row_of_names(&t->head[r]) && are_headings_distinct(t, r))
 			return xstrdup(t->head[r].cell[c].text);
 	for (size_t r = 0; r < t->n_head; r++)
-		if (has_distinct_cells(t, r))
+		if (are_headings_distinct(t, r))
 			return xstrdup(t->head[r].cell[c].text);
 	return layout_heading_text(t, c);
 }
@@ -259,7 +261,7 @@ is_name_of_column(
 }
 
 static void
-refuse_contradiction(const struct column *c, const char *text)
+refuse_sample_against_heading(const struct column *c, const char *text)
 {
 	sheet_fault(c->table->sheet, c->head,
 	    "expected what this heading states, got '%s' in samples=\nleave "
@@ -269,16 +271,17 @@ refuse_contradiction(const struct column *c, const char *text)
 
 /* Adds the stated meanings of a group; a contradiction is a fault. */
 static void
-merge_meanings(struct column *c, const char *text, uint64_t group, uint64_t own)
+merge_stated_meanings(
+    struct column *c, const char *text, uint64_t group, uint64_t own)
 {
 	uint64_t stated = c->said.means & group;
 	if (stated != 0 && (own & group & ~stated) != 0)
-		refuse_contradiction(c, text);
+		refuse_sample_against_heading(c, text);
 	c->said.means |= own & group;
 }
 
 static void
-apply_sample_text(struct column *c, const char *text)
+apply_sample_option_text(struct column *c, const char *text)
 {
 	static const uint64_t GROUPS[] = {WORD_FEED | WORD_PRODUCT | WORD_SD,
 	    WORD_PASSES | WORD_STAYS, WORD_SUMS,
@@ -288,10 +291,10 @@ apply_sample_text(struct column *c, const char *text)
 	if ((own.means & GROUPS[0]) == 0 && speed)
 		own.means |= WORD_PRODUCT;
 	for (size_t i = 0; i < ARRAY_LEN(GROUPS); i++)
-		merge_meanings(c, text, GROUPS[i], own.means);
+		merge_stated_meanings(c, text, GROUPS[i], own.means);
 	if (own.speed > 0 && said->speed > 0 &&
 	    fabs(own.speed - said->speed) > 1e-3)
-		refuse_contradiction(c, text);
+		refuse_sample_against_heading(c, text);
 	if (speed) {
 		said->speed = own.speed;
 		said->rpm = own.rpm;
@@ -331,7 +334,7 @@ samples_apply_to_column(struct samples *s, struct column *c)
 			samples_sheet_label(c->table->sheet), one->name))
 			continue;
 		one->found = true;
-		apply_sample_text(c, one->text);
+		apply_sample_option_text(c, one->text);
 		return true;
 	}
 	return false;

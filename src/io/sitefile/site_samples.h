@@ -21,18 +21,19 @@ struct samples {
 
 /* Parses "S01=feed, S02=@70 retained_pct" (NULL: no sample is named).  On
  * failure, returns false with a usage error. */
-bool samples_parse(
+bool samples_parse_option(
     struct samples *samples, const char *text, struct error *error);
 
-/* As samples_parse, but for columns: "1=sieve um, 3=feed retained_g".  Notes
- * those of sieves in *range. */
-bool samples_parse_columns(struct samples *samples, const char *text,
+/* As samples_parse_option, but for columns: "1=sieve um, 3=feed retained_g".
+ * Notes those of sieves in *range. */
+bool samples_parse_columns_option(struct samples *samples, const char *text,
     struct layout_range *range, struct error *error);
 void samples_clear(struct samples *samples);
 
 /* Heads the columns of a table as the user names them, and drops others.
  * Returns the meanings of the heading of its sieves, or 0. */
-uint64_t samples_head_columns(const struct samples *columns, struct table *t);
+uint64_t samples_set_column_headings(
+    const struct samples *columns, struct table *t);
 
 /* Returns the cell with the name of the sample in column c, of a row of
  * headings labelled "Sample" or the like; NULL if there is none. */

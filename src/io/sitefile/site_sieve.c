@@ -32,7 +32,7 @@ site_sieve_read_mm(
 	}
 	if (!number_read_cell(sheet, cell, wanted, &v))
 		return NAN;
-	double mm = site_column_round_value(v * unit, 1e9);
+	double mm = site_column_round_to_step(v * unit, 1e9);
 	if ((mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM) || v == 0)
 		return mm;
 	sheet_fault_expected(sheet, cell,
@@ -45,7 +45,7 @@ site_sieve_read_mm(
 
 /* Reports a name that no sieve has. */
 static void
-fault_unknown_name(struct table *t, struct cell cell)
+fault_unknown_sieve_name(struct table *t, struct cell cell)
 {
 	if (sieve_name_series(cell.text) == SIEVE_MESH ||
 	    t->unit.series == SIEVE_MESH) {
@@ -73,7 +73,7 @@ sieve_mm_of_row(struct table *t, struct cell cell)
 	if (kind == SIEVE_IS_PAN)
 		return 0;
 	if (kind == SIEVE_IS_SIZE && isnan(mm)) {
-		fault_unknown_name(t, cell);
+		fault_unknown_sieve_name(t, cell);
 		return NAN;
 	}
 	if (kind == SIEVE_IS_SIZE && mm >= SIZE_LEAST_MM && mm <= SIZE_MOST_MM)
@@ -129,7 +129,7 @@ are_neighbouring_classes(const char *a, const char *b)
 }
 
 static bool
-has_inch_fractions(const struct table *t)
+are_fractions_inches(const struct table *t)
 {
 	size_t meet = 0;
 	for (size_t i = 1; i < t->n_row; i++)
@@ -140,7 +140,7 @@ has_inch_fractions(const struct table *t)
 
 /* Reads the sizes as they are named, and as lengths. */
 static void
-collect_sieve_sizes(const struct table *t, struct numbers *all)
+summarise_sieve_sizes(const struct table *t, struct numbers *all)
 {
 	const struct sieve_unit none = {0, SIEVE_NONE}, bare = {1, SIEVE_NONE};
 	size_t named = 0, numbers = 0, n = 0, in_mm = 0, in_um = 0;
@@ -168,12 +168,12 @@ collect_sieve_sizes(const struct table *t, struct numbers *all)
 }
 
 static struct numbers
-collect_sieve_numbers(const struct table *t)
+summarise_sieve_numbers(const struct table *t)
 {
 	struct numbers all = {.rises = true, .even = true, .whole = true};
-	bool fractions = has_inch_fractions(t);
+	bool fractions = are_fractions_inches(t);
 	double v, last = NAN, step = NAN;
-	collect_sieve_sizes(t, &all);
+	summarise_sieve_sizes(t, &all);
 	for (size_t i = 0; i < t->n_row; i++) {
 		struct cell cell = t->row[i].cell[0];
 		bool part = fractions && is_inch_fraction(cell.text);
@@ -226,7 +226,7 @@ guess_sieve_unit(const struct numbers *all)
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {
-	struct numbers all = collect_sieve_numbers(t);
+	struct numbers all = summarise_sieve_numbers(t);
 	double most = all.most, most_um = 1e-3 * all.most;
 	bool mesh = t->unit.series == SIEVE_MESH && all.whole;
 	bool said = (means & WORD_NUMBER) != 0;
@@ -263,7 +263,7 @@ site_sieve_find_unit(struct table *t, uint64_t means)
 
 /* True if the sizes rise, or fall, without exception, ignoring NAN. */
 static bool
-is_ordered(const double *v, size_t n)
+are_sizes_in_order(const double *v, size_t n)
 {
 	int rises = 0, falls = 0, pairs = 0;
 	double last = NAN;
@@ -293,7 +293,7 @@ split_mm_and_um(struct table *t)
 			   ? number
 			   : NAN;
 	bool split = false;
-	for (size_t i = 1; i < n && !is_ordered(v, n) && to == 0; i++) {
+	for (size_t i = 1; i < n && !are_sizes_in_order(v, n) && to == 0; i++) {
 		from = v[i] > 10 * v[i - 1] ? i : 0;
 		to = v[i] > 10 * v[i - 1] ? n : 10 * v[i] < v[i - 1] ? i : 0;
 	}
@@ -303,7 +303,7 @@ split_mm_and_um(struct table *t)
 		if (!split && !isnan(v[i]))
 			break;
 	}
-	split = split && is_ordered(v, n);
+	split = split && are_sizes_in_order(v, n);
 	for (size_t i = from; split && i < to; i++) {
 		struct cell *cell = &t->row[i].cell[0];
 		if (isnan(v[i]))

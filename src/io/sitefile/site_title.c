@@ -30,7 +30,7 @@ is_title_of_sample(const struct head *head)
 
 /* True for the value of "Sample; Feed", the two cells of a line. */
 static bool
-is_named_sample(const struct row *row, size_t c)
+is_value_of_sample_key(const struct row *row, size_t c)
 {
 	size_t first = 0, unknown;
 	while (first < c && row->cell[first].text[0] == '\0')
@@ -44,12 +44,12 @@ is_named_sample(const struct row *row, size_t c)
 /* True if cell c may be a title: the only one of its line, or the sample that
  * the line names. */
 static bool
-is_alone(const struct row *row, size_t c)
+can_be_title_cell(const struct row *row, size_t c)
 {
 	size_t filled = 0;
 	for (size_t i = 0; i < row->n; i++)
 		filled += (size_t)(row->cell[i].text[0] != '\0');
-	return filled == 1 || (filled == 2 && is_named_sample(row, c));
+	return filled == 1 || (filled == 2 && is_value_of_sample_key(row, c));
 }
 
 /* True for a line above a table and below those before it. */
@@ -71,7 +71,8 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 		    row->line >= first_line_of_table(t) - 3 &&
 		    (row->n == 1 || (c + 1 >= t->left && c + 1 < t->end));
 	return lexicon_key_from_text(row->cell[0].text) == N_KEY &&
-	       (near || (is_alone(row, c) && is_line_above_table(t, row)));
+	       (near ||
+		   (can_be_title_cell(row, c) && is_line_above_table(t, row)));
 }
 
 bool
@@ -125,7 +126,7 @@ append_title_line(
     struct table *t, const struct row *row, size_t c, const struct head *title)
 {
 	const char *text = row->cell[c].text;
-	if (!is_alone(row, c) || text[0] == '\0')
+	if (!can_be_title_cell(row, c) || text[0] == '\0')
 		return;
 	xappend_to_list(&t->title, "\n", "%s", text);
 	t->strange =
@@ -166,7 +167,7 @@ static const uint64_t BASIS_WORDS = WORD_PASSES | WORD_STAYS | WORD_SUMS |
 /* True if the words are one basis: "% passing", "percent retained", "masses in
  * g". */
 static bool
-is_basis(uint64_t means)
+are_words_of_basis(uint64_t means)
 {
 	bool passes = (means & WORD_PASSES) != 0;
 	bool stays = (means & WORD_STAYS) != 0;
@@ -181,7 +182,7 @@ is_basis(uint64_t means)
  * sample 2000 g", "36 % passing", is not about all of them, but may contradict
  * another. */
 static void
-take_basis(struct table *t)
+take_basis_from_titles(struct table *t)
 {
 	static const uint64_t ELSE = WORD_LIMIT | WORD_MEAN | WORD_SD |
 				     WORD_LOSS | WORD_WEIGHED | WORD_TOTAL |
@@ -194,11 +195,12 @@ take_basis(struct table *t)
 		FREED char *bare = heading_without_speeds(line);
 		uint64_t means = lexicon_meanings(line, NULL);
 		all |= means & BASIS_WORDS;
-		stated = stated || (is_basis(means) && (means & ELSE) == 0 &&
-				       strpbrk(bare, "0123456789") == NULL);
+		stated = stated ||
+			 (are_words_of_basis(means) && (means & ELSE) == 0 &&
+			     strpbrk(bare, "0123456789") == NULL);
 		p += n + (size_t)(p[n] == '\n');
 	}
-	t->basis = stated && is_basis(all) ? all : 0;
+	t->basis = stated && are_words_of_basis(all) ? all : 0;
 }
 
 /* True if a name tells one sample from others: S1, Prov A, Berga. */
@@ -350,7 +352,7 @@ title_words_and_speed(const struct layout *layout, struct table *t,
 	}
 	if (says.differ)
 		means &= ~(uint64_t)(WORD_FEED | WORD_PRODUCT);
-	take_basis(t);
+	take_basis_from_titles(t);
 	if ((means & (WORD_FEED | WORD_PRODUCT)) == 0 && !says.differ) {
 		FREED char *stem = site_heading_name_from_path(path);
 		means |= lexicon_meanings(stem, NULL);
@@ -442,7 +444,7 @@ title_names_differ(const char *a, const char *b)
 /* Returns the last lines of a title, as many as another has: above the first
  * table also stands what is said of all. */
 static const char *
-last_lines(const char *title, const char *other)
+last_title_lines_like(const char *title, const char *other)
 {
 	size_t n = 1;
 	for (const char *p = other; (p = strchr(p, '\n')) != NULL; p++)
@@ -457,7 +459,7 @@ bool
 title_differs_only_in_speed(const struct table *a, const struct table *b)
 {
 	FREED char *one =
-	    heading_without_speeds(last_lines(a->title, b->title));
+	    heading_without_speeds(last_title_lines_like(a->title, b->title));
 	FREED char *other = heading_without_speeds(b->title);
 	return strcmp(one, other) == 0;
 }
@@ -640,7 +642,7 @@ has_same_sheet_name(const struct sheet *a, const struct column *first,
 /* Returns the product of a table that has one product and one feed, and sets
  * *feed; otherwise NULL. */
 static const struct column *
-product_of_test(const struct columns *all, const struct table *t,
+product_of_one_test_table(const struct columns *all, const struct table *t,
     const struct column **feed)
 {
 	const struct column *product = NULL;
@@ -666,17 +668,20 @@ titles_are_separate_tests(
 	const struct column *feed;
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k], *first = table[0];
-		const struct column *c = product_of_test(all, t, &feed);
-		const struct column *one = product_of_test(all, first, &feed);
+		const struct column *c =
+		    product_of_one_test_table(all, t, &feed);
+		const struct column *one =
+		    product_of_one_test_table(all, first, &feed);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_tells_limits_or_mean(t) ||
 		    !has_same_sheet_name(first->sheet, one, t->sheet, c) ||
 		    !has_same_test_name(
-			last_lines(first->title, t->title), one, t->title, c))
+			last_title_lines_like(first->title, t->title), one,
+			t->title, c))
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =
-			    product_of_test(all, table[i], &feed);
+			    product_of_one_test_table(all, table[i], &feed);
 			if (c->speed == other->speed && c->rpm == other->rpm)
 				return false;
 		}

@@ -86,7 +86,7 @@ has_feed_per_run(const struct site *site)
 /* Lists the columns in order; `curve` has room for three per run and one
  * more. */
 static size_t
-list_curves(const struct site *site, struct curve *curve)
+list_curves_to_write(const struct site *site, struct curve *curve)
 {
 	bool own = has_feed_per_run(site);
 	size_t n = 0;
@@ -123,7 +123,7 @@ next_size_to_write(const struct curve *curve, size_t n)
 }
 
 static void
-write_row(struct curve *curve, size_t n, double mm, FILE *out)
+write_sieve_row(struct curve *curve, size_t n, double mm, FILE *out)
 {
 	char number[32];
 	fputs(text_shortest_exact_number(mm, number), out);
@@ -151,7 +151,7 @@ site_write(const struct site *site, FILE *out)
 {
 	char number[32];
 	FREED struct curve *curve = xcalloc(3 * site->n_run + 1, sizeof *curve);
-	size_t n = list_curves(site, curve);
+	size_t n = list_curves_to_write(site, curve);
 	write_lines_above_table(site, out);
 	fputs("size_mm", out);
 	for (size_t i = 0; i < n; i++) {
@@ -164,7 +164,7 @@ site_write(const struct site *site, FILE *out)
 	fputc('\n', out);
 	size_t rows = 0;
 	for (double mm; (mm = next_size_to_write(curve, n)) > 0; rows++)
-		write_row(curve, n, mm, out);
+		write_sieve_row(curve, n, mm, out);
 	return rows;
 }
 

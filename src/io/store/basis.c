@@ -51,13 +51,13 @@ static const struct taken {
     {"named", offsetof(struct site, named)}};
 
 static char **
-field_of_provenance(struct site *site, const struct taken *taken)
+site_field_of_provenance(struct site *site, const struct taken *taken)
 {
 	return (char **)(void *)((char *)site + taken->offset);
 }
 
 static double
-fit_record_number_at(
+fit_record_item_number(
     const struct fit_record *b, const struct item *item, size_t i)
 {
 	const char *at = (const char *)b + item->offset;
@@ -68,7 +68,7 @@ fit_record_number_at(
 }
 
 static bool
-fit_record_put_number(
+fit_record_put_item_number(
     struct fit_record *b, const struct item *item, size_t i, double value)
 {
 	char *at = (char *)b + item->offset;
@@ -85,7 +85,7 @@ fit_record_put_number(
 }
 
 static void
-write_fit(const struct fit_record *b, FILE *out)
+write_fit_line(const struct fit_record *b, FILE *out)
 {
 	char number[32];
 	for (size_t k = 0; k < ARRAY_LEN(ITEMS); k++) {
@@ -93,7 +93,8 @@ write_fit(const struct fit_record *b, FILE *out)
 		for (size_t i = 0; i < ITEMS[k].n; i++)
 			fprintf(out, "%s%s", i > 0 ? "," : "",
 			    text_shortest_exact_number(
-				fit_record_number_at(b, &ITEMS[k], i), number));
+				fit_record_item_number(b, &ITEMS[k], i),
+				number));
 		fputc(' ', out);
 	}
 	fputs("train=", out);
@@ -134,9 +135,10 @@ fit_record_to_text(const struct fit_record *b)
 	FREED char *text = NULL;
 	size_t n = 0;
 	FILE *out = text_open_memory(&text, &n);
-	write_fit(b, out);
+	write_fit_line(b, out);
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		const char *said = *field_of_provenance(b->then, &TAKEN[k]);
+		const char *said =
+		    *site_field_of_provenance(b->then, &TAKEN[k]);
 		if (said[0] != '\0')
 			fprintf(out, "%s=%s\n", TAKEN[k].name, said);
 	}
@@ -162,7 +164,7 @@ parse_named_numbers(struct fit_record *b, const char *name, char *list)
 	for (; k < ARRAY_LEN(ITEMS) && word != NULL; i++) {
 		double value;
 		if (i == ITEMS[k].n || !text_parse_number(word, &value) ||
-		    !fit_record_put_number(b, &ITEMS[k], i, value))
+		    !fit_record_put_item_number(b, &ITEMS[k], i, value))
 			return false;
 		word = strtok_r(NULL, ",", &next);
 	}
@@ -171,7 +173,7 @@ parse_named_numbers(struct fit_record *b, const char *name, char *list)
 
 /* *train out: what is after train=, within the line. */
 static bool
-read_fit(struct fit_record *b, char *line, const char **train)
+read_fit_line(struct fit_record *b, char *line, const char **train)
 {
 	char *next = NULL;
 	for (char *word = strtok_r(line, " ", &next); word != NULL;
@@ -189,7 +191,7 @@ read_fit(struct fit_record *b, char *line, const char **train)
 }
 
 static struct site *
-fit_record_read_sheet(const char *text)
+fit_record_read_site(const char *text)
 {
 	const char *path = "";
 	const struct site_request request = {
@@ -212,10 +214,10 @@ cut_at_empty_line(char *text)
 }
 
 static void
-read_provenance(struct site *site, const char *lines)
+read_provenance_lines(struct site *site, const char *lines)
 {
 	for (size_t k = 0; k < ARRAY_LEN(TAKEN); k++) {
-		char **said = field_of_provenance(site, &TAKEN[k]);
+		char **said = site_field_of_provenance(site, &TAKEN[k]);
 		FREED char *begin = xasprintf("%s=", TAKEN[k].name);
 		for (const char *line = lines; *line != '\0';) {
 			size_t n = strcspn(line, "\n"), head = strlen(begin);
@@ -244,7 +246,7 @@ parse_training_runs(struct fit_record *b, const char *train)
 }
 
 static void
-fit_record_take_fields(struct fit_record *b, const struct material *m)
+fit_record_copy_from_material(struct fit_record *b, const struct material *m)
 {
 	struct fit *fit = &b->fit;
 	fit->params = m->params;
@@ -282,14 +284,14 @@ fit_record_read_text(struct fit_record *b, char *text)
 	if (sheet == NULL || said == NULL)
 		return false;
 	*said++ = '\0';
-	b->then = fit_record_read_sheet(sheet);
-	b->now = later != NULL ? fit_record_read_sheet(later) : NULL;
-	if (!read_fit(b, text, &train) || b->then == NULL ||
+	b->then = fit_record_read_site(sheet);
+	b->now = later != NULL ? fit_record_read_site(later) : NULL;
+	if (!read_fit_line(b, text, &train) || b->then == NULL ||
 	    (later != NULL && b->now == NULL) || !parse_training_runs(b, train))
 		return false;
-	read_provenance(b->then, said);
+	read_provenance_lines(b->then, said);
 	if (b->now != NULL)
-		read_provenance(b->now, said);
+		read_provenance_lines(b->now, said);
 	return true;
 }
 
@@ -303,7 +305,7 @@ fit_record_of_material(
 	FREED char *text = unescape_line_ends(m->basis);
 	bool good = fit_record_read_text(b, text);
 	if (good)
-		fit_record_take_fields(b, m);
+		fit_record_copy_from_material(b, m);
 	return (good && fit_record_is_possible(b)) ||
 	       error_set(error, ERROR_DATA,
 		   "the runs remembered with '%s' cannot be read\n"

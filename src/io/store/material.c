@@ -56,7 +56,8 @@ const struct field FIELDS[FIELD_COUNT] = {
 };
 
 static void *
-value_at(const struct material *m, const struct field *f, enum field_kind kind)
+field_value_in_material(
+    const struct material *m, const struct field *f, enum field_kind kind)
 {
 	assert(f->kind == kind);
 	(void)kind;
@@ -66,19 +67,19 @@ value_at(const struct material *m, const struct field *f, enum field_kind kind)
 char **
 material_text_of_field(const struct material *m, const struct field *f)
 {
-	return value_at(m, f, FIELD_TEXT);
+	return field_value_in_material(m, f, FIELD_TEXT);
 }
 
 double *
 material_number_of_field(const struct material *m, const struct field *f)
 {
-	return value_at(m, f, FIELD_NUMBER);
+	return field_value_in_material(m, f, FIELD_NUMBER);
 }
 
 int64_t *
 material_integer_of_field(const struct material *m, const struct field *f)
 {
-	return value_at(m, f, FIELD_WHOLE);
+	return field_value_in_material(m, f, FIELD_WHOLE);
 }
 
 struct material
@@ -125,7 +126,7 @@ material_find(const struct material_list *list, const char *name)
 }
 
 static int
-compare_names(const void *a, const void *b)
+compare_index_names(const void *a, const void *b)
 {
 	const struct material_index_name *x = a, *y = b;
 	int order = strcmp(x->fold, y->fold);
@@ -133,7 +134,7 @@ compare_names(const void *a, const void *b)
 }
 
 static int
-compare_fold_to_name(const void *fold, const void *name)
+compare_with_index_name(const void *fold, const void *name)
 {
 	return strcmp(fold, ((const struct material_index_name *)name)->fold);
 }
@@ -146,7 +147,7 @@ material_make_index(const struct material_list *list)
 	for (size_t i = 0; i < list->n; i++)
 		index.name[i] = (struct material_index_name){
 		    text_fold_case_and_accents(list->item[i].name), i};
-	qsort(index.name, index.n, sizeof *index.name, compare_names);
+	qsort(index.name, index.n, sizeof *index.name, compare_index_names);
 	return index;
 }
 
@@ -154,7 +155,7 @@ const struct material_index_name *
 material_index_find(const struct material_index *index, const char *fold)
 {
 	return bsearch(fold, index->name, index->n, sizeof *index->name,
-	    compare_fold_to_name);
+	    compare_with_index_name);
 }
 
 void
@@ -167,7 +168,7 @@ material_index_clear(struct material_index *index)
 
 /* Returns the number of parameters; 0 if the model is unknown. */
 static size_t
-count_params(const struct params *p)
+count_model_params(const struct params *p)
 {
 	return p->breakage < breakage_count_models()
 		   ? breakage_model_of_params(p)->n
@@ -178,7 +179,7 @@ static char *
 params_to_text(const struct params *p)
 {
 	char *text = xstrdup(""), number[32];
-	for (size_t j = 0; j < count_params(p); j++)
+	for (size_t j = 0; j < count_model_params(p); j++)
 		xappend_to_list(&text, " ", "%s=%s",
 		    breakage_model_of_params(p)->parameter[j].name,
 		    text_shortest_exact_number(p->at[j], number));
@@ -207,7 +208,7 @@ static void
 set_params_from_text(struct params *p, const char *text)
 {
 	memset(p->at, 0, sizeof p->at);
-	for (size_t j = 0; j < count_params(p); j++)
+	for (size_t j = 0; j < count_model_params(p); j++)
 		p->at[j] = find_param_in_text(
 		    text, breakage_model_of_params(p)->parameter[j].name);
 }
@@ -246,7 +247,7 @@ material_field_to_text(const struct material *m, const struct field *f)
 	char number[32];
 	const struct params *params = &m->params;
 	if (f->kind == FIELD_MODEL)
-		return xstrdup(count_params(params) > 0
+		return xstrdup(count_model_params(params) > 0
 				   ? breakage_model_of_params(params)->name
 				   : "");
 	if (f->kind == FIELD_PARAMS)
@@ -276,7 +277,7 @@ material_visit_fields(
 			take(data, FIELDS[i].name, text);
 			continue;
 		}
-		for (size_t j = 0; j < count_params(p); j++)
+		for (size_t j = 0; j < count_model_params(p); j++)
 			take(data,
 			    breakage_model_of_params(p)->parameter[j].name,
 			    isfinite(p->at[j])
@@ -288,7 +289,7 @@ material_visit_fields(
 /* Adds a field to the digest.  Empty fields and the name of the paper's model
  * are omitted, so a row keeps its digest when a later schema adds a column. */
 static void
-digest_one(void *data, const char *name, const char *text)
+digest_field(void *data, const char *name, const char *text)
 {
 	uint64_t *h = data;
 	if (text[0] == '\0' || strcmp(text, BREAKAGES[0]->name) == 0)
@@ -301,7 +302,7 @@ uint64_t
 material_make_digest(const struct material *m)
 {
 	uint64_t h = TEXT_DIGEST_START;
-	material_visit_fields(m, digest_one, &h);
+	material_visit_fields(m, digest_field, &h);
 	return h;
 }
 
@@ -322,7 +323,7 @@ material_model_settings(const struct material *m)
 static const char TABLE3[] = "table3/";
 
 bool
-stored_is_table3_name(const char *name)
+material_is_table3_name(const char *name)
 {
 	FREED char *folded = text_fold_case_and_accents(name);
 	return strncmp(folded, TABLE3, strlen(TABLE3)) == 0;
@@ -336,7 +337,7 @@ static size_t
 index_of_impossible_param(const struct params *p)
 {
 	size_t j = 0;
-	while (j < count_params(p) &&
+	while (j < count_model_params(p) &&
 	       p->at[j] >= breakage_model_of_params(p)->parameter[j].least &&
 	       p->at[j] <= breakage_model_of_params(p)->parameter[j].most)
 		j++;
@@ -344,7 +345,7 @@ index_of_impossible_param(const struct params *p)
 }
 
 static char *
-model_names(void)
+list_model_names(void)
 {
 	char *names = xstrdup(tr("one of:"));
 	for (size_t i = 0; i < breakage_count_models(); i++)
@@ -357,9 +358,9 @@ material_valid_values_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_MODEL)
-		return model_names();
+		return list_model_names();
 	if (f->kind == FIELD_PARAMS &&
-	    index_of_impossible_param(p) < count_params(p)) {
+	    index_of_impossible_param(p) < count_model_params(p)) {
 		const struct param_info *info =
 		    &breakage_model_of_params(p)
 			 ->parameter[index_of_impossible_param(p)];
@@ -384,26 +385,26 @@ material_valid_values_text(const struct material *m, const struct field *f)
 }
 
 char *
-material_value_text(const struct material *m, const struct field *f)
+material_faulty_value_text(const struct material *m, const struct field *f)
 {
 	const struct params *p = &m->params;
 	if (f->kind == FIELD_NUMBER)
 		return xasprintf("%g", *material_number_of_field(m, f));
 	if (f->kind == FIELD_PARAMS &&
-	    index_of_impossible_param(p) < count_params(p))
+	    index_of_impossible_param(p) < count_model_params(p))
 		return xasprintf("%g", p->at[index_of_impossible_param(p)]);
 	return material_field_to_text(m, f);
 }
 
 bool
-material_is_valid(const struct material *m, const struct field *f)
+material_is_field_valid(const struct material *m, const struct field *f)
 {
 	size_t choice;
 	if (f->kind == FIELD_MODEL)
 		return m->params.breakage < breakage_count_models();
 	if (f->kind == FIELD_PARAMS)
 		return index_of_impossible_param(&m->params) ==
-		       count_params(&m->params);
+		       count_model_params(&m->params);
 	if (f->kind == FIELD_WHOLE)
 		return *material_integer_of_field(m, f) >= -1;
 	if (f->kind == FIELD_NUMBER) {
@@ -415,10 +416,10 @@ material_is_valid(const struct material *m, const struct field *f)
 	if (text[0] == '\0')
 		return !f->needed;
 	if (f->choices != NULL)
-		return text_find_word(f->choices, text, &choice);
+		return text_find_word_in_list(f->choices, text, &choice);
 	if (f == &FIELDS[FIELD_OF_NAME])
 		return material_check_name(text, NULL);
-	return material_is_one_line(text) &&
+	return material_is_printable_line(text) &&
 	       (strcmp(f->name, "date") != 0 || datetime_is_iso_date(text));
 }
 
@@ -427,13 +428,14 @@ material_check_name(const char *name, struct error *error)
 {
 	FREED char *copy = xstrdup(name);
 	bool trimmed = strlen(text_trim(copy)) == strlen(name);
-	if (stored_is_table3_name(name))
+	if (material_is_table3_name(name))
 		return error_set(error, ERROR_USAGE,
 		    "names that begin with %s are those of the paper's Table "
 		    "3, which does not change\nchoose another name",
 		    TABLE3);
 	if (name[0] != '\0' && name[0] != '#' && strlen(name) <= MOST_NAME &&
-	    trimmed && material_is_one_line(name) && strchr(name, '"') == NULL)
+	    trimmed && material_is_printable_line(name) &&
+	    strchr(name, '"') == NULL)
 		return true;
 	return error_set(error, ERROR_USAGE,
 	    "expected a name of 1 to %d bytes on one line, without quotes and "
@@ -442,13 +444,13 @@ material_check_name(const char *name, struct error *error)
 }
 
 bool
-stored_is_table3(const struct material *m)
+material_is_table3(const struct material *m)
 {
 	return strcmp(m->origin, "table3") == 0;
 }
 
 bool
-material_is_one_line(const char *text)
+material_is_printable_line(const char *text)
 {
 	const char *p = text;
 	while (*p != '\0' && !iscntrl((unsigned char)*p))
@@ -459,7 +461,7 @@ material_is_one_line(const char *text)
 /* Reads a row of a table such as data/table3.csv.  False if it shows that the
  * file is of another kind. */
 static bool
-material_read_row(
+material_read_table3_row(
     struct sheet *sheet, const struct row *row, struct material_list *list)
 {
 	enum { ROCK, SITE, TOP, F_MAT, FEED_SOURCE, E0_MIN, ALPHA, CELLS };
@@ -505,8 +507,8 @@ read_materials_in_text(const char *path, char *text, struct material_list *list,
 	struct sheet *sheet = sheet_new_from_text(path, text, most, errors);
 	number_choose_decimal_sign(sheet);
 	size_t i = 1; /* after the heading */
-	while (
-	    i < sheet->n_row && material_read_row(sheet, &sheet->row[i], list))
+	while (i < sheet->n_row &&
+	       material_read_table3_row(sheet, &sheet->row[i], list))
 		i++;
 	if (i == 1 && sheet->n_fault == 0)
 		sheet_fault(sheet, (struct cell){0},
@@ -519,7 +521,7 @@ read_materials_in_text(const char *path, char *text, struct material_list *list,
 }
 
 bool
-stored_read_table3_file(
+material_read_table3_file(
     const char *path, struct material_list *list, struct error_list *errors)
 {
 	return read_materials_in_text(
@@ -529,8 +531,8 @@ stored_read_table3_file(
 /* Names sites as a session does: a later one of the same name has its size, and
  * one of the same name and size a number. */
 static char *
-table3_name(const struct material_list *rows, const struct material_list *list,
-    size_t i)
+material_table3_name(const struct material_list *rows,
+    const struct material_list *list, size_t i)
 {
 	const struct material *row = &rows->item[i];
 	FREED char *slug = text_slug(row->site);
@@ -549,7 +551,7 @@ table3_name(const struct material_list *rows, const struct material_list *list,
 }
 
 void
-stored_add_table3(struct material_list *list)
+material_add_table3(struct material_list *list)
 {
 	struct material_list rows = {0};
 	struct error_list none = {0};
@@ -560,7 +562,7 @@ stored_add_table3(struct material_list *list)
 	(void)good;
 	for (size_t i = 0; i < rows.n; i++) {
 		struct material m = rows.item[i];
-		xreplace(&m.name, table3_name(&rows, list, i));
+		xreplace(&m.name, material_table3_name(&rows, list, i));
 		xreplace(&m.machine, xstrdup("Metso Barmac 5100 SE"));
 		xreplace(&m.provenance,
 		    xasprintf("measured by the paper's authors and not public; "

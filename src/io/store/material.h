@@ -92,7 +92,7 @@ char *material_field_to_text(const struct material *m, const struct field *f);
 
 /* Sets a field from a text of material_field_to_text, the model before the
  * parameters.  Numbers that cannot be read become unknown, and parameters NAN,
- * which material_is_valid rejects. */
+ * which material_is_field_valid rejects. */
 void material_set_field(
     struct material *m, const struct field *f, const char *text);
 
@@ -113,34 +113,35 @@ struct model_settings material_model_settings(const struct material *m);
 /* For imports and rows of a file, which may come from other users.
  * material_valid_values_text describes valid values of a field, "a number
  * from 0 to 100 for alpha"; for the parameters, those of the first invalid one
- * in m. material_value_text returns the value in m.  The caller frees both.
- * material_is_valid is true if the value in m is valid. */
+ * in m. material_faulty_value_text returns the value in m.  The caller frees
+ * both. material_is_field_valid is true if the value in m is valid. */
 char *material_valid_values_text(
     const struct material *m, const struct field *f);
-char *material_value_text(const struct material *m, const struct field *f);
-bool material_is_valid(const struct material *m, const struct field *f);
+char *material_faulty_value_text(
+    const struct material *m, const struct field *f);
+bool material_is_field_valid(const struct material *m, const struct field *f);
 
 /* True if a name is one line of 1 to 60 bytes without a double quote, does not
  * begin with # and is not a name from Table 3 ("table3/..."). */
 bool material_check_name(const char *name, struct error *error);
 
 /* True for the rows of Table 3, which are read-only, and for their names. */
-bool stored_is_table3(const struct material *m);
-bool stored_is_table3_name(const char *name);
+bool material_is_table3(const struct material *m);
+bool material_is_table3_name(const char *name);
 
 /* True if a text is one line of UTF-8 without control characters. */
-bool material_is_one_line(const char *text);
+bool material_is_printable_line(const char *text);
 
 /* Adds the rows of a file such as data/table3.csv, whose columns are rock,
  * site, top_size_mm, f_mat, feed_source, E0_min and alpha, in this order; beta,
  * which the table lacks, gets its default.  On failure, returns false and all
  * faults of the sheet in errors, zeroed by the caller; ERROR_SYSTEM if the file
  * cannot be read. */
-bool stored_read_table3_file(
+bool material_read_table3_file(
     const char *path, struct material_list *list, struct error_list *errors);
 
 /* Adds the built-in rows of Table 3, named "table3/tierp", "table3/gavle/11.2",
  * "table3/gavle/11.2/2". */
-void stored_add_table3(struct material_list *list);
+void material_add_table3(struct material_list *list);
 
 #endif

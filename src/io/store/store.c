@@ -75,24 +75,24 @@ sql_function_folded(sqlite3_context *context, int n, sqlite3_value **value)
 /* Returns a name, possibly of another user, as it can be read and typed:
  * escaped and shortened. */
 static char *
-name_as_typed(const char *name)
+short_escaped_name(const char *name)
 {
 	enum { MOST = 60 };
 	char *label = text_escaped(name);
-	label[text_length_within(label, MOST)] = '\0';
+	label[text_bytes_within(label, MOST)] = '\0';
 	for (char *p = label; (p = strchr(p, '"')) != NULL;)
 		*p = '\'';
 	return label;
 }
 
-/* shown(name): as name_as_typed. */
+/* shown(name): as short_escaped_name. */
 static void
 sql_function_shown(sqlite3_context *context, int n, sqlite3_value **value)
 {
 	const char *text = (const char *)sqlite3_value_text(value[0]);
 	(void)n;
 	sqlite3_result_text(
-	    context, name_as_typed(text != NULL ? text : ""), -1, free);
+	    context, short_escaped_name(text != NULL ? text : ""), -1, free);
 }
 
 /* The kind of error, its words and the next step, by SQLite's result code. */
@@ -127,7 +127,7 @@ static const struct problem {
 /* Sets the error for the latest failure of db, which may be NULL.  Returns
  * false. */
 static bool
-fail_by_sqlite(sqlite3 *db, const char *path, struct error *error)
+set_error_from_sqlite(sqlite3 *db, const char *path, struct error *error)
 {
 	int code = db != NULL ? sqlite3_errcode(db) & 0xFF : SQLITE_NOMEM;
 	int reason = db != NULL ? sqlite3_system_errno(db) : 0;
@@ -152,13 +152,13 @@ static bool
 run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
 {
 	return sqlite3_exec(db, sql, NULL, NULL, NULL) == SQLITE_OK ||
-	       fail_by_sqlite(db, path, error);
+	       set_error_from_sqlite(db, path, error);
 }
 
 /* Returns the first value of the first row as text, which the caller frees;
  * NULL without a row or after a failure. */
 static char *
-query_text(sqlite3 *db, const char *sql)
+query_first_text(sqlite3 *db, const char *sql)
 {
 	sqlite3_stmt *stmt = NULL;
 	char *text = NULL;
@@ -174,9 +174,9 @@ query_text(sqlite3 *db, const char *sql)
 
 /* Returns a whole number; -1 after a failure. */
 static long
-query_integer(sqlite3 *db, const char *sql)
+query_first_integer(sqlite3 *db, const char *sql)
 {
-	FREED char *text = query_text(db, sql);
+	FREED char *text = query_first_text(db, sql);
 	return text != NULL ? strtol(text, NULL, 10) : -1;
 }
 
@@ -187,7 +187,8 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 {
 	const struct timespec pause = {0, PAUSE_MS * 1000000L};
 	for (int waited = 0;; waited += PAUSE_MS) {
-		FREED char *mode = query_text(db, "PRAGMA journal_mode = WAL");
+		FREED char *mode =
+		    query_first_text(db, "PRAGMA journal_mode = WAL");
 		bool done = mode != NULL && (strcmp(mode, "wal") == 0 ||
 						strcmp(mode, "memory") == 0);
 		bool busy =
@@ -195,7 +196,7 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 		if (done)
 			return true;
 		if (!busy || waited >= WAIT_MS)
-			return fail_by_sqlite(db, path, error);
+			return set_error_from_sqlite(db, path, error);
 		nanosleep(&pause, NULL);
 	}
 }
@@ -205,9 +206,9 @@ set_wal_mode(sqlite3 *db, const char *path, struct error *error)
 static bool
 run_migration_steps(sqlite3 *db, const char *path, struct error *error)
 {
-	long version = query_integer(db, "PRAGMA user_version");
+	long version = query_first_integer(db, "PRAGMA user_version");
 	if (version < 0)
-		return fail_by_sqlite(db, path, error);
+		return set_error_from_sqlite(db, path, error);
 	for (long i = version; i < STORE_SCHEMA; i++)
 		if (!run_sql(db, path, SCHEMA_STEPS[i], error))
 			return false;
@@ -234,7 +235,7 @@ commit_or_roll_back(sqlite3 *db, const char *path, bool ok, struct error *error)
 }
 
 static bool
-migrate(sqlite3 *db, const char *path, struct error *error)
+migrate_schema(sqlite3 *db, const char *path, struct error *error)
 {
 	return run_sql(db, path, "BEGIN IMMEDIATE", error) &&
 	       commit_or_roll_back(
@@ -245,15 +246,15 @@ migrate(sqlite3 *db, const char *path, struct error *error)
  * longer than everything else (0.3 s for 100,000 materials), and each row read
  * has its digest. */
 static bool
-check_integrity(sqlite3 *db, const char *path, struct error *error)
+check_database_integrity(sqlite3 *db, const char *path, struct error *error)
 {
 	const long small = 1024;
-	if (query_integer(db, "PRAGMA page_count") > small)
+	if (query_first_integer(db, "PRAGMA page_count") > small)
 		return true;
-	FREED char *found = query_text(db, "PRAGMA integrity_check(1)");
+	FREED char *found = query_first_text(db, "PRAGMA integrity_check(1)");
 	bool ok = found != NULL && strcmp(found, "ok") == 0;
 	if (found == NULL)
-		fail_by_sqlite(db, path, error);
+		set_error_from_sqlite(db, path, error);
 	else if (!ok)
 		error_at(error, ERROR_DATA, path, 0, 0,
 		    "the store is damaged: %.200s\n"
@@ -264,9 +265,10 @@ check_integrity(sqlite3 *db, const char *path, struct error *error)
 }
 
 static bool
-refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
+refuse_newer_store(
+    sqlite3 *db, const char *path, long version, struct error *error)
 {
-	FREED char *program = query_text(db, "SELECT program FROM about");
+	FREED char *program = query_first_text(db, "SELECT program FROM about");
 	error_at(error, ERROR_DATA, path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which reads schemas up to %d\n"
@@ -278,16 +280,17 @@ refuse_newer(sqlite3 *db, const char *path, long version, struct error *error)
 
 /* Checks what the file is.  *version: 0 for an empty one. */
 static bool
-check_database(
+check_database_version(
     sqlite3 *db, const char *path, long *version, struct error *error)
 {
 	if (sqlite3_errcode(db) != SQLITE_OK)
-		return fail_by_sqlite(db, path, error);
-	long tables = query_integer(db, "SELECT count(*) FROM sqlite_master");
+		return set_error_from_sqlite(db, path, error);
+	long tables =
+	    query_first_integer(db, "SELECT count(*) FROM sqlite_master");
 	if (tables < 0)
-		return fail_by_sqlite(db, path, error);
-	long application = query_integer(db, "PRAGMA application_id");
-	*version = query_integer(db, "PRAGMA user_version");
+		return set_error_from_sqlite(db, path, error);
+	long application = query_first_integer(db, "PRAGMA application_id");
+	*version = query_first_integer(db, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
 	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
 		return error_at(error, ERROR_DATA, path, 0, 0,
@@ -295,12 +298,12 @@ check_database(
 		    "program\n"
 		    "use another file with --store=PATH");
 	if (*version > STORE_SCHEMA)
-		return refuse_newer(db, path, *version, error);
-	return fresh || check_integrity(db, path, error);
+		return refuse_newer_store(db, path, *version, error);
+	return fresh || check_database_integrity(db, path, error);
 }
 
 static void
-add_functions(sqlite3 *db)
+add_sql_functions(sqlite3 *db)
 {
 	const int flags =
 	    SQLITE_UTF8 | SQLITE_DIRECTONLY | SQLITE_DETERMINISTIC;
@@ -313,14 +316,14 @@ add_functions(sqlite3 *db)
 }
 
 static sqlite3 *
-connect(const char *path, bool make)
+open_sqlite_file(const char *path, bool make)
 {
 	sqlite3 *db = NULL;
 	int flags = SQLITE_OPEN_READWRITE | (make ? SQLITE_OPEN_CREATE : 0);
 	if (sqlite3_open_v2(path, &db, flags, NULL) != SQLITE_OK)
 		return db;
 	sqlite3_extended_result_codes(db, 1);
-	add_functions(db);
+	add_sql_functions(db);
 	sqlite3_busy_timeout(db, WAIT_MS);
 	sqlite3_exec(db,
 	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;PRAGMA "
@@ -333,7 +336,7 @@ connect(const char *path, bool make)
  * folder that is closed to us, and without a log of another program, the file
  * itself is all there is to read. */
 static sqlite3 *
-connect_closed_folder(const char *path)
+open_sqlite_in_closed_folder(const char *path)
 {
 	FREED char *log = xasprintf("%s-wal", path);
 	bool alone = access(log, F_OK) != 0;
@@ -345,7 +348,7 @@ connect_closed_folder(const char *path)
 	xappend(&uri, "?immutable=1");
 	sqlite3 *db = NULL;
 	sqlite3_open_v2(uri, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
-	add_functions(db);
+	add_sql_functions(db);
 	return db;
 }
 
@@ -359,7 +362,7 @@ store_create_or_migrate(
     sqlite3 *db, const char *path, bool make, long version, struct error *error)
 {
 	bool stale = version < STORE_SCHEMA && (make || version > 0);
-	return (!stale || migrate(db, path, error)) &&
+	return (!stale || migrate_schema(db, path, error)) &&
 	       (!make || (set_wal_mode(db, path, error) &&
 			     run_sql(db, path, INDEX, error)));
 }
@@ -367,19 +370,19 @@ store_create_or_migrate(
 /* Opens and checks the file; for reading, also in a folder without write
  * access. */
 static sqlite3 *
-open_checked(
+open_checked_database(
     const char *path, bool make, long *version, bool *ok, struct error *error)
 {
-	sqlite3 *db = connect(path, make), *closed = NULL;
-	*ok = check_database(db, path, version, error);
+	sqlite3 *db = open_sqlite_file(path, make), *closed = NULL;
+	*ok = check_database_version(db, path, version, error);
 	int code = sqlite3_errcode(db) & 0xFF;
 	bool beside = code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
 	if (!*ok && !make && beside)
-		closed = connect_closed_folder(path);
+		closed = open_sqlite_in_closed_folder(path);
 	if (closed == NULL)
 		return db;
 	sqlite3_close(db);
-	*ok = check_database(closed, path, version, error);
+	*ok = check_database_version(closed, path, version, error);
 	return closed;
 }
 
@@ -400,7 +403,8 @@ open_database(const char *path, bool make, sqlite3 **db, struct error *error)
 		    "use another with --store=PATH");
 	if (!make && access(path, F_OK) != 0)
 		return true;
-	sqlite3 *opened = open_checked(path, make, &version, &ok, error);
+	sqlite3 *opened =
+	    open_checked_database(path, make, &version, &ok, error);
 	ok = ok && store_create_or_migrate(opened, path, make, version, error);
 	if (ok && (make || version > 0))
 		*db = opened;
@@ -468,7 +472,7 @@ store_file_bytes(const struct store *store)
 
 /* Makes the folders above the file, for this user alone. */
 static bool
-make_folders(const char *path, struct error *error)
+make_folders_of_store(const char *path, struct error *error)
 {
 	FREED char *closed = xdg_make_parent_folders(path);
 	if (closed == NULL)
@@ -491,7 +495,8 @@ store_connect(struct store *store, bool make, sqlite3 **db, struct error *error)
 		return error_set(error, ERROR_SYSTEM,
 		    "no place for the store: HOME is not set\n"
 		    "name a file with --store=PATH");
-	if (make && store->own_folder && !make_folders(store->path, error))
+	if (make && store->own_folder &&
+	    !make_folders_of_store(store->path, error))
 		return false;
 	if (!open_database(store->path, make, db, error))
 		return false;
@@ -501,7 +506,7 @@ store_connect(struct store *store, bool make, sqlite3 **db, struct error *error)
 }
 
 static void
-close_unless_memory(struct store *store, sqlite3 *db)
+close_database_unless_memory(struct store *store, sqlite3 *db)
 {
 	if (db != store->memory)
 		sqlite3_close(db);
@@ -520,30 +525,30 @@ sql_listing_fields(const char *before, bool marks, const char *after)
 }
 
 static const char *
-column_text(sqlite3_stmt *stmt, int i)
+sql_column_text(sqlite3_stmt *stmt, int i)
 {
 	const char *text = (const char *)sqlite3_column_text(stmt, i);
 	return text != NULL ? text : "";
 }
 
 static char *
-digest_text(const struct material *m)
+material_digest_text(const struct material *m)
 {
 	return xasprintf("%016" PRIx64, material_make_digest(m));
 }
 
 /* False for a material that no import would accept. */
 static bool
-check_fields(const struct material *m, struct error *error)
+check_material_fields(const struct material *m, struct error *error)
 {
 	const struct field *f = FIELDS;
-	while (f < FIELDS + FIELD_COUNT && material_is_valid(m, f))
+	while (f < FIELDS + FIELD_COUNT && material_is_field_valid(m, f))
 		f++;
 	if (f == FIELDS + FIELD_COUNT)
 		return true;
-	FREED char *label = name_as_typed(m->name),
+	FREED char *label = short_escaped_name(m->name),
 		   *wanted = material_valid_values_text(m, f),
-		   *found = material_value_text(m, f);
+		   *found = material_faulty_value_text(m, f);
 	error_set(error, ERROR_DATA,
 	    "material '%s', field %s: expected %s, got '%.60s'\n"
 	    "correct the source of this material",
@@ -554,13 +559,13 @@ check_fields(const struct material *m, struct error *error)
 /* True if a row is unchanged since it was stored.  Its name is also stored
  * folded, by which it is found. */
 static bool
-is_row_as_put(const struct material *m, const char *fold, const char *digest,
+is_row_unchanged(const struct material *m, const char *fold, const char *digest,
     struct error *error)
 {
 	FREED char *of_name = text_fold_case_and_accents(m->name),
-		   *of_row = digest_text(m);
-	FREED char *label = name_as_typed(m->name);
-	bool good = check_fields(m, error);
+		   *of_row = material_digest_text(m);
+	FREED char *label = short_escaped_name(m->name);
+	bool good = check_material_fields(m, error);
 	if (good && (strcmp(of_name, fold) != 0 || strcmp(of_row, digest) != 0))
 		good = error_set(error, ERROR_DATA,
 		    "the store is damaged: '%s' is not what was remembered",
@@ -573,7 +578,7 @@ is_row_as_put(const struct material *m, const char *fold, const char *digest,
 
 /* Reads the row of stmt.  False if it is not as it was stored. */
 static bool
-read_checked_row(const struct store *store, sqlite3_stmt *stmt,
+read_checked_material_row(const struct store *store, sqlite3_stmt *stmt,
     struct material *m, struct error *error)
 {
 	*m = material_empty();
@@ -587,9 +592,10 @@ read_checked_row(const struct store *store, sqlite3_stmt *stmt,
 			*material_integer_of_field(m, f) =
 			    sqlite3_column_int64(stmt, i + 2);
 		else if (known)
-			material_set_field(m, f, column_text(stmt, i + 2));
+			material_set_field(m, f, sql_column_text(stmt, i + 2));
 	}
-	if (is_row_as_put(m, column_text(stmt, 0), column_text(stmt, 1), error))
+	if (is_row_unchanged(
+		m, sql_column_text(stmt, 0), sql_column_text(stmt, 1), error))
 		return true;
 	if (error != NULL)
 		error_set_place(error, store->path, 0, 0);
@@ -638,7 +644,7 @@ bind_text(sqlite3_stmt *stmt, int i, const char *text)
 }
 
 static void
-bind_query(sqlite3_stmt *stmt, const struct store_query *q)
+bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
 {
 	FREED char *name =
 	    text_fold_case_and_accents(q->name != NULL ? q->name : "");
@@ -664,16 +670,17 @@ store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
 	    sql_listing_fields("SELECT fold, digest", false, after);
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || fail_by_sqlite(db, store->path, error);
-	bind_query(stmt, q);
+	bool ok =
+	    code == SQLITE_OK || set_error_from_sqlite(db, store->path, error);
+	bind_query_values(stmt, q);
 	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
 		struct material m;
-		ok = read_checked_row(store, stmt, &m, error);
+		ok = read_checked_material_row(store, stmt, &m, error);
 		if (ok)
 			material_list_add(list, m);
 	}
 	if (ok && code != SQLITE_DONE)
-		ok = fail_by_sqlite(db, store->path, error);
+		ok = set_error_from_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
@@ -686,7 +693,7 @@ store_find_materials(struct store *store, const struct store_query *query,
 	if (!store_connect(store, false, &db, error))
 		return false;
 	bool ok = db == NULL || store_read_rows(store, db, query, list, error);
-	close_unless_memory(store, db);
+	close_database_unless_memory(store, db);
 	return ok;
 }
 
@@ -716,11 +723,12 @@ store_count_materials(struct store *store, size_t *n, struct error *error)
 	*n = 0;
 	if (!store_connect(store, false, &db, error))
 		return false;
-	long found =
-	    db != NULL ? query_integer(db, "SELECT count(*) FROM material") : 0;
-	bool ok = found >= 0 || fail_by_sqlite(db, store->path, error);
+	long found = db != NULL ? query_first_integer(
+				      db, "SELECT count(*) FROM material")
+				: 0;
+	bool ok = found >= 0 || set_error_from_sqlite(db, store->path, error);
 	*n = ok ? (size_t)found : 0;
-	close_unless_memory(store, db);
+	close_database_unless_memory(store, db);
 	return ok;
 }
 
@@ -746,15 +754,16 @@ visit_texts_of_query(struct store *store, const char *sql, const char *fold,
 		sqlite3_bind_int64(stmt, 3, (sqlite3_int64)most);
 	}
 	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
-		take(data, column_text(stmt, 0));
-	bool ok = code == SQLITE_DONE || fail_by_sqlite(db, store->path, error);
+		take(data, sql_column_text(stmt, 0));
+	bool ok = code == SQLITE_DONE ||
+		  set_error_from_sqlite(db, store->path, error);
 	sqlite3_finalize(stmt);
-	close_unless_memory(store, db);
+	close_database_unless_memory(store, db);
 	return ok;
 }
 
 bool
-store_visit_names(struct store *store, enum store_word what,
+store_visit_words(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data, struct error *error)
 {
 	static const char *const SQL[] = {
@@ -779,10 +788,10 @@ store_visit_names_beginning(struct store *store, const char *beginning,
 
 /* Binds a material to a row; unknown values stay NULL. */
 static void
-bind_row(sqlite3_stmt *stmt, const struct material *m)
+bind_material(sqlite3_stmt *stmt, const struct material *m)
 {
 	FREED char *fold = text_fold_case_and_accents(m->name),
-		   *digest = digest_text(m);
+		   *digest = material_digest_text(m);
 	sqlite3_reset(stmt);
 	sqlite3_clear_bindings(stmt);
 	bind_text(stmt, 1, fold);
@@ -803,11 +812,11 @@ static bool
 store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
     const struct material *m, struct error *error)
 {
-	bind_row(stmt, m);
+	bind_material(stmt, m);
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
 	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
-		return fail_by_sqlite(db, store->path, error);
+		return set_error_from_sqlite(db, store->path, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
 	    "add replace=on to the line",
@@ -826,9 +835,10 @@ store_put_rows(struct store *store, sqlite3 *db, const struct material *item,
 	FREED char *sql = sql_listing_fields(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
 	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok = code == SQLITE_OK || fail_by_sqlite(db, store->path, error);
+	bool ok =
+	    code == SQLITE_OK || set_error_from_sqlite(db, store->path, error);
 	for (size_t i = 0; ok && i < n; i++)
-		ok = check_fields(&item[i], error) &&
+		ok = check_material_fields(&item[i], error) &&
 		     store_put_row(store, db, stmt, &item[i], error);
 	sqlite3_finalize(stmt);
 	return ok;
@@ -845,13 +855,13 @@ store_put_materials(struct store *store, const struct material *item, size_t n,
 	    run_sql(db, store->path, "BEGIN IMMEDIATE", error) &&
 	    commit_or_roll_back(db, store->path,
 		store_put_rows(store, db, item, n, replace, error), error);
-	close_unless_memory(store, db);
+	close_database_unless_memory(store, db);
 	return ok;
 }
 
 /* Deletes a row by its name, otherwise by the name shown in errors. */
 static bool
-delete_row(
+delete_material_row(
     struct store *store, sqlite3 *db, const char *name, struct error *error)
 {
 	static const char *const SQL[] = {"DELETE FROM material WHERE fold = ?",
@@ -863,7 +873,7 @@ delete_row(
 		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
 		bind_text(stmt, 1, fold);
 		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-			  fail_by_sqlite(db, store->path, error);
+			  set_error_from_sqlite(db, store->path, error);
 		sqlite3_finalize(stmt);
 		if (!ok || sqlite3_changes(db) > 0)
 			return ok;
@@ -886,7 +896,7 @@ store_remove_material(
 		    "the store has no material '%s'\n"
 		    "run 'remember' first: the store is empty",
 		    name);
-	bool ok = delete_row(store, db, name, error);
-	close_unless_memory(store, db);
+	bool ok = delete_material_row(store, db, name, error);
+	close_database_unless_memory(store, db);
 	return ok;
 }

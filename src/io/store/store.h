@@ -73,7 +73,7 @@ bool store_count_materials(struct store *store, size_t *n, struct error *error);
 /* Calls take for the name of each of the user's materials, or once for each
  * rock. */
 enum store_word { STORE_NAMES, STORE_ROCKS };
-bool store_visit_names(struct store *store, enum store_word what,
+bool store_visit_words(struct store *store, enum store_word what,
     void (*take)(void *data, const char *word), void *data,
     struct error *error);
 

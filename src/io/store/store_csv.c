@@ -25,7 +25,7 @@ struct column {
 enum { COLUMNS = 64 };
 
 static bool
-has_column(const struct column *column, size_t n, const char *name)
+has_param_column(const struct column *column, size_t n, const char *name)
 {
 	for (size_t i = 0; i < n; i++)
 		if (column[i].param != NULL &&
@@ -37,7 +37,7 @@ has_column(const struct column *column, size_t n, const char *name)
 /* Lists the fields, with a column for each parameter of the paper's model and
  * of the models marked.  Returns their number. */
 static size_t
-make_columns(const bool *model, struct column column[static COLUMNS])
+list_csv_columns(const bool *model, struct column column[static COLUMNS])
 {
 	size_t n = 0;
 	for (size_t f = 0; f < FIELD_COUNT; f++) {
@@ -51,7 +51,7 @@ make_columns(const bool *model, struct column column[static COLUMNS])
 				const struct param_info *p =
 				    &BREAKAGES[m]->parameter[j];
 				if ((m == 0 || model[m]) &&
-				    !has_column(column, n, p->name))
+				    !has_param_column(column, n, p->name))
 					column[n++] =
 					    (struct column){NULL, p, SIZE_MAX};
 			}
@@ -77,14 +77,14 @@ column_value_to_text(const struct column *c, const struct material *m)
 }
 
 static void
-write_list(const void *data, FILE *out)
+write_materials_csv(const void *data, FILE *out)
 {
 	const struct material_list *list = data;
 	struct column column[COLUMNS];
 	FREED bool *model = xcalloc(breakage_count_models(), sizeof *model);
 	for (size_t i = 0; i < list->n; i++)
 		model[list->item[i].params.breakage] = true;
-	size_t n = make_columns(model, column);
+	size_t n = list_csv_columns(model, column);
 	for (size_t c = 0; c < n; c++)
 		fprintf(out, "%s%s", c > 0 ? "," : "", column_name(&column[c]));
 	fputc('\n', out);
@@ -105,13 +105,13 @@ store_csv_write_file(
     const struct material_list *list, const char *path, struct error *error)
 {
 	return file_replace_by_output(
-	    path, FILE_SHARED, write_list, list, error);
+	    path, FILE_SHARED, write_materials_csv, list, error);
 }
 
 /* True if a file must have the column: old exports have no model and no basis,
  * and each model has its own parameters. */
 static bool
-is_required(const struct column *c)
+is_required_column(const struct column *c)
 {
 	if (c->field != NULL)
 		return c->field->kind != FIELD_MODEL &&
@@ -149,9 +149,10 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 	/* A file of another kind lacks most: the name stands for all. */
 	bool other = column[0].at == SIZE_MAX;
 	for (size_t c = 0; c < (other ? 1 : n); c++)
-		if (column[c].at == SIZE_MAX && is_required(&column[c]) &&
+		if (column[c].at == SIZE_MAX &&
+		    is_required_column(&column[c]) &&
 		    (column[c].field != NULL || !other_model))
-			sheet_fault(sheet, sheet_cell(head, head->n),
+			sheet_fault(sheet, row_cell_at(head, head->n),
 			    "expected a column %s, got none\n"
 			    "use the columns that 'export' writes",
 			    column_name(&column[c]));
@@ -161,7 +162,7 @@ static const char EMPTY[] = "expected %s, got an empty cell\n"
 			    "fill it, or remove the row";
 
 static void
-parse_param_cell(struct sheet *sheet, struct cell cell,
+parse_material_param_cell(struct sheet *sheet, struct cell cell,
     const struct param_info *info, struct material *m)
 {
 	double value;
@@ -179,8 +180,8 @@ parse_param_cell(struct sheet *sheet, struct cell cell,
 }
 
 static void
-parse_field_cell(struct sheet *sheet, struct cell cell, const struct field *f,
-    struct material *m)
+parse_material_field_cell(struct sheet *sheet, struct cell cell,
+    const struct field *f, struct material *m)
 {
 	double number;
 	if (cell.text[0] == '\0') {
@@ -197,13 +198,13 @@ parse_field_cell(struct sheet *sheet, struct cell cell, const struct field *f,
 		return;
 	bool whole =
 	    f->kind != FIELD_WHOLE || *material_integer_of_field(m, f) >= 0;
-	if (!whole || !material_is_valid(m, f))
+	if (!whole || !material_is_field_valid(m, f))
 		sheet_fault_expected(sheet, cell, wanted, NULL);
 }
 
 /* list: of the rows after the head; column: of their names. */
 static void
-check_names(struct sheet *sheet, size_t column,
+check_names_unique(struct sheet *sheet, size_t column,
     const struct material_list *there, const struct material_list *list)
 {
 	const struct material_list none = {0};
@@ -213,7 +214,7 @@ check_names(struct sheet *sheet, size_t column,
 	for (size_t i = 0; i < own.n; i++) {
 		const struct material_index_name *name = &own.name[i];
 		struct cell cell =
-		    sheet_cell(&sheet->row[1 + name->at], column);
+		    row_cell_at(&sheet->row[1 + name->at], column);
 		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
 			sheet_fault(sheet, cell,
 			    "duplicate name: %.60s\n"
@@ -243,15 +244,16 @@ store_csv_read_row(struct sheet *sheet, const struct row *row,
 		    sheet->row[0].n);
 	m.params = (struct params){0};
 	for (size_t c = 0; c < n; c++) {
-		struct cell cell = sheet_cell(row, column[c].at);
+		struct cell cell = row_cell_at(row, column[c].at);
 		const struct param_info *param = column[c].param;
 		if (column[c].at == SIZE_MAX && column[c].field != NULL)
 			continue;
 		if (column[c].field != NULL)
-			parse_field_cell(sheet, cell, column[c].field, &m);
+			parse_material_field_cell(
+			    sheet, cell, column[c].field, &m);
 		else if (m.params.breakage < breakage_count_models() &&
 			 !isnan(params_value_by_name(&m.params, param->name)))
-			parse_param_cell(sheet, cell, param, &m);
+			parse_material_param_cell(sheet, cell, param, &m);
 	}
 	material_list_add(list, m);
 }
@@ -268,7 +270,7 @@ store_csv_read_file(const char *path, const struct material_list *there,
 	struct column column[COLUMNS];
 	FREED bool *all = xcalloc(breakage_count_models(), sizeof *all);
 	memset(all, true, breakage_count_models() * sizeof *all);
-	size_t n = make_columns(all, column);
+	size_t n = list_csv_columns(all, column);
 	if (sheet->n_row > 0)
 		find_columns_in_heading(sheet, column, n);
 	const struct cell start = {.line = 1, .column = 1};
@@ -285,7 +287,7 @@ store_csv_read_file(const char *path, const struct material_list *there,
 	     head && i < sheet->n_row && !error_should_stop(errors); i++)
 		store_csv_read_row(sheet, &sheet->row[i], column, n, list);
 	if (head && !errors->stopped)
-		check_names(sheet, column[0].at, there, list);
+		check_names_unique(sheet, column[0].at, there, list);
 	bool ok = sheet->n_fault == 0 && !errors->stopped;
 	sheet_free(sheet);
 	return ok;

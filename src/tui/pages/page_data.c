@@ -115,7 +115,7 @@ make_sheet_of_site(struct tui *t, const struct site *site)
 /* Returns true if the page has cells, and then makes them those of the sheet in
  * use. */
 static bool
-has_cells(struct tui *t)
+data_prepare_cells(struct tui *t)
 {
 	const struct entry *entry = tui_current_entry(t);
 	bool has = entry != NULL && entry->site->n_run > 0;
@@ -132,9 +132,9 @@ update_doubtful_cells(struct tui *t)
 	const struct session *s = t->session;
 	const struct entry *entry = tui_current_entry(t);
 	struct sheet *h = &t->view.sheet;
-	if (!has_cells(t))
+	if (!data_prepare_cells(t))
 		return;
-	bool calibrated = mend_is_calibrated(s, entry);
+	bool calibrated = mend_can_use_calibration(s, entry);
 	double misfit = calibrated ? entry->fit.misfit : 0;
 	bool same = h->calibrated == calibrated && h->misfit == misfit;
 	if (session_is_calibrating(s) || (h->looked && same))
@@ -216,7 +216,7 @@ mend_cell_at_cursor(struct tui *t)
 	FREED char *line = mend_command_line(h->site, &f->mend);
 	FREED char *words = mend_text(h->site, &f->mend);
 	tui_stop_fit(t);
-	if (control_run(t, line))
+	if (control_run_and_show(t, line))
 		tui_say(t, false,
 		    "mended: %s; u takes it back, f calibrates again, :write "
 		    "FILE saves the sheet",
@@ -256,7 +256,7 @@ cells_that_fit(const struct tui *t, const struct area *area)
 
 /* Returns the first of n to show, so that `at` is among them. */
 static size_t
-first_to_show(size_t first, size_t at, size_t n, size_t room)
+first_index_to_show(size_t first, size_t at, size_t n, size_t room)
 {
 	if (first + room <= at)
 		first = at + 1 - room;
@@ -342,7 +342,7 @@ data_draw_row(struct tui *t, const struct area *line, size_t i, size_t columns)
 /* Draws the table, with marks where it continues.  Returns the column after
  * it. */
 static int
-draw_cells(struct tui *t, const struct area *area, struct room room)
+data_draw_cells(struct tui *t, const struct area *area, struct room room)
 {
 	const struct sheet *h = &t->view.sheet;
 	const size_t top = t->ui.cell.top, left = t->ui.cell.left;
@@ -355,7 +355,7 @@ draw_cells(struct tui *t, const struct area *area, struct room room)
 		area->row + 1, area->column + SIEVES, (int)rows, end - SIEVES},
 	    on_mouse_in_cells, 0);
 	for (size_t r = 0; r <= rows && (int)r < area->rows; r++) {
-		const struct area line = area_row(area, (int)r);
+		const struct area line = area_of_row(area, (int)r);
 		data_draw_row(
 		    t, &line, r == 0 ? SIZE_MAX : top + r - 1, columns);
 	}
@@ -394,7 +394,7 @@ sheet_state_text(const struct tui *t)
 
 /* Returns what there is to say about the cell under the cursor. */
 static char *
-describe_cell(const struct tui *t)
+cell_description_text(const struct tui *t)
 {
 	const struct sheet *h = &t->view.sheet;
 	const struct sheet_column *c = &h->column[t->ui.cell.at];
@@ -421,7 +421,8 @@ static int
 draw_cell_description(const struct tui *t, const struct area *area, int row)
 {
 	bool here = t->ui.cell.on;
-	FREED char *words = here ? describe_cell(t) : sheet_state_text(t);
+	FREED char *words =
+	    here ? cell_description_text(t) : sheet_state_text(t);
 	const struct sheet *h = &t->view.sheet;
 	bool doubtful =
 	    here && finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) != NULL;
@@ -496,17 +497,17 @@ data_draw(struct tui *t)
 	struct area area = pane_list_area(t);
 	struct sheet *h = &t->view.sheet;
 	/* A command that is running may have changed the site. */
-	if (!has_cells(t)) {
+	if (!data_prepare_cells(t)) {
 		screen_text(&area, 0, 0, 0, TUI_NO_SITE);
 		return;
 	}
 	struct room room = cells_that_fit(t, &area);
-	t->ui.cell.top =
-	    first_to_show(t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
-	t->ui.cell.left = first_to_show(
+	t->ui.cell.top = first_index_to_show(
+	    t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
+	t->ui.cell.left = first_index_to_show(
 	    t->ui.cell.left, t->ui.cell.at, h->n_column, room.columns);
 	enum { GAP = 2 };
-	int behind = draw_cells(t, &area, room);
+	int behind = data_draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1;
 	bool beside =
@@ -526,7 +527,7 @@ data_draw(struct tui *t)
 
 /* Moves by a column, by some, or by a page of rows. */
 static void
-move_sideways(struct tui *t, int amount)
+move_cursor_sideways(struct tui *t, int amount)
 {
 	enum { COLUMNS = 5 };
 	struct sheet *h = &t->view.sheet;
@@ -546,7 +547,7 @@ void
 act_mend_cell(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_cells(t))
+	if (!data_prepare_cells(t))
 		return;
 	if (t->ui.cell.on)
 		mend_cell_at_cursor(t);
@@ -557,7 +558,7 @@ void
 act_next_doubtful_cell(struct tui *t, const struct key *key)
 {
 	(void)key;
-	if (!has_cells(t))
+	if (!data_prepare_cells(t))
 		return;
 	t->ui.cell.on = true;
 	move_to_next_finding(t);
@@ -567,7 +568,7 @@ static bool
 data_move_cursor(struct tui *t, const struct key *key)
 {
 	struct sheet *h = &t->view.sheet;
-	if (!has_cells(t))
+	if (!data_prepare_cells(t))
 		return false;
 	/* A first key shows the cursor. */
 	bool here = t->ui.cell.on;
@@ -581,7 +582,7 @@ data_move_cursor(struct tui *t, const struct key *key)
 		t->ui.cell.row =
 		    pane_clamp_index(t->ui.cell.row, key->amount, h->n);
 	else
-		move_sideways(t, key->amount);
+		move_cursor_sideways(t, key->amount);
 	return true;
 }
 

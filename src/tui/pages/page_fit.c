@@ -145,7 +145,7 @@ fit_hints(const struct tui *t)
 }
 
 static void
-move_by_generations(struct tui *t, int by)
+move_shown_generation_by(struct tui *t, int by)
 {
 	size_t at = tui_generation_shown(t) - 1;
 	tui_show_generation(
@@ -159,7 +159,7 @@ act_next_generation(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!session_is_calibrating(t->session)) {
-		move_by_generations(t, 1);
+		move_shown_generation_by(t, 1);
 		return;
 	}
 	watch_set_fit_paused(t, true);
@@ -191,7 +191,7 @@ fit_move_by_key(struct tui *t, const struct key *key)
 		tui_show_generation(
 		    t, key->amount == TO_LEAST ? 1 : tui_count_generations(t));
 	else
-		move_by_generations(t, key->amount);
+		move_shown_generation_by(t, key->amount);
 	return true;
 }
 

@@ -23,7 +23,7 @@
 
 /* Returns the held-out runs of a site. */
 static struct trials
-compare_heldout_runs(const struct session *s, size_t index)
+heldout_runs_of_site(const struct session *s, size_t index)
 {
 	const struct entry *entry = &s->entry[index];
 	struct error error = {0};
@@ -97,7 +97,7 @@ parity_update(struct tui *t)
 	while (y->next < s->n_entry) {
 		if (!t->aside && y->next > 0)
 			frame_draw(t);
-		struct trials found = compare_heldout_runs(s, y->next);
+		struct trials found = heldout_runs_of_site(s, y->next);
 		if (!t->aside && signals_is_stop_wanted()) {
 			trials_clear(&found);
 			return;
@@ -126,7 +126,7 @@ find_leave_one_out_answer(const struct session *s)
 /* ---- On the screen ---- */
 
 static void
-draw_score(const struct area *area, int row, const char *size, double n,
+draw_score_row(const struct area *area, int row, const char *size, double n,
     double bias, double rms, double r2)
 {
 	char last[16] = "-";
@@ -141,12 +141,12 @@ draw_score(const struct area *area, int row, const char *size, double n,
 }
 
 static int
-draw_scores(const struct area *area, int row, const char *who,
+draw_score_rows(const struct area *area, int row, const char *who,
     const struct validate_score score[static PSD_SIZES])
 {
 	screen_text(area, row++, 0, LOOK_BOLD, "%s", who);
 	for (size_t i = 0; i < PSD_SIZES; i++)
-		draw_score(area, row++, PSD_NAME[i], (double)score[i].n,
+		draw_score_row(area, row++, PSD_NAME[i], (double)score[i].n,
 		    score[i].bias, score[i].rms, score[i].r2);
 	return row;
 }
@@ -169,7 +169,7 @@ draw_leave_one_out_scores(const struct tui *t, const struct area *area, int row)
 			    path, sizeof path, "%s.%s", PSD_KEY[i], WHAT[k]);
 			x[k] = answer_find_number(r, path);
 		}
-		draw_score(area, row++, PSD_NAME[i], x[0], x[1] / 100,
+		draw_score_row(area, row++, PSD_NAME[i], x[0], x[1] / 100,
 		    x[2] / 100, x[3]);
 	}
 	return row;
@@ -248,8 +248,9 @@ draw_parity_panel(struct tui *t, const struct area *area)
 	    y->runs.n, sites);
 	screen_text(area, 1, 0, LOOK_DIM, "%-5s%6s %8s %7s %8s", "", tr("runs"),
 	    tr("bias %"), tr("rms %"), "R2");
-	int row = draw_scores(area, 2, tr("model"), y->score[VALIDATE_MODEL]);
-	row = draw_scores(area, row, tr("corrected by the training runs"),
+	int row =
+	    draw_score_rows(area, 2, tr("model"), y->score[VALIDATE_MODEL]);
+	row = draw_score_rows(area, row, tr("corrected by the training runs"),
 	    y->score[VALIDATE_CORRECTED]);
 	row = draw_leave_one_out_scores(t, area, row);
 	row += row + 1 < area->rows - 4;

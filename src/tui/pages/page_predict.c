@@ -134,7 +134,7 @@ predict_draw(struct tui *t)
 }
 
 void
-act_crosshair_passing(struct tui *t, const struct key *key)
+act_move_crosshair_passing(struct tui *t, const struct key *key)
 {
 	enum { LEAST = 5, MOST = 95 };
 	int to = t->ui.crosshair_passing + key->amount;
@@ -158,7 +158,7 @@ act_show_all_numbers(struct tui *t, const struct key *key)
 	FREED char *line = tui_command_at_slider(t);
 	if (t->view.shown.product.n == 0)
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
-	else if (control_run(t, line))
+	else if (control_run_and_show(t, line))
 		captured_show_output(t);
 }
 
@@ -239,7 +239,7 @@ predict_plot_name(const struct tui *t)
 {
 	const struct prediction *p = &t->view.shown;
 	if (goal_is_viewed(t)) {
-		FREED char *of = quantities_input_text(&t->ui.quantity);
+		FREED char *of = quantities_typed_text(&t->ui.quantity);
 		return xasprintf("response of=\"%s\"", of);
 	}
 	if (t->ui.runs)
@@ -303,7 +303,7 @@ predict_open_row(struct tui *t)
 {
 	size_t at = t->ui.list[PAGE_PREDICT].at;
 	if (tui_current_entry(t) == NULL && at < ARRAY_LEN(WAYS))
-		picker_open(t, WAYS[at].list);
+		file_picker_open(t, WAYS[at].list);
 }
 
 static const struct page_list LIST = {.n = predict_count_rows,

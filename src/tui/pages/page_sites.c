@@ -159,7 +159,7 @@ calibration_progress_text(const struct tui *t, size_t i)
 
 /* Returns the number in a column; NAN if there is none or it has words. */
 static double
-number_in_column(
+site_number_in_column(
     const struct session *s, const struct site_row *row, enum column column)
 {
 	const struct entry *e = &s->entry[row->entry];
@@ -187,9 +187,10 @@ number_in_column(
 }
 
 static char *
-number_text(const struct tui *t, const struct site_row *row, enum column column)
+column_number_text(
+    const struct tui *t, const struct site_row *row, enum column column)
 {
-	double x = number_in_column(t->session, row, column);
+	double x = site_number_in_column(t->session, row, column);
 	if (isnan(x))
 		return xstrdup("-");
 	if (column == TOP || column == GENERATIONS)
@@ -224,7 +225,7 @@ site_cell_text(const struct tui *t, size_t i, int column)
 	case MACHINE:
 		return xstrdup(e->site->machine);
 	default:
-		return number_text(t, row, (enum column)column);
+		return column_number_text(t, row, (enum column)column);
 	}
 }
 
@@ -251,8 +252,8 @@ is_sorted_after(
 		return t->ui.sort_down ? a->entry < b->entry
 				       : a->entry > b->entry;
 	enum column column = (enum column)(t->ui.sort - 1);
-	double x = number_in_column(t->session, a, column),
-	       y = number_in_column(t->session, b, column);
+	double x = site_number_in_column(t->session, a, column),
+	       y = site_number_in_column(t->session, b, column);
 	double by = x - y;
 	if (isnan(x) != isnan(y))
 		return isnan(x);
@@ -340,7 +341,7 @@ update_site_rows(struct tui *t)
  * first. */
 enum { ABOUT = 4 };
 static void
-describe_site(const struct tui *t, char *text[static ABOUT])
+fill_site_descriptions(const struct tui *t, char *text[static ABOUT])
 {
 	const struct entry *e = &t->session->entry[t->ui.list[PAGE_SITES].at];
 	const struct breakage *of = breakage_model_of_params(&e->params);
@@ -394,7 +395,7 @@ draw_selected_site_at_foot(
 	static const size_t ORDER[ABOUT] = {LABEL, 3, 1, 0};
 	char *text[ABOUT];
 	int rows[ABOUT], left = area->rows - first;
-	describe_site(t, text);
+	fill_site_descriptions(t, text);
 	for (size_t i = 0; i < ABOUT; i++) {
 		rows[i] = text_count_rows(text[i], area->columns);
 		rows[i] = rows[i] < left ? rows[i] : left;
@@ -470,7 +471,7 @@ open_chosen_site(struct tui *t)
 				    ? s->entry[t->ui.list[PAGE_SITES].at].key
 				    : "");
 	tui_stop_fit(t);
-	bool used = control_run(t, line);
+	bool used = control_run_and_show(t, line);
 	if (used)
 		pages_go_to(t, PAGE_PREDICT);
 }
@@ -494,7 +495,7 @@ void
 act_sort_sites(struct tui *t, const struct key *key)
 {
 	if (t->session->n_entry == 0)
-		picker_open(t, PICK_FILES);
+		file_picker_open(t, PICK_FILES);
 	else if (key->amount > 0)
 		sort_by_next_column(t);
 	else

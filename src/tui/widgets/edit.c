@@ -118,7 +118,8 @@ shared_candidate_bytes(const struct completion *c)
 	const char *first = c->candidate[0].text;
 	size_t n = strlen(first);
 	for (size_t i = 1; i < c->n; i++) {
-		size_t same = text_shared_prefix(first, c->candidate[i].text);
+		size_t same =
+		    text_shared_prefix_bytes(first, c->candidate[i].text);
 		n = same < n ? same : n;
 	}
 	return n;
@@ -152,7 +153,7 @@ complete_word(struct edit *t, const struct session *s)
 
 /* Handles keys that have a name. */
 static void
-handle_named_key(struct edit *t, int code)
+edit_handle_named_key(struct edit *t, int code)
 {
 	if (code == KEY_LEFT)
 		t->at = previous_letter_offset(t, t->at);
@@ -226,7 +227,7 @@ edit_handle_key(struct edit *t, const struct session *s, int code, bool special)
 	if (!special && (code == '\n' || code == '\r'))
 		return EDIT_DONE;
 	if (special || key != 0)
-		handle_named_key(t, key);
+		edit_handle_named_key(t, key);
 	else if (code == '\t')
 		complete_word(t, s);
 	else if (code == CONTROL('U'))

@@ -38,7 +38,7 @@ envelope_check_free(struct tui *t)
 }
 
 static bool
-is_check_current(const struct tui *t)
+is_envelope_check_current(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
 	return l != NULL && l->revision == t->view.revision &&
@@ -49,7 +49,7 @@ void
 envelope_check_update(struct tui *t)
 {
 	struct error error = {0};
-	if (!envelope_check_is_wanted(t) || !is_check_current(t))
+	if (!envelope_check_is_wanted(t) || !is_envelope_check_current(t))
 		envelope_check_free(t);
 	if (!envelope_check_is_wanted(t))
 		return;
@@ -71,7 +71,8 @@ const struct grading *
 envelope_check_at_slider(const struct tui *t)
 {
 	const struct envelope_check *l = t->view.envelope_check;
-	bool now = envelope_check_is_wanted(t) && is_check_current(t) &&
-		   l->open && l->speed == tui_slider_speed(t);
+	bool now = envelope_check_is_wanted(t) &&
+		   is_envelope_check_current(t) && l->open &&
+		   l->speed == tui_slider_speed(t);
 	return now ? &l->grading : NULL;
 }

@@ -80,7 +80,7 @@ static bool
 run_open_command(struct tui *t, const char *line, bool estimates)
 {
 	tui_stop_fit(t);
-	if (!control_run(t, line) || tui_current_entry(t) == NULL)
+	if (!control_run_and_show(t, line) || tui_current_entry(t) == NULL)
 		return false;
 	const struct entry *entry = tui_current_entry(t);
 	size_t products = site_count_products(entry->site);
@@ -149,7 +149,7 @@ static const struct page_list FILES = {.n = count_listed_files,
     .update = update_file_preview};
 
 void
-picker_open(struct tui *t, enum picker_list what)
+file_picker_open(struct tui *t, enum picker_list what)
 {
 	if (t->session->safe) {
 		tui_say(t, true,
@@ -205,15 +205,16 @@ filter_files_by_letter(struct tui *t, int code, bool special)
 }
 
 bool
-picker_handle_key(struct tui *t, int code, bool special)
+file_picker_handle_key(struct tui *t, int code, bool special)
 {
 	if (filter_files_by_letter(t, code, special))
 		return true;
-	const struct key *key = keys_find(code, t->ui.page);
+	const struct key *key = keys_find_by_code(code, t->ui.page);
 	key_action *act = key != NULL ? key->act : NULL;
-	bool aside = act == act_move && abs(key->amount) == STEP;
-	bool moves = !aside && (act == act_move || act == act_move_to_end ||
-				   act == act_move_in_list);
+	bool aside = act == act_move_list_or_slider && abs(key->amount) == STEP;
+	bool moves =
+	    !aside && (act == act_move_list_or_slider ||
+			  act == act_move_to_end || act == act_move_in_list);
 	if (moves)
 		t->message[0] = '\0';
 	if (code == '\n' || code == '\r' || (aside && key->amount > 0))
@@ -286,7 +287,7 @@ file_picker_draw_message(const struct tui *t)
 
 /* Draws the list with the preview beside it, or below it on a narrow screen. */
 void
-picker_draw(struct tui *t)
+file_picker_draw(struct tui *t)
 {
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
 	const struct area body = t->layout.body;

@@ -6,13 +6,13 @@
 #include "tui/tui_state.h"
 
 /* Opens a list of files; with --safe, only shows a message. */
-void picker_open(struct tui *t, enum picker_list list);
+void file_picker_open(struct tui *t, enum picker_list list);
 
 /* Handles a key.  Returns false if the list was closed and the key is to be
  * handled by what it covered. */
-bool picker_handle_key(struct tui *t, int code, bool special);
+bool file_picker_handle_key(struct tui *t, int code, bool special);
 
 /* Draws the list with its hints. */
-void picker_draw(struct tui *t);
+void file_picker_draw(struct tui *t);
 
 #endif

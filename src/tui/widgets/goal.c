@@ -49,7 +49,7 @@ goal_best_speed(const struct tui *t)
 char *
 goal_in_words(const struct tui *t, enum goals_length length)
 {
-	return goals_describe(t->session, tui_entry_for_prediction(t),
+	return goals_outcome_text(t->session, tui_entry_for_prediction(t),
 	    &t->view.goal, tui_slider_speed(t), length);
 }
 
@@ -158,7 +158,7 @@ act_type_goal(struct tui *t, const struct key *key)
 		tui_say(t, true, "%s", tui_why_no_prediction(t));
 		return;
 	}
-	FREED char *words = quantities_input_text(&t->ui.quantity);
+	FREED char *words = quantities_typed_text(&t->ui.quantity);
 	FREED char *line = goals_is_set(t->session)
 			       ? xstrdup(t->session->set.goal)
 			       : xasprintf("%s=", words);
@@ -181,7 +181,7 @@ complete_last_condition(struct edit *y)
 	char *first = NULL;
 	struct standards *standards = standards_read_built_in();
 	for (size_t i = 0, spec = 0; spec < standards->n; i++) {
-		const char *name = quantities_completion(i);
+		const char *name = quantities_completion_offer(i);
 		if (name == NULL)
 			name = standards->spec[spec++]->name;
 		if (strncasecmp(name, word, strlen(word)) != 0)
@@ -190,7 +190,7 @@ complete_last_condition(struct edit *y)
 		if (first == NULL)
 			first = xstrdup(name);
 		else
-			first[text_shared_prefix(first, name)] = '\0';
+			first[text_shared_prefix_bytes(first, name)] = '\0';
 	}
 	standards_free(standards);
 	if (first != NULL && strlen(first) > strlen(word)) {
@@ -267,7 +267,7 @@ show_typed_quantity(struct tui *t, const char *text)
 /* Returns the quantity to show for conditions until it is known which one
  * binds: that of the last; for an envelope, that of a sieve in the middle. */
 static struct quantity
-quantity_to_show(const struct condition_list *list)
+quantity_to_show_for_goal(const struct condition_list *list)
 {
 	return list->at[list->n > MANY ? list->n / 2 : list->n - 1].quantity;
 }
@@ -314,7 +314,7 @@ parse_goal_field(struct tui *t)
 	} else if (goals_parse(t->session, text, tui_feed_curve(t), &list,
 		       &n_value, &error)) {
 		if (list.n > 0)
-			t->ui.quantity = quantity_to_show(&list);
+			t->ui.quantity = quantity_to_show_for_goal(&list);
 		t->ui.quantity_of_goal = true;
 		line = command_that_sets_goal(t, text);
 		if (line == NULL)
@@ -335,7 +335,7 @@ begin_new_goal_text(struct tui *t, int code)
 {
 	if (code == ',' || code == ';')
 		return;
-	FREED char *words = quantities_input_text(&t->ui.quantity);
+	FREED char *words = quantities_typed_text(&t->ui.quantity);
 	if (!strchr("<>=", code))
 		xappend(&words, "=");
 	edit_begin(&t->line, isalpha(code) ? "" : words);

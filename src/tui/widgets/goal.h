@@ -30,7 +30,7 @@ void goal_show_chosen_quantity(struct tui *t);
  * known. */
 double goal_probability_at(const struct tui *t, double speed);
 
-/* Returns the goal in words, see goals_describe. */
+/* Returns the goal in words, see goals_outcome_text. */
 char *goal_in_words(const struct tui *t, enum goals_length length);
 
 /* Returns the best speed, or NAN if not known. */

@@ -100,7 +100,7 @@ condition_cell_text(const struct tui *t, size_t i, int column)
 	double value = quantities_value_in_shown_unit(
 	    &c->quantity, condition_value_now(t, c));
 	if (column == CONDITION)
-		return conditions_describe(c);
+		return conditions_one_text(c);
 	if (column == SPEEDS)
 		return condition_speeds_text(t, i);
 	if (column == HOLDS)
@@ -134,7 +134,7 @@ draw_goal_probability(const struct tui *t, const struct area *area)
 	double certain = goal_probability_at(t, speed);
 	if (isnan(certain))
 		return;
-	FREED char *percent = conditions_probability_percent(certain);
+	FREED char *percent = conditions_probability_text(certain);
 	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
 	    g->list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
@@ -146,7 +146,7 @@ void
 goal_view_draw(struct tui *t)
 {
 	struct area list = t->layout.body,
-		    foot = area_row(&list, list.rows - 1);
+		    foot = area_of_row(&list, list.rows - 1);
 	int wanted[LIST_COLUMNS];
 	if (list.rows > 2) {
 		draw_goal_probability(t, &foot);

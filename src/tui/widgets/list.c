@@ -32,7 +32,7 @@ current_filter_word(struct tui *t)
 }
 
 static size_t
-count_all_rows(const struct tui *t)
+count_list_rows(const struct tui *t)
 {
 	return current_list(t) != NULL ? current_list(t)->n(t) : 0;
 }
@@ -49,7 +49,7 @@ row_under_cursor(const struct tui *t)
 {
 	size_t at =
 	    t->picker.on ? t->picker.list.at : t->ui.list[t->ui.page].at;
-	size_t i = 0, n = count_all_rows(t);
+	size_t i = 0, n = count_list_rows(t);
 	while (i + 1 < n && id_of_row(t, i) != at)
 		i++;
 	return i;
@@ -91,7 +91,7 @@ is_row_matching(const struct tui *t, size_t i)
 static size_t
 next_matching_row(const struct tui *t, size_t i, int by)
 {
-	size_t n = count_all_rows(t);
+	size_t n = count_list_rows(t);
 	for (size_t to = i + (size_t)by; to < n; to += (size_t)by)
 		if (is_row_matching(t, to))
 			return to;
@@ -102,7 +102,7 @@ size_t
 list_count_matching(const struct tui *t)
 {
 	size_t n = 0;
-	for (size_t i = 0; i < count_all_rows(t); i++)
+	for (size_t i = 0; i < count_list_rows(t); i++)
 		n += is_row_matching(t, i);
 	return n;
 }
@@ -112,7 +112,7 @@ list_count_matching(const struct tui *t)
 static bool
 move_cursor_to_match(struct tui *t)
 {
-	if (count_all_rows(t) == 0)
+	if (count_list_rows(t) == 0)
 		return false;
 	size_t at = row_under_cursor(t);
 	if (!is_row_matching(t, at))
@@ -162,7 +162,7 @@ first_row_to_draw(struct tui *t, int room)
 bool
 list_has_rows(const struct tui *t)
 {
-	return count_all_rows(t) > 0;
+	return count_list_rows(t) > 0;
 }
 
 static void
@@ -177,7 +177,7 @@ static void
 on_click_row(struct tui *t, const struct touched *touched)
 {
 	/* Another page may have been opened since the frame was drawn. */
-	if (count_all_rows(t) <= touched->item)
+	if (count_list_rows(t) <= touched->item)
 		return;
 	bool again = row_under_cursor(t) == touched->item;
 	move_cursor_to_row(t, touched->item);
@@ -199,7 +199,7 @@ list_draw_rows(
 	bool any = move_cursor_to_match(t);
 	size_t i = any ? first_row_to_draw(t, area->rows) : 0, next = i;
 	for (; any && row < area->rows; row++) {
-		const struct area line = area_row(area, row);
+		const struct area line = area_of_row(area, row);
 		bool here = i == row_under_cursor(t);
 		if (here) {
 			screen_text(
@@ -303,7 +303,7 @@ table_draw_head(struct tui *t, const struct list_table *table,
 		screen_text(cell, 0, from > 0 ? from - 1 : end, LOOK_BOLD, "%s",
 		    t->ui.sort_down ? "v" : "^");
 	if (table->sort != NULL)
-		hits_add(&t->hits, HIT_PRESS, area_row(cell, 0),
+		hits_add(&t->hits, HIT_PRESS, area_of_row(cell, 0),
 		    on_click_heading, (size_t)column);
 }
 
@@ -382,12 +382,13 @@ list_handle_move_key(struct tui *t, const struct key *key)
 	int page = t->layout.body.rows > 3 ? t->layout.body.rows - 2 : 1;
 	int steps = abs(key->amount);
 	update_list_rows(t);
-	if (!list_has_rows(t) || (key->act == act_move && steps == FAST))
+	if (!list_has_rows(t) ||
+	    (key->act == act_move_list_or_slider && steps == FAST))
 		return false;
 	if (key->act == act_move_to_end)
 		move_cursor_by_rows(
 		    t, key->amount == TO_LEAST ? -INT_MAX : INT_MAX);
-	else if (key->act == act_move && steps == FAR)
+	else if (key->act == act_move_list_or_slider && steps == FAR)
 		move_cursor_by_rows(t, key->amount > 0 ? -page : page);
 	else
 		move_cursor_by_rows(t, key->amount);
@@ -406,7 +407,7 @@ act_open_row(struct tui *t, const struct key *key)
 }
 
 void
-act_filter(struct tui *t, const struct key *key)
+act_type_filter(struct tui *t, const struct key *key)
 {
 	(void)key;
 	if (!has_searchable_rows(current_list(t))) {

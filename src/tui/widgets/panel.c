@@ -90,7 +90,7 @@ draw_band_of_number(const struct area *area, int row, double low, double high,
 
 /* Draws a size or why there is none. */
 static void
-draw_size(const struct area *area, int row, unsigned look, double mm)
+draw_size_or_reason(const struct area *area, int row, unsigned look, double mm)
 {
 	char text[24];
 	if (!isfinite(mm) || mm < 1000 * ANSWERS_NO_SIZE)
@@ -167,14 +167,15 @@ draw_p_sizes(struct tui *t, const struct area *area)
 	for (int i = 0; i < PSD_SIZES; i++) {
 		const double *range = t->view.shown.range[i];
 		screen_text(area, i, 0, LOOK_BOLD, "%s", PSD_NAME[i]);
-		draw_size(area, i, LOOK_BOLD, t->view.current.size[i]);
+		draw_size_or_reason(
+		    area, i, LOOK_BOLD, t->view.current.size[i]);
 		draw_band_of_number(
 		    area, i, 1000 * range[0], 1000 * range[1], 2, "");
 		if (was != NULL)
 			draw_change(
 			    area, i, t->view.current.size[i], was->size[i], 2);
-		hits_add(&t->hits, HIT_PRESS, area_row(area, i), on_click_size,
-		    (size_t)i);
+		hits_add(&t->hits, HIT_PRESS, area_of_row(area, i),
+		    on_click_size, (size_t)i);
 	}
 }
 
@@ -184,7 +185,7 @@ draw_break_size(struct tui *t, const struct area *area)
 	const struct numbers *was = numbers_to_compare_with(t);
 	const double *range = t->view.shown.range[ANSWERS_BREAK];
 	screen_text(area, 0, 0, 0, "%s", tr("break"));
-	draw_size(area, 0, LOOK_PLAIN, t->view.current.break_mm);
+	draw_size_or_reason(area, 0, LOOK_PLAIN, t->view.current.break_mm);
 	/* The band is of the draws: one that does not include the value of the
 	 * fit would be taken for an error. */
 	double mm = t->view.current.break_mm;
@@ -253,7 +254,7 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
 		if (was != NULL)
 			draw_change(
 			    area, row, now * part, was->passing[i] * part, 1);
-		hits_add(&t->hits, HIT_PRESS, area_row(area, row),
+		hits_add(&t->hits, HIT_PRESS, area_of_row(area, row),
 		    on_click_fraction, i);
 		row++;
 	}
@@ -269,7 +270,7 @@ draw_fractions(struct tui *t, const struct area *area)
  * back: out, t/h that return to the crusher or pass it by, neither of which is
  * a share of the product. */
 static double
-flow_feed_tph(const struct tui *t, double *back)
+newest_flow_feed_tph(const struct tui *t, double *back)
 {
 	const struct session *s = t->session;
 	const struct answer *flow = NULL;
@@ -288,7 +289,7 @@ flow_feed_tph(const struct tui *t, double *back)
 static struct wish
 tonnes_rows_wanted(struct tui *t)
 {
-	double back, tph = flow_feed_tph(t, &back);
+	double back, tph = newest_flow_feed_tph(t, &back);
 	int n = isnan(tph) ? 0
 		: back > 0 ? 2
 			   : 1 + fraction_rows_wanted(t).most;
@@ -298,7 +299,7 @@ tonnes_rows_wanted(struct tui *t)
 static void
 draw_tonnes_per_hour(struct tui *t, const struct area *area)
 {
-	double back, tph = flow_feed_tph(t, &back);
+	double back, tph = newest_flow_feed_tph(t, &back);
 	if (back > 0) {
 		screen_text(area, 0, 0, 0, "%.6g t/h, %.1f go back", tph, back);
 		screen_text(area, 1, 0, LOOK_DIM, "for this speed type :flow");
@@ -323,7 +324,7 @@ limit_rows_wanted(struct tui *t)
 static void
 short_quantity_name(const struct quantity *q, char *name, size_t size)
 {
-	FREED char *typed = quantities_input_text(q);
+	FREED char *typed = quantities_typed_text(q);
 	if (q->kind == QUANTITY_PASSING)
 		snprintf(name, size, "%g", units_mm(q->x));
 	else
@@ -361,7 +362,7 @@ panel_draw_limit(
 
 /* Returns the place of limit i among margins [n], the smallest first. */
 static size_t
-rank_of_limit(const double *margin, size_t n, size_t i)
+rank_of_limit_by_margin(const double *margin, size_t n, size_t i)
 {
 	size_t place = 0;
 	for (size_t k = 0; k < n; k++)
@@ -374,7 +375,7 @@ rank_of_limit(const double *margin, size_t n, size_t i)
 static void
 on_click_verdict(struct tui *t, const struct touched *touched)
 {
-	cmdline_run(t, touched->item == 0 ? "why" : "spec");
+	cmdline_run_line(t, touched->item == 0 ? "why" : "spec");
 }
 
 static void
@@ -385,7 +386,7 @@ panel_draw_limits(struct tui *t, const struct area *area)
 	name.columns -= 4;
 	hits_add(&t->hits, HIT_PRESS, *area, on_click_verdict, 1);
 	/* With the fraction, if there is room for it. */
-	FREED char *words = chosen_cut_text(t->session);
+	FREED char *words = session_spec_fraction_text(t->session);
 	xappend_to_list(&words, " ", "%s", t->session->spec->name);
 	bool fits = text_width_in_columns(words) <= name.columns;
 	screen_text(
@@ -406,12 +407,12 @@ panel_draw_limits(struct tui *t, const struct area *area)
 	for (size_t i = 0; i < n; i++)
 		margin[i] = condition_margin(&g->conditions, i).passing;
 	for (size_t i = 0; i < n; i++)
-		if ((int)rank_of_limit(margin, n, i) < area->rows - 1)
+		if ((int)rank_of_limit_by_margin(margin, n, i) < area->rows - 1)
 			panel_draw_limit(area, row++, g, i);
 }
 
 static struct wish
-reading_rows_wanted(struct tui *t)
+readout_rows_wanted(struct tui *t)
 {
 	enum { LEAST = 3 };
 	int n = readout_count_rows(t);
@@ -510,7 +511,7 @@ draw_fit_quality(const struct tui *t, const struct area *area)
 /* Draws the light in reverse, because all else is read by it; below it the
  * first reason, or else how good the fit is. */
 static void
-draw_light(struct tui *t, const struct area *area)
+panel_draw_light(struct tui *t, const struct area *area)
 {
 	static const enum series SERIES[] = {
 	    SERIES_GREEN, SERIES_AMBER, SERIES_RED};
@@ -547,14 +548,14 @@ static const struct block {
 	struct wish (*wish)(struct tui *t);
 	struct wish always;
 } BLOCK[BLOCKS] = {
-    {1, false, draw_light, .wish = light_rows_wanted},
+    {1, false, panel_draw_light, .wish = light_rows_wanted},
     {2, true, panel_draw_speed, .wish = speed_rows_wanted},
     {0, false, draw_p_sizes, .always = {PSD_SIZES, PSD_SIZES}},
     {5, false, draw_break_size, .always = {1, 2}},
     {6, false, draw_fractions, .wish = fraction_rows_wanted},
     {4, true, panel_draw_limits, .wish = limit_rows_wanted},
     {8, true, draw_tonnes_per_hour, .wish = tonnes_rows_wanted},
-    {3, true, readout_draw, .wish = reading_rows_wanted},
+    {3, true, readout_draw, .wish = readout_rows_wanted},
     {7, true, sieve_table_draw, .wish = sieve_rows_wanted},
 };
 
@@ -587,14 +588,14 @@ panel_share_rows(struct tui *t, int left, int rows[BLOCKS])
 /* Draws the blocks, with a blank row above those that stand apart while some
  * are left. */
 static void
-draw_blocks(struct tui *t)
+panel_draw_blocks(struct tui *t)
 {
 	const struct area *side = &t->layout.side;
 	int rows[BLOCKS], left = side->rows, row = 0;
 	panel_share_rows(t, side->rows, rows);
 	for (size_t i = 0; i < BLOCKS; i++) {
 		left -= rows[i];
-		if (BLOCK[i].draw == draw_light)
+		if (BLOCK[i].draw == panel_draw_light)
 			t->reason_shown = rows[i] > 1;
 	}
 	for (size_t i = 0; i < BLOCKS; i++) {
@@ -636,7 +637,8 @@ draw_why_nothing_predicted(const struct tui *t)
 	    t->view.pinned.site);
 	for (int i = 0; i < PSD_SIZES; i++) {
 		screen_text(side, row + i, 0, 0, "P%.0f", 100 * PSD_PASSING[i]);
-		draw_size(side, row + i, LOOK_PLAIN, t->view.pinned.size[i]);
+		draw_size_or_reason(
+		    side, row + i, LOOK_PLAIN, t->view.pinned.size[i]);
 	}
 }
 
@@ -651,7 +653,7 @@ panel_draw(struct tui *t)
 	if (t->view.current.site[0] == '\0')
 		draw_why_nothing_predicted(t);
 	else
-		draw_blocks(t);
+		panel_draw_blocks(t);
 }
 
 /* Returns the light in at most `columns`, or `most` in its shortest form, with

@@ -56,12 +56,12 @@ act_next_quantity(struct tui *t, const struct key *key)
 	if (tui_current_entry(t) == NULL)
 		return;
 	for (int i = 0; i < n; i++)
-		if (quantity_same(&all[i], &t->ui.quantity))
+		if (quantity_is_same(&all[i], &t->ui.quantity))
 			at = i;
 	do
 		at = (at + by + n) % n;
 	while (
-	    !quantity_same(&all[at], &t->ui.quantity) && at != 0 &&
+	    !quantity_is_same(&all[at], &t->ui.quantity) && at != 0 &&
 	    !quantities_check_feed_covers(&all[at], tui_feed_curve(t), &error));
 	t->ui.quantity = all[at];
 	t->ui.quantity_of_goal = false;
@@ -84,7 +84,7 @@ is_strip_of_shown_quantity(const struct tui *t)
 {
 	const struct strip *a = &t->view.strip;
 	return a->basis == t->view.n_basis && a->feed == tui_feed_run(t) &&
-	       quantity_same(&a->of, &t->ui.quantity);
+	       quantity_is_same(&a->of, &t->ui.quantity);
 }
 
 static bool
@@ -187,7 +187,7 @@ list_limits_of_quantity(
 	for (size_t i = 0; i < list->n && n + 2 <= MOST_LIMITS; i++) {
 		const struct condition *c = &list->at[i];
 		bool value = c->least == c->most;
-		if (!quantity_same(&c->quantity, &t->ui.quantity))
+		if (!quantity_is_same(&c->quantity, &t->ui.quantity))
 			continue;
 		if (!isnan(c->least))
 			limit[n++] =
@@ -224,7 +224,7 @@ align_axis_with_cells(struct axis *axis, int n)
 }
 
 static void
-extend_axis_to(struct axis *axis, double value)
+extend_axis_to_value(struct axis *axis, double value)
 {
 	if (!isfinite(value))
 		return;
@@ -243,16 +243,16 @@ scale_strip_axis(const struct tui *t, struct axis *axis)
 	axis->high = -INFINITY;
 	for (size_t i = 0; i < STRIP_POINTS; i++)
 		for (size_t k = 0; k < 3; k++)
-			extend_axis_to(axis, t->view.strip.value[i][k]);
+			extend_axis_to_value(axis, t->view.strip.value[i][k]);
 	for (size_t r = 0; r < tui_current_entry(t)->site->n_run; r++)
-		extend_axis_to(axis, measured_value_of_run(t, r));
+		extend_axis_to_value(axis, measured_value_of_run(t, r));
 	if (!(axis->low <= axis->high))
 		return false;
 	double low = axis->low, high = axis->high, more = high - low;
 	for (size_t i = 0; i < n; i++)
 		if (limit[i].value >= low - more &&
 		    limit[i].value <= high + more)
-			extend_axis_to(axis, limit[i].value);
+			extend_axis_to_value(axis, limit[i].value);
 	if (axis->high - axis->low < 1e-6 * fabs(axis->high) + 1e-9) {
 		axis->low -= 0.5;
 		axis->high += 0.5;
@@ -276,7 +276,7 @@ add_strip_series(const struct tui *t, struct chart *chart, enum chart_line line)
 
 /* Adds the band where it is thicker than the line of the curve. */
 static void
-add_band(const struct tui *t, struct chart *chart, int dots)
+add_strip_band(const struct tui *t, struct chart *chart, int dots)
 {
 	enum { THICK = 4 };
 	double least = THICK * (chart->y.high - chart->y.low) / dots;
@@ -312,7 +312,7 @@ response_strip_add_curve(const struct tui *t, struct chart *chart)
 }
 
 static bool
-is_on_axis(const struct axis *axis, double value)
+is_value_on_axis(const struct axis *axis, double value)
 {
 	return value >= axis->low && value <= axis->high;
 }
@@ -325,7 +325,7 @@ response_strip_add_limits(const struct tui *t, struct chart *chart)
 	struct limit limit[MOST_LIMITS];
 	size_t n = list_limits_of_quantity(t, limit);
 	for (size_t i = 0; i < n; i++) {
-		if (!is_on_axis(&chart->y, limit[i].value))
+		if (!is_value_on_axis(&chart->y, limit[i].value))
 			continue;
 		struct chart_series *s = chart_add(chart, LOOK, 2, "%s", "");
 		s->x[0] = chart->x.low;
@@ -387,7 +387,7 @@ response_strip_draw_limit(struct tui *t, const struct axis *axis,
 	const struct area *area = &t->layout.strip;
 	bool ascii = screen_charset() == CHARSET_ASCII;
 	int row = strip_row_of_value(axis, area, limit->value);
-	bool on = is_on_axis(axis, limit->value);
+	bool on = is_value_on_axis(axis, limit->value);
 	FREED char *name = on ? xstrdup(limit->name)
 			      : xasprintf("%s%s %.6g",
 				    ARROWS[!ascii][limit->value > axis->high],
@@ -458,7 +458,7 @@ response_strip_draw_marks(
 			continue;
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),
-		    slider_column(range,
+		    slider_column_of_value(range,
 			slider_position(range, entry->site->run[r].speed),
 			area->columns),
 		    SERIES_TEXT, LOOK_BOLD,
@@ -469,7 +469,7 @@ response_strip_draw_marks(
 	if (isfinite(value))
 		screen_draw_series_text(area,
 		    strip_row_of_value(axis, area, value),
-		    slider_column(range, position, area->columns),
+		    slider_column_of_value(range, position, area->columns),
 		    SERIES_PREDICTED, LOOK_BOLD,
 		    screen_charset() == CHARSET_ASCII ? "@" : "\u25CE");
 }
@@ -545,7 +545,7 @@ strip_draw(struct tui *t)
 	x.title = xstrdup("");
 	y.title = xstrdup("");
 	struct chart *chart = chart_new("", "", x, y);
-	add_band(t, chart, dots);
+	add_strip_band(t, chart, dots);
 	response_strip_add_limits(t, chart);
 	response_strip_add_curve(t, chart);
 	struct canvas *canvas = chart_draw(

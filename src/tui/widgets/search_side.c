@@ -193,7 +193,7 @@ draw_parameters(struct tui *t, const struct search_shown *past, int row)
 		r.row++;
 		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
 		    t->ui.param_at == j + 1, &span);
-		hits_add(&t->hits, HIT_PRESS, area_row(side, r.row),
+		hits_add(&t->hits, HIT_PRESS, area_of_row(side, r.row),
 		    on_click_parameter, j + 1);
 	}
 	return r.row + 1;

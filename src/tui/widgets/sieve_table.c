@@ -130,7 +130,8 @@ draw_sieve_row(
 	if (!isnan(off))
 		screen_text(area, row, COMPARED, look,
 		    off != 0 ? "%+5.1f" : "%5.1f", off);
-	hits_add(&t->hits, HIT_PRESS, area_row(area, row), on_click_sieve, i);
+	hits_add(
+	    &t->hits, HIT_PRESS, area_of_row(area, row), on_click_sieve, i);
 }
 
 /* Returns the sieve of row r.  If there are fewer rows than sieves, they are
@@ -152,7 +153,7 @@ sieve_of_row(const struct tui *t, size_t r, size_t rows)
 /* Returns the row that shows the sieve of the quantity above the track instead
  * of its own, if no row has it; else SIZE_MAX. */
 static size_t
-row_for_quantity(const struct tui *t, size_t rows, size_t *sieve)
+row_for_sieve_of_quantity(const struct tui *t, size_t rows, size_t *sieve)
 {
 	const struct psd *product = &t->view.shown.product;
 	const double same = 1e-3;
@@ -180,7 +181,8 @@ sieve_table_count_rows(const struct tui *t)
 /* Draws "sieve  feed   now vs 74"; for a longer name "now" is moved, and the
  * name shortened to its speed at last. */
 static void
-draw_heading(const struct area *area, enum series series, char *name)
+sieve_table_draw_heading(
+    const struct area *area, enum series series, char *name)
 {
 	enum { FEED_END = 11 };
 	const char *now = tr("now");
@@ -209,8 +211,8 @@ sieve_table_draw(struct tui *t, const struct area *area)
 	enum series series = SERIES_TEXT;
 	const struct psd *other = find_compared_product(t, name, &series);
 	double full = full_bar_scale(t, other);
-	draw_heading(area, series, name);
-	size_t wanted, at = row_for_quantity(t, rows, &wanted);
+	sieve_table_draw_heading(area, series, name);
+	size_t wanted, at = row_for_sieve_of_quantity(t, rows, &wanted);
 	for (size_t r = 0; r < rows && r < n; r++) {
 		size_t i = r == at ? wanted : sieve_of_row(t, r, rows);
 		double off = difference_in_points(t, other, i);

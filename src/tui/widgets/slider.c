@@ -52,7 +52,7 @@ slider_has_speed(struct slider_range range, double speed)
 }
 
 int
-slider_column(struct slider_range range, int position, int width)
+slider_column_of_value(struct slider_range range, int position, int width)
 {
 	double share = (double)(slider_clamp(range, position) - range.least) /
 		       (range.most - range.least);
@@ -101,7 +101,7 @@ write_text_in_cells(struct slider_cell *cell, const char *text)
 
 /* Writes "69" or, with words, "69 m/s 2381 J/kg".  Returns its length. */
 static int
-mark_label(struct slider_range range, const struct slider_mark *mark,
+mark_label_text(struct slider_range range, const struct slider_mark *mark,
     bool words, char label[static 32])
 {
 	double v = slider_speed(range, mark->position);
@@ -123,8 +123,9 @@ has_room_for_long_labels(const struct slider_cell *cell, int width,
 	enum { BETWEEN = 5 };
 	char label[32];
 	for (size_t i = 0; i < n; i++) {
-		int from = slider_column(range, mark[i].position, width) + 1;
-		int length = mark_label(range, &mark[i], true, label);
+		int from =
+		    slider_column_of_value(range, mark[i].position, width) + 1;
+		int length = mark_label_text(range, &mark[i], true, label);
 		if (!are_cells_free(cell, width, from, length + BETWEEN))
 			return false;
 	}
@@ -138,10 +139,10 @@ write_mark_label(struct slider_cell *cell, int width, struct slider_range range,
     const struct slider_mark *mark, bool words, int handle)
 {
 	char label[32];
-	int from = slider_column(range, mark->position, width) + 1;
-	int wanted = mark_label(range, mark, words, label);
+	int from = slider_column_of_value(range, mark->position, width) + 1;
+	int wanted = mark_label_text(range, mark, words, label);
 	if (words && !are_cells_free(cell, width, from, wanted + 1))
-		wanted = mark_label(range, mark, false, label);
+		wanted = mark_label_text(range, mark, false, label);
 	if (from == handle || !are_cells_free(cell, width, from, wanted + 1))
 		return;
 	write_text_in_cells(cell + from, label);
@@ -185,7 +186,7 @@ slider_fill_cells(struct slider_cell *cell, int width,
 	if (width < 1)
 		return 0;
 	for (size_t i = 0; i < n; i++)
-		cell[slider_column(range, mark[i].position, width)] =
+		cell[slider_column_of_value(range, mark[i].position, width)] =
 		    (struct slider_cell){
 			mark[i].trained ? '|' : 'o', true, false};
 	int length = range.rotor > 0
@@ -194,7 +195,7 @@ slider_fill_cells(struct slider_cell *cell, int width,
 			       slider_speed(range, position));
 	if (length > width)
 		length = snprintf(label, sizeof label, "#");
-	int at = slider_column(range, position, width) - length / 2;
+	int at = slider_column_of_value(range, position, width) - length / 2;
 	at = at < 0 ? 0 : at > width - length ? width - length : at;
 	bool words =
 	    !any && has_room_for_long_labels(cell, width, range, mark, n);

@@ -197,7 +197,7 @@ add_heading_text(struct part *part, char *text)
 }
 
 static void
-add_quantity_texts(const struct tui *t, struct part *part)
+add_heading_texts_of_quantity(const struct tui *t, struct part *part)
 {
 	const char *unit = quantities_unit(&t->ui.quantity);
 	FREED char *words = quantities_name(&t->ui.quantity);
@@ -211,7 +211,7 @@ add_quantity_texts(const struct tui *t, struct part *part)
 }
 
 static void
-add_goal_texts(const struct tui *t, struct part *part)
+add_heading_texts_of_goal(const struct tui *t, struct part *part)
 {
 	for (int length = 0; length < GOALS_LENGTHS; length++)
 		add_heading_text(
@@ -223,7 +223,7 @@ add_goal_texts(const struct tui *t, struct part *part)
 /* The rotor tip speed, as energy and rotor speed too; in brief as the sheet
  * has it. */
 static void
-add_speed_texts(const struct tui *t, struct part *part)
+add_heading_texts_of_speed(const struct tui *t, struct part *part)
 {
 	double v = tui_slider_speed(t);
 	double rotor = tui_known_rotor(t);
@@ -246,7 +246,7 @@ add_speed_texts(const struct tui *t, struct part *part)
 
 /* What the signs mean.  Beyond the measured speeds, that is not left out. */
 static void
-add_sign_texts(const struct tui *t, struct part *part)
+add_heading_texts_of_signs(const struct tui *t, struct part *part)
 {
 	struct track_signs signs = track_signs();
 	enum { REASONS = 34 };
@@ -313,10 +313,10 @@ track_draw_heading(struct tui *t)
 	static const int KEY[PARTS] = {[QUANTITY] = 'y', [GOAL] = 't'};
 	const struct area *area = &t->layout.caption;
 	struct part part[PARTS] = {0};
-	add_quantity_texts(t, &part[QUANTITY]);
-	add_goal_texts(t, &part[GOAL]);
-	add_speed_texts(t, &part[SPEED]);
-	add_sign_texts(t, &part[SIGNS]);
+	add_heading_texts_of_quantity(t, &part[QUANTITY]);
+	add_heading_texts_of_goal(t, &part[GOAL]);
+	add_heading_texts_of_speed(t, &part[SPEED]);
+	add_heading_texts_of_signs(t, &part[SIGNS]);
 	fit_heading_parts(part, area->columns);
 	screen_draw_rule(area);
 	for (size_t i = 0; i < PARTS; i++) {
@@ -352,7 +352,7 @@ list_slider_stops(const struct tui *t, double speed[static MOST_MARKS])
 }
 
 static void
-move_slider_to_limit(struct tui *t, int by)
+move_slider_to_next_stop(struct tui *t, int by)
 {
 	double stop[MOST_MARKS];
 	const struct slider_range range = tui_slider_range(t);
@@ -388,7 +388,7 @@ move_slider_to_limit(struct tui *t, int by)
 
 /* Says that no speed searched meets the goal, and which is nearest. */
 static void
-say_nearest(struct tui *t, double best, const char *rpm)
+say_nearest_goal_speed(struct tui *t, double best, const char *rpm)
 {
 	const struct speed_search *found = t->view.goal.found;
 	FREED char *range =
@@ -416,7 +416,7 @@ move_slider_to_best(struct tui *t)
 	t->keep_message = true;
 	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), best, NAN);
 	if (g->missed != NULL)
-		say_nearest(t, best, rpm);
+		say_nearest_goal_speed(t, best, rpm);
 	else if (g->n_value > 0)
 		tui_say(t, false, "the goal is met at %.1f m/s%s", best, rpm);
 	else if (isnan(g->found->best_certain))
@@ -424,7 +424,7 @@ move_slider_to_best(struct tui *t)
 		    t, false, "best speed of the goal: %.1f m/s%s", best, rpm);
 	else {
 		FREED char *percent =
-		    conditions_probability_percent(g->found->best_certain);
+		    conditions_probability_text(g->found->best_certain);
 		tui_say(t, false,
 		    "best speed of the goal: %.1f m/s%s (chance %s)", best, rpm,
 		    percent);
@@ -471,7 +471,7 @@ track_run_pending_key(struct tui *t, bool now)
 	t->pending_key = NULL;
 	t->message[0] = '\0';
 	if (key->amount != 0)
-		move_slider_to_limit(t, key->amount);
+		move_slider_to_next_stop(t, key->amount);
 	else
 		move_slider_to_best(t);
 }

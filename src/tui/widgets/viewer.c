@@ -17,7 +17,7 @@
 
 /* Splits the text into lines, and finds the width of the widest. */
 static void
-split_into_lines(struct viewer *v)
+viewer_split_into_lines(struct viewer *v)
 {
 	for (const char *p = v->text; *p != '\0'; v->lines++) {
 		size_t n = strcspn(p, "\n");
@@ -53,7 +53,7 @@ viewer_show_text(struct tui *t, char *text)
 {
 	viewer_close(t);
 	t->viewer = (struct viewer){.text = text, .at = -1};
-	split_into_lines(&t->viewer);
+	viewer_split_into_lines(&t->viewer);
 }
 
 void
@@ -107,7 +107,7 @@ viewer_show_long_message(struct tui *t)
 }
 
 static bool
-has_searched_word(const struct viewer *v, int line)
+has_line_searched_word(const struct viewer *v, int line)
 {
 	return text_contains_word(v->line[line], v->word.text);
 }
@@ -118,7 +118,7 @@ count_matches_before(const struct viewer *v, int before)
 {
 	int n = 0;
 	for (int i = 0; i < before; i++)
-		n += has_searched_word(v, i);
+		n += has_line_searched_word(v, i);
 	return n;
 }
 
@@ -159,7 +159,7 @@ scroll_to_fit(struct tui *t)
 /* Goes to a line with the word, which it puts in the middle if it was not
  * visible. */
 static void
-go_to_line(struct tui *t, int line)
+viewer_go_to_line(struct tui *t, int line)
 {
 	struct viewer *v = &t->viewer;
 	int rows = t->layout.body.rows;
@@ -176,7 +176,7 @@ find_line_with_word(const struct viewer *v, int from, int by)
 {
 	for (int i = 0; i < v->lines; i++) {
 		int line = (from + i * by + 2 * v->lines) % v->lines;
-		if (has_searched_word(v, line))
+		if (has_line_searched_word(v, line))
 			return line;
 	}
 	return -1;
@@ -206,7 +206,7 @@ handle_search_key(struct tui *t, int code, bool special)
 		int from = v->at >= 0 ? v->at : v->top;
 		v->at = -1;
 		if (word->n > 0)
-			go_to_line(t, find_line_with_word(v, from, 1));
+			viewer_go_to_line(t, find_line_with_word(v, from, 1));
 	}
 	return true;
 }
@@ -248,7 +248,7 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 	struct viewer *v = &t->viewer;
 	int page = t->layout.body.rows > 2 ? t->layout.body.rows - 1 : 1;
 	key_action *act = key != NULL ? key->act : NULL;
-	int steps = act == act_move ? abs(key->amount) : 0;
+	int steps = act == act_move_list_or_slider ? abs(key->amount) : 0;
 	if (act == act_move_in_list)
 		viewer_scroll(t, key->amount);
 	else if (steps == STEP && !v->keys)
@@ -263,9 +263,9 @@ handle_scroll_key(struct tui *t, const struct key *key, int code)
 		viewer_scroll(
 		    t, key->amount == TO_LEAST ? -v->lines : v->lines);
 	else if (!v->keys && v->word.n > 0 && (code == 'n' || code == 'N'))
-		go_to_line(t, code == 'N'
-				  ? find_line_with_word(v, v->at - 1, -1)
-				  : find_line_with_word(v, v->at + 1, 1));
+		viewer_go_to_line(
+		    t, code == 'N' ? find_line_with_word(v, v->at - 1, -1)
+				   : find_line_with_word(v, v->at + 1, 1));
 	else
 		return false;
 	scroll_to_fit(t);
@@ -291,7 +291,7 @@ is_key_only_closing(struct tui *t, const struct key *key, int code, bool keys)
 		return true;
 	if (key == NULL)
 		return false;
-	if (key->act == act_leave || (keys && key->act == act_list_keys))
+	if (key->act == act_leave_screen || (keys && key->act == act_list_keys))
 		return true;
 	if (is_changing_key(t, key) && code != INTERRUPT)
 		tui_say(t, false, "%s again: %s", key->name, key->what);
@@ -302,7 +302,7 @@ bool
 viewer_handle_key(struct tui *t, int code, bool special, const struct key **run)
 {
 	struct viewer *v = &t->viewer;
-	const struct key *key = keys_find(code, t->ui.page);
+	const struct key *key = keys_find_by_code(code, t->ui.page);
 	code = special ? 0 : code == '\r' ? '\n' : code;
 	if (handle_search_key(t, code, special) ||
 	    handle_scroll_key(t, key, code) ||
@@ -351,7 +351,7 @@ viewer_draw_line(struct tui *t, int n)
 	const struct viewer *v = &t->viewer;
 	const int rows = count_text_rows(t);
 	struct area body = t->layout.body;
-	bool found = !v->keys && v->word.n > 0 && has_searched_word(v, n);
+	bool found = !v->keys && v->word.n > 0 && has_line_searched_word(v, n);
 	char *line = xstrdup(v->line[n]), *rest = NULL;
 	if (v->keys && body.columns < NARROW)
 		squeeze_spaces(line);
@@ -366,7 +366,7 @@ viewer_draw_line(struct tui *t, int n)
 	const char *shown = line;
 	char left[TEXT_SHOWN];
 	for (int c = 0; c < v->left && *shown != '\0';)
-		c += text_escape_next(&shown, left);
+		c += text_escape_next_character(&shown, left);
 	screen_draw_clipped_text(&body, n % rows - v->top, 0, SERIES_TEXT,
 	    n == v->at ? LOOK_REVERSE
 	    : found    ? LOOK_BOLD
