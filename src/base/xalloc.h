@@ -25,12 +25,13 @@ char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvasprintf(const char *format, va_list ap)
     __attribute__((format(printf, 1, 0)));
 
-/* Before a declaration of pointers, each from one of these functions or NULL:
- * frees them where their block ends, after a return value has been computed. */
+/* Put before a declaration of pointers, each from one of these functions or
+ * NULL: frees them at the end of their block, after a return value has been
+ * computed. */
 #define FREED __attribute__((cleanup(xfree_at)))
 void xfree_at(void *pointer);
 
-/* Frees a text and sets it to another, which it takes. */
+/* Frees a text, sets it to another and takes ownership of that. */
 void xreplace(char **text, char *value);
 
 /* Append to a text returned by one of the functions above; xlist adds the

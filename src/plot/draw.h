@@ -18,8 +18,8 @@ enum {
 /* Draws a chart in exactly columns x rows cells.  If room is short, parts are
  * dropped in this order: title of the y axis, notes and legend, second row of
  * labels, foot, title, labels, axis.  words: the parts to draw, from CHART_ALL.
- * Each label is in the row or column, and each dot of a line in the part of a
- * cell, that contains its value.  The caller frees the canvas. */
+ * Each label is in the row or column that contains its value, and each dot of a
+ * line in that part of a cell.  The caller frees the canvas. */
 struct canvas *chart_draw(const struct chart *chart, int columns, int rows,
     enum charset charset, unsigned words);
 

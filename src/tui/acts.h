@@ -55,9 +55,9 @@ enum { TO_LEAST = -1, TO_MOST = 1 };
 key_action act_move_list_or_slider, act_move_to_end, act_move_in_list;
 
 /* Move the slider to a typed speed; to a run (-1: slowest, 0: a middle one, 1:
- * fastest); to the next limit of the goal or, without a goal, the next run, or
- * by an amount of 0 to the best speed of the goal.  The last waits until these
- * speeds are known. */
+ * fastest); to the next limit of the goal or, without a goal, the next run, or,
+ * for an amount of 0, to the best speed of the goal.  The last waits until
+ * these speeds are known. */
 key_action act_type_speed, act_go_to_run_speed, act_go_to_goal_speed;
 
 key_action act_open_page, act_go_back, act_open_row, act_type_filter;

@@ -14,7 +14,7 @@ void captured_discard_output(struct tui *t);
 void captured_show_error(
     void *of, const struct error *e, const char *line, const char *name);
 
-/* Shows the output: a single line as a message, more on the whole screen. */
+/* Shows the output: a single line as a message, several on the whole screen. */
 void captured_show_output(struct tui *t);
 
 #endif

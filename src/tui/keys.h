@@ -24,16 +24,16 @@ int keys_code_of_page(enum page page);
  * ncurses. */
 bool keys_code_of_name(const char *name, int *code);
 
-/* Returns the length of the first of names with / or a blank between them. */
+/* Returns the length of the first of names with / or a space between them. */
 size_t keys_first_name_length(const char *names);
 
-/* Returns the next of hints with two blanks between them, and moves on behind
- * it.  The caller frees. */
+/* Returns the next of several hints separated by two spaces, and advances past
+ * it.  The caller frees it. */
 char *keys_next_hint(const char **hints);
 
-/* Makes the row of hints from names of keys, two blanks between them:
- * "<-/->  n p  Enter use it"; those without words get those of their row.  The
- * caller frees. */
+/* Makes the row of hints from names of keys separated by two spaces:
+ * "<-/->  n p  Enter use it"; a name without words gets those of its row.  The
+ * caller frees it. */
 char *keys_hint_row(const char *hints, enum page page);
 
 /* For the ? page: keys_print_list prints a line for each key whose line

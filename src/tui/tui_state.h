@@ -157,7 +157,7 @@ struct ui {
 	    speed;   /* m/s: the slider was moved to it, see tui_slider_speed */
 	double feed; /* m/s of the run whose feed is used; 0: the mean */
 	struct quantity quantity; /* above the track */
-	bool quantity_of_goal;    /* it goes with what binds of the goal */
+	bool quantity_of_goal;    /* it follows the goal's limit */
 	/* Page Predict has plot runs; the goal at full height. */
 	bool crosshair, band, runs, goal_view;
 	size_t crosshair_sieve; /* a sieve of the prediction */
@@ -288,8 +288,8 @@ struct tui {
 	bool failed;     /* that command failed */
 	char message[800];
 	bool bad; /* the message is an error */
-	/* The next prediction leaves the message, which is of the command
-	 * that moved the slider. */
+	/* The next prediction keeps the message, which is from the command that
+	 * moved the slider. */
 	bool keep_message;
 	bool reason_shown;    /* the panel shows the light's reason */
 	const char *question; /* waiting for an answer, or NULL */

@@ -59,7 +59,7 @@ double answers_speed_number(const struct site *site, double speed);
 const char *answers_speed_unit(const struct site *site);
 char *answers_speed_text(const struct site *site, double speed, int decimals);
 
-/* Returns "65 to 85 m/s", or in brief "65..85 m/s"; "1307 to 1709 rpm" of a
+/* Returns "65 to 85 m/s", or in brief "65..85 m/s"; "1307 to 1709 rpm" for a
  * sheet in rpm.  The caller frees it. */
 char *answers_speed_range_words(
     const struct site *site, double from, double to, bool brief);
@@ -89,8 +89,8 @@ void answers_keep_newest_prediction(struct session *s,
 /* The sizes in every prediction: those of PSD_PASSING and the break size. */
 enum { ANSWERS_BREAK = PSD_SIZES, ANSWERS_SIZES };
 
-/* Names for assert: each is a field, path, of the newest answer from these
- * commands, which are separated by spaces. */
+/* Names for assert: each stands for the field at path of the newest answer from
+ * these commands, which are separated by spaces. */
 struct asserted {
 	const char *name, *from, *path;
 };
@@ -121,7 +121,7 @@ void answers_note_sizes(struct answer *r, const struct prediction *p);
 char *answers_known_speeds_text(
     const struct entry *entry, double slowest, double fastest);
 
-/* Returns a speed as a line to type has it: "75.16", or "1450 rpm" if the site
+/* Returns a speed as it is typed in a line: "75.16", or "1450 rpm" if the site
  * states the rotor and that is this speed.  The caller frees it. */
 char *speed_as_typed(const struct site *site, double speed);
 

@@ -8,8 +8,8 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/speed_search.h"
 
-/* A list that grows.  source: the envelope that limits in it are from, and what
- * of it is not checked, or NULL. */
+/* A list that grows.  source: the envelope from which limits in the list come,
+ * and what in it is not checked, or NULL. */
 struct condition_list {
 	size_t n;
 	struct condition *at;
@@ -138,29 +138,30 @@ void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
     const struct condition_list *list, const struct speed_search *found,
     const struct psd *feed);
 
-/* Notes that the feed alone is finer than a limit allows, which no speed mends.
- * most: the limit is an upper one.  Returns false if it is not so. */
+/* Notes that the feed alone is finer than a limit allows, which no speed can
+ * put right.  most: the limit is an upper one.  Returns false if that is not
+ * the case. */
 bool conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
     const struct quantity *q, double limit, bool most);
 
-/* Notes which speed to run at, from where to where the conditions hold with the
- * certainty of a band, and the slowest that is safe; where the answer meets
- * them at no speed, where they hold most surely.  several: there is more than
+/* Notes which speed to run at, the range in which the conditions hold with the
+ * certainty of a band, and the slowest safe speed; if the answer meets them at
+ * no speed, where they are most likely to hold.  several: there is more than
  * one condition. */
 void conditions_note_best_speed(struct answer *r, const struct session *s,
     const struct question *q, const struct wanted *wanted, bool several,
     const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
- * light is worse at an end of the range beyond the measured speeds, it is that
- * of the answer, and both are said. */
+ * light is worse at an end of the range beyond the measured speeds, the answer
+ * has that light, and both are stated. */
 void conditions_show_basis(const struct session *s, struct answer *r,
     const struct question *q, const struct wanted *wanted,
     const struct speed_search *found, double speed);
 
 /* conditions_note_unsearched_speeds notes which slower or faster speeds were
  * not searched, and how to search them, unless no answer there can be relied
- * on; conditions_note_no_reliable_speed, where no speed was found, says that.
+ * on; conditions_note_no_reliable_speed says that if no speed was found.
  */
 void conditions_note_unsearched_speeds(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);

@@ -10,8 +10,8 @@
  * predicted - measured, and the largest of these with its sieve, m.  inside:
  * sieves within the band of one more sample; no_band: there is no band; level:
  * that of the band, 0..1.  missed: the prediction fails; off: most sieves are
- * outside the band, but no further than careful samples differ, or some are,
- * and further. */
+ * outside the band, but by no more than careful samples differ, or some are
+ * outside by more than that. */
 struct cut {
 	size_t n, inside;
 	bool no_band, missed, off;
@@ -36,13 +36,13 @@ const struct site_note *cut_find_note(const struct site *site, size_t run);
 bool cut_parse_date(const struct site_note *note, struct datetime *m);
 
 /* Returns which number is the day in a site's notes with a date such as
- * 5/11/2026, as those of them show that can be read in one way only;
+ * 5/11/2026, as shown by those of them that can be read in only one way;
  * DATETIME_OPEN if none does, or if they differ. */
 enum datetime_order cut_day_month_order(const struct site *site);
 
-/* Returns "11 of 12 sieves are within the range for a belt cut; 0.8 points off
- * (RMS), most at 4 mm, where the answer is 1.9 above the cut".  The caller
- * frees it. */
+/* Returns "11 of 12 sieves are within the range for a belt cut; RMSE 0.8
+ * points, largest error at 4 mm, where the answer is 1.9 above the cut".  The
+ * caller frees it. */
 char *cut_comparison_text(const struct cut *cut);
 
 /* Returns the number of runs with a product that were added to the site after

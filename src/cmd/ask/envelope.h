@@ -71,7 +71,7 @@ void envelope_add_rows(struct answer *r, struct grading *grading, double v);
 char *envelope_missed_limits_text(const struct grading *grading);
 
 /* Puts worst_mm, the worst sieve at that speed, and outside_pct, how far
- * outside it is: 0 if no sieve is. */
+ * outside that is; 0 if no sieve is outside. */
 void envelope_put_worst_sieve(struct fields *o, const struct grading *grading);
 
 /* Notes the fineness modulus and the steps between sieves at that speed, if the

@@ -13,8 +13,8 @@
  * or SITE_MEAN_FEED for 0 and for a speed without a feed. */
 size_t feed_run_at_speed_or_mean(const struct site *site, double speed);
 
-/* The same for a feed that has to be there: returns false with an error if none
- * was sampled at the speed. */
+/* The same for a feed that must exist: returns false with an error if none was
+ * sampled at the speed. */
 bool feed_find_run_at_speed(
     const struct site *site, double speed, size_t *feed, struct error *error);
 

@@ -57,9 +57,9 @@ double goals_best_speed(
  * certain up to 75.3", "goal p80=3: met at no speed from 65 to 85 m/s, nearest
  * 85.0: P80 4.8 mm".
  * GOALS_SPEEDS omits the goal; GOALS_PLAIN has only the speeds that are
- * certain; GOALS_UNMARKED leaves extrapolation to the track, and GOALS_SHORT
- * has all speeds so.  During the search, the text says so; without a goal, it
- * is "".  The caller frees it. */
+ * certain; GOALS_UNMARKED leaves extrapolation to the track, and so does
+ * GOALS_SHORT, which has all speeds, not only the certain ones.  During the
+ * search, the text says so; without a goal, it is "".  The caller frees it. */
 enum goals_length {
 	GOALS_FULL,
 	GOALS_SPEEDS,

@@ -17,7 +17,7 @@ bool quantities_parse_one(const char *text, const struct partition *partition,
 /* True if the first word of a text is a quantity, or begins one. */
 bool quantities_is_beginning_of_text(const char *text);
 
-/* Returns offer n of those that complete a goal, "p80=", "passing ": some of
+/* Returns the n-th completion offered for a goal, "p80=", "passing ": some of
  * each kind that can be typed; NULL after the last. */
 const char *quantities_completion_offer(size_t n);
 

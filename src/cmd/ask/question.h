@@ -37,7 +37,7 @@ void question_free_cached(struct session *s);
 
 /* If the call names no speeds, sets the question to the usual ones, 65 to 85
  * m/s, extended or moved to cover the runs: in steps of 1 m/s with the speed
- * last asked about if each, otherwise seven at most. */
+ * last asked about if `each` is true, otherwise seven at most. */
 void question_use_default_speeds(
     const struct session *s, struct question *q, bool each);
 

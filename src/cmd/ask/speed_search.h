@@ -80,10 +80,10 @@ struct speed_root {
  * best speed, or nearest to it, at which each condition holds by itself; NAN:
  * up to an end of the search.  sure: the speeds around the best, or else around
  * the most certain, at which the conditions hold with probability `level`; NAN
- * if there are none.  safe: the slowest measured speed from which on, up to the
- * best, the conditions hold with 95 %; NAN if the best does not.  root
- * [n_root]: slowest first.  found: the root nearest to the measured speeds,
- * preferably one at which the conditions hold; NAN: none.
+ * if there are none.  safe: the slowest measured speed from which, up to the
+ * best, the conditions hold with 95 % probability; NAN if the best does not.
+ * root [n_root]: slowest first.  found: the root nearest to the measured
+ * speeds, preferably one at which the conditions hold; NAN: none.
  * range: the middle `level` of the speeds at which the draws give the value;
  * cut: the same for the product that a belt cut would show.  0 and INFINITY:
  * below and above the search; NAN for a model alone. */

@@ -30,8 +30,9 @@ char *trust_in_words_at_speed(const struct session *s,
 void trust_put_fields(struct fields *o, const struct trust *t);
 
 /* trust_show adds the light to the answer's fields and the sentence about it,
- * as a warning if it is red; trust_show_with_speed names the speed it is of,
- * for an answer that is not that speed's product.  They free the light. */
+ * as a warning if it is red; trust_show_with_speed names the speed of the
+ * light, for an answer that is not the product at that speed.  They free the
+ * light. */
 void trust_show(struct answer *r, struct trust t);
 void trust_show_with_speed(
     struct answer *r, const struct site *site, double speed, struct trust t);

@@ -28,8 +28,8 @@ void site_chart_set_sieve_axis(struct chart *chart);
 void site_chart_set_figure_point(
     struct chart_series *s, size_t k, double x, struct figure at);
 
-/* Ends a series of figures: its band is its line where a figure has none, and
- * none where no figure has one. */
+/* Completes a series of figures: where a figure has no band, the line serves as
+ * its band; if no figure has a band, neither has the series. */
 void site_chart_finish_band(struct chart_series *s);
 
 /* Fills series [n], of as many points each, with the first n quantities of a

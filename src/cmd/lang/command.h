@@ -28,8 +28,8 @@ enum value_kind {
 };
 
 /* One key=value of a command, or a setting.  offset: of the member of struct
- * args that gets the value.  Of a setting fallback is the initial value, or ""
- * if the session determines it, and offset is that of a member of struct
+ * args that gets the value.  For a setting, fallback is the initial value, or
+ * "" if the session determines it, and offset is that of a member of struct
  * choices: a double for a number, a char array for a text, else an unsigned or
  * an enum.  looks: a setting that concerns the appearance of the full screen,
  * which saves it; undo ignores it. */

@@ -50,7 +50,7 @@ bool words_split(const char *line, size_t from, struct place place,
     struct words *words, struct error *error);
 void words_free(struct words *words);
 
-/* Puts a copy of one text in the place of the n words from `first` on. */
+/* Replaces the n words from `first` on with a copy of one text. */
 void words_replace_by_one(
     struct words *words, size_t first, size_t n, const char *text);
 

@@ -27,28 +27,28 @@
 			   : offsetof(struct args, member)),      \
 	.kind = k
 
-/* Open are unit, least, most, choices, fallback and brief.  NAMED: the option's
- * name is not the member's. */
+/* The row's unit, least, most, choices, fallback and brief are to be added.
+ * NAMED: the option's name is not the member's. */
 #define NUMBER_NAMED(option, member) ROW(option, member, double, VALUE_NUMBER)
 #define NUMBER(member) NUMBER_NAMED(#member, member)
 #define NUMBERS(member) ROW(#member, member, struct number_list, VALUE_NUMBERS)
 #define WHOLE(member) ROW(#member, member, uint64_t, VALUE_WHOLE)
 #define FEED(member) ROW(#member, member, const char *, VALUE_FEED)
 
-/* Open are choices, fallback and brief. */
+/* Choices, fallback and brief are to be added. */
 #define TEXT(member) ROW(#member, member, const char *, VALUE_TEXT), "", 0, 0
 #define CHOICE_NAMED(option, member) \
 	ROW(option, member, unsigned, VALUE_CHOICE), "", 0, 0
 #define CHOICE(member) CHOICE_NAMED(#member, member)
 
-/* Open are fallback and brief.  Help shows the words in this order. */
+/* Fallback and brief are to be added.  Help shows the words in this order. */
 #define OFF_ON_NAMED(option, member) \
 	ROW(option, member, bool, VALUE_CHOICE), "", 0, 0, "off on"
 #define OFF_ON(member) OFF_ON_NAMED(#member, member)
 #define ON_OFF(member) \
 	ROW(#member, member, bool, VALUE_CHOICE), "", 0, 0, "on off"
 
-/* Open is brief. */
+/* Only brief is to be added. */
 #define SPEED(member) NUMBER(member), "m/s", 1, SITE_FASTEST, NULL, ""
 /* The speed of a question about one speed, see question_use_last_speed. */
 #define LAST_OR_USUAL_SPEED                                            \

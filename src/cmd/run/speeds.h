@@ -14,9 +14,9 @@
 bool speeds_convert_from_rpm(struct session *s, struct words *words,
     struct place place, struct error *error);
 
-/* Makes "speeds=69,74,79" of several speeds behind a command that has a list
- * of them, or stands for one that has: "predict 69 74 79", "card 70 75", "card
- * 68 to 78".  Notes that "69,74" is read as one speed. */
+/* Turns several speeds after a command into "speeds=69,74,79" if the command,
+ * or one that it stands for, has a list of them: "predict 69 74 79", "card 70
+ * 75", "card 68 to 78".  Notes that "69,74" is read as one speed. */
 void speeds_join_words_to_list(struct session *s, struct words *words);
 
 #endif

@@ -12,8 +12,8 @@
 struct redirect;
 struct snapshot;
 
-/* A command and what it leaves to its end.  Invocations nest: the commands of a
- * script run within that of its source. */
+/* A command, and what remains to be done at its end.  Invocations nest: the
+ * commands of a script run within that of its source. */
 struct invocation {
 	struct invocation *outer;
 	const struct command *command;
@@ -33,8 +33,8 @@ struct invocation {
 	double started;
 	bool timed;
 	bool running;   /* its function has not returned */
-	bool saved;     /* if it succeeds, the session is in a file of the
-		       * user's */
+	bool saved;     /* if it succeeds, the session is in one of the user's
+			 * files */
 	size_t scripts; /* that were open when it began */
 };
 

@@ -19,7 +19,7 @@
 double league_aicc(double misfit, size_t cells, size_t parameters);
 
 /* Returns the number of parameters fitted: all that were searched, less one for
- * the scale of a gauge if no bound fixes it. */
+ * the free scale of a gauge, unless a bound fixes that scale. */
 size_t league_count_fitted_params(
     const struct fit *fit, const struct bounds *bounds);
 
@@ -53,8 +53,8 @@ bool league_errs_clearly_more(
 
 /* True if the predictions miss the held-out runs by more than both FIT_POOR and
  * twice the sampling error, which is taken to be FIT_POOR at most, as it is
- * estimated from a misfit.  A model that does describes these runs badly, even
- * if all others are worse. */
+ * estimated from a misfit.  A model whose predictions do describes these runs
+ * badly, even if all others are worse. */
 bool league_misses_held_out_runs(
     const struct league_cell *cell, size_t n, const double *predicted);
 

@@ -58,7 +58,7 @@ struct continuous_solver;
 struct breakage {
 	const char *name;   /* as typed */
 	const char *brief;  /* one line for help */
-	const char *source; /* for who knows no models by name */
+	const char *source; /* for users who know no models by name */
 	size_t n;
 	const struct param_info *parameter; /* [n] */
 	/* The gauge: the number of leading parameters of which only the

@@ -14,7 +14,7 @@ enum { OWN_GAMMA, OWN_LOG_RATIO, OWN_KAPPA };
 
 #define ENERGY_PARAMETERS                                                  \
 	{"gamma", "-", 0, 2, -10, 10, 0,                                   \
-	    N_("appearance: finer with energy where above 0"), 0.4},       \
+	    N_("appearance: finer with energy if above 0"), 0.4},          \
 	{                                                                  \
 		"e_ref", "J/kg", 0, 0, 1e-3, 1e6, NAN,                     \
 		    N_("energy at which beta holds: mean of the training " \

@@ -21,8 +21,8 @@ struct guide {
 };
 void guide_init(struct guide *g, size_t size, const double *origin);
 
-/* Adds a generation with a weight: x [chains], each [size].  keep: factor for
- * the weight of earlier generations. */
+/* Adds a generation with a weight.  x [chains]: the coordinates [size] of each
+ * chain.  keep: factor for the weight of earlier generations. */
 void guide_add_generation(struct guide *g, const double *const *x,
     size_t chains, double weight, double keep);
 

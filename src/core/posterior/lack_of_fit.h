@@ -21,11 +21,11 @@
  * and the knots.  m: the runs that inform the draws. */
 void lack_of_fit_find(struct posterior *p, const struct misfit *m);
 
-/* Adds to p->lack what is smooth of the residuals where the law is wrong.
+/* Adds to p->lack the smooth part of the residuals where the law is wrong.
  *
- * The less of what the speed changes the model explains, the more likely are
- * smooth residuals the product's own, and not an error that a sample shares
- * along its curve.  Of the residuals that are left of all runs, the share
+ * The less the model explains of the change with the speed, the more likely
+ * smooth residuals belong to the product and are not an error that a sample
+ * shares along its curve.  Of the remaining residuals of all runs, the share
  *   (1 - w^2) 2 sum r_i r_i+1 / sum r_i^2,  w = (0.75 - q) / 0.65,  0 to 1
  * is attributed to the product, with D25's q (thin.h): none for q up to 0.1, as
  * plants that follow the model have.  Call after thin_set_straight_share. */

@@ -25,8 +25,8 @@ struct run {
 	char repeat[16]; /* " (2)" for the second run at a speed; else "" */
 	size_t place;    /* position of its product among the columns read */
 	struct psd feed;
-	double feed_speed; /* m/s; of the run whose feed this run, a later cut
-			    * without a feed sample, has a copy of; else 0 */
+	double feed_speed; /* m/s; for a later cut without a feed sample, of the
+			    * run whose feed it has a copy of; else 0 */
 	struct psd product;
 	double *product_sd;
 };

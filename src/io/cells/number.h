@@ -29,9 +29,9 @@ bool number_read_cell(
 /* As number_read_cell, but adds no fault. */
 bool number_value_of_cell(struct cell cell, double *value);
 
-/* Returns the bytes of what may stand between thousands at s, whatever the
- * decimal sign: blanks, also those that do not break, and apostrophes; 0 if
- * something else is there. */
+/* Returns the length in bytes of a separator of thousands at s that is valid
+ * with either decimal sign: a space, also one that does not break, or an
+ * apostrophe; 0 if there is none. */
 size_t number_thousands_separator_bytes(const char *s);
 
 /* True if a sign in the cell could be decimal or separate thousands, and the

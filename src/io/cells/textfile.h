@@ -26,7 +26,7 @@ char *textfile_read_bytes(
 char *textfile_decode(const char *path, const char *bytes, size_t n,
     const char **note, struct error_list *errors);
 
-/* Reads and decodes a file of at most so many bytes, without the note.
+/* Reads and decodes a file of at most that many bytes, without the note.
  * TEXTFILE_OWN: of a file that the program itself may have written. */
 enum textfile_bytes {
 	TEXTFILE_SHEET = 10 * 1000 * 1000,

@@ -28,8 +28,8 @@ bool site_ask_pending_question(const struct open *open,
     const struct site_request *request, struct table *const *table,
     size_t n_table, const struct columns *all, struct site_ask *ask);
 
-/* Returns the size, mm, that all of a feed passes where its coarsest sieve
- * passes 100.0 % as laboratories round: the next sieve up; 0 if more is
+/* Returns the size, mm, that all of a feed passes if its coarsest sieve passes
+ * 100.0 % when rounded as laboratories do: the next sieve up; 0 if more is
  * coarser. */
 double site_ask_size_above_feed(const struct column *c);
 

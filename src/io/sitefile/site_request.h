@@ -61,7 +61,8 @@ bool site_box_parse(const char *text, struct site_box *box);
 /* Returns the box as "A3:F20".  The caller frees it. */
 char *site_box_text(struct site_box box);
 
-/* Returns the smallest box that contains tables from..to of *ask, from 0. */
+/* Returns the smallest box that contains tables from..to of *ask, counted from
+ * 0. */
 struct site_box site_box_around_tables(
     const struct site_ask *ask, size_t from, size_t to);
 

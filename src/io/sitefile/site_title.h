@@ -14,15 +14,16 @@ void title_take_key_of_samples(struct layout *layout);
 bool title_says_sample_or_speed(
     const struct layout *layout, const struct row *row);
 
-/* Returns the table that a line stands above, below those before it; NULL if
- * there is none. */
+/* Returns the table above which a line stands, below all earlier tables; NULL
+ * if there is none. */
 const struct table *title_table_below(
     const struct layout *layout, const struct row *row);
 
-/* Returns the first day, "2026-05-03", that lines above a table and below those
- * before it state, or for NULL all lines outside tables; NULL: none.  before:
- * the day that an earlier call returned, which then is returned again, or NULL.
- * differ: set if a line states another day.  The caller frees the day. */
+/* Returns the first day, "2026-05-03", stated in the lines between the earlier
+ * tables and a table, or for NULL in all lines outside tables; NULL: none.
+ * before: the day that an earlier call returned, which is then returned again,
+ * or NULL.  differ: set if a line states another day.  The caller frees the
+ * day. */
 char *title_find_day(const struct layout *layout, const struct table *t,
     char *before, bool *differ);
 
