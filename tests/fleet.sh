@@ -168,7 +168,7 @@ result $? 'one of another calibration is refused'
 	>>log 2>&1
 refuses 'belongs to none of the parts' $parts part1.db part2.db part3.db
 result $? 'one of no part is refused'
-refuses 'expected also the parts that this store belongs to' part1.db
+refuses 'expected the parts that this store belongs to' part1.db
 result $? 'a store goes with its parts'
 
 # What cannot be compared is listed at the end, and the answer stays.

@@ -130,7 +130,7 @@ result ${#wrong} "what XML forbids is shown in SVG, and drawn in PDF and PNG:$wr
 
 echo kept >kept.svg
 "$TIPSPEED" data/sites/tierp.csv -c 'validate > kept.svg' 2>err.txt
-[ $? = 2 ] && grep -q 'makes no image' err.txt && grep -q kept kept.svg
+[ $? = 2 ] && grep -q 'cannot make an image' err.txt && grep -q kept kept.svg
 result $? "a table does not go into a picture's file"
 "$TIPSPEED" data/sites/tierp.csv -c 'plot psd >> kept.svg' 2>err.txt
 [ $? = 2 ] && grep -q 'cannot be appended' err.txt && grep -q kept kept.svg

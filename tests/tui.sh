@@ -406,7 +406,7 @@ gesture 'site  *rock.*parameters' "also while a speed is typed" \
 	'0;65;1M' '0;65;1m'
 keys '?' / by
 press '65;40;10M'
-want '^/by  6 keys ' "the wheel types nothing into the word to find"
+want '^/by  7 keys ' "the wheel types nothing into the word to find"
 keys Escape
 want '^  Left Right '
 keys q q

@@ -77,10 +77,9 @@ print_table_above_questions(const struct user_question *q, int columns)
 	if (q->ask->n == 0)
 		return;
 	text_print_wrapped(
-	    q->ask->tables
-		? tr("Enter accepts what is in [ ]; or type the numbers "
-		     "of tables, as 2 or 1-2, or cells, as A5:B17; ^C "
-		     "gives up")
+	    q->ask->tables ? tr("Enter accepts what is in [ ]; or type the "
+				"numbers of tables, such as 2 or 1-2, or "
+				"cells, such as A5:B17; ^C gives up")
 	    : q->ask->across
 		? tr("Enter accepts what is in [ ], - leaves a line out, "
 		     "^C gives up")

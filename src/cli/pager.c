@@ -44,7 +44,7 @@ pager_command(void)
 		return xstrdup(own != NULL ? own : any);
 	return xasprintf("command -v less >/dev/null || exit 127; "
 			 "LESSSECURE=1 exec less -FRX '-Ps?e%s:%s.'",
-	    tr("the end, q leaves"), tr("space goes on, q leaves"));
+	    tr("the end, q quits"), tr("space continues, q quits"));
 }
 
 /* A handler, because the pager would inherit SIG_IGN. */

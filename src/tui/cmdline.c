@@ -147,7 +147,7 @@ say_that_pages_keep_feed(struct tui *t, const char *line)
 	if (feed != NULL && strchr(line, '>') == NULL &&
 	    strcmp(feed, t->session->set.feed) != 0)
 		tui_say(t, false,
-		    "the pages keep their feed: :set feed %s has them take "
+		    "the pages keep their feed: :set feed %s makes them use "
 		    "this one",
 		    feed);
 }

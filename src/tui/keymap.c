@@ -171,12 +171,12 @@ act_next_correcting_runs(struct tui *t, const struct key *key)
 {
 	(void)key;
 	static const char *const SAID[] = {
-	    [CORRECTION_ALL] = N_("all runs correct the answer now: u takes it "
-				  "back"),
-	    [CORRECTION_TRAIN] = N_("only the training runs correct the answer "
-				    "now: u takes it back"),
-	    [CORRECTION_OFF] = N_("no run corrects the answer now, it is the "
-				  "model's: u takes it back")};
+	    [CORRECTION_ALL] =
+		N_("all runs correct the answer now: u undoes this"),
+	    [CORRECTION_TRAIN] = N_(
+		"only the training runs correct the answer now: u undoes this"),
+	    [CORRECTION_OFF] = N_("no run corrects the answer now, which is "
+				  "the model's: u undoes this")};
 	static const char *const NEXT[] = {[CORRECTION_ALL] = "train",
 	    [CORRECTION_TRAIN] = "off",
 	    [CORRECTION_OFF] = "all"};
@@ -253,7 +253,8 @@ act_change_search_pace(struct tui *t, const struct key *key)
 	t->due = t->clock;
 	if (t->ui.pace == PACE_AUTO)
 		tui_say(t, false,
-		    "generations a second: few while the best gains much");
+		    "generations a second: few while the best improves "
+		    "quickly");
 	else if (t->ui.pace == PACE_FULL)
 		tui_say(t, false, "generations a second: as many as possible");
 	else
@@ -460,8 +461,8 @@ go_to_typed_speed(struct tui *t, const char *text)
 	bool turns = said || v > SITE_FASTEST;
 	double speed = turns ? speed_in_unit_to_mps(v, SPEED_RPM, rotor) : v;
 	if (!read)
-		tui_say(t, true, "expected a speed as 72.5 or 1450 rpm, got %s",
-		    text);
+		tui_say(t, true,
+		    "expected a speed such as 72.5 or 1450 rpm, got %s", text);
 	else if (turns && !(rotor > 0))
 		tui_say(t, true,
 		    "the rotor's diameter is not known: type m/s, or state it "

@@ -1488,7 +1488,7 @@ another_feed_than_that_of_the_pages_is_told(void **state)
 	type(t, ":predict 74 feed=data/sites/bro.csv@69\n");
 	assert_non_null(t->viewer.text);
 	assert_non_null(
-	    strstr(t->message, ":set feed data/sites/bro.csv@69 has"));
+	    strstr(t->message, ":set feed data/sites/bro.csv@69 makes"));
 	type(t, "\033");
 	view_predict_at_slider(t);
 	assert_true(t->view.current.size[1] == before.size[1]);
@@ -1886,7 +1886,7 @@ f_asks_before_it_replaces_parameters(void **state)
 	assert_ptr_equal(t->session->entry[0].origin, origin);
 	type(t, "a");
 	assert_int_equal(t->session->set.correction, CORRECTION_TRAIN);
-	assert_non_null(strstr(t->message, "u takes it back"));
+	assert_non_null(strstr(t->message, "u undoes this"));
 	type(t, "u");
 	assert_int_equal(t->session->set.correction, CORRECTION_ALL);
 }

@@ -161,7 +161,7 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	assert_int_equal(later.n, 1);
 	assert_near(later.speed, 72, 1e-9);
 	assert_false(later.missed);
-	assert_noted(desk, "next: 'calibrate' takes it into the answers");
+	assert_noted(desk, "next: 'calibrate' includes it in the answers");
 	desk_expect(desk, "add data/cuts/tierp-72.csv@72");
 	entry = session_current_entry(desk->session);
 	assert_true(cut_compare_runs_since_fit(desk->session, entry).twice);
@@ -315,11 +315,11 @@ one_product_checks_recalled_parameters(void **state)
 	size_t n = desk->n_out;
 	desk_expect(desk, "predict 78");
 	assert_non_null(strstr(desk->out + n, "the cut at 72 m/s"));
-	assert_non_null(strstr(desk->out + n, "RMS of 5 sieves"));
+	assert_non_null(strstr(desk->out + n, "points (5 sieves)"));
 	say(desk, "add %s/cut.csv@79", folder);
 	n = desk->n_out;
 	desk_expect(desk, "predict 78");
-	assert_null(strstr(desk->out + n, "RMS of"));
+	assert_null(strstr(desk->out + n, "(5 sieves)"));
 }
 
 static void
@@ -632,7 +632,7 @@ a_date_of_two_readings_is_settled_or_said(void **state)
 	    desk, "can be 2026-11-05 or 2026-05-11, so the cut has none");
 	add_dated(desk, "12/11/2026", 71);
 	assert_noted(desk, "added a cut: 71 m/s, 2026-11-12, dated.csv");
-	assert_noted(desk, "as the other way round it is still to come");
+	assert_noted(desk, "as the other reading is in the future");
 	assert_false(desk_say(desk, "add cut.csv@72 date=05/11/2026"));
 	assert_non_null(
 	    strstr(desk->error.hint, "date=2026-11-05 or date=2026-05-11"));

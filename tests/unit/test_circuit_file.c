@@ -83,7 +83,7 @@ faults_have_their_place(void **state)
 	    {FEED "crusher,a,a\n", 2, 11, "one source of 'a'"},
 	    {FEED "crusher,a + b,b\n", 1, 6, "a loop that never empties"},
 	    {FEED "stockpile,a\ncrusher,b,b\n", 3, 1, "to this crusher"},
-	    {FEED "split,a,b=60,c=30\n", 2, 9, "100 % together, got 90 %"},
+	    {FEED "split,a,b=60,c=30\n", 2, 9, "sum to 100 %, got 90 %"},
 	    {FEED "split,a,b,c\n", 2, 9, "the rest twice"},
 	    {FEED "split,a,b\n", 2, 1, "2 to 16 streams"},
 	    {FEED "split,a,b=x,c\n", 2, 11, "a share from 0"},

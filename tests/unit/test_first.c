@@ -239,7 +239,7 @@ letters_narrow_the_list(void **state)
 	size_t all = t->picker.folder.n;
 	type(t, "limestone");
 	assert_true(t->picker.on);
-	assert_true(shows("what has 'limestone'"));
+	assert_true(shows("containing 'limestone'"));
 	assert_in_range(list_count_matching(t), 1, all - 1);
 	press(t, "Esc");
 	assert_int_equal(list_count_matching(t), all);

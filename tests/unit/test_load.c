@@ -186,7 +186,7 @@ what_is_no_answer_is_asked_again(void **state)
 	assert_int_equal(user.n, 6);
 	assert_non_null(strstr(user.asked, "got nothing"));
 	assert_non_null(strstr(user.asked, "got 'banana'"));
-	assert_non_null(strstr(user.asked, "of rpm write: 1350 rpm"));
+	assert_non_null(strstr(user.asked, "for rpm write: 1350 rpm"));
 	assert_speeds(site_of(desk), 69, 79);
 }
 
@@ -263,14 +263,14 @@ a_coarser_sieve_is_assumed(void **state)
 				     "8,30,50\n4,12,25\n";
 	assert_true(load_with(desk, COARSE, ""));
 	assert_non_null(strstr(user.asked,
-	    "take 22.4 mm, the next sieve up (or type 31.5 or more, as much "
-	    "is coarser) [Y/n]"));
+	    "take 22.4 mm, the next sieve up (or type 31.5 or more, since "
+	    "much is coarser) [Y/n]"));
 	assert_near(site_assumed_top_size(site_of(desk)), 22.4, 0);
 	assert_true(load_with(desk, COARSE, "45"));
 	assert_near(site_assumed_top_size(site_of(desk)), 45, 0);
 	assert_false(load_with(desk, COARSE, "n"));
 	assert_non_null(
-	    strstr(desk->error.hint, "(or 31.5 mm or more, as much is "
+	    strstr(desk->error.hint, "(or 31.5 mm or more, since much is "
 				     "coarser): load test-load.csv top=22.4"));
 	assert_false(load_with(desk, SHORT, "n"));
 	assert_false(desk_say(desk, "load test-load.csv top=16"));

@@ -72,10 +72,10 @@ static const struct {
 	"which is to be read"},
     {"size_mm,feed@69,product@69,feed@79,feed@79,product@79\n"
      "8,100,100,100,100,100\n4,60,80,60,61,90\n",
-	1, 36, "one feed@79, got 2", "in their order"},
+	1, 36, "one feed@79, got 2", "in the same order"},
     {"size_mm,feed,product@69,product@79,product@79,product@79,sd@79,sd@79\n"
      "8,100,100,100,100,100,1,1\n4,60,80,90,91,92,1,1\n",
-	1, 64, "one sd@79 or one for each product, got 2", "in their order"},
+	1, 64, "one sd@79 or one for each product, got 2", "in the same order"},
     {"size_mm,feed,product (2),product@79\n" ROWS, 1, 14, "its tip speed",
 	"product@SPEED"},
     {"size_mm,feed,siktrest@69,product@79\n" ROWS, 1, 14, "what column 3 is",
@@ -194,7 +194,7 @@ static const struct {
     {"site,Tierp\nrock,Gr\xE5\x81 gnejs\n" TOP ROWS, 2, 9, "Windows-1252",
 	"CSV UTF-8"},
     {"site,Tierp\nrock,Gr\xC3\xA5 gnejs, r\xF6" TOP ROWS, 2, 18,
-	"a damaged letter", "CSV UTF-8"},
+	"a damaged character", "CSV UTF-8"},
     {"site,T\x01\n" TOP ROWS, 1, 7, "a binary file", "CSV UTF-8"},
 };
 

@@ -304,7 +304,7 @@ own_results_are_no_sheet(void **state)
 		struct error_list errors = {0};
 		assert_null(site_read_request(&request, &errors, NULL));
 		assert_string_equal(errors.item[0].text,
-		    "expected a site file, got results of tipspeed's own "
+		    "expected a site file, got tipspeed's own results "
 		    "(plot)");
 		char *command = command_that_made_file(path);
 		assert_string_equal(command, "plot");

@@ -165,7 +165,7 @@ test_reasons(void **state)
 	    {&slow, {.speed = 74}, LIGHT_GREEN, NULL},
 	    {&unsettled, {.speed = 74}, LIGHT_AMBER, "30 % of its width"},
 	    {&bent, {.speed = 74}, LIGHT_AMBER, "finer with energy"},
-	    {&lost, {.speed = 74}, LIGHT_AMBER, "calibrated on by 0.40"},
+	    {&lost, {.speed = 74}, LIGHT_AMBER, "training products by 0.40"},
 	    {&SOUND, {.speed = 74, .width = 0.08}, LIGHT_AMBER, "8 points"},
 	    {&SOUND, {.speed = 74, .width = 0.2}, LIGHT_RED, "20 points"},
 	    {&SOUND, {.speed = 74, .feed = 0.12}, LIGHT_AMBER, "12 points"},

@@ -118,8 +118,8 @@ parse_plant_if_asked(struct session *s, struct card_request *all,
 	for (size_t i = 0; i < ARRAY_LEN(with_feed); i++)
 		if (args_is_given(args, with_feed[i]))
 			return error_set(error, ERROR_USAGE,
-			    "expected tph= with %s=\n"
-			    "add the new feed, as tph=120",
+			    "expected tph= with %s=\nadd the new feed, such as "
+			    "tph=120",
 			    args_option_name(args, with_feed[i]));
 	return true;
 }
@@ -560,7 +560,7 @@ note_meaning_of_range(
 	FREED char *range = range_column_heading(all);
 	FREED char *figure = card_heading_of_quantity(all, of);
 	answer_note_column(r, range,
-	    "%s: of the figure at its left; the true value lies in it with "
+	    "%s: of the figure to its left; the true value lies within it with "
 	    "%.0f %% probability",
 	    range, level);
 	FREED char *words = quantities_name(of);
@@ -636,7 +636,7 @@ note_basis_of_card(struct answer *r, const struct session *s,
 	    all->plant.circuit != NULL ? tr(", fractions in t/h") : "");
 	if (fraction_is_screened(&q->fraction)) {
 		FREED char *cut = quantities_fraction_text(&q->fraction);
-		answer_note(r, "all of these of the fraction %s", cut);
+		answer_note(r, "all of these refer to the fraction %s", cut);
 	}
 	if (page->ranged)
 		note_meaning_of_range(r, all, page->cut);

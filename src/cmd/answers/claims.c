@@ -72,10 +72,9 @@ check_claim_params_within_bounds(
 	}
 	add_claim_verdict(r, N_("properties converge within the range of rock"),
 	    bound == 0,
-	    xasprintf(
-		tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f to "
-		   "%.2f; %zu of %zu sites end with one at a bound of Table 2, "
-		   "which then is set by the bound and not by the rock"),
+	    xasprintf(tr("f_mat %.2f to %.2f, e0_min %.1f to %.1f, alpha %.2f "
+			 "to %.2f; at %zu of %zu sites one ends at a bound of "
+			 "Table 2, so that the bound sets it, not the rock"),
 		low[0], high[0], low[1], high[1], low[2], high[2], bound,
 		c->n));
 }
@@ -92,7 +91,7 @@ check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 	    xasprintf(tr("relative RMS of P20 %.2f %%, P50 %.2f %%, P80 %.2f "
 			 "%% over %zu held-out runs"),
 		rms[0], rms[1], rms[2], c->runs.n));
-	add_claim_verdict(r, N_("the tails lie further off"),
+	add_claim_verdict(r, N_("the tails are predicted less well"),
 	    rms[0] > rms[1] && rms[2] > rms[1],
 	    xasprintf(rms[0] > rms[1]
 			  ? (rms[2] > rms[1] ? tr("both, P20 and P80")
@@ -133,7 +132,7 @@ check_claim_f_mat_opposes_e0_min(
 	    N_("high f_mat goes with low e0_min, and the reverse"),
 	    is_correlation_surely_negative(printed, c->paper.n),
 	    xasprintf(tr("correlation %+.2f over the %zu rows of Table 3%s; "
-			 "chance alone is beyond %.2f once in 20"),
+			 "chance alone goes beyond %.2f once in 20"),
 		printed, c->paper.n, fits,
 		2.1 / sqrt(2.1 * 2.1 + (double)c->paper.n - 2)));
 }
@@ -181,8 +180,8 @@ check_claim_of_extrapolation(struct answer *r, const struct claim_evidence *c)
 		    xasprintf(
 			tr("against the product that the row's own parameters "
 			   "give: RMSE %.2f points (median of %zu), %.2f at "
-			   "worst, of which none should exceed 1; energies "
-			   "%+.1f and %+.1f %% (the text has -12 and 15)"),
+			   "worst (none should exceed 1); energies %+.1f and "
+			   "%+.1f %% (the text has -12 and 15)"),
 			off[n / 2], n, off[n - 1],
 			100 * (65 * 65 / (69. * 69) - 1),
 			100 * (85 * 85 / (79. * 79) - 1)));

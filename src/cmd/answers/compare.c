@@ -165,11 +165,12 @@ note_which_side_has_more(struct answer *r, const struct session *s,
 		    fmax(fabs(low), fabs(high)), unit);
 	else if (low < 0 || high > 0)
 		answer_note(r,
-		    "the data do not tell which of the two has the higher %s: "
+		    "the data do not show which of the two has the higher %s: "
 		    "the difference is %s between %+.*f and %+.*f%s",
 		    words, chance, digits, low, digits, high, unit);
 	else
-		answer_note(r, "%s: the same at both, as it is shown", words);
+		answer_note(
+		    r, "%s: the same at both, to the digits shown", words);
 	const struct question *asked = &side[0].q;
 	if ((low < 0 || high > 0) && !are_sides_two_sites(side) &&
 	    asked->feed == SITE_MEAN_FEED &&

@@ -203,9 +203,10 @@ goal_text(const struct find_request *goal)
 	const struct quantity *q = &goal->target.quantity;
 	char *name = quantities_name(q), *words;
 	if (goal->kind != GOAL_VALUE)
-		words = xasprintf(goal->kind == GOAL_MOST ? tr("the largest %s")
-							  : tr("the least %s"),
-		    name);
+		words =
+		    xasprintf(goal->kind == GOAL_MOST ? tr("the largest %s")
+						      : tr("the smallest %s"),
+			name);
 	else if (q->kind == QUANTITY_PASSING)
 		words = xasprintf("%g %% %s",
 		    target_in_shown_unit(goal, goal->target.least), name);
@@ -413,7 +414,7 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
 	}
 	if (binds.i != SIZE_MAX) {
 		words = conditions_limit_text(&goal->others, binds);
-		answer_note(r, "what binds: %s", words);
+		answer_note(r, "limited by: %s", words);
 		free(words);
 	} else {
 		conditions_note_unsearched_speeds(r, &goal->wanted,

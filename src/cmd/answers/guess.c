@@ -416,7 +416,7 @@ note_best_material_at_cut(
 		return;
 	const char *name = b->list.item[best].name;
 	answer_note(r,
-	    "of the materials %s meets the cut at %g m/s best (RMSE %.1f "
+	    "of the materials, %s matches the cut at %g m/s best (RMSE %.1f "
 	    "points): 'recall %s' predicts with it",
 	    name, site->run[run].speed, 100 * least, name);
 }

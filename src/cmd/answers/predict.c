@@ -245,11 +245,10 @@ note_fit_of_only_cut(
 	FREED char *rpm = rotor_speed_rpm_text(
 	    entry->site->rotor, entry->site->run[run].speed, NAN);
 	answer_say(r, cut.missed ? ANSWER_WARNING : ANSWER_PLAIN,
-	    cut.missed
-		? N_("the prediction misses the cut at %g m/s%s, the one "
-		     "product of this site: %s")
-		: N_("the prediction meets the cut at %g m/s%s, the one "
-		     "product of this site: %s"),
+	    cut.missed ? N_("the prediction misses the cut at %g m/s%s, the "
+			    "only product of this site: %s")
+		       : N_("the prediction matches the cut at %g m/s%s, the "
+			    "only product of this site: %s"),
 	    entry->site->run[run].speed, rpm, words);
 	fields_put_values(fields_add_object(answer_fields(r), "cut"),
 	    "speed %g rms_pct %g sieves %zu", entry->site->run[run].speed,

@@ -117,7 +117,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {TEXT(of), NULL, "passing 2,fines",
 		"figures beside P20, P50 and P80, see figures"},
 	    {NUMBER(tph), "t/h", 0.001, 1e5, NULL, "",
-		"new feed, for tonnes and kWh/t as flow has them"},
+		"new feed, for tonnes and kWh/t as in flow"},
 	    FLOW_PARTS,
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
@@ -198,9 +198,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "k-value) or GB/T 14684; and a fraction such as 0/2, its share of "
 	    "the product. 'of 0/4' after a figure, or cut=0/4 for all of them, "
 	    "takes that screened fraction. Figures that the sieves do not "
-	    "reach are left out, or missing. A sentence says "
-	    "between which values a new belt cut may show those that are "
-	    "named.",
+	    "reach are left out, or missing. A sentence gives the range that a "
+	    "new belt cut may show for each figure that is named.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nfigures 72\n"
 		   "figures 72 of=\"D10,fm EN of 0/4,0/2\"",
 	.answer = cmd_figures},
@@ -263,13 +262,13 @@ const struct command TABLE_ANSWERS[] = {
 			"cover the runs"}),
 	.shared = {SHARED_TURNS, SHARED_FEED, SHARED_MACHINE, SHARED_SCREENS},
 	.text =
-	    "Shows the tonnes per hour of each fraction that screens make of "
-	    "the product of a new feed, in steady state. Fractions of recycle= "
-	    "return to the crusher: their tonnes are the circulating load. "
-	    "Power is an engineering estimate, idle + c Q v2, from readings of "
-	    "the motor, power=m/s:kW:t/h. With prices, best=on finds the speed "
-	    "that earns most and what it gains over speed=. circuit= takes "
-	    "screens, splits and stockpiles from a file, see "
+	    "Shows the tonnes per hour of each fraction into which screens "
+	    "divide the product of a new feed, in steady state. Fractions of "
+	    "recycle= return to the crusher: their tonnes are the circulating "
+	    "load. Power is an engineering estimate, idle + c Q v2, from "
+	    "readings of the motor, power=m/s:kW:t/h. With prices, best=on "
+	    "finds the speed that earns most and what it gains over speed=. "
+	    "circuit= takes screens, splits and stockpiles from a file, see "
 	    "tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the tonnes of "
 	    "the products against the speed, from=..to=.",
 	.more = "Material coarser or finer than all fractions, or between "
@@ -310,16 +309,16 @@ const struct command TABLE_ANSWERS[] = {
 	    "limits the speed below and above, and the best speed: the one at "
 	    "which they hold with the highest probability, preferably between "
 	    "the measured speeds; of speeds within 2 % of that probability, "
-	    "the one with the largest margin, in widths of the band. The "
-	    "slowest measured speed from which on, up to the best, they hold "
-	    "with 95 % probability takes the least energy and wear. Programs "
-	    "get margins as passings, in points: of a P at the size that is "
-	    "its limit, of a fineness modulus per sieve. Moduli and fractions "
-	    "rise and fall with "
-	    "the speed, so there may be several windows. With the uncertainty "
-	    "band it says at which speeds all conditions hold together with 80 "
-	    "% certainty (set level). If no speed meets them all, the nearest "
-	    "one is shown, with the condition that limits it.",
+	    "the one with the largest margin, in widths of the band. Least "
+	    "energy and wear are at the slowest measured speed from which, up "
+	    "to the best, the conditions hold with 95 % probability. Programs "
+	    "get margins as passings, in points: for a P at the size that is "
+	    "its limit, for a fineness modulus per sieve. Moduli and fractions "
+	    "rise and fall with the speed, so there may be several windows. "
+	    "With the uncertainty band, also says at which speeds all "
+	    "conditions hold together with 80 % certainty (set level). If no "
+	    "speed meets them all, the nearest one is shown, with the "
+	    "condition that limits it.",
 	.example = "load data/sites/tierp.csv\n"
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "window \"passing 2 = 30..36\" \"P80 > 5\"",
@@ -440,15 +439,14 @@ const struct command TABLE_ANSWERS[] = {
 	.alias = "uncertainty params",
 	.brief = "what the data determine, and what they do not",
 	.flags = COMMAND_NEEDS_SITE,
-	.text = "Reads off the draws of the uncertainty which parameters the "
-		"data determine: the standard deviation of the draws in per "
-		"cent of that of the prior (below 10: determined, below 50: "
-		"poorly determined, else not), the break size at each "
-		"measured speed, the parameters that are at a bound or "
-		"compensate for each other, and whether the data bound the "
-		"threshold only from above. Ends in one sentence. plot "
-		"correlation and plot profile draw it; see IDENTIFIABILITY in "
-		"tipspeed-model(7).",
+	.text = "Shows from the uncertainty draws which parameters the data "
+		"determine: the standard deviation of the draws in per cent of "
+		"that of the prior (below 10: determined, below 50: poorly "
+		"determined, else not), the break size at each measured speed, "
+		"the parameters that are at a bound or compensate for each "
+		"other, and whether the data bound the threshold only from "
+		"above. Ends in one sentence. plot correlation and plot "
+		"profile draw it; see IDENTIFIABILITY in tipspeed-model(7).",
 	.example = "load data/sites/tierp.csv\ncalibrate\nuncertainty params",
 	.run = cmd_identify},
     {.name = "why",

@@ -148,8 +148,8 @@ note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 	    100 * two / POSTERIOR_DRAWS, 100 * share / two, ratio / two);
 	if (words && two > 0)
 		answer_note(r,
-		    "two strengths: in %.0f %% of the draws; there %.0f %% of "
-		    "the rock has a threshold %.2f times the other's",
+		    "two strengths: in %.0f %% of the draws; in those, %.0f %% "
+		    "of the rock has a threshold %.2f times that of the rest",
 		    100 * two / POSTERIOR_DRAWS, 100 * share / two,
 		    ratio / two);
 }
@@ -286,8 +286,9 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	}
 	answer_note(r,
 	    share < ADVISE_WORTH
-		? N_("what would help %s at %.4g m/s most: several samples, as "
-		     "at %.4g m/s%s; one narrows its band by %.0f %% only")
+		? N_("what would help %s at %.4g m/s most: several samples, "
+		     "for instance at %.4g m/s%s; one narrows the band by only "
+		     "%.0f %%")
 	    : best.repeat
 		? N_("what would help %s at %.4g m/s most: another sample at "
 		     "%.4g m/s%s; it is expected to narrow its band by %.0f "
@@ -333,9 +334,9 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 		? N_("in the band: tip speeds known to %g %% (speed_sd=) move "
 		     "what passes %g mm by +- %.2f points, and other sizes by "
 		     "less")
-		: N_("beside the band: tip speeds known to %g %% (speed_sd=) "
-		     "move what passes %g mm by +- %.2f points, and other "
-		     "sizes by less"),
+		: N_("in addition to the band: tip speeds known to %g %% "
+		     "(speed_sd=) move what passes %g mm by +- %.2f points, "
+		     "and other sizes by less"),
 	    100 * sd, units_mm(at->product.size[worst]), 100 * most);
 	fields_put_values(answer_fields(r),
 	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);

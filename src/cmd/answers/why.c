@@ -325,8 +325,8 @@ say_held_out_difference(const struct explained *a)
 		    validation_loses_to_interpolation(&v)
 			? N_("The held-out product measured at %g m/s%s%s "
 			     "differs from the prediction by %.2f points on "
-			     "average; a straight line through the products "
-			     "calibrated on is closer")
+			     "average; a straight line through the training "
+			     "products is closer")
 			: N_("The held-out product measured at %g m/s%s%s "
 			     "differs from the prediction by %.2f points on "
 			     "average"),

@@ -892,7 +892,7 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 		    conditions_limit_text(list, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
-		    "%s alike, by %s",
+		    "%s equally, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
 		note_feed_misses_limit(r, list, found, feed);
 	} else {
@@ -993,12 +993,12 @@ conditions_note_unsearched_speeds(
 	    site, fmin(SITE_FASTEST, wanted->to + more), true);
 	if (slower && wanted->from > 1 && !is_slow_end_unreliable(wanted))
 		answer_note(r,
-		    "slower than %g m/s%s was not searched: add from=%s",
+		    "speeds below %g m/s%s were not searched: add from=%s",
 		    wanted->from, slow, from);
 	if (faster && wanted->to < SITE_FASTEST &&
 	    !is_fast_end_unreliable(wanted))
 		answer_note(r,
-		    "faster than %g m/s%s was not searched: add to=%s",
+		    "speeds above %g m/s%s were not searched: add to=%s",
 		    wanted->to, fast, to);
 }
 
@@ -1033,8 +1033,9 @@ conditions_times_in_100_text(double share)
 			      : xasprintf(tr("%.0f times in 100"), 100 * share);
 }
 
-/* Returns "run at 73.3 m/s: they hold most surely there, over 99 times in 100",
- * or "best 84.9 m/s, .." where that is not to be relied on. */
+/* Returns "run at 73.3 m/s: they are most likely to be met there, over
+ * 99 times in 100", or "best 84.9 m/s, .." where that is not to be relied
+ * on. */
 static char *
 speed_to_run_at_text(const struct session *s, const struct question *q,
     const struct wanted *wanted, bool several, const struct speed_search *w)
@@ -1059,8 +1060,8 @@ speed_to_run_at_text(const struct session *s, const struct question *q,
 	}
 	FREED char *times = conditions_times_in_100_text(w->best_certain);
 	xappend(&words,
-	    several ? tr("they hold most surely there, %s")
-		    : tr("it holds most surely there, %s"),
+	    several ? tr("they are most likely to be met there, %s")
+		    : tr("it is most likely to be met there, %s"),
 	    times);
 	return words;
 }

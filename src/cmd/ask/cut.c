@@ -90,22 +90,21 @@ cut_comparison_text(const struct cut *c)
 	const double off = 100 * c->rms, worst = 100 * fabs(c->worst),
 		     mm = units_mm(c->worst_sieve);
 	if (c->no_band)
-		return xasprintf(
-		    c->worst > 0
-			? tr("%.1f points off (RMS of %zu sieves), most at %g "
-			     "mm, where the model alone is %.1f above the cut")
-			: tr("%.1f points off (RMS of %zu sieves), most at %g "
-			     "mm, where the model alone is %.1f below the "
-			     "cut"),
+		return xasprintf(c->worst > 0
+				     ? tr("RMSE %.1f points (%zu sieves), "
+					  "largest error at %g mm, where the "
+					  "model alone is %.1f above the cut")
+				     : tr("RMSE %.1f points (%zu sieves), "
+					  "largest error at %g mm, where the "
+					  "model alone is %.1f below the cut"),
 		    off, c->n, mm, worst);
 	return xasprintf(
-	    c->worst > 0
-		? tr("%zu of %zu sieves are within the range for a belt cut; "
-		     "%.1f points off (RMS), most at %g mm, where the answer "
-		     "is %.1f above the cut")
-		: tr("%zu of %zu sieves are within the range for a belt cut; "
-		     "%.1f points off (RMS), most at %g mm, where the answer "
-		     "is %.1f below the cut"),
+	    c->worst > 0 ? tr("%zu of %zu sieves are within the range for a "
+			      "belt cut; RMSE %.1f points, largest error at %g "
+			      "mm, where the answer is %.1f above the cut")
+			 : tr("%zu of %zu sieves are within the range for a "
+			      "belt cut; RMSE %.1f points, largest error at %g "
+			      "mm, where the answer is %.1f below the cut"),
 	    c->inside, c->n, off, mm, worst);
 }
 

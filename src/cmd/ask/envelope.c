@@ -83,9 +83,8 @@ envelope_find(struct session *s, const char *words, struct error *error)
 			   : find_shipped_envelope(s, words, error);
 	if (s->spec == NULL)
 		error_set(error, ERROR_USAGE,
-		    "no grading envelope is chosen\n"
-		    "run 'spec use NAME'; 'spec list' has the names, and a "
-		    "file's does as well");
+		    "no grading envelope is chosen\nrun 'spec use NAME'; 'spec "
+		    "list' has the names, and a file name will also do");
 	return s->spec;
 }
 

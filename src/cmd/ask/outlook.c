@@ -327,8 +327,7 @@ band_why_none(const struct session *s, const struct entry *entry)
 			"parameters")
 	       : correction_in_use(s, entry) == CORRECTION_OFF
 		   ? tr("no uncertainty band for the model alone: 'set "
-			"correction "
-			"all' has one")
+			"correction all' gives one")
 	       : fit->stop == CALIBRATE_STOPPED
 		   ? tr("no uncertainty band: the calibration was stopped")
 	       : has_poor_fit(s, entry)

@@ -251,9 +251,9 @@ quantities_apply_cut_option(
 {
 	if (q->kind == QUANTITY_SHARE && fraction_is_screened(cut))
 		return error_set(error, ERROR_USAGE,
-		    "%g/%g names a fraction itself, and cut= another one\n"
-		    "leave out cut=, or ask for it by itself: its share is "
-		    "that of the whole product",
+		    "%g/%g is itself a fraction, and cut= names another "
+		    "one\nleave out cut=, or ask for the fraction by itself: "
+		    "its share is of the whole product",
 		    units_mm(q->fraction.fine), units_mm(q->fraction.coarse));
 	if (!fraction_is_screened(&q->fraction))
 		q->fraction = *cut;

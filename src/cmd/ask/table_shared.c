@@ -20,7 +20,7 @@ const struct command_option SHARED_MACHINE[] = {
     {NUMBER(rotor_mm), "mm", 100, 5000, NULL, "",
 	"diameter of the rotor; default: that of the site"},
     {NUMBER(cascade), "%", 0, 90, NULL, "",
-	"share of the feed led past the rotor, in addition to that of the "
+	"share of the feed that bypasses the rotor, in addition to that of the "
 	"measured runs; assumed uncrushed, which gives the coarsest possible "
 	"product"},
     {NUMBER(k), "", 0.01, 100, NULL, "",

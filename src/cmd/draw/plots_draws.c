@@ -115,7 +115,7 @@ plots_parameter_correlations(
 	add_correlation_cells(chart, p, column, n, false);
 	chart_note(chart,
 	    "of the draws or of their ranks, whichever is stronger; above 0.9 "
-	    "the data tell a combination of the two only");
+	    "the data determine only a combination of the two");
 	return chart;
 }
 

@@ -149,9 +149,9 @@ find_calibrated_material(const struct stores_read *shelf,
 	    strcmp(m->version, version) == 0)
 		return m;
 	error_at(error, ERROR_DATA, shelf->path[found->at], 0, 0,
-	    "expected the calibration of '%s' that its part has (misfit %.6g, "
-	    "version %s), got another (misfit %.6g, version %s)\nmake the part "
-	    "and the store again, in one run",
+	    "expected the calibration of '%s' that is in its part (misfit "
+	    "%.6g, version %s), got another (misfit %.6g, version %s)\nmake "
+	    "the part and the store again, in one run",
 	    m->name, site->number[MISFIT], version, m->misfit, m->version);
 	return NULL;
 }
@@ -241,8 +241,9 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 	}
 	if (ok && parts.n == 0)
 		ok = error_at(error, ERROR_DATA, store[0], 0, 0,
-		    "expected also the parts that this store belongs to\nwrite "
-		    "them with: calibrate all part=I/N > FILE.json");
+		    "expected the parts that this store belongs to as "
+		    "well\nwrite them with: calibrate all part=I/N > "
+		    "FILE.json");
 	ok = ok && parts_check_agree(&parts, error) &&
 	     show_collected_results(
 		 s, &parts, store, n_store, args->replace, error);

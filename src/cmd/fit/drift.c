@@ -116,9 +116,9 @@ say_when_to_recalibrate(struct answer *a, const struct entry *entry,
 	if (r->point[r->n - 1].state == DRIFT_NONE) {
 		bool take = later->n > 0 && !later->off && !later->twice;
 		answer_note(a,
-		    take ? N_("next: 'calibrate' takes the cuts since the last "
-			      "calibration into the answers; 'remember' keeps "
-			      "them")
+		    take ? N_("next: 'calibrate' includes the cuts since the "
+			      "last calibration in the answers; 'remember' "
+			      "keeps them")
 		    : later->off ? N_("next: take one more cut before anything "
 				      "is changed")
 		    : entry->has_fit
@@ -192,13 +192,13 @@ say_how_soon_shift_shows(struct answer *a, double shift, double found)
 {
 	if (found <= LATE)
 		answer_note(a,
-		    "a drift by %.1f points (mean of the sieves) is found "
+		    "a drift of %.1f points (mean of the sieves) is found "
 		    "within %g cuts in half of all cases",
 		    100 * shift, found);
 	else
 		answer_note(a,
-		    "a drift by %.1f points (mean of the sieves) is mostly not "
-		    "found: cuts differ from one another by more",
+		    "a drift of %.1f points (mean of the sieves) is usually "
+		    "not found: cuts differ from one another by more",
 		    100 * shift);
 }
 

@@ -411,8 +411,8 @@ note_change_of_answer(
 	if (isfinite(value) && isfinite(was->value))
 		answer_note(r,
 		    checks ? N_("at %.*f m/s%s %s, corrected by all measured "
-				"runs, those kept as a check too; before this "
-				"calibration %.*f")
+				"runs, including those kept as a check; before "
+				"this calibration %.*f")
 		    : all  ? N_("at %.*f m/s%s %s, with all measured runs; "
 				 "before this calibration %.*f")
 			   : N_("at %.*f m/s%s %s; before this calibration "

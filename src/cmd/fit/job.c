@@ -631,7 +631,7 @@ note_calibration_stopped(
 		session_note(s,
 		    "stopped at generation %zu of %zu, best misfit %.4g; the "
 		    "site's parameters fit better (misfit %.4g) and stay: "
-		    "'accept' takes the stopped ones, 'continue' goes on",
+		    "'accept' takes the stopped ones, 'continue' resumes",
 		    st.generation, s->job.options.generations, best, present);
 	else if (!taken)
 		session_note(s,

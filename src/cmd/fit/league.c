@@ -519,8 +519,8 @@ note_how_to_read_table(
 {
 	if (v->n > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "ranked by the hold-out error, of those within 0.1 points "
-		    "by AICc");
+		    "ranked by the hold-out error, and by AICc among those "
+		    "within 0.1 points");
 	answer_say(r, ANSWER_REMARK,
 	    "ruled out: AICc more than 10 above the best and no smaller "
 	    "hold-out error; or a hold-out error larger by 0.1 points and "
@@ -537,7 +537,8 @@ note_how_to_read_table(
 		if (isnan(v->model[m].aicc)) {
 			answer_say(r, ANSWER_REMARK,
 			    "no AICc: it needs two more passings than "
-			    "parameters with the variance; %s has %zu and %zu",
+			    "parameters, counting the variance; %s has %zu and "
+			    "%zu",
 			    model_name_of_row(m), v->cells,
 			    v->parameters[m] + 1);
 			break;

@@ -32,9 +32,8 @@ check_part_number(const struct part *part, struct error *error)
 {
 	return (part->number >= 1 && part->number <= part->of) ||
 	       error_set(error, ERROR_USAGE,
-		   "expected a part from 1 to how many there are, got %zu/%zu "
-		   "(%s)\n"
-		   "the third of eight: part=3/8; all sites: part=1/1",
+		   "expected a part from 1 to the number of parts, got %zu/%zu "
+		   "(%s)\nthe third of eight: part=3/8; all sites: part=1/1",
 		   part->number, part->of, part->from);
 }
 
@@ -90,8 +89,8 @@ part_from_args(
 		return parse_part_or_environment(args->part, part, error);
 	return args->part == NULL ||
 	       error_set(error, ERROR_USAGE,
-		   "part: expected '%s all', of which it is one\n"
-		   "write: %s all part=%s",
+		   "part: expected '%s all', which part= divides\nwrite: %s "
+		   "all part=%s",
 		   args->command->name, args->command->name, args->part);
 }
 

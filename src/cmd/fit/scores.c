@@ -20,7 +20,7 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_CORRECTED] = {"corrected", N_("corrected"),
 	N_("the model corrected by the runs")},
     [VALIDATE_INTERPOLATION] = {"interpolation", N_("interpolated"),
-	N_("a straight line through the products calibrated on")},
+	N_("a straight line through the training products")},
     [VALIDATE_NEAREST] = {"nearest", N_("nearest"),
 	N_("the product at the nearest training speed")},
     [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed")}};
@@ -415,7 +415,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 {
 	double rmse[VALIDATE_WAYS];
 	struct answer *r = answer_about_site(site, "validate", "%s",
-	    c->each ? tr("each speed held out, the others calibrated on")
+	    c->each ? tr("each speed held out, calibrated on the others")
 		    : tr("speeds kept as a check, measured and predicted"));
 	add_validation_table(r, c, sieves, false);
 	if (c->n > 1) {

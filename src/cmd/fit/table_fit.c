@@ -24,7 +24,7 @@ const struct command TABLE_FIT[] = {
 		"stop when the median misfit is within this of the best; 0: "
 		"never"},
 	    {WHOLE(stall), "", 0, 1e6, NULL, "20",
-		"stop after so many generations without gain; 0: never"},
+		"stop after this many generations without gain; 0: never"},
 	    {ON_OFF(polish), "on", "refine the best by bounded least squares"},
 	    {WHOLE(threads), "", 1, 64, NULL, "",
 		"threads; default: the session's"},
@@ -40,7 +40,7 @@ const struct command TABLE_FIT[] = {
 	    {OFF_ON(detail), "off", "on: also show what 'show fit' has"},
 	    {OFF_ON(watch), "off", "on: draw the best curves at a terminal"},
 	    {TEXT(part), NULL, "",
-		"I/N: of all sites every N-th, from the I-th on"},
+		"I/N: every N-th of all sites, from the I-th on"},
 	    {PAUSE}),
 	.text =
 	    "A genetic algorithm searches within the bounds; then bounded "
@@ -88,8 +88,8 @@ const struct command TABLE_FIT[] = {
 		"use stays. 'validate all' sums up the relative errors of P20, "
 		"P50 and P80 over all calibrated sites: bias (mean), rms and "
 		"R2; see VALIDATION in tipspeed-model(7). The sites share the "
-		"threads; after 'set correction off' the corrected answer is "
-		"not drawn, which takes most of the time. A site that cannot "
+		"threads; after 'set correction off' the corrected answer, "
+		"which takes most of the time, is left out. A site that cannot "
 		"be compared is listed at the end and excluded.",
 	.example = "load data/sites/tierp.csv\ncalibrate\nvalidate\n"
 		   "validate sieves=on\nvalidate holdout=each",
@@ -104,13 +104,13 @@ const struct command TABLE_FIT[] = {
 	    "Reads the JSON that several programs wrote with part=I/N, each "
 	    "for one part of the sites, and gives the same answer, to the last "
 	    "byte, as a single 'calibrate all' or 'validate all'. A file may "
-	    "hold several parts, a line each. A part that is missing, there "
+	    "hold several parts, a line each. A part that is missing, present "
 	    "twice, or from another version, other options, other collision "
 	    "energies or other sites is refused. All programs must load the "
 	    "same files in the same order. The parts of 'calibrate all' can be "
 	    "followed by the stores of their programs, each filled by "
 	    "'remember all': their materials are put into the store in use, "
-	    "unless one is missing, there twice or from another calibration.",
+	    "unless one is missing, present twice or from another calibration.",
 	.example = "synth data/table3.csv\n"
 		   "calibrate all part=1/2 generations=30 > part1.json\n"
 		   "calibrate all part=2/2 generations=30 > part2.json\n"

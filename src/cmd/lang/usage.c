@@ -57,15 +57,15 @@ const struct usage_word USAGE_ENVIRONMENT[] = {
     {"XDG_DATA_HOME", "Folder of tipspeed/store.db, the remembered "
 		      "calibrations; default .local/share in HOME."},
     {"HOME", "Your home folder."},
-    {"TMPDIR", "Folder of the temporary files, without names, that workbooks "
-	       "are put together in; default /tmp."},
+    {"TMPDIR", "Folder for the unnamed temporary files in which workbooks are "
+	       "put together; default /tmp."},
     {"LC_CTYPE", "Character set, or LC_ALL or LANG if they replace it; text is "
 		 "always UTF-8 and numbers always have a decimal point."},
     {"LC_MESSAGES",
 	"Language of texts for people, or LC_ALL or LANG if they replace it, "
 	"unless --lang is given. Commands, csv and json are in English."},
-    {"LANGUAGE", "Languages in order of preference, as sv:en; not in the "
-		 "locale C."},
+    {"LANGUAGE", "Languages in order of preference, such as sv:en; not used in "
+		 "the locale C."},
     {.name = NULL}};
 
 const struct usage_word USAGE_TRUST[] = {
@@ -80,8 +80,8 @@ const struct usage_word USAGE_STATUS[] = {{"0", "All commands succeeded."},
     {"3", "Bad data: a site file, a grading envelope or a table of "
 	  "parameters has a fault, or the store is damaged or not one of "
 	  "this program's."},
-    {"4", "A computation has no result: in a circuit of flow or card, what "
-	  "goes back grows without end."},
+    {"4", "A computation has no result: in a circuit of flow or card, the "
+	  "return flow grows without limit."},
     {"5", "System error: a file cannot be read or written, a shell command "
 	  "failed, the store is in use by another program, or memory has run "
 	  "out."},

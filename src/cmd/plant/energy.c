@@ -240,9 +240,9 @@ note_basis_of_k(struct answer *r, const struct energy_question *q)
 {
 	if (q->entry != NULL)
 		answer_say(r, ANSWER_REMARK,
-		    "k of a size: by Eq 3 with the parameters of %s; of all, "
-		    "and without parameters: for weak rock with a threshold at "
-		    "the cut",
+		    "k of one size: by Eq 3 with the parameters of %s; k of "
+		    "all sizes, or without parameters: for weak rock with a "
+		    "threshold at the cut",
 		    q->entry->site->name);
 	else
 		answer_say(r, ANSWER_REMARK,

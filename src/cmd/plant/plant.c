@@ -218,8 +218,8 @@ read_circuit_file(const struct args *args, struct plant *p, struct error *error)
 	for (size_t i = 0; i < ARRAY_LEN(of_file); i++)
 		if (args_is_given(args, of_file[i]))
 			return error_set(error, ERROR_USAGE,
-			    "%s= is given, but the circuit is that of a file\n"
-			    "say it in %s, see tipspeed-circuit(5)",
+			    "%s= is given, but the circuit comes from a "
+			    "file\nstate it in %s, see tipspeed-circuit(5)",
 			    args_option_name(args, of_file[i]), path);
 	files_note_read(p->s, path);
 	p->from_file = true;

@@ -128,8 +128,9 @@ energies_trust_reason(const struct session *s)
 			e = s->energies[j];
 	if (i->n == 0 || e == NULL)
 		return NULL;
-	return xasprintf(tr("Eq 3 takes the collision energies of %s (%.2f "
-			    "impacts a particle above %g J/kg) instead of one "
-			    "impact at v^2/2: a simulation, not a measurement"),
+	return xasprintf(
+	    tr("Eq 3 takes the collision energies of %s (%.2f impacts per "
+	       "particle above %g J/kg) instead of one impact at v^2/2: a "
+	       "simulation, not a measurement"),
 	    e->name, i->number, e->cut);
 }

@@ -98,12 +98,10 @@ set_error_draws_nothing(
 	if (text_find_word_in_list(
 		command_find("plot")->operands.expect[0], command->name, &kind))
 		return error_set(error, ERROR_USAGE,
-		    "%s makes no image for %s\n"
-		    "use plot %s > %s",
+		    "%s cannot make an image: %s\nuse plot %s > %s",
 		    command->name, target, command->name, target);
 	return error_set(error, ERROR_USAGE,
-	    "%s makes no image for %s\n"
-	    "use predict or plot KIND",
+	    "%s cannot make an image: %s\nuse predict or plot KIND",
 	    command->name, target);
 }
 

@@ -7,11 +7,11 @@ const struct command TABLE_SESSION[] = {
     {.name = "undo",
 	.brief = "undo the last change",
 	.flags = COMMAND_UNSAVED,
-	.text = "Undoes changes of sites, the site in use, parameters, "
-		"calibrations, bounds, settings and seed: up to 200 steps. A "
-		"calibration is one step, also if it was stopped and "
-		"continued, and so is a sourced script. Written files are not "
-		"changed.",
+	.text =
+	    "Undoes changes of sites, the site in use, parameters, "
+	    "calibrations, bounds, settings and seed: up to 200 steps. A "
+	    "calibration is one step, even if it was stopped and continued, "
+	    "and so is a sourced script. Written files are not changed.",
 	.example = "set k 2\nundo",
 	.run = cmd_undo},
     {.name = "redo",

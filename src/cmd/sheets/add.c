@@ -113,9 +113,8 @@ cut_day_find_date_order(
 		    order, tr("as the dates of earlier cuts show"), false};
 	order = date_order_by_today(cuts);
 	return (struct cut_day){order,
-	    order != DATETIME_OPEN
-		? tr("as the other way round it is still to come")
-		: NULL,
+	    order != DATETIME_OPEN ? tr("as the other reading is in the future")
+				   : NULL,
 	    order != DATETIME_OPEN};
 }
 
@@ -542,8 +541,8 @@ suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 	       : worst == CUTS_OFF
 		   ? N_("  next: take one more cut before anything is changed")
 	       : !entry->has_fit ? N_("  next: nothing needs to be done")
-	       : n > 1 ? N_("  next: 'calibrate' takes them into the answers")
-		       : N_("  next: 'calibrate' takes it into the answers"));
+	       : n > 1 ? N_("  next: 'calibrate' includes them in the answers")
+		       : N_("  next: 'calibrate' includes it in the answers"));
 }
 
 static bool

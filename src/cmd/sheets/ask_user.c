@@ -168,7 +168,7 @@ parse_speed_answer(const struct site_ask_column *c, const struct head *head,
 				   : head->number[0];
 	if (!rpm && !(v >= 1 && v <= SITE_FASTEST)) {
 		snprintf(wrong, WRONG,
-		    tr("expected a tip speed from 1 to %d m/s, got %g; of rpm "
+		    tr("expected a tip speed from 1 to %d m/s, got %g; for rpm "
 		       "write: %g rpm"),
 		    SITE_FASTEST, v, v);
 		return NULL;
@@ -440,8 +440,8 @@ parse_tables_answer(const struct site_ask *ask, const char *said,
 	}
 	if (from == 0 || from > to || to > ask->n) {
 		snprintf(wrong, WRONG,
-		    tr("expected tables from 1 to %zu, as 2 or 1-2, or cells, "
-		       "got '%.30s'"),
+		    tr("expected tables from 1 to %zu, such as 2 or 1-2, or "
+		       "cells, got '%.30s'"),
 		    ask->n, said);
 		return false;
 	}
@@ -506,9 +506,8 @@ static char *
 top_size_question(const char *size, double further)
 {
 	return further > 0
-		   ? xasprintf(
-			 tr("take %s mm, the next sieve up (or type %g or "
-			    "more, as much is coarser)"),
+		   ? xasprintf(tr("take %s mm, the next sieve up (or type %g "
+				  "or more, since much is coarser)"),
 			 size, further)
 		   : xasprintf(tr("take %s mm, the next sieve up"), size);
 }
@@ -538,7 +537,7 @@ ask_for_option_value(struct session *s, const struct site_ask *ask,
 	if (ask->tables) {
 		q.text = tr("which tables are to be read");
 		q.offered = tables;
-		q.hint = tr("or: 2, 1-2, or cells as A5:B17");
+		q.hint = tr("or: 2, 1-2, or cells such as A5:B17");
 		q.at = ask->first;
 	}
 	return ask_until_valid_answer(s, &q, said);

@@ -399,7 +399,7 @@ skip_result_files(const struct session *s, struct load *l, size_t from)
 			l->path[n++] = l->path[i];
 			continue;
 		}
-		session_note(s, "left out %s: results of tipspeed's own (%s)",
+		session_note(s, "left out %s: tipspeed's own results (%s)",
 		    l->path[i], command);
 		free(l->path[i]);
 	}

@@ -213,9 +213,8 @@ fail_without_log_row(const struct plant_log *log, double time, double within,
 		   *nearest = datetime_to_text(near);
 	FREED char *span = time_span_text(log->time[0], log->time[log->n - 1]);
 	error_set(error, ERROR_USAGE,
-	    "the log has no row within %g minutes of %s; the nearest is of "
-	    "%s\n"
-	    "the log has %s; window= looks further, or give the speed",
+	    "the log has no row within %g minutes of %s; the nearest is at "
+	    "%s\nthe log has %s; window= looks further, or give the speed",
 	    within / 60, at, nearest, span);
 	return false;
 }

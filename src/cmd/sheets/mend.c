@@ -83,12 +83,12 @@ mend_effect_text(const struct finding *f)
 	char *text = xstrdup("");
 	if (!isnan(f->off[0]))
 		xappend_to_list(&text, "; ",
-		    tr("off by %.2f points now, %.2f then"), 100 * f->off[0],
-		    100 * f->off[1]);
+		    tr("off by %.2f points now, %.2f with the mend"),
+		    100 * f->off[0], 100 * f->off[1]);
 	if (!isnan(f->rmse[0]) && !isnan(f->rmse[1]))
 		xappend_to_list(&text, "; ",
-		    tr("RMSE of the fit %.2f points now, %.2f then, and less "
-		       "after another calibration"),
+		    tr("RMSE of the fit %.2f points now, %.2f with the mend, "
+		       "and less after another calibration"),
 		    100 * f->rmse[0], 100 * f->rmse[1]);
 	return text;
 }
@@ -169,7 +169,7 @@ mend_put_numbered_list(struct answer *r, const struct entry *entry,
 	if (d->n > 0)
 		answer_note(r, "'mend N' makes one of these corrections, once "
 			       "the laboratory's sheet confirms it; 'undo' "
-			       "takes it back; nothing is changed until then");
+			       "reverses it; nothing is changed until then");
 }
 
 /* ---- Applying ---- */
@@ -321,8 +321,7 @@ cmd_mend(struct session *s, const struct args *args, struct error *error)
 	if (fitted)
 		session_note(s, "  the data have changed since the "
 				"calibration: calibrate again");
-	session_note(s,
-	    "  its file stays as it is: 'write FILE' saves the mended sheet, "
-	    "'undo' takes the mend back");
+	session_note(s, "  its file is unchanged: 'write FILE' saves the "
+			"mended sheet, 'undo' reverses the mend");
 	return true;
 }

@@ -430,7 +430,7 @@ show_remembered_materials(
 	if (n == 1) {
 		FREED char *line = xstrdup("recall");
 		journal_append_word(&line, item->name);
-		answer_note(r, "'%s' brings it back on any day", line);
+		answer_note(r, "'%s' brings it back at any time", line);
 		if (can_ask_to_confirm(s))
 			note_materials_with_same_runs(s, r, item);
 	}
@@ -661,9 +661,10 @@ note_recalled_runs(struct session *s, const struct entry *entry)
 	if (cuts > 0)
 		session_note(s,
 		    do_all_cuts_correct_answers(s, entry)
-			? tr_n("  %zu cut added, and in the answers: %s",
-			      "  %zu cuts added, and in the answers; the "
-			      "last: %s",
+			? tr_n(
+			      "  %zu cut added and included in the answers: %s",
+			      "  %zu cuts added and included in the answers; "
+			      "the last: %s",
 			      cuts)
 			: tr_n("  %zu cut added since: %s",
 			      "  %zu cuts added since, the last: %s", cuts),
@@ -1084,7 +1085,7 @@ show_materials_list(
 	answer_note(r, "Table 3 is the paper's, and read only");
 	if (n > 0 && query.first > 0 && listed == query.first)
 		answer_say(r, ANSWER_REMARK,
-		    "of your own the first %zu only: 'materials most=0' lists "
+		    "only the first %zu of your own: 'materials most=0' lists "
 		    "all",
 		    listed);
 	if (ok && n == 0 && query.rock != NULL)

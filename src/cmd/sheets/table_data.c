@@ -13,7 +13,7 @@
 		"are left out"},                                            \
 	    {TEXT(sheet), NULL, "", "sheet of a workbook"},                 \
 	    {TEXT(range), NULL, "",                                         \
-		"part of a sheet, as A3:F20; default: all"},                \
+		"part of a sheet, such as A3:F20; default: all"},           \
 	    {CHOICE(decimal), "point comma", "",                            \
 		"decimal sign, if the numbers do not show which it is"},    \
 	    {NUMBER(top), "mm", 1e-6, 1e4, NULL, "",                        \
@@ -37,7 +37,7 @@ const struct command TABLE_DATA[] = {
 		"it"},
 	    {OFF_ON(skip), "off",
 		"on: files that cannot be read are listed and left out, and a "
-		"script goes on"},
+		"script continues"},
 	    {TEXT(digest), NULL, "",
 		"refuse a file with other numbers; written by save"}),
 	.text = "Reads workbooks (Excel, LibreOffice) and CSV in any of the "
@@ -154,16 +154,15 @@ const struct command TABLE_DATA[] = {
 		"drop a run"},
 	    {TEXT(with), NULL, "", "exchange two products: product@79"},
 	    {NUMBER(scale), "", 1e-6, 1e6, NULL, "",
-		"multiply the column's sieve sizes, as by 0.001"}),
-	.text =
-	    "Takes mend N of the last check of the site in use, or lists them "
-	    "without N. A column (product@79, feed, feed@79) with options says "
-	    "in full what to do, as save writes it. The mend is added to the "
-	    "provenance, so that all results show it; parameters that were "
-	    "calibrated on the former numbers are dropped. The file stays as "
-	    "it is: write saves the mended sheet. undo takes a mend back. "
-	    "Nothing is mended unless you say so: look at the laboratory's "
-	    "sheet first.",
+		"multiply the column's sieve sizes, such as by 0.001"}),
+	.text = "Applies mend N of the last check of the site in use, or lists "
+		"them without N. A column (product@79, feed, feed@79) with "
+		"options says in full what to do, as save writes it. The mend "
+		"is added to the provenance, so that all results show it; "
+		"parameters that were calibrated on the former numbers are "
+		"dropped. The file stays as it is: write saves the mended "
+		"sheet. undo reverses a mend. Nothing is mended unless you say "
+		"so: look at the laboratory's sheet first.",
 	.example = "load data/sites/tierp.csv\n"
 		   "mend product@74 sieve=4 do=out\nundo",
 	.run = cmd_mend},

@@ -17,7 +17,7 @@ const struct command TABLE_STORE[] = {
 	    {CHOICE(origin), "all table3 own", "all",
 		"materials of the paper, your own, or both"},
 	    {WHOLE(most), "", 0, 1e9, NULL, "1000",
-		"list at most so many of your own, by name; 0: all"}),
+		"list at most this many of your own, by name; 0: all"}),
 	.text = "Lists your own calibrations and the rows of the paper's Table "
 		"3, which are called table3/... and are read only. With NAME, "
 		"shows everything stored about one, including its origin.",
@@ -25,7 +25,7 @@ const struct command TABLE_STORE[] = {
 		   "store list table3/tierp",
 	.run = cmd_materials},
     {.name = "recall",
-	.brief = "bring back what was remembered, on any day",
+	.brief = "bring back what was remembered, at any time",
 	.operands = {"NAME [SITE]", {"MATERIAL", "SITE"}, 0, 2},
 	.flags = COMMAND_CHANGES | COMMAND_DAILY,
 	.option = OPTION_LIST({TEXT(digest), NULL, "",

@@ -487,11 +487,10 @@ judge_residual_pattern(struct trust *t, const struct evidence *e, bool remark)
 			100 * e->discrepancy, 100 * e->sampling));
 	if (drift > 0)
 		add_pattern_reason(t, remark,
-		    xasprintf(
-			tr("the residuals follow the speed, as if fragments "
-			   "got %s with energy (gamma + kappa %.2f "
-			   "\302\261 %.2f): beyond the measured speeds the "
-			   "answer rests on that"),
+		    xasprintf(tr("the residuals follow the speed, as if "
+				 "particles became %s with energy (gamma + "
+				 "kappa %.2f \302\261 %.2f): beyond the "
+				 "measured speeds the answer rests on that"),
 			e->finer > 0 ? tr("finer") : tr("coarser"), e->finer,
 			e->finer_sd));
 }
@@ -513,10 +512,9 @@ judge_holdout(struct trust *t, const struct evidence *e, double rotor)
 	else if (validation_loses_to_interpolation(v) &&
 		 own > 1.2 * line + 0.001)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_HOLDOUT,
-		    xasprintf(
-			tr("at %g m/s%s, held out, the model misses by %.2f "
-			   "points on average, a straight line through the "
-			   "products calibrated on by %.2f"),
+		    xasprintf(tr("at %g m/s%s, held out, the model misses by "
+				 "%.2f points on average, a straight line "
+				 "through the training products by %.2f"),
 			v->speed, rpm, 100 * own, 100 * line));
 }
 
@@ -562,7 +560,7 @@ judge_extrapolated_speed(
 		trust_add_reason(t, far ? LIGHT_RED : LIGHT_AMBER, TRUST_BEYOND,
 		    xasprintf(
 			far ? tr("%.1f m/s%s from the one speed that was "
-				 "measured: too far for an answer to rely on")
+				 "measured: too far for a reliable answer")
 			    : tr("%.1f m/s%s from the one speed that was "
 				 "measured: there the answer rests on the "
 				 "model, not on measurements"),
@@ -570,7 +568,7 @@ judge_extrapolated_speed(
 	else if (far)
 		trust_add_reason(t, LIGHT_RED, TRUST_BEYOND,
 		    xasprintf(tr("%.1f m/s%s beyond the measured speeds, which "
-				 "span %.1f: too far for an answer to rely on"),
+				 "span %.1f: too far for a reliable answer"),
 			beyond, rpm, span));
 	else
 		trust_add_reason(t, LIGHT_AMBER, TRUST_BEYOND,
@@ -596,8 +594,8 @@ judge_question(struct trust *t, const struct trust_question *q)
 		    q->feed > STRANGE_FEED ? LIGHT_RED : LIGHT_AMBER,
 		    TRUST_FEED,
 		    xasprintf(
-			tr("the feed differs by up to %.0f points from "
-			   "those calibrated with: it may break differently"),
+			tr("the feed differs by up to %.0f points from those "
+			   "of the calibration: it may break differently"),
 			100 * q->feed));
 	if (q->bound != NULL)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_BOUND,

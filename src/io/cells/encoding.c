@@ -77,7 +77,8 @@ decode_utf8_or_1252(const char *bytes, size_t n)
 	struct decoded d = {ENCODING_UTF8, xcalloc(n + 1, 1), n, bad, NULL};
 	memcpy(d.text, bytes, n);
 	if (bad < n)
-		d.wrong = tr("expected UTF-8, got UTF-8 with a damaged letter");
+		d.wrong =
+		    tr("expected UTF-8, got UTF-8 with a damaged character");
 	return d;
 }
 

@@ -67,11 +67,10 @@ refuse_other_file_type(struct archive *archive, const struct sheets *grid)
 {
 	static const char *const NAMES[][2] = {
 	    {"xl/workbook.bin", N_("expected .xlsx, .ods or text, got .xlsb")},
-	    {"Index/Document.iwa",
-		N_("expected .xlsx, .ods or text, got a file "
-		   "of Apple's programs")},
-	    {"word/document.xml", N_("expected a workbook or text, got a "
-				     "document of Word")}};
+	    {"Index/Document.iwa", N_("expected .xlsx, .ods or text, got a "
+				      "file from an Apple program")},
+	    {"word/document.xml",
+		N_("expected a workbook or text, got a Word document")}};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++)
 		if (archive_has_entry(archive, NAMES[i][0]))
 			return refuse_workbook(grid, NAMES[i][1],
@@ -106,8 +105,8 @@ read_archive_to_grid(struct archive *archive, struct sheets *grid)
 		return refuse_other_file_type(archive, grid);
 	if (!xlsx && is_password_protected(archive))
 		return refuse_workbook(grid,
-		    tr("expected a workbook without a password, got one with "
-		       "it"),
+		    tr("expected a workbook without a password, got one with a "
+		       "password"),
 		    tr("save it without a password"));
 	FREED char *wrong =
 	    xlsx ? xlsx_read(archive, grid) : ods_read(archive, grid);

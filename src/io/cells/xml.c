@@ -84,7 +84,7 @@ xml_on_element_begin(
 	struct reading *r = data;
 	if (r->wrong == NULL && ++r->depth > MOST_DEPTH)
 		xml_stop_with_fault(
-		    r, tr("its elements are too deep within each other"));
+		    r, tr("its elements are nested too deeply"));
 	stop_parsing_if_interrupted(r);
 	if (r->wrong == NULL)
 		r->events->begin(r->data, xml_local_name(name),

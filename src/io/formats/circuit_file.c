@@ -64,9 +64,9 @@ add_stream_of_unit(
 			      "line %d has the first: give one of the two "
 			      "another name, and join them where they are "
 			      "used: a + b")
-			 : N_("expected one use of '%.40s', got a second one\n"
-			      "line %d has the first: a split line shares a "
-			      "stream out"),
+			 : N_("expected one use of '%.40s', got a second "
+			      "one\nline %d has the first: divide the stream "
+			      "by a split line"),
 		    cell.text, first->line);
 	else if (*n < UNIT_STREAMS) {
 		*first = cell;
@@ -84,8 +84,8 @@ add_input_streams(
 		n += *p == '+';
 	if (n > UNIT_STREAMS) {
 		sheet_fault(r->sheet, cell,
-		    "expected at most %d streams, got %zu\n"
-		    "join some of them before, in a crusher or a split",
+		    "expected at most %d streams, got %zu\njoin some of them "
+		    "upstream, in a crusher or a split",
 		    (int)UNIT_STREAMS, n);
 		return;
 	}
@@ -257,14 +257,12 @@ parse_circuit_split_row(
 	}
 	if (open > 1 || sum > 1 + exact || (open == 0 && sum < 1 - exact))
 		sheet_fault(r->sheet, row->cell[2],
-		    open > 1
-			? N_("expected shares of 100 %% together, got %g %% "
-			     "and the rest twice\n"
-			     "one stream alone may be without a share: it "
-			     "takes the rest")
-			: N_("expected shares of 100 %% together, got %g %%\n"
-			     "one stream alone may be without a share: it "
-			     "takes the rest"),
+		    open > 1 ? N_("expected shares that sum to 100 %%, got %g "
+				  "%% and the rest twice\nonly one stream may "
+				  "be without a share: it takes the rest")
+			     : N_("expected shares that sum to 100 %%, got %g "
+				  "%%\nonly one stream may be without a share: "
+				  "it takes the rest"),
 		    round(sum * 1e8) / 1e6);
 	for (size_t i = 0; i < n; i++)
 		unit->share[i] = isnan(unit->share[i]) ? fmax(1 - sum, 0)
@@ -366,7 +364,7 @@ check_paths_through_circuit(struct reading_circuit *r)
 	if (unfed < c->n_unit)
 		sheet_fault(r->sheet, r->row[unfed],
 		    "expected a path from the feed to this %s, got none\nits "
-		    "input comes from itself alone: see the lines of its "
+		    "input comes only from itself: see the lines of its "
 		    "streams",
 		    WORDS[c->unit[unfed].kind]);
 	else if (trapped < c->n_stream)

@@ -259,7 +259,7 @@ read_numbers_of_row(struct reading *r)
 		if (field == NULL)
 			return fault(r, ERROR_DATA,
 			    "expected a number in each column, got fewer",
-			    "is the file whole?");
+			    "is the file complete?");
 		if (r->column[i] == COL_NONE)
 			continue;
 		/* Safe: the program sets LC_CTYPE only, as in
@@ -403,7 +403,7 @@ collisions_read_table(struct reading *r)
 	while (read_line_above_headings(r))
 		if (!read_next_line(r))
 			return fault(r, ERROR_DATA, "expected rows, got none",
-			    "is the file whole?");
+			    "is the file complete?");
 	ok = read_table_headings(r, &is_row);
 	if (ok && is_row)
 		ok = read_numbers_of_row(r) && add_impact_of_row(r);

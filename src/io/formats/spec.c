@@ -211,7 +211,7 @@ spec_read_sheet(struct spec *spec, struct sheet *sheet)
 		sheet_fault_expected(sheet, row_cell_at(&none, 0),
 		    "a line that begins with size_mm, and rows of sieves below "
 		    "it",
-		    "begin the table with size_mm,min_pct,max_pct and go on "
+		    "begin the table with size_mm,min_pct,max_pct and continue "
 		    "with rows such as 4,85,99");
 	}
 	layout_free(layout);

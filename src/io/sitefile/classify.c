@@ -437,8 +437,8 @@ refuse_small_percentages(struct column *c, const struct shape *s)
 		unit->kind == RETAINED ? s->sum : s->most, 1, 1.05))
 		return;
 	sheet_fault(c->table->sheet, c->head,
-	    "expected %s, got nothing above 1 in column %zu\n"
-	    "say fraction, retained_fraction or cum_retained_fraction of it",
+	    "expected %s, got nothing above 1 in column %zu\ncall it fraction, "
+	    "retained_fraction or cum_retained_fraction",
 	    tr(unit->words), c->table->number[c->at]);
 }
 
@@ -708,7 +708,7 @@ leave_out_no_sample(const struct column *c, struct site *site)
 		    "%s: looks like a limit, or calculated or rejected values",
 		    head);
 	} else if (words && (means & ROLE_WORDS) == 0) {
-		leave_out(site, c, "%s: it has words", head);
+		leave_out(site, c, "%s: it contains words", head);
 	} else if ((means & WORD_OTHER) != 0 && (means & sample) == 0) {
 		leave_out(site, c, "%s: no sample", head);
 	} else if ((means & (WORD_SIZE | WORD_MM | WORD_UM | WORD_MESH)) != 0 &&
@@ -776,11 +776,9 @@ refuse_tare_column(const struct column *column, size_t n)
 		if (!told && tare > 0 && least >= tare && most > tare)
 			sheet_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
-			    "expected what the sieves retained, got nothing "
-			    "below the %g of column %zu: empty and full "
-			    "sieves?\n"
-			    "write their differences as a column: mass "
-			    "retained",
+			    "expected masses retained, got nothing below %g in "
+			    "column %zu: empty and full sieves?\nwrite their "
+			    "differences as a column: mass retained",
 			    tare, c->table->number[c->at - 1]);
 		tare = !told && least == most && least > 0 ? least : 0;
 	}

@@ -703,7 +703,7 @@ ask_about_open_column(const struct site_request *q, const struct column *first,
 		suggest_speeds_of_files(q, all, error);
 	if (q->parts && speed && q->n == 1 && all->n == 1)
 		error_hint(error,
-		    "say its speed: add %s@SPEED, or with a log its time: add "
+		    "give its speed: add %s@SPEED, or with a log its time: add "
 		    "%s@2026-05-03T10:15",
 		    q->path[0], q->path[0]);
 	return true;
@@ -751,8 +751,8 @@ site_ask_pending_question(const struct open *open, const struct site_request *q,
 		const struct table *most = tables.table[tables.first];
 		list_tables_in_question(&tables, ask);
 		return refuse_with_question(q, most, most->row[0].cell[0], ask,
-		    tr("expected one table, got several: that with most sieves "
-		       "is proposed"));
+		    tr("expected one table, got several: the one with most "
+		       "sieves is proposed"));
 	}
 	if (first == NULL && !open->sieves)
 		return false;
@@ -804,7 +804,7 @@ site_ask_top_size(
 	char *settle = xasprintf("top=%g", coarser);
 	FREED char *passes =
 	    much ? xasprintf(tr("%g mm, the next sieve up (or %g mm or more, "
-				"as much is coarser)"),
+				"since much is coarser)"),
 		       coarser, further)
 		 : xasprintf(tr("%g mm, the next sieve up"), coarser);
 	FREED char *line = load_command_with_answer(q, settle);

@@ -105,12 +105,11 @@ check_feeds_match_repeats(const struct columns *t, const struct column *c)
 	sheet_fault(c->table->sheet, c->head,
 	    products > 1
 		? N_("duplicate column: expected one %s@%g or one for each "
-		     "product, got %zu\n"
-		     "keep one for all products at this speed, or one for each "
-		     "in their order")
-		: N_("duplicate column: expected one %s@%g, got %zu\n"
-		     "keep one for all products at this speed, or one for each "
-		     "in their order"),
+		     "product, got %zu\nkeep one for all products at this "
+		     "speed, or one for each in the same order")
+		: N_("duplicate column: expected one %s@%g, got %zu\nkeep one "
+		     "for all products at this speed, or one for each in the "
+		     "same order"),
 	    SITE_ROLES[c->role], c->speed, own);
 }
 
@@ -268,8 +267,9 @@ assume_top_size(struct reading *r, struct site_ask *ask)
 	size_t at = c->below - 1;
 	if (top <= t->mm[at]) {
 		sheet_fault(t->sheet, t->row[at].cell[0],
-		    "expected top= above the coarsest sieve, %g mm, got %g\n"
-		    "name the next size that all passes: top=%g",
+		    "expected top= above the coarsest sieve, %g mm, got "
+		    "%g\nname a size that all of it passes, such as the next: "
+		    "top=%g",
 		    t->mm[at], top, sieve_next_coarser(t->mm[at], false));
 		return;
 	}
@@ -769,10 +769,9 @@ check_not_predicted(const struct source *source)
 	if (command != NULL)
 		sheet_fault(source->sheet[i - 1],
 		    source->sheet[i - 1]->row[0].cell[0],
-		    "expected a site file, got results of tipspeed's own "
-		    "(%s)\n"
-		    "load the sheet that they were made from; 'write' saves a "
-		    "site file",
+		    "expected a site file, got tipspeed's own results "
+		    "(%s)\nload the sheet that they were made from; 'write' "
+		    "saves a site file",
 		    command);
 	free(command);
 	return command == NULL;

@@ -209,8 +209,8 @@ mend_cell_at_cursor(struct tui *t)
 	    h->n > 0 ? finding_of_cell(h, t->ui.cell.at, t->ui.cell.row) : NULL;
 	if (f == NULL) {
 		tui_say(t, false,
-		    "this cell is not doubtful: ! goes to one that is; help "
-		    "mend: any other");
+		    "this cell is not doubtful: ! goes to one that is; for "
+		    "others see help mend");
 		return;
 	}
 	FREED char *line = mend_command_line(h->site, &f->mend);
@@ -218,8 +218,8 @@ mend_cell_at_cursor(struct tui *t)
 	tui_stop_fit(t);
 	if (control_run_and_show(t, line))
 		tui_say(t, false,
-		    "mended: %s; u takes it back, f calibrates again, :write "
-		    "FILE saves the sheet",
+		    "mended: %s; u undoes it, f calibrates again, :write FILE "
+		    "saves the sheet",
 		    words);
 }
 

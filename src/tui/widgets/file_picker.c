@@ -263,7 +263,7 @@ draw_picker_title(const struct tui *t, const struct area *area)
 				       : N_("open a sheet, in %s"),
 	    folder);
 	if (c->word.n > 0)
-		screen_text(area, 0, column, 0, ": what has '%s', %zu",
+		screen_text(area, 0, column, 0, ": containing '%s', %zu",
 		    c->word.text, list_count_matching(t));
 	else if (c->folder.why != NULL)
 		screen_text(area, 0, column, 0, ": %s", c->folder.why);

@@ -413,7 +413,7 @@ act_type_filter(struct tui *t, const struct key *key)
 	if (!has_searchable_rows(current_list(t))) {
 		tui_say(t, false,
 		    "this page has no list to look through: Sites, ? and texts "
-		    "have");
+		    "have one");
 		return;
 	}
 	t->message[0] = '\0';

@@ -69,10 +69,10 @@ act_type_bounds(struct tui *t, const struct key *key)
 	FREED char *line = xasprintf("bounds %s ", of->parameter[j].name);
 	edit_begin(&t->line, line);
 	tui_say(t, false,
-	    j < of->gauge
-		? N_("%s: %g..%g now; type low..high, or one value; the bar "
-		     "has each beta over the largest, as only ratios matter")
-		: N_("%s: %g..%g now; type low..high, or one value"),
+	    j < of->gauge ? N_("%s: %g..%g now; type low..high, or one value; "
+			       "the bar shows each beta divided by the "
+			       "largest, as only ratios matter")
+			  : N_("%s: %g..%g now; type low..high, or one value"),
 	    of->parameter[j].name, now->lower[j], now->upper[j]);
 }
 
