@@ -190,7 +190,7 @@ text_fold_case_and_accents(const char *s)
 	return folded;
 }
 
-/* True if text_escaped replaces it: Unicode's controls and format
+/* True if text_with_control_escaped replaces it: Unicode's controls and format
  * characters and the two that are none.  Joiners (U+200C, U+200D) are letters'
  * business in Persian and Hindi. */
 static bool
@@ -521,7 +521,7 @@ text_escape_next_character(const char **text, char shown[static TEXT_SHOWN])
 }
 
 char *
-text_escaped(const char *s)
+text_with_control_escaped(const char *s)
 {
 	/* No byte takes more than the four of \x1b. */
 	char *whole = xcalloc(4 * strlen(s) + 1, 1), *end = whole;
@@ -546,7 +546,7 @@ text_print_escaped(const char *s, FILE *out)
 void
 text_print_xml(const char *s, FILE *out)
 {
-	FREED char *shown = text_escaped(s);
+	FREED char *shown = text_with_control_escaped(s);
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"
 				     : *p == '>' ? "&gt;"
@@ -606,7 +606,7 @@ text_cut_to_width(const char *s, int columns)
 bool
 text_needs_no_escape(const char *s)
 {
-	FREED char *shown = text_escaped(s);
+	FREED char *shown = text_with_control_escaped(s);
 	return strcmp(shown, s) == 0;
 }
 
@@ -615,7 +615,7 @@ text_print_hanging(
     const char *text, int first, int margin, int width, FILE *out)
 {
 	int column = 0;
-	FREED char *copy = text_escaped(text);
+	FREED char *copy = text_with_control_escaped(text);
 	char *save = NULL;
 	for (char *word = strtok_r(copy, " ", &save); word != NULL;
 	     word = strtok_r(NULL, " ", &save)) {

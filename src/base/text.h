@@ -111,14 +111,14 @@ int text_columns_of_character(uint32_t code);
  * functions, and their output is allowed in XML.
  *
  * text_escape_next_character writes the character at *text as shown, advances
- * *text, and returns the character's columns.  text_escaped returns a whole
- * text, which the caller frees; text_print_escaped prints it; text_print_xml
- * prints it with < > & as entities, for the text of an element;
+ * *text, and returns the character's columns.  text_with_control_escaped
+ * returns a whole text, which the caller frees; text_print_escaped prints it;
+ * text_print_xml prints it with < > & as entities, for the text of an element;
  * text_width_in_columns returns its columns. */
 enum { TEXT_SHOWN = 12 };
 int text_escape_next_character(
     const char **text, char shown[static TEXT_SHOWN]);
-char *text_escaped(const char *s);
+char *text_with_control_escaped(const char *s);
 void text_print_escaped(const char *s, FILE *out);
 void text_print_xml(const char *s, FILE *out);
 int text_width_in_columns(const char *s);
@@ -128,12 +128,12 @@ int text_width_in_columns(const char *s);
  * number, which would be a different number.  The caller frees it. */
 char *text_cut_to_width(const char *s, int columns);
 
-/* True if text_escaped changes nothing. */
+/* True if text_with_control_escaped changes nothing. */
 bool text_needs_no_escape(const char *s);
 
-/* Prints text, escaped as by text_escaped, in lines of at most width columns,
- * broken at spaces, each after margin spaces.  Spaces at the start of the text
- * widen the margin. */
+/* Prints text, escaped as by text_with_control_escaped, in lines of at most
+ * width columns, broken at spaces, each after margin spaces.  Spaces at the
+ * start of the text widen the margin. */
 void text_print_wrapped(const char *text, int margin, int width, FILE *out);
 
 /* As text_print_wrapped, but the first line follows `first` spaces. */

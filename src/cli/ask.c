@@ -104,7 +104,7 @@ ask_with_reader(struct session *s, const struct user_question *q,
 	bool offers = q->offered[0] != '\0';
 	FREED char *asks = xasprintf("%s%s%s%s: ", q->text, offers ? " [" : "",
 	    q->offered, offers ? "]" : "");
-	char *shown = text_escaped(asks), *answer = read(shown);
+	char *shown = text_with_control_escaped(asks), *answer = read(shown);
 	free(shown);
 	return answer;
 }

@@ -310,7 +310,7 @@ run_pasted_lines(struct session *s, char *typed, int *number)
  * site; that answers can be had, only once for several sites.  The line typed
  * next may accept it. */
 static void
-print_next_step(const struct session *s)
+offer_next_step(const struct session *s)
 {
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
@@ -518,7 +518,7 @@ repl_run(struct session *s)
 	s->hooks.confirm = repl_confirm;
 	while (!s->quit && !signals_is_end_wanted()) {
 		if (prompt.before[0] == '\0')
-			print_next_step(s);
+			offer_next_step(s);
 		FREED char *text = prompt_text(s);
 		char *typed = read_prompt_line(text);
 		s->screen = terminal_describe();

@@ -50,7 +50,7 @@ canvas_text_within(struct canvas *canvas, int column, int row, int end,
 	    .series = (unsigned char)series,
 	    .attribute = (unsigned char)attribute,
 	};
-	FREED char *shown = text_escaped(text);
+	FREED char *shown = text_with_control_escaped(text);
 	for (const char *p = shown; *p != '\0';) {
 		cell.code = text_next_code_point(&p);
 		int width = text_columns_of_character(cell.code);

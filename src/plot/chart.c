@@ -124,14 +124,14 @@ chart_add_point_names(struct chart_series *series)
 }
 
 void
-chart_add_band(struct chart_series *series)
+series_add_band(struct chart_series *series)
 {
 	series->low = xcalloc_doubles(series->n);
 	series->high = xcalloc_doubles(series->n);
 }
 
 void
-chart_drop_band(struct chart_series *series)
+series_drop_band(struct chart_series *series)
 {
 	free(series->low);
 	free(series->high);

@@ -111,10 +111,10 @@ void chart_move_last_series_to_back(struct chart *chart);
  * will own. */
 void chart_add_point_names(struct chart_series *series);
 
-/* chart_add_band adds arrays low and high to a series, for its band;
- * chart_drop_band removes them. */
-void chart_add_band(struct chart_series *series);
-void chart_drop_band(struct chart_series *series);
+/* series_add_band adds arrays low and high to a series, for its band;
+ * series_drop_band removes them. */
+void series_add_band(struct chart_series *series);
+void series_drop_band(struct chart_series *series);
 
 /* Adds n finer points to a series and returns them, with x and y to be filled
  * in. */

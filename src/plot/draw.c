@@ -547,7 +547,7 @@ is_mark_hollow(const struct chart_series *s)
 }
 
 static void
-draw_chart_marks(struct layout *l, const struct chart_series *s)
+draw_series_marks(struct layout *l, const struct chart_series *s)
 {
 	for (size_t i = 0; i < s->n && s->field != NULL; i++)
 		draw_shaded_cell(l, s, i);
@@ -736,7 +736,7 @@ draw_chart_data(struct layout *l)
 	for (int hollow = 0; hollow <= 1; hollow++)
 		for (size_t i = 0; i < c->n; i++)
 			if (is_mark_hollow(c->series[i]) == hollow)
-				draw_chart_marks(l, c->series[i]);
+				draw_series_marks(l, c->series[i]);
 	for (size_t i = 0; i < c->n; i++)
 		for (size_t j = 0; j < c->series[i]->n && c->series[i]->named;
 		     j++)

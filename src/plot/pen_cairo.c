@@ -98,7 +98,7 @@ cairo_pen_measure_text(
 {
 	const struct picture *p = (struct picture *)pen;
 	cairo_text_extents_t size;
-	FREED char *text = text_escaped(words);
+	FREED char *text = text_with_control_escaped(words);
 	cairo_pen_set_font(p, style);
 	cairo_text_extents(p->cairo, text, &size);
 	return size.x_advance;
@@ -128,7 +128,7 @@ cairo_pen_draw_text(struct pen *pen, double x, double y, const char *words,
 	cairo_t *c = p->cairo;
 	cairo_text_extents_t size;
 	/* cairo draws nothing more after text that is not UTF-8. */
-	FREED char *text = text_escaped(words);
+	FREED char *text = text_with_control_escaped(words);
 	cairo_pen_set_font(p, style);
 	cairo_text_extents(c, text, &size);
 	cairo_pen_set_colour(c,
@@ -149,7 +149,7 @@ static void
 set_pdf_metadata(
     cairo_surface_t *pdf, cairo_pdf_metadata_t what, const char *words)
 {
-	FREED char *text = text_escaped(words);
+	FREED char *text = text_with_control_escaped(words);
 	cairo_pdf_surface_set_metadata(pdf, what, text);
 }
 

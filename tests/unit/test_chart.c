@@ -51,7 +51,7 @@ any_size_is_exact_and_safe(void **state)
 	static const int sizes[][2] = {{20, 5}, {300, 100}, {1, 1}, {2, 3},
 	    {40, 12}, {80, 24}, {7, 40}, {300, 3}, {11, 6}};
 	struct chart *chart = with(SOLID);
-	chart_add_band(chart->series[0]);
+	series_add_band(chart->series[0]);
 	chart_add_rule(chart, SERIES_BREAK, 5, "break");
 	chart_note(chart, "a note of some words that are wrapped");
 	for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
@@ -285,7 +285,7 @@ bars_stand_side_by_side(void **state)
 			look.series = (enum series)(SERIES_MEASURED_1 + k);
 			struct chart_series *s =
 			    chart_add(chart, look, 1, "bar %d", k);
-			chart_add_band(s);
+			series_add_band(s);
 			s->x[0] = 1;
 			s->low[0] = 20;
 			s->high[0] = 80;
@@ -317,7 +317,7 @@ a_lifted_mark_stands_out_of_its_bar(void **state)
 			.ascii = '#',
 			.bars = true},
 		    1, "bar");
-		chart_add_band(bar);
+		series_add_band(bar);
 		struct chart_series *best = chart_add(chart,
 		    (struct chart_series){.series = SERIES_PREDICTED,
 			.mark = 'v',
@@ -487,7 +487,7 @@ banded(enum charset charset, double points, uint32_t code)
 	look.series = SERIES_PREDICTED;
 	struct chart *chart = with(look);
 	struct chart_series *s = chart->series[0];
-	chart_add_band(s);
+	series_add_band(s);
 	for (size_t i = 0; i < N; i++) {
 		s->low[i] = fmax(0, s->y[i] - points);
 		s->high[i] = fmin(100, s->y[i] + points);

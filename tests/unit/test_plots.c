@@ -179,12 +179,12 @@ a_running_search_shows_its_best_so_far(void **state)
 	struct params p, best = calibration_status(s->job.calibration).params;
 	q = plots_default_request(PLOT_PSD);
 	q.asked.entry = session_current_entry(s);
-	assert_true(params_to_plot(s, &q, &p, &desk->error));
+	assert_true(find_params_to_plot(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &best, sizeof p);
 	while (session_is_calibrating(s))
 		session_step_job(s);
 	assert_true(session_end_finished_commands(s, true, &desk->error));
-	assert_true(params_to_plot(s, &q, &p, &desk->error));
+	assert_true(find_params_to_plot(s, &q, &p, &desk->error));
 	assert_memory_equal(&p, &session_current_entry(s)->params, sizeof p);
 }
 
@@ -198,7 +198,7 @@ a_generation_shows_its_own_best(void **state)
 	struct params p = {0};
 	q.asked.entry = session_current_entry(desk->session);
 	q.generation = 7;
-	assert_true(params_to_plot(desk->session, &q, &p, &desk->error));
+	assert_true(find_params_to_plot(desk->session, &q, &p, &desk->error));
 	assert_memory_equal(&p, &h->generation[6].params, sizeof p);
 	q.kind = PLOT_CONVERGENCE;
 	struct chart *c = chart_of(desk, &q);

@@ -605,7 +605,7 @@ draws_that_are_left_keep_the_ends(void **state)
 		k.options.seed = b + 1;
 		p[b] = posterior_of(&k, 1, ISA_BEST);
 		e[b] = ensemble_new(p[b], feed, feed->size, feed->n);
-		thin_add_batch(thin, p[b]);
+		thin_add_answers_of_batch(thin, p[b]);
 	}
 	thin_choose_draws(thin, chosen);
 	for (double v = 67.5; v < 85; v += 5)

@@ -82,7 +82,7 @@ the_largest_step_is_between_neighbours_of_the_list(void **state)
 	    .kind = QUANTITY_STEP, .n_sieve = 4, .sieve = SIEVE};
 	double point[QUANTITY_POINTS];
 	expect_near("step", quantity_read_off_curve(&q, &psd, 1), 0.4, 1e-12);
-	expect_near("over", quantity_excess_over_limit(&q, 0.45, 0.4, &psd),
+	expect_near("over", quantity_excess_as_passing(&q, 0.45, 0.4, &psd),
 	    -0.05, 1e-12);
 	assert_int_equal(quantity_sizes_needed(&q, point), 4);
 	psd_free(&psd);

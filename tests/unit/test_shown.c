@@ -33,7 +33,8 @@ what_a_terminal_acts_on_is_shown(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(SHOWN); i++) {
 		const char *wanted =
 		    SHOWN[i][1] != NULL ? SHOWN[i][1] : SHOWN[i][0];
-		char *shown = text_escaped(SHOWN[i][0]), *put = NULL;
+		char *shown = text_with_control_escaped(SHOWN[i][0]),
+		     *put = NULL;
 		size_t n = 0;
 		FILE *out = text_open_memory(&put, &n);
 		text_print_escaped(SHOWN[i][0], out);
@@ -61,7 +62,8 @@ any_bytes_are_shown_as_text(void **state)
 			seed = seed * 1664525 + 1013904223;
 			bytes[i] = (char)(seed >> 24);
 		}
-		char *once = text_escaped(bytes), *twice = text_escaped(once);
+		char *once = text_with_control_escaped(bytes),
+		     *twice = text_with_control_escaped(once);
 		assert_true(text_is_utf8(once, strlen(once)));
 		assert_string_equal(once, twice);
 		for (const char *p = once; *p != '\0';) {

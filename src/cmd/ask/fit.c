@@ -114,7 +114,7 @@ fit_check_settings_agree(
 }
 
 void
-fit_compute_param_band(const struct posterior *p, const struct session *s,
+param_band_from_draws(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2])
 {
 	double value[POSTERIOR_DRAWS];
@@ -140,7 +140,7 @@ fit_put_param_bands(struct fields *o, const struct session *s,
 	struct fields *interval = fields_add_object(o, "interval");
 	for (size_t j = of->gauge; j < of->n; j++) {
 		double range[2];
-		fit_compute_param_band(posterior, s, fit, j, range);
+		param_band_from_draws(posterior, s, fit, j, range);
 		fields_put_values(
 		    fields_add_list(interval, of->parameter[j].name), "%g %g",
 		    range[0], range[1]);

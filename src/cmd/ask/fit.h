@@ -37,12 +37,12 @@ bool fit_check_settings_agree(const struct model_settings *settings,
 /* Puts "params": {"beta":[4],"f_mat":..,"e0_min":..,"alpha":..}. */
 void fit_put_params(struct fields *o, const struct params *p);
 
-/* fit_compute_param_band computes the middle range of the draws for parameter j
+/* param_band_from_draws computes the middle range of the draws for parameter j
  * of the fit's model: NAN for a parameter in the gauge, where only the
  * direction matters.  fit_put_param_bands puts the ranges of the others as
  * "interval":
  * {"f_mat":[low, high], ..}, or null without draws. */
-void fit_compute_param_band(const struct posterior *p, const struct session *s,
+void param_band_from_draws(const struct posterior *p, const struct session *s,
     const struct params *fit, size_t j, double range[static 2]);
 void fit_put_param_bands(struct fields *o, const struct session *s,
     const struct posterior *posterior, const struct params *fit);

@@ -47,7 +47,7 @@ double forecast_value_of_model_alone(struct forecast *f, size_t i);
  * or NULL if the answer is the model alone or before the first move. */
 const double *forecast_draws(const struct forecast *f, size_t i);
 
-/* Compute how far quantity i is above a limit (quantity_excess_over_limit):
+/* Compute how far quantity i is above a limit (quantity_excess_as_passing):
  * forecast_excess_over_limit in the answer, forecast_excess_of_draws in each
  * draw.  Call them before another forecast moves. */
 double forecast_excess_over_limit(struct forecast *f, size_t i, double limit);

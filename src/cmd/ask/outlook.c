@@ -43,7 +43,7 @@ correction_in_use(const struct session *s, const struct entry *entry)
 /* Returns which runs inform the entry's answers: the training runs if these
  * are the model alone. */
 static enum correction
-correction_for_comparison(const struct session *s, const struct entry *entry)
+which_runs_inform_comparison(const struct session *s, const struct entry *entry)
 {
 	return correction_in_use(s, entry) == CORRECTION_ALL ? CORRECTION_ALL
 							     : CORRECTION_TRAIN;
@@ -54,8 +54,8 @@ static bool *
 mark_runs_that_inform_answers(
     const struct session *s, const struct entry *entry, size_t *place)
 {
-	return mark_runs_that_inform(
-	    entry->origin->history, correction_for_comparison(s, entry), place);
+	return mark_runs_that_inform(entry->origin->history,
+	    which_runs_inform_comparison(s, entry), place);
 }
 
 /* Returns the options for drawing the posterior of the runs in `use`
@@ -162,14 +162,14 @@ posterior_sample_a_part(const struct session *s, const struct entry *entry)
 	enum { STEPS = 16 };
 	return !can_sample_posterior(entry) ||
 	       posterior_after_steps(s, entry,
-		   correction_for_comparison(s, entry), STEPS) != NULL;
+		   which_runs_inform_comparison(s, entry), STEPS) != NULL;
 }
 
 const struct posterior *
 posterior_for_comparison(const struct session *s, const struct entry *entry)
 {
 	return posterior_of_calibration(
-	    s, entry, correction_for_comparison(s, entry));
+	    s, entry, which_runs_inform_comparison(s, entry));
 }
 
 const struct evidence *

@@ -88,7 +88,7 @@ parse_size_at_passing(
 }
 
 static bool
-parse_fraction_share(
+parse_fraction_bounds(
     const char *text, const char *rest, struct quantity *q, struct error *error)
 {
 	if (strchr(rest, '/') == NULL)
@@ -137,7 +137,7 @@ static const struct {
     [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
 	" %", "passing", parse_passing_quantity, {"passing ", "fines<"}},
     [QUANTITY_SHARE] = {"%s", "share", "%s", " %", "share",
-	parse_fraction_share, {"0/2>="}},
+	parse_fraction_bounds, {"0/2>="}},
     [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", "",
 	"fm", parse_fineness_modulus, {"fm EN="}},
     [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu",
@@ -340,7 +340,7 @@ quantity_argument_text(const struct quantity *q, enum form form)
 /* Returns words of KINDS with the argument in place of %s.  The caller frees
  * it. */
 static char *
-fill_in_quantity_argument(
+put_argument_into_quantity_name(
     const char *words, const struct quantity *q, enum form form)
 {
 	const char *at = strstr(words, "%s");
@@ -372,7 +372,7 @@ quantities_name(const struct quantity *q)
 {
 	return append_fraction_name(
 	    is_fines(q) ? xstrdup(tr("fines"))
-			: fill_in_quantity_argument(
+			: put_argument_into_quantity_name(
 			      tr(KINDS[q->kind].words), q, FOR_PEOPLE),
 	    q);
 }
@@ -394,13 +394,14 @@ quantities_typed_text(const struct quantity *q)
 {
 	const char *typed = is_fines(q) ? "fines" : KINDS[q->kind].typed;
 	return append_fraction_name(
-	    fill_in_quantity_argument(typed, q, AS_TYPED), q);
+	    put_argument_into_quantity_name(typed, q, AS_TYPED), q);
 }
 
 char *
 quantities_field_name(const struct quantity *q)
 {
-	char *key = fill_in_quantity_argument(KINDS[q->kind].key, q, AS_KEY);
+	char *key =
+	    put_argument_into_quantity_name(KINDS[q->kind].key, q, AS_KEY);
 	const char *unit = quantities_unit(q);
 	if (fraction_is_screened(&q->fraction))
 		xappend(&key, "_%g_%g", units_mm(q->fraction.fine),

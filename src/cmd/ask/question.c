@@ -318,7 +318,7 @@ question_free_cached(struct session *s)
 
 /* Returns the feed from the sheets in `set feed`, or NULL if it names none. */
 static const struct blended *
-read_feed_of_setting(struct session *s)
+read_feed_set_by_user(struct session *s)
 {
 	struct error none = {0};
 	struct value value = parse_feed_value(s->set.feed);
@@ -344,7 +344,7 @@ question_site_with_feed_setting(struct session *s)
 	const struct entry *loaded =
 	    s->n_entry > 0 ? session_current_entry(s) : NULL;
 	const struct blended *feed =
-	    loaded != NULL ? read_feed_of_setting(s) : NULL;
+	    loaded != NULL ? read_feed_set_by_user(s) : NULL;
 	const struct site_with_feed *was = s->site_with_feed;
 	if (feed == NULL)
 		return loaded;

@@ -237,7 +237,7 @@ error_cuts_not_charted(
 		    "limits from, got neither\n"
 		    "run 'calibrate', or state the error of a passing: set "
 		    "noise 0.5");
-	routine_free(r);
+	routine_charts_free(r);
 	return NULL;
 }
 
@@ -272,7 +272,7 @@ routine_compute_charts(const struct session *s, const struct entry *entry,
 }
 
 void
-routine_free(struct routine *r)
+routine_charts_free(struct routine *r)
 {
 	for (size_t j = 0; r != NULL && j < r->n; j++) {
 		struct routine_cut *c = &r->cut[j];
@@ -355,7 +355,7 @@ drift_alarm_in_words(const struct session *s, const struct entry *entry)
 		a->site = entry->site;
 		a->posterior = p;
 		a->state = r != NULL ? r->point[r->n - 1].state : DRIFT_NONE;
-		routine_free(r);
+		routine_charts_free(r);
 	}
 	if (a->state == DRIFT_NONE)
 		return NULL;

@@ -41,7 +41,7 @@ enum { ROUTINE_FEW = 5 };
 struct routine *routine_compute_charts(const struct session *s,
     const struct entry *entry, const struct drift_rule *rule,
     struct error *error);
-void routine_free(struct routine *r);
+void routine_charts_free(struct routine *r);
 
 /* Returns "coarser than predicted four times running, most at 4 mm (-3.1 points
  * on average): look at ..", or that nothing drifts.  The caller frees it. */

@@ -44,7 +44,7 @@ struct wanted_limit {
 };
 
 /* The distance from a limit, negative if missed: as a passing 0..1
- * (quantity_excess_over_limit), and in widths of the band there, so that limits
+ * (quantity_excess_as_passing), and in widths of the band there, so that limits
  * on different sieves can be compared (D21) while they hold; for a model alone,
  * both are the passing.  A limit that leaves no room (at least 100 %, at most 0
  * %) must hold but is never close: INFINITY. */

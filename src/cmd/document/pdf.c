@@ -128,7 +128,7 @@ break_into_lines(struct pdf_layout *p, const char *words, double width,
     const struct pen_style *style)
 {
 	struct lines lines = {0};
-	FREED char *shown = text_escaped(words);
+	FREED char *shown = text_with_control_escaped(words);
 	const char *text = shown;
 	do {
 		size_t n = p->pen->width(p->pen, text, style) <= width

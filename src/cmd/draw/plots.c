@@ -84,7 +84,7 @@ residuals_chart(
 {
 	const struct site *site = q->asked.entry->site;
 	struct params params;
-	if (!params_to_plot(s, q, &params, error))
+	if (!find_params_to_plot(s, q, &params, error))
 		return NULL;
 	size_t compared = 0;
 	for (size_t i = 0; i < site->n_run; i++)
@@ -250,7 +250,7 @@ selection_chart(
 	double speed =
 	    isnan(q->asked.speed) ? site_middle_speed(site) : q->asked.speed;
 	struct params params;
-	if (!params_to_plot(s, q, &params, error))
+	if (!find_params_to_plot(s, q, &params, error))
 		return NULL;
 	const struct psd *feed = site_feed_of_run(site, q->asked.feed);
 	struct chart *chart =
@@ -273,7 +273,7 @@ appearance_chart(
     struct session *s, const struct plot_request *q, struct error *error)
 {
 	struct params params;
-	if (!params_to_plot(s, q, &params, error))
+	if (!find_params_to_plot(s, q, &params, error))
 		return NULL;
 	if (s->set.model.appearance != APPEARANCE_RATIO) {
 		error_set(error, ERROR_USAGE,

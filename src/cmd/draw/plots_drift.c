@@ -97,6 +97,6 @@ plots_control_charts(
 		chart_add_rule(chart, SERIES_BREAK, (double)(r->since + 1),
 		    "began at about cut %zu", r->since + 1);
 	note_drift_state(chart, r);
-	routine_free(r);
+	routine_charts_free(r);
 	return chart;
 }

@@ -372,7 +372,7 @@ shade_prediction_band(struct chart *chart, const struct session *s,
 		return;
 	}
 	struct chart_series *series = chart->series[chart->n - 1];
-	chart_add_band(series);
+	series_add_band(series);
 	for (size_t i = 0; i < series->n; i++) {
 		series->low[i] = units_pct(p->low[i]);
 		series->high[i] = units_pct(p->high[i]);
@@ -588,7 +588,7 @@ find_plotted_predictions(struct session *s, const struct plot_request *q,
 	*p = (struct psd_plot){.speed = isnan(q->asked.speed)
 					    ? site_middle_speed(entry->site)
 					    : q->asked.speed};
-	bool known = params_to_plot(s, q, &p->params, &p->unknown);
+	bool known = find_params_to_plot(s, q, &p->params, &p->unknown);
 	if (!known && q->generation > 0) {
 		*error = p->unknown;
 		return false;
@@ -663,7 +663,7 @@ plots_sweep(
 	const struct site *site = q->asked.entry->site;
 	size_t n = q->asked.n_at;
 	struct params params;
-	if (!params_to_plot(s, q, &params, error))
+	if (!find_params_to_plot(s, q, &params, error))
 		return NULL;
 	if (n > MOST) {
 		error_set(error, ERROR_USAGE,

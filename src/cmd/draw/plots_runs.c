@@ -165,7 +165,7 @@ plots_runs(struct session *s, const struct plot_request *q, struct error *error)
 	const struct site *site = entry_without_scenario(q->asked.entry)->site;
 	struct params params;
 	struct error unknown = {0};
-	bool known = params_to_plot(s, q, &params, &unknown);
+	bool known = find_params_to_plot(s, q, &params, &unknown);
 	if (refuse_plot_speeds(q, error))
 		return NULL;
 	if (!known && (q->generation > 0 || q->asked.n_at > 0)) {

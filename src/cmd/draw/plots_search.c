@@ -96,7 +96,7 @@ misfit_as_rmse_points(const struct search_shown *past, double misfit)
 }
 
 bool
-params_to_plot(const struct session *s, const struct plot_request *request,
+find_params_to_plot(const struct session *s, const struct plot_request *request,
     struct params *params, struct error *error)
 {
 	const struct entry *entry = request->asked.entry;
@@ -144,7 +144,7 @@ draw_noise_stripe(struct chart *chart, const struct session *s)
 	    assumed ? N_("noise %.2g points (assumed)")
 		    : N_("noise %.2g points"),
 	    noise);
-	chart_add_band(stripe);
+	series_add_band(stripe);
 	for (size_t i = 0; i < 2; i++) {
 		stripe->x[i] = i == 0 ? chart->x.low : chart->x.high;
 		stripe->low[i] = -noise;
@@ -183,7 +183,7 @@ add_candidate_bars_of_run(struct chart *chart, const struct candidates *c,
 	FREED char *speed = answers_speed_text(site, run->speed, -1);
 	struct chart_series *bars =
 	    chart_add(chart, look, n, "%s%s: middle 80 %%", speed, run->repeat);
-	chart_add_band(bars);
+	series_add_band(bars);
 	for (size_t i = 0; i < n; i++) {
 		bars->x[i] = units_mm(c->cell[from + i].size);
 		bars->y[i] = units_pct(c->cell[from + i].median);

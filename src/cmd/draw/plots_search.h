@@ -45,8 +45,9 @@ double misfit_as_rmse_points(const struct search_shown *past, double misfit);
 /* Finds the parameters for drawing the request's entry: those of the requested
  * generation, the best so far of a calibration in progress, or the site's.
  * Returns false with an error if there are none. */
-bool params_to_plot(const struct session *s, const struct plot_request *request,
-    struct params *params, struct error *error);
+bool find_params_to_plot(const struct session *s,
+    const struct plot_request *request, struct params *params,
+    struct error *error);
 
 plot_make plots_search_residuals, plots_search_convergence, plots_search_spread;
 

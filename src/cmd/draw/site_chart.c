@@ -79,7 +79,7 @@ site_chart_set_figure_point(
     struct chart_series *s, size_t k, double x, struct figure at)
 {
 	if (s->low == NULL)
-		chart_add_band(s);
+		series_add_band(s);
 	s->x[k] = x;
 	s->y[k] = at.value;
 	s->low[k] = at.low;
@@ -96,7 +96,7 @@ site_chart_finish_band(struct chart_series *s)
 		s->high[k] = isnan(s->high[k]) ? s->y[k] : s->high[k];
 	}
 	if (!band)
-		chart_drop_band(s);
+		series_drop_band(s);
 }
 
 void

@@ -326,6 +326,6 @@ cmd_drift(struct session *s, const struct args *args, struct error *error)
 	say_basis_of_control_charts(a, s, r);
 	answers_show_fit_basis(s, a, entry, false);
 	say_when_to_recalibrate(a, entry, r, &later);
-	routine_free(r);
+	routine_charts_free(r);
 	return session_show_answer(s, a);
 }

@@ -241,7 +241,7 @@ add_parameter_rows(struct answer *r, const struct session *s,
 		    r, "%s %.4f", of->parameter[j].name, fit->params.at[j]);
 		if (u != NULL) {
 			double range[2];
-			fit_compute_param_band(u, s, &fit->params, j, range);
+			param_band_from_draws(u, s, &fit->params, j, range);
 			answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
 		answer_add_cells(r, "%s %g %g %s", of->parameter[j].unit,

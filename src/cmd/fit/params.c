@@ -43,7 +43,7 @@ show_params(struct session *s, const struct args *args, struct error *error)
 		    entry->has_params ? entry->params.at[j] : NAN);
 		if (u != NULL) {
 			double range[2];
-			fit_compute_param_band(u, s, &entry->params, j, range);
+			param_band_from_draws(u, s, &entry->params, j, range);
 			answer_add_cells(r, "%.4f %.4f", range[0], range[1]);
 		}
 		answer_add_cells(r, "%s %s", info->unit, tr(info->meaning));

@@ -72,7 +72,7 @@ range_of_trial_factors(
 /* weight [TRIED] out: what the readings leave of each trial, over all that its
  * idle can be, in shares. */
 static void
-weights_of_trials(const struct power *p, struct trial *t, double *weight)
+weigh_idle_power_trials(const struct power *p, struct trial *t, double *weight)
 {
 	double least = INFINITY, sum = 0;
 	for (size_t k = 0; k < TRIED; k++)
@@ -122,7 +122,7 @@ fit_draws_of_power(struct power *p, const struct reading *reading)
 		t[k].factor = range[0] + f * (range[1] - range[0]);
 		fit_idle_power(&t[k], p, reading);
 	}
-	weights_of_trials(p, t, weight);
+	weigh_idle_power_trials(p, t, weight);
 	fill_draws_from_trials(p, t, weight);
 }
 

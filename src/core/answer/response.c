@@ -356,7 +356,7 @@ excess_of_curve_over_limit(struct response *r, size_t i, double limit,
 	curve = quantity_excess_needs_curve(&r->asked[i])
 		    ? curve_of_fraction(r, i, curve, &share)
 		    : NULL;
-	return quantity_excess_over_limit(&r->asked[i], limit, value, curve);
+	return quantity_excess_as_passing(&r->asked[i], limit, value, curve);
 }
 
 double

@@ -52,7 +52,7 @@ bool response_breaks_feed(struct response *r);
 const double *response_draws_of_quantity(const struct response *r, size_t i);
 
 /* Return how far quantity i is above a limit at the response's speed (see
- * quantity_excess_over_limit), for the answer and, in over, for each draw. */
+ * quantity_excess_as_passing), for the answer and, in over, for each draw. */
 double response_excess_over_limit(struct response *r, size_t i, double limit);
 void response_excess_of_draws(struct response *r, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);

@@ -88,8 +88,8 @@ covariance_over_draws(
 
 /* Returns the covariance of two components of a sample. */
 static double
-covariance_of_components(const struct drift_cut *c, const struct component *a,
-    const struct component *b)
+covariance_of_two_components(const struct drift_cut *c,
+    const struct component *a, const struct component *b)
 {
 	double sum = covariance_over_draws(a, b, c->n_draw);
 	for (size_t i = 0; i < c->n; i++)
@@ -129,8 +129,8 @@ fill_component_weights(
 	fill_tilt_weights(c, tilt->weight);
 	fill_component_of_draws(c, level);
 	fill_component_of_draws(c, tilt);
-	double share = covariance_of_components(c, level, tilt) /
-		       covariance_of_components(c, level, level);
+	double share = covariance_of_two_components(c, level, tilt) /
+		       covariance_of_two_components(c, level, level);
 	bool single = !(tilt->weight[0] > 0);
 	for (size_t i = 0; i < c->n && !single; i++)
 		tilt->weight[i] -= share * level->weight[i];
@@ -151,7 +151,7 @@ covariance_factor_of_component(const struct drift_cut *cut,
 			U[j * n + i] = covariance_over_draws(a,
 			    &w[j * DRIFT_COMPONENTS + component],
 			    cut[i].n_draw);
-		double own = covariance_of_components(&cut[i], a, a);
+		double own = covariance_of_two_components(&cut[i], a, a);
 		/* Without weights the value is 0, whatever its variance. */
 		U[i * n + i] = own > 0 ? own : 1;
 	}
@@ -269,9 +269,9 @@ drift_run_charts(const struct drift_cut *cut, size_t n,
 			double truth =
 			    covariance_over_draws(own, own, cut[i].n_draw);
 			c->truth = sqrt(truth);
-			c->error =
-			    sqrt(covariance_of_components(&cut[i], own, own) -
-				 truth);
+			c->error = sqrt(
+			    covariance_of_two_components(&cut[i], own, own) -
+			    truth);
 			c->off = z_of_value_given_earlier(
 			    U[k], n, i, known, k, point);
 			double squares = 0;

@@ -164,8 +164,8 @@ factor_block_of_run(const struct covariance *c, size_t b,
 /* Adds a run's part of B' E^-1 B to G, which has a square of the sizes for each
  * pair of terms.  The slope is left out.  work [largest * largest]. */
 static void
-add_run_to_coupling(const struct covariance *c, size_t b, const double *U,
-    double *G, double *work)
+add_run_to_coupling_matrix(const struct covariance *c, size_t b,
+    const double *U, double *G, double *work)
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first, S = c->sizes;
 	double term[TERMS];
@@ -255,7 +255,7 @@ factor_by_woodbury(const struct covariance *c,
 	for (size_t b = 0; b < c->blocks; b++) {
 		double *U = factor + c->at[b];
 		factor_block_of_run(c, b, &pairs, hyper[HYPER_OWN], U);
-		add_run_to_coupling(c, b, U, G, work);
+		add_run_to_coupling_matrix(c, b, U, G, work);
 	}
 	factor_coupling_matrix(c, G, factor);
 	free(G);
@@ -348,7 +348,7 @@ covariance_minus_log_density(
 
 /* Computes E^-1 d of a run in place. */
 static void
-solve_block_of_run(
+solve_covariance_of_run(
     const struct covariance *c, const double *factor, size_t b, double *d)
 {
 	size_t first = c->first[b], n = c->first[b + 1] - first;
@@ -364,7 +364,7 @@ solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 	double f[TERMS * SIZES] = {0}, *less = xcalloc_doubles(c->n);
 	size_t m = TERMS * c->sizes;
 	for (size_t b = 0; b < c->blocks; b++) {
-		solve_block_of_run(c, factor, b, d);
+		solve_covariance_of_run(c, factor, b, d);
 		add_cells_to_processes(c, b, d, f);
 	}
 	multiply_processes_by_upper(c, factor, f);
@@ -373,7 +373,7 @@ solve_by_woodbury(const struct covariance *c, const double *factor, double *d)
 	multiply_processes_by_lower(c, factor, f);
 	for (size_t b = 0; b < c->blocks; b++) {
 		add_processes_to_cells(c, b, f, less);
-		solve_block_of_run(c, factor, b, less);
+		solve_covariance_of_run(c, factor, b, less);
 	}
 	for (size_t i = 0; i < c->n; i++)
 		d[i] -= less[i];

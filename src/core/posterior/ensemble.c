@@ -607,7 +607,7 @@ is_draw_straight(const struct posterior *p, size_t draw)
 
 /* Computes the answers at a speed between two measured ones (D25, thin.h). */
 static void
-compute_answers_between_runs(struct ensemble *e, double v, size_t k)
+compute_draws_between_runs(struct ensemble *e, double v, size_t k)
 {
 	const struct posterior *p = e->of;
 	double a = p->speed[k], b = p->speed[k + 1];
@@ -706,7 +706,7 @@ ensemble_set_speed(struct ensemble *e, double v)
 	if (e->of->speed_sd > 0)
 		compute_answers_at_true_speeds(e, v);
 	else if (is_between_measured_speeds(e->of, v, &k))
-		compute_answers_between_runs(e, v, k);
+		compute_draws_between_runs(e, v, k);
 	else
 		compute_rising_answers_at_speed(e, v);
 	if (e->bypass > 0) {

@@ -1102,7 +1102,7 @@ make_draws_of_each_chain(struct posterior_run *run)
 	pool_run(run->s->pool, CHAINS / PART, make_draws_of_some_chains, run);
 	size_t n = count_draws_due(run->s);
 	if (n % 2 == 0)
-		thin_add_batch(run->thin, &run->batch[n / 2 - 1]);
+		thin_add_answers_of_batch(run->thin, &run->batch[n / 2 - 1]);
 }
 
 static void

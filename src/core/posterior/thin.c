@@ -55,7 +55,7 @@ thin_free(struct thin *t)
 }
 
 void
-thin_add_batch(struct thin *t, const struct posterior *batch)
+thin_add_answers_of_batch(struct thin *t, const struct posterior *batch)
 {
 	if (t->n_sieve > 0) {
 		struct ensemble *e =

@@ -16,7 +16,7 @@ void thin_free(struct thin *t);
 
 /* Adds the next batch with its answers at sieves of the site and at five speeds
  * across site_default_speed_range. */
-void thin_add_batch(struct thin *t, const struct posterior *batch);
+void thin_add_answers_of_batch(struct thin *t, const struct posterior *batch);
 
 /* Chooses the draws to keep, half of them from the first half of the batches,
  * and returns their indices in the sequence of all batches.  They have the same

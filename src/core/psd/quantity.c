@@ -102,7 +102,7 @@ share_coarser_than(const struct psd *curve, double share, double size)
 }
 
 double
-quantity_excess_over_limit(const struct quantity *q, double limit, double value,
+quantity_excess_as_passing(const struct quantity *q, double limit, double value,
     const struct psd *curve)
 {
 	switch (q->kind) {

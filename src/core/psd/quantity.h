@@ -68,10 +68,10 @@ double quantity_read_off_curve(
  * other sizes; for a modulus, the difference divided by its number of sieves.
  * Positive exactly where the value is above the limit; NAN where the curve does
  * not reach that far. */
-double quantity_excess_over_limit(const struct quantity *q, double limit,
+double quantity_excess_as_passing(const struct quantity *q, double limit,
     double value, const struct psd *curve);
 
-/* True if quantity_excess_over_limit reads the curve; if not, it may be NULL.
+/* True if quantity_excess_as_passing reads the curve; if not, it may be NULL.
  */
 bool quantity_excess_needs_curve(const struct quantity *q);
 

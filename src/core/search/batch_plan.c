@@ -248,7 +248,7 @@ plan_runs_by_classes(struct batch_plan *plan, const struct misfit *m)
 }
 
 static void
-plan_bins_by_break_size(struct batch_plan *plan, const struct misfit *m)
+plan_bins_of_candidates(struct batch_plan *plan, const struct misfit *m)
 {
 	double mean = 0, low = 1e3, high = -1e3;
 	for (size_t r = 0; r < m->n_run; r++) {
@@ -287,7 +287,7 @@ batch_plan_fill(struct batch_plan *plan, const struct misfit *m)
 	}
 	for (size_t r = 0; r < m->n_run; r++)
 		batch_plan_set_speed(plan, r, m->run[r].speed);
-	plan_bins_by_break_size(plan, m);
+	plan_bins_of_candidates(plan, m);
 	if (plan->method == METHOD_CLASSES)
 		plan_runs_by_classes(plan, m);
 	else

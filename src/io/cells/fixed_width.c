@@ -176,7 +176,7 @@ column_of_cell(const struct grid_columns *g, const struct span *cell)
 /* Puts tabs between the cells of a line: one each, or as many as there are
  * columns from one to the next. */
 static void
-put_tabs_in_line(struct line *line, const struct grid_columns *g)
+put_tab_characters_in_line(struct line *line, const struct grid_columns *g)
 {
 	struct span cell[MOST_CELLS];
 	size_t n = split_at_blanks(line, cell), at[MOST_CELLS];
@@ -214,7 +214,7 @@ widen_columns_to_heads(struct grid_columns *g, const struct line *head)
 /* Puts tabs into the lines of numbers from the ith on and into their heads,
  * which are above without an empty line.  Returns the line after them. */
 static size_t
-put_tabs_in_table(struct line *line, size_t i, size_t n)
+put_tab_characters_in_table(struct line *line, size_t i, size_t n)
 {
 	size_t end = i, top = i;
 	while (end < n && line[end].numbers)
@@ -227,7 +227,7 @@ put_tabs_in_table(struct line *line, size_t i, size_t n)
 		widen_columns_to_heads(&g, &line[k]);
 	for (size_t k = top; k < end; k++)
 		if (!line[k].rule)
-			put_tabs_in_line(&line[k], &g);
+			put_tab_characters_in_line(&line[k], &g);
 	return end;
 }
 
@@ -286,11 +286,11 @@ fixed_width_put_tabs(char *text)
 			put_tabs_for_bars(&line[i]);
 	for (size_t i = 0; i < n && !bars; i++)
 		if (line[i].numbers)
-			i = put_tabs_in_table(line, i, n) - 1;
+			i = put_tab_characters_in_table(line, i, n) - 1;
 	/* What is left is not of a table. */
 	for (size_t i = 0; i < n && !bars; i++)
 		if (!line[i].rule &&
 		    memchr(line[i].text, '\t', line[i].n) == NULL)
-			put_tabs_in_line(&line[i], NULL);
+			put_tab_characters_in_line(&line[i], NULL);
 	return true;
 }

@@ -347,7 +347,7 @@ json_of_text(const char *text)
 {
 	if (text_is_utf8(text, strlen(text)))
 		return json_string(text);
-	FREED char *shown = text_escaped(text);
+	FREED char *shown = text_with_control_escaped(text);
 	return json_string(shown);
 }
 
@@ -693,7 +693,7 @@ print_padded_text(const char *text, int width, bool right, bool last, FILE *out)
 }
 
 static bool
-rows_have_equal_cells(
+rows_begin_alike(
     const struct table *t, size_t row, size_t other, size_t columns)
 {
 	for (size_t c = 0; c < columns; c++)
@@ -711,8 +711,7 @@ count_key_columns(const struct table *t, const struct form *f)
 	size_t n = 1;
 	int width = 0;
 	for (size_t row = 1; row < count_table_rows(t); row++)
-		while (n < t->n_column &&
-		       rows_have_equal_cells(t, row - 1, row, n))
+		while (n < t->n_column && rows_begin_alike(t, row - 1, row, n))
 			n++;
 	for (size_t c = 0; c < n; c++)
 		width += f->width[c] + f->gap;
@@ -927,7 +926,7 @@ copy_with_converted_texts(
 struct answer *
 answer_copy_escaped(const struct answer *a)
 {
-	return copy_with_converted_texts(text_escaped, a, NULL);
+	return copy_with_converted_texts(text_with_control_escaped, a, NULL);
 }
 
 /* Exchanges the headings and the first column. */
@@ -983,7 +982,7 @@ print_text_table(const struct answer *answer, bool semicolon, FILE *out)
 	int room = answer->room;
 	FREED bool *shown = choose_columns(&answer->table[0], &room);
 	struct answer *a =
-	    copy_with_converted_texts(text_escaped, answer, shown);
+	    copy_with_converted_texts(text_with_control_escaped, answer, shown);
 	const struct table *t = &a->table[0];
 	bool turned = a->across && count_table_rows(t) > t->n_column;
 	if (turned)
@@ -1036,7 +1035,7 @@ is_markup_character(const char *text, const char *p)
 static char *
 escape_for_markdown(const char *text)
 {
-	FREED char *shown = text_escaped(text);
+	FREED char *shown = text_with_control_escaped(text);
 	char *copy = xcalloc(5 * strlen(shown) + 1, 1), *end = copy;
 	for (const char *p = shown; *p != '\0'; p++) {
 		const char *entity = *p == '<'   ? "&lt;"

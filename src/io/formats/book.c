@@ -149,7 +149,7 @@ book_put_text(const struct page *p, lxw_col_t column, const char *text,
     lxw_format *format)
 {
 	enum { MOST = 32000 }; /* bytes; Excel has 32,767 characters */
-	FREED char *shown = text_escaped(text);
+	FREED char *shown = text_with_control_escaped(text);
 	shown[text_bytes_within(shown, MOST)] = '\0';
 	if (shown[0] != '\0')
 		worksheet_write_string(p->sheet, p->row, column, shown, format);
@@ -221,7 +221,8 @@ count_sieve_rows(const struct answer_view *v)
 /* True if a column is a curve: numbers from 0 to 100 that are not
  * differences. */
 static bool
-book_is_curve_column(const struct answer_view *v, size_t rows, size_t column)
+is_answer_column_a_curve(
+    const struct answer_view *v, size_t rows, size_t column)
 {
 	static const char *const OTHERS[] = {
 	    "differ", "error", "outside", "points", "sd", "share"};
@@ -268,16 +269,16 @@ book_add_chart(
 	size_t rows = count_sieve_rows(v), curves = 0;
 	lxw_row_t from = p->row + 1, to = p->row + (lxw_row_t)rows;
 	for (size_t c = 1; rows > 1 && c < v->n_column; c++)
-		curves += book_is_curve_column(v, rows, c);
+		curves += is_answer_column_a_curve(v, rows, c);
 	if (curves == 0)
 		return;
 	lxw_chart *chart = workbook_add_chart(
 	    b->workbook, LXW_CHART_SCATTER_STRAIGHT_WITH_MARKERS);
 	for (size_t c = 1; c < v->n_column; c++) {
-		if (!book_is_curve_column(v, rows, c))
+		if (!is_answer_column_a_curve(v, rows, c))
 			continue;
 		lxw_chart_series *series = chart_add_series(chart, NULL, NULL);
-		FREED char *name = text_escaped(v->head[c]);
+		FREED char *name = text_with_control_escaped(v->head[c]);
 		chart_series_set_categories(series, p->name, from, 0, to, 0);
 		chart_series_set_values(
 		    series, p->name, from, (lxw_col_t)c, to, (lxw_col_t)c);

@@ -122,7 +122,7 @@ parse_series_word(const char **text)
 /* Returns the series that a name itself states ("BS 7 mesh"), and its
  * number. */
 static enum sieve_series
-parse_sieve_name(const char *text, double *value)
+parse_sieve_series_and_number(const char *text, double *value)
 {
 	FREED char *folded = text_fold_case_and_accents(text);
 	enum sieve_series series = SIEVE_NONE;
@@ -200,14 +200,14 @@ enum sieve_series
 sieve_name_series(const char *text)
 {
 	double value;
-	return parse_sieve_name(text, &value);
+	return parse_sieve_series_and_number(text, &value);
 }
 
 double
 sieve_name_mm(const char *text, enum sieve_series head)
 {
 	double value;
-	enum sieve_series series = parse_sieve_name(text, &value);
+	enum sieve_series series = parse_sieve_series_and_number(text, &value);
 	bool bare = series == SIEVE_NONE;
 	if (bare || (series == SIEVE_MESH && head != SIEVE_NONE)) {
 		const char *p = text + strspn(text, " ");
@@ -260,7 +260,8 @@ char *
 sieve_nearest_names(const char *text)
 {
 	double wanted;
-	bool inches = parse_sieve_name(text, &wanted) == SIEVE_INCH;
+	bool inches =
+	    parse_sieve_series_and_number(text, &wanted) == SIEVE_INCH;
 	size_t finer = inches ? 0 : N_INCHES, end = ARRAY_LEN(ASTM);
 	while (finer < (inches ? N_INCHES : end) &&
 	       (inches ? ASTM[finer].number >= wanted

@@ -251,7 +251,7 @@ set_site_value_of_key(struct site *site, enum lexicon_key k,
 /* Reads the next pair of the line, or a part of one.  False at the end of the
  * line. */
 static bool
-read_key_and_value(struct site *site, struct sheet *sheet,
+set_next_key_of_line(struct site *site, struct sheet *sheet,
     const struct row *row, size_t *at, int seen[static N_KEY],
     struct heading_speed *speed)
 {
@@ -313,7 +313,7 @@ site_heading_read(const struct layout *layout, struct sheet *sheet,
 			}
 	for (size_t i = 0; i < layout->n_heading; i++)
 		if (layout->heading[i]->line < first)
-			for (size_t at = 0; read_key_and_value(site, sheet,
+			for (size_t at = 0; set_next_key_of_line(site, sheet,
 				 layout->heading[i], &at, seen, speed);)
 				;
 }

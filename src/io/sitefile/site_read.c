@@ -327,8 +327,8 @@ psd_of_column(const struct column *c)
 
 /* Fills the curves of a run, the nth of those at its speed. */
 static void
-fill_curves_of_run(const struct columns *t, const struct column *shared,
-    struct run *run, size_t nth)
+set_curves_of_run_from_sheet(const struct columns *t,
+    const struct column *shared, struct run *run, size_t nth)
 {
 	double v = run->speed;
 	const struct column *own = site_column_find(t, FEED, v, nth);
@@ -380,7 +380,8 @@ make_runs_of_site(struct site *site, const struct columns *t)
 	qsort(site->run, site->n_run, sizeof *site->run, compare_runs_by_speed);
 	for (size_t r = 0, first = 0; r < site->n_run; r++) {
 		first = site_run_repeats_speed(site, r) ? first : r;
-		fill_curves_of_run(t, shared, &site->run[r], r - first);
+		set_curves_of_run_from_sheet(
+		    t, shared, &site->run[r], r - first);
 	}
 	site_update_digest_and_mean_feed(site);
 }

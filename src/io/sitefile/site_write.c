@@ -25,7 +25,7 @@ struct curve {
  * percents that never exceed 1 for fractions, so such a product is written in
  * fractions, and so are its repeats, which share its unit. */
 static bool
-is_written_as_fractions(const struct site *site, double speed)
+must_write_as_fractions(const struct site *site, double speed)
 {
 	bool small = false;
 	for (size_t r = 0; r < site->n_run; r++) {
@@ -100,7 +100,7 @@ list_curves_to_write(const struct site *site, struct curve *curve)
 				feed, feed->passing, 0};
 		if (product->n > 0)
 			curve[n++] = (struct curve){"product", run->speed,
-			    is_written_as_fractions(site, run->speed), product,
+			    must_write_as_fractions(site, run->speed), product,
 			    product->passing, 0};
 		if (product->n > 0 && run->product_sd != NULL)
 			curve[n++] = (struct curve){"sd", run->speed, false,

@@ -78,7 +78,7 @@ static char *
 short_escaped_name(const char *name)
 {
 	enum { MOST = 60 };
-	char *label = text_escaped(name);
+	char *label = text_with_control_escaped(name);
 	label[text_bytes_within(label, MOST)] = '\0';
 	for (char *p = label; (p = strchr(p, '"')) != NULL;)
 		*p = '\'';

@@ -281,7 +281,7 @@ add_strip_band(const struct tui *t, struct chart *chart, int dots)
 	enum { THICK = 4 };
 	double least = THICK * (chart->y.high - chart->y.low) / dots;
 	struct chart_series *s = add_strip_series(t, chart, CHART_MARKS);
-	chart_add_band(s);
+	series_add_band(s);
 	for (size_t i = 0; i < STRIP_POINTS; i++) {
 		const double *value = t->view.strip.value[i];
 		bool thick = value[2] - value[1] > least;

@@ -247,7 +247,7 @@ fit_verdict_text(const struct tui *t, const struct entry *entry)
 }
 
 static char *
-posterior_draws_text(const struct evidence *e)
+posterior_draws_settled_text(const struct evidence *e)
 {
 	return xasprintf(e->halves > DRAWS_SETTLED ? tr("%d draws, not settled")
 						   : tr("%d draws, settled"),
@@ -274,8 +274,8 @@ draw_search_result(const struct tui *t, int row)
 	if (p == NULL)
 		return row;
 	room -= row - from;
-	words =
-	    posterior_draws_text(evidence_on_calibration(t->session, entry));
+	words = posterior_draws_settled_text(
+	    evidence_on_calibration(t->session, entry));
 	row = screen_draw_wrapped(side, row, 0, words);
 	free(words);
 	return row;
