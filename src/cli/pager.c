@@ -35,7 +35,7 @@ count_folded_rows(const char *text, int columns)
 }
 
 /* Returns the pager. less shows its keys in the last row, and may neither write
- * files nor run commands.  The caller frees it. */
+ * files nor run commands; it ends with the text.  The caller frees it. */
 static char *
 pager_command(void)
 {
@@ -43,8 +43,8 @@ pager_command(void)
 	if (own != NULL || any != NULL)
 		return xstrdup(own != NULL ? own : any);
 	return xasprintf("command -v less >/dev/null || exit 127; "
-			 "LESSSECURE=1 exec less -FRX '-Ps?e%s:%s.'",
-	    tr("the end, q quits"), tr("space continues, q quits"));
+			 "LESSSECURE=1 exec less -EFRX '-Ps%s'",
+	    tr("space continues, q quits"));
 }
 
 /* A handler, because the pager would inherit SIG_IGN. */

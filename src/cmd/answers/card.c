@@ -296,36 +296,14 @@ range_column_heading(const struct card_request *all)
 		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
 }
 
-/* Returns what was measured of the ranged figure at a speed, the mean of
- * repeats, moved to the feed of the card; NAN if nothing was, or with another
- * feed or machine.  Raises *moved to by how much. */
+/* Returns what was measured of the ranged figure at a speed; NAN if nothing
+ * was.  Raises *moved to by how much it is moved to the feed of the card. */
 static double
-measured_mean_at_speed(const struct session *s, const struct card_request *all,
-    double speed, double *moved)
+measured_figure_at_speed(const struct session *s,
+    const struct card_request *all, double speed, double *moved)
 {
-	const struct question *q = all->question;
-	const struct quantity *of = &all->q[all->ranged];
-	const struct site *site = q->entry->site;
-	const struct params *params = &q->entry->params;
-	double sum = 0;
-	size_t n = 0;
-	for (size_t r = site_run_at_speed(site, speed);
-	     site->with[0] == '\0' && r < site->n_run &&
-	     site->run[r].speed - speed < 1e-3;
-	     r++) {
-		if (site->run[r].product.n == 0)
-			continue;
-		double value = screened_quantity_of_product(
-		    product_moved_to_feed(s, q->entry, params, r, q->feed), of);
-		if (isnan(value))
-			continue;
-		sum += value;
-		n++;
-		*moved = fmax(*moved,
-		    largest_move_to_feed(s, q->entry, params, r, q->feed));
-	}
-	return n > 0 ? quantities_value_in_shown_unit(of, sum / (double)n)
-		     : NAN;
+	return measured_mean_at_speed(
+	    s, all->question, &all->q[all->ranged], speed, moved);
 }
 
 enum { P20, P50, P80 };
@@ -366,7 +344,7 @@ put_card_figures(struct card_table *page, const struct session *s,
 		if (i == ranged && page->measured)
 			put_card_number(page, NULL, tr("measured"), digits,
 			    SAMPLE,
-			    measured_mean_at_speed(
+			    measured_figure_at_speed(
 				s, all, speed, &page->moved));
 	}
 	struct figure p80 = forecast_value_in_shown_unit(all->forecast, P80);
@@ -695,7 +673,7 @@ build_card_answer(
 	struct card_table page = {.answer = r};
 	for (size_t i = 0; i < n; i++)
 		page.measured =
-		    page.measured || !isnan(measured_mean_at_speed(
+		    page.measured || !isnan(measured_figure_at_speed(
 					 s, all, speed[i], &page.moved));
 	for (size_t i = 0; i < n; i++) {
 		row[i] = (struct card_row){.speed = speed[i], .share = NAN};

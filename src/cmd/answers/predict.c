@@ -413,6 +413,10 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	    units_speed_decimals(speed), speed, rpm, said, chance, decimals,
 	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
 	    sample.high);
+	double moved = 0,
+	       measured = measured_mean_at_speed(s, q, of, speed, &moved);
+	if (!isnan(measured))
+		xappend(&words, tr(" (measured: %.*f)"), decimals, measured);
 	if (q->feed == SITE_MEAN_FEED)
 		append_range_over_feeds(s, q, of, speed, value, &words);
 	return words;

@@ -244,7 +244,7 @@ const struct command TABLE_ANSWERS[] = {
 		   "params set f_mat=2.18 e0_min=16.74 alpha=0.96\n"
 		   "find p80=5\nfind passing=40 at=2\n"
 		   "find \"passing 2 = 33\" \"passing 0.063 < 6\"\n"
-		   "find \"max passing 2\" \"P80 > 5\"\n"
+		   "find \"max passing 2\" \"P80 > 5\"\nfind \"max 2/4\"\n"
 		   "find spec=data/specs/en-12620-0-8.csv\n"
 		   "find spec=\"EN 12620 0/8\"",
 	.answer = cmd_find},

@@ -340,7 +340,7 @@ static void
 say_data_provenance(const struct explained *a)
 {
 	FREED char *from = site_source_clause(a->entry->site, "");
-	if (from[0] == '\0')
+	if (strcmp(site_data_kind(from), "not stated") == 0)
 		answer_note(a->answer,
 		    "The site file does not state where its data are from");
 	else

@@ -83,8 +83,8 @@ error_expected_condition(const char *text, struct error *error)
 	return error_set(error, ERROR_USAGE,
 	    "expected a condition: a quantity, then <, > or = and a limit, got "
 	    "'%s'\n"
-	    "write it in quotes: \"passing 2 = 40..50\", \"passing 0.063 < "
-	    "6\", \"P80 > 5\" or \"0/2 >= 30\"",
+	    "begin with the quantity, in quotes: \"passing 2 = 40..50\", "
+	    "\"passing 0.063 < 6\", \"P80 > 5\" or \"0/2 >= 30\"",
 	    text);
 }
 

@@ -10,6 +10,9 @@
 #include "base/xalloc.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
+#include "cmd/ask/quantity_words.h"
+#include "cmd/ask/question.h"
+#include "cmd/ask/screened.h"
 #include "cmd/ask/asked.h"
 
 /* The products of one site, feed, parameters and settings.  product, most [n]:
@@ -149,4 +152,31 @@ largest_move_to_feed(const struct session *s, const struct entry *entry,
 		return 0;
 	product_moved_to_feed(s, entry, params, run, feed_run);
 	return s->moved->most[run];
+}
+
+double
+measured_mean_at_speed(const struct session *s, const struct question *q,
+    const struct quantity *of, double speed, double *moved)
+{
+	const struct site *site = q->entry->site;
+	const struct params *params = &q->entry->params;
+	double sum = 0;
+	size_t n = 0;
+	for (size_t r = site_run_at_speed(site, speed);
+	     site->with[0] == '\0' && r < site->n_run &&
+	     site->run[r].speed - speed < 1e-3;
+	     r++) {
+		if (site->run[r].product.n == 0)
+			continue;
+		double value = screened_quantity_of_product(
+		    product_moved_to_feed(s, q->entry, params, r, q->feed), of);
+		if (isnan(value))
+			continue;
+		sum += value;
+		n++;
+		*moved = fmax(*moved,
+		    largest_move_to_feed(s, q->entry, params, r, q->feed));
+	}
+	return n > 0 ? quantities_value_in_shown_unit(of, sum / (double)n)
+		     : NAN;
 }

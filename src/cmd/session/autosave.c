@@ -177,6 +177,26 @@ note_fits_not_remembered(struct session *s)
 		    n);
 }
 
+/* Says how cuts are kept that were added to a site of the store. */
+static void
+note_cuts_not_remembered(struct session *s)
+{
+	for (size_t i = 0; i < s->n_entry; i++) {
+		const struct entry *entry = &s->entry[i];
+		if (entry->new_cuts > 0 &&
+		    (entry->remembered || origin_is_from_store(entry->origin)))
+			session_note(s,
+			    entry->new_cuts > 1
+				? N_("%zu new cuts of %s were not remembered; "
+				     "next time, 'restore last' brings them "
+				     "back and 'remember %s' keeps them")
+				: N_("%zu new cut of %s was not remembered; "
+				     "next time, 'restore last' brings it "
+				     "back and 'remember %s' keeps it"),
+			    entry->new_cuts, entry->key, entry->key);
+	}
+}
+
 void
 autosave_end(struct session *s)
 {
@@ -188,6 +208,7 @@ autosave_end(struct session *s)
 		if (k->error.kind == ERROR_NONE) {
 			remove_restored_file(k);
 			note_fits_not_remembered(s);
+			note_cuts_not_remembered(s);
 		} else
 			session_note(s, "could not keep this session: %s%s%s",
 			    k->error.file, k->error.file[0] != '\0' ? ": " : "",

@@ -99,13 +99,14 @@ struct lookup_keys {
 
 /* A loaded site with its answers.  key: its name in the session, "gavle/4".
  * train [site->n_run]: true for training runs.  remembered: its fit was put
- * into the store. */
+ * into the store.  new_cuts: how many cuts were added since. */
 struct entry {
 	struct lookup_keys lookup;
 	struct site *site;
 	char *key;
 	bool *train;
 	bool has_params, has_fit, remembered;
+	size_t new_cuts;
 	struct params params;    /* set by hand or found */
 	struct origin *origin;   /* of params; NULL: no params */
 	struct fit fit;          /* that found the parameters */

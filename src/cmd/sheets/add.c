@@ -666,6 +666,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 	load_note_how_read(s, cuts);
 	warn_of_duplicate_cuts(s, old, cuts);
 	session_replace_by_extended(s, site, from);
+	s->entry[s->current].new_cuts += cuts->n_run;
 	check_warn_coarser_product(s, site);
 	note_speeds_of_products(s);
 	enum verdict worst = compare_cuts_and_note(s, old, from, cuts->n_run);

@@ -585,7 +585,10 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	ok = ok && ask_to_replace_materials(s, &list, &replace, error) &&
 	     store_put_materials(s->store, list.item, list.n, replace, error);
 	for (size_t i = 0; ok && i < s->n_entry; i++)
-		s->entry[i].remembered |= all || &s->entry[i] == entry;
+		if (all || &s->entry[i] == entry) {
+			s->entry[i].remembered = true;
+			s->entry[i].new_cuts = 0;
+		}
 	if (ok)
 		show_remembered_materials(s, list.item, list.n);
 	material_list_free(&list);

@@ -305,6 +305,9 @@ parse_goal_field(struct tui *t)
 	struct condition_list list = {0};
 	struct error error = {0};
 	char *copy = xstrdup(t->line.text), *text = text_trim(copy);
+	/* Quotes, as the prompt wants them, say nothing here. */
+	for (char *p = text; (p = strchr(p, '"')) != NULL;)
+		memmove(p, p + 1, strlen(p));
 	size_t n_value = 0;
 	t->message[0] = '\0';
 	if (text[0] == '\0' || strcasecmp(text, SETTINGS_NONE) == 0) {
