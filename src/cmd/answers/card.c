@@ -302,8 +302,9 @@ static double
 measured_figure_at_speed(const struct session *s,
     const struct card_request *all, double speed, double *moved)
 {
+	const struct question *q = all->question;
 	return measured_mean_at_speed(
-	    s, all->question, &all->q[all->ranged], speed, moved);
+	    s, q->entry, q->feed, &all->q[all->ranged], speed, moved);
 }
 
 enum { P20, P50, P80 };

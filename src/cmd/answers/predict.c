@@ -413,10 +413,14 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	    units_speed_decimals(speed), speed, rpm, said, chance, decimals,
 	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
 	    sample.high);
-	double moved = 0,
-	       measured = measured_mean_at_speed(s, q, of, speed, &moved);
+	double moved = 0, measured = measured_mean_at_speed(
+			      s, q->entry, q->feed, of, speed, &moved);
+	bool within = measured >= sample.low && measured <= sample.high;
 	if (!isnan(measured))
-		xappend(&words, tr(" (measured: %.*f)"), decimals, measured);
+		xappend(&words,
+		    within ? tr(" (measured: %.*f, within it)")
+			   : tr(" (measured: %.*f, outside it)"),
+		    decimals, measured);
 	if (q->feed == SITE_MEAN_FEED)
 		append_range_over_feeds(s, q, of, speed, value, &words);
 	return words;

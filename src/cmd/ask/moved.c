@@ -11,7 +11,6 @@
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/outlook.h"
 #include "cmd/ask/quantity_words.h"
-#include "cmd/ask/question.h"
 #include "cmd/ask/screened.h"
 #include "cmd/ask/asked.h"
 
@@ -155,11 +154,11 @@ largest_move_to_feed(const struct session *s, const struct entry *entry,
 }
 
 double
-measured_mean_at_speed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double *moved)
+measured_mean_at_speed(const struct session *s, const struct entry *entry,
+    size_t feed_run, const struct quantity *of, double speed, double *moved)
 {
-	const struct site *site = q->entry->site;
-	const struct params *params = &q->entry->params;
+	const struct site *site = entry->site;
+	const struct params *params = &entry->params;
 	double sum = 0;
 	size_t n = 0;
 	for (size_t r = site_run_at_speed(site, speed);
@@ -169,13 +168,13 @@ measured_mean_at_speed(const struct session *s, const struct question *q,
 		if (site->run[r].product.n == 0)
 			continue;
 		double value = screened_quantity_of_product(
-		    product_moved_to_feed(s, q->entry, params, r, q->feed), of);
+		    product_moved_to_feed(s, entry, params, r, feed_run), of);
 		if (isnan(value))
 			continue;
 		sum += value;
 		n++;
 		*moved = fmax(*moved,
-		    largest_move_to_feed(s, q->entry, params, r, q->feed));
+		    largest_move_to_feed(s, entry, params, r, feed_run));
 	}
 	return n > 0 ? quantities_value_in_shown_unit(of, sum / (double)n)
 		     : NAN;

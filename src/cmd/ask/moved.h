@@ -6,7 +6,6 @@
 #include "cmd/session/session.h"
 
 struct quantity;
-struct question;
 
 /* If runs have individual feeds, the measured and the predicted product at a
  * speed also differ because of their feeds.  Moved (D19), the measured product
@@ -41,9 +40,10 @@ double largest_move_to_feed(const struct session *s, const struct entry *entry,
     const struct params *params, size_t run, size_t feed_run);
 
 /* Returns what was measured of a quantity at a speed, as shown, the mean of
- * repeats, moved to the question's feed; NAN if nothing was, or with another
+ * repeats, moved to a feed; NAN if nothing was, or with another
  * feed or machine.  Raises *moved to the largest move of a passing. */
-double measured_mean_at_speed(const struct session *s, const struct question *q,
-    const struct quantity *of, double speed, double *moved);
+double measured_mean_at_speed(const struct session *s,
+    const struct entry *entry, size_t feed_run, const struct quantity *of,
+    double speed, double *moved);
 
 #endif

@@ -183,8 +183,8 @@ note_cuts_not_remembered(struct session *s)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		if (entry->new_cuts > 0 &&
-		    (entry->remembered || origin_is_from_store(entry->origin)))
+		bool recalled = origin_is_from_store(entry->origin);
+		if (entry->new_cuts > 0 && (entry->remembered || recalled))
 			session_note(s,
 			    entry->new_cuts > 1
 				? N_("%zu new cuts of %s were not remembered; "
@@ -193,7 +193,8 @@ note_cuts_not_remembered(struct session *s)
 				: N_("%zu new cut of %s was not remembered; "
 				     "next time, 'restore last' brings it "
 				     "back and 'remember %s' keeps it"),
-			    entry->new_cuts, entry->key, entry->key);
+			    entry->new_cuts, entry->key,
+			    recalled ? entry->origin->material : entry->key);
 	}
 }
 

@@ -61,16 +61,34 @@ split_at_blanks(const struct line *line, struct span *cell)
 	return n;
 }
 
+static bool
+has_digit(const char *text, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		if (text[i] >= '0' && text[i] <= '9')
+			return true;
+	return false;
+}
+
+static bool
+is_of_characters(const char *text, size_t n, const char *characters)
+{
+	for (size_t i = 0; i < n; i++)
+		if (strchr(characters, text[i]) == NULL)
+			return false;
+	return true;
+}
+
 /* True for 97,5 and 97.5 %, and for the signs of an absent number; not for what
  * a comma or semicolon ends, which then separates cells. */
 static bool
 is_like_number(const char *text, size_t n)
 {
 	const char *end = text + n - 1;
-	bool digits = strcspn(text, "0123456789") < n;
+	bool digits = has_digit(text, n);
 	bool dash = n == 1 && *text == '-';
 	return dash ||
-	       (digits && strspn(text, "<>+-.,0123456789 %") >= n &&
+	       (digits && is_of_characters(text, n, "<>+-.,0123456789 %") &&
 		   strchr(",;", *text) == NULL && strchr(",;", *end) == NULL);
 }
 
@@ -173,23 +191,40 @@ column_of_cell(const struct grid_columns *g, const struct span *cell)
 	return best;
 }
 
-/* Puts tabs between the cells of a line: one each, or as many as there are
- * columns from one to the next. */
+/* Finds the column of each cell of a line, at [*n].  Returns false if the line
+ * has more cells than there are columns, two in one, or is too wide. */
+static bool
+sort_cells_into_columns(const struct line *line, const struct grid_columns *g,
+    struct span cell[static MOST_CELLS], size_t at[static MOST_CELLS],
+    size_t *n)
+{
+	*n = split_at_blanks(line, cell);
+	if (*n == 0 || *n > g->n || cell[*n - 1].right >= MOST_WIDE)
+		return false;
+	for (size_t i = 0; i < *n; i++) {
+		at[i] = column_of_cell(g, &cell[i]);
+		if (i > 0 && at[i] <= at[i - 1])
+			return false;
+	}
+	return true;
+}
+
+/* Puts tabs between the cells of a line: as many as there are columns from one
+ * to the next, or one each for a line that is of no table (g: NULL). */
 static void
 put_tab_characters_in_line(struct line *line, const struct grid_columns *g)
 {
 	struct span cell[MOST_CELLS];
-	size_t n = split_at_blanks(line, cell), at[MOST_CELLS];
-	bool sorted = g != NULL && n <= g->n;
-	for (size_t i = 0; i < n && sorted; i++) {
-		at[i] = column_of_cell(g, &cell[i]);
-		sorted = i == 0 || at[i] > at[i - 1];
-	}
+	size_t n, at[MOST_CELLS];
+	if (g == NULL)
+		n = split_at_blanks(line, cell);
+	else if (!sort_cells_into_columns(line, g, cell, at, &n))
+		return;
 	for (size_t i = 0; i < n; i++) {
 		size_t before = i == 0 ? 0 : cell[i - 1].end;
-		size_t tabs = !sorted  ? i > 0
-			      : i == 0 ? at[0]
-				       : at[i] - at[i - 1];
+		size_t tabs = g == NULL ? i > 0
+			      : i == 0  ? at[0]
+					: at[i] - at[i - 1];
 		for (size_t k = 0; k < tabs && before + k < cell[i].from; k++)
 			line->text[before + k] = '\t';
 	}
@@ -211,24 +246,77 @@ widen_columns_to_heads(struct grid_columns *g, const struct line *head)
 	}
 }
 
-/* Puts tabs into the lines of numbers from the ith on and into their heads,
- * which are above without an empty line.  Returns the line after them. */
+/* A table: its lines of numbers, from first to before end, and their heads,
+ * from top on, which are above without an empty line. */
+struct text_table {
+	size_t top, first, end;
+	struct grid_columns columns;
+};
+
+static struct text_table
+find_text_table(const struct line *line, size_t first, size_t n)
+{
+	struct text_table t = {.top = first, .first = first, .end = first};
+	while (t.end < n && line[t.end].numbers)
+		t.end++;
+	t.columns = find_columns(&line[first], t.end - first);
+	while (t.top > 0 && first - t.top < MOST_HEADS &&
+	       line[t.top - 1].n > 0 && !line[t.top - 1].numbers)
+		t.top--;
+	for (size_t k = t.top; k < first; k++)
+		widen_columns_to_heads(&t.columns, &line[k]);
+	return t;
+}
+
+/* True if every cell stands in a column of its own, and a line of heads, of
+ * which none begins with a number, has one for each: a gap then cannot move a
+ * number into the column of another sample. */
+static bool
+is_table_certain(const struct line *line, const struct text_table *t)
+{
+	struct span cell[MOST_CELLS];
+	size_t n, at[MOST_CELLS], whole = 0;
+	for (size_t k = t->top; k < t->end; k++) {
+		if (line[k].rule)
+			continue;
+		if (!sort_cells_into_columns(
+			&line[k], &t->columns, cell, at, &n))
+			return false;
+		if (k < t->first && is_like_number(line[k].text + cell[0].from,
+					cell[0].end - cell[0].from))
+			return false;
+		whole += k < t->first && n == t->columns.n;
+	}
+	return whole > 0;
+}
+
+/* True if there are lines of numbers, each of a table that is certain. */
+static bool
+has_certain_tables(const struct line *line, size_t n)
+{
+	size_t tables = 0;
+	for (size_t i = 0; i < n; i++) {
+		if (!line[i].numbers)
+			continue;
+		struct text_table t = find_text_table(line, i, n);
+		if (!is_table_certain(line, &t))
+			return false;
+		tables++;
+		i = t.end - 1;
+	}
+	return tables > 0;
+}
+
+/* Puts tabs into the lines of numbers from the ith on and into their heads.
+ * Returns the line after them. */
 static size_t
 put_tab_characters_in_table(struct line *line, size_t i, size_t n)
 {
-	size_t end = i, top = i;
-	while (end < n && line[end].numbers)
-		end++;
-	struct grid_columns g = find_columns(&line[i], end - i);
-	while (top > 0 && i - top < MOST_HEADS && line[top - 1].n > 0 &&
-	       !line[top - 1].numbers)
-		top--;
-	for (size_t k = top; k < i; k++)
-		widen_columns_to_heads(&g, &line[k]);
-	for (size_t k = top; k < end; k++)
+	struct text_table t = find_text_table(line, i, n);
+	for (size_t k = t.top; k < t.end; k++)
 		if (!line[k].rule)
-			put_tab_characters_in_line(&line[k], &g);
-	return end;
+			put_tab_characters_in_line(&line[k], &t.columns);
+	return t.end;
 }
 
 static void
@@ -264,8 +352,8 @@ has_aligned_numbers(const struct line *line, size_t n)
 {
 	size_t numbers = 0;
 	for (size_t i = 0; i < n; i++)
-		numbers += line[i].numbers &&
-			   strcspn(line[i].text, "0123456789") < line[i].n;
+		numbers +=
+		    line[i].numbers && has_digit(line[i].text, line[i].n);
 	return numbers >= LEAST_LINES;
 }
 
@@ -277,7 +365,8 @@ fixed_width_put_tabs(char *text)
 	size_t n;
 	FREED struct line *line = list_lines(text, &n);
 	bool bars = has_bars(line, n);
-	if (!bars && !has_aligned_numbers(line, n))
+	if (!bars &&
+	    (!has_aligned_numbers(line, n) || !has_certain_tables(line, n)))
 		return false;
 	for (size_t i = 0; i < n; i++)
 		if (line[i].rule)

@@ -1112,6 +1112,23 @@ set_feed_for_all_runs(struct columns *all)
 		only->speed = only->rpm = 0;
 }
 
+/* False if two feeds have one heading: they may be repeats. */
+static bool
+are_feeds_named_apart(const struct columns *all)
+{
+	for (size_t i = 0; i < all->n; i++)
+		for (size_t k = 0; k < i; k++) {
+			const struct column *a = &all->column[i],
+					    *b = &all->column[k];
+			FREED char *one = layout_heading_text(a->table, a->at);
+			FREED char *two = layout_heading_text(b->table, b->at);
+			if (a->role == FEED && b->role == FEED &&
+			    text_same_folded(one, two))
+				return false;
+		}
+	return true;
+}
+
 /* True if feeds without a speed, or with that of the product before as it
  * spreads over them, stand in turn with as many products, or all of them, three
  * or more, before or after all products. */
@@ -1130,8 +1147,9 @@ are_feeds_in_order_of_products(const struct columns *all)
 		feeds += feed;
 		changes += i > 0 && c->role != c[-1].role;
 	}
-	return 2 * feeds == all->n && ((feeds >= 2 && changes + 1 == all->n) ||
-					  (feeds >= 3 && changes == 1));
+	return 2 * feeds == all->n &&
+	       ((feeds >= 2 && changes + 1 == all->n) ||
+		   (feeds >= 3 && changes == 1 && are_feeds_named_apart(all)));
 }
 
 /* Makes each feed that of one product, in their order. */

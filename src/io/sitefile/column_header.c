@@ -437,6 +437,19 @@ heading_parse(const char *text)
 	return parse_heading_text(text, NULL);
 }
 
+/* A speed in a name is at least this; "12 MS" may be initials. */
+static const double SLOWEST_IN_NAME = 20;
+
+/* Returns the whole number that ends before p, or -1. */
+static double
+number_before(const char *text, const char *p)
+{
+	const char *from = p;
+	while (from > text && isdigit((unsigned char)from[-1]))
+		from--;
+	return from < p ? strtod(from, NULL) : -1;
+}
+
 struct head
 heading_parse_name(const char *name)
 {
@@ -447,7 +460,8 @@ heading_parse_name(const char *name)
 	FREED char *said = xstrdup("");
 	for (const char *p = text; *p != '\0';) {
 		const char *unit = p + (*p == ' ');
-		bool after = p > text && isdigit((unsigned char)p[-1]);
+		bool after =
+		    p > text && number_before(text, p) >= SLOWEST_IN_NAME;
 		size_t n = 0;
 		for (size_t i = 0; i < ARRAY_LEN(WRITTEN) && after; i++) {
 			size_t length = strlen(WRITTEN[i]);

@@ -969,8 +969,8 @@ is_row_of_speeds(const struct sheets *g, size_t r, const struct place *p)
 	struct head first = heading_parse(cell_at(g, r, p->c)->text);
 	bool speed =
 	    (first.means & WORD_SPEED) != 0 || first.unit != SPEED_NO_UNIT;
-	static const uint64_t ELSE =
-	    WORD_LIMIT | WORD_MEAN | WORD_SAMPLE | WORD_FEED | WORD_PERCENT;
+	static const uint64_t ELSE = WORD_LIMIT | WORD_MEAN | WORD_SAMPLE |
+				     WORD_FEED | WORD_PERCENT | WORD_OTHER;
 	return speed && !heading_has_speed(&first) && first.n_number == 0 &&
 	       first.unknown == 0 && (first.means & ELSE) == 0 &&
 	       has_number_beside(g, r, p->c, p->end);
@@ -1133,6 +1133,41 @@ goes_on_in_order(const struct table *a, const struct table *b, size_t c)
 	return up != down;
 }
 
+/* True for "Page 2 of 2". */
+static bool
+is_page_number(const char *text)
+{
+	static const char *const PAGE[] = {
+	    "page ", "sida ", "side ", "seite ", "sivu ", "pagina "};
+	FREED char *folded = text_fold_case_and_accents(text);
+	for (size_t i = 0; i < ARRAY_LEN(PAGE); i++)
+		if (strncmp(folded, PAGE[i], strlen(PAGE[i])) == 0)
+			return true;
+	return false;
+}
+
+/* True if a line stands between two tables that none above it repeats: it may
+ * name another test. */
+static bool
+has_line_of_its_own(const struct layout *layout, const struct table *t,
+    const struct table *rest)
+{
+	int from = t->row[t->n_row - 1].line;
+	int to = rest->n_head > 0 ? rest->head[0].line : rest->row[0].line;
+	for (size_t i = 0; i < layout->n_heading; i++) {
+		const struct row *row = layout->heading[i];
+		size_t k = 0;
+		while (
+		    k < i && !text_same_folded(layout->heading[k]->cell[0].text,
+				 row->cell[0].text))
+			k++;
+		if (row->line > from && row->line < to && k == i &&
+		    !is_page_number(row->cell[0].text))
+			return true;
+	}
+	return false;
+}
+
 /* Joins a table that a page ended with its rest on the next: the same headings
  * again, and sieves and cumulative numbers that go on in order. */
 static void
@@ -1141,7 +1176,8 @@ join_continued_tables(struct layout *layout)
 	for (size_t b = 1; b < layout->n; b++) {
 		struct table *t = &layout->table[b - 1],
 			     *rest = &layout->table[b];
-		bool goes_on = t->n_foot == 0 && has_same_headings(t, rest);
+		bool goes_on = t->n_foot == 0 && has_same_headings(t, rest) &&
+			       !has_line_of_its_own(layout, t, rest);
 		for (size_t c = 0; c < t->n_col && goes_on; c++)
 			goes_on = goes_on_in_order(t, rest, c);
 		if (!goes_on)

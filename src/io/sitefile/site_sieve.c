@@ -412,7 +412,7 @@ site_sieve_find_unit_and_sort(struct table *t, uint64_t told)
 static void
 check_columns_have_headings(struct table *t)
 {
-	size_t heads = 0;
+	size_t heads = 0, last = t->n_head > 0 ? t->n_head - 1 : 0;
 	for (size_t c = 0; c < t->n_col; c++) {
 		FREED char *head = layout_heading_text(t, c);
 		heads = head[0] != '\0' ? c + 1 : heads;
@@ -427,7 +427,7 @@ check_columns_have_headings(struct table *t)
 		sheet_fault(t->sheet, t->row[i].cell[heads],
 		    "expected %zu cells as in line %d, got %zu\n"
 		    "%s",
-		    heads, t->head[t->titles].line, n,
+		    heads, t->head[t->titles < last ? t->titles : last].line, n,
 		    t->sheet->separator == ','
 			? "use ; between the cells if they have decimal "
 			  "commas; otherwise remove the last cells"
