@@ -215,7 +215,7 @@ static void
 put_tab_characters_in_line(struct line *line, const struct grid_columns *g)
 {
 	struct span cell[MOST_CELLS];
-	size_t n, at[MOST_CELLS];
+	size_t n, at[MOST_CELLS] = {0};
 	if (g == NULL)
 		n = split_at_blanks(line, cell);
 	else if (!sort_cells_into_columns(line, g, cell, at, &n))
