@@ -221,14 +221,17 @@ put_window_fields(
 	put_binding_limits(o, a);
 }
 
-/* Notes the plot that shows the same. */
+/* Notes the plot that shows the same, unless other speeds were searched than it
+ * has. */
 static void
 note_equivalent_plot(struct answer *r, const struct args *args)
 {
 	FREED char *limits = xstrdup("");
 	for (size_t i = 0; i < args->n_operand; i++)
 		xappend_to_list(&limits, ",", "%s", args->operand[i]);
-	if (args->n_operand > 0 && strchr(limits, '"') == NULL)
+	bool same = !args_is_given(args, &args->from) &&
+		    !args_is_given(args, &args->to);
+	if (same && args->n_operand > 0 && strchr(limits, '"') == NULL)
 		answer_note(r, "picture: plot response limits=\"%s\"", limits);
 }
 

@@ -416,6 +416,20 @@ split_off_speeds(const char *folded, char *words, char *rest)
 }
 
 /* Reads a heading.  left: out, the text without its speeds; may be NULL. */
+/* True of the speed of a belt or feeder, which is not that of the rotor. */
+static bool
+is_speed_of_belt(const char *folded)
+{
+	static const char *const SAID[] = {"belt speed", "belt velocity",
+	    "conveyor speed", "feeder belt", "feeder speed", "bandhast",
+	    "bandgeschw", "vitesse de bande", "velocidad de banda",
+	    "velocidad de cinta", "hihnan nopeus"};
+	for (size_t i = 0; i < ARRAY_LEN(SAID); i++)
+		if (strstr(folded, SAID[i]) != NULL)
+			return true;
+	return false;
+}
+
 static struct head
 parse_heading_text(const char *text, char **left)
 {
@@ -424,6 +438,8 @@ parse_heading_text(const char *text, char **left)
 	FREED char *words = xcalloc(strlen(folded) + 1, 1);
 	char *rest = xcalloc(strlen(folded) + 1, 1);
 	struct head head = split_off_speeds(folded, words, rest);
+	if (is_speed_of_belt(folded))
+		head = (struct head){.means = WORD_OTHER};
 	if (left != NULL)
 		*left = rest;
 	else

@@ -191,8 +191,7 @@ static const struct {
 static const struct {
 	const char *part;
 	uint64_t means;
-} PARTS[] = {{"bandgeschw", WORD_OTHER}, {"bandhast", WORD_OTHER},
-    {"summenruckstand", WORD_STAYS | WORD_SUMS},
+} PARTS[] = {{"summenruckstand", WORD_STAYS | WORD_SUMS},
     {"summendurchgang", WORD_PASSES | WORD_SUMS}, {"durchgang", WORD_PASSES},
     {"ruckstand", WORD_STAYS}, {"passerande", WORD_PASSES},
     {"siktrest", WORD_STAYS}, {"lapaisy", WORD_PASSES}, {"cumul", WORD_SUMS},
