@@ -35,13 +35,15 @@ note_calibration_begun(struct session *s)
 	    session_run_rpm_in_brackets(entry->site, s->job.train, true);
 	FREED char *held_rpm =
 	    session_run_rpm_in_brackets(entry->site, s->job.train, false);
+	/* They correct the answers of a site's own fit. */
+	bool included = s->job.fits && s->set.correction == CORRECTION_ALL;
+	const char *kept = included ? tr("kept as a check, then included")
+				    : tr("kept as a check");
 	FREED char *words = xasprintf(
 	    holdout[0] == '\0' ? tr("calibrating %s on %s m/s%s")
-	    : rpm[0] == '\0'
-		? tr("calibrating %s on %s m/s%s (kept as a check: %s)")
-		: tr("calibrating %s on %s m/s%s; kept as a check: %s "
-		     "m/s%s"),
-	    entry->site->name, train, rpm, holdout, held_rpm);
+	    : rpm[0] == '\0'   ? tr("calibrating %s on %s m/s%s (%s: %s)")
+			       : tr("calibrating %s on %s m/s%s; %s: %s m/s%s"),
+	    entry->site->name, train, rpm, kept, holdout, held_rpm);
 	if (model > 0)
 		xappend_to_list(
 		    &words, ", ", tr("model %s"), BREAKAGES[model]->name);
