@@ -9,6 +9,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "core/posterior/identify.h"
+#include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
@@ -25,13 +26,14 @@ static const char *const GRADES[] = {[IDENTIFY_FIXED] = N_("fixed"),
     [IDENTIFY_NOT] = N_("cannot be told")};
 
 /* What was found: the parameters [of->n] of the draws' model, the break sizes
- * at the measured speeds [n_speed], and the finest sieve compared, m. */
+ * at the measured speeds [n_speed], the diameter of the rotor that had them, m,
+ * or 0, and the finest sieve compared, m. */
 struct findings {
 	const struct posterior *p;
 	const struct breakage *of;
 	struct identify_param param[PARAMS_MOST];
 	size_t n_speed;
-	double *speed, finest;
+	double *speed, rotor, finest;
 	struct identify_break *at;
 	bool open; /* the threshold is bounded from above only */
 };
@@ -55,7 +57,9 @@ find_speeds_measured(struct findings *f, const struct site *site)
 static struct findings
 find_what_data_determine(const struct posterior *p, const struct site *site)
 {
-	struct findings f = {.p = p, .of = BREAKAGES[p->settings.breakage]};
+	struct findings f = {.p = p,
+	    .of = BREAKAGES[p->settings.breakage],
+	    .rotor = site_run_rotor_diameter(site)};
 	size_t threshold = breakage_parameter_index(f.of, "e0_min");
 	find_speeds_measured(&f, site);
 	f.at = xcalloc(f.n_speed + 1, sizeof *f.at);
@@ -79,12 +83,17 @@ grade_of_break_size(const struct findings *f, size_t i)
 }
 
 static void
-add_identifiability_rows(struct answer *r, const struct findings *f)
+add_identifiability_rows(
+    struct answer *r, const struct findings *f, const struct site *site)
 {
 	answer_columns(
 	    r, "what: , mean, sd, share_pct: %% of prior, unit, grade: ");
 	for (size_t i = 0; i < f->n_speed; i++) {
-		answer_text(r, "break size, %g m/s", f->speed[i]);
+		FREED char *key =
+		    xasprintf(tr("break size, %g m/s"), f->speed[i]);
+		FREED char *speed = answers_speed_text(site, f->speed[i], -1);
+		FREED char *head = xasprintf(tr("break size, %s"), speed);
+		answer_name(r, key, head);
 		answer_add_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
 		    1000 * f->at[i].sd, NAN, "mm");
 		answer_text(r, "%s", grade_of_break_size(f, i));
@@ -159,13 +168,15 @@ say_correlated_pairs(struct answer *r, const struct findings *f)
 static void
 warn_if_threshold_unbounded(struct answer *r, const struct findings *f)
 {
-	if (f->open)
-		answer_say(r, ANSWER_WARNING,
-		    "the threshold is bounded from above only: at %g m/s the "
-		    "break size is at most %.2f mm in 90 %% of the draws, "
-		    "below the finest sieve (%g mm) in %.0f %%",
-		    f->speed[0], 1000 * f->at[0].high, units_mm(f->finest),
-		    100 * f->at[0].below);
+	if (!f->open)
+		return;
+	FREED char *rpm = rotor_speed_rpm_text(f->rotor, f->speed[0], NAN);
+	answer_say(r, ANSWER_WARNING,
+	    "the threshold is bounded from above only: at %g m/s%s the break "
+	    "size is at most %.2f mm in 90 %% of the draws, below the finest "
+	    "sieve (%g mm) in %.0f %%",
+	    f->speed[0], rpm, 1000 * f->at[0].high, units_mm(f->finest),
+	    100 * f->at[0].below);
 }
 
 static bool
@@ -179,24 +190,29 @@ is_break_size_sharp(const struct findings *f, size_t i)
 static void
 append_break_sizes(char **text, const struct findings *f, bool sharp)
 {
-	FREED char *speeds = xstrdup(""), *sizes = xstrdup("");
+	FREED char *speeds = xstrdup(""), *sizes = xstrdup(""),
+		   *turns = xstrdup(""), *rpm = xstrdup("");
 	size_t n = 0, left = 0;
 	for (size_t i = 0; i < f->n_speed; i++)
 		left += is_break_size_sharp(f, i) == sharp;
 	for (size_t i = 0; i < f->n_speed; i++) {
 		if (is_break_size_sharp(f, i) != sharp)
 			continue;
-		xappend_to_list(&speeds, ++n == left ? tr(" and ") : ", ", "%g",
-		    f->speed[i]);
+		const char *between = ++n == left ? tr(" and ") : ", ";
+		xappend_to_list(&speeds, between, "%g", f->speed[i]);
+		xappend_to_list(&turns, between, "%.0f",
+		    rotor_speed_to_rpm(f->speed[i], f->rotor));
 		xappend_to_list(&sizes, ", ", "%.2f +- %.2f",
 		    1000 * f->at[i].mean, 1000 * f->at[i].sd);
 	}
+	if (f->rotor > 0)
+		xreplace(&rpm, xasprintf(tr(" (%s rpm)"), turns));
 	if (left > 0)
 		xappend_to_list(text, "; ",
-		    sharp ? tr("the data fix the break size at %s m/s: %s mm")
-			  : tr("the data leave the break size at %s m/s open: "
-			       "%s mm"),
-		    speeds, sizes);
+		    sharp ? tr("the data fix the break size at %s m/s%s: %s mm")
+			  : tr("the data leave the break size at %s m/s%s "
+			       "open: %s mm"),
+		    speeds, rpm, sizes);
 }
 
 static void
@@ -228,12 +244,14 @@ static char *
 identifiability_summary_text(const struct findings *f)
 {
 	char *text = xstrdup("");
-	if (f->open && f->n_speed > 0)
+	if (f->open && f->n_speed > 0) {
+		FREED char *rpm =
+		    rotor_speed_rpm_text(f->rotor, f->speed[0], NAN);
 		xappend_to_list(&text, "; ",
 		    tr("the data bound the break size from above only: at most "
-		       "%.2f mm at %g m/s"),
-		    1000 * f->at[0].high, f->speed[0]);
-	else {
+		       "%.2f mm at %g m/s%s"),
+		    1000 * f->at[0].high, f->speed[0], rpm);
+	} else {
 		append_break_sizes(&text, f, true);
 		append_break_sizes(&text, f, false);
 	}
@@ -287,7 +305,7 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_about_site(
 	    entry->site, "identify", "what the data determine");
 	FREED char *text = identifiability_summary_text(&f);
-	add_identifiability_rows(r, &f);
+	add_identifiability_rows(r, &f, entry->site);
 	put_identifiability_fields(answer_fields(r), &f, text);
 	say_correlated_pairs(r, &f);
 	warn_if_threshold_unbounded(r, &f);

@@ -31,6 +31,24 @@ add_rows_of_size_band(
 	}
 }
 
+/* Adds the speeds in the unit that the headings are not in: m/s of a sheet in
+ * rpm, else the rpm of the rotor. */
+static void
+add_row_of_other_speed_unit(struct answer *r, const struct site *site,
+    const struct prediction *p, size_t n)
+{
+	bool in_rpm = answers_is_sheet_in_rpm(site);
+	answer_text(r, in_rpm ? "m/s" : N_("rpm"));
+	answer_set_missing(r, "");
+	answer_add_cells(r, "%.0f", NAN);
+	for (size_t i = 0; i < n; i++)
+		if (in_rpm)
+			answer_add_cells(r, "%g", p[i].speed);
+		else
+			answer_add_cells(r, "%.0f",
+			    rotor_speed_to_rpm(p[i].speed, site->rotor));
+}
+
 /* Puts sieves down and speeds across, for as many speeds as fit a screen. */
 static void
 add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
@@ -39,17 +57,13 @@ add_rows_with_speeds_across(struct answer *r, const struct entry *entry,
 	answer_columns(r, "sieve_mm: sieve mm, feed_pct: feed %%");
 	for (size_t i = 0; i < n; i++) {
 		bool outside = answers_is_speed_extrapolated(entry, p[i].speed);
-		answer_columns(r, "passing_pct@%g: %g m/s%s", p[i].speed,
-		    p[i].speed, outside ? "*" : "");
+		FREED char *head =
+		    answers_speed_text(entry->site, p[i].speed, -1);
+		answer_columns(r, "passing_pct@%g: %s%s", p[i].speed, head,
+		    outside ? "*" : "");
 	}
-	if (entry->site->rotor > 0) {
-		answer_text(r, "rpm");
-		answer_set_missing(r, "");
-		answer_add_cells(r, "%.0f", NAN);
-		for (size_t i = 0; i < n; i++)
-			answer_add_cells(r, "%.0f",
-			    rotor_speed_to_rpm(p[i].speed, entry->site->rotor));
-	}
+	if (entry->site->rotor > 0)
+		add_row_of_other_speed_unit(r, entry->site, p, n);
 	for (size_t row = 0; row < p[0].product.n; row++) {
 		answer_text(r, "%g", units_mm(p[0].product.size[row]));
 		answer_add_cells(r, "%.1f", units_pct(p[0].feed.passing[row]));

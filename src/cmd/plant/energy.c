@@ -11,16 +11,18 @@
 #include "cmd/session/files.h"
 #include "cmd/lang/table.h"
 #include "core/model/breakage.h"
+#include "core/psd/rotor_speed.h"
 #include "io/fs/file.h"
 #include "io/fs/shipped.h"
 #include "io/sitefile/units.h"
 
 /* What a call asks about collision energies.  cut: J/kg.  E: that of the tip
- * speed asked about.  scale: from the simulated energies to that speed. */
+ * speed asked about.  scale: from the simulated energies to that speed.  rotor:
+ * that of the site in use, m, or 0: the simulated one is another. */
 struct energy_question {
 	const struct energies *e;
 	const struct spectrum *spectrum;
-	double cut, speed, E, scale;
+	double cut, speed, E, scale, rotor;
 	const struct entry *entry; /* site whose parameters give k, or NULL */
 };
 
@@ -248,10 +250,12 @@ note_basis_of_k(struct answer *r, const struct energy_question *q)
 		answer_say(r, ANSWER_REMARK,
 		    "k: for weak rock with a threshold at the cut; with the "
 		    "parameters of a site it is that of Eq 3");
-	if (q->scale < 1 || q->scale > 1)
+	if (q->scale < 1 || q->scale > 1) {
+		FREED char *rpm = rotor_speed_rpm_text(q->rotor, q->speed, NAN);
 		answer_say(r, ANSWER_REMARK,
-		    "energies and the cut scaled by v^2 from %g to %g m/s",
-		    q->spectrum->speed, q->speed);
+		    "energies and the cut scaled by v^2 from %g to %g m/s%s",
+		    q->spectrum->speed, q->speed, rpm);
+	}
 	answer_say(r, ANSWER_REMARK,
 	    "energies of a simulation hold for its own geometry, rock and "
 	    "contact model: see tipspeed-model(7)");
@@ -286,8 +290,11 @@ show_energies(struct session *s, const struct args *args, struct error *error)
 		q.cut /= q.scale;
 	}
 	q.E = q.speed > 0 ? specific_energy_at_speed(q.speed) : NAN;
-	if (s->n_entry > 0 && has_selection_params(session_current_entry(s)))
-		q.entry = session_current_entry(s);
+	if (s->n_entry > 0) {
+		const struct entry *entry = session_current_entry(s);
+		q.entry = has_selection_params(entry) ? entry : NULL;
+		q.rotor = entry->site->rotor;
+	}
 	FREED struct spectrum_size *whole = spectrum_merge_sizes(spectrum);
 	struct answer *r = answer_new("energy");
 	answer_title(r,

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
+#include "cmd/ask/answers.h"
 #include "cmd/session/sites.h"
 #include "cmd/session/files.h"
 #include "cmd/lang/table.h"
@@ -18,27 +19,50 @@
 #include "io/store/material.h"
 #include "io/sitefile/units.h"
 
+static bool
+is_any_sheet_in_rpm(const struct session *s)
+{
+	for (size_t i = 0; i < s->n_entry; i++)
+		if (answers_is_sheet_in_rpm(s->entry[i].site))
+			return true;
+	return false;
+}
+
+/* Adds the runs' speeds: in csv and json in m/s; people see them as the sheet
+ * has them, with the unit where sheets differ. */
+static void
+add_cell_of_run_speeds(struct answer *r, const struct site *site, bool unit)
+{
+	FREED char *speeds = session_run_speeds_text(site, " ", NULL, true);
+	FREED char *rpm = session_run_rpm_text(site, " ", NULL, true);
+	FREED char *shown =
+	    xasprintf("%s%s%s", answers_is_sheet_in_rpm(site) ? rpm : speeds,
+		unit ? " " : "", unit ? answers_speed_unit(site) : "");
+	answer_name(r, speeds, shown);
+}
+
 bool
 cmd_sites(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
 	(void)error;
 	struct answer *r = answer_new("sites");
-	answer_columns(r,
-	    "key: site, name, rock, top_size_mm: top mm, speeds: speeds m/s, "
-	    "calibrated, data");
+	bool unit = is_any_sheet_in_rpm(s);
+	answer_columns(r, "key: site, name, rock, top_size_mm: top mm");
+	answer_columns(
+	    r, unit ? N_("speeds: speeds") : N_("speeds: speeds m/s"));
+	answer_columns(r, "calibrated, data");
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		FREED char *speeds =
-		    session_run_speeds_text(entry->site, " ", NULL, true);
 		FREED char *marked =
 		    xasprintf("%s%s", i == s->current ? "*" : "", entry->key);
 		answer_name(r, entry->key, marked);
-		answer_add_cells(r, "%s %s %g %s %s %s", entry->site->name,
+		answer_add_cells(r, "%s %s %g", entry->site->name,
 		    entry->site->rock,
 		    entry->site->top_size > 0 ? units_mm(entry->site->top_size)
-					      : NAN,
-		    speeds,
+					      : NAN);
+		add_cell_of_run_speeds(r, entry->site, unit);
+		answer_add_cells(r, "%s %s",
 		    entry->has_fit       ? tr("yes")
 		    : !entry->has_params ? tr("no")
 		    : origin_is_from_store(entry->origin)
