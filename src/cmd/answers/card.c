@@ -240,7 +240,7 @@ put_card_cell(struct card_table *page, const char *key, const char *head,
 		else
 			answer_resume_table_for_people(r);
 		if (page->row == 0)
-			answer_column_to_spare(r, name, spare);
+			answer_column_to_spare(r, name, name, spare);
 		if (word != NULL)
 			answer_text(r, "%s", word);
 		else

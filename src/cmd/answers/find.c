@@ -22,7 +22,8 @@
 /* What is wanted: a value of a quantity, or its maximum or minimum, and other
  * conditions that have to hold; on which feed, and between which speeds. n: the
  * number of goals that were named.  search, speed: what was found; the speed is
- * NAN if there is none. */
+ * NAN if there is none.  detail: also what a reader who wants one speed and its
+ * range can do without. */
 struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
@@ -32,6 +33,7 @@ struct find_request {
 	struct wanted wanted; /* the others, then the target */
 	struct speed_search *search;
 	double speed;
+	bool detail;
 };
 
 static void
@@ -328,7 +330,7 @@ note_speed_range_over_feeds(
 	}
 	fields_put_values(answer_fields(r), "feeds_low %g feeds_high %g",
 	    finite_speed_or_nan(range[0]), finite_speed_or_nan(range[1]));
-	if (range[1] - range[0] < tells)
+	if (range[1] - range[0] < tells || !goal->detail)
 		return;
 	FREED char *words = speed_range_text(goal, range);
 	answer_note(r,
@@ -649,7 +651,7 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 	struct answer *r = begin_find_answer(goal, found, words);
 	answers_add_row_per_prediction(r, entry, p, n);
 	note_search_result(r, s, goal, words);
-	if (found)
+	if (found && goal->detail)
 		answers_note_sizes(r, &p[0]);
 	double shown = show_basis_at_speed_found(s, r, goal);
 	put_search_fields(answer_fields(r), goal);
@@ -663,8 +665,8 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 		prediction_free(&p[i]);
 }
 
-/* Notes the speeds that meet the envelope; if none does, what the nearest
- * misses. */
+/* Notes the speeds that meet the envelope, which are about those that were said
+ * to be certain, if there are any; if none does, what the nearest misses. */
 static void
 note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
     const struct grading *g, const struct speed_search *w)
@@ -673,12 +675,20 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 	const struct site *site = g->conditions.site;
 	FREED char *best = rotor_speed_rpm_text(site->rotor, w->best, NAN);
 	if (in != NULL) {
+		bool all =
+		    goal->detail || w->n_inside > 1 || !isfinite(w->sure[0]);
 		FREED char *speeds =
 		    conditions_met_speeds_with_units(&g->conditions, w);
 		FREED char *table =
 		    rotor_speed_rpm_text(site->rotor, in->from, NAN);
-		answer_note(r, "meets the envelope at %s; table: %.1f m/s%s",
-		    speeds, in->from, table);
+		if (all)
+			answer_note(r, "meets the envelope at %s", speeds);
+		answer_note(r,
+		    w->n_inside > 1
+			? N_("the table is at %.1f m/s%s")
+			: N_("the table is at %.1f m/s%s, the slowest that "
+			     "meets the envelope"),
+		    in->from, table);
 		return;
 	}
 	FREED char *range = rotor_speed_rpm_text(
@@ -711,7 +721,7 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	    answer_about_site(entry->site, "find", "the speeds for %s", words);
 	envelope_add_rows(r, &g, v);
 	conditions_note_best_speed(
-	    r, s, goal->question, &g.conditions, true, w);
+	    r, s, goal->question, &g.conditions, true, goal->detail, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL)
 		answers_put_low_high(
@@ -753,7 +763,8 @@ bool
 cmd_find(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
-	struct find_request goal = {.kind = GOAL_VALUE, .question = q};
+	struct find_request goal = {
+	    .kind = GOAL_VALUE, .question = q, .detail = args->detail};
 	if (!conditions_speed_range_of_args(s, args, q->entry->site,
 		&goal.wanted.from, &goal.wanted.to, error))
 		return false;

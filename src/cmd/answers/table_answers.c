@@ -217,8 +217,8 @@ const struct command TABLE_ANSWERS[] = {
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"},
 	    {SPEED(from),
 		"slowest speed; default 65, or less to cover the runs"},
-	    {SPEED(to),
-		"fastest speed; default 85, or more to cover the runs"}),
+	    {SPEED(to), "fastest speed; default 85, or more to cover the runs"},
+	    {OFF_ON(detail), "off", "on: also other speeds and sizes found"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "The inverse of predict: finds the tip speed for a P20, P50 or "
@@ -293,8 +293,9 @@ const struct command TABLE_ANSWERS[] = {
 	    {SPEC(spec), "grading envelope: a name of 'spec list', or a file"},
 	    {SPEED(from),
 		"slowest speed; default 65, or less to cover the runs"},
-	    {SPEED(to),
-		"fastest speed; default 85, or more to cover the runs"}),
+	    {SPEED(to), "fastest speed; default 85, or more to cover the runs"},
+	    {OFF_ON(detail), "off",
+		"on: also the other speeds that were found"}),
 	.shared = {SHARED_FEED, SHARED_MACHINE, SHARED_CUT, SHARED_SCREENS},
 	.text =
 	    "A condition is a quantity of figures and a limit, with quotes or "
@@ -305,12 +306,14 @@ const struct command TABLE_ANSWERS[] = {
 	    "standard's limits on the fineness modulus and between two sieves; "
 	    "cut= is the fraction for conditions that name none. The default "
 	    "conditions are those of 'set goal'. Shows the speeds, to a tenth "
-	    "of a m/s, at which the answer meets all conditions, which of them "
-	    "limits the speed below and above, and the best speed: the one at "
-	    "which they hold with the highest probability, preferably between "
+	    "of a m/s, at which the answer meets each condition, and the best "
+	    "speed: the one at which all "
+	    "hold with the highest probability, preferably between "
 	    "the measured speeds; of speeds within 2 % of that probability, "
-	    "the one with the largest margin, in widths of the band. Least "
-	    "energy and wear are at the slowest measured speed from which, up "
+	    "the one with the largest margin, in widths of the band. "
+	    "detail=on adds the speeds at which the answer meets all, the "
+	    "conditions that limit them, and that of least "
+	    "energy and wear: the slowest measured speed from which, up "
 	    "to the best, the conditions hold with 95 % probability. Programs "
 	    "get margins as passings, in points: for a P at the size that is "
 	    "its limit, for a fineness modulus per sieve. Moduli and fractions "

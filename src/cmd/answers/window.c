@@ -17,12 +17,14 @@
 #include "cmd/lang/table.h"
 #include "core/psd/rotor_speed.h"
 
-/* What was asked, and what was found. */
+/* What was asked, and what was found.  detail: also what a reader who wants one
+ * speed and its range can do without. */
 struct window_request {
 	struct condition_list list;
 	const struct question *q;
 	struct wanted wanted;
 	struct speed_search *w;
+	bool detail;
 };
 
 /* Takes the conditions of the session's goal if none are given. */
@@ -143,13 +145,13 @@ is_window_without_run(const struct window_request *a)
 	       answers_is_speed_extrapolated(a->q->entry, w->best);
 }
 
+/* Notes all speeds at which the answer meets the conditions. */
 static void
-note_speeds_in_window(struct answer *r, const struct window_request *a)
+note_speeds_met(struct answer *r, const struct window_request *a, bool no_run)
 {
-	const struct speed_range *in = speed_search_best_range(a->w);
 	FREED char *speeds = conditions_met_speeds_with_units(&a->wanted, a->w);
 	bool several = a->list.n > 1;
-	if (is_window_without_run(a))
+	if (no_run)
 		answer_note(r,
 		    several ? N_("no measured speed will do: by the model all "
 				 "conditions hold at %s")
@@ -161,10 +163,12 @@ note_speeds_in_window(struct answer *r, const struct window_request *a)
 		    several ? N_("the answer meets all conditions at %s")
 			    : N_("the answer meets it at %s"),
 		    speeds);
-	note_binding_conditions(r, a);
-	conditions_note_unsearched_speeds(r, &a->wanted,
-	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
-	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
+}
+
+static void
+note_if_window_extrapolated(struct answer *r, const struct window_request *a)
+{
+	const struct speed_range *in = speed_search_best_range(a->w);
 	double slowest, fastest;
 	if (!origin_known_speed_range(a->q->entry, &slowest, &fastest) ||
 	    (in->from >= slowest && in->to <= fastest))
@@ -173,6 +177,27 @@ note_speeds_in_window(struct answer *r, const struct window_request *a)
 	    answers_known_speeds_text(a->q->entry, slowest, fastest);
 	answer_say(
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
+}
+
+/* The speeds at which the answer meets the conditions are about those that were
+ * said to be certain, of which there may be none. */
+static void
+note_speeds_in_window(struct answer *r, const struct window_request *a)
+{
+	const struct speed_range *in = speed_search_best_range(a->w);
+	bool no_run = is_window_without_run(a);
+	if (a->detail || no_run || a->w->n_inside > 1 ||
+	    !isfinite(a->w->sure[0]))
+		note_speeds_met(r, a, no_run);
+	if (a->detail)
+		note_binding_conditions(r, a);
+	conditions_note_unsearched_speeds(r, &a->wanted,
+	    in->low.i == SIZE_MAX && in->from <= a->wanted.from,
+	    in->high.i == SIZE_MAX && in->to >= a->wanted.to);
+	if (!a->detail)
+		return;
+	note_if_window_extrapolated(r, a);
+	note_margin_to_limit(r, a);
 }
 
 static void
@@ -241,14 +266,13 @@ note_window_result(
 {
 	if (a->w->n_inside > 0) {
 		conditions_note_best_speed(
-		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
+		    r, s, a->q, &a->wanted, a->list.n > 1, a->detail, a->w);
 		note_speeds_in_window(r, a);
-		note_margin_to_limit(r, a);
 	} else {
 		conditions_note_why_unmet(
 		    r, &a->wanted, &a->list, a->w, question_feed(a->q));
 		conditions_note_best_speed(
-		    r, s, a->q, &a->wanted, a->list.n > 1, a->w);
+		    r, s, a->q, &a->wanted, a->list.n > 1, a->detail, a->w);
 	}
 	if (isnan(a->w->best_certain))
 		answer_note(r, "%s", band_why_none(s, a->q->entry));
@@ -275,7 +299,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
     struct error *error)
 {
 	const struct entry *entry = q->entry;
-	struct window_request a = {.q = q};
+	struct window_request a = {.q = q, .detail = args->detail};
 	double from, to;
 	bool ok = conditions_speed_range_of_args(
 		      s, args, entry->site, &from, &to, error) &&
@@ -289,7 +313,8 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		put_window_fields(answer_fields(r), &a,
 		    answers_is_speed_extrapolated(entry, a.w->best));
 		put_certain_speeds(answer_fields(r), &a);
-		note_equivalent_plot(r, args);
+		if (a.detail)
+			note_equivalent_plot(r, args);
 		conditions_note_source_of_limits(r, &a.list);
 		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
 		session_keep_last_asked(s, a.w->best, &a.list.at[0].quantity);

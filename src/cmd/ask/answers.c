@@ -545,7 +545,8 @@ answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
 	answer_columns(r, "speed: m/s");
 	if (rotor > 0)
 		answer_columns(r, "rpm: rpm");
-	answer_columns(r, "energy_j_kg: J/kg, break_mm: break mm");
+	answer_column_to_spare(r, "energy_j_kg", "J/kg", 1);
+	answer_columns(r, "break_mm: break mm");
 	for (size_t k = 0; k < PSD_SIZES; k++)
 		answer_column(r, ANSWERS_SIZE[k].key, ANSWERS_SIZE[k].head);
 	double size = p[0].product.size[p[0].product.n - 1];

@@ -1066,14 +1066,13 @@ speed_to_run_at_text(const struct session *s, const struct question *q,
 	return words;
 }
 
-/* Notes which speed to run at, which others will do, and the slowest. */
+/* Notes which speed to run at and which others will do. */
 static void
 note_speed_to_run_at(struct answer *r, const struct session *s,
     const struct question *q, const struct wanted *wanted, bool several,
     const struct speed_search *w)
 {
 	double rotor = wanted->site->rotor, low = w->sure[0], high = w->sure[1];
-	FREED char *slow = rotor_speed_rpm_text(rotor, w->safe, NAN);
 	FREED char *rpm = rotor_speed_rpm_text(rotor, low, high);
 	FREED char *words = speed_to_run_at_text(s, q, wanted, several, w);
 	if (isfinite(low))
@@ -1086,11 +1085,19 @@ note_speed_to_run_at(struct answer *r, const struct session *s,
 		xappend(&words, tr("; at no speed %.0f times in 100"),
 		    100 * wanted->level);
 	answer_note(r, "%s", words);
+}
+
+static void
+note_slowest_safe_speed(
+    struct answer *r, const struct wanted *wanted, const struct speed_search *w)
+{
+	FREED char *rpm =
+	    rotor_speed_rpm_text(wanted->site->rotor, w->safe, NAN);
 	if (w->safe < w->best)
 		answer_note(r,
 		    "least energy and wear: %.1f m/s%s, the slowest that is "
 		    "safe, 95 times in 100 or more",
-		    w->safe, slow);
+		    w->safe, rpm);
 }
 
 /* Notes how certain speeds are where the answer meets the conditions at none.
@@ -1121,11 +1128,15 @@ note_certainty_where_unmet(
 void
 conditions_note_best_speed(struct answer *r, const struct session *s,
     const struct question *q, const struct wanted *wanted, bool several,
-    const struct speed_search *w)
+    bool detail, const struct speed_search *w)
 {
 	if (w->n_inside > 0)
 		note_speed_to_run_at(r, s, q, wanted, several, w);
-	else if (!isnan(w->best_certain) && !isfinite(w->sure[0]))
+	if (w->n_inside > 0 && detail)
+		note_slowest_safe_speed(r, wanted, w);
+	if (w->n_inside > 0)
+		return;
+	if (!isnan(w->best_certain) && !isfinite(w->sure[0]))
 		note_certainty_where_unmet(r, wanted, w);
 }
 

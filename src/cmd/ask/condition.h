@@ -144,13 +144,13 @@ void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 bool conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
     const struct quantity *q, double limit, bool most);
 
-/* Notes which speed to run at, the range in which the conditions hold with the
- * certainty of a band, and the slowest safe speed; if the answer meets them at
- * no speed, where they are most likely to hold.  several: there is more than
- * one condition. */
+/* Notes which speed to run at and the range in which the conditions hold with
+ * the certainty of a band; in detail the slowest safe speed, too.  If the
+ * answer meets them at no speed: where they are most likely to hold.  several:
+ * there is more than one condition. */
 void conditions_note_best_speed(struct answer *r, const struct session *s,
     const struct question *q, const struct wanted *wanted, bool several,
-    const struct speed_search *w);
+    bool detail, const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, the answer

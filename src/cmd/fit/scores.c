@@ -22,8 +22,8 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_INTERPOLATION] = {"interpolation", N_("interpolated"),
 	N_("a straight line through the training products")},
     [VALIDATE_NEAREST] = {"nearest", N_("nearest"),
-	N_("the product at the nearest training speed")},
-    [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed")}};
+	N_("the product at the nearest training speed"), 1},
+    [VALIDATE_FEED] = {"feed", N_("feed"), N_("the unchanged feed"), 2}};
 
 void
 put_null_model_rmse(struct fields *o, const double rmse[static VALIDATE_WAYS])
@@ -129,17 +129,21 @@ put_validation_fields(struct fields *o, const struct trials *c)
 	put_null_rmse_and_winner(o, rmse);
 }
 
-/* Begins a row with the run; exact: with its speed before it, otherwise with
- * its rpm after it if the rotor is known. */
+/* Begins a row with the run; exact: with its speed before it; otherwise in rpm
+ * if its sheet is, and with the rpm after it if only the rotor is known. */
 static void
 begin_row_of_run(struct answer *r, const struct trial *item, bool exact)
 {
 	if (exact)
 		answer_add_cells(r, "%g", item->v.speed);
+	double rpm = rotor_speed_to_rpm(item->v.speed, item->rotor);
+	if (!exact && item->in_rpm) {
+		answer_text(r, "%.0f%s", rpm, item->run->repeat);
+		return;
+	}
 	answer_text(r, "%s", item->name);
 	if (!exact && item->rotor > 0)
-		answer_add_cells(
-		    r, "%.0f", rotor_speed_to_rpm(item->v.speed, item->rotor));
+		answer_add_cells(r, "%.0f", rpm);
 }
 
 static void
@@ -192,15 +196,19 @@ add_validation_table(
     struct answer *r, const struct trials *c, bool sieves, bool exact)
 {
 	const char *unit = !exact ? "" : sieves ? "_pct" : "_mm";
-	bool rpm = !exact && c->n > 0 && c->item[0].rotor > 0;
-	answer_columns(r, rpm      ? N_("speed: m/s, rpm: rpm, of: ")
+	bool in_rpm = !exact && c->n > 0 && c->item[0].in_rpm;
+	bool both = !exact && c->n > 0 && c->item[0].rotor > 0;
+	answer_columns(r, in_rpm   ? N_("speed: rpm, of: ")
+			  : both   ? N_("speed: m/s, rpm: rpm, of: ")
 			  : !exact ? N_("speed: m/s, of: ")
 			  : sieves ? N_("speed, run, sieve_mm")
 				   : N_("speed, run, size"));
 	answer_columns(r, "measured%s: measured", unit);
-	for (size_t way = 0; way < VALIDATE_WAYS; way++)
-		answer_columns(r, "%s%s: %s", SCORES_WAYS[way].key, unit,
-		    tr(SCORES_WAYS[way].head));
+	for (size_t way = 0; way < VALIDATE_WAYS; way++) {
+		FREED char *key = xasprintf("%s%s", SCORES_WAYS[way].key, unit);
+		answer_column_to_spare(
+		    r, key, tr(SCORES_WAYS[way].head), SCORES_WAYS[way].spare);
+	}
 	for (size_t i = 0; i < c->n; i++) {
 		const struct trial *item = &c->item[i];
 		if (sieves)
@@ -422,7 +430,7 @@ scores_site_answer(const struct trials *c, const struct site *site, bool sieves)
 		rmse_over_runs(c, rmse);
 		answer_text(r, "all");
 		answer_set_missing(r, "");
-		if (site->rotor > 0)
+		if (site->rotor > 0 && !c->item[0].in_rpm)
 			answer_add_cells(r, "%.0f", NAN);
 		add_rmse_cells(r, rmse);
 	}

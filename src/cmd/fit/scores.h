@@ -8,9 +8,11 @@
 #include "io/formats/answer.h"
 #include "io/formats/shards.h"
 
-/* Names of each way to predict, for keys, column headings and sentences. */
+/* Names of each way to predict, for keys, column headings and sentences, and
+ * which of them a narrow table can spare: see answer_column_to_spare. */
 struct scores_way {
 	const char *key, *head, *noun;
+	int spare;
 };
 extern const struct scores_way SCORES_WAYS[VALIDATE_WAYS];
 

@@ -162,9 +162,10 @@ answer_column(struct answer *a, const char *key, const char *head)
 }
 
 void
-answer_column_to_spare(struct answer *a, const char *name, int spare)
+answer_column_to_spare(
+    struct answer *a, const char *key, const char *head, int spare)
 {
-	add_column(a, name, name, spare);
+	add_column(a, key, head, spare);
 }
 
 void

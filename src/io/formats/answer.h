@@ -60,11 +60,12 @@ void answer_columns(struct answer *answer, const char *format, ...)
 /* Adds a column whose heading may contain any character. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
-/* Adds a column with one name for key and heading, already translated.  Where
- * a text of 80 columns has no room, columns whose `spare` is not 0 are left
- * out, those with the largest first, and the text says so; what remains is not
- * continued in a second block.  Files have all columns. */
-void answer_column_to_spare(struct answer *answer, const char *name, int spare);
+/* Adds a column whose heading is already translated.  Where a text of 80
+ * columns has no room, columns whose `spare` is not 0 are left out, those with the
+ * largest first, and the text says so; what remains is not continued in a
+ * second block.  Files have all columns. */
+void answer_column_to_spare(
+    struct answer *answer, const char *key, const char *head, int spare);
 
 /* Sets the width of a table for people; 80 by default. */
 void answer_set_width(struct answer *answer, int columns);
