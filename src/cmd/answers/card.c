@@ -220,7 +220,7 @@ struct card_table {
 };
 
 /* What is left out for want of room: the last of these first. */
-enum { NEEDED, ASKED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE };
+enum { NEEDED, ASKED, FIGURE, MEDIAN, RANGE, SAMPLE, FINE, OTHER_UNIT };
 enum { AS_NEEDED = -1 };
 
 /* Adds a cell that people see under `head` and programs under `key`, each
@@ -407,6 +407,23 @@ put_limits_cells(struct card_table *page, const struct card_row *row)
 	    drawn ? conditions_probability_text(row->share) : xstrdup("-"));
 }
 
+/* Puts the speed; people see first that in the unit of the sheet. */
+static void
+put_card_speed(struct card_table *page, const struct site *site, double v)
+{
+	bool in_rpm = answers_is_sheet_in_rpm(site);
+	double rpm = rotor_speed_to_rpm(v, site->rotor);
+	if (in_rpm)
+		put_card_number(page, NULL, "rpm", 0, NEEDED, rpm);
+	put_card_number(page, NULL, "m/s", AS_NEEDED,
+	    in_rpm ? OTHER_UNIT : NEEDED, round(100 * v) / 100);
+	if (site->rotor > 0 && !in_rpm)
+		put_card_number(page, NULL, "rpm", 0, NEEDED, rpm);
+	put_card_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
+	if (site->rotor > 0)
+		put_card_number(page, "rpm", NULL, 0, NEEDED, rpm);
+}
+
 /* Puts the answer at one speed.  Beyond the measured speeds people see
  * "amber?". */
 static void
@@ -414,13 +431,8 @@ put_card_row(struct card_table *page, struct session *s,
     const struct card_request *all, struct card_row *row, struct trust *worst)
 {
 	const struct entry *entry = all->question->entry;
-	double v = row->speed, rotor = entry->site->rotor;
-	put_card_number(
-	    page, NULL, "m/s", AS_NEEDED, NEEDED, round(100 * v) / 100);
-	put_card_number(page, "speed", NULL, AS_NEEDED, NEEDED, v);
-	if (rotor > 0)
-		put_card_number(page, "rpm", "rpm", 0, NEEDED,
-		    rotor_speed_to_rpm(v, rotor));
+	double v = row->speed;
+	put_card_speed(page, entry->site, v);
 	forecast_set_speed(all->forecast, v);
 	put_card_figures(page, s, all, v);
 	struct trust light = trust_at_speed(s, entry, v, all->question->feed);
@@ -565,10 +577,11 @@ note_meaning_of_measured(
 	    of, 100 * moved);
 }
 
-/* Notes what the words under trust mean, of those that occur. */
+/* Notes what the words under trust mean, of those that occur.  feed: the words
+ * about the feed, or NULL; speeds that they name are not named again. */
 static void
 note_meaning_of_trust_words(struct answer *r, const struct site *site,
-    const struct card_row *row, size_t n)
+    const char *feed, const struct card_row *row, size_t n)
 {
 	bool occurs[] = {
 	    [LIGHT_GREEN] = false, [LIGHT_AMBER] = false, [LIGHT_RED] = false};
@@ -579,11 +592,15 @@ note_meaning_of_trust_words(struct answer *r, const struct site *site,
 	}
 	FREED char *speeds = session_run_speeds_text(site, ", ", NULL, true);
 	FREED char *rpm = session_run_rpm_in_brackets(site, NULL, true);
+	bool named = feed != NULL && strstr(feed, speeds) != NULL;
 	FREED char *words =
-	    xasprintf(occurs[LIGHT_GREEN]
-			  ? tr("green: confirmed by measurements at %s m/s%s")
-			  : tr("measured at %s m/s%s"),
-		speeds, rpm);
+	    occurs[LIGHT_GREEN] && named
+		? xstrdup(tr("green: confirmed by measurements"))
+		: xasprintf(occurs[LIGHT_GREEN]
+				? tr("green: confirmed by measurements at %s "
+				     "m/s%s")
+				: tr("measured at %s m/s%s"),
+		      speeds, rpm);
 	if (occurs[LIGHT_AMBER])
 		xappend(
 		    &words, tr("; amber: from the model alone, or doubtful"));
@@ -623,14 +640,14 @@ note_basis_of_card(struct answer *r, const struct session *s,
 		note_meaning_of_measured(r, all, page->moved);
 	if (site->machine[0] != '\0')
 		answer_note(r, "machine: %s", site->machine);
-	answer_note(r, "model: %s, %s; %s",
+	answer_note(r, "equations: %s, %s; %s",
 	    breakage_model_of_params(&q->entry->params)->source,
 	    origin_source_text(q->entry), correction_in_words(s, q->entry));
 	if (feed == NULL)
 		answer_note(r, "feed: %s",
 		    site->feed_from[0] != '\0' ? site->feed_from
 					       : tr("as sampled"));
-	note_meaning_of_trust_words(r, site, row, n);
+	note_meaning_of_trust_words(r, site, feed, row, n);
 }
 
 /* The rows show the lights.  If none is green, the best of them states its

@@ -61,8 +61,8 @@ void answer_columns(struct answer *answer, const char *format, ...)
 void answer_column(struct answer *answer, const char *key, const char *head);
 
 /* Adds a column whose heading is already translated.  Where a text of 80
- * columns has no room, columns whose `spare` is not 0 are left out, those with the
- * largest first, and the text says so; what remains is not continued in a
+ * columns has no room, columns whose `spare` is not 0 are left out, those with
+ * the largest first, and the text says so; what remains is not continued in a
  * second block.  Files have all columns. */
 void answer_column_to_spare(
     struct answer *answer, const char *key, const char *head, int spare);
