@@ -105,6 +105,16 @@ goal_probability_at(const struct tui *t, double speed)
 	return found->certain[k];
 }
 
+double
+goal_probability_at_slider(const struct tui *t)
+{
+	bool fits =
+	    session_entry_being_fitted(t->session) == tui_current_entry(t);
+	return fits || t->view.goal.n_value > 0
+		   ? NAN
+		   : goal_probability_at(t, tui_slider_speed(t));
+}
+
 bool
 goal_is_viewed(const struct tui *t)
 {

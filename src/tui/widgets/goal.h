@@ -30,6 +30,10 @@ void goal_show_chosen_quantity(struct tui *t);
  * known. */
 double goal_probability_at(const struct tui *t, double speed);
 
+/* The same at the slider's speed; NAN also for a goal that is a value, and
+ * while the site is being calibrated. */
+double goal_probability_at_slider(const struct tui *t);
+
 /* Returns the goal in words, see goals_outcome_text. */
 char *goal_in_words(const struct tui *t, enum goals_length length);
 

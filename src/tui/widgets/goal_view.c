@@ -127,18 +127,15 @@ goal_view_count_rows(const struct tui *t)
 static void
 draw_goal_probability(const struct tui *t, const struct area *area)
 {
-	const struct goal *g = &t->view.goal;
 	double speed = tui_slider_speed(t);
-	if (!are_goal_speeds_known(t) || g->n_value > 0)
-		return;
-	double certain = goal_probability_at(t, speed);
+	double certain = goal_probability_at_slider(t);
 	if (isnan(certain))
 		return;
 	FREED char *percent = conditions_probability_text(certain);
 	FREED char *rpm = rotor_speed_rpm_text(tui_known_rotor(t), speed, NAN);
 	screen_text(area, 0, 0, LOOK_BOLD,
-	    g->list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
-			  : N_("met at %.1f m/s%s: chance %s"),
+	    t->view.goal.list.n > 1 ? N_("all met at %.1f m/s%s: chance %s")
+				    : N_("met at %.1f m/s%s: chance %s"),
 	    speed, rpm, percent);
 }
 

@@ -11,6 +11,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/condition.h"
 #include "cmd/ask/quantity_words.h"
 #include "core/model/breakage.h"
 #include "core/psd/rotor_speed.h"
@@ -220,8 +221,20 @@ add_heading_texts_of_goal(const struct tui *t, struct part *part)
 	part->look = LOOK_BOLD;
 }
 
+/* Returns "  here 85 % sure": the chance that the goal is met at the slider's
+ * speed; "" if that is not known, or stands in the view of the goal. */
+static char *
+goal_chance_text(const struct tui *t)
+{
+	double certain = goal_probability_at_slider(t);
+	if (isnan(certain) || goal_is_viewed(t))
+		return xstrdup("");
+	FREED char *percent = conditions_probability_text(certain);
+	return xasprintf(tr("  here %s sure"), percent);
+}
+
 /* The rotor tip speed, as energy and rotor speed too; in brief as the sheet
- * has it. */
+ * has it.  With a goal, how sure it is there. */
 static void
 add_heading_texts_of_speed(const struct tui *t, struct part *part)
 {
@@ -232,14 +245,17 @@ add_heading_texts_of_speed(const struct tui *t, struct part *part)
 	FREED char *turns = rotor > 0 ? xasprintf(tr("  %.0f rpm"),
 					    rotor_speed_to_rpm(v, rotor))
 				      : xstrdup("");
+	FREED char *brief = answers_speed_text(tui_site(t), v, 1);
+	FREED char *sure = goal_chance_text(t);
 	add_heading_text(
-	    part, xasprintf(tr("rotor tip speed %s%s"), words, turns));
-	add_heading_text(part, xasprintf("%s%s", words, turns));
-	if (rotor > 0)
-		add_heading_text(part, xasprintf(tr("%.1f m/s%s"), v, turns));
+	    part, xasprintf(tr("rotor tip speed %s%s%s"), words, turns, sure));
+	add_heading_text(part, xasprintf("%s%s%s", words, turns, sure));
+	if (rotor > 0 || sure[0] != '\0')
+		add_heading_text(
+		    part, xasprintf(tr("%.1f m/s%s%s"), v, turns, sure));
 	else
 		add_heading_text(part, xstrdup(words));
-	FREED char *brief = answers_speed_text(tui_site(t), v, 1);
+	add_heading_text(part, xasprintf("%s%s", brief, sure));
 	add_heading_text(part, xstrdup(brief));
 	add_heading_text(part, xstrndup(brief, strcspn(brief, " ")));
 }
@@ -279,8 +295,8 @@ width_of_heading_part(const struct part *part)
 static void
 fit_heading_parts(struct part part[static PARTS], int columns)
 {
-	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, GOAL, GOAL, GOAL,
-	    SPEED, GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
+	static const size_t TURNS[] = {SPEED, QUANTITY, GOAL, SPEED, GOAL, GOAL,
+	    GOAL, SPEED, GOAL, SPEED, SIGNS, SIGNS, QUANTITY, SPEED};
 	int width = 2;
 	for (size_t i = 0; i < PARTS; i++) {
 		part[i].at = part[i].n - 1;
