@@ -376,7 +376,10 @@ parse_top_size_answer(const char *settle, const char *said,
 	    text_parse_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
 		snprintf(wrong, WRONG,
-		    tr("expected y, n or another size in mm, got '%.30s'"),
+		    number[0] == '\0'
+			? tr("expected a size in mm, or n, got '%.30s'")
+			: tr("expected y, n or another size in mm, got "
+			     "'%.30s'"),
 		    said);
 	return good;
 }
@@ -501,10 +504,14 @@ static const struct {
     {"dates=", "is it day or month first", false}};
 
 /* Asks whether all of the feed passes a size; where that is doubtful, names
- * the size after it. */
+ * the size after it.  size: "" if none is proposed. */
 static char *
 top_size_question(const char *size, double further)
 {
+	if (size[0] == '\0')
+		return xstrdup(tr("for sieves type the size in mm that all of "
+				  "it passes; for classes n, and write both "
+				  "ends in the sheet"));
 	return further > 0
 		   ? xasprintf(tr("take %s mm, the next sieve up (or type %g "
 				  "or more, since much is coarser)"),
@@ -526,7 +533,7 @@ ask_for_option_value(struct session *s, const struct site_ask *ask,
 	struct user_question q = {.about = about,
 	    .ask = ask,
 	    .text = passes,
-	    .offered = "Y/n",
+	    .offered = value[0] != '\0' ? "Y/n" : "",
 	    .hint = ""};
 	for (size_t i = 0; i < ARRAY_LEN(ASKS); i++)
 		if (strncmp(ask->settle, ASKS[i].option,

@@ -790,6 +790,44 @@ site_ask_size_above_feed(const struct column *c)
 	return c->pct[at] >= ALL_BUT ? next_sieve_up(c, c->table->mm[at]) : 0;
 }
 
+/* True if the sizes may be the upper ends of classes, read as sieves: much lies
+ * on the coarsest and, with no pan, nothing passes the finest, while as classes
+ * the same numbers leave nothing coarser and fines below. */
+static bool
+may_sizes_be_upper_ends(const struct column *c)
+{
+	const double MUCH = 5, NOTHING = 0.05;
+	const struct table *t = c->table;
+	size_t at = c->below - 1, finest = at;
+	for (size_t i = at; i < t->n_row; i++)
+		if (!isnan(c->pct[i]) && t->mm[i] > 0)
+			finest = i;
+	return SITE_UNITS[c->unit].kind == RETAINED && isnan(c->pan) &&
+	       !sieve_cell_is_class(t->sheet, t->row[at].cell[0]) &&
+	       c->pct[at] < 100 - MUCH && fabs(c->pct[finest]) < NOTHING;
+}
+
+/* Asks what the sizes are, and proposes neither. */
+static void
+ask_whether_upper_ends(const struct column *c, const struct site_request *q,
+    double coarser, struct site_ask *ask)
+{
+	const struct table *t = c->table;
+	size_t at = c->below - 1;
+	bool alone = t->sheet->errors->n == 0;
+	char p[32];
+	FREED char *settle = xasprintf("top=%g", coarser);
+	FREED char *line = load_command_with_answer(q, settle);
+	sheet_fault(t->sheet, t->row[at].cell[c->at],
+	    "the coarsest sieve, %g mm, passes %s %% of the feed, and the "
+	    "finest nothing: are these sieves, or the upper ends of classes?\n"
+	    "for classes write both ends in the sheet, such as 8-16 and "
+	    "0-0.063; for sieves say which size all of the feed passes: %s",
+	    t->mm[at], site_column_passing_text(c, at, 100, p), line);
+	if (alone)
+		ask->settle = xstrdup("top=");
+}
+
 void
 site_ask_top_size(
     const struct column *c, const struct site_request *q, struct site_ask *ask)
@@ -797,6 +835,10 @@ site_ask_top_size(
 	const struct table *t = c->table;
 	size_t at = c->below - 1;
 	double coarser = next_sieve_up(c, t->mm[at]);
+	if (may_sizes_be_upper_ends(c)) {
+		ask_whether_upper_ends(c, q, coarser, ask);
+		return;
+	}
 	bool alone = t->sheet->errors->n == 0;
 	bool much = c->pct[at] < 90;
 	double further = much ? next_sieve_up(c, coarser) : 0;
