@@ -37,6 +37,9 @@ printf '%s\n' site,Boulders rock,Gneiss size_mm,feed,product@69,product@79 \
 printf '%s\n' site,Poor size_mm,feed,product@69,product@79 22.4,100,100,100 \
 	11.2,90,92.5,97.5 5.6,45,60,65 2,16,20,34 0.5,5,9,8 0.063,0.5,0.9,1.4 \
 	>poor.csv
+printf '%s\n' site,Twice size_mm,feed,product@69,product@69,product@79 \
+	22.4,100,100,100,100 8,63,93,93.4,94.1 4,31,59.6,60.3,69 2,15,30.2,30.6,36 \
+	0.5,3.5,7,7.3,9.2 0.063,0.4,0.9,0.9,1.2 >twice.csv
 printf '%s\n' 'Sikt (mm);Ingående;Produkt 1;Produkt 2' '11,2;100;100;100' \
 	'8;62,1;75,0;78,1' '5,6;40;55;60' '4;25;42;48' '1;5;15;19' >open.csv
 {

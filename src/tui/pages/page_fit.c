@@ -59,6 +59,26 @@ caption(struct tui *t, const struct area *area)
 	return true;
 }
 
+/* Draws the bar, the mark and the name of a run, if there is room.  Returns the
+ * column after them. */
+static int
+draw_legend_of_run(const struct area *area, int column, const struct site *site,
+    size_t run, const char *bar)
+{
+	struct chart_series look = site_chart_run_style(site, run, false);
+	FREED char *mark = chart_legend_sample(&look, screen_charset());
+	FREED char *speed = answers_speed_text(site, site->run[run].speed, -1);
+	FREED char *name = xasprintf(" %s%s  ", speed, site->run[run].repeat);
+	if (column + text_width_in_columns(bar) + text_width_in_columns(mark) +
+		text_width_in_columns(name) >
+	    area->columns)
+		return column;
+	column = screen_draw_series_text(area, 0, column, look.series, 0, bar);
+	column =
+	    screen_draw_series_text(area, 0, column, SERIES_PREDICTED, 0, mark);
+	return screen_draw_series_text(area, 0, column, look.series, 0, name);
+}
+
 /* Draws a legend of one row, as that of the plot itself would leave it little
  * room. */
 static void
@@ -69,32 +89,21 @@ fit_draw_legend(const struct tui *t)
 	const struct area *area = &t->layout.legend;
 	const struct search_shown past = tui_search_shown(t);
 	bool ascii = screen_charset() == CHARSET_ASCII;
+	const char *means = tr("bar: middle 80 %, mark: best  "),
+		   *noise = ascii ? tr(", noise") : tr("\u2508 noise");
 	int column = 0;
 	size_t nth = 0;
-	char text[64], best[32];
 	for (size_t r = 0; r < past.site->n_run; r++) {
-		const struct run *run = &past.site->run[r];
-		if (!past.train[r] || misfit_count_covered_sieves(run) == 0)
+		if (!past.train[r] ||
+		    misfit_count_covered_sieves(&past.site->run[r]) == 0)
 			continue;
-		struct chart_series look =
-		    site_chart_run_style(past.site, r, false);
-		FREED char *mark = chart_legend_sample(&look, screen_charset());
 		size_t kind = nth++ % ARRAY_LEN(BARS);
-		FREED char *speed =
-		    answers_speed_text(past.site, run->speed, -1);
-		snprintf(text, sizeof text, tr("%s %s%s: middle 80 %% "),
-		    ascii ? ASCII[kind] : BARS[kind], speed, run->repeat);
-		snprintf(best, sizeof best, tr("%s best  "), mark);
-		if (column + text_width_in_columns(text) +
-			text_width_in_columns(best) >
-		    area->columns)
-			return;
-		column = screen_draw_series_text(
-		    area, 0, column, look.series, 0, text);
-		column = screen_draw_series_text(
-		    area, 0, column, SERIES_PREDICTED, 0, best);
+		column = draw_legend_of_run(area, column, past.site, r,
+		    ascii ? ASCII[kind] : BARS[kind]);
 	}
-	const char *noise = ascii ? tr(", noise") : tr("\u2508 noise");
+	if (column + text_width_in_columns(means) <= area->columns)
+		column = screen_draw_series_text(
+		    area, 0, column, SERIES_PREDICTED, 0, means);
 	if (column + text_width_in_columns(noise) <= area->columns)
 		screen_draw_series_text(area, 0, column, SERIES_FEED, 0, noise);
 }
