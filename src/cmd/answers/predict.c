@@ -347,6 +347,8 @@ predict_range_over_feeds(const struct session *s, const struct question *q,
 	range[1] = -INFINITY;
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
+		if (site->run[run].lacks_feed)
+			continue;
 		own.feed = run;
 		double value = forecast_quantity_at_speed(s, &own, of, speed);
 		if (!isnan(from))

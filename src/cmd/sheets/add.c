@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/asked.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
@@ -364,11 +365,8 @@ warn_of_duplicate_cuts(
 {
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		const struct run *cut = &cuts->run[k];
-		size_t at = site_run_nearest_speed(site, cut->speed);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, cut->speed, NAN);
-		FREED char *other =
-		    rotor_speed_rpm_text(site->rotor, site->run[at].speed, NAN);
 		for (size_t r = 0; r < site->n_run; r++) {
 			const struct psd *p = &site->run[r].product;
 			bool same = site->run[r].speed == cut->speed &&
@@ -382,17 +380,11 @@ warn_of_duplicate_cuts(
 				    "added before?",
 				    cut->speed, site->run[r].repeat, rpm);
 		}
-		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
-		if (cut->feed.n == 0 && site->individual_feeds && !told &&
-		    site->run[at].speed != cut->speed)
-			session_note(s,
-			    "  feed of the cut at %g m/s%s: that of the site "
-			    "at %g m/s%s",
-			    cut->speed, rpm, site->run[at].speed, other);
 		double apart = 0;
 		for (size_t i = 0; i < cut->feed.n; i++) {
 			double is = psd_passing_at_sieve(
-			    &site->run[at].feed, cut->feed.size[i]);
+			    site_feed_of_run(site, SITE_MEAN_FEED),
+			    cut->feed.size[i]);
 			if (!isnan(is))
 				apart = fmax(
 				    apart, fabs(is - cut->feed.passing[i]));
@@ -404,6 +396,19 @@ warn_of_duplicate_cuts(
 			    "for this cut",
 			    cut->speed, rpm, 100 * apart);
 	}
+}
+
+/* Names the feed of cuts that came without one, where feeds vary. */
+static void
+note_feed_of_cuts(
+    struct session *s, const struct site *site, const struct site *cuts)
+{
+	FREED char *words = feed_sampling_text(site, SITE_MEAN_FEED);
+	bool lacking = false;
+	for (size_t k = 0; k < cuts->n_run; k++)
+		lacking = lacking || cuts->run[k].feed.n == 0;
+	if (lacking && words != NULL)
+		session_note(s, "  feed: %s", words);
 }
 
 /* How well the prediction meets the new cuts, from best to worst. */
@@ -606,12 +611,7 @@ static void
 drop_cut(struct site *cuts, size_t run)
 {
 	const struct site_note *note = cut_find_note(cuts, run);
-	size_t at = (size_t)(note - cuts->note);
-	free(cuts->note[at].key);
-	free(cuts->note[at].value);
-	cuts->n_note--;
-	memmove(&cuts->note[at], &cuts->note[at + 1],
-	    (cuts->n_note - at) * sizeof *cuts->note);
+	site_drop_note(cuts, (size_t)(note - cuts->note));
 	site_drop_run(cuts, run);
 }
 
@@ -665,6 +665,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 		note_ambiguous_date(s, cuts, &how, all);
 	load_note_how_read(s, cuts);
 	warn_of_duplicate_cuts(s, old, cuts);
+	note_feed_of_cuts(s, site, cuts);
 	session_replace_by_extended(s, site, from);
 	s->entry[s->current].new_cuts += cuts->n_run;
 	check_warn_coarser_product(s, site);
