@@ -684,6 +684,45 @@ the_date_of_a_sheet_is_taken(void **state)
 	free(path);
 }
 
+/* A sheet that is known by its day alone also has the cuts of later days. */
+static void
+the_days_of_cuts_are_in_the_provenance(void **state)
+{
+	struct desk *desk = *state;
+	char *text = xasprintf("Date,2026-05-02\n%s", FEED);
+	char *path = file("sheet.csv", text);
+	desk_expect(desk, "reset");
+	say(desk, "load %s", path);
+	assert_string_equal(site_of(desk)->provenance, "sheet of 2026-05-02");
+	add_dated(desk, "14 May 2026", 70);
+	add_dated(desk, "2026-05-04", 71);
+	assert_string_equal(site_of(desk)->provenance,
+	    "sheet of 2026-05-02, cuts to 2026-05-14");
+	add_dated(desk, "2026-05-21", 73);
+	assert_string_equal(site_of(desk)->provenance,
+	    "sheet of 2026-05-02, cuts to 2026-05-21");
+	assert_string_equal(
+	    site_data_kind(site_of(desk)->provenance), "not stated");
+	unlink(path);
+	free(path);
+	free(text);
+}
+
+/* Judged at the sieve that predict names, although the cut has others. */
+static void
+a_cut_is_judged_at_the_sieve_of_predict(void **state)
+{
+	struct desk *desk = *state;
+	char *path = file("astm.csv", "size_mm,passing\n16,100\n8,90\n"
+				      "4.75,71\n2.36,41\n1.18,22\n0.6,12\n");
+	fresh(desk);
+	desk_expect(desk, "params set f_mat=0.8 e0_min=18 alpha=0.9");
+	say(desk, "add %s@72", path);
+	assert_noted(desk, "% passes 2 mm at 72 m/s (2), predicted");
+	unlink(path);
+	free(path);
+}
+
 /* Never in silence, and never by chance. */
 static void
 a_date_of_two_readings_is_settled_or_said(void **state)
@@ -744,6 +783,8 @@ main(void)
 	    AT_DESK(a_log_gives_the_speed_of_a_cut),
 	    AT_DESK(somebody_is_asked_once),
 	    AT_DESK(the_date_of_a_sheet_is_taken),
+	    AT_DESK(the_days_of_cuts_are_in_the_provenance),
+	    AT_DESK(a_cut_is_judged_at_the_sieve_of_predict),
 	    AT_DESK(a_date_of_two_readings_is_settled_or_said),
 	};
 	return cmocka_run_group_tests(tests, make_files, remove_files);

@@ -414,6 +414,21 @@ note_feed_of_cuts(
 /* How well the prediction meets the new cuts, from best to worst. */
 enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
 
+/* Returns the passing that predict says first at the speed of a cut, or, if the
+ * cut was not sieved so fine, that of its own sieves. */
+static struct quantity
+passing_that_predict_says(
+    const struct session *s, const struct entry *entry, size_t run)
+{
+	const struct run *cut = &entry->site->run[run];
+	struct prediction p = forecast_whole_product(s, entry, cut->speed, run);
+	struct quantity of = answers_default_passing_quantity(&p.product);
+	prediction_free(&p);
+	return psd_covers_size(&cut->product, of.x)
+		   ? of
+		   : answers_default_passing_quantity(&cut->product);
+}
+
 /* Returns "33.0 % passes 2 mm at 72 m/s, predicted 33.4 (32.6 to 34.1 for a
  * belt cut)".  The caller frees it. */
 static char *
@@ -421,14 +436,13 @@ measured_vs_predicted_text(
     const struct session *s, const struct entry *entry, size_t run)
 {
 	const struct run *cut = &entry->site->run[run];
-	const struct quantity of =
-	    answers_default_passing_quantity(&cut->product);
+	const struct quantity of = passing_that_predict_says(s, entry, run);
 	const struct question q = question_of_whole_product(s, entry, run);
 	struct forecast *f = forecast_open(s, &q, &of, 1);
 	forecast_set_speed_and_draws(f, cut->speed, ENSEMBLE_SAMPLE);
 	struct figure at = forecast_value_in_shown_unit(f, 0);
 	FREED char *measured = quantities_sentence_with_value(
-	    &of, psd_passing_at_sieve(&cut->product, of.x));
+	    &of, psd_passing(&cut->product, of.x));
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, cut->speed, NAN);
 	char *words = xasprintf(tr("%s at %g m/s%s%s, predicted %.1f"),
@@ -594,6 +608,35 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 	}
 }
 
+/* Where the data are known by the day of their sheet alone, adds the day of the
+ * last cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
+static void
+note_days_in_provenance(struct site *site)
+{
+	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
+	enum { DAY = sizeof "2026-11-19" - 1 };
+	char last[DAY + 1] = "";
+	struct datetime m;
+	if (strncmp(site->provenance, SHEET, strlen(SHEET)) != 0)
+		return;
+	for (size_t i = 0; i < site->n_note; i++) {
+		const struct site_note *note = &site->note[i];
+		const char *day = strstr(note->value, ", ");
+		if (strcmp(note->key, "cut") == 0 && cut_parse_date(note, &m) &&
+		    m.plain && strncmp(day + 2, last, DAY) > 0)
+			snprintf(last, sizeof last, "%.*s", DAY, day + 2);
+	}
+	if (last[0] == '\0')
+		return;
+	size_t clause = strcspn(site->provenance, ";");
+	FREED char *first = xstrndup(site->provenance, clause);
+	char *cuts = strstr(first, CUTS);
+	if (cuts != NULL)
+		cuts[0] = '\0';
+	xreplace(&site->provenance, xasprintf("%s%s%s%s", first, CUTS, last,
+					site->provenance + clause));
+}
+
 /* Returns the start of the day that the note of a run states, or NAN. */
 static double
 day_of_run(const struct site *site, size_t run, enum datetime_order order)
@@ -661,6 +704,7 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 		site->rotor = args->rotor_mm / 1000;
 	use_date_of_header(cuts, how.order, all);
 	add_cut_notes_to_site(s, site, cuts, all, how.order);
+	note_days_in_provenance(site);
 	if (args->date == NULL)
 		note_ambiguous_date(s, cuts, &how, all);
 	load_note_how_read(s, cuts);
