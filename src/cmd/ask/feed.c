@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/cut.h"
+#include "cmd/session/journal.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
@@ -117,4 +117,18 @@ feed_note_assumed_top_size(
 	if (whose == NULL)
 		fields_put_values(
 		    answer_fields(r), SITE_ASSUMED_TOP " %g", top);
+}
+
+void
+feed_note_other_top_size(struct answer *r, const struct site *site)
+{
+	double top = site_assumed_top_size(site);
+	if (!(top > 0) || site->path[0] == '\0')
+		return;
+	FREED char *line = xstrdup("load");
+	journal_append_word(&line, site->path);
+	answer_note(r,
+	    "All of the feed is assumed to pass %g mm, which its sheet does "
+	    "not state; to assume another size, in mm: %s top=SIZE",
+	    top, line);
 }
