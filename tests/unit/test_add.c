@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cmd/ask/cut.h"
+#include "cmd/ask/forecast.h"
 #include "cmd/sheets/ask_user.h"
 #include "desk.h"
 #include "io/cells/datetime.h"
@@ -136,6 +137,70 @@ a_feed_of_its_own_is_kept_and_told(void **state)
 	free(own);
 }
 
+static const char VARIED[] = "size_mm,feed@69,product@69,feed@79,product@79\n"
+			     "16,100,100,100,100\n8,60,88,50,89\n"
+			     "4,30,62,24,61\n2,15,33,12,34\n1,8,17,6,18\n"
+			     "0.5,4,9,3,10\n";
+
+/* It is judged by what predict says, which has the mean of the feeds. */
+static void
+a_cut_without_a_feed_has_the_mean(void **state)
+{
+	struct desk *desk = *state;
+	char *varied = file("varied.csv", VARIED);
+	desk_expect(desk, "reset");
+	say(desk, "load %s", varied);
+	desk_expect(desk, "params set f_mat=0.8 e0_min=18 alpha=0.9");
+	say(desk, "add %s/cut.csv@72; add %s/cut.csv@79", folder, folder);
+	assert_noted(desk, "feed: mean of those sampled at 69, 79 m/s");
+	const struct entry *entry = session_current_entry(desk->session);
+	const struct site *site = entry->site;
+	const struct psd *mean = site_feed_of_run(site, SITE_MEAN_FEED);
+	const bool lacks[] = {false, true, false, true};
+	assert_near(mean->passing[1], 0.55, 1e-12);
+	for (size_t r = 0; r < site->n_run; r++) {
+		assert_int_equal(site->run[r].lacks_feed, lacks[r]);
+		assert_int_equal(
+		    psd_is_same(&site->run[r].feed, mean), lacks[r]);
+	}
+	struct prediction is =
+	    forecast_whole_product(desk->session, entry, 72, SITE_MEAN_FEED);
+	struct cut cut = cut_compare_with_prediction(desk->session, entry, 1);
+	size_t worst = 0;
+	for (size_t i = 0; i < is.product.n; i++)
+		if (is.product.size[i] == cut.worst_sieve)
+			worst = i;
+	assert_near(cut.worst,
+	    is.product.passing[worst] -
+		psd_passing_at_sieve(&site->run[1].product, cut.worst_sieve),
+	    1e-12);
+	prediction_free(&is);
+	free(varied);
+}
+
+/* Also after a feed was mended, and when it is read again. */
+static void
+the_mean_of_a_cut_follows_the_feeds(void **state)
+{
+	struct desk *desk = *state;
+	desk_expect(desk, "reset");
+	say(desk, "load %s/varied.csv", folder);
+	say(desk, "add %s/cut.csv@72; add %s/cut.csv@79", folder, folder);
+	assert_false(desk_say(desk, "mend feed@72 sieve=8 value=70"));
+	desk_expect(desk, "mend feed@79(1) sieve=8 value=40");
+	const struct site *site = site_of(desk);
+	assert_near(site->run[1].feed.passing[1], 0.5, 1e-12);
+	assert_near(site->run[3].feed.passing[1], 0.5, 1e-12);
+	uint64_t digest = site->digest;
+	say(desk, "write %s/mean.csv", folder);
+	say(desk, "load %s/mean.csv", folder);
+	site = site_of(desk);
+	assert_int_equal(site->digest, digest);
+	assert_true(site->run[1].lacks_feed && site->run[3].lacks_feed);
+	assert_false(site->run[0].lacks_feed || site->run[2].lacks_feed);
+	assert_int_equal(site->n_note, 2);
+}
+
 static void
 parameters_and_fit_stay_and_are_compared(void **state)
 {
@@ -151,7 +216,7 @@ parameters_and_fit_stay_and_are_compared(void **state)
 	assert_true(entry->has_fit);
 	assert_memory_equal(&before, &entry->params, sizeof before);
 	assert_noted(
-	    desk, "as expected: 33.0 % passes 2 mm at 72 m/s, predicted 33.");
+	    desk, "as expected: 33.0 % passes 2 mm at 72 m/s, predicted 32.8");
 	assert_noted(desk, "of 11 sieves are within the range for a belt cut");
 	struct cut cut = cut_compare_with_prediction(desk->session, entry, 1);
 	assert_int_equal(cut.n, 11);
@@ -581,7 +646,7 @@ remove_files(void **state)
 	(void)state;
 	static const char *const NAMES[] = {"site.csv", "cut.csv", "feed.csv",
 	    "own.csv", "off.csv", "copy.csv", "s.tip", "feedonly.csv",
-	    "log.csv"};
+	    "log.csv", "varied.csv", "mean.csv"};
 	for (size_t i = 0; i < ARRAY_LEN(NAMES); i++) {
 		char *path = xasprintf("%s/%s", folder, NAMES[i]);
 		unlink(path);
@@ -616,6 +681,45 @@ the_date_of_a_sheet_is_taken(void **state)
 			     "size_mm,product@74\n16,100\n8,90\n4,66\n");
 	say(desk, "add %s", path);
 	assert_noted(desk, "added a cut: 74 m/s, 2026-05-09, note.csv");
+	free(path);
+}
+
+/* A sheet that is known by its day alone also has the cuts of later days. */
+static void
+the_days_of_cuts_are_in_the_provenance(void **state)
+{
+	struct desk *desk = *state;
+	char *text = xasprintf("Date,2026-05-02\n%s", FEED);
+	char *path = file("sheet.csv", text);
+	desk_expect(desk, "reset");
+	say(desk, "load %s", path);
+	assert_string_equal(site_of(desk)->provenance, "sheet of 2026-05-02");
+	add_dated(desk, "14 May 2026", 70);
+	add_dated(desk, "2026-05-04", 71);
+	assert_string_equal(site_of(desk)->provenance,
+	    "sheet of 2026-05-02, cuts to 2026-05-14");
+	add_dated(desk, "2026-05-21", 73);
+	assert_string_equal(site_of(desk)->provenance,
+	    "sheet of 2026-05-02, cuts to 2026-05-21");
+	assert_string_equal(
+	    site_data_kind(site_of(desk)->provenance), "not stated");
+	unlink(path);
+	free(path);
+	free(text);
+}
+
+/* Judged at the sieve that predict names, although the cut has others. */
+static void
+a_cut_is_judged_at_the_sieve_of_predict(void **state)
+{
+	struct desk *desk = *state;
+	char *path = file("astm.csv", "size_mm,passing\n16,100\n8,90\n"
+				      "4.75,71\n2.36,41\n1.18,22\n0.6,12\n");
+	fresh(desk);
+	desk_expect(desk, "params set f_mat=0.8 e0_min=18 alpha=0.9");
+	say(desk, "add %s@72", path);
+	assert_noted(desk, "% passes 2 mm at 72 m/s (2), predicted");
+	unlink(path);
 	free(path);
 }
 
@@ -663,6 +767,8 @@ main(void)
 	    AT_DESK(cuts_stand_in_order_of_speed),
 	    AT_DESK(a_feed_alone_becomes_that_of_the_cuts),
 	    AT_DESK(a_feed_of_its_own_is_kept_and_told),
+	    AT_DESK(a_cut_without_a_feed_has_the_mean),
+	    AT_DESK(the_mean_of_a_cut_follows_the_feeds),
 	    AT_DESK(parameters_and_fit_stay_and_are_compared),
 	    AT_DESK(a_cut_that_is_missed_turns_the_light),
 	    AT_DESK(undo_takes_a_cut_back),
@@ -677,6 +783,8 @@ main(void)
 	    AT_DESK(a_log_gives_the_speed_of_a_cut),
 	    AT_DESK(somebody_is_asked_once),
 	    AT_DESK(the_date_of_a_sheet_is_taken),
+	    AT_DESK(the_days_of_cuts_are_in_the_provenance),
+	    AT_DESK(a_cut_is_judged_at_the_sieve_of_predict),
 	    AT_DESK(a_date_of_two_readings_is_settled_or_said),
 	};
 	return cmocka_run_group_tests(tests, make_files, remove_files);

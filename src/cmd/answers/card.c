@@ -303,8 +303,9 @@ measured_figure_at_speed(const struct session *s,
     const struct card_request *all, double speed, double *moved)
 {
 	const struct question *q = all->question;
+	size_t n;
 	return measured_mean_at_speed(
-	    s, q->entry, q->feed, &all->q[all->ranged], speed, moved);
+	    s, q->entry, q->feed, &all->q[all->ranged], speed, moved, &n);
 }
 
 enum { P20, P50, P80 };

@@ -324,6 +324,8 @@ note_speed_range_over_feeds(
 	    (of->kind != QUANTITY_SIZE && of->kind != QUANTITY_PASSING))
 		return;
 	for (size_t run = 0; run < site->n_run; run++) {
+		if (site->run[run].lacks_feed)
+			continue;
 		double v = find_speed_with_feed_of_run(s, goal, run);
 		range[0] = fmin(range[0], v);
 		range[1] = fmax(range[1], v);

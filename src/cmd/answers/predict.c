@@ -347,6 +347,8 @@ predict_range_over_feeds(const struct session *s, const struct question *q,
 	range[1] = -INFINITY;
 	for (size_t run = 0; run < n; run++) {
 		struct question own = *q;
+		if (site->run[run].lacks_feed)
+			continue;
 		own.feed = run;
 		double value = forecast_quantity_at_speed(s, &own, of, speed);
 		if (!isnan(from))
@@ -389,6 +391,28 @@ append_range_over_feeds(const struct session *s, const struct question *q,
 	    quantities_value_in_shown_unit(of, range[1]));
 }
 
+/* Adds what was measured at the speed, and whether it is in the range for a
+ * belt cut. */
+static void
+append_measured_beside_range(const struct session *s, const struct question *q,
+    const struct quantity *of, const struct figure *range, double speed,
+    char **words)
+{
+	double moved = 0;
+	size_t n;
+	double measured =
+	    measured_mean_at_speed(s, q->entry, q->feed, of, speed, &moved, &n);
+	if (isnan(measured))
+		return;
+	FREED char *mean =
+	    n > 1 ? xasprintf(tr(", the mean of %zu runs"), n) : xstrdup("");
+	bool within = measured >= range->low && measured <= range->high;
+	xappend(words,
+	    within ? tr(" (measured: %.*f%s, within it)")
+		   : tr(" (measured: %.*f%s, outside it)"),
+	    quantities_decimals(of), measured, mean);
+}
+
 char *
 predict_certainty_words(const struct session *s, const struct question *q,
     const struct quantity *of, double speed)
@@ -413,14 +437,7 @@ predict_certainty_words(const struct session *s, const struct question *q,
 	    units_speed_decimals(speed), speed, rpm, said, chance, decimals,
 	    answer.low, decimals, answer.high, decimals, sample.low, decimals,
 	    sample.high);
-	double moved = 0, measured = measured_mean_at_speed(
-			      s, q->entry, q->feed, of, speed, &moved);
-	bool within = measured >= sample.low && measured <= sample.high;
-	if (!isnan(measured))
-		xappend(&words,
-		    within ? tr(" (measured: %.*f, within it)")
-			   : tr(" (measured: %.*f, outside it)"),
-		    decimals, measured);
+	append_measured_beside_range(s, q, of, &sample, speed, &words);
 	if (q->feed == SITE_MEAN_FEED)
 		append_range_over_feeds(s, q, of, speed, value, &words);
 	return words;

@@ -92,7 +92,8 @@ add_curve_columns(struct answer *r, const struct site *site, bool feed,
 	for (size_t i = 0; i < site->n_run; i++) {
 		const struct run *run = &site->run[i];
 		bool shared = feed && !site->individual_feeds;
-		if ((!feed && run->product.n == 0) || (shared && i > 0))
+		if (feed ? !site_run_has_feed_sample(site, i)
+			 : run->product.n == 0)
 			continue;
 		if (shared)
 			answer_columns(r, "feed: feed");

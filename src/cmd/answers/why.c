@@ -643,6 +643,7 @@ cmd_why(struct session *s, const struct args *args, struct question *q,
 	if (breaks)
 		say_origin_of_parameters(&a, trust.light == LIGHT_GREEN);
 	say_data_provenance(&a);
+	feed_note_other_top_size(a.answer, entry->site);
 	feed_note_in_answer(a.answer, entry->site, q->feed, NULL, 0);
 	if (breaks && a.p.low != NULL)
 		answer_note(a.answer,

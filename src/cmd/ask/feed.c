@@ -6,7 +6,7 @@
 
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "cmd/ask/cut.h"
+#include "cmd/session/journal.h"
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
@@ -14,7 +14,9 @@ size_t
 feed_run_at_speed_or_mean(const struct site *site, double speed)
 {
 	size_t run = speed > 0 ? site_run_at_speed(site, speed) : site->n_run;
-	return run < site->n_run ? run : SITE_MEAN_FEED;
+	bool sampled = run < site->n_run &&
+		       (!site->individual_feeds || !site->run[run].lacks_feed);
+	return sampled ? run : SITE_MEAN_FEED;
 }
 
 bool
@@ -39,20 +41,6 @@ feed_sampling_speed(const struct site *site, size_t run)
 		   : NAN;
 }
 
-/* True if a run is a cut that was added without a feed and so has a copy of
- * another run's feed. */
-static bool
-has_feed_of_other_run(const struct site *site, size_t run)
-{
-	if (cut_find_note(site, run) == NULL)
-		return false;
-	for (size_t r = 0; r < site->n_run; r++)
-		if (r != run && cut_find_note(site, r) == NULL &&
-		    psd_is_same(&site->run[r].feed, &site->run[run].feed))
-			return true;
-	return false;
-}
-
 /* Returns "69, 74, 79", the speeds at which feeds were sampled, each once; in
  * rpm if the diameter of the rotor is not 0. */
 static char *
@@ -62,21 +50,13 @@ sampling_speeds_text(const struct site *site, double diameter)
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].speed > 0 &&
 		    !site_run_repeats_speed(site, r) &&
-		    !has_feed_of_other_run(site, r))
+		    !site->run[r].lacks_feed)
 			xappend_to_list(&speeds, ", ",
 			    diameter > 0 ? "%.0f" : "%g",
 			    diameter > 0 ? rotor_speed_to_rpm(
 					       site->run[r].speed, diameter)
 					 : site->run[r].speed);
 	return speeds;
-}
-
-static char *
-sampling_speed_text(const struct site *site, double speed, const char *repeat)
-{
-	FREED char *rpm =
-	    rotor_speed_rpm_text(site_run_rotor_diameter(site), speed, NAN);
-	return xasprintf(tr("sampled at %g m/s%s%s"), speed, repeat, rpm);
 }
 
 char *
@@ -86,16 +66,17 @@ feed_sampling_text(const struct site *site, size_t run)
 	bool other = site_run_at_speed(site, SITE_OTHER_FEED) < site->n_run;
 	if (!site->individual_feeds || other)
 		return NULL;
-	if (run < site->n_run && site->run[run].feed_speed > 0)
-		return sampling_speed_text(site, site->run[run].feed_speed, "");
-	if (run < site->n_run)
-		return sampling_speed_text(
-		    site, site->run[run].speed, site->run[run].repeat);
+	double rotor = site_run_rotor_diameter(site);
+	if (run < site->n_run && !site->run[run].lacks_feed) {
+		const struct run *of = &site->run[run];
+		FREED char *in = rotor_speed_rpm_text(rotor, of->speed, NAN);
+		return xasprintf(
+		    tr("sampled at %g m/s%s%s"), of->speed, of->repeat, in);
+	}
 	most = site_largest_feed_difference(site, &sieve);
 	if (!(most > 0))
 		return NULL;
 	FREED char *speeds = sampling_speeds_text(site, 0);
-	double rotor = site_run_rotor_diameter(site);
 	FREED char *list = sampling_speeds_text(site, rotor);
 	FREED char *rpm =
 	    rotor > 0 ? xasprintf(tr(" (%s rpm)"), list) : xstrdup("");
@@ -136,4 +117,18 @@ feed_note_assumed_top_size(
 	if (whose == NULL)
 		fields_put_values(
 		    answer_fields(r), SITE_ASSUMED_TOP " %g", top);
+}
+
+void
+feed_note_other_top_size(struct answer *r, const struct site *site)
+{
+	double top = site_assumed_top_size(site);
+	if (!(top > 0) || site->path[0] == '\0')
+		return;
+	FREED char *line = xstrdup("load");
+	journal_append_word(&line, site->path);
+	answer_note(r,
+	    "All of the feed is assumed to pass %g mm, which its sheet does "
+	    "not state; to assume another size, in mm: %s top=SIZE",
+	    top, line);
 }

@@ -40,4 +40,8 @@ void feed_note_in_answer(struct answer *r, const struct site *site, size_t run,
 void feed_note_assumed_top_size(
     struct answer *r, const struct site *site, const char *whose);
 
+/* Names the size that all of the feed is assumed to pass, if there is one, and
+ * the line that assumes another. */
+void feed_note_other_top_size(struct answer *r, const struct site *site);
+
 #endif

@@ -155,12 +155,13 @@ largest_move_to_feed(const struct session *s, const struct entry *entry,
 
 double
 measured_mean_at_speed(const struct session *s, const struct entry *entry,
-    size_t feed_run, const struct quantity *of, double speed, double *moved)
+    size_t feed_run, const struct quantity *of, double speed, double *moved,
+    size_t *n)
 {
 	const struct site *site = entry->site;
 	const struct params *params = &entry->params;
 	double sum = 0;
-	size_t n = 0;
+	*n = 0;
 	for (size_t r = site_run_at_speed(site, speed);
 	     site->with[0] == '\0' && r < site->n_run &&
 	     site->run[r].speed - speed < 1e-3;
@@ -172,10 +173,10 @@ measured_mean_at_speed(const struct session *s, const struct entry *entry,
 		if (isnan(value))
 			continue;
 		sum += value;
-		n++;
+		++*n;
 		*moved = fmax(*moved,
 		    largest_move_to_feed(s, entry, params, r, feed_run));
 	}
-	return n > 0 ? quantities_value_in_shown_unit(of, sum / (double)n)
-		     : NAN;
+	return *n > 0 ? quantities_value_in_shown_unit(of, sum / (double)*n)
+		      : NAN;
 }

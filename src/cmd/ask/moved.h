@@ -41,9 +41,10 @@ double largest_move_to_feed(const struct session *s, const struct entry *entry,
 
 /* Returns what was measured of a quantity at a speed, as shown, the mean of
  * repeats, moved to a feed; NAN if nothing was, or with another
- * feed or machine.  Raises *moved to the largest move of a passing. */
+ * feed or machine.  Raises *moved to the largest move of a passing.  n: number
+ * of these runs, out. */
 double measured_mean_at_speed(const struct session *s,
     const struct entry *entry, size_t feed_run, const struct quantity *of,
-    double speed, double *moved);
+    double speed, double *moved, size_t *n);
 
 #endif

@@ -18,10 +18,12 @@
 static const char MARKS[] = "#@%$szNH";
 enum { FURTHER = sizeof MARKS - 1 };
 
-/* True if an earlier run has the same feed. */
+/* True if an earlier run has the same feed, or the run has none sampled. */
 static bool
 is_feed_drawn_already(const struct site *site, size_t run)
 {
+	if (!site_run_has_feed_sample(site, run))
+		return true;
 	for (size_t i = 0; i < run; i++)
 		if (psd_is_same(&site->run[i].feed, &site->run[run].feed))
 			return true;

@@ -218,7 +218,8 @@ set_site_fit_from_job(struct session *s)
 	copy_search_history(entry, &s->job);
 	session_forget_answers(s);
 	entry->has_fit = entry->has_params = true;
-	entry->remembered = false;
+	free(entry->remembered);
+	entry->remembered = NULL;
 	memcpy(entry->train, s->job.train,
 	    entry->site->n_run * sizeof *entry->train);
 	origin_release(entry->origin);

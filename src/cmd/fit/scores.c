@@ -385,7 +385,7 @@ note_held_out_run(
     struct answer *r, const struct trials *c, size_t i, bool own_feeds)
 {
 	const struct trial *item = &c->item[i];
-	bool sampled = own_feeds && !(item->run->feed_speed > 0);
+	bool sampled = own_feeds && !item->run->lacks_feed;
 	const struct validation *v = &item->v;
 	FREED char *rpm = rotor_speed_rpm_text(item->rotor, v->speed, NAN);
 	FREED char *run =

@@ -159,7 +159,7 @@ note_fits_not_remembered(struct session *s)
 	size_t n = 0;
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		if (entry->has_fit && !entry->remembered &&
+		if (entry->has_fit && entry->remembered == NULL &&
 		    !origin_is_from_store(entry->origin)) {
 			key = entry->key;
 			n++;
@@ -183,8 +183,10 @@ note_cuts_not_remembered(struct session *s)
 {
 	for (size_t i = 0; i < s->n_entry; i++) {
 		const struct entry *entry = &s->entry[i];
-		bool recalled = origin_is_from_store(entry->origin);
-		if (entry->new_cuts > 0 && (entry->remembered || recalled))
+		const char *name = entry->remembered;
+		if (name == NULL && origin_is_from_store(entry->origin))
+			name = entry->origin->material;
+		if (entry->new_cuts > 0 && name != NULL)
 			session_note(s,
 			    entry->new_cuts > 1
 				? N_("%zu new cuts of %s were not remembered; "
@@ -193,8 +195,7 @@ note_cuts_not_remembered(struct session *s)
 				: N_("%zu new cut of %s was not remembered; "
 				     "next time, 'restore last' brings it "
 				     "back and 'remember %s' keeps it"),
-			    entry->new_cuts, entry->key,
-			    recalled ? entry->origin->material : entry->key);
+			    entry->new_cuts, entry->key, name);
 	}
 }
 

@@ -368,6 +368,7 @@ void
 entry_clear(struct entry *entry)
 {
 	free(entry->key);
+	free(entry->remembered);
 	free(entry->train);
 	origin_release(entry->origin);
 	history_release(entry->history);
@@ -387,6 +388,8 @@ entry_copy(const struct entry *from)
 	struct entry to = *from;
 	size_t runs = from->site->n_run;
 	to.key = xstrdup(from->key);
+	if (from->remembered != NULL)
+		to.remembered = xstrdup(from->remembered);
 	to.origin = share_origin(from->origin);
 	to.train = xcalloc(runs, sizeof *to.train);
 	memcpy(to.train, from->train, runs * sizeof *to.train);

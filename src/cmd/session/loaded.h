@@ -98,14 +98,16 @@ struct lookup_keys {
 };
 
 /* A loaded site with its answers.  key: its name in the session, "gavle/4".
- * train [site->n_run]: true for training runs.  remembered: its fit was put
- * into the store.  new_cuts: how many cuts were added since. */
+ * train [site->n_run]: true for training runs.  remembered: the name under
+ * which its fit was put into the store, or NULL.  new_cuts: how many cuts were
+ * added since. */
 struct entry {
 	struct lookup_keys lookup;
 	struct site *site;
 	char *key;
 	bool *train;
-	bool has_params, has_fit, remembered;
+	bool has_params, has_fit;
+	char *remembered;
 	size_t new_cuts;
 	struct params params;    /* set by hand or found */
 	struct origin *origin;   /* of params; NULL: no params */

@@ -11,6 +11,7 @@
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/asked.h"
+#include "cmd/ask/feed.h"
 #include "cmd/ask/forecast.h"
 #include "cmd/ask/quantity_words.h"
 #include "cmd/sheets/check.h"
@@ -364,11 +365,8 @@ warn_of_duplicate_cuts(
 {
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		const struct run *cut = &cuts->run[k];
-		size_t at = site_run_nearest_speed(site, cut->speed);
 		FREED char *rpm =
 		    rotor_speed_rpm_text(site->rotor, cut->speed, NAN);
-		FREED char *other =
-		    rotor_speed_rpm_text(site->rotor, site->run[at].speed, NAN);
 		for (size_t r = 0; r < site->n_run; r++) {
 			const struct psd *p = &site->run[r].product;
 			bool same = site->run[r].speed == cut->speed &&
@@ -382,17 +380,11 @@ warn_of_duplicate_cuts(
 				    "added before?",
 				    cut->speed, site->run[r].repeat, rpm);
 		}
-		bool told = k > 0 && cuts->run[k - 1].speed == cut->speed;
-		if (cut->feed.n == 0 && site->individual_feeds && !told &&
-		    site->run[at].speed != cut->speed)
-			session_note(s,
-			    "  feed of the cut at %g m/s%s: that of the site "
-			    "at %g m/s%s",
-			    cut->speed, rpm, site->run[at].speed, other);
 		double apart = 0;
 		for (size_t i = 0; i < cut->feed.n; i++) {
 			double is = psd_passing_at_sieve(
-			    &site->run[at].feed, cut->feed.size[i]);
+			    site_feed_of_run(site, SITE_MEAN_FEED),
+			    cut->feed.size[i]);
 			if (!isnan(is))
 				apart = fmax(
 				    apart, fabs(is - cut->feed.passing[i]));
@@ -406,8 +398,36 @@ warn_of_duplicate_cuts(
 	}
 }
 
+/* Names the feed of cuts that came without one, where feeds vary. */
+static void
+note_feed_of_cuts(
+    struct session *s, const struct site *site, const struct site *cuts)
+{
+	FREED char *words = feed_sampling_text(site, SITE_MEAN_FEED);
+	bool lacking = false;
+	for (size_t k = 0; k < cuts->n_run; k++)
+		lacking = lacking || cuts->run[k].feed.n == 0;
+	if (lacking && words != NULL)
+		session_note(s, "  feed: %s", words);
+}
+
 /* How well the prediction meets the new cuts, from best to worst. */
 enum verdict { CUTS_UNKNOWN, CUTS_MET, CUTS_OFF, CUTS_MISSED };
+
+/* Returns the passing that predict says first at the speed of a cut, or, if the
+ * cut was not sieved so fine, that of its own sieves. */
+static struct quantity
+passing_that_predict_says(
+    const struct session *s, const struct entry *entry, size_t run)
+{
+	const struct run *cut = &entry->site->run[run];
+	struct prediction p = forecast_whole_product(s, entry, cut->speed, run);
+	struct quantity of = answers_default_passing_quantity(&p.product);
+	prediction_free(&p);
+	return psd_covers_size(&cut->product, of.x)
+		   ? of
+		   : answers_default_passing_quantity(&cut->product);
+}
 
 /* Returns "33.0 % passes 2 mm at 72 m/s, predicted 33.4 (32.6 to 34.1 for a
  * belt cut)".  The caller frees it. */
@@ -416,14 +436,13 @@ measured_vs_predicted_text(
     const struct session *s, const struct entry *entry, size_t run)
 {
 	const struct run *cut = &entry->site->run[run];
-	const struct quantity of =
-	    answers_default_passing_quantity(&cut->product);
+	const struct quantity of = passing_that_predict_says(s, entry, run);
 	const struct question q = question_of_whole_product(s, entry, run);
 	struct forecast *f = forecast_open(s, &q, &of, 1);
 	forecast_set_speed_and_draws(f, cut->speed, ENSEMBLE_SAMPLE);
 	struct figure at = forecast_value_in_shown_unit(f, 0);
 	FREED char *measured = quantities_sentence_with_value(
-	    &of, psd_passing_at_sieve(&cut->product, of.x));
+	    &of, psd_passing(&cut->product, of.x));
 	FREED char *rpm =
 	    rotor_speed_rpm_text(entry->site->rotor, cut->speed, NAN);
 	char *words = xasprintf(tr("%s at %g m/s%s%s, predicted %.1f"),
@@ -589,6 +608,35 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 	}
 }
 
+/* Where the data are known by the day of their sheet alone, adds the day of the
+ * last cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
+static void
+note_days_in_provenance(struct site *site)
+{
+	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
+	enum { DAY = sizeof "2026-11-19" - 1 };
+	char last[DAY + 1] = "";
+	struct datetime m;
+	if (strncmp(site->provenance, SHEET, strlen(SHEET)) != 0)
+		return;
+	for (size_t i = 0; i < site->n_note; i++) {
+		const struct site_note *note = &site->note[i];
+		const char *day = strstr(note->value, ", ");
+		if (strcmp(note->key, "cut") == 0 && cut_parse_date(note, &m) &&
+		    m.plain && strncmp(day + 2, last, DAY) > 0)
+			snprintf(last, sizeof last, "%.*s", DAY, day + 2);
+	}
+	if (last[0] == '\0')
+		return;
+	size_t clause = strcspn(site->provenance, ";");
+	FREED char *first = xstrndup(site->provenance, clause);
+	char *cuts = strstr(first, CUTS);
+	if (cuts != NULL)
+		cuts[0] = '\0';
+	xreplace(&site->provenance, xasprintf("%s%s%s%s", first, CUTS, last,
+					site->provenance + clause));
+}
+
 /* Returns the start of the day that the note of a run states, or NAN. */
 static double
 day_of_run(const struct site *site, size_t run, enum datetime_order order)
@@ -606,12 +654,7 @@ static void
 drop_cut(struct site *cuts, size_t run)
 {
 	const struct site_note *note = cut_find_note(cuts, run);
-	size_t at = (size_t)(note - cuts->note);
-	free(cuts->note[at].key);
-	free(cuts->note[at].value);
-	cuts->n_note--;
-	memmove(&cuts->note[at], &cuts->note[at + 1],
-	    (cuts->n_note - at) * sizeof *cuts->note);
+	site_drop_note(cuts, (size_t)(note - cuts->note));
 	site_drop_run(cuts, run);
 }
 
@@ -661,10 +704,12 @@ add_cuts_to_current_site(struct session *s, const struct args *args,
 		site->rotor = args->rotor_mm / 1000;
 	use_date_of_header(cuts, how.order, all);
 	add_cut_notes_to_site(s, site, cuts, all, how.order);
+	note_days_in_provenance(site);
 	if (args->date == NULL)
 		note_ambiguous_date(s, cuts, &how, all);
 	load_note_how_read(s, cuts);
 	warn_of_duplicate_cuts(s, old, cuts);
+	note_feed_of_cuts(s, site, cuts);
 	session_replace_by_extended(s, site, from);
 	s->entry[s->current].new_cuts += cuts->n_run;
 	check_warn_coarser_product(s, site);

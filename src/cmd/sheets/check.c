@@ -265,7 +265,7 @@ append_feeds_or_products(const struct site *site, bool feed,
 		const struct run *its = &site->run[i];
 		const struct psd *psd = feed ? &its->feed : &its->product;
 		bool shared = feed && !site->individual_feeds;
-		if (psd->n == 0 || (shared && i > 0))
+		if (psd->n == 0 || (feed && !site_run_has_feed_sample(site, i)))
 			continue;
 		run[n] = shared ? NULL : its;
 		curve[n++] = psd;
@@ -377,10 +377,11 @@ report_what_was_read(
     struct answer *r, struct fields *read, const struct entry *entry)
 {
 	const struct site *site = entry->site;
-	size_t n, columns = site->individual_feeds ? site->n_run : 1;
+	size_t n, columns = 0;
 	free(site_all_sieves(site, &n));
 	for (size_t i = 0; i < site->n_run; i++)
-		columns += (size_t)(site->run[i].product.n > 0) +
+		columns += (size_t)site_run_has_feed_sample(site, i) +
+			   (size_t)(site->run[i].product.n > 0) +
 			   (size_t)(site->run[i].product_sd != NULL);
 	for (size_t i = 0; i < site->n_left_out; i++)
 		finding(r, entry, false, site->left_out[i].key, "not read: %s",

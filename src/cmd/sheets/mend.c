@@ -250,7 +250,7 @@ fail_without_column(
 	for (size_t i = 0; i < 2 * site->n_run; i++) {
 		bool feed = i < site->n_run;
 		size_t r = i % site->n_run;
-		if (feed ? r > 0 && !site->individual_feeds
+		if (feed ? !site_run_has_feed_sample(site, r)
 			 : site->run[r].product.n == 0)
 			continue;
 		FREED char *own = mend_column_name(site, feed, r);

@@ -586,7 +586,8 @@ cmd_remember(struct session *s, const struct args *args, struct error *error)
 	     store_put_materials(s->store, list.item, list.n, replace, error);
 	for (size_t i = 0; ok && i < s->n_entry; i++)
 		if (all || &s->entry[i] == entry) {
-			s->entry[i].remembered = true;
+			xreplace(&s->entry[i].remembered,
+			    xstrdup(all ? s->entry[i].key : name));
 			s->entry[i].new_cuts = 0;
 		}
 	if (ok)

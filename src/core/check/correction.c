@@ -44,7 +44,8 @@ mend_find_column(
 		const struct run *r = &site->run[*run];
 		FREED char *own = mend_column_name(site, *feed, *run);
 		bool same = strcmp(own, name) == 0;
-		if (same && (*feed || r->product.n > 0))
+		if (same && (*feed ? site_run_has_feed_sample(site, *run)
+				   : r->product.n > 0))
 			return true;
 	}
 	return false;
@@ -179,6 +180,7 @@ swap_feed_with_product(struct site *site, size_t at)
 {
 	struct run *run = &site->run[at];
 	swap_curves(&run->feed, &run->product);
+	run->lacks_feed = false;
 	drop_standard_deviations(run);
 	for (size_t r = 0; r < site->n_run && !site->individual_feeds; r++) {
 		if (r == at)

@@ -415,8 +415,8 @@ list_checkable_cells(struct leave_out *l, const struct posterior *posterior)
 	l->block[PRODUCTS].n = l->block[FEEDS].first = l->n;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = &site->run[r].feed;
-		if (r > 0 && !site->individual_feeds)
-			break;
+		if (!site_run_has_feed_sample(site, r))
+			continue;
 		for (size_t i = 0; i < psd->n; i++)
 			if (is_neither_0_nor_100_percent(psd->passing[i]))
 				add_checkable_cell(l, true, r, i);

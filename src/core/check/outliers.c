@@ -81,6 +81,7 @@ find_feeds_swapped_with_products(
 		const struct run *run = &site->run[r];
 		struct mend m = {.kind = MEND_SWAP, .run = r};
 		if (run->product.n == 0 ||
+		    (site->individual_feeds && run->lacks_feed) ||
 		    !is_coarser_than_feed(&run->product, &run->feed))
 			continue;
 		struct site *other = site_with_mend(site, &m, NULL);
@@ -297,9 +298,8 @@ find_column_in_wrong_unit(struct outlier_findings *d, const struct site *site)
 			m.value = m.feed ? 1 / factor : factor;
 		} else
 			continue;
-		add_outlier_finding(d, m);
-		if (m.feed && !site->individual_feeds)
-			return;
+		if (!m.feed || site_run_has_feed_sample(site, r))
+			add_outlier_finding(d, m);
 	}
 }
 
@@ -532,7 +532,7 @@ list_feed_or_product_curves(
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
 		const struct psd *psd = site_feed_or_product(site, r, feed);
-		if (psd->n == 0 || (feed && r > 0 && !site->individual_feeds))
+		if (psd->n == 0 || (feed && !site_run_has_feed_sample(site, r)))
 			continue;
 		run[n] = r;
 		curve[n++] = psd;
@@ -573,7 +573,8 @@ count_cells_of_site(const struct site *site)
 	size_t n = 0;
 	for (size_t r = 0; r < site->n_run; r++) {
 		n += site->run[r].product.n;
-		n += r == 0 || site->individual_feeds ? site->run[r].feed.n : 0;
+		n +=
+		    site_run_has_feed_sample(site, r) ? site->run[r].feed.n : 0;
 	}
 	return n;
 }

@@ -253,7 +253,7 @@ trust_feeds_mislead(
 		size_t n = misfit_count_covered_sieves(run);
 		while (n > 0 && !psd_covers_size(all, run->product.size[n - 1]))
 			n--;
-		if (n == 0)
+		if (n == 0 || run->lacks_feed)
 			continue;
 		squares[0] += sum_squares_with_feed(run, &run->feed, n, fit);
 		squares[1] += sum_squares_with_feed(run, all, n, fit);

@@ -164,6 +164,15 @@ assign_repeat_numbers(struct site *site)
 }
 
 void
+site_drop_note(struct site *site, size_t i)
+{
+	free(site->note[i].key);
+	free(site->note[i].value);
+	size_t after = --site->n_note - i;
+	memmove(&site->note[i], &site->note[i + 1], after * sizeof *site->note);
+}
+
+void
 site_drop_run(struct site *site, size_t r)
 {
 	run_free_members(&site->run[r]);
@@ -225,6 +234,24 @@ insert_run_by_speed(struct site *site, struct run run, size_t *from)
 	from[at] = SIZE_MAX;
 }
 
+/* Gives a cut without a feed that of the run which it completes, or of any
+ * speed; otherwise it lacks one. */
+static void
+set_feed_of_cut(struct site *site, struct run *cut)
+{
+	size_t at = site_run_at_speed(site, cut->speed);
+	bool completes = at < site->n_run && site->run[at].product.n == 0;
+	if (cut->feed.n > 0) {
+		site->individual_feeds =
+		    site->individual_feeds ||
+		    !psd_is_same(&cut->feed, &site->run[0].feed);
+		return;
+	}
+	psd_free(&cut->feed);
+	cut->feed = psd_copy(&site->run[completes ? at : 0].feed);
+	cut->lacks_feed = !completes && site->run[0].speed > 0;
+}
+
 struct site *
 site_copy_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from)
@@ -234,22 +261,7 @@ site_copy_with_cuts(
 		from[r] = r;
 	for (size_t k = 0; k < cuts->n_run; k++) {
 		struct run run = run_copy(&cuts->run[k]);
-		size_t at = site_run_at_speed(to, run.speed);
-		const struct run *fed =
-		    &site->run[site_run_nearest_speed(site, run.speed)];
-		if (at < to->n_run && to->run[at].product.n == 0)
-			fed = &to->run[at];
-		const struct psd *feed = &fed->feed;
-		bool own = run.feed.n > 0;
-		to->individual_feeds = to->individual_feeds ||
-				       (own && !psd_is_same(&run.feed, feed));
-		if (!own) {
-			psd_free(&run.feed);
-			run.feed = psd_copy(feed);
-			run.feed_speed = fed->feed_speed;
-			if (!(fed->feed_speed > 0) && fed->speed != run.speed)
-				run.feed_speed = fed->speed;
-		}
+		set_feed_of_cut(to, &run);
 		insert_run_by_speed(to, run, from);
 	}
 	/* The feed of any speed is in the runs now. */
@@ -270,7 +282,7 @@ list_sampled_feeds(const struct site *site, size_t *n)
 	*n = 0;
 	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].speed >= 0 && site->run[r].feed.n > 0 &&
-		    !(site->run[r].feed_speed > 0))
+		    !site->run[r].lacks_feed)
 			feed[(*n)++] = &site->run[r].feed;
 	return feed;
 }
@@ -278,13 +290,24 @@ list_sampled_feeds(const struct site *site, size_t *n)
 void
 site_update_digest_and_mean_feed(struct site *site)
 {
-	site->digest = site_digest(site);
-	psd_free(&site->mean_feed);
-	if (!site->individual_feeds)
-		return;
 	size_t n;
 	FREED const struct psd **feed = list_sampled_feeds(site, &n);
-	site->mean_feed = blend_mean_of_feeds(feed, n);
+	psd_free(&site->mean_feed);
+	if (site->individual_feeds && n > 0)
+		site->mean_feed = blend_mean_of_feeds(feed, n);
+	for (size_t r = 0; r < site->n_run && site->mean_feed.n > 0; r++) {
+		if (!site->run[r].lacks_feed)
+			continue;
+		psd_free(&site->run[r].feed);
+		site->run[r].feed = psd_copy(&site->mean_feed);
+	}
+	site->digest = site_digest(site);
+}
+
+bool
+site_run_has_feed_sample(const struct site *site, size_t run)
+{
+	return site->individual_feeds ? !site->run[run].lacks_feed : run == 0;
 }
 
 const struct psd *

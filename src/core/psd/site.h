@@ -24,9 +24,9 @@ struct run {
 			  * SITE_OTHER_FEED */
 	char repeat[16]; /* " (2)" for the second run at a speed; else "" */
 	size_t place;    /* position of its product among the columns read */
+	bool lacks_feed; /* only its product was sampled: feed is a copy of
+			  * the mean of those sampled (D19), or of the one */
 	struct psd feed;
-	double feed_speed; /* m/s; for a later cut without a feed sample, of the
-			    * run whose feed it has a copy of; else 0 */
 	struct psd product;
 	double *product_sd;
 };
@@ -38,8 +38,8 @@ struct site_note {
 
 /* Strings are never NULL; "" means that the sheet does not state it.  run[] is
  * in order of rising speed, repeats at one speed in the order of the sheet.
- * individual_feeds: each run has a feed sample of its own; otherwise every run
- * holds a copy of the one feed. */
+ * individual_feeds: each run has a feed sample of its own, but for those that
+ * lack one; otherwise every run holds a copy of the one feed. */
 enum { SITE_TEXTS = 10 };
 struct site {
 	/* named: sieves given by name, "#4 = 4.75".  read_as: how its columns
@@ -94,8 +94,8 @@ struct site *site_copy_with_feed(const struct site *site,
 
 /* Returns a copy with the products of cuts added as runs, each after the site's
  * runs at that speed.  An added run keeps its own feed, if it has one;
- * otherwise it gets the feed of the site's run at the nearest speed.  A product
- * for a run with only a feed completes that run.  from [runs of both]: out, for
+ * otherwise it lacks one.  A product for a run with only a feed completes that
+ * run.  from [runs of both]: out, for
  * each run of the copy its index in the site, or SIZE_MAX. */
 struct site *site_copy_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
@@ -107,9 +107,13 @@ double site_run_rotor_diameter(const struct site *site);
 /* Returns the digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
 
-/* Computes the digest and the mean feed from the runs.  Call it after runs were
- * made or changed. */
+/* Computes the mean feed from the runs, gives it to those that lack a feed, and
+ * computes the digest.  Call it after runs were made or changed. */
 void site_update_digest_and_mean_feed(struct site *site);
+
+/* True if the run's feed is one of those sampled: of one feed for all runs, if
+ * it is the first run. */
+bool site_run_has_feed_sample(const struct site *site, size_t run);
 
 /* Returns the feed of a run.  For SITE_MEAN_FEED, returns the feed for a
  * question that names none: the feed of another sheet, if the site is a copy
@@ -133,7 +137,8 @@ void site_add_note(
 struct psd *site_feed_or_product(
     const struct site *site, size_t run, bool feed);
 
-/* Takes a run out. */
+/* Takes a note, or a run, out. */
+void site_drop_note(struct site *site, size_t note);
 void site_drop_run(struct site *site, size_t run);
 
 /* Returns the number of runs with a product. */
@@ -182,6 +187,10 @@ const char *site_data_kind(const char *provenance);
 /* The key of the header line for the size, mm, that all of the feed is assumed
  * to pass, because not all passes its coarsest sieve. */
 #define SITE_ASSUMED_TOP "assumed_top_mm"
+
+/* The key of the header line that lists the runs that lack a feed, "72, 74
+ * (2)". */
+#define SITE_CUTS_WITHOUT_FEED "cuts_without_feed"
 
 /* Returns the size in that line, mm, or 0 if nothing was assumed. */
 double site_assumed_top_size(const struct site *site);

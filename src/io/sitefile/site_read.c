@@ -357,6 +357,29 @@ compare_runs_by_speed(const void *a, const void *b)
 	return (r->speed > s->speed) - (r->speed < s->speed);
 }
 
+/* Takes the line of write that lists the runs without a feed sample.  Their
+ * columns have the mean, for readers that do not know the line. */
+static void
+take_runs_lacking_feed(struct site *site)
+{
+	const struct site_note *note = site->note;
+	size_t i = 0;
+	char speed[32];
+	while (i < site->n_note &&
+	       strcmp(note[i].key, SITE_CUTS_WITHOUT_FEED) != 0)
+		i++;
+	if (i == site->n_note)
+		return;
+	FREED char *list = xasprintf(", %s, ", note[i].value);
+	for (size_t r = 0; r < site->n_run; r++) {
+		struct run *run = &site->run[r];
+		text_shortest_exact_number(run->speed, speed);
+		FREED char *item = xasprintf(", %s%s, ", speed, run->repeat);
+		run->lacks_feed = strstr(list, item) != NULL;
+	}
+	site_drop_note(site, i);
+}
+
 /* Makes a run for each product, and for each speed that only has a feed; if
  * there is only the feed of all runs, one run without a speed. */
 static void
@@ -383,6 +406,7 @@ make_runs_of_site(struct site *site, const struct columns *t)
 		set_curves_of_run_from_sheet(
 		    t, shared, &site->run[r], r - first);
 	}
+	take_runs_lacking_feed(site);
 	site_update_digest_and_mean_feed(site);
 }
 

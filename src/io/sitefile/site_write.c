@@ -52,6 +52,20 @@ write_key_and_value(const char *key, const char *value, FILE *out)
 	fputc('\n', out);
 }
 
+/* Returns "72, 74 (2)", the runs whose feed was not sampled, or "". */
+static char *
+list_runs_lacking_feed(const struct site *site)
+{
+	char *list = xstrdup(""), speed[32];
+	for (size_t r = 0; site->individual_feeds && r < site->n_run; r++)
+		if (site->run[r].lacks_feed)
+			xappend_to_list(&list, ", ", "%s%s",
+			    text_shortest_exact_number(
+				site->run[r].speed, speed),
+			    site->run[r].repeat);
+	return list;
+}
+
 static void
 write_lines_above_table(const struct site *site, FILE *out)
 {
@@ -60,10 +74,12 @@ write_lines_above_table(const struct site *site, FILE *out)
 		text_shortest_exact_number(units_mm(site->top_size), top);
 	if (site->rotor > 0)
 		text_shortest_exact_number(units_mm(site->rotor), rotor);
+	FREED char *lacking = list_runs_lacking_feed(site);
 	const char *const line[][2] = {{"site", site->name},
 	    {"rock", site->rock}, {"top_size_mm", top},
 	    {"machine", site->machine}, {"rotor_mm", rotor},
-	    {"provenance", site->provenance}};
+	    {"provenance", site->provenance},
+	    {SITE_CUTS_WITHOUT_FEED, lacking}};
 	for (size_t i = 0; i < ARRAY_LEN(line); i++)
 		if (line[i][1][0] != '\0')
 			write_key_and_value(line[i][0], line[i][1], out);

@@ -30,7 +30,7 @@ list_sheet_columns(struct sheet *h, const struct site *site)
 {
 	h->column = xcalloc(2 * site->n_run, sizeof *h->column);
 	for (size_t r = 0; r < site->n_run; r++) {
-		if (r == 0 || site->individual_feeds)
+		if (site_run_has_feed_sample(site, r))
 			h->column[h->n_column++] =
 			    (struct sheet_column){true, r};
 		if (site->run[r].product.n > 0)
