@@ -255,8 +255,7 @@ draw_parity_panel(struct tui *t, const struct area *area)
 	row = draw_leave_one_out_scores(t, area, row);
 	row += row + 1 < area->rows - 4;
 	struct area points = *area;
-	points.row += row;
-	points.rows -= row;
+	area_cut(&points, EDGE_TOP, row);
 	int wanted[LIST_COLUMNS];
 	table_measure_columns(t, &TABLE, y->runs.n, wanted);
 	table_draw(t, &points, &TABLE, wanted);
@@ -309,21 +308,19 @@ static void
 parity_draw(struct tui *t)
 {
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
-	struct area plot = pane_list_area(t), side = plot;
+	struct area plot = pane_list_area(t), side;
 	if (t->view.parity.chart == NULL || t->view.parity.runs.n == 0) {
 		draw_why_no_parity(t, &plot);
 		return;
 	}
 	if (plot.columns >= NARROW) {
-		int panel = plot.columns >= WIDE ? WIDE_PANEL : PANEL;
-		plot.columns -= panel + GAP;
-		side.column = plot.column + plot.columns + GAP;
-		side.columns = panel;
+		side = area_cut(&plot, EDGE_RIGHT,
+		    plot.columns >= WIDE ? WIDE_PANEL : PANEL);
+		area_cut(&plot, EDGE_RIGHT, GAP);
 		draw_parity_panel(t, &side);
 	} else if (plot.rows > 3) {
+		side = area_cut(&plot, EDGE_TOP, 1);
 		draw_statistics_line(t, &side);
-		plot.row++;
-		plot.rows--;
 	}
 	draw_parity_chart(t, &plot);
 }

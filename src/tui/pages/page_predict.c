@@ -78,9 +78,7 @@ draw_ways_to_start(struct tui *t)
 	int row = spare > 0 ? spare / 3 : 0;
 	if (title)
 		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
-	row += title ? 2 : 0;
-	area.row += row;
-	area.rows -= row;
+	area_cut(&area, EDGE_TOP, row + (title ? 2 : 0));
 	row = list_draw_rows(t, &area, draw_way_to_start, NULL);
 	if (what)
 		screen_draw_wrapped(&area, row + 1, 0,

@@ -312,8 +312,7 @@ static void
 draw_convergence(struct tui *t, int row)
 {
 	struct area below = t->layout.side;
-	below.row += row;
-	below.rows -= row;
+	area_cut(&below, EDGE_TOP, row);
 	struct plot_request request = plots_default_request(PLOT_CONVERGENCE);
 	request.words = 0;
 	request.generation = t->ui.generation;
