@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
-#include "plot/marks.h"
 
 /* The page, in points: two columns of a journal wide. */
 enum {
@@ -199,7 +198,8 @@ static void
 picture_draw_mark(
     struct chart_page *p, const struct chart_series *s, double x, double y)
 {
-	const struct mark *fine = s->fine ? mark_of_character(s->mark) : NULL;
+	const struct point_mark *fine =
+	    s->fine ? mark_of_character(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
 		    : s->mark == 'v' || s->mark == '^' ? 3
 		    : s->mark == '#'                   ? 4

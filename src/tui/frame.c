@@ -15,7 +15,7 @@
 #include "tui/widgets/response_strip.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/widgets/dialog.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"

@@ -18,7 +18,7 @@
 #include "tui/frame.h"
 #include "tui/input.h"
 #include "cli/manpage.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "cli/signals.h"
 #include "cli/restore.h"
 #include "tui/screen.h"

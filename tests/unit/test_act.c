@@ -24,7 +24,6 @@
 #include "tui/widgets/goal.h"
 #include "tui/widgets/list.h"
 #include "tui/input.h"
-#include "tui/pages.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/script_terminal.h"

@@ -21,7 +21,6 @@
 #include "tui/widgets/envelope_check.h"
 #include "tui/widgets/goal.h"
 #include "tui/widgets/goal_view.h"
-#include "tui/pages.h"
 #include "tui/captured.h"
 #include "tui/control.h"
 #include "tui/widgets/panel.h"

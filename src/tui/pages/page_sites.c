@@ -19,7 +19,6 @@
 #include "tui/widgets/file_picker.h"
 #include "tui/acts.h"
 #include "tui/control.h"
-#include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
 #include "tui/watch.h"

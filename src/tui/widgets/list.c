@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "tui/acts.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/screen.h"
 
 static const struct page_list *
