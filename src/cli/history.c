@@ -13,7 +13,6 @@
 #include <readline/history.h>
 #include <readline/readline.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/fs/file.h"

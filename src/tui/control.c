@@ -32,7 +32,6 @@
 #include "tui/captured.h"
 #include "tui/view.h"
 #include "tui/screen.h"
-#include "tui/widgets/track.h"
 #include "tui/widgets/viewer.h"
 
 #define PAGE_NAME(NUMBER, name, heading, key) #name,

@@ -87,7 +87,6 @@ struct sheet {
 struct parity {
 	size_t next;
 	struct trials runs;
-	struct validate_score score[VALIDATE_NULL][PSD_SIZES];
 	struct chart *chart;
 	struct error error;
 };

@@ -4,8 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/dialog.h"
 
-#include <stdlib.h>
-#include <string.h>
 
 #include <curses.h>
 
