@@ -13,7 +13,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 #include "cmd/session/invocation.h"
 #include "cmd/session/screen_pages.h"
 #include "cmd/session/script.h"
@@ -163,17 +163,13 @@ control_is_stop_wanted(void)
 const struct command *
 control_command_of_line(const char *line)
 {
-	static const char ENDS[] = " \t>|";
-	if (strchr(line, ';') != NULL)
-		return NULL;
-	line += strspn(line, " \t");
-	size_t n = strcspn(line, ENDS), gap = strspn(line + n, " \t");
-	FREED char *word = xstrndup(line, n);
-	FREED char *both = xasprintf("%s %.*s", word,
-	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
-	const struct command *command = command_find(both);
-	if (command == NULL)
-		command = command_find_abbreviated(word, true);
+	const struct place place = {.file = ERROR_TYPED, .prompt = true};
+	struct words words;
+	struct error error = {0};
+	words_split(line, 0, place, &words, &error);
+	const struct command *command =
+	    strchr(line, ';') == NULL ? words.command : NULL;
+	words_free(&words);
 	return command;
 }
 
