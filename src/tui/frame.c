@@ -484,7 +484,6 @@ frame_draw(struct tui *t)
 				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
 	t->n_drawn = 0;
-	t->shows = page;
 	add_wheel_areas(t, viewing);
 	draw_header(t);
 	t->cursor = (struct cursor){

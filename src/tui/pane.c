@@ -64,13 +64,13 @@ on_click_plot(struct tui *t, const struct touched *touched)
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)
 		return;
-	struct plot_request *request = &t->drawn[touched->item].request;
+	struct plot_request *request = &t->drawn[touched->item];
 	request->asked.entry = tui_entry_for_prediction(t);
 	if (!plots_find_mark_at_cell(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
-	    t->shows->point;
+	    pages_current(t)->point;
 	if (point != NULL)
 		point(t, request->kind, found.x, found.y);
 	if (found.words != NULL)
@@ -96,7 +96,7 @@ pane_draw_plot(
 		canvas_free(canvas);
 		if (request->asked.entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
-		t->drawn[t->n_drawn].request = r;
+		t->drawn[t->n_drawn] = r;
 		hits_add(
 		    &t->hits, HIT_SLIDE, *area, on_click_plot, t->n_drawn++);
 		return;
