@@ -1,4 +1,8 @@
-/* The file of typed lines.  It is only appended to, one line per write.
+/* The file of typed lines, which is only appended to, one line per write; and
+ * searches in it.  In readline 8.2, the built-in searches free an edited line's
+ * undo list twice when they replace it with a line from the history.  These
+ * insert the line as if it had been typed, so undo and all other keys work as
+ * usual.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/history.h"
 
@@ -7,6 +11,7 @@
 #include <string.h>
 
 #include <readline/history.h>
+#include <readline/readline.h>
 
 #include "base/tr.h"
 #include "base/xalloc.h"
@@ -80,4 +85,151 @@ bool
 typed_history_is_open(void)
 {
 	return opened;
+}
+
+/* ---- Searches ---- */
+
+/* The search that is under way: what is looked for, where the last line found
+ * stands, and the line as it was before, which is behind them all. */
+static struct {
+	char *wanted, *typed;
+	int place;
+} search;
+
+static void
+replace_edited_line(const char *line, int point)
+{
+	rl_begin_undo_group();
+	rl_delete_text(0, rl_end);
+	rl_point = 0;
+	rl_insert_text(line);
+	rl_end_undo_group();
+	rl_point = point < rl_end ? point : rl_end;
+}
+
+static void
+history_search_begin(void)
+{
+	free(search.wanted);
+	free(search.typed);
+	search.typed = xstrdup(rl_line_buffer);
+	search.wanted = xstrndup(rl_line_buffer, (size_t)rl_point);
+	search.place = where_history();
+}
+
+/* Whether a line of the history is wanted; what stands there already is not. */
+static bool
+is_searched_line(const char *line, bool anywhere)
+{
+	const char *found = strstr(line, search.wanted);
+	return found != NULL && (anywhere || found == line) &&
+	       strcmp(line, rl_line_buffer) != 0;
+}
+
+static rl_command_func_t search_prefix_backward, search_prefix_forward,
+    search_anywhere_backward, search_anywhere_forward;
+
+static const struct {
+	const char *name;
+	rl_command_func_t *theirs, *ours;
+} SEARCHES[] = {
+    {"history-search-backward", rl_history_search_backward,
+	search_prefix_backward},
+    {"history-search-forward", rl_history_search_forward,
+	search_prefix_forward},
+    {"history-substring-search-backward", rl_history_substr_search_backward,
+	search_anywhere_backward},
+    {"history-substring-search-forward", rl_history_substr_search_forward,
+	search_anywhere_forward},
+};
+
+static bool
+is_history_search_continued(void)
+{
+	size_t i = 0;
+	while (i < ARRAY_LEN(SEARCHES) && SEARCHES[i].ours != rl_last_func)
+		i++;
+	return i < ARRAY_LEN(SEARCHES);
+}
+
+/* Goes to the next line that begins with what is wanted, or has it anywhere;
+ * on: to a newer one. */
+static int
+go_to_next_history_match(bool on, bool anywhere)
+{
+	if (!is_history_search_continued())
+		history_search_begin();
+	int step = on ? 1 : -1, place = search.place + step;
+	for (; place >= 0 && place < history_length; place += step) {
+		const HIST_ENTRY *entry = history_get(history_base + place);
+		if (entry == NULL || !is_searched_line(entry->line, anywhere))
+			continue;
+		search.place = place;
+		replace_edited_line(entry->line, (int)strlen(search.wanted));
+		return 0;
+	}
+	if (on && search.place < history_length) {
+		search.place = history_length;
+		replace_edited_line(search.typed, (int)strlen(search.wanted));
+		return 0;
+	}
+	rl_ding();
+	return 0;
+}
+
+static int
+search_prefix_backward(int count, int key)
+{
+	(void)count, (void)key;
+	return go_to_next_history_match(false, false);
+}
+
+static int
+search_prefix_forward(int count, int key)
+{
+	(void)count, (void)key;
+	return go_to_next_history_match(true, false);
+}
+
+static int
+search_anywhere_backward(int count, int key)
+{
+	(void)count, (void)key;
+	return go_to_next_history_match(false, true);
+}
+
+static int
+search_anywhere_forward(int count, int key)
+{
+	(void)count, (void)key;
+	return go_to_next_history_match(true, true);
+}
+
+void
+history_search_name_functions(void)
+{
+	/* The first function of a name is the one that settings get. */
+	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++)
+		rl_add_defun(SEARCHES[i].name, SEARCHES[i].ours, -1);
+}
+
+static void
+replace_key_bindings_in(Keymap map, size_t i)
+{
+	char **keys = rl_invoking_keyseqs_in_map(SEARCHES[i].theirs, map);
+	for (size_t k = 0; keys != NULL && keys[k] != NULL; k++) {
+		rl_bind_keyseq_in_map(keys[k], SEARCHES[i].ours, map);
+		free(keys[k]);
+	}
+	free(keys);
+}
+
+void
+history_search_bind_keys(void)
+{
+	for (size_t i = 0; i < ARRAY_LEN(SEARCHES); i++) {
+		replace_key_bindings_in(emacs_standard_keymap, i);
+		replace_key_bindings_in(vi_movement_keymap, i);
+		replace_key_bindings_in(vi_insertion_keymap, i);
+	}
 }

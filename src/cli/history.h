@@ -19,4 +19,11 @@ void typed_history_close(void);
 /* True if the history is open. */
 bool typed_history_is_open(void);
 
+/* PgUp and PgDn search the history for the text before the cursor:
+ * history_search_name_functions gives our searches readline's names for them,
+ * before the user's settings are read; history_search_bind_keys, after the
+ * settings, the keys that readline uses for its own searches. */
+void history_search_name_functions(void);
+void history_search_bind_keys(void);
+
 #endif

@@ -30,7 +30,6 @@
 #include "cli/restore.h"
 #include "cli/terminal.h"
 #include "cli/history.h"
-#include "cli/history_search.h"
 
 /* What readline calls has no argument to pass this by.  before: the lines of a
  * command that goes on, joined; given: bytes that key_that_ends_input made up;

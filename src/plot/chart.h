@@ -20,6 +20,23 @@ enum chart_line {
 	CHART_DOTTED
 };
 
+/* The shape for an ASCII character.  sign: code point in a cell.  On paper the
+ * shape has `sides` sides, with the first corner at `turn` of a full turn.
+ * hollow: for a held-out run. */
+struct point_mark {
+	char code;
+	unsigned sign;
+	int sides;
+	double turn;
+	bool hollow;
+};
+
+/* Returns the mark of a character, or NULL. */
+const struct point_mark *mark_of_character(char code);
+
+/* Returns character i of the full or hollow marks, which repeat cyclically. */
+char mark_character(unsigned i, bool hollow);
+
 /* The site of a point, for a chart with several sites.  label: text that may be
  * shown beside the point, or NULL. */
 struct chart_whose {
@@ -35,7 +52,7 @@ struct chart_field {
 };
 
 /* One curve or set of points.  fine: its marks have the shapes of
- * plot/marks.h.  x, y [n]: in the axes' units; a NAN in y interrupts the line.
+ * point_mark.  x, y [n]: in the axes' units; a NAN in y interrupts the line.
  * low, high [n]: a shaded band behind all lines, or both NULL.  ascii: the
  * character for the line if only ASCII is available.  mark: an ASCII character
  * at each point; 0: none.  bars: low..high is drawn as a bar at each point,

@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
-#include "plot/marks.h"
 
 /* The data's cells begin at left, top and are width x height; dots: those set
  * so far in each.  Each other part has its first row, -1 where it was dropped.
@@ -60,7 +59,7 @@ code_of_rule(enum series series, enum charset charset)
 static uint32_t
 code_of_mark(const struct chart_series *s, enum charset charset)
 {
-	const struct mark *mark = mark_of_character(s->mark);
+	const struct point_mark *mark = mark_of_character(s->mark);
 	return s->fine && mark != NULL && charset != CHARSET_ASCII
 		   ? mark->sign
 		   : (uint32_t)s->mark;
@@ -542,7 +541,8 @@ clear_around_marks(struct layout *l, const struct chart_series *s)
 static bool
 is_mark_hollow(const struct chart_series *s)
 {
-	const struct mark *mark = s->fine ? mark_of_character(s->mark) : NULL;
+	const struct point_mark *mark =
+	    s->fine ? mark_of_character(s->mark) : NULL;
 	return mark != NULL && mark->hollow;
 }
 

@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "config.h"
-#include "plot/marks.h"
 
 /* The page, in points: two columns of a journal wide. */
 enum {
@@ -199,7 +198,8 @@ static void
 picture_draw_mark(
     struct chart_page *p, const struct chart_series *s, double x, double y)
 {
-	const struct mark *fine = s->fine ? mark_of_character(s->mark) : NULL;
+	const struct point_mark *fine =
+	    s->fine ? mark_of_character(s->mark) : NULL;
 	int sides = s->mark == 'o'                     ? 16
 		    : s->mark == 'v' || s->mark == '^' ? 3
 		    : s->mark == '#'                   ? 4
@@ -635,12 +635,11 @@ shape_of_block_character(
 	return n;
 }
 
-struct cells_page {
-	const struct canvas *canvas;
-	struct pen *pen;
-	int depth; /* of colour; with 256 what is dim is faint */
+/* Bars that are drawn at once, as a screen has thousands: bar i from end 2 i to
+ * 2 i + 1. */
+struct bars {
+	size_t n;
 	double *x, *y;
-	size_t n; /* bars gathered in x, y [2 n] */
 };
 
 /* The places of bars are multiples of 3/4. */
@@ -652,8 +651,7 @@ is_same_place(double a, double b)
 
 /* A level one that begins where the last one ends makes that longer. */
 static void
-picture_add_or_join_bar(
-    struct cells_page *s, int column, int row, const struct bar *bar)
+add_or_join_bar(struct bars *s, int column, int row, const struct bar *bar)
 {
 	double left = MARGIN + CELL_WIDTH * column;
 	double top = MARGIN + CELL_HEIGHT * row;
@@ -665,44 +663,54 @@ picture_add_or_join_bar(
 		     is_same_place(s->y[last], y0) &&
 		     is_same_place(s->y[last - 1], y0);
 	if (!joins) {
-		s->x[2 * s->n] = x0;
-		s->y[2 * s->n] = y0;
 		last = 2 * s->n++ + 1;
+		s->x = xrealloc(s->x, 2 * s->n, sizeof *s->x);
+		s->y = xrealloc(s->y, 2 * s->n, sizeof *s->y);
+		s->x[last - 1] = x0;
+		s->y[last - 1] = y0;
 	}
 	s->x[last] = left + bar->x1 * CELL_WIDTH / 8;
 	s->y[last] = top + bar->y1 * CELL_HEIGHT / 8;
 }
 
-/* All bars of a kind and colour at once: a screen has thousands. */
 static void
-picture_draw_bars(
-    struct cells_page *s, enum kind kind, enum series series, bool faint)
+draw_and_free_bars(struct bars *bars, struct pen *pen, struct pen_bar look,
+    enum series series, bool faint)
 {
-	static const struct bar whole = {0, 4, 8, 4};
-	struct pen_bar look = KIND[kind];
 	look.series = series;
 	look.opacity *= faint ? PEN_FAINT : 1;
-	s->n = 0;
-	int columns = s->canvas->columns, cells = columns * s->canvas->rows;
-	for (int k = 0; k < cells; k++) {
-		const struct canvas_cell *cell = &s->canvas->cell[k];
-		int column = k % columns, row = k / columns;
-		enum kind its;
+	if (bars->n > 0)
+		pen->bars(pen, bars->x, bars->y, bars->n, &look);
+	free(bars->x);
+	free(bars->y);
+}
+
+/* Draws the bars of all cells, those of a kind, colour and faintness at
+ * once. */
+static void
+draw_bars_of_cells(const struct canvas *canvas, int depth, struct pen *pen)
+{
+	static const struct bar WHOLE = {0, 4, 8, 4};
+	struct bars all[KINDS][SERIES_COUNT][2] = {0};
+	for (int k = 0; k < canvas->columns * canvas->rows; k++) {
+		const struct canvas_cell *cell = &canvas->cell[k];
+		int column = k % canvas->columns, row = k / canvas->columns;
+		bool faint = canvas_is_faint(canvas, cell, depth);
+		enum kind kind = GROUND;
 		struct bar bar[BARS];
-		if (cell->series != series ||
-		    canvas_is_faint(s->canvas, cell, s->depth) != faint)
-			continue;
-		if (kind == GROUND) {
-			if (cell->attribute & CELL_REVERSE)
-				picture_add_or_join_bar(s, column, row, &whole);
-			continue;
-		}
-		size_t n = shape_of_block_character(cell->code, &its, bar);
-		for (size_t i = 0; i < n && its == kind; i++)
-			picture_add_or_join_bar(s, column, row, &bar[i]);
+		size_t n = shape_of_block_character(cell->code, &kind, bar);
+		for (size_t i = 0; i < n; i++)
+			add_or_join_bar(&all[kind][cell->series][faint], column,
+			    row, &bar[i]);
+		if (cell->attribute & CELL_REVERSE)
+			add_or_join_bar(&all[GROUND][cell->series][faint],
+			    column, row, &WHOLE);
 	}
-	if (s->n > 0)
-		s->pen->bars(s->pen, s->x, s->y, s->n, &look);
+	for (int i = 0; i < KINDS; i++)
+		for (int j = 0; j < SERIES_COUNT; j++)
+			for (int faint = 0; faint < 2; faint++)
+				draw_and_free_bars(&all[i][j][faint], pen,
+				    KIND[i], (enum series)j, faint == 1);
 }
 
 static bool
@@ -717,12 +725,11 @@ is_text_cell(const struct canvas_cell *cell)
 /* The column after a run of text from `from` on: cells alike, with no more
  * than one space between two words. */
 static int
-end_of_alike_cells(const struct cells_page *s, int from, int row)
+end_of_alike_cells(const struct canvas *canvas, int from, int row)
 {
-	const struct canvas_cell *cell =
-	    s->canvas->cell + row * s->canvas->columns;
+	const struct canvas_cell *cell = canvas->cell + row * canvas->columns;
 	int end = from + 1;
-	for (int c = from + 1; c < s->canvas->columns; c++) {
+	for (int c = from + 1; c < canvas->columns; c++) {
 		bool wide = cell[c].code == 0;
 		bool text = is_text_cell(&cell[c]) &&
 			    canvas_same_style(&cell[c], &cell[from]);
@@ -734,29 +741,29 @@ end_of_alike_cells(const struct cells_page *s, int from, int row)
 }
 
 static void
-draw_text_of_row(struct cells_page *s, int row)
+draw_text_of_row(
+    const struct canvas *canvas, int depth, struct pen *pen, int row)
 {
-	FREED char *text = xcalloc((size_t)s->canvas->columns + 1, 5);
-	const struct canvas_cell *first =
-	    s->canvas->cell + row * s->canvas->columns;
-	for (int c = 0, end; c < s->canvas->columns; c = end) {
+	FREED char *text = xcalloc((size_t)canvas->columns + 1, 5);
+	const struct canvas_cell *first = canvas->cell + row * canvas->columns;
+	for (int c = 0, end; c < canvas->columns; c = end) {
 		const struct canvas_cell *cell = first + c;
 		char *at = text, code[5];
 		end = c + 1;
 		if (!is_text_cell(cell))
 			continue;
-		end = end_of_alike_cells(s, c, row);
+		end = end_of_alike_cells(canvas, c, row);
 		for (int i = 0; i < end - c; i++)
 			if (cell[i].code != 0)
 				at = stpcpy(
 				    at, canvas_encode_utf8(cell[i].code, code));
-		s->pen->text(s->pen, MARGIN + CELL_WIDTH * c,
+		pen->text(pen, MARGIN + CELL_WIDTH * c,
 		    MARGIN + CELL_HEIGHT * row + BASE_LINE, text,
 		    &(struct pen_style){.size = LETTERS,
 			.length = CELL_WIDTH * (end - c),
 			.bold = cell->attribute & CELL_BOLD,
 			.inverse = cell->attribute & CELL_REVERSE,
-			.faint = canvas_is_faint(s->canvas, cell, s->depth),
+			.faint = canvas_is_faint(canvas, cell, depth),
 			.series = (enum series)cell->series});
 	}
 }
@@ -782,29 +789,6 @@ paper_for_cells(const struct canvas *canvas, int depth, double size[2])
 	return paper;
 }
 
-static void
-draw_canvas_cells(const struct canvas *canvas, int depth, struct pen *pen)
-{
-	size_t n = (size_t)(canvas->columns * canvas->rows);
-	struct cells_page s = {.canvas = canvas,
-	    .pen = pen,
-	    .depth = depth,
-	    .x = xcalloc_doubles(2 * BARS * n),
-	    .y = xcalloc_doubles(2 * BARS * n)};
-	bool has[SERIES_COUNT] = {false};
-	for (size_t i = 0; i < n; i++)
-		has[canvas->cell[i].series] = true;
-	for (int kind = 0; kind < KINDS; kind++)
-		for (int i = 0; i < SERIES_COUNT; i++)
-			for (int faint = 0; faint < 2 && has[i]; faint++)
-				picture_draw_bars(&s, (enum kind)kind,
-				    (enum series)i, faint == 1);
-	for (int row = 0; row < canvas->rows; row++)
-		draw_text_of_row(&s, row);
-	free(s.x);
-	free(s.y);
-}
-
 bool
 picture_write_screen(const struct canvas *canvas, int depth,
     enum picture_form form, const char *title, const char *about, FILE *out)
@@ -813,6 +797,8 @@ picture_write_screen(const struct canvas *canvas, int depth,
 	struct pen_paper paper = paper_for_cells(canvas, depth, size);
 	struct pen *pen =
 	    new_pen_for_form(form, size[0], size[1], &paper, title, about, out);
-	draw_canvas_cells(canvas, depth, pen);
+	draw_bars_of_cells(canvas, depth, pen);
+	for (int row = 0; row < canvas->rows; row++)
+		draw_text_of_row(canvas, depth, pen, row);
 	return pen->close(pen);
 }

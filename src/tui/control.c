@@ -1,5 +1,6 @@
-/* Opens the full screen on a session, runs lines, and updates the screen
- * afterwards.
+/* Opens the full screen on a session, runs lines, draws the one that is running
+ * over the page, at most ten times a second, so that Esc interrupts it, and
+ * updates the screen afterwards.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/control.h"
 
@@ -12,8 +13,10 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
-#include "cmd/lang/command.h"
+#include "cmd/lang/parse.h"
 #include "cmd/session/invocation.h"
+#include "cmd/session/screen_pages.h"
+#include "cmd/session/script.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"
 #include "cmd/ask/forecast.h"
@@ -29,12 +32,109 @@
 #include "tui/captured.h"
 #include "tui/view.h"
 #include "tui/screen.h"
-#include "tui/widgets/track.h"
-#include "tui/script_progress.h"
 #include "tui/widgets/viewer.h"
+
+#define PAGE_NAME(NUMBER, name, heading, key) #name,
 
 /* The hooks of a session and `screen` have no argument for it. */
 static struct tui *open;
+
+/* Returns "4 of 15: validate", with the state of its search.  The caller frees
+ * it. */
+static char *
+running_line_text(const struct tui *t)
+{
+	const struct session *s = t->session;
+	char *words = xasprintf("%s  %s", tr("WORKING"), t->running_line);
+	if (session_is_calibrating(s) && !s->job.fits) {
+		FREED char *at = s->job.type->task_words(s);
+		xappend(&words, "\n%s", at);
+	}
+	if (s->job.calibration != NULL && !s->job.paused) {
+		xappend_to_list(&words, "\n", tr("generation %zu of %zu"),
+		    calibration_status(s->job.calibration).generation,
+		    s->job.options.generations);
+	}
+	return words;
+}
+
+/* During a script, no page can be drawn, because each command may change what
+ * it shows. */
+static void
+draw_progress_if_due(struct tui *t, bool begins)
+{
+	/* s; what is over by then is not shown */
+	const double often = 0.1, patience = t->of_script ? often : 0.3;
+	double now = session_clock();
+	if (t->running_line == NULL || t->callbacks->stopped == NULL ||
+	    now - t->ran_from < patience ||
+	    (!begins && now - t->drawn_at < often) || t->away)
+		return;
+	viewer_show_text(t, running_line_text(t));
+	t->callbacks->show(t);
+	viewer_close(t);
+	t->drawn_at = now;
+	if (t->callbacks->stopped(t)) {
+		t->stopping = true;
+		raise(SIGINT);
+		signals_deliver_blocked();
+	}
+}
+
+/* For a driver: notes and shows a line of a script before it is run. */
+static void
+start_script_line(void *of, const char *line)
+{
+	struct tui *t = of;
+	struct script_place at = script_position(t->session);
+	if (!t->of_script)
+		t->ran_from = session_clock();
+	t->of_script = true;
+	free(t->running_line);
+	t->running_line =
+	    at.of > 0 ? xasprintf(tr("%zu of %zu: %s"), at.at, at.of, line)
+		      : xstrdup(line);
+	draw_progress_if_due(t, true);
+}
+
+/* Clears what was drawn and says how the line or script has ended. */
+static void
+end_running_line(struct tui *t, bool restores, bool ok)
+{
+	bool drawn = t->of_script || t->drawn_at >= t->ran_from;
+	if (drawn)
+		viewer_close(t);
+	/* A signal from elsewhere ends the program, unless a script runs. */
+	if ((t->of_script || t->stopping) && signals_pending() == SIGINT) {
+		signals_forget_interrupt();
+		captured_discard_output(t);
+		if (t->of_script)
+			tui_say(t, false,
+			    "stopped at %s: what was done before stays, "
+			    "u undoes it",
+			    t->running_line);
+		else
+			tui_say(t, false, "stopped: %s", t->running_line);
+	} else if (ok && t->of_script) {
+		const struct entry *entry = tui_current_entry(t);
+		const size_t n = t->session->n_entry;
+		if (restores)
+			captured_discard_output(t);
+		FREED char *words =
+		    entry == NULL
+			? xstrdup(tr("no site is loaded"))
+			: xasprintf(
+			      tr_n("%zu site is loaded, %s is in use",
+				  "%zu sites are loaded, %s is in use", n),
+			      n, entry->key);
+		tui_say(t, false, "%s: %s",
+		    restores ? tr("restored") : tr("the script has run"),
+		    words);
+	}
+	t->keep_message = t->keep_message || drawn;
+	free(t->running_line);
+	t->running_line = NULL;
+}
 
 /* Runs a job to its end and draws its progress.  Signals are held on the
  * screen, and let in between two steps. */
@@ -43,7 +143,7 @@ run_job_to_end(struct session *s)
 {
 	while (session_is_calibrating(s) && signals_pending() == 0) {
 		session_step_job(s);
-		script_progress_draw(open);
+		draw_progress_if_due(open, false);
 		signals_deliver_blocked();
 	}
 	return signals_pending() == 0;
@@ -56,24 +156,20 @@ static bool
 control_is_stop_wanted(void)
 {
 	if (open != NULL && !session_is_calibrating(open->session))
-		script_progress_draw(open);
+		draw_progress_if_due(open, false);
 	return signals_is_stop_wanted();
 }
 
 const struct command *
 control_command_of_line(const char *line)
 {
-	static const char ENDS[] = " \t>|";
-	if (strchr(line, ';') != NULL)
-		return NULL;
-	line += strspn(line, " \t");
-	size_t n = strcspn(line, ENDS), gap = strspn(line + n, " \t");
-	FREED char *word = xstrndup(line, n);
-	FREED char *both = xasprintf("%s %.*s", word,
-	    (int)strcspn(line + n + gap, ENDS), line + n + gap);
-	const struct command *command = command_find(both);
-	if (command == NULL)
-		command = command_find_abbreviated(word, true);
+	const struct place place = {.file = ERROR_TYPED, .prompt = true};
+	struct words words;
+	struct error error = {0};
+	words_split(line, 0, place, &words, &error);
+	const struct command *command =
+	    strchr(line, ';') == NULL ? words.command : NULL;
+	words_free(&words);
 	return command;
 }
 
@@ -105,39 +201,19 @@ apply_page_settings(struct tui *t)
 	tui_clear_hits(t);
 }
 
-/* Returns the page as a value of `set page`.  The caller frees it. */
-static char *
-page_setting_text(enum page page)
-{
-	const struct settings set = {.page = page};
-	const struct command_option *row = SETTINGS;
-	while (strcmp(row->name, "page") != 0)
-		row++;
-	return settings_value_text(row, &set);
-}
-
 void
 control_store_page_settings(struct tui *t)
 {
 	struct session *s = t->session;
 	struct error error = {0};
 	size_t next;
-	FREED char *page = page_setting_text(t->ui.page);
+	static const char *const PAGE[] = {SCREEN_PAGES(PAGE_NAME)};
 	FREED char *quantity = quantities_typed_text(&t->ui.quantity);
-	FREED char *line =
-	    xasprintf("set page %s quantity \"%s\"", page, quantity);
+	FREED char *line = xasprintf(
+	    "set page %s quantity \"%s\"", PAGE[t->ui.page], quantity);
 	captured_discard_output(t);
 	if (s->set.page != t->ui.page || strcmp(s->set.quantity, quantity) != 0)
 		session_run_line(s, line, 0, ERROR_TYPED, 0, &next, &error);
-}
-
-/* Returns true if the page or the quantity is another. */
-static bool
-differs_in_page_or_quantity(
-    const struct settings *was, const struct settings *is)
-{
-	return was->page != is->page ||
-	       strcmp(was->quantity, is->quantity) != 0;
 }
 
 /* Shows the job that a line has started. */
@@ -207,14 +283,16 @@ control_run_line(struct tui *t, const char *line)
 	const struct driver d = {.session = s,
 	    .of = t,
 	    .fail = captured_show_error,
-	    .begins = script_progress_start_line,
+	    .begins = start_script_line,
 	    .work = run_job_to_end,
 	    .watches = true};
-	script_progress_start_typed_line(t, line);
+	t->ran_from = session_clock();
+	t->running_line = xstrdup(line);
+	t->of_script = t->stopping = false;
 	/* A signal is no error: what was found before it stays. */
 	bool ok = driver_run_line(&d, line, ERROR_TYPED, 0) == 0 ||
 		  signals_pending() != 0;
-	script_progress_end(
+	end_running_line(
 	    t, control_command_of_line(line) == command_find("restore"), ok);
 	move_slider_to_answer_speed(t, line, ok);
 	bool other = tui_current_entry(t) != NULL &&
@@ -223,7 +301,8 @@ control_run_line(struct tui *t, const char *line)
 		t->ui.list[PAGE_SITES].at = s->current;
 		t->ui.feed = 0;
 	}
-	if (differs_in_page_or_quantity(&was, &s->set) &&
+	if ((was.page != s->set.page ||
+		strcmp(was.quantity, s->set.quantity) != 0) &&
 	    strcmp(line, "undo") != 0 && strcmp(line, "redo") != 0)
 		apply_page_settings(t);
 	tui_set_feed_from_answer(t);

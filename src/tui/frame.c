@@ -15,7 +15,7 @@
 #include "tui/widgets/response_strip.h"
 #include "tui/widgets/file_picker.h"
 #include "tui/widgets/dialog.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"
@@ -484,7 +484,6 @@ frame_draw(struct tui *t)
 				    : layout_make(rows, columns, ask);
 	hits_clear(&t->hits);
 	t->n_drawn = 0;
-	t->shows = page;
 	add_wheel_areas(t, viewing);
 	draw_header(t);
 	t->cursor = (struct cursor){

@@ -23,7 +23,7 @@
 #include "tui/widgets/file_picker.h"
 #include "tui/control.h"
 #include "tui/widgets/goal.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
 #include "tui/widgets/track.h"

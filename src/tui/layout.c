@@ -26,121 +26,82 @@ area_of_row(const struct area *area, int row)
 	return area_part_of_row(area, row, 0, area->columns);
 }
 
-/* Takes the last row of what is left. */
-static struct area
-take_bottom_row(struct area *left)
+struct area
+area_cut(struct area *from, enum edge edge, int n)
 {
-	left->rows--;
-	return (struct area){left->row + left->rows, 0, 1, left->columns};
+	struct area cut = *from;
+	bool across = edge == EDGE_LEFT || edge == EDGE_RIGHT;
+	int *left = across ? &from->columns : &from->rows;
+	n = n < 0 ? 0 : n < *left ? n : *left;
+	*left -= n;
+	*(across ? &cut.columns : &cut.rows) = n;
+	from->row += edge == EDGE_TOP ? n : 0;
+	from->column += edge == EDGE_LEFT ? n : 0;
+	cut.row += edge == EDGE_FOOT ? from->rows : 0;
+	cut.column += edge == EDGE_RIGHT ? from->columns : 0;
+	return cut;
 }
 
-/* The least rows of the screen at which each part is there. */
-enum {
-	FOR_NUMBERS = 2,
-	FOR_COMMAND = 3,
-	FOR_HEADER = 4,
-	FOR_CAPTION = 5,
-	FOR_HINTS = 7,
-	FOR_PLOT = 11,
-	FOR_STATUS = 15,
-	FOR_TALL_STRIP = 16,
-	FOR_SIDE = 18,
-	FOR_LEGEND = 20,
-	FOR_STRIP = 24,
-	FOR_DIFFERENCES = 30
-};
 /* Narrower, a plot, a legend or a panel says nothing. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
-/* From so many columns on there is room for a blank column between a wall and
- * its text. */
-enum { FOR_GAP = 100 };
-
-/* Takes three rows from the bottom of what is left, and one more for each
- * `every` rows that the screen has beyond `least`. */
-static struct area
-take_bottom_rows(struct area *left, int rows, int least, int every)
-{
-	struct area area = *left;
-	area.rows = 3 + (rows - least) / every;
-	left->rows -= area.rows;
-	area.row = left->row + left->rows;
-	return area;
-}
-
-/* Leaves a list and two more rows above the strip. */
-static void
-take_tall_strip(struct layout *l, int list_rows)
-{
-	int rows = list_rows < l->body.rows / 2 ? list_rows : l->body.rows / 2;
-	l->certainty = take_bottom_row(&l->body);
-	l->strip = l->body;
-	l->strip.row += rows + 2;
-	l->strip.rows -= rows + 2;
-	l->body.rows = rows + 2;
-}
+/* Lower, the screen has no panel beside a plot, and no plot. */
+enum { SIDE_ROWS = 18, PLOT_ROWS = 11 };
+/* Rows and columns that are shared: another row for each EVERY rows of the
+ * screen; a blank column between a wall and its text from GAP_COLUMNS on. */
+enum { EVERY = 10, GAP_COLUMNS = 100 };
 
 static void
 split_off_side_panel(struct layout *l, int rows, int side_columns)
 {
-	bool side = rows >= FOR_SIDE && side_columns > 0 &&
-		    l->body.columns - side_columns >= PLOT_COLUMNS;
+	int gap = l->body.columns >= GAP_COLUMNS ? 1 : 0;
 	l->plot = l->body;
-	if (rows < FOR_PLOT) {
+	if (rows < PLOT_ROWS) {
 		l->plot.rows = 0;
 		l->side = l->body;
 		l->side.rows *= side_columns > 0 && l->body.columns >= PANEL;
+	} else if (rows >= SIDE_ROWS && side_columns > 0 &&
+		   l->body.columns - side_columns >= PLOT_COLUMNS) {
+		l->side = area_cut(&l->plot, EDGE_RIGHT, side_columns);
+		area_cut(&l->plot, EDGE_RIGHT, 1 + gap);
+		l->wall = l->plot.columns;
 	}
-	if (!side)
-		return;
-	int gap = l->body.columns >= FOR_GAP ? 1 : 0;
-	l->plot.columns -= side_columns + 1 + gap;
-	l->side = l->body;
-	l->wall = l->plot.columns;
-	l->side.column = l->wall + 1 + gap;
-	l->side.columns = side_columns;
 }
 
 struct layout
 layout_make(int rows, int columns, struct layout_ask ask)
 {
+	enum { STRIP = 24, DIFFERENCES = 30, AROUND = 5, APART = 2 };
 	struct layout l = {.wall = -1,
 	    .end_columns = ask.in_rpm ? 5 : 4,
 	    .body = {0, 0, rows, columns}};
-	struct area *left = &l.body;
-	bool track = !ask.no_site || rows < FOR_COMMAND;
-	if (rows >= FOR_HEADER) {
-		l.header = (struct area){0, 0, 1, columns};
-		left->row++;
-		left->rows--;
-	}
+	bool site = !ask.no_site, tall = ask.strip && ask.list_rows > 0;
+	bool side = rows >= SIDE_ROWS && ask.side_columns > 0 &&
+		    columns - ask.side_columns > PLOT_COLUMNS;
+	int half = (rows - AROUND) / 2,
+	    list = ask.list_rows < half ? ask.list_rows : half;
+	/* From the foot up, with the least rows of the screen for each. */
 	const struct {
+		bool wanted;
 		int least;
 		struct area *area;
-	} bottom[] = {{FOR_HINTS, &l.hints}, {FOR_STATUS, &l.status},
-	    {FOR_COMMAND, &l.command}, {track ? 1 : rows + 1, &l.track}};
-	for (size_t i = 0; i < ARRAY_LEN(bottom); i++)
-		if (rows >= bottom[i].least)
-			*bottom[i].area = take_bottom_row(left);
-	enum { EVERY = 10 };
-	if (ask.strip && ask.list_rows > 0 && rows >= FOR_TALL_STRIP)
-		take_tall_strip(&l, ask.list_rows);
-	else if (ask.strip && rows >= FOR_STRIP)
-		l.strip = take_bottom_rows(left, rows, FOR_STRIP, EVERY);
-	if (rows >= FOR_CAPTION && !ask.no_site)
-		l.caption = take_bottom_row(left);
-	bool side = rows >= FOR_SIDE && ask.side_columns > 0 &&
-		    columns - ask.side_columns > PLOT_COLUMNS;
-	if (rows >= FOR_NUMBERS && !ask.no_site && !side)
-		l.numbers = take_bottom_row(left);
-	if (rows >= FOR_LEGEND && columns >= LEGEND_COLUMNS &&
-	    ask.list_rows == 0)
-		l.legend = take_bottom_row(left);
+		int rows;
+	} part[] = {{true, 7, &l.hints, 1}, {true, 15, &l.status, 1},
+	    {true, 3, &l.command, 1}, {site || rows < 3, 1, &l.track, 1},
+	    {tall, 16, &l.certainty, 1},
+	    {tall, 16, &l.strip, rows - AROUND - 1 - list - APART},
+	    {ask.strip && !tall, STRIP, &l.strip, 3 + (rows - STRIP) / EVERY},
+	    {site, 5, &l.caption, 1}, {site && !side, 2, &l.numbers, 1},
+	    {columns >= LEGEND_COLUMNS && ask.list_rows == 0, 20, &l.legend,
+		1}};
+	l.header = area_cut(&l.body, EDGE_TOP, rows >= 4 ? 1 : 0);
+	for (size_t i = 0; i < ARRAY_LEN(part); i++)
+		if (part[i].wanted && rows >= part[i].least)
+			*part[i].area =
+			    area_cut(&l.body, EDGE_FOOT, part[i].rows);
 	split_off_side_panel(&l, rows, ask.side_columns);
-	if (ask.differences && rows >= FOR_DIFFERENCES) {
-		l.differences = take_bottom_rows(
-		    &l.plot, rows + EVERY, FOR_DIFFERENCES, EVERY);
-		l.differences.row = l.plot.row + l.plot.rows;
-	}
+	if (ask.differences && rows >= DIFFERENCES)
+		l.differences = area_cut(
+		    &l.plot, EDGE_FOOT, 4 + (rows - DIFFERENCES) / EVERY);
 	return l;
 }
 
@@ -150,12 +111,9 @@ layout_make_for_text(int rows, int columns)
 	enum { FOR_TEXT_HINTS = 3, FOR_TEXT_HEADER = 8 };
 	struct layout l = {.body = {0, 0, rows, columns}};
 	if (rows >= FOR_TEXT_HINTS)
-		l.hints = take_bottom_row(&l.body);
-	if (rows >= FOR_TEXT_HEADER) {
-		l.header = (struct area){0, 0, 1, columns};
-		l.body.row++;
-		l.body.rows--;
-	}
+		l.hints = area_cut(&l.body, EDGE_FOOT, 1);
+	if (rows >= FOR_TEXT_HEADER)
+		l.header = area_cut(&l.body, EDGE_TOP, 1);
 	return l;
 }
 
@@ -163,9 +121,9 @@ struct area
 layout_track_area(const struct layout *l)
 {
 	struct area track = l->track;
-	bool ends = track.columns >= 30;
-	track.column += ends ? l->end_columns : 0;
-	track.columns -= ends ? 2 * l->end_columns : 0;
+	int end = track.columns >= 30 ? l->end_columns : 0;
+	area_cut(&track, EDGE_LEFT, end);
+	area_cut(&track, EDGE_RIGHT, end);
 	return track;
 }
 

@@ -23,6 +23,11 @@ struct area {
 	int row, column, rows, columns;
 };
 
+/* Cuts n rows or columns off an edge of an area, or all if it has fewer, and
+ * returns them. */
+enum edge { EDGE_TOP, EDGE_FOOT, EDGE_LEFT, EDGE_RIGHT };
+struct area area_cut(struct area *from, enum edge edge, int n);
+
 /* body: everything between the header and the caption, which is a rule with
  * words; plot and side are its parts.  wall: the column of the line before
  * side, or -1; end_columns: of either end of the track, with a blank. */

@@ -1,4 +1,4 @@
-/* Drawing functions for pages.
+/* The open page, and drawing functions for pages.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/pane.h"
 
@@ -13,6 +13,41 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/draw/site_chart.h"
 #include "tui/screen.h"
+#include "tui/widgets/response_strip.h"
+
+#define PAGE_ADDRESS(NUMBER, name, heading, key) &page_##name,
+#define PAGE_HEADING(NUMBER, name, heading, key) heading,
+
+const char *const PAGE_HEADINGS[PAGES] = {SCREEN_PAGES(PAGE_HEADING)};
+
+const struct page_ops *
+pages_current(const struct tui *t)
+{
+	static const struct page_ops *const OF[PAGES] = {
+	    SCREEN_PAGES(PAGE_ADDRESS)};
+	return OF[t->ui.page];
+}
+
+void
+pages_go_to(struct tui *t, enum page page)
+{
+	if (t->ui.page != page) {
+		t->filter = (struct edit){0};
+		t->ui.cell.on = false;
+		tui_clear_hits(t);
+	}
+	t->ui.page = page;
+}
+
+void
+pages_update(struct tui *t)
+{
+	if (t->picker.on)
+		t->picker.rows->update(t);
+	strip_update(t);
+	if (pages_current(t)->update != NULL)
+		pages_current(t)->update(t);
+}
 
 struct area
 pane_list_area(const struct tui *t)
@@ -29,13 +64,13 @@ on_click_plot(struct tui *t, const struct touched *touched)
 	struct plots_found found;
 	if (touched->item >= t->n_drawn)
 		return;
-	struct plot_request *request = &t->drawn[touched->item].request;
+	struct plot_request *request = &t->drawn[touched->item];
 	request->asked.entry = tui_entry_for_prediction(t);
 	if (!plots_find_mark_at_cell(t->session, request, touched->area.columns,
 		touched->area.rows, touched->column, touched->row, &found))
 		return;
 	void (*point)(struct tui *, enum plot_kind, double, double) =
-	    t->shows->point;
+	    pages_current(t)->point;
 	if (point != NULL)
 		point(t, request->kind, found.x, found.y);
 	if (found.words != NULL)
@@ -61,7 +96,7 @@ pane_draw_plot(
 		canvas_free(canvas);
 		if (request->asked.entry != NULL || t->n_drawn == PLOTS_DRAWN)
 			return;
-		t->drawn[t->n_drawn].request = r;
+		t->drawn[t->n_drawn] = r;
 		hits_add(
 		    &t->hits, HIT_SLIDE, *area, on_click_plot, t->n_drawn++);
 		return;

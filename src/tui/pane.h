@@ -1,5 +1,5 @@
-/* The operations of a page of the full screen, and functions with which pages
- * draw.  Pages draw from the state; only `update` computes.
+/* The operations of a page of the full screen, the open page, and functions
+ * with which pages draw.  Pages draw from the state; only `update` computes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_PANE_H
 #define TIPSPEED_TUI_PANE_H
@@ -66,6 +66,17 @@ struct page_ops {
 #define PAGE_DECLARED(NUMBER, name, heading, key) \
 	extern const struct page_ops page_##name;
 SCREEN_PAGES(PAGE_DECLARED)
+
+/* The names of the pages in the heading. */
+extern const char *const PAGE_HEADINGS[PAGES];
+
+/* pages_current returns the open page; pages_go_to opens a page. */
+const struct page_ops *pages_current(const struct tui *t);
+void pages_go_to(struct tui *t, enum page page);
+
+/* Calls `update` of the open page, see page_ops; does nothing if it has
+ * none. */
+void pages_update(struct tui *t);
 
 /* Draws a plot in an area, or says why there is none.  A click on it says what
  * is there (see point in page_ops), unless the request names an entry; by

@@ -20,8 +20,7 @@
 #include "cli/terminal.h"
 
 /* screen: NULL if frames are only drawn, not shown.  frame: the last one, or
- * NULL; shown: the one that ncurses has, or NULL if it is to get all of it
- * anew. ncurses has state of its own beside this. */
+ * NULL.  ncurses has state of its own beside this. */
 static struct display {
 	SCREEN *screen;
 	bool utf8, mouse, only_text;
@@ -29,22 +28,14 @@ static struct display {
 	enum charset charset;
 	enum theme theme;
 	short pair[SERIES_COUNT]; /* 0 without colours */
-	struct canvas *frame, *shown;
+	struct canvas *frame;
 } display;
-
-static void
-forget_shown_frame(void)
-{
-	canvas_free(display.shown);
-	display.shown = NULL;
-}
 
 /* Series of one colour share a pair: ncurses would write the colour again from
  * one to the other. */
 static void
 set_curses_colours(bool colour)
 {
-	forget_shown_frame();
 	display.depth = 0;
 	memset(display.pair, 0, sizeof display.pair);
 	if (!colour || !has_colors() || start_color() != OK)
@@ -150,7 +141,6 @@ screen_close(void)
 	end_curses();
 	delscreen(display.screen);
 	canvas_free(display.frame);
-	forget_shown_frame();
 	display = (struct display){0};
 }
 
@@ -266,7 +256,6 @@ screen_resize(void)
 	struct winsize size = {0};
 	if (display.screen == NULL)
 		return;
-	forget_shown_frame();
 	/* Without memory for it, ncurses 6.4 has spoilt the heap. */
 	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 &&
 	    size.ws_col > 0 && resizeterm(size.ws_row, size.ws_col) == ERR)
@@ -279,10 +268,6 @@ screen_begin_frame(int *rows, int *columns)
 {
 	if (display.screen != NULL)
 		getmaxyx(stdscr, display.rows, display.columns);
-	if (display.shown != NULL &&
-	    (display.shown->rows != display.rows ||
-		display.shown->columns != display.columns))
-		forget_shown_frame();
 	canvas_free(display.frame);
 	display.frame = canvas_new(display.columns, display.rows);
 	display.frame->theme = display.theme;
@@ -433,63 +418,36 @@ letter_without_accent(uint32_t code)
 	return capital ? bare - 'a' + 'A' : bare;
 }
 
+/* What is blank was erased; the right half of a wide letter comes with the
+ * left. */
 static void
-add_cell_to_curses(int row, int column, const struct canvas_cell *from)
+add_cell_to_curses(int row, int column)
 {
+	const struct canvas_cell *from =
+	    canvas_cell_at(display.frame, column, row);
 	wchar_t text[2] = {(wchar_t)from->code, 0};
-	short pair = display.pair[from->series];
 	cchar_t cell;
+	if (from->code == 0 ||
+	    (from->code == ' ' && !(from->attribute & CELL_REVERSE)))
+		return;
 	if (!display.utf8 && from->code > 126)
 		text[0] = letter_without_accent(from->code);
-	setcchar(&cell, text, curses_attributes(from), pair, NULL);
+	setcchar(&cell, text, curses_attributes(from),
+	    display.pair[from->series], NULL);
 	mvadd_wch(row, column, &cell);
 }
 
-static bool
-are_screen_cells_same(const struct canvas_cell *a, const struct canvas_cell *b)
-{
-	return a->code == b->code && a->series == b->series &&
-	       a->attribute == b->attribute;
-}
-
-/* Passes a cell to ncurses; the right half of a wide letter comes with the
- * left. */
-static void
-update_curses_cell(int row, int column)
-{
-	static const struct canvas_cell BLANK = {' ', SERIES_TEXT, LOOK_PLAIN};
-	const struct canvas_cell *at =
-	    canvas_cell_at(display.frame, column, row);
-	if (at->code == 0 && column > 0 &&
-	    text_columns_of_character(at[-1].code) == 2)
-		return;
-	bool blank = at->code == 0 ||
-		     (at->code == ' ' && !(at->attribute & CELL_REVERSE));
-	add_cell_to_curses(row, column, blank ? &BLANK : at);
-}
-
-/* Only the cells that have changed are passed to ncurses. */
+/* ncurses finds what has changed. */
 void
 screen_show_frame(int row, int column)
 {
 	if (display.screen == NULL)
 		return;
-	const struct canvas *was = display.shown;
-	if (was == NULL)
-		erase();
+	erase();
 	for (int r = 0; r < display.rows; r++)
-		for (int c = 0; c < display.columns; c++) {
-			int i = r * display.columns + c;
-			if (was == NULL ||
-			    !are_screen_cells_same(
-				&display.frame->cell[i], &was->cell[i]))
-				update_curses_cell(r, c);
-		}
+		for (int c = 0; c < display.columns; c++)
+			add_cell_to_curses(r, c);
 	move(row < display.rows ? row : display.rows - 1,
 	    column < display.columns ? column : display.columns - 1);
-	wnoutrefresh(stdscr);
-	doupdate();
-	forget_shown_frame();
-	display.shown = display.frame;
-	display.frame = NULL;
+	refresh();
 }

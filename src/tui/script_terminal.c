@@ -11,7 +11,7 @@
 #include "tui/keymap.h"
 #include "tui/control.h"
 #include "tui/frame.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "cli/signals.h"
 #include "tui/screen.h"
 #include "tui/tui_state.h"

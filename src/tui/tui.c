@@ -5,7 +5,6 @@
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <curses.h>
@@ -18,7 +17,6 @@
 #include "tui/frame.h"
 #include "tui/input.h"
 #include "cli/manpage.h"
-#include "tui/pages.h"
 #include "cli/signals.h"
 #include "cli/restore.h"
 #include "tui/screen.h"

@@ -87,7 +87,6 @@ struct sheet {
 struct parity {
 	size_t next;
 	struct trials runs;
-	struct validate_score score[VALIDATE_NULL][PSD_SIZES];
 	struct chart *chart;
 	struct error error;
 };
@@ -108,7 +107,6 @@ struct cursor {
 };
 
 struct page_list;
-struct page_ops;
 /* Lists of files: all files in the working folder; its sheets, for a feed whose
  * product is to be estimated; saved sessions; or shipped sites. */
 enum picker_list { PICK_FILES, PICK_FEEDS, PICK_SESSIONS, PICK_SHIPPED };
@@ -259,18 +257,14 @@ struct tui {
 	const struct key *pending_key;
 	double pending_from;
 	bool mouse;
-	struct hits hits; /* in the frame shown */
-	struct {
-		struct plot_request request;
-		struct area area;
-	} drawn[PLOTS_DRAWN]; /* its plots */
+	struct hits hits;                       /* in the frame shown */
+	struct plot_request drawn[PLOTS_DRAWN]; /* its plots */
 	size_t n_drawn;
-	const struct page_ops *shows; /* their page */
-	char *running_line;           /* running line, or NULL */
-	bool of_script;               /* the line is from a script */
-	bool stopping;                /* a key is stopping it */
-	double ran_from;              /* start of the line or its script, s */
-	double drawn_at;              /* when running_line was last drawn */
+	char *running_line;    /* running line, or NULL */
+	bool of_script;        /* the line is from a script */
+	bool stopping;         /* a key is stopping it */
+	double ran_from;       /* start of the line or its script, s */
+	double drawn_at;       /* when running_line was last drawn */
 	const char *computing; /* lengthy computation in progress, or NULL */
 	bool held;             /* the calibration is paused */
 	double due;            /* time of the next generation */

@@ -15,7 +15,7 @@
 #include "cmd/ask/pin.h"
 #include "cmd/ask/asked.h"
 #include "tui/captured.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/widgets/envelope_check.h"
 #include "tui/widgets/track.h"
 

@@ -5,7 +5,6 @@
 #include "tui/word.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/xalloc.h"
 #include "cmd/lang/command.h"

@@ -24,7 +24,6 @@
 #include "tui/widgets/goal.h"
 #include "tui/widgets/list.h"
 #include "tui/input.h"
-#include "tui/pages.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
@@ -1985,13 +1984,13 @@ all_runs_are_a_key_of_the_page(void **state)
 	for (size_t i = 0; i < ARRAY_LEN(BACK); i++) {
 		press(t, "r");
 		frame_draw(t);
-		assert_int_equal(t->drawn[0].request.kind, PLOT_RUNS);
+		assert_int_equal(t->drawn[0].kind, PLOT_RUNS);
 		char *words = page_predict.words(t);
 		assert_string_equal(words, "runs");
 		free(words);
 		press(t, BACK[i]);
 		frame_draw(t);
-		if (t->drawn[0].request.kind != PLOT_PSD)
+		if (t->drawn[0].kind != PLOT_PSD)
 			fail_msg("%s does not lead back", BACK[i]);
 	}
 }

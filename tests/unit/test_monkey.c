@@ -16,7 +16,7 @@
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/input.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
 #include "tui/tui_state.h"

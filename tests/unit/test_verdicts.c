@@ -10,7 +10,7 @@
 #include "tui/control.h"
 #include "tui/frame.h"
 #include "tui/widgets/envelope_check.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/screen.h"
 #include "tui/script_terminal.h"
 #include "tui/watch.h"

@@ -63,7 +63,9 @@ search_shown_of_site(const struct session *s, const struct entry *entry)
 	return past;
 }
 
-size_t
+/* Returns the index of generation 1..n, or of the last for 0.  Returns n with
+ * an error if there is none. */
+static size_t
 find_generation_index(const struct entry *entry,
     const struct search_shown *past, size_t generation, struct error *error)
 {
@@ -81,7 +83,8 @@ find_generation_index(const struct entry *entry,
 	return past->n;
 }
 
-struct params
+/* Returns the best candidate of generation 1..n, or for 0 the final result. */
+static struct params
 best_params_of_generation(const struct search_shown *past, size_t generation)
 {
 	return generation > 0 ? past->generation[generation - 1].params

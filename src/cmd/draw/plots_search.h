@@ -30,15 +30,6 @@ struct search_shown search_shown_of_site(
 bool search_shown_is_running(
     const struct session *s, const struct entry *entry);
 
-/* Returns the index of generation 1..n, or of the last for 0.  Returns n with
- * an error if there is none. */
-size_t find_generation_index(const struct entry *entry,
-    const struct search_shown *past, size_t generation, struct error *error);
-
-/* Returns the best candidate of generation 1..n, or for 0 the final result. */
-struct params best_params_of_generation(
-    const struct search_shown *past, size_t generation);
-
 /* Returns a misfit as RMSE, points, or NAN if it is not finite and positive. */
 double misfit_as_rmse_points(const struct search_shown *past, double misfit);
 

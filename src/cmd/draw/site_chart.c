@@ -13,7 +13,6 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/formats/spec.h"
 #include "io/sitefile/units.h"
-#include "plot/marks.h"
 
 struct chart *
 site_chart(const struct site *site, struct axis x, struct axis y,

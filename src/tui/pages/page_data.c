@@ -479,18 +479,6 @@ draw_residuals_or_curves(struct tui *t, struct area area)
 	return true;
 }
 
-/* Returns what is left of an area beside its first columns, or below its first
- * rows. */
-static struct area
-rest_of_area(struct area area, int columns, int rows)
-{
-	area.column += columns;
-	area.columns -= columns;
-	area.row += rows;
-	area.rows -= rows;
-	return area;
-}
-
 static void
 data_draw(struct tui *t)
 {
@@ -502,6 +490,7 @@ data_draw(struct tui *t)
 		return;
 	}
 	struct room room = cells_that_fit(t, &area);
+	struct area rest = area;
 	t->ui.cell.top = first_index_to_show(
 	    t->ui.cell.top, t->ui.cell.row, h->n, room.rows);
 	t->ui.cell.left = first_index_to_show(
@@ -510,8 +499,8 @@ data_draw(struct tui *t)
 	int behind = data_draw_cells(t, &area, room);
 	size_t shown = h->n < room.rows ? h->n : room.rows;
 	int row = (int)shown + 1;
-	bool beside =
-	    draw_residuals_or_curves(t, rest_of_area(area, behind + GAP, 0));
+	area_cut(&rest, EDGE_LEFT, behind + GAP);
+	bool beside = draw_residuals_or_curves(t, rest);
 	if (beside)
 		area.columns = behind;
 	if (area.rows <= 2 * SAID)
@@ -519,8 +508,9 @@ data_draw(struct tui *t)
 	/* With a blank row, if that takes none away. */
 	row = draw_cell_description(t, &area, row + (row + SAID < area.rows));
 	row = draw_data_source(t, &area, row + (row + SAID < area.rows));
+	area_cut(&area, EDGE_TOP, row + 1);
 	if (!beside)
-		draw_residuals_or_curves(t, rest_of_area(area, 0, row + 1));
+		draw_residuals_or_curves(t, area);
 }
 
 /* ---- Keys ---- */

@@ -1,23 +1,405 @@
-/* The page Fit: the search, generation by generation, during and after its run.
+/* The page Fit: the search, generation by generation, during and after its run;
+ * beside its plot a row for each parameter with its bounds and the middle 80 %
+ * of candidates and draws, and the convergence below.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 #include "tui/pane.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
+#include "cmd/ask/outlook.h"
+#include "cmd/ask/trust_light.h"
 #include "cmd/draw/plots_search.h"
 #include "cmd/draw/site_chart.h"
 #include "core/search/misfit.h"
 #include "plot/draw.h"
 #include "tui/acts.h"
 #include "tui/screen.h"
-#include "tui/widgets/search_side.h"
 #include "tui/watch.h"
+
+/* ---- The panel ---- */
+
+/* Columns of the row of a parameter: name, lower bound, bar, upper bound and
+ * value; on a wide panel, a remark. */
+enum { NAME = 7, BOUND = 6, VALUE = 8, SIGN = 1, REMARK = 12, WIDE = 48 };
+
+/* The least rows of the convergence. */
+enum { CONVERGENCE = 3 };
+
+/* Where and how a row of the panel is drawn. */
+struct row {
+	const struct area *side;
+	int row, width;
+	bool wide;
+};
+
+static size_t
+count_parameters(const struct search_shown *past)
+{
+	return breakage_model_of_params(&past->best)->n;
+}
+
+static void
+choose_parameter(struct tui *t, int by)
+{
+	struct search_shown past = tui_search_shown(t);
+	if (past.n == 0)
+		return;
+	/* The first key shows which one it is. */
+	if (t->ui.param_at == 0)
+		t->ui.param_at = 1;
+	else
+		t->ui.param_at = 1 + pane_clamp_index(t->ui.param_at - 1, by,
+					 count_parameters(&past));
+}
+
+void
+act_type_bounds(struct tui *t, const struct key *key)
+{
+	(void)key;
+	struct search_shown past = tui_search_shown(t);
+	if (past.n == 0)
+		return;
+	size_t j = t->ui.param_at > 0 ? t->ui.param_at - 1 : 0;
+	const struct breakage *of = breakage_model_of_params(&past.best);
+	const struct session *s = t->session;
+	/* The bounds of the next search; of another model, those of the
+	 * last. */
+	const struct bounds *now = s->set.model.breakage == past.best.breakage
+				       ? &s->set.bounds
+				       : past.bounds;
+	t->ui.param_at = j + 1;
+	FREED char *line = xasprintf("bounds %s ", of->parameter[j].name);
+	edit_begin(&t->line, line);
+	tui_say(t, false,
+	    j < of->gauge ? N_("%s: %g..%g now; type low..high, or one value; "
+			       "the bar shows each beta divided by the "
+			       "largest, as only ratios matter")
+			  : N_("%s: %g..%g now; type low..high, or one value"),
+	    of->parameter[j].name, now->lower[j], now->upper[j]);
+}
+
+static void
+on_click_parameter(struct tui *t, const struct touched *touched)
+{
+	t->ui.param_at = touched->item;
+	act_type_bounds(t, NULL);
+}
+
+/* Returns the cell of a bar at which a value stands between its bounds. */
+static int
+bar_cell_of_value(const struct param_span *span, double value, int width)
+{
+	double range = span->upper - span->lower;
+	double share = range > 0 ? (value - span->lower) / range : 0.5;
+	share = share < 0 ? 0 : share > 1 ? 1 : share;
+	return (int)lround(share * (width - 1));
+}
+
+/* Draws a sign from one value to another. */
+static void
+draw_bar_span(const struct row *r, const struct param_span *span,
+    const double *end, enum series series, const char *sign)
+{
+	int from = bar_cell_of_value(span, end[0], r->width);
+	int to = bar_cell_of_value(span, end[1], r->width);
+	for (int c = from; c <= to; c++)
+		screen_draw_series_text(
+		    r->side, r->row, NAME + BOUND + 1 + c, series, 0, sign);
+}
+
+/* Writes a number in few letters: "0.001", "2746". */
+static const char *
+short_number_text(double value, bool scaled, char text[static 24])
+{
+	/* Not "-0.000". */
+	if (scaled)
+		snprintf(text, 24, "%.3f", fabs(value) < 0.5e-3 ? 0 : value);
+	else
+		snprintf(text, 24, "%.*g", fabs(value) >= 1000 ? 5 : 3, value);
+	return text;
+}
+
+/* Draws the bar between the bounds: the middle 80 % of the draws and of the
+ * candidates, and the best. */
+static void
+draw_parameter_bar(const struct row *r, const struct param_span *span)
+{
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	int end = NAME + BOUND + 1 + r->width;
+	char text[24];
+	screen_text(r->side, r->row, NAME, LOOK_DIM, "%*s|", BOUND,
+	    short_number_text(span->lower, false, text));
+	screen_text(r->side, r->row, end, LOOK_DIM, "|%-*s", BOUND,
+	    short_number_text(span->upper, false, text));
+	if (isfinite(span->drawn[0]))
+		draw_bar_span(r, span, span->drawn, SERIES_PREDICTED,
+		    ascii ? "-" : "\u2500");
+	draw_bar_span(r, span, (double[]){span->p10, span->p90}, SERIES_FEED,
+	    ascii ? "=" : "\u2501");
+	screen_draw_series_text(r->side, r->row,
+	    NAME + BOUND + 1 + bar_cell_of_value(span, span->best, r->width),
+	    SERIES_PREDICTED, LOOK_BOLD, "*");
+}
+
+/* Draws "f_mat  0.01|  ==*=    |10    2.18"; for a fixed parameter only the
+ * value. */
+static void
+draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
+    const struct param_span *span)
+{
+	int at = NAME + 2 * (BOUND + 1) + r->width;
+	/* Without room for the remark a sign tells of the bound itself. */
+	bool marked = span->at_bound || (r->wide && span->near);
+	const char *remark = span->at_bound ? "AT BOUND"
+			     : span->near   ? "NEAR BOUND"
+					    : "";
+	char text[24];
+	screen_text(
+	    r->side, r->row, 0, chosen ? LOOK_REVERSE : LOOK_PLAIN, "%s", name);
+	/* For terminals without reverse. */
+	if (chosen)
+		screen_text(r->side, r->row, NAME - 1, LOOK_BOLD, ">");
+	if (span->fixed)
+		screen_text(
+		    r->side, r->row, NAME + BOUND + 1, LOOK_DIM, "held fixed");
+	else
+		draw_parameter_bar(r, span);
+	at = screen_text(r->side, r->row, at, marked ? LOOK_BOLD : LOOK_PLAIN,
+	    "%*s", VALUE - 1, short_number_text(span->best, scaled, text));
+	if (marked)
+		screen_text(r->side, r->row, at, LOOK_BOLD, "!%s%s",
+		    r->wide ? " " : "", r->wide ? remark : "");
+}
+
+static int
+draw_parameters(struct tui *t, const struct search_shown *past, int row)
+{
+	const struct area *side = &t->layout.side;
+	const struct breakage *of = breakage_model_of_params(&past->best);
+	bool wide = side->columns >= WIDE;
+	int rest = NAME + 2 * (BOUND + 1) + VALUE + (wide ? REMARK : SIGN);
+	struct row r = {side, row, side->columns - rest, wide};
+	bool end =
+	    t->ui.generation == 0 && !session_entry_being_fitted(t->session);
+	bool ascii = screen_charset() == CHARSET_ASCII;
+	screen_text(side, row, 0, LOOK_DIM, "%s 80 %%  * %s%s%s",
+	    ascii ? "=" : "\u2501", end ? tr("polished") : tr("best"),
+	    !end    ? ""
+	    : ascii ? tr("  - draws")
+		    : tr("  \u2500 draws"),
+	    wide ? "" : tr("  ! bound"));
+	r.width = r.width < 3 ? 3 : r.width;
+	for (size_t j = 0; j < of->n && r.row + 1 < side->rows; j++) {
+		struct param_span span = param_span_of_generation(
+		    t->session, past, t->ui.generation, j);
+		r.row++;
+		draw_parameter(&r, of->parameter[j].name, j < of->gauge,
+		    t->ui.param_at == j + 1, &span);
+		hits_add(&t->hits, HIT_PRESS, area_of_row(side, r.row),
+		    on_click_parameter, j + 1);
+	}
+	return r.row + 1;
+}
+
+static const char *
+stop_reason_text(enum calibrate_state stop)
+{
+	return stop == CALIBRATE_TOLERANCE     ? tr("converged")
+	       : stop == CALIBRATE_STALLED     ? tr("stalled")
+	       : stop == CALIBRATE_GENERATIONS ? tr("limit reached")
+					       : tr("stopped");
+}
+
+/* Draws "1.2 s  350000 candidates  pace auto".  The time left is not known,
+ * because the polish ends when it finds nothing better. */
+static int
+draw_search_effort(const struct tui *t, int row)
+{
+	struct calibrate_status st =
+	    calibration_status(t->session->job.calibration);
+	double seconds = tui_search_seconds(t);
+	char pace[32] = "full";
+	if (t->ui.pace == PACE_AUTO)
+		snprintf(pace, sizeof pace, "auto");
+	else if (t->ui.pace < PACE_FULL)
+		snprintf(pace, sizeof pace, "%g/s", PACES[t->ui.pace]);
+	screen_text(&t->layout.side, row, 0, LOOK_DIM,
+	    "%.1f s  %zu candidates  pace %s", seconds, st.evaluations, pace);
+	return row + 1;
+}
+
+/* Returns "converged; seed 1; doubtful: ..", with the first reason; if the
+ * search shown has not replaced the fit, that is said first. */
+static char *
+fit_verdict_text(const struct tui *t, const struct entry *entry)
+{
+	struct trust light = trust_in_answer_or_fit(t->session, entry, NULL);
+	char *words = xasprintf(tr("%s; seed %llu; %s%s%s"),
+	    stop_reason_text(entry->fit.stop),
+	    (unsigned long long)entry->fit.seed,
+	    verdict_on_fit(t->session, entry, NULL), light.n > 0 ? ": " : "",
+	    light.n > 0 ? light.reason[0].text : "");
+	trust_free(&light);
+	if (!search_shown_is_running(t->session, tui_current_entry(t)) ||
+	    !t->session->job.held_back)
+		return words;
+	char *stays = xasprintf(tr("stopped; the fit that stays: %s"), words);
+	free(words);
+	return stays;
+}
+
+static char *
+posterior_draws_settled_text(const struct evidence *e)
+{
+	return xasprintf(e->halves > DRAWS_SETTLED ? tr("%d draws, not settled")
+						   : tr("%d draws, settled"),
+	    POSTERIOR_DRAWS);
+}
+
+/* Draws the verdict beside the end of a search, in rows that parameters and
+ * convergence leave free. */
+static int
+draw_search_result(const struct tui *t, int row)
+{
+	const struct entry *entry = tui_current_entry(t);
+	const struct area *side = &t->layout.side;
+	if (!entry->has_fit || t->ui.generation > 0)
+		return row;
+	const struct posterior *p = posterior_for_comparison(t->session, entry);
+	int heads = 1 + (int)breakage_model_of_params(&entry->params)->n;
+	int room = side->rows - row - heads - CONVERGENCE - (p != NULL);
+	char *words = fit_verdict_text(t, entry);
+	int from = row;
+	row = screen_draw_wrapped_rows(
+	    side, row, room > 1 ? room : 1, 0, words, " .. :why");
+	free(words);
+	if (p == NULL)
+		return row;
+	room -= row - from;
+	words = posterior_draws_settled_text(
+	    evidence_on_calibration(t->session, entry));
+	row = screen_draw_wrapped(side, row, 0, words);
+	free(words);
+	return row;
+}
+
+/* Draws the state of the search at the generation shown. */
+static int
+draw_search_state(const struct tui *t, const struct search_shown *past)
+{
+	const struct area *side = &t->layout.side;
+	size_t at = tui_generation_without_polish(t);
+	const struct calibrate_generation *g = &past->generation[at - 1];
+	bool end = t->ui.generation == 0 && past->polished;
+	double best = misfit_as_rmse_points(past, end ? past->misfit : g->best);
+	int row = 0;
+	screen_text(side, row++, 0, LOOK_BOLD,
+	    end ? N_("%sgeneration %zu of %zu, polished")
+		: N_("%sgeneration %zu of %zu"),
+	    session_is_calibrating(t->session) && t->held ? tr("PAUSED ") : "",
+	    at, past->n);
+	screen_text(side, row++, 0, 0, "best %.2f, median %.2f points RMS",
+	    best, misfit_as_rmse_points(past, g->median));
+	FREED char *words =
+	    t->computing != NULL
+		? xstrdup(t->computing)
+		: search_progress_text(t->session, past, t->ui.generation);
+	row = screen_draw_wrapped(side, row, LOOK_BOLD, words);
+	return session_entry_being_fitted(t->session)
+		   ? draw_search_effort(t, row)
+		   : draw_search_result(t, row);
+}
+
+static void
+draw_convergence(struct tui *t, int row)
+{
+	struct area below = t->layout.side;
+	area_cut(&below, EDGE_TOP, row);
+	struct plot_request request = plots_default_request(PLOT_CONVERGENCE);
+	request.words = 0;
+	request.generation = t->ui.generation;
+	if (below.rows >= CONVERGENCE && t->ui.picture != PLOT_CONVERGENCE)
+		pane_draw_plot(t, &request, &below);
+}
+
+/* "beta1=-0.000  .. alpha=1!" */
+static char *
+parameters_text(const struct tui *t, const struct search_shown *past)
+{
+	const struct breakage *of = breakage_model_of_params(&past->best);
+	char *words = xstrdup(""), text[24];
+	for (size_t j = 0; j < of->n; j++) {
+		struct param_span span = param_span_of_generation(
+		    t->session, past, t->ui.generation, j);
+		xappend(&words, "%s%s=%s%s", j > 0 ? "  " : "",
+		    of->parameter[j].name,
+		    short_number_text(span.best, j < of->gauge, text),
+		    span.at_bound ? "!" : "");
+	}
+	return words;
+}
+
+/* Draws the parameters in words if there are no rows for bars. */
+static void
+draw_params_in_words(const struct tui *t, const struct search_shown *past)
+{
+	const struct area *side = &t->layout.side;
+	const struct entry *entry = tui_current_entry(t);
+	size_t at = tui_generation_without_polish(t);
+	bool over = t->ui.generation == 0 &&
+		    !session_is_calibrating(t->session) && entry->has_fit;
+	double points = t->ui.generation == 0 ? past->misfit
+					      : past->generation[at - 1].best;
+	screen_text(side, 0, 0, LOOK_BOLD, "generation %zu: %.2f points RMS",
+	    at, misfit_as_rmse_points(past, points));
+	char *words = parameters_text(t, past);
+	int row =
+	    screen_draw_wrapped_rows(side, 1, side->rows - 1, 0, words, " ..");
+	free(words);
+	words = over ? fit_verdict_text(t, entry)
+		     : search_progress_text(t->session, past, t->ui.generation);
+	screen_draw_wrapped_rows(
+	    side, row, side->rows - row, 0, words, over ? " .. :why" : " ..");
+	free(words);
+}
+
+static void
+draw_search_panel(struct tui *t)
+{
+	enum { LOW = 12 };
+	const struct area *side = &t->layout.side;
+	struct search_shown past = tui_search_shown(t);
+	if (side->rows == 0)
+		return;
+	screen_draw_vertical_rule(side->row, t->layout.wall, side->rows);
+	if (past.n > 0 && side->rows < LOW) {
+		draw_params_in_words(t, &past);
+		return;
+	}
+	if (past.n > 0) {
+		int row = draw_search_state(t, &past);
+		draw_convergence(t, draw_parameters(t, &past, row));
+		return;
+	}
+	const struct entry *entry = tui_current_entry(t);
+	bool can = entry == NULL || site_count_products(entry->site) > 0;
+	bool before = entry != NULL && entry->has_fit;
+	screen_text(side, 0, 0, 0, "%s",
+	    before ? tr("its search was not kept: f starts a new one")
+	    : can  ? tr("not calibrated yet: f starts")
+		   : tr("no product: type :guess"));
+	screen_text(side, 1, 0, 0, "%s",
+	    can ? tr("+ and -: generations a second") : "");
+}
+
+/* ---- The generations and the plot ---- */
 
 static void
 on_click_generations(struct tui *t, const struct touched *touched)
@@ -119,7 +501,7 @@ fit_draw(struct tui *t)
 	if (l->side.rows == 0 && l->plot.rows < LOW && any &&
 	    t->ui.picture == PLOT_SEARCH) {
 		l->side = l->plot;
-		search_side_draw(t);
+		draw_search_panel(t);
 		return;
 	}
 	struct plot_request request =
@@ -135,7 +517,7 @@ fit_draw(struct tui *t)
 		pane_draw_curves(t, &request, request.kind == PLOT_PSD);
 	if (own && t->layout.legend.rows > 0)
 		fit_draw_legend(t);
-	search_side_draw(t);
+	draw_search_panel(t);
 }
 
 static const char *
@@ -193,7 +575,7 @@ static bool
 fit_move_by_key(struct tui *t, const struct key *key)
 {
 	if (key->act == act_move_in_list)
-		search_side_choose_parameter(t, key->amount);
+		choose_parameter(t, key->amount);
 	else if (tui_search_shown(t).n == 0)
 		return false;
 	else if (key->act == act_move_to_end)

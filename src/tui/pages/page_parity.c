@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"
 #include "cmd/ask/outlook.h"
@@ -63,15 +62,6 @@ add_marks_of_chosen_run(struct chart *chart)
 }
 
 static void
-compute_scores(struct parity *y)
-{
-	for (enum validate_way way = 0; way < VALIDATE_NULL; way++)
-		for (size_t i = 0; i < PSD_SIZES; i++)
-			y->score[way][i] =
-			    trials_score_at_size(&y->runs, way, i);
-}
-
-static void
 make_parity_chart(struct tui *t)
 {
 	struct parity *y = &t->view.parity;
@@ -105,7 +95,6 @@ parity_update(struct tui *t)
 		trials_append(&y->runs, &found);
 		y->next++;
 	}
-	compute_scores(y);
 	if (t->ui.list[PAGE_PARITY].at >= y->runs.n)
 		t->ui.list[PAGE_PARITY].at = 0;
 	make_parity_chart(t);
@@ -142,12 +131,15 @@ draw_score_row(const struct area *area, int row, const char *size, double n,
 
 static int
 draw_score_rows(const struct area *area, int row, const char *who,
-    const struct validate_score score[static PSD_SIZES])
+    const struct trials *runs, enum validate_way way)
 {
 	screen_text(area, row++, 0, LOOK_BOLD, "%s", who);
-	for (size_t i = 0; i < PSD_SIZES; i++)
-		draw_score_row(area, row++, PSD_NAME[i], (double)score[i].n,
-		    score[i].bias, score[i].rms, score[i].r2);
+	for (size_t i = 0; i < PSD_SIZES; i++) {
+		struct validate_score score =
+		    trials_score_at_size(runs, way, i);
+		draw_score_row(area, row++, PSD_NAME[i], (double)score.n,
+		    score.bias, score.rms, score.r2);
+	}
 	return row;
 }
 
@@ -249,14 +241,13 @@ draw_parity_panel(struct tui *t, const struct area *area)
 	screen_text(area, 1, 0, LOOK_DIM, "%-5s%6s %8s %7s %8s", "", tr("runs"),
 	    tr("bias %"), tr("rms %"), "R2");
 	int row =
-	    draw_score_rows(area, 2, tr("model"), y->score[VALIDATE_MODEL]);
+	    draw_score_rows(area, 2, tr("model"), &y->runs, VALIDATE_MODEL);
 	row = draw_score_rows(area, row, tr("corrected by the training runs"),
-	    y->score[VALIDATE_CORRECTED]);
+	    &y->runs, VALIDATE_CORRECTED);
 	row = draw_leave_one_out_scores(t, area, row);
 	row += row + 1 < area->rows - 4;
 	struct area points = *area;
-	points.row += row;
-	points.rows -= row;
+	area_cut(&points, EDGE_TOP, row);
 	int wanted[LIST_COLUMNS];
 	table_measure_columns(t, &TABLE, y->runs.n, wanted);
 	table_draw(t, &points, &TABLE, wanted);
@@ -266,13 +257,13 @@ draw_parity_panel(struct tui *t, const struct area *area)
 static void
 draw_statistics_line(const struct tui *t, const struct area *area)
 {
-	const struct validate_score *score =
-	    &t->view.parity.score[VALIDATE_MODEL][1];
+	struct validate_score score =
+	    trials_score_at_size(&t->view.parity.runs, VALIDATE_MODEL, 1);
 	char r2[16] = "-";
-	if (!isnan(score->r2))
-		snprintf(r2, sizeof r2, "%.3f", score->r2);
+	if (!isnan(score.r2))
+		snprintf(r2, sizeof r2, "%.3f", score.r2);
 	screen_text(area, 0, 0, 0, "P50: bias %+.1f %% rms %.1f %% R2 %s",
-	    100 * score->bias, 100 * score->rms, r2);
+	    100 * score.bias, 100 * score.rms, r2);
 }
 
 static void
@@ -309,21 +300,19 @@ static void
 parity_draw(struct tui *t)
 {
 	enum { NARROW = 70, WIDE = 120, PANEL = 37, WIDE_PANEL = 62, GAP = 2 };
-	struct area plot = pane_list_area(t), side = plot;
+	struct area plot = pane_list_area(t), side;
 	if (t->view.parity.chart == NULL || t->view.parity.runs.n == 0) {
 		draw_why_no_parity(t, &plot);
 		return;
 	}
 	if (plot.columns >= NARROW) {
-		int panel = plot.columns >= WIDE ? WIDE_PANEL : PANEL;
-		plot.columns -= panel + GAP;
-		side.column = plot.column + plot.columns + GAP;
-		side.columns = panel;
+		side = area_cut(&plot, EDGE_RIGHT,
+		    plot.columns >= WIDE ? WIDE_PANEL : PANEL);
+		area_cut(&plot, EDGE_RIGHT, GAP);
 		draw_parity_panel(t, &side);
 	} else if (plot.rows > 3) {
+		side = area_cut(&plot, EDGE_TOP, 1);
 		draw_statistics_line(t, &side);
-		plot.row++;
-		plot.rows--;
 	}
 	draw_parity_chart(t, &plot);
 }

@@ -4,7 +4,6 @@
 #include "tui/pane.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/tr.h"
@@ -21,7 +20,6 @@
 #include "tui/widgets/envelope_check.h"
 #include "tui/widgets/goal.h"
 #include "tui/widgets/goal_view.h"
-#include "tui/pages.h"
 #include "tui/captured.h"
 #include "tui/control.h"
 #include "tui/widgets/panel.h"
@@ -78,9 +76,7 @@ draw_ways_to_start(struct tui *t)
 	int row = spare > 0 ? spare / 3 : 0;
 	if (title)
 		screen_text(&area, row, 0, LOOK_BOLD, "No site is loaded yet:");
-	row += title ? 2 : 0;
-	area.row += row;
-	area.rows -= row;
+	area_cut(&area, EDGE_TOP, row + (title ? 2 : 0));
 	row = list_draw_rows(t, &area, draw_way_to_start, NULL);
 	if (what)
 		screen_draw_wrapped(&area, row + 1, 0,

@@ -4,7 +4,6 @@
 #include "tui/pane.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,7 +18,6 @@
 #include "tui/widgets/file_picker.h"
 #include "tui/acts.h"
 #include "tui/control.h"
-#include "tui/pages.h"
 #include "tui/widgets/list.h"
 #include "tui/screen.h"
 #include "tui/watch.h"

@@ -4,8 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/dialog.h"
 
-#include <stdlib.h>
-#include <string.h>
 
 #include <curses.h>
 
@@ -92,10 +90,8 @@ draw_dialog_frame(struct tui *t, const struct area *box, const char *keys)
 	static const char *const CORNERS[] = {
 	    "\u250c", "\u2510", "\u2514", "\u2518"};
 	bool ascii = screen_charset() == CHARSET_ASCII;
-	struct area edge = *box;
-	edge.rows = 1;
-	screen_draw_rule(&edge);
-	edge.row += box->rows - 1;
+	struct area edge = area_of_row(box, box->rows - 1);
+	screen_draw_rule(box);
 	screen_draw_rule(&edge);
 	screen_draw_vertical_rule(box->row, box->column, box->rows);
 	screen_draw_vertical_rule(
@@ -154,25 +150,17 @@ draw_dialog_parts(struct tui *t, const struct area *inner,
     const struct parts *p, const char *asks)
 {
 	const struct user_question *q = t->inquiry;
-	struct area area = *inner;
-	area.rows = p->about;
-	if (p->about > 0)
-		screen_draw_wrapped(
-		    &area, 0, LOOK_BOLD, text_above_question(q));
-	area.row += p->about + p->gap / 2;
-	area.rows = p->table;
+	struct area left = *inner, area = area_cut(&left, EDGE_TOP, p->about);
+	screen_draw_wrapped(&area, 0, LOOK_BOLD, text_above_question(q));
+	area_cut(&left, EDGE_TOP, p->gap / 2);
+	area = area_cut(&left, EDGE_TOP, p->table);
 	draw_question_table(t, &area);
-	area.row += p->table + p->gap / 2;
-	area.rows = p->text;
-	if (p->text > 0)
-		screen_draw_wrapped(&area, 0, LOOK_BOLD, asks);
-	area.row += p->text;
-	area.rows = p->line;
+	area_cut(&left, EDGE_TOP, p->gap / 2);
+	area = area_cut(&left, EDGE_TOP, p->text);
+	screen_draw_wrapped(&area, 0, LOOK_BOLD, asks);
+	area = area_cut(&left, EDGE_TOP, p->line);
 	draw_answer_line(t, &area);
-	area.row += p->line;
-	area.rows = p->hint;
-	if (p->hint > 0)
-		screen_draw_wrapped(&area, 0, LOOK_DIM, q->hint);
+	screen_draw_wrapped(&left, 0, LOOK_DIM, p->hint > 0 ? q->hint : "");
 }
 
 void

@@ -3,11 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/envelope_check.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/answer/response.h"
 
 /* revision, feed: what it was opened for; open: it could be; speed: where it
  * is, m/s. */

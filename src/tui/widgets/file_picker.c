@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <curses.h>
 
 #include "base/text.h"
 #include "base/tr.h"
@@ -290,29 +289,20 @@ void
 file_picker_draw(struct tui *t)
 {
 	enum { WIDE = 72, TALL = 10, LIST = 60 };
-	const struct area body = t->layout.body;
-	struct area list = body, preview = body;
+	struct area list = t->layout.body, preview = {0},
+		    title = area_cut(&list, EDGE_TOP, list.rows > 2 ? 1 : 0);
 	bool shipped = t->picker.what == PICK_SHIPPED;
-	bool title = body.rows > 2;
-	if (title)
-		draw_picker_title(t, &body);
-	list.row += title;
-	list.rows -= title;
-	preview = list;
-	preview.rows = 0;
-	if (body.columns >= WIDE + (shipped ? LIST - WIDE / 2 : 0)) {
-		bool full = shipped || body.columns / 2 >= LIST;
-		list.columns = full ? LIST : body.columns / 2;
+	int half = list.columns / 2;
+	if (title.rows > 0)
+		draw_picker_title(t, &title);
+	if (list.columns >= WIDE + (shipped ? LIST - WIDE / 2 : 0)) {
 		preview = list;
-		preview.column = list.columns + 1;
-		preview.columns = body.columns - preview.column;
+		list = area_cut(
+		    &preview, EDGE_LEFT, shipped || half >= LIST ? LIST : half);
 		screen_draw_vertical_rule(list.row, list.columns, list.rows);
-		preview.column++;
-		preview.columns--;
-	} else if (body.rows >= TALL) {
-		list.rows -= list.rows / 2;
-		preview.row = list.row + list.rows;
-		preview.rows = body.row + body.rows - preview.row;
+		area_cut(&preview, EDGE_LEFT, 2);
+	} else if (t->layout.body.rows >= TALL) {
+		preview = area_cut(&list, EDGE_FOOT, list.rows / 2);
 	}
 	list_draw_rows(t, &list, draw_file_row, NULL);
 	if (t->picker.preview != NULL)

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 #include "tui/acts.h"
-#include "tui/pages.h"
+#include "tui/pane.h"
 #include "tui/screen.h"
 
 static const struct page_list *
@@ -351,11 +351,9 @@ table_draw(struct tui *t, const struct area *area,
     const struct list_table *table, const int wanted[static LIST_COLUMNS])
 {
 	struct table_drawn drawn = {.table = table};
-	struct area rows = *area;
-	rows.row++;
-	rows.rows--;
+	struct area rows = *area, head = area_cut(&rows, EDGE_TOP, 1);
 	table_fit_columns(table, area->columns, wanted, drawn.width);
-	table_draw_row(t, area, SIZE_MAX, LOOK_PLAIN, &drawn);
+	table_draw_row(t, &head, SIZE_MAX, LOOK_PLAIN, &drawn);
 	list_draw_rows(t, &rows, table_draw_row, &drawn);
 }
 

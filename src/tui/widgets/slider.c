@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "base/tr.h"
 #include "core/model/breakage.h"
 #include "core/psd/rotor_speed.h"

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <curses.h>
 
 #include "base/text.h"
 #include "base/tr.h"
