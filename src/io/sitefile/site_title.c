@@ -75,26 +75,6 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 		   (can_be_title_cell(row, c) && is_line_above_table(t, row)));
 }
 
-bool
-title_says_sample_or_speed(const struct layout *layout, const struct row *row)
-{
-	struct heading_speed speed = {0};
-	for (size_t b = 0; b < layout->n; b++) {
-		const struct table *t = &layout->table[b];
-		if (is_line_above_table(t, row) &&
-		    site_heading_speed_of_line(t->sheet, row, &speed))
-			return true;
-		for (size_t c = 0; c < row->n; c++) {
-			if (!can_head_table(t, row, c))
-				continue;
-			struct head title = heading_parse(row->cell[c].text);
-			if (is_title_of_sample(&title))
-				return true;
-		}
-	}
-	return false;
-}
-
 const struct table *
 title_table_below(const struct layout *layout, const struct row *row)
 {
@@ -142,10 +122,10 @@ take_speed_above_table(const struct layout *layout, const struct table *t,
 {
 	bool found = false;
 	for (size_t i = 0; i < layout->n_heading; i++)
-		if (is_line_above_table(t, layout->heading[i]))
-			found = site_heading_speed_of_line(
-				    t->sheet, layout->heading[i], speed) ||
-				found;
+		if (is_line_above_table(t, layout->heading[i]) &&
+		    site_heading_speed_of_line(
+			t->sheet, layout->heading[i], speed))
+			found = layout->read[i] = true;
 	return found;
 }
 
@@ -323,6 +303,7 @@ take_title_lines(const struct layout *layout, struct table *t)
 			if (!is_title_of_sample(&title))
 				continue;
 			take_title(&title, &says);
+			layout->read[i] = true;
 			break;
 		}
 	}
