@@ -165,9 +165,10 @@ combine_column_headings(const struct table *t, size_t c)
 	return said;
 }
 
-/* The numbers of a column.  n to most: from coarse to fine, without the pan; sum:
- * with it.  Of all rows: filled cells, numbers, the least and greatest of them,
- * and how many pairs of neighbours there are, differ by 1, are the same. */
+/* The numbers of a column.  n to most: from coarse to fine, without the pan;
+ * sum: with it.  Of all rows: filled cells, numbers, the least and greatest of
+ * them, and how many pairs of neighbours there are, differ by 1, are the
+ * same. */
 struct shape {
 	int n, rises, falls;
 	double first, last, most, sum;

@@ -25,16 +25,16 @@ enum use { UNUSED, KEY, COUNT, VALUE };
 enum { MOST_COLUMNS = 4000 };
 
 /* A row of the long table: its sieve, mm, as an index among the different ones,
- * and the first row of its sample.  column: of its sample in the wide table, for
- * such a first row. */
+ * and the first row of its sample.  column: of its sample in the wide table,
+ * for such a first row. */
 struct entry {
 	double mm;
 	size_t size, lead, column;
 };
 
 /* use, head [n_col]; n_value: how many columns are of use VALUE.  entry
- * [n_row].  n_size: how many sieves differ.  sample [n_sample]: the first rows of
- * the samples. */
+ * [n_row].  n_size: how many sieves differ.  sample [n_sample]: the first rows
+ * of the samples. */
 struct longer {
 	struct table *table;
 	enum use *use;
@@ -151,8 +151,8 @@ rows_sorted_by_sample(const struct longer *l)
 	return ranked;
 }
 
-/* Finds the samples.  Returns true if each has each of its sieves once, and some
- * sieves occur for several samples. */
+/* Finds the samples.  Returns true if each has each of its sieves once, and
+ * some sieves occur for several samples. */
 static bool
 find_samples_of_long_table(struct longer *l)
 {
