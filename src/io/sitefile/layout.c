@@ -1009,22 +1009,19 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 		   is_heading_of_all_columns(g, top - 1, p, end)) &&
 	       !cell_nature_at(g, top - 1, p->c)->used)
 		top--;
-	for (size_t r = top; r < p->first; r++) {
-		bool mass = cell_nature_at(g, r, p->c)->foot &&
-			    has_number_beside(g, r, p->c, p->end);
-		if (!mass)
-			add_table_row(g, r, col, n, &t.head, &t.n_head);
-		if (!mass)
-			join_cells_beside_headings(g, p, r, end, r < own, &t);
-		t.titles += !mass && r < own;
-	}
-	for (size_t r = top; r < p->first; r++)
-		if (cell_nature_at(g, r, p->c)->foot &&
-		    has_number_beside(g, r, p->c, p->end))
+	for (size_t r = top; r < p->last; r++) {
+		const struct nature *first = cell_nature_at(g, r, p->c);
+		if (r >= p->first) {
+			add_table_row(g, r, col, n, &t.row, &t.n_row);
+			t.below = t.below || first->below;
+		} else if (first->foot &&
+			   has_number_beside(g, r, p->c, p->end)) {
 			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
-	for (size_t r = p->first; r < p->last; r++) {
-		add_table_row(g, r, col, n, &t.row, &t.n_row);
-		t.below = t.below || cell_nature_at(g, r, p->c)->below;
+		} else {
+			add_table_row(g, r, col, n, &t.head, &t.n_head);
+			join_cells_beside_headings(g, p, r, end, r < own, &t);
+			t.titles += r < own;
+		}
 	}
 	add_rows_below(g, p, col, n, &t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
