@@ -61,34 +61,21 @@ split_at_blanks(const struct line *line, struct span *cell)
 	return n;
 }
 
-static bool
-has_digit(const char *text, size_t n)
-{
-	for (size_t i = 0; i < n; i++)
-		if (text[i] >= '0' && text[i] <= '9')
-			return true;
-	return false;
-}
-
-static bool
-is_of_characters(const char *text, size_t n, const char *characters)
-{
-	for (size_t i = 0; i < n; i++)
-		if (strchr(characters, text[i]) == NULL)
-			return false;
-	return true;
-}
+/* Of a line: a search for digits does not go on behind it. */
+static const char DIGIT_OR_END[] = "0123456789\r\n";
 
 /* True for 97,5 and 97.5 %, and for the signs of an absent number; not for what
  * a comma or semicolon ends, which then separates cells. */
 static bool
-is_like_number(const char *text, size_t n)
+is_cell_like_number(const struct line *line, const struct span *cell)
 {
+	const char *text = line->text + cell->from;
+	size_t n = cell->end - cell->from;
 	const char *end = text + n - 1;
-	bool digits = has_digit(text, n);
 	bool dash = n == 1 && *text == '-';
 	return dash ||
-	       (digits && is_of_characters(text, n, "<>+-.,0123456789 %") &&
+	       (strcspn(text, DIGIT_OR_END) < n &&
+		   strspn(text, "<>+-.,0123456789 %") >= n &&
 		   strchr(",;", *text) == NULL && strchr(",;", *end) == NULL);
 }
 
@@ -98,8 +85,7 @@ is_line_of_numbers(const struct line *line)
 	struct span cell[MOST_CELLS];
 	size_t n = split_at_blanks(line, cell);
 	for (size_t i = 1; i < n; i++)
-		if (!is_like_number(
-			line->text + cell[i].from, cell[i].end - cell[i].from))
+		if (!is_cell_like_number(line, &cell[i]))
 			return false;
 	return n > 1 && strchr(",;", line->text[cell[0].end - 1]) == NULL &&
 	       memchr(line->text, ';', line->n) == NULL;
@@ -109,12 +95,9 @@ static bool
 is_rule(const struct line *line)
 {
 	size_t dashes = 0;
-	for (size_t i = 0; i < line->n; i++) {
-		if (strchr("-=_+:| ", line->text[i]) == NULL)
-			return false;
+	for (size_t i = 0; i < line->n; i++)
 		dashes += strchr("-=_", line->text[i]) != NULL;
-	}
-	return dashes > 2;
+	return dashes > 2 && strspn(line->text, "-=_+:| ") >= line->n;
 }
 
 /* Lists the lines of a text, without blank ones: these have n 0. */
@@ -131,9 +114,8 @@ list_lines(char *text, size_t *n)
 		size_t length = strcspn(p, "\r\n");
 		own->text = p;
 		own->n = strspn(p, " ") < length ? length : 0;
-		own->rule = own->n > 0 && is_rule(own);
-		own->numbers =
-		    own->n > 0 && !own->rule && is_line_of_numbers(own);
+		own->rule = is_rule(own);
+		own->numbers = !own->rule && is_line_of_numbers(own);
 		p += length;
 		p += p[0] == '\r' && p[1] == '\n' ? 2 : p[0] != '\0';
 	}
@@ -191,45 +173,6 @@ column_of_cell(const struct grid_columns *g, const struct span *cell)
 	return best;
 }
 
-/* Finds the column of each cell of a line, at [*n].  Returns false if the line
- * has more cells than there are columns, two in one, or is too wide. */
-static bool
-sort_cells_into_columns(const struct line *line, const struct grid_columns *g,
-    struct span cell[static MOST_CELLS], size_t at[static MOST_CELLS],
-    size_t *n)
-{
-	*n = split_at_blanks(line, cell);
-	if (*n == 0 || *n > g->n || cell[*n - 1].right >= MOST_WIDE)
-		return false;
-	for (size_t i = 0; i < *n; i++) {
-		at[i] = column_of_cell(g, &cell[i]);
-		if (i > 0 && at[i] <= at[i - 1])
-			return false;
-	}
-	return true;
-}
-
-/* Puts tabs between the cells of a line: as many as there are columns from one
- * to the next, or one each for a line that is of no table (g: NULL). */
-static void
-put_tab_characters_in_line(struct line *line, const struct grid_columns *g)
-{
-	struct span cell[MOST_CELLS];
-	size_t n, at[MOST_CELLS] = {0};
-	if (g == NULL)
-		n = split_at_blanks(line, cell);
-	else if (!sort_cells_into_columns(line, g, cell, at, &n))
-		return;
-	for (size_t i = 0; i < n; i++) {
-		size_t before = i == 0 ? 0 : cell[i - 1].end;
-		size_t tabs = g == NULL ? i > 0
-			      : i == 0  ? at[0]
-					: at[i] - at[i - 1];
-		for (size_t k = 0; k < tabs && before + k < cell[i].from; k++)
-			line->text[before + k] = '\t';
-	}
-}
-
 /* Widens the columns by a line of heads that has one for each, which may begin
  * far to the left of the numbers. */
 static void
@@ -268,55 +211,71 @@ find_text_table(const struct line *line, size_t first, size_t n)
 	return t;
 }
 
-/* True if every cell stands in a column of its own, and a line of heads, of
- * which none begins with a number, has one for each: a gap then cannot move a
- * number into the column of another sample. */
+/* Splits a line and puts tabs between its cells: as many as there are columns
+ * from one to the next, or one each for a line that is of no table (g: NULL).
+ * Returns the number of cells; 0 if they are more than the columns, two are in
+ * one, or the line is too wide. */
+static size_t
+put_tab_characters_in_line(struct line *line, const struct grid_columns *g,
+    struct span cell[static MOST_CELLS])
+{
+	size_t n = split_at_blanks(line, cell), at[MOST_CELLS] = {0};
+	if (g != NULL && (n == 0 || n > g->n || cell[n - 1].right >= MOST_WIDE))
+		return 0;
+	for (size_t i = 0; i < n; i++) {
+		at[i] = g != NULL ? column_of_cell(g, &cell[i]) : i;
+		if (i > 0 && at[i] <= at[i - 1])
+			return 0;
+	}
+	for (size_t i = 0; i < n; i++) {
+		size_t before = i == 0 ? 0 : cell[i - 1].end;
+		size_t tabs = i == 0 ? at[0] : at[i] - at[i - 1];
+		for (size_t k = 0; k < tabs && before + k < cell[i].from; k++)
+			line->text[before + k] = '\t';
+	}
+	return n;
+}
+
+/* Puts tabs into the lines of a table and into its heads.  Returns false unless
+ * every cell stands in a column of its own, and a line of heads, of which none
+ * begins with a number, has one for each: a gap then cannot move a number into
+ * the column of another sample. */
 static bool
-is_table_certain(const struct line *line, const struct text_table *t)
+put_tab_characters_in_table(struct line *line, const struct text_table *t)
 {
 	struct span cell[MOST_CELLS];
-	size_t n, at[MOST_CELLS], whole = 0;
+	bool whole = false;
 	for (size_t k = t->top; k < t->end; k++) {
 		if (line[k].rule)
 			continue;
-		if (!sort_cells_into_columns(
-			&line[k], &t->columns, cell, at, &n))
+		bool head = k < t->first;
+		size_t n =
+		    put_tab_characters_in_line(&line[k], &t->columns, cell);
+		if (n == 0 || (head && is_cell_like_number(&line[k], &cell[0])))
 			return false;
-		if (k < t->first && is_like_number(line[k].text + cell[0].from,
-					cell[0].end - cell[0].from))
-			return false;
-		whole += k < t->first && n == t->columns.n;
+		whole = whole || (head && n == t->columns.n);
 	}
-	return whole > 0;
+	return whole;
 }
 
-/* True if there are lines of numbers, each of a table that is certain. */
+/* Puts tabs into all tables.  Returns false if one is not certain, or there are
+ * too few lines of numbers. */
 static bool
-has_certain_tables(const struct line *line, size_t n)
+put_tab_characters_in_tables(struct line *line, size_t n)
 {
-	size_t tables = 0;
+	size_t numbers = 0;
 	for (size_t i = 0; i < n; i++) {
 		if (!line[i].numbers)
 			continue;
 		struct text_table t = find_text_table(line, i, n);
-		if (!is_table_certain(line, &t))
+		for (; i < t.end; i++)
+			numbers +=
+			    strcspn(line[i].text, DIGIT_OR_END) < line[i].n;
+		i--;
+		if (!put_tab_characters_in_table(line, &t))
 			return false;
-		tables++;
-		i = t.end - 1;
 	}
-	return tables > 0;
-}
-
-/* Puts tabs into the lines of numbers from the ith on and into their heads.
- * Returns the line after them. */
-static size_t
-put_tab_characters_in_table(struct line *line, size_t i, size_t n)
-{
-	struct text_table t = find_text_table(line, i, n);
-	for (size_t k = t.top; k < t.end; k++)
-		if (!line[k].rule)
-			put_tab_characters_in_line(&line[k], &t.columns);
-	return t.end;
+	return numbers >= LEAST_LINES;
 }
 
 static void
@@ -341,20 +300,9 @@ has_bars(const struct line *line, size_t n)
 	size_t bars = 0, filled = 0;
 	for (size_t i = 0; i < n; i++) {
 		filled += line[i].n > 0;
-		bars += line[i].n > 0 &&
-			memchr(line[i].text, '|', line[i].n) != NULL;
+		bars += memchr(line[i].text, '|', line[i].n) != NULL;
 	}
 	return bars > LEAST_LINES && 2 * bars > filled;
-}
-
-static bool
-has_aligned_numbers(const struct line *line, size_t n)
-{
-	size_t numbers = 0;
-	for (size_t i = 0; i < n; i++)
-		numbers +=
-		    line[i].numbers && has_digit(line[i].text, line[i].n);
-	return numbers >= LEAST_LINES;
 }
 
 bool
@@ -363,23 +311,19 @@ fixed_width_put_tabs(char *text)
 	if (strchr(text, '\t') != NULL)
 		return false;
 	size_t n;
-	FREED struct line *line = list_lines(text, &n);
+	struct span cell[MOST_CELLS];
+	FREED char *copy = xstrdup(text);
+	FREED struct line *line = list_lines(copy, &n);
 	bool bars = has_bars(line, n);
-	if (!bars &&
-	    (!has_aligned_numbers(line, n) || !has_certain_tables(line, n)))
+	if (!bars && !put_tab_characters_in_tables(line, n))
 		return false;
 	for (size_t i = 0; i < n; i++)
 		if (line[i].rule)
 			line[i].text[0] = '#';
 		else if (bars)
 			put_tabs_for_bars(&line[i]);
-	for (size_t i = 0; i < n && !bars; i++)
-		if (line[i].numbers)
-			i = put_tab_characters_in_table(line, i, n) - 1;
-	/* What is left is not of a table. */
-	for (size_t i = 0; i < n && !bars; i++)
-		if (!line[i].rule &&
-		    memchr(line[i].text, '\t', line[i].n) == NULL)
-			put_tab_characters_in_line(&line[i], NULL);
+		else if (memchr(line[i].text, '\t', line[i].n) == NULL)
+			put_tab_characters_in_line(&line[i], NULL, cell);
+	memcpy(text, copy, strlen(copy));
 	return true;
 }

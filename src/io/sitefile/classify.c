@@ -165,27 +165,45 @@ combine_column_headings(const struct table *t, size_t c)
 	return said;
 }
 
-/* The numbers of a column from coarse to fine, without the pan. */
+/* The numbers of a column.  n to most: from coarse to fine, without the pan;
+ * sum: with it.  Of all rows: filled cells, numbers, the least and greatest of
+ * them, and how many pairs of neighbours there are, differ by 1, are the
+ * same. */
 struct shape {
 	int n, rises, falls;
-	double first, last, most, sum; /* sum: with the pan */
+	double first, last, most, sum;
 	bool has_pan;
 	double pan;
+	size_t filled, numbers, pairs, steps, same;
+	double least_of_all, most_of_all;
 };
 
 static struct shape
 summarise_column_numbers(const struct column *c)
 {
 	const struct table *t = c->table;
-	struct shape s = {.first = NAN, .last = NAN, .pan = NAN};
+	struct shape s = {.first = NAN,
+	    .last = NAN,
+	    .pan = NAN,
+	    .least_of_all = INFINITY,
+	    .most_of_all = -INFINITY};
+	double before = NAN;
 	for (size_t i = 0; i < t->n_row; i++) {
 		double v = site_column_number_in_row(c, i);
+		s.filled += t->row[i].cell[c->at].value != AS_ABSENT;
+		s.pairs += !isnan(v) && !isnan(before);
+		s.steps += fabs(v - before) == 1;
+		s.same += v == before;
+		before = v;
 		if (isnan(v))
 			continue;
+		s.numbers++;
+		s.least_of_all = fmin(s.least_of_all, v);
+		s.most_of_all = fmax(s.most_of_all, v);
+		s.sum += v;
 		if (!isnan(t->mm[i]) && t->mm[i] <= 0) {
 			s.has_pan = true;
 			s.pan = v;
-			s.sum += v;
 			continue;
 		}
 		s.rises += v > s.last;
@@ -193,7 +211,6 @@ summarise_column_numbers(const struct column *c)
 		s.first = s.n == 0 ? v : s.first;
 		s.last = v;
 		s.most = fmax(s.most, v);
-		s.sum += v;
 		s.n++;
 	}
 	return s;
@@ -456,65 +473,45 @@ take_unit_from_title(struct column *c, const struct shape *s, double total)
 }
 
 /* Guesses the quantity of a column whose headings state none, with their unit,
- * if any.  title: that of the table says it. */
-static void
-guess_column_unit_by_numbers(
-    struct column *c, const struct shape *s, double total, bool title)
+ * if any.  False if it remains unclear. */
+static bool
+guess_quantity_in_stated_unit(struct column *c, const struct shape *s,
+    double total, enum unit_kind *kind, enum unit_scale *scale)
 {
-	uint64_t kinds = c->said.means & KIND_WORDS;
 	uint64_t scales = c->said.means & SCALE_WORDS;
-	enum unit_kind kind;
-	enum unit_scale scale;
-	bool sure = guess_quantity_from_numbers(s, total, &kind, &scale);
-	if (kinds == WORD_SUMS && kind == RETAINED)
+	bool sure = guess_quantity_from_numbers(s, total, kind, scale);
+	if ((c->said.means & KIND_WORDS) == WORD_SUMS && *kind == RETAINED)
 		sure = false;
-	if (scales != 0) {
-		enum unit_scale told_scale = scale;
-		/* Grams that rise and fall are what each sieve retained. */
-		bool grams = (scales & WORD_GRAMS) != 0 &&
-			     (scales & WORD_PERCENT) == 0 && kind == RETAINED &&
-			     s->rises > 0 && s->falls > 0;
-		sure = choose_unit_scale(c, s, kind, total, &told_scale) &&
-		       (sure || grams);
-		scale = told_scale;
-	}
-	c->unit = site_unit_index(kind, scale);
-	if (!title && (kind != PASSING || scale != OF_100 || scales == 0))
-		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
-	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED) ||
-		  (c->table->below && kind != PASSING);
+	/* Grams that rise and fall are what each sieve retained. */
+	bool grams = (scales & WORD_GRAMS) != 0 &&
+		     (scales & WORD_PERCENT) == 0 && *kind == RETAINED &&
+		     s->rises > 0 && s->falls > 0;
+	return scales == 0 ? sure
+			   : choose_unit_scale(c, s, *kind, total, scale) &&
+				 (sure || grams);
 }
 
-/* Takes the quantity that the headings state. */
-static void
-read_column_unit_from_words(
-    struct column *c, const struct shape *s, double total, bool told)
+/* Takes the quantity that the headings state.  False if it remains unclear. */
+static bool
+read_quantity_from_words(struct column *c, const struct shape *s, double total,
+    bool told, enum unit_kind *kind, enum unit_scale *scale)
 {
 	uint64_t kinds = c->said.means & KIND_WORDS;
-	enum unit_scale scale = OF_100;
 	bool sure = true;
-	enum unit_kind kind = (kinds & WORD_PASSES) != 0 ? PASSING
-			      : (kinds & WORD_SUMS) != 0 ? CUMULATIVE
-							 : RETAINED;
+	*scale = OF_100;
+	*kind = (kinds & WORD_PASSES) != 0 ? PASSING
+		: (kinds & WORD_SUMS) != 0 ? CUMULATIVE
+					   : RETAINED;
 	bool both = (kinds & WORD_PASSES) != 0 && (kinds & WORD_STAYS) != 0;
-	if (kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
-		sure = choose_mass_or_cumulative(c, s, total, &kind);
-	sure = choose_unit_scale(c, s, kind, total, &scale) && sure;
-	bool possible = told || is_possible_quantity(s, kind);
-	sure = sure && !both && possible;
+	if (*kind == RETAINED && s->falls == 0 && s->rises > 1 && !told)
+		sure = choose_mass_or_cumulative(c, s, total, kind);
+	sure = choose_unit_scale(c, s, *kind, total, scale) && sure;
+	bool possible = told || is_possible_quantity(s, *kind);
 	if (!possible) /* propose what the numbers say */
-		guess_quantity_from_numbers(s, total, &kind, &scale);
-	if ((c->said.means & SCALE_WORDS) == 0)
-		assume(c, "as %s",
-		    tr(SITE_UNITS[site_unit_index(kind, scale)].words));
-	if (kind == RETAINED && scale == OF_100 && s->falls > 0 &&
-	    s->rises == 0 && s->sum > 102)
-		sure = false;
-	c->unit = site_unit_index(kind, scale);
-	c->open = c->open || !sure ||
-		  (has_size_classes(c->table) && kind != RETAINED) ||
-		  (c->table->below && kind != PASSING);
+		guess_quantity_from_numbers(s, total, kind, scale);
+	bool falls = s->falls > 0 && s->rises == 0 && s->sum > 102;
+	return sure && !both && possible &&
+	       !(*kind == RETAINED && *scale == OF_100 && falls);
 }
 
 static void
@@ -530,15 +527,24 @@ find_unit_of_column(struct column *c, bool told)
 			refuse_small_percentages(c, &s);
 		return;
 	}
-	c->unit = 0;
+	enum unit_kind kind;
+	enum unit_scale scale;
 	bool title = !told && c->table->basis != 0 &&
 		     (c->said.means & (KIND_WORDS | SCALE_WORDS)) == 0;
-	if (title)
-		c->open = !take_unit_from_title(c, &s, total) || c->open;
-	if ((c->said.means & (WORD_PASSES | WORD_STAYS)) == 0)
-		guess_column_unit_by_numbers(c, &s, total, title);
-	else
-		read_column_unit_from_words(c, &s, total, told);
+	bool sure = !title || take_unit_from_title(c, &s, total);
+	bool words = (c->said.means & (WORD_PASSES | WORD_STAYS)) != 0;
+	sure =
+	    (words ? read_quantity_from_words(c, &s, total, told, &kind, &scale)
+		   : guess_quantity_in_stated_unit(
+			 c, &s, total, &kind, &scale)) &&
+	    sure;
+	c->unit = site_unit_index(kind, scale);
+	bool usual = words || (kind == PASSING && scale == OF_100);
+	if (!title && (!usual || (c->said.means & SCALE_WORDS) == 0))
+		assume(c, "as %s", tr(SITE_UNITS[c->unit].words));
+	c->open = c->open || !sure ||
+		  (has_size_classes(c->table) && kind != RETAINED) ||
+		  (c->table->below && kind != PASSING);
 }
 
 /* Returns the only number without a unit that can be a tip speed in m/s: 63.6,
@@ -651,40 +657,22 @@ leave_out(struct site *site, const struct column *c, const char *format, ...)
 	site_add_note(&site->left_out, &site->n_left_out, where, what);
 }
 
-static bool
-has_mostly_words(const struct column *c, size_t *filled)
-{
-	size_t numbers = *filled = 0;
-	for (size_t i = 0; i < c->table->n_row; i++) {
-		struct cell cell = c->table->row[i].cell[c->at];
-		*filled += cell.value != AS_ABSENT;
-		numbers += isnan(cell.number) ? 0 : 1;
-	}
-	return *filled > 0 && numbers * 2 < *filled;
-}
-
 /* True for 1, 2, 3 and so on, up or down, or the same number throughout: this
  * is no curve. */
 static bool
-is_column_count_or_constant(const struct column *c)
+is_column_count_or_constant(const struct column *c, const struct shape *s)
 {
-	size_t n = c->table->n_row, steps = 0, same = 0, pairs = 0;
-	double first = site_column_number_in_row(c, 0), last = NAN;
-	for (size_t i = 0; i < n; i++) {
-		double v = site_column_number_in_row(c, i);
-		pairs += !isnan(v) && !isnan(last);
-		steps += fabs(v - last) == 1;
-		same += v == last;
-		last = v;
-	}
+	double first = site_column_number_in_row(c, 0),
+	       last = site_column_number_in_row(c, c->table->n_row - 1);
 	bool whole = first == floor(first);
 	bool small = fabs(first - 1) < 2 || fabs(last - 1) < 2;
-	bool limit = same == pairs && (first == 100 || first == 0);
-	bool speed = same == pairs && c->said.speed == 0 &&
-		     c->said.unit != SPEED_NO_UNIT;
-	return pairs > 2 && (whole || speed) && !limit &&
+	bool constant = s->same == s->pairs;
+	bool limit = constant && (first == 100 || first == 0);
+	bool speed =
+	    constant && c->said.speed == 0 && c->said.unit != SPEED_NO_UNIT;
+	return s->pairs > 2 && (whole || speed) && !limit &&
 	       (c->said.means & ROLE_WORDS) == 0 &&
-	       ((steps == pairs && small) || same == pairs);
+	       ((s->steps == s->pairs && small) || constant);
 }
 
 /* Leaves out a column that is no sample and notes why.  Returns true if it
@@ -692,16 +680,16 @@ is_column_count_or_constant(const struct column *c)
 static bool
 leave_out_no_sample(const struct column *c, struct site *site)
 {
-	size_t filled;
-	bool words = has_mostly_words(c, &filled);
+	struct shape s = summarise_column_numbers(c);
+	bool words = s.numbers * 2 < s.filled;
 	uint64_t means = c->said.means;
 	const char *head = c->head.text;
 	uint64_t sample = ROLE_WORDS | KIND_WORDS;
-	if (is_column_count_or_constant(c)) {
+	if (is_column_count_or_constant(c, &s)) {
 		leave_out(site, c,
 		    "row numbers, or the same "
 		    "number in each row");
-	} else if (filled == 0) {
+	} else if (s.filled == 0) {
 		leave_out(site, c, "it is empty");
 	} else if ((means & WORD_LIMIT) != 0) {
 		leave_out(site, c,
@@ -735,31 +723,10 @@ take_speed_from_constant_column(
 	if (!about || heading_has_speed(&c->said) ||
 	    (c->said.means & COUNTED) != 0)
 		return;
-	double v = NAN;
-	bool same = true;
-	for (size_t i = 0; i < c->table->n_row; i++) {
-		double raw = site_column_number_in_row(c, i);
-		v = isnan(v) ? raw : v;
-		same = same && !(raw < v) && !(raw > v);
-	}
-	if (same && v > 0)
-		near->speed =
-		    speed_in_unit_to_mps(v, c->said.unit, near->rotor);
-}
-
-/* Finds the least and the largest number of a column; the least is -1 if one is
- * missing. */
-static void
-column_number_range(const struct column *c, double *least, double *most)
-{
-	*least = INFINITY;
-	*most = 0;
-	for (size_t i = 0; i < c->table->n_row; i++) {
-		double raw = site_column_number_in_row(c, i),
-		       v = isnan(raw) ? -1 : raw;
-		*least = fmin(*least, v);
-		*most = fmax(*most, v);
-	}
+	struct shape s = summarise_column_numbers(c);
+	if (s.least_of_all == s.most_of_all && s.most_of_all > 0)
+		near->speed = speed_in_unit_to_mps(
+		    s.most_of_all, c->said.unit, near->rotor);
 }
 
 /* Refuses a column with the same mass throughout, that of empty sieves, beside
@@ -768,19 +735,22 @@ column_number_range(const struct column *c, double *least, double *most)
 static void
 refuse_tare_column(const struct column *column, size_t n)
 {
-	double tare = 0, least, most;
+	double tare = 0;
 	for (size_t i = 0; i < n; i++) {
 		const struct column *c = &column[i];
-		bool told = (c->said.means & (KIND_WORDS | ROLE_WORDS)) != 0;
-		column_number_range(c, &least, &most);
-		if (!told && tare > 0 && least >= tare && most > tare)
+		struct shape s = summarise_column_numbers(c);
+		bool whole = s.numbers == c->table->n_row &&
+			     (c->said.means & (KIND_WORDS | ROLE_WORDS)) == 0;
+		if (whole && tare > 0 && s.least_of_all >= tare &&
+		    s.most_of_all > tare)
 			sheet_fault(c->table->sheet,
 			    c->table->row[0].cell[c->at],
 			    "expected masses retained, got nothing below %g in "
 			    "column %zu: empty and full sieves?\nwrite their "
 			    "differences as a column: mass retained",
 			    tare, c->table->number[c->at - 1]);
-		tare = !told && least == most && least > 0 ? least : 0;
+		bool same = whole && s.least_of_all == s.most_of_all;
+		tare = same && s.most_of_all > 0 ? s.most_of_all : 0;
 	}
 }
 

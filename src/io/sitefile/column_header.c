@@ -415,7 +415,6 @@ split_off_speeds(const char *folded, char *words, char *rest)
 	return head;
 }
 
-/* Reads a heading.  left: out, the text without its speeds; may be NULL. */
 /* True of the speed of a belt or feeder, which is not that of the rotor. */
 static bool
 is_speed_of_belt(const char *folded)
@@ -430,6 +429,7 @@ is_speed_of_belt(const char *folded)
 	return false;
 }
 
+/* Reads a heading.  left: out, the text without its speeds; may be NULL. */
 static struct head
 parse_heading_text(const char *text, char **left)
 {

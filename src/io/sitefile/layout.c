@@ -25,11 +25,12 @@ enum {
 
 /* What a cell can be in a table.  means: of its words, of which so many are
  * unknown; head: it can head a column of sieves; foot: it says in words what
- * its line has, a sum, a loss; kind, mm: as a sieve. */
+ * its line has, a sum, a loss; below: it is the size below which material
+ * passes a sieve; used: a table has taken it; kind, mm: as a sieve. */
 struct nature {
 	uint64_t means;
 	unsigned unknown;
-	bool head, foot;
+	bool head, foot, below, used;
 	enum sieve_kind kind;
 	double mm;
 };
@@ -43,23 +44,19 @@ struct place {
 	bool unsure;
 };
 
-/* at, nature, used [n_row * n_col]: cells, what they can be, and whether a
- * table has taken them; below: it is the size below which material passes a
- * sieve; a row is `down` after the one above, a column `right`
- * after the one before, so that the grid turned over has the same.  row_number
- * [n_row]: in the sheet, or the column's where the grid is turned over.  gap
- * [n_row]: something empty is above it.  number [n_row * n_col], row by row:
- * the first column from there on that has a number, n_col: none has.  phi
- * [n_col]: the column has sizes in phi, of which 0 and less are some.  place
- * [n_place]: the tables found. */
+/* at, nature [n_row * n_col]: cells, and what they can be; a row is `down`
+ * after the one above, a column `right` after the one before, so that the grid
+ * turned over has the same.  gap [n_row]: something empty is above it.  number
+ * [n_row * n_col], row by row: the first column from there on that has a
+ * number, n_col: none has.  phi [n_col]: the column has sizes in phi, of which
+ * 0 and less are some.  place [n_place]: the tables found. */
 struct sheets {
 	struct sheet *sheet;
 	bool across;
 	size_t n_row, n_col, down, right;
 	struct cell *at;
 	struct nature *nature;
-	size_t *row_number, *col_number;
-	bool *gap, *used, *phi, *below;
+	bool *gap, *phi;
 	unsigned *number;
 	size_t n_place;
 	struct place place[MOST_TABLES];
@@ -88,6 +85,13 @@ static struct nature *
 cell_nature_at(const struct sheets *g, size_t r, size_t c)
 {
 	return &g->nature[cell_index_at(g, r, c)];
+}
+
+/* Returns the number of a column in the sheet, or that of the line. */
+static size_t
+column_number(const struct sheets *g, size_t c)
+{
+	return g->across ? (size_t)g->sheet->row[c].line : c + 1;
 }
 
 static bool
@@ -148,10 +152,11 @@ can_head_sieves(const struct cell *cell, const struct nature *n)
 }
 
 static struct nature
-guess_cell_nature(const struct sheet *sheet, const struct cell *cell)
+guess_cell_nature(
+    const struct sheet *sheet, const struct cell *cell, bool below)
 {
 	const struct sieve_unit length = {1, SIEVE_NONE};
-	struct nature n = {.kind = SIEVE_IS_NONE, .mm = NAN};
+	struct nature n = {.kind = SIEVE_IS_NONE, .mm = NAN, .below = below};
 	size_t unknown = 0;
 	if (cell->text[0] == '\0')
 		return n;
@@ -172,9 +177,11 @@ fill_cell_natures(struct sheets *g)
 {
 	for (size_t r = 0; r < g->n_row && !error_should_stop(g->sheet->errors);
 	     r++)
-		for (size_t c = 0; c < g->n_col; c++)
-			*cell_nature_at(g, r, c) =
-			    guess_cell_nature(g->sheet, cell_at(g, r, c));
+		for (size_t c = 0; c < g->n_col; c++) {
+			struct nature *n = cell_nature_at(g, r, c);
+			*n = guess_cell_nature(
+			    g->sheet, cell_at(g, r, c), n->below);
+		}
 }
 
 static void
@@ -203,17 +210,10 @@ copy_sheet_to_grid(struct sheet *sheet, struct layout_range range)
 	g.down = g.n_col;
 	g.at = xcalloc(g.n_row * g.n_col + 1, sizeof *g.at);
 	g.nature = xcalloc(g.n_row * g.n_col + 1, sizeof *g.nature);
-	g.row_number = xcalloc(g.n_row + 1, sizeof *g.row_number);
-	g.col_number = xcalloc(g.n_col + 1, sizeof *g.col_number);
 	g.gap = xcalloc(g.n_row + 1, sizeof *g.gap);
-	g.used = xcalloc(g.n_row * g.n_col + 1, sizeof *g.used);
-	g.below = xcalloc(g.n_row * g.n_col + 1, sizeof *g.below);
 	g.phi = xcalloc(g.n_col + 1, sizeof *g.phi);
-	for (size_t c = 0; c < g.n_col; c++)
-		g.col_number[c] = c + 1;
 	for (size_t r = 0; r < g.n_row; r++) {
 		const struct row *row = &sheet->row[r];
-		g.row_number[r] = (size_t)row->line;
 		g.gap[r] = r > 0 && !has_only_comments_between(sheet,
 					row[-1].line, row->line, &comment);
 		for (size_t c = 0; c < g.n_col; c++) {
@@ -296,7 +296,7 @@ mark_sizes_below_as_sieves(struct sheets *g)
 			    (row[r].n < LEAST && col[c].n < LEAST))
 				continue;
 			*cell = number_cell_from_text(g->sheet, *cell, size);
-			g->below[cell_index_at(g, r, c)] = true;
+			cell_nature_at(g, r, c)->below = true;
 		}
 }
 
@@ -333,11 +333,7 @@ transpose_grid(const struct sheets *g)
 	    .down = g->right,
 	    .right = g->down,
 	    .at = g->at,
-	    .nature = g->nature,
-	    .row_number = g->col_number,
-	    .col_number = g->row_number,
-	    .used = g->used,
-	    .below = g->below};
+	    .nature = g->nature};
 	t.gap = xcalloc(t.n_row + 1, sizeof *t.gap);
 	t.phi = xcalloc(t.n_col + 1, sizeof *t.phi);
 	find_next_number_beside_cells(&t);
@@ -354,10 +350,6 @@ free_grid(struct sheets *g)
 		return;
 	free(g->at);
 	free(g->nature);
-	free(g->row_number);
-	free(g->col_number);
-	free(g->used);
-	free(g->below);
 }
 
 /* True if the numbers below a heading that only says number are those of ASTM
@@ -752,37 +744,36 @@ find_next_ordered_numbers(
 	return false;
 }
 
-/* What no head and no sieve tells: the first column of numbers in order that
- * has numbers beside it, and further ones with its head.  It may be something
- * else. */
+/* What no head and no sieve tells: the first numbers in order in each column
+ * that has numbers beside it, with the head of those found before.  They may be
+ * something else.  below_0: only numbers in phi of which some are below 0. */
 static void
-find_tables_of_any_numbers(struct sheets *g)
+find_tables_of_numbers(struct sheets *g, bool below_0)
 {
 	for (size_t c = 0; c + 1 < g->n_col; c++) {
 		struct place p = {.last = 0};
-		bool phi;
-		if (!find_next_ordered_numbers(g, c, &p, &phi))
+		bool phi = false, any = true;
+		do
+			any = find_next_ordered_numbers(g, c, &p, &phi);
+		while (any && below_0 && !phi);
+		if (!any)
 			continue;
 		add_table_place(g, p);
 		g->phi[c] = g->phi[c] || phi;
 	}
 }
 
-/* The same, of those only that have numbers below 0, so that the others, in
- * phi, are not taken for sieves. */
+static void
+find_tables_of_any_numbers(struct sheets *g)
+{
+	find_tables_of_numbers(g, false);
+}
+
+/* Comes before others, so that these, in phi, are not taken for sieves. */
 static void
 find_tables_of_phi_numbers(struct sheets *g)
 {
-	for (size_t c = 0; c + 1 < g->n_col; c++) {
-		struct place p = {.last = 0};
-		bool phi = false, any = true;
-		while (any && !phi)
-			any = find_next_ordered_numbers(g, c, &p, &phi);
-		if (!any)
-			continue;
-		add_table_place(g, p);
-		g->phi[c] = true;
-	}
+	find_tables_of_numbers(g, true);
 }
 
 /* Finds the tables in a column that the user says has sieves, each from the
@@ -812,7 +803,7 @@ find_tables_in_given_columns(struct sheets *g, const struct layout_range *range)
 	g->n_place = 0;
 	for (size_t i = 0; i < range->n_sieves; i++)
 		for (size_t c = 0; c < g->n_col; c++) {
-			if (g->col_number[c] != range->sieves[i])
+			if (column_number(g, c) != range->sieves[i])
 				continue;
 			g->phi[c] = g->phi[c] || range->phi;
 			find_tables_in_column(g, c);
@@ -882,7 +873,7 @@ add_table_row(const struct sheets *g, size_t r, const size_t *col, size_t n,
 	*list = xrealloc(*list, *n_list + 1, sizeof **list);
 	(*list)[(*n_list)++] = make_table_row(g, r, col, n);
 	for (size_t i = 0; i < n; i++)
-		g->used[cell_index_at(g, r, col[i])] = true;
+		cell_nature_at(g, r, col[i])->used = true;
 }
 
 /* Lists the columns of a table that have anything below the headings: from its
@@ -953,12 +944,13 @@ join_cells_beside_headings(const struct sheets *g, const struct place *p,
 		bool unit = c == p->c + 1 && said.unit != SPEED_NO_UNIT &&
 			    !heading_has_speed(&said) && said.n_number == 0 &&
 			    head->cell[0].text[0] != '\0';
-		if (g->used[cell_index_at(g, r, c)] || (!speed && !unit))
+		struct nature *n = cell_nature_at(g, r, c);
+		if (n->used || (!speed && !unit))
 			continue;
 		struct cell *to = &head->cell[unit ? 0 : 1];
 		to->text =
 		    layout_adopt_text(t, xasprintf("%s %s", to->text, text));
-		g->used[cell_index_at(g, r, c)] = true;
+		n->used = true;
 	}
 }
 
@@ -1007,41 +999,38 @@ add_table_found(const struct sheets *g, const struct place *p, size_t from,
 	struct table t = {.sheet = g->sheet,
 	    .across = g->across,
 	    .n_col = n,
-	    .left = g->across ? g->row_number[p->first] : g->col_number[p->c],
-	    .end = g->across || end == g->n_col ? SIZE_MAX : g->col_number[end],
+	    .left = (g->across ? p->first : p->c) + 1,
+	    .end = g->across || end == g->n_col ? SIZE_MAX : end + 1,
 	    .title = xstrdup(""),
 	    .unsure = p->unsure};
 	size_t own = p->head < g->n_row ? p->head : p->first, top = own;
 	while (top > 0 && own - top < MOST_HEADS && !g->gap[top] &&
 	       (is_further_heading_row(g, top - 1, p, end) ||
 		   is_heading_of_all_columns(g, top - 1, p, end)) &&
-	       !g->used[cell_index_at(g, top - 1, p->c)])
+	       !cell_nature_at(g, top - 1, p->c)->used)
 		top--;
-	for (size_t r = top; r < p->first; r++) {
-		bool mass = cell_nature_at(g, r, p->c)->foot &&
-			    has_number_beside(g, r, p->c, p->end);
-		if (!mass)
-			add_table_row(g, r, col, n, &t.head, &t.n_head);
-		if (!mass)
-			join_cells_beside_headings(g, p, r, end, r < own, &t);
-		t.titles += !mass && r < own;
-	}
-	for (size_t r = top; r < p->first; r++)
-		if (cell_nature_at(g, r, p->c)->foot &&
-		    has_number_beside(g, r, p->c, p->end))
+	for (size_t r = top; r < p->last; r++) {
+		const struct nature *first = cell_nature_at(g, r, p->c);
+		if (r >= p->first) {
+			add_table_row(g, r, col, n, &t.row, &t.n_row);
+			t.below = t.below || first->below;
+		} else if (first->foot &&
+			   has_number_beside(g, r, p->c, p->end)) {
 			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
-	for (size_t r = p->first; r < p->last; r++) {
-		add_table_row(g, r, col, n, &t.row, &t.n_row);
-		t.below = t.below || g->below[cell_index_at(g, r, p->c)];
+		} else {
+			add_table_row(g, r, col, n, &t.head, &t.n_head);
+			join_cells_beside_headings(g, p, r, end, r < own, &t);
+			t.titles += r < own;
+		}
 	}
 	add_rows_below(g, p, col, n, &t);
 	for (size_t r = p->last; r < g->n_row && g->across; r++)
 		if (lexicon_is_label_of_day(cell_at(g, r, p->c)->text) &&
-		    !g->used[cell_index_at(g, r, p->c)])
+		    !cell_nature_at(g, r, p->c)->used)
 			add_table_row(g, r, col, n, &t.foot, &t.n_foot);
 	t.number = xcalloc(n, sizeof *t.number);
 	for (size_t i = 0; i < n; i++)
-		t.number[i] = g->col_number[col[i]];
+		t.number[i] = column_number(g, col[i]);
 	fill_missing_sieve_cells(&t);
 	layout->table =
 	    xrealloc(layout->table, layout->n + 1, sizeof *layout->table);
@@ -1080,12 +1069,13 @@ static void
 list_rows_outside_tables(const struct sheets *g, struct layout *layout)
 {
 	layout->heading = xcalloc(g->n_row + 1, sizeof(*layout->heading));
+	layout->read = xcalloc(g->n_row + 1, sizeof *layout->read);
 	for (size_t r = 0; r < g->n_row; r++) {
 		const struct row *row = &g->sheet->row[r];
 		const struct cell *beside = NULL;
 		size_t used = 0;
 		for (size_t c = row->n; c-- > 0;)
-			if (g->used[cell_index_at(g, r, c)])
+			if (cell_nature_at(g, r, c)->used)
 				used++;
 			else if (row->cell[c].text[0] != '\0')
 				beside = &row->cell[c];
@@ -1298,5 +1288,6 @@ layout_free(struct layout *layout)
 		layout_table_clear(&layout->table[i]);
 	free(layout->table);
 	free(layout->heading);
+	free(layout->read);
 	free(layout);
 }

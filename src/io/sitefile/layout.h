@@ -47,11 +47,12 @@ struct table {
 };
 
 /* The tables of a sheet [n], in order, and the rows outside any table
- * [n_heading]. */
+ * [n_heading].  read [n_heading]: what site_title.h found in them. */
 struct layout {
 	size_t n, n_heading;
 	struct table *table;
 	const struct row **heading;
+	bool *read;
 	struct cell beside; /* the first cell beside a table; text NULL: none */
 };
 

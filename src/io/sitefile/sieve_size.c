@@ -14,51 +14,43 @@
 #include "io/sitefile/lexicon.h"
 #include "io/cells/number.h"
 
-/* ASTM E11-20, Table 1, alternative and standard designation, coarsest first:
- * the number is of inches in the first N_INCHES.  Openings are the standard's
- * own, which are not the inches times 25.4. */
+/* Coarsest first.  name, number, mm: ASTM E11-20, Table 1, alternative and
+ * standard designation; the number is of inches in the first N_INCHES.
+ * Openings are the standard's own, which are not the inches times 25.4.  tyler,
+ * bs: the mesh number of the Tyler standard screen scale, and of BS 410 up to
+ * its edition of 1976, whose opening is nearest, as the comparison tables of
+ * both (and of ASTM E11) have them; or 0. */
 enum { N_INCHES = 23 };
 static const struct {
 	const char *name;
-	double number, mm;
-} ASTM[] = {{"5 in", 5, 125}, {"4.24 in", 4.24, 106}, {"4 in", 4, 100},
-    {"3 1/2 in", 3.5, 90}, {"3 in", 3, 75}, {"2 1/2 in", 2.5, 63},
-    {"2.12 in", 2.12, 53}, {"2 in", 2, 50}, {"1 3/4 in", 1.75, 45},
-    {"1 1/2 in", 1.5, 37.5}, {"1 1/4 in", 1.25, 31.5}, {"1.06 in", 1.06, 26.5},
-    {"1 in", 1, 25}, {"7/8 in", 0.875, 22.4}, {"3/4 in", 0.75, 19},
-    {"5/8 in", 0.625, 16}, {"0.530 in", 0.53, 13.2}, {"1/2 in", 0.5, 12.5},
-    {"7/16 in", 0.4375, 11.2}, {"3/8 in", 0.375, 9.5}, {"5/16 in", 0.3125, 8},
-    {"0.265 in", 0.265, 6.7}, {"1/4 in", 0.25, 6.3}, {"No. 3 1/2", 3.5, 5.6},
-    {"No. 4", 4, 4.75}, {"No. 5", 5, 4}, {"No. 6", 6, 3.35}, {"No. 7", 7, 2.8},
-    {"No. 8", 8, 2.36}, {"No. 10", 10, 2}, {"No. 12", 12, 1.7},
-    {"No. 14", 14, 1.4}, {"No. 16", 16, 1.18}, {"No. 18", 18, 1},
-    {"No. 20", 20, 0.85}, {"No. 25", 25, 0.71}, {"No. 30", 30, 0.6},
-    {"No. 35", 35, 0.5}, {"No. 40", 40, 0.425}, {"No. 45", 45, 0.355},
-    {"No. 50", 50, 0.3}, {"No. 60", 60, 0.25}, {"No. 70", 70, 0.212},
-    {"No. 80", 80, 0.18}, {"No. 100", 100, 0.15}, {"No. 120", 120, 0.125},
-    {"No. 140", 140, 0.106}, {"No. 170", 170, 0.09}, {"No. 200", 200, 0.075},
-    {"No. 230", 230, 0.063}, {"No. 270", 270, 0.053}, {"No. 325", 325, 0.045},
-    {"No. 400", 400, 0.038}, {"No. 450", 450, 0.032}, {"No. 500", 500, 0.025},
-    {"No. 635", 635, 0.02}};
-
-/* The mesh numbers of the Tyler standard screen scale, and of BS 410 up to its
- * edition of 1976, by the opening of ISO 565 nearest to theirs, as the
- * comparison tables of both (and of ASTM E11) have them. */
-struct mesh {
-	double number, mm;
-};
-static const struct mesh TYLER[] = {{2.5, 8}, {3, 6.7}, {3.5, 5.6}, {4, 4.75},
-    {5, 4}, {6, 3.35}, {7, 2.8}, {8, 2.36}, {9, 2}, {10, 1.7}, {12, 1.4},
-    {14, 1.18}, {16, 1}, {20, 0.85}, {24, 0.71}, {28, 0.6}, {32, 0.5},
-    {35, 0.425}, {42, 0.355}, {48, 0.3}, {60, 0.25}, {65, 0.212}, {80, 0.18},
-    {100, 0.15}, {115, 0.125}, {150, 0.106}, {170, 0.09}, {200, 0.075},
-    {250, 0.063}, {270, 0.053}, {325, 0.045}, {400, 0.038}};
-static const struct mesh BS[] = {{3, 5.6}, {3.5, 4.75}, {4, 4}, {5, 3.35},
-    {6, 2.8}, {7, 2.36}, {8, 2}, {10, 1.7}, {12, 1.4}, {14, 1.18}, {16, 1},
-    {18, 0.85}, {22, 0.71}, {25, 0.6}, {30, 0.5}, {36, 0.425}, {44, 0.355},
-    {52, 0.3}, {60, 0.25}, {72, 0.212}, {85, 0.18}, {100, 0.15}, {120, 0.125},
-    {150, 0.106}, {170, 0.09}, {200, 0.075}, {240, 0.063}, {300, 0.053},
-    {350, 0.045}, {400, 0.038}};
+	double number, mm, tyler, bs;
+} SIEVES[] = {{"5 in", 5, 125, 0, 0}, {"4.24 in", 4.24, 106, 0, 0},
+    {"4 in", 4, 100, 0, 0}, {"3 1/2 in", 3.5, 90, 0, 0}, {"3 in", 3, 75, 0, 0},
+    {"2 1/2 in", 2.5, 63, 0, 0}, {"2.12 in", 2.12, 53, 0, 0},
+    {"2 in", 2, 50, 0, 0}, {"1 3/4 in", 1.75, 45, 0, 0},
+    {"1 1/2 in", 1.5, 37.5, 0, 0}, {"1 1/4 in", 1.25, 31.5, 0, 0},
+    {"1.06 in", 1.06, 26.5, 0, 0}, {"1 in", 1, 25, 0, 0},
+    {"7/8 in", 0.875, 22.4, 0, 0}, {"3/4 in", 0.75, 19, 0, 0},
+    {"5/8 in", 0.625, 16, 0, 0}, {"0.530 in", 0.53, 13.2, 0, 0},
+    {"1/2 in", 0.5, 12.5, 0, 0}, {"7/16 in", 0.4375, 11.2, 0, 0},
+    {"3/8 in", 0.375, 9.5, 0, 0}, {"5/16 in", 0.3125, 8, 2.5, 0},
+    {"0.265 in", 0.265, 6.7, 3, 0}, {"1/4 in", 0.25, 6.3, 0, 0},
+    {"No. 3 1/2", 3.5, 5.6, 3.5, 3}, {"No. 4", 4, 4.75, 4, 3.5},
+    {"No. 5", 5, 4, 5, 4}, {"No. 6", 6, 3.35, 6, 5}, {"No. 7", 7, 2.8, 7, 6},
+    {"No. 8", 8, 2.36, 8, 7}, {"No. 10", 10, 2, 9, 8},
+    {"No. 12", 12, 1.7, 10, 10}, {"No. 14", 14, 1.4, 12, 12},
+    {"No. 16", 16, 1.18, 14, 14}, {"No. 18", 18, 1, 16, 16},
+    {"No. 20", 20, 0.85, 20, 18}, {"No. 25", 25, 0.71, 24, 22},
+    {"No. 30", 30, 0.6, 28, 25}, {"No. 35", 35, 0.5, 32, 30},
+    {"No. 40", 40, 0.425, 35, 36}, {"No. 45", 45, 0.355, 42, 44},
+    {"No. 50", 50, 0.3, 48, 52}, {"No. 60", 60, 0.25, 60, 60},
+    {"No. 70", 70, 0.212, 65, 72}, {"No. 80", 80, 0.18, 80, 85},
+    {"No. 100", 100, 0.15, 100, 100}, {"No. 120", 120, 0.125, 115, 120},
+    {"No. 140", 140, 0.106, 150, 150}, {"No. 170", 170, 0.09, 170, 170},
+    {"No. 200", 200, 0.075, 200, 200}, {"No. 230", 230, 0.063, 250, 240},
+    {"No. 270", 270, 0.053, 270, 300}, {"No. 325", 325, 0.045, 325, 350},
+    {"No. 400", 400, 0.038, 400, 400}, {"No. 450", 450, 0.032, 0, 0},
+    {"No. 500", 500, 0.025, 0, 0}, {"No. 635", 635, 0.02, 0, 0}};
 
 /* Openings of ISO 3310-1 and EN 933-2 that ASTM E11 does not have, mm. */
 static const double OTHERS[] = {80, 56, 40, 35.5, 28, 20, 18, 14, 12, 10, 9,
@@ -150,23 +142,19 @@ parse_sieve_series_and_number(const char *text, double *value)
 	return good && *value > 0 && isfinite(*value) ? series : SIEVE_NONE;
 }
 
+/* Returns the opening of the sieve with a number in a series; NAN: none. */
 static double
-find_mesh_opening(const struct mesh *mesh, size_t n, double number)
+opening_of_number(enum sieve_series series, double number)
 {
-	for (size_t i = 0; i < n; i++)
-		if (fabs(mesh[i].number - number) < 1e-9)
-			return mesh[i].mm;
-	return NAN;
-}
-
-static double
-find_astm_opening(enum sieve_series wanted, double number)
-{
-	bool inches = wanted == SIEVE_INCH;
-	size_t end = inches ? N_INCHES : ARRAY_LEN(ASTM);
-	for (size_t i = inches ? 0 : N_INCHES; i < end; i++)
-		if (fabs(ASTM[i].number - number) < 1e-9)
-			return ASTM[i].mm;
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES); i++) {
+		enum sieve_series astm = i < N_INCHES ? SIEVE_INCH : SIEVE_ASTM;
+		double own = series == SIEVE_TYLER ? SIEVES[i].tyler
+			     : series == SIEVE_BS  ? SIEVES[i].bs
+			     : series == astm      ? SIEVES[i].number
+						   : 0;
+		if (own > 0 && fabs(own - number) < 1e-9)
+			return SIEVES[i].mm;
+	}
 	return NAN;
 }
 
@@ -176,10 +164,10 @@ static double
 nearest_sieve_opening(double mm, double share)
 {
 	double nearest = NAN, off = share * mm;
-	for (size_t i = 0; i < ARRAY_LEN(ASTM) + ARRAY_LEN(OTHERS); i++) {
-		double other = i < ARRAY_LEN(ASTM)
-				   ? ASTM[i].mm
-				   : OTHERS[i - ARRAY_LEN(ASTM)];
+	for (size_t i = 0; i < ARRAY_LEN(SIEVES) + ARRAY_LEN(OTHERS); i++) {
+		double other = i < ARRAY_LEN(SIEVES)
+				   ? SIEVES[i].mm
+				   : OTHERS[i - ARRAY_LEN(SIEVES)];
 		if (fabs(other - mm) < off) {
 			off = fabs(other - mm);
 			nearest = other;
@@ -221,19 +209,9 @@ sieve_name_mm(const char *text, enum sieve_series head)
 			     ? SIEVE_INCH
 			     : head;
 	}
-	double inches = find_astm_opening(SIEVE_INCH, value);
-	switch (series) {
-	case SIEVE_TYLER:
-		return find_mesh_opening(TYLER, ARRAY_LEN(TYLER), value);
-	case SIEVE_BS:
-		return find_mesh_opening(BS, ARRAY_LEN(BS), value);
-	case SIEVE_INCH:
-		return bare && isnan(inches) ? mm_of_inches(value) : inches;
-	case SIEVE_ASTM:
-		return find_astm_opening(SIEVE_ASTM, value);
-	default:
-		return NAN;
-	}
+	double mm = opening_of_number(series, value);
+	return series == SIEVE_INCH && bare && isnan(mm) ? mm_of_inches(value)
+							 : mm;
 }
 
 bool
@@ -262,15 +240,15 @@ sieve_nearest_names(const char *text)
 	double wanted;
 	bool inches =
 	    parse_sieve_series_and_number(text, &wanted) == SIEVE_INCH;
-	size_t finer = inches ? 0 : N_INCHES, end = ARRAY_LEN(ASTM);
+	size_t finer = inches ? 0 : N_INCHES, end = ARRAY_LEN(SIEVES);
 	while (finer < (inches ? N_INCHES : end) &&
-	       (inches ? ASTM[finer].number >= wanted
-		       : ASTM[finer].number <= wanted))
+	       (inches ? SIEVES[finer].number >= wanted
+		       : SIEVES[finer].number <= wanted))
 		finer++;
 	char *list = xstrdup("");
 	for (size_t i = finer > 0 ? finer - 1 : 0; i < end && i <= finer; i++)
-		xappend_to_list(
-		    &list, " and ", tr("%s (%g mm)"), ASTM[i].name, ASTM[i].mm);
+		xappend_to_list(&list, " and ", tr("%s (%g mm)"),
+		    SIEVES[i].name, SIEVES[i].mm);
 	return list;
 }
 

@@ -104,11 +104,8 @@ is_better_asked_by_sheet(
 {
 	for (size_t k = 0; k < n_table; k++) {
 		const char *name = samples_sheet_label(table[k]->sheet);
-		size_t samples = 0;
-		for (size_t i = 0; i < all->n; i++)
-			samples += all->column[i].table == table[k] &&
-				   all->column[i].twin == 0;
-		if (samples != 1 || strpbrk(name, "\",=") != NULL)
+		if (site_column_samples_of_table(all, table[k]).n != 1 ||
+		    strpbrk(name, "\",=") != NULL)
 			return false;
 		for (size_t i = 0; i < k; i++)
 			if (text_same_folded(
@@ -329,22 +326,6 @@ struct tables {
 	const struct columns *all;
 };
 
-/* True if a table has only products whose speeds are known. */
-static bool
-has_only_products(const struct table *t, const struct columns *all)
-{
-	size_t products = 0;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0)
-			continue;
-		if (c->role != PRODUCT || !(c->speed > 0 || c->rpm > 0))
-			return false;
-		products++;
-	}
-	return products > 0;
-}
-
 /* True if table k may belong to the site whose feed is in table `feed`.  like:
  * a table of products that does, or NULL. */
 static bool
@@ -352,7 +333,8 @@ is_table_of_same_site(
     const struct tables *s, size_t k, size_t feed, const struct table *like)
 {
 	const struct table *t = s->table[k];
-	if (!has_only_products(t, s->all) || title_tells_limits_or_mean(t))
+	if (!site_column_samples_of_table(s->all, t).products ||
+	    title_tells_limits_or_mean(t))
 		return false;
 	FREED char *line = title_feed_or_last_line(s->table[feed]),
 		   *own = title_feed_or_last_line(t);

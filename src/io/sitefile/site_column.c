@@ -75,6 +75,26 @@ site_column_count_at_speed(
 	return n;
 }
 
+struct table_samples
+site_column_samples_of_table(const struct columns *all, const struct table *t)
+{
+	struct table_samples s = {.products = true};
+	for (size_t i = 0; i < all->n; i++) {
+		const struct column *c = &all->column[i];
+		if (c->table != t || c->twin > 0)
+			continue;
+		bool product = c->role == PRODUCT;
+		s.only = s.n++ == 0 ? c : NULL;
+		s.feed = c->role == FEED ? c : s.feed;
+		s.product = product ? c : s.product;
+		s.products =
+		    s.products && product && (c->speed > 0 || c->rpm > 0);
+		s.open = s.open || c->open;
+	}
+	s.products = s.products && s.n > 0;
+	return s;
+}
+
 struct column *
 site_column_find(
     const struct columns *all, enum role role, double speed, size_t nth)

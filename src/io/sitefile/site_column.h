@@ -80,6 +80,18 @@ size_t site_column_count_role(
 size_t site_column_count_at_speed(
     const struct columns *all, enum role role, double speed);
 
+/* The samples [n] of a table, without columns that repeat one in another
+ * quantity.  only: the sample if there is one alone; feed, product: the last;
+ * else NULL.  products: there are only products, and their speeds are known.
+ * open: the meaning of one is. */
+struct table_samples {
+	size_t n;
+	const struct column *only, *feed, *product;
+	bool products, open;
+};
+struct table_samples site_column_samples_of_table(
+    const struct columns *all, const struct table *t);
+
 /* Returns the nth column with that role and speed, or the only one, which then
  * serves all repeats; NULL if there is none. */
 struct column *site_column_find(

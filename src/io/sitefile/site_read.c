@@ -549,14 +549,14 @@ last_table_above_row(const struct layout *layout, const struct row *row)
  * the day of a cut, or the rotor's diameter. */
 static bool
 is_line_already_read(
-    const struct reading *r, const struct layout *layout, const struct row *row)
+    const struct reading *r, const struct layout *layout, size_t i)
 {
+	const struct row *row = layout->heading[i];
 	FREED char *words = words_of_line(row);
 	bool cut = r->request->parts && title_table_below(layout, row) != NULL;
 	FREED char *day = cut ? site_heading_date_of_line(row) : NULL;
 	return day != NULL || row->line <= layout->table[0].row[0].line ||
-	       repeats_known_rotor(r->site, words) ||
-	       title_says_sample_or_speed(layout, row);
+	       repeats_known_rotor(r->site, words) || layout->read[i];
 }
 
 /* Notes lines that were not read, from the ith on, with the table that they
@@ -574,7 +574,7 @@ note_left_out_lines(struct reading *r, const struct layout *layout, size_t i)
 	while (++n + i < layout->n_heading &&
 	       title_table_below(layout, layout->heading[i + n]) == below &&
 	       last_table_above_row(layout, layout->heading[i + n]) == above &&
-	       !is_line_already_read(r, layout, layout->heading[i + n]));
+	       !is_line_already_read(r, layout, i + n));
 	FREED char *samples =
 	    samples_of_table_text(&r->all, below != NULL ? below : above);
 	if (samples[0] == '\0' || layout->n == 1)
@@ -594,7 +594,7 @@ note_lines_outside_tables(struct reading *r, const struct page *page)
 	const struct layout *layout = page->layout;
 	note_left_out_sums(r, page);
 	for (size_t i = 0, n; i < layout->n_heading; i += n)
-		n = is_line_already_read(r, layout, layout->heading[i])
+		n = is_line_already_read(r, layout, i)
 			? 1
 			: note_left_out_lines(r, layout, i);
 }

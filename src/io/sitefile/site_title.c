@@ -75,26 +75,6 @@ can_head_table(const struct table *t, const struct row *row, size_t c)
 		   (can_be_title_cell(row, c) && is_line_above_table(t, row)));
 }
 
-bool
-title_says_sample_or_speed(const struct layout *layout, const struct row *row)
-{
-	struct heading_speed speed = {0};
-	for (size_t b = 0; b < layout->n; b++) {
-		const struct table *t = &layout->table[b];
-		if (is_line_above_table(t, row) &&
-		    site_heading_speed_of_line(t->sheet, row, &speed))
-			return true;
-		for (size_t c = 0; c < row->n; c++) {
-			if (!can_head_table(t, row, c))
-				continue;
-			struct head title = heading_parse(row->cell[c].text);
-			if (is_title_of_sample(&title))
-				return true;
-		}
-	}
-	return false;
-}
-
 const struct table *
 title_table_below(const struct layout *layout, const struct row *row)
 {
@@ -142,10 +122,10 @@ take_speed_above_table(const struct layout *layout, const struct table *t,
 {
 	bool found = false;
 	for (size_t i = 0; i < layout->n_heading; i++)
-		if (is_line_above_table(t, layout->heading[i]))
-			found = site_heading_speed_of_line(
-				    t->sheet, layout->heading[i], speed) ||
-				found;
+		if (is_line_above_table(t, layout->heading[i]) &&
+		    site_heading_speed_of_line(
+			t->sheet, layout->heading[i], speed))
+			found = layout->read[i] = true;
 	return found;
 }
 
@@ -323,6 +303,7 @@ take_title_lines(const struct layout *layout, struct table *t)
 			if (!is_title_of_sample(&title))
 				continue;
 			take_title(&title, &says);
+			layout->read[i] = true;
 			break;
 		}
 	}
@@ -464,22 +445,6 @@ title_differs_only_in_speed(const struct table *a, const struct table *b)
 	return strcmp(one, other) == 0;
 }
 
-/* Returns the only sample of a table, or NULL if it has none or several. */
-static const struct column *
-only_sample_of_table(const struct columns *all, const struct table *t)
-{
-	const struct column *found = NULL;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0)
-			continue;
-		if (found != NULL)
-			return NULL;
-		found = c;
-	}
-	return found;
-}
-
 bool
 title_tells_limits_or_mean(const struct table *t)
 {
@@ -503,32 +468,17 @@ static bool
 is_same_title_other_speed(
     struct table *const *table, size_t k, const struct columns *all)
 {
-	const struct column *own = only_sample_of_table(all, table[k]);
+	const struct column *own =
+	    site_column_samples_of_table(all, table[k]).only;
 	for (size_t i = 0; i < k; i++) {
-		const struct column *c = only_sample_of_table(all, table[i]);
+		const struct column *c =
+		    site_column_samples_of_table(all, table[i]).only;
 		if (c->role == PRODUCT &&
 		    (!title_differs_only_in_speed(table[i], table[k]) ||
 			(c->speed == own->speed && c->rpm == own->rpm)))
 			return false;
 	}
 	return true;
-}
-
-/* True if a table has only products, with their speeds. */
-static bool
-has_only_products_with_speeds(const struct table *t, const struct columns *all)
-{
-	size_t n = 0;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0)
-			continue;
-		if (c->role != PRODUCT || c->open ||
-		    !(c->speed > 0 || c->rpm > 0))
-			return false;
-		n++;
-	}
-	return n > 0;
 }
 
 /* True if of two tables one has the feed and the other all products, and no
@@ -538,10 +488,12 @@ are_feed_and_products(
     struct table *const *table, size_t n, const struct columns *all)
 {
 	for (size_t k = 0; k < 2 && n == 2; k++) {
-		const struct column *feed = only_sample_of_table(all, table[k]);
-		const struct table *products = table[1 - k];
+		const struct column *feed =
+		    site_column_samples_of_table(all, table[k]).only;
+		struct table_samples other =
+		    site_column_samples_of_table(all, table[1 - k]);
 		if (feed != NULL && feed->role == FEED && !(feed->speed > 0) &&
-		    has_only_products_with_speeds(products, all))
+		    other.products && !other.open)
 			return !title_tells_limits_or_mean(table[0]) &&
 			       !title_tells_limits_or_mean(table[1]) &&
 			       !title_names_differ(
@@ -558,7 +510,8 @@ titles_are_speed_series(
 		return true;
 	const struct table *feed = NULL;
 	for (size_t k = 0; k < n; k++) {
-		const struct column *c = only_sample_of_table(all, table[k]);
+		const struct column *c =
+		    site_column_samples_of_table(all, table[k]).only;
 		if (c == NULL || table[k]->sheet != table[0]->sheet)
 			return false;
 		bool is_feed = c->role == FEED && !(c->speed > 0);
@@ -639,39 +592,25 @@ has_same_sheet_name(const struct sheet *a, const struct column *first,
 		   datetime_is_day_in_words(b->name));
 }
 
-/* Returns the product of a table that has one product and one feed, and sets
- * *feed; otherwise NULL. */
+/* Returns the product of a table that has one product and one feed, or NULL. */
 static const struct column *
-product_of_one_test_table(const struct columns *all, const struct table *t,
-    const struct column **feed)
+product_of_one_test_table(const struct columns *all, const struct table *t)
 {
-	const struct column *product = NULL;
-	*feed = NULL;
-	for (size_t i = 0; i < all->n; i++) {
-		const struct column *c = &all->column[i];
-		if (c->table != t || c->twin > 0)
-			continue;
-		const struct column **of = c->role == FEED      ? feed
-					   : c->role == PRODUCT ? &product
-								: NULL;
-		if (of == NULL || *of != NULL || c->open)
-			return NULL;
-		*of = c;
-	}
-	return *feed != NULL && !((*feed)->speed > 0) ? product : NULL;
+	struct table_samples s = site_column_samples_of_table(all, t);
+	bool test =
+	    s.n == 2 && !s.open && s.feed != NULL && !(s.feed->speed > 0);
+	return test ? s.product : NULL;
 }
 
 bool
 titles_are_separate_tests(
     struct table *const *table, size_t n, const struct columns *all)
 {
-	const struct column *feed;
 	for (size_t k = 0; k < n; k++) {
 		const struct table *t = table[k], *first = table[0];
-		const struct column *c =
-		    product_of_one_test_table(all, t, &feed);
+		const struct column *c = product_of_one_test_table(all, t);
 		const struct column *one =
-		    product_of_one_test_table(all, first, &feed);
+		    product_of_one_test_table(all, first);
 		if (c == NULL || one == NULL || !(c->speed > 0 || c->rpm > 0) ||
 		    title_tells_limits_or_mean(t) ||
 		    !has_same_sheet_name(first->sheet, one, t->sheet, c) ||
@@ -681,7 +620,7 @@ titles_are_separate_tests(
 			return false;
 		for (size_t i = 0; i < k; i++) {
 			const struct column *other =
-			    product_of_one_test_table(all, table[i], &feed);
+			    product_of_one_test_table(all, table[i]);
 			if (c->speed == other->speed && c->rpm == other->rpm)
 				return false;
 		}

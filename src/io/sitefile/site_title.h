@@ -9,11 +9,6 @@
  * m/s", into the headings S2, and takes these lines out of the layout. */
 void title_take_key_of_samples(struct layout *layout);
 
-/* True if a line states which sample one of the layout's tables has, or its
- * speed. */
-bool title_says_sample_or_speed(
-    const struct layout *layout, const struct row *row);
-
 /* Returns the table above which a line stands, below all earlier tables; NULL
  * if there is none. */
 const struct table *title_table_below(
