@@ -1,6 +1,7 @@
 /* collect: joins the parts of many sites into the answer of one run, and the
  * stores that they wrote into one store.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,55 +13,27 @@
 #include "cmd/lang/table.h"
 #include "io/formats/shards.h"
 
-/* Orders rows as all sites are ordered, and those of one site as they were
- * written. */
-static int
-compare_sites_by_index(const void *a, const void *b)
-{
-	const struct part_site *p = *(const struct part_site *const *)a;
-	const struct part_site *q = *(const struct part_site *const *)b;
-	if (p->index != q->index)
-		return p->index > q->index ? 1 : -1;
-	return (p > q) - (p < q);
-}
-
-/* Returns the rows of all parts, [n], in order.  The caller frees them. */
-static const struct part_site **
-sort_sites_of_parts(const struct parts *parts, size_t *n)
-{
-	size_t at = 0;
-	*n = 0;
-	for (size_t k = 0; k < parts->n; k++)
-		*n += parts->part[k].n;
-	const struct part_site **site = xcalloc(*n + 1, sizeof(*site));
-	for (size_t k = 0; k < parts->n; k++)
-		for (size_t i = 0; i < parts->part[k].n; i++)
-			site[at++] = &parts->part[k].site[i];
-	qsort(site, *n, sizeof(*site), compare_sites_by_index);
-	return site;
-}
-
 static struct answer *
-join_calibrated_sites(const struct part_site *const *site, size_t n)
+join_calibrated_sites(const struct parts *parts)
 {
 	struct answer *r = part_new_calibrate_answer();
-	for (size_t i = 0; i < n; i++)
-		part_add_site_row(
-		    r, site[i]->text[0], site[i]->number, site[i]->text[1]);
+	for (size_t i = 0; i < parts->n_row; i++) {
+		const struct part_row *row = &parts->row[i];
+		part_add_site_row(r, row->site, row->number, row->text);
+	}
 	return r;
 }
 
 static struct answer *
-join_validated_sites(const struct parts *parts,
-    const struct part_site *const *site, size_t n, struct error *error)
+join_validated_sites(const struct parts *parts, struct error *error)
 {
 	struct trials c = {.each = parts->part[0].each > 0};
 	struct answer *r = NULL;
 	for (size_t k = 0; k < parts->n; k++)
 		c.left_out += parts->part[k].left_out;
-	for (size_t i = 0; i < n; i++)
-		scores_add_runs_of_part(&c, site[i]);
-	if (n > 0)
+	for (size_t i = 0; i < parts->n_row; i++)
+		scores_add_run_of_part(&c, &parts->row[i]);
+	if (parts->n_row > 0)
 		r = scores_all_sites_answer(&c);
 	else
 		error_set(error, ERROR_DATA,
@@ -70,12 +43,13 @@ join_validated_sites(const struct parts *parts,
 	return r;
 }
 
-/* The contents of all stores.  path, used: one for each material. */
+/* The contents of all stores.  path: of each material's store; at: the place
+ * in the list of each material that no site has taken yet, by its name without
+ * case and accents. */
 struct stores_read {
 	struct material_list list;
-	struct material_index index;
 	const char **path;
-	bool *used;
+	json_t *at;
 };
 
 static bool
@@ -88,112 +62,84 @@ read_store_materials(
 	store_free(store);
 	shelf->path =
 	    xrealloc(shelf->path, shelf->list.n + 1, sizeof(*shelf->path));
-	for (; n < shelf->list.n; n++)
+	for (; ok && n < shelf->list.n; n++) {
+		const char *name = shelf->list.item[n].name;
+		FREED char *fold = text_fold_case_and_accents(name);
+		const json_t *same = json_object_get(shelf->at, fold);
+		if (same != NULL)
+			ok = error_at(error, ERROR_DATA, path, 0, 0,
+			    "material '%s' is in %s already\nleave one out",
+			    name, shelf->path[json_integer_value(same)]);
 		shelf->path[n] = path;
+		json_object_set_new_nocheck(
+		    shelf->at, fold, json_integer((json_int_t)n));
+	}
 	return ok;
 }
 
-/* Reads all stores and checks that no name is in two of them. */
-static bool
-read_stores_of_parts(struct stores_read *shelf, const char *const *path,
-    size_t n, struct error *error)
-{
-	for (size_t k = 0; k < n; k++)
-		if (!read_store_materials(path[k], shelf, error))
-			return false;
-	shelf->used = xcalloc(shelf->list.n + 1, sizeof *shelf->used);
-	shelf->index = material_make_index(&shelf->list);
-	for (size_t i = 1; i < shelf->index.n; i++) {
-		const struct material_index_name *a = &shelf->index.name[i - 1],
-						 *b = a + 1;
-		if (strcmp(a->fold, b->fold) == 0)
-			return error_at(error, ERROR_DATA, shelf->path[b->at],
-			    0, 0,
-			    "material '%s' is in %s already\nleave one out",
-			    shelf->list.item[b->at].name, shelf->path[a->at]);
-	}
-	return true;
-}
-
-static void
-free_stores_of_parts(struct stores_read *shelf)
-{
-	material_index_clear(&shelf->index);
-	material_list_free(&shelf->list);
-	free(shelf->path);
-	free(shelf->used);
-}
-
-/* Returns the material of a site.  It must come from the very same calibration,
+/* Takes the material of a site.  It must come from the very same calibration,
  * which its misfit shows to the last bit. */
-static const struct material *
-find_calibrated_material(const struct stores_read *shelf,
-    const struct part_site *site, const char *version, struct error *error)
+static bool
+take_calibrated_material(const struct stores_read *shelf,
+    const struct part_row *row, const char *version, struct material *item,
+    struct error *error)
 {
 	enum { MISFIT = 3 };
-	FREED char *fold = text_fold_case_and_accents(site->text[0]);
-	const struct material_index_name *found =
-	    material_index_find(&shelf->index, fold);
-	if (found == NULL) {
-		error_set(error, ERROR_DATA,
+	FREED char *fold = text_fold_case_and_accents(row->site);
+	const json_t *found = json_object_get(shelf->at, fold);
+	if (found == NULL)
+		return error_set(error, ERROR_DATA,
 		    "%s was calibrated by a part, but is in none of the "
 		    "stores\n"
 		    "name the stores of all parts, each filled by 'remember "
 		    "all'",
-		    site->text[0]);
-		return NULL;
-	}
-	const struct material *m = &shelf->list.item[found->at];
-	shelf->used[found->at] = true;
-	if (m->misfit == site->number[MISFIT] &&
-	    strcmp(m->version, version) == 0)
-		return m;
-	error_at(error, ERROR_DATA, shelf->path[found->at], 0, 0,
-	    "expected the calibration of '%s' that is in its part (misfit "
-	    "%.6g, version %s), got another (misfit %.6g, version %s)\nmake "
-	    "the part and the store again, in one run",
-	    m->name, site->number[MISFIT], version, m->misfit, m->version);
-	return NULL;
+		    row->site);
+	size_t at = (size_t)json_integer_value(found);
+	*item = shelf->list.item[at];
+	json_object_del(shelf->at, fold);
+	return (item->misfit == row->number[MISFIT] &&
+		   strcmp(item->version, version) == 0) ||
+	       error_at(error, ERROR_DATA, shelf->path[at], 0, 0,
+		   "expected the calibration of '%s' that is in its part "
+		   "(misfit %.6g, version %s), got another (misfit %.6g, "
+		   "version %s)\nmake the part and the store again, in one run",
+		   item->name, row->number[MISFIT], version, item->misfit,
+		   item->version);
 }
 
 /* Stores the materials of the sites, in their order.  Fails if one belongs to
  * no site. */
 static bool
 store_collected_materials(struct session *s, const struct stores_read *shelf,
-    const struct parts *parts, const struct part_site *const *site, size_t n,
-    bool replace, struct error *error)
+    const struct parts *parts, bool replace, struct error *error)
 {
+	size_t n = parts->n_row;
 	FREED struct material *item = xcalloc(n + 1, sizeof *item);
-	bool ok = true;
-	for (size_t i = 0; ok && i < n; i++) {
-		const struct material *m = find_calibrated_material(
-		    shelf, site[i], parts->part[0].version, error);
-		ok = m != NULL;
-		if (ok)
-			item[i] = *m;
+	for (size_t i = 0; i < n; i++)
+		if (!take_calibrated_material(shelf, &parts->row[i],
+			parts->part[0].version, &item[i], error))
+			return false;
+	const json_t *left =
+	    json_object_iter_value(json_object_iter(shelf->at));
+	if (left != NULL) {
+		json_int_t at = json_integer_value(left);
+		return error_at(error, ERROR_DATA, shelf->path[at], 0, 0,
+		    "material '%s' belongs to none of the parts\n"
+		    "let each part begin with an empty store",
+		    shelf->list.item[at].name);
 	}
-	for (size_t i = 0; ok && i < shelf->index.n; i++) {
-		size_t at = shelf->index.name[i].at;
-		if (!shelf->used[at])
-			ok = error_at(error, ERROR_DATA, shelf->path[at], 0, 0,
-			    "material '%s' belongs to none of the parts\n"
-			    "let each part begin with an empty store",
-			    shelf->list.item[at].name);
-	}
-	ok = ok && store_put_materials(s->store, item, n, replace, error);
-	if (ok)
-		session_note(s, "remembered %zu materials in %s", n,
-		    store_path(s->store));
-	return ok;
+	if (!store_put_materials(s->store, item, n, replace, error))
+		return false;
+	session_note(
+	    s, "remembered %zu materials in %s", n, store_path(s->store));
+	return true;
 }
 
 static bool
 merge_stores_of_parts(struct session *s, const struct parts *parts,
-    const struct part_site *const *site, size_t n, const char *const *path,
-    size_t n_path, bool replace, struct error *error)
+    const char *const *path, size_t n, bool replace, struct error *error)
 {
-	struct stores_read shelf = {0};
-	if (n_path == 0)
+	if (n == 0)
 		return true;
 	if (strcmp(parts->part[0].command, "calibrate") != 0)
 		return error_at(error, ERROR_DATA, path[0], 0, 0,
@@ -202,32 +148,22 @@ merge_stores_of_parts(struct session *s, const struct parts *parts,
 		    "leave out the store, or collect the parts of the "
 		    "programs that filled it",
 		    parts->part[0].command);
-	bool ok = read_stores_of_parts(&shelf, path, n_path, error) &&
-		  store_collected_materials(
-		      s, &shelf, parts, site, n, replace, error);
-	free_stores_of_parts(&shelf);
+	struct stores_read shelf = {.at = json_object()};
+	bool ok = true;
+	for (size_t k = 0; ok && k < n; k++)
+		ok = read_store_materials(path[k], &shelf, error);
+	ok = ok && store_collected_materials(s, &shelf, parts, replace, error);
+	material_list_free(&shelf.list);
+	free(shelf.path);
+	json_decref(shelf.at);
 	return ok;
-}
-
-static bool
-show_collected_results(struct session *s, const struct parts *parts,
-    const char *const *store, size_t n_store, bool replace, struct error *error)
-{
-	size_t n;
-	FREED const struct part_site **site = sort_sites_of_parts(parts, &n);
-	bool scores = strcmp(parts->part[0].command, "validate") == 0;
-	struct answer *r = NULL;
-	if (merge_stores_of_parts(
-		s, parts, site, n, store, n_store, replace, error))
-		r = scores ? join_validated_sites(parts, site, n, error)
-			   : join_calibrated_sites(site, n);
-	return r != NULL && session_show_answer(s, r);
 }
 
 bool
 cmd_collect(struct session *s, const struct args *args, struct error *error)
 {
 	struct parts parts = {0};
+	struct answer *r = NULL;
 	bool ok = true;
 	const char *store[OPERANDS];
 	size_t n_store = 0;
@@ -244,9 +180,12 @@ cmd_collect(struct session *s, const struct args *args, struct error *error)
 		    "expected the parts that this store belongs to as "
 		    "well\nwrite them with: calibrate all part=I/N > "
 		    "FILE.json");
-	ok = ok && parts_check_agree(&parts, error) &&
-	     show_collected_results(
-		 s, &parts, store, n_store, args->replace, error);
+	if (ok && parts_check_and_sort(&parts, error) &&
+	    merge_stores_of_parts(
+		s, &parts, store, n_store, args->replace, error))
+		r = strcmp(parts.part[0].command, "validate") == 0
+			? join_validated_sites(&parts, error)
+			: join_calibrated_sites(&parts);
 	parts_free(&parts);
-	return ok;
+	return r != NULL && session_show_answer(s, r);
 }

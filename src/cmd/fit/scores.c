@@ -584,14 +584,14 @@ scores_put_part_rows(struct fields *o, const struct trials *c)
 }
 
 void
-scores_add_runs_of_part(struct trials *c, const struct part_site *site)
+scores_add_run_of_part(struct trials *c, const struct part_row *row)
 {
-	struct trial trial = {.entry = site->index,
-	    .key = xstrdup(site->text[0]),
-	    .source = xstrdup(site->text[1])};
+	struct trial trial = {.entry = row->index,
+	    .key = xstrdup(row->site),
+	    .source = xstrdup(row->text)};
 	double *at[PART_NUMBERS];
 	point_to_score_numbers(&trial.v, at);
 	for (size_t i = 0; i < PART_NUMBERS; i++)
-		*at[i] = site->number[i];
+		*at[i] = row->number[i];
 	trials_add_trial(c, trial);
 }

@@ -29,8 +29,8 @@ struct answer *scores_site_answer(
 struct answer *scores_all_sites_answer(const struct trials *c);
 
 /* scores_put_part_rows writes the runs as "rows" of a part;
- * scores_add_runs_of_part reads the runs of one site in a part. */
+ * scores_add_run_of_part reads one of them. */
 void scores_put_part_rows(struct fields *o, const struct trials *c);
-void scores_add_runs_of_part(struct trials *c, const struct part_site *site);
+void scores_add_run_of_part(struct trials *c, const struct part_row *row);
 
 #endif

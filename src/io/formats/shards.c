@@ -11,14 +11,16 @@
 #include "base/text.h"
 #include "base/xalloc.h"
 
-/* What commands write, and the second text of their rows; keys of the numbers,
- * or NULL for a list. */
+/* What commands write: the second text of their rows, and the keys of the n
+ * numbers; without keys these are the list "numbers". */
 static const struct kind {
-	const char *command, *text, *number[PART_NUMBERS];
+	const char *command, *text;
+	size_t n;
+	const char *key[PART_NUMBERS];
 } KINDS[] = {
-    {"calibrate", "remark",
+    {"calibrate", "remark", 6,
 	{"f_mat", "e0_min", "alpha", "misfit", "rmse_pct", "holdout_pct"}},
-    {"validate", "source", {NULL}}};
+    {"validate", "source", PART_NUMBERS, {NULL}}};
 
 static bool
 refuse_parts_file(const char *path, struct error *error)
@@ -29,87 +31,62 @@ refuse_parts_file(const char *path, struct error *error)
 	    "write parts with: calibrate all part=I/N > FILE.json");
 }
 
-/* Returns number i of a row, from its list of numbers or by key.  *there: it
- * must be present. */
-static const json_t *
-shards_number_in_row(
-    const json_t *row, const struct kind *kind, size_t i, bool *there)
-{
-	const char *key = kind->number[i];
-	*there = kind->number[0] == NULL || key != NULL;
-	return kind->number[0] == NULL
-		   ? json_array_get(json_object_get(row, "numbers"), i)
-	       : key != NULL ? json_object_get(row, key)
-			     : NULL;
-}
-
 static bool
-read_site_of_shard_row(json_t *row, const json_t *index,
-    const struct kind *kind, struct part_site *site)
+read_row_of_part(json_t *o, const json_t *index, const struct kind *kind,
+    struct part_row *row)
 {
-	const char *name, *text;
-	if (!json_is_integer(index) || json_unpack(row, "{s:s, s:s}", "site",
-					   &name, kind->text, &text) != 0)
+	const json_t *list = json_object_get(o, "numbers");
+	if (!json_is_integer(index) ||
+	    json_unpack(o, "{s:s, s:s}", "site", &row->site, kind->text,
+		&row->text) != 0)
 		return false;
-	bool good = true, there;
-	site->index = (size_t)json_integer_value(index);
-	site->text[0] = xstrdup(name);
-	site->text[1] = xstrdup(text);
-	for (size_t i = 0; i < PART_NUMBERS; i++) {
-		const json_t *value =
-		    shards_number_in_row(row, kind, i, &there);
-		site->number[i] =
-		    json_is_number(value) ? json_number_value(value) : NAN;
-		good = good &&
-		       (!there || json_is_number(value) || json_is_null(value));
+	row->index = (size_t)json_integer_value(index);
+	for (size_t i = 0; i < kind->n; i++) {
+		const json_t *value = kind->key[i] != NULL
+					  ? json_object_get(o, kind->key[i])
+					  : json_array_get(list, i);
+		if (!json_is_number(value) && !json_is_null(value))
+			return false;
+		row->number[i] = json_is_null(value) ? (double)NAN
+						     : json_number_value(value);
 	}
-	return good;
-}
-
-static const struct kind *
-shards_kind_of_command(const char *command)
-{
-	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++)
-		if (strcmp(KINDS[i].command, command) == 0)
-			return &KINDS[i];
-	return NULL;
+	return true;
 }
 
 static bool
-read_part_from_json(json_t *o, const char *path, struct part_file *part)
+read_part_from_json(struct part_file *part, struct parts *parts)
 {
-	const char *command, *sites, *version, *options;
 	json_int_t number, of, loaded, left_out = 0, each = 0;
 	json_t *index, *rows;
-	*part = (struct part_file){.path = xstrdup(path)};
-	if (json_unpack(o,
+	const struct kind *kind = KINDS;
+	if (json_unpack(part->json,
 		"{s:s, s:{s:s, s:s, s:s, s:I, s:I, s:I, s:o}, s:o,"
 		"s?I, s?I}",
-		"command", &command, "part", "sites", &sites, "version",
-		&version, "options", &options, "number", &number, "of", &of,
-		"loaded", &loaded, "index", &index, "rows", &rows, "left_out",
-		&left_out, "each", &each) != 0)
+		"command", &part->command, "part", "sites", &part->sites,
+		"version", &part->version, "options", &part->options, "number",
+		&number, "of", &of, "loaded", &loaded, "index", &index, "rows",
+		&rows, "left_out", &left_out, "each", &each) != 0)
 		return false;
-	const struct kind *kind = shards_kind_of_command(command);
-	if (kind == NULL || number < 0 || of < 1 || loaded < 0 ||
-	    json_array_size(index) != json_array_size(rows))
+	size_t n = json_array_size(rows), all = parts->n_row;
+	while (kind < KINDS + ARRAY_LEN(KINDS) &&
+	       strcmp(kind->command, part->command) != 0)
+		kind++;
+	if (kind == KINDS + ARRAY_LEN(KINDS) || number < 0 || of < 1 ||
+	    loaded < 0 || json_array_size(index) != n)
 		return false;
-	part->command = xstrdup(command);
-	part->sites = xstrdup(sites);
-	part->version = xstrdup(version);
-	part->options = xstrdup(options);
 	part->number = (size_t)number;
 	part->of = (size_t)of;
 	part->loaded = (size_t)loaded;
 	part->left_out = (size_t)left_out;
 	part->each = (size_t)each;
-	part->site = xcalloc(json_array_size(rows) + 1, sizeof *part->site);
-	for (size_t i = 0; i < json_array_size(rows); i++) {
-		struct part_site *site = &part->site[part->n++];
-		if (!read_site_of_shard_row(json_array_get(rows, i),
-			json_array_get(index, i), kind, site) ||
-		    site->index >= part->loaded ||
-		    site->index % part->of != part->number - 1)
+	parts->row = xrealloc(parts->row, all + n + 1, sizeof *parts->row);
+	for (size_t i = 0; i < n; i++) {
+		struct part_row *row = &parts->row[all + i];
+		row->order = parts->n_row++;
+		if (!read_row_of_part(json_array_get(rows, i),
+			json_array_get(index, i), kind, row) ||
+		    row->index >= part->loaded ||
+		    row->index % part->of != part->number - 1)
 			return false;
 	}
 	return true;
@@ -130,8 +107,9 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 	       (o = json_loadf(in, JSON_DISABLE_EOF_CHECK, &about)) != NULL) {
 		parts->part =
 		    xrealloc(parts->part, parts->n + 1, sizeof *parts->part);
-		good = read_part_from_json(o, path, &parts->part[parts->n++]);
-		json_decref(o);
+		struct part_file *part = &parts->part[parts->n++];
+		*part = (struct part_file){.json = o, .path = path};
+		good = read_part_from_json(part, parts);
 	}
 	/* After the last there is nothing but its end of line. */
 	good = good && parts->n > before &&
@@ -144,45 +122,27 @@ parts_read_file(const char *path, struct parts *parts, struct error *error)
 void
 parts_free(struct parts *parts)
 {
-	for (size_t k = 0; k < parts->n; k++) {
-		struct part_file *part = &parts->part[k];
-		for (size_t i = 0; i < part->n; i++) {
-			free(part->site[i].text[0]);
-			free(part->site[i].text[1]);
-		}
-		free(part->site);
-		free(part->path);
-		free(part->command);
-		free(part->sites);
-		free(part->version);
-		free(part->options);
-	}
+	for (size_t k = 0; k < parts->n; k++)
+		json_decref(parts->part[k].json);
 	free(parts->part);
+	free(parts->row);
 }
 
 static bool
-check_part_texts_same(const struct part_file *a, const struct part_file *b,
-    const char *what, const char *in_a, const char *in_b, struct error *error)
-{
-	return strcmp(in_a, in_b) == 0 ||
-	       error_at(error, ERROR_DATA, b->path, 0, 0,
-		   "expected the %s of %s (%s), got %s\n"
-		   "make this part again as the others were made",
-		   what, a->path, in_a, in_b);
-}
-
-static bool
-check_options_same(
+check_parts_alike(
     const struct part_file *a, const struct part_file *b, struct error *error)
 {
-	if (!check_part_texts_same(
-		a, b, "command", a->command, b->command, error) ||
-	    !check_part_texts_same(
-		a, b, "version", a->version, b->version, error) ||
-	    !check_part_texts_same(
-		a, b, "options", a->options, b->options, error) ||
-	    !check_part_texts_same(a, b, "sites", a->sites, b->sites, error))
-		return false;
+	const struct {
+		const char *what, *in_a, *in_b;
+	} same[] = {{"command", a->command, b->command},
+	    {"version", a->version, b->version},
+	    {"options", a->options, b->options}, {"sites", a->sites, b->sites}};
+	for (size_t i = 0; i < ARRAY_LEN(same); i++)
+		if (strcmp(same[i].in_a, same[i].in_b) != 0)
+			return error_at(error, ERROR_DATA, b->path, 0, 0,
+			    "expected the %s of %s (%s), got %s\n"
+			    "make this part again as the others were made",
+			    same[i].what, a->path, same[i].in_a, same[i].in_b);
 	return (a->of == b->of && a->loaded == b->loaded) ||
 	       error_at(error, ERROR_DATA, b->path, 0, 0,
 		   "expected a part of %zu, as %s is, got one of %zu\n"
@@ -213,15 +173,27 @@ check_each_part_once(const struct parts *parts, struct error *error)
 	return true;
 }
 
+static int
+compare_rows(const void *a, const void *b)
+{
+	const struct part_row *p = a, *q = b;
+	if (p->index != q->index)
+		return p->index > q->index ? 1 : -1;
+	return (p->order > q->order) - (p->order < q->order);
+}
+
 bool
-parts_check_agree(const struct parts *parts, struct error *error)
+parts_check_and_sort(struct parts *parts, struct error *error)
 {
 	for (size_t k = 0; k < parts->n; k++) {
 		const struct part_file *part = &parts->part[k];
 		if (part->number < 1 || part->number > part->of)
 			return refuse_parts_file(part->path, error);
-		if (!check_options_same(&parts->part[0], part, error))
+		if (!check_parts_alike(&parts->part[0], part, error))
 			return false;
 	}
+	if (parts->n_row > 1)
+		qsort(
+		    parts->row, parts->n_row, sizeof *parts->row, compare_rows);
 	return check_each_part_once(parts, error);
 }

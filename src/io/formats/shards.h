@@ -8,26 +8,29 @@
 
 #include "base/error.h"
 
-/* A row of a part: a site or one of its runs.  text [2]: the name, and the
- * remark or source of the data; number: the other columns, NAN if empty. */
+/* A row of a part: a site or one of its runs.  index: of the site among all;
+ * order: of reading.  text: the remark or the source of the data; number: the
+ * other columns, NAN if empty. */
 enum { PART_NUMBERS = 23 };
-struct part_site {
-	size_t index; /* among all sites */
-	char *text[2];
+struct part_row {
+	size_t index, order;
+	const char *site, *text;
 	double number[PART_NUMBERS];
 };
 
 /* A part, and the file from which it was read.  sites: digest of all loaded
- * sites.  left_out, each: from the answer of validate. */
+ * sites.  left_out, each: from the answer of validate.  The texts, also those
+ * of rows, are in the JSON; the path is the caller's. */
 struct part_file {
-	char *path, *command, *sites, *version, *options;
-	size_t number, of, loaded, left_out, each, n;
-	struct part_site *site;
+	struct json_t *json;
+	const char *path, *command, *sites, *version, *options;
+	size_t number, of, loaded, left_out, each;
 };
 
 struct parts {
-	size_t n;
+	size_t n, n_row;
 	struct part_file *part;
+	struct part_row *row;
 };
 
 /* Adds the parts in a file, one per line. */
@@ -36,7 +39,8 @@ bool parts_read_file(
 void parts_free(struct parts *parts);
 
 /* True if the parts are complete, without duplicates, and have the same
- * version, options and sites. */
-bool parts_check_agree(const struct parts *parts, struct error *error);
+ * version, options and sites.  Their rows are then in the order of all sites,
+ * those of one site as they were written. */
+bool parts_check_and_sort(struct parts *parts, struct error *error);
 
 #endif

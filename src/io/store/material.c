@@ -125,47 +125,6 @@ material_find(const struct material_list *list, const char *name)
 	return NULL;
 }
 
-static int
-compare_index_names(const void *a, const void *b)
-{
-	const struct material_index_name *x = a, *y = b;
-	int order = strcmp(x->fold, y->fold);
-	return order != 0 ? order : (x->at > y->at) - (x->at < y->at);
-}
-
-static int
-compare_with_index_name(const void *fold, const void *name)
-{
-	return strcmp(fold, ((const struct material_index_name *)name)->fold);
-}
-
-struct material_index
-material_make_index(const struct material_list *list)
-{
-	struct material_index index = {
-	    list->n, xcalloc(list->n + 1, sizeof *index.name)};
-	for (size_t i = 0; i < list->n; i++)
-		index.name[i] = (struct material_index_name){
-		    text_fold_case_and_accents(list->item[i].name), i};
-	qsort(index.name, index.n, sizeof *index.name, compare_index_names);
-	return index;
-}
-
-const struct material_index_name *
-material_index_find(const struct material_index *index, const char *fold)
-{
-	return bsearch(fold, index->name, index->n, sizeof *index->name,
-	    compare_with_index_name);
-}
-
-void
-material_index_clear(struct material_index *index)
-{
-	for (size_t i = 0; i < index->n; i++)
-		free(index->name[i].fold);
-	free(index->name);
-}
-
 /* Returns the number of parameters; 0 if the model is unknown. */
 static size_t
 count_model_params(const struct params *p)

@@ -66,20 +66,6 @@ void material_list_add(struct material_list *list, struct material m);
 const struct material *material_find(
     const struct material_list *list, const char *name);
 
-/* The sorted names of a list, folded to ignore case and accents; equal names
- * are in the order of the list.  at: index of the material. */
-struct material_index {
-	size_t n;
-	struct material_index_name {
-		char *fold;
-		size_t at;
-	} * name;
-};
-struct material_index material_make_index(const struct material_list *list);
-const struct material_index_name *material_index_find(
-    const struct material_index *index, const char *fold);
-void material_index_clear(struct material_index *index);
-
 /* Return where the value of a field of this kind is kept in m. */
 char **material_text_of_field(const struct material *m, const struct field *f);
 double *material_number_of_field(

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "config.h"
 #include "io/fs/xdg.h"
@@ -50,6 +51,13 @@ const char *const SCHEMA_STEPS[STORE_SCHEMA] = {
     "ALTER TABLE material DROP COLUMN e0_min;"
     "ALTER TABLE material DROP COLUMN alpha;",
     "ALTER TABLE material ADD COLUMN basis TEXT;"};
+
+/* db: while it is open; that of ":memory:" stays open. */
+struct store {
+	char *path;
+	bool own_folder; /* it may be made */
+	sqlite3 *db;
+};
 
 /* exact(number): the shortest text that reads back the same, for the steps. */
 static void
@@ -124,13 +132,28 @@ static const struct problem {
 	"this is not a store of tipspeed, or it is damaged",
 	"move the file away, or use another with --store=PATH"}};
 
-/* Sets the error for the latest failure of db, which may be NULL.  Returns
- * false. */
-static bool
-set_error_from_sqlite(sqlite3 *db, const char *path, struct error *error)
+static const char *
+sql_column_text(sqlite3_stmt *stmt, int i)
 {
-	int code = db != NULL ? sqlite3_errcode(db) & 0xFF : SQLITE_NOMEM;
-	int reason = db != NULL ? sqlite3_system_errno(db) : 0;
+	const char *text = (const char *)sqlite3_column_text(stmt, i);
+	return text != NULL ? text : "";
+}
+
+/* Returns SQLite's code for the latest failure; NOMEM if there is not even a
+ * database. */
+static int
+sqlite_code(const struct store *store)
+{
+	return store->db != NULL ? sqlite3_errcode(store->db) & 0xFF
+				 : SQLITE_NOMEM;
+}
+
+/* Sets the error for the latest failure.  Returns false. */
+static bool
+set_error_from_sqlite(const struct store *store, struct error *error)
+{
+	int code = sqlite_code(store);
+	int reason = store->db != NULL ? sqlite3_system_errno(store->db) : 0;
 	for (size_t i = 0; i < ARRAY_LEN(PROBLEMS); i++) {
 		const struct problem *p = &PROBLEMS[i];
 		if (p->code != code)
@@ -139,217 +162,193 @@ set_error_from_sqlite(sqlite3 *db, const char *path, struct error *error)
 		 * it, and then misses it: ENOENT says too little. */
 		bool why = reason != 0 && reason != ENOENT &&
 			   p->kind == ERROR_SYSTEM && code != SQLITE_BUSY;
-		return error_at(error, p->kind, path, 0, 0, "%s%s%s\n%s",
+		return error_at(error, p->kind, store->path, 0, 0, "%s%s%s\n%s",
 		    p->text, why ? ": " : "", why ? strerror(reason) : "",
 		    p->hint);
 	}
-	return error_at(error, ERROR_SYSTEM, path, 0, 0, "the store fails: %s",
-	    db != NULL ? sqlite3_errmsg(db) : "no memory");
+	return error_at(error, ERROR_SYSTEM, store->path, 0, 0,
+	    "the store fails: %s",
+	    store->db != NULL ? sqlite3_errmsg(store->db) : "no memory");
 }
 
 /* Runs SQL without results.  False with the error set. */
 static bool
-run_sql(sqlite3 *db, const char *path, const char *sql, struct error *error)
+run_sql(struct store *store, const char *sql, struct error *error)
 {
-	return sqlite3_exec(db, sql, NULL, NULL, NULL) == SQLITE_OK ||
-	       set_error_from_sqlite(db, path, error);
+	return sqlite3_exec(store->db, sql, NULL, NULL, NULL) == SQLITE_OK ||
+	       set_error_from_sqlite(store, error);
 }
 
 /* Returns the first value of the first row as text, which the caller frees;
  * NULL without a row or after a failure. */
 static char *
-query_first_text(sqlite3 *db, const char *sql)
+query_first_text(struct store *store, const char *sql)
 {
 	sqlite3_stmt *stmt = NULL;
 	char *text = NULL;
-	if (sqlite3_prepare_v2(db, sql, -1, &stmt, NULL) == SQLITE_OK &&
+	if (sqlite3_prepare_v2(store->db, sql, -1, &stmt, NULL) == SQLITE_OK &&
 	    sqlite3_step(stmt) == SQLITE_ROW)
-		text =
-		    xstrdup(sqlite3_column_type(stmt, 0) == SQLITE_NULL
-				? ""
-				: (const char *)sqlite3_column_text(stmt, 0));
+		text = xstrdup(sql_column_text(stmt, 0));
 	sqlite3_finalize(stmt);
 	return text;
 }
 
 /* Returns a whole number; -1 after a failure. */
 static long
-query_first_integer(sqlite3 *db, const char *sql)
+query_first_integer(struct store *store, const char *sql)
 {
-	FREED char *text = query_first_text(db, sql);
+	FREED char *text = query_first_text(store, sql);
 	return text != NULL ? strtol(text, NULL, 10) : -1;
 }
 
 /* Sets WAL mode, which a file then keeps.  Changing the mode needs the whole
  * file, for which SQLite does not wait by itself. */
 static bool
-set_wal_mode(sqlite3 *db, const char *path, struct error *error)
+set_wal_mode(struct store *store, struct error *error)
 {
 	const struct timespec pause = {0, PAUSE_MS * 1000000L};
 	for (int waited = 0;; waited += PAUSE_MS) {
 		FREED char *mode =
-		    query_first_text(db, "PRAGMA journal_mode = WAL");
-		bool done = mode != NULL && (strcmp(mode, "wal") == 0 ||
-						strcmp(mode, "memory") == 0);
-		bool busy =
-		    mode == NULL && (sqlite3_errcode(db) & 0xFF) == SQLITE_BUSY;
-		if (done)
+		    query_first_text(store, "PRAGMA journal_mode = WAL");
+		if (mode != NULL &&
+		    (strcmp(mode, "wal") == 0 || strcmp(mode, "memory") == 0))
 			return true;
+		bool busy = mode == NULL && sqlite_code(store) == SQLITE_BUSY;
 		if (!busy || waited >= WAIT_MS)
-			return set_error_from_sqlite(db, path, error);
+			return set_error_from_sqlite(store, error);
 		nanosleep(&pause, NULL);
 	}
 }
 
-/* Runs the steps within a transaction, in which the version is read again, as
- * another program may have migrated the file meanwhile. */
+/* Runs `change` as one transaction, which keeps all of it or nothing. */
 static bool
-run_migration_steps(sqlite3 *db, const char *path, struct error *error)
+run_transaction(struct store *store,
+    bool (*change)(struct store *, const void *of, struct error *),
+    const void *of, struct error *error)
 {
-	long version = query_first_integer(db, "PRAGMA user_version");
+	if (!run_sql(store, "BEGIN IMMEDIATE", error))
+		return false;
+	if (change(store, of, error) && run_sql(store, "COMMIT", error))
+		return true;
+	sqlite3_exec(store->db, "ROLLBACK", NULL, NULL, NULL);
+	return false;
+}
+
+/* Reads the version again, as another program may have migrated the file
+ * meanwhile. */
+static bool
+migrate_schema(struct store *store, const void *none, struct error *error)
+{
+	(void)none;
+	long version = query_first_integer(store, "PRAGMA user_version");
 	if (version < 0)
-		return set_error_from_sqlite(db, path, error);
-	for (long i = version; i < STORE_SCHEMA; i++)
-		if (!run_sql(db, path, SCHEMA_STEPS[i], error))
-			return false;
+		return set_error_from_sqlite(store, error);
 	if (version >= STORE_SCHEMA)
 		return true;
-	char *end = sqlite3_mprintf(
-	    "DELETE FROM about;INSERT INTO about VALUES (%Q);PRAGMA "
-	    "application_id = %d;PRAGMA user_version = %d;",
-	    "tipspeed " PACKAGE_VERSION, (int)SCHEMA_APPLICATION,
-	    (int)STORE_SCHEMA);
-	bool ok = run_sql(db, path, end, error);
-	sqlite3_free(end);
-	return ok;
-}
-
-/* Ends a transaction: keeps it all, or nothing when ok is false. */
-static bool
-commit_or_roll_back(sqlite3 *db, const char *path, bool ok, struct error *error)
-{
-	ok = ok && run_sql(db, path, "COMMIT", error);
-	if (!ok)
-		sqlite3_exec(db, "ROLLBACK", NULL, NULL, NULL);
-	return ok;
-}
-
-static bool
-migrate_schema(sqlite3 *db, const char *path, struct error *error)
-{
-	return run_sql(db, path, "BEGIN IMMEDIATE", error) &&
-	       commit_or_roll_back(
-		   db, path, run_migration_steps(db, path, error), error);
+	for (long i = version; i < STORE_SCHEMA; i++)
+		if (!run_sql(store, SCHEMA_STEPS[i], error))
+			return false;
+	FREED char *end =
+	    xasprintf("DELETE FROM about;INSERT INTO about VALUES "
+		      "('tipspeed " PACKAGE_VERSION
+		      "');PRAGMA application_id = %d;PRAGMA user_version = %d;",
+		(int)SCHEMA_APPLICATION, (int)STORE_SCHEMA);
+	return run_sql(store, end, error);
 }
 
 /* Checks every page and index of a small store.  In a large one that takes
  * longer than everything else (0.3 s for 100,000 materials), and each row read
  * has its digest. */
 static bool
-check_database_integrity(sqlite3 *db, const char *path, struct error *error)
+check_database_integrity(struct store *store, struct error *error)
 {
 	const long small = 1024;
-	if (query_first_integer(db, "PRAGMA page_count") > small)
+	if (query_first_integer(store, "PRAGMA page_count") > small)
 		return true;
-	FREED char *found = query_first_text(db, "PRAGMA integrity_check(1)");
-	bool ok = found != NULL && strcmp(found, "ok") == 0;
+	FREED char *found =
+	    query_first_text(store, "PRAGMA integrity_check(1)");
 	if (found == NULL)
-		set_error_from_sqlite(db, path, error);
-	else if (!ok)
-		error_at(error, ERROR_DATA, path, 0, 0,
-		    "the store is damaged: %.200s\n"
-		    "move the file away, and import the newest export into a "
-		    "new one",
-		    found);
-	return ok;
+		return set_error_from_sqlite(store, error);
+	return strcmp(found, "ok") == 0 ||
+	       error_at(error, ERROR_DATA, store->path, 0, 0,
+		   "the store is damaged: %.200s\n"
+		   "move the file away, and import the newest export into a "
+		   "new one",
+		   found);
 }
 
 static bool
-refuse_newer_store(
-    sqlite3 *db, const char *path, long version, struct error *error)
+refuse_newer_store(struct store *store, long version, struct error *error)
 {
-	FREED char *program = query_first_text(db, "SELECT program FROM about");
-	error_at(error, ERROR_DATA, path, 0, 0,
+	FREED char *program =
+	    query_first_text(store, "SELECT program FROM about");
+	return error_at(error, ERROR_DATA, store->path, 0, 0,
 	    "the store was written by %.60s (schema %ld); this is tipspeed %s, "
 	    "which reads schemas up to %d\n"
 	    "use that program, or another store with --store=PATH",
 	    program != NULL ? program : "a newer tipspeed", version,
 	    PACKAGE_VERSION, (int)STORE_SCHEMA);
-	return false;
 }
 
 /* Checks what the file is.  *version: 0 for an empty one. */
 static bool
-check_database_version(
-    sqlite3 *db, const char *path, long *version, struct error *error)
+check_database_version(struct store *store, long *version, struct error *error)
 {
-	if (sqlite3_errcode(db) != SQLITE_OK)
-		return set_error_from_sqlite(db, path, error);
-	long tables =
-	    query_first_integer(db, "SELECT count(*) FROM sqlite_master");
+	long tables = sqlite_code(store) == SQLITE_OK
+			  ? query_first_integer(
+				store, "SELECT count(*) FROM sqlite_master")
+			  : -1;
 	if (tables < 0)
-		return set_error_from_sqlite(db, path, error);
-	long application = query_first_integer(db, "PRAGMA application_id");
-	*version = query_first_integer(db, "PRAGMA user_version");
+		return set_error_from_sqlite(store, error);
+	long application = query_first_integer(store, "PRAGMA application_id");
+	*version = query_first_integer(store, "PRAGMA user_version");
 	bool fresh = tables == 0 && application == 0 && *version == 0;
 	if (!fresh && (application != SCHEMA_APPLICATION || *version <= 0))
-		return error_at(error, ERROR_DATA, path, 0, 0,
+		return error_at(error, ERROR_DATA, store->path, 0, 0,
 		    "expected a store of tipspeed, got a database of another "
 		    "program\n"
 		    "use another file with --store=PATH");
 	if (*version > STORE_SCHEMA)
-		return refuse_newer_store(db, path, *version, error);
-	return fresh || check_database_integrity(db, path, error);
+		return refuse_newer_store(store, *version, error);
+	return fresh || check_database_integrity(store, error);
 }
 
+/* Opens a file or URI in place of the database that is open. */
 static void
-add_sql_functions(sqlite3 *db)
+open_sqlite(struct store *store, const char *path, int flags)
 {
-	const int flags =
-	    SQLITE_UTF8 | SQLITE_DIRECTONLY | SQLITE_DETERMINISTIC;
-	sqlite3_create_function_v2(
-	    db, "exact", 1, flags, NULL, sql_function_exact, NULL, NULL, NULL);
-	sqlite3_create_function_v2(db, "folded", 1, flags, NULL,
-	    sql_function_folded, NULL, NULL, NULL);
-	sqlite3_create_function_v2(
-	    db, "shown", 1, flags, NULL, sql_function_shown, NULL, NULL, NULL);
-}
-
-static sqlite3 *
-open_sqlite_file(const char *path, bool make)
-{
-	sqlite3 *db = NULL;
-	int flags = SQLITE_OPEN_READWRITE | (make ? SQLITE_OPEN_CREATE : 0);
-	if (sqlite3_open_v2(path, &db, flags, NULL) != SQLITE_OK)
-		return db;
-	sqlite3_extended_result_codes(db, 1);
-	add_sql_functions(db);
-	sqlite3_busy_timeout(db, WAIT_MS);
-	sqlite3_exec(db,
+	static const struct {
+		const char *name;
+		void (*call)(sqlite3_context *, int, sqlite3_value **);
+	} FUNCTIONS[] = {{"exact", sql_function_exact},
+	    {"folded", sql_function_folded}, {"shown", sql_function_shown}};
+	const int kind = SQLITE_UTF8 | SQLITE_DIRECTONLY | SQLITE_DETERMINISTIC;
+	sqlite3_close(store->db);
+	store->db = NULL;
+	if (sqlite3_open_v2(path, &store->db, flags, NULL) != SQLITE_OK)
+		return;
+	sqlite3_extended_result_codes(store->db, 1);
+	for (size_t i = 0; i < ARRAY_LEN(FUNCTIONS); i++)
+		sqlite3_create_function_v2(store->db, FUNCTIONS[i].name, 1,
+		    kind, NULL, FUNCTIONS[i].call, NULL, NULL, NULL);
+	sqlite3_busy_timeout(store->db, WAIT_MS);
+	sqlite3_exec(store->db,
 	    "PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL;PRAGMA "
 	    "trusted_schema = OFF; PRAGMA cell_size_check = ON",
 	    NULL, NULL, NULL);
-	return db;
 }
 
 /* SQLite reads a file in WAL mode only where it can write beside it.  In a
  * folder that is closed to us, and without a log of another program, the file
  * itself is all there is to read. */
-static sqlite3 *
-open_sqlite_in_closed_folder(const char *path)
+static void
+open_in_closed_folder(struct store *store)
 {
-	FREED char *log = xasprintf("%s-wal", path);
-	bool alone = access(log, F_OK) != 0;
-	if (!alone)
-		return NULL;
 	FREED char *uri = xstrdup("file:");
-	for (const char *p = path; *p != '\0'; p++)
+	for (const char *p = store->path; *p != '\0'; p++)
 		xappend(&uri, strchr("?#%", *p) != NULL ? "%%%02X" : "%c", *p);
 	xappend(&uri, "?immutable=1");
-	sqlite3 *db = NULL;
-	sqlite3_open_v2(uri, &db, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, NULL);
-	add_sql_functions(db);
-	return db;
+	open_sqlite(store, uri, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 /* By which materials are filtered.  No step of the schema: a program that knows
@@ -357,68 +356,29 @@ open_sqlite_in_closed_folder(const char *path)
 static const char INDEX[] = "CREATE INDEX IF NOT EXISTS material_near ON "
 			    "material (rock, top_size_mm, fold)";
 
+/* Opens and checks the file, for reading also in a folder without write access;
+ * brings an older schema up to date, all steps or none. */
 static bool
-store_create_or_migrate(
-    sqlite3 *db, const char *path, bool make, long version, struct error *error)
-{
-	bool stale = version < STORE_SCHEMA && (make || version > 0);
-	return (!stale || migrate_schema(db, path, error)) &&
-	       (!make || (set_wal_mode(db, path, error) &&
-			     run_sql(db, path, INDEX, error)));
-}
-
-/* Opens and checks the file; for reading, also in a folder without write
- * access. */
-static sqlite3 *
 open_checked_database(
-    const char *path, bool make, long *version, bool *ok, struct error *error)
+    struct store *store, bool make, long *version, struct error *error)
 {
-	sqlite3 *db = open_sqlite_file(path, make), *closed = NULL;
-	*ok = check_database_version(db, path, version, error);
-	int code = sqlite3_errcode(db) & 0xFF;
-	bool beside = code == SQLITE_CANTOPEN || code == SQLITE_READONLY;
-	if (!*ok && !make && beside)
-		closed = open_sqlite_in_closed_folder(path);
-	if (closed == NULL)
-		return db;
-	sqlite3_close(db);
-	*ok = check_database_version(closed, path, version, error);
-	return closed;
+	FREED char *log = xasprintf("%s-wal", store->path);
+	open_sqlite(store, store->path,
+	    SQLITE_OPEN_READWRITE | (make ? SQLITE_OPEN_CREATE : 0));
+	bool ok = check_database_version(store, version, error);
+	int code = sqlite_code(store);
+	if (!ok && !make && access(log, F_OK) != 0 &&
+	    (code == SQLITE_CANTOPEN || code == SQLITE_READONLY)) {
+		open_in_closed_folder(store);
+		ok = check_database_version(store, version, error);
+	}
+	bool stale = *version < STORE_SCHEMA && (make || *version > 0);
+	return ok &&
+	       (!stale ||
+		   run_transaction(store, migrate_schema, NULL, error)) &&
+	       (!make || (set_wal_mode(store, error) &&
+			     run_sql(store, INDEX, error)));
 }
-
-/* Opens a file, or ":memory:".  make: a file that is missing or empty becomes a
- * store; without it *db is then NULL, which is no error.  A file of an older
- * schema is brought up to date, all steps or none.  False: *db is NULL. */
-static bool
-open_database(const char *path, bool make, sqlite3 **db, struct error *error)
-{
-	bool ok;
-	long version = 0;
-	struct stat about;
-	*db = NULL;
-	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
-		return error_at(error, ERROR_SYSTEM, path, 0, 0,
-		    "the store cannot be opened: this is a folder, a pipe or a "
-		    "device\n"
-		    "use another with --store=PATH");
-	if (!make && access(path, F_OK) != 0)
-		return true;
-	sqlite3 *opened =
-	    open_checked_database(path, make, &version, &ok, error);
-	ok = ok && store_create_or_migrate(opened, path, make, version, error);
-	if (ok && (make || version > 0))
-		*db = opened;
-	else
-		sqlite3_close(opened);
-	return ok;
-}
-
-/* memory: the one database of ":memory:", NULL for a file. */
-struct store {
-	char *path;
-	bool own_folder; /* it may be made */
-	sqlite3 *memory;
-};
 
 struct store *
 store_new(const char *path)
@@ -438,7 +398,7 @@ store_free(struct store *store)
 {
 	if (store == NULL)
 		return;
-	sqlite3_close(store->memory);
+	sqlite3_close(store->db);
 	free(store->path);
 	free(store);
 }
@@ -484,32 +444,45 @@ make_folders_of_store(const char *path, struct error *error)
 	return false;
 }
 
-/* *db is NULL where there is nothing to read. */
-static bool
-store_connect(struct store *store, bool make, sqlite3 **db, struct error *error)
+static void
+store_close(struct store *store)
 {
-	*db = store->memory;
-	if (*db != NULL)
+	if (strcmp(store->path, ":memory:") == 0)
+		return;
+	sqlite3_close(store->db);
+	store->db = NULL;
+}
+
+/* Opens the file, or ":memory:".  make: a file that is missing or empty becomes
+ * a store; without it db is then NULL, which is no error.  False: db is
+ * NULL. */
+static bool
+store_open(struct store *store, bool make, struct error *error)
+{
+	const char *path = store->path;
+	struct stat about;
+	long version = 0;
+	if (store->db != NULL)
 		return true;
-	if (store->path[0] == '\0')
+	if (path[0] == '\0')
 		return error_set(error, ERROR_SYSTEM,
 		    "no place for the store: HOME is not set\n"
 		    "name a file with --store=PATH");
-	if (make && store->own_folder &&
-	    !make_folders_of_store(store->path, error))
+	if (make && store->own_folder && !make_folders_of_store(path, error))
 		return false;
-	if (!open_database(store->path, make, db, error))
-		return false;
-	if (strcmp(store->path, ":memory:") == 0)
-		store->memory = *db;
-	return true;
-}
-
-static void
-close_database_unless_memory(struct store *store, sqlite3 *db)
-{
-	if (db != store->memory)
-		sqlite3_close(db);
+	if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
+		return error_at(error, ERROR_SYSTEM, path, 0, 0,
+		    "the store cannot be opened: this is a folder, a pipe or a "
+		    "device\n"
+		    "use another with --store=PATH");
+	if (!make && access(path, F_OK) != 0)
+		return true;
+	bool ok = open_checked_database(store, make, &version, error);
+	if (ok && (make || version > 0))
+		return true;
+	sqlite3_close(store->db);
+	store->db = NULL;
+	return ok;
 }
 
 /* "SELECT fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)": the
@@ -522,13 +495,6 @@ sql_listing_fields(const char *before, bool marks, const char *after)
 		xappend(&sql, ", %s", marks ? "?" : FIELDS[i].name);
 	xappend(&sql, "%s", after);
 	return sql;
-}
-
-static const char *
-sql_column_text(sqlite3_stmt *stmt, int i)
-{
-	const char *text = (const char *)sqlite3_column_text(stmt, i);
-	return text != NULL ? text : "";
 }
 
 static char *
@@ -576,36 +542,119 @@ is_row_unchanged(const struct material *m, const char *fold, const char *digest,
 	return good;
 }
 
-/* Reads the row of stmt.  False if it is not as it was stored. */
+/* What a row of a result is given to; false ends the reading. */
+typedef bool take_row(const struct store *store, sqlite3_stmt *stmt, void *data,
+    struct error *error);
+
+/* Adds the material of a row to a list.  False if it is not as it was
+ * stored. */
 static bool
-read_checked_material_row(const struct store *store, sqlite3_stmt *stmt,
-    struct material *m, struct error *error)
+take_checked_material(const struct store *store, sqlite3_stmt *stmt, void *data,
+    struct error *error)
 {
-	*m = material_empty();
+	struct material m = material_empty();
 	for (int i = 0; i < FIELD_COUNT; i++) {
 		const struct field *f = &FIELDS[i];
 		bool known = sqlite3_column_type(stmt, i + 2) != SQLITE_NULL;
 		if (f->kind == FIELD_NUMBER && known)
-			*material_number_of_field(m, f) =
+			*material_number_of_field(&m, f) =
 			    sqlite3_column_double(stmt, i + 2);
 		else if (f->kind == FIELD_WHOLE && known)
-			*material_integer_of_field(m, f) =
+			*material_integer_of_field(&m, f) =
 			    sqlite3_column_int64(stmt, i + 2);
 		else if (known)
-			material_set_field(m, f, sql_column_text(stmt, i + 2));
+			material_set_field(&m, f, sql_column_text(stmt, i + 2));
 	}
-	if (is_row_unchanged(
-		m, sql_column_text(stmt, 0), sql_column_text(stmt, 1), error))
+	if (is_row_unchanged(&m, sql_column_text(stmt, 0),
+		sql_column_text(stmt, 1), error)) {
+		material_list_add(data, m);
 		return true;
+	}
 	if (error != NULL)
 		error_set_place(error, store->path, 0, 0);
-	material_free(m);
+	material_free(&m);
 	return false;
 }
 
-/* Returns the condition of a query.  ?1 name, ?2 rock, ?3 and ?4 the least and
- * the largest top size, ?5 the top size wanted, ?6 the number of rows, ?7 their
- * distance. */
+static bool
+take_count(const struct store *store, sqlite3_stmt *stmt, void *data,
+    struct error *error)
+{
+	(void)store;
+	(void)error;
+	*(size_t *)data = (size_t)sqlite3_column_int64(stmt, 0);
+	return true;
+}
+
+/* Whom a visit gives the words. */
+struct visitor {
+	void (*take)(void *data, const char *word);
+	void *data;
+};
+
+static bool
+take_word(const struct store *store, sqlite3_stmt *stmt, void *data,
+    struct error *error)
+{
+	const struct visitor *visitor = data;
+	(void)store;
+	(void)error;
+	visitor->take(visitor->data, sql_column_text(stmt, 0));
+	return true;
+}
+
+static void
+bind_text(sqlite3_stmt *stmt, int i, const char *text)
+{
+	sqlite3_bind_text(stmt, i, text, -1, SQLITE_TRANSIENT);
+}
+
+/* Binds ?1 name, ?2 rock, ?3 and ?4 the least and the largest top size, ?5 the
+ * top size wanted, ?6 the number of rows, ?7 their distance; a statement may
+ * have fewer. */
+static void
+bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
+{
+	FREED char *name =
+	    text_fold_case_and_accents(q->name != NULL ? q->name : "");
+	FREED char *rock =
+	    text_fold_case_and_accents(q->rock != NULL ? q->rock : "");
+	bind_text(stmt, 1, name);
+	bind_text(stmt, 2, rock);
+	sqlite3_bind_double(stmt, 3, q->top_least);
+	sqlite3_bind_double(stmt, 4, q->top_most);
+	sqlite3_bind_double(stmt, 5, q->top);
+	sqlite3_bind_int64(
+	    stmt, 6, (sqlite3_int64)(q->first > 0 ? q->first : q->most));
+	sqlite3_bind_int64(stmt, 7, (sqlite3_int64)q->apart);
+}
+
+/* Runs a statement and calls take for each row.  Without a file there are no
+ * rows. */
+static bool
+store_run(struct store *store, const char *sql, const struct store_query *q,
+    take_row *take, void *data, struct error *error)
+{
+	sqlite3_stmt *stmt = NULL;
+	int code = SQLITE_DONE;
+	bool ok = true;
+	if (!store_open(store, false, error))
+		return false;
+	if (store->db != NULL)
+		code = sqlite3_prepare_v2(store->db, sql, -1, &stmt, NULL);
+	if (stmt != NULL)
+		bind_query_values(stmt, q);
+	while (ok && stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
+		ok = take(store, stmt, data, error);
+	if (ok && code != SQLITE_DONE)
+		ok = set_error_from_sqlite(store, error);
+	sqlite3_finalize(stmt);
+	store_close(store);
+	return ok;
+}
+
+/* Returns the condition of a query, of which bind_query_values has the
+ * values. */
 static char *
 where_clause(const struct store_query *q)
 {
@@ -634,67 +683,18 @@ where_clause(const struct store_query *q)
 				"WHERE rowid %% ?7 = 0)");
 	if (q->first > 0)
 		xappend(&where, " ORDER BY fold LIMIT ?6)");
+	xappend(&where, " ORDER BY fold");
 	return where;
-}
-
-static void
-bind_text(sqlite3_stmt *stmt, int i, const char *text)
-{
-	sqlite3_bind_text(stmt, i, text, -1, SQLITE_TRANSIENT);
-}
-
-static void
-bind_query_values(sqlite3_stmt *stmt, const struct store_query *q)
-{
-	FREED char *name =
-	    text_fold_case_and_accents(q->name != NULL ? q->name : "");
-	FREED char *rock =
-	    text_fold_case_and_accents(q->rock != NULL ? q->rock : "");
-	bind_text(stmt, 1, name);
-	bind_text(stmt, 2, rock);
-	sqlite3_bind_double(stmt, 3, q->top_least);
-	sqlite3_bind_double(stmt, 4, q->top_most);
-	sqlite3_bind_double(stmt, 5, q->top);
-	sqlite3_bind_int64(
-	    stmt, 6, (sqlite3_int64)(q->first > 0 ? q->first : q->most));
-	sqlite3_bind_int64(stmt, 7, (sqlite3_int64)q->apart);
-}
-
-static bool
-store_read_rows(struct store *store, sqlite3 *db, const struct store_query *q,
-    struct material_list *list, struct error *error)
-{
-	FREED char *where = where_clause(q),
-		   *after = xasprintf("%s ORDER BY fold", where);
-	FREED char *sql =
-	    sql_listing_fields("SELECT fold, digest", false, after);
-	sqlite3_stmt *stmt = NULL;
-	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	bool ok =
-	    code == SQLITE_OK || set_error_from_sqlite(db, store->path, error);
-	bind_query_values(stmt, q);
-	while (ok && (code = sqlite3_step(stmt)) == SQLITE_ROW) {
-		struct material m;
-		ok = read_checked_material_row(store, stmt, &m, error);
-		if (ok)
-			material_list_add(list, m);
-	}
-	if (ok && code != SQLITE_DONE)
-		ok = set_error_from_sqlite(db, store->path, error);
-	sqlite3_finalize(stmt);
-	return ok;
 }
 
 bool
 store_find_materials(struct store *store, const struct store_query *query,
     struct material_list *list, struct error *error)
 {
-	sqlite3 *db;
-	if (!store_connect(store, false, &db, error))
-		return false;
-	bool ok = db == NULL || store_read_rows(store, db, query, list, error);
-	close_database_unless_memory(store, db);
-	return ok;
+	FREED char *where = where_clause(query);
+	FREED char *sql =
+	    sql_listing_fields("SELECT fold, digest", false, where);
+	return store_run(store, sql, query, take_checked_material, list, error);
 }
 
 bool
@@ -719,47 +719,9 @@ store_has_material(struct store *store, const char *name)
 bool
 store_count_materials(struct store *store, size_t *n, struct error *error)
 {
-	sqlite3 *db;
 	*n = 0;
-	if (!store_connect(store, false, &db, error))
-		return false;
-	long found = db != NULL ? query_first_integer(
-				      db, "SELECT count(*) FROM material")
-				: 0;
-	bool ok = found >= 0 || set_error_from_sqlite(db, store->path, error);
-	*n = ok ? (size_t)found : 0;
-	close_database_unless_memory(store, db);
-	return ok;
-}
-
-/* Calls take for the first column of each row of a query, whose ?1 is a folded
- * beginning, ?2 past all that begin so, and ?3 how many rows to take. */
-static bool
-visit_texts_of_query(struct store *store, const char *sql, const char *fold,
-    size_t most, void (*take)(void *data, const char *text), void *data,
-    struct error *error)
-{
-	sqlite3 *db;
-	sqlite3_stmt *stmt = NULL;
-	int code = SQLITE_DONE;
-	if (!store_connect(store, false, &db, error))
-		return false;
-	/* The last code point. */
-	FREED char *past = xasprintf("%s\xF4\x8F\xBF\xBF", fold);
-	if (db != NULL)
-		code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
-	if (sqlite3_bind_parameter_count(stmt) > 0) {
-		bind_text(stmt, 1, fold);
-		bind_text(stmt, 2, past);
-		sqlite3_bind_int64(stmt, 3, (sqlite3_int64)most);
-	}
-	while (stmt != NULL && (code = sqlite3_step(stmt)) == SQLITE_ROW)
-		take(data, sql_column_text(stmt, 0));
-	bool ok = code == SQLITE_DONE ||
-		  set_error_from_sqlite(db, store->path, error);
-	sqlite3_finalize(stmt);
-	close_database_unless_memory(store, db);
-	return ok;
+	return store_run(store, "SELECT count(*) FROM material",
+	    &(struct store_query){0}, take_count, n, error);
 }
 
 bool
@@ -769,7 +731,8 @@ store_visit_words(struct store *store, enum store_word what,
 	static const char *const SQL[] = {
 	    [STORE_NAMES] = "SELECT name FROM material ORDER BY fold",
 	    [STORE_ROCKS] = "SELECT rock FROM material GROUP BY rock"};
-	return visit_texts_of_query(store, SQL[what], "", 0, take, data, error);
+	return store_run(store, SQL[what], &(struct store_query){0}, take_word,
+	    &(struct visitor){take, data}, error);
 }
 
 bool
@@ -777,13 +740,15 @@ store_visit_names_beginning(struct store *store, const char *beginning,
     size_t most, void (*take)(void *data, const char *name), void *data,
     struct error *error)
 {
+	/* 1114111 is the last code point. */
 	static const char SQL[] =
 	    "WITH matching AS (SELECT fold FROM material WHERE fold >= ?1 AND "
-	    "fold < ?2) SELECT name FROM material WHERE fold IN (SELECT fold "
-	    "FROM matching ORDER BY fold LIMIT ?3) OR fold = (SELECT max(fold) "
-	    "FROM matching) ORDER BY fold";
-	FREED char *fold = text_fold_case_and_accents(beginning);
-	return visit_texts_of_query(store, SQL, fold, most, take, data, error);
+	    "fold < ?1 || char(1114111)) SELECT name FROM material WHERE fold "
+	    "IN (SELECT fold FROM matching ORDER BY fold LIMIT ?6) OR fold = "
+	    "(SELECT max(fold) FROM matching) ORDER BY fold";
+	const struct store_query query = {.name = beginning, .first = most};
+	return store_run(store, SQL, &query, take_word,
+	    &(struct visitor){take, data}, error);
 }
 
 /* Binds a material to a row; unknown values stay NULL. */
@@ -808,15 +773,24 @@ bind_material(sqlite3_stmt *stmt, const struct material *m)
 	}
 }
 
+/* What store_put_materials was called with. */
+struct put {
+	const struct material *item;
+	size_t n;
+	bool replace;
+};
+
 static bool
-store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
-    const struct material *m, struct error *error)
+put_row(struct store *store, sqlite3_stmt *stmt, const struct material *m,
+    struct error *error)
 {
+	if (!check_material_fields(m, error))
+		return false;
 	bind_material(stmt, m);
 	if (sqlite3_step(stmt) == SQLITE_DONE)
 		return true;
-	if ((sqlite3_errcode(db) & 0xFF) != SQLITE_CONSTRAINT)
-		return set_error_from_sqlite(db, store->path, error);
+	if (sqlite_code(store) != SQLITE_CONSTRAINT)
+		return set_error_from_sqlite(store, error);
 	return error_set(error, ERROR_USAGE,
 	    "the store already has a material '%s'\nchoose another name, or "
 	    "add replace=on to the line",
@@ -824,22 +798,21 @@ store_put_row(struct store *store, sqlite3 *db, sqlite3_stmt *stmt,
 }
 
 static bool
-store_put_rows(struct store *store, sqlite3 *db, const struct material *item,
-    size_t n, bool replace, struct error *error)
+put_rows(struct store *store, const void *of, struct error *error)
 {
-	FREED char *head =
-	    sql_listing_fields(replace ? "INSERT OR REPLACE INTO material "
-					 "(fold, digest"
-				       : "INSERT INTO material (fold, digest",
-		false, ") VALUES (?, ?");
+	const struct put *put = of;
+	FREED char *head = sql_listing_fields(
+	    put->replace ? "INSERT OR REPLACE INTO material "
+			   "(fold, digest"
+			 : "INSERT INTO material (fold, digest",
+	    false, ") VALUES (?, ?");
 	FREED char *sql = sql_listing_fields(head, true, ")");
 	sqlite3_stmt *stmt = NULL;
-	int code = sqlite3_prepare_v2(db, sql, -1, &stmt, NULL);
 	bool ok =
-	    code == SQLITE_OK || set_error_from_sqlite(db, store->path, error);
-	for (size_t i = 0; ok && i < n; i++)
-		ok = check_material_fields(&item[i], error) &&
-		     store_put_row(store, db, stmt, &item[i], error);
+	    sqlite3_prepare_v2(store->db, sql, -1, &stmt, NULL) == SQLITE_OK ||
+	    set_error_from_sqlite(store, error);
+	for (size_t i = 0; ok && i < put->n; i++)
+		ok = put_row(store, stmt, &put->item[i], error);
 	sqlite3_finalize(stmt);
 	return ok;
 }
@@ -848,55 +821,36 @@ bool
 store_put_materials(struct store *store, const struct material *item, size_t n,
     bool replace, struct error *error)
 {
-	sqlite3 *db;
-	if (!store_connect(store, true, &db, error))
-		return false;
-	bool ok =
-	    run_sql(db, store->path, "BEGIN IMMEDIATE", error) &&
-	    commit_or_roll_back(db, store->path,
-		store_put_rows(store, db, item, n, replace, error), error);
-	close_database_unless_memory(store, db);
+	const struct put put = {item, n, replace};
+	bool ok = store_open(store, true, error) &&
+		  run_transaction(store, put_rows, &put, error);
+	store_close(store);
 	return ok;
-}
-
-/* Deletes a row by its name, otherwise by the name shown in errors. */
-static bool
-delete_material_row(
-    struct store *store, sqlite3 *db, const char *name, struct error *error)
-{
-	static const char *const SQL[] = {"DELETE FROM material WHERE fold = ?",
-	    "DELETE FROM material WHERE fold = (SELECT fold FROM material "
-	    "WHERE folded(shown(name)) = ? LIMIT 1)"};
-	FREED char *fold = text_fold_case_and_accents(name);
-	for (size_t i = 0; i < ARRAY_LEN(SQL); i++) {
-		sqlite3_stmt *stmt = NULL;
-		sqlite3_prepare_v2(db, SQL[i], -1, &stmt, NULL);
-		bind_text(stmt, 1, fold);
-		bool ok = sqlite3_step(stmt) == SQLITE_DONE ||
-			  set_error_from_sqlite(db, store->path, error);
-		sqlite3_finalize(stmt);
-		if (!ok || sqlite3_changes(db) > 0)
-			return ok;
-	}
-	return error_set(error, ERROR_USAGE,
-	    "the store has no material '%s'\n"
-	    "run 'materials origin=own' to list its materials",
-	    name);
 }
 
 bool
 store_remove_material(
     struct store *store, const char *name, struct error *error)
 {
-	sqlite3 *db;
-	if (!store_connect(store, false, &db, error))
+	/* By its name, otherwise by the name shown in errors. */
+	static const char SQL[] =
+	    "DELETE FROM material WHERE fold = ifnull((SELECT fold FROM "
+	    "material WHERE fold = ?1), (SELECT fold FROM material WHERE "
+	    "folded(shown(name)) = ?1 LIMIT 1)) RETURNING 1";
+	const struct store_query query = {.name = name};
+	size_t n = 0;
+	if (!store_open(store, false, error))
 		return false;
-	if (db == NULL)
-		return error_set(error, ERROR_USAGE,
-		    "the store has no material '%s'\n"
-		    "run 'remember' first: the store is empty",
-		    name);
-	bool ok = delete_material_row(store, db, name, error);
-	close_database_unless_memory(store, db);
-	return ok;
+	bool none = store->db == NULL;
+	store_close(store);
+	if (!store_run(store, SQL, &query, take_count, &n, error))
+		return false;
+	return n > 0 ||
+	       error_set(error, ERROR_USAGE,
+		   none ? N_("the store has no material '%s'\n"
+			     "run 'remember' first: the store is empty")
+			: N_("the store has no material '%s'\n"
+			     "run 'materials origin=own' to list its "
+			     "materials"),
+		   name);
 }

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/store/store_csv.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -207,28 +208,32 @@ static void
 check_names_unique(struct sheet *sheet, size_t column,
     const struct material_list *there, const struct material_list *list)
 {
-	const struct material_list none = {0};
-	struct material_index own = material_make_index(list),
-			      others = material_make_index(
-				  there != NULL ? there : &none);
-	for (size_t i = 0; i < own.n; i++) {
-		const struct material_index_name *name = &own.name[i];
-		struct cell cell =
-		    row_cell_at(&sheet->row[1 + name->at], column);
-		if (i > 0 && strcmp(name->fold, name[-1].fold) == 0)
+	/* By names without case and accents, true: in the store. */
+	json_t *known = json_object();
+	for (size_t i = 0; there != NULL && i < there->n; i++) {
+		FREED char *fold =
+		    text_fold_case_and_accents(there->item[i].name);
+		json_object_set_new_nocheck(known, fold, json_true());
+	}
+	for (size_t i = 0; i < list->n; i++) {
+		FREED char *fold =
+		    text_fold_case_and_accents(list->item[i].name);
+		const json_t *same = json_object_get(known, fold);
+		struct cell cell = row_cell_at(&sheet->row[1 + i], column);
+		if (json_is_false(same))
 			sheet_fault(sheet, cell,
 			    "duplicate name: %.60s\n"
 			    "leave out one of the rows, or rename it",
 			    cell.text);
-		else if (material_index_find(&others, name->fold) != NULL)
+		else if (json_is_true(same))
 			sheet_fault(sheet, cell,
 			    "expected a new name, but the store already has "
 			    "'%.60s'\n"
 			    "use replace=on to replace it",
 			    cell.text);
+		json_object_set_new_nocheck(known, fold, json_false());
 	}
-	material_index_clear(&own);
-	material_index_clear(&others);
+	json_decref(known);
 }
 
 /* Reads the model first, because its parameters depend on it. */
