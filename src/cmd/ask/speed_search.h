@@ -86,7 +86,12 @@ struct speed_root {
  * speeds, preferably one at which the conditions hold; NAN: none.
  * range: the middle `level` of the speeds at which the draws give the value;
  * cut: the same for the product that a belt cut would show.  0 and INFINITY:
- * below and above the search; NAN for a model alone. */
+ * below and above the search; NAN for a model alone.
+ *
+ * For the search itself, at each speed: step_margin [n][n_condition + 1]: of
+ * each condition, then of all; value of the target's quantity and its excess
+ * over the target's value, in the answer (over), in the draws and in the draws
+ * of one more sample. */
 struct speed_search {
 	size_t n, done;
 	double *speed, *certain;
@@ -101,7 +106,10 @@ struct speed_search {
 	size_t n_root;
 	struct speed_root *root;
 	double found, range[2], cut[2];
-	struct speed_table *table;
+	size_t n_condition;
+	struct margin *step_margin;
+	double *over, *value, (*draw)[POSTERIOR_DRAWS],
+	    (*sample)[POSTERIOR_DRAWS];
 };
 
 /* speed_search_step searches one more speed and returns true when the search is
