@@ -79,12 +79,12 @@ bool conditions_speed_range_of_args(const struct session *s,
 
 /* conditions_one_text returns "passing 2 mm 40 to 50 %" or "P80 at least 5 mm";
  * conditions_list_text all conditions, separated by commas;
- * conditions_limit_text a limit from the list, "passing 2 mm at most 50 %".
+ * conditions_limit_text a limit of conditions, "passing 2 mm at most 50 %".
  * The caller frees it. */
 char *conditions_one_text(const struct condition *condition);
 char *conditions_list_text(const struct condition_list *list);
 char *conditions_limit_text(
-    const struct condition_list *list, struct wanted_limit limit);
+    const struct condition *at, struct wanted_limit limit);
 
 /* For each condition, conditions_add_rows adds a row to an answer,
  * conditions_put_list an object to the list "conditions": the limits, the value
@@ -111,10 +111,6 @@ char *conditions_met_speeds_text(
 char *conditions_met_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found);
 
-/* Returns a margin in widths of the band, or NAN for a model alone. */
-double conditions_margin_in_band_widths(
-    const struct wanted *wanted, struct margin margin);
-
 /* Returns how far the value at the forecast's speed is from the limit of a
  * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
 char *conditions_margin_text(const struct wanted *wanted, struct margin margin);
@@ -135,29 +131,27 @@ double conditions_nearest_measured_speed(
 /* If no speed meets all conditions, notes which of them prevent it, and whether
  * the feed alone does.  Moves the forecast to the best speed. */
 void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found,
-    const struct psd *feed);
+    const struct speed_search *found);
 
-/* Notes that the feed alone is finer than a limit allows, which no speed can
- * put right.  most: the limit is an upper one.  Returns false if that is not
+/* Notes that the feed alone is finer than a limit of a condition allows, which
+ * no speed can put right.  most: its upper limit.  Returns false if that is not
  * the case. */
-bool conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
-    const struct quantity *q, double limit, bool most);
+bool conditions_note_feed_is_finer(struct answer *r,
+    const struct wanted *wanted, const struct condition *c, bool most);
 
 /* Notes which speed to run at, the range in which the conditions hold with the
  * certainty of a band, and the slowest safe speed; if the answer meets them at
  * no speed, where they are most likely to hold.  several: there is more than
  * one condition. */
-void conditions_note_best_speed(struct answer *r, const struct session *s,
-    const struct question *q, const struct wanted *wanted, bool several,
-    const struct speed_search *w);
+void conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
+    bool several, const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, the answer
  * has that light, and both are stated. */
-void conditions_show_basis(const struct session *s, struct answer *r,
-    const struct question *q, const struct wanted *wanted,
-    const struct speed_search *found, double speed);
+void conditions_show_basis(struct answer *r, const struct question *q,
+    const struct wanted *wanted, const struct speed_search *found,
+    double speed);
 
 /* conditions_note_unsearched_speeds notes which slower or faster speeds were
  * not searched, and how to search them, unless no answer there can be relied

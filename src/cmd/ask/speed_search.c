@@ -47,10 +47,12 @@ wanted_from_question(const struct session *s, const struct question *q,
 		asked[i] = at[i].quantity;
 	for (size_t i = 0; i < n_more; i++)
 		asked[n + i] = more[i];
-	struct wanted w = {.site = q->entry->site,
+	struct wanted w = {.s = s,
+	    .entry = q->entry,
+	    .feed = q->feed,
+	    .level = q->level,
 	    .n = n,
 	    .at = at,
-	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_default_speed_range(&s->set, q->entry->site, &w.from, &w.to);
 	bool known =
@@ -70,7 +72,8 @@ wanted_from_question(const struct session *s, const struct question *q,
 static double
 margin_rank(struct margin m)
 {
-	return m.passing < -EXACT ? m.passing : fmax(m.widths, 0);
+	double room = isnan(m.widths) ? m.passing : m.widths;
+	return m.passing < -EXACT ? m.passing : fmax(room, 0);
 }
 
 /* Returns the lesser of two margins, ignoring one without a limit. */
@@ -109,7 +112,7 @@ margin_in_answer(const struct wanted *w, struct wanted_limit of, bool *tight)
 	double room =
 	    room_to_limit(forecast_excess_over_limit(w->forecast, of.i, limit),
 		of.most, *tight);
-	return (struct margin){room, room, of};
+	return (struct margin){room, NAN, of};
 }
 
 /* As margin_in_answer, with the width of the band.  held [DRAWS]: set to false
@@ -131,8 +134,8 @@ margin_in_draws(const struct wanted *w, struct wanted_limit of, bool *held)
 	}
 	ensemble_middle_interval(over, w->level, &low, &high);
 	double width = isfinite(low) && isfinite(high) ? high - low : 0;
-	if (isfinite(m.passing))
-		m.widths = m.passing / fmax(width, NARROW);
+	m.widths =
+	    isfinite(m.passing) ? m.passing / fmax(width, NARROW) : m.passing;
 	return m;
 }
 

@@ -16,14 +16,15 @@ struct condition {
 
 /* Condition i concerns quantity i of the forecast; the target, or NULL,
  * concerns the next quantity: it is a value (both limits) to reach, or has no
- * limits if the largest or smallest value is sought.  from, to: range of
- * speeds, m/s; measured: the slowest and fastest of those that inform the
- * answer; reach: how far beyond them an answer can be relied on
- * (trust_reach_beyond_speeds), INFINITY if they are not known; level: of bands;
- * site: the one asked about. Unless stated otherwise, functions move the
- * forecast to other speeds. */
+ * limits if the largest or smallest value is sought.  entry, feed, level: of
+ * the question.  from, to: range of speeds, m/s; measured: the slowest and
+ * fastest of those that inform the answer; reach: how far beyond them an answer
+ * can be relied on (trust_reach_beyond_speeds), INFINITY if they are not known.
+ * Unless stated otherwise, functions move the forecast to other speeds. */
 struct wanted {
-	const struct site *site;
+	const struct session *s;
+	const struct entry *entry;
+	size_t feed;
 	struct forecast *forecast;
 	size_t n;
 	const struct condition *at, *target;
@@ -45,8 +46,8 @@ struct wanted_limit {
 
 /* The distance from a limit, negative if missed: as a passing 0..1
  * (quantity_excess_as_passing), and in widths of the band there, so that limits
- * on different sieves can be compared (D21) while they hold; for a model alone,
- * both are the passing.  A limit that leaves no room (at least 100 %, at most 0
+ * on different sieves can be compared (D21) while they hold, NAN for a model
+ * alone.  A limit that leaves no room (at least 100 %, at most 0
  * %) must hold but is never close: INFINITY. */
 struct margin {
 	double passing, widths;
