@@ -22,21 +22,6 @@
 
 static const char DIGITS[] = "0123456789";
 
-void
-conditions_add(struct condition_list *list, struct condition condition)
-{
-	list->at = xrealloc(list->at, list->n + 1, sizeof *list->at);
-	list->at[list->n++] = condition;
-}
-
-void
-conditions_free(struct condition_list *list)
-{
-	free(list->at);
-	free(list->source);
-	*list = (struct condition_list){0};
-}
-
 /* Words for the largest and the smallest value, and whether find understands
  * them. */
 static const struct extreme {
@@ -390,12 +375,15 @@ static char *
 add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed)
 {
-	struct envelope_limits l = envelope_conditions(spec, fraction, feed);
-	size_t unknown = 0;
-	for (size_t i = 0; i < l.n; i++)
-		if (!isnan(l.at[i].least) || !isnan(l.at[i].most))
-			conditions_add(list, l.at[i]);
-	for (size_t i = l.n_sieve; i < spec->n; i++)
+	struct condition_list all = {0};
+	size_t n_sieve, unknown = 0;
+	bool modulus =
+	    envelope_add_conditions(spec, fraction, feed, &all, &n_sieve);
+	for (size_t i = 0; i < all.n; i++)
+		if (!isnan(all.at[i].least) || !isnan(all.at[i].most))
+			conditions_add(list, all.at[i]);
+	conditions_free(&all);
+	for (size_t i = n_sieve; i < spec->n; i++)
 		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
 	char *words = xstrdup("");
 	if (unknown > 0)
@@ -403,11 +391,10 @@ add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
 		    tr_n("%zu sieve finer than the feed's finest",
 			"%zu sieves finer than the feed's finest", unknown),
 		    unknown);
-	if (l.modulus_unknown)
+	if (!modulus)
 		xappend_to_list(&words, tr(" and "), "%s",
 		    tr("the fineness modulus, which needs finer sieves of the "
 		       "feed"));
-	free(l.at);
 	return words;
 }
 

@@ -8,17 +8,6 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/speed_search.h"
 
-/* A list that grows.  source: the envelope from which limits in the list come,
- * and what in it is not checked, or NULL. */
-struct condition_list {
-	size_t n;
-	struct condition *at;
-	char *source;
-};
-
-void conditions_add(struct condition_list *list, struct condition condition);
-void conditions_free(struct condition_list *list);
-
 /* Parses a condition: a quantity (quantity_words.h), then <, > or = (or words
  * for these) and a number or, after =, a range.  A single number after = is
  * both limits.  A quantity that names no fraction is one of `fraction`. */
@@ -51,8 +40,8 @@ bool conditions_parse_list(const char *text, const struct fraction *fraction,
 bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
-/* Adds the limits of an envelope (envelope_limits) for a fraction or, given the
- * whole product, for the envelope's own fraction. */
+/* Adds the limits of an envelope (envelope_add_conditions) for a fraction or,
+ * given the whole product, for the envelope's own fraction. */
 bool conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error);

@@ -37,6 +37,21 @@ static const double SAFE = 0.95;
 static const struct wanted_limit NONE = {SIZE_MAX, false};
 static const struct margin NO_LIMIT = {INFINITY, INFINITY, {SIZE_MAX, false}};
 
+void
+conditions_add(struct condition_list *list, struct condition condition)
+{
+	list->at = xrealloc(list->at, list->n + 1, sizeof *list->at);
+	list->at[list->n++] = condition;
+}
+
+void
+conditions_free(struct condition_list *list)
+{
+	free(list->at);
+	free(list->source);
+	*list = (struct condition_list){0};
+}
+
 struct wanted
 wanted_from_question(const struct session *s, const struct question *q,
     size_t n, const struct condition *at, size_t n_more,

@@ -14,6 +14,16 @@ struct condition {
 	double least, most;
 };
 
+/* A list that grows.  source: the envelope from which limits in the list come,
+ * and what in it is not checked, or NULL. */
+struct condition_list {
+	size_t n;
+	struct condition *at;
+	char *source;
+};
+void conditions_add(struct condition_list *list, struct condition condition);
+void conditions_free(struct condition_list *list);
+
 /* Condition i concerns quantity i of the forecast; the target, or NULL,
  * concerns the next quantity: it is a value (both limits) to reach, or has no
  * limits if the largest or smallest value is sought.  entry, feed, level: of
