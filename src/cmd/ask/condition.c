@@ -654,20 +654,6 @@ conditions_put_list(struct fields *o, const struct wanted *wanted,
 	}
 }
 
-/* Adds the speeds at which a condition holds by itself, in rpm if the diameter
- * of the rotor is given. */
-static void
-add_speed_range_cells(
-    struct answer *r, const double speed[static 2], double rotor)
-{
-	if (rotor > 0)
-		answer_add_cells(r, "%.0f %.0f",
-		    rotor_speed_to_rpm(speed[0], rotor),
-		    rotor_speed_to_rpm(speed[1], rotor));
-	else
-		answer_add_cells(r, "%.1f %.1f", speed[0], speed[1]);
-}
-
 /* Adds a row for each condition.  People get the margin in the quantity's
  * unit, programs in points. */
 static void
@@ -706,7 +692,11 @@ add_condition_rows(struct answer *r, const struct wanted *wanted,
 		answer_add_cells(r, "%.*f", people ? digits : 1,
 		    people ? margin_in_quantity_unit(wanted, margin)
 			   : 100 * margin.passing);
-		add_speed_range_cells(r, found->alone[i], rotor);
+		for (size_t k = 0; k < 2; k++)
+			answer_add_cells(r, rotor > 0 ? "%.0f" : "%.1f",
+			    rotor > 0
+				? rotor_speed_to_rpm(found->alone[i][k], rotor)
+				: found->alone[i][k]);
 	}
 }
 
