@@ -208,16 +208,6 @@ parse_sieves_option(
 	return ok;
 }
 
-/* If feed= or the setting is a speed, takes the feed sampled at it. */
-static bool
-choose_feed_by_speed(const struct session *s, const struct args *args,
-    struct question *q, struct error *error)
-{
-	struct value feed = feed_option_or_setting(s, args);
-	return !(feed.number > 0) || feed_find_run_at_speed(q->entry->site,
-					 feed.number, &q->feed, error);
-}
-
 /* Reads cut= and the screens; cut=off is the whole product.  With an envelope,
  * screens may be described without cut=: its fraction is meant. */
 static bool
@@ -238,12 +228,15 @@ static bool
 read_question_without_files(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
+	struct value feed = feed_option_or_setting(s, args);
 	apply_scenario(s, q);
 	if (args_is_given(args, &args->speeds)) {
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
 	}
-	return choose_feed_by_speed(s, args, q, error) &&
+	bool speed = feed.number > 0; /* at which the feed was sampled */
+	return (!speed || feed_find_run_at_speed(
+			      q->entry->site, feed.number, &q->feed, error)) &&
 	       parse_fraction_options(s, args, q, error);
 }
 
