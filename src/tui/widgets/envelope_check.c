@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "base/xalloc.h"
-#include "core/answer/response.h"
 
 /* revision, feed: what it was opened for; open: it could be; speed: where it
  * is, m/s. */
