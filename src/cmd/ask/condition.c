@@ -369,57 +369,45 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Adds the limits of an envelope on sieves that the feed covers.  Returns what
- * is not checked, in words, or ""; the caller frees it. */
-static char *
-add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
-    const struct fraction *fraction, const struct psd *feed)
-{
-	struct condition_list all = {0};
-	size_t n_sieve, unknown = 0;
-	bool modulus =
-	    envelope_add_conditions(spec, fraction, feed, &all, &n_sieve);
-	for (size_t i = 0; i < all.n; i++)
-		if (!isnan(all.at[i].least) || !isnan(all.at[i].most))
-			conditions_add(list, all.at[i]);
-	conditions_free(&all);
-	for (size_t i = n_sieve; i < spec->n; i++)
-		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
-	char *words = xstrdup("");
-	if (unknown > 0)
-		xappend(&words,
-		    tr_n("%zu sieve finer than the feed's finest",
-			"%zu sieves finer than the feed's finest", unknown),
-		    unknown);
-	if (!modulus)
-		xappend_to_list(&words, tr(" and "), "%s",
-		    tr("the fineness modulus, which needs finer sieves of the "
-		       "feed"));
-	return words;
-}
-
 bool
 conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
 	struct fraction f = *fraction;
+	struct condition_list all = {0};
+	size_t n_sieve, before = list->n, unknown = 0;
 	if (!fraction_is_screened(&f)) {
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
-	size_t before = list->n;
-	FREED char *unknown = add_limits_covered_by_feed(list, spec, &f, feed);
+	bool modulus = envelope_add_conditions(spec, &f, feed, &all, &n_sieve);
+	for (size_t i = 0; i < all.n; i++)
+		if (!isnan(all.at[i].least) || !isnan(all.at[i].most))
+			conditions_add(list, all.at[i]);
+	conditions_free(&all);
 	if (list->n == before)
 		return envelope_error_no_sieve(spec, error);
+	for (size_t i = n_sieve; i < spec->n; i++)
+		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
+	FREED char *unchecked = xstrdup("");
+	if (unknown > 0)
+		xappend(&unchecked,
+		    tr_n("%zu sieve finer than the feed's finest",
+			"%zu sieves finer than the feed's finest", unknown),
+		    unknown);
+	if (!modulus)
+		xappend_to_list(&unchecked, tr(" and "), "%s",
+		    tr("the fineness modulus, which needs finer sieves of the "
+		       "feed"));
 	free(list->source);
 	list->source =
 	    spec->source[0] != '\0'
 		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
 		: xasprintf(tr("limits of %s"), spec->name);
-	if (unknown[0] != '\0')
+	if (unchecked[0] != '\0')
 		xappend_to_list(
-		    &list->source, "; ", tr("not checked: %s"), unknown);
+		    &list->source, "; ", tr("not checked: %s"), unchecked);
 	return true;
 }
 

@@ -434,11 +434,10 @@ note_fineness_modulus(
 	if (g->modulus == NULL)
 		return;
 	struct figure fm = forecast_value_with_band(g->conditions.forecast, i);
-	char *is = fineness_modulus_verdict(all, g->spec, fm.value);
+	FREED char *is = fineness_modulus_verdict(all, g->spec, fm.value);
 	if (is == NULL)
 		return;
 	if (isnan(fm.value)) {
-		free(is);
 		answer_note(r,
 		    "fineness modulus not known: the feed was not sieved down "
 		    "to %g mm",
@@ -451,61 +450,46 @@ note_fineness_modulus(
 	fields_put_values(answer_fields(r),
 	    "fm %g fm_standard %s fm_verdict %s", fm.value,
 	    g->modulus->standard, is);
-	free(is);
 }
 
-/* Returns the largest share between two neighbouring sieves of the envelope.
- * at: out, the coarser of the two. */
-static double
-largest_individual_retained(const struct grading *g, size_t *at)
-{
-	double most = 0;
-	for (size_t i = 0; i + 1 < g->n_sieve; i++) {
-		double step = value_of_grading_quantity(g, i) -
-			      value_of_grading_quantity(g, i + 1);
-		if (step <= most)
-			continue;
-		most = step;
-		*at = i;
-	}
-	return most;
-}
-
-static void
-individual_retained_band(const struct grading *g, size_t at, double range[2])
-{
-	double step[POSTERIOR_DRAWS];
-	struct forecast *f = g->conditions.forecast;
-	const double *coarse = forecast_draws(f, at);
-	range[0] = range[1] = NAN;
-	if (coarse == NULL)
-		return;
-	const double *fine = forecast_draws(f, at + 1);
-	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		step[d] = 100 * (coarse[d] - fine[d]);
-	ensemble_interval_around_answer(step, g->conditions.level, NAN, range);
-}
-
+/* Notes the largest share between two neighbouring sieves of the envelope, and
+ * whether that is within the standard's limit. */
 static void
 note_individual_retained(
     struct answer *r, const struct grading *g, const struct standards *all)
 {
 	const struct standard_limit *l =
 	    individual_retained_limit(all, g->spec->standard);
+	const struct forecast *f = g->conditions.forecast;
+	double most = 0, step[POSTERIOR_DRAWS], range[2] = {NAN, NAN};
+	size_t at = 0; /* the coarser of the two */
 	if (l == NULL || g->n_sieve < 2)
 		return;
-	size_t at = 0;
-	double range[2], step = 100 * largest_individual_retained(g, &at);
-	individual_retained_band(g, at, range);
+	for (size_t i = 0; i + 1 < g->n_sieve; i++) {
+		double share = value_of_grading_quantity(g, i) -
+			       value_of_grading_quantity(g, i + 1);
+		if (share <= most)
+			continue;
+		most = share;
+		at = i;
+	}
+	const double *coarse = forecast_draws(f, at),
+		     *fine = forecast_draws(f, at + 1);
+	for (size_t d = 0; d < POSTERIOR_DRAWS && coarse != NULL; d++)
+		step[d] = 100 * (coarse[d] - fine[d]);
+	if (coarse != NULL)
+		ensemble_interval_around_answer(
+		    step, g->conditions.level, NAN, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
-	const char *is = verdict_within_limits(step, -INFINITY, l->most);
+	const double coarse_mm = units_mm(g->spec->size[at]);
+	const char *is = verdict_within_limits(100 * most, -INFINITY, l->most);
 	answer_note(r,
 	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
-	    step, band, units_mm(g->spec->size[at]),
-	    units_mm(g->spec->size[at + 1]), is, l->most);
+	    100 * most, band, coarse_mm, units_mm(g->spec->size[at + 1]), is,
+	    l->most);
 	fields_put_values(answer_fields(r),
-	    "step_pct %g step_mm %g step_verdict %s", step,
-	    units_mm(g->spec->size[at]), is);
+	    "step_pct %g step_mm %g step_verdict %s", 100 * most, coarse_mm,
+	    is);
 }
 
 /* Tolerances apply to a declared grading, which is not known. */

@@ -320,17 +320,6 @@ read_feed_set_by_user(struct session *s)
 		   : NULL;
 }
 
-static void
-make_question_of_feed_setting(struct session *s, const struct blended *feed)
-{
-	const struct scenario scenario = {
-	    .feed = feed, .correction = s->set.correction};
-	struct site_with_feed *a = s->site_with_feed = xcalloc(1, sizeof *a);
-	a->of = entry_copy(session_current_entry(s));
-	a->text = xstrdup(feed->text);
-	question_from_scenario(s, &a->of, &scenario, &a->q);
-}
-
 const struct entry *
 question_site_with_feed_setting(struct session *s)
 {
@@ -338,16 +327,21 @@ question_site_with_feed_setting(struct session *s)
 	    s->n_entry > 0 ? session_current_entry(s) : NULL;
 	const struct blended *feed =
 	    loaded != NULL ? read_feed_set_by_user(s) : NULL;
-	const struct site_with_feed *was = s->site_with_feed;
+	struct site_with_feed *a = s->site_with_feed;
 	if (feed == NULL)
 		return loaded;
-	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
-	    was->of.history != loaded->history ||
-	    !entries_are_equal(&was->of, loaded)) {
+	if (a == NULL || strcmp(a->text, feed->text) != 0 ||
+	    a->of.history != loaded->history ||
+	    !entries_are_equal(&a->of, loaded)) {
+		const struct scenario scenario = {
+		    .feed = feed, .correction = s->set.correction};
 		question_free_cached(s);
-		make_question_of_feed_setting(s, feed);
+		s->site_with_feed = a = xcalloc(1, sizeof *a);
+		a->of = entry_copy(loaded);
+		a->text = xstrdup(feed->text);
+		question_from_scenario(s, &a->of, &scenario, &a->q);
 	}
-	struct question *q = &s->site_with_feed->q;
+	struct question *q = &a->q;
 	q->scenario.own = loaded;
 	q->scenario.feed = feed;
 	q->scenario.rock = feed->rock;
