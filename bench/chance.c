@@ -11,7 +11,7 @@
 
 #include "base/xalloc.h"
 #include "core/answer/predict.h"
-#include "core/answer/response.h"
+#include "core/answer/forecast.h"
 #include "core/posterior/posterior.h"
 #include "measure.h"
 
@@ -68,26 +68,24 @@ ask(const struct site *site, const struct fit *fit, const struct posterior *p)
 	size_t n;
 	struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
-	struct response *r = response_new(
-	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
+	struct forecast *r = forecast_new(feed, sizes.size, sizes.n, asked, n,
+	    &fit->params, fit->settings, LEVEL_PCT / 100.0);
 	struct ensemble *e = ensemble_new(p, feed, sizes.size, sizes.n);
 	struct answers a = {.n = 0};
 	for (size_t i = 0; i < 3; i++)
 		a.of[i] = xcalloc_doubles(SPEEDS * n);
 	for (size_t k = 0; k < SPEEDS; k++) {
-		response_set_speed(r, e, ENSEMBLE_ANSWER,
+		forecast_move(r, e, ENSEMBLE_ANSWER,
 		    SLOWEST + (FASTEST - SLOWEST) * (double)k / (SPEEDS - 1));
 		for (size_t i = 0; i < n; i++, a.n++) {
-			double range[2];
-			response_band_of_quantity(
-			    r, i, LEVEL_PCT / 100.0, range);
-			a.of[0][a.n] = response_value_of_quantity(r, i);
-			a.of[1][a.n] = range[0];
-			a.of[2][a.n] = range[1];
+			struct figure at = forecast_value_with_band(r, i);
+			a.of[0][a.n] = at.value;
+			a.of[1][a.n] = at.low;
+			a.of[2][a.n] = at.high;
 		}
 	}
 	ensemble_free(e);
-	response_free(r);
+	forecast_close(r);
 	psd_free(&sizes);
 	free(asked);
 	return a;

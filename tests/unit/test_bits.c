@@ -13,7 +13,7 @@
 #include "sheets.h"
 
 #include "core/answer/predict.h"
-#include "core/answer/response.h"
+#include "core/answer/forecast.h"
 #include "core/model/breakage.h"
 #include "core/model/spectrum.h"
 #include "core/posterior/ensemble.h"
@@ -50,11 +50,10 @@ add(uint64_t digest, const double *x, size_t n)
 /* The table at a speed: answer, model, low and high at each sieve, sizes and
  * their bands. */
 static uint64_t
-add_table(uint64_t digest, const struct site *site, struct response *r)
+add_table(uint64_t digest, const struct site *site, struct forecast *r)
 {
 	struct fraction whole = {0};
-	struct prediction p =
-	    predict_table(site, SITE_MEAN_FEED, &whole, r, 0.8);
+	struct prediction p = predict_table(site, SITE_MEAN_FEED, &whole, r);
 	size_t n = p.product.n;
 	digest = add(digest, p.product.passing, n);
 	digest = add(digest, p.model, n);
@@ -76,17 +75,17 @@ digest_of(const struct site *site, const struct fit *fit,
 	size_t n;
 	struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
-	struct response *r = response_new(
-	    feed, sizes.size, sizes.n, asked, n, &fit->params, fit->settings);
+	struct forecast *r = forecast_new(feed, sizes.size, sizes.n, asked, n,
+	    &fit->params, fit->settings, 0.8);
 	struct ensemble *e = ensemble_new(posterior, feed, sizes.size, sizes.n);
 	uint64_t digest = TEXT_DIGEST_START;
 	for (size_t i = 0; i < ARRAY_LEN(SPEED); i++) {
-		response_set_speed(r, e, ENSEMBLE_ANSWER, SPEED[i]);
+		forecast_move(r, e, ENSEMBLE_ANSWER, SPEED[i]);
 		digest = add_table(digest, site, r);
 	}
 	free(asked);
 	psd_free(&sizes);
-	response_free(r);
+	forecast_close(r);
 	ensemble_free(e);
 	return digest;
 }

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "core/answer/predict.h"
-#include "core/answer/response.h"
+#include "core/answer/forecast.h"
 
 /* A curve whose every number is round. */
 static struct psd
@@ -205,7 +205,7 @@ size_of_draws(
  * have; the fraction's passing is the quotient of two passings, in every
  * draw. */
 static void
-a_response_is_what_is_predicted(void **state)
+a_forecast_is_what_is_predicted(void **state)
 {
 	(void)state;
 	const struct fraction whole = {0};
@@ -217,33 +217,32 @@ a_response_is_what_is_predicted(void **state)
 	size_t n;
 	struct quantity *all =
 	    predict_table_quantities(k.site, feed, &whole, &n);
-	struct response *table = response_new(
-	    feed, sizes.size, sizes.n, all, n, &k.fit.params, k.fit.settings);
-	response_set_speed(table, e, ENSEMBLE_ANSWER, 72);
-	struct prediction p = predict_table(k.site, 0, &whole, table, 0.8);
-	struct response *r = response_new(feed, sizes.size, sizes.n, ASK, ASKED,
-	    &k.fit.params, k.fit.settings);
-	response_set_speed(r, e, ENSEMBLE_ANSWER, 72);
-	double range[2], ends[2];
-	response_band_of_quantity(r, 1, 0.8, range);
-	expect_near("P80", response_value_of_quantity(r, 1), p.p80, 1e-12);
-	expect_near("low", range[0], p.range[2][0], 1e-12);
-	expect_near("high", range[1], p.range[2][1], 1e-12);
+	struct forecast *table = forecast_new(feed, sizes.size, sizes.n, all, n,
+	    &k.fit.params, k.fit.settings, 0.8);
+	forecast_move(table, e, ENSEMBLE_ANSWER, 72);
+	struct prediction p = predict_table(k.site, 0, &whole, table);
+	struct forecast *r = forecast_new(feed, sizes.size, sizes.n, ASK, ASKED,
+	    &k.fit.params, k.fit.settings, 0.8);
+	forecast_move(r, e, ENSEMBLE_ANSWER, 72);
+	double ends[2];
+	struct figure p80 = forecast_value_with_band(r, 1);
+	expect_near("P80", p80.value, p.p80, 1e-12);
+	expect_near("low", p80.low, p.range[2][0], 1e-12);
+	expect_near("high", p80.high, p.range[2][1], 1e-12);
 	expect_near("of draws", p.p80, size_of_draws(e, &sizes, ends), 1e-12);
 	expect_near("their low", p.range[2][0], ends[0], 1e-12);
 	expect_near("their high", p.range[2][1], ends[1], 1e-12);
-	expect_near("2 mm", response_value_of_quantity(r, 0),
+	expect_near("2 mm", forecast_value_with_band(r, 0).value,
 	    psd_passing_at_sieve(&p.product, 2e-3), 1e-9);
-	expect_near("2 mm of 0/4", response_value_of_quantity(r, 3),
-	    response_value_of_quantity(r, 0) / response_value_of_quantity(r, 2),
+	expect_near("2 mm of 0/4", forecast_value_with_band(r, 3).value,
+	    forecast_value_with_band(r, 0).value /
+		forecast_value_with_band(r, 2).value,
 	    1e-12);
 	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		expect_near("draw", response_draws_of_quantity(r, 3)[d],
-		    response_draws_of_quantity(r, 0)[d] /
-			response_draws_of_quantity(r, 2)[d],
-		    1e-12);
-	response_free(r);
-	response_free(table);
+		expect_near("draw", forecast_draws(r, 3)[d],
+		    forecast_draws(r, 0)[d] / forecast_draws(r, 2)[d], 1e-12);
+	forecast_close(r);
+	forecast_close(table);
 	free(all);
 	ensemble_free(e);
 	prediction_free(&p);
@@ -293,7 +292,7 @@ main(void)
 	    cmocka_unit_test(the_chinese_modulus_leaves_out_gravel),
 	    cmocka_unit_test(an_ideal_screen_cuts_the_curve),
 	    cmocka_unit_test(a_real_screen_keeps_the_mass),
-	    cmocka_unit_test(a_response_is_what_is_predicted),
+	    cmocka_unit_test(a_forecast_is_what_is_predicted),
 	    cmocka_unit_test(selection_sums_to_what_breaks),
 	};
 	return cmocka_run_group_tests_name("quantity", tests, NULL, NULL);

@@ -5,7 +5,7 @@
 #include "desk.h"
 
 #include "base/text.h"
-#include "core/answer/response.h"
+#include "core/answer/forecast.h"
 #include "tui/keymap.h"
 #include "tui/control.h"
 #include "tui/frame.h"

@@ -327,8 +327,7 @@ show_sampling_advice(
 {
 	const struct entry *entry = w->question->entry;
 	if (posterior_for_answers(s, entry, &entry->params) == NULL)
-		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    band_why_none(s, entry), band_how_to_get(s, entry));
+		return band_error_none(s, entry, error);
 	if (!find_band_of_quantity(s, w))
 		return error_set(error, ERROR_DATA,
 		    "%s at %g m/s lies outside the sieves\n"

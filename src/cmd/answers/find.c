@@ -260,7 +260,7 @@ put_goal_fields(struct fields *o, const struct find_request *goal)
 static char *
 speed_range_text(const struct find_request *goal, const double range[2])
 {
-	double rotor = goal->wanted.site->rotor;
+	double rotor = goal->wanted.entry->site->rotor;
 	bool below = !(range[0] > 0), above = !isfinite(range[1]);
 	double from = below ? goal->wanted.from : range[0],
 	       to = above ? goal->wanted.to : range[1];
@@ -348,7 +348,7 @@ note_speed_found(
     struct answer *r, const struct find_request *goal, const char *words)
 {
 	const struct speed_search *f = goal->search;
-	const struct site *site = goal->wanted.site;
+	const struct site *site = goal->wanted.entry->site;
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, f->found, NAN);
 	if (isnan(f->range[0])) {
 		answer_note(r, "%s at %.2f m/s%s", words, f->found, rpm);
@@ -404,7 +404,7 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
 	forecast_set_speed(goal->wanted.forecast, v);
 	char *words = value_with_band_text(goal, goal->wanted.n);
 	FREED char *rpm =
-	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
+	    rotor_speed_rpm_text(goal->wanted.entry->site->rotor, v, NAN);
 	answer_note(r, "%s at %.2f m/s%s: %s",
 	    most ? tr("largest") : tr("least"), v, rpm, words);
 	free(words);
@@ -417,7 +417,7 @@ note_extreme_value(struct answer *r, const struct find_request *goal)
 			binds = in->high;
 	}
 	if (binds.i != SIZE_MAX) {
-		words = conditions_limit_text(&goal->others, binds);
+		words = conditions_limit_text(goal->others.at, binds);
 		answer_note(r, "limited by: %s", words);
 		free(words);
 	} else {
@@ -443,7 +443,7 @@ note_best_certain_speed(struct answer *r, const struct find_request *goal)
 	forecast_set_speed(goal->wanted.forecast, v);
 	FREED char *words = value_with_band_text(goal, goal->wanted.n);
 	FREED char *rpm =
-	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
+	    rotor_speed_rpm_text(goal->wanted.entry->site->rotor, v, NAN);
 	answer_note(r, "with %.0f %% certainty at %.2f m/s%s: %s", level, v,
 	    rpm, words);
 }
@@ -481,7 +481,7 @@ note_if_conditions_hold(struct answer *r, const struct find_request *goal)
 		return;
 	FREED char *words = conditions_probability_text(certain);
 	FREED char *rpm =
-	    rotor_speed_rpm_text(goal->wanted.site->rotor, v, NAN);
+	    rotor_speed_rpm_text(goal->wanted.entry->site->rotor, v, NAN);
 	answer_note(r,
 	    goal->wanted.n > 1
 		? N_("at %.2f m/s%s these conditions hold with %s certainty")
@@ -518,7 +518,8 @@ note_value_at_nearest_measured(
 		return;
 	forecast_set_speed(w->forecast, near);
 	FREED char *words = value_with_band_text(goal, w->n);
-	FREED char *rpm = rotor_speed_rpm_text(w->site->rotor, near, NAN);
+	FREED char *rpm =
+	    rotor_speed_rpm_text(w->entry->site->rotor, near, NAN);
 	answer_note(r, "the nearest measured speed, %.*f m/s%s, gives %s",
 	    units_speed_decimals(near), near, rpm, words);
 }
@@ -536,7 +537,7 @@ note_goal_unattainable(
 	double over =
 	    forecast_excess_over_limit(c->forecast, c->n, goal->target.least);
 	bool finer = rises > 0 ? over > 0 : over < 0;
-	double rotor = c->site->rotor;
+	double rotor = c->entry->site->rotor;
 	FREED char *rpm = rotor_speed_rpm_text(rotor, c->from, c->to);
 	FREED char *slow = rotor_speed_rpm_text(rotor, c->from, NAN);
 	FREED char *fast = rotor_speed_rpm_text(rotor, c->to, NAN);
@@ -557,8 +558,7 @@ note_goal_unattainable(
 		    unit, c->from, slow, high, unit, c->to, fast);
 	note_value_at_nearest_measured(r, goal, speed_nearest_to_goal(goal));
 	if (finer &&
-	    conditions_note_feed_is_finer(r, question_feed(goal->question), q,
-		goal->target.least, rises > 0))
+	    conditions_note_feed_is_finer(r, c, &goal->target, rises > 0))
 		return;
 	if (rises != 0)
 		conditions_note_no_reliable_speed(r, c, finer, !finer);
@@ -572,8 +572,7 @@ note_search_result(struct answer *r, const struct session *s,
 	if (!found && goal->kind == GOAL_VALUE) {
 		note_goal_unattainable(r, goal, words);
 	} else if (!found) {
-		conditions_note_why_unmet(r, &goal->wanted, &goal->others,
-		    goal->search, question_feed(goal->question));
+		conditions_note_why_unmet(r, &goal->wanted, goal->search);
 	} else if (goal->kind == GOAL_VALUE) {
 		note_speed_found(r, goal, words);
 		note_value_at_nearest_measured(r, goal, goal->speed);
@@ -674,7 +673,7 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
     const struct grading *g, const struct speed_search *w)
 {
 	const struct speed_range *in = speed_search_best_range(w);
-	const struct site *site = g->conditions.site;
+	const struct site *site = g->conditions.entry->site;
 	FREED char *best = rotor_speed_rpm_text(site->rotor, w->best, NAN);
 	if (in != NULL) {
 		bool all =
@@ -722,14 +721,13 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	struct answer *r =
 	    answer_about_site(entry->site, "find", "the speeds for %s", words);
 	envelope_add_rows(r, &g, v);
-	conditions_note_best_speed(
-	    r, s, goal->question, &g.conditions, true, goal->detail, w);
+	conditions_note_best_speed(r, &g.conditions, true, goal->detail, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);
 	if (forecast_draws(g.conditions.forecast, 0) != NULL)
 		answers_put_low_high(
 		    answer_fields(r), "certain", w->sure[0], w->sure[1]);
 	envelope_add_notes(r, &g);
-	conditions_show_basis(s, r, goal->question, &g.conditions, w, v);
+	conditions_show_basis(r, goal->question, &g.conditions, w, v);
 	session_keep_last_asked(s, v, NULL);
 	s->last_asked.found_by = "find";
 	fields_put_values(answer_fields(r),

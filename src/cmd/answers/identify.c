@@ -73,13 +73,10 @@ find_what_data_determine(const struct posterior *p, const struct site *site)
 	return f;
 }
 
-static const char *
-grade_of_break_size(const struct findings *f, size_t i)
+static bool
+is_break_size_sharp(const struct findings *f, size_t i)
 {
-	const struct identify_break *at = &f->at[i];
-	return f->open                      ? tr("bounded from above")
-	       : at->sd <= SHARP * at->mean ? tr("determined")
-					    : tr("poorly");
+	return f->at[i].sd <= SHARP * f->at[i].mean;
 }
 
 static void
@@ -96,7 +93,9 @@ add_identifiability_rows(
 		answer_name(r, key, head);
 		answer_add_cells(r, "%.3f %.3f %.0f %s", 1000 * f->at[i].mean,
 		    1000 * f->at[i].sd, NAN, "mm");
-		answer_text(r, "%s", grade_of_break_size(f, i));
+		answer_text(r, f->open ? N_("bounded from above")
+			       : is_break_size_sharp(f, i) ? N_("determined")
+							   : N_("poorly"));
 	}
 	for (size_t j = 0; j < f->of->n; j++) {
 		const struct identify_param *a = &f->param[j];
@@ -163,26 +162,6 @@ say_correlated_pairs(struct answer *r, const struct findings *f)
 			     "%s goes with a lower %s (correlation %+.2f)"),
 		    a, b, a, b, most);
 	}
-}
-
-static void
-warn_if_threshold_unbounded(struct answer *r, const struct findings *f)
-{
-	if (!f->open)
-		return;
-	FREED char *rpm = rotor_speed_rpm_text(f->rotor, f->speed[0], NAN);
-	answer_say(r, ANSWER_WARNING,
-	    "the threshold is bounded from above only: at %g m/s%s the break "
-	    "size is at most %.2f mm in 90 %% of the draws, below the finest "
-	    "sieve (%g mm) in %.0f %%",
-	    f->speed[0], rpm, 1000 * f->at[0].high, units_mm(f->finest),
-	    100 * f->at[0].below);
-}
-
-static bool
-is_break_size_sharp(const struct findings *f, size_t i)
-{
-	return f->at[i].sd <= SHARP * f->at[i].mean;
 }
 
 /* Appends the break sizes, "5.72 +- 0.06, 4.31 +- 0.05 mm", of the speeds where
@@ -308,7 +287,14 @@ cmd_identify(struct session *s, const struct args *args, struct error *error)
 	add_identifiability_rows(r, &f, entry->site);
 	put_identifiability_fields(answer_fields(r), &f, text);
 	say_correlated_pairs(r, &f);
-	warn_if_threshold_unbounded(r, &f);
+	FREED char *rpm = rotor_speed_rpm_text(f.rotor, f.speed[0], NAN);
+	if (f.open)
+		answer_say(r, ANSWER_WARNING,
+		    "the threshold is bounded from above only: at %g m/s%s the "
+		    "break size is at most %.2f mm in 90 %% of the draws, "
+		    "below the finest sieve (%g mm) in %.0f %%",
+		    f.speed[0], rpm, 1000 * f.at[0].high, units_mm(f.finest),
+		    100 * f.at[0].below);
 	answer_note(r,
 	    "at 52 to 77 of 100 synthetic plants that follow Eqs 1 to 3, the "
 	    "middle 80 %% of the draws of the break size held the true one");

@@ -72,16 +72,6 @@ next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 	return x;
 }
 
-static void
-add_curve_column(struct answer *r, const struct run *run, bool feed)
-{
-	const char *key = feed ? N_("feed") : N_("product");
-	FREED char *at = xasprintf("@%g%s", run->speed, run->repeat);
-	FREED char *name = xasprintf("%s%s", key, at);
-	FREED char *head = xasprintf("%s%s", tr(key), at);
-	answer_column(r, name, head);
-}
-
 /* Adds the columns feed@69, or the one feed of all runs, or product@69.  Sets
  * curve [n_run] to their curves and returns their number. */
 static size_t
@@ -95,10 +85,13 @@ add_curve_columns(struct answer *r, const struct site *site, bool feed,
 		if (feed ? !site_run_has_feed_sample(site, i)
 			 : run->product.n == 0)
 			continue;
-		if (shared)
-			answer_columns(r, "feed: feed");
-		else
-			add_curve_column(r, run, feed);
+		const char *key = feed ? N_("feed") : N_("product");
+		FREED char *at =
+		    shared ? xstrdup("")
+			   : xasprintf("@%g%s", run->speed, run->repeat);
+		FREED char *name = xasprintf("%s%s", key, at);
+		FREED char *head = xasprintf("%s%s", tr(key), at);
+		answer_column(r, name, head);
 		curve[n++] = feed ? &run->feed : &run->product;
 	}
 	return n;

@@ -396,18 +396,6 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	return r;
 }
 
-/* Sets the settings that the options name. */
-static void
-apply_setting_options(struct session *s, const struct args *args)
-{
-	if (args_is_given(args, &args->probability))
-		s->set.level = args->probability;
-	if (args_is_given(args, &args->noise))
-		s->set.noise = args->noise;
-	if (args_is_given(args, &args->speed_sd))
-		s->set.speed_sd = args->speed_sd;
-}
-
 /* Reads a speed, as in predict, and "draws" or "next", in any order. */
 static bool
 parse_speed_and_keywords(const struct args *args, struct question *q,
@@ -440,18 +428,17 @@ static bool
 show_uncertainty(struct session *s, const struct args *args,
     const struct question *q, bool draws, struct error *error)
 {
-	const struct entry *entry = q->entry;
 	if (!screened_check_feed_covers(q, error))
 		return false;
 	struct prediction at = forecast_product(s, q, q->speed);
 	if (at.low == NULL) {
 		prediction_free(&at);
-		return error_set(error, ERROR_USAGE, "%s\n%s",
-		    band_why_none(s, entry), band_how_to_get(s, entry));
+		return band_error_none(s, q->entry, error);
 	}
 	struct answer *r =
-	    draws ? build_draws_answer(s, q, posterior_for_comparison(s, entry),
-			&at, (size_t)args->n)
+	    draws ? build_draws_answer(s, q,
+			posterior_for_comparison(s, q->entry), &at,
+			(size_t)args->n)
 		  : build_uncertainty_answer(s, q, &at, args, error);
 	prediction_free(&at);
 	return r != NULL && session_show_answer(s, r);
@@ -466,7 +453,12 @@ cmd_uncertainty(struct session *s, const struct args *args, struct question *q,
 		return false;
 	question_use_last_speed_and_feed(s, args, q);
 	const struct settings was = s->set;
-	apply_setting_options(s, args);
+	if (args_is_given(args, &args->probability))
+		s->set.level = args->probability;
+	if (args_is_given(args, &args->noise))
+		s->set.noise = args->noise;
+	if (args_is_given(args, &args->speed_sd))
+		s->set.speed_sd = args->speed_sd;
 	bool ok = next ? cmd_advise(s, args, q, error)
 		       : show_uncertainty(s, args, q, draws, error);
 	if (!ok)

@@ -75,7 +75,7 @@ static void
 note_binding_conditions(struct answer *r, const struct window_request *a)
 {
 	const struct speed_range *in = speed_search_best_range(a->w);
-	const struct site *site = a->wanted.site;
+	const struct site *site = a->wanted.entry->site;
 	FREED char *from = rotor_speed_rpm_text(site->rotor, in->from, NAN);
 	FREED char *to = rotor_speed_rpm_text(site->rotor, in->to, NAN);
 	FREED char *both = rotor_speed_rpm_text(site->rotor, in->from, in->to);
@@ -115,16 +115,15 @@ static void
 note_margin_to_limit(struct answer *r, const struct window_request *a)
 {
 	const struct margin *m = &a->w->margin;
-	double widths = conditions_margin_in_band_widths(&a->wanted, *m);
 	if (!isfinite(m->passing))
 		return;
-	FREED char *limit = conditions_limit_text(&a->list, m->limit);
+	FREED char *limit = conditions_limit_text(a->list.at, m->limit);
 	FREED char *distance = conditions_margin_text(&a->wanted, *m);
-	if (isfinite(widths))
+	if (isfinite(m->widths))
 		answer_note(r,
 		    "nearest limit there: %s, %s away, %.1f times the width of "
 		    "the band",
-		    limit, distance, widths);
+		    limit, distance, m->widths);
 	else
 		answer_note(
 		    r, "nearest limit there: %s, %s away", limit, distance);
@@ -134,7 +133,7 @@ note_margin_to_limit(struct answer *r, const struct window_request *a)
 static bool
 is_window_without_run(const struct window_request *a)
 {
-	const struct site *site = a->wanted.site;
+	const struct site *site = a->wanted.entry->site;
 	const struct speed_search *w = a->w;
 	for (size_t i = 0; i < site->n_run; i++)
 		for (size_t k = 0; k < w->n_inside; k++)
@@ -222,7 +221,7 @@ put_binding_limits(struct fields *o, const struct window_request *a)
 			    o, k == 0 ? "binds_low" : "binds_high", NAN);
 			continue;
 		}
-		FREED char *words = conditions_limit_text(&a->list, limit[k]);
+		FREED char *words = conditions_limit_text(a->list.at, limit[k]);
 		fields_put_values(
 		    o, k == 0 ? "binds_low %s" : "binds_high %s", words);
 	}
@@ -240,9 +239,8 @@ put_window_fields(
 	fields_put_values(o,
 	    "best %g margin_pct %g margin_widths %g from %g to %g "
 	    "extrapolated %d",
-	    w->best, 100 * w->margin.passing,
-	    conditions_margin_in_band_widths(&a->wanted, w->margin),
-	    a->wanted.from, a->wanted.to, outside);
+	    w->best, 100 * w->margin.passing, w->margin.widths, a->wanted.from,
+	    a->wanted.to, outside);
 	put_binding_limits(o, a);
 }
 
@@ -266,13 +264,12 @@ note_window_result(
 {
 	if (a->w->n_inside > 0) {
 		conditions_note_best_speed(
-		    r, s, a->q, &a->wanted, a->list.n > 1, a->detail, a->w);
+		    r, &a->wanted, a->list.n > 1, a->detail, a->w);
 		note_speeds_in_window(r, a);
 	} else {
-		conditions_note_why_unmet(
-		    r, &a->wanted, &a->list, a->w, question_feed(a->q));
+		conditions_note_why_unmet(r, &a->wanted, a->w);
 		conditions_note_best_speed(
-		    r, s, a->q, &a->wanted, a->list.n > 1, a->detail, a->w);
+		    r, &a->wanted, a->list.n > 1, a->detail, a->w);
 	}
 	if (isnan(a->w->best_certain))
 		answer_note(r, "%s", band_why_none(s, a->q->entry));
@@ -281,7 +278,7 @@ note_window_result(
 static struct answer *
 begin_window_answer(const struct window_request *a)
 {
-	const struct site *site = a->wanted.site;
+	const struct site *site = a->wanted.entry->site;
 	double v = a->w->best;
 	bool several = a->list.n > 1;
 	FREED char *rpm = rotor_speed_rpm_text(site->rotor, v, NAN);
@@ -316,7 +313,7 @@ cmd_window(struct session *s, const struct args *args, struct question *q,
 		if (a.detail)
 			note_equivalent_plot(r, args);
 		conditions_note_source_of_limits(r, &a.list);
-		conditions_show_basis(s, r, q, &a.wanted, a.w, a.w->best);
+		conditions_show_basis(r, q, &a.wanted, a.w, a.w->best);
 		session_keep_last_asked(s, a.w->best, &a.list.at[0].quantity);
 		s->last_asked.found_by = "window";
 		forecast_close(a.wanted.forecast);

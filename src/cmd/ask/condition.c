@@ -22,53 +22,45 @@
 
 static const char DIGITS[] = "0123456789";
 
-void
-conditions_add(struct condition_list *list, struct condition condition)
-{
-	list->at = xrealloc(list->at, list->n + 1, sizeof *list->at);
-	list->at[list->n++] = condition;
-}
+/* Words for the largest and the smallest value, and whether find understands
+ * them. */
+static const struct extreme {
+	const char *word;
+	bool most, understood;
+} EXTREMES[] = {{"maximise ", true, true}, {"maximize ", true, true},
+    {"minimise ", false, true}, {"minimize ", false, true},
+    {"max ", true, true}, {"min ", false, true}, {"most ", true, false},
+    {"best ", true, false}, {"highest ", true, false},
+    {"maximum ", true, false}, {"least ", false, false},
+    {"lowest ", false, false}, {"minimum ", false, false}};
 
-void
-conditions_free(struct condition_list *list)
+/* Returns the word that a text begins with, or NULL. */
+static const struct extreme *
+find_extreme(const char *text)
 {
-	free(list->at);
-	free(list->source);
-	*list = (struct condition_list){0};
+	for (size_t i = 0; i < ARRAY_LEN(EXTREMES); i++)
+		if (strncasecmp(
+			text, EXTREMES[i].word, strlen(EXTREMES[i].word)) == 0)
+			return &EXTREMES[i];
+	return NULL;
 }
 
 char *
 conditions_rewrite_superlative(const char *text)
 {
-	static const struct {
-		const char *word, *instead;
-	} WORDS[] = {{"most ", "max"}, {"best ", "max"}, {"highest ", "max"},
-	    {"maximum ", "max"}, {"least ", "min"}, {"lowest ", "min"},
-	    {"minimum ", "min"}};
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
-		size_t n = strlen(WORDS[i].word);
-		if (strncasecmp(text, WORDS[i].word, n) == 0)
-			return xasprintf("%s %s", WORDS[i].instead, text + n);
-	}
-	return NULL;
+	const struct extreme *e = find_extreme(text);
+	return e == NULL || e->understood
+		   ? NULL
+		   : xasprintf("%s %s", e->most ? "max" : "min",
+			 text + strlen(e->word));
 }
 
 const char *
 conditions_parse_max_or_min(const char *text, bool *most)
 {
-	static const struct {
-		const char *word;
-		bool most;
-	} WORDS[] = {{"maximise ", true}, {"maximize ", true},
-	    {"minimise ", false}, {"minimize ", false}, {"max ", true},
-	    {"min ", false}};
-	for (size_t i = 0; i < ARRAY_LEN(WORDS); i++) {
-		size_t n = strlen(WORDS[i].word);
-		*most = WORDS[i].most;
-		if (strncasecmp(text, WORDS[i].word, n) == 0)
-			return text + n;
-	}
-	return NULL;
+	const struct extreme *e = find_extreme(text);
+	*most = e != NULL && e->most;
+	return e != NULL && e->understood ? text + strlen(e->word) : NULL;
 }
 
 static bool
@@ -377,55 +369,45 @@ conditions_parse_list(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Adds the limits of an envelope on sieves that the feed covers.  Returns what
- * is not checked, in words, or ""; the caller frees it. */
-static char *
-add_limits_covered_by_feed(struct condition_list *list, const struct spec *spec,
-    const struct fraction *fraction, const struct psd *feed)
-{
-	struct envelope_limits l = envelope_conditions(spec, fraction, feed);
-	size_t unknown = 0;
-	for (size_t i = 0; i < l.n; i++)
-		if (!isnan(l.at[i].least) || !isnan(l.at[i].most))
-			conditions_add(list, l.at[i]);
-	for (size_t i = l.n_sieve; i < spec->n; i++)
-		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
-	char *words = xstrdup("");
-	if (unknown > 0)
-		xappend(&words,
-		    tr_n("%zu sieve finer than the feed's finest",
-			"%zu sieves finer than the feed's finest", unknown),
-		    unknown);
-	if (l.modulus_unknown)
-		xappend_to_list(&words, tr(" and "), "%s",
-		    tr("the fineness modulus, which needs finer sieves of the "
-		       "feed"));
-	free(l.at);
-	return words;
-}
-
 bool
 conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error)
 {
 	struct fraction f = *fraction;
+	struct condition_list all = {0};
+	size_t n_sieve, before = list->n, unknown = 0;
 	if (!fraction_is_screened(&f)) {
 		f.fine = spec->cut[0];
 		f.coarse = spec->cut[1];
 	}
-	size_t before = list->n;
-	FREED char *unknown = add_limits_covered_by_feed(list, spec, &f, feed);
+	bool modulus = envelope_add_conditions(spec, &f, feed, &all, &n_sieve);
+	for (size_t i = 0; i < all.n; i++)
+		if (!isnan(all.at[i].least) || !isnan(all.at[i].most))
+			conditions_add(list, all.at[i]);
+	conditions_free(&all);
 	if (list->n == before)
 		return envelope_error_no_sieve(spec, error);
+	for (size_t i = n_sieve; i < spec->n; i++)
+		unknown += !isnan(spec->least[i]) || !isnan(spec->most[i]);
+	FREED char *unchecked = xstrdup("");
+	if (unknown > 0)
+		xappend(&unchecked,
+		    tr_n("%zu sieve finer than the feed's finest",
+			"%zu sieves finer than the feed's finest", unknown),
+		    unknown);
+	if (!modulus)
+		xappend_to_list(&unchecked, tr(" and "), "%s",
+		    tr("the fineness modulus, which needs finer sieves of the "
+		       "feed"));
 	free(list->source);
 	list->source =
 	    spec->source[0] != '\0'
 		? xasprintf(tr("limits of %s: %s"), spec->name, spec->source)
 		: xasprintf(tr("limits of %s"), spec->name);
-	if (unknown[0] != '\0')
+	if (unchecked[0] != '\0')
 		xappend_to_list(
-		    &list->source, "; ", tr("not checked: %s"), unknown);
+		    &list->source, "; ", tr("not checked: %s"), unchecked);
 	return true;
 }
 
@@ -536,10 +518,9 @@ conditions_list_text(const struct condition_list *list)
 }
 
 char *
-conditions_limit_text(
-    const struct condition_list *list, struct wanted_limit limit)
+conditions_limit_text(const struct condition *at, struct wanted_limit limit)
 {
-	struct condition one = list->at[limit.i];
+	struct condition one = at[limit.i];
 	if (limit.most)
 		one.least = NAN;
 	else
@@ -547,35 +528,26 @@ conditions_limit_text(
 	return conditions_one_text(&one);
 }
 
-/* Returns them in rpm: "1319 to 1434".  The caller frees it. */
+/* Returns them in rpm, "1319 to 1434", if the rotor is given, else in m/s:
+ * "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller frees it. */
 static char *
-describe_speeds_in_rpm(const struct speed_search *found, double rotor)
-{
-	char *words = xstrdup("");
-	for (size_t k = 0; k < found->n_inside; k++) {
-		double from = rotor_speed_to_rpm(found->inside[k].from, rotor),
-		       to = rotor_speed_to_rpm(found->inside[k].to, rotor);
-		xappend_to_list(&words, tr(" and "),
-		    to - from < 1 ? "%.0f" : tr("%.0f to %.0f"), from, to);
-	}
-	return words;
-}
-
-/* Returns them in m/s: "69.0 to 70.1 and 74.4", "74.42 to 74.47".  The caller
- * frees it. */
-static char *
-describe_speeds_in_mps(const struct speed_search *found)
+join_met_speeds(const struct speed_search *found, double rotor)
 {
 	const double tenth = 0.1, hair = 1e-6;
 	char *words = xstrdup("");
 	for (size_t k = 0; k < found->n_inside; k++) {
 		double from = found->inside[k].from, to = found->inside[k].to;
-		if (to - from < hair)
-			xappend_to_list(&words, tr(" and "), "%.1f", from);
+		double slow = rotor_speed_to_rpm(from, rotor),
+		       fast = rotor_speed_to_rpm(to, rotor);
+		if (rotor > 0)
+			xappend_to_list(&words, tr(" and "),
+			    fast - slow < 1 ? "%.0f" : tr("%.0f to %.0f"), slow,
+			    fast);
 		else
 			xappend_to_list(&words, tr(" and "),
-			    to - from < tenth - hair ? tr("%.2f to %.2f")
-						     : tr("%.1f to %.1f"),
+			    to - from < hair           ? "%.1f"
+			    : to - from < tenth - hair ? tr("%.2f to %.2f")
+						       : tr("%.1f to %.1f"),
 			    from, to);
 	}
 	return words;
@@ -585,9 +557,8 @@ char *
 conditions_met_speeds_text(
     const struct speed_search *found, const struct site *site)
 {
-	return answers_is_sheet_in_rpm(site)
-		   ? describe_speeds_in_rpm(found, site->rotor)
-		   : describe_speeds_in_mps(found);
+	return join_met_speeds(
+	    found, answers_is_sheet_in_rpm(site) ? site->rotor : 0);
 }
 
 /* Returns ", up to the fastest asked" and the like, to be translated, for a
@@ -606,26 +577,16 @@ char *
 conditions_met_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found)
 {
-	double rotor = wanted->site->rotor;
+	double rotor = wanted->entry->site->rotor;
 	size_t n = found->n_inside;
 	const char *ends =
 	    n == 0 ? ""
 		   : tr(search_end_suffix(wanted, found->inside[0].from,
 			 found->inside[n - 1].to));
-	FREED char *mps = describe_speeds_in_mps(found);
-	FREED char *rpm =
-	    rotor > 0 ? describe_speeds_in_rpm(found, rotor) : xstrdup("");
+	FREED char *mps = join_met_speeds(found, 0);
+	FREED char *rpm = join_met_speeds(found, rotor);
 	return rotor > 0 ? xasprintf(tr("%s m/s (%s rpm)%s"), mps, rpm, ends)
 			 : xasprintf(tr("%s m/s%s"), mps, ends);
-}
-
-double
-conditions_margin_in_band_widths(
-    const struct wanted *wanted, struct margin margin)
-{
-	return wanted->n > 0 && forecast_draws(wanted->forecast, 0) != NULL
-		   ? margin.widths
-		   : NAN;
 }
 
 /* Returns the distance of the value at the forecast's speed from the limit of
@@ -659,47 +620,26 @@ conditions_margin_text(const struct wanted *wanted, struct margin margin)
 	return xasprintf("%.*f%s", digits, distance, quantities_unit_suffix(q));
 }
 
-static void
-put_condition_fields(struct fields *o, const struct wanted *wanted,
-    const struct speed_search *found, size_t i)
-{
-	const struct quantity *q = &wanted->at[i].quantity;
-	struct margin margin = condition_margin(wanted, i);
-	struct figure f = forecast_value_in_shown_unit(wanted->forecast, i);
-	FREED char *key = quantities_field_name(q);
-	fields_put_values(o,
-	    "quantity %s unit %s min %g max %g value %g low %g high %g "
-	    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
-	    key, quantities_unit(q),
-	    quantities_value_in_shown_unit(q, wanted->at[i].least),
-	    quantities_value_in_shown_unit(q, wanted->at[i].most), f.value,
-	    f.low, f.high, 100 * margin.passing,
-	    conditions_margin_in_band_widths(wanted, margin),
-	    found->alone[i][0], found->alone[i][1]);
-}
-
 void
 conditions_put_list(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found)
 {
 	struct fields *list = fields_add_list(o, "conditions");
-	for (size_t i = 0; i < wanted->n; i++)
-		put_condition_fields(
-		    fields_add_object(list, NULL), wanted, found, i);
-}
-
-/* Adds the speeds at which a condition holds by itself, in rpm if the diameter
- * of the rotor is given. */
-static void
-add_speed_range_cells(
-    struct answer *r, const double speed[static 2], double rotor)
-{
-	if (rotor > 0)
-		answer_add_cells(r, "%.0f %.0f",
-		    rotor_speed_to_rpm(speed[0], rotor),
-		    rotor_speed_to_rpm(speed[1], rotor));
-	else
-		answer_add_cells(r, "%.1f %.1f", speed[0], speed[1]);
+	for (size_t i = 0; i < wanted->n; i++) {
+		const struct quantity *q = &wanted->at[i].quantity;
+		struct margin margin = condition_margin(wanted, i);
+		struct figure f =
+		    forecast_value_in_shown_unit(wanted->forecast, i);
+		FREED char *key = quantities_field_name(q);
+		fields_put_values(fields_add_object(list, NULL),
+		    "quantity %s unit %s min %g max %g value %g low %g high %g "
+		    "margin_pct %g margin_widths %g holds_from %g holds_to %g",
+		    key, quantities_unit(q),
+		    quantities_value_in_shown_unit(q, wanted->at[i].least),
+		    quantities_value_in_shown_unit(q, wanted->at[i].most),
+		    f.value, f.low, f.high, 100 * margin.passing, margin.widths,
+		    found->alone[i][0], found->alone[i][1]);
+	}
 }
 
 /* Adds a row for each condition.  People get the margin in the quantity's
@@ -708,7 +648,7 @@ static void
 add_condition_rows(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found, bool people)
 {
-	double rotor = people ? wanted->site->rotor : 0;
+	double rotor = people ? wanted->entry->site->rotor : 0;
 	bool drawn = forecast_draws(wanted->forecast, 0) != NULL;
 	answer_columns(r, "quantity: condition on, min, max, value");
 	if (drawn)
@@ -740,7 +680,11 @@ add_condition_rows(struct answer *r, const struct wanted *wanted,
 		answer_add_cells(r, "%.*f", people ? digits : 1,
 		    people ? margin_in_quantity_unit(wanted, margin)
 			   : 100 * margin.passing);
-		add_speed_range_cells(r, found->alone[i], rotor);
+		for (size_t k = 0; k < 2; k++)
+			answer_add_cells(r, rotor > 0 ? "%.0f" : "%.1f",
+			    rotor > 0
+				? rotor_speed_to_rpm(found->alone[i][k], rotor)
+				: found->alone[i][k]);
 	}
 }
 
@@ -765,13 +709,16 @@ conditions_open_search(const struct session *s, const struct question *q,
 }
 
 bool
-conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
-    const struct quantity *q, double limit, bool most)
+conditions_note_feed_is_finer(struct answer *r, const struct wanted *wanted,
+    const struct condition *c, bool most)
 {
+	const struct quantity *q = &c->quantity;
 	int rises = quantity_change_if_finer(q);
+	double limit = most ? c->most : c->least;
 	if (rises == 0 || most != (rises > 0))
 		return false;
-	double own = screened_quantity_of_product(feed, q);
+	double own = screened_quantity_of_product(
+	    site_feed_of_run(wanted->entry->site, wanted->feed), q);
 	if (!(rises > 0 ? own > limit : own < limit))
 		return false;
 	answer_note(r,
@@ -784,45 +731,41 @@ conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
 /* As conditions_note_feed_is_finer, about the limit that the nearest speed
  * misses. */
 static bool
-note_feed_misses_limit(struct answer *r, const struct condition_list *list,
-    const struct speed_search *found, const struct psd *feed)
+note_feed_misses_limit(struct answer *r, const struct wanted *wanted,
+    const struct speed_search *found)
 {
-	const struct wanted_limit missed = found->margin.limit;
-	const struct condition *c = &list->at[missed.i];
-	return conditions_note_feed_is_finer(r, feed, &c->quantity,
-	    missed.most ? c->most : c->least, missed.most);
+	struct wanted_limit missed = found->margin.limit;
+	return conditions_note_feed_is_finer(
+	    r, wanted, &wanted->at[missed.i], missed.most);
 }
 
 /* Notes the limits that exclude slower and faster speeds than the nearest one.
  * Nothing is known beyond the ends of the search. */
 static void
 note_conflicting_limits(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found,
-    const struct psd *feed)
+    const struct speed_search *found)
 {
-	if (note_feed_misses_limit(r, list, found, feed))
+	const struct wanted_limit low = found->low, high = found->high;
+	if (note_feed_misses_limit(r, wanted, found))
 		return;
-	const struct wanted_limit limit[] = {found->low, found->high};
-	const double end[] = {wanted->from, wanted->to};
-	if (limit[0].i == limit[1].i && limit[0].most == limit[1].most &&
-	    limit[0].i != SIZE_MAX && found->best > end[0] + 1e-3 &&
-	    found->best < end[1] - 1e-3) {
-		FREED char *words = conditions_limit_text(list, limit[0]);
-		answer_note(r, "what is in the way: %s", words);
+	bool slowest = fabs(found->best - wanted->from) < 1e-3,
+	     fastest = fabs(found->best - wanted->to) < 1e-3;
+	FREED char *below = slowest || low.i == SIZE_MAX
+				? NULL
+				: conditions_limit_text(wanted->at, low);
+	FREED char *above = fastest || high.i == SIZE_MAX
+				? NULL
+				: conditions_limit_text(wanted->at, high);
+	if (below != NULL && above != NULL && low.i == high.i &&
+	    low.most == high.most) {
+		answer_note(r, "what is in the way: %s", below);
 		return;
 	}
-	bool at[2];
-	for (size_t k = 0; k < 2; k++) {
-		at[k] = fabs(found->best - end[k]) < 1e-3;
-		if (at[k] || limit[k].i == SIZE_MAX)
-			continue;
-		FREED char *words = conditions_limit_text(list, limit[k]);
-		answer_note(r,
-		    k == 0 ? N_("limiting at lower speeds: %s")
-			   : N_("limiting at higher speeds: %s"),
-		    words);
-	}
-	conditions_note_no_reliable_speed(r, wanted, at[0], at[1]);
+	if (below != NULL)
+		answer_note(r, "limiting at lower speeds: %s", below);
+	if (above != NULL)
+		answer_note(r, "limiting at higher speeds: %s", above);
+	conditions_note_no_reliable_speed(r, wanted, slowest, fastest);
 }
 
 int
@@ -834,7 +777,7 @@ conditions_decimals_of_miss(double points)
 double
 conditions_nearest_measured_speed(const struct wanted *wanted, double speed)
 {
-	const struct site *site = wanted->site;
+	const struct site *site = wanted->entry->site;
 	double near = NAN, slowest = INFINITY, fastest = -INFINITY;
 	for (size_t i = 0; i < site->n_run; i++) {
 		double v = site->run[i].speed;
@@ -853,7 +796,7 @@ static void
 note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
     const struct speed_search *found)
 {
-	const struct site *site = wanted->site;
+	const struct site *site = wanted->entry->site;
 	double near = conditions_nearest_measured_speed(wanted, found->best);
 	if (isnan(near))
 		return;
@@ -871,13 +814,12 @@ note_nearest_measured_speed(struct answer *r, const struct wanted *wanted,
 
 void
 conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found,
-    const struct psd *feed)
+    const struct speed_search *found)
 {
 	const char *what =
-	    list->n > 1 ? tr("all conditions") : tr("the condition");
-	FREED char *range =
-	    rotor_speed_rpm_text(wanted->site->rotor, wanted->from, wanted->to);
+	    wanted->n > 1 ? tr("all conditions") : tr("the condition");
+	FREED char *range = rotor_speed_rpm_text(
+	    wanted->entry->site->rotor, wanted->from, wanted->to);
 	if (!isfinite(found->margin.passing)) {
 		answer_note(r,
 		    "no speed from %g to %g m/s%s gives a value for every "
@@ -889,22 +831,22 @@ conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
 	FREED char *misses = conditions_margin_text(wanted, found->margin);
 	if (found->alike) {
 		FREED char *words =
-		    conditions_limit_text(list, found->margin.limit);
+		    conditions_limit_text(wanted->at, found->margin.limit);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s: every speed misses "
 		    "%s equally, by %s",
 		    wanted->from, wanted->to, range, what, words, misses);
-		note_feed_misses_limit(r, list, found, feed);
+		note_feed_misses_limit(r, wanted, found);
 	} else {
-		FREED char *rpm =
-		    rotor_speed_rpm_text(wanted->site->rotor, found->best, NAN);
+		FREED char *rpm = rotor_speed_rpm_text(
+		    wanted->entry->site->rotor, found->best, NAN);
 		answer_note(r,
 		    "no speed from %g to %g m/s%s meets %s; the nearest is "
 		    "%.1f m/s%s, which misses by %s",
 		    wanted->from, wanted->to, range, what, found->best, rpm,
 		    misses);
 		note_nearest_measured_speed(r, wanted, found);
-		note_conflicting_limits(r, wanted, list, found, feed);
+		note_conflicting_limits(r, wanted, found);
 	}
 }
 
@@ -925,22 +867,21 @@ farthest_extrapolated_end(
 }
 
 void
-conditions_show_basis(const struct session *s, struct answer *r,
-    const struct question *q, const struct wanted *wanted,
-    const struct speed_search *found, double speed)
+conditions_show_basis(struct answer *r, const struct question *q,
+    const struct wanted *wanted, const struct speed_search *found, double speed)
 {
-	double end = farthest_extrapolated_end(wanted, found);
+	const struct session *s = wanted->s;
+	const double at[] = {speed, farthest_extrapolated_end(wanted, found)};
 	struct trust light = trust_at_speed(s, q->entry, speed, q->feed);
 	struct trust far = {0};
-	if (!isnan(end))
-		far = trust_at_speed(s, q->entry, end, q->feed);
+	if (!isnan(at[1]))
+		far = trust_at_speed(s, q->entry, at[1], q->feed);
 	if (far.light <= light.light) {
 		trust_free(&far);
 		answers_show_basis(s, r, q, speed, false, light);
 		return;
 	}
 	answers_note_basis_of_side(s, r, q, speed, NULL, &light);
-	const double at[] = {speed, end};
 	for (size_t k = 0; k < 2; k++) {
 		FREED char *words =
 		    trust_in_words_at_speed(s, q->entry, at[k], q->feed);
@@ -954,18 +895,13 @@ conditions_show_basis(const struct session *s, struct answer *r,
 	trust_free(&far);
 }
 
-/* True if that end of the search is farther from the measured speeds than
- * answers can be relied on. */
+/* True if the slow or the fast end of the search is farther from the measured
+ * speeds than answers can be relied on. */
 static bool
-is_slow_end_unreliable(const struct wanted *wanted)
+is_end_unreliable(const struct wanted *wanted, bool fast)
 {
-	return wanted->from < wanted->measured[0] - wanted->reach;
-}
-
-static bool
-is_fast_end_unreliable(const struct wanted *wanted)
-{
-	return wanted->to > wanted->measured[1] + wanted->reach;
+	return fast ? wanted->to > wanted->measured[1] + wanted->reach
+		    : wanted->from < wanted->measured[0] - wanted->reach;
 }
 
 /* Returns the end of a search as it can be typed: "100" or, if the sheet is in
@@ -984,22 +920,24 @@ conditions_note_unsearched_speeds(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster)
 {
 	const double more = 15;
-	const struct site *site = wanted->site;
-	FREED char *slow = rotor_speed_rpm_text(site->rotor, wanted->from, NAN);
-	FREED char *fast = rotor_speed_rpm_text(site->rotor, wanted->to, NAN);
-	FREED char *from =
-	    search_end_as_typed(site, fmax(1, wanted->from - more), false);
-	FREED char *to = search_end_as_typed(
-	    site, fmin(SITE_FASTEST, wanted->to + more), true);
-	if (slower && wanted->from > 1 && !is_slow_end_unreliable(wanted))
+	const struct site *site = wanted->entry->site;
+	for (int fast = 0; fast < 2; fast++) {
+		double end = fast ? wanted->to : wanted->from;
+		bool last = fast ? end >= SITE_FASTEST : end <= 1;
+		if (!(fast ? faster : slower) || last ||
+		    is_end_unreliable(wanted, fast))
+			continue;
+		FREED char *rpm = rotor_speed_rpm_text(site->rotor, end, NAN);
+		FREED char *beyond = search_end_as_typed(site,
+		    fast ? fmin(SITE_FASTEST, end + more) : fmax(1, end - more),
+		    fast);
 		answer_note(r,
-		    "speeds below %g m/s%s were not searched: add from=%s",
-		    wanted->from, slow, from);
-	if (faster && wanted->to < SITE_FASTEST &&
-	    !is_fast_end_unreliable(wanted))
-		answer_note(r,
-		    "speeds above %g m/s%s were not searched: add to=%s",
-		    wanted->to, fast, to);
+		    fast ? N_("speeds above %g m/s%s were not searched: add "
+			      "to=%s")
+			 : N_("speeds below %g m/s%s were not searched: add "
+			      "from=%s"),
+		    end, rpm, beyond);
+	}
 }
 
 void
@@ -1008,8 +946,8 @@ conditions_note_no_reliable_speed(
 {
 	bool all_measured = wanted->from <= wanted->measured[0] &&
 			    wanted->to >= wanted->measured[1];
-	if (all_measured && ((slower && is_slow_end_unreliable(wanted)) ||
-				(faster && is_fast_end_unreliable(wanted))))
+	if (all_measured && ((slower && is_end_unreliable(wanted, false)) ||
+				(faster && is_end_unreliable(wanted, true))))
 		answer_note(r,
 		    "no speed near the measured ones does it, and farther from "
 		    "them no answer can be relied on");
@@ -1037,15 +975,17 @@ conditions_times_in_100_text(double share)
  * 99 times in 100", or "best 84.9 m/s, .." where that is not to be relied
  * on. */
 static char *
-speed_to_run_at_text(const struct session *s, const struct question *q,
+speed_to_run_at_text(
     const struct wanted *wanted, bool several, const struct speed_search *w)
 {
-	bool beyond = answers_is_speed_extrapolated(q->entry, w->best);
-	struct trust light = trust_at_speed(s, q->entry, w->best, q->feed);
+	const struct entry *entry = wanted->entry;
+	bool beyond = answers_is_speed_extrapolated(entry, w->best);
+	struct trust light =
+	    trust_at_speed(wanted->s, entry, w->best, wanted->feed);
 	bool is_sure =
 	    light.light != LIGHT_RED && w->best_certain >= wanted->level;
 	FREED char *rpm =
-	    rotor_speed_rpm_text(wanted->site->rotor, w->best, NAN);
+	    rotor_speed_rpm_text(wanted->entry->site->rotor, w->best, NAN);
 	char *words =
 	    xasprintf(beyond    ? tr("best %.1f m/s%s, beyond the "
 					"measured speeds: ")
@@ -1068,22 +1008,22 @@ speed_to_run_at_text(const struct session *s, const struct question *q,
 
 /* Notes which speed to run at and which others will do. */
 static void
-note_speed_to_run_at(struct answer *r, const struct session *s,
-    const struct question *q, const struct wanted *wanted, bool several,
-    const struct speed_search *w)
+note_speed_to_run_at(struct answer *r, const struct wanted *wanted,
+    bool several, const struct speed_search *w)
 {
-	double rotor = wanted->site->rotor, low = w->sure[0], high = w->sure[1];
+	double level = 100 * wanted->level;
+	double rotor = wanted->entry->site->rotor, low = w->sure[0],
+	       high = w->sure[1];
 	FREED char *rpm = rotor_speed_rpm_text(rotor, low, high);
-	FREED char *words = speed_to_run_at_text(s, q, wanted, several, w);
+	FREED char *words = speed_to_run_at_text(wanted, several, w);
 	if (isfinite(low))
 		xappend(&words,
 		    tr("; at least %.0f times in 100 from %.1f to %.1f "
 		       "m/s%s%s"),
-		    100 * wanted->level, low, high, rpm,
+		    level, low, high, rpm,
 		    tr(search_end_suffix(wanted, low, high)));
-	else if (round(100 * w->best_certain) < round(100 * wanted->level))
-		xappend(&words, tr("; at no speed %.0f times in 100"),
-		    100 * wanted->level);
+	else if (round(100 * w->best_certain) < round(level))
+		xappend(&words, tr("; at no speed %.0f times in 100"), level);
 	answer_note(r, "%s", words);
 }
 
@@ -1092,7 +1032,7 @@ note_slowest_safe_speed(
     struct answer *r, const struct wanted *wanted, const struct speed_search *w)
 {
 	FREED char *rpm =
-	    rotor_speed_rpm_text(wanted->site->rotor, w->safe, NAN);
+	    rotor_speed_rpm_text(wanted->entry->site->rotor, w->safe, NAN);
 	if (w->safe < w->best)
 		answer_note(r,
 		    "least energy and wear: %.1f m/s%s, the slowest that is "
@@ -1111,8 +1051,8 @@ note_certainty_where_unmet(
 		if (w->certain[k] > w->certain[most])
 			most = k;
 	FREED char *highest = conditions_probability_text(w->certain[most]);
-	FREED char *rpm =
-	    rotor_speed_rpm_text(wanted->site->rotor, w->speed[most], NAN);
+	FREED char *rpm = rotor_speed_rpm_text(
+	    wanted->entry->site->rotor, w->speed[most], NAN);
 	if (w->certain[most] <= 0)
 		answer_note(r,
 		    "at no speed does it hold with %.0f %% certainty; the "
@@ -1126,12 +1066,11 @@ note_certainty_where_unmet(
 }
 
 void
-conditions_note_best_speed(struct answer *r, const struct session *s,
-    const struct question *q, const struct wanted *wanted, bool several,
-    bool detail, const struct speed_search *w)
+conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
+    bool several, bool detail, const struct speed_search *w)
 {
 	if (w->n_inside > 0)
-		note_speed_to_run_at(r, s, q, wanted, several, w);
+		note_speed_to_run_at(r, wanted, several, w);
 	if (w->n_inside > 0 && detail)
 		note_slowest_safe_speed(r, wanted, w);
 	if (w->n_inside > 0)

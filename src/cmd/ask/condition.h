@@ -8,17 +8,6 @@
 #include "cmd/ask/question.h"
 #include "cmd/ask/speed_search.h"
 
-/* A list that grows.  source: the envelope from which limits in the list come,
- * and what in it is not checked, or NULL. */
-struct condition_list {
-	size_t n;
-	struct condition *at;
-	char *source;
-};
-
-void conditions_add(struct condition_list *list, struct condition condition);
-void conditions_free(struct condition_list *list);
-
 /* Parses a condition: a quantity (quantity_words.h), then <, > or = (or words
  * for these) and a number or, after =, a range.  A single number after = is
  * both limits.  A quantity that names no fraction is one of `fraction`. */
@@ -51,8 +40,8 @@ bool conditions_parse_list(const char *text, const struct fraction *fraction,
 bool conditions_add_from_args(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
-/* Adds the limits of an envelope (envelope_limits) for a fraction or, given the
- * whole product, for the envelope's own fraction. */
+/* Adds the limits of an envelope (envelope_add_conditions) for a fraction or,
+ * given the whole product, for the envelope's own fraction. */
 bool conditions_add_envelope(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, struct error *error);
@@ -79,12 +68,12 @@ bool conditions_speed_range_of_args(const struct session *s,
 
 /* conditions_one_text returns "passing 2 mm 40 to 50 %" or "P80 at least 5 mm";
  * conditions_list_text all conditions, separated by commas;
- * conditions_limit_text a limit from the list, "passing 2 mm at most 50 %".
+ * conditions_limit_text a limit of conditions, "passing 2 mm at most 50 %".
  * The caller frees it. */
 char *conditions_one_text(const struct condition *condition);
 char *conditions_list_text(const struct condition_list *list);
 char *conditions_limit_text(
-    const struct condition_list *list, struct wanted_limit limit);
+    const struct condition *at, struct wanted_limit limit);
 
 /* For each condition, conditions_add_rows adds a row to an answer,
  * conditions_put_list an object to the list "conditions": the limits, the value
@@ -111,10 +100,6 @@ char *conditions_met_speeds_text(
 char *conditions_met_speeds_with_units(
     const struct wanted *wanted, const struct speed_search *found);
 
-/* Returns a margin in widths of the band, or NAN for a model alone. */
-double conditions_margin_in_band_widths(
-    const struct wanted *wanted, struct margin margin);
-
 /* Returns how far the value at the forecast's speed is from the limit of a
  * margin, "2.99 mm" or "6.9 points".  The caller frees it. */
 char *conditions_margin_text(const struct wanted *wanted, struct margin margin);
@@ -135,29 +120,27 @@ double conditions_nearest_measured_speed(
 /* If no speed meets all conditions, notes which of them prevent it, and whether
  * the feed alone does.  Moves the forecast to the best speed. */
 void conditions_note_why_unmet(struct answer *r, const struct wanted *wanted,
-    const struct condition_list *list, const struct speed_search *found,
-    const struct psd *feed);
+    const struct speed_search *found);
 
-/* Notes that the feed alone is finer than a limit allows, which no speed can
- * put right.  most: the limit is an upper one.  Returns false if that is not
+/* Notes that the feed alone is finer than a limit of a condition allows, which
+ * no speed can put right.  most: its upper limit.  Returns false if that is not
  * the case. */
-bool conditions_note_feed_is_finer(struct answer *r, const struct psd *feed,
-    const struct quantity *q, double limit, bool most);
+bool conditions_note_feed_is_finer(struct answer *r,
+    const struct wanted *wanted, const struct condition *c, bool most);
 
 /* Notes which speed to run at and the range in which the conditions hold with
  * the certainty of a band; in detail the slowest safe speed, too.  If the
  * answer meets them at no speed: where they are most likely to hold.  several:
  * there is more than one condition. */
-void conditions_note_best_speed(struct answer *r, const struct session *s,
-    const struct question *q, const struct wanted *wanted, bool several,
-    bool detail, const struct speed_search *w);
+void conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
+    bool several, bool detail, const struct speed_search *w);
 
 /* As answers_show_basis, for an answer at a speed in a range of speeds: if the
  * light is worse at an end of the range beyond the measured speeds, the answer
  * has that light, and both are stated. */
-void conditions_show_basis(const struct session *s, struct answer *r,
-    const struct question *q, const struct wanted *wanted,
-    const struct speed_search *found, double speed);
+void conditions_show_basis(struct answer *r, const struct question *q,
+    const struct wanted *wanted, const struct speed_search *found,
+    double speed);
 
 /* conditions_note_unsearched_speeds notes which slower or faster speeds were
  * not searched, and how to search them, unless no answer there can be relied

@@ -18,24 +18,6 @@
 /* Careful samples agree to within this passing. */
 static const double CAREFUL = 0.01;
 
-/* Errors of neighbouring sieves are alike, so chance alone may put half of the
- * sieves outside. */
-static bool
-is_cut_outside_band(const struct cut *c)
-{
-	return c->n > 0 &&
-	       (c->no_band ? c->rms > FIT_POOR
-			   : 2 * c->inside < c->n && c->rms > CAREFUL);
-}
-
-static bool
-are_too_many_sieves_outside(const struct cut *c)
-{
-	return !c->no_band &&
-	       (2 * c->inside < c->n ||
-		   (4 * c->inside < 3 * c->n && c->rms > CAREFUL));
-}
-
 /* Returns the passings of a run's product at the sieves that crushing can
  * change, [*n].  The caller frees it. */
 static struct quantity *
@@ -78,8 +60,12 @@ cut_compare_with_prediction(
 			    passing <= at.high + rounding;
 	}
 	c.rms = c.n > 0 ? sqrt(sum / (double)c.n) : NAN;
-	c.missed = is_cut_outside_band(&c);
-	c.off = !c.missed && are_too_many_sieves_outside(&c);
+	/* Errors of neighbouring sieves are alike, so chance alone may put half
+	 * of the sieves outside. */
+	bool half = 2 * c.inside < c.n, some = 4 * c.inside < 3 * c.n;
+	bool apart = c.rms > CAREFUL;
+	c.missed = c.n > 0 && (c.no_band ? c.rms > FIT_POOR : half && apart);
+	c.off = !c.missed && !c.no_band && (half || (some && apart));
 	forecast_close(f);
 	return c;
 }

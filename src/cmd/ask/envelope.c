@@ -165,83 +165,51 @@ individual_retained_limit(const struct standards *all, const char *standard)
 	    all, standard, "between two consecutive", NULL);
 }
 
-static void
-add_fineness_modulus_limit(struct envelope_limits *l, const struct spec *spec,
+bool
+envelope_add_conditions(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
-    const struct standards *all)
+    struct condition_list *list, size_t *n_sieve)
 {
+	struct standards *all = standards_read_built_in();
 	const struct standard_limit *fm =
 	    fineness_modulus_limit(all, spec->standard);
-	const struct modulus *m = modulus_of_sand_standard(spec);
-	if (fm == NULL || m == NULL)
-		return;
-	l->modulus_unknown = !psd_covers_size(feed, m->mm[m->n - 1] / 1000);
-	if (l->modulus_unknown)
-		return;
-	l->at[l->n++] =
-	    (struct condition){.quantity = {.kind = QUANTITY_MODULUS,
-				   .modulus = m,
-				   .fraction = *fraction},
-		.least = fm->least,
-		.most = fm->most};
-}
-
-static void
-add_individual_retained_limit(struct envelope_limits *l,
-    const struct spec *spec, const struct fraction *fraction,
-    const struct standards *all)
-{
 	const struct standard_limit *step =
 	    individual_retained_limit(all, spec->standard);
-	if (step == NULL || l->n_sieve < 2)
-		return;
-	l->at[l->n++] = (struct condition){.quantity = {.kind = QUANTITY_STEP,
-					       .n_sieve = l->n_sieve,
-					       .sieve = spec->size,
-					       .fraction = *fraction},
-	    .least = NAN,
-	    .most = step->most / 100};
-}
-
-struct envelope_limits
-envelope_conditions(const struct spec *spec, const struct fraction *fraction,
-    const struct psd *feed)
-{
-	enum { OTHERS = 2 };
-	struct envelope_limits l = {
-	    .at = xcalloc(spec->n + OTHERS, sizeof *l.at)};
-	for (; l.n < spec->n && psd_covers_size(feed, spec->size[l.n]); l.n++)
-		l.at[l.n] =
-		    (struct condition){.quantity = {.kind = QUANTITY_PASSING,
-					   .x = spec->size[l.n],
-					   .fraction = *fraction},
-			.least = spec->least[l.n],
-			.most = spec->most[l.n]};
-	l.n_sieve = l.n;
-	struct standards *all = standards_read_built_in();
-	add_fineness_modulus_limit(&l, spec, fraction, feed, all);
-	add_individual_retained_limit(&l, spec, fraction, all);
+	const struct modulus *m = modulus_of_sand_standard(spec);
+	bool limited = fm != NULL && m != NULL;
+	bool known = limited && psd_covers_size(feed, m->mm[m->n - 1] / 1000);
+	struct quantity q = {.fraction = *fraction};
+	size_t n = 0;
+	for (; n < spec->n && psd_covers_size(feed, spec->size[n]); n++) {
+		q.kind = QUANTITY_PASSING;
+		q.x = spec->size[n];
+		conditions_add(
+		    list, (struct condition){q, spec->least[n], spec->most[n]});
+	}
+	q.x = 0;
+	if (known) {
+		q.kind = QUANTITY_MODULUS;
+		q.modulus = m;
+		conditions_add(
+		    list, (struct condition){q, fm->least, fm->most});
+		q.modulus = NULL;
+	}
+	if (step != NULL && n > 1) {
+		q.kind = QUANTITY_STEP;
+		q.n_sieve = n;
+		q.sieve = spec->size;
+		conditions_add(
+		    list, (struct condition){q, NAN, step->most / 100});
+	}
 	standards_free(all);
-	return l;
+	*n_sieve = n;
+	return known || !limited;
 }
 
 static double
 value_of_grading_quantity(const struct grading *g, size_t i)
 {
 	return forecast_value_with_band(g->conditions.forecast, i).value;
-}
-
-static void
-forecast_limits_and_share(
-    const struct session *s, const struct question *q, struct grading *g)
-{
-	const struct quantity more[] = {
-	    {.kind = QUANTITY_SHARE, .fraction = g->fraction},
-	    {.kind = QUANTITY_MODULUS,
-		.modulus = g->modulus,
-		.fraction = g->fraction}};
-	g->conditions = wanted_from_question(
-	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 }
 
 bool
@@ -259,14 +227,20 @@ static bool
 open_forecast_of_limits(const struct session *s, const struct question *q,
     struct grading *g, struct error *error)
 {
-	const struct psd *from = question_feed(q);
 	g->modulus = modulus_of_sand_standard(g->spec);
-	g->limits = envelope_conditions(g->spec, &g->fraction, from);
-	if (g->limits.n_sieve == 0) {
-		free(g->limits.at);
+	envelope_add_conditions(
+	    g->spec, &g->fraction, question_feed(q), &g->limits, &g->n_sieve);
+	if (g->n_sieve == 0) {
+		conditions_free(&g->limits);
 		return envelope_error_no_sieve(g->spec, error);
 	}
-	forecast_limits_and_share(s, q, g);
+	const struct quantity more[] = {
+	    {.kind = QUANTITY_SHARE, .fraction = g->fraction},
+	    {.kind = QUANTITY_MODULUS,
+		.modulus = g->modulus,
+		.fraction = g->fraction}};
+	g->conditions = wanted_from_question(
+	    s, q, g->limits.n, g->limits.at, g->modulus != NULL ? 2 : 1, more);
 	return true;
 }
 
@@ -295,7 +269,7 @@ void
 envelope_close(struct grading *g)
 {
 	forecast_close(g->conditions.forecast);
-	free(g->limits.at);
+	conditions_free(&g->limits);
 }
 
 char *
@@ -316,33 +290,12 @@ verdict_within_limits(double value, double least, double most)
 	return value > most + exact ? tr("above") : "ok";
 }
 
-/* Returns the verdict on limit i at the forecast's speed. */
-static const char *
-limit_verdict(const struct grading *g, size_t i)
-{
-	if (i >= g->limits.n_sieve && i < g->spec->n)
-		return tr("not known");
-	if (conditions_are_met(&g->conditions, i))
-		return "ok";
-	bool above = condition_margin(&g->conditions, i).limit.most;
-	return above ? tr("above") : tr("below");
-}
-
-static size_t
-count_sieves_outside(const struct grading *g)
-{
-	size_t out = 0;
-	for (size_t i = 0; i < g->limits.n_sieve; i++)
-		out += !conditions_are_met(&g->conditions, i);
-	return out;
-}
-
 /* Returns the margin of the sieve that is furthest outside. */
 static struct margin
 find_worst_sieve(const struct grading *g)
 {
 	struct margin worst = {.passing = INFINITY};
-	for (size_t i = 0; i < g->limits.n_sieve; i++) {
+	for (size_t i = 0; i < g->n_sieve; i++) {
 		struct margin m = condition_margin(&g->conditions, i);
 		worst = m.passing < worst.passing ? m : worst;
 	}
@@ -374,18 +327,19 @@ char *
 envelope_missed_limits_text(const struct grading *g)
 {
 	struct margin worst = find_worst_sieve(g);
-	size_t out = count_sieves_outside(g);
+	size_t out = 0;
+	for (size_t i = 0; i < g->n_sieve; i++)
+		out += !conditions_are_met(&g->conditions, i);
 	char *words = xstrdup("");
 	if (out > 0)
 		xappend(&words,
 		    tr("outside on %zu of %zu sieves; worst at %g mm: %.1f "
 		       "points "
 		       "%s"),
-		    out, g->limits.n_sieve,
-		    units_mm(g->spec->size[worst.limit.i]),
+		    out, g->n_sieve, units_mm(g->spec->size[worst.limit.i]),
 		    -100 * worst.passing,
 		    worst.limit.most ? tr("above max") : tr("below min"));
-	for (size_t i = g->limits.n_sieve; i < g->limits.n; i++)
+	for (size_t i = g->n_sieve; i < g->limits.n; i++)
 		if (!conditions_are_met(&g->conditions, i)) {
 			FREED char *one = missed_limit_text(g, i);
 			bool first = words[0] == '\0';
@@ -400,7 +354,7 @@ void
 envelope_put_worst_sieve(struct fields *o, const struct grading *g)
 {
 	struct margin worst = find_worst_sieve(g);
-	bool out = count_sieves_outside(g) > 0;
+	bool out = !conditions_are_met(&g->conditions, worst.limit.i);
 	fields_put_values(o, "worst_mm %g outside_pct %g",
 	    out ? units_mm(g->spec->size[worst.limit.i]) : NAN,
 	    !out               ? 0
@@ -424,7 +378,8 @@ envelope_add_rows(struct answer *r, struct grading *g, double v)
 		answer_columns(r, "low_pct: low %%, high_pct: high %%");
 	answer_columns(r, "verdict");
 	for (size_t i = 0; i < spec->n; i++) {
-		bool known = i < g->limits.n_sieve;
+		bool known = i < g->n_sieve,
+		     met = known && conditions_are_met(&g->conditions, i);
 		struct figure f = {NAN, NAN, NAN};
 		if (known)
 			f = forecast_value_with_band(all, i);
@@ -434,7 +389,12 @@ envelope_add_rows(struct answer *r, struct grading *g, double v)
 		if (band)
 			answer_add_cells(r, "%.1f %.1f", units_pct(f.low),
 			    units_pct(f.high));
-		answer_add_cells(r, "%s", limit_verdict(g, i));
+		answer_add_cells(r, "%s",
+		    !known ? tr("not known")
+		    : met  ? "ok"
+		    : condition_margin(&g->conditions, i).limit.most
+			? tr("above")
+			: tr("below"));
 	}
 }
 
@@ -474,11 +434,10 @@ note_fineness_modulus(
 	if (g->modulus == NULL)
 		return;
 	struct figure fm = forecast_value_with_band(g->conditions.forecast, i);
-	char *is = fineness_modulus_verdict(all, g->spec, fm.value);
+	FREED char *is = fineness_modulus_verdict(all, g->spec, fm.value);
 	if (is == NULL)
 		return;
 	if (isnan(fm.value)) {
-		free(is);
 		answer_note(r,
 		    "fineness modulus not known: the feed was not sieved down "
 		    "to %g mm",
@@ -491,61 +450,46 @@ note_fineness_modulus(
 	fields_put_values(answer_fields(r),
 	    "fm %g fm_standard %s fm_verdict %s", fm.value,
 	    g->modulus->standard, is);
-	free(is);
 }
 
-/* Returns the largest share between two neighbouring sieves of the envelope.
- * at: out, the coarser of the two. */
-static double
-largest_individual_retained(const struct grading *g, size_t *at)
-{
-	double most = 0;
-	for (size_t i = 0; i + 1 < g->limits.n_sieve; i++) {
-		double step = value_of_grading_quantity(g, i) -
-			      value_of_grading_quantity(g, i + 1);
-		if (step <= most)
-			continue;
-		most = step;
-		*at = i;
-	}
-	return most;
-}
-
-static void
-individual_retained_band(const struct grading *g, size_t at, double range[2])
-{
-	double step[POSTERIOR_DRAWS];
-	struct forecast *f = g->conditions.forecast;
-	const double *coarse = forecast_draws(f, at);
-	range[0] = range[1] = NAN;
-	if (coarse == NULL)
-		return;
-	const double *fine = forecast_draws(f, at + 1);
-	for (size_t d = 0; d < POSTERIOR_DRAWS; d++)
-		step[d] = 100 * (coarse[d] - fine[d]);
-	ensemble_interval_around_answer(step, g->conditions.level, NAN, range);
-}
-
+/* Notes the largest share between two neighbouring sieves of the envelope, and
+ * whether that is within the standard's limit. */
 static void
 note_individual_retained(
     struct answer *r, const struct grading *g, const struct standards *all)
 {
 	const struct standard_limit *l =
 	    individual_retained_limit(all, g->spec->standard);
-	if (l == NULL || g->limits.n_sieve < 2)
+	const struct forecast *f = g->conditions.forecast;
+	double most = 0, step[POSTERIOR_DRAWS], range[2] = {NAN, NAN};
+	size_t at = 0; /* the coarser of the two */
+	if (l == NULL || g->n_sieve < 2)
 		return;
-	size_t at = 0;
-	double range[2], step = 100 * largest_individual_retained(g, &at);
-	individual_retained_band(g, at, range);
+	for (size_t i = 0; i + 1 < g->n_sieve; i++) {
+		double share = value_of_grading_quantity(g, i) -
+			       value_of_grading_quantity(g, i + 1);
+		if (share <= most)
+			continue;
+		most = share;
+		at = i;
+	}
+	const double *coarse = forecast_draws(f, at),
+		     *fine = forecast_draws(f, at + 1);
+	for (size_t d = 0; d < POSTERIOR_DRAWS && coarse != NULL; d++)
+		step[d] = 100 * (coarse[d] - fine[d]);
+	if (coarse != NULL)
+		ensemble_interval_around_answer(
+		    step, g->conditions.level, NAN, range);
 	FREED char *band = quantities_band_text(range[0], range[1], 1);
-	const char *is = verdict_within_limits(step, -INFINITY, l->most);
+	const double coarse_mm = units_mm(g->spec->size[at]);
+	const char *is = verdict_within_limits(100 * most, -INFINITY, l->most);
 	answer_note(r,
 	    "between two sieves at most %.1f %%%s, %g to %g mm: %s; limit %g",
-	    step, band, units_mm(g->spec->size[at]),
-	    units_mm(g->spec->size[at + 1]), is, l->most);
+	    100 * most, band, coarse_mm, units_mm(g->spec->size[at + 1]), is,
+	    l->most);
 	fields_put_values(answer_fields(r),
-	    "step_pct %g step_mm %g step_verdict %s", step,
-	    units_mm(g->spec->size[at]), is);
+	    "step_pct %g step_mm %g step_verdict %s", 100 * most, coarse_mm,
+	    is);
 }
 
 /* Tolerances apply to a declared grading, which is not known. */
@@ -582,11 +526,11 @@ envelope_add_notes(struct answer *r, const struct grading *g)
 		    words, share);
 		fields_put_values(answer_fields(r), "share_pct %g", share);
 	}
-	if (g->limits.n_sieve < spec->n)
+	if (g->n_sieve < spec->n)
 		answer_say(r, ANSWER_REMARK,
 		    "not checked: %g mm and below, finer than the feed's "
 		    "finest sieve",
-		    units_mm(spec->size[g->limits.n_sieve]));
+		    units_mm(spec->size[g->n_sieve]));
 	note_tolerances_unchecked(r, spec, all);
 	if (spec->source[0] != '\0')
 		answer_say(r, ANSWER_REMARK, "limits: %s", spec->source);

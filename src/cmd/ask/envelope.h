@@ -16,31 +16,29 @@
 const struct spec *envelope_find(
     struct session *s, const char *words, struct error *error);
 
-/* The limits of an envelope as conditions [n] on a fraction: first those
- * n_sieve of its sieves that the feed covers, with or without limits; then the
+/* Adds the limits of an envelope as conditions on a fraction: first those of
+ * its sieves that the feed covers [n_sieve], with or without limits; then the
  * fineness modulus and the share retained between two sieves, if the standard
- * limits these.  All questions about an envelope use these limits.  The caller
- * frees `at`, which points into the envelope.  modulus_unknown: the modulus is
- * limited, but the feed's sieves do not reach far enough. */
-struct envelope_limits {
-	size_t n_sieve, n;
-	struct condition *at;
-	bool modulus_unknown;
-};
-struct envelope_limits envelope_conditions(const struct spec *spec,
-    const struct fraction *fraction, const struct psd *feed);
+ * limits these.  All questions about an envelope use these limits, which point
+ * into it.  Returns false if the modulus is limited, but the feed's sieves do
+ * not reach far enough for it. */
+bool envelope_add_conditions(const struct spec *spec,
+    const struct fraction *fraction, const struct psd *feed,
+    struct condition_list *list, size_t *n_sieve);
 
 /* Sets the error that the feed covers no sieve of an envelope.  Returns
  * false. */
 bool envelope_error_no_sieve(const struct spec *spec, struct error *error);
 
-/* The limits as conditions on the fraction, then the fraction's share of the
- * product, and a fineness modulus if the standard has one, else NULL.  As no
- * screen is perfect, what rounds to 100.0 meets a limit of 100 %. */
+/* limits: those of envelope_add_conditions on the fraction, of which the first
+ * n_sieve are on sieves.  conditions: on these, then the fraction's share of
+ * the product, and a fineness modulus if the standard has one, else NULL.  As
+ * no screen is perfect, what rounds to 100.0 meets a limit of 100 %. */
 struct grading {
 	const struct spec *spec;
-	struct envelope_limits limits;
 	struct fraction fraction;
+	struct condition_list limits;
+	size_t n_sieve;
 	const struct modulus *modulus;
 	struct wanted conditions;
 };

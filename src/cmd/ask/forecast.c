@@ -1,4 +1,4 @@
-/* The only path from a question to numbers: a response and the draws of
+/* The only path from a question to numbers: a forecast with the draws of
  * outlook.c.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/ask/forecast.h"
@@ -11,15 +11,13 @@
 #include "cmd/ask/asked.h"
 #include "cmd/ask/quantity_words.h"
 
-/* It borrows the draws that are kept until another site or feed is asked
- * about. */
-struct forecast {
+/* Whose draws a forecast has.  They are kept until another site or feed is
+ * asked about. */
+struct asker {
 	const struct session *s;
 	const struct entry *entry;
 	size_t feed;
 	const struct params *params;
-	struct response *response;
-	double level;
 };
 
 struct forecast *
@@ -29,14 +27,12 @@ forecast_open(const struct session *s, const struct question *q,
 	const struct entry *entry = q->entry;
 	const struct psd *feed = site_feed_of_run(entry->site, q->feed);
 	struct psd sizes = predict_table_sizes(entry->site, feed);
-	struct forecast *f = xcalloc(1, sizeof *f);
-	*f = (struct forecast){.s = s,
-	    .entry = entry,
-	    .feed = q->feed,
-	    .params = q->params != NULL ? q->params : &entry->params,
-	    .level = q->level};
-	f->response = response_new(feed, sizes.size, sizes.n, quantity, n,
-	    f->params, model_settings_of_answer(s, entry));
+	struct asker *asker = xcalloc(1, sizeof *asker);
+	*asker = (struct asker){
+	    s, entry, q->feed, q->params != NULL ? q->params : &entry->params};
+	struct forecast *f = forecast_new(feed, sizes.size, sizes.n, quantity,
+	    n, asker->params, model_settings_of_answer(s, entry), q->level);
+	forecast_set_asker(f, asker);
 	psd_free(&sizes);
 	return f;
 }
@@ -52,23 +48,15 @@ forecast_open_table(const struct session *s, const struct question *q)
 }
 
 void
-forecast_close(struct forecast *f)
-{
-	if (f == NULL)
-		return;
-	response_free(f->response);
-	free(f);
-}
-
-void
 forecast_set_speed_and_draws(
     struct forecast *f, double speed, enum ensemble_part part)
 {
+	const struct asker *a = forecast_asker(f);
 	struct ensemble *e =
-	    posterior_for_answers(f->s, f->entry, f->params) != NULL
-		? ensemble_for_answers(f->s, f->entry, f->feed)
+	    posterior_for_answers(a->s, a->entry, a->params) != NULL
+		? ensemble_for_answers(a->s, a->entry, a->feed)
 		: NULL;
-	response_set_speed(f->response, e, part, speed);
+	forecast_move(f, e, part, speed);
 }
 
 void
@@ -78,63 +66,13 @@ forecast_set_speed(struct forecast *f, double speed)
 }
 
 struct figure
-forecast_value_with_band(const struct forecast *f, size_t i)
-{
-	double range[2];
-	response_band_of_quantity(f->response, i, f->level, range);
-	return (struct figure){
-	    response_value_of_quantity(f->response, i), range[0], range[1]};
-}
-
-struct figure
 forecast_value_in_shown_unit(const struct forecast *f, size_t i)
 {
-	const struct quantity *q = response_asked_quantity(f->response, i);
+	const struct quantity *q = forecast_asked_quantity(f, i);
 	struct figure at = forecast_value_with_band(f, i);
 	return (struct figure){quantities_value_in_shown_unit(q, at.value),
 	    quantities_value_in_shown_unit(q, at.low),
 	    quantities_value_in_shown_unit(q, at.high)};
-}
-
-double
-forecast_value_of_model_alone(struct forecast *f, size_t i)
-{
-	return response_value_of_model(f->response, i);
-}
-
-const double *
-forecast_draws(const struct forecast *f, size_t i)
-{
-	return response_draws_of_quantity(f->response, i);
-}
-
-double
-forecast_excess_over_limit(struct forecast *f, size_t i, double limit)
-{
-	return response_excess_over_limit(f->response, i, limit);
-}
-
-void
-forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
-    double over[static POSTERIOR_DRAWS])
-{
-	response_excess_of_draws(f->response, i, limit, over);
-}
-
-struct figure
-forecast_difference(
-    const struct forecast *one, const struct forecast *two, size_t i)
-{
-	double more[POSTERIOR_DRAWS];
-	const double *a = forecast_draws(one, i), *b = forecast_draws(two, i);
-	double range[2] = {NAN, NAN};
-	for (size_t d = 0; d < POSTERIOR_DRAWS && a != NULL && b != NULL; d++)
-		more[d] = b[d] - a[d];
-	if (a != NULL && b != NULL)
-		ensemble_interval_around_answer(more, one->level, NAN, range);
-	return (struct figure){response_value_of_quantity(two->response, i) -
-				   response_value_of_quantity(one->response, i),
-	    range[0], range[1]};
 }
 
 struct prediction
@@ -143,8 +81,8 @@ forecast_product(
 {
 	struct forecast *f = forecast_open_table(s, q);
 	forecast_set_speed(f, speed);
-	struct prediction p = predict_table(
-	    q->entry->site, q->feed, &q->fraction, f->response, f->level);
+	struct prediction p =
+	    predict_table(q->entry->site, q->feed, &q->fraction, f);
 	forecast_close(f);
 	return p;
 }

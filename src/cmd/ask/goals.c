@@ -139,26 +139,14 @@ goals_is_search_done(const struct session *s, const struct goal *g)
 	       g->found->done == g->found->n;
 }
 
-/* Finds the speeds at which the single value is met, and the end of the search
- * that misses it least. */
+/* Finds the speeds at which the single value is met within the ranges. */
 static void
-find_speeds_that_meet_goal(struct goal *g, const struct wanted *w)
+find_speeds_that_meet_goal(struct goal *g)
 {
-	double least = INFINITY;
 	g->met = xcalloc(g->found->n_root + 1, sizeof *g->met);
 	for (size_t k = 0; k < g->found->n_root; k++)
 		if (g->found->root[k].holds)
 			g->met[g->n_met++] = g->found->root[k].speed;
-	for (size_t k = 0; k < 2; k++) {
-		double v = k == 0 ? w->from : w->to;
-		forecast_set_speed(w->forecast, v);
-		double miss = fabs(forecast_excess_over_limit(
-		    w->forecast, w->n, w->target->least));
-		if (!(miss >= least)) {
-			least = miss;
-			g->nearest = v;
-		}
-	}
 }
 
 /* Returns a speed at which the binding limit shows: an end of the window
@@ -230,7 +218,6 @@ begin_goal_search(
 	struct error error = {0};
 	goals_discard_results(g);
 	g->feed = feed;
-	g->nearest = NAN;
 	if (!goals_parse(s, s->set.goal, site_feed_of_run(site, feed), &g->list,
 		&g->n_value, &error))
 		g->why = xstrdup(error.text);
@@ -266,7 +253,7 @@ goals_step_search(
 	for (int k = 0; k < PART && !done; k++)
 		done = speed_search_step(g->found, &w);
 	if (done && g->n_value > 0)
-		find_speeds_that_meet_goal(g, &w);
+		find_speeds_that_meet_goal(g);
 	if (done)
 		find_binding_condition(s, entry, g, w);
 	forecast_close(w.forecast);
@@ -279,9 +266,13 @@ goals_best_speed(const struct session *s, const struct goal *g, double speed)
 		return NAN;
 	if (g->n_value == 0)
 		return g->found->best;
-	if (g->n_met == 0)
-		return g->list.n > 1 ? g->found->best : g->nearest;
-	size_t near = 0;
+	size_t near = 0, last = g->found->n - 1;
+	const double *over = g->found->over;
+	if (g->n_met == 0 && g->list.n > 1)
+		return g->found->best;
+	if (g->n_met == 0) /* the end of the search that misses it least */
+		return g->found
+		    ->speed[fabs(over[last]) >= fabs(over[0]) ? 0 : last];
 	for (size_t i = 1; i < g->n_met; i++)
 		if (fabs(g->met[i] - speed) < fabs(g->met[near] - speed))
 			near = i;

@@ -11,9 +11,9 @@
  * single value as its target; NULL if not begun or prevented.
  *
  * Set by the search: met [n_met] are the speeds that give the single value
- * within the ranges; nearest is the speed that comes closest to it; missed says
- * what stands in the way if no speed meets the goal, or is NULL; binds is the
- * condition that limits the window or, without a window, is missed most. */
+ * within the ranges; missed says what stands in the way if no speed meets the
+ * goal, or is NULL; binds is the condition that limits the window or, without a
+ * window, is missed most. */
 struct goal {
 	struct condition_list list;
 	size_t n_value;
@@ -21,7 +21,7 @@ struct goal {
 	size_t feed, binds;
 	struct speed_search *found;
 	size_t n_met;
-	double *met, nearest;
+	double *met;
 };
 
 /* True if a goal is set. */

@@ -341,15 +341,17 @@ band_why_none(const struct session *s, const struct entry *entry)
 			"settings");
 }
 
-const char *
-band_how_to_get(const struct session *s, const struct entry *entry)
+bool
+band_error_none(
+    const struct session *s, const struct entry *entry, struct error *error)
 {
 	bool off = correction_in_use(s, entry) == CORRECTION_OFF;
-	return origin_source_fit(entry) == NULL ? tr("run 'calibrate' first")
-	       : off && s->set.correction != CORRECTION_OFF
-		   ? tr("leave out correction=off")
-	       : off ? tr("write: set correction all")
-		     : tr("'set' shows the settings");
+	return error_set(error, ERROR_USAGE, "%s\n%s", band_why_none(s, entry),
+	    origin_source_fit(entry) == NULL ? tr("run 'calibrate' first")
+	    : off && s->set.correction != CORRECTION_OFF
+		? tr("leave out correction=off")
+	    : off ? tr("write: set correction all")
+		  : tr("'set' shows the settings"));
 }
 
 /* True if more runs inform the answers than the draws can use. */

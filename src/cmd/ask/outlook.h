@@ -86,8 +86,10 @@ struct crusher *crusher_new_for_answers(const struct session *s,
  * band. */
 const char *band_why_none(const struct session *s, const struct entry *entry);
 
-/* Returns what to do for answers with a band, as a hint. */
-const char *band_how_to_get(const struct session *s, const struct entry *entry);
+/* Sets the error that there is no band, and what to do for one.  Returns
+ * false. */
+bool band_error_none(
+    const struct session *s, const struct entry *entry, struct error *error);
 
 /* Returns which runs inform the answer, in words for a heading or a title:
  * "model corrected by all measured runs", "model corrected by the training

@@ -208,16 +208,6 @@ parse_sieves_option(
 	return ok;
 }
 
-/* If feed= or the setting is a speed, takes the feed sampled at it. */
-static bool
-choose_feed_by_speed(const struct session *s, const struct args *args,
-    struct question *q, struct error *error)
-{
-	struct value feed = feed_option_or_setting(s, args);
-	return !(feed.number > 0) || feed_find_run_at_speed(q->entry->site,
-					 feed.number, &q->feed, error);
-}
-
 /* Reads cut= and the screens; cut=off is the whole product.  With an envelope,
  * screens may be described without cut=: its fraction is meant. */
 static bool
@@ -238,12 +228,15 @@ static bool
 read_question_without_files(const struct session *s, const struct args *args,
     struct question *q, struct error *error)
 {
+	struct value feed = feed_option_or_setting(s, args);
 	apply_scenario(s, q);
 	if (args_is_given(args, &args->speeds)) {
 		q->n_at = args->speeds.n;
 		q->at = args->speeds.at;
 	}
-	return choose_feed_by_speed(s, args, q, error) &&
+	bool speed = feed.number > 0; /* at which the feed was sampled */
+	return (!speed || feed_find_run_at_speed(
+			      q->entry->site, feed.number, &q->feed, error)) &&
 	       parse_fraction_options(s, args, q, error);
 }
 
@@ -327,17 +320,6 @@ read_feed_set_by_user(struct session *s)
 		   : NULL;
 }
 
-static void
-make_question_of_feed_setting(struct session *s, const struct blended *feed)
-{
-	const struct scenario scenario = {
-	    .feed = feed, .correction = s->set.correction};
-	struct site_with_feed *a = s->site_with_feed = xcalloc(1, sizeof *a);
-	a->of = entry_copy(session_current_entry(s));
-	a->text = xstrdup(feed->text);
-	question_from_scenario(s, &a->of, &scenario, &a->q);
-}
-
 const struct entry *
 question_site_with_feed_setting(struct session *s)
 {
@@ -345,16 +327,21 @@ question_site_with_feed_setting(struct session *s)
 	    s->n_entry > 0 ? session_current_entry(s) : NULL;
 	const struct blended *feed =
 	    loaded != NULL ? read_feed_set_by_user(s) : NULL;
-	const struct site_with_feed *was = s->site_with_feed;
+	struct site_with_feed *a = s->site_with_feed;
 	if (feed == NULL)
 		return loaded;
-	if (was == NULL || strcmp(was->text, feed->text) != 0 ||
-	    was->of.history != loaded->history ||
-	    !entries_are_equal(&was->of, loaded)) {
+	if (a == NULL || strcmp(a->text, feed->text) != 0 ||
+	    a->of.history != loaded->history ||
+	    !entries_are_equal(&a->of, loaded)) {
+		const struct scenario scenario = {
+		    .feed = feed, .correction = s->set.correction};
 		question_free_cached(s);
-		make_question_of_feed_setting(s, feed);
+		s->site_with_feed = a = xcalloc(1, sizeof *a);
+		a->of = entry_copy(loaded);
+		a->text = xstrdup(feed->text);
+		question_from_scenario(s, &a->of, &scenario, &a->q);
 	}
-	struct question *q = &s->site_with_feed->q;
+	struct question *q = &a->q;
 	q->scenario.own = loaded;
 	q->scenario.feed = feed;
 	q->scenario.rock = feed->rock;

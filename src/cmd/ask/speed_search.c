@@ -27,21 +27,30 @@ static const double NARROW = 1e-3;
 /* Shares of the draws that differ by less may do so by chance. */
 static const double CHANCE = 0.02;
 
+/* Farther than any two speeds lie apart, m/s. */
+static const double FAR = 1e3;
+
 /* The certainty that is required of a slow speed, chosen for less energy and
  * wear. */
 static const double SAFE = 0.95;
 
 static const struct wanted_limit NONE = {SIZE_MAX, false};
+static const struct margin NO_LIMIT = {INFINITY, INFINITY, {SIZE_MAX, false}};
 
-/* What was computed at each speed [n]: margin [n][n_condition]; value of the
- * target's quantity and its excess over the target's value, in the answer
- * (over), in the draws and in the draws of one more sample. */
-struct speed_table {
-	size_t n_condition;
-	struct margin *margin;
-	double *over, *value;
-	double (*draw)[DRAWS], (*sample)[DRAWS];
-};
+void
+conditions_add(struct condition_list *list, struct condition condition)
+{
+	list->at = xrealloc(list->at, list->n + 1, sizeof *list->at);
+	list->at[list->n++] = condition;
+}
+
+void
+conditions_free(struct condition_list *list)
+{
+	free(list->at);
+	free(list->source);
+	*list = (struct condition_list){0};
+}
 
 struct wanted
 wanted_from_question(const struct session *s, const struct question *q,
@@ -53,10 +62,12 @@ wanted_from_question(const struct session *s, const struct question *q,
 		asked[i] = at[i].quantity;
 	for (size_t i = 0; i < n_more; i++)
 		asked[n + i] = more[i];
-	struct wanted w = {.site = q->entry->site,
+	struct wanted w = {.s = s,
+	    .entry = q->entry,
+	    .feed = q->feed,
+	    .level = q->level,
 	    .n = n,
 	    .at = at,
-	    .level = q->level,
 	    .forecast = forecast_open(s, q, asked, n + n_more)};
 	settings_default_speed_range(&s->set, q->entry->site, &w.from, &w.to);
 	bool known =
@@ -70,74 +81,14 @@ wanted_from_question(const struct session *s, const struct question *q,
 	return w;
 }
 
-/* One limit of condition i.  sign: 1 for a lower limit, -1 for an upper one,
- * so that sign times the excess over the limit is above 0 where it holds. */
-struct side {
-	size_t i;
-	double limit, sign;
-	bool tight; /* no value lies beyond the limit */
-};
-
-static double
-room_to_limit(const struct side *side, double over)
-{
-	if (isnan(over))
-		return -INFINITY;
-	over *= side->sign;
-	return side->tight && over >= -ROUNDS ? INFINITY : over;
-}
-
-/* Lists the limits of condition i and returns their number. */
-static size_t
-limits_of_condition(
-    const struct wanted *w, size_t i, struct side side[static 2])
-{
-	const struct condition *of = &w->at[i];
-	bool share = quantities_unit(&of->quantity)[0] == '%';
-	size_t n = 0;
-	if (!isnan(of->least))
-		side[n++] = (struct side){
-		    i, of->least, 1, share && of->least >= 1 - EXACT};
-	if (!isnan(of->most) && !(share && of->most >= 1))
-		side[n++] =
-		    (struct side){i, of->most, -1, share && of->most <= EXACT};
-	return n;
-}
-
-/* Returns the margin of a limit.  held [DRAWS], or NULL: set to false for each
- * draw in which it does not hold. */
-static struct margin
-limit_margin_and_draws(
-    const struct wanted *w, const struct side *side, bool *held)
-{
-	double over[DRAWS], low, high;
-	struct forecast *f = w->forecast;
-	struct margin m = {.limit = {side->i, side->sign < 0}};
-	m.passing = room_to_limit(
-	    side, forecast_excess_over_limit(f, side->i, side->limit));
-	m.widths = m.passing;
-	if (forecast_draws(f, side->i) == NULL)
-		return m;
-	forecast_excess_of_draws(f, side->i, side->limit, over);
-	for (size_t d = 0; d < DRAWS; d++) {
-		over[d] = room_to_limit(side, over[d]);
-		if (held != NULL)
-			held[d] = held[d] && over[d] >= -EXACT;
-	}
-	ensemble_middle_interval(over, w->level, &low, &high);
-	double width = isfinite(low) && isfinite(high) ? high - low : 0;
-	if (isfinite(m.passing))
-		m.widths = m.passing / fmax(width, NARROW);
-	return m;
-}
-
 /* Returns a number by which margins compare.  A limit that is missed ranks
  * below all that hold, by the points that it is missed by, because a wide band
  * does not make a miss smaller. */
 static double
 margin_rank(struct margin m)
 {
-	return m.passing < -EXACT ? m.passing : fmax(m.widths, 0);
+	double room = isnan(m.widths) ? m.passing : m.widths;
+	return m.passing < -EXACT ? m.passing : fmax(room, 0);
 }
 
 /* Returns the lesser of two margins, ignoring one without a limit. */
@@ -151,61 +102,75 @@ lesser_margin(struct margin least, struct margin m)
 	return least;
 }
 
-static struct margin
-condition_margin_and_draws(const struct wanted *w, size_t i, bool *held)
-{
-	struct side side[2];
-	struct margin least = {INFINITY, INFINITY, NONE};
-	size_t n = limits_of_condition(w, i, side);
-	for (size_t k = 0; k < n; k++)
-		least = lesser_margin(
-		    least, limit_margin_and_draws(w, &side[k], held));
-	return least;
-}
-
-struct margin
-condition_margin(const struct wanted *w, size_t i)
-{
-	struct margin least = {INFINITY, INFINITY, NONE};
-	if (i != SIZE_MAX)
-		return condition_margin_and_draws(w, i, NULL);
-	for (i = 0; i < w->n; i++)
-		least = lesser_margin(
-		    least, condition_margin_and_draws(w, i, NULL));
-	return least;
-}
-
-/* Does not compute draws, which are not needed for this. */
-bool
-conditions_are_met(const struct wanted *w, size_t i)
-{
-	struct side side[2];
-	size_t first = i == SIZE_MAX ? 0 : i,
-	       end = i == SIZE_MAX ? w->n : i + 1;
-	for (i = first; i < end; i++)
-		for (size_t k = 0, n = limits_of_condition(w, i, side); k < n;
-		     k++) {
-			const struct side *of = &side[k];
-			double over = forecast_excess_over_limit(
-			    w->forecast, of->i, of->limit);
-			if (!(room_to_limit(of, over) >= -EXACT))
-				return false;
-		}
-	return true;
-}
-
-/* Returns the share of draws in which all conditions hold, NAN for a model
- * alone. margin [w->n]: out, or NULL. */
+/* Returns how far a limit is kept, for a value that exceeds it by `over`.
+ * tight: no value lies beyond the limit. */
 static double
-share_of_draws_that_hold(const struct wanted *w, struct margin *margin)
+room_to_limit(double over, bool most, bool tight)
+{
+	if (isnan(over))
+		return -INFINITY;
+	over = most ? -over : over;
+	return tight && over >= -ROUNDS ? INFINITY : over;
+}
+
+/* Returns the margin of a limit, in the answer alone: NO_LIMIT if there is
+ * none, or one that no value can exceed. */
+static struct margin
+margin_in_answer(const struct wanted *w, struct wanted_limit of, bool *tight)
+{
+	const struct condition *c = &w->at[of.i];
+	double limit = of.most ? c->most : c->least;
+	bool share = quantities_unit(&c->quantity)[0] == '%';
+	if (isnan(limit) || (share && of.most && limit >= 1))
+		return NO_LIMIT;
+	*tight = share && (of.most ? limit <= EXACT : limit >= 1 - EXACT);
+	double room =
+	    room_to_limit(forecast_excess_over_limit(w->forecast, of.i, limit),
+		of.most, *tight);
+	return (struct margin){room, NAN, of};
+}
+
+/* As margin_in_answer, with the width of the band.  held [DRAWS]: set to false
+ * for each draw in which the limit does not hold. */
+static struct margin
+margin_in_draws(const struct wanted *w, struct wanted_limit of, bool *held)
+{
+	double over[DRAWS], low, high;
+	bool tight;
+	const struct condition *c = &w->at[of.i];
+	struct margin m = margin_in_answer(w, of, &tight);
+	if (m.limit.i == SIZE_MAX || forecast_draws(w->forecast, of.i) == NULL)
+		return m;
+	forecast_excess_of_draws(
+	    w->forecast, of.i, of.most ? c->most : c->least, over);
+	for (size_t d = 0; d < DRAWS; d++) {
+		over[d] = room_to_limit(over[d], of.most, tight);
+		held[d] = held[d] && over[d] >= -EXACT;
+	}
+	ensemble_middle_interval(over, w->level, &low, &high);
+	double width = isfinite(low) && isfinite(high) ? high - low : 0;
+	m.widths =
+	    isfinite(m.passing) ? m.passing / fmax(width, NARROW) : m.passing;
+	return m;
+}
+
+/* Returns the share of draws in which condition i, or for SIZE_MAX all, hold,
+ * NAN for a model alone.  margin [w->n + 1]: out, of each of these, and last
+ * the least. */
+static double
+evaluate_conditions(const struct wanted *w, size_t i, struct margin *margin)
 {
 	bool held[DRAWS];
 	size_t n = 0;
 	memset(held, true, sizeof held);
-	for (size_t i = 0; i < w->n; i++) {
-		struct margin m = condition_margin_and_draws(w, i, held);
-		if (margin != NULL)
-			margin[i] = m;
+	margin[w->n] = NO_LIMIT;
+	for (size_t k = 0; k < w->n; k++) {
+		if (i != SIZE_MAX && i != k)
+			continue;
+		struct wanted_limit low = {k, false}, high = {k, true};
+		margin[k] = lesser_margin(margin_in_draws(w, low, held),
+		    margin_in_draws(w, high, held));
+		margin[w->n] = lesser_margin(margin[w->n], margin[k]);
 	}
 	for (size_t d = 0; d < DRAWS; d++)
 		n += held[d];
@@ -213,10 +178,33 @@ share_of_draws_that_hold(const struct wanted *w, struct margin *margin)
 	return drawn ? (double)n / DRAWS : NAN;
 }
 
+struct margin
+condition_margin(const struct wanted *w, size_t i)
+{
+	FREED struct margin *margin = xcalloc(w->n + 1, sizeof *margin);
+	evaluate_conditions(w, i, margin);
+	return margin[w->n];
+}
+
 double
 conditions_probability(const struct wanted *w)
 {
-	return share_of_draws_that_hold(w, NULL);
+	FREED struct margin *margin = xcalloc(w->n + 1, sizeof *margin);
+	return evaluate_conditions(w, SIZE_MAX, margin);
+}
+
+/* Does not look at draws, which are not needed for this. */
+bool
+conditions_are_met(const struct wanted *w, size_t i)
+{
+	bool met = true, tight;
+	for (size_t k = 0; k < 2 * w->n; k++) {
+		struct wanted_limit of = {k / 2, k % 2 == 1};
+		if (i == SIZE_MAX || i == of.i)
+			met = met &&
+			      margin_in_answer(w, of, &tight).passing >= -EXACT;
+	}
+	return met;
 }
 
 /* Returns both ends of the range of speeds and the tenths between them,
@@ -241,21 +229,25 @@ struct speed_search *
 speed_search_new(const struct wanted *w)
 {
 	struct speed_search *s = xcalloc(1, sizeof *s);
-	struct speed_table *t = xcalloc(1, sizeof *t);
-	*s = (struct speed_search){.table = t, .found = NAN, .best = NAN};
-	s->range[0] = s->range[1] = s->cut[0] = s->cut[1] = NAN;
-	s->sure[0] = s->sure[1] = s->safe = s->best_certain = NAN;
-	s->low = s->high = NONE;
+	*s = (struct speed_search){.found = NAN,
+	    .best = NAN,
+	    .best_certain = NAN,
+	    .low = NONE,
+	    .high = NONE,
+	    .sure = {NAN, NAN},
+	    .safe = NAN,
+	    .range = {NAN, NAN},
+	    .cut = {NAN, NAN}};
 	s->speed = list_speeds_by_tenths(w, &s->n);
 	s->certain = xcalloc_doubles(s->n);
-	t->n_condition = w->n;
-	t->margin = xcalloc(s->n * (w->n + 1), sizeof *t->margin);
+	s->n_condition = w->n;
+	s->step_margin = xcalloc(s->n * (w->n + 1), sizeof *s->step_margin);
 	if (w->target == NULL)
 		return s;
-	t->over = xcalloc_doubles(s->n);
-	t->value = xcalloc_doubles(s->n);
-	t->draw = xcalloc(s->n, sizeof *t->draw);
-	t->sample = xcalloc(s->n, sizeof *t->sample);
+	s->over = xcalloc_doubles(s->n);
+	s->value = xcalloc_doubles(s->n);
+	s->draw = xcalloc(s->n, sizeof *s->draw);
+	s->sample = xcalloc(s->n, sizeof *s->sample);
 	return s;
 }
 
@@ -264,12 +256,11 @@ speed_search_free(struct speed_search *s)
 {
 	if (s == NULL)
 		return;
-	free(s->table->margin);
-	free(s->table->over);
-	free(s->table->value);
-	free(s->table->draw);
-	free(s->table->sample);
-	free(s->table);
+	free(s->step_margin);
+	free(s->over);
+	free(s->value);
+	free(s->draw);
+	free(s->sample);
 	free(s->speed);
 	free(s->certain);
 	free(s->inside);
@@ -278,70 +269,76 @@ speed_search_free(struct speed_search *s)
 	free(s);
 }
 
-/* Stores what concerns the target, at step k, whose speed is v. */
+/* Keeps what concerns the target at step k. */
 static void
-store_target_at_step(
-    struct speed_table *t, const struct wanted *w, size_t k, double v)
+keep_target_at_step(struct speed_search *s, const struct wanted *w, size_t k)
 {
-	const struct condition *c = w->target;
-	t->value[k] = forecast_value_with_band(w->forecast, w->n).value;
-	if (isnan(c->least))
+	double value = w->target->least;
+	s->value[k] = forecast_value_with_band(w->forecast, w->n).value;
+	if (isnan(value))
 		return;
-	t->over[k] = forecast_excess_over_limit(w->forecast, w->n, c->least);
+	s->over[k] = forecast_excess_over_limit(w->forecast, w->n, value);
 	if (forecast_draws(w->forecast, w->n) == NULL)
 		return;
-	forecast_excess_of_draws(w->forecast, w->n, c->least, t->draw[k]);
-	forecast_set_speed_and_draws(w->forecast, v, ENSEMBLE_SAMPLE);
-	forecast_excess_of_draws(w->forecast, w->n, c->least, t->sample[k]);
+	forecast_excess_of_draws(w->forecast, w->n, value, s->draw[k]);
+	forecast_set_speed_and_draws(w->forecast, s->speed[k], ENSEMBLE_SAMPLE);
+	forecast_excess_of_draws(w->forecast, w->n, value, s->sample[k]);
 }
 
-/* ---- what is read off the table */
+/* ---- what is read off the margins */
+
+/* Returns the margin of condition i at step k, or of all, which is the one
+ * after the last. */
+static const struct margin *
+margin_at_step(const struct speed_search *s, size_t k, size_t i)
+{
+	return &s->step_margin[k * (s->n_condition + 1) + i];
+}
 
 static const struct margin *
-margins_of_step(const struct speed_search *s, size_t k)
-{
-	return s->table->margin + k * s->table->n_condition;
-}
-
-static bool
-is_condition_met_at_step(const struct speed_search *s, size_t k, size_t i)
-{
-	return margins_of_step(s, k)[i].passing >= -EXACT;
-}
-
-static struct margin
 least_margin_at_step(const struct speed_search *s, size_t k)
 {
-	struct margin least = {INFINITY, INFINITY, NONE};
-	for (size_t i = 0; i < s->table->n_condition; i++)
-		least = lesser_margin(least, margins_of_step(s, k)[i]);
-	return least;
-}
-
-static bool
-are_conditions_met_at_step(const struct speed_search *s, size_t k)
-{
-	size_t i = 0, n = s->table->n_condition;
-	while (i < n && is_condition_met_at_step(s, k, i))
-		i++;
-	return i == n;
+	return margin_at_step(s, k, s->n_condition);
 }
 
 /* Returns the limit with the smallest margin at step k, or none for a step
  * beyond the ends. */
 static struct wanted_limit
-missed_limit_at_step(const struct speed_search *s, size_t k)
+nearest_limit_at_step(const struct speed_search *s, size_t k)
 {
-	return k < s->n ? least_margin_at_step(s, k).limit : NONE;
+	return k < s->n ? least_margin_at_step(s, k)->limit : NONE;
 }
 
+/* Returns whether condition i, or for n_condition all, holds at each step,
+ * [n].  The caller frees it. */
+static bool *
+mark_steps_that_meet(const struct speed_search *s, size_t i)
+{
+	bool *met = xcalloc(s->n, sizeof *met);
+	for (size_t k = 0; k < s->n; k++)
+		met[k] = margin_at_step(s, k, i)->passing >= -EXACT;
+	return met;
+}
+
+/* Finds the first and the last of the marked steps around step k. */
+static void
+find_marked_run(const bool *mark, size_t n, size_t k, size_t end[static 2])
+{
+	end[0] = end[1] = k;
+	while (end[0] > 0 && mark[end[0] - 1])
+		end[0]--;
+	while (end[1] + 1 < n && mark[end[1] + 1])
+		end[1]++;
+}
+
+/* below, above: the steps on either side. */
 static void
 add_speed_interval(
     struct speed_search *s, double from, double to, size_t below, size_t above)
 {
 	s->inside = xrealloc(s->inside, s->n_inside + 1, sizeof *s->inside);
 	s->inside[s->n_inside++] = (struct speed_range){from, to,
-	    missed_limit_at_step(s, below), missed_limit_at_step(s, above)};
+	    nearest_limit_at_step(s, below), nearest_limit_at_step(s, above)};
 }
 
 /* For a speed between steps k and k + 1, at neither of which all conditions
@@ -354,7 +351,7 @@ bisection_direction(
 	forecast_set_speed(w->forecast, v);
 	for (size_t i = 0; i < w->n; i++) {
 		struct margin m = condition_margin(w, i),
-			      at = margins_of_step(s, k)[i];
+			      at = *margin_at_step(s, k, i);
 		if (!(m.passing < -EXACT))
 			continue;
 		return at.passing < -EXACT && at.limit.most == m.limit.most ? -1
@@ -367,12 +364,13 @@ bisection_direction(
 static bool
 may_conditions_hold_between(const struct speed_search *s, size_t k)
 {
-	const struct margin *a = margins_of_step(s, k),
-			    *b = margins_of_step(s, k + 1);
-	for (size_t i = 0; i < s->table->n_condition; i++)
-		if (a[i].passing < -EXACT && b[i].passing < -EXACT &&
-		    a[i].limit.most == b[i].limit.most)
+	for (size_t i = 0; i < s->n_condition; i++) {
+		const struct margin *a = margin_at_step(s, k, i),
+				    *b = margin_at_step(s, k + 1, i);
+		if (a->passing < -EXACT && b->passing < -EXACT &&
+		    a->limit.most == b->limit.most)
 			return false;
+	}
 	return true;
 }
 
@@ -411,87 +409,82 @@ find_interval_between_steps(
 		    bisect_interval_end(s, w, k, b, s->speed[k + 1]), k, k + 1);
 }
 
+/* met [n]: whether all conditions hold. */
 static void
-find_speed_intervals(struct speed_search *s, const struct wanted *w)
+find_speed_intervals(
+    struct speed_search *s, const struct wanted *w, const bool *met)
 {
+	size_t run[2];
 	for (size_t k = 0; k < s->n; k++) {
-		size_t last = k;
-		if (!are_conditions_met_at_step(s, k)) {
-			if (k + 1 < s->n &&
-			    !are_conditions_met_at_step(s, k + 1) &&
-			    may_conditions_hold_between(s, k))
-				find_interval_between_steps(s, w, k);
-			continue;
+		if (met[k]) {
+			/* For k = 0, k - 1 wraps round to a step beyond the
+			 * last, which has no limit. */
+			find_marked_run(met, s->n, k, run);
+			add_speed_interval(s, s->speed[k], s->speed[run[1]],
+			    k - 1, run[1] + 1);
+			k = run[1];
+		} else if (k + 1 < s->n && !met[k + 1] &&
+			   may_conditions_hold_between(s, k)) {
+			find_interval_between_steps(s, w, k);
 		}
-		while (
-		    last + 1 < s->n && are_conditions_met_at_step(s, last + 1))
-			last++;
-		/* For k = 0, k - 1 wraps round to a step beyond the last, which
-		 * has no limit. */
-		add_speed_interval(
-		    s, s->speed[k], s->speed[last], k - 1, last + 1);
-		k = last;
 	}
+}
+
+/* Returns how far a speed lies beyond the measured ones, or 0. */
+static double
+distance_beyond_measured_speeds(const struct wanted *w, double v)
+{
+	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
 }
 
 static bool
 is_within_measured_speeds(const struct wanted *w, double v)
 {
-	return v >= w->measured[0] - EXACT && v <= w->measured[1] + EXACT;
+	return distance_beyond_measured_speeds(w, v) <= EXACT;
 }
 
-/* True if all conditions hold at some speed between the measured ones. */
-static bool
-is_met_within_measured_speeds(
-    const struct speed_search *s, const struct wanted *w)
+/* Returns which steps may be the best, [n]: if all conditions hold anywhere,
+ * those where they do; of these those between the measured speeds, if any;
+ * then those that are about as certain as the most certain.  The caller frees
+ * it. */
+static bool *
+mark_eligible_steps(
+    const struct speed_search *s, const struct wanted *w, const bool *met)
 {
+	bool *may = xcalloc(s->n, sizeof *may), measured = false;
+	double most = -INFINITY;
 	for (size_t k = 0; k < s->n; k++)
-		if (are_conditions_met_at_step(s, k) &&
-		    is_within_measured_speeds(w, s->speed[k]))
-			return true;
-	return false;
-}
-
-/* Which steps may be the best.  inside: only those at which all conditions
- * hold; measured: only those between the measured speeds; sure: the least
- * certainty. */
-struct eligible {
-	bool inside, measured;
-	double sure;
-};
-
-static bool
-may_be_best_step(const struct speed_search *s, const struct wanted *w, size_t k,
-    const struct eligible *e)
-{
-	return (!e->inside || are_conditions_met_at_step(s, k)) &&
-	       (!e->measured || is_within_measured_speeds(w, s->speed[k])) &&
-	       !(s->certain[k] < e->sure);
+		measured = measured || (met[k] && is_within_measured_speeds(
+						      w, s->speed[k]));
+	for (size_t k = 0; k < s->n; k++) {
+		may[k] =
+		    (s->n_inside == 0 || met[k]) &&
+		    (!measured || is_within_measured_speeds(w, s->speed[k]));
+		if (may[k] && s->n_inside > 0)
+			most = fmax(most, s->certain[k]);
+	}
+	for (size_t k = 0; k < s->n; k++)
+		may[k] = may[k] && !(s->certain[k] < most - CHANCE);
+	return may;
 }
 
 /* Returns the step with the largest margin, of equals the one nearest to the
  * middle; SIZE_MAX if the conditions hold only between two steps. */
 static size_t
-find_best_step(const struct speed_search *s, const struct wanted *w)
+find_best_step(
+    const struct speed_search *s, const struct wanted *w, const bool *met)
 {
-	struct eligible e = {
-	    s->n_inside > 0, is_met_within_measured_speeds(s, w), -INFINITY};
 	bool reaches = w->measured[0] < w->measured[1];
 	double middle = reaches ? (w->measured[0] + w->measured[1]) / 2
 				: (w->from + w->to) / 2;
-	double most = -INFINITY, largest = -INFINITY, off = INFINITY;
+	double largest = -INFINITY, off = INFINITY;
 	size_t best = SIZE_MAX;
-	for (size_t k = 0; k < s->n && e.inside; k++)
-		if (may_be_best_step(s, w, k, &e))
-			most = fmax(most, s->certain[k]);
-	e.sure = most - CHANCE;
+	FREED bool *may = mark_eligible_steps(s, w, met);
 	for (size_t k = 0; k < s->n; k++) {
-		double rank = margin_rank(least_margin_at_step(s, k));
+		double rank = margin_rank(*least_margin_at_step(s, k));
 		double from_middle = fabs(s->speed[k] - middle);
-		if (!may_be_best_step(s, w, k, &e))
-			continue;
 		bool alike = rank == largest || fabs(rank - largest) < EXACT;
-		if (alike ? from_middle >= off : rank < largest)
+		if (!may[k] || (alike ? from_middle >= off : rank < largest))
 			continue;
 		off = from_middle;
 		best = k;
@@ -501,9 +494,9 @@ find_best_step(const struct speed_search *s, const struct wanted *w)
 }
 
 static void
-find_best_speed(struct speed_search *s, const struct wanted *w)
+find_best_speed(struct speed_search *s, const struct wanted *w, const bool *met)
 {
-	size_t k = find_best_step(s, w);
+	size_t k = find_best_step(s, w, met);
 	if (k == SIZE_MAX) {
 		s->best = (s->inside[0].from + s->inside[0].to) / 2;
 		forecast_set_speed(w->forecast, s->best);
@@ -511,21 +504,28 @@ find_best_speed(struct speed_search *s, const struct wanted *w)
 		s->best_certain = conditions_probability(w);
 	} else {
 		s->best = s->speed[k];
-		s->margin = least_margin_at_step(s, k);
+		s->margin = *least_margin_at_step(s, k);
 		s->best_certain = s->certain[k];
-		s->low = missed_limit_at_step(s, k - 1);
-		s->high = missed_limit_at_step(s, k + 1);
+		s->low = nearest_limit_at_step(s, k - 1);
+		s->high = nearest_limit_at_step(s, k + 1);
 	}
 	const struct speed_range *in = speed_search_best_range(s);
 	if (in != NULL) {
 		s->low = in->low;
 		s->high = in->high;
 	}
-	s->alike = s->margin.passing < 0 && isfinite(s->margin.passing);
-	for (size_t i = 0; i < s->n && s->alike; i++)
-		s->alike =
-		    s->margin.passing - least_margin_at_step(s, i).passing <
+}
+
+/* True if each speed misses the conditions by as much as the best. */
+static bool
+are_all_speeds_alike(const struct speed_search *s)
+{
+	bool alike = s->margin.passing < 0 && isfinite(s->margin.passing);
+	for (size_t k = 0; k < s->n && alike; k++)
+		alike =
+		    s->margin.passing - least_margin_at_step(s, k)->passing <
 		    ROUNDS;
+	return alike;
 }
 
 /* Finds the interval around the best speed, or nearest to it, in which
@@ -534,57 +534,51 @@ static void
 find_interval_of_condition(
     const struct speed_search *s, size_t i, double ends[static 2])
 {
-	size_t near = SIZE_MAX;
+	FREED bool *met = mark_steps_that_meet(s, i);
+	size_t near = SIZE_MAX, run[2];
 	for (size_t k = 0; k < s->n; k++)
-		if (is_condition_met_at_step(s, k, i) &&
+		if (met[k] &&
 		    (near == SIZE_MAX || fabs(s->speed[k] - s->best) <
 					     fabs(s->speed[near] - s->best)))
 			near = k;
 	ends[0] = ends[1] = NAN;
 	if (near == SIZE_MAX)
 		return;
-	size_t low = near, high = near;
-	while (low > 0 && is_condition_met_at_step(s, low - 1, i))
-		low--;
-	while (high + 1 < s->n && is_condition_met_at_step(s, high + 1, i))
-		high++;
-	if (low > 0)
-		ends[0] = s->speed[low];
-	if (high + 1 < s->n)
-		ends[1] = s->speed[high];
+	find_marked_run(met, s->n, near, run);
+	if (run[0] > 0)
+		ends[0] = s->speed[run[0]];
+	if (run[1] + 1 < s->n)
+		ends[1] = s->speed[run[1]];
 }
 
 static void
 find_certain_interval(struct speed_search *s, double level)
 {
-	size_t at = SIZE_MAX, most = 0;
+	FREED bool *sure = xcalloc(s->n, sizeof *sure);
+	size_t at = 0, run[2];
 	for (size_t k = 0; k < s->n; k++) {
-		if (s->speed[k] == s->best && s->certain[k] >= level)
+		sure[k] = s->certain[k] >= level;
+		if (s->certain[k] > s->certain[at])
 			at = k;
-		if (s->certain[k] > s->certain[most])
-			most = k;
 	}
-	if (at == SIZE_MAX && s->certain[most] >= level)
-		at = most;
-	if (at == SIZE_MAX)
+	for (size_t k = 0; k < s->n; k++)
+		if (sure[k] && s->speed[k] == s->best)
+			at = k;
+	if (!sure[at])
 		return;
-	size_t low = at, high = at;
-	while (low > 0 && s->certain[low - 1] >= level)
-		low--;
-	while (high + 1 < s->n && s->certain[high + 1] >= level)
-		high++;
-	s->sure[0] = s->speed[low];
-	s->sure[1] = s->speed[high];
+	find_marked_run(sure, s->n, at, run);
+	s->sure[0] = s->speed[run[0]];
+	s->sure[1] = s->speed[run[1]];
 }
 
 static void
-find_slowest_safe_speed(struct speed_search *s, const struct wanted *w)
+find_slowest_safe_speed(
+    struct speed_search *s, const struct wanted *w, const bool *met)
 {
 	for (size_t k = s->n; k-- > 0;) {
 		if (s->speed[k] > s->best)
 			continue;
-		if (!is_within_measured_speeds(w, s->speed[k]) ||
-		    !are_conditions_met_at_step(s, k) ||
+		if (!is_within_measured_speeds(w, s->speed[k]) || !met[k] ||
 		    !(s->certain[k] >= SAFE))
 			return;
 		s->safe = s->speed[k];
@@ -592,13 +586,6 @@ find_slowest_safe_speed(struct speed_search *s, const struct wanted *w)
 }
 
 /* ---- the target's value */
-
-static double
-target_excess_at_speed(const struct wanted *w, double v)
-{
-	forecast_set_speed(w->forecast, v);
-	return forecast_excess_over_limit(w->forecast, w->n, w->target->least);
-}
 
 /* Returns the speed between a and b at which the target's excess, fa and fb
  * there, changes its sign: by secants, and by bisection where these gain
@@ -617,14 +604,12 @@ target_speed_between(
 		for (int half = 0; half < 2 && b - a > width / 2; half++) {
 			double v =
 			    half == 0 && at > a && at < b ? at : (a + b) / 2;
-			double f = target_excess_at_speed(w, v);
-			if ((f >= 0) == rises) {
-				b = v;
-				fb = f;
-			} else {
-				a = v;
-				fa = f;
-			}
+			forecast_set_speed(w->forecast, v);
+			double f = forecast_excess_over_limit(
+			    w->forecast, w->n, w->target->least);
+			bool beyond = (f >= 0) == rises;
+			*(beyond ? &b : &a) = v;
+			*(beyond ? &fb : &fa) = f;
 		}
 	}
 	return rises ? b : a;
@@ -642,7 +627,8 @@ add_target_speed(struct speed_search *s, const struct wanted *w, double v)
 static void
 find_target_speeds(struct speed_search *s, const struct wanted *w)
 {
-	const double *f = s->table->over, *v = s->speed;
+	const double *f = s->over, *v = s->speed;
+	double least = INFINITY;
 	if (f[0] == 0)
 		add_target_speed(s, w, v[0]);
 	for (size_t k = 1; k < s->n; k++)
@@ -650,29 +636,13 @@ find_target_speeds(struct speed_search *s, const struct wanted *w)
 			add_target_speed(s, w,
 			    target_speed_between(
 				w, v[k - 1], f[k - 1], v[k], f[k]));
-}
-
-/* Returns how far a speed lies beyond the measured ones, or 0. */
-static double
-distance_beyond_measured_speeds(const struct wanted *w, double v)
-{
-	return fmax(0, fmax(w->measured[0] - v, v - w->measured[1]));
-}
-
-static void
-choose_target_speed(struct speed_search *s, const struct wanted *w)
-{
-	const struct speed_root *best = NULL;
 	for (size_t i = 0; i < s->n_root; i++) {
-		const struct speed_root *r = &s->root[i];
-		bool better =
-		    best == NULL || r->holds > best->holds ||
-		    (r->holds == best->holds &&
-			distance_beyond_measured_speeds(w, r->speed) <
-			    distance_beyond_measured_speeds(w, best->speed));
-		best = better ? r : best;
+		double at = s->root[i].speed;
+		double off = distance_beyond_measured_speeds(w, at) +
+			     (s->root[i].holds ? 0 : FAR);
+		s->found = off < least ? at : s->found;
+		least = fmin(least, off);
 	}
-	s->found = best != NULL ? best->speed : NAN;
 }
 
 /* Returns the speed nearest to v at which sign times draw d of a table rises
@@ -681,9 +651,7 @@ static double
 target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
     double sign, double v)
 {
-	double nearest = NAN;
-	if (f[0][d] == 0)
-		nearest = s->speed[0];
+	double nearest = f[0][d] == 0 ? s->speed[0] : NAN;
 	for (size_t k = 1; k < s->n; k++) {
 		double a = sign * f[k - 1][d], b = sign * f[k][d];
 		if (!(a < 0 && b >= 0))
@@ -701,37 +669,37 @@ target_speed_of_draw(const struct speed_search *s, double (*f)[DRAWS], size_t d,
 static void
 find_target_speed_bands(struct speed_search *s, const struct wanted *w)
 {
-	struct speed_table *t = s->table;
 	double about = isnan(s->found) ? (w->from + w->to) / 2 : s->found;
-	double speed[DRAWS];
+	double speed[DRAWS], sample[DRAWS];
 	size_t k = 1;
 	if (forecast_draws(w->forecast, w->n) == NULL)
 		return;
 	while (k + 1 < s->n && s->speed[k] < about)
 		k++;
-	double sign = t->over[k] < t->over[k - 1] ? -1 : 1;
-	for (size_t d = 0; d < DRAWS; d++)
-		speed[d] = target_speed_of_draw(s, t->draw, d, sign, about);
+	double sign = s->over[k] < s->over[k - 1] ? -1 : 1;
+	for (size_t d = 0; d < DRAWS; d++) {
+		speed[d] = target_speed_of_draw(s, s->draw, d, sign, about);
+		sample[d] = target_speed_of_draw(s, s->sample, d, sign, about);
+	}
 	ensemble_middle_interval(speed, w->level, &s->range[0], &s->range[1]);
-	for (size_t d = 0; d < DRAWS; d++)
-		speed[d] = target_speed_of_draw(s, t->sample, d, sign, about);
-	ensemble_middle_interval(speed, w->level, &s->cut[0], &s->cut[1]);
+	ensemble_middle_interval(sample, w->level, &s->cut[0], &s->cut[1]);
 }
 
 static void
 finish_speed_search(struct speed_search *s, const struct wanted *w)
 {
-	find_speed_intervals(s, w);
-	find_best_speed(s, w);
+	FREED bool *met = mark_steps_that_meet(s, w->n);
+	find_speed_intervals(s, w, met);
+	find_best_speed(s, w, met);
+	s->alike = are_all_speeds_alike(s);
 	find_certain_interval(s, w->level);
-	find_slowest_safe_speed(s, w);
+	find_slowest_safe_speed(s, w, met);
 	s->alone = xcalloc(w->n + 1, sizeof *s->alone);
 	for (size_t i = 0; i < w->n; i++)
 		find_interval_of_condition(s, i, s->alone[i]);
 	if (w->target == NULL || isnan(w->target->least))
 		return;
 	find_target_speeds(s, w);
-	choose_target_speed(s, w);
 	find_target_speed_bands(s, w);
 }
 
@@ -743,9 +711,9 @@ speed_search_step(struct speed_search *s, const struct wanted *w)
 		return true;
 	forecast_set_speed(w->forecast, s->speed[k]);
 	s->certain[k] =
-	    share_of_draws_that_hold(w, s->table->margin + k * w->n);
+	    evaluate_conditions(w, SIZE_MAX, s->step_margin + k * (w->n + 1));
 	if (w->target != NULL)
-		store_target_at_step(s->table, w, k, s->speed[k]);
+		keep_target_at_step(s, w, k);
 	if (++s->done < s->n)
 		return false;
 	finish_speed_search(s, w);
@@ -776,9 +744,9 @@ speed_search_speed_of_extreme(
 {
 	double best = NAN, speed = NAN;
 	for (size_t k = 0; k < s->n; k++) {
-		double value = s->table->value[k], v = s->speed[k];
+		double value = s->value[k], v = s->speed[k];
 		bool in = sure ? v >= s->sure[0] && v <= s->sure[1]
-			       : are_conditions_met_at_step(s, k);
+			       : least_margin_at_step(s, k)->passing >= -EXACT;
 		bool better =
 		    isnan(best) || (most ? value > best : value < best);
 		if (!in || isnan(value) || !better)

@@ -14,16 +14,27 @@ struct condition {
 	double least, most;
 };
 
+/* A list that grows.  source: the envelope from which limits in the list come,
+ * and what in it is not checked, or NULL. */
+struct condition_list {
+	size_t n;
+	struct condition *at;
+	char *source;
+};
+void conditions_add(struct condition_list *list, struct condition condition);
+void conditions_free(struct condition_list *list);
+
 /* Condition i concerns quantity i of the forecast; the target, or NULL,
  * concerns the next quantity: it is a value (both limits) to reach, or has no
- * limits if the largest or smallest value is sought.  from, to: range of
- * speeds, m/s; measured: the slowest and fastest of those that inform the
- * answer; reach: how far beyond them an answer can be relied on
- * (trust_reach_beyond_speeds), INFINITY if they are not known; level: of bands;
- * site: the one asked about. Unless stated otherwise, functions move the
- * forecast to other speeds. */
+ * limits if the largest or smallest value is sought.  entry, feed, level: of
+ * the question.  from, to: range of speeds, m/s; measured: the slowest and
+ * fastest of those that inform the answer; reach: how far beyond them an answer
+ * can be relied on (trust_reach_beyond_speeds), INFINITY if they are not known.
+ * Unless stated otherwise, functions move the forecast to other speeds. */
 struct wanted {
-	const struct site *site;
+	const struct session *s;
+	const struct entry *entry;
+	size_t feed;
 	struct forecast *forecast;
 	size_t n;
 	const struct condition *at, *target;
@@ -45,8 +56,8 @@ struct wanted_limit {
 
 /* The distance from a limit, negative if missed: as a passing 0..1
  * (quantity_excess_as_passing), and in widths of the band there, so that limits
- * on different sieves can be compared (D21) while they hold; for a model alone,
- * both are the passing.  A limit that leaves no room (at least 100 %, at most 0
+ * on different sieves can be compared (D21) while they hold, NAN for a model
+ * alone.  A limit that leaves no room (at least 100 %, at most 0
  * %) must hold but is never close: INFINITY. */
 struct margin {
 	double passing, widths;
@@ -86,7 +97,12 @@ struct speed_root {
  * speeds, preferably one at which the conditions hold; NAN: none.
  * range: the middle `level` of the speeds at which the draws give the value;
  * cut: the same for the product that a belt cut would show.  0 and INFINITY:
- * below and above the search; NAN for a model alone. */
+ * below and above the search; NAN for a model alone.
+ *
+ * For the search itself, at each speed: step_margin [n][n_condition + 1]: of
+ * each condition, then of all; value of the target's quantity and its excess
+ * over the target's value, in the answer (over), in the draws and in the draws
+ * of one more sample. */
 struct speed_search {
 	size_t n, done;
 	double *speed, *certain;
@@ -101,7 +117,10 @@ struct speed_search {
 	size_t n_root;
 	struct speed_root *root;
 	double found, range[2], cut[2];
-	struct speed_table *table;
+	size_t n_condition;
+	struct margin *step_margin;
+	double *over, *value, (*draw)[POSTERIOR_DRAWS],
+	    (*sample)[POSTERIOR_DRAWS];
 };
 
 /* speed_search_step searches one more speed and returns true when the search is

@@ -177,7 +177,7 @@ add_limit_lines(struct chart *chart, const struct drawn *d, size_t i)
 		if (!quantity_is_same(&c->quantity, &d->q[i]) || isnan(limit))
 			continue;
 		FREED char *words = conditions_limit_text(
-		    &d->limits, (struct wanted_limit){k / 2, k % 2 == 1});
+		    d->limits.at, (struct wanted_limit){k / 2, k % 2 == 1});
 		double y = quantities_value_in_shown_unit(&c->quantity, limit);
 		chart_add_points(chart, look, 2, (double[]){d->from, d->to},
 		    (double[]){y, y}, words);

@@ -121,18 +121,6 @@ crusher_set_feed(
 	c->whole = open_feed_products(c, feed, known, c->n_sieve);
 }
 
-/* Copies the products of a class from an ensemble, which has a row for each
- * size, to rows for each draw. */
-static void
-copy_products_of_class(struct transfer *t, size_t class, const double *P)
-{
-	for (size_t d = 0; d < t->draws; d++) {
-		double *row = t->passing + (d * (t->n - 1) + class) * t->n;
-		for (size_t i = 0; i < t->n; i++)
-			row[i] = P[i * DRAWS + d];
-	}
-}
-
 /* Masses to passings, from the finest class on: below [n], which may be the
  * masses.  Returns all of the mass. */
 static double
@@ -205,8 +193,12 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 		}
 		struct ensemble *draws = c->class[i].draws;
 		ensemble_set_speed_as_drawn(draws, v);
-		copy_products_of_class(
-		    t, i, ensemble_products(draws, ENSEMBLE_MODEL));
+		/* A row for each size, there; here one for each draw. */
+		const double *P = ensemble_products(draws, ENSEMBLE_MODEL);
+		for (size_t d = 0; d < DRAWS; d++)
+			for (size_t k = 0; k < n; k++)
+				t->passing[(d * (n - 1) + i) * n + k] =
+				    P[k * DRAWS + d];
 	}
 	if (c->posterior != NULL && n > 1) {
 		t->delta = xcalloc_doubles(DRAWS * n);

@@ -30,31 +30,22 @@ has_same_parameters(
 	       model_settings_are_same(&a->settings, &b->settings);
 }
 
-/* Returns how far the top size of m is from the wanted one. */
+/* Returns how far a material is from the wanted one, by the logarithms of their
+ * top sizes.  One of another rock is farther than all of the same, and of these
+ * one without a top size farther than those that have one. */
 static double
-top_size_distance(
+distance_from_wanted(
     const struct guess_material *m, const struct guess_material *wanted)
 {
-	if (wanted->top_size <= 0)
-		return 0;
-	return m->top_size > 0 ? fabs(log(m->top_size / wanted->top_size))
-			       : INFINITY;
-}
-
-/* How well a material matches the wanted one: its rock, and the distance of its
- * top size. */
-struct nearness {
-	bool rock;
-	double size;
-};
-
-static bool
-is_nearer_material(const struct nearness *a, const struct nearness *b)
-{
-	if (a->rock != b->rock)
-		return a->rock;
-	/* 11.2 mm read twice may differ in the last bit. */
-	return a->size < b->size - 1e-9;
+	const double other_rock = 1000, unknown = 100;
+	bool same =
+	    m->rock[0] != '\0' && text_same_folded(m->rock, wanted->rock);
+	double far = same ? 0 : other_rock;
+	if (wanted->top_size > 0 && m->top_size > 0)
+		far += fabs(log(m->top_size / wanted->top_size));
+	else if (wanted->top_size > 0)
+		far += unknown;
+	return far;
 }
 
 size_t
@@ -64,19 +55,17 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 {
 	size_t picked = 0;
 	FREED bool *taken = xcalloc(n, sizeof *taken);
-	FREED struct nearness *near = xcalloc(n, sizeof *near);
+	FREED double *far = xcalloc_doubles(n);
+	/* 11.2 mm read twice may differ in the last bit. */
+	const double hair = 1e-9;
 	memcpy(taken, leave_out, n * sizeof *taken);
 	for (size_t i = 0; i < n; i++)
-		near[i] = (struct nearness){
-		    m[i].rock[0] != '\0' &&
-			text_same_folded(m[i].rock, wanted->rock),
-		    top_size_distance(&m[i], wanted)};
+		far[i] = distance_from_wanted(&m[i], wanted);
 	while (picked < most) {
 		size_t best = n;
 		for (size_t i = 0; i < n; i++)
 			if (!taken[i] &&
-			    (best == n ||
-				is_nearer_material(&near[i], &near[best])))
+			    (best == n || far[i] < far[best] - hair))
 				best = i;
 		if (best == n)
 			break;

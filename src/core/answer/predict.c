@@ -79,30 +79,29 @@ predict_table_quantities(const struct site *site, const struct psd *feed,
 }
 
 static void
-prediction_read_passings(struct prediction *p, struct response *r, double level)
+prediction_read_passings(struct prediction *p, struct forecast *f)
 {
-	bool band = response_draws_of_quantity(r, 0) != NULL;
+	bool band = forecast_draws(f, 0) != NULL;
 	p->model = xcalloc_doubles(p->product.n);
 	p->low = band ? xcalloc_doubles(p->product.n) : NULL;
 	p->high = band ? xcalloc_doubles(p->product.n) : NULL;
 	for (size_t i = 0; i < p->product.n; i++) {
-		double range[2];
-		p->product.passing[i] = response_value_of_quantity(r, i);
-		p->model[i] = response_value_of_model(r, i);
+		struct figure at = forecast_value_with_band(f, i);
+		p->product.passing[i] = at.value;
+		p->model[i] = forecast_value_of_model_alone(f, i);
 		if (!band)
 			continue;
-		response_band_of_quantity(r, i, level, range);
-		p->low[i] = range[0];
-		p->high[i] = range[1];
+		p->low[i] = at.low;
+		p->high[i] = at.high;
 	}
 }
 
 struct prediction
 predict_table(const struct site *site, size_t feed_run,
-    const struct fraction *fraction, struct response *r, double level)
+    const struct fraction *fraction, struct forecast *f)
 {
 	const struct psd *feed = site_feed_of_run(site, feed_run);
-	double speed = response_tip_speed(r);
+	double speed = forecast_tip_speed(f);
 	struct prediction p = {.speed = speed,
 	    .energy = specific_energy_at_speed(speed),
 	    .feed_run = feed_run,
@@ -111,25 +110,29 @@ predict_table(const struct site *site, size_t feed_run,
 	    .fraction = fraction_is_screened(fraction) ? *fraction
 						       : (struct fraction){0},
 	    .product = sieves_of_product_table(site, feed),
-	    .selected = response_share_selected(r),
-	    .no_daughters = !response_breaks_feed(r)};
+	    .selected = forecast_share_selected(f),
+	    .no_daughters = !forecast_breaks_feed(f)};
 	size_t n = p.product.n;
 	p.feed = psd_copy(&p.product);
 	for (size_t i = 0; i < n; i++)
 		p.feed.passing[i] = psd_passing(feed, p.feed.size[i]);
-	prediction_read_passings(&p, r, level);
-	for (size_t i = 0; i < PSD_SIZES; i++) {
-		p.size[i] = response_value_of_quantity(r, n + i);
-		response_band_of_quantity(r, n + i, level, p.range[i]);
+	prediction_read_passings(&p, f);
+	for (size_t i = 0; i <= PSD_SIZES; i++) {
+		struct figure x = i < PSD_SIZES
+				      ? forecast_value_with_band(f, n + i)
+				      : forecast_break_size(f);
+		p.size[i] = x.value;
+		p.range[i][0] = x.low;
+		p.range[i][1] = x.high;
 	}
-	p.break_size = response_break_size(r);
-	response_break_size_band(r, level, p.range[PSD_SIZES]);
 	if (fraction_is_screened(fraction)) {
-		p.share = response_value_of_quantity(r, n + PSD_SIZES);
-		response_band_of_quantity(
-		    r, n + PSD_SIZES, level, p.share_range);
+		struct figure share =
+		    forecast_value_with_band(f, n + PSD_SIZES);
+		p.share = share.value;
+		p.share_range[0] = share.low;
+		p.share_range[1] = share.high;
 	}
-	p.curve = response_screened_curve(r, n);
+	p.curve = forecast_screened_curve(f, n);
 	return p;
 }
 
@@ -143,11 +146,11 @@ predict_with_model_alone(const struct site *site, const struct params *p,
 	size_t n;
 	FREED struct quantity *asked =
 	    predict_table_quantities(site, feed, &whole, &n);
-	struct response *r =
-	    response_new(feed, sizes.size, sizes.n, asked, n, p, settings);
-	response_set_speed(r, NULL, ENSEMBLE_MODEL, speed);
-	struct prediction out = predict_table(site, feed_run, &whole, r, 0);
-	response_free(r);
+	struct forecast *f =
+	    forecast_new(feed, sizes.size, sizes.n, asked, n, p, settings, 0);
+	forecast_move(f, NULL, ENSEMBLE_MODEL, speed);
+	struct prediction out = predict_table(site, feed_run, &whole, f);
+	forecast_close(f);
 	psd_free(&sizes);
 	return out;
 }

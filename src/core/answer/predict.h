@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/answer/response.h"
+#include "core/answer/forecast.h"
 #include "core/model/params.h"
 #include "core/psd/screening.h"
 #include "core/psd/site.h"
@@ -51,12 +51,11 @@ struct psd predict_table_sizes(const struct site *site, const struct psd *feed);
 struct quantity *predict_table_quantities(const struct site *site,
     const struct psd *feed, const struct fraction *fraction, size_t *n);
 
-/* Returns the table of a response opened for predict_table_quantities, at its
- * speed, with the band of the middle `level` of the draws, if it has draws.
- * feed_run: the run whose feed is used, or SITE_MEAN_FEED, see
- * site_feed_of_run.  Free with prediction_free. */
+/* Returns the table of a forecast of predict_table_quantities, at its speed,
+ * with the band, if it has draws.  feed_run: the run whose feed is used, or
+ * SITE_MEAN_FEED, see site_feed_of_run.  Free with prediction_free. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
-    const struct fraction *fraction, struct response *r, double level);
+    const struct fraction *fraction, struct forecast *f);
 
 /* As predict_table, but for the model alone and the whole product.  Cannot
  * fail. */

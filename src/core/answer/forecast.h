@@ -1,0 +1,82 @@
+/* Quantities of the product of one feed, at any speed, with their bands.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef TIPSPEED_CORE_ANSWER_FORECAST_H
+#define TIPSPEED_CORE_ANSWER_FORECAST_H
+
+#include "core/posterior/ensemble.h"
+#include "core/psd/psd.h"
+#include "core/psd/quantity.h"
+
+/* A quantity of the answer with its band.  The value is NAN beyond the ends of
+ * the curve; low and high are NAN without a band. */
+struct figure {
+	double value, low, high;
+};
+
+/* Opaque. */
+struct forecast;
+
+/* size [n]: the sieves, m, coarsest first, see predict_table_sizes.  Between
+ * them, also at the sizes that the quantities asked [n_asked] need, the curve
+ * is interpolated linearly in log size (D20).  level: of bands, 0..1. */
+struct forecast *forecast_new(const struct psd *feed, const double *size,
+    size_t n, const struct quantity *asked, size_t n_asked,
+    const struct params *p, struct model_settings settings, double level);
+void forecast_close(struct forecast *f);
+
+/* Keep what the caller needs to find an ensemble, and return it, borrowed, or
+ * NULL.  It is freed with the forecast, by free. */
+void forecast_set_asker(struct forecast *f, void *asker);
+const void *forecast_asker(const struct forecast *f);
+
+/* Moves to tip speed v, m/s: for the model alone (e NULL), or with the draws of
+ * an ensemble of the same feed and sieves, borrowed until the next move.  of:
+ * the part of the ensemble from which draws and bands are read; values are
+ * always those of the answer. */
+void forecast_move(
+    struct forecast *f, struct ensemble *e, enum ensemble_part of, double v);
+
+/* Returns quantity i as it was asked; borrowed. */
+const struct quantity *forecast_asked_quantity(
+    const struct forecast *f, size_t i);
+
+/* Returns quantity i in its own unit, with the middle `level` of the draws,
+ * which for ENSEMBLE_ANSWER is widened to contain the value. */
+struct figure forecast_value_with_band(const struct forecast *f, size_t i);
+
+/* Returns quantity i of the model alone. */
+double forecast_value_of_model_alone(struct forecast *f, size_t i);
+
+double forecast_tip_speed(const struct forecast *f);
+
+/* Returns the break size, m (see params_break_size_by_impacts), and the band of
+ * the draws' break sizes. */
+struct figure forecast_break_size(const struct forecast *f);
+
+/* For predict_table and the model alone: return the share of the feed that is
+ * selected, and whether the product differs from the feed. */
+double forecast_share_selected(struct forecast *f);
+bool forecast_breaks_feed(struct forecast *f);
+
+/* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed,
+ * or NULL if the answer is the model alone or before the first move. */
+const double *forecast_draws(const struct forecast *f, size_t i);
+
+/* Compute how far quantity i is above a limit (quantity_excess_as_passing):
+ * forecast_excess_over_limit in the answer, forecast_excess_of_draws in each
+ * draw.  Call them before another forecast moves. */
+double forecast_excess_over_limit(struct forecast *f, size_t i, double limit);
+void forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
+    double over[static POSTERIOR_DRAWS]);
+
+/* Returns quantity i of the second forecast minus that of the first, each at
+ * its own speed.  Draws are paired if both are from one posterior, otherwise
+ * independent. */
+struct figure forecast_difference(
+    const struct forecast *one, const struct forecast *two, size_t i);
+
+/* Returns the answer's curve of the fraction of quantity i, at the sizes of the
+ * product's curve.  Free with psd_free. */
+struct psd forecast_screened_curve(struct forecast *f, size_t i);
+
+#endif
