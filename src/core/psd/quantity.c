@@ -128,8 +128,8 @@ quantity_excess_as_passing(const struct quantity *q, double limit, double value,
 bool
 quantity_excess_needs_curve(const struct quantity *q)
 {
-	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
-	       q->kind == QUANTITY_CURVATURE;
+	return q->kind != QUANTITY_PASSING && q->kind != QUANTITY_SHARE &&
+	       q->kind != QUANTITY_STEP && q->kind != QUANTITY_MODULUS;
 }
 
 size_t
