@@ -5,6 +5,7 @@
 #   status    their exit status, where it is not 0
 # `make renew` writes expected and status anew: look at the difference.
 #   SHARD=k SHARDS=n   the k-th, the k + n-th .. of them; all without
+#   CASE=NAME          that one alone
 # SPDX-License-Identifier: GPL-3.0-or-later
 . "${srcdir:-.}/tests/tap.sh"
 scratch
@@ -13,7 +14,7 @@ ln -s "$TIPSPEED" "$dir/bin/tipspeed"
 PATH=$dir/bin:$PATH
 cases=$(cd "$srcdir/tests/cases" && pwd)
 at=0
-for c in "$cases"/*/; do
+for c in "$cases"/${CASE:-*}/; do
 	at=$((at + 1))
 	[ $((at % ${SHARDS:-1})) -eq $((${SHARD:-0} % ${SHARDS:-1})) ] || continue
 	name=$(basename "$c")

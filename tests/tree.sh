@@ -207,6 +207,9 @@ grep -ohE '[a-z0-9]+(/[a-z_0-9-]+)+\.(c|h|md|sh|tip)\b' $guides | sort -u |
 	while read -r f; do
 		[ -e "$f" ] || [ -e "src/$f" ] || [ -e "doc/$f" ] || echo "$f"
 	done >>"$tmp"
+grep -ohE '[a-z]+\.patch\b' $guides | sort -u | while read -r f; do
+	[ -e "doc/recipes/$f" ] || echo "$f"
+done >>"$tmp"
 grep -rohIE '[A-Za-z]+(_[A-Za-z0-9]+)+' src tests tools bench data dem man Makefile.am \
 	configure.ac .ci | sort -u >"$tmp.words"
 grep -ohE '\b[a-z]+(_[a-z0-9]+)+\b' $guides | grep -vx minimize_crash | sort -u |

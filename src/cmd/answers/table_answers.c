@@ -266,11 +266,11 @@ const struct command TABLE_ANSWERS[] = {
 	    "divide the product of a new feed, in steady state. Fractions of "
 	    "recycle= return to the crusher: their tonnes are the circulating "
 	    "load. Power is an engineering estimate, idle + c Q v2, from "
-	    "readings of the motor, power=m/s:kW:t/h. With prices, best=on "
+	    "readings of the motor. With prices, best=on "
 	    "finds the speed that earns most and what it gains over speed=. "
 	    "circuit= takes screens, splits and stockpiles from a file, see "
-	    "tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the tonnes of "
-	    "the products against the speed, from=..to=.",
+	    "tipspeed-circuit(5). > FILE.svg, .png or .pdf draws the tonnes "
+	    "against the speed, from=..to=.",
 	.more = "Material coarser or finer than all fractions, or between "
 		"them, is also listed, and the error of the mass balance is "
 		"shown with the circulating load. In the formula for power, c "

@@ -14,15 +14,7 @@
 #include "io/sitefile/sieve_size.h"
 #include "io/sitefile/units.h"
 
-static bool
-error_expected_quantity(const char *text, struct error *error)
-{
-	return error_set(error, ERROR_USAGE,
-	    "expected a quantity, got '%s'\n"
-	    "write one of: passing 2, P80, D10, fm EN, cu, cc, fines, 0/2; and "
-	    "of a fraction: passing 0.5 of 0/4",
-	    text);
-}
+static bool error_expected_quantity(const char *text, struct error *error);
 
 /* Parses a size in mm, which "mm" may follow, or the name of a sieve. */
 static bool
@@ -123,30 +115,46 @@ expect_end_of_quantity(
 
 /* How each kind is written: for people, as a key, as typed, and with which
  * unit. %s: see quantity_argument_text.  word: how the typed quantity begins,
- * or NULL; read: parses the rest; NULL: the kind cannot be typed.  offers:
- * what completion of a goal offers. */
+ * or NULL; read: parses the rest; NULL: the kind cannot be typed.  examples:
+ * what may be typed, as errors name it; offers: what completion of a goal
+ * offers. */
 enum { OFFERS = 3 };
 static const struct {
 	const char *words, *key, *typed, *unit, *word;
 	bool (*read)(const char *text, const char *rest, struct quantity *q,
 	    struct error *error);
-	const char *offers[OFFERS];
+	const char *examples, *offers[OFFERS];
 } KINDS[] = {
     [QUANTITY_SIZE] = {"%s", "p%s", "p%s", " mm", NULL, parse_size_at_passing,
-	{"p80=", "p50=", "p20="}},
+	"P80, D10", {"p80=", "p50=", "p20="}},
     [QUANTITY_PASSING] = {N_("passing %s mm"), "passing_%s", "passing %s mm",
-	" %", "passing", parse_passing_quantity, {"passing ", "fines<"}},
+	" %", "passing", parse_passing_quantity, "passing 2, fines",
+	{"passing ", "fines<"}},
     [QUANTITY_SHARE] = {"%s", "share", "%s", " %", "share",
-	parse_fraction_bounds, {"0/2>="}},
+	parse_fraction_bounds, "0/2", {"0/2>="}},
     [QUANTITY_MODULUS] = {N_("fineness modulus (%s)"), "fm_%s", "fm %s", "",
-	"fm", parse_fineness_modulus, {"fm EN="}},
+	"fm", parse_fineness_modulus, "fm EN", {"fm EN="}},
     [QUANTITY_UNIFORMITY] = {N_("Cu (D60/D10)"), "cu", "cu", "", "cu",
-	expect_end_of_quantity, {"cu<"}},
+	expect_end_of_quantity, "cu", {"cu<"}},
     [QUANTITY_CURVATURE] = {N_("Cc (D30^2/(D60 D10))"), "cc", "cc", "", "cc",
-	expect_end_of_quantity, {"cc<"}},
+	expect_end_of_quantity, "cc", {"cc<"}},
     [QUANTITY_STEP] = {N_("between two sieves"), "step", "step", " %", NULL,
-	NULL, {NULL}},
+	NULL, NULL, {NULL}},
 };
+
+static bool
+error_expected_quantity(const char *text, struct error *error)
+{
+	FREED char *examples = xstrdup("");
+	for (size_t i = 0; i < ARRAY_LEN(KINDS); i++)
+		if (KINDS[i].examples != NULL)
+			xappend_to_list(
+			    &examples, ", ", "%s", KINDS[i].examples);
+	return error_set(error, ERROR_USAGE,
+	    "expected a quantity, got '%s'\n"
+	    "write one of: %s; and of a fraction: passing 0.5 of 0/4",
+	    text, examples);
+}
 
 const char *
 quantities_completion_offer(size_t n)
@@ -312,8 +320,8 @@ quantities_fraction_text(const struct fraction *fraction)
 
 enum form { FOR_PEOPLE, AS_KEY, AS_TYPED };
 
-/* Returns the size, percentage, fraction or standard of a quantity, which the
- * caller frees. */
+/* Returns the size, percentage, fraction or standard of a quantity, or "".  The
+ * caller frees it. */
 static char *
 quantity_argument_text(const struct quantity *q, enum form form)
 {
@@ -329,12 +337,9 @@ quantity_argument_text(const struct quantity *q, enum form form)
 	case QUANTITY_MODULUS:
 		return xstrdup(form == FOR_PEOPLE ? q->modulus->standard
 						  : q->modulus->name);
-	case QUANTITY_UNIFORMITY:
-	case QUANTITY_CURVATURE:
-	case QUANTITY_STEP:
-		break;
+	default:
+		return xstrdup("");
 	}
-	return xstrdup("");
 }
 
 /* Returns words of KINDS with the argument in place of %s.  The caller frees

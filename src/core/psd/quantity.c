@@ -50,11 +50,21 @@ int
 quantity_change_if_finer(const struct quantity *q)
 {
 	const struct fraction *f = &q->fraction;
-	if (q->kind == QUANTITY_SHARE)
+	bool whole = !fraction_is_screened(f);
+	switch (q->kind) {
+	case QUANTITY_SHARE:
 		return f->coarse > 0 && !(f->fine > 0);
-	if (fraction_is_screened(f))
-		return 0;
-	return q->kind == QUANTITY_PASSING ? 1 : -(q->kind == QUANTITY_SIZE);
+	case QUANTITY_PASSING:
+		return whole ? 1 : 0;
+	case QUANTITY_SIZE:
+		return whole ? -1 : 0;
+	case QUANTITY_MODULUS:
+	case QUANTITY_UNIFORMITY:
+	case QUANTITY_CURVATURE:
+	case QUANTITY_STEP:
+		break;
+	}
+	return 0;
 }
 
 bool
@@ -128,8 +138,18 @@ quantity_excess_as_passing(const struct quantity *q, double limit, double value,
 bool
 quantity_excess_needs_curve(const struct quantity *q)
 {
-	return q->kind == QUANTITY_SIZE || q->kind == QUANTITY_UNIFORMITY ||
-	       q->kind == QUANTITY_CURVATURE;
+	switch (q->kind) {
+	case QUANTITY_PASSING:
+	case QUANTITY_SHARE:
+	case QUANTITY_STEP:
+	case QUANTITY_MODULUS:
+		return false;
+	case QUANTITY_SIZE:
+	case QUANTITY_UNIFORMITY:
+	case QUANTITY_CURVATURE:
+		break;
+	}
+	return true;
 }
 
 size_t
