@@ -110,6 +110,7 @@ draw_and_ask(const struct site *site, const struct fit *fit,
 		.settings = fit->settings,
 		.bounds = o->bounds,
 		.seed = seed,
+		.speed_sd = POSTERIOR_USUAL_SPEED_SD,
 		.threads = 1,
 		.isa = ISA_BEST});
 	*seconds += measure_load().own - from.own;

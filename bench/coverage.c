@@ -33,6 +33,7 @@ struct score {
 struct task {
 	struct score *score;             /* [LAWS][plants][ASKED] */
 	size_t plants, law, first, runs; /* runs: 0: the law's */
+	double speed_sd;                 /* of the stated speeds, a share */
 	double *convergence, *seconds;
 };
 
@@ -61,9 +62,10 @@ line_at(const struct site *site, size_t i, double v)
 	return fmin(fmax(P, 0), 1);
 }
 
+/* Asks at v, where the rotor has true_v. */
 static void
 score_at(const struct plant *p, const struct site *site, const struct fit *fit,
-    struct ensemble *view, double v, struct score *score)
+    struct ensemble *view, double v, double true_v, struct score *score)
 {
 	enum { N = POSTERIOR_DRAWS };
 	const struct psd *feed = site_feed_of_run(site, SITE_MEAN_FEED);
@@ -79,7 +81,7 @@ score_at(const struct plant *p, const struct site *site, const struct fit *fit,
 	for (size_t i = 0; i < n; i++)
 		asked[i] = psd_passing(feed, p->sieve[i]);
 	for (size_t i = 0; i < n; i++) {
-		double P = plant_truth(p, asked, v, p->sieve[i]);
+		double P = plant_truth(p, asked, true_v, p->sieve[i]);
 		double *row = answer + i * N, mean = 0;
 		if (p->sieve[i] > 1.5 * p->top ||
 		    plant_feed(p, p->sieve[i], p->feed_n) >= 1)
@@ -145,7 +147,8 @@ one_plant(void *data, size_t piece, unsigned thread)
 	struct plant p = plant_of((enum law)task->law, number);
 	if (task->runs > 0)
 		plant_measure(&p, task->runs);
-	struct site *site = plant_site(&p, number);
+	struct site *site =
+	    plant_site_with_speed_errors(&p, number, task->speed_sd);
 	bool use[PLANT_RUNS];
 	(void)thread;
 	for (size_t r = 0; r < PLANT_RUNS; r++)
@@ -165,6 +168,7 @@ one_plant(void *data, size_t piece, unsigned thread)
 		.bounds = o.bounds,
 		.seed = number,
 		.threads = 1,
+		.speed_sd = POSTERIOR_USUAL_SPEED_SD,
 		.isa = ISA_BEST});
 	task->seconds[piece] = measure_now() - began;
 	task->convergence[piece] = posterior->drift;
@@ -174,7 +178,9 @@ one_plant(void *data, size_t piece, unsigned thread)
 	    site, use, use, &fit, &o.bounds, posterior, 0);
 	for (size_t a = 0; a < ASKED; a++) {
 		struct score *score = &task->score[piece * ASKED + a];
-		score_at(&p, site, &fit, view, ASKED_SPEED[a], score);
+		double error = plant_speed_error(number, PLANT_RUNS + a);
+		score_at(&p, site, &fit, view, ASKED_SPEED[a],
+		    ASKED_SPEED[a] * (1 + task->speed_sd * error), score);
 		score->light = light_at(&evidence, ASKED_SPEED[a], score);
 	}
 	ensemble_free(view);
@@ -205,6 +211,7 @@ leave_out(const struct site *site, size_t out)
 		.bounds = o.bounds,
 		.seed = 1,
 		.threads = 2,
+		.speed_sd = POSTERIOR_USUAL_SPEED_SD,
 		.isa = ISA_BEST});
 	struct ensemble *view =
 	    ensemble_new(posterior, &run->feed, run->product.size, n);
@@ -303,17 +310,13 @@ print_law(struct task *task, const struct score sum[static ASKED])
 
 /* Makes the plants of a law and prints its row; sum [ASKED]: adds to it. */
 static void
-try_law(size_t law, size_t plants, size_t first, size_t runs, struct pool *pool,
-    struct score *sum)
+try_law(struct task task, struct pool *pool, struct score *sum)
 {
-	struct task task = {.plants = plants,
-	    .first = first,
-	    .runs = runs,
-	    .law = law,
-	    .score = xcalloc(plants * ASKED, sizeof *task.score),
-	    .convergence = xcalloc_doubles(plants),
-	    .seconds = xcalloc_doubles(plants)};
+	size_t plants = task.plants;
 	struct score own[ASKED] = {{0}};
+	task.score = xcalloc(plants * ASKED, sizeof *task.score);
+	task.convergence = xcalloc_doubles(plants);
+	task.seconds = xcalloc_doubles(plants);
 	pool_run(pool, plants, one_plant, &task);
 	add_scores(&task, own);
 	add_scores(&task, sum);
@@ -356,27 +359,30 @@ leave_each_out(const char *path)
 	return 0;
 }
 
-/* coverage [PLANTS [LAWS [FIRST [RUNS]]]]: LAWS by letters, "ac" the first and
- * the third, from "o" on those that no prior was chosen on; FIRST the number of the first plant, 1; RUNS how many it is
- * measured at, evenly from 66 to 84 m/s.  coverage FILE: each run of a site
- * from the others. */
+/* coverage [PLANTS [LAWS [SPEED_SD [FIRST [RUNS]]]]]: LAWS by letters, "ac" the
+ * first and the third, from "o" on those that no prior was chosen on; SPEED_SD
+ * of the stated tip speeds, %, 0: they are exact; FIRST the number of the first
+ * plant, 1; RUNS how many it is measured at, evenly from 66 to 84 m/s.
+ * coverage FILE: each run of a site from the others. */
 int
 main(int argc, char **argv)
 {
 	if (argc > 1 && strchr(argv[1], '.') != NULL)
 		return leave_each_out(argv[1]);
-	size_t plants = argc > 1 ? (size_t)atoi(argv[1]) : 200;
-	size_t first = argc > 3 ? (size_t)atoi(argv[3]) : 1;
-	size_t runs = argc > 4 ? (size_t)atoi(argv[4]) : 0;
+	struct task task = {.plants = argc > 1 ? (size_t)atoi(argv[1]) : 200,
+	    .speed_sd =
+		argc > 3 ? atof(argv[3]) / 100 : POSTERIOR_USUAL_SPEED_SD,
+	    .first = argc > 4 ? (size_t)atoi(argv[4]) : 1,
+	    .runs = argc > 5 ? (size_t)atoi(argv[5]) : 0};
 	struct pool *pool = pool_new(measure_threads());
 	struct score sum[ASKED] = {{0}};
 	printf("%-32s%33s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",
 	    "90 % holds", "width", "answer", "model", "line", "drift",
 	    "green amber red, error of green");
-	for (size_t law = 0; law < ALL_LAWS; law++)
-		if (argc < 3 ? law < LAWS
-			     : strchr(argv[2], (int)('a' + law)) != NULL)
-			try_law(law, plants, first, runs, pool, sum);
+	for (task.law = 0; task.law < ALL_LAWS; task.law++)
+		if (argc < 3 ? task.law < LAWS
+			     : strchr(argv[2], (int)('a' + task.law)) != NULL)
+			try_law(task, pool, sum);
 	pool_free(pool);
 	return holds(sum) ? 0 : 1;
 }

@@ -365,3 +365,22 @@ plant_site(const struct plant *p, uint64_t number)
 	site_update_digest_and_mean_feed(site);
 	return site;
 }
+
+double
+plant_speed_error(uint64_t number, size_t k)
+{
+	return rng_normal(rng_make_key(number, 0, 93), (uint32_t)k);
+}
+
+struct site *
+plant_site_with_speed_errors(const struct plant *p, uint64_t number, double sd)
+{
+	struct plant runs = *p;
+	for (size_t r = 0; r < p->n_run; r++)
+		runs.speed[r] *= 1 + sd * plant_speed_error(number, r);
+	struct site *site = plant_site(&runs, number);
+	for (size_t r = 0; r < p->n_run; r++)
+		site->run[r].speed = p->speed[r];
+	site_update_digest_and_mean_feed(site);
+	return site;
+}

@@ -63,6 +63,14 @@ void plant_measure(struct plant *p, size_t n_run);
 /* Its sheet, with the errors of that number. */
 struct site *plant_site(const struct plant *p, uint64_t number);
 
+/* The same where the rotor had not the speeds that the sheet states, p's, but
+ * (1 + sd plant_speed_error) of each. */
+struct site *plant_site_with_speed_errors(
+    const struct plant *p, uint64_t number, double sd);
+
+/* Standard normal: of run k, or from PLANT_RUNS on of a speed asked about. */
+double plant_speed_error(uint64_t number, size_t k);
+
 /* The feed with exponent n, and the true product of it at tip speed v, at a
  * size s, m. */
 double plant_feed(const struct plant *p, double x, double n);

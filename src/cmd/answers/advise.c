@@ -186,24 +186,15 @@ warn_of_range_over_feeds(
 }
 
 static void
-note_best_sample_speed(struct answer *r, const struct session *s,
-    const struct advice_request *w, const struct sample_advice *best)
+note_best_sample_speed(struct answer *r, const struct advice_request *w,
+    const struct sample_advice *best)
 {
 	double width = w->width;
 	double level = 100 * w->question->level;
 	double less = 100 * (1 - best->width / width);
 	FREED char *rpm = rotor_speed_rpm_text(
 	    w->question->entry->site->rotor, best->speed, NAN);
-	if (w->exact_width < best->width)
-		answer_note(r,
-		    "no sample narrows the %.0f %% band of %s at %g m/s as "
-		    "much as tip speeds that are known better than to %g %% "
-		    "(speed_sd=): exact ones would narrow it from %.2g to "
-		    "%.2g%s, by %.0f %%",
-		    level, w->name, w->question->speed, s->set.speed_sd, width,
-		    w->exact_width, w->unit,
-		    100 * (1 - w->exact_width / width));
-	else if (less < 100 * ADVISE_WORTH)
+	if (less < 100 * ADVISE_WORTH)
 		answer_note(r,
 		    "no single sample narrows the %.0f %% band of %s at %g "
 		    "m/s (%.2g%s wide) by more than %.0f %%: take several",
@@ -222,6 +213,21 @@ note_best_sample_speed(struct answer *r, const struct session *s,
 		    best->width, w->unit, less);
 }
 
+/* Says what exact tip speeds would do, if that is more than the best sample
+ * does. */
+static void
+note_exact_speeds(struct answer *r, const struct session *s,
+    const struct advice_request *w, const struct sample_advice *best)
+{
+	if (w->exact_width < best->width)
+		answer_note(r,
+		    "tip speeds known better than to %g %% would narrow it "
+		    "more: exact ones to %.2g%s, by %.0f %%; 'set speed_sd' "
+		    "states how well they are known",
+		    s->set.speed_sd, w->exact_width, w->unit,
+		    100 * (1 - w->exact_width / w->width));
+}
+
 /* Returns the candidates, best first; *n: how many.  Returns NULL if there is
  * no band to narrow.  The caller frees them. */
 static struct sample_advice *
@@ -238,8 +244,7 @@ rank_candidate_speeds(
 
 bool
 advise_find_best_sample(const struct session *s, const struct question *q,
-    const struct quantity *of, struct sample_advice *best, double *width,
-    double *exact_width)
+    const struct quantity *of, struct sample_advice *best, double *width)
 {
 	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
@@ -250,7 +255,6 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 		return false;
 	*best = c[0];
 	*width = w.width;
-	*exact_width = w.exact_width;
 	return true;
 }
 
@@ -293,7 +297,8 @@ build_sampling_answer(const struct session *s, const struct advice_request *w)
 	fields_put_values(
 	    o, "best_mps %g best_width %g", c[0].speed, c[0].width);
 	answer_put_rows_as_objects(r, "samples");
-	note_best_sample_speed(r, s, w, &c[0]);
+	note_best_sample_speed(r, w, &c[0]);
+	note_exact_speeds(r, s, w, &c[0]);
 	warn_of_range_over_feeds(r, s, w);
 	return r;
 }

@@ -372,7 +372,7 @@ const struct command TABLE_ANSWERS[] = {
 	    {NUMBER(noise), "points", 0, 10, NULL, "0",
 		"known standard deviation of a single passing around 50 %; 0: "
 		"as the data show it"},
-	    {NUMBER(speed_sd), "%", 0, 5, NULL, "0",
+	    {NUMBER(speed_sd), "%", 0, 5, NULL, "0.5",
 		"standard deviation of stated tip speeds: slip, worn tips, "
 		"rounding; 0: exact"},
 	    {WHOLE(n), "", 1, 256, NULL, "200", "how many draws to write"}),
@@ -383,8 +383,8 @@ const struct command TABLE_ANSWERS[] = {
 	    "figures that are named, with the range in which the true value "
 	    "lies and the one in which a new belt cut is expected; if several "
 	    "runs have a feed sample, how far the product moves with the feed; "
-	    "what errors of the stated tip speeds move, by 0.5 % unless "
-	    "stated; and which further sample would help most, as 'advise' "
+	    "what errors of the stated tip speeds move; and which further "
+	    "sample would help most, as 'advise' "
 	    "finds it. detail=on shows half the width of the band sieve by "
 	    "sieve: of the model "
 	    "alone, which is what its parameters leave open; of the answer, "

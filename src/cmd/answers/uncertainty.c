@@ -260,30 +260,20 @@ note_effect_of_feeds(struct answer *r, const struct session *s,
 		fields_put_values(answer_fields(r), "feeds_move_pct %g", shown);
 }
 
-/* Notes which next sample would narrow the band of a figure most, or that
- * better known speeds would. */
+/* Notes which next sample would narrow the band of a figure most. */
 static void
 note_best_next_sample(struct answer *r, const struct session *s,
     const struct question *q, const struct quantity *of)
 {
 	struct sample_advice best;
-	double width, exact_width;
-	if (!advise_find_best_sample(s, q, of, &best, &width, &exact_width))
+	double width;
+	if (!advise_find_best_sample(s, q, of, &best, &width))
 		return;
 	double share = 1 - best.width / width;
 	FREED char *name = quantity_short_name(of);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, best.speed, NAN);
 	fields_put_values(answer_fields(r), "next_mps %g", best.speed);
-	if (exact_width < best.width) {
-		answer_note(r,
-		    "what would help %s at %.4g m/s most: tip speeds that are "
-		    "known better than to %g %% (speed_sd=); exact ones would "
-		    "narrow its band by %.0f %%",
-		    name, q->speed, s->set.speed_sd,
-		    100 * (1 - exact_width / width));
-		return;
-	}
 	answer_note(r,
 	    share < ADVISE_WORTH
 		? N_("what would help %s at %.4g m/s most: several samples, "
@@ -299,15 +289,14 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 }
 
-/* Notes what errors of the stated speeds move: those that are in the band or,
- * if none were stated, usual ones. */
+/* Notes what the errors of the stated speeds that are in the band move. */
 static void
 note_effect_of_speed_errors(struct answer *r, const struct session *s,
     const struct question *q, const struct posterior *p,
     const struct prediction *at)
 {
-	const double step = 0.005, usual = 0.005;
-	double sd = p->speed_sd > 0 ? p->speed_sd : usual;
+	const double step = 0.005;
+	double sd = p->speed_sd;
 	double times = ensemble_effect_of_speed_errors(p),
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
@@ -330,13 +319,8 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	if (!(most > 0 && isfinite(most)))
 		return;
 	answer_note(r,
-	    p->speed_sd > 0
-		? N_("in the band: tip speeds known to %g %% (speed_sd=) move "
-		     "what passes %g mm by +- %.2f points, and other sizes by "
-		     "less")
-		: N_("in addition to the band: tip speeds known to %g %% "
-		     "(speed_sd=) move what passes %g mm by +- %.2f points, "
-		     "and other sizes by less"),
+	    "in the band: tip speeds known to %g %% (speed_sd=) move what "
+	    "passes %g mm by +- %.2f points, and other sizes by less",
 	    100 * sd, units_mm(at->product.size[worst]), 100 * most);
 	fields_put_values(answer_fields(r),
 	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);
@@ -388,7 +372,8 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	add_hyperparameter_rows(r, s, p, detail);
 	note_two_rock_strengths(r, p, detail);
 	note_effect_of_feeds(r, s, q, &of, at->speed);
-	note_effect_of_speed_errors(r, s, q, p, at);
+	if (p->speed_sd > 0)
+		note_effect_of_speed_errors(r, s, q, p, at);
 	note_convergence_of_draws(
 	    r, p, evidence_on_calibration(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);

@@ -26,8 +26,8 @@ const struct command_option SETTINGS[] = {
     {SETTING("noise", noise, VALUE_NUMBER), "points", 0, 10, NULL, "0",
 	"known standard deviation of a passing near 50 %; 0: as the data show "
 	"it"},
-    {SETTING("speed_sd", speed_sd, VALUE_NUMBER), "%", 0, 5, NULL, "0",
-	"standard deviation of stated tip speeds"},
+    {SETTING("speed_sd", speed_sd, VALUE_NUMBER), "%", 0, 5, NULL, "0.5",
+	"standard deviation of stated tip speeds; 0: exact"},
     {SETTING("draw_seed", draw_seed, VALUE_WHOLE), "", 0, 999999, NULL, "1",
 	"seed of the draws of bands"},
     {SETTING("threads", threads, VALUE_WHOLE), "", 1, 64, NULL, "",
@@ -88,9 +88,9 @@ const struct command TABLE_MODEL[] = {
 	.text = "Write 'set method classes' or 'set method=classes'. classes "
 		"follows the paper exactly; continuous is its limit for fine "
 		"size classes.",
-	.more = "With speed_sd, the bands of all answers have the errors of "
-		"the stated tip speeds in them, of the runs and of the speed "
-		"asked about; otherwise these count as exact. The model is "
+	.more = "speed_sd says how well tip speeds are known, those of the "
+		"runs and the one asked about: the bands of all answers "
+		"include it; with 0, speeds count as exact. The model is "
 		"used for later calibrations; 'show models' lists "
 		"the models. continuous does not depend on the choice of "
 		"sieves. Choosing another model also sets its search bounds; "
