@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/driver.h"
 
-
 #include "base/xalloc.h"
 #include "cmd/fit/job.h"
 #include "cmd/run/line.h"

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/watch.h"
 
-
 #include "base/tr.h"
 #include "cmd/session/invocation.h"
 #include "cmd/fit/job.h"

@@ -289,7 +289,8 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 }
 
-/* Notes what the errors of the stated speeds that are in the band move. */
+/* Notes what the errors of the stated speeds that are in the band move, if any
+ * are. */
 static void
 note_effect_of_speed_errors(struct answer *r, const struct session *s,
     const struct question *q, const struct posterior *p,
@@ -301,6 +302,8 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
+	if (sd == 0)
+		return;
 	for (size_t k = 0; k < 2; k++)
 		to[k] = forecast_product(
 		    s, q, at->speed * (1 + (k == 0 ? -step : step)));
@@ -372,8 +375,7 @@ build_uncertainty_answer(const struct session *s, const struct question *q,
 	add_hyperparameter_rows(r, s, p, detail);
 	note_two_rock_strengths(r, p, detail);
 	note_effect_of_feeds(r, s, q, &of, at->speed);
-	if (p->speed_sd > 0)
-		note_effect_of_speed_errors(r, s, q, p, at);
+	note_effect_of_speed_errors(r, s, q, p, at);
 	note_convergence_of_draws(
 	    r, p, evidence_on_calibration(s, entry), detail);
 	note_best_next_sample(r, s, q, &of);

@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/plots.h"
 
-
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "cmd/ask/answers.h"

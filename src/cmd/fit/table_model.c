@@ -27,7 +27,7 @@ const struct command_option SETTINGS[] = {
 	"known standard deviation of a passing near 50 %; 0: as the data show "
 	"it"},
     {SETTING("speed_sd", speed_sd, VALUE_NUMBER), "%", 0, 5, NULL, "0.5",
-	"standard deviation of stated tip speeds; 0: exact"},
+	"standard deviation of tip speeds"},
     {SETTING("draw_seed", draw_seed, VALUE_WHOLE), "", 0, 999999, NULL, "1",
 	"seed of the draws of bands"},
     {SETTING("threads", threads, VALUE_WHOLE), "", 1, 64, NULL, "",

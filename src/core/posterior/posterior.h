@@ -13,8 +13,8 @@
 
 /* use [n_run]: the runs that inform the posterior; at least one has a product.
  * settings, bounds: of the fit.  stop may be NULL. */
-/* What tip speeds are known to where nobody states it: rounding, belt slip, worn
- * tips; a standard deviation, as a share. */
+/* What tip speeds are known to where nobody states it: rounding, belt slip,
+ * worn tips; a standard deviation, as a share. */
 #define POSTERIOR_USUAL_SPEED_SD 0.005
 
 struct posterior_options {

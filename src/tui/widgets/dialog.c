@@ -4,7 +4,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/widgets/dialog.h"
 
-
 #include <curses.h>
 
 #include "base/text.h"

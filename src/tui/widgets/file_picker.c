@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-
 #include "base/text.h"
 #include "base/tr.h"
 #include "base/xalloc.h"
