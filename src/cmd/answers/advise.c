@@ -244,7 +244,8 @@ rank_candidate_speeds(
 
 bool
 advise_find_best_sample(const struct session *s, const struct question *q,
-    const struct quantity *of, struct sample_advice *best, double *width)
+    const struct quantity *of, struct sample_advice *best, double *width,
+    double *exact_width)
 {
 	struct advice_request w = {.question = q, .q = *of};
 	size_t n;
@@ -255,6 +256,7 @@ advise_find_best_sample(const struct session *s, const struct question *q,
 		return false;
 	*best = c[0];
 	*width = w.width;
+	*exact_width = w.exact_width;
 	return true;
 }
 

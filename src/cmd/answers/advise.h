@@ -16,9 +16,11 @@ struct sample_advice {
 /* If no single sample narrows the band by this share, take several. */
 #define ADVISE_WORTH 0.05
 
-/* Finds the best sample for a quantity of a question at its speed, and the
- * current width of the band.  Returns false if there is no band. */
+/* Finds the best sample for a quantity of a question at its speed, the
+ * current width of the band, and its width if the tip speeds were exact.
+ * Returns false if there is no band. */
 bool advise_find_best_sample(const struct session *s, const struct question *q,
-    const struct quantity *of, struct sample_advice *best, double *width);
+    const struct quantity *of, struct sample_advice *best, double *width,
+    double *exact_width);
 
 #endif

@@ -260,20 +260,30 @@ note_effect_of_feeds(struct answer *r, const struct session *s,
 		fields_put_values(answer_fields(r), "feeds_move_pct %g", shown);
 }
 
-/* Notes which next sample would narrow the band of a figure most. */
+/* Notes which next sample would narrow the band of a figure most, or that
+ * better known speeds would. */
 static void
 note_best_next_sample(struct answer *r, const struct session *s,
     const struct question *q, const struct quantity *of)
 {
 	struct sample_advice best;
-	double width;
-	if (!advise_find_best_sample(s, q, of, &best, &width))
+	double width, exact_width;
+	if (!advise_find_best_sample(s, q, of, &best, &width, &exact_width))
 		return;
 	double share = 1 - best.width / width;
 	FREED char *name = quantity_short_name(of);
 	FREED char *rpm =
 	    rotor_speed_rpm_text(q->entry->site->rotor, best.speed, NAN);
 	fields_put_values(answer_fields(r), "next_mps %g", best.speed);
+	if (exact_width < best.width) {
+		answer_note(r,
+		    "what would help %s at %.4g m/s most: tip speeds that are "
+		    "known better than to %g %% (speed_sd=); exact ones would "
+		    "narrow its band by %.0f %%",
+		    name, q->speed, s->set.speed_sd,
+		    100 * (1 - exact_width / width));
+		return;
+	}
 	answer_note(r,
 	    share < ADVISE_WORTH
 		? N_("what would help %s at %.4g m/s most: several samples, "
@@ -302,8 +312,11 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
-	if (sd == 0)
+	if (sd == 0) {
+		fields_put_values(answer_fields(r),
+		    "speed_sd_pct %g speeds_move_pct %g", 0.0, 0.0);
 		return;
+	}
 	for (size_t k = 0; k < 2; k++)
 		to[k] = forecast_product(
 		    s, q, at->speed * (1 + (k == 0 ? -step : step)));

@@ -14,9 +14,11 @@ size_t
 feed_run_at_speed_or_mean(const struct site *site, double speed)
 {
 	size_t run = speed > 0 ? site_run_at_speed(site, speed) : site->n_run;
-	bool sampled = run < site->n_run &&
-		       (!site->individual_feeds || !site->run[run].lacks_feed);
-	return sampled ? run : SITE_MEAN_FEED;
+	for (; run < site->n_run && fabs(site->run[run].speed - speed) <= 1e-3;
+	     run++)
+		if (!site->individual_feeds || !site->run[run].lacks_feed)
+			return run;
+	return SITE_MEAN_FEED;
 }
 
 bool
@@ -47,15 +49,15 @@ static char *
 sampling_speeds_text(const struct site *site, double diameter)
 {
 	char *speeds = xstrdup("");
-	for (size_t r = 0; r < site->n_run; r++)
-		if (site->run[r].speed > 0 &&
-		    !site_run_repeats_speed(site, r) &&
-		    !site->run[r].lacks_feed)
-			xappend_to_list(&speeds, ", ",
-			    diameter > 0 ? "%.0f" : "%g",
-			    diameter > 0 ? rotor_speed_to_rpm(
-					       site->run[r].speed, diameter)
-					 : site->run[r].speed);
+	double before = 0;
+	for (size_t r = 0; r < site->n_run; r++) {
+		if (!(site->run[r].speed > before) || site->run[r].lacks_feed)
+			continue;
+		before = site->run[r].speed;
+		xappend_to_list(&speeds, ", ", diameter > 0 ? "%.0f" : "%g",
+		    diameter > 0 ? rotor_speed_to_rpm(before, diameter)
+				 : before);
+	}
 	return speeds;
 }
 

@@ -376,7 +376,7 @@ parse_top_size_answer(const char *settle, const char *said,
 	    text_parse_typed_number(number, &into->top) && into->top > 0;
 	if (!good)
 		snprintf(wrong, WRONG,
-		    number[0] == '\0'
+		    strchr(settle, '=')[1] == '\0'
 			? tr("expected a size in mm, or n, got '%.30s'")
 			: tr("expected y, n or another size in mm, got "
 			     "'%.30s'"),

@@ -30,14 +30,15 @@ const struct command TABLE_STORE[] = {
 	.flags = COMMAND_CHANGES | COMMAND_DAILY,
 	.option = OPTION_LIST({TEXT(digest), NULL, "",
 	    "refuse a material that has changed; written by save"}),
-	.text = "Brings back what 'remember' stored. Without a site, or with "
-		"the sheet that it was calibrated on, answers, bands and light "
-		"are those of that day, and cuts that are added continue from "
-		"there. Another site, in use or SITE, gets the parameters, and "
-		"the runs that they were found on inform its answers, which "
-		"state that they are not calibrated on the site. A name that "
-		"is not one of yours is looked up in Table 3, which has "
-		"parameters only.",
+	.text = "Brings back what 'remember' stored. Without a site, or "
+		"with the sheet that it was calibrated on, answers, bands"
+		" and light are those of that day by the settings of "
+		"today, and cuts that are added continue from there. "
+		"Another site, in use or SITE, gets the parameters, and "
+		"the runs that they were found on inform its answers, "
+		"which state that they are not calibrated on the site. A "
+		"name that is not one of yours is looked up in Table 3, "
+		"which has parameters only.",
 	.example = "load data/sites/borlange.csv\nrecall tierp\npredict 74",
 	.run = cmd_recall},
     {.name = "remember",

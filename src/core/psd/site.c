@@ -293,6 +293,9 @@ site_update_digest_and_mean_feed(struct site *site)
 	size_t n;
 	FREED const struct psd **feed = list_sampled_feeds(site, &n);
 	psd_free(&site->mean_feed);
+	/* The last sample was taken out: what the cuts have is the site's. */
+	for (size_t r = 0; r < site->n_run && n == 0; r++)
+		site->run[r].lacks_feed = false;
 	if (site->individual_feeds && n > 0)
 		site->mean_feed = blend_mean_of_feeds(feed, n);
 	for (size_t r = 0; r < site->n_run && site->mean_feed.n > 0; r++) {

@@ -57,7 +57,7 @@ static char *
 list_runs_lacking_feed(const struct site *site)
 {
 	char *list = xstrdup(""), speed[32];
-	for (size_t r = 0; site->individual_feeds && r < site->n_run; r++)
+	for (size_t r = 0; r < site->n_run; r++)
 		if (site->run[r].lacks_feed)
 			xappend_to_list(&list, ", ", "%s%s",
 			    text_shortest_exact_number(

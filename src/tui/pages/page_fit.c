@@ -483,9 +483,10 @@ fit_draw_legend(const struct tui *t)
 		column = draw_legend_of_run(area, column, past.site, r,
 		    ascii ? ASCII[kind] : BARS[kind]);
 	}
-	if (column + text_width_in_columns(means) <= area->columns)
-		column = screen_draw_series_text(
-		    area, 0, column, SERIES_PREDICTED, 0, means);
+	if (column + text_width_in_columns(means) > area->columns)
+		return;
+	column = screen_draw_series_text(
+	    area, 0, column, SERIES_PREDICTED, 0, means);
 	if (column + text_width_in_columns(noise) <= area->columns)
 		screen_draw_series_text(area, 0, column, SERIES_FEED, 0, noise);
 }
