@@ -61,7 +61,7 @@ bool conditions_check_feed_covers(const struct condition *condition,
     const struct psd *feed, struct error *error);
 
 /* Reads the options from and to of a call; the default is
- * site_default_speed_range. */
+ * settings_default_speed_range. */
 bool conditions_speed_range_of_args(const struct session *s,
     const struct args *args, const struct site *site, double *from, double *to,
     struct error *error);
@@ -84,9 +84,10 @@ void conditions_add_rows(struct answer *r, const struct wanted *wanted,
 void conditions_put_list(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found);
 
-/* Prepares a question's search over site_default_speed_range for the list's
- * conditions and a target, or NULL.  List and target must outlive the result;
- * free its `forecast` with forecast_close. */
+/* Prepares a question's search over settings_default_speed_range for the
+ * list's conditions and a target, or NULL.  The list may be empty, if the
+ * target is all that is sought.  List and target must outlive the result; free
+ * its `forecast` with forecast_close. */
 struct wanted conditions_open_search(const struct session *s,
     const struct question *q, const struct condition_list *list,
     const struct condition *target);

@@ -42,8 +42,8 @@ struct wanted {
 };
 
 /* Returns conditions [n] of a question, followed by more quantities [n_more],
- * over the speeds of site_default_speed_range and without a target.  `at` must
- * outlive it; free its `forecast` with forecast_close. */
+ * over the speeds of settings_default_speed_range and without a target.  `at`
+ * must outlive it; free its `forecast` with forecast_close. */
 struct wanted wanted_from_question(const struct session *s,
     const struct question *q, size_t n, const struct condition *at,
     size_t n_more, const struct quantity *more);
