@@ -34,6 +34,7 @@ struct task {
 	struct score *score;             /* [LAWS][plants][ASKED] */
 	size_t plants, law, first, runs; /* runs: 0: the law's */
 	double speed_sd;                 /* of the stated speeds, a share */
+	double band_sd;                  /* what bands count with */
 	double *convergence, *seconds;
 };
 
@@ -168,7 +169,7 @@ one_plant(void *data, size_t piece, unsigned thread)
 		.bounds = o.bounds,
 		.seed = number,
 		.threads = 1,
-		.speed_sd = POSTERIOR_USUAL_SPEED_SD,
+		.speed_sd = task->band_sd,
 		.isa = ISA_BEST});
 	task->seconds[piece] = measure_now() - began;
 	task->convergence[piece] = posterior->drift;
@@ -359,11 +360,12 @@ leave_each_out(const char *path)
 	return 0;
 }
 
-/* coverage [PLANTS [LAWS [SPEED_SD [FIRST [RUNS]]]]]: LAWS by letters, "ac" the
- * first and the third, from "o" on those that no prior was chosen on; SPEED_SD
- * of the stated tip speeds, %, 0: they are exact; FIRST the number of the first
- * plant, 1; RUNS how many it is measured at, evenly from 66 to 84 m/s.
- * coverage FILE: each run of a site from the others. */
+/* coverage [PLANTS [LAWS [SPEED_SD [BAND_SD [FIRST [RUNS]]]]]]: LAWS by letters,
+ * "ac" the first and the third, from "o" on those that no prior was chosen on;
+ * SPEED_SD of the stated tip speeds, %, 0: they are exact; BAND_SD with which
+ * bands count; FIRST the number of the first plant, 1; RUNS how many it is
+ * measured at, evenly from 66 to 84 m/s.  coverage FILE: each run of a site
+ * from the others. */
 int
 main(int argc, char **argv)
 {
@@ -372,8 +374,10 @@ main(int argc, char **argv)
 	struct task task = {.plants = argc > 1 ? (size_t)atoi(argv[1]) : 200,
 	    .speed_sd =
 		argc > 3 ? atof(argv[3]) / 100 : POSTERIOR_USUAL_SPEED_SD,
-	    .first = argc > 4 ? (size_t)atoi(argv[4]) : 1,
-	    .runs = argc > 5 ? (size_t)atoi(argv[5]) : 0};
+	    .band_sd =
+		argc > 4 ? atof(argv[4]) / 100 : POSTERIOR_USUAL_SPEED_SD,
+	    .first = argc > 5 ? (size_t)atoi(argv[5]) : 1,
+	    .runs = argc > 6 ? (size_t)atoi(argv[6]) : 0};
 	struct pool *pool = pool_new(measure_threads());
 	struct score sum[ASKED] = {{0}};
 	printf("%-32s%33s%21s%18s%18s%18s%18s%7s%36s\n", "law", "80 % holds",

@@ -312,11 +312,6 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	       sure = gsl_cdf_ugaussian_Pinv((1 + q->level) / 2), most = 0;
 	size_t worst = 0;
 	struct prediction to[2];
-	if (sd == 0) {
-		fields_put_values(answer_fields(r),
-		    "speed_sd_pct %g speeds_move_pct %g", 0.0, 0.0);
-		return;
-	}
 	for (size_t k = 0; k < 2; k++)
 		to[k] = forecast_product(
 		    s, q, at->speed * (1 + (k == 0 ? -step : step)));
@@ -332,12 +327,14 @@ note_effect_of_speed_errors(struct answer *r, const struct session *s,
 	prediction_free(&to[0]);
 	prediction_free(&to[1]);
 	most *= sure * times * sd;
-	if (!(most > 0 && isfinite(most)))
+	if (!isfinite(most))
 		return;
-	answer_note(r,
-	    "in the band: tip speeds known to %g %% (speed_sd=) move what "
-	    "passes %g mm by +- %.2f points, and other sizes by less",
-	    100 * sd, units_mm(at->product.size[worst]), 100 * most);
+	if (most > 0)
+		answer_note(r,
+		    "in the band: tip speeds known to %g %% (speed_sd=) move "
+		    "what passes %g mm by +- %.2f points, and other sizes by "
+		    "less",
+		    100 * sd, units_mm(at->product.size[worst]), 100 * most);
 	fields_put_values(answer_fields(r),
 	    "speed_sd_pct %g speeds_move_pct %g", 100 * sd, 100 * most);
 }

@@ -1069,13 +1069,11 @@ void
 conditions_note_best_speed(struct answer *r, const struct wanted *wanted,
     bool several, bool detail, const struct speed_search *w)
 {
-	if (w->n_inside > 0)
+	if (w->n_inside > 0) {
 		note_speed_to_run_at(r, wanted, several, w);
-	if (w->n_inside > 0 && detail)
-		note_slowest_safe_speed(r, wanted, w);
-	if (w->n_inside > 0)
-		return;
-	if (!isnan(w->best_certain) && !isfinite(w->sure[0]))
+		if (detail)
+			note_slowest_safe_speed(r, wanted, w);
+	} else if (!isnan(w->best_certain) && !isfinite(w->sure[0]))
 		note_certainty_where_unmet(r, wanted, w);
 }
 

@@ -426,6 +426,7 @@ band_note_meaning(struct answer *r, const struct session *s,
 	    100 * settings_band_probability(&s->set));
 	if (s->set.speed_sd > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "included: tip speeds are known to %g %% ('set speed_sd')",
+		    "low and high count with tip speeds known to %g %% ('set "
+		    "speed_sd')",
 		    s->set.speed_sd);
 }

@@ -95,8 +95,8 @@ struct site *site_copy_with_feed(const struct site *site,
 /* Returns a copy with the products of cuts added as runs, each after the site's
  * runs at that speed.  An added run keeps its own feed, if it has one;
  * otherwise it lacks one.  A product for a run with only a feed completes that
- * run.  from [runs of both]: out, for
- * each run of the copy its index in the site, or SIZE_MAX. */
+ * run.  from [runs of both]: out, for each run of the copy its index in the
+ * site, or SIZE_MAX. */
 struct site *site_copy_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
 
