@@ -239,6 +239,12 @@ say_trust_is_green(const struct explained *a, const struct trust *t)
 	    "Trust is green: nothing to worry about in the answer at %.4g "
 	    "m/s%s",
 	    a->p.speed, a->rpm);
+	if (t->speed_sd > 0)
+		answer_note(a->answer,
+		    "The band allows for tip speeds that are off by %g %% "
+		    "('set speed_sd'); if they are off by more, the true "
+		    "product lies outside it more often than it says",
+		    100 * t->speed_sd);
 	if (t->remarks > 0)
 		answer_note(a->answer,
 		    "It lies between the measured speeds, where the "

@@ -426,7 +426,8 @@ band_note_meaning(struct answer *r, const struct session *s,
 	    100 * settings_band_probability(&s->set));
 	if (s->set.speed_sd > 0)
 		answer_say(r, ANSWER_REMARK,
-		    "low and high count with tip speeds known to %g %% ('set "
+		    "low and high allow for tip speeds that are off by %g %% "
+		    "('set "
 		    "speed_sd')",
 		    s->set.speed_sd);
 }

@@ -213,6 +213,8 @@ judge_trust_in_answer(const struct session *s, const struct entry *entry,
 		add_reasons_of_feed_or_machine(&t, s, entry, e);
 	if (p != NULL)
 		q.width = mean_band_width(p);
+	if (p != NULL && e != NULL)
+		t.speed_sd = s->set.speed_sd / 100;
 	if (p != NULL && e != NULL && entry->scenario != NULL &&
 	    entry->scenario->feed != NULL)
 		q.feed = difference_from_nearest_feed(s, entry, p->feed_run);
@@ -248,8 +250,10 @@ void
 trust_keep_worse(struct trust *worst, struct trust t)
 {
 	struct trust less = t.light > worst->light ? *worst : t;
+	double speed_sd = fmax(worst->speed_sd, t.speed_sd);
 	if (t.light > worst->light)
 		*worst = t;
+	worst->speed_sd = speed_sd;
 	trust_free(&less);
 }
 
@@ -264,13 +268,18 @@ trust_worst_of_several(const struct session *s, const struct entry *entry,
 	return worst;
 }
 
-/* Returns "amber: " and the first reason, or "green".  The caller frees it. */
+/* Returns "amber: " and the first reason, or "green" and on what condition.
+ * The caller frees it. */
 static char *
 light_and_reason_text(const struct trust *t)
 {
 	const char *name = tr(LIGHT_NAME[t->light]);
-	return t->n == 0 ? xstrdup(name)
-			 : xasprintf("%s: %s", name, t->reason[0].text);
+	if (t->n > 0)
+		return xasprintf("%s: %s", name, t->reason[0].text);
+	return t->speed_sd > 0
+		   ? xasprintf(tr("%s, if tip speeds are accurate to %g %%"),
+			 name, 100 * t->speed_sd)
+		   : xstrdup(name);
 }
 
 struct trust

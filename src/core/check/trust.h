@@ -137,9 +137,11 @@ enum { TRUST_REASONS = 16 };
 /* The light is that of the worst reason.  Reasons [n], worst first, are
  * sentences without a full stop.  remark [remarks]: observations that are
  * reasons only beyond the measured speeds; between these, the measurements
- * correct the answer. */
+ * correct the answer.  speed_sd: how well tip speeds have to be known for
+ * the band to hold what it says, a share; 0: there is no band, or exactly. */
 struct trust {
 	enum light light;
+	double speed_sd;
 	size_t n, remarks;
 	char *remark[4];
 	struct trust_reason {
