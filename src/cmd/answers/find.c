@@ -680,16 +680,8 @@ note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,
 		    goal->detail || w->n_inside > 1 || !isfinite(w->sure[0]);
 		FREED char *speeds =
 		    conditions_met_speeds_with_units(&g->conditions, w);
-		FREED char *table =
-		    rotor_speed_rpm_text(site->rotor, in->from, NAN);
 		if (all)
 			answer_note(r, "meets the envelope at %s", speeds);
-		answer_note(r,
-		    w->n_inside > 1
-			? N_("the table is at %.1f m/s%s")
-			: N_("the table is at %.1f m/s%s, the slowest that "
-			     "meets the envelope"),
-		    in->from, table);
 		return;
 	}
 	FREED char *range = rotor_speed_rpm_text(
@@ -716,10 +708,11 @@ show_speeds_for_envelope(struct session *s, const struct args *args,
 	g.conditions.to = goal->wanted.to;
 	struct speed_search *w = speed_search_run(&g.conditions);
 	const struct speed_range *in = speed_search_best_range(w);
-	double v = in != NULL ? in->from : w->best;
+	double v = w->best;
 	FREED char *words = envelope_title(&g);
-	struct answer *r =
-	    answer_about_site(entry->site, "find", "the speeds for %s", words);
+	FREED char *rpm = rotor_speed_rpm_text(entry->site->rotor, v, NAN);
+	struct answer *r = answer_about_site(
+	    entry->site, "find", "%s at %g m/s%s", words, v, rpm);
 	envelope_add_rows(r, &g, v);
 	conditions_note_best_speed(r, &g.conditions, true, goal->detail, w);
 	note_speeds_meeting_envelope(r, goal, &g, w);
