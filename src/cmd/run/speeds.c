@@ -235,24 +235,29 @@ speed_as_list_item(const char *word, bool list)
 	return part;
 }
 
-/* Says how "69,74" was read, unless a product was measured at that speed. */
-static void
-note_decimal_comma(struct session *s, const struct words *words)
+/* True if a word such as "69,74" is two speeds, which is noted: both are within
+ * the usual range, and nothing was measured at 69.74 m/s.  Other words with a
+ * comma, such as "69,5", are one number. */
+static bool
+is_two_speeds(struct session *s, const char *word)
 {
-	unsigned whole, decimals;
+	unsigned one, two;
+	double from, to, speed;
 	int n = 0;
-	if (sscanf(words->text[1], "%3u,%3u%n", &whole, &decimals, &n) != 2 ||
-	    words->text[1][n] != '\0' || whole < 10 || decimals < 10)
-		return;
-	FREED char *number = speed_as_list_item(words->text[1], false);
+	if (sscanf(word, "%3u,%3u%n", &one, &two, &n) != 2 || word[n] != '\0')
+		return false;
+	FREED char *number = speed_as_list_item(word, false);
 	const struct site *site =
 	    s->n_entry > 0 ? session_current_entry(s)->site : NULL;
-	double speed;
-	if (site != NULL && text_parse_typed_number(number, &speed) &&
-	    site_run_at_speed(site, speed) < site->n_run)
-		return;
-	session_note(s, "read %s as %s m/s; for two speeds type: %s %u %u",
-	    words->text[1], number, words->text[0], whole, decimals);
+	settings_default_speed_range(&s->set, site, &from, &to);
+	bool measured = site != NULL &&
+			text_parse_typed_number(number, &speed) &&
+			site_run_at_speed(site, speed) < site->n_run;
+	if (measured || one < from || one > to || two < from || two > to)
+		return false;
+	session_note(s, "read %s as two speeds; for %s m/s type %s", word,
+	    number, number);
+	return true;
 }
 
 /* Makes "68..78" of "68 to 78" at the beginning. */
@@ -285,14 +290,13 @@ speeds_join_words_to_list(struct session *s, struct words *words)
 	FREED char *joined = xstrdup(OPTION);
 	for (; n < words->n && is_speed_range_or_list(words->text[n], &list);
 	     n++) {
+		list = list || is_two_speeds(s, words->text[n]);
 		FREED char *part = speed_as_list_item(words->text[n], list);
 		xappend(&joined, n > 1 ? ",%s" : "%s", part);
 		lists = lists || list;
 	}
 	/* The parser handles a single word if the command has a bare option. */
 	bool alone = lister == command && command->bare == NULL;
-	if (n == 2 && !lists && (alone || lister != command))
-		note_decimal_comma(s, words);
 	if (n > 2 || lists || (n > 1 && alone))
 		words_replace_by_one(words, 1, n - 1, joined);
 }
