@@ -17,6 +17,7 @@
 #include "cmd/ask/outlook.h"
 #include "cmd/lang/table.h"
 #include "cmd/session/invocation.h"
+#include "cmd/session/undo.h"
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
@@ -688,6 +689,7 @@ session_stop_job_for_user(struct session *s)
 	}
 	s->job.paused = true;
 	s->job.held_back = stopped == STOPPED_WORSE;
+	s->job.undo_steps = undo_count_steps(s);
 	s->job.stopped = session_clock();
 	return stopped;
 }

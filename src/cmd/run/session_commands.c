@@ -324,6 +324,11 @@ bool
 cmd_undo(struct session *s, const struct args *args, struct error *error)
 {
 	(void)args;
+	if (s->job.paused && s->job.held_back &&
+	    s->job.undo_steps == undo_count_steps(s)) {
+		session_discard_paused_job(s);
+		return true;
+	}
 	const char *label = undo_or_redo(s, undo_last_step);
 	if (label == NULL)
 		return error_set(error, ERROR_USAGE, "nothing to undo");

@@ -64,6 +64,7 @@ struct job {
 	bool paused;        /* stopped by ^C; `continue` resumes it */
 	bool held_back;     /* the site's parameters were better and were
 			     * kept */
+	size_t undo_steps;  /* that could be undone when it was paused */
 	bool gave;          /* gave the site `given` when last stopped */
 	bool taken;         /* its fit is in the site; draws follow */
 	bool newest;        /* paused, and undo would start with it */
