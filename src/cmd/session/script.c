@@ -71,12 +71,11 @@ script_open(struct session *s, const char *path, struct error *error)
 	files_note_read(s, path);
 	const char *why;
 	FILE *in = textfile_open(path, &why);
-	if (in == NULL)
+	if (in == NULL) {
+		FREED char *hint = textfile_hint_if_unreadable(path);
 		return error_set(error, ERROR_SYSTEM,
-		    "cannot read script %s: %s\n"
-		    "check the name (quote names with spaces), the folder and "
-		    "its permissions",
-		    path, why);
+		    "cannot read script %s: %s\n%s", path, why, hint);
+	}
 	push_script(s, in, path)->at.of = count_script_commands(in);
 	return true;
 }

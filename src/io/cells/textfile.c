@@ -16,6 +16,7 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 #include "io/cells/encoding.h"
+#include "io/fs/shipped.h"
 
 /* Returns the offset of the first control character, NUL among them, or n. */
 static size_t
@@ -132,17 +133,28 @@ read_bytes_to_end(FILE *file, size_t most, size_t *n)
 	return NULL;
 }
 
+char *
+textfile_hint_if_unreadable(const char *path)
+{
+	FREED char *example = shipped_example_path(path);
+	return example != NULL
+		   ? xasprintf(
+			 tr("the file that the examples use is %s"), example)
+		   : xstrdup(tr("check the name (quote names with spaces), the "
+				"folder and its permissions"));
+}
+
 static char *
 report_unreadable_file(
     const char *path, const char *why, struct error_list *errors)
 {
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
+	FREED char *hint = textfile_hint_if_unreadable(path);
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
 	    several ? "name each file, or let the shell expand the pattern: "
 		      "tipspeed FOLDER/*.csv"
-		    : tr("check the name (quote names with spaces), the folder "
-			 "and its permissions"));
+		    : hint);
 	return NULL;
 }
 

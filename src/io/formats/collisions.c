@@ -445,10 +445,10 @@ collisions_read(const char *path, const struct collisions_way *way,
 	    .spectrum = spectrum_new(), .about = xstrdup(""), .form = ""};
 	r.in = textfile_open(path, &why);
 	bool ok = r.in != NULL;
+	FREED char *hint = textfile_hint_if_unreadable(path);
 	if (!ok)
 		error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
-		    "cannot be read: %s\ncheck the name and the permissions",
-		    why);
+		    "cannot read: %s\n%s", why, hint);
 	ok = ok && read_open_collisions(&r);
 	if (ok && ferror(r.in))
 		ok = fault(&r, ERROR_SYSTEM, "cannot be read to its end",
