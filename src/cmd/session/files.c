@@ -64,7 +64,7 @@ files_compute_digest(const char *path, uint64_t *digest)
 		       : NULL;
 	if (in == NULL)
 		return false;
-	*digest = UINT64_C(0xcbf29ce484222325);
+	*digest = TEXT_DIGEST_START;
 	for (size_t n; (n = fread(piece, 1, sizeof piece, in)) > 0;)
 		*digest = text_fnv1a_digest(*digest, piece, n);
 	bool good = !ferror(in);
