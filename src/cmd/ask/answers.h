@@ -23,8 +23,8 @@ struct answer *answer_about_site(const struct site *site, const char *command,
  * machine.  answer_about_site calls it. */
 void answers_put_feed_and_machine(struct answer *r, const struct site *site);
 
-/* Return false if the site (the current site) has no parameters yet, or if the
- * settings are incompatible; the error says what to do next. */
+/* Return false if the site, or the current site, has no parameters yet, or if
+ * the settings are incompatible; the error says what to do next. */
 bool answers_require_params(
     const struct session *s, const struct entry *entry, struct error *error);
 bool answers_require_params_of_current(struct session *s, struct error *error);
@@ -75,8 +75,8 @@ double *answers_speeds_at_round_rpm(
 double *answers_list_few_round_speeds(
     const struct session *s, const struct site *site, size_t *n);
 
-/* Returns the index of the sieve to quote where only one passing is quoted: 2
- * mm or, without that sieve, the one with the passing closest to 50 %. */
+/* Returns the index of the sieve for an answer that quotes one passing: 2 mm
+ * or, without that sieve, the one with the passing closest to 50 %. */
 size_t answers_default_sieve(const struct psd *product);
 
 /* Returns the passing at answers_default_sieve, as a quantity of the whole
@@ -144,8 +144,7 @@ void answers_show_basis(const struct session *s, struct answer *r,
 void answers_show_basis_at_speed(const struct session *s, struct answer *r,
     const struct question *q, double speed, bool band);
 
-/* Warns if the products are not measurably finer than the feed, and says what
- * to do. */
+/* Warns if fit_nothing_breaks, and says what to do. */
 void answers_warn_if_nothing_breaks(
     struct answer *r, const struct entry *entry);
 
@@ -161,7 +160,8 @@ void answers_note_basis_of_side(const struct session *s, struct answer *r,
     const struct trust *light);
 
 /* Adds columns, and a row for each prediction: speed, energy, break size, P20,
- * P50, P80, the finest passing and whether it is extrapolated. */
+ * P50, P80, the passing at the finest sieve, and whether the speed is
+ * extrapolated. */
 void answers_add_row_per_prediction(struct answer *r, const struct entry *entry,
     const struct prediction *p, size_t n);
 

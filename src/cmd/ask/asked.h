@@ -20,17 +20,15 @@ struct question {
 	/* In m/s; speed_given: the call names it. */
 	double speed;
 	bool speed_given;
-	/* For a command that answers at several speeds: these, m/s [n_at],
-	 * borrowed. */
+	/* The speeds, m/s [n_at], if a command answers at several; borrowed. */
 	size_t n_at;
 	const double *at;
 	/* The probability of bands, 0..1. */
 	double level;
 	/* All zeros for the whole product. */
 	struct fraction fraction;
-	/* How far measured products are moved to the feed of the answer beside
-	 * which they are shown (cmd/ask/moved.h), 0..1; 0 if too little to
-	 * mention. */
+	/* How far measured products are moved to the answer's feed to be shown
+	 * beside it (cmd/ask/moved.h), 0..1; 0 if too little to mention. */
 	double moved;
 	/* The changes, and a copy of the entry with them. */
 	struct scenario scenario;

@@ -52,7 +52,7 @@ bool conditions_add_envelope(const struct spec *spec,
 bool conditions_add_envelope_option(struct session *s, const struct args *args,
     const struct question *q, struct condition_list *list, struct error *error);
 
-/* Notes where the limits in the list come from, if it knows. */
+/* Notes where the limits in the list come from, if that is known. */
 void conditions_note_source_of_limits(
     struct answer *r, const struct condition_list *list);
 
@@ -148,8 +148,8 @@ void conditions_show_basis(struct answer *r, const struct question *q,
 /* conditions_note_unsearched_speeds notes that slower or faster speeds were not
  * searched, and how to search them, unless they are so far from the measured
  * speeds that no answer can be relied on.  conditions_note_no_reliable_speed
- * does the same where no speed was found, and says so if those left are not
- * reliable. */
+ * does so if no speed was found; if answers at the other speeds are not
+ * reliable, it notes that instead. */
 void conditions_note_unsearched_speeds(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);
 void conditions_note_no_reliable_speed(
@@ -163,8 +163,8 @@ char *conditions_probability_text(double share);
 char *conditions_times_in_100_text(double share);
 
 /* Returns in words whether conditions are met: "met", "likely met" and so on by
- * the probability that they are; if that is NAN, "met" or "missed" as the
- * answer itself is. */
+ * the probability that they are; if that is NAN, "met" or "missed" by whether
+ * the answer itself meets them. */
 const char *conditions_verdict(double share, bool holds);
 
 #endif

@@ -12,9 +12,9 @@ struct cut {
 	/* n: the sieves that crushing can change, to which all of this refers.
 	 * inside: how many of them are in the band of one more sample. */
 	size_t n, inside;
-	/* missed: the prediction fails.  off: it does not, but most sieves are
-	 * outside the band, though no further than careful samples differ, or
-	 * some are, and further. */
+	/* missed: the prediction fails.  off: it does not fail, but most sieves
+	 * are outside the band, by no more than careful samples differ, or more
+	 * than a quarter are, by more. */
 	bool no_band, missed, off;
 	/* The RMSE; the largest difference and its sieve, m; the probability of
 	 * the band, 0..1. */

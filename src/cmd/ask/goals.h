@@ -1,5 +1,5 @@
-/* The goal that `set goal` sets, conditions on the product as `find` and
- * `window` read them, or an envelope; and the speeds that meet it.
+/* The goal in `set goal`, which is an envelope or conditions on the product, as
+ * `find` and `window` read them; and the speeds that meet it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_ASK_GOALS_H
 #define TIPSPEED_CMD_ASK_GOALS_H
@@ -66,15 +66,15 @@ enum goals_length {
 	GOALS_SPEEDS,
 	/* Only the speeds that are certain. */
 	GOALS_PLAIN,
-	/* As GOALS_PLAIN, but only the track marks extrapolation. */
+	/* As GOALS_PLAIN, but leaves extrapolation to the track. */
 	GOALS_UNMARKED,
 	/* As GOALS_UNMARKED, but all speeds that meet the goal. */
 	GOALS_SHORT,
 	GOALS_LENGTHS
 };
 
-/* Returns the outcome of the search in words, or that it goes on; "" without a
- * goal.  The caller frees it. */
+/* Returns the outcome of the search in words or, while it runs, says that it
+ * does; "" without a goal.  The caller frees it. */
 char *goals_outcome_text(const struct session *s, const struct entry *entry,
     const struct goal *goal, double speed, enum goals_length length);
 

@@ -10,7 +10,7 @@ struct quantity;
 /* If runs have feeds of their own, a measured product also differs from the
  * predicted one because its feed does.  The measured product moved to the feed
  * of the answer (D19) is
- * measured + P(feed of the answer, v) - P(feed of the run, v)
+ *   measured + P(feed of the answer, v) - P(feed of the run, v)
  * with P the answer at the run's speed v.  Its distance from the answer's curve
  * is then the misfit.  Comparisons with measurements, such as validate, never
  * move them. */

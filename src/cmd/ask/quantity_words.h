@@ -49,8 +49,8 @@ struct quantity *quantities_parse_list_for_feed(const char *text,
 char *quantities_name(const struct quantity *q);
 char *quantities_field_name(const struct quantity *q);
 
-/* Returns "33.9 % passes 2 mm" or "P80 is 5.24 mm"; value: in the unit of the
- * quantity in core.  The caller frees it. */
+/* Returns "33.9 % passes 2 mm" or "P80 is 5.24 mm".  value: in core's unit.
+ * The caller frees it. */
 char *quantities_sentence_with_value(const struct quantity *q, double value);
 
 /* Returns the quantity as one would type it: "p80", "passing 2 mm".  The caller

@@ -14,7 +14,7 @@ struct routine_cut {
 	size_t run, n, worst;
 	/* The time in words, or "". */
 	char *when;
-	/* In s, or NAN; m/s. */
+	/* time: s, or NAN.  speed: m/s. */
 	double time, speed;
 	/* size: the sieves [n], m.  measured, predicted: the passings there.
 	 * truth: the passings in each draw [n][POSTERIOR_DRAWS]; NULL without

@@ -24,7 +24,7 @@ double screened_quantity_of_product(
  * it. */
 char *screened_title_suffix(const struct fraction *fraction);
 
-/* screened_note_share adds a sentence with the share of the product that the
+/* screened_note_share adds a sentence that says how much of the product the
  * fraction is; screened_put_fields puts the fields "fraction" and "share_pct".
  * Neither does anything for the whole product. */
 void screened_note_share(struct answer *r, const struct prediction *p);

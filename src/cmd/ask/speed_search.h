@@ -133,11 +133,11 @@ struct speed_search {
 	 * belt cut would show.  Their ends are 0 below the search and INFINITY
 	 * above it; NAN for a model alone. */
 	double found, range[2], cut[2];
-	/* What the search keeps for each speed: step_margin [n][n_condition +
-	 * 1] has the margin of each condition and, last, the smallest; over,
-	 * value: the quantity of the target, and by how much it exceeds the
-	 * target's value, in the answer; draw, sample: this excess in each
-	 * draw, and in each draw of one more sample. */
+	/* What the search keeps for each speed.  step_margin [n][n_condition +
+	 * 1]: the margin of each condition and, last, the smallest.  value: the
+	 * target's quantity; over: by how much it exceeds the target's value.
+	 * draw, sample: this excess in each draw, and in each draw of one more
+	 * sample. */
 	size_t n_condition;
 	struct margin *step_margin;
 	double *over, *value, (*draw)[POSTERIOR_DRAWS],

@@ -65,8 +65,8 @@ command_other_name(const struct command *command)
 	return has_two_word_alias(command) ? command->name : command->alias;
 }
 
-/* True if the word is one of the command's options with a value, or a range if
- * the option that a bare word sets takes one. */
+/* True if the word is "NAME=.."  for an option of the command, or a range for
+ * the option that a bare word sets. */
 static bool
 is_option_or_bare_range(const struct command *command, const char *word)
 {
@@ -111,7 +111,7 @@ command_find(const char *name)
 	return NULL;
 }
 
-/* True if a name of the command, of one word, begins with `start`. */
+/* True if a one-word name of the command begins with `start`. */
 static bool
 has_name_beginning_with(const struct command *c, const char *start)
 {
@@ -207,8 +207,8 @@ add_parameter_options(const struct breakage *model, struct command_option *row)
 	}
 }
 
-/* Returns option i of `params`: the parameters of all models, of which the rows
- * are made on first use. */
+/* Returns option i of `params`, which takes the parameters of all models; makes
+ * the rows of these on first use. */
 static const struct command_option *
 command_parameter_option_at(size_t i)
 {

@@ -38,9 +38,9 @@ struct command_option {
 	 * session determines it. */
 	const char *fallback;
 	const char *brief;
-	/* Of the member that gets the value: of struct args or, for a setting,
-	 * of struct settings, a double for a number, a char array for a text,
-	 * else an unsigned or an enum. */
+	/* The offset of the member that gets the value, in struct args.  For a
+	 * setting, in struct settings: a double for a number, a char array for
+	 * a text, else an unsigned or an enum. */
 	size_t offset;
 	/* A setting about the look of the full screen, which saves it; undo
 	 * ignores it. */
@@ -224,17 +224,18 @@ const struct command *command_find(const char *name);
  * beginning of at least two letters, and q for quit. */
 const struct command *command_find_abbreviated(const char *name, bool prompt);
 
-/* Returns the names of commands that begin so, ignoring case: "calibrate,
- * check".  The caller frees it. */
+/* Returns the names of the commands that begin with `name`, ignoring case:
+ * "calibrate, check".  The caller frees it. */
 char *command_names_beginning_with(const char *name);
 
 /* Returns the name of the command that a mistyped name or one from another
  * program may mean, or NULL. */
 const char *command_nearest_name(const char *name);
 
-/* Return option i, from 0, or NULL after the last: of the command's own options
- * and then those shared with others (command_option_at), of its own
- * (command_own_option), or of those that any commands share. */
+/* Return option i, from 0, or NULL after the last.  command_option_at counts
+ * the command's own options, then those that it shares with others;
+ * command_own_option only its own; command_shared_option those that any
+ * commands share. */
 const struct command_option *command_option_at(
     const struct command *command, size_t i);
 const struct command_option *command_own_option(

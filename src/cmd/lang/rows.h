@@ -1,4 +1,5 @@
-/* Macros for the options in rows of the command table.§
+/* Macros for the options in rows of the command table.
+ *
  * {NUMBER(tph), "t/h", 1e-3, 1e5, NULL, "", "new feed"} is the option tph=,
  * which a command reads as args->tph.  A row does not compile if that member
  * has another type.  After each macro come the members of struct command_option

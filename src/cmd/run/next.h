@@ -12,7 +12,7 @@ struct next {
 	const char *line, *words;
 	/* next_print_result_lines shows what the commands found. */
 	bool brief;
-	/* How far the session has come; another fit begins again. */
+	/* How far the session has come; another fit sets it back. */
 	enum {
 		NEXT_LOAD,
 		NEXT_CHECK,

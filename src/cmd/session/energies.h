@@ -38,8 +38,8 @@ const struct energies *energies_last_read(
 bool energies_use_file_in_model(
     struct session *s, const char *path, struct error *error);
 
-/* Returns the reason for the light that names the energies used in Eq 3, or
- * NULL if that is the single energy.  The caller frees it. */
+/* Returns a reason for the light, which says which energies Eq 3 uses; NULL if
+ * it uses the single energy.  The caller frees it. */
 char *energies_trust_reason(const struct session *s);
 
 #endif

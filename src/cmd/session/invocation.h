@@ -26,8 +26,8 @@ struct invocation {
 	size_t steps;            /* that could be undone when it began */
 	size_t uses;             /* of files until it began */
 	bool joins;              /* is undone with the step before */
-	bool stopped;            /* its calibration was stopped, after */
-	size_t stopped_at;       /* so many steps; 0: without a result */
+	bool stopped;            /* its calibration was stopped */
+	size_t stopped_at;       /* after so many steps; 0: no result */
 	/* Makes it fail at its end; the results are kept, but lack a part. */
 	struct error late;
 	double started; /* session_clock */
@@ -56,8 +56,8 @@ void invocation_note_job_stopped(struct session *s, size_t steps);
 void invocation_journal_options(struct session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Adds the line of a question that was not asked by a command to the journal.
- * If the last line is a call of that command, it is replaced. */
+/* Adds to the journal the line of a question that no command asked.  If the
+ * last line is a call of `command`, it is replaced. */
 void invocation_journal_question(
     struct session *s, const char *command, const char *line);
 

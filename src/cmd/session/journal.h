@@ -13,8 +13,8 @@
 
 /* A place in the journal. */
 struct mark {
-	/* n: the number of lines.  start: that at the last reset.  state: the
-	 * number of the session's state there, which undo and redo restore. */
+	/* n: the number of lines.  start: the same at the last reset.  state:
+	 * the number of the session's state, which undo and redo restore. */
 	size_t n, start, state;
 };
 
@@ -46,7 +46,7 @@ void journal_add_file_check(
 /* Gives the state of the session a new number. */
 void journal_number_new_state(struct session *s);
 
-/* Makes all lines so far no longer part of the session. */
+/* Starts anew: the lines so far are no longer part of the session. */
 void journal_discard_all_lines(struct session *s);
 
 /* Adds lines for what the command line of the program has set. */

@@ -27,12 +27,12 @@ struct history {
 	const struct site *site;
 	bool *train;
 	bool (*stop)(void);
-	/* Drawn when first needed, by the runs that inform it (enum
-	 * correction); NULL before. */
+	/* For each choice of the runs that inform it (enum correction); NULL
+	 * until it is needed. */
 	struct posterior *posterior[2];
 	struct posterior_run *drawing; /* for posterior[drawn], or NULL */
 	size_t drawn;
-	struct evidence *evidence[2]; /* as posterior */
+	struct evidence *evidence[2]; /* likewise */
 	double weight;                /* see calibration_sum_of_weights */
 	double noise, speed_sd;       /* those of the draws, and their seed */
 	unsigned draw_seed;

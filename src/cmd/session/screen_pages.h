@@ -5,10 +5,10 @@
 
 #include "base/tr.h"
 
-/* Each row is a page: its name in enum constants, PAGE_FIT; in lower case, as
- * `set page` and page_fit, the operations in tui/pages/page_fit.c, have it; its
- * name in the heading; and its key.  Digits above 5 begin a speed, so the key
- * of a further page must be a letter without a row in tui/keys.c. */
+/* Each row is a page: FIT as in PAGE_FIT; fit as in `set page fit` and
+ * page_fit, its operations in tui/pages/page_fit.c; its name in the heading;
+ * and its key.  Digits above 5 begin a speed, so the key of a further page must
+ * be a letter without a row in tui/keys.c. */
 #define SCREEN_PAGES(PAGE)                         \
 	PAGE(PREDICT, predict, N_("Predict"), '1') \
 	PAGE(FIT, fit, N_("Fit"), '2')             \

@@ -18,7 +18,7 @@ struct job_type;
 struct screen_request;
 struct session;
 
-/* What commands call in the driver. */
+/* Functions of the driver that commands call. */
 struct hooks {
 	/* Clears the progress display before a note or an answer; or NULL. */
 	void (*clear_progress)(void);

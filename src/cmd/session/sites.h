@@ -33,8 +33,8 @@ void session_replace_by_extended(
 bool session_find_site(
     struct session *s, const char *name, size_t *index, struct error *error);
 
-/* Adds a site, of which it takes ownership.  Returns false with an error if its
- * digest is not `digest`, which is NULL or hexadecimal digits. */
+/* Adds a site, of which it takes ownership.  Returns false with an error unless
+ * `digest`, in hexadecimal digits, is that of the site or NULL. */
 bool session_add_if_digest_matches(struct session *s, struct site *site,
     const char *digest, struct error *error);
 
