@@ -973,7 +973,7 @@ conditions_times_in_100_text(double share)
 }
 
 /* Returns "run at 73.3 m/s: they are most likely to be met there, over 99 times
- * in 100", or "best 84.9 m/s, .."  if the answer there is not to be relied on.
+ * in 100", or "best 84.9 m/s, .." if the answer there is not to be relied on.
  * The caller frees it. */
 static char *
 speed_to_run_at_text(

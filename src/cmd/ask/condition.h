@@ -10,7 +10,7 @@
 
 /* Parses a condition: a quantity (quantity_words.h), then <, > or =, or words
  * for these, and a number or, after =, a range.  A single number after =
- * becomes both limits.  If the quantity names no fraction, it is taken of
+ * becomes both limits.  If the quantity names no fraction, it applies to
  * `fraction`. */
 bool conditions_parse_one(const char *text, const struct fraction *fraction,
     struct condition *condition, struct error *error);

@@ -89,8 +89,8 @@ struct speed_root {
 	bool holds;
 };
 
-/* The state of a search, and its results.  The results are known once all
- * speeds are done; NAN, where not said otherwise, if there is no such speed. */
+/* The state of a search, and its results, which are known once all speeds are
+ * done.  A speed that does not exist is NAN. */
 struct speed_search {
 	/* The number of speeds, and how many of them are done. */
 	size_t n, done;

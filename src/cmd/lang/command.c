@@ -65,7 +65,7 @@ command_other_name(const struct command *command)
 	return has_two_word_alias(command) ? command->name : command->alias;
 }
 
-/* True if the word is "NAME=.."  for an option of the command, or a range for
+/* True if the word is "NAME=.." for an option of the command, or a range for
  * the option that a bare word sets. */
 static bool
 is_option_or_bare_range(const struct command *command, const char *word)

@@ -237,7 +237,8 @@ offer_shipped_sites(struct work *w)
 		closedir(dir);
 }
 
-/* What the words in capitals stand for that the command table uses. */
+/* The words in capitals of the command table, and what offers candidates for
+ * each. */
 static const struct {
 	const char *word;
 	void (*offer)(struct work *);

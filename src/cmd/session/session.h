@@ -49,8 +49,8 @@ struct hooks {
 struct job {
 	const struct job_type *type; /* see job.h */
 	void *of;                    /* accumulator, owned by the job type */
-	void *found;                 /* returned by type->follow; owned */
-	struct calibration *calibration; /* NULL if the task is none */
+	void *found;                 /* what type->follow returned; owned */
+	struct calibration *calibration; /* NULL: another kind of task */
 	struct calibration *lowest; /* reference for a plain search, or NULL */
 	size_t entry;
 	struct invocation *invocation; /* the command that runs it */
@@ -64,9 +64,9 @@ struct job {
 	bool paused;        /* stopped by ^C; `continue` resumes it */
 	bool held_back;     /* the site's parameters were better and were
 			     * kept */
-	bool gave;          /* gave the site `given` when last stopped */
+	bool gave;          /* the site got `given` at the last stop */
 	bool taken;         /* its fit is in the site; draws follow */
-	bool newest;        /* paused, and undo would start with it */
+	bool newest;        /* paused, and next to be undone */
 	bool apart;         /* tasks can be calibrated in parallel */
 	size_t step;        /* counted over all tasks */
 	size_t pause_at;    /* step to stop after; 0: none */
@@ -118,8 +118,8 @@ struct session {
 	struct entry *entry;
 	struct settings set;
 	bool prompt;        /* a user types the lines */
-	size_t typed_depth; /* number of open scripts when lines are typed */
-	enum isa isa;       /* highest set that calibrations may use */
+	size_t typed_depth; /* open scripts while the user types */
+	enum isa isa;       /* best that calibrations may use */
 	bool safe;          /* no command or key may use files or the shell */
 	bool linear;        /* for a screen reader: words, no pictures */
 	FILE *out;          /* results */
@@ -145,19 +145,19 @@ struct session {
 	struct spec **specs;          /* all so far */
 	struct last_asked last_asked; /* see session_keep_last_asked */
 	struct moved *moved;          /* see moved.h */
-	struct blended *fed;          /* feed from the sheets in `set feed`, see
-			      * blended.h, or NULL */
+	/* The feed from the sheets in `set feed`, or NULL. */
+	struct blended *fed;
 	/* See question_site_with_feed_setting; or NULL. */
 	struct site_with_feed *site_with_feed;
 	const struct pin *pin; /* see pin.h, or NULL */
 	size_t n_pin;
 	struct pin **pins;             /* all so far */
-	const struct energies *energy; /* shown, or NULL */
+	const struct energies *energy; /* for commands, or NULL */
 	size_t n_energies;
 	struct energies **energies; /* all so far */
-	struct settings *initial;   /* as set by the command line, for reset */
+	struct settings *initial;   /* what the command line set, for reset */
 	struct journal *journal;
-	struct autosave *autosave; /* autosave, see autosave.h; NULL: off */
+	struct autosave *autosave; /* see autosave.h; NULL: off */
 	struct undo *undo;
 	struct script *script;         /* being read, innermost first */
 	size_t scripts;                /* number of scripts */

@@ -21,8 +21,9 @@ enum { SETTINGS_TEXT = 200 };
 /* What is set rather than loaded: the settings, bounds, seed and timing. */
 struct settings {
 	struct model_settings model;
-	const char *energy; /* source file of model.impacts, borrowed; NULL: a
-single impact */
+	/* The file that model.impacts are from, borrowed; NULL: a single
+	 * impact. */
+	const char *energy;
 	struct bounds bounds;
 	uint64_t seed;
 	unsigned threads;
@@ -42,8 +43,7 @@ single impact */
 	/* Ends of the range of speeds, m/s; 0: as given by
 	 * site_default_speed_range. */
 	double slider[2];
-	char feed[SETTINGS_TEXT]; /* for answers, as in feed=: "mean" or
-				  * another */
+	char feed[SETTINGS_TEXT]; /* as in feed=: "mean" or another */
 	unsigned page;            /* open page of the full screen */
 };
 
