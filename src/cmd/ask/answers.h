@@ -53,9 +53,9 @@ double answers_default_speed(const struct entry *entry);
 bool answers_is_sheet_in_rpm(const struct site *site);
 
 /* Return a speed in the unit of the site's sheet: 1500, "rpm" and "1500 rpm" if
- * the sheet is in rpm; else, or if site is NULL, 70.69, "m/s" and "70.69 m/s",
- * or "70.7 m/s" with one decimal.  decimals: of a speed in m/s; -1 for as many
- * as it has.  The caller frees the text. */
+ * the sheet is in rpm; else, or if site is NULL, 70.69, "m/s" and "70.69 m/s"
+ * or, with one decimal, "70.7 m/s".  decimals: of m/s; -1: as many as it has.
+ * The caller frees the text. */
 double answers_speed_number(const struct site *site, double speed);
 const char *answers_speed_unit(const struct site *site);
 char *answers_speed_text(const struct site *site, double speed, int decimals);
@@ -112,8 +112,7 @@ extern const struct product_size {
  */
 double answers_product_size_mm(const struct prediction *p, size_t i);
 
-/* Adds a cell with size i, or with "below 0.063" or "none" if there is no
- * number. */
+/* Adds a cell with size i, or "below 0.063" or "none". */
 void answers_add_size_cell(
     struct answer *r, const struct prediction *p, size_t i);
 
@@ -152,9 +151,9 @@ void answers_warn_if_nothing_breaks(
 enum light answers_show_fit_basis(const struct session *s, struct answer *r,
     const struct entry *entry, bool band);
 
-/* As answers_show_basis, but without the band and the light, for one of two
- * products compared.  whose: who owns the feed, in words, or NULL.  light: if
- * it already warns of the speed, no second warning is added. */
+/* As answers_show_basis, but without band and light, for one of two products.
+ * whose: the owner of the feed in words, or NULL.  light: if it warns of the
+ * speed, no other warning does. */
 void answers_note_basis_of_side(const struct session *s, struct answer *r,
     const struct question *q, double speed, const char *whose,
     const struct trust *light);

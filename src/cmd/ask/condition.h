@@ -15,9 +15,8 @@
 bool conditions_parse_one(const char *text, const struct fraction *fraction,
     struct condition *condition, struct error *error);
 
-/* Returns the text after "max", "min", "maximise" or "minimise", which is the
- * quantity; NULL if the text begins otherwise. *most becomes true for the
- * largest value. */
+/* Returns the quantity after max, min, maximise or minimise, or NULL for other
+ * words.  *most: the largest value is meant. */
 const char *conditions_parse_max_or_min(const char *text, bool *most);
 
 /* True if the text may be a complete condition: a quantity and its limit, even
@@ -61,8 +60,8 @@ void conditions_note_source_of_limits(
 bool conditions_check_feed_covers(const struct condition *condition,
     const struct psd *feed, struct error *error);
 
-/* Reads the options from and to of a call.  An option that is not given keeps
- * the value of settings_default_speed_range. */
+/* Reads the options from and to of a call; the default is
+ * settings_default_speed_range. */
 bool conditions_speed_range_of_args(const struct session *s,
     const struct args *args, const struct site *site, double *from, double *to,
     struct error *error);
@@ -85,11 +84,10 @@ void conditions_add_rows(struct answer *r, const struct wanted *wanted,
 void conditions_put_list(struct fields *o, const struct wanted *wanted,
     const struct speed_search *found);
 
-/* Prepares a search for the speeds, in settings_default_speed_range, at which
- * the question's product meets the conditions in the list and, unless it is
- * NULL, reaches the target.  The list may be empty if only the target is
- * sought.  List and target must outlive the result; free its `forecast` with
- * forecast_close. */
+/* Prepares a search over settings_default_speed_range for a question's product,
+ * the conditions in the list and a target, or NULL.  The list may be empty if
+ * only the target is sought.  List and target must outlive the result; free its
+ * `forecast` with forecast_close. */
 struct wanted conditions_open_search(const struct session *s,
     const struct question *q, const struct condition_list *list,
     const struct condition *target);
@@ -146,10 +144,9 @@ void conditions_show_basis(struct answer *r, const struct question *q,
     double speed);
 
 /* conditions_note_unsearched_speeds notes that slower or faster speeds were not
- * searched, and how to search them, unless they are so far from the measured
- * speeds that no answer can be relied on.  conditions_note_no_reliable_speed
- * does so if no speed was found; if answers at the other speeds are not
- * reliable, it notes that instead. */
+ * searched, and how to search them, unless no answer there can be relied on;
+ * conditions_note_no_reliable_speed does so, or says why not, if no speed was
+ * found. */
 void conditions_note_unsearched_speeds(
     struct answer *r, const struct wanted *wanted, bool slower, bool faster);
 void conditions_note_no_reliable_speed(
@@ -162,9 +159,8 @@ char *conditions_probability_text(double share);
 /* Returns "92 times in 100" or "over 99 times in 100".  The caller frees it. */
 char *conditions_times_in_100_text(double share);
 
-/* Returns in words whether conditions are met: "met", "likely met" and so on by
- * the probability that they are; if that is NAN, "met" or "missed" by whether
- * the answer itself meets them. */
+/* Returns whether conditions are met, as words: "likely met" by the probability
+ * that they are or, if that is NAN, by whether the answer meets them. */
 const char *conditions_verdict(double share, bool holds);
 
 #endif

@@ -16,12 +16,12 @@
 const struct spec *envelope_find(
     struct session *s, const char *words, struct error *error);
 
-/* Appends the limits of an envelope, as conditions on a fraction: first one for
- * each of its sieves [*n_sieve] that the feed covers, even if it has no limits;
- * then the fineness modulus and the share retained between two sieves, if the
- * standard limits these.  All questions about an envelope get its limits here.
- * The conditions point into the envelope.  Returns false if the modulus is
- * limited, but the feed's sieves do not reach far enough to compute it. */
+/* Appends the limits of an envelope as conditions on a fraction: first one for
+ * each sieve [*n_sieve] that the feed covers, even without limits; then the
+ * fineness modulus and the share retained between two sieves, if the standard
+ * limits these.  All questions about an envelope get its limits here; they
+ * point into it.  Returns false if the modulus is limited, but the feed's
+ * sieves do not reach far enough for it. */
 bool envelope_add_conditions(const struct spec *spec,
     const struct fraction *fraction, const struct psd *feed,
     struct condition_list *list, size_t *n_sieve);

@@ -27,9 +27,8 @@ double fit_largest_rmse_of_runs(const struct entry *entry,
     const struct params *params, struct model_settings settings, bool holdout);
 double fit_holdout_rmse(const struct entry *entry);
 
-/* Returns the cell of a product (worst_sieve) that is furthest from the entry's
- * fit, if it is further than that of a careful sample would be; otherwise
- * worst_difference is 0. */
+/* Returns the product cell (worst_sieve) furthest from the entry's fit, if
+ * further than a careful sample would be; otherwise worst_difference is 0. */
 struct validation fit_find_outlier_cell(const struct entry *entry);
 
 /* Returns false with an error if an appearance other than ratio is set with a

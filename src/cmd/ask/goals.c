@@ -149,8 +149,8 @@ find_speeds_that_meet_goal(struct goal *g)
 			g->met[g->n_met++] = g->found->root[k].speed;
 }
 
-/* Returns a speed at which the binding limit shows: an end of a range that is
- * not an end of the search or, without one, the best speed. */
+/* Returns a speed at which the binding limit shows: an end of the window inside
+ * the search or, without one, the best speed. */
 static double
 speed_at_binding_limit(
     const struct goal *g, double best, double from, double to)

@@ -56,7 +56,6 @@ void goals_step_search(struct session *s, const struct entry *entry,
 double goals_best_speed(
     const struct session *s, const struct goal *goal, double speed);
 
-/* How much goals_outcome_text says. */
 enum goals_length {
 	/* "goal p80=5.4: met at 71.2 m/s", "goal p80>5: met up to 75.6 m/s, 80
 	 * % certain up to 75.3", "goal p80=3: met at no speed from 65 to 85

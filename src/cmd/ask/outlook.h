@@ -63,10 +63,10 @@ struct evidence evidence_without_draws(
 double difference_from_nearest_feed(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
-/* Returns the products of the draws, for the feed of a run of the entry, at the
- * sizes of predict_table_sizes.  NULL if there are no draws, if answers are
- * those of the model alone, or if the fit was made with other settings.  Cached
- * until another is requested. */
+/* Returns the products of the draws for the feed of a run, at the sizes of
+ * predict_table_sizes.  NULL without draws, if answers are those of the model
+ * alone, or if the fit was made with other settings.  Cached until another is
+ * requested. */
 struct ensemble *ensemble_for_answers(
     const struct session *s, const struct entry *entry, size_t feed_run);
 
@@ -100,10 +100,9 @@ bool band_error_none(
 const char *correction_in_words(
     const struct session *s, const struct entry *entry);
 
-/* Notes what low and high mean for parameters or, if product is true, for a
- * product, and then also which runs correct the model.  If the parameters are
- * from another site, the range shows how uncertain they are there, not how the
- * two sites differ. */
+/* Notes what low and high mean for parameters or a product and, for a product,
+ * which runs correct the model.  With another site's parameters, the range
+ * shows how uncertain they are there, not how the two sites differ. */
 void band_note_meaning(struct answer *r, const struct session *s,
     const struct entry *entry, bool product);
 

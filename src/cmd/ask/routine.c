@@ -38,9 +38,9 @@ set_date_of_cut(struct routine_cut *c, const struct site_note *note,
 		c->when[strcspn(c->when, " ")] = '\0';
 }
 
-/* True if a run is a routine cut.  A run that was there when the site was
- * calibrated is one only if a note says so and it was held out.  *seen is then
- * true: such a cut must be predicted from the training runs alone. */
+/* True if a run is a routine cut.  One that was there at the calibration is a
+ * routine cut only if a note says so and it was held out; *seen is then true,
+ * because the training runs alone must predict it. */
 static bool
 is_routine_cut(const struct entry *entry, size_t run, bool *seen)
 {

@@ -7,7 +7,6 @@
 #include "cmd/session/session.h"
 #include "core/check/control_chart.h"
 
-/* A routine cut. */
 struct routine_cut {
 	/* run: of the site.  n: the number of sieves that crushing can change.
 	 * worst: the sieve with the largest residual. */

@@ -11,9 +11,8 @@
 #include "cmd/ask/quantity_words.h"
 #include "io/sitefile/units.h"
 
-/* Returns false with an error if the fraction must be empty: crushing makes
- * nothing coarser, so if all of the feed passes the finer of two ideal screens,
- * all of the product does. */
+/* Returns false with an error if all of the feed passes the finer of two ideal
+ * screens: crushing makes nothing coarser, so the fraction is empty. */
 static bool
 check_feed_exceeds_fraction(const struct fraction *fraction,
     const struct psd *feed, struct error *error)

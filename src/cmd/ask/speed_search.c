@@ -21,8 +21,8 @@ static const double EXACT = 1e-9;
 /* What is shown as 100.0 % or 0.0 % counts as 100 or 0 %. */
 static const double ROUNDS = 5e-4;
 
-/* The least width of a band by which a margin is divided, as a passing: sheets
- * are rounded to a tenth of a point. */
+/* Margins are divided by no narrower band than this passing, the rounding of
+ * sheets. */
 static const double NARROW = 1e-3;
 
 /* Two shares of the draws that differ by less may do so by chance. */
@@ -115,8 +115,8 @@ room_to_limit(double over, bool most, bool tight)
 }
 
 /* Returns the margin to a limit in the answer, without widths; NO_LIMIT if
- * there is no such limit, or if no value can exceed it.  Sets *tight if no
- * value lies beyond the limit. */
+ * there is none, or none that a value can exceed.  *tight: no value lies beyond
+ * it. */
 static struct margin
 margin_in_answer(const struct wanted *w, struct wanted_limit of, bool *tight)
 {

@@ -14,7 +14,6 @@ struct condition {
 	double least, most;
 };
 
-/* A list that grows. */
 struct condition_list {
 	size_t n;
 	struct condition *at;
@@ -154,9 +153,9 @@ void speed_search_free(struct speed_search *s);
 /* Returns the range in `inside` that contains the best speed, or NULL. */
 const struct speed_range *speed_search_best_range(const struct speed_search *s);
 
-/* Returns the tenth of a m/s at which the target's quantity is largest, if
- * `most`, or smallest, among those at which all conditions hold or, with
- * `sure`, those in the sure range; NAN if there is none. */
+/* Returns the tenth of a m/s at which the target's quantity is largest (most)
+ * or smallest, of those at which all conditions hold or (sure) those in the
+ * sure range; NAN if there is none. */
 double speed_search_speed_of_extreme(
     const struct speed_search *s, bool most, bool sure);
 

@@ -18,9 +18,8 @@
 #include "core/search/misfit.h"
 #include "io/sitefile/units.h"
 
-/* The parameters on a bound are looked at only if the mean width of the band
- * exceeds NARROW, and mentioned only if they move the answer by more than
- * MOVES; both as passings. */
+/* A parameter on a bound is mentioned if the band is wider than NARROW on
+ * average and it moves the answer by more than MOVES; both passings. */
 static const double NARROW = 0.01, MOVES = 0.005;
 
 static double

@@ -21,7 +21,6 @@ enum document_kind {
 	DOCUMENT_PICTURE
 };
 
-/* A part of a document. */
 struct document_part {
 	enum document_kind kind;
 	enum light light; /* of DOCUMENT_LIGHT */

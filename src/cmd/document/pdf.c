@@ -17,7 +17,6 @@
 static const double SHORT_SIDE = 595.28, LONG_SIDE = 841.89, MARGIN = 42,
 		    FOOT = 26, LINE = 1.3, GAP = 9;
 
-/* The layout in progress. */
 struct pdf_layout {
 	const struct document *document;
 	double scale; /* of letters and distances */

@@ -156,7 +156,7 @@ command_names_beginning_with(const char *name)
 const char *
 command_nearest_name(const char *name)
 {
-	/* What other programs call these commands, or what users may expect. */
+	/* Names from other programs. */
 	static const char *const OTHERS[][2] = {{"close", "drop"},
 	    {"delete", "drop"}, {"full", "tui"}, {"full screen", "tui"},
 	    {"fullscreen", "tui"}, {"goal", "set goal"}, {"open", "load"},

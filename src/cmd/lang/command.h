@@ -150,7 +150,6 @@ enum command_flag {
 	COMMAND_SETTINGS = 32768 /* settings, which may be typed as two words */
 };
 
-/* The operands that a command takes. */
 struct command_operands {
 	/* usage: as help shows it, or NULL.  expect: what completion offers for
 	 * the first, the second and further operands; the last entry applies to

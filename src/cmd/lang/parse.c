@@ -186,8 +186,8 @@ join_command_name(struct words *words)
 	words->command = command;
 }
 
-/* Joins the last word to the number before it if it is that number's unit: "72
- * m/s"; or "1640 rpm" where m/s are expected. */
+/* Joins a unit to the number before it: "72 m/s", or "1640 rpm" where m/s are
+ * expected. */
 static void
 join_unit_to_number(struct words *words)
 {
@@ -651,8 +651,8 @@ parse_argument(
 	return true;
 }
 
-/* Returns false with an error if the last word is the name of a setting, as in
- * "set method", because its value is missing. */
+/* Returns false with an error if the last word is a setting without its value:
+ * "set method". */
 static bool
 check_is_no_setting(
     const struct command *command, const char *word, struct error *error)
@@ -716,8 +716,8 @@ store_values_in_members(struct args *args, struct error *error)
 	return ok;
 }
 
-/* Returns false with an error if an operand is an option without its value,
- * "p80", or in capitals as in a table's heading, "P80=5.5". */
+/* Returns false with an error for an operand such as "p80", or "P80=5.5" as in
+ * a table's heading. */
 static bool
 check_is_no_option(
     const struct command *command, const char *word, struct error *error)
@@ -760,8 +760,8 @@ check_number_of_operands(const struct args *args, struct error *error)
 	return false;
 }
 
-/* Replaces the hint of an error that is due to spaces around =: "speed = 74",
- * "speed =74" or "speed= 74". */
+/* If there are spaces around =, as in "speed = 74", "speed =74" and "speed=
+ * 74", replaces the hint. */
 static void
 hint_spaces_around_equals(const struct command *command,
     const struct words *words, struct error *error)

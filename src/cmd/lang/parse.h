@@ -57,9 +57,9 @@ void words_free(struct words *words);
 void words_replace_by_one(
     struct words *words, size_t first, size_t n, const char *text);
 
-/* Parses the words into a call of the command that is meant, and checks each
- * value against the table.  args borrows from words; always free with
- * args_free.  Returns the command, or NULL with an error. */
+/* Parses the words into a call and checks each value against the table.
+ * Returns the command that is meant, or NULL with an error.  args borrows from
+ * words; always free with args_free. */
 const struct command *parse_call(const struct words *words, struct place place,
     struct args *args, struct error *error);
 void args_free(struct args *args);

@@ -8,7 +8,6 @@
 
 #include "cmd/lang/command.h"
 
-/* A command-line option. */
 struct usage_option {
 	/* What getopt_long returns: the option's letter, if it has one. */
 	int code;

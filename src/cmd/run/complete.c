@@ -19,7 +19,6 @@
 #include "io/fs/shipped.h"
 #include "io/formats/standards.h"
 
-/* A completion in progress. */
 struct work {
 	const struct session *session;
 	struct completion *result;

@@ -19,8 +19,8 @@ void files_note_written(struct session *s, const char *path);
  * if `saved`, or restored from it. */
 void files_set_session_script(struct session *s, const char *path, bool saved);
 
-/* Returns the script of files_set_session_script, or NULL, and in *saved,
- * unless saved is NULL, whether the session was saved to it. */
+/* Returns the script of files_set_session_script, or NULL.  *saved, unless
+ * NULL: the session was saved to it. */
 const char *files_session_script(const struct session *s, bool *saved);
 
 /* True if the file can be written and is neither one that the session has read
@@ -43,10 +43,9 @@ bool files_confirm_replace(
  * file or cannot be read. */
 bool files_compute_digest(const char *path, uint64_t *digest);
 
-/* files_count_uses returns how many times a file was read or written.
- * files_path_if_read returns the path that was read in use `number`, from 0,
- * and its digest at that time; NULL if that use was a write, if there is no
- * digest, or if the file was read again later. */
+/* files_count_uses returns how many times files were read or written;
+ * files_path_if_read returns the path of use `number`, from 0, and its digest
+ * then, or NULL if it was a write, has no digest, or was read again later. */
 size_t files_count_uses(const struct session *s);
 const char *files_path_if_read(
     const struct session *s, size_t number, uint64_t *digest);

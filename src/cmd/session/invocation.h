@@ -39,7 +39,7 @@ struct invocation {
 };
 
 /* Called before a command runs.  Returns false with an error if its results
- * cannot be sent where it says, or if --safe forbids it. */
+ * cannot be sent to their target, or if --safe forbids it. */
 bool invocation_begin(struct session *s, const struct args *args,
     const struct words *words, struct place place, struct error *error);
 

@@ -60,9 +60,9 @@ void journal_append_word(char **line, const char *word);
  * stops, with the step at which it does.  The caller frees it. */
 char *journal_line_of_call(const struct args *args, const struct words *words);
 
-/* Returns "load FILE@SPEED.. digest=HEX", which loads what was read from these
- * files [n].  speed [n]: of the samples in each file, m/s, or 0; speed may be
- * NULL.  The caller frees it. */
+/* Returns "load FILE@SPEED.. digest=HEX" for what was read from n files.
+ * speed: of the samples in each file, m/s, or 0; NULL for none.  The caller
+ * frees it. */
 char *journal_load_line(
     uint64_t digest, size_t n, const char *const *path, const double *speed);
 

@@ -155,10 +155,9 @@ void history_discard_draws(struct history *history, const struct settings *set);
 /* Discards what was computed for a site that is being removed. */
 void history_discard_for_site(struct history *history, const struct site *site);
 
-/* Return the origin of parameters that the entry's fit just found; that were
- * set by hand; that were taken from another entry; that are those of a material
- * in the store; that are the site's own fit, as kept in a material.  The caller
- * owns a share. */
+/* Return the origin of parameters that the entry's fit just found, were set by
+ * hand, were taken from another entry, are from a material in the store, or are
+ * the site's own fit as kept in a material.  The caller owns a share. */
 struct origin *origin_of_fit(const struct entry *entry);
 struct origin *origin_new_by_hand(void);
 struct origin *origin_of_params_taken(const struct entry *from);

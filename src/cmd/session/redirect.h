@@ -22,9 +22,8 @@ bool redirect_is_allowed(const struct command *command,
 struct redirect *redirect_open(struct session *s, const struct command *command,
     const struct words *words, struct error *error);
 
-/* Ends the redirection.  If `keep` is true, writes all results that were
- * collected, or none of them.  Returns false if they could not be written or
- * the shell command failed. */
+/* Ends the redirection.  keep: write all that was collected, otherwise nothing.
+ * Returns false if writing or the shell command failed. */
 bool redirect_close(struct session *s, struct redirect *redirect, bool keep,
     struct error *error);
 

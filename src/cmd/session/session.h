@@ -81,7 +81,6 @@ struct job {
 	} former;
 };
 
-/* What was last asked about. */
 struct last_asked {
 	/* In m/s; 0 before the first question. */
 	double speed;

@@ -233,8 +233,8 @@ session_replace_by_extended(
 	session_adopt_unloaded_site(s, site);
 }
 
-/* As name_slug, with '-' for '_', which is how one types a name from memory.
- * The caller frees it. */
+/* As name_slug, with '-' for '_': the name as typed from memory.  The caller
+ * frees it. */
 static char *
 slug_of_typed_name(const char *name)
 {
