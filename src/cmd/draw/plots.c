@@ -113,7 +113,7 @@ residuals_chart(
 		add_residual_series(chart, s, q->asked.entry, i, &params, look);
 	}
 	site_chart_set_sieve_axis(chart);
-	chart->y = axis_with_zero(chart, "difference, points");
+	chart->y = axis_with_zero(chart, tr("difference, points"));
 	return chart;
 }
 
