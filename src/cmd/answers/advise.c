@@ -1,4 +1,4 @@
-/* advise: the next sample that would narrow the band of an answer most.
+/* advise: the next sample that would most narrow the band of an answer.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/answers/advise.h"
 
@@ -21,10 +21,9 @@
 #include "core/psd/rotor_speed.h"
 #include "core/search/misfit.h"
 
-/* The question, its quantity with its name, and the unit in which widths are
- * shown.  Computed from them: the draws of the quantity, in the unit shown, the
- * ends and the width of their band, and exact_width: its width if the stated
- * speeds were exact. */
+/* What is asked: the question, the quantity, its name, and the unit of widths.
+ * What is computed: the draws of the quantity, in the unit shown, the ends and
+ * the width of their band, and its width if the stated speeds were exact. */
 struct advice_request {
 	const struct question *question;
 	struct quantity q;
@@ -34,8 +33,8 @@ struct advice_request {
 };
 
 /* Subtracts from a row of draws the part that is proportional to the errors of
- * the stated speeds.  A further sample says nothing about these errors, because
- * its own speed has another. */
+ * the stated speeds.  Another sample says nothing about these errors, because
+ * its own speed has a different one. */
 static void
 remove_speed_errors_of_draws(double *row)
 {
@@ -164,7 +163,7 @@ sort_by_expected_band_width(const struct session *s,
 	qsort(c, n, sizeof *c, compare_band_widths);
 }
 
-/* Says over which range the quantity varies if the runs have different feeds:
+/* Says how far the quantity varies with the feeds of the runs, if they differ:
  * the product is then as uncertain as the feed. */
 static void
 warn_of_range_over_feeds(

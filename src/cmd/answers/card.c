@@ -298,9 +298,8 @@ range_column_heading(const struct card_request *all)
 		   : xasprintf(tr("%.0f %% band"), 100 * all->question->level);
 }
 
-/* Returns the measured value of the ranged figure at a speed, or NAN if there
- * is none.  Raises *moved if this value was moved farther to the card's
- * feed. */
+/* Returns the measured value of the ranged figure at a speed, or NAN.  Raises
+ * *moved to the amount by which it was moved to the card's feed. */
 static double
 measured_figure_at_speed(const struct session *s,
     const struct card_request *all, double speed, double *moved)

@@ -101,7 +101,7 @@ check_claim_p50_differs_least(struct answer *r, const struct claim_evidence *c)
 }
 
 /* True if a correlation is so far below 0 that chance alone goes that far from
- * 0 only once in 20 times (t is about 2). */
+ * 0 only once in 20 (t is about 2). */
 static bool
 is_correlation_surely_negative(double r, size_t n)
 {

@@ -145,8 +145,8 @@ round_difference_as_shown(const struct quantity *q, double value)
 	       0.0;
 }
 
-/* Says on which side the quantity is higher, and over which range the
- * difference varies with the sampled feeds. */
+/* Says on which side the quantity is higher, and how far the difference varies
+ * with the sampled feeds. */
 static void
 note_which_side_has_more(struct answer *r, const struct session *s,
     const struct compared side[2], const struct quantity *q, struct figure more)

@@ -179,9 +179,9 @@ say_effect_of_literal_appearance(
 	    most < 1e-9 ? 0 : most, off, used);
 }
 
-/* Searches a grid over the bounds of Table 2 for the parameters with the
- * smallest Eq 5 as printed.  Sets *best to them if they give less than *best
- * does, and returns the smallest value. */
+/* Searches a grid over the bounds of Table 2 for parameters with a smaller Eq 5
+ * as printed than *best, and sets *best to the best of them.  Returns the
+ * smallest value. */
 static double
 best_params_of_printed_eq5(const struct equation_example *w, struct misfit *low,
     struct misfit *high, struct params *best)

@@ -19,11 +19,10 @@
 #include "core/psd/rotor_speed.h"
 #include "io/sitefile/units.h"
 
-/* The goal, which is a value of a quantity or its maximum or minimum; other
- * conditions that must hold; the feed and the range of speeds.  n: number of
- * goals in the call.  search, speed: the result; speed is NAN if none was
- * found.  detail: also show what is not needed by a reader who wants one speed
- * and its range. */
+/* The goal: a value of a quantity, or its maximum or minimum; other conditions
+ * that must hold; and the question.  n: number of goals in the call.  search,
+ * speed: the result; speed is NAN if none was found.  detail: show more than
+ * one speed and its range. */
 struct find_request {
 	enum { GOAL_VALUE, GOAL_MOST, GOAL_LEAST } kind;
 	size_t n;
@@ -87,8 +86,7 @@ parse_goal_operand(const char *text, const struct fraction *fraction,
 	return true;
 }
 
-/* Refuses a call with conditions but no goal; the error proposes window, or a
- * maximum as the goal. */
+/* Refuses conditions without a goal, and proposes window, or a maximum. */
 static bool
 refuse_conditions_without_goal(const struct args *args,
     const struct find_request *goal, struct error *error)
@@ -310,9 +308,9 @@ find_speed_with_feed_of_run(
 	return (slow >= 0) == rises ? 0 : INFINITY;
 }
 
-/* Notes over which range the speed would vary with each sampled feed instead of
- * their mean.  Only for sizes and passings of the whole product, which rise or
- * fall with the speed throughout. */
+/* Notes the range of the speed over the sampled feeds, used one at a time
+ * instead of their mean.  Only for sizes and passings of the whole product,
+ * which rise or fall with the speed throughout. */
 static void
 note_speed_range_over_feeds(
     struct answer *r, const struct session *s, const struct find_request *goal)
@@ -497,8 +495,8 @@ note_if_conditions_hold(struct answer *r, const struct find_request *goal)
 }
 
 /* For a search that found nothing, returns the speed that comes nearest: the
- * one that misses the conditions by least or, if the goal is a value, an end of
- * the range searched. */
+ * one that misses the conditions by the least or, if the goal is a value, an
+ * end of the range searched. */
 static double
 speed_nearest_to_goal(const struct find_request *goal)
 {
@@ -674,8 +672,8 @@ show_product_at_goal_speed(struct session *s, const struct find_request *goal)
 		prediction_free(&p[i]);
 }
 
-/* Notes the speeds that meet the envelope, unless they are about the certain
- * ones, already noted; if no speed meets it, notes what the nearest one
+/* Notes the speeds that meet the envelope, unless the certain speeds already
+ * noted are about the same.  If no speed meets it, notes what the nearest one
  * misses. */
 static void
 note_speeds_meeting_envelope(struct answer *r, const struct find_request *goal,

@@ -24,8 +24,9 @@ enum { MOST_OWN = 200 };
 
 /* The materials for a guess.  own: number of the user's materials, of which the
  * list has at most MOST_OWN.  list: all materials, with Table 3 from index
- * `table3` on.  m [list.n]: the same for core.  pick [n]: indices of those
- * used.  error: the error of guesses from as many materials. */
+ * `table3` on.  m [list.n]: the same materials, as core takes them.  pick [n]:
+ * indices of those used.  error: the error of guesses from as many
+ * materials. */
 struct guess_sources {
 	struct material_list list;
 	struct guess_material *m, wanted;

@@ -93,9 +93,9 @@ note_wide_sieve_gap_in_feed(struct answer *r, const struct psd *feed)
 }
 
 /* Returns the passing at each sieve of p, interpolated in speed squared between
- * measured products that were moved to the feed.  Returns NULL with another
- * feed or machine, or if the speed is not between measured ones.  The caller
- * frees it. */
+ * measured products that were moved to the feed.  Returns NULL if the question
+ * changes the feed or the machine, or if the speed is not between measured
+ * ones.  The caller frees it. */
 static double *
 interpolate_measured_products(const struct session *s, const struct question *q,
     const struct prediction *p)
@@ -124,7 +124,8 @@ interpolate_measured_products(const struct session *s, const struct question *q,
 
 /* Returns the products measured at the speed, repeats included, moved to the
  * question's feed and screened to its fraction.  Sets *n to their number, which
- * is 0 with another feed or machine.  The caller frees them. */
+ * is 0 if the question changes the feed or the machine.  The caller frees
+ * them. */
 static struct psd *
 measured_products_at_speed(
     const struct session *s, const struct question *q, size_t *n)

@@ -302,8 +302,8 @@ write_headline_answer(struct session *s, const struct report_request *ask)
 	prediction_free(&p);
 }
 
-/* Lists the sections that are missing for want of parameters.  It is written
- * instead of the light. */
+/* Lists the sections that need parameters.  Written instead of the light if
+ * there are none. */
 static void
 write_list_of_missing_sections(
     struct session *s, const struct report_request *ask)
@@ -372,7 +372,7 @@ append_quoted_option(char **text, const char *name, const char *words)
 	xappend(text, " %s%s", name, quoted);
 }
 
-/* Returns those of the options that are given as a part of a command line, "
+/* Returns the options that the call gives, as a part of a command line: "
  * cut=\"0/4\"".  The caller frees it. */
 static char *
 given_options_text(const struct args *args, const void *const *option, size_t n)
@@ -414,8 +414,8 @@ compose_section_options(const struct args *args, struct report_request *ask)
 			: xstrdup("");
 }
 
-/* Reads the request before anything is written, so that a wrong condition
- * leaves no half a report. */
+/* Reads the request.  Errors in conditions are thus reported before anything is
+ * written. */
 static bool
 parse_report_request(struct session *s, const struct args *args,
     struct report_request *ask, struct error *error)

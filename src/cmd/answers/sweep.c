@@ -121,8 +121,8 @@ add_rows_by_speed_and_sieve(struct answer *r, const struct entry *entry,
 	}
 }
 
-/* Builds the answer of all predictions.  outside: at least one is outside the
- * training speeds. */
+/* Builds the answer.  outside: at least one speed is outside the training
+ * speeds. */
 static struct answer *
 build_sweep_answer(const struct session *s, const struct question *q,
     const struct prediction *p, size_t n, bool outside)

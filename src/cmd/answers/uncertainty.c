@@ -102,8 +102,8 @@ add_figure_rows(struct answer *r, const struct session *s,
 	    chance);
 }
 
-/* Adds the median and the range of each hyperparameter to the fields and, if
- * `words`, to the notes. */
+/* Puts the median and the range of each hyperparameter into the fields and, if
+ * `words`, into notes. */
 static void
 add_hyperparameter_rows(struct answer *r, const struct session *s,
     const struct posterior *p, bool words)
@@ -130,8 +130,8 @@ add_hyperparameter_rows(struct answer *r, const struct session *s,
 	}
 }
 
-/* Adds in how many draws the rock has two strengths, and how much they differ,
- * to the fields and, if `words`, to the notes. */
+/* States in how many draws the rock has two strengths, and how they differ: in
+ * the fields and, if `words`, in a note. */
 static void
 note_two_rock_strengths(struct answer *r, const struct posterior *p, bool words)
 {
@@ -300,8 +300,8 @@ note_best_next_sample(struct answer *r, const struct session *s,
 	    name, q->speed, best.speed, rpm, 100 * fmax(share, 0));
 }
 
-/* Notes by how much the errors of the stated speeds, which are in the band,
- * move the product, if at all. */
+/* Notes how far the errors of the stated speeds, which are in the band, move
+ * the product, if at all. */
 static void
 note_effect_of_speed_errors(struct answer *r, const struct session *s,
     const struct question *q, const struct posterior *p,

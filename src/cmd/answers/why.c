@@ -258,8 +258,8 @@ say_trust_is_green(const struct explained *a, const struct trust *t)
 		    100 * e->rmse, sqrt(e->size), e->cells, e->parameters);
 }
 
-/* Says the light, if it is not green, with each reason and with the remarks,
- * and puts all of it into the fields. */
+/* States the light, unless it is green, with its reasons and the remarks, and
+ * puts it into the fields. */
 static void
 say_trust_light(const struct explained *a, const struct trust *t)
 {
@@ -452,8 +452,8 @@ note_where_mass_goes(struct answer *r, const struct mass_change *b)
 {
 	const struct mass_balance *a = &b->of[0], *z = &b->of[1];
 	double more = z->broken - a->broken;
-	/* The classes in which the faster speed does most more than the
-	 * slower. */
+	/* The classes where the higher speed adds most to what leaves or
+	 * arrives. */
 	bool faster = b->p[1].speed > b->p[0].speed;
 	const struct mass_balance *low = faster ? a : z, *high = faster ? z : a;
 	size_t out = mass_balance_class_of_largest(high->left, low->left, a->n);

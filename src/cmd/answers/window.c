@@ -18,8 +18,7 @@
 #include "core/psd/rotor_speed.h"
 
 /* The conditions, the question, and the search for the speeds that meet them.
- * detail: also show what is not needed by a reader who wants one speed and its
- * range. */
+ * detail: show more than one speed and its range. */
 struct window_request {
 	struct condition_list list;
 	const struct question *q;
@@ -180,8 +179,8 @@ note_if_window_extrapolated(struct answer *r, const struct window_request *a)
 	    r, ANSWER_REMARK, "outside the %s, it rests on the model", reach);
 }
 
-/* Notes the speeds at which the answer meets the conditions, unless they are
- * about the certain ones, already noted; with detail=on also what limits
+/* Notes the speeds at which the answer meets the conditions, unless the certain
+ * speeds already noted are about the same; with detail=on also what limits
  * them. */
 static void
 note_speeds_in_window(struct answer *r, const struct window_request *a)

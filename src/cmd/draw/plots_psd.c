@@ -82,10 +82,9 @@ add_envelope_limits(struct chart *chart, const struct session *s, bool notes)
 		chart_note(chart, "limits: %s", source);
 }
 
-/* Sets part->product to the fraction of the product for which the chosen
- * envelope is, read off the prediction's curve; nothing else in part is set.
- * Free it with prediction_free.  Returns false if the envelope is for the whole
- * product. */
+/* Sets part->product, and nothing else in part, to the fraction to which the
+ * chosen envelope applies, read off the prediction's curve.  Free with
+ * prediction_free.  Returns false if the envelope is for the whole product. */
 static bool
 cut_product_to_envelope(const struct session *s, const struct entry *entry,
     const struct prediction *whole, struct prediction *part)
@@ -197,8 +196,8 @@ title_of_difference_strip(
 }
 
 /* Adds a strip of differences below a chart whose last series is the
- * prediction: that minus the second prediction, and the product measured at the
- * nearest speed minus the prediction.  Adds nothing if there is neither. */
+ * prediction: the prediction minus the second one, and the product measured at
+ * the nearest speed minus the prediction.  Adds nothing if there is neither. */
 static void
 add_difference_strip(struct chart *chart, int rows)
 {
@@ -539,7 +538,8 @@ add_measured_curves(struct chart *chart, const struct session *s,
 	return moved;
 }
 
-/* Adds the fraction of the product for which the chosen envelope is, if any. */
+/* Adds the fraction of the product to which the chosen envelope applies, if
+ * any. */
 static void
 add_curve_cut_to_envelope(struct chart *chart, const struct session *s,
     const struct entry *entry, const struct prediction *whole)

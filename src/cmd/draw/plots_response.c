@@ -25,8 +25,9 @@
 #include "io/sitefile/units.h"
 
 /* The quantities [n] to draw, the limits on them, and the range of speeds, m/s.
- * Quantities that name no fraction are of the question's.  moved: the most by
- * which a measured product was moved to the feed, see largest_move_to_feed. */
+ * Quantities that name no fraction have that of the question.  moved: the most
+ * by which a measured product was moved to the feed, see
+ * largest_move_to_feed. */
 enum { POINTS = 81, MOST = 12 };
 struct drawn {
 	const struct question *asked;

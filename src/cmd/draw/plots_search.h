@@ -42,7 +42,7 @@ bool find_params_to_plot(const struct session *s,
 
 plot_make plots_search_residuals, plots_search_convergence, plots_search_spread;
 
-/* Parameter j, as reported, and its bounds, which in the gauge are -1 and 1,
+/* Parameter j, as reported, and its bounds; in the gauge these are -1 and 1,
  * whatever was set (D4).  p10, p90: of the candidates; best: of the best
  * candidate; drawn: the middle 80 % of the draws, NAN without draws; near:
  * within 5 % of a bound; at_bound: on a bound. */

@@ -14,7 +14,7 @@
 
 static const uint64_t SEED = 1; /* seed of the simulated run lengths */
 
-/* Returns the larger of the two CUSUMs; the downward one with a minus. */
+/* Returns the larger of the two CUSUMs, the downward one as negative. */
 static double
 cusum_nearest_to_limit(const struct drift_chart *c)
 {
@@ -83,7 +83,7 @@ speeds_of_cuts_text(const struct routine *r, size_t from, size_t *n)
 	return list;
 }
 
-/* A drift found after more cuts than this counts as not found. */
+/* A drift that takes more cuts than this to find counts as not found. */
 enum { LATE = 50 };
 
 /* Says when the drift began, if the last cut signals one. */

@@ -65,8 +65,8 @@ fit_put_fields(struct fields *o, const struct entry *entry, const char *verdict,
 					: 0);
 }
 
-/* For a fit in which nothing breaks, says that it fits sampling errors, and
- * that the feed is finer than the break size if that is the reason. */
+/* Says, if nothing breaks, that the parameters fit sampling errors, and whether
+ * that is because the feed is finer than the break size. */
 static void
 explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 {
@@ -91,8 +91,8 @@ explain_why_nothing_breaks(struct answer *r, const struct entry *entry)
 		    fastest->speed, rpm, units_mm(x), 100 * coarser);
 }
 
-/* Returns the width of a parameter's bounds, which is 2 for those in the gauge,
- * as they are scaled to -1..1. */
+/* Returns the width of a parameter's bounds: 2 for those in the gauge, which
+ * are scaled to -1..1. */
 static double
 width_of_parameter_bounds(
     const struct fit *fit, const struct bounds *bounds, size_t j)

@@ -15,8 +15,8 @@ struct answer *fit_build_report(const struct session *s,
 
 /* Returns the current answer for the quantity and the speed last asked about;
  * by default, for the passing of predict's first sentence at the site's usual
- * speed.  All members are 0 if the entry has no fit, if a calibration is
- * running, or if `set feed` names another feed than the mean. */
+ * speed.  All members are 0 if the entry has no fit, a calibration is running,
+ * or `set feed` names another feed than the mean. */
 struct former fit_last_asked_answer(
     const struct session *s, const struct entry *entry);
 

@@ -251,9 +251,9 @@ step_polished_search(struct session *s)
 	return calibration_step(job->lowest) >= CALIBRATE_TOLERANCE;
 }
 
-/* Takes the fit once its search is complete, then draws a part of the
- * posterior, which the light needs.  Returns true when all is drawn.  In parts,
- * because drawing takes longer than many generations. */
+/* Takes the fit when its search is complete; then draws a part of the
+ * posterior, which the light needs.  Returns true when all is drawn.  Drawing
+ * takes longer than many generations, hence the parts. */
 static bool
 step_posterior_of_fit(struct session *s)
 {
@@ -647,10 +647,9 @@ note_calibration_stopped(
 }
 
 /* Takes the best fit so far if it is worth it; before the first generation
- * there is none.  If the job was stopped before, the site may already have the
- * result of that stop, which is half done, too, and may lie outside bounds
- * edited since.  The best is therefore compared with the parameters from
- * before. */
+ * there is none.  If the job was stopped before, the site may have the result
+ * of that stop, which is half done, too, and may lie outside bounds edited
+ * since.  So the best is compared with the parameters before that. */
 static enum stopped
 take_best_fit_on_stop(struct session *s)
 {
@@ -827,8 +826,8 @@ job_default_options(const struct session *s)
 	return o;
 }
 
-/* The population of `calibrate all`. So few candidates suffice to find the
- * starting points of the polish: see doc/decisions/search-and-polish.md. */
+/* The population of `calibrate all`. So few candidates are enough to find
+ * starting points for the polish: see doc/decisions/search-and-polish.md. */
 enum { POPULATION_OF_MANY = 2500 };
 
 enum { PRESET_PAPER = 1, WEIGHTS_SD = 1 };

@@ -20,9 +20,8 @@ struct job_type {
 	 * calibrates that site, job.train.  Otherwise `follow` does all the
 	 * work.  Returns false if no task is left. */
 	bool (*next)(struct session *s);
-	/* Called repeatedly after the task's calibration, to compute further
-	 * results step by step.  Returns true when done.  NULL: there are no
-	 * further results. */
+	/* Computes further results after the task's calibration, a step a call;
+	 * returns true when done.  NULL: there are none. */
 	bool (*draw)(struct session *s);
 	/* Keeps the task's result.  Called when `draw` is done or when the job
 	 * is stopped. */
@@ -41,11 +40,10 @@ struct job_type {
 	/* What to tell the user if the results of a stopped job are useless;
 	 * NULL if they are useful. */
 	const char *useless;
-	/* Computes further results once the task's calibration is finished.
-	 * Returns them, or NULL if stopped.  `take` finds them in job.found,
-	 * which owns them; `drop` frees them.  Parallel tasks call this in
-	 * their threads, so it must not change the session.  NULL: there are no
-	 * further results. */
+	/* Returns further results of a task's finished calibration, or NULL if
+	 * stopped.  `take` finds them in job.found, which owns them; `drop`
+	 * frees them.  Parallel tasks call this in their threads, so it must
+	 * not change the session.  NULL: there are none. */
 	void *(*follow)(const struct session *s, const struct job_task *task);
 };
 
@@ -90,8 +88,8 @@ void session_discard_paused_job(struct session *s);
 /* Stops the job at the user's request.  `continue` can resume a single
  * calibration.  The best result so far becomes the site's fit, unless the
  * site's own parameters fit better: then they stay, and `accept` takes the
- * result.  There is no result before the first generation, or if the job's type
- * calls it useless. */
+ * result.  There is no result before the first generation, or if the type has
+ * `useless`. */
 enum stopped { STOPPED_EMPTY, STOPPED_TAKEN, STOPPED_WORSE };
 enum stopped session_stop_job_for_user(struct session *s);
 

@@ -210,10 +210,10 @@ sampling_error_at_site(const struct site_models *g)
 /* The verdict on the models [n_model] at one site or at several: their misfits,
  * parameters and AICc summed over the sites, the held-out runs of all sites,
  * and the errors of the null models.  simplest: of the models that remain, the
- * one that the others extend, if there is one, or else the best.  winner: the
- * null model with the smallest error, if the best model errs by more than
- * sampling explains; otherwise VALIDATE_MODEL.  none: no model remains, because
- * even the best misses the held-out runs. */
+ * one that the others extend, or else the best.  winner: the null model with
+ * the smallest error, if the best model errs by more than sampling explains;
+ * otherwise VALIDATE_MODEL.  none: no model remains, because even the best
+ * misses the held-out runs. */
 struct verdict {
 	size_t n, n_run, n_model, cells, best, simplest, *parameters;
 	struct league_cell *cell;
@@ -372,9 +372,9 @@ null_model_beating_best(const struct verdict *v)
 	return ahead;
 }
 
-/* Returns the standing of a model in words.  No model is called best if there
- * is neither AICc nor hold-out error, or if a null model errs less; if sampling
- * errors do not explain that, the best model is "beaten". */
+/* Returns the standing of a model in words.  Without AICc and hold-out error,
+ * or if a null model errs less, no model is called best; if sampling errors do
+ * not explain the latter, the best model is "beaten". */
 static const char *
 standing_of_model_text(const struct verdict *v, size_t m)
 {

@@ -1,5 +1,5 @@
-/* Division of many sites into parts, one for each of several programs, and the
- * table of sites into which collect joins them.
+/* Divides many sites into parts for several programs, and makes the table of
+ * sites into which collect joins the parts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_PART_H
 #define TIPSPEED_CMD_FIT_PART_H
@@ -32,9 +32,9 @@ struct answer *part_new_calibrate_answer(void);
 void part_add_site_row(struct answer *answer, const char *site,
     const double number[static 6], const char *remark);
 
-/* Returns as text all settings and options on which the results of a
- * calibration depend, so that collect can check that all parts agree.  more:
- * what else they depend on.  The caller frees it. */
+/* Returns as text all that the results of a calibration with these options
+ * depend on; all parts must agree on it.  more: further dependencies.  The
+ * caller frees it. */
 char *part_dependencies_text(const struct session *s,
     const struct calibrate_options *o, const char *more);
 

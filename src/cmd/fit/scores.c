@@ -1,6 +1,6 @@
-/* Answers on one site, run by run; on many sites together, with bias, RMS and
- * R2 of each size (validate_score) and how often each way is best; and the rows
- * in which parts pass runs on.
+/* Makes the answer on one site, run by run; that on many sites, with bias, RMS
+ * and R2 of each size (validate_score) and how often each way is best; and the
+ * rows that carry runs from parts to collect.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/fit/scores.h"
 

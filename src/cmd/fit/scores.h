@@ -1,5 +1,5 @@
-/* The answers of `validate`: on the runs of one site and on all sites, whether
- * they come from one program or from the parts of several.
+/* The answers of `validate`: on the runs of one site, and on all sites, from
+ * one program or from parts written by several.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CMD_FIT_SCORES_H
 #define TIPSPEED_CMD_FIT_SCORES_H

@@ -292,7 +292,7 @@ show_empty_part(struct session *s, struct validating *c,
 
 /* Starts to compare site after site.  The job owns c.  If the settings do not
  * allow the parameters of some calibrated sites, the answer is about the
- * others, and the command then fails with an error about those. */
+ * others, and an error about those follows it. */
 static bool
 begin_comparisons(struct session *s, struct validating *c, struct error *error)
 {

@@ -367,7 +367,7 @@ add_power_reading(struct plant *p, struct reading reading)
 	p->reading[p->n_reading++] = reading;
 }
 
-/* Reads a reading, "72:187:121", or "66:52:0" for an empty crusher. */
+/* Parses a reading, "72:187:121", or "66:52:0" for an empty crusher. */
 static bool
 parse_power_reading(struct plant *p, const char *part, struct error *error)
 {

@@ -540,8 +540,8 @@ note_speeds_of_products(struct session *s)
 	    s, "  %s has products at %s m/s%s", entry->key, speeds, rpm);
 }
 
-/* Suggests what to do after n cuts were compared.  For a site with parameters
- * it goes by all cuts since the calibration, as next_step does. */
+/* Suggests what to do after n cuts were compared.  For a calibrated site it
+ * judges all cuts since its calibration, as next_step does. */
 static void
 suggest_step_after_cuts(struct session *s, enum verdict worst, size_t n)
 {
@@ -617,8 +617,8 @@ add_cut_notes_to_site(struct session *s, struct site *site,
 	}
 }
 
-/* If the provenance is only the day of the sheet, adds the day of the last cut:
- * "sheet of 2026-11-02, cuts to 2026-11-19". */
+/* If the provenance begins with the day of the sheet, adds the day of the last
+ * cut: "sheet of 2026-11-02, cuts to 2026-11-19". */
 static void
 note_days_in_provenance(struct site *site)
 {

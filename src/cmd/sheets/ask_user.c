@@ -506,8 +506,8 @@ static const struct {
     {"dates=", "is it day or month first", false}};
 
 /* Returns the question about the size that all of the feed passes.  size: the
- * proposed one, or "".  further: a larger one to name too if the proposed one
- * is doubtful, or 0. */
+ * proposed one, or "".  further: if > 0, a larger size to name too, because the
+ * proposed one is doubtful. */
 static char *
 top_size_question(const char *size, double further)
 {

@@ -6,11 +6,11 @@
 #include "cmd/session/session.h"
 #include "io/sitefile/site_request.h"
 
-/* One question.  about: a sentence on the subject.  ask: its columns are the
- * rows of the table shown with the question (n 0: no table); at: the one asked
- * about.  text: the question; offered: what an empty line means, or ""; hint:
- * other possible answers; wrong: why the last answer was not accepted, or "";
- * first: this is the first question about the table. */
+/* One question.  about: a sentence on the subject.  ask: the table shown with
+ * the question has a row for each of its columns (n 0: no table); at: the
+ * column asked about.  text: the question; offered: what an empty line means,
+ * or ""; hint: other possible answers; wrong: why the last answer was not
+ * accepted, or ""; first: this is the first question about the table. */
 struct user_question {
 	const char *about;
 	const struct site_ask *ask;

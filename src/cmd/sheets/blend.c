@@ -96,7 +96,7 @@ note_sum_of_blend_parts(struct answer *r, const struct blended *b)
 		    b->sum);
 }
 
-/* Notes which sheets have the coarsest finest sieve, where the blend ends. */
+/* Notes down to which size the blend is known, and which sheets limit it. */
 static void
 note_feeds_limiting_fines(struct answer *r, const struct blended *b)
 {

@@ -1,4 +1,4 @@
-/* check: looks for faults in site files.  It only reports them.
+/* check: looks for faults in site files, and only reports them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/sheets/check.h"
 
@@ -276,8 +276,8 @@ append_feeds_or_products(const struct site *site, bool feed,
 	return n;
 }
 
-/* Reports two sieves of the feed that are so far apart that much of its curve
- * is assumed to be straight. */
+/* Reports two sieves of the feed so far apart that much of the curve between
+ * them is only assumed. */
 static void
 report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 {

@@ -222,8 +222,8 @@ read_site_or_ask_user(struct session *s, struct load *l, struct error *error)
 		struct site_ask ask = {0};
 		struct site *site =
 		    site_read_request(&l->request, &errors, &ask);
-		/* For a feed no questions are asked, because answers could not
-		 * be saved. */
+		/* For feed= nothing is asked, because answers could not be
+		 * saved. */
 		bool again = site == NULL && round < MOST_ROUNDS &&
 			     !l->request.feed &&
 			     ask_user_about_load(s, l, &ask, &errors);
@@ -308,9 +308,9 @@ struct unread {
 	struct error *fault;
 };
 
-/* Reports the unread files in order, but leaves one for the error: the last one
- * that does not exist, if any, because the others may lack only what it has;
- * otherwise the last one.  skip: reports all, without an error. */
+/* Reports the unread files in order, except one, which becomes the error: the
+ * last that does not exist, if any, because the others may lack only what it
+ * has; otherwise the last.  skip: reports all, and sets no error. */
 static bool
 report_unread_files(struct session *s, const struct unread *u, size_t n,
     bool skip, struct error *error)

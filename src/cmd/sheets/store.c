@@ -380,8 +380,8 @@ can_ask_to_confirm(const struct session *s)
 	return s->hooks.confirm != NULL && s->scripts <= s->typed_depth;
 }
 
-/* Notes other materials with the same runs, which there are after a sheet was
- * renamed. */
+/* Notes other materials with the same runs, as a renamed sheet leaves
+ * behind. */
 static void
 note_materials_with_same_runs(
     struct session *s, struct answer *r, const struct material *m)
@@ -403,7 +403,7 @@ note_materials_with_same_runs(
 	material_list_free(&list);
 }
 
-/* Shows what was stored.  Called once it is on the disk. */
+/* Shows what was stored, once it is on the disk. */
 static void
 show_remembered_materials(
     struct session *s, const struct material *item, size_t n)
@@ -982,7 +982,7 @@ add_rock_unless_listed(void *data, const char *rock)
 		xappend_to_list(rocks, ", ", "%s", rock);
 }
 
-/* Lists the rock types of all materials, for a user who asked for another. */
+/* Lists the rock types of all materials, if none is of the type asked for. */
 static bool
 note_available_rocks(struct answer *r, struct store *store,
     const struct material_list *paper, struct error *error)
