@@ -59,8 +59,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* Returns the coarsest sieve of the curves below a size, m; 0 if there is
- * none. */
+/* Returns the coarsest sieve of the curves that is finer than `below`, m, or 0
+ * if there is none. */
 static double
 next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 {
@@ -72,8 +72,9 @@ next_finer_sieve(const struct psd *const *curve, size_t n, double below)
 	return x;
 }
 
-/* Adds the columns feed@69, or the one feed of all runs, or product@69.  Sets
- * curve [n_run] to their curves and returns their number. */
+/* Adds a column for each product, "product@69", or for each feed, "feed@69",
+ * which is just "feed" if all runs share one.  Sets curve [n_run] to their
+ * curves and returns their number. */
 static size_t
 add_curve_columns(struct answer *r, const struct site *site, bool feed,
     const struct psd **curve)
@@ -123,7 +124,7 @@ show_feed_or_product(
 	return session_show_answer(s, r);
 }
 
-/* Notes the equations with the numbers of this site. */
+/* Notes Eqs 4, 3 and 1 with the site's parameters filled in. */
 static void
 note_equations_with_numbers(struct answer *r, const struct params *p, double k)
 {
@@ -267,7 +268,7 @@ show_selection(struct session *s, const struct args *args, struct error *error)
 		   s, args, show_selection_at_speed, error);
 }
 
-/* Returns the name of a class, which is that of the sieve it lies on. */
+/* Returns the heading of a class: the sieve that retains it. */
 static const char *
 sieve_heading_of_class(const struct psd *feed, size_t i, char buf[static 32])
 {
@@ -373,7 +374,7 @@ show_appearance(struct session *s, const struct args *args, struct error *error)
 	return session_show_answer(s, r);
 }
 
-/* What can be shown; the first is shown if nothing is named. */
+/* What can be shown.  show alone shows the first. */
 static const struct {
 	const char *name;
 	bool at_site;

@@ -1,5 +1,5 @@
-/* Makes charts with the site's name as title and the source of its data below,
- * and a style for each run.
+/* Charts titled with the site's name, with the source of its data below, and
+ * the styles of series.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/draw/site_chart.h"
 
