@@ -141,7 +141,7 @@ print_commands(FILE *out)
 		}
 		group = its;
 		FREED char *usage = command_usage_text(c);
-		/* Quoted, so that no letter is a macro. */
+		/* Quoted, so that mdoc takes no word for a macro. */
 		FREED char *quoted = text_in_quotes(usage);
 		fprintf(out, ".It %s\n", quoted);
 		if (c->alias != NULL)
@@ -293,7 +293,8 @@ print_bash_completion(FILE *out)
 	    out);
 }
 
-/* The text is no format, even if it has a per cent sign. */
+/* Prints a text for xgettext, as one that is not a format even if it has a per
+ * cent sign. */
 static void
 print_text_for_xgettext(const char *text, FILE *out)
 {

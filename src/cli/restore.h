@@ -12,8 +12,9 @@ void restore_record_settings(void);
  * SIGTERM, SIGHUP and SIGINT end it in the usual way. */
 void restore_prepare_for_screen(void);
 
-/* As restore_prepare_for_screen, but restores the terminal's current settings,
- * while readline controls it.  bytes: written as well. */
+/* As restore_prepare_for_screen, but for the time in which readline controls
+ * the terminal: restores the settings that the terminal has now, and writes
+ * `bytes`. */
 void restore_prepare_for_prompt(const char *bytes);
 
 /* Ends the need to restore the terminal: called when the screen has been closed
