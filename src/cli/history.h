@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 /* Reads the history into readline.  If with_file is false, lines are kept only
- * in memory; so they are, after a remark on stderr, if the file cannot be
+ * in memory.  The same happens, after a remark on stderr, if the file cannot be
  * used. */
 void typed_history_open(bool with_file);
 

@@ -312,8 +312,8 @@ run_pasted_lines(struct session *s, char *typed, int *number)
 }
 
 /* Prints the next step, if it is further on than the one printed last, or for
- * another site or fit.  If there are several sites, that answers are possible
- * is said only once.  The line typed next may accept the step. */
+ * another site or fit.  With several sites, it says only once that answers are
+ * possible.  The line typed next may accept the step. */
 static void
 offer_next_step(const struct session *s)
 {

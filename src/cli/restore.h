@@ -17,8 +17,8 @@ void restore_prepare_for_screen(void);
  * `bytes`. */
 void restore_prepare_for_prompt(const char *bytes);
 
-/* Ends the need to restore the terminal: called when the screen has been closed
- * or the prompt has its line. */
+/* Called when the terminal need not be restored any more, because the screen
+ * has been closed or the prompt has its line. */
 void restore_cancel(void);
 
 /* Restores a terminal after a program was killed; for --reset-tty. */

@@ -117,8 +117,8 @@ is_question_during_fit(const struct tui *t, const struct command *command)
 	       !(command->flags & COMMAND_CHANGES);
 }
 
-/* Continues a search, within the bounds that a line may have edited.  A search
- * that had been stopped says so. */
+/* Continues a search within its bounds, which the line may have edited.  A
+ * search that had been stopped says so. */
 static void
 resume_search_within_bounds(struct tui *t, bool edited)
 {
@@ -160,7 +160,8 @@ show_result_message(struct tui *t, const struct command *command,
 {
 	bool moved_only = is_shown_by_page_predict(line);
 	fflush(t->captured);
-	/* Besides the error, a check or a sheet may print its faults. */
+	/* Besides the error, the output may list the faults of a check or a
+	 * sheet. */
 	if (!ok && t->captured_n > 0)
 		text_print_wrapped(t->message, 0, 78, t->captured);
 	if (!began && (ok ? !moved_only : t->captured_n > 0))
@@ -209,7 +210,7 @@ run_typed_line(struct tui *t, const struct command *command, const char *line)
 	bool beside = was_busy && effect == JOB_GOES_ON;
 	show_result_message(
 	    t, command, line, ok, session_is_calibrating(s) && !beside);
-	/* The user may have meant the last move of the slider. */
+	/* The user may have wanted to undo a move of the slider. */
 	if (ok && command == command_find("undo"))
 		append_to_message(
 		    t, tr("U brings it back (moves of the slider are not "

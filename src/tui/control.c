@@ -36,8 +36,8 @@
 
 #define PAGE_NAME(NUMBER, name, heading, key) #name,
 
-/* The screen that is open, or NULL: the session's hooks and `screen` are not
- * passed it. */
+/* The screen that is open, or NULL.  Static because neither the session's hooks
+ * nor `screen` can be passed it. */
 static struct tui *open;
 
 /* Returns the line being run, "4 of 15: validate", with the state of its
@@ -290,7 +290,7 @@ control_run_line(struct tui *t, const char *line)
 	t->ran_from = session_clock();
 	t->running_line = xstrdup(line);
 	t->of_script = t->stopping = false;
-	/* A signal is no error: what was found before it stays. */
+	/* A signal is not an error: results found before it are kept. */
 	bool ok = driver_run_line(&d, line, ERROR_TYPED, 0) == 0 ||
 		  signals_pending() != 0;
 	end_running_line(

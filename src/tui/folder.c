@@ -1,4 +1,4 @@
-/* Lists folders.  Sheets in them are read by the reader of sites itself.
+/* Lists folders.  Sheets in them are read by the reader of sites.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/folder.h"
 

@@ -192,7 +192,7 @@ site_status_text(struct tui *t, int columns)
 }
 
 /* Draws site_status_text or, during a search, the state of the search, because
- * the text would be computed for each frame. */
+ * the text would have to be computed anew for each frame. */
 static void
 draw_status_row(struct tui *t, const struct area *area)
 {

@@ -427,8 +427,8 @@ handle_command_line_key(struct tui *t, int code, bool special)
 	return true;
 }
 
-/* Passes a key to the text on the screen.  In the list of keys, Enter runs the
- * chosen one. */
+/* Lets the text on the screen handle a key.  In the list of keys, Enter runs
+ * the chosen key. */
 static bool
 handle_viewer_key(struct tui *t, int code, bool special)
 {
@@ -486,7 +486,7 @@ is_start_of_typed_speed(const struct tui *t, int code)
 	       keys_find_by_code(code, t->ui.page) == NULL;
 }
 
-/* Handles a key while a speed is typed, which begins with = or a digit. */
+/* Handles a key of a typed speed, which begins with = or a digit. */
 static bool
 handle_typed_speed_key(struct tui *t, int code, bool special)
 {

@@ -5,8 +5,8 @@
 
 #include "tui/tui_state.h"
 
-/* Handles one key.  code: from ncurses; special: a named key, not a character.
- * The mouse is a special key, whose event ncurses holds. */
+/* Handles one key.  special: code is that of a named key of ncurses, not a
+ * character.  The mouse is a special key, whose event ncurses holds. */
 void keymap_handle_key(struct tui *t, int code, bool special);
 
 /* True if a character would now be typed as text. */

@@ -42,7 +42,7 @@ area_cut(struct area *from, enum edge edge, int n)
 	return cut;
 }
 
-/* With fewer columns, a plot, a legend or a panel is of no use. */
+/* With fewer columns, a plot, a legend or a panel would be useless. */
 enum { PLOT_COLUMNS = 34, LEGEND_COLUMNS = 50, PANEL = 24 };
 /* With fewer rows, the screen has no panel beside a plot, or no plot. */
 enum { SIDE_ROWS = 18, PLOT_ROWS = 11 };

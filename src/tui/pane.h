@@ -22,8 +22,8 @@ struct page_list {
 	const struct list_table *table;
 };
 
-/* The operations of a page, defined in its own file.  Those that a page does
- * not need are NULL. */
+/* The operations of a page, which are defined in its own file.  Those that it
+ * does not need are NULL. */
 struct page_ops {
 	/* The row of hints, see keys_hint_row; if hints is NULL, hints_now
 	 * returns it. */

@@ -52,7 +52,7 @@ set_curses_colours(bool colour)
 		display.pair[i] = (short)(j + 1);
 		init_pair(display.pair[i], (short)(of % display.depth), -1);
 	}
-	/* Going from a colour to a pair takes 5 bytes, to no pair 11. */
+	/* From one colour to another pair takes 5 bytes, to no pair 11. */
 	bkgdset(' ' | COLOR_PAIR(display.pair[SERIES_TEXT]));
 }
 
@@ -66,7 +66,8 @@ set_terminal_modes(void)
 	nodelay(stdscr, TRUE);
 	meta(stdscr, TRUE);
 	set_escdelay(25);
-	/* What most terminals send, whatever their description says. */
+	/* Sequences that most terminals send, whatever their descriptions
+	 * say. */
 	define_key("\033[1;2D", KEY_SLEFT);
 	define_key("\033[1;2C", KEY_SRIGHT);
 	define_key("\033[1~", KEY_HOME);
@@ -75,7 +76,7 @@ set_terminal_modes(void)
 	define_key("\033[6~", KEY_NPAGE);
 	define_key("\033[200~", SCREEN_PASTE);
 	define_key("\033[201~", SCREEN_PASTED);
-	/* The Linux console's description makes a key of its own of ^Z. */
+	/* The description of the Linux console makes ^Z a key of its own. */
 	define_key("\032", 0);
 }
 

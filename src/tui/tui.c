@@ -1,4 +1,5 @@
-/* The full screen's loop: waits, takes keys, moves the session, draws.
+/* The loop of the full screen: draws, waits, handles keys, and runs what is
+ * due.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "tui/tui.h"
 
@@ -99,8 +100,8 @@ handle_typed_keys(struct tui *t)
 		input_end_paste(t);
 }
 
-/* Ends the program if its terminal was closed without a hang-up: it would read
- * nothing for ever. */
+/* Ends the program if its terminal was closed without a hang-up, because
+ * reading it would go on for ever. */
 static void
 end_if_terminal_is_gone(void)
 {

@@ -125,8 +125,9 @@ tui_feed_curve(const struct tui *t)
 	    tui_entry_for_prediction(t)->site, tui_feed_run(t));
 }
 
-/* Returns the parameters by which measured products are moved to the feed,
- * those of the prediction beside them, in `room`; or NULL. */
+/* Returns the parameters by which measured products are moved to the feed, or
+ * NULL.  They are those of the prediction shown beside them, and are written to
+ * `room`. */
 static const struct params *
 params_moving_products(const struct tui *t, struct params *room)
 {

@@ -27,7 +27,7 @@
  * site, or "" for no prediction.  speed: m/s.  size: P20, P50 and P80, mm.
  * passing: at NUMBERS_SIEVE, %; NAN outside the product's sieves. */
 enum { NUMBERS_FRACTIONS = 3 };
-/* Sieves that sand is sold by, m. */
+/* The sieves by which sand is sold, m. */
 extern const double NUMBERS_SIEVE[NUMBERS_FRACTIONS];
 struct numbers {
 	char site[64];
@@ -263,15 +263,16 @@ struct tui {
 	const struct key *pending_key;
 	double pending_from;
 	bool mouse;
-	struct hits hits;                       /* in the frame shown */
-	struct plot_request drawn[PLOTS_DRAWN]; /* its plots */
+	struct hits hits; /* in the frame shown */
+	/* plots in it that react to the mouse */
+	struct plot_request drawn[PLOTS_DRAWN];
 	size_t n_drawn;
 	char *running_line;    /* the line being run, or NULL */
 	bool of_script;        /* the line is from a script */
 	bool stopping;         /* a key is stopping it */
 	double ran_from;       /* start of the line or its script, s */
 	double drawn_at;       /* when running_line was last drawn */
-	const char *computing; /* lengthy computation in progress, or NULL */
+	const char *computing; /* the long computation in progress, or NULL */
 	bool held;             /* the calibration is paused */
 	double due;            /* time of the next generation */
 	struct edit line;      /* a command, or a goal */
@@ -292,10 +293,10 @@ struct tui {
 	 * moved the slider. */
 	bool keep_message;
 	bool reason_shown;    /* the panel shows the light's reason */
-	const char *question; /* waiting for an answer, or NULL */
+	const char *question; /* waiting for yes or no, or NULL */
 	const struct user_question *inquiry; /* waiting for a line, or NULL */
-	struct edit answer;                  /* that line */
-	int inquiry_up; /* rows by which its table is scrolled */
+	struct edit answer;                  /* the line typed for it */
+	int inquiry_up; /* rows by which its table is scrolled up */
 	struct {
 		bool is, special;
 		int code;

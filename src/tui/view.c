@@ -19,7 +19,8 @@
 #include "tui/widgets/envelope_check.h"
 #include "tui/widgets/track.h"
 
-/* If the slider stands still for so long, s, a new movement begins. */
+/* If the slider has not been moved for so long, s, its next move begins a new
+ * comparison. */
 static const double PAUSE = 0.7;
 
 /* Returns the numbers of a prediction for the site with that key. */
@@ -147,7 +148,8 @@ view_predict_at_slider(struct tui *t)
 	if ((!entry->has_params && !forming) ||
 	    (!other && !moved && was.basis == key.basis))
 		return;
-	/* Differences are not counted from a prediction of a running search. */
+	/* Differences are not computed from a prediction of a running
+	 * search. */
 	if (!t->view.from_search &&
 	    (t->clock - t->view.moved > PAUSE ||
 		t->view.reference.site[0] == '\0' ||

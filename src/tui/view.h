@@ -6,8 +6,8 @@
 
 #include "tui/tui_state.h"
 
-/* To be called after anything that may have changed the session: discards what
- * was computed from what is no longer so. */
+/* Must be called after anything that may have changed the session.  Discards
+ * the results that are then out of date. */
 void view_mark_changed(struct tui *t);
 
 /* Computes the content of a frame: the prediction at the slider's speed, which

@@ -160,7 +160,7 @@ watch_run_due_fit_steps(struct tui *t)
 		return;
 	double began = session_clock();
 	/* If several sites are calibrated in turn, nobody watches the
-	 * generations. */
+	 * generations, so they need no pace. */
 	const struct job_type *type = s->job.type;
 	int pace =
 	    type->alone && !is_sampling_posterior(s) ? t->ui.pace : PACE_FULL;

@@ -31,7 +31,7 @@ void edit_begin(struct edit *t, const char *text);
 void edit_begin_with_proposal(
     struct edit *t, const char *text, const char *name);
 
-/* Handles a key.  code: from ncurses if special, else a character. */
+/* Handles a key.  code: a key code of ncurses if special, else a character. */
 enum edit_result edit_handle_key(
     struct edit *t, const struct session *s, int code, bool special);
 void edit_end(struct edit *t);

@@ -357,8 +357,8 @@ begin_new_goal_text(struct tui *t, int code)
 	edit_begin(&t->line, isalpha(code) ? "" : words);
 }
 
-/* When "/" is typed after a value, "p80=0", leaves the number alone: it begins
- * a fraction, "0/2". */
+/* Handles "/" typed after a value, "p80=0": leaves the number alone, because it
+ * begins a fraction, "0/2". */
 static void
 begin_fraction_text(struct edit *y)
 {

@@ -43,8 +43,9 @@ is_condition_met_now(const struct tui *t, const struct condition *c)
 	return !(value < c->least) && !(value > c->most) && !isnan(value);
 }
 
-/* Returns true if the speeds of the goal are known for the parameters by which
- * the values are predicted, and not for those before a running search. */
+/* Returns true if the speeds of the goal are known.  During a search, those
+ * known are of the old parameters, while the values shown are of the new
+ * ones. */
 static bool
 are_goal_speeds_known(const struct tui *t)
 {

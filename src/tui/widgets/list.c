@@ -247,7 +247,8 @@ column_of_rank(const struct list_table *table, int rank)
 	return c;
 }
 
-/* The column of rank 0 gets room first, but leaves some for that of rank 1. */
+/* The column of rank 0 gets room first, but leaves some for the column of rank
+ * 1. */
 void
 table_fit_columns(const struct list_table *table, int columns,
     const int wanted[static LIST_COLUMNS], int width[static LIST_COLUMNS])

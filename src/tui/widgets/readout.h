@@ -12,7 +12,7 @@ int readout_count_rows(const struct tui *t);
  * crosshair's passing. */
 void readout_draw(struct tui *t, const struct area *area);
 
-/* Returns a size in words, "2.81 mm", or why there is none.  Uses text. */
+/* Writes a size, "2.81 mm", or why there is none, to text, and returns text. */
 const char *readout_size_or_reason(double mm, char text[static 24]);
 
 #endif

@@ -213,8 +213,8 @@ measured_value_of_run(const struct tui *t, size_t run)
 		   : NAN;
 }
 
-/* Moves the ends of an axis outward, so that what were its ends are the middles
- * of the first and the last of n parts, as on the track. */
+/* Moves the ends of an axis outward by half of one of n parts, so that the old
+ * ends are in the middle of the first and the last part, as on the track. */
 static void
 align_axis_with_cells(struct axis *axis, int n)
 {
@@ -232,8 +232,8 @@ extend_axis_to_value(struct axis *axis, double value)
 	axis->high = fmax(axis->high, value);
 }
 
-/* Fits an axis to all values drawn, and to those limits that are no farther
- * from them than they from each other.  Returns false if there are no
+/* Fits an axis to the range of all values drawn, and to those limits that are
+ * outside it by no more than its width.  Returns false if there are no
  * values. */
 static bool
 scale_strip_axis(const struct tui *t, struct axis *axis)

@@ -1,5 +1,5 @@
-/* The slider's track on the screen and its heading; moves the slider by keys
- * and mouse.
+/* The slider's track on the screen and its heading; keys and the mouse that
+ * move the slider.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_TUI_WIDGETS_TRACK_H
 #define TIPSPEED_TUI_WIDGETS_TRACK_H
