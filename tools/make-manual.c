@@ -1,9 +1,9 @@
-/* Build-time only: prints what is made from the tables.
+/* Run by the build: prints what is made from the tables.
  *   commands, environment, status: parts of tipspeed(1)
- *   models: of tipspeed-model(7)
- *   keys: those of tipspeed-tui(1)
- *   bash: completion for the shell
- *   texts: what of them is translated
+ *   models, trust: parts of tipspeed-model(7)
+ *   keys: part of tipspeed-tui(1)
+ *   bash: completion for bash
+ *   texts: the texts to translate
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <ctype.h>
 #include <stdio.h>
@@ -354,8 +354,8 @@ main(int argc, char **argv)
 		PARTS[i].print(stdout);
 		return fflush(stdout) != 0 || ferror(stdout);
 	}
-	fputs("usage: make-manual commands|environment|status|models|bash|keys|"
-	      "texts\n",
+	fputs("usage: make-manual commands|environment|status|trust|models|"
+	      "bash|keys|texts\n",
 	    stderr);
 	return 2;
 }

@@ -178,13 +178,13 @@ batch_begin_interactive(struct session *s)
 /* Prompts on standard error.  Standard output is not a terminal here, or else
  * readline would prompt. */
 static void
-print_prompt(struct session *s, bool is_condition_continued)
+print_prompt(struct session *s, bool continues)
 {
 	const char *key = s->n_entry > 0 ? session_current_entry(s)->key : "";
 	fprintf(stderr, "%s> ",
-	    is_condition_continued ? ""
-	    : key[0] != '\0'       ? key
-				   : "tipspeed");
+	    continues        ? ""
+	    : key[0] != '\0' ? key
+			     : "tipspeed");
 }
 
 int

@@ -38,7 +38,7 @@ struct canvas *screen_end_offscreen(struct display *was);
  * reader. */
 void screen_set_text_only(bool on);
 
-/* Returns the last frame, which the screen owns, or NULL. */
+/* Returns the last frame, which the screen owns, or NULL.  For tests. */
 const struct canvas *screen_last_frame(void);
 
 /* Returns the size of the last frame. */
