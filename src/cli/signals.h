@@ -34,7 +34,7 @@ void signals_take_terminal(struct sigaction was[static 3]);
 void signals_give_terminal(const struct sigaction was[static 3]);
 int signals_take_terminal_events(void);
 
-/* If `note`, ^Z is recorded, as it is between take and give; otherwise it stops
+/* If `note`, ^Z is recorded, as by signals_take_terminal; otherwise it stops
  * the program and its child processes. */
 void signals_record_suspend(bool note);
 
