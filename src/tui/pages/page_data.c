@@ -150,7 +150,7 @@ update_doubtful_cells(struct tui *t)
 	h->misfit = misfit;
 }
 
-/* ---- What is doubtful ---- */
+/* ---- Doubtful cells ---- */
 
 static bool
 is_about_one_cell(const struct mend *m)

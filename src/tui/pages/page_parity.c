@@ -18,7 +18,7 @@
 #include "tui/screen.h"
 #include "tui/widgets/list.h"
 
-/* ---- What is compared ---- */
+/* ---- The runs compared ---- */
 
 /* Returns the held-out runs of a site. */
 static struct trials

@@ -54,7 +54,7 @@ static const struct list_column COLUMN[COLUMNS] = {
     [GENERATIONS] = {N_("generations"), 12, 10, .right = true},
     [MACHINE] = {N_("machine"), 12, 11}};
 
-/* ---- What is known of each ---- */
+/* ---- The rows ---- */
 
 /* Computes the P50 at the slider's speed: for the site in use with the feed of
  * page Predict, for others with their mean feed. */
@@ -227,7 +227,7 @@ site_cell_text(const struct tui *t, size_t i, int column)
 	}
 }
 
-/* ---- Their order ---- */
+/* ---- The order of the rows ---- */
 
 static const char *
 sort_text_of_row(
