@@ -41,7 +41,6 @@ row_of_y(const struct layout *l, double y, int parts)
 	    1 - axis_relative_position(&l->chart->y, y), l->height * parts);
 }
 
-/* Returns the character of a rule across the plot. */
 static uint32_t
 code_of_rule(enum series series, enum charset charset)
 {
@@ -56,7 +55,6 @@ code_of_rule(enum series series, enum charset charset)
 	}
 }
 
-/* Returns the character of a series' marks. */
 static uint32_t
 code_of_mark(const struct chart_series *s, enum charset charset)
 {

@@ -70,7 +70,6 @@ picture_list_forms(void)
 	return HAVE_CAIRO ? "svg, png, pdf" : "svg (built without cairo)";
 }
 
-/* Returns a new pen for a form. */
 static struct pen *
 new_pen_for_form(enum picture_form form, double width, double height,
     const struct pen_paper *paper, const char *title, const char *about,

@@ -334,7 +334,6 @@ control_current_screen(void)
 	return open;
 }
 
-/* Frees all that the state owns. */
 static void
 free_tui_state(struct tui *t)
 {

@@ -305,7 +305,6 @@ frame_draw_hints(struct tui *t)
 	pane_hints(t, hints);
 }
 
-/* Draws the speed being typed. */
 static void
 draw_typed_speed(struct tui *t, const struct area *note)
 {
@@ -431,7 +430,6 @@ on_wheel_move_slider(struct tui *t, const struct touched *touched)
 	tui_step_slider_to(t, tui_slider_position(t) - touched->by);
 }
 
-/* Scrolls text by the wheel. */
 static void
 on_wheel_scroll_text(struct tui *t, const struct touched *touched)
 {

@@ -451,7 +451,6 @@ is_letter_of_typed_speed(const struct edit *y, int code)
 	       (code == '.' || (code >= '0' && code <= '9') || unit);
 }
 
-/* Goes to the speed that was typed. */
 static void
 go_to_typed_speed(struct tui *t, const char *text)
 {
@@ -520,7 +519,6 @@ handle_mouse_action(struct tui *t, enum hit_kind kind, int row, int column)
 	hits_dispatch_mouse(t, &t->hits, kind, row, column, keymap_handle_key);
 }
 
-/* Translates a mouse event of ncurses. */
 static void
 translate_mouse_event(struct tui *t,
     void (*touched)(struct tui *t, enum hit_kind kind, int row, int column))

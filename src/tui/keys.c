@@ -370,7 +370,6 @@ has_word_in_help_line(const struct key *k, const char *word)
 	return text_contains_word(line, word);
 }
 
-/* Returns true if the brief list of a page has the key. */
 static bool
 is_in_brief_list(const struct key *k, enum page page)
 {

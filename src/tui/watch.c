@@ -80,7 +80,6 @@ report_fit_end(struct tui *t, bool alone)
 		    100 * entry->fit.rmse, entry->fit.generations);
 }
 
-/* Ends a job and shows its result. */
 static void
 end_job_and_show_result(struct tui *t, const struct job_type *type)
 {

@@ -158,7 +158,6 @@ is_about_one_cell(const struct mend *m)
 	return m->kind == MEND_READ || m->kind == MEND_OUT;
 }
 
-/* Returns true if a finding is about a column. */
 static bool
 is_finding_about_column(const struct mend *m, const struct sheet_column *column)
 {

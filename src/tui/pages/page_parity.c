@@ -20,7 +20,6 @@
 
 /* ---- The runs compared ---- */
 
-/* Returns the held-out runs of a site. */
 static struct trials
 heldout_runs_of_site(const struct session *s, size_t index)
 {

@@ -103,7 +103,6 @@ draw_dialog_frame(struct tui *t, const struct area *box, const char *keys)
 	pane_add_hint_clicks(t, edge.row, edge.column + 3, keys);
 }
 
-/* Scrolls the table by the wheel. */
 static void
 on_wheel_scroll_table(struct tui *t, const struct touched *touched)
 {
@@ -143,7 +142,6 @@ draw_answer_line(struct tui *t, const struct area *area)
 	t->cursor = (struct cursor){area->row, area->column + at};
 }
 
-/* Draws the parts from the top down. */
 static void
 draw_dialog_parts(struct tui *t, const struct area *inner,
     const struct parts *p, const char *asks)

@@ -152,7 +152,6 @@ complete_word(struct edit *t, const struct session *s)
 	completion_free(c);
 }
 
-/* Handles a key that has a name. */
 static void
 edit_handle_named_key(struct edit *t, int code)
 {

@@ -164,7 +164,6 @@ file_picker_open(struct tui *t, enum picker_list what)
 	list_files_in_folder(&t->picker, "");
 }
 
-/* Goes to the folder above. */
 static void
 go_to_folder_above(struct tui *t)
 {

@@ -88,7 +88,6 @@ draw_band_of_number(const struct area *area, int row, double low, double high,
 	    high < long_number ? digits : 0, high);
 }
 
-/* Draws a size, or why there is none. */
 static void
 draw_size_or_reason(const struct area *area, int row, unsigned look, double mm)
 {

@@ -108,7 +108,6 @@ sieve_table_draw_bar(
 	    EIGHTH[n % parts * 8 / parts]);
 }
 
-/* Puts the crosshair on the sieve that was clicked. */
 static void
 on_click_sieve(struct tui *t, const struct touched *touched)
 {

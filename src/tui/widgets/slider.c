@@ -68,7 +68,6 @@ slider_position_at_column(struct slider_range range, int column, int width)
 	    range.least + (int)lround(share * (range.most - range.least)));
 }
 
-/* Returns true if a position is outside the training speeds. */
 static bool
 is_outside_training(int position, const struct slider_mark *mark, size_t n)
 {
