@@ -392,7 +392,8 @@ draw_bottom_rows(struct tui *t)
 static void
 draw_question(struct tui *t, int rows, int columns)
 {
-	FREED char *asks = xasprintf("%s y/n", t->question),
+	FREED char *asks = xasprintf("%s %c/%c", t->question, tr_yes_letter(),
+		       tr_no_letter()),
 		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};

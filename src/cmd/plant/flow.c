@@ -430,7 +430,7 @@ begin_flow_answer(const struct plant *p, const struct plant_result *o)
 	FREED char *what =
 	    p->from_file
 		? xstrdup(p->circuit->name[0] != '\0' ? p->circuit->name
-						      : "circuit of a file")
+						      : tr("circuit of a file"))
 	    : back[0] != '\0' ? xasprintf(tr("%s back to the crusher"), back)
 			      : xstrdup(tr("nothing goes back"));
 	struct answer *r = answer_about_site(entry->site, "flow",

@@ -434,6 +434,19 @@ site_default_speed_range(const struct site *site, double *from, double *to)
 }
 
 char *
+site_provenance_in_words(const char *provenance)
+{
+	static const char SHEET[] = "sheet of ", CUTS[] = ", cuts to ";
+	const char *day = provenance + strlen(SHEET);
+	if (strncmp(provenance, SHEET, strlen(SHEET)) != 0)
+		return xstrdup(provenance);
+	const char *cuts = strstr(day, CUTS);
+	return cuts == NULL ? xasprintf(tr("sheet of %s"), day)
+			    : xasprintf(tr("sheet of %.*s, cuts to %s"),
+				  (int)(cuts - day), day, cuts + strlen(CUTS));
+}
+
+char *
 site_source_clause(const struct site *site, const char *none)
 {
 	size_t n = strcspn(site->provenance, ";");

@@ -157,8 +157,8 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 	int at = NAME + 2 * (BOUND + 1) + r->width;
 	/* Without room for the remark a sign tells of the bound itself. */
 	bool marked = span->at_bound || (r->wide && span->near);
-	const char *remark = span->at_bound ? "AT BOUND"
-			     : span->near   ? "NEAR BOUND"
+	const char *remark = span->at_bound ? tr("AT BOUND")
+			     : span->near   ? tr("NEAR BOUND")
 					    : "";
 	char text[24];
 	screen_text(
