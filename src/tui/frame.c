@@ -97,7 +97,7 @@ draw_command_line(struct tui *t, const struct area *area)
 	if (t->line.active) {
 		size_t from;
 		int at = pane_draw_typed_line(
-		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
+		    area, t->goal_field ? tr("goal: ") : ":", &t->line, &from);
 		hits_add(&t->hits, HIT_PRESS, *area, on_click_typed_line, from);
 		return at;
 	}

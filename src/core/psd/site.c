@@ -456,7 +456,8 @@ site_source_clause(const struct site *site, const char *none)
 void
 sources_add_site(char **list, const struct site *site)
 {
-	FREED char *clause = site_source_clause(site, "provenance not stated");
+	FREED char *first = site_source_clause(site, "provenance not stated"),
+		   *clause = site_provenance_in_words(first);
 	if (strstr(*list, clause) == NULL)
 		xappend_to_list(list, "; ", "%s", clause);
 }
