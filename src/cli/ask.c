@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/ask.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
@@ -49,11 +50,13 @@ ask_confirm(struct session *s, const char *question, bool yes)
 {
 	(void)s;
 	text_print_escaped(question, stderr);
-	fputs(yes ? " [Y/n] " : " [y/N] ", stderr);
+	char y = tr_yes_letter(), n = tr_no_letter();
+	fprintf(
+	    stderr, " [%c/%c] ", yes ? toupper(y) : y, yes ? n : toupper(n));
 	int c = ask_wait_for_line(NULL);
 	if (c == EOF)
 		fputc('\n', stderr);
-	return c == 'y' || c == 'Y' || (yes && c == '\n');
+	return tr_is_yes((char[]){(char)c, '\0'}) || (yes && c == '\n');
 }
 
 int

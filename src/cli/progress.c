@@ -53,11 +53,11 @@ print_progress_line(const struct session *s, struct progress *p,
 		snprintf(text, sizeof text, "  %s", at);
 	} else if (st->state == CALIBRATE_POLISHING)
 		snprintf(text, sizeof text,
-		    "  calibrating: polishing, misfit %.4g", st->best);
+		    tr("  calibrating: polishing, misfit %.4g"), st->best);
 	else
 		snprintf(text, sizeof text,
-		    "  calibrating: generation %zu of at most %zu, misfit "
-		    "%.4g",
+		    tr("  calibrating: generation %zu of at most %zu, misfit "
+		       "%.4g"),
 		    st->generation, s->job.options.generations, st->best);
 	int rows, columns, width = text_width_in_columns(text);
 	terminal_size(&rows, &columns);
@@ -83,7 +83,7 @@ print_progress_row(
 	    (!s->job.detail && session_clock() - s->job.started < soon))
 		return;
 	p->row = st->generation;
-	fprintf(stderr, "  generation %4zu  best %.6g  median %.6g\n",
+	fprintf(stderr, tr("  generation %4zu  best %.6g  median %.6g\n"),
 	    st->generation, st->best, st->median);
 }
 

@@ -120,8 +120,8 @@ prompt_text(const struct session *s)
 	const struct entry *entry =
 	    s->n_entry > 0 ? &s->entry[s->current] : NULL;
 	const char *state = entry == NULL       ? ""
-			    : entry->has_fit    ? " (fit)"
-			    : entry->has_params ? " (params)"
+			    : entry->has_fit    ? tr(" (fit)")
+			    : entry->has_params ? tr(" (params)")
 						: "";
 	const char *name =
 	    entry != NULL && entry->key[0] != '\0' ? entry->key : "tipspeed";
@@ -366,13 +366,12 @@ enum reply { REPLY_YES, REPLY_NO, REPLY_EMPTY, REPLY_COMMAND };
 static enum reply
 classify_reply_to_offer(const char *typed)
 {
-	size_t which;
 	FREED char *word = xstrdup(typed);
 	const char *said = text_trim(word);
-	return said[0] == '\0'                                 ? REPLY_EMPTY
-	       : text_find_word_in_list("y yes", said, &which) ? REPLY_YES
-	       : text_find_word_in_list("n no", said, &which)  ? REPLY_NO
-							       : REPLY_COMMAND;
+	return said[0] == '\0'   ? REPLY_EMPTY
+	       : tr_is_yes(said) ? REPLY_YES
+	       : tr_is_no(said)  ? REPLY_NO
+				 : REPLY_COMMAND;
 }
 
 /* Handles a line that answers the offer.  Returns false if the line is a

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "config.h"
 
@@ -462,7 +463,7 @@ chart_foot_text(const struct chart *chart, const char *program)
 	size_t n = 0;
 	FILE *memory = text_open_memory(&text, &n);
 	FREED char *about =
-	    xasprintf("data: %s; drawn by %s", chart->about, program);
+	    xasprintf(tr("data: %s; drawn by %s"), chart->about, program);
 	for (const struct chart *c = chart; c != NULL; c = c->below)
 		for (size_t i = 0; i < c->n_note; i++)
 			text_print_wrapped(c->note[i], 0, FOOT_COLUMNS, memory);

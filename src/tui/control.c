@@ -360,7 +360,8 @@ control_confirm(struct session *s, const char *question, bool yes)
 	open->question = question;
 	bool got = open->callbacks->answer(open, &code, &special);
 	open->question = NULL;
-	return got && !special && (code == 'y' || code == 'Y');
+	return got && !special && code < 128 &&
+	       tr_is_yes((char[]){(char)code, '\0'});
 }
 
 static char *

@@ -267,7 +267,8 @@ print_site_summary(const struct site *site, FILE *out)
 	for (size_t i = 0; i < site->n_left_out; i++)
 		fprintf(out, tr("not read: %s, %s\n"), site->left_out[i].key,
 		    site->left_out[i].value);
-	print_unless_empty(out, tr("data: "), site->provenance);
+	FREED char *data = site_provenance_in_words(site->provenance);
+	print_unless_empty(out, tr("data: "), data);
 }
 
 char *

@@ -97,7 +97,7 @@ draw_command_line(struct tui *t, const struct area *area)
 	if (t->line.active) {
 		size_t from;
 		int at = pane_draw_typed_line(
-		    area, t->goal_field ? "goal: " : ":", &t->line, &from);
+		    area, t->goal_field ? tr("goal: ") : ":", &t->line, &from);
 		hits_add(&t->hits, HIT_PRESS, *area, on_click_typed_line, from);
 		return at;
 	}
@@ -391,7 +391,8 @@ draw_bottom_rows(struct tui *t)
 static void
 draw_question(struct tui *t, int rows, int columns)
 {
-	FREED char *asks = xasprintf("%s y/n", t->question),
+	FREED char *asks = xasprintf("%s %c/%c", t->question, tr_yes_letter(),
+		       tr_no_letter()),
 		   *text = text_wrapped(asks, columns);
 	int n = text_count_rows(asks, columns);
 	struct area area = {rows - n, 0, n, columns};

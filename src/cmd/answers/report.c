@@ -200,11 +200,12 @@ write_report_sections(struct session *s, const struct report_request *ask)
 static void
 write_data_provenance(struct document *d, const struct site *site)
 {
-	FREED char *from = site_source_clause(site, "");
+	FREED char *first = site_source_clause(site, ""),
+		   *from = site_provenance_in_words(first);
 	if (from[0] == '\0')
 		document_say(d, DOCUMENT_WARNING,
 		    "The site file does not state where its data are from.");
-	else if (site_is_data_made_up(from))
+	else if (site_is_data_made_up(first))
 		document_say(d, DOCUMENT_WARNING,
 		    "The data were not measured at a plant: %s.", from);
 	else

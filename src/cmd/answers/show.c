@@ -33,7 +33,8 @@ show_site(struct session *s, const struct args *args, struct error *error)
 	answer_title(r, "%s", label);
 	answer_set_site(r, site->name, site->provenance);
 	answer_columns(r, "what, value");
-	answer_add_pair(r, "data", "%s", site->provenance);
+	FREED char *data = site_provenance_in_words(site->provenance);
+	answer_add_pair(r, "data", "%s", data);
 	answer_add_pair(r, "rock", "%s", site->rock);
 	if (site->top_size > 0)
 		answer_add_pair(
@@ -183,6 +184,18 @@ show_model(struct session *s, const struct args *args, struct error *error)
 }
 
 /* People see a row for each model, programs one for each parameter. */
+/* The caller frees it. */
+static char *
+model_in_words(const struct breakage *model)
+{
+	int name = (int)strcspn(model->name, "+");
+	return model->bypass
+		   ? xasprintf(tr("%.*s with a share of the feed that "
+				  "bypasses the rotor"),
+			 name, model->name)
+		   : xstrdup(tr(model->brief));
+}
+
 static bool
 show_models(struct session *s, const struct args *args, struct error *error)
 {
@@ -191,9 +204,11 @@ show_models(struct session *s, const struct args *args, struct error *error)
 	struct answer *r = answer_new("show");
 	answer_title(r, "breakage models, for 'set model'");
 	answer_columns(r, "model, parameters, what");
-	for (size_t m = 0; m < breakage_count_models(); m++)
+	for (size_t m = 0; m < breakage_count_models(); m++) {
+		FREED char *what = model_in_words(BREAKAGES[m]);
 		answer_add_cells(r, "%s %g %s", BREAKAGES[m]->name,
-		    (double)BREAKAGES[m]->n, BREAKAGES[m]->brief);
+		    (double)BREAKAGES[m]->n, what);
+	}
 	answer_begin_table_for_programs(r);
 	answer_columns(r, "model, parameter, unit, lower, upper, meaning");
 	for (size_t m = 0; m < breakage_count_models(); m++)

@@ -11,8 +11,8 @@
 const char *const FIT_NOTHING_BREAKS =
     N_("the products are not measurably finer than the feed: there is nothing "
        "to calibrate on; is it their feed, and are these the right lines of "
-       "the sheet ('show data' has both)? if so, measure with a coarser feed "
-       "or at a higher speed");
+       "the sheet ('show feed' and 'show product' have them)? if so, measure "
+       "with a coarser feed or at a higher speed");
 
 bool
 fit_nothing_breaks(const struct entry *entry)

@@ -335,7 +335,7 @@ plots_make_chart(
 	    [PLOT_SEARCH] = {plots_search_residuals},
 	    [PLOT_ENERGY] = {plots_impact_energies, true}};
 	if (!KINDS[request->kind].any_site &&
-	    !session_require_site(s, "this plot", error))
+	    !session_require_site(s, tr("this plot"), error))
 		return NULL;
 	size_t at = s->current;
 	if (request->site != NULL &&

@@ -24,7 +24,8 @@ site_chart(const struct site *site, struct axis x, struct axis y,
 		   *label = session_site_label(site);
 	va_end(ap);
 	FREED char *title = xasprintf("%s: %s", label, words);
-	FREED char *about = site_source_clause(site, "provenance not stated");
+	FREED char *clause = site_source_clause(site, "provenance not stated"),
+		   *about = site_provenance_in_words(clause);
 	return chart_new(title, about, x, y);
 }
 

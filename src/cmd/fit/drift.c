@@ -51,7 +51,7 @@ add_rows_of_cuts(
 			answer_add_cells(a, "%.1f %.1f %.1f %.1f %.1f",
 			    sign * level->ewma, level->ewma_limit, level->up,
 			    level->down, sign * cusum_nearest_to_limit(tilt));
-		answer_add_cells(a, "%s", ROUTINE_STATE[p->state]);
+		answer_add_cells(a, "%s", tr(ROUTINE_STATE[p->state]));
 	}
 }
 

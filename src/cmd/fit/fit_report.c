@@ -458,8 +458,8 @@ fit_build_report(const struct session *s, const struct entry *entry,
 	if (answers_show_fit_basis(s, r, entry, false) == LIGHT_RED)
 		answer_note(r, "next: 'check' looks for faults in the sheet");
 	else if (fit_nothing_breaks(entry))
-		answer_note(r, "next: 'show data' has feed and products side "
-			       "by side");
+		answer_note(r, "next: 'show feed' and 'show product' have "
+			       "the curves");
 	else
 		answer_note(r,
 		    "next: 'predict %s', or any speed; 'show fit' "

@@ -450,8 +450,8 @@ add_model_rows(struct answer *r, const struct verdict *v, bool programs)
 			answer_add_cells(r, "%.0f", model_weight_pct(v, m));
 	}
 	for (size_t way = VALIDATE_NULL; way < VALIDATE_WAYS; way++) {
-		answer_add_cells(
-		    r, "%s %g %.5f %.1f", SCORES_WAYS[way].key, NAN, NAN, NAN);
+		answer_add_cells(r, "%s %g %.5f %.1f", tr(SCORES_WAYS[way].key),
+		    NAN, NAN, NAN);
 		if (programs)
 			answer_add_cells(r, "%.1f", NAN);
 		answer_add_cells(

@@ -19,7 +19,7 @@ const struct scores_way SCORES_WAYS[VALIDATE_WAYS] = {
     [VALIDATE_MODEL] = {"model", N_("model"), N_("the model")},
     [VALIDATE_CORRECTED] = {"corrected", N_("corrected"),
 	N_("the model corrected by the runs")},
-    [VALIDATE_INTERPOLATION] = {"interpolation", N_("interpolated"),
+    [VALIDATE_INTERPOLATION] = {N_("interpolation"), N_("interpolated"),
 	N_("a straight line through the training products")},
     [VALIDATE_NEAREST] = {"nearest", N_("nearest"),
 	N_("the product at the nearest training speed"), 1},

@@ -201,7 +201,7 @@ add_parameter_options(const struct breakage *model, struct command_option *row)
 		    .least = p->least,
 		    .most = p->most,
 		    .fallback = "",
-		    .brief = own ? xasprintf(tr("%s, model %s"), p->meaning,
+		    .brief = own ? xasprintf(tr("%s, model %s"), tr(p->meaning),
 				       model->name)
 				 : xstrdup(p->meaning)};
 	}

@@ -398,7 +398,7 @@ parse_number_in_limits(const struct command_option *option, const char *word,
 	/* In a list, commas separate numbers. */
 	bool list = option->kind == VALUE_NUMBERS && strchr(word, ',') != NULL;
 	bool ok = !list && value_parse_number(word, option->unit, value);
-	const char *in = option->unit[0] != '\0' ? " in " : "";
+	const char *in = option->unit[0] != '\0' ? tr(" in ") : "";
 	const char *space = option->unit[0] != '\0' ? " " : "";
 	bool comma = option->kind == VALUE_NUMBER && strchr(word, ',') != NULL;
 	if (!ok) {

@@ -49,6 +49,20 @@ write_session_script(const void *data, FILE *out)
 	journal_write_script(s, out);
 }
 
+/* Returns "4 commands, tierp" as the file has it, in the language of texts. */
+static char *
+words_of_left_file(const struct autosave_left *file)
+{
+	char *end;
+	unsigned long n = strtoul(file->about, &end, 10);
+	if (strncmp(end, " command", strlen(" command")) != 0)
+		return xstrdup(file->about);
+	const char *name = strchr(end, ',');
+	FREED char *count =
+	    xasprintf(tr_n("%lu command", "%lu commands", n), n);
+	return xasprintf("%s%s", count, name != NULL ? name : "");
+}
+
 char *
 autosave_begin(struct session *s)
 {
@@ -69,13 +83,14 @@ autosave_begin(struct session *s)
 	if (n > 0) {
 		const struct tm *tm = localtime(&file[0].when.tv_sec);
 		strftime(day, sizeof day, " %H:%M", tm);
+		FREED char *about = words_of_left_file(&file[0]);
 		offer = xasprintf(
 		    n > 1 ? tr("'restore last' brings back your last session, "
 			       "of %d %s%s (%s); 'restore' lists those before "
 			       "it")
 			  : tr("'restore last' brings back your last session, "
 			       "of %d %s%s (%s)"),
-		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, file[0].about);
+		    tm->tm_mday, tr(MONTHS[tm->tm_mon]), day, about);
 	}
 	autosave_left_free(file, n);
 	return offer;
@@ -251,8 +266,8 @@ autosave_show_list(struct session *s)
 		char when[32];
 		strftime(when, sizeof when, "%Y-%m-%d %H:%M",
 		    localtime(&file[i].when.tv_sec));
-		answer_add_cells(
-		    r, "%s %s %s", when, file[i].about, file[i].path);
+		FREED char *about = words_of_left_file(&file[i]);
+		answer_add_cells(r, "%s %s %s", when, about, file[i].path);
 	}
 	answer_note(r, n > 0 ? N_("run 'restore last' for the first, 'restore "
 				  "FILE' for any of them")

@@ -372,7 +372,8 @@ static bool
 parse_top_size_answer(const char *settle, const char *said,
     struct user_answers *into, char *wrong)
 {
-	bool yes = said[0] == '\0' || is_abbreviation_of(said, "yes");
+	bool yes = said[0] == '\0' || is_abbreviation_of(said, "yes") ||
+		   tr_is_yes(said);
 	const char *number = yes ? strchr(settle, '=') + 1 : said;
 	bool good =
 	    text_parse_typed_number(number, &into->top) && into->top > 0;
@@ -486,7 +487,8 @@ ask_until_valid_answer(
 	for (q->first = true;; q->first = false) {
 		FREED char *answer = s->hooks.ask(s, q);
 		char *text = answer != NULL ? text_trim(answer) : NULL;
-		if (text == NULL || (top && is_abbreviation_of(text, "no")))
+		if (text == NULL ||
+		    (top && (is_abbreviation_of(text, "no") || tr_is_no(text))))
 			return false;
 		wrong[0] = '\0';
 		if (parse_option_answer(q->ask, text, said, wrong))
@@ -503,7 +505,7 @@ static const struct {
     {"decimal=", N_("decimal sign, point or comma"), false},
     {"sheet=", N_("which sheet is to be read"), true},
     {"range=", N_("which cells are to be read"), true},
-    {"dates=", "is it day or month first", false}};
+    {"dates=", N_("is it day or month first"), false}};
 
 /* Returns the question about the size that all of the feed passes.  size: the
  * proposed one, or "".  further: if > 0, a larger size to name too, because the

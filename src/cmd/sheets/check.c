@@ -284,7 +284,7 @@ report_wide_gap_in_feed(struct answer *r, const struct entry *entry)
 	const struct psd *feed = &entry->site->run[0].feed;
 	size_t i = psd_sieve_above_widest_gap(feed);
 	if (i < feed->n)
-		finding(r, entry, false, "feed",
+		finding(r, entry, false, tr("feed"),
 		    "no sieve between %g and %g mm, where %.0f points of it "
 		    "lie: add one, because its curve is assumed to be straight "
 		    "there",
@@ -369,7 +369,7 @@ report_sites_with_same_data(struct session *s, struct answer *r, size_t index)
 		const struct entry *other = &s->entry[i];
 		if (i == index || other->site->digest != entry->site->digest)
 			continue;
-		finding(r, entry, false, "all runs",
+		finding(r, entry, false, tr("all runs"),
 		    "identical data: %s and %s have the same numbers",
 		    entry->site->name, other->site->name);
 	}
@@ -423,7 +423,7 @@ check_site(
 	struct outlier_findings d = mend_find_faults(s, entry);
 	report_suspect_cells(r, entry, &d);
 	if (d.unseen > 0)
-		finding(r, entry, false, "all runs",
+		finding(r, entry, false, tr("all runs"),
 		    "%zu passings are too many to compare each with every "
 		    "other (check does so for up to %d), so single wrong "
 		    "values are not looked for; check fewer runs at a time",
@@ -435,12 +435,12 @@ check_site(
 		mend_put_numbered_list(r, entry, &d);
 	outliers_free(&d);
 	if (strcmp(site_data_kind(entry->site->provenance), "not stated") == 0)
-		finding(r, entry, false, "site file",
+		finding(r, entry, false, tr("site file"),
 		    "provenance is not stated: above the table, write "
 		    "provenance in a cell, and in the next where the data "
 		    "are from");
 	if (site_assumed_top_size(entry->site) > 0)
-		finding(r, entry, false, "feed",
+		finding(r, entry, false, tr("feed"),
 		    "all of it is assumed to pass %g mm: a coarser sieve would "
 		    "show it",
 		    site_assumed_top_size(entry->site));

@@ -68,7 +68,7 @@ cmd_sites(struct session *s, const struct args *args, struct error *error)
 		    : origin_is_from_store(entry->origin)
 			? tr("from store")
 			: origin_source_text(entry),
-		    site_data_kind(entry->site->provenance));
+		    tr(site_data_kind(entry->site->provenance)));
 	}
 	answer_note(r, s->n_entry > 0
 			   ? N_("* is the site in use")

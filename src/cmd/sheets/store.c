@@ -242,8 +242,8 @@ fail_without_material(struct store *store, const struct material_list *paper,
 		error_set(error, ERROR_USAGE,
 		    s.least < 3 ? "the store has no material '%s'\n"
 				  "did you mean '%s'?"
-				: "the store has no material '%s'\n"
-				  "run 'materials' to list them%.0s",
+				: N_("the store has no material '%s'\n"
+				     "run 'materials' to list them%.0s"),
 		    name, s.best);
 	free(s.best);
 	return false;
@@ -421,7 +421,7 @@ show_remembered_materials(
 		if (strstr(about, m->provenance) == NULL)
 			xappend_to_list(&about, "; ", "%s", m->provenance);
 		answer_add_cells(r, "%s %s %s %.2f %.2f %s", m->name,
-		    material_origin_text(m), site_data_kind(m->provenance),
+		    material_origin_text(m), tr(site_data_kind(m->provenance)),
 		    m->rmse_pct, m->holdout_pct, m->date);
 	}
 	if (n == 1)
@@ -971,7 +971,7 @@ add_material_row(struct answer *r, const struct material *m)
 	    m->top_size_mm, params_value_by_name(&m->params, "f_mat"),
 	    params_value_by_name(&m->params, "e0_min"),
 	    params_value_by_name(&m->params, "alpha"), material_origin_text(m),
-	    site_data_kind(m->provenance));
+	    tr(site_data_kind(m->provenance)));
 }
 
 static void

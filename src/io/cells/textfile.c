@@ -77,7 +77,7 @@ refuse_invalid_text(const char *path, const char *text, size_t bad,
 	error_at(error_add(errors), ERROR_DATA, path, at.line, at.column,
 	    "%s\n"
 	    "save the spreadsheet as .xlsx, .ods or \"CSV UTF-8\"",
-	    what);
+	    tr(what));
 	return NULL;
 }
 
@@ -88,13 +88,13 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 	*note = "";
 	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
 		return refuse_invalid_text(path, bytes, 0,
-		    "expected text, got a workbook (.xlsx, .ods)", errors);
+		    N_("expected text, got a workbook (.xlsx, .ods)"), errors);
 	struct decoded d = encoding_decode(bytes, n);
 	size_t control = first_control_character(d.text, d.n);
 	char *text = NULL;
 	if (control < d.n)
 		refuse_invalid_text(path, d.text, control,
-		    "expected text, got a binary file", errors);
+		    N_("expected text, got a binary file"), errors);
 	else if (d.wrong != NULL)
 		refuse_invalid_text(path, d.text, d.bad, d.wrong, errors);
 	else if (textfile_is_blank(d.text, d.n))
@@ -152,8 +152,8 @@ report_unreadable_file(
 	FREED char *hint = textfile_hint_if_unreadable(path);
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
-	    several ? "name each file, or let the shell expand the pattern: "
-		      "tipspeed FOLDER/*.csv"
+	    several ? tr("name each file, or let the shell expand the "
+			 "pattern: tipspeed FOLDER/*.csv")
 		    : hint);
 	return NULL;
 }

@@ -439,11 +439,12 @@ static int
 draw_data_source(const struct tui *t, const struct area *area, int row)
 {
 	const struct site *site = t->view.sheet.site;
+	FREED char *data = site_provenance_in_words(site->provenance);
 	const struct {
 		const char *what, *text;
 	} MORE[] = {{N_("machine"), site->machine},
 	    {N_("read as"), site->read_as}, {N_("assumed"), site->assumed},
-	    {N_("remark"), site->remark}, {N_("data"), site->provenance}};
+	    {N_("remark"), site->remark}, {N_("data"), data}};
 	row = screen_draw_wrapped(area, row, LOOK_DIM,
 	    answers_is_sheet_in_rpm(site)
 		? tr("columns: feed and product at each speed, rpm, % passing; "

@@ -158,8 +158,8 @@ draw_parameter(const struct row *r, const char *name, bool scaled, bool chosen,
 	/* Without room for the remark, the sign stands only for a value at the
 	 * bound. */
 	bool marked = span->at_bound || (r->wide && span->near);
-	const char *remark = span->at_bound ? "AT BOUND"
-			     : span->near   ? "NEAR BOUND"
+	const char *remark = span->at_bound ? tr("AT BOUND")
+			     : span->near   ? tr("NEAR BOUND")
 					    : "";
 	char text[24];
 	screen_text(

@@ -358,9 +358,9 @@ fill_site_descriptions(const struct tui *t, char *text[static ABOUT])
 	FREED char *label = session_site_label(e->site);
 	text[2] = xasprintf("%s%s%s", label,
 	    e->site->machine[0] != '\0' ? "; " : "", e->site->machine);
-	text[3] = xasprintf(tr("data: %s"), e->site->provenance[0] != '\0'
-						? e->site->provenance
-						: tr("provenance not stated"));
+	FREED char *data = site_provenance_in_words(e->site->provenance);
+	text[3] = xasprintf(tr("data: %s"),
+	    data[0] != '\0' ? data : tr("provenance not stated"));
 }
 
 /* Draws the curves of the site under the cursor, between the list and the text

@@ -7,6 +7,7 @@
 #include <curses.h>
 
 #include "base/text.h"
+#include "base/tr.h"
 #include "base/xalloc.h"
 #include "tui/pane.h"
 #include "tui/screen.h"
@@ -183,7 +184,8 @@ dialog_draw(struct tui *t, int rows, int columns)
 	hits_add(&t->hits, HIT_WHEEL, box, on_wheel_scroll_table, 0);
 	if (frame)
 		draw_dialog_frame(t, &box,
-		    offers ? "Enter accepts  Esc gives up" : "Esc gives up");
+		    offers ? tr("Enter accepts  Esc gives up")
+			   : tr("Esc gives up"));
 	struct area inner = {
 	    box.row + edge, box.column + side, high, wide - 2 * side};
 	draw_dialog_parts(t, &inner, &p, asks);

@@ -234,7 +234,7 @@ static void
 draw_passings(struct tui *t, const struct area *area, int row, double all,
     const char *unit)
 {
-	static const char *const NAME[] = {"fines", "<2 mm", "<4 mm"};
+	static const char *const NAME[] = {N_("fines "), "<2 mm", "<4 mm"};
 	const struct numbers *was = numbers_to_compare_with(t);
 	const struct prediction *shown = &t->view.shown;
 	struct psd low = shown->product, high = shown->product;
@@ -244,7 +244,7 @@ draw_passings(struct tui *t, const struct area *area, int row, double all,
 		double now = t->view.current.passing[i], part = all / 100;
 		if (isnan(now))
 			continue;
-		screen_text(area, row, 0, 0, "%s", NAME[i]);
+		screen_text(area, row, 0, 0, "%s", tr(NAME[i]));
 		screen_text(
 		    area, row, VALUE + 1, 0, "%5.1f %s", now * part, unit);
 		if (shown->low != NULL)

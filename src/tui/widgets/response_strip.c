@@ -193,12 +193,12 @@ list_limits_of_quantity(
 			limit[n++] =
 			    (struct limit){quantities_value_in_shown_unit(
 					       &t->ui.quantity, c->least),
-				value ? "goal" : "min"};
+				value ? tr("goal") : tr("min")};
 		if (!isnan(c->most) && !value)
 			limit[n++] =
 			    (struct limit){quantities_value_in_shown_unit(
 					       &t->ui.quantity, c->most),
-				"max"};
+				tr("max")};
 	}
 	return n;
 }
