@@ -1,5 +1,5 @@
-/* Checks check: counts the wrong cells that it finds in sheets as they are and
- * with one passing changed, before and after calibration.
+/* Counts the wrong cells that check finds in sheets as they are and with one
+ * passing changed, before and after calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>

@@ -88,7 +88,6 @@ bool error_should_stop(struct error_list *list);
  * text, which programs may read, only on a terminal. */
 void error_print(const struct error *e, FILE *out);
 
-/* Prints only the hint. */
 void error_print_hint(const struct error *e, FILE *out);
 
 #endif

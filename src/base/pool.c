@@ -17,7 +17,6 @@
 
 enum { SPINS = 60000 }; /* tries to find work before sleeping: some 10 us */
 
-/* The argument of a thread. */
 struct worker {
 	struct pool *pool;
 	unsigned number;

@@ -18,7 +18,6 @@
 /* Domains of gettext; OFF has no catalogue. */
 static const char ON[] = PACKAGE, OFF[] = PACKAGE "-c";
 
-/* Binds DIR/sv/LC_MESSAGES/tipspeed.mo */
 static void
 bind_message_catalogues(void)
 {

@@ -278,7 +278,6 @@ circuit_solve(struct circuit_solver *s, size_t draw)
 	return 0;
 }
 
-/* Adds the solution of a draw to the flow. */
 static void
 flow_add_draw(struct flow *flow, const struct circuit_solver *s, size_t draw,
     size_t passes)

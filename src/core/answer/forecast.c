@@ -208,7 +208,6 @@ quantity_of_curve(struct forecast *f, size_t i, const struct psd *curve)
 	return quantity_read_off_curve(&f->asked[i], curve, share);
 }
 
-/* Computes the curve of draw d. */
 static void
 fill_curve_of_draw(const struct forecast *f, size_t d, struct psd *curve)
 {
@@ -230,7 +229,6 @@ copy_row_of_draws(const struct forecast *f, size_t k, double *draw)
 		memcpy(draw, above, DRAWS * sizeof *draw);
 }
 
-/* Returns the curve of the model alone. */
 static const struct psd *
 curve_of_model(struct forecast *f)
 {

@@ -43,7 +43,6 @@ const struct quantity *forecast_asked_quantity(
  * draws, widened to contain the value if they are of ENSEMBLE_ANSWER. */
 struct figure forecast_value_with_band(const struct forecast *f, size_t i);
 
-/* Returns quantity i of the model alone. */
 double forecast_value_of_model_alone(struct forecast *f, size_t i);
 
 double forecast_tip_speed(const struct forecast *f);

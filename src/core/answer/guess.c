@@ -122,7 +122,6 @@ range_of_size_at_passing(const struct psd *median, const struct prediction *p,
 	return range;
 }
 
-/* Returns the median of n curves at the same sizes. */
 static struct psd
 median_curve(const struct prediction *p, size_t n)
 {

@@ -449,7 +449,6 @@ mean_log_energy(const struct site *site)
 	return n > 0 ? el_log(sum / n) : 0;
 }
 
-/* Fills a block with cells, values and covariance of smooth curves. */
 static void
 fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 {

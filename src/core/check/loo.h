@@ -62,7 +62,6 @@ struct leave_out_shift {
  * cell to check. */
 struct leave_out_shift leave_out_worst_shift(struct leave_out *l);
 
-/* Returns the shift of the given cell. */
 struct leave_out_shift leave_out_shift_of_cell(
     struct leave_out *l, size_t cell);
 

@@ -124,7 +124,6 @@ struct params breakage_narrow_params(const struct params *p);
  * D17); the given model's own index if there is none. */
 size_t breakage_widest_extension(size_t breakage);
 
-/* Returns the model of the parameters. */
 const struct breakage *breakage_model_of_params(const struct params *p);
 
 /* Returns the index of the parameter with that name, or the model's n. */

@@ -80,7 +80,6 @@ struct moments {
 	double of[SHAPES][MOMENTS];
 };
 
-/* Computes S and its derivatives at the points of a panel. */
 static void
 compute_selection_at_panel(const struct breaker *b,
     const double t[static GAUSS], double shape[static SHAPES][GAUSS])

@@ -28,7 +28,6 @@ struct params {
  * has them, so they are typing errors. */
 enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
-/* Description of one parameter. */
 struct param_info {
 	const char *name;    /* as typed */
 	const char *unit;    /* "-" if none */
@@ -37,8 +36,7 @@ struct param_info {
 	double start;        /* value if a site has none; NAN: it must be
 			      * given */
 	const char *meaning;
-	double spread; /* standard deviation of a normal prior about start; 0:
-		        * uniform within the bounds */
+	double spread; /* sd of a normal prior about start; 0: uniform */
 };
 
 /* Search bounds, one pair for each parameter.  A parameter with lower == upper

@@ -8,7 +8,6 @@
 #include "core/model/params.h"
 #include "core/psd/site.h"
 
-/* The input for a synthetic site. */
 struct synth {
 	double top_size; /* m */
 	struct params params;

@@ -8,11 +8,11 @@
 
 #include "core/posterior/discrepancy.h"
 
-/* Up to COVARIANCE_FEW cells are factored as one matrix.  With more, use that
- * the runs share only the processes f of the discrepancy, which have few values
- * at the sizes of the cells, however many runs there are.  Let B be the factors
- * of these values in the cells, K their covariance, and E the covariance of the
- * samples' errors, with a block for each run.  Then
+/* Up to COVARIANCE_FEW cells are factored as one matrix.  More are factored by
+ * blocks, because the runs share only the processes f of the discrepancy, which
+ * have few values at the sizes of the cells, however many runs there are.  Let
+ * B be the factors of these values in the cells, K their covariance, and E the
+ * covariance of the samples' errors, with a block for each run.  Then
  *   C = B K B' + E,   K = L L',   A = 1 + L' B' E^-1 B L
  *   C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
  * (Rasmussen and Williams 2006, A.9).  This is exact, and takes time and space

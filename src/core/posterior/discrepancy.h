@@ -47,7 +47,7 @@ extern const struct hyper_info HYPER[HYPERS];
 /* Returns t for a tip speed, m/s; middle: ln of the mean energy, J/kg. */
 double discrepancy_speed_to_t(double v, double middle);
 
-/* Computes the factors of f_0, f_1 and f_2 at t: term. */
+/* Sets term to the factors of f_0, f_1 and f_2 at t. */
 enum { DISCREPANCY_TERMS = 3 };
 void discrepancy_speed_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);

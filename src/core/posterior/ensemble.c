@@ -27,8 +27,7 @@ enum {
 	ALL = FIT + KERNEL_LANES,
 	EVEN = 24,
 	BEYOND = 80,
-	SLOWEST = BEYOND, /* index of the first of the grid's speeds that are
-			   * pooled */
+	SLOWEST = BEYOND, /* index of the first speed pooled */
 	RISING = BEYOND + EVEN + 1 + POSTERIOR_RUNS + BEYOND
 };
 
@@ -46,7 +45,7 @@ struct ensemble {
 	double *product, *misfit; /* [n * ALL], [ALL], by the scheme */
 	double *fit, *feed;       /* [n] */
 	size_t *knot;             /* [n]: the size lies between this knot and
-				   * the next; */
+				   * the next */
 	double *share;            /* this knot's weight */
 	double *delta;            /* at the knots, [n_knot * DRAWS] */
 	/* [n + 1][DRAWS]: nothing passes below the finest size. */
@@ -343,7 +342,6 @@ lack_of_fit_at_knot(const struct posterior *p, double v, size_t knot)
 	return (1 - t) * at[0] + t * at[p->n_knot];
 }
 
-/* Computes the discrepancy of each draw at speed v, at the knots. */
 static void
 fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
@@ -423,7 +421,6 @@ make_ensemble_samples(struct ensemble *e)
 	e->sampled = true;
 }
 
-/* Adds the feed that bypasses the rotor. */
 static void
 ensemble_add_bypass(struct ensemble *e)
 {
@@ -506,7 +503,6 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		}
 }
 
-/* Computes the answers at speed k of the grid, as drawn. */
 static void
 compute_answers_at_grid_speed(struct ensemble *e, size_t k)
 {

@@ -31,7 +31,6 @@ enum ensemble_part {
 	ENSEMBLE_PARTS
 };
 
-/* Returns the number of the ensemble's sizes. */
 size_t ensemble_count_sieves(const struct ensemble *e);
 
 /* Moves to tip speed v, m/s; does nothing if that is the speed already. */
@@ -42,9 +41,9 @@ void ensemble_set_speed(struct ensemble *e, double v);
  * only the model or differences. */
 void ensemble_set_speed_as_drawn(struct ensemble *e, double v);
 
-/* Returns the error of the stated tip speeds that counts in an answer, in
- * errors of one speed: that of the speed asked about (1) combined with that of
- * the mean speed of the runs that inform the draws. */
+/* Returns the total speed error in an answer, in errors of one stated speed:
+ * that of the speed asked about, combined with that of the mean speed of the
+ * runs that inform the draws. */
 double ensemble_effect_of_speed_errors(const struct posterior *p);
 
 /* Returns the error of the stated speeds in a draw, in standard deviations. */
@@ -65,7 +64,6 @@ const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 void ensemble_discrepancy_of_draw(
     const struct ensemble *e, size_t draw, double *delta);
 
-/* Returns the ensemble's posterior. */
 const struct posterior *ensemble_posterior(const struct ensemble *e);
 
 /* Computes the interval that holds the middle `level` (0..1) of a row of

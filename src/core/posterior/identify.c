@@ -15,8 +15,8 @@ enum { DRAWS = POSTERIOR_DRAWS };
 
 static const double DETERMINED = 0.1, POORLY = 0.5;
 
-/* A draw within EDGE of the range from a bound counts as on it.  A parameter is
- * on a bound if MANY of its draws are. */
+/* A draw nearer to a bound than EDGE of the range is on the bound, and so is a
+ * parameter if at least MANY of its draws are. */
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void

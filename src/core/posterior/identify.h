@@ -29,7 +29,6 @@ struct identify_param {
 	int bound;
 };
 
-/* Returns the summary of parameter j of the posterior's model. */
 struct identify_param identify_summarise_param(
     const struct posterior *p, size_t j);
 

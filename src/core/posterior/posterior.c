@@ -115,9 +115,9 @@ struct sampler {
 
 /* Rescales the differences of a trial d [n_cell], simulated - measured, from
  * its own h to that of the cells (list_measured_cells).  Then one covariance
- * serves all trials, and a trial is measured as a draw is corrected
- * (discrepancy_correct_passing).  Returns ln of the factor by which this
- * shrinks a volume. */
+ * serves all trials, and a trial is compared in the same way as a draw is
+ * corrected (discrepancy_correct_passing).  Returns ln of the factor by which
+ * this shrinks a volume. */
 static double
 rescale_to_cells(const struct sampler *s, double *d)
 {
@@ -140,7 +140,6 @@ rescale_to_cells(const struct sampler *s, double *d)
 	return level + el_log(product);
 }
 
-/* Evaluates the trial at a place of the order. */
 static void
 evaluate_trial(struct sampler *s, size_t place, double *work)
 {
@@ -169,7 +168,6 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 		trial->prior = INFINITY;
 }
 
-/* Computes the differences of the trials from..to-1 in the order. */
 static void
 compute_differences_of_trials(
     struct sampler *s, size_t from, size_t to, unsigned thread)
@@ -200,7 +198,6 @@ strengths_of_trial(const struct sampler *s, const double *x)
 		      : (struct strengths){0, 1, 1};
 }
 
-/* Puts trial i into a place of the order. */
 static void
 place_trial_in_order(
     struct sampler *s, size_t i, struct strengths rock, size_t place)
@@ -386,7 +383,6 @@ swap_pointers(double **a, double **b)
 	*b = other;
 }
 
-/* Makes the trial the chain's state. */
 static void
 accept_trial(struct chain *chain, struct chain *trial, bool hyper)
 {
@@ -551,7 +547,6 @@ add_chains_to_sums(struct sums *sums, const struct sampler *s)
 		}
 }
 
-/* Returns Gelman and Rubin's R of a coordinate. */
 static double
 gelman_rubin(const struct sums *sums, size_t j)
 {
@@ -767,7 +762,6 @@ condition_processes_on_data(const struct sampler *s, const struct posterior *p,
 	}
 }
 
-/* Makes draw number `at`. */
 static void
 make_posterior_draw(const struct sampler *s, struct posterior *p,
     const struct chain *chain, struct noise noise, size_t at)

@@ -35,9 +35,9 @@ double psd_passing(const struct psd *psd, double x);
 struct psd psd_smooth_curve(const struct psd *psd);
 
 /* Returns a curve at the sizes [n], m, coarsest first, with sizes added so that
- * neighbours are at most a tenth apart (a seventh below a tenth of the
- * coarsest): close enough to follow the corners of a product.  All passings are
- * 0.  Free with psd_free. */
+ * neighbours are at most a tenth apart (a seventh among those finer than a
+ * tenth of the coarsest): close enough to follow the corners of a product.  All
+ * passings are 0.  Free with psd_free. */
 struct psd psd_new_with_sizes_between(const double *size, size_t n);
 
 /* True if both are identical to the last bit and not empty. */

@@ -53,7 +53,6 @@ struct quantity {
  * it may do either. */
 int quantity_change_if_finer(const struct quantity *q);
 
-/* True if both are the same quantity. */
 bool quantity_is_same(const struct quantity *a, const struct quantity *b);
 
 /* Returns the value read off the curve of the fraction, or NAN if the curve
@@ -75,9 +74,9 @@ double quantity_excess_as_passing(const struct quantity *q, double limit,
  */
 bool quantity_excess_needs_curve(const struct quantity *q);
 
-/* Lists the sizes, m, at which the curve needs points for the value to be
- * exact: [QUANTITY_POINTS] out, including the first STEP_SIEVES of a step's
- * sieves.  Returns their number. */
+/* Lists in [QUANTITY_POINTS] the sizes, m, at which the curve needs points for
+ * the value to be exact; of a step's sieves, only the first STEP_SIEVES.
+ * Returns their number. */
 enum { STEP_SIEVES = 20, QUANTITY_POINTS = STEP_SIEVES + 2 };
 size_t quantity_sizes_needed(
     const struct quantity *q, double size[static QUANTITY_POINTS]);

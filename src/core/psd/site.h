@@ -24,9 +24,8 @@ struct run {
 			  * SITE_OTHER_FEED */
 	char repeat[16]; /* " (2)" for the second run at a speed; else "" */
 	size_t place;    /* position of its product among the columns read */
-	bool lacks_feed; /* only its product was sampled: feed is a copy of the
-			  * mean of the sampled feeds (D19), or of the only
-			  * one */
+	bool lacks_feed; /* feed was not sampled: a copy of the mean of the
+			  * others' (D19), or of the only one */
 	struct psd feed;
 	struct psd product;
 	double *product_sd;
@@ -135,7 +134,6 @@ double *site_all_sieves(const struct site *site, size_t *n);
 void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
-/* Returns the feed or the product of a run. */
 struct psd *site_feed_or_product(
     const struct site *site, size_t run, bool feed);
 
@@ -143,7 +141,6 @@ struct psd *site_feed_or_product(
 void site_drop_note(struct site *site, size_t note);
 void site_drop_run(struct site *site, size_t run);
 
-/* Returns the number of runs with a product. */
 size_t site_count_products(const struct site *site);
 
 /* Returns the index of the run at the given speed (to 0.001 m/s), the first of

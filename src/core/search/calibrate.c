@@ -31,14 +31,11 @@ enum {
 	STARTS = 2 * SCOUTS + 2, /* plus the best of each of the two phases */
 	BATCH = 8,          /* starts or perturbations polished side by side */
 	LEADERS = 64,       /* SCOUTS are spread over the best this many */
-	POLISH_MOST = 1000, /* evaluations of a polish; POLISH_HELD: with a
-			     * parameter held */
-	POLISH_HELD = 30,
+	POLISH_MOST = 1000, /* evaluations of a polish */
+	POLISH_HELD = 30,   /* with a parameter held */
 	PLACES = 8,         /* values at which a parameter is held */
-	PERTURBATIONS = 64, /* this many fruitless ones in a row end the
-			     * polish; */
-	PERTURBATIONS_IN_NOISE = 256, /* this many if the misfit is mostly
-				       * noise */
+	PERTURBATIONS = 64, /* fruitless in a row: end the polish */
+	PERTURBATIONS_IN_NOISE = 256, /* if the misfit is mostly noise */
 	/* Where the misfit falls more and more slowly, as on the ridge of
 	 * E0_min, alpha and f_mat, a polish can still gain a few times its last
 	 * gain; in noise, more.  These limits are for struct polish_rival. */
@@ -53,8 +50,7 @@ struct worker {
 	struct misfit *misfit;
 	struct polish *polish;
 	struct params p;
-	struct bounds first; /* the first polish's bounds, which hold a
-			      * parameter */
+	struct bounds first; /* of a first polish, with a parameter held */
 	bool holds;
 	struct polish_result result;
 };
@@ -74,8 +70,7 @@ struct calibration {
 	size_t stall, evaluations;
 	size_t edits, edited_at; /* changes of the bounds; generation of the
 				  * last */
-	/* In the first phase, a larger model is calibrated as the smaller
-	 * one. */
+	/* First phase: a larger model is calibrated as the smaller. */
 	bool nested;
 	struct bounds box; /* bounds of the current phase */
 	size_t phase_from; /* generation at which it began */
@@ -267,7 +262,6 @@ count_polished_batches(const struct calibration *c)
 	       (c->done - starts) / BATCH;
 }
 
-/* Returns the best candidate of the search so far. */
 static struct params
 best_params_of_search(const struct calibration *c)
 {
@@ -324,7 +318,6 @@ end_search_phase(struct calibration *c)
 	c->state = CALIBRATE_SEARCHING;
 }
 
-/* Keeps what a search has found, unless the best so far is better. */
 static void
 keep_if_best(struct calibration *c, const struct params *found)
 {

@@ -1,4 +1,4 @@
-/* Evaluates the candidates that a generation kept again, with the kernel, and
+/* Re-evaluates, with the kernel, the candidates that a generation kept, and
  * takes percentiles of their residuals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/candidates.h"

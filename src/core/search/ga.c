@@ -76,7 +76,7 @@ sample_first_generation(struct ga *ga)
 		for (size_t i = 0; i < ga->options.population; i++) {
 			double x = ga->breed.lower[g] +
 				   width * rng_uniform(key, (uint32_t)i);
-			/* Rounding may exceed the upper end. */
+			/* Rounding may lead past the upper end. */
 			ga->breed.asked[g][i] =
 			    x < ga->breed.upper[g] ? x : ga->breed.upper[g];
 		}

@@ -271,7 +271,6 @@ compute_broken_shares_of_class(const struct block *b,
 	}
 }
 
-/* Computes the shares of all classes and runs. */
 static inline void
 compute_broken_shares(const struct block *b, const struct batch_plan *plan,
     const struct gauss *g, struct kernel_workspace *room)

@@ -1,6 +1,5 @@
 /* LANES candidates side by side in one vector register.  The file for each
- * instruction set defines LANES.  Only code compiled for lanes uses the
- * compiler's vector extension.
+ * instruction set defines LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_LANES_H
 #define TIPSPEED_CORE_SEARCH_LANES_H

@@ -199,7 +199,6 @@ params_after_step(const struct params *p, const double step[PARAMS_MOST],
 	return q;
 }
 
-/* The state of a descent from *p. */
 struct descent {
 	struct polish *s;
 	const struct bounds *bounds;
@@ -348,7 +347,6 @@ update_inverse_hessian(struct secant *q, const double *dz, const double *dg)
 				      along;
 }
 
-/* A move of the secant method. */
 struct move {
 	double z[PARAMS_MOST], g[PARAMS_MOST]; /* move, and half the gradient
 					        * after it */
