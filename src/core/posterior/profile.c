@@ -16,10 +16,8 @@ enum { STEPS = 60 };
 static void
 bounds_fix_gauge(struct bounds *b, const struct params *p)
 {
-	size_t gauge = breakage_model_of_params(p)->gauge, largest = 0;
-	for (size_t i = 1; i < gauge; i++)
-		if (fabs(p->at[i]) > fabs(p->at[largest]))
-			largest = i;
+	size_t gauge = breakage_model_of_params(p)->gauge;
+	size_t largest = params_index_of_largest(p);
 	for (size_t i = 0; i < gauge; i++) {
 		double size = fabs(p->at[largest]);
 		b->lower[i] = i == largest ? p->at[i] : -size;
