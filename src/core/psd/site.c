@@ -391,17 +391,6 @@ site_run_repeats_speed(const struct site *site, size_t run)
 	return run > 0 && site->run[run].speed == site->run[run - 1].speed;
 }
 
-size_t
-site_run_nearest_speed(const struct site *site, double speed)
-{
-	size_t best = 0;
-	for (size_t r = 1; r < site->n_run; r++)
-		if (fabs(site->run[r].speed - speed) <
-		    fabs(site->run[best].speed - speed) - 1e-9)
-			best = r;
-	return best;
-}
-
 bool
 site_run_is_near_speed(
     const struct site *site, size_t run, double speed, size_t most)

@@ -153,10 +153,6 @@ size_t site_count_speeds(const struct site *site, const bool *use);
 /* True if the run repeats the speed of the run before it. */
 bool site_run_repeats_speed(const struct site *site, size_t run);
 
-/* Returns the run with the nearest speed: the slower of two equally near, the
- * first of repeats. */
-size_t site_run_nearest_speed(const struct site *site, double speed);
-
 /* True if the run has a product and its speed is one of the `most` nearest
  * speeds with a product: repeats count as one speed. */
 bool site_run_is_near_speed(
