@@ -1,5 +1,5 @@
-/* Checks advise: counts how much one more sample narrows the band of an answer,
- * for the sample that advise names and for the others that it considers.
+/* Measures how much one more sample narrows the band of an answer, both for the
+ * sample that advise names and for the others that it considers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
-/* Checks league: counts how often the model that it ranks first is the law that
- * made the plant, and compares its error at speeds that were not measured with
- * that of the best model.
+/* Counts how often the model that league ranks first is the law that made the
+ * plant, and compares its error at speeds that were not measured with that of
+ * the best model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Laws of breakage for synthetic plants, and the sheets of such plants.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plants.h"
 
 #include <math.h>

@@ -71,7 +71,7 @@ struct guess guess_product(const struct site *site, size_t feed_run,
 void guess_free(struct guess *guess);
 
 /* The errors of such guesses: RMSE of passing, 0..1, over the sieves.  n:
- * number of guesses; worst_at: index of the material with the worst; feed:
+ * number of guesses; worst_at: index of the material with the largest; feed:
  * median error of the guess product = feed; held: share of the passings within
  * the band, where the band has a width; nearest: number of materials used for
  * each guess. */

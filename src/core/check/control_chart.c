@@ -221,8 +221,8 @@ z_of_value_given_earlier(const double *U, size_t n, size_t i, size_t known,
 	return (point[i].chart[k].value - expected) / sqrt(variance);
 }
 
-/* Returns the normal score of a value that is off by `off` standard deviations,
- * after `known` values of off with this sum of squares. */
+/* Returns the normal score of a value that is off by `off` standard deviations.
+ * squares: the sum of the squares of the `known` earlier ones. */
 static double
 normal_score(
     const struct drift_rule *r, double off, size_t known, double squares)

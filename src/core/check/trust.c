@@ -399,8 +399,8 @@ judge_fit_and_data(struct trust *t, const struct evidence *e, double rotor)
 			100 * e->halves));
 }
 
-/* Adds the reasons for runs that contradict each other, and for a fit that no
- * crusher can have. */
+/* Adds the reasons that arise from runs that contradict each other, and from a
+ * fit that no crusher can have. */
 static void
 judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 {

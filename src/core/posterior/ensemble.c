@@ -395,7 +395,7 @@ fill_model_and_answer_row(const struct ensemble *e, size_t i,
 	}
 }
 
-/* Fills row i of the samples in the same way. */
+/* As fill_model_and_answer_row, for row i of the samples. */
 static void
 fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 {

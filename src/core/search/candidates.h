@@ -24,10 +24,10 @@ struct candidates {
 	double speed, break_size[3];
 };
 
-/* Computes the residuals of the candidates that a generation kept, on request
- * and not during the search.  settings, train [n_run]: those of the search.
- * best is evaluated with the accurate product, the others with the search's
- * scheme.  The caller frees the result with candidates_clear. */
+/* Computes, on request and not during the search, the residuals of the
+ * candidates that a generation kept.  settings, train [n_run]: those of the
+ * search.  best is evaluated with the accurate product, the others with the
+ * search's scheme.  The caller frees the result with candidates_clear. */
 struct candidates candidates_residual_spread(const struct site *site,
     const bool *train, struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);

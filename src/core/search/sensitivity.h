@@ -21,8 +21,9 @@ struct sensitivity {
 	double direction[PARAMS_MOST][PARAMS_MOST];
 };
 
-/* True if a parameter is not fixed and is within a millionth of its range of a
- * bound.  Always false in the gauge, whose bounds only limit the scale. */
+/* True if a parameter is not fixed and is nearer to a bound than a millionth of
+ * its range.  Always false for a parameter of the gauge, whose bounds only
+ * limit the scale. */
 bool sensitivity_is_on_bound(
     const struct bounds *bounds, const struct params *p, size_t j);
 
