@@ -24,9 +24,9 @@ struct drift_rule {
 };
 extern const struct drift_rule DRIFT_RULE;
 
-/* A sample.  size [n] m, coarsest first; residual [n] passing, 0..1.  truth [n
- * * n_draw]: the answers of the draws, a row for each size, in the same order
- * in every sample; n_draw 0: the answers are certain.  error [n * n]:
+/* A sample.  size [n] m, coarsest first; residual [n] passing, 0..1.  The
+ * draws' answers, truth [n * n_draw], have a row for each size, in the same
+ * order in every sample; n_draw 0: the answers are certain.  error [n * n]:
  * covariance of the errors of one sample. */
 struct drift_cut {
 	size_t n;

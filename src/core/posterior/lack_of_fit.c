@@ -118,8 +118,8 @@ add_shares_of_residuals(struct posterior *p, const struct misfit *m,
 	}
 }
 
-/* Returns the residuals of the mean answer at all runs, followed by their h: [2
- * * m->n_residual].  The caller frees them. */
+/* Returns [2 * m->n_residual]: the residuals of the mean answer at all runs,
+ * followed by their h.  The caller frees them. */
 static double *
 residuals_of_runs(const struct posterior *p, const struct misfit *m)
 {

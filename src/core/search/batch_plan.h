@@ -8,10 +8,10 @@
 enum { KERNEL_NODES = 33 };
 
 /* Where u, from the middle of a class to a sieve, lies among the nodes: between
- * `node` and the next finer one.  p is linear between nodes, so p = fine p[node
- * + 1] + coarse p[node] and B = B[node + 1] + below_fine p[node + 1] +
- * below_coarse p[node].  If u is below 2^-10, all weights are 0 and node + 1 is
- * the last node. */
+ * `node` and the next finer one.  p is linear between the nodes, that is, p =
+ * fine p[node + 1] + coarse p[node] and B = B[node + 1] + below_fine p[node +
+ * 1] + below_coarse p[node].  If u is below 2^-10, all weights are 0 and node +
+ * 1 is the last node. */
 struct node_interpolation {
 	size_t node;
 	double fine, coarse, below_fine, below_coarse;
