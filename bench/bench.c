@@ -1,6 +1,6 @@
 /* Measures tipspeed: the kernel, the paper's full run, ordinary calibrations,
- * and how their cost grows.  Prints plain tables; bench/README.md says how to
- * read them.  Leaves the comparison with other optimisers to peers.cc.
+ * and how their cost grows.  Prints plain tables; bench/README.md explains
+ * them.  peers.cc compares with other optimisers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -21,10 +21,12 @@
 
 enum { REPEATS = 9, RUNS = 7, SEEDS = 5 };
 
-static const double LEAST_SECONDS = 0.05; /* a timed repetition's */
-static const double AT_OPTIMUM = 1e-6;    /* misfit above the best, relative */
+static const double LEAST_SECONDS = 0.05; /* least length of a timed
+					   * repetition */
+static const double AT_OPTIMUM = 1e-6;    /* relative distance of the misfit
+					   * from the best */
 
-/* Seconds to evaluate the herd so many times. */
+/* Returns the seconds to evaluate the herd `rounds` times. */
 static double
 herd_seconds(struct kernel *kernel, struct pool *pool, const struct herd *h,
     size_t rounds)
@@ -37,7 +39,7 @@ herd_seconds(struct kernel *kernel, struct pool *pool, const struct herd *h,
 	return measure_now() - start;
 }
 
-/* Median seconds a candidate. */
+/* Returns the median seconds per candidate. */
 static double
 candidate_seconds(
     struct kernel *kernel, struct pool *pool, const struct herd *h)
@@ -92,14 +94,14 @@ bench_kernel(const struct measure_sites *sites)
 	misfit_free(m);
 }
 
-/* Seconds within the kernel, and what was found. */
+/* Seconds spent in the kernel, and the best parameters found. */
 struct parts {
 	double kernel;
 	struct params best;
 };
 
-/* The paper's full run without calibrate.c: the candidates are made before the
- * clock of the kernel starts. */
+/* Does the paper's full run without calibrate.c, so that the kernel can be
+ * timed alone: candidates are made before its clock starts. */
 static struct parts
 drive(const struct site *site, const struct calibrate_options *full)
 {
@@ -132,7 +134,8 @@ drive(const struct site *site, const struct calibrate_options *full)
 	return parts;
 }
 
-/* Not one bit apart: the populations were the same. */
+/* True if the parameters are identical, that is, if the populations were the
+ * same. */
 static bool
 same_params(const struct params *a, const struct params *b)
 {
@@ -163,7 +166,8 @@ full_run_row(const struct site *site, unsigned threads)
 	    same ? "" : "  NOT THE SAME POPULATIONS");
 }
 
-/* Where runs of that kind end above the lowest misfit, over the seeds. */
+/* Prints how far above the lowest misfit runs with these options end, over the
+ * seeds. */
 static void
 operators_row(const struct site *site, const char *name,
     struct calibrate_options o, double lowest)
@@ -214,11 +218,11 @@ bench_full_run(const struct measure_sites *sites)
 	bench_operators(site);
 }
 
-/* One ordinary calibration, step by step. */
+/* One ordinary calibration, with time and misfit after each step. */
 struct trial {
 	struct fit fit;
 	size_t n, room;
-	double *clock, *misfit; /* [n] after each step */
+	double *clock, *misfit; /* [n], after each step */
 };
 
 static void
@@ -233,7 +237,7 @@ trial_note(struct trial *t, double clock, double misfit)
 	t->misfit[t->n++] = misfit;
 }
 
-/* The clock stands still while the accurate misfit is looked up. */
+/* The clock is stopped while the accurate misfit is computed. */
 static struct trial
 trial_run(const struct site *site, uint64_t seed)
 {
@@ -259,7 +263,8 @@ trial_run(const struct site *site, uint64_t seed)
 	return t;
 }
 
-/* When the misfit first came near the best known; NAN for never. */
+/* Returns the time at which the misfit first came near the best known, or
+ * NAN. */
 static double
 trial_reached(const struct trial *t, double best)
 {
@@ -269,7 +274,7 @@ trial_reached(const struct trial *t, double best)
 	return NAN;
 }
 
-/* What the trials of one site say. */
+/* A summary of the trials of one site. */
 struct summary {
 	double seconds, worst_seconds, reached, best, spread;
 	size_t missed, least, most; /* seeds; generations */
@@ -357,7 +362,8 @@ bench_sites(const struct measure_sites *sites)
 	free(reached);
 }
 
-/* The curve on n sieves evenly spaced on log size over the same sizes. */
+/* Replaces the curve with one on n sieves, evenly spaced in log size over the
+ * same range. */
 static void
 resample(struct psd *psd, size_t n)
 {
@@ -376,8 +382,8 @@ resample(struct psd *psd, size_t n)
 /* As printed in Table 3, with the default beta. */
 static const struct params TIERP = {.at = {0, 1, -1, 0.5, 2.18, 16.74, 0.96}};
 
-/* Runs made with Tierp's parameters; n_product, n_feed: sieves, or 0 for those
- * of EN 933. */
+/* Returns synthetic runs with Tierp's parameters.  n_product, n_feed: numbers
+ * of sieves, or 0 for those of EN 933. */
 static struct site *
 made_site(size_t runs, size_t n_product, size_t n_feed)
 {
@@ -402,7 +408,7 @@ made_site(size_t runs, size_t n_product, size_t n_feed)
 	return site;
 }
 
-/* Microseconds a candidate. */
+/* Microseconds per candidate. */
 struct cost {
 	double near, wide;
 };

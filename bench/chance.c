@@ -1,6 +1,6 @@
-/* What is left to chance in an answer: each site is calibrated once, drawn from
- * with several seeds, and asked the same questions of each.  Prints a row a
- * site; bench/README.md says how to read it.
+/* Measures how much chance affects an answer: each site is calibrated once,
+ * draws are made with several seeds, and the same questions are asked with
+ * each.  Prints a row for each site; bench/README.md explains it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -19,7 +19,7 @@ enum { SPEEDS = 5, SEEDS = 5, LEVEL_PCT = 80 };
 
 static const double SLOWEST = 65, FASTEST = 85;
 
-/* Ranges over the seeds in % of the band's mean width. */
+/* Ranges over the seeds, in % of the band's mean width. */
 struct ranges {
 	size_t n;
 	double *value;
@@ -39,7 +39,8 @@ add_all(struct ranges *to, const struct ranges *from)
 		add(to, from->value[i]);
 }
 
-/* Median, nine of ten, 99 of 100, the worst; returns the second. */
+/* Prints the median, the 90th and 99th percentiles, and the largest.  Returns
+ * the second. */
 static double
 print_ranges(const struct ranges *r)
 {
@@ -52,7 +53,7 @@ print_ranges(const struct ranges *r)
 	return r->n > 0 ? r->value[(r->n - 1) * 9 / 10] : NAN;
 }
 
-/* What one seed answers: value, low and high of all quantities at all
+/* The answers with one seed: value, low and high of all quantities at all
  * speeds. */
 struct answers {
 	size_t n;
@@ -119,7 +120,7 @@ draw_and_ask(const struct site *site, const struct fit *fit,
 	return a;
 }
 
-/* Bands narrower than this, passings 0..1, are those of what is known. */
+/* Passings, 0..1, with narrower bands are taken as known, and do not count. */
 static const double NARROW = 0.001;
 
 static void
@@ -130,7 +131,7 @@ compare(const struct answers *a, size_t seeds, struct ranges ranges[static 2])
 		for (size_t s = 0; s < seeds; s++)
 			width +=
 			    (a[s].of[2][k] - a[s].of[1][k]) / (double)seeds;
-		/* Of sizes, in m, a share of the size. */
+		/* For sizes, in m, NARROW is a share of the size. */
 		double size =
 		    k % (a[0].n / SPEEDS) >= a[0].n / SPEEDS - PSD_SIZES
 			? a[0].of[0][k]
@@ -186,7 +187,8 @@ try_site(const struct site *site, size_t seeds, struct ranges sum[static 2])
 	free(train);
 }
 
-/* What nine of ten answers and ends may range over at most, in %. */
+/* The most that nine of ten answers, and ends of bands, may range over, in
+ * %. */
 static const double MOST[] = {10, 18};
 
 int

@@ -1,5 +1,5 @@
-/* Counts what one more sample does to the band of an answer: the one that
- * advise names, beside others that it may look at.
+/* Measures how much one more sample narrows the band of an answer, both for the
+ * sample that advise names and for the others that it considers.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@ enum { N = POSTERIOR_DRAWS, SAMPLES = 7, ASKED = 3 };
 static const double ASKED_SPEED[ASKED] = {65, 72, 85},
 		    SAMPLE[SAMPLES] = {65, 69, 72, 74, 79, 82, 85};
 
-/* A plant, the sieve and the speed that are asked about. */
+/* A plant, and the sieve and speed asked about. */
 struct asking {
 	struct plant plant;
 	uint64_t number;
@@ -25,8 +25,8 @@ struct asking {
 	double speed;
 };
 
-/* Width of the band, how far the answer is off, and of each sample the width
- * that it is said to leave. */
+/* The width of the band, the error of the answer, and the width that each
+ * sample is predicted to leave. */
 struct band {
 	double width, off, said[SAMPLES];
 };
@@ -80,7 +80,7 @@ slower_first(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* The sheet with one more run, whose errors are new. */
+/* Returns the sheet with one more run, which has new errors. */
 static struct site *
 sheet_with(const struct asking *a, double v)
 {
@@ -92,9 +92,9 @@ sheet_with(const struct asking *a, double v)
 	return site;
 }
 
-/* Over plants: widths after a sample by those before, and the errors of the
- * answer: of the sample named, the mean of all, and the best of all; first: the
- * named one is that. */
+/* Over plants: the width after a sample over the width before, and the errors
+ * of the answer, for the sample named, the mean of all, and the best of all.
+ * first: the sample named is the best. */
 struct left {
 	struct counts_mean said, named, any, best, first;
 	double before, after, after_any;
@@ -131,8 +131,8 @@ count_plant(const struct asking *a, struct left *left)
 	counts_add(&left->first, after == best);
 }
 
-/* The sieve of the product that is nearest to 0.4 there, as users ask for one
- * in the middle of the curve. */
+/* Returns the sieve at which the product's passing is nearest to 0.4, because
+ * users ask about the middle of the curve. */
 static size_t
 middle_sieve(const struct plant *p, double v)
 {

@@ -1,5 +1,5 @@
-/* Counts the wrong cells that check finds: sheets as they are and with one
- * passing changed, before and after they are calibrated.
+/* Counts the wrong cells that check finds in sheets as they are and with one
+ * passing changed, before and after calibration.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -17,7 +17,8 @@
 #include "measure.h"
 #include "plants.h"
 
-/* Errors of one passing, in a product or in the feed; the first is none. */
+/* Errors put into one passing, of a product or of the feed; the first is no
+ * error. */
 enum { KINDS = 7, TWICE = 2 };
 static const struct {
 	bool feed;
@@ -25,26 +26,26 @@ static const struct {
 } KIND[KINDS] = {{false, 0}, {false, 0.03}, {false, 0.05}, {false, 0.08},
     {true, 0.03}, {true, 0.05}, {true, 0.08}};
 
-/* Error of the feed as the sheet has it. */
+/* Sampling error of the feed in the sheet. */
 static const double FEED_OWN = 0.003;
 
-/* The cell that was made wrong; off 0: none. */
+/* The cell that was changed; off 0: no cell. */
 struct wrong {
 	bool feed;
 	size_t run, sieve;
 	double off;
-	size_t refused; /* tries that no sheet can be read with */
+	size_t refused; /* tries that gave sheets that cannot be read */
 };
 
-/* Of a sheet, before and after it was calibrated: the wrong cell was named, or
- * another one. */
+/* The result for a sheet, before and after calibration: whether the wrong cell
+ * was named, and whether another one was. */
 struct outcome {
 	bool made, found[TWICE], other[TWICE];
 	size_t refused;
 };
 
-/* Puts `off` into a cell of the site, up or down, where the sheet can still be
- * read. */
+/* Changes a cell of the site by `off`, up or down, so that the sheet can still
+ * be read. */
 static struct wrong
 make_wrong(struct site *site, uint64_t number, double off, bool feed)
 {
@@ -125,7 +126,8 @@ one_sheet(void *data, size_t piece, unsigned thread)
 	site_free(site);
 }
 
-/* Of the sheets with an error of this kind. */
+/* Prints the results for the sheets with an error of this kind.  Returns false
+ * if they are outside the limits. */
 static bool
 print_kind(const struct outcome *o, size_t n, size_t kind)
 {

@@ -1,6 +1,6 @@
-/* Counts the control charts of drift: how many cuts come between two signals
- * where nothing drifts, and after how many a step is signalled, on plants that
- * were calibrated at 69, 74 and 79 m/s.
+/* Checks the control charts of drift: counts the cuts between two signals if
+ * nothing drifts, and the cuts until a step is signalled, on plants that were
+ * calibrated at 69, 74 and 79 m/s.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -13,13 +13,13 @@
 #include "counts.h"
 #include "plants.h"
 
-/* A quiet sequence, and cuts before a step. */
+/* Cuts in a sequence without drift; before a step; and after it. */
 enum { LONG = 200, BEFORE = 10, AFTER = 60, SEQUENCES = 4, SPEEDS = 2 };
 static const double SPEED[SPEEDS] = {72, 76};
 static const double STEP[2] = {0.005, 0.01};
 
-/* How cuts and the sheet err: by a law of plants, with errors of single passings
- * and of curves, points. */
+/* The errors of cuts and of the sheet: a law of plants, and the errors of
+ * single passings and of curves, in points. */
 static const struct errors {
 	const char *name;
 	enum law law;
@@ -32,10 +32,11 @@ static const struct errors {
     {"feeds that vary, 0.5", DRIFT, 0.5, 0},
 };
 
-/* A calibrated plant, and what is predicted for cuts of it. */
+/* A calibrated plant, and the predictions for its cuts. */
 struct view {
 	struct plant plant;
-	size_t from, n; /* of its sieves: those that crushing changes */
+	size_t from, n; /* the plant's sieves that crushing changes: first,
+			 * number */
 	double *predicted[SPEEDS], *truth[SPEEDS], *error[SPEEDS];
 };
 
@@ -83,9 +84,10 @@ view_free(struct view *v)
 	}
 }
 
-/* The first signal of n cuts, of which those from `from` on are finer by `step`
- * in the mean of their sieves, most where half passes; n: none.
- * *said: after how many cuts such a step is told to be signalled. */
+/* Returns the first of n cuts with a signal, or n.  Cuts from `from` on are
+ * finer by `step`, as a mean over the sieves, and most where half passes.  Sets
+ * *said to the number of cuts after which the program says such a step is
+ * signalled. */
 static size_t
 first_signal(const struct view *v, uint64_t number, size_t n, size_t from,
     double step, double *said)
@@ -129,8 +131,9 @@ first_signal(const struct view *v, uint64_t number, size_t n, size_t from,
 	return first;
 }
 
-/* Sums over plants: cuts until a signal or the end, and signals; then, of each
- * step, cuts until its signal, what is said of them, and sequences. */
+/* Sums over plants: cuts until a signal or the end, and signals.  For each
+ * step: sequences with a signal within the cuts said, the cuts said, and
+ * sequences. */
 struct charts {
 	double cuts, signals, within[2], said[2], found[2];
 };

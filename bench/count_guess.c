@@ -1,5 +1,5 @@
-/* Counts the band of guess: rocks as strong as one of Table 3, which is left
- * out, with feeds and fragment laws at random.
+/* Checks the band of guess with rocks as strong as one of Table 3, which is
+ * left out, and random feeds and fragment laws.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -16,14 +16,15 @@
 
 enum { ROWS = 19 };
 
-/* How rocks break: by the default beta; by those of the plants, whose first is
- * 0.15 of a normal number; by B = u^q; by beta in any direction of which 3 to 65 %
- * are finer than a tenth. */
+/* How rocks break: by the default beta; by the plants' beta, whose first is
+ * 0.15 times a normal number; by B = u^q; or by a beta of any direction for
+ * which 3 to 65 % of the progeny is finer than a tenth. */
 enum fragments { DEFAULT, PLANTS, POWERS, ANY, FRAGMENTS };
 static const char *const NAME[FRAGMENTS] = {"the default",
     "those of the plants", "u^q, q 0.25 to 1.4", "any, 3 to 65 %"};
 
-/* B over ln u, from its density p(u).  Returns B(1/10). */
+/* Computes p->B at even steps of ln u, from the density p(u) with beta, or u^q
+ * if beta is NULL.  Returns B(1/10). */
 static double
 integrate(struct plant *p, const double *beta, double q)
 {
@@ -60,7 +61,8 @@ put_fragments(struct plant *p, enum fragments law, struct rng_key key)
 	} while (!(fine > 0.03 && fine < 0.65));
 }
 
-/* The row with its own strength, top size and law. */
+/* Returns a plant with the row's strength and top size and the given law of
+ * fragments. */
 static struct plant
 rock_of(enum fragments law, const struct material *row, uint64_t number)
 {
@@ -76,7 +78,8 @@ rock_of(enum fragments law, const struct material *row, uint64_t number)
 	return p;
 }
 
-/* Which others there are to guess from. */
+/* Lists all materials, and in pick those of other sites to guess from.  Returns
+ * their number. */
 static size_t
 others(const struct material_list *table, const struct material *row,
     struct guess_material *m, size_t *pick, bool open)
@@ -93,7 +96,8 @@ others(const struct material_list *table, const struct material *row,
 	return n;
 }
 
-/* The share of the passings that the band holds; *error: RMSE of the guess. */
+/* Returns the share of the passings within the band.  Sets *error to the RMSE
+ * of the guess. */
 static double
 held_of(const struct plant *p, const struct site *site,
     const struct material_list *table, size_t row, double v, bool open,

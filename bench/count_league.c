@@ -1,6 +1,6 @@
-/* Counts what league ranks first: whether it is the law that made the plant,
- * and how much more than the best of the models it errs at speeds that were not
- * measured.
+/* Counts how often the model that league ranks first is the law that made the
+ * plant, and compares its error at speeds that were not measured with that of
+ * the best model.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +18,7 @@ enum { ASKED = 3, MODELS_MOST = 16 };
 
 static const double ASKED_SPEED[ASKED] = {65, 72, 85};
 
-/* The model that a law is, or NULL. */
+/* Returns the name of the model that a law is, or NULL. */
 static const char *
 model_of(enum law law)
 {
@@ -37,8 +37,8 @@ model_of(enum law law)
 	}
 }
 
-/* RMSE of the model alone at the speeds asked, calibrated as `calibrate` does,
- * passing 0..1. */
+/* Returns the RMSE, passing 0..1, of the model alone at the speeds asked,
+ * calibrated as `calibrate` does. */
 static double
 error_of(const struct plant *p, const struct site *site, size_t model)
 {
@@ -70,14 +70,15 @@ error_of(const struct plant *p, const struct site *site, size_t model)
 	return sqrt(squares / cells);
 }
 
-/* Over plants.  made, open: the law that made it is the first, is not ruled
- * out; told: league says that the data can tell the models apart, right: and
- * names that law; errors in points. */
+/* Over plants.  made: the law that made the plant is ranked first; open: it is
+ * not ruled out; told: league says that the data can tell the models apart;
+ * right: and names this law; first, best, usual: errors in points. */
 struct score {
 	struct counts_mean made, open, told, right, first, best, usual;
 };
 
-/* The standing of a model in the answer: "best", "possible" or "out..". */
+/* Returns the standing of a model in the answer: "best", "possible" or
+ * "out..". */
 static const char *
 standing_of(const char *text, const char *model)
 {

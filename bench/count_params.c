@@ -1,5 +1,5 @@
-/* Counts the intervals of parameters, of the break size and of how fine progeny
- * are, on plants that follow Eqs 1 to 3.
+/* Checks the intervals of parameters, of the break size and of the fineness of
+ * progeny, on plants that follow Eqs 1 to 3.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +15,8 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* What is counted; B: what of a broken particle is finer than so much of it. */
+/* The values checked; B(u) is the share of the progeny finer than u times the
+ * parent. */
 enum what { F_MAT, E0_MIN, ALPHA, BREAK_69, BREAK_79, FINE, HALF, WHATS };
 static const char *const NAME[WHATS] = {"f_mat", "e0_min", "alpha",
     "break size, 69 m/s", "break size, 79 m/s", "B(0.1), 74 m/s",
@@ -71,9 +72,10 @@ truth_of(enum what what, const struct plant *p)
 	}
 }
 
-/* Of plants, of one thing: inside the middle 80 % of the draws, inside that
- * where it is stretched to hold the fit, fits that are outside; the logarithm of
- * the draws' median over the truth. */
+/* For one value, the number of plants whose true value is in the middle 80 % of
+ * the draws, and in this interval stretched to contain the fit; the number
+ * whose fit is outside; and the sum of the logarithms of the draws' median over
+ * the truth. */
 struct held {
 	size_t in, stretched, outside;
 	double off;

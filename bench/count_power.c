@@ -1,5 +1,5 @@
-/* Counts the power that flow estimates from readings of the motor: machines
- * whose idle grows with a power of the speed, read with errors.
+/* Checks the power that flow estimates from readings of the motor, for machines
+ * whose idle power grows as a power of the speed, and readings with errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 
 enum { READINGS = 5 };
 
-/* Which readings are taken: m/s and t/h. */
+/* The readings taken: m/s and t/h. */
 static const struct plan {
 	const char *name;
 	size_t n;
@@ -26,10 +26,10 @@ static const struct plan {
 	{{69, 118}, {74, 120}, {79, 121}, {66, 0}, {78, 0}}},
 };
 
-/* What is asked for: m/s and t/h. */
+/* The questions: m/s and t/h. */
 static const double ASKED[2][2] = {{82, 120}, {74, 90}};
 
-/* idle is that at 72 m/s. */
+/* idle: the idle power at 72 m/s. */
 struct machine {
 	double idle, exponent, factor;
 };
@@ -41,8 +41,8 @@ taken(const struct machine *m, const double at[2])
 	       m->factor * power_to_accelerate_rock(at[0], at[1]);
 }
 
-/* A constant idle and a factor by least squares, none where it would be below
- * 0: what the estimate is compared with. */
+/* Returns the power from a constant idle power and a factor by least squares,
+ * without idle if it would be negative.  The estimate is compared with this. */
 static double
 constant_idle(const struct reading *r, size_t n, const double at[2])
 {

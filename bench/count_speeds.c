@@ -1,5 +1,6 @@
-/* Counts bands where the stated tip speeds err, of plants that follow Eqs 1 to
- * 3: with speeds taken for exact, with the usual errors, and with those stated.
+/* Checks the bands if the stated tip speeds err, for plants that follow Eqs 1
+ * to 3.  The bands take the speeds to be exact, to have the usual errors, or to
+ * have their true errors.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -13,12 +14,12 @@
 enum { ASKED = 3 };
 static const double SPEED[ASKED] = {65, 72, 85};
 
-/* What bands take for the standard deviation of the speeds: nothing, what is
- * taken where nobody states it, or what it is. */
+/* The standard deviation of the speeds that bands assume: 0, the usual one, or
+ * the true one. */
 enum band { EXACT, USUAL, STATED, BANDS };
 
-/* Shares of the passings of a plant that were held, summed over plants.  width:
- * of these bands, at all passings. */
+/* The share of a plant's passings within the band, summed over plants.  width:
+ * the widths of the bands, summed over all passings. */
 struct held {
 	struct share {
 		double sum, squares, width;
@@ -27,7 +28,7 @@ struct held {
 	size_t cells;
 };
 
-/* Asks at v, where the rotor has v (1 + off). */
+/* Asks about v if the rotor's true speed is v (1 + off). */
 static void
 ask(const struct plant *p, struct ensemble *e, double v, double off,
     struct share *held, double *error, size_t *cells)
@@ -51,7 +52,7 @@ ask(const struct plant *p, struct ensemble *e, double v, double off,
 	held->squares += in / n * in / n;
 }
 
-/* asked: whether the speed asked about errs, too. */
+/* asked: the speed asked about has an error too. */
 static void
 count_plant(uint64_t number, double sd, bool asked, struct held held[ASKED])
 {
@@ -78,8 +79,8 @@ count_plant(uint64_t number, double sd, bool asked, struct held held[ASKED])
 	site_free(site);
 }
 
-/* Prints a share and the mean width of its bands; whether 72 % or more but for
- * three standard errors. */
+/* Prints a share and the mean width of its bands.  Returns true if the share is
+ * at least 72 %, give or take three standard errors. */
 static bool
 print_share(const struct share *share, size_t cells, double n)
 {

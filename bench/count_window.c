@@ -1,5 +1,5 @@
-/* Counts the speeds that window gives: how often the true product meets the
- * conditions there.
+/* Checks the speeds that window gives: counts how often the true product meets
+ * the conditions there.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -12,8 +12,9 @@
 #include "measure.h"
 #include "plants.h"
 
-/* At one sieve at least, at another at most so much is to pass: what the
- * plant's product has at two speeds, rounded as people type it. */
+/* Two conditions: the least passing at one sieve and the most at another.  They
+ * are the passings of the plant's product at two speeds, rounded as people type
+ * them. */
 struct conditions {
 	const struct plant *plant;
 	double asked[PLANT_SIEVES]; /* the feed */
@@ -34,8 +35,8 @@ meets(const struct conditions *c, double v)
 	       truth(c, v, c->sieve[1]) <= c->limit[1] + 1e-9;
 }
 
-/* A sieve above the finest at which 10 m/s change the passing by two points or
- * more. */
+/* Returns a sieve, coarser than the finest, at which 10 m/s change the passing
+ * by over two points. */
 static size_t
 sieve_for(const struct conditions *c, struct rng_key key, uint32_t at)
 {
@@ -68,17 +69,19 @@ conditions_make(struct conditions *c, const struct site *site, uint64_t number)
 	return true;
 }
 
-/* Over plants: per cent of the speeds at which the truth meets the conditions,
- * in the window and in its part that is 80 % certain; and of plants at the
- * best speed, beside the certainty that is said of it, and at either end; and
- * off [ends]: how far the ends are from the true ones, m/s. */
+/* Over plants: the share of the speeds at which the true product meets the
+ * conditions, in the window and in the part of it that is 80 % certain; the
+ * share of plants that meet them at the best speed, with the certainty stated
+ * for it, and at either end; off [ends]: how far the ends are from the true
+ * ones, m/s. */
 struct score {
 	struct counts_mean inside, certain, best, said, end, sure_end;
 	size_t ends, none;
 	double *off;
 };
 
-/* The part of the speeds from..to, by tenths, at which they are met. */
+/* Returns the share of the speeds from..to, by tenths, at which the conditions
+ * are met. */
 static double
 part_met(const struct conditions *c, double from, double to)
 {
@@ -88,7 +91,8 @@ part_met(const struct conditions *c, double from, double to)
 	return met / all;
 }
 
-/* An end that a condition sets: the true one is where that is met just. */
+/* Scores an end that condition k sets.  The true end is where this condition is
+ * just met. */
 static void
 score_end(const struct conditions *c, double v, size_t k, struct score *s)
 {
@@ -105,7 +109,7 @@ score_end(const struct conditions *c, double v, size_t k, struct score *s)
 	s->off[s->ends++] = fabs(v - low);
 }
 
-/* Reads [a,b] behind a key. */
+/* Reads the pair "a,b" after a key. */
 static bool
 read_pair(const char *text, const char *key, double pair[2])
 {

@@ -32,7 +32,8 @@ bool
 counts_share(size_t inside, size_t n, double least, double most)
 {
 	double share = (double)inside / (double)n, all = (double)n;
-	/* As if one more were inside, and one more not: never 0. */
+	/* Computed as if one more were inside and one more outside, so that it
+	 * is never 0. */
 	double part = ((double)inside + 1) / (all + 2),
 	       error = sqrt(part * (1 - part) / all);
 	printf(" %3.0f +- %-3.1f", 100 * share, 100 * error);

@@ -1,6 +1,6 @@
-/* How sure, counted: plants made by laws of their own, of which many are not
- * the model's, are calibrated, and the bands of the answer compared with the
- * true products.  Prints a row a law; bench/README.md says how to read it.
+/* Checks how sure answers are: calibrates synthetic plants, many of whose laws
+ * are not the model's, and compares the bands of the answers with the true
+ * products.  Prints a row for each law; bench/README.md explains it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -26,20 +26,22 @@ static const double ASKED_SPEED[ASKED] = {65, 72, 85};
 
 struct score {
 	size_t cells, in80, in90;
-	double answer, model, line, width; /* sums of squares; of widths */
+	double answer, model, line, width; /* sums of squared errors; sum of
+					    * widths */
 	enum light light;
 };
 
 struct task {
 	struct score *score;             /* [LAWS][plants][ASKED] */
-	size_t plants, law, first, runs; /* runs: 0: the law's */
-	double speed_sd;                 /* of the stated speeds, a share */
-	double band_sd;                  /* what bands count with */
+	size_t plants, law, first, runs; /* runs: 0: as many as the law has */
+	double speed_sd;                 /* true error of the stated speeds, a
+					  * share */
+	double band_sd;                  /* the error that bands allow for */
 	double *convergence, *seconds;
 };
 
-/* Whether the band of the draws [POSTERIOR_DRAWS], whose order changes, holds
- * it, to what sheets are rounded to. */
+/* True if the band of draw [POSTERIOR_DRAWS], whose order changes, contains P,
+ * within the rounding of sheets. */
 static bool
 is_within(double P, double *draw, double level, double *low, double *high)
 {
@@ -48,7 +50,8 @@ is_within(double P, double *draw, double level, double *low, double *high)
 	return P >= *low - slack && P <= *high + slack;
 }
 
-/* Straight in v^2 through the two nearest runs. */
+/* Returns the passing at sieve i on the straight line in v^2 through the two
+ * nearest runs. */
 static double
 line_at(const struct site *site, size_t i, double v)
 {
@@ -63,7 +66,7 @@ line_at(const struct site *site, size_t i, double v)
 	return fmin(fmax(P, 0), 1);
 }
 
-/* Asks at v, where the rotor has true_v. */
+/* Scores the answer at v if the rotor's true speed is true_v. */
 static void
 score_at(const struct plant *p, const struct site *site, const struct fit *fit,
     struct ensemble *view, double v, double true_v, struct score *score)
@@ -117,9 +120,9 @@ light_at(const struct evidence *e, double v, const struct score *score)
 	return light;
 }
 
-/* At the second speed asked, between the measured ones: how many lights were
- * green, amber, red, and the error (RMSE, points) of green answers and the
- * largest of one. */
+/* For the second speed asked, which is between the measured ones, prints the
+ * numbers of green, amber and red lights, the RMSE of green answers, in points,
+ * and the largest of one plant. */
 static void
 print_lights(const struct score *score, size_t plants)
 {
@@ -189,7 +192,7 @@ one_plant(void *data, size_t piece, unsigned thread)
 	site_free(site);
 }
 
-/* Asks for a run from all others. */
+/* Predicts a run from all others. */
 static void
 leave_out(const struct site *site, size_t out)
 {
@@ -241,7 +244,7 @@ leave_out(const struct site *site, size_t out)
 	posterior_free(posterior);
 }
 
-/* Over the plants of a law. */
+/* Adds up the scores of the plants of a law. */
 static void
 add_scores(const struct task *task, struct score sum[static ASKED])
 {
@@ -264,9 +267,9 @@ print_rms(double squares, const struct score *score)
 	printf("%6.2f", 100 * sqrt(squares / (double)score->cells));
 }
 
-/* How much the 80 % band holds of a law's plants at a speed, %, with the
- * standard error of plants: of one plant all passings may lie within it, or
- * none. */
+/* Prints the share of passings, in %, within the 80 % band for a law's plants
+ * at a speed.  The standard error is over plants, because the passings of one
+ * plant may all lie within its band or all outside. */
 static void
 print_share(const struct task *task, size_t a, const struct score *sum)
 {
@@ -309,7 +312,8 @@ print_law(struct task *task, const struct score sum[static ASKED])
 	fflush(stdout);
 }
 
-/* Makes the plants of a law and prints its row; sum [ASKED]: adds to it. */
+/* Makes the plants of a law, prints its row, and adds its scores to sum
+ * [ASKED]. */
 static void
 try_law(struct task task, struct pool *pool, struct score *sum)
 {
@@ -327,8 +331,8 @@ try_law(struct task task, struct pool *pool, struct score *sum)
 	free(task.seconds);
 }
 
-/* What `make check` asks of a few plants of each law, taken together; the aim
- * for each law is 72 to 92 %. */
+/* Returns true if a few plants of each law, taken together, meet the limits of
+ * `make check`.  The aim for each law is 72 to 92 %. */
 static bool
 holds(const struct score sum[static ASKED])
 {
@@ -360,12 +364,12 @@ leave_each_out(const char *path)
 	return 0;
 }
 
-/* coverage [PLANTS [LAWS [SPEED_SD [BAND_SD [FIRST [RUNS]]]]]]: LAWS by letters,
- * "ac" the first and the third, from "o" on those that no prior was chosen on;
- * SPEED_SD of the stated tip speeds, %, 0: they are exact; BAND_SD with which
- * bands count; FIRST the number of the first plant, 1; RUNS how many it is
- * measured at, evenly from 66 to 84 m/s.  coverage FILE: each run of a site
- * from the others. */
+/* Usage: coverage [PLANTS [LAWS [SPEED_SD [BAND_SD [FIRST [RUNS]]]]]].  LAWS
+ * are letters: "ac" is the first and the third, and no prior was chosen with
+ * those from "o" on.  SPEED_SD is the error of the stated tip speeds, %;
+ * BAND_SD, the error that bands allow for, %; FIRST, the number of the first
+ * plant; RUNS, the number of speeds, evenly from 66 to 84 m/s.  coverage FILE
+ * predicts each run of a site from the others. */
 int
 main(int argc, char **argv)
 {

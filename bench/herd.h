@@ -1,4 +1,4 @@
-/* Herds of candidates to time the kernel with.
+/* Sets of candidates with which the kernel is timed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BENCH_HERD_H
 #define TIPSPEED_BENCH_HERD_H
@@ -16,14 +16,14 @@
 
 enum { HERD = 8000 };
 
-static const double HERD_NEAR = 0.02; /* of each parameter's value */
+static const double HERD_NEAR = 0.02; /* relative to each parameter's value */
 
-/* HERD candidates, one array a parameter. */
+/* HERD candidates, with one array for each parameter. */
 struct herd {
 	double *gene[PARAM_COUNT];
 };
 
-/* Uniform within lower..upper. */
+/* Returns candidates uniform within lower..upper. */
 static inline struct herd
 herd_in(const double *lower, const double *upper)
 {
@@ -57,7 +57,7 @@ herd_near(const struct params *p)
 	return herd_in(b.lower, b.upper);
 }
 
-/* What the threads of a pool share. */
+/* The data that the threads of a pool share. */
 struct herd_batch {
 	const struct kernel *kernel;
 	const double *const *gene;

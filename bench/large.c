@@ -1,6 +1,7 @@
-/* Reading what is large: processor time for each of tests/unit/large.h at
- * growing sizes, and the longest that reading went on without asking whether to
- * stop.  Prints a row a size; bench/README.md has what was measured.
+/* Times reading large files: the processor time for each file of
+ * tests/unit/large.h at growing sizes, and the longest time in which reading
+ * did not ask whether to stop.  Prints a row for each size; bench/README.md has
+ * results.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "../tests/unit/large.h"
 
@@ -26,7 +27,8 @@ note_time(void)
 	return false;
 }
 
-/* The best of three, as other processes only make it longer. */
+/* Takes the shortest of three times, because other processes can only make it
+ * longer. */
 static void
 measure(const struct large *large, size_t n, const char *path)
 {

@@ -1,5 +1,4 @@
-/* The clock, the machine and the sites.  Leaves what is measured to bench.c and
- * peers.cc.
+/* The clock, the machine and the sites.  bench.c and peers.cc do the measuring.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "measure.h"
 
@@ -47,8 +46,8 @@ measure_threads(void)
 	return n >= 1 ? (unsigned)n : 1;
 }
 
-/* The first line of a file of /proc that begins with key, behind its colon
- * where it has one. */
+/* Prints the first line of a file of /proc that begins with key; if it has a
+ * colon, only the part after it. */
 static void
 print_proc(const char *label, const char *path, const char *key)
 {
@@ -80,7 +79,8 @@ measure_print_machine(void)
 	print_proc("load at start", "/proc/loadavg", "");
 }
 
-/* Seconds of all that cores did but idle and wait, stolen time with it. */
+/* Returns the seconds that all cores were neither idle nor waiting, including
+ * stolen time. */
 static double
 all_work(void)
 {

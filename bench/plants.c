@@ -1,4 +1,5 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Laws of breakage for synthetic plants, and the sheets of such plants.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "plants.h"
 
 #include <math.h>
@@ -57,7 +58,8 @@ cubic_B(const struct plant *p, double u)
 	return p->B[i] + (at - (double)i) * (p->B[i + 1] - p->B[i]);
 }
 
-/* What breaks at x with energy E, finer than u x. */
+/* Returns the share, of the material of size x that breaks with energy E, that
+ * is finer than u x. */
 static double
 finer(const struct plant *p, double u, double x, double E)
 {
@@ -98,7 +100,7 @@ breaks(const struct plant *p, double x, double E)
 	return p->share * part[0] + (1 - p->share) * part[1];
 }
 
-/* The specific energy of rock at tip speed v, J/kg. */
+/* Returns the specific energy of rock at tip speed v, J/kg. */
 static double
 energy(const struct plant *p, double v)
 {
@@ -108,16 +110,16 @@ energy(const struct plant *p, double v)
 	return E;
 }
 
-/* What attrition takes off a particle of size x that does not break, and is
- * finer than s. */
+/* Returns the share of a particle of size x, one that does not break, that
+ * attrition turns into material finer than s. */
 static double
 worn(const struct plant *p, double s, double x)
 {
 	return p->other * fmin(sqrt(10 * s / x), 1);
 }
 
-/* A feed with an exponent, and by so much more at the plant's sieves, straight
- * in ln x between them; NULL: by nothing. */
+/* A feed with an exponent, plus `more` at the plant's sieves, linear in ln x
+ * between them; NULL: 0. */
 struct feed {
 	double n;
 	const double *more;
@@ -139,9 +141,8 @@ feed_passing(const struct plant *p, const struct feed *feed, double x)
 	return P + feed->more[i] + t * (feed->more[i - 1] - feed->more[i]);
 }
 
-/* A curve of Rosin and Rammler that has nothing to do with what breaks: its
- * size falls as a power of the speed.  Where the feed is finer it is the
- * feed. */
+/* A Rosin-Rammler curve that does not depend on breakage: its size falls as a
+ * power of the speed.  Where the feed is finer, the product is the feed. */
 static double
 no_law(const struct plant *p, const struct feed *feed, double v, double s)
 {
@@ -305,7 +306,7 @@ plant_measure(struct plant *p, size_t n_run)
 		p->speed[r] = 66 + 18 * (double)r / (double)(n_run - 1);
 }
 
-/* Errors of a curve: independent, and one shared along it. */
+/* Adds errors to a curve: independent ones, and one shared along it. */
 static void
 add_errors(
     const struct plant *p, double own, double along, struct dice *d, double *P)

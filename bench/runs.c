@@ -1,6 +1,6 @@
-/* What many runs cost: made-up plants measured at few and at many speeds are
- * calibrated, drawn from and looked through, each in a process of its own.
- * bench/README.md says how to read it.
+/* Measures the cost of many runs: synthetic plants, measured at few and at many
+ * speeds, are calibrated, drawn from and checked, each in its own process.
+ * bench/README.md explains the table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdbool.h>
@@ -20,7 +20,7 @@
 
 static const size_t RUNS[] = {3, 20, 80, 250};
 
-/* Seconds of a processor: others' work does not count. */
+/* Returns processor seconds, which other processes do not lengthen. */
 static double
 used(void)
 {
@@ -38,7 +38,7 @@ most_memory(void)
 	return u.ru_maxrss / 1000;
 }
 
-/* The seconds since *from, which moves on, and the longest of them. */
+/* Returns the seconds since *from, sets *from to now, and updates *longest. */
 static double
 lap(double *from, double *longest)
 {

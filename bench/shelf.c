@@ -1,5 +1,5 @@
-/* A store with many materials: what each command takes that uses it.  Prints a
- * row a command; bench/README.md has what was measured.
+/* Times the commands that use the store, with many materials in it.  Prints a
+ * row for each command; bench/README.md has results.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <stdio.h>
@@ -31,7 +31,8 @@ set(char **text, char *value)
 	*text = value;
 }
 
-/* One of Table 3 with other numbers, by its number alone. */
+/* Returns a material of Table 3 with other values, which depend on its number
+ * alone. */
 static struct material
 made_up(const struct material_list *paper, size_t number)
 {
@@ -88,14 +89,15 @@ run(struct session *s, const char *line)
 	}
 }
 
-/* Of this process, which other programs that run meanwhile do not lengthen. */
+/* Returns the processor time of this process, which other programs do not
+ * lengthen. */
 static double
 processor_ms(clock_t since)
 {
 	return 1000.0 * (double)(clock() - since) / CLOCKS_PER_SEC;
 }
 
-/* What Tab takes after "recall quarry". */
+/* Times Tab after "recall quarry". */
 static void
 print_completion(const struct session *s)
 {

@@ -1,10 +1,10 @@
-/* malloc and related functions for the whole process.
+/* Replaces malloc and related functions for the whole process.
  *
- * Libraries call these too and cannot be relied on when memory runs out: GSL
+ * Libraries call them too, and cannot be relied on when memory runs out: GSL
  * and font loaders write through NULL, jansson omits a key, and getline reports
  * the end of the file.  So these functions never return NULL: the program ends,
  * as with its own allocations (xalloc.h).  The memory comes from the C library,
- * or from whatever was loaded before it.
+ * or from an allocator that was loaded before it.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE /* RTLD_NEXT */
 #include <dlfcn.h>
@@ -14,14 +14,14 @@
 
 #include "base/xalloc.h"
 
-/* Sanitizers have an allocator of their own, which ends the program too. */
+/* Sanitizers have their own allocator, which also ends the program. */
 #ifndef __has_feature
 #define __has_feature(x) 0
 #endif
 #if !defined(__SANITIZE_ADDRESS__) && !__has_feature(address_sanitizer)
 #define PUBLIC __attribute__((visibility("default")))
 
-/* Sets a pointer to a function; ISO C cannot cast one. */
+/* Sets a pointer to a function.  ISO C cannot cast an object pointer to one. */
 static void
 look_up_libc_function(void *function, const char *name)
 {
@@ -46,7 +46,7 @@ calloc(size_t n, size_t size)
 {
 	static void *(*next)(size_t, size_t);
 	static bool finding;
-	/* The dlsym of older C libraries calls calloc, and can do without. */
+	/* The dlsym of older C libraries calls calloc, and copes with NULL. */
 	if (finding)
 		return NULL;
 	if (next == NULL) {
@@ -67,13 +67,14 @@ realloc(void *p, size_t n)
 	if (next == NULL)
 		look_up_libc_function(&next, "realloc");
 	void *q = next(p, n);
-	/* realloc to no bytes is free. */
+	/* realloc to 0 bytes frees. */
 	if (q == NULL && n > 0)
 		xalloc_fail();
 	return q;
 }
 
-/* musl's gives nothing where malloc is another's but this is not. */
+/* musl's aligned_alloc returns NULL if malloc is replaced but aligned_alloc is
+ * not. */
 PUBLIC void *
 aligned_alloc(size_t line, size_t n)
 {

@@ -1,4 +1,4 @@
-/* Errors as values.  Drivers decide where to show them.
+/* Errors are values.  Drivers decide where to show them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/error.h"
 
@@ -31,8 +31,8 @@ error_prefix_file_name(struct error *e, const char *file, int line, int column)
 	error_set_place(e, file, line, column);
 }
 
-/* A copy of the text before the hint, kept in *copy.  The compiler checks what
- * it is given as it would the whole format. */
+/* Returns a copy of the format's first line, also kept in *copy.  Because of
+ * the attribute, the compiler checks calls as if they had the whole format. */
 __attribute__((format_arg(1))) static const char *
 copy_first_line(const char *format, char **copy)
 {
@@ -99,7 +99,7 @@ error_add(struct error_list *list)
 	size_t room = sizeof list->item / sizeof list->item[0];
 	if (list->n < room)
 		return &list->item[list->n++];
-	/* Written over and over: the count is what is kept of it. */
+	/* Overwritten by each further fault; only their number is kept. */
 	static _Thread_local struct error beyond;
 	list->more++;
 	return &beyond;
@@ -115,7 +115,8 @@ error_should_stop(struct error_list *list)
 	return true;
 }
 
-/* Lines that fit stay as they are, spaces and all: they may quote somebody. */
+/* Prints a line and frees it.  A line that fits is not wrapped, and keeps its
+ * spaces, because it may quote user text. */
 static void
 print_error_line(char *line, bool wrap, int margin, FILE *out)
 {
@@ -130,7 +131,8 @@ print_error_line(char *line, bool wrap, int margin, FILE *out)
 	free(line);
 }
 
-/* "14:9:" after a file's name, or "B5:". */
+/* Writes the position that follows a file's name, "14:9:" or " B5:", if it is
+ * known. */
 static void
 error_place_text(const struct error *e, char place[static 32])
 {

@@ -1,4 +1,4 @@
-/* What went wrong, where, and what to do next.
+/* Errors: what went wrong, where, and what to do next.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_ERROR_H
 #define TIPSPEED_BASE_ERROR_H
@@ -16,8 +16,8 @@ enum error_kind {
 	ERROR_DATA = 3,    /* a file whose contents are wrong */
 	ERROR_NUMERIC = 4, /* a computation without a result */
 	ERROR_SYSTEM = 5,  /* a file or resource the system refused */
-	/* The user interrupted it. 130: after SIGINT; after another signal
-	 * the driver returns that signal's own status. */
+	/* The user interrupted the program.  130 is the status after SIGINT;
+	 * after another signal, the driver returns that signal's status. */
 	ERROR_STOPPED = 130
 };
 
@@ -25,9 +25,9 @@ enum error_kind {
  * errors are shown without a position. */
 #define ERROR_TYPED "typed"
 
-/* A plain value: nothing to free.  line and column count from 1; 0: unknown.
- * in_grid: the position is a cell of a workbook, shown as B5.  text: what was
- * expected and what was found; hint: the next step, or "". */
+/* A plain value, with nothing to free.  line and column count from 1; 0: not
+ * known.  in_grid: the position is a cell of a workbook, shown as B5.  text:
+ * what was expected and what was found; hint: the next step, or "". */
 struct error {
 	enum error_kind kind;
 	int line, column;
@@ -37,10 +37,10 @@ struct error {
 	char hint[512];
 };
 
-/* Several faults of one file, in the order found; after 20 they are only
- * counted, in `more`.  stop: returns true if reading should end because the
- * user interrupted it; NULL: reading never ends early.  stopped: stop returned
- * true. */
+/* Several faults of one file, in the order found; those after the first 20 are
+ * only counted, in `more`.  stop: returns true if reading should end because
+ * the user interrupted it; NULL: reading never ends early.  stopped: stop
+ * returned true. */
 struct error_list {
 	size_t n, more;
 	bool (*stop)(void);
@@ -50,11 +50,11 @@ struct error_list {
 
 /* Sets e, if not NULL.  The first line of the format is the text, the rest is
  * the hint: "no site '%s' is loaded\nload its file".  Always returns false, so
- * a function can end with return error_set(...). */
+ * that a function can end with return error_set(...). */
 bool error_set(struct error *e, enum error_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* As error_set, with a position in a file.  line 0: unknown. */
+/* As error_set, with a position in a file.  line 0: not known. */
 bool error_at(struct error *e, enum error_kind kind, const char *file, int line,
     int column, const char *format, ...) __attribute__((format(printf, 6, 7)));
 
@@ -78,17 +78,16 @@ bool error_hint(struct error *e, const char *format, ...)
  * error to fill in, never NULL. */
 struct error *error_add(struct error_list *list);
 
-/* True if reading should end; each loop over the contents of a file calls it
+/* True if reading should end.  Each loop over the contents of a file calls it
  * now and then.  Once true it stays true, and the list contains a fault of kind
  * ERROR_STOPPED. */
 bool error_should_stop(struct error_list *list);
 
 /* Prints "file:line:column: text", or for a workbook "file, B5: text", and the
- * hint, if any, below it.  Wraps the hint, with a margin, but wraps the text,
- * which programs may read, only on a terminal. */
+ * hint, if any, below it.  Always wraps the hint, with a margin; wraps the
+ * text, which programs may read, only on a terminal. */
 void error_print(const struct error *e, FILE *out);
 
-/* Prints only the hint. */
 void error_print_hint(const struct error *e, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Work sharing with one atomic ticket.
+/* Shares work by one atomic ticket.
  *
  * OpenMP was tried first: its barriers wait for every thread, so on a busy
  * machine a calibration of 2 s took 12 s.
@@ -15,17 +15,16 @@
 
 #include "base/xalloc.h"
 
-enum { SPINS = 60000 }; /* looks for work before going to sleep: some 10 us */
+enum { SPINS = 60000 }; /* tries to find work before sleeping: some 10 us */
 
-/* What a thread is given when it starts. */
 struct worker {
 	struct pool *pool;
 	unsigned number;
 };
 
-/* ticket holds the number of the job above and the next piece below; a closed
- * job's next piece is CLOSED, so that no thread that comes late takes a piece
- * while the next job is being put together. */
+/* ticket has the number of the job in its upper half and the next piece in its
+ * lower half.  When a job is closed, its next piece is CLOSED, so that a late
+ * thread cannot take a piece while the next job is being set up. */
 struct pool {
 	unsigned threads;
 	pthread_t *thread;
@@ -42,7 +41,7 @@ struct pool {
 
 static const uint64_t CLOSED = UINT32_MAX;
 
-/* Takes and runs one piece; false when there is none. */
+/* Takes and runs one piece.  Returns false if there is none. */
 static bool
 run_next_pool_piece(struct pool *pool, unsigned number)
 {
@@ -52,8 +51,8 @@ run_next_pool_piece(struct pool *pool, unsigned number)
 		return false;
 	void (*run)(void *, size_t, unsigned) = atomic_load(&pool->run);
 	void *data = atomic_load(&pool->data);
-	/* Fails, to be tried again, when another took it or the job changed
-	 * since it was looked at. */
+	/* Fails if another thread took the piece or the job changed meanwhile;
+	 * the caller tries again. */
 	if (atomic_compare_exchange_strong(
 		&pool->ticket, &ticket, ticket + 1)) {
 		run(data, piece, number);
@@ -107,8 +106,9 @@ wake_all_threads(struct pool *pool)
 	pthread_mutex_unlock(&pool->lock);
 }
 
-/* Signals are for the thread that knows what to do about them, and holds them
- * back while it writes a file; a fault is where it happens. */
+/* Blocks signals, because only the main thread handles them, and blocks them
+ * while it writes a file.  Faults are not blocked, as they concern the thread
+ * in which they happen. */
 static void
 block_signals_for_threads(sigset_t *before)
 {

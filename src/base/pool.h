@@ -6,13 +6,13 @@
 #include <stddef.h>
 
 /* A few threads that sleep until there is work.  Each idle thread, and the
- * caller, runs the next piece, and the caller waits only for pieces that have
- * begun: on a busy machine, a thread without a processor does not delay the
- * others. */
+ * caller, takes the next piece, and the caller waits only for pieces that have
+ * begun.  So on a busy machine a thread that gets no processor does not delay
+ * the others. */
 struct pool;
 
 /* Starts threads - 1 threads; threads >= 1 includes the caller.  If a thread
- * cannot be started, the pool has only those before it. */
+ * cannot be started, the pool has only the threads before it. */
 struct pool *pool_new(unsigned threads);
 void pool_free(struct pool *pool);
 

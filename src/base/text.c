@@ -1,5 +1,5 @@
-/* Numbers and words, independent of the locale; and text for terminals:
- * escaped, measured and wrapped.
+/* Numbers and words, independent of the locale; text for terminals: escaped,
+ * measured and wrapped.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #define _XOPEN_SOURCE 700 /* wcwidth */
 #include "base/text.h"
@@ -13,7 +13,7 @@
 
 #include "base/xalloc.h"
 
-/* Not those of <ctype.h>, which go by the locale: in Latin-1 a byte of UTF-8
+/* The functions of <ctype.h> depend on the locale: in Latin-1, a byte of UTF-8
  * may be a letter. */
 static bool
 is_digit(char c)
@@ -34,7 +34,8 @@ ascii_to_lower(char c)
 }
 
 /* strtod is safe here: the program sets LC_CTYPE only, so the decimal sign is
- * always a point.  Its extras (hex, inf, nan) are refused before the call. */
+ * always a point.  Hex, inf and nan, which it accepts too, are rejected before
+ * the call. */
 bool
 text_parse_number(const char *s, double *value)
 {
@@ -129,17 +130,19 @@ text_trim(char *s)
 	return s;
 }
 
-/* Plain letters of U+00C0..U+00FF; '*' marks the two signs among them. */
+/* The letters of U+00C0..U+00FF without case and accents; '*' marks the two
+ * signs among them. */
 static const char LATIN1[] = "aaaaaaaceeeeiiiidnooooo*ouuuuyts"
 			     "aaaaaaaceeeeiiiidnooooo*ouuuuyty";
 
-/* The letters of U+0100 to U+017F, of Polish, Czech, Turkish and others,
- * without case and accents; * stays as it is. */
+/* The same for U+0100..U+017F (Polish, Czech, Turkish and others); '*' marks
+ * letters that are kept. */
 static const char LATIN_A[] = "aaaaaaccccccccddddeeeeeeeeeegggggggghhhh"
 			      "iiiiiiiiii**jjkkkllllllllllnnnnnnnnnoooooo**"
 			      "rrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
 
-/* Returns the letter of two bytes without case and accents; '*': it is kept. */
+/* Returns the letter of two bytes without case and accents, or '*' if the bytes
+ * are to be kept. */
 static char
 plain_letter(unsigned char c, unsigned char d)
 {
@@ -152,7 +155,8 @@ plain_letter(unsigned char c, unsigned char d)
 	return '*';
 }
 
-/* Makes a Cyrillic capital, of the two bytes at s, small at `to`. */
+/* Writes a Cyrillic capital, the two bytes at s, in lower case to `to`.
+ * Returns false for anything else. */
 static bool
 copy_small_cyrillic(const unsigned char *s, char *to)
 {
@@ -190,9 +194,9 @@ text_fold_case_and_accents(const char *s)
 	return folded;
 }
 
-/* True if text_with_control_escaped replaces it: Unicode's controls and format
- * characters and the two that are none.  Joiners (U+200C, U+200D) are letters'
- * business in Persian and Hindi. */
+/* True if text_with_control_escaped replaces the character: controls, format
+ * characters, and the noncharacters U+FFFE and U+FFFF.  Not the joiners U+200C
+ * and U+200D, which words in Persian and Hindi need. */
 static bool
 text_is_hidden_character(uint32_t code)
 {
@@ -207,10 +211,10 @@ text_is_hidden_character(uint32_t code)
 	return i < ARRAY_LEN(RANGES) && code >= RANGES[i][0];
 }
 
-/* Bytes of the letter, digit, point or underscore at p; 0 where there is
- * something else.  Beyond ASCII all are letters but the signs of Latin 1
- * (U+0080..BF, the signs of times and division), U+2000..2FFF and the
- * punctuation of U+3000..303F. */
+/* Returns the length in bytes of the letter, digit, point or underscore at p,
+ * or 0 for anything else.  Beyond ASCII, everything counts as a letter except
+ * the signs of Latin 1 (U+0080..BF, multiplication and division), U+2000..2FFF
+ * and the punctuation U+3000..303F. */
 static size_t
 letter_bytes(const char *p)
 {
@@ -393,7 +397,8 @@ text_edit_distance(const char *a, const char *b)
 	return d[n][m];
 }
 
-/* Length of the UTF-8 sequence at s (at most n bytes), 0 when malformed. */
+/* Returns the length of the UTF-8 sequence at s (at most n bytes), or 0 if it
+ * is malformed. */
 static size_t
 utf8_sequence_length(const unsigned char *s, size_t n)
 {
@@ -405,7 +410,7 @@ utf8_sequence_length(const unsigned char *s, size_t n)
 	for (size_t i = 1; i < length; i++)
 		if ((s[i] & 0xC0) != 0x80)
 			return 0;
-	/* Longer than need be, a half of a UTF-16 pair, beyond U+10FFFF. */
+	/* Overlong forms, halves of UTF-16 pairs, and codes above U+10FFFF. */
 	bool overlong =
 	    (s[0] == 0xE0 && s[1] < 0xA0) || (s[0] == 0xF0 && s[1] < 0x90);
 	bool outside =
@@ -523,7 +528,7 @@ text_escape_next_character(const char **text, char shown[static TEXT_SHOWN])
 char *
 text_with_control_escaped(const char *s)
 {
-	/* No byte takes more than the four of \x1b. */
+	/* No byte becomes longer than the four characters of \x1b. */
 	char *whole = xcalloc(4 * strlen(s) + 1, 1), *end = whole;
 	char shown[TEXT_SHOWN];
 	while (*s != '\0') {
@@ -569,7 +574,7 @@ text_width_in_columns(const char *s)
 	return width;
 }
 
-/* What stands for the rest of a text that is cut. */
+/* Replaces the rest of a text that is cut. */
 static const char MORE[] = " ..";
 
 char *
@@ -578,7 +583,8 @@ text_cut_to_width(const char *s, int columns)
 	enum { LEAST = 2 };
 	const int more = (int)strlen(MORE);
 	size_t n = strlen(s), blank = strspn(s, " "), word = 0, letter = 0;
-	size_t start = blank; /* of the word that has the last letter */
+	size_t start = blank; /* of the word that contains the last letter
+			       * kept */
 	while (n > 0 && s[n - 1] == ' ')
 		n--;
 	int width = 0;

@@ -1,4 +1,4 @@
-/* Text, independent of the locale: numbers, words, names, widths.
+/* Text independent of the locale: numbers, words, names, widths.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_TEXT_H
 #define TIPSPEED_BASE_TEXT_H
@@ -8,8 +8,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Parses all of s as a decimal number with a point ("11.2", "1e-3"), whatever
- * the locale.  Spaces around it are allowed; hex, "inf" and "nan" are not. */
+/* Parses all of s as a decimal number with a point ("11.2", "1e-3"), in any
+ * locale.  Spaces around it are allowed; hex, "inf" and "nan" are not. */
 bool text_parse_number(const char *s, double *value);
 
 /* As text_parse_number, but also accepts a decimal comma, "11,2".  A comma
@@ -17,7 +17,8 @@ bool text_parse_number(const char *s, double *value);
  * in "0,063". */
 bool text_parse_typed_number(const char *s, double *value);
 
-/* True if the character at `at` in s can only be a decimal comma. */
+/* True if the character at `at` in s is a comma and can only be a decimal
+ * one. */
 bool text_is_decimal_comma(const char *s, const char *at);
 
 /* Parses all of s as a whole number from 0 to 2^64-1. */
@@ -26,9 +27,9 @@ bool text_parse_whole_number(const char *s, uint64_t *value);
 /* Returns the shortest decimal form that reads back as the same double. */
 const char *text_shortest_exact_number(double value, char buf[static 32]);
 
-/* Returns a number for a message that compares it with another: unchanged if it
- * is short, like typed numbers; else with as few digits as distinguish the two,
- * but at least four. */
+/* Returns a number as text for a message that compares it with another.  A
+ * short number, as people type them, is exact; otherwise the text has as few
+ * digits as distinguish the two, but at least four. */
 const char *text_number_to_tell_apart(
     double value, double other, char buf[static 32]);
 
@@ -36,17 +37,17 @@ const char *text_number_to_tell_apart(
 char *text_trim(char *s);
 
 /* Returns a copy in lower case without the accents of Latin letters: "Borlänge"
- * becomes "borlange", however its dots are encoded.  Cyrillic letters are made
- * small; other bytes are unchanged.  The caller frees it. */
+ * becomes "borlange", however its dots are encoded.  Cyrillic letters become
+ * lower case too; other bytes are unchanged.  The caller frees it. */
 char *text_fold_case_and_accents(const char *s);
 
-/* As text_fold_case_and_accents, but with every run of characters other than
- * letters of any script, digits, dots and underscores replaced with one '-';
- * empty if nothing else remains. */
+/* As text_fold_case_and_accents, but replaces every run of characters other
+ * than letters of any script, digits, dots and underscores with one '-', and
+ * removes those at the ends. */
 char *text_slug(const char *s);
 
-/* Returns n bytes without the quotes (") in them; two quotes within quotes
- * become one.  The caller frees it. */
+/* Returns the n bytes at s without quotes ("); two quotes within quotes become
+ * one.  The caller frees it. */
 char *text_without_quotes(const char *s, size_t n);
 
 /* Returns a text in quotes ("), with each quote in it doubled.  The caller
@@ -55,19 +56,20 @@ char *text_in_quotes(const char *s);
 
 /* True if a spreadsheet may mistake a cell for a formula: it begins with one of
  * = + - @ and is neither a number nor a single sign.  Such text is written to
- * sheets after an apostrophe, which the reader removes; text that begins with
- * apostrophes before such a character gets one more. */
+ * sheets with an apostrophe before it, which the reader removes; text that
+ * already begins with apostrophes and such a character gets one more. */
 bool text_may_be_formula(const char *s);
 
-/* Writes a cell of a sheet that reads back as the same text: quoted if
- * necessary, and never as a formula. */
+/* Writes text as a cell of a sheet that reads back as the same text: quoted if
+ * necessary, and never a formula. */
 void text_write_sheet_cell(const char *text, char separator, FILE *out);
 
-/* Writes a number with a decimal point, or with a decimal comma between
- * semicolons. */
+/* Writes a number with a decimal point or, if the separator is a semicolon,
+ * with a decimal comma. */
 void text_write_sheet_number(double value, char separator, FILE *out);
 
-/* Writes the letters of a spreadsheet's column, counted from 1: "AB". */
+/* Returns the letters of a spreadsheet's column, counted from 1, such as
+ * "AB". */
 const char *text_column_letters(int column, char buf[static 8]);
 
 /* True if s ends with `end` and has something before it. */
@@ -76,7 +78,8 @@ bool text_ends_with(const char *s, const char *end);
 /* True if two words are the same, ignoring case and accents. */
 bool text_same_folded(const char *a, const char *b);
 
-/* True if the text contains the word, ignoring case and accents. */
+/* True if the text contains the word, also within another word, ignoring case
+ * and accents. */
 bool text_contains_word(const char *text, const char *word);
 
 /* Finds the index of a word in a list separated by spaces.  Returns false if it
@@ -91,8 +94,8 @@ size_t text_edit_distance(const char *a, const char *b);
  * advances *text.  Must not be called at the end of a text. */
 uint32_t text_next_code_point(const char **text);
 
-/* Returns the length in bytes of s, or of its beginning of at most `most` bytes
- * in whole characters. */
+/* Returns the length of s in bytes, or that of its longest beginning of whole
+ * characters and at most `most` bytes. */
 size_t text_bytes_within(const char *s, size_t most);
 
 /* Returns the length in bytes of the common beginning of a and b, in whole
@@ -104,11 +107,11 @@ size_t text_shared_prefix_bytes(const char *a, const char *b);
 int text_columns_of_character(uint32_t code);
 
 /* Text may come from other people: a name, a sheet, a store.  Characters that a
- * terminal would interpret (controls of both kinds), that reverse other text or
- * are invisible (direction marks, line separators, zero-width spaces) or that
- * are not text (bytes that are not UTF-8, U+FFFE, U+FFFF) are shown as \x1b,
- * \u202e or \U000e0001.  Everything printed for people goes through these
- * functions, and their output is allowed in XML.
+ * terminal would interpret (C0 and C1 controls), that reverse other text or are
+ * invisible (direction marks, line separators, zero-width spaces) or that are
+ * not text (bytes that are not UTF-8, U+FFFE, U+FFFF) are shown as \x1b, \u202e
+ * or \U000e0001.  Everything printed for people goes through these functions.
+ * Their output is also allowed in XML.
  *
  * text_escape_next_character writes the character at *text as shown, advances
  * *text, and returns the character's columns.  text_with_control_escaped
@@ -123,20 +126,20 @@ void text_print_escaped(const char *s, FILE *out);
 void text_print_xml(const char *s, FILE *out);
 int text_width_in_columns(const char *s);
 
-/* Returns a text shortened to that many columns: whole words, and " .." for
- * the rest; if little would remain, its beginning and "..", but no part of a
- * number, which would be a different number.  The caller frees it. */
+/* Returns a text shortened to that many columns: whole words and " .."; if
+ * little would remain, the beginning of a word and "..".  A number is not cut,
+ * as part of it would be a different number.  The caller frees the text. */
 char *text_cut_to_width(const char *s, int columns);
 
 /* True if text_with_control_escaped changes nothing. */
 bool text_needs_no_escape(const char *s);
 
 /* Prints text, escaped as by text_with_control_escaped, in lines of at most
- * width columns, broken at spaces, each after margin spaces.  Spaces at the
- * start of the text widen the margin. */
+ * width columns.  Lines are broken at spaces and indented by margin spaces,
+ * plus those at the start of the text. */
 void text_print_wrapped(const char *text, int margin, int width, FILE *out);
 
-/* As text_print_wrapped, but the first line follows `first` spaces. */
+/* As text_print_wrapped, but the first line is indented by `first` spaces. */
 void text_print_hanging(
     const char *text, int first, int margin, int width, FILE *out);
 
@@ -145,9 +148,9 @@ void text_print_hanging(
 char *text_wrapped(const char *text, int width);
 int text_count_rows(const char *text, int width);
 
-/* Appends the next line of `in`, including its line end, and a NUL to *text,
- * which contains *n bytes and has room for *room.  The last line of a file may
- * lack a line end.  TEXT_END: the file has ended, or cannot be read (ferror).
+/* Appends the next line of `in`, with its line end, and a NUL to *text, which
+ * contains *n bytes and has room for *room.  The last line of a file may lack a
+ * line end.  TEXT_END: the file has ended, or cannot be read (ferror).
  * TEXT_TOO_LONG: *text would exceed 10 MB. */
 enum text_line { TEXT_LINE, TEXT_END, TEXT_TOO_LONG };
 enum text_line text_read_line(char **text, size_t *n, size_t *room, FILE *in);

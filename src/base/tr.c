@@ -1,6 +1,5 @@
 /* Translation with gettext.  Catalogues are in locale/ beside a program that is
- * not installed, otherwise among those of the system.  The state is that of
- * libc.
+ * not installed, otherwise among the system's.  libc keeps the state.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/tr.h"
 
@@ -17,10 +16,9 @@
 #include <limits.h>
 #include <unistd.h>
 
-/* OFF has no catalogue. */
+/* Domains of gettext; OFF has no catalogue. */
 static const char ON[] = PACKAGE, OFF[] = PACKAGE "-c";
 
-/* DIR/sv/LC_MESSAGES/tipspeed.mo */
 static void
 bind_message_catalogues(void)
 {
@@ -38,16 +36,16 @@ bind_message_catalogues(void)
 	textdomain(ON);
 }
 
-/* A path instead of a language would name a catalogue from elsewhere, whose
- * texts are formats that nobody has checked. */
+/* True if a path is given instead of a language.  It would name a catalogue
+ * from elsewhere, whose texts are unchecked formats. */
 static bool
 is_path_not_language(const char *language)
 {
 	return strchr(language, '/') != NULL;
 }
 
-/* glibc heeds LANGUAGE in all locales but C, whichever there are; musl has any
- * locale, and no LANGUAGE. */
+/* glibc uses LANGUAGE in any locale that exists, except C; musl accepts any
+ * locale, and ignores LANGUAGE. */
 static void
 set_message_language(const char *language)
 {
@@ -70,7 +68,7 @@ tr_set_language(const char *language)
 	else
 		setlocale(LC_MESSAGES, "");
 	bind_message_catalogues();
-	/* The head of a catalogue is under the empty text. */
+	/* The header of a catalogue is the translation of the empty text. */
 	return language == NULL || strcmp(language, "en") == 0 ||
 	       strcmp(language, "C") == 0 || gettext("")[0] != '\0';
 }

@@ -1,5 +1,6 @@
-/* Translates texts for people with gettext: the sources contain English, po/
- * other languages.  Text that programs read or people type is not translated.
+/* Translates texts for people with gettext: the sources contain English, and
+ * po/ the other languages.  Texts that programs read or people type are not
+ * translated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_BASE_TR_H
 #define TIPSPEED_BASE_TR_H
@@ -13,7 +14,8 @@
  * false if there is no catalogue for it. */
 bool tr_set_language(const char *language);
 
-/* Returns the text in that language, or unchanged if the catalogue lacks it. */
+/* Returns the text in the chosen language, or unchanged if the catalogue lacks
+ * it. */
 const char *tr(const char *text) __attribute__((format_arg(1)));
 
 /* As tr, for a text that counts things: returns the form for n. */

@@ -44,7 +44,7 @@ xgrow_by_one(void *p, size_t n, size_t size)
 	return (n & (n - 1)) == 0 ? xrealloc(p, n > 0 ? 2 * n : 1, size) : p;
 }
 
-/* Pointers of several types come here. */
+/* The pointer may be of any type, so memcpy is used. */
 void
 xfree_at(void *pointer)
 {
@@ -70,7 +70,8 @@ xstrdup(const char *s)
 char *
 xvasprintf(const char *format, va_list ap)
 {
-	char text[256]; /* most are no longer, and are made once */
+	char text[256]; /* long enough for most, which are then formatted only
+			 * once */
 	va_list again;
 	va_copy(again, ap);
 	int length = vsnprintf(text, sizeof text, format, again);
@@ -101,7 +102,7 @@ xreplace(char **text, char *value)
 	*text = value;
 }
 
-/* Takes what is added. */
+/* Takes ownership of more. */
 static void
 append_separated(char **text, const char *separator, char *more)
 {

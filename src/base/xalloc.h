@@ -12,12 +12,13 @@
 enum { XALLOC_STATUS = 5 };
 
 /* xcalloc returns zeroed memory for n objects of the given size.  None of these
- * returns NULL; free the result with free().  On failure the program ends. */
+ * functions returns NULL: on failure the program ends.  Free results with
+ * free(). */
 void *xcalloc(size_t n, size_t size);
 void *xrealloc(void *p, size_t n, size_t size);
 
-/* Makes room for one more object after the n of an array that starts as NULL
- * and is enlarged by this function alone: it doubles at powers of two. */
+/* Returns p with room for one more object after its n.  p must be NULL at first
+ * and be enlarged by this function alone, which doubles it at powers of two. */
 void *xgrow_by_one(void *p, size_t n, size_t size);
 char *xstrdup(const char *s);
 char *xstrndup(const char *s, size_t n);
@@ -25,17 +26,17 @@ char *xasprintf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 char *xvasprintf(const char *format, va_list ap)
     __attribute__((format(printf, 1, 0)));
 
-/* Put before a declaration of pointers, each from one of these functions or
- * NULL: frees them at the end of their block, after a return value has been
- * computed. */
+/* Put before a declaration of pointers, each NULL or from one of these
+ * functions, to free them at the end of their block, after a return value has
+ * been computed. */
 #define FREED __attribute__((cleanup(xfree_at)))
 void xfree_at(void *pointer);
 
-/* Frees a text, sets it to another and takes ownership of that. */
+/* Frees *text and replaces it with value, whose ownership it takes. */
 void xreplace(char **text, char *value);
 
-/* Append to a text returned by one of the functions above; xlist adds the
- * separator first if the list is not empty. */
+/* Append to a text that one of the functions above returned.  xappend_to_list
+ * adds the separator first if the list is not empty. */
 void xappend(char **text, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void xappend_to_list(char **list, const char *separator, const char *format,
@@ -45,8 +46,8 @@ void xappend_to_list(char **list, const char *separator, const char *format,
  * kernels. */
 double *xcalloc_doubles(size_t n);
 
-/* Ends the program because memory has run out; called for libraries that report
- * it. */
+/* Ends the program because memory has run out.  Also called if a library
+ * reports this. */
 _Noreturn void xalloc_fail(void);
 
 #endif

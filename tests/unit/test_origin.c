@@ -111,7 +111,7 @@ a_shared_fit_has_a_band_for_each_site(void **state)
 					     : "use bro; predict 74");
 		const struct entry *entry = session_current_entry(s);
 		struct prediction p = forecast_whole_product(
-		    s, entry, 74, site_run_nearest_speed(entry->site, 74));
+		    s, entry, 74, site_run_at_speed(entry->site, 74));
 		assert_non_null(p.low);
 		if (i < 2)
 			low[i][0] = p.low[4];

@@ -314,7 +314,6 @@ repeats_are_runs_of_their_own(void **state)
 		    site_run_repeats_speed(site, r), r == 1 || r == 4);
 	}
 	assert_int_equal(site_run_at_speed(site, 79), 3);
-	assert_int_equal(site_run_nearest_speed(site, 80), 3);
 	site_free(site);
 }
 

@@ -147,11 +147,6 @@ runs_are_found_by_speed(void **state)
 	assert_int_equal(site_run_at_speed(site, 74), 1);
 	assert_int_equal(site_run_at_speed(site, 74.0005), 1);
 	assert_int_equal(site_run_at_speed(site, 74.1), 3);
-	assert_int_equal(site_run_nearest_speed(site, 10), 0);
-	assert_int_equal(site_run_nearest_speed(site, 71.5), 0);
-	assert_int_equal(site_run_nearest_speed(site, 71.6), 1);
-	assert_int_equal(site_run_nearest_speed(site, 76.5), 1);
-	assert_int_equal(site_run_nearest_speed(site, 90), 2);
 	site_free(site);
 }
 

@@ -1,5 +1,6 @@
 /* Regresses an answer on the principal components of one more sample, over the
- * draws: singular values by svd.h, R^2 adjusted for the number of components.
+ * draws, by singular value decomposition.  R^2 is adjusted for the number of
+ * components.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/advise.h"
 
@@ -12,7 +13,7 @@
 
 enum { N = POSTERIOR_DRAWS, MOST = 8 };
 
-/* The rows about their means. */
+/* Returns a copy of the rows with their means subtracted. */
 static double *
 subtract_row_means(const double *row, size_t n)
 {

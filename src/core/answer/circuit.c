@@ -89,9 +89,9 @@ circuit_destination_of_stream(const struct circuit *c, size_t stream)
 	return u;
 }
 
-/* A walk from the feed on.  order: units, each before all that it leads to but
- * for loops, filled from the end; back: streams that lead to a unit which the
- * walk is under way from. */
+/* A depth-first walk from the feed.  order: the units, each before the units it
+ * leads to, except in loops; filled from the end.  back: streams that lead back
+ * to a unit whose walk is not finished. */
 struct unit_walk {
 	const struct circuit *c;
 	enum { WALK_NEW, WALK_UNDER_WAY, WALK_DONE } state[CIRCUIT_UNITS];
@@ -99,7 +99,7 @@ struct unit_walk {
 	bool *back;
 };
 
-/* Recurses at most as deep as there are units. */
+/* The depth of recursion is at most the number of units. */
 static void
 order_circuit_units_from(struct unit_walk *w, size_t u)
 {
@@ -118,7 +118,7 @@ order_circuit_units_from(struct unit_walk *w, size_t u)
 	w->order[--w->first] = u;
 }
 
-/* back [n_stream] out. */
+/* Orders the units and sets back [n_stream]. */
 static struct unit_walk
 order_circuit_units(const struct circuit *c, bool *back)
 {
@@ -164,9 +164,9 @@ circuit_find_trapped_stream(const struct circuit *c)
 	return c->n_stream;
 }
 
-/* The state of a solution.  over [n_unit][classes]: share of each class that
- * goes to a screen's oversize; mass [n_stream][classes], t/h; in, rotor, out
- * [classes]: workspace for the flows of one unit. */
+/* The state of a solution.  over [n_unit][classes]: the share of each class
+ * that goes to a screen's oversize; mass [n_stream][classes]: t/h; in, rotor,
+ * out [classes]: workspace for the flows of one unit. */
 struct circuit_solver {
 	const struct circuit *c;
 	const double *feed;
@@ -200,7 +200,7 @@ update_stream_masses(struct circuit_solver *s, size_t stream,
 	return s->walk.back[stream] ? change : 0;
 }
 
-/* Both outputs are computed from the same numbers, so that no mass is lost. */
+/* Computes both outputs from the same numbers, so that no mass is lost. */
 static double
 separate_by_screen(struct circuit_solver *s, const struct unit *unit, size_t u)
 {
@@ -254,9 +254,9 @@ compute_circuit_unit(struct circuit_solver *s, size_t u, size_t draw)
 }
 
 /* Returns the number of passes until the flows are steady, or 0 if they never
- * are.  It starts from the present flows.  A tiny stream may alternate between
- * two values because of rounding, so small changes that no longer shrink count
- * as steady. */
+ * are.  Starts from the current flows.  A tiny stream may alternate between two
+ * values because of rounding, so small changes that no longer shrink count as
+ * steady. */
 static size_t
 circuit_solve(struct circuit_solver *s, size_t draw)
 {
@@ -278,7 +278,6 @@ circuit_solve(struct circuit_solver *s, size_t draw)
 	return 0;
 }
 
-/* Adds what was found in a draw to the flow. */
 static void
 flow_add_draw(struct flow *flow, const struct circuit_solver *s, size_t draw,
     size_t passes)
@@ -355,7 +354,7 @@ circuit_compute_flow(const struct circuit *c, const double *feed,
 	struct circuit_solver s =
 	    circuit_solver_new(c, feed, size, classes, flow.back);
 	s.transfer = transfer;
-	/* After a draw that is not steady, the others need not be computed:
+	/* After a draw that is not steady, the others are not computed, because
 	 * they would take as long. */
 	for (size_t d = 0; d < flow.draws && !flow.open; d++)
 		flow_add_draw(&flow, &s, d, circuit_solve(&s, d));

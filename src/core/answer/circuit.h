@@ -8,8 +8,8 @@
 #include "core/answer/crusher.h"
 #include "core/psd/screening.h"
 
-/* Outputs: a feed has one, a crusher one for all its inputs, a screen two
- * (oversize, undersize), a split several, a stockpile none. */
+/* A feed and a crusher have one output, a screen two (oversize, undersize), a
+ * split several, and a stockpile none. */
 enum unit_kind {
 	UNIT_FEED,
 	UNIT_CRUSHER,
@@ -21,10 +21,11 @@ enum unit_kind {
 
 enum { UNIT_STREAMS = 16, CIRCUIT_UNITS = 64 };
 
-/* in, out: indices of streams.  share [n_out]: of a split's outputs, 0..1, with
- * sum 1.  cascade: share of a crusher's input that bypasses the rotor (D14).
- * speed: a crusher's tip speed, m/s; 0: the speed of the question.  opening: of
- * a screen, m.  price: of a stockpile, per t.  name: "" if the unit has
+/* in, out: indices of streams.  share [n_out]: the share of each output of a
+ * split, 0..1, with sum 1.  cascade: share of a crusher's input that bypasses
+ * the rotor (D14).  speed: a crusher's tip speed, m/s; 0: the speed of the
+ * question.  opening: a screen's, m.  price: of a stockpile's material, per t.
+ * name: "" if the unit has
  * none. */
 struct unit {
 	enum unit_kind kind;
@@ -47,9 +48,9 @@ struct circuit {
 struct circuit *circuit_new(void);
 void circuit_free(struct circuit *c);
 
-/* circuit_add_unit adds a unit and returns it, valid until the next is added,
- * or NULL beyond CIRCUIT_UNITS.  circuit_find_or_add_stream returns the index
- * of the stream with that name and adds it if needed. */
+/* circuit_add_unit adds a unit and returns it, or NULL if there are
+ * CIRCUIT_UNITS already.  circuit_find_or_add_stream returns the index of the
+ * stream with that name, which it adds if needed. */
 struct unit *circuit_add_unit(
     struct circuit *c, enum unit_kind kind, const char *name);
 size_t circuit_find_or_add_stream(struct circuit *c, const char *name);
@@ -59,22 +60,22 @@ size_t circuit_find_or_add_stream(struct circuit *c, const char *name);
 size_t circuit_source_of_stream(const struct circuit *c, size_t stream);
 size_t circuit_destination_of_stream(const struct circuit *c, size_t stream);
 
-/* Return a unit that the feed does not reach, and a stream from which nothing
- * reaches a stockpile; n_unit and n_stream if there is none.  Every stream must
- * have a source and a destination. */
+/* Return the index of a unit that the feed does not reach, or n_unit, and of a
+ * stream from which no stockpile can be reached, or n_stream.  Every stream
+ * must have a source and a destination. */
 size_t circuit_find_unfed_unit(const struct circuit *c);
 size_t circuit_find_trapped_stream(const struct circuit *c);
 
 /* The maximum number of passes over the streams. */
 enum { CIRCUIT_PASSES = 2000 };
 
-/* The flows in a circuit.  draws: 1 for a model alone.  tph [n_stream]: means
- * over the draws; tph_draw [draws][n_stream]: the value in each draw.  mass
- * [n_stream][classes]: means.  back [n_stream]: true if the stream closes a
- * loop; circulating: the flow that circulates, t/h.  balance: feed minus
- * stockpiles, t/h, and passes: each the largest in any draw.  open: a draw was
- * not steady after CIRCUIT_PASSES; circulating is then its value, and the rest
- * is invalid. */
+/* The flows in a circuit, t/h.  draws: 1 for a model alone.  tph [n_stream]:
+ * means over the draws; tph_draw [draws][n_stream]: the values in each draw.
+ * mass [n_stream][classes]: means by size class.  back [n_stream]: true if the
+ * stream closes a loop; circulating: the flow in these streams.  balance: feed
+ * minus stockpiles; passes: number of passes; both are the largest in any draw.
+ * open: a draw was not steady after CIRCUIT_PASSES; then circulating is that
+ * draw's, and the rest is invalid. */
 struct flow {
 	bool open;
 	size_t n_stream, classes, draws, passes;
@@ -83,11 +84,12 @@ struct flow {
 	double balance, circulating, *circulating_draw;
 };
 
-/* feed [classes]: the masses of the new feed by class, with sum 1.  transfer
+/* Computes the steady flows.  feed [classes]: the masses of the new feed by
+ * class, with sum 1; size: see partition_oversize_of_classes.  transfer
  * [n_unit]: the transfers of the crushers, all with the same number of draws.
  * Method: successive substitution.  Streams that close loops start empty, and
  * all units are computed in turn until these streams change by less than 1e-13
- * of the feed.  The remaining change is the mass-balance error. */
+ * of the feed.  The change that remains is the mass-balance error. */
 struct flow circuit_compute_flow(const struct circuit *c, const double *feed,
     const double *size, size_t classes, struct transfer *const *transfer);
 void flow_free(struct flow *flow);

@@ -1,5 +1,5 @@
-/* Transfer matrices: products of single size classes, from ensembles or the
- * model, plus the discrepancy for the product of the whole feed.
+/* Transfer matrices: products of single size classes, from ensembles or from
+ * the model, with the discrepancy added to the product of the whole feed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/crusher.h"
 
@@ -15,7 +15,7 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* The products of one feed: of the draws, or without a posterior of the
+/* The products of one feed: of the draws or, without a posterior, of the
  * model. */
 struct feed_products {
 	struct ensemble *draws;
@@ -28,16 +28,17 @@ struct crusher {
 	struct model_settings settings;
 	size_t n;
 	double *size;
-	struct feed_products *class; /* [n - 1], of each but the pan */
-	/* Of the question's feed: its masses [n], and at the sieves [n_sieve],
-	 * which are its sizes number `at`, its product; or NULL. */
+	struct feed_products *class; /* [n - 1]: all except the pan */
+	/* The question's feed: its masses [n] or NULL, and its product (whole)
+	 * at n_sieve sieves, which have the indices `at` among the sizes. */
 	double *feed;
 	size_t n_sieve, *at;
 	struct feed_products whole;
 };
 
-/* passing [draws][n - 1][n]: of the product of a class at the sizes;
- * delta, more [draws][n] or NULL; more: see crusher_set_feed. */
+/* passing [draws][n - 1][n]: of the product of each class, at the sizes; delta,
+ * more [draws][n], or NULL: the discrepancy over h, and the correction to the
+ * predicted product (crusher_set_feed). */
 struct transfer {
 	size_t n, draws;
 	double *passing, *delta, *more;
@@ -121,8 +122,8 @@ crusher_set_feed(
 	c->whole = open_feed_products(c, feed, known, c->n_sieve);
 }
 
-/* Masses to passings, from the finest class on: below [n], which may be the
- * masses.  Returns all of the mass. */
+/* Sums masses from the finest class on into below [n], which may be the array
+ * mass.  Returns the total. */
 static double
 cumulate_from_finest_class(const double *mass, size_t n, double *below)
 {
@@ -134,9 +135,9 @@ cumulate_from_finest_class(const double *mass, size_t n, double *below)
 	return sum;
 }
 
-/* Computes the difference between the prediction and the sum of the classes at
- * all sizes.  Between sieves it is linear in log size, but the passing stays
- * between theirs. */
+/* Computes the difference between the prediction and the sum of the classes, at
+ * all sizes.  Between sieves the difference is linear in log size, but the
+ * passing stays between those at the sieves. */
 static void
 transfer_correct_draw(const struct crusher *c, struct transfer *t, size_t d,
     const double *P, size_t apart, double *out)
@@ -193,7 +194,7 @@ crusher_transfer_at_speed(struct crusher *c, double v)
 		}
 		struct ensemble *draws = c->class[i].draws;
 		ensemble_set_speed_as_drawn(draws, v);
-		/* A row for each size, there; here one for each draw. */
+		/* P has a row for each size, t->passing one for each draw. */
 		const double *P = ensemble_products(draws, ENSEMBLE_MODEL);
 		for (size_t d = 0; d < DRAWS; d++)
 			for (size_t k = 0; k < n; k++)

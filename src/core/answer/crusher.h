@@ -1,4 +1,4 @@
-/* The transfer matrix of a crusher: its product from each size class, at a
+/* The transfer matrix of a crusher: its product from each size class at a
  * speed.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_ANSWER_CRUSHER_H
@@ -11,22 +11,22 @@
 
 /* Class i lies between sizes i and i + 1 of [n], m, coarsest first, with mass
  * uniform in ln d; the last class is the pan, which does not break.  A model's
- * product is linear in the feed, so the products of the classes determine those
- * of all feeds.  The discrepancy (discrepancy.h) depends on the model's product
- * of the whole feed. */
+ * product is linear in the feed, so the products of the classes determine the
+ * product of any feed.  The discrepancy (discrepancy.h) depends on the model's
+ * product of the whole feed. */
 struct crusher;
 struct posterior;
 
 /* posterior: NULL for the model alone; else it must outlive the crusher.  The
- * circuit handles the bypass of the settings. */
+ * settings' bypass is ignored, as the circuit handles it. */
 struct crusher *crusher_new(const double *size, size_t n,
     const struct params *p, struct model_settings settings,
     const struct posterior *posterior);
 void crusher_free(struct crusher *crusher);
 
 /* Sets the feed of the question and the sieves [n], m, coarsest first, at which
- * its product is predicted.  At those sieves that are sizes of the crusher,
- * this feed then gives exactly the predicted product, and other feeds are
+ * its product is predicted.  This feed then gives exactly the predicted product
+ * at the sieves that are also sizes of the crusher, and other feeds are
  * corrected by the same difference per tonne. */
 void crusher_set_feed(
     struct crusher *c, const struct psd *feed, const double *sieve, size_t n);
@@ -38,15 +38,15 @@ struct transfer *crusher_transfer_at_speed(struct crusher *crusher, double v);
 void transfer_free(struct transfer *t);
 size_t transfer_count_draws(const struct transfer *t);
 
-/* Computes the product, out [n], of the masses in [n] by class, in one draw.
- * It conserves mass, and nothing becomes coarser.  in and out must not overlap.
- * Not thread-safe. */
+/* Computes out [n], the product of the masses in [n] by class, in one draw.
+ * Mass is conserved, and no mass moves to a coarser class.  in and out must not
+ * overlap.  Not thread-safe. */
 void transfer_compute_product(
     const struct transfer *t, size_t draw, const double *in, double *out);
 
-/* Computes the masses of the crusher's classes in a feed, [n] out, with sum 1.
- * All of the feed must pass the coarsest size.  For draws, the feed's curve is
- * smooth between its sieves (D18). */
+/* Computes out [n]: the masses of the crusher's classes in a feed, with sum 1.
+ * All of the feed must pass the coarsest size.  If there is a posterior, the
+ * feed's curve is taken to be smooth between its sieves (D18). */
 void crusher_class_masses_of_feed(
     const struct crusher *c, const struct psd *feed, double *out);
 

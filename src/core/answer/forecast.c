@@ -17,11 +17,11 @@
 
 enum { DRAWS = POSTERIOR_DRAWS };
 
-/* ensemble: NULL for the model alone.  product: at `speed`, of the model, or
- * the mean of the draws, at the sieves and at the sizes that quantities need,
- * each `share` of the way from the sieve below `above` to it; alone: the
- * model's at `alone_speed`.  curve, part: room for a draw's; sieve [n_sieve]:
- * room for passings at the sieves. */
+/* ensemble: NULL for the model alone.  product: the answer at `speed`, at the
+ * sieves and at the sizes that quantities need.  Each size lies `share` of the
+ * way up from the next finer sieve to sieve number `above`.  alone: the model's
+ * product at `alone_speed`.  curve, part, sieve [n_sieve]: workspace for a
+ * draw's curve, for its fraction, and for passings at the sieves. */
 struct forecast {
 	struct model *model;
 	struct params params;
@@ -33,17 +33,19 @@ struct forecast {
 	double *share, *sieve;
 	size_t n_sieve, n;
 	struct quantity *asked;
-	double **kept; /* [n][sizes] kept for its fraction; NULL: all */
-	size_t *row;   /* [n] of the size that it is the passing of, or sizes */
+	double **kept; /* [n][sizes] share of each class that the quantity's
+		        * fraction keeps; NULL: all */
+	size_t *row;   /* [n] index of the size whose passing the quantity is,
+		        * or the number of sizes */
 	double *value; /* [n] */
 	double **draw; /* [n][DRAWS] or NULL */
-	enum ensemble_part of; /* what the draws are of */
+	enum ensemble_part of; /* the part that the draws are of */
 	struct psd curve, part;
 	double speed, level;
 	void *asker;
 };
 
-/* The sizes of both lists, coarsest first. */
+/* Returns the sieves and the sizes that the quantities need, coarsest first. */
 static double *
 merge_sieve_and_asked_sizes(const struct psd *feed, const double *size,
     size_t *n, const struct quantity *asked, size_t n_asked)
@@ -61,7 +63,7 @@ merge_sieve_and_asked_sizes(const struct psd *feed, const double *size,
 	return all;
 }
 
-/* Where the sizes of the product lie among the sieves. */
+/* Finds where the sizes of the product lie among the sieves. */
 static void
 find_sieves_of_product_sizes(struct forecast *f, const double *sieve, size_t n)
 {
@@ -78,7 +80,8 @@ find_sieves_of_product_sizes(struct forecast *f, const double *sieve, size_t n)
 	}
 }
 
-/* A curve at all sizes from passings at the sieves, which stand `apart`. */
+/* Computes a curve at all sizes from passings P at the sieves, which are
+ * `apart` elements apart. */
 static void
 interpolate_curve(
     const struct forecast *f, const double *P, size_t apart, struct psd *curve)
@@ -96,8 +99,8 @@ interpolate_curve(
 	}
 }
 
-/* The place of a passing of the whole product among the sizes; n for others,
- * which are read off a curve. */
+/* Returns the index of the size whose passing, of the whole product, the
+ * quantity is; n for other quantities, which are read off a curve. */
 static size_t
 row_of_passing_quantity(const struct quantity *q, const double *size, size_t n)
 {
@@ -181,8 +184,8 @@ forecast_close(struct forecast *f)
 	free(f);
 }
 
-/* The curve of the fraction that quantity i is of, and its share of the
- * product. */
+/* Returns the curve of the fraction that quantity i is about, and sets *share
+ * to its share of the product. */
 static const struct psd *
 curve_of_fraction(
     struct forecast *f, size_t i, const struct psd *curve, double *share)
@@ -194,7 +197,7 @@ curve_of_fraction(
 	return &f->part;
 }
 
-/* Of a curve of the product. */
+/* Returns quantity i of a curve of the product. */
 static double
 quantity_of_curve(struct forecast *f, size_t i, const struct psd *curve)
 {
@@ -205,7 +208,6 @@ quantity_of_curve(struct forecast *f, size_t i, const struct psd *curve)
 	return quantity_read_off_curve(&f->asked[i], curve, share);
 }
 
-/* The curve of draw d. */
 static void
 fill_curve_of_draw(const struct forecast *f, size_t d, struct psd *curve)
 {
@@ -213,7 +215,7 @@ fill_curve_of_draw(const struct forecast *f, size_t d, struct psd *curve)
 	interpolate_curve(f, P, DRAWS, curve);
 }
 
-/* The same of one size, for all draws. */
+/* Computes the passings at size k in all draws. */
 static void
 copy_row_of_draws(const struct forecast *f, size_t k, double *draw)
 {
@@ -227,7 +229,6 @@ copy_row_of_draws(const struct forecast *f, size_t k, double *draw)
 		memcpy(draw, above, DRAWS * sizeof *draw);
 }
 
-/* The curve of the model alone. */
 static const struct psd *
 curve_of_model(struct forecast *f)
 {
@@ -352,7 +353,8 @@ forecast_draws(const struct forecast *f, size_t i)
 	return f->draw[i];
 }
 
-/* Of a curve of the product that has this value. */
+/* Returns how far quantity i, with this value on a curve of the product, is
+ * above a limit. */
 static double
 excess_of_curve_over_limit(struct forecast *f, size_t i, double limit,
     double value, const struct psd *curve)

@@ -13,53 +13,51 @@ struct figure {
 	double value, low, high;
 };
 
-/* Opaque. */
 struct forecast;
 
-/* size [n]: the sieves, m, coarsest first, see predict_table_sizes.  Between
- * them, also at the sizes that the quantities asked [n_asked] need, the curve
- * is interpolated linearly in log size (D20).  level: of bands, 0..1. */
+/* size [n]: the sieves, m, coarsest first; see predict_table_sizes.  Between
+ * them, the curve is interpolated linearly in log size (D20), also at the sizes
+ * that the quantities asked [n_asked] need.  level: of the bands, 0..1. */
 struct forecast *forecast_new(const struct psd *feed, const double *size,
     size_t n, const struct quantity *asked, size_t n_asked,
     const struct params *p, struct model_settings settings, double level);
 void forecast_close(struct forecast *f);
 
-/* Keep what the caller needs to find an ensemble, and return it, borrowed, or
- * NULL.  It is freed with the forecast, by free. */
+/* Store and return data with which the caller finds an ensemble.  The forecast
+ * owns the data, which free() must be able to free; NULL if none was set. */
 void forecast_set_asker(struct forecast *f, void *asker);
 const void *forecast_asker(const struct forecast *f);
 
-/* Moves to tip speed v, m/s: for the model alone (e NULL), or with the draws of
- * an ensemble of the same feed and sieves, borrowed until the next move.  of:
- * the part of the ensemble from which draws and bands are read; values are
- * always those of the answer. */
+/* Moves to tip speed v, m/s.  e: an ensemble of the same feed and sieves,
+ * borrowed until the next move, or NULL for the model alone.  of: the part of
+ * the ensemble from which draws and bands are read; values are always the
+ * answer's. */
 void forecast_move(
     struct forecast *f, struct ensemble *e, enum ensemble_part of, double v);
 
-/* Returns quantity i as it was asked; borrowed. */
+/* Returns quantity i as asked; borrowed. */
 const struct quantity *forecast_asked_quantity(
     const struct forecast *f, size_t i);
 
-/* Returns quantity i in its own unit, with the middle `level` of the draws,
- * which for ENSEMBLE_ANSWER is widened to contain the value. */
+/* Returns quantity i in its own unit.  The band is the middle `level` of the
+ * draws, widened to contain the value if they are of ENSEMBLE_ANSWER. */
 struct figure forecast_value_with_band(const struct forecast *f, size_t i);
 
-/* Returns quantity i of the model alone. */
 double forecast_value_of_model_alone(struct forecast *f, size_t i);
 
 double forecast_tip_speed(const struct forecast *f);
 
-/* Returns the break size, m (see params_break_size_by_impacts), and the band of
- * the draws' break sizes. */
+/* Returns the break size, m (see params_break_size_by_impacts), with the band
+ * of the draws' break sizes. */
 struct figure forecast_break_size(const struct forecast *f);
 
-/* For predict_table and the model alone: return the share of the feed that is
- * selected, and whether the product differs from the feed. */
+/* For predict_table.  Return, for the model alone, the share of the feed that
+ * is selected, and true if the product differs from the feed. */
 double forecast_share_selected(struct forecast *f);
 bool forecast_breaks_feed(struct forecast *f);
 
-/* Returns the values of quantity i in the draws, [POSTERIOR_DRAWS], borrowed,
- * or NULL if the answer is the model alone or before the first move. */
+/* Returns the values [POSTERIOR_DRAWS] of quantity i in the draws, borrowed, or
+ * NULL before the first move with an ensemble. */
 const double *forecast_draws(const struct forecast *f, size_t i);
 
 /* Compute how far quantity i is above a limit (quantity_excess_as_passing):
@@ -70,13 +68,13 @@ void forecast_excess_of_draws(struct forecast *f, size_t i, double limit,
     double over[static POSTERIOR_DRAWS]);
 
 /* Returns quantity i of the second forecast minus that of the first, each at
- * its own speed.  Draws are paired if both are from one posterior, otherwise
- * independent. */
+ * its own speed.  The difference is taken draw by draw: draws of one posterior
+ * are paired, those of two are independent. */
 struct figure forecast_difference(
     const struct forecast *one, const struct forecast *two, size_t i);
 
-/* Returns the answer's curve of the fraction of quantity i, at the sizes of the
- * product's curve.  Free with psd_free. */
+/* Returns the answer's curve of the fraction that quantity i is about, at the
+ * sizes of the product's curve.  Free with psd_free. */
 struct psd forecast_screened_curve(struct forecast *f, size_t i);
 
 #endif

@@ -1,5 +1,5 @@
-/* Orders materials by rock and top size, takes the median of their products,
- * and finds the error of such guesses by leaving one site out at a time.
+/* Sorts materials by rock and top size, takes the median of their products, and
+ * finds the error of such guesses by leaving out one site at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/guess.h"
 
@@ -16,7 +16,8 @@
 #include "core/answer/predict.h"
 #include "core/model/synth.h"
 
-/* Same parameters, settings and top size, as Ubbarp and Gasgruvan have. */
+/* True if parameters, settings and top size are the same, as for Ubbarp and
+ * Gasgruvan (D9). */
 static bool
 has_same_parameters(
     const struct guess_material *a, const struct guess_material *b)
@@ -30,9 +31,10 @@ has_same_parameters(
 	       model_settings_are_same(&a->settings, &b->settings);
 }
 
-/* Returns how far a material is from the wanted one, by the logarithms of their
- * top sizes.  One of another rock is farther than all of the same, and of these
- * one without a top size farther than those that have one. */
+/* Returns how far a material is from the wanted one: the difference of the
+ * logarithms of their top sizes.  Materials of another rock are farther than
+ * all of the same rock; within a rock, those without a top size are the
+ * farthest. */
 static double
 distance_from_wanted(
     const struct guess_material *m, const struct guess_material *wanted)
@@ -56,7 +58,7 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 	size_t picked = 0;
 	FREED bool *taken = xcalloc(n, sizeof *taken);
 	FREED double *far = xcalloc_doubles(n);
-	/* 11.2 mm read twice may differ in the last bit. */
+	/* The same 11.2 mm may differ in the last bit. */
 	const double hair = 1e-9;
 	memcpy(taken, leave_out, n * sizeof *taken);
 	for (size_t i = 0; i < n; i++)
@@ -77,8 +79,8 @@ guess_find_nearest_materials(const struct guess_material *m, size_t n,
 	return picked;
 }
 
-/* Returns the value at a place, from 1, among v [n] in rising order,
- * interpolated linearly between two places.  Beyond the ends it is the first or
+/* Returns the value at a rank, from 1, among v [n] in rising order,
+ * interpolated linearly between ranks.  Beyond the ends, returns the first or
  * last value. */
 static double
 interpolate_sorted_values(const double *v, size_t n, double place)
@@ -89,7 +91,8 @@ interpolate_sorted_values(const double *v, size_t n, double place)
 	return part > 0 ? v[i] * (1 - part) + v[i + 1] * part : v[i];
 }
 
-/* Sorts v, which has no NAN. */
+/* Sorts v, which must not contain NAN, and returns its median and 80 %
+ * range. */
 static struct guess_range
 sort_and_find_range(double *v, size_t n)
 {
@@ -101,8 +104,8 @@ sort_and_find_range(double *v, size_t n)
 	    interpolate_sorted_values(v, n, 0.9 * places)};
 }
 
-/* A size that lies outside the sieves is finer than they are, as some sieve
- * passes all of the feed and of the product. */
+/* Returns the range of a size, such as P80.  A size outside the sieves is finer
+ * than all of them, as the coarsest sieves pass all of feed and product. */
 static struct guess_range
 range_of_size_at_passing(const struct psd *median, const struct prediction *p,
     size_t n, double passing)
@@ -119,7 +122,6 @@ range_of_size_at_passing(const struct psd *median, const struct prediction *p,
 	return range;
 }
 
-/* The median of n curves at the same sizes. */
 static struct psd
 median_curve(const struct prediction *p, size_t n)
 {
@@ -133,7 +135,8 @@ median_curve(const struct prediction *p, size_t n)
 	return median;
 }
 
-/* The curves over n products on the same sieves. */
+/* Fills the guess's curves, and its break size, from n products on the same
+ * sieves. */
 static void
 fill_median_and_range(struct guess *guess, const struct prediction *p, size_t n)
 {
@@ -168,8 +171,8 @@ guess_from_products(const struct prediction *p, size_t n, double v)
 	return guess;
 }
 
-/* The default with dust added, as much in each octave (beta1), or with coarse
- * pieces (u^2). */
+/* The default beta with dust added, equal in each octave (beta1), or with
+ * coarse pieces (u^2). */
 static const double LAWS[GUESS_LAWS][4] = {
     {0, 0.4889, 1, 0.2445},  /* 5 % finer than a tenth */
     {0, 1, -0.3862, 0.5},    /* 10 */
@@ -215,12 +218,13 @@ guess_free(struct guess *guess)
 
 /* The result of leaving out one material. */
 struct trial {
-	double error, feed; /* of the guess, and of product = feed */
-	size_t cells, held; /* where the band has a width, and holds */
+	double error, feed; /* RMSE of the guess, and of product = feed */
+	size_t cells, held; /* passings where the band has a width; those within
+			     * it */
 };
 
-/* The products of each material's synthetic feed with each material, p [n * n],
- * computed once for all trials. */
+/* p [n * n]: the products of each material's synthetic feed with each
+ * material's parameters, computed once for all trials. */
 struct pairs {
 	size_t n;
 	double v;
@@ -280,8 +284,8 @@ guess_left_out_site(
 	return trial;
 }
 
-/* Marks the materials from which material i may not be guessed.  Returns false
- * if one with the same numbers was guessed before. */
+/* Marks the materials that a guess for material i may not use.  Returns false
+ * if a material with the same numbers comes before i. */
 static bool
 mark_materials_left_out(
     const struct guess_material *m, size_t n, size_t i, bool *leave_out)

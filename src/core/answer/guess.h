@@ -11,9 +11,9 @@
 #include "core/psd/site.h"
 
 /* A material to guess from, or the site to guess for, whose params are not
- * read.  rock: "" if not known; top_size: m, 0 if not known.  settings: those
- * with which its parameters were found.  law_open: beta is not known, as for
- * Table 3, which does not print it.  Text is borrowed. */
+ * used.  rock: "" if not known; top_size: m, 0 if not known.  settings: those
+ * with which the parameters were found.  law_open: beta is not known, because
+ * Table 3 does not print it.  Strings are borrowed. */
 struct guess_material {
 	const char *site, *rock;
 	double top_size;
@@ -26,21 +26,21 @@ struct guess_material {
  * accents) first, then by |ln(top size / wanted top size)|, then in the order
  * of the list.  An unknown size counts as farthest.  Of materials with
  * identical numbers (D9), only the nearest counts.
- *   leave_out [n]: true for materials to ignore
- *   pick [most]: out, their indices, nearest first.  Returns their number. */
+ * leave_out [n]: true for materials to ignore.  Sets pick [most] to their
+ * indices, nearest first, and returns their number. */
 size_t guess_find_nearest_materials(const struct guess_material *m, size_t n,
     const struct guess_material *wanted, const bool *leave_out, size_t most,
     size_t *pick);
 
-/* A value with its 80 % band over the materials: NAN if it is below the finest
- * sieve; INFINITY for a break size if nothing breaks. */
+/* A value with its 80 % band over the materials.  NAN: below the finest sieve;
+ * INFINITY: the break size if nothing breaks. */
 struct guess_range {
 	double middle, low, high;
 };
 
-/* Curves on the same sieves: at each sieve, the median and 80 % band of the
- * products, one for each material.  The middle of p20, p50 and p80, m, is read
- * off the median curve; that of break_size, m, is the median.
+/* Curves on the same sieves: at each sieve, the median and the 80 % band of the
+ * materials' products.  The middle of p20, p50 and p80, m, is read off the
+ * median curve; that of break_size, m, is the median.
  *
  * The band extends from rank 0.1 (n + 1) to rank 0.9 (n + 1) of n values:
  * another value of the same kind lies in it with a probability of 80 %, if n is
@@ -57,39 +57,43 @@ struct guess {
 	};
 };
 
-/* The number of betas that represent an unknown beta, from coarse to fine
- * progeny: 5 to 67 % of this is finer than a tenth of the parent (default:
- * 14 %). */
+/* The number of laws (values of beta) that represent an unknown beta, from
+ * coarse to fine progeny: 5 to 67 % of the progeny is finer than a tenth of the
+ * parent (with the default beta, 14 %). */
 enum { GUESS_LAWS = 8 };
 
-/* Makes a guess from the products of the run's feed at tip speed v (m/s) with
- * each of the n >= 1 materials picked, in its own settings; if its law is open,
- * with each of GUESS_LAWS.  Cannot fail.  Free with guess_free. */
+/* Returns a guess from the products of the run's feed at tip speed v (m/s), one
+ * for each of the n >= 1 materials picked, with its own settings; if a
+ * material's law is open, one for each of GUESS_LAWS.  Cannot fail.  Free with
+ * guess_free. */
 struct guess guess_product(const struct site *site, size_t feed_run,
     const struct guess_material *m, const size_t *pick, size_t n, double v);
 void guess_free(struct guess *guess);
 
 /* The errors of such guesses: RMSE of passing, 0..1, over the sieves.  n:
- * number of guesses; worst_at: index of the worst; feed: median error of the
- * guess that product = feed; held: share of the passings within the band, where
- * it has a width; nearest: number of materials used for each. */
+ * number of guesses; worst_at: index of the material with the largest; feed:
+ * median error of the guess product = feed; held: share of the passings within
+ * the band, where the band has a width; nearest: number of materials used for
+ * each guess. */
 struct guess_error {
 	size_t n, worst_at, nearest;
 	double median, worst, feed, held;
 };
 
-/* Leaves one site out at a time: guesses the product of each material at v from
- * the nearest others and compares it with the model's product for the
- * material's own parameters.  The feed is synthetic (synth.h, n = 1).  Others
- * are materials of another site with different numbers; of materials with
- * identical numbers only one is guessed.  Each top size must be known. */
+/* Leaves one site out at a time: guesses the product of each material at v,
+ * m/s, from the nearest other materials and compares it with the model's
+ * product for the material's own parameters.  The feed is synthetic (synth.h, n
+ * = 1).  Other materials are those of another site with different numbers; of
+ * materials with identical numbers, only one is guessed.  All top sizes must be
+ * known. */
 struct guess_error guess_leave_one_out(
     const struct guess_material *m, size_t n, size_t nearest, double v);
 
-/* Whether rock and top size improve the guess.  all: the errors of guesses from
- * all others; few: from the number of nearest materials with the smallest
- * median error.  helps: the median error of few is below 0.8 times that of all;
- * with 18 sites, the best of so many numbers gains less than that by chance. */
+/* Whether choosing by rock and top size improves the guess.  all: the errors of
+ * guesses from all other materials; few: those of guesses from the nearest, in
+ * the number with the smallest median error.  helps: the median error of few is
+ * below 0.8 times that of all.  With 18 sites, the best of so many numbers
+ * gains less than that by chance. */
 struct guess_choice {
 	struct guess_error all, few;
 	bool helps;

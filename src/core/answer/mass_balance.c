@@ -10,7 +10,8 @@
 #include "core/answer/predict.h"
 #include "core/model/product.h"
 
-/* Where the class alone goes: product [n] out, its share in each class. */
+/* Computes product [n]: the share of one class's mass that ends up in each
+ * class. */
 static void
 product_of_class(const struct psd *feed, const struct params *p,
     struct model_settings settings, double v, size_t class, double *product)

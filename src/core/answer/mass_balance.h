@@ -9,7 +9,7 @@
 #include "core/psd/psd.h"
 
 /* Class i lies between the feed's sieves i and i + 1; the last class passes the
- * finest sieve.  All are shares of the mass of the whole feed, 0..1, [n] each:
+ * finest sieve.  All arrays [n] are shares of the mass of the whole feed, 0..1:
  *   feed     = unbroken + within + left
  *   product  = unbroken + within + arrived
  * unbroken: did not break; within: broke but is still in the class; left: broke
@@ -18,16 +18,17 @@
 struct mass_balance {
 	size_t n;
 	double *feed, *unbroken, *within, *left, *arrived, *product;
-	double broken; /* of the whole feed */
+	double broken; /* share of the whole feed that breaks */
 };
 
-/* Returns the ledger of the model at tip speed v, m/s, computed class by class
- * (Eq 2 is linear in the feed).  Free with mass_balance_free. */
+/* Returns the mass balance of the model at tip speed v, m/s, computed class by
+ * class, as Eq 2 is linear in the feed.  Free with mass_balance_free. */
 struct mass_balance mass_balance_new(const struct psd *feed,
     const struct params *p, struct model_settings settings, double v);
 void mass_balance_free(struct mass_balance *ledger);
 
-/* Returns the index of the largest of a [n], or of a - b if b is not NULL. */
+/* Returns the index of the largest of a [n], or of a [n] - b [n] if b is not
+ * NULL. */
 size_t mass_balance_class_of_largest(
     const double *a, const double *b, size_t n);
 

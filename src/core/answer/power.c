@@ -1,6 +1,6 @@
 /* Weights a grid of exponents and factors by their least-squares fit to the
- * readings, each with a normal distribution of the idle power truncated at 0,
- * and takes draws at even steps of the weights.
+ * readings, each with a normal distribution of the idle power that is truncated
+ * at 0, and takes draws at even steps of the cumulative weight.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/answer/power.h"
 
@@ -10,19 +10,20 @@
 
 static const double READING_ERROR = 0.02;
 
-/* Exponents and factors that are tried. */
+/* The numbers of exponents and factors that are tried. */
 enum { EXPONENTS = 17, FACTORS = 64, TRIED = EXPONENTS * FACTORS };
 
 double
 power_to_accelerate_rock(double speed, double tph)
 {
-	/* m2/s2 times t/h, which are 1 / 3.6 kg/s; W to kW. */
+	/* 1 t/h is 1 / 3.6 kg/s; converts W to kW. */
 	return speed * speed * tph / 3.6 / 1000;
 }
 
-/* An exponent and a factor: the idle that fits best, its standard deviation,
- * and the sum of squares there, in errors of a reading.  Idle far below 0 is
- * taken no further than to where a normal tail still is a number. */
+/* An exponent and a factor, with the idle power that fits best, its standard
+ * deviation, and the sum of squares there, in errors of a reading.  The idle
+ * power is limited so that the tail of its normal distribution does not
+ * underflow. */
 struct trial {
 	double exponent, factor, idle, sd, squares;
 };
@@ -48,7 +49,8 @@ fit_idle_power(
 	t->squares = yy - 2 * t->idle * xy + t->idle * t->idle * xx;
 }
 
-/* The factors that are tried: from 1 to that of a reading without idle. */
+/* Finds the range of factors to try: from 1 to the largest of any reading
+ * without idle power. */
 static void
 range_of_trial_factors(
     struct power *p, const struct reading *reading, double range[2])
@@ -69,15 +71,16 @@ range_of_trial_factors(
 	    p->least || p->below ? range[0] : top * (1 + 3 * READING_ERROR);
 }
 
-/* weight [TRIED] out: what the readings leave of each trial, over all that its
- * idle can be, in shares. */
+/* Computes weight [TRIED]: the probability of each trial given the readings,
+ * integrated over its idle power; the weights add up to 1. */
 static void
 weigh_idle_power_trials(const struct power *p, struct trial *t, double *weight)
 {
 	double least = INFINITY, sum = 0;
 	for (size_t k = 0; k < TRIED; k++)
 		least = fmin(least, t[k].squares);
-	/* How much larger than stated the errors of the readings are. */
+	/* The factor by which the variance of the readings exceeds the stated
+	 * one. */
 	double wider = p->n > 3 ? fmax(1, least / (double)(p->n - 3)) : 1;
 	for (size_t k = 0; k < TRIED; k++) {
 		t[k].sd *= sqrt(wider);
@@ -89,8 +92,9 @@ weigh_idle_power_trials(const struct power *p, struct trial *t, double *weight)
 		weight[k] /= sum;
 }
 
-/* Draws at even steps of the weights, with the idle at the places of a golden
- * section within what it can be: the same at each call. */
+/* Takes draws at even steps of the cumulative weight.  The idle power is taken
+ * at quantiles spaced by the golden section, so that each call gives the same
+ * draws. */
 static void
 fill_draws_from_trials(
     struct power *p, const struct trial *t, const double *weight)

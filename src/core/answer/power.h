@@ -20,13 +20,14 @@ struct reading {
  * the rotor. */
 double power_to_accelerate_rock(double speed, double tph);
 
-/* P = idle (v / at)^exponent + factor Q v^2: draws consistent with readings
- * whose errors are 2 %, or their scatter if larger.  Uniform priors: idle from
- * 0 up, exponent from 1 (friction) to 3 (air), factor from 1 to the value that
- * leaves no idle.  least: no reading is of a loaded crusher, so the factor is
- * 1, its minimum; below: all readings are below Q v^2, so no factor from 1 up
- * fits and the largest that leaves some idle is used.  at: mean speed of the
- * readings.  rms: RMS residual about the mean, kW. */
+/* P = idle (v / at)^exponent + factor Q v^2.  The draws are consistent with
+ * readings whose errors are 2 %, or their scatter if larger.  Priors are
+ * uniform: idle from 0 up, exponent from 1 (friction) to 3 (air), factor from 1
+ * to the value that leaves no idle power.  least: no reading is of a loaded
+ * crusher, so the factor is 1, its minimum.  below: all readings are below Q
+ * v^2, so that no factor of 1 or more fits, and the largest that leaves some
+ * idle power is used.  at: mean speed of the readings.  rms: RMS residual about
+ * the mean of the draws, kW. */
 struct power {
 	size_t n;
 	bool least, below;
@@ -38,12 +39,12 @@ struct power {
 struct power power_fit(const struct reading *reading, size_t n);
 
 /* True if, of two readings at similar tonnages, the clearly faster one shows
- * less power.  No motor does that, and no estimate from such readings is
+ * less power.  A motor cannot do that, so an estimate from such readings is not
  * valid. */
 bool power_falls_with_speed(const struct reading *reading, size_t n);
 
-/* Return the power in a draw, kW, and its idle part.  draw is used modulo
- * POWER_DRAWS. */
+/* Return the power in a draw, kW, and the idle part of it.  draw is taken
+ * modulo POWER_DRAWS. */
 double power_of_draw(
     const struct power *p, size_t draw, double speed, double tph);
 double power_idle_of_draw(const struct power *p, size_t draw, double speed);

@@ -12,7 +12,7 @@
 #include "core/numeric/elementary.h"
 #include "core/model/product.h"
 
-/* Those of sizes [n], coarsest first, that the feed covers. */
+/* Returns the sizes, of size [n], coarsest first, that the feed covers. */
 static struct psd
 list_covered_sizes(const double *size, size_t n, const struct psd *feed)
 {
@@ -25,7 +25,7 @@ list_covered_sizes(const double *size, size_t n, const struct psd *feed)
 	return psd;
 }
 
-/* Those that a table of the product shows. */
+/* Returns the sieves that a table of the product shows. */
 static struct psd
 sieves_of_product_table(const struct site *site, const struct psd *feed)
 {
@@ -155,7 +155,7 @@ predict_with_model_alone(const struct site *site, const struct params *p,
 	return out;
 }
 
-/* A feed of one class alone, selected as a whole: the class's mean S. */
+/* The share selected of a feed of one class alone is the class's mean S. */
 void
 predict_selection_of_classes(const struct psd *feed, const struct params *p,
     struct model_settings settings, double speed, double *S)

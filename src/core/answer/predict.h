@@ -11,19 +11,19 @@
 #include "core/psd/screening.h"
 #include "core/psd/site.h"
 
-/* product, feed [same sieves]: all sieves of the site's feed and products that
- * the feed covers, or of site->shown.  curve: the product at
+/* product, feed: on the same sieves, which are those of the site's feeds and
+ * products, or site->shown, that the feed covers.  curve: the product at
  * predict_table_sizes, off which sizes are read linearly in log size (D20).
  * model [product.n]: the product of the model alone.  low, high [product.n],
- * range: the band; NULL and NAN without one.  Sizes are in m; NAN if outside
- * the sieves. */
+ * range: the band; NULL and NAN if there is none.  Sizes are in m; NAN if
+ * outside the sieves. */
 struct prediction {
 	double speed;    /* m/s */
 	double energy;   /* J/kg */
 	size_t feed_run; /* the run whose feed was used */
 	struct psd feed, product, curve;
 	double *model, *low, *high;
-	double range[PSD_SIZES + 1][2]; /* of size, below */
+	double range[PSD_SIZES + 1][2]; /* of `size` */
 	union {
 		struct {
 			double p20, p50, p80;
@@ -32,7 +32,7 @@ struct prediction {
 		};
 		double size[PSD_SIZES + 1];
 	};
-	/* The part of the product and its share; for the whole product, all
+	/* The fraction and its share of the product; for the whole product,
 	 * zeros and 1. */
 	struct fraction fraction;
 	double share, share_range[2];
@@ -42,18 +42,18 @@ struct prediction {
 
 void prediction_free(struct prediction *prediction);
 
-/* Returns the site's sieves that the feed covers and the sieves of site->shown,
- * coarsest first; passings are 0.  Free with psd_free. */
+/* Returns the sieves of the site and of site->shown that the feed covers,
+ * coarsest first, with passings of 0.  Free with psd_free. */
 struct psd predict_table_sizes(const struct site *site, const struct psd *feed);
 
-/* Returns the quantities that predict_table reads, of the whole product or of a
- * fraction, [*n].  The caller frees it. */
+/* Returns the *n quantities, of the whole product or of a fraction, that
+ * predict_table reads.  The caller frees the array. */
 struct quantity *predict_table_quantities(const struct site *site,
     const struct psd *feed, const struct fraction *fraction, size_t *n);
 
-/* Returns the table of a forecast of predict_table_quantities, at its speed,
- * with the band, if it has draws.  feed_run: the run whose feed is used, or
- * SITE_MEAN_FEED, see site_feed_of_run.  Free with prediction_free. */
+/* Returns the table of a forecast of predict_table_quantities at its speed,
+ * with the band if it has draws.  feed_run: the run whose feed is used, or
+ * SITE_MEAN_FEED; see site_feed_of_run.  Free with prediction_free. */
 struct prediction predict_table(const struct site *site, size_t feed_run,
     const struct fraction *fraction, struct forecast *f);
 
@@ -66,12 +66,11 @@ struct prediction predict_with_model_alone(const struct site *site,
 /* Removes the band and keeps the answer. */
 void prediction_drop_band(struct prediction *p);
 
-/* Computes the selection of each size class of a feed: the share of its mass
- * that breaks.  Class i lies between sieves i and i + 1; the last is the pan.
- * S [feed->n] out, 0..1; weighted by the classes' masses, it sums to
- * `selected`.  Method continuous: the mean of Eq 3 over the class, uniform in
- * log size, and 0 in the pan, which never breaks; classes: Eq 3 at the size of
- * the class. */
+/* Computes S [feed->n], 0..1, the selection of each size class of a feed: the
+ * share of its mass that breaks.  Class i lies between sieves i and i + 1; the
+ * last is the pan.  Weighted by the classes' masses, S sums to `selected`.
+ * Method continuous: the mean of Eq 3 over the class, uniform in log size, and
+ * 0 in the pan, which never breaks; classes: Eq 3 at the size of the class. */
 void predict_selection_of_classes(const struct psd *feed,
     const struct params *p, struct model_settings settings, double speed,
     double *S);

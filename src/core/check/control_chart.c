@@ -1,4 +1,4 @@
-/* EWMA and self-starting CUSUM of innovations: values whitened by the Cholesky
+/* EWMA and self-starting CUSUM of values that are whitened by the Cholesky
  * factor of their covariance under the draws (Hawkins and Olwell 1998).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/control_chart.h"
@@ -13,12 +13,12 @@
 #include "core/numeric/elementary.h"
 #include "core/numeric/rng.h"
 
-/* A CUSUM with k = 0.5 is best at shifts of one standard deviation (Page). For
- * the EWMA, 0.2 and 3 are the values of textbooks. */
+/* A CUSUM with k = 0.5 is best for shifts of one standard deviation (Page).
+ * For the EWMA, 0.2 and 3 are the usual textbook values. */
 const struct drift_rule DRIFT_RULE = {
     .k = 0.5, .h = 5, .lambda = 0.2, .width = 3, .cuts = 2};
 
-/* Site files are written to a tenth of a point or less. */
+/* Site files state passings to a tenth of a point or better. */
 static const double ROUNDING = 0.0005;
 
 void
@@ -98,8 +98,8 @@ covariance_of_two_components(const struct drift_cut *c,
 	return sum;
 }
 
-/* Computes the weights that give the slope of the regression line, times the
- * range of ln size; 0 for a single sieve. */
+/* Computes the weights of the regression line's slope times the range of ln
+ * size; 0 for a single sieve. */
 static void
 fill_tilt_weights(const struct drift_cut *c, double *weight)
 {
@@ -137,8 +137,8 @@ fill_component_weights(
 	fill_component_of_draws(c, tilt);
 }
 
-/* Returns the factor, in the upper triangle, of the covariance of a component's
- * values [n * n]; w [n * DRIFT_COMPONENTS]. */
+/* Returns the factor [n * n], in the upper triangle, of the covariance of a
+ * component's values.  w [n * DRIFT_COMPONENTS]. */
 static double *
 covariance_factor_of_component(const struct drift_cut *cut,
     const struct component *w, size_t n, size_t component)
@@ -159,8 +159,8 @@ covariance_factor_of_component(const struct drift_cut *cut,
 	return U;
 }
 
-/* Advances the charts of a component by its score, the n-th one.  Returns the
- * side on which it is beyond a limit, -1 or 1, or 0. */
+/* Advances the charts of a component by its score, the n-th.  Returns 1 or -1
+ * if a chart is beyond its upper or lower limit, else 0. */
 static int
 advance_component_charts(
     struct drift_chart *c, const struct drift_rule *r, size_t n)
@@ -188,8 +188,8 @@ drift_state_of_sides(const int side[static DRIFT_COMPONENTS])
 				       : DRIFT_NONE;
 }
 
-/* Returns the sample after the last one at which the CUSUM that signals at
- * sample i was 0. */
+/* Returns the sample at which the CUSUM that signals at sample i last began to
+ * rise from 0. */
 static size_t
 find_cusum_start(const struct drift_point *point, size_t i)
 {
@@ -207,8 +207,8 @@ find_cusum_start(const struct drift_point *point, size_t i)
 	return since;
 }
 
-/* Returns how far value i is off, in standard deviations, given the first
- * `known` values.  U: see covariance_factor_of_component. */
+/* Returns how far value i is from its prediction by the first `known` values,
+ * in standard deviations.  U: see covariance_factor_of_component. */
 static double
 z_of_value_given_earlier(const double *U, size_t n, size_t i, size_t known,
     size_t k, const struct drift_point *point)
@@ -221,8 +221,8 @@ z_of_value_given_earlier(const double *U, size_t n, size_t i, size_t known,
 	return (point[i].chart[k].value - expected) / sqrt(variance);
 }
 
-/* Turns a value that is off by so many standard deviations into a normal score,
- * after `known` values with this sum of squares. */
+/* Returns the normal score of a value that is off by `off` standard deviations.
+ * squares: the sum of the squares of the `known` earlier ones. */
 static double
 normal_score(
     const struct drift_rule *r, double off, size_t known, double squares)
@@ -320,16 +320,16 @@ drift_mean_run_length(
 	return sum / SEQUENCES;
 }
 
-/* A level that is followed.  error, actual: the standard deviation of a
- * sample's error, by the posterior and in truth.  mean, variance: what is known
- * of the true level, which narrows with each sample. */
+/* A simulated level and its chart.  error, actual: the standard deviation of a
+ * sample's error, according to the posterior and in truth.  mean, variance: the
+ * estimate of the true level, which narrows with each sample. */
 struct simulated_level {
 	double error, actual, mean, variance, squares;
 	size_t known;
 	struct drift_chart chart;
 };
 
-/* Takes a sample.  True if the chart signals. */
+/* Adds a sample.  Returns true if the chart signals. */
 static bool
 update_simulated_level_charts(
     struct simulated_level *l, const struct drift_rule *r, double value)
@@ -344,9 +344,9 @@ update_simulated_level_charts(
 	return advance_component_charts(&l->chart, r, ++l->known) != 0;
 }
 
-/* Simulates `quiet` samples, then shifted ones.  Returns the number of the
- * shifted sample at which the chart first signals, from 1; 0 if it signalled
- * before; LONGEST + 1 if it never does. */
+/* Simulates `quiet` samples, then shifted ones.  Returns the number, from 1, of
+ * the shifted sample at which the chart first signals; 0 if it signals before
+ * the shift; LONGEST + 1 if it never does. */
 enum { LONGEST = 200 };
 static size_t
 simulate_samples_until_signal(const struct drift_rule *rule,

@@ -10,8 +10,8 @@
 #include "base/tr.h"
 #include "base/xalloc.h"
 
-/* Returns the index of the mend's sieve, or n.  Sizes need to agree only to the
- * digits that site files have. */
+/* Returns the index of the mend's sieve, or n if there is none.  Sizes need to
+ * agree only to the digits that site files have. */
 static size_t
 index_of_mended_sieve(const struct psd *psd, double size)
 {
@@ -51,7 +51,7 @@ mend_find_column(
 	return false;
 }
 
-/* Returns a passing in per cent, with as many digits as were written. */
+/* Returns a passing in per cent, with as many digits as were typed. */
 static char *
 passing_percent_text(double passing)
 {
@@ -214,8 +214,8 @@ has_valid_curves(const struct site *site)
 	return ok;
 }
 
-/* The first clause, which results show, says that there are mends; the end
- * lists them. */
+/* Adds to the first clause, which results show, that there are mends, and
+ * appends this mend at the end. */
 static void
 add_mend_to_provenance(
     struct site *site, const struct site *from, const struct mend *mend)

@@ -10,19 +10,19 @@
 #include "core/psd/site.h"
 
 enum mend_kind {
-	MEND_READ,  /* a passing is replaced by `value` */
+	MEND_READ,  /* a passing is replaced with `value` */
 	MEND_OUT,   /* a passing is left out */
 	MEND_SWAP,  /* a product and its feed are swapped */
 	MEND_UP,    /* a column moves up to the next coarser sieve */
-	MEND_DOWN,  /* or down to the next finer */
+	MEND_DOWN,  /* a column moves down to the next finer sieve */
 	MEND_WITH,  /* two products are swapped */
 	MEND_SCALE, /* the sieves of a column are multiplied by `value` */
 	MEND_DROP   /* a run is left out */
 };
 
 /* A mend of one column.  run: 0 for a feed shared by all runs.  size: the sieve
- * of a passing, m.  value: a passing, 0..1, or a factor.  other: the run with
- * which a product is swapped. */
+ * of a passing, m.  value: the passing, 0..1, or the factor.  other: the run
+ * whose product is swapped with this one's. */
 struct mend {
 	enum mend_kind kind;
 	bool feed;

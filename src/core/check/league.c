@@ -9,9 +9,9 @@
 #include "core/model/breakage.h"
 #include "core/posterior/discrepancy.h"
 
-/* A model is ruled out if its AICc is larger by FAR, or if it errs more by
- * ERRORS standard errors and its RMSE is larger by LEAST, 0..1.  A smaller
- * difference is of no use, however certain it is. */
+/* A model is ruled out if its AICc is larger by FAR, or if its errors are
+ * larger by ERRORS standard errors and its RMSE by LEAST, 0..1.  A smaller
+ * difference in RMSE has no practical use, however certain it is. */
 static const double FAR = 10, ERRORS = 2, LEAST = 0.001;
 
 /* A smaller difference in RMSE does not count. */
@@ -36,7 +36,7 @@ league_count_fitted_params(const struct fit *fit, const struct bounds *bounds)
 	return fit->parameters - scale;
 }
 
-/* Returns the end of the cells that belong to the run of cell `from`. */
+/* Returns the index after the last cell of the run of cell `from`. */
 static size_t
 end_of_run_cells(const struct league_cell *cell, size_t n, size_t from)
 {
@@ -61,8 +61,8 @@ league_rmse_over_runs(
 	return runs > 0 ? sqrt(sum / runs) : NAN;
 }
 
-/* The difference is (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m); an error of
- * m therefore counts -2 (a - b) times. */
+/* The difference is (a - m)^2 - (b - m)^2 = (a - b) (a + b - 2 m), so an error
+ * of m is multiplied by -2 (a - b). */
 struct league_difference
 league_compare_errors(
     const struct league_cell *cell, size_t n, const double *a, const double *b)
@@ -109,7 +109,8 @@ league_misses_held_out_runs(
 	       error > ERRORS * fmin(sqrt(variance), FIT_POOR);
 }
 
-/* Compares by AICc; two models without it by their RMSE at held-out runs. */
+/* Compares by AICc, or by RMSE at held-out runs if neither model has an AICc.
+ * A model with an AICc is better than one without. */
 static bool
 is_better_model(const struct league_model *a, const struct league_model *b)
 {

@@ -16,9 +16,9 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 
-/* CLOSE: number of candidates that are examined closely.  SEARCHED: a block
- * with more cells keeps its hyperparameters at the medians of their priors,
- * because their search would take seconds. */
+/* CLOSE: the number of candidates that are examined closely.  SEARCHED: a block
+ * with more cells than this keeps its hyperparameters at the medians of their
+ * priors, because searching for them would take seconds. */
 enum { SMOOTHS = 5, CLOSE = 6, SEARCHED = 150, PRODUCTS = 0, FEEDS, BLOCKS };
 
 enum smooth {
@@ -29,20 +29,20 @@ enum smooth {
 	SMOOTH_OWN
 };
 
-/* Medians and spreads as in struct hyper_info.  They are about ln(P / (1 - P)),
+/* Medians and spreads as in struct hyper_info.  They apply to ln(P / (1 - P)),
  * except the last, which is the error of a passing. */
 static const struct {
 	double median, spread;
 } SMOOTH[SMOOTHS] = {
     {0.5, 1}, {0.7, 0.4}, {0.1, 0.7}, {0.03, 0.7}, {0.0035, 0.3}};
 
-/* The standard deviations of a cell that is free and of a feed's own error, and
- * the least error of any passing. */
+/* The standard deviations of a cell that is left out and of a feed's own error,
+ * and the smallest error of a passing. */
 static const double FREE = 0.3, FEED_OWN = 0.0035, ROUNDING = 0.0005;
 
-/* A curve ends with a corner at the screen that cut it, above COARSE or below
- * the sieve that all passes.  No smooth curve has such a corner, so that its
- * cell gets this additional standard deviation of ln(P / (1 - P)). */
+/* A curve ends with a corner at the screen that cut it, above COARSE or at the
+ * first sieve below 100 %.  A smooth curve has no such corner, so these cells
+ * get CORNER as an additional standard deviation of ln(P / (1 - P)). */
 static const double COARSE = 0.8, CORNER = 0.6;
 
 /* A passing nearer to 0 or 1 does not show how steep a curve is. */
@@ -51,7 +51,7 @@ static const double END = 0.0005;
 /* Cells of the products, or of the feeds, with common hyperparameters.
  *   value   [n] differences from the fit, or ln(P / (1 - P))
  *   slope   [n] change of the value with the passing
- *   fixed   [n n] the part of the covariance without hyperparameters
+ *   fixed   [n n] the part of the covariance that has no hyperparameters
  *   U       [n n] factor */
 struct block {
 	bool smooth;
@@ -59,10 +59,10 @@ struct block {
 	struct cell *cell;
 	double *value, *slope, *fixed, *U, *work;
 	double hyper[HYPERS]; /* logarithms */
-	double level;         /* with the prior, at hyper */
+	double level;         /* -ln of the posterior density at hyper */
 };
 
-/* of [n]: the cells, products first.  shift [n n]: row i is u of cell i. */
+/* of [n]: the cells, products first.  shift [n n]: row i is the u of cell i. */
 struct leave_out {
 	const struct site *site;
 	size_t n;
@@ -124,7 +124,7 @@ block_minus_log_prior(const struct block *b, double noise)
 	return sum;
 }
 
-/* Fills U with the covariance, of which only the upper triangle counts. */
+/* Fills U with the covariance; only the upper triangle matters. */
 static void
 block_fill_covariance(struct block *b)
 {
@@ -149,8 +149,9 @@ block_minus_log_posterior(struct block *b, double noise)
 			       : INFINITY;
 }
 
-/* Searches for the most probable hyperparameters from the present ones: a step
- * up or down for each, and shorter steps when none helps. */
+/* Searches for the most probable hyperparameters, starting from the current
+ * ones: tries a step up or down for each, and shorter steps when no step
+ * helps. */
 static void
 search_hyperparameters(struct block *b, double noise)
 {
@@ -174,7 +175,7 @@ search_hyperparameters(struct block *b, double noise)
 	}
 }
 
-/* Frees the cell (sign 1), or holds it again (-1). */
+/* Leaves the cell out (sign 1), or includes it again (-1). */
 static void
 free_or_fix_cell(struct leave_out *l, size_t cell, double sign)
 {
@@ -191,14 +192,14 @@ free_or_fix_cell(struct leave_out *l, size_t cell, double sign)
 
 /* ---- The joint vector ---- */
 
-/* Returns the error of a feed's passing to which the products respond. */
+/* Returns the error of a feed's passing that carries over to the products. */
 static double
 feed_error_seen_by_products(const struct leave_out *l)
 {
 	return l->noise > 0 ? l->noise : FEED_OWN;
 }
 
-/* Returns the factor of both blocks with the covariance between them [n n]. The
+/* Returns the factor [n n] of both blocks with the covariance between them. The
  * caller frees it. */
 static double *
 factor_joint_covariance(struct leave_out *l)
@@ -213,10 +214,10 @@ factor_joint_covariance(struct leave_out *l)
 				U[(b->first + i) * l->n + b->first + j] =
 				    b->U[i * b->n + j];
 	}
-	/* The feed's own error is searched, but the error to which the products
-	 * respond is not.  If the former becomes the smaller one, the
-	 * covariance between them shrinks with it; otherwise no set of errors
-	 * could have that covariance. */
+	/* The feed's own error is a hyperparameter, but the error that carries
+	 * over to the products is fixed.  If the former is smaller, the
+	 * covariance between feeds and products shrinks with it; otherwise no
+	 * set of errors could have this covariance. */
 	double own =
 	    el_exp(f->hyper[SMOOTH_OWN]) / feed_error_seen_by_products(l);
 	for (size_t i = 0; i < f->n; i++)
@@ -246,7 +247,8 @@ standardise_joint_values(const struct leave_out *l, const double *U)
 	return y;
 }
 
-/* Returns z of a cell, and computes the size of its shift as a passing. */
+/* Returns z of a cell.  Sets *shift and *sd to its shift and the standard
+ * deviation of the shift. */
 static double
 z_of_cell(const struct leave_out *l, const double *U, const double *y,
     size_t cell, double *shift, double *sd)
@@ -276,8 +278,8 @@ logit(double P)
 	return el_log(P / (1 - P));
 }
 
-/* Sets the expected passing of a cell by its shift.  If values are logarithms,
- * the shift is linear in them. */
+/* Sets the expected passing of a cell from its shift.  If the values are
+ * logits, the shift is applied to the logit. */
 static void
 fill_expected_passing(
     const struct leave_out *l, struct leave_out_shift *s, double shift)
@@ -297,7 +299,8 @@ fill_expected_passing(
 
 /* ---- The search for the worst ---- */
 
-/* Finds the cells with the largest |z|, [CLOSE], and returns their number. */
+/* Sets cell [CLOSE] to the cells with the largest |z| and returns their
+ * number. */
 static size_t
 find_cells_of_largest_z(struct leave_out *l, size_t *cell)
 {
@@ -326,7 +329,7 @@ minus_log_posterior_at_best_hypers(struct leave_out *l)
 }
 
 /* Returns the shift of a cell with the hyperparameters that are most probable
- * while the cell is free. */
+ * if the cell is left out. */
 static struct leave_out_shift
 shift_of_free_cell(struct leave_out *l, size_t cell, double level)
 {
@@ -424,7 +427,7 @@ list_checkable_cells(struct leave_out *l, const struct posterior *posterior)
 	l->block[FEEDS].n = l->n - l->block[FEEDS].first;
 }
 
-/* True if all of the curve passes the next coarser sieve. */
+/* True if 100 % of the curve passes the next coarser sieve. */
 static bool
 is_first_sieve_below_100_percent(const struct leave_out *l, size_t cell)
 {
@@ -446,7 +449,6 @@ mean_log_energy(const struct site *site)
 	return n > 0 ? el_log(sum / n) : 0;
 }
 
-/* Fills a block with cells, values and covariance of smooth curves. */
 static void
 fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 {
@@ -465,7 +467,8 @@ fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 	}
 	for (size_t k = 0; k < SMOOTHS; k++)
 		b->hyper[k] = el_log(SMOOTH[k].median);
-	/* The level, the steepness, and how both change with the speed. */
+	/* The prior of the level, the steepness, and their change with the
+	 * speed. */
 	for (size_t i = 0; i < b->n; i++)
 		for (size_t j = 0; j < b->n; j++) {
 			const struct cell *x = &b->cell[i], *y = &b->cell[j];
@@ -482,10 +485,10 @@ fill_block_of_smooth_curves(struct leave_out *l, struct block *b, bool feed)
 		}
 }
 
-/* Adds the covariance that a parameter's bounds allow, by its column J of a
- * Jacobian with n columns.  A parameter that may move a passing by more than
- * `far` is as good as free, and a larger variance would drown the errors in
- * rounding. */
+/* Adds the covariance that a parameter's bounds allow.  J: its column of a
+ * Jacobian with n columns; wide: half the width of the bounds.  A parameter
+ * that may move a passing by more than `far` is practically free, and a larger
+ * variance would drown the errors in rounding. */
 static void
 add_covariance_of_parameter(
     struct block *b, const double *J, size_t n, double wide)
@@ -528,8 +531,8 @@ fill_block_of_residuals(
 	misfit_free(m);
 }
 
-/* Computes the change of a run's products per change of a passing of its feed,
- * gain [covered] out. */
+/* Computes gain [covered], the change of a run's product per change of a
+ * passing of its feed. */
 static void
 product_change_per_feed_passing(const struct run *run, size_t sieve,
     const struct posterior *p, double *gain)
@@ -553,9 +556,9 @@ product_change_per_feed_passing(const struct run *run, size_t sieve,
 	free(product[1]);
 }
 
-/* Puts the response of the products to a feed's cell into its shift.  They are
- * compared with the product of the feed in the site file, so that a feed too
- * fine makes them seem too coarse. */
+/* Puts the response of the products to a feed's cell into the cell's shift.
+ * The products are compared with the model's product of the feed in the site
+ * file, so a feed that is too fine makes them seem too coarse. */
 static void
 fill_products_response_to_feed(
     struct leave_out *l, size_t cell, const struct posterior *p)

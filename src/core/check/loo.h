@@ -1,4 +1,4 @@
-/* Leave-one-out: each passing of a sheet compared with what all others predict.
+/* Leave-one-out: compares each passing of a sheet with what all others predict.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_LOO_H
 #define TIPSPEED_CORE_CHECK_LOO_H
@@ -22,14 +22,14 @@
  * cells determine them) and of the feed's own errors, which propagate to the
  * products.
  *
- * So a wrong passing in a feed shows in the feed and in all its products.
- * Leave out a cell, with u its direction in the vector: the other cells predict
- * that it should be lower by
+ * So a wrong passing in a feed shows in the feed and in all its products.  Let
+ * u be a cell's direction in the vector, and leave the cell out.  The other
+ * cells then predict that it should be lower by
  *   shift = u' K^-1 y / u' K^-1 u    with variance  1 / u' K^-1 u
- * and z is the shift over its standard deviation (Rasmussen and Williams 2006,
- * eq 5.12, where u has one element).  K has the amplitudes, lengths and errors
- * most probable without the cell; otherwise one grossly wrong cell would make
- * all cells seem uncertain. */
+ * z is the shift over its standard deviation (Rasmussen and Williams 2006, eq
+ * 5.12, where u has one element).  K has the amplitudes, lengths and errors
+ * that are most probable without the cell; otherwise one grossly wrong cell
+ * would make all cells seem uncertain. */
 struct leave_out;
 
 /* A cell of the sheet.  run: 0 for a feed shared by all runs. */
@@ -38,20 +38,20 @@ struct leave_out_cell {
 	size_t run, sieve; /* index into the curve */
 };
 
-/* posterior: of the site, or NULL.  noise: known error of a passing, 0..1, or
- * 0. */
+/* posterior: of the same site, or NULL.  noise: known error of a passing, 0..1,
+ * or 0. */
 struct leave_out *leave_out_new(
     const struct site *site, const struct posterior *posterior, double noise);
 void leave_out_free(struct leave_out *l);
 
-/* Return the number of cells that can be checked, and cell i of these.  They
- * exclude, without a posterior, passings of 0 and 100 %; with one, product
- * passings that the feed does not cover. */
+/* Return the number of cells that can be checked, and cell i of these.
+ * Passings of 0 and 100 % cannot be checked, except a product's if there is a
+ * posterior; then a product's cells that its feed does not cover cannot be. */
 size_t leave_out_count_cells(const struct leave_out *l);
 struct leave_out_cell leave_out_get_cell(const struct leave_out *l, size_t i);
 
-/* A cell compared with the others.  expected, sd: passing 0..1, including the
- * error of one sample; gain: ln of how much more probable the sheet is without
+/* A cell compared with the others.  expected, sd: passing 0..1; sd includes the
+ * error of one sample.  gain: ln of how much more probable the sheet is without
  * the cell. */
 struct leave_out_shift {
 	size_t cell;
@@ -62,7 +62,6 @@ struct leave_out_shift {
  * cell to check. */
 struct leave_out_shift leave_out_worst_shift(struct leave_out *l);
 
-/* Returns the shift of the given cell. */
 struct leave_out_shift leave_out_shift_of_cell(
     struct leave_out *l, size_t cell);
 

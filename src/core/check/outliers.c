@@ -20,20 +20,20 @@
  * by counting, with bench/doctor. */
 static const double SURPRISE_PRODUCT = 4, SURPRISE_FEED = 4.5, WORTH = 0.02;
 
-/* A cell of a feed must also be off its own curve, by so many standard
- * deviations, because a wrong model asks for a wrong feed. */
+/* A cell of a feed must also be off its own curve by this many standard
+ * deviations, because a wrong model makes the feed seem wrong. */
 static const double FEED_OFF = 3;
 
-/* Before a calibration, a cell is reported by its distance from the straight
- * line, on log size, between its neighbours: if that differs by more than this
- * from the mean distance in the other curves at the same three sieves, or from
- * 0 if there are none.  Of 19000 synthetic sites at 50 to 90 m/s none exceeds
- * 0.13 in a product (where the break size passes a sieve), 0.03 in a feed, and
- * 0.15 in a curve alone. */
+/* Before a calibration, a cell is reported if its distance from the straight
+ * line, in log size, between its neighbours differs by more than this from the
+ * mean distance in the other curves at the same three sieves, or from 0 if
+ * there are no others.  In 19000 synthetic sites at 50 to 90 m/s, the largest
+ * differences were 0.13 in a product (where the break size passes a sieve),
+ * 0.03 in a feed, and 0.15 in a curve without others. */
 static const double OFF_PRODUCT = 0.14, OFF_FEED = 0.08, OFF_ALONE = 0.2;
 
-/* At most so many cells are reported at a time: in a bad site file each cell
- * changes the verdict on the others. */
+/* At most this many cells are reported at a time, because in a bad site file
+ * each cell changes the verdict on the others. */
 enum { CELLS = 3 };
 
 static struct finding *
@@ -101,8 +101,8 @@ find_feeds_swapped_with_products(
 	}
 }
 
-/* Returns the sum, over neighbouring speeds, of how much coarser the faster
- * product is on average. */
+/* Returns how much coarser the faster product is, on average over the sieves,
+ * summed over neighbouring speeds. */
 static double
 coarsening_with_speed(const struct site *site)
 {
@@ -171,7 +171,7 @@ find_exchanged_products(struct outlier_findings *d, const struct site *site)
 	f->off[1] = least;
 }
 
-/* Sums for a straight line in energy through the passings of the others. */
+/* Sums for a straight line in energy through the passings of other runs. */
 struct line_sums {
 	double n, e, ee, p, ep;
 };
@@ -187,8 +187,8 @@ line_value_at_energy(const struct line_sums *l, double e)
 }
 
 /* Returns the RMS distance of a run's product from the line through the other
- * products; NAN with fewer than two others, because of two curves either may be
- * wrong. */
+ * products, or NAN if there are fewer than two others, because either of two
+ * curves may be the wrong one. */
 static double
 distance_from_other_products(const struct site *site, size_t at)
 {
@@ -218,8 +218,8 @@ distance_from_other_products(const struct site *site, size_t at)
 	return n > 2 ? sqrt(squares / n) : NAN;
 }
 
-/* Finds the column that is far from the others but close to them once it is
- * moved by one sieve. */
+/* Finds a column that is far from the others, but close to them when moved by
+ * one sieve. */
 static void
 find_column_moved_by_a_sieve(
     struct outlier_findings *d, const struct site *site)
@@ -250,7 +250,7 @@ find_column_moved_by_a_sieve(
 		memcpy(add_outlier_finding(d, mend)->off, off, sizeof off);
 }
 
-/* Returns, after a mend, the distance of the run that fits the others least. */
+/* Returns the distance, after a mend, of the run that fits the others worst. */
 static double
 largest_distance_after_mend(const struct site *site, const struct mend *m)
 {
@@ -264,8 +264,8 @@ largest_distance_after_mend(const struct site *site, const struct mend *m)
 	return most;
 }
 
-/* A moved column makes speeds seem exchanged, and the reverse.  Keeps the one
- * of two mends that leaves the products more alike. */
+/* A moved column makes speeds seem exchanged, and vice versa.  If both mends
+ * were found, keeps the one that leaves the products more alike. */
 static void
 keep_mend_with_smoother_products(
     struct outlier_findings *d, const struct site *site)
@@ -279,8 +279,7 @@ keep_mend_with_smoother_products(
 	d->n = 1;
 }
 
-/* Finds a column in micrometres that was taken for millimetres, or the
- * reverse. */
+/* Finds a column in micrometres that was read as millimetres, or vice versa. */
 static void
 find_column_in_wrong_unit(struct outlier_findings *d, const struct site *site)
 {
@@ -324,9 +323,8 @@ distance_from_expected(const struct finding *f, double passing)
 	return fabs(passing - f->expected);
 }
 
-/* Takes a reading as the mend of the cell if it is within three standard
- * deviations of what the others expect, and nearer to it than the measured
- * passing and any reading before. */
+/* Makes a reading the cell's mend if it is within three standard deviations of
+ * the expected passing and nearer to it than any earlier reading. */
 static void
 consider_reading_as_mend(struct finding *f, double passing)
 {
@@ -340,8 +338,9 @@ consider_reading_as_mend(struct finding *f, double passing)
 	f->mend.value = passing;
 }
 
-/* Finds the digits of a passing in per cent, "691", and how many are before the
- * point.  Returns 0 if the passing was calculated and not typed. */
+/* Finds the digits of a passing in per cent, "691", and the number of them
+ * before the point.  Returns the number of digits, or 0 if the passing seems
+ * calculated, not typed. */
 static size_t
 digits_of_passing(double passing, char digits[static 16], size_t *point)
 {
@@ -398,8 +397,8 @@ consider_digit_errors(struct finding *f)
 	}
 }
 
-/* Adds a cell with its mend: the reading, if the site is valid with it,
- * otherwise leaving the cell out. */
+/* Adds a cell with its mend: a reading if there is one and the site is valid
+ * with it, otherwise leaving the cell out. */
 static void
 add_finding_of_cell(struct outlier_findings *d, const struct site *site,
     const struct leave_out_cell *cell, const struct leave_out_shift *s)
@@ -419,8 +418,8 @@ add_finding_of_cell(struct outlier_findings *d, const struct site *site,
 	site_free(other);
 }
 
-/* A fit moves towards a cell that is off.  Refits the site without that
- * cell. */
+/* Refits the site without a cell, because a fit moves towards a cell that is
+ * off. */
 static void
 refit_without_cell(struct posterior *p, const struct site *site, struct mend m)
 {
@@ -445,7 +444,7 @@ passing_of_cell(const struct site *site, const struct leave_out_cell *c)
 	return site_feed_or_product(site, c->run, c->feed)->passing[c->sieve];
 }
 
-/* Returns how far a cell is off its curve, whatever the model. */
+/* Returns how far a cell is off its curve, without using a model. */
 static struct leave_out_shift
 shift_of_cell_off_curve(
     const struct site *site, double noise, const struct leave_out_cell *cell)
@@ -472,8 +471,9 @@ leave_out_new_without_cells(const struct site *site, const struct posterior *p,
 	return l;
 }
 
-/* Finds the next cell, from a fit of its own, which moves.  found [n]: the
- * cells before it.  False if none is worth reporting. */
+/* Finds the next cell to report.  p is a copy whose fit changes.  found [n]:
+ * the cells found before.  Returns false if no other cell is worth
+ * reporting. */
 static bool
 find_next_surprising_cell(struct outlier_findings *d, const struct site *site,
     struct posterior *p, double noise, size_t *found, size_t n)
@@ -515,7 +515,8 @@ static void
 find_surprising_cells(struct outlier_findings *d, const struct site *site,
     const struct posterior *posterior, double noise)
 {
-	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the draws */
+	struct posterior *p = xcalloc(1, sizeof *p); /* borrows the arrays of
+						      * posterior */
 	size_t found[CELLS], n = 0;
 	*p = *posterior;
 	while (
@@ -524,7 +525,8 @@ find_surprising_cells(struct outlier_findings *d, const struct site *site,
 	free(p);
 }
 
-/* Lists the curves of the feeds, or of the products, and their runs. */
+/* Lists the curves of the feeds or of the products, and their runs.  Returns
+ * their number. */
 static size_t
 list_feed_or_product_curves(
     const struct site *site, bool feed, const struct psd **curve, size_t *run)
@@ -579,8 +581,8 @@ count_cells_of_site(const struct site *site)
 	return n;
 }
 
-/* Keeps the mends that are possible, as dropping the only run is not, with the
- * errors of the fit before and after them. */
+/* Keeps the mends that are possible (dropping the only run is not), and
+ * computes the errors of the fit before and after each. */
 static void
 keep_possible_mends(struct outlier_findings *d, const struct site *site,
     const struct posterior *p)

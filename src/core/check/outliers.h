@@ -1,5 +1,4 @@
-/* The search for wrong cells and columns of a sheet, and for mends that would
- * correct them.
+/* Finds wrong cells and columns of a sheet, and mends that would correct them.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_CHECK_OUTLIERS_H
 #define TIPSPEED_CORE_CHECK_OUTLIERS_H
@@ -11,9 +10,9 @@
 #include "core/posterior/posterior.h"
 
 /* A mend that would make the sheet consistent.  It is only a proposal: the
- * laboratory's records decide.
- *   measured, expected, sd  of a cell: as measured, and as expected from all
- *                 others (loo.h), passing 0..1; NAN for a column
+ * laboratory's records decide. measured, expected, sd  of a cell: its measured
+ * passing and that expected from all other cells (loo.h), 0..1; NAN for a
+ * column
  *   surprise      of a cell, after a calibration: ln of how much more probable
  *                 the sheet is without it; else NAN
  *   off           of a column: its RMS distance from what the others suggest,
@@ -26,9 +25,9 @@ struct finding {
 	double off[2], rmse[2];
 };
 
-/* unseen: the number of passings if it exceeds OUTLIERS_CELLS_MOST, as none is
- * then compared with all others (their covariance matrix would be too large);
- * else 0. */
+/* unseen: 0, or the number of passings if it exceeds OUTLIERS_CELLS_MOST.  Then
+ * passings are not compared with all others, because the covariance matrix
+ * would be too large. */
 enum { OUTLIERS_CELLS_MOST = 1000 };
 struct outlier_findings {
 	size_t n;
@@ -37,8 +36,8 @@ struct outlier_findings {
 };
 
 /* Returns the findings.  posterior: of the same site, or NULL.  noise: known
- * error of a passing, 0..1, or 0.  If a column has a mend, no cell is checked.
- * Free with outliers_free. */
+ * error of a passing, 0..1, or 0.  If a column needs a mend, cells are not
+ * checked.  Free with outliers_free. */
 struct outlier_findings outliers_find(
     const struct site *site, const struct posterior *posterior, double noise);
 void outliers_free(struct outlier_findings *found);

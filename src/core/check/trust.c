@@ -1,5 +1,5 @@
 /* Collects the evidence on a fit from residuals, draws and held-out runs, and
- * compares it and the question with thresholds found by bench/coverage.
+ * compares both evidence and question with thresholds found by bench/coverage.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/check/trust.h"
 
@@ -20,11 +20,11 @@
 
 const char *const LIGHT_NAME[3] = {N_("green"), N_("amber"), N_("red")};
 
-/* The least error of any passing. */
+/* The smallest error of a passing. */
 static const double ROUNDING = 0.001;
 
-/* Signs that residuals are more than sampling errors.  One strong sign turns
- * the light amber, and so do two weak ones.  Found by counting, with
+/* Thresholds of the signs that residuals are more than sampling errors.  One
+ * strong sign or two weak ones turn the light amber.  Found by counting, with
  * bench/coverage: TRUST in tipspeed-model(7) has the figures. */
 struct warning_sign {
 	double weak, strong;
@@ -41,9 +41,9 @@ static const double SPAN_OF_ONE = 0.1;
 static const double WIDE = 0.05, VERY_WIDE = 0.15, OTHER_FEED = 0.1,
 		    STRANGE_FEED = 0.3;
 
-/* Removes from the differences d what a small step of the parameters would,
- * because some of the runs may not have been used for training.  Returns the
- * number of steps. */
+/* Removes from the differences d what a small step of the parameters would
+ * remove, because some of the runs may not have been used for training.
+ * Returns the number of independent steps. */
 static double
 remove_parameter_steps(struct misfit *m, const struct fit *fit,
     const struct bounds *bounds, double *d)
@@ -63,7 +63,7 @@ remove_parameter_steps(struct misfit *m, const struct fit *fit,
 }
 
 /* Compares the residuals with the sampling errors that the priors expect: the
- * sum of squares, and that of the products of neighbours. */
+ * sum of their squares, and the sum of the products of neighbours. */
 static void
 compare_residuals_with_errors(struct evidence *e, const struct misfit *m,
     const double *d, double parameters, double noise)
@@ -185,7 +185,7 @@ find_measured_speed_range(struct evidence *e, const struct misfit *m)
 	}
 }
 
-/* Adds to passings [n] the product of a feed at speed v, times `share`. */
+/* Adds to passing [n] the product of a feed at speed v, times `share`. */
 static void
 add_weighted_product(double *passing, const struct psd *feed,
     const double *sieve, size_t n, const struct fit *fit, double v,
@@ -201,8 +201,8 @@ add_weighted_product(double *passing, const struct psd *feed,
 	free(product);
 }
 
-/* Returns a run's product as the fit moves it to the site's mean feed (D19), at
- * the sieves that both feeds cover.  The caller frees it with psd_free. */
+/* Returns a run's product, adjusted by the fit to the site's mean feed (D19),
+ * at the sieves that both feeds cover.  The caller frees it with psd_free. */
 static struct psd
 product_moved_to_mean_feed(
     const struct site *site, size_t r, const struct fit *fit)
@@ -222,8 +222,8 @@ product_moved_to_mean_feed(
 	return p;
 }
 
-/* Sum of squared differences of the fit from a run's product, [n] sieves, with
- * a feed. */
+/* Returns the sum of the squared differences, over n sieves, between a run's
+ * product and the fit's product of a feed. */
 static double
 sum_squares_with_feed(const struct run *run, const struct psd *feed, size_t n,
     const struct fit *fit)
@@ -242,8 +242,8 @@ bool
 trust_feeds_mislead(
     const struct site *site, const struct fit *fit, double *own, double *mean)
 {
-	/* Of 90 synthetic plants whose products follow their feeds the ratio
-	 * was 1.08 at most. */
+	/* For 90 synthetic plants whose products follow their feeds, the ratio
+	 * was at most 1.08. */
 	const double ratio = 1.2, least = 0.001;
 	const struct psd *all = site_feed_of_run(site, SITE_MEAN_FEED);
 	double squares[2] = {0, 0};
@@ -399,7 +399,8 @@ judge_fit_and_data(struct trust *t, const struct evidence *e, double rotor)
 			100 * e->halves));
 }
 
-/* Judges what the runs contradict, and a fit that no crusher can have. */
+/* Adds the reasons that arise from runs that contradict each other, and from a
+ * fit that no crusher can have. */
 static void
 judge_contradictions(struct trust *t, const struct evidence *e, double rotor)
 {
@@ -432,9 +433,9 @@ grade_of_warning_sign(double value, struct warning_sign sign)
 	return (value > sign.weak) + (value > sign.strong);
 }
 
-/* True if the answer lies between measured speeds, of which there are enough to
- * show how the product changes there, and is corrected by them.  It then holds
- * even if the model does not. */
+/* True if the measured runs correct the answer, it lies between their speeds,
+ * and there are enough speeds to show how the product changes.  Then the answer
+ * holds even if the model does not. */
 static bool
 is_supported_by_measurements(
     const struct evidence *e, const struct trust_question *q)
@@ -444,7 +445,7 @@ is_supported_by_measurements(
 	return q->corrected && e->speeds >= 3 && (q->speed == 0 || between);
 }
 
-/* Adds the reason that a pattern in the residuals gives, or a remark. */
+/* Adds a pattern in the residuals as a reason or as a remark. */
 static void
 add_pattern_reason(struct trust *t, bool remark, char *text)
 {
@@ -610,8 +611,8 @@ void
 trust_judge_answer(
     struct trust *t, const struct evidence *e, const struct trust_question *q)
 {
-	/* What else is wrong with a fit to sampling errors follows from this.
-	 */
+	/* A fit to sampling errors has other faults, but they follow from
+	 * this. */
 	if (e->like_feed)
 		trust_add_reason(t, LIGHT_AMBER, TRUST_DATA,
 		    xstrdup(tr("the products are not measurably finer than the "
@@ -620,7 +621,8 @@ trust_judge_answer(
 	judge_contradictions(t, e, q->rotor);
 	if (!e->like_feed)
 		judge_holdout(t, e, q->rotor);
-	/* An answer shows its first reason. */
+	/* The speed comes before the pattern, because an answer shows only its
+	 * first reason. */
 	if (q->speed > 0)
 		judge_extrapolated_speed(t, e, q->speed, q->rotor);
 	if (!e->like_feed)

@@ -1,4 +1,4 @@
-/* The trust in an answer, as one light with its reasons.
+/* The trust in an answer: one light, with its reasons.
  *
  * A residual has two possible causes that its size and pattern cannot tell
  * apart: the model is wrong for this plant, or the samples are biased.  So
@@ -31,8 +31,8 @@ extern const char *const LIGHT_NAME[3];
  * products cannot be distinguished from the feed. */
 #define FIT_NOTHING 0.5
 
-/* True if there can be no band: the fit is poor and has two speeds or fewer.
- * Two points do not show how the discrepancy bends between them. */
+/* True if there can be no band, because the fit is poor and has at most two
+ * speeds.  Two points do not show how the discrepancy bends between them. */
 bool trust_is_band_impossible(double rmse, size_t speeds);
 
 /* How far two products contradict the rule that a faster rotor breaks more
@@ -44,48 +44,51 @@ struct passing_order {
 struct passing_order trust_compare_slow_with_fast(
     const struct psd *slow, const struct psd *fast);
 
-/* Above ORDER_NOTABLE the difference deserves a remark, but sampling may
- * explain it.  trust_is_order_wrong returns true if it is more than sampling
- * explains, at one sieve or on average.  Of 180 sheets with 1 point of noise,
- * 29 exceed ORDER_NOTABLE somewhere, and 3 are called wrong. */
+/* A largest difference above ORDER_NOTABLE deserves a remark, but sampling may
+ * explain it.  trust_is_order_wrong returns true if the difference, at one
+ * sieve or on average, is more than sampling explains.  Of 180 sheets with 1
+ * point of noise, 29 exceed ORDER_NOTABLE somewhere, and 3 are called wrong. */
 #define ORDER_NOTABLE 0.02
 bool trust_is_order_wrong(const struct passing_order *o);
 
-/* True if there are products, and none is finer than its feed on any sieve by
- * more than two samples from one belt may differ. */
+/* True if there are products and no sieve of any product passes more than its
+ * feed does by over SAMPLES_AGREE. */
 bool trust_is_no_product_finer(const struct site *site);
 
-/* The evidence on the fit itself, independent of the question; gathered once
- * for each fit. */
+/* The evidence on the fit itself.  It does not depend on the question and is
+ * gathered once for each fit. */
 struct evidence {
 	size_t cells, parameters; /* of the fit */
 	double rmse;              /* of the fit, passing 0..1 */
 	/* The products are not measurably finer than the feed. */
 	bool like_feed;
-	/* Residuals at all runs used, less the part that a step of the
-	 * parameters explains.  size: mean square over that of usual sampling
-	 * errors; alike: correlation of neighbours on a curve, in its standard
-	 * deviations. */
+	/* The residuals at all runs used, without the part that a step of the
+	 * parameters explains.  size: their mean square over that of usual
+	 * sampling errors; alike: the correlation of neighbours on a curve, in
+	 * standard deviations. */
 	double size, alike;
 	/* NAN without a posterior.  discrepancy, sampling: medians of the
 	 * draws, passing 0..1; more: share of the draws in which the
 	 * discrepancy exceeds the sampling error. */
 	double discrepancy, sampling, more;
-	/* gamma + kappa (D12, D17), which shift B(u) = 1/2 with the energy in
-	 * the same way.  NAN in a model without them. */
+	/* Mean and standard deviation of gamma + kappa (D12, D17), which both
+	 * shift the u of B(u) = 1/2 with the energy.  NAN in a model without
+	 * these. */
 	double finer, finer_sd;
 	double unbounded; /* share of the draws with no threshold */
-	double halves;    /* ensemble_difference_of_halves, the worst of three
-			     speeds */
-	double breaks;    /* share of the feed above the break size that breaks,
-			   * at the slowest speed */
-	bool all_break;   /* at that speed even the size of the finest sieve
-			   * breaks */
+	double halves;    /* ensemble_difference_of_halves, the largest at three
+			   * speeds */
+	double breaks;    /* share of the feed coarser than the break size that
+			   * breaks, at the slowest speed */
+	bool all_break;   /* at that speed even particles as fine as the finest
+			   * sieve break */
 	size_t speeds;    /* number that inform the fit */
 	double slowest, fastest;   /* of these speeds */
-	struct validation holdout; /* the worst; n_sieve 0: none held out */
-	/* The speeds, m/s, of the two runs that, adjusted to one feed,
-	 * contradict most that faster is finer; order.most 0: none do. */
+	struct validation holdout; /* the worst held-out run; n_sieve 0: there
+				    * is none */
+	/* The two runs that, adjusted to one feed, most contradict that a
+	 * faster rotor breaks more: their speeds, m/s.  order.most 0: no runs
+	 * do. */
 	struct {
 		double slow, fast;
 		struct passing_order order;
@@ -99,11 +102,12 @@ struct evidence trust_gather_evidence(const struct site *site,
     const struct bounds *bounds, const struct posterior *posterior,
     double noise);
 
-/* The question.  All but speed may be 0 or NAN. */
+/* What the answer is about.  All members but speed may be 0 or NAN. */
 struct trust_question {
 	double speed; /* m/s; 0: the question is about the fit */
-	double rotor; /* diameter, m, of runs and question; 0: unknown, or they
-		       * differ, and reasons do not say speeds in rpm */
+	double rotor; /* diameter, m, in runs and question; 0 if it is unknown
+		       * or differs, so that reasons do not state speeds in
+		       * rpm */
 	/* True if the measured runs correct the answer; false if it is the
 	 * model's alone. */
 	bool corrected;
@@ -112,12 +116,13 @@ struct trust_question {
 	 * feed of the fit, passing 0..1. */
 	double feed;
 	/* A parameter on a bound, and the change of the answer if the parameter
-	 * moved past it by its standard deviation. */
+	 * moved past the bound by its standard deviation. */
 	const char *bound;
 	double bound_moves; /* passing 0..1 */
 };
 
-/* The subject of a reason.  It decides which other reasons need stating. */
+/* The subject of a reason, from which callers tell which other reasons need
+ * stating. */
 enum trust_cause {
 	TRUST_FIT,
 	TRUST_DATA,
@@ -135,10 +140,10 @@ enum trust_cause {
 enum { TRUST_REASONS = 16 };
 
 /* The light is that of the worst reason.  Reasons [n], worst first, are
- * sentences without a full stop.  remark [remarks]: observations that are
- * reasons only beyond the measured speeds; between these, the measurements
- * correct the answer.  speed_sd: how well tip speeds have to be known for
- * the band to hold what it says, a share; 0: there is no band, or exactly. */
+ * sentences without a full stop.  remark [remarks]: observations that would be
+ * reasons beyond the measured speeds; between these, the measurements correct
+ * the answer.  speed_sd: the standard deviation of the tip speeds, as a share,
+ * that the band allows for; 0: there is no band, or speeds count as exact. */
 struct trust {
 	enum light light;
 	double speed_sd;
@@ -151,11 +156,11 @@ struct trust {
 	} reason[TRUST_REASONS];
 };
 
-/* Returns how far beyond the slowest and the fastest measured speed, m/s, an
- * answer is not red for that alone. */
+/* Returns how far beyond the measured speeds, m/s, an answer may be without
+ * being red for that alone. */
 double trust_reach_beyond_speeds(double slowest, double fastest);
 
-/* Adds a reason and takes ownership of the text. */
+/* Adds a reason.  Takes ownership of the text. */
 void trust_add_reason(
     struct trust *t, enum light light, enum trust_cause cause, char *text);
 
@@ -164,18 +169,20 @@ void trust_judge_answer(
     struct trust *t, const struct evidence *e, const struct trust_question *q);
 void trust_free(struct trust *t);
 
-/* Returns the root mean square change, passing 0..1, in an ensemble's answers
- * at its speed and n sizes for one standard deviation of a parameter. */
+/* Returns the change in an ensemble's answers, passing 0..1, for one standard
+ * deviation of a parameter: the root mean square over n sizes, at the
+ * ensemble's speed. */
 double trust_change_per_parameter_sd(const struct posterior *p,
     struct ensemble *e, size_t n, const char *parameter);
 
 /* Returns the largest difference between two feeds, passing 0..1. */
 double trust_largest_feed_difference(const struct psd *a, const struct psd *b);
 
-/* Computes the RMSE of a fit over all products of a site that has a feed for
- * each, passing 0..1: with these feeds, and with their mean for all.  Returns
- * whether the mean is clearly better: then the products do not follow the
- * differences of the feeds.  If false, *own and *mean may be unset. */
+/* For a site with a feed for each product, computes the RMSE of a fit over all
+ * products, passing 0..1: *own with these feeds, *mean with their mean for all.
+ * Returns true if the mean is clearly better, that is, if the products do not
+ * follow the differences between the feeds.  If false, *own and *mean may be
+ * unset. */
 bool trust_feeds_mislead(
     const struct site *site, const struct fit *fit, double *own, double *mean);
 

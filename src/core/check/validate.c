@@ -12,15 +12,15 @@
 #include "core/search/misfit.h"
 #include "core/model/product.h"
 
-/* True if the product may be used for interpolation. */
+/* True if run r is a training run with a product. */
 static bool
 is_training_product(const struct site *site, const bool *train, size_t r)
 {
 	return train[r] && site->run[r].product.n > 0;
 }
 
-/* Returns the training speed next to a speed: at or below it or, if `above`,
- * above it.  NAN if there is none. */
+/* Returns the nearest training speed at or below a speed or, if `above` is
+ * true, above it; NAN if there is none. */
 static double
 next_training_speed(
     const struct site *site, const bool *train, double speed, bool above)
@@ -34,7 +34,8 @@ next_training_speed(
 	return next;
 }
 
-/* Returns the training speed nearest to a speed, the slower one of two. */
+/* Returns the training speed nearest to a speed; the slower of two equally
+ * near. */
 static double
 nearest_training_speed(const struct site *site, const bool *train, double speed)
 {
@@ -43,8 +44,8 @@ nearest_training_speed(const struct site *site, const bool *train, double speed)
 	return above - speed < speed - below || isnan(below) ? above : below;
 }
 
-/* Finds the two training speeds that interpolation uses.  If there is only one,
- * it is the first and the second is NAN. */
+/* Finds the two training speeds to interpolate between.  If there is only one,
+ * it is line[0], and line[1] is NAN. */
 static void
 find_speeds_to_interpolate(const struct site *site, const bool *train,
     double speed, double line[static 2])
@@ -65,8 +66,8 @@ find_speeds_to_interpolate(const struct site *site, const bool *train,
 	}
 }
 
-/* Returns the passing of a run's product at a size; NAN below its finest sieve,
- * and above its coarsest one unless all of the feed passes there. */
+/* Returns the passing of a run's product at a size, or NAN below its finest
+ * sieve and, unless all passes there, above its coarsest. */
 static double
 measured_passing_at_size(const struct run *run, double x)
 {
@@ -79,8 +80,8 @@ measured_passing_at_size(const struct run *run, double x)
 	return psd_passing(product, x);
 }
 
-/* Returns the mean passing at a size of the training products at one speed; NAN
- * if none has it. */
+/* Returns the mean passing at a size of the training products at one speed, or
+ * NAN if it is not known for any of them. */
 static double
 mean_passing_at_speed(
     const struct site *site, const bool *train, double speed, double x)
@@ -146,7 +147,7 @@ validate_predict_by_way(const struct site *site, size_t run, const bool *train,
 	}
 }
 
-/* Reads P20, P50 and P80 off the part of a curve that is known. */
+/* Reads P20, P50 and P80 off the known passings of a curve. */
 static void
 read_p20_p50_p80(const struct psd *sieves, const double *passing, size_t n,
     double size[static PSD_SIZES])
@@ -164,7 +165,7 @@ read_p20_p50_p80(const struct psd *sieves, const double *passing, size_t n,
 	psd_free(&known);
 }
 
-/* Scores what a way predicts at the covered sieves. */
+/* Scores a way's predictions at the covered sieves. */
 static void
 score_validation_way(struct validation *v, const struct site *site,
     enum validate_way way, const double *passing)

@@ -1,4 +1,4 @@
-/* Eq 1: the progeny distribution, as a curve and as the matrix of Table 1.
+/* Eq 1: the progeny distribution as a curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/appearance.h"
 
@@ -19,7 +19,8 @@ appearance_density(const double beta[static 4], double u)
 	return p > 0 ? p : 0;
 }
 
-/* Antiderivative of the unclipped polynomial with respect to ln u. */
+/* Returns the antiderivative of the unclipped polynomial with respect to ln
+ * u. */
 static double
 polynomial_integral(const double beta[static 4], double u)
 {
@@ -27,8 +28,8 @@ polynomial_integral(const double beta[static 4], double u)
 	       u * (beta[1] + u * (beta[2] / 2 + u * beta[3] / 3));
 }
 
-/* Where the polynomial turns: roots of its derivative strictly between a and
- * b, in rising order.  Returns how many. */
+/* Finds where the polynomial turns: the roots of its derivative strictly
+ * between a and b, in rising order.  Returns their number. */
 static size_t
 find_turning_points(
     const double beta[static 4], double a, double b, double at[2])
@@ -51,8 +52,8 @@ find_turning_points(
 	return n;
 }
 
-/* The root between a and b, where the polynomial is monotone and changes sign;
- * halved until neighbouring doubles. */
+/* Returns the root between a and b, where the polynomial is monotone and
+ * changes sign.  Bisects down to neighbouring doubles. */
 static double
 find_root_between(const double beta[static 4], double a, double b)
 {
@@ -68,8 +69,8 @@ find_root_between(const double beta[static 4], double a, double b)
 	}
 }
 
-/* Ends of the stretches of one sign within [2^-10, 1], both ends included;
- * edge has room for five.  Returns the number of edges. */
+/* Sets edge to the ends of the intervals of one sign within [2^-10, 1],
+ * including both ends.  Returns their number. */
 static size_t
 find_sign_changes(const double beta[static 4], double edge[static 5])
 {

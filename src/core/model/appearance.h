@@ -27,8 +27,9 @@ struct appearance {
 	double lower[APPEARANCE_PIECES], upper[APPEARANCE_PIECES];
 	double total;
 	double log_lower[APPEARANCE_PIECES], log_upper[APPEARANCE_PIECES];
-	/* For appearance_power_integrals_up_to: its values at the upper end of
-	 * each piece, and those at the lower end minus the primitive there. */
+	/* For appearance_power_integrals_up_to: the integrals at the upper end
+	 * of each piece, and those at the lower end minus the antiderivative
+	 * there. */
 	double full[APPEARANCE_PIECES][4], base[APPEARANCE_PIECES][4];
 	double whole[4]; /* at u = 1 */
 };

@@ -18,20 +18,21 @@ struct batch_plan;
 
 /* Results of the kernel, by candidate: the misfit and, if difference is not
  * NULL, the weighted differences simulated - measured, cell i (see struct
- * plan_target) at difference[i * stride].  If softer is not NULL, the given
- * share of the rock has that e0_min, at most the candidate's own (D16). */
+ * plan_target) at difference[i * stride].  If softer is not NULL, a share of
+ * the rock has the e0_min `softer`, at most the candidate's own (D16); both
+ * arrays are indexed by candidate. */
 struct kernel_out {
 	double *misfit, *difference;
 	size_t stride;
 	const double *softer, *share;
 };
 
-/* A model's part of the search, see kernel_body.h.  theta: one array for each
- * parameter of the model.  evaluate: computes the KERNEL_LANES candidates at
- * the indices; smooth: all of them are smooth.  sort: puts the candidates
- * first..first+KERNEL_LANES-1 into bins of ln x* at the mean energy, adding
- * KERNEL_BINS for smooth candidates, whose S rises so slowly that fewer Gauss
- * points suffice. */
+/* A model's part of the search; see kernel_body.h.  theta: an array of
+ * candidates' values for each parameter.  evaluate: computes the KERNEL_LANES
+ * candidates at the indices; smooth: all of them are smooth.  sort: puts the
+ * candidates first..first+KERNEL_LANES-1 into bins of ln x* at the mean energy,
+ * adding KERNEL_BINS for smooth candidates, whose S rises so slowly that fewer
+ * Gauss points suffice. */
 enum { KERNEL_LANES = 8, KERNEL_BINS = 256 };
 struct model_kernel {
 	void (*evaluate)(const struct batch_plan *plan,
@@ -41,9 +42,9 @@ struct model_kernel {
 	    size_t first, uint16_t *bin);
 };
 
-/* Parameters at a tip speed, prepared by breaker_set_speed.  appearance: that
- * of beta scaled to 1, in a model with a gauge; own: other values that the
- * model computes once. */
+/* Parameters at a tip speed, prepared by breaker_set_speed.  appearance: in a
+ * model with a gauge, the appearance for beta scaled to 1; own: other values
+ * that the model computes once. */
 struct breaker {
 	struct params p;
 	const struct breakage *model;
@@ -67,7 +68,7 @@ struct breakage {
 	size_t gauge;
 	const char *gauge_name;
 	/* The parameter that a calibration sets to the mean specific energy of
-	 * the training runs, or PARAMS_MOST. */
+	 * the training runs, or PARAMS_MOST if there is none. */
 	size_t reference;
 	size_t strength; /* index of f_mat; e0_min and alpha follow it */
 	bool bypass;     /* the last parameter is the bypass share (D14) */
@@ -75,17 +76,17 @@ struct breakage {
 
 	/* Computes appearance and own from p, k, v and E. */
 	void (*prepare)(struct breaker *b);
-	/* B, the share of the progeny of size x finer than y = u x, for ln u <=
-	 * 0: a function of u at the speed times a function of y in m (NULL: 1).
-	 * Both add their derivatives to d [n], if not NULL. */
+	/* B, the share of the progeny of a particle of size x that is finer
+	 * than y = u x, for ln u <= 0.  It is `finer`, a function of u at the
+	 * speed, times `at_size`, a function of y in m (NULL: 1).  Both add
+	 * their derivatives to d [n], if d is not NULL. */
 	double (*finer)(const struct breaker *b, double log_u, double *d);
 	double (*at_size)(const struct breaker *b, double log_y, double *d);
 	/* Returns dB / d ln u, in any unit, for the shares of the size classes
 	 * (Table 1).  u may be a size in mm if the model has forms. */
 	double (*density)(
 	    const struct breaker *b, double u, double log_u, double log_x);
-	/* A shortcut for the product, see continuous_solver_product; or NULL.
-	 */
+	/* A faster way to continuous_solver_product's result, or NULL. */
 	void (*product)(
 	    struct continuous_solver *c, double *passing, double *d);
 	/* Returns B as text with its numbers.  The caller frees it. */
@@ -109,8 +110,8 @@ size_t breakage_find_by_name(const char *name);
  * others have no effect at their start values. */
 bool breakage_extends(size_t wide, size_t narrow);
 
-/* Returns the parameters in a model that extends theirs, with the others at
- * their start values. */
+/* Returns the same parameters in a wider model, with its others at their start
+ * values. */
 struct params breakage_widen_params(const struct params *p, size_t wide);
 
 /* The inverse of breakage_widen_params: returns the parameters in the smallest
@@ -119,11 +120,10 @@ struct params breakage_widen_params(const struct params *p, size_t wide);
 struct params breakage_narrow_params(const struct params *p);
 
 /* Returns the index of the widest model that has all parameters of the given
- * model and lets the appearance depend on the energy (D12, D17), or of the
- * given model if there is none. */
+ * model, the same bypass, and an appearance that depends on the energy (D12,
+ * D17); the given model's own index if there is none. */
 size_t breakage_widest_extension(size_t breakage);
 
-/* Returns the model of the parameters. */
 const struct breakage *breakage_model_of_params(const struct params *p);
 
 /* Returns the index of the parameter with that name, or the model's n. */
@@ -165,13 +165,13 @@ struct model_settings model_settings_default(void);
 bool model_settings_are_same(
     const struct model_settings *a, const struct model_settings *b);
 
-/* Prepare b for parameters, with k and the impacts from the settings, and for a
- * tip speed (m/s). */
+/* Prepare b: first for parameters, with k and the impacts of the settings, then
+ * for a tip speed (m/s). */
 void breaker_set_params(struct breaker *b, const struct params *p,
     const struct model_settings *settings);
 void breaker_set_speed(struct breaker *b, double v);
 
-/* False if what breaks has no progeny, so product = feed. */
+/* False if particles that break have no progeny, so product = feed. */
 bool breaker_has_progeny(const struct breaker *b);
 
 /* The last row of a parameter table, for the models with a bypass.
@@ -182,8 +182,7 @@ bool breaker_has_progeny(const struct breaker *b);
 		    "share of the feed that bypasses the rotor", 0 \
 	}
 
-/* A model's two rows: without a bypass, with n parameters, and with a
- * bypass. */
+/* A model's two rows: without a bypass (N parameters) and with one. */
 #define BREAKAGE_ROWS(ID, NAME, BRIEF, N, ...)                              \
 	extern const struct breakage BREAKAGE_##ID, BREAKAGE_##ID##_BYPASS; \
 	const struct breakage BREAKAGE_##ID = {                             \
@@ -195,8 +194,8 @@ bool breaker_has_progeny(const struct breaker *b);
 	    .bypass = true,                                                 \
 	    __VA_ARGS__};
 
-/* A model's kernels, which breakage_all.h defines; a program that only prints
- * the tables has none. */
+/* A model's kernels, which breakage_all.h defines.  A program that only prints
+ * the tables is compiled without kernels. */
 #ifdef TABLES_ONLY
 #define KERNELS(model) struct breakage
 #define KERNEL_ROW(model) \

@@ -1,4 +1,4 @@
-/* The models' parts of the search, for one instruction set.
+/* Includes the models' parts of the kernel, for one instruction set.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/breakage_grunditz.c"
 

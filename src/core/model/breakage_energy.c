@@ -1,6 +1,7 @@
 /* grunditz-energy: the paper's model with finer progeny at higher energy.
  *   B_v(u) = B(u)^((E / E_ref)^-gamma)
- * D12; gamma 0 is the paper's model.  Scalar, or with LANES.
+ * D12; gamma 0 is the paper's model.  Compiled as scalar code, and with LANES
+ * for the kernel.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
@@ -80,8 +81,8 @@ energy_load_params(
 	b->own[5] = lanes_log(lanes_gather(theta[8], index));
 }
 
-/* First ln B and p / B of the cubic, then their powers; the last node, where B
- * is 0 and p may be anything, has the mean slope. */
+/* Computes ln B and p / B of the cubic first, then B and p for each run.  The
+ * last node, where B is 0 and p may be anything, gets the mean slope. */
 static inline lanes
 energy_tabulate_nodes(
     const struct block *b, const struct batch_plan *plan, struct node *node)

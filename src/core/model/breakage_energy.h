@@ -8,8 +8,8 @@
 #include "base/tr.h"
 #include "core/model/breakage_grunditz.h"
 
-/* The breaker's own: (E / E_ref)^-gamma, ln (E / E_ref) and, of grunditz-t10,
- * (E / E_ref)^kappa. */
+/* Indices of the breaker's own values: (E / E_ref)^-gamma, ln (E / E_ref) and,
+ * in grunditz-t10, (E / E_ref)^kappa. */
 enum { OWN_GAMMA, OWN_LOG_RATIO, OWN_KAPPA };
 
 #define ENERGY_PARAMETERS                                                  \

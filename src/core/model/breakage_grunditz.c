@@ -1,4 +1,5 @@
-/* The paper's model: Eq 3 and the cubic of Eq 1; scalar, or with LANES.
+/* The paper's model: Eq 3 and the cubic of Eq 1.  Compiled as scalar code, and
+ * with LANES for the kernel.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
@@ -61,15 +62,15 @@ progeny_density(const struct breaker *b, double u, double log_u, double log_x)
 	return appearance_density(b->p.beta, u);
 }
 
-/* The product by integrals of the broken mass, which spares evaluating B.
+/* Computes the product from integrals of the broken mass, without evaluating B.
  *
  * B(s/x) is, between the zeros of p(u), a combination of 1, ln x, 1/x, 1/x^2
  * and 1/x^3, so five integrals of S dF over x > t give every product exactly:
  *   J_m(t) = integral over x > e^t of S(x) g_m(x) dF,  g = 1, 1/x, .., ln x
  * They are summed from the coarse end, where they are small, so that their
  * differences keep their digits.  The derivatives with respect to f_mat, E0_min
- * and alpha need the same five integrals of dS; those with respect to beta come
- * for nothing, because p is linear in beta between its zeros. */
+ * and alpha need the same five integrals of dS; those with respect to beta are
+ * free, because p is linear in beta between its zeros. */
 enum {
 	MOMENTS = 5, /* 1, 1/x, 1/x^2, 1/x^3, ln x */
 	SHAPES = 4,  /* S, dS/df_mat, dS/dE0_min, dS/dalpha */
@@ -80,7 +81,6 @@ struct moments {
 	double of[SHAPES][MOMENTS];
 };
 
-/* S and its derivatives at the points of a panel: selection_by_impacts. */
 static void
 compute_selection_at_panel(const struct breaker *b,
     const double t[static GAUSS], double shape[static SHAPES][GAUSS])
@@ -99,7 +99,8 @@ compute_selection_at_panel(const struct breaker *b,
 	}
 }
 
-/* S dF, and with more shapes its derivatives, times each g_m. */
+/* Adds the integrals of S dF (n = 1) and of its derivatives (n = SHAPES), times
+ * each g_m. */
 static inline void
 add_panel_moments(const struct continuous_solver *c, const struct panel *panel,
     size_t n, struct moments *sum)
@@ -156,13 +157,13 @@ integrate_above_each_edge(struct continuous_solver *c, size_t n_shape)
 	}
 }
 
-/* The integrals over x > exp(t). */
+/* Returns the integrals over x > exp(t). */
 static struct moments
 moments_of_sizes_above(
     const struct continuous_solver *c, double t, size_t n_shape)
 {
 	size_t low = 0, high = c->n_edge;
-	/* Finds the last edge that is not below t. */
+	/* Find the last edge that is not below t. */
 	while (high - low > 1) {
 		size_t middle = (low + high) / 2;
 		if (c->edge[middle] >= t - 1e-12)
@@ -178,10 +179,10 @@ moments_of_sizes_above(
 	return sum;
 }
 
-/* What the stretch of x between two tables of integrals adds to
- * Q_b = integral of S(x) N_b(s/x) dF, N_b the part of B that goes with beta_b
- * where N_b = base_b on the stretch, plus the primitive of u^b if inside a
- * piece of p. */
+/* Adds, for the interval of x between two tables of integrals, to Q_b =
+ * integral of S(x) N_b(s/x) dF, where N_b is the part of B proportional to
+ * beta_b.  On the interval N_b is base_b, plus the antiderivative of u^b inside
+ * a piece of p. */
 static void
 add_integral_between_tables(double log_s, size_t n_shape,
     const struct moments *from, const struct moments *to,
@@ -202,7 +203,8 @@ add_integral_between_tables(double log_s, size_t n_shape,
 	}
 }
 
-/* Walks from u = 2^-10 up to 1, piece by piece of p and the gaps between. */
+/* Computes Q from u = 2^-10 up to 1: the pieces of p and the gaps between
+ * them. */
 static void
 integrate_broken_parts(const struct continuous_solver *c, double log_s,
     size_t n_shape, double Q[SHAPES][4])
@@ -236,9 +238,10 @@ sum_weighted_by_beta(const struct appearance *a, const double parts[static 4])
 	return sum;
 }
 
-/* Derivatives of (sum beta_b Q_b) / (sum beta_b T_b), T of each power of u over
- * all pieces.  The beta of the appearance is scaled; the caller's moves the
- * product that much less. */
+/* Computes the derivatives of (sum beta_b Q_b) / (sum beta_b T_b), where T has
+ * the integral of each power of u over all pieces.  The appearance has beta
+ * divided by its largest value; derivatives with respect to the unscaled beta
+ * are smaller by the same factor. */
 static void
 fill_derivative_row(const struct continuous_solver *c, double broken,
     double total, const double T[static 4], double Q[SHAPES][4], double *row)
@@ -251,7 +254,6 @@ fill_derivative_row(const struct continuous_solver *c, double broken,
 		row[F_MAT + i - 1] = sum_weighted_by_beta(a, Q[i]) / total;
 }
 
-/* See breakage.h, product. */
 static void
 compute_product_by_moments(
     struct continuous_solver *c, double *passing, double *d_passing)
@@ -301,7 +303,7 @@ grunditz_load_params(
 		b->own[m] = lanes_gather(theta[m], index);
 }
 
-/* p(u), clipped. */
+/* Returns p(u), clipped at 0. */
 static inline lanes
 grunditz_progeny_density(const struct block *b, const struct plan_run *run,
     double u, double log_u, double log_y)
@@ -314,7 +316,8 @@ grunditz_progeny_density(const struct block *b, const struct plan_run *run,
 	    beta[0] + u * (beta[1] + u * (beta[2] + u * beta[3])));
 }
 
-/* p at the nodes of u and its integral up to each. */
+/* Computes p at the nodes of u and its integral up to each.  Returns the
+ * total. */
 static inline lanes
 grunditz_tabulate_nodes(
     const struct block *b, const struct batch_plan *plan, struct node *node)

@@ -2,14 +2,15 @@
  * model.
  *   B_v(u) = 1 - (1 - B(u)^((E / E_ref)^-gamma))^((E / E_ref)^kappa)
  * D17.  With t10 = 1 - exp(-b E) and t_n = 1 - (1 - t10)^w(n), every -ln(1 -
- * t_n) is proportional to E; this is kappa 1 and gamma 0.  Source: Narayanan,
- * S.S., Whiten, W.J. (1988), Determination of comminution characteristics from
- * single-particle breakage tests and its application to ball-mill scale-up,
- * Trans. Instn Min. Metall. C 97, 115-124.  Scalar, or with LANES.
+ * t_n) is proportional to E, which is the case of kappa 1 and gamma 0.  Source:
+ * Narayanan, S.S., Whiten, W.J. (1988), Determination of comminution
+ * characteristics from single-particle breakage tests and its application to
+ * ball-mill scale-up, Trans. Instn Min. Metall. C 97, 115-124.  Compiled as
+ * scalar code, and with LANES for the kernel.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 
-/* At u = 1 the density may be without bound; `classes` takes it from where so
- * much is coarser, for the parent's own class.  And ln of it. */
+/* At u = 1 the density may be infinite.  For the parent's own class, `classes`
+ * uses the density where this share is coarser.  T10_LOG_LEAST is its ln. */
 #define T10_LEAST 0.01
 #define T10_LOG_LEAST (-4.605170185988091)
 
@@ -90,8 +91,9 @@ t10_load_params(
 	b->own[6] = lanes_gather(theta[9], index);
 }
 
-/* Powers of what is coarser than the nodes of grunditz-energy.  For integrals p
- * at u = 1 is what leads from the node below to B = 1. */
+/* Raises the coarser share at the nodes of grunditz-energy to a power.  For
+ * integrals, p at u = 1 is the value that leads from the node below to B =
+ * 1. */
 static inline lanes
 t10_tabulate_nodes(
     const struct block *b, const struct batch_plan *plan, struct node *node)

@@ -1,8 +1,9 @@
 /* vogel: the selection of Eq 3 with the appearance of Vogel and Peukert,
  *   B(y, x, v) = (y/x)^q (1 + tanh((y - y')/y')) / 2,  q = q_slope v + q_0
- * where y' is the size below which fines fall off.  Source: Vogel, L., Peukert,
- * W. (2005), From single particle impact behaviour to modelling of impact
- * mills, Chem. Eng. Sci. 60, 5164-5176.  Scalar, or with LANES.
+ * where y' is the size below which the share of fines falls off.  Source:
+ * Vogel, L., Peukert, W. (2005), From single particle impact behaviour to
+ * modelling of impact mills, Chem. Eng. Sci. 60, 5164-5176.  Compiled as scalar
+ * code, and with LANES for the kernel.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef LANES
 
@@ -15,10 +16,10 @@
 
 enum { Q_SLOPE, Q_0, Y_FINE, F_MAT };
 
-/* Below this the power would not fall towards the fines. */
+/* Keeps the power falling towards the fines. */
 static const double LEAST_Q = 0.01;
 
-/* (1 + tanh((y - y')/y')) / 2; *ratio: y / y'. */
+/* Returns (1 + tanh((y - y')/y')) / 2 and sets *ratio to y / y'. */
 static double
 fines_factor(const struct breaker *b, double log_y, double *ratio)
 {
@@ -124,7 +125,7 @@ vogel_tabulate_nodes(
 	return lanes_broadcast(1);
 }
 
-/* The fall-off of the fines at a progeny size of ln y; *ratio: y / y'. */
+/* Returns fines_factor at progeny size ln y and sets *ratio to y / y'. */
 static inline lanes
 vogel_fines_factor(const struct block *b, double log_y, lanes *ratio)
 {

@@ -10,8 +10,8 @@
 
 struct classes_solver;
 
-/* See model_new.  b is borrowed; each function below computes for its
- * parameters and speed. */
+/* See model_new.  b is borrowed; the functions below use the parameters and
+ * speed that it has when they are called. */
 struct classes_solver *classes_solver_new(const struct breaker *b,
     const struct psd *feed, const double *sieve, size_t n,
     enum appearance_form form);
@@ -27,12 +27,11 @@ double classes_solver_share_selected(struct classes_solver *c);
  * (D5). */
 void classes_compute_sizes(const struct psd *feed, double *x);
 
-/* Computes the appearance matrix of Table 1 for size classes.
- *   a_ij share of class i that falls into class j, j at or below i; columns
- *   (one parent i each) add up to 1.
- * b at its speed; form; x [n] class sizes, m, coarsest first.
- * a [n * n] out, a[j * n + i]; above the diagonal 0.  A parent without progeny
- * keeps its mass: a_ii = 1.
+/* Computes the appearance matrix of Table 1 for size classes. a_ij: the share
+ * of class i that breaks into class j, at or below i; the shares of a parent i
+ * add up to 1. b must be set to a speed.  x [n]: class sizes, m, coarsest
+ * first.  a [n * n] receives a_ij at a[j * n + i], and 0 above the diagonal.  A
+ * parent without progeny keeps its mass: a_ii = 1.
  * Cannot fail.   Source: paper Eq 1 and Table 1, departures D3 and D4. */
 void classes_appearance_matrix(const struct breaker *b,
     enum appearance_form form, const double *x, size_t n, double *a);

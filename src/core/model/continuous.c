@@ -1,5 +1,6 @@
-/* Eq 2 in the limit of fine classes: S by Gauss-Legendre panels over the feed,
- * and B from a table, at each of their points as seen from each sieve.
+/* Eq 2 in the limit of fine classes: S is integrated over the feed by
+ * Gauss-Legendre panels; B is read from a table for each of their points and
+ * each sieve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/model/continuous.h"
 
@@ -12,12 +13,12 @@
 #include "core/model/selection.h"
 #include "core/numeric/elementary.h"
 
-/* Values of -ln(1 - S) at which the panels end: 1 - S falls by e^-40 over them,
- * each short enough for eight points. */
+/* Values of -ln(1 - S) at which the panels end: 1 - S falls to e^-40 over them,
+ * and each is short enough for eight points. */
 static const double STOP_AT[STOPS] = {0, 2, 6, 16, 40};
 
-/* Edges: the feed's sieves, the product's sieves between them, and enough
- * others that no class is wider than an octave. */
+/* Makes the edges: the feed's sieves, the product's sieves between them, and
+ * enough others that no class is wider than an octave. */
 static void
 make_class_edges(struct continuous_solver *c, const struct psd *feed)
 {
@@ -88,8 +89,8 @@ continuous_solver_free(struct continuous_solver *c)
 	free(c);
 }
 
-/* The stops of a spectrum: S is a sum over its nodes, whose kinks lie where
- * each begins to break. */
+/* Finds the ends for a spectrum: S is a sum over its nodes, with a kink at the
+ * break size of each. */
 static void
 find_panel_ends_for_impacts(struct continuous_solver *c)
 {
@@ -103,7 +104,7 @@ find_panel_ends_for_impacts(struct continuous_solver *c)
 		for (size_t i = 0; i < (end ? STOPS : 1); i++)
 			stop[n++] = selection_size_at_exponent(&b, STOP_AT[i]);
 	}
-	/* psd_sort_distinct_sizes has the largest first. */
+	/* psd_sort_distinct_sizes puts the largest first. */
 	c->n_stop = psd_sort_distinct_sizes(stop, n, 1e-9);
 	for (size_t i = 0; i < c->n_stop; i++)
 		c->stop[i] = stop[c->n_stop - 1 - i];
@@ -129,7 +130,7 @@ add_quadrature_points(
 		    (struct point){.t = panel->t[i], .mass = panel->weight[i]};
 }
 
-/* The points, with S; gradient: with its derivatives. */
+/* Makes the points with S and, if gradient is true, its derivatives. */
 static void
 make_quadrature_points(struct continuous_solver *c, bool gradient)
 {
@@ -144,11 +145,12 @@ make_quadrature_points(struct continuous_solver *c, bool gradient)
 	}
 }
 
-/* Steps of the table of B: with cubics through four nodes B is right to 1e-5
- * where p has a kink and far better elsewhere. */
+/* The step of the table of B: cubics through four nodes give B within 1e-5
+ * where p has a kink, and far more exactly elsewhere. */
 static const double NODE_STEP = 0.025;
 
-/* B at the nodes: at each point and sieve it would take ten times as long. */
+/* Computes B at the nodes; computing it at each point and sieve would take ten
+ * times as long. */
 static void
 tabulate_appearance(struct continuous_solver *c, bool gradient)
 {
@@ -176,7 +178,7 @@ tabulate_appearance(struct continuous_solver *c, bool gradient)
 	}
 }
 
-/* Column k of the table between its nodes, by the weights of four rows. */
+/* Interpolates column k of the table, with weights for four rows. */
 static inline double
 interpolate_table_column(const struct continuous_solver *c, const double *first,
     const double weight[static 4], size_t k)
@@ -187,7 +189,8 @@ interpolate_table_column(const struct continuous_solver *c, const double *first,
 	       weight[3] * first[3 * width + k];
 }
 
-/* The first of the four nodes about a depth, -ln u, and their weights. */
+/* Returns the first of the four nodes around a depth, -ln u, and sets their
+ * weights. */
 static const double *
 find_interpolation_nodes(
     const struct continuous_solver *c, double depth, double weight[static 4])
@@ -203,8 +206,8 @@ find_interpolation_nodes(
 	return c->node + first * (1 + c->n_moved);
 }
 
-/* What is broken to below a sieve, but for the factor of its size; row
- * [model's n]: its derivatives are added, or NULL. */
+/* Returns the mass broken to below a sieve, without the factor at_size.  Adds
+ * its derivatives to row [model's n], if not NULL. */
 static double
 mass_broken_below_sieve(
     const struct continuous_solver *c, double log_s, double *row)
@@ -231,7 +234,7 @@ mass_broken_below_sieve(
 	return sum;
 }
 
-/* And with that factor. */
+/* As mass_broken_below_sieve, with the factor at_size. */
 static double
 mass_broken_below_with_size_factor(
     const struct continuous_solver *c, double log_s, double *row)

@@ -19,9 +19,9 @@ struct point {
 
 struct moments;
 
-/* Classes lie between neighbouring edges; density is dF / d ln x.  The ends of
- * panels (stop) and the points, coarsest class first, are those for which the
- * breaker was last set.  b and feed_passing are borrowed. */
+/* Classes lie between neighbouring edges; density is dF / d ln x.  stop (the
+ * ends of panels) and point (coarsest class first) are for the parameters and
+ * speed of the last call.  b and feed_passing are borrowed. */
 struct continuous_solver {
 	const struct breaker *b;
 	const double *feed_passing;
@@ -31,7 +31,7 @@ struct continuous_solver {
 	double stop[STOPS_MOST]; /* ln x, rising */
 	size_t n_point;
 	struct point *point;
-	struct moments *above; /* [n_edge], for the paper's model; or NULL */
+	struct moments *above; /* [n_edge], for the paper's model, else NULL */
 	/* B at nodes in equal steps of ln u down from 0, with its derivatives
 	 * with respect to the n_moved parameters on which it depends; rows of 1
 	 * + n_moved. */
@@ -39,8 +39,9 @@ struct continuous_solver {
 	double *node;
 };
 
-/* See model_new.  feed_passing [n]: of the feed at the sieves.  b is borrowed;
- * both functions below compute for its parameters and speed. */
+/* See model_new.  feed_passing [n]: the feed's passing at each sieve.  b is
+ * borrowed; both functions below use the parameters and speed that it has when
+ * they are called. */
 struct continuous_solver *continuous_solver_new(const struct breaker *b,
     const struct psd *feed, const double *sieve, const double *feed_passing,
     size_t n);
@@ -57,8 +58,9 @@ struct panel {
 	double t[GAUSS], weight[GAUSS];
 };
 
-/* Calls add(c, panel, data) for each panel over ln x from a, or from where S
- * begins if that is coarser, to b, within one class of the given density. */
+/* Calls add(c, panel, data) for each panel of ln x from a to b, or from where S
+ * begins if that is above a.  The interval lies within one class, which has the
+ * given density. */
 static inline void
 continuous_solver_visit_panels(const struct continuous_solver *c, double a,
     double b, double density,

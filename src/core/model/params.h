@@ -24,19 +24,19 @@ struct params {
 	};
 };
 
-/* Larger values are rejected, whether typed, read or given as a bound: no rock
+/* Larger values are rejected, whether typed, read or used as a bound: no rock
  * has them, so they are typing errors. */
 enum { F_MAT_MOST = 10000, E0_MIN_MOST = 10000, ALPHA_MOST = 100 };
 
-/* Description of one parameter. */
 struct param_info {
 	const char *name;    /* as typed */
 	const char *unit;    /* "-" if none */
 	double lower, upper; /* default search bounds */
-	double least, most;  /* of any value */
-	double start;        /* value if a site has none; NAN: must be given */
+	double least, most;  /* of any accepted value */
+	double start;        /* value if a site has none; NAN: it must be
+			      * given */
 	const char *meaning;
-	double spread; /* of a normal prior about start; 0: uniform in bounds */
+	double spread; /* sd of a normal prior about start; 0: uniform */
 };
 
 /* Search bounds, one pair for each parameter.  A parameter with lower == upper

@@ -17,7 +17,7 @@ struct model {
 	struct classes_solver *classes;
 	size_t n_sieve;
 	double *feed;         /* passing */
-	double *plus, *minus; /* products on both sides, for differences */
+	double *plus, *minus; /* products for the finite differences */
 };
 
 struct model *
@@ -60,9 +60,9 @@ model_use_params(struct model *model, const struct params *p)
 	breaker_set_params(&model->b, p, &model->settings);
 }
 
-/* D14: a share of the feed never meets the rotor, by the parameters and of what
- * is left by the settings.  The derivatives of what is crushed, with the
- * bypass's own, [n_sieve * model's n]; or NULL. */
+/* Applies D14: the parameters' share of the feed bypasses the rotor, and the
+ * settings' share of the rest.  d_passing [n_sieve * model's n], or NULL: turns
+ * the derivatives of the crushed part into those of the product. */
 static void
 product_add_bypass(
     const struct model *model, double *passing, double *d_passing)
@@ -85,7 +85,8 @@ product_add_bypass(
 	}
 }
 
-/* A step small beside the parameter, or beside the scale of its kind. */
+/* Returns a step that is small compared with the parameter, or with the gauge's
+ * largest, or with 0.01. */
 static double
 finite_difference_step(const struct params *p, size_t i)
 {

@@ -11,8 +11,8 @@
 #include "core/psd/psd.h"
 
 /* A workspace that turns parameters into products of one feed on a fixed list
- * of sieves.  Set the parameters once, then ask for any speed.  Neither step
- * can fail, and only the first call allocates.
+ * of sieves.  Set the parameters once, then compute the product at any speed.
+ * Neither step can fail, and only the first product allocates.
  *
  * Method `continuous`: with the feed linear in log size between its sieves,
  *   P(s) = F(s) + integral over x > s of S(x) B(s/x) dF(x)
@@ -37,19 +37,19 @@ void model_free(struct model *model);
 
 void model_use_params(struct model *model, const struct params *p);
 
-/* Computes the product at tip speed v (m/s): passing [n] out, 0..1, sieve by
- * sieve.
+/* Computes the product's passing [n], 0..1, sieve by sieve, at tip speed v
+ * (m/s).
  *   Source: paper Eq 2. */
 void model_product(struct model *model, double v, double *passing);
 
-/* As model_product, with the derivatives: d_passing [n * model's n] out, row by
- * sieve, with respect to the parameters in the order of their table.  Exact for
- * `continuous`, central differences for `classes`. */
+/* As model_product, and computes d_passing [n * model's n]: a row for each
+ * sieve, with the derivatives with respect to the parameters in the order of
+ * their table.  Exact for `continuous`, central differences for `classes`. */
 void model_jacobian(
     struct model *model, double v, double *passing, double *d_passing);
 
-/* False if, at v, no particle has progeny in another class or p(u) is 0
- * everywhere, so product = feed. */
+/* False if product = feed at v because no particle has progeny in another class
+ * (`classes`) or p(u) is 0 everywhere (`continuous`). */
 bool model_breaks_feed(struct model *model, double v);
 
 /* Returns the mass fraction of the feed that is selected for breakage at v,

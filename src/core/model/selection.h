@@ -1,5 +1,5 @@
-/* Selection (Eq 3): the fraction of each size that breaks.  The search, and the
- * draws of the answer, compute it for lanes in kernel_body.h; test_kernel
+/* Selection (Eq 3): the fraction of each size that breaks.  The search and the
+ * draws of the answer use the vector version in kernel_body.h; test_kernel
  * compares the two.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_MODEL_SELECTION_H
@@ -13,10 +13,10 @@
 /* Computes the selection at n sizes: the fraction of each that breaks in k
  * impacts.
  *   S = 1 - exp(-f_mat k (x^alpha E - E0_min)), 0 where the bracket is negative
- * q f_mat, e0_min, alpha; k number of impacts, >= 0; E specific energy, J/kg;
- * log_x [n], ln of the sizes in m.  shape [4 * n] out: a row of S, in [0, 1],
- * then three of its derivatives with respect to q, in a loop that compilers
- * vectorise.
+ * q: f_mat, e0_min, alpha; k: number of impacts, >= 0; E: specific energy,
+ * J/kg; log_x [n]: ln of the sizes in m.  shape [4 * n] receives a row of S, in
+ * [0, 1], then three rows of its derivatives with respect to q.  Compilers can
+ * vectorise the loop.
  * Cannot fail.   Source: paper Eq 3.
  * D1: the printed equation lacks the minus sign and the floor at 0.
  * D2: x is in metres; in millimetres S would be 1 for every class. */
@@ -36,8 +36,7 @@ selection_at_sizes(const double q[static 3], double k, double E, size_t n,
 	}
 }
 
-/* Returns the selection S at one size and adds its derivatives to d [3], if not
- * NULL. */
+/* Returns S at one size and adds its derivatives to d [3], if d is not NULL. */
 static inline double
 selection_at_size(
     const double q[static 3], double k, double E, double log_x, double *d)
@@ -49,8 +48,8 @@ selection_at_size(
 	return shape[0];
 }
 
-/* As selection, but with a spectrum of impacts, if there is one, instead of the
- * single impact (D15, see spectrum.h). */
+/* As selection_at_size, but with a spectrum of impacts, if there is one,
+ * instead of the single impact (D15; see spectrum.h). */
 static inline double
 selection_by_impacts(const struct impacts *impacts, const double q[static 3],
     double k, double E, double log_x, double *d)
@@ -74,9 +73,8 @@ selection_by_impacts(const struct impacts *impacts, const double q[static 3],
 	return 1 - left;
 }
 
-/* The parameters of Eq 3, in the order of selection's q.  lower, upper: from
- * Table 2 of the paper, whose text counts six variables where there are seven
- * (D7). */
+/* The parameters of Eq 3, in the order of q above.  lower, upper: from Table 2
+ * of the paper, whose text counts six variables where there are seven (D7). */
 #define SELECTION_PARAMETERS                                 \
 	{"f_mat", "kg/(J m)", 0.001, 3, 0, F_MAT_MOST, NAN,  \
 	    "material: a higher one breaks more", 0},        \
@@ -91,9 +89,9 @@ selection_by_impacts(const struct impacts *impacts, const double q[static 3],
  * parameters of the model to d, if not NULL. */
 double selection_at_log_size(const struct breaker *b, double log_x, double *d);
 
-/* Returns the ln x at which -ln(1 - S) has the value `exponent`, for the ends
- * of panels in integrals of S.  It rises with the exponent; at 0 it is the
- * break size.  Returns -1000 or 1000 if no size has the exponent. */
+/* Returns the ln x at which -ln(1 - S) equals `exponent`, for the ends of
+ * panels in integrals of S.  It rises with the exponent; at 0 it is ln of the
+ * break size.  Returns -1000 or 1000 if no size has this exponent. */
 double selection_size_at_exponent(const struct breaker *b, double exponent);
 
 /* Returns the size, m, where S begins: 0 if every size breaks, INFINITY if none

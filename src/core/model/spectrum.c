@@ -77,7 +77,7 @@ part_of_bin_above(size_t bin, double cut)
 	return fmax(part, 0);
 }
 
-/* To a quarter octave; 0 where no size is known. */
+/* Returns 0 if the size is not known. */
 static double
 round_size_to_quarter_octave(double size)
 {
@@ -241,7 +241,7 @@ spectrum_equivalent_k(const struct spectrum *s, const struct spectrum_size *of,
 	return n * exponent / (E - e0);
 }
 
-/* Share of the impacts above cut that are above r v^2/2. */
+/* Returns the share of the impacts above cut that are above r v^2/2. */
 static double
 share_of_impacts_above(
     const struct spectrum_size *of, double v, double cut, double r)

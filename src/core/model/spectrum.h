@@ -39,9 +39,10 @@ struct spectrum *spectrum_new(void);
 void spectrum_free(struct spectrum *s);
 
 /* Adds an impact, energy in J/kg, on a particle of that size (m; 0: not known)
- * and mass (kg, or any weight).  spectrum_add_particles adds `number` particles
- * with a total mass of `mass`.  spectrum_add_first_impact adds to the first
- * impacts only. */
+ * and mass (kg, or any weight), and also to the first impacts if `first` is
+ * true.  spectrum_add_first_impact adds to the first impacts only.
+ * spectrum_add_particles adds `number` particles with a total mass of
+ * `mass`. */
 void spectrum_add_impact(
     struct spectrum *s, double size, double mass, double energy, bool first);
 void spectrum_add_particles(
@@ -49,7 +50,7 @@ void spectrum_add_particles(
 void spectrum_add_first_impact(
     struct spectrum *s, double size, double mass, double energy);
 
-/* Returns all sizes as one, with size 0. */
+/* Returns the sum over all sizes, with size 0.  The caller frees it. */
 struct spectrum_size *spectrum_merge_sizes(const struct spectrum *s);
 
 /* Returns the lower edge of a bin, J/kg, or for SPECTRUM_BINS the upper edge of
@@ -61,8 +62,8 @@ double spectrum_bin_edge(size_t bin);
 struct spectrum_bin spectrum_impacts_above(
     const struct spectrum_size *s, double cut, bool first);
 
-/* Returns the impacts per particle above the cut, averaged by mass, or NAN if
- * particles were not counted. */
+/* Returns the impacts per particle of `of` above the cut, averaged by mass, or
+ * NAN if particles were not counted. */
 double spectrum_impacts_per_particle(
     const struct spectrum *s, const struct spectrum_size *of, double cut);
 
@@ -71,22 +72,21 @@ double spectrum_impacts_per_particle(
  * for n impacts per particle, drawn from a spectrum in which a share w_j has
  * the energy r_j E, E = v^2/2; the bracket is 0 where negative.  One node with
  * w = r = 1 and n = 1 gives the paper's Eq 3.  The nodes are the impacts above
- * the cut, in groups of equal energy w r, each at its mean.  D15.  n is 1 if
- * particles were not counted.  The speed must be known. */
+ * the cut in groups of equal total energy w r, each at its mean energy (D15).
+ * n is 1 if particles were not counted.  The speed must be known. */
 struct impacts spectrum_reduce_to_impacts(const struct spectrum *s, double cut);
 
 /* Returns the k with which Eq 3, for a single impact at E = v^2/2 (J/kg),
- * breaks as much as the impacts do, where e0 (J/kg) is the threshold E0_min /
- * x^alpha and f (kg/J) the strength f_mat x^alpha:
- *   k = -n ln(sum of w_j exp(-f (r_j E - e0))) / (f (E - e0))
- * If f is 0, the limit is n sum of w_j (r_j E - e0) / (E - e0).  The sums are
- * over all bins of `of`, not over nodes.  NAN if E <= e0 or if no
- * impact has an energy above e0. */
+ * breaks as much as the impacts of `of` do.  e0 (J/kg) is the threshold E0_min
+ * / x^alpha and f (kg/J) the strength f_mat x^alpha: k = -n ln(sum of w_j
+ * exp(-f (r_j E - e0))) / (f (E - e0)) If f is 0, the limit is n sum of w_j
+ * (r_j E - e0) / (E - e0).  The sums are over all bins, not over nodes.
+ * Returns NAN if E <= e0 or if no impact has an energy above e0. */
 double spectrum_equivalent_k(const struct spectrum *s,
     const struct spectrum_size *of, double E, double e0, double f);
 
-/* Returns the factor that scales the energies to another speed, by v^2; the
- * spectrum's speed must be known. */
+/* Returns the factor, the ratio of v^2, that scales the energies to another
+ * speed.  The spectrum's speed must be known. */
 double spectrum_energy_factor_at_speed(const struct spectrum *s, double speed);
 
 /* Returns the Kolmogorov-Smirnov distance, 0..1, between two spectra with

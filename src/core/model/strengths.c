@@ -4,7 +4,7 @@
 
 #include "core/numeric/elementary.h"
 
-/* Of the logarithm of harder over softer, see
+/* Standard deviation of the logarithm of harder over softer; see
  * doc/decisions/two-strengths.md. */
 static const double SPREAD = 0.4;
 

@@ -20,8 +20,8 @@ strengths_softer_share(const struct strengths *rock)
 	return rock->share > 0 ? 1 - rock->share : 0;
 }
 
-/* Returns the strengths at coordinates that each have a standard normal prior.
- * 0.4 times the first is the logarithm of harder over softer; if it is
+/* Returns the strengths for two coordinates, each with a standard normal prior.
+ * 0.4 times the first is the logarithm of harder over softer; if the first is
  * negative, as in half of all cases, there is one strength.  The second is the
  * logit of the share. */
 enum { STRENGTHS_COORDINATES = 2 };

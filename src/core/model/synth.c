@@ -16,8 +16,8 @@
 static const double SIEVES_MM[] = {
     63, 45, 31.5, 22.4, 16, 11.2, 8, 5.6, 4, 2, 1, 0.5, 0.25, 0.125, 0.063};
 
-/* Twice the top size, the top size, and the series below the former; sieves
- * within 5 % of the two are left out. */
+/* Returns twice the top size, the top size, and the series below twice the top
+ * size without sieves within 5 % of these two. */
 static struct psd
 synth_sieve_series(double top_mm)
 {
@@ -40,7 +40,7 @@ synth_sieve_series(double top_mm)
 	return feed;
 }
 
-/* To 0.01 % of mass, as a careful laboratory reports. */
+/* Rounds to 0.01 % of mass, as a careful laboratory reports. */
 static double
 round_passing(double passing)
 {

@@ -8,13 +8,12 @@
 #include "core/model/params.h"
 #include "core/psd/site.h"
 
-/* The input for a synthetic site. */
 struct synth {
 	double top_size; /* m */
 	struct params params;
-	bool individual_feeds; /* one for each run, else one for all */
+	bool individual_feeds; /* a feed for each run, else one for all */
 	double n;              /* exponent of the feed below the top size */
-	double noise;          /* passing, 0..1: standard deviation at 50 % */
+	double noise;          /* standard deviation at 50 % passing, 0..1 */
 	uint64_t seed;
 	size_t n_speed;
 	const double *speed; /* m/s, rising */

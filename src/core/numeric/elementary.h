@@ -1,5 +1,5 @@
-/* exp, log and sums of products that give the same bits on every machine and,
- * exp and log, in every lane.
+/* exp, log and sums of products that give the same bits on every machine; exp
+ * and log also give the same bits in every lane.
  *
  * The C library's functions differ in the last bit between processors (it picks
  * a variant with fused multiply-add where there is one), and a genetic
@@ -45,7 +45,7 @@ el_expm1_and_scale(double x, double *scale)
 	double n = shifted - round;
 	double r = x - n * 6.93147180369123816490e-01;
 	r = r - n * 1.90821492927058770002e-10;
-	/* (e^r - 1 - r) / r^2, in pairs, so few terms wait for others. */
+	/* (e^r - 1 - r) / r^2, in pairs so that few terms wait for others. */
 	double r2 = r * r, r4 = r2 * r2;
 	double low = (0.5 + 0.16666666666666669 * r) +
 		     (0.04166666666662399 + 0.008333333333330051 * r) * r2;
@@ -53,14 +53,12 @@ el_expm1_and_scale(double x, double *scale)
 		      (2.480152119021773e-05 + 2.7557268378684192e-06 * r) * r2;
 	double top = 2.7620138719733994e-07 + 2.5100424157005067e-08 * r;
 	double q = (low + high * r4) + top * (r4 * r4);
-	/* The low bits of shifted hold n; moved into the exponent they scale.
-	 * */
+	/* The low bits of shifted hold n; in the exponent they give 2^n. */
 	*scale = el_double_from_bits((el_bits_of_double(shifted) + 1023) << 52);
 	return q * r2 + r;
 }
 
-/* Returns exp(x) to about 1 ulp; outside -708..708, the value at the nearer
- * end. */
+/* Returns exp(x) to about 1 ulp, with x clamped to -708..708. */
 static inline double
 el_exp(double x)
 {

@@ -1,4 +1,4 @@
-/* Queries the processor's instruction sets.
+/* Asks the processor which instruction sets it has.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/numeric/isa.h"
 

@@ -3,11 +3,10 @@
 #ifndef TIPSPEED_CORE_NUMERIC_ISA_H
 #define TIPSPEED_CORE_NUMERIC_ISA_H
 
-/* In rising order; ISA_BEST picks at run time. */
+/* In rising order; ISA_BEST means the best one that the processor has. */
 enum isa { ISA_BASE, ISA_AVX2, ISA_AVX512, ISA_BEST };
 
-/* Returns the wanted set or, if the processor lacks it, the best that it
- * has. */
+/* Returns the wanted set or, if the processor lacks it, its best. */
 enum isa isa_usable_or_best(enum isa wanted);
 
 /* Returns "baseline", "avx2" or "avx512". */

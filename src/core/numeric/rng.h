@@ -13,8 +13,8 @@ struct rng_key {
 	uint32_t a, b;
 };
 
-/* The mixer of splitmix64 (Steele, Lea, Flood 2014): every bit of z moves every
- * bit of the result. */
+/* The mixer of splitmix64 (Steele, Lea, Flood 2014): every bit of z affects
+ * every bit of the result. */
 static inline uint64_t
 rng_mix_bits(uint64_t z)
 {
@@ -52,7 +52,7 @@ rng_random_bits(struct rng_key key, uint32_t i)
 	return x;
 }
 
-/* Returns a second number from the bits of a first. */
+/* Returns a second random number, made from the bits of a first. */
 static inline uint32_t
 rng_rehash_bits(uint32_t x)
 {
@@ -65,7 +65,7 @@ rng_rehash_bits(uint32_t x)
 static inline double
 rng_bits_to_unit(uint32_t bits)
 {
-	/* Through a signed conversion, which vector units have. */
+	/* Vector units have only the signed conversion. */
 	double centred = (double)(int32_t)(bits ^ 0x80000000u);
 	return (centred + 2147483648.5) * (1.0 / 4294967296.0);
 }
@@ -79,7 +79,7 @@ rng_uniform(struct rng_key key, uint32_t i)
 
 /* Returns standard normal number i of a stream: the sum of twelve uniform
  * numbers, minus six.  The tails end at -6 and 6 and the kurtosis is 2.9, but
- * no function is needed whose last bit differs between machines. */
+ * it needs no function whose last bit differs between machines. */
 static inline double
 rng_normal(struct rng_key key, uint32_t i)
 {

@@ -10,8 +10,8 @@
 
 #include "core/numeric/elementary.h"
 
-/* Columns that much shorter than all of A are rounding errors of 0, which have
- * no direction. */
+/* Columns shorter than this, relative to all of A, are rounding errors of 0 and
+ * have no direction. */
 static const double NOTHING = 1e-17;
 
 enum { SWEEPS_MOST = 60 };
@@ -26,7 +26,7 @@ rotate_columns(double *a, double *b, size_t n, double c, double s)
 	}
 }
 
-/* Brings two columns to right angles; false: they were. */
+/* Makes two columns orthogonal.  Returns false if they already were. */
 static bool
 svd_orthogonalise_columns(double *a, double *b, size_t rows, double *va,
     double *vb, size_t n, double least)
@@ -56,7 +56,8 @@ svd_swap_columns(double *a, double *b, size_t n)
 	}
 }
 
-/* Divides a column by its length and gives its direction a sign. */
+/* Divides a column by its length and makes the largest element of its direction
+ * positive. */
 static void
 svd_normalise_column(double *u, size_t rows, double *v, size_t n, double sigma)
 {

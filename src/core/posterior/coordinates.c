@@ -104,7 +104,7 @@ coordinates_reflect_pole(const struct coordinates *c, double *w)
 		w[j] -= 2 * product / squares * normal[j];
 }
 
-/* True if there are daughters, that is, if p(u) is above 0 anywhere. */
+/* True if p(u) is above 0 anywhere. */
 static bool
 has_any_progeny(const struct coordinates *c, const double *gauge)
 {
@@ -153,7 +153,7 @@ coordinates_from_gauge(const struct coordinates *c, const double *at, double *x)
 }
 
 /* Finds the range of alpha for a break size x*: alpha lies within its own
- * bounds, and e0_min at either end within those of e0_min. */
+ * bounds, and e0_min within its bounds at either end. */
 static void
 range_of_alpha(
     const struct coordinates *c, double log_break, double *low, double *high)

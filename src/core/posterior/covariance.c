@@ -13,11 +13,10 @@
 
 enum { TERMS = DISCREPANCY_TERMS, SIZES = COVARIANCE_SIZES };
 
-/* The members from `many` on are for many cells only.  size [n]: the number of
+/* The members after `many` are for many cells only.  size [n]: the index of
  * each cell's size.  first [blocks + 1]: the first cell of each run.  The rest
- * are places in a factor: at [blocks] of the parts of E, one after the other;
- * at_K of K, which all processes share; at_A of A; and at_slope of the
- * slope. */
+ * are offsets in a factor: at [blocks] of the blocks of E, at_K of K, which all
+ * processes share, at_A of A, and at_slope of the slope. */
 struct covariance {
 	enum isa isa;
 	size_t n;
@@ -30,7 +29,7 @@ struct covariance {
 
 /* ---- The plan ---- */
 
-/* Numbers the sizes of the cells.  False if there are too many. */
+/* Numbers the sizes of the cells.  Returns false if there are too many. */
 static bool
 enumerate_cell_sizes(struct covariance *c)
 {
@@ -123,8 +122,8 @@ covariance_factor_size(const struct covariance *c)
 
 /* ---- The factor of many ---- */
 
-/* The covariances of pairs of sizes, SIZES * (SIZES + 1) / 2 of each kind:
- * those of a process, and those of the error that the cells of a run share. */
+/* The covariances of pairs of sizes: of a process, and of the error that the
+ * cells of a run share. */
 struct size_pairs {
 	double f[SIZES * (SIZES + 1) / 2], error[SIZES * (SIZES + 1) / 2];
 };
@@ -161,8 +160,8 @@ factor_block_of_run(const struct covariance *c, size_t b,
 	discrepancy_cholesky(c->isa, U, n);
 }
 
-/* Adds a run's part of B' E^-1 B to G, which has a square of the sizes for each
- * pair of terms.  The slope is left out.  work [largest * largest]. */
+/* Adds a run's part of B' E^-1 B to G, which has a [sizes * sizes] block for
+ * each pair of terms.  Omits the slope.  work [largest * largest]. */
 static void
 add_run_to_coupling_matrix(const struct covariance *c, size_t b,
     const double *U, double *G, double *work)
@@ -188,7 +187,7 @@ add_run_to_coupling_matrix(const struct covariance *c, size_t b,
 		}
 }
 
-/* Computes to = U G U', [n * n]; U is an upper triangle. */
+/* Computes to = U G U', [n * n]; U is upper triangular. */
 static void
 multiply_on_both_sides(
     const double *U, const double *G, size_t n, double *work, double *to)
@@ -207,7 +206,7 @@ multiply_on_both_sides(
 		}
 }
 
-/* Returns the factor of a process: the slope, but 1 for the first one. */
+/* Returns the slope, or 1 for the first process. */
 static double
 slope_factor_of_process(
     const struct covariance *c, const double *factor, size_t term)
@@ -264,9 +263,8 @@ factor_by_woodbury(const struct covariance *c,
 
 /* ---- Its use ---- */
 
-/* add_cells_to_processes adds B' d of a run to f, which has a number for each
- * term and size; add_processes_to_cells adds B f to d.  Both leave out the
- * slope. */
+/* add_cells_to_processes adds B' d of a run to f, which has a value for each
+ * term and size; add_processes_to_cells adds B f to d.  Both omit the slope. */
 static void
 add_cells_to_processes(
     const struct covariance *c, size_t b, const double *d, double *f)
@@ -291,9 +289,9 @@ add_processes_to_cells(
 				f[j * c->sizes + c->size[i]];
 }
 
-/* multiply_processes_by_upper computes L' f of each process with the slope,
- * multiply_processes_by_lower L f. Both work in place, in the order in which no
- * number is overwritten before it has been read. */
+/* multiply_processes_by_upper computes L' f of each process, times the slope;
+ * multiply_processes_by_lower computes L f.  Both work in place, in an order in
+ * which no value is overwritten before it has been read. */
 static void
 multiply_processes_by_upper(
     const struct covariance *c, const double *factor, double *f)

@@ -8,30 +8,30 @@
 
 #include "core/posterior/discrepancy.h"
 
-/* Up to COVARIANCE_FEW cells are factored as one matrix.  With more, the runs
- * share only the processes f of the discrepancy, which have few values at the
- * sizes of the cells, however many runs there are.  With B the factors of these
- * values in the cells, K their covariance and E that of the samples' errors, a
- * block for each run, the covariance is
+/* Up to COVARIANCE_FEW cells are factored as one matrix.  More are factored by
+ * blocks, because the runs share only the processes f of the discrepancy, which
+ * have few values at the sizes of the cells, however many runs there are.  Let
+ * B be the factors of these values in the cells, K their covariance, and E the
+ * covariance of the samples' errors, with a block for each run.  Then
  *   C = B K B' + E,   K = L L',   A = 1 + L' B' E^-1 B L
  *   C^-1 = E^-1 - E^-1 B L A^-1 L' B' E^-1,   |C| = |E| |A|
- * (Rasmussen and Williams 2006, A.9): exact, in time and space proportional to
- * the number of runs.  With more than COVARIANCE_SIZES sizes, the discrepancy
- * and the shared errors, but not the model, are evaluated at the nearest of
- * COVARIANCE_SIZES evenly spaced sizes. */
+ * (Rasmussen and Williams 2006, A.9).  This is exact, and takes time and space
+ * proportional to the number of runs.  With more than COVARIANCE_SIZES sizes,
+ * the discrepancy and the shared errors, but not the model, are evaluated at
+ * the nearest of COVARIANCE_SIZES evenly spaced sizes. */
 enum { COVARIANCE_FEW = 96, COVARIANCE_SIZES = COVARIANCE_FEW / 3 };
 
 struct covariance;
 
-/* cell [n]: read, not kept; the cells of a run must be adjacent.  If there are
- * many sizes, they may be moved, as above.  Free with covariance_free. */
+/* cell [n] is not kept; the cells of a run must be adjacent.  If there are many
+ * sizes, they are moved as described above.  Free with covariance_free. */
 struct covariance *covariance_new(enum isa isa, struct cell *cell, size_t n);
 void covariance_free(struct covariance *covariance);
 
 /* Returns the number of doubles in a factor. */
 size_t covariance_factor_size(const struct covariance *covariance);
 
-/* Computes the factor, [covariance_factor_size] out. */
+/* Computes factor [covariance_factor_size]. */
 void covariance_factor(const struct covariance *covariance,
     const double log_hyper[static HYPERS], double *factor);
 

@@ -1,5 +1,6 @@
-/* Covariances and priors of the discrepancy and the errors of samples (D13,
- * Kennedy and O'Hagan 2001), and the Cholesky factor of their sum.
+/* Covariances and priors of the discrepancy and of the errors of samples (D13,
+ * Kennedy and O'Hagan 2001), and the Cholesky factor of the sum of the
+ * covariances.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/discrepancy.h"
 
@@ -23,7 +24,7 @@ const struct hyper_info HYPER[HYPERS] = {
     {"independent", "sigma_i", 0.0035, 0.3, N_("error of a single passing")},
 };
 
-/* The step in ln of the energy that t counts. */
+/* One unit of t, as a step in ln of the energy. */
 static const double STEP = 0.135;
 
 double
@@ -121,8 +122,8 @@ discrepancy_solve_upper(const double *U, size_t n, double *z)
 	}
 }
 
-/* Numbers the sizes of the cells, equal sizes alike, and returns how many sizes
- * there are. */
+/* Gives each cell the index of its size, the same for equal sizes.  Returns the
+ * number of different sizes. */
 static size_t
 discrepancy_enumerate_sizes(const struct cell *cell, size_t n, int64_t *size)
 {
@@ -185,8 +186,8 @@ double
 discrepancy_minus_log_density(
     enum isa isa, const double *U, size_t n, double *d)
 {
-	/* Logarithms are taken of products of so many numbers.  No product is
-	 * below 0.0005^16, see DISCREPANCY_ROUNDING. */
+	/* Logarithms are taken of products of this many numbers.  No product is
+	 * below 0.0005^16; see DISCREPANCY_ROUNDING. */
 	enum { AT_ONCE = 16 };
 	double level = 0;
 	discrepancy_solve_lower(isa, U, n, d);

@@ -14,17 +14,17 @@
 
 /* D13 (Kennedy and O'Hagan 2001):
  *   measured = model + discrepancy + error of the sample
- * The discrepancy at size s and "time" t, which is 0 in the middle of the
- * measured speeds and 1 at e^0.135 times the energy there, as at 79 m/s if the
- * middle is 74, is
+ * The discrepancy depends on the size s and on t, which measures the speed: it
+ * is 0 in the middle of the measured speeds and 1 at e^0.135 times the energy
+ * there (at 79 m/s if the middle is 74).  The discrepancy is
  *   h(P) (f_0(s) + c t f_1(s) + 0.3 c (t^2 - 1) f_2(s)),  h = 2 sqrt(P (1 - P))
  * where P is midway between the model's passing and the measured passing or the
  * answer's; the f are independent Gaussian processes with the covariance
  *   sigma_d^2 rho(ln s - ln s', l) + sigma_n^2 rho(ln s - ln s', 1/4)
  *   rho(z, l) = exp(-z^2 / 2 l^2)
- * whose second term is for features of single sieves.  The error of a sample
- * has a part shared along its curve, sigma_s^2 rho(.., l) within a run, and an
- * independent part, sigma_i^2, both times h h'. */
+ * where the second term is for features of single sieves.  The error of a
+ * sample has a part shared along its curve, sigma_s^2 rho(.., l) within a run,
+ * and an independent part, sigma_i^2, both times h h'. */
 enum hyper {
 	HYPER_DELTA,
 	HYPER_LENGTH,
@@ -47,13 +47,13 @@ extern const struct hyper_info HYPER[HYPERS];
 /* Returns t for a tip speed, m/s; middle: ln of the mean energy, J/kg. */
 double discrepancy_speed_to_t(double v, double middle);
 
-/* Computes the factors of f_0, f_1 and f_2 at t. */
+/* Sets term to the factors of f_0, f_1 and f_2 at t. */
 enum { DISCREPANCY_TERMS = 3 };
 void discrepancy_speed_terms(
     double t, double slope, double term[static DISCREPANCY_TERMS]);
 
-/* Returns h at a passing P, 0..1.  This and the next two are called for all
- * draws at all sizes; inline, they can be vectorised. */
+/* Returns h at a passing P, 0..1.  This function and the next two are called
+ * for all draws at all sizes; being inline, they can be vectorised. */
 static inline double
 discrepancy_scale_at_passing(double P)
 {
@@ -69,7 +69,7 @@ discrepancy_clamp_passing(double P, double least)
 	return P < 1 ? P : 1;
 }
 
-/* Returns a model's passing P corrected by the discrepancy over h, delta: the A
+/* Returns a model's passing P corrected by delta, the discrepancy over h: the A
  * that solves
  *   A = P + h(m) delta,  m = (P + A) / 2
  * which also corrects model passings of 0 and 1.  The result is at least
@@ -95,10 +95,10 @@ discrepancy_correlation(double apart, double length)
 	return z * z > 80 ? 0 : el_exp(-z * z / 2);
 }
 
-/* DISCREPANCY_NARROW: length of the narrow part.  DISCREPANCY_ROUNDING:
- * rounding error of a passing.  The functions return the covariance of an f,
- * and of a sample's shared error, between sizes whose logarithms differ by
- * `apart`. */
+/* DISCREPANCY_NARROW: the length of the narrow part.  DISCREPANCY_ROUNDING: the
+ * rounding error of a passing.  discrepancy_covariance returns the covariance
+ * of an f, and discrepancy_shared_covariance that of a sample's shared error,
+ * between sizes whose logarithms differ by `apart`. */
 #define DISCREPANCY_NARROW 0.25
 #define DISCREPANCY_ROUNDING 0.0005
 
@@ -121,9 +121,10 @@ discrepancy_shared_covariance(double apart, const double hyper[static HYPERS])
 }
 
 /* discrepancy_covariances_of_pairs computes both covariances for n pairs of
- * sizes.  f [n] in: the differences of their logarithms; f, error [n] out: the
- * two covariances. discrepancy_index_of_pair returns the index of a pair of
- * sizes; pairs are ordered by the larger of their indices. */
+ * sizes.  f [n] holds the differences of their logarithms; they are replaced
+ * with the covariances of an f, and error [n] is set to the others.
+ * discrepancy_index_of_pair returns the index of a pair of sizes; pairs are
+ * ordered by the larger of the two sizes' indices. */
 void discrepancy_covariances_of_pairs(enum isa isa, size_t n,
     const double hyper[static HYPERS], double *f, double *error);
 
@@ -134,13 +135,14 @@ discrepancy_index_of_pair(size_t i, size_t j)
 	return more * (more + 1) / 2 + less;
 }
 
-/* Computes the factor U [n * n] of the covariance of n sizes from their pairs.
- * The diagonal is raised slightly, because sizes may be close together. */
+/* Computes the Cholesky factor U [n * n] of the covariance of n sizes from the
+ * covariances of pairs.  Raises the diagonal slightly, because sizes may be
+ * close together. */
 void discrepancy_factor_pairs(
     enum isa isa, const double *pair, size_t n, double *U);
 
-/* Draws n standard normal numbers from a stream, starting at number `next`, z
- * [n] out. */
+/* Sets z [n] to standard normal numbers of a stream, starting at number
+ * `next`. */
 void discrepancy_draw_normals(
     enum isa isa, struct rng_key key, uint32_t next, size_t n, double *z);
 
@@ -160,8 +162,8 @@ void discrepancy_solve_lower(
     enum isa isa, const double *U, size_t n, double *d);
 void discrepancy_solve_upper(const double *U, size_t n, double *z);
 
-/* Compute the upper half of the covariance of the differences between n
- * measured passings and the model, U [n * n], and its factor. */
+/* Compute U [n * n]: the upper half of the covariance of the differences
+ * between n measured passings and the model, or its Cholesky factor. */
 void discrepancy_fill_covariance(enum isa isa, const struct cell *cell,
     size_t n, const double log_hyper[static HYPERS], double *U);
 void discrepancy_factor_covariance(enum isa isa, const struct cell *cell,
@@ -174,10 +176,10 @@ double discrepancy_minus_log_density(
 
 /* ---- For discrepancy.c: compiled for each instruction set ---- */
 
-/* n cells in columns.  size, run: the index of each cell's size and run; term:
- * see discrepancy_speed_terms.  log_size: ln of the sizes; f, error: workspace
- * with a double for each size; pair: two workspaces with a double for each pair
- * of sizes; own: the variance of the independent error. */
+/* n cells in columns.  size, run: the index of each cell's size and run; own:
+ * the variance of the independent error; term: see discrepancy_speed_terms;
+ * log_size: ln of the sizes.  f, error and pair are workspace: a double for
+ * each size, and for each pair of sizes. */
 struct cell_columns {
 	size_t n, sizes;
 	int64_t *size, *run;
@@ -186,7 +188,8 @@ struct cell_columns {
 	double *log_size, *f, *error, *pair[2];
 };
 
-/* U [n * n]: the upper half of a symmetric matrix, by rows. */
+/* The functions for one instruction set.  U [n * n]: the upper half of a
+ * symmetric matrix, by rows. */
 struct triangle {
 	void (*pairs)(size_t n, const double hyper[static HYPERS], double *f,
 	    double *error);

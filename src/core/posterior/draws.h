@@ -1,4 +1,4 @@
-/* Draws from the posterior, see posterior.h.
+/* Draws from the posterior; see posterior.h.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_DRAWS_H
 #define TIPSPEED_CORE_POSTERIOR_DRAWS_H
@@ -9,10 +9,10 @@
 #include "core/model/params.h"
 #include "core/model/strengths.h"
 
-/* Of more than POSTERIOR_RUNS runs, only that many, spread evenly from the
- * slowest to the fastest, inform the draws: with 80 runs, chains settled where
- * the discrepancy is large and the parameters are wrong, and 80 % bands held
- * only 30 %. */
+/* If there are more than POSTERIOR_RUNS runs, only this many, spread evenly
+ * from the slowest to the fastest, inform the draws: with 80 runs, chains
+ * settled where the discrepancy is large and the parameters are wrong, and 80 %
+ * bands held only 30 %. */
 enum { POSTERIOR_DRAWS = 256, POSTERIOR_RUNS = 40 };
 
 /* strengths: of the rock; e0_min in params is then their mean (D16). */
@@ -22,9 +22,9 @@ struct posterior_draw {
 	double hyper[HYPERS];
 };
 
-/* settings: with the model of the draws, whose appearance depends on the energy
- * if there is such a model (D12).  fit, bounds: the optimum at which the chains
- * began and their bounds, in this model. */
+/* settings: those of the fit, with the model of the draws, whose appearance
+ * depends on the energy if there is such a model (D12).  fit, bounds: the
+ * optimum at which the chains began and their bounds, in this model. */
 struct posterior {
 	struct model_settings settings;
 	struct params fit;
@@ -41,16 +41,16 @@ struct posterior {
 	double speed_sd; /* of stated tip speeds, as a share; 0: exact */
 	size_t n_knot;
 	double *knot; /* ln of sizes, coarsest first */
-	/* At the knots, [n_knot * POSTERIOR_DRAWS], a row of draws for each:
-	 * the processes of the discrepancy (discrepancy.h) and the total errors
-	 * of one more sample, shared and independent, over h. */
+	/* [n_knot * POSTERIOR_DRAWS], a row of draws for each knot: the
+	 * processes of the discrepancy (discrepancy.h), and the total error,
+	 * shared and independent, of one more sample, over h. */
 	double *term[DISCREPANCY_TERMS], *error;
-	double *lack; /* [n_speed * n_knot], see lack_of_fit.h, or NULL */
+	double *lack; /* [n_speed * n_knot] (lack_of_fit.h), or NULL */
 	struct posterior_draw draw[POSTERIOR_DRAWS];
 	/* Convergence diagnostics.  ratio: the largest Gelman-Rubin R of all
-	 * coordinates, ideally 1; drift: the largest difference between the
-	 * means of two halves of the draws, taken at different times, in
-	 * standard deviations; accepted: share of moves accepted. */
+	 * coordinates, ideally 1; drift: the largest difference, in standard
+	 * deviations, between the means of the two halves of the draws, which
+	 * were taken at different times; accepted: share of moves accepted. */
 	double ratio, drift, accepted;
 };
 

@@ -18,16 +18,16 @@
 #include "core/model/product.h"
 #include "core/model/selection.h"
 
-/* Columns 0 to DRAWS - 1 hold the draws.  The block of columns from FIT on
- * holds the fit: its exact product minus its product by the search's scheme is
- * the error of that scheme. */
+/* Columns 0 to DRAWS - 1 hold the draws; those from FIT on hold the fit, whose
+ * exact product minus its product by the search's scheme is the error of this
+ * scheme. */
 enum {
 	DRAWS = POSTERIOR_DRAWS,
 	FIT = DRAWS,
 	ALL = FIT + KERNEL_LANES,
 	EVEN = 24,
 	BEYOND = 80,
-	SLOWEST = BEYOND, /* first of the grid's speeds that are pooled */
+	SLOWEST = BEYOND, /* index of the first speed pooled */
 	RISING = BEYOND + EVEN + 1 + POSTERIOR_RUNS + BEYOND
 };
 
@@ -44,31 +44,31 @@ struct ensemble {
 	double softer[ALL], share_softer[ALL]; /* see struct kernel_out */
 	double *product, *misfit; /* [n * ALL], [ALL], by the scheme */
 	double *fit, *feed;       /* [n] */
-	size_t *knot;             /* [n]: between it and the next, */
-	double *share;            /* and its weight there */
+	size_t *knot;             /* [n]: the size lies between this knot and
+				   * the next */
+	double *share;            /* this knot's weight */
 	double *delta;            /* at the knots, [n_knot * DRAWS] */
 	/* [n + 1][DRAWS]: nothing passes below the finest size. */
 	double *part[ENSEMBLE_PARTS];
 	bool sampled; /* the samples are made */
-	double at;    /* the speed of what ensemble_set_speed made, or 0 */
-	/* The speeds of a grid, m/s.  Those numbered SLOWEST to `last` are
-	 * pooled; counts: the weight of each; measured: which of them were
-	 * measured. */
+	double at;    /* the speed last set by ensemble_set_speed, or 0 */
+	/* The speeds of a grid, m/s.  Those with index SLOWEST to `last` are
+	 * pooled.  counts: the weight of each; measured: the indices of the
+	 * measured speeds. */
 	double speed[RISING], counts[RISING];
 	size_t last, measured[POSTERIOR_RUNS];
-	/* Answers at the speeds of the grid, which do not fall from one speed
-	 * to the next, and which of them differ from those drawn, each [n *
-	 * DRAWS].  They exist for the speeds slowest to fastest; the others are
-	 * NULL. */
+	/* rising: the answers at the speeds of the grid, pooled so that they do
+	 * not fall from one speed to the next; moved: whether pooling changed
+	 * them.  Each is [n * DRAWS], or NULL outside the speeds slowest to
+	 * fastest. */
 	double *rising[RISING];
 	bool *moved[RISING];
 	size_t slowest, fastest;
 	double more, bypass; /* k and bypass of another machine */
 };
 
-/* Returns the same curve with points at each of sizes [n], coarsest first, and
- * more between them, because the kernel's classes end at the points of a
- * feed. */
+/* Returns the same curve with points added at sizes [n], coarsest first, and
+ * between them, because the kernel's classes end at the points of a feed. */
 static struct psd
 add_sizes_to_feed(const struct psd *feed, const double *size, size_t n)
 {
@@ -157,8 +157,8 @@ set_parameter_columns(struct ensemble *e)
 		    e, d, &p->draw[d].params, &p->draw[d].strengths);
 }
 
-/* A fit mostly holds gamma and kappa at 0.  Without them its product is that of
- * the paper's model, which takes a fraction of the time. */
+/* In most fits gamma and kappa are 0.  Then the product is that of the paper's
+ * model, which takes a fraction of the time. */
 static void
 use_narrowest_exact_model(struct ensemble *e, struct params fit)
 {
@@ -166,9 +166,9 @@ use_narrowest_exact_model(struct ensemble *e, struct params fit)
 	model_use_params(e->exact, &p);
 }
 
-/* Lays the speeds of the grid: evenly over the range that is pooled, with the
- * measured speeds among them, and 2 % apart beyond, down to a fifth of the
- * slowest and up to five times the fastest. */
+/* Chooses the speeds of the grid: evenly spaced in the range that is pooled,
+ * together with the measured speeds, and 2 % apart beyond this range, down to a
+ * fifth of the slowest and up to five times the fastest. */
 static void
 lay_speed_grid(struct ensemble *e)
 {
@@ -277,13 +277,13 @@ ensemble_count_sieves(const struct ensemble *e)
 	return e->n;
 }
 
-/* Below this share of the slowest measured speed, the correction of a draw
- * stays as it is there, but shrinks in proportion to the selection of the
- * coarsest size by the draw's own model.  Where nothing breaks no correction is
+/* Below this share of the slowest measured speed, the correction of a draw no
+ * longer follows its trend, but shrinks in proportion to the selection of the
+ * coarsest size in the draw's own model.  Where nothing breaks no correction is
  * needed, and no measurement supports its trend so far away. */
 static const double SLOW = 0.875;
 
-/* Returns S of the coarsest size at speed v by a draw, whose rock may have two
+/* Returns a draw's S of the coarsest size at speed v.  Its rock may have two
  * strengths. */
 static double
 selection_of_coarsest_size(
@@ -305,8 +305,8 @@ selection_of_coarsest_size(
 	return S;
 }
 
-/* Computes the share of each draw's correction that remains at speed v, 0..1,
- * left [DRAWS] out.  Returns the speed at which that correction applies. */
+/* Computes left [DRAWS], the share of each draw's correction that remains at
+ * speed v, 0..1.  Returns the speed at which to compute the correction. */
 static double
 share_of_correction_left(const struct posterior *p, double v, double *left)
 {
@@ -324,9 +324,9 @@ share_of_correction_left(const struct posterior *p, double v, double *left)
 	return at;
 }
 
-/* Returns the lack of fit (lack_of_fit.h) at tip speed v, m/s, and a knot:
- * linear in v^2 between measured speeds, constant beyond them; 0 until it has
- * been found. */
+/* Returns the lack of fit (lack_of_fit.h) at a knot and tip speed v, m/s:
+ * linear in v^2 between measured speeds, constant beyond them; 0 if it has not
+ * been computed. */
 static double
 lack_of_fit_at_knot(const struct posterior *p, double v, size_t knot)
 {
@@ -342,7 +342,6 @@ lack_of_fit_at_knot(const struct posterior *p, double v, size_t knot)
 	return (1 - t) * at[0] + t * at[p->n_knot];
 }
 
-/* Computes the discrepancy of each draw at speed v, at the knots. */
 static void
 fill_discrepancy_at_knots(struct ensemble *e, double v)
 {
@@ -376,8 +375,8 @@ ensemble_discrepancy_of_draw(const struct ensemble *e, size_t d, double *delta)
 	}
 }
 
-/* Fills row i of model and answer.  The row of the next finer size exists
- * already. */
+/* Fills row i of model and answer.  The row of the next finer size must
+ * exist. */
 static void
 fill_model_and_answer_row(const struct ensemble *e, size_t i,
     double *restrict model, double *restrict answer)
@@ -396,7 +395,7 @@ fill_model_and_answer_row(const struct ensemble *e, size_t i,
 	}
 }
 
-/* Fills row i of the samples in the same way. */
+/* As fill_model_and_answer_row, for row i of the samples. */
 static void
 fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 {
@@ -411,7 +410,7 @@ fill_sample_row(const struct ensemble *e, size_t i, double *restrict sample)
 	}
 }
 
-/* Makes the samples on request only: few callers need them. */
+/* Makes the samples, only on request because few callers need them. */
 static void
 make_ensemble_samples(struct ensemble *e)
 {
@@ -422,7 +421,6 @@ make_ensemble_samples(struct ensemble *e)
 	e->sampled = true;
 }
 
-/* Adds what bypasses the rotor. */
 static void
 ensemble_add_bypass(struct ensemble *e)
 {
@@ -451,8 +449,8 @@ ensemble_set_speed_as_drawn(struct ensemble *e, double v)
 	e->sampled = false;
 }
 
-/* Returns the last speed of the grid that exists and is not above v, but not
- * the fastest one; if there is none, the slowest. */
+/* Returns the index of the last computed grid speed not above v, but never the
+ * fastest; if all are above v, the slowest. */
 static size_t
 grid_index_below_speed(const struct ensemble *e, double v)
 {
@@ -486,7 +484,7 @@ ensemble_pool_falling_values(
 	return blocks;
 }
 
-/* Replaces values i at the pooled speeds by the nearest ones that do not
+/* Replaces the values i at the pooled speeds with the nearest ones that do not
  * fall. */
 static void
 pool_adjacent_violators(struct ensemble *e, size_t i)
@@ -505,7 +503,6 @@ pool_adjacent_violators(struct ensemble *e, size_t i)
 		}
 }
 
-/* Computes the answers at speed k of the grid, as drawn. */
 static void
 compute_answers_at_grid_speed(struct ensemble *e, size_t k)
 {
@@ -527,8 +524,9 @@ make_rising_grid(struct ensemble *e)
 	e->fastest = e->last;
 }
 
-/* Extends the grid to a speed beyond those that are pooled, which changes
- * nothing within them: each added speed is limited by its neighbour. */
+/* Extends the grid to a speed beyond those that are pooled.  The answers
+ * already there do not change: those at each added speed are limited by its
+ * neighbour's. */
 static void
 extend_rising_grid(struct ensemble *e, double v)
 {
@@ -553,9 +551,10 @@ extend_rising_grid(struct ensemble *e, double v)
 }
 
 /* A higher speed never gives a coarser product (D23): no passing of a draw
- * falls with the speed.  At the speeds of the grid the curve is the nearest
- * that does not fall.  Between two of them it is a straight line if either was
- * moved, otherwise the draw as it is. */
+ * falls with the speed.  At the speeds of the grid, the passings are the
+ * nearest that do not fall.  Between two of these speeds, a passing is
+ * interpolated linearly if pooling changed it at either; otherwise it is as
+ * drawn. */
 static void
 limit_answers_by_grid(struct ensemble *e, double v)
 {
@@ -575,7 +574,7 @@ limit_answers_by_grid(struct ensemble *e, double v)
 	}
 }
 
-/* Computes the answers as drawn, except that none falls with the speed. */
+/* Computes the answers as drawn, but so that none falls with the speed. */
 static void
 compute_rising_answers_at_speed(struct ensemble *e, double v)
 {
@@ -586,7 +585,7 @@ compute_rising_answers_at_speed(struct ensemble *e, double v)
 	limit_answers_by_grid(e, v);
 }
 
-/* True if v lies between two measured speeds: number *k and the next. */
+/* True if v lies between two measured speeds, with indices *k and *k + 1. */
 static bool
 is_between_measured_speeds(const struct posterior *p, double v, size_t *k)
 {
@@ -631,9 +630,10 @@ ensemble_effect_of_speed_errors(const struct posterior *p)
 double
 ensemble_speed_error_of_draw(size_t draw)
 {
-	/* Even shares of a normal distribution, by an approximation with errors
-	 * below 0.0005 (Abramowitz and Stegun 1964, 26.2.23).  157 spreads them
-	 * over all draws, and over those that are straight. */
+	/* Quantiles of a normal distribution at even shares, by an
+	 * approximation with errors below 0.0005 (Abramowitz and Stegun 1964,
+	 * 26.2.23).  The factor 157 spreads them over all draws, and over the
+	 * straight ones. */
 	double share = ((double)(draw * 157 % DRAWS) + 0.5) / DRAWS;
 	double t = sqrt(-2 * el_log(fmin(share, 1 - share)));
 	double z = t - (2.515517 + t * (0.802853 + t * 0.010328)) /
@@ -648,9 +648,10 @@ ensemble_true_speed_of_draw(const struct posterior *p, size_t draw, double v)
 			    ensemble_speed_error_of_draw(draw));
 }
 
-/* Reads the answers of a draw off the grid at speed w, linear between two of
- * its speeds, or between measured ones as D25 has it.  Beyond the grid they are
- * those at the ensemble's speed, limited by the end of the grid. */
+/* Reads the answers of a draw off the grid at speed w: linear between two grid
+ * speeds or, for straight draws, between measured speeds (D25).  Beyond the
+ * grid, keeps the answers at the ensemble's speed, limited by the end of the
+ * grid. */
 static void
 read_draw_off_grid(struct ensemble *e, size_t draw, double w)
 {
@@ -677,8 +678,8 @@ read_draw_off_grid(struct ensemble *e, size_t draw, double w)
 	}
 }
 
-/* Computes the answer of each draw at the speed that the rotor has by it where
- * v is stated.  That speed rises with v, and so does the answer. */
+/* Computes the answer of each draw at its own true speed for a stated speed v.
+ * The true speed rises with v, and so does the answer. */
 static void
 compute_answers_at_true_speeds(struct ensemble *e, double v)
 {
@@ -742,8 +743,8 @@ ensemble_mean_answer(const struct ensemble *e, double *passing)
 	}
 }
 
-/* Finds the ends of the middle `level` of n values, which it sorts.  Each end
- * is an average over the values around it, with weights that fall with the
+/* Sorts n values and finds the interval that holds their middle `level`.  Each
+ * end is an average of the values around it, with weights that fall with the
  * distance, because a single value is subject to chance. */
 static void
 middle_interval(

@@ -10,14 +10,14 @@
  * posterior must outlive it. */
 struct ensemble;
 
-/* size [n] m, coarsest first, each covered by the feed, whose curve is smooth
- * between its sieves (D18). */
+/* size [n]: m, coarsest first, each covered by the feed.  The feed's curve is
+ * taken to be smooth between its sieves (D18). */
 struct ensemble *ensemble_new(const struct posterior *posterior,
     const struct psd *feed, const double *size, size_t n);
 void ensemble_free(struct ensemble *e);
 
-/* Sets a machine other than the measured one: settings with the posterior's
- * method, a bypass, and another k, which scales f_mat in every draw. */
+/* Sets a machine other than the measured one.  Uses the settings' bypass and k,
+ * which scales f_mat in every draw; their method must be the posterior's. */
 void ensemble_set_machine(struct ensemble *e, struct model_settings settings);
 
 /* The parts of an ensemble: products of the model alone, which differ only in
@@ -31,52 +31,53 @@ enum ensemble_part {
 	ENSEMBLE_PARTS
 };
 
-/* Returns the number of the ensemble's sizes. */
 size_t ensemble_count_sieves(const struct ensemble *e);
 
 /* Moves to tip speed v, m/s; does nothing if that is the speed already. */
 void ensemble_set_speed(struct ensemble *e, double v);
 
-/* As ensemble_set_speed, but without D23 and the bypass.  This saves computing
- * products at some sixty speeds, for callers that read only the model or
- * differences. */
+/* As ensemble_set_speed, but without D23, D25, speed errors and the bypass.
+ * This saves computing products at some sixty speeds, for callers that read
+ * only the model or differences. */
 void ensemble_set_speed_as_drawn(struct ensemble *e, double v);
 
-/* Returns by how much an error of the stated tip speeds counts in an answer: 1
- * for the speed asked about alone, and more with the mean of those of the runs
- * that inform the draws. */
+/* Returns the total speed error in an answer, in errors of one stated speed:
+ * that of the speed asked about, combined with that of the mean speed of the
+ * runs that inform the draws. */
 double ensemble_effect_of_speed_errors(const struct posterior *p);
 
-/* Returns the error of the stated speeds by a draw, in standard deviations. */
+/* Returns the error of the stated speeds in a draw, in standard deviations. */
 double ensemble_speed_error_of_draw(size_t draw);
 
-/* Returns the speed that the rotor has by a draw where v is stated, m/s.  The
- * error is the same share of all speeds. */
+/* Returns the rotor's true speed, m/s, according to a draw, if v is stated.
+ * The error is the same share of all speeds. */
 double ensemble_true_speed_of_draw(
     const struct posterior *p, size_t draw, double v);
 
-/* Returns the products at the ensemble's speed, [n * POSTERIOR_DRAWS], a row
- * for each size, borrowed.  Except for samples, no product is coarser than the
+/* Returns the products at the ensemble's speed [n * POSTERIOR_DRAWS], a row for
+ * each size; borrowed.  Except for samples, no product is coarser than the
  * feed.  No passing rises on a finer size. */
 const double *ensemble_products(struct ensemble *e, enum ensemble_part part);
 
-/* Computes the discrepancy over h of a draw at the ensemble's speed and sizes,
- * [n] out; see discrepancy_correct_passing. */
+/* Computes delta [n], the discrepancy over h of a draw at the ensemble's speed
+ * and sizes; see discrepancy_correct_passing. */
 void ensemble_discrepancy_of_draw(
     const struct ensemble *e, size_t draw, double *delta);
 
-/* Returns the ensemble's posterior. */
 const struct posterior *ensemble_posterior(const struct ensemble *e);
 
-/* Computes the middle `level` of a row of products. */
+/* Computes the interval that holds the middle `level` (0..1) of a row of
+ * products. */
 void ensemble_row_interval(struct ensemble *e, enum ensemble_part part,
     size_t row, double level, double *low, double *high);
 
-/* Computes the mean of the answers, [n] out: the best single answer. */
+/* Computes passing [n]: the mean of the answers, which is the best single
+ * answer. */
 void ensemble_mean_answer(const struct ensemble *e, double *passing);
 
-/* Computes the middle `level` (0..1) of values [POSTERIOR_DRAWS] and changes
- * their order.  NAN counts as the lowest value, so an end may be NAN. */
+/* Computes the interval that holds the middle `level` (0..1) of values
+ * [POSTERIOR_DRAWS], and changes their order.  NAN counts as the lowest value,
+ * so an end may be NAN. */
 void ensemble_middle_interval(
     double *value, double level, double *low, double *high);
 
@@ -86,18 +87,17 @@ void ensemble_interval_around_answer(
     const double *draw, double level, double answer, double range[static 2]);
 
 /* Returns the difference at speed v between the two halves of the draws, which
- * were taken at different times: between their means or the ends of their
- * bands, whichever is larger, divided by the width of the band.  It is the root
- * mean square over the sizes at which the band is wider than the rounding in
- * sheets. */
+ * were taken at different times.  At each size it is the larger of the
+ * differences between their means and between the ends of their bands, divided
+ * by the width of the band; the result is the root mean square over the sizes
+ * at which the band is wider than the rounding in sheets. */
 double ensemble_difference_of_halves(struct ensemble *e, double v);
 
-/* Pools neighbouring values [n] into blocks whose means, by weights [n], do not
- * fall from one block to the next: the nearest such sequence in the
- * least-squares sense (Barlow and others 1972, ch. 1).  Returns the number of
- * blocks.  value, weight, length [n]: out, the mean, weight and number of
- * values of each block.
- */
+/* Pools neighbouring values [n] into blocks whose weighted means do not fall
+ * from one block to the next: the nearest such sequence in the least-squares
+ * sense (Barlow and others 1972, ch. 1).  Sets value, weight and length [n] to
+ * the mean, the weight and the number of values of each block, and returns the
+ * number of blocks. */
 size_t ensemble_pool_falling_values(
     double *value, double *weight, size_t *length, size_t n);
 

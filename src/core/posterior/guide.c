@@ -28,7 +28,7 @@ add_chain_to_moments(
 	}
 }
 
-/* Moves the moments a part of the way to others. */
+/* Moves the moments part of the way to other moments. */
 static void
 blend_moments(struct guide *g, double part, const struct moments *to)
 {
@@ -66,7 +66,8 @@ void
 guide_factor_subset(const struct guide *g, const size_t *at, size_t n,
     struct guide_subset *part)
 {
-	const double more = 1.0005; /* of the variance: ridges are narrow */
+	const double more = 1.0005; /* factor of the variance, because ridges
+				     * are narrow */
 	part->n = 0;
 	for (size_t k = 0; k < n; k++) {
 		size_t i = at[k];

@@ -1,4 +1,4 @@
-/* Moves of the chains that use the covariance of earlier generations.
+/* Moves for the chains, guided by the covariance of earlier generations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_POSTERIOR_GUIDE_H
 #define TIPSPEED_CORE_POSTERIOR_GUIDE_H
@@ -8,8 +8,8 @@
 
 #include "core/numeric/rng.h"
 
-/* Mean and covariance of `size` coordinates over the n generations added, about
- * an origin, to avoid a loss of digits. */
+/* Mean and covariance of `size` coordinates over the n generations added.  Both
+ * are about an origin, to avoid a loss of digits. */
 enum { GUIDE_MOST = 24 };
 struct moments {
 	double mean[GUIDE_MOST], cross[GUIDE_MOST][GUIDE_MOST];
@@ -22,7 +22,7 @@ struct guide {
 void guide_init(struct guide *g, size_t size, const double *origin);
 
 /* Adds a generation with a weight.  x [chains]: the coordinates [size] of each
- * chain.  keep: factor for the weight of earlier generations. */
+ * chain.  keep: the factor by which earlier generations lose weight. */
 void guide_add_generation(struct guide *g, const double *const *x,
     size_t chains, double weight, double keep);
 
@@ -40,11 +40,11 @@ struct guide_subset {
 void guide_factor_subset(const struct guide *g, const size_t *at, size_t n,
     struct guide_subset *part);
 
-/* Moves from x to y: each coordinate in the basis of L, in which normal
- * coordinates would be independent and standard normal, is redrawn with
+/* Proposes a move from x to y.  In the basis of L, normally distributed
+ * coordinates would be independent and standard normal; each is redrawn with
  * probability `share`.  Uses 2 n random numbers of the stream, starting at
- * number `next`.  Returns ln N(y) - ln N(x), for which the acceptance of the
- * move must correct. */
+ * number `next`.  Returns ln N(y) - ln N(x), which the acceptance of the move
+ * must correct for. */
 double guide_propose(const struct guide_subset *part, double share,
     const double *x, double *y, struct rng_key key, uint32_t next);
 

@@ -15,8 +15,8 @@ enum { DRAWS = POSTERIOR_DRAWS };
 
 static const double DETERMINED = 0.1, POORLY = 0.5;
 
-/* Values within this part of the range from a bound count as on it, and this
- * share of the draws on a bound puts the parameter there. */
+/* A draw nearer to a bound than EDGE of the range is on the bound, and so is a
+ * parameter if at least MANY of its draws are. */
 static const double EDGE = 0.02, MANY = 0.2;
 
 static void
@@ -38,7 +38,7 @@ bound_where_draws_lie(const double *value, double lower, double upper)
 	return low >= MANY * DRAWS ? -1 : high >= MANY * DRAWS;
 }
 
-/* Returns the first n parameters of a draw as a vector of length 1. */
+/* Computes the first n parameters of a draw, scaled to a vector of length 1. */
 static void
 direction_of_draw(const struct posterior *p, size_t d, size_t n, double *unit)
 {
@@ -50,8 +50,8 @@ direction_of_draw(const struct posterior *p, size_t d, size_t n, double *unit)
 }
 
 /* Returns how far the draws scatter around their mean direction, for n
- * parameters of which only the direction counts: the RMS of the sine, divided
- * by that of random directions. */
+ * parameters of which only the direction matters: the RMS sine of the angle,
+ * divided by that of random directions. */
 static double
 scatter_of_draw_directions(const struct posterior *p, size_t n)
 {
@@ -88,8 +88,8 @@ identify_summarise_param(const struct posterior *p, size_t j)
 	bool moves =
 	    b->upper[j] > b->lower[j] && a.sd > 1e-9 * fmax(fabs(a.mean), 1e-9);
 	a.ratio = moves ? a.sd / a.prior : NAN;
-	/* Scaling may make one of them 1 in all draws, which does not mean that
-	 * the data determine it. */
+	/* Scaling may make one of the gauge's parameters 1 in all draws, but
+	 * that does not mean that the data determine it. */
 	if (j < of->gauge) {
 		a.ratio = scatter_of_draw_directions(p, of->gauge);
 		moves = a.ratio > 1e-9;

@@ -7,8 +7,8 @@
 #include "core/model/params.h"
 #include "core/posterior/posterior.h"
 
-/* Grades by the ratio of the standard deviation of a parameter's draws to that
- * of its prior: determined below 0.1, poorly determined below 0.5. */
+/* Grades by the ratio of the standard deviation of a parameter's draws to the
+ * prior's: determined below 0.1, poorly determined below 0.5. */
 enum identify_grade {
 	IDENTIFY_FIXED, /* by its bounds, or because others are scaled to it */
 	IDENTIFY_DETERMINED,
@@ -16,19 +16,19 @@ enum identify_grade {
 	IDENTIFY_NOT
 };
 
-/* The draws of a parameter.  prior: standard deviation of its prior, which is
- * normal, as its table says, or uniform within the bounds (in the gauge, from
- * -1 to 1, as reported).  ratio: sd over prior; in the gauge, a common ratio
- * for the direction: the sine of the angle to the mean direction (RMS) over its
- * value for random directions.  bound: -1 or 1 if at least a fifth of the draws
- * lie within a fiftieth of the range from the lower or upper bound, else 0. */
+/* The draws of a parameter.  prior: the standard deviation of its prior, which
+ * is normal if the model's table gives a spread, else uniform within the bounds
+ * (from -1 to 1 in the gauge, as reported).  ratio: sd over prior; all
+ * parameters in the gauge have the same ratio, for the direction: the RMS sine
+ * of the angle to the mean direction, over its value for random directions.
+ * bound: -1 or 1 if at least a fifth of the draws lie within a fiftieth of the
+ * range from the lower or upper bound, else 0. */
 struct identify_param {
 	double mean, sd, prior, ratio;
 	enum identify_grade grade;
 	int bound;
 };
 
-/* Returns the summary of parameter j of the posterior's model. */
 struct identify_param identify_summarise_param(
     const struct posterior *p, size_t j);
 
@@ -43,9 +43,9 @@ struct identify_pair identify_correlate_params(
 /* Returns the correlation with the larger absolute value. */
 double identify_stronger_correlation(struct identify_pair pair);
 
-/* The break size, m, at tip speed v: mean, standard deviation and middle 80 %
- * of the draws in which something breaks.  below: share of the draws in which
- * it is below a given size. */
+/* The break size, m, at tip speed v: its mean, standard deviation and middle 80
+ * %, over the draws in which something breaks.  below: the share of the draws
+ * in which it is below a given size. */
 struct identify_break {
 	double mean, sd, low, high, below;
 };

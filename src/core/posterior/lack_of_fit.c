@@ -1,5 +1,5 @@
-/* Lack of fit from the lag-one products of the residuals along each run's
- * curve.
+/* Computes the lack of fit from the products of neighbouring residuals along
+ * each run's curve.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/lack_of_fit.h"
 
@@ -10,8 +10,8 @@
 #include "core/numeric/elementary.h"
 #include "core/posterior/ensemble.h"
 
-/* Computes the residuals of the mean answer at a run, r [n] out, and h at the
- * middle between answer and measurement (discrepancy.h). */
+/* Computes r [n], the residuals of the mean answer at a run, and h [n] midway
+ * between answer and measurement (discrepancy.h). */
 static void
 compute_run_residuals(const struct posterior *p, const struct misfit_run *run,
     double *r, double *h)
@@ -56,8 +56,9 @@ product_error_share(const double *r, const double *h, size_t n, double shared)
 }
 
 /* Returns the share of residuals r [m->n_residual] that is smooth along the
- * curves.  Independent errors have no product with their neighbours; of what
- * the smooth answer leaves out, neighbours have half in common. */
+ * curves.  Independent errors of neighbours are uncorrelated; the errors that
+ * the smooth answer leaves have a correlation of a half with their
+ * neighbours. */
 static double
 smooth_share_of_residuals(const struct misfit *m, const double *r)
 {
@@ -100,8 +101,9 @@ index_of_speed(const struct posterior *p, double v)
 	return k;
 }
 
-/* Adds the residuals r of all runs, divided by h, each [m->n_residual], times
- * the share of their run [m->n_run].  Repeats are averaged. */
+/* Adds the residuals r [m->n_residual] of all runs, divided by h
+ * [m->n_residual], times the share [m->n_run] of their run.  Averages
+ * repeats. */
 static void
 add_shares_of_residuals(struct posterior *p, const struct misfit *m,
     const double *r, const double *h, const double *share)
@@ -116,8 +118,8 @@ add_shares_of_residuals(struct posterior *p, const struct misfit *m,
 	}
 }
 
-/* Returns the residuals of the mean answer at all runs, followed by their h, [2
- * * m->n_residual].  The caller frees them. */
+/* Returns [2 * m->n_residual]: the residuals of the mean answer at all runs,
+ * followed by their h.  The caller frees them. */
 static double *
 residuals_of_runs(const struct posterior *p, const struct misfit *m)
 {

@@ -1,12 +1,13 @@
 /* Draws by differential evolution Markov chains.
  *
- * Many chains run side by side, in two halves: a chain of one half moves along
- * the difference of two of the other (ter Braak 2006), so moves have the length
- * and direction of what the data leave undetermined, and jump between the
- * valleys that contain chains.  The search's kernel evaluates a whole half at
- * once.  The warm-up gives the likelihood increasing weight and resamples the
- * chains at each step (population annealing); otherwise, chains that start in a
- * valley of negligible probability stay there for thousands of generations.
+ * Many chains run side by side, in two halves.  A chain of one half moves along
+ * the difference of two chains of the other (ter Braak 2006), so moves have the
+ * length and direction of what the data leave undetermined, and jump between
+ * the valleys that contain chains.  The search's kernel evaluates a whole half
+ * at once.  The warm-up gives the likelihood increasing weight and resamples
+ * the chains at each step (population annealing); without this, chains that
+ * start in a valley of negligible probability stay there for thousands of
+ * generations.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/posterior.h"
 
@@ -28,26 +29,28 @@
 
 enum {
 	CHAINS = POSTERIOR_DRAWS / 2, /* each gives two draws to a batch */
-	BATCHES = 4, /* the draws of one batch are kept, see thin.h */
+	BATCHES = 4, /* as many draws as one batch has are kept; see thin.h */
 	DRAWS_EACH = 2 * BATCHES,
 	HALF = CHAINS / 2,
-	PART =
-	    16,   /* chains of a half that a thread takes at a time, at least */
-	RUNG = 6, /* generations */
+	PART = 16, /* the fewest chains of a half that a thread takes at a
+		   * time */
+	RUNG = 6,  /* generations */
 	WARM_UP = 112,
 	KEPT = 176,
-	RECENT = 5, /* generations that inform the guide during the warm-up */
-	/* One generation in so many moves the hyperparameters; half as often
-	 * during the warm-up. */
+	RECENT = 5, /* generations that inform the guides during the warm-up */
+	/* One generation in this many moves the hyperparameters; in the warm-up
+	 * one in twice as many. */
 	HYPER_EVERY = 6,
-	/* After the warm-up one in so many moves along differences. */
+	/* After the warm-up, one generation in this many moves along
+	 * differences. */
 	ALONG_EVERY = 10,
-	LEAP_EVERY = 10, /* one in so many leaps from valley to valley */
+	LEAP_EVERY = 10, /* one generation in this many leaps from valley to
+			  * valley */
 	STRENGTHS = PARAMS_MOST + HYPERS,
 	COORDINATES = STRENGTHS + STRENGTHS_COORDINATES,
-	NUMBERS = 64, /* random numbers of a chain in a generation */
-	/* So many passings of each run are enough where there are many runs,
-	 * as more would tell little; of few runs as many as fit one matrix. */
+	NUMBERS = 64, /* random numbers for a chain in a generation */
+	/* With many runs, this many passings of each are enough, and more would
+	 * add little; with few runs, as many are used as fit one matrix. */
 	LEAST = 8
 };
 
@@ -57,15 +60,16 @@ static const double FIRST_RUNG = 0.02, RISE = 1.25;
 
 enum { USE_START = 1 << 21, USE_MOVE, USE_ANNEAL, USE_DRAW };
 
-/* x: the coordinates of the parameters (coordinates.h); from PARAMS_MOST on the
- * logarithms of the hyperparameters; from STRENGTHS on the coordinates of the
- * strengths.  likelihood, prior: -ln of them, up to constants. */
+/* x: the coordinates of the parameters (coordinates.h); from PARAMS_MOST on,
+ * the logarithms of the hyperparameters; from STRENGTHS on, the coordinates of
+ * the strengths.  likelihood, prior, hyper_prior: -ln of these densities, up to
+ * constants. */
 struct chain {
 	double x[COORDINATES];
 	double likelihood, prior, hyper_prior;
 	double volume; /* see rescale_to_cells */
-	double more;   /* of a guided move, see guide_propose */
-	double *U, *d; /* covariance_factor; simulated - measured */
+	double more;   /* correction of a guided move; see guide_propose */
+	double *U, *d; /* of covariance_factor; simulated - measured */
 };
 
 struct sampler {
@@ -82,7 +86,7 @@ struct sampler {
 	struct cell *cell;
 	double *measured; /* passings of the cells */
 	struct covariance *covariance;
-	double *scheme; /* error of the kernel's differences at the fit */
+	double *scheme; /* exact minus the kernel's differences, at the fit */
 	struct kernel *kernel;
 	struct pool *pool;
 	uint64_t seed, generation;
@@ -93,16 +97,16 @@ struct sampler {
 	bool started; /* both halves have started */
 	bool hyper;   /* the hyperparameters move, not the parameters */
 	bool guided;  /* the guides propose the moves */
-	/* The guides of chains with one strength and with two, their factors,
-	 * and the factor for all hyperparameters; ln of the share of moves to
-	 * either kind. */
+	/* The guides of the chains with one strength and of those with two,
+	 * their factors, and the factor for all hyperparameters; ln of the
+	 * share of moves to each kind. */
 	struct guide guide[2];
 	struct guide_subset kind[2], hypers;
 	double log_share[2];
 	double told; /* generations that inform the guides */
-	/* The trials in the order in which they are evaluated, those with two
-	 * strengths first: their indices, parameters, e0_min of the softer rock
-	 * and its share, and differences. */
+	/* The trials in the order of evaluation, those with two strengths
+	 * first: their indices, parameters, e0_min and share of the softer
+	 * rock, and differences. */
 	size_t order[HALF];
 	double *theta[PARAMS_MOST], softer[HALF], share_softer[HALF];
 	double *difference, *misfit;
@@ -110,16 +114,16 @@ struct sampler {
 };
 
 /* Rescales the differences of a trial d [n_cell], simulated - measured, from
- * its own h to that of the cells (list_measured_cells).  One covariance then
- * serves all trials, and a trial is judged by the same measure that corrects a
- * draw (discrepancy_correct_passing).  Returns ln of the factor by which this
- * shrinks a volume. */
+ * its own h to that of the cells (list_measured_cells).  Then one covariance
+ * serves all trials, and a trial is compared in the same way as a draw is
+ * corrected (discrepancy_correct_passing).  Returns ln of the factor by which
+ * this shrinks a volume. */
 static double
 rescale_to_cells(const struct sampler *s, double *d)
 {
 	enum {
 		AT_ONCE = 16
-	}; /* logarithms at once: the product does not overflow */
+	}; /* factors for one logarithm: their product does not overflow */
 	const double floor = 0.05;
 	double level = 0, product = 1;
 	for (size_t k = 0; k < s->n_cell; k++) {
@@ -136,7 +140,6 @@ rescale_to_cells(const struct sampler *s, double *d)
 	return level + el_log(product);
 }
 
-/* Evaluates the trial at a place of the order. */
 static void
 evaluate_trial(struct sampler *s, size_t place, double *work)
 {
@@ -165,7 +168,6 @@ evaluate_trial(struct sampler *s, size_t place, double *work)
 		trial->prior = INFINITY;
 }
 
-/* Computes the differences of the trials from..to-1 in the order. */
 static void
 compute_differences_of_trials(
     struct sampler *s, size_t from, size_t to, unsigned thread)
@@ -196,7 +198,6 @@ strengths_of_trial(const struct sampler *s, const double *x)
 		      : (struct strengths){0, 1, 1};
 }
 
-/* Puts trial i into a place of the order. */
 static void
 place_trial_in_order(
     struct sampler *s, size_t i, struct strengths rock, size_t place)
@@ -256,7 +257,7 @@ propose_along_difference(struct sampler *s, size_t i, struct rng_key key)
 	coordinates_reflect_at_bounds(&s->coordinates, x);
 }
 
-/* Returns 1 if the rock has two strengths, otherwise 0. */
+/* Returns 1 if the rock has two strengths, else 0. */
 static size_t
 index_of_strength_kind(const struct sampler *s, const double *x)
 {
@@ -275,8 +276,8 @@ log_guided_density(const struct sampler *s, const double *x)
 	return kind == 0 ? sum + el_log(2) : sum;
 }
 
-/* Draws the coordinates of the strengths from their prior.  The rock has only
- * one strength, so nothing is known of them.  Returns the same as
+/* Draws the coordinates of the strengths from their prior, as the data say
+ * nothing about them if the rock has only one strength.  Returns the same as
  * guide_propose. */
 static double
 draw_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
@@ -290,10 +291,10 @@ draw_strengths_from_prior(double *x, struct rng_key key, uint32_t at)
 	return more;
 }
 
-/* Proposes for chain i by drawing some coordinates anew.  In every other
- * generation these are half of the parameters; in the others all of them, and
- * whether the rock has one strength or two.  Small steps hardly ever change
- * that, and each kind has its own mean and covariance. */
+/* Proposes a move of chain i by redrawing some coordinates.  In every other
+ * generation these are about half of the parameters; in the rest, all of them,
+ * and also whether the rock has one strength or two, which small steps hardly
+ * ever change.  Each kind has its own mean and covariance. */
 static void
 propose_guided_move(struct sampler *s, size_t i, struct rng_key key)
 {
@@ -318,7 +319,8 @@ propose_guided_move(struct sampler *s, size_t i, struct rng_key key)
 			      log_guided_density(s, now);
 }
 
-/* Lists the coordinates that move, at [COORDINATES] out. */
+/* Lists the coordinates that move in at [COORDINATES] and returns their
+ * number. */
 static size_t
 list_moving_coordinates(const struct sampler *s, size_t *at)
 {
@@ -332,8 +334,8 @@ list_moving_coordinates(const struct sampler *s, size_t *at)
 	return n;
 }
 
-/* A kind with few chains is blended with all chains, which tell more than these
- * few alone. */
+/* Factors the guides of this generation.  A kind with few chains is blended
+ * with all chains, which say more than these few alone. */
 static void
 factor_guide_covariances(struct sampler *s)
 {
@@ -356,10 +358,11 @@ factor_guide_covariances(struct sampler *s)
 	}
 }
 
-/* Chooses the kind of move of a generation.  Along differences alone, chains
- * forget where they were after 100 to 400 generations, so most moves are
- * guided. During the warm-up parameters move along differences, because the
- * cloud of chains has no useful shape while they are still choosing valleys. */
+/* Chooses the kind of move of a generation.  With moves along differences
+ * alone, chains take 100 to 400 generations to forget where they were, so most
+ * moves are guided.  During the warm-up, parameters move along differences,
+ * because the cloud of chains has no useful shape while they are still choosing
+ * valleys. */
 static void
 choose_kind_of_move(struct sampler *s)
 {
@@ -380,7 +383,6 @@ swap_pointers(double **a, double **b)
 	*b = other;
 }
 
-/* Takes the trial as the chain's next state. */
 static void
 accept_trial(struct chain *chain, struct chain *trial, bool hyper)
 {
@@ -409,7 +411,7 @@ accept_or_reject_trial(struct sampler *s, size_t i, struct rng_key key)
 	accept_trial(now, trial, s->hyper);
 }
 
-/* Changes to the other half.  True if both have moved. */
+/* Switches to the other half.  Returns true if both have moved. */
 static bool
 switch_to_other_half(struct sampler *s)
 {
@@ -417,7 +419,7 @@ switch_to_other_half(struct sampler *s)
 	return s->first == 0;
 }
 
-/* Moves a half.  True if that completes a generation. */
+/* Moves a half.  Returns true if that completes a generation. */
 static bool
 move_half_of_chains(struct sampler *s)
 {
@@ -497,8 +499,8 @@ copy_chain(const struct sampler *s, struct chain *to, const struct chain *from)
 	to->hyper_prior = from->hyper_prior;
 }
 
-/* Lets a larger share of the likelihood count, and resamples the chains by the
- * probability that they gain. */
+/* Lets a larger share of the likelihood count, and resamples the chains with
+ * weights in proportion to the resulting change of their probability. */
 static void
 temper_chains(struct sampler *s, double share)
 {
@@ -545,7 +547,6 @@ add_chains_to_sums(struct sums *sums, const struct sampler *s)
 		}
 }
 
-/* Returns Gelman and Rubin's R of a coordinate. */
 static double
 gelman_rubin(const struct sums *sums, size_t j)
 {
@@ -608,7 +609,7 @@ make_knots(
 		const struct psd *feed = &site->run[r].feed;
 		coarsest = fmax(coarsest, feed->size[0]);
 		finest = fmin(finest, feed->size[feed->n - 1]);
-		/* With many runs the ends of their feeds would make too many
+		/* With many runs, the ends of their feeds would make too many
 		 * knots. */
 		if (s->n_cell > COVARIANCE_FEW)
 			continue;
@@ -640,8 +641,8 @@ index_of_knot(const struct posterior *p, double log_size)
 	return k;
 }
 
-/* The random numbers of a draw.  The two draws of a chain have opposite signs,
- * so that the error of their mean is smaller. */
+/* The random numbers of a draw.  The two draws of a chain use the same numbers
+ * with opposite signs, so that the error of their mean is smaller. */
 struct noise {
 	enum isa isa;
 	struct rng_key key;
@@ -671,8 +672,8 @@ sample_gaussian_process(
 			f[i] += U[k * n + i] * work[k];
 }
 
-/* Covariances of pairs of knots (discrepancy_covariances_of_pairs), and their
- * factors. */
+/* The covariances of pairs of knots (discrepancy_covariances_of_pairs), and
+ * their Cholesky factors. */
 struct knot_pairs {
 	double *f, *error;     /* [m * (m + 1) / 2] */
 	double *wide, *shared; /* [m * m] */
@@ -710,8 +711,8 @@ knot_pairs_clear(struct knot_pairs *k)
 	free(k->shared);
 }
 
-/* Simulates the differences of an artificial plant, d [n_cell] out: the
- * processes as drawn from the prior, and errors drawn likewise. */
+/* Simulates d [n_cell], the differences of an artificial plant with processes
+ * and errors drawn from the prior. */
 static void
 simulate_plant_differences(const struct sampler *s, const struct posterior *p,
     const struct posterior_draw *draw, double *const *process,
@@ -736,9 +737,9 @@ simulate_plant_differences(const struct sampler *s, const struct posterior *p,
 	free(work);
 }
 
-/* Conditions processes from the prior on the data (Matheron's rule): adds what
- * the data show beyond those of the artificial plant.  pair: knot_pairs.f,
- * because the sizes of the cells are among the knots. */
+/* Conditions processes drawn from the prior on the data (Matheron's rule),
+ * using the differences between the data and the artificial plant's, d.  pair:
+ * knot_pairs.f, because the sizes of the cells are among the knots. */
 static void
 condition_processes_on_data(const struct sampler *s, const struct posterior *p,
     const struct chain *chain, const double *pair, double slope,
@@ -761,7 +762,6 @@ condition_processes_on_data(const struct sampler *s, const struct posterior *p,
 	}
 }
 
-/* Makes draw number `at`. */
 static void
 make_posterior_draw(const struct sampler *s, struct posterior *p,
     const struct chain *chain, struct noise noise, size_t at)
@@ -810,9 +810,9 @@ mean_energy_of_runs(const struct misfit *m)
 	return sum / (double)m->n_run;
 }
 
-/* Returns the fit, and changes its bounds, in the model with gamma that
- * contains the fit's own model, if there is one and Eq 1 is not read in another
- * form (D3). */
+/* Returns the fit, and converts its bounds, in the model with gamma that
+ * extends the fit's own, if there is one and Eq 1 is used in the form `ratio`
+ * (D3). */
 static struct params
 widen_to_model_with_gamma(const struct params *p, double energy,
     struct model_settings *settings, struct bounds *bounds)
@@ -845,8 +845,8 @@ widen_to_model_with_gamma(const struct params *p, double energy,
 	return q;
 }
 
-/* h is taken at the middle between the measured passing and the fit's, because
- * either may be an outlier. */
+/* Lists the measured passings.  h is taken midway between the measured passing
+ * and the fit's, because either may be an outlier. */
 static void
 list_measured_cells(struct sampler *s, const struct misfit *m, const double *d)
 {
@@ -882,7 +882,7 @@ allocate_sampler(struct sampler *s)
 	}
 }
 
-/* Computes the error of the kernel's differences at the fit: exact d minus the
+/* Computes the kernel's error at the fit: the exact differences d minus the
  * kernel's. */
 static void
 measure_error_of_kernel(struct sampler *s, const double *d)
@@ -898,8 +898,8 @@ measure_error_of_kernel(struct sampler *s, const double *d)
 		s->scheme[k] = d[k] - s->difference[k * HALF];
 }
 
-/* As many trials at once as leave no thread idle: the kernel finds more that
- * are alike among more. */
+/* Returns the largest number of trials at a time that leaves no thread idle:
+ * among more trials, the kernel finds more that are alike. */
 static size_t
 count_trials_at_once(unsigned threads)
 {
@@ -985,8 +985,8 @@ copy_site_with_smooth_feeds(const struct site *site)
 	return copy;
 }
 
-/* Marks the runs that inform the draws, [n_run].  The caller frees the
- * marks. */
+/* Returns marks [n_run] of the runs that inform the draws.  The caller frees
+ * them. */
 static bool *
 mark_informing_runs(const struct site *site, const bool *use)
 {
@@ -1073,7 +1073,7 @@ posterior_begin(const struct site *measured, const struct params *fit,
 	return run;
 }
 
-/* Returns how many draws each chain should have made by now. */
+/* Returns the number of draws that each chain should have made by now. */
 static size_t
 count_draws_due(const struct sampler *s)
 {

@@ -11,27 +11,27 @@
 #include "core/numeric/isa.h"
 #include "core/psd/site.h"
 
-/* use [n_run]: the runs that inform the posterior; at least one has a product.
- * settings, bounds: of the fit.  stop may be NULL. */
-/* What tip speeds are known to where nobody states it: rounding, belt slip,
- * worn tips; a standard deviation, as a share. */
+/* The usual error of tip speeds, if none is stated, from rounding, belt slip
+ * and worn tips: a standard deviation, as a share. */
 #define POSTERIOR_USUAL_SPEED_SD 0.005
 
+/* use [n_run]: the runs that inform the posterior; at least one must have a
+ * product.  settings, bounds: those of the fit.  stop may be NULL. */
 struct posterior_options {
 	const bool *use;
 	struct model_settings settings;
 	struct bounds bounds;
 	uint64_t seed;
-	double noise;    /* known sigma_i, passing 0..1; 0: the prior's */
+	double noise;    /* known sigma_i, passing 0..1; 0: not known */
 	double speed_sd; /* of stated tip speeds, as a share; 0: exact */
 	unsigned threads;
 	enum isa isa;
 	bool (*stop)(void);
 };
 
-/* p: the fit.  Feeds are smooth between their sieves (D18).  The same seed
- * gives the same bits with any number of threads and any instruction set.
- * Returns NULL if stop returned true.  Free with posterior_free. */
+/* p: the fit.  Feeds are taken to be smooth between their sieves (D18).  The
+ * same seed gives the same bits with any number of threads and any instruction
+ * set.  Returns NULL if stop returned true.  Free with posterior_free. */
 struct posterior *posterior_new(const struct site *site, const struct params *p,
     const struct posterior_options *options);
 

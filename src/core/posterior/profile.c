@@ -1,5 +1,5 @@
-/* Refits all other parameters with the polish at each value of one; estimates
- * densities of draws with a Gaussian kernel (Silverman 1986).
+/* Refits all other parameters by a polish at each value of one parameter;
+ * estimates densities of draws with a Gaussian kernel (Silverman 1986).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/profile.h"
 
@@ -8,18 +8,16 @@
 
 #include "core/search/polish.h"
 
-/* Steps of one polish.  It starts where that of its neighbour ended. */
+/* Evaluations in one polish, which starts where its neighbour's ended. */
 enum { STEPS = 60 };
 
-/* Fixes the largest parameter of the gauge, and keeps the others within its
+/* Fixes the largest parameter of the gauge and limits the others to its
  * size. */
 static void
 bounds_fix_gauge(struct bounds *b, const struct params *p)
 {
-	size_t gauge = breakage_model_of_params(p)->gauge, largest = 0;
-	for (size_t i = 1; i < gauge; i++)
-		if (fabs(p->at[i]) > fabs(p->at[largest]))
-			largest = i;
+	size_t gauge = breakage_model_of_params(p)->gauge;
+	size_t largest = params_index_of_largest(p);
 	for (size_t i = 0; i < gauge; i++) {
 		double size = fabs(p->at[largest]);
 		b->lower[i] = i == largest ? p->at[i] : -size;

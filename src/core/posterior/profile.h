@@ -5,11 +5,11 @@
 
 #include "core/search/misfit.h"
 
-/* Computes the lowest misfit [n] with parameter j held at each of x [n],
- * rising, and the others refitted within the bounds, by a polish from the
- * neighbouring result, outward from the fit.  p: the fit.  For a parameter in
- * the gauge the gauge's largest parameter is also held, and the others stay
- * within its size (D4); the profile of the largest itself is flat. */
+/* Computes misfit [n]: the lowest misfit with parameter j held at each of x
+ * [n], rising, and the others refitted within the bounds.  Works outward from
+ * the fit p, with a polish that starts at the neighbouring result.  If j is in
+ * the gauge, the gauge's largest parameter is also held, and the others do not
+ * exceed it (D4); the profile of the largest itself is flat. */
 void profile_misfit(struct misfit *m, const struct params *p,
     const struct bounds *bounds, size_t j, const double *x, size_t n,
     double *misfit);

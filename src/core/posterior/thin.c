@@ -1,6 +1,7 @@
-/* A random subset of draws has random errors in everything.  Instead, one of
- * each pair is kept, chosen to preserve the sums that matter (as in the walks
- * of Alweiss, Liu and Sawhney 2021 and Dwivedi and Mackey 2024).
+/* Chooses draws.  A random subset would have random errors in everything.
+ * Instead, one draw of each pair is kept, chosen to preserve the sums that
+ * matter (as in the walks of Alweiss, Liu and Sawhney 2021 and Dwivedi and
+ * Mackey 2024).
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/posterior/thin.h"
 
@@ -13,8 +14,8 @@
 #include "base/xalloc.h"
 #include "core/posterior/ensemble.h"
 
-/* An answer has three features: its value, and on which side of each end of the
- * band it is, see add_answer_features. */
+/* An answer has three features: its value, and the side of each end of the band
+ * on which it lies; see add_answer_features. */
 enum { SPEEDS = 5, SIEVES = 16, FEATURES = 3 };
 
 struct thin {
@@ -75,16 +76,16 @@ thin_add_answers_of_batch(struct thin *t, const struct posterior *batch)
 	t->added += POSTERIOR_DRAWS;
 }
 
-/* Returns on which side of an end a value is, from -1 to 1; near the end it
- * changes gradually. */
+/* Returns the side of a band's end on which a value lies, from -1 to 1, with a
+ * gradual change near the end. */
 static double
 soft_sign_of_distance(double off)
 {
 	return fmin(fmax(3 * off, -1), 1);
 }
 
-/* Adds the features of an answer to the rows [n][width] of the candidates, and
- * the answer itself to `by`, by which they are sorted. */
+/* Writes the features of an answer to the candidates' rows [n][width], and adds
+ * the answer to `by`, the values by which candidates are sorted. */
 static void
 add_answer_features(
     const double *answer, size_t n, double *row, size_t width, double *by)
@@ -105,9 +106,9 @@ add_answer_features(
 	}
 }
 
-/* Chooses the one of a pair that brings the sums [width] of the features of
- * those kept nearer to those of the others: 1 is the first, -1 the second.
- * *sign holds the earlier choice, or 0.  True if the choice changed. */
+/* Chooses the draw of a pair so that the sums [width] of features of the kept
+ * and of the other draws come closer.  *sign is the choice so far: 1 for the
+ * first, -1 for the second, 0 for none.  Returns true if the choice changed. */
 static bool
 choose_draw_of_pair(const double *one, const double *two, size_t width,
     double *sum, double *sign)
@@ -124,7 +125,8 @@ choose_draw_of_pair(const double *one, const double *two, size_t width,
 	return *sign != was;
 }
 
-/* Keeps one of each pair.  The pairs choose in turn until no choice changes. */
+/* Keeps one draw of each pair.  The pairs choose in turn until no choice
+ * changes. */
 static void
 keep_draw_of_each_pair(const double *row, size_t width, size_t *list, size_t n)
 {
@@ -158,7 +160,8 @@ sort_halves_by_value(const double *by, size_t n, size_t *list)
 		list[i] += half;
 }
 
-/* Keeps answers from falling with the speed (D23), here over a few speeds. */
+/* Keeps answers from falling with the speed (D23) over the few speeds used
+ * here. */
 static void
 keep_answers_from_falling(struct thin *t)
 {
@@ -201,11 +204,11 @@ thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS])
  * of the change between them (doc/decisions/straight-answers.md). */
 static const double LINE = 0.15;
 
-/* The largest share.  Some draws always stay as drawn, so that a band of 80 %
- * covers both ways. */
+/* The largest share of straight draws.  Some draws always stay as drawn, so
+ * that a band of 80 % covers both courses. */
 static const double MOST = 0.75;
 
-/* Computes the means of model and answer at a speed, [n] each. */
+/* Computes the means of model [n] and answer [n] at a speed. */
 static void
 find_mean_model_and_answer(
     struct ensemble *e, double v, double *model, double *answer)

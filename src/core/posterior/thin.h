@@ -8,8 +8,8 @@
 #include "core/posterior/draws.h"
 #include "core/psd/site.h"
 
-/* Candidates come in batches of POSTERIOR_DRAWS; POSTERIOR_DRAWS of all are
- * kept.  Free with thin_free. */
+/* Candidates come in batches of POSTERIOR_DRAWS; of all candidates,
+ * POSTERIOR_DRAWS are kept.  Free with thin_free. */
 struct thin;
 struct thin *thin_new(const struct site *site, size_t batches);
 void thin_free(struct thin *t);
@@ -26,21 +26,21 @@ void thin_choose_draws(struct thin *t, size_t chosen[static POSTERIOR_DRAWS]);
 
 /* Sets the share q of the kept draws that are linear between measured speeds.
  *
- * D25: between two measured speeds an answer averages two ways in which the
- * truth may run: as drawn, or along a straight line in v^2.  With P the product
- * as drawn, a share q of the draws are
+ * D25: between two measured speeds, an answer averages two possible courses of
+ * the truth: as drawn, or along a straight line in v^2.  With P the product as
+ * drawn, a share q of the draws are
  *   P(v_a) + (P(v_b) - P(v_a)) (v^2 - v_a^2) / (v_b^2 - v_a^2)
  * through the next measured speeds below and above; all others are P(v).  The
- * weights are those that average two estimates best,
+ * weights are the best for an average of two estimates,
  *   q = 0.75 missed^2 / (missed^2 + 0.15^2)
  *   missed^2 = sum (change of the correction)^2 / sum (change of the answer)^2
  * over the sieves and from each measured speed to the next, using the means of
  * the draws.  Between two measured speeds, a model errs in proportion to the
  * share of the change between them that it misses; the straight line errs by
  * the curvature of the truth, for which 0.15 stands.  However wrong the model
- * is, a quarter of the draws are kept as drawn, because the line may be equally
- * wrong; the band then covers both.  At and beyond the measured speeds nothing
- * changes, and whatever rises with the speed still does. */
+ * is, a quarter of the draws stay as drawn, because the line may be equally
+ * wrong; the band then covers both.  Nothing changes at and beyond the measured
+ * speeds, and passings still do not fall with the speed. */
 void thin_set_straight_share(const struct thin *t, struct posterior *p);
 
 #endif

@@ -1,5 +1,5 @@
-/* Triangles and covariances by rows.  Sums are added in the order written, so
- * all instruction sets give the same bits.
+/* Triangular matrices and covariances by rows.  Terms are added in the order
+ * written, so all instruction sets give the same bits.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
 #include <string.h>
@@ -8,12 +8,12 @@
 #include "core/posterior/discrepancy.h"
 #include "core/search/lanes.h"
 
-/* TAKEN columns are processed at a time, counted from the last. */
+/* TAKEN columns are processed at a time, starting from the last. */
 enum { TAKEN = 8, VECTORS = TAKEN / LANES };
 
-/* Subtracts p times each row from TAKEN numbers of `to`, row by row.  row: the
- * first row, n numbers before the next; p: the factor of the first row, step
- * numbers before the next. */
+/* Subtracts each row times its factor from TAKEN numbers of `to`, row by row.
+ * row: the first row, with the next n numbers further on; p: the first row's
+ * factor, with the next `step` numbers further on. */
 static inline void
 subtract_rows(double *to, const double *row, const double *p, size_t step,
     size_t n, size_t rows)
@@ -71,7 +71,7 @@ solve_lower(const double *U, size_t n, double *d)
 }
 
 /* Computes the covariances of cell i with itself and all later cells.  of_f,
- * of_error: covariances of its size with the others. */
+ * of_error: the covariances of its size with all sizes. */
 static inline void
 fill_covariance_row(const struct cell_columns *c, size_t i,
     const double *restrict of_f, const double *restrict of_error,
@@ -131,7 +131,7 @@ fill_covariance(
 	}
 }
 
-/* Sums the same numbers as rng_normal, in the same order. */
+/* Sums the same numbers in the same order as rng_normal. */
 static void
 draw_normals(struct rng_key key, uint32_t next, size_t n, double *restrict z)
 {

@@ -44,7 +44,8 @@ blend_new(const struct psd *const *feed, const double *part, size_t n)
 	return blend;
 }
 
-/* Those of feeds [n] that are not the same as one before; returns how many. */
+/* Sets out to the feeds [n] without empty ones and repetitions; returns their
+ * number. */
 static size_t
 find_distinct_feeds(
     const struct psd *const *feed, size_t n, const struct psd **out)
@@ -77,7 +78,8 @@ blend_mean_of_feeds(const struct psd *const *feed, size_t n)
 			here += psd_passing(own[i], x);
 			before += psd_passing(own[i], above);
 		}
-		/* Where one has ended the mean falls as the others do. */
+		/* Below the finest sieve of a feed, the mean falls as the
+		 * others do. */
 		mean.passing[k] = known == n ? here / (double)n
 				  : before > 0
 				      ? mean.passing[k - 1] * here / before

@@ -58,7 +58,7 @@ psd_passing(const struct psd *psd, double x)
 	return psd->passing[psd->n - 1];
 }
 
-/* Half octaves from one size to a finer one, at least 1. */
+/* Returns the number of half octaves between two sizes, rounded, at least 1. */
 static size_t
 count_half_octaves(double coarse, double fine)
 {
@@ -66,15 +66,16 @@ count_half_octaves(double coarse, double fine)
 	return n < 1.5 ? 1 : (size_t)(n + 0.5);
 }
 
-/* The slope of the straight line from sieve i to the next, in ln of size. */
+/* Returns the slope of the straight line from sieve i to the next, in ln of
+ * size. */
 static double
 chord_slope(const double *x, const double *P, size_t i)
 {
 	return (P[i] - P[i + 1]) / (x[i] - x[i + 1]);
 }
 
-/* The slope of the smooth curve at sieve i: so small that it neither rises nor
- * falls between two sieves where the lines beside it do not. */
+/* Returns the slope of the smooth curve at sieve i, limited so that the curve
+ * is monotone between sieves. */
 static double
 smooth_slope_at_sieve(const double *x, const double *P, size_t n, size_t i)
 {
@@ -88,8 +89,9 @@ smooth_slope_at_sieve(const double *x, const double *P, size_t n, size_t i)
 	       fmin(fabs(finer), fmin(fabs(coarser), 0.5 * fabs(middle)));
 }
 
-/* The smooth curve at a size between sieves i and i + 1, of which `at` is ln.
- * Source: Steffen, Astronomy and Astrophysics 239 (1990) 443. */
+/* Returns the passing of the smooth curve at a size between sieves i and i + 1;
+ * `at` is ln of the size.  Source: Steffen, Astronomy and Astrophysics 239
+ * (1990) 443. */
 static double
 interpolate_smooth_passing(
     const double *x, const double *P, size_t n, size_t i, double at)
@@ -183,7 +185,7 @@ psd_size_at_passing(const struct psd *psd, double passing)
 		double above = psd->passing[i - 1], below = psd->passing[i];
 		if (passing < below)
 			continue;
-		/* On a level stretch every size would do: take the first
+		/* Where the curve is level, any size would do: take the first
 		 * interval's finer end. */
 		double t =
 		    above > below ? (passing - below) / (above - below) : 0;
@@ -263,8 +265,8 @@ psd_deviation_from_chord(const struct psd *psd, size_t i)
 	return p[0] - (p[1] + t * (p[-1] - p[1]));
 }
 
-/* The bend of a curve at sieve i of another; NAN where it has not the same
- * three sieves side by side. */
+/* Returns the bend of a curve at sieve i of another curve, or NAN if it does
+ * not have the same three sieves side by side. */
 static double
 bend_at_same_sieves(const struct psd *curve, const struct psd *of, size_t i)
 {
@@ -276,7 +278,8 @@ bend_at_same_sieves(const struct psd *curve, const struct psd *of, size_t i)
 	return NAN;
 }
 
-/* Bend of curve c at its sieve i less the mean bend of the others there. */
+/* Returns the bend of curve c at its sieve i minus the mean bend of the others
+ * there. */
 static struct psd_outlier
 deviation_less_mean_of_others(
     const struct psd *const *curve, size_t n, size_t c, size_t i)

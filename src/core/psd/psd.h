@@ -34,10 +34,10 @@ double psd_passing(const struct psd *psd, double x);
  * have no corners (D18). */
 struct psd psd_smooth_curve(const struct psd *psd);
 
-/* Returns a curve at the sizes [n], m, coarsest first, and at further sizes
- * between neighbours more than a tenth apart (a seventh, below a tenth of the
- * coarsest): close enough for the break sizes and corners of a product.
- * All passings are set to 0.  Free with psd_free. */
+/* Returns a curve at the sizes [n], m, coarsest first, with sizes added so that
+ * neighbours are at most a tenth apart (a seventh among those finer than a
+ * tenth of the coarsest): close enough to follow the corners of a product.  All
+ * passings are 0.  Free with psd_free. */
 struct psd psd_new_with_sizes_between(const double *size, size_t n);
 
 /* True if both are identical to the last bit and not empty. */
@@ -51,8 +51,8 @@ double psd_passing_at_sieve(const struct psd *psd, double x);
  * outside the sieves. */
 double psd_size_at_passing(const struct psd *psd, double passing);
 
-/* The sizes that summarise a product, P20, P50 and P80: their passings, names
- * and keys, "p80", which are also options. */
+/* The sizes that summarise a product, P20, P50 and P80: their passings, names,
+ * and keys such as "p80", which are also options. */
 enum { PSD_SIZES = 3 };
 extern const double PSD_PASSING[PSD_SIZES];
 extern const char *const PSD_NAME[PSD_SIZES], *const PSD_KEY[PSD_SIZES];
@@ -71,7 +71,8 @@ bool psd_covers_size(const struct psd *psd, double x);
 size_t psd_sort_distinct_sizes(double *x, size_t n, double apart);
 
 /* Returns the root mean square difference of passing, 0..1, between two curves
- * at n sizes.  worst: index of the largest difference, out; may be NULL. */
+ * at n sizes.  Sets *worst, if worst is not NULL, to the index of the largest
+ * difference. */
 double psd_rms_difference(
     const double *a, const double *b, size_t n, size_t *worst);
 

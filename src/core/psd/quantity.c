@@ -1,5 +1,5 @@
 /* Reads passings, sizes, shares, fineness moduli and coefficients off a curve,
- * and their distances from limits as passings.
+ * and computes their distances from limits as passings.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/quantity.h"
 
@@ -103,7 +103,8 @@ quantity_read_off_curve(
 	return NAN;
 }
 
-/* What is missing at a size that a share should not pass. */
+/* Returns how much less than `share` passes the size; negative if more does, or
+ * NAN if the passing there is not known. */
 static double
 share_coarser_than(const struct psd *curve, double share, double size)
 {

@@ -26,8 +26,8 @@ extern const struct modulus MODULUS[MODULI];
  * and a row of KINDS in cmd/ask/quantity_words.c; the compiler and
  * tests/unit/test_conditions.c report what is missing. */
 enum quantity_kind {
-	QUANTITY_SIZE,       /* size, m, that the share x passes: P80, D80 */
-	QUANTITY_PASSING,    /* at size x, m; 0..1 */
+	QUANTITY_SIZE,       /* the size, m, that share x passes: P80, D80 */
+	QUANTITY_PASSING,    /* passing at size x, m; 0..1 */
 	QUANTITY_SHARE,      /* share of the product in the fraction; 0..1 */
 	QUANTITY_MODULUS,    /* fineness modulus */
 	QUANTITY_UNIFORMITY, /* D60 / D10 */
@@ -43,7 +43,7 @@ struct quantity {
 	size_t n_sieve;
 	const double *sieve; /* [n_sieve] m, coarsest first; not owned */
 	struct fraction fraction;
-	/* As the user typed it: a size 'D', or 0 for P; a passing 'f' for
+	/* How the user typed it.  A size: 'D', or 0 for P; a passing: 'f' if as
 	 * fines. */
 	char letter;
 };
@@ -53,7 +53,6 @@ struct quantity {
  * it may do either. */
 int quantity_change_if_finer(const struct quantity *q);
 
-/* True if both are the same quantity. */
 bool quantity_is_same(const struct quantity *a, const struct quantity *b);
 
 /* Returns the value read off the curve of the fraction, or NAN if the curve
@@ -64,10 +63,10 @@ double quantity_read_off_curve(
 /* Returns how far a value read off the fraction's curve is above a limit, as a
  * passing 0..1, so that all limits can be compared.  For a passing, share or
  * step it is the difference; for D and P, the shortfall in passing at the size
- * of the limit; for Cu and Cc, that at the size implied by the limit and the
- * other sizes; for a modulus, the difference divided by its number of sieves.
- * Positive exactly where the value is above the limit; NAN where the curve does
- * not reach that far. */
+ * of the limit; for Cu and Cc, the shortfall at the size that the limit and the
+ * other sizes imply; for a modulus, the difference divided by its number of
+ * sieves.  Positive exactly where the value is above the limit; NAN where the
+ * curve does not reach that far. */
 double quantity_excess_as_passing(const struct quantity *q, double limit,
     double value, const struct psd *curve);
 
@@ -75,9 +74,9 @@ double quantity_excess_as_passing(const struct quantity *q, double limit,
  */
 bool quantity_excess_needs_curve(const struct quantity *q);
 
-/* Lists the sizes, m, at which the curve needs points for the value to be
- * exact: [QUANTITY_POINTS] out, including the first STEP_SIEVES of a step's
- * sieves.  Returns their number. */
+/* Lists in [QUANTITY_POINTS] the sizes, m, at which the curve needs points for
+ * the value to be exact; of a step's sieves, only the first STEP_SIEVES.
+ * Returns their number. */
 enum { STEP_SIEVES = 20, QUANTITY_POINTS = STEP_SIEVES + 2 };
 size_t quantity_sizes_needed(
     const struct quantity *q, double size[static QUANTITY_POINTS]);

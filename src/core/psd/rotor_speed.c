@@ -1,4 +1,4 @@
-/* Rotor speeds in words.
+/* Formats rotor speeds for sentences.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/psd/rotor_speed.h"
 

@@ -1,5 +1,5 @@
-/* Rotor speeds in rpm, and the tip speeds that they are: v = pi D n / 60.
- * diameter: of the rotor, m; 0 if it is not stated.
+/* Rotor speeds in rpm and as tip speeds: v = pi D n / 60.  diameter: of the
+ * rotor, m; 0 if not stated.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_PSD_ROTOR_SPEED_H
 #define TIPSPEED_CORE_PSD_ROTOR_SPEED_H
@@ -13,8 +13,8 @@ rotor_speed_to_rpm(double v, double diameter)
 	return 60 * v / (3.14159265358979323846 * diameter);
 }
 
-/* Converts rpm to a tip speed, m/s, to a hundredth: rpm are known to one in a
- * thousand. */
+/* Converts rpm to a tip speed, m/s, rounded to a hundredth: rpm are known to
+ * one in a thousand. */
 static inline double
 rotor_speed_from_rpm(double rpm, double diameter)
 {

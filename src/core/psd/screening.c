@@ -16,7 +16,7 @@ partition_share_to_oversize(const struct partition *p, double opening, double d)
 	double ratio = d / (opening * (p->cut_size > 0 ? p->cut_size : 1));
 	if (!(p->sharpness > 0))
 		return ratio > 1;
-	/* Divided by e^a, so that nothing overflows. */
+	/* Both are divided by e^a to avoid overflow. */
 	double far = el_exp(-p->sharpness);
 	double rest =
 	    (1 - far) /
@@ -30,8 +30,9 @@ fraction_is_screened(const struct fraction *fraction)
 	return fraction->fine > 0 || fraction->coarse > 0;
 }
 
-/* The mean over a class, by Gauss's four points in ln d for every third of an
- * octave or less; of an ideal screen the part of it above the cut. */
+/* Returns the mean over a class, by four Gauss points in ln d for every third
+ * of an octave or less; for an ideal screen, the part of the class above the
+ * cut. */
 static double
 mean_oversize_share_of_class(
     const struct partition *p, double opening, double coarse, double fine)

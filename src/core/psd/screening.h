@@ -8,7 +8,8 @@
 
 #include "core/psd/psd.h"
 
-/* How well a screen separates: the share of size d that goes to the oversize is
+/* How well a screen separates.  The share of the particles of size d that go to
+ * the oversize is
  *   E(d) = 1 - (e^a - 1) / (e^(a d / d50) + e^a - 2)
  * where a is the sharpness and d50 = cut_size times the opening is the size
  * split in half.  Source: Whiten's efficiency curve without water (Napier-Munn
@@ -24,7 +25,7 @@ double partition_share_to_oversize(
     const struct partition *partition, double opening, double d);
 
 /* The material that passes the screen `coarse` and stays on the screen `fine`,
- * m; 0: no such screen.  All zeros: the whole product. */
+ * m; 0 if there is no such screen.  All zeros: the whole product. */
 struct fraction {
 	double fine, coarse;
 	struct partition partition;

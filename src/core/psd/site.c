@@ -148,7 +148,7 @@ site_digest(const struct site *site)
 	return h;
 }
 
-/* Which of several at its speed each run is. */
+/* Numbers the runs at each speed that several share. */
 static void
 assign_repeat_numbers(struct site *site)
 {
@@ -180,8 +180,9 @@ site_drop_run(struct site *site, size_t r)
 	memmove(&site->run[r], &site->run[r + 1], after * sizeof *site->run);
 }
 
-/* Both in the first clause, which is what people are shown, and what nobody
- * measured first. */
+/* Returns a provenance that names both sources in its first clause, which is
+ * what people see.  If only the feed's data were made up, the feed comes
+ * first. */
 static char *
 provenance_of_site_and_feed(const struct site *site, const char *of)
 {
@@ -213,8 +214,8 @@ site_copy_with_feed(const struct site *site, const struct psd *feed,
 	return to;
 }
 
-/* After all runs that are as fast; in the place of the first of them if that
- * has a feed only, which is then its feed. */
+/* Inserts a run after all runs at its speed, or in place of the first of them
+ * if that one has only a feed. */
 static void
 insert_run_by_speed(struct site *site, struct run run, size_t *from)
 {
@@ -234,8 +235,8 @@ insert_run_by_speed(struct site *site, struct run run, size_t *from)
 	from[at] = SIZE_MAX;
 }
 
-/* Gives a cut without a feed that of the run which it completes, or of any
- * speed; otherwise it lacks one. */
+/* Gives a cut without a feed the feed of the run that it completes, or the feed
+ * for any speed; otherwise marks that it lacks one. */
 static void
 set_feed_of_cut(struct site *site, struct run *cut)
 {
@@ -264,7 +265,7 @@ site_copy_with_cuts(
 		set_feed_of_cut(to, &run);
 		insert_run_by_speed(to, run, from);
 	}
-	/* The feed of any speed is in the runs now. */
+	/* The runs now hold the feed for any speed. */
 	if (to->n_run > 1 && !(to->run[0].speed > 0)) {
 		site_drop_run(to, 0);
 		memmove(from, from + 1, to->n_run * sizeof *from);
@@ -274,7 +275,7 @@ site_copy_with_cuts(
 	return to;
 }
 
-/* The feeds that were sampled, [n_run]; the caller frees. */
+/* Returns the *n feeds that were sampled.  The caller frees the array. */
 static const struct psd **
 list_sampled_feeds(const struct site *site, size_t *n)
 {
@@ -293,7 +294,8 @@ site_update_digest_and_mean_feed(struct site *site)
 	size_t n;
 	FREED const struct psd **feed = list_sampled_feeds(site, &n);
 	psd_free(&site->mean_feed);
-	/* The last sample was taken out: what the cuts have is the site's. */
+	/* If the last feed sample was removed, the copies that the cuts hold
+	 * become the site's feeds. */
 	for (size_t r = 0; r < site->n_run && n == 0; r++)
 		site->run[r].lacks_feed = false;
 	if (site->individual_feeds && n > 0)
@@ -389,17 +391,6 @@ site_run_repeats_speed(const struct site *site, size_t run)
 	return run > 0 && site->run[run].speed == site->run[run - 1].speed;
 }
 
-size_t
-site_run_nearest_speed(const struct site *site, double speed)
-{
-	size_t best = 0;
-	for (size_t r = 1; r < site->n_run; r++)
-		if (fabs(site->run[r].speed - speed) <
-		    fabs(site->run[best].speed - speed) - 1e-9)
-			best = r;
-	return best;
-}
-
 bool
 site_run_is_near_speed(
     const struct site *site, size_t run, double speed, size_t most)
@@ -481,7 +472,7 @@ site_data_kind(const char *provenance)
 	FREED char *folded = text_fold_case_and_accents(provenance);
 	const char *text = text_trim(folded), *kind = N_("measured");
 	const char none[] = "not stated", day[] = "sheet of ";
-	/* The day of a sheet does not say that its numbers were measured. */
+	/* The date of a sheet does not mean that its numbers were measured. */
 	if (text[0] == '\0' || strncmp(text, none, strlen(none)) == 0 ||
 	    strncmp(text, day, strlen(day)) == 0)
 		kind = "not stated";

@@ -10,7 +10,7 @@
 #include "core/psd/psd.h"
 
 /* The speed of a run that only holds a feed from another sheet: the last run of
- * a copy made by site_copy_with_feed. */
+ * a copy made by site_copy_with_feed has it. */
 #define SITE_OTHER_FEED (-1.0)
 
 /* As the index of a run, this means the mean of the feeds sampled (D19). */
@@ -24,8 +24,8 @@ struct run {
 			  * SITE_OTHER_FEED */
 	char repeat[16]; /* " (2)" for the second run at a speed; else "" */
 	size_t place;    /* position of its product among the columns read */
-	bool lacks_feed; /* only its product was sampled: feed is a copy of
-			  * the mean of those sampled (D19), or of the one */
+	bool lacks_feed; /* feed was not sampled: a copy of the mean of the
+			  * others' (D19), or of the only one */
 	struct psd feed;
 	struct psd product;
 	double *product_sd;
@@ -38,17 +38,17 @@ struct site_note {
 
 /* Strings are never NULL; "" means that the sheet does not state it.  run[] is
  * in order of rising speed, repeats at one speed in the order of the sheet.
- * individual_feeds: each run has a feed sample of its own, but for those that
- * lack one; otherwise every run holds a copy of the one feed. */
+ * individual_feeds: each run has its own feed sample, except those that lack
+ * one; otherwise every run holds a copy of the only feed. */
 enum { SITE_TEXTS = 10 };
 struct site {
-	/* named: sieves given by name, "#4 = 4.75".  read_as: how its columns
-	 * were read; assumed: the part of that which the sheet does not state;
-	 * both "" if it has the headings of tipspeed-site(5).  In a copy made
-	 * for a question, the differences from what was sampled: feed_from, the
-	 * source of the feed, and with, all differences in words, "feed b.csv,
-	 * cascade 10 %"; else "".  path: of the file it was read from, or "".
-	 */
+	/* named: sieves given by name, "#4 = 4.75".  read_as: how the columns
+	 * were read; assumed: what of this the sheet does not state; both are
+	 * "" if the sheet has the headings of tipspeed-site(5).  feed_from and
+	 * with describe how a copy made for a question differs from what was
+	 * sampled, else they are "": feed_from is the source of its feed; with
+	 * has all differences in words, "feed b.csv, cascade 10 %".  path: the
+	 * file that was read, or "". */
 	union {
 		struct {
 			char *name, *rock, *machine, *provenance, *named,
@@ -56,13 +56,13 @@ struct site {
 		};
 		char *text[SITE_TEXTS];
 	};
-	char *remark; /* on how its file was read, or ""; not copied */
-	bool told;    /* by the user, what the file may not state; likewise */
+	char *remark;    /* on how its file was read, or ""; not copied */
+	bool told;       /* the user added what the file may not state; not
+		       * copied */
 	double top_size; /* m; 0 if not stated */
 	double rotor;    /* diameter, m; 0 if not stated */
 	bool individual_feeds;
-	struct psd
-	    mean_feed; /* of several feeds; site_update_digest_and_mean_feed */
+	struct psd mean_feed; /* of individual feeds, else empty */
 	size_t n_run;
 	struct run *run;
 	size_t n_note;
@@ -70,9 +70,10 @@ struct site {
 	/* Parts of the sheet left out: where ("line 9"), what and why. */
 	size_t n_left_out;
 	struct site_note *left_out;
-	/* In a copy made for a question.  run_rotor: diameter, m, of the rotor
-	 * of the runs, if rotor is another that was asked about.  shown: sieves
-	 * to show, m, coarsest first; if n_shown is 0, the site's own. */
+	/* Set in a copy made for a question.  run_rotor: diameter, m, of the
+	 * rotor that made the runs, if the question is about another rotor.
+	 * shown: sieves to show, m, coarsest first; if n_shown is 0, the site's
+	 * own. */
 	double run_rotor;
 	size_t n_shown;
 	double *shown;
@@ -87,16 +88,16 @@ void site_free(struct site *site);
 struct site *site_copy(const struct site *site);
 
 /* Returns a copy with another feed as its last run, which has no product.
- * from: the source of the feed; of: the provenance in its sheet.  The digest
- * does not change. */
+ * from: the source of the feed; of: the provenance that its sheet states.  The
+ * digest does not change. */
 struct site *site_copy_with_feed(const struct site *site,
     const struct psd *feed, const char *from, const char *of);
 
 /* Returns a copy with the products of cuts added as runs, each after the site's
  * runs at that speed.  An added run keeps its own feed, if it has one;
- * otherwise it lacks one.  A product for a run with only a feed completes that
- * run.  from [runs of both]: out, for each run of the copy its index in the
- * site, or SIZE_MAX. */
+ * otherwise it lacks one.  If the site has a run with only a feed at that
+ * speed, the product completes that run.  Sets from [runs of both] to each
+ * run's index in the original site, or SIZE_MAX for an added run. */
 struct site *site_copy_with_cuts(
     const struct site *site, const struct site *cuts, size_t *from);
 
@@ -107,12 +108,12 @@ double site_run_rotor_diameter(const struct site *site);
 /* Returns the digest of everything a calibration depends on. */
 uint64_t site_digest(const struct site *site);
 
-/* Computes the mean feed from the runs, gives it to those that lack a feed, and
- * computes the digest.  Call it after runs were made or changed. */
+/* Computes the mean feed of the runs, gives it to the runs that lack a feed,
+ * and computes the digest.  Call it after making or changing runs. */
 void site_update_digest_and_mean_feed(struct site *site);
 
-/* True if the run's feed is one of those sampled: of one feed for all runs, if
- * it is the first run. */
+/* True if the run's feed is a sample of its own; if there is one feed for all
+ * runs, it counts as the first run's. */
 bool site_run_has_feed_sample(const struct site *site, size_t run);
 
 /* Returns the feed of a run.  For SITE_MEAN_FEED, returns the feed for a
@@ -122,26 +123,24 @@ bool site_run_has_feed_sample(const struct site *site, size_t run);
 const struct psd *site_feed_of_run(const struct site *site, size_t run);
 
 /* Returns the largest difference in passing, 0..1, between two of the site's
- * feeds, or 0 if there is only one feed.  sieve: where it occurs, m, out. */
+ * feeds, or 0 if there is only one feed.  Sets *sieve to where it occurs, m. */
 double site_largest_feed_difference(const struct site *site, double *sieve);
 
-/* Returns the sieves of all feeds and products, m, coarsest first, each once:
- * [*n].  The caller frees it. */
+/* Returns the *n sieves of all feeds and products, m, coarsest first, each
+ * once.  The caller frees it. */
 double *site_all_sieves(const struct site *site, size_t *n);
 
 /* Appends a note to a list of n. */
 void site_add_note(
     struct site_note **list, size_t *n, const char *key, const char *value);
 
-/* Returns the feed or the product of a run. */
 struct psd *site_feed_or_product(
     const struct site *site, size_t run, bool feed);
 
-/* Takes a note, or a run, out. */
+/* Remove a note or a run. */
 void site_drop_note(struct site *site, size_t note);
 void site_drop_run(struct site *site, size_t run);
 
-/* Returns the number of runs with a product. */
 size_t site_count_products(const struct site *site);
 
 /* Returns the index of the run at the given speed (to 0.001 m/s), the first of
@@ -154,24 +153,20 @@ size_t site_count_speeds(const struct site *site, const bool *use);
 /* True if the run repeats the speed of the run before it. */
 bool site_run_repeats_speed(const struct site *site, size_t run);
 
-/* Returns the run with the nearest speed: the slower of two equally near, the
- * first of repeats. */
-size_t site_run_nearest_speed(const struct site *site, double speed);
-
 /* True if the run has a product and its speed is one of the `most` nearest
  * speeds with a product: repeats count as one speed. */
 bool site_run_is_near_speed(
     const struct site *site, size_t run, double speed, size_t most);
 
-/* The fastest tip speed allowed, m/s: rotors reach half of it, single particles
- * shot at a plate all of it. */
+/* The fastest tip speed allowed, m/s: rotors reach half of this, single
+ * particles shot at a plate all of it. */
 enum { SITE_FASTEST = 400 };
 
 /* Computes the default range of speeds, m/s: the usual 65 to 85, widened by
- * whole m/s to cover the runs.  If all runs are slower than half or faster than
- * twice such speeds, it is another kind of machine, and the range is that of
- * the runs, widened at both ends by half its length, or at least a quarter of
- * the slowest speed.  site may be NULL. */
+ * whole m/s to cover the runs.  If all runs are slower than half of 65 or
+ * faster than twice 85 m/s, this is another kind of machine, and the range is
+ * that of the runs, widened at both ends by half its length, or at least a
+ * quarter of the slowest speed.  site may be NULL. */
 void site_default_speed_range(
     const struct site *site, double *from, double *to);
 
@@ -179,13 +174,14 @@ void site_default_speed_range(
  * feed. */
 double site_middle_speed(const struct site *site);
 
-/* Returns the kind of data with that provenance: "reconstructed", "synthetic",
- * "made up" or "simulated" if it begins with that; "not stated" if it is that
- * or empty; "measured" for any other. */
+/* Returns the kind of data, from the beginning of the provenance:
+ * "reconstructed", "synthetic", "made up" or "simulated" if it begins with
+ * these words; "not stated" if it is empty or begins with "not stated" or
+ * "sheet of"; else "measured". */
 const char *site_data_kind(const char *provenance);
 
 /* The key of the header line for the size, mm, that all of the feed is assumed
- * to pass, because not all passes its coarsest sieve. */
+ * to pass because some of it stays on the coarsest sieve. */
 #define SITE_ASSUMED_TOP "assumed_top_mm"
 
 /* The key of the header line that lists the runs that lack a feed, "72, 74

@@ -10,12 +10,12 @@
 #include "core/model/classes.h"
 #include "core/numeric/elementary.h"
 
-/* Classes are at most this wide in ln x: a quarter octave and a little, so that
- * the steps of the EN 933 series (1.4, 1.43) make two. */
+/* Classes are at most this wide in ln x: a little more than a quarter octave,
+ * so that each step of the EN 933 series (1.4 or 1.43) makes two. */
 static const double WIDEST = 0.18;
 
-/* All feed and product sieves of all runs between the coarsest and the finest
- * feed sieve, ln x, coarsest first. */
+/* Collects the feed and product sieves of all runs between the coarsest and the
+ * finest feed sieve: ln x, coarsest first.  Returns their number. */
 static size_t
 collect_sieve_edges(const struct misfit *m, double *edge)
 {
@@ -62,7 +62,7 @@ plan_integration_classes(struct batch_plan *plan, const double *edge, size_t n)
 	}
 }
 
-/* dF / d ln x of a feed at ln x = t. */
+/* Returns dF / d ln x of a feed at ln x = t. */
 static double
 feed_density_at_log_size(const struct psd *feed, double t)
 {
@@ -76,8 +76,8 @@ feed_density_at_log_size(const struct psd *feed, double t)
 	return 0;
 }
 
-/* Nodes lie close where p(u) bends, near u = 1, and wider below: node j at
- * ln u = -j (1 + j / BEND) of a unit. */
+/* Returns -ln u of node j, which is proportional to j (1 + j / BEND): nodes lie
+ * close near u = 1, where p(u) bends, and further apart below. */
 static double
 depth_of_node(size_t j)
 {
@@ -129,7 +129,7 @@ plan_set_sieve(
 	}
 }
 
-/* The sieves of all runs together, and each run's passings at them. */
+/* Lists the sieves of all runs together, and each run's passings at them. */
 static void
 plan_targets_of_runs(struct batch_plan *plan, const struct misfit *m)
 {

@@ -1,4 +1,4 @@
-/* The plan of one misfit, prepared for the kernel: classes, sieves, nodes.
+/* A misfit prepared for the kernel: classes, sieves, nodes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_BATCH_PLAN_H
 #define TIPSPEED_CORE_SEARCH_BATCH_PLAN_H
@@ -7,11 +7,11 @@
 
 enum { KERNEL_NODES = 33 };
 
-/* Where the middle of a class, as seen from a sieve, lies among the nodes of u:
- * between `node` and the next finer one.  p is linear between nodes, so p =
+/* Where u, from the middle of a class to a sieve, lies among the nodes: between
+ * `node` and the next finer one.  p is linear between the nodes, that is, p =
  * fine p[node + 1] + coarse p[node] and B = B[node + 1] + below_fine p[node +
- * 1] + below_coarse p[node].  Below 2^-10, all weights are 0 and node + 1 is
- * the last node. */
+ * 1] + below_coarse p[node].  If u is below 2^-10, all weights are 0 and node +
+ * 1 is the last node. */
 struct node_interpolation {
 	size_t node;
 	double fine, coarse, below_fine, below_coarse;
@@ -33,10 +33,11 @@ struct plan_run {
 	double v, E, log_E; /* m/s, J/kg */
 	double *mass; /* [n_class] dF / d ln x; for `classes` the mass itself */
 	double *whole;              /* [n_class] mass of the class */
-	size_t n_target;            /* the plan's sieves; `classes`: its own */
+	size_t n_target;            /* number of the plan's sieves; `classes`:
+				     * of the run's */
 	struct plan_target *target; /* [n_target] */
 	/* For `classes` only: the run's own classes, the arguments of p, and
-	 * where u lies among the nodes. */
+	 * where their u lies among the nodes. */
 	size_t n_size;
 	double *log_size;                /* [n_size] */
 	double *argument;                /* [parent][daughter] */
@@ -56,7 +57,8 @@ struct batch_plan {
 	struct impacts impacts;
 	/* ln of the highest and lowest energy of a spectrum; 0 without one. */
 	double log_most, log_least;
-	size_t bypass; /* index of its parameter; 0: the model has none */
+	size_t bypass; /* index of the bypass parameter; 0: the model has
+		        * none */
 	size_t n_run, n_class, n_sieve;
 	bool one_feed; /* all runs have the feed of the first */
 	struct plan_run *run;
@@ -64,13 +66,14 @@ struct batch_plan {
 	double *upper, *lower, *middle; /* [n_class] ln x */
 	double u[KERNEL_NODES];         /* 1 to 2^-10 */
 	double log_u[KERNEL_NODES];
-	double half_step[KERNEL_NODES]; /* to the next node, in ln u, halved */
+	double half_step[KERNEL_NODES]; /* half the distance to the next node,
+					 * in ln u */
 	double over_E, bottom, per_bin; /* for sorting candidates */
 	size_t scratch; /* doubles of workspace a thread needs */
 };
 
-/* Fills the plan; batch_plan_clear empties it.  The misfit is read, not kept.
- */
+/* Fills the plan; batch_plan_clear frees its arrays.  The misfit is not
+ * kept. */
 void batch_plan_fill(struct batch_plan *plan, const struct misfit *m);
 void batch_plan_set_speed(struct batch_plan *plan, size_t run, double v);
 void batch_plan_clear(struct batch_plan *plan);

@@ -4,9 +4,9 @@
  *
  * The genetic algorithm finds the region; the polish finds the optimum.  One
  * start is not enough: p(u) is clipped at 0, and each pattern of its zeros has
- * a valley of its own.  So the leaders of two early generations, when the
- * population still spans several valleys, are kept as starts in addition to the
- * best of the last; and from the overall best, short perturbations are tried
+ * a valley of its own.  So, besides the best of the last generation, the
+ * leaders of two early generations, when the population still spans several
+ * valleys, are also starts.  Then perturbations of the overall best are tried
  * until none helps.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/calibrate.h"
@@ -27,18 +27,18 @@
 #include "core/numeric/rng.h"
 
 enum {
-	SCOUTS = 16,             /* leaders kept of each early generation */
-	STARTS = 2 * SCOUTS + 2, /* and the bests of the two phases */
+	SCOUTS = 16,             /* leaders kept from each early generation */
+	STARTS = 2 * SCOUTS + 2, /* plus the best of each of the two phases */
 	BATCH = 8,          /* starts or perturbations polished side by side */
-	LEADERS = 64,       /* spread over this many */
-	POLISH_MOST = 1000, /* evaluations, and with a parameter held */
-	POLISH_HELD = 30,
-	PLACES = 8,         /* at which a parameter is held */
-	PERTURBATIONS = 64, /* fruitless ones in a row that end the polish, */
-	PERTURBATIONS_IN_NOISE = 256, /* and where there is little but noise */
-	/* Where the misfit falls ever slower, as it does on the E0_min, alpha,
-	 * f_mat ridge, the rest of a perturbation's way is some few times its
-	 * last gain; in noise it is more. */
+	LEADERS = 64,       /* SCOUTS are spread over the best this many */
+	POLISH_MOST = 1000, /* evaluations of a polish */
+	POLISH_HELD = 30,   /* with a parameter held */
+	PLACES = 8,         /* values at which a parameter is held */
+	PERTURBATIONS = 64, /* fruitless in a row: end the polish */
+	PERTURBATIONS_IN_NOISE = 256, /* if the misfit is mostly noise */
+	/* Where the misfit falls more and more slowly, as on the ridge of
+	 * E0_min, alpha and f_mat, a polish can still gain a few times its last
+	 * gain; in noise, more.  These limits are for struct polish_rival. */
 	GAINS = 16,
 	GAINS_IN_NOISE = 200,
 	EARLIEST = 25, /* generations before the stop rules apply */
@@ -50,7 +50,7 @@ struct worker {
 	struct misfit *misfit;
 	struct polish *polish;
 	struct params p;
-	struct bounds first; /* where it holds a parameter at first */
+	struct bounds first; /* of a first polish, with a parameter held */
 	bool holds;
 	struct polish_result result;
 };
@@ -64,16 +64,17 @@ struct calibration {
 	struct ga *ga;
 	struct worker worker[BATCH];
 	double *told;
-	size_t elite; /* candidates that a generation takes over */
+	size_t elite; /* candidates that a generation keeps from the last */
 	enum calibrate_state state, stop;
-	atomic_bool stopped; /* the present step */
+	atomic_bool stopped; /* options.stop ended the current step */
 	size_t stall, evaluations;
-	size_t edits, edited_at; /* of the bounds; generation of the last */
-	/* A larger model is calibrated as the smaller one first. */
+	size_t edits, edited_at; /* changes of the bounds; generation of the
+				  * last */
+	/* First phase: a larger model is calibrated as the smaller. */
 	bool nested;
-	struct bounds box; /* of the present phase */
-	size_t phase_from; /* generation that it began at, */
-	size_t batches;    /* and what was polished before it */
+	struct bounds box; /* bounds of the current phase */
+	size_t phase_from; /* generation at which it began */
+	size_t batches;    /* batches polished before it */
 	double stall_from;
 	struct params start[STARTS];
 	size_t n_start, done, perturbations, fruitless;
@@ -81,7 +82,7 @@ struct calibration {
 	struct calibrate_generation *history;
 	struct params best;
 	double best_misfit; /* accurate; INFINITY during the search */
-	bool converged;     /* the polish of the best */
+	bool converged;     /* the polish of the best converged */
 };
 
 static const size_t SCOUT_GENERATION[2] = {6, 11};
@@ -123,8 +124,8 @@ calibrate_make_misfit(
 	return m;
 }
 
-/* Holds the reference energy of a model that has one at the mean of the
- * training runs, unless it was given another (D12). */
+/* Holds a model's reference energy, if it has one, at the mean of the training
+ * runs, unless the bounds give another (D12). */
 static void
 fix_reference_energy(const struct misfit *m, struct bounds *b)
 {
@@ -136,10 +137,11 @@ fix_reference_energy(const struct misfit *m, struct bounds *b)
 		b->lower[j] = b->upper[j] = sum / (double)m->n_run;
 }
 
-/* A model that extends another, by parameters that change nothing at their
- * start, is calibrated first with these held there, then with all.  Else it may
- * end in a far valley, worse than the smaller model's best: with gamma at its
- * bound, grunditz-energy had three times the paper's misfit. */
+/* A model may extend another by parameters that have no effect at their start
+ * values.  It is calibrated first with these held there, then with all free.
+ * Otherwise it may end in a distant valley, worse than the smaller model's
+ * best: with gamma at its bound, grunditz-energy had three times the misfit of
+ * the paper's model. */
 static void
 begin_with_simpler_model(struct calibration *c)
 {
@@ -156,8 +158,8 @@ begin_with_simpler_model(struct calibration *c)
 	}
 }
 
-/* The gauge may be scaled as it likes (D4).  At half the largest size its
- * bounds allow, perturbations reach every direction alike. */
+/* The scale of the gauge is free (D4).  At half the largest scale that its
+ * bounds allow, perturbations reach all directions equally. */
 static void
 rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
 {
@@ -172,7 +174,8 @@ rescale_gauge_to_mid_bounds(const struct bounds *b, struct params *p)
 		p->at[j] *= reach / 2;
 }
 
-/* The same gauge, scaled so that as little as possible is cut off (D4). */
+/* Rescales the gauge so that the bounds cut off as little as possible (D4), and
+ * moves all parameters inside the bounds. */
 static void
 scale_gauge_into_bounds(const struct bounds *b, struct params *p)
 {
@@ -181,9 +184,9 @@ scale_gauge_into_bounds(const struct bounds *b, struct params *p)
 		p->at[j] = fmin(fmax(p->at[j], b->lower[j]), b->upper[j]);
 }
 
-/* Skips the first phase, whose best result is given.  Polishing it at once was
- * tried and is a third quicker, but of 32 fits to plants with gamma one ended
- * at 3.6 times the lowest misfit. */
+/* Skips the first phase, because its best result is given.  Polishing this at
+ * once was tried: it took a third less time, but of 32 fits to plants with
+ * gamma, one ended at 3.6 times the lowest misfit. */
 static void
 skip_first_phase(struct calibration *c, const struct params *start)
 {
@@ -249,7 +252,8 @@ calibration_free(struct calibration *c)
 	free(c);
 }
 
-/* Batches polished so far; the last of the starts may be a short one. */
+/* Returns the number of batches polished so far.  The last batch of starts may
+ * be a short one. */
 static size_t
 count_polished_batches(const struct calibration *c)
 {
@@ -258,7 +262,6 @@ count_polished_batches(const struct calibration *c)
 	       (c->done - starts) / BATCH;
 }
 
-/* The best candidate of the search so far. */
 static struct params
 best_params_of_search(const struct calibration *c)
 {
@@ -315,7 +318,6 @@ end_search_phase(struct calibration *c)
 	c->state = CALIBRATE_SEARCHING;
 }
 
-/* Keeps what a search has found, unless the best so far is better. */
 static void
 keep_if_best(struct calibration *c, const struct params *found)
 {
@@ -327,7 +329,8 @@ keep_if_best(struct calibration *c, const struct params *found)
 	c->converged = false;
 }
 
-/* Goes on to the polish, which starts from what was found, too. */
+/* Ends the search and begins the polish, with the search's best as a further
+ * start. */
 static void
 end_search_begin_polish(struct calibration *c, enum calibrate_state why)
 {
@@ -405,9 +408,10 @@ run_generation(struct calibration *c)
 	for (size_t i = 0; i < 2 && o->polish; i++)
 		if (s.generation == c->phase_from + SCOUT_GENERATION[i])
 			keep_starts_for_polish(c);
-	/* Where the misfit is flat all candidates are alike at once, before the
-	 * search has looked around; and a perfect fit leaves both misfits near
-	 * 0, where the last term ends it. */
+	/* Where the misfit is flat, all candidates are alike at once, before
+	 * the search has looked around; so early generations do not count.
+	 * With a perfect fit, both misfits are near 0, and the last term ends
+	 * the search. */
 	bool together = s.median - s.best <= o->tolerance * s.best + 1e-16;
 	size_t since =
 	    c->edited_at > c->phase_from ? c->edited_at : c->phase_from;
@@ -440,9 +444,9 @@ perturb_best_params(const struct calibration *c, size_t number)
 	return p;
 }
 
-/* Where parameter j is held: those of the gauge at shares of the largest one,
- * the others evenly between their bounds, on a log scale if these are above
- * 0. */
+/* Returns a value at which to hold parameter j: in the gauge, a share of the
+ * largest; otherwise, one of PLACES evenly spaced between the bounds, on a log
+ * scale if these are above 0. */
 static double
 value_to_fix_parameter_at(const struct calibration *c, size_t j, size_t number)
 {
@@ -456,12 +460,12 @@ value_to_fix_parameter_at(const struct calibration *c, size_t j, size_t number)
 			 : lower + at * (upper - lower);
 }
 
-/* Perturbation `number` of those that hold one parameter at a place, while the
- * others find theirs, and then let go of it: the first of the gauge and each
- * beyond it.  Random ones rarely reach along the E0_min, alpha, f_mat ridge,
- * which has a valley wherever the break size of a run crosses a sieve of its
- * feed, nor the narrow valleys of little ultra-fines (beta1 just above 0).
- * False when there are no more. */
+/* Makes perturbation `number` of those that hold one parameter (the first of
+ * the gauge, or one outside it) while the others are polished, and then release
+ * it.  Random perturbations rarely reach far along the ridge of E0_min, alpha
+ * and f_mat, which has a valley wherever the break size of a run crosses a
+ * sieve of its feed, or the narrow valleys with little ultra-fines (beta1 just
+ * above 0).  Returns false if there are no more. */
 static bool
 perturb_with_one_fixed(
     const struct calibration *c, size_t number, struct worker *w)
@@ -501,9 +505,9 @@ keep_result_if_better(
 	rescale_gauge_to_mid_bounds(&c->box, &c->best);
 }
 
-/* Most of the misfit is there without a model, too: noise makes many shallow
- * valleys, which take more perturbations, and the descent along them is
- * slow. */
+/* True if the misfit is more than half that of product = feed.  Noise makes
+ * many shallow valleys, which need more perturbations, and the descent along
+ * them is slow. */
 static bool
 is_misfit_mostly_noise(const struct calibration *c)
 {
@@ -542,8 +546,9 @@ polish_one_start(void *data, size_t i, unsigned thread)
 		atomic_store(&c->stopped, true);
 }
 
-/* Polishes the next starts, or perturbations from the best, a batch at a time:
- * always the same batch, so that the number of threads changes nothing. */
+/* Polishes the next batch of starts, or of perturbations of the best.  The size
+ * of a batch does not depend on the number of threads, so the result does not
+ * either. */
 static void
 polish_next_batch(struct calibration *c)
 {
@@ -609,7 +614,7 @@ calibration_set_bounds(struct calibration *c, const struct bounds *bounds)
 	c->done = c->fruitless = 0;
 }
 
-/* Returns the best so far, which may be that of the first phase. */
+/* Returns the best so far, which may be from the first phase. */
 static struct params
 best_params_so_far(const struct calibration *c, double searched)
 {
@@ -637,8 +642,8 @@ calibration_status(const struct calibration *c)
 	    .trials = c->fruitless,
 	    .trials_most = limit_of_fruitless_perturbations(c),
 	    .params = best_params_so_far(c, s.best)};
-	/* The bounds have changed, and nothing was evaluated within them yet.
-	 */
+	/* The bounds have changed, and nothing has been evaluated within
+	 * them. */
 	if (isinf(status.best) && s.generation > 0)
 		status.best = misfit_of_params(c->misfit, &status.params);
 	params_scale_gauge_to_1(&status.params);

@@ -29,8 +29,8 @@ struct calibrate_options {
 	const bool *train;
 	const double *run_weight;
 	bool by_sd;
-	/* The fit, on the same runs, of a model that this one extends, as a
-	 * starting point; or NULL. */
+	/* A starting point: the fit, on the same runs, of a model that this one
+	 * extends; or NULL. */
 	const struct params *start;
 	bool plain;         /* a textbook genetic algorithm, as in the paper */
 	bool (*stop)(void); /* or NULL; see calibration_step */
@@ -40,7 +40,7 @@ struct calibrate_options {
 struct calibrate_options calibrate_options_default(void);
 
 /* Returns the misfit that a calibration with these options minimises.  The site
- * must outlive it.  Free with misfit_free. */
+ * must outlive the misfit.  Free with misfit_free. */
 struct misfit *calibrate_make_misfit(
     const struct site *site, const struct calibrate_options *options);
 
@@ -59,11 +59,11 @@ enum calibrate_state {
 const char *calibrate_state_name(enum calibrate_state state);
 
 /* One calibration.  It never prints, waits, reads a clock or catches a signal.
- * To stop it, stop calling; the best so far is kept. */
+ * To stop it, stop calling calibration_step; the best so far is kept. */
 struct calibration;
 
-/* The site must outlive it.  At least one training run must have a product with
- * a sieve that its feed covers (asserted). */
+/* The site must outlive the calibration.  At least one training run must have a
+ * product with a sieve that its feed covers (asserted). */
 struct calibration *calibration_new(
     const struct site *site, const struct calibrate_options *options);
 void calibration_free(struct calibration *c);
@@ -74,10 +74,10 @@ void calibration_free(struct calibration *c);
 enum calibrate_state calibration_step(struct calibration *c);
 
 /* Continues within other bounds from the current population (ga_set_bounds).
- * Starting points kept for the polish are moved inside the bounds, and a polish
- * under way begins again, as do the stopping rules; generations and history
- * continue.  Allowed only before the end (asserted).  The result depends on
- * when the bounds changed, so the fit's `edits` counts the changes. */
+ * Starting points kept for the polish are moved inside the bounds.  A running
+ * polish and the stopping rules start again; generations and history continue.
+ * Allowed only before the end (asserted).  Because the result depends on when
+ * the bounds changed, the fit's `edits` counts the changes. */
 void calibration_set_bounds(struct calibration *c, const struct bounds *bounds);
 
 /* Returns the sum of the squared weights of the passings compared.  A misfit
@@ -90,10 +90,10 @@ const struct bounds *calibration_bounds(const struct calibration *c);
 struct calibrate_status {
 	enum calibrate_state state;
 	size_t generation, evaluations;
-	size_t step;  /* generations, and batches of the polish */
+	size_t step;  /* generations plus batches of the polish */
 	size_t stall; /* generations since the best last fell by 0.1 % */
 	double best, median, worst; /* misfits in the search's scheme */
-	size_t starts_done, starts; /* of the polish, */
+	size_t starts_done, starts; /* of the polish */
 	size_t trials, trials_most; /* perturbations without a gain; the polish
 				     * ends at trials_most */
 	struct params params;       /* the best so far */
@@ -114,28 +114,31 @@ struct calibrate_generation {
 	float kept[PARAMS_MOST][CALIBRATE_KEPT];
 };
 
-/* Returns all generations so far, [*n].  Valid until the next step. */
+/* Returns the *n generations so far.  The array is valid until the next
+ * step. */
 const struct calibrate_generation *calibration_generations(
     const struct calibration *c, size_t *n);
 
-/* The result of a calibration, with its origin. */
+/* The result of a calibration, and how it was obtained. */
 struct fit {
 	struct params params; /* scaled, see params_scale_gauge_to_1 (D4) */
 	double misfit;        /* of model_product on the training runs */
 	double rmse;          /* of passing on the training runs, 0..1 */
 	double feed_misfit;   /* of the null model product = feed */
 	size_t n_residual;    /* passings compared */
-	size_t cells;         /* those that crushing can change */
+	size_t cells;         /* of these, the passings that crushing can
+			       * change */
 	size_t parameters;    /* number searched, not held fixed */
 	bool on_bound[PARAMS_MOST];
 	struct flat_direction flat; /* the least determined combination */
 	enum calibrate_state stop;
-	bool converged; /* the polish that found it converged */
-	bool plain;     /* a search without polish (plain) */
-	double lowest;  /* for such a search: the misfit that a polished search
+	bool converged; /* the polish that found the fit converged */
+	bool plain;     /* found by a plain search without polish */
+	double lowest;  /* for a plain search: the misfit that a polished search
 			 * with the same options found; 0: not known */
 	size_t generations, evaluations, perturbations;
-	size_t edits, edited_at; /* changes of the bounds, last generation */
+	size_t edits, edited_at; /* changes of the bounds; generation of the
+				  * last */
 	uint64_t seed, site_digest;
 	size_t population;
 	struct model_settings settings;

@@ -1,4 +1,4 @@
-/* Evaluates again, with the kernel, the candidates that a generation kept, and
+/* Re-evaluates, with the kernel, the candidates that a generation kept, and
  * takes percentiles of their residuals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/candidates.h"
@@ -16,7 +16,7 @@
 
 enum { MOST = CALIBRATE_KEPT };
 
-/* The value that a share of [n], which are put in order, lies below. */
+/* Returns the quantile of sorted [n] at a share, 0..1. */
 static double
 sort_and_find_quantile(const double *sorted, size_t n, double share)
 {
@@ -32,7 +32,8 @@ params_of_kept_candidate(const struct calibrate_generation *g, size_t i)
 	return p;
 }
 
-/* Their differences, [m->n_residual][MOST], as the search has them. */
+/* Computes the candidates' differences [m->n_residual][MOST] by the search's
+ * scheme. */
 static void
 evaluate_kept_candidates(const struct misfit *m, enum isa isa,
     const struct calibrate_generation *g, double *difference)
@@ -43,7 +44,7 @@ evaluate_kept_candidates(const struct misfit *m, enum isa isa,
 		theta[j] = xcalloc_doubles(MOST);
 		for (size_t i = 0; i < g->n_kept; i++)
 			theta[j][i] = (double)g->kept[j][i];
-		/* Lanes beyond the last one are read. */
+		/* The kernel also reads lanes beyond the last candidate. */
 		for (size_t i = g->n_kept; i < MOST; i++)
 			theta[j][i] = theta[j][0];
 	}

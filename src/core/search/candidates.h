@@ -24,21 +24,21 @@ struct candidates {
 	double speed, break_size[3];
 };
 
-/* Computes the residuals of the candidates that a generation kept, on request
- * and not during the search.  settings, train [n_run]: of the search.  best is
- * evaluated with the accurate product, the others with the search's scheme.
- * The caller frees the result with candidates_clear. */
+/* Computes, on request and not during the search, the residuals of the
+ * candidates that a generation kept.  settings, train [n_run]: those of the
+ * search.  best is evaluated with the accurate product, the others with the
+ * search's scheme.  The caller frees the result with candidates_clear. */
 struct candidates candidates_residual_spread(const struct site *site,
     const bool *train, struct model_settings settings, enum isa isa,
     const struct calibrate_generation *generation, const struct params *best);
 void candidates_clear(struct candidates *c);
 
-/* Returns the cell with the largest absolute median residual; there is at least
- * one cell. */
+/* Returns the cell with the largest absolute median residual; there must be at
+ * least one cell. */
 const struct candidates_cell *candidates_worst_cell(const struct candidates *c);
 
 /* Computes the range of a parameter over the middle 80 % of the candidates, as
- * reported: a parameter of the gauge is divided by the largest in its candidate
+ * reported: a parameter in the gauge is divided by the candidate's largest
  * (D4). */
 void candidates_middle_range_of_param(
     const struct calibrate_generation *generation, size_t j, double *p10,

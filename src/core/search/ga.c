@@ -18,21 +18,22 @@
 
 struct ga {
 	struct ga_options options;
-	struct breed breed;     /* told, asked [n_gene][population] */
-	double *misfit;         /* [population] of told */
+	struct breed breed;     /* with told, asked [n_gene][population] */
+	double *misfit;         /* [population] of breed.told */
 	double *best;           /* [n_gene] */
-	uint32_t *rank, *spare; /* [population] told, best first; scratch */
+	uint32_t *rank, *spare; /* [population] indices, best first; scratch */
 	uint32_t *key;
-	size_t n_draw;    /* a power of two: tournaments with different ends */
-	uint32_t *winner; /* [n_draw] their ranks; breed.parent: who won them */
+	size_t n_draw;    /* number of possible tournaments, a power of two */
+	uint32_t *winner; /* [n_draw] ranks of their winners; breed.parent has
+			   * the candidates */
 	breed_block *block;
-	bool ready; /* the candidates are there without breeding */
+	bool ready; /* breed.asked is complete, without breeding */
 	struct ga_status status;
 };
 
 enum { SPREAD_SAMPLE = 256, SCALE_SAMPLE = 1000 };
 
-/* Uses of random numbers, each a stream of its own in every generation. */
+/* Uses of random numbers.  Each has its own streams in every generation. */
 enum use { USE_START, USE_PARENT, USE_PAIR, USE_GENE };
 
 enum { STREAM = 64 }; /* room for genes or draws within a use */
@@ -75,7 +76,7 @@ sample_first_generation(struct ga *ga)
 		for (size_t i = 0; i < ga->options.population; i++) {
 			double x = ga->breed.lower[g] +
 				   width * rng_uniform(key, (uint32_t)i);
-			/* Rounding may step over the upper end. */
+			/* Rounding may lead past the upper end. */
 			ga->breed.asked[g][i] =
 			    x < ga->breed.upper[g] ? x : ga->breed.upper[g];
 		}
@@ -83,9 +84,9 @@ sample_first_generation(struct ga *ga)
 	ga->ready = true;
 }
 
-/* The best of a tournament of k is found by its rank: the least of k uniform
- * numbers is 1 - (1 - u)^(1/k).  As many values of u as there are candidates,
- * or a few more, stand for all. */
+/* Draws the rank of a tournament's winner instead of its k participants: the
+ * least of k uniform numbers is 1 - (1 - u)^(1/k).  Tabulates it for at least
+ * as many values of u as there are candidates. */
 static void
 plan_tournaments(struct ga *ga)
 {
@@ -177,7 +178,8 @@ ga_genes_of_last_generation(const struct ga *ga)
 
 enum { DIGIT = 11, DIGITS = 1 << DIGIT };
 
-/* One pass of a radix sort: from -> to by a digit of their keys, stable. */
+/* One pass of a stable radix sort: sorts from into to by one digit of the keys.
+ * from may be NULL: 0, 1, .. */
 static void
 radix_sort_pass(
     const struct ga *ga, int shift, const uint32_t *from, uint32_t *to)
@@ -194,10 +196,10 @@ radix_sort_pass(
 	}
 }
 
-/* Ranks the candidates told.  The bits of doubles above 0 rise with their
- * values, so their distance from the best one's makes a key; it is cut to 22
- * bits that resolve the better half, and candidates of equal keys stay in the
- * order of their index. */
+/* Ranks the candidates.  The bits of doubles above 0 rise with their values, so
+ * the key is their distance from the best one's.  It is cut to 22 bits that
+ * resolve the better half; candidates with equal keys stay in the order of
+ * their indices. */
 static void
 ga_rank_candidates(struct ga *ga, uint64_t best, uint64_t typical)
 {
@@ -239,8 +241,8 @@ update_ga_status(struct ga *ga)
 	s->generation++;
 }
 
-/* Standard deviations of the first candidates, which are a random sample: a few
- * per cent more or less are nothing to a mutation. */
+/* Uses the standard deviations of the first candidates, which are a random
+ * sample: a few per cent more or less do not matter to a mutation. */
 static void
 update_scale_of_mutation(struct ga *ga)
 {
@@ -349,7 +351,7 @@ ga_ranked_candidates(const struct ga *ga)
 void
 ga_quantiles_of_gene(const struct ga *ga, size_t gene, double *p10, double *p90)
 {
-	/* Any run of candidates is a random sample, but for the elite. */
+	/* Any successive candidates are a random sample, except the elite. */
 	double sample[SPREAD_SAMPLE];
 	size_t first = ga->options.elite;
 	size_t n = ga->options.population - first;

@@ -9,10 +9,11 @@
 
 #include "core/numeric/isa.h"
 
-/* One generation: ask for candidates, evaluate them in any way, report their
- * misfits.  Tournament selection, blend crossover, mutation, elitism.  The
- * random numbers are a function of (seed, generation, candidate, gene), so the
- * same seed gives the same generations however they are evaluated. */
+/* For each generation, ask for the candidates, evaluate them in any way, and
+ * report their misfits.  Tournament selection, blend crossover, mutation,
+ * elitism.  The random numbers are a function of (seed, generation, candidate,
+ * gene), so the same seed gives the same generations however they are
+ * evaluated. */
 struct ga;
 
 struct ga_options {
@@ -21,13 +22,13 @@ struct ga_options {
 	size_t elite;      /* best candidates kept unchanged, at least 1 */
 	double crossover;  /* share of offspring with two parents */
 	double mutation;   /* chance for each gene */
-	bool anywhere;     /* mutate to any place in the box, not nearby */
+	bool anywhere;     /* mutate to anywhere in the box, not nearby */
 	uint64_t seed;
 	enum isa isa;
 };
 
-/* Returns the paper's population, and operators that work well on its Table
- * 3. */
+/* Returns the paper's population, and operators that work well on the paper's
+ * Table 3. */
 struct ga_options ga_options_default(void);
 
 /* Returns the options of a textbook algorithm: tournaments of two, mutation
@@ -57,10 +58,10 @@ const double *const *ga_next_candidates_part(
  * misfit. */
 void ga_take_misfits(struct ga *ga, const double *misfit);
 
-/* Changes the box from the next generation on; its candidates are moved to the
- * limits.  If the best candidate so far lies outside, it is moved too, and its
- * misfit is INFINITY until the next ga_take_misfits.  Redrawing half of the
- * candidates when the box had grown was tried: none came near the best. */
+/* Changes the box from the next generation on.  Candidates outside are moved to
+ * its limits.  If the best candidate so far lies outside, it is moved too, and
+ * its misfit is INFINITY until the next ga_take_misfits.  Redrawing half of the
+ * candidates after the box had grown was tried, but none came near the best. */
 void ga_set_bounds(struct ga *ga, const double *lower, const double *upper);
 
 /* The state after the last ga_take_misfits.  worst and median include infinite
@@ -76,8 +77,8 @@ struct ga_status ga_status(const struct ga *ga);
 /* Returns the genes [n_gene] of the best candidate so far. */
 const double *ga_best_genes(const struct ga *ga);
 
-/* Returns the indices of the candidates in the last completed generation by
- * increasing misfit, of which only the better half is sorted exactly, and their
+/* Return the indices of the last completed generation's candidates by
+ * increasing misfit (only the better half is sorted exactly), and their
  * genes. */
 const uint32_t *ga_ranked_candidates(const struct ga *ga);
 const double *const *ga_genes_of_last_generation(const struct ga *ga);

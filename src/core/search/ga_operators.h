@@ -17,10 +17,10 @@ struct breed_keys {
 	struct rng_key gene[BREED_GENES];
 };
 
-/* told, asked: one array for each gene.  parent: winners of tournaments, drawn
- * by the top bits of a random number, shifted down by draw_shift.  lower, upper
- * [n_gene]: the box; scale [n_gene]: unit of a mutation, the standard deviation
- * of told. */
+/* told: the last generation, whose misfits are known; asked: the one being
+ * made; an array for each gene.  parent: the winners of tournaments, indexed by
+ * a random number shifted right by draw_shift.  lower, upper [n_gene]: the box;
+ * scale [n_gene]: the unit of a mutation, the standard deviation of told. */
 struct breed {
 	size_t n_gene;
 	double **told, **asked;

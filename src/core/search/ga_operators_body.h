@@ -12,7 +12,7 @@ random_uniform_lanes(struct rng_key key, size_t first)
 	return v;
 }
 
-/* A gene's two random numbers. */
+/* Computes a gene's two random numbers. */
 static inline void
 random_uniform_pair(struct rng_key key, size_t first, lanes *a, lanes *b)
 {
@@ -35,8 +35,8 @@ choose_parents(
 		index[l] = b->parent[draw[l]];
 }
 
-/* Uses one random number to decide both whether to mutate and by how much.
- * Steps are of the order of 1; most are small, a few are large. */
+/* Returns a mutation.  One random number decides both whether to mutate and by
+ * how much.  Steps are of the order of 1; most are small, a few are large. */
 static inline lanes
 mutation_step(const struct breed *b, lanes u)
 {
@@ -46,7 +46,8 @@ mutation_step(const struct breed *b, lanes u)
 	return (lanes)((u < b->mutation) & (lanes_mask)step);
 }
 
-/* As mutation_step, but to any place in the box. */
+/* Returns the child or, with the mutation's probability, any place in the
+ * box. */
 static inline lanes
 mutate_anywhere(const struct breed *b, size_t g, lanes child, lanes u)
 {

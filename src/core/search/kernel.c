@@ -1,4 +1,5 @@
-/* Selects the instruction set and passes it blocks of similar candidates.
+/* Selects the code for the instruction set and gives it blocks of similar
+ * candidates.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/kernel.h"
 
@@ -41,14 +42,14 @@ kernel_free(struct kernel *kernel)
 	free(kernel);
 }
 
-/* Candidates in the order in which blocks take them; those that are smooth come
- * last and start a block of their own. */
+/* Candidates in the order of evaluation.  Smooth ones come last, in blocks of
+ * their own. */
 struct queue {
 	size_t n, n_stiff;
 	uint32_t index[KERNEL_PART + 2 * KERNEL_LANES];
 };
 
-/* Fills the last block up with its last candidate. */
+/* Fills the rest of the last block with its last candidate. */
 static void
 pad_last_block(struct queue *q)
 {
@@ -56,9 +57,9 @@ pad_last_block(struct queue *q)
 		q->index[q->n] = q->index[q->n - 1];
 }
 
-/* Orders the candidates from..to-1 by their break size, coarse classes of it: a
- * block whose lanes break the same sizes skips the rest at once.  The order
- * changes no bit of any misfit. */
+/* Sorts the candidates from..to-1 into bins of the break size: a block whose
+ * lanes break the same sizes skips the other sizes at once.  The order does not
+ * change any bit of a misfit. */
 static void
 fill_queue_by_break_size(const struct kernel *kernel,
     const double *const *theta, size_t from, size_t to, struct queue *q)

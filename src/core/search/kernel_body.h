@@ -13,16 +13,16 @@
 /* The whole kernel is compiled for each model. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* A block's parameters and values derived from them.  own: those of the model's
- * appearance; over_total: the factor of the broken mass, 1 / total times the
- * share that does not bypass the rotor (D14). */
+/* A block's parameters and values derived from them.  own: parameters of the
+ * model's appearance; over_total: the factor of the broken mass, 1 / total
+ * times the share that does not bypass the rotor (D14). */
 struct block {
 	lanes f, e0, alpha, over_alpha, f_e0, log_e0, log_full, kept,
 	    over_total, own[7];
 	/* Set if any lane has two strengths: values for the softer rock. */
 	bool two;
 	lanes softer, share;
-	const struct impacts *impacts; /* NULL: a single one at v^2/2 */
+	const struct impacts *impacts; /* NULL: a single impact at v^2/2 */
 	const uint32_t *index;
 	const struct kernel_out *out;
 };
@@ -33,11 +33,11 @@ struct node {
 	lanes p, below;
 };
 
-/* A model's part.  strength: index of f_mat; e0_min and alpha follow it.
- * nodes: fills a table [KERNEL_NODES], or one for each run if B depends on the
- * speed (per_run), and returns the total.  at_sieve: returns the factor of B at
- * a sieve of ln s, or NULL.  density: returns p at u for `classes`, or NULL to
- * use the nodes. */
+/* A model's part of the kernel.  strength: index of f_mat; e0_min and alpha
+ * follow it.  nodes: fills a table [KERNEL_NODES], or one for each run if B
+ * depends on the speed (per_run), and returns the total.  at_sieve: returns the
+ * factor of B at a sieve of ln s, or NULL.  density: returns p at u for
+ * `classes`, or NULL to use the nodes. */
 struct lane_model {
 	size_t strength;
 	bool per_run;
@@ -50,8 +50,9 @@ struct lane_model {
 	    double u, double log_u, double log_y);
 };
 
-/* Where f (x^alpha E - e0) is larger throughout a class, all of it is taken to
- * break: the rest is below 2e-4 and still less in the next class. */
+/* If f (x^alpha E - e0) exceeds this throughout a class, the whole class is
+ * taken to break: less than 2e-4 of it does not, and still less of coarser
+ * ones. */
 static const double FULL = 9;
 
 /* The slope of the exponent in ln x is alpha (f e0 + exponent).  If it is less
@@ -111,7 +112,7 @@ at_least_0(lanes a)
 	return lanes_max(a, lanes_broadcast(0));
 }
 
-/* Mass S dF of a class and its first moment about the middle. */
+/* The broken mass S dF of a class, and its first moment about the middle. */
 struct broken_share {
 	lanes mass, moment;
 };
@@ -121,9 +122,10 @@ struct kernel_workspace {
 	lanes *from, *full; /* [n_run] ln x* and ln x where S becomes 1 */
 	struct broken_share *share; /* [n_run * n_class], and as many again */
 	struct node *node;          /* [KERNEL_NODES] for each run, or once */
-	size_t n_full;              /* classes, from the coarsest, that break
-			      * entirely */
-	size_t n_active;            /* classes of which any lane breaks some */
+	size_t n_full;              /* number of classes, from the coarsest,
+				     * that break entirely */
+	size_t n_active;            /* number of classes of which any lane
+				     * breaks some */
 };
 
 /* Fills the nodes of every run, or one table for all runs. */
@@ -160,7 +162,7 @@ selection_with_spectrum(const struct block *b, lanes at)
 	return 1 - lanes_exp_quick(of->number * lanes_log(kept));
 }
 
-/* Returns S of Eq 3 from x^alpha, using exp_of; selection.h computes it for one
+/* Returns S of Eq 3, from power = x^alpha.  selection.h has the version for one
  * candidate. */
 static inline lanes
 lanes_selection(
@@ -172,7 +174,7 @@ lanes_selection(
 	return 1 - exp_of(lanes_min(-y, lanes_broadcast(0)));
 }
 
-/* Adds a Gauss point at a distance from the middle of its class. */
+/* Adds a Gauss point at this distance from the middle of its class. */
 static inline void
 add_gauss_point(struct broken_share *sum, const struct block *b, double E,
     lanes power, lanes weight, lanes distance)
@@ -182,8 +184,8 @@ add_gauss_point(struct broken_share *sum, const struct block *b, double E,
 	sum->moment += weight * distance * S;
 }
 
-/* Returns the share of a class that breaks, where S > 0 throughout it; power
- * holds x^alpha at the points of g. */
+/* Returns the share of a class that breaks, if S > 0 throughout the class.
+ * power: x^alpha at the points of g. */
 static inline struct broken_share
 broken_share_of_whole_class(const struct block *b,
     const struct batch_plan *plan, size_t c, const struct plan_run *run,
@@ -201,8 +203,9 @@ broken_share_of_whole_class(const struct block *b,
 	return (struct broken_share){scale * sum.mass, scale * sum.moment};
 }
 
-/* Returns the share of a class that breaks, where x* of some lanes lies within
- * it; the other lanes get the same bits as from broken_share_of_whole_class. */
+/* Returns the share of a class that breaks, if x* of some lanes lies in the
+ * class; the other lanes get the same bits as from
+ * broken_share_of_whole_class. */
 static inline struct broken_share
 broken_share_of_split_class(const struct block *b,
     const struct batch_plan *plan, size_t c, const struct plan_run *run,
@@ -268,7 +271,6 @@ compute_broken_shares_of_class(const struct block *b,
 	}
 }
 
-/* Computes the shares of all classes and runs. */
 static inline void
 compute_broken_shares(const struct block *b, const struct batch_plan *plan,
     const struct gauss *g, struct kernel_workspace *room)
@@ -293,8 +295,8 @@ compute_broken_shares(const struct block *b, const struct batch_plan *plan,
 	room->n_active = c;
 }
 
-/* Mixes the shares of the softer rock into those of the harder: each part of
- * rock of two strengths breaks by itself. */
+/* Mixes the shares of the softer rock into those of the harder.  The two parts
+ * of a rock break independently. */
 static inline void
 mix_softer_rock(const struct block *b, const struct batch_plan *plan,
     const struct gauss *g, struct kernel_workspace *room)
@@ -317,7 +319,7 @@ mix_softer_rock(const struct block *b, const struct batch_plan *plan,
 	room->n_active = other.n_active;
 }
 
-/* Returns B, not yet divided by the total. */
+/* Returns B times the total. */
 static inline lanes
 interpolate_share_finer(
     const struct node_interpolation *v, const struct node *node)
@@ -348,8 +350,8 @@ mass_below_from_whole_classes(const struct plan_run *run,
 	return sum;
 }
 
-/* Adds the mass of the classes from..n-1, for one run or a pair; a pair looks
- * up B and p only once if they are the same. */
+/* Adds the mass of the classes from..n-1, for one run or a pair of runs.  If B
+ * and p are the same for both, they are interpolated only once. */
 INLINE void
 add_mass_from_split_classes(const struct lane_model *m,
     const struct plan_sieve *sieve, size_t from, size_t n, bool pair,
@@ -387,8 +389,7 @@ square_difference(const struct plan_target *t, const struct block *b, lanes d)
 	return d * d;
 }
 
-/* Returns the weighted squares of a sieve's differences, summed over the
- * runs. */
+/* Returns the sum over the runs of a sieve's squared weighted differences. */
 INLINE lanes
 sum_squares_at_sieve(const struct lane_model *m, const struct batch_plan *plan,
     const struct block *b, size_t s, const struct kernel_workspace *room)

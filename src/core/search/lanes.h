@@ -1,6 +1,5 @@
-/* Candidates side by side in one vector register: LANES of them, a number that
- * the file for each instruction set defines.  Only this file and kernel_body.h
- * use the compiler's vector extension.
+/* LANES candidates side by side in one vector register.  The file for each
+ * instruction set defines LANES.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_LANES_H
 #define TIPSPEED_CORE_SEARCH_LANES_H
@@ -46,8 +45,9 @@ lanes_select(lanes_mask mask, lanes a, lanes b)
 	return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
 }
 
-/* Returns the larger, or b if a is NaN.  Uses the processor's instruction,
- * because gcc only sometimes generates it from the plain loop. */
+/* Returns the larger value of each lane, or b's if a's is NaN.  Uses the
+ * processor's instruction, because gcc only sometimes generates it from the
+ * plain loop. */
 static inline lanes
 lanes_max(lanes a, lanes b)
 {
@@ -65,7 +65,7 @@ lanes_max(lanes a, lanes b)
 #endif
 }
 
-/* As lanes_max, but returns the smaller. */
+/* As lanes_max, but returns the smaller value. */
 static inline lanes
 lanes_min(lanes a, lanes b)
 {

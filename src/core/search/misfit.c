@@ -1,4 +1,4 @@
-/* The misfit of Eq 5, weighted squared differences, on the exact product with
+/* The misfit of Eq 5: weighted squared differences, from the exact product and
  * its derivatives.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "core/search/misfit.h"
@@ -142,8 +142,8 @@ misfit_should_stop(const struct misfit *m)
 	return m->stop != NULL && m->stop();
 }
 
-/* Differences of run r, weighted or not, d [its n]; returns their squares'
- * sum. */
+/* Computes d [run's n], the differences of run r, weighted or not.  Returns the
+ * sum of their squares. */
 static double
 differences_of_run(struct misfit *m, size_t r, const struct params *p,
     bool weighted, double *d)

@@ -11,8 +11,8 @@
 #include "core/model/product.h"
 #include "core/psd/site.h"
 
-/* One training run, with those sieves of the product that the feed covers.
- * weight multiplies a difference before it is squared. */
+/* One training run, with the product's sieves that the feed covers.  weight
+ * [n]: factor of a difference before it is squared. */
 struct misfit_run {
 	size_t run; /* index into the site's runs */
 	double speed;
@@ -29,19 +29,20 @@ struct misfit_run {
  * D6: with the minus printed between the two squares, the misfit would have no
  * lower bound. */
 struct misfit {
-	const struct breakage *of; /* the model of all parameters passed in */
+	const struct breakage *of; /* the model that all parameters passed in
+				    * must have */
 	struct model_settings settings;
 	size_t n_run, n_residual;
 	struct misfit_run *run;
 	struct model **model; /* [n_run] */
 	double *passing, *d_passing;
-	bool (*stop)(void); /* or NULL, see misfit_should_stop */
+	bool (*stop)(void); /* or NULL; see misfit_should_stop */
 };
 
 /* train [n_run]: true for the training runs, or NULL for all; runs without a
- * product are ignored.  run_weight [n_run] or NULL: weight of each run's
- * squares, >= 0.  by_sd: divide each difference by the sheet's standard
- * deviation, if stated.  The site must outlive the misfit. */
+ * product are ignored.  run_weight [n_run]: weight of each run's squares, >= 0,
+ * or NULL: all 1.  by_sd: divide each difference by the sheet's standard
+ * deviation, if it states one.  The site must outlive the misfit. */
 struct misfit *misfit_new(const struct site *site, const bool *train,
     const double *run_weight, bool by_sd, struct model_settings settings);
 void misfit_free(struct misfit *m);
@@ -50,11 +51,12 @@ void misfit_free(struct misfit *m);
  * coarsest and the finest; most >= 2. */
 void misfit_thin_sieves(struct misfit *m, size_t most);
 
-/* Returns how many of the n_residual passings crushing can change: on a sieve
- * that all of the feed passes, all of the product passes for any parameters. */
+/* Returns the number of passings, of the n_residual, that crushing can change.
+ * If all of the feed passes a sieve, so does all of the product, for any
+ * parameters. */
 size_t misfit_count_changeable_passings(const struct misfit *m);
 
-/* True if computations on the misfit should end because the user is waiting.
+/* True if computations with this misfit should end because the user is waiting.
  * They then discard unfinished work, which may be repeated later.
  * Thread-safe. */
 bool misfit_should_stop(const struct misfit *m);
@@ -63,22 +65,21 @@ bool misfit_should_stop(const struct misfit *m);
  * Eq 5. */
 double misfit_of_params(struct misfit *m, const struct params *p);
 
-/* As misfit_of_params, and computes the weighted differences simulated -
- * measured, r [n_residual] or NULL. */
+/* As misfit_of_params.  Also computes r [n_residual], the weighted differences
+ * simulated - measured, if r is not NULL. */
 double misfit_weighted_differences(
     struct misfit *m, const struct params *p, double *r);
 
-/* Returns the misfit and computes the weighted differences simulated -
- * measured, r [n_residual], and their derivatives, J [n_residual * model's n]
- * by rows. */
+/* As misfit_weighted_differences.  Also computes the derivatives of r: J
+ * [n_residual * model's n], by rows. */
 double misfit_jacobian(
     struct misfit *m, const struct params *p, double *r, double *J);
 
 /* Returns the root mean square of the unweighted differences at p, 0..1. */
 double misfit_rmse(struct misfit *m, const struct params *p);
 
-/* Returns the number of sieves of the run's product that its feed covers; only
- * the finest can be uncovered, so these are the first. */
+/* Returns the number of sieves of the run's product that its feed covers.  They
+ * are the coarsest, as only the finest sieves can be uncovered. */
 size_t misfit_count_covered_sieves(const struct run *run);
 
 /* Marks the default training set: all repeats at the slowest and the fastest

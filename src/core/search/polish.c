@@ -9,16 +9,15 @@
 #include "base/xalloc.h"
 
 enum {
-	DAMPED =
-	    40, /* evaluations after which damped steps give way to secants */
-	PATIENCE = 8 /* evaluations from one look at the rival to the next */
+	DAMPED = 40, /* evaluations after which secants replace damped steps */
+	PATIENCE = 8 /* evaluations between comparisons with the rival */
 };
 
-/* Shares of the misfit.  A step that gains less than NO_GAIN, and a descent
- * that gained less than AT_REST, gained nothing.  Above STEEP there is a
- * gradient all the same, as at a crease that no line search leaves. */
+/* Shares of the misfit.  A step that gains less than NO_GAIN, or a descent that
+ * gains less than AT_REST, counts as gaining nothing.  If the squared gradient
+ * still exceeds STEEP, the point is a crease that no line search leaves. */
 static const double NO_GAIN = 1e-13, AT_REST = 1e-11, STEEP = 1e-9;
-/* The misfit of a fit without residuals. */
+/* Below this misfit a fit has no residuals. */
 static const double EXACT = 1e-24;
 
 struct polish {
@@ -59,8 +58,9 @@ polish_free(struct polish *s)
 	free(s);
 }
 
-/* Marks the parameters that may move: not fixed and not on a bound, unless the
- * gradient leads away from there and these are let go.  Returns how many. */
+/* Lists the parameters that may move: those neither fixed nor on a bound and,
+ * if let_go is true, those on a bound whose gradient leads away from it.
+ * Returns their number. */
 static size_t
 list_movable_columns(const struct polish *s, const struct bounds *bounds,
     const struct params *p, bool let_go, size_t column[PARAMS_MOST])
@@ -97,8 +97,9 @@ update_column_scale(struct polish *s)
 	}
 }
 
-/* Reflects column c of A [rows] to `top` with zeros below it, and the n columns
- * after it likewise.  The column becomes the reflection's direction. */
+/* Applies to A [rows] the Householder reflection that turns column c into `top`
+ * with zeros below; the n columns after it are reflected too.  Column c then
+ * holds the direction of the reflection. */
 static void
 householder_reflect(
     double (*A)[PARAMS_MOST + 1], size_t rows, size_t c, size_t n, double top)
@@ -108,16 +109,18 @@ householder_reflect(
 	for (size_t i = c; i < rows; i++)
 		for (size_t k = c + 1; k <= c + n; k++)
 			along[k] += A[i][c] * A[i][k];
-	double half = -top * A[c][c]; /* of the column's square */
+	double half = -top * A[c][c]; /* half the square of the column's
+				       * length */
 	for (size_t i = c; i < rows; i++)
 		for (size_t k = c + 1; k <= c + n; k++)
 			A[i][k] -= A[i][c] * (along[k] / half);
 }
 
-/* Brings the first n columns of A [rows] to a triangle R by Householder's
- * reflections: its diagonal is top [n], the rest stands above A's.  Column n
- * goes through the same.  Of our own, because a library's last bits differ
- * between its versions and processors, and perturbations go on from them. */
+/* Reduces the first n columns of A [rows] to a triangular matrix R by
+ * Householder reflections: the diagonal of R is top [n], the rest is above A's
+ * diagonal.  Column n is reflected too.  No library is used because its last
+ * bits differ between versions and processors, and would change later
+ * perturbations. */
 static void
 householder_triangle(
     double (*A)[PARAMS_MOST + 1], size_t rows, size_t n, double *top)
@@ -132,8 +135,9 @@ householder_triangle(
 	}
 }
 
-/* Brings the free columns of J, stacked on the damping, to a triangle as above,
- * and -r, stacked on zeros, along with them. */
+/* Reduces the free columns of J, with the damping stacked below, to a
+ * triangular matrix as above; -r, with zeros stacked below, is reflected
+ * too. */
 static void
 build_damped_triangle(
     struct polish *s, const size_t *column, size_t n_free, double damping)
@@ -149,8 +153,8 @@ build_damped_triangle(
 	householder_triangle(s->A, s->n + n_free, n_free, s->top);
 }
 
-/* Computes the step of all parameters: the free ones, x, solve R x = z
- * [n_free], and the others do not move. */
+/* Computes the step of all parameters: that of the free ones, x, solves R x = z
+ * [n_free]; the others do not move. */
 static void
 solve_step_from_triangle(const struct polish *s, const size_t *column,
     size_t n_free, const double *z, double step[PARAMS_MOST])
@@ -178,7 +182,8 @@ solve_damped_step(struct polish *s, const size_t *column, size_t n_free,
 	solve_step_from_triangle(s, column, n_free, z, step);
 }
 
-/* *cut: whether a bound lies in the way of the step. */
+/* Returns the parameters after a step, moved back to the bounds.  Sets *cut if
+ * a bound shortened the step. */
 static struct params
 params_after_step(const struct params *p, const double step[PARAMS_MOST],
     const struct bounds *bounds, bool *cut)
@@ -194,7 +199,6 @@ params_after_step(const struct params *p, const double step[PARAMS_MOST],
 	return q;
 }
 
-/* A descent under way, from *p. */
 struct descent {
 	struct polish *s;
 	const struct bounds *bounds;
@@ -207,8 +211,9 @@ struct descent {
 	bool given_up;
 };
 
-/* True if the misfit is so far above the rival's that more gains like the last,
- * over PATIENCE evaluations, would not reach it. */
+/* True if the misfit is so far above the rival's that further gains like the
+ * last one, over PATIENCE evaluations, would not reach it, or if it is at the
+ * rival's. */
 static bool
 cannot_reach_rival(double before, double now, const struct polish_rival *rival)
 {
@@ -250,7 +255,7 @@ evaluate_trial_step(struct descent *d, const struct params *q)
 	return misfit_jacobian(s->misfit, q, s->r_try, s->J_try);
 }
 
-/* Continues from q, the point tried last. */
+/* Makes q, the point tried last, the current point. */
 static void
 continue_descent_from_trial(
     struct descent *d, const struct params *q, double trial)
@@ -269,8 +274,8 @@ continue_descent_from_trial(
 	update_column_scale(s);
 }
 
-/* Takes Levenberg's and Marquardt's steps until they gain nothing or the number
- * of evaluations is reached. */
+/* Takes Levenberg-Marquardt steps until they gain nothing or the number of
+ * evaluations is reached. */
 static void
 descend_by_damped_steps(struct descent *d, int evaluations)
 {
@@ -300,8 +305,9 @@ descend_by_damped_steps(struct descent *d, int evaluations)
 	}
 }
 
-/* The state of a secant method, in the coordinates z = R x with the triangle R
- * at its start: half the gradient, and the inverse of its derivative. */
+/* The state of a secant method in the coordinates z = R x, where R is the
+ * triangular matrix at its start.  g: half the gradient; H: the inverse of its
+ * derivative. */
 struct secant {
 	size_t n, column[PARAMS_MOST];
 	double g[PARAMS_MOST], H[PARAMS_MOST][PARAMS_MOST];
@@ -341,15 +347,15 @@ update_inverse_hessian(struct secant *q, const double *dz, const double *dg)
 				      along;
 }
 
-/* A move of the secant method. */
 struct move {
-	double z[PARAMS_MOST], g[PARAMS_MOST]; /* move, and gradient there */
-	bool cut;                              /* by a bound */
+	double z[PARAMS_MOST], g[PARAMS_MOST]; /* move, and half the gradient
+					        * after it */
+	bool cut;                              /* shortened by a bound */
 	bool rest;                             /* nothing to gain */
 };
 
-/* Looks along -H g for a point that is lower and less steep (Wolfe's weak
- * conditions), by halving.  False where there is none. */
+/* Searches along -H g, by bisection, for a point that is lower and less steep
+ * (weak Wolfe conditions).  Returns false if there is none. */
 static bool
 search_along_line(struct descent *d, const struct secant *q, struct move *m)
 {
@@ -386,12 +392,13 @@ search_along_line(struct descent *d, const struct secant *q, struct move *m)
 	return false;
 }
 
-/* Goes on by a secant method (Broyden, Fletcher, Goldfarb, Shanno) from the
- * identity, until it gains nothing or meets a bound.  It learns what J does not
- * tell: where p(u) has a zero at small u, or all of p is small, most of the
- * curvature is that of the residuals themselves, and it jumps where zeros come
- * and go; there damped steps cross the valley to and fro for thousands.
- * Returns whether it began at rest: without a gradient, and gained nothing. */
+/* Continues by a secant method (Broyden, Fletcher, Goldfarb, Shanno), starting
+ * from the identity, until it gains nothing or meets a bound.  It learns the
+ * curvature that J lacks: where p(u) has a zero at small u, or all of p is
+ * small, most of the curvature is that of the residuals themselves, and it
+ * jumps where zeros appear and disappear.  There damped steps would zigzag
+ * across the valley thousands of times.  Returns true if it gained nothing and
+ * the descent has not ended. */
 static bool
 descend_by_secants(struct descent *d, struct secant *q)
 {
@@ -417,7 +424,7 @@ descend_by_secants(struct descent *d, struct secant *q)
 }
 
 /* Parameters on a bound stay there until the others are at rest; only then does
- * the gradient tell whether they would leave it. */
+ * the gradient show whether they should leave it. */
 static void
 descend_to_rest(struct descent *d)
 {

@@ -18,7 +18,7 @@ sensitivity_is_on_bound(
 	       near <= 1e-6 * range;
 }
 
-/* Marks the parameters that may move and gives the length of their ranges. */
+/* Lists the parameters that may move, and sets all ranges. */
 static void
 find_movable_params(struct sensitivity *s, const struct params *p,
     const struct bounds *b, bool inward)
@@ -33,7 +33,6 @@ find_movable_params(struct sensitivity *s, const struct params *p,
 	}
 }
 
-/* J [rows * width] */
 static void
 decompose_jacobian(struct sensitivity *s, const double *J, size_t width,
     size_t rows, double *basis)

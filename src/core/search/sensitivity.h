@@ -8,7 +8,7 @@
 
 /* The singular values of the Jacobian of the differences, its columns scaled by
  * the search ranges.  In the gauge, where only the direction matters (D4), the
- * largest parameter is held and the others are scaled by twice its size.
+ * largest parameter is held, and the ranges of the others are twice its size.
  *   column [n]        parameters that may move
  *   range             the change of each parameter that counts as 1
  *   sigma [n]         singular values, largest first
@@ -21,13 +21,14 @@ struct sensitivity {
 	double direction[PARAMS_MOST][PARAMS_MOST];
 };
 
-/* True if a parameter is free to move and within a millionth of the range of a
- * bound.  Those in the gauge never are: their bounds only limit the scale. */
+/* True if a parameter is not fixed and is nearer to a bound than a millionth of
+ * its range.  Always false for a parameter of the gauge, whose bounds only
+ * limit the scale. */
 bool sensitivity_is_on_bound(
     const struct bounds *bounds, const struct params *p, size_t j);
 
-/* inward: parameters on a bound may move; fixed ones never do.  basis
- * [m->n_residual * PARAMS_MOST] out, or NULL: row i holds the shift of
+/* inward: parameters on a bound may move too; fixed ones never do.  If basis
+ * [m->n_residual * PARAMS_MOST] is not NULL, sets its row i to the shift of
  * difference i along each direction; its columns are orthonormal, or 0 where
  * sigma is negligible.  Cannot fail. */
 struct sensitivity sensitivity_at_params(struct misfit *m,
@@ -35,9 +36,9 @@ struct sensitivity sensitivity_at_params(struct misfit *m,
     double *basis);
 
 /* The direction in which the misfit at a fitted point rises least, to second
- * order.  part [PARAMS_MOST]: the step of each parameter along it, as a share
- * of its search range, that raises the misfit by 10 %; 0 for parameters fixed
- * or on a bound.  reach: the largest of these steps. */
+ * order.  part [PARAMS_MOST]: the steps of the parameters, as shares of their
+ * search ranges, that together raise the misfit by 10 %; 0 for parameters fixed
+ * or on a bound.  reach: the largest absolute step. */
 struct flat_direction {
 	double part[PARAMS_MOST];
 	double reach;

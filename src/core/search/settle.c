@@ -11,26 +11,27 @@
 enum { STEPS = 40 };
 
 /* Shares of a parameter's range (bounds_range_of_param).  Steps below AT_REST
- * are rounding errors; one above BESIDE leaves the neighbourhood of the start;
- * derivatives are compared APART; the last steps begin at whole multiples of
- * COARSE; what is nearer to a bound than ON_BOUND is on it. */
+ * are rounding errors; a step above BESIDE leaves the neighbourhood of the
+ * start; second derivatives are differences over APART to either side; the last
+ * steps begin at whole multiples of COARSE; a parameter nearer to a bound than
+ * ON_BOUND is on it. */
 static const double AT_REST = 1e-11, BESIDE = 1e-2, APART = 1e-6,
 		    COARSE = 0x1p-24, ON_BOUND = 1e-9;
-/* NOTHING: a share of the misfit that does not count, as for the polish,
- * because derivatives from a table of B are only as accurate as its steps.
- * EXACT: the misfit of a fit without residuals. */
+/* NOTHING: a rise of the misfit by this share is accepted, because derivatives
+ * from a table of B are only as accurate as its steps.  EXACT: below this
+ * misfit a fit has no residuals. */
 static const double NOTHING = 1e-9, EXACT = 1e-24;
 
 struct newton {
 	struct misfit *misfit;
 	const struct bounds *bounds;
-	size_t n, column[PARAMS_MOST]; /* those that move */
-	double range[PARAMS_MOST];     /* of all */
+	size_t n, column[PARAMS_MOST]; /* the parameters that move */
+	double range[PARAMS_MOST];     /* of all parameters */
 	double *r, *J, *r_beside, *J_beside;
 	double H[PARAMS_MOST][PARAMS_MOST]; /* see compute_curvature */
 };
 
-/* Moves parameters that are on a bound, except for rounding, onto it. */
+/* Moves parameters that are on a bound, apart from rounding, onto it. */
 static void
 snap_to_bounds(const struct bounds *b, struct params *p)
 {
@@ -43,8 +44,8 @@ snap_to_bounds(const struct bounds *b, struct params *p)
 	}
 }
 
-/* Lists the parameters that move: all but those on a bound and the largest of
- * the gauge, of which only the direction counts. */
+/* Lists the parameters that move: all except those on a bound and the largest
+ * of the gauge, of which only the direction matters. */
 static void
 list_moving_columns(struct newton *w, const struct params *p)
 {
@@ -59,8 +60,8 @@ list_moving_columns(struct newton *w, const struct params *p)
 	}
 }
 
-/* Computes half the gradient, with parameters in units of their ranges, g [n],
- * and returns the misfit. */
+/* Computes g [n], half the gradient with parameters in units of their ranges.
+ * Returns the misfit. */
 static double
 compute_gradient(struct newton *w, const struct params *p, double *g)
 {
@@ -76,8 +77,8 @@ compute_gradient(struct newton *w, const struct params *p, double *g)
 	return misfit;
 }
 
-/* Adds the curvature of the residuals along a parameter to its row of H: the
- * change of J from one side of the parameter to the other. */
+/* Adds the curvature of the residuals along a parameter to its row of H, from
+ * the change of J between points on either side. */
 static void
 add_curvature_column(struct newton *w, const struct params *p, size_t c)
 {
@@ -119,7 +120,8 @@ compute_curvature(struct newton *w, const struct params *p)
 }
 
 /* Replaces H with its Cholesky factor, on and below the diagonal.  Returns
- * false if it has none, as when the data leave a direction open. */
+ * false if it has none, for example if the data do not determine a
+ * direction. */
 static bool
 factor_curvature(struct newton *w)
 {
@@ -138,7 +140,7 @@ factor_curvature(struct newton *w)
 	return true;
 }
 
-/* x = H^-1 x. */
+/* Computes H^-1 x in place. */
 static void
 solve_with_curvature(const struct newton *w, double *x)
 {
@@ -154,7 +156,8 @@ solve_with_curvature(const struct newton *w, double *x)
 	}
 }
 
-/* Moves *p by Newton's steps until only rounding errors are left of them. */
+/* Moves *p by Newton steps until the steps are only rounding errors.  Returns
+ * false if it fails. */
 static bool
 newton_descend(struct newton *w, struct params *p)
 {
@@ -184,7 +187,7 @@ newton_descend(struct newton *w, struct params *p)
 	return before < AT_REST;
 }
 
-/* Returns the nearest parameters with few digits. */
+/* Returns the nearest parameters that are whole multiples of COARSE. */
 static struct params
 round_params_to_few_digits(const struct newton *w, const struct params *p)
 {

@@ -1,4 +1,4 @@
-/* The minimum of the misfit to the last bit, the same from every start.
+/* Finds the minimum of the misfit to the last bit, the same from every start.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef TIPSPEED_CORE_SEARCH_SETTLE_H
 #define TIPSPEED_CORE_SEARCH_SETTLE_H
@@ -9,13 +9,13 @@
 #include "core/model/params.h"
 
 /* Moves *p, a converged result of polish_run, to where the misfit's gradient is
- * 0.  A misfit exact to the last digit determines only half of the digits of
- * the parameters; the gradient determines nearly all.  The last steps begin at
- * parameters rounded to seven digits, which are the same for all starts, so the
- * result is the same to the last bit.
+ * 0.  Even a misfit exact to the last digit determines only half the digits of
+ * the parameters; the gradient determines nearly all of them.  The last steps
+ * begin at parameters rounded to seven digits.  These are the same for all
+ * starts, so the result is the same to the last bit.
  *
  * Parameters on a bound stay there, and the largest of the gauge (D4) does not
- * change.  Returns false, leaving *p unchanged, if there is no such point
+ * change.  Returns false and leaves *p unchanged if there is no such point
  * nearby: if the data do not determine a direction, at a crease of the misfit,
  * or if the misfit would be larger. */
 bool settle_at_stationary_point(
