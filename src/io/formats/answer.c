@@ -31,7 +31,7 @@ struct table {
 struct answer {
 	char *command, *title, *site, *provenance, *missing;
 	bool names_sites; /* its fields name the sites */
-	int room;         /* columns for a table */
+	int room;         /* width for a table, in columns */
 	bool across;      /* transpose a table with more rows than columns */
 	struct table table[2], *filled;
 	json_t *fields; /* an object */

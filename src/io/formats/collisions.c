@@ -77,9 +77,9 @@ struct reading {
 	FILE *in;
 	char *line;
 	size_t length, room;
-	int at;                          /* line */
+	int at;                          /* number of the line */
 	char separator;                  /* ' ' means any blanks */
-	size_t n;                        /* columns */
+	size_t n;                        /* number of columns */
 	enum column column[FIELDS_MOST]; /* what each field is */
 	double scale[FIELDS_MOST];
 	bool has[COLUMNS_ALL + 1];
@@ -268,8 +268,8 @@ read_numbers_of_row(struct reading *r)
 			    "is the file complete?");
 		if (r->column[i] == COL_NONE)
 			continue;
-		/* Safe: the program sets LC_CTYPE only, as in
-		 * text_parse_number. */
+		/* strtod reads a decimal point, as the program sets only
+		 * LC_CTYPE; see text_parse_number. */
 		double v = strtod(field, &end);
 		if (end == field || end[strspn(end, " ")] != '\0' ||
 		    !isfinite(v))

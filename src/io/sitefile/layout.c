@@ -175,7 +175,7 @@ guess_cell_nature(
 	return n;
 }
 
-/* Fills the natures of all cells. */
+/* Finds what each cell can be. */
 static void
 fill_cell_natures(struct sheets *g)
 {

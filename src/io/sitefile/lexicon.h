@@ -42,7 +42,7 @@
 #define WORD_MACHINE (UINT64_C(1) << 32)
 #define WORD_MEAN (UINT64_C(1) << 31) /* of samples */
 #define WORD_PHI (UINT64_C(1) << 33)
-#define WORD_NUMBER (UINT64_C(1) << 34) /* of a sieve, of a sample */
+#define WORD_NUMBER (UINT64_C(1) << 34) /* number of a sieve or sample */
 
 /* True for a folded word that says when a sample was taken: "tue", "november",
  * "morning", "skift". */

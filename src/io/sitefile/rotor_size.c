@@ -167,7 +167,7 @@ parse_rotor_number(struct search *s, const char **text)
 	s->rotor = s->diameter = false;
 	s->unit = 0;
 	*text = unit > 0 ? after + word : *text;
-	*text += unit > 0 && **text == '.'; /* of in. */
+	*text += unit > 0 && **text == '.'; /* the point of "in." */
 }
 
 static void

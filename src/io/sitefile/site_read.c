@@ -731,7 +731,8 @@ read_site_table(struct reading *r, const struct page *page, struct table *t,
 	near.rpm = told.differ ? 0 : told.rpm;
 	near.context =
 	    title_words_and_speed(page->layout, t, q->path[page->file], &near);
-	/* "Specification", "VSI 2" above a further table of the sheet. */
+	/* "Specification" or "VSI 2" above a later table of the sheet may mean
+	 * that it is another site's. */
 	if (t->strange && t != &page->layout->table[0] && !near.told &&
 	    q->range == NULL)
 		r->open.other = t;

@@ -59,7 +59,7 @@ struct site_ask {
 /* Parses "A3:F20".  Returns false for any other form. */
 bool site_box_parse(const char *text, struct site_box *box);
 
-/* Returns the box as "A3:F20".  The caller frees it. */
+/* Returns the range as "A3:F20".  The caller frees it. */
 char *site_box_text(struct site_box box);
 
 /* Returns the smallest range that contains the tables `from` to `to` of *ask,

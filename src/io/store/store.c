@@ -142,8 +142,8 @@ sql_column_text(sqlite3_stmt *stmt, int i)
 	return text != NULL ? text : "";
 }
 
-/* Returns SQLite's code for the latest failure; NOMEM if there is not even a
- * database. */
+/* Returns SQLite's code for the latest failure; SQLITE_NOMEM if there is no
+ * database at all. */
 static int
 sqlite_code(const struct store *store)
 {
@@ -175,7 +175,8 @@ set_error_from_sqlite(const struct store *store, struct error *error)
 	    store->db != NULL ? sqlite3_errmsg(store->db) : "no memory");
 }
 
-/* Runs SQL without results.  False with the error set. */
+/* Runs SQL that has no results.  Returns false with the error set on
+ * failure. */
 static bool
 run_sql(struct store *store, const char *sql, struct error *error)
 {
@@ -197,7 +198,8 @@ query_first_text(struct store *store, const char *sql)
 	return text;
 }
 
-/* Returns a whole number; -1 after a failure. */
+/* Returns the first value of the first row as a whole number, or -1 after a
+ * failure. */
 static long
 query_first_integer(struct store *store, const char *sql)
 {
