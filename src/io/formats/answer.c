@@ -577,7 +577,7 @@ print_csv(const struct answer *a, bool semicolon, FILE *out)
 	size_t rows = told ? a->n_sentence : count_table_rows(t);
 	if (t->n_column == 0 && !told)
 		return 0;
-	fputs(tr("command"), out);
+	fputs("command", out);
 	if (a->site != NULL)
 		fprintf(out, "%csite%cprovenance", separator, separator);
 	for (size_t c = 0; c < t->n_column; c++)
