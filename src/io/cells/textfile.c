@@ -87,13 +87,13 @@ textfile_decode(const char *path, const char *bytes, size_t n,
 	*note = "";
 	if (n > 3 && memcmp(bytes, "PK\3\4", 4) == 0)
 		return refuse_invalid_text(path, bytes, 0,
-		    "expected text, got a workbook (.xlsx, .ods)", errors);
+		    tr("expected text, got a workbook (.xlsx, .ods)"), errors);
 	struct decoded d = encoding_decode(bytes, n);
 	size_t control = first_control_character(d.text, d.n);
 	char *text = NULL;
 	if (control < d.n)
 		refuse_invalid_text(path, d.text, control,
-		    "expected text, got a binary file", errors);
+		    tr("expected text, got a binary file"), errors);
 	else if (d.wrong != NULL)
 		refuse_invalid_text(path, d.text, d.bad, d.wrong, errors);
 	else if (textfile_is_blank(d.text, d.n))
@@ -140,8 +140,8 @@ report_unreadable_file(
 	bool several = errno == EISDIR || strpbrk(path, "*?") != NULL;
 	error_at(error_add(errors), ERROR_SYSTEM, path, 0, 0,
 	    "cannot read: %s\n%s", why,
-	    several ? "name each file, or let the shell expand the pattern: "
-		      "tipspeed FOLDER/*.csv"
+	    several ? tr("name each file, or let the shell expand the pattern: "
+			 "tipspeed FOLDER/*.csv")
 		    : tr("check the name (quote names with spaces), the folder "
 			 "and its permissions"));
 	return NULL;

@@ -159,15 +159,15 @@ find_columns_in_heading(struct sheet *sheet, struct column *column, size_t n)
 			    column_name(&column[c]));
 }
 
-static const char EMPTY[] = "expected %s, got an empty cell\n"
-			    "fill it, or remove the row";
+static const char EMPTY[] = N_("expected %s, got an empty cell\n"
+			       "fill it, or remove the row");
 
 static void
 parse_material_param_cell(struct sheet *sheet, struct cell cell,
     const struct param_info *info, struct material *m)
 {
 	double value;
-	FREED char *wanted = xasprintf("a number from %g to %g for %s",
+	FREED char *wanted = xasprintf(tr("a number from %g to %g for %s"),
 	    info->least, info->most, info->name);
 	size_t j = breakage_parameter_index(
 	    breakage_model_of_params(&m->params), info->name);
