@@ -32,8 +32,8 @@ bool datetime_parse(const char *text, struct datetime *m);
 double datetime_seconds_since_1970(
     const struct datetime *m, enum datetime_order order);
 
-/* Returns the beginning of the day that a moment is in, both in seconds since
- * the midnight of some day. */
+/* Returns the last midnight at or before a moment.  Both are in seconds since
+ * some midnight, such as that of 1970. */
 double datetime_start_of_day(double seconds);
 
 /* Return a moment, in seconds since 1970, as "2026-05-03 10:15", or its time of

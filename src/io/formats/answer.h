@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* What a command returns: its site and provenance, named fields, a table, and
+/* What a command returns: site and provenance, named fields, a table, and
  * sentences.  A command does not know the form in which its answer will be
  * shown.  table and markdown round numbers and show title, provenance and
  * sentences; csv and json are exact.  csv prints the table, each number with
@@ -60,10 +60,10 @@ void answer_columns(struct answer *answer, const char *format, ...)
 /* Adds a column whose heading may contain any character. */
 void answer_column(struct answer *answer, const char *key, const char *head);
 
-/* Adds a column whose heading is already translated.  If a text of 80 columns
- * has no room, columns whose `spare` is not 0 are left out, those with the
- * largest first, and the text says so; the rest is not continued in a second
- * block.  Files have all columns. */
+/* Adds a column whose heading is already translated.  On a screen of 80 columns
+ * that has no room for the whole table, columns whose `spare` is not 0 are left
+ * out, those with the largest first, and the text says so, instead of
+ * continuing in a second block.  Files have all columns. */
 void answer_column_to_spare(
     struct answer *answer, const char *key, const char *head, int spare);
 
@@ -123,11 +123,11 @@ void answer_note(struct answer *answer, const char *format, ...)
 void answer_note_column(struct answer *answer, const char *name,
     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The answer as people see it, borrowed: title, site and provenance, each or
- * NULL; a table row by row (the table for programs if there is no other);
- * sentences.  In a cell, text is what people see; number is exact, NAN if
- * missing, and shown with `decimals`, or with as many as needed if that is -1;
- * key is what programs see instead of a text, or NULL. */
+/* The answer as people see it, borrowed: title, site and provenance, any of
+ * which may be NULL; a table row by row (the table for programs if there is no
+ * other); sentences.  In a cell, text is what people see; number is exact, NAN
+ * if missing, and shown with `decimals`, or with as many as needed if that is
+ * -1; key is what programs see instead of a text, or NULL. */
 struct answer_cell {
 	bool is_text;
 	double number;

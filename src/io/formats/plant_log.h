@@ -15,12 +15,13 @@ enum log_column { LOG_RPM, LOG_SPEED, LOG_POWER, LOG_RATE, LOG_COLUMNS };
 
 extern const char *const LOG_UNITS[LOG_COLUMNS];
 
-/* A log.  time [n]: of the rows, in order, as datetime_seconds_since_1970
- * returns it.  value [n]: NAN if the log has no number there; NULL if there is
- * no such column.  apart: the usual interval between rows, s.  gap: the longest
- * interval, s; gap_from: its start.  passed: the number of rows skipped because
- * their time could not be read.  read_as: "time in column 1, rpm in 3";
- * assumed: what in this the log does not state, or "". */
+/* A log.  time [n]: the time of each row, in order, as
+ * datetime_seconds_since_1970 returns it.  value [n]: NAN if the log has no
+ * number there; NULL if there is no such column.  apart: the usual interval
+ * between rows, s.  gap: the longest interval, s; gap_from: its start.  passed:
+ * the number of rows skipped because their time could not be read.  read_as:
+ * "time in column 1, rpm in 3"; assumed: the parts of it that the log does not
+ * state, or "". */
 struct plant_log {
 	char *path;
 	size_t n, passed;

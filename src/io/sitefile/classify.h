@@ -10,12 +10,12 @@
 #include "io/sitefile/site_column.h"
 #include "io/sitefile/site_samples.h"
 
-/* What is known from outside the table.  rotor: its diameter, m, or 0 if not
- * known.  speed, rpm: m/s and rpm of samples whose headings state no speed, or
- * 0.  context: the meanings of the words around the table (its title, the name
- * of its sheet or file), which tell feed from product.  told: the user gave the
- * headings.  counted: bare numbers in headings are not tip speeds.  samples:
- * those that the user described by name. */
+/* What is known from outside the table.  rotor: the rotor's diameter, m, or 0
+ * if not known.  speed, rpm: m/s and rpm of samples whose headings state no
+ * speed, or 0.  context: the meanings of the words around the table (its title,
+ * the name of its sheet or file), which tell feed from product.  told: the user
+ * gave the headings.  counted: bare numbers in headings are not tip speeds.
+ * samples: those that the user described by name. */
 struct surroundings {
 	double rotor, speed, rpm;
 	uint64_t context;

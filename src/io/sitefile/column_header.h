@@ -19,7 +19,7 @@ enum speed_unit {
 /* What a heading says.  means: the meanings of all its words, see lexicon.h.
  * unknown: the number of words without a meaning.  unit: the unit of speed,
  * with or without a number.  speed, rpm: m/s and rpm, or 0 if not stated.
- * number: the first HEAD_NUMBERS of the n_number numbers without a unit.
+ * number [n_number]: the numbers without a unit, at most HEAD_NUMBERS of them.
  * several: it states two speeds.  spread: the speed comes from a cell to the
  * left.  range: it contains a range of sizes (0-4 mm, 53-D-63), which is a name
  * of the sample. */

@@ -98,8 +98,9 @@ struct table_samples {
 struct table_samples site_column_samples_of_table(
     const struct columns *all, const struct table *t);
 
-/* Returns the nth column with that role and speed or, if there is only one,
- * which serves all repeats, that.  Returns NULL if there is none. */
+/* Returns the nth column with that role and speed.  If there is only one, it
+ * serves all repeats and is returned for each n.  Returns NULL if there is
+ * none. */
 struct column *site_column_find(
     const struct columns *all, enum role role, double speed, size_t nth);
 
