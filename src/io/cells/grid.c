@@ -14,7 +14,7 @@
 #include "io/cells/encoding.h"
 
 /* Limits of a workbook and of a sheet.  MOST_BYTES counts a text once for each
- * cell that has it, even if the file contains it only once. */
+ * cell that has it. */
 enum { MOST_SHEETS = 200, MOST_BYTES = 10 * 1000 * 1000 };
 
 /* Limits of a cell (Excel allows 32,767 characters), of the number of remarks

@@ -226,8 +226,8 @@ put_duration_as_time(struct sheets *grid, struct cell at, const char *value)
 	return sheets_put_date(grid, at, text);
 }
 
-/* Puts a date into the sheet, without seconds if these are zero, and without
- * its time if it is midnight, as dates of .xlsx files are. */
+/* Puts a date into the sheet as .xlsx files have it: without seconds if they
+ * are zero, and without time at midnight. */
 static bool
 put_date_without_zero_time(
     struct sheets *grid, struct cell at, const char *value)

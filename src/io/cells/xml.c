@@ -120,8 +120,8 @@ refuse_doctype(void *data, const XML_Char *name, const XML_Char *system,
 	xml_stop_with_fault(data, tr("it has a document type"));
 }
 
-/* Runs the parser and frees it.  Returns a description of the fault, which the
- * caller frees, or NULL. */
+/* Runs the parser and frees it.  Returns a description of the fault, or
+ * NULL. */
 static char *
 run_xml_parser(struct reading *r, XML_Parser parser,
     XML_StartElementHandler begin, const char *bytes, size_t n)

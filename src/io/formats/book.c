@@ -369,8 +369,8 @@ book_add_answer(struct book *b, const struct answer *answer)
 	return v.n_column > 0 ? v.n_row : v.n_sentence;
 }
 
-/* Writes a row of a text.  A row of more than a key and a value that does not
- * begin with a number has headings, which are bold. */
+/* Writes a row of a text.  A row of three or more cells that does not begin
+ * with a number has headings, which are bold. */
 static void
 book_put_text_row(struct book *b, struct page *p, const struct row *row)
 {

@@ -33,8 +33,8 @@ struct plant_log {
 
 /* The files [n] to read as one log, and options.  columns: "1=time, 3=rpm,
  * 4=kW", or NULL.  sheet: the sheet of a workbook, or NULL.  decimal: the
- * decimal sign, or '\0' if not given.  order: how to read dates such as
- * 5/3/2026, or DATETIME_OPEN. */
+ * decimal sign, or '\0'.  order: how to read dates such as 5/3/2026, or
+ * DATETIME_OPEN. */
 struct log_request {
 	size_t n;
 	const char *const *path;

@@ -69,8 +69,8 @@ insert_limit_row(struct spec *spec, double size, double least, double most)
 	spec->n += !there;
 }
 
-/* Returns the envelope whose name is this one without the brackets at its end,
- * from which it takes its limits; NULL if there is none. */
+/* Returns the envelope with this name less the brackets at its end, from which
+ * it takes its limits, or NULL. */
 static const struct spec *
 find_base_envelope(const struct standards *all, const char *name)
 {

@@ -177,7 +177,7 @@ skip_unit_of_mass(const char *text)
 }
 
 /* Adds a number to the heading, with the unit that follows it at *text, and
- * moves *text past the unit.  at: an @ precedes the number. */
+ * moves *text past the unit. */
 static void
 add_number_to_heading(
     struct head *head, const char **text, double value, bool at)
@@ -293,8 +293,7 @@ is_part_of_other_number(
 	       !(*to == '.' && (to[1] == ' ' || to[1] == '\0'));
 }
 
-/* Reads the number at *text into the heading and moves *text past it.  start:
- * the beginning of the whole text; at: an @ precedes the number. */
+/* Reads the number at *text into the heading and moves *text past it. */
 static void
 parse_heading_number(struct head *head, const char *start, const char **text,
     bool at, struct before *before)

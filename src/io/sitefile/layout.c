@@ -36,10 +36,9 @@ struct nature {
 	double mm;
 };
 
-/* A table that was found.  Its rows are first to before last, its sieves are in
- * column c, their heading is in row head (g->n_row: it has none), and its
- * numbers are before column end.  score: how many of its sizes are those of
- * real sieves.  unsure: as in struct table. */
+/* A table that was found: rows first to before last, sieves in column c, their
+ * heading in row head (g->n_row: none), numbers before column end.  score: how
+ * many sizes are those of real sieves.  unsure: as in struct table. */
 struct place {
 	size_t c, head, first, last, end;
 	int score;
@@ -278,9 +277,9 @@ count_distinct_size_below(struct sizes_below *below, const char *size)
 	below->last = size;
 }
 
-/* Makes sieves of "< 16", "< 11.2", "< 8" in one line or column: the numbers
- * there are passing.  "< 16" alone, or the same again and again in a long
- * table, is the pan. */
+/* Takes "< 16", "< 11.2", "< 8" in one line or column for sieves, and the
+ * numbers there for what passes them.  "< 16" alone, or again and again in a
+ * long table, is the pan. */
 static void
 mark_sizes_below_as_sieves(struct sheets *g)
 {

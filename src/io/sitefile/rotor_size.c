@@ -105,9 +105,8 @@ record_rotor_diameter(struct search *s, double mm)
 }
 
 /* Reads a number of n bytes, with a decimal point or comma, at *text, moves
- * *text past it, and returns it in mm.  unit: the length of its unit, mm.  In
- * 1,050 mm the comma separates thousands, as no rotor is as small as 1.05
- * mm. */
+ * *text past it, and returns it in mm.  In 1,050 mm the comma separates
+ * thousands, as no rotor is as small as 1.05 mm. */
 static double
 parse_number_in_mm(const char **text, size_t n, double unit)
 {

@@ -71,9 +71,9 @@ add_column_to_question(struct site_ask *ask, const struct table *t, size_t at,
 		.open = open};
 }
 
-/* True if samples are better identified by name than by column: the columns of
- * a long table have no numbers of their own, and many samples are too many to
- * list. */
+/* True if it is better to ask for samples by name than by column: in a long
+ * table, whose columns have no numbers of their own, or if there are many
+ * samples. */
 static bool
 is_better_asked_by_sample(
     struct table *const *table, size_t n_table, const struct columns *all)

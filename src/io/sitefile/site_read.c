@@ -112,8 +112,8 @@ check_feeds_match_repeats(const struct columns *t, const struct column *c)
 	    SITE_ROLES[c->role], c->speed, own);
 }
 
-/* Checks that column c, if a product, has a feed and, if a standard deviation,
- * has a product; and that there is not one feed too many. */
+/* Checks that a product has a feed, and a standard deviation a product; and
+ * that there is not one feed too many. */
 static void
 check_feed_or_product_exists(const struct columns *t, const struct column *c,
     const struct site_request *request)
@@ -231,8 +231,8 @@ report_missing_roles(struct reading *r)
 		    "add takes samples of product; load this file as a site");
 }
 
-/* Returns, of the feeds that do not all pass their coarsest sieve, the one
- * whose coarsest sieve is the largest; NULL if there is none. */
+/* Of the feeds whose coarsest sieve does not pass everything, returns the one
+ * with the largest such sieve, or NULL. */
 static const struct column *
 feed_with_unknown_top_size(const struct columns *all)
 {

@@ -31,8 +31,8 @@ bool samples_parse_columns_option(struct samples *samples, const char *text,
 void samples_clear(struct samples *samples);
 
 /* Replaces the headings of a table by what the user says of its columns, and
- * drops the other columns; does neither if only sieves are named.  Returns the
- * meanings of what the user says of the sieves, or 0. */
+ * drops the others; if only sieves are named, does neither.  Returns the
+ * meanings of what is said of the sieves, or 0. */
 uint64_t samples_set_column_headings(
     const struct samples *columns, struct table *t);
 

@@ -198,8 +198,8 @@ summarise_sieve_numbers(const struct table *t)
 /* Recognises numbers of ASTM E11 sieves, 4, 8, 16 .. 200, which rise while the
  * sieves get finer.  said: the heading says number, though 16, 8, 4 could also
  * be in mm.  Without such a heading, fractions of an inch above them show that
- * they are not sizes.  Returns SIEVES_ASSUMED, and leaves t->unit, if they are
- * not sieve numbers. */
+ * they are not mm.  Returns SIEVES_ASSUMED, and leaves t->unit, if they are not
+ * sieve numbers. */
 static enum sieve_certainty
 recognise_astm_numbers(struct table *t, const struct numbers *all, bool said)
 {
@@ -223,9 +223,8 @@ guess_sieve_unit(const struct numbers *all)
 	    small || all->most > COARSE_TOP ? 1e-3 : 1, SIEVE_NONE};
 }
 
-/* Decides the unit of the sieves; this is done nowhere else.  Assumes mm or um
- * if none is stated and the numbers leave no doubt.  means: the meanings of the
- * heading. */
+/* Decides the unit of the sieves.  Assumes mm or um if none is stated and the
+ * numbers leave no doubt.  means: the meanings of the heading. */
 static enum sieve_certainty
 site_sieve_find_unit(struct table *t, uint64_t means)
 {

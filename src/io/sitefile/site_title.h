@@ -52,8 +52,8 @@ char *title_feed_or_last_line(const struct table *t);
 /* True if tables are one site although words in their titles may mean several
  * sites: one has the feed (not needed if parts), and each of the others has one
  * product, with a title that differs from those of the other products only in a
- * speed with its unit.  The feed's title must not name something else.  Two
- * tables may also be one with the feed and one with all products. */
+ * speed with its unit.  Two tables may also be one with the feed and one with
+ * all products. */
 bool titles_are_speed_series(struct table *const *table, size_t n,
     const struct columns *all, bool parts);
 

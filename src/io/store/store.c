@@ -493,9 +493,8 @@ store_open(struct store *store, bool make, struct error *error)
 	return ok;
 }
 
-/* Returns SQL such as "SELECT fold, digest, name, ..." or "INSERT ... VALUES
- * (?, ?, ?, ...)", in which all fields (or marks for them) follow `before`.
- * The caller frees it. */
+/* Returns SQL in which all fields, or a ? for each, follow `before`: "SELECT
+ * fold, digest, name, ..." or "INSERT ... VALUES (?, ?, ?, ...)". */
 static char *
 sql_listing_fields(const char *before, bool marks, const char *after)
 {
